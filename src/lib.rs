@@ -14,6 +14,7 @@
 //! - [`classics`]: a tile run, a jumper, and π from collisions, each with just the model that it needs.
 //! - [`lab`]: accuracy against speed: scenes with exact answers, methods, stress tests, charts.
 //! - [`draw`]: a frame as a list of shapes, and the pens that play it.
+//! - [`ui`]: widgets without a window: they are laid out and recorded, and answer mouse, keys and gamepad by their labels.
 //! - [`screens`]: the screens as a state machine, one file a screen; it is tested without a window.
 //! - [`view`]: drawing only: it reads the game and changes nothing in it.
 //! - [`cli`]: one file a subcommand.
@@ -41,4 +42,5 @@ mod random;
 pub mod scores;
 pub mod screens;
 pub mod settings;
+pub mod ui;
 pub mod view;

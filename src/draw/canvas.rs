@@ -40,6 +40,11 @@ impl Canvas {
         self.shapes.get_mut().clear();
     }
 
+    /// Draws above it what another canvas of that size shows.
+    pub fn add_all(&mut self, other: &Self) {
+        self.shapes.get_mut().extend(other.shapes().iter().cloned());
+    }
+
     /// What was drawn, in order.
     pub fn shapes(&self) -> Ref<'_, [Shape]> {
         Ref::map(self.shapes.borrow(), Vec::as_slice)

@@ -1,8 +1,11 @@
 //! Who and what the game is made of, and under which licences.
 
-use super::scroll::{Bar, Scroll, bar_beside};
-use super::{Buttons, Input, Key, Request};
-use crate::view::layout::{Area, DETAILS, Frame, GAP, LINE, MONO_ADVANCE, PADDING, ROW_BUTTON, TEXT, Vec2};
+use super::scroll::bar_beside;
+use super::{Key, Request, Screen};
+use crate::draw::Style;
+use crate::draw::layout::{Area, DETAILS, GAP, LINE, MONO_ADVANCE, PADDING, ROW_BUTTON, TEXT, Vec2};
+use crate::ui::{Turn, Ui};
+use crate::view::theme;
 
 /// The game's own licence, word for word.
 const LICENCE: &str = include_str!("../../LICENSE");
@@ -41,7 +44,7 @@ const MARGIN: Vec2 = Vec2::new(120.0, 112.0);
 
 /// A line of the credits.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Line {
+enum Credit {
     /// A heading.
     Heading(&'static str),
     /// Words.
@@ -53,74 +56,53 @@ pub enum Line {
 }
 
 /// The credits.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Credits {
-    lines: Vec<Line>,
-    frame: Frame,
-    panel: Area,
-    scroll: Scroll,
-    back: Buttons,
+    /// For licences of so many columns.
+    columns: usize,
+    lines: Vec<Credit>,
 }
 
-impl Default for Credits {
-    fn default() -> Self {
-        let (scroll, back) = (Scroll::default(), Buttons::default());
-        let mut credits = Self { lines: Vec::new(), frame: Frame::default(), panel: Area::default(), scroll, back };
-        credits.place(Frame::default());
-        credits
-    }
-}
-
-impl Credits {
-    /// One frame.
-    pub fn update(&mut self, input: &Input) -> Option<Request> {
-        if self.frame != input.frame {
-            self.place(input.frame);
-        }
-        self.scroll.update(input);
-        (self.back.update(input).is_some() || input.pressed(Key::Escape)).then_some(Request::Menu)
-    }
-
-    /// All that is said.
-    pub fn lines(&self) -> &[Line] {
-        &self.lines
-    }
-
-    /// The lines in view.
-    pub fn range(&self) -> std::ops::Range<usize> {
-        self.scroll.range()
-    }
-
-    /// The scroll bar, where not all lines are in view.
-    pub fn bar(&self) -> Option<Bar> {
-        self.scroll.bar()
-    }
-
-    /// Its button: Back.
-    pub fn buttons(&self) -> &Buttons {
-        &self.back
-    }
-
-    fn place(&mut self, frame: Frame) {
-        self.frame = frame;
-        self.panel = Area { min: MARGIN, size: frame.size - 2.0 * MARGIN };
-        let panel = self.panel;
+impl Screen for Credits {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        let frame = ui.frame();
+        let panel = Area { min: MARGIN, size: frame.size - 2.0 * MARGIN };
         let columns = (panel.size.x - LEFT - RIGHT) / (frame.text_height(DETAILS) * MONO_ADVANCE);
-        self.lines = lines((columns as usize).min(MOST_COLUMNS));
-        let room = ((panel.size.y - 2.0 * PADDING) / line_height(&frame)).floor().max(1.0) as usize;
+        let columns = (columns as usize).min(MOST_COLUMNS);
+        if self.columns != columns {
+            *self = Self { columns, lines: lines(columns) };
+        }
+        ui.page("Credits", MARGIN.y / 2.0);
+        ui.panel(panel);
+        let step = frame.text_height(TEXT) * LINE;
+        let room = ((panel.size.y - 2.0 * PADDING) / step).floor().max(1.0) as usize;
         let bar = bar_beside(panel, panel.min.y + PADDING, panel.max().y - PADDING);
-        self.scroll.place(self.lines.len(), room, bar);
-        self.back.place(frame.row(1, panel.max().y + (MARGIN.y - ROW_BUTTON.y + GAP) / 2.0));
+        let shown = ui.scroll("credits", (self.lines.len(), room), bar, Turn::Lines);
+        for (row, line) in self.lines[shown].iter().enumerate() {
+            let left = Vec2::new(panel.min.x + LEFT, panel.min.y + PADDING + (row as f32 + 0.5) * step);
+            let style = |colour| Style::new(TEXT, colour).middle();
+            match line {
+                Credit::Heading(words) => ui.text(words, left, style(theme::accent())),
+                Credit::Licence(words) => ui.text(words, left, Style { size: DETAILS, ..style(theme::quiet()) }.mono()),
+                Credit::Words(words) => ui.text(words, left, style(theme::text())),
+                Credit::Part(part, licence) => {
+                    ui.text(part, left, style(theme::text()));
+                    ui.text(licence, Vec2::new(panel.max().x - RIGHT, left.y), style(theme::quiet()).right());
+                }
+            }
+        }
+        let back = ui.row(panel.max().y + (MARGIN.y - ROW_BUTTON.y + GAP) / 2.0, &["Back"]);
+        (back.is_some() || ui.key(Key::Escape)).then_some(Request::Menu)
     }
 }
 
 /// All that is said, with the licence in lines of at most so many characters.
-fn lines(columns: usize) -> Vec<Line> {
-    let heading = [Line::Heading("Resultant"), Line::Words("Levels, art, sounds, text and code were made for this game.")];
-    let between = [Line::Words(""), Line::Heading("Built with")];
-    let parts = FONTS.into_iter().chain(CRATES).map(|(part, licence)| Line::Part(part, licence));
-    let own = [Line::Words(""), Line::Heading("The game's licence")];
-    let licence = LICENCE.split("\n\n").flat_map(|paragraph| filled(paragraph, columns)).map(Line::Licence);
+fn lines(columns: usize) -> Vec<Credit> {
+    let heading = [Credit::Heading("Resultant"), Credit::Words("Levels, art, sounds, text and code were made for this game.")];
+    let between = [Credit::Words(""), Credit::Heading("Built with")];
+    let parts = FONTS.into_iter().chain(CRATES).map(|(part, licence)| Credit::Part(part, licence));
+    let own = [Credit::Words(""), Credit::Heading("The game's licence")];
+    let licence = LICENCE.split("\n\n").flat_map(|paragraph| filled(paragraph, columns)).map(Credit::Licence);
     heading.into_iter().chain(between).chain(parts).chain(own).chain(licence).collect()
 }
 
@@ -140,50 +122,6 @@ fn filled(paragraph: &str, columns: usize) -> Vec<String> {
     }
     lines.push(String::new());
     lines
-}
-
-fn line_height(frame: &Frame) -> f32 {
-    frame.text_height(TEXT) * LINE
-}
-
-mod drawing {
-    use super::{Credits, LEFT, Line, MARGIN, RIGHT, line_height};
-    use crate::draw::{Canvas, Style};
-    use crate::view::layout::{DETAILS, PADDING, TEXT, Vec2};
-    use crate::view::{theme, widgets};
-
-    impl Credits {
-        /// Draws what is in view.
-        pub fn draw(&self, canvas: &Canvas) {
-            widgets::graph_paper(canvas);
-            widgets::heading(canvas, "Credits", MARGIN.y / 2.0);
-            widgets::panel(canvas, self.panel);
-            let step = line_height(canvas.frame());
-            let (left, right) = (self.panel.min.x + LEFT, self.panel.max().x - RIGHT);
-            for (row, line) in self.scroll.range().enumerate() {
-                let y = self.panel.min.y + PADDING + (row as f32 + 0.5) * step;
-                let style = |colour| Style::new(TEXT, colour).middle();
-                match &self.lines[line] {
-                    Line::Heading(words) => canvas.text(words, Vec2::new(left, y), style(theme::accent())),
-                    Line::Licence(words) => {
-                        let mono = Style::new(DETAILS, theme::quiet()).mono().middle();
-                        canvas.text(words, Vec2::new(left, y), mono);
-                    }
-                    Line::Words(words) => canvas.text(words, Vec2::new(left, y), style(theme::text())),
-                    Line::Part(part, licence) => {
-                        canvas.text(part, Vec2::new(left, y), style(theme::text()));
-                        canvas.text(licence, Vec2::new(right, y), style(theme::quiet()).right());
-                    }
-                }
-            }
-            if let Some(bar) = self.scroll.bar() {
-                widgets::scroll_bar(canvas, bar.track, bar.handle, bar.held);
-            }
-            if let Some(area) = self.back.areas().first() {
-                widgets::button(canvas, *area, "Back", self.back.hover().is_some(), true);
-            }
-        }
-    }
 }
 
 #[cfg(test)]

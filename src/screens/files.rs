@@ -4,12 +4,13 @@
 use super::level_select::Entry;
 use super::library::Refusal;
 use super::worker::{Card, Errand, Ticket};
-use super::{App, Attempt, Editor, Flight, LevelSelect, Make, Purpose, Request, Screen, Spectator, Stamp, footage};
+use super::{App, Attempt, Editor, Flight, Flights, LevelSelect, Make, Purpose, Request, Screen, Spectator, Stamp, footage};
 use crate::game::{Outcome, level_hash};
 use crate::instruments::vary::Variation;
 use crate::level::document::{Folder, Opened};
 use crate::level::{self, Awards, Level, Problem, scaffold};
 use crate::number::clock;
+use std::any::Any;
 use std::collections::btree_map::Entry as Slot;
 use std::path::Path;
 use std::sync::Arc;
@@ -21,9 +22,45 @@ impl App {
         self.grant(request, spectator);
     }
 
+    /// Takes the screen away, where it is of that type.
+    fn take_screen<T: Screen>(&mut self) -> Option<Box<T>> {
+        if !self.screen.is::<T>() {
+            return None;
+        }
+        let screen: Box<dyn Screen> = std::mem::replace(&mut self.screen, Box::new(()));
+        (screen as Box<dyn Any>).downcast().ok()
+    }
+
+    /// Grants a request about the making of levels; `None`: the screen stays.
+    pub(super) fn begin_editing(&mut self, request: Request, spectator: &mut dyn Spectator) -> Option<Box<dyn Screen>> {
+        Some(match request {
+            Request::Edit(name) => self.edit_or_copy(&name),
+            Request::EditOriginal(name) => self.edit(&name),
+            Request::LeaveEditor => self.leave_editor(spectator),
+            Request::TestFly(level, left) => self.test_fly(level, left, spectator),
+            Request::BackToEditor(how) => self.back_to_editor(how),
+            Request::SaveVaried(variation, name) => {
+                self.save_varied(&variation, &name);
+                return None;
+            }
+            Request::Make(make) => {
+                match self.make(&make) {
+                    Ok(()) => self.after_making(&make, spectator),
+                    Err(reason) => {
+                        if let Some(screen) = self.screen.get_mut::<LevelSelect>() {
+                            screen.refuse(reason);
+                        }
+                    }
+                }
+                return None;
+            }
+            _ => return None,
+        })
+    }
+
     /// Has the level that is flown read again when its files have changed. What is flown from the editor is not on disk.
     pub(super) fn look_at_files(&mut self, frame_time: f64) {
-        let (Screen::Flight(flight), Some(watch), None) = (&self.screen, &mut self.watch, &self.editing) else { return };
+        let (Some(flight), Some(watch), None) = (self.screen.get::<Flight>(), &mut self.watch, &self.editing) else { return };
         if !watch.update(frame_time) || !watch.folder().is_dir() {
             return;
         }
@@ -33,7 +70,7 @@ impl App {
 
     /// Goes on in the level that is flown as it was read again.
     pub(super) fn take_over(&mut self, folder: &Path, level: Result<Arc<Level>, Refusal>, spectator: &mut dyn Spectator) {
-        let (Screen::Flight(flight), None) = (&mut self.screen, &self.editing) else { return };
+        let (Some(flight), None) = (self.screen.get_mut::<Flight>(), &self.editing) else { return };
         let flown = flight.attempt().level.clone();
         if self.library.folder(&flown.name) != folder {
             return;
@@ -60,7 +97,7 @@ impl App {
 
     /// The attempt on the screen from its start, in the level as its files are now; where those do not load, as it was.
     pub(super) fn restart(&mut self, spectator: &mut dyn Spectator) {
-        let Screen::Flight(flight) = &self.screen else { return };
+        let Some(flight) = self.screen.get::<Flight>() else { return };
         let Attempt { level: flown, .. } = flight.attempt().clone();
         let on_disk = self.reads_again(&flown.name);
         let (level, problems) = match on_disk.then(|| self.library.load(&flown.name)) {
@@ -71,7 +108,7 @@ impl App {
         if on_disk {
             self.watch = Some(self.library.watch(&level));
         }
-        let Screen::Flight(flight) = &mut self.screen else { return };
+        let Some(flight) = self.screen.get_mut::<Flight>() else { return };
         if let Err(error) = flight.restart(level, spectator) {
             return flight.tell_of_problems(vec![error.to_string()]);
         }
@@ -82,7 +119,7 @@ impl App {
     }
 
     /// Flies the level of a folder, or of a file in it, wherever that is; or the list of levels, with why it cannot be flown.
-    pub(super) fn open_folder(&mut self, path: &Path, spectator: &mut dyn Spectator) -> Screen {
+    pub(super) fn open_folder(&mut self, path: &Path, spectator: &mut dyn Spectator) -> Box<dyn Screen> {
         let loaded = match self.library.open(path) {
             Some(name) => self.library.load(&name).map_err(|refusal| (format!("Level {name} does not load"), refusal)),
             None => Err(("There is no such level".to_owned(), vec![path.display().to_string()])),
@@ -92,18 +129,18 @@ impl App {
             Err((heading, problems)) => {
                 let mut screen = self.level_select(Purpose::Play);
                 screen.show(heading, problems);
-                Screen::LevelSelect(screen)
+                Box::new(screen)
             }
         }
     }
 
     /// Asks for what the list of levels shows and does not know yet, and looks up how long one of the listed flights took.
     pub(super) fn fill_in_view(&mut self) {
-        if let Screen::Flights(screen) = &mut self.screen {
+        if let Some(screen) = self.screen.get_mut::<Flights>() {
             // One file is enough for a frame.
             screen.look_one_up(|visit, source| footage::read(visit, source, &self.scores).ok());
         }
-        let Screen::LevelSelect(screen) = &mut self.screen else { return };
+        let Some(screen) = self.screen.get_mut::<LevelSelect>() else { return };
         screen.learn_titles(|name| self.library.title(name));
         let in_view = screen.in_view().into_iter().map(|index| &screen.entries()[index]);
         let new: Vec<String> = in_view.filter(|entry| entry.level.is_none()).map(|entry| entry.name.clone()).collect();
@@ -112,7 +149,7 @@ impl App {
 
     /// Looks whether the levels in view have changed on disk, and whether there are others.
     pub(super) fn refresh_view(&mut self, frame_time: f64) {
-        let Screen::LevelSelect(screen) = &mut self.screen else { return };
+        let Some(screen) = self.screen.get_mut::<LevelSelect>() else { return };
         if !screen.looks(frame_time) {
             return;
         }
@@ -134,7 +171,7 @@ impl App {
     /// Shows on the list what the worker has found out of a level.
     pub(super) fn take_card(&mut self, ticket: Ticket, card: Card) {
         self.asked.retain(|_, asked| *asked != ticket);
-        let Screen::LevelSelect(screen) = &mut self.screen else { return };
+        let Some(screen) = self.screen.get_mut::<LevelSelect>() else { return };
         let Card { folder, stamp, level } = card;
         let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let Some(index) = screen.entries().iter().position(|entry| entry.name == name) else { return };
@@ -149,18 +186,16 @@ impl App {
     /// Shows the levels that there are now.
     pub(super) fn take_list(&mut self, names: Vec<String>) {
         self.asked.remove("");
-        if let Screen::LevelSelect(screen) = &mut self.screen {
+        if let Some(screen) = self.screen.get_mut::<LevelSelect>() {
             screen.renew(names);
         }
     }
 
     /// The editor of a level; of one that comes with the game, the list with the question what a copy of it is to be called. A flight waits.
-    pub(super) fn edit_or_copy(&mut self, name: &str) -> Screen {
+    pub(super) fn edit_or_copy(&mut self, name: &str) -> Box<dyn Screen> {
         let folder = self.library.folder(name);
-        let nothing = Screen::LevelSelect(LevelSelect::new(Purpose::Edit, Vec::new()));
-        match std::mem::replace(&mut self.screen, nothing) {
-            Screen::Flight(flight) => self.behind = Some((flight, folder.clone())),
-            other => self.screen = other,
+        if let Some(flight) = self.take_screen::<Flight>() {
+            self.behind = Some((flight, folder.clone()));
         }
         if !level::is_shipped(&folder) {
             return self.edit(name);
@@ -169,28 +204,28 @@ impl App {
         let free = scaffold::free_name(self.library.levels(), name, "copy");
         let mut screen = self.level_select(Purpose::Edit);
         screen.ask_for_copy(name, folder, &free);
-        Screen::LevelSelect(screen)
+        Box::new(screen)
     }
 
     /// Back to the flight that editing began from, in the level as it is saved now; else to the list.
-    pub(super) fn leave_editor(&mut self, spectator: &mut dyn Spectator) -> Screen {
-        let Some((flight, folder)) = self.behind.take() else { return Screen::LevelSelect(self.level_select(Purpose::Edit)) };
+    pub(super) fn leave_editor(&mut self, spectator: &mut dyn Spectator) -> Box<dyn Screen> {
+        let Some((flight, folder)) = self.behind.take() else { return Box::new(self.level_select(Purpose::Edit)) };
         self.library.open(&folder);
         self.last_level = Some(flight.game().level().name.clone());
         spectator.begins(flight.game());
-        Screen::Flight(flight)
+        flight
     }
 
     /// The editor of a level, or the list with what is wrong.
-    pub(super) fn edit(&mut self, name: &str) -> Screen {
+    pub(super) fn edit(&mut self, name: &str) -> Box<dyn Screen> {
         self.last_level = Some(name.to_owned());
         let opened = self.opened.take();
         match opened.unwrap_or_else(|| Editor::open(&self.library.folder(name), self.library.root()).map(Box::new)) {
-            Ok(editor) => Screen::Editor(editor),
+            Ok(editor) => editor,
             Err(problem) => {
                 let mut screen = self.level_select(Purpose::Edit);
                 screen.show(format!("Level {name} cannot be edited"), vec![problem]);
-                Screen::LevelSelect(screen)
+                Box::new(screen)
             }
         }
     }
@@ -221,14 +256,14 @@ impl App {
     /// Saves the level that is flown as it is varied, and says on the panel what became of that.
     pub(super) fn save_varied(&mut self, variation: &Variation, name: &str) {
         let saved = self.write_varied(variation, name);
-        if let Screen::Flight(flight) = &mut self.screen {
+        if let Some(flight) = self.screen.get_mut::<Flight>() {
             flight.tell_of_saving(saved);
         }
     }
 
     /// Writes a folder with the files of the level that is flown, in which other numbers stand; where it is, in words.
     fn write_varied(&mut self, variation: &Variation, name: &str) -> Result<String, String> {
-        let Screen::Flight(flight) = &self.screen else { return Err("Nothing is flown.".to_owned()) };
+        let Some(flight) = self.screen.get::<Flight>() else { return Err("Nothing is flown.".to_owned()) };
         if self.editing.is_some() {
             return Err("What is edited is saved in the editor.".to_owned());
         }
@@ -253,32 +288,32 @@ impl App {
     }
 
     /// Flies what is edited, and tells of the problems that are left; the editor waits.
-    pub(super) fn test_fly(&mut self, level: Arc<Level>, left: Vec<String>, spectator: &mut dyn Spectator) -> Screen {
+    pub(super) fn test_fly(&mut self, level: Arc<Level>, left: Vec<String>, spectator: &mut dyn Spectator) -> Box<dyn Screen> {
         match Flight::test(level, left, spectator) {
             Ok(mut flight) => {
-                flight.tell_of_settings(self.settings, &[]);
-                let before = std::mem::replace(&mut self.screen, Screen::LevelSelect(LevelSelect::new(Purpose::Edit, Vec::new())));
-                if let Screen::Editor(editor) = before {
+                flight.tell_of_settings(&self.settings, &[]);
+                if let Some(editor) = self.take_screen::<Editor>() {
                     self.editing = Some(editor);
                 }
-                Screen::Flight(Box::new(flight))
+                Box::new(flight)
             }
             Err(error) => self.back_to_editor(error.to_string()),
         }
     }
 
     /// Back from the flight, with how it ended in words.
-    pub(super) fn back_to_editor(&mut self, how: String) -> Screen {
-        let before = std::mem::replace(&mut self.screen, Screen::LevelSelect(LevelSelect::new(Purpose::Edit, Vec::new())));
-        let mut editor = match (self.editing.take(), before) {
-            (Some(editor), _) | (None, Screen::Editor(editor)) => editor,
-            (None, Screen::Flight(flight)) => return self.edit(&flight.game().level().name),
-            (None, _) => return Screen::LevelSelect(self.level_select(Purpose::Edit)),
+    pub(super) fn back_to_editor(&mut self, how: String) -> Box<dyn Screen> {
+        let Some(mut editor) = self.editing.take().or_else(|| self.take_screen::<Editor>()) else {
+            let flown = self.screen.get::<Flight>().map(|flight| flight.game().level().name.clone());
+            return match flown {
+                Some(name) => self.edit(&name),
+                None => Box::new(self.level_select(Purpose::Edit)),
+            };
         };
         if !how.is_empty() {
             editor.tell_of_flight(how);
         }
-        Screen::Editor(editor)
+        editor
     }
 }
 

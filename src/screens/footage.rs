@@ -1,6 +1,6 @@
 //! Recorded flights on disk, as the screens list them, read them and keep them.
 
-use super::flights::{Candidate, Source, Visit};
+use super::flights::{FlightCandidate, Source, Visit};
 use super::leaderboard::BoardRival;
 use super::new_file::NewFile;
 use crate::files::{INPUTS, LEVEL_TABLE, read_text};
@@ -21,8 +21,8 @@ const OWN: [(&str, &str, &str); 4] = [
 const ENDING: &str = ".replay.csv";
 
 /// The flights of a level: what was just flown, whoever plays' best, the level's own in its folder, and the rest of the board.
-pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) -> Vec<Candidate> {
-    let flown = visit.flown.as_ref().map(|flown| Candidate {
+pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) -> Vec<FlightCandidate> {
+    let flown = visit.flown.as_ref().map(|flown| FlightCandidate {
         name: "This flight".to_owned(),
         about: "just flown".to_owned(),
         score: Some(flown.replay.score),
@@ -31,7 +31,7 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
     });
     let own = OWN.iter().filter_map(|(file, name, about)| {
         let path = folder.join(FLIGHTS).join(format!("{file}{ENDING}"));
-        path.is_file().then(|| Candidate {
+        path.is_file().then(|| FlightCandidate {
             name: (*name).to_owned(),
             about: (*about).to_owned(),
             score: None,
@@ -39,7 +39,7 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
             source: Source::Level(path),
         })
     });
-    let mut rows: Vec<Candidate> = Vec::new();
+    let mut rows: Vec<FlightCandidate> = Vec::new();
     let mut best = None;
     for (index, row) in board.rows().iter().enumerate() {
         let origin = board.origin(index);
@@ -49,7 +49,7 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
         let yours = row.name == *player;
         let about = if yours { format!("your best, rank {}", index + 1) } else { format!("rank {}", index + 1) };
         let candidate =
-            Candidate { name: row.name.to_string(), about, score: Some(row.score), time: None, source: Source::Row(origin) };
+            FlightCandidate { name: row.name.to_string(), about, score: Some(row.score), time: None, source: Source::Row(origin) };
         if yours { best = Some(candidate) } else { rows.push(candidate) }
     }
     flown.into_iter().chain(best).chain(own).chain(rows).collect()
@@ -70,7 +70,7 @@ pub fn rivals(folder: &Path, level: &Level) -> Vec<BoardRival> {
 ///
 /// # Errors
 /// It cannot be read, or it was flown in another level, in words.
-pub fn record(visit: &Visit, candidate: &Candidate, scores: &Scores, level: &Level) -> Result<Replay, String> {
+pub fn record(visit: &Visit, candidate: &FlightCandidate, scores: &Scores, level: &Level) -> Result<Replay, String> {
     let replay = read(visit, &candidate.source, scores)?;
     let here = Fingerprint::of(level);
     match replay.level_hash.filter(|&flown| !here.is(flown)) {

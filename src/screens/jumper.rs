@@ -2,12 +2,14 @@
 
 use super::input::KeyLatch;
 use super::leaderboard::Way;
-use super::{Buttons, Classic, Gain, Input, Key, Keys, Noise, Request};
+use super::{Classic, Gain, Input, Key, Keys, Motion, Noise, Request, Screen};
 use crate::classics::jumper::engine::Hit;
 use crate::classics::jumper::scene::Keys as Held;
 use crate::classics::jumper::scene::{LEADERBOARD, Scene};
+use crate::draw::layout::{Area, BUTTON_TEXT, GAP, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
 use crate::game::{Clock, TICK_RATE};
-use crate::view::layout::{Frame, GAP, WIDE_BUTTON};
+use crate::ui::Ui;
+use crate::view::{theme, widgets};
 
 /// What its leaderboard is of, in words.
 pub const SUBJECT: &str = "the Jumper";
@@ -15,39 +17,17 @@ pub const SUBJECT: &str = "the Jumper";
 /// A landing at this speed is as loud as they get, m/s.
 const HARD: f64 = 12.0;
 
-/// What a button does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Press {
-    /// A climb of one.
-    One,
-    /// A climb of two.
-    Two,
-    /// The climb goes on.
-    Resume,
-    /// A new climb of as many, on another tower.
-    Again,
-    /// A name for the score.
-    SaveScore,
-    /// The best climbs.
-    Leaderboard,
-    /// The list of classics.
-    Back,
-}
+/// The words on the buttons.
+const ONE: &str = "One Player";
+const TWO: &str = "Two Players";
+const RESUME: &str = "Resume";
+const AGAIN: &str = "Climb Again";
+const SAVE: &str = "Save Score";
+const BOARD: &str = "Leaderboard";
+const BACK: &str = "Back";
 
-impl Press {
-    /// The words on it.
-    pub const fn label(self) -> &'static str {
-        match self {
-            Self::One => "One Player",
-            Self::Two => "Two Players",
-            Self::Resume => "Resume",
-            Self::Again => "Climb Again",
-            Self::SaveScore => "Save Score",
-            Self::Leaderboard => "Leaderboard",
-            Self::Back => "Back",
-        }
-    }
-}
+/// Above the panel's first button: its heading and the height.
+const HEAD: f32 = 96.0;
 
 /// The jumper's screen.
 #[derive(Debug)]
@@ -68,85 +48,53 @@ pub struct Jumper {
 #[derive(Debug)]
 struct Panel {
     heading: &'static str,
-    presses: Vec<Press>,
-    buttons: Buttons,
-}
-
-impl Panel {
-    fn new(heading: &'static str, presses: &[Press]) -> Self {
-        Self { heading, presses: presses.to_vec(), buttons: Buttons::default() }
-    }
+    labels: Vec<&'static str>,
 }
 
 impl Default for Jumper {
     /// The question of how many climb.
     fn default() -> Self {
-        let panel = Panel::new("Jumper", &[Press::One, Press::Two, Press::Leaderboard, Press::Back]);
-        Self::with_panel(Scene::new(0, true), Some(panel))
+        Self::with_panel(Scene::new(0, true), "Jumper", vec![ONE, TWO, BOARD, BACK])
     }
 }
 
 impl Jumper {
     /// A climb that has ended, and what may be done with it.
     pub fn ended(scene: Scene) -> Self {
-        let save: &[Press] = if scene.score() > 0 { &[Press::SaveScore] } else { &[] };
-        let presses = [&[Press::Again], save, &[Press::Leaderboard, Press::Back]].concat();
-        Self::with_panel(scene, Some(Panel::new("The view has left you behind", &presses)))
+        let save = (scene.score() > 0).then_some(SAVE);
+        let labels = [AGAIN].into_iter().chain(save).chain([BOARD, BACK]).collect();
+        Self::with_panel(scene, "The view has left you behind", labels)
     }
 
-    fn with_panel(scene: Scene, panel: Option<Panel>) -> Self {
-        Self { scene, panel, clock: Clock::new(TICK_RATE), latch: KeyLatch::default(), shown_for: 0.0, noises: Vec::new() }
+    fn with_panel(scene: Scene, heading: &'static str, labels: Vec<&'static str>) -> Self {
+        Self { panel: Some(Panel { heading, labels }), ..Self::climbing(scene) }
     }
 
-    /// One frame.
-    pub fn update(&mut self, input: &Input) -> Option<Request> {
-        self.shown_for += input.frame_time;
-        // The screen is also updated between frames, to be laid out.
-        if input.frame_time > 0.0 {
-            self.noises.clear();
-        }
-        if self.panel.is_some() {
-            return self.update_panel(input);
-        }
-        if input.pressed(Key::Escape) {
-            self.panel = Some(Panel::new("Paused", &[Press::Resume, Press::Again, Press::Back]));
+    fn climbing(scene: Scene) -> Self {
+        Self { scene, panel: None, clock: Clock::new(TICK_RATE), latch: KeyLatch::default(), shown_for: 0.0, noises: Vec::new() }
+    }
+
+    /// A frame of the climb: a request where it has ended.
+    fn go_on(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        if ui.key(Key::Escape) {
+            self.panel = Some(Panel { heading: "Paused", labels: vec![RESUME, AGAIN, BACK] });
             return None;
         }
-        if input.pressed(Key::R) {
+        if ui.key(Key::R) {
             self.climb(self.is_of_two());
             return None;
         }
-        self.latch.frame(input);
-        self.clock.add(input.frame_time);
+        self.latch.frame(ui.input());
+        self.clock.add(ui.input().frame_time);
         while self.clock.tick() {
             self.tick();
         }
         self.scene.is_over().then(|| Request::Climbed(Box::new(self.scene.clone())))
     }
 
-    /// What was heard in the last frame.
-    pub fn noises(&self) -> &[Noise] {
-        &self.noises
-    }
-
     /// The climb.
     pub fn scene(&self) -> &Scene {
         &self.scene
-    }
-
-    /// The panel's heading, while it is open.
-    pub fn heading(&self) -> Option<&str> {
-        self.panel.as_ref().map(|panel| panel.heading)
-    }
-
-    /// What the panel's buttons do, from top to bottom, while it is open.
-    pub fn presses(&self) -> &[Press] {
-        self.panel.as_ref().map_or(&[], |panel| &panel.presses)
-    }
-
-    /// The panel's buttons, while it is open.
-    pub fn buttons(&self) -> Option<&Buttons> {
-        self.panel.as_ref().map(|panel| &panel.buttons)
     }
 
     fn tick(&mut self) {
@@ -170,42 +118,51 @@ impl Jumper {
 
     fn climb(&mut self, two: bool) {
         let seed = self.shown_for.to_bits();
-        *self = Self { shown_for: self.shown_for, ..Self::with_panel(Scene::new(seed, two), None) };
+        *self = Self { shown_for: self.shown_for, ..Self::climbing(Scene::new(seed, two)) };
     }
 
-    fn update_panel(&mut self, input: &Input) -> Option<Request> {
-        let panel = self.panel.as_mut()?;
-        let resumes = panel.presses.contains(&Press::Resume);
-        panel.buttons.place(input.frame.column(panel.presses.len(), first_button(&input.frame, panel.presses.len())));
-        let press = if input.pressed(Key::Escape) {
-            if resumes { Press::Resume } else { Press::Back }
-        } else {
-            panel.presses[panel.buttons.update(input)?]
-        };
-        match press {
-            Press::One => self.climb(false),
-            Press::Two => self.climb(true),
-            Press::Again => self.climb(self.is_of_two()),
-            Press::Resume => {
+    fn show_panel(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        let Panel { heading, labels } = self.panel.as_ref()?;
+        ui.layer(0.6);
+        let size = ui.frame().size;
+        let column = labels.len() as f32 * (WIDE_BUTTON.y + GAP) - GAP;
+        let first = ((size.y - column + HEAD) / 2.0).round();
+        let (top, width) = (first - HEAD - PADDING, WIDE_BUTTON.x + 12.0 * PADDING);
+        let area = Area::new((size.x - width) / 2.0, top, width, first + column + 2.0 * PADDING - top);
+        ui.panel(area);
+        let middle = |y: f32| Vec2::new(area.centre().x, top + y);
+        let sizes = [HEADING, BUTTON_TEXT];
+        widgets::fitted(ui.canvas(), heading, middle(PADDING + 24.0), width - 32.0, &sizes, theme::text());
+        if self.scene.ticks() > 0 {
+            let score = format!("{} m high", self.scene.score());
+            ui.fitted(&score, middle(PADDING + 64.0), &[TEXT], theme::quiet());
+        }
+        let pressed = ui.column(first, labels);
+        let left = || if labels.contains(&RESUME) { RESUME } else { BACK };
+        match if ui.key(Key::Escape) { left() } else { pressed? } {
+            ONE => self.climb(false),
+            TWO => self.climb(true),
+            AGAIN => self.climb(self.is_of_two()),
+            RESUME => {
                 self.panel = None;
                 self.latch = KeyLatch::default();
             }
-            Press::SaveScore => {
-                let back = Box::new(Request::Climbed(Box::new(self.scene.clone())));
-                let onward = Way { label: Press::Back.label(), to: Request::Classic(Classic::Jumper) };
-                return Some(Request::SaveScore(Gain {
-                    board: LEADERBOARD.to_owned(),
-                    subject: SUBJECT.to_owned(),
-                    points: self.scene.score(),
-                    flown: None,
-                    back,
-                    ways: vec![onward],
-                }));
-            }
-            Press::Leaderboard => return Some(Request::Leaderboard(LEADERBOARD.to_owned())),
-            Press::Back => return Some(Request::Classics(Some(Classic::Jumper))),
+            SAVE => return Some(Request::SaveScore(self.gain())),
+            BOARD => return Some(Request::Leaderboard(LEADERBOARD.to_owned())),
+            _ => return Some(Request::Classics(Some(Classic::Jumper))),
         }
         None
+    }
+
+    fn gain(&self) -> Gain {
+        Gain {
+            board: LEADERBOARD.to_owned(),
+            subject: SUBJECT.to_owned(),
+            points: self.scene.score(),
+            flown: None,
+            back: Box::new(Request::Climbed(Box::new(self.scene.clone()))),
+            ways: vec![Way { label: BACK, to: Request::Classic(Classic::Jumper) }],
+        }
     }
 }
 
@@ -224,22 +181,37 @@ fn held(keys: Keys, two: bool) -> [Held; 2] {
     [either, Held::default()]
 }
 
-/// Above the panel's first button: its heading and the height.
-const HEAD: f32 = 96.0;
+impl Screen for Jumper {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        self.shown_for += ui.input().frame_time;
+        // The passes that show take no time.
+        if ui.input().frame_time > 0.0 {
+            self.noises.clear();
+        }
+        self.draw(ui.canvas());
+        if self.panel.is_some() { self.show_panel(ui) } else { self.go_on(ui) }
+    }
 
-/// The top of the panel's first button.
-fn first_button(frame: &Frame, count: usize) -> f32 {
-    let column = count as f32 * (WIDE_BUTTON.y + GAP) - GAP;
-    ((frame.size.y - column + HEAD) / 2.0).round()
+    fn motion(&self, _: &Input) -> Motion {
+        Motion::Full
+    }
+
+    fn tune(&self) -> Option<&str> {
+        Some("jumper")
+    }
+
+    fn noises(&self) -> Vec<Noise> {
+        self.noises.clone()
+    }
 }
 
 mod drawing {
-    use super::{HEAD, Jumper, Panel, first_button};
+    use super::Jumper;
     use crate::classics::jumper::engine::{Cuboid, Kind};
     use crate::classics::jumper::scene::{PLAYER_SIZE, VISIBLE};
     use crate::classics::jumper::tower::WIDTH;
+    use crate::draw::layout::{Area, HEADING, PADDING, TEXT, Vec2};
     use crate::draw::{Canvas, Colour, Style};
-    use crate::view::layout::{Area, BUTTON_TEXT, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
     use crate::view::{theme, widgets};
 
     /// The colour of each player; the number above them tells them apart without it.
@@ -252,16 +224,13 @@ mod drawing {
     const RULER_STEP: i64 = 5;
 
     impl Jumper {
-        /// Draws the climb, and the panel where it is open.
-        pub fn draw(&self, canvas: &Canvas) {
+        /// Draws the climb.
+        pub(super) fn draw(&self, canvas: &Canvas) {
             let view = View::new(canvas, self.scene.view_bottom(self.clock.alpha()));
             widgets::graph_paper(canvas);
             self.draw_tower(canvas, &view);
             self.draw_players(canvas, &view);
             self.draw_words(canvas, &view);
-            if let Some(panel) = &self.panel {
-                self.draw_panel(canvas, panel);
-            }
         }
 
         fn draw_tower(&self, canvas: &Canvas, view: &View) {
@@ -352,25 +321,6 @@ mod drawing {
                     let at = Vec2::new(right, 360.0 + 28.0 * number as f32);
                     canvas.text(&format!("Player {} is out", number + 1), at, Style { colour: theme::bad(), ..quiet });
                 }
-            }
-        }
-
-        fn draw_panel(&self, canvas: &Canvas, panel: &Panel) {
-            widgets::curtain(canvas, 0.6);
-            let Some(last) = panel.buttons.areas().last() else { return };
-            let top = first_button(canvas.frame(), panel.presses.len()) - HEAD - PADDING;
-            let width = WIDE_BUTTON.x + 12.0 * PADDING;
-            let area = Area::new((canvas.size().x - width) / 2.0, top, width, last.max().y + 2.0 * PADDING - top);
-            widgets::panel(canvas, area);
-            let middle = |y: f32| Vec2::new(area.centre().x, top + y);
-            widgets::fitted(canvas, panel.heading, middle(PADDING + 24.0), width - 32.0, &[HEADING, BUTTON_TEXT], theme::text());
-            if self.scene.ticks() > 0 {
-                let score = format!("{} m high", self.scene.score());
-                canvas.text(&score, middle(PADDING + 64.0), Style::new(TEXT, theme::quiet()).centred().middle());
-            }
-            for (i, (area, press)) in panel.buttons.areas().iter().zip(&panel.presses).enumerate() {
-                let (hover, focus) = (panel.buttons.hover() == Some(i), panel.buttons.focus() == i);
-                widgets::button(canvas, *area, press.label(), hover, focus);
             }
         }
     }

@@ -14,8 +14,9 @@ pub use stability::StabilityPage;
 pub use survival::{Line, SurvivalPage};
 
 use self::experiments::Wish;
-use super::{Buttons, Input, Key, Keys, Request, Toolbar};
+use super::{Buttons, Input, Key, Keys, Motion, Request, Screen, Toolbar};
 use crate::lab::charts::Charts;
+use crate::ui::Ui;
 use crate::view::layout::{Area, Frame, GAP};
 
 /// A run of `resultant chart`, and what is to be said about it.
@@ -171,6 +172,19 @@ fn tabs(frame: &Frame) -> Vec<Area> {
 /// What a page may fill: all between tabs and toolbar.
 fn body(frame: &Frame) -> Area {
     Area::new(MARGIN, TOP, frame.size.x - 2.0 * MARGIN, frame.size.y - TOP - FOOT)
+}
+
+impl Screen for Lab {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        let request = self.update(ui.input());
+        self.draw(ui.canvas());
+        request
+    }
+
+    fn motion(&self, _: &Input) -> Motion {
+        let moves = self.page == Page::SideBySide && !self.side_by_side.is_paused();
+        if moves { Motion::Full } else { Motion::Still }
+    }
 }
 
 mod drawing {

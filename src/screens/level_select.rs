@@ -1,24 +1,27 @@
 //! A page of cards, one a level, used three times: to choose what to play, whose leaderboard to see, and what to edit. Only the levels in
 //! view are loaded, and again when their files change; typing finds those with such a name or title.
 
-use super::input::{Repeat, Stroke};
+use super::input::Stroke;
 use super::library::Refusal;
 use super::prompt::{Prompt, Reply};
-use super::{Buttons, Input, Key, Make, Problems, Request, Visit};
+use super::{Key, Make, Problems, Request, Screen, Visit};
+use crate::draw::Style;
+use crate::draw::layout::{ROW_BUTTON, TEXT, Vec2};
 use crate::settings::Action;
-use crate::view::layout::{Area, Frame};
-use places::cards;
+use crate::ui::{Kind, Ui};
+use crate::view::theme;
+use places::{FOOT, FOOT_BUTTON, HEAD, SIDE, cards, from_left, from_right};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-mod drawing;
+mod card;
 mod entry;
 mod places;
 
 pub use entry::Entry;
 
 /// Levels a page.
-pub const PAGE: usize = 15;
+const PAGE: usize = 15;
 
 /// What a level is chosen for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,11 +57,12 @@ pub struct LevelSelect {
     find: String,
     found: Vec<usize>,
     page: usize,
-    buttons: Buttons,
+    /// The level that has the focus when the page opens, and the one that has it now.
+    start: Option<String>,
+    focused: Option<String>,
     problems: Option<Problems>,
     pick: Option<Pick>,
     prompt: Option<Box<(Prompt, Asked)>>,
-    repeat: Repeat,
     /// Until the next look at files, s.
     look: f64,
 }
@@ -73,19 +77,6 @@ enum Asked {
     Rename(String),
 }
 
-/// What a button of the screen is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Press {
-    Level(usize),
-    Back,
-    Previous,
-    Next,
-    Edit,
-    New,
-    Copy,
-    Rename,
-}
-
 impl LevelSelect {
     /// The list of those levels for that purpose.
     pub fn new(purpose: Purpose, names: Vec<String>) -> Self {
@@ -96,20 +87,20 @@ impl LevelSelect {
             entries,
             find: String::new(),
             page: 0,
-            buttons: Buttons::default(),
+            start: None,
+            focused: None,
             problems: None,
             pick: None,
             prompt: None,
-            repeat: Repeat::default(),
             look: LOOK_EVERY,
         }
     }
 
-    /// Opens the page of a level and puts the keyboard on it.
+    /// Opens the page of a level, which has the focus then.
     pub fn turn_to_level(&mut self, name: &str) {
         if let Some(index) = self.found.iter().position(|index| self.entries[*index].name == name) {
             self.page = index / PAGE;
-            self.buttons = Buttons::focused_on(index % PAGE);
+            self.start = Some(name.to_owned());
         }
     }
 
@@ -158,16 +149,15 @@ impl LevelSelect {
         self.entries[index] = entry;
     }
 
-    /// Shows those levels instead; what is known of a level stays, and so does the keyboard on its card.
+    /// Shows those levels instead; what is known of a level stays, and so does the focus on its card.
     pub fn renew(&mut self, names: Vec<String>) {
         if names.iter().eq(self.entries.iter().map(|entry| &entry.name)) {
             return;
         }
-        let focused = self.in_view().get(self.buttons.focus()).map(|index| self.entries[*index].name.clone());
         let mut known: BTreeMap<String, Entry> = self.entries.drain(..).map(|entry| (entry.name.clone(), entry)).collect();
         self.entries = names.into_iter().map(|name| known.remove(&name).unwrap_or_else(|| Entry::new(name))).collect();
-        self.search(false);
-        if let Some(name) = focused {
+        self.search();
+        if let Some(name) = self.focused.clone() {
             self.turn_to_level(&name);
         }
     }
@@ -184,40 +174,8 @@ impl LevelSelect {
             learnt = true;
         }
         if learnt {
-            self.search(false);
+            self.search();
         }
-    }
-
-    /// One frame.
-    pub fn update(&mut self, input: &Input) -> Option<Request> {
-        let presses = self.presses();
-        let cards = cards(self.found.len().min(PAGE), &input.frame);
-        self.buttons.place(presses.iter().map(|press| self.place(*press, &cards, &input.frame)).collect());
-        if let Some(problems) = &mut self.problems {
-            if problems.update(input) {
-                self.problems = None;
-            }
-            return None;
-        }
-        if self.prompt.is_some() {
-            return self.update_prompt(input);
-        }
-        if input.pressed(Key::Escape) {
-            return self.go_back();
-        }
-        if self.type_in(input) {
-            return None;
-        }
-        if input.pressed(Key::PageDown) {
-            self.turn_to(self.page + 1);
-        } else if input.pressed(Key::PageUp) {
-            self.turn_to(self.page.saturating_sub(1));
-        } else if let Some(visit) = self.visit(input, &presses) {
-            return Some(Request::Flights(visit));
-        } else if let Some(pressed) = self.buttons.update(input) {
-            return self.press(presses[pressed]);
-        }
-        None
     }
 
     /// What it is used for.
@@ -230,47 +188,19 @@ impl LevelSelect {
         &self.entries
     }
 
-    /// The page in view, from 0.
-    pub fn page(&self) -> usize {
-        self.page
-    }
-
-    /// What is to be found.
-    pub fn find(&self) -> &str {
-        &self.find
-    }
-
-    /// Its buttons: the levels of the page, Back, and what else there is.
-    pub fn buttons(&self) -> &Buttons {
-        self.prompt.as_ref().map_or(&self.buttons, |asked| asked.0.buttons())
-    }
-
-    /// The panel that asks for a name, while it is open.
-    pub fn prompt(&self) -> Option<&Prompt> {
-        self.prompt.as_ref().map(|asked| &asked.0)
-    }
-
-    /// Why a level does not load, while that is shown.
-    pub fn problems(&self) -> Option<&Problems> {
-        self.problems.as_ref()
-    }
-
-    /// The level whose flights are asked for: that under a right click, or that which has the keyboard.
-    fn visit(&self, input: &Input, presses: &[Press]) -> Option<Visit> {
-        let under = || self.buttons.areas().iter().position(|area| area.contains(input.pointer));
-        let at = if input.acts(Action::Details) { Some(self.buttons.focus()) } else { under().filter(|_| input.right_click) };
-        let Press::Level(index) = *presses.get(at?)? else { return None };
+    /// The flights of the level at that place in the list, where it loads.
+    fn visit(&self, index: usize) -> Option<Request> {
         let Entry { name, level, .. } = &self.entries[index];
         let back = Box::new(Request::LevelSelect(self.purpose));
         let loads = level.as_ref().is_some_and(Result::is_ok) && self.purpose != Purpose::Edit;
-        loads.then(|| Visit { level: name.clone(), flown: None, back })
+        loads.then(|| Request::Flights(Visit { level: name.clone(), flown: None, back }))
     }
 
     /// Esc: out of what was begun last.
-    fn go_back(&mut self) -> Option<Request> {
+    fn go_back(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         if !self.find.is_empty() {
             self.find.clear();
-            self.search(true);
+            self.search_again(ui);
             return None;
         }
         if self.pick.take().is_some() {
@@ -283,39 +213,42 @@ impl LevelSelect {
     }
 
     /// Letters are what is to be found; whether there were any.
-    fn type_in(&mut self, input: &Input) -> bool {
+    fn type_in(&mut self, ui: &mut Ui<'_>) -> bool {
         let before = self.find.clone();
-        for stroke in input.strokes(&[Key::Backspace]) {
-            match stroke {
-                Stroke::Letter(letter) if letter.is_control() || self.find.chars().count() >= MOST_LETTERS => {}
-                Stroke::Letter(letter) => self.find.push(letter),
-                Stroke::Key(..) => drop(self.find.pop()),
+        for stroke in if ui.is_live() { ui.input().strokes(&[]) } else { Vec::new() } {
+            if let Stroke::Letter(letter) = stroke
+                && !letter.is_control()
+                && self.find.chars().count() < MOST_LETTERS
+            {
+                self.find.push(letter);
             }
         }
         self.find = self.find.trim_start().to_owned();
-        if !self.repeat.strokes(input, &[Key::Backspace]).is_empty() && !input.pressed(Key::Backspace) {
-            self.find.pop();
-        }
+        let letters = self.find.chars().count().saturating_sub(ui.strokes(&[Key::Backspace]).len());
+        self.find = self.find.chars().take(letters).collect();
         let changed = self.find != before;
         if changed {
-            self.search(true);
+            self.search_again(ui);
         }
         changed
     }
 
-    fn search(&mut self, anew: bool) {
+    fn search_again(&mut self, ui: &mut Ui<'_>) {
+        self.page = 0;
+        self.start = None;
+        ui.focus(None);
+        self.search();
+    }
+
+    fn search(&mut self) {
         let letters = self.find.trim().to_lowercase();
         self.found = (0..self.entries.len()).filter(|index| self.entries[*index].has(&letters)).collect();
-        if anew {
-            self.page = 0;
-            self.buttons = Buttons::default();
-        }
         self.page = self.page.min(self.pages() - 1);
     }
 
-    fn update_prompt(&mut self, input: &Input) -> Option<Request> {
+    fn show_prompt(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         let (prompt, asked) = &mut **self.prompt.as_mut()?;
-        match prompt.update(input)? {
+        match prompt.show(ui)? {
             Reply::Cancel => {
                 let leaves = matches!(asked, Asked::OwnCopy(_));
                 self.prompt = None;
@@ -329,42 +262,33 @@ impl LevelSelect {
         }
     }
 
-    fn press(&mut self, press: Press) -> Option<Request> {
-        match press {
-            Press::Back => return self.go_back(),
-            Press::Previous => self.turn_to(self.page.saturating_sub(1)),
-            Press::Next => self.turn_to(self.page + 1),
-            Press::Edit => return Some(Request::LevelSelect(Purpose::Edit)),
-            Press::New => self.prompt = Some(Box::new((Prompt::new("What is the new level called?", ""), Asked::New))),
-            Press::Copy => self.pick = Some(Pick::Copy),
-            Press::Rename => self.pick = Some(Pick::Rename),
-            Press::Level(index) => {
-                let name = self.entries[index].name.clone();
-                return match (self.purpose, self.pick.take()) {
-                    (_, Some(Pick::Copy)) => {
-                        let heading = format!("What is the copy of {name} called?");
-                        self.prompt = Some(Box::new((Prompt::new(heading, &format!("{name}-copy")), Asked::Copy(name.into()))));
-                        None
-                    }
-                    (_, Some(Pick::Rename)) => {
-                        let heading = format!("What is {name} called from now on?");
-                        self.prompt = Some(Box::new((Prompt::new(heading, &name), Asked::Rename(name))));
-                        None
-                    }
-                    // Whether it loads is found out afresh: it may have been mended since.
-                    (Purpose::Play, None) => Some(Request::Play(name)),
-                    (Purpose::Leaderboard, None) => Some(Request::Leaderboard(name)),
-                    (Purpose::Edit, None) => Some(Request::Edit(name)),
-                };
-            }
-        }
-        None
+    fn ask(&mut self, heading: String, text: &str, asked: Asked) {
+        self.prompt = Some(Box::new((Prompt::new(heading, text), asked)));
     }
 
-    fn turn_to(&mut self, page: usize) {
+    fn choose(&mut self, index: usize) -> Option<Request> {
+        let name = self.entries[index].name.clone();
+        match (self.purpose, self.pick.take()) {
+            (_, Some(Pick::Copy)) => {
+                self.ask(format!("What is the copy of {name} called?"), &format!("{name}-copy"), Asked::Copy(name.into()));
+                None
+            }
+            (_, Some(Pick::Rename)) => {
+                self.ask(format!("What is {name} called from now on?"), &name.clone(), Asked::Rename(name));
+                None
+            }
+            // Whether it loads is found out afresh: it may have been mended since.
+            (Purpose::Play, None) => Some(Request::Play(name)),
+            (Purpose::Leaderboard, None) => Some(Request::Leaderboard(name)),
+            (Purpose::Edit, None) => Some(Request::Edit(name)),
+        }
+    }
+
+    fn turn_to(&mut self, page: usize, ui: &mut Ui<'_>) {
         if page < self.pages() && page != self.page {
             self.page = page;
-            self.buttons = Buttons::default();
+            self.start = None;
+            ui.focus(None);
         }
     }
 
@@ -372,30 +296,98 @@ impl LevelSelect {
         self.found.len().div_ceil(PAGE).max(1)
     }
 
-    fn presses(&self) -> Vec<Press> {
-        let turns: &[Press] = if self.pages() > 1 { &[Press::Previous, Press::Next] } else { &[] };
-        let more: &[Press] = match self.purpose {
-            Purpose::Play => &[Press::Edit],
-            Purpose::Edit => &[Press::New, Press::Copy, Press::Rename],
-            Purpose::Leaderboard => &[],
+    fn show_heading(&self, ui: &Ui<'_>) {
+        let heading = match (self.purpose, self.pick) {
+            (_, Some(Pick::Copy)) => "Which level is to be copied?",
+            (_, Some(Pick::Rename)) => "Which level is to be renamed?",
+            (Purpose::Play, None) => "Choose a level",
+            (Purpose::Leaderboard, None) => "Whose leaderboard?",
+            (Purpose::Edit, None) => "Edit a level",
         };
-        let levels = self.in_view().into_iter().map(Press::Level);
-        levels.chain([Press::Back]).chain(turns.iter().copied()).chain(more.iter().copied()).collect()
+        ui.page(heading, HEAD / 2.0);
+        let (found, colour) = match self.find.as_str() {
+            "" => ("type to find one".to_owned(), theme::quiet()),
+            find => (format!("find: {find}_"), theme::accent()),
+        };
+        ui.text(&found, Vec2::new(ui.frame().size.x - SIDE, HEAD / 2.0), Style::new(TEXT, colour).middle().right());
+        let nothing = match (self.entries.is_empty(), self.found.is_empty()) {
+            (true, _) => "There are no levels here yet.",
+            (false, true) => "No level has such a name or title.",
+            (false, false) => "",
+        };
+        ui.fitted(nothing, ui.frame().size / 2.0, &[TEXT], theme::quiet());
     }
 
-    /// Where a button is: a level's card, the others in a row below the cards.
-    fn place(&self, press: Press, cards: &[Area], frame: &Frame) -> Area {
-        match press {
-            Press::Level(index) => {
-                let nth = self.found.iter().position(|found| *found == index).unwrap_or(0);
-                cards[nth % PAGE]
+    /// The cards of the page. Enter and a click choose a level; a right click, or the key of details on it, leads to its flights.
+    fn show_cards(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        let mut request = None;
+        self.focused = None;
+        for (index, area) in self.in_view().into_iter().zip(cards(self.found.len().min(PAGE), &ui.frame())) {
+            let entry = &self.entries[index];
+            let touch = ui.touch(&entry.name, area, Kind::Button);
+            card::draw(ui.canvas(), area, entry, touch);
+            if touch.focus {
+                self.focused = Some(entry.name.clone());
             }
-            Press::Back => places::from_left(0.0, frame),
-            Press::Edit | Press::New => places::from_left(1.0, frame),
-            Press::Copy => places::from_left(2.0, frame),
-            Press::Rename => places::from_left(3.0, frame),
-            Press::Previous => places::from_right(1.0, frame),
-            Press::Next => places::from_right(0.0, frame),
+            let under = ui.is_live() && ui.input().right_click && area.contains(ui.input().pointer);
+            if under || touch.focus && ui.acts(Action::Details) {
+                request = request.or_else(|| self.visit(index));
+            }
+            if touch.pressed {
+                return self.choose(index);
+            }
         }
+        request
+    }
+
+    /// The buttons at the foot.
+    fn show_foot(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        let frame = ui.frame();
+        let labels: &[&str] = match self.purpose {
+            Purpose::Play => &["Back", "Edit"],
+            Purpose::Edit => &["Back", "New", "Copy", "Rename"],
+            Purpose::Leaderboard => &["Back"],
+        };
+        let areas = (0..labels.len()).map(|i| from_left(i as f32, &frame)).collect();
+        let pressed = ui.buttons(areas, labels);
+        let mut turned = None;
+        if self.pages() > 1 {
+            turned = ui.buttons(vec![from_right(1.0, &frame), from_right(0.0, &frame)], &["Previous", "Next"]);
+            let at = Vec2::new(frame.size.x - SIDE - 2.0 * FOOT_BUTTON.x - 100.0, frame.size.y - FOOT - ROW_BUTTON.y / 2.0);
+            let page = format!("Page {} of {}", self.page + 1, self.pages());
+            ui.text(&page, at, Style::new(TEXT, theme::quiet()).centred().middle());
+        }
+        if turned == Some("Next") || ui.key(Key::PageDown) {
+            self.turn_to(self.page + 1, ui);
+        } else if turned == Some("Previous") || ui.key(Key::PageUp) {
+            self.turn_to(self.page.saturating_sub(1), ui);
+        }
+        match pressed {
+            Some("Back") => return self.go_back(ui),
+            Some("Edit") => return Some(Request::LevelSelect(Purpose::Edit)),
+            Some("New") => self.ask("What is the new level called?".to_owned(), "", Asked::New),
+            Some("Copy") => self.pick = Some(Pick::Copy),
+            Some("Rename") => self.pick = Some(Pick::Rename),
+            _ => {}
+        }
+        None
+    }
+}
+
+impl Screen for LevelSelect {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        let typed = self.type_in(ui);
+        let mut request = if ui.key(Key::Escape) { self.go_back(ui) } else { None };
+        if let Some(name) = &self.start {
+            ui.start_at(name);
+        }
+        self.show_heading(ui);
+        request = request.or(self.show_cards(ui).filter(|_| !typed));
+        request = request.or(self.show_foot(ui));
+        request = request.or(self.show_prompt(ui));
+        if self.problems.as_ref().is_some_and(|problems| problems.show(ui)) {
+            self.problems = None;
+        }
+        request
     }
 }

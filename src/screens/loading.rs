@@ -1,7 +1,7 @@
 //! Requests that wait for the worker: what a screen needs is read beside it, and it opens when that is there.
 
 use super::worker::{Brought, Errand, Ticket, Worker};
-use super::{App, Input, Key, Make, Purpose, Request, Screen, Source, Spectator};
+use super::{App, Flight, Input, Key, Make, Menu, Purpose, Request, Source, Spectator};
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::level;
 
@@ -35,7 +35,7 @@ impl App {
                 Some(of_level(self, name))
             }
             Request::Restart => {
-                let Screen::Flight(flight) = &self.screen else { return None };
+                let Some(flight) = self.screen.get::<Flight>() else { return None };
                 let name = flight.attempt().level.name.clone();
                 self.reads_again(&name).then(|| of_level(self, &name))
             }
@@ -54,7 +54,7 @@ impl App {
                 let name = self.library.open(&self.library.experiment(name))?;
                 Some(of_level(self, &name))
             }
-            Request::Open(path) if super::app::is_of_level(path) => {
+            Request::Open(path) if super::granting::is_of_level(path) => {
                 let name = self.library.open(path)?;
                 Some(of_level(self, &name))
             }
@@ -93,7 +93,7 @@ impl App {
                 (Brought::Card(card), _) => self.take_card(ticket, *card),
                 (Brought::List(names), _) => self.take_list(names),
                 (Brought::First(next), _) => {
-                    if let Screen::Menu(menu) = &mut self.screen {
+                    if let Some(menu) = self.screen.get_mut::<Menu>() {
                         menu.tell_next(next);
                     }
                 }
@@ -160,7 +160,7 @@ impl App {
         match make {
             Make::Rename(..) => {
                 let screen = self.level_select(Purpose::Edit);
-                self.show(Screen::LevelSelect(screen));
+                self.show(Box::new(screen));
             }
             Make::New(name) | Make::Copy(_, name) => self.grant(Request::Edit(name.clone()), spectator),
         }

@@ -6,6 +6,7 @@
 mod ahead;
 mod app;
 mod balls;
+mod boards;
 mod buttons;
 mod classics;
 mod credits;
@@ -15,8 +16,8 @@ mod flight;
 mod flights;
 mod folder_watch;
 mod footage;
+mod granting;
 mod hover;
-mod input;
 mod instruments;
 mod journal;
 mod jumper;
@@ -42,49 +43,54 @@ mod prover;
 mod race;
 mod save_score;
 mod scoring;
-mod scroll;
+mod screen;
 mod settings;
-mod text_field;
+#[cfg(feature = "window")]
+mod theatre;
 mod tile_run;
 mod toolbar;
+mod visits;
 mod watch;
 #[cfg(feature = "window")]
 mod window;
 mod worker;
 
 pub use crate::settings::{Key, Keys};
+pub use crate::ui::Spectator;
+pub use crate::ui::input::{Answer, Clipboard, Input, Keyed};
+pub use crate::ui::scroll::Bar;
+use crate::ui::{input, scroll, text_field};
 pub use app::{App, Places};
 pub use buttons::Buttons;
 pub use classics::{Classic, Classics};
 pub use credits::Credits;
 pub use editor::{Editor, Tool as EditorTool};
-pub use flight::{Attempt, Flight, Flown, News, Spectator};
-pub use flights::{Candidate as FlightCandidate, Flights, Source, Visit};
+pub use flight::{Attempt, Flight, Flown, News};
+pub use flights::{FlightCandidate, Flights, Source, Visit};
 pub use folder_watch::{FolderWatch, Stamp};
-pub use input::{Answer, Clipboard, Input, Keyed};
 pub use instruments::vary::{Entry as VaryEntry, From as VaryFrom, Line as VaryLine, Varied, Vary};
 pub use instruments::{Instruments, Measures, Plot, PlotPlaces, Reading, Stage, Table as Figures, Tool as Instrument};
-pub use jumper::{Jumper, Press as JumperPress};
+pub use jumper::Jumper;
 pub use lab::{Experiment, Half, Lab, Line, PAGES, Page, Shown};
-pub use leaderboard::{BoardLine, BoardRival, Fresh, Leaderboard, Way};
+pub use leaderboard::{BoardRival, Fresh, Leaderboard, Way};
 pub use level_select::{Entry, LevelSelect, Purpose};
 pub use library::Library;
-pub use menu::{Facts, Line as MenuLine, Menu};
+pub use menu::{Facts, Menu};
 pub use miniature::{Miniature, Part as MiniaturePart};
-pub use name_field::{Entry as NameEntry, NameField};
+pub use name_field::{NameEntry, NameField};
 pub use new_file::NewFile;
 pub use noise::Noise;
 pub use observer::{Observer, PACES as OBSERVED_PACES};
 pub use pace::{Motion, Pace, Picture};
 pub use pi::Pi;
-pub use players::{Candidate, Players};
+pub use players::Players;
 pub use problems::Problems;
 pub use prompt::{Prompt, Reply};
 pub use prover::Prover;
 pub use race::{Gap, Ghost, MOST_RIVALS, Race, Rival, Split};
 pub use save_score::{Gain, SaveScore};
-pub use scoring::{Effect, Part, Press, Scoring};
-pub use scroll::Bar;
+pub use scoring::Scoring;
+pub use screen::Screen;
 pub use settings::SettingsPanel;
 pub use tile_run::TileRun;
 pub use toolbar::Toolbar;
@@ -102,57 +108,6 @@ use crate::settings::Settings;
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
-
-/// What is on the screen, with all that it needs.
-#[derive(Debug)]
-pub enum Screen {
-    /// Title and main buttons.
-    Menu(Box<Menu>),
-    /// Which level.
-    LevelSelect(LevelSelect),
-    /// An attempt at a level.
-    Flight(Box<Flight>),
-    /// A recorded flight.
-    Watch(Box<Watch>),
-    /// Recorded flights of a level.
-    Flights(Box<Flights>),
-    /// A level that is edited.
-    Editor(Box<Editor>),
-    /// What it came to.
-    Scoring(Box<Scoring>),
-    /// Under which name.
-    SaveScore(Box<SaveScore>),
-    /// The best of one level.
-    Leaderboard(Leaderboard),
-    /// Who plays.
-    Players(Box<Players>),
-    /// Who and what the game is made of.
-    Credits(Box<Credits>),
-    /// Keys, volumes, the picture, help.
-    Settings(Box<SettingsPanel>),
-    /// Which classic.
-    Classics(Classics),
-    /// Charts, stress tests, two methods side by side.
-    Lab(Box<Lab>),
-    /// A run through a map of tiles, or one that is watched.
-    TileRun(Box<TileRun>),
-    /// A climb.
-    Jumper(Box<Jumper>),
-    /// π from collisions.
-    Pi(Box<Pi>),
-}
-
-impl Screen {
-    /// What was heard of it in the last frame; what is heard of a flight is told by its ticks.
-    pub fn noises(&self) -> Vec<Noise> {
-        match self {
-            Self::TileRun(screen) => screen.noises().to_vec(),
-            Self::Jumper(screen) => screen.noises().to_vec(),
-            Self::Pi(screen) if screen.collided() => vec![Noise::Collision],
-            _ => Vec::new(),
-        }
-    }
-}
 
 /// A folder that is to be made or named.
 #[derive(Clone, Debug, PartialEq, Eq)]

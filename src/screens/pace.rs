@@ -1,6 +1,6 @@
 //! When the window computes its next frame, and whether it draws it. A frame that shows what the one before has shown costs a copy of that.
 
-use super::{Input, Page, Screen};
+use super::Input;
 
 /// The longest time that one frame brings, s: a machine that slept, or a system clock that was set, brings no more. A slower frame would
 /// lose ticks in any case.
@@ -54,23 +54,6 @@ pub enum Picture {
     Kept,
     /// The one that was kept is shown again.
     Again,
-}
-
-impl Screen {
-    /// How it moves by itself, where the player does this.
-    pub(super) fn motion(&self, input: &Input) -> Motion {
-        let full = match self {
-            Self::Flight(flight) => flight.pause().is_none() && (!flight.observer().frozen() || flight.is_flown_again()),
-            Self::Watch(watch) => !watch.paused(),
-            Self::TileRun(run) => !run.paused(),
-            Self::Jumper(_) | Self::Pi(_) => true,
-            Self::Lab(lab) => lab.page() == Page::SideBySide && !lab.side_by_side().is_paused(),
-            Self::Editor(_) => input.holding || input.dragging,
-            Self::Menu(menu) => return if menu.rests(input) { Motion::Still } else { Motion::Easy },
-            _ => false,
-        };
-        if full { Motion::Full } else { Motion::Still }
-    }
 }
 
 /// Watches the frames go by.
@@ -130,8 +113,8 @@ impl Pace {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::draw::layout::Vec2;
     use crate::screens::Key;
-    use crate::view::layout::Vec2;
 
     #[test]
     fn whatever_is_measured_no_frame_brings_less_than_nothing_or_more_than_a_quarter_of_a_second() {

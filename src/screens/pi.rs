@@ -1,7 +1,8 @@
 //! π from collisions in the window.
 
-use super::{Classic, Input, Key, Request, Toolbar};
+use super::{Classic, Input, Key, Motion, Noise, Request, Screen};
 use crate::classics::pi::{Blocks, MAX_N};
+use crate::ui::Ui;
 
 /// Seconds of the scene a second, from the slowest to the fastest; it begins with the real one.
 const SPEEDS: [f64; 6] = [0.01, 0.05, 0.25, 1.0, 2.0, 4.0];
@@ -16,8 +17,15 @@ pub const DIGITS: &str = "3141592653";
 /// N at the start.
 const FIRST_N: u32 = 2;
 
-/// The toolbar's keys: back, restart, a smaller and a larger N, slower, faster.
-const KEYS: [Key; 6] = [Key::Escape, Key::R, Key::Left, Key::Right, Key::Down, Key::Up];
+/// The buttons, and the key of each.
+const TOOLS: [(&str, Key, &str); 6] = [
+    ("Back", Key::Escape, "Esc"),
+    ("Restart", Key::R, "R"),
+    ("N − 1", Key::Left, "←"),
+    ("N + 1", Key::Right, "→"),
+    ("Slower", Key::Down, "↓"),
+    ("Faster", Key::Up, "↑"),
+];
 
 /// The scene: two blocks and a wall.
 #[derive(Debug)]
@@ -31,39 +39,15 @@ pub struct Pi {
     behind: bool,
     /// Since the last collision, s of the screen.
     quiet_for: f64,
-    toolbar: Toolbar,
 }
 
 impl Default for Pi {
     fn default() -> Self {
-        Self {
-            n: FIRST_N,
-            blocks: Blocks::new(FIRST_N),
-            time: 0.0,
-            speed: REAL,
-            behind: false,
-            quiet_for: f64::INFINITY,
-            toolbar: Toolbar::default(),
-        }
+        Self { n: FIRST_N, blocks: Blocks::new(FIRST_N), time: 0.0, speed: REAL, behind: false, quiet_for: f64::INFINITY }
     }
 }
 
 impl Pi {
-    /// One frame.
-    pub fn update(&mut self, input: &Input) -> Option<Request> {
-        match self.toolbar.update(input, &KEYS) {
-            Some(0) => return Some(Request::Classics(Some(Classic::Pi))),
-            Some(1) => self.restart(self.n),
-            Some(2) if self.n > 0 => self.restart(self.n - 1),
-            Some(3) if self.n < MAX_N => self.restart(self.n + 1),
-            Some(4) => self.speed = self.speed.saturating_sub(1),
-            Some(5) => self.speed = (self.speed + 1).min(SPEEDS.len() - 1),
-            Some(_) | None => {}
-        }
-        self.advance(input.frame_time);
-        None
-    }
-
     /// N: the heavy block has 100^N times the light one's mass.
     pub fn n(&self) -> u32 {
         self.n
@@ -86,19 +70,8 @@ impl Pi {
         (counter, right)
     }
 
-    /// Whether anything collided in the last frame.
-    pub fn collided(&self) -> bool {
-        self.quiet_for == 0.0
-    }
-
-    /// Its buttons.
-    pub fn toolbar(&self) -> &Toolbar {
-        &self.toolbar
-    }
-
     fn restart(&mut self, n: u32) {
-        *self =
-            Self { n, blocks: Blocks::new(n), speed: self.speed, toolbar: std::mem::take(&mut self.toolbar), ..Self::default() };
+        *self = Self { n, blocks: Blocks::new(n), speed: self.speed, ..Self::default() };
     }
 
     fn advance(&mut self, frame_time: f64) {
@@ -110,6 +83,35 @@ impl Pi {
         self.behind = made == MOST_A_FRAME;
         self.time = if self.behind { self.blocks.time() } else { until };
         self.quiet_for = if made > 0 { 0.0 } else { self.quiet_for + frame_time };
+    }
+}
+
+impl Screen for Pi {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        self.draw(ui.canvas());
+        match ui.tools(&TOOLS) {
+            Some("Back") => return Some(Request::Classics(Some(Classic::Pi))),
+            Some("Restart") => self.restart(self.n),
+            Some("N − 1") if self.n > 0 => self.restart(self.n - 1),
+            Some("N + 1") if self.n < MAX_N => self.restart(self.n + 1),
+            Some("Slower") => self.speed = self.speed.saturating_sub(1),
+            Some("Faster") => self.speed = (self.speed + 1).min(SPEEDS.len() - 1),
+            Some(_) | None => {}
+        }
+        self.advance(ui.input().frame_time);
+        None
+    }
+
+    fn motion(&self, _: &Input) -> Motion {
+        Motion::Full
+    }
+
+    fn tune(&self) -> Option<&str> {
+        Some("pi")
+    }
+
+    fn noises(&self) -> Vec<Noise> {
+        if self.quiet_for == 0.0 { vec![Noise::Collision] } else { Vec::new() }
     }
 }
 
@@ -132,8 +134,8 @@ mod drawing {
     const SIDE: f32 = 19.0;
 
     impl Pi {
-        /// Draws blocks, counter and buttons.
-        pub fn draw(&self, canvas: &Canvas) {
+        /// Draws blocks and counter.
+        pub(super) fn draw(&self, canvas: &Canvas) {
             widgets::graph_paper(canvas);
             self.draw_blocks(canvas);
             self.draw_counter(canvas);
@@ -144,10 +146,6 @@ mod drawing {
             let words = format!("N = {}    masses 1 : {}    time {:6.3} s    speed {speed}", self.n, power(2 * self.n), self.time);
             let at = Vec2::new(canvas.size().x / 2.0, canvas.size().y - 96.0);
             canvas.text(&words, at, Style::new(TEXT, theme::quiet()).mono().centred().middle());
-            self.toolbar.draw(
-                canvas,
-                &[("Back", "Esc"), ("Restart", "R"), ("N − 1", "←"), ("N + 1", "→"), ("Slower", "↓"), ("Faster", "↑")],
-            );
         }
 
         fn draw_blocks(&self, canvas: &Canvas) {

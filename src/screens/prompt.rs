@@ -1,8 +1,9 @@
 //! A panel that asks for one line of text: a new name.
 
-use super::text_field::TextField;
-use super::{Buttons, Input, Key, Keys};
-use crate::view::layout::{Area, Frame, GAP, PADDING, ROW_BUTTON, Vec2};
+use super::{Key, text_field::TextField};
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, GAP, PADDING, ROW_BUTTON, TEXT, Vec2};
+use crate::ui::{Typed, Ui};
+use crate::view::{theme, widgets};
 
 /// Width and height of the panel.
 const PANEL: Vec2 = Vec2::new(640.0, 264.0);
@@ -25,23 +26,12 @@ pub struct Prompt {
     field: TextField,
     note: Option<String>,
     error: Option<String>,
-    panel: Area,
-    buttons: Buttons,
 }
 
 impl Prompt {
     /// A panel with that heading, whose field begins with that text.
     pub fn new(heading: impl Into<String>, text: &str) -> Self {
-        let mut prompt = Self {
-            heading: heading.into(),
-            field: TextField::new(text, MOST),
-            note: None,
-            error: None,
-            panel: Area::default(),
-            buttons: Buttons::default(),
-        };
-        prompt.place(&Frame::default());
-        prompt
+        Self { heading: heading.into(), field: TextField::new(text, MOST), note: None, error: None }
     }
 
     /// The same with a line below its field.
@@ -50,88 +40,37 @@ impl Prompt {
         Self { note: Some(note), ..self }
     }
 
-    fn place(&mut self, frame: &Frame) {
-        self.panel = Area::around(frame.size / 2.0, PANEL);
-        let (centre, y) = (self.panel.centre().x, self.panel.max().y - PADDING - ROW_BUTTON.y);
-        let left = centre - ROW_BUTTON.x - GAP / 2.0;
-        let button = |i: usize| Area { min: Vec2::new(left + i as f32 * (ROW_BUTTON.x + GAP), y), size: ROW_BUTTON };
-        self.buttons.place(vec![button(0), button(1)]);
-    }
-
-    /// One frame.
-    pub fn update(&mut self, input: &Input) -> Option<Reply> {
-        self.place(&input.frame);
-        if input.pressed(Key::Escape) {
-            return Some(Reply::Cancel);
-        }
-        if self.field.update(input) {
-            self.error = None;
-        }
-        let mouse = Input { pressed: Keys::default(), ..input.clone() };
-        match (self.buttons.update(&mouse), input.pressed(Key::Enter)) {
-            (Some(1), _) => Some(Reply::Cancel),
-            (Some(_), _) | (None, true) => Some(Reply::Text(self.field.text().trim().to_owned())),
-            (None, false) => None,
-        }
-    }
-
     /// Says why the text will not do.
     pub fn refuse(&mut self, error: String) {
         self.error = Some(error);
     }
 
-    /// What is asked for.
-    pub fn heading(&self) -> &str {
-        &self.heading
-    }
-
-    /// What is in the field.
-    pub fn text(&self) -> String {
-        self.field.text()
-    }
-
-    /// The line below its field, where there is one.
-    pub fn note(&self) -> Option<&str> {
-        self.note.as_deref()
-    }
-
-    /// Why the text will not do, while that is shown.
-    pub fn error(&self) -> Option<&str> {
-        self.error.as_deref()
-    }
-
-    /// The buttons: OK, Cancel.
-    pub fn buttons(&self) -> &Buttons {
-        &self.buttons
-    }
-}
-
-mod drawing {
-    use super::Prompt;
-    use crate::draw::Canvas;
-    use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, PADDING, TEXT, Vec2};
-    use crate::view::{theme, widgets};
-
-    impl Prompt {
-        /// Draws the panel above all else.
-        pub fn draw(&self, canvas: &Canvas, time: f64) {
-            widgets::curtain(canvas, 0.7);
-            let panel = self.panel;
-            widgets::panel(canvas, panel);
-            let middle = panel.centre().x;
-            let at = Vec2::new(middle, panel.min.y + 36.0);
-            widgets::fitted(canvas, &self.heading, at, panel.size.x - 2.0 * PADDING, &[BUTTON_TEXT, TEXT, DETAILS], theme::text());
-            let field = Area::new(panel.min.x + PADDING, panel.min.y + 72.0, panel.size.x - 2.0 * PADDING, 52.0);
-            widgets::panel_in(canvas, field, theme::ground(), theme::accent());
-            self.field.draw(canvas, field, (BUTTON_TEXT, PADDING), Some(time));
-            let below = [(self.error.as_deref(), theme::bad()), (self.note(), theme::quiet())];
-            if let Some((words, colour)) = below.into_iter().find_map(|(words, colour)| Some((words?, colour))) {
-                let at = Vec2::new(middle, field.max().y + 28.0);
-                widgets::fitted(canvas, words, at, panel.size.x - 2.0 * PADDING, &[TEXT, DETAILS], colour);
-            }
-            for (i, (label, area)) in ["OK", "Cancel"].into_iter().zip(self.buttons.areas()).enumerate() {
-                widgets::button(canvas, *area, label, self.buttons.hover() == Some(i), i == 0);
-            }
+    /// Shows the panel above all else.
+    pub fn show(&mut self, ui: &mut Ui<'_>) -> Option<Reply> {
+        ui.layer(0.7);
+        let panel = Area::around(ui.frame().size / 2.0, PANEL);
+        let (middle, room) = (panel.centre().x, panel.size.x - 2.0 * PADDING);
+        ui.panel(panel);
+        let at = Vec2::new(middle, panel.min.y + 36.0);
+        widgets::fitted(ui.canvas(), &self.heading, at, room, &[BUTTON_TEXT, TEXT, DETAILS], theme::text());
+        let area = Area::new(panel.min.x + PADDING, panel.min.y + 72.0, room, 52.0);
+        let typed = ui.field("Name", area, &mut self.field);
+        if typed == Some(Typed::Changed) {
+            self.error = None;
         }
+        let below = [(self.error.as_deref(), theme::bad()), (self.note.as_deref(), theme::quiet())];
+        if let Some((words, colour)) = below.into_iter().find_map(|(words, colour)| Some((words?, colour))) {
+            let at = Vec2::new(middle, area.max().y + 28.0);
+            widgets::fitted(ui.canvas(), words, at, room, &[TEXT, DETAILS], colour);
+        }
+        ui.group();
+        let at = Vec2::new(middle - ROW_BUTTON.x - GAP / 2.0, panel.max().y - PADDING - ROW_BUTTON.y);
+        let button = |i: f32| Area { min: at + Vec2::new(i * (ROW_BUTTON.x + GAP), 0.0), size: ROW_BUTTON };
+        let pressed = ui.buttons(vec![button(0.0), button(1.0)], &["OK", "Cancel"]);
+        if ui.key(Key::Escape) || pressed == Some("Cancel") {
+            return Some(Reply::Cancel);
+        }
+        let given = pressed == Some("OK") || typed == Some(Typed::Entered);
+        given.then(|| Reply::Text(self.field.text().trim().to_owned()))
     }
 }

@@ -1,9 +1,11 @@
-//! A name for a score, where whoever plays has none yet, or where saving takes a second try.
+//! A name for a score, where the player has none yet, or where saving takes a second try.
 
 use super::leaderboard::Way;
-use super::name_field::{Entry, NameField};
-use super::{Buttons, Flown, Input, Request};
+use super::name_field::{NameEntry, NameField};
+use super::{Flown, Request, Screen};
 use crate::scores::Name;
+use crate::ui::Ui;
+use std::path::Path;
 use std::rc::Rc;
 
 /// What is to be saved.
@@ -17,7 +19,7 @@ pub struct Gain {
     pub points: i64,
     /// How they were flown, where that is known.
     pub flown: Option<Rc<Flown>>,
-    /// Where the way back leads.
+    /// Where Back leads.
     pub back: Box<Request>,
     /// Where the leaderboard leads once it is saved.
     pub ways: Vec<Way>,
@@ -31,17 +33,9 @@ pub struct SaveScore {
 }
 
 impl SaveScore {
-    /// The field for that score, with the name of whoever plays.
+    /// The field for that score, with the player's name.
     pub fn new(gain: Gain, name: Option<&Name>) -> Self {
         Self { gain, field: NameField::new(name.map_or("", Name::as_str)) }
-    }
-
-    /// One frame.
-    pub fn update(&mut self, input: &Input) -> Option<Request> {
-        Some(match self.field.update(input)? {
-            Entry::Name(name) => Request::Submit(self.gain.clone(), name),
-            Entry::Back => (*self.gain.back).clone(),
-        })
     }
 
     /// Shows why the score could not be saved.
@@ -53,30 +47,23 @@ impl SaveScore {
     pub fn text(&self) -> String {
         self.field.text()
     }
-
-    /// What is wrong, while it is.
-    pub fn error(&self) -> Option<&str> {
-        self.field.error()
-    }
-
-    /// Its buttons: Save, Back.
-    pub fn buttons(&self) -> &Buttons {
-        self.field.buttons()
-    }
 }
 
-mod drawing {
-    use super::SaveScore;
-    use crate::draw::Canvas;
-    use crate::view::widgets;
+impl Screen for SaveScore {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        ui.page("Save score", ui.frame().size.y * 0.2);
+        let score = format!("{} points in {}", self.gain.points, self.gain.subject);
+        Some(match self.field.show(ui, (&score, "Save"))? {
+            NameEntry::Name(name) => Request::Submit(self.gain.clone(), name),
+            NameEntry::Back => (*self.gain.back).clone(),
+        })
+    }
 
-    impl SaveScore {
-        /// Draws the field; `time` (s) makes the caret blink.
-        pub fn draw(&self, canvas: &Canvas, time: f64) {
-            widgets::graph_paper(canvas);
-            widgets::heading(canvas, "Save score", canvas.size().y * 0.2);
-            let score = format!("{} points in {}", self.gain.points, self.gain.subject);
-            self.field.draw(canvas, (&score, "Save"), time);
-        }
+    fn tune(&self) -> Option<&str> {
+        None
+    }
+
+    fn takes(&self, _: &Path) -> bool {
+        false
     }
 }

@@ -1,76 +1,15 @@
 //! What an attempt came to, part by part.
 
 use super::leaderboard::{Way, subject};
-use super::{Attempt, Buttons, Flown, Gain, Input, Key, Keys, Request, Visit};
-use crate::game::{Goal, Outcome, RunResult, goals};
+use super::{Attempt, Flown, Gain, Input, Key, Request, Screen, Visit};
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, ROW_BUTTON, TEXT, Vec2};
+use crate::draw::{Colour, Style};
+use crate::game::{Outcome, RunResult, goals};
 use crate::number::{clock, whole_hundredths};
 use crate::settings::Action;
-use crate::view::layout::ROW_BUTTON;
+use crate::ui::Ui;
+use crate::view::{medals, theme, widgets};
 use std::rc::Rc;
-
-/// What a part did to the score.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Effect {
-    /// It helped.
-    Helped,
-    /// It cost.
-    Cost,
-    /// It changed nothing.
-    Nothing,
-}
-
-impl Effect {
-    fn of(points: i64) -> Self {
-        match points {
-            1.. => Self::Helped,
-            0 => Self::Nothing,
-            _ => Self::Cost,
-        }
-    }
-}
-
-/// A line of the score.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Part {
-    /// What it is.
-    pub label: &'static str,
-    /// What was reached.
-    pub value: String,
-    /// What it is measured against, if anything.
-    pub beside: String,
-    /// Points, with their sign.
-    pub points: String,
-    /// What it did.
-    pub effect: Effect,
-}
-
-/// A button of this screen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Press {
-    /// The level again.
-    Replay,
-    /// The level after it.
-    NextLevel,
-    /// A name for the score.
-    SaveScore,
-    /// What was flown: to watch it, keep it, race it.
-    Flights,
-    /// The main menu.
-    MainMenu,
-}
-
-impl Press {
-    /// The words on it.
-    pub const fn label(self) -> &'static str {
-        match self {
-            Self::Replay => "Try Again",
-            Self::NextLevel => "Next Level",
-            Self::SaveScore => "Save Score",
-            Self::Flights => "Flights",
-            Self::MainMenu => "Main Menu",
-        }
-    }
-}
 
 /// For how long the keys of menus do nothing on a page that has just opened, s: a key that was meant for the flight goes down about so late.
 const GUARD: f64 = 0.4;
@@ -78,11 +17,25 @@ const GUARD: f64 = 0.4;
 const STEERING: [Action; 4] = [Action::Thrust, Action::Reverse, Action::Left, Action::Right];
 /// The keys of menus that may steer, too.
 const MENU_KEYS: [Key; 5] = [Key::Left, Key::Right, Key::Up, Key::Down, Key::Enter];
+/// The words on the buttons.
+const AGAIN: &str = "Try Again";
+const NEXT: &str = "Next Level";
+const SAVE: &str = "Save Score";
+const FLIGHTS: &str = "Flights";
+const MENU: &str = "Main Menu";
 
-/// They, and the buttons of gamepads that do the same.
-fn menu_keys() -> Keys {
-    MENU_KEYS.into_iter().chain(MENU_KEYS.into_iter().filter_map(Key::on_pad)).collect()
-}
+/// The panel of the parts and where its columns stand, from its left edge; from row to row.
+const PANEL: Vec2 = Vec2::new(880.0, 248.0);
+const COLUMNS: [f32; 3] = [24.0, 320.0, 344.0];
+const ROW: f32 = 44.0;
+/// From one panel to the next.
+const BETWEEN: f32 = 10.0;
+/// The panels of the medals and of the figures, and from row to row of the latter.
+const MEDALS: f32 = 68.0;
+const FIGURES: f32 = 96.0;
+const FIGURE: f32 = 40.0;
+/// A medal's radius.
+const RADIUS: f32 = 18.0;
 
 /// The scoring screen.
 #[derive(Debug)]
@@ -91,9 +44,7 @@ pub struct Scoring {
     result: RunResult,
     /// The name of the level after this one.
     next: Option<String>,
-    presses: Vec<Press>,
-    buttons: Buttons,
-    /// What it brought whoever flew, or why it brought nothing; in words.
+    /// What it brought the player, or why it brought nothing; in words.
     remark: String,
     /// For how long the page has been there, s, and whether no key that steers has been held at a moment since.
     shown: f64,
@@ -105,88 +56,15 @@ pub struct Scoring {
 }
 
 impl Scoring {
-    /// The screen for that result; `next` is the level after this one, and `remark` says what it brought. The keyboard is where most go on:
-    /// on the next level after a success, on another try after a failure. Only what was flown by hand and without help can be saved.
+    /// The screen for that result; `next` is the level after this one, and `remark` says what it brought.
     pub fn new(attempt: Attempt, result: RunResult, flown: Option<Rc<Flown>>, next: Option<String>, remark: String) -> Self {
-        let mut presses = vec![Press::Replay];
-        if next.is_some() {
-            presses.push(Press::NextLevel);
-        }
-        if result.score.total > 0 && attempt.inputs.is_none() && !result.assisted {
-            presses.push(Press::SaveScore);
-        }
-        presses.extend([Press::Flights, Press::MainMenu]);
-        let onward = if result.outcome == Outcome::Completed { presses[1] } else { Press::Replay };
-        let focus = presses.iter().position(|press| *press == onward).unwrap_or(0);
-        Self {
-            attempt,
-            result,
-            next,
-            presses,
-            buttons: Buttons::focused_on(focus),
-            remark,
-            shown: 0.0,
-            released: false,
-            best: None,
-            flown,
-        }
+        Self { attempt, result, next, remark, shown: 0.0, released: false, best: None, flown }
     }
 
-    /// One frame. The keys of the flight do not move the keyboard: those of menus count once the page has stood for a moment and none that
-    /// steers is held since the flight.
-    pub fn update(&mut self, input: &Input) -> Option<Request> {
-        self.shown += input.frame_time;
-        self.released |= !STEERING.into_iter().any(|action| input.keeps(action));
-        let fresh = self.shown < GUARD || !self.released;
-        let input = &if fresh { Input { pressed: input.pressed.less(menu_keys()), ..input.clone() } } else { input.clone() };
-        self.buttons.place(input.frame.row(self.presses.len(), input.frame.size.y - ROW_BUTTON.y - 40.0));
-        if input.pressed(Key::Escape) {
-            return Some(Request::Menu);
-        }
-        // As in flight: one key, and the ship flies again.
-        if input.acts(Action::Restart) {
-            return Some(Request::Attempt(self.attempt.clone()));
-        }
-        Some(match self.presses[self.buttons.update(input)?] {
-            Press::Replay => Request::Attempt(self.attempt.clone()),
-            Press::NextLevel => Request::Play(self.next.clone()?),
-            Press::SaveScore => Request::SaveScore(self.gain()),
-            Press::Flights => Request::Flights(Visit {
-                level: self.result.level.clone(),
-                flown: self.flown.clone(),
-                back: Box::new(self.again()),
-            }),
-            Press::MainMenu => Request::Menu,
-        })
-    }
-
-    /// This screen once more.
-    fn again(&self) -> Request {
-        Request::Score(self.attempt.clone(), self.result.clone(), self.flown.clone())
-    }
-
-    /// The score, and where the leaderboard leads on once it is saved.
-    fn gain(&self) -> Gain {
-        let next = self.next.clone().map(|next| Way { label: Press::NextLevel.label(), to: Request::Play(next) });
-        let again = Way { label: Press::Replay.label(), to: Request::Attempt(self.attempt.clone()) };
-        let menu = Way { label: Press::MainMenu.label(), to: Request::Menu };
-        // What is saved can be watched and raced from its row.
-        let board = Box::new(Request::Leaderboard(self.result.level.clone()));
-        let visit = Visit { level: self.result.level.clone(), flown: self.flown.clone(), back: board };
-        let flights = Way { label: Press::Flights.label(), to: Request::Flights(visit) };
-        Gain {
-            board: self.result.level.clone(),
-            subject: subject(&self.result.level, &self.attempt.level.title),
-            points: self.result.score.total,
-            flown: self.flown.clone(),
-            back: Box::new(self.again()),
-            ways: next.into_iter().chain([again, flights, menu]).collect(),
-        }
-    }
-
-    /// What it brought whoever flew, or why it brought nothing.
-    pub fn remark(&self) -> &str {
-        &self.remark
+    /// With the player's best time in the level, s.
+    #[must_use]
+    pub fn with_best(self, best: Option<f64>) -> Self {
+        Self { best, ..self }
     }
 
     /// What the attempt came to.
@@ -194,20 +72,47 @@ impl Scoring {
         &self.result
     }
 
-    /// The buttons that there are, in order.
-    pub fn presses(&self) -> &[Press] {
-        &self.presses
+    /// The buttons. Only a flight by hand and without help can be saved.
+    fn labels(&self) -> Vec<&'static str> {
+        let saves = self.result.score.total > 0 && self.attempt.inputs.is_none() && !self.result.assisted;
+        let all = [(AGAIN, true), (NEXT, self.next.is_some()), (SAVE, saves), (FLIGHTS, true), (MENU, true)];
+        all.into_iter().filter(|(_, there)| *there).map(|(label, _)| label).collect()
     }
 
-    /// Where they are.
-    pub fn buttons(&self) -> &Buttons {
-        &self.buttons
+    /// The keys of the flight do not move the focus: those of menus count once the page has stood for a moment and none that steers has been
+    /// held since the flight.
+    fn guard(&mut self, ui: &mut Ui<'_>) {
+        let input: &Input = ui.input();
+        self.shown += input.frame_time;
+        self.released |= !STEERING.into_iter().any(|action| input.keeps(action));
+        if self.shown < GUARD || !self.released {
+            ui.claim(MENU_KEYS);
+        }
     }
 
-    /// With the player's best time in the level, s.
-    #[must_use]
-    pub fn with_best(self, best: Option<f64>) -> Self {
-        Self { best, ..self }
+    /// This screen once more.
+    fn again(&self) -> Request {
+        Request::Score(self.attempt.clone(), self.result.clone(), self.flown.clone())
+    }
+
+    fn visit(&self, back: Request) -> Request {
+        Request::Flights(Visit { level: self.result.level.clone(), flown: self.flown.clone(), back: Box::new(back) })
+    }
+
+    /// The score, and where the leaderboard leads on once it is saved.
+    fn gain(&self) -> Gain {
+        let next = self.next.clone().map(|next| Way { label: NEXT, to: Request::Play(next) });
+        // What is saved can be watched and raced from its row.
+        let board = Request::Leaderboard(self.result.level.clone());
+        let more = [(AGAIN, Request::Attempt(self.attempt.clone())), (FLIGHTS, self.visit(board)), (MENU, Request::Menu)];
+        Gain {
+            board: self.result.level.clone(),
+            subject: subject(&self.result.level, &self.attempt.level.title),
+            points: self.result.score.total,
+            flown: self.flown.clone(),
+            back: Box::new(self.again()),
+            ways: next.into_iter().chain(more.map(|(label, to)| Way { label, to })).collect(),
+        }
     }
 
     /// The times that the flight's own is measured against; a level without medals for time has its optimal time.
@@ -221,51 +126,135 @@ impl Scoring {
         words.join(" · ")
     }
 
-    /// The parts of the score, a line each.
-    pub fn parts(&self) -> Vec<Part> {
+    /// The parts of the score: what each is, what was reached, what that is measured against, and points.
+    fn parts(&self) -> [(&'static str, String, String, i64); 4] {
         let (result, score) = (&self.result, &self.result.score);
-        let all_met = result.outcome == Outcome::Completed;
-        let part = |label, value, beside, points, effect| Part { label, value, beside, points: signed(points), effect };
-        vec![
-            part(
-                "Objectives met",
-                format!("{}/{}", result.objectives_met, result.objectives_all),
-                String::new(),
-                score.base,
-                if all_met { Effect::of(score.base) } else { Effect::Cost },
-            ),
-            part("Time", clock(result.time), self.measures(), score.time, Effect::of(score.time)),
-            part(
-                "Damaging collisions",
-                result.collisions.to_string(),
-                "−500 each".into(),
-                score.collisions,
-                Effect::of(score.collisions),
-            ),
-            part(
-                "Fuel left",
-                format!("{:.0} %", result.fuel * 100.0),
-                "full bonus from 50 %".into(),
-                score.fuel,
-                Effect::of(score.fuel),
-            ),
-        ]
-    }
-
-    /// What the level offers, and how the flight stands to each.
-    pub fn goals(&self) -> Vec<Goal> {
-        goals(&self.attempt.level.awards, &self.result)
-    }
-
-    /// How efficient the solution was: label, value and unit.
-    pub fn efficiency(&self) -> [(&'static str, String, &'static str); 4] {
-        let result = &self.result;
+        let (met, all) = (result.objectives_met, result.objectives_all);
         [
-            ("Fuel used", format!("{:.1}", result.fuel_used), "units"),
-            ("Distance flown", format!("{:.1}", result.distance), "m"),
-            ("Top speed", format!("{:.1}", result.top_speed), "m/s"),
-            ("Peak resultant force", format!("{:.1}", result.peak_resultant), "N"),
+            ("Objectives met", format!("{met}/{all}"), String::new(), score.base),
+            ("Time", clock(result.time), self.measures(), score.time),
+            ("Damaging collisions", result.collisions.to_string(), "−500 each".into(), score.collisions),
+            ("Fuel left", format!("{:.0} %", result.fuel * 100.0), "full bonus from 50 %".into(), score.fuel),
         ]
+    }
+
+    fn show_parts(&self, ui: &Ui<'_>, panel: Area) {
+        ui.panel(panel);
+        let quiet = Style::new(TEXT, theme::quiet()).middle();
+        let [label, value, beside] = COLUMNS.map(|column| panel.min.x + column);
+        let right = panel.max().x - 24.0;
+        let mut y = panel.min.y + 34.0;
+        for (i, (words, reached, measure, points)) in self.parts().into_iter().enumerate() {
+            let lost = i == 0 && self.result.outcome != Outcome::Completed;
+            let style = Style::new(TEXT, if lost { theme::bad() } else { effect(points) }).middle();
+            ui.text(words, Vec2::new(label, y), style);
+            ui.text(&reached, Vec2::new(value, y), style.mono().right());
+            ui.text(&measure, Vec2::new(beside, y), quiet);
+            ui.text(&signed(points), Vec2::new(right, y), style.mono().right());
+            y += ROW;
+        }
+        ui.canvas().line(Vec2::new(label, y - 20.0), Vec2::new(right, y - 20.0), 1.0, theme::panel_edge());
+        let total = Style::new(BUTTON_TEXT, theme::text()).middle();
+        ui.text("Score", Vec2::new(label, y + 8.0), total);
+        ui.text(&self.result.score.total.to_string(), Vec2::new(right, y + 8.0), total.mono().right());
+    }
+
+    /// What the level offers, side by side: what each goal asks for, and whether it is earned or what is missing.
+    fn show_goals(&self, ui: &Ui<'_>, panel: Area) {
+        ui.panel(panel);
+        let goals = goals(&self.attempt.level.awards, &self.result);
+        let wide = panel.size.x / goals.len().max(1) as f32;
+        for (i, goal) in goals.iter().enumerate() {
+            let at = Vec2::new(panel.min.x + i as f32 * wide + 16.0, panel.centre().y);
+            medals::draw(ui.canvas(), goal.prize, goal.missing.is_none(), at + Vec2::new(RADIUS, 0.0), RADIUS);
+            let room = wide - 2.0 * RADIUS - 32.0;
+            let line = |text: &str, below: f32, colour| {
+                let style = Style::new(TEXT, colour).middle();
+                let size = if ui.canvas().width(text, style) > room { DETAILS } else { TEXT };
+                ui.text(text, at + Vec2::new(2.0 * RADIUS + 12.0, below), Style { size, ..style });
+            };
+            line(&goal.asks, -13.0, theme::text());
+            match &goal.missing {
+                None => line("earned", 13.0, theme::good()),
+                Some(missing) => line(missing, 13.0, theme::quiet()),
+            }
+        }
+    }
+
+    /// How efficient the solution was.
+    fn show_figures(&self, ui: &Ui<'_>, panel: Area) {
+        ui.panel(panel);
+        let result = &self.result;
+        let figures = [
+            ("Fuel used", result.fuel_used, "units"),
+            ("Distance flown", result.distance, "m"),
+            ("Top speed", result.top_speed, "m/s"),
+            ("Peak resultant force", result.peak_resultant, "N"),
+        ];
+        let quiet = Style::new(TEXT, theme::quiet()).middle();
+        for (i, (label, value, unit)) in figures.into_iter().enumerate() {
+            let left = panel.min.x + 24.0 + (i % 2) as f32 * PANEL.x / 2.0;
+            let y = panel.min.y + 28.0 + (i / 2) as f32 * FIGURE;
+            ui.text(label, Vec2::new(left, y), quiet);
+            let number = Style::new(TEXT, theme::text()).mono().middle().right();
+            ui.text(&format!("{value:.1}"), Vec2::new(left + 312.0, y), number);
+            ui.text(unit, Vec2::new(left + 324.0, y), quiet);
+        }
+    }
+}
+
+impl Screen for Scoring {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        self.guard(ui);
+        let size = ui.frame().size;
+        let middle = size.x / 2.0;
+        let completed = self.result.outcome == Outcome::Completed;
+        widgets::graph_paper(ui.canvas());
+        let (heading, colour) = if completed { ("Level complete", theme::good()) } else { ("Attempt lost", theme::bad()) };
+        ui.fitted(heading, Vec2::new(middle, 44.0), &[HEADING], colour);
+        let level = &self.attempt.level;
+        let title = if level.title == level.name { format!("Level {}", level.name) } else { level.title.clone() };
+        ui.fitted(&title, Vec2::new(middle, 88.0), &[TEXT], theme::quiet());
+        let top = ((size.y - 720.0) / 2.0).max(0.0) + 116.0;
+        let parts = Area::new(middle - PANEL.x / 2.0, top, PANEL.x, PANEL.y);
+        let below = |area: Area, height| Area::new(area.min.x, area.max().y + BETWEEN, PANEL.x, height);
+        let offers = below(parts, MEDALS);
+        let figures = below(offers, FIGURES);
+        self.show_parts(ui, parts);
+        self.show_goals(ui, offers);
+        self.show_figures(ui, figures);
+        ui.fitted(&self.remark, Vec2::new(middle, figures.max().y + 30.0), &[TEXT], theme::quiet());
+        let labels = self.labels();
+        // Where most go on: to the next level after a success, to another try after a failure.
+        ui.start_at(if completed { labels[1] } else { AGAIN });
+        let pressed = ui.row(size.y - ROW_BUTTON.y - 40.0, &labels);
+        if ui.key(Key::Escape) {
+            return Some(Request::Menu);
+        }
+        // As in flight: one key, and the ship flies again.
+        if ui.acts(Action::Restart) {
+            return Some(Request::Attempt(self.attempt.clone()));
+        }
+        Some(match pressed? {
+            AGAIN => Request::Attempt(self.attempt.clone()),
+            NEXT => Request::Play(self.next.clone()?),
+            SAVE => Request::SaveScore(self.gain()),
+            FLIGHTS => self.visit(self.again()),
+            _ => Request::Menu,
+        })
+    }
+
+    fn tune(&self) -> Option<&str> {
+        None
+    }
+}
+
+/// The colour of a part that brought those points.
+fn effect(points: i64) -> Colour {
+    match points {
+        1.. => theme::good(),
+        0 => theme::text(),
+        _ => theme::bad(),
     }
 }
 
@@ -275,112 +264,6 @@ fn signed(points: i64) -> String {
         1.. => format!("+{points}"),
         0 => "0".into(),
         _ => format!("−{}", points.unsigned_abs()),
-    }
-}
-
-mod drawing {
-    use super::{Effect, Scoring};
-    use crate::draw::{Canvas, Style};
-    use crate::game::Outcome;
-    use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, TEXT, Vec2};
-    use crate::view::{medals, theme, widgets};
-
-    /// The panel and where its columns stand, from its left edge.
-    const PANEL: Vec2 = Vec2::new(880.0, 248.0);
-    const COLUMNS: [f32; 3] = [24.0, 320.0, 344.0];
-    const ROW: f32 = 44.0;
-    /// From one panel to the next.
-    const BETWEEN: f32 = 10.0;
-    /// The panels of the medals and of the figures, and from row to row of the latter.
-    const MEDALS: f32 = 68.0;
-    const FIGURES: f32 = 96.0;
-    const FIGURE: f32 = 40.0;
-    /// A medal, and from its edge to its words.
-    const RADIUS: f32 = 18.0;
-
-    impl Scoring {
-        /// Draws the score and its parts.
-        pub fn draw(&self, canvas: &Canvas) {
-            widgets::graph_paper(canvas);
-            let size = canvas.size();
-            let completed = self.result.outcome == Outcome::Completed;
-            let (heading, colour) = if completed { ("Level complete", theme::good()) } else { ("Attempt lost", theme::bad()) };
-            let middle = size.x / 2.0;
-            canvas.text(heading, Vec2::new(middle, 44.0), Style::new(HEADING, colour).centred().middle());
-            let quiet = Style::new(TEXT, theme::quiet()).middle();
-            let level = &self.attempt.level;
-            let title = if level.title == level.name { format!("Level {}", level.name) } else { level.title.clone() };
-            canvas.text(&title, Vec2::new(middle, 88.0), quiet.centred());
-
-            let top = ((size.y - 720.0) / 2.0).max(0.0) + 116.0;
-            let panel = Area::new((size.x - PANEL.x) / 2.0, top, PANEL.x, PANEL.y);
-            widgets::panel(canvas, panel);
-            let column = |i: usize| panel.min.x + COLUMNS[i];
-            let right = panel.max().x - 24.0;
-            for (i, part) in self.parts().iter().enumerate() {
-                let y = panel.min.y + 34.0 + i as f32 * ROW;
-                let colour = match part.effect {
-                    Effect::Helped => theme::good(),
-                    Effect::Cost => theme::bad(),
-                    Effect::Nothing => theme::text(),
-                };
-                let words = Style::new(TEXT, colour).middle();
-                canvas.text(part.label, Vec2::new(column(0), y), words);
-                canvas.text(&part.value, Vec2::new(column(1), y), words.mono().right());
-                canvas.text(&part.beside, Vec2::new(column(2), y), quiet);
-                canvas.text(&part.points, Vec2::new(right, y), words.mono().right());
-            }
-            let y = panel.min.y + 34.0 + 4.0 * ROW + 8.0;
-            canvas.line(Vec2::new(column(0), y - 28.0), Vec2::new(right, y - 28.0), 1.0, theme::panel_edge());
-            let total = Style::new(BUTTON_TEXT, theme::text()).middle();
-            canvas.text("Score", Vec2::new(column(0), y), total);
-            canvas.text(&self.result.score.total.to_string(), Vec2::new(right, y), total.mono().right());
-
-            let offers = Area::new(panel.min.x, panel.max().y + BETWEEN, PANEL.x, MEDALS);
-            widgets::panel(canvas, offers);
-            self.draw_goals(canvas, offers);
-
-            let second = Area::new(panel.min.x, offers.max().y + BETWEEN, PANEL.x, FIGURES);
-            widgets::panel(canvas, second);
-            for (i, (label, value, unit)) in self.efficiency().iter().enumerate() {
-                let left = second.min.x + if i % 2 == 0 { 24.0 } else { PANEL.x / 2.0 + 24.0 };
-                let y = second.min.y + 28.0 + (i / 2) as f32 * FIGURE;
-                canvas.text(label, Vec2::new(left, y), quiet);
-                let number = Style::new(TEXT, theme::text()).mono().middle();
-                canvas.text(value, Vec2::new(left + 312.0, y), number.right());
-                canvas.text(unit, Vec2::new(left + 324.0, y), quiet);
-            }
-            let at = Vec2::new(middle, second.max().y + 30.0);
-            widgets::fitted(canvas, &self.remark, at, size.x - 64.0, &[TEXT], theme::quiet());
-            for (i, press) in self.presses.iter().enumerate() {
-                let (hover, focus) = (self.buttons.hover() == Some(i), self.buttons.focus() == i);
-                if let Some(area) = self.buttons.areas().get(i) {
-                    widgets::button(canvas, *area, press.label(), hover, focus);
-                }
-            }
-        }
-
-        /// Draws what the level offers beside each other: what each asks for, and whether it is earned or what is missing.
-        fn draw_goals(&self, canvas: &Canvas, panel: Area) {
-            let goals = self.goals();
-            let wide = panel.size.x / goals.len().max(1) as f32;
-            for (i, goal) in goals.iter().enumerate() {
-                let left = panel.min.x + i as f32 * wide + 16.0;
-                let y = panel.centre().y;
-                medals::draw(canvas, goal.prize, goal.missing.is_none(), Vec2::new(left + RADIUS, y), RADIUS);
-                let words = Vec2::new(left + 2.0 * RADIUS + 12.0, wide - 2.0 * RADIUS - 32.0);
-                let line = |text: &str, y: f32, colour| {
-                    let style = Style::new(TEXT, colour).middle();
-                    let size = if canvas.width(text, style) > words.y { DETAILS } else { TEXT };
-                    canvas.text(text, Vec2::new(words.x, y), Style::new(size, colour).middle());
-                };
-                line(&goal.asks, y - 13.0, theme::text());
-                match &goal.missing {
-                    None => line("earned", y + 13.0, theme::good()),
-                    Some(missing) => line(missing, y + 13.0, theme::quiet()),
-                }
-            }
-        }
     }
 }
 

@@ -1,9 +1,10 @@
 //! The tile run in the window: played with the keys, or a list of commands that is watched, paused and stepped.
 
 use super::input::KeyLatch;
-use super::{Classic, Input, Key, Keys, Noise, Request, Toolbar};
+use super::{Classic, Input, Key, Keys, Motion, Noise, Request, Screen};
 use crate::classics::tile_run::{Command, MAX_FALL, Map, Runner};
 use crate::game::Clock;
+use crate::ui::Ui;
 use std::collections::VecDeque;
 
 /// Frames of the tile run a second: at twice as many it is too fast for fingers.
@@ -30,7 +31,6 @@ pub struct TileRun {
     last_command: Option<Command>,
     clock: Clock,
     latch: KeyLatch,
-    toolbar: Toolbar,
     /// What was heard in the last frame of the screen.
     noises: Vec<Noise>,
 }
@@ -49,42 +49,20 @@ impl TileRun {
             last_command: None,
             clock: Clock::new(FRAME_RATE),
             latch: KeyLatch::default(),
-            toolbar: Toolbar::default(),
             noises: Vec::new(),
         }
     }
 
-    /// One frame of the screen.
-    pub fn update(&mut self, input: &Input) -> Option<Request> {
-        // The screen is also updated between frames, to be laid out.
-        if input.frame_time > 0.0 {
-            self.noises.clear();
-        }
-        match (self.toolbar.update(input, self.keys()), self.watching) {
-            (Some(0), _) => return Some(Request::Classics(Some(Classic::TileRun))),
-            (Some(1), _) => self.restart(self.watching),
-            (Some(2), _) => self.restart(!self.watching),
-            (Some(3), true) => self.paused = !self.paused,
-            (Some(_), true) => {
-                self.paused = true;
-                self.run_frame();
-            }
-            (_, _) => {}
-        }
+    /// Lets the run go on by a frame of the screen.
+    fn go_on(&mut self, input: &Input) {
         self.latch.frame(input);
         if self.paused {
-            return None;
+            return;
         }
         self.clock.add(input.frame_time);
         while self.clock.tick() {
             self.run_frame();
         }
-        None
-    }
-
-    /// What was heard in the last frame of the screen.
-    pub fn noises(&self) -> &[Noise] {
-        &self.noises
     }
 
     /// Whether commands are watched.
@@ -105,17 +83,6 @@ impl TileRun {
     /// The runner.
     pub fn runner(&self) -> &Runner {
         &self.runner
-    }
-
-    /// Its buttons.
-    pub fn toolbar(&self) -> &Toolbar {
-        &self.toolbar
-    }
-
-    /// The toolbar's keys: back, restart, play or watch, and when watching pause and step.
-    fn keys(&self) -> &'static [Key] {
-        let keys = &[Key::Escape, Key::R, Key::Tab, Key::Space, Key::Right];
-        if self.watching { keys } else { &keys[..3] }
     }
 
     fn restart(&mut self, watching: bool) {
@@ -158,6 +125,49 @@ impl TileRun {
     }
 }
 
+impl Screen for TileRun {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        // The passes that show take no time.
+        if ui.input().frame_time > 0.0 {
+            self.noises.clear();
+        }
+        self.draw(ui.canvas());
+        let (other, pause) = (if self.watching { "Play" } else { "Watch" }, if self.paused { "Go on" } else { "Pause" });
+        let tools = [
+            ("Back", Key::Escape, "Esc"),
+            ("Restart", Key::R, "R"),
+            (other, Key::Tab, "Tab"),
+            (pause, Key::Space, "Space"),
+            ("Step", Key::Right, "→"),
+        ];
+        match ui.tools(if self.watching { &tools } else { &tools[..3] }) {
+            Some("Back") => return Some(Request::Classics(Some(Classic::TileRun))),
+            Some("Restart") => self.restart(self.watching),
+            Some("Step") => {
+                self.paused = true;
+                self.run_frame();
+            }
+            Some("Pause" | "Go on") => self.paused = !self.paused,
+            Some(_) => self.restart(!self.watching),
+            None => {}
+        }
+        self.go_on(ui.input());
+        None
+    }
+
+    fn motion(&self, _: &Input) -> Motion {
+        if self.paused() { Motion::Still } else { Motion::Full }
+    }
+
+    fn tune(&self) -> Option<&str> {
+        Some("tile run")
+    }
+
+    fn noises(&self) -> Vec<Noise> {
+        self.noises.clone()
+    }
+}
+
 mod drawing {
     use super::TileRun;
     use crate::classics::tile_run::Command;
@@ -175,7 +185,7 @@ mod drawing {
 
     impl TileRun {
         /// Draws the map, the runner and what moves it.
-        pub fn draw(&self, canvas: &Canvas) {
+        pub(super) fn draw(&self, canvas: &Canvas) {
             let rows = self.map.rows();
             let tiles = Vec2::new(rows.iter().map(Vec::len).max().unwrap_or(1) as f32, rows.len() as f32);
             let room = canvas.size() - 2.0 * MARGIN + Vec2::new(0.0, MARGIN.y - FOOT);
@@ -268,11 +278,6 @@ mod drawing {
                 self.last_command.map_or_else(String::new, words),
             );
             canvas.text(&figures, Vec2::new(middle, 112.0), style.mono().centred());
-
-            let other = if self.watching { "Play" } else { "Watch" };
-            let pause = if self.paused { "Go on" } else { "Pause" };
-            let labels = [("Back", "Esc"), ("Restart", "R"), (other, "Tab"), (pause, "Space"), ("Step", "→")];
-            self.toolbar.draw(canvas, &labels);
         }
     }
 

@@ -5,9 +5,15 @@ use super::ahead::Ahead;
 use super::input::Repeat;
 use super::instruments::{Instruments, Stage};
 use super::observer;
-use super::{Input, Key, Request, Spectator, Toolbar, Visit};
+#[cfg(feature = "window")]
+use super::theatre::{Moment, Theatre};
+use super::{Input, Key, Motion, Request, Screen, Spectator, Toolbar, Visit};
+#[cfg(feature = "window")]
+use crate::draw::Canvas;
 use crate::game::{Game, Reel};
 use crate::settings::Action;
+use crate::settings::Settings;
+use crate::ui::Ui;
 use crate::view::focus::Focus;
 use crate::view::layout::{Area, Frame, Vec2};
 use std::path::PathBuf;
@@ -47,6 +53,40 @@ pub struct Watch {
     repeat: Repeat,
     toolbar: Toolbar,
     line: Area,
+}
+
+impl Screen for Watch {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        self.update(ui.input(), ui.spectator)
+    }
+
+    fn motion(&self, _: &Input) -> Motion {
+        if self.paused { Motion::Still } else { Motion::Full }
+    }
+
+    fn tune(&self) -> Option<&str> {
+        Some(&self.game.level().name)
+    }
+
+    fn text_scale(&self, settings: &Settings, _: f32) -> f32 {
+        f32::from(settings.scale) / 100.0
+    }
+
+    fn tell_of_export(&mut self, told: Result<PathBuf, String>) {
+        self.instruments.tell_of_export(told);
+    }
+
+    #[cfg(feature = "window")]
+    fn draw(&self, theatre: &mut Theatre, moment: Moment, canvas: &mut Canvas) {
+        let whole = canvas.use_frame(above(canvas.frame()));
+        theatre.set_panels(self.instruments.areas(canvas.frame()));
+        let above = canvas.use_frame(self.instruments.room(canvas.frame()));
+        theatre.draw_watched(self, moment.settings, moment.frame_time, canvas);
+        canvas.use_frame(above);
+        self.instruments.draw_below(canvas);
+        canvas.use_frame(whole);
+        self.draw_controls(canvas);
+    }
 }
 
 impl Watch {
@@ -210,11 +250,6 @@ impl Watch {
     /// What it is measured with.
     pub const fn instruments(&self) -> &Instruments {
         &self.instruments
-    }
-
-    /// Says what became of a file.
-    pub(super) fn tell_of_export(&mut self, told: Result<PathBuf, String>) {
-        self.instruments.tell_of_export(told);
     }
 
     /// Its buttons.

@@ -1,23 +1,15 @@
 //! The window: macroquad's keys, mouse and clock become an [`Input`] a frame, and the screens are drawn.
 
-use super::Editor;
 use super::pad::Pads;
-use super::watch::above;
-use super::{
-    Answer, App, Attempt, Flight, Input, Instruments, Key, Keyed, Keys, Noise, Picture, Places, Request, Screen, Spectator, Watch,
-    Worker, pace,
-};
+use super::theatre::{self, Theatre};
+use super::{App, Attempt, Input, Key, Keyed, Keys, Picture, Places, Request, Worker, pace};
 use crate::draw::Canvas;
+use crate::draw::layout::{DESIGN, Frame, Vec2};
 use crate::draw::pen::Pen;
-use crate::game::Game;
-use crate::level::{self, Level};
-use crate::physics::{BodyId, DVec2};
-use crate::settings::{Settings, plain_keys};
-use crate::view::focus::Focus;
-use crate::view::hud::Shown;
-use crate::view::layout::{Area, BUTTON_TEXT, DESIGN, Frame, TEXT, Vec2};
-use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
-use crate::view::{GameView, Overlays, art, theme, widgets};
+use crate::level::Level;
+use crate::settings::plain_keys;
+use crate::view::sound::Speaker;
+use crate::view::{art, theme};
 use macroquad::input::utils::{register_input_subscriber, repeat_all_miniquad_input};
 use macroquad::input::{
     KeyCode, MouseButton, get_char_pressed, get_dropped_files, is_key_down, is_key_pressed, is_mouse_button_down,
@@ -37,11 +29,6 @@ use std::time::{Duration, Instant};
 /// How often the window is tried to open, and the time after each: an X server turns programs away for a moment while it resets.
 const ATTEMPTS: u32 = 4;
 const BETWEEN_ATTEMPTS: Duration = Duration::from_millis(150);
-/// How much one tick's time, and one frame's, counts in the running means that F3 shows.
-const COST_WEIGHT: f64 = 0.02;
-const FRAME_WEIGHT: f64 = 0.1;
-/// The tune of the menus.
-const MENU: &str = "0";
 macro_rules! codes {
     ($($key:ident)*) => { &[$((KeyCode::$key, Key::$key)),*] };
 }
@@ -129,8 +116,9 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     let typist = utils::register_input_subscriber();
     loop {
         theme::wear(app.settings().palette);
-        let text = text_scale(&app, canvas.frame().pixel);
+        let text = app.screen().text_scale(app.settings(), canvas.frame().pixel);
         pen.begin(&mut canvas, text)?;
+        app.dpi = canvas.dpi();
         let mut typed = Typist::default();
         utils::repeat_all_miniquad_input(&mut typed, typist);
         let mut input = Input { away: focus.is_away(), ..read_input(&canvas, pads.read(), typed) };
@@ -149,29 +137,18 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
             fullscreen = app.settings().fullscreen;
             set_fullscreen(fullscreen);
         }
-        theatre.frame_cost += (input.frame_time - theatre.frame_cost) * FRAME_WEIGHT;
+        theatre.note_frame(input.frame_time);
         if app.picture() != Picture::Again || !pen.show_kept(&canvas) {
-            draw(&app, &mut theatre, input.frame_time, &mut canvas);
+            theatre::draw(&app, &mut theatre, input.frame_time, &mut canvas);
             pen.play(&canvas, theme::ground());
             if app.picture() == Picture::Kept {
                 pen.keep(&canvas);
             }
         }
-        theatre.speaker.set_volumes(volumes(app.settings()));
+        theatre.set_volumes(app.settings());
         theatre.sound(app.screen(), input.answer.get());
         next_frame().await;
     }
-}
-
-/// How large words are on this screen, with `pixel` canvas units a pixel: those of a flight as the player wants them; the editor leaves a large
-/// window to the picture; the others stand in panels made for them.
-fn text_scale(app: &App, pixel: f32) -> f32 {
-    if let Screen::Editor(_) = app.screen() {
-        return Editor::text_scale(pixel);
-    }
-    let scale = f32::from(app.settings().scale) / 100.0;
-    let flown = matches!(app.screen(), Screen::Flight(flight) if flight.pause().is_none());
-    if flown || matches!(app.screen(), Screen::Watch(_)) { scale } else { 1.0 }
 }
 
 /// What was typed since the last frame, in order.
@@ -229,82 +206,6 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys), Typist { t
     }
 }
 
-fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) {
-    match app.screen() {
-        Screen::Menu(screen) => screen.draw(canvas),
-        Screen::LevelSelect(screen) => screen.draw(canvas, app.shown_for()),
-        Screen::Editor(screen) => screen.draw(canvas, app.shown_for(), 1.0 / theatre.frame_cost),
-        Screen::Flight(screen) => {
-            theatre.set_panels(screen.panels(canvas.frame()));
-            let whole = canvas.use_frame(screen.instruments().room(canvas.frame()));
-            theatre.draw(screen, *app.settings(), frame_time, canvas);
-            canvas.use_frame(whole);
-            screen.instruments().draw_below(canvas);
-            screen.draw_over(canvas);
-        }
-        Screen::Watch(screen) => {
-            let whole = canvas.use_frame(above(canvas.frame()));
-            theatre.set_panels(screen.instruments().areas(canvas.frame()));
-            let above = canvas.use_frame(screen.instruments().room(canvas.frame()));
-            theatre.draw_watched(screen, *app.settings(), frame_time, canvas);
-            canvas.use_frame(above);
-            screen.instruments().draw_below(canvas);
-            canvas.use_frame(whole);
-            screen.draw_controls(canvas);
-        }
-        Screen::Flights(screen) => screen.draw(canvas),
-        Screen::Scoring(screen) => screen.draw(canvas),
-        Screen::SaveScore(screen) => screen.draw(canvas, app.shown_for()),
-        Screen::Leaderboard(screen) => screen.draw(canvas),
-        Screen::Players(screen) => screen.draw(canvas, app.shown_for()),
-        Screen::Credits(screen) => screen.draw(canvas),
-        Screen::Classics(screen) => screen.draw(canvas),
-        Screen::Lab(screen) => screen.draw(canvas),
-        Screen::TileRun(screen) => screen.draw(canvas),
-        Screen::Jumper(screen) => screen.draw(canvas),
-        Screen::Settings(screen) => screen.draw(canvas),
-        Screen::Pi(screen) => screen.draw(canvas),
-    }
-    if let Some(what) = app.loading() {
-        draw_loading(what, canvas);
-    }
-    let veil = app.veil();
-    if veil > 0.0 {
-        widgets::curtain(canvas, veil as f32);
-    }
-}
-
-/// The window's icon, at the three sizes that a desktop asks for.
-fn icon() -> Icon {
-    fn of<const N: usize>(side: usize) -> [u8; N] {
-        let bytes = art::icon(side);
-        std::array::from_fn(|i| bytes[i])
-    }
-    Icon { small: of(16), medium: of(32), big: of(64) }
-}
-
-/// What is loading, above the screen that waits for it.
-fn draw_loading(what: &str, canvas: &Canvas) {
-    widgets::curtain(canvas, 0.6);
-    let (middle, size) = (canvas.size() / 2.0, Vec2::new(560.0, 120.0));
-    widgets::panel(canvas, Area::around(middle, size));
-    let words = format!("Loading {what} …");
-    widgets::fitted(canvas, &words, middle - Vec2::new(0.0, 18.0), size.x - 48.0, &[BUTTON_TEXT, TEXT], theme::text());
-    widgets::fitted(canvas, "Esc: not now", middle + Vec2::new(0.0, 26.0), size.x - 48.0, &[TEXT], theme::quiet());
-}
-
-/// What watches the attempt that is on the screen: its view, its sounds, and how long its ticks take.
-struct Theatre {
-    speaker: Speaker,
-    ear: Ear,
-    view: Option<GameView>,
-    tick_started: Instant,
-    /// Running mean of the time that a tick takes, s.
-    tick_cost: f64,
-    /// The same from frame to frame.
-    frame_cost: f64,
-}
-
 /// Whether the window has the keyboard, by what miniquad reports: on X11 that another window has it, elsewhere that it is hidden.
 struct WindowFocus {
     subscriber: usize,
@@ -336,178 +237,11 @@ impl EventHandler for WindowFocus {
     }
 }
 
-impl Theatre {
-    fn new(speaker: Speaker) -> Self {
-        Self { speaker, ear: Ear::default(), view: None, tick_started: Instant::now(), tick_cost: 0.0, frame_cost: pace::EASY }
+/// The window's icon, at the three sizes that a desktop asks for.
+fn icon() -> Icon {
+    fn of<const N: usize>(side: usize) -> [u8; N] {
+        let bytes = art::icon(side);
+        std::array::from_fn(|i| bytes[i])
     }
-
-    /// The body under the pointer, and the place in the level, m, where a game is shown.
-    fn pointed(&mut self, screen: &Screen, input: &Input) -> (Option<BodyId>, Option<DVec2>) {
-        let Some(view) = &mut self.view else { return (None, None) };
-        view.point_at(input.pointer);
-        let (game, alpha, frame) = match screen {
-            Screen::Flight(flight) => (flight.game(), flight.alpha(), flight.instruments().room(&input.frame)),
-            Screen::Watch(watch) => (watch.game(), watch.alpha(), watch.instruments().room(&above(&input.frame))),
-            _ => return (None, None),
-        };
-        let place = view.viewport(game, alpha, &frame).metres(input.pointer);
-        (view.body_at(game, alpha, input.pointer, &frame), Some(place))
-    }
-
-    fn set_panels(&mut self, panels: Vec<Area>) {
-        if let Some(view) = &mut self.view {
-            view.set_panels(panels);
-        }
-    }
-
-    /// Lets the view move on by the frame just updated, and draws it.
-    fn draw(&mut self, flight: &Flight, settings: Settings, frame_time: f64, canvas: &Canvas) {
-        let figures = self.figures();
-        let Some(view) = &mut self.view else { return };
-        let (details, hitboxes) = (flight.details(), flight.hitboxes());
-        let focus = looked_at(flight.observer().focus(), details || flight.instruments().is_open());
-        let plays = flight.game().level().ship_plays();
-        let fuel = plays && flight.game().level().player.has_engine();
-        let shown = Shown { status: plays, fuel, rivals: flight.race().map_or(0, |race| race.all().len()) };
-        let overlays = Overlays { settings, details, shown, focus, hitboxes, watched: false };
-        let paused = flight.pause().is_some();
-        let passed = if paused { 0.0 } else { frame_time * flight.observer().speed().min(1.0) };
-        view.update(flight.game(), flight.alpha(), passed, overlays, canvas.frame());
-        view.follow_jumps(flight.game(), &overlays, if paused { 0.0 } else { frame_time - passed });
-        if flight.pause().is_none() {
-            self.speaker.surround(Ambience::of(flight.game(), view.burning()));
-        }
-        view.set_ghosts(flight.ghosts());
-        view.draw(flight.game(), flight.alpha(), overlays, &figures, canvas);
-        draw_instruments(flight.instruments(), view, (flight.game(), flight.alpha()), canvas);
-        if let Some(race) = flight.race() {
-            race.draw(view.hud().aside(), canvas);
-        }
-    }
-
-    /// The same for a flight that is watched.
-    fn draw_watched(&mut self, watch: &Watch, settings: Settings, frame_time: f64, canvas: &Canvas) {
-        let figures = self.figures();
-        let Some(view) = &mut self.view else { return };
-        let (details, hitboxes) = (watch.details(), watch.hitboxes());
-        let focus = looked_at(watch.focus(), details || watch.instruments().is_open());
-        let plays = watch.game().level().ship_plays();
-        let shown = Shown { status: plays, fuel: plays && watch.game().level().player.has_engine(), rivals: 0 };
-        let overlays = Overlays { settings, details, shown, focus, hitboxes, watched: true };
-        let passed = if watch.paused() { 0.0 } else { frame_time * watch.pace().min(1.0) };
-        view.update(watch.game(), watch.alpha(), passed, overlays, canvas.frame());
-        view.follow_jumps(watch.game(), &overlays, frame_time - passed);
-        if !watch.paused() {
-            self.speaker.surround(Ambience::of(watch.game(), view.burning()));
-        }
-        view.draw(watch.game(), watch.alpha(), overlays, &figures, canvas);
-        draw_instruments(watch.instruments(), view, (watch.game(), watch.alpha()), canvas);
-    }
-}
-
-/// Who is looked at: nobody in particular while neither details nor instruments are open.
-fn looked_at(focus: &Focus, open: bool) -> Focus {
-    if open { *focus } else { focus.on_nobody() }
-}
-
-/// What it is measured with, above the flight.
-fn draw_instruments(instruments: &Instruments, view: &GameView, (game, alpha): (&Game, f64), canvas: &Canvas) {
-    if instruments.is_open() {
-        let view = view.viewport(game, alpha, canvas.frame());
-        instruments.draw_in_level((game, alpha), &view, canvas);
-        instruments.draw((game, alpha), &view, canvas);
-    }
-}
-
-impl Theatre {
-    /// The line that F3 shows: frames a second, and what a tick costs.
-    fn figures(&self) -> String {
-        format!("{:>3.0} fps  tick {:.1} µs", 1.0 / self.frame_cost, self.tick_cost * 1e6)
-    }
-
-    /// Ends the frame for the ear: buttons, and the tune that belongs to the screen.
-    fn sound(&mut self, screen: &Screen, answer: Option<Answer>) {
-        match answer {
-            Some(Answer::Pressed) => self.speaker.play(Sound::new(Cue::Press, 1.0)),
-            Some(Answer::Moved) => self.speaker.play(Sound::new(Cue::Move, 1.0)),
-            None => {}
-        }
-        screen.noises().into_iter().for_each(|noise| self.speaker.play(heard_as(noise)));
-        if let Some(name) = music(screen) {
-            self.speaker.set_tune(Some(tune(name)));
-        }
-        self.speaker.end_frame();
-    }
-}
-
-/// What something in the classics sounds like.
-fn heard_as(noise: Noise) -> Sound {
-    match noise {
-        Noise::Jump => Sound::new(Cue::Jump, 0.5),
-        Noise::Landing(hard) => Sound::new(Cue::Knock(Stuff::Wood), 0.1 + 0.5 * hard as f32),
-        Noise::Bump => Sound::new(Cue::Knock(Stuff::Rubber), 0.8),
-        Noise::Collision => Sound::new(Cue::Click, 1.0),
-    }
-}
-
-/// The volumes that the player has set.
-fn volumes(settings: &Settings) -> Volumes {
-    let [master, effects, music] = [settings.master, settings.effects, settings.music].map(|percent| f32::from(percent) / 100.0);
-    Volumes { master, effects, music }
-}
-
-/// By what the tune of a screen goes; `None`: as before, so that a level's stays through its scoring.
-fn music(screen: &Screen) -> Option<&str> {
-    match screen {
-        Screen::Flight(flight) => Some(&flight.game().level().name),
-        Screen::Watch(watch) => Some(&watch.game().level().name),
-        Screen::Flights(_) | Screen::Scoring(_) | Screen::SaveScore(_) | Screen::Leaderboard(_) => None,
-        Screen::TileRun(_) => Some("tile run"),
-        Screen::Jumper(_) => Some("jumper"),
-        Screen::Pi(_) => Some("pi"),
-        Screen::Menu(_)
-        | Screen::Players(_)
-        | Screen::Credits(_)
-        | Screen::LevelSelect(_)
-        | Screen::Editor(_)
-        | Screen::Classics(_)
-        | Screen::Lab(_)
-        | Screen::Settings(_) => Some(MENU),
-    }
-}
-
-impl Spectator for Theatre {
-    fn begins(&mut self, game: &Game) {
-        self.ear = Ear::default();
-        self.view = Some(GameView::new(game, &|path| level::read_picture(path).ok()));
-        self.tick_cost = 0.0;
-    }
-
-    fn goes_on(&mut self, game: &Game) {
-        let read = |path: &std::path::Path| level::read_picture(path).ok();
-        match &self.view {
-            Some(view) => self.view = Some(view.goes_on(game, &read)),
-            None => self.begins(game),
-        }
-    }
-
-    fn before_tick(&mut self) {
-        self.tick_started = Instant::now();
-    }
-
-    fn after_tick(&mut self, game: &Game) {
-        let cost = self.tick_started.elapsed().as_secs_f64();
-        self.tick_cost += (cost - self.tick_cost) * COST_WEIGHT;
-        self.ear.listen(game, |sound| self.speaker.play(sound));
-        if let Some(view) = &mut self.view {
-            view.after_tick(game);
-        }
-    }
-
-    fn jumped(&mut self, game: &Game) {
-        self.ear = Ear::default();
-        if let Some(view) = &mut self.view {
-            view.jump(game);
-        }
-    }
+    Icon { small: of(16), medium: of(32), big: of(64) }
 }

@@ -52,6 +52,12 @@ pub fn focus_ring(canvas: &Canvas, area: Area) {
     canvas.rounded_edge(area.inset(-RING_GAP), CORNER + RING_GAP, EDGE, theme::accent());
 }
 
+/// A row of a list that is picked out.
+pub fn picked_row(canvas: &Canvas, area: Area) {
+    canvas.rounded(area, 6.0, theme::panel_hover());
+    canvas.rounded_edge(area, 6.0, EDGE, theme::accent());
+}
+
 /// A screen's heading, in the middle of the canvas with its capitals around `y`.
 pub fn heading(canvas: &Canvas, text: &str, y: f32) {
     canvas.text(text, Vec2::new(canvas.size().x / 2.0, y), Style::new(HEADING, theme::text()).centred().middle());

@@ -1,13 +1,10 @@
 //! The classics' screens: the ways to them and back by mouse and keyboard, and what is played there. No window.
 
+use crate::sitting::Sitting;
 use resultant::classics::jumper::scene::{self, Scene};
 use resultant::classics::pi::Blocks;
-use resultant::classics::tile_run::{Command, Map};
-use resultant::screens::{
-    App, Buttons, Classic, Input, Jumper, JumperPress as Press, Key, Keys, Noise, Pi, Places, Request, Screen, TileRun,
-};
-use resultant::view::layout::Vec2;
-use std::path::{Path, PathBuf};
+use resultant::screens::{Classic, Input, Jumper, Key, Keys, Noise, Pi, Request, TileRun};
+use std::path::Path;
 
 /// A frame of the screen, s.
 const FRAME: f64 = 1.0 / 60.0;
@@ -26,87 +23,37 @@ fn hold(held: &[Key]) -> Input {
     Input { pressed: Keys::default(), ..press(held) }
 }
 
-fn click(at: Vec2) -> Input {
-    Input { pointer: at, click: true, ..press(&[]) }
-}
-
-/// The shipped files in a folder of its own.
-struct Sitting {
-    app: App,
-    folder: tempfile::TempDir,
-}
-
-impl Sitting {
-    fn new() -> Self {
-        let folder = tempfile::tempdir().unwrap();
-        let tile_run = folder.path().join("assets/tile_run");
+/// A sitting with the shipped files of the tile run.
+fn sitting() -> Sitting {
+    Sitting::with(|root| {
+        let tile_run = root.join("assets/tile_run");
         std::fs::create_dir_all(&tile_run).unwrap();
         for name in ["map.txt", "commands.txt"] {
             let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/tile_run").join(name);
             std::fs::copy(shipped, tile_run.join(name)).unwrap();
         }
-        let within = |name: &str| -> PathBuf { folder.path().join(name) };
-        let places = Places { root: folder.path().to_owned(), levels: within("levels"), scores: within("scores") };
-        Self { app: App::new(places), folder }
-    }
+    })
+}
 
-    fn frame(&mut self, input: Input) -> &mut Self {
-        self.app.update(&input, &mut ());
-        self
-    }
-
-    fn press(&mut self, key: Key) -> &mut Self {
-        self.frame(press(&[key])).frame(hold(&[]))
-    }
-
-    /// Clicks on the middle of a button, once the screen has been laid out.
-    fn click(&mut self, button: usize) -> &mut Self {
-        self.frame(hold(&[]));
-        let at = self.buttons().areas()[button].centre();
-        self.frame(click(at)).frame(hold(&[]))
-    }
-
-    fn buttons(&self) -> &Buttons {
-        match self.app.screen() {
-            Screen::Menu(screen) => screen.buttons(),
-            Screen::Classics(screen) => screen.buttons(),
-            Screen::TileRun(screen) => screen.toolbar().buttons(),
-            Screen::Jumper(screen) => screen.buttons().unwrap(),
-            Screen::Pi(screen) => screen.toolbar().buttons(),
-            Screen::SaveScore(screen) => screen.buttons(),
-            Screen::Leaderboard(screen) => screen.buttons(),
-            other => panic!("no buttons looked for on {other:?}"),
-        }
-    }
-
-    fn at(&self) -> &'static str {
-        match self.app.screen() {
-            Screen::Menu(_) => "menu",
-            Screen::Classics(_) => "classics",
-            Screen::TileRun(_) => "tile run",
-            Screen::Jumper(_) => "jumper",
-            Screen::Pi(_) => "pi",
-            Screen::SaveScore(_) => "save score",
-            Screen::Leaderboard(_) => "leaderboard",
-            _ => "elsewhere",
-        }
-    }
-
-    fn classics(&mut self) -> &mut Self {
-        self.app.grant(Request::Classics(None), &mut ());
-        self
-    }
+/// One that begins in a classic, or in a climb that has ended.
+fn at(request: Request) -> Sitting {
+    let mut sitting = sitting();
+    sitting.app.grant(request, &mut ());
+    // It is laid out, and no time passes.
+    sitting.app.update(&Input { frame: sitting.frame, ..Input::default() }, &mut ());
+    sitting
 }
 
 const SCENES: [&str; 3] = ["tile run", "jumper", "pi"];
+const BUTTONS: [&str; 3] = ["Tile Run", "Jumper", "π from Collisions"];
 
 #[test]
 fn each_is_reached_and_left_by_keyboard() {
-    let mut sitting = Sitting::new();
+    let mut sitting = sitting();
     sitting.press(Key::Down).press(Key::Down).press(Key::Down).press(Key::Enter);
     assert_eq!(sitting.at(), "classics");
     for (i, scene) in SCENES.into_iter().enumerate() {
-        assert_eq!(sitting.buttons().focus(), i.saturating_sub(1), "the keyboard stays on the scene that was left");
+        assert_eq!(sitting.focused(), BUTTONS[i.saturating_sub(1)], "the focus stays on the scene that was left");
         if i > 0 {
             sitting.press(Key::Down);
         }
@@ -118,56 +65,58 @@ fn each_is_reached_and_left_by_keyboard() {
 
 #[test]
 fn each_is_reached_and_left_by_mouse() {
-    let mut sitting = Sitting::new();
-    assert_eq!(sitting.click(3).at(), "classics");
-    for (i, scene) in SCENES.into_iter().enumerate() {
-        assert_eq!(sitting.click(i).at(), scene);
-        let back = if scene == "jumper" { 3 } else { 0 };
-        assert_eq!(sitting.click(back).at(), "classics");
+    let mut sitting = sitting();
+    assert_eq!(sitting.click("Classics").at(), "classics");
+    for (button, scene) in BUTTONS.into_iter().zip(SCENES) {
+        assert_eq!(sitting.click(button).at(), scene);
+        assert_eq!(sitting.click("Back").at(), "classics");
     }
-    assert_eq!(sitting.click(3).at(), "menu");
+    assert_eq!(sitting.click("Back").at(), "menu");
 }
 
 #[test]
 fn a_bad_map_is_told_on_the_list() {
-    let mut sitting = Sitting::new();
+    let mut sitting = at(Request::Classics(None));
     std::fs::write(sitting.folder.path().join("assets/tile_run/map.txt"), "s\n#x").unwrap();
-    sitting.classics().press(Key::Enter);
-    let Screen::Classics(screen) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
-    assert!(screen.problem().unwrap().contains("map.txt:2: column 2: found 'x'"));
+    sitting.press(Key::Enter);
+    assert!(sitting.shows("map.txt:2: column 2: found 'x'"));
     std::fs::remove_file(sitting.folder.path().join("assets/tile_run/commands.txt")).unwrap();
-    assert_eq!(sitting.classics().press(Key::Enter).at(), "classics");
+    sitting.app.grant(Request::Classics(None), &mut ());
+    assert_eq!(sitting.rest().press(Key::Enter).at(), "classics");
 }
 
 // Tile run
 
-fn tile_run() -> TileRun {
-    let shipped = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/tile_run").join(name);
-    let read = |name: &str| std::fs::read_to_string(shipped(name)).unwrap();
-    TileRun::new(Map::parse(&read("map.txt")).unwrap(), Command::parse_all(&read("commands.txt")).unwrap())
+fn tile_run() -> Sitting {
+    at(Request::Classic(Classic::TileRun))
 }
 
-fn frames(screen: &mut TileRun, input: &Input, count: usize) {
+fn run_of(sitting: &Sitting) -> &TileRun {
+    sitting.screen()
+}
+
+fn frames(sitting: &mut Sitting, input: &Input, count: usize) {
     for _ in 0..count {
-        assert!(screen.update(input).is_none());
+        sitting.give(input.clone());
     }
+    assert_eq!(sitting.at(), "tile run");
 }
 
 #[test]
 fn the_arrow_keys_run_and_space_jumps() {
     let mut screen = tile_run();
     frames(&mut screen, &hold(&[]), 60);
-    assert!(screen.runner().on_ground && screen.frame() == 30, "30 frames of the run a second");
+    assert!(run_of(&screen).runner().on_ground && run_of(&screen).frame() == 30, "30 frames of the run a second");
     frames(&mut screen, &hold(&[Key::Left]), 2);
-    assert_eq!(screen.runner().vx, -0.1 * 0.80);
+    assert_eq!(run_of(&screen).runner().vx, -0.1 * 0.80);
     frames(&mut screen, &hold(&[Key::Left, Key::Right]), 2);
     frames(&mut screen, &press(&[Key::Space]), 1);
     frames(&mut screen, &hold(&[]), 1);
-    assert_eq!(screen.runner().vy, -0.6 + 0.06);
+    assert_eq!(run_of(&screen).runner().vy, -0.6 + 0.06);
     frames(&mut screen, &hold(&[]), 60);
-    assert!(screen.runner().on_ground, "one press, one jump");
+    assert!(run_of(&screen).runner().on_ground, "one press, one jump");
     frames(&mut screen, &press(&[Key::R]), 1);
-    assert_eq!((screen.frame(), screen.runner().tile()), (0, (58, 18)));
+    assert_eq!((run_of(&screen).frame(), run_of(&screen).runner().tile()), (0, (58, 18)));
 }
 
 #[test]
@@ -177,7 +126,7 @@ fn a_jump_and_a_landing_are_heard_once_each() {
         let mut all = Vec::new();
         for _ in 0..count {
             frames(&mut screen, input, 1);
-            all.extend_from_slice(screen.noises());
+            all.extend(screen.app.screen().noises());
         }
         all
     };
@@ -191,13 +140,12 @@ fn a_jump_and_a_landing_are_heard_once_each() {
 
 #[test]
 fn climbers_are_heard_when_they_jump_land_and_bump() {
-    let mut sitting = Sitting::new();
-    sitting.app.grant(Request::Classic(Classic::Jumper), &mut ());
-    sitting.click(1);
+    let mut sitting = at(Request::Classic(Classic::Jumper));
+    sitting.click("Two Players");
     let mut heard = |input: Input, count: usize| {
         let mut all = Vec::new();
         for _ in 0..count {
-            sitting.frame(input.clone());
+            sitting.give(input.clone());
             all.extend(sitting.app.screen().noises());
         }
         all
@@ -214,23 +162,23 @@ fn the_commands_are_watched_paused_and_stepped() {
     let mut screen = tile_run();
     frames(&mut screen, &hold(&[]), 20);
     frames(&mut screen, &press(&[Key::Tab]), 1);
-    assert!(screen.watching() && !screen.paused() && screen.frame() == 0);
+    assert!(run_of(&screen).watching() && !run_of(&screen).paused() && run_of(&screen).frame() == 0);
     frames(&mut screen, &hold(&[]), 20);
-    let paused_at = screen.frame();
+    let paused_at = run_of(&screen).frame();
     assert!((9..=10).contains(&paused_at));
     frames(&mut screen, &press(&[Key::Space]), 1);
     frames(&mut screen, &hold(&[Key::Left]), 60);
-    assert_eq!((screen.paused(), screen.frame()), (true, paused_at));
+    assert_eq!((run_of(&screen).paused(), run_of(&screen).frame()), (true, paused_at));
     for step in 1..=3 {
         frames(&mut screen, &press(&[Key::Right]), 1);
         frames(&mut screen, &hold(&[Key::Right]), 30);
-        assert_eq!(screen.frame(), paused_at + step, "one press, one frame");
+        assert_eq!(run_of(&screen).frame(), paused_at + step, "one press, one frame");
     }
     frames(&mut screen, &press(&[Key::Space]), 1);
     frames(&mut screen, &hold(&[]), 600);
-    assert_eq!((screen.frame(), screen.runner().tile()), (245, (58, 2)));
+    assert_eq!((run_of(&screen).frame(), run_of(&screen).runner().tile()), (245, (58, 2)));
     frames(&mut screen, &press(&[Key::Tab]), 1);
-    assert!(!screen.watching() && screen.runner().tile() == (58, 18));
+    assert!(!run_of(&screen).watching() && run_of(&screen).runner().tile() == (58, 18));
 }
 
 #[test]
@@ -238,7 +186,7 @@ fn the_run_is_as_fast_at_every_frame_rate() {
     for rate in [24.0, 60.0, 144.0] {
         let mut screen = tile_run();
         frames(&mut screen, &Input { frame_time: 1.0 / rate, ..hold(&[Key::Left]) }, rate as usize * 3);
-        assert!((89..=90).contains(&screen.frame()), "{} frames in 3 s at {rate} a second", screen.frame());
+        assert!((89..=90).contains(&run_of(&screen).frame()), "{} frames in 3 s at {rate} a second", run_of(&screen).frame());
     }
 }
 
@@ -254,24 +202,22 @@ fn ended() -> Scene {
 }
 
 fn jumper(sitting: &Sitting) -> &Jumper {
-    let Screen::Jumper(screen) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
-    screen
+    sitting.screen()
 }
 
 #[test]
 fn one_or_two_climb_with_their_keys() {
-    for (button, players) in [(0, 1), (1, 2)] {
-        let mut sitting = Sitting::new();
-        sitting.app.grant(Request::Classic(Classic::Jumper), &mut ());
-        assert_eq!(jumper(&sitting).presses(), [Press::One, Press::Two, Press::Leaderboard, Press::Back]);
+    for (button, players) in [("One Player", 1), ("Two Players", 2)] {
+        let mut sitting = at(Request::Classic(Classic::Jumper));
+        assert_eq!(sitting.labels(), ["One Player", "Two Players", "Leaderboard", "Back"]);
         sitting.click(button);
-        assert_eq!((jumper(&sitting).presses(), jumper(&sitting).scene().players().count()), (&[][..], players));
-        sitting.frame(hold(&[Key::D, Key::Left]));
-        sitting.frame(hold(&[Key::D, Key::Left]));
+        assert_eq!((sitting.labels().len(), jumper(&sitting).scene().players().count()), (0, players));
+        sitting.give(hold(&[Key::D, Key::Left]));
+        sitting.give(hold(&[Key::D, Key::Left]));
         let speeds: Vec<f64> = jumper(&sitting).scene().players().map(|(_, body)| body.velocity.x).collect();
         assert_eq!(speeds, if players == 2 { vec![4.0, -4.0] } else { vec![0.0] });
         // A press between two frames is not lost.
-        sitting.frame(Input { held: Keys::default(), ..press(&[Key::W]) });
+        sitting.give(Input { held: Keys::default(), ..press(&[Key::W]) });
         let rises = jumper(&sitting).scene().players().next().unwrap().1.velocity.z > 0.0;
         assert!(rises);
     }
@@ -279,119 +225,124 @@ fn one_or_two_climb_with_their_keys() {
 
 #[test]
 fn a_climb_stands_still_while_it_is_paused() {
-    let mut sitting = Sitting::new();
-    sitting.app.grant(Request::Classic(Classic::Jumper), &mut ());
-    sitting.click(0).frame(hold(&[])).press(Key::Escape);
+    let mut sitting = at(Request::Classic(Classic::Jumper));
+    sitting.click("One Player").give(hold(&[])).press(Key::Escape);
     let ticks = jumper(&sitting).scene().ticks();
-    assert_eq!(jumper(&sitting).presses(), [Press::Resume, Press::Again, Press::Back]);
-    assert_eq!(jumper(&sitting).heading(), Some("Paused"));
-    sitting.frame(hold(&[])).frame(hold(&[]));
+    assert_eq!(sitting.labels(), ["Resume", "Climb Again", "Back"]);
+    assert!(sitting.shows("Paused"));
+    sitting.give(hold(&[])).give(hold(&[]));
     assert_eq!(jumper(&sitting).scene().ticks(), ticks);
-    sitting.press(Key::Escape).frame(hold(&[]));
+    sitting.press(Key::Escape).give(hold(&[]));
     assert!(jumper(&sitting).scene().ticks() > ticks);
     sitting.press(Key::Escape);
-    assert_eq!(sitting.click(2).at(), "classics");
+    assert_eq!(sitting.click("Back").at(), "classics");
 }
 
 #[test]
 fn a_climb_is_saved_on_the_jumpers_leaderboard() {
-    let mut sitting = Sitting::new();
     let scene = ended();
     let score = scene.score();
     assert!(score > 0, "the test's climb came to nothing");
-    sitting.app.grant(Request::Climbed(Box::new(scene)), &mut ());
-    assert_eq!(jumper(&sitting).presses(), [Press::Again, Press::SaveScore, Press::Leaderboard, Press::Back]);
-    sitting.click(1);
+    let mut sitting = at(Request::Climbed(Box::new(scene)));
+    assert_eq!(sitting.labels(), ["Climb Again", "Save Score", "Leaderboard", "Back"]);
+    sitting.click("Save Score");
     assert_eq!(sitting.at(), "save score");
     // The way back loses nothing.
     assert_eq!(sitting.press(Key::Escape).at(), "jumper");
     assert_eq!(jumper(&sitting).scene().score(), score);
-    sitting.click(1).frame(Input { typed: "Ada".to_owned(), ..hold(&[]) }).press(Key::Enter);
-    let Screen::Leaderboard(board) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
-    assert_eq!((board.subject(), board.saved(), board.board().rows()[0].score), ("the Jumper", Some(0), score));
+    sitting.click("Save Score").give(Input { typed: "Ada".to_owned(), ..hold(&[]) }).press(Key::Enter);
+    assert!(sitting.shows("Leaderboard of the Jumper") && sitting.picked() == Some(sitting.place("Ada").y));
+    assert_eq!(sitting.row("Ada"), ["1".to_owned(), "Ada".to_owned(), score.to_string()]);
     let file = std::fs::read_to_string(sitting.folder.path().join("scores/jumper.csv")).unwrap();
     assert_eq!(file, format!("name,score\nAda,{score}\n"));
     assert_eq!(sitting.press(Key::Escape).at(), "jumper");
-    assert_eq!(sitting.click(2).at(), "leaderboard");
+    assert_eq!(sitting.click("Leaderboard").at(), "leaderboard");
     assert_eq!(sitting.press(Key::Escape).at(), "jumper");
 }
 
 #[test]
 fn a_climb_that_came_to_nothing_cannot_be_saved() {
-    let mut sitting = Sitting::new();
-    sitting.app.grant(Request::Climbed(Box::new(Scene::new(1, true))), &mut ());
-    assert_eq!(jumper(&sitting).presses(), [Press::Again, Press::Leaderboard, Press::Back]);
-    sitting.click(0);
+    let mut sitting = at(Request::Climbed(Box::new(Scene::new(1, true))));
+    assert_eq!(sitting.labels(), ["Climb Again", "Leaderboard", "Back"]);
+    sitting.click("Climb Again");
     assert_eq!(jumper(&sitting).scene().players().count(), 2, "again as many");
 }
 
 // π
 
-fn run(screen: &mut Pi, frame_time: f64, seconds: f64) {
+fn run(sitting: &mut Sitting, frame_time: f64, seconds: f64) {
     for _ in 0..(seconds / frame_time) as usize {
-        assert!(screen.update(&Input { frame_time, ..hold(&[]) }).is_none());
+        sitting.give(Input { frame_time, ..hold(&[]) });
     }
+}
+
+fn pi() -> Sitting {
+    at(Request::Classic(Classic::Pi))
+}
+
+fn blocks_of(sitting: &Sitting) -> &Pi {
+    sitting.screen()
 }
 
 #[test]
 fn the_digits_come_out_right_at_every_frame_rate() {
     for rate in [10.0, 30.0, 60.0, 144.0, 1000.0] {
-        let mut screen = Pi::default();
+        let mut screen = pi();
         run(&mut screen, 1.0 / rate, 12.0);
-        assert_eq!((screen.counter(), screen.blocks().next_time()), (("314".to_owned(), 3), None));
+        assert_eq!((blocks_of(&screen).counter(), blocks_of(&screen).blocks().next_time()), (("314".to_owned(), 3), None));
         let mut exact = Blocks::new(2);
         while exact.collide().is_some() {}
-        assert_eq!(*screen.blocks(), exact, "{rate} frames a second");
+        assert_eq!(*blocks_of(&screen).blocks(), exact, "{rate} frames a second");
     }
 }
 
 #[test]
 fn digits_count_as_right_only_behind_right_ones() {
-    let mut screen = Pi::default();
-    assert_eq!(screen.counter(), ("000".to_owned(), 0));
-    screen.update(&press(&[Key::Down]));
+    let mut screen = pi();
+    assert_eq!(blocks_of(&screen).counter(), ("000".to_owned(), 0));
+    screen.give(press(&[Key::Down]));
     for _ in 0..4000 {
-        screen.update(&hold(&[]));
-        let (counter, right) = screen.counter();
+        screen.give(hold(&[]));
+        let (counter, right) = blocks_of(&screen).counter();
         assert_eq!(right, counter.bytes().zip("314".bytes()).take_while(|(a, b)| a == b).count());
     }
-    assert_eq!(screen.counter().1, 3);
+    assert_eq!(blocks_of(&screen).counter().1, 3);
 }
 
 #[test]
 fn arrow_keys_change_n_and_speed_and_r_restarts() {
-    let mut screen = Pi::default();
-    let tap = |screen: &mut Pi, key: Key| {
-        screen.update(&press(&[key]));
-        (screen.n(), screen.speed())
+    let mut screen = pi();
+    let tap = |screen: &mut Sitting, key: Key| {
+        screen.give(press(&[key]));
+        (blocks_of(screen).n(), blocks_of(screen).speed())
     };
     assert_eq!(tap(&mut screen, Key::Right), (3, 1.0));
     for _ in 0..20 {
         tap(&mut screen, Key::Right);
     }
-    assert_eq!(screen.n(), 9);
+    assert_eq!(blocks_of(&screen).n(), 9);
     for _ in 0..20 {
         tap(&mut screen, Key::Left);
     }
     assert_eq!(tap(&mut screen, Key::Down), (0, 0.25));
     assert_eq!(tap(&mut screen, Key::Up), (0, 1.0));
     run(&mut screen, FRAME, 5.0);
-    assert_eq!(screen.counter(), ("3".to_owned(), 1));
+    assert_eq!(blocks_of(&screen).counter(), ("3".to_owned(), 1));
     tap(&mut screen, Key::R);
-    assert_eq!((screen.counter(), screen.speed()), (("0".to_owned(), 0), 1.0));
+    assert_eq!((blocks_of(&screen).counter(), blocks_of(&screen).speed()), (("0".to_owned(), 0), 1.0));
 }
 
 #[test]
 fn a_frame_holds_any_number_of_collisions_but_its_work_is_bounded() {
-    let mut screen = Pi::default();
+    let mut screen = pi();
     for _ in 0..4 {
-        screen.update(&press(&[Key::Right]));
+        screen.give(press(&[Key::Right]));
     }
     let mut most = 0;
     for _ in 0..400 {
-        let before = screen.blocks().collisions();
+        let before = blocks_of(&screen).blocks().collisions();
         run(&mut screen, FRAME, FRAME);
-        most = most.max(screen.blocks().collisions() - before);
+        most = most.max(blocks_of(&screen).blocks().collisions() - before);
     }
-    assert_eq!((most, screen.counter()), (300_000, ("3141592".to_owned(), 7)));
+    assert_eq!((most, blocks_of(&screen).counter()), (300_000, ("3141592".to_owned(), 7)));
 }

@@ -12,7 +12,7 @@ use std::path::PathBuf;
 /// An editor of level 2: a room of 800 × 600 pixels with the ship and a pad in a corner.
 fn open() -> Sitting {
     let mut sitting = Sitting::new();
-    sitting.choose(1).choose(6).choose(1).rest();
+    sitting.choose("Level Select").choose("Edit").choose("2").rest();
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2"));
     sitting
 }
@@ -339,15 +339,15 @@ fn what_comes_with_the_game_is_edited_as_a_copy() {
     let shipped = |root: &std::path::Path| fs::write(root.join("levels/shipped.csv"), "# ours\nfolder\n2\n").unwrap();
     let mut sitting = Sitting::with(shipped);
     let before = fs::read(file(&sitting, "player.csv")).unwrap();
-    sitting.choose(1).choose(6).choose(1).rest();
+    sitting.choose("Level Select").choose("Edit").choose("2").rest();
     assert_eq!(sitting.at(), "levels to edit");
-    let prompt = sitting.level_select().prompt().unwrap();
-    assert_eq!((prompt.text().as_str(), prompt.note()), ("2-copy", Some("2 comes with the game and stays as it is.")));
+    assert!(sitting.shows("What is your copy of 2 called?") && sitting.shows("2 comes with the game and stays as it is."));
+    assert_eq!(sitting.field(), "2-copy");
     // Esc: the list, and nothing was made.
     sitting.press(Key::Escape);
-    assert!(sitting.at() == "levels to edit" && sitting.level_select().prompt().is_none());
+    assert!(sitting.at() == "levels to edit" && !sitting.labels().contains(&"OK"));
     assert!(!sitting.folder.path().join("levels/2-copy").exists());
-    sitting.choose(1).press(Key::Enter).rest();
+    sitting.choose("2").press(Key::Enter).rest();
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2-copy"));
     draw(&mut sitting, Kind::Solid, (0.0, 560.0), (800.0, 600.0));
     control(&mut sitting, Key::S);
@@ -355,15 +355,13 @@ fn what_comes_with_the_game_is_edited_as_a_copy() {
     assert_eq!(fs::read(file(&sitting, "player.csv")).unwrap(), before);
     // The copy is the author's own; one more gets another name; and the original keeps its own.
     sitting.press(Key::Escape).press(Key::Escape).rest();
-    let index = sitting.level_select().entries().iter().position(|entry| entry.name == "2-copy").unwrap();
-    sitting.choose(index).rest();
+    sitting.choose("2-copy").rest();
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2-copy"));
-    sitting.press(Key::Escape).choose(1).rest();
-    assert_eq!(sitting.level_select().prompt().unwrap().text(), "2-copy-2");
+    sitting.press(Key::Escape).choose("2").rest();
+    assert_eq!(sitting.field(), "2-copy-2");
     sitting.press(Key::Escape);
-    let rename = sitting.buttons().areas().len() - 1;
-    sitting.choose(rename).choose(1).write("x").press(Key::Enter);
-    assert!(sitting.level_select().prompt().unwrap().error().unwrap().contains("comes with the game"));
+    sitting.choose("Rename").choose("2").write("x").press(Key::Enter);
+    assert!(sitting.shows("comes with the game"));
     // A developer edits the original.
     let folder = file(&sitting, "");
     sitting.app.begin(&folder, Request::EditOriginal("2".to_owned()), &mut ());
@@ -373,7 +371,7 @@ fn what_comes_with_the_game_is_edited_as_a_copy() {
 #[test]
 fn editing_that_begins_in_a_pause_ends_in_it() {
     let mut sitting = Sitting::new();
-    sitting.fly(1).wait(1.0).press(Key::Escape);
+    sitting.fly("2").wait(1.0).press(Key::Escape);
     let ticks = sitting.flight().game().ticks();
     let edit = sitting.buttons().areas().len() - 1;
     sitting.click(edit).rest();
@@ -391,7 +389,7 @@ fn editing_that_begins_in_a_pause_ends_in_it() {
     // An experiment's copy, too, is made without leaving it.
     let shipped = |root: &std::path::Path| fs::write(root.join("levels/shipped.csv"), "folder\n2\n").unwrap();
     let mut sitting = Sitting::with(shipped);
-    sitting.fly(1).wait(1.0).press(Key::Escape).click(edit).rest();
+    sitting.fly("2").wait(1.0).press(Key::Escape).click(edit).rest();
     assert_eq!(sitting.at(), "levels to edit");
     assert_eq!(sitting.press(Key::Escape).at(), "pause");
     sitting.click(edit).press(Key::Enter).rest();
@@ -427,7 +425,7 @@ fn leaving_asks_and_a_crash_loses_nothing() {
     assert!(file(&sitting, ".autosave").exists());
     // The program ends here.
     sitting.reopen();
-    sitting.choose(1).choose(6).choose(1).rest();
+    sitting.choose("Level Select").choose("Edit").choose("2").rest();
     assert_eq!(sitting.editor().document().rows(Table::World).count(), 0);
     sitting.click(0).rest();
     assert_eq!(sitting.editor().document().rows(Table::World).count(), 1, "had back");

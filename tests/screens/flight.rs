@@ -10,27 +10,27 @@ use std::path::Path;
 fn the_pause_panel_does_what_it_says_by_mouse_and_by_keyboard() {
     for (index, screen) in [(0, "flight"), (1, "flight"), (2, "settings in flight"), (3, "level select"), (4, "menu")] {
         let mut sitting = Sitting::new();
-        assert_eq!(sitting.fly(1).wait(0.5).press(Key::Escape).at(), "pause");
+        assert_eq!(sitting.fly("2").wait(0.5).press(Key::Escape).at(), "pause");
         let ticks = sitting.flight().game().ticks();
         assert!(ticks > 50);
         assert_eq!(sitting.wait(0.5).flight().game().ticks(), ticks, "time stands still");
         assert_eq!(sitting.click(index).at(), screen);
 
         let mut sitting = Sitting::new();
-        assert_eq!(sitting.fly(1).wait(0.5).press(Key::Escape).choose(index).at(), screen);
+        assert_eq!(sitting.fly("2").wait(0.5).press(Key::Escape).choose(index).at(), screen);
         if index == 0 {
             assert!(sitting.flight().game().ticks() >= ticks, "resumed");
         } else if index == 1 {
             assert!(sitting.flight().game().ticks() < 10, "restarted");
         }
     }
-    assert_eq!(Sitting::new().fly(1).press(Key::Escape).press(Key::Escape).at(), "flight", "Esc resumes");
+    assert_eq!(Sitting::new().fly("2").press(Key::Escape).press(Key::Escape).at(), "flight", "Esc resumes");
 }
 
 #[test]
 fn keys_of_the_game_act_once_a_press() {
     let mut sitting = Sitting::new();
-    sitting.fly(1);
+    sitting.fly("2");
     let overlays = |sitting: &Sitting| (sitting.flight().details(), sitting.flight().hitboxes());
     assert_eq!(overlays(sitting.press(Key::Tab)), (true, false));
     assert_eq!(overlays(sitting.press(Key::F3)), (true, true));
@@ -43,7 +43,7 @@ fn keys_of_the_game_act_once_a_press() {
 #[test]
 fn a_press_shorter_than_a_frame_reaches_the_ship_once() {
     let mut sitting = Sitting::new();
-    sitting.fly(1);
+    sitting.fly("2");
     let full = sitting.flight().game().ship().fuel;
     // Frames without a tick first: the press waits for one.
     sitting.give(Input { pressed: [Key::Space].into_iter().collect(), frame_time: 1e-9, ..Input::default() });
@@ -58,12 +58,12 @@ fn a_press_shorter_than_a_frame_reaches_the_ship_once() {
 fn the_keys_are_those_of_the_controls() {
     for (key, sign) in [(Key::Right, 1.0), (Key::Left, -1.0)] {
         let mut sitting = Sitting::new();
-        let angle = sitting.fly(1).press(key).flight().game().ship().angle;
+        let angle = sitting.fly("2").press(key).flight().game().ship().angle;
         assert!(angle * sign > 0.0, "{key:?} turned the ship to {angle}°");
     }
     for (key, burning) in [(Key::Space, 1), (Key::Shift, -1)] {
         let mut sitting = Sitting::new();
-        sitting.fly(1).give(Input { held: [key].into_iter().collect(), ..Input::default() });
+        sitting.fly("2").give(Input { held: [key].into_iter().collect(), ..Input::default() });
         assert_eq!(sitting.flight().game().ship().burning, burning, "{key:?}");
     }
 }
@@ -71,13 +71,13 @@ fn the_keys_are_those_of_the_controls() {
 #[test]
 fn an_attempt_that_ends_comes_to_its_score_after_a_moment() {
     let mut sitting = Sitting::new();
-    sitting.fly(0).wait(0.3);
+    sitting.fly("1").wait(0.3);
     assert_eq!(sitting.at(), "flight", "the end can be seen");
     assert_eq!(sitting.wait(1.0).at(), "scoring");
     assert!(sitting.scoring().result().score.total > 10_000);
 
     let mut sitting = Sitting::new();
-    assert_eq!(sitting.fly(0).wait(0.1).press(Key::Escape).at(), "scoring", "Esc need not wait");
+    assert_eq!(sitting.fly("1").wait(0.1).press(Key::Escape).at(), "scoring", "Esc need not wait");
 }
 
 #[test]
@@ -111,12 +111,12 @@ fn a_spectator_sees_every_attempt_and_every_tick() {
 #[test]
 fn from_death_to_flying_again_it_is_one_key_also_on_the_screen_that_follows() {
     let mut sitting = Sitting::new();
-    sitting.fly(2).wait(0.1);
+    sitting.fly("3").wait(0.1);
     assert_eq!(sitting.press(Key::R).at(), "flight");
     assert!(sitting.flight().game().ticks() <= 2, "a fresh attempt at once");
     sitting.press(Key::Enter);
     assert_eq!(sitting.at(), "scoring");
-    assert!(sitting.scoring().remark().contains("Touched a red box at x = "), "{}", sitting.scoring().remark());
+    assert!(sitting.shows("Touched a red box at x = "), "{:?}", sitting.texts());
     assert_eq!(sitting.press(Key::R).at(), "flight");
 }
 
@@ -129,7 +129,7 @@ fn with_red_above(root: &Path) {
 #[test]
 fn after_a_death_the_level_flies_within_half_a_second_and_keys_that_are_held_count() {
     let mut sitting = Sitting::with(with_red_above);
-    sitting.fly(1);
+    sitting.fly("2");
     let hold = |sitting: &mut Sitting| {
         sitting.give(Input { held: [Key::Space].into_iter().collect(), ..Input::default() });
     };
@@ -151,10 +151,9 @@ fn after_a_death_the_level_flies_within_half_a_second_and_keys_that_are_held_cou
     sitting.press(Key::Enter);
     assert_eq!(sitting.at(), "scoring");
     assert_eq!((sitting.scoring().result().outcome, sitting.scoring().result().score.total), (Outcome::Failed, 0));
-    assert!(sitting.scoring().result().time > 0.2 && sitting.scoring().remark().contains("Touched a red box"));
+    assert!(sitting.scoring().result().time > 0.2 && sitting.shows("Touched a red box"));
     assert_eq!(sitting.scores_file("attempts.csv").lines().filter(|line| line.contains(",failed,")).count(), 1);
-    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
-    sitting.wait(0.5).choose(flights).choose(0).wait(0.2);
+    sitting.wait(0.5).choose("Flights").choose("Watch").wait(0.2);
     assert_eq!(sitting.watch().game().level().name, "2");
     assert!(sitting.watch().place().1 > 24, "{:?}", sitting.watch().place());
 }
@@ -162,7 +161,7 @@ fn after_a_death_the_level_flies_within_half_a_second_and_keys_that_are_held_cou
 #[test]
 fn what_is_told_of_a_death_goes_by_itself_and_enter_flies_on_then() {
     let mut sitting = Sitting::with(with_red_above);
-    sitting.fly(1);
+    sitting.fly("2");
     for _ in 0..90 {
         sitting.give(Input { held: [Key::Space].into_iter().collect(), ..Input::default() });
         if sitting.flight().lost().is_some() {
@@ -182,16 +181,16 @@ fn keys_of_the_flight_move_nothing_on_the_page_that_follows() {
         sitting.give(Input { held: left, pressed: if pressed { left } else { none }, ..Input::default() });
     };
     let mut sitting = Sitting::new();
-    sitting.fly(0);
+    sitting.fly("1");
     while sitting.at() == "flight" {
         steer(&mut sitting, false);
     }
-    let focus = sitting.buttons().focus();
+    let focus = sitting.focused().to_owned();
     // Pressed once more, and held for longer than the page has a guard: it is the hand of the flight still.
     steer(&mut sitting, true);
     (0..60).for_each(|_| steer(&mut sitting, false));
     steer(&mut sitting, true);
-    assert_eq!(sitting.buttons().focus(), focus);
+    assert_eq!(sitting.focused(), focus);
     sitting.rest().press(Key::Left);
-    assert_ne!(sitting.buttons().focus(), focus, "once it was let go, it chooses");
+    assert_ne!(sitting.focused(), focus, "once it was let go, it chooses");
 }

@@ -1,12 +1,12 @@
 //! Flights that were flown are watched, kept and raced, from the score, from the board and from the list of levels.
 
 use crate::sitting::{HERE, Sitting, level, says};
+use resultant::draw::layout::Vec2;
 use resultant::game::{Game, Medal, Outcome, Replay};
-use resultant::number::hundredths;
+use resultant::number::{clock, hundredths};
 use resultant::pack;
 use resultant::scores::Standing;
-use resultant::screens::{BoardLine, Gap, Input, Instrument, Key, MOST_RIVALS, Screen, Spectator, Split};
-use resultant::view::layout::Vec2;
+use resultant::screens::{Gap, Input, Instrument, Key, MOST_RIVALS, Spectator, Split};
 use std::fs;
 use std::path::Path;
 
@@ -24,7 +24,7 @@ fn fly_up(sitting: &mut Sitting, delay: u32) {
     for _ in 0..600 {
         let held = [Key::Space].into_iter().collect();
         sitting.give(Input { held, ..Input::default() });
-        if !matches!(sitting.app.screen(), Screen::Flight(_)) {
+        if sitting.at() != "flight" {
             sitting.wait(0.5);
             return;
         }
@@ -34,10 +34,9 @@ fn fly_up(sitting: &mut Sitting, delay: u32) {
 
 /// From the menu over a flight of "up" to the board on which it is saved.
 fn save_as(sitting: &mut Sitting, name: &str, delay: u32) {
-    sitting.choose(1).choose(0);
+    sitting.fly("0");
     fly_up(sitting, delay);
-    let save = sitting.scoring().presses().iter().position(|press| press.label() == "Save Score").unwrap();
-    sitting.choose(save);
+    sitting.choose("Save Score");
     if sitting.at() == "save score" {
         sitting.write(name).press(Key::Enter);
     }
@@ -47,11 +46,10 @@ fn save_as(sitting: &mut Sitting, name: &str, delay: u32) {
 #[test]
 fn a_flight_is_watched_from_its_score_bit_for_bit() {
     let mut sitting = sitting();
-    sitting.choose(1).choose(0);
+    sitting.fly("0");
     fly_up(&mut sitting, 0);
     assert_eq!(sitting.at(), "scoring");
-    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
-    sitting.choose(flights).choose(0);
+    sitting.choose("Flights").choose("Watch");
     assert_eq!((sitting.at(), sitting.watch().place().0), ("watch", 0));
     sitting.wait(3.0);
     let watch = sitting.watch();
@@ -77,10 +75,9 @@ fn a_flight_is_watched_from_its_score_bit_for_bit() {
 #[test]
 fn what_is_watched_is_measured_as_it_was_flown() {
     let mut sitting = sitting();
-    sitting.choose(1).choose(0);
+    sitting.fly("0");
     fly_up(&mut sitting, 0);
-    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
-    sitting.choose(flights).choose(0).press(Key::I);
+    sitting.choose("Flights").choose("Watch").press(Key::I);
     for tool in [Instrument::Trails, Instrument::Figures] {
         let rail = sitting.watch().instruments().areas(&Input::default().frame);
         sitting.click_at(rail[tool as usize].centre());
@@ -104,10 +101,9 @@ fn what_is_watched_is_measured_as_it_was_flown() {
 #[test]
 fn what_is_watched_is_slowed_down_hurried_and_dragged() {
     let mut sitting = sitting();
-    sitting.choose(1).choose(0);
+    sitting.fly("0");
     fly_up(&mut sitting, 60);
-    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
-    sitting.choose(flights).choose(0).press_all(&[Key::Down, Key::Down, Key::Down]);
+    sitting.choose("Flights").choose("Watch").press_all(&[Key::Down, Key::Down, Key::Down]);
     assert_eq!(sitting.watch().pace(), 0.125);
     let from = sitting.watch().place().0;
     sitting.wait(1.0);
@@ -151,10 +147,9 @@ fn jumps_are_told_and_single_ticks_are_seen() {
         }
     }
     let mut sitting = sitting();
-    sitting.choose(1).choose(0);
+    sitting.fly("0");
     fly_up(&mut sitting, 0);
-    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
-    sitting.choose(flights).choose(0).press(Key::Space).press(Key::Home);
+    sitting.choose("Flights").choose("Watch").press(Key::Space).press(Key::Home);
     let mut told = Told::default();
     for key in [Key::Right, Key::Right, Key::Left, Key::PageDown] {
         sitting.give_to(Input { pressed: [key].into_iter().collect(), ..Input::default() }, &mut told);
@@ -175,15 +170,15 @@ fn a_saved_score_has_its_flight_and_a_tick_on_the_board() {
     let replay = Replay::parse("flight", &flight).unwrap();
     assert_eq!((replay.score.to_string(), replay.outcome), (cells[1].to_owned(), Some(Outcome::Completed)));
     assert_eq!((replay.player.as_deref(), replay.level.as_str()), (Some("ann"), "0"));
-    assert!(sitting.leaderboard().time(0).is_some_and(|time| (time - replay.inputs.ticks() as f64 / 120.0).abs() < 1e-9));
+    assert!(sitting.row("ann").contains(&clock(replay.inputs.ticks() as f64 / 120.0)), "{:?}", sitting.row("ann"));
     // A row that is forged with an editor does not hold; one without a flight is left alone.
     let forged = text.replace(&format!("ann,{}", cells[1]), "ann,19999") + "old,20500\n";
     fs::write(sitting.folder.path().join("scores/0.csv"), forged).unwrap();
-    sitting.press(Key::Escape).choose(2).choose(0).wait(0.5);
+    sitting.press(Key::Escape).choose("Leaderboards").choose("0").wait(0.5);
     assert!(matches!(sitting.leaderboard().standing(0), Some(Standing::Doubtful(_))));
     assert_eq!(sitting.leaderboard().standing(1), Some(&Standing::Unproven));
     assert_eq!(sitting.leaderboard().board().rows()[1].name.as_str(), "old", "it outranks no row that has a flight");
-    assert!(sitting.leaderboard().doubt().unwrap().starts_with("ann does not hold: the row says 19999 points"));
+    assert!(sitting.shows("ann does not hold: the row says 19999 points"));
 }
 
 #[test]
@@ -204,18 +199,14 @@ fn the_levels_own_flights_stand_on_its_board_among_those_that_hold() {
     fs::write(own.join("silver.replay.csv"), other.collect::<Vec<_>>().join("\n")).unwrap();
     let board = sitting.scores_file("0.csv");
     fs::write(sitting.folder.path().join("scores/0.csv"), board + "old,20900\nbad,20800,none.replay.csv,,\n").unwrap();
-    sitting.press(Key::Escape).choose(2).choose(0).wait(0.5);
-    let screen = sitting.leaderboard();
-    let shown: Vec<String> = (screen.lines().iter())
-        .map(|line| match *line {
-            BoardLine::Row(row) => screen.board().rows()[row].name.to_string(),
-            BoardLine::Rival(rival) => screen.rivals()[rival].name.to_owned(),
-        })
-        .collect();
+    sitting.press(Key::Escape).choose("Leaderboards").choose("0").wait(0.5);
+    // From the column of names.
+    let left = sitting.place("Name").x;
+    let shown: Vec<String> = sitting.texts().into_iter().filter(|(_, at)| at.x == left).map(|(text, _)| text).skip(1).collect();
     assert_eq!(shown, ["Gold", "ann", "Mark", "Careful", "bad", "old"]);
-    assert_eq!((screen.range(), screen.medals(0).medal, screen.time(1)), (0..6, Some(Medal::Bronze), None));
+    assert_eq!((sitting.leaderboard().medals(0).medal, sitting.row("bad")[2].as_str()), (Some(Medal::Bronze), "20800"));
     // In the list of flights each says its time and score, once its record has been read.
-    sitting.choose(0).wait(0.3);
+    sitting.choose("Flights").wait(0.3);
     assert_eq!(sitting.at(), "flights");
     let known = sitting.flights().candidates().iter().map(|flight| (flight.time.is_some(), flight.score.is_some()));
     assert_eq!(known.collect::<Vec<_>>(), [(true, true), (true, true), (true, true), (true, true), (true, true), (false, true)]);
@@ -227,13 +218,13 @@ fn one_or_several_are_raced_and_the_gaps_are_right() {
     save_as(&mut sitting, "ann", 30);
     sitting.press(Key::Escape);
     // From the list of levels: Tab, the best is first, Race.
-    sitting.choose(1).press(Key::Tab);
+    sitting.choose("Level Select").press(Key::Tab);
     assert_eq!(sitting.at(), "flights");
     assert_eq!(
         sitting.flights().candidates().iter().map(|flight| flight.about.as_str()).collect::<Vec<_>>(),
         ["your best, rank 1"]
     );
-    sitting.choose(1);
+    sitting.choose("Race");
     assert_eq!(sitting.at(), "flight");
     assert_eq!(sitting.flight().race().unwrap().all().len(), 1);
     let board = sitting.scores_file("0.csv");
@@ -263,7 +254,7 @@ fn one_or_several_are_raced_and_the_gaps_are_right() {
     assert!(gap < -0.4 && race.gap(&race.all()[0], split).words().starts_with('−'));
     // The score leads to the same race again.
     sitting.wait(2.0);
-    assert_eq!(sitting.choose(0).flight().race().unwrap().all().len(), 1);
+    assert_eq!(sitting.choose("Try Again").flight().race().unwrap().all().len(), 1);
     // R begins it anew.
     assert_eq!(sitting.wait(0.2).press(Key::R).flight().race().unwrap().splits(), []);
 }
@@ -277,52 +268,51 @@ fn several_are_marked_by_keys_and_by_mouse_up_to_a_limit() {
     let rows: String = (0..14).map(|i| format!("user{i},{},x{i}.replay.csv,,\n", 900 - i)).collect();
     fs::write(scores.join("1.csv"), format!("name,score,flight,version,program\n{rows}")).unwrap();
     fs::write(scores.join("flights/1/x0.replay.csv"), &gold).unwrap();
-    sitting.choose(1);
-    let card = sitting.level_select().buttons().areas()[0].centre();
+    sitting.choose("Level Select");
+    let card = sitting.area("1").centre();
     sitting.give(Input { pointer: card, right_click: true, ..Input::default() });
     assert_eq!(sitting.at(), "flights");
     assert_eq!(sitting.flights().candidates().len(), 14);
     sitting.rest();
     for line in 0..MOST_RIVALS {
-        let row = sitting.flights().row(line);
-        sitting.click_at(Vec2::new(row.max().x - 10.0, row.centre().y));
+        // The end of its row, below the head of that column.
+        let row = Vec2::new(sitting.place("Race").x, sitting.place(&format!("user{line}")).y);
+        sitting.click_at(row);
     }
     assert_eq!(sitting.flights().rivals().len(), MOST_RIVALS);
     sitting.press_all(&[Key::Down, Key::Space]);
-    assert!(sitting.flights().message().unwrap().1, "one too many");
+    assert!(sitting.warning().is_some(), "one too many");
     sitting.press_all(&[Key::Up, Key::Space, Key::Home, Key::Space]);
     assert_eq!(sitting.flights().rivals().len(), MOST_RIVALS - 2);
     sitting.press(Key::End);
-    assert_eq!(sitting.flights().chosen().unwrap().name, "user13");
-    assert!(sitting.flights().bar().is_some());
+    assert_eq!(sitting.picked(), Some(sitting.place("user13").y));
+    assert!(!sitting.shows("user0"), "it has scrolled");
     // What cannot be watched says why, and the list stays: a flight of another level, and one that is not there.
-    sitting.press(Key::Home).choose(0);
+    sitting.press(Key::Home).choose("Watch");
     assert_eq!(sitting.at(), "flights");
-    assert!(sitting.flights().message().unwrap().0.contains("another version of the level"));
-    sitting.press(Key::Down).choose(0);
-    assert!(sitting.flights().message().unwrap().0.contains("x1.replay.csv"));
-    sitting.choose(1);
+    assert!(sitting.shows("another version of the level"));
+    sitting.press(Key::Down).choose("Watch");
+    assert!(sitting.shows("x1.replay.csv"));
+    sitting.choose("Race");
     assert_eq!(sitting.at(), "flights", "nor raced");
 }
 
 #[test]
 fn a_flight_is_kept_as_a_file_and_says_where() {
     let mut sitting = sitting();
-    sitting.choose(1).choose(0);
+    sitting.fly("0");
     fly_up(&mut sitting, 0);
-    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
-    sitting.choose(flights).choose(2);
-    let (words, bad) = sitting.flights().message().unwrap();
-    let path = words.strip_prefix("Kept as ").unwrap().to_owned();
-    assert!(!bad);
+    sitting.choose("Flights").choose("Keep as File");
+    let path = sitting.flights().message().unwrap().strip_prefix("Kept as ").unwrap().to_owned();
+    assert!(sitting.warning().is_none());
     let replay = Replay::parse("kept", &fs::read_to_string(&path).unwrap()).unwrap();
     assert_eq!((replay.level.as_str(), replay.outcome), ("0", Some(Outcome::Completed)));
     // Once is enough; another flight of that name gets another file.
     sitting.press(Key::Enter);
-    assert_eq!(sitting.flights().message().unwrap().0, format!("Kept as {path}"));
+    assert_eq!(sitting.flights().message().unwrap(), format!("Kept as {path}"));
     fs::write(&path, "somebody's").unwrap();
     sitting.press(Key::Enter);
-    assert_ne!(sitting.flights().message().unwrap().0, format!("Kept as {path}"));
+    assert_ne!(sitting.flights().message().unwrap(), format!("Kept as {path}"));
     assert_eq!(fs::read_to_string(&path).unwrap(), "somebody's");
     assert_eq!(fs::read_dir(sitting.folder.path().join("flights")).unwrap().count(), 2);
 }
@@ -331,24 +321,22 @@ fn a_flight_is_kept_as_a_file_and_says_where() {
 fn a_lost_flight_can_be_watched_and_one_with_help_is_not_recorded() {
     let mut sitting = Sitting::new();
     sitting.lose();
-    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
-    sitting.choose(flights).choose(0).wait(0.2);
+    sitting.choose("Flights").choose("Watch").wait(0.2);
     assert_eq!(sitting.watch().game().outcome(), Outcome::Failed);
 
     let mut sitting = Sitting::with(|root| {
         level(root, "4", HERE, "");
         fs::write(root.join("settings.csv"), "setting,value,player\nassist_fuel,on,\n").unwrap();
     });
-    sitting.fly(0).wait(2.0);
-    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
-    assert!(sitting.choose(flights).flights().candidates().is_empty());
+    sitting.fly("1").wait(2.0);
+    assert!(sitting.choose("Flights").flights().candidates().is_empty());
 }
 
 #[test]
 fn a_gamepad_reaches_all_of_it() {
     let mut sitting = sitting();
     save_as(&mut sitting, "ann", 0);
-    sitting.press(Key::PadB).choose(1).press(Key::PadX);
+    sitting.press(Key::PadB).choose("Level Select").press(Key::PadX);
     assert_eq!(sitting.at(), "flights");
     sitting.press(Key::PadX);
     assert_eq!(sitting.flights().rivals().len(), 1, "marked");
@@ -382,17 +370,17 @@ fn a_level_that_is_dropped_on_the_window_is_installed_and_chosen() {
     };
     drop(&mut sitting, &first);
     assert_eq!(sitting.at(), "problems");
-    assert_eq!(sitting.level_select().problems().unwrap().heading(), "Installed: tower");
+    assert_eq!(sitting.line("Installed"), "Installed: tower");
     sitting.press(Key::Enter).press(Key::Enter);
     assert_eq!((sitting.at(), sitting.flight().game().level().name.as_str()), ("flight", "tower"));
     drop(&mut sitting, &second);
     assert_eq!(sitting.at(), "flight", "nobody who flies is interrupted");
     sitting.wait(1.5).press(Key::Escape);
     drop(&mut sitting, &second);
-    assert_eq!(sitting.level_select().problems().unwrap().heading(), "Installed: tower-2");
+    assert_eq!(sitting.line("Installed"), "Installed: tower-2");
     drop(&mut sitting, &first);
-    assert_eq!(sitting.level_select().problems().unwrap().heading(), "This level is there already");
+    assert!(sitting.shows("This level is there already"));
     drop(&mut sitting, &bad);
-    assert_eq!(sitting.level_select().problems().unwrap().heading(), "This file cannot be opened");
+    assert!(sitting.shows("This file cannot be opened"));
     assert_eq!(fs::read_dir(sitting.folder.path().join("levels")).unwrap().count(), 7);
 }

@@ -7,7 +7,7 @@ use resultant::view::layout::Vec2;
 
 fn flying() -> Sitting {
     let mut sitting = Sitting::with(|_| {});
-    sitting.choose(1).choose(0);
+    sitting.fly("1");
     assert_eq!(sitting.at(), "flight");
     sitting
 }
@@ -38,7 +38,7 @@ fn measuring(tools: &[Instrument]) -> Sitting {
         let room = "width,1500\nheight,3000\ngravity,10\nair_density,0\n";
         std::fs::write(folder.join("levels/2/constants.csv"), room).unwrap();
     });
-    sitting.fly(1);
+    sitting.fly("2");
     sitting.press(Key::I);
     for tool in tools {
         let areas = sitting.flight().instruments().areas(&Input::default().frame);

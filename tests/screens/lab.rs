@@ -4,7 +4,7 @@
 use resultant::lab::charts::Charts;
 use resultant::lab::kept;
 use resultant::lab::side_by_side::exhibits;
-use resultant::screens::{App, Attempt, Input, Key, Lab, Line, PAGES, Page, Places, Request, Screen};
+use resultant::screens::{App, Attempt, Flight, Input, Key, Lab, Line, Menu, PAGES, Page, Places, Request};
 use resultant::view::layout::{Area, Frame, Vec2};
 use std::fs;
 use std::path::Path;
@@ -60,12 +60,11 @@ impl Sitting {
     }
 
     fn lab(&self) -> &Lab {
-        let Screen::Lab(lab) = self.app.screen() else { panic!("not in the lab") };
-        lab
+        self.app.screen().get().expect("in the lab")
     }
 
     fn has_left(&self) -> bool {
-        matches!(self.app.screen(), Screen::Menu(_))
+        self.app.screen().is::<Menu>()
     }
 
     /// The page of that tab, by key.
@@ -409,12 +408,12 @@ fn an_experiment_is_guessed_flown_and_of_no_account() {
     sitting.click(third);
     assert_eq!(chosen(&sitting).folder, "force-mass-acceleration");
     sitting.click(third);
-    let Screen::Flight(flight) = sitting.app.screen() else { panic!("it flies") };
+    let flight = sitting.app.screen().get::<Flight>().expect("it flies");
     assert!(flight.details(), "what acts is what it is about");
     assert_eq!(flight.game().level().name, "force-mass-acceleration");
     // Nobody's attempts grow by it, and its end leads back to it.
     sitting.app.grant(Request::Experiment("lift".into()), &mut ());
-    let Screen::Flight(flight) = sitting.app.screen() else { panic!("it flies") };
+    let flight = sitting.app.screen().get::<Flight>().expect("it flies");
     let (level, result) = (std::sync::Arc::new(flight.game().level().clone()), flight.game().result());
     sitting.app.grant(Request::Score(Attempt::by_hand(level), result, None), &mut ());
     assert_eq!((sitting.lab().page(), chosen(&sitting).folder.as_str()), (Page::Experiments, "lift"));

@@ -3,7 +3,7 @@
 use crate::sitting::Sitting;
 use crate::what_if::type_in;
 use resultant::level::Parameter;
-use resultant::screens::{Instrument, Key, Page, Screen};
+use resultant::screens::{Instrument, Key, Lab, Page};
 use resultant::view::layout::Vec2;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -33,10 +33,9 @@ pub fn experiment(name: &str) -> Sitting {
             fs::copy(entry.path(), folder.join(entry.file_name())).unwrap();
         }
     });
-    sitting.choose(4);
+    sitting.choose("Lab");
     loop {
-        let Screen::Lab(lab) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
-        if lab.page() == Page::Experiments {
+        if sitting.screen::<Lab>().page() == Page::Experiments {
             break;
         }
         sitting.press(Key::Tab);
@@ -122,7 +121,7 @@ fn an_experiment_opens_on_what_moves_and_leads_back_to_the_list() {
     sitting.press(Key::Escape);
     assert_eq!((sitting.at(), sitting.flight().pause_labels()[3]), ("pause", "Back to experiments"));
     sitting.click(3);
-    let Screen::Lab(lab) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
+    let lab = sitting.screen::<Lab>();
     assert_eq!(lab.page(), Page::Experiments);
     assert_eq!(lab.experiments().chosen().map(|chosen| chosen.folder.as_str()), Some("free-fall"));
 }

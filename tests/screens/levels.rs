@@ -2,17 +2,17 @@
 
 use crate::sitting::{FAR_AWAY, Sitting, level};
 use resultant::game::{Medal, Medals};
-use resultant::screens::{Key, MiniaturePart, Press};
+use resultant::screens::{Key, MiniaturePart};
 use std::fs;
 use std::path::Path;
 
 #[test]
 fn levels_are_listed_in_numeric_order_on_cards_that_fill_the_page() {
     let mut sitting = Sitting::new();
-    sitting.choose(1).rest();
+    sitting.choose("Level Select").rest();
     let names: Vec<&str> = sitting.level_select().entries().iter().map(|entry| entry.name.as_str()).collect();
     assert_eq!(names, ["1", "2", "3", "10", "broken"]);
-    let cards = &sitting.buttons().areas()[..5];
+    let cards = names.iter().map(|name| sitting.area(*name)).collect::<Vec<_>>();
     let share = cards.iter().map(|card| card.size.element_product()).sum::<f32>() / (1280.0 * 720.0);
     assert!(share > 0.5, "five cards fill {share} of the window");
     assert!(cards.iter().all(|card| card.size == cards[0].size));
@@ -23,44 +23,45 @@ fn levels_are_listed_in_numeric_order_on_cards_that_fill_the_page() {
 #[test]
 fn the_list_comes_back_where_it_was_left() {
     let mut sitting = Sitting::new();
-    sitting.fly(3).press_all(&[Key::Escape, Key::Down, Key::Down, Key::Down, Key::Enter]);
-    assert_eq!((sitting.at(), sitting.buttons().focus()), ("level select", 3));
+    sitting.fly("10").press_all(&[Key::Escape, Key::Down, Key::Down, Key::Down, Key::Enter]);
+    assert_eq!((sitting.at(), sitting.focused()), ("level select", "10"));
 }
 
 #[test]
 fn more_than_fifteen_levels_make_pages() {
     let many = |root: &Path| (20..40).for_each(|i| level(root, &i.to_string(), FAR_AWAY, ""));
     let mut sitting = Sitting::with(many);
-    sitting.choose(1).rest();
-    let shown = |sitting: &Sitting| (sitting.level_select().page(), sitting.buttons().areas().len());
-    assert_eq!(shown(&sitting), (0, 15 + 4), "a page, Back, Previous, Next and Edit");
+    sitting.choose("Level Select").rest();
+    let shown = |sitting: &Sitting| (sitting.line("Page "), sitting.labels().len());
+    let (first, last) = ("Page 1 of 2".to_owned(), "Page 2 of 2".to_owned());
+    assert_eq!(shown(&sitting), (first.clone(), 15 + 4), "a page, Back, Previous, Next and Edit");
     sitting.press(Key::PageUp);
-    assert_eq!(shown(&sitting), (0, 19), "no page before the first");
-    sitting.choose(17).rest();
-    assert_eq!(shown(&sitting), (1, 10 + 4));
-    sitting.click(12).press(Key::PageDown);
-    assert_eq!(shown(&sitting), (1, 14), "no page after the last");
-    assert_eq!(sitting.choose(0).flight().game().level().name, "31", "the sixteenth level of the list");
-    sitting.press(Key::Escape).click(3).press(Key::PageUp).press(Key::PageDown).click(10 + 1).rest();
-    assert_eq!(shown(&sitting).0, 0);
+    assert_eq!(shown(&sitting), (first.clone(), 19), "no page before the first");
+    sitting.choose("Next").rest();
+    assert_eq!(shown(&sitting), (last.clone(), 10 + 4));
+    sitting.click("Next").press(Key::PageDown);
+    assert_eq!(shown(&sitting), (last, 14), "no page after the last");
+    assert_eq!(sitting.labels()[0], "31", "the sixteenth level of the list");
+    assert_eq!(sitting.choose("31").flight().game().level().name, "31");
+    sitting.press(Key::Escape).click(3).press(Key::PageUp).press(Key::PageDown).click("Previous").rest();
+    assert_eq!(shown(&sitting).0, first);
 }
 
 #[test]
 fn a_level_that_does_not_load_shows_its_problems_and_closes_nothing() {
     for by_mouse in [true, false] {
         let mut sitting = Sitting::new();
-        sitting.choose(1);
+        sitting.choose("Level Select");
         if by_mouse {
-            sitting.click(4)
+            sitting.click("broken")
         } else {
-            sitting.choose(4)
+            sitting.choose("broken")
         };
-        let problems = sitting.level_select().problems().expect("the panel is open").problems().to_vec();
-        assert_eq!(problems.len(), 1);
-        assert!(problems[0].starts_with("obstacles.csv:1: column \"width\": found \"wide\""), "{problems:?}");
+        assert_eq!(sitting.at(), "problems");
+        assert!(sitting.shows("obstacles.csv:1: column \"width\": found \"wide\""), "{:?}", sitting.texts());
         sitting.press(Key::Enter);
         assert_eq!(sitting.at(), "level select", "Enter closes the panel and does not open it again");
-        sitting.choose(4).press(Key::Escape);
+        sitting.choose("broken").press(Key::Escape);
         assert_eq!(sitting.at(), "level select");
         assert_eq!(sitting.press(Key::Escape).at(), "menu");
     }
@@ -73,24 +74,24 @@ fn a_broken_level_met_on_the_way_lands_on_level_select_with_its_problems() {
         level(root, "2", FAR_AWAY, "nonsense\n");
     });
     sitting.complete();
-    let next = sitting.scoring().presses().iter().position(|press| *press == Press::NextLevel).unwrap();
-    sitting.choose(next);
+    sitting.choose("Next Level");
     assert_eq!(sitting.at(), "problems");
-    assert!(sitting.level_select().problems().unwrap().heading().contains('2'));
+    assert!(sitting.shows("Level 2 does not load"));
 
     // A level may break, or vanish, while the list is open.
     let mut sitting = Sitting::new();
-    sitting.choose(1);
+    sitting.choose("Level Select");
     fs::remove_dir_all(sitting.folder.path().join("levels/1")).unwrap();
-    assert_eq!(sitting.choose(0).at(), "problems");
+    assert_eq!(sitting.choose("1").at(), "problems");
 }
 
 #[test]
 fn without_levels_nothing_breaks() {
     let mut sitting = Sitting::with(|root| fs::remove_dir_all(root.join("levels")).unwrap());
-    assert_eq!(sitting.choose(0).at(), "level select", "there is nothing to play");
+    assert_eq!(sitting.choose("Play").at(), "level select", "there is nothing to play");
     assert!(sitting.level_select().entries().is_empty());
-    assert_eq!(sitting.click(0).at(), "menu", "Back comes first");
+    assert_eq!((sitting.labels()[0], sitting.shows("There are no levels here yet.")), ("Back", true));
+    assert_eq!(sitting.click("Back").at(), "menu");
 }
 
 #[test]
@@ -118,14 +119,12 @@ fn medals_are_in_the_scoring_on_the_card_and_on_the_board() {
     sitting.press_all(&[Key::Down, Key::Enter]);
     assert_eq!(sitting.level_select().entries()[0].medals, silver, "what the old time is worth now");
     sitting.press(Key::Escape).complete();
-    let goals = sitting.scoring().goals();
-    let earned: Vec<bool> = goals.iter().map(|goal| goal.missing.is_none()).collect();
-    assert_eq!(earned, [true, true, false, true], "{goals:?}");
-    assert!(goals[2].missing.as_ref().unwrap().ends_with("s too slow"));
+    let row = sitting.row("earned");
+    assert_eq!(row.iter().map(|missing| missing == "earned").collect::<Vec<_>>(), [true, true, false, true], "{row:?}");
+    assert!(row[2].ends_with("s too slow"));
 
     let silver_and_mark = Medals { mark: true, ..silver };
-    let save = sitting.scoring().presses().iter().position(|press| *press == Press::SaveScore).unwrap();
-    sitting.choose(save);
+    sitting.choose("Save Score");
     assert_eq!(sitting.leaderboard().medals(0), Medals::default(), "not before they are proven");
     assert_eq!(sitting.wait(0.2).leaderboard().medals(0), silver_and_mark);
     assert!(sitting.scores_file("players.csv").starts_with("player,level,time,medal,mark\nann,,,,\nann,1,0.0"));
@@ -138,7 +137,7 @@ fn typing_finds_levels_by_name_and_title() {
         (20..60).for_each(|i| level(root, &format!("lev{i}"), FAR_AWAY, ""));
         fs::write(root.join("levels/lev57/constants.csv"), "width,800\nheight,600\ntitle,The Great Mill\n").unwrap();
     });
-    sitting.choose(1);
+    sitting.choose("Level Select");
     let shown = |sitting: &Sitting| -> Vec<String> {
         let screen = sitting.level_select();
         screen.in_view().into_iter().map(|index| screen.entries()[index].name.clone()).collect()
@@ -160,7 +159,7 @@ fn typing_finds_levels_by_name_and_title() {
 #[test]
 fn an_error_is_never_stale() {
     let mut sitting = Sitting::new();
-    sitting.choose(1).click(4);
+    sitting.choose("Level Select").click("broken");
     assert_eq!(sitting.at(), "problems");
     sitting.press(Key::Escape);
     // Mended while the list is open: the card says so soon, and pressing it at once opens the level.
@@ -168,16 +167,16 @@ fn an_error_is_never_stale() {
     sitting.wait(0.7);
     assert!(sitting.level_select().entries()[4].level.as_ref().unwrap().is_ok());
     fs::write(sitting.folder.path().join("levels/broken/obstacles.csv"), "1,2,wide,3\n").unwrap();
-    assert_eq!(sitting.click(4).at(), "problems");
+    assert_eq!(sitting.click("broken").at(), "problems");
     sitting.press(Key::Escape);
     fs::write(sitting.folder.path().join("levels/broken/obstacles.csv"), "").unwrap();
-    assert_eq!(sitting.click(4).at(), "flight");
+    assert_eq!(sitting.click("broken").at(), "flight");
 }
 
 #[test]
 fn five_thousand_levels_are_listed_without_reading_them() {
     let mut sitting = Sitting::with(|root| (0..5000).for_each(|i| fs::create_dir(root.join(format!("levels/many{i}"))).unwrap()));
-    sitting.choose(1).rest();
+    sitting.choose("Level Select").rest();
     let known = |sitting: &Sitting| sitting.level_select().entries().iter().filter(|entry| entry.level.is_some()).count();
     assert_eq!((sitting.level_select().entries().len(), known(&sitting)), (5005, 15));
     sitting.press(Key::PageDown).rest();
@@ -188,24 +187,23 @@ fn five_thousand_levels_are_listed_without_reading_them() {
 fn levels_are_made_copied_and_renamed_in_the_game() {
     let mut sitting = Sitting::new();
     let levels = sitting.folder.path().join("levels");
-    sitting.choose(1).choose(6);
+    sitting.choose("Level Select").choose("Edit");
     assert_eq!(sitting.at(), "levels to edit");
-    // Back, New, Copy and Rename come after the five cards.
-    sitting.click(6).write("a b").press(Key::Enter);
-    assert!(sitting.level_select().prompt().unwrap().error().unwrap().contains("expected up to 40 letters"));
+    sitting.click("New").write("a b").press(Key::Enter);
+    assert!(sitting.shows("expected up to 40 letters"));
     sitting.press_all(&[Key::Backspace, Key::Backspace, Key::Backspace]).write("2").press(Key::Enter);
-    assert!(sitting.level_select().prompt().unwrap().error().unwrap().contains("of that name already"), "2 is there");
+    assert!(sitting.shows("of that name already"), "2 is there");
     sitting.write("x").press(Key::Enter);
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2x"));
     assert_eq!(sitting.press(Key::Escape).at(), "levels to edit");
 
-    sitting.click(8).click(1).press(Key::Enter);
+    sitting.click("Copy").click("2").press(Key::Enter);
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2-copy"));
     assert_eq!(fs::read(levels.join("2-copy/player.csv")).unwrap(), fs::read(levels.join("2/player.csv")).unwrap());
     sitting.press(Key::Escape);
     let names = |sitting: &Sitting| sitting.level_select().entries().iter().map(|entry| entry.name.clone()).collect::<Vec<_>>();
     assert_eq!(names(&sitting), ["1", "2", "3", "10", "2-copy", "2x", "broken"]);
-    sitting.click(10).click(4).press(Key::End);
+    sitting.click("Rename").click("2-copy").press(Key::End);
     (0..6).for_each(|_| _ = sitting.press(Key::Backspace));
     sitting.write("second").press(Key::Enter);
     assert_eq!(sitting.at(), "levels to edit");

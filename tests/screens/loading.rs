@@ -58,7 +58,7 @@ fn cards_appear_one_after_the_other_and_a_level_that_is_chosen_goes_before_them(
         assert_eq!(known(sitting.rest()), count);
         sitting.work(1);
     }
-    sitting.choose(3);
+    sitting.choose("10");
     assert_eq!((sitting.work(1), sitting.at()), (1, "flight"));
     assert_eq!(sitting.flight().game().level().name, "10");
     assert_eq!(sitting.work(10), 0, "the other cards are not read for nobody");
@@ -71,9 +71,9 @@ fn play_opens_the_first_level_that_loads_once_it_is_found() {
         level(root, "1", FAR_AWAY, "nonsense\n");
     })
     .by_hand();
-    assert_eq!(sitting.choose(0).at(), "level select", "not known yet");
+    assert_eq!(sitting.choose("Play").at(), "level select", "not known yet");
     sitting.press(Key::Escape).work(20);
-    sitting.choose(0);
+    sitting.choose("Play");
     sitting.work(1);
     assert_eq!((sitting.at(), sitting.flight().game().level().name.as_str()), ("flight", "2"));
 }
@@ -114,7 +114,7 @@ fn every_screen_that_needs_a_level_waits_for_it() {
 #[test]
 fn levels_that_come_and_go_while_the_list_is_open_are_listed() {
     let mut sitting = Sitting::new();
-    sitting.choose(1).press(Key::Right).rest();
+    sitting.choose("Level Select").press(Key::Right).rest();
     let names = |sitting: &Sitting| sitting.level_select().entries().iter().map(|entry| entry.name.clone()).collect::<Vec<_>>();
     level(sitting.folder.path(), "0", FAR_AWAY, "");
     fs::remove_dir_all(sitting.folder.path().join("levels/3")).unwrap();

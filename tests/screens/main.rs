@@ -23,36 +23,33 @@ mod sitting;
 mod support;
 mod what_if;
 
+use resultant::draw::layout::{Frame, Vec2};
 use resultant::screens::Key;
-use resultant::view::layout::{Frame, Vec2};
 use sitting::Sitting;
 
 #[test]
 fn esc_goes_back_everywhere() {
     let esc = |sitting: &mut Sitting| sitting.press(Key::Escape).at();
     assert_eq!(esc(&mut Sitting::new()), "menu", "the menu is where Esc ends");
-    assert_eq!(esc(Sitting::new().choose(1)), "menu");
-    assert_eq!(esc(Sitting::new().choose(2)), "menu");
-    assert_eq!(esc(Sitting::new().choose(3)), "menu");
-    assert_eq!(esc(Sitting::new().choose(4)), "menu");
-    assert_eq!(esc(Sitting::new().choose(7)), "menu");
-    assert_eq!(esc(Sitting::new().become_new("ann").choose(7)), "menu");
-    assert_eq!(esc(Sitting::new().become_new("ann").choose(7).choose(1)), "players");
-    assert_eq!(esc(Sitting::new().choose(8)), "menu");
-    assert_eq!(esc(Sitting::new().choose(1).choose(4)), "level select");
-    assert_eq!(esc(Sitting::new().fly(1)), "pause");
-    assert_eq!(esc(Sitting::new().fly(1).press(Key::Escape)), "flight");
+    for button in ["Level Select", "Leaderboards", "Classics", "Lab", "Settings", "Player", "Credits"] {
+        assert_eq!(esc(Sitting::new().choose(button)), "menu");
+    }
+    assert_eq!(esc(Sitting::new().become_new("ann").choose("Player")), "menu");
+    assert_eq!(esc(Sitting::new().become_new("ann").choose("Player").choose("New Player")), "players");
+    assert_eq!(esc(Sitting::new().choose("Level Select").choose("broken")), "level select");
+    assert_eq!(esc(Sitting::new().fly("2")), "pause");
+    assert_eq!(esc(Sitting::new().fly("2").press(Key::Escape)), "flight");
     assert_eq!(esc(Sitting::new().complete()), "menu");
     assert_eq!(esc(Sitting::new().reach_save_score()), "scoring");
     assert_eq!(esc(Sitting::new().reach_save_score().write("ann").press(Key::Enter)), "menu");
-    assert_eq!(esc(Sitting::new().choose(2).choose(0)), "leaderboards");
+    assert_eq!(esc(Sitting::new().choose("Leaderboards").choose("1")), "leaderboards");
 }
 
 #[test]
 fn every_back_button_goes_back_by_mouse() {
-    assert_eq!(Sitting::new().click(1).click(5).at(), "menu");
-    assert_eq!(Sitting::new().click(2).click(0).click(2).at(), "leaderboards");
-    assert_eq!(Sitting::new().click(3).click(3).at(), "menu");
+    assert_eq!(Sitting::new().click("Level Select").click("Back").at(), "menu");
+    assert_eq!(Sitting::new().click("Leaderboards").click("1").click("Back").at(), "leaderboards");
+    assert_eq!(Sitting::new().click("Classics").click("Back").at(), "menu");
 }
 
 #[test]
@@ -62,7 +59,7 @@ fn every_screen_is_whole_in_every_window() {
         let mut sitting = Sitting::new();
         sitting.frame = frame;
         let whole = |sitting: &mut Sitting| {
-            let areas = sitting.rest().buttons().areas().to_vec();
+            let areas = sitting.rest().areas();
             for (i, area) in areas.iter().enumerate() {
                 assert!(area.min.min_element() >= 0.0 && area.max().cmple(frame.size).all(), "{} {area:?}", sitting.at());
                 for other in &areas[i + 1..] {
@@ -72,15 +69,15 @@ fn every_screen_is_whole_in_every_window() {
             }
         };
         whole(&mut sitting);
-        whole(sitting.choose(1));
-        whole(sitting.choose(1).press(Key::Escape));
+        whole(sitting.choose("Level Select"));
+        whole(sitting.choose("2").press(Key::Escape));
         whole(sitting.choose(2));
         whole(sitting.press(Key::Escape).choose(4).complete());
-        whole(sitting.choose(2));
+        whole(sitting.choose("Save Score"));
         whole(sitting.write("ann").press(Key::Enter));
-        whole(sitting.press(Key::Escape).choose(3));
-        whole(sitting.press(Key::Escape).choose(8));
-        whole(sitting.press(Key::Escape).choose(7));
-        whole(sitting.choose(2));
+        whole(sitting.press(Key::Escape).choose("Classics"));
+        whole(sitting.press(Key::Escape).choose("Credits"));
+        whole(sitting.press(Key::Escape).choose("Player"));
+        whole(sitting.choose("New Player"));
     }
 }

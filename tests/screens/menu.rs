@@ -1,28 +1,36 @@
 //! The menu: its buttons, its balls, and what Play opens.
 
 use crate::sitting::{Sitting, board, enter};
-use resultant::screens::{Input, Key, MenuLine, Screen};
-use resultant::view::layout::{Area, Frame, Vec2};
+use resultant::draw::layout::{Area, Frame, Vec2};
+use resultant::screens::{Input, Key};
 use std::fs;
 use std::path::Path;
 
 #[test]
 fn every_button_of_the_menu_leads_where_it_says_by_mouse_and_by_keyboard() {
-    let screens = ["flight", "level select", "leaderboards", "classics", "lab", "settings"].into_iter().enumerate();
-    for (index, screen) in screens.chain([(7, "new player"), (8, "credits")]) {
-        assert_eq!(Sitting::new().click(index).at(), screen);
-        assert_eq!(Sitting::new().choose(index).at(), screen);
+    for (button, screen) in [
+        ("Play", "flight"),
+        ("Level Select", "level select"),
+        ("Leaderboards", "leaderboards"),
+        ("Classics", "classics"),
+        ("Lab", "lab"),
+        ("Settings", "settings"),
+        ("Player", "new player"),
+        ("Credits", "credits"),
+    ] {
+        assert_eq!(Sitting::new().click(button).at(), screen);
+        assert_eq!(Sitting::new().choose(button).at(), screen);
     }
     let mut sitting = Sitting::new();
-    let quit = sitting.rest().buttons().areas()[6].centre();
+    let quit = sitting.rest().area("Quit").centre();
     assert!(!sitting.give(Input { pointer: quit, click: true, ..Input::default() }).open);
     let mut sitting = Sitting::new();
     sitting.press_all(&[Key::Down; 6]);
-    assert_eq!(sitting.buttons().focus(), 6);
+    assert_eq!(sitting.focused(), "Quit");
     assert!(!sitting.give(enter()).open);
     let mut sitting = Sitting::new();
     sitting.press_all(&[Key::Down; 9]);
-    assert_eq!(sitting.buttons().focus(), 7, "below the column is the player, and there the arrows stop");
+    assert_eq!(sitting.focused(), "Player", "below the column is the player, and there the arrows stop");
 }
 
 #[test]
@@ -36,7 +44,7 @@ fn one_press_is_one_action_however_long_it_is_held() {
 
     let mut sitting = Sitting::new();
     sitting.rest();
-    let pointer = sitting.buttons().areas()[1].centre();
+    let pointer = sitting.area("Level Select").centre();
     sitting.give(Input { pointer, click: true, holding: true, ..Input::default() });
     for _ in 0..60 {
         sitting.give(Input { pointer, holding: true, ..Input::default() });
@@ -45,20 +53,21 @@ fn one_press_is_one_action_however_long_it_is_held() {
 
     let mut sitting = Sitting::new();
     sitting.rest().give(Input { held: [Key::Down].into_iter().collect(), ..Input::default() }).wait(1.0);
-    assert_eq!(sitting.buttons().focus(), 0, "no press edge, no movement");
+    assert_eq!(sitting.focused(), "Play", "no press edge, no movement");
 }
 
 #[test]
 fn pointer_and_keyboard_move_one_highlight() {
     let mut sitting = Sitting::new();
     sitting.rest();
-    let third = sitting.buttons().areas()[2].centre();
+    let third = sitting.area("Leaderboards").centre();
     sitting.press(Key::Down).point_at(third);
-    assert_eq!((sitting.buttons().hover(), sitting.buttons().focus()), (Some(2), 2));
+    let highlight = |sitting: &Sitting| (sitting.app.hovered().map(str::to_owned), sitting.focused().to_owned());
+    assert_eq!(highlight(&sitting), (Some("Leaderboards".into()), "Leaderboards".into()));
     sitting.give(Input { pointer: third, pressed: [Key::Down].into_iter().collect(), ..Input::default() });
-    assert_eq!((sitting.buttons().hover(), sitting.buttons().focus()), (None, 3));
+    assert_eq!(highlight(&sitting), (None, "Classics".into()));
     sitting.point_at(third);
-    assert_eq!((sitting.buttons().hover(), sitting.buttons().focus()), (None, 3), "a pointer that rests takes nothing");
+    assert_eq!(highlight(&sitting), (None, "Classics".into()), "a pointer that rests takes nothing");
     assert_eq!(sitting.at(), "menu");
 }
 
@@ -67,12 +76,11 @@ fn a_right_click_in_the_menu_drops_a_ball_that_stays_in_the_window() {
     let mut sitting = Sitting::new();
     let drop_at = |sitting: &mut Sitting, pointer: Vec2| {
         sitting.give(Input { pointer, right_click: true, ..Input::default() });
-        let Screen::Menu(menu) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
-        menu.balls().len()
+        sitting.menu().balls().len()
     };
     assert_eq!(drop_at(&mut sitting, Vec2::new(100.0, 100.0)), 1);
     assert_eq!(drop_at(&mut sitting, Vec2::new(100.0, 100.0)), 2, "beside the first one");
-    let button = sitting.buttons().areas()[0].centre();
+    let button = sitting.area("Play").centre();
     assert_eq!(drop_at(&mut sitting, button), 3, "beside the button");
     assert_eq!(drop_at(&mut sitting, Vec2::new(-50.0, 9000.0)), 4, "at the window's edge");
     for _ in 0..100 {
@@ -81,11 +89,9 @@ fn a_right_click_in_the_menu_drops_a_ball_that_stays_in_the_window() {
     for size in [Vec2::new(1280.0, 720.0), Vec2::new(900.0, 500.0), Vec2::new(500.0, 700.0)] {
         sitting.frame = Frame::of_window(size);
         sitting.wait(1.0);
-        let (areas, frame) = (sitting.buttons().areas().to_vec(), sitting.frame);
-        let Screen::Menu(menu) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
-        let (balls, lines) = (menu.balls(), menu.lines().to_vec());
-        let areas: Vec<Area> = areas.into_iter().chain(lines.iter().map(|(_, area)| *area)).collect();
-        assert_eq!(lines.iter().map(|(line, _)| *line).collect::<Vec<_>>(), [MenuLine::Next, MenuLine::Foot, MenuLine::Title]);
+        let (balls, frame) = (sitting.menu().balls(), sitting.frame);
+        let areas: Vec<Area> = sitting.areas().into_iter().chain(sitting.menu().lines().iter().copied()).collect();
+        assert_eq!(sitting.menu().lines().len(), 3, "the level's title, the hint and the game's");
         assert!(balls.len() > 10, "{} balls", balls.len());
         for (i, ball) in balls.iter().enumerate() {
             let inside = ball.min.cmpge(Vec2::splat(-0.1)).all() && ball.max().cmple(frame.size + 0.1).all();
@@ -105,8 +111,7 @@ fn balls_bounce_off_every_word_and_every_button() {
         let mut sitting = Sitting::new();
         sitting.frame = Frame::of_window(size);
         sitting.rest();
-        let drawn: Vec<Area> =
-            sitting.buttons().areas().iter().copied().chain(sitting.menu().lines().iter().map(|(_, area)| *area)).collect();
+        let drawn: Vec<Area> = sitting.areas().into_iter().chain(sitting.menu().lines().iter().copied()).collect();
         assert_eq!(drawn.len(), 9 + 3, "buttons; the level's title, the hint and the game's");
         for area in drawn {
             let (above, beside) = (Vec2::new(area.centre().x, area.min.y - 16.0), Vec2::new(area.min.x - 16.0, area.centre().y));
@@ -141,7 +146,7 @@ fn the_ship_hovers_over_the_buttons_by_its_own_engine() {
             places.push(centre);
             burnt += burning;
         }
-        let first = sitting.buttons().areas()[0];
+        let first = sitting.area("Play");
         assert!(places.iter().all(|at| at.y < first.min.y && at.y > first.min.y - 120.0), "it has left its height");
         let (left, right) = places.iter().fold((f32::MAX, f32::MIN), |(a, b), at| (a.min(at.x), b.max(at.x)));
         assert!(right - left > 100.0 && left > first.min.x - 200.0 && right < first.max().x + 200.0, "{left} … {right}");
@@ -158,7 +163,7 @@ fn a_ship_that_balls_knock_away_comes_back() {
         sitting.give(Input { pointer, right_click: true, ..Input::default() }).wait(0.5);
     }
     sitting.wait(40.0);
-    let (first, (ship, ..)) = (sitting.buttons().areas()[0], sitting.menu().ship().unwrap());
+    let (first, (ship, ..)) = (sitting.area("Play"), sitting.menu().ship().unwrap());
     assert!(ship.y < first.min.y, "the ship is at {ship}");
 }
 
@@ -176,13 +181,13 @@ fn balls_fly_differently_in_each_sitting() {
 #[test]
 fn play_opens_the_first_level_that_the_player_has_not_done() {
     let mut sitting = Sitting::new();
-    assert_eq!(sitting.choose(0).flight().game().level().name, "1");
+    assert_eq!(sitting.choose("Play").flight().game().level().name, "1");
     sitting.wait(1.5).press(Key::Escape);
     assert_eq!(sitting.at(), "menu");
-    assert_eq!(sitting.menu().facts().next.as_ref().map(|next| next.0.as_str()), Some("2"));
-    assert_eq!(sitting.choose(0).flight().game().level().name, "2", "1 was completed, though no score was saved");
+    assert!(sitting.row("Play").contains(&"2".to_owned()), "{:?}", sitting.row("Play"));
+    assert_eq!(sitting.choose("Play").flight().game().level().name, "2", "1 was completed, though no score was saved");
     sitting.reopen();
-    assert_eq!(sitting.choose(0).flight().game().level().name, "2", "also in another sitting");
+    assert_eq!(sitting.choose("Play").flight().game().level().name, "2", "also in another sitting");
 
     let scored = |root: &Path| {
         fs::create_dir(root.join("scores")).unwrap();
@@ -190,5 +195,5 @@ fn play_opens_the_first_level_that_the_player_has_not_done() {
             fs::write(root.join(format!("scores/{level}.csv")), board(1)).unwrap();
         }
     };
-    assert_eq!(Sitting::with(scored).choose(0).flight().game().level().name, "1", "nobody else's scores count");
+    assert_eq!(Sitting::with(scored).choose("Play").flight().game().level().name, "1", "nobody else's scores count");
 }

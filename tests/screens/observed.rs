@@ -12,7 +12,7 @@ fn flying() -> Sitting {
         std::fs::write(root.join("levels/0/objects.csv"), "100,100,box:30x30,5,1,FALSE,0\n300,100,box:30x30,5,1,FALSE,0\n")
             .unwrap();
     });
-    sitting.choose(1).choose(0);
+    sitting.fly("0");
     assert_eq!(sitting.at(), "flight");
     sitting
 }

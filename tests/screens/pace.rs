@@ -30,7 +30,7 @@ fn a_clock_that_jumps_hides_no_screen_and_ends_nothing() {
         assert_eq!(sitting.wait(0.2).at(), "level select", "{jump}");
         assert_eq!(sitting.app.veil(), 0.0, "{jump}");
         let mut sitting = Sitting::new();
-        sitting.choose(0);
+        sitting.choose("Play");
         sitting.app.update(&Input { frame_time: jump, frame, ..Input::default() }, &mut ());
         assert_eq!(sitting.wait(2.0).at(), "scoring", "{jump}");
     }
@@ -39,13 +39,13 @@ fn a_clock_that_jumps_hides_no_screen_and_ends_nothing() {
 #[test]
 fn flights_have_every_frame_and_menus_thirty_a_second_at_most() {
     let mut sitting = Sitting::new();
-    for button in [1, 2, 3, 4, 5, 8] {
+    for button in ["Level Select", "Leaderboards", "Classics", "Lab", "Settings", "Credits"] {
         assert_eq!(interval(sitting.choose(button)), 1.0 / 30.0, "{}", sitting.at());
         sitting.press(Key::Escape);
     }
     assert_eq!(interval(&sitting), 1.0 / 30.0, "the menu");
     assert_eq!(sitting.app.interval(&enter()), 0.0, "a key is felt at once");
-    sitting.fly(1);
+    sitting.fly("2");
     assert_eq!((interval(&sitting), drawn(&mut sitting, 200)), (0.0, 200));
     sitting.press(Key::Escape);
     assert_eq!((sitting.at(), interval(&sitting)), ("pause", 1.0 / 30.0));
@@ -54,10 +54,10 @@ fn flights_have_every_frame_and_menus_thirty_a_second_at_most() {
 #[test]
 fn a_paused_flight_and_a_menu_of_buttons_are_drawn_when_something_changes() {
     let mut sitting = Sitting::new();
-    sitting.fly(1).press(Key::Escape);
+    sitting.fly("2").press(Key::Escape);
     let settings = |sitting: &mut Sitting| {
         // The pause ends, the flight is given up for the menu's settings.
-        sitting.press(Key::Escape).press(Key::Escape).choose(4).choose(5);
+        sitting.press(Key::Escape).press(Key::Escape).choose(4).choose("Settings");
     };
     for open in [|_: &mut Sitting| {}, settings] {
         open(&mut sitting);

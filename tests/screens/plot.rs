@@ -216,7 +216,7 @@ fn where_nothing_can_be_written_that_is_said_and_nothing_is_there() {
 #[test]
 fn a_flight_that_has_ended_stays_to_be_looked_at_while_it_is_plotted() {
     let mut sitting = Sitting::with(|root| level(root, "0", HERE, ""));
-    sitting.choose(1).choose(0);
+    sitting.fly("0");
     open_plot(&mut sitting);
     sitting.wait(3.0);
     assert_eq!(sitting.at(), "flight");
@@ -227,13 +227,12 @@ fn a_flight_that_has_ended_stays_to_be_looked_at_while_it_is_plotted() {
 #[test]
 fn a_watched_flight_is_plotted_and_gone_through() {
     let mut sitting = Sitting::with(|root| level(root, "0", "PLAYER,380,60,40,40\n", ""));
-    sitting.choose(1).choose(0);
+    sitting.fly("0");
     while sitting.at() == "flight" {
         sitting.give(Input { held: [Key::Space].into_iter().collect(), ..Input::default() });
     }
     sitting.wait(0.5);
-    let flights = sitting.scoring().presses().iter().position(|press| press.label() == "Flights").unwrap();
-    sitting.choose(flights).choose(0).press(Key::I);
+    sitting.choose("Flights").choose("Watch").press(Key::I);
     let rail = sitting.watch().instruments().areas(&sitting.frame);
     sitting.click_at(rail[Instrument::Plot as usize].centre()).wait(0.3);
     assert!(!sitting.watch().paused());

@@ -17,7 +17,7 @@ fn solids(sitting: &Sitting) -> usize {
 #[test]
 fn a_saved_file_is_there_within_half_a_second_and_the_flight_goes_on_where_it_was() {
     let mut sitting = Sitting::new();
-    sitting.fly(1).wait(0.3);
+    sitting.fly("2").wait(0.3);
     let before = sitting.flight().game().clone();
     fs::write(file(&sitting, "world.csv"), "0,580,800,20\n").unwrap();
     let frames = (0..60).find(|_| solids(sitting.rest()) == 1).expect("it is read");
@@ -37,7 +37,7 @@ fn a_saved_file_is_there_within_half_a_second_and_the_flight_goes_on_where_it_wa
 #[test]
 fn where_the_ship_has_no_room_the_level_begins_again() {
     let mut sitting = Sitting::new();
-    sitting.fly(1).wait(0.3);
+    sitting.fly("2").wait(0.3);
     fs::write(file(&sitting, "player.csv"), "100,100,100,500,3000\n").unwrap();
     fs::write(file(&sitting, "world.csv"), "200,200,600,400\n").unwrap();
     sitting.wait(0.4);
@@ -48,7 +48,7 @@ fn where_the_ship_has_no_room_the_level_begins_again() {
 #[test]
 fn a_broken_edit_is_told_above_the_flight_that_goes_on_and_gone_when_it_is_mended() {
     let mut sitting = Sitting::new();
-    sitting.fly(1).wait(0.2);
+    sitting.fly("2").wait(0.2);
     let sound = fs::read(file(&sitting, "objectives.csv")).unwrap();
     fs::write(file(&sitting, "objectives.csv"), "PLAYER,10,ten,20,20\n").unwrap();
     sitting.wait(0.4);
@@ -68,7 +68,7 @@ fn a_broken_edit_is_told_above_the_flight_that_goes_on_and_gone_when_it_is_mende
 #[test]
 fn r_reads_the_files_afresh_at_once() {
     let mut sitting = Sitting::new();
-    sitting.fly(1).wait(0.05);
+    sitting.fly("2").wait(0.05);
     fs::write(file(&sitting, "world.csv"), "0,580,800,20\n").unwrap();
     assert_eq!(solids(sitting.press(Key::R)), 1);
     sitting.wait(0.5);
@@ -78,7 +78,7 @@ fn r_reads_the_files_afresh_at_once() {
 #[test]
 fn a_paused_flight_is_read_anew_too_and_stays_paused() {
     let mut sitting = Sitting::new();
-    sitting.fly(1).wait(0.1).press(Key::Escape);
+    sitting.fly("2").wait(0.1).press(Key::Escape);
     fs::write(file(&sitting, "world.csv"), "0,580,800,20\n").unwrap();
     sitting.wait(0.4);
     assert_eq!((sitting.at(), solids(&sitting)), ("pause", 1));
@@ -108,7 +108,7 @@ fn what_is_dropped_on_the_window_opens() {
 #[test]
 fn what_the_flight_does_not_depend_on_changes_nothing_of_it() {
     let mut sitting = Sitting::new();
-    sitting.fly(1).wait(0.2);
+    sitting.fly("2").wait(0.2);
     fs::write(file(&sitting, "obstacles.csv"), "# a comment\n").unwrap();
     sitting.wait(0.5);
     assert!(!sitting.flight().is_assisted() && sitting.flight().news().is_none());

@@ -1,7 +1,7 @@
 //! The settings: from the menu and from a flight, at once and for good; help in flight is marked.
 
 use super::sitting::Sitting;
-use resultant::screens::{Input, Key, Screen};
+use resultant::screens::{Input, Key};
 use resultant::settings::Action;
 use std::fs;
 
@@ -11,10 +11,10 @@ fn file(sitting: &Sitting) -> String {
 
 #[test]
 fn the_menu_and_the_pause_panel_lead_there_and_back() {
-    assert_eq!(Sitting::new().choose(5).at(), "settings");
-    assert_eq!(Sitting::new().choose(5).press(Key::Escape).at(), "menu");
+    assert_eq!(Sitting::new().choose("Settings").at(), "settings");
+    assert_eq!(Sitting::new().choose("Settings").press(Key::Escape).at(), "menu");
     let mut flying = Sitting::new();
-    flying.fly(1).press(Key::Escape).choose(2);
+    flying.fly("2").press(Key::Escape).choose(2);
     assert_eq!(flying.at(), "settings in flight");
     assert_eq!(flying.press(Key::Escape).at(), "pause");
     assert_eq!(flying.press(Key::Escape).at(), "flight", "the attempt goes on");
@@ -23,7 +23,7 @@ fn the_menu_and_the_pause_panel_lead_there_and_back() {
 #[test]
 fn what_is_set_holds_at_once_and_after_the_game_was_closed() {
     let mut sitting = Sitting::new();
-    sitting.choose(5).press(Key::Left).press(Key::Tab).press(Key::Enter).press(Key::T);
+    sitting.choose("Settings").press(Key::Left).press(Key::Tab).press(Key::Enter).press(Key::T);
     assert_eq!(sitting.app.settings().master, 70);
     assert!(file(&sitting).contains("volume,70,\n") && file(&sitting).contains("key_thrust,T W,\n"), "{}", file(&sitting));
     sitting.reopen();
@@ -35,12 +35,11 @@ fn what_is_set_holds_at_once_and_after_the_game_was_closed() {
 fn a_key_that_was_set_flies_and_the_old_one_does_not() {
     let burning = |key: Key| {
         let mut sitting = Sitting::new();
-        sitting.choose(5).press(Key::Tab).press(Key::Enter).press(Key::T).press(Key::Escape).press(Key::Up);
-        sitting.fly(2);
+        sitting.choose("Settings").press(Key::Tab).press(Key::Enter).press(Key::T).press(Key::Escape).press(Key::Up);
+        sitting.fly("3");
         let held = [key].into_iter().collect();
         sitting.give(Input { held, ..Input::default() }).give(Input { held, ..Input::default() });
-        let Screen::Flight(flight) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
-        flight.game().ship().burning
+        sitting.flight().game().ship().burning
     };
     assert_eq!([Key::T, Key::W, Key::Space, Key::PadR2].map(burning), [1, 1, 0, 1]);
 }
@@ -60,20 +59,20 @@ fn f11_and_alt_enter_fill_the_screen_and_press_nothing_else() {
 fn a_flight_with_help_is_marked() {
     for (steps, marked) in [(0, false), (1, true)] {
         let mut sitting = Sitting::new();
-        sitting.choose(5);
-        sitting.press_all(&[Key::Down; 11]);
+        sitting.choose("Settings");
+        while sitting.focused() != "Assist: game speed" {
+            sitting.press(Key::Down);
+        }
         sitting.press_all(&[Key::Left][..steps]);
         sitting.press(Key::Escape).complete();
-        let Screen::Scoring(scoring) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
-        assert_eq!(scoring.result().assisted, marked);
+        assert_eq!(sitting.scoring().result().assisted, marked);
     }
 }
 
 #[test]
 fn a_file_that_is_wrong_is_told_where_it_is_set() {
     let mut sitting = Sitting::with(|root| fs::write(root.join("settings.csv"), "setting,value,player\nvolume,loud\n").unwrap());
-    sitting.choose(5);
-    let Screen::Settings(panel) = sitting.app.screen() else { panic!("at {}", sitting.at()) };
+    sitting.choose("Settings");
     let expected = "settings.csv:2: column \"value\" of volume: found \"loud\", expected a whole number of percents from 0 to 100";
-    assert_eq!(panel.problems(), [expected]);
+    assert!(sitting.shows(expected));
 }

@@ -1,9 +1,40 @@
 //! A sitting: the app without a window, and fingers on keys and mouse.
 
-use resultant::screens::{App, Buttons, Input, Key, LevelSelect, Places, Press, Purpose, Screen, Spectator, Worker};
-use resultant::view::layout::{Frame, Vec2};
+use resultant::draw::layout::{Area, Frame, Vec2};
+use resultant::draw::{Colour, Outline, Shape};
+use resultant::screens::{
+    App, Buttons, Classics, Credits, Editor, Flight, Flights, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Pi, Places,
+    Players, Purpose, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Watch, Worker,
+};
+use resultant::ui::Kind;
+use resultant::view::theme;
 use std::fs;
 use std::path::Path;
+
+/// A button by its label, or by its index on a screen whose widgets have no labels yet.
+#[derive(Clone, Copy, Debug)]
+pub enum Target<'a> {
+    Label(&'a str),
+    Index(usize),
+}
+
+impl<'a> From<&'a str> for Target<'a> {
+    fn from(label: &'a str) -> Self {
+        Self::Label(label)
+    }
+}
+
+impl<'a> From<&'a String> for Target<'a> {
+    fn from(label: &'a String) -> Self {
+        Self::Label(label)
+    }
+}
+
+impl From<usize> for Target<'_> {
+    fn from(index: usize) -> Self {
+        Self::Index(index)
+    }
+}
 
 /// A sitting with levels of its own: `1` is completed by its first tick, `2` lasts, `3` is lost by its first tick, `10` lasts too,
 /// `broken` does not load.
@@ -122,21 +153,22 @@ impl Sitting {
         self.point_at(pointer).give(Input { pointer, click: true, holding: true, ..Input::default() }).point_at(pointer)
     }
 
-    /// Clicks a button of the screen by its index.
-    pub fn click(&mut self, index: usize) -> &mut Self {
-        let at = self.buttons().areas()[index].centre();
+    /// Clicks a button.
+    pub fn click<'a>(&mut self, target: impl Into<Target<'a>>) -> &mut Self {
+        let at = self.area(target).centre();
         self.click_at(at)
     }
 
-    /// Presses a button of the screen by arrows and Enter.
-    pub fn choose(&mut self, index: usize) -> &mut Self {
+    /// Presses a button by arrows and Enter.
+    pub fn choose<'a>(&mut self, target: impl Into<Target<'a>>) -> &mut Self {
+        let target = target.into();
         for _ in 0..20 {
-            let (areas, focus) = (self.buttons().areas().to_vec(), self.buttons().focus());
-            if focus == index {
+            let (area, focus) = (self.area(target), self.focus());
+            if focus == area {
                 return self.press(Key::Enter);
             }
-            let way = areas[index].centre() - areas[focus].centre();
-            let key = match (way.x.abs() > way.y.abs(), way.x > 0.0, way.y > 0.0) {
+            let path = area.centre() - focus.centre();
+            let key = match (path.x.abs() > path.y.abs(), path.x > 0.0, path.y > 0.0) {
                 (true, true, _) => Key::Right,
                 (true, false, _) => Key::Left,
                 (false, _, true) => Key::Down,
@@ -144,150 +176,230 @@ impl Sitting {
             };
             self.press(key);
         }
-        panic!("the arrows do not lead to button {index}");
+        panic!("the arrows do not lead to {target:?} of {:?}", self.labels());
     }
 
-    pub fn buttons(&self) -> &Buttons {
-        match self.app.screen() {
-            Screen::Menu(screen) => screen.buttons(),
-            Screen::LevelSelect(screen) => screen.buttons(),
-            Screen::Settings(screen) => screen.buttons(),
-            Screen::Editor(screen) => screen.buttons(),
-            Screen::Flight(screen) => match screen.settings() {
-                Some(settings) => settings.buttons(),
-                None => screen.pause().expect("the pause panel is open"),
-            },
-            Screen::Watch(screen) => screen.toolbar().buttons(),
-            Screen::Flights(screen) => screen.buttons(),
-            Screen::Scoring(screen) => screen.buttons(),
-            Screen::SaveScore(screen) => screen.buttons(),
-            Screen::Leaderboard(screen) => screen.buttons(),
-            Screen::Players(screen) => screen.buttons(),
-            Screen::Credits(screen) => screen.buttons(),
-            Screen::Classics(screen) => screen.buttons(),
-            Screen::Lab(screen) => screen.toolbar().buttons(),
-            Screen::TileRun(screen) => screen.toolbar().buttons(),
-            Screen::Jumper(screen) => screen.buttons().expect("the panel is open"),
-            Screen::Pi(screen) => screen.toolbar().buttons(),
+    /// Where a button is.
+    pub fn area<'a>(&self, target: impl Into<Target<'a>>) -> Area {
+        match target.into() {
+            Target::Index(index) => self.buttons().areas()[index],
+            Target::Label(label) => {
+                let widget = self.app.widgets().iter().find(|widget| widget.label == label);
+                widget.unwrap_or_else(|| panic!("{label} is none of {:?} at {}", self.labels(), self.at())).area
+            }
         }
+    }
+
+    /// Where all buttons are.
+    pub fn areas(&self) -> Vec<Area> {
+        let widgets = self.app.widgets();
+        if widgets.is_empty() { self.buttons().areas().to_vec() } else { widgets.iter().map(|widget| widget.area).collect() }
+    }
+
+    fn focus(&self) -> Area {
+        match self.app.focused() {
+            Some(label) => self.area(label),
+            None => self.buttons().areas()[self.buttons().focus()],
+        }
+    }
+
+    /// The labels of the topmost layer's widgets, in order.
+    pub fn labels(&self) -> Vec<&str> {
+        self.app.widgets().iter().map(|widget| widget.label.as_str()).collect()
+    }
+
+    /// The label of the widget that has the focus.
+    pub fn focused(&self) -> &str {
+        self.app.focused().unwrap_or_default()
+    }
+
+    /// All lines of text on the screen, in order, with their places.
+    pub fn texts(&self) -> Vec<(String, Vec2)> {
+        let shapes = self.app.canvas().shapes();
+        shapes
+            .iter()
+            .filter_map(|shape| if let Shape::Text { text, at, .. } = shape { Some((text.clone(), *at)) } else { None })
+            .collect()
+    }
+
+    /// Whether a line of text on the screen holds those words.
+    pub fn shows(&self, words: &str) -> bool {
+        self.texts().iter().any(|(text, _)| text.contains(words))
+    }
+
+    /// The line of text that holds those words.
+    pub fn line(&self, words: &str) -> String {
+        let texts = self.texts();
+        let line = texts.iter().find(|(text, _)| text.contains(words));
+        line.unwrap_or_else(|| panic!("{words:?} is not among {texts:?}")).0.clone()
+    }
+
+    /// The lines of text beside the one that says that, from left to right.
+    pub fn row(&self, words: &str) -> Vec<String> {
+        let texts = self.texts();
+        let at = texts.iter().find(|(text, _)| text == words).unwrap_or_else(|| panic!("{words:?} is not among {texts:?}")).1;
+        let mut row: Vec<_> = texts.into_iter().filter(|(_, other)| (other.y - at.y).abs() < 1.0).collect();
+        row.sort_by(|a, b| a.1.x.total_cmp(&b.1.x));
+        row.into_iter().map(|(text, _)| text).collect()
+    }
+
+    /// Where a line of text is.
+    pub fn place(&self, words: &str) -> Vec2 {
+        self.texts().iter().find(|(text, _)| text == words).unwrap_or_else(|| panic!("{words:?} is not shown")).1
+    }
+
+    /// The colour of a line of text.
+    pub fn colour(&self, words: &str) -> Colour {
+        let shapes = self.app.canvas().shapes();
+        let of = |shape: &Shape| {
+            if let Shape::Text { text, style, .. } = shape { (text == words).then_some(style.colour) } else { None }
+        };
+        shapes.iter().find_map(of).unwrap_or_else(|| panic!("{words:?} is not shown"))
+    }
+
+    /// The line of text in the colour of what is wrong.
+    pub fn warning(&self) -> Option<String> {
+        let texts = self.texts();
+        texts.into_iter().map(|(text, _)| text).find(|text| self.colour(text) == theme::bad())
+    }
+
+    /// The middle of the row that is picked out, from the canvas' top.
+    pub fn picked(&self) -> Option<f32> {
+        self.app.canvas().shapes().iter().find_map(|shape| match shape {
+            Shape::Fill { outline: Outline::Rounded(area, _), colour } if *colour == theme::panel_hover() => Some(area.centre().y),
+            _ => None,
+        })
+    }
+
+    /// What is written in the line of text that is typed into.
+    pub fn field(&self) -> String {
+        let field = self.app.widgets().iter().find(|widget| widget.kind == Kind::Field).expect("there is a field");
+        let texts = self.texts();
+        texts.into_iter().rfind(|(_, at)| field.area.contains(*at)).map(|(text, _)| text).unwrap_or_default()
+    }
+
+    /// The buttons of a screen whose widgets have no labels yet.
+    pub fn buttons(&self) -> &Buttons {
+        let screen = self.app.screen();
+        let buttons = None
+            .or_else(|| screen.get::<Editor>().map(Editor::buttons))
+            .or_else(|| screen.get::<Flight>().map(|flight| flight.pause().expect("the pause panel is open")))
+            .or_else(|| screen.get::<Watch>().map(|watch| watch.toolbar().buttons()))
+            .or_else(|| screen.get::<Lab>().map(|lab| lab.toolbar().buttons()));
+        buttons.unwrap_or_else(|| panic!("{} has labels", self.at()))
     }
 
     pub fn at(&self) -> &'static str {
-        match self.app.screen() {
-            Screen::Menu(_) => "menu",
-            Screen::LevelSelect(screen) if screen.problems().is_some() => "problems",
-            Screen::LevelSelect(screen) => match screen.purpose() {
+        let screen = self.app.screen();
+        let has = |label: &str| self.labels().contains(&label);
+        if let Some(select) = screen.get::<LevelSelect>() {
+            return match select.purpose() {
+                _ if has("Close") => "problems",
                 Purpose::Play => "level select",
                 Purpose::Leaderboard => "leaderboards",
                 Purpose::Edit => "levels to edit",
-            },
-            Screen::Settings(_) => "settings",
-            Screen::Editor(_) => "editor",
-            Screen::Flight(screen) if screen.is_test() => "test flight",
-            Screen::Flight(screen) if screen.settings().is_some() => "settings in flight",
-            Screen::Flight(screen) if screen.pause().is_some() => "pause",
-            Screen::Flight(_) => "flight",
-            Screen::Watch(_) => "watch",
-            Screen::Flights(_) => "flights",
-            Screen::Scoring(_) => "scoring",
-            Screen::SaveScore(_) => "save score",
-            Screen::Leaderboard(_) => "leaderboard",
-            Screen::Players(screen) if screen.field().is_some() => "new player",
-            Screen::Players(_) => "players",
-            Screen::Credits(_) => "credits",
-            Screen::Classics(_) => "classics",
-            Screen::Lab(_) => "lab",
-            Screen::TileRun(_) => "tile run",
-            Screen::Jumper(_) => "jumper",
-            Screen::Pi(_) => "pi",
+            };
         }
+        if let Some(flight) = screen.get::<Flight>() {
+            return match flight.pause() {
+                _ if flight.is_test() => "test flight",
+                _ if has("Defaults") => "settings in flight",
+                Some(_) => "pause",
+                None => "flight",
+            };
+        }
+        if screen.is::<Players>() {
+            return if has("Done") { "new player" } else { "players" };
+        }
+        let known = [
+            (screen.is::<Menu>(), "menu"),
+            (screen.is::<SettingsPanel>(), "settings"),
+            (screen.is::<Editor>(), "editor"),
+            (screen.is::<Watch>(), "watch"),
+            (screen.is::<Flights>(), "flights"),
+            (screen.is::<Scoring>(), "scoring"),
+            (screen.is::<SaveScore>(), "save score"),
+            (screen.is::<Leaderboard>(), "leaderboard"),
+            (screen.is::<Credits>(), "credits"),
+            (screen.is::<Classics>(), "classics"),
+            (screen.is::<Lab>(), "lab"),
+            (screen.is::<TileRun>(), "tile run"),
+            (screen.is::<Jumper>(), "jumper"),
+            (screen.is::<Pi>(), "pi"),
+        ];
+        known.into_iter().find(|(is, _)| *is).map_or("elsewhere", |(_, name)| name)
+    }
+
+    /// The screen, which is of that type.
+    pub fn screen<T: Screen>(&self) -> &T {
+        self.app.screen().get().unwrap_or_else(|| panic!("at {}", self.at()))
     }
 
     pub fn level_select(&self) -> &LevelSelect {
-        let Screen::LevelSelect(screen) = self.app.screen() else { panic!("at {}", self.at()) };
-        screen
+        self.screen()
     }
 
-    pub fn editor(&self) -> &resultant::screens::Editor {
-        let Screen::Editor(screen) = self.app.screen() else { panic!("at {}", self.at()) };
-        screen
+    pub fn editor(&self) -> &Editor {
+        self.screen()
     }
 
-    pub fn flight(&self) -> &resultant::screens::Flight {
-        let Screen::Flight(screen) = self.app.screen() else { panic!("at {}", self.at()) };
-        screen
+    pub fn flight(&self) -> &Flight {
+        self.screen()
     }
 
-    pub fn scoring(&self) -> &resultant::screens::Scoring {
-        let Screen::Scoring(screen) = self.app.screen() else { panic!("at {}", self.at()) };
-        screen
+    pub fn scoring(&self) -> &Scoring {
+        self.screen()
     }
 
-    pub fn watch(&self) -> &resultant::screens::Watch {
-        let Screen::Watch(screen) = self.app.screen() else { panic!("at {}", self.at()) };
-        screen
+    pub fn watch(&self) -> &Watch {
+        self.screen()
     }
 
-    pub fn flights(&self) -> &resultant::screens::Flights {
-        let Screen::Flights(screen) = self.app.screen() else { panic!("at {}", self.at()) };
-        screen
+    pub fn flights(&self) -> &Flights {
+        self.screen()
     }
 
-    pub fn leaderboard(&self) -> &resultant::screens::Leaderboard {
-        let Screen::Leaderboard(screen) = self.app.screen() else { panic!("at {}", self.at()) };
-        screen
+    pub fn leaderboard(&self) -> &Leaderboard {
+        self.screen()
     }
 
-    pub fn save_score(&self) -> &resultant::screens::SaveScore {
-        let Screen::SaveScore(screen) = self.app.screen() else { panic!("at {}", self.at()) };
-        screen
-    }
-
-    pub fn menu(&self) -> &resultant::screens::Menu {
-        let Screen::Menu(screen) = self.app.screen() else { panic!("at {}", self.at()) };
-        screen
-    }
-
-    pub fn players(&self) -> &resultant::screens::Players {
-        let Screen::Players(screen) = self.app.screen() else { panic!("at {}", self.at()) };
-        screen
+    pub fn menu(&self) -> &Menu {
+        self.screen()
     }
 
     /// From the menu to the field for a new player, and back to the menu as that one.
     pub fn become_new(&mut self, name: &str) -> &mut Self {
-        self.click(7);
+        self.click("Player");
         if self.at() == "players" {
-            let new = self.players().range().len();
-            self.choose(new);
+            self.choose("New Player");
         }
         self.write(name).press(Key::Enter);
         assert_eq!(self.at(), "menu");
         self
     }
 
-    /// From the menu into a level, by its index in the list.
-    pub fn fly(&mut self, index: usize) -> &mut Self {
-        self.choose(1).choose(index)
+    /// From the menu into a level, by its name.
+    pub fn fly(&mut self, level: &str) -> &mut Self {
+        self.choose("Level Select").choose(level)
     }
 
     /// From the menu to the score of level 3, which is lost.
     pub fn lose(&mut self) -> &mut Self {
-        self.fly(2).wait(0.1).press(Key::Enter).wait(0.5);
+        self.fly("3").wait(0.1).press(Key::Enter).wait(0.5);
         assert_eq!(self.at(), "scoring");
         self
     }
 
     /// From the menu to the score of level 1, once its keys count.
     pub fn complete(&mut self) -> &mut Self {
-        self.fly(0).wait(2.0);
+        self.fly("1").wait(2.0);
         assert_eq!(self.at(), "scoring");
         self
     }
 
     /// From the menu to the field for the name.
     pub fn reach_save_score(&mut self) -> &mut Self {
-        let save = self.complete().scoring().presses().iter().position(|press| *press == Press::SaveScore).unwrap();
-        self.choose(save)
+        self.complete().choose("Save Score")
     }
 }
 

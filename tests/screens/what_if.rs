@@ -15,7 +15,7 @@ const BALL: &str = "x,y,image,mass,drag,circular,restitution\n600,300,ball:30x30
 
 fn varying() -> Sitting {
     let mut sitting = Sitting::with(|root| fs::write(root.join("levels/2/objects.csv"), BALL).unwrap());
-    open(sitting.fly(1));
+    open(sitting.fly("2"));
     sitting
 }
 
@@ -241,7 +241,7 @@ fn from_now_it_goes_on_where_it_is_and_start_velocities_wait_for_a_start() {
 fn a_varied_run_that_ends_is_no_attempt_and_leads_back_to_the_level_as_it_is() {
     // Level 1 is completed by its first tick: that attempt counts, nothing that follows does.
     let mut sitting = Sitting::new();
-    open(sitting.fly(0));
+    open(sitting.fly("1"));
     assert_eq!((attempts(&sitting), sitting.flight().game().outcome()), (1, Outcome::Completed));
     type_in(&mut sitting, Parameter::Gravity, "3");
     assert_eq!(sitting.flight().game().outcome(), Outcome::Completed);
@@ -287,7 +287,7 @@ fn reset_all_is_a_fresh_attempt_and_r_begins_the_varied_level_again() {
     assert!(sitting.flight().variation().is_none() && !sitting.flight().is_assisted());
     // And who leaves the level leaves that behind.
     type_in(&mut sitting, Parameter::Gravity, "3");
-    sitting.press(Key::Escape).choose(3).choose(1);
+    sitting.press(Key::Escape).choose(3).choose("2");
     assert!(sitting.flight().variation().is_none() && sitting.flight().game().level().gravity == 15.0);
 }
 
@@ -365,7 +365,7 @@ fn what_is_varied_is_saved_as_a_level_of_its_own_that_can_be_chosen() {
     sitting.press(Key::Escape).choose(3);
     let names: Vec<&str> = sitting.level_select().entries().iter().map(|entry| entry.name.as_str()).collect();
     assert!(names.contains(&"moon"), "{names:?}");
-    sitting.choose(names.iter().position(|name| *name == "moon").unwrap());
+    sitting.choose("moon");
     assert_eq!((sitting.at(), sitting.flight().game().level().gravity), ("flight", 1.62));
     assert!(sitting.flight().variation().is_none() && !sitting.flight().is_assisted(), "a level like any other");
 }
@@ -377,7 +377,7 @@ fn a_run_that_ends_early_keeps_the_moment_for_the_next_change() {
         level(root, "2", "PLAYER,10,10,20,20\n", "0,590,800,10\n");
         fs::write(root.join("levels/2/constants.csv"), "width,800\nheight,600\noptimal_time,10\ngravity,1\n").unwrap();
     });
-    open(sitting.fly(1));
+    open(sitting.fly("2"));
     sitting.wait(1.5).press(Key::B);
     let ticks = sitting.flight().game().ticks();
     type_in(&mut sitting, Parameter::Gravity, "50");

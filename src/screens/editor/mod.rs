@@ -14,14 +14,20 @@ mod view;
 use super::folder_watch::FolderWatch;
 use super::input::Repeat;
 use super::scroll::Scroll;
-use super::{Buttons, Input, Keys, Request};
+#[cfg(feature = "window")]
+use super::theatre::{Moment, Theatre};
+use super::{Buttons, Input, Keys, Motion, Request, Screen};
+#[cfg(feature = "window")]
+use crate::draw::Canvas;
 use crate::level::document::{Document, Folder, Kind, Opened, Place, RowId, SetCell, Table};
 use crate::level::{Level, Problem};
 use crate::physics::DVec2;
+use crate::settings::Settings;
+use crate::ui::Ui;
 use crate::view::layout::{Area, Frame, Vec2};
 use ask::{Ask, Question};
 use hand::Drag;
-use layout::{OFFERS, PROBLEM_LINES, Parts, text_scale};
+use layout::{OFFERS, PROBLEM_LINES, Parts};
 use panel::{Panel, Write};
 use std::cell::RefCell;
 use std::path::Path;
@@ -103,12 +109,31 @@ pub struct Editor {
     figures: bool,
 }
 
-impl Editor {
-    /// How large words are in a window with `pixel` canvas units a pixel.
-    pub fn text_scale(pixel: f32) -> f32 {
-        text_scale(pixel)
+impl Screen for Editor {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        self.update(ui.input())
     }
 
+    fn motion(&self, input: &Input) -> Motion {
+        if input.holding || input.dragging { Motion::Full } else { Motion::Still }
+    }
+
+    fn takes(&self, _: &Path) -> bool {
+        !self.is_unsaved()
+    }
+
+    /// A large window is left to the picture.
+    fn text_scale(&self, _: &Settings, pixel: f32) -> f32 {
+        layout::text_scale(pixel)
+    }
+
+    #[cfg(feature = "window")]
+    fn draw(&self, theatre: &mut Theatre, moment: Moment, canvas: &mut Canvas) {
+        self.draw_all(canvas, moment.shown_for, theatre.frames());
+    }
+}
+
+impl Editor {
     /// Opens the level in that folder; images are looked up there, then under `root`.
     ///
     /// # Errors

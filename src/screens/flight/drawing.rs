@@ -81,9 +81,8 @@ impl Flight {
         if let (Some(news), None) = (&self.news, &self.settings) {
             draw_news(news, canvas);
         }
-        if let Some(settings) = &self.settings {
-            widgets::curtain(canvas, 1.0);
-            return settings.draw(canvas);
+        if self.settings.is_some() {
+            return widgets::curtain(canvas, 1.0);
         }
         let Some(pause) = &self.pause else {
             self.draw_lost(canvas);

@@ -4,17 +4,23 @@ mod drawing;
 mod what_if;
 mod what_if_drawing;
 
+use super::granting::is_of_level;
 use super::instruments::vary::Wish;
 use super::instruments::{Instruments, Stage};
 use super::observer::Observer;
 use super::race::{Race, Rival};
-use super::{Buttons, Input, Key, Purpose, Request, SettingsPanel};
+#[cfg(feature = "window")]
+use super::theatre::{Moment, Theatre};
+use super::{Buttons, Input, Key, Motion, Purpose, Request, Screen, SettingsPanel};
+#[cfg(feature = "window")]
+use crate::draw::Canvas;
 use crate::game::{Clock, Controls, Game, GameError, History, Inputs, Latch, Outcome, Playback, Replay, RunResult, level_hash};
 use crate::level::Level;
 use crate::physics::{BodyId, DVec2};
 use crate::settings::{Action, Settings};
+use crate::ui::{Spectator, Ui};
 use crate::view::focus::Focus;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
 use what_if::WhatIf;
@@ -58,22 +64,6 @@ pub struct Flown {
     /// How it went.
     pub history: History,
 }
-
-/// Whoever watches attempts tick by tick: particles, sound, the cost of a tick. It changes nothing in them.
-pub trait Spectator {
-    /// An attempt begins.
-    fn begins(&mut self, _game: &Game) {}
-    /// A tick is about to be computed.
-    fn before_tick(&mut self) {}
-    /// A tick has been computed; its events are in the game.
-    fn after_tick(&mut self, _game: &Game) {}
-    /// What is watched has jumped to another moment.
-    fn jumped(&mut self, _game: &Game) {}
-    /// The attempt goes on in a level that was edited meanwhile.
-    fn goes_on(&mut self, _game: &Game) {}
-}
-
-impl Spectator for () {}
 
 /// One attempt at a level.
 #[derive(Debug)]
@@ -135,6 +125,62 @@ pub enum News {
     Broken(Vec<String>),
     /// They are edited, and flown as far as they go; a line a problem.
     Unfinished(Vec<String>),
+}
+
+impl Screen for Flight {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        if self.settings.is_none() {
+            let request = self.update(ui.input(), ui.spectator);
+            if self.settings.is_none() || request.is_some() {
+                return request;
+            }
+        }
+        match self.settings.as_mut()?.show(ui)? {
+            Request::Menu => {
+                self.settings = None;
+                None
+            }
+            request => Some(request),
+        }
+    }
+
+    fn motion(&self, _: &Input) -> Motion {
+        let moves = self.pause.is_none() && (!self.observer.frozen() || self.is_flown_again());
+        if moves { Motion::Full } else { Motion::Still }
+    }
+
+    fn tune(&self) -> Option<&str> {
+        Some(&self.game.level().name)
+    }
+
+    fn takes(&self, path: &Path) -> bool {
+        self.pause.is_some() || is_of_level(path)
+    }
+
+    fn text_scale(&self, settings: &Settings, _: f32) -> f32 {
+        if self.pause.is_none() { f32::from(settings.scale) / 100.0 } else { 1.0 }
+    }
+
+    fn tell_of_settings(&mut self, settings: &Settings, problems: &[String]) {
+        self.settings_problems = problems.to_vec();
+        if let Some(panel) = &mut self.settings {
+            panel.tell_of_settings(settings, problems);
+        }
+    }
+
+    fn tell_of_export(&mut self, told: Result<PathBuf, String>) {
+        self.instruments.tell_of_export(told);
+    }
+
+    #[cfg(feature = "window")]
+    fn draw(&self, theatre: &mut Theatre, moment: Moment, canvas: &mut Canvas) {
+        theatre.set_panels(self.panels(canvas.frame()));
+        let whole = canvas.use_frame(self.instruments.room(canvas.frame()));
+        theatre.draw_flown(self, moment.settings, moment.frame_time, canvas);
+        canvas.use_frame(whole);
+        self.instruments.draw_below(canvas);
+        self.draw_over(canvas);
+    }
 }
 
 impl Flight {
@@ -358,11 +404,6 @@ impl Flight {
         &self.instruments
     }
 
-    /// Says what became of a file.
-    pub(super) fn tell_of_export(&mut self, told: Result<PathBuf, String>) {
-        self.instruments.tell_of_export(told);
-    }
-
     /// Whether the keys fly, and not a recording.
     pub fn is_by_hand(&self) -> bool {
         self.playback.is_none()
@@ -417,33 +458,7 @@ impl Flight {
         self.hitboxes
     }
 
-    /// The settings, while they are open above the pause panel.
-    pub fn settings(&self) -> Option<&SettingsPanel> {
-        self.settings.as_deref()
-    }
-
-    /// Takes over the settings that hold now, and what is wrong with their file.
-    pub fn tell_of_settings(&mut self, settings: Settings, problems: &[String]) {
-        self.settings_problems = problems.to_vec();
-        if let Some(panel) = &mut self.settings {
-            panel.tell(settings, problems.to_vec());
-        }
-    }
-
-    fn update_settings(&mut self, input: &Input) -> Option<Request> {
-        match self.settings.as_mut()?.update(input)? {
-            Request::Menu => {
-                self.settings = None;
-                None
-            }
-            request => Some(request),
-        }
-    }
-
     fn update_pause(&mut self, input: &Input) -> Option<Request> {
-        if self.settings.is_some() {
-            return self.update_settings(input);
-        }
         let pause = self.pause.as_mut()?;
         pause.place(input.frame.column(PAUSE_LABELS.len(), input.frame.size.y / 2.0 - PAUSE_TOP));
         // What the overlays show stays right while paused, so they can be switched.

@@ -1,6 +1,6 @@
 //! Where the cards of a page stand, and the buttons below them.
 
-use crate::view::layout::{Area, Frame, GAP, ROW_BUTTON, Vec2};
+use crate::draw::layout::{Area, Frame, GAP, ROW_BUTTON, Vec2};
 
 /// From the canvas' sides to the cards, and from its top: the heading.
 pub(super) const SIDE: f32 = 40.0;

@@ -80,7 +80,7 @@ impl Tip {
 
 impl Editor {
     /// Draws all of it; `time` (s) makes the caret blink, and `fps` is how often it is drawn, 1/s.
-    pub fn draw(&self, canvas: &Canvas, time: f64, fps: f64) {
+    pub fn draw_all(&self, canvas: &Canvas, time: f64, fps: f64) {
         self.draw_picture(canvas);
         canvas.end_layer();
         self.draw_selection(canvas);

@@ -1,8 +1,8 @@
 //! A list that is longer than its window: which line is the first in view, by keys, wheel and a bar that can be dragged.
 
 use super::input::{Input, Repeat};
+use crate::draw::layout::{Area, Vec2};
 use crate::settings::Key;
-use crate::view::layout::{Area, Vec2};
 
 /// Lines a notch of the wheel.
 const WHEEL_LINES: f32 = 3.0;
@@ -38,25 +38,33 @@ pub struct Scroll {
     grabbed: Option<f32>,
     repeat: Repeat,
     /// Whether keys turn whole pages, each of which begins at a multiple of its length.
-    pages: bool,
+    pub(super) pages: bool,
+    /// The line that is to be shown once it is known how many fit.
+    wanted: Option<usize>,
 }
 
 impl Scroll {
-    /// A list whose keys turn pages.
-    pub fn of_pages() -> Self {
-        Self { pages: true, ..Self::default() }
-    }
-
     /// Says how many lines there are, how many fit, and where the bar runs.
     pub fn place(&mut self, lines: usize, page: usize, track: Area) {
         (self.lines, self.page, self.track) = (lines, page, track);
+        if let Some(line) = self.wanted.take_if(|_| page > 0) {
+            self.show(line);
+        }
         self.first = self.first.min(self.furthest());
     }
 
     /// Brings a line into view, in the middle where that can be.
     pub fn show(&mut self, line: usize) {
+        if self.page == 0 {
+            self.wanted = Some(line);
+        }
         self.first =
             if self.pages { line - line % self.page.max(1) } else { line.saturating_sub(self.page / 2).min(self.last_first()) };
+    }
+
+    /// Scrolls as little as brings a line into view.
+    pub fn bring(&mut self, line: usize) {
+        self.first = self.first.clamp((line + 1).saturating_sub(self.page), line);
     }
 
     /// Follows keys, wheel and pointer.
@@ -220,7 +228,7 @@ mod tests {
 
     #[test]
     fn keys_turn_aligned_pages() {
-        let mut scroll = Scroll::of_pages();
+        let mut scroll = Scroll { pages: true, ..Scroll::default() };
         scroll.place(24, 10, Area::new(500.0, 100.0, 12.0, 300.0));
         let mut after = |key: Key| {
             scroll.update(&press(key));

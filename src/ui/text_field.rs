@@ -17,13 +17,16 @@ pub struct TextField {
     anchor: usize,
     limit: usize,
     repeat: Repeat,
+    /// Whether the keyboard was in it in the last frame, and whether it has left it since.
+    had_focus: bool,
+    left: bool,
 }
 
 impl TextField {
     /// A field that takes at most `limit` characters and begins with `text`.
     pub fn new(text: &str, limit: usize) -> Self {
         let text: Vec<char> = text.chars().take(limit).collect();
-        Self { caret: text.len(), anchor: text.len(), text, limit, repeat: Repeat::default() }
+        Self { caret: text.len(), anchor: text.len(), text, limit, ..Self::default() }
     }
 
     /// The same with all of it selected: the first character takes its place.
@@ -34,6 +37,20 @@ impl TextField {
     /// Selects all of it.
     pub fn select_all(&mut self) {
         (self.anchor, self.caret) = (0, self.text.len());
+    }
+
+    /// Takes note of whether the keyboard is in it: where it comes back, all is selected.
+    pub(super) fn note_focus(&mut self, focus: bool) {
+        self.left |= self.had_focus && !focus;
+        if focus && std::mem::take(&mut self.left) {
+            self.select_all();
+        }
+        self.had_focus = focus;
+    }
+
+    /// The keyboard comes back by a letter: nothing is selected.
+    pub(super) fn come_back(&mut self) {
+        self.left = false;
     }
 
     /// Selects nothing; the next character goes to the end.
@@ -138,8 +155,8 @@ impl TextField {
 
 mod drawing {
     use super::TextField;
+    use crate::draw::layout::{Area, Vec2};
     use crate::draw::{Canvas, Style};
-    use crate::view::layout::{Area, Vec2};
     use crate::view::theme;
 
     /// Height of the caret and of what is selected, in heights of the text.
@@ -174,7 +191,7 @@ mod drawing {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::screens::input::{Clipboard, Keyed};
+    use crate::ui::input::{Clipboard, Keyed};
 
     fn press(field: &mut TextField, keys: &[Key]) {
         for key in keys {

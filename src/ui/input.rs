@@ -1,8 +1,8 @@
 //! What the player did in one frame, in canvas units and without a window.
 
+use crate::draw::layout::{Frame, Vec2};
 use crate::physics::{BodyId, DVec2};
 use crate::settings::{Action, Key, Keys, Settings};
-use crate::view::layout::{Frame, Vec2};
 use std::cell::{Cell, RefCell};
 use std::path::PathBuf;
 use std::rc::Rc;
@@ -41,7 +41,7 @@ pub enum Stroke {
 pub struct Clipboard {
     own: Rc<RefCell<String>>,
     #[cfg(feature = "window")]
-    pub(super) of_system: bool,
+    pub(crate) of_system: bool,
 }
 
 impl Clipboard {
@@ -75,7 +75,7 @@ pub struct Input {
     pub frame_time: f64,
     /// How much of that the window has waited on purpose, s.
     pub waited: f64,
-    /// How long the player has done nothing, s; [`super::App`] keeps it.
+    /// How long the player has done nothing, s; the app keeps it.
     pub idle: f64,
     /// Another window has the keyboard, or this one is hidden.
     pub away: bool,

@@ -1,0 +1,153 @@
+//! Scores: saved under a name, and shown on their boards.
+
+use super::Attempt;
+use super::journal::{damage_text, rescue_text};
+use super::leaderboard::subject;
+use super::{
+    App, Classic, Flown, Fresh, Gain, Leaderboard, Prover, Purpose, Request, SaveScore, Scoring, Screen, Visit, Way, footage,
+    jumper,
+};
+use crate::classics::jumper::scene::LEADERBOARD;
+use crate::game::{Fingerprint, RunResult};
+use crate::scores::{Loaded, Name, PATIENCE, Placement, Saved, Score, ScoresError};
+use std::rc::Rc;
+use std::time::Duration;
+
+/// What is shown while another program is saving.
+const WAITING: &str = "Another game is saving there: waiting for it …";
+
+/// A score to be saved as soon as another program lets go of the board.
+#[derive(Debug)]
+pub(super) struct Waiting {
+    gain: Gain,
+    name: Name,
+    /// s.
+    since: f64,
+}
+
+impl App {
+    pub(super) fn scoring(&mut self, attempt: Attempt, result: RunResult, flown: Option<Rc<Flown>>) -> Box<dyn Screen> {
+        let next = self.library.after(&result.level);
+        // Asked for while the next attempt is being flown, it is that of the attempt before.
+        let remark = self.ended.get_or_insert_with(|| self.lost.take().unwrap_or_default()).clone();
+        let best = self.journal.best(&result.level);
+        Box::new(Scoring::new(attempt, result, flown, next, remark).with_best(best))
+    }
+
+    /// Saves a score under the name of whoever plays, or asks for the name of who has none.
+    pub(super) fn save_score(&mut self, gain: Gain) -> Box<dyn Screen> {
+        let name = self.journal.current().clone();
+        if name.is_guest() {
+            return Box::new(SaveScore::new(gain, None));
+        }
+        self.submit(gain.clone(), name.clone()).unwrap_or_else(|reason| {
+            let mut screen = SaveScore::new(gain, Some(&name));
+            screen.refuse(reason);
+            Box::new(screen)
+        })
+    }
+
+    /// Says why a score could not be saved, where its name is asked for.
+    pub(super) fn refuse(&mut self, reason: String) {
+        if let Some(screen) = self.screen.get_mut::<SaveScore>() {
+            screen.refuse(reason);
+        }
+    }
+
+    /// Saves a score under that name; the leaderboard then, or why it cannot be saved or has to wait.
+    pub(super) fn submit(&mut self, gain: Gain, name: Name) -> Result<Box<dyn Screen>, String> {
+        self.save(Waiting { gain, name, since: 0.0 })
+    }
+
+    /// Tries again to save the score that waits, if the player still does; no frame is spent on waiting.
+    pub(super) fn save_what_waits(&mut self, frame_time: f64) {
+        let text = self.screen.get::<SaveScore>().map(SaveScore::text);
+        let still = |waiting: &Waiting| text.as_deref() == Some(waiting.name.as_str());
+        let Some(mut waiting) = self.waiting.take().filter(still) else { return };
+        waiting.since += frame_time;
+        match self.save(waiting) {
+            Ok(saved) => self.show(saved),
+            Err(reason) => self.refuse(reason),
+        }
+    }
+
+    /// Saves a score; the leaderboard then, or why that failed or has to wait.
+    fn save(&mut self, waiting: Waiting) -> Result<Box<dyn Screen>, String> {
+        let Waiting { gain, name, since } = waiting;
+        let flight = gain.flown.as_ref().map(|flown| &flown.replay);
+        let version = gain.flown.as_ref().map(|flown| Fingerprint::of(&flown.level));
+        let score = Score { name: &name, points: gain.points, flight, version };
+        let Saved { board, placement, rescue } = match self.scores.save_within(Duration::ZERO, &gain.board, score) {
+            Ok(saved) => saved,
+            Err(ScoresError::Busy(_)) if since < PATIENCE.as_secs_f64() => {
+                self.waiting = Some(Waiting { gain, name, since });
+                return Err(WAITING.to_owned());
+            }
+            Err(error) => return Err(error.to_string()),
+        };
+        let damage = rescue.map(|rescue| rescue_text(&rescue));
+        let remark = match placement {
+            Placement::Kept { best, .. } => Some(format!("Your best of {best} points stays.")),
+            Placement::New { .. } | Placement::Raised { .. } => None,
+        };
+        if name != *self.journal.current() {
+            self.choose(name.clone(), true);
+        }
+        let fresh = Fresh { name, remark };
+        Ok(self.judged(&gain.board, Leaderboard::new(gain.subject, board, Some(fresh), damage, gain.ways)))
+    }
+
+    /// A board with a judge of its rows and the level's own flights, where the level loads.
+    fn judged(&self, name: &str, screen: Leaderboard) -> Box<dyn Screen> {
+        let Ok(level) = self.library.load(name) else { return Box::new(screen) };
+        let rivals = footage::rivals(&self.library.folder(name), &level);
+        let prover = Prover::new(self.scores.clone(), level, screen.board());
+        Box::new(screen.with_prover(prover).with_rivals(rivals))
+    }
+
+    pub(super) fn leaderboard(&mut self, name: &str) -> Box<dyn Screen> {
+        if name == LEADERBOARD {
+            let ways = vec![Way { label: "Back", to: Request::Classic(Classic::Jumper) }];
+            let shown = self.scores.load(name).map(|loaded| (loaded, 0));
+            return self.board(jumper::SUBJECT.to_owned(), name, shown, ways);
+        }
+        self.last_level = Some(name.to_owned());
+        let level = self.library.load(name).ok();
+        let title = level.as_ref().map_or(name, |level| &level.title);
+        // Of a level that does not load nobody can say which version it is.
+        let shown = match &level {
+            Some(level) => self.scores.load_version(name, Fingerprint::of(level)),
+            None => self.scores.load(name).map(|loaded| (loaded, 0)),
+        };
+        let back = Request::Leaderboard(name.to_owned());
+        let flights =
+            Way { label: "Flights", to: Request::Flights(Visit { level: name.to_owned(), flown: None, back: Box::new(back) }) };
+        let back = Way { label: "Back", to: Request::LevelSelect(Purpose::Leaderboard) };
+        let is_empty = shown.as_ref().is_ok_and(|(loaded, _)| loaded.board.rows().is_empty());
+        let play = (is_empty && level.is_some()).then(|| Way { label: "Play", to: Request::Play(name.to_owned()) });
+        let ways = play.into_iter().chain(level.iter().map(|_| flights.clone())).chain([back]).collect();
+        self.board(subject(name, title), name, shown, ways)
+    }
+
+    /// A board with its buttons, and how many other versions of the level have boards of their own; or the list of levels, where it cannot
+    /// be read.
+    fn board(
+        &mut self,
+        subject: String,
+        name: &str,
+        shown: Result<(Loaded, usize), ScoresError>,
+        ways: Vec<Way>,
+    ) -> Box<dyn Screen> {
+        match shown {
+            Ok((Loaded { board, damage }, others)) => {
+                let damage = (!damage.is_empty()).then(|| damage_text(&damage));
+                self.judged(name, Leaderboard::new(subject, board, None, damage, ways).with_other_versions(others))
+            }
+            Err(error) => {
+                let mut screen = self.level_select(Purpose::Leaderboard);
+                screen.show(format!("The scores of {subject} cannot be read"), vec![error.to_string()]);
+                Box::new(screen)
+            }
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! A level's card.
+
+use super::Entry;
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, TEXT, Vec2};
+use crate::draw::{Canvas, Style};
+use crate::number::clock;
+use crate::ui::Touch;
+use crate::view::terrain::Tint;
+use crate::view::{medals, theme, widgets};
+
+/// From a card's edge to what is on it.
+const INSIDE: f32 = 12.0;
+/// Height of the words below a card's picture, in lines of text.
+const WORDS: f32 = 2.4;
+
+/// A level's picture, its name and title, and below them what the player has reached.
+pub(super) fn draw(canvas: &Canvas, area: Area, entry: &Entry, touch: Touch) {
+    widgets::button_box(canvas, area, touch.hover, touch.focus);
+    let line = canvas.line_height(TEXT);
+    let inner = area.inset(INSIDE);
+    let picture = Area { min: inner.min, size: Vec2::new(inner.size.x, inner.size.y - WORDS * line) };
+    let middle = |lines: f32| Vec2::new(inner.centre().x, picture.max().y + lines * line);
+    let fitted = |text: &str, lines: f32, sizes: &[f32], colour| {
+        widgets::fitted(canvas, text, middle(lines), inner.size.x, sizes, colour);
+    };
+    match &entry.level {
+        None => {
+            widgets::fitted(
+                canvas,
+                &entry.name,
+                picture.centre(),
+                picture.size.x,
+                &[HEADING, BUTTON_TEXT, TEXT, DETAILS],
+                theme::quiet(),
+            );
+            fitted("loading …", 0.9, &[TEXT, DETAILS], theme::quiet());
+        }
+        Some(Ok((title, miniature))) => {
+            miniature.draw(&Tint::of(&entry.name), canvas, picture);
+            let named = if *title == entry.name { title.clone() } else { format!("{} · {title}", entry.name) };
+            let sizes: &[f32] = if area.size.x > 400.0 { &[BUTTON_TEXT, TEXT, DETAILS] } else { &[TEXT, DETAILS] };
+            fitted(&named, 0.9, sizes, theme::text());
+            match entry.medals.medal {
+                Some(_) => {
+                    let (style, at) = (Style::new(TEXT, theme::text()).mono().middle(), middle(1.95));
+                    let time = entry.best.map_or("with help".to_owned(), clock);
+                    let width = canvas.width(&time, style);
+                    // The medals go before the time, and all of it stands in the middle.
+                    let room = 28.0 * medals::offered(&entry.awards) as f32;
+                    let left = at.x - (room + width) / 2.0;
+                    canvas.text(&time, Vec2::new(left + room + 2.0, at.y), style);
+                    medals::draw_earned(canvas, entry.medals, &entry.awards, Vec2::new(left + 11.0, at.y), 11.0);
+                }
+                None => fitted("not done yet", 1.95, &[TEXT, DETAILS], theme::quiet()),
+            }
+        }
+        Some(Err(_)) => {
+            let sign = picture.centre();
+            widgets::fitted(canvas, &entry.name, sign, picture.size.x, &[HEADING, BUTTON_TEXT, TEXT, DETAILS], theme::quiet());
+            fitted("does not load", 0.9, &[TEXT, DETAILS], theme::bad());
+            let corner = Vec2::new(area.max().x - 18.0, area.min.y + 22.0);
+            canvas.rounded(Area::around(corner, Vec2::new(4.0, 12.0)), 2.0, theme::bad());
+            canvas.disc(corner + Vec2::new(0.0, 11.0), 2.5, theme::bad());
+        }
+    }
+}

@@ -1,0 +1,231 @@
+//! What a window has besides the screens: the view of the game that is flown, and sound.
+
+use super::watch::above;
+use super::{Answer, App, Flight, Input, Instruments, Noise, Screen, Spectator, Watch, pace};
+use crate::draw::Canvas;
+use crate::draw::layout::{Area, BUTTON_TEXT, TEXT, Vec2};
+use crate::game::Game;
+use crate::level;
+use crate::physics::{BodyId, DVec2};
+use crate::settings::Settings;
+use crate::view::focus::Focus;
+use crate::view::hud::Shown;
+use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
+use crate::view::{GameView, Overlays, theme, widgets};
+use std::time::Instant;
+
+/// How much one tick's time, and one frame's, counts in the running means that F3 shows.
+const COST_WEIGHT: f64 = 0.02;
+const FRAME_WEIGHT: f64 = 0.1;
+
+/// When a picture is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment {
+    /// What the player has set.
+    pub settings: Settings,
+    /// Since the last frame, s.
+    pub frame_time: f64,
+    /// How long the screen has been there, s.
+    pub shown_for: f64,
+}
+
+/// Draws the screen: the part of it that needs a window, and what it has shown above that.
+pub fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) {
+    let moment = Moment { settings: *app.settings(), frame_time, shown_for: app.shown_for() };
+    app.screen().draw(theatre, moment, canvas);
+    canvas.add_all(app.canvas());
+    if let Some(what) = app.loading() {
+        draw_loading(what, canvas);
+    }
+    let veil = app.veil();
+    if veil > 0.0 {
+        widgets::curtain(canvas, veil as f32);
+    }
+}
+
+/// What is loading, above the screen that waits for it.
+fn draw_loading(what: &str, canvas: &Canvas) {
+    widgets::curtain(canvas, 0.6);
+    let (middle, size) = (canvas.size() / 2.0, Vec2::new(560.0, 120.0));
+    widgets::panel(canvas, Area::around(middle, size));
+    let words = format!("Loading {what} …");
+    widgets::fitted(canvas, &words, middle - Vec2::new(0.0, 18.0), size.x - 48.0, &[BUTTON_TEXT, TEXT], theme::text());
+    widgets::fitted(canvas, "Esc: not now", middle + Vec2::new(0.0, 26.0), size.x - 48.0, &[TEXT], theme::quiet());
+}
+
+/// Watches the attempt that is on the screen: its view, its sounds, and how long its ticks take.
+pub struct Theatre {
+    speaker: Speaker,
+    ear: Ear,
+    view: Option<GameView>,
+    tick_started: Instant,
+    /// Running mean of the time that a tick takes, s.
+    tick_cost: f64,
+    /// The same from frame to frame.
+    frame_cost: f64,
+}
+
+impl Theatre {
+    pub fn new(speaker: Speaker) -> Self {
+        Self { speaker, ear: Ear::default(), view: None, tick_started: Instant::now(), tick_cost: 0.0, frame_cost: pace::EASY }
+    }
+
+    /// The body under the pointer, and the place in the level, m, where a game is shown.
+    pub fn pointed(&mut self, screen: &dyn Screen, input: &Input) -> (Option<BodyId>, Option<DVec2>) {
+        let Some(view) = &mut self.view else { return (None, None) };
+        view.point_at(input.pointer);
+        let flown = screen.get::<Flight>().map(|it| (it.game(), it.alpha(), it.instruments().room(&input.frame)));
+        let watched = || screen.get::<Watch>().map(|it| (it.game(), it.alpha(), it.instruments().room(&above(&input.frame))));
+        let Some((game, alpha, frame)) = flown.or_else(watched) else { return (None, None) };
+        let place = view.viewport(game, alpha, &frame).metres(input.pointer);
+        (view.body_at(game, alpha, input.pointer, &frame), Some(place))
+    }
+
+    pub(super) fn set_panels(&mut self, panels: Vec<Area>) {
+        if let Some(view) = &mut self.view {
+            view.set_panels(panels);
+        }
+    }
+
+    /// Lets the view move on by the frame just updated, and draws it.
+    pub(super) fn draw_flown(&mut self, flight: &Flight, settings: Settings, frame_time: f64, canvas: &Canvas) {
+        let figures = self.figures();
+        let Some(view) = &mut self.view else { return };
+        let (details, hitboxes) = (flight.details(), flight.hitboxes());
+        let focus = looked_at(flight.observer().focus(), details || flight.instruments().is_open());
+        let plays = flight.game().level().ship_plays();
+        let fuel = plays && flight.game().level().player.has_engine();
+        let shown = Shown { status: plays, fuel, rivals: flight.race().map_or(0, |race| race.all().len()) };
+        let overlays = Overlays { settings, details, shown, focus, hitboxes, watched: false };
+        let paused = flight.pause().is_some();
+        let passed = if paused { 0.0 } else { frame_time * flight.observer().speed().min(1.0) };
+        view.update(flight.game(), flight.alpha(), passed, overlays, canvas.frame());
+        view.follow_jumps(flight.game(), &overlays, if paused { 0.0 } else { frame_time - passed });
+        if flight.pause().is_none() {
+            self.speaker.surround(Ambience::of(flight.game(), view.burning()));
+        }
+        view.set_ghosts(flight.ghosts());
+        view.draw(flight.game(), flight.alpha(), overlays, &figures, canvas);
+        draw_instruments(flight.instruments(), view, (flight.game(), flight.alpha()), canvas);
+        if let Some(race) = flight.race() {
+            race.draw(view.hud().aside(), canvas);
+        }
+    }
+
+    /// The same for a flight that is watched.
+    pub(super) fn draw_watched(&mut self, watch: &Watch, settings: Settings, frame_time: f64, canvas: &Canvas) {
+        let figures = self.figures();
+        let Some(view) = &mut self.view else { return };
+        let (details, hitboxes) = (watch.details(), watch.hitboxes());
+        let focus = looked_at(watch.focus(), details || watch.instruments().is_open());
+        let plays = watch.game().level().ship_plays();
+        let shown = Shown { status: plays, fuel: plays && watch.game().level().player.has_engine(), rivals: 0 };
+        let overlays = Overlays { settings, details, shown, focus, hitboxes, watched: true };
+        let passed = if watch.paused() { 0.0 } else { frame_time * watch.pace().min(1.0) };
+        view.update(watch.game(), watch.alpha(), passed, overlays, canvas.frame());
+        view.follow_jumps(watch.game(), &overlays, frame_time - passed);
+        if !watch.paused() {
+            self.speaker.surround(Ambience::of(watch.game(), view.burning()));
+        }
+        view.draw(watch.game(), watch.alpha(), overlays, &figures, canvas);
+        draw_instruments(watch.instruments(), view, (watch.game(), watch.alpha()), canvas);
+    }
+}
+
+/// Who is looked at: nobody in particular while neither details nor instruments are open.
+fn looked_at(focus: &Focus, open: bool) -> Focus {
+    if open { *focus } else { focus.on_nobody() }
+}
+
+/// What it is measured with, above the flight.
+fn draw_instruments(instruments: &Instruments, view: &GameView, (game, alpha): (&Game, f64), canvas: &Canvas) {
+    if instruments.is_open() {
+        let view = view.viewport(game, alpha, canvas.frame());
+        instruments.draw_in_level((game, alpha), &view, canvas);
+        instruments.draw((game, alpha), &view, canvas);
+    }
+}
+
+impl Theatre {
+    /// Takes note of how long a frame took, s.
+    pub fn note_frame(&mut self, frame_time: f64) {
+        self.frame_cost += (frame_time - self.frame_cost) * FRAME_WEIGHT;
+    }
+
+    /// Frames a second.
+    pub(super) fn frames(&self) -> f64 {
+        1.0 / self.frame_cost
+    }
+
+    /// Takes the volumes over that the player has set.
+    pub fn set_volumes(&mut self, settings: &Settings) {
+        let [master, effects, music] =
+            [settings.master, settings.effects, settings.music].map(|percent| f32::from(percent) / 100.0);
+        self.speaker.set_volumes(Volumes { master, effects, music });
+    }
+
+    /// The line that F3 shows: frames a second, and what a tick costs.
+    fn figures(&self) -> String {
+        format!("{:>3.0} fps  tick {:.1} µs", 1.0 / self.frame_cost, self.tick_cost * 1e6)
+    }
+
+    /// Ends the frame for the ear: buttons, and the tune that belongs to the screen.
+    pub fn sound(&mut self, screen: &dyn Screen, answer: Option<Answer>) {
+        match answer {
+            Some(Answer::Pressed) => self.speaker.play(Sound::new(Cue::Press, 1.0)),
+            Some(Answer::Moved) => self.speaker.play(Sound::new(Cue::Move, 1.0)),
+            None => {}
+        }
+        screen.noises().into_iter().for_each(|noise| self.speaker.play(heard_as(noise)));
+        if let Some(name) = screen.tune() {
+            self.speaker.set_tune(Some(tune(name)));
+        }
+        self.speaker.end_frame();
+    }
+}
+
+/// What something in the classics sounds like.
+fn heard_as(noise: Noise) -> Sound {
+    match noise {
+        Noise::Jump => Sound::new(Cue::Jump, 0.5),
+        Noise::Landing(hard) => Sound::new(Cue::Knock(Stuff::Wood), 0.1 + 0.5 * hard as f32),
+        Noise::Bump => Sound::new(Cue::Knock(Stuff::Rubber), 0.8),
+        Noise::Collision => Sound::new(Cue::Click, 1.0),
+    }
+}
+
+impl Spectator for Theatre {
+    fn begins(&mut self, game: &Game) {
+        self.ear = Ear::default();
+        self.view = Some(GameView::new(game, &|path| level::read_picture(path).ok()));
+        self.tick_cost = 0.0;
+    }
+
+    fn goes_on(&mut self, game: &Game) {
+        let read = |path: &std::path::Path| level::read_picture(path).ok();
+        match &self.view {
+            Some(view) => self.view = Some(view.goes_on(game, &read)),
+            None => self.begins(game),
+        }
+    }
+
+    fn before_tick(&mut self) {
+        self.tick_started = Instant::now();
+    }
+
+    fn after_tick(&mut self, game: &Game) {
+        let cost = self.tick_started.elapsed().as_secs_f64();
+        self.tick_cost += (cost - self.tick_cost) * COST_WEIGHT;
+        self.ear.listen(game, |sound| self.speaker.play(sound));
+        if let Some(view) = &mut self.view {
+            view.after_tick(game);
+        }
+    }
+
+    fn jumped(&mut self, game: &Game) {
+        self.ear = Ear::default();
+        if let Some(view) = &mut self.view {
+            view.jump(game);
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! Recorded flights: listed, watched, raced and kept.
+
+use super::footage;
+use super::leaderboard::subject;
+use super::{App, Attempt, FlightCandidate, Flights, Purpose, Request, Rival, Screen, Source, Spectator, Visit, Watch};
+use crate::game::{Fingerprint, Reel, TICK_RATE};
+use crate::level::Level;
+use crate::scores::Board;
+use std::sync::Arc;
+
+impl App {
+    /// Grants a request about recorded flights; `None`: the screen stays.
+    pub(super) fn visit(&mut self, request: Request, spectator: &mut dyn Spectator) -> Option<Box<dyn Screen>> {
+        let granted: Result<Box<dyn Screen>, String> = match request {
+            Request::Flights(visit) => return Some(self.flights(visit)),
+            Request::Watch(visit, candidate) => self.watch(visit, &candidate, spectator),
+            Request::Race(visit, candidates) => self.race(&visit, &candidates).map(|attempt| self.flight(attempt, spectator)),
+            Request::Keep(visit, candidate) => {
+                let kept = self.keep(&visit, &candidate);
+                let bad = kept.is_err();
+                self.tell_flights(kept.unwrap_or_else(|problem| problem), bad);
+                return None;
+            }
+            _ => return None,
+        };
+        granted.map_err(|problem| self.tell_flights(problem, true)).ok()
+    }
+
+    /// The flights of a level, or why there is no such level.
+    fn flights(&mut self, visit: Visit) -> Box<dyn Screen> {
+        self.last_level = Some(visit.level.clone());
+        let level = match self.library.load(&visit.level) {
+            Ok(level) => level,
+            Err(refusal) => return self.refused(Purpose::Play, &visit.level, refusal),
+        };
+        let (board, problem) = match self.scores.load_version(&visit.level, Fingerprint::of(&level)) {
+            Ok((loaded, _)) => (loaded.board, None),
+            Err(error) => (Board::default(), Some(error.to_string())),
+        };
+        let folder = self.places.levels.join(&visit.level);
+        let candidates = footage::candidates(&visit, &folder, &board, self.journal.current());
+        let mut screen = Flights::new(visit, subject(&level.name, &level.title), candidates);
+        if let Some(problem) = problem {
+            screen.tell(problem, true);
+        }
+        Box::new(screen)
+    }
+
+    /// The level of a flight that is looked at.
+    fn level_of(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<Arc<Level>, String> {
+        match (&candidate.source, &visit.flown) {
+            // As it was then.
+            (Source::Flown, Some(flown)) => Ok(flown.level.clone()),
+            _ => self.library.load(&visit.level).map_err(|refusal| refusal.into_iter().next().unwrap_or_default()),
+        }
+    }
+
+    fn watch(&self, visit: Visit, candidate: &FlightCandidate, spectator: &mut dyn Spectator) -> Result<Box<dyn Screen>, String> {
+        let level = self.level_of(&visit, candidate)?;
+        let title = format!("{} · {}", level.title, candidate.name);
+        let reel = match (&candidate.source, &visit.flown) {
+            (Source::Flown, Some(flown)) => Reel::flown(flown.history.clone()),
+            _ => {
+                let replay = footage::record(&visit, candidate, &self.scores, &level)?;
+                Reel::new(level, &replay.inputs, replay.tick_rate).map_err(|error| error.to_string())?
+            }
+        };
+        Ok(Box::new(Watch::new(visit, title, reel, spectator)))
+    }
+
+    /// A flight by hand against those.
+    fn race(&self, visit: &Visit, candidates: &[FlightCandidate]) -> Result<Attempt, String> {
+        let level = self.library.load(&visit.level).map_err(|refusal| refusal.into_iter().next().unwrap_or_default())?;
+        let rival = |candidate: &FlightCandidate| {
+            let replay = footage::record(visit, candidate, &self.scores, &level)?;
+            if replay.tick_rate != TICK_RATE {
+                return Err(format!("{}: flown at {} ticks a second, the game has {TICK_RATE}.", candidate.name, replay.tick_rate));
+            }
+            Ok(Rival { name: candidate.name.clone(), inputs: Arc::new(replay.inputs) })
+        };
+        let rivals = candidates.iter().map(rival).collect::<Result<_, String>>()?;
+        Ok(Attempt { rivals, ..Attempt::by_hand(level) })
+    }
+
+    /// Keeps a flight as a file, and says where.
+    fn keep(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<String, String> {
+        let level = self.level_of(visit, candidate)?;
+        let mut replay = footage::record(visit, candidate, &self.scores, &level)?;
+        let player = self.journal.current();
+        if candidate.source == Source::Flown && !player.is_guest() {
+            replay.player = Some(player.to_string());
+        }
+        let path = footage::keep(&self.places.root.join("flights"), &visit.level, &candidate.name, &replay)?;
+        Ok(format!("Kept as {}", path.display()))
+    }
+
+    /// Says on the list of flights what became of something.
+    fn tell_flights(&mut self, words: String, bad: bool) {
+        if let Some(screen) = self.screen.get_mut::<Flights>() {
+            screen.tell(words, bad);
+        }
+    }
+}

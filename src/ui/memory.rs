@@ -1,0 +1,224 @@
+//! What the widgets of a screen remember from frame to frame: the focus, the highlight under the pointer, how far lists are scrolled.
+
+use super::input::{Answer, Input, Repeat};
+use super::scroll::Scroll;
+use crate::draw::layout::{Area, Vec2};
+use crate::settings::{Key, Keys};
+use std::collections::BTreeMap;
+
+/// How a widget answers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// To pointer and keyboard.
+    Button,
+    /// To the pointer alone: its key is the screen's affair.
+    Tool,
+    /// To both; left and right change its value.
+    Choice,
+    /// To both; it is typed into.
+    Field,
+    /// To arrow keys alone: a row of a list beyond its view, which scrolls there.
+    Beyond,
+}
+
+impl Kind {
+    fn has_focus(self) -> bool {
+        self != Self::Tool
+    }
+
+    fn has_pointer(self) -> bool {
+        self != Self::Beyond
+    }
+
+    fn keeps_sideways(self) -> bool {
+        matches!(self, Self::Choice | Self::Field)
+    }
+}
+
+/// A widget as a frame has shown it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Widget {
+    /// What it is called: no two of a layer have the same label.
+    pub label: String,
+    /// Where it is, canvas units.
+    pub area: Area,
+    /// How it answers.
+    pub kind: Kind,
+    /// Tab goes to the first widget of the next group.
+    pub(super) group: usize,
+}
+
+/// Which widget has the focus, and where it was.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Spot {
+    label: String,
+    centre: Vec2,
+}
+
+/// What a pass over a screen has shown.
+#[derive(Debug, Default)]
+pub(super) struct Shown {
+    /// The widgets of the topmost layer.
+    pub widgets: Vec<Widget>,
+    pub layer: usize,
+    /// The keys that the screen takes itself.
+    pub claimed: Keys,
+    /// No widget answers anything.
+    pub captured: bool,
+    /// The widget that has the focus while nothing else has.
+    pub start: Option<String>,
+}
+
+/// The memory of one screen.
+#[derive(Debug, Default)]
+pub struct Memory {
+    shown: Shown,
+    /// The focus in each layer.
+    focus: Vec<Option<Spot>>,
+    pub(super) hover: Option<String>,
+    pub(super) pressed: Option<String>,
+    /// `None` before the first frame: a pointer at rest takes nothing from the keyboard.
+    pointer: Option<Vec2>,
+    pub(super) scrolls: BTreeMap<String, Scroll>,
+    pub(super) repeat: Repeat,
+    /// Frames shown.
+    frames: usize,
+    settled: bool,
+}
+
+impl Memory {
+    /// The widgets of the last frame.
+    pub fn widgets(&self) -> &[Widget] {
+        &self.shown.widgets
+    }
+
+    /// The label of the widget that has the focus.
+    pub fn focused(&self) -> Option<&str> {
+        Some(&self.focus.get(self.shown.layer)?.as_ref()?.label)
+    }
+
+    /// The label of the widget under the pointer, where the pointer moved last.
+    pub fn hovered(&self) -> Option<&str> {
+        self.hover.as_deref()
+    }
+
+    /// Whether the last frame has shown the focus where it is.
+    pub fn is_settled(&self) -> bool {
+        self.settled
+    }
+
+    pub(super) fn is_new(&self) -> bool {
+        self.frames == 0
+    }
+
+    pub(super) fn layer(&self) -> usize {
+        self.shown.layer
+    }
+
+    /// Gives the focus to a widget of the topmost layer; `None`: to the one that the screen begins with.
+    pub(super) fn focus_on(&mut self, label: Option<&str>) {
+        let spot = label.map(|label| {
+            let centre = self.find(label).map_or(Vec2::ZERO, |widget| widget.area.centre());
+            Spot { label: label.to_owned(), centre }
+        });
+        self.focus.resize(self.shown.layer + 1, None);
+        self.focus[self.shown.layer] = spot;
+    }
+
+    /// Follows pointer and keys over the widgets of the last frame.
+    pub(super) fn follow(&mut self, input: &Input) {
+        if self.shown.captured {
+            self.pressed = None;
+            return;
+        }
+        let before = (self.hover.clone(), self.focused().map(str::to_owned));
+        self.pressed = self.press(input);
+        if self.pressed.is_some() {
+            input.answer(Answer::Pressed);
+        } else if self.focused() != before.1.as_deref() || self.hover != before.0 && self.hover.is_some() {
+            input.answer(Answer::Moved);
+        }
+    }
+
+    /// Takes over what a pass has shown. The focus stays on its label; where that is gone it goes to the widget nearest to it.
+    pub(super) fn adopt(&mut self, shown: Shown) {
+        let before = (self.shown.layer, self.focused().map(str::to_owned));
+        self.shown = shown;
+        self.focus.resize(self.shown.layer + 1, None);
+        let in_view = || self.shown.widgets.iter().filter(|widget| widget.kind.has_focus() && widget.kind.has_pointer());
+        let far = |widget: &&Widget, centre: Vec2| widget.area.centre().distance_squared(centre);
+        let next = match &self.focus[self.shown.layer] {
+            Some(spot) => in_view()
+                .find(|widget| widget.label == spot.label)
+                .or_else(|| in_view().min_by(|a, b| far(a, spot.centre).total_cmp(&far(b, spot.centre)))),
+            None => in_view().find(|widget| Some(&widget.label) == self.shown.start.as_ref()).or_else(|| in_view().next()),
+        };
+        let spot = next.map(|widget| Spot { label: widget.label.clone(), centre: widget.area.centre() });
+        self.focus[self.shown.layer] = spot;
+        self.settled = before == (self.shown.layer, self.focused().map(str::to_owned));
+        self.frames += 1;
+    }
+
+    fn find(&self, label: &str) -> Option<&Widget> {
+        self.shown.widgets.iter().find(|widget| widget.label == label)
+    }
+
+    fn takes(&self, input: &Input, key: Key) -> bool {
+        input.pressed(key) && !self.shown.claimed.has(key)
+    }
+
+    /// The label of the widget that was pressed.
+    fn press(&mut self, input: &Input) -> Option<String> {
+        let under =
+            self.shown.widgets.iter().find(|widget| widget.kind.has_pointer() && widget.area.contains(input.pointer)).cloned();
+        let label = under.as_ref().map(|widget| widget.label.clone());
+        let moved = self.pointer.replace(input.pointer).is_some_and(|before| before != input.pointer);
+        if moved || input.click || label != self.hover {
+            self.hover = label.filter(|_| moved || input.click);
+            // A field keeps its selection until it is clicked.
+            let takes_focus = |widget: &&Widget| widget.kind.has_focus() && (input.click || widget.kind != Kind::Field);
+            if let (Some(label), Some(_)) = (&self.hover, under.as_ref().filter(takes_focus)) {
+                self.focus_on(Some(&label.clone()));
+            }
+        }
+        if let (true, Some(widget)) = (input.click, under) {
+            return (widget.kind != Kind::Field).then_some(widget.label);
+        }
+        self.walk(input);
+        let focused = self.focused().and_then(|label| self.find(label)).filter(|_| self.takes(input, Key::Enter));
+        focused.map(|widget| widget.label.clone())
+    }
+
+    /// Arrow keys go to the nearest widget in their direction, Tab to the next group.
+    fn walk(&mut self, input: &Input) {
+        for (key, direction) in [(Key::Up, Vec2::NEG_Y), (Key::Down, Vec2::Y), (Key::Left, Vec2::NEG_X), (Key::Right, Vec2::X)] {
+            let kept =
+                direction.x != 0.0 && self.focused().and_then(|label| self.find(label)).is_some_and(|it| it.kind.keeps_sideways());
+            if self.takes(input, key) && !kept {
+                self.hover = None;
+                if let Some(label) = self.neighbour(direction) {
+                    self.focus_on(Some(&label));
+                }
+            }
+        }
+        let group = self.focused().and_then(|label| self.find(label)).map_or(0, |widget| widget.group);
+        if self.takes(input, Key::Tab) && self.shown.widgets.iter().any(|widget| widget.group != group) {
+            let first = |wanted: &dyn Fn(usize) -> bool| self.shown.widgets.iter().find(|widget| wanted(widget.group));
+            let next = first(&|other| other == group + 1).or_else(|| first(&|_| true)).map(|widget| widget.label.clone());
+            self.focus_on(next.as_deref());
+        }
+    }
+
+    /// The nearest widget in a direction; one that lies straight ahead goes before one aside.
+    fn neighbour(&self, direction: Vec2) -> Option<String> {
+        let from = self.find(self.focused()?)?.area.centre();
+        let distance = |widget: &Widget| {
+            let path = widget.area.centre() - from;
+            let ahead = path.dot(direction);
+            (ahead > 1.0).then(|| ahead + 2.0 * (path - direction * ahead).length())
+        };
+        let able = self.shown.widgets.iter().filter(|widget| widget.kind.has_focus());
+        let candidates = able.filter_map(|widget| Some((widget, distance(widget)?)));
+        candidates.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(widget, _)| widget.label.clone())
+    }
+}

@@ -1,0 +1,251 @@
+//! The widgets: buttons alone, in rows and columns, on a tool bar; values that are chosen; lines of text; lists that scroll.
+
+use super::memory::Kind;
+use super::text_field::TextField;
+use super::{Ui, input::Input};
+use crate::draw::layout::{Area, BUTTON_TEXT, GAP, HEADING, PADDING, ROW_BUTTON, TEXT, Vec2};
+use crate::draw::{Canvas, Colour, Style};
+use crate::settings::{Key, Keys};
+use crate::view::{theme, widgets as paint};
+use std::ops::Range;
+
+/// From a tool bar to the canvas' foot and sides.
+const MARGIN: f32 = 24.0;
+/// Width of a choice's value, which stands at its right.
+const VALUE_WIDTH: f32 = 200.0;
+
+/// What the player does with a widget.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Touch {
+    /// The pointer is on it, and moved last.
+    pub hover: bool,
+    /// It has the keyboard's focus.
+    pub focus: bool,
+    /// It was pressed in this frame.
+    pub pressed: bool,
+}
+
+/// What was done with a line of text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Typed {
+    /// Its text has changed.
+    Changed,
+    /// Enter ends it.
+    Entered,
+}
+
+/// The keys that scroll a list, besides wheel and bar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turn {
+    /// Up and down go line by line, the others page by page.
+    Lines,
+    /// Up and down turn pages, each of which begins at a multiple of its length.
+    Pages,
+    /// All four arrows turn such pages.
+    AllPages,
+    /// Page Up, Page Down, Home and End; arrows walk the widgets.
+    Leaps,
+    /// None.
+    Wheel,
+}
+
+impl Turn {
+    fn keys(self) -> &'static [Key] {
+        const ALL: [Key; 8] = [Key::PageUp, Key::PageDown, Key::Home, Key::End, Key::Up, Key::Down, Key::Left, Key::Right];
+        match self {
+            Self::AllPages => &ALL,
+            Self::Lines | Self::Pages => &ALL[..6],
+            Self::Leaps => &ALL[..4],
+            Self::Wheel => &[],
+        }
+    }
+
+    /// The part of the input that scrolls.
+    fn input(self, input: &Input) -> Input {
+        let aside = |key: Key| match key {
+            Key::Left => Key::PageUp,
+            Key::Right => Key::PageDown,
+            other => other,
+        };
+        let those = |is: &dyn Fn(Key) -> bool| self.keys().iter().filter(|key| is(**key)).map(|key| aside(*key)).collect::<Keys>();
+        Input { pressed: those(&|key| input.pressed(key)), held: those(&|key| input.held(key)), ..input.clone() }
+    }
+}
+
+impl Ui<'_> {
+    /// The paper of the notebook, and a heading in the middle of the canvas with its capitals around `y`.
+    pub fn page(&self, heading: &str, y: f32) {
+        paint::graph_paper(self.canvas());
+        self.fitted(heading, Vec2::new(self.frame().size.x / 2.0, y), &[HEADING, BUTTON_TEXT], theme::text());
+    }
+
+    /// A panel.
+    pub fn panel(&self, area: Area) {
+        paint::panel(self.canvas(), area);
+    }
+
+    /// A line of text.
+    pub fn text(&self, text: &str, at: Vec2, style: Style) {
+        self.canvas().text(text, at, style);
+    }
+
+    /// A line of text around its middle, as wide as the canvas at most, in the first of `sizes` that fits.
+    pub fn fitted(&self, text: &str, middle: Vec2, sizes: &[f32], colour: Colour) {
+        paint::fitted(self.canvas(), text, middle, self.frame().size.x - 64.0, sizes, colour);
+    }
+
+    /// A button; whether it was pressed.
+    pub fn button(&mut self, label: &str, area: Area) -> bool {
+        let touch = self.touch(label, area, Kind::Button);
+        paint::button(self.canvas(), area, label, touch.hover, touch.focus);
+        touch.pressed
+    }
+
+    /// Buttons; the label of the one that was pressed.
+    pub fn buttons<'l>(&mut self, areas: Vec<Area>, labels: &[&'l str]) -> Option<&'l str> {
+        let all = labels.iter().zip(areas);
+        all.fold(None, |pressed, (label, area)| if self.button(label, area) { Some(*label) } else { pressed })
+    }
+
+    /// Buttons beside each other in the middle of the canvas.
+    pub fn row<'l>(&mut self, top: f32, labels: &[&'l str]) -> Option<&'l str> {
+        self.buttons(self.frame().row(labels.len(), top), labels)
+    }
+
+    /// Wide buttons below each other in the middle of the canvas.
+    pub fn column<'l>(&mut self, top: f32, labels: &[&'l str]) -> Option<&'l str> {
+        self.buttons(self.frame().column(labels.len(), top), labels)
+    }
+
+    /// Buttons at the foot of a scene whose arrow keys have other work: each has a key of its own, which stands on it. The label of the one
+    /// that was clicked or whose key was pressed.
+    pub fn tools<'l>(&mut self, tools: &[(&'l str, Key, &str)]) -> Option<&'l str> {
+        let all = self.frame().size.x - 2.0 * MARGIN + GAP;
+        let pitch = (all / tools.len().max(1) as f32).min(ROW_BUTTON.x + GAP);
+        let left = (self.frame().size.x - pitch * tools.len() as f32 + GAP) / 2.0;
+        let (top, size) = (self.frame().size.y - ROW_BUTTON.y - MARGIN, Vec2::new(pitch - GAP, ROW_BUTTON.y));
+        let mut pressed = None;
+        for (i, (label, key, named)) in tools.iter().enumerate() {
+            let area = Area { min: Vec2::new(left + i as f32 * pitch, top), size };
+            let touch = self.touch(label, area, Kind::Tool);
+            paint::keyed_button(self.canvas(), area, (label, named), (touch.hover, false));
+            if touch.pressed || self.key(*key) {
+                self.input().answer(super::input::Answer::Pressed);
+                pressed = Some(*label);
+            }
+        }
+        pressed
+    }
+
+    /// A value that left, right and a click on either half change, and Enter raises; whether it is raised or lowered. `share` (0 … 1) shows how
+    /// far along its range it is.
+    pub fn choice(&mut self, label: &str, area: Area, value: &str, share: Option<f32>) -> Option<bool> {
+        let touch = self.touch(label, area, Kind::Choice);
+        let place = Area::new(area.max().x - VALUE_WIDTH, area.min.y, VALUE_WIDTH, area.size.y);
+        let canvas = self.canvas();
+        paint::button_box(canvas, area, touch.hover, touch.focus);
+        let words = Style::new(TEXT, theme::text()).middle();
+        canvas.text(label, Vec2::new(area.min.x + PADDING, area.centre().y), words);
+        let mark = Style::new(TEXT, theme::accent()).middle().centred();
+        canvas.text("‹", Vec2::new(place.min.x + PADDING, place.centre().y), mark);
+        canvas.text("›", Vec2::new(place.max().x - PADDING, place.centre().y), mark);
+        if let Some(share) = share {
+            let track = Area::new(place.min.x + 32.0, place.max().y - 6.0, place.size.x - 64.0, 3.0);
+            canvas.rounded(track, 1.5, theme::panel_edge());
+            canvas.rounded(Area { size: Vec2::new(track.size.x * share, 3.0), ..track }, 1.5, theme::accent());
+        }
+        canvas.text(value, place.centre(), words.mono().centred());
+        let keys = [(Key::Right, true), (Key::Left, false)];
+        let by_key = keys.into_iter().find(|(key, _)| touch.focus && self.key(*key)).map(|(_, up)| up);
+        let by_press = || touch.pressed.then(|| !self.input().click || self.input().pointer.x >= place.centre().x);
+        by_key.or_else(by_press)
+    }
+
+    /// A line of text. What is typed goes to it also while a button has the focus, which it takes then.
+    pub fn field(&mut self, label: &str, area: Area, field: &mut TextField) -> Option<Typed> {
+        let touch = self.touch(label, area, Kind::Field);
+        let input = self.input;
+        field.note_focus(touch.focus);
+        let letters = Input { pressed: Keys::default(), held: Keys::default(), ..input.clone() };
+        let changed = self.is_live() && field.update(if touch.focus { input } else { &letters });
+        if changed && !touch.focus {
+            field.come_back();
+            self.focus(Some(label));
+        }
+        paint::panel(self.canvas(), area);
+        if touch.focus {
+            paint::focus_ring(self.canvas(), area);
+        }
+        field.draw(self.canvas(), area, (BUTTON_TEXT, PADDING), touch.focus.then_some(self.time()));
+        match (touch.pressed, changed) {
+            (true, _) => Some(Typed::Entered),
+            (false, true) => Some(Typed::Changed),
+            (false, false) => None,
+        }
+    }
+
+    /// The lines of a list that are in view, `page` at most; the bar is drawn on its track where there are more. Lists are known by their
+    /// names.
+    pub fn scroll(&mut self, name: &str, (lines, page): (usize, usize), track: Area, turn: Turn) -> Range<usize> {
+        let mut scroll = self.memory.scrolls.remove(name).unwrap_or_default();
+        scroll.pages = matches!(turn, Turn::Pages | Turn::AllPages);
+        scroll.place(lines, page, track);
+        self.claim(turn.keys().iter().copied());
+        if self.is_live() {
+            scroll.update(&turn.input(self.input()));
+        }
+        if let Some(bar) = scroll.bar() {
+            paint::scroll_bar(self.canvas(), bar.track, bar.handle, bar.held);
+        }
+        let range = scroll.range();
+        self.memory.scrolls.insert(name.to_owned(), scroll);
+        range
+    }
+
+    /// Brings a line of a list into view, in its middle where that can be, before the list is shown.
+    pub fn reveal(&mut self, name: &str, line: usize) {
+        self.memory.scrolls.entry(name.to_owned()).or_default().show(line);
+    }
+
+    /// A list of rows that are pressed like buttons; arrows walk them, and at the ends of the view they scroll. `draw` draws a row; the index of
+    /// the one that was pressed.
+    pub fn list(
+        &mut self,
+        name: &str,
+        rows: &[&str],
+        place: &Rows,
+        mut draw: impl FnMut(&Canvas, usize, (Area, Touch)),
+    ) -> Option<usize> {
+        let walked = self.key(Key::Up) || self.key(Key::Down);
+        if let (true, Some(line)) = (walked, rows.iter().position(|row| self.has_focus(row))) {
+            self.memory.scrolls.entry(name.to_owned()).or_default().bring(line);
+        }
+        let shown = self.scroll(name, (rows.len(), place.page), place.track, Turn::Leaps);
+        let mut pressed = None;
+        for line in shown.start.saturating_sub(1)..(shown.end + 1).min(rows.len()) {
+            let down = (line as f32 - shown.start as f32) * place.pitch;
+            let area = Area { min: place.first.min + Vec2::new(0.0, down), ..place.first };
+            if !shown.contains(&line) {
+                self.touch(rows[line], area, Kind::Beyond);
+                continue;
+            }
+            let touch = self.touch(rows[line], area, Kind::Button);
+            draw(self.canvas, line, (area, touch));
+            pressed = pressed.or(touch.pressed.then_some(line));
+        }
+        pressed
+    }
+}
+
+/// Where the rows of a list are.
+#[derive(Clone, Copy, Debug)]
+pub struct Rows {
+    /// The first one in view.
+    pub first: Area,
+    /// From one to the next.
+    pub pitch: f32,
+    /// In view at most.
+    pub page: usize,
+    /// Of the scroll bar.
+    pub track: Area,
+}
