@@ -2,7 +2,7 @@
 //! files. A frame has 16.7 ms.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use resultant::level::document::{Folder, RowId, Table};
+use resultant::level::document::{LevelFolder, RowId, Table};
 use resultant::physics::DVec2;
 use resultant::screens::{Editor, Input};
 use std::fmt::Write as _;
@@ -36,7 +36,7 @@ fn editor(criterion: &mut Criterion) {
     let folder = level(2000, 300);
     let mut group = criterion.benchmark_group("editor");
     group.sample_size(30);
-    let opened = Folder::open(folder.path(), folder.path()).expect("it opens");
+    let opened = LevelFolder::open(folder.path(), folder.path()).expect("it opens");
     group.bench_function("check", |bench| bench.iter(|| black_box(opened.folder.check(&opened.document).expect("it loads"))));
     let mut edited = opened.document.clone();
     let block = RowId { table: Table::World, row: 1000 };

@@ -1,7 +1,8 @@
 //! `resultant check [LEVEL…]`: loads levels, and says what is in them or everything that is wrong with them.
 
 use super::{Project, Readers, Status, Stop, shown};
-use crate::level::{self, Level, Loaded, ObjectiveKind};
+use crate::level::schema::{Count, Kind};
+use crate::level::{self, Level, Loaded};
 use crate::pack;
 use crate::physics::World;
 use std::ffi::{OsStr, OsString};
@@ -82,31 +83,13 @@ fn describe(name: &str, loaded: &Loaded, world: &World, out: &mut dyn Write, err
 }
 
 fn contents(level: &Level) -> String {
-    let keys = level.objects.iter().filter(|object| object.key.is_some()).count();
-    let newer = [
-        (level.movers.len(), "mover", "movers"),
-        (level.doors.len(), "door", "doors"),
-        (level.switches.len(), "switch", "switches"),
-        (level.fields.len(), "gravity zone", "gravity zones"),
-        (level.pods.len(), "pod", "pods"),
-        (level.decoration.len(), "decoration", "decorations"),
-    ];
-    let objectives = |kind| level.objectives.iter().filter(|objective| objective.kind == kind).count();
-    [
-        count(level.world.len(), "solid", "solids"),
-        count(level.objects.len() - keys, "object", "objects"),
-        count(keys, "key object", "key objects"),
-        count(objectives(ObjectiveKind::Player), "player objective", "player objectives"),
-        count(objectives(ObjectiveKind::Physics), "physics objective", "physics objectives"),
-        count(level.obstacles.len(), "death box", "death boxes"),
-        count(level.streams.len(), "air stream", "air streams"),
-        count(level.fluids.len(), "liquid", "liquids"),
-        count(level.texts.len(), "text", "texts"),
-    ]
-    .into_iter()
-    .chain(newer.into_iter().filter(|(n, ..)| *n > 0).map(|(n, one, many)| count(n, one, many)))
-    .collect::<Vec<_>>()
-    .join(", ")
+    let mut counts: Vec<&Count> = Kind::ALL.iter().flat_map(|kind| kind.schema().counts).collect();
+    counts.sort_by_key(|count| !count.at_none);
+    let counted = |Count { one, many, at_none, of }: &Count| {
+        let n = of(level);
+        (n > 0 || *at_none).then(|| count(n, one, many))
+    };
+    counts.into_iter().filter_map(counted).collect::<Vec<_>>().join(", ")
 }
 
 fn count(n: usize, one: &str, many: &str) -> String {

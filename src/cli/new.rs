@@ -24,7 +24,7 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     let folder = levels.join(name);
     let cannot = |why: String| Stop::Refused(format!("cannot make {}: {why}", folder.display()));
     level::scaffold::judge(&levels, name).map_err(cannot)?;
-    level::scaffold::make(&levels, name, &level::scaffold::FILES).map_err(|error| cannot(error.to_string()))?;
+    level::scaffold::make(&levels, name, &level::scaffold::files()).map_err(|error| cannot(error.to_string()))?;
     writeln!(out, "{}", folder.display())?;
     Ok(Status::Done)
 }

@@ -5,7 +5,7 @@
 //! of FNV-1a instead, which one walk over the level computes beside it.
 
 use super::hash::Fnv1a;
-use crate::level::{Field, Fluid, Level, Mover, Object, Objective, Player, Pod, SHIP_DRAG, Solid, Stream, Switch, Work};
+use crate::level::{Fluid, GravityZone, Level, Mover, Object, Objective, Player, Pod, SHIP_DRAG, Solid, Stream, Switch, Work};
 use crate::physics::{Aabb, DVec2, Leg, Material, Path, Sides};
 use sha2::{Digest, Sha256};
 use std::fmt;
@@ -173,7 +173,7 @@ impl Fingerprint {
         hash.given("doors", !doors.is_empty(), |hash| hash.each(doors, Hash::solid));
         hash.given("switches", !switches.is_empty(), |hash| hash.each(switches, Hash::switch));
         hash.given("fields", !fields.is_empty(), |hash| {
-            hash.each(fields, |hash, Field { zone, strength }| {
+            hash.each(fields, |hash, GravityZone { zone, strength }| {
                 hash.area(zone);
                 hash.vectors(&[*strength]);
             });

@@ -5,7 +5,7 @@
 
 use super::SHIP;
 use super::touch::TOUCH;
-use crate::level::{Latch, Level, Presser, SurfaceOf, Switch, Wire, Worked};
+use crate::level::{Level, Presser, SurfaceOf, Switch, SwitchStay, Wire, Worked};
 use crate::physics::{BodyId, Obstacle, World};
 
 /// The state of a level's mechanisms.
@@ -52,9 +52,9 @@ impl Mechanisms {
             let pressed = is_pressed(switch, index, level, world);
             let pushed = pressed && !self.pressed[index];
             self.on[index] = match switch.latch {
-                Latch::Held => pressed,
-                Latch::Latched => self.on[index] || pressed,
-                Latch::Toggled => self.on[index] != pushed,
+                SwitchStay::Held => pressed,
+                SwitchStay::Latched => self.on[index] || pressed,
+                SwitchStay::Toggled => self.on[index] != pushed,
             };
             if pressed != self.pressed[index] {
                 self.pressed[index] = pressed;

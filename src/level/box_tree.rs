@@ -1,6 +1,6 @@
 //! Which boxes a box touches: a tree of boxes around boxes, built once.
 //!
-//! Boxes are parted at the median of their centres along the longer side of what they fill; nodes lie in the order of a descent, each with
+//! Boxes are parted at the median of their centres along the longer side of the box around them; nodes lie in the order of a descent, each with
 //! the place of the one that follows where its box is missed, so that a search is one loop without a stack.
 
 use crate::physics::data::aabb::Aabb;
@@ -10,7 +10,7 @@ use glam::DVec2;
 const INNER: u32 = u32::MAX;
 
 #[derive(Clone, Copy, Debug)]
-struct Node {
+struct TreeNode {
     bounds: Aabb,
     /// The box of a leaf.
     leaf: u32,
@@ -18,10 +18,9 @@ struct Node {
     skip: u32,
 }
 
-/// The tree.
 #[derive(Clone, Debug, Default)]
 pub(super) struct BoxTree {
-    nodes: Vec<Node>,
+    nodes: Vec<TreeNode>,
 }
 
 impl BoxTree {
@@ -39,7 +38,7 @@ impl BoxTree {
         let bounds = boxes.iter().skip(1).fold(boxes[0].1, |all, (_, leaf)| all.union(leaf));
         let at = self.nodes.len();
         let leaf = if boxes.len() == 1 { boxes[0].0 } else { INNER };
-        self.nodes.push(Node { bounds, leaf, skip: 0 });
+        self.nodes.push(TreeNode { bounds, leaf, skip: 0 });
         if boxes.len() > 1 {
             let DVec2 { x, y } = bounds.size();
             let axis = usize::from(y > x);

@@ -1,15 +1,15 @@
 //! Bytes to rows of cells, each of which knows its line as an editor counts it.
 //!
-//! The `csv` crate makes structs of the cells (see `table`), but does not cut them out of the file: its line numbers are off after CRLF, blank lines and comments, it swallows the rest of a file
-//! after a quote that is never closed, and it does not see a quoted cell behind a space. Authors need all three.
+//! The `csv` crate does not cut them: its line numbers are off after CRLF, blank lines and comments, it swallows the rest of a file after
+//! a quote that is never closed, and it does not see a quoted cell behind a space. Authors need all three.
 
 use std::iter::Peekable;
 use std::ops::Range;
 use std::str::Chars;
 
-/// What is wrong with a cell before anyone asks what it means.
+/// A fault of a cell that has no text to be judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Fault {
+pub(super) enum CellFault {
     /// The file ends inside quotes.
     Unclosed,
     /// Something other than a comma follows the closing quote.
@@ -30,7 +30,7 @@ pub(super) struct Cell {
     pub line: usize,
     /// Its bytes in the file, with its quotes but without the spaces around it; in a file that is UTF-8.
     pub span: Range<usize>,
-    pub fault: Option<Fault>,
+    pub fault: Option<CellFault>,
 }
 
 impl Cell {
@@ -41,7 +41,7 @@ impl Cell {
 
 /// A row with at least one cell that is not empty.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Row {
+pub(super) struct SpannedRow {
     pub line: usize,
     pub cells: Vec<Cell>,
     /// Its bytes in the file with its line end; in a file that is UTF-8.
@@ -50,10 +50,10 @@ pub(super) struct Row {
 
 /// All rows that hold something; blank lines, rows of empty cells and lines that start with `#` are skipped. Lines end with LF,
 /// CRLF or CR; a UTF-8 byte-order mark is passed over.
-pub(super) fn rows(bytes: &[u8]) -> Vec<Row> {
+pub(super) fn rows(bytes: &[u8]) -> Vec<SpannedRow> {
     if let Some(fault) = fault_of_file(bytes) {
         let all = 0..bytes.len();
-        return vec![Row {
+        return vec![SpannedRow {
             line: 1,
             cells: vec![Cell { text: String::new(), line: 1, span: all.clone(), fault: Some(fault) }],
             span: all,
@@ -67,7 +67,7 @@ pub(super) fn rows(bytes: &[u8]) -> Vec<Row> {
     while let Some(mut row) = scanner.row() {
         if damaged {
             for cell in row.cells.iter_mut().filter(|cell| cell.text.contains(char::REPLACEMENT_CHARACTER)) {
-                cell.fault = cell.fault.or(Some(Fault::NotUtf8));
+                cell.fault = cell.fault.or(Some(CellFault::NotUtf8));
             }
         }
         // A spreadsheet puts a comment with a comma in quotes.
@@ -79,16 +79,15 @@ pub(super) fn rows(bytes: &[u8]) -> Vec<Row> {
     rows
 }
 
-/// What is wrong with a file as a whole.
-fn fault_of_file(bytes: &[u8]) -> Option<Fault> {
+fn fault_of_file(bytes: &[u8]) -> Option<CellFault> {
     /// How all files begin that are zipped, as those of spreadsheets are.
     const ZIP: [u8; 4] = [b'P', b'K', 3, 4];
     let marked = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
     // Every other byte of plain letters in UTF-16 is 0; there is none in any text of ours.
     let zeros = bytes.iter().filter(|byte| **byte == 0).count();
     match () {
-        () if bytes.starts_with(&ZIP) => Some(Fault::Workbook),
-        () if marked || zeros * 3 > bytes.len() => Some(Fault::Utf16),
+        () if bytes.starts_with(&ZIP) => Some(CellFault::Workbook),
+        () if marked || zeros * 3 > bytes.len() => Some(CellFault::Utf16),
         () => None,
     }
 }
@@ -102,7 +101,7 @@ struct Scanner<'a> {
 
 impl Scanner<'_> {
     /// The next row, possibly blank; `None` at the end of the text.
-    fn row(&mut self) -> Option<Row> {
+    fn row(&mut self) -> Option<SpannedRow> {
         let mut begin = self.at;
         self.skip_spaces();
         while self.chars.peek() == Some(&'#') {
@@ -116,7 +115,7 @@ impl Scanner<'_> {
         while self.next() == Some(',') {
             cells.push(self.cell());
         }
-        Some(Row { line, cells, span: begin..self.at })
+        Some(SpannedRow { line, cells, span: begin..self.at })
     }
 
     /// The next cell, up to but without its comma or line end.
@@ -130,7 +129,7 @@ impl Scanner<'_> {
         let mut text = String::new();
         loop {
             match self.next() {
-                None => return Cell { text, line, span: begin..self.at, fault: Some(Fault::Unclosed) },
+                None => return Cell { text, line, span: begin..self.at, fault: Some(CellFault::Unclosed) },
                 Some('"') if self.take_if(|c| c == '"').is_some() => text.push('"'),
                 Some('"') => break,
                 Some(other) => text.push(other),
@@ -138,7 +137,7 @@ impl Scanner<'_> {
         }
         let closed = self.at;
         let rest = self.plain();
-        let fault = (!rest.trim().is_empty()).then_some(Fault::AfterQuote);
+        let fault = (!rest.trim().is_empty()).then_some(CellFault::AfterQuote);
         Cell { text: text + rest.trim_end(), line, span: begin..closed + rest.trim_end().len(), fault }
     }
 
@@ -206,13 +205,13 @@ mod tests {
 
     #[test]
     fn faults_are_found_where_they_are() {
-        let unclosed = Cell { text: "3\n4".into(), line: 2, span: 4..8, fault: Some(Fault::Unclosed) };
+        let unclosed = Cell { text: "3\n4".into(), line: 2, span: 4..8, fault: Some(CellFault::Unclosed) };
         assert_eq!(rows(b"1\n2,\"3\n4")[1].cells[1], unclosed);
-        assert_eq!(rows(b"\"1\" 2,3")[0].cells[0].fault, Some(Fault::AfterQuote));
+        assert_eq!(rows(b"\"1\" 2,3")[0].cells[0].fault, Some(CellFault::AfterQuote));
         let latin = rows(b"# \xe9\n1,caf\xe9");
-        assert_eq!((latin[0].cells[0].fault, latin[0].cells[1].fault), (None, Some(Fault::NotUtf8)));
+        assert_eq!((latin[0].cells[0].fault, latin[0].cells[1].fault), (None, Some(CellFault::NotUtf8)));
         assert_eq!(rows("caf\u{fffd}".as_bytes())[0].cells[0].fault, None);
-        assert_eq!(rows(&[0xff, 0xfe, b'x', 0])[0].cells[0].fault, Some(Fault::Utf16));
+        assert_eq!(rows(&[0xff, 0xfe, b'x', 0])[0].cells[0].fault, Some(CellFault::Utf16));
     }
 
     #[test]

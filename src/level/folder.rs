@@ -2,9 +2,10 @@
 
 use super::name::{self, NameFault};
 use super::problem::{Problem, quoted};
-use super::read::{Files, Loaded, read, read_unfinished};
-use super::rows;
-use super::table::{self, Layout, Record};
+use super::read::{Loaded, read, read_unfinished};
+use super::schema::{Kind, Table};
+use super::source::Files;
+use super::table;
 use super::types::Look;
 use crate::files;
 use std::cmp::Ordering;
@@ -29,19 +30,19 @@ pub fn load_unfinished(folder: &Path, project: &Path) -> Result<Loaded, Vec<Prob
 }
 
 /// How a level's files become a level: [`read()`] or [`read_unfinished`].
-pub(super) type Reading = fn(&str, &dyn Files) -> Result<Loaded, Vec<Problem>>;
+pub(super) type ReadLevel = fn(&str, &dyn Files) -> Result<Loaded, Vec<Problem>>;
 
 /// As [`load`], with the level's files from elsewhere.
-pub(super) fn load_from(disk: &Disk, files: &dyn Files, read: Reading) -> Result<Loaded, Vec<Problem>> {
+pub(super) fn load_from(disk: &Disk, files: &dyn Files, read: ReadLevel) -> Result<Loaded, Vec<Problem>> {
     let Disk { folder, .. } = disk;
     // `.` and `..` have a name only once they are resolved.
     let resolved = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
     let name = folder.file_name().or(resolved.file_name()).map_or_else(|| folder.to_string_lossy(), |name| name.to_string_lossy());
     if !folder.is_dir() {
-        return Err(vec![rows::PLAYER.problem(1, format!("no folder {}", quoted(&name)), "a level folder")]);
+        return Err(vec![Kind::Ship.schema().problem(1, format!("no folder {}", quoted(&name)), "a level folder")]);
     }
     let found = || format!("a level folder named {}", quoted(&name));
-    let fault = name::judge_taken(&name).err().map(|fault| (fault, NAME.problem(1, found(), fault.expected())));
+    let fault = name::judge_taken(&name).err().map(|fault| (fault, Problem::new("folder", 1, "name", found(), fault.expected())));
     if let Some((NameFault::Board(_), problem)) = fault {
         return Err(vec![problem]);
     }
@@ -59,9 +60,6 @@ pub(super) fn load_from(disk: &Disk, files: &dyn Files, read: Reading) -> Result
     }
     Ok(loaded)
 }
-
-/// What a problem with the folder itself names in place of a file and a column.
-const NAME: Layout = Layout { file: "folder", columns: "name" };
 
 /// A level's folder, and the project's.
 pub(super) struct Disk<'a> {
@@ -105,11 +103,10 @@ impl Files for Disk<'_> {
 
 /// The title that a level's constants.csv gives it, without reading anything else of it.
 pub fn title(folder: &Path) -> Option<String> {
-    let bytes = files::read(&folder.join(rows::CONSTANTS.file), files::LEVEL_TABLE).ok()?;
-    let table = table::read(rows::CONSTANTS, &bytes, &mut Vec::new());
-    let settings = table.records.iter().map(Record::row::<rows::ConstantRow>);
-    let is_title = |row: &rows::ConstantRow| row.name.as_str().is_some_and(|name| name.eq_ignore_ascii_case("title"));
-    settings.into_iter().find(is_title).and_then(|row| row.value.as_str().map(str::to_owned)).filter(|title| !title.is_empty())
+    let bytes = files::read(&folder.join(Table::Constants.file()), files::LEVEL_TABLE).ok()?;
+    let table = table::read(Table::Constants.rows(), &bytes, &mut Vec::new());
+    let titles = table.records.iter().filter(|row| row.text("name").is_some_and(|name| name.eq_ignore_ascii_case("title")));
+    titles.filter_map(|row| row.text("value")).next().filter(|title| !title.is_empty()).map(str::to_owned)
 }
 
 /// The lists of the levels that come with the game, each beside their folders.

@@ -1,18 +1,17 @@
-//! Doors that nobody can open, pads behind red, plates that are too heavy: warnings. What might be possible counts as possible: a body gets
-//! anywhere in its own free space, one-way and fragile blocks and movers are no obstacles.
+//! Warnings of doors that no body can open, pads behind red, plates that are too heavy. Whatever might be possible counts as possible: a
+//! body gets anywhere in its own free space, and one-way and fragile blocks and movers are no obstacles.
 
-use super::constants::Constants;
+use super::draft::Draft;
+use super::placed::FromRow;
 use super::problem::Problem;
-use super::reach::{Body, Space};
-use super::read::Draft;
-use super::rows::Placed;
+use super::reach::{CentredBox, FreeSpace};
+use super::schema::settings::LevelSettings;
 use super::types::{ObjectiveKind, Player, Presser, SHIP_HALF, Switch};
 use super::winnable::fitting;
 use crate::physics::Aabb;
 use std::collections::BTreeMap;
 
-/// Everything that is odd about switches, doors and red.
-pub(super) fn warn(draft: &Draft, player: &Player, constants: &Constants, space: &Space) -> Vec<Problem> {
+pub(super) fn warn(draft: &Draft, player: &Player, settings: &LevelSettings, space: &FreeSpace) -> Vec<Problem> {
     if draft.switches.is_empty() && draft.doors.is_empty() && draft.obstacles.is_empty() {
         return Vec::new();
     }
@@ -41,7 +40,7 @@ pub(super) fn warn(draft: &Draft, player: &Player, constants: &Constants, space:
     }
     for placed in &draft.objectives {
         let objective = &placed.item;
-        let gets_there = |space: &Space| fitting(draft, objective, ship).any(|body| space.gets_to(body, &objective.bounds));
+        let gets_there = |space: &FreeSpace| fitting(draft, objective, ship).any(|body| space.gets_to(body, &objective.bounds));
         let pad = objective.kind == ObjectiveKind::Player;
         if pad && !gets_there(&off_red) {
             let expected = "a route for the ship that keeps off the rows of obstacles.csv";
@@ -51,14 +50,13 @@ pub(super) fn warn(draft: &Draft, player: &Player, constants: &Constants, space:
             warnings.push(placed.problem("x", "an objective behind a door that nothing opens", expected));
         }
     }
-    warnings.extend(plates(draft, player, constants, space));
+    warnings.extend(plates(draft, player, settings, space));
     warnings
 }
 
-/// Doors, and which switch opens which.
 struct Gates<'a> {
     draft: &'a Draft,
-    /// Of each switch the doors that it works, and whether it works them the other way round.
+    /// Of each switch the doors that it works, and whether the door is open while the switch is off.
     works: Vec<Vec<(usize, bool)>>,
 }
 
@@ -70,7 +68,7 @@ impl<'a> Gates<'a> {
                 named.entry(name).or_default().push(index);
             }
         }
-        let doors = |switch: &Placed<Switch>| {
+        let doors = |switch: &FromRow<Switch>| {
             let works = switch.item.works.iter();
             works.flat_map(|work| named.get(work.name.as_str()).into_iter().flatten().map(|door| (*door, work.inverted))).collect()
         };
@@ -83,10 +81,10 @@ impl<'a> Gates<'a> {
     }
 
     /// Which switches can be pressed, and which doors are open at some time: from what is in reach at the start, door after door.
-    fn play(&self, ship: Body, space: &Space) -> (Vec<bool>, Vec<bool>) {
+    fn play(&self, ship: CentredBox, space: &FreeSpace) -> (Vec<bool>, Vec<bool>) {
         let mut pressed = vec![false; self.works.len()];
         let mut open = vec![false; self.draft.doors.len()];
-        // A door that a switch works the other way round is open until that one is pressed.
+        // A door behind a `!` is open until its switch is pressed.
         self.works.iter().flatten().filter(|(_, inverted)| *inverted).for_each(|(door, _)| open[*door] = true);
         loop {
             let free = space.with(self.closed(&open));
@@ -108,7 +106,7 @@ impl<'a> Gates<'a> {
 }
 
 /// Whether something that works a switch gets to it, the ship in one space and the objects in another.
-fn presses(draft: &Draft, switch: &Switch, ship: Body, (ships, objects): (&Space, &Space)) -> bool {
+fn presses(draft: &Draft, switch: &Switch, ship: CentredBox, (ships, objects): (&FreeSpace, &FreeSpace)) -> bool {
     let by_ship = matches!(switch.by, Presser::Any | Presser::Ship);
     let counts = |key: bool| match switch.by {
         Presser::Any | Presser::Object => true,
@@ -120,9 +118,9 @@ fn presses(draft: &Draft, switch: &Switch, ship: Body, (ships, objects): (&Space
         || others.any(|object| objects.gets_to((object.item.position, object.item.size * 0.5), &switch.bounds))
 }
 
-/// Plates that are heavier than all that can press them: weights, the ship's thrust and the winds near by, all downwards at once. What a
-/// mover or a belt presses has no such bound.
-fn plates(draft: &Draft, player: &Player, constants: &Constants, space: &Space) -> Vec<Problem> {
+/// Plates that are heavier than all that can press them: weights, the ship's thrust and the winds near by, all downwards at once. The force
+/// of a mover or a belt has no such bound.
+fn plates(draft: &Draft, player: &Player, settings: &LevelSettings, space: &FreeSpace) -> Vec<Problem> {
     let driven = draft.world.iter().any(|solid| solid.item.belt != 0.0) || !draft.movers.is_empty();
     let plates = draft.switches.iter().filter_map(|switch| Some((switch, switch.item.weight?)));
     if driven {
@@ -132,14 +130,14 @@ fn plates(draft: &Draft, player: &Player, constants: &Constants, space: &Space) 
     let sizes = draft.objects.iter().map(|object| object.item.size.max_element());
     let reach = 2.0 * SHIP_HALF.x + sizes.sum::<f64>();
     let near = |plate: &Aabb| Aabb::new(plate.min - reach, plate.max + reach);
-    let bodies: Vec<(Body, f64, bool)> = std::iter::once(((player.position, SHIP_HALF), player.mass, false))
+    let bodies: Vec<(CentredBox, f64, bool)> = std::iter::once(((player.position, SHIP_HALF), player.mass, false))
         .chain(draft.objects.iter().map(|object| {
             let object = &object.item;
             ((object.position, object.size * 0.5), object.mass, object.weightless)
         }))
         .collect();
     let fields: f64 = draft.fields.iter().map(|field| field.item.strength.y.max(0.0)).sum();
-    let pull = constants.gravity.max(0.0) + fields;
+    let pull = settings.gravity.max(0.0) + fields;
     let mut warnings = Vec::new();
     for (plate, weight) in plates {
         let near = near(&plate.item.bounds);

@@ -1,8 +1,8 @@
 //! Images as the loader needs them: whether a path stays in the project, whether there is a PNG, and its size.
 
+use super::numbers::PixelScale;
 use super::problem::quoted;
-use super::quantity::Scale;
-use super::read::Files;
+use super::source::Files;
 use super::types::Look;
 use crate::files;
 use std::collections::BTreeMap;
@@ -17,33 +17,38 @@ const MOST_PIXELS: u64 = 1 << 23;
 /// copies of a graphics driver.
 const MOST_PIXELS_IN_ALL: u64 = 12 << 20;
 
-/// What was found and what is expected.
-pub(super) type Refusal = (String, String);
+/// Words for the found and for the expected.
+pub(super) type PictureRefusal = (String, String);
 
 /// An object's look and its width and height in pixels.
-pub(super) type Shape = (Look, f64, f64);
+pub(super) type PictureShape = (Look, f64, f64);
 
 /// The sizes of the images that were asked for, each read once.
 pub(super) struct Images<'a> {
     files: &'a dyn Files,
-    known: BTreeMap<String, Result<(f64, f64), Refusal>>,
+    known: BTreeMap<String, Result<(f64, f64), PictureRefusal>>,
     /// Of all known images together, and the background.
     pixels: u64,
-    /// What an object is drawn as whose image is missing; without it such an object is refused.
-    pub stand_in: Option<Shape>,
+    /// The shape of an object whose image is missing; without it such an object is refused.
+    pub stand_in: Option<PictureShape>,
 }
 
 /// The sides of the box that stands in for a missing picture, pixels.
 const STAND_IN: f64 = 40.0;
 
 impl<'a> Images<'a> {
-    /// None yet, beside a background of `pixels` pixels. With `stand_ins` a box stands in for every image that is missing.
-    pub fn new(files: &'a dyn Files, pixels: u64, stand_ins: bool) -> Self {
-        Self { files, known: BTreeMap::new(), pixels, stand_in: stand_ins.then_some((Look::Box, STAND_IN, STAND_IN)) }
+    /// None yet. With `stand_ins` a box stands in for every image that is missing.
+    pub fn new(files: &'a dyn Files, stand_ins: bool) -> Self {
+        Self { files, known: BTreeMap::new(), pixels: 0, stand_in: stand_ins.then_some((Look::Box, STAND_IN, STAND_IN)) }
     }
 
-    /// What an `image` cell means: `box:40x40`, `ball:40x40`, or a PNG's path from the project root.
-    pub fn look(&mut self, cell: &str, scale: Scale) -> Result<Shape, Refusal> {
+    /// Counts the pixels of the background.
+    pub fn begin_with(&mut self, pixels: u64) {
+        self.pixels = pixels;
+    }
+
+    /// The shape of an `image` cell: `box:40x40`, `ball:40x40`, or a PNG's path from the project root.
+    pub fn look(&mut self, cell: &str, scale: PixelScale) -> Result<PictureShape, PictureRefusal> {
         for (prefix, look) in [("box:", Look::Box), ("ball:", Look::Ball)] {
             if let Some(size) = cell.get(..prefix.len()).filter(|start| start.eq_ignore_ascii_case(prefix)) {
                 let size = &cell[size.len()..];
@@ -81,14 +86,14 @@ impl<'a> Images<'a> {
 }
 
 /// `40x40` in any case, both sides accepted sizes.
-fn plain_size(text: &str, scale: Scale) -> Option<(f64, f64)> {
+fn plain_size(text: &str, scale: PixelScale) -> Option<(f64, f64)> {
     let (width, height) = text.split_once(['x', 'X'])?;
     let side = |text: &str| scale.size().parse(text.trim()).ok();
     Some((side(width)?, side(height)?))
 }
 
 /// The path with forward slashes, if it cannot lead out of the project on any system.
-fn project_path(cell: &str) -> Result<String, Refusal> {
+fn project_path(cell: &str) -> Result<String, PictureRefusal> {
     let expected = "a PNG's path from the level's or the project's folder, or box:40x40, or ball:40x40";
     if cell.is_empty() {
         return Err(("nothing".into(), expected.into()));
@@ -102,7 +107,7 @@ fn project_path(cell: &str) -> Result<String, Refusal> {
 ///
 /// # Errors
 /// There is no such file, it cannot be read, it is no PNG, or it would unfold to too many pixels.
-pub(super) fn png_size(bytes: io::Result<impl AsRef<[u8]>>, name: &str) -> Result<(f64, f64), Refusal> {
+pub(super) fn png_size(bytes: io::Result<impl AsRef<[u8]>>, name: &str) -> Result<(f64, f64), PictureRefusal> {
     let expected = || "a PNG image".to_owned();
     let bytes = bytes.map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => (format!("no file {}", quoted(name)), expected()),
@@ -113,7 +118,7 @@ pub(super) fn png_size(bytes: io::Result<impl AsRef<[u8]>>, name: &str) -> Resul
     }
     let damaged = |_| (format!("{}, which is no PNG or is damaged", quoted(name)), expected());
     let mut decoder = png::Decoder::new(io::Cursor::new(bytes.as_ref()));
-    // What is written beside the picture could unfold to anything.
+    // Texts and profiles beside the picture could unfold to any size.
     decoder.set_ignore_text_chunk(true);
     decoder.set_ignore_iccp_chunk(true);
     let head = decoder.read_header_info().map_err(damaged)?;
@@ -135,7 +140,7 @@ fn other_picture(bytes: &[u8]) -> Option<&'static str> {
     begins.into_iter().find(|(begin, _)| bytes.starts_with(begin)).map(|(_, kind)| kind)
 }
 
-/// The bytes of a picture that is to be unpacked, judged anew: the file may be another one than when its level was loaded.
+/// The bytes of a picture that is to be unpacked, judged again: the file may be another one than when its level was loaded.
 ///
 /// # Errors
 /// It cannot be read, is no PNG, or would unfold to too many pixels.
@@ -163,7 +168,7 @@ mod tests {
 
     #[test]
     fn plain_shapes_have_two_sizes() {
-        let scale = Scale { metre: 30.0 };
+        let scale = PixelScale { metre: 30.0 };
         assert_eq!(plain_size("40x20.5", scale), Some((40.0, 20.5)));
         for size in ["40", "40x", "x40", "0x40", "-1x3", "40x40x40", "nanxinf", "1e99x1"] {
             assert_eq!(plain_size(size, scale), None, "{size}");

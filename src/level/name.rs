@@ -1,14 +1,14 @@
-//! What a level may be called: its folder's name is also the name of its leaderboard's file.
+//! Names of levels: a folder's name is also the name of its leaderboard's file.
 
 /// Longest name of a new level, characters.
 const MAX_NAME: usize = 40;
-/// Files among the leaderboards that are no level's, each with what it is. A level of that name would share it.
+/// Files among the leaderboards that are no level's, each with its content. A level of that name would share it.
 const OTHER_FILES: [(&str, &str); 3] = [
     ("jumper", "the leaderboard of that name is that of the Jumper"),
     ("players", "scores/players.csv says what the players have done"),
     ("attempts", "scores/attempts.csv is the list of attempts"),
 ];
-/// What Windows takes for a device, whatever follows behind a full stop: no folder there, and no file of scores, can have that name.
+/// Names that Windows takes for devices, whatever follows behind a full stop: no folder there, and no file of scores, can have one.
 const DEVICES: [&str; 6] = ["con", "prn", "aux", "nul", "conin$", "conout$"];
 /// Devices that a digit follows.
 const NUMBERED_DEVICES: [&str; 2] = ["com", "lpt"];
@@ -25,7 +25,7 @@ pub enum NameFault {
 }
 
 impl NameFault {
-    /// What is expected instead.
+    /// The name that is expected instead.
     pub fn expected(self) -> String {
         match self {
             Self::NoWord => format!("up to {MAX_NAME} letters, digits, - and _, the first a letter or digit"),
@@ -39,7 +39,7 @@ impl NameFault {
 /// in any case.
 ///
 /// # Errors
-/// What is wrong with it.
+/// The fault of the name.
 pub fn judge_name(name: &str) -> Result<(), NameFault> {
     let word = name.chars().count() <= MAX_NAME
         && name.chars().all(|c| c.is_alphanumeric() || matches!(c, '-' | '_'))

@@ -1,30 +1,11 @@
-//! What is called by name: the files of a level's folder, and what its switches work.
+//! Names: those of the files in a level's folder, and those of the things that its switches work.
 
+use super::draft::Draft;
 use super::nearest::{meant, nearest};
-use super::problem::{Problem, quoted};
-use super::read::Draft;
-use super::table::MOST_PROBLEMS;
-use std::collections::{BTreeMap, BTreeSet};
+use super::problem::{MOST_PROBLEMS, Problem, quoted};
+use super::schema::FILES;
 
-/// The files of a level, in the order in which problems are listed.
-pub const FILES: [&str; 16] = [
-    "constants.csv",
-    "player.csv",
-    "world.csv",
-    "objects.csv",
-    "objectives.csv",
-    "obstacles.csv",
-    "hazards.csv",
-    "movers.csv",
-    "doors.csv",
-    "switches.csv",
-    "gravity.csv",
-    "pods.csv",
-    "decoration.csv",
-    "background.png",
-    "fluids.csv",
-    "texts.csv",
-];
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A file that no level has: refused where it is one of [`FILES`] misspelt, else a table is only named. Other files are the author's own.
 pub(super) fn stray(file: &str) -> Option<Result<Problem, Problem>> {
@@ -50,7 +31,7 @@ fn meant_file(file: &str) -> Option<&'static str> {
     FILES.into_iter().find(|known| known.rsplit_once('.').is_some_and(|(own, _)| own == stem))
 }
 
-/// How many names a message lists and compares with one that is unknown: nobody reads more, and a table can hold thousands.
+/// How many names a message lists and compares with an unknown one; a table can hold thousands.
 const MOST_NAMES: usize = 100;
 
 /// The most wires of a level: the game looks at each in every tick.
@@ -78,7 +59,7 @@ fn wires(draft: &Draft) -> usize {
     works.map(|work| things.get(work.name.as_str()).copied().unwrap_or(0)).sum()
 }
 
-/// Switches that work what is not there.
+/// Switches that work a name that no thing has.
 pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     let wires = wires(draft);
     if let Some(switch) = draft.switches.first().filter(|_| wires > MOST_WIRES) {
@@ -108,7 +89,7 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     problems
 }
 
-/// What has a name that no switch knows.
+/// Things with a name that no switch works.
 pub(super) fn warn(draft: &Draft) -> Vec<Problem> {
     let works = draft.switches.iter().flat_map(|switch| &switch.item.works);
     let known: BTreeSet<&str> = works.map(|work| work.name.as_str()).collect();

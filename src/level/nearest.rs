@@ -12,7 +12,7 @@ pub(super) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) 
     best.filter(|(slips, known)| slips * LETTERS_A_SLIP <= longest.max(known.chars().count())).map(|(_, known)| known)
 }
 
-/// A question after what is expected: `; "world.csv" is meant?`, or nothing.
+/// A question behind an expectation: `; "world.csv" is meant?`, or nothing.
 pub(super) fn meant<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     nearest(word, known).map_or(String::new(), |known| format!("; is {known:?} meant?"))
 }

@@ -1,22 +1,22 @@
 //! Where things start: inside the level, in free space, within reach.
 
 use super::box_tree::BoxTree;
-use super::problem::Problem;
-use super::reach::{Space, Work};
-use super::read::Draft;
-use super::rows::Placed;
-use super::table::MOST_PROBLEMS;
+use super::draft::Draft;
+use super::placed::FromRow;
+use super::problem::{MOST_PROBLEMS, Problem};
+use super::reach::{FreeSpace, SearchWork};
+
 use super::types::{Fluid, Player, SHIP_HALF, Solid};
 use crate::physics::domain::{LIQUIDS_OVERLAP, MOST_FIELDS, MOST_LIQUIDS, MOST_STREAMS};
 use crate::physics::{Aabb, DVec2, Sides};
 use std::rc::Rc;
 
-/// How far things may overlap at the start, m: what rounding pixels to metres can make of things that touch. Larger, and the
+/// How far things may overlap at the start, m: the rounding of pixels to metres overlaps things that touch. Larger, and the
 /// engine would have to push things apart at the first tick.
 const OVERLAP: f64 = 1e-6;
 
-/// What a message calls a thing, and where it is.
-type Named = (&'static str, Placed<Aabb>);
+/// A thing's name in messages, and its box.
+type Named = (&'static str, FromRow<Aabb>);
 
 /// More streams, fields and liquids than a level may have, and liquids that overlap: one problem a row.
 pub(super) fn check_zones(draft: &Draft) -> Vec<Problem> {
@@ -26,7 +26,7 @@ pub(super) fn check_zones(draft: &Draft) -> Vec<Problem> {
     too_many(&draft.fields, "gravity zones", MOST_FIELDS - sideways, &mut problems);
     too_many(&draft.fluids, "liquids", MOST_LIQUIDS, &mut problems);
     for (i, fluid) in draft.fluids.iter().take(MOST_LIQUIDS).enumerate() {
-        let inside = |other: &&Placed<Fluid>| other.item.zone.overlaps(&fluid.item.zone, LIQUIDS_OVERLAP);
+        let inside = |other: &&FromRow<Fluid>| other.item.zone.overlaps(&fluid.item.zone, LIQUIDS_OVERLAP);
         if let Some(other) = draft.fluids[..i].iter().find(inside) {
             let (column, deep, side) = depth(&fluid.item.zone, &other.item.zone, draft.scale.metre);
             let found = format!("a liquid {deep} pixels inside that of line {}", other.line);
@@ -40,13 +40,13 @@ pub(super) fn check_zones(draft: &Draft) -> Vec<Problem> {
     problems
 }
 
-fn too_many<T>(rows: &[Placed<T>], what: &str, most: usize, problems: &mut Vec<Problem>) {
+fn too_many<T>(rows: &[FromRow<T>], what: &str, most: usize, problems: &mut Vec<Problem>) {
     let beyond = rows.iter().skip(most).take(MOST_PROBLEMS);
     problems.extend(beyond.map(|row| row.problem("x", format!("{} {what}", rows.len()), format!("at most {most} in a level"))));
 }
 
 /// The ship and every object that start outside the level or inside something solid: one problem a body.
-pub(super) fn check(draft: &Draft, work: &Work) -> Vec<Problem> {
+pub(super) fn check(draft: &Draft, work: &SearchWork) -> Vec<Problem> {
     let mut solids: Vec<Named> = Vec::new();
     solids.extend(
         draft
@@ -123,7 +123,7 @@ fn depth(body: &Aabb, other: &Aabb, metre: f64) -> (&'static str, String, &'stat
 }
 
 /// The problem of a body that reaches out of the level, if it does.
-fn outside(name: &str, body: &Placed<Aabb>, draft: &Draft) -> Option<Problem> {
+fn outside(name: &str, body: &FromRow<Aabb>, draft: &Draft) -> Option<Problem> {
     let size = draft.size?;
     let metre = draft.scale.metre;
     let (min, max) = (body.item.min, body.item.max);
@@ -137,8 +137,8 @@ fn outside(name: &str, body: &Placed<Aabb>, draft: &Draft) -> Option<Problem> {
     Some(body.problem(column, found, format!("all of it between 0 and {size} pixels, the level's {side}")))
 }
 
-/// The objects that nobody can reach from the ship's start.
-pub(super) fn warn(draft: &Draft, player: &Player, space: &Space) -> Vec<Problem> {
+/// The objects that the ship cannot reach from its start.
+pub(super) fn warn(draft: &Draft, player: &Player, space: &FreeSpace) -> Vec<Problem> {
     let bodies = draft.objects.iter().map(|object| (object.item.position, object.item.size * 0.5)).collect::<Vec<_>>();
     let unreached = space.unreached((player.position, SHIP_HALF), &bodies);
     let expected = "a way for the ship, or for something that it can push";
@@ -146,8 +146,8 @@ pub(super) fn warn(draft: &Draft, player: &Player, space: &Space) -> Vec<Problem
 }
 
 /// Where things can be that fly, in a level of that size in metres: wherever there is no rock.
-pub(super) fn space(draft: &Draft, size: DVec2, work: Rc<Work>) -> Space {
+pub(super) fn space(draft: &Draft, size: DVec2, work: Rc<SearchWork>) -> FreeSpace {
     let rock = draft.world.iter().filter(|solid| solid.item.is_rock()).map(|solid| solid.item.bounds);
     let solids = rock.chain(draft.streams.iter().map(|stream| stream.item.source)).collect();
-    Space::new(Aabb::new(DVec2::ZERO, size), solids, OVERLAP, work)
+    FreeSpace::new(Aabb::new(DVec2::ZERO, size), solids, OVERLAP, work)
 }

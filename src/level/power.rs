@@ -1,16 +1,16 @@
-//! Engines, tanks and medals that cannot do what is asked of them: warnings, by bounds that hold however well one flies.
+//! Warnings of engines, tanks and medals that ask the impossible, by bounds that no flight beats.
 //!
 //! With e the energy of everything a kilogram of the ship, thrust T, mass m and burning time b: √(2e) grows by no more than b·T/m, for the
 //! engine does work at T·v and v ≤ √(2e). A climb by h from a place that lies D above the lowest takes √(2g(D + h)). Likewise √(2E) of all
 //! bodies together grows by no more than t·√(Σ F²/m), with F all that can act on each.
 
-use super::awards::Mark;
-use super::constants::Constants;
+use super::draft::Draft;
+use super::placed::FromRow;
 use super::problem::Problem;
-use super::reach::{Grid, Space};
-use super::read::Draft;
-use super::rows::{self, Placed};
-use super::types::{BURN_RATE, Object, Objective, ObjectiveKind, Player, SHIP_HALF, TICK_RATE};
+use super::reach::{FreeSpace, Grid};
+use super::schema::settings::CONSTANTS;
+use super::schema::settings::LevelSettings;
+use super::types::{BURN_RATE, Mark, Object, Objective, ObjectiveKind, Player, SHIP_HALF, TICK_RATE};
 use super::winnable::fitting;
 use crate::physics::{Aabb, DVec2, Material};
 use std::collections::BinaryHeap;
@@ -22,18 +22,17 @@ const BOUNCES: f64 = 10.0;
 const MOST_TICKS: f64 = 1e9;
 /// How often bodies, blocks and objectives are compared; larger levels are not warned about.
 const MOST_LOOKS: usize = 20_000_000;
-/// m. What is nearer than this is there.
+/// m. A nearer body is there.
 const NEAR: f64 = 1e-6;
 
-/// Everything that is odd about what the ship can do.
-pub(super) fn warn(draft: &Draft, player: &Placed<Player>, constants: &Constants, space: &Space) -> Vec<Problem> {
+pub(super) fn warn(draft: &Draft, player: &FromRow<Player>, settings: &LevelSettings, space: &FreeSpace) -> Vec<Problem> {
     let bodies = draft.objects.len() + 1;
     if bodies * (draft.world.len() + draft.objectives.len()) * (draft.objectives.len() + 1) > MOST_LOOKS {
         return Vec::new();
     }
-    let power = Power { draft, ship: &player.item, constants, gravity: constants.gravity };
+    let power = Power { draft, ship: &player.item, settings, gravity: settings.gravity };
     let mut warnings = Vec::new();
-    let weight = player.item.mass * constants.gravity;
+    let weight = player.item.mass * settings.gravity;
     if player.item.thrust < weight && !power.is_lifted() {
         let found = format!("{} N, less than the ship's weight of {weight} N", player.item.thrust);
         warnings.push(player.problem("thrust", found, "more than that, as nothing in the level lifts the ship"));
@@ -52,7 +51,7 @@ pub(super) fn warn(draft: &Draft, player: &Placed<Player>, constants: &Constants
 struct Power<'a> {
     draft: &'a Draft,
     ship: &'a Player,
-    constants: &'a Constants,
+    settings: &'a LevelSettings,
     /// N/kg, downwards.
     gravity: f64,
 }
@@ -66,7 +65,7 @@ impl Power<'_> {
         up || !draft.fluids.is_empty() || !draft.movers.is_empty() || self.throws() || self.belt() > 0.0
     }
 
-    /// Whether something in the level may drive the ship any way.
+    /// Whether something in the level may drive the ship to any side.
     fn is_helped(&self) -> bool {
         self.is_lifted() || !self.draft.streams.is_empty() || !self.draft.fields.is_empty()
     }
@@ -83,20 +82,20 @@ impl Power<'_> {
     }
 
     /// Fuel units without which the ship gets to no objective of a kind, and the line of that objective; `None` where nothing is known.
-    fn fuel_needed(&self, space: &Space) -> Option<(f64, usize)> {
-        if self.is_helped() || self.gravity <= 0.0 || self.constants.gravity_x != 0.0 || self.ship.thrust == 0.0 {
+    fn fuel_needed(&self, space: &FreeSpace) -> Option<(f64, usize)> {
+        if self.is_helped() || self.gravity <= 0.0 || self.settings.gravity_x != 0.0 || self.ship.thrust == 0.0 {
             return None;
         }
-        let pads: Vec<&Placed<Objective>> =
+        let pads: Vec<&FromRow<Objective>> =
             self.draft.objectives.iter().filter(|placed| placed.item.kind == ObjectiveKind::Player).collect();
         let climbs = Climbs::new(self.ship.position, space)?;
-        // What others can pass on to the ship: what they bring along, and what they may fall, where they bounce.
+        // The energy that others can pass on to the ship: their own, and that of their fall, where they bounce.
         let others: f64 = self.draft.objects.iter().map(|object| self.energy_of(&object.item, space)).sum();
         let begun = 0.5 * self.ship.velocity.length_squared() + others / self.ship.mass;
         let depth = climbs.depth;
         let speed = |height: f64| (2.0 * self.gravity * (depth + height).max(0.0)).sqrt();
         let first = (2.0 * (begun + self.gravity * depth)).sqrt();
-        // Where nothing bounces, a body that nothing pushes moves no way but down.
+        // Where nothing bounces, a body that nothing pushes moves only downwards.
         let plain = others == 0.0 && self.ship.restitution.max(self.ship.material.restitution) == 0.0;
         let along = |gap: f64| if plain { self.seconds_along(gap, first) } else { 0.0 };
         let ship = Aabb::around(self.ship.position, SHIP_HALF);
@@ -117,8 +116,8 @@ impl Power<'_> {
         most.map(|(seconds, line)| (seconds * BURN_RATE, line))
     }
 
-    /// What an object can pass on, J: all that it brings along, and, where it bounces, all that it may fall.
-    fn energy_of(&self, object: &Object, space: &Space) -> f64 {
+    /// The energy that an object can pass on, J: its own, and, where it bounces, that of its fall.
+    fn energy_of(&self, object: &Object, space: &FreeSpace) -> f64 {
         let bounces = object.restitution.max(object.material.restitution).max(self.ship.restitution) > 0.0;
         let fall = if bounces { (space.bottom() - object.position.y - object.size.y * 0.5).max(0.0) } else { 0.0 };
         object.mass * (0.5 * object.velocity.length_squared() + self.gravity * fall)
@@ -132,7 +131,7 @@ impl Power<'_> {
         let floors = floors.chain(self.draft.objects.iter().map(|object| object.item.material));
         let floors = floors.chain([self.ship.material]);
         let friction = floors.map(|material| material.kinetic_friction).fold(Material::ASPHALT.kinetic_friction, f64::min);
-        let friction = friction * self.constants.friction;
+        let friction = friction * self.settings.friction;
         if gap <= 0.0 || friction <= 0.0 {
             return 0.0;
         }
@@ -157,13 +156,13 @@ impl Power<'_> {
         least / TICK_RATE
     }
 
-    /// Medals that nobody can earn.
+    /// Medals that no flight earns.
     fn medals(&self, burnt: f64) -> Vec<Problem> {
-        let awards = &self.constants.awards;
+        let awards = &self.settings.awards;
         let mut warnings = Vec::new();
         let mut warn = |name: &str, found: String, expected: String| {
-            let line = self.constants.lines.iter().find(|(known, _)| *known == name).map_or(1, |(_, line)| *line);
-            warnings.push(Problem::new(rows::CONSTANTS.file, line, "value", found, expected));
+            let line = self.settings.given.line_of(name);
+            warnings.push(Problem::new(CONSTANTS.name, line, "value", found, expected));
         };
         let least = self.least_time();
         for (name, time) in [("silver", awards.silver), ("gold", awards.gold)] {
@@ -200,7 +199,7 @@ impl Power<'_> {
     }
 
     /// The objectives that no key gets to by falling.
-    fn keys_to_move(&self) -> impl Iterator<Item = &Placed<Objective>> {
+    fn keys_to_move(&self) -> impl Iterator<Item = &FromRow<Objective>> {
         let physics = self.draft.objectives.iter().filter(|placed| placed.item.kind == ObjectiveKind::Physics);
         physics.filter(|placed| self.gap(&placed.item).is_some_and(|(gap, _)| gap > NEAR))
     }
@@ -209,8 +208,8 @@ impl Power<'_> {
     /// first input, and until then everything falls.
     fn least_time(&self) -> Option<(f64, usize)> {
         let falls = self.falls()?;
-        let constants = self.constants;
-        let pull = self.gravity.abs() + constants.gravity_x.abs();
+        let settings = self.settings;
+        let pull = self.gravity.abs() + settings.gravity_x.abs();
         let pull = pull + self.draft.fields.iter().map(|field| field.item.strength.length()).sum::<f64>();
         let wind: f64 = self.draft.streams.iter().map(|stream| stream.item.force.length()).sum();
         let dense: f64 = self.draft.fluids.iter().map(|fluid| fluid.item.density).sum();
@@ -271,11 +270,11 @@ impl Power<'_> {
         (first - body.max.y).max(0.0)
     }
 
-    /// How far each body falls before the first input, m, the ship first; `None` where anything may then move another way.
+    /// How far each body falls before the first input, m, the ship first; `None` where a body may then move sideways.
     fn falls(&self) -> Option<Vec<f64>> {
         let draft = self.draft;
         let thrown = self.ship.velocity != DVec2::ZERO || draft.objects.iter().any(|object| object.item.velocity != DVec2::ZERO);
-        if thrown || self.gravity < 0.0 || self.constants.gravity_x != 0.0 {
+        if thrown || self.gravity < 0.0 || self.settings.gravity_x != 0.0 {
             return None;
         }
         let zones = draft.streams.iter().map(|stream| stream.item.zone).chain(draft.fields.iter().map(|field| field.item.zone));
@@ -307,7 +306,7 @@ struct Climbs {
 
 impl Climbs {
     /// `None` where the level is too large to say, or where the ship starts in something.
-    fn new(start: DVec2, space: &Space) -> Option<Self> {
+    fn new(start: DVec2, space: &FreeSpace) -> Option<Self> {
         let grid = space.grid(SHIP_HALF)?;
         // A heap costs some steps a cell.
         if grid.is_blocked(grid.at(start)) || !space.work().spend(4 * grid.len()) {

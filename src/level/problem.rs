@@ -1,4 +1,4 @@
-//! What is wrong with a level: where, what was found, what is expected.
+//! A problem of a level: its place, the found and the expected.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -12,13 +12,13 @@ const QUOTED_CHARACTERS: usize = 40;
 pub struct Problem {
     /// The file's name in the level folder.
     pub file: String,
-    /// The line as an editor counts it, from 1; 1 where a whole table is meant, 0 in what is no table.
+    /// The line as an editor counts it, from 1; 1 where a whole table is meant, 0 in a file that is no table.
     pub line: usize,
-    /// The column's name; for a cell beyond the last column its number, counted from 1; empty in what is no table.
+    /// The column's name; for a cell beyond the last column its number, counted from 1; empty in a file that is no table.
     pub column: String,
-    /// What was found.
+    /// The found, in words.
     pub found: String,
-    /// What is expected there.
+    /// The expected, in words.
     pub expected: String,
 }
 
@@ -82,6 +82,14 @@ pub fn told(problems: &[Problem]) -> Vec<String> {
         }
     };
     problems.iter().zip(numbers).filter_map(line).collect()
+}
+
+/// The most problems of a level that are listed: an author with more begins with the first.
+pub(super) const MOST_PROBLEMS: usize = 1000;
+
+/// Stands in place of all further problems.
+pub(super) fn too_many(file: &str, line: usize) -> Problem {
+    Problem::new(file, line, "all", "more problems from here on", format!("at most {MOST_PROBLEMS} in a level"))
 }
 
 /// An author's text in quotes, on one line, cut when it is long.

@@ -4,10 +4,10 @@
 //! carries it by friction; or by a hop from a hit. Where none of the first three is possible, a key gets where it can slide, fall and hop.
 //! How far a fall throws it back is not asked: it may come up again to where it fell from.
 
-use super::constants::Constants;
+use super::draft::Draft;
 use super::problem::Problem;
-use super::reach::{Body, Counts, Grid, Space};
-use super::read::Draft;
+use super::reach::{CentredBox, Counts, FreeSpace, Grid};
+use super::schema::settings::LevelSettings;
 use super::types::{Object, ObjectiveKind, Player, SHIP_HALF};
 use crate::physics::{Aabb, DVec2};
 
@@ -18,25 +18,25 @@ const HIT: f64 = 10.0;
 const MOST_OBJECTS: usize = 500;
 
 /// The objectives for keys to which no key gets that fits.
-pub(super) fn warn(draft: &Draft, player: &Player, constants: &Constants, space: &Space) -> Vec<Problem> {
+pub(super) fn warn(draft: &Draft, player: &Player, settings: &LevelSettings, space: &FreeSpace) -> Vec<Problem> {
     let wanted: Vec<_> = draft.objectives.iter().filter(|placed| placed.item.kind == ObjectiveKind::Physics).collect();
     let lifts = !draft.movers.is_empty() || !draft.streams.is_empty() || !draft.fields.is_empty() || !draft.fluids.is_empty();
     let belts = draft.world.iter().any(|solid| solid.item.belt != 0.0);
-    let sideways = constants.gravity <= 0.0 || constants.gravity_x != 0.0;
+    let sideways = settings.gravity <= 0.0 || settings.gravity_x != 0.0;
     let own = draft.objects.iter().any(|object| object.item.weightless || object.item.velocity != DVec2::ZERO);
     let large = draft.objects.len() > MOST_OBJECTS;
     if wanted.is_empty() || lifts || belts || sideways || own || large {
         return Vec::new();
     }
     let lifted = draft.objects.iter().any(|object| {
-        let hop = hop(draft, &object.item, player, constants);
-        is_carried(&object.item, player, constants) || is_lifted(&object.item, hop, player, draft, space)
+        let hop = hop(draft, &object.item, player, settings);
+        is_carried(&object.item, player, settings) || is_lifted(&object.item, hop, player, draft, space)
     });
     if lifted {
         return Vec::new();
     }
     let gets_there = |key: &Object, target: &Aabb| {
-        let hop = hop(draft, key, player, constants);
+        let hop = hop(draft, key, player, settings);
         Pushed::new(key, hop, draft, space).is_none_or(|pushed| pushed.gets_to(target))
     };
     let stuck = wanted.into_iter().filter(|placed| {
@@ -48,25 +48,25 @@ pub(super) fn warn(draft: &Draft, player: &Player, constants: &Constants, space:
 }
 
 /// How far a key hops, m: friction passes on at most μ of a hit's impulse upwards. Low objects that it may climb on the way come on top.
-fn hop(draft: &Draft, key: &Object, player: &Player, constants: &Constants) -> f64 {
-    let material = key.material.kinetic_friction.min(player.material.kinetic_friction) * constants.friction;
+fn hop(draft: &Draft, key: &Object, player: &Player, settings: &LevelSettings) -> f64 {
+    let material = key.material.kinetic_friction.min(player.material.kinetic_friction) * settings.friction;
     let bounce = [key.restitution, player.restitution, key.material.restitution, player.material.restitution];
     let bounce = bounce.into_iter().fold(0.0, f64::max);
     let speed = material * (1.0 + bounce) * player.mass / (player.mass + key.mass) * HIT;
-    let hop = speed * speed / (2.0 * constants.gravity);
+    let hop = speed * speed / (2.0 * settings.gravity);
     let steps = draft.objects.iter().map(|object| object.item.size.y).filter(|height| *height <= hop);
     hop + steps.sum::<f64>()
 }
 
 /// Whether the ship can carry an object before it by friction: it pushes so hard that friction bears the object, and bears both.
-fn is_carried(object: &Object, player: &Player, constants: &Constants) -> bool {
-    let friction = object.material.static_friction.min(player.material.static_friction) * constants.friction;
-    let weight = (player.mass + object.mass) * constants.gravity;
+fn is_carried(object: &Object, player: &Player, settings: &LevelSettings) -> bool {
+    let friction = object.material.static_friction.min(player.material.static_friction) * settings.friction;
+    let weight = (player.mass + object.mass) * settings.gravity;
     player.thrust >= weight * (1.0 + 1.0 / (friction * friction)).sqrt()
 }
 
 /// Whether the ship gets below an object somewhere.
-fn is_lifted(object: &Object, hop: f64, player: &Player, draft: &Draft, space: &Space) -> bool {
+fn is_lifted(object: &Object, hop: f64, player: &Player, draft: &Draft, space: &FreeSpace) -> bool {
     let (Some(pushed), Some(ship)) = (Pushed::new(object, hop, draft, space), space.grid(SHIP_HALF)) else { return true };
     let part = ship.part_at(player.position);
     if part == 0 || !space.work().spend(ship.len()) {
@@ -94,14 +94,14 @@ struct Pushed {
 
 impl Pushed {
     /// `None` where the level is too large to say, or where the object starts in something.
-    fn new(object: &Object, hop: f64, draft: &Draft, space: &Space) -> Option<Self> {
-        let (position, half): Body = (object.position, object.size * 0.5);
+    fn new(object: &Object, hop: f64, draft: &Draft, space: &FreeSpace) -> Option<Self> {
+        let (position, half): CentredBox = (object.position, object.size * 0.5);
         let grid = space.grid(half)?;
         let start = grid.at(position);
         if grid.is_blocked(start) {
             return None;
         }
-        // What it may stand on besides rock.
+        // Its supports besides rock.
         let doors = draft.doors.iter().map(|door| door.item.bounds);
         let plates = draft.switches.iter().filter(|switch| switch.item.weight.is_some()).map(|plate| plate.item.bounds);
         let others = draft.world.iter().filter(|solid| !solid.item.is_rock()).map(|solid| solid.item.bounds);

@@ -1,10 +1,10 @@
-//! Which objects nobody can ever touch: an exact flood fill of the free space, for a warning to authors.
+//! Objects that no body can ever touch: an exact flood fill of the free space, for a warning to authors.
 //!
 //! The centre of a box among solid rectangles moves like a point among those rectangles grown by the box's half size. The edges
 //! of the grown rectangles cut the level into a grid that is exact, whatever the sizes: its cells are the open intervals between
 //! two edges and, between them, the edges themselves (a box may slide through a gap of exactly its size).
 //!
-//! Who can be touched can be pushed, and may then touch others where the ship does not fit. Whatever might be reachable counts as
+//! A body that can be touched can be pushed, and may then touch others where the ship does not fit. Whatever might be reachable counts as
 //! reachable: objects are no obstacles to each other, and nothing is too heavy to push.
 
 use crate::physics::{Aabb, DVec2};
@@ -19,11 +19,11 @@ const MOST_SIZES: usize = 16;
 /// How many cells all searches of a level may look at together.
 pub(super) const MOST_WORK: u64 = 20_000_000;
 
-/// What the searches of a level have cost so far, in cells looked at.
+/// The cost of a level's searches so far, in cells looked at.
 #[derive(Debug, Default)]
-pub(super) struct Work(Cell<u64>);
+pub(super) struct SearchWork(Cell<u64>);
 
-impl Work {
+impl SearchWork {
     /// Whether the budget allows `cells` more cells; takes them from it then.
     pub fn spend(&self, cells: usize) -> bool {
         let spent = self.0.get().saturating_add(cells as u64);
@@ -34,7 +34,7 @@ impl Work {
         allowed
     }
 
-    /// Counts what is bounded by itself.
+    /// Counts looks that have a bound of their own.
     pub fn count(&self, looks: usize) {
         self.0.set(self.0.get().saturating_add(looks as u64));
     }
@@ -46,12 +46,12 @@ impl Work {
 }
 
 /// A level's free space.
-pub(super) struct Space {
+pub(super) struct FreeSpace {
     level: Aabb,
     solids: Vec<Aabb>,
     /// How far boxes may overlap solids, m: rounding must not close a gap.
     slack: f64,
-    work: Rc<Work>,
+    work: Rc<SearchWork>,
     grids: RefCell<Vec<(DVec2, Option<Rc<Grid>>)>>,
 }
 
@@ -68,13 +68,13 @@ pub(super) struct Grid {
 }
 
 /// A connected part of the free space of one size: the index of its grid, and the part's number.
-type Part = (usize, u32);
+type FreePart = (usize, u32);
 
 /// A `(centre, half)` box.
-pub(super) type Body = (DVec2, DVec2);
+pub(super) type CentredBox = (DVec2, DVec2);
 
-impl Space {
-    pub fn new(level: Aabb, solids: Vec<Aabb>, slack: f64, work: Rc<Work>) -> Self {
+impl FreeSpace {
+    pub fn new(level: Aabb, solids: Vec<Aabb>, slack: f64, work: Rc<SearchWork>) -> Self {
         Self { level, solids, slack, work, grids: RefCell::default() }
     }
 
@@ -89,13 +89,13 @@ impl Space {
         self.level.max.y
     }
 
-    /// What the searches of this level cost.
-    pub fn work(&self) -> &Work {
+    /// The cost of this level's searches.
+    pub fn work(&self) -> &SearchWork {
         &self.work
     }
 
     /// The indices of those bodies that nothing reaches that starts with the ship; none where the level is too large to say.
-    pub fn unreached(&self, ship: Body, bodies: &[Body]) -> Vec<usize> {
+    pub fn unreached(&self, ship: CentredBox, bodies: &[CentredBox]) -> Vec<usize> {
         let mut halves = vec![ship.1];
         for (_, half) in bodies {
             if halves.len() <= MOST_SIZES && !halves.contains(half) {
@@ -108,18 +108,18 @@ impl Space {
         let Some(grids) = halves.into_iter().map(|half| self.grid(half)).collect::<Option<Vec<Rc<Grid>>>>() else {
             return Vec::new();
         };
-        let part_of = |(centre, half): &Body| -> Option<Part> {
+        let part_of = |(centre, half): &CentredBox| -> Option<FreePart> {
             let grid = grids.iter().position(|grid| grid.half == *half)?;
             Some((grid, grids[grid].part_at(*centre))).filter(|(_, part)| *part != 0)
         };
-        let mut waiting: BTreeMap<Part, Vec<usize>> = BTreeMap::new();
+        let mut waiting: BTreeMap<FreePart, Vec<usize>> = BTreeMap::new();
         for (i, body) in bodies.iter().enumerate() {
             // A body without a place of its own has been refused; it is never warned about.
             if let Some(part) = part_of(body) {
                 waiting.entry(part).or_default().push(i);
             }
         }
-        let mut reached: Vec<Part> = part_of(&ship).into_iter().collect();
+        let mut reached: Vec<FreePart> = part_of(&ship).into_iter().collect();
         while let Some((grid, part)) = reached.pop() {
             let Some(from) = self.counts(&grids[grid], part) else { return Vec::new() };
             let mut touched = Vec::new();
@@ -144,7 +144,7 @@ impl Space {
 
     /// Whether a body can get somewhere from where it touches a box; also where the level is too large to say, or where the body starts in
     /// something.
-    pub fn gets_to(&self, (centre, half): Body, target: &Aabb) -> bool {
+    pub fn gets_to(&self, (centre, half): CentredBox, target: &Aabb) -> bool {
         let Some(grid) = self.grid(half) else { return true };
         let part = grid.part_at(centre);
         if part == 0 || !self.work.spend(1) {
@@ -265,12 +265,10 @@ impl Grid {
         }
     }
 
-    /// How many cells a row has.
     pub fn columns(&self) -> usize {
         2 * self.x.len() + 1
     }
 
-    /// How many cells there are.
     pub fn len(&self) -> usize {
         self.parts.len()
     }
@@ -281,7 +279,6 @@ impl Grid {
         Aabb { min: DVec2::new(x.0, y.0), max: DVec2::new(x.1, y.1) }
     }
 
-    /// Half the size of the box.
     pub const fn half(&self) -> DVec2 {
         self.half
     }
@@ -365,10 +362,10 @@ impl Counts {
 mod tests {
     use super::*;
 
-    fn space(solids: &[[f64; 4]]) -> Space {
+    fn space(solids: &[[f64; 4]]) -> FreeSpace {
         let aabb = |[x, y, w, h]: [f64; 4]| Aabb::new(DVec2::new(x, y), DVec2::new(x + w, y + h));
         let solids = solids.iter().copied().map(aabb).collect();
-        Space::new(aabb([0.0, 0.0, 100.0, 100.0]), solids, 1e-6, Rc::default())
+        FreeSpace::new(aabb([0.0, 0.0, 100.0, 100.0]), solids, 1e-6, Rc::default())
     }
 
     fn body(x: f64, y: f64, half: f64) -> (DVec2, DVec2) {

@@ -8,18 +8,17 @@ pub(super) const SHORTEST: f64 = 1e-3;
 
 /// How fast a mover goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Pace {
+pub(super) enum MoverPace {
     /// Between its easings, m/s.
     Speed(f64),
-    /// So that all of its way takes so long, waits included, s.
+    /// The time of its whole route, waits included, s.
     Period(f64),
 }
 
-/// What happens between way points.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Manner {
     pub route: Route,
-    pub pace: Pace,
+    pub pace: MoverPace,
     /// At each stop, s.
     pub wait: f64,
     /// In which it gets to its speed, and out of which it stops, s.
@@ -68,8 +67,8 @@ fn ways(stops: &[DVec2], route: Route) -> Vec<DVec2> {
 /// m/s.
 fn speed(ways: &[DVec2], Manner { pace, wait, ease, .. }: Manner) -> Result<f64, f64> {
     let period = match pace {
-        Pace::Speed(speed) => return Ok(speed),
-        Pace::Period(period) => period,
+        MoverPace::Speed(speed) => return Ok(speed),
+        MoverPace::Period(period) => period,
     };
     let all: f64 = ways.iter().map(|way| way.length()).sum();
     let shortest = ways.iter().map(|way| way.length()).fold(f64::INFINITY, f64::min);
@@ -86,7 +85,7 @@ mod tests {
 
     const STOPS: [DVec2; 3] = [DVec2::new(1.0, 1.0), DVec2::new(7.0, 1.0), DVec2::new(7.0, 4.0)];
 
-    fn manner(route: Route, pace: Pace) -> Manner {
+    fn manner(route: Route, pace: MoverPace) -> Manner {
         Manner { route, pace, wait: 0.5, ease: 1.0 }
     }
 
@@ -105,7 +104,7 @@ mod tests {
             (Route::Back, 4.0 * 1.5 + 18.0 / 2.0, DVec2::ZERO),
             (Route::Round, 3.0 * 1.5 + (9.0 + 45f64.sqrt()) / 2.0, DVec2::ZERO),
         ] {
-            let path = path(&STOPS, manner(route, Pace::Speed(2.0))).unwrap();
+            let path = path(&STOPS, manner(route, MoverPace::Speed(2.0))).unwrap();
             assert!((duration(&path) - seconds).abs() < 1e-12, "{route:?}");
             assert!(end(&path).distance(ends) < 1e-12, "{route:?}");
             assert_eq!(path.repeats, route != Route::Once);
@@ -114,16 +113,16 @@ mod tests {
 
     #[test]
     fn a_period_gives_the_speed() {
-        let timed = path(&STOPS, manner(Route::Back, Pace::Period(15.0))).unwrap();
-        assert_eq!(timed, path(&STOPS, manner(Route::Back, Pace::Speed(2.0))).unwrap());
-        let least = path(&STOPS, manner(Route::Back, Pace::Period(1.0))).unwrap_err();
-        assert!((duration(&path(&STOPS, manner(Route::Back, Pace::Period(least))).unwrap()) - least).abs() < 1e-9);
+        let timed = path(&STOPS, manner(Route::Back, MoverPace::Period(15.0))).unwrap();
+        assert_eq!(timed, path(&STOPS, manner(Route::Back, MoverPace::Speed(2.0))).unwrap());
+        let least = path(&STOPS, manner(Route::Back, MoverPace::Period(1.0))).unwrap_err();
+        assert!((duration(&path(&STOPS, manner(Route::Back, MoverPace::Period(least))).unwrap()) - least).abs() < 1e-9);
     }
 
     #[test]
     fn what_is_too_short_for_its_speed_is_eased_all_the_way() {
         let short = [DVec2::ZERO, DVec2::new(0.5, 0.0)];
-        let path = path(&short, manner(Route::Once, Pace::Speed(2.0))).unwrap();
+        let path = path(&short, manner(Route::Once, MoverPace::Speed(2.0))).unwrap();
         assert_eq!(path.legs.len(), 3);
         assert_eq!(path.legs[1].acceleration, DVec2::new(0.5, 0.0));
         assert!(end(&path).distance(short[1]) < 1e-15);

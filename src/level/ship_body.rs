@@ -1,4 +1,4 @@
-//! The ship's body as it is drawn: what is lethal is judged by it, while solids, pads, keys and zones keep the box around it.
+//! The ship's body as it is drawn: red destroys the ship where it touches this body; solids, pads, keys and zones keep the box around it.
 
 use crate::physics::{Aabb, DVec2};
 

@@ -1,16 +1,16 @@
-//! Forces that are too strong for the masses that they act on: what two cells, each accepted by itself, come to together.
+//! Forces that are too strong for the masses that they act on: limits of two cells together.
 
+use super::draft::Draft;
 use super::problem::Problem;
-use super::read::Draft;
 use crate::physics::domain::MOST_ACCELERATION;
 
-/// What is expected where a force is more than anything of that mass may feel; `None` where it is not.
+/// The expected force, where one is more than a body of that mass may feel.
 pub(super) fn judge(force: f64, mass: f64) -> Option<String> {
     (force.abs() > MOST_ACCELERATION * mass)
         .then(|| format!("at most {} N, which is {MOST_ACCELERATION} m/s²", MOST_ACCELERATION * mass))
 }
 
-/// The ship, where its thrust is too strong for it, and every stream that is too strong for what is lightest.
+/// The ship, where its thrust is too strong for it, and every stream that is too strong for the lightest body.
 pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     let mut problems = Vec::new();
     if let Some(ship) = &draft.player {

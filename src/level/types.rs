@@ -1,6 +1,5 @@
 //! A level as the rest of the game knows it: in metres, checked, ready to play.
 
-use super::awards::Awards;
 use crate::physics::{Aabb, DVec2, Material, Path, Sides};
 
 /// The ship's height, m: it fixes the scale.
@@ -37,21 +36,21 @@ pub struct Level {
     pub optimal_time: f64,
     /// m/s.
     pub rest_speed: f64,
-    /// What all coefficients of friction are multiplied by.
+    /// Factor of all coefficients of friction.
     pub friction: f64,
     /// Whether it shows a law: the ship plays no part, and nothing is scored.
     pub experiment: bool,
-    /// What its medals ask for.
+    /// The demands of its medals.
     pub awards: Awards,
     /// The ship.
     pub player: Player,
     /// Solid, immovable rectangles.
     pub world: Vec<Solid>,
-    /// Blocks that go along a way.
+    /// Blocks that move along a path.
     pub movers: Vec<Mover>,
     /// Blocks that switches open.
     pub doors: Vec<Solid>,
-    /// What works doors, movers, streams and belts.
+    /// Plates and areas that work doors, movers, streams and belts.
     pub switches: Vec<Switch>,
     /// Those of objects.csv, then the key objects, each in file order.
     pub objects: Vec<Object>,
@@ -64,7 +63,7 @@ pub struct Level {
     /// Liquids.
     pub fluids: Vec<Fluid>,
     /// Zones with a gravity of their own, besides that of the level.
-    pub fields: Vec<Field>,
+    pub fields: Vec<GravityZone>,
     /// Fuel to be picked up.
     pub pods: Vec<Pod>,
     /// Pictures that nothing touches.
@@ -92,7 +91,7 @@ pub struct Player {
     pub thrust: f64,
     /// Whether air acts on it.
     pub feels_air: bool,
-    /// What it is made of.
+    /// Its material.
     pub material: Material,
     /// Drag coefficient.
     pub drag: f64,
@@ -112,7 +111,7 @@ impl Player {
 pub struct Solid {
     /// Where it is, at the start.
     pub bounds: Aabb,
-    /// What it is made of.
+    /// Its material.
     pub material: Material,
     /// From which sides it is solid.
     pub sides: Sides,
@@ -120,7 +119,7 @@ pub struct Solid {
     pub belt: f64,
     /// It breaks when something hits it with more than this, N·s.
     pub breaks: Option<f64>,
-    /// What switches call it; several things may share a name.
+    /// Its name for switches; several things may share it.
     pub name: Option<String>,
 }
 
@@ -136,10 +135,10 @@ impl Solid {
     }
 }
 
-/// What a mover does at the end of its way.
+/// The motion of a mover at the end of its path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Route {
-    /// It goes back the way it came, for ever.
+    /// It goes back through its way points, for ever.
     Back,
     /// It goes straight to its start and begins again, for ever.
     Round,
@@ -147,20 +146,20 @@ pub enum Route {
     Once,
 }
 
-/// A block that goes along a way.
+/// A block that moves along a path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mover {
     /// The block as it is at the start.
     pub solid: Solid,
     /// Where its centre stops, the start first, m.
     pub stops: Vec<DVec2>,
-    /// What it does at the end.
+    /// Its motion at the end.
     pub route: Route,
     /// How it goes.
     pub path: Path,
 }
 
-/// Who works a switch by touching it.
+/// The bodies that work a switch by touching it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Presser {
     /// The ship or any object.
@@ -175,7 +174,7 @@ pub enum Presser {
 
 /// How long a switch stays on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Latch {
+pub enum SwitchStay {
     /// While it is pressed.
     Held,
     /// For ever, once it has been pressed.
@@ -184,7 +183,7 @@ pub enum Latch {
     Toggled,
 }
 
-/// What a switch does to the things of a name.
+/// The things of a name, as a switch works them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Work {
     /// Their name.
@@ -198,17 +197,22 @@ pub struct Work {
 pub struct Switch {
     /// Where it is.
     pub bounds: Aabb,
-    /// What it works.
+    /// The things that it works.
     pub works: Vec<Work>,
     /// It is a solid plate, pressed by more than this, N. `None`: an area that only has to be touched.
     pub weight: Option<f64>,
-    /// Who can press it.
+    /// The bodies that press it.
     pub by: Presser,
     /// How long it stays on.
-    pub latch: Latch,
+    pub latch: SwitchStay,
 }
 
 impl Level {
+    /// How many objectives wait for the ship, or for key objects.
+    pub fn objectives_of(&self, kind: ObjectiveKind) -> usize {
+        self.objectives.iter().filter(|objective| objective.kind == kind).count()
+    }
+
     /// The pictures that objects and decoration show.
     pub fn pictures(&self) -> impl Iterator<Item = &std::path::PathBuf> {
         let looks = self.objects.iter().map(|object| &object.look).chain(self.decoration.iter().map(|shown| &shown.look));
@@ -249,7 +253,7 @@ pub struct Object {
     pub circular: bool,
     /// How it is drawn.
     pub look: Look,
-    /// What it is made of.
+    /// Its material.
     pub material: Material,
     /// A key object's colour; `None` for an ordinary object.
     pub key: Option<[u8; 3]>,
@@ -257,7 +261,7 @@ pub struct Object {
     pub weightless: bool,
 }
 
-/// What an objective waits for.
+/// The body that an objective waits for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ObjectiveKind {
     /// The ship.
@@ -269,7 +273,7 @@ pub enum ObjectiveKind {
 /// An objective block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Objective {
-    /// What it waits for.
+    /// The body that it waits for.
     pub kind: ObjectiveKind,
     /// Where it is.
     pub bounds: Aabb,
@@ -302,7 +306,7 @@ pub struct Stream {
     pub zone: Aabb,
     /// N.
     pub force: DVec2,
-    /// What switches call it.
+    /// Its name for switches.
     pub name: Option<String>,
 }
 
@@ -321,7 +325,7 @@ pub struct Fluid {
 
 /// A zone with a gravity of its own, which adds to that of the level.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Field {
+pub struct GravityZone {
     /// Where it is.
     pub zone: Aabb,
     /// N/kg.
@@ -344,7 +348,7 @@ pub struct Decoration {
     pub bounds: Aabb,
     /// How it is drawn.
     pub look: Look,
-    /// Whether it covers what moves.
+    /// Whether it covers moving bodies.
     pub in_front: bool,
 }
 
@@ -359,4 +363,28 @@ pub struct Text {
     pub text: String,
     /// Red, green, blue; `None`: that of all words.
     pub colour: Option<[u8; 3]>,
+}
+
+/// The demands of a level's medals; a level that names none has bronze alone.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Awards {
+    /// The longest time for silver, s.
+    pub silver: Option<f64>,
+    /// The longest time for gold, s; no longer than that for silver.
+    pub gold: Option<f64>,
+    /// The demand of the level's own mark.
+    pub mark: Option<Mark>,
+}
+
+/// The demand of a level's own mark on a flight that completes it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mark {
+    /// The most damaging hits.
+    Hits(u32),
+    /// The least fuel left, %.
+    Fuel(f64),
+    /// The most pushes of objects by the ship.
+    Pushes(u32),
+    /// The highest speed, m/s.
+    Speed(f64),
 }

@@ -1,8 +1,9 @@
-//! What of a level can be varied: each number by itself, what it may be, and in which cells it stands. The limits are the loader's own.
+//! The numbers of a level that can be varied, each with its limits, which are the loader's, and its cells.
 
-use super::document::{Document, Kind, RowId, SetCell, Table};
+use super::document::{Document, RowId, SetCell};
+use super::numbers::{self as q, NumberRange};
 use super::problem::Problem;
-use super::quantity::{self as q, Quantity};
+use super::schema::{Kind, Table};
 use super::strength;
 use super::types::{Level, Object};
 
@@ -25,14 +26,14 @@ pub enum Parameter {
     Gravity,
     /// Density of the air, kg/m³.
     Air,
-    /// What all coefficients of friction are multiplied by.
+    /// Factor of all coefficients of friction.
     Friction,
-    /// What the forces of all air streams are multiplied by, compared with those of the level that is varied.
+    /// Factor of the forces of all air streams, 1 in the level that is varied.
     Wind,
 }
 
 impl Parameter {
-    /// What can be varied of a body of the level, and of the level.
+    /// The parameters of a body of the level, and of the level.
     pub fn all(level: &Level, body: usize) -> Vec<Self> {
         let mut all = Vec::new();
         if body <= level.objects.len() {
@@ -45,7 +46,7 @@ impl Parameter {
         all
     }
 
-    /// What it is called.
+    /// Its name on the screen.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Mass(_) => "Mass",
@@ -63,14 +64,7 @@ impl Parameter {
 
     /// Its unit; empty where it has none.
     pub const fn unit(self) -> &'static str {
-        match self {
-            Self::Mass(_) => "kg",
-            Self::VelocityX(_) | Self::VelocityY(_) => "m/s",
-            Self::Thrust => "N",
-            Self::Gravity => "N/kg",
-            Self::Air => "kg/m³",
-            Self::Drag(_) | Self::Restitution(_) | Self::Friction | Self::Wind => "",
-        }
+        self.quantity().unit()
     }
 
     /// The body that it is of, if it is of one.
@@ -82,7 +76,7 @@ impl Parameter {
         }
     }
 
-    /// Whether only a flight from its start shows what it does.
+    /// Whether only a flight from its start shows its effect.
     pub const fn is_of_the_start(self) -> bool {
         matches!(self, Self::VelocityX(_) | Self::VelocityY(_))
     }
@@ -92,7 +86,7 @@ impl Parameter {
         self.quantity().limits()
     }
 
-    const fn quantity(self) -> Quantity {
+    const fn quantity(self) -> NumberRange {
         match self {
             Self::Mass(_) => q::MASS,
             Self::Drag(_) => q::DRAG,
@@ -109,13 +103,13 @@ impl Parameter {
     /// The number that a text holds, as in a level's file.
     ///
     /// # Errors
-    /// What is expected instead, in words.
+    /// The number that is expected instead, in words.
     pub fn parse(self, text: &str) -> Result<f64, String> {
-        // A true minus is what the game itself writes.
+        // The game itself writes a true minus.
         self.quantity().parse(&text.trim().replace('−', "-"))
     }
 
-    /// What it is in a level; `None` where that has no such body.
+    /// Its value in a level; `None` where that has no such body.
     pub fn of(self, level: &Level) -> Option<f64> {
         let (player, object) = (&level.player, |i: usize| level.objects.get(i - 1));
         let of = |i: usize, ship: f64, value: fn(&Object) -> f64| if i == 0 { Some(ship) } else { object(i).map(value) };

@@ -1,21 +1,20 @@
-//! Whether a level can be won at all, and has not been won or lost before it begins. What might be possible counts as possible: doors are
+//! Whether a level can be won at all, and has not been won or lost before it begins. Whatever might be possible counts as possible: doors are
 //! open, nothing is too heavy, and movers are anywhere.
 
 use super::box_tree::BoxTree;
+use super::draft::Draft;
+use super::placed::FromRow;
 use super::problem::{Problem, quoted};
-use super::reach::{Body, Space};
-use super::read::Draft;
-use super::rows::Placed;
+use super::reach::{CentredBox, FreeSpace};
 use super::ship_body::{ship_body, sweep_touches};
 use super::types::{Objective, ObjectiveKind, Player, SHIP_HALF};
 use crate::physics::{Aabb, DVec2};
 use std::collections::BTreeMap;
 
-/// What touches by less than this far, m, touches: as the rules have it.
+/// A gap of less than this, m, is touched: as in the rules.
 const TOUCH: f64 = 1e-9;
 
-/// Everything that cannot be won.
-pub(super) fn check(draft: &Draft, player: &Player, space: &Space) -> Vec<Problem> {
+pub(super) fn check(draft: &Draft, player: &Player, space: &FreeSpace) -> Vec<Problem> {
     let ship = (player.position, SHIP_HALF);
     let mut problems = starts(draft, ship, player.angle);
     problems.extend(unreachable(draft, ship, space));
@@ -27,18 +26,18 @@ pub(super) fn check(draft: &Draft, player: &Player, space: &Space) -> Vec<Proble
 }
 
 /// The bodies that fit an objective.
-pub(super) fn fitting<'a>(draft: &'a Draft, objective: &'a Objective, ship: Body) -> impl Iterator<Item = Body> + 'a {
+pub(super) fn fitting<'a>(draft: &'a Draft, objective: &'a Objective, ship: CentredBox) -> impl Iterator<Item = CentredBox> + 'a {
     let player = objective.kind == ObjectiveKind::Player;
     let keys = draft.objects.iter().filter(move |object| !player && object.item.key.is_some_and(|key| objective.fits(key)));
     player.then_some(ship).into_iter().chain(keys.map(|key| (key.item.position, key.item.size * 0.5)))
 }
 
-fn touches((centre, half): Body, bounds: &Aabb) -> bool {
+fn touches((centre, half): CentredBox, bounds: &Aabb) -> bool {
     Aabb::around(centre, half).touches(bounds, TOUCH)
 }
 
 /// A start that is the end.
-fn starts(draft: &Draft, ship: Body, angle: f64) -> Vec<Problem> {
+fn starts(draft: &Draft, ship: CentredBox, angle: f64) -> Vec<Problem> {
     let (at, body) = (ship.0, ship_body(angle));
     let deadly = draft.obstacles.iter().filter(|deadly| sweep_touches(&body, at, at, &deadly.item, TOUCH));
     let mut problems: Vec<Problem> =
@@ -55,7 +54,7 @@ fn starts(draft: &Draft, ship: Body, angle: f64) -> Vec<Problem> {
 }
 
 /// Objectives that nothing which fits can get to.
-fn unreachable(draft: &Draft, ship: Body, space: &Space) -> Vec<Problem> {
+fn unreachable(draft: &Draft, ship: CentredBox, space: &FreeSpace) -> Vec<Problem> {
     let mut problems = Vec::new();
     for placed in &draft.objectives {
         let objective = &placed.item;
@@ -84,7 +83,7 @@ fn unreachable(draft: &Draft, ship: Body, space: &Space) -> Vec<Problem> {
 
 /// Objectives for the ship that lie too far apart to be touched at once.
 fn apart(draft: &Draft) -> Option<Problem> {
-    let at_once = |objective: &&Placed<Objective>| objective.item.kind == ObjectiveKind::Player && objective.item.order.is_none();
+    let at_once = |objective: &&FromRow<Objective>| objective.item.kind == ObjectiveKind::Player && objective.item.order.is_none();
     let mut pads = draft.objectives.iter().filter(at_once);
     let mut room = grown(&pads.next()?.item.bounds, SHIP_HALF);
     for pad in pads {
@@ -98,7 +97,7 @@ fn apart(draft: &Draft) -> Option<Problem> {
     None
 }
 
-/// Objectives whose turn is the same: the rules let these be met in any order, which is seldom what a number is given for.
+/// Objectives whose turn is the same: the rules let these be met in any order, which an author seldom wants.
 pub(super) fn same_turns(draft: &Draft) -> Vec<Problem> {
     let mut first: BTreeMap<u32, usize> = BTreeMap::new();
     let mut warnings = Vec::new();
@@ -114,9 +113,9 @@ pub(super) fn same_turns(draft: &Draft) -> Vec<Problem> {
 }
 
 /// More objectives for keys than keys, none of which can touch two at once.
-fn too_few_keys(draft: &Draft, space: &Space) -> Option<Problem> {
-    let at_once = |objective: &&Placed<Objective>| objective.item.kind == ObjectiveKind::Physics && objective.item.order.is_none();
-    let wanted: Vec<&Placed<Objective>> = draft.objectives.iter().filter(at_once).collect();
+fn too_few_keys(draft: &Draft, space: &FreeSpace) -> Option<Problem> {
+    let at_once = |objective: &&FromRow<Objective>| objective.item.kind == ObjectiveKind::Physics && objective.item.order.is_none();
+    let wanted: Vec<&FromRow<Objective>> = draft.objectives.iter().filter(at_once).collect();
     let keys: Vec<DVec2> = draft.objects.iter().filter(|object| object.item.key.is_some()).map(|key| key.item.size * 0.5).collect();
     let mut halves = keys.clone();
     halves.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
@@ -125,7 +124,7 @@ fn too_few_keys(draft: &Draft, space: &Space) -> Option<Problem> {
         let rooms: Vec<Aabb> = wanted.iter().map(|objective| grown(&objective.item.bounds, *half)).collect();
         let tree = BoxTree::of(rooms.iter().copied());
         let alone = |(i, room): (usize, &Aabb)| tree.search(room, TOUCH, |other| other as usize == i);
-        // Where that would take too long, what might be possible counts as possible.
+        // Where that would take too long, it counts as possible.
         !space.work().spend(rooms.len()) || !rooms.iter().enumerate().all(alone)
     };
     if wanted.len() <= keys.len() || halves.iter().any(shared) {

@@ -1,4 +1,4 @@
-//! What switches work, found by name; and which of a world's surfaces is which.
+//! The things that switches work, found by name; and the kinds of a world's surfaces.
 
 use super::types::Level;
 use std::collections::BTreeMap;
@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 /// Something that switches work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Worked {
-    /// A mover: it goes on its way while it is on.
+    /// A mover: it moves while it is on.
     Mover(usize),
     /// A door: it is open while it is on.
     Door(usize),
@@ -16,12 +16,12 @@ pub enum Worked {
     Stream(usize),
 }
 
-/// Something that is worked, and by what.
+/// A thing and the switches that work it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Wire {
-    /// What.
+    /// The thing.
     pub worked: Worked,
-    /// The switches, each with whether it works the other way round. It is on while one of them says so.
+    /// The switches, each with whether the thing is on while the switch is off. It is on while one of them says so.
     pub by: Vec<(usize, bool)>,
 }
 
@@ -32,7 +32,7 @@ impl Wire {
     }
 }
 
-/// What a surface of a level's world is.
+/// The thing that a surface of a level's world belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SurfaceOf {
     /// The block of that index in `Level::world`.
@@ -65,7 +65,7 @@ impl Level {
         named.filter_map(|(name, worked)| wire(name.as_deref()?, worked?)).collect()
     }
 
-    /// What a surface of the level's world is, by its index there.
+    /// The thing that a surface of the level's world belongs to, by its index there.
     pub fn surface(&self, index: usize) -> SurfaceOf {
         let mut left = index;
         let mut within = |count: usize| {

@@ -1,10 +1,10 @@
-//! Words that cannot be read as they were meant: warnings.
+//! Warnings of words that cannot be read as they were meant.
 
+use super::draft::Draft;
 use super::problem::{Problem, quoted};
-use super::read::Draft;
 use crate::physics::DVec2;
 
-/// The least that a line of letters is wide, in its height a letter: only what runs out in any case is told.
+/// The least width of a letter, in heights of it: only words that run out in any case are reported.
 const NARROWEST: f64 = 0.36;
 
 /// Texts with letters that the game's typefaces do not have, and texts that run out of a level of that size in metres.

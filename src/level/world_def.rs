@@ -20,7 +20,7 @@ impl Level {
     }
 
     /// How the level's world begins, with everything that a switch works as it is before the first one is pressed; but streams blow. Body 0
-    /// is the ship, body i + 1 is object i; the surfaces are told apart by [`Level::surface`]; stream i and liquid i are the level's.
+    /// is the ship, body i + 1 is object i; [`Level::surface`] tells the surfaces apart; stream i and liquid i are the level's.
     pub fn world_def(&self) -> WorldDef {
         let ship = BodyDef {
             position: self.player.position,

@@ -7,7 +7,7 @@ use super::worker::{Card, Errand, Ticket};
 use super::{App, Attempt, Editor, Flight, Flights, LevelSelect, Make, Purpose, Request, Screen, Spectator, Stamp, footage};
 use crate::game::{Outcome, level_hash};
 use crate::instruments::vary::Variation;
-use crate::level::document::{Folder, Opened};
+use crate::level::document::{LevelFolder, Opened};
 use crate::level::{self, Awards, Level, Problem, scaffold};
 use crate::number::clock;
 use std::any::Any;
@@ -274,7 +274,7 @@ impl App {
         let name = if name.is_empty() { scaffold::free_name(&levels, &level.name, "what-if") } else { name.to_owned() };
         scaffold::judge(&levels, &name)?;
         let from = self.library.folder(&level.name);
-        let Opened { mut document, folder, .. } = Folder::open(&from, self.library.root())?;
+        let Opened { mut document, folder, .. } = LevelFolder::open(&from, self.library.root())?;
         document.vary(&wanted, &variation.parameters(), None)?;
         let loaded = folder.check(&document).map_err(first)?;
         if level_hash(&loaded.level) != level_hash(&wanted) {

@@ -1,7 +1,7 @@
 //! What loads, into what.
 
 use crate::{fixtures, good, lines, package, rectangle};
-use resultant::level::{self, Latch, Look, ObjectiveKind, Presser, Route, SurfaceOf, Work};
+use resultant::level::{self, Look, ObjectiveKind, Presser, Route, SurfaceOf, SwitchStay, Work};
 use resultant::physics::{Aabb, DVec2, Material, Sides, World};
 
 #[test]
@@ -128,9 +128,9 @@ fn what_there_is_to_build_with() {
     let [plate, area] = &level.switches[..] else { panic!("{:?}", level.switches) };
     assert_eq!(
         (plate.weight, plate.latch, &plate.works),
-        (Some(250.0), Latch::Latched, &vec![work("gate", false), work("mill", true)])
+        (Some(250.0), SwitchStay::Latched, &vec![work("gate", false), work("mill", true)])
     );
-    assert_eq!((area.weight, area.latch, area.by), (None, Latch::Toggled, Presser::Key));
+    assert_eq!((area.weight, area.latch, area.by), (None, SwitchStay::Toggled, Presser::Key));
     // The door does not shade; nothing of the world is in the way.
     assert_eq!((level.streams[0].name.as_deref(), level.streams[0].zone.min.x), (Some("fan"), 940.0 / 30.0));
     assert_eq!((level.fields[0].strength, level.pods[0].fuel), (DVec2::new(0.0, -9.5), 125.0));

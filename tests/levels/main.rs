@@ -6,6 +6,7 @@
 mod anything;
 mod check_and_new;
 mod document;
+mod documentation;
 mod limits;
 mod loading;
 mod sizes;

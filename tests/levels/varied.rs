@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use proptest::sample::Index;
 use resultant::game::{Controls, Game, History, SHIP, level_hash};
 use resultant::instruments::vary::{Track, Variation};
-use resultant::level::document::{Folder, Opened};
+use resultant::level::document::{LevelFolder, Opened};
 use resultant::level::{self, Level, Parameter, scaffold};
 use std::path::PathBuf;
 use std::sync::{Arc, LazyLock};
@@ -59,7 +59,7 @@ proptest! {
         let folder = at.get(&FOLDERS);
         let level = level::load(folder, package()).expect("it ships").level;
         let variation = vary(&level, &changes);
-        let Opened { mut document, folder: opened, .. } = Folder::open(folder, package()).expect("it can be opened");
+        let Opened { mut document, folder: opened, .. } = LevelFolder::open(folder, package()).expect("it can be opened");
         match variation.apply(&level) {
             Ok(varied) => {
                 document.vary(&varied, &variation.parameters(), None).expect("it has these rows");
@@ -107,7 +107,7 @@ fn a_level_that_is_written_as_it_is_varied_loads_as_that() {
     assert_eq!(varied.objects[keys - 1].velocity.y, -0.25, "upwards");
     let levels = tempfile::tempdir().unwrap();
     let from = package().join("levels/8");
-    let Opened { mut document, .. } = Folder::open(&from, package()).unwrap();
+    let Opened { mut document, .. } = LevelFolder::open(&from, package()).unwrap();
     document.vary(&varied, &variation.parameters(), None).unwrap();
     let name = scaffold::free_name(levels.path(), "8", "what-if");
     scaffold::copy_edited(&from, levels.path(), &name, &document).unwrap();

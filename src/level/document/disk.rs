@@ -1,152 +1,71 @@
-//! The only part of the document that knows the disk: opening, saving, and keeping what is not saved yet.
+//! The only part of the document that knows the disk: it opens and saves, and keeps edits that are not saved yet.
 //!
 //! Each file is replaced whole. Before the first one is, everything stands in
 //! `.autosave`, in the level's folder, and that goes when the last one is there: whenever the program ends, however it ends, each file is
-//! the old one or the new one, and what was edited is in the one or the other. The loader and `check` pass over hidden names. Of several
+//! the old one or the new one, and the edits are in the files or in `.autosave`. The loader and `check` pass over hidden names. Of several
 //! editors of one level each has an `.autosave` of its own.
 
-use super::{Document, Table};
+use super::desk::EditorDesk;
+use super::kept::{self, Kept};
+use super::model::Document;
 use crate::files::{self, Links, Replacement};
 use crate::level::folder::{Disk, load_from};
 use crate::level::image::png_size;
-use crate::level::read::{BACKGROUND, Files, read, read_unfinished};
-use crate::level::{Loaded, Problem};
+use crate::level::problem::Problem;
+use crate::level::read::Loaded;
+use crate::level::read::{read, read_unfinished};
+use crate::level::schema::Table;
+use crate::level::source::{BACKGROUND, Files};
 use crate::physics::DVec2;
 use std::collections::BTreeMap;
 use std::fmt;
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What is not saved yet.
-const KEPT: &str = ".autosave";
-/// How many editors of one level keep what is not saved.
-const MOST_EDITORS: u32 = 100;
 /// The folder of the pictures that levels share, how deep they lie in it, and the most that are offered, or looked at in one folder.
 const ASSETS: &str = "assets";
 const ASSETS_DEPTH: u32 = 3;
 const MOST_PICTURES: usize = 1000;
 /// How many copies of one file are kept beside it.
 const MOST_COPIES: u32 = 10_000;
-/// How that file begins.
-const MARK: &str = "resultant autosave 1\n";
-/// How it ends: what has no such end was cut short.
-const END: &str = "end\n";
-/// The largest such file that is read: all tables at their limits, and room for their names.
-const KEPT_MOST: u64 = (files::LEVEL_TABLE + 100) * Table::ALL.len() as u64;
-
 /// A level's folder as a document knows it.
 #[derive(Clone, Debug)]
-pub struct Folder {
+pub struct LevelFolder {
     folder: PathBuf,
     project: PathBuf,
-    /// What the files held when they were opened or saved last, by [`Table`].
+    /// The files' bytes when they were opened or saved last, by [`Table`].
     known: Vec<Option<Vec<u8>>>,
-    desk: Arc<Desk>,
-}
-
-/// Which of a level's editors this one is, for as long as it has the level open: a lock says so to the others.
-#[derive(Debug)]
-struct Desk {
-    /// Where what is not saved is kept.
-    kept: PathBuf,
-    /// Whether another editor has the level open.
-    shared: bool,
-    /// Held until this editor ends.
-    lock: Option<(File, PathBuf)>,
-}
-
-impl Desk {
-    /// The first, also where another editor has it.
-    fn alone(folder: &Path) -> Self {
-        Self { kept: folder.join(KEPT), shared: false, lock: None }
-    }
-
-    /// The first that nobody has; one where something was left goes before the others.
-    fn take(folder: &Path) -> Self {
-        let left = (1..=MOST_EDITORS).filter(|number| fs::symlink_metadata(Self::name(folder, *number)).is_ok());
-        let mut desks = left.chain(1..=MOST_EDITORS).filter_map(|number| Some((number, Self::at(folder, number)?)));
-        let Some((number, mut desk)) = desks.next() else { return Self { kept: folder.join(KEPT), shared: true, lock: None } };
-        desk.shared = number != 1 && Self::at(folder, 1).is_none();
-        desk
-    }
-
-    /// That one; `None` where another editor has it. Where no lock can be made, as in a folder that is read-only, nothing can be kept either.
-    fn at(folder: &Path, number: u32) -> Option<Self> {
-        let kept = Self::name(folder, number);
-        let path = kept.with_extension("lock");
-        // No link is followed, and no pipe opened.
-        let file = match File::create_new(&path) {
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
-                files::open(File::options().write(true), &path, Links::Never).ok()?.0
-            }
-            Ok(file) => file,
-            Err(_) => return Some(Self { kept, shared: false, lock: None }),
-        };
-        // An editor that ends takes its lock file away: the lock of a file that has gone is none.
-        let own = file.try_lock().is_ok() && is_at(&file, &path);
-        own.then(|| Self { kept, shared: false, lock: Some((file, path)) })
-    }
-
-    fn name(folder: &Path, number: u32) -> PathBuf {
-        folder.join(if number == 1 { KEPT.to_owned() } else { format!("{KEPT}-{number}") })
-    }
-}
-
-impl Drop for Desk {
-    fn drop(&mut self) {
-        if let Some((_, path)) = &self.lock {
-            // Where it stays, the next editor takes it over.
-            let _ = fs::remove_file(path);
-        }
-    }
-}
-
-/// Whether that is the file of that name.
-#[cfg(unix)]
-fn is_at(file: &File, path: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    let same = |a: fs::Metadata, b: fs::Metadata| a.dev() == b.dev() && a.ino() == b.ino();
-    file.metadata().ok().zip(fs::symlink_metadata(path).ok()).is_some_and(|(a, b)| same(a, b))
-}
-
-/// Elsewhere a file that is open keeps its name.
-#[cfg(not(unix))]
-fn is_at(_: &File, _: &Path) -> bool {
-    true
+    desk: Arc<EditorDesk>,
 }
 
 /// Whose files stay where another program has written into those that are edited here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// What is edited here.
+pub enum KeptSide {
+    /// The document's.
     Mine,
-    /// What the other program wrote.
+    /// The other program's.
     Theirs,
 }
 
 /// A level that has been opened.
 #[derive(Debug)]
 pub struct Opened {
-    /// What is on disk.
+    /// The files on disk.
     pub document: Document,
     /// Where.
-    pub folder: Folder,
-    /// What was edited and not saved before the program ended, where that is something else.
+    pub folder: LevelFolder,
+    /// Edits that were not saved before the program ended, where they differ from the files.
     pub kept: Option<Kept>,
 }
-
-/// The bytes of all files as they were edited and not saved, by [`Table`].
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Kept(Vec<Option<Vec<u8>>>);
 
 /// Why a level could not be saved.
 #[derive(Debug)]
 pub enum SaveError {
     /// Another program has written these files since: nothing was written.
     Changed(Vec<Table>),
-    /// What is to be saved cannot even be kept beside the files: nothing was written.
+    /// The edits cannot even be kept beside the files: nothing was written.
     NotKept(io::Error),
     /// The system refused that file; those before it are written, and all of it is kept beside them.
     File(String, io::Error),
@@ -165,24 +84,24 @@ impl fmt::Display for SaveError {
     }
 }
 
-impl Folder {
+impl LevelFolder {
     /// Opens the level in `folder`; images are looked up there, then under `project`.
     ///
     /// # Errors
-    /// A file that cannot be read, in words. What is in the files is not judged: a level that is refused can be opened.
+    /// A file that cannot be read, in words. The content of the files is not judged: a level that is refused can be opened.
     pub fn open(folder: &Path, project: &Path) -> Result<Opened, String> {
-        Self::open_at(folder, project, Desk::alone)
+        Self::open_at(folder, project, EditorDesk::alone)
     }
 
-    /// The same, for an editor: of several of one level each keeps what is not saved in a place of its own.
+    /// The same, for an editor: of several of one level each keeps its edits in a place of its own.
     ///
     /// # Errors
-    /// As [`Folder::open`].
+    /// As [`LevelFolder::open`].
     pub fn open_to_edit(folder: &Path, project: &Path) -> Result<Opened, String> {
-        Self::open_at(folder, project, Desk::take)
+        Self::open_at(folder, project, EditorDesk::take)
     }
 
-    fn open_at(folder: &Path, project: &Path, desk: fn(&Path) -> Desk) -> Result<Opened, String> {
+    fn open_at(folder: &Path, project: &Path, desk: fn(&Path) -> EditorDesk) -> Result<Opened, String> {
         if !folder.is_dir() {
             return Err(format!("there is no folder {}", folder.display()));
         }
@@ -192,10 +111,8 @@ impl Folder {
         }
         let mut document = Document::new(|table| known[table.index()].clone());
         let desk = desk(folder);
-        let kept = files::read_with(&desk.kept, KEPT_MOST, Links::Never)
-            .ok()
-            .and_then(|bytes| parse(&bytes))
-            .filter(|kept| kept.0 != known);
+        let kept = files::read_with(&desk.kept, kept::MOST, Links::Never).ok();
+        let kept = kept.and_then(|bytes| kept::parse(&bytes)).filter(|kept| kept.0 != known);
         let folder = Self { folder: folder.to_path_buf(), project: project.to_path_buf(), known, desk: Arc::new(desk) };
         folder.measure(&mut document);
         Ok(Opened { document, folder, kept })
@@ -255,7 +172,7 @@ impl Folder {
         Some(self.folder.join(BACKGROUND)).filter(|path| path.is_file())
     }
 
-    /// What the loader says of the document, as it is in memory.
+    /// Loads the document as it is in memory.
     ///
     /// # Errors
     /// As [`load`](crate::level::load).
@@ -278,14 +195,14 @@ impl Folder {
         Table::ALL.iter().any(|table| document.bytes(*table) != self.known[table.index()].as_deref())
     }
 
-    /// The files that another program has changed since they were opened or saved, with what they hold now; a file that cannot be read has
+    /// The files that another program has changed since they were opened or saved, with their bytes now; a file that cannot be read has
     /// not changed yet.
     pub fn changed(&self) -> Vec<(Table, Option<Vec<u8>>)> {
         let now = Table::ALL.iter().filter_map(|table| Some((*table, read_table(&self.folder, *table).ok()?)));
         now.filter(|(table, bytes)| *bytes != self.known[table.index()]).collect()
     }
 
-    /// Takes over what other programs have written, where the document has nothing else there; the files that were edited here, too, and
+    /// Takes over the files of other programs, where the document has nothing else there; the files that were edited here, too, and
     /// are left as they are. Whether anything was taken over.
     pub fn take_over(&mut self, document: &mut Document) -> (bool, Vec<Table>) {
         let (mut taken, mut both) = (false, Vec::new());
@@ -308,15 +225,15 @@ impl Folder {
     ///
     /// # Errors
     /// A copy that cannot be written, in words; nothing has changed then.
-    pub fn settle(&mut self, document: &mut Document, side: Side) -> Result<Vec<String>, String> {
+    pub fn settle(&mut self, document: &mut Document, side: KeptSide) -> Result<Vec<String>, String> {
         self.take_over(document);
         let (both, mut copies) = (self.changed(), Vec::new());
         let mut files: [Vec<Option<Vec<u8>>>; 2] = [(); 2].map(|()| document.all_bytes());
         for (table, bytes) in &both {
             files[1][table.index()].clone_from(bytes);
             let (word, left) = match side {
-                Side::Mine => ("theirs", bytes.as_deref()),
-                Side::Theirs => ("mine", document.bytes(*table)),
+                KeptSide::Mine => ("theirs", bytes.as_deref()),
+                KeptSide::Theirs => ("mine", document.bytes(*table)),
             };
             if let Some(left) = left {
                 let stem = format!("{}.{word}", table.file());
@@ -325,7 +242,7 @@ impl Folder {
         }
         let [mine, theirs] = files;
         document.replace_all(theirs);
-        if side == Side::Mine {
+        if side == KeptSide::Mine {
             document.replace_all(mine);
         }
         both.into_iter().for_each(|(table, bytes)| self.known[table.index()] = bytes);
@@ -372,10 +289,10 @@ impl Folder {
         Ok(())
     }
 
-    /// Keeps what is not saved beside the files, for when the program ends without being asked to; nothing where all is saved.
+    /// Keeps unsaved edits beside the files, for when the program ends without being asked to; nothing where all is saved.
     ///
     /// # Errors
-    /// What the system says.
+    /// The error of the system.
     pub fn keep(&self, document: &Document) -> io::Result<()> {
         if self.is_unsaved(document) {
             return self.write_kept(document, false);
@@ -384,34 +301,19 @@ impl Folder {
         Ok(())
     }
 
-    /// Throws away what was kept.
+    /// Throws the kept edits away.
     pub fn forget(&self) {
         // Where there is none, that is as well.
         let _ = fs::remove_file(&self.desk.kept);
     }
 
     fn write_kept(&self, document: &Document, durable: bool) -> io::Result<()> {
-        let mut all = MARK.as_bytes().to_vec();
-        for table in Table::ALL {
-            if let Some(bytes) = document.bytes(*table) {
-                all.extend_from_slice(format!("{} {}\n", table.file(), bytes.len()).as_bytes());
-                all.extend_from_slice(bytes);
-            }
-        }
-        all.extend_from_slice(END.as_bytes());
         let mut kept = Replacement::begin(&self.desk.kept, Links::Never)?;
-        kept.file().write_all(&all)?;
+        kept.file().write_all(&kept::encoded(document))?;
         if durable {
             kept.seal()?;
         }
         kept.finish()
-    }
-}
-
-impl Document {
-    /// Takes over what was kept: one operation, which can be undone.
-    pub fn restore(&mut self, kept: Kept) {
-        self.replace_all(kept.0);
     }
 }
 
@@ -437,18 +339,4 @@ fn pictures_in(folder: &Path, before: &str, depth: u32) -> Vec<String> {
         }
     }
     names
-}
-
-/// What a file of unsaved edits holds; `None` where it is none, or not whole.
-fn parse(bytes: &[u8]) -> Option<Kept> {
-    let mut rest = bytes.strip_prefix(MARK.as_bytes())?;
-    let mut kept = vec![None; Table::ALL.len()];
-    while rest != END.as_bytes() {
-        let end = rest.iter().position(|byte| *byte == b'\n')?;
-        let (file, length) = std::str::from_utf8(&rest[..end]).ok()?.split_once(' ')?;
-        let bytes = rest.get(end + 1..)?.get(..length.parse().ok()?)?;
-        kept[Table::of_file(file)?.index()] = Some(bytes.to_vec());
-        rest = &rest[end + 1 + bytes.len()..];
-    }
-    Some(Kept(kept))
 }

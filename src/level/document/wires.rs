@@ -1,17 +1,20 @@
 //! Which switch works which thing, and the names by which it does.
 
-use super::{Document, Kind, RowId, SetCell, Table};
+use super::model::{Document, RowId, SetCell};
+use crate::level::schema::{Column, Kind, Table};
 use std::collections::BTreeMap;
 
 /// The tables whose rows have a name that a switch can work.
-const WORKED: [Table; 4] = [Table::World, Table::Movers, Table::Doors, Table::Hazards];
+fn worked() -> impl Iterator<Item = Table> {
+    Table::ALL.iter().copied().filter(|table| table.has(Column::is_name))
+}
 
 /// A wire from a switch to a thing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wiring {
     /// The switch.
     pub switch: RowId,
-    /// What it works.
+    /// The thing that it works.
     pub thing: RowId,
     /// Whether the thing is on while the switch is off.
     pub inverted: bool,
@@ -20,8 +23,7 @@ pub struct Wiring {
 impl Document {
     /// All wires.
     pub fn wires(&self) -> Vec<Wiring> {
-        let named: Vec<(RowId, &str)> = WORKED
-            .into_iter()
+        let named: Vec<(RowId, &str)> = worked()
             .flat_map(|table| self.rows(table))
             .filter_map(|row| Some((row, self.cell(row, "name").filter(|name| !name.is_empty())?)))
             .collect();
@@ -38,10 +40,10 @@ impl Document {
 
     /// Whether a switch can work the thing.
     pub fn can_be_worked(&self, row: RowId) -> bool {
-        WORKED.contains(&row.table)
+        row.table.has(Column::is_name)
     }
 
-    /// What the cells hold when that switch works that thing, or no longer does where it did. A thing without a name gets one.
+    /// The cells in which that switch works that thing, or no longer does where it did. A thing without a name gets one.
     pub fn rewired(&self, switch: RowId, thing: RowId) -> Vec<SetCell> {
         let (Some(Kind::Switch), Some(kind), true) = (self.kind(switch), self.kind(thing), self.can_be_worked(thing)) else {
             return Vec::new();
@@ -69,7 +71,7 @@ impl Document {
         cells
     }
 
-    /// What the switches' cells hold when things are named anew. Names are typed letter by letter, past those of other things: so the wires
+    /// The switches' cells when things get other names. Names are typed letter by letter, past those of other things: so the wires
     /// are looked up as they were before that gesture.
     pub(super) fn renamed(&self, cells: &[SetCell], gesture: Option<u64>) -> Vec<SetCell> {
         let is_name = |cell: &&SetCell| cell.column == "name" && self.can_be_worked(cell.row);
@@ -79,7 +81,7 @@ impl Document {
         }
         // The names that things had, each with those that stand in its place.
         let mut new: BTreeMap<String, Vec<String>> = BTreeMap::new();
-        for table in WORKED {
+        for table in worked() {
             let before = self.before(table, gesture);
             for row in 0..before.rows().len() {
                 let Some(old) = before.cell(row, "name").filter(|name| !name.is_empty()) else { continue };
@@ -119,7 +121,7 @@ impl Document {
     }
 
     fn names(&self) -> Vec<&str> {
-        let rows = WORKED.into_iter().flat_map(|table| self.rows(table));
+        let rows = worked().flat_map(|table| self.rows(table));
         rows.filter_map(|row| self.cell(row, "name").filter(|name| !name.is_empty())).collect()
     }
 
@@ -137,7 +139,7 @@ impl Document {
         free.next().unwrap_or_default()
     }
 
-    /// What a new switch works: the only thing with a name, else a name to be replaced.
+    /// The name that a new switch works: that of the first thing with one, else one to be replaced.
     pub(super) fn first_worked(&self) -> String {
         self.names().first().map_or("gate", |name| name).to_owned()
     }

@@ -1,7 +1,7 @@
 //! What the editor has to ask: about edits that were found, that are not saved, or that another program has written over.
 
 use super::Editor;
-use crate::level::document::{Kept, Side, Table};
+use crate::level::document::{Kept, KeptSide, Table};
 use crate::screens::{Buttons, Input, Key, Request};
 use crate::view::layout::{Area, Frame, GAP, LINE, PADDING, ROW_BUTTON, TEXT, Vec2, wrapped};
 
@@ -106,21 +106,21 @@ impl Editor {
             (Question::Leave, 1) => return Some(self.leave()),
             (Question::Leave, _) => {}
             (Question::Theirs(_), 0) => self.say("Both stay as they are until it is saved."),
-            (Question::Theirs(_), answer) => self.settle(if answer == 1 { Side::Theirs } else { Side::Mine }),
+            (Question::Theirs(_), answer) => self.settle(if answer == 1 { KeptSide::Theirs } else { KeptSide::Mine }),
         }
         None
     }
 
     /// Lets one side's files stay, saves where that is this one, and says where the other side's are.
-    fn settle(&mut self, side: Side) {
+    fn settle(&mut self, side: KeptSide) {
         let settled = self.folder.settle(&mut self.document, side);
         self.folder.measure(&mut self.document);
         match settled {
             Ok(copies) => {
-                if side == Side::Theirs || self.save() {
+                if side == KeptSide::Theirs || self.save() {
                     let left =
                         if copies.is_empty() { String::new() } else { format!(" The other is kept in {}.", copies.join(", ")) };
-                    self.say(format!("{}{left}", if side == Side::Mine { "Saved." } else { "Theirs it is." }));
+                    self.say(format!("{}{left}", if side == KeptSide::Mine { "Saved." } else { "Theirs it is." }));
                 }
             }
             Err(problem) => self.say(format!("Nothing was changed: no copy of the other can be kept: {problem}")),

@@ -19,7 +19,7 @@ use super::theatre::{Moment, Theatre};
 use super::{Buttons, Input, Keys, Motion, Request, Screen};
 #[cfg(feature = "window")]
 use crate::draw::Canvas;
-use crate::level::document::{Document, Folder, Kind, Opened, Place, RowId, SetCell, Table};
+use crate::level::document::{Document, Kind, LevelFolder, Opened, Place, RowId, SetCell, Table};
 use crate::level::{Level, Problem};
 use crate::physics::DVec2;
 use crate::settings::Settings;
@@ -70,7 +70,7 @@ const AT_LEFT: usize = 8;
 #[derive(Debug)]
 pub struct Editor {
     document: Document,
-    folder: Folder,
+    folder: LevelFolder,
     name: String,
     view: View,
     parts: Parts,
@@ -139,7 +139,7 @@ impl Editor {
     /// # Errors
     /// A file that cannot be read, in words.
     pub fn open(folder: &Path, root: &Path) -> Result<Self, String> {
-        let Opened { document, folder, kept } = Folder::open_to_edit(folder, root)?;
+        let Opened { document, folder, kept } = LevelFolder::open_to_edit(folder, root)?;
         let mut editor = Self {
             name: folder.name(),
             watch: FolderWatch::new(folder.path().to_path_buf(), Vec::new()),

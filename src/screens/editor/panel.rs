@@ -1,7 +1,7 @@
 //! What is selected, column by column, or the level's settings where nothing is: a field each, written into the files as it is typed.
 
 use super::layout::Parts;
-use crate::level::document::{Document, Kind, RowId, SETTINGS, SetCell, choices};
+use crate::level::document::{Column, Document, Kind, RowId, SETTINGS, SetCell};
 use crate::screens::text_field::TextField;
 use crate::screens::{Input, Key};
 
@@ -9,16 +9,14 @@ use crate::screens::{Input, Key};
 const MOST: usize = 400;
 
 /// A field of the panel.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Field {
     /// The column, or the setting.
     pub name: &'static str,
+    /// The facts of that column.
+    pub column: &'static Column,
     /// What stands there; `None` where the selected things differ.
     pub text: Option<String>,
-    /// Whether it has to be filled.
-    pub required: bool,
-    /// What holds where it is empty.
-    pub usual: &'static str,
 }
 
 /// The field that has the keyboard.
@@ -56,20 +54,25 @@ impl Panel {
         }
         self.fields = match self.kind {
             Some(kind) => {
-                let columns = kind.column_names().into_iter().filter(|(name, _)| *name != "kind");
-                columns.map(|(name, required)| self.field(document, name, required)).collect()
+                let columns = kind.columns().iter().filter(|column| column.name != "kind");
+                columns.map(|column| self.field(document, column)).collect()
             }
-            None if rows.is_empty() => SETTINGS.iter().map(|(name, usual)| setting(document, name, usual)).collect(),
+            None if rows.is_empty() => SETTINGS.iter().map(|column| setting(document, column)).collect(),
             None => Vec::new(),
         };
     }
 
-    fn field(&self, document: &Document, name: &'static str, required: bool) -> Field {
+    fn field(&self, document: &Document, column: &'static Column) -> Field {
+        let name = column.name;
         let mut texts = self.rows.iter().map(|row| document.cell(*row, name).unwrap_or_default());
         let first = texts.next().unwrap_or_default();
         let text = texts.all(|text| text == first).then(|| first.to_owned());
-        let usual = if required { "" } else { choices(name).first().copied().unwrap_or_default() };
-        Field { name, text, required, usual }
+        Field { name, column, text }
+    }
+
+    /// The words that a field may hold, the usual one first; none where it is free.
+    fn choices(&self, name: &str) -> Vec<&'static str> {
+        self.fields.iter().find(|field| field.name == name).map_or_else(Vec::new, |field| field.column.choices())
     }
 
     /// Whether the keyboard is in a field.
@@ -97,11 +100,12 @@ impl Panel {
                 .find(|(i, _)| parts.field(*i).contains(input.pointer))
                 .map(|(_, field)| field.clone());
             let again = under.as_ref().is_some_and(|under| self.typing.as_ref().is_some_and(|typing| typing.name == under.name));
-            if let (Some(field), false) = (&under, again && choices(under.as_ref().map_or("", |field| field.name)).is_empty()) {
-                let words = choices(field.name);
+            if let (Some(field), false) = (&under, again && self.choices(under.as_ref().map_or("", |field| field.name)).is_empty())
+            {
+                let words = field.column.choices();
                 self.focus(field.name, gesture);
                 if !words.is_empty() {
-                    return Some(self.write(field.name, next(words, field.text.as_deref(), !input.right_click), gesture));
+                    return Some(self.write(field.name, next(&words, field.text.as_deref(), !input.right_click), gesture));
                 }
             } else if under.is_none() {
                 self.typing = None;
@@ -123,10 +127,10 @@ impl Panel {
             self.typing = None;
             return None;
         }
-        let words = choices(name);
+        let words = self.choices(name);
         if turn != 0 && !words.is_empty() {
             let now = self.fields.iter().find(|field| field.name == name).and_then(|field| field.text.clone());
-            return Some(self.write(name, next(words, now.as_deref(), turn > 0), gesture));
+            return Some(self.write(name, next(&words, now.as_deref(), turn > 0), gesture));
         }
         let typing = self.typing.as_mut()?;
         if typing.field.update(input) {
@@ -137,7 +141,7 @@ impl Panel {
     }
 
     fn write(&mut self, name: &'static str, text: String, gesture: u64) -> Write {
-        if !choices(name).is_empty()
+        if !self.choices(name).is_empty()
             && let Some(typing) = &mut self.typing
             && typing.field.text() != text
         {
@@ -150,8 +154,8 @@ impl Panel {
     }
 }
 
-fn setting(document: &Document, name: &'static str, usual: &'static str) -> Field {
-    Field { name, text: Some(document.setting(name).unwrap_or_default().to_owned()), required: false, usual }
+fn setting(document: &Document, column: &'static Column) -> Field {
+    Field { name: column.name, column, text: Some(document.setting(column.name).unwrap_or_default().to_owned()) }
 }
 
 /// The word after that one, or the one before it; an empty cell holds the first.

@@ -2,7 +2,7 @@
 
 use super::{all_bytes, folders};
 use proptest::prelude::*;
-use resultant::level::document::{Document, Folder, Kind, NewRow, Place, RowId, SetCell, Table};
+use resultant::level::document::{Document, Kind, LevelFolder, NewRow, Place, RowId, SetCell, Table};
 use resultant::physics::DVec2;
 use std::path::Path;
 
@@ -35,13 +35,13 @@ fn lines_that_differ(a: &[u8], b: &[u8]) -> usize {
 fn one_cell_is_one_line_in_every_file_of_every_level() {
     let mut cells = 0;
     for folder in folders() {
-        let Ok(opened) = Folder::open(&folder, Path::new(env!("CARGO_MANIFEST_DIR"))) else { continue };
+        let Ok(opened) = LevelFolder::open(&folder, Path::new(env!("CARGO_MANIFEST_DIR"))) else { continue };
         for table in Table::ALL {
             let Some(before) = opened.document.bytes(*table).map(<[u8]>::to_vec) else { continue };
             assert_eq!(before, std::fs::read(folder.join(table.file())).unwrap(), "opened, and nothing else");
             for row in opened.document.rows(*table) {
                 let Some(kind) = opened.document.kind(row) else { continue };
-                for (column, _) in kind.column_names().into_iter().filter(|(column, _)| *column != "kind") {
+                for column in kind.columns().iter().map(|column| column.name).filter(|column| *column != "kind") {
                     let mut document = opened.document.clone();
                     let Some(old) = document.cell(row, column).map(str::to_owned) else { continue };
                     let Ok(()) = document.set(&[set(row, column, "123.456")], None) else { continue };
@@ -220,11 +220,11 @@ proptest! {
             match what {
                 0 | 1 => {
                     let Some(kind) = document.kind(row) else { continue };
-                    let names = kind.column_names();
-                    let (column, _) = names[column % names.len()];
+                    let names: Vec<&str> = kind.columns().iter().map(|column| column.name).collect();
+                    let column = kind.columns()[column % names.len()].name;
                     if column == "kind" || column == "x" && text.trim().is_empty() { continue; }
                     let cells = |document: &Document| {
-                        let cells = document.rows(table).flat_map(|row| names.iter().map(move |(name, _)| (row, *name)));
+                        let cells = document.rows(table).flat_map(|row| names.iter().map(move |name| (row, *name)));
                         let other = cells.filter(|(r, name)| (*r, *name) != (row, column));
                         other.map(|(row, name)| document.cell(row, name).unwrap_or_default().to_owned()).collect::<Vec<_>>()
                     };

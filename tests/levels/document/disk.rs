@@ -2,7 +2,7 @@
 
 use super::{all_bytes, folders};
 use resultant::level;
-use resultant::level::document::{Folder, Kind, Place, SaveError, SetCell, Side, Table};
+use resultant::level::document::{KeptSide, Kind, LevelFolder, Place, SaveError, SetCell, Table};
 use resultant::physics::DVec2;
 use std::fs;
 use std::io::{BufRead, BufReader};
@@ -36,7 +36,7 @@ fn what_is_opened_and_saved_is_the_same_to_the_byte() {
         for entry in fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).filter(|path| path.is_file()) {
             fs::copy(&entry, copy.path().join(entry.file_name().unwrap())).unwrap();
         }
-        let Ok(mut opened) = Folder::open(copy.path(), Path::new(env!("CARGO_MANIFEST_DIR"))) else { continue };
+        let Ok(mut opened) = LevelFolder::open(copy.path(), Path::new(env!("CARGO_MANIFEST_DIR"))) else { continue };
         assert!(!opened.folder.is_unsaved(&opened.document) && opened.kept.is_none());
         // Something is done and undone, so that there is something to save or not.
         let _ = opened.document.put(Kind::Deadly, BLOCK);
@@ -62,7 +62,7 @@ fn what_is_opened_and_saved_is_the_same_to_the_byte() {
 #[test]
 fn a_saved_level_is_on_disk_and_loads() {
     let folder = level();
-    let mut opened = Folder::open(folder.path(), folder.path()).unwrap();
+    let mut opened = LevelFolder::open(folder.path(), folder.path()).unwrap();
     opened.document.put(Kind::Solid, BLOCK).unwrap();
     opened.document.put(Kind::Deadly, Place { min: DVec2::new(500.0, 600.0), ..BLOCK }).unwrap();
     assert!(opened.folder.is_unsaved(&opened.document));
@@ -82,7 +82,7 @@ fn a_saved_level_is_on_disk_and_loads() {
 fn what_another_program_wrote_is_taken_over_or_told_but_never_written_over() {
     let folder = level();
     let path = |name: &str| folder.path().join(name);
-    let mut opened = Folder::open(folder.path(), folder.path()).unwrap();
+    let mut opened = LevelFolder::open(folder.path(), folder.path()).unwrap();
     fs::write(path("player.csv"), "200,600,100,500,3000\n").unwrap();
     assert_eq!(opened.folder.take_over(&mut opened.document), (true, vec![]));
     assert_eq!(opened.document.bytes(Table::Player).unwrap(), b"200,600,100,500,3000\n");
@@ -96,12 +96,12 @@ fn what_another_program_wrote_is_taken_over_or_told_but_never_written_over() {
     // Either of the two; the other one is beside it, and one undo away.
     let (mine, theirs) = ("0,680,1280,40\n10,10,50,20\n", "0,600,1280,120\n");
     let mut other = (opened.document.clone(), opened.folder.clone());
-    assert_eq!(other.1.settle(&mut other.0, Side::Theirs).unwrap(), ["world.csv.mine-1"]);
+    assert_eq!(other.1.settle(&mut other.0, KeptSide::Theirs).unwrap(), ["world.csv.mine-1"]);
     assert_eq!(other.0.bytes(Table::World).unwrap(), theirs.as_bytes());
     assert!(other.0.undo() && other.0.bytes(Table::World).unwrap() == mine.as_bytes());
     assert_eq!(fs::read_to_string(path("world.csv.mine-1")).unwrap(), mine);
     fs::write(path("world.csv.theirs-1"), "not to be touched").unwrap();
-    assert_eq!(opened.folder.settle(&mut opened.document, Side::Mine).unwrap(), ["world.csv.theirs-2"]);
+    assert_eq!(opened.folder.settle(&mut opened.document, KeptSide::Mine).unwrap(), ["world.csv.theirs-2"]);
     opened.folder.save(&opened.document).unwrap();
     assert_eq!(fs::read_to_string(path("world.csv")).unwrap(), mine);
     assert_eq!(fs::read_to_string(path("world.csv.theirs-2")).unwrap(), theirs);
@@ -113,8 +113,8 @@ fn what_another_program_wrote_is_taken_over_or_told_but_never_written_over() {
 #[test]
 fn two_editors_of_a_level_keep_their_edits_apart() {
     let folder = level();
-    let mut first = Folder::open_to_edit(folder.path(), folder.path()).unwrap();
-    let mut second = Folder::open_to_edit(folder.path(), folder.path()).unwrap();
+    let mut first = LevelFolder::open_to_edit(folder.path(), folder.path()).unwrap();
+    let mut second = LevelFolder::open_to_edit(folder.path(), folder.path()).unwrap();
     assert!(!first.folder.is_shared() && second.folder.is_shared());
     first.document.put(Kind::Solid, BLOCK).unwrap();
     second.document.put(Kind::Deadly, BLOCK).unwrap();
@@ -127,7 +127,7 @@ fn two_editors_of_a_level_keep_their_edits_apart() {
     assert_eq!(names(folder.path()), all, "the locks are gone");
     // Both are offered, one after the other; what one of them throws away leaves the other.
     for wanted in wanted {
-        let mut again = Folder::open_to_edit(folder.path(), folder.path()).unwrap();
+        let mut again = LevelFolder::open_to_edit(folder.path(), folder.path()).unwrap();
         again.document.restore(again.kept.take().unwrap());
         assert!(!again.folder.is_shared() && all_bytes(&again.document) == wanted);
         again.folder.forget();
@@ -139,7 +139,7 @@ fn two_editors_of_a_level_keep_their_edits_apart() {
 #[test]
 fn what_cannot_even_be_kept_is_said_to_be_so() {
     let folder = level();
-    let mut opened = Folder::open(folder.path(), folder.path()).unwrap();
+    let mut opened = LevelFolder::open(folder.path(), folder.path()).unwrap();
     opened.document.put(Kind::Solid, BLOCK).unwrap();
     // Nothing can be put in the place of a folder.
     fs::create_dir_all(folder.path().join(".autosave/taken")).unwrap();
@@ -151,13 +151,13 @@ fn what_cannot_even_be_kept_is_said_to_be_so() {
 #[test]
 fn what_was_not_saved_is_offered_and_neither_the_loader_nor_a_list_sees_it() {
     let folder = level();
-    let mut opened = Folder::open(folder.path(), folder.path()).unwrap();
+    let mut opened = LevelFolder::open(folder.path(), folder.path()).unwrap();
     opened.document.put(Kind::Solid, BLOCK).unwrap();
     opened.folder.keep(&opened.document).unwrap();
     let wanted = all_bytes(&opened.document);
     let loaded = level::load(folder.path(), folder.path()).unwrap();
     assert_eq!((loaded.level.world.len(), loaded.warnings), (1, vec![]));
-    let mut again = Folder::open(folder.path(), folder.path()).unwrap();
+    let mut again = LevelFolder::open(folder.path(), folder.path()).unwrap();
     again.document.restore(again.kept.unwrap());
     assert_eq!(all_bytes(&again.document), wanted);
     assert!(again.document.undo() && !again.folder.is_unsaved(&again.document), "to have it back can be undone");
@@ -168,7 +168,7 @@ fn what_was_not_saved_is_offered_and_neither_the_loader_nor_a_list_sees_it() {
         ["", "resultant autosave 1\n", "resultant autosave 1\nworld.csv 100\n1,2\nend\n", "resultant autosave 1\n../x 1\n1end\n"]
     {
         fs::write(folder.path().join(".autosave"), damaged).unwrap();
-        assert!(Folder::open(folder.path(), folder.path()).unwrap().kept.is_none(), "{damaged:?}");
+        assert!(LevelFolder::open(folder.path(), folder.path()).unwrap().kept.is_none(), "{damaged:?}");
     }
 }
 
@@ -181,7 +181,7 @@ fn a_file_keeps_its_mode_and_a_link_stays_one() {
     fs::rename(&world, &target).unwrap();
     fs::set_permissions(&target, fs::Permissions::from_mode(0o640)).unwrap();
     symlink(&target, &world).unwrap();
-    let mut opened = Folder::open(folder.path(), folder.path()).unwrap();
+    let mut opened = LevelFolder::open(folder.path(), folder.path()).unwrap();
     opened.document.put(Kind::Solid, BLOCK).unwrap();
     opened.folder.save(&opened.document).unwrap();
     assert!(fs::symlink_metadata(&world).unwrap().is_symlink());
@@ -191,7 +191,7 @@ fn a_file_keeps_its_mode_and_a_link_stays_one() {
     fs::set_permissions(&target, fs::Permissions::from_mode(0o440)).unwrap();
     opened.document.put(Kind::Solid, BLOCK).unwrap();
     assert!(matches!(opened.folder.save(&opened.document), Err(SaveError::File(file, _)) if file == "world.csv"));
-    assert!(Folder::open(folder.path(), folder.path()).unwrap().kept.is_some());
+    assert!(LevelFolder::open(folder.path(), folder.path()).unwrap().kept.is_some());
 }
 
 /// A folder that came from a stranger: nothing outside it is written, and nothing that is no file is opened.
@@ -204,23 +204,23 @@ fn neither_a_link_nor_a_pipe_in_a_strangers_folder_does_harm() {
     for link in [".autosave", ".autosave.new", ".world.csv.new", ".player.csv.new", ".resultant-aB3dE6gH.new"] {
         std::os::unix::fs::symlink(&mine, path(link)).unwrap();
     }
-    let mut opened = Folder::open(folder.path(), folder.path()).unwrap();
+    let mut opened = LevelFolder::open(folder.path(), folder.path()).unwrap();
     assert!(opened.kept.is_none());
     opened.document.put(Kind::Solid, BLOCK).unwrap();
     opened.folder.keep(&opened.document).unwrap();
-    assert!(!path(".autosave").is_symlink() && Folder::open(folder.path(), folder.path()).unwrap().kept.is_some());
+    assert!(!path(".autosave").is_symlink() && LevelFolder::open(folder.path(), folder.path()).unwrap().kept.is_some());
     opened.folder.save(&opened.document).unwrap();
     assert_eq!(fs::read_to_string(&mine).unwrap(), "mine");
     assert_eq!(fs::read_to_string(path("world.csv")).unwrap().lines().count(), 2);
 
     assert!(Command::new("mkfifo").arg(path(".autosave")).status().unwrap().success());
-    let mut opened = Folder::open(folder.path(), folder.path()).unwrap();
+    let mut opened = LevelFolder::open(folder.path(), folder.path()).unwrap();
     assert!(opened.kept.is_none());
     opened.document.put(Kind::Solid, BLOCK).unwrap();
     opened.folder.save(&opened.document).unwrap();
     assert!(!path(".autosave").exists());
     std::os::unix::fs::symlink("/dev/zero", path(".autosave")).unwrap();
-    assert!(Folder::open(folder.path(), folder.path()).unwrap().kept.is_none());
+    assert!(LevelFolder::open(folder.path(), folder.path()).unwrap().kept.is_none());
 }
 /// The editing process prints this, and the number that is kept.
 const EDITED: &str = "edited ";
@@ -230,7 +230,7 @@ const EDITED: &str = "edited ";
 #[ignore = "runs for ever: the test below starts and kills it"]
 fn edits_without_end() {
     let folder = std::env::var("LEVEL_TO_EDIT").unwrap();
-    let mut opened = Folder::open(Path::new(&folder), Path::new(&folder)).unwrap();
+    let mut opened = LevelFolder::open(Path::new(&folder), Path::new(&folder)).unwrap();
     for number in 0_u64.. {
         let set =
             |table: Table, column| SetCell { row: opened.document.rows(table).next().unwrap(), column, text: number.to_string() };
@@ -265,7 +265,7 @@ fn a_kill_leaves_each_file_old_or_new_and_the_edits_are_offered() {
         std::thread::sleep(Duration::from_micros(round as u64 * 1_733 % 20_011));
         editor.kill().unwrap();
         editor.wait().unwrap();
-        let mut opened = Folder::open(folder.path(), folder.path()).unwrap();
+        let mut opened = LevelFolder::open(folder.path(), folder.path()).unwrap();
         let numbers = |document: &resultant::level::document::Document| {
             let number = |table: Table, column| document.number(document.rows(table).next().unwrap(), column).unwrap();
             (number(Table::World, "x"), number(Table::Player, "fuel"))

@@ -9,7 +9,7 @@ use super::hand::{Drag, Handle, stream_zone};
 use super::layout::{BETWEEN, INSIDE, PROBLEM_LINES};
 use super::{AT_LEFT, COMMANDS, Editor, Tool};
 use crate::draw::{Canvas, Colour, Image, Style};
-use crate::level::document::{Kind, Place, RowId, choices, number, unit};
+use crate::level::document::{Column, Kind, Place, RowId, number};
 use crate::physics::DVec2;
 use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, PADDING, TEXT, Vec2};
 use crate::view::{theme, widgets};
@@ -75,6 +75,13 @@ impl Tip {
             self.whole = Some(text.to_owned());
         }
         shown
+    }
+
+    /// The help of a column, where its name is pointed at, in that area.
+    fn explain(&mut self, column: &Column, area: Area) {
+        if area.contains(self.pointer) {
+            self.whole = Some(column.in_words());
+        }
     }
 }
 

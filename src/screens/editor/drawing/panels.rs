@@ -77,8 +77,9 @@ impl Editor {
             let at = self.parts.field(i);
             let typing = self.panel.typing.as_ref().filter(|typing| typing.name == field.name);
             let bad = self.is_wrong(field.name);
-            let label = Style::new(DETAILS, if field.required { theme::text() } else { theme::quiet() }).mono().middle();
+            let label = Style::new(DETAILS, if field.column.required { theme::text() } else { theme::quiet() }).mono().middle();
             canvas.text(field.name, Vec2::new(left, at.centre().y), label);
+            tip.explain(field.column, Area { min: Vec2::new(left, at.min.y), size: Vec2::new(at.min.x - left, at.size.y) });
             let border = if bad {
                 theme::bad()
             } else if typing.is_some() {
@@ -90,23 +91,23 @@ impl Editor {
             let style = Style::new(DETAILS, theme::text()).mono().middle();
             let start = Vec2::new(at.min.x + INSIDE, at.centre().y);
             match typing {
-                Some(typing) if choices(field.name).is_empty() => {
+                Some(typing) if field.column.choices().is_empty() => {
                     typing.field.draw(canvas, at, (DETAILS, INSIDE), Some(time));
                 }
                 _ => {
                     let (text, colour) = match field.text.as_deref() {
                         None => ("…", theme::quiet()),
-                        Some("") => (field.usual, theme::quiet()),
+                        Some("") => (field.column.usual, theme::quiet()),
                         Some(text) => (text, theme::text()),
                     };
-                    let (style, unit) = (Style { colour, ..style }, unit(field.name));
+                    let (style, unit) = (Style { colour, ..style }, field.column.unit());
                     let whole = at.size.x - 2.0 * INSIDE;
                     // The unit gives way to a long text.
-                    let beside = whole - canvas.width(unit, small) - INSIDE;
+                    let beside = whole - canvas.width(&unit, small) - INSIDE;
                     let fits = canvas.width(text, style) <= beside;
                     canvas.text(&tip.cut(canvas, text, at, if fits { beside } else { whole }, style), start, style);
                     if fits {
-                        canvas.text(unit, Vec2::new(at.max().x - INSIDE, start.y), small.middle().right());
+                        canvas.text(&unit, Vec2::new(at.max().x - INSIDE, start.y), small.middle().right());
                     }
                 }
             }

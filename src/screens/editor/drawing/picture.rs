@@ -29,8 +29,8 @@ impl Editor {
             Kind::Stream => 2,
             Kind::Solid => 3,
             Kind::Door | Kind::Mover | Kind::Deadly => 4,
-            Kind::Switch | Kind::Pad | Kind::KeyPad | Kind::Pod => 5,
             Kind::Setting | Kind::Object | Kind::Key | Kind::Ship | Kind::Text => 6,
+            _ => 5,
         };
         things.sort_by_key(|(_, kind, _)| depth(*kind));
         for (row, kind, place) in &things {
@@ -131,7 +131,7 @@ impl Editor {
                     canvas.rectangle(area, own.faded(0.5));
                 }
             }
-            Kind::Switch | Kind::Pad | Kind::KeyPad | Kind::Deadly | Kind::Pod | Kind::Setting => {
+            _ => {
                 let plate = kind != Kind::Switch || !cell("weight").is_empty();
                 canvas.rectangle(area, own.faded(if plate { 0.7 } else { 0.25 }));
                 edge(canvas, area, 1.0, own);

@@ -1,0 +1,82 @@
+//! Which of a level's editors an editor is, for as long as it has the level open.
+
+use crate::files::{self, Links};
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// The file of unsaved edits.
+const KEPT: &str = ".autosave";
+/// The most editors of one level that keep unsaved edits.
+const MOST_EDITORS: u32 = 100;
+
+/// Which of a level's editors this one is, for as long as it has the level open: a lock says so to the others.
+#[derive(Debug)]
+pub(super) struct EditorDesk {
+    /// The file of its unsaved edits.
+    pub kept: PathBuf,
+    /// Whether another editor has the level open.
+    pub shared: bool,
+    /// Held until this editor ends.
+    lock: Option<(File, PathBuf)>,
+}
+
+impl EditorDesk {
+    /// The first, also where another editor has it.
+    pub fn alone(folder: &Path) -> Self {
+        Self { kept: folder.join(KEPT), shared: false, lock: None }
+    }
+
+    /// The first that no editor has; one with edits that were left goes before the others.
+    pub fn take(folder: &Path) -> Self {
+        let left = (1..=MOST_EDITORS).filter(|number| fs::symlink_metadata(Self::name(folder, *number)).is_ok());
+        let mut desks = left.chain(1..=MOST_EDITORS).filter_map(|number| Some((number, Self::at(folder, number)?)));
+        let Some((number, mut desk)) = desks.next() else { return Self { kept: folder.join(KEPT), shared: true, lock: None } };
+        desk.shared = number != 1 && Self::at(folder, 1).is_none();
+        desk
+    }
+
+    /// That one; `None` where another editor has it. Where no lock can be made, as in a folder that is read-only, nothing can be kept either.
+    fn at(folder: &Path, number: u32) -> Option<Self> {
+        let kept = Self::name(folder, number);
+        let path = kept.with_extension("lock");
+        // No link is followed, and no pipe opened.
+        let file = match File::create_new(&path) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+                files::open(File::options().write(true), &path, Links::Never).ok()?.0
+            }
+            Ok(file) => file,
+            Err(_) => return Some(Self { kept, shared: false, lock: None }),
+        };
+        // An editor that ends takes its lock file away: the lock of a file that has gone is none.
+        let own = file.try_lock().is_ok() && is_at(&file, &path);
+        own.then(|| Self { kept, shared: false, lock: Some((file, path)) })
+    }
+
+    fn name(folder: &Path, number: u32) -> PathBuf {
+        folder.join(if number == 1 { KEPT.to_owned() } else { format!("{KEPT}-{number}") })
+    }
+}
+
+impl Drop for EditorDesk {
+    fn drop(&mut self) {
+        if let Some((_, path)) = &self.lock {
+            // Where it stays, the next editor takes it over.
+            let _ = fs::remove_file(path);
+        }
+    }
+}
+
+/// Whether that is the file of that name.
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let same = |a: fs::Metadata, b: fs::Metadata| a.dev() == b.dev() && a.ino() == b.ino();
+    file.metadata().ok().zip(fs::symlink_metadata(path).ok()).is_some_and(|(a, b)| same(a, b))
+}
+
+/// Elsewhere a file that is open keeps its name.
+#[cfg(not(unix))]
+fn is_at(_: &File, _: &Path) -> bool {
+    true
+}

@@ -1,0 +1,202 @@
+//! Operations on rows: cells that get other texts, rows that are added, moved, doubled and taken out. Each can be undone.
+
+use super::model::{Document, NewRow, RowId, SetCell};
+use super::places::{FINEST, Place, number, parsed, shape, shape_text, way_text};
+use super::sheet::{Added, CellEdit};
+use crate::level::schema::Kind;
+use crate::physics::DVec2;
+
+impl Document {
+    /// Makes cells hold other texts. Operations of one gesture are undone together. Where a name changes that switches work, they work the
+    /// new one.
+    ///
+    /// # Errors
+    /// A file or row that cannot be read as a table, in words; nothing has changed then.
+    pub fn set(&mut self, cells: &[SetCell], gesture: Option<u64>) -> Result<(), String> {
+        let mut files = Vec::new();
+        let cells: Vec<SetCell> = cells.iter().cloned().chain(self.renamed(cells, gesture)).collect();
+        for sheet in &self.sheets {
+            let edits: Vec<CellEdit> = cells
+                .iter()
+                .filter(|cell| cell.row.table == sheet.table)
+                .map(|cell| CellEdit { row: cell.row.row, column: cell.column, text: &cell.text })
+                .collect();
+            if !edits.is_empty() {
+                files.push((sheet.table, Some(sheet.edit(&edits)?)));
+            }
+        }
+        self.apply(files, gesture);
+        Ok(())
+    }
+
+    /// Adds rows below all others of their files, and makes a file that is not there; the new rows.
+    ///
+    /// # Errors
+    /// As [`Document::set`].
+    pub fn add(&mut self, rows: &[NewRow]) -> Result<Vec<RowId>, String> {
+        let (mut files, mut added) = (Vec::new(), Vec::new());
+        for sheet in &self.sheets {
+            let of_sheet: Vec<&NewRow> = rows.iter().filter(|row| row.kind.table() == sheet.table).collect();
+            if of_sheet.is_empty() {
+                continue;
+            }
+            let first = sheet.rows().len();
+            let cells: Vec<Added> = of_sheet.iter().map(|row| (row.kind.schema(), row.cells.clone())).collect();
+            files.push((sheet.table, Some(sheet.append(&cells)?)));
+            added.extend((first..first + cells.len()).map(|row| RowId { table: sheet.table, row }));
+        }
+        self.apply(files, None);
+        Ok(added)
+    }
+
+    /// A new thing at that place.
+    ///
+    /// # Errors
+    /// As [`Document::set`].
+    pub fn put(&mut self, kind: Kind, place: Place) -> Result<Option<RowId>, String> {
+        let mut cells: Vec<(&'static str, String)> =
+            kind.schema().fresh.iter().map(|(column, text)| (*column, (*text).to_owned())).collect();
+        let at = if kind.by_centre() { place.centre().round() } else { place.min };
+        let mut size = place.size.max(DVec2::ONE);
+        cells.extend([("x", number(at.x)), ("y", number(at.y))]);
+        match kind {
+            Kind::Object | Kind::Key | Kind::Picture => cells.push(("image", shape_text(false, size))),
+            Kind::Text => cells.push(("size", number(size.y))),
+            _ => {
+                if kind == Kind::Stream {
+                    size.y = size.y.min(kind.usual_size().1);
+                    cells.push(("stream_height", number(-(8.0 * size.y).max(100.0))));
+                }
+                cells.extend([("width", number(size.x)), ("height", number(size.y))]);
+            }
+        }
+        match kind {
+            Kind::Mover => cells.push(("way_points", way_text(&[at - DVec2::new(0.0, 6.0 * size.y.max(20.0))]))),
+            Kind::Door => cells.push(("name", self.free_name(kind))),
+            Kind::Switch => cells.push(("works", self.first_worked())),
+            _ => {}
+        }
+        Ok(self.add(&[NewRow { kind, cells }])?.first().copied())
+    }
+
+    /// Rows of the same cells, moved by that many pixels; the new rows.
+    ///
+    /// # Errors
+    /// As [`Document::set`].
+    pub fn duplicate(&mut self, rows: &[RowId], by: DVec2) -> Result<Vec<RowId>, String> {
+        let mut new = Vec::new();
+        for row in rows {
+            let Some(kind) = self.kind(*row).filter(|kind| !matches!(kind, Kind::Ship | Kind::Setting)) else { continue };
+            let moved = self.shifted(*row, by);
+            let text = |column: &'static str| {
+                let shifted = moved.iter().find(|cell| cell.column == column).map(|cell| cell.text.clone());
+                shifted.or_else(|| self.cell(*row, column).map(str::to_owned))
+            };
+            let cells = kind.columns().iter().filter_map(|column| Some((column.name, text(column.name)?))).collect();
+            new.push(NewRow { kind, cells });
+        }
+        self.add(&new)
+    }
+
+    /// Takes rows out, with their lines.
+    ///
+    /// # Errors
+    /// As [`Document::set`].
+    pub fn remove(&mut self, rows: &[RowId]) -> Result<(), String> {
+        let mut files = Vec::new();
+        for sheet in &self.sheets {
+            let mut own: Vec<usize> = rows.iter().filter(|row| row.table == sheet.table).map(|row| row.row).collect();
+            own.sort_unstable();
+            own.dedup();
+            if !own.is_empty() {
+                files.push((sheet.table, Some(sheet.remove(&own)?)));
+            }
+        }
+        self.apply(files, None);
+        Ok(())
+    }
+
+    /// Makes a setting hold that text; without one it goes.
+    ///
+    /// # Errors
+    /// As [`Document::set`].
+    pub fn set_setting(&mut self, name: &'static str, text: &str, gesture: Option<u64>) -> Result<(), String> {
+        match self.setting_row(name) {
+            Some(row) => self.set(&[SetCell { row, column: "value", text: text.to_owned() }], gesture),
+            None if text.is_empty() => Ok(()),
+            None => {
+                let cells = vec![("name", name.to_owned()), ("value", text.to_owned())];
+                self.add(&[NewRow { kind: Kind::Setting, cells }])?;
+                if let Some(change) = self.undo.last_mut() {
+                    change.gesture = gesture;
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// Whether the row's thing can be given another size.
+    pub fn is_sizable(&self, row: RowId) -> bool {
+        match self.kind(row) {
+            None | Some(Kind::Ship | Kind::Setting) => false,
+            Some(Kind::Object | Kind::Key | Kind::Picture) => self.cell(row, "image").is_some_and(|image| shape(image).is_some()),
+            Some(_) => true,
+        }
+    }
+
+    /// The row's cells with its thing at that place; its size only where that differs.
+    pub fn placed(&self, row: RowId, to: Place) -> Vec<SetCell> {
+        let (Some(kind), Some(from)) = (self.kind(row), self.place(row)) else { return Vec::new() };
+        let mut cells = Vec::new();
+        let mut set = |column: &'static str, value: f64| cells.push(SetCell { row, column, text: number(value) });
+        let resized = (to.size - from.size).abs().max_element() > 0.5 / FINEST;
+        let corner = |place: &Place| if kind.by_centre() { place.centre() } else { place.min };
+        let (old, new) = (corner(&from), corner(&to));
+        if new.x != old.x {
+            set("x", new.x);
+        }
+        if new.y != old.y {
+            set("y", new.y);
+        }
+        if resized && self.is_sizable(row) {
+            match kind {
+                Kind::Text => set("size", to.size.y.max(1.0)),
+                Kind::Object | Kind::Key | Kind::Picture => {
+                    let round = self.cell(row, "image").and_then(shape).is_some_and(|(round, _)| round);
+                    let text = shape_text(round, to.size);
+                    cells.push(SetCell { row, column: "image", text });
+                }
+                _ => {
+                    set("width", to.size.x);
+                    set("height", to.size.y);
+                }
+            }
+        }
+        cells
+    }
+
+    /// The row's cells with its thing, and its route if it has one, moved by that many pixels.
+    pub fn shifted(&self, row: RowId, by: DVec2) -> Vec<SetCell> {
+        let Some(place) = self.place(row) else { return Vec::new() };
+        let mut cells = self.placed(row, Place { min: place.min + by, ..place });
+        if self.kind(row) == Some(Kind::Mover) {
+            let way: Vec<DVec2> = self.way_points(row).into_iter().map(|point| point + by).collect();
+            if !way.is_empty() {
+                cells.push(SetCell { row, column: "way_points", text: way_text(&way) });
+            }
+        }
+        cells
+    }
+
+    /// The way points of a mover, pixels; none where they cannot be read.
+    pub fn way_points(&self, row: RowId) -> Vec<DVec2> {
+        let text = self.cell(row, "way_points").unwrap_or_default();
+        let points = text.split(';').map(str::trim).filter(|point| !point.is_empty());
+        let point = |text: &str| {
+            let mut numbers = text.split_whitespace().map(parsed);
+            let point = DVec2::new(numbers.next()??, numbers.next()??);
+            numbers.next().is_none().then_some(point)
+        };
+        points.map(point).collect::<Option<_>>().unwrap_or_default()
+    }
+}

@@ -1,0 +1,251 @@
+//! The document: the files of a level, with the kind, the place and the cells of each row. Cells are read leniently: a thing without a place
+//! that can be read is not drawn, and the loader lists its problem.
+
+use super::change::EditChange;
+use super::places::{Place, parsed, shape};
+use super::sheet::EditedFile;
+use crate::files;
+use crate::level::numbers::PixelScale;
+use crate::level::schema::{Column, Kind, Table};
+use crate::level::source::Files;
+use crate::level::types::SHIP_HEIGHT;
+use crate::physics::DVec2;
+use std::collections::BTreeMap;
+use std::io;
+
+/// Width of a letter in heights of it, about.
+const LETTER: f64 = 0.5;
+
+/// A row of a level's files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct RowId {
+    /// The file.
+    pub table: Table,
+    /// From 0; headers and comments do not count.
+    pub row: usize,
+}
+
+/// A cell that is to hold another text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SetCell {
+    /// Where.
+    pub row: RowId,
+    /// The column's name.
+    pub column: &'static str,
+    /// Its new text.
+    pub text: String,
+}
+
+/// A row that is to be added: the texts of its columns, those of the others are left out.
+#[derive(Clone, Debug)]
+pub struct NewRow {
+    /// The kind.
+    pub kind: Kind,
+    /// Column and text.
+    pub cells: Vec<(&'static str, String)>,
+}
+
+/// A level's files as they are edited.
+#[derive(Clone, Debug)]
+pub struct Document {
+    /// By [`Table`].
+    pub(super) sheets: Vec<EditedFile>,
+    pub(super) undo: Vec<EditChange>,
+    pub(super) redo: Vec<EditChange>,
+    pub(super) version: u64,
+    /// Where everything lies, by table and row.
+    places: Vec<Vec<Option<Place>>>,
+    /// The sizes of pictures, pixels, by how cells name them.
+    pictures: BTreeMap<String, DVec2>,
+    /// The size of background.png, pixels.
+    background: Option<DVec2>,
+}
+
+impl Document {
+    /// A document of these files' bytes; a file that is not asked for, or not there, has no row.
+    pub fn new(mut file: impl FnMut(Table) -> Option<Vec<u8>>) -> Self {
+        let sheets: Vec<EditedFile> = Table::ALL.iter().map(|table| EditedFile::new(*table, file(*table))).collect();
+        let mut document = Self {
+            places: vec![Vec::new(); sheets.len()],
+            sheets,
+            undo: Vec::new(),
+            redo: Vec::new(),
+            version: 0,
+            pictures: BTreeMap::new(),
+            background: None,
+        };
+        document.measure_all();
+        document
+    }
+
+    /// Takes over how large the pictures are, which the document itself cannot know.
+    pub fn tell_sizes(&mut self, pictures: BTreeMap<String, DVec2>, background: Option<DVec2>) {
+        (self.pictures, self.background) = (pictures, background);
+        self.measure_all();
+    }
+
+    /// The pictures that cells name and whose size is not known yet.
+    pub fn unknown_pictures(&self) -> Vec<String> {
+        let rows = Table::ALL.iter().filter(|table| table.has(Column::is_picture)).flat_map(|table| self.rows(*table));
+        let names = rows.filter_map(|row| self.cell(row, "image")).filter(|name| !name.contains(':') && !name.is_empty());
+        let mut names: Vec<String> = names.filter(|name| !self.pictures.contains_key(*name)).map(str::to_owned).collect();
+        names.sort_unstable();
+        names.dedup();
+        names
+    }
+
+    fn picture_size(&self, image: &str) -> Option<DVec2> {
+        shape(image).map(|(_, size)| size).or_else(|| self.pictures.get(image).copied())
+    }
+
+    pub(super) fn sheet(&self, table: Table) -> &EditedFile {
+        &self.sheets[table.index()]
+    }
+
+    /// Counts all changes of the files, those undone among them.
+    pub fn version(&self) -> u64 {
+        self.version
+    }
+
+    /// A file's bytes; `None` where there is no such file.
+    pub fn bytes(&self, table: Table) -> Option<&[u8]> {
+        let sheet = self.sheet(table);
+        sheet.exists.then_some(&sheet.bytes)
+    }
+
+    /// The rows of a file.
+    pub fn rows(&self, table: Table) -> impl Iterator<Item = RowId> + use<> {
+        (0..self.sheet(table).rows().len()).map(move |row| RowId { table, row })
+    }
+
+    /// All rows that have a place, and that place; those of one file after the other.
+    pub fn things(&self) -> impl Iterator<Item = (RowId, Place)> + '_ {
+        let of = |(table, places): (&Table, &'_ Vec<Option<Place>>)| {
+            let table = *table;
+            places.iter().enumerate().filter_map(move |(row, place)| Some((RowId { table, row }, (*place)?))).collect::<Vec<_>>()
+        };
+        Table::ALL.iter().zip(&self.places).flat_map(of)
+    }
+
+    /// Where a row's thing lies.
+    pub fn place(&self, row: RowId) -> Option<Place> {
+        *self.places[row.table.index()].get(row.row)?
+    }
+
+    /// The kind of a row; `None` where there is none or it is not known.
+    pub fn kind(&self, row: RowId) -> Option<Kind> {
+        let first = self.sheet(row.table).rows().get(row.row)?.cells.first()?;
+        Kind::of(row.table, first.text.trim())
+    }
+
+    /// The text of a cell; `None` where the row has no such cell.
+    pub fn cell(&self, row: RowId, column: &str) -> Option<&str> {
+        self.sheet(row.table).cell(row.row, column)
+    }
+
+    /// A setting of the level; `None` where it is not given.
+    pub fn setting(&self, name: &str) -> Option<&str> {
+        self.setting_row(name).and_then(|row| self.cell(row, "value")).filter(|value| !value.is_empty())
+    }
+
+    pub(super) fn setting_row(&self, name: &str) -> Option<RowId> {
+        self.rows(Table::Constants).find(|row| self.cell(*row, "name").is_some_and(|known| known.eq_ignore_ascii_case(name)))
+    }
+
+    /// The row of a file that has that line, counted from 1 as the loader's problems do.
+    pub fn row_at(&self, table: Table, line: usize) -> Option<RowId> {
+        let sheet = self.sheet(table);
+        let row = sheet.rows().partition_point(|row| row.line <= line).checked_sub(1)?;
+        sheet.lines(row).filter(|(_, end)| line < *end).map(|_| RowId { table, row })
+    }
+
+    /// The first line of a row.
+    pub fn line(&self, row: RowId) -> Option<usize> {
+        self.sheet(row.table).lines(row.row).map(|(from, _)| from)
+    }
+
+    /// Pixels a metre.
+    pub fn metre(&self) -> f64 {
+        let metre = self.setting("metre").and_then(parsed).filter(|metre| *metre > 1e-3);
+        metre.unwrap_or(PixelScale::USUAL.metre)
+    }
+
+    /// The level's size in pixels: that of its background, or of its settings.
+    pub fn size(&self) -> DVec2 {
+        let given = |name: &str, usual: f64| self.setting(name).and_then(parsed).filter(|side| *side >= 1.0).unwrap_or(usual);
+        self.background.unwrap_or_else(|| DVec2::new(given("width", 1280.0), given("height", 720.0)))
+    }
+
+    /// The number in a cell, where there is one.
+    pub fn number(&self, row: RowId, column: &str) -> Option<f64> {
+        self.cell(row, column).and_then(parsed)
+    }
+
+    fn measure(&self, row: RowId) -> Option<Place> {
+        let kind = self.kind(row)?;
+        let at = DVec2::new(self.number(row, "x")?, self.number(row, "y")?);
+        let size = match kind {
+            Kind::Setting => return None,
+            Kind::Ship => DVec2::splat(SHIP_HEIGHT * self.metre()),
+            Kind::Object | Kind::Key | Kind::Picture => self.picture_size(self.cell(row, "image")?).unwrap_or(DVec2::splat(20.0)),
+            Kind::Text => {
+                let height = self.number(row, "size")?.abs();
+                DVec2::new(LETTER * height * self.cell(row, "text").map_or(0, |text| text.chars().count()) as f64, height)
+            }
+            _ => DVec2::new(self.number(row, "width")?, self.number(row, "height")?),
+        };
+        if size.cmple(DVec2::ZERO).any() {
+            return None;
+        }
+        Some(Place { min: if kind.by_centre() { at - size * 0.5 } else { at }, size })
+    }
+
+    pub(super) fn measure_table(&mut self, table: Table) {
+        if table == Table::Constants {
+            // The scale may be another: the ship's size hangs on it.
+            return self.measure_all();
+        }
+        self.places[table.index()] = self.rows(table).map(|row| self.measure(row)).collect();
+    }
+
+    fn measure_all(&mut self) {
+        for table in Table::ALL {
+            self.places[table.index()] = self.rows(*table).map(|row| self.measure(row)).collect();
+        }
+    }
+
+    /// The document's files above others, for the loader.
+    pub fn over<'a>(&'a self, others: &'a dyn Files) -> impl Files + 'a {
+        Over { document: self, others }
+    }
+}
+
+struct Over<'a> {
+    document: &'a Document,
+    others: &'a dyn Files,
+}
+
+impl Files for Over<'_> {
+    fn level_file(&self, name: &str) -> io::Result<Vec<u8>> {
+        match Table::of_file(name) {
+            Some(table) => match self.document.bytes(table) {
+                None => Err(io::ErrorKind::NotFound.into()),
+                // Once saved, it could not be read again.
+                Some(bytes) if bytes.len() as u64 > files::LEVEL_TABLE => {
+                    let found = format!("found {} bytes, expected at most {}", bytes.len(), files::LEVEL_TABLE);
+                    Err(io::Error::new(io::ErrorKind::FileTooLarge, found))
+                }
+                Some(bytes) => Ok(bytes.to_vec()),
+            },
+            None => self.others.level_file(name),
+        }
+    }
+
+    fn project_file(&self, path: &str) -> io::Result<Vec<u8>> {
+        self.others.project_file(path)
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.others.names()
+    }
+}

@@ -1,0 +1,203 @@
+//! The things of a level's files, row by row, before it is known whether they make a level.
+
+use super::placed::FromRow;
+use super::problem::Problem;
+use super::reader::LevelReader;
+use super::schema::settings::LevelSettings;
+use super::schema::{Table, blocks, bodies, zones};
+use super::shade;
+use super::source::BACKGROUND;
+use super::types::{
+    Decoration, Fluid, GravityZone, Level, Mover, Object, Objective, ObjectiveKind, Player, Pod, Solid, Stream, Switch, Text,
+};
+use crate::level::numbers::PixelScale;
+use crate::physics::{Aabb, DVec2};
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+/// How many pairs of a shaded stream and a solid are looked at: some 10 ms.
+const MOST_PAIRS: usize = 4_000_000;
+
+/// The things that could be read, in metres.
+pub(super) struct Draft {
+    /// Width and height in pixels.
+    pub size: Option<DVec2>,
+    pub scale: PixelScale,
+    pub player: Option<FromRow<Player>>,
+    /// N/kg, downwards and to the right.
+    pub gravity: [f64; 2],
+    pub world: Vec<FromRow<Solid>>,
+    pub movers: Vec<FromRow<Mover>>,
+    pub doors: Vec<FromRow<Solid>>,
+    pub switches: Vec<FromRow<Switch>>,
+    /// Those of objects.csv, then the key objects.
+    pub objects: Vec<FromRow<Object>>,
+    pub objectives: Vec<FromRow<Objective>>,
+    pub obstacles: Vec<FromRow<Aabb>>,
+    pub streams: Vec<FromRow<Stream>>,
+    pub fluids: Vec<FromRow<Fluid>>,
+    pub fields: Vec<FromRow<GravityZone>>,
+    pub pods: Vec<FromRow<Pod>>,
+    pub decoration: Vec<FromRow<Decoration>>,
+    pub texts: Vec<FromRow<Text>>,
+}
+
+impl Draft {
+    /// Reads all files but constants.csv, of a level of that size in pixels.
+    pub fn read(reader: &mut LevelReader, size: Option<DVec2>, gravity: [f64; 2]) -> Self {
+        let player = player(reader);
+        let world = reader.things(Table::World, blocks::solid);
+        let mut objects = reader.things(Table::Objects, bodies::object);
+        let objectives = objectives(reader, &mut objects);
+        let streams = streams(reader, &world);
+        Self {
+            size,
+            scale: reader.rows.scale,
+            gravity,
+            player,
+            world,
+            movers: reader.things(Table::Movers, blocks::mover),
+            doors: reader.things(Table::Doors, blocks::door),
+            switches: reader.things(Table::Switches, blocks::switch),
+            objects,
+            objectives,
+            obstacles: reader.things(Table::Obstacles, zones::deadly),
+            streams,
+            fluids: reader.things(Table::Fluids, zones::fluid),
+            fields: reader.things(Table::Gravity, zones::gravity_zone),
+            pods: reader.things(Table::Pods, zones::pod),
+            decoration: reader.things(Table::Decoration, zones::decoration),
+            texts: reader.things(Table::Texts, zones::text),
+        }
+    }
+
+    /// The level of a draft, with its size in metres.
+    pub fn level(self, name: &str, settings: &LevelSettings, background: bool, (player, size): (Player, DVec2)) -> Level {
+        Level {
+            name: name.to_owned(),
+            title: settings.title.clone().unwrap_or_else(|| name.to_owned()),
+            metre: self.scale.metre,
+            size,
+            gravity: settings.gravity,
+            gravity_x: settings.gravity_x,
+            air_density: settings.air_density,
+            optimal_time: settings.optimal_time,
+            rest_speed: settings.rest_speed,
+            friction: settings.friction,
+            experiment: settings.experiment,
+            awards: settings.awards,
+            player,
+            world: items(self.world),
+            movers: items(self.movers),
+            doors: items(self.doors),
+            switches: items(self.switches),
+            objects: items(self.objects),
+            objectives: items(self.objectives),
+            obstacles: items(self.obstacles),
+            streams: items(self.streams),
+            fluids: items(self.fluids),
+            fields: items(self.fields),
+            pods: items(self.pods),
+            decoration: items(self.decoration),
+            texts: items(self.texts),
+            background: background.then(|| PathBuf::from(BACKGROUND)),
+        }
+    }
+
+    /// Leaves out every row that one of the problems names.
+    pub fn leave_out(&mut self, problems: &[Problem]) {
+        let rows: BTreeSet<(&str, usize)> = problems.iter().map(|problem| (problem.file.as_str(), problem.line)).collect();
+        fn keep<T>(things: &mut Vec<FromRow<T>>, rows: &BTreeSet<(&str, usize)>) {
+            things.retain(|thing| !rows.contains(&(thing.file, thing.line)));
+        }
+        self.player = self.player.take().filter(|ship| !rows.contains(&(ship.file, ship.line)));
+        keep(&mut self.objects, &rows);
+        keep(&mut self.movers, &rows);
+        keep(&mut self.streams, &rows);
+        keep(&mut self.fluids, &rows);
+        keep(&mut self.fields, &rows);
+    }
+}
+
+fn player(reader: &mut LevelReader) -> Option<FromRow<Player>> {
+    let one = "exactly one row with the ship";
+    let table = reader.required(Table::Player, one)?;
+    if table.lines.is_empty() {
+        reader.rows.problems.push(bodies::SHIP.problem(1, "no row", one));
+    }
+    for (i, line) in table.lines.iter().enumerate().skip(1) {
+        let found = format!("{} row", if i == 1 { "a second" } else { "one more" });
+        reader.rows.problems.push(bodies::SHIP.problem(*line, found, one));
+    }
+    let mut ships: Vec<_> = Vec::new();
+    for record in &table.records {
+        ships.push(bodies::player(record, &mut reader.rows).map(|ship| FromRow::new(record, ship)));
+    }
+    ships.into_iter().next().flatten()
+}
+
+/// The objectives; the key objects go behind `objects`.
+fn objectives(reader: &mut LevelReader, objects: &mut Vec<FromRow<Object>>) -> Vec<FromRow<Objective>> {
+    let wanted = "at least one PLAYER or PHYS row";
+    let Some(table) = reader.required(Table::Objectives, wanted) else { return Vec::new() };
+    let mut objectives = Vec::new();
+    let (mut first_physics, mut blocks, mut keys) = (None, 0, 0);
+    for record in &table.records {
+        let kind = match record.schema.tag {
+            tag if tag == bodies::KEY.tag => {
+                keys += 1;
+                objects.extend(bodies::key(record, &mut reader.rows).map(|key| FromRow::new(record, key)));
+                continue;
+            }
+            tag if tag == bodies::PAD.tag => ObjectiveKind::Player,
+            _ => ObjectiveKind::Physics,
+        };
+        blocks += 1;
+        if kind == ObjectiveKind::Physics {
+            first_physics.get_or_insert(record);
+        }
+        let objective = bodies::objective(kind, record, &mut reader.rows);
+        objectives.extend(objective.map(|objective| FromRow::new(record, objective)));
+    }
+    // The missing row may be one that could not be read: then its own problem is enough.
+    let all_read = table.records.len() == table.lines.len();
+    if blocks == 0 && all_read {
+        reader.rows.problems.push(bodies::PAD.problem(1, "no objective", wanted));
+    }
+    if let (Some(record), 0, true) = (first_physics, keys, all_read) {
+        reader.rows.problems.push(record.problem("kind", "PHYS without any key object", "at least one OBJECT row"));
+    }
+    objectives
+}
+
+/// The streams; those that are shaded end at the first solid on their way.
+fn streams(reader: &mut LevelReader, world: &[FromRow<Solid>]) -> Vec<FromRow<Stream>> {
+    let mut streams = Vec::new();
+    let mut pairs = 0;
+    for placed in reader.things(Table::Hazards, zones::stream) {
+        let (mut stream, shaded) = placed.item.clone();
+        pairs += if shaded { world.len() } else { 0 };
+        if pairs > MOST_PAIRS {
+            let found = format!("one more shaded stream beside {} solids", world.len());
+            let most = MOST_PAIRS / world.len();
+            let expected = format!("at most {most} in this level: shaded streams times solids are at most {MOST_PAIRS}");
+            reader.rows.problems.push(placed.problem("shaded", found, expected));
+            break;
+        }
+        if shaded {
+            match shade::shaded(&stream, world.iter().map(|solid| solid.item.bounds)) {
+                Some(zone) => stream.zone = zone,
+                None => {
+                    let found = "TRUE, with a solid right before the source block";
+                    reader.rows.problems.push(placed.problem("shaded", found, "free space before it"));
+                }
+            }
+        }
+        streams.push(placed.map(|_| stream));
+    }
+    streams
+}
+
+fn items<T>(placed: Vec<FromRow<T>>) -> Vec<T> {
+    placed.into_iter().map(|placed| placed.item).collect()
+}

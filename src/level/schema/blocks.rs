@@ -1,0 +1,188 @@
+//! Rows of solid blocks, world.csv, movers.csv and doors.csv; and of switches.csv.
+
+use super::facts::{Count, FileSchema, Holds, RowSchema};
+use super::record::{RowCells, RowReader};
+use super::typed::{MATERIAL, Typed, Word, is_name, name, number, one_of, rows, way_points};
+use crate::level::numbers::{self, MIN_SIZE};
+use crate::level::problem::quoted;
+use crate::level::route::{self, Manner, MoverPace};
+use crate::level::types::{Mover, Presser, Route, Solid, Switch, SwitchStay, Work};
+use crate::physics::{DVec2, Material, Sides};
+
+pub static WORLD: FileSchema = FileSchema {
+    name: "world.csv",
+    help: "What is solid and never moves.",
+    sample: "0,680,1280,40,Asphalt\n840,440,440,30,Wood\n560,560,120,15,Steel,top\n",
+};
+pub static SOLID: RowSchema =
+    RowSchema::new(&WORLD, "Block", SolidRow::COLUMNS)
+        .size(160.0, 40.0)
+        .counted(&[Count::always("solid", "solids", |level| level.world.len())]);
+
+pub static MOVERS: FileSchema = FileSchema {
+    name: "movers.csv",
+    help: "Blocks that move through way points. They carry, push and crush.",
+    sample: "240,560,90,20,240 380; 400 380,3,,0.5,0.5,back,Steel,,0,\n",
+};
+pub static MOVER: RowSchema = RowSchema::new(&MOVERS, "Mover", MoverRow::COLUMNS)
+    .fresh(&[("speed", "2"), ("wait", "1"), ("ease", "0.5")])
+    .size(120.0, 20.0)
+    .counted(&[Count::if_any("mover", "movers", |level| level.movers.len())]);
+
+pub static DOORS: FileSchema =
+    FileSchema { name: "doors.csv", help: "Blocks that a switch opens.", sample: "1000,300,20,140,gate,Steel\n" };
+pub static DOOR: RowSchema =
+    RowSchema::new(&DOORS, "Door", DoorRow::COLUMNS)
+        .size(20.0, 120.0)
+        .counted(&[Count::if_any("door", "doors", |level| level.doors.len())]);
+
+pub static SWITCHES: FileSchema = FileSchema {
+    name: "switches.csv",
+    help: "Plates and areas that work doors, movers, streams and belts by their names.",
+    sample: "60,360,60,60,gate,,ship,latched\n760,640,60,40,!fan,,object,held\n",
+};
+pub static SWITCH: RowSchema = RowSchema::new(&SWITCHES, "Switch", SwitchRow::COLUMNS)
+    .fresh(&[("by", "ship"), ("stays", "held")])
+    .size(60.0, 60.0)
+    .counted(&[Count::if_any("switch", "switches", |level| level.switches.len())]);
+
+/// The most names that a switch works.
+const MOST_WORKS: usize = 50;
+
+const ONE_WAY: Typed<Sides> = one_of("the one side from which it is solid; with none it is solid all around").or("");
+const BELT: Typed<f64> = number(numbers::BELT, "speed of its skin, clockwise: the upper side runs to the right").or("0");
+const SWITCH_NAME: Typed<String> = name("the name by which switches work it");
+
+rows! {
+    /// A row of world.csv.
+    SolidRow {
+        rectangle,
+        material: Material = MATERIAL,
+        one_way: Sides = ONE_WAY,
+        belt: f64 = BELT,
+        breaks: Option<f64> = number(numbers::IMPULSE, "a blow larger than this breaks it").maybe(),
+        name: Option<String> = SWITCH_NAME.maybe(),
+    }
+
+    /// A row of movers.csv.
+    MoverRow {
+        rectangle,
+        way_points: Vec<DVec2> = way_points("where its top left corner goes from its start"),
+        speed: Option<f64> = number(numbers::SPEED, "its speed; or give a period").maybe(),
+        period: Option<f64> = number(numbers::PERIOD, "how long all of its way takes; or give a speed").maybe(),
+        wait: f64 = number(numbers::PAUSE, "how long it waits at each way point").or("0"),
+        ease: f64 = number(numbers::PAUSE, "how long it takes to get to its speed, and to stop").or("0"),
+        route: Route = one_of::<Route>("back as it came, round to its start, or once").or("back"),
+        material: Material = MATERIAL,
+        one_way: Sides = ONE_WAY,
+        belt: f64 = BELT,
+        name: Option<String> = SWITCH_NAME.maybe(),
+    }
+
+    /// A row of doors.csv.
+    DoorRow {
+        rectangle,
+        name: String = SWITCH_NAME,
+        material: Material = MATERIAL,
+    }
+
+    /// A row of switches.csv.
+    SwitchRow {
+        rectangle,
+        works: Vec<Work> = Typed::new(
+            Holds::Text("names, such as `gate !fan`"),
+            "the things that it works; behind a ! those that are on while it is off",
+            |asked, reader| asked.or_refuse(reader, works(asked.text)),
+        ),
+        weight: Option<f64> = number(numbers::LOAD, "the force beyond which it is pressed, a plate; without it the switch is an area to touch").maybe(),
+        by: Presser = one_of::<Presser>("the body that works an area by touching it").or("any"),
+        stays: SwitchStay = one_of::<SwitchStay>("held while pressed, latched for ever, or toggled by each press").or("held"),
+    }
+}
+
+impl Word for Route {
+    fn words() -> Vec<(&'static str, Self)> {
+        vec![("back", Self::Back), ("round", Self::Round), ("once", Self::Once)]
+    }
+}
+
+impl Word for Presser {
+    fn words() -> Vec<(&'static str, Self)> {
+        vec![("any", Self::Any), ("ship", Self::Ship), ("key", Self::Key), ("object", Self::Object)]
+    }
+}
+
+impl Word for SwitchStay {
+    fn words() -> Vec<(&'static str, Self)> {
+        vec![("held", Self::Held), ("latched", Self::Latched), ("toggled", Self::Toggled)]
+    }
+}
+
+pub fn solid(record: &RowCells, reader: &mut RowReader) -> Option<Solid> {
+    let SolidRow { x, y, width, height, material, one_way, belt, breaks, name } = SolidRow::read(record, reader);
+    let bounds = reader.scale.bounds([x, y, width, height])?;
+    Some(Solid { bounds, material: material?, sides: one_way?, belt: belt?, breaks: breaks?, name: name? })
+}
+
+pub fn door(record: &RowCells, reader: &mut RowReader) -> Option<Solid> {
+    let DoorRow { x, y, width, height, name, material } = DoorRow::read(record, reader);
+    let bounds = reader.scale.bounds([x, y, width, height])?;
+    Some(Solid { name: Some(name?), ..Solid::new(bounds, material?) })
+}
+
+pub fn mover(record: &RowCells, reader: &mut RowReader) -> Option<Mover> {
+    let row = MoverRow::read(record, reader);
+    let pace = pace(&row, record, reader);
+    let bounds = reader.scale.bounds([row.x, row.y, row.width, row.height])?;
+    let (sides, belt, name) = (row.one_way?, row.belt?, row.name?);
+    let solid = Solid { sides, belt, name, ..Solid::new(bounds, row.material?) };
+    let half = bounds.size() * 0.5;
+    let stops: Vec<DVec2> = std::iter::once(bounds.min).chain(row.way_points?).map(|corner| corner + half).collect();
+    if stops.windows(2).any(|pair| pair[0].distance(pair[1]) < MIN_SIZE) {
+        let found = format!("{}, with a way point where the block is already", quoted(record.text("way_points")?));
+        let expected = "each way point apart from the one before (the first, from x and y)";
+        reader.problems.push(record.problem("way_points", found, expected));
+        return None;
+    }
+    let (route, pace) = (row.route?, pace?);
+    let path = route::path(&stops, Manner { route, pace, wait: row.wait?, ease: row.ease? }).map_err(|least| {
+        let found = quoted(record.text("period").unwrap_or_default());
+        let expected = format!("at least {least:.3} s, which its waits and easings take");
+        reader.problems.push(record.problem("period", found, expected));
+    });
+    Some(Mover { solid, stops, route, path: path.ok()? })
+}
+
+/// Exactly one of speed and period.
+fn pace(row: &MoverRow, record: &RowCells, reader: &mut RowReader) -> Option<MoverPace> {
+    let found = match (row.speed?, row.period?) {
+        (Some(speed), None) => return Some(MoverPace::Speed(speed)),
+        (None, Some(period)) => return Some(MoverPace::Period(period)),
+        (Some(_), Some(_)) => "a speed and a period",
+        (None, None) => "neither a speed nor a period",
+    };
+    reader.problems.push(record.problem("speed", found, "one of the two: speed in m/s, or period in s"));
+    None
+}
+
+pub fn switch(record: &RowCells, reader: &mut RowReader) -> Option<Switch> {
+    let SwitchRow { x, y, width, height, works, weight, by, stays } = SwitchRow::read(record, reader);
+    if record.text("weight").is_some_and(|text| !text.is_empty()) && by.is_some_and(|by| by != Presser::Any) {
+        let found = format!("{} beside a weight", quoted(record.text("by")?));
+        reader.problems.push(record.problem("by", found, "nothing or any: a plate is pressed by whatever weighs on it"));
+        return None;
+    }
+    let bounds = reader.scale.bounds([x, y, width, height])?;
+    Some(Switch { bounds, works: works?, weight: weight?, by: by?, latch: stays? })
+}
+
+/// `lift !fan`: names of things; a thing behind a `!` is on while the switch is off.
+fn works(text: &str) -> Result<Vec<Work>, String> {
+    let works: Vec<Work> = text
+        .split_whitespace()
+        .map(|word| Work { name: word.trim_start_matches('!').to_owned(), inverted: word.starts_with('!') })
+        .collect();
+    let named = works.iter().all(|work| is_name(&work.name));
+    let expected = "names with spaces between them, such as: gate !fan";
+    if works.is_empty() || works.len() > MOST_WORKS || !named { Err(expected.into()) } else { Ok(works) }
+}

@@ -1,0 +1,208 @@
+//! Rows of bodies, player.csv and objects.csv, and of objectives.csv, which has key objects beside the objectives.
+
+use super::facts::{Count, FileSchema, RowSchema};
+use super::record::{RowCells, RowReader};
+use super::typed::{
+    CENTRE_X, CENTRE_Y, CHANNEL, MATERIAL, Maybe, Typed, VX, VY, boolean, channel, number, picture_or_box, rows, whole, words,
+};
+use crate::level::image::PictureShape;
+use crate::level::numbers;
+use crate::level::problem::quoted;
+use crate::level::types::{Look, Object, Objective, ObjectiveKind, Player};
+use crate::physics::{DVec2, Material};
+
+pub static PLAYER: FileSchema = FileSchema {
+    name: "player.csv",
+    help: "The ship, exactly one row. It is 51 pixels high at the usual scale.",
+    sample: "150,650,100,500,2500,TRUE,0,0,0,Asphalt,1.15,0\n",
+};
+pub static SHIP: RowSchema = RowSchema::new(&PLAYER, "Ship", ShipRow::COLUMNS).by_centre();
+
+pub static OBJECTS: FileSchema =
+    FileSchema { name: "objects.csv", help: "Things that move.", sample: "600,660,box:40x40,50,1.05,FALSE,0.2,0,0,Wood,FALSE\n" };
+pub static OBJECT: RowSchema = RowSchema::new(&OBJECTS, "Object", ObjectRow::COLUMNS)
+    .fresh(&[("mass", "50"), ("drag", "1.05"), ("circular", "FALSE"), ("restitution", "0.2")])
+    .size(40.0, 40.0)
+    .by_centre()
+    .counted(&[
+        Count::always("object", "objects", |level| level.objects.iter().filter(|object| object.key.is_none()).count()),
+        Count::always("key object", "key objects", |level| level.objects.iter().filter(|object| object.key.is_some()).count()),
+    ]);
+
+pub static OBJECTIVES: FileSchema = FileSchema {
+    name: "objectives.csv",
+    help: "Objectives for the ship (PLAYER) and for key objects (PHYS), and the key objects (OBJECT). The first cell says which it is, and \
+           the columns of these rows never change places.",
+    sample: "PLAYER,1120,430,100,10,1\n",
+};
+pub static PAD: RowSchema = RowSchema::new(&OBJECTIVES, "Ship's pad", ObjectiveRow::COLUMNS)
+    .tagged("PLAYER")
+    .fresh(&[("kind", "PLAYER"), ("hold", "1")])
+    .size(120.0, 10.0)
+    .counted(&[Count::always("player objective", "player objectives", |level| level.objectives_of(ObjectiveKind::Player))]);
+pub static KEY_PAD: RowSchema = RowSchema::new(&OBJECTIVES, "Key's pad", ObjectiveRow::COLUMNS)
+    .tagged("PHYS")
+    .fresh(&[("kind", "PHYS")])
+    .size(120.0, 10.0)
+    .counted(&[Count::always("physics objective", "physics objectives", |level| level.objectives_of(ObjectiveKind::Physics))]);
+pub static KEY: RowSchema = RowSchema::new(&OBJECTIVES, "Key object", KeyRow::COLUMNS)
+    .tagged("OBJECT")
+    .fresh(&[("kind", "OBJECT"), ("mass", "50"), ("r", "240"), ("g", "170"), ("b", "40"), ("restitution", "0.2"), ("drag", "1.05")])
+    .size(40.0, 40.0)
+    .by_centre();
+
+const KIND: Typed<String> = words("PLAYER, PHYS or OBJECT", "the kind of the row");
+const MASS: Typed<f64> = number(numbers::MASS, "its inertia and its weight");
+const DRAG: Typed<f64> = number(numbers::DRAG, "coefficient of its air resistance");
+const RESTITUTION: Typed<f64> = number(numbers::RESTITUTION, "share of a blow's speed that it gives back");
+const PICTURE: Typed<PictureShape> = picture_or_box("how it looks, and its size");
+const WEIGHTLESS: Typed<bool> = boolean("whether no gravity acts on it").or("FALSE");
+const ONLY_KEYS: Maybe<u8> = channel("a channel of the only keys that fit; all keys fit where none is given").maybe();
+
+rows! {
+    /// A row of player.csv.
+    ShipRow {
+        x: f64 = CENTRE_X,
+        y: f64 = CENTRE_Y,
+        mass: f64 = MASS,
+        fuel: f64 = number(numbers::FUEL, "fuel in the tank, 20 units a second of burning"),
+        thrust: f64 = number(numbers::THRUST, "force of the engine"),
+        air: bool = boolean("whether air acts on it").or("TRUE"),
+        vx: f64 = VX,
+        vy: f64 = VY,
+        angle: f64 = number(numbers::ANGLE, "how far it is turned clockwise; at 0 the nose points up").or("0"),
+        material: Material = MATERIAL,
+        drag: f64 = DRAG.or("1.15"),
+        restitution: f64 = RESTITUTION.or("0"),
+    }
+
+    /// A row of objects.csv.
+    ObjectRow {
+        x: f64 = CENTRE_X,
+        y: f64 = CENTRE_Y,
+        image: PictureShape = PICTURE,
+        mass: f64 = MASS,
+        drag: f64 = DRAG,
+        circular: bool = boolean("whether it is drawn round, and air and liquids act on it as on a ball"),
+        restitution: f64 = RESTITUTION,
+        vx: f64 = VX,
+        vy: f64 = VY,
+        material: Material = MATERIAL,
+        weightless: bool = WEIGHTLESS,
+    }
+
+    /// A PLAYER or PHYS row of objectives.csv.
+    ObjectiveRow {
+        kind: String = KIND,
+        rectangle,
+        hold: f64 = number(numbers::HOLD, "how long it has to be touched without a break").or("0"),
+        order: Option<u32> = whole(1, 1000, "its turn: after all with smaller numbers, and met for good").maybe(),
+        r: Option<u8> = ONLY_KEYS,
+        g: Option<u8> = ONLY_KEYS,
+        b: Option<u8> = ONLY_KEYS,
+    }
+
+    /// An OBJECT row of objectives.csv; restitution and drag stand the other way round than in objects.csv, as in the original's files.
+    KeyRow {
+        kind: String = KIND,
+        x: f64 = CENTRE_X,
+        y: f64 = CENTRE_Y,
+        image: PictureShape = PICTURE,
+        mass: f64 = MASS,
+        r: u8 = channel("red channel of its colour"),
+        g: u8 = channel("green channel of its colour"),
+        b: u8 = channel("blue channel of its colour"),
+        restitution: f64 = RESTITUTION,
+        drag: f64 = DRAG,
+        vx: f64 = VX,
+        vy: f64 = VY,
+        material: Material = MATERIAL,
+        weightless: bool = WEIGHTLESS,
+    }
+}
+
+pub fn player(record: &RowCells, reader: &mut RowReader) -> Option<Player> {
+    let row = ShipRow::read(record, reader);
+    Some(Player {
+        position: reader.scale.metres(row.x?, row.y?),
+        velocity: DVec2::new(row.vx?, row.vy?),
+        angle: row.angle?,
+        mass: row.mass?,
+        fuel: row.fuel?,
+        thrust: row.thrust?,
+        feels_air: row.air?,
+        material: row.material?,
+        drag: row.drag?,
+        restitution: row.restitution?,
+    })
+}
+
+/// The object of a row; `None` where a cell that it needs is wrong.
+macro_rules! body {
+    ($row:ident, $reader:ident, $key:expr, $circular:expr) => {{
+        let (look, width, height) = $row.image?;
+        Some(Object {
+            position: $reader.scale.metres($row.x?, $row.y?),
+            velocity: DVec2::new($row.vx?, $row.vy?),
+            size: $reader.scale.metres(width, height),
+            mass: $row.mass?,
+            drag: $row.drag?,
+            restitution: $row.restitution?,
+            circular: $circular,
+            look,
+            material: $row.material?,
+            key: $key,
+            weightless: $row.weightless?,
+        })
+    }};
+}
+
+pub fn object(record: &RowCells, reader: &mut RowReader) -> Option<Object> {
+    let row = ObjectRow::read(record, reader);
+    let circular = row.circular?;
+    body!(row, reader, None, circular)
+}
+
+/// An OBJECT row of objectives.csv; a key is round where it is drawn as a ball.
+pub fn key(record: &RowCells, reader: &mut RowReader) -> Option<Object> {
+    let row = KeyRow::read(record, reader);
+    let colour = [row.r?, row.g?, row.b?];
+    let circular = row.image.as_ref()?.0 == Look::Ball;
+    body!(row, reader, Some(colour), circular)
+}
+
+pub fn objective(kind: ObjectiveKind, record: &RowCells, reader: &mut RowReader) -> Option<Objective> {
+    let row = ObjectiveRow::read(record, reader);
+    let colour = if kind == ObjectiveKind::Player {
+        let given = |column: &&str| record.text(column).is_some_and(|text| !text.is_empty());
+        let coloured = ["r", "g", "b"].into_iter().find(given);
+        let refuse = |column| {
+            let found = quoted(record.text(column).unwrap_or_default());
+            reader.problems.push(record.problem(column, found, "nothing: only key objects have a colour that can fit"));
+        };
+        if coloured.map(refuse).is_some() { None } else { Some(None) }
+    } else {
+        colour_if_given([row.r, row.g, row.b], record, reader)
+    };
+    let bounds = reader.scale.bounds([row.x, row.y, row.width, row.height])?;
+    Some(Objective { kind, bounds, hold: row.hold?, order: row.order?, colour: colour? })
+}
+
+/// The colour of three channels that are given together or not at all.
+pub(super) fn colour_if_given(
+    channels: [Option<Option<u8>>; 3],
+    record: &RowCells,
+    reader: &mut RowReader,
+) -> Option<Option<[u8; 3]>> {
+    match channels {
+        [Some(None), Some(None), Some(None)] => Some(None),
+        [Some(r), Some(g), Some(b)] => {
+            let missing = ["r", "g", "b"].into_iter().zip([r, g, b]).find(|(_, channel)| channel.is_none());
+            if let Some((column, _)) = missing {
+                reader.problems.push(record.problem(column, "nothing", CHANNEL));
+            }
+            Some(Some([r?, g?, b?]))
+        }
+        _ => None,
+    }
+}

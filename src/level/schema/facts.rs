@@ -1,0 +1,225 @@
+//! The facts of a file, of a kind of row and of a column. The loader, the editor, `new`, `check` and the documentation read them here.
+
+use crate::level::nearest::meant;
+use crate::level::numbers::{NumberRange, PixelScale, power};
+use crate::level::problem::Problem;
+use crate::level::types::Level;
+
+/// A CSV file of a level.
+#[derive(Debug)]
+pub struct FileSchema {
+    /// Its name in the level's folder.
+    pub name: &'static str,
+    /// Words for its rows.
+    pub help: &'static str,
+    /// The rows that a new level has of it, as text; empty where a new level has no such file.
+    pub sample: &'static str,
+}
+
+/// A kind of row.
+#[derive(Debug)]
+pub struct RowSchema {
+    /// The file that holds such rows.
+    pub file: &'static FileSchema,
+    /// The first cell of such a row, in a file with rows of several kinds; else empty.
+    pub tag: &'static str,
+    /// Its name in the editor.
+    pub name: &'static str,
+    /// Its columns in the documented order.
+    pub columns: &'static [Column],
+    /// The cells of a new one besides its place and size.
+    pub fresh: &'static [(&'static str, &'static str)],
+    /// Width and height of a new one that is put down by a click, pixels.
+    pub usual_size: (f64, f64),
+    /// Whether x and y are its centre, not its top left corner.
+    pub by_centre: bool,
+    /// The counts of it that `check` prints.
+    pub counts: &'static [Count],
+}
+
+/// How things of a level are counted: the words for one and for several, and how many there are.
+#[derive(Clone, Copy, Debug)]
+pub struct Count {
+    /// For one.
+    pub one: &'static str,
+    /// For none or several.
+    pub many: &'static str,
+    /// Whether a level with none says so.
+    pub at_none: bool,
+    /// How many a level has.
+    pub of: fn(&Level) -> usize,
+}
+
+/// A column.
+#[derive(Clone, Copy, Debug)]
+pub struct Column {
+    /// Its name in a header.
+    pub name: &'static str,
+    /// Whether each row has to fill it.
+    pub required: bool,
+    /// Whether a cell that is there may be empty. A setting with a usual value may be left out, but not named with nothing.
+    pub may_be_empty: bool,
+    /// The text that holds where the cell is left out; empty where none does.
+    pub usual: &'static str,
+    /// Its meaning.
+    pub help: &'static str,
+    pub(in crate::level) holds: Holds,
+}
+
+/// The values of a column's cells.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::level) enum Holds {
+    /// A coordinate, pixels.
+    Position,
+    /// A width, a height or another size, pixels.
+    Size,
+    /// A size with a sign, or 0, pixels.
+    Reach,
+    /// A number.
+    Number(NumberRange),
+    /// A whole number, both ends included.
+    Whole(u32, u32),
+    /// One of these words, in any case.
+    OneOf(fn() -> Vec<&'static str>),
+    /// A name by which switches find a thing.
+    Name,
+    /// A picture's path or a plain shape.
+    Picture,
+    /// Pairs of coordinates, pixels.
+    Points,
+    /// Text, described in a few words.
+    Text(&'static str),
+}
+
+impl Holds {
+    /// The numbers that are accepted at a scale; `None` where cells hold no number.
+    pub fn range(&self, scale: PixelScale) -> Option<NumberRange> {
+        match self {
+            Self::Position | Self::Reach => Some(scale.coordinate()),
+            Self::Size => Some(scale.size()),
+            Self::Number(range) => Some(*range),
+            _ => None,
+        }
+    }
+}
+
+impl Column {
+    /// Its name, in brackets where it may be left out.
+    pub(in crate::level) fn in_brackets(&self) -> String {
+        if self.required { self.name.to_owned() } else { format!("[{}]", self.name) }
+    }
+
+    /// The unit, or the limits of a number that has none, as a field shows it beside its text.
+    pub fn unit(&self) -> String {
+        match self.holds {
+            Holds::Position | Holds::Size | Holds::Reach | Holds::Points => "px".to_owned(),
+            Holds::Number(range) => range.sign(),
+            Holds::Whole(low, high) => format!("{low}–{high}"),
+            _ => String::new(),
+        }
+    }
+
+    /// The words that it may hold, the usual one first; none where it is free.
+    pub fn choices(&self) -> Vec<&'static str> {
+        let Holds::OneOf(words) = self.holds else { return Vec::new() };
+        let mut words = words();
+        words.sort_by_key(|word| *word != self.usual);
+        words
+    }
+
+    /// The values of its cells, with limits and unit.
+    pub fn limits(&self) -> String {
+        let (least, most) = PixelScale::LIMITS.map(power).into();
+        match self.holds {
+            Holds::Position => format!("pixels, at most {most} m from the corner"),
+            Holds::Size => format!("pixels, {least} … {most} m"),
+            Holds::Reach => format!("pixels, 0 or {least} … {most} m to either side"),
+            Holds::Number(range) => range.in_words(),
+            Holds::Whole(low, high) => format!("{low} … {high}, whole"),
+            Holds::OneOf(_) => {
+                let words = self.choices().into_iter().filter(|word| !word.is_empty());
+                words.map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")
+            }
+            Holds::Name => "a word of letters, digits, - and _".to_owned(),
+            Holds::Picture => "a PNG's path, `box:40x40` or `ball:40x40`".to_owned(),
+            Holds::Points => "`x y; x y; …` in pixels".to_owned(),
+            Holds::Text(words) => words.to_owned(),
+        }
+    }
+
+    /// `fuel: fuel in it (0 … 10¹² fuel units)`.
+    pub fn in_words(&self) -> String {
+        let usual = if self.usual.is_empty() { String::new() } else { format!("; {} where it is left out", self.usual) };
+        format!("{}: {} ({}{usual})", self.name, self.help, self.limits().replace('`', ""))
+    }
+
+    /// Whether it names things that switches work.
+    pub(in crate::level) fn is_name(&self) -> bool {
+        matches!(self.holds, Holds::Name)
+    }
+
+    /// Whether it names pictures.
+    pub(in crate::level) fn is_picture(&self) -> bool {
+        matches!(self.holds, Holds::Picture)
+    }
+}
+
+impl Count {
+    /// Counted in every level.
+    pub(super) const fn always(one: &'static str, many: &'static str, of: fn(&Level) -> usize) -> Self {
+        Self { one, many, at_none: true, of }
+    }
+
+    /// Counted in levels that have some.
+    pub(super) const fn if_any(one: &'static str, many: &'static str, of: fn(&Level) -> usize) -> Self {
+        Self { one, many, at_none: false, of }
+    }
+}
+
+impl RowSchema {
+    /// Rows of a file, the only kind in it.
+    pub(super) const fn new(file: &'static FileSchema, name: &'static str, columns: &'static [Column]) -> Self {
+        Self { file, tag: "", name, columns, fresh: &[], usual_size: (51.0, 51.0), by_centre: false, counts: &[] }
+    }
+
+    /// Those whose first cell is this.
+    pub(super) const fn tagged(self, tag: &'static str) -> Self {
+        Self { tag, ..self }
+    }
+
+    pub(super) const fn fresh(self, fresh: &'static [(&'static str, &'static str)]) -> Self {
+        Self { fresh, ..self }
+    }
+
+    pub(super) const fn size(self, width: f64, height: f64) -> Self {
+        Self { usual_size: (width, height), ..self }
+    }
+
+    pub(super) const fn by_centre(self) -> Self {
+        Self { by_centre: true, ..self }
+    }
+
+    pub(super) const fn counted(self, counts: &'static [Count]) -> Self {
+        Self { counts, ..self }
+    }
+
+    /// The column that a header's cell names.
+    pub(in crate::level) fn find(&self, name: &str) -> Option<&'static Column> {
+        self.columns.iter().find(|column| column.name.eq_ignore_ascii_case(name.trim()))
+    }
+
+    /// The names of all columns; those in brackets may be left out.
+    pub fn columns_text(&self) -> String {
+        self.columns.iter().map(Column::in_brackets).collect::<Vec<_>>().join(",")
+    }
+
+    /// The columns as a refusal names them, with the one that is meant.
+    pub(in crate::level) fn wanted(&self, misspelt: &str) -> String {
+        format!("the columns {}{}", self.columns_text(), meant(misspelt, self.columns.iter().map(|column| column.name)))
+    }
+
+    /// A problem that concerns the whole file or row: its first column stands for it.
+    pub(in crate::level) fn problem(&self, line: usize, found: impl Into<String>, expected: impl Into<String>) -> Problem {
+        Problem::new(self.file.name, line, self.columns.first().map_or("", |column| column.name), found, expected)
+    }
+}

@@ -1,0 +1,154 @@
+//! constants.csv: a row for each setting of a level.
+
+use super::facts::{Column, FileSchema, Holds, RowSchema};
+use super::record::{RowCells, RowReader};
+use super::typed::{Maybe, Typed, number, rows, size, words};
+use crate::level::nearest::meant;
+use crate::level::numbers::{self, PixelScale};
+use crate::level::problem::{Problem, quoted};
+use crate::level::types::{Awards, Mark};
+
+pub static CONSTANTS: FileSchema = FileSchema {
+    name: "constants.csv",
+    help: "The settings of the level. width and height are needed where there is no background.png; silver and gold and one mark \
+           (mark_hits, mark_fuel, mark_pushes or mark_speed) are what the level's medals ask for.",
+    sample: "title,{name}\ngravity,15\ngravity_x,0\nair_density,1.2041\noptimal_time,60\nmetre,30\nrest_speed,0\nfriction,1\n\
+             experiment,0\nsilver,30\ngold,15\nmark_hits,0\nwidth,1280\nheight,720\n",
+};
+pub static SETTING: RowSchema = RowSchema::new(&CONSTANTS, "Setting", SettingRow::COLUMNS);
+
+const TIME: Maybe<f64> =
+    number(numbers::MEDAL_TIME, "the longest time for this medal; gold is no longer than silver").maybe_filled();
+const SIDE: Typed<f64> = size("size of the level, where there is no background.png");
+
+rows! {
+    /// A row of constants.csv.
+    SettingRow {
+        name: String = words("a setting", "the setting"),
+        value: String = Typed::new(Holds::Text("a value"), "its value", |asked, _| Some(asked.text.to_owned())),
+    }
+
+    /// All settings of a level.
+    SettingsRow {
+        title: Option<String> = words("words", "shown in place of the level's name").maybe(),
+        width: Option<f64> = SIDE.maybe_filled(),
+        height: Option<f64> = SIDE.maybe_filled(),
+        gravity: f64 = number(numbers::GRAVITY, "pull downwards").unless_given("15"),
+        gravity_x: f64 = number(numbers::GRAVITY, "pull to the right; not in a level with liquids").or("0"),
+        air_density: f64 = number(numbers::AIR_DENSITY, "mass of a volume of air").unless_given("1.2041"),
+        optimal_time: f64 = number(numbers::OPTIMAL_TIME, "the time that scores best").unless_given("60"),
+        metre: f64 = number(numbers::METRE, "the scale of all pixels").or("30"),
+        rest_speed: f64 =
+            number(numbers::REST_SPEED, "a slower rebound is none; with 0 a body bounces until its series of bounces ends").or("0"),
+        friction: f64 = number(numbers::FRICTION, "factor of all coefficients of friction").or("1"),
+        experiment: f64 = number(numbers::YES, "1: the level shows a law, the ship plays no part and nothing is scored").or("0"),
+        silver: Option<f64> = TIME,
+        gold: Option<f64> = TIME,
+        mark_hits: Option<f64> = number(numbers::MARK_COUNT, "mark for no more damaging hits than this; a whole number").maybe_filled(),
+        mark_fuel: Option<f64> = number(numbers::MARK_FUEL, "mark for no less fuel left than this").maybe_filled(),
+        mark_pushes: Option<f64> =
+            number(numbers::MARK_COUNT, "mark for no more pushes of objects by the ship than this; a whole number").maybe_filled(),
+        mark_speed: Option<f64> = number(numbers::MARK_SPEED, "mark for no higher speed than this").maybe_filled(),
+    }
+}
+
+/// The settings that constants.csv can name, each as a column.
+pub static SETTINGS: &[Column] = SettingsRow::COLUMNS;
+
+/// The settings of a level.
+pub(in crate::level) struct LevelSettings {
+    pub title: Option<String>,
+    pub gravity: f64,
+    pub gravity_x: f64,
+    pub air_density: f64,
+    pub optimal_time: f64,
+    pub rest_speed: f64,
+    pub friction: f64,
+    pub experiment: bool,
+    pub awards: Awards,
+    pub width: Option<f64>,
+    pub height: Option<f64>,
+    /// The values as they are given.
+    pub given: RowCells,
+}
+
+/// The settings that these rows name; an unknown one is a warning. The reader takes over their scale.
+pub(in crate::level) fn settings(rows: Vec<RowCells>, reader: &mut RowReader, warnings: &mut Vec<Problem>) -> LevelSettings {
+    let given = named(rows, reader, warnings);
+    let metre = given.text("metre").and_then(|text| numbers::METRE.parse(text).ok());
+    reader.scale = PixelScale { metre: metre.unwrap_or(PixelScale::USUAL.metre) };
+    let usual = SettingsRow::read(&RowCells { cells: Vec::new(), ..given.clone() }, reader);
+    let row = SettingsRow::read(&given, reader);
+    // A number that is refused stands for the usual one in a level that is not finished.
+    let or_usual = |number: Option<f64>, usual: Option<f64>| number.or(usual).unwrap_or_default();
+    let awards = awards(&row, &given, reader);
+    LevelSettings {
+        title: row.title.flatten(),
+        gravity: or_usual(row.gravity, usual.gravity),
+        gravity_x: or_usual(row.gravity_x, usual.gravity_x),
+        air_density: or_usual(row.air_density, usual.air_density),
+        optimal_time: or_usual(row.optimal_time, usual.optimal_time),
+        rest_speed: or_usual(row.rest_speed, usual.rest_speed),
+        friction: or_usual(row.friction, usual.friction),
+        experiment: row.experiment == Some(1.0),
+        awards,
+        width: row.width.flatten(),
+        height: row.height.flatten(),
+        given,
+    }
+}
+
+/// The value of each setting that a row names.
+fn named(rows: Vec<RowCells>, reader: &mut RowReader, warnings: &mut Vec<Problem>) -> RowCells {
+    let names = || SETTINGS.iter().map(|setting| setting.name);
+    let mut given = RowCells { schema: &SETTING, line: 1, cells: Vec::new(), is_settings: true };
+    for record in rows {
+        let Some(name) = SettingRow::read(&record, reader).name else { continue };
+        let Some(known) = names().find(|known| known.eq_ignore_ascii_case(&name)) else {
+            let expected = format!("one of {}{}", names().collect::<Vec<_>>().join(", "), meant(&name, names()));
+            warnings.push(record.problem("name", format!("the unknown constant {}", quoted(&name)), expected));
+            continue;
+        };
+        if given.text(known).is_some() {
+            reader.problems.push(record.problem("name", format!("{} a second time", quoted(known)), "each constant once"));
+        } else if let Some((_, value)) = record.cells.into_iter().find(|(column, _)| *column == "value") {
+            given.cells.push((known, value));
+        }
+    }
+    given
+}
+
+/// The demands of the medals: a gold no longer than silver, and one mark.
+fn awards(row: &SettingsRow, given: &RowCells, reader: &mut RowReader) -> Awards {
+    let (silver, gold) = (row.silver.flatten(), row.gold.flatten());
+    let marks = [
+        ("mark_hits", row.mark_hits.flatten(), Mark::Hits as fn(u32) -> Mark),
+        ("mark_pushes", row.mark_pushes.flatten(), Mark::Pushes),
+    ];
+    let mut marked: Vec<(&str, Mark)> = Vec::new();
+    for (name, value, mark) in marks {
+        match value {
+            Some(value) if value.fract() != 0.0 => {
+                reader.problems.push(given.problem(name, quoted(&value.to_string()), "a whole number"));
+            }
+            // Whole and at most a million, so the conversion is exact.
+            Some(value) => marked.push((name, mark(value as u32))),
+            None => {}
+        }
+    }
+    marked.extend(row.mark_fuel.flatten().map(|value| ("mark_fuel", Mark::Fuel(value))));
+    marked.extend(row.mark_speed.flatten().map(|value| ("mark_speed", Mark::Speed(value))));
+    marked.sort_by_key(|(name, _)| SETTINGS.iter().position(|setting| setting.name == *name));
+    if let [(first, _), more @ ..] = &marked[..] {
+        reader.problems.extend(more.iter().map(|(name, _)| {
+            Problem::new(CONSTANTS.name, given.line_of(name), "name", format!("{name} beside {first}"), "one mark a level")
+        }));
+    }
+    if let (Some(silver), Some(gold)) = (silver, gold)
+        && gold > silver
+    {
+        let expected = format!("no longer than silver, which is {silver} s");
+        reader.problems.push(given.problem("gold", quoted(&gold.to_string()), expected));
+    }
+    Awards { silver, gold, mark: marked.first().map(|(_, mark)| *mark) }
+}

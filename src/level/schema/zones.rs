@@ -1,0 +1,228 @@
+//! Rows of zones that are not solid: death boxes, air streams, liquids, gravity, pods; and of words and pictures.
+
+use super::bodies::colour_if_given;
+use super::facts::{Count, FileSchema, RowSchema};
+use super::record::{RowCells, RowReader};
+use super::typed::{Maybe, Word, X, Y, boolean, channel, name, number, one_of, picture, reach, rows, size, words};
+use crate::level::image::PictureShape;
+use crate::level::numbers::{self, corners};
+use crate::level::problem::quoted;
+use crate::level::types::{Decoration, Fluid, GravityZone, Pod, Stream, Text};
+use crate::physics::{Aabb, DVec2};
+
+pub static OBSTACLES: FileSchema =
+    FileSchema { name: "obstacles.csv", help: "Death boxes: red that destroys the ship.", sample: "900,660,120,20\n" };
+pub static DEADLY: RowSchema = RowSchema::new(&OBSTACLES, "Death box", DeadlyRow::COLUMNS)
+    .size(120.0, 20.0)
+    .counted(&[Count::always("death box", "death boxes", |level| level.obstacles.len())]);
+
+pub static HAZARDS: FileSchema = FileSchema {
+    name: "hazards.csv",
+    help: "Air streams, at most 64 a level. The source block is solid steel; the stream blows from it to one side, through solids unless it \
+           is shaded.",
+    sample: "400,660,80,20,0,-200,0,-400,FALSE,fan\n",
+};
+pub static STREAM: RowSchema = RowSchema::new(&HAZARDS, "Air stream", StreamRow::COLUMNS)
+    .fresh(&[("stream_width", "0"), ("force_x", "0"), ("force_y", "-600")])
+    .size(80.0, 20.0)
+    .counted(&[Count::always("air stream", "air streams", |level| level.streams.len())]);
+
+pub static FLUIDS: FileSchema = FileSchema {
+    name: "fluids.csv",
+    help: "Zones of thick liquid, at most 16 a level, which may touch but not overlap.",
+    sample: "0,560,80,120,900,50,120,90,40\n",
+};
+pub static FLUID: RowSchema = RowSchema::new(&FLUIDS, "Liquid", FluidRow::COLUMNS)
+    .fresh(&[("density", "900"), ("viscosity", "20")])
+    .size(200.0, 120.0)
+    .counted(&[Count::always("liquid", "liquids", |level| level.fluids.len())]);
+
+pub static TEXTS: FileSchema = FileSchema {
+    name: "texts.csv",
+    help: "Words in the level, pale where no colour is given. Words with a comma stand in quotes.",
+    sample: "100,480,24,\"Space: thrust, arrows: rotate\",230,235,242\n",
+};
+pub static TEXT: RowSchema = RowSchema::new(&TEXTS, "Words", TextRow::COLUMNS)
+    .fresh(&[("text", "Words")])
+    .size(200.0, 24.0)
+    .counted(&[Count::always("text", "texts", |level| level.texts.len())]);
+
+pub static GRAVITY: FileSchema = FileSchema {
+    name: "gravity.csv",
+    help: "Zones with a gravity of their own, which adds to that of the level, at most 64 a level. What touches one feels it.",
+    sample: "860,60,120,200,0,-12\n",
+};
+pub static GRAVITY_ZONE: RowSchema = RowSchema::new(&GRAVITY, "Gravity zone", GravityRow::COLUMNS)
+    .fresh(&[("field_x", "0"), ("field_y", "-20")])
+    .size(200.0, 120.0)
+    .counted(&[Count::if_any("gravity zone", "gravity zones", |level| level.fields.len())]);
+
+pub static PODS: FileSchema =
+    FileSchema { name: "pods.csv", help: "Fuel that the ship takes up by touching it.", sample: "700,620,30,40,100\n" };
+pub static POD: RowSchema = RowSchema::new(&PODS, "Fuel pod", PodRow::COLUMNS)
+    .fresh(&[("fuel", "100")])
+    .size(30.0, 40.0)
+    .counted(&[Count::if_any("pod", "pods", |level| level.pods.len())]);
+
+pub static DECORATION: FileSchema = FileSchema {
+    name: "decoration.csv",
+    help: "Pictures and plain shapes that nothing touches. One behind lies on rock, and below goals and hazards.",
+    sample: "",
+};
+pub static PICTURE: RowSchema = RowSchema::new(&DECORATION, "Picture", DecorationRow::COLUMNS)
+    .fresh(&[("layer", "behind")])
+    .counted(&[Count::if_any("decoration", "decorations", |level| level.decoration.len())]);
+
+/// Whether a picture covers what moves.
+#[derive(Clone, Copy, PartialEq)]
+pub(in crate::level) enum Layer {
+    Behind,
+    Front,
+}
+
+impl Word for Layer {
+    fn words() -> Vec<(&'static str, Self)> {
+        vec![("behind", Self::Behind), ("front", Self::Front)]
+    }
+}
+
+const LETTERS: Maybe<u8> = channel("a channel of its colour").maybe();
+
+rows! {
+    /// A row of obstacles.csv.
+    DeadlyRow {
+        rectangle,
+    }
+
+    /// A row of hazards.csv.
+    StreamRow {
+        rectangle,
+        stream_width: f64 = reach("how far it blows to the right, or to the left where it is negative; or give a height"),
+        stream_height: f64 = reach("how far it blows down, or up where it is negative; or give a width"),
+        force_x: f64 = number(numbers::FORCE, "force on a body in it, to the right"),
+        force_y: f64 = number(numbers::FORCE, "force on a body in it, downwards"),
+        shaded: bool = boolean("whether it ends, in all of its width, at the first block of world.csv").or("FALSE"),
+        name: Option<String> = name("the name by which switches work it").maybe(),
+    }
+
+    /// A row of fluids.csv.
+    FluidRow {
+        rectangle,
+        density: f64 = number(numbers::DENSITY, "its mass a volume"),
+        viscosity: f64 = number(numbers::VISCOSITY, "how it resists motion"),
+        r: u8 = channel("red channel of its colour").or("58"),
+        g: u8 = channel("green channel of its colour").or("110"),
+        b: u8 = channel("blue channel of its colour").or("165"),
+    }
+
+    /// A row of texts.csv.
+    TextRow {
+        x: f64 = X,
+        y: f64 = Y,
+        size: f64 = size("height of its letters"),
+        text: String = words("words", "the words"),
+        r: Option<u8> = LETTERS,
+        g: Option<u8> = LETTERS,
+        b: Option<u8> = LETTERS,
+    }
+
+    /// A row of gravity.csv.
+    GravityRow {
+        rectangle,
+        field_x: f64 = number(numbers::GRAVITY, "its pull to the right"),
+        field_y: f64 = number(numbers::GRAVITY, "its pull downwards"),
+    }
+
+    /// A row of pods.csv.
+    PodRow {
+        rectangle,
+        fuel: f64 = number(numbers::FUEL, "fuel in it; the ship takes as much as its tank holds"),
+    }
+
+    /// A row of decoration.csv.
+    DecorationRow {
+        x: f64 = X,
+        y: f64 = Y,
+        image: PictureShape = picture("how it looks, and its size"),
+        layer: Layer = one_of::<Layer>("behind or in front of what moves").or("behind"),
+    }
+}
+
+pub fn deadly(record: &RowCells, reader: &mut RowReader) -> Option<Aabb> {
+    let DeadlyRow { x, y, width, height } = DeadlyRow::read(record, reader);
+    reader.scale.bounds([x, y, width, height])
+}
+
+/// A row of hazards.csv: the stream, and whether it is shaded.
+pub fn stream(record: &RowCells, reader: &mut RowReader) -> Option<(Stream, bool)> {
+    let row = StreamRow::read(record, reader);
+    let reach = reach_of(&row, record, reader);
+    let ((min, max), reach) = (corners([row.x, row.y, row.width, row.height])?, reach?);
+    // The zone lies before the side that it blows from and is as wide as that side.
+    let beyond = |reach: f64, min: f64, max: f64| match reach {
+        reach if reach > 0.0 => (max, max + reach),
+        reach if reach < 0.0 => (min + reach, min),
+        _ => (min, max),
+    };
+    let (left, right) = beyond(reach.x, min.x, max.x);
+    let (top, bottom) = beyond(reach.y, min.y, max.y);
+    let zone = reader.scale.rectangle(DVec2::new(left, top), DVec2::new(right, bottom));
+    let source = reader.scale.rectangle(min, max);
+    Some((Stream { source, zone, force: DVec2::new(row.force_x?, row.force_y?), name: row.name? }, row.shaded?))
+}
+
+/// Exactly one of the two stream sizes, pixels.
+fn reach_of(row: &StreamRow, record: &RowCells, reader: &mut RowReader) -> Option<DVec2> {
+    let (column, found) = match (row.stream_width?, row.stream_height?) {
+        (0.0, 0.0) => ("stream_width", "0 for both stream sizes".to_owned()),
+        (across, down) if across == 0.0 || down == 0.0 => {
+            let column = if down == 0.0 { "stream_width" } else { "stream_height" };
+            return match reader.scale.size().judge((across + down).abs()) {
+                Ok(()) => Some(DVec2::new(across, down)),
+                Err(expected) => {
+                    let found = quoted(record.text(column)?);
+                    reader.problems.push(record.problem(column, found, format!("0 or, but for its sign, {expected}")));
+                    None
+                }
+            };
+        }
+        (across, down) => ("stream_height", format!("{down} beside a stream_width of {across}")),
+    };
+    reader.problems.push(record.problem(column, found, "exactly one stream size other than 0"));
+    None
+}
+
+pub fn fluid(record: &RowCells, reader: &mut RowReader) -> Option<Fluid> {
+    let FluidRow { x, y, width, height, density, viscosity, r, g, b } = FluidRow::read(record, reader);
+    let zone = reader.scale.bounds([x, y, width, height])?;
+    Some(Fluid { zone, density: density?, viscosity: viscosity?, colour: [r?, g?, b?] })
+}
+
+pub fn text(record: &RowCells, reader: &mut RowReader) -> Option<Text> {
+    let before = reader.problems.len();
+    let TextRow { x, y, size, text, r, g, b } = TextRow::read(record, reader);
+    let colour = colour_if_given([r, g, b], record, reader);
+    // A comma in the words is more likely than a wrong colour.
+    let of_colour = reader.problems[before..].iter_mut().filter(|problem| ["r", "g", "b"].contains(&problem.column.as_str()));
+    of_colour.for_each(|problem| problem.expected += " (words that hold a comma stand in quotes)");
+    let position = reader.scale.metres(x?, y?);
+    Some(Text { position, size: size? / reader.scale.metre, text: text?, colour: colour? })
+}
+
+pub fn gravity_zone(record: &RowCells, reader: &mut RowReader) -> Option<GravityZone> {
+    let GravityRow { x, y, width, height, field_x, field_y } = GravityRow::read(record, reader);
+    let zone = reader.scale.bounds([x, y, width, height])?;
+    Some(GravityZone { zone, strength: DVec2::new(field_x?, field_y?) })
+}
+
+pub fn pod(record: &RowCells, reader: &mut RowReader) -> Option<Pod> {
+    let PodRow { x, y, width, height, fuel } = PodRow::read(record, reader);
+    Some(Pod { bounds: reader.scale.bounds([x, y, width, height])?, fuel: fuel? })
+}
+
+pub fn decoration(record: &RowCells, reader: &mut RowReader) -> Option<Decoration> {
+    let DecorationRow { x, y, image, layer } = DecorationRow::read(record, reader);
+    let (corner, (look, width, height)) = (reader.scale.metres(x?, y?), image?);
+    let bounds = Aabb::new(corner, corner + reader.scale.metres(width, height));
+    Some(Decoration { bounds, look, in_front: layer? == Layer::Front })
+}
