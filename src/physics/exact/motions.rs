@@ -17,7 +17,7 @@ use glam::DVec2;
 
 /// The shortest part of a tick that a path near a liquid is foreseen for. Smaller: many foresights in stiff liquids; larger: steps across a
 /// surface gain energy.
-const SHORTEST: f64 = 1.0 / 64.0;
+pub(crate) const SHORTEST: f64 = 1.0 / 64.0;
 
 /// Trials for the length of an implicit step that ends at a kink. Fewer: light stacks gain energy where they leave a liquid.
 const KINK_TRIALS: u32 = 8;
@@ -187,9 +187,9 @@ impl Events {
         if coupled && left > 0.0 {
             let mut h = self.up_to_a_kink(scene, self.while_slides_last(left));
             self.take_mean_accelerations(scene, h);
-            // The path of a step that crosses a kink depends on its length: a few trials find the length that ends at the kink.
+            // The path of a step that crosses a kink or a turn depends on its length: a few trials find the length that ends there.
             for _ in 0..KINK_TRIALS {
-                let sooner = self.up_to_a_kink(scene, h);
+                let sooner = self.up_to_a_kink(scene, h).min(self.up_to_a_turn(scene, h));
                 if sooner >= h {
                     break;
                 }
@@ -229,6 +229,16 @@ impl Events {
             kink.unwrap_or(h).min(longest).max(scene.tick * SHORTEST)
         });
         most.fold(h, f64::min)
+    }
+
+    /// How much of the next `h` seconds one implicit step may take where its drag is that of a point later than its midpoint: a step in which the
+    /// velocity changes its sign between the two takes that drag along the path, and gains energy.
+    fn up_to_a_turn(&self, scene: &Scene, h: f64) -> f64 {
+        let turns = self.implicit.iter().zip(&self.concerned).flat_map(|(of, i)| {
+            let (speed, mean) = (self.items[*i as usize].body.velocity, self.means[*i as usize]);
+            [0, 1].into_iter().filter(|axis| of.theta[*axis] > 0.5).map(move |axis| -speed[axis] / mean[axis])
+        });
+        turns.filter(|turn| *turn > 0.0).fold(h, f64::min).max(scene.tick * SHORTEST).min(h)
     }
 
     /// The slide of a body that touches nothing but one surface which does not speed up, if it is one.
