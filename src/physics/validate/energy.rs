@@ -72,13 +72,26 @@ impl World {
     }
 
     /// All places that a body may have covered within the tick: a stream or a liquid may have thrown it back. Half of the tick leads it out, at no
-    /// more than the speeds at both ends and the speed that its pushes give.
+    /// more than the speeds at both ends and the speed that its pushes, and the streams and liquids on its way, give.
     fn reach(&self, thing: &Thing) -> Aabb {
-        let (i, dt) = (thing.id as usize, self.records.dt);
-        let body = &self.state.bodies[i];
-        let pull = self.state.forces[i].push_of_no_zone().abs() / body.mass + self.state.media.gravity_on(body).abs();
-        let beyond = (self.space.previous(i).1.abs() + thing.velocity.abs() + pull * dt) * (0.5 * dt);
-        Aabb::new(thing.swept.min - beyond, thing.swept.max + beyond)
+        let (i, dt, media) = (thing.id as usize, self.records.dt, &self.state.media);
+        let (body, speeds) = (&self.state.bodies[i], self.space.previous(i).1.abs() + thing.velocity.abs());
+        let own = self.state.forces[i].push_of_no_zone().abs() + body.mass * media.gravity_on(body).abs();
+        let mut near = thing.swept;
+        loop {
+            let blown = |index: u32| media.streams[index as usize].on(body).abs();
+            let pushed = media.streams_at(&near, BORDER).iter().fold(own, |force, index| force + blown(index));
+            let wets = media.fluids.iter().filter(|fluid| fluid.zone.touches(&near, BORDER));
+            let lifted: f64 = wets.map(|fluid| fluid.density * (media.gravity * thing.now.size().element_product()).abs()).sum();
+            let force = pushed + DVec2::new(0.0, lifted);
+            let beyond = (speeds + force * (dt / body.mass)) * (0.5 * dt);
+            let wider = Aabb::new(thing.swept.min - beyond, thing.swept.max + beyond);
+            // It grows until it meets no further stream or liquid.
+            if near.contains(&wider, 0.0) {
+                return near;
+            }
+            near = wider;
+        }
     }
 
     /// Adds to the ledger of its island the energies of a body that has stayed within `near`.
@@ -104,19 +117,19 @@ impl World {
             ledger.open |= stream.blows && !stays(near, body.half, &stream.zone, inside);
         }
         let given = force.dot(way);
-        let lift = self.lift(thing, near, (before, way));
+        let (lift, bears) = self.lift(thing, near, (before, way));
         ledger.open |= lift != 0.0 && media.gravity < 0.0;
         let speeds = before.length_squared() + body.velocity.length_squared();
         ledger.gained += 0.5 * body.mass * (body.velocity - before).dot(body.velocity + before);
         ledger.given += given + lift;
         ledger.scale += 0.5 * body.mass * speeds + size * way.length() + lift.abs();
-        let most = (size + lift.abs() / way.length().max(1e-9)) * self.records.dt;
-        ledger.push += 0.5 * most * most / body.mass;
-        ledger.rounding += size * rounding(&thing.swept) + body.mass * MICRO_SPEED * MICRO_SPEED;
+        let most = size + bears;
+        ledger.push += 0.5 * most * most * self.records.dt * self.records.dt / body.mass;
+        ledger.rounding += most * rounding(&thing.swept) + body.mass * MICRO_SPEED * MICRO_SPEED;
     }
 
-    /// The most that buoyancy can have given a body on its way, J.
-    fn lift(&self, thing: &Thing, within: &Aabb, (before, way): (DVec2, DVec2)) -> f64 {
+    /// The most that buoyancy can have given a body on its way, J, and its largest force, N.
+    fn lift(&self, thing: &Thing, within: &Aabb, (before, way): (DVec2, DVec2)) -> (f64, f64) {
         let media = &self.state.media;
         let (up, down) = ((-way.y).max(0.0), way.y.max(0.0));
         let beyond = (before.y.abs() + thing.velocity.y.abs()) * self.records.dt;
@@ -126,8 +139,9 @@ impl World {
             let area = |of: &Aabb| shared(of).x * shared(of).y;
             let widest = shared(within).min(thing.now.size());
             let (least, most) = (area(&thing.before).min(area(&thing.now)), widest.x * widest.y);
-            fluid.density * media.gravity * (most * up - least * down + (most - least) * beyond)
+            let heavy = fluid.density * media.gravity;
+            (heavy * (most * up - least * down + (most - least) * beyond), (heavy * most).abs())
         })
-        .sum()
+        .fold((0.0, 0.0), |(work, force), (w, f)| (work + w, force + f))
     }
 }
