@@ -11,7 +11,6 @@ use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
 use crate::physics::crowd::contacts::Contacts;
 use crate::physics::crowd::drag::Resistance;
-use crate::physics::crowd::friction::grips::gains;
 use crate::physics::crowd::friction::{Friction, Grip};
 use crate::physics::crowd::gravity::Anchors;
 use crate::physics::crowd::impulses::Edge;
@@ -83,9 +82,8 @@ impl Cross<'_> {
             return;
         }
         let settled = self.rub_and_push(bodies);
-        // Friction and pushes that answer each other round by round may drive; moving surfaces may, and what slides back.
-        let may_gain = self.contacts.carried || self.friction.turned;
-        let gained = !may_gain && gains(bodies, 0..bodies.len(), |i| bodies[i].free.x);
+        // Friction and pushes that answer each other round by round may drive.
+        let gained = self.friction.gains(bodies, 0..bodies.len(), |i| bodies[i].free.x);
         if settled && !gained {
             guards.friction_unsettled += u64::from(!self.polish(bodies));
             return;

@@ -18,17 +18,20 @@ const SWEEPS: usize = 4;
 /// A limit exceeded by this part still holds: sums of many impulses are rounded.
 const ROUNDING: f64 = 1e-12;
 
-/// Whether bodies have more kinetic energy across than with the velocities `before`, m/s.
-pub(crate) fn gains(bodies: &Bodies, of: impl Iterator<Item = usize>, before: impl Fn(usize) -> f64) -> bool {
-    let (mut had, mut has) = (0.0, 0.0);
-    for i in of {
-        had += bodies[i].mass * before(i) * before(i);
-        has += bodies[i].mass * bodies[i].end.x * bodies[i].end.x;
-    }
-    has > had * (1.0 + ROUNDING)
-}
-
 impl Friction {
+    /// Whether bodies have more kinetic energy across than with the velocities `free`, m/s; where something slides back within the step, than
+    /// with those or the velocities at its start, whichever are faster. Moving surfaces may drive.
+    pub fn gains(&self, bodies: &Bodies, of: impl Iterator<Item = usize>, free: impl Fn(usize) -> f64) -> bool {
+        let (mut had, mut has) = (0.0, 0.0);
+        for i in of {
+            let began = if self.turned { bodies[i].before.x.abs() } else { 0.0 };
+            let speed = free(i).abs().max(began);
+            had += bodies[i].mass * speed * speed;
+            has += bodies[i].mass * bodies[i].end.x * bodies[i].end.x;
+        }
+        !self.carried && has > had * (1.0 + ROUNDING)
+    }
+
     /// Whether friction of more than the body's own weight acts at its supports.
     pub fn carries(&self, bodies: &Bodies, i: usize) -> bool {
         if !self.is_awake[i] || !self.is_gripped[i] {
@@ -54,7 +57,7 @@ impl Friction {
         for _ in 0..ROUNDS {
             self.gather(bodies, given);
             if !self.spread(bodies) {
-                if self.carried || self.turned || !self.drives(bodies, given) {
+                if !self.drives(bodies, given) {
                     // A body on several supports is not left with a slip that drives.
                     return;
                 }
@@ -66,7 +69,7 @@ impl Friction {
 
     /// Whether what is gripped has more energy than with the momenta `given`.
     fn drives(&self, bodies: &Bodies, given: &[f64]) -> bool {
-        gains(bodies, self.gripped.iter().map(|i| *i as usize), |i| given[i] / bodies[i].mass)
+        self.gains(bodies, self.gripped.iter().map(|i| *i as usize), |i| given[i] / bodies[i].mass)
     }
 
     /// The way out where the grips do not settle: contact by contact, friction brings its two bodies together as far as its limit allows,
@@ -76,7 +79,7 @@ impl Friction {
         self.turned = false;
         self.relaxed += 1;
         self.begin_relaxing(bodies, given, 1.0);
-        if !self.carried && self.drives(bodies, given) {
+        if self.drives(bodies, given) {
             self.begin_relaxing(bodies, given, 0.0);
         }
         for _ in 0..SWEEPS {
