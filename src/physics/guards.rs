@@ -34,7 +34,8 @@ guards! {
     bounces_ended,
     /// Bodies that parted by a rounding from their support so often in a tick that they were let go.
     clinging_given_up,
-    /// Flights whose last part was one step: through a liquid after all their steps, or through too many streams.
+    /// Flights whose last part was one step: through a liquid after all their steps, or through too many streams. Bodies that crossed too many
+    /// borders of streams in a tick, and kept the streams that they felt.
     flows_cut_short,
     /// Surfaces that stopped for a body that they would have squeezed: for the rest of a tick, or for a whole one where islands did not agree
     /// within their rounds on when.

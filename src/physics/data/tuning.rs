@@ -9,6 +9,11 @@ pub(crate) const SLOP: f64 = 1e-9;
 /// its other side), it parts after that.
 pub(crate) const MAX_CLINGS: u32 = 32;
 
+/// Crossings of borders of streams by one body in one tick, each within a 64th of it after another event of the body; then the body keeps the
+/// streams that it feels until the tick ends. More: a body that a stream blows out and a liquid drives back, every 0.1 ms or sooner, uses up the
+/// budget of events of its island; fewer: a body at 10 km/s misses a stream.
+pub(crate) const MOST_BORDERS: u32 = 8;
+
 /// Relative to the largest force of a block of bodies: what counts as no force left over when reactions are shared out. Smaller:
 /// rounding splits resting blocks; larger: a feather beside an anvil is taken for part of it.
 pub(crate) const FORCE_TOLERANCE: f64 = 1e-12;

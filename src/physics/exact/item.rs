@@ -133,6 +133,8 @@ pub(crate) struct Item {
     pub hits: u32,
     /// How often in this tick it was taken to stay where it parted by a rounding.
     pub clung: u32,
+    /// Borders of streams that it crossed in this tick, soon after another event.
+    pub crossed: u32,
     /// Whether contacts and accelerations are known with which the tick begins, and after it, those with which the next one does.
     pub known: bool,
     /// Whether something of it changed since the tick's start.
@@ -165,6 +167,7 @@ impl Item {
             resume: None,
             hits: 0,
             clung: 0,
+            crossed: 0,
             known,
             disturbed: false,
             sides: Sides::ALL,

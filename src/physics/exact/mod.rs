@@ -27,10 +27,11 @@ pub(crate) mod rest;
 pub(crate) mod ties;
 pub(crate) mod track;
 
-use crate::physics::data::tuning::EVENTS_OF_A_BODY;
+use crate::physics::data::tuning::{EVENTS_OF_A_BODY, MOST_BORDERS};
 use crate::physics::data::{Aabb, Pose};
 pub(crate) use crate::physics::exact::events::{Events, Outcome, Scene};
 use crate::physics::exact::item::{Item, Kind, Motion, Next};
+use crate::physics::exact::motions::SHORTEST;
 use crate::physics::flight::flow::flow;
 use crate::physics::forces::law::Law;
 use glam::DVec2;
@@ -179,7 +180,13 @@ impl Events {
     fn happen(&mut self, scene: &Scene, i: usize, kind: Kind) {
         self.concern(i as u32);
         match kind {
-            Kind::Nothing | Kind::Edge { .. } | Kind::Border => {}
+            Kind::Nothing | Kind::Edge { .. } => {}
+            Kind::Border => {
+                let item = &mut self.items[i];
+                let soon = self.now - item.since < scene.tick * SHORTEST;
+                item.crossed += u32::from(soon);
+                self.guards.flows_cut_short += u64::from(soon && item.crossed == MOST_BORDERS);
+            }
             Kind::Begin { other } => self.concern(other),
             Kind::Renew if i >= self.movable => {
                 self.turn(scene, i);

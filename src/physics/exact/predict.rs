@@ -7,7 +7,7 @@
 //! Paths are cubics: exactly the parabola without drag, the Hermite interpolant of the flow with it. Whatever meets along them does so at a
 //! root of a polynomial; the pose at that time is then taken from the motion itself.
 
-use crate::physics::data::tuning::{MICRO_SPEED, SLOP, SPEED_TOLERANCE};
+use crate::physics::data::tuning::{MICRO_SPEED, MOST_BORDERS, SLOP, SPEED_TOLERANCE};
 use crate::physics::data::{Aabb, Contact, Cubic, Polynomial, Sides, earliest, time_of_impact};
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::{Kind, Next};
@@ -152,7 +152,7 @@ impl Events {
         }
         let end = track.until - self.now;
         let near = &self.borders[i];
-        if near.is_empty() {
+        if near.is_empty() || self.items[i].crossed >= MOST_BORDERS {
             return;
         }
         let (way, pose) = (track.way_from(self.now), item.pose(scene.media, self.now));
