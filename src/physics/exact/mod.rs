@@ -48,7 +48,9 @@ impl Events {
         if self.rest(scene) {
             return Outcome::Done;
         }
-        self.begin(scene);
+        if !self.begin(scene) {
+            return Outcome::Busy;
+        }
         // To begin is no event: a plan that solves once more to the same bits follows as many.
         (self.count, self.reactions.solved) = (0, 0);
         loop {
@@ -134,8 +136,8 @@ impl Events {
         next.kind.other().is_some_and(|other| self.ways[other as usize] != next.foreseen_on)
     }
 
-    /// Prepares the buffers, and how everything moves at the start of the tick.
-    fn begin(&mut self, scene: &Scene) {
+    /// Prepares the buffers, and how everything moves at the start of the tick. Returns false where too many impacts fall into that instant.
+    fn begin(&mut self, scene: &Scene) -> bool {
         self.clear_buffers();
         self.bounces = scene.bounces && self.items.iter().any(|item| item.body.restitution > 0.0);
         let (all, bodies) = (self.items.len(), self.movable);
@@ -149,20 +151,21 @@ impl Events {
                 self.nexts[i].or_earlier(self.items[i].until, Kind::Renew);
             }
         }
-        self.start(scene);
+        self.start(scene)
     }
 
     /// What happened last tick goes on where nothing changed; everything else is looked at as if something had happened to it.
-    fn start(&mut self, scene: &Scene) {
+    fn start(&mut self, scene: &Scene) -> bool {
         for i in 0..self.movable {
             if !self.items[i].known {
                 self.concern(i as u32);
             }
         }
-        if !self.concerned.is_empty() {
-            self.look(scene);
-        }
+        let begun = self.concerned.is_empty() || self.look(scene);
         self.release();
+        if !begun {
+            return false;
+        }
         for i in 0..self.movable {
             if self.items[i].known && !self.items[i].disturbed {
                 self.concern(i as u32);
@@ -175,6 +178,7 @@ impl Events {
         }
         self.go_on(scene);
         self.release();
+        true
     }
 
     fn happen(&mut self, scene: &Scene, i: usize, kind: Kind) {

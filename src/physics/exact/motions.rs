@@ -52,8 +52,9 @@ fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
 }
 
 impl Events {
-    /// Looks at everything concerned again: what touches it, its impacts, contacts, accelerations and motion.
-    pub(crate) fn look(&mut self, scene: &Scene) {
+    /// Looks at everything concerned again: what touches it, its impacts, contacts, accelerations and motion. Returns false where too many impacts
+    /// fall into that instant.
+    pub(crate) fn look(&mut self, scene: &Scene) -> bool {
         // Where a surface is stopped that would have squeezed something, other things concern it as well: each of them once.
         let known = self.hits.len();
         for _ in self.movable..=self.items.len() {
@@ -63,7 +64,7 @@ impl Events {
             if !self.resolve_impacts(scene) {
                 // Nothing of this event has happened: the island is handed over as it was.
                 self.hits.truncate(known);
-                return;
+                return false;
             }
             if !self.halted {
                 self.settle_concerned(scene);
@@ -73,6 +74,7 @@ impl Events {
             }
         }
         self.go_on(scene);
+        true
     }
 
     /// Lets everything concerned begin where it is now: its law, contacts and accelerations.
