@@ -1,13 +1,13 @@
 //! What it costs to lay the details out for a frame, with thirty bodies in view: a sixtieth of a second is 16.7 ms.
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use resultant::draw::layout::{Frame, Vec2};
 use resultant::game::{Controls, Game};
 use resultant::level;
 use resultant::physics::DVec2;
-use resultant::view::camera::{Viewport, Window};
+use resultant::view::camera::{CanvasWindow, Viewport};
 use resultant::view::details::{Details, Looking};
 use resultant::view::focus::Focus;
-use resultant::view::layout::{Frame, Vec2};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ fn arranging(c: &mut Criterion) {
     let mut group = c.benchmark_group("details of 30 bodies");
     for (name, pixels) in [("900 × 500", Vec2::new(900.0, 500.0)), ("1920 × 1080", Vec2::new(1920.0, 1080.0))] {
         let (mut game, frame, mut details) = (crowd(), Frame::of_window(pixels), Details::default());
-        let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
+        let window = CanvasWindow { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
         group.bench_function(name, |b| {
             b.iter(|| {
                 game.step(Controls::default());

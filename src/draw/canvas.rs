@@ -1,9 +1,10 @@
 //! The canvas: every drawing goes through it. It records shapes in canvas units and needs no window.
 
 use super::colour::Colour;
+use super::dashes::dashes;
 use super::layout::{Area, Frame, LINE, Vec2};
 use super::quads::Quads;
-use super::shape::{Align, Image, Outline, Shape, Style};
+use super::shape::{Align, Contour, Image, Shape, Style};
 use super::text;
 use std::cell::{Ref, RefCell};
 
@@ -126,40 +127,45 @@ impl Canvas {
     /// A filled convex outline (its corners in order, either way round).
     pub fn convex(&self, corners: &[Vec2], colour: Colour) {
         if corners.len() >= 3 {
-            self.add(Shape::Fill { outline: Outline::Convex(corners.to_vec()), colour });
+            self.add(Shape::Fill { outline: Contour::Convex(corners.to_vec()), colour });
         }
     }
 
     /// The outline of convex corners, `width` wide, inside them.
     pub fn convex_edge(&self, corners: &[Vec2], width: f32, colour: Colour) {
         if corners.len() >= 3 {
-            self.add(Shape::Edge { outline: Outline::Convex(corners.to_vec()), width, colour });
+            self.add(Shape::Edge { outline: Contour::Convex(corners.to_vec()), width, colour });
         }
     }
 
     /// A filled box with round corners.
     pub fn rounded(&self, area: Area, radius: f32, colour: Colour) {
-        self.add(Shape::Fill { outline: Outline::Rounded(area, radius), colour });
+        self.add(Shape::Fill { outline: Contour::Rounded(area, radius), colour });
     }
 
     /// The edge of a box with round corners, inside it.
     pub fn rounded_edge(&self, area: Area, radius: f32, width: f32, colour: Colour) {
-        self.add(Shape::Edge { outline: Outline::Rounded(area, radius), width, colour });
+        self.add(Shape::Edge { outline: Contour::Rounded(area, radius), width, colour });
     }
 
     /// A filled circle.
     pub fn disc(&self, centre: Vec2, radius: f32, colour: Colour) {
-        self.add(Shape::Fill { outline: Outline::Circle(centre, radius), colour });
+        self.add(Shape::Fill { outline: Contour::Circle(centre, radius), colour });
     }
 
     /// A circle's edge, inside it.
     pub fn ring(&self, centre: Vec2, radius: f32, width: f32, colour: Colour) {
-        self.add(Shape::Edge { outline: Outline::Circle(centre, radius), width, colour });
+        self.add(Shape::Edge { outline: Contour::Circle(centre, radius), width, colour });
     }
 
     /// A straight line with blunt ends.
     pub fn line(&self, from: Vec2, to: Vec2, width: f32, colour: Colour) {
-        self.add(Shape::Fill { outline: Outline::Line(from, to, width), colour });
+        self.add(Shape::Fill { outline: Contour::Line(from, to, width), colour });
+    }
+
+    /// A dashed line through corners: the lengths of the pattern are drawn and left out in turn; without a pattern it is whole.
+    pub fn dashed(&self, corners: &[Vec2], pattern: &[f32], width: f32, colour: Colour) {
+        dashes(corners, pattern).into_iter().for_each(|(from, to)| self.line(from, to, width, colour));
     }
 
     /// A line along an axis, one physical pixel wide and exactly on one.

@@ -33,7 +33,7 @@ const LINE_REACH: (f32, f32) = (0.37, 0.57);
 
 /// The width of a line of words in the unit of `height`, the height of its letters.
 pub fn words_width(words: &str, height: f32) -> f32 {
-    text::width(words, text::Face::Sans, height)
+    text::width(words, text::Typeface::Sans, height)
 }
 
 /// The box of a line of words, from the left end of the middle of its capitals.

@@ -4,6 +4,7 @@
 
 pub mod canvas;
 pub mod colour;
+mod dashes;
 pub mod layout;
 #[cfg(feature = "window")]
 pub mod pen;
@@ -16,5 +17,5 @@ pub mod text;
 pub use canvas::Canvas;
 pub use colour::Colour;
 pub use quads::{Quad, Quads};
-pub use shape::{Align, Image, Outline, Shape, Style};
-pub use text::Face;
+pub use shape::{Align, Contour, Image, Shape, Style};
+pub use text::Typeface;

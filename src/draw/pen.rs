@@ -7,7 +7,7 @@ use super::layout::{Frame, TEXT_SIZES, Vec2};
 use super::quads::Quad;
 use super::shape::{Image, Shape};
 use super::soft::Soft;
-use super::text::{self, Face};
+use super::text::{self, Typeface};
 use macroquad::camera::{Camera2D, set_camera, set_default_camera};
 use macroquad::color::{Color, WHITE};
 use macroquad::material::{Material, MaterialParams, gl_use_default_material, gl_use_material, load_material};
@@ -29,7 +29,7 @@ const MOST_SIZES: usize = 20;
 const MOST_QUADS: usize = 800;
 
 /// The pen of the window that is open.
-pub struct Pen {
+pub struct WindowPen {
     fonts: Fonts,
     soft: Soft,
     mesh: Mesh,
@@ -42,7 +42,7 @@ pub struct Pen {
     copying: Option<Material>,
 }
 
-impl Pen {
+impl WindowPen {
     /// A pen for the window that is open. The sheet is square, and its bytes are RGBA.
     ///
     /// # Errors
@@ -247,7 +247,7 @@ struct Fonts {
 
 impl Fonts {
     fn load() -> Result<Self, String> {
-        Ok(Self { sans: font(Face::Sans)?, mono: font(Face::Mono)?, ready: Vec::new() })
+        Ok(Self { sans: font(Typeface::Sans)?, mono: font(Typeface::Mono)?, ready: Vec::new() })
     }
 
     /// Makes the glyphs ready that a canvas needs.
@@ -270,15 +270,15 @@ impl Fonts {
         Ok(())
     }
 
-    const fn get(&self, face: Face) -> &Font {
+    const fn get(&self, face: Typeface) -> &Font {
         match face {
-            Face::Sans => &self.sans,
-            Face::Mono => &self.mono,
+            Typeface::Sans => &self.sans,
+            Typeface::Mono => &self.mono,
         }
     }
 }
 
-fn font(face: Face) -> Result<Font, String> {
+fn font(face: Typeface) -> Result<Font, String> {
     let (name, bytes) = face.file();
     let mut font = load_ttf_font_from_bytes(bytes).map_err(|error| format!("the typeface {name} cannot be read: {error}"))?;
     // Glyphs are drawn at the size at which they were made: the nearest sample keeps them sharp between pixels.

@@ -3,16 +3,16 @@
 use super::colour::Colour;
 use super::layout::{Area, Vec2};
 use super::quads::Quads;
-use super::text::Face;
+use super::text::Typeface;
 use std::sync::Arc;
 
 /// One thing on the canvas; lengths in canvas units, y down.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// The inside of an outline, its edge soft by one physical pixel.
-    Fill { outline: Outline, colour: Colour },
+    Fill { outline: Contour, colour: Colour },
     /// The edge of an outline, inside it.
-    Edge { outline: Outline, width: f32, colour: Colour },
+    Edge { outline: Contour, width: f32, colour: Colour },
     /// A line along an axis, one physical pixel wide and exactly on one.
     Hairline { from: Vec2, to: Vec2, colour: Colour },
     /// A box without soft edges.
@@ -32,7 +32,7 @@ pub enum Shape {
 
 /// Where a soft shape ends.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Outline {
+pub enum Contour {
     /// Convex corners in order, either way round.
     Convex(Vec<Vec2>),
     /// A box with round corners of that radius.
@@ -72,7 +72,7 @@ pub struct Style {
     /// Its colour.
     pub colour: Colour,
     /// Its face.
-    pub face: Face,
+    pub face: Typeface,
     /// Where it lies from its point.
     pub align: Align,
     /// Whether its point is at the middle of its capitals' height instead of at the top of its line.
@@ -82,12 +82,12 @@ pub struct Style {
 impl Style {
     /// Words that begin at their point.
     pub const fn new(size: f32, colour: Colour) -> Self {
-        Self { size, colour, face: Face::Sans, align: Align::Left, middle: false }
+        Self { size, colour, face: Typeface::Sans, align: Align::Left, middle: false }
     }
 
     /// The same in the monospaced face.
     pub const fn mono(self) -> Self {
-        Self { face: Face::Mono, ..self }
+        Self { face: Typeface::Mono, ..self }
     }
 
     /// The same on both sides of its point.

@@ -3,7 +3,7 @@
 
 use super::colour::Colour;
 use super::layout::{Area, Vec2};
-use super::shape::Outline;
+use super::shape::Contour;
 use std::f32::consts::{FRAC_PI_2, TAU};
 
 /// How far, in physical pixels, a curve may stray from the true one.
@@ -29,7 +29,7 @@ impl Soft {
     }
 
     /// The triangles of a filled outline.
-    pub fn fill(&mut self, outline: &Outline, colour: Colour) {
+    pub fn fill(&mut self, outline: &Contour, colour: Colour) {
         self.take(outline);
         let half = self.pixel / 2.0;
         let inner = self.ring(-half, colour);
@@ -40,7 +40,7 @@ impl Soft {
     }
 
     /// The triangles of an outline's edge, `width` wide, inside it.
-    pub fn edge(&mut self, outline: &Outline, width: f32, colour: Colour) {
+    pub fn edge(&mut self, outline: &Contour, width: f32, colour: Colour) {
         self.take(outline);
         let half = self.pixel / 2.0;
         let width = width.max(2.0 * half);
@@ -50,19 +50,19 @@ impl Soft {
         self.band([(-half - width, clear), (half - width, colour)]);
     }
 
-    fn take(&mut self, outline: &Outline) {
+    fn take(&mut self, outline: &Contour) {
         self.vertices.clear();
         self.indices.clear();
         self.corners.clear();
         match *outline {
-            Outline::Convex(ref corners) => self.corners.extend(corners),
-            Outline::Rounded(area, radius) => self.rounded(area, radius),
-            Outline::Circle(centre, radius) => {
+            Contour::Convex(ref corners) => self.corners.extend(corners),
+            Contour::Rounded(area, radius) => self.rounded(area, radius),
+            Contour::Circle(centre, radius) => {
                 let steps = steps(radius / self.pixel, TAU).max(8);
                 let point = |i| centre + Vec2::from_angle(TAU * i as f32 / steps as f32) * radius;
                 self.corners.extend((0..steps).map(point));
             }
-            Outline::Line(from, to, width) => {
+            Contour::Line(from, to, width) => {
                 let across = (to - from).perp().normalize_or_zero() * (width.max(self.pixel) / 2.0);
                 self.corners.extend([from + across, to + across, to - across, from - across]);
             }
@@ -136,7 +136,7 @@ mod tests {
         for corners in [square, back] {
             let mut soft = Soft::default();
             soft.begin(2.0);
-            soft.fill(&Outline::Convex(corners.to_vec()), Colour::WHITE);
+            soft.fill(&Contour::Convex(corners.to_vec()), Colour::WHITE);
             let outermost = &soft.vertices[soft.vertices.len() - 4..];
             for (corner, (point, colour)) in corners.iter().zip(outermost) {
                 assert_eq!((*point, colour.a), (*corner + (*corner - Vec2::ONE), 0.0));

@@ -4,8 +4,8 @@
 use super::canvas::Canvas;
 use super::colour::Colour;
 use super::layout::{Area, Vec2};
-use super::shape::{Align, Outline, Shape, Style};
-use super::text::Face;
+use super::shape::{Align, Contour, Shape, Style};
+use super::text::Typeface;
 use std::fmt::Write;
 
 /// The canvas as a file, on that ground.
@@ -36,7 +36,7 @@ struct Paper<'a> {
 impl Paper<'_> {
     fn draw(&mut self, shape: &Shape) {
         match shape {
-            Shape::Fill { outline: Outline::Line(from, to, width), colour } => return self.line([*from, *to], *width, *colour),
+            Shape::Fill { outline: Contour::Line(from, to, width), colour } => return self.line([*from, *to], *width, *colour),
             Shape::Hairline { from, to, colour } => return self.line([*from, *to], self.canvas.frame().pixel, *colour),
             _ => self.end_lines(),
         }
@@ -55,18 +55,18 @@ impl Paper<'_> {
     }
 
     /// An outline, `inset` canvas units further in where it is round or a box.
-    fn outline(&mut self, outline: &Outline, inset: f32, look: &str) {
+    fn outline(&mut self, outline: &Contour, inset: f32, look: &str) {
         match outline {
-            Outline::Convex(corners) => self.polygon(corners, look),
-            Outline::Rounded(area, radius) if *radius <= inset => self.area("rect", area.inset(inset), look),
-            Outline::Rounded(area, radius) => {
+            Contour::Convex(corners) => self.polygon(corners, look),
+            Contour::Rounded(area, radius) if *radius <= inset => self.area("rect", area.inset(inset), look),
+            Contour::Rounded(area, radius) => {
                 self.area(&format!("rect rx=\"{}\"", number(radius - inset)), area.inset(inset), look);
             }
-            Outline::Circle(centre, radius) => {
+            Contour::Circle(centre, radius) => {
                 let (x, y, radius) = (number(centre.x), number(centre.y), number(radius - inset));
                 let _ = writeln!(self.text, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" {look}/>");
             }
-            Outline::Line(from, to, _) => self.polygon(&[*from, *to], look),
+            Contour::Line(from, to, _) => self.polygon(&[*from, *to], look),
         }
     }
 
@@ -112,8 +112,8 @@ impl Paper<'_> {
             Align::Right => "end",
         };
         let family = match style.face {
-            Face::Sans => "Ubuntu, sans-serif",
-            Face::Mono => "Hack, monospace",
+            Typeface::Sans => "Ubuntu, sans-serif",
+            Typeface::Mono => "Hack, monospace",
         };
         let look = fill(style.colour);
         let _ = write!(

@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 /// What a line of text is set in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Face {
+pub enum Typeface {
     /// For words: Ubuntu Light.
     #[default]
     Sans,
@@ -12,7 +12,7 @@ pub enum Face {
     Mono,
 }
 
-impl Face {
+impl Typeface {
     /// Its name and its file.
     pub const fn file(self) -> (&'static str, &'static [u8]) {
         match self {
@@ -29,8 +29,8 @@ const IN_MONO: [char; 6] = ['←', '→', '↑', '↓', 'π', '⁻'];
 const UNKNOWN_ADVANCE: f32 = 0.62;
 
 /// The text cut into runs of one face each.
-pub fn runs(text: &str, face: Face) -> impl Iterator<Item = (&str, Face)> {
-    let face_of = move |sign: char| if IN_MONO.contains(&sign) { Face::Mono } else { face };
+pub fn runs(text: &str, face: Typeface) -> impl Iterator<Item = (&str, Typeface)> {
+    let face_of = move |sign: char| if IN_MONO.contains(&sign) { Typeface::Mono } else { face };
     let mut rest = text;
     std::iter::from_fn(move || {
         let face = face_of(rest.chars().next()?);
@@ -41,12 +41,12 @@ pub fn runs(text: &str, face: Face) -> impl Iterator<Item = (&str, Face)> {
 }
 
 /// The width of a line of text in the unit of `height`, the height of its letters.
-pub fn width(text: &str, face: Face, height: f32) -> f32 {
+pub fn width(text: &str, face: Typeface, height: f32) -> f32 {
     runs(text, face).map(|(run, face)| run_width(run, face, height)).sum()
 }
 
 /// The width of a run of one face in the unit of `height`: the same sum, in the same order, as that of the glyphs on the screen.
-pub fn run_width(run: &str, face: Face, height: f32) -> f32 {
+pub fn run_width(run: &str, face: Typeface, height: f32) -> f32 {
     let Some(advances) = &FACES[face as usize] else { return run.chars().count() as f32 * UNKNOWN_ADVANCE * height };
     let scale = height / advances.units_per_em;
     run.chars().fold(0.0, |width, sign| width + scale * advances.of(sign))
@@ -60,10 +60,10 @@ struct Advances {
     ascii: [f32; 95],
 }
 
-static FACES: LazyLock<[Option<Advances>; 2]> = LazyLock::new(|| [Face::Sans, Face::Mono].map(Advances::read));
+static FACES: LazyLock<[Option<Advances>; 2]> = LazyLock::new(|| [Typeface::Sans, Typeface::Mono].map(Advances::read));
 
 impl Advances {
-    fn read(face: Face) -> Option<Self> {
+    fn read(face: Typeface) -> Option<Self> {
         let face = ttf_parser::Face::parse(face.file().1, 0).ok()?;
         let ascii = std::array::from_fn(|i| advance(&face, char::from(b' ' + i as u8)));
         Some(Self { units_per_em: f32::from(face.units_per_em()), ascii, face })
@@ -89,18 +89,18 @@ mod tests {
     fn signs_that_the_words_lack_are_set_in_the_other_face() {
         let cut = |text, face| runs(text, face).map(|(run, face)| format!("{face:?} {run}")).collect::<Vec<_>>();
         assert_eq!(
-            cut("the digits of π, → and so on", Face::Sans),
+            cut("the digits of π, → and so on", Typeface::Sans),
             ["Sans the digits of ", "Mono π", "Sans , ", "Mono →", "Sans  and so on"]
         );
-        assert_eq!(cut("← → walk", Face::Mono), ["Mono ← → walk"]);
-        assert!(cut("", Face::Sans).is_empty());
+        assert_eq!(cut("← → walk", Typeface::Mono), ["Mono ← → walk"]);
+        assert!(cut("", Typeface::Sans).is_empty());
     }
 
     #[test]
     fn every_sign_of_the_monospaced_face_is_as_wide_as_the_layout_takes_it_for() {
         for sign in (' '..='~').chain(IN_MONO) {
-            assert!((width(&sign.to_string(), Face::Mono, 1.0) - MONO_ADVANCE).abs() < 1e-3, "{sign}");
+            assert!((width(&sign.to_string(), Typeface::Mono, 1.0) - MONO_ADVANCE).abs() < 1e-3, "{sign}");
         }
-        assert!((width("−×π→", Face::Sans, 10.0) - 2.0 * 5.64 - 2.0 * 6.02).abs() < 0.1);
+        assert!((width("−×π→", Typeface::Sans, 10.0) - 2.0 * 5.64 - 2.0 * 6.02).abs() < 0.1);
     }
 }

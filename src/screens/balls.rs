@@ -5,8 +5,8 @@ use super::Input;
 use super::hover::{self, Hover};
 use crate::game::{Clock, SHIP, TICK_RATE};
 
+use crate::draw::layout::{Area, Frame, Vec2};
 use crate::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
-use crate::view::layout::{Area, Frame, Vec2};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 
@@ -172,7 +172,7 @@ fn in_metres(area: &Area) -> Aabb {
 mod drawing {
     use super::Balls;
     use crate::draw::Canvas;
-    use crate::view::layout::Vec2;
+    use crate::draw::layout::Vec2;
     use crate::view::theme;
 
     impl Balls {

@@ -1,8 +1,8 @@
 //! Buttons by mouse and by keyboard: one press, one action.
 
 use super::input::{Answer, Input};
+use crate::draw::layout::{Area, Vec2};
 use crate::settings::Key;
-use crate::view::layout::{Area, Vec2};
 
 /// A group of buttons; which one does what is the screen's affair, by its index. One of them is highlighted: the keyboard and the pointer
 /// move the same highlight, whichever moved last.
@@ -95,7 +95,7 @@ impl Buttons {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::layout::Frame;
+    use crate::draw::layout::Frame;
 
     fn press(key: Key) -> Input {
         Input { pressed: [key].into_iter().collect(), pointer: Vec2::splat(-1.0), ..Input::default() }

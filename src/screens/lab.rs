@@ -15,9 +15,9 @@ pub use survival::{Line, SurvivalPage};
 
 use self::experiments::Wish;
 use super::{Buttons, Input, Key, Keys, Motion, Request, Screen, Toolbar};
+use crate::draw::layout::{Area, Frame, GAP};
 use crate::lab::charts::Charts;
 use crate::ui::Ui;
-use crate::view::layout::{Area, Frame, GAP};
 
 /// A run of `resultant chart`, and what is to be said about it.
 #[derive(Clone, Debug, Default)]
@@ -189,8 +189,8 @@ impl Screen for Lab {
 
 mod drawing {
     use super::{Lab, PAGES, Page};
+    use crate::draw::layout::{Area, TEXT, Vec2};
     use crate::draw::{Canvas, Style};
-    use crate::view::layout::{Area, TEXT, Vec2};
     use crate::view::{theme, widgets};
 
     impl Lab {

@@ -8,7 +8,7 @@ use crate::draw::{Canvas, Colour, Style};
 use crate::physics::{DVec2, ForceKind};
 use crate::scores::Name;
 use crate::ui::{Kind, Ui};
-use crate::view::camera::{Viewport, Window};
+use crate::view::camera::{CanvasWindow, Viewport};
 use crate::view::{arrows, theme, things, widgets};
 
 /// The words on the buttons of the column, from top to bottom.
@@ -102,11 +102,11 @@ impl Menu {
         let mut tail = start;
         for (kind, step) in ADDENDS {
             let tip = tail + Vec2::new(step.x, -step.y) * size;
-            arrows::draw_one(canvas, (tail, tip), arrows::Shown::Force(kind), 0.9);
+            arrows::draw_one(canvas, (tail, tip), arrows::ArrowKind::Force(kind), 0.9);
             tail = tip;
         }
         canvas.end_layer();
-        arrows::draw_one(canvas, (start, end), arrows::Shown::Resultant, 1.0);
+        arrows::draw_one(canvas, (start, end), arrows::ArrowKind::Resultant, 1.0);
         canvas.text(NAME, area.centre(), Style::new(TITLE, theme::accent()).centred().middle());
         canvas.end_layer();
         area
@@ -145,7 +145,7 @@ impl Menu {
 
     fn draw_ship(&self, canvas: &Canvas, frame: &Frame) {
         let Some((centre, angle, burning)) = self.balls.ship() else { return };
-        let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
+        let window = CanvasWindow { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
         let metre = f64::from(METRE);
         let view = Viewport::new(DVec2::ZERO, DVec2::ZERO, window.size / metre, metre, window);
         let pose = things::ShipPose { centre, angle, squash: 0.0, light: Colour::WHITE, room: f64::INFINITY };

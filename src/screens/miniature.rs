@@ -70,9 +70,9 @@ impl Miniature {
 
 mod drawing {
     use super::{Miniature, Part};
+    use crate::draw::layout::{Area, Vec2};
     use crate::draw::{Canvas, Colour};
     use crate::physics::DVec2;
-    use crate::view::layout::{Area, Vec2};
     use crate::view::terrain::Tint;
     use crate::view::theme;
 

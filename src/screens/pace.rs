@@ -185,7 +185,7 @@ mod tests {
             Input { held: key(), ..input() },
             Input { away: true, ..input() },
             Input { dropped: vec!["level".into()], ..input() },
-            Input { frame: crate::view::layout::Frame::of_window(Vec2::new(900.0, 500.0)), ..input() },
+            Input { frame: crate::draw::layout::Frame::of_window(Vec2::new(900.0, 500.0)), ..input() },
         ];
         for done in does {
             let mut pace = Pace::default();

@@ -118,8 +118,8 @@ impl Screen for Pi {
 mod drawing {
     use super::{DIGITS, Pi};
     use crate::classics::pi::mass_ratio;
+    use crate::draw::layout::{Area, BUTTON_TEXT, MONO_ADVANCE, TEXT, TITLE, Vec2};
     use crate::draw::{Canvas, Colour, Style};
-    use crate::view::layout::{Area, BUTTON_TEXT, MONO_ADVANCE, TEXT, TITLE, Vec2};
     use crate::view::{theme, widgets};
 
     /// How long the counter shows that there was a collision, s.

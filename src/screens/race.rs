@@ -147,24 +147,24 @@ impl Gap {
 
 mod drawing {
     use super::{Gap, Race};
+    use crate::draw::layout::{DETAILS, GRID, TEXT, Vec2};
     use crate::draw::{Canvas, Style};
     use crate::game::Game;
-    use crate::view::hud::{self, Aside, Part};
-    use crate::view::layout::{DETAILS, GRID, TEXT, Vec2};
-    use crate::view::{Ghost, theme, widgets};
+    use crate::view::hud::{self, Aside, HudPart};
+    use crate::view::{GhostShip, theme, widgets};
 
     impl Race {
         /// Where the ghosts are drawn.
-        pub fn poses(&self, game: &Game, alpha: f64) -> Vec<Ghost> {
+        pub fn poses(&self, game: &Game, alpha: f64) -> Vec<GhostShip> {
             self.ghosts(game, alpha)
-                .map(|(ghost, pose)| Ghost { name: ghost.name.clone(), pose: Some(pose), objects: Vec::new() })
+                .map(|(ghost, pose)| GhostShip { name: ghost.name.clone(), pose: Some(pose), objects: Vec::new() })
                 .collect()
         }
 
         /// Draws how the ship stands to each ghost at the objective that it met last, in a strip beside the timer.
         pub fn draw(&self, aside: &Aside, canvas: &Canvas) {
-            let Some(area) = aside.home(Part::Race) else { return };
-            let (ground, strong) = hud::left(aside.of(Part::Race));
+            let Some(area) = aside.home(HudPart::Race) else { return };
+            let (ground, strong) = hud::left(aside.of(HudPart::Race));
             widgets::panel_in(canvas, area, theme::panel().faded(0.7 * ground), theme::panel_edge().faded(ground));
             let column = area.size.x / self.all().len() as f32;
             for (i, ghost) in self.all().iter().enumerate() {

@@ -9,7 +9,7 @@ use crate::level;
 use crate::physics::{BodyId, DVec2};
 use crate::settings::Settings;
 use crate::view::focus::Focus;
-use crate::view::hud::Shown;
+use crate::view::hud::HudShown;
 use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::view::{GameView, Overlays, theme, widgets};
 use std::time::Instant;
@@ -95,7 +95,7 @@ impl Theatre {
         let focus = looked_at(flight.observer().focus(), details || flight.instruments().is_open());
         let plays = flight.game().level().ship_plays();
         let fuel = plays && flight.game().level().player.has_engine();
-        let shown = Shown { status: plays, fuel, rivals: flight.race().map_or(0, |race| race.all().len()) };
+        let shown = HudShown { status: plays, fuel, rivals: flight.race().map_or(0, |race| race.all().len()) };
         let overlays = Overlays { settings, details, shown, focus, hitboxes, watched: false };
         let paused = flight.pause().is_some();
         let passed = if paused { 0.0 } else { frame_time * flight.observer().speed().min(1.0) };
@@ -119,7 +119,7 @@ impl Theatre {
         let (details, hitboxes) = (watch.details(), watch.hitboxes());
         let focus = looked_at(watch.focus(), details || watch.instruments().is_open());
         let plays = watch.game().level().ship_plays();
-        let shown = Shown { status: plays, fuel: plays && watch.game().level().player.has_engine(), rivals: 0 };
+        let shown = HudShown { status: plays, fuel: plays && watch.game().level().player.has_engine(), rivals: 0 };
         let overlays = Overlays { settings, details, shown, focus, hitboxes, watched: true };
         let passed = if watch.paused() { 0.0 } else { frame_time * watch.pace().min(1.0) };
         view.update(watch.game(), watch.alpha(), passed, overlays, canvas.frame());

@@ -171,9 +171,9 @@ impl Screen for TileRun {
 mod drawing {
     use super::TileRun;
     use crate::classics::tile_run::Command;
+    use crate::draw::layout::{Area, TEXT, Vec2};
     use crate::draw::{Canvas, Style};
     use crate::number::fixed;
-    use crate::view::layout::{Area, TEXT, Vec2};
     use crate::view::{theme, widgets};
 
     /// From the canvas' edges to the map, and from its top to it.

@@ -1,7 +1,7 @@
 //! A row of buttons at the foot of a scene whose arrow keys have other work: each has a key of its own.
 
 use super::{Answer, Buttons, Input, Key, Keys};
-use crate::view::layout::{Area, Frame, GAP, ROW_BUTTON, Vec2};
+use crate::draw::layout::{Area, Frame, GAP, ROW_BUTTON, Vec2};
 
 /// From the row to the canvas' foot and sides.
 const MARGIN: f32 = 24.0;

@@ -10,12 +10,12 @@ use super::theatre::{Moment, Theatre};
 use super::{Input, Key, Motion, Request, Screen, Spectator, Toolbar, Visit};
 #[cfg(feature = "window")]
 use crate::draw::Canvas;
+use crate::draw::layout::{Area, Frame, Vec2};
 use crate::game::{Game, Reel};
 use crate::settings::Action;
 use crate::settings::Settings;
 use crate::ui::Ui;
 use crate::view::focus::Focus;
-use crate::view::layout::{Area, Frame, Vec2};
 use std::path::PathBuf;
 
 /// How fast it can be played.
@@ -340,9 +340,9 @@ fn line(frame: &Frame) -> Area {
 
 mod drawing {
     use super::{FOOT, Watch};
+    use crate::draw::layout::{Area, TEXT, Vec2};
     use crate::draw::{Canvas, Style};
     use crate::number::clock;
-    use crate::view::layout::{Area, TEXT, Vec2};
     use crate::view::{theme, widgets};
 
     impl Watch {

@@ -5,7 +5,7 @@ use super::theatre::{self, Theatre};
 use super::{App, Attempt, Input, Key, Keyed, Keys, Picture, Places, Request, Worker, pace};
 use crate::draw::Canvas;
 use crate::draw::layout::{DESIGN, Frame, Vec2};
-use crate::draw::pen::Pen;
+use crate::draw::pen::WindowPen;
 use crate::level::Level;
 use crate::settings::plain_keys;
 use crate::view::sound::Speaker;
@@ -97,7 +97,7 @@ pub fn open(places: Places, start: Option<Start>) -> Result<(), String> {
 }
 
 async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
-    let mut pen = Pen::new(&art::sheet())?;
+    let mut pen = WindowPen::new(&art::sheet())?;
     let mut canvas = Canvas::new(Frame::default());
     let mut theatre = Theatre::new(Speaker::new());
     let mut app = App::with_worker(places, Worker::beside());

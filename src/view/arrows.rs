@@ -1,9 +1,8 @@
 //! Free-body arrows: what each kind of force looks like - its colour, its dash, its head - and how an arrow and its label are drawn.
 
-pub use super::facts::Shown;
-use super::free_body::Label;
-use super::layout::{Area, DETAILS, Vec2};
+pub use super::facts::ArrowKind;
 use super::theme;
+use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::SHIP;
 use crate::physics::{BodyId, ForceKind};
@@ -43,7 +42,7 @@ pub struct Arrow {
     /// Which line of its box tells of it.
     pub row: usize,
     /// What it stands for.
-    pub shown: Shown,
+    pub shown: ArrowKind,
     /// Where it begins: at the body's centre, if there is room.
     pub from: Vec2,
     /// The tip.
@@ -78,18 +77,18 @@ impl Arrow {
 }
 
 /// The length of an arrow's whole head along it, and of one of its triangles, canvas units.
-pub const fn head_length(shown: Shown) -> Vec2 {
-    let one = if matches!(shown, Shown::Resultant) { HEAD * RESULTANT_HEAD } else { HEAD };
+pub const fn head_length(shown: ArrowKind) -> Vec2 {
+    let one = if matches!(shown, ArrowKind::Resultant) { HEAD * RESULTANT_HEAD } else { HEAD };
     let heads = if matches!(style(shown).0, Head::Double) { 1.0 + SECOND_HEAD } else { 1.0 };
     Vec2::new(one * heads, one)
 }
 
 /// The colour of what a line or an arrow stands for.
-pub const fn colour(shown: Shown) -> Colour {
+pub const fn colour(shown: ArrowKind) -> Colour {
     match shown {
-        Shown::Resultant => theme::RESULTANT,
-        Shown::Force(kind) => theme::force(kind),
-        Shown::Impact => theme::IMPACT,
+        ArrowKind::Resultant => theme::RESULTANT,
+        ArrowKind::Force(kind) => theme::force(kind),
+        ArrowKind::Impact => theme::IMPACT,
     }
 }
 
@@ -119,7 +118,7 @@ fn draw_break(canvas: &Canvas, arrow: &Arrow, alpha: f32) {
     let shaft = (arrow.length() - head_length(arrow.shown).x).max(0.0);
     let middle = arrow.from + along * (shaft - BREAK).max(shaft * 0.5);
     let stroke = (along.perp() + along * 0.6) * BREAK;
-    let half = if arrow.shown == Shown::Resultant { 1.5 } else { 1.0 };
+    let half = if arrow.shown == ArrowKind::Resultant { 1.5 } else { 1.0 };
     canvas.line(middle - along * BREAK_GAP * 0.5, middle + along * BREAK_GAP * 0.5, RESULTANT_WIDTH + 2.0, theme::ground());
     for side in [-0.5, 0.5] {
         let at = middle + along * (BREAK_GAP * side);
@@ -128,32 +127,28 @@ fn draw_break(canvas: &Canvas, arrow: &Arrow, alpha: f32) {
 }
 
 fn draw_arrow(canvas: &Canvas, arrow: &Arrow, alpha: f32) {
-    let resultant = arrow.shown == Shown::Resultant;
+    let resultant = arrow.shown == ArrowKind::Resultant;
     let width = if resultant { RESULTANT_WIDTH } else { WIDTH };
     let ((head, dash), colour) = (style(arrow.shown), colour(arrow.shown).faded(alpha));
     let along = (arrow.to - arrow.from).normalize_or_zero();
     let tip_length = head_length(arrow.shown).y.min(arrow.length());
     let neck = arrow.to - along * tip_length * 0.8;
     canvas.line(arrow.from, neck, width + 2.0, theme::ground().faded(0.55 * alpha));
-    if dash.is_empty() {
-        canvas.line(arrow.from, neck, width, colour);
-    } else {
-        dashed(canvas, arrow.from, neck, dash, width, colour);
-    }
+    canvas.dashed(&[arrow.from, neck], dash, width, colour);
     draw_head(canvas, head, arrow.to, along, tip_length, width, colour);
 }
 
 /// Draws a single arrow from its tail to its tip, for show; `alpha` (0 … 1) is how much of it is seen.
-pub fn draw_one(canvas: &Canvas, (from, to): (Vec2, Vec2), shown: Shown, alpha: f32) {
+pub fn draw_one(canvas: &Canvas, (from, to): (Vec2, Vec2), shown: ArrowKind, alpha: f32) {
     draw_arrow(canvas, &Arrow { body: SHIP, row: 0, shown, from, to, to_scale: true }, alpha);
 }
 
 /// How a kind of force is told without its colour: no two of the same head and dash. Dashes are lengths drawn and left out in turn.
-const fn style(shown: Shown) -> (Head, &'static [f32]) {
+const fn style(shown: ArrowKind) -> (Head, &'static [f32]) {
     let kind = match shown {
-        Shown::Resultant => return (Head::Filled, &[]),
-        Shown::Impact => return (Head::Double, &[2.5, 3.0]),
-        Shown::Force(kind) => kind,
+        ArrowKind::Resultant => return (Head::Filled, &[]),
+        ArrowKind::Impact => return (Head::Double, &[2.5, 3.0]),
+        ArrowKind::Force(kind) => kind,
     };
     match kind {
         ForceKind::Weight => (Head::Filled, &[]),
@@ -166,21 +161,6 @@ const fn style(shown: Shown) -> (Head, &'static [f32]) {
         ForceKind::ViscousDrag => (Head::Disc, &[9.0, 4.0, 2.5, 4.0]),
         ForceKind::Push => (Head::Bar, &[]),
         ForceKind::Spring => (Head::Bar, &[9.0, 4.0, 2.5, 4.0]),
-    }
-}
-
-fn dashed(canvas: &Canvas, from: Vec2, to: Vec2, pattern: &[f32], width: f32, colour: Colour) {
-    let along = (to - from).normalize_or_zero();
-    let (length, mut at) = ((to - from).length(), 0.0);
-    for (i, step) in pattern.iter().cycle().enumerate() {
-        if at >= length {
-            break;
-        }
-        let end = (at + step).min(length);
-        if i % 2 == 0 {
-            canvas.line(from + along * at, from + along * end, width, colour);
-        }
-        at = end;
     }
 }
 
@@ -217,6 +197,15 @@ fn draw_head(canvas: &Canvas, head: Head, tip: Vec2, along: Vec2, length: f32, w
     }
 }
 
+/// The label of an arrow and its place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Label {
+    /// The index of its arrow.
+    pub arrow: usize,
+    /// Where it stands.
+    pub area: Area,
+}
+
 /// Draws the labels, on a dark ground so that they can be read over anything; `lit` as for the arrows.
 pub fn draw_labels(arrows: &[Arrow], labels: &[Label], lit: impl Fn(&Arrow) -> bool, canvas: &Canvas) {
     let any = arrows.iter().any(&lit);
@@ -235,7 +224,7 @@ mod tests {
 
     #[test]
     fn no_two_kinds_share_head_and_dash() {
-        let all: Vec<Shown> = ForceKind::ALL.into_iter().map(Shown::Force).chain([Shown::Impact]).collect();
+        let all: Vec<ArrowKind> = ForceKind::ALL.into_iter().map(ArrowKind::Force).chain([ArrowKind::Impact]).collect();
         for (i, a) in all.iter().enumerate() {
             for b in &all[i + 1..] {
                 assert_ne!(style(*a), style(*b), "{a:?} and {b:?}");
@@ -246,7 +235,7 @@ mod tests {
     #[test]
     fn a_point_is_as_far_from_an_arrow_as_from_its_nearest_point() {
         let (from, to) = (Vec2::new(10.0, 10.0), Vec2::new(110.0, 10.0));
-        let arrow = Arrow { body: SHIP, row: 0, shown: Shown::Resultant, from, to, to_scale: true };
+        let arrow = Arrow { body: SHIP, row: 0, shown: ArrowKind::Resultant, from, to, to_scale: true };
         for (x, y, far) in [(50.0, 10.0, 0.0), (50.0, 17.0, 7.0), (113.0, 14.0, 5.0), (7.0, 6.0, 5.0)] {
             assert_eq!(arrow.distance(Vec2::new(x, y)), far);
         }

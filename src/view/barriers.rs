@@ -10,7 +10,7 @@ const CLEAR: f64 = 1e-3;
 
 /// Where a path ends at a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stop {
+pub struct BarrierStop {
     /// A little before the surface, m.
     pub at: DVec2,
     /// The axis (0: x, 1: y) along which the path meets it.
@@ -40,7 +40,7 @@ impl Barriers {
     }
 
     /// The first stop on the straight path between two points, m. A path that begins inside a surface leads out of it.
-    pub fn stop(&self, from: DVec2, to: DVec2) -> Option<Stop> {
+    pub fn stop(&self, from: DVec2, to: DVec2) -> Option<BarrierStop> {
         if self.columns.is_empty() {
             return None;
         }
@@ -51,7 +51,7 @@ impl Barriers {
         let way = to - from;
         let mut at = from + way * part;
         at[axis] -= CLEAR * way[axis].signum();
-        Some(Stop { at, axis })
+        Some(BarrierStop { at, axis })
     }
 
     /// How far it is from a point to the first stop along a unit vector, `reach` at most, m.

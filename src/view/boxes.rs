@@ -1,7 +1,7 @@
 //! Where the details boxes go: near their objects, inside the window, out of each other's way, and never over what has to be seen. Plain
 //! arithmetic on a grid of cells, so that it takes as long in a crowd as anywhere.
 
-use super::layout::{Area, Vec2};
+use crate::draw::layout::{Area, Vec2};
 
 /// Between a box and its object, canvas units.
 const OBJECT_GAP: f32 = 28.0;
@@ -21,7 +21,7 @@ const CELL: f32 = 16.0;
 
 /// A box that wants a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wish {
+pub struct BoxWish {
     /// The object that it belongs to.
     pub object: Area,
     /// The size of the box.
@@ -32,9 +32,9 @@ pub struct Wish {
 
 /// Gives each box, in order, the best place left: none overlaps another or one of `taken`, all lie inside `window`. What is in
 /// `kept_clear` (objects, arrows) is covered only when that spares a long way. `None` where no place is left.
-pub fn place(wishes: &[Wish], window: Area, taken: &[Area], kept_clear: &[Area]) -> Vec<Option<Area>> {
+pub fn place(wishes: &[BoxWish], window: Area, taken: &[Area], kept_clear: &[Area]) -> Vec<Option<Area>> {
     let mut fixed = taken.to_vec();
-    let mut map = Map::new(window, taken, kept_clear);
+    let mut map = FreeMap::new(window, taken, kept_clear);
     let mut places: Vec<Option<Area>> = wishes
         .iter()
         .map(|wish| {
@@ -49,7 +49,7 @@ pub fn place(wishes: &[Wish], window: Area, taken: &[Area], kept_clear: &[Area])
 }
 
 /// Lets two boxes of one size change places where that brings them nearer to their objects: their lines no longer cross.
-fn exchange(wishes: &[Wish], places: &mut [Option<Area>]) {
+fn exchange(wishes: &[BoxWish], places: &mut [Option<Area>]) {
     for i in 0..places.len() {
         for j in i + 1..places.len() {
             if let (Some(a), Some(b)) = (places[i], places[j])
@@ -65,7 +65,7 @@ fn exchange(wishes: &[Wish], places: &mut [Option<Area>]) {
     }
 }
 
-fn best(wish: &Wish, window: Area, fixed: &[Area], map: &Map) -> Option<Area> {
+fn best(wish: &BoxWish, window: Area, fixed: &[Area], map: &FreeMap) -> Option<Area> {
     let (low, high) = (window.min + GAP, window.max() - wish.size - GAP);
     if high.x < low.x || high.y < low.y {
         return None;
@@ -109,7 +109,7 @@ fn best(wish: &Wish, window: Area, fixed: &[Area], map: &Map) -> Option<Area> {
 
 /// The window in cells, each with what lies there. Both tables hold sums over all cells above and to the left, so that a box of any size is looked
 /// up in four of them.
-struct Map {
+struct FreeMap {
     min: Vec2,
     columns: usize,
     rows: usize,
@@ -119,7 +119,7 @@ struct Map {
     cost_sums: Vec<f32>,
 }
 
-impl Map {
+impl FreeMap {
     fn new(window: Area, taken: &[Area], kept_clear: &[Area]) -> Self {
         let cells = (window.size / CELL).ceil();
         let (columns, rows) = (cells.x as usize, cells.y as usize);
@@ -213,8 +213,8 @@ mod tests {
 
     const WINDOW: Area = Area { min: Vec2::ZERO, size: Vec2::new(1280.0, 720.0) };
 
-    fn wish(x: f32, y: f32, size: Vec2) -> Wish {
-        Wish { object: Area::around(Vec2::new(x, y), Vec2::splat(50.0)), size, before: None }
+    fn wish(x: f32, y: f32, size: Vec2) -> BoxWish {
+        BoxWish { object: Area::around(Vec2::new(x, y), Vec2::splat(50.0)), size, before: None }
     }
 
     fn check(places: &[Option<Area>], taken: &[Area]) {
@@ -246,7 +246,7 @@ mod tests {
         let taken = [Area::new(16.0, 16.0, 200.0, 40.0), Area::new(160.0, 680.0, 960.0, 22.0)];
         for count in [5, 12, 30, 60] {
             // Objects in a heap: the worst for boxes that want to be near them.
-            let wishes: Vec<Wish> = (0..count)
+            let wishes: Vec<BoxWish> = (0..count)
                 .map(|i| {
                     wish(
                         560.0 + 37.0 * (i % 6) as f32,
@@ -268,7 +268,7 @@ mod tests {
         let mut before = first.min - Vec2::new(600.0, 300.0);
         for step in 1..60 {
             let centre = Vec2::new(600.0 - 4.0 * step as f32, 300.0 + 2.0 * step as f32);
-            let moved = Wish { before: Some(before), ..wish(centre.x, centre.y, Vec2::new(310.0, 180.0)) };
+            let moved = BoxWish { before: Some(before), ..wish(centre.x, centre.y, Vec2::new(310.0, 180.0)) };
             let area = place(&[moved], WINDOW, &[], &[])[0].expect("there is room");
             assert!((area.min - centre - before).length() < 1e-3, "the box jumped at step {step}");
             before = area.min - centre;

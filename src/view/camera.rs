@@ -1,6 +1,6 @@
 //! Which part of the level the window shows: pure arithmetic from the ship, the level and the canvas to one [`Viewport`].
 
-use super::layout::{Area, Vec2};
+use crate::draw::layout::{Area, Vec2};
 use crate::physics::{Aabb, DVec2};
 
 /// Time in which the camera closes in on the ship to 1/e of the distance, s. Longer swims behind, shorter jerks at every bump.
@@ -88,7 +88,7 @@ impl Camera {
     }
 
     /// The view of a level of that size (m) with `kept` (m) in it; `metre` is the canvas units a metre at the usual magnification.
-    pub fn viewport(&self, kept: DVec2, level: DVec2, metre: f64, window: Window) -> Viewport {
+    pub fn viewport(&self, kept: DVec2, level: DVec2, metre: f64, window: CanvasWindow) -> Viewport {
         let usual = Viewport::new(self.focus(), kept, level, metre, window);
         let (view, kept) = match &self.fitted {
             Some(bounds) if self.fits > 1e-3 => (usual.towards(bounds, self.fits), kept.lerp(bounds.centre(), self.fits)),
@@ -115,7 +115,7 @@ impl Camera {
 
 /// The window as the camera needs it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Window {
+pub struct CanvasWindow {
     /// Width and height, canvas units.
     pub size: DVec2,
     /// Canvas units a physical pixel.
@@ -133,7 +133,7 @@ pub struct Viewport {
     level: DVec2,
     /// How far outside of the level it may show, m: room for the arrows of what lies at an edge, where the view is fitted.
     beyond: f64,
-    window: Window,
+    window: CanvasWindow,
 }
 
 impl Viewport {
@@ -141,7 +141,7 @@ impl Viewport {
     /// than the window along an axis even when magnified 1.5 times is centred along that axis.
     ///
     /// `level` is the level's size (m), `metre` the canvas units a metre at the usual magnification.
-    pub fn new(focus: DVec2, ship: DVec2, level: DVec2, metre: f64, window: Window) -> Self {
+    pub fn new(focus: DVec2, ship: DVec2, level: DVec2, metre: f64, window: CanvasWindow) -> Self {
         let zoom = (window.size / (level * metre)).max_element().clamp(1.0, MAX_ZOOM);
         let usual = Self { scale: metre * zoom, origin: DVec2::ZERO, level, beyond: 0.0, window };
         usual.at(usual.scale, focus, ship)

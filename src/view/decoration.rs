@@ -2,11 +2,11 @@
 //! as on the air: below goals and hazards in the air, above the rock where there is some.
 
 use super::camera::Viewport;
-use super::layout::Area;
 use super::pictures::Pictures;
 use super::terrain::Terrain;
 use super::theme;
 use super::things::ellipse;
+use crate::draw::layout::Area;
 use crate::draw::{Canvas, Colour};
 use crate::level::{Level, Look};
 

@@ -5,22 +5,24 @@ mod drawing;
 mod legend;
 mod text;
 
-pub use legend::Note;
-pub use text::{BoxText, Line};
+pub use legend::LegendNote;
+pub use text::{BoxLine, BoxText};
 
-use super::boxes::{self, Wish};
+use super::arrows::Label;
+use super::boxes::{self, BoxWish};
 use super::camera::Viewport;
 use super::facts::facts;
 use super::focus::Focus;
-use super::free_body::{Arranged, Ground, Label, Subject, head_area, place_labels, reaches};
+use super::free_body::{Arranged, ArrowSubject, Ground, head_area, place_labels, reaches};
 use super::hud::velocity_tip;
-use super::layout::{Area, DETAILS, Frame, GRID, HudLayout, MONO_ADVANCE, Vec2};
 use super::names;
 use super::partner::{answer, partner};
 use super::scale::Steady;
+use crate::draw::layout::{Area, DETAILS, Frame, GRID, MONO_ADVANCE, Vec2};
 use crate::game::{Game, SHIP};
 use crate::level::{SurfaceOf, Text};
 use crate::physics::{Aabb, BodyId, DVec2, Source};
+use crate::view::hud::HudLayout;
 
 /// Inside a box's edge, canvas units: above and below less than in a panel, for there may be many.
 const PADDING: Vec2 = Vec2::new(1.5 * GRID, 0.75 * GRID);
@@ -50,7 +52,7 @@ pub struct Looking<'a> {
 
 /// A box with its place.
 #[derive(Clone, Debug)]
-pub struct Placed {
+pub struct PlacedBox {
     /// What it says.
     pub text: BoxText,
     /// Where it stands.
@@ -59,7 +61,7 @@ pub struct Placed {
     object: Vec2,
 }
 
-impl Placed {
+impl PlacedBox {
     /// Where one of its lines is, from its left edge to its right one.
     pub fn line(&self, line: usize) -> Area {
         let height = (self.area.size.y - 2.0 * PADDING.y) / (self.text.lines.len() + 1) as f32;
@@ -71,13 +73,13 @@ impl Placed {
 /// The overlay as it is laid out for one frame.
 #[derive(Default)]
 pub struct Details {
-    boxes: Vec<Placed>,
+    boxes: Vec<PlacedBox>,
     arranged: Arranged,
     labels: Vec<Label>,
     names: Vec<(String, Area)>,
-    legend: Note,
+    legend: LegendNote,
     /// What is told of what is pointed at.
-    tip: Option<Note>,
+    tip: Option<LegendNote>,
     /// The lines and arrows that are lit, and the places.
     lit: Vec<(BodyId, usize)>,
     lit_places: Vec<Area>,
@@ -99,8 +101,8 @@ impl Details {
         self.remember_partners(game, looking.focus);
         let shown = self.shown(game, looking, view);
         let pointed = self.pointed(looking.pointer);
-        let subject = |id: BodyId| Subject { facts: facts(game, id), object: on_canvas(&bounds(game, looking, id), view) };
-        let mut subjects: Vec<Subject> = shown.iter().map(|&id| subject(id)).collect();
+        let subject = |id: BodyId| ArrowSubject { facts: facts(game, id), object: on_canvas(&bounds(game, looking, id), view) };
+        let mut subjects: Vec<ArrowSubject> = shown.iter().map(|&id| subject(id)).collect();
         let (away, places) = self.light(game, &subjects, pointed, subject);
         self.lit_places = places.iter().map(|bounds| on_canvas(bounds, view)).collect();
         subjects.extend(away.into_iter().filter(|away| away.object.gap(&frame.area()) < 0.0));
@@ -199,10 +201,10 @@ impl Details {
     fn light(
         &mut self,
         game: &Game,
-        told: &[Subject],
+        told: &[ArrowSubject],
         pointed: Option<(BodyId, usize)>,
-        subject: impl Fn(BodyId) -> Subject,
-    ) -> (Vec<Subject>, Vec<Aabb>) {
+        subject: impl Fn(BodyId) -> ArrowSubject,
+    ) -> (Vec<ArrowSubject>, Vec<Aabb>) {
         (self.tip, self.lit) = (None, Vec::new());
         let mut away = Vec::new();
         let of = |body: BodyId| told.iter().map(|told| &told.facts).find(|facts| facts.body == body);
@@ -226,23 +228,23 @@ impl Details {
                 away.push(other);
             }
         }
-        self.tip = Some(Note { lines: partner.words, area: None });
+        self.tip = Some(LegendNote { lines: partner.words, area: None });
         (away, partner.places)
     }
 
     /// The boxes and their places: as many full ones as go in, for the first bodies, and short ones for the rest. The number of full
     /// ones is found from that of the frame before, for it seldom changes.
-    fn place_boxes(&mut self, told: &[Subject], frame: &Frame, taken: &[Area], kept_clear: &[Area]) {
+    fn place_boxes(&mut self, told: &[ArrowSubject], frame: &Frame, taken: &[Area], kept_clear: &[Area]) {
         let texts: Vec<[BoxText; 2]> =
             told.iter().map(|told| [false, true].map(|short| BoxText::new(&told.facts, short))).collect();
         let sizes: Vec<[Vec2; 2]> = texts.iter().map(|texts| [0, 1].map(|short| texts[short].size(frame))).collect();
         let try_full = |full: usize| {
-            let wish = |(i, told): (usize, &Subject)| Wish {
+            let wish = |(i, told): (usize, &ArrowSubject)| BoxWish {
                 object: told.object,
                 size: sizes[i][usize::from(i >= full)],
                 before: self.before[told.facts.body.index()],
             };
-            let wishes: Vec<Wish> = told.iter().enumerate().map(wish).collect();
+            let wishes: Vec<BoxWish> = told.iter().enumerate().map(wish).collect();
             boxes::place(&wishes, frame.area(), taken, kept_clear)
         };
         let fits = |places: &[Option<Area>]| places.iter().all(Option::is_some);
@@ -263,10 +265,10 @@ impl Details {
         self.left_out = best.iter().filter(|place| place.is_none()).count();
         self.before.fill(None);
         self.boxes.clear();
-        for (i, ((place, [long, short]), Subject { facts, object })) in best.into_iter().zip(texts).zip(told).enumerate() {
+        for (i, ((place, [long, short]), ArrowSubject { facts, object })) in best.into_iter().zip(texts).zip(told).enumerate() {
             if let Some(area) = place {
                 self.before[facts.body.index()] = Some(area.min - object.centre());
-                self.boxes.push(Placed { text: if i < full { long } else { short }, area, object: object.centre() });
+                self.boxes.push(PlacedBox { text: if i < full { long } else { short }, area, object: object.centre() });
             }
         }
     }
@@ -275,14 +277,14 @@ impl Details {
     fn place_tip(&mut self, pointer: Option<Vec2>, frame: &Frame, taken: &[Area]) {
         if let (Some(tip), Some(pointer)) = (&mut self.tip, pointer) {
             let object = Area::around(pointer, Vec2::splat(POINTER));
-            let wish = Wish { object, size: Note::size(&tip.lines, frame), before: None };
+            let wish = BoxWish { object, size: LegendNote::size(&tip.lines, frame), before: None };
             tip.area = boxes::place(&[wish], frame.area(), taken, &[])[0]
                 .or_else(|| boxes::place(&[wish], frame.area(), &[object], &[])[0]);
         }
     }
 
     /// The boxes.
-    pub fn boxes(&self) -> &[Placed] {
+    pub fn boxes(&self) -> &[PlacedBox] {
         &self.boxes
     }
 
@@ -302,12 +304,12 @@ impl Details {
     }
 
     /// The legend.
-    pub const fn legend(&self) -> &Note {
+    pub const fn legend(&self) -> &LegendNote {
         &self.legend
     }
 
     /// What is told of the partner of what is pointed at.
-    pub const fn tip(&self) -> Option<&Note> {
+    pub const fn tip(&self) -> Option<&LegendNote> {
         self.tip.as_ref()
     }
 

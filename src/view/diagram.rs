@@ -1,8 +1,8 @@
 //! Draws a work–precision diagram: on the screen with one curve or point picked out, and on the paper of `resultant chart`.
 
-use super::layout::{Area, DETAILS, TEXT, Vec2};
-use super::plot::{Plot, dashes};
+use super::plot::DiagramPlaces;
 use super::{theme, widgets};
+use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
 use crate::lab::axes::{Decades, LEAST_ERROR, number, power, step};
@@ -29,7 +29,7 @@ pub struct Picked {
 }
 
 /// Draws all of it.
-pub fn draw(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Picked) {
+pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, picked: Picked) {
     widgets::panel(canvas, plot.panel);
     axes(canvas, plot, measured);
     let tolerance = plot.upwards(plot.axes.error.part(measured.tolerance));
@@ -86,7 +86,7 @@ pub(super) fn shade(colour: Colour, whole: bool) -> Colour {
     Colour::new(mix(colour.r, theme::panel().r), mix(colour.g, theme::panel().g), mix(colour.b, theme::panel().b), 1.0)
 }
 
-fn axes(canvas: &Canvas, plot: &Plot, measured: &Measured) {
+fn axes(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
     let (area, end) = (plot.area, plot.area.max());
     let quiet = Style::new(DETAILS, theme::quiet()).middle();
     let upright = |x: f32, colour| canvas.hairline(Vec2::new(x, area.min.y), Vec2::new(x, end.y), colour);
@@ -124,9 +124,7 @@ pub fn stroke(canvas: &Canvas, line: &[Vec2], look: &Look, colour: Colour) {
 }
 
 pub(super) fn dashed(canvas: &Canvas, line: &[Vec2], (on, off): (u32, u32), width: f32, colour: Colour) {
-    for (from, to) in dashes(line, on as f32, off as f32) {
-        canvas.line(from, to, width, colour);
-    }
+    canvas.dashed(line, &[on as f32, off as f32], width, colour);
 }
 
 /// A curve's marker.
@@ -142,14 +140,14 @@ fn frame(canvas: &Canvas, at: Vec2) {
 }
 
 /// A line of the legend: all of it, the middle of its sample, and where its words begin.
-fn line_of(plot: &Plot, line: usize) -> (Area, Vec2, Vec2) {
+fn line_of(plot: &DiagramPlaces, line: usize) -> (Area, Vec2, Vec2) {
     let area = plot.legend(line);
     let y = area.centre().y;
     (area, Vec2::new(area.min.x + SAMPLE / 2.0, y), Vec2::new(area.min.x + WORDS, y))
 }
 
 /// The curves by name; one of them may be picked out.
-pub(super) fn legend_of_curves(canvas: &Canvas, plot: &Plot, measured: &Measured, picked: Option<usize>) {
+pub(super) fn legend_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, picked: Option<usize>) {
     for (index, curve) in measured.curves.iter().enumerate() {
         let (area, middle, words) = line_of(plot, index);
         if picked == Some(index) {
@@ -168,7 +166,7 @@ pub(super) fn legend_of_curves(canvas: &Canvas, plot: &Plot, measured: &Measured
 }
 
 /// What the marks mean that are not curves.
-fn legend_of_marks(canvas: &Canvas, plot: &Plot, measured: &Measured) {
+fn legend_of_marks(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
     let quiet = Style::new(TEXT, theme::quiet()).middle();
     let mut line = measured.curves.len();
     let mut note = |sample: &dyn Fn(Area, Vec2), text: &str| {
@@ -214,7 +212,7 @@ fn legend_of_marks(canvas: &Canvas, plot: &Plot, measured: &Measured) {
 }
 
 /// What a point stands for, beside it and inside the panel, above all else.
-fn tip(canvas: &Canvas, plot: &Plot, measured: &Measured, (curve, index): (usize, usize)) {
+fn tip(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, (curve, index): (usize, usize)) {
     let Some((curve, point)) = measured.curves.get(curve).and_then(|curve| Some((curve, curve.points.get(index)?))) else { return };
     let error = if point.blew_up() { "blew up".to_owned() } else { format!("error {}", with_unit(point.error, &measured.error)) };
     let lines =

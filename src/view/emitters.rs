@@ -1,6 +1,6 @@
 //! Who emits particles, how many a second and where to: the engine's plume, dust, objectives, key objects and air streams.
 
-use super::particles::{Look, Particle, Particles};
+use super::particles::{Particle, ParticleLook, Particles};
 use super::theme;
 use crate::draw::Colour;
 use crate::game::{Game, Outcome, SHIP};
@@ -97,7 +97,7 @@ impl Emitters {
                     velocity: game.world().body(SHIP).velocity + way * speed,
                     age: 0.0,
                     life: 0.3,
-                    look: Look::Streak,
+                    look: ParticleLook::Streak,
                     colour: theme::force(kind),
                 });
             }
@@ -130,7 +130,7 @@ impl Emitters {
                 velocity: moving + out * speed + across * (spread * 1.3),
                 age: 0.0,
                 life,
-                look: Look::Plume,
+                look: ParticleLook::Plume,
                 colour: theme::accent(),
             };
             particles.launch(ship, puff);
@@ -150,7 +150,7 @@ pub fn dust(particles: &mut Particles, point: DVec2, normal: DVec2, speed: f64) 
             velocity: (along * sideways + normal * away) * (0.8 + speed * 0.25).min(5.0),
             age: 0.0,
             life,
-            look: Look::Dust,
+            look: ParticleLook::Dust,
             colour: theme::quiet(),
         });
     }
@@ -231,7 +231,7 @@ fn particles_of(emitter: Emitter, game: &Game, particles: &mut Particles) {
                     velocity,
                     age: 0.0,
                     life,
-                    look: Look::Streak,
+                    look: ParticleLook::Streak,
                     colour: theme::force(ForceKind::Wind),
                 });
             }
@@ -241,7 +241,7 @@ fn particles_of(emitter: Emitter, game: &Game, particles: &mut Particles) {
 
 fn spark(particles: &mut Particles, position: DVec2, velocity: DVec2, colour: Colour) {
     let life = particles.between(0.6, 1.3) as f32;
-    particles.add(Particle { position, velocity, age: 0.0, life, look: Look::Spark, colour });
+    particles.add(Particle { position, velocity, age: 0.0, life, look: ParticleLook::Spark, colour });
 }
 
 /// A chance point on a box's outline and the direction out of the box there.

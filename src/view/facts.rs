@@ -16,7 +16,7 @@ const IMPACTS: usize = 3;
 
 /// What a line or an arrow stands for, if it has a colour of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Shown {
+pub enum ArrowKind {
     /// The resultant force.
     Resultant,
     /// A force of that kind.
@@ -25,7 +25,7 @@ pub enum Shown {
     Impact,
 }
 
-impl Shown {
+impl ArrowKind {
     /// Whether it is an impact, and no force.
     pub const fn is_impact(self) -> bool {
         matches!(self, Self::Impact)
@@ -52,7 +52,7 @@ pub enum Value {
 
 /// One line of a box.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row {
+pub struct FactRow {
     /// What it is.
     pub name: &'static str,
     /// By whom, in words; empty where nobody exerts it, or it is a sum.
@@ -62,12 +62,12 @@ pub struct Row {
     /// In what.
     pub unit: &'static str,
     /// What it tells of, if that has a colour.
-    pub shown: Option<Shown>,
+    pub shown: Option<ArrowKind>,
     /// What exerts it.
     pub causes: Vec<Source>,
 }
 
-impl Row {
+impl FactRow {
     /// A line that nobody exerts.
     pub const fn plain(name: &'static str, value: Value, unit: &'static str) -> Self {
         Self { name, by: String::new(), value, unit, shown: None, causes: Vec::new() }
@@ -79,7 +79,7 @@ impl Row {
     }
 
     /// The force or the impulse that it tells of, with what exerts it.
-    pub fn exerted(&self) -> Option<(Shown, DVec2)> {
+    pub fn exerted(&self) -> Option<(ArrowKind, DVec2)> {
         match (self.shown, self.value) {
             (Some(shown), Value::Vector(vector)) if !self.causes.is_empty() => Some((shown, vector)),
             _ => None,
@@ -89,41 +89,44 @@ impl Row {
 
 /// A box's heading and lines.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Facts {
+pub struct BodyFacts {
     /// The body.
     pub body: BodyId,
     /// Its name.
     pub title: String,
     /// Its lines, from the top.
-    pub rows: Vec<Row>,
+    pub rows: Vec<FactRow>,
 }
 
 /// All there is to say about a body.
-pub fn facts(game: &Game, id: BodyId) -> Facts {
+pub fn facts(game: &Game, id: BodyId) -> BodyFacts {
     let (world, ship) = (game.world(), id == SHIP);
     let (body, forces) = (world.body(id), world.forces(id));
     let mut rows = Vec::with_capacity(16);
     if ship {
-        rows.push(Row::plain("Engine", Value::Scalar(game.level().player.thrust), "N"));
+        rows.push(FactRow::plain("Engine", Value::Scalar(game.level().player.thrust), "N"));
         // Along the nose positive, against it negative.
         let drive = forces.total(ForceKind::Drive).length() * if game.ship().burning < 0 { -1.0 } else { 1.0 };
-        rows.push(Row::plain("Burning", Value::Scalar(drive), "N"));
+        rows.push(FactRow::plain("Burning", Value::Scalar(drive), "N"));
     }
-    rows.push(Row::plain("Mass", Value::Scalar(body.mass), "kg"));
-    rows.push(Row::plain("Velocity", Value::Vector(body.velocity), "m/s"));
-    rows.push(Row::plain("Acceleration", Value::Vector(body.acceleration), "m/s²"));
-    let line = |shown: Shown, vector, unit| Row { shown: Some(shown), ..Row::plain(shown.name(), Value::Vector(vector), unit) };
-    rows.push(line(Shown::Resultant, forces.resultant(), "N"));
-    let exerted = |row: Row, causes: Vec<Source>| Row { by: by_whom(game, &causes), causes, ..row };
+    rows.push(FactRow::plain("Mass", Value::Scalar(body.mass), "kg"));
+    rows.push(FactRow::plain("Velocity", Value::Vector(body.velocity), "m/s"));
+    rows.push(FactRow::plain("Acceleration", Value::Vector(body.acceleration), "m/s²"));
+    let line = |shown: ArrowKind, vector, unit| FactRow {
+        shown: Some(shown),
+        ..FactRow::plain(shown.name(), Value::Vector(vector), unit)
+    };
+    rows.push(line(ArrowKind::Resultant, forces.resultant(), "N"));
+    let exerted = |row: FactRow, causes: Vec<Source>| FactRow { by: by_whom(game, &causes), causes, ..row };
     let told = by_name(&forces).into_iter();
-    rows.extend(told.map(|told| exerted(line(Shown::Force(told.kind), told.vector, "N"), told.by)));
+    rows.extend(told.map(|told| exerted(line(ArrowKind::Force(told.kind), told.vector, "N"), told.by)));
     let impacts = impacts(game, id);
-    rows.extend(impacts.each.iter().map(|(impulse, by)| exerted(line(Shown::Impact, *impulse, IMPULSE_UNIT), vec![*by])));
+    rows.extend(impacts.each.iter().map(|(impulse, by)| exerted(line(ArrowKind::Impact, *impulse, IMPULSE_UNIT), vec![*by])));
     if impacts.others.0 > 0 {
         let by = if impacts.others.0 == 1 { "a lesser one".to_owned() } else { format!("{} lesser ones", impacts.others.0) };
-        rows.push(Row { by, ..line(Shown::Impact, impacts.others.1, IMPULSE_UNIT) });
+        rows.push(FactRow { by, ..line(ArrowKind::Impact, impacts.others.1, IMPULSE_UNIT) });
     }
-    Facts { body: id, title: body_title(game.level(), id), rows }
+    BodyFacts { body: id, title: body_title(game.level(), id), rows }
 }
 
 /// The impacts on a body that are told: the largest ones, each with what exerted it, and how many more there were, with their sum (N·s).

@@ -2,8 +2,8 @@
 //! the praise that float up, the ring of an objective met.
 
 use super::camera::Viewport;
-use super::layout::{Area, BUTTON_TEXT, Vec2};
 use super::theme;
+use crate::draw::layout::{Area, BUTTON_TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::physics::DVec2;
 

@@ -2,11 +2,11 @@
 //! one, the ship, a hazard, a goal or the head-up display moves aside, along its line of action, or, at last, off its scale, which is
 //! marked. No force is nothing: what would be too short to be seen is as long as its head needs. Plain arithmetic.
 
-use super::arrows::{Arrow, HEAD_SPREAD, head_length};
-use super::facts::{Facts, Row, Shown, Value};
-use super::layout::{Area, Vec2};
+use super::arrows::{Arrow, HEAD_SPREAD, Label, head_length};
+use super::facts::{ArrowKind, BodyFacts, FactRow, Value};
 use super::quantity::reads_as_nothing;
-use super::scale::{Reach, Scale};
+use super::scale::{ArrowScale, Reach};
+use crate::draw::layout::{Area, Vec2};
 use crate::game::SHIP;
 use crate::physics::{BodyId, DVec2};
 use std::collections::HashMap;
@@ -38,9 +38,9 @@ const LONGEST: f64 = 1e6;
 
 /// A body with what is told of it.
 #[derive(Clone, Debug)]
-pub struct Subject {
+pub struct ArrowSubject {
     /// Its lines.
-    pub facts: Facts,
+    pub facts: BodyFacts,
     /// Where it is drawn.
     pub object: Area,
 }
@@ -78,17 +78,17 @@ impl Ground<'_> {
 }
 
 /// The line of a box that has an arrow: what it stands for, and its vector. What is written as nothing beside the other lines has none.
-pub fn told(row: &Row, beside: &[Row]) -> Option<(Shown, DVec2)> {
+pub fn told(row: &FactRow, beside: &[FactRow]) -> Option<(ArrowKind, DVec2)> {
     let exerted = row.exerted();
     match (row.shown, row.value) {
-        (Some(Shown::Resultant), Value::Vector(vector)) => Some((Shown::Resultant, vector)),
+        (Some(ArrowKind::Resultant), Value::Vector(vector)) => Some((ArrowKind::Resultant, vector)),
         _ => exerted,
     }
     .filter(|_| !reads_as_nothing(row, beside))
 }
 
 /// The sizes of the forces and of the impulses of some bodies, with the room that their arrows have.
-pub fn reaches(subjects: &[Subject], ground: &Ground) -> [Vec<Reach>; 2] {
+pub fn reaches(subjects: &[ArrowSubject], ground: &Ground) -> [Vec<Reach>; 2] {
     let mut found = [Vec::new(), Vec::new()];
     for subject in subjects {
         let from = ground.start(&subject.object);
@@ -108,29 +108,29 @@ pub struct Arranged {
     /// How many have none.
     pub left_out: usize,
     /// Which of [`MOVES`] each had: by its body, what it stands for, and its place among those of the same.
-    moved: HashMap<(BodyId, Shown, usize), usize>,
+    moved: HashMap<(BodyId, ArrowKind, usize), usize>,
 }
 
 impl Arranged {
     /// Gives all arrows their places; `metre` is what a metre of the level is drawn as, canvas units.
-    pub fn arrange(&mut self, subjects: &[Subject], scale: &Scale, metre: f64, ground: &Ground) {
+    pub fn arrange(&mut self, subjects: &[ArrowSubject], scale: &ArrowScale, metre: f64, ground: &Ground) {
         let before = std::mem::take(&mut self.moved);
         self.arrows.clear();
         self.left_out = 0;
         let mut heads: Vec<Area> = Vec::new();
         for subject in subjects {
-            let mut rows: Vec<(usize, Shown, DVec2)> = told_rows(&subject.facts, scale);
+            let mut rows: Vec<(usize, ArrowKind, DVec2)> = told_rows(&subject.facts, scale);
             // The longest first, so that a shorter one over a longer can be seen; the resultant below all.
             rows.sort_by(|a, b| {
-                (b.1 == Shown::Resultant)
-                    .cmp(&(a.1 == Shown::Resultant))
+                (b.1 == ArrowKind::Resultant)
+                    .cmp(&(a.1 == ArrowKind::Resultant))
                     .then(b.2.length_squared().total_cmp(&a.2.length_squared()))
             });
             for (i, &(row, shown, metres)) in rows.iter().enumerate() {
                 let nth = rows[..i].iter().filter(|other| other.1 == shown).count();
                 let key = (subject.facts.body, shown, nth);
                 let drawn = (metres.normalize_or_zero().as_vec2(), (metres.length() * metre).min(LONGEST) as f32);
-                let wish = Wish::new(subject, shown, drawn, ground);
+                let wish = ArrowWish::new(subject, shown, drawn, ground);
                 let near: Vec<Area> =
                     ground.never.iter().chain(&heads).copied().filter(|area| area.gap(&wish.reach) < 0.0).collect();
                 match wish.place(before.get(&key).copied(), &near, ground) {
@@ -147,14 +147,14 @@ impl Arranged {
 }
 
 /// The lines of a body that have arrows, and these in metres of the level.
-fn told_rows(facts: &Facts, scale: &Scale) -> Vec<(usize, Shown, DVec2)> {
-    let one = |shown: Shown| if shown.is_impact() { scale.newton_seconds } else { scale.newtons };
+fn told_rows(facts: &BodyFacts, scale: &ArrowScale) -> Vec<(usize, ArrowKind, DVec2)> {
+    let one = |shown: ArrowKind| if shown.is_impact() { scale.newton_seconds } else { scale.newtons };
     let rows = facts.rows.iter().enumerate().filter_map(|(row, told_of)| Some((row, told(told_of, &facts.rows)?)));
     rows.map(|(row, (shown, vector))| (row, shown, vector / one(shown))).collect()
 }
 
 /// The box around an arrow's head.
-pub fn head_area(from: Vec2, to: Vec2, shown: Shown) -> Area {
+pub fn head_area(from: Vec2, to: Vec2, shown: ArrowKind) -> Area {
     let along = (to - from).normalize_or_zero();
     let length = head_length(shown);
     let (foot, side) = (to - along * length.x, along.perp() * length.y * HEAD_SPREAD * 1.3);
@@ -203,8 +203,8 @@ static MOVES: LazyLock<Vec<Move>> = LazyLock::new(|| {
 });
 
 /// An arrow that wants a place.
-struct Wish {
-    shown: Shown,
+struct ArrowWish {
+    shown: ArrowKind,
     from: Vec2,
     along: Vec2,
     /// From its usual start to its body's edge against its direction.
@@ -217,8 +217,8 @@ struct Wish {
     reach: Area,
 }
 
-impl Wish {
-    fn new(subject: &Subject, shown: Shown, (along, length): (Vec2, f32), ground: &Ground) -> Self {
+impl ArrowWish {
+    fn new(subject: &ArrowSubject, shown: ArrowKind, (along, length): (Vec2, f32), ground: &Ground) -> Self {
         let from = ground.start(&subject.object);
         let exit = || subject.object.stretch(from, along, f32::MAX).map_or(0.0, |(_, leaves)| leaves);
         let back = subject.object.stretch(from, -along, f32::MAX).map_or(0.0, |(_, leaves)| leaves);
@@ -273,15 +273,6 @@ impl Wish {
             && !ground.crosses_panel(from, self.along, length);
         free.then_some((index, from, to, (length - self.length).abs() <= TO_SCALE))
     }
-}
-
-/// A label and its place.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Label {
-    /// The index of its arrow.
-    pub arrow: usize,
-    /// Where it stands.
-    pub area: Area,
 }
 
 /// Where the arrows' labels stand: beyond the tip, or next to it where that is taken; none over another or over `taken`, all inside

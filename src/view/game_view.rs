@@ -1,13 +1,12 @@
 //! The game's picture, put together: what lies below is drawn first, words after the shapes of their layer.
 
 use super::barriers::Barriers;
-use super::camera::{Camera, Viewport, Window};
+use super::camera::{Camera, CanvasWindow, Viewport};
 use super::details::{Details, Looking};
 use super::emitters::{Emitters, dust, objective_colour};
 use super::feedback::Feedback;
 use super::focus::Focus;
-use super::hud::{Hud, Scene, Shown};
-use super::layout::{Area, Frame, Vec2};
+use super::hud::{Hud, HudScene, HudShown};
 use super::particles::Particles;
 use super::pictures::Pictures;
 use super::terrain::Terrain;
@@ -15,6 +14,7 @@ use super::things::Brushes;
 use super::touchdown::{GENTLE, Touchdown};
 use super::wreck::Wreck;
 use super::{decoration, hitboxes, hud, mechanisms, theme, things, world, zones};
+use crate::draw::layout::{Area, Frame, Vec2};
 use crate::draw::{Canvas, Colour};
 use crate::game::{Game, GameEvent, Outcome, Pose, SHIP};
 use crate::level::{SHIP_HALF, SurfaceOf};
@@ -61,7 +61,7 @@ pub struct GameView {
     /// Once the ship is lost.
     wreck: Option<Wreck>,
     /// Those who fly along.
-    ghosts: Vec<Ghost>,
+    ghosts: Vec<GhostShip>,
     /// What stands above it besides the head-up display, canvas units.
     panels: Vec<Area>,
     /// Seconds shown, for what moves by itself (waves, pulses).
@@ -70,7 +70,7 @@ pub struct GameView {
 
 /// A ship that is not there: a flight of another time.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Ghost {
+pub struct GhostShip {
     /// Whose flight it is.
     pub name: String,
     /// Where it is; none where it is where the ship is.
@@ -87,7 +87,7 @@ pub struct Overlays {
     /// Details boxes and free-body arrows (Tab).
     pub details: bool,
     /// Which parts of the head-up display are shown.
-    pub shown: Shown,
+    pub shown: HudShown,
     /// Who is looked at, by the details, the instruments and the camera.
     pub focus: Focus,
     /// Hitboxes and figures (F3).
@@ -206,7 +206,7 @@ impl GameView {
         let figures = overlays.hitboxes.then(|| hitboxes::figures_area(game, frame));
         let mut covered: Vec<Area> = self.panels.iter().copied().chain(figures).collect();
         let (shown, settings) = (overlays.shown, &overlays.settings);
-        let scene = Scene { game, centres: &centres, view: &view, frame, panels: &covered, shown, settings };
+        let scene = HudScene { game, centres: &centres, view: &view, frame, panels: &covered, shown, settings };
         self.hud.update(&scene, frame_time);
         if overlays.details {
             covered.extend(self.hud.pointers().iter().map(|pointer| pointer.area).chain(self.hud.stranded()));
@@ -262,7 +262,7 @@ impl GameView {
     }
 
     /// Says who flies along, and where.
-    pub fn set_ghosts(&mut self, ghosts: Vec<Ghost>) {
+    pub fn set_ghosts(&mut self, ghosts: Vec<GhostShip>) {
         self.ghosts = ghosts;
     }
 
@@ -385,7 +385,7 @@ impl GameView {
 
     /// The part of the level that is shown.
     pub fn viewport(&self, game: &Game, alpha: f64, frame: &Frame) -> Viewport {
-        let window = Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
+        let window = CanvasWindow { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
         let level = game.level();
         let kept = centre(game, self.followed, alpha);
         self.camera.viewport(kept, level.size, level.metre, window)

@@ -2,13 +2,14 @@
 //! figures.
 
 use super::camera::Viewport;
-use super::layout::{Area, DETAILS, Frame, GRID, HudLayout, LINE, MONO_ADVANCE, Vec2};
 use super::theme;
+use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, SHIP};
 use crate::level::ship_body;
 use crate::number::fixed;
 use crate::physics::{Aabb, BodyId, DVec2, ForceKind, Source};
+use crate::view::hud::HudLayout;
 
 /// The colours of bodies, solid surfaces and zones.
 const BODY: Colour = Colour::hex(0x7CFF6B);

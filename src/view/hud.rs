@@ -1,19 +1,21 @@
 //! The head-up display: time, objectives met, speed, fuel, arrows to what is outside of the view; and the arrow of the ship's velocity.
 
 mod aside;
+mod layout;
 mod pointers;
 
-pub use aside::{Aside, Part, Shown};
-pub use pointers::{Pointer, Target, in_view, targets};
+pub use aside::{Aside, HudPart, HudShown};
+pub use layout::HudLayout;
+pub use pointers::{Pointer, PointerTarget, in_view, targets};
 
 use super::art::{self, Tile};
 use super::camera::Viewport;
 use super::details::on_canvas;
 use super::emitters::objective_colour;
-use super::layout::{Area, DETAILS, Frame, GRID, HudLayout, TEXT, Vec2, text_room};
 use super::theme;
 use super::widgets::panel_in;
 use super::zones::diamond;
+use crate::draw::layout::{Area, DETAILS, Frame, GRID, TEXT, Vec2, text_room};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{DAMAGING_SPEED, Game, SHIP};
 use crate::level::ObjectiveKind;
@@ -42,7 +44,7 @@ const HINT_TIME: f64 = 12.0;
 
 /// What the display is laid out for in a frame.
 #[derive(Clone, Copy, Debug)]
-pub struct Scene<'a> {
+pub struct HudScene<'a> {
     /// The game.
     pub game: &'a Game,
     /// Where each body is drawn, m.
@@ -54,7 +56,7 @@ pub struct Scene<'a> {
     /// The panels on the screen besides the display.
     pub panels: &'a [Area],
     /// Which parts of it are shown.
-    pub shown: Shown,
+    pub shown: HudShown,
     /// What the player has set.
     pub settings: &'a Settings,
 }
@@ -70,8 +72,8 @@ pub struct Hud {
 
 impl Hud {
     /// Lays everything out, `frame_time` seconds after the frame before.
-    pub fn update(&mut self, scene: &Scene, frame_time: f64) {
-        let Scene { game, view, frame, .. } = *scene;
+    pub fn update(&mut self, scene: &HudScene, frame_time: f64) {
+        let HudScene { game, view, frame, .. } = *scene;
         let (ship, others) = kept_free(scene);
         let speed = view.length(game.world().body(SHIP).velocity.length());
         self.aside.update(scene.shown, (ship, speed), &others, frame, frame_time);
@@ -82,7 +84,7 @@ impl Hud {
             taken.extend(self.stranded.iter().map(|(_, area)| *area));
             taken.push(ship);
             let words = game.level().texts.iter().map(|text| {
-                let height = frame.text_height(super::layout::nearest_size(view.length(text.size)));
+                let height = frame.text_height(crate::draw::layout::nearest_size(view.length(text.size)));
                 Area { min: view.point(text.position), size: text_room(&text.text, height) }
             });
             let objects = (1..scene.centres.len()).map(|index| on_canvas(&body(scene, index), view));
@@ -112,8 +114,8 @@ impl Hud {
         for pointer in &self.pointers {
             draw_pointer(pointer, game, canvas);
         }
-        if let Some(area) = self.aside.home(Part::Status) {
-            draw_status(game, settings, area, self.aside.of(Part::Status), canvas);
+        if let Some(area) = self.aside.home(HudPart::Status) {
+            draw_status(game, settings, area, self.aside.of(HudPart::Status), canvas);
         }
         if let Some((words, area)) = &self.stranded {
             panel_in(canvas, *area, theme::panel().faded(HIDES), theme::panel_edge());
@@ -124,13 +126,13 @@ impl Hud {
             let share = if level.fuel > 0.0 { (game.ship().fuel / level.fuel).clamp(0.0, 1.0) } else { 0.0 };
             let fuel = format!("Fuel {} units", fixed(game.ship().fuel, 0));
             let words = hint(game, settings).filter(|_| told).map_or(fuel.clone(), |hint| format!("{fuel}    {hint}"));
-            draw_fuel(share as f32, &words, bar, self.aside.of(Part::Fuel), canvas);
+            draw_fuel(share as f32, &words, bar, self.aside.of(HudPart::Fuel), canvas);
         }
     }
 }
 
 /// What the display may not hide: the ship; and hazards, goals and keys.
-fn kept_free(scene: &Scene) -> (Area, Vec<Area>) {
+fn kept_free(scene: &HudScene) -> (Area, Vec<Area>) {
     let level = scene.game.level();
     let goals = level.objectives.iter().map(|objective| objective.bounds);
     let sources = level.streams.iter().map(|stream| stream.source);
@@ -140,12 +142,12 @@ fn kept_free(scene: &Scene) -> (Area, Vec<Area>) {
 }
 
 /// The box of a body where it is drawn, m.
-fn body(scene: &Scene, index: usize) -> Aabb {
+fn body(scene: &HudScene, index: usize) -> Aabb {
     Aabb::around(scene.centres[index], scene.game.world().body(BodyId(index as u32)).half)
 }
 
 /// What to do without fuel: above the fuel bar, or below the status where something is that may not be hidden.
-fn stranded(scene: &Scene, ship: Area, others: &[Area]) -> (String, Area) {
+fn stranded(scene: &HudScene, ship: Area, others: &[Area]) -> (String, Area) {
     let words = format!("Out of fuel – {} flies again", scene.settings.keys.label(Action::Restart));
     let layout = HudLayout::new(scene.frame);
     let size = text_room(&words, scene.frame.text_height(TEXT)) + Vec2::new(2.0, 1.0) * GRID;
@@ -164,8 +166,8 @@ fn draw_pointer(pointer: &Pointer, game: &Game, canvas: &Canvas) {
     let sign = Area::around(Vec2::new(panel.min.x + GRID + pointers::SIGN / 2.0, panel.centre().y), Vec2::splat(pointers::SIGN));
     let middle = sign.centre();
     let colour = match pointer.target {
-        Target::Objective(index) => objective_colour(game, index),
-        Target::Key(index) => key_colour(level.objects[index].key),
+        PointerTarget::Objective(index) => objective_colour(game, index),
+        PointerTarget::Key(index) => key_colour(level.objects[index].key),
     };
     // The head stands on the box's edge, where the line from the middle to the target leaves it: slim, so that its tip is no corner.
     let reach = panel.stretch(panel.centre(), pointer.along, panel.size.length()).map_or(0.0, |(_, leaves)| leaves);
@@ -174,7 +176,7 @@ fn draw_pointer(pointer: &Pointer, game: &Game, canvas: &Canvas) {
     canvas.convex(&[tip, root + across, root - across], colour);
     panel_in(canvas, panel, theme::panel().faded(HIDES), colour);
     match pointer.target {
-        Target::Objective(index) => {
+        PointerTarget::Objective(index) => {
             canvas.rectangle(sign, colour.faded(0.30));
             canvas.rectangle_edge(sign, 1.5, colour);
             match level.objectives[index].kind {
@@ -182,7 +184,7 @@ fn draw_pointer(pointer: &Pointer, game: &Game, canvas: &Canvas) {
                 ObjectiveKind::Physics => diamond(canvas, middle, 5.0, key_colour(level.objectives[index].colour)),
             }
         }
-        Target::Key(index) => {
+        PointerTarget::Key(index) => {
             if level.objects[index].circular {
                 canvas.disc(middle, sign.size.x / 2.0, colour);
             } else {
@@ -316,7 +318,7 @@ pub fn fuel_colour(share: f32) -> Colour {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::layout::Frame;
+    use crate::draw::layout::Frame;
 
     #[test]
     fn the_fuel_bar_is_three_quarters_wide_and_three_hundredths_high_at_the_bottom_centre() {

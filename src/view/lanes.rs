@@ -1,8 +1,8 @@
 //! Lanes: curves above one axis to the right, each lane with its own numbers upwards.
 
 use super::diagram::{dashed, marker, stroke};
-use super::layout::{Area, DETAILS, TEXT, Vec2};
 use super::{theme, widgets};
+use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::instruments::export::Sheet;
 

@@ -4,11 +4,11 @@
 
 use super::art::{self, Tile};
 use super::camera::Viewport;
-use super::layout::{Area, DETAILS, Vec2};
-use super::particles::{Look, Particle, Particles};
+use super::particles::{Particle, ParticleLook, Particles};
 use super::terrain::material_edge;
 use super::theme;
 use super::things::exact;
+use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::Game;
 use crate::level::{Level, Mover, Route, Solid, SurfaceOf, Worked};
@@ -140,7 +140,7 @@ fn draw_track(mover: &Mover, view: &Viewport, canvas: &Canvas) {
     let stops: Vec<DVec2> = mover.stops.iter().copied().chain(closes).collect();
     for pair in stops.windows(2) {
         let [from, to] = [pair[0], pair[1]].map(|stop| view.point(stop));
-        dashed(canvas, from, to, colour);
+        canvas.dashed(&[from, to], &DASH, 2.0, colour);
         let across = (to - from).normalize_or_zero().perp() * 7.0;
         for end in [from, to] {
             canvas.line(end - across, end + across, 2.0, colour);
@@ -319,7 +319,7 @@ pub fn debris(particles: &mut Particles, block: &Aabb) {
         let velocity = DVec2::new(particles.between(-3.0, 3.0), particles.between(-3.0, 1.0));
         let life = particles.between(0.4, 1.0) as f32;
         let position = block.min + part * block.size();
-        particles.add(Particle { position, velocity, age: 0.0, life, look: Look::Dust, colour: theme::quiet() });
+        particles.add(Particle { position, velocity, age: 0.0, life, look: ParticleLook::Dust, colour: theme::quiet() });
     }
 }
 
@@ -340,15 +340,6 @@ fn arrow(canvas: &Canvas, view: &Viewport, at: DVec2, way: DVec2, colour: Colour
 fn dashed_outline(canvas: &Canvas, area: Area, colour: Colour) {
     let corners = area.corners();
     for i in 0..4 {
-        dashed(canvas, corners[i], corners[(i + 1) % 4], colour);
-    }
-}
-
-fn dashed(canvas: &Canvas, from: Vec2, to: Vec2, colour: Colour) {
-    let (length, way) = ((to - from).length(), (to - from).normalize_or_zero());
-    let mut at = 0.0;
-    while at < length {
-        canvas.line(from + way * at, from + way * (at + DASH[0]).min(length), 2.0, colour);
-        at += DASH[0] + DASH[1];
+        canvas.dashed(&[corners[i], corners[(i + 1) % 4]], &DASH, 2.0, colour);
     }
 }

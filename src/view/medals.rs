@@ -1,8 +1,8 @@
 //! Medals, made of arrows: a ring, and in it one, two or three of them that lead up, so that colour is not the only cue; for a level's own
 //! mark four that lead out.
 
-use super::layout::Vec2;
 use super::theme;
+use crate::draw::layout::Vec2;
 use crate::draw::{Canvas, Colour};
 use crate::game::{Medal, Medals, Prize};
 use crate::level::Awards;

@@ -3,7 +3,6 @@
 //! recorded by a [`crate::draw::Canvas`]; nothing but sound needs a system.
 
 pub mod lanes;
-pub mod layout;
 pub mod plot;
 pub mod terrain;
 
@@ -45,4 +44,4 @@ pub mod world;
 pub mod wreck;
 pub mod zones;
 
-pub use game_view::{GameView, Ghost, Overlays};
+pub use game_view::{GameView, GhostShip, Overlays};

@@ -1,8 +1,8 @@
 //! The names of mechanisms, written beside them while the details are open.
 
 use super::camera::Viewport;
-use super::layout::{Area, DETAILS, MONO_ADVANCE, Vec2};
 use super::theme;
+use crate::draw::layout::{Area, DETAILS, MONO_ADVANCE, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Game, told_name};
 use crate::level::SurfaceOf;

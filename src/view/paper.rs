@@ -1,9 +1,9 @@
 //! Charts on paper: the drawings of the Lab and of the instruments on a sheet of their own, as SVG.
 
-use super::layout::{Area, BUTTON_TEXT, DETAILS, Frame, GRID, TEXT, Vec2};
 use super::plane::{self, Plane};
-use super::plot::Plot;
+use super::plot::DiagramPlaces;
 use super::{diagram, lanes, theme, timeline, widgets};
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, GRID, TEXT, Vec2};
 use crate::draw::svg::svg;
 use crate::draw::{Canvas, Style};
 use crate::instruments::export::Sheet;
@@ -20,7 +20,7 @@ const FOOT: f32 = 60.0;
 /// A scene of the Lab: work to the right, error upwards.
 pub fn measured(measured: &Measured) -> String {
     sheet(&measured.title, 0.0, |canvas, panel| {
-        diagram::draw(canvas, &Plot::of(panel, measured), measured, diagram::Picked::default());
+        diagram::draw(canvas, &DiagramPlaces::of(panel, measured), measured, diagram::Picked::default());
     })
 }
 
@@ -29,7 +29,7 @@ pub fn over_time(measured: &Measured) -> Option<String> {
     let over_time = measured.over_time.as_ref()?;
     let title = format!("{}: over time, step {}", measured.title, step(over_time.step));
     Some(sheet(&title, 0.0, |canvas, panel| {
-        timeline::draw(canvas, &Plot::of(panel, measured), (measured, over_time), None);
+        timeline::draw(canvas, &DiagramPlaces::of(panel, measured), (measured, over_time), None);
     }))
 }
 

@@ -3,7 +3,7 @@
 use super::art::{self, Tile};
 use super::barriers::Barriers;
 use super::camera::Viewport;
-use super::layout::{Area, Vec2};
+use crate::draw::layout::{Area, Vec2};
 use crate::draw::{Canvas, Colour};
 use crate::physics::DVec2;
 use rand::{Rng, SeedableRng};
@@ -21,7 +21,7 @@ const DUST_WEIGHT: f64 = 1.5;
 
 /// What a particle looks like during its life.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Look {
+pub enum ParticleLook {
     /// Orange fire that turns into white smoke.
     Plume,
     /// A puff that spreads and settles.
@@ -44,7 +44,7 @@ pub struct Particle {
     /// How old it gets, s.
     pub life: f32,
     /// How it looks.
-    pub look: Look,
+    pub look: ParticleLook,
     /// Its colour (the plume has its own).
     pub colour: Colour,
 }
@@ -55,17 +55,19 @@ impl Particle {
         let t = (self.age / self.life).clamp(0.0, 1.0);
         let mix = |from: f32, to: f32| from + (to - from) * t;
         match self.look {
-            Look::Plume => (mix(2.0, 5.0), Colour::new(1.0, mix(174.0, 255.0) / 255.0, mix(0.0, 255.0) / 255.0, 0.85 * (1.0 - t))),
-            Look::Dust => (mix(1.5, 4.5), self.colour.faded(0.7 * (1.0 - t))),
-            Look::Spark => (mix(2.2, 0.8), self.colour.faded(0.9 * (1.0 - t))),
+            ParticleLook::Plume => {
+                (mix(2.0, 5.0), Colour::new(1.0, mix(174.0, 255.0) / 255.0, mix(0.0, 255.0) / 255.0, 0.85 * (1.0 - t)))
+            }
+            ParticleLook::Dust => (mix(1.5, 4.5), self.colour.faded(0.7 * (1.0 - t))),
+            ParticleLook::Spark => (mix(2.2, 0.8), self.colour.faded(0.9 * (1.0 - t))),
             // Fades in as well, for it appears in the middle of the stream.
-            Look::Streak => (1.1, self.colour.faded(0.75 * (t * 4.0).min(1.0) * ((1.0 - t) * 3.0).min(1.0))),
+            ParticleLook::Streak => (1.1, self.colour.faded(0.75 * (t * 4.0).min(1.0) * ((1.0 - t) * 3.0).min(1.0))),
         }
     }
 
     /// Whether solids stop it; wind blows through them.
     fn stops(&self) -> bool {
-        self.look != Look::Streak
+        self.look != ParticleLook::Streak
     }
 
     /// Moves it in a straight line to a point, or to the first solid before that, along which it goes on.
@@ -83,19 +85,19 @@ impl Particle {
     /// How fast it is slowed down, 1/s.
     const fn drag(&self) -> f64 {
         match self.look {
-            Look::Plume => 1.6,
-            Look::Dust => 2.5,
-            Look::Spark => 0.5,
-            Look::Streak => 0.0,
+            ParticleLook::Plume => 1.6,
+            ParticleLook::Dust => 2.5,
+            ParticleLook::Spark => 0.5,
+            ParticleLook::Streak => 0.0,
         }
     }
 
     /// How fast it falls faster, m/s²: its warmth carries smoke, and a streak shows the stream.
     const fn weight(&self) -> f64 {
         match self.look {
-            Look::Spark => SPARK_WEIGHT,
-            Look::Dust => DUST_WEIGHT,
-            Look::Plume | Look::Streak => 0.0,
+            ParticleLook::Spark => SPARK_WEIGHT,
+            ParticleLook::Dust => DUST_WEIGHT,
+            ParticleLook::Plume | ParticleLook::Streak => 0.0,
         }
     }
 }
@@ -174,11 +176,11 @@ impl Particles {
             if particle.position.cmpge(visible.min - 1.0).all() && particle.position.cmple(visible.max + 1.0).all() {
                 let (radius, colour) = particle.appearance();
                 let (length, rotation) = match particle.look {
-                    Look::Streak => (
+                    ParticleLook::Streak => (
                         view.length(particle.velocity.length() * 0.1),
                         (particle.velocity.x as f32).atan2(-particle.velocity.y as f32),
                     ),
-                    Look::Plume | Look::Dust | Look::Spark => (2.0 * radius, FRAC_PI_2),
+                    ParticleLook::Plume | ParticleLook::Dust | ParticleLook::Spark => (2.0 * radius, FRAC_PI_2),
                 };
                 let area = Area::around(view.point(particle.position), Vec2::new(2.0 * radius, length));
                 art::draw(canvas, Tile::Disc, area, rotation, colour);
@@ -198,15 +200,15 @@ mod tests {
     use super::*;
     use crate::physics::{Aabb, Material, SurfaceDef, World, WorldDef};
 
-    fn particle(look: Look, life: f32) -> Particle {
+    fn particle(look: ParticleLook, life: f32) -> Particle {
         Particle { position: DVec2::ZERO, velocity: DVec2::X, age: 0.0, life, look, colour: Colour::WHITE }
     }
 
     #[test]
     fn the_plume_goes_from_orange_to_white_smoke_and_grows() {
-        let (radius, colour) = particle(Look::Plume, 1.0).appearance();
+        let (radius, colour) = particle(ParticleLook::Plume, 1.0).appearance();
         assert_eq!((radius, (colour.r, colour.g, colour.b)), (2.0, (1.0, 174.0 / 255.0, 0.0)));
-        let (radius, colour) = Particle { age: 1.0, ..particle(Look::Plume, 1.0) }.appearance();
+        let (radius, colour) = Particle { age: 1.0, ..particle(ParticleLook::Plume, 1.0) }.appearance();
         assert_eq!((radius, (colour.r, colour.g, colour.b), colour.a), (5.0, (1.0, 1.0, 1.0), 0.0));
     }
 
@@ -218,7 +220,7 @@ mod tests {
         let mut pool = Particles::new();
         pool.set_barriers(Barriers::new(&world, &Aabb::around(DVec2::ZERO, DVec2::splat(8.0))));
         let velocity = DVec2::new(0.5, 7.0);
-        for look in [Look::Plume, Look::Dust, Look::Spark, Look::Streak] {
+        for look in [ParticleLook::Plume, ParticleLook::Dust, ParticleLook::Spark, ParticleLook::Streak] {
             pool.launch(DVec2::ZERO, Particle { velocity, position: DVec2::new(0.0, 3.0), ..particle(look, 2.0) });
             pool.add(Particle { velocity, ..particle(look, 2.0) });
         }
@@ -234,9 +236,12 @@ mod tests {
 
     #[test]
     fn sparks_and_dust_fall_and_smoke_and_streaks_do_not() {
-        for (look, least, most) in
-            [(Look::Spark, 1.0, 1.5), (Look::Dust, 0.2, 0.5), (Look::Plume, 0.0, 0.0), (Look::Streak, 0.0, 0.0)]
-        {
+        for (look, least, most) in [
+            (ParticleLook::Spark, 1.0, 1.5),
+            (ParticleLook::Dust, 0.2, 0.5),
+            (ParticleLook::Plume, 0.0, 0.0),
+            (ParticleLook::Streak, 0.0, 0.0),
+        ] {
             for frames in [15, 60, 240] {
                 let mut pool = Particles::new();
                 pool.add(particle(look, 2.0));
@@ -251,7 +256,7 @@ mod tests {
     fn the_pool_never_exceeds_its_cap_and_empties_with_age() {
         let mut pool = Particles::new();
         for _ in 0..2 * MOST {
-            pool.add(particle(Look::Dust, 0.5));
+            pool.add(particle(ParticleLook::Dust, 0.5));
         }
         assert_eq!(pool.all().len(), MOST);
         pool.advance(0.3);

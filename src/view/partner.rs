@@ -1,7 +1,7 @@
 //! The other half of a force: by Newton's third law, whoever exerts it feels the same one the other way. In words, and where it can be
 //! seen; also where who feels it is no part of the level, as the Earth.
 
-use super::facts::{Facts, Row, Shown, Value, by_whom};
+use super::facts::{ArrowKind, BodyFacts, FactRow, Value, by_whom};
 use super::quantity::quantity;
 use crate::game::Game;
 use crate::physics::{Aabb, BodyId, Source};
@@ -18,9 +18,9 @@ pub struct Partner {
 }
 
 /// The partner of what a line tells of; none where that is no force and no impact, or a sum of several.
-pub fn partner(game: &Game, facts: &Facts, row: &Row) -> Option<Partner> {
+pub fn partner(game: &Game, facts: &BodyFacts, row: &FactRow) -> Option<Partner> {
     let (shown, vector) = row.exerted()?;
-    let back = Row::plain("", Value::Vector(-vector), row.unit);
+    let back = FactRow::plain("", Value::Vector(-vector), row.unit);
     let words = [
         format!("Third law: {} {} {}", facts.title, does(shown), by_whom(game, &row.causes)),
         format!("with {}", quantity(&back, &[], 0)),
@@ -34,16 +34,16 @@ pub fn partner(game: &Game, facts: &Facts, row: &Row) -> Option<Partner> {
 }
 
 /// Which line of another body's box tells of the partner of what `shown` is for that body.
-pub fn answer(other: &Facts, shown: Shown, body: BodyId) -> Option<usize> {
+pub fn answer(other: &BodyFacts, shown: ArrowKind, body: BodyId) -> Option<usize> {
     other.rows.iter().position(|row| row.shown == Some(shown) && row.causes.contains(&Source::Body(body)))
 }
 
 /// What a body does to whoever exerts that on it.
-const fn does(shown: Shown) -> &'static str {
+const fn does(shown: ArrowKind) -> &'static str {
     match shown {
-        Shown::Resultant => "acts on",
-        Shown::Impact => "knocks",
-        Shown::Force(kind) => kind.does(),
+        ArrowKind::Resultant => "acts on",
+        ArrowKind::Impact => "knocks",
+        ArrowKind::Force(kind) => kind.does(),
     }
 }
 

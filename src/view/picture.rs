@@ -1,7 +1,7 @@
 //! Draws how a method fails: small, beside its line of a table, or large, with its axes.
 
-use super::layout::{Area, DETAILS, TEXT, Vec2};
 use super::{theme, widgets};
+use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::axes::number;
 use crate::lab::stress::picture::{Line, Picture};

@@ -1,6 +1,6 @@
 //! Where the complex plane of z = h·λ goes on the canvas, with its legend; drawn with the regions in which methods are stable.
 
-use super::layout::{Area, Vec2};
+use crate::draw::layout::{Area, Vec2};
 use crate::lab::stability::{Complex, IMAGINARY, REAL};
 
 /// From the panel's left edge to the plane, from its top, and from its foot: values and names of the axes.
@@ -58,12 +58,12 @@ pub use drawing::draw;
 
 mod drawing {
     use super::{LINE, Plane};
+    use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
     use crate::draw::{Canvas, Colour, Style};
     use crate::lab::look::Look;
     use crate::lab::stability::{CELLS, Complex, IMAGINARY, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
     use crate::lab::stability_diagram::{look, shipped_look};
     use crate::view::diagram::{marker, shade, stroke};
-    use crate::view::layout::{Area, DETAILS, TEXT, Vec2};
     use crate::view::{theme, widgets};
 
     /// From a legend line's left end to its words, and from its right end to the two limits.

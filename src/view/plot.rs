@@ -1,6 +1,6 @@
 //! Where a work–precision diagram goes on the canvas: plot, legend, points. Plain arithmetic; `diagram` draws it.
 
-use super::layout::{Area, Vec2};
+use crate::draw::layout::{Area, Vec2};
 use crate::lab::axes::Axes;
 use crate::lab::curve::WorkPoint;
 use crate::lab::measured::Measured;
@@ -24,7 +24,7 @@ const NEAR: f32 = 12.0;
 
 /// A diagram's places.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plot {
+pub struct DiagramPlaces {
     /// What it lies on.
     pub panel: Area,
     /// Between the axes.
@@ -35,7 +35,7 @@ pub struct Plot {
     pitch: f32,
 }
 
-impl Plot {
+impl DiagramPlaces {
     /// A diagram that fills a panel.
     pub fn of(panel: Area, measured: &Measured) -> Self {
         let width = panel.size.x - LEFT - BETWEEN - LEGEND;
@@ -75,30 +75,6 @@ impl Plot {
     }
 }
 
-/// The pieces of a dashed way through `corners`: `on` drawn, `off` left out.
-pub fn dashes(corners: &[Vec2], on: f32, off: f32) -> Vec<(Vec2, Vec2)> {
-    let mut pieces = Vec::new();
-    let mut walked = 0.0;
-    for pair in corners.windows(2) {
-        let (from, to) = (pair[0], pair[1]);
-        let length = from.distance(to);
-        let along = |way: f32| from + (to - from) * (way / length);
-        let mut way = 0.0;
-        while way < length {
-            let phase = (walked + way) % (on + off);
-            let left = if phase < on { on - phase } else { on + off - phase };
-            // At least a little, so that rounding cannot hold it up.
-            let end = (way + left.max(0.01)).min(length);
-            if phase < on {
-                pieces.push((along(way), along(end)));
-            }
-            way = end;
-        }
-        walked += length;
-    }
-    pieces
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -113,7 +89,7 @@ mod tests {
             points: vec![point(10.0, 1.0), point(1e3, 1e-6), point(1e3, f64::NAN)],
         };
         let measured = Measured::of_curves(vec![curve]);
-        let plot = Plot::of(Area::new(24.0, 104.0, 1232.0, 488.0), &measured);
+        let plot = DiagramPlaces::of(Area::new(24.0, 104.0, 1232.0, 488.0), &measured);
         for (index, point) in measured.curves[0].points.iter().enumerate() {
             let at = plot.at(point);
             assert!(at.cmpge(plot.area.min).all() && at.cmple(plot.area.max()).all());
@@ -122,13 +98,5 @@ mod tests {
         assert_eq!(plot.point_near(&measured, plot.area.min + 60.0), None);
         assert!(plot.area.max().x < plot.legend(0).min.x && plot.legend(0).max().x <= plot.panel.max().x);
         assert!(plot.legend(NOTES).max().y <= plot.panel.max().y);
-    }
-
-    #[test]
-    fn dashes_go_on_round_corners() {
-        let corners = [Vec2::ZERO, Vec2::new(5.0, 0.0), Vec2::new(5.0, 7.0)];
-        let drawn: f32 = dashes(&corners, 4.0, 2.0).iter().map(|(from, to)| from.distance(*to)).sum();
-        assert!((drawn - 8.0).abs() < 0.1, "{drawn}");
-        assert!(dashes(&[Vec2::ONE, Vec2::ONE], 4.0, 2.0).is_empty());
     }
 }

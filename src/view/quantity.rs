@@ -1,7 +1,7 @@
 //! How quantities are written for players: three significant digits, a unit with a prefix, a true minus sign, and y upwards as in
 //! school. The engine and the level's files count y downwards.
 
-use super::facts::{Row, Value};
+use super::facts::{FactRow, Value};
 use crate::lab::axes;
 use crate::number::fixed;
 
@@ -18,14 +18,14 @@ const ROUNDS_UP: f64 = 0.9995;
 
 /// How the numbers of a quantity are written.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Scale {
+pub struct QuantityScale {
     /// What one stands for, in the plain unit; none for what no prefix reaches.
     one: Option<f64>,
     decimals: usize,
     unit: String,
 }
 
-impl Scale {
+impl QuantityScale {
     /// For a quantity in that unit whose largest number has this size.
     pub fn of(largest: f64, unit: &str) -> Self {
         let scales = if unit == "kg" { MASSES } else { PREFIXES };
@@ -72,7 +72,7 @@ fn decimals(parts: f64) -> usize {
 
 /// A single quantity with its unit: "1.50 kN".
 pub fn scalar(value: f64, unit: &str) -> String {
-    let scale = Scale::of(value, unit);
+    let scale = QuantityScale::of(value, unit);
     format!("{} {}", scale.number(value), scale.unit())
 }
 
@@ -88,7 +88,7 @@ pub fn round_up(value: f64) -> f64 {
 }
 
 /// The largest number of a row.
-fn largest(row: &Row) -> f64 {
+fn largest(row: &FactRow) -> f64 {
     match row.value {
         Value::Scalar(value) => value.abs(),
         Value::Vector(v) => v.abs().max_element(),
@@ -96,7 +96,7 @@ fn largest(row: &Row) -> f64 {
 }
 
 /// The numbers of a row as they are written beside those of other rows, y upwards: each quantity in one unit, so that a column adds up.
-fn numbers(row: &Row, beside: &[Row]) -> (Vec<String>, Scale) {
+fn numbers(row: &FactRow, beside: &[FactRow]) -> (Vec<String>, QuantityScale) {
     let values = match row.value {
         Value::Scalar(value) => vec![value],
         Value::Vector(v) => vec![v.x, -v.y],
@@ -106,20 +106,20 @@ fn numbers(row: &Row, beside: &[Row]) -> (Vec<String>, Scale) {
 }
 
 /// How a row is written beside others.
-fn scale(row: &Row, beside: &[Row]) -> Scale {
+fn scale(row: &FactRow, beside: &[FactRow]) -> QuantityScale {
     let of_all = beside.iter().filter(|other| other.unit == row.unit).map(largest).fold(largest(row), f64::max);
-    Scale::of(of_all, row.unit).finer(largest(row))
+    QuantityScale::of(of_all, row.unit).finer(largest(row))
 }
 
 /// Whether all numbers of a row are written as zeros beside those of other rows.
-pub fn reads_as_nothing(row: &Row, beside: &[Row]) -> bool {
+pub fn reads_as_nothing(row: &FactRow, beside: &[FactRow]) -> bool {
     let scale = scale(row, beside);
     let least = scale.one.map_or(0.0, |one| 0.5 * one / 10f64.powi(scale.decimals as i32));
     largest(row) < least.max(NOTHING)
 }
 
 /// The numbers of a row beside others, each in a field of `width` characters, and the unit.
-pub fn quantity(row: &Row, beside: &[Row], width: usize) -> String {
+pub fn quantity(row: &FactRow, beside: &[FactRow], width: usize) -> String {
     let (numbers, scale) = numbers(row, beside);
     match &numbers[..] {
         [x, y] => format!("({x:>width$}, {y:>width$}) {}", scale.unit()),
@@ -128,7 +128,7 @@ pub fn quantity(row: &Row, beside: &[Row], width: usize) -> String {
 }
 
 /// The width of the longest number in the rows, but at least `least`, characters.
-pub fn number_width(rows: &[Row], least: usize) -> usize {
+pub fn number_width(rows: &[FactRow], least: usize) -> usize {
     rows.iter().flat_map(|row| numbers(row, rows).0).map(|number| number.chars().count()).fold(least, usize::max)
 }
 
@@ -171,7 +171,7 @@ mod tests {
     #[test]
     fn vectors_share_a_unit_and_count_y_upwards() {
         use crate::physics::DVec2;
-        let row = |value, unit| Row::plain("", value, unit);
+        let row = |value, unit| FactRow::plain("", value, unit);
         let texts = [
             (row(Value::Vector(DVec2::new(-12.34, 0.0)), "m/s"), "( −12.3,      0) m/s"),
             (row(Value::Vector(DVec2::new(0.04, 123_456.7)), "N"), "(     0,   −123) kN"),
@@ -189,7 +189,7 @@ mod tests {
     #[test]
     fn forces_beside_each_other_share_a_unit_so_that_they_add_up() {
         use crate::physics::DVec2;
-        let row = |x: f64, unit| Row::plain("", Value::Vector(DVec2::new(x, 0.0)), unit);
+        let row = |x: f64, unit| FactRow::plain("", Value::Vector(DVec2::new(x, 0.0)), unit);
         let rows = [row(1520.0, "N"), row(20.0, "N"), row(-0.004, "N"), row(0.05, "m/s"), row(0.0, "N")];
         let texts = rows.each_ref().map(|row| quantity(row, &rows, 0));
         assert_eq!(texts, ["(1.52, 0) kN", "(0.0200, 0) kN", "(0.0000, 0) kN", "(50.0, 0) mm/s", "(0, 0) kN"]);

@@ -22,7 +22,7 @@ const PATIENCE: f64 = 2.0;
 
 /// How long arrows are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scale {
+pub struct ArrowScale {
     /// Newtons a metre of the level, for forces.
     pub newtons: f64,
     /// Newton-seconds a metre of the level, for impacts.
@@ -49,7 +49,7 @@ impl Steady {
         (focus, shown): (&Focus, &[BodyId]),
         metre: f64,
         [forces, impulses]: [&[Reach]; 2],
-    ) -> Scale {
+    ) -> ArrowScale {
         // Who asks for other arrows or another view gets them at once.
         let as_asked = |(asked, at): (Focus, f64)| asked == *focus && (at / ZOOMED..=at * ZOOMED).contains(&metre);
         if !self.asked.is_some_and(as_asked) {
@@ -62,7 +62,7 @@ impl Steady {
             (usual / USUAL).max(needed.min(most)) * metre / focus.length()
         };
         let [force, impulse] = usual(game, focus, shown);
-        Scale {
+        ArrowScale {
             newtons: self.newtons.update(wanted(force, forces), game.ticks(), patience),
             newton_seconds: self.newton_seconds.update(wanted(impulse, impulses), game.ticks(), patience),
         }

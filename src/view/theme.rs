@@ -1,4 +1,4 @@
-//! The palette: a physicist's notebook at night. A colour always means the same; sizes are in [`super::layout`].
+//! The palette: a physicist's notebook at night. A colour always means the same; sizes are in [`crate::draw::layout`].
 
 use crate::draw::Colour;
 use crate::instruments::look;

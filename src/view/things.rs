@@ -2,10 +2,10 @@
 
 use super::art::{self, Tile};
 use super::camera::Viewport;
-use super::layout::{Area, DETAILS, Vec2};
 use super::pictures::Pictures;
 use super::theme;
 use super::zones::diamond;
+use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::Pose;
 use crate::level::{Look, Object, SHIP_HALF};

@@ -3,9 +3,9 @@
 
 use super::diagram::{dashed, legend_of_curves, shade, stroke};
 use super::lanes::LaneAxes;
-use super::layout::{Area, TEXT, Vec2};
-use super::plot::Plot;
+use super::plot::DiagramPlaces;
 use super::{theme, widgets};
+use crate::draw::layout::{Area, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
 use crate::lab::axes::{number, power};
@@ -22,7 +22,7 @@ const BETWEEN: f32 = 68.0;
 const NAMED: usize = 7;
 
 /// Draws it in the places of the scene's other diagram; `picked` is one of its curves.
-pub fn draw(canvas: &Canvas, plot: &Plot, (measured, over_time): (&Measured, &OverTime), picked: Option<usize>) {
+pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, (measured, over_time): (&Measured, &OverTime), picked: Option<usize>) {
     widgets::panel(canvas, plot.panel);
     legend_of_curves(canvas, plot, measured, picked);
     let axes = Timeline::of(over_time);

@@ -1,7 +1,7 @@
 //! What the screens are made of: panels, buttons, headings.
 
-use super::layout::{Area, BUTTON_TEXT, CORNER, DETAILS, EDGE, GRID, HEADING, TEXT, Vec2};
 use super::theme;
+use crate::draw::layout::{Area, BUTTON_TEXT, CORNER, DETAILS, EDGE, GRID, HEADING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 
 /// From a button's edge out to its focus ring.

@@ -1,10 +1,10 @@
 //! What the level is drawn on, and the words written in it. What is solid is drawn by [`super::terrain`].
 
 use super::camera::Viewport;
-use super::layout::{Area, nearest_size, text_room};
 use super::pictures::Pictures;
 use super::terrain::Tint;
 use super::theme;
+use crate::draw::layout::{Area, nearest_size, text_room};
 use crate::draw::{Canvas, Colour, Style};
 use crate::level::{Level, Text};
 use crate::physics::{Aabb, DVec2};

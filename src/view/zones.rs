@@ -3,8 +3,8 @@
 use super::art::{self, Tile};
 use super::camera::Viewport;
 use super::emitters::objective_colour;
-use super::layout::{Area, DETAILS, Vec2};
 use super::theme;
+use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::game::Game;
 use crate::level::{Fluid, Level, ObjectiveKind, Solid};

@@ -1,11 +1,11 @@
 //! The editor as an author meets it, without a window.
 
 use crate::sitting::Sitting;
+use resultant::draw::layout::Vec2;
 use resultant::level;
 use resultant::level::document::{Kind, Place, RowId, Table};
 use resultant::physics::DVec2;
 use resultant::screens::{EditorTool, Input, Key, News, Request};
-use resultant::view::layout::Vec2;
 use std::fs;
 use std::path::PathBuf;
 

@@ -1,9 +1,9 @@
 //! The instruments beside a flight: the rail, and whose clicks are whose.
 
 use crate::sitting::{Sitting, says};
+use resultant::draw::layout::Vec2;
 use resultant::physics::DVec2;
 use resultant::screens::{Input, Instrument, Key};
-use resultant::view::layout::Vec2;
 
 fn flying() -> Sitting {
     let mut sitting = Sitting::with(|_| {});

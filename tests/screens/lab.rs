@@ -1,11 +1,11 @@
 //! The lab's screen without a window: its charts, its table of stress tests, two methods side by side; by mouse and by keyboard, and
 //! with damaged charts.
 
+use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::lab::charts::Charts;
 use resultant::lab::kept;
 use resultant::lab::side_by_side::exhibits;
 use resultant::screens::{App, Attempt, Flight, Input, Key, Lab, Line, Menu, PAGES, Page, Places, Request};
-use resultant::view::layout::{Area, Frame, Vec2};
 use std::fs;
 use std::path::Path;
 

@@ -2,9 +2,9 @@
 
 use crate::sitting::Sitting;
 use crate::what_if::type_in;
+use resultant::draw::layout::Vec2;
 use resultant::level::Parameter;
 use resultant::screens::{Instrument, Key, Lab, Page};
-use resultant::view::layout::Vec2;
 use std::fs;
 use std::path::{Path, PathBuf};
 

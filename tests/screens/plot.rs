@@ -3,12 +3,12 @@
 use crate::lesson::{button, columns, experiment, free_fall, open_plot, press_button, written};
 use crate::sitting::{HERE, Sitting, level};
 use proptest::prelude::*;
+use resultant::draw::layout::{Frame, Vec2};
 use resultant::game::{Controls, Game, History};
 use resultant::level::load;
 use resultant::physics::BodyId;
 use resultant::screens::{Input, Instrument, Key, Plot, PlotPlaces, Stage, watch_room};
 use resultant::view::focus::Focus;
-use resultant::view::layout::{Frame, Vec2};
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;

@@ -1,7 +1,7 @@
 //! A sitting: the app without a window, and fingers on keys and mouse.
 
 use resultant::draw::layout::{Area, Frame, Vec2};
-use resultant::draw::{Colour, Outline, Shape};
+use resultant::draw::{Colour, Contour, Shape};
 use resultant::screens::{
     App, Buttons, Classics, Credits, Editor, Flight, Flights, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Pi, Places,
     Players, Purpose, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Watch, Worker,
@@ -266,7 +266,7 @@ impl Sitting {
     /// The middle of the row that is picked out, from the canvas' top.
     pub fn picked(&self) -> Option<f32> {
         self.app.canvas().shapes().iter().find_map(|shape| match shape {
-            Shape::Fill { outline: Outline::Rounded(area, _), colour } if *colour == theme::panel_hover() => Some(area.centre().y),
+            Shape::Fill { outline: Contour::Rounded(area, _), colour } if *colour == theme::panel_hover() => Some(area.centre().y),
             _ => None,
         })
     }

@@ -1,12 +1,12 @@
 //! "What if": a level is varied while it is flown, beside the run before, and nothing of it counts.
 
 use crate::sitting::{Sitting, level};
+use resultant::draw::layout::{Frame, Vec2};
 use resultant::game::{Outcome, SHIP};
 use resultant::instruments::vary::Track;
 use resultant::level::{self, Parameter};
 use resultant::physics::DVec2;
 use resultant::screens::{Attempt, Input, Instrument, Key, Request, Rival, VaryEntry, VaryFrom};
-use resultant::view::layout::{Frame, Vec2};
 use std::fs;
 use std::sync::Arc;
 

@@ -1,18 +1,18 @@
 //! The camera: it follows the ship, shows nothing outside of the level, and never loses the ship, in windows and levels of any size.
 
 use resultant::physics::{Aabb, DVec2};
-use resultant::view::camera::{Camera, Viewport, Window};
+use resultant::view::camera::{Camera, CanvasWindow, Viewport};
 
 const METRE: f64 = 30.0;
 const HALF_SHIP: DVec2 = DVec2::splat(0.85);
-const WINDOWS: [Window; 4] = [
-    Window { size: DVec2::new(1280.0, 720.0), pixel: 1.0 },
-    Window { size: DVec2::new(1296.0, 720.0), pixel: 1.44 },
-    Window { size: DVec2::new(1280.0, 720.0), pixel: 2.0 / 3.0 },
-    Window { size: DVec2::new(1280.0, 2000.0), pixel: 1.0 },
+const WINDOWS: [CanvasWindow; 4] = [
+    CanvasWindow { size: DVec2::new(1280.0, 720.0), pixel: 1.0 },
+    CanvasWindow { size: DVec2::new(1296.0, 720.0), pixel: 1.44 },
+    CanvasWindow { size: DVec2::new(1280.0, 720.0), pixel: 2.0 / 3.0 },
+    CanvasWindow { size: DVec2::new(1280.0, 2000.0), pixel: 1.0 },
 ];
 
-fn view(focus: DVec2, ship: DVec2, level: DVec2, window: Window) -> Viewport {
+fn view(focus: DVec2, ship: DVec2, level: DVec2, window: CanvasWindow) -> Viewport {
     Viewport::new(focus, ship, level, METRE, window)
 }
 

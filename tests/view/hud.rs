@@ -3,19 +3,20 @@
 
 use super::onlook::{WINDOWS, kept_free, pixels, window};
 use crate::support::shipped::{experiment, flights, levels, load};
+use resultant::draw::layout::{Area, Frame, Vec2, nearest_size, text_room};
 use resultant::game::{Controls, Game, Outcome, SHIP};
 use resultant::level::{Level, ObjectiveKind};
 use resultant::physics::{Aabb, BodyId, DVec2};
 use resultant::settings::Settings;
 use resultant::view::camera::{Camera, Viewport};
-use resultant::view::hud::{Hud, Part, Scene, Shown, Target, in_view};
-use resultant::view::layout::{Area, Frame, HudLayout, Vec2, nearest_size, text_room};
+use resultant::view::hud::HudLayout;
+use resultant::view::hud::{Hud, HudPart, HudScene, HudShown, PointerTarget, in_view};
 use std::sync::Arc;
 
 /// Between two looks at a flight, ticks of 1/120 s.
 const EVERY: u64 = 12;
 /// All parts, as in a race.
-const ALL: Shown = Shown { status: true, fuel: true, rivals: RIVALS };
+const ALL: HudShown = HudShown { status: true, fuel: true, rivals: RIVALS };
 
 /// Against how many most race. More need a wider strip, which what lies behind is seen through.
 const RIVALS: usize = 2;
@@ -67,12 +68,12 @@ impl Onlooker {
         WINDOWS.map(|size| Self { frame: Frame::of_window(size), hud: Hud::default() }).into()
     }
 
-    fn look(&mut self, game: &Game, camera: &Camera, shown: Shown, frame_time: f64) -> Viewport {
+    fn look(&mut self, game: &Game, camera: &Camera, shown: HudShown, frame_time: f64) -> Viewport {
         let ship = game.world().body(SHIP).position;
         let view = Viewport::new(camera.focus(), ship, game.level().size, game.level().metre, window(&self.frame));
         let centres: Vec<DVec2> = game.world().bodies().iter().map(|body| body.position).collect();
         let settings = Settings::default();
-        let scene = Scene { game, centres: &centres, view: &view, frame: &self.frame, panels: &[], shown, settings: &settings };
+        let scene = HudScene { game, centres: &centres, view: &view, frame: &self.frame, panels: &[], shown, settings: &settings };
         self.hud.update(&scene, frame_time);
         view
     }
@@ -80,7 +81,7 @@ impl Onlooker {
     /// Every part that hides what is behind it.
     fn solid(&self) -> Vec<Area> {
         let aside = self.hud.aside();
-        Part::ALL.into_iter().filter(|part| aside.of(*part) < 1.0).filter_map(|part| aside.home(part)).collect()
+        HudPart::ALL.into_iter().filter(|part| aside.of(*part) < 1.0).filter_map(|part| aside.home(part)).collect()
     }
 }
 
@@ -108,7 +109,7 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
         }
     }
     seen.looks += 1;
-    seen.aside += usize::from(Part::ALL.into_iter().any(|part| hud.aside().of(part) == 1.0));
+    seen.aside += usize::from(HudPart::ALL.into_iter().any(|part| hud.aside().of(part) == 1.0));
     seen.arrows += hud.pointers().len();
     // Arrows: inside, over no part of the display, over no other and not over the ship.
     let ship = view.rect(&game.world().body(SHIP).bounds());
@@ -122,10 +123,10 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
     }
     // What is still to be met is in view or has an arrow, and nothing else has one.
     let level = game.level();
-    let has = |target: Target| hud.pointers().iter().find(|pointer| pointer.target == target);
+    let has = |target: PointerTarget| hud.pointers().iter().find(|pointer| pointer.target == target);
     let centre = game.world().body(SHIP).position;
     let mut wanted = 0;
-    let mut ask = |target: Target, bounds: Aabb| {
+    let mut ask = |target: PointerTarget, bounds: Aabb| {
         let (seen, pointer) = (in_view(&view.rect(&bounds), frame), has(target));
         assert_eq!(pointer.is_none(), seen, "{}: {target:?}", what());
         wanted += usize::from(!seen);
@@ -138,7 +139,7 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
     };
     if game.outcome() == Outcome::Running {
         for (index, objective) in level.objectives.iter().enumerate().filter(|(index, _)| !game.met()[*index]) {
-            ask(Target::Objective(index), objective.bounds);
+            ask(PointerTarget::Objective(index), objective.bounds);
         }
         let open = (0..level.objectives.len()).any(|i| level.objectives[i].kind == ObjectiveKind::Physics && !game.met()[i]);
         for index in (0..level.objects.len()).filter(|&index| open && level.objects[index].key.is_some()) {
@@ -147,7 +148,7 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
                 |i: usize| game.met()[i] && level.objectives[i].fits(colour) && key.touches(&level.objectives[i].bounds, 0.0);
             let physics = (0..level.objectives.len()).filter(|&i| level.objectives[i].kind == ObjectiveKind::Physics);
             if !physics.into_iter().any(done) {
-                ask(Target::Key(index), key);
+                ask(PointerTarget::Key(index), key);
             }
         }
     }
@@ -192,7 +193,7 @@ fn at_the_start_of_every_level_the_display_is_at_home_and_its_arrows_cover_nothi
         let game = Game::new(Arc::clone(&level)).unwrap();
         let camera = Camera::new(game.world().body(SHIP).position);
         for mut onlooker in Onlooker::all() {
-            let view = onlooker.look(&game, &camera, Shown { rivals: 0, ..ALL }, 1.0);
+            let view = onlooker.look(&game, &camera, HudShown { rivals: 0, ..ALL }, 1.0);
             let window = pixels(&onlooker.frame);
             assert_eq!(onlooker.solid().len(), 2, "level {name} in {window}: {:?}", onlooker.hud.aside());
             check(&onlooker, &game, &view, &mut Seen::default(), &format!("level {name}"));
@@ -211,7 +212,7 @@ fn an_experiment_shows_no_display_and_a_level_without_an_engine_no_fuel() {
     let game = Game::new(Arc::clone(&level)).unwrap();
     let camera = Camera::new(game.world().body(SHIP).position);
     for mut onlooker in Onlooker::all() {
-        onlooker.look(&game, &camera, Shown::default(), 1.0);
+        onlooker.look(&game, &camera, HudShown::default(), 1.0);
         assert!(onlooker.solid().is_empty() && onlooker.hud.pointers().is_empty() && onlooker.hud.stranded().is_none());
     }
     let mut player = level.player.clone();

@@ -1,15 +1,15 @@
 //! What somebody sees of a game in a window.
 
+use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::game::{Game, SHIP};
-use resultant::view::camera::{Viewport, Window};
-use resultant::view::layout::{Area, Frame, Vec2};
+use resultant::view::camera::{CanvasWindow, Viewport};
 
 /// Pixels.
 pub const WINDOWS: [Vec2; 4] =
     [Vec2::new(900.0, 500.0), Vec2::new(1280.0, 720.0), Vec2::new(1920.0, 1080.0), Vec2::new(720.0, 1280.0)];
 
-pub fn window(frame: &Frame) -> Window {
-    Window { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) }
+pub fn window(frame: &Frame) -> CanvasWindow {
+    CanvasWindow { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) }
 }
 
 /// The size of the window of a canvas, for messages.

@@ -1,14 +1,14 @@
 //! The details overlay tells the truth: what its boxes show is what the world says, on every tick.
 
 use crate::support::rooms::{area, crate_at, room};
+use resultant::draw::layout::{Frame, Vec2};
 use resultant::game::{Controls, Game, READABLE, SHIP};
 use resultant::level::Level;
 use resultant::physics::{BodyId, DVec2, ForceKind};
-use resultant::view::camera::{Viewport, Window};
-use resultant::view::details::{Details, Looking, Placed};
-use resultant::view::facts::{Facts, Row, Shown, Value, facts};
+use resultant::view::camera::{CanvasWindow, Viewport};
+use resultant::view::details::{Details, Looking, PlacedBox};
+use resultant::view::facts::{ArrowKind, BodyFacts, FactRow, Value, facts};
 use resultant::view::focus::Focus;
-use resultant::view::layout::{Frame, Vec2};
 use resultant::view::quantity::quantity;
 use std::sync::Arc;
 
@@ -26,11 +26,11 @@ fn game(level: Level) -> Game {
     Game::new(Arc::new(level)).expect("the level makes a world")
 }
 
-fn row<'a>(facts: &'a Facts, name: &str) -> &'a Row {
+fn row<'a>(facts: &'a BodyFacts, name: &str) -> &'a FactRow {
     facts.rows.iter().find(|row| row.name == name).unwrap_or_else(|| panic!("no row {name} in {facts:?}"))
 }
 
-fn vector(facts: &Facts, name: &str) -> DVec2 {
+fn vector(facts: &BodyFacts, name: &str) -> DVec2 {
     match row(facts, name).value {
         Value::Vector(vector) => vector,
         other => panic!("{name} is {other:?}"),
@@ -83,8 +83,12 @@ fn in_flight_the_lines_add_up_to_the_resultant_and_are_the_worlds_own_numbers() 
         let (forces, body) = (game.world().forces(SHIP), game.world().body(SHIP));
         assert_eq!(vector(&facts, "Resultant"), forces.resultant());
         assert_eq!((vector(&facts, "Velocity"), vector(&facts, "Acceleration")), (body.velocity, body.acceleration));
-        let shown: DVec2 =
-            facts.rows.iter().filter(|row| matches!(row.shown, Some(Shown::Force(_)))).map(|row| vector(&facts, row.name)).sum();
+        let shown: DVec2 = facts
+            .rows
+            .iter()
+            .filter(|row| matches!(row.shown, Some(ArrowKind::Force(_))))
+            .map(|row| vector(&facts, row.name))
+            .sum();
         assert!((shown - forces.resultant()).length() < 1e-9 * (1.0 + shown.length()), "tick {tick}: {shown}");
         for kind in ForceKind::ALL.into_iter().filter(|kind| forces.total(*kind) != DVec2::ZERO) {
             assert_eq!(vector(&facts, kind.shown()), forces.total(kind), "tick {tick}");
@@ -93,7 +97,7 @@ fn in_flight_the_lines_add_up_to_the_resultant_and_are_the_worlds_own_numbers() 
 }
 
 /// What a line says, read off its text: a vector in brackets with y upwards, in a unit with a prefix; and half of its last digit.
-fn read(row: &Row) -> (DVec2, f64) {
+fn read(row: &FactRow) -> (DVec2, f64) {
     let text = quantity(row, &[], 9).replace('−', "-");
     let (numbers, unit) = text.trim_start_matches('(').split_once(')').expect("a bracket closes");
     let one = match unit.trim().strip_suffix(row.unit).expect("the row's unit") {
@@ -110,7 +114,7 @@ fn read(row: &Row) -> (DVec2, f64) {
 }
 
 /// The sum of the lines of one sort as their text has it, and what rounding may make of it.
-fn sum_of(facts: &Facts, sort: impl Fn(Shown) -> bool) -> (DVec2, f64) {
+fn sum_of(facts: &BodyFacts, sort: impl Fn(ArrowKind) -> bool) -> (DVec2, f64) {
     let rows = facts.rows.iter().filter(|row| row.shown.is_some_and(&sort)).map(read);
     rows.fold((DVec2::ZERO, 0.0), |(sum, rounding), (vector, half)| (sum + vector, rounding + half))
 }
@@ -142,15 +146,15 @@ fn the_text_adds_up_with_the_impacts() {
             let (id, body) = (BodyId(i as u32), &game.world().bodies()[i]);
             given.push((body.velocity - before[i] - DVec2::new(0.0, 15.0 * dt)) * body.mass);
             let facts = facts(&game, id);
-            let (forces, rounding) = sum_of(&facts, |shown| matches!(shown, Shown::Force(_)));
-            let (resultant, half) = sum_of(&facts, |shown| shown == Shown::Resultant);
+            let (forces, rounding) = sum_of(&facts, |shown| matches!(shown, ArrowKind::Force(_)));
+            let (resultant, half) = sum_of(&facts, |shown| shown == ArrowKind::Resultant);
             assert!(
                 (forces - resultant).length() <= rounding + half,
                 "tick {tick}, {}: {forces} N, not {resultant} N",
                 facts.title
             );
-            let (impacts, rounding) = sum_of(&facts, |shown| shown == Shown::Impact);
-            if facts.rows.iter().any(|row| row.shown == Some(Shown::Force(ForceKind::Reaction))) {
+            let (impacts, rounding) = sum_of(&facts, |shown| shown == ArrowKind::Impact);
+            if facts.rows.iter().any(|row| row.shown == Some(ArrowKind::Force(ForceKind::Reaction))) {
                 held[i] = tick;
             }
             if held[i] > 0 && tick - held[i] < window {
@@ -158,7 +162,7 @@ fn the_text_adds_up_with_the_impacts() {
             }
             let last: DVec2 = given[given.len().saturating_sub(window)..].iter().sum();
             assert!((impacts - last).length() <= rounding, "tick {tick}, {}: {impacts} N·s, not {last} N·s", facts.title);
-            let lines = facts.rows.iter().filter(|row| row.shown == Some(Shown::Impact)).count();
+            let lines = facts.rows.iter().filter(|row| row.shown == Some(ArrowKind::Impact)).count();
             (told, most) = (told + lines, most.max(lines));
         }
     }
@@ -174,7 +178,7 @@ fn an_impact_is_told_for_half_a_second() {
     level.objects.push(crate_at(DVec2::new(69.0 - 1e-9, 99.5), DVec2::new(4.0, 0.0), None));
     let mut game = game(level);
     let lines = |game: &Game, body: u32| -> Vec<String> {
-        let told = facts(game, BodyId(body)).rows.into_iter().skip_while(|row| row.shown != Some(Shown::Impact));
+        let told = facts(game, BodyId(body)).rows.into_iter().skip_while(|row| row.shown != Some(ArrowKind::Impact));
         told.map(|row| format!("{} {}", row.label(), quantity(&row, &[], 6))).collect()
     };
     while game.world().impulses().iter().all(|impulse| impulse.on(BodyId(1)).is_none()) {
@@ -194,13 +198,13 @@ fn an_impact_is_told_for_half_a_second() {
 fn arrange(details: &mut Details, game: &Game, focus: &Focus, pointer: Option<Vec2>) {
     let frame = Frame::default();
     let centres: Vec<DVec2> = game.world().bodies().iter().map(|body| body.position).collect();
-    let window = Window { size: frame.size.as_dvec2(), pixel: 1.0 };
+    let window = CanvasWindow { size: frame.size.as_dvec2(), pixel: 1.0 };
     let view = Viewport::new(centres[0], centres[0], game.level().size, game.level().metre, window);
     details.arrange(game, &Looking { centres: &centres, focus, pointer, model: false, velocity: false }, &[], &view, &frame);
 }
 
 /// The box of a body.
-fn placed(details: &Details, body: u32) -> &Placed {
+fn placed(details: &Details, body: u32) -> &PlacedBox {
     details.boxes().iter().find(|placed| placed.text.body == BodyId(body)).expect("it has a box")
 }
 

@@ -3,16 +3,17 @@
 
 use super::onlook::{WINDOWS, kept_free, pixels, window};
 use crate::support::shipped::{experiment, experiments, flights, levels, load};
+use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::game::{Controls, Game, TICK_RATE};
 use resultant::level::Level;
 use resultant::physics::{Aabb, BodyId, DVec2};
 use resultant::view::camera::{Camera, Viewport};
 use resultant::view::details::{Details, Looking};
-use resultant::view::facts::{Row, facts};
+use resultant::view::facts::{FactRow, facts};
 use resultant::view::focus::Focus;
 use resultant::view::free_body::{head_area, told};
 use resultant::view::game_view::moving;
-use resultant::view::layout::{Area, Frame, HudLayout, Vec2};
+use resultant::view::hud::HudLayout;
 use std::sync::Arc;
 
 /// Words as designed, and the largest that the settings know.
@@ -139,7 +140,7 @@ impl Onlooker {
             let visible = view.visible();
             let in_view = (game.lead().index()..centres.len())
                 .filter(|&i| Aabb::around(centres[i], game.world().bodies()[i].half).touches(&visible, 0.0));
-            let told_of = |rows: &[Row]| rows.iter().filter(|row| told(row, rows).is_some()).count();
+            let told_of = |rows: &[FactRow]| rows.iter().filter(|row| told(row, rows).is_some()).count();
             let forces: usize = in_view.map(|i| told_of(&facts(game, BodyId(i as u32)).rows)).sum();
             assert_eq!(arranged.arrows.len() + arranged.left_out, forces, "{}", what());
         }

@@ -4,14 +4,14 @@
 
 use super::onlook::window;
 use crate::support::shipped::{experiment, flights, load};
+use resultant::draw::layout::Frame;
 use resultant::game::{Controls, Game, READABLE};
 use resultant::level::Level;
 use resultant::physics::{BodyId, DVec2};
 use resultant::view::camera::Viewport;
-use resultant::view::details::{BoxText, Details, Line, Looking};
-use resultant::view::facts::Shown;
+use resultant::view::details::{BoxLine, BoxText, Details, Looking};
+use resultant::view::facts::ArrowKind;
 use resultant::view::focus::Focus;
-use resultant::view::layout::Frame;
 use std::sync::Arc;
 
 /// Impacts that change a velocity by less are not told, m/s.
@@ -31,7 +31,7 @@ impl Read {
 }
 
 /// Reads what a line says.
-fn read(line: &Line) -> Read {
+fn read(line: &BoxLine) -> Read {
     let text = line.value.replace('−', "-");
     let text = text.trim();
     let (numbers, unit) = match text.strip_prefix('(') {
@@ -85,7 +85,7 @@ impl Told {
     fn of(text: &BoxText) -> Self {
         let named =
             |name: &str| read(text.lines.iter().find(|line| line.label == name).unwrap_or_else(|| panic!("{name}: {text:?}")));
-        let sum = |sort: fn(Shown) -> bool| {
+        let sum = |sort: fn(ArrowKind) -> bool| {
             text.lines.iter().filter(|line| line.shown.is_some_and(sort)).map(read).fold(Read::default(), Read::add)
         };
         Self {
@@ -93,8 +93,8 @@ impl Told {
             velocity: named("Velocity"),
             acceleration: named("Acceleration"),
             resultant: named("Resultant"),
-            forces: sum(|shown| matches!(shown, Shown::Force(_))),
-            impacts: sum(Shown::is_impact),
+            forces: sum(|shown| matches!(shown, ArrowKind::Force(_))),
+            impacts: sum(ArrowKind::is_impact),
         }
     }
 

@@ -1,9 +1,9 @@
 //! What the editor has to ask: about edits that were found, that are not saved, or that another program has written over.
 
 use super::Editor;
+use crate::draw::layout::{Area, Frame, GAP, LINE, PADDING, ROW_BUTTON, TEXT, Vec2, wrapped};
 use crate::level::document::{Kept, KeptSide, Table};
 use crate::screens::{Buttons, Input, Key, Request};
-use crate::view::layout::{Area, Frame, GAP, LINE, PADDING, ROW_BUTTON, TEXT, Vec2, wrapped};
 
 /// Width of the panel, at least, and of a letter in it, in heights of text.
 const WIDTH: f32 = 640.0;

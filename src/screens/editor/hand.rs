@@ -2,10 +2,10 @@
 
 use super::snap::Snap;
 use super::{Editor, Tool};
+use crate::draw::layout::Vec2;
 use crate::level::document::{Document, Kind, Place, RowId, SetCell, number, way_text};
 use crate::physics::DVec2;
 use crate::screens::{Input, Key};
-use crate::view::layout::Vec2;
 
 /// How near to a handle the pointer has to be, canvas units.
 const GRAB: f32 = 9.0;

@@ -1,7 +1,7 @@
 //! Where the editor's parts are: tools at the left, what is selected at the right, problems below, a row of commands above. The picture has
 //! the rest. All of it is as wide as its words need.
 
-use crate::view::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, TEXT, Vec2};
+use crate::draw::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, TEXT, Vec2};
 
 /// A command: the height of its two lines in heights of their texts, and the width of its key, in letters.
 const TWO_LINES: f32 = 1.15;

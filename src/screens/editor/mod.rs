@@ -19,12 +19,12 @@ use super::theatre::{Moment, Theatre};
 use super::{Buttons, Input, Keys, Motion, Request, Screen};
 #[cfg(feature = "window")]
 use crate::draw::Canvas;
+use crate::draw::layout::{Area, Frame, Vec2};
 use crate::level::document::{Document, Kind, LevelFolder, Opened, Place, RowId, SetCell, Table};
 use crate::level::{Level, Problem};
 use crate::physics::DVec2;
 use crate::settings::Settings;
 use crate::ui::Ui;
-use crate::view::layout::{Area, Frame, Vec2};
 use ask::{Ask, Question};
 use hand::Drag;
 use layout::{OFFERS, PROBLEM_LINES, Parts};

@@ -1,8 +1,8 @@
 //! Which part of the author's picture is in view, and how large.
 
+use crate::draw::layout::{Area, Vec2};
 use crate::level::document::Place;
 use crate::physics::DVec2;
-use crate::view::layout::{Area, Vec2};
 
 /// Canvas units a pixel of the picture, at least and at most.
 const SCALES: (f64, f64) = (1e-5, 16.0);

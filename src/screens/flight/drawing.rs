@@ -1,11 +1,12 @@
 //! Draws what a flight tells above the game: how its time goes, what became of the level's files, the pause panel.
 
 use super::{Flight, News, PAUSE_TOP};
+use crate::draw::layout::{
+    Area, DETAILS, Frame, GRID, HEADING, LINE, MONO_ADVANCE, PADDING, TEXT, Vec2, WIDE_BUTTON, text_room, wrapped,
+};
 use crate::draw::{Canvas, Style};
 use crate::game::Outcome;
-use crate::view::layout::{
-    Area, DETAILS, Frame, GRID, HEADING, HudLayout, LINE, MONO_ADVANCE, PADDING, TEXT, Vec2, WIDE_BUTTON, text_room, wrapped,
-};
+use crate::view::hud::HudLayout;
 use crate::view::{theme, widgets};
 
 /// From the canvas' foot to what is told above the fuel bar.

@@ -1,12 +1,13 @@
 //! Draws what tells that a level is varied: a sign with what is, the ghost of the run before, and how to go on at its end.
 
 use super::Flight;
+use crate::draw::layout::{Area, DETAILS, GRID, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Game, Pose, SHIP, body_title};
 use crate::physics::{BodyId, DVec2};
 use crate::screens::instruments::vary::written;
-use crate::view::layout::{Area, DETAILS, GRID, HudLayout, PADDING, TEXT, Vec2};
-use crate::view::{Ghost, theme, widgets};
+use crate::view::hud::HudLayout;
+use crate::view::{GhostShip, theme, widgets};
 
 /// What is nearer to where it was in the run before is where it was, m.
 const SAME: f64 = 1e-3;
@@ -15,12 +16,12 @@ const AS_TURNED: f64 = 0.01;
 
 impl Flight {
     /// Those who are not there: who flies along, or the run before the last change.
-    pub fn ghosts(&self) -> Vec<Ghost> {
+    pub fn ghosts(&self) -> Vec<GhostShip> {
         let race = self.race().map(|race| race.poses(&self.game, self.alpha()));
         race.into_iter().flatten().chain(self.ghost_before()).collect()
     }
 
-    fn ghost_before(&self) -> Option<Ghost> {
+    fn ghost_before(&self) -> Option<GhostShip> {
         let (before, alpha) = (self.game_before()?, self.alpha());
         let at = |game: &Game, id: BodyId| game.world().previous_position(id).lerp(game.world().body(id).position, alpha);
         let elsewhere = |id: BodyId| Some(at(before, id)).filter(|then| then.distance(at(&self.game, id)) > SAME);
@@ -28,7 +29,7 @@ impl Flight {
         let turned = (angle - self.game.ship().angle).abs() > AS_TURNED;
         let centre: Option<DVec2> = elsewhere(SHIP).or_else(|| turned.then(|| at(before, SHIP)));
         let object = |i: usize| Some((i, elsewhere(BodyId(i as u32 + 1))?));
-        Some(Ghost {
+        Some(GhostShip {
             name: "before".to_owned(),
             pose: centre.map(|centre| Pose { centre, angle }),
             objects: (0..before.level().objects.len()).filter_map(object).collect(),

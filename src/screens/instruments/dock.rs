@@ -1,6 +1,7 @@
 //! Where the panels at the left stand: below the rail, and beside it where that is too short.
 
-use crate::view::layout::{Area, DETAILS, Frame, GRID, HudLayout, LINE, MONO_ADVANCE, TEXT, Vec2};
+use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, TEXT, Vec2};
+use crate::view::hud::HudLayout;
 
 /// Puts panels of those sizes one below the other from the foot of the rail on, in as many columns as it takes; the first has the rail above it.
 pub fn dock(frame: &Frame, rail: &[Area], sizes: &[Vec2]) -> Vec<Area> {

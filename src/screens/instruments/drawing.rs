@@ -2,11 +2,11 @@
 
 use super::measured::{label, pair};
 use super::{Instruments, Tool};
+use crate::draw::layout::{DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Game, SHIP};
 use crate::instruments::centre::{centre_of_mass, velocity_of_centre};
 use crate::view::camera::Viewport;
-use crate::view::layout::{DETAILS, GRID, Vec2};
 use crate::view::{theme, widgets};
 
 /// Radius of the mark of the centre of mass, canvas units.

@@ -7,7 +7,7 @@ use crate::instruments::ledger::{Account, Ledger, MOST_BODIES};
 use crate::instruments::stop_clock::seconds;
 use crate::physics::{BodyId, ForceKind, Impulse};
 use crate::view::focus::Focus;
-use crate::view::quantity::Scale;
+use crate::view::quantity::QuantityScale;
 
 /// How many ticks are read in a frame at most, where the table is opened late in a flight.
 const AHEAD: u64 = 600;
@@ -167,8 +167,8 @@ fn written(numbers: Vec<Number>) -> Vec<Line> {
         let values = numbers.iter().filter(|line| line.unit == unit).flat_map(|line| &line.values);
         values.fold(0.0, |most: f64, value| most.max(value.abs()))
     };
-    let scales: Vec<Scale> = numbers.iter().map(|line| Scale::of(largest(line.unit), line.unit)).collect();
-    let line = |(line, scale): (&Number, &Scale)| Line {
+    let scales: Vec<QuantityScale> = numbers.iter().map(|line| QuantityScale::of(largest(line.unit), line.unit)).collect();
+    let line = |(line, scale): (&Number, &QuantityScale)| Line {
         name: line.name.to_owned(),
         subject: line.subject,
         values: line.values.iter().map(|value| format!("{} {}", scale.finer(*value).number(*value), scale.unit())).collect(),

@@ -6,13 +6,13 @@ use super::figures::{Figures, Table, told};
 use super::ruler::{Click, Ruler};
 use super::vectors::Scales;
 use super::{Stage, Tool};
+use crate::draw::layout::{Area, Frame, GRID, Vec2};
 use crate::game::Game;
 use crate::instruments::stop_clock::{MOST_LAPS, StopClock};
 use crate::instruments::trail::Trail;
 use crate::physics::BodyId;
 use crate::screens::{Buttons, Input, Keys};
 use crate::view::focus::Focus;
-use crate::view::layout::{Area, Frame, GRID, Vec2};
 
 /// How many ticks trails are read on in a frame at most.
 const AHEAD: u64 = 600;

@@ -5,14 +5,15 @@ use super::figures::told;
 use super::measure::Measures;
 use super::ruler::{End, Reading};
 use super::vectors::Vector;
+use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, SHIP};
 use crate::instruments::trail::{DOTS_A_SECOND, LASTS};
 use crate::number::fixed;
 use crate::physics::{BodyId, DVec2};
 use crate::view::camera::Viewport;
-use crate::view::layout::{Area, DETAILS, GRID, HudLayout, Vec2};
-use crate::view::quantity::{Scale, round_up, scalar};
+use crate::view::hud::HudLayout;
+use crate::view::quantity::{QuantityScale, round_up, scalar};
 use crate::view::theme;
 
 /// Radius of a trail's dots, and of those at whole seconds, canvas units.
@@ -34,7 +35,7 @@ const METRE_MARK: f32 = 4.0;
 const MARKS_APART: f32 = 6.0;
 /// A pair of numbers with a unit, y upwards.
 pub fn pair(vector: DVec2, unit: &str) -> String {
-    let scale = Scale::of(vector.abs().max_element(), unit);
+    let scale = QuantityScale::of(vector.abs().max_element(), unit);
     format!("({}, {}) {}", scale.number(vector.x), scale.number(-vector.y), scale.unit())
 }
 

@@ -14,10 +14,10 @@ pub mod vary;
 mod vectors;
 
 use super::{Buttons, Input, Keys, NewFile};
+use crate::draw::layout::{Area, Frame};
 use crate::game::{Game, History};
 use crate::settings::Action;
 use crate::view::focus::Focus;
-use crate::view::layout::{Area, Frame};
 pub use figures::Table;
 pub use measure::Measures;
 use places::Places;

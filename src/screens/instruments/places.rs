@@ -1,7 +1,8 @@
 //! Where the rail and the panels stand: beside the head-up display and each other, and away from the middle, where the ship is.
 
 use super::Tool;
-use crate::view::layout::{Area, DETAILS, Frame, GRID, HudLayout, LINE, Vec2, text_room};
+use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, Vec2, text_room};
+use crate::view::hud::HudLayout;
 
 /// Between two buttons of the rail.
 const GAP: f32 = 4.0;

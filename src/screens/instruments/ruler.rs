@@ -2,8 +2,8 @@
 //! stays where it is when the camera moves. An end that is put on a body's centre is bound to the body and goes with it.
 
 use super::super::Input;
+use crate::draw::layout::Vec2;
 use crate::physics::{BodyId, DVec2, World};
-use crate::view::layout::Vec2;
 
 /// How near an end has to be to be taken, or a body's centre for the end to be bound to it, canvas units.
 const NEAR: f64 = 14.0;

@@ -1,13 +1,13 @@
 //! The charts: a work–precision diagram a scene, one after the other. A method can be picked out, and a point looked at.
 
 use super::{Shown, body};
+use crate::draw::layout::{Area, Frame};
 use crate::lab::axes::{number, step};
 use crate::lab::charts::Charts;
 use crate::lab::course::OverTime;
 use crate::lab::measured::Measured;
 use crate::screens::{Input, Key, Toolbar};
-use crate::view::layout::{Area, Frame};
-use crate::view::plot::Plot;
+use crate::view::plot::DiagramPlaces;
 
 /// The toolbar's keys: back, the scene before, the next one, another method, and the scene over time where it was followed.
 const KEYS: [Key; 5] = [Key::Escape, Key::Left, Key::Right, Key::Down, Key::Space];
@@ -106,8 +106,8 @@ impl ChartsPage {
     }
 
     /// Where the diagram is.
-    pub fn plot(&self, frame: &Frame) -> Option<Plot> {
-        Some(Plot::of(panel(frame), self.measured()?))
+    pub fn plot(&self, frame: &Frame) -> Option<DiagramPlaces> {
+        Some(DiagramPlaces::of(panel(frame), self.measured()?))
     }
 
     /// What the diagram says, in a line.
@@ -169,9 +169,9 @@ fn panel(frame: &Frame) -> Area {
 
 mod drawing {
     use super::{ChartsPage, panel};
+    use crate::draw::layout::{BUTTON_TEXT, DETAILS, TEXT, Vec2};
     use crate::draw::{Canvas, Style};
     use crate::view::diagram::{self, Picked};
-    use crate::view::layout::{BUTTON_TEXT, DETAILS, TEXT, Vec2};
     use crate::view::timeline;
     use crate::view::{theme, widgets};
 

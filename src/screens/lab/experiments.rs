@@ -1,8 +1,8 @@
 //! The experiments: what each asks, what to vary and, when it is wanted, the exact answer. Enter flies its level.
 
 use super::body;
+use crate::draw::layout::{Area, Frame};
 use crate::screens::{Buttons, Input, Key, Toolbar};
-use crate::view::layout::{Area, Frame};
 
 /// An experiment, as the list in its folder has it.
 #[derive(Clone, Debug, Default, PartialEq, Eq, serde::Deserialize)]
@@ -127,8 +127,8 @@ fn places(frame: &Frame, count: usize) -> Vec<Area> {
 
 mod drawing {
     use super::{ExperimentsPage, LIST, body};
+    use crate::draw::layout::{Area, BUTTON_TEXT, Frame, PADDING, TEXT, Vec2};
     use crate::draw::{Canvas, Colour, Style};
-    use crate::view::layout::{Area, BUTTON_TEXT, Frame, PADDING, TEXT, Vec2};
     use crate::view::{theme, widgets};
 
     /// Between the list and what is told of an experiment.

@@ -1,9 +1,9 @@
 //! Where methods are stable: their regions of the complex plane of z = h·λ. One of them can be picked out.
 
 use super::body;
+use crate::draw::layout::{Area, Frame};
 use crate::lab::stability::{Region, regions};
 use crate::screens::{Input, Key, Toolbar};
-use crate::view::layout::{Area, Frame};
 use crate::view::plane::Plane;
 
 /// The toolbar's keys: back, another method.
@@ -72,8 +72,8 @@ impl StabilityPage {
 mod drawing {
     use super::StabilityPage;
     use crate::draw::Canvas;
+    use crate::draw::layout::{BUTTON_TEXT, DETAILS, TEXT, Vec2};
     use crate::lab::stability_diagram::TITLE;
-    use crate::view::layout::{BUTTON_TEXT, DETAILS, TEXT, Vec2};
     use crate::view::{plane, theme, widgets};
 
     impl StabilityPage {

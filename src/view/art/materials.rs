@@ -1,6 +1,6 @@
 //! The materials as square patterns that tile, and the two movable plain shapes: all slate, each told by its texture.
 
-use super::paint::{Picture, noise};
+use super::paint::{Pixels, noise};
 
 /// How many metres a pattern covers before it repeats.
 pub const TILE_METRES: f64 = 4.0;
@@ -10,7 +10,7 @@ pub const SIZE: usize = 192;
 type Rgb = [f32; 3];
 
 /// The pattern of a material by its name; asphalt for a name without a pattern of its own.
-pub fn pattern(material: &str) -> Picture {
+pub fn pattern(material: &str) -> Pixels {
     match material {
         "Steel" => steel(),
         "Ice" => ice(),
@@ -22,8 +22,8 @@ pub fn pattern(material: &str) -> Picture {
     }
 }
 
-fn painted(colour: impl Fn(usize, usize) -> Rgb) -> Picture {
-    Picture::of(SIZE, SIZE, |x, y| {
+fn painted(colour: impl Fn(usize, usize) -> Rgb) -> Pixels {
+    Pixels::of(SIZE, SIZE, |x, y| {
         let [r, g, b] = colour(x, y).map(|c| c.round().clamp(0.0, 255.0) as u8);
         [r, g, b, 255]
     })
@@ -34,7 +34,7 @@ fn light(colour: Rgb, by: f32) -> Rgb {
 }
 
 /// Speckles of three sizes, light and dark.
-fn asphalt() -> Picture {
+fn asphalt() -> Pixels {
     painted(|x, y| {
         let speckle = |cell: usize, seed: u32, share: f32, by: f32| {
             let (cx, cy) = (x / cell, y / cell);
@@ -48,7 +48,7 @@ fn asphalt() -> Picture {
 }
 
 /// Brushed along, in plates of two metres with a rivet in each corner.
-fn steel() -> Picture {
+fn steel() -> Pixels {
     painted(|x, y| {
         let plate = SIZE / 2;
         let (px, py) = (x % plate, y % plate);
@@ -72,7 +72,7 @@ fn steel() -> Picture {
 }
 
 /// Pale, with slanting glints.
-fn ice() -> Picture {
+fn ice() -> Pixels {
     painted(|x, y| {
         let slant = (x + SIZE - y) % SIZE;
         let glint = match slant % 64 {
@@ -86,7 +86,7 @@ fn ice() -> Picture {
 }
 
 /// Dark, with chevrons.
-fn rubber() -> Picture {
+fn rubber() -> Pixels {
     painted(|x, y| {
         let fold = (x % 48).abs_diff(24);
         let chevron = if (y + 48 - fold) % 24 < 8 { 15.0 } else { 0.0 };
@@ -95,7 +95,7 @@ fn rubber() -> Picture {
 }
 
 /// A warm mat with a zigzag of springs.
-fn trampoline() -> Picture {
+fn trampoline() -> Pixels {
     painted(|x, y| {
         let fold = (x % 32).abs_diff(16);
         let spring = if (y + 32 - fold) % 32 < 5 { 46.0 } else { 0.0 };
@@ -104,7 +104,7 @@ fn trampoline() -> Picture {
 }
 
 /// Planks half a metre high with grain along them, their joints staggered.
-fn wood() -> Picture {
+fn wood() -> Pixels {
     painted(|x, y| {
         let plank = y / 24;
         let (py, joint) = (y % 24, (x + (noise(plank, 0, 41) * SIZE as f32) as usize) % SIZE);
@@ -116,8 +116,8 @@ fn wood() -> Picture {
 }
 
 /// Thin and bright: mostly clear, with streaks of light; the bright edge is drawn by the world.
-fn glass() -> Picture {
-    Picture::of(SIZE, SIZE, |x, y| match (x + y) % 96 {
+fn glass() -> Pixels {
+    Pixels::of(SIZE, SIZE, |x, y| match (x + y) % 96 {
         0..=11 => [220, 240, 255, 92],
         18..=21 => [220, 240, 255, 72],
         _ => [150, 200, 226, 46],

@@ -12,7 +12,7 @@ use crate::level::SHIP_PIXELS;
 use crate::physics::{Aabb, DVec2, Material};
 use crate::view::camera::Viewport;
 use materials::TILE_METRES;
-use paint::Picture;
+use paint::Pixels;
 use std::sync::LazyLock;
 
 /// Width and height of the sheet, pixels.
@@ -56,7 +56,7 @@ impl Tile {
     }
 
     /// Paints it; the ship, which takes longest, is painted once and handed in.
-    fn paint(self, ship: &Picture) -> Picture {
+    fn paint(self, ship: &Pixels) -> Pixels {
         let (width, height) = self.size();
         match self {
             Self::Ship => ship.clone(),
@@ -90,7 +90,7 @@ static PLACES: LazyLock<Vec<(Tile, Area)>> = LazyLock::new(|| {
 
 /// The bytes of the sheet, RGBA: painted afresh.
 pub fn sheet() -> Vec<u8> {
-    let mut sheet = Picture::new(SHEET, SHEET, [255; 3]);
+    let mut sheet = Pixels::new(SHEET, SHEET, [255; 3]);
     let ship = ship::ship(SHIP);
     for (tile, area) in PLACES.iter() {
         let tiles = matches!(tile, Tile::Hatching | Tile::Material(_));

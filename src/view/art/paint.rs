@@ -5,13 +5,13 @@ const SAMPLES: usize = 2;
 
 /// A picture in straight (not premultiplied) RGBA, row by row from the top.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Picture {
+pub struct Pixels {
     width: usize,
     height: usize,
     bytes: Vec<u8>,
 }
 
-impl Picture {
+impl Pixels {
     /// A transparent picture. Its hidden colour matters where filtering mixes an edge with what lies beside it.
     pub fn new(width: usize, height: usize, hidden: [u8; 3]) -> Self {
         let [r, g, b] = hidden;
@@ -113,7 +113,7 @@ mod tests {
 
     #[test]
     fn a_shape_covers_its_inside_and_leaves_a_smooth_edge() {
-        let mut picture = Picture::new(16, 16, [0; 3]);
+        let mut picture = Pixels::new(16, 16, [0; 3]);
         picture.fill(|x, y| x * x + y * y < 0.64, |_, _| [255, 128, 0]);
         assert_eq!(picture.at(8, 8), [255, 128, 0, 255]);
         assert_eq!(picture.at(0, 0)[3], 0);
@@ -122,14 +122,14 @@ mod tests {
 
     #[test]
     fn half_the_size_weighs_colours_by_what_they_cover() {
-        let picture = Picture::of(2, 2, |x, _| if x == 0 { [200, 0, 0, 255] } else { [0, 90, 0, 0] });
+        let picture = Pixels::of(2, 2, |x, _| if x == 0 { [200, 0, 0, 255] } else { [0, 90, 0, 0] });
         assert_eq!(picture.halved().at(0, 0), [200, 0, 0, 128]);
     }
 
     #[test]
     fn a_tiling_gutter_continues_the_pattern() {
-        let tile = Picture::of(4, 4, |x, _| [x as u8, 0, 0, 255]);
-        let mut sheet = Picture::new(10, 10, [0; 3]);
+        let tile = Pixels::of(4, 4, |x, _| [x as u8, 0, 0, 255]);
+        let mut sheet = Pixels::new(10, 10, [0; 3]);
         sheet.place(&tile, (2, 2), 1, true);
         assert_eq!((sheet.at(1, 3)[0], sheet.at(2, 3)[0], sheet.at(5, 3)[0], sheet.at(6, 3)[0]), (3, 0, 3, 0));
         sheet.place(&tile, (2, 2), 1, false);

@@ -1,28 +1,28 @@
 //! Small pictures that are tinted where they are drawn: soft discs and glows, the flame, the hatching of death boxes.
 
-use super::paint::Picture;
+use super::paint::Pixels;
 
 /// A white disc with a soft edge, for particles.
-pub fn disc(size: usize) -> Picture {
+pub fn disc(size: usize) -> Pixels {
     radial(size, |r| (1.0 - r).clamp(0.0, 0.25) * 4.0)
 }
 
 /// A white light that falls off smoothly to nothing at the rim.
-pub fn glow(size: usize) -> Picture {
+pub fn glow(size: usize) -> Pixels {
     radial(size, |r| (1.0 - r).max(0.0).powi(2))
 }
 
 /// Pixels by their distance from the middle (1 at the rim) to their alpha.
-fn radial(size: usize, alpha: impl Fn(f32) -> f32) -> Picture {
-    Picture::of(size, size, |x, y| {
+fn radial(size: usize, alpha: impl Fn(f32) -> f32) -> Pixels {
+    Pixels::of(size, size, |x, y| {
         let from = |p: usize| (p as f32 + 0.5) / size as f32 * 2.0 - 1.0;
         [255, 255, 255, (alpha(from(x).hypot(from(y))) * 255.0).round() as u8]
     })
 }
 
 /// The engine's flame, its root at the top: white hot in the middle, orange at the rim, gone at the end.
-pub fn flame(width: usize, height: usize) -> Picture {
-    Picture::of(width, height, |x, y| {
+pub fn flame(width: usize, height: usize) -> Pixels {
+    Pixels::of(width, height, |x, y| {
         let (u, v) = ((x as f32 + 0.5) / width as f32 * 2.0 - 1.0, (y as f32 + 0.5) / height as f32);
         let half = 0.55 * (1.0 - v).powf(0.7) * (0.75 + 1.6 * v * (1.0 - v));
         let inside = 1.0 - u.abs() / half.max(1e-3);
@@ -33,8 +33,8 @@ pub fn flame(width: usize, height: usize) -> Picture {
 }
 
 /// Slanting red stripes with dark ones between; tiles.
-pub fn hatching(size: usize) -> Picture {
-    Picture::of(size, size, |x, y| {
+pub fn hatching(size: usize) -> Pixels {
+    Pixels::of(size, size, |x, y| {
         let period = size / 8;
         let across = (x + y) % period;
         // The stripe's two edges are blended over a pixel.

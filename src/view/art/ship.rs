@@ -1,7 +1,7 @@
 //! The ship's picture: a compact lander, nose up, painted in unit coordinates (−1 … 1 across its 1.7 m box). All of it lies in the
 //! circle that touches the box from inside: the box does not turn with the ship, and nothing drawn may leave it at any angle.
 
-use super::paint::Picture;
+use super::paint::Pixels;
 
 const SHELL: [u8; 3] = [0xF4, 0xF6, 0xFA];
 const SHELL_SHADE: [u8; 3] = [0xB4, 0xBF, 0xD0];
@@ -18,8 +18,8 @@ const RIM: f32 = 0.04;
 const WAIST: f32 = 0.30;
 
 /// The ship, `size` pixels wide and high.
-pub fn ship(size: usize) -> Picture {
-    let mut p = Picture::new(size, size, OUTLINE);
+pub fn ship(size: usize) -> Pixels {
+    let mut p = Pixels::new(size, size, OUTLINE);
     // Fins: they give the tail its width and tell it from the nose.
     p.fill(|x, y| fin(x.abs(), y, 0.0), |_, _| OUTLINE);
     p.fill(|x, y| fin(x.abs(), y, RIM), |x, _| if x > 0.0 { [0xE0, 0x86, 0x10] } else { TRIM });
@@ -77,7 +77,7 @@ mod tests {
 
     /// How far the picture reaches along both axes when it is turned, in halves of its box: to the far corners of every pixel that shows
     /// anything, and half a pixel more, over which filtering spreads it.
-    fn reaches(picture: &Picture, degrees: f32) -> [f32; 4] {
+    fn reaches(picture: &Pixels, degrees: f32) -> [f32; 4] {
         let size = picture.size().0;
         let (sin, cos) = degrees.to_radians().sin_cos();
         let mut reaches = [0.0_f32; 4];

@@ -1,9 +1,9 @@
 //! Draws the overlay as it is arranged.
 
-use super::{Details, Note, PADDING, Placed};
+use super::{Details, LegendNote, PADDING, PlacedBox};
+use crate::draw::layout::{Area, CORNER, DETAILS, MONO_ADVANCE, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::view::arrows::{self, Arrow};
-use crate::view::layout::{Area, CORNER, DETAILS, MONO_ADVANCE, Vec2};
 use crate::view::names;
 use crate::view::theme;
 
@@ -32,8 +32,8 @@ impl Details {
         }
     }
 
-    fn draw_box(&self, placed: &Placed, canvas: &Canvas) {
-        let Placed { text, area, .. } = placed;
+    fn draw_box(&self, placed: &PlacedBox, canvas: &Canvas) {
+        let PlacedBox { text, area, .. } = placed;
         panel(canvas, *area);
         canvas.text(&text.title, area.min + PADDING, Style::new(DETAILS, theme::accent()).mono());
         let numbers = Vec2::new(text.column() as f32 * MONO_ADVANCE * canvas.frame().text_height(DETAILS), 0.0);
@@ -51,7 +51,7 @@ impl Details {
     }
 }
 
-fn draw_note(note: &Note, colour: Colour, canvas: &Canvas) {
+fn draw_note(note: &LegendNote, colour: Colour, canvas: &Canvas) {
     let Some(area) = note.area else { return };
     panel(canvas, area);
     for (i, line) in note.lines.iter().enumerate() {

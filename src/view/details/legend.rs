@@ -1,11 +1,11 @@
 //! The legend: the scale of the arrows, what the marks mean, what is left out, and the parts of the model when they are asked for.
 
 use super::{Details, Looking, PADDING};
+use crate::draw::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, Vec2, wrapped};
 use crate::game::Game;
-use crate::view::boxes::{self, Wish};
-use crate::view::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, Vec2, wrapped};
+use crate::view::boxes::{self, BoxWish};
 use crate::view::quantity::scalar;
-use crate::view::scale::Scale;
+use crate::view::scale::ArrowScale;
 
 /// The longest line of the legend, characters: longer ones are wrapped, so that it leaves room for the boxes.
 const LEGEND_WIDTH: usize = 46;
@@ -14,14 +14,14 @@ const LEGEND_INDENT: usize = 2;
 
 /// A few lines in a panel of their own.
 #[derive(Clone, Debug, Default)]
-pub struct Note {
+pub struct LegendNote {
     /// The lines.
     pub lines: Vec<String>,
     /// Where it stands; nowhere, where it finds no room.
     pub area: Option<Area>,
 }
 
-impl Note {
+impl LegendNote {
     /// The room that such lines need.
     pub(super) fn size(lines: &[String], frame: &Frame) -> Vec2 {
         let text = frame.text_height(DETAILS);
@@ -35,19 +35,19 @@ impl Details {
     pub(super) fn place_legend(
         &mut self,
         game: &Game,
-        (scale, looking): (&Scale, &Looking),
+        (scale, looking): (&ArrowScale, &Looking),
         frame: &Frame,
         (taken, kept_clear): (&[Area], &[Area]),
     ) {
         let pointed = looking.pointer.zip(self.legend.area).is_some_and(|(pointer, area)| area.contains(pointer));
         let lines = self.legend_lines(game, scale, looking.model || pointed);
-        let (size, corner) = (Note::size(&lines, frame), Vec2::new(frame.size.x, 0.0));
+        let (size, corner) = (LegendNote::size(&lines, frame), Vec2::new(frame.size.x, 0.0));
         let stays = self.legend.area.filter(|area| area.size == size).map(|area| area.min - corner);
-        let wish = Wish { object: Area { min: corner, size: Vec2::ZERO }, size, before: stays };
-        self.legend = Note { lines, area: boxes::place(&[wish], frame.area(), taken, kept_clear)[0] };
+        let wish = BoxWish { object: Area { min: corner, size: Vec2::ZERO }, size, before: stays };
+        self.legend = LegendNote { lines, area: boxes::place(&[wish], frame.area(), taken, kept_clear)[0] };
     }
 
-    fn legend_lines(&self, game: &Game, scale: &Scale, model: bool) -> Vec<String> {
+    fn legend_lines(&self, game: &Game, scale: &ArrowScale, model: bool) -> Vec<String> {
         let has = |impact: bool| self.arranged.arrows.iter().any(|arrow| impact == arrow.shown.is_impact());
         let mut lines = Vec::new();
         if has(false) {

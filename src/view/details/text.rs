@@ -1,9 +1,9 @@
 //! What a box says, letter by letter: this is what is drawn, and what tests read.
 
 use super::PADDING;
+use crate::draw::layout::{DETAILS, Frame, LINE, MONO_ADVANCE, Vec2};
 use crate::physics::{BodyId, DVec2};
-use crate::view::facts::{Facts, Row, Shown, Value};
-use crate::view::layout::{DETAILS, Frame, LINE, MONO_ADVANCE, Vec2};
+use crate::view::facts::{ArrowKind, BodyFacts, FactRow, Value};
 use crate::view::quantity::{number_width, quantity};
 
 /// Numbers are given room for this many characters at least, so that boxes seldom change their width: "−0.123".
@@ -13,13 +13,13 @@ const UNIT_WIDTH: usize = 4;
 
 /// A line of a box.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Line {
+pub struct BoxLine {
     /// What it is, and by whom.
     pub label: String,
     /// How much, with its unit.
     pub value: String,
     /// What it tells of, if that has a colour.
-    pub shown: Option<Shown>,
+    pub shown: Option<ArrowKind>,
     /// Whether it says that there is nothing.
     pub nothing: bool,
     /// Which of the body's facts it is.
@@ -34,21 +34,21 @@ pub struct BoxText {
     /// Its heading.
     pub title: String,
     /// Its lines.
-    pub lines: Vec<Line>,
+    pub lines: Vec<BoxLine>,
 }
 
 impl BoxText {
     /// The text of a box; `short`, for when there is no room: heading and resultant.
-    pub fn new(facts: &Facts, short: bool) -> Self {
+    pub fn new(facts: &BodyFacts, short: bool) -> Self {
         let width = number_width(&facts.rows, NUMBER_WIDTH);
-        let line = |(row, told): (usize, &Row)| Line {
+        let line = |(row, told): (usize, &FactRow)| BoxLine {
             label: told.label(),
             value: quantity(told, &facts.rows, width),
             shown: told.shown,
             nothing: told.value == Value::Vector(DVec2::ZERO),
             row,
         };
-        let told = |row: &(usize, &Row)| !short || row.1.shown == Some(Shown::Resultant);
+        let told = |row: &(usize, &FactRow)| !short || row.1.shown == Some(ArrowKind::Resultant);
         let lines = facts.rows.iter().enumerate().filter(told).map(line).collect();
         Self { body: facts.body, title: facts.title.clone(), lines }
     }

@@ -1,11 +1,12 @@
 //! The parts of the head-up display step aside for the ship, hazards, goals and keys: a part that would hide one of them fades, and the fuel
 //! bar sinks to a thin line at the window's edge.
 
-use super::super::layout::{Area, Frame, GRID, HudLayout};
+use crate::draw::layout::{Area, Frame, GRID};
+use crate::view::hud::HudLayout;
 
 /// A part of the display.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum HudPart {
     /// Time, objectives and speed, at the top left.
     Status,
     /// The fuel bar, at the bottom centre.
@@ -14,14 +15,14 @@ pub enum Part {
     Race,
 }
 
-impl Part {
+impl HudPart {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Status, Self::Fuel, Self::Race];
 }
 
 /// Which parts are shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Shown {
+pub struct HudShown {
     /// Whether time, objectives and speed are.
     pub status: bool,
     /// Whether the fuel is.
@@ -48,7 +49,7 @@ pub struct Aside {
 impl Aside {
     /// Goes on by `frame_time` seconds, with the ship and its speed, canvas units a second, and everything else that may not be
     /// hidden where they are drawn.
-    pub fn update(&mut self, shown: Shown, (ship, speed): (Area, f32), others: &[Area], frame: &Frame, frame_time: f64) {
+    pub fn update(&mut self, shown: HudShown, (ship, speed): (Area, f32), others: &[Area], frame: &Frame, frame_time: f64) {
         let layout = HudLayout::new(frame);
         let race = (shown.rivals > 0).then(|| layout.race(frame, shown.rivals));
         self.homes = [shown.status.then_some(layout.status), shown.fuel.then_some(layout.fuel), race];
@@ -65,7 +66,7 @@ impl Aside {
     }
 
     /// Where a part stands when nothing is in its way; `None` where it is not shown.
-    pub const fn home(&self, part: Part) -> Option<Area> {
+    pub const fn home(&self, part: HudPart) -> Option<Area> {
         self.homes[part as usize]
     }
 
@@ -75,14 +76,14 @@ impl Aside {
     }
 
     /// How far a part has stepped aside: 0 at home, 1 where what lies behind it is to be seen.
-    pub const fn of(&self, part: Part) -> f32 {
+    pub const fn of(&self, part: HudPart) -> f32 {
         self.parts[part as usize]
     }
 
     /// Where the fuel bar is drawn on its path from its home to the line at the window's edge.
     pub fn fuel_bar(&self, frame: &Frame) -> Option<Area> {
-        let home = self.home(Part::Fuel)?;
-        let aside = self.of(Part::Fuel);
+        let home = self.home(HudPart::Fuel)?;
+        let aside = self.of(HudPart::Fuel);
         let line = Area::new(home.min.x, frame.size.y - LINE, home.size.x, LINE);
         Some(Area { min: home.min.lerp(line.min, aside), size: home.size.lerp(line.size, aside) })
     }
@@ -90,32 +91,32 @@ impl Aside {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::layout::Vec2;
     use super::*;
+    use crate::draw::layout::Vec2;
 
-    const SHOWN: Shown = Shown { status: true, fuel: true, rivals: 2 };
+    const SHOWN: HudShown = HudShown { status: true, fuel: true, rivals: 2 };
 
     #[test]
     fn a_part_fades_for_the_ship_that_comes_near_and_comes_back() {
         let (mut aside, frame) = (Aside::default(), Frame::default());
         let far = Area::around(frame.size / 2.0, Vec2::splat(51.0));
         aside.update(SHOWN, (far, 0.0), &[], &frame, 1.0);
-        assert_eq!(Part::ALL.map(|part| aside.of(part)), [0.0; 3]);
-        let bar = aside.home(Part::Fuel).expect("it is shown");
+        assert_eq!(HudPart::ALL.map(|part| aside.of(part)), [0.0; 3]);
+        let bar = aside.home(HudPart::Fuel).expect("it is shown");
         let above = Area::around(bar.centre() - Vec2::new(0.0, 70.0), Vec2::splat(51.0));
         aside.update(SHOWN, (above, 0.0), &[], &frame, 0.05);
-        assert_eq!(aside.of(Part::Fuel), 0.0, "a ship at rest above it is in nobody's way");
+        assert_eq!(aside.of(HudPart::Fuel), 0.0, "a ship at rest above it is in nobody's way");
         aside.update(SHOWN, (above, 300.0), &[], &frame, 0.05);
-        assert!(aside.of(Part::Fuel) > 0.0 && aside.of(Part::Fuel) < 1.0 && aside.of(Part::Status) == 0.0);
+        assert!(aside.of(HudPart::Fuel) > 0.0 && aside.of(HudPart::Fuel) < 1.0 && aside.of(HudPart::Status) == 0.0);
         for _ in 0..4 {
             aside.update(SHOWN, (above, 300.0), &[], &frame, 0.05);
         }
-        assert_eq!(aside.of(Part::Fuel), 1.0);
+        assert_eq!(aside.of(HudPart::Fuel), 1.0);
         assert!(aside.fuel_bar(&frame).expect("it is shown").min.y > bar.max().y, "it is a line below where it was");
         for _ in 0..4 {
             aside.update(SHOWN, (far, 0.0), &[], &frame, 0.05);
         }
-        assert_eq!((aside.of(Part::Fuel), aside.fuel_bar(&frame)), (0.0, Some(bar)));
+        assert_eq!((aside.of(HudPart::Fuel), aside.fuel_bar(&frame)), (0.0, Some(bar)));
     }
 
     #[test]
@@ -124,14 +125,14 @@ mod tests {
         let far = Area::around(frame.size / 2.0, Vec2::splat(51.0));
         let goal = Area::new(100.0, 20.0, 200.0, 30.0);
         aside.update(SHOWN, (far, 0.0), &[goal], &frame, 0.0);
-        assert_eq!(Part::ALL.map(|part| aside.of(part)), [1.0, 0.0, 1.0]);
+        assert_eq!(HudPart::ALL.map(|part| aside.of(part)), [1.0, 0.0, 1.0]);
     }
 
     #[test]
     fn a_part_that_plays_none_is_not_there() {
         let (mut aside, frame) = (Aside::default(), Frame::default());
         let far = Area::around(frame.size / 2.0, Vec2::splat(51.0));
-        aside.update(Shown { fuel: false, rivals: 0, ..SHOWN }, (far, 0.0), &[], &frame, 0.0);
+        aside.update(HudShown { fuel: false, rivals: 0, ..SHOWN }, (far, 0.0), &[], &frame, 0.0);
         assert_eq!(aside.homes().count(), 1);
         assert_eq!(aside.fuel_bar(&frame), None);
     }

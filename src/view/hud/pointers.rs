@@ -1,7 +1,7 @@
 //! Arrows at the window's edge that point to goals and key objects outside the view, each with its sign and the distance.
 
 use super::super::camera::Viewport;
-use super::super::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
+use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
 use crate::game::{Game, Outcome, SHIP};
 use crate::level::ObjectiveKind;
 use crate::number::fixed;
@@ -22,7 +22,7 @@ const MOST: usize = 12;
 
 /// What an arrow points to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Target {
+pub enum PointerTarget {
     /// The objective of that index.
     Objective(usize),
     /// The key object of that index in the level's objects.
@@ -33,7 +33,7 @@ pub enum Target {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pointer {
     /// What it points to.
-    pub target: Target,
+    pub target: PointerTarget,
     /// Its words: the distance.
     pub words: String,
     /// All of it, its head included wherever that points.
@@ -50,13 +50,13 @@ impl Pointer {
 }
 
 /// The goals that are not met and the keys that an unmet one waits for, each with where it is, m; `centres` is where bodies are drawn, m.
-pub fn targets(game: &Game, centres: &[DVec2]) -> Vec<(Target, Aabb)> {
+pub fn targets(game: &Game, centres: &[DVec2]) -> Vec<(PointerTarget, Aabb)> {
     let level = game.level();
     if game.outcome() != Outcome::Running {
         return Vec::new();
     }
     let goals = level.objectives.iter().enumerate().filter(|(index, _)| !game.met()[*index]);
-    let goals = goals.map(|(index, objective)| (Target::Objective(index), objective.bounds));
+    let goals = goals.map(|(index, objective)| (PointerTarget::Objective(index), objective.bounds));
     let physics = || (0..level.objectives.len()).filter(|&goal| level.objectives[goal].kind == ObjectiveKind::Physics);
     let keys = level.objects.iter().enumerate().filter_map(|(index, object)| {
         let key = object.key?;
@@ -65,7 +65,7 @@ pub fn targets(game: &Game, centres: &[DVec2]) -> Vec<(Target, Aabb)> {
         let wanted = physics().filter(fits).any(|goal| !game.met()[goal]);
         let at_work =
             physics().filter(fits).any(|goal| game.met()[goal] && level.objectives[goal].order.is_none() && touches(goal));
-        (wanted && !at_work).then(|| (Target::Key(index), Aabb::around(centres[body.index()], object.size * 0.5)))
+        (wanted && !at_work).then(|| (PointerTarget::Key(index), Aabb::around(centres[body.index()], object.size * 0.5)))
     });
     goals.chain(keys).collect()
 }
@@ -80,9 +80,9 @@ pub fn in_view(area: &Area, frame: &Frame) -> bool {
 /// nothing in `clear`.
 pub fn place(game: &Game, centres: &[DVec2], taken: &[Area], clear: &[Area], view: &Viewport, frame: &Frame) -> Vec<Pointer> {
     let ship = centres[SHIP.index()];
-    let outside = |(_, bounds): &(Target, Aabb)| !in_view(&super::on_canvas(bounds, view), frame);
+    let outside = |(_, bounds): &(PointerTarget, Aabb)| !in_view(&super::on_canvas(bounds, view), frame);
     let far = |bounds: &Aabb| bounds.centre().distance(ship);
-    let mut targets: Vec<(Target, Aabb)> = targets(game, centres).into_iter().filter(outside).collect();
+    let mut targets: Vec<(PointerTarget, Aabb)> = targets(game, centres).into_iter().filter(outside).collect();
     targets.sort_by(|a, b| far(&a.1).total_cmp(&far(&b.1)));
     let mut taken = taken.to_vec();
     let mut pointers = Vec::new();

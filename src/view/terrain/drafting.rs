@@ -1,7 +1,7 @@
 //! What a draughtsman adds to the rock: hatching along its edge, a dimension line here and there, crosses where the heavy lines of the
 //! paper would meet. Plain geometry in metres, y down.
 
-use super::silhouette::{Corner, Edge, Silhouette};
+use super::silhouette::{Corner, RockEdge, Silhouette};
 use crate::physics::{Aabb, DVec2};
 use std::collections::BTreeSet;
 
@@ -35,7 +35,7 @@ const CROSS_ROOM: f64 = 1.5;
 
 /// A stroke of the hatching: strong at its beginning, on the edge, gone at its end, in the rock.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stroke {
+pub struct HatchStroke {
     /// m.
     pub from: DVec2,
     /// m.
@@ -78,9 +78,9 @@ impl Dimension {
 
 /// The hatching along all edges of a kind: strokes at 45°, on lines that run through the whole level. No stroke leaves what is of
 /// that kind, and strokes from opposite sides do not meet.
-pub fn hatching(mass: &Silhouette, kind: usize) -> Vec<Stroke> {
+pub fn hatching(mass: &Silhouette, kind: usize) -> Vec<HatchStroke> {
     let edges = || mass.edges().iter().filter(move |edge| edge.kind == kind);
-    let step = STEP.max(edges().map(Edge::length).sum::<f64>() / MOST_STROKES);
+    let step = STEP.max(edges().map(RockEdge::length).sum::<f64>() / MOST_STROKES);
     let mut strokes = Vec::new();
     for edge in edges() {
         // Up to the right, or down to the left where that leads inwards.
@@ -94,7 +94,7 @@ pub fn hatching(mass: &Silhouette, kind: usize) -> Vec<Stroke> {
             let room = mass.reach(kind, (from, way), 2.0 * wanted);
             let length = wanted.min(room / 2.0);
             if length >= LEAST {
-                strokes.push(Stroke { from, to: from + way * length });
+                strokes.push(HatchStroke { from, to: from + way * length });
             }
         }
     }
@@ -104,7 +104,7 @@ pub fn hatching(mass: &Silhouette, kind: usize) -> Vec<Stroke> {
 /// The grain of stone along all edges of a kind: all of it in what is of that kind, the less of it the deeper.
 pub fn grains(mass: &Silhouette, kind: usize) -> Vec<Grain> {
     let edges = || mass.edges().iter().filter(move |edge| edge.kind == kind && edge.depth > GRAIN_DEPTH);
-    let step = GRAIN_STEP.max(edges().map(Edge::length).sum::<f64>() / MOST_GRAINS);
+    let step = GRAIN_STEP.max(edges().map(RockEdge::length).sum::<f64>() / MOST_GRAINS);
     let mut grains = Vec::new();
     for edge in edges() {
         for i in 0..(edge.length() / step) as i64 {
@@ -133,7 +133,7 @@ pub fn dimensions(mass: &Silhouette, kind: usize, taken: &[Aabb]) -> Vec<Dimensi
     let mut cells = BTreeSet::new();
     let mut found: Vec<Dimension> = Vec::new();
     // Whole sides only: what ends where another kind begins is no length that a builder would ask for.
-    let whole = |edge: &&Edge| edge.corners.iter().all(|corner| *corner != Corner::Straight);
+    let whole = |edge: &&RockEdge| edge.corners.iter().all(|corner| *corner != Corner::Straight);
     for edge in mass.edges().iter().filter(|edge| edge.kind == kind).filter(whole) {
         if !(MEASURED.0..=MEASURED.1).contains(&edge.length()) || edge.depth < DEEP + ROOM || found.len() >= MOST_DIMENSIONS {
             continue;

@@ -1,6 +1,6 @@
 //! How lights fall on the edges of the rock: which stretches, and how brightly. Plain geometry in metres, y down.
 
-use super::silhouette::Edge;
+use super::silhouette::RockEdge;
 use crate::physics::{Aabb, DVec2};
 
 /// An edge is lit in pieces of this length, m: between their ends the light changes evenly.
@@ -27,7 +27,7 @@ pub struct Lit {
 
 /// The light that a glowing box (a point, where it has no size) throws on the edges that face it, up to `reach` (m) away, past
 /// everything in `opaque`.
-pub fn cast(edges: &[Edge], source: &Aabb, reach: f64, opaque: &[Aabb]) -> Vec<Lit> {
+pub fn cast(edges: &[RockEdge], source: &Aabb, reach: f64, opaque: &[Aabb]) -> Vec<Lit> {
     let lit_space = Aabb::new(source.min - reach, source.max + reach);
     let shading: Vec<&Aabb> = opaque.iter().filter(|solid| solid.touches(&lit_space, 0.0)).collect();
     let mut lit = Vec::new();

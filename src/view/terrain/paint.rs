@@ -1,15 +1,15 @@
 //! Draws the terrain: the mass, its materials, what is drafted on it, its edge, and the light that falls on it.
 
-use super::drafting::{self, Dimension, Grain, Stroke};
+use super::drafting::{self, Dimension, Grain, HatchStroke};
 use super::light::{Lit, cast};
-use super::silhouette::{Corner, Edge, Silhouette};
+use super::silhouette::{Corner, RockEdge, Silhouette};
 use super::{ROCK, Tint, kind, mass, parts};
+use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::level::Level;
 use crate::physics::{Aabb, DVec2, Material};
 use crate::view::art::{self, Tile};
 use crate::view::camera::Viewport;
-use crate::view::layout::{Area, DETAILS, Vec2};
 
 /// How much of the rock covers an author's picture; materials cover more of it, so that they can be told.
 const ROCK_OVER_PICTURE: f32 = 0.45;
@@ -41,8 +41,8 @@ pub type Lamp = (Aabb, f64);
 pub struct Terrain {
     mass: Silhouette,
     /// What is not plain rock, each kind by itself: where it meets other kinds.
-    seams: Vec<Edge>,
-    strokes: Vec<Stroke>,
+    seams: Vec<RockEdge>,
+    strokes: Vec<HatchStroke>,
     grains: Vec<Grain>,
     dimensions: Vec<(Dimension, String)>,
     crosses: Vec<DVec2>,
@@ -158,7 +158,7 @@ impl Terrain {
         }
     }
 
-    fn edges_in_view(&self, view: &Viewport) -> impl Iterator<Item = &Edge> {
+    fn edges_in_view(&self, view: &Viewport) -> impl Iterator<Item = &RockEdge> {
         let visible = view.visible();
         self.mass.edges().iter().filter(move |edge| edge.bounds().touches(&visible, 0.2))
     }
@@ -175,7 +175,7 @@ impl Terrain {
     fn draw_hatching(&self, view: &Viewport, pixel: f32, quads: &mut Quads) {
         let visible = view.visible();
         let colour = self.tint.ink.faded(HATCHING);
-        for Stroke { from, to } in &self.strokes {
+        for HatchStroke { from, to } in &self.strokes {
             if from.cmpge(visible.min - 1.5).all() && from.cmple(visible.max + 1.5).all() {
                 quads.stroke([view.point(*from), view.point(*to)], pixel.max(1.2), [colour, colour.faded(0.0)]);
             }
@@ -231,7 +231,7 @@ impl Terrain {
 
     /// The edge, inside the mass: what faces up last and brightest.
     fn draw_edges(&self, view: &Viewport, canvas: &Canvas) {
-        let up = |edge: &&Edge| edge.inward.y > 0.5;
+        let up = |edge: &&RockEdge| edge.inward.y > 0.5;
         for edge in self.edges_in_view(view).filter(|edge| !up(edge)) {
             let bright = edge_colour(edge.kind, &self.tint);
             let shade = if Material::ALL[edge.kind].name == "Glass" { 1.0 } else { 0.85 };
@@ -272,7 +272,7 @@ pub fn material_edge(name: &str) -> Option<Colour> {
 }
 
 /// A line along an edge, inside the mass, on whole pixels; where the open space has a corner it goes round it.
-fn draw_side(edge: &Edge, width: f32, colour: Colour, (view, canvas): (&Viewport, &Canvas)) {
+fn draw_side(edge: &RockEdge, width: f32, colour: Colour, (view, canvas): (&Viewport, &Canvas)) {
     let line = view.rect(&edge.bounds());
     let reaches = |end: usize| if edge.corners[end] == Corner::Inner { width } else { 0.0 };
     // The mass is on the right hand: edges that face up and right begin at their smaller end.
@@ -296,7 +296,7 @@ fn draw_side(edge: &Edge, width: f32, colour: Colour, (view, canvas): (&Viewport
 }
 
 /// The corners of a band behind an edge, mitred where it meets others: its outer side, then its inner one.
-fn band(edge: &Edge, depth: f64, view: &Viewport) -> [Vec2; 4] {
+fn band(edge: &RockEdge, depth: f64, view: &Viewport) -> [Vec2; 4] {
     let along = edge.along();
     let mitre = |corner: Corner| match corner {
         Corner::Outer => depth.min(edge.length() * 0.5),

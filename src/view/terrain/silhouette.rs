@@ -1,7 +1,7 @@
 //! Solid rectangles as one mass: what they cover together, row by row without overlap, and the outline round it, as closed loops and as
 //! straight edges that know what they are made of. Plain geometry in metres, y down.
 
-use super::sweep::{Placed, Row, Span, TOUCH, rows, stop, stops};
+use super::sweep::{SweepRow, SweepSpan, SweptBox, TOUCH, rows, stop, stops};
 use crate::physics::{Aabb, DVec2};
 
 /// How an edge meets the next one of its loop.
@@ -17,7 +17,7 @@ pub enum Corner {
 
 /// A straight piece of the outline, of one kind, with the mass on its right hand (y down).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Edge {
+pub struct RockEdge {
     /// Where it begins, m.
     pub from: DVec2,
     /// Where it ends, m.
@@ -32,7 +32,7 @@ pub struct Edge {
     pub depth: f64,
 }
 
-impl Edge {
+impl RockEdge {
     /// m.
     pub fn length(&self) -> f64 {
         (self.to - self.from).length()
@@ -57,9 +57,9 @@ pub const DEPTH: f64 = 4.0;
 pub struct Silhouette {
     columns: Vec<f64>,
     heights: Vec<f64>,
-    rows: Vec<Row>,
+    rows: Vec<SweepRow>,
     loops: Vec<Vec<DVec2>>,
-    edges: Vec<Edge>,
+    edges: Vec<RockEdge>,
 }
 
 impl Silhouette {
@@ -68,9 +68,9 @@ impl Silhouette {
         let boxes: Vec<&(Aabb, usize)> = boxes.iter().filter(|(bounds, _)| bounds.size().min_element() > TOUCH).collect();
         let columns = stops(boxes.iter().flat_map(|(bounds, _)| [bounds.min.x, bounds.max.x]));
         let heights = stops(boxes.iter().flat_map(|(bounds, _)| [bounds.min.y, bounds.max.y]));
-        let placed: Vec<Placed> = boxes
+        let placed: Vec<SweptBox> = boxes
             .iter()
-            .map(|(bounds, kind)| Placed {
+            .map(|(bounds, kind)| SweptBox {
                 columns: [stop(&columns, bounds.min.x), stop(&columns, bounds.max.x)],
                 rows: [stop(&heights, bounds.min.y), stop(&heights, bounds.max.y)],
                 kind: *kind,
@@ -88,7 +88,7 @@ impl Silhouette {
     /// The rectangles that it consists of, none over another, each with its kind.
     pub fn pieces(&self) -> impl Iterator<Item = (Aabb, usize)> {
         self.rows.iter().flat_map(move |row| {
-            let piece = move |span: &Span| {
+            let piece = move |span: &SweepSpan| {
                 let (min, max) = (self.point((span.from, row.top)), self.point((span.to, row.bottom)));
                 (Aabb::new(min, max), span.kind)
             };
@@ -103,7 +103,7 @@ impl Silhouette {
     }
 
     /// The straight pieces of all loops, cut where the kind changes.
-    pub fn edges(&self) -> &[Edge] {
+    pub fn edges(&self) -> &[RockEdge] {
         &self.edges
     }
 
@@ -133,7 +133,7 @@ impl Silhouette {
             // Just beyond the line that it stands on.
             let ahead = at + direction * TOUCH;
             let Some(row) = self.row_at(ahead.y) else { break };
-            let holds = |span: &&Span| self.columns[span.from] <= ahead.x && ahead.x < self.columns[span.to];
+            let holds = |span: &&SweepSpan| self.columns[span.from] <= ahead.x && ahead.x < self.columns[span.to];
             let Some(span) = row.spans.iter().find(holds).filter(|span| span.kind == kind) else { break };
             let end = |low: usize, high: usize, stops: &[f64], way: f64| if way > 0.0 { stops[high] } else { stops[low] };
             let across = (end(span.from, span.to, &self.columns, direction.x) - at.x) / direction.x;
@@ -143,11 +143,11 @@ impl Silhouette {
         gone.min(limit)
     }
 
-    fn spans_over(&self, span: &Span, from: f64, to: f64) -> bool {
+    fn spans_over(&self, span: &SweepSpan, from: f64, to: f64) -> bool {
         self.columns[span.from] <= from && self.columns[span.to] >= to
     }
 
-    fn row_at(&self, y: f64) -> Option<&Row> {
+    fn row_at(&self, y: f64) -> Option<&SweepRow> {
         let next = self.rows.partition_point(|row| self.heights[row.top] <= y);
         self.rows[..next].last().filter(|row| y < self.heights[row.bottom])
     }
@@ -167,7 +167,7 @@ impl Silhouette {
             let pieces = self.kinds(from, to, inward);
             let last = pieces.len() - 1;
             for (j, &(a, b, kind)) in pieces.iter().enumerate() {
-                self.edges.push(Edge {
+                self.edges.push(RockEdge {
                     from: self.point(a),
                     to: self.point(b),
                     inward: DVec2::new(f64::from(inward.0), f64::from(inward.1)),
@@ -180,9 +180,9 @@ impl Silhouette {
     }
 
     /// The pieces of a side by what lies behind them, in the order in which it is walked.
-    fn kinds(&self, from: Place, to: Place, inward: (i8, i8)) -> Vec<(Place, Place, usize)> {
-        let mut pieces: Vec<(Place, Place, usize)> = Vec::new();
-        let mut add = |a: Place, b: Place, kind: usize| match pieces.last_mut() {
+    fn kinds(&self, from: EdgePlace, to: EdgePlace, inward: (i8, i8)) -> Vec<(EdgePlace, EdgePlace, usize)> {
+        let mut pieces: Vec<(EdgePlace, EdgePlace, usize)> = Vec::new();
+        let mut add = |a: EdgePlace, b: EdgePlace, kind: usize| match pieces.last_mut() {
             Some(last) if last.2 == kind => last.1 = b,
             _ => pieces.push((a, b, kind)),
         };
@@ -190,8 +190,8 @@ impl Silhouette {
             let (left, right) = (from.0.min(to.0), from.0.max(to.0));
             let row = self.row_beside(from.1, inward.1);
             let inside = row.iter().flat_map(|row| &row.spans).filter(|span| span.to > left && span.from < right);
-            let mut along: Vec<Span> =
-                inside.map(|span| Span { from: span.from.max(left), to: span.to.min(right), kind: span.kind }).collect();
+            let mut along: Vec<SweepSpan> =
+                inside.map(|span| SweepSpan { from: span.from.max(left), to: span.to.min(right), kind: span.kind }).collect();
             if to.0 < from.0 {
                 along.reverse();
                 along.iter().for_each(|span| add((span.to, from.1), (span.from, from.1), span.kind));
@@ -200,8 +200,9 @@ impl Silhouette {
             }
         } else {
             let (top, bottom) = (from.1.min(to.1), from.1.max(to.1));
-            let touches = |span: &&Span| if inward.0 > 0 { span.from == from.0 } else { span.to == from.0 };
-            let cut = |row: &Row| row.spans.iter().find(touches).map(|span| (row.top.max(top), row.bottom.min(bottom), span.kind));
+            let touches = |span: &&SweepSpan| if inward.0 > 0 { span.from == from.0 } else { span.to == from.0 };
+            let cut =
+                |row: &SweepRow| row.spans.iter().find(touches).map(|span| (row.top.max(top), row.bottom.min(bottom), span.kind));
             let mut along: Vec<(usize, usize, usize)> = self.rows_between(top, bottom).iter().filter_map(cut).collect();
             if to.1 < from.1 {
                 along.reverse();
@@ -214,21 +215,21 @@ impl Silhouette {
     }
 
     /// The row that begins or ends at a height.
-    fn row_beside(&self, height: usize, way: i8) -> Option<&Row> {
+    fn row_beside(&self, height: usize, way: i8) -> Option<&SweepRow> {
         let next = self.rows.partition_point(|row| row.top < height);
         let row = if way > 0 { self.rows.get(next) } else { self.rows[..next].last() };
         row.filter(|row| if way > 0 { row.top == height } else { row.bottom == height })
     }
 
     /// The rows between two heights, whole or in part.
-    fn rows_between(&self, top: usize, bottom: usize) -> &[Row] {
+    fn rows_between(&self, top: usize, bottom: usize) -> &[SweepRow] {
         let first = self.rows.partition_point(|row| row.bottom <= top);
         let end = self.rows.partition_point(|row| row.top < bottom);
         &self.rows[first..end.max(first)]
     }
 
     /// How deep the mass is behind a side, whatever its kind, m.
-    fn depth(&self, from: Place, to: Place, inward: (i8, i8)) -> f64 {
+    fn depth(&self, from: EdgePlace, to: EdgePlace, inward: (i8, i8)) -> f64 {
         if inward.0 == 0 {
             let (left, right) = (from.0.min(to.0), from.0.max(to.0));
             let (start, mut height) = (from.1, from.1);
@@ -241,7 +242,7 @@ impl Silhouette {
             (self.heights[height] - self.heights[start]).abs().min(DEPTH)
         } else {
             let (top, bottom) = (from.1.min(to.1), from.1.max(to.1));
-            let behind = |row: &Row| {
+            let behind = |row: &SweepRow| {
                 let covered = row.covered();
                 let span = covered.iter().find(|(a, b)| if inward.0 > 0 { *a == from.0 } else { *b == from.0 });
                 span.map_or(0.0, |&(a, b)| self.columns[b] - self.columns[a])
@@ -252,11 +253,11 @@ impl Silhouette {
 }
 
 /// A crossing of a column and a height, by their indices.
-type Place = (usize, usize);
+type EdgePlace = (usize, usize);
 
 /// The loops round what the rows cover, by their corners.
-fn loops(rows: &[Row]) -> Vec<Vec<Place>> {
-    let mut sides: Vec<(Place, Place)> = Vec::new();
+fn loops(rows: &[SweepRow]) -> Vec<Vec<EdgePlace>> {
+    let mut sides: Vec<(EdgePlace, EdgePlace)> = Vec::new();
     let mut above: Vec<(usize, usize)> = Vec::new();
     for row in rows {
         let covered = row.covered();
@@ -291,7 +292,7 @@ fn loops(rows: &[Row]) -> Vec<Vec<Place>> {
 }
 
 /// The sides along a height: where only what is below it is covered, and where only what is above it is.
-fn level_sides(above: &[(usize, usize)], below: &[(usize, usize)], height: usize, sides: &mut Vec<(Place, Place)>) {
+fn level_sides(above: &[(usize, usize)], below: &[(usize, usize)], height: usize, sides: &mut Vec<(EdgePlace, EdgePlace)>) {
     let mut cuts: Vec<usize> = above.iter().chain(below).flat_map(|&(a, b)| [a, b]).collect();
     cuts.sort_unstable();
     cuts.dedup();
@@ -309,7 +310,7 @@ fn level_sides(above: &[(usize, usize)], below: &[(usize, usize)], height: usize
 }
 
 /// The side that goes on where another ends. Where two do, the one that turns to the right: round the same corner of the mass.
-fn following(sides: &[(Place, Place)], side: usize) -> usize {
+fn following(sides: &[(EdgePlace, EdgePlace)], side: usize) -> usize {
     let (from, to) = sides[side];
     let first = sides.partition_point(|(start, _)| *start < to);
     let mut next = (first..sides.len()).take_while(|&i| sides[i].0 == to);
@@ -318,7 +319,7 @@ fn following(sides: &[(Place, Place)], side: usize) -> usize {
 }
 
 /// The direction from one place to another on the same column or height.
-fn unit(from: Place, to: Place) -> (i8, i8) {
+fn unit(from: EdgePlace, to: EdgePlace) -> (i8, i8) {
     let sign = |a: usize, b: usize| match b.cmp(&a) {
         std::cmp::Ordering::Greater => 1,
         std::cmp::Ordering::Equal => 0,

@@ -8,7 +8,7 @@ pub const TOUCH: f64 = 1e-6;
 
 /// A stretch of a row, between two of the columns, of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Span {
+pub struct SweepSpan {
     pub from: usize,
     pub to: usize,
     pub kind: usize,
@@ -16,14 +16,14 @@ pub struct Span {
 
 /// The mass between two heights where it does not change. Rows follow each other without a gap; some are empty.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Row {
+pub struct SweepRow {
     pub top: usize,
     pub bottom: usize,
     /// From left to right; neighbours that touch differ in kind.
-    pub spans: Vec<Span>,
+    pub spans: Vec<SweepSpan>,
 }
 
-impl Row {
+impl SweepRow {
     /// The spans of whatever kind, those that touch as one.
     pub fn covered(&self) -> Vec<(usize, usize)> {
         let mut all: Vec<(usize, usize)> = Vec::new();
@@ -38,7 +38,7 @@ impl Row {
 }
 
 /// A rectangle between lines of the grid.
-pub struct Placed {
+pub struct SweptBox {
     pub columns: [usize; 2],
     pub rows: [usize; 2],
     pub kind: usize,
@@ -58,12 +58,12 @@ pub fn stop(stops: &[f64], value: f64) -> usize {
 }
 
 /// The rows from the first height to the last, those that are alike as one.
-pub fn rows(boxes: &[Placed], heights: usize) -> Vec<Row> {
+pub fn rows(boxes: &[SweptBox], heights: usize) -> Vec<SweepRow> {
     let mut order: Vec<usize> = (0..boxes.len()).collect();
     order.sort_by_key(|&i| boxes[i].rows[0]);
     let mut order = order.into_iter().peekable();
     let mut active: Vec<usize> = Vec::new();
-    let mut rows: Vec<Row> = Vec::new();
+    let mut rows: Vec<SweepRow> = Vec::new();
     for height in 0..heights.saturating_sub(1) {
         active.retain(|&i| boxes[i].rows[1] > height);
         while let Some(i) = order.next_if(|&i| boxes[i].rows[0] <= height) {
@@ -72,19 +72,19 @@ pub fn rows(boxes: &[Placed], heights: usize) -> Vec<Row> {
         let spans = spans(boxes, &active);
         match rows.last_mut() {
             Some(row) if row.spans == spans => row.bottom = height + 1,
-            _ => rows.push(Row { top: height, bottom: height + 1, spans }),
+            _ => rows.push(SweepRow { top: height, bottom: height + 1, spans }),
         }
     }
     rows
 }
 
 /// What some boxes cover along a row: a sweep from left to right, the last box on top.
-fn spans(boxes: &[Placed], active: &[usize]) -> Vec<Span> {
+fn spans(boxes: &[SweptBox], active: &[usize]) -> Vec<SweepSpan> {
     let mut events: Vec<(usize, bool, usize)> =
         active.iter().flat_map(|&i| [(boxes[i].columns[0], true, i), (boxes[i].columns[1], false, i)]).collect();
     events.sort_unstable();
     let mut here: BTreeSet<usize> = BTreeSet::new();
-    let mut spans: Vec<Span> = Vec::new();
+    let mut spans: Vec<SweepSpan> = Vec::new();
     let mut before: usize = 0;
     for (column, begins, i) in events {
         if let Some(&top) = here.last()
@@ -93,7 +93,7 @@ fn spans(boxes: &[Placed], active: &[usize]) -> Vec<Span> {
             let kind = boxes[top].kind;
             match spans.last_mut() {
                 Some(last) if last.to == before && last.kind == kind => last.to = column,
-                _ => spans.push(Span { from: before, to: column, kind }),
+                _ => spans.push(SweepSpan { from: before, to: column, kind }),
             }
         }
         before = column;

@@ -1,7 +1,7 @@
 //! The panels around the picture.
 
 use super::*;
-use crate::view::layout::wrapped;
+use crate::draw::layout::wrapped;
 
 impl Editor {
     pub(super) fn draw_commands(&self, canvas: &Canvas, tip: &mut Tip) {

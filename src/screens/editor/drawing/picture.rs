@@ -123,7 +123,7 @@ impl Editor {
                 arrow(canvas, centre, Vec2::new(angle.sin() as f32, -angle.cos() as f32), theme::accent());
             }
             Kind::Text => {
-                let size = crate::view::layout::nearest_size(area.size.y);
+                let size = crate::draw::layout::nearest_size(area.size.y);
                 let own = self.given_colour(row).unwrap_or(own);
                 if area.size.y > 10.0 {
                     canvas.text(cell("text"), area.min, Style::new(size, own));

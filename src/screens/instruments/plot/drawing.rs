@@ -3,6 +3,7 @@
 use super::panel::Action;
 use super::places::SAMPLE;
 use super::{Plot, PlotPlaces};
+use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::instruments::chart::{Chart, Lane};
 use crate::instruments::curve::Curve;
@@ -12,7 +13,6 @@ use crate::instruments::track::Track;
 use crate::lab::linear::Linear;
 use crate::lab::look::Look;
 use crate::view::diagram::{marker, stroke};
-use crate::view::layout::{Area, DETAILS, GRID, Vec2};
 use crate::view::{quantity, theme, widgets};
 use std::ops::Range;
 

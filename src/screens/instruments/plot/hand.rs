@@ -1,10 +1,10 @@
 //! The pointer in the plot: it takes the world to another moment, marks a stretch, and with the wheel shows more or less of the flight.
 
 use super::{Plot, PlotPlaces, SHORTEST};
+use crate::draw::layout::{Frame, Vec2};
 use crate::instruments::chart::Chart;
 use crate::instruments::quantity::Quantity;
 use crate::screens::{Input, Key};
-use crate::view::layout::{Frame, Vec2};
 
 /// What a notch of the wheel leaves of the stretch of time.
 const NOTCH: f64 = 0.8;

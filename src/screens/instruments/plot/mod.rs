@@ -11,6 +11,7 @@ mod readings;
 mod taken_along;
 
 use super::Stage;
+use crate::draw::layout::{Area, Frame, Vec2};
 use crate::game::{History, body_title};
 use crate::instruments::chart::{Chart, Member, Window};
 use crate::instruments::curve::Curve;
@@ -19,7 +20,6 @@ use crate::instruments::track::Track;
 use crate::physics::{BodyId, DVec2};
 use crate::screens::ahead::Ahead;
 use crate::screens::{Buttons, Input, Keys, NewFile};
-use crate::view::layout::{Area, Frame, Vec2};
 use hand::Hand;
 use object::Object;
 use panel::{Action, Format, Pick};

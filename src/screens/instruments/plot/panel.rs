@@ -4,9 +4,9 @@ use super::choices::{self, choices};
 use super::object::Object;
 use super::places::{MOST_LINES, PlotPlaces};
 use super::{Line, Plot, along};
+use crate::draw::layout::Area;
 use crate::instruments::quantity::Quantity;
 use crate::instruments::track::Track;
-use crate::view::layout::Area;
 
 /// What a button does.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Where the parts of the plot's panel stand: a band at the canvas' foot, with the flight above it, so that it covers nothing of that.
 
-use crate::view::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2, text_room};
+use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2, text_room};
 
 /// Of the canvas' height, what a large panel takes.
 const LARGE: f32 = 0.6;

@@ -1,11 +1,11 @@
 //! Draws the panel: a line a number, with its slider, what it is, and what it was.
 
 use super::{Entry, From, Line, Vary};
+use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::instruments::vary::Track;
 use crate::level::Parameter;
 use crate::screens::text_field::TextField;
-use crate::view::layout::{Area, DETAILS, GRID, Vec2};
 use crate::view::quantity::scalar;
 use crate::view::{theme, widgets};
 

@@ -1,6 +1,6 @@
 //! Where the parts of the panel stand: at the top right, a line below the other.
 
-use crate::view::layout::{Area, DETAILS, Frame, GRID, LINE, Vec2};
+use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, Vec2};
 
 /// Widths in heights of the text: of a line's name, slider, number and reset.
 const COLUMNS: [f32; 4] = [7.2, 6.0, 7.2, 6.6];

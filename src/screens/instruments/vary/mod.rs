@@ -7,13 +7,13 @@ mod layout;
 pub use drawing::written;
 
 use super::Stage;
+use crate::draw::layout::{Area, Vec2};
 use crate::game::body_title;
 use crate::instruments::vary::{Track, Variation};
 use crate::level::{Level, Parameter};
 use crate::physics::BodyId;
 use crate::screens::text_field::TextField;
 use crate::screens::{Answer, Input, Key, Keys};
-use crate::view::layout::{Area, Vec2};
 use layout::{Button, Layout};
 
 /// The most letters of a number, and of a level's name.

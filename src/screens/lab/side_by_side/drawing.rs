@@ -1,11 +1,11 @@
 //! Draws the two halves, the errors so far and the words around them.
 
 use super::{Half, SideBySide, panels};
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
 use crate::lab::axes::{Decades, LEAST_ERROR, number, power, step};
 use crate::physics::{Aabb, DVec2};
-use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::view::{theme, widgets};
 
 /// Height of the line at a half's foot: its error.

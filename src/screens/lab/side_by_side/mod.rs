@@ -4,11 +4,11 @@
 mod drawing;
 
 use super::body;
+use crate::draw::layout::{Area, Frame, Vec2};
 use crate::lab::course::worst;
 use crate::lab::side_by_side::{Exhibit, Motion, STEPS, USUAL_STEP, error, exhibits};
 use crate::physics::{Aabb, DVec2};
 use crate::screens::{Buttons, Input, Key, Keys, Toolbar};
-use crate::view::layout::{Area, Frame, Vec2};
 use std::collections::VecDeque;
 
 /// A hitch counts as at most so long, s.

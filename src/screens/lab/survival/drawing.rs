@@ -1,10 +1,10 @@
 //! Draws the table, and beside it the failure of the line that is asked.
 
 use super::{Line, ROW, SurvivalPage, TABLE, WIDEST, body, line_of, panel};
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::axes::number;
 use crate::lab::stress::Survival;
-use crate::view::layout::{Area, BUTTON_TEXT, DETAILS, Frame, PADDING, TEXT, Vec2};
 use crate::view::{picture, theme, widgets};
 
 /// From the panel's left edge to tests and to methods, and from its right edge to the values.

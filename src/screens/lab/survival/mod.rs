@@ -3,11 +3,11 @@
 mod drawing;
 
 use super::body;
+use crate::draw::layout::{Area, Frame};
 use crate::lab::stress::picture::Picture;
 use crate::lab::stress::{self, Survival};
 use crate::screens::scroll::{Bar, Scroll, bar_beside};
 use crate::screens::{Input, Key, Toolbar};
-use crate::view::layout::{Area, Frame};
 use std::collections::HashMap;
 
 /// Height of a line.

@@ -1,6 +1,6 @@
-//! Where the parts of the head-up display stand. All else that is laid out is in [`crate::draw::layout`].
+//! Where the parts of the head-up display stand.
 
-pub use crate::draw::layout::*;
+use crate::draw::layout::{Area, Frame, GRID, TEXT, Vec2};
 use crate::game::Game;
 
 /// Width and height of the fuel bar in the head-up display as shares of the window's.
