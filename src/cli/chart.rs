@@ -2,8 +2,9 @@
 //! place of the lab with a clock and files. The clock is the thread's own CPU time, as in `benches/peers`: what else the machine does
 //! counts for little.
 
-use super::files::{NewFile, Staged, read_text};
-use super::{Project, Status, Stop};
+use super::files::{OutputFile, Staged, read_text};
+use super::project::Project;
+use super::stop::{Status, Stop};
 use crate::files::{self, CHART};
 use crate::lab::charts::{Charts, Setting};
 use crate::lab::course::{CoursePoint, OverTime};
@@ -38,7 +39,7 @@ use std::time::Instant as Clock;
     setting.csv  machine, commit, build\n\n\
     All files are written when everything has been measured, or none. Points of other engines are taken from\n\
     benches/peers/results.csv where that file is there. The game's Lab shows what is in charts/ of its data folder.")]
-pub struct Args {
+pub struct ChartArgs {
     /// Where to write
     #[arg(long, value_name = "DIR", default_value = "charts")]
     out: PathBuf,
@@ -63,7 +64,7 @@ const TOO_LONG: Duration = Duration::from_millis(60);
 /// # Errors
 /// Nothing can be written there, or the peers' results cannot be read; both are found out before anything is measured. Where writing
 /// fails afterwards, no file is left half written.
-pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &ChartArgs, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     if args.out.exists() && !args.out.is_dir() {
         return Err(Stop::Refused(format!(
             "--out {}: found a file, expected a folder or the name of a new one",
@@ -73,10 +74,10 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     let peers = peers(project)?;
     progress("building scenes and their exact answers");
     let scenes = scenes::all();
-    let folder = Folder::open(&args.out)?;
+    std::fs::create_dir_all(&args.out).map_err(|error| Stop::refused(format!("{}: {error}", args.out.display())))?;
     for scene in &scenes {
-        folder.begin(&format!("{}.csv", scene.name))?;
-        folder.begin(&format!("{}.svg", scene.name))?;
+        OutputFile::create(&args.out.join(format!("{}.csv", scene.name)))?;
+        OutputFile::create(&args.out.join(format!("{}.svg", scene.name)))?;
     }
 
     let mut diagrams = Vec::new();
@@ -97,6 +98,18 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     let profile = if cfg!(debug_assertions) { "debug" } else { "release" }.to_owned();
     let setting = Setting { machine: machine(), commit: commit(project.root()), profile, quick: args.quick };
     let charts = Charts { setting, diagrams, stress: survivals };
+    let files = all_files(&charts);
+    let staged = stage(&args.out, &files)?;
+    for (name, _) in &files {
+        writeln!(out, "{}", args.out.join(name).display())?;
+    }
+    out.flush()?;
+    Staged::place_all(staged)?;
+    Ok(Status::Done)
+}
+
+/// The names and contents of all files.
+fn all_files(charts: &Charts) -> Vec<(String, String)> {
     let mut files = charts.files();
     for measured in &charts.diagrams {
         files.push((format!("{}.svg", measured.name), paper::measured(measured)));
@@ -106,14 +119,8 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     files.push((stability_diagram::SVG.to_owned(), paper::stability(&regions)));
     files.extend(stability_diagram::csv(&regions).map(|(name, text)| (name.to_owned(), text)));
     files.push(("shipped.csv".to_owned(), shipped_csv(&charts.diagrams)));
-    files.push(("summary.md".to_owned(), summary(&charts, &regions)));
-    let staged = folder.stage(&files)?;
-    for (name, _) in &files {
-        writeln!(out, "{}", args.out.join(name).display())?;
-    }
-    out.flush()?;
-    Staged::place_all(staged)?;
-    Ok(Status::Done)
+    files.push(("summary.md".to_owned(), summary(charts, &regions)));
+    files
 }
 
 /// The peers' results, where there are any: the file's name and its text, found to be sound before minutes are spent.
@@ -127,32 +134,14 @@ fn peers(project: &Project) -> Result<Option<(String, String)>, Stop> {
     Ok(Some((name, text)))
 }
 
-/// Where the files go.
-struct Folder<'a> {
-    path: &'a Path,
-}
-
-impl<'a> Folder<'a> {
-    /// Makes the folder if need be.
-    fn open(path: &'a Path) -> Result<Self, Stop> {
-        std::fs::create_dir_all(path).map_err(|error| Stop::refused(format!("{}: {error}", path.display())))?;
-        Ok(Self { path })
-    }
-
-    /// A file in it, begun; nothing is to be seen of it until it is finished.
-    fn begin(&self, name: &str) -> Result<NewFile, Stop> {
-        NewFile::create(&self.path.join(name))
-    }
-
-    /// Writes all of them, to be put in their places once all are written.
-    fn stage(&self, files: &[(String, String)]) -> Result<Vec<Staged>, Stop> {
-        let stage = |(name, text): &(String, String)| {
-            let mut file = self.begin(name)?;
-            file.write_all(text.as_bytes())?;
-            file.stage()
-        };
-        files.iter().map(stage).collect()
-    }
+/// Writes all files of a folder, to be put in their places once all are written.
+fn stage(folder: &Path, files: &[(String, String)]) -> Result<Vec<Staged>, Stop> {
+    let stage = |(name, text): &(String, String)| {
+        let mut file = OutputFile::create(&folder.join(name))?;
+        file.write_all(text.as_bytes())?;
+        file.stage()
+    };
+    files.iter().map(stage).collect()
 }
 
 fn progress(what: &str) {

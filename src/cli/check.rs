@@ -1,6 +1,7 @@
 //! `resultant check [LEVEL…]`: loads levels, and says what is in them or everything that is wrong with them.
 
-use super::{Project, Readers, Status, Stop, shown};
+use super::project::Project;
+use super::stop::{Readers, Status, Stop, shown};
 use crate::level::schema::{Count, Kind};
 use crate::level::{self, Level, Loaded};
 use crate::pack;

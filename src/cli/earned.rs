@@ -1,10 +1,11 @@
 //! `resultant verify --scores`: flies the flight of every row of every leaderboard again, and names the rows that do not hold.
 
-use super::{Project, Readers, Status, Stop, shown};
+use super::project::Project;
+use super::stop::{Readers, Status, Stop, shown};
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::Fingerprint;
 use crate::level;
-use crate::scores::{Board, Doubt, Judge, Loaded, Scores, Standing};
+use crate::scores::{Board, Doubt, Judge, LoadedBoard, Scores, Standing};
 use std::io::{self, Write};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -49,7 +50,7 @@ fn judge_board(project: &Project, scores: &Scores, name: &str, (out, err): (&mut
         Ok(loaded) => scores.load_version(name, Fingerprint::of(&loaded.level)),
         Err(_) => scores.load(name).map(|loaded| (loaded, 0)),
     };
-    let (Loaded { mut board, damage }, others) = match loaded {
+    let (LoadedBoard { mut board, damage }, others) = match loaded {
         Ok(loaded) => loaded,
         Err(error) => {
             writeln!(err, "{shown_name}: {}", shown(error))?;

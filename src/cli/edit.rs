@@ -1,12 +1,13 @@
 //! `resultant edit LEVEL`: opens the editor.
 
-use super::{Project, Status, Stop};
+use super::project::Project;
+use super::stop::{Status, Stop};
 use std::ffi::OsString;
 use std::io::Write;
 
 /// What to edit.
 #[derive(clap::Args, Debug)]
-pub struct Args {
+pub struct EditArgs {
     /// A name under levels/, or a level's folder
     pub level: OsString,
     /// Edit a level that comes with the game itself, and not a copy of it
@@ -19,7 +20,7 @@ pub struct Args {
 /// # Errors
 /// No such level; no display; a build without a window.
 #[cfg(feature = "window")]
-pub fn run(args: &Args, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &EditArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
     use crate::screens::{Editor, Start};
     let folder = project.level_folder(&args.level)?;
     // A level that cannot be opened is refused before a window opens.
@@ -32,7 +33,7 @@ pub fn run(args: &Args, project: &Project, _out: &mut dyn Write) -> Result<Statu
 /// # Errors
 /// Always.
 #[cfg(not(feature = "window"))]
-pub fn run(args: &Args, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &EditArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
     project.level_folder(&args.level)?;
     Err(Stop::Refused("this build of resultant has no window: see --help for what it does without one".into()))
 }

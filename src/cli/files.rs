@@ -1,13 +1,12 @@
-//! Text files that a subcommand is told to read, and files that it is told to write.
+//! Text files that a subcommand reads, and files that it writes.
 //!
-//! New content is collected in a file without a name, so that a program that is stopped leaves nothing behind. When all of it is there,
-//! it is staged beside its target, written to the disk, and takes the target's place in one step: a target is the old file or the new
-//! one, whole, after a kill, a full disk or an error at any moment.
+//! New content is collected in a file without a name, so that a program that is stopped leaves nothing behind. When all of it is there, it
+//! is staged beside its target and takes the target's place in one step: a target is the old file or the new one, whole.
 
-use super::Stop;
+use super::stop::Stop;
 use crate::files::{self, Links, Replacement};
 use serde::Serialize;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 
@@ -24,16 +23,10 @@ pub fn read_text(path: &Path, at_most: u64) -> Result<String, Stop> {
     })
 }
 
-/// A file to be written. Standard output, and what the caller has passed on open (`/dev/fd/3`), is written to as it is.
-pub struct NewFile {
-    path: PathBuf,
-    writer: BufWriter<Place>,
-}
-
 /// A CSV file of rows, while it is written.
-pub struct Table<W: Write>(csv::Writer<W>);
+pub struct CsvOutput<W: Write>(csv::Writer<W>);
 
-impl<W: Write> Table<W> {
+impl<W: Write> CsvOutput<W> {
     /// Begins with the names of the columns, separated by commas. A row's fields may hold several cells each, so that they are not the
     /// names.
     pub fn new(out: W, header: &str) -> io::Result<Self> {
@@ -61,72 +54,71 @@ fn plain(error: csv::Error) -> io::Error {
     }
 }
 
+/// A file that a subcommand writes. Standard output, and a file that the caller has passed on open (`/dev/fd/3`), are written to as they
+/// are.
+pub struct OutputFile {
+    path: PathBuf,
+    writer: BufWriter<File>,
+    /// Whether the content is collected without a name, to be staged beside its target.
+    collected: bool,
+}
+
 /// A file that is written, and not in its place yet.
 pub struct Staged {
     path: PathBuf,
     fresh: Option<Replacement>,
 }
 
-enum Place {
-    /// Without a name, to be staged beside its target.
-    Collected(File),
-    Itself(File),
-}
-
-impl NewFile {
+impl OutputFile {
     /// Begins the file.
     ///
     /// # Errors
-    /// Nothing can be written there, or what is there is read-only; nothing has been written then.
+    /// Nothing can be written there, or the file there is read-only; nothing has been written then.
     pub fn create(path: &Path) -> Result<Self, Stop> {
-        let place = Place::find(path).map_err(|error| refused(path, &error))?;
-        Ok(Self { path: path.to_path_buf(), writer: BufWriter::new(place) })
+        let passed_on = passed_on(path);
+        let collected = passed_on.is_none();
+        let file = passed_on.unwrap_or_else(|| collect(path)).map_err(|error| refused(path, &error))?;
+        Ok(Self { path: path.to_path_buf(), writer: BufWriter::new(file), collected })
     }
 
     /// Begins those of a subcommand's output files that are asked for, each by the name of its argument. `inputs` are the files that
     /// the subcommand reads.
     ///
     /// # Errors
-    /// As [`NewFile::create`]; two outputs are one file, or an output is an input. Nothing has been written then.
+    /// As [`OutputFile::create`]; two outputs are one file, or an output is an input. Nothing has been written then.
     pub fn create_all<const N: usize>(outputs: [(&str, Option<&Path>); N], inputs: &[PathBuf]) -> Result<[Option<Self>; N], Stop> {
-        let read: Vec<Identity> = inputs.iter().filter_map(|path| Identity::of(path)).collect();
-        let mut written: Vec<(Identity, &str)> = Vec::new();
-        for (argument, path) in outputs.iter().filter_map(|(argument, path)| Some((argument, (*path)?))) {
-            let Some(identity) = Identity::of(path) else { continue };
-            if read.contains(&identity) {
-                let path = path.display();
-                return Err(Stop::Refused(format!("{argument} {path}: this file is read by the same command, expected another")));
-            }
-            if let Some((_, other)) = written.iter().find(|(other, _)| *other == identity) {
-                let path = path.display();
-                return Err(Stop::Refused(format!("{argument} {path}: {other} is written to this file, expected another")));
-            }
-            written.push((identity, argument));
-        }
+        let mut taken: Vec<(PathBuf, String)> =
+            inputs.iter().map(|path| (resolved(path), "this file is read by the same command".to_owned())).collect();
         let mut files = [const { None }; N];
+        for (argument, path) in outputs.iter().filter_map(|(argument, path)| Some((argument, (*path)?))) {
+            let file = resolved(path);
+            if let Some((_, why)) = taken.iter().find(|(other, _)| *other == file && !files::is_passed_on(path)) {
+                return Err(Stop::Refused(format!("{argument} {}: {why}, expected another", path.display())));
+            }
+            taken.push((file, format!("{argument} is written to this file")));
+        }
         for (file, (_, path)) in files.iter_mut().zip(outputs) {
             *file = path.map(Self::create).transpose()?;
         }
         Ok(files)
     }
 
-    /// Writes what was collected to the disk, beside the target.
+    /// Writes the content to the disk, beside the target.
     ///
     /// # Errors
     /// The disk is full or gone.
     pub fn stage(self) -> Result<Staged, Stop> {
-        let Self { path, writer } = self;
-        let written = writer.into_inner().map_err(io::IntoInnerError::into_error).and_then(|place| match place {
-            Place::Collected(mut collected) => {
-                let mut fresh = Replacement::begin(&path, Links::Followed)?;
-                collected.rewind()?;
-                io::copy(&mut collected, fresh.file())?;
-                fresh.seal()?;
-                Ok(Some(fresh))
-            }
-            Place::Itself(_) => Ok(None),
-        });
-        written.map_err(|error| Stop::Output(named(&path, &error))).map(|fresh| Staged { path, fresh })
+        let Self { path, writer, collected } = self;
+        let stage = |mut file: File| {
+            let mut fresh = Replacement::begin(&path, Links::Followed)?;
+            file.rewind()?;
+            io::copy(&mut file, fresh.file())?;
+            fresh.seal().map(|()| fresh)
+        };
+        let written = writer.into_inner().map_err(io::IntoInnerError::into_error);
+        let staged = written.and_then(|file| collected.then(|| stage(file)).transpose());
+        let fresh = staged.map_err(|error| Stop::Output(named(&path, &error)))?;
+        Ok(Staged { path, fresh })
     }
 }
 
@@ -134,7 +126,7 @@ impl Staged {
     /// Puts files in their places, each in one step, once all of them are staged.
     ///
     /// # Errors
-    /// What the system says; that file and those behind it are as they were then.
+    /// The system's; that file and those behind it are as they were then.
     pub fn place_all(staged: impl IntoIterator<Item = Self>) -> Result<(), Stop> {
         for Self { path, fresh } in staged {
             fresh.map_or(Ok(()), Replacement::finish).map_err(|error| Stop::Output(named(&path, &error)))?;
@@ -143,107 +135,47 @@ impl Staged {
     }
 }
 
-impl Place {
-    fn find(path: &Path) -> io::Result<Self> {
-        if let Some(output) = standard_output(path)? {
-            return Ok(Self::Itself(output));
-        }
-        if files::is_passed_on(path) {
-            return Ok(Self::Itself(OpenOptions::new().write(true).open(path)?));
-        }
-        let (target, found) = files::target(path, Links::Followed)?;
-        if let Some(found) = found {
-            one_name(&found)?;
-            // A file that this user may not write to is not replaced either.
-            files::open(OpenOptions::new().write(true), &target, Links::Never)?;
-        }
-        let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let closed = |error: io::Error| {
-            let why = format!("{error}: the file is written beside its place first, and its folder takes no new file");
-            io::Error::new(error.kind(), why)
-        };
-        tempfile::tempfile_in(folder).map(Self::Collected).map_err(closed)
+/// A file without a name, in the folder of the target that its content is for.
+fn collect(path: &Path) -> io::Result<File> {
+    let (target, found) = files::target(path, Links::Followed)?;
+    if found.is_some() {
+        // A file that this user may not write to is not replaced either.
+        one_name(&files::open(OpenOptions::new().write(true), &target, Links::Never)?.1)?;
     }
+    tempfile::tempfile_in(files::around(&target)).map_err(|error| {
+        let why = format!("{error}: the file is written beside its place first, and its folder takes no new file");
+        io::Error::new(error.kind(), why)
+    })
 }
 
 /// Refuses a file with further names (hard links): they would go on leading to the old content.
-#[cfg(unix)]
-fn one_name(found: &fs::Metadata) -> io::Result<()> {
-    match std::os::unix::fs::MetadataExt::nlink(found) {
-        0 | 1 => Ok(()),
-        names => {
-            let why =
-                format!("the file has {names} names (hard links), which cannot all get the new content at once, expected one");
-            Err(io::Error::new(io::ErrorKind::InvalidInput, why))
-        }
-    }
+fn one_name(found: &Metadata) -> io::Result<()> {
+    #[cfg(unix)]
+    let names = std::os::unix::fs::MetadataExt::nlink(found);
+    #[cfg(not(unix))]
+    let names = u64::from(found.is_file());
+    let why = || format!("the file has {names} names (hard links), which cannot all get the new content at once, expected one");
+    if names > 1 { Err(io::Error::new(io::ErrorKind::InvalidInput, why())) } else { Ok(()) }
 }
 
-#[cfg(not(unix))]
-fn one_name(_: &fs::Metadata) -> io::Result<()> {
-    Ok(())
-}
-
-/// This program's standard output, if that is the file that the path leads to: two that write to one file from its beginning would
+/// The file that the caller has passed on open. Standard output is this process' own: two that write to one file from its beginning would
 /// write over each other.
-#[cfg(unix)]
-fn standard_output(path: &Path) -> io::Result<Option<File>> {
-    use std::os::fd::AsFd;
-    let output = File::from(io::stdout().as_fd().try_clone_to_owned()?);
-    let same = Identity::of_file(&output.metadata()?).is_some_and(|output| Identity::of(path) == Some(output));
-    Ok(same.then_some(output))
-}
-
-#[cfg(not(unix))]
-fn standard_output(_: &Path) -> io::Result<Option<File>> {
-    Ok(None)
-}
-
-/// Which regular file a path leads to, or would lead to if it were made.
-#[derive(PartialEq)]
-enum Identity {
+fn passed_on(path: &Path) -> Option<io::Result<File>> {
     #[cfg(unix)]
-    Node(u64, u64),
-    Path(PathBuf),
+    if ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].iter().any(|output| path == Path::new(output)) {
+        use std::os::fd::AsFd;
+        return Some(io::stdout().as_fd().try_clone_to_owned().map(File::from));
+    }
+    files::is_passed_on(path).then(|| OpenOptions::new().write(true).open(path))
 }
 
-impl Identity {
-    /// `None` for what is no regular file, or cannot be reached.
-    fn of(path: &Path) -> Option<Self> {
-        match fs::metadata(path) {
-            #[cfg(unix)]
-            Ok(found) => Self::of_file(&found),
-            #[cfg(not(unix))]
-            Ok(found) => found.is_file().then(|| path.canonicalize().ok().map(Self::Path)).flatten(),
-            Err(_) => {
-                let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-                Some(Self::Path(folder.canonicalize().ok()?.join(path.file_name()?)))
-            }
-        }
-    }
-
-    #[cfg(unix)]
-    fn of_file(found: &fs::Metadata) -> Option<Self> {
-        use std::os::unix::fs::MetadataExt;
-        found.is_file().then(|| Self::Node(found.dev(), found.ino()))
-    }
+/// The path without links, also of a file that is not there yet.
+fn resolved(path: &Path) -> PathBuf {
+    let beside = || Some(files::around(path).canonicalize().ok()?.join(path.file_name()?));
+    path.canonicalize().ok().or_else(beside).unwrap_or_else(|| path.to_path_buf())
 }
 
-impl Write for Place {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        match self {
-            Self::Collected(file) | Self::Itself(file) => file.write(bytes),
-        }
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        match self {
-            Self::Collected(file) | Self::Itself(file) => file.flush(),
-        }
-    }
-}
-
-impl Write for NewFile {
+impl Write for OutputFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         self.writer.write(bytes).map_err(|error| named(&self.path, &error))
     }
@@ -265,9 +197,10 @@ fn refused(path: &Path, error: &io::Error) -> Stop {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     fn write(path: &Path, text: &str) {
-        let mut file = NewFile::create(path).unwrap();
+        let mut file = OutputFile::create(path).unwrap();
         file.write_all(text.as_bytes()).unwrap();
         Staged::place_all([file.stage().unwrap()]).unwrap();
     }
@@ -281,7 +214,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("out.csv");
         let unfinished = || {
-            let mut file = NewFile::create(&path).unwrap();
+            let mut file = OutputFile::create(&path).unwrap();
             file.write_all(b"half").unwrap();
             file.flush().unwrap();
             file
@@ -316,7 +249,7 @@ mod tests {
         assert_eq!(names(folder.path()), 2);
         fs::hard_link(path("out.csv"), path("hard")).unwrap();
         for name in ["out.csv", "hard", "soft"] {
-            let Err(Stop::Refused(problem)) = NewFile::create(&path(name)) else { panic!("begun") };
+            let Err(Stop::Refused(problem)) = OutputFile::create(&path(name)) else { panic!("begun") };
             assert!(problem.contains("the file has 2 names (hard links)"), "{problem}");
         }
     }
@@ -328,7 +261,7 @@ mod tests {
         let pipe = folder.path().join("pipe");
         assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
         for path in [pipe.as_path(), Path::new("/dev/null"), Path::new("/dev/full")] {
-            let Err(Stop::Refused(problem)) = NewFile::create(path) else { panic!("begun") };
+            let Err(Stop::Refused(problem)) = OutputFile::create(path) else { panic!("begun") };
             assert!(problem.ends_with("found a pipe or a device, expected a regular file"), "{problem}");
         }
     }
@@ -343,7 +276,7 @@ mod tests {
         fs::set_permissions(&read_only, permissions).unwrap();
         let too_long = folder.path().join("x".repeat(300));
         for path in [folder.path().to_path_buf(), folder.path().join("missing/out.csv"), too_long, read_only.clone()] {
-            assert!(matches!(NewFile::create(&path), Err(Stop::Refused(_))), "{}", path.display());
+            assert!(matches!(OutputFile::create(&path), Err(Stop::Refused(_))), "{}", path.display());
         }
         assert_eq!(fs::read_to_string(read_only).unwrap(), "kept");
         assert_eq!(names(folder.path()), 1);
@@ -355,7 +288,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let link = folder.path().join("link");
         std::os::unix::fs::symlink("nowhere", &link).unwrap();
-        let Err(Stop::Refused(problem)) = NewFile::create(&link) else { panic!("begun") };
+        let Err(Stop::Refused(problem)) = OutputFile::create(&link) else { panic!("begun") };
         assert!(problem.contains("a link that leads to no file"), "{problem}");
     }
 
@@ -368,7 +301,7 @@ mod tests {
         fs::hard_link(path("in"), path("in-too")).unwrap();
         let refusal = |a: &str, b: &str| {
             let (a, b) = (path(a), path(b));
-            let created = NewFile::create_all([("--a", Some(a.as_path())), ("--b", Some(&b)), ("--c", None)], &[path("in")]);
+            let created = OutputFile::create_all([("--a", Some(a.as_path())), ("--b", Some(&b)), ("--c", None)], &[path("in")]);
             created.map(|files| files.map(|file| file.is_some())).map_err(|stop| match stop {
                 Stop::Refused(problem) => problem,
                 Stop::Output(error) => panic!("{error}"),
@@ -382,9 +315,8 @@ mod tests {
                 "{problem}"
             );
         }
-        for input in ["in", "in-too"] {
-            assert!(refusal("one", input).unwrap_err().ends_with("this file is read by the same command, expected another"));
-        }
+        assert!(refusal("one", "in").unwrap_err().ends_with("this file is read by the same command, expected another"));
+        assert!(!cfg!(unix) || refusal("one", "in-too").unwrap_err().contains("the file has 2 names (hard links)"));
         assert_eq!(fs::read_to_string(path("in")).unwrap(), "read");
         assert!(!path("one").exists());
     }

@@ -1,6 +1,6 @@
 //! The file of forces: every single force and impact, tick by tick, with what exerts it and where it acts.
 
-use super::files::Table;
+use super::files::CsvOutput;
 use super::telemetry::column;
 use crate::game::{Game, obstacle_name, source_name};
 use crate::number::{Pair, Shortest, pair};
@@ -15,7 +15,7 @@ const IMPACT: &str = "impact";
 
 /// A row: an instant and what acts on an object then, numbered as in the telemetry; N (an impact: N·s) and metres.
 #[derive(Serialize)]
-struct Row<'a> {
+struct ForceRow<'a> {
     tick: u64,
     time: Shortest,
     object: u32,
@@ -26,12 +26,12 @@ struct Row<'a> {
 }
 
 /// The file while it is written.
-pub struct Forces<W: Write>(Table<W>);
+pub struct Forces<W: Write>(CsvOutput<W>);
 
 impl<W: Write> Forces<W> {
     /// Begins the file.
     pub fn new(out: W) -> io::Result<Self> {
-        Ok(Self(Table::new(out, HEADER)?))
+        Ok(Self(CsvOutput::new(out, HEADER)?))
     }
 
     /// The rows of the current tick: for each object the forces that act on it at this instant, and then the impacts that it felt since the
@@ -59,6 +59,14 @@ impl<W: Write> Forces<W> {
     fn write_row(&mut self, game: &Game, id: BodyId, (kind, by): (&str, &str), (vector, point): (DVec2, DVec2)) -> io::Result<()> {
         // Adding zero turns −0 into 0: what opposes 0 is 0.
         let vector = pair(vector + DVec2::ZERO);
-        self.0.row(&Row { tick: game.ticks(), time: Shortest(game.elapsed()), object: id.0, kind, by, vector, point: pair(point) })
+        self.0.row(&ForceRow {
+            tick: game.ticks(),
+            time: Shortest(game.elapsed()),
+            object: id.0,
+            kind,
+            by,
+            vector,
+            point: pair(point),
+        })
     }
 }

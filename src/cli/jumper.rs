@@ -1,7 +1,8 @@
 //! `resultant jumper`: a climb without a window.
 
 use super::files::read_text;
-use super::{Project, Status, Stop};
+use super::project::Project;
+use super::stop::{Status, Stop};
 use crate::classics::jumper::inputs::{Climb, parse};
 use crate::classics::jumper::scene::{Keys, Scene};
 use crate::files::INPUTS;
@@ -18,7 +19,7 @@ const TICKS_WITHOUT_INPUTS: u64 = 10 * TICK_RATE as u64;
 #[command(after_help = "Prints lines key=value: outcome (climbing; out when all players are), score (whole metres), height (m), \
     ticks, and each player's x and z (m).\n\nINPUTS: a CSV with the header ticks,left1,right1,jump1,left2,right2,jump2 (the last \
     three may be left out); each row holds its keys (0 or 1) for that many ticks of 1/120 s.")]
-pub struct Args {
+pub struct JumperArgs {
     /// The tower's seed: the same seed builds the same tower
     #[arg(long, default_value_t = 0)]
     seed: u64,
@@ -34,7 +35,7 @@ pub struct Args {
 ///
 /// # Errors
 /// Inputs that cannot be read or are refused, with file and line.
-pub fn run(args: &Args, _: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &JumperArgs, _: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     let rows = match &args.inputs {
         Some(path) => parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(Stop::Refused)?,
         None => vec![Climb { ticks: TICKS_WITHOUT_INPUTS, keys: [Keys::default(); 2] }],

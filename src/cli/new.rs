@@ -1,6 +1,7 @@
 //! `resultant new NAME`: a level folder that loads, for an author to go on from.
 
-use super::{Project, Status, Stop};
+use super::project::Project;
+use super::stop::{Status, Stop};
 use crate::level;
 use std::io::Write;
 

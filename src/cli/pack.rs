@@ -1,6 +1,7 @@
 //! `resultant pack` and `resultant unpack`: a level as one file, and back.
 
-use super::{Project, Status, Stop, shown};
+use super::project::Project;
+use super::stop::{Status, Stop, shown};
 use crate::files;
 use crate::level;
 use crate::pack::{self, Installed, Package};

@@ -1,6 +1,7 @@
 //! `resultant pi`: counts the collisions of two blocks and a wall.
 
-use super::{Project, Status, Stop};
+use super::project::Project;
+use super::stop::{Status, Stop};
 use crate::classics::pi::{Blocks, count, step_through};
 use std::io::Write;
 use std::time::Instant;
@@ -21,7 +22,7 @@ const MAX_N_WITH_POSITIONS: u32 = 7;
     steps            with --dt: how many steps were made\n  \
     stepped_seconds  with --dt: how long that took to compute"
 )]
-pub struct Args {
+pub struct PiArgs {
     /// How many digits follow the 3, from 0 to 9
     #[arg(value_name = "N", value_parser = clap::value_parser!(u32).range(0..=9), allow_negative_numbers = true)]
     n: u32,
@@ -37,7 +38,7 @@ pub struct Args {
 ///
 /// # Errors
 /// A step that is not above 0 and finite, or too small.
-pub fn run(args: &Args, _: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &PiArgs, _: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     let started = Instant::now();
     let stepped = match args.dt {
         Some(dt) => Some(step_through(args.n, dt, args.substeps).map_err(|problem| Stop::Refused(format!("--{problem}")))?),

@@ -1,9 +1,10 @@
 //! `resultant` and `resultant play LEVEL`: opens the game.
 
-use super::{Project, Status, Stop};
+use super::project::Project;
+use super::stop::{Status, Stop};
 #[cfg(feature = "window")]
 use crate::{
-    cli::{files::read_text, shown},
+    cli::{files::read_text, stop::shown},
     files::INPUTS,
     game::Inputs,
     level,
@@ -17,7 +18,7 @@ use std::{ffi::OsStr, path::Path, sync::Arc};
 
 /// What to open.
 #[derive(clap::Args, Debug, Default)]
-pub struct Args {
+pub struct PlayArgs {
     /// A name under levels/, or a level's folder; without it the game opens with its menu
     pub level: Option<OsString>,
     /// Play these recorded inputs instead of the keys, from the first tick on
@@ -30,7 +31,7 @@ pub struct Args {
 /// # Errors
 /// A level or inputs that are refused; folders that are missing; no display; a build without a window.
 #[cfg(feature = "window")]
-pub fn run(args: &Args, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &PlayArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
     for (what, folder) in [("levels", project.levels()), ("assets", project.assets())] {
         if !folder.is_dir() {
             let missing = folder.display();
@@ -79,6 +80,6 @@ fn start(level: &OsStr, inputs: Option<&Path>, project: &Project) -> Result<Star
 /// # Errors
 /// Always.
 #[cfg(not(feature = "window"))]
-pub fn run(_args: &Args, _project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(_args: &PlayArgs, _project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
     Err(Stop::Refused("this build of resultant has no window: see --help for what it does without one".into()))
 }

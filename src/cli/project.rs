@@ -1,7 +1,9 @@
 //! Where the game's folders are.
 
-use super::{Stop, shown};
+use super::stop::{Stop, shown};
+use crate::level::{self, Level};
 use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
 
 /// The folder that holds `assets/`, `levels/` and `scores/`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -91,6 +93,23 @@ impl Project {
         } else {
             Err(Stop::Refused(format!("no level {level:?}: {} is no folder", shown(folder.display()))))
         }
+    }
+
+    /// The level that the command line names, ready to be played.
+    ///
+    /// # Errors
+    /// There is no such level, or it is refused, with every problem.
+    pub fn load_level(&self, name: impl AsRef<Path>) -> Result<Arc<Level>, Stop> {
+        self.load_folder(&self.level_folder(name)?)
+    }
+
+    /// The level in a folder, ready to be played.
+    ///
+    /// # Errors
+    /// It is refused, with every problem.
+    pub fn load_folder(&self, folder: &Path) -> Result<Arc<Level>, Stop> {
+        let loaded = level::load(folder, &self.root).map_err(|problems| Stop::Refused(level::told(&problems).join("\n")))?;
+        Ok(Arc::new(loaded.level))
     }
 }
 

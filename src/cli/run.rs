@@ -1,9 +1,10 @@
 //! `resultant run`: plays a level without a window.
 
-use super::files::{NewFile, Staged, read_text};
+use super::files::{OutputFile, Staged, read_text};
 use super::forces::Forces;
+use super::project::Project;
+use super::stop::{Status, Stop};
 use super::telemetry::Telemetry;
-use super::{Project, Status, Stop, load_level};
 use crate::files::INPUTS;
 use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Recorder, SHIP, TICK_RATE};
 use crate::level::{FILES, Level};
@@ -35,7 +36,7 @@ const WHOLE_TICK: f64 = 1e-6;
     An inputs file is a CSV with the header ticks,thrust,reverse,left,right; each row holds its keys (0 or 1) for that many \
     ticks. After the last row nothing is pressed."
 )]
-pub struct Args {
+pub struct RunArgs {
     /// A name under levels/, or a level's folder
     level: OsString,
     /// What is pressed when
@@ -76,8 +77,8 @@ fn parse_tick_rate(text: &str) -> Result<f64, String> {
 /// # Errors
 /// A level or inputs that are refused, a run of more than [`MOST_TICKS`], a file that cannot be written or is needed for something
 /// else; nothing was run then.
-pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
-    let level = load_level(project, &args.level)?;
+pub fn run(args: &RunArgs, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+    let level = project.load_level(&args.level)?;
     let inputs = match &args.inputs {
         Some(path) => Some(Inputs::parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(Stop::refused)?),
         None => None,
@@ -88,7 +89,7 @@ pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status
     let mut game = Game::with_tick_rate(level, args.tick).map_err(Stop::refused)?;
     let outputs =
         [("--telemetry", args.telemetry.as_deref()), ("--forces", args.forces.as_deref()), ("--record", args.record.as_deref())];
-    let [telemetry, forces, record] = NewFile::create_all(outputs, &read)?;
+    let [telemetry, forces, record] = OutputFile::create_all(outputs, &read)?;
     let mut written =
         Written { telemetry: telemetry.map(Telemetry::new).transpose()?, forces: forces.map(Forces::new).transpose()? };
 
@@ -116,7 +117,7 @@ fn level_files(folder: &Path, level: &Level) -> Vec<PathBuf> {
 }
 
 /// The tick after which the time is up.
-fn last_tick(args: &Args, inputs: Option<&Inputs>) -> Result<u64, Stop> {
+fn last_tick(args: &RunArgs, inputs: Option<&Inputs>) -> Result<u64, Stop> {
     let seconds = match (args.seconds, inputs) {
         (Some(seconds), _) => seconds,
         (None, Some(inputs)) => return Ok(inputs.ticks()),
@@ -124,7 +125,7 @@ fn last_tick(args: &Args, inputs: Option<&Inputs>) -> Result<u64, Stop> {
     };
     let ticks = (seconds * args.tick - WHOLE_TICK).ceil().max(0.0);
     if ticks > MOST_TICKS as f64 {
-        let Args { tick, .. } = args;
+        let RunArgs { tick, .. } = args;
         return Err(Stop::Refused(format!("{seconds} s of {tick} ticks a second, expected at most {MOST_TICKS} ticks")));
     }
     Ok(ticks as u64)
@@ -132,8 +133,8 @@ fn last_tick(args: &Args, inputs: Option<&Inputs>) -> Result<u64, Stop> {
 
 /// The files that are written while a run is flown.
 struct Written {
-    telemetry: Option<Telemetry<NewFile>>,
-    forces: Option<Forces<NewFile>>,
+    telemetry: Option<Telemetry<OutputFile>>,
+    forces: Option<Forces<OutputFile>>,
 }
 
 impl Written {
@@ -150,7 +151,7 @@ impl Written {
     fn stage(self) -> Result<Vec<Staged>, Stop> {
         let telemetry = self.telemetry.map(Telemetry::into_inner).transpose()?;
         let forces = self.forces.map(Forces::into_inner).transpose()?;
-        telemetry.into_iter().chain(forces).map(NewFile::stage).collect()
+        telemetry.into_iter().chain(forces).map(OutputFile::stage).collect()
     }
 }
 

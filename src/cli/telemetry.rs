@@ -1,6 +1,6 @@
 //! The telemetry file: where everything is and what acts on it, tick by tick.
 
-use super::files::Table;
+use super::files::CsvOutput;
 use crate::game::{Game, SHIP};
 use crate::level::Object;
 use crate::number::{Pair, Shortest, pair};
@@ -17,7 +17,7 @@ pub fn header() -> String {
 /// A row. Metres, m/s, m/s², N, degrees; an object has neither angle nor fuel: both are 0. All of a row speaks of its own instant, with
 /// the engine's drive of the tick that led to it; only the impulse (N·s) is that of all impacts since the row before.
 #[derive(Serialize)]
-struct Row {
+struct BodyRow {
     tick: u64,
     time: Shortest,
     object: u32,
@@ -33,12 +33,12 @@ struct Row {
 }
 
 /// The file while it is written.
-pub struct Telemetry<W: Write>(Table<W>);
+pub struct Telemetry<W: Write>(CsvOutput<W>);
 
 impl<W: Write> Telemetry<W> {
     /// Begins the file.
     pub fn new(out: W) -> io::Result<Self> {
-        Ok(Self(Table::new(out, &header())?))
+        Ok(Self(CsvOutput::new(out, &header())?))
     }
 
     /// The rows of the current tick, one an object: the ship, then the objects in the level's order.
@@ -78,9 +78,9 @@ fn kind(object: &Object) -> &'static str {
     if object.key.is_some() { "key" } else { "object" }
 }
 
-fn row(game: &Game, (id, impulse): (BodyId, DVec2), kind: &'static str, (angle, fuel): (f64, f64)) -> Row {
+fn row(game: &Game, (id, impulse): (BodyId, DVec2), kind: &'static str, (angle, fuel): (f64, f64)) -> BodyRow {
     let (body, forces) = (game.world().body(id), game.world().forces(id));
-    Row {
+    BodyRow {
         tick: game.ticks(),
         time: Shortest(game.elapsed()),
         object: id.0,

@@ -1,7 +1,8 @@
 //! `resultant tiles`: runs a list of commands through a map of tiles.
 
 use super::files::read_text;
-use super::{Project, Status, Stop};
+use super::project::Project;
+use super::stop::{Status, Stop};
 use crate::classics::tile_run::{Command, InputError, Map, Runner};
 use crate::files::{TILE_COMMANDS, TILE_MAP};
 use crate::number::Shortest;
@@ -14,7 +15,7 @@ use std::path::{Path, PathBuf};
     frame,x,y,vx,vy,on_ground\nframe counts from 0; the numbers are the shortest that read back as the same f64; on_ground is 0 or 1.\n\n\
     MAP: a row a line; # solid, . empty, one s or S the start; outside everything is solid.\n\
     COMMANDS: `NAME VALUE` a line; NAME is LEFT, RIGHT, JUMP or WAIT.")]
-pub struct Args {
+pub struct TilesArgs {
     /// The file with the map
     map: PathBuf,
     /// The file with the commands, one a frame
@@ -28,7 +29,7 @@ pub struct Args {
 ///
 /// # Errors
 /// A file that cannot be read or is refused, with file and line; nothing was run then.
-pub fn run(args: &Args, _: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &TilesArgs, _: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     let map = read(&args.map, TILE_MAP, Map::parse)?;
     let commands = read(&args.commands, TILE_COMMANDS, Command::parse_all)?;
     let mut runner = Runner::new(&map);

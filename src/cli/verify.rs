@@ -1,7 +1,9 @@
 //! `resultant verify`: flies recorded runs again and compares where they lead.
 
+use super::earned;
 use super::files::read_text;
-use super::{Project, Readers, Status, Stop, earned, load_folder, shown};
+use super::project::Project;
+use super::stop::{Readers, Status, Stop, shown};
 use crate::files::INPUTS;
 use crate::game::{Mismatch, PROGRAM, Replay};
 use crate::level::Level;
@@ -17,7 +19,7 @@ const TICKS_A_LOOK: u64 = 4096;
 
 /// What to verify.
 #[derive(clap::Args, Debug)]
-pub struct Args {
+pub struct VerifyArgs {
     /// Recorded runs, as `run --record` writes them
     #[arg(required_unless_present = "scores", value_name = "REPLAY")]
     replays: Vec<PathBuf>,
@@ -31,7 +33,7 @@ pub struct Args {
 ///
 /// # Errors
 /// A replay that cannot be read, or whose level is refused; none is flown then.
-pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &VerifyArgs, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     if args.scores {
         return earned::run(project, out);
     }
@@ -92,6 +94,6 @@ fn read(project: &Project, path: &std::path::Path) -> Result<(Replay, Arc<Level>
         Stop::Refused(problem) => Stop::Refused(format!("{}: {problem}", shown(path.display()))),
         other => other,
     };
-    let level = project.recorded_level(&replay.level).and_then(|folder| load_folder(project, &folder)).map_err(named)?;
+    let level = project.recorded_level(&replay.level).and_then(|folder| project.load_folder(&folder)).map_err(named)?;
     Ok((replay, level))
 }

@@ -3,7 +3,8 @@
 //! The system frees a lock when its process ends, however it ends. The lock file itself stays: were it deleted, two processes could hold
 //! the locks of two different files of that name.
 
-use super::{Links, open};
+use super::read::{Links, open};
+use super::staged::around;
 use std::cell::Cell;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io;
@@ -58,7 +59,7 @@ impl Lock {
 fn open_lock(path: &Path) -> io::Result<File> {
     match File::create_new(path) {
         Ok(file) => {
-            share(super::staged::around(path), &file, true)?;
+            share(around(path), &file, true)?;
             return Ok(file);
         }
         Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}

@@ -5,7 +5,7 @@
 //! that name is never followed, and this process locks it: one without a lock was left by a process that was killed, and the next write
 //! in that folder removes it.
 
-use super::{Links, judge, open};
+use super::read::{Links, judge, open};
 use std::fs::{self, File, Metadata, OpenOptions, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -204,7 +204,7 @@ fn open_folder(folder: &Path) -> io::Result<File> {
 }
 
 /// The folder that a path lies in.
-pub(super) fn around(path: &Path) -> &Path {
+pub fn around(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 

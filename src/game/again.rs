@@ -1,18 +1,12 @@
 //! A flight that is flown again by the same controls in another level: an experiment in which one thing is changed. A long one takes several
 //! frames.
 
-use super::history::lasts;
-use super::{Game, GameError, History, Inputs, Outcome, Playback};
+use super::attempt::Game;
+use super::event::{GameError, Outcome};
+use super::history::{History, Tape, lasts};
+use super::inputs::Playback;
 use crate::level::Level;
 use std::sync::Arc;
-
-/// The controls of a flight from its start on.
-#[derive(Clone, Debug)]
-pub struct Tape {
-    pub(super) start: Box<Game>,
-    pub(super) inputs: Inputs,
-    pub(super) lasting: Vec<(u64, bool)>,
-}
 
 impl Tape {
     /// Flies them in a level, up to a tick at most. Where the flight's start is not a level's, because it was edited while it was flown, it is

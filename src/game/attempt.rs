@@ -2,37 +2,25 @@
 
 mod carried;
 
+use super::clock::{TICK_RATE, TICK_RATES};
+use super::controls::Controls;
 use super::death::{Death, crushed};
 use super::event::{GameError, GameEvent, Outcome};
 use super::hash::Fnv1a;
-use super::impacts::{Felt, Impacts, READABLE};
-use super::mechanisms::{Change, Mechanisms};
+use super::impacts::{DUST_SPEED, Felt, Impacts, READABLE, damaging_hit};
+use super::mechanisms::{MechanismChange, Mechanisms};
 use super::objectives::Objectives;
-use super::pushes::{APART, Pushes};
+use super::pushes::{APART, PushCount};
+use super::score::{RunResult, ScoreParts};
+use super::ship::{SHIP, Ship};
 use super::touch::{SHIP_BOX, TOUCH};
-use super::{Controls, RunResult, ScoreParts, Ship};
-pub use crate::level::TICK_RATE;
 use crate::level::{Level, SHIP_HALF, ship_body, sweep_touches};
-use crate::physics::{Aabb, BodyId, DVec2, Event, Force, ForceKind, Obstacle, Source, World};
-use std::ops::RangeInclusive;
+use crate::physics::{Aabb, BodyId, DVec2, Event, Force, ForceKind, Source, World};
 use std::sync::Arc;
-
-/// The tick rates that a game can be given. Below, a tick is longer than a player's reaction; above, it moves things by less than
-/// rounding.
-pub const TICK_RATES: RangeInclusive<f64> = 1.0..=1e6;
-/// The ship's body in every level's world.
-pub const SHIP: BodyId = BodyId(0);
-/// From this speed along the contact's normal a hit of the ship costs points, m/s.
-pub const DAMAGING_SPEED: f64 = 10.0;
-/// A hit this much slower counts as one of [`DAMAGING_SPEED`], m/s: a fall from 100 px at 15 N/kg ends at exactly 10 m/s on paper,
-/// and a rounding below that in the engine. Far below what a player could tell apart.
-const SPEED_ROUNDING: f64 = 1e-9;
-/// From this speed along the contact's normal an impact raises dust, m/s. Lower, and a box that tips to rest smokes.
-pub const DUST_SPEED: f64 = 2.0;
 
 /// Figures about the flight that no rule needs but the score.
 #[derive(Clone, Debug, PartialEq)]
-struct Flight {
+struct FlightFigures {
     /// Damaging ones.
     collisions: u32,
     /// m.
@@ -55,9 +43,9 @@ pub struct Game {
     /// Ticks before the first one with an input: they are not on the clock.
     idle: u64,
     objectives: Objectives,
-    pushes: Pushes,
+    pushes: PushCount,
     mechanisms: Mechanisms,
-    flight: Flight,
+    flight: FlightFigures,
     events: Vec<GameEvent>,
     /// What can still be read of impacts, and what is being squeezed: for those who look on, no rule asks.
     impacts: Impacts,
@@ -83,7 +71,7 @@ impl Game {
         }
         let mut world = World::new(level.world_def()).map_err(GameError::World)?;
         let mechanisms = Mechanisms::new(&level, &mut world);
-        let flight = Flight {
+        let flight = FlightFigures {
             collisions: 0,
             distance: 0.0,
             top_speed: world.body(SHIP).velocity.length(),
@@ -92,7 +80,7 @@ impl Game {
         let mut game = Self {
             tick_rate,
             objectives: Objectives::new(&level, &world, tick_rate),
-            pushes: Pushes::new(level.objects.len()),
+            pushes: PushCount::new(level.objects.len()),
             mechanisms,
             world,
             ship: Ship::new(&level.player),
@@ -196,8 +184,8 @@ impl Game {
         let Self { level, world, mechanisms, events, .. } = self;
         mechanisms.note(level, world, |change| {
             events.push(match change {
-                Change::Switch(index, pressed) => GameEvent::Switched(index, pressed),
-                Change::Broke(index) => GameEvent::Broke(index),
+                MechanismChange::Switch(index, pressed) => GameEvent::Switched(index, pressed),
+                MechanismChange::Broke(index) => GameEvent::Broke(index),
             });
         });
         for index in 0..self.level.pods.len() {
@@ -426,40 +414,10 @@ fn stands(world: &World) -> bool {
     forces.forces().iter().any(carries)
 }
 
-/// Where and how fast (m/s) the ship was damaged in a tick with these events: its hardest hit, so that a hit of several surfaces at
-/// once counts once. Contact that rests or slides is no impact and costs nothing. What flies into the ship hits it as hard as if
-/// the ship had flown: the speed is that of the two towards each other.
-fn damaging_hit(events: &[Event]) -> Option<(DVec2, f64)> {
-    let hits = events.iter().filter_map(|event| {
-        let &Event::Impact { a, b, point, speed, .. } = event else { return None };
-        ((a == SHIP || b == Obstacle::Body(SHIP)) && speed >= DAMAGING_SPEED - SPEED_ROUNDING).then_some((point, speed))
-    });
-    hits.max_by(|(_, a), (_, b)| a.total_cmp(b))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::physics::{BodyDef, Material, Path, SurfaceDef, WorldDef};
-
-    fn impact(a: u32, b: Obstacle, speed: f64) -> Event {
-        Event::Impact { a: BodyId(a), b, point: DVec2::new(speed, 0.0), normal: DVec2::NEG_Y, speed }
-    }
-
-    #[test]
-    fn ten_metres_a_second_damage_and_a_micrometre_less_does_not() {
-        let floor = Obstacle::Surface(0);
-        assert_eq!(damaging_hit(&[impact(0, floor, 10.0)]), Some((DVec2::new(10.0, 0.0), 10.0)));
-        assert_eq!(damaging_hit(&[impact(0, floor, 10.0 - 1e-6)]), None);
-        assert!(damaging_hit(&[impact(0, floor, 10.0_f64.next_down())]).is_some(), "rounding");
-        assert_eq!(damaging_hit(&[]), None);
-    }
-
-    #[test]
-    fn several_surfaces_in_one_hit_count_once_as_the_hardest() {
-        let events = [9.0, 12.0, 14.0, 11.0].map(|speed| impact(0, Obstacle::Surface(speed as u32), speed));
-        assert_eq!(damaging_hit(&events), Some((DVec2::new(14.0, 0.0), 14.0)));
-    }
 
     /// A lift presses what stands on it against a ceiling. No level has lifts, so that the world is put in.
     #[test]
@@ -487,12 +445,5 @@ mod tests {
         }
         assert_eq!(Death::Crushed(0).name(&level), "crushed by world 1");
         assert_eq!(Death::Crushed(level.world.len() as u32 + 2).name(&level), "crushed by edge top");
-    }
-
-    #[test]
-    fn only_the_ship_is_damaged_whichever_of_a_pair_it_is() {
-        assert_eq!(damaging_hit(&[impact(1, Obstacle::Surface(0), 50.0), impact(1, Obstacle::Body(BodyId(2)), 50.0)]), None);
-        assert!(damaging_hit(&[impact(1, Obstacle::Body(SHIP), 50.0)]).is_some());
-        assert!(damaging_hit(&[impact(0, Obstacle::Body(BodyId(1)), 50.0)]).is_some());
     }
 }

@@ -1,5 +1,11 @@
 //! From the time that frames take to whole ticks (Glenn Fiedler, "Fix Your Timestep!").
 
+pub use crate::level::TICK_RATE;
+use std::ops::RangeInclusive;
+
+/// The tick rates that a game can be given. Below, a tick is longer than a player's reaction; above, it moves things by less than
+/// rounding.
+pub const TICK_RATES: RangeInclusive<f64> = 1.0..=1e6;
 /// The most ticks that one frame is given, a 15th of a second at the game's rate. More, and a slow machine falls into a spiral of
 /// ever longer frames; fewer, and the game slows down sooner.
 pub const TICKS_A_FRAME: u32 = 8;

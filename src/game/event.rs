@@ -1,8 +1,8 @@
 //! How an attempt stands, what happens in it, and why one cannot begin.
 
-use super::TICK_RATES;
+use super::clock::TICK_RATES;
 #[cfg(doc)]
-use super::{DAMAGING_SPEED, DUST_SPEED};
+use super::impacts::{DAMAGING_SPEED, DUST_SPEED};
 use crate::physics::{DVec2, DefError};
 
 /// How an attempt stands.

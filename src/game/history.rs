@@ -4,7 +4,11 @@
 //! Copies are taken at equal distances. Where there are too many of them every second one goes, and the distance doubles: a flight of any
 //! length keeps to the same memory, and the way from a copy to the tick asked for grows with its length only.
 
-use super::{Controls, Game, GameError, Inputs, Outcome, Playback, Recorder, Replay, Tape};
+use super::attempt::Game;
+use super::controls::Controls;
+use super::event::{GameError, Outcome};
+use super::inputs::{Inputs, Playback};
+use super::replay::{Recorder, Replay};
 use crate::level::Level;
 use std::sync::Arc;
 
@@ -30,6 +34,14 @@ pub struct History {
     copies: Vec<Game>,
     every: u64,
     most: usize,
+}
+
+/// The controls of a flight from its start on.
+#[derive(Clone, Debug)]
+pub struct Tape {
+    pub(super) start: Box<Game>,
+    pub(super) inputs: Inputs,
+    pub(super) lasting: Vec<(u64, bool)>,
 }
 
 impl History {

@@ -1,8 +1,17 @@
 //! The impacts of the last half second: one is over within its tick, too soon to be read. Time is the game's, so that they stand still
 //! while it is paused; nothing that happens depends on them.
 
-use crate::physics::{BodyId, DVec2, Impulse, Obstacle};
+use super::ship::SHIP;
+use crate::physics::{BodyId, DVec2, Event, Impulse, Obstacle};
 use std::collections::VecDeque;
+
+/// From this speed along the contact's normal a hit of the ship costs points, m/s.
+pub const DAMAGING_SPEED: f64 = 10.0;
+/// A hit this much slower counts as one of [`DAMAGING_SPEED`], m/s: a fall from 100 px at 15 N/kg ends at exactly 10 m/s on paper,
+/// and a rounding below that in the engine. Far below what a player could tell apart.
+const SPEED_ROUNDING: f64 = 1e-9;
+/// From this speed along the contact's normal an impact raises dust, m/s. Lower, and a box that tips to rest smokes.
+pub const DUST_SPEED: f64 = 2.0;
 
 /// How long an impact can be read after its tick, s. Shorter: it is gone before it is found; longer: it is taken for the next one.
 pub const READABLE: f64 = 0.5;
@@ -54,6 +63,17 @@ impl Impacts {
     }
 }
 
+/// Where and how fast (m/s) the ship was damaged in a tick with these events: its hardest hit, so that a hit of several surfaces at
+/// once counts once. Contact that rests or slides is no impact and costs nothing. What flies into the ship hits it as hard as if
+/// the ship had flown: the speed is that of the two towards each other.
+pub(super) fn damaging_hit(events: &[Event]) -> Option<(DVec2, f64)> {
+    let hits = events.iter().filter_map(|event| {
+        let &Event::Impact { a, b, point, speed, .. } = event else { return None };
+        ((a == SHIP || b == Obstacle::Body(SHIP)) && speed >= DAMAGING_SPEED - SPEED_ROUNDING).then_some((point, speed))
+    });
+    hits.max_by(|(_, a), (_, b)| a.total_cmp(b))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -89,5 +109,31 @@ mod tests {
         impacts.note(0, 60, &many[..5]);
         impacts.note(1, 60, &many);
         assert_eq!((impacts.kept.len(), impacts.kept[0].0), (MOST, 1));
+    }
+
+    fn impact(a: u32, b: Obstacle, speed: f64) -> Event {
+        Event::Impact { a: BodyId(a), b, point: DVec2::new(speed, 0.0), normal: DVec2::NEG_Y, speed }
+    }
+
+    #[test]
+    fn ten_metres_a_second_damage_and_a_micrometre_less_does_not() {
+        let floor = Obstacle::Surface(0);
+        assert_eq!(damaging_hit(&[impact(0, floor, 10.0)]), Some((DVec2::new(10.0, 0.0), 10.0)));
+        assert_eq!(damaging_hit(&[impact(0, floor, 10.0 - 1e-6)]), None);
+        assert!(damaging_hit(&[impact(0, floor, 10.0_f64.next_down())]).is_some(), "rounding");
+        assert_eq!(damaging_hit(&[]), None);
+    }
+
+    #[test]
+    fn several_surfaces_in_one_hit_count_once_as_the_hardest() {
+        let events = [9.0, 12.0, 14.0, 11.0].map(|speed| impact(0, Obstacle::Surface(speed as u32), speed));
+        assert_eq!(damaging_hit(&events), Some((DVec2::new(14.0, 0.0), 14.0)));
+    }
+
+    #[test]
+    fn only_the_ship_is_damaged_whichever_of_a_pair_it_is() {
+        assert_eq!(damaging_hit(&[impact(1, Obstacle::Surface(0), 50.0), impact(1, Obstacle::Body(BodyId(2)), 50.0)]), None);
+        assert!(damaging_hit(&[impact(1, Obstacle::Body(SHIP), 50.0)]).is_some());
+        assert!(damaging_hit(&[impact(0, Obstacle::Body(BodyId(1)), 50.0)]).is_some());
     }
 }

@@ -9,7 +9,7 @@
 //! Each row holds its keys (0 or 1) for that many ticks; after the last row nothing is pressed. Blank lines and lines that start
 //! with `#` are skipped; CRLF, a byte-order mark and spaces around a cell are accepted.
 
-use super::Controls;
+use super::controls::Controls;
 use crate::files::{CsvFile, CsvRow};
 use csv::WriterBuilder;
 use serde::{Serialize, Serializer};
@@ -37,7 +37,7 @@ impl std::error::Error for BadFile {}
 
 /// Keys held for a number of ticks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-struct Held {
+struct HeldKeys {
     ticks: u64,
     #[serde(serialize_with = "as_keys")]
     controls: Controls,
@@ -52,7 +52,7 @@ fn as_keys<S: Serializer>(controls: &Controls, to: S) -> Result<S::Ok, S::Error>
 /// The controls of every tick, from the first one on.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Inputs {
-    rows: Vec<Held>,
+    rows: Vec<HeldKeys>,
 }
 
 impl Inputs {
@@ -99,7 +99,7 @@ impl Inputs {
     pub fn record(&mut self, controls: Controls) {
         match self.rows.last_mut() {
             Some(row) if row.controls == controls => row.ticks += 1,
-            _ => self.rows.push(Held { ticks: 1, controls }),
+            _ => self.rows.push(HeldKeys { ticks: 1, controls }),
         }
     }
 
@@ -141,16 +141,16 @@ impl IntoIterator for Inputs {
     type IntoIter = Playback;
 
     fn into_iter(self) -> Playback {
-        Playback { rows: self.rows.into_iter(), row: Held { ticks: 0, controls: Controls::default() } }
+        Playback { rows: self.rows.into_iter(), row: HeldKeys { ticks: 0, controls: Controls::default() } }
     }
 }
 
 /// The controls of one tick after the other, until the inputs end.
 #[derive(Clone, Debug)]
 pub struct Playback {
-    rows: std::vec::IntoIter<Held>,
+    rows: std::vec::IntoIter<HeldKeys>,
     /// What is left of the current row.
-    row: Held,
+    row: HeldKeys,
 }
 
 impl Iterator for Playback {
@@ -169,7 +169,7 @@ impl Iterator for Playback {
 const HEADER_ROW: &str = "the header ticks,thrust,reverse,left,right";
 
 /// The keys of a row, unless it adds to the problems.
-fn held(row: &CsvRow<'_>, columns: &[&str], problems: &mut Vec<String>) -> Option<Held> {
+fn held(row: &CsvRow<'_>, columns: &[&str], problems: &mut Vec<String>) -> Option<HeldKeys> {
     let last = columns.len() - 1;
     if let Err(fault) = row.cells {
         let (found, expected) = fault.words();
@@ -187,7 +187,7 @@ fn held(row: &CsvRow<'_>, columns: &[&str], problems: &mut Vec<String>) -> Optio
     let ticks = row.parse("ticks", &expected, |ticks| (1..=MOST_TICKS).contains(ticks)).map_err(&mut noted).unwrap_or(0);
     let mut key = |column| row.bit(column).map_err(&mut noted).unwrap_or(false);
     let controls = Controls { thrust: key("thrust"), reverse: key("reverse"), left: key("left"), right: key("right") };
-    (problems.len() == before).then_some(Held { ticks, controls })
+    (problems.len() == before).then_some(HeldKeys { ticks, controls })
 }
 
 #[cfg(test)]

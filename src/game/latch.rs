@@ -1,6 +1,6 @@
 //! From the keys of frames to the controls of ticks.
 
-use super::Controls;
+use super::controls::Controls;
 
 /// Keeps what was pressed until a tick has taken it: a press shorter than a frame is not lost in a frame without a tick, and is not
 /// repeated in a frame with two.

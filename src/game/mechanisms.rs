@@ -3,7 +3,7 @@
 //! After each tick of the world it is found out who presses which switch; what the switches work follows from the next tick on. A fragile
 //! block takes the blow that breaks it, and is gone after that tick.
 
-use super::SHIP;
+use super::ship::SHIP;
 use super::touch::TOUCH;
 use crate::level::{Level, Presser, SurfaceOf, Switch, SwitchStay, Wire, Worked};
 use crate::physics::{BodyId, Obstacle, World};
@@ -25,7 +25,7 @@ pub struct Mechanisms {
 
 /// What changed in a tick.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Change {
+pub enum MechanismChange {
     /// The switch of that index in `Level::switches` has been pressed, or let go.
     Switch(usize, bool),
     /// The block of that index in `Level::world` has broken.
@@ -47,7 +47,7 @@ impl Mechanisms {
     }
 
     /// Looks at a tick's end and works what is worked; tells of each thing that has changed.
-    pub fn note(&mut self, level: &Level, world: &mut World, mut changed: impl FnMut(Change)) {
+    pub fn note(&mut self, level: &Level, world: &mut World, mut changed: impl FnMut(MechanismChange)) {
         for (index, switch) in level.switches.iter().enumerate() {
             let pressed = is_pressed(switch, index, level, world);
             let pushed = pressed && !self.pressed[index];
@@ -58,7 +58,7 @@ impl Mechanisms {
             };
             if pressed != self.pressed[index] {
                 self.pressed[index] = pressed;
-                changed(Change::Switch(index, pressed));
+                changed(MechanismChange::Switch(index, pressed));
             }
         }
         for (wire, on) in self.wires.iter().zip(&mut self.works) {
@@ -74,7 +74,7 @@ impl Mechanisms {
             if breaks.is_some_and(hit) {
                 self.broken[index] = true;
                 world.set_present(index, false);
-                changed(Change::Broke(index));
+                changed(MechanismChange::Broke(index));
             }
         }
     }

@@ -1,6 +1,7 @@
 //! What a completed flight earns: bronze for its end, silver and gold for its time, and the level's own mark.
 
-use super::{Outcome, RunResult};
+use super::event::Outcome;
+use super::score::RunResult;
 use crate::level::{Awards, Mark};
 use crate::number::{hundredths, whole_hundredths};
 

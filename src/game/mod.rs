@@ -11,6 +11,7 @@
 mod again;
 mod attempt;
 mod clock;
+mod controls;
 mod death;
 mod event;
 mod fingerprint;
@@ -32,36 +33,25 @@ mod ship;
 mod touch;
 mod track;
 
-pub use again::{Again, Tape};
-pub use attempt::{DAMAGING_SPEED, DUST_SPEED, Game, SHIP, TICK_RATE, TICK_RATES};
-pub use clock::{Clock, TICKS_A_FRAME};
+pub use again::Again;
+pub use attempt::Game;
+pub use clock::{Clock, TICK_RATE, TICK_RATES, TICKS_A_FRAME};
+pub use controls::Controls;
 pub use death::Death;
 pub use event::{GameError, GameEvent, Outcome};
 pub use fingerprint::{Fingerprint, LevelHash, level_hash};
-pub use history::{History, Reel};
-pub use impacts::{Felt, READABLE};
+pub use history::{History, Reel, Tape};
+pub use impacts::{DAMAGING_SPEED, DUST_SPEED, Felt, READABLE};
 pub use inputs::{BadFile, HEADER, Inputs, MOST_TICKS, Playback};
 pub use latch::Latch;
-pub use mechanisms::{Change, Mechanisms};
+pub use mechanisms::{MechanismChange, Mechanisms};
 pub use medals::{Goal, Medal, Medals, Prize, goals, words};
 pub use names::{body_title, obstacle_name, source_name, told_name};
+pub use notes::MOST_SECONDS;
 pub use proof::Proof;
 pub use pushes::APART;
-pub use replay::{MOST_SECONDS, Mismatch, PROGRAM, Recorder, Replay};
+pub use replay::{Mismatch, PROGRAM, Recorder, Replay};
 pub use score::{RunResult, ScoreParts};
-pub use ship::{BURN_RATE, ROTATION_RATE, Ship, nose};
+pub use ship::{BURN_RATE, ROTATION_RATE, SHIP, Ship, nose};
 pub use touch::TOUCH;
 pub use track::{Pose, Track};
-
-/// What the player holds down during one tick.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Controls {
-    /// Thrust along the nose.
-    pub thrust: bool,
-    /// Thrust against it.
-    pub reverse: bool,
-    /// Rotate anticlockwise.
-    pub left: bool,
-    /// Rotate clockwise.
-    pub right: bool,
-}

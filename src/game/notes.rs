@@ -1,20 +1,23 @@
 //! The comments of a record, `# name: value`: finding them, and what their values may be.
 
-use super::replay::MOST_SECONDS;
-use super::{Outcome, TICK_RATES};
+use super::clock::TICK_RATES;
+use super::event::Outcome;
 use std::str::FromStr;
+
+/// The most seconds that have a hash each, an hour of them; of what is longer the end tells. More would outgrow the file's inputs.
+pub const MOST_SECONDS: usize = 3600;
 
 /// How many comments of a file are looked at: a record has one a second, and people add some.
 const MOST_NOTES: usize = 2 * MOST_SECONDS;
 
 /// The comments of a replay file.
-pub(super) struct Notes<'a> {
+pub(super) struct ReplayNotes<'a> {
     file: &'a str,
     /// Number, name and value of each line `# name: value`.
     lines: Vec<(usize, (&'a str, &'a str))>,
 }
 
-impl<'a> Notes<'a> {
+impl<'a> ReplayNotes<'a> {
     pub fn of(file: &'a str, text: &'a str) -> Self {
         let note = |line: &'a str| {
             let (key, value) = line.trim().trim_start_matches('\u{feff}').strip_prefix('#')?.split_once(':')?;

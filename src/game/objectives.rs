@@ -1,6 +1,6 @@
 //! Which objectives are met: what touches each, for how long it has, and whose turn it is.
 
-use super::SHIP;
+use super::ship::SHIP;
 use super::touch::TOUCH;
 use crate::level::{Level, Objective, ObjectiveKind};
 use crate::physics::{BodyId, World};

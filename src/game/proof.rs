@@ -1,7 +1,10 @@
 //! Flying a record again, a tick at a time, to see whether it leads where it says.
 
-use super::replay::{ended_second, thousandths};
-use super::{Fingerprint, Game, GameError, Mismatch, Outcome, Playback, Replay};
+use super::attempt::Game;
+use super::event::{GameError, Outcome};
+use super::fingerprint::Fingerprint;
+use super::inputs::Playback;
+use super::replay::{Mismatch, Replay, ended_second, thousandths};
 use crate::level::Level;
 use std::sync::Arc;
 
@@ -60,5 +63,25 @@ impl Proof {
             return Err(Mismatch::Result { outcome: (recorded.outcome, outcome), time: times });
         }
         Ok(())
+    }
+}
+
+impl Replay {
+    /// Flies the inputs again and compares where they lead. `watch` is told of every tick when it is over.
+    ///
+    /// # Errors
+    /// As [`Game::with_tick_rate`].
+    pub fn verify(&self, level: Arc<Level>, mut watch: impl FnMut(&Game)) -> Result<Result<(), Mismatch>, GameError> {
+        let mut proof = match Proof::new(Arc::new(self.clone()), level)? {
+            Ok(proof) => proof,
+            Err(mismatch) => return Ok(Err(mismatch)),
+        };
+        loop {
+            let verdict = proof.step();
+            watch(proof.game());
+            if let Some(verdict) = verdict {
+                return Ok(verdict);
+            }
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! How often the ship has pushed objects: what a mark for few pushes counts.
 
-use super::SHIP;
+use super::ship::SHIP;
 use crate::physics::{ForceManager, Impulse, Obstacle, Source};
 
 /// Touches of the ship and one object that are less than this apart are one push, s. Shorter, and what bounces along before the ship
@@ -9,13 +9,13 @@ pub const APART: f64 = 0.5;
 
 /// The pushes so far. One begins when the ship touches an object that it has not touched for [`APART`], whichever of the two moves.
 #[derive(Clone, Debug)]
-pub struct Pushes {
+pub struct PushCount {
     count: u32,
     /// The tick after the last one in which each object was touched; 0 for never.
     touched: Vec<u64>,
 }
 
-impl Pushes {
+impl PushCount {
     /// None yet, of so many objects.
     pub fn new(objects: usize) -> Self {
         Self { count: 0, touched: vec![0; objects] }

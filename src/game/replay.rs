@@ -20,17 +20,16 @@
 //! `player` is in the record of a saved score. Program, level's hash, outcome, time and the hashes of the seconds are not in older records,
 //! or the level's hash has 16 digits there; a record without a level's hash is flown in the level that has its name.
 
-use super::notes::{Ended, Hex, Notes, Plain, Seconds, TickRate, written};
-use super::{BadFile, Controls, Game, GameError, Inputs, LevelHash, Outcome, Proof, level_hash};
-use crate::level::Level;
+use super::attempt::Game;
+use super::controls::Controls;
+use super::event::Outcome;
+use super::fingerprint::{LevelHash, level_hash};
+use super::inputs::{BadFile, Inputs};
+use super::notes::{Ended, Hex, MOST_SECONDS, Plain, ReplayNotes, Seconds, TickRate, written};
 use std::fmt;
-use std::sync::Arc;
 
 /// This program, as records name it.
 pub const PROGRAM: &str = concat!("resultant ", env!("CARGO_PKG_VERSION"));
-
-/// The most seconds that have a hash each, an hour of them; of what is longer the end tells. More would outgrow the file's inputs.
-pub const MOST_SECONDS: usize = 3600;
 
 /// A recorded run.
 #[derive(Clone, Debug, PartialEq)]
@@ -167,7 +166,7 @@ impl Replay {
     /// As [`Inputs::parse`]; a `# name: value` line that is missing or unreadable.
     pub fn parse(file: &str, text: &str) -> Result<Self, BadFile> {
         let mut problems = Vec::new();
-        let notes = Notes::of(file, text);
+        let notes = ReplayNotes::of(file, text);
         let program = notes.find_any("program", "a program's name and version", &mut problems);
         let player = notes.find_any("player", "a player's name", &mut problems);
         let level = notes.find("level", "a level's name", &mut problems);
@@ -195,24 +194,6 @@ impl Replay {
         let (ended, ticks) = (self.time? * self.tick_rate, self.inputs.ticks());
         let ended = ended.round() as u64;
         (ticks - self.inputs.idle().unwrap_or(0) > ended).then_some(Mismatch::RunsOn(ended, ticks))
-    }
-
-    /// Flies the inputs again and compares where they lead. `watch` is told of every tick when it is over.
-    ///
-    /// # Errors
-    /// As [`Game::with_tick_rate`].
-    pub fn verify(&self, level: Arc<Level>, mut watch: impl FnMut(&Game)) -> Result<Result<(), Mismatch>, GameError> {
-        let mut proof = match Proof::new(Arc::new(self.clone()), level)? {
-            Ok(proof) => proof,
-            Err(mismatch) => return Ok(Err(mismatch)),
-        };
-        loop {
-            let verdict = proof.step();
-            watch(proof.game());
-            if let Some(verdict) = verdict {
-                return Ok(verdict);
-            }
-        }
     }
 }
 

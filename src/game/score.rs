@@ -1,6 +1,6 @@
 //! What an attempt came to, in points.
 
-use super::Outcome;
+use super::event::Outcome;
 
 /// For a completed level.
 const BASE: i64 = 10_000;

@@ -1,11 +1,13 @@
 //! The ship's engine and its rotation: what the keys do.
 
-use super::Controls;
+use super::controls::Controls;
 pub use crate::level::BURN_RATE;
 use crate::level::Player;
 pub use crate::level::nose;
-use crate::physics::DVec2;
+use crate::physics::{BodyId, DVec2};
 
+/// The ship's body in every level's world.
+pub const SHIP: BodyId = BodyId(0);
 /// Degrees a second while a rotation key is held. Higher is twitchier: a quarter turn takes half a second.
 pub const ROTATION_RATE: f64 = 180.0;
 /// How long the ship stands on something, tilted and without a key, before it turns to stand upright or on its side, s. Shorter, and it

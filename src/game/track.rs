@@ -1,7 +1,10 @@
 //! Where a recorded ship was, tick by tick, and when it met what: what a race needs of the one that flies along as a ghost. The world of
 //! the record is flown ahead of the race, apart from it: a ghost touches nothing.
 
-use super::{Game, GameError, GameEvent, Inputs, Outcome, Playback, SHIP};
+use super::attempt::Game;
+use super::event::{GameError, GameEvent, Outcome};
+use super::inputs::{Inputs, Playback};
+use super::ship::SHIP;
 use crate::level::Level;
 use crate::physics::DVec2;
 use std::sync::Arc;

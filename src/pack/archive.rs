@@ -1,7 +1,8 @@
 //! A package as the bytes of a `.zip`, and back. Reading caps everything by what really comes out, not by what the archive says.
 
 use super::cost::Cost;
-use super::{LARGEST, MEMORY, MOST_FILES, Package, UNPACKED, limit, path};
+use super::package::{LARGEST, MEMORY, MOST_FILES, Package, UNPACKED, limit};
+use super::path;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{Cursor, Read, Write};
 use zip::write::SimpleFileOptions;

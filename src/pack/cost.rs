@@ -40,7 +40,7 @@ impl Cost {
     /// Adds a file of that path and size, which begins like that.
     pub fn add(&mut self, path: &str, size: u64, head: &[u8]) {
         self.files = self.files.saturating_add(size);
-        if path.to_lowercase().ends_with(super::FLIGHT) {
+        if path.to_lowercase().ends_with(super::package::FLIGHT) {
             self.largest_flight = self.largest_flight.max(size);
         } else if path.rsplit('/').next().is_some_and(|name| FILES.contains(&name)) {
             // A larger one is refused by its size.

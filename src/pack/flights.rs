@@ -1,6 +1,6 @@
 //! Whether the flights in a level's folder still hold: each is flown again in the level as it is.
 
-use super::{FLIGHT, FLIGHTS, listed};
+use super::package::{FLIGHT, FLIGHTS, listed};
 use crate::files::{self, read_text};
 use crate::game::{Game, Medal, Prize, Replay, RunResult, goals, level_hash};
 use crate::level::{Level, Problem};

@@ -1,6 +1,8 @@
 //! Writing a package into the folder of levels.
 
-use super::{LARGEST, MOST_FILES, Package, check, listed, path, read};
+use super::archive::read;
+use super::package::{LARGEST, MOST_FILES, Package, check, listed};
+use super::path;
 use crate::files;
 use crate::level::{BACKGROUND, FILES, scaffold};
 use std::fs;

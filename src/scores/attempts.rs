@@ -6,7 +6,7 @@ use std::io;
 
 use serde::{Serialize, Serializer};
 
-use super::Name;
+use super::name::Name;
 use super::players::harmless;
 
 /// Its first line.

@@ -4,12 +4,14 @@ use std::cmp::Reverse;
 
 use serde::Serialize;
 
-use super::{Name, Origin, ScoresError};
+use super::error::ScoresError;
+use super::name::Name;
+use super::origin::RowOrigin;
 use crate::game::{Fingerprint, LevelHash};
 
 /// One user's best score.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Row {
+pub struct BoardRow {
     /// Who.
     pub name: Name,
     /// Points, at least 1.
@@ -22,7 +24,7 @@ pub struct Row {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Board {
     more_columns: Vec<String>,
-    rows: Vec<Row>,
+    rows: Vec<BoardRow>,
 }
 
 /// A row on its way to another board.
@@ -69,13 +71,13 @@ impl Placement {
 impl Board {
     /// The board of these rows, which hold a name once each, the older one of equal scores first; `more_columns` names the
     /// columns behind `name` and `score`.
-    pub(super) fn new(more_columns: Vec<String>, mut rows: Vec<Row>) -> Self {
+    pub(super) fn new(more_columns: Vec<String>, mut rows: Vec<BoardRow>) -> Self {
         rows.sort_by_key(|row| Reverse(row.score)); // stable: equal scores keep their order
         Self { more_columns, rows }
     }
 
     /// The rows, best first.
-    pub fn rows(&self) -> &[Row] {
+    pub fn rows(&self) -> &[BoardRow] {
         &self.rows
     }
 
@@ -85,9 +87,9 @@ impl Board {
     }
 
     /// Where a row comes from, as far as its cells say.
-    pub fn origin(&self, row: usize) -> Origin {
+    pub fn origin(&self, row: usize) -> RowOrigin {
         let cell = |column: &str| Some(self.rows.get(row)?.more.get(self.column(column)?)?.trim()).filter(|cell| !cell.is_empty());
-        Origin::of(cell)
+        RowOrigin::of(cell)
     }
 
     /// Ranks the rows: those with a flight that may hold, then those whose flight does not, then those without any, and last those without
@@ -95,7 +97,7 @@ impl Board {
     pub fn rank_by(&mut self, fails: impl Fn(&Name) -> bool) {
         let group = |index: usize| 2 * u8::from(self.origin(index).flight.is_none()) + u8::from(fails(&self.rows[index].name));
         let groups: Vec<u8> = (0..self.rows.len()).map(group).collect();
-        let mut rows: Vec<(u8, Row)> = groups.into_iter().zip(std::mem::take(&mut self.rows)).collect();
+        let mut rows: Vec<(u8, BoardRow)> = groups.into_iter().zip(std::mem::take(&mut self.rows)).collect();
         rows.sort_by_key(|(group, row)| (*group, Reverse(row.score)));
         self.rows = rows.into_iter().map(|(_, row)| row).collect();
     }
@@ -106,7 +108,7 @@ impl Board {
     }
 
     /// Says in a user's row where it comes from, in columns of their own behind all that there are.
-    pub(super) fn set_origin(&mut self, name: &Name, origin: &Origin) {
+    pub(super) fn set_origin(&mut self, name: &Name, origin: &RowOrigin) {
         self.set_cells(name, &origin.cells().map(|(column, cell)| (column.to_owned(), cell)));
     }
 
@@ -157,14 +159,14 @@ impl Board {
     }
 
     fn moved(&self, row: usize) -> Moved {
-        let Row { name, score, .. } = &self.rows[row];
+        let BoardRow { name, score, .. } = &self.rows[row];
         Moved { name: name.clone(), score: *score, cells: self.named_cells(row) }
     }
 
     /// Takes a row of another board over, where it is the user's best.
     pub(super) fn merge(&mut self, Moved { name, score, cells }: &Moved) {
         if let Ok(Placement::New { .. } | Placement::Raised { .. }) = self.place(name, *score) {
-            self.set_origin(name, &Origin::default());
+            self.set_origin(name, &RowOrigin::default());
             self.set_cells(name, cells);
         }
     }
@@ -191,7 +193,7 @@ impl Board {
         let from = old.as_ref().map(|row| row.score);
         let more = old.map(|row| row.more).unwrap_or_default();
         let index = self.rows.partition_point(|row| row.score >= score);
-        self.rows.insert(index, Row { name: name.clone(), score, more });
+        self.rows.insert(index, BoardRow { name: name.clone(), score, more });
         let rank = index + 1;
         Ok(from.map_or(Placement::New { rank }, |from| Placement::Raised { rank, from }))
     }
@@ -206,7 +208,7 @@ mod tests {
     }
 
     fn board(rows: &[(&str, i64)]) -> Board {
-        Board::new(vec![], rows.iter().map(|&(text, score)| Row { name: name(text), score, more: vec![] }).collect::<Vec<_>>())
+        Board::new(vec![], rows.iter().map(|&(text, score)| BoardRow { name: name(text), score, more: vec![] }).collect::<Vec<_>>())
     }
 
     fn shown(board: &Board) -> Vec<(&str, i64)> {
@@ -261,6 +263,6 @@ mod tests {
         let mut board = board(&[("a", 20), ("b", 10)]);
         board.rows[1].more = vec!["7b".to_owned()];
         board.place(&name("b"), 30).unwrap();
-        assert_eq!(board.rows()[0], Row { name: name("b"), score: 30, more: vec!["7b".to_owned()] });
+        assert_eq!(board.rows()[0], BoardRow { name: name("b"), score: 30, more: vec!["7b".to_owned()] });
     }
 }

@@ -13,7 +13,7 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::{Damage, ScoresError};
+use super::error::ScoresError;
 use crate::files::{self, Links, Lock, Replacement, share, sync_folder};
 
 /// How the names of files end that wait to be taken up.
@@ -23,17 +23,17 @@ const WAITING: &str = "waiting";
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Rescue {
     /// The places that could not be read, in the damaged file.
-    pub damage: Vec<Damage>,
+    pub damage: Vec<String>,
     /// Where the damaged file is kept, byte for byte.
     pub kept: PathBuf,
 }
 
 /// What a file becomes.
-pub(super) struct Change<T> {
+pub(super) struct FileChange<T> {
     /// All of its new content.
     pub bytes: Vec<u8>,
     /// The places of the old content that could not be read, and are not in the new one.
-    pub damage: Vec<Damage>,
+    pub damage: Vec<String>,
     /// Files whose rows are in the new content: they go once that is on the disk.
     pub taken_up: Vec<PathBuf>,
     /// What the caller asked for.
@@ -71,11 +71,11 @@ pub(super) fn update<T>(
     folder: &Path,
     path: PathBuf,
     patience: Duration,
-    change: impl FnOnce(&Path, &[u8]) -> Result<Change<T>, ScoresError>,
+    change: impl FnOnce(&Path, &[u8]) -> Result<FileChange<T>, ScoresError>,
 ) -> Result<(T, Option<Rescue>), ScoresError> {
     let Locked { path, _lock, .. } = Locked::new(folder, path, patience)?;
     let old = read_if_there(&path)?;
-    let Change { bytes: new, damage, taken_up, outcome } = change(&path, old.as_deref().unwrap_or_default())?;
+    let FileChange { bytes: new, damage, taken_up, outcome } = change(&path, old.as_deref().unwrap_or_default())?;
     if new.len() as u64 > files::SCORES {
         return Err(ScoresError::Full(path));
     }

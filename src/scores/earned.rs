@@ -1,7 +1,9 @@
 //! Whether a row of a leaderboard is earned: its flight is flown again in the level as it is, tick by tick, and has to come to the row's
 //! score. Checks that need no flight come first.
 
-use super::{Name, Origin, Row};
+use super::board::BoardRow;
+use super::name::Name;
+use super::origin::RowOrigin;
 use crate::game::{Fingerprint, LevelHash, MOST_SECONDS, Medals, Mismatch, Outcome, PROGRAM, Proof, Replay, ScoreParts, TICK_RATE};
 use crate::level::Level;
 use std::fmt;
@@ -85,7 +87,7 @@ impl fmt::Display for Doubt {
 }
 
 /// How a row stands without a look at its flight; `None` where the flight decides.
-pub(super) fn at_sight(row: &Row, origin: &Origin, level: &Level) -> Option<Standing> {
+pub(super) fn at_sight(row: &BoardRow, origin: &RowOrigin, level: &Level) -> Option<Standing> {
     let most = ScoreParts::most(0.0, level.optimal_time);
     match &origin.flight {
         _ if row.score > most => Some(Standing::Doubtful(Doubt::TooMuch(row.score, most, None))),
@@ -107,7 +109,7 @@ impl Claim {
     ///
     /// # Errors
     /// A reason that can be told without flying it.
-    pub fn new(row: &Row, origin: &Origin, flight: Replay, level: Arc<Level>) -> Result<Self, Doubt> {
+    pub fn new(row: &BoardRow, origin: &RowOrigin, flight: Replay, level: Arc<Level>) -> Result<Self, Doubt> {
         let flown_in = flight.level_hash.ok_or(Doubt::NoLevel)?;
         let here = Fingerprint::of(&level);
         if let Some(version) = origin.version.filter(|&version| version != flown_in && !(here.is(version) && here.is(flown_in))) {

@@ -1,77 +1,49 @@
 //! What can go wrong with scores, each with its place and what was expected there.
 
-use std::fmt;
+use std::fmt::{self, Display};
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::Name;
+use super::name::Name;
 use crate::files::RowFault;
 
-/// A place in a scores file that could not be read as a row. Its text is
-/// `file:line: column "name": what was found, what is expected`.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Damage {
-    /// The file.
-    pub path: PathBuf,
-    /// The line as an editor counts it, from 1.
-    pub line: usize,
-    /// The column, where one cell is to blame.
-    pub column: Option<&'static str>,
-    /// What stands there.
-    pub found: String,
-    /// What belongs there.
-    pub expected: String,
-}
-
-impl fmt::Display for Damage {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}: ", self.path.display(), self.line)?;
-        if let Some(column) = self.column {
-            write!(f, "column \"{column}\": ")?;
-        }
-        write!(f, "{}, {}", self.found, self.expected)
-    }
-}
-
-/// How many places that cannot be read are told; of a file that is something else altogether more would say no more.
+/// The number of places that a report lists; more of a file that is something else altogether would say no more.
 pub(super) const MOST_DAMAGE: usize = 1000;
 
-/// The places of one file that could not be read, as they are found.
-pub(super) struct Report<'a> {
+/// The places of one file that could not be read as rows, a line each: `file:line: column "name": what was found, what is expected`.
+pub(super) struct DamageReport<'a> {
     path: &'a Path,
-    damage: Vec<Damage>,
+    damage: Vec<String>,
 }
 
-impl<'a> Report<'a> {
+impl<'a> DamageReport<'a> {
     pub fn of(path: &'a Path) -> Self {
         Self { path, damage: Vec::new() }
     }
 
-    pub fn add(&mut self, line: usize, column: Option<&'static str>, found: impl Into<String>, expected: impl Into<String>) {
-        let damage = |column, found, expected| Damage { path: self.path.to_owned(), line, column, found, expected };
-        match self.damage.len() {
-            0..MOST_DAMAGE => self.damage.push(damage(column, found.into(), expected.into())),
-            MOST_DAMAGE => {
-                let expected = format!("expected at most {MOST_DAMAGE} in a file; from here on they are not listed");
-                self.damage.push(damage(None, "one more place that cannot be read".to_owned(), expected));
-            }
-            _ => {}
+    pub fn add(&mut self, line: usize, column: Option<&str>, found: impl Display, expected: impl Display) {
+        let path = self.path.display();
+        if self.damage.len() < MOST_DAMAGE {
+            let column = column.map(|column| format!("column \"{column}\": ")).unwrap_or_default();
+            self.damage.push(format!("{path}:{line}: {column}{found}, expected {expected}"));
+        } else if self.damage.len() == MOST_DAMAGE {
+            let most = format!("expected at most {MOST_DAMAGE} in a file; from here on they are not listed");
+            self.damage.push(format!("{path}:{line}: one more place that cannot be read, {most}"));
         }
     }
 
     pub fn fault(&mut self, line: usize, fault: RowFault) {
         let (found, expected) = fault.words();
-        self.add(line, None, found, format!("expected {expected}"));
+        self.add(line, None, found, expected);
     }
 
     /// The name in a cell, or a report about it.
-    pub fn name(&mut self, line: usize, column: &'static str, cell: &str) -> Option<Name> {
-        Name::new(cell)
-            .map_err(|error| self.add(line, Some(column), format!("{cell:?}"), format!("expected a user name: {error}")))
-            .ok()
+    pub fn name(&mut self, line: usize, column: &str, cell: &str) -> Option<Name> {
+        let refused = |error| self.add(line, Some(column), format_args!("{cell:?}"), format_args!("a user name: {error}"));
+        Name::new(cell).map_err(refused).ok()
     }
 
-    pub fn into_all(self) -> Vec<Damage> {
+    pub fn into_all(self) -> Vec<String> {
         self.damage
     }
 }

@@ -5,9 +5,13 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use super::attempts::{self, AttemptRow};
-use super::disk::{self, Change, Rescue};
+use super::board::{Board, Placement};
+use super::disk::{self, FileChange, Rescue};
+use super::error::ScoresError;
+use super::name::Name;
+use super::origin::RowOrigin;
 use super::players::{self, Deed, Players};
-use super::{Board, Damage, Name, Origin, Placement, ScoresError, table};
+use super::table;
 use crate::files::{self, PATIENCE};
 use crate::game::{Fingerprint, LevelHash, Replay};
 
@@ -28,11 +32,11 @@ pub struct Scores {
 
 /// A leaderboard as read for display.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Loaded {
+pub struct LoadedBoard {
     /// All rows that could be read.
     pub board: Board,
     /// The places that could not.
-    pub damage: Vec<Damage>,
+    pub damage: Vec<String>,
 }
 
 /// What is to be saved.
@@ -69,10 +73,10 @@ impl Scores {
     ///
     /// # Errors
     /// A level name that cannot name a file; a file that cannot be read at all.
-    pub fn load(&self, level: &str) -> Result<Loaded, ScoresError> {
+    pub fn load(&self, level: &str) -> Result<LoadedBoard, ScoresError> {
         let path = self.path(level)?;
         let (board, damage) = table::read(&path, &disk::read_if_there(&path)?.unwrap_or_default());
-        Ok(Loaded { board, damage })
+        Ok(LoadedBoard { board, damage })
     }
 
     /// As [`Scores::load`], for a level of that version: rows that say that they are of another one are not on its board, and those that were
@@ -81,7 +85,7 @@ impl Scores {
     ///
     /// # Errors
     /// As [`Scores::load`].
-    pub fn load_version(&self, level: &str, version: impl Into<Fingerprint>) -> Result<(Loaded, usize), ScoresError> {
+    pub fn load_version(&self, level: &str, version: impl Into<Fingerprint>) -> Result<(LoadedBoard, usize), ScoresError> {
         let version = version.into();
         let mut loaded = self.load(level)?;
         let mut others = self.versions_aside(level);
@@ -126,7 +130,7 @@ impl Scores {
             }
             let placement = board.place(name, points)?;
             if !matches!(placement, Placement::Kept { .. }) {
-                let origin = flight.map(|flight| Origin::of_flight(name.as_str(), flight)).unwrap_or_default();
+                let origin = flight.map(|flight| RowOrigin::of_flight(name.as_str(), flight)).unwrap_or_default();
                 if let (Some(file), Some(flight)) = (&origin.flight, flight) {
                     let flight = Replay { player: Some(name.to_string()), ..flight.clone() };
                     disk::write_within(&self.folder, &[FLIGHTS, level], file, flight.to_string().as_bytes())?;
@@ -134,7 +138,7 @@ impl Scores {
                 board.set_origin(name, &origin);
             }
             let bytes = table::write(&board).map_err(ScoresError::file("write the new scores", path))?;
-            Ok(Change { bytes, damage, taken_up: Vec::new(), outcome: (board, placement) })
+            Ok(FileChange { bytes, damage, taken_up: Vec::new(), outcome: (board, placement) })
         })?;
         Ok(Saved { board, placement, rescue })
     }
@@ -143,7 +147,7 @@ impl Scores {
     ///
     /// # Errors
     /// What is wrong with its name or its file.
-    pub fn flight(&self, level: &str, origin: &Origin) -> Option<Result<Replay, String>> {
+    pub fn flight(&self, level: &str, origin: &RowOrigin) -> Option<Result<Replay, String>> {
         let read = |file: &str| {
             self.path(level).map_err(|error| error.to_string())?;
             let path = self.folder.join(FLIGHTS).join(level).join(file);
@@ -188,7 +192,7 @@ impl Scores {
                 let (mut aside, damage) = table::read(path, old);
                 rows.iter().for_each(|(_, row)| aside.merge(row));
                 let bytes = table::write(&aside).map_err(ScoresError::file("write the scores kept aside", path))?;
-                Ok(Change { bytes, damage, taken_up: Vec::new(), outcome: () })
+                Ok(FileChange { bytes, damage, taken_up: Vec::new(), outcome: () })
             })?;
         }
         Ok(())
@@ -209,7 +213,7 @@ impl Scores {
     ///
     /// # Errors
     /// A file that cannot be read at all.
-    pub fn players(&self) -> Result<(Players, Vec<Damage>), ScoresError> {
+    pub fn players(&self) -> Result<(Players, Vec<String>), ScoresError> {
         let path = self.folder.join(PLAYERS);
         Ok(players::read(&path, &disk::read_if_there(&path)?.unwrap_or_default()))
     }
@@ -233,7 +237,7 @@ impl Scores {
             }
             deeds.iter().for_each(|deed| players.apply(deed));
             let bytes = players::write(&players).map_err(ScoresError::file("write the new scores", path))?;
-            Ok(Change { bytes, damage, taken_up, outcome: players })
+            Ok(FileChange { bytes, damage, taken_up, outcome: players })
         })
     }
 

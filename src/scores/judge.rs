@@ -1,7 +1,9 @@
 //! Judging the rows of a board: as much as is plain at once, the flights in turn, so that none holds up the others.
 
-use super::earned::{Claim, at_sight};
-use super::{Board, Doubt, Name, Scores, Standing};
+use super::board::Board;
+use super::earned::{Claim, Doubt, Standing, at_sight};
+use super::folder::Scores;
+use super::name::Name;
 use crate::game::Medals;
 use crate::level::Level;
 use std::collections::{HashMap, VecDeque};

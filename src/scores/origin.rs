@@ -12,7 +12,7 @@ pub(super) const ENDING: &str = ".replay.csv";
 
 /// Where a row comes from, as far as that is known.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Origin {
+pub struct RowOrigin {
     /// The file of its flight, in the level's folder of flights.
     pub flight: Option<String>,
     /// The version of the level: its hash.
@@ -21,7 +21,7 @@ pub struct Origin {
     pub program: Option<String>,
 }
 
-impl Origin {
+impl RowOrigin {
     /// The origin of a score that was flown so, and its flight's file.
     pub(super) fn of_flight(user: &str, replay: &Replay) -> Self {
         let file = format!("{user}-{}-{:016x}{ENDING}", replay.score, replay.hash);

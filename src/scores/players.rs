@@ -10,7 +10,7 @@
 //!
 //! A row without a level says that there is such a player; a row with one says that they have completed it, how fast at best, if ever
 //! without help, and what it has brought them. What was earned stays, whatever the level asks for later. Files of before there were medals
-//! have the first three columns: what is done is bronze. Who was chosen last comes first. What cannot be a row becomes a [`Damage`] and spoils none of the others.
+//! have the first three columns: what is done is bronze. Who was chosen last comes first. What cannot be a row becomes a line of damage and spoils none of the others.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -19,8 +19,8 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::error::Report;
-use super::{Damage, Name};
+use super::error::DamageReport;
+use super::name::Name;
 use crate::files::{CsvFile, CsvRow};
 use crate::game::{Medal, Medals};
 
@@ -157,7 +157,7 @@ impl Players {
 
 /// A row of the file, as it is written.
 #[derive(Serialize)]
-struct Cells<'a> {
+struct PlayerCells<'a> {
     player: &'a str,
     level: Cow<'a, str>,
     time: Cow<'a, str>,
@@ -166,9 +166,9 @@ struct Cells<'a> {
 }
 
 /// The players that stand in `bytes`, and every place that could not be read. `path` is only named in those.
-pub(super) fn read(path: &Path, bytes: &[u8]) -> (Players, Vec<Damage>) {
+pub(super) fn read(path: &Path, bytes: &[u8]) -> (Players, Vec<String>) {
     let mut players = Players::default();
-    let mut damage = Report::of(path);
+    let mut damage = DamageReport::of(path);
     for (index, row) in FILE.rows(bytes).enumerate() {
         match &row.cells {
             Ok(_) if index == 0 && row.is_header(OLD_COLUMNS) => {}
@@ -180,10 +180,10 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> (Players, Vec<Damage>) {
 }
 
 /// Takes in one row. Spreadsheets leave empty cells at its end or cut them off.
-fn take(players: &mut Players, row: &CsvRow<'_>, damage: &mut Report<'_>) {
+fn take(players: &mut Players, row: &CsvRow<'_>, damage: &mut DamageReport<'_>) {
     let (line, used, most) = (row.line, row.len(), FILE.columns.len());
     if used > most {
-        return damage.add(line, None, format!("{used} cells"), format!("expected at most {most}: {}", FILE.header()));
+        return damage.add(line, None, format!("{used} cells"), format!("at most {most}: {}", FILE.header()));
     }
     let Some(name) = damage.name(line, "player", row.get("player")) else { return };
     let (level, time) = (unharmed(row.get("level")), row.get("time"));
@@ -192,28 +192,28 @@ fn take(players: &mut Players, row: &CsvRow<'_>, damage: &mut Report<'_>) {
     if level.is_empty() {
         let beside = [("time", time), ("medal", medal), ("mark", mark)].into_iter().find(|(_, cell)| !cell.is_empty());
         if let Some((what, _)) = beside {
-            damage.add(line, Some("level"), format!("nothing beside a {what}"), "expected a level's name");
+            damage.add(line, Some("level"), format!("nothing beside a {what}"), "a level's name");
         } else {
             players.player(&name);
         }
         return;
     }
     if seconds.is_none() && !time.is_empty() {
-        return damage.add(line, Some("time"), format!("{time:?}"), "expected seconds such as 12.5, 0 or more, or nothing");
+        return damage.add(line, Some("time"), format!("{time:?}"), "seconds such as 12.5, 0 or more, or nothing");
     }
     let medal = match Medal::ALL.into_iter().find(|known| known.name().eq_ignore_ascii_case(medal)) {
         Some(medal) => medal,
         None if medal.is_empty() => Medal::Bronze,
-        None => return damage.add(line, Some("medal"), format!("{medal:?}"), "expected bronze, silver, gold or nothing"),
+        None => return damage.add(line, Some("medal"), format!("{medal:?}"), "bronze, silver, gold or nothing"),
     };
     let mark = match mark.to_ascii_uppercase().as_str() {
         "TRUE" => true,
         "FALSE" | "" => false,
-        _ => return damage.add(line, Some("mark"), format!("{mark:?}"), "expected TRUE, FALSE or nothing"),
+        _ => return damage.add(line, Some("mark"), format!("{mark:?}"), "TRUE, FALSE or nothing"),
     };
     if players.get(&name).is_some_and(|player| player.medals(level).medal.is_some()) {
         let found = format!("\"{name}\" in level {level:?} again");
-        damage.add(line, Some("level"), found, "expected one row a player and level: the best of both counts");
+        damage.add(line, Some("level"), found, "one row a player and level: the best of both counts");
     }
     players.player(&name).complete(level, Done { time: seconds, medal, mark });
 }
@@ -233,11 +233,11 @@ pub(super) fn write(players: &Players) -> io::Result<Vec<u8>> {
     writer.write_record(FILE.columns)?;
     for Player { name, done } in &players.players {
         let player = name.as_str();
-        writer.serialize(Cells { player, level: "".into(), time: "".into(), medal: "", mark: "" })?;
+        writer.serialize(PlayerCells { player, level: "".into(), time: "".into(), medal: "", mark: "" })?;
         for (level, Done { time, medal, mark }) in done {
             let time = time.map(|time| format!("{time:.3}")).unwrap_or_default();
             let (medal, mark) = (medal.name().to_ascii_lowercase(), if *mark { "TRUE" } else { "" });
-            writer.serialize(Cells { player, level: harmless(level), time: time.into(), medal: &medal, mark })?;
+            writer.serialize(PlayerCells { player, level: harmless(level), time: time.into(), medal: &medal, mark })?;
         }
     }
     writer.into_inner().map_err(|error| error.into_error())
@@ -272,7 +272,7 @@ mod tests {
     fn reading(text: &str) -> (String, Vec<String>) {
         let (players, damage) = read(Path::new("players.csv"), text.as_bytes());
         let written = String::from_utf8(write(&players).unwrap()).unwrap();
-        (written, damage.iter().map(ToString::to_string).collect())
+        (written, damage)
     }
 
     #[test]

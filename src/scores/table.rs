@@ -1,23 +1,25 @@
 //! The text of a scores file: `name,score` and whatever columns follow, to a [`Board`] and back.
 //!
-//! Reading accepts what people and spreadsheets make of such a file: no header, any order, blank lines, CRLF, a byte-order mark,
-//! spaces around a name or a score. What cannot be a row becomes a [`Damage`] and spoils none of the others.
+//! BoardReading accepts what people and spreadsheets make of such a file: no header, any order, blank lines, CRLF, a byte-order mark,
+//! spaces around a name or a score. What cannot be a row becomes a line of damage and spoils none of the others.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::io;
 use std::path::Path;
 
-use super::error::Report;
-use super::{Board, Damage, Name, Row};
+use super::board::{Board, BoardRow};
+use super::error::DamageReport;
+use super::name::Name;
 use crate::files::{CsvFile, CsvRow};
 
 /// The columns that every scores file has.
 const FILE: CsvFile<'_> = CsvFile { name: "", columns: &["name", "score"], comments: false };
 
 /// The board that stands in `bytes`, and every place that could not be read. `path` is only named in those.
-pub fn read(path: &Path, bytes: &[u8]) -> (Board, Vec<Damage>) {
-    let mut reading = Reading { more_columns: Vec::new(), rows: Vec::new(), lines: HashMap::new(), damage: Report::of(path) };
+pub fn read(path: &Path, bytes: &[u8]) -> (Board, Vec<String>) {
+    let mut reading =
+        BoardReading { more_columns: Vec::new(), rows: Vec::new(), lines: HashMap::new(), damage: DamageReport::of(path) };
     for (index, row) in FILE.rows(bytes).enumerate() {
         reading.take(&row, index == 0);
     }
@@ -39,21 +41,21 @@ pub fn write(board: &Board) -> io::Result<Vec<u8>> {
 }
 
 /// What has been understood so far.
-struct Reading<'a> {
+struct BoardReading<'a> {
     more_columns: Vec<String>,
-    rows: Vec<Row>,
+    rows: Vec<BoardRow>,
     /// Where in `rows` a name stands, and the line it came from.
     lines: HashMap<Name, (usize, usize)>,
-    damage: Report<'a>,
+    damage: DamageReport<'a>,
 }
 
-impl Reading<'_> {
+impl BoardReading<'_> {
     /// Takes in one row; the `first` one may be the header.
     fn take(&mut self, row: &CsvRow<'_>, first: bool) {
         let line = row.line;
         let cells = match &row.cells {
             Ok(cells) if cells.len() >= FILE.columns.len() => cells,
-            Ok(_) => return self.damage.add(line, None, "1 cell", "expected at least 2: name,score"),
+            Ok(_) => return self.damage.add(line, None, "1 cell", "at least 2: name,score"),
             Err(fault) => return self.damage.fault(line, *fault),
         };
         let more: Vec<String> = cells.iter().skip(FILE.columns.len()).map(str::to_owned).collect();
@@ -66,15 +68,15 @@ impl Reading<'_> {
         let score = row.get("score");
         let valid_score = points(score);
         if valid_score.is_none() {
-            self.damage.add(line, Some("score"), format!("{score:?}"), "expected a whole number of 1 or more, digits only");
+            self.damage.add(line, Some("score"), format!("{score:?}"), "a whole number of 1 or more, digits only");
         }
         if let (Some(name), Some(score)) = (valid_name, valid_score) {
-            self.row(line, Row { name, score, more });
+            self.row(line, BoardRow { name, score, more });
         }
     }
 
     /// Adds a row, or keeps the better one of two with the same name.
-    fn row(&mut self, line: usize, row: Row) {
+    fn row(&mut self, line: usize, row: BoardRow) {
         match self.lines.entry(row.name.clone()) {
             Entry::Vacant(place) => {
                 place.insert((self.rows.len(), line));
@@ -86,7 +88,7 @@ impl Reading<'_> {
                 if row.score > self.rows[index].score {
                     self.rows[index] = row;
                 }
-                self.damage.add(line, Some("name"), found, "expected one row a user: the higher score counts");
+                self.damage.add(line, Some("name"), found, "one row a user: the higher score counts");
             }
         }
     }
@@ -110,7 +112,7 @@ mod tests {
             let more: String = row.more.iter().map(|cell| format!(",{cell}")).collect();
             format!("{},{}{more}", row.name, row.score)
         });
-        (rows.collect(), damage.iter().map(Damage::to_string).collect())
+        (rows.collect(), damage)
     }
 
     fn sound(bytes: impl AsRef<[u8]>) -> Vec<String> {
@@ -141,7 +143,7 @@ mod tests {
     fn further_columns_come_back_byte_for_byte() {
         let text = "name,score,class,note\nann,30,7b,\"said \"\"hi\"\",\nthen left\"\nbob,20\ncid,10, 7a ,,5\" tall\n";
         let (board, damage) = read(Path::new("1.csv"), text.as_bytes());
-        assert_eq!(damage, []);
+        assert!(damage.is_empty());
         assert_eq!(board.more_columns(), ["class", "note"]);
         assert_eq!(board.rows()[0].more, ["7b", "said \"hi\",\nthen left"]);
         assert_eq!(board.rows()[2].more, [" 7a ", "", "5\" tall"]);

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::{Fingerprint, RunResult};
-use crate::scores::{Loaded, Name, PATIENCE, Placement, Saved, Score, ScoresError};
+use crate::scores::{LoadedBoard, Name, PATIENCE, Placement, Saved, Score, ScoresError};
 use std::rc::Rc;
 use std::time::Duration;
 
@@ -135,11 +135,11 @@ impl App {
         &mut self,
         subject: String,
         name: &str,
-        shown: Result<(Loaded, usize), ScoresError>,
+        shown: Result<(LoadedBoard, usize), ScoresError>,
         ways: Vec<Way>,
     ) -> Box<dyn Screen> {
         match shown {
-            Ok((Loaded { board, damage }, others)) => {
+            Ok((LoadedBoard { board, damage }, others)) => {
                 let damage = (!damage.is_empty()).then(|| damage_text(&damage));
                 self.judged(name, Leaderboard::new(subject, board, None, damage, ways).with_other_versions(others))
             }

@@ -8,7 +8,7 @@ use crate::draw::Style;
 use crate::draw::layout::{Area, TEXT, Vec2};
 use crate::game::Replay;
 use crate::number::clock;
-use crate::scores::Origin;
+use crate::scores::RowOrigin;
 use crate::settings::Action;
 use crate::ui::{Turn, Ui};
 use crate::view::{theme, widgets};
@@ -53,7 +53,7 @@ pub enum Source {
     /// In a file of the level.
     Level(PathBuf),
     /// A row of the board leads to it.
-    Row(Origin),
+    Row(RowOrigin),
 }
 
 /// A flight that can be watched.

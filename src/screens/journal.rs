@@ -2,7 +2,7 @@
 
 use crate::game::{Game, Medals, Outcome, RunResult};
 use crate::number::{clock, hundredths};
-use crate::scores::{AttemptRow, Damage, Deed, Name, PATIENCE, Player, Players, Rescue, Scores, ScoresError};
+use crate::scores::{AttemptRow, Deed, Name, PATIENCE, Player, Players, Rescue, Scores, ScoresError};
 use std::collections::VecDeque;
 use std::time::Duration;
 
@@ -203,7 +203,7 @@ impl Journal {
 }
 
 /// What is wrong with a scores file, in one line.
-pub fn damage_text(damage: &[Damage]) -> String {
+pub fn damage_text(damage: &[String]) -> String {
     match damage {
         [] => String::new(),
         [one] => format!("{one}."),

@@ -7,7 +7,7 @@ use crate::draw::{Canvas, Style};
 use crate::game::{Medal, Medals, Prize};
 use crate::level::Awards;
 use crate::number::clock;
-use crate::scores::{Board, Name, Origin, Row, Standing};
+use crate::scores::{Board, BoardRow, Name, RowOrigin, Standing};
 use crate::ui::{Turn, Ui};
 use crate::view::{medals, theme, widgets};
 use std::ops::Range;
@@ -156,7 +156,7 @@ impl Leaderboard {
     /// Puts each rival behind the rows that may hold and are worth as much.
     fn sort_in(&mut self) {
         let rows = self.board.rows();
-        let fails = |row: &Row| matches!(self.stands(row), Some(Standing::Doubtful(_)));
+        let fails = |row: &BoardRow| matches!(self.stands(row), Some(Standing::Doubtful(_)));
         let holds = |row: usize| self.board.origin(row).flight.is_some() && !fails(&rows[row]);
         let mut lines: Vec<BoardLine> = (0..rows.len()).map(BoardLine::Row).collect();
         for (number, rival) in self.rivals.iter().enumerate().rev() {
@@ -174,7 +174,7 @@ impl Leaderboard {
         self.in_view().iter().filter_map(|line| if let BoardLine::Row(row) = line { Some(*row) } else { None }).collect()
     }
 
-    fn stands(&self, row: &Row) -> Option<&Standing> {
+    fn stands(&self, row: &BoardRow) -> Option<&Standing> {
         self.prover.as_ref()?.standing(&row.name)
     }
 
@@ -328,7 +328,7 @@ fn show_empty(ui: &Ui<'_>, panel: Area) {
 }
 
 /// The program with which a row was flown, and the first digits of the level's hash.
-fn version(origin: &Origin) -> String {
+fn version(origin: &RowOrigin) -> String {
     let program = origin.program.as_deref().unwrap_or_default();
     let number = program.rsplit(' ').next().unwrap_or_default();
     let short: String = number.chars().take(8).collect();

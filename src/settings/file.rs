@@ -3,11 +3,13 @@
 //! Reading takes what it understands and tells the rest, line by line. Saving rewrites the rows of what was set and leaves every other
 //! line as it is: comments, rows of other players, and what it did not understand.
 
-use super::{Action, Item, Key, Settings};
+use super::item::Item;
+use super::keys::{Action, Key};
+use super::values::Settings;
 use crate::files::{self, CsvFile, CsvRow, Links, Lock, PATIENCE, SETTINGS};
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// The cells that a row has at least: the player may be left out.
@@ -17,12 +19,12 @@ const FILE: CsvFile<'_> = CsvFile { name: "settings.csv", columns: &["setting", 
 
 /// What one row sets.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Target {
+enum Setting {
     Key(Action),
     Item(Item),
 }
 
-impl Target {
+impl Setting {
     fn all() -> impl Iterator<Item = Self> {
         Action::ALL.into_iter().map(Self::Key).chain(Item::ALL.into_iter().map(Self::Item))
     }
@@ -103,8 +105,8 @@ fn set(row: &CsvRow<'_>, settings: &mut Settings) -> Result<(), String> {
         Ok(_) => {}
     }
     let (setting, value) = (row.get("setting"), row.get("value"));
-    let Some(target) = Target::named(setting) else {
-        let names: Vec<&str> = Target::all().map(Target::setting).collect();
+    let Some(target) = Setting::named(setting) else {
+        let names: Vec<&str> = Setting::all().map(Setting::setting).collect();
         return Err(row.bad_cell("setting", format_args!("one of {}", names.join(", "))));
     };
     let place = format!("{}:{}: column \"value\" of {}", FILE.name, row.line, target.setting());
@@ -114,7 +116,7 @@ fn set(row: &CsvRow<'_>, settings: &mut Settings) -> Result<(), String> {
 /// `text` with the settings of a player set in it.
 fn merged(text: &str, player: &str, settings: &Settings) -> io::Result<String> {
     let stale = |row: &CsvRow<'_>| {
-        let target = Target::named(row.get("setting"));
+        let target = Setting::named(row.get("setting"));
         target.is_some_and(|target| row.get("player") == target.owner(player)) && set(row, &mut Settings::default()).is_ok()
     };
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -130,7 +132,7 @@ fn merged(text: &str, player: &str, settings: &Settings) -> io::Result<String> {
     }
     let header = if headed { String::new() } else { FILE.header() + "\n" };
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-    for target in Target::all() {
+    for target in Setting::all() {
         writer.write_record([target.setting(), &target.written(settings), target.owner(player)])?;
     }
     let fresh = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
@@ -224,8 +226,7 @@ impl SettingsFile {
     }
 
     fn replace(&self, player: &str, settings: &Settings, patience: Duration) -> io::Result<()> {
-        let folder = self.path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        fs::create_dir_all(folder)?;
+        fs::create_dir_all(files::around(&self.path))?;
         let path = files::behind_links(&self.path)?;
         // Of two games that save at once, neither loses the other's rows.
         let _lock = Lock::wait(&path.with_file_name(".settings.csv.lock"), patience)?;

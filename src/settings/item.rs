@@ -1,117 +1,102 @@
 //! One setting as a list shows it, the file names it and a key changes it.
 
-use super::{Palette, Settings};
+use super::values::{Palette, Settings};
 
-/// One setting that is not a key.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Item {
-    /// The volume of everything.
-    Master,
-    /// The volume of what happens.
-    Effects,
-    /// The volume of the music.
-    Music,
-    /// Whether the window fills the screen.
-    Fullscreen,
-    /// The size of words and panels.
-    Scale,
-    /// How far a hit shakes the screen.
-    Shake,
-    /// Whether hits and deaths flash.
-    Flash,
-    /// How many of the particles are drawn.
-    Particles,
-    /// Which colours carry the meanings.
-    Colours,
-    /// Whether the time is shown.
-    Timer,
-    /// Whether the ship carries an arrow of its velocity.
-    Velocity,
-    /// How fast the game runs.
-    Speed,
-    /// Whether the engine burns no fuel.
-    LastingFuel,
-}
-
-/// What a setting can be.
-enum Range {
+/// The values of a setting.
+#[derive(Clone, Copy)]
+enum Values {
     /// Whole percents, in steps.
     Percent { least: u8, most: u8, step: u8 },
     /// One of these words.
     Words(&'static [&'static str]),
 }
 
-/// Off, and on.
-const SWITCH: Range = Range::Words(&["off", "on"]);
-const VOLUME: Range = Range::Percent { least: 0, most: 100, step: 10 };
-const COLOURS: Range = Range::Words(&["standard", "safe", "contrast"]);
+const VOLUME: Values = Values::Percent { least: 0, most: 100, step: 10 };
+const HALVES: Values = Values::Percent { least: 0, most: 100, step: 50 };
+const SCALE: Values = Values::Percent { least: 80, most: 150, step: 10 };
+const SPEED: Values = Values::Percent { least: 50, most: 100, step: 10 };
+const SWITCH: Values = Values::Words(&["off", "on"]);
+const COLOURS: Values = Values::Words(&["standard", "safe", "contrast"]);
+const PALETTES: [Palette; 3] = [Palette::Standard, Palette::Safe, Palette::HighContrast];
+
+/// The field of [`Settings`] that holds a setting.
+enum Field<'a> {
+    Number(&'a mut u8),
+    Switch(&'a mut bool),
+    Colours(&'a mut Palette),
+}
+
+/// The list of settings: the row in the settings' file, the label, a sentence about it, its values, its owner and its field.
+macro_rules! items {
+    ($($name:ident $setting:literal $label:literal $about:literal $values:ident $owner:ident $kind:ident $($field:ident).+;)*) => {
+        /// One setting that is not a key.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Item {
+            $(#[doc = $about] $name,)*
+        }
+
+        impl Item {
+            /// All of them, in the order in which they are shown.
+            pub const ALL: [Self; [$($setting),*].len()] = [$(Self::$name),*];
+
+            /// Its row in the settings' file.
+            pub const fn setting(self) -> &'static str {
+                match self { $(Self::$name => $setting,)* }
+            }
+
+            /// Its name as it is shown.
+            pub const fn label(self) -> &'static str {
+                match self { $(Self::$name => $label,)* }
+            }
+
+            const fn values(self) -> Values {
+                match self { $(Self::$name => $values,)* }
+            }
+
+            const fn owner(self) -> Owner {
+                match self { $(Self::$name => Owner::$owner,)* }
+            }
+
+            const fn field(self, settings: &mut Settings) -> Field<'_> {
+                match self { $(Self::$name => Field::$kind(&mut settings.$($field).+),)* }
+            }
+        }
+    };
+}
+
+/// The owner of a setting: the room has screen and speakers, the player has a manner of play.
+enum Owner {
+    Machine,
+    Player,
+}
+
+items! {
+    Master "volume" "Volume" "The volume of everything." VOLUME Machine Number master;
+    Effects "volume_effects" "Effects" "The volume of engine, knocks, wind, liquid and buttons." VOLUME Machine Number effects;
+    Music "volume_music" "Music" "The volume of the music." VOLUME Machine Number music;
+    Fullscreen "fullscreen" "Fullscreen (F11)" "Whether the window fills the screen." SWITCH Machine Switch fullscreen;
+    Scale "interface_scale" "Interface scale" "The size of words and panels." SCALE Machine Number scale;
+    Colours "colours" "Colours" "The colours that carry a meaning." COLOURS Machine Colours palette;
+    Shake "shake" "Screen shake" "How far a hit shakes the screen." HALVES Machine Number shake;
+    Flash "flash" "Flashes" "Whether hits and deaths flash." SWITCH Machine Switch flash;
+    Particles "particles" "Particles" "The share of the particles that is drawn." HALVES Machine Number particles;
+    Timer "show_timer" "Show timer" "Whether the time is shown." SWITCH Player Switch timer;
+    Velocity "show_velocity" "Velocity arrow" "Whether the ship carries an arrow of its velocity." SWITCH Player Switch velocity;
+    Speed "assist_speed" "Assist: game speed" "The game's share of real time." SPEED Player Number assists.speed;
+    LastingFuel "assist_fuel" "Assist: lasting fuel" "Whether the engine burns no fuel." SWITCH Player Switch assists.lasting_fuel;
+}
 
 impl Item {
-    /// All of them, in the order in which they are shown.
-    pub const ALL: [Self; 13] = [
-        Self::Master,
-        Self::Effects,
-        Self::Music,
-        Self::Fullscreen,
-        Self::Scale,
-        Self::Colours,
-        Self::Shake,
-        Self::Flash,
-        Self::Particles,
-        Self::Timer,
-        Self::Velocity,
-        Self::Speed,
-        Self::LastingFuel,
-    ];
-
-    /// Its row in the settings' file.
-    pub const fn setting(self) -> &'static str {
-        match self {
-            Self::Master => "volume",
-            Self::Effects => "volume_effects",
-            Self::Music => "volume_music",
-            Self::Fullscreen => "fullscreen",
-            Self::Scale => "interface_scale",
-            Self::Colours => "colours",
-            Self::Shake => "shake",
-            Self::Flash => "flash",
-            Self::Particles => "particles",
-            Self::Timer => "show_timer",
-            Self::Velocity => "show_velocity",
-            Self::Speed => "assist_speed",
-            Self::LastingFuel => "assist_fuel",
-        }
-    }
-
-    /// Its name as it is shown.
-    pub const fn label(self) -> &'static str {
-        match self {
-            Self::Master => "Volume",
-            Self::Effects => "Effects",
-            Self::Music => "Music",
-            Self::Fullscreen => "Fullscreen (F11)",
-            Self::Scale => "Interface scale",
-            Self::Colours => "Colours",
-            Self::Shake => "Screen shake",
-            Self::Flash => "Flashes",
-            Self::Particles => "Particles",
-            Self::Timer => "Show timer",
-            Self::Velocity => "Velocity arrow",
-            Self::Speed => "Assist: game speed",
-            Self::LastingFuel => "Assist: lasting fuel",
-        }
-    }
-
-    /// Whether it belongs to the player rather than to the machine: how he plays, not what the room has for screen and speakers.
+    /// Whether it belongs to the player rather than to the machine.
     pub const fn is_of_play(self) -> bool {
-        matches!(self, Self::Timer | Self::Velocity | Self::Speed | Self::LastingFuel)
+        matches!(self.owner(), Owner::Player)
     }
 
     /// Its value as it is shown.
     pub fn value(self, settings: &Settings) -> String {
-        match self.range() {
-            Range::Percent { .. } => format!("{} %", self.get(settings)),
-            Range::Words(words) => words.get(usize::from(self.get(settings))).copied().unwrap_or_default().to_owned(),
+        match self.values() {
+            Values::Percent { .. } => format!("{} %", self.get(settings)),
+            Values::Words(words) => words.get(usize::from(self.get(settings))).copied().unwrap_or_default().to_owned(),
         }
     }
 
@@ -125,13 +110,13 @@ impl Item {
     /// # Errors
     /// What is expected there.
     pub fn read(self, text: &str, settings: &mut Settings) -> Result<(), String> {
-        let value = match self.range() {
-            Range::Percent { least, most, .. } => {
+        let value = match self.values() {
+            Values::Percent { least, most, .. } => {
                 let digits = text.trim_end_matches('%').trim_end();
                 let number = digits.parse().ok().filter(|number| (least..=most).contains(number));
                 number.ok_or_else(|| format!("a whole number of percents from {least} to {most}"))?
             }
-            Range::Words(words) => {
+            Values::Words(words) => {
                 let place = words.iter().position(|word| word.eq_ignore_ascii_case(text));
                 place.ok_or_else(|| format!("one of {}", words.join(", ")))? as u8
             }
@@ -143,15 +128,15 @@ impl Item {
     /// A step up or down; words go round, percents stop at their ends.
     pub fn change(self, up: bool, settings: &mut Settings) {
         let now = self.get(settings);
-        let next = match self.range() {
-            Range::Percent { least, most, step } => {
+        let next = match self.values() {
+            Values::Percent { least, most, step } => {
                 if up {
                     (now + step).min(most)
                 } else {
                     now.saturating_sub(step).max(least)
                 }
             }
-            Range::Words(words) => {
+            Values::Words(words) => {
                 let count = words.len() as u8;
                 (now + if up { 1 } else { count - 1 }) % count
             }
@@ -161,59 +146,25 @@ impl Item {
 
     /// How far between its least and its most it stands, 0 … 1; `None` for words.
     pub fn share(self, settings: &Settings) -> Option<f32> {
-        match self.range() {
-            Range::Percent { least, most, .. } => Some(f32::from(self.get(settings) - least) / f32::from(most - least)),
-            Range::Words(_) => None,
-        }
-    }
-
-    const fn range(self) -> Range {
-        match self {
-            Self::Master | Self::Effects | Self::Music => VOLUME,
-            Self::Scale => Range::Percent { least: 80, most: 150, step: 10 },
-            Self::Shake | Self::Particles => Range::Percent { least: 0, most: 100, step: 50 },
-            Self::Speed => Range::Percent { least: 50, most: 100, step: 10 },
-            Self::Colours => COLOURS,
-            Self::Fullscreen | Self::Flash | Self::Timer | Self::Velocity | Self::LastingFuel => SWITCH,
+        match self.values() {
+            Values::Percent { least, most, .. } => Some(f32::from(self.get(settings) - least) / f32::from(most - least)),
+            Values::Words(_) => None,
         }
     }
 
     fn get(self, settings: &Settings) -> u8 {
-        match self {
-            Self::Master => settings.master,
-            Self::Effects => settings.effects,
-            Self::Music => settings.music,
-            Self::Fullscreen => settings.fullscreen.into(),
-            Self::Scale => settings.scale,
-            Self::Shake => settings.shake,
-            Self::Flash => settings.flash.into(),
-            Self::Particles => settings.particles,
-            Self::Colours => settings.palette as u8,
-            Self::Timer => settings.timer.into(),
-            Self::Velocity => settings.velocity.into(),
-            Self::Speed => settings.assists.speed,
-            Self::LastingFuel => settings.assists.lasting_fuel.into(),
+        match self.field(&mut { *settings }) {
+            Field::Number(number) => *number,
+            Field::Switch(on) => u8::from(*on),
+            Field::Colours(palette) => *palette as u8,
         }
     }
 
     fn set(self, value: u8, settings: &mut Settings) {
-        let on = value != 0;
-        match self {
-            Self::Master => settings.master = value,
-            Self::Effects => settings.effects = value,
-            Self::Music => settings.music = value,
-            Self::Fullscreen => settings.fullscreen = on,
-            Self::Scale => settings.scale = value,
-            Self::Shake => settings.shake = value,
-            Self::Flash => settings.flash = on,
-            Self::Particles => settings.particles = value,
-            Self::Colours => {
-                settings.palette = [Palette::Standard, Palette::Safe, Palette::HighContrast][usize::from(value.min(2))];
-            }
-            Self::Timer => settings.timer = on,
-            Self::Velocity => settings.velocity = on,
-            Self::Speed => settings.assists.speed = value,
-            Self::LastingFuel => settings.assists.lasting_fuel = on,
+        match self.field(settings) {
+            Field::Number(number) => *number = value,
+            Field::Switch(on) => *on = value != 0,
+            Field::Colours(palette) => *palette = PALETTES[usize::from(value).min(PALETTES.len() - 1)],
         }
     }
 }

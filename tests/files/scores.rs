@@ -382,7 +382,7 @@ fn processes_that_save_at_once_lose_nothing() {
     assert_eq!(confirmed, PROCESSES * SAVES);
 
     let loaded = fixture.scores().load("1").unwrap();
-    assert_eq!(loaded.damage, []);
+    assert_eq!(loaded.damage, [""; 0]);
     let there: BTreeSet<_> = loaded.board.rows().iter().map(|row| (row.name.to_string(), row.score)).collect();
     let expected =
         (0..PROCESSES).flat_map(|process| (1..=SAVES).map(move |number| (format!("p{process}-{number}"), i64::from(number))));
@@ -399,7 +399,7 @@ fn a_kill_at_any_moment_leaves_a_whole_file_with_every_confirmed_score() {
         let last = kill_within(Worker::start(WORKER, &fixture.folder(), &format!("r{round}"), u32::MAX), round);
         known.extend((1..=last).map(|number| format!("r{round}-{number}")));
         let loaded = fixture.scores().load("1").unwrap();
-        assert_eq!(loaded.damage, [], "round {round}");
+        assert_eq!(loaded.damage, [""; 0], "round {round}");
         let there: BTreeSet<_> = loaded.board.rows().iter().map(|row| row.name.to_string()).collect();
         assert!(there.is_superset(&known), "round {round} lost {:?}", known.difference(&there).collect::<Vec<_>>());
         known = there;

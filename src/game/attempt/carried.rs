@@ -1,6 +1,8 @@
 //! An attempt that goes on while its level is edited, or varied.
 
-use super::{Game, GameError, Outcome, SHIP};
+use super::Game;
+use crate::game::event::{GameError, Outcome};
+use crate::game::ship::SHIP;
 use crate::level::Level;
 use crate::physics::{Aabb, Body, DVec2, Sides};
 use std::sync::Arc;

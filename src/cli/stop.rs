@@ -1,0 +1,106 @@
+//! How a subcommand ends, and the texts that it leaves on a terminal.
+
+use std::fmt::Display;
+use std::io::{self, Write};
+
+/// How a subcommand ended, as its exit status.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Status {
+    /// It did what was asked.
+    Done = 0,
+    /// A check or verification found something wrong, also when nobody reads what.
+    Wrong = 1,
+    /// The input was refused, or the results could not be written: each file is the old one or the new one, whole.
+    Refused = 2,
+}
+
+/// Why a subcommand ended early.
+#[derive(Debug)]
+pub enum Stop {
+    /// The input was refused, for this reason; ends with [`Status::Refused`]. Of several problems each has its line.
+    Refused(String),
+    /// Results could not be written; ends with [`Status::Refused`], too.
+    Output(io::Error),
+}
+
+impl Stop {
+    /// The input was refused, for this reason.
+    pub fn refused(reason: impl Display) -> Self {
+        Self::Refused(reason.to_string())
+    }
+}
+
+impl From<io::Error> for Stop {
+    /// For `?` behind `write!` to the output. Whatever else fails to be read or written wants a message with its path.
+    fn from(error: io::Error) -> Self {
+        Self::Output(error)
+    }
+}
+
+/// A stream that someone reads, for as long as they do: a reader that has gone away has seen enough, as `head` does. What is written
+/// after that goes nowhere, and changes neither what is done nor how it ends.
+pub(super) struct Readers<W> {
+    stream: W,
+    gone: bool,
+}
+
+impl<W: Write> Readers<W> {
+    pub const fn of(stream: W) -> Self {
+        Self { stream, gone: false }
+    }
+
+    /// `done`, unless nobody reads: then it is as if `otherwise` had been done.
+    fn unless_gone<T>(&mut self, done: impl FnOnce(&mut W) -> io::Result<T>, otherwise: T) -> io::Result<T> {
+        if self.gone {
+            return Ok(otherwise);
+        }
+        done(&mut self.stream).or_else(|error| {
+            self.gone = error.kind() == io::ErrorKind::BrokenPipe;
+            if self.gone { Ok(otherwise) } else { Err(error) }
+        })
+    }
+}
+
+impl<W: Write> Write for Readers<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.unless_gone(|stream| stream.write(bytes), bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.unless_gone(Write::flush, ())
+    }
+}
+
+/// A name or a path as it is shown: what would move a terminal's cursor or change its colours is written out.
+pub(super) fn shown(name: impl Display) -> String {
+    let visible = |c: char| if c == '"' || c == '\'' || c == '\\' { vec![c] } else { c.escape_debug().collect() };
+    name.to_string().chars().flat_map(visible).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_shown_leaves_the_terminal_as_it_is() {
+        assert_eq!(shown("höhle-2 \"a\\b\" '→'"), "höhle-2 \"a\\b\" '→'");
+        assert_eq!(shown("a\u{1b}[31m\r\n\u{9b}2J\u{202e}\u{7f}"), "a\\u{1b}[31m\\r\\n\\u{9b}2J\\u{202e}\\u{7f}");
+    }
+
+    #[test]
+    fn a_reader_that_has_gone_away_changes_nothing_and_a_full_disk_does() {
+        struct Failing(io::ErrorKind);
+        impl Write for Failing {
+            fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+                Err(self.0.into())
+            }
+            fn flush(&mut self) -> io::Result<()> {
+                Err(self.0.into())
+            }
+        }
+        let mut gone = Readers::of(Failing(io::ErrorKind::BrokenPipe));
+        assert!(gone.flush().is_ok() && gone.write_all(b"told to no one").is_ok());
+        assert!(Readers::of(Failing(io::ErrorKind::StorageFull)).write_all(b"results").is_err());
+    }
+}

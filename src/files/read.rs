@@ -1,0 +1,147 @@
+//! Reading regular files up to a size.
+
+use std::fs::{self, File, Metadata, OpenOptions};
+use std::io::{self, Read};
+use std::path::Path;
+
+/// What a symbolic link stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Links {
+    /// The file that it leads to.
+    Followed,
+    /// Itself: it is no file to read, and a new file takes its place. For hidden files of the game, which may lie in a stranger's folder.
+    Never,
+}
+
+/// The bytes of a file, of which there may be at most so many.
+///
+/// What the caller of the program has opened already and passed on by number (`/dev/stdin`, `/dev/fd/3`) may be of any kind: it is
+/// read as far as the limit.
+///
+/// # Errors
+/// What is there is no regular file or is larger; whatever the system says.
+pub fn read(path: &Path, at_most: u64) -> io::Result<Vec<u8>> {
+    read_with(path, at_most, Links::Followed)
+}
+
+/// As [`read`], with a say about links.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_with(path: &Path, at_most: u64, links: Links) -> io::Result<Vec<u8>> {
+    let file = if is_passed_on(path) {
+        File::open(path)?
+    } else {
+        let (file, found) = open(OpenOptions::new().read(true), path, links)?;
+        if found.len() > at_most {
+            return Err(too_large(Some(found.len()), at_most));
+        }
+        file
+    };
+    let mut bytes = Vec::new();
+    // It may have grown since, and what has no size in advance shows it only now.
+    file.take(at_most + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > at_most { Err(too_large(None, at_most)) } else { Ok(bytes) }
+}
+
+/// Opens a regular file that is there, and nothing else: a pipe waits for its other end, and a device may act on being opened.
+///
+/// # Errors
+/// What is there is no regular file; whatever the system says.
+pub fn open(options: &OpenOptions, path: &Path, links: Links) -> io::Result<(File, Metadata)> {
+    judge(&match links {
+        Links::Followed => fs::metadata(path)?,
+        Links::Never => fs::symlink_metadata(path)?,
+    })?;
+    let mut options = options.clone();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt;
+        let never = if links == Links::Never { libc::O_NOFOLLOW } else { 0 };
+        options.custom_flags(libc::O_NONBLOCK | never);
+    }
+    let file = options.open(path)?;
+    // Another program may have put something else there since the first look.
+    let found = file.metadata()?;
+    judge(&found)?;
+    Ok((file, found))
+}
+
+/// The text of a file, as [`read`].
+///
+/// # Errors
+/// As [`read`]; the bytes are no UTF-8.
+pub fn read_text(path: &Path, at_most: u64) -> io::Result<String> {
+    let no_text =
+        |_| io::Error::new(io::ErrorKind::InvalidData, "found letters that are not UTF-8, expected a file saved as UTF-8");
+    String::from_utf8(read(path, at_most)?).map_err(no_text)
+}
+
+/// Whether the path leads to what this process was given open.
+pub fn is_passed_on(path: &Path) -> bool {
+    ["/dev/stdin", "/dev/stdout", "/dev/stderr"].iter().any(|passed| path == Path::new(passed))
+        || path.starts_with("/dev/fd")
+        || path.starts_with("/proc/self/fd")
+}
+
+pub(super) fn judge(found: &Metadata) -> io::Result<()> {
+    let (kind, other) = match found.file_type() {
+        kind if kind.is_file() => return Ok(()),
+        kind if kind.is_dir() => (io::ErrorKind::IsADirectory, "found a folder, expected a file"),
+        kind if kind.is_symlink() => (io::ErrorKind::InvalidInput, "found a link, expected a regular file"),
+        _ => (io::ErrorKind::InvalidInput, "found a pipe or a device, expected a regular file"),
+    };
+    Err(io::Error::new(kind, other))
+}
+
+fn too_large(bytes: Option<u64>, at_most: u64) -> io::Error {
+    let found = bytes.map_or("more".to_owned(), |bytes| format!("{bytes} bytes"));
+    io::Error::new(io::ErrorKind::FileTooLarge, format!("found {found}, expected at most {at_most} bytes"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_read_up_to_its_limit() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("file");
+        fs::write(&path, "12345").unwrap();
+        assert_eq!(read(&path, 5).unwrap(), b"12345");
+        let error = read(&path, 4).unwrap_err();
+        assert_eq!(
+            (error.kind(), error.to_string().as_str()),
+            (io::ErrorKind::FileTooLarge, "found 5 bytes, expected at most 4 bytes")
+        );
+        assert_eq!(read(&folder.path().join("none"), 5).unwrap_err().kind(), io::ErrorKind::NotFound);
+        assert_eq!(read(folder.path(), 5).unwrap_err().to_string(), "found a folder, expected a file");
+        fs::write(&path, b"\xff").unwrap();
+        assert!(read_text(&path, 5).unwrap_err().to_string().contains("UTF-8"));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn what_never_ends_is_not_begun() {
+        let folder = tempfile::tempdir().unwrap();
+        let pipe = folder.path().join("pipe");
+        assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+        let link = folder.path().join("link");
+        std::os::unix::fs::symlink("/dev/zero", &link).unwrap();
+        for path in [pipe.as_path(), &link, Path::new("/dev/zero"), Path::new("/dev/null")] {
+            let error = read(path, 1 << 30).unwrap_err();
+            assert_eq!(error.to_string(), "found a pipe or a device, expected a regular file", "{}", path.display());
+        }
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn what_was_passed_on_open_is_read_to_the_limit_whatever_it_is() {
+        use std::os::fd::AsRawFd;
+        let zeros = File::open("/dev/zero").unwrap();
+        let path = format!("/proc/self/fd/{}", zeros.as_raw_fd());
+        assert_eq!(read(Path::new(&path), 1000).unwrap_err().to_string(), "found more, expected at most 1000 bytes");
+        let nothing = File::open("/dev/null").unwrap();
+        assert_eq!(read(Path::new(&format!("/dev/fd/{}", nothing.as_raw_fd())), 0).unwrap(), b"");
+    }
+}
