@@ -25,7 +25,7 @@ use cpu_time::ThreadTime as Clock;
 #[cfg(not(any(unix, windows)))]
 use std::time::Instant as Clock;
 
-/// What `chart` is told.
+/// The arguments of `chart`.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "Writes into DIR, made if need be:\n  \
     summary.md   machine, commit, tables and all diagrams on one page\n  \

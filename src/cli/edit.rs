@@ -5,7 +5,7 @@ use super::stop::{Status, Stop};
 use std::ffi::OsString;
 use std::io::Write;
 
-/// What to edit.
+/// The arguments of `edit`.
 #[derive(clap::Args, Debug)]
 pub struct EditArgs {
     /// A name under levels/, or a level's folder

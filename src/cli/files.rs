@@ -10,7 +10,7 @@ use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 
-/// The text of a file of at most so many bytes (one of the sizes in [`crate::files`]).
+/// The text of a file of at most `at_most` bytes (one of the sizes in [`crate::files`]).
 ///
 /// # Errors
 /// It cannot be read, is no regular file or too large, or is no UTF-8.
@@ -46,7 +46,7 @@ impl<W: Write> CsvOutput<W> {
     }
 }
 
-/// What the system said, as it said it: whoever reads a pipe may have gone away.
+/// The system's own error: the reader of a pipe may have gone away.
 fn plain(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,

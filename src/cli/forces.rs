@@ -10,7 +10,7 @@ use std::io::{self, Write};
 
 /// The first row.
 pub const HEADER: &str = "tick,time,object,kind,by,x,y,point_x,point_y";
-/// The kind of a row that tells of an impact: its vector is an impulse, N·s.
+/// The kind of an impact's row: its vector is an impulse, N·s.
 const IMPACT: &str = "impact";
 
 /// A row: an instant and what acts on an object then, numbered as in the telemetry; N (an impact: N·s) and metres.

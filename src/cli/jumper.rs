@@ -14,7 +14,7 @@ use std::path::PathBuf;
 /// Ticks without inputs: 10 s.
 const TICKS_WITHOUT_INPUTS: u64 = 10 * TICK_RATE as u64;
 
-/// What `jumper` is told.
+/// The arguments of `jumper`.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "Prints lines key=value: outcome (climbing; out when all players are), score (whole metres), height (m), \
     ticks, and each player's x and z (m).\n\nINPUTS: a CSV with the header ticks,left1,right1,jump1,left2,right2,jump2 (the last \

@@ -1,9 +1,8 @@
-//! The command line: one file a subcommand, and [`Project`], which says where the game's folders are. Here are the arguments that
-//! all share and what becomes of their results: standard output gets results, standard error problems, and the exit status is
-//! [`Status`]. What a subcommand does is not here, and no rule of the game either.
+//! The command line: one file a subcommand, and [`Project`], which finds the game's folders. Standard output gets results, standard error
+//! problems, and the exit status is [`Status`].
 //!
-//! Each subcommand's file has `pub struct Args` and `pub fn run(&Args, &Project, &mut dyn Write) -> Result<Status, Stop>`. It
-//! writes its results to the writer, never with `println!`, which panics when the reader has gone away.
+//! Each subcommand's file has its arguments and `pub fn run(&Args, &Project, &mut dyn Write) -> Result<Status, Stop>`. It writes its results
+//! to the writer, never with `println!`, which panics when the reader has gone away.
 
 mod chart;
 mod check;
@@ -85,7 +84,7 @@ pub fn main() -> ExitCode {
             let _ = writeln!(io::stderr(), "{}", problem.trim_end());
             Status::Refused
         }
-        // A file of results that is a pipe: whoever reads has seen enough.
+        // A file of results that is a pipe: its reader has seen enough.
         Err(Stop::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => Status::Done,
         Err(Stop::Output(error)) => {
             let _ = writeln!(io::stderr(), "cannot write the results: {error}");

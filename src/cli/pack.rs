@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// How many files are named in a line.
 const MOST_NAMED: usize = 5;
 
-/// What to pack.
+/// The arguments of `pack`.
 #[derive(clap::Args, Debug)]
 pub struct PackArgs {
     /// A name under levels/, or a level's folder
@@ -23,7 +23,7 @@ pub struct PackArgs {
     out: Option<PathBuf>,
 }
 
-/// What to unpack.
+/// The arguments of `unpack`.
 #[derive(clap::Args, Debug)]
 pub struct UnpackArgs {
     /// An archive, as `pack` makes it
@@ -43,7 +43,7 @@ pub fn pack(args: &PackArgs, project: &Project, out: &mut dyn Write) -> Result<S
     let (package, left) = pack::gather(&folder, project.root()).map_err(refused)?;
     let bytes = pack::write(&package).map_err(Stop::Refused)?;
     let path = args.out.clone().unwrap_or_else(|| PathBuf::from(format!("{}.zip", package.name)));
-    // What is handed on can be taken.
+    // An archive that is made can be read.
     pack::read(&bytes, &package.name)
         .map_err(|problem| Stop::Refused(format!("{}: cannot be packed: {problem}", shown(folder.display()))))?;
     files::create(&path, &bytes).map_err(|error| {

@@ -9,7 +9,7 @@ use std::time::Instant;
 /// Up to this N the blocks are followed with positions and times; beyond it with their velocities alone, which is much faster.
 const MAX_N_WITH_POSITIONS: u32 = 7;
 
-/// What `pi` is told.
+/// The arguments of `pi`.
 #[derive(clap::Args, Debug)]
 #[command(
     after_help = "A wall, a block at rest, and one of 100^N times its mass moving towards it at 1 m/s collide as often as the \

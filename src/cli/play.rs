@@ -16,7 +16,7 @@ use std::path::PathBuf;
 #[cfg(feature = "window")]
 use std::{ffi::OsStr, path::Path, sync::Arc};
 
-/// What to open.
+/// The arguments of `play`.
 #[derive(clap::Args, Debug, Default)]
 pub struct PlayArgs {
     /// A name under levels/, or a level's folder; without it the game opens with its menu

@@ -22,7 +22,7 @@ const RATES: RangeInclusive<f64> = 30.0..=480.0;
 /// could end visibly early.
 const WHOLE_TICK: f64 = 1e-6;
 
-/// What to play, and how.
+/// The arguments of `run`.
 #[derive(clap::Args, Debug)]
 #[command(
     after_long_help = "Prints key=value: outcome (completed, failed, running), time (s, from the first tick with an input; from the start where there is none), score, objectives (met/all), \
@@ -111,7 +111,7 @@ pub fn run(args: &RunArgs, project: &Project, out: &mut dyn Write) -> Result<Sta
     Ok(Status::Done)
 }
 
-/// What the level is made of: its tables and its background, also where there is none yet, and its pictures.
+/// The files of a level: its tables and its background, also where there is none yet, and its pictures.
 fn level_files(folder: &Path, level: &Level) -> Vec<PathBuf> {
     FILES.iter().map(|file| folder.join(file)).chain(level.pictures().cloned()).collect()
 }

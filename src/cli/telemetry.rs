@@ -57,7 +57,7 @@ impl<W: Write> Telemetry<W> {
     }
 }
 
-/// What each body felt of the last tick's impacts, N·s.
+/// The sum of the last tick's impacts on each body, N·s.
 fn impulses(world: &World) -> Vec<DVec2> {
     let mut sums = vec![DVec2::ZERO; world.bodies().len()];
     for impulse in world.impulses() {

@@ -9,7 +9,7 @@ use crate::number::Shortest;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// What `tiles` is told.
+/// The arguments of `tiles`.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "Prints `tile X Y`, the column and row of the last tile. With --trace, before it, a CSV line a frame:\n  \
     frame,x,y,vx,vy,on_ground\nframe counts from 0; the numbers are the shortest that read back as the same f64; on_ground is 0 or 1.\n\n\

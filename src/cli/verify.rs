@@ -17,7 +17,7 @@ const SILENCE: Duration = Duration::from_secs(2);
 /// How often the clock is asked, ticks: asking it must not count.
 const TICKS_A_LOOK: u64 = 4096;
 
-/// What to verify.
+/// The arguments of `verify`.
 #[derive(clap::Args, Debug)]
 pub struct VerifyArgs {
     /// Recorded runs, as `run --record` writes them
@@ -81,7 +81,7 @@ fn fly(name: &str, replay: &Replay, level: Arc<Level>, err: &mut dyn Write) -> R
     let flown = replay.verify(level, |game| {
         if game.ticks().is_multiple_of(TICKS_A_LOOK) && last.elapsed() >= SILENCE {
             last = Instant::now();
-            // Whoever does not read this wants to know how it ends all the same.
+            // A closed standard error does not stop the verification.
             let _ = writeln!(err, "{name}: {} of {ticks} ticks flown", game.ticks());
         }
     });

@@ -34,7 +34,7 @@ pub struct Lock {
 }
 
 impl Lock {
-    /// Takes the lock that a file stands for. The file is made where there is none, for all who may write in its folder.
+    /// Takes the lock that a file stands for. The file is made where there is none, for every user who may write in its folder.
     ///
     /// # Errors
     /// [`io::ErrorKind::WouldBlock`] where another process holds it for longer than `patience`; something other than a regular file is
@@ -70,11 +70,11 @@ fn open_lock(path: &Path) -> io::Result<File> {
     opened.or_else(|_| open(OpenOptions::new().read(true), path, Links::Never)).map(|(file, _)| file)
 }
 
-/// Lets all who may write in the folder read the file and write to it, whatever the process' umask says. Whether others may do what they
+/// Lets every user who may write in the folder read the file and write to it, against the process' umask. Whether others may do what they
 /// could do is as it was, or, for a private file, no.
 ///
 /// # Errors
-/// What the system says.
+/// The system's.
 #[cfg(unix)]
 pub fn share(folder: &Path, file: &File, private: bool) -> io::Result<()> {
     use std::os::unix::fs::PermissionsExt;

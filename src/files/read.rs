@@ -4,7 +4,7 @@ use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, Read};
 use std::path::Path;
 
-/// What a symbolic link stands for.
+/// The meaning of a symbolic link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Links {
     /// The file that it leads to.
@@ -13,13 +13,13 @@ pub enum Links {
     Never,
 }
 
-/// The bytes of a file, of which there may be at most so many.
+/// The bytes of a file, at most `at_most` of them.
 ///
-/// What the caller of the program has opened already and passed on by number (`/dev/stdin`, `/dev/fd/3`) may be of any kind: it is
+/// A file that the caller of the program has opened and passed on by number (`/dev/stdin`, `/dev/fd/3`) may be of any kind: it is
 /// read as far as the limit.
 ///
 /// # Errors
-/// What is there is no regular file or is larger; whatever the system says.
+/// No regular file, or a larger one; the system's errors.
 pub fn read(path: &Path, at_most: u64) -> io::Result<Vec<u8>> {
     read_with(path, at_most, Links::Followed)
 }
@@ -47,7 +47,7 @@ pub fn read_with(path: &Path, at_most: u64, links: Links) -> io::Result<Vec<u8>>
 /// Opens a regular file that is there, and nothing else: a pipe waits for its other end, and a device may act on being opened.
 ///
 /// # Errors
-/// What is there is no regular file; whatever the system says.
+/// No regular file; the system's errors.
 pub fn open(options: &OpenOptions, path: &Path, links: Links) -> io::Result<(File, Metadata)> {
     judge(&match links {
         Links::Followed => fs::metadata(path)?,

@@ -41,7 +41,7 @@ pub struct CsvRow<'a> {
 }
 
 impl RowFault {
-    /// What was found, and what is expected.
+    /// Words for the row as it was found, and for the expected one.
     pub const fn words(self) -> (&'static str, &'static str) {
         match self {
             Self::Unclosed => ("a quotation mark that is never closed", "a second one at the end of its cell"),
@@ -61,7 +61,7 @@ impl<'a> CsvFile<'a> {
             let mut record = || records.next().and_then(Result::ok).ok_or(RowFault::NotText);
             CsvRow { file: self, line, cells: fault.map_or_else(&mut record, Err) }
         });
-        rows.filter(|row| row.cells.is_err() || row.len() > 0)
+        rows.filter(|row| row.cells.is_err() || !row.is_empty())
     }
 
     /// The columns' names as the header that a message expects.

@@ -257,7 +257,7 @@ fn stage(folder: &Path, mode: u32) -> io::Result<NamedTempFile> {
     Err(io::ErrorKind::ResourceBusy.into())
 }
 
-/// What gives names to staged files. A file or folder of that mode is open to others as far as the umask says.
+/// Names for staged files. A file or folder of that mode is open to others as far as the umask says.
 fn builder(mode: u32) -> Builder<'static, 'static> {
     let mut builder = Builder::new();
     builder.prefix(PREFIX).suffix(SUFFIX).rand_bytes(LETTERS);
@@ -300,7 +300,7 @@ fn is_staged(name: &str) -> bool {
     letters.is_some_and(|letters| letters.len() == LETTERS && letters.bytes().all(|byte| byte.is_ascii_alphanumeric()))
 }
 
-/// Gives a file the owner and the group of the old file, or the group alone, as far as that is allowed: who shared the one shares the other.
+/// Gives a file the owner and the group of the old file, or the group alone, as far as that is allowed, so that the same users share both.
 #[cfg(unix)]
 fn keep_owner(file: &File, old: &Metadata) {
     use std::os::unix::fs::{MetadataExt, fchown};

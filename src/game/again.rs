@@ -39,7 +39,7 @@ pub struct Again {
 }
 
 impl Again {
-    /// Flies so many ticks more at most; whether it is where it was to be, or has ended before.
+    /// Flies at most `ticks` ticks more; whether it has arrived, or has ended before.
     pub fn fly(&mut self, ticks: u64) -> bool {
         for _ in 0..ticks {
             let at = self.game.ticks();

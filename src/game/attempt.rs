@@ -12,10 +12,10 @@ use super::mechanisms::{MechanismChange, Mechanisms};
 use super::objectives::Objectives;
 use super::pushes::{APART, PushCount};
 use super::score::{RunResult, ScoreParts};
-use super::ship::{SHIP, Ship};
+use super::ship::{SHIP, Ship, stands};
 use super::touch::{SHIP_BOX, TOUCH};
 use crate::level::{Level, SHIP_HALF, ship_body, sweep_touches};
-use crate::physics::{Aabb, BodyId, DVec2, Event, Force, ForceKind, Source, World};
+use crate::physics::{Aabb, BodyId, DVec2, Event, World};
 use std::sync::Arc;
 
 /// Figures about the flight that no rule needs but the score.
@@ -47,7 +47,7 @@ pub struct Game {
     mechanisms: Mechanisms,
     flight: FlightFigures,
     events: Vec<GameEvent>,
-    /// What can still be read of impacts, and what is being squeezed: for those who look on, no rule asks.
+    /// The impacts that can still be read, and the bodies that are being squeezed: for the screen, no rule asks.
     impacts: Impacts,
     squeezed: Vec<BodyId>,
 }
@@ -168,7 +168,7 @@ impl Game {
         }
     }
 
-    /// Tells what begins to be squeezed.
+    /// Reports the bodies that begin to be squeezed.
     fn note_crushed(&mut self) {
         for (body, _) in crushed(self.world.events()) {
             if !self.squeezed.contains(&body) {
@@ -198,7 +198,7 @@ impl Game {
         }
     }
 
-    /// Finds out which objectives are met and tells what has changed.
+    /// Finds out which objectives are met and reports the changes.
     fn note_objectives(&mut self) {
         let Self { level, world, objectives, events, .. } = self;
         objectives.note(level, world, |index, met| {
@@ -217,12 +217,12 @@ impl Game {
         }
     }
 
-    /// What ended the attempt; `None` where nothing did. Of several death boxes it is the first in the level's order.
+    /// The death that ended the attempt; `None` where none did. Of several death boxes it is the first in the level's order.
     pub fn killed_by(&self) -> Option<Death> {
         if self.outcome == Outcome::Failed { self.death() } else { None }
     }
 
-    /// What the last tick did to the ship.
+    /// The death of the last tick.
     fn death(&self) -> Option<Death> {
         let body = ship_body(self.ship.angle);
         let swept = self.swept();
@@ -254,7 +254,7 @@ impl Game {
         &self.level
     }
 
-    /// Who is looked at while nobody is picked out: the ship, or the first object where the ship plays no part.
+    /// The body to look at while none is picked out: the ship, or the first object where the ship plays no part.
     pub fn lead(&self) -> BodyId {
         if self.level.ship_plays() || self.level.objects.is_empty() { SHIP } else { BodyId(1) }
     }
@@ -336,7 +336,7 @@ impl Game {
         self.objectives.is_open(&self.level, index)
     }
 
-    /// What happened in the last tick.
+    /// The events of the last tick.
     pub fn events(&self) -> &[GameEvent] {
         &self.events
     }
@@ -346,7 +346,7 @@ impl Game {
         self.impacts.on(body)
     }
 
-    /// What the attempt has come to so far.
+    /// The result of the attempt so far.
     pub fn result(&self) -> RunResult {
         let (time, optimal_time) = (self.time(), self.level.optimal_time);
         RunResult {
@@ -392,26 +392,6 @@ impl Game {
         self.world.hash_state(&mut write);
         hash.finish()
     }
-}
-
-/// The ship stands still on something that moves no faster than this past it, m/s: far above the rounding of a belt's or a lift's speed.
-const STILL: f64 = 1e-6;
-
-/// Whether something carries the ship, against its weight, and the ship does not move on it.
-fn stands(world: &World) -> bool {
-    let (forces, velocity) = (world.forces(SHIP), world.body(SHIP).velocity);
-    let weight = forces.total(ForceKind::Weight);
-    let carries = |force: &Force| {
-        let carrier = match force.source {
-            Source::Surface(surface) => world.surfaces()[surface as usize].skin(force.vector.normalize_or_zero()),
-            Source::Body(body) => world.body(body).velocity,
-            _ => return false,
-        };
-        matches!(force.kind, ForceKind::Reaction | ForceKind::Push)
-            && force.vector.dot(weight) < 0.0
-            && velocity.distance(carrier) < STILL
-    };
-    forces.forces().iter().any(carries)
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ pub const TICK_RATES: RangeInclusive<f64> = 1.0..=1e6;
 /// ever longer frames; fewer, and the game slows down sooner.
 pub const TICKS_A_FRAME: u32 = 8;
 
-/// What is this little short of a tick is one, ticks: 24 frames of 1/144 s are 20 ticks but for rounding. Were it left out, such a tick
+/// A time that is this little short of a tick is one, ticks: 24 frames of 1/144 s are 20 ticks but for rounding. Were it left out, such a tick
 /// would come a frame late and take the keys of that frame; far above rounding, and far below what a clock of frames can tell.
 const ROUNDING: f64 = 1e-6;
 

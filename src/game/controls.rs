@@ -1,6 +1,6 @@
 //! The keys of one tick.
 
-/// What the player holds down during one tick.
+/// The keys that the player holds down during one tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Controls {
     /// Thrust along the nose.

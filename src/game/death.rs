@@ -1,10 +1,10 @@
-//! What ended an attempt, and what was squeezed.
+//! The end of an attempt, and the bodies that were squeezed.
 
 use super::names::obstacle_name;
 use crate::level::{Level, SurfaceOf};
 use crate::physics::{Aabb, BodyId, Event, Obstacle};
 
-/// What the ship was lost to.
+/// The cause of the ship's loss.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Death {
     /// The death box of that index in `Level::obstacles`.
@@ -22,7 +22,7 @@ impl Death {
         }
     }
 
-    /// As the player is told: what it was, and where (m from the level's left and bottom, as it counts on the screen's graph paper).
+    /// The words for the player, with the place (m from the level's left and bottom, as it counts on the screen's graph paper).
     pub fn words(self, level: &Level) -> String {
         let at = |bounds: Aabb| {
             let centre = bounds.centre();

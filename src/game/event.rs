@@ -27,7 +27,7 @@ impl Outcome {
     }
 }
 
-/// What happened in the last tick, for view and sound.
+/// An event of the last tick, for view and sound.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GameEvent {
     /// Two things hit each other at `speed` m/s, at least [`DUST_SPEED`].

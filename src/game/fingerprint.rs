@@ -11,9 +11,9 @@ use sha2::{Digest, Sha256};
 use std::fmt;
 use std::str::FromStr;
 
-/// What the SHA-256 begins with: no other file has this hash by accident, and another encoding gets another number.
+/// The beginning of the SHA-256: no other file has this hash by accident, and another encoding gets another number.
 const ENCODING: &str = "resultant level 1";
-/// Hex digits of a hash in a message: enough to tell two apart at a glance.
+/// Hex digits of a hash in a message: enough for two to differ at a glance.
 const SHORT: usize = 16;
 
 /// The hash of a level, as a file carries it.
@@ -21,12 +21,12 @@ const SHORT: usize = 16;
 pub enum LevelHash {
     /// SHA-256, 64 hex digits.
     Sha256([u8; 32]),
-    /// 64 bits of FNV-1a, 16 hex digits, in files of before: they tell versions of a level apart, but anyone can make a level that has them.
+    /// 64 bits of FNV-1a, 16 hex digits, in files of before: they differ between versions of a level, but anyone can make a level that has them.
     Fnv64(u64),
 }
 
 impl LevelHash {
-    /// What files are expected to carry.
+    /// The form that messages expect.
     pub const EXPECTED: &str = "64 hex digits, or the 16 of an older file";
 
     /// Whether this is the 64-bit hash of older files.
@@ -148,42 +148,18 @@ impl Fingerprint {
         hash.given("gravity_x", *gravity_x != 0.0, |hash| hash.numbers(&[*gravity_x]));
         hash.each(world, Hash::solid);
         hash.each(objects, Hash::object);
-        hash.each(objectives, |hash, Objective { kind, bounds, hold, order, colour }| {
-            hash.word(*kind as u64);
-            hash.area(bounds);
-            hash.given("hold", *hold != 0.0, |hash| hash.numbers(&[*hold]));
-            hash.given("order", order.is_some(), |hash| hash.word(u64::from(order.unwrap_or_default())));
-            hash.given("colour", colour.is_some(), |hash| hash.colour(colour.unwrap_or_default()));
-        });
+        hash.each(objectives, Hash::objective);
         hash.given("keys", objectives.iter().any(|objective| objective.colour.is_some()), |hash| {
             objects.iter().filter_map(|object| object.key).for_each(|key| hash.colour(key));
         });
         hash.each(obstacles, Hash::area);
-        hash.each(streams, |hash, Stream { source, zone, force, name }| {
-            hash.area(source);
-            hash.area(zone);
-            hash.vectors(&[*force]);
-            hash.name(name.as_deref());
-        });
-        hash.each(fluids, |hash, Fluid { zone, density, viscosity, colour: _ }| {
-            hash.area(zone);
-            hash.numbers(&[*density, *viscosity]);
-        });
-        hash.given("movers", !movers.is_empty(), |hash| hash.each(movers, Hash::mover));
-        hash.given("doors", !doors.is_empty(), |hash| hash.each(doors, Hash::solid));
-        hash.given("switches", !switches.is_empty(), |hash| hash.each(switches, Hash::switch));
-        hash.given("fields", !fields.is_empty(), |hash| {
-            hash.each(fields, |hash, GravityZone { zone, strength }| {
-                hash.area(zone);
-                hash.vectors(&[*strength]);
-            });
-        });
-        hash.given("pods", !pods.is_empty(), |hash| {
-            hash.each(pods, |hash, Pod { bounds, fuel }| {
-                hash.area(bounds);
-                hash.numbers(&[*fuel]);
-            });
-        });
+        hash.each(streams, Hash::stream);
+        hash.each(fluids, Hash::fluid);
+        hash.list("movers", movers, Hash::mover);
+        hash.list("doors", doors, Hash::solid);
+        hash.list("switches", switches, Hash::switch);
+        hash.list("fields", fields, Hash::field);
+        hash.list("pods", pods, Hash::pod);
         Self { hash: LevelHash::Sha256(hash.sha256.finalize().into()), old: Some(LevelHash::Fnv64(hash.old.finish())) }
     }
 }
@@ -211,7 +187,7 @@ impl Hash {
         self.sha256.update(text);
     }
 
-    /// What the old hash takes for a text: a word a byte, without a length.
+    /// A text in the old hash: a word a byte, without a length.
     fn old_text(&mut self, text: &str) {
         text.bytes().for_each(|byte| self.old.write(u64::from(byte)));
     }
@@ -245,6 +221,41 @@ impl Hash {
     fn each<T>(&mut self, things: &[T], write: impl Fn(&mut Self, &T)) {
         self.word(things.len() as u64);
         things.iter().for_each(|thing| write(self, thing));
+    }
+
+    /// A list that a level may lack.
+    fn list<T>(&mut self, name: &str, things: &[T], write: impl Fn(&mut Self, &T)) {
+        self.given(name, !things.is_empty(), |hash| hash.each(things, write));
+    }
+
+    fn objective(&mut self, Objective { kind, bounds, hold, order, colour }: &Objective) {
+        self.word(*kind as u64);
+        self.area(bounds);
+        self.given("hold", *hold != 0.0, |hash| hash.numbers(&[*hold]));
+        self.given("order", order.is_some(), |hash| hash.word(u64::from(order.unwrap_or_default())));
+        self.given("colour", colour.is_some(), |hash| hash.colour(colour.unwrap_or_default()));
+    }
+
+    fn stream(&mut self, Stream { source, zone, force, name }: &Stream) {
+        self.area(source);
+        self.area(zone);
+        self.vectors(&[*force]);
+        self.name(name.as_deref());
+    }
+
+    fn fluid(&mut self, Fluid { zone, density, viscosity, colour: _ }: &Fluid) {
+        self.area(zone);
+        self.numbers(&[*density, *viscosity]);
+    }
+
+    fn field(&mut self, GravityZone { zone, strength }: &GravityZone) {
+        self.area(zone);
+        self.vectors(&[*strength]);
+    }
+
+    fn pod(&mut self, Pod { bounds, fuel }: &Pod) {
+        self.area(bounds);
+        self.numbers(&[*fuel]);
     }
 
     fn material(&mut self, Material { name: _, static_friction, kinetic_friction, restitution }: &Material) {

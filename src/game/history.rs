@@ -1,5 +1,5 @@
 //! A flight with the way back: its inputs, and copies of the game along the way, from which any tick of it is flown again, bit for bit. It
-//! serves a recorded flight, which is flown ahead of whoever watches, as well as one that is still being flown.
+//! serves a recorded flight, which is flown ahead of its viewer, as well as one that is still being flown.
 //!
 //! Copies are taken at equal distances. Where there are too many of them every second one goes, and the distance doubles: a flight of any
 //! length keeps to the same memory, and the way from a copy to the tick asked for grows with its length only.
@@ -22,7 +22,7 @@ const FEWEST_COPIES: usize = 16;
 /// How many bodies all copies have together, some 100 MiB: levels with more than 128 have fewer copies.
 const BODIES_IN_COPIES: usize = 32_768;
 
-/// What a flight was up to now.
+/// A flight up to now.
 #[derive(Clone, Debug)]
 pub struct History {
     recorder: Recorder,
@@ -119,7 +119,7 @@ impl History {
         self.recorder.clone().finish(end)
     }
 
-    /// Brings a game of this flight to where it was after so many ticks, or to the last tick where there are fewer.
+    /// Brings a game of this flight to where it was after `tick` ticks, or to the last tick where there are fewer.
     pub fn seek(&self, game: &mut Game, tick: u64) {
         let tick = tick.clamp(self.begins(), self.ticks());
         let copy = &self.copies[(((tick - self.begins()) / self.every) as usize).min(self.copies.len() - 1)];
@@ -146,7 +146,7 @@ impl History {
         history
     }
 
-    /// The game after so many ticks, as [`History::seek`].
+    /// The game after `tick` ticks, as [`History::seek`].
     pub fn at(&self, tick: u64) -> Game {
         let mut game = self.copies[0].clone();
         self.seek(&mut game, tick);
@@ -163,7 +163,7 @@ impl History {
     fn enter_level(&self, game: &mut Game) {
         let level = self.levels.iter().rev().find(|(since, _)| *since <= game.ticks()).map(|(_, level)| level);
         if let Some(level) = level.filter(|level| !Arc::ptr_eq(level, game.shared_level())) {
-            // What the engine took once it takes again.
+            // The engine takes again a level that it took once.
             let entered = game.go_on_in(level.clone());
             debug_assert!(entered.is_ok(), "{entered:?}");
         }
@@ -179,7 +179,7 @@ pub(super) fn lasts(lasting: &[(u64, bool)], at: u64) -> bool {
 #[derive(Clone, Debug)]
 pub struct Reel {
     history: History,
-    /// What is not flown yet.
+    /// The part that is not flown yet.
     ahead: Option<(Box<Game>, Playback)>,
 }
 
@@ -198,7 +198,7 @@ impl Reel {
         Self { history, ahead: None }
     }
 
-    /// Flies so many ticks further, as far as there are any.
+    /// Flies `ticks` ticks further, as far as there are any.
     pub fn fly(&mut self, ticks: u64) {
         for _ in 0..ticks {
             let Some((game, rest)) = &mut self.ahead else { return };

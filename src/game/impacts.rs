@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 /// From this speed along the contact's normal a hit of the ship costs points, m/s.
 pub const DAMAGING_SPEED: f64 = 10.0;
 /// A hit this much slower counts as one of [`DAMAGING_SPEED`], m/s: a fall from 100 px at 15 N/kg ends at exactly 10 m/s on paper,
-/// and a rounding below that in the engine. Far below what a player could tell apart.
+/// and a rounding below that in the engine. Far below any difference that a player sees.
 const SPEED_ROUNDING: f64 = 1e-9;
 /// From this speed along the contact's normal an impact raises dust, m/s. Lower, and a box that tips to rest smokes.
 pub const DUST_SPEED: f64 = 2.0;
@@ -18,12 +18,12 @@ pub const READABLE: f64 = 0.5;
 /// The most that are remembered, the last ones. Fewer: those of a crowd in view are gone too soon; more: it is memory for nothing.
 const MOST: usize = 8192;
 
-/// What a body felt of another thing in one tick.
+/// The impact of another thing on a body in one tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Felt {
     /// The tick in which it happened.
     pub tick: u64,
-    /// What exerted it.
+    /// The thing that exerted it.
     pub by: Obstacle,
     /// N·s.
     pub impulse: DVec2,
@@ -47,7 +47,7 @@ impl Impacts {
         self.kept.extend(last.iter().map(|impulse| (tick, *impulse)));
     }
 
-    /// What a body felt, the largest first: all that one thing did to it in a tick is one.
+    /// The impacts on a body, the largest first; all impacts of one thing in one tick are one.
     pub fn on(&self, body: BodyId) -> Vec<Felt> {
         let mut all: Vec<Felt> = Vec::new();
         for (tick, impulse) in &self.kept {

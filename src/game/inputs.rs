@@ -20,7 +20,7 @@ pub const HEADER: &str = "ticks,thrust,reverse,left,right";
 /// The most ticks that a file can hold: three months at the game's rate. More is a slip of the pen.
 pub const MOST_TICKS: u64 = 1_000_000_000;
 
-/// How many problems of a file are told.
+/// The most problems that are reported of a file.
 const MOST_PROBLEMS: usize = 1000;
 
 /// A file that was refused: every problem in it, each on a line `file:line: column "name": what was found, what is expected`.
@@ -149,7 +149,7 @@ impl IntoIterator for Inputs {
 #[derive(Clone, Debug)]
 pub struct Playback {
     rows: std::vec::IntoIter<HeldKeys>,
-    /// What is left of the current row.
+    /// The rest of the current row.
     row: HeldKeys,
 }
 

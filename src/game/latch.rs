@@ -11,7 +11,7 @@ pub struct Latch {
 }
 
 impl Latch {
-    /// Tells which keys are down in this frame and which went down since the last one, even if they are up again.
+    /// Takes up which keys are down in this frame and which went down since the last one, even if they are up again.
     pub fn frame(&mut self, held: Controls, pressed: Controls) {
         self.held = held;
         self.pressed = either(self.pressed, pressed);

@@ -1,6 +1,6 @@
-//! What a level's switches, fragile blocks and pods have come to, tick by tick.
+//! The state of a level's switches, fragile blocks and pods, tick by tick.
 //!
-//! After each tick of the world it is found out who presses which switch; what the switches work follows from the next tick on. A fragile
+//! After each tick of the world it is found out which switch is pressed; the things that switches work follow from the next tick on. A fragile
 //! block takes the blow that breaks it, and is gone after that tick.
 
 use super::ship::SHIP;
@@ -23,7 +23,7 @@ pub struct Mechanisms {
     taken: Vec<bool>,
 }
 
-/// What changed in a tick.
+/// A change of a tick.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MechanismChange {
     /// The switch of that index in `Level::switches` has been pressed, or let go.
@@ -33,7 +33,7 @@ pub enum MechanismChange {
 }
 
 impl Mechanisms {
-    /// Those of a level before the first tick; sets the world as its switches are.
+    /// The mechanisms of a level before the first tick; sets the world as its switches are.
     pub fn new(level: &Level, world: &mut World) -> Self {
         let off = vec![false; level.switches.len()];
         let wires = level.wires();
@@ -46,7 +46,7 @@ impl Mechanisms {
         Self { pressed: off.clone(), on: off, wires, works, fragile, broken, taken }
     }
 
-    /// Looks at a tick's end and works what is worked; tells of each thing that has changed.
+    /// Looks at a tick's end, works the things that switches work, and reports each change.
     pub fn note(&mut self, level: &Level, world: &mut World, mut changed: impl FnMut(MechanismChange)) {
         for (index, switch) in level.switches.iter().enumerate() {
             let pressed = is_pressed(switch, index, level, world);
@@ -128,7 +128,7 @@ fn work(worked: Worked, on: bool, level: &Level, world: &mut World) {
     }
 }
 
-/// Whether a switch is pressed as a tick ends: a plate by what weighs on it, an area by who touches it.
+/// Whether a switch is pressed as a tick ends: a plate by the weight on it, an area by the body that touches it.
 fn is_pressed(switch: &Switch, index: usize, level: &Level, world: &World) -> bool {
     if let Some(weight) = switch.weight {
         return world.load_on(level.surface_index(SurfaceOf::Plate(index))) > weight;

@@ -1,4 +1,4 @@
-//! What a completed flight earns: bronze for its end, silver and gold for its time, and the level's own mark.
+//! The prizes of a completed flight: bronze for its end, silver and gold for its time, and the level's own mark.
 
 use super::event::Outcome;
 use super::score::RunResult;
@@ -8,7 +8,7 @@ use crate::number::{hundredths, whole_hundredths};
 /// A speed that is over by less than this, m/s, is not over, and a share of the fuel that lacks less is there: a tenth is no binary number.
 const ROUNDING: f64 = 1e-9;
 
-/// What a level brings for being done, and for being done fast; the better ones are greater.
+/// A prize for a completed level; the better one is greater.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Medal {
     /// It is done.
@@ -32,7 +32,7 @@ impl Medal {
         }
     }
 
-    /// What a flight of that time brings where it completes the level; without a time, as it is with help, bronze.
+    /// The medal for a flight of that time that completes the level; without a time, as it is with help, bronze.
     pub fn for_time(awards: &Awards, time: Option<f64>) -> Self {
         let within = |limit: Option<f64>| limit.zip(time).is_some_and(|(limit, time)| hundredths(time) <= whole_hundredths(limit));
         match (within(awards.gold), within(awards.silver)) {
@@ -43,7 +43,7 @@ impl Medal {
     }
 }
 
-/// What a level has brought: a medal, and whether its own mark.
+/// The prizes of a level: a medal, and whether the level's own mark.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Medals {
     /// The best one.
@@ -53,7 +53,7 @@ pub struct Medals {
 }
 
 impl Medals {
-    /// What a flight earns. One with help earns bronze alone.
+    /// The prizes of a flight. One with help earns bronze alone.
     pub fn of(awards: &Awards, result: &RunResult) -> Self {
         if result.outcome != Outcome::Completed {
             return Self::default();
@@ -70,7 +70,7 @@ impl Medals {
     }
 }
 
-/// What can be earned.
+/// A prize.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Prize {
     /// A medal.
@@ -82,11 +82,11 @@ pub enum Prize {
 /// Something that a level offers, and how a flight stands to it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Goal {
-    /// What it is.
+    /// The prize.
     pub prize: Prize,
-    /// What it asks for, in words.
+    /// The condition, in words.
     pub asks: String,
-    /// What is missing, in words; `None` where it is earned.
+    /// The missing part, in words; `None` where it is earned.
     pub missing: Option<String>,
 }
 
@@ -113,7 +113,7 @@ pub fn goals(awards: &Awards, result: &RunResult) -> Vec<Goal> {
         .collect()
 }
 
-/// What a mark asks for, in words.
+/// The condition of a mark, in words.
 pub fn words(mark: Mark) -> String {
     match mark {
         Mark::Hits(0) => "no damaging hit".to_owned(),
@@ -125,7 +125,7 @@ pub fn words(mark: Mark) -> String {
     }
 }
 
-/// What a completed flight lacks for a mark, in words; `None` where it lacks nothing.
+/// The part that a completed flight lacks for a mark, in words.
 fn lacks(mark: Mark, result: &RunResult) -> Option<String> {
     match mark {
         Mark::Hits(most) => (result.collisions > most).then(|| counted(result.collisions, "damaging hit")),

@@ -1,4 +1,4 @@
-//! What exerts a force in a level, by name: bodies as the telemetry numbers them, all else as the level's files count their rows. The
+//! Names for the things that exert a force in a level: bodies as the telemetry numbers them, all else as the level's files count their rows. The
 //! files have one set of names, the players' pages another, with the same numbers.
 
 use crate::level::{Level, Look, SurfaceOf};
@@ -7,7 +7,7 @@ use crate::physics::{BodyId, Obstacle, Source};
 /// The edges of a level in the engine's order.
 const EDGES: [&str; 4] = ["edge left", "edge right", "edge top", "edge bottom"];
 
-/// What exerts a force: `gravity`, `engine`, `air`; `stream N`, `fluid N` and `world N`, the Nth row of hazards.csv, fluids.csv and
+/// The name of a source: `gravity`, `engine`, `air`; `stream N`, `fluid N` and `world N`, the Nth row of hazards.csv, fluids.csv and
 /// world.csv; likewise `mover N`, `door N`, `switch N` (its plate) and `gravity N`; `hazard N`, the source block of stream N; `edge left`
 /// (`right`, `top`, `bottom`); `object N`, of which 0 is the ship.
 pub fn source_name(level: &Level, source: Source) -> String {
@@ -26,14 +26,14 @@ pub fn source_name(level: &Level, source: Source) -> String {
     }
 }
 
-/// The strength of the Earth's field, N/kg, and how far from it a level's may be to be told as the Earth's.
+/// The strength of the Earth's field, N/kg, and how far from it a level's may be to be named the Earth's.
 const EARTH: f64 = 9.81;
 const EARTH_WITHIN: f64 = 0.05;
-/// The edges of a level as players are told.
+/// The edges of a level in a player's words.
 const WALLS: [&str; 4] = ["left edge", "right edge", "roof", "floor"];
 
-/// What exerts a force, in a player's words: `Earth` (`planet`, where gravity is another one's), `exhaust` (what leaves the engine pushes the
-/// ship), `air`, `wind N`, `liquid N`, `block N`, `mover N`, `floor` …; numbers as in [`source_name`].
+/// The name of a source in a player's words: `Earth` (`planet`, where gravity is another one's), `exhaust` (the gas that leaves the engine pushes
+/// the ship), `air`, `wind N`, `liquid N`, `block N`, `mover N`, `floor` …; numbers as in [`source_name`].
 pub fn told_name(level: &Level, source: Source) -> String {
     match source {
         Source::Gravity if (level.gravity - EARTH).abs() <= EARTH_WITHIN => "Earth".to_owned(),
@@ -51,7 +51,7 @@ pub fn told_name(level: &Level, source: Source) -> String {
     }
 }
 
-/// What something ran into, as in [`source_name`].
+/// The name of an obstacle, as in [`source_name`].
 pub fn obstacle_name(level: &Level, obstacle: Obstacle) -> String {
     match obstacle {
         Obstacle::Surface(index) => surface_name(level, index as usize),
@@ -59,7 +59,7 @@ pub fn obstacle_name(level: &Level, obstacle: Obstacle) -> String {
     }
 }
 
-/// What a body is called where it is shown: `Ship`, `Key object 2`, `Ball 3`, `Box 4`, numbered as in [`source_name`].
+/// The title of a body on the screen: `Ship`, `Key object 2`, `Ball 3`, `Box 4`, numbered as in [`source_name`].
 pub fn body_title(level: &Level, id: BodyId) -> String {
     let Some(object) = id.index().checked_sub(1).and_then(|i| level.objects.get(i)) else {
         return "Ship".to_owned();

@@ -4,7 +4,7 @@ use super::clock::TICK_RATES;
 use super::event::Outcome;
 use std::str::FromStr;
 
-/// The most seconds that have a hash each, an hour of them; of what is longer the end tells. More would outgrow the file's inputs.
+/// The most seconds that have a hash each, an hour of them; the end of a longer flight has its own hash. More would outgrow the file's inputs.
 pub const MOST_SECONDS: usize = 3600;
 
 /// How many comments of a file are looked at: a record has one a second, and people add some.
@@ -76,7 +76,7 @@ pub(super) fn written(name: &str) -> String {
     if plain { name.to_owned() } else { format!("{name:?}") }
 }
 
-/// What some programs take for the end of a line, besides control characters.
+/// Characters besides control characters that some programs take for the end of a line.
 const LINE_ENDS: [char; 2] = ['\u{2028}', '\u{2029}'];
 
 /// A name that [`written`] has written.

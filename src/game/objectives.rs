@@ -18,7 +18,7 @@ pub struct Objectives {
 }
 
 impl Objectives {
-    /// Those of a level before the first tick.
+    /// The objectives of a level before the first tick.
     pub fn new(level: &Level, world: &World, tick_rate: f64) -> Self {
         let count = level.objectives.len();
         let mut objectives = Self { tick_rate, met: vec![false; count], held: vec![None; count] };
@@ -26,7 +26,7 @@ impl Objectives {
         objectives
     }
 
-    /// Looks at a tick's end; tells of each that has changed whether it is met now.
+    /// Looks at a tick's end; reports of each that has changed whether it is met now.
     pub fn note(&mut self, level: &Level, world: &World, mut changed: impl FnMut(usize, bool)) {
         for (index, objective) in level.objectives.iter().enumerate() {
             let touched = self.is_open(level, index) && is_touched(objective, level, world);

@@ -67,7 +67,7 @@ impl Proof {
 }
 
 impl Replay {
-    /// Flies the inputs again and compares where they lead. `watch` is told of every tick when it is over.
+    /// Flies the inputs again and compares where they lead. `watch` is called after every tick.
     ///
     /// # Errors
     /// As [`Game::with_tick_rate`].

@@ -16,7 +16,7 @@ pub struct PushCount {
 }
 
 impl PushCount {
-    /// None yet, of so many objects.
+    /// No push yet, of that number of objects.
     pub fn new(objects: usize) -> Self {
         Self { count: 0, touched: vec![0; objects] }
     }

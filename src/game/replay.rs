@@ -16,7 +16,7 @@
 //! 60,1,0,0,0
 //! ```
 //!
-//! `hash` is that of the last state, `hash 1` that after the first second, and so on: they tell in which second a flight departs.
+//! `hash` is that of the last state, `hash 1` that after the first second, and so on: they show in which second a flight departs.
 //! `player` is in the record of a saved score. Program, level's hash, outcome, time and the hashes of the seconds are not in older records,
 //! or the level's hash has 16 digits there; a record without a level's hash is flown in the level that has its name.
 
@@ -34,7 +34,7 @@ pub const PROGRAM: &str = concat!("resultant ", env!("CARGO_PKG_VERSION"));
 /// A recorded run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Replay {
-    /// What recorded it, where that is written down.
+    /// The program that recorded it, where that is written down.
     pub program: Option<String>,
     /// The name under which its score was saved, where it was.
     pub player: Option<String>,
@@ -154,7 +154,7 @@ pub(super) fn ended_second(game: &Game) -> Option<usize> {
     (now > second(game.ticks().saturating_sub(1))).then_some(now)
 }
 
-/// In whole thousandths, which tell any two ticks of the game apart and do not depend on how a number was written.
+/// In whole thousandths, which differ between any two ticks of the game and do not depend on how a number was written.
 pub(super) fn thousandths(seconds: f64) -> u64 {
     (seconds * 1000.0).round() as u64
 }
@@ -188,7 +188,7 @@ impl Replay {
         }
     }
 
-    /// Whether the keys go on beyond the record's own time, which can be told without flying it. What comes before the first key is no part
+    /// Whether the keys go on beyond the record's own time, which needs no flight. The time before the first key is no part
     /// of that time.
     pub fn runs_on(&self) -> Option<Mismatch> {
         let (ended, ticks) = (self.time? * self.tick_rate, self.inputs.ticks());

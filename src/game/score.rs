@@ -1,10 +1,10 @@
-//! What an attempt came to, in points.
+//! The score of an attempt.
 
 use super::event::Outcome;
 
 /// For a completed level.
 const BASE: i64 = 10_000;
-/// What all the time in the world would bring, and being twice as slow as the level's author costs.
+/// The most that time brings, and the cost of being twice as slow as the level's author.
 const TIME: f64 = 10_000.0;
 /// For a tank at least [`FULL_BONUS`] full.
 const FUEL: f64 = 1_000.0;
@@ -29,7 +29,7 @@ pub struct ScoreParts {
     pub fuel: i64,
     /// −500·c.
     pub collisions: i64,
-    /// What counts: at least 1 for a success, 0 for a failure.
+    /// The sum: at least 1 for a success, 0 for a failure.
     pub total: i64,
 }
 
@@ -60,7 +60,7 @@ fn whole(points: f64) -> i64 {
     (points + ROUNDING).floor() as i64
 }
 
-/// What an attempt came to; the scoring screen is made from it.
+/// The result of an attempt; the scoring screen is made from it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RunResult {
     /// The level's folder name.
@@ -91,7 +91,7 @@ pub struct RunResult {
     pub peak_resultant: f64,
     /// Whether the player had help: then it is not for the board.
     pub assisted: bool,
-    /// What the ship was lost to, in words.
+    /// The cause of the ship's loss, in words.
     pub death: Option<String>,
     /// The total and its parts; all 0 unless the level was completed.
     pub score: ScoreParts,

@@ -4,7 +4,7 @@ use super::controls::Controls;
 pub use crate::level::BURN_RATE;
 use crate::level::Player;
 pub use crate::level::nose;
-use crate::physics::{BodyId, DVec2};
+use crate::physics::{BodyId, DVec2, Force, ForceKind, Source, World};
 
 /// The ship's body in every level's world.
 pub const SHIP: BodyId = BodyId(0);
@@ -14,7 +14,7 @@ pub const ROTATION_RATE: f64 = 180.0;
 /// turns back while a player who aims on the ground changes from one key to the next.
 const RIGHTING_AFTER: f64 = 0.5;
 
-/// What the ship has besides its body.
+/// The ship's state besides its body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ship {
     /// Degrees clockwise; 0 is nose up. Not wrapped: a full turn is 360.
@@ -130,4 +130,24 @@ impl Ship {
             write(self.filled.to_bits());
         }
     }
+}
+
+/// The ship stands still on something that moves no faster than this past it, m/s: far above the rounding of a belt's or a lift's speed.
+const STILL: f64 = 1e-6;
+
+/// Whether something carries the ship, against its weight, and the ship does not move on it.
+pub(super) fn stands(world: &World) -> bool {
+    let (forces, velocity) = (world.forces(SHIP), world.body(SHIP).velocity);
+    let weight = forces.total(ForceKind::Weight);
+    let carries = |force: &Force| {
+        let carrier = match force.source {
+            Source::Surface(surface) => world.surfaces()[surface as usize].skin(force.vector.normalize_or_zero()),
+            Source::Body(body) => world.body(body).velocity,
+            _ => return false,
+        };
+        matches!(force.kind, ForceKind::Reaction | ForceKind::Push)
+            && force.vector.dot(weight) < 0.0
+            && velocity.distance(carrier) < STILL
+    };
+    forces.forces().iter().any(carries)
 }

@@ -18,7 +18,7 @@ pub struct Pose {
     pub angle: f64,
 }
 
-/// The way of a recorded ship, as far as it is known.
+/// The path of a recorded ship, as far as it is known.
 #[derive(Clone, Debug)]
 pub struct Track {
     poses: Vec<Pose>,
@@ -27,12 +27,12 @@ pub struct Track {
     /// Ticks before its clock starts.
     idle: u64,
     outcome: Outcome,
-    /// What is not flown yet.
+    /// The part that is not flown yet.
     ahead: Option<(Box<Game>, Playback)>,
 }
 
 impl Track {
-    /// The way of these inputs in that level, of which only the start is known.
+    /// The path of these inputs in that level, of which only the start is known.
     ///
     /// # Errors
     /// As [`Game::new`].
@@ -43,7 +43,7 @@ impl Track {
         Ok(Self { poses: vec![pose(&game)], met, idle: inputs.idle().unwrap_or(0), outcome: Outcome::Running, ahead })
     }
 
-    /// Finds out so many ticks more, as far as there are any.
+    /// Flies `ticks` ticks further, as far as there are any.
     pub fn fly(&mut self, ticks: u64) {
         for _ in 0..ticks {
             let Some((game, rest)) = &mut self.ahead else { return };

@@ -21,7 +21,7 @@ const PLAIN: [u32; 3] = [0, 0o100_000, 0o040_000];
 /// The bytes of the archive; the same package always makes the same bytes.
 ///
 /// # Errors
-/// What the writer says, none of which writing to memory is known to cause.
+/// The writer's; writing to memory is known to cause none.
 pub fn write(package: &Package) -> Result<Vec<u8>, String> {
     let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
@@ -62,7 +62,7 @@ pub fn read(bytes: &[u8], called: &str) -> Result<Package, String> {
     found.package(called)
 }
 
-/// What a level costs in memory, by what its archive says of its files. Of each picture the head alone is unfolded.
+/// The memory that a level needs, by the sizes in its archive. Of each picture the head alone is unfolded.
 fn cost(archive: &mut ZipArchive<Cursor<&[u8]>>, packed: u64) -> Result<u64, String> {
     let mut cost = Cost::of_archive(packed);
     for index in 0..archive.len() {
@@ -84,7 +84,7 @@ fn entries(bytes: &[u8]) -> Option<usize> {
     Some(usize::from(u16::from_le_bytes([bytes[at + END_COUNT], bytes[at + END_COUNT + 1]])))
 }
 
-/// What was found so far.
+/// The entries so far.
 #[derive(Default)]
 struct Found {
     /// By the parts of their paths.
@@ -116,7 +116,7 @@ impl Found {
         if entry.size() > left {
             return Err(format!("{shown}: found more than {UNPACKED} bytes up to here, expected no more"));
         }
-        // What an archive says is what was judged: an entry that unfolds to more is refused.
+        // The archive's own size was judged: an entry that unfolds to more is refused.
         let most = most.min(entry.size());
         let mut bytes = Vec::new();
         entry.by_ref().take(most + 1).read_to_end(&mut bytes).map_err(|error| format!("{shown}: found a damaged file: {error}"))?;

@@ -1,4 +1,4 @@
-//! The memory that a level of a package needs, told before any of it is unfolded: by the sizes that the archive names, to which reading then
+//! The memory that a level of a package needs, known before any of it is unfolded: by the sizes that the archive names, to which reading then
 //! holds it, and by the heads of its pictures.
 
 use crate::files;
@@ -17,7 +17,7 @@ const DEEP_PIXEL: u64 = 8;
 const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 const SIDES: usize = 16;
 
-/// What has been added up.
+/// The sums so far.
 #[derive(Debug, Default)]
 pub(super) struct Cost {
     /// The archive, and its files unfolded.

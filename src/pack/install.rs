@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 /// How many names are tried for a level whose own is taken.
 const MOST_NAMES: u32 = 1000;
 
-/// What became of a package.
+/// The result of an installation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Installed {
     /// It has a folder now.
@@ -110,7 +110,7 @@ fn compare(package: &Package, folder: &Path) -> Result<Vec<String>, String> {
     }
 }
 
-/// Adds the files of a folder that are not the package's, by their paths from the level's folder. Hidden ones are nobody's business.
+/// Adds the files of a folder that are not the package's, by their paths from the level's folder. Hidden files are passed over.
 fn beside(package: &Package, folder: &Path, within: &str, more: &mut Vec<String>) {
     for name in listed(&folder.join(within)).unwrap_or_default() {
         let path = if within.is_empty() { name } else { format!("{within}/{name}") };

@@ -25,7 +25,7 @@ pub(super) const FLIGHT: &str = ".replay.csv";
 pub struct Package {
     /// The level's folder name.
     pub name: String,
-    /// What is in the folder.
+    /// The files of the folder.
     pub files: BTreeMap<String, Vec<u8>>,
 }
 

@@ -6,14 +6,14 @@ use unicode_normalization::UnicodeNormalization;
 /// The longest part of a path, bytes, and the most parts.
 const LONGEST: usize = 120;
 pub(super) const DEEPEST: usize = 8;
-/// What Windows allows in no name.
+/// Characters that Windows allows in no name.
 const FORBIDDEN: &str = "\\:*?\"<>|";
 
 /// The parts of an entry's path: at least one, each a plain name. `None` for what programs leave in archives beside their content: hidden
 /// files, and what macOS notes of files.
 ///
 /// # Errors
-/// What is wrong with it.
+/// The fault of the path.
 pub(super) fn parts(raw: &[u8]) -> Result<Option<Vec<String>>, String> {
     let shown = || format!("{:?}", String::from_utf8_lossy(raw));
     let text = str::from_utf8(raw).map_err(|_| format!("{}: found a name that is no UTF-8, expected one that is", shown()))?;
@@ -28,7 +28,7 @@ pub(super) fn parts(raw: &[u8]) -> Result<Option<Vec<String>>, String> {
     Ok((!parts.iter().any(beside)).then(|| parts.into_iter().map(str::to_owned).collect()))
 }
 
-/// What is wrong with a part of a path.
+/// The fault of a part of a path.
 fn fault(part: &str) -> Option<&'static str> {
     match part {
         "" => Some("an empty part"),
@@ -51,7 +51,7 @@ pub(super) fn folded(name: &str) -> String {
 /// Judges a level's folder name: one that every system can have, and that no other file of the scores has.
 ///
 /// # Errors
-/// What is wrong with it, and what is expected.
+/// The fault, and the names that are expected.
 pub(super) fn judge_folder(name: &str) -> Result<(), String> {
     let refused = |expected: String| Err(format!("found the level name {name:?}, expected {expected}"));
     match judge_name(name) {

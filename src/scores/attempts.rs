@@ -18,7 +18,7 @@ pub struct AttemptRow {
     /// The level's folder name.
     #[serde(serialize_with = "as_text")]
     pub level: String,
-    /// Who flew.
+    /// The player.
     pub player: Name,
     /// `completed` or `failed`.
     pub result: &'static str,
@@ -30,7 +30,7 @@ pub struct AttemptRow {
     pub fuel: f64,
     /// Damaging collisions.
     pub hits: u32,
-    /// What the ship was lost to, as `resultant run` names it; empty when it was not.
+    /// The cause of the loss, as `resultant run` names it; empty when it was not.
     #[serde(serialize_with = "as_text")]
     pub cause: String,
     /// Whether the player had help.
@@ -40,7 +40,7 @@ pub struct AttemptRow {
 /// The attempt's line.
 ///
 /// # Errors
-/// Those of the CSV writer, none of which writing to memory is known to cause.
+/// The CSV writer's; writing to memory is known to cause none.
 pub(super) fn line(attempt: &AttemptRow) -> io::Result<Vec<u8>> {
     let mut writer = csv::WriterBuilder::new().terminator(csv::Terminator::CRLF).has_headers(false).from_writer(Vec::new());
     writer.serialize(attempt)?;
@@ -52,7 +52,7 @@ fn as_text<S: Serializer>(text: &str, to: S) -> Result<S::Ok, S::Error> {
     to.serialize_str(&harmless(text))
 }
 
-/// Three decimals, which tell any two ticks apart.
+/// Three decimals, which differ between any two ticks.
 fn as_thousandths<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
     to.collect_str(&format_args!("{value:.3}"))
 }

@@ -12,7 +12,7 @@ use crate::game::{Fingerprint, LevelHash};
 /// One user's best score.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct BoardRow {
-    /// Who.
+    /// The user.
     pub name: Name,
     /// Points, at least 1.
     pub score: i64,
@@ -35,7 +35,7 @@ pub(super) struct Moved {
     cells: Vec<(String, String)>,
 }
 
-/// What became of a score; ranks count from 1.
+/// The place of a score on a board; ranks count from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Placement {
     /// The user was not on the board before.
@@ -119,7 +119,7 @@ impl Board {
                 continue;
             }
             let at = self.column(column).unwrap_or_else(|| {
-                // Cells behind the last named column belong to whoever wrote them.
+                // Cells behind the last named column belong to the author of the file.
                 let widest = self.rows.iter().map(|row| row.more.len()).max().unwrap_or(0);
                 self.more_columns.resize(self.more_columns.len().max(widest), String::new());
                 self.more_columns.push(column.clone());

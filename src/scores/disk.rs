@@ -3,7 +3,8 @@
 //! A change holds the lock on `.<file>.lock` while it reads the file, makes the new content and replaces the file by it. So no change of
 //! another process is lost, and a reader finds the old file or the new one, whole, whatever happens in between.
 //!
-//! A folder may be shared: whoever may write in it may also lock what is in it, and a file keeps its mode and its group whoever saves.
+//! A folder may be shared: each user who may write in it may also lock its files, and a file keeps its mode and its
+//! group whichever user saves.
 //! Where a file is a link, the file that it leads to is changed, and everything happens beside that.
 //!
 //! A program that ends while the lock is held puts its rows by in `<file>.waiting-N`. The next change of the file takes them up.
@@ -28,7 +29,7 @@ pub struct Rescue {
     pub kept: PathBuf,
 }
 
-/// What a file becomes.
+/// The new content of a file.
 pub(super) struct FileChange<T> {
     /// All of its new content.
     pub bytes: Vec<u8>,
@@ -36,7 +37,7 @@ pub(super) struct FileChange<T> {
     pub damage: Vec<String>,
     /// Files whose rows are in the new content: they go once that is on the disk.
     pub taken_up: Vec<PathBuf>,
-    /// What the caller asked for.
+    /// The caller's result.
     pub outcome: T,
 }
 
@@ -65,7 +66,7 @@ impl Locked {
 /// is written.
 ///
 /// # Errors
-/// Those of `change`; a read-only file; one that would become too large; a lock that is held for longer than `patience`; whatever the
+/// The errors of `change`; a read-only file; one that would become too large; a lock that is held for longer than `patience`; whatever the
 /// system refuses. The file is untouched then.
 pub(super) fn update<T>(
     folder: &Path,
@@ -95,8 +96,8 @@ pub(super) fn update<T>(
     Ok((outcome, rescue))
 }
 
-/// Writes a file of a folder within that of the scores, whole or not at all; there may be one of that name already. Whoever calls holds a
-/// lock that nobody writes there without.
+/// Writes a file of a folder within that of the scores, whole or not at all; there may be one of that name already. The caller holds
+/// the lock of that folder.
 ///
 /// # Errors
 /// A read-only file; whatever the system refuses. What was there is untouched then.
@@ -111,12 +112,12 @@ pub(super) fn write_within(scores: &Path, folders: &[&str], file: &str, bytes: &
     Ok(path)
 }
 
-/// Makes a folder where there is none, for all who may write in the one around it.
+/// Makes a folder where there is none, for each user who may write in the one around it.
 pub(super) fn make_folder(folder: &Path) -> io::Result<()> {
     match fs::create_dir(folder) {
         Ok(()) => {
             if let Some(around) = folder.parent() {
-                // Where that is not allowed, it is whoever made the folder that can write in it.
+                // Where that is not allowed, only its maker can write in the folder.
                 let _ = fs::metadata(around).and_then(|around| fs::set_permissions(folder, around.permissions()));
             }
             Ok(())
@@ -220,7 +221,7 @@ fn add(file: &mut File, header: &[u8], line: &[u8]) -> io::Result<()> {
     }
     bytes.extend_from_slice(line);
     file.write_all(&bytes).inspect_err(|_| {
-        // What was written before the disk was full. Should this fail, the next line stands on its own all the same.
+        // The bytes that were written before the disk was full. Should this fail, the next line stands on its own all the same.
         let _ = file.set_len(length);
     })?;
     // A line that is reported as written outlasts a power cut.
@@ -240,7 +241,7 @@ fn beside(path: &Path, ending: &str) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// The path of a companion that is nobody's business: `1.csv` and `lock` make `.1.csv.lock`.
+/// The path of a hidden companion: `1.csv` and `lock` make `.1.csv.lock`.
 fn hidden(path: &Path, ending: &str) -> PathBuf {
     let mut name = std::ffi::OsString::from(".");
     name.push(path.file_name().unwrap_or_default());

@@ -108,7 +108,7 @@ impl Claim {
     /// The flight of a row at its start.
     ///
     /// # Errors
-    /// A reason that can be told without flying it.
+    /// A doubt that needs no flight.
     pub fn new(row: &BoardRow, origin: &RowOrigin, flight: Replay, level: Arc<Level>) -> Result<Self, Doubt> {
         let flown_in = flight.level_hash.ok_or(Doubt::NoLevel)?;
         let here = Fingerprint::of(&level);

@@ -1,4 +1,4 @@
-//! What can go wrong with scores, each with its place and what was expected there.
+//! The faults of scores and their files, each with its place.
 
 use std::fmt::{self, Display};
 use std::io;
@@ -55,7 +55,7 @@ pub enum ScoresError {
     NoScore,
     /// The level's name cannot name a file.
     LevelName(String),
-    /// The scores file is marked read-only: whoever did that wants it left alone.
+    /// The scores file is marked read-only, so that it is to stay as it is.
     ReadOnly(PathBuf),
     /// Another process holds the lock of the board and does not let go: with the lock file. It may be tried again.
     Busy(PathBuf),
@@ -63,11 +63,11 @@ pub enum ScoresError {
     Full(PathBuf),
     /// The system refused something.
     File {
-        /// What was attempted, as in "cannot …".
+        /// The attempt, as in "cannot …".
         attempt: &'static str,
         /// With which file or folder.
         path: PathBuf,
-        /// What the system said.
+        /// The system's error.
         source: io::Error,
     },
 }

@@ -39,7 +39,7 @@ pub struct LoadedBoard {
     pub damage: Vec<String>,
 }
 
-/// What is to be saved.
+/// A score to be saved.
 #[derive(Clone, Copy, Debug)]
 pub struct Score<'a> {
     /// Whose.
@@ -52,12 +52,12 @@ pub struct Score<'a> {
     pub version: Option<Fingerprint>,
 }
 
-/// What a save has done.
+/// The result of a save.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Saved {
     /// The board as it stands on disk now.
     pub board: Board,
-    /// What became of the score.
+    /// The placement of the score.
     pub placement: Placement,
     /// Present when the file was damaged.
     pub rescue: Option<Rescue>,
@@ -146,7 +146,7 @@ impl Scores {
     /// The flight of a row; `None` where the row names none.
     ///
     /// # Errors
-    /// What is wrong with its name or its file.
+    /// The fault of its name or its file.
     pub fn flight(&self, level: &str, origin: &RowOrigin) -> Option<Result<Replay, String>> {
         let read = |file: &str| {
             self.path(level).map_err(|error| error.to_string())?;

@@ -21,7 +21,7 @@ struct Judged {
     standing: Option<Standing>,
     /// How long its flight took, as its record says, s.
     time: Option<f64>,
-    /// What its flight has earned, once it is proven.
+    /// The medals of its flight, once it is proven.
     medals: Medals,
     /// Whether its flight is in the air.
     flies: bool,
@@ -42,7 +42,7 @@ pub struct Judge {
 }
 
 impl Judge {
-    /// What is plain of the rows of that level's board without a look at any flight.
+    /// The judgement of a level's board as far as no flight is needed for it.
     pub fn new(scores: Scores, level: Arc<Level>, board: &Board) -> Self {
         let (mut rows, mut files) = (HashMap::new(), HashMap::new());
         for (index, row) in board.rows().iter().enumerate() {
@@ -78,7 +78,7 @@ impl Judge {
         self.rows.get(name)?.time.filter(|_| !self.fails(name))
     }
 
-    /// What the flight of a row has earned, once it is proven.
+    /// The medals of a row's flight, once it is proven.
     pub fn medals(&self, name: &Name) -> Medals {
         self.rows.get(name).map(|row| row.medals).unwrap_or_default()
     }

@@ -1,8 +1,8 @@
-//! User names, leaderboards, what each player has done, and their files.
+//! User names, leaderboards, the records of the players, and their files.
 //!
-//! Here live the rules of a [`Name`], the order of a [`Board`], where its rows come from ([`RowOrigin`]) and whether they are earned ([`Judge`]),
-//! what is known of [`Players`], the texts of their files ([`table`], `players`, `attempts`), and [`Scores`], the folder that holds those files. Only `disk` reads, locks and replaces them. How a score comes
-//! about is [`crate::game`]'s, how a board looks is the screens'. Nothing here knows a particular level.
+//! [`Name`] has the rules of a name, [`Board`] the order of its rows, [`RowOrigin`] the flight of a row and [`Judge`] its proof. [`Players`]
+//! are the levels that each player has done. [`table`], `players` and `attempts` are the texts of the files, and [`Scores`] is their folder;
+//! only `disk` reads, locks and replaces files. [`crate::game`] makes scores, and the screens draw boards.
 
 mod attempts;
 mod board;

@@ -1,4 +1,4 @@
-//! What a user may be called.
+//! The names that a user may have.
 
 use std::fmt;
 use std::str::FromStr;
@@ -10,7 +10,7 @@ pub const NAME_MAX: usize = 15;
 /// The most characters that a text field for a name takes while one types; [`Name::new`] judges them on submit.
 pub const NAME_TYPING_MAX: usize = 40;
 
-/// What whoever has no name yet is called.
+/// The name of a player who has not chosen one.
 const GUEST: &str = "Guest";
 
 /// A user name: 1 to [`NAME_MAX`] characters, the first one a letter, the others letters, digits, `-` or `_`.
@@ -25,7 +25,7 @@ pub struct Name(String);
 pub enum NameError {
     /// No character at all.
     Empty,
-    /// More than [`NAME_MAX`] characters: so many.
+    /// More than [`NAME_MAX`] characters: this number.
     TooLong(usize),
     /// The first character is not a letter but this.
     StartsWith(char),
@@ -53,7 +53,7 @@ impl Name {
         }
     }
 
-    /// Whoever has not said their name yet.
+    /// The name of a player who has not chosen one.
     pub fn guest() -> Self {
         Self(GUEST.to_owned())
     }

@@ -28,7 +28,7 @@ impl RowOrigin {
         Self { flight: Some(file), version: replay.level_hash, program: replay.program.clone() }
     }
 
-    /// What stands in the cells of those columns; what cannot be read says nothing.
+    /// The origin from the cells of those columns; a cell that cannot be read counts as empty.
     pub(super) fn of<'a>(cell: impl Fn(&str) -> Option<&'a str>) -> Self {
         Self {
             flight: cell(FLIGHT).map(str::to_owned),

@@ -1,4 +1,4 @@
-//! What each player has done, and the text of the file that keeps it.
+//! The levels that each player has done, and the text of the file that keeps them.
 //!
 //! ```text
 //! player,level,time,medal,mark
@@ -10,7 +10,8 @@
 //!
 //! A row without a level says that there is such a player; a row with one says that they have completed it, how fast at best, if ever
 //! without help, and what it has brought them. What was earned stays, whatever the level asks for later. Files of before there were medals
-//! have the first three columns: what is done is bronze. Who was chosen last comes first. What cannot be a row becomes a line of damage and spoils none of the others.
+//! have the first three columns: a level that is done is bronze. The player chosen last
+//! comes first. A row that cannot be read becomes a line of damage and spoils none of the others.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -28,10 +29,10 @@ use crate::game::{Medal, Medals};
 const FILE: CsvFile<'_> = CsvFile { name: "", columns: &["player", "level", "time", "medal", "mark"], comments: false };
 /// How many of them there were before there were medals.
 const OLD_COLUMNS: usize = 3;
-/// Thousandths of a second: more than any two ticks of the game need to be told apart.
+/// Thousandths of a second: more than any two ticks of the game need to differ.
 const STEPS: f64 = 1000.0;
 
-/// What a player has of a level that is done.
+/// A player's record of a level that is done.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Done {
     /// The best time without help, s.
@@ -54,7 +55,7 @@ impl Player {
         Self { name, done: BTreeMap::new() }
     }
 
-    /// Who.
+    /// The player's name.
     pub fn name(&self) -> &Name {
         &self.name
     }
@@ -64,7 +65,7 @@ impl Player {
         self.done.get(level).and_then(|done| done.time)
     }
 
-    /// What a level has brought; nothing until it is done.
+    /// The medals of a level; none until it is done.
     pub fn medals(&self, level: &str) -> Medals {
         self.done.get(level).map_or_else(Medals::default, |done| Medals { medal: Some(done.medal), mark: done.mark })
     }
@@ -81,25 +82,25 @@ impl Player {
     }
 }
 
-/// What a player did.
+/// A deed of a player, to be written down.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Deed {
     /// Was chosen, or made.
     Chosen(Name),
     /// Completed a level.
     Done {
-        /// Who.
+        /// The player's name.
         player: Name,
         /// The level's folder name.
         level: String,
         /// s, 0 or more and finite; `None` for a flight with help, whose time does not count.
         time: Option<f64>,
-        /// What the flight earned; bronze at least.
+        /// The flight's medals; bronze at least.
         medals: Medals,
     },
 }
 
-/// All players, whoever was chosen last first.
+/// All players, the one chosen last first.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Players {
     players: Vec<Player>,
@@ -116,7 +117,7 @@ impl Players {
         self.players.iter().find(|player| player.name == *name)
     }
 
-    /// Takes note of a deed; whoever did it is known from then on.
+    /// Takes note of a deed; its player is known from then on.
     pub fn apply(&mut self, deed: &Deed) {
         match deed {
             Deed::Chosen(name) => {
@@ -133,7 +134,7 @@ impl Players {
         }
     }
 
-    /// Adds what others have done; who plays on is as it was.
+    /// Adds the deeds of others; the order of the players stays.
     pub(super) fn merge(&mut self, others: Self) {
         for Player { name, done } in others.players {
             let player = self.player(&name);
@@ -146,7 +147,7 @@ impl Players {
         &mut self.players[index]
     }
 
-    /// Where a player is; one who is new is the last.
+    /// The place of a player; a new one is the last.
     fn index(&mut self, name: &Name) -> usize {
         self.players.iter().position(|player| player.name == *name).unwrap_or_else(|| {
             self.players.push(Player::new(name.clone()));
@@ -227,7 +228,7 @@ fn seconds(cell: &str) -> Option<f64> {
 /// The file's bytes: always with a header, a player's own row before those of their levels, lines ending in LF.
 ///
 /// # Errors
-/// Those of the CSV writer, none of which writing to memory is known to cause.
+/// The CSV writer's; writing to memory is known to cause none.
 pub(super) fn write(players: &Players) -> io::Result<Vec<u8>> {
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
     writer.write_record(FILE.columns)?;
@@ -243,12 +244,12 @@ pub(super) fn write(players: &Players) -> io::Result<Vec<u8>> {
     writer.into_inner().map_err(|error| error.into_error())
 }
 
-/// What a spreadsheet would take for a formula, behind an apostrophe that makes it text; anything else as it is.
+/// A formula of a spreadsheet behind an apostrophe that makes it text; any other text as it is.
 pub(super) fn harmless(text: &str) -> Cow<'_, str> {
     if text.starts_with(['=', '+', '-', '@', '\t', '\r', '\'']) { format!("'{text}").into() } else { text.into() }
 }
 
-/// What [`harmless`] was made of.
+/// The inverse of [`harmless`].
 fn unharmed(cell: &str) -> &str {
     cell.strip_prefix('\'').unwrap_or(cell)
 }

@@ -29,7 +29,7 @@ pub fn read(path: &Path, bytes: &[u8]) -> (Board, Vec<String>) {
 /// The file's bytes for a board: always with a header, always sorted, lines ending in LF.
 ///
 /// # Errors
-/// Those of the CSV writer, none of which writing to memory is known to cause.
+/// The CSV writer's; writing to memory is known to cause none.
 pub fn write(board: &Board) -> io::Result<Vec<u8>> {
     // The names of the further columns are not in the rows' type, so that the header is written apart.
     let mut writer = csv::WriterBuilder::new().flexible(true).has_headers(false).from_writer(Vec::new());
@@ -40,7 +40,7 @@ pub fn write(board: &Board) -> io::Result<Vec<u8>> {
     writer.into_inner().map_err(|error| error.into_error())
 }
 
-/// What has been understood so far.
+/// The rows and their damage so far.
 struct BoardReading<'a> {
     more_columns: Vec<String>,
     rows: Vec<BoardRow>,

@@ -1,7 +1,7 @@
 //! `settings.csv`: a row a setting, `setting,value,player`. Rows without a player hold for everyone; those with one only for him.
 //!
-//! Reading takes what it understands and tells the rest, line by line. Saving rewrites the rows of what was set and leaves every other
-//! line as it is: comments, rows of other players, and what it did not understand.
+//! Reading reports the rows that it cannot use, line by line. Saving rewrites the rows that it sets and leaves every other line as it is:
+//! comments, rows of other players, and rows that it cannot use.
 
 use super::item::Item;
 use super::keys::{Action, Key};
@@ -17,7 +17,7 @@ const LEAST_CELLS: usize = 2;
 /// The file's columns.
 const FILE: CsvFile<'_> = CsvFile { name: "settings.csv", columns: &["setting", "value", "player"], comments: true };
 
-/// What one row sets.
+/// The setting of one row.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Setting {
     Key(Action),
@@ -213,7 +213,7 @@ impl SettingsFile {
     /// Writes the settings of a player into it: the file is the old one or the new one, whole, whatever happens meanwhile.
     ///
     /// # Errors
-    /// What the system refuses, with the path; [`io::ErrorKind::WouldBlock`] where another program writes there for longer than `patience`.
+    /// The system's errors, with the path; [`io::ErrorKind::WouldBlock`] where another program writes there for longer than `patience`.
     /// The old file is untouched then.
     pub fn save(&self, player: &str, settings: &Settings, patience: Duration) -> io::Result<()> {
         self.replace(player, settings, patience).map_err(|error| {

@@ -108,7 +108,7 @@ impl Item {
     /// Takes a value as the file holds it.
     ///
     /// # Errors
-    /// What is expected there.
+    /// The expected values.
     pub fn read(self, text: &str, settings: &mut Settings) -> Result<(), String> {
         let value = match self.values() {
             Values::Percent { least, most, .. } => {

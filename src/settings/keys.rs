@@ -53,7 +53,7 @@ impl Key {
         Self::ALL.iter().copied().find(|key| key.to_string().eq_ignore_ascii_case(name))
     }
 
-    /// What stands on it, as it is shown.
+    /// The sign on it, as it is shown.
     pub fn label(self) -> String {
         match self {
             Self::Up => "↑".into(),
@@ -137,7 +137,7 @@ impl Keys {
         self.0 |= 1 << key as u32;
     }
 
-    /// Those of them that are not in the others.
+    /// The keys that are not in the others.
     #[must_use]
     pub const fn less(self, others: Self) -> Self {
         Self(self.0 & !others.0)
@@ -181,7 +181,7 @@ struct About {
 /// the gamepad's buttons.
 macro_rules! actions {
     ($($name:ident $setting:literal $label:literal $does:literal [$($key:ident)*] [$($pad:ident)*];)*) => {
-        /// What a key can do in flight.
+        /// An action of a key in flight.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[repr(u8)]
         pub enum Action {

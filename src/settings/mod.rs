@@ -1,7 +1,7 @@
-//! What a player has set: keys, volumes, the picture, and help in flight; and the file that keeps it.
+//! The player's settings: keys, volumes, the picture, and help in flight; and the file that keeps it.
 //!
-//! [`Settings`] holds the values, [`Item`] is one of them as a list shows and changes it, [`mod@file`] is `settings.csv`. How they take
-//! effect is the affair of those who read them: screens, view, game.
+//! [`Settings`] holds the values, [`Item`] is one of them as a list shows and changes it, [`mod@file`] is `settings.csv`. Screens, view and
+//! game read them.
 
 pub mod file;
 mod item;

@@ -5,7 +5,7 @@ use super::keys::Bindings;
 /// The colours that carry a meaning.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Palette {
-    /// Those of the art direction.
+    /// The colours of the art direction.
     #[default]
     Standard,
     /// Colours that stay apart in the three common kinds of colour blindness.
@@ -39,7 +39,7 @@ impl Assists {
 /// All that can be set. Levels and shares are whole percents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Settings {
-    /// What the keys do in flight.
+    /// The keys of the flight.
     pub keys: Bindings,
     /// All sound, 0 … 100.
     pub master: u8,

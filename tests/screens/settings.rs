@@ -45,6 +45,15 @@ fn a_key_that_was_set_flies_and_the_old_one_does_not() {
 }
 
 #[test]
+fn a_key_that_looks_on_is_set_like_one_that_flies() {
+    let rows = "setting,value,player\nkey_freeze,V,\nkey_instruments,,\n";
+    let mut sitting = Sitting::with(|root| fs::write(root.join("settings.csv"), rows).unwrap());
+    sitting.fly(1).press(Key::B).press(Key::I);
+    assert!(!sitting.flight().observer().frozen() && !sitting.flight().instruments().is_open());
+    assert!(sitting.press(Key::V).flight().observer().frozen());
+}
+
+#[test]
 fn f11_and_alt_enter_fill_the_screen_and_press_nothing_else() {
     let mut sitting = Sitting::new();
     sitting.press(Key::F11);

@@ -7,14 +7,14 @@ use crate::level::Level;
 use crate::physics::{Aabb, Body, DVec2, Sides};
 use std::sync::Arc;
 
-/// What two boxes may lie within each other, m: far above the rounding of contacts, far below anything that can be seen.
+/// The depth to which two boxes may overlap, m: far above the rounding of contacts, far below anything that can be seen.
 const TOUCH: f64 = 1e-4;
 
 impl Game {
     /// Goes on in a level that differs from its own in numbers alone (see [`varied`](crate::level::varied)): everything stays where it is.
     ///
     /// # Errors
-    /// What the engine refuses, or a level with other things in it; nothing has changed then.
+    /// A level that the engine refuses, or a level with other things in it; nothing has changed then.
     pub fn go_on_in(&mut self, level: Arc<Level>) -> Result<(), GameError> {
         self.world.go_on_by(level.world_def()).map_err(GameError::World)?;
         self.level = level;
@@ -23,7 +23,7 @@ impl Game {
 
     /// The attempt as it goes on in a level that has been changed since: the ship where it is, with its velocity, angle, fuel and time, and so
     /// is each object that is as it was in `before`, the level as it was read. What has been changed, and all that is worked or moves by
-    /// itself, begins anew. `None` where the attempt has ended, or where the ship has no room any more.
+    /// itself, begins again. `None` where the attempt has ended, or where the ship has no room any more.
     pub fn carried_into(&self, before: &Level, level: &Arc<Level>) -> Option<Self> {
         if self.outcome != Outcome::Running {
             return None;
