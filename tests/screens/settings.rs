@@ -48,7 +48,7 @@ fn a_key_that_was_set_flies_and_the_old_one_does_not() {
 fn a_key_that_looks_on_is_set_like_one_that_flies() {
     let rows = "setting,value,player\nkey_freeze,V,\nkey_instruments,,\n";
     let mut sitting = Sitting::with(|root| fs::write(root.join("settings.csv"), rows).unwrap());
-    sitting.fly(1).press(Key::B).press(Key::I);
+    sitting.fly("1").press(Key::B).press(Key::I);
     assert!(!sitting.flight().observer().frozen() && !sitting.flight().instruments().is_open());
     assert!(sitting.press(Key::V).flight().observer().frozen());
 }
