@@ -1,10 +1,8 @@
-//! Changes of a world between ticks: engines, switched things, and for a "what if" the numbers of its definition. The engine looks again at
-//! all bodies that a change concerns.
+//! Changes of a world between ticks.
 
-use crate::physics::data::domain::DefError;
+use crate::physics::data::domain::{DefError, expect};
 use crate::physics::data::{Body, BodyId, Surface, WorldDef};
-use crate::physics::forces::kind::{ForceKind, Source};
-use crate::physics::forces::manager::ForceManager;
+use crate::physics::forces::{ForceKind, ForceManager, Source};
 use crate::physics::space::Space;
 use crate::physics::state::State;
 use crate::physics::world::World;
@@ -13,7 +11,7 @@ use glam::DVec2;
 impl World {
     /// Sets the force of a body's engine (N) from the next tick on. A force that is not finite is none.
     pub fn set_drive(&mut self, body: BodyId, force: DVec2) {
-        self.change_forces(body, |forces| forces.set_drive(force));
+        self.add_force(body, Source::Engine, ForceKind::Drive, force);
     }
 
     /// Adds a constant push (N) to the force manager of a body, from the next tick on: [`ForceManager::add`].
@@ -60,7 +58,8 @@ impl World {
         let speed = if speed.is_finite() { speed } else { 0.0 };
         if self.state.surfaces[surface].belt != speed {
             self.state.surfaces[surface].belt = speed;
-            self.space.set_belt(surface, speed);
+            self.space.motions.surfaces[surface].belt = speed;
+            self.space.sleep.wake_all();
             self.disturb_around(surface);
         }
     }
@@ -75,18 +74,17 @@ impl World {
         }
     }
 
-    /// Goes on by another definition of the same bodies, surfaces and zones: everything stays where it is and moves as it does, under other
-    /// masses, coefficients, gravity and media. Start places and velocities are not asked for any more.
+    /// Goes on by another definition of the same bodies, surfaces and zones: all keep their places and velocities, under other masses,
+    /// coefficients, gravity and media.
     ///
     /// # Errors
     /// What [`World::new`] refuses, or another number of bodies, surfaces or zones; nothing has changed then.
     pub fn go_on_by(&mut self, def: WorldDef) -> Result<(), DefError> {
         let mut next = Self::new(def)?;
         let counts = |world: &Self| (world.state.bodies.len(), world.state.surfaces.len(), world.state.media.streams.len());
-        if counts(&next) != counts(self) {
-            return Err(DefError("a world goes on with as many bodies, surfaces and zones as it has".to_owned()));
-        }
-        let State { bodies, forces, surfaces, media, ticks, .. } = &self.state;
+        let alike = counts(&next) == counts(self);
+        expect(alike, || "a world goes on with as many bodies, surfaces and zones as it has".to_owned())?;
+        let State { bodies, forces, links, surfaces, media, ticks, .. } = &self.state;
         for (body, now) in next.state.bodies.iter_mut().zip(bodies) {
             *body = Body { position: now.position, velocity: now.velocity, ..body.clone() };
         }
@@ -96,14 +94,12 @@ impl World {
         for (stream, now) in next.state.media.streams.iter_mut().zip(&media.streams) {
             stream.blows = now.blows;
         }
-        (next.state.forces, next.state.ticks) = (forces.clone(), *ticks);
-        next.state.links = self.state.links.clone();
+        (next.state.forces, next.state.links, next.state.ticks) = (forces.clone(), links.clone(), *ticks);
         next.feel_zones();
         *next.space = Space::new(&next.state);
         next.space.keep_previous(&self.space);
         next.state.contacts.clear();
-        next.records = self.records.clone();
-        next.awaited.clone_from(&self.awaited);
+        (next.records, next.awaited) = (self.records.clone(), self.awaited.clone());
         next.begin();
         *self = next;
         Ok(())

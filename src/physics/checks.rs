@@ -4,7 +4,6 @@ use crate::physics::data::aabb::Aabb;
 use crate::physics::forces::manager::ForceManager;
 use glam::DVec2;
 
-/// A body or surface between two ticks.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Thing {
     /// Its number, and which of the two it is.
@@ -18,7 +17,6 @@ pub(crate) struct Thing {
     pub velocity: DVec2,
     /// Whether its way has no corner, and it is known where it was.
     pub straight: bool,
-    /// Whether a crowd step took it.
     pub dense: bool,
     /// How deep something may be in it, m.
     pub depth: f64,
@@ -42,7 +40,6 @@ pub(crate) struct Ledger {
     pub gained: f64,
     /// The most that the forces from outside gave it.
     pub given: f64,
-    /// The sum of all magnitudes.
     pub scale: f64,
     /// What rounding and the smallest speeds add.
     pub rounding: f64,
@@ -54,7 +51,6 @@ pub(crate) struct Ledger {
     pub slack: f64,
 }
 
-/// The buffers of a check, kept so that it allocates nothing once warm.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Checks {
     pub bodies: Vec<Thing>,

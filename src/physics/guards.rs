@@ -15,7 +15,6 @@ macro_rules! guards {
                 [$((stringify!($name), self.$name)),*].into_iter()
             }
 
-            /// Adds what another count holds.
             pub(crate) fn add(&mut self, other: &Self) {
                 $(self.$name += other.$name;)*
             }

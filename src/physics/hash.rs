@@ -1,19 +1,15 @@
-//! The state's hash: every bit that decides about the future, and that can change.
-//!
-//! Each part of the state is taken apart field by field, so that one that is added is either written here or left out on purpose.
+//! The state's hash: every bit that decides about the future, and that can change. A new field is written here or left out on purpose.
 
 use crate::physics::DVec2;
 use crate::physics::data::{Body, Contact, Surface};
-use crate::physics::forces::kind::{ForceKind, Source};
 use crate::physics::forces::link::{LinkDef, LinkEnd};
-use crate::physics::forces::manager::{Force, ForceManager};
+use crate::physics::forces::{Force, ForceKind, ForceManager, Source};
 use crate::physics::state::State;
 use crate::physics::world::World;
 
 impl World {
-    /// Feeds every bit of what decides about the future to `write`, for the state's hash. What rests, and whether contacts are known already,
-    /// is left out: it saves work and changes no bit of what comes (the tests of the plan hold it to that). So is what never changes:
-    /// liquids, zones, gravity, the paths of surfaces; and of streams and belts what is as it was at the start.
+    /// Feeds every bit that decides about the future to `write`. Left out: sleep and known contacts, which change no bit
+    /// (`tests/engine/scenes/plan.rs`); all that never changes; and streams and belts that are as at the start.
     pub fn hash_state(&self, write: &mut impl FnMut(u64)) {
         let State { bodies, forces, links, surfaces, media, rest_speed: _, contacts, known: _, ticks: _ } = &self.state;
         bodies.iter().for_each(|body| hash_body(body, write));
@@ -22,7 +18,9 @@ impl World {
         links.all.iter().for_each(|link| hash_link(link, write));
         surfaces.iter().for_each(|surface| hash_surface(surface, write));
         (0..).zip(&media.streams).filter(|(_, stream)| !stream.blows).for_each(|(s, _)| write(s));
-        self.space.hash_surfaces(write);
+        // Bodies with the velocity of a surface as the last step ended ride on it.
+        let ends = self.space.moving.iter().map(|surface| self.space.motions.surfaces[*surface as usize].end);
+        ends.for_each(|velocity| hash_vector(velocity, write));
         contacts.iter().for_each(|contact| hash_contact(contact, write));
     }
 }
@@ -31,7 +29,6 @@ fn hash_vector(vector: DVec2, write: &mut impl FnMut(u64)) {
     vector.to_array().into_iter().for_each(|value| write(value.to_bits()));
 }
 
-/// Streams and fields follow from where the body is; the drive is written for all bodies.
 fn hash_forces(forces: &ForceManager, write: &mut impl FnMut(u64)) {
     let is_drive = |force: &Force| (force.source, force.kind) == (Source::Engine, ForceKind::Drive);
     for force in forces.forces().iter().filter(|force| !force.source.is_zone() && !is_drive(force)) {
@@ -69,7 +66,7 @@ fn hash_surface(surface: &Surface, write: &mut impl FnMut(u64)) {
     write(u64::from(*runs) | u64::from(*present) << 1 | u64::from(*wanted) << 2 | u64::from(*moved) << 3);
 }
 
-/// What an event or a step finds out for itself about a contact is left out: the friction of its ends, and how it came about.
+/// Left out: all that an event or a step finds out for itself.
 fn hash_contact(contact: &Contact, write: &mut impl FnMut(u64)) {
     let Contact { lo, hi, axis, slides, normal, friction, .. } = *contact;
     write(u64::from(lo) << 32 | u64::from(hi));

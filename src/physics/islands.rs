@@ -6,42 +6,36 @@
 //! |---|---|---|
 //! | nothing moves, and nothing that moves comes near | rest | nothing |
 //! | one body, near nothing | flight in closed form | 2 ns, with drag 9 ns a body |
-//! | up to [`Choice::MOST_BY_EVENTS`] bodies | event by event, up to a number of events a tick | 0.2 µs a body, 2 µs an impact |
+//! | up to [`MOST_BY_EVENTS`] bodies | event by event, up to a number of events a tick | 0.2 µs a body, 2 µs an impact |
 //! | more, or more events than that | one crowd step | 60 to 200 ns a body |
 //!
-//! Event by event costs what happens: in a gas of 64 bodies some 30 impacts a tick, in a heap that settles every contact again and again.
-//! There the crowd step is cheaper from about 50 bodies on, and the count of events makes sure of it for fewer.
+//! In a gas or a heap the crowd step is cheaper from about 50 bodies on; the count of events makes sure of it for fewer.
 
+use crate::physics::crowd::CrowdImpact;
 use crate::physics::crowd::bodies::Source;
 use crate::physics::crowd::dense::{Outcome as CrowdOutcome, StepSize};
-use crate::physics::crowd::{CrowdImpact, Squeeze};
 use crate::physics::data::{Body, Part, called};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Outcome, Scene};
-use crate::physics::flight::flow::flow_through;
+use crate::physics::flight::liquid::flow_through;
 use crate::physics::flight::steps::Course;
 use crate::physics::guards::Guards;
 use crate::physics::scratch::{NOBODY, Scratch, Stop};
 use crate::physics::space::Space;
 use crate::physics::state::State;
-use crate::physics::store::islands::Island;
-use crate::physics::store::motions::{Method, Motions};
+use crate::physics::store::{Island, Method, Motions};
 use glam::DVec2;
 
-pub(crate) struct Choice;
-
-impl Choice {
-    /// Islands of more bodies are dense. More: a heap that settles costs more than a millisecond a tick; fewer: gases are less exact.
-    pub const MOST_BY_EVENTS: usize = 64;
-    /// Worlds of more bodies list no contact forces before their first tick.
-    pub const MOST_AT_FIRST: usize = 1024;
-    /// How often an island may grow before the crowd step takes it, which can keep bodies within what was looked for.
-    const MOST_GROWTHS: usize = 3;
-    /// Contacts of a crowd are listed if forces were asked for in the last tick, or if it has no more bodies than this.
-    const ALWAYS_LISTED: usize = 256;
-    /// How often a crowd may grow in one tick. Fewer: bodies are kept within what was looked for.
-    const MOST_CROWD_GROWTHS: usize = 4;
-}
+/// Islands of more bodies are dense. More: a heap that settles costs more than a millisecond a tick; fewer: gases are less exact.
+const MOST_BY_EVENTS: usize = 64;
+/// Worlds of more bodies list no contact forces before their first tick.
+pub(crate) const MOST_AT_FIRST: usize = 1024;
+/// How often an island may grow before the crowd step takes it, which can keep bodies within what was looked for.
+const MOST_GROWTHS: usize = 3;
+/// Contacts of a crowd are listed if forces were asked for in the last tick, or if it has no more bodies than this.
+const ALWAYS_LISTED: usize = 256;
+/// How often a crowd may grow in one tick. Fewer: bodies are kept within what was looked for.
+const MOST_CROWD_GROWTHS: usize = 4;
 
 /// A tick, as the islands see it.
 pub(crate) struct Tick<'a> {
@@ -88,8 +82,9 @@ impl Tick<'_> {
         let body = &self.state.bodies[i as usize];
         let law = self.scene.media.law(body, self.state.forces[i as usize].push(), self.scene.tick);
         let Course { end, pull, .. } = flow_through(self.scene.media, body, &law, self.scene.tick);
-        self.scratch.pulls[i as usize] = pull;
-        members.motions.bodies[i as usize].end = end;
+        let motion = &mut members.motions.bodies[i as usize];
+        motion.end = end;
+        motion.pull_at_end(pull);
         if members.motions.is_swept(i as usize, body.half) {
             return Verdict::Taken { rests: false };
         }
@@ -99,22 +94,21 @@ impl Tick<'_> {
     }
 
     /// Whether a body that is near nothing has to be advanced all the same: it stands still, and may fall asleep.
-    fn minds(&self, body: usize) -> bool {
-        let Scratch { floats, roughly, touches, .. } = &*self.scratch;
-        floats[body]
-            || roughly[body]
+    fn minds(&self, motions: &Motions, body: usize) -> bool {
+        motions.bodies[body].floats
+            || motions.bodies[body].roughly
             || self.scratch.linked(body as u32).is_some()
-            || touches.get(body).is_some_and(|touches| *touches)
+            || self.scratch.touches.get(body).is_some_and(|touches| *touches)
     }
 
     /// Takes an island, or leaves it. `round` is how often it has grown in this step.
     fn advance(&mut self, of: &mut Members<'_>, round: usize) -> Verdict {
         let island = of.island;
         let count = island.members.len();
-        if island.is_alone() && self.scratch.roughly[island.members[0] as usize] {
+        if island.is_alone() && of.motions.bodies[island.members[0] as usize].roughly {
             return self.fly(of);
         }
-        if round > Choice::MOST_GROWTHS || self.leaves_for_good(count) {
+        if round > MOST_GROWTHS || self.leaves_for_good(count) {
             self.guards.dense_ticks += 1;
             return Verdict::Left;
         }
@@ -126,7 +120,7 @@ impl Tick<'_> {
             return verdict;
         }
         let (whole, count) = (count, self.scratch.members.len());
-        self.scratch.gather(self.state, &self.scene, |body| of.motions.area(body));
+        self.scratch.gather(self.state, &self.scene, |body| of.motions.swept[body as usize]);
         called(Part::Exact);
         let outcome = self.scratch.events.advance(&self.scene);
         self.guards.add(&std::mem::take(&mut self.scratch.events.guards));
@@ -135,7 +129,7 @@ impl Tick<'_> {
                 self.guards.islands_grown += 1;
                 let fastest = self.scratch.events.fastest() * (2.0 * self.scene.tick);
                 for &body in &self.scratch.members {
-                    let way = of.motions.area(body).size() * round as f64;
+                    let way = of.motions.swept[body as usize].size() * round as f64;
                     of.widen(body, fastest + way);
                 }
                 Verdict::Grown
@@ -143,9 +137,11 @@ impl Tick<'_> {
             Outcome::Done => {
                 self.scratch.scatter(self.state, of.motions);
                 let items = &self.scratch.events.items[..count];
-                let still = |item: &Item| item.rests(self.state.bodies[item.id as usize].position);
-                let rests =
-                    whole == count && self.scene.direct && items.iter().all(still) && self.scratch.events.stands_on_what_stands();
+                let still = |item: &Item| item.is_still() && item.body.position == self.state.bodies[item.id as usize].position;
+                let rests = whole == count
+                    && self.scene.plan.direct
+                    && items.iter().all(still)
+                    && self.scratch.events.stands_on_what_stands();
                 Verdict::Taken { rests }
             }
             Outcome::Busy => {
@@ -157,12 +153,12 @@ impl Tick<'_> {
 
     /// Whether a crowd step lists the contacts of an island of this many bodies.
     fn lists(&self, members: usize) -> bool {
-        self.lists || members <= Choice::ALWAYS_LISTED
+        self.lists || members <= ALWAYS_LISTED
     }
 
     /// Whether an island of this many bodies is a crowd: then it falls asleep as the crowd step leaves it.
     fn leaves_for_good(&self, members: usize) -> bool {
-        members > Choice::MOST_BY_EVENTS || self.scene.dense
+        members > MOST_BY_EVENTS || self.scene.plan.dense
     }
 
     /// What an earlier solution of the island of this body came to holds no longer.
@@ -175,7 +171,7 @@ impl Tick<'_> {
         }
         let (leader, Scratch { contacts, happened, crushed, stops, .. }) = (body as u32, &mut *self.scratch);
         contacts.retain(|(of, _)| *of != leader);
-        happened.retain(|happened| happened.island != leader);
+        happened.retain(|(of, ..)| *of != leader);
         crushed.retain(|(of, ..)| *of != leader);
         stops.retain(|stop| stop.leader != leader);
     }
@@ -185,12 +181,14 @@ impl Space {
     /// Advances all by `dt` seconds, > 0.
     pub(crate) fn step_with(&mut self, dt: f64, tick: &mut Tick<'_>) {
         self.impacts.clear();
-        self.squeezed.clear();
         self.crowd.dense.report.list.clear();
         self.fly(&tick.state.bodies, dt);
         self.last_dt = dt;
         self.solve_islands(dt, tick);
-        self.end_step();
+        for surface in &self.moving {
+            let motion = &mut self.motions.surfaces[*surface as usize];
+            motion.from = motion.to;
+        }
     }
 
     fn solve_islands(&mut self, dt: f64, tick: &mut Tick<'_>) {
@@ -198,7 +196,7 @@ impl Space {
         loop {
             self.islands.sort(&tick.state.bodies, self.down);
             self.islands.find(&self.motions, &self.broad_phase, &self.moving);
-            let minds = |tick: &Tick<'_>| self.sleep.looked_at().iter().any(|body| tick.minds(*body as usize));
+            let minds = |tick: &Tick<'_>| self.sleep.looked_at.iter().any(|body| tick.minds(&self.motions, *body as usize));
             if !again && self.islands.are_alone() && (tick.bare || !minds(tick)) {
                 return self.let_sleepers_stay(&tick.state.bodies);
             }
@@ -221,7 +219,7 @@ impl Space {
     /// Nobody is near anything: those that are awake fly.
     fn let_sleepers_stay(&mut self, bodies: &[Body]) {
         let Self { motions, sleep, .. } = self;
-        for i in sleep.looked_at().iter().map(|i| *i as usize).filter(|i| sleep.sleeps(*i)) {
+        for i in sleep.looked_at.iter().map(|i| *i as usize).filter(|i| sleep.asleep[*i]) {
             motions.bodies[i].end = (bodies[i].position, DVec2::ZERO);
         }
     }
@@ -234,7 +232,7 @@ impl Space {
             return;
         }
         let first = island.members[0] as usize;
-        if island.is_alone() && !tick.minds(first) {
+        if island.is_alone() && !tick.minds(motions, first) {
             return sleep.wake(first);
         }
         // It depends on no other island how often this one has grown, or those of which it is made now.
@@ -263,13 +261,13 @@ impl Space {
 
     /// The crowd step of an island. Where a surface would squeeze a body it stands for this step, and the island is solved again.
     fn solve_crowd(&mut self, k: usize, (dt, round): (f64, usize), tick: &mut Tick<'_>) -> CrowdOutcome {
-        let Self { motions, islands, crowd, sleep, impacts, squeezed, .. } = self;
+        let Self { motions, islands, crowd, sleep, impacts, .. } = self;
         let (island, state, down) = (islands.get(k), tick.state, self.down);
-        let last = round >= Choice::MOST_CROWD_GROWTHS;
+        let last = round >= MOST_CROWD_GROWTHS;
         let size = StepSize { dt, rest_speed: state.rest_speed, gravity: state.media.gravity.abs(), last };
         crowd.dense.report.on = tick.lists(island.members.len());
         for _ in 0..=self.moving.len() {
-            let from = Source { bodies: &state.bodies, surfaces: &state.surfaces, motions, down, bounces: tick.scene.bounces };
+            let from = Source { bodies: &state.bodies, surfaces: &state.surfaces, motions, down, bounces: tick.scene.plan.bounces };
             if crowd.step(from, island, size) == CrowdOutcome::Grown {
                 for &k in &crowd.dense.grown {
                     let i = crowd.bodies.ids[k as usize];
@@ -284,7 +282,7 @@ impl Space {
             for &(body, surface, speed) in &crowd.dense.squeezed {
                 let [body, item] = [body, surface].map(|k| crowd.bodies.ids[k as usize]);
                 let surface = item - motions.len() as u32;
-                squeezed.push(Squeeze { body, surface, speed });
+                tick.scratch.crushed.push((NOBODY, body, surface, state.bodies[body as usize].crushing_force(speed)));
                 tick.scratch.stops.push(Stop { leader: NOBODY, surface, at: 0.0 });
                 motions.surfaces[surface as usize].stand();
             }
@@ -293,7 +291,7 @@ impl Space {
             motions.bodies[*i as usize].end = crowd.bodies.end(k, down);
         }
         // What falls asleep is read later: its contacts are listed now.
-        let may_sleep = tick.scene.direct && tick.leaves_for_good(island.members.len());
+        let may_sleep = tick.scene.plan.direct && tick.leaves_for_good(island.members.len());
         crowd.dense.report.on |= sleep.finish(&state.bodies, motions, (island, may_sleep));
         for i in island.members {
             let motion = &mut motions.bodies[*i as usize];

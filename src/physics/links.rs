@@ -1,16 +1,14 @@
-//! Links in a world: bodies that links join share an island and are flown together. A body of such an island that touches something takes the
-//! mean force of its links over the tick as a constant one (its place is off by a part (ω·dt)²/12 of the force's own way), and its contacts
-//! those at the tick's end.
+//! Links in a world. A linked body that touches something takes the mean force of its links over the tick as a constant one: its place is off by a
+//! part (ω·dt)²/12 of the force's own way.
 
 use crate::physics::data::domain::DefError;
-use crate::physics::data::tuning::SLOP;
-use crate::physics::data::{Aabb, Pose};
+use crate::physics::data::{Aabb, Pose, SLOP};
 use crate::physics::flight::linked::{Group, Member};
 use crate::physics::forces::link::{LinkDef, links_on};
 use crate::physics::islands::{Members, Tick, Verdict};
 use crate::physics::scratch::Scratch;
 use crate::physics::state::State;
-use crate::physics::store::motions::Method;
+use crate::physics::store::motions::{Guide, Method};
 use crate::physics::world::World;
 use glam::DVec2;
 
@@ -48,18 +46,18 @@ impl World {
         def.ends().for_each(|body| self.disturb(body.0));
     }
 
-    /// Flies all that is linked and awake as if it touched nothing, but for bodies that contacts hold.
+    /// Flies all linked groups that are awake as if they touched nothing, but for bodies that contacts hold.
     pub(crate) fn fly_linked(&mut self, dt: f64) {
         self.scratch.linked.clear();
         self.scratch.pairs.clear();
         for g in 0..self.state.links.groups.len() {
             let group = &self.state.links.groups[g];
-            if group.iter().all(|body| self.space.sleep.sleeps(*body as usize)) {
+            if group.iter().all(|body| self.space.sleep.asleep[*body as usize]) {
                 continue;
             }
             for k in 0..group.len() {
                 let body = self.state.links.groups[g][k];
-                if self.space.sleep.sleeps(body as usize) {
+                if self.space.sleep.asleep[body as usize] {
                     self.disturb(body);
                 }
             }
@@ -84,7 +82,7 @@ impl World {
                 } else {
                     member.pose
                 };
-                space.guide(i, end);
+                space.motions.guided.push((member.id, Guide { end, places: Some(member.places), ..Guide::default() }));
             }
         }
         self.scratch.linked.sort_unstable_by_key(|member| member.id);
@@ -93,7 +91,6 @@ impl World {
 }
 
 impl State {
-    /// The force of all links on a body, N.
     pub(crate) fn links_on(&self, body: u32) -> DVec2 {
         links_on(&self.links.all, body, |id| self.pose_of(id))
     }
@@ -105,42 +102,25 @@ impl State {
 }
 
 impl Scratch {
-    /// A body that is linked and awake.
     pub(crate) fn linked(&self, body: u32) -> Option<&Member> {
         self.linked.binary_search_by_key(&body, |member| member.id).ok().map(|at| &self.linked[at])
     }
 }
 
 impl Tick<'_> {
-    /// Leaves linked bodies that come near nothing where they fly together, and takes them out of the island's members. Returns a verdict if
-    /// that settles it.
+    /// Takes linked bodies that come near nothing out of the island: they fly together. Returns a verdict if no member is left.
     pub(crate) fn leave_linked(&mut self, of: &mut Members<'_>) -> Option<Verdict> {
         if self.scratch.linked.is_empty() {
             return None;
-        }
-        let mut grown = false;
-        for k in 0..self.scratch.members.len() {
-            let id = self.scratch.members[k];
-            let Some(member) = self.scratch.linked(id).filter(|member| !member.held) else { continue };
-            let (swept, half) = (of.motions.area(id), self.state.bodies[id as usize].half);
-            let way = Aabb::new(member.places.min - half, member.places.max + half);
-            if !swept.contains(&way, SLOP) {
-                of.widen(id, (swept.min - way.min).max(way.max - swept.max).max(DVec2::ZERO));
-                grown = true;
-            }
-        }
-        if grown {
-            self.guards.islands_grown += 1;
-            return Some(Verdict::Grown);
         }
         let mut flown = std::mem::take(&mut self.scratch.flown);
         let Self { scratch, state, scene, .. } = self;
         let near = |swept: &Aabb, s: u32| state.surfaces[s as usize].swept(scene.tick).touches(swept, SLOP);
         let apart = |id: u32| {
-            let swept = of.motions.area(id);
+            let swept = of.motions.swept[id as usize];
             scratch.linked(id).is_some_and(|member| !member.held)
                 && !scratch.surfaces.iter().any(|s| near(&swept, *s))
-                && scratch.members.iter().all(|other| *other == id || !of.motions.area(*other).touches(&swept, SLOP))
+                && scratch.members.iter().all(|other| *other == id || !of.motions.swept[*other as usize].touches(&swept, SLOP))
         };
         flown.clear();
         flown.extend(scratch.members.iter().filter(|id| apart(**id)));

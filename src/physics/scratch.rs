@@ -1,11 +1,8 @@
-//! The buffers of a tick, and how islands pass through them: gathered for the event-driven method, and taken over from it into what the
-//! world keeps.
+//! The buffers of a tick, and how islands pass through them: gathered for the method of events, and taken over from it.
 
 #[cfg(all(feature = "validate", debug_assertions))]
 use crate::physics::checks::Checks;
-use crate::physics::data::lists::refill;
-use crate::physics::data::tuning::SLOP;
-use crate::physics::data::{Aabb, BodyId, Contact, Impulse, Obstacle};
+use crate::physics::data::{Aabb, Contact, Hit, SLOP};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Events, Scene};
 use crate::physics::flight::linked::Member;
@@ -13,10 +10,8 @@ use crate::physics::state::State;
 use crate::physics::store::motions::{Method, Motions};
 use glam::DVec2;
 
-/// The leader of no island.
 pub(crate) const NOBODY: u32 = u32::MAX;
 
-/// A surface that stops within a tick.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stop {
     /// The smallest body of the island.
@@ -31,52 +26,29 @@ pub(crate) fn first_stop(stops: &[Stop], surface: u32) -> f64 {
     stops.iter().filter(|stop| stop.surface == surface).map(|stop| stop.at).fold(f64::INFINITY, f64::min)
 }
 
-/// Something for the records, with the smallest body of its island.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Happened {
-    pub island: u32,
-    pub order: u32,
-    pub impulse: Impulse,
-    pub normal: DVec2,
-    /// Closing speed, m/s.
-    pub speed: f64,
-    /// Where the two were, m.
-    pub places: [DVec2; 2],
-}
-
-/// The buffers of a tick. Nothing in them outlives it.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Scratch {
     pub events: Events,
     #[cfg(all(feature = "validate", debug_assertions))]
     pub checks: Checks,
-    /// What the islands found out, with the smallest body of the island that it came from.
+    /// What the islands found out, with the smallest body of the island that it came from; impacts in the order of their finding.
     pub contacts: Vec<(u32, Contact)>,
-    pub happened: Vec<Happened>,
-    /// Body, surface and force, N.
+    pub happened: Vec<(u32, u32, Hit)>,
+    /// Island, body, surface and force, N.
     pub crushed: Vec<(u32, u32, u32, f64)>,
-    /// Which surfaces the islands have stopped because they would have squeezed something.
     pub stops: Vec<Stop>,
     /// All that contacts of the crowd step exert on each body, N.
     pub pressed: Vec<f64>,
     /// Of each body and each surface behind them: its number in the present island.
     local: Vec<u32>,
-    /// Which bodies and surfaces begin the tick in contact with something, where there are liquids.
+    /// Whether each body and surface begins the tick in contact with something, where there are liquids.
     pub touches: Vec<bool>,
-    /// What pulls at each body where its flight through liquids ends, m/s², if that came out of it.
-    pub pulls: Vec<Option<DVec2>>,
-    /// Bodies of which it is known roughly only where they get.
-    pub roughly: Vec<bool>,
-    /// Bodies that stand still although nothing holds them: they may fall asleep.
-    pub floats: Vec<bool>,
     /// Of the present island: its bodies, and the surfaces near it.
     pub members: Vec<u32>,
     pub surfaces: Vec<u32>,
     /// Contacts known at the start of the tick, sorted: those whose smaller end is body i begin at `starts[i]`. Emptied where they change.
     pub starts: Vec<u32>,
-    /// Contacts that the tick has found.
     pub fresh: Vec<Contact>,
-    /// Whom the tick has to look at.
     pub awake: Vec<u32>,
     /// Bodies that are linked and awake, ascending; pairs that join them; and those of an island that touch nothing.
     pub linked: Vec<Member>,
@@ -85,27 +57,7 @@ pub(crate) struct Scratch {
 }
 
 impl Scratch {
-    /// Before the first tick.
-    pub fn begin(&mut self, bodies: usize) {
-        self.begin_tick(bodies);
-        self.starts.clear();
-    }
-
-    /// Forgets what the last tick of this many bodies has left.
-    pub fn begin_tick(&mut self, bodies: usize) {
-        if self.pulls.len() == bodies {
-            for i in self.awake.drain(..) {
-                let i = i as usize;
-                (self.pulls[i], self.floats[i], self.roughly[i]) = (None, false, false);
-            }
-        } else {
-            for flags in [&mut self.floats, &mut self.roughly] {
-                refill(flags, bodies, false);
-            }
-            self.pulls.clear();
-            self.pulls.resize(bodies, None);
-            self.awake.clear();
-        }
+    pub fn begin_tick(&mut self) {
         self.contacts.clear();
         self.happened.clear();
         self.crushed.clear();
@@ -114,12 +66,6 @@ impl Scratch {
         self.surfaces.clear();
     }
 
-    /// When a surface stops, s from the tick's start; infinite where it goes on.
-    pub fn stop_of(&self, surface: u32) -> f64 {
-        first_stop(&self.stops, surface)
-    }
-
-    /// Finds where the contacts of each body begin, unless that is known.
     pub fn index(&mut self, state: &State) {
         let n = state.bodies.len();
         if self.starts.len() == n + 1 {
@@ -135,8 +81,8 @@ impl Scratch {
         }
     }
 
-    /// Fills the island of the event-driven method with `members` (in any order) and `surfaces` (some maybe twice), the streams near them and
-    /// the contacts known; `searched` says where others were looked for.
+    /// Fills the island of the method of events with `members` (in any order) and `surfaces` (some maybe twice), the streams near them and the
+    /// contacts known; `searched` says where others were looked for.
     pub fn gather(&mut self, state: &State, scene: &Scene, searched: impl Fn(u32) -> Aabb) {
         let n = state.bodies.len();
         self.index(state);
@@ -214,15 +160,8 @@ impl Scratch {
             (motion.method, motion.leader) = (Method::Events, leader);
             (motion.acceleration, motion.known) = (item.solved + DVec2::ZERO, item.known);
         }
-        for hit in &events.hits {
-            let (a, b, sign) = if hit.lo < hit.hi { (hit.lo, hit.hi, -1.0) } else { (hit.hi, hit.lo, 1.0) };
-            let mut normal = DVec2::ZERO;
-            normal[hit.axis] = sign;
-            let other = &items[b as usize];
-            let b = if other.surface { Obstacle::Surface(other.id) } else { Obstacle::Body(BodyId(other.id)) };
-            let impulse = Impulse { a: BodyId(items[a as usize].id), b, vector: hit.impulse * sign, point: hit.point, at: hit.at };
-            let places = if sign < 0.0 { hit.places } else { [hit.places[1], hit.places[0]] };
-            happened.push(Happened { island: leader, order: happened.len() as u32, impulse, normal, speed: hit.speed, places });
+        for &hit in &events.hits {
+            happened.push((leader, happened.len() as u32, hit));
         }
         for &(body, surface, speed) in &events.squeezed {
             let (of, by) = (&items[body as usize], &items[surface as usize]);

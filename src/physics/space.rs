@@ -1,16 +1,12 @@
-//! The space of a world: how all bodies and surfaces move in a step, which of them may meet, which sleep, and the crowd step.
+//! The space of a world: motions, broad phase, islands, sleep, and the crowd step.
 
+use crate::physics::crowd::CrowdImpact;
 use crate::physics::crowd::dense::Crowd;
-use crate::physics::crowd::{CrowdImpact, Squeeze};
-use crate::physics::data::{Aabb, Pose};
+use crate::physics::data::{Aabb, Body, Pose};
 use crate::physics::state::State;
-use crate::physics::store::broad_phase::BroadPhase;
-use crate::physics::store::islands::Islands;
-use crate::physics::store::motions::Motions;
-use crate::physics::store::sleep::Sleep;
+use crate::physics::store::{BroadPhase, Islands, Motions, Sleep};
 use glam::DVec2;
 
-/// What a step works with. Bodies and surfaces themselves are those of the state.
 #[derive(Clone, Debug)]
 pub(crate) struct Space {
     pub motions: Motions,
@@ -18,12 +14,8 @@ pub(crate) struct Space {
     pub islands: Islands,
     pub crowd: Crowd,
     pub sleep: Sleep,
-    /// Surfaces that have moved.
     pub moving: Vec<u32>,
-    /// What the last step of crowds came to.
     pub impacts: Vec<CrowdImpact>,
-    pub squeezed: Vec<Squeeze>,
-    /// Bodies that may get further in this step than others were looked for.
     pub grown: Vec<u32>,
     /// −1 if gravity points to smaller y, else 1.
     pub down: f64,
@@ -42,7 +34,6 @@ impl Space {
             sleep: Sleep::new(n),
             moving: Vec::new(),
             impacts: Vec::with_capacity(n),
-            squeezed: Vec::new(),
             grown: Vec::with_capacity(n),
             down: if state.media.gravity < 0.0 { -1.0 } else { 1.0 },
             last_dt: 0.0,
@@ -52,20 +43,13 @@ impl Space {
         space
     }
 
-    /// Sets the force (N) that acts on a body from now on besides weight and drag: drive, wind, buoyancy. A change wakes its island.
+    /// Sets the force on a body besides weight and drag, N. A change wakes its island.
     pub fn set_force(&mut self, state: &State, i: usize, force: DVec2) {
         if self.motions.set_force(i, (&state.bodies[i], &state.media), force) {
             self.sleep.wake(i);
         }
     }
 
-    /// Sets where a body would be after the next step (m) and how fast (m/s) if it touched nothing, for a motion that no constant force
-    /// describes. Holds for that step; wakes nothing.
-    pub fn guide(&mut self, body: usize, end: Pose) {
-        self.motions.guided.push((body as u32, end));
-    }
-
-    /// Begins a step: surfaces stand unless they are led.
     pub fn begin_step(&mut self) {
         for &surface in &self.moving {
             let motion = &mut self.motions.surfaces[surface as usize];
@@ -75,7 +59,7 @@ impl Space {
         }
     }
 
-    /// Moves a surface within `dt` seconds so that it ends at a place (m) with a velocity (m/s), and sweeps a box on its way.
+    /// Leads a surface to a place (m) with a velocity (m/s), over a swept box.
     pub fn lead_surface(&mut self, surface: usize, (centre, velocity): Pose, swept: &Aabb, dt: f64) {
         let j = self.motions.len() + surface;
         let motion = &mut self.motions.surfaces[surface];
@@ -85,38 +69,9 @@ impl Space {
         }
         (motion.to, motion.mean, motion.end) = (centre, (centre - motion.from) / dt, velocity);
         self.motions.sweep_surface(surface);
-        let [left, right, top, bottom] = self.motions.swept[j];
-        self.motions.swept[j] = [left.min(swept.min.x), right.max(swept.max.x), top.min(swept.min.y), bottom.max(swept.max.y)];
+        self.motions.swept[j] = self.motions.swept[j].union(swept);
     }
 
-    /// Ends a step: surfaces are where they were led.
-    pub fn end_step(&mut self) {
-        for &surface in &self.moving {
-            let motion = &mut self.motions.surfaces[surface as usize];
-            motion.from = motion.to;
-        }
-    }
-
-    /// Puts a surface where it is, m, without a step.
-    pub fn place_surface(&mut self, surface: usize, centre: DVec2) {
-        self.motions.surfaces[surface].from = centre;
-    }
-
-    /// Feeds how fast surfaces moved when the last step ended to `write`: what had that velocity rides on them.
-    pub fn hash_surfaces(&self, write: &mut impl FnMut(u64)) {
-        for surface in &self.moving {
-            let DVec2 { x, y } = self.motions.surfaces[*surface as usize].end;
-            [x, y].into_iter().for_each(|value| write(value.to_bits()));
-        }
-    }
-
-    /// Makes a surface a belt, m/s: clockwise around it, the upper side runs to the right. Wakes all.
-    pub fn set_belt(&mut self, surface: usize, speed: f64) {
-        self.motions.surfaces[surface].belt = speed;
-        self.sleep.wake_all();
-    }
-
-    /// Sets whether a surface is there. Wakes all.
     pub fn set_present(&mut self, surface: usize, present: bool) {
         if std::mem::replace(&mut self.motions.surfaces[surface].present, present) != present {
             self.motions.sweep_surface(surface);
@@ -125,18 +80,54 @@ impl Space {
         }
     }
 
-    /// Whether a body is awake or a surface moves.
     pub fn is_stirred(&self) -> bool {
         !self.sleep.all_asleep() || self.moving.iter().any(|surface| self.motions.surfaces[*surface as usize].carries())
     }
 
-    /// Takes over from another space where its bodies were before its last step.
     pub fn keep_previous(&mut self, of: &Self) {
         self.motions.before[..of.motions.len()].copy_from_slice(&of.motions.before);
     }
 
-    /// The pose of a body before the last step.
     pub fn previous(&self, body: usize) -> Pose {
         self.motions.before[body]
+    }
+
+    /// Finds the flights, swept boxes and neighbours of bodies that are awake, and of sleepers that these may reach.
+    pub(crate) fn fly(&mut self, bodies: &[Body], dt: f64) {
+        let Self { motions, broad_phase, sleep, moving, .. } = self;
+        // Sleepers have the free flight of a step of the same length.
+        if dt == self.last_dt && sleep.sleepers > 0 {
+            sleep.set_aside();
+        } else if !sleep.looks_at_all() {
+            sleep.rouse_all();
+        }
+        motions.fly(bodies, &sleep.looked_at, dt);
+        broad_phase.update(bodies, motions, &sleep.looked_at, dt);
+        // Sleepers near moving surfaces are looked at, set aside or not: no bit may depend on that.
+        let n = bodies.len();
+        for surface in moving.iter().map(|surface| *surface as usize) {
+            for i in 0..if motions.surfaces[surface].carries() && !sleep.looks_at_all() { n } else { 0 } {
+                if motions.swept[i].meets(&motions.swept[n + surface]) && sleep.rouse(i) {
+                    motions.fall_freely(i);
+                }
+            }
+        }
+        self.rouse_reached();
+    }
+
+    pub(crate) fn rouse_reached(&mut self) {
+        let Self { sleep, motions, broad_phase, islands, .. } = self;
+        let n = motions.len();
+        let mut next = 0;
+        while next < sleep.looked_at.len() && !sleep.looks_at_all() {
+            let i = sleep.looked_at[next] as usize;
+            next += 1;
+            for j in broad_phase.near(i).iter().map(|j| *j as usize).filter(|j| *j < n) {
+                if motions.swept[i].meets(&motions.swept[j]) && sleep.rouse(j) {
+                    motions.fall_freely(j);
+                }
+            }
+        }
+        islands.look_at(&sleep.looked_at);
     }
 }

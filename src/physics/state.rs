@@ -1,9 +1,7 @@
 //! The state of a world, and the records of its last tick.
 
 use crate::physics::data::{Body, BodyId, Contact, Impulse, Obstacle, Surface};
-use crate::physics::forces::link::Links;
-use crate::physics::forces::manager::ForceManager;
-use crate::physics::forces::media::Media;
+use crate::physics::forces::{ForceManager, Links, Media};
 use crate::physics::guards::Guards;
 use glam::DVec2;
 
@@ -23,14 +21,13 @@ pub enum Event {
         /// Closing speed along the normal just before, m/s, > 0.
         speed: f64,
     },
-    /// A body is squeezed by a surface against something that cannot make way. The surface waits for the rest of the tick.
+    /// A surface squeezes a body against something that cannot give way. The surface waits for the rest of the tick.
     Crushed {
         /// The body.
         body: BodyId,
         /// The surface.
         by: u32,
-        /// The mean force with which it would be crushed by half of its smaller side h at the speed v at which the surfaces close,
-        /// N: ½mv²/(h/2). Rigid things that go on would need any force; this one depends on no tick.
+        /// ½mv²/(h/2), N: the mean force that crushes half of its smaller side h at the speed v at which the surfaces close.
         force: f64,
     },
 }
@@ -59,7 +56,6 @@ impl Methods {
 #[derive(Clone, Debug)]
 pub(crate) struct State {
     pub bodies: Vec<Body>,
-    /// The constant pushes on each body.
     pub forces: Vec<ForceManager>,
     pub links: Links,
     pub surfaces: Vec<Surface>,
@@ -67,22 +63,20 @@ pub(crate) struct State {
     pub rest_speed: f64,
     /// Contacts at the end of the last tick. Items are bodies, and surfaces from the number of bodies on.
     pub contacts: Vec<Contact>,
-    /// Whether contacts and acceleration of a body are those of now.
+    /// Whether contacts and acceleration of a body hold now.
     pub known: Vec<bool>,
-    /// Ticks since the world began.
     pub ticks: u64,
 }
 
-/// What a tick leaves to be read.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Records {
-    /// How long the last tick was, s.
+    /// Length of the last tick, s.
     pub dt: f64,
-    /// How many flows had ended early before the last tick.
+    /// Flows that had ended early before the last tick.
     pub flows_cut_short: u64,
     pub events: Vec<Event>,
     pub impulses: Vec<Impulse>,
-    /// The corners of the ways of bodies, in the order of their times.
+    /// Body, time (s) and place (m) of each corner of a path, in the order of the times.
     pub corners: Vec<(u32, f64, DVec2)>,
     pub guards: Guards,
     pub methods: Methods,

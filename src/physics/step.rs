@@ -1,26 +1,21 @@
-//! How a tick goes, phase by phase.
-//!
-//! Forces and surfaces first; then every awake body flies freely, the broad phase finds the pairs that may meet, and each island is advanced by
-//! the least method that is right for it (`islands`). Last, the state takes over where all bodies end.
+//! How a tick goes, phase by phase: `docs/physics.md` lists the stages.
 
 use crate::physics::crowd::CrowdImpact;
 use crate::physics::crowd::impulses::ContactImpulse;
-use crate::physics::data::tuning::{REPORT_SPEED, SLOP};
-use crate::physics::data::{Aabb, Body, BodyId, Coefficients, Contact, Impulse, Obstacle};
+use crate::physics::data::{Aabb, Body, BodyId, Coefficients, Contact, Hit, Impulse, Obstacle, REPORT_SPEED, SLOP, on_axis};
 use crate::physics::exact::Scene;
-use crate::physics::exact::item::Item;
-use crate::physics::islands::{Choice, Tick};
-use crate::physics::scratch::{Happened, Scratch};
+use crate::physics::islands::{MOST_AT_FIRST, Tick};
+use crate::physics::scratch::{NOBODY, first_stop};
 use crate::physics::space::Space;
 use crate::physics::state::{Event, Methods, State};
 use crate::physics::store::motions::Method;
 use crate::physics::world::World;
 use glam::DVec2;
 
-/// Relative to all that contacts exert on a body: what rounding leaves of their balance with what acts on it besides.
+/// Relative to all forces of contacts on a body: the rounding of a balance.
 const BALANCED: f64 = 1e-9;
 
-/// m. What is nearer to a surface that changes is looked at.
+/// m. Bodies nearer to a surface that changes are looked at.
 const MARGIN: f64 = 1e-3;
 
 impl World {
@@ -28,8 +23,10 @@ impl World {
     pub fn step(&mut self, dt: f64) {
         let before = self.scratch.events.total;
         let n = self.state.bodies.len();
-        self.scratch.begin_tick(n);
-        self.clear_records();
+        self.scratch.begin_tick();
+        self.records.events.clear();
+        self.records.impulses.clear();
+        self.records.corners.clear();
         (self.records.dt, self.records.flows_cut_short) = (dt, self.records.guards.flows_cut_short);
         self.bring_back_surfaces();
         self.space.begin_step();
@@ -60,8 +57,6 @@ impl World {
         records.guards.flows_cut_short += state.media.take_ended_early();
     }
 
-    /// For tests: it is in no other build.
-    ///
     /// # Panics
     /// [`World::validate`] finds something.
     #[cfg(all(feature = "validate", debug_assertions))]
@@ -73,21 +68,21 @@ impl World {
         self.scratch.checks = checks;
     }
 
-    /// The forces before the first tick, of worlds that are not too large to be looked at as one island.
-    ///
-    /// All touch all for this once, which takes time with the square of their number.
+    /// The forces before the first tick, as of one island: the time grows with the square of the number of bodies.
     pub(crate) fn begin(&mut self) {
         let Self { state, plan, scratch, .. } = self;
         let n = state.bodies.len();
-        if n == 0 || n > Choice::MOST_AT_FIRST {
+        if n == 0 || n > MOST_AT_FIRST {
             return;
         }
         let scene = Scene::of(state, plan, 0.0);
-        scratch.begin(n);
+        scratch.begin_tick();
+        scratch.starts.clear();
         scratch.members.extend(0..n as u32);
         scratch.surfaces.extend(0..state.surfaces.len() as u32);
         scratch.gather(state, &scene, |_| Aabb::around(DVec2::ZERO, DVec2::splat(f64::MAX)));
-        scratch.events.begin_world(&scene);
+        scratch.events.begin(&scene);
+        scratch.events.settle(&scene);
         scratch.take_contacts(state);
         state.contacts.extend(scratch.contacts.drain(..).map(|(_, contact)| contact));
         scratch.starts.clear();
@@ -96,26 +91,19 @@ impl World {
         }
     }
 
-    fn clear_records(&mut self) {
-        self.records.events.clear();
-        self.records.impulses.clear();
-        self.records.corners.clear();
-    }
-
-    /// Something about a body, or what it touches, has changed: it has to be looked at.
+    /// Something about a body, or about its contacts, has changed.
     pub(crate) fn disturb(&mut self, body: u32) {
         let i = body as usize;
         self.state.known[i] = false;
         self.space.sleep.wake(i);
     }
 
-    /// Something about a surface has changed: whatever touches it has to be looked at.
     pub(crate) fn disturb_around(&mut self, surface: usize) {
         let bounds = self.state.surfaces[surface].bounds;
         self.disturb_in(&bounds);
     }
 
-    /// Something about a place has changed: whatever touches it has to be looked at.
+    /// Something about a place has changed: all bodies that touch it have to be looked at.
     pub(crate) fn disturb_in(&mut self, bounds: &Aabb) {
         for i in 0..self.state.bodies.len() {
             if self.state.bodies[i].bounds().touches(bounds, MARGIN) {
@@ -124,7 +112,6 @@ impl World {
         }
     }
 
-    /// Brings back surfaces that are wanted and in the way of nothing.
     fn bring_back_surfaces(&mut self) {
         for k in (0..self.awaited.len()).rev() {
             let s = self.awaited[k] as usize;
@@ -143,38 +130,33 @@ impl World {
         }
     }
 
-    /// Tells where surfaces go, and wakes whatever one may touch that moves within the next `dt` seconds.
+    /// Leads surfaces along their paths, and wakes all bodies that one may touch within the next `dt` seconds.
     fn move_surfaces(&mut self, dt: f64) {
         for k in 0..self.on_paths.len() {
             let s = self.on_paths[k] as usize;
             let surface = &self.state.surfaces[s];
-            if !surface.concerns(dt) {
+            if !(surface.moved || surface.moves_within(dt)) {
                 continue;
             }
             let swept = surface.swept(dt);
             if surface.moves_within(dt) {
                 self.space.lead_surface(s, (surface.at(dt).offset, surface.arrives(dt)), &swept, dt);
             }
-            for i in 0..self.state.bodies.len() {
-                if self.state.bodies[i].bounds().touches(&swept, MARGIN) {
-                    self.disturb(i as u32);
-                }
-            }
+            self.disturb_in(&swept);
         }
     }
 
     fn go_on_paths(&mut self, dt: f64) {
         for &s in &self.on_paths {
             let surface = &mut self.state.surfaces[s as usize];
-            let stop = self.scratch.stop_of(s);
+            let stop = first_stop(&self.scratch.stops, s);
             surface.go_on(dt.min(stop));
             if stop < dt {
-                self.space.place_surface(s as usize, surface.bounds.centre());
+                self.space.motions.surfaces[s as usize].from = surface.bounds.centre();
             }
         }
     }
 
-    /// Makes what the islands came to the state of the world.
     fn commit(&mut self, dt: f64) {
         self.commit_bodies();
         let Self { state, scratch, space, .. } = self;
@@ -191,20 +173,19 @@ impl World {
         self.take_contacts();
     }
 
-    /// Poses, and accelerations as the tick ends; what contacts of the crowd step add is known when they are listed. Counts by which method how
-    /// many bodies were advanced.
+    /// Takes over poses and accelerations, and counts the bodies of each method.
     fn commit_bodies(&mut self) {
-        let Self { state, plan, scratch, space, records, .. } = self;
+        let Self { state, plan, space, records, .. } = self;
         let State { bodies, known, media, forces, .. } = state;
         let bare = !plan.media();
         let methods = &mut records.methods;
-        methods.asleep = space.sleep.sleepers() as u32;
-        for i in space.sleep.looked_at().iter().map(|i| *i as usize) {
+        methods.asleep = space.sleep.sleepers as u32;
+        for i in space.sleep.looked_at.iter().map(|i| *i as usize) {
             let (body, motion) = (&mut bodies[i], &mut space.motions.bodies[i]);
             let before = (body.position, body.velocity);
             space.motions.before[i] = before;
             (body.position, body.velocity) = motion.end;
-            let sleeps = space.sleep.sleeps(i);
+            let sleeps = space.sleep.asleep[i];
             match motion.method {
                 Method::Flight if sleeps => continue,
                 Method::Flight => {}
@@ -216,11 +197,11 @@ impl World {
                 media.feel(body, &mut forces[i]);
             }
             known[i] = motion.known;
-            body.acceleration = match (motion.method, scratch.pulls[i]) {
-                (Method::Linked | Method::Events, _) => motion.acceleration,
-                (Method::Flight, Some(pull)) => pull,
-                // What rests is held by contacts that were not listed.
-                (Method::Crowd, _) if !motion.listed && motion.end == (before.0, DVec2::ZERO) => DVec2::ZERO,
+            body.acceleration = match motion.method {
+                Method::Linked | Method::Events => motion.acceleration,
+                Method::Flight if motion.pulled => motion.acceleration,
+                // A body at rest is held by contacts that were not listed.
+                Method::Crowd if !motion.listed && motion.end == (before.0, DVec2::ZERO) => DVec2::ZERO,
                 _ if bare => motion.pull,
                 _ => media.acceleration_under(body, forces[i].push()),
             };
@@ -228,29 +209,23 @@ impl World {
         methods.free = bodies.len() as u32 - methods.asleep - methods.by_events - methods.in_one_step;
     }
 
-    /// Lists the contacts of the crowd step: what lasts as forces, what hit as impulses; and makes the accelerations
-    /// those that the forces listed come to.
+    /// Lists the contacts of the crowd step, lasting ones as forces and impacts as impulses; the accelerations are those of the forces listed.
     fn commit_dense(&mut self, dt: f64) {
         let Self { state, scratch, space, records, .. } = self;
         let n = state.bodies.len();
-        list_crowd_hits(state, scratch, space, &mut records.events);
+        list_crowd_hits(state, space, &mut records.events);
         let (listed, motions) = (&space.crowd.dense.report.list, &space.motions.bodies);
         let listed = || listed.iter().filter(|contact| motions[contact.a as usize].method == Method::Crowd);
         let ends = || listed().flat_map(|contact| [contact.a as usize, contact.b as usize]).filter(|item| *item < n);
         scratch.pressed.resize(n, 0.0);
         ends().for_each(|body| scratch.pressed[body] = 0.0);
         for &ContactImpulse { a, b, axis, normal, friction, point, impact, .. } in listed() {
-            let mut vector = DVec2::ZERO;
-            (vector[axis], vector[1 - axis]) = (normal, friction);
+            let vector = on_axis(axis, normal, friction);
             if impact {
                 let impulse = Impulse { a: BodyId(a), b: state.obstacle(b), vector, point, at: dt };
-                let sign = normal.signum();
-                let mut normal = DVec2::ZERO;
-                normal[axis] = sign;
                 let at = |item: u32| state.bodies.get(item as usize).map_or(point, |body| body.position);
-                let places = [at(a), at(b)];
-                let order = scratch.happened.len() as u32;
-                scratch.happened.push(Happened { island: u32::MAX, order, impulse, normal, speed: 0.0, places });
+                let hit = Hit { impulse, normal: on_axis(axis, normal.signum(), 0.0), speed: 0.0, places: [at(a), at(b)] };
+                scratch.happened.push((NOBODY, scratch.happened.len() as u32, hit));
             } else {
                 let (lo, hi, sign) = if normal < 0.0 { (a, b, -1.0) } else { (b, a, 1.0) };
                 let mut lasting = Contact { lasts: true, ..Contact::between(lo, hi, axis) };
@@ -266,7 +241,7 @@ impl World {
                 }
             }
         }
-        // What rests, rests exactly; unless part of what held it was an impact, which is no force.
+        // Rest is exact; unless part of what held the body was an impact, which is no force.
         for i in ends() {
             let body = &mut state.bodies[i];
             let rests = body.velocity == DVec2::ZERO && body.position == space.motions.before[i].0;
@@ -276,12 +251,10 @@ impl World {
         }
     }
 
-    /// Lists what happened, in the order of its times.
     fn record(&mut self) {
         let Self { scratch, records, .. } = self;
-        scratch.happened.sort_unstable_by(|a, b| a.impulse.at.total_cmp(&b.impulse.at).then(a.order.cmp(&b.order)));
-        for happened in &scratch.happened {
-            let Happened { impulse, normal, speed, places, .. } = *happened;
+        scratch.happened.sort_unstable_by(|a, b| a.2.impulse.at.total_cmp(&b.2.impulse.at).then(a.1.cmp(&b.1)));
+        for &(.., Hit { impulse, normal, speed, places }) in &scratch.happened {
             records.impulses.push(impulse);
             records.corners.push((impulse.a.0, impulse.at, places[0]));
             if let Obstacle::Body(b) = impulse.b {
@@ -296,28 +269,53 @@ impl World {
             records.events.push(Event::Crushed { body: BodyId(body), by, force });
         }
     }
+
+    /// Puts the contacts that this tick has found in place of those known of the same bodies. Sleeping bodies keep theirs.
+    pub(crate) fn take_contacts(&mut self) {
+        let Self { state, scratch, space, .. } = self;
+        if state.contacts.is_empty() && scratch.fresh.is_empty() {
+            return;
+        }
+        put_in_order(&mut scratch.fresh);
+        scratch.index(state);
+        let advanced = |body: u32| space.motions.bodies[body as usize].method != Method::Flight;
+        let over = |body: u32| !space.sleep.asleep[body as usize] || advanced(body);
+        let of = |body: u32| scratch.starts[body as usize] as usize..scratch.starts[body as usize + 1] as usize;
+        let before: usize = space.sleep.looked_at.iter().filter(|body| over(**body)).map(|body| of(*body).len()).sum();
+        let alike = |new: &[Contact]| {
+            let old = &state.contacts[of(new[0].ends().0)];
+            old.len() == new.len() && old.iter().zip(new).all(|(old, new)| (old.lo, old.hi, old.axis) == (new.lo, new.hi, new.axis))
+        };
+        let by_body = |a: &Contact, b: &Contact| a.ends().0 == b.ends().0;
+        if before == scratch.fresh.len() && scratch.fresh.chunk_by(by_body).all(alike) {
+            for new in scratch.fresh.chunk_by(by_body) {
+                state.contacts[of(new[0].ends().0)].copy_from_slice(new);
+            }
+            return;
+        }
+        state.contacts.retain(|contact| !over(contact.ends().0));
+        let sorted = state.contacts.is_empty();
+        state.contacts.extend_from_slice(&scratch.fresh);
+        if !sorted {
+            put_in_order(&mut state.contacts);
+        }
+        scratch.starts.clear();
+    }
 }
 
-/// Lists the impacts of crowds, and the bodies that surfaces would have squeezed.
-fn list_crowd_hits(state: &State, scratch: &mut Scratch, space: &Space, events: &mut Vec<Event>) {
+fn list_crowd_hits(state: &State, space: &Space, events: &mut Vec<Event>) {
     for hit in &space.impacts {
         let CrowdImpact { a, b, axis, speed, .. } = *hit;
         if space.motions.bodies[a as usize].method == Method::Crowd && speed >= REPORT_SPEED {
             let (mine, at) = (state.bounds_of(a), state.bounds_of(b));
-            let mut normal = DVec2::ZERO;
-            normal[axis] = if mine.centre()[axis] < at.centre()[axis] { -1.0 } else { 1.0 };
-            let point = (mine.min.max(at.min) + mine.max.min(at.max)) * 0.5;
+            let normal = on_axis(axis, if mine.centre()[axis] < at.centre()[axis] { -1.0 } else { 1.0 }, 0.0);
+            let point = mine.shared_middle(&at);
             events.push(Event::Impact { a: BodyId(a), b: state.obstacle(b), point, normal, speed });
         }
-    }
-    for squeeze in &space.squeezed {
-        let force = state.bodies[squeeze.body as usize].crushing_force(squeeze.speed);
-        scratch.crushed.push((u32::MAX, squeeze.body, squeeze.surface, force));
     }
 }
 
 impl State {
-    /// The coefficients of a body with another one or a surface.
     fn coefficients(&self, a: u32, b: u32) -> Coefficients {
         let mine = self.bodies[a as usize].coefficients();
         match self.obstacle(b) {
@@ -326,13 +324,11 @@ impl State {
         }
     }
 
-    /// An item of a contact.
     pub(crate) fn obstacle(&self, item: u32) -> Obstacle {
         let surface = item.checked_sub(self.bodies.len() as u32);
         surface.map_or(Obstacle::Body(BodyId(item)), Obstacle::Surface)
     }
 
-    /// The box of an item of a contact.
     pub(crate) fn bounds_of(&self, item: u32) -> Aabb {
         match self.obstacle(item) {
             Obstacle::Surface(s) => self.surfaces[s as usize].bounds,
@@ -341,9 +337,20 @@ impl State {
     }
 }
 
-impl Item {
-    /// Whether nothing moved it in this tick.
-    pub(crate) fn rests(&self, before: DVec2) -> bool {
-        self.is_still() && self.body.position == before
-    }
+/// Sorts contacts by their ends, and makes one of those at the same face: the crowd step lists push and friction apart. The key is total: how a
+/// sort treats equals depends on their number in the world.
+fn put_in_order(contacts: &mut Vec<Contact>) {
+    contacts.sort_unstable_by(|a, b| {
+        let face = (a.ends(), a.axis).cmp(&(b.ends(), b.axis));
+        face.then(b.normal.total_cmp(&a.normal)).then(a.friction.total_cmp(&b.friction)).then(a.lo.cmp(&b.lo))
+    });
+    contacts.dedup_by(|next, kept| {
+        let turned = next.lo != kept.lo;
+        let joins = next.ends() == kept.ends() && next.axis == kept.axis && (!turned || next.normal == 0.0);
+        if joins {
+            kept.normal += next.normal;
+            kept.friction += if turned { -next.friction } else { next.friction };
+        }
+        joins
+    });
 }

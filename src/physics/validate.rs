@@ -2,8 +2,7 @@
 //! does; the game never does.
 
 use crate::physics::checks::{Checks, Thing, rounding};
-use crate::physics::data::tuning::SLOP;
-use crate::physics::data::{Aabb, BodyId, Sides};
+use crate::physics::data::{Aabb, BodyId, SLOP, Sides};
 use crate::physics::forces::manager::ForceManager;
 use crate::physics::store::motions::Method;
 use crate::physics::world::{World, edges};
@@ -183,7 +182,7 @@ impl World {
             let on_mover = surface.is_some_and(|s| !self.state.surfaces[s].def.path.is_still());
             // The contacts of the crowd step stay listed while their bodies sleep.
             let first = contact.ends().0;
-            let is_dense = self.was_dense(first) || self.space.sleep.sleeps(first as usize) && !self.state.known[first as usize];
+            let is_dense = self.was_dense(first) || self.space.sleep.asleep[first as usize] && !self.state.known[first as usize];
             if on_mover || is_dense {
                 // The crowd step lists means over the tick. It lists the impact in a push as an impulse, but not the friction during one.
                 if !(contact.normal >= 0.0 && contact.friction.is_finite()) {

@@ -1,14 +1,8 @@
-//! The world: its content, and the questions that it answers. How a tick goes is in `step`.
-
 use crate::physics::data::domain::DefError;
 use crate::physics::data::tuning::EDGE_THICKNESS;
-use crate::physics::data::{
-    Aabb, Body, BodyDef, BodyId, Contact, Impulse, Material, Obstacle, Plan, Surface, SurfaceDef, WorldDef,
-};
-use crate::physics::forces::kind::{ForceKind, Source};
-use crate::physics::forces::link::Links;
-use crate::physics::forces::manager::{Force, ForceManager};
-use crate::physics::forces::media::Media;
+use crate::physics::data::{Aabb, Body, BodyDef, BodyId, Contact, Impulse, Material};
+use crate::physics::data::{Obstacle, Plan, Surface, SurfaceDef, WorldDef, on_axis};
+use crate::physics::forces::{Force, ForceKind, ForceManager, Links, Media, Source};
 use crate::physics::guards::Guards;
 use crate::physics::scratch::Scratch;
 use crate::physics::space::Space;
@@ -19,16 +13,13 @@ use std::cell::Cell;
 /// Bodies, surfaces, zones, and the state of their motion. Two worlds that began alike and were stepped alike are alike to the bit.
 #[derive(Clone, Debug)]
 pub struct World {
-    /// This and nothing else decides what happens next.
+    /// All that decides about the future.
     pub(crate) state: State,
-    /// What the last tick leaves to be read.
     pub(crate) records: Records,
-    /// How all move in a step, what finds which may meet, and the crowd step.
     pub(crate) space: Box<Space>,
-    /// Buffers, kept so that a tick allocates nothing once warm.
     pub(crate) scratch: Box<Scratch>,
     pub(crate) plan: Plan,
-    /// Surfaces that have paths, and those that come back as soon as nothing is in their way.
+    /// Surfaces that have paths, and those that come back once no body is in their way.
     pub(crate) on_paths: Vec<u32>,
     pub(crate) awaited: Vec<u32>,
     /// Whether somebody has asked for forces since the last tick.
@@ -45,9 +36,7 @@ impl World {
         Self::with_plan(def, plan)
     }
 
-    /// As [`World::new`] with parts of the model that the definition does not need: they cost time and change no bit, which is what
-    /// this is for showing. A plan without a part that is needed leaves its effect out; one that is [`Plan::dense`] shows what the dense
-    /// method makes of it.
+    /// As [`World::new`], by another plan: a part that no body needs changes no bit, a missing one leaves its effect out.
     ///
     /// # Errors
     /// As [`World::new`].
@@ -75,11 +64,10 @@ impl World {
             known: vec![false; n],
             ticks: 0,
         };
-        let records = Records::default();
-        let space = Box::new(Space::new(&state));
         let on_paths = (0..).zip(&state.surfaces).filter(|(_, surface)| !surface.def.path.is_still()).map(|(s, _)| s).collect();
         let awaited = Vec::with_capacity(state.surfaces.len());
-        let mut world = Self { space, scratch: Box::default(), state, records, plan, on_paths, awaited, asked: Cell::new(true) };
+        let (records, space, scratch) = (Records::default(), Box::new(Space::new(&state)), Box::default());
+        let mut world = Self { space, scratch, state, records, plan, on_paths, awaited, asked: Cell::new(true) };
         if world.plan.streams {
             world.state.forces.fill_with(ForceManager::with_room);
             world.feel_zones();
@@ -132,12 +120,12 @@ impl World {
         &self.state.surfaces
     }
 
-    /// What happened during the last tick.
+    /// The events of the last tick.
     pub fn events(&self) -> &[Event] {
         &self.records.events
     }
 
-    /// All that impacts passed on during the last tick, in the order of their times.
+    /// The impulses of the last tick, in the order of their times.
     pub fn impulses(&self) -> &[Impulse] {
         &self.records.impulses
     }
@@ -148,7 +136,7 @@ impl World {
         std::iter::once(self.space.previous(id.index()).0).chain(corners).chain(std::iter::once(self.body(id).position))
     }
 
-    /// The parts of the model that this world uses.
+    /// The parts of the model that run.
     pub fn plan(&self) -> &Plan {
         &self.plan
     }
@@ -176,7 +164,7 @@ impl World {
         forces
     }
 
-    /// The same into a list that is there already, without asking for anything.
+    /// The same into a list that is there already. Does not ask the next tick for forces.
     pub(crate) fn list_forces(&self, id: BodyId, forces: &mut ForceManager) {
         let (i, body) = (id.index(), self.body(id));
         let state = &self.state;
@@ -196,28 +184,20 @@ impl World {
         forces.close(body.acceleration);
     }
 
-    /// Lists what the other end of a contact exerts on a body, N, by the name that it bears on both: a Reaction where a surface is the other
-    /// end, or where one of two objects carries the other; a Push where they are side by side.
+    /// Lists the forces of a contact on a body, N: a Reaction of a surface, or along gravity; a Push side by side.
     fn list_contact(&self, contact: &Contact, id: BodyId, forces: &mut ForceManager) {
         let sign = if contact.hi == id.0 { 1.0 } else { -1.0 };
-        let (mut normal, mut friction) = (DVec2::ZERO, DVec2::ZERO);
-        normal[contact.axis] = sign * contact.normal;
-        friction[1 - contact.axis] = sign * contact.friction;
+        let normal = on_axis(contact.axis, sign * contact.normal, 0.0);
+        let friction = on_axis(contact.axis, 0.0, sign * contact.friction);
         let (source, kind) = match self.state.obstacle(contact.other(id.0)) {
             Obstacle::Surface(surface) => (Source::Surface(surface), ForceKind::Reaction),
             Obstacle::Body(other) if contact.axis == 1 => (Source::Body(other), ForceKind::Reaction),
             Obstacle::Body(other) => (Source::Body(other), ForceKind::Push),
         };
-        let point = self.point_of(contact);
+        let point = self.state.bounds_of(contact.lo).shared_middle(&self.state.bounds_of(contact.hi));
         for (kind, vector) in [(kind, normal), (ForceKind::Friction, friction)] {
             forces.list(Force { kind, source, vector: vector + DVec2::ZERO, point });
         }
-    }
-
-    /// The middle of the edge that the two ends of a contact share, m.
-    pub(crate) fn point_of(&self, contact: &Contact) -> DVec2 {
-        let (a, b) = (self.state.bounds_of(contact.lo), self.state.bounds_of(contact.hi));
-        (a.min.max(b.min) + a.max.min(b.max)) * 0.5
     }
 }
 

@@ -1,10 +1,7 @@
-//! One axis of a group of contacts: a [`Network`] of its bodies, with a link for each push along the axis
-//! and for each friction that sticks.
+//! One axis of a group of contacts: a [`Network`] with a link for each push along the axis and for each friction that sticks.
 
 use crate::physics::contact::network::{Carries, GROUND, Network, Node};
-use crate::physics::data::contact::Contact;
-use crate::physics::data::lists::refill;
-use crate::physics::data::tuning::{LIGHT, SPEED_TOLERANCE};
+use crate::physics::data::{Contact, LIGHT, SPEED_TOLERANCE, refill};
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,7 +12,7 @@ pub(super) enum Question {
     Impulses,
 }
 
-/// What a network is made of. Bodies have the numbers from 0 on, surfaces follow.
+/// Bodies have the numbers from 0 on, surfaces follow.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Parts<'a> {
     /// Of each body along each axis, kg: for an implicit step larger than its own.
@@ -24,21 +21,18 @@ pub(crate) struct Parts<'a> {
     pub free: &'a [DVec2],
 }
 
-/// The bodies that a group of contacts joins, and the network of their axis.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Joined {
     network: Network,
-    /// Node of each item, or `GROUND` for bodies without contacts and for surfaces.
+    /// Node of each item; `GROUND` for bodies without contacts and for surfaces.
     node_of: Vec<u32>,
     pub(super) body_of: Vec<u32>,
-    /// For each link the contact whose push (along its own axis) or friction (along the other) it carries.
     contact_of: Vec<u32>,
-    /// The bodies that surfaces which close on them squeeze, and along which axis, by the last question asked.
+    /// The bodies that closing surfaces squeeze, with the axis, by the last solve.
     pub squeezed: Vec<(u32, usize)>,
 }
 
 impl Joined {
-    /// Numbers the bodies that the contacts join.
     pub(super) fn number(&mut self, contacts: &[Contact], parts: &Parts) {
         refill(&mut self.node_of, parts.free.len(), GROUND);
         self.body_of.clear();
@@ -52,8 +46,7 @@ impl Joined {
         }
     }
 
-    /// Ends a slide: gives both sides of the contact that stopped, and everything that moves with them but for the rounding of that
-    /// instant, exactly one speed along its face. `parts` holds velocities, and so does the result.
+    /// Ends a slide: both sides, and all that moves with them but for rounding, get one speed along the face. `parts` holds velocities.
     pub fn merge_speeds(&mut self, stopped: &Contact, contacts: &[Contact], parts: &Parts, velocities: &mut [DVec2]) {
         let axis = 1 - stopped.axis;
         self.number(contacts, parts);
@@ -71,7 +64,6 @@ impl Joined {
         self.give(axis, velocities);
     }
 
-    /// Builds and solves one axis. Updates what the contacts carry along it.
     pub(super) fn solve_axis(&mut self, axis: usize, contacts: &mut [Contact], parts: &Parts, question: Question) {
         let known = self.squeezed.len();
         let frame = if question == Question::Forces { self.falls_alike(axis, contacts, parts) } else { 0.0 };
@@ -93,7 +85,7 @@ impl Joined {
         }
     }
 
-    /// Fills the network with the bodies, seen from a frame that accelerates along the axis, m/s².
+    /// Fills the network with the bodies, in a frame that accelerates along the axis, m/s².
     fn set_nodes(&mut self, axis: usize, parts: &Parts, frame: f64) {
         self.network.clear();
         for &body in &self.body_of {
@@ -103,15 +95,13 @@ impl Joined {
         }
     }
 
-    /// Writes the answers of the network to the bodies.
     pub(super) fn give(&self, axis: usize, to: &mut [DVec2]) {
         for (node, &body) in self.network.nodes.iter().zip(&self.body_of) {
             to[body as usize][axis] = node.acceleration;
         }
     }
 
-    /// What the heaviest body does along an axis without contacts, if no surface holds anything along it and hardly anything makes the others do
-    /// otherwise; else 0.
+    /// The free acceleration of the heaviest body along an axis, if no surface holds anything and the others fall almost alike; else 0.
     fn falls_alike(&self, axis: usize, contacts: &[Contact], parts: &Parts) -> f64 {
         let links = |contact: &Contact| contact.axis == axis || contact.normal > 0.0 && contact.slides == 0.0;
         let held = contacts.iter().any(|contact| contact.lo.max(contact.hi) as usize >= parts.masses.len() && links(contact));
@@ -127,7 +117,7 @@ impl Joined {
         if falls && otherwise <= LIGHT * mass * frame.abs() { frame } else { 0.0 }
     }
 
-    /// Adds what a contact can do along an axis: its push, or its friction. Returns whether that needs a link.
+    /// Adds the push of a contact along an axis, or its friction. Returns whether that needs a link.
     fn link(&mut self, axis: usize, contact: &mut Contact, parts: &Parts, question: Question) -> bool {
         let (lo, hi) = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
         if contact.axis == axis {
@@ -158,13 +148,13 @@ impl Joined {
         true
     }
 
-    /// Takes the flows over into the contacts; true if static friction gave way somewhere, so that the axis has to be solved again.
+    /// Takes the flows over into the contacts. Returns whether static friction gave way, so that the axis has to be solved again.
     fn read(&self, axis: usize, contacts: &mut [Contact], question: Question) -> bool {
         let mut gave_way = false;
         for (link, &index) in self.network.links.iter().zip(&self.contact_of) {
             let contact = &mut contacts[index as usize];
             if contact.axis == axis {
-                // What clings may be held back by next to nothing: that is an impulse, too.
+                // Contacts that cling may be held back by next to nothing: an impulse, too.
                 let both_ways = question == Question::Impulses && contact.clings;
                 contact.normal = if both_ways { link.flow } else { link.flow.max(0.0) };
                 continue;
@@ -183,13 +173,13 @@ impl Joined {
     }
 }
 
-/// What an item does along an axis without contacts; `skin` is the belt speed of a surface along that axis.
+/// The free acceleration of an item along an axis; `skin` is the belt speed of a surface along it.
 fn rate(parts: &Parts, item: u32, axis: usize, skin: f64) -> f64 {
     let free = parts.free[item as usize][axis];
     if (item as usize) < parts.masses.len() { free } else { free + skin }
 }
 
-/// What the ground of a contact does along an axis; 0 between two bodies.
+/// The acceleration of the ground of a contact along an axis; 0 between two bodies.
 pub(super) fn ground(contact: &Contact, parts: &Parts, axis: usize, skin: f64) -> f64 {
     let second = contact.lo.max(contact.hi);
     if (second as usize) < parts.masses.len() { 0.0 } else { rate(parts, second, axis, skin) }

@@ -1,45 +1,40 @@
-//! Contact forces: from what else acts on the bodies to their accelerations, with Reaction, Push and Friction on the way.
+//! Contact forces: accelerations with Reaction, Push and Friction.
 //!
-//! Each axis is a network solved exactly. The axes are coupled by Coulomb's law only: how much friction a contact can carry along
-//! one axis depends on how hard it presses along the other. So the axis of gravity goes first, then the other with the friction that
-//! follows, and round again only where something slides along a wall that it is pressed against. Static friction is a tie that carries
-//! up to μ_s·N; where that is not enough the contact slides, with μ_k·N against the motion from then on.
-//!
-//! The same solve serves forces and impulses: with velocities in place of accelerations it is the perfectly plastic impact.
+//! Each axis is a network solved exactly; Coulomb's law couples them. Gravity's axis goes first, then the other with the friction that follows, and
+//! round again only where a contact slides along a wall that it is pressed against. The same solve with velocities in place of accelerations is the
+//! perfectly plastic impact.
 
 use crate::physics::contact::axis::{Joined, Parts, Question, ground};
 use crate::physics::contact::face;
-use crate::physics::data::contact::Contact;
-use crate::physics::data::tuning::{FORCE_TOLERANCE, FRICTION_ROUNDS};
+use crate::physics::data::{Contact, FORCE_TOLERANCE, FRICTION_ROUNDS, first};
 use glam::DVec2;
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Reactions {
     pub joined: Joined,
-    /// For each body the group that it belongs to (a union-find forest), and the contacts by group.
+    /// The union–find forest of the bodies, and the contacts by group.
     leader: Vec<u32>,
     by_group: Vec<(u32, u32)>,
     group: Vec<Contact>,
-    /// How hard each contact pressed one and two rounds ago, N.
+    /// The push of each contact one and two rounds ago, N.
     pressed: Vec<f64>,
     pressed_before: Vec<f64>,
-    /// Groups whose rounds between the axes did not settle.
     pub unsettled: u64,
     /// Bodies that rounds have solved so far, each as often as rounds have.
     pub solved: u64,
 }
 
 impl Reactions {
-    /// Accelerations of bodies in contact (m/s²), for the bodies of the contacts; the contacts get their forces. What no contact joins is
-    /// solved apart: no group's answer depends on another's.
+    /// Accelerations of bodies in contact, m/s²; the contacts get their forces. No group's answer depends on another's.
     pub fn accelerate(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
         self.joined.squeezed.clear();
         if contacts.is_empty() {
             return;
         }
         if let [contact] = contacts
-            && let Some(body) = lies_on_surface(contact, parts)
+            && contact.ends().1 as usize >= parts.masses.len()
         {
+            let body = contact.ends().0 as usize;
             let ground = parts.free[contact.other(body as u32) as usize];
             if let Some(a) = face::press(contact, parts.masses[body], parts.free[body] - ground, contact.hi as usize == body) {
                 out[body] = a + ground;
@@ -62,8 +57,7 @@ impl Reactions {
         (self.group, self.by_group) = (group, by_group);
     }
 
-    /// Parts the contacts by the bodies that they join together: `by_group` lists each with its group, group by group. Returns how many
-    /// groups there are. Surfaces join nothing: they move for nobody.
+    /// Lists each contact with its group in `by_group`, group by group. Returns how many groups there are. Surfaces join nothing.
     fn find_groups(&mut self, contacts: &[Contact], bodies: usize) -> usize {
         if contacts.len() <= 1 {
             return contacts.len();
@@ -73,13 +67,13 @@ impl Reactions {
         leader.extend(0..bodies as u32);
         for contact in contacts {
             if (contact.lo.max(contact.hi) as usize) < bodies {
-                let (a, b) = (lead(leader, contact.lo), lead(leader, contact.hi));
-                leader[a.max(b) as usize] = a.min(b);
+                let (a, b) = (first(leader, contact.lo as usize), first(leader, contact.hi as usize));
+                leader[a.max(b)] = a.min(b) as u32;
             }
         }
         self.by_group.clear();
-        let group_of = |contact: &Contact| contact.lo.min(contact.hi);
-        self.by_group.extend(contacts.iter().zip(0..).map(|(contact, index)| (lead(leader, group_of(contact)), index)));
+        let group_of = |contact: &Contact| first(leader, contact.ends().0 as usize) as u32;
+        self.by_group.extend(contacts.iter().map(group_of).zip(0..));
         if self.by_group.iter().all(|&(group, _)| group == self.by_group[0].0) {
             return 1;
         }
@@ -87,11 +81,10 @@ impl Reactions {
         self.by_group.chunk_by(|a, b| a.0 == b.0).count()
     }
 
-    /// One group of [`Self::accelerate`]. What gives way decides how the rounds go on, and so the last bits: they begin again with what is
-    /// known to slide, so that asking again answers the same.
+    /// One group. Rounds begin again with the contacts that are known to slide, so that asking again gives the same last bits.
     fn accelerate_group(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
         self.joined.number(contacts, parts);
-        // A contact that has given way in a pass slides in all that follow. After eight passes a stack between walls rubs less than it could.
+        // After eight passes a stack between walls rubs less than it could.
         for _ in 0..8 {
             let rounds = self.couple_axes(contacts, parts, out);
             let again = rounds != Some(1) && contacts.iter().any(|contact| contact.gave_way);
@@ -121,15 +114,12 @@ impl Reactions {
             if round + 1 < FRICTION_ROUNDS && hold_back(contacts, parts, out) {
                 continue;
             }
-            // How hard something presses on walls matters only where it would slide on one, or hangs on it.
+            // The pressure on a wall matters only where a body slides on it or hangs on it.
             let rubs = |contact: &Contact| {
                 let moves = || contact.slides != 0.0 || gain(contact, parts, out) != 0.0;
                 contact.axis == 0 && (contact.friction != 0.0 || contact.normal > 0.0 && moves())
             };
-            let same = |(contact, before): (&Contact, &f64)| {
-                contact.axis == 1 || (contact.normal - before).abs() <= f64::EPSILON * contact.normal
-            };
-            if contacts.iter().zip(&self.pressed).all(same) || !contacts.iter().any(rubs) {
+            if self.presses_alike(contacts, f64::EPSILON, 0.0) || !contacts.iter().any(rubs) {
                 return Some(round + 1);
             }
             if round % 3 == 2 && round + 1 < FRICTION_ROUNDS {
@@ -138,13 +128,15 @@ impl Reactions {
         }
         // A pressure that changes by 1e-10 of itself has settled: more would exceed Coulomb's law, less would be rounding.
         let most = contacts.iter().fold(0.0, |most: f64, contact| most.max(contact.normal));
-        let alike = |(contact, before): (&Contact, &f64)| {
-            contact.axis == 1 || (contact.normal - before).abs() <= 1e-10 * contact.normal + FORCE_TOLERANCE * most
-        };
-        contacts.iter().zip(&self.pressed).all(alike).then_some(FRICTION_ROUNDS)
+        self.presses_alike(contacts, 1e-10, FORCE_TOLERANCE * most).then_some(FRICTION_ROUNDS)
     }
 
-    /// One round: the axis of gravity, and the other with the friction that follows.
+    /// Whether no pressure across has changed in the last round by more than a part of itself and a force, N.
+    fn presses_alike(&self, contacts: &[Contact], part: f64, force: f64) -> bool {
+        let alike = |contact: &Contact, before: f64| (contact.normal - before).abs() <= part * contact.normal + force;
+        contacts.iter().zip(&self.pressed).all(|(contact, before)| contact.axis == 1 || alike(contact, *before))
+    }
+
     fn solve_axes(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
         self.solved += self.joined.body_of.len() as u64;
         for axis in [1, 0] {
@@ -158,15 +150,13 @@ impl Reactions {
         }
     }
 
-    /// Whether nothing acts along an axis: as across a column that stands.
     fn is_idle(&self, axis: usize, contacts: &[Contact], parts: &Parts) -> bool {
         let rests = |contact: &Contact| (contact.axis == axis || contact.slides == 0.0) && ground(contact, parts, axis, 0.0) == 0.0;
         self.joined.body_of.iter().all(|body| parts.free[*body as usize][axis] == 0.0) && contacts.iter().all(rests)
     }
 
-    /// The end of rounds that do not settle, because what a wall carries can be carried in several ways and each round finds another one:
-    /// friction on walls yields. Its limit follows a pressure that has become less, but never one that has become more; where that has
-    /// not come to an end after some rounds it is none. No contact then rubs harder than it presses; some may rub less than they could.
+    /// The end of rounds that do not settle, because a wall can carry its load in several ways: limits of friction on walls follow pressures
+    /// downwards only, and are 0 where that does not end either. Friction stays inside its cone; some contacts rub less than they could.
     fn yield_friction(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
         self.unsettled += 1;
         for round in 0.. {
@@ -187,7 +177,7 @@ impl Reactions {
         }
     }
 
-    /// Rounds between two faces come nearer to their answer by the same factor each time: three of them tell where they lead (Aitken's Δ²).
+    /// Aitken's Δ²: rounds between two faces come nearer to their answer by the same factor each time.
     fn extrapolate(&self, contacts: &mut [Contact]) {
         for ((contact, now), before) in contacts.iter_mut().zip(&self.pressed).zip(&self.pressed_before) {
             let (step, last) = (contact.normal - now, now - before);
@@ -198,8 +188,7 @@ impl Reactions {
         }
     }
 
-    /// Velocities after a collision in which everything that touches stops approaching at once (perfectly plastic), with friction up to
-    /// μ_k times the normal impulse; `velocities` is what they were and what they become. Afterwards the contacts hold the impulses (N·s).
+    /// Velocities after a perfectly plastic collision with friction up to μ_k times the normal impulse; contacts get impulses, N·s.
     pub fn collide(&mut self, contacts: &mut [Contact], parts: &Parts, velocities: &mut [DVec2]) {
         self.joined.squeezed.clear();
         self.joined.number(contacts, parts);
@@ -213,23 +202,7 @@ impl Reactions {
     }
 }
 
-/// The body of a contact with a surface.
-fn lies_on_surface(contact: &Contact, parts: &Parts) -> Option<usize> {
-    let (first, second) = (contact.lo.min(contact.hi) as usize, contact.lo.max(contact.hi) as usize);
-    (second >= parts.masses.len()).then_some(first)
-}
-
-/// The smallest body of a group.
-fn lead(leader: &mut [u32], mut body: u32) -> u32 {
-    while leader[body as usize] != body {
-        leader[body as usize] = leader[leader[body as usize] as usize];
-        body = leader[body as usize];
-    }
-    body
-}
-
-/// Lets contacts stick again that gave way while the pressure on them was not yet known, and that friction would drive back now. Returns
-/// whether there are any: they have to be asked again.
+/// Lets contacts stick again that gave way too early and that friction would drive back. Returns whether there are any.
 fn hold_back(contacts: &mut [Contact], parts: &Parts, accelerations: &[DVec2]) -> bool {
     let mut any = false;
     for contact in contacts {

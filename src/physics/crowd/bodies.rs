@@ -1,14 +1,11 @@
 //! The bodies of one island, bottom-up, and after the last body the surfaces that they may meet. Here y grows along gravity.
 //!
-//! A step of the crowd gathers them from the world's state, works on them alone, and leaves in them where they end: islands do not know of
-//! each other, and neighbours in a pile are neighbours in memory.
+//! A step gathers them from the world's state, works on them alone, and leaves their ends in them: neighbours in a pile are neighbours in memory.
 
 use crate::physics::crowd::ACROSS;
-use crate::physics::data::{Body, Coefficients, Pose, Sides, Surface};
+use crate::physics::data::{Aabb, Body, Coefficients, Pose, Sides, Surface};
 use crate::physics::forces::air::Drag;
-use crate::physics::store::edges::{Edges, contains, edges};
-use crate::physics::store::islands::Island;
-use crate::physics::store::motions::{MARGIN, Motions, SurfaceMotion};
+use crate::physics::store::{Island, MARGIN, Motions, SurfaceMotion};
 use glam::DVec2;
 use std::ops::{Index, IndexMut};
 
@@ -17,9 +14,7 @@ pub(crate) struct Source<'a> {
     pub bodies: &'a [Body],
     pub surfaces: &'a [Surface],
     pub motions: &'a Motions,
-    /// The sign of gravity.
     pub down: f64,
-    /// Whether anything bounces.
     pub bounces: bool,
 }
 
@@ -32,7 +27,6 @@ pub(crate) struct Group<'a> {
 }
 
 impl<'a> Group<'a> {
-    /// What a body may touch, each a body before it or a surface.
     #[inline(always)]
     pub fn near(&self, i: usize) -> impl Iterator<Item = usize> + use<'a> {
         let local = self.local;
@@ -40,7 +34,6 @@ impl<'a> Group<'a> {
     }
 }
 
-/// A body of the island in one step, or a surface.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Thing {
     /// Its centre at the start, and at the end: first predicted, then final, m.
@@ -56,7 +49,6 @@ pub(crate) struct Thing {
     pub end: DVec2,
     /// Its mean velocity over the step, m/s: the way divided by the step.
     pub mean: DVec2,
-    /// Where its free flight ends, m.
     pub flown: DVec2,
     /// Acceleration by gravity and by what is set from outside, m/s².
     pub pull: DVec2,
@@ -66,26 +58,22 @@ pub(crate) struct Thing {
     /// The speed of a belt's upper side, m/s; 0 of a body.
     pub belt: f64,
     /// The box in which contacts of a body are looked for in this step.
-    pub swept: Edges,
+    pub swept: Aabb,
     /// Of a body whose flight no constant force describes: ½v² where it ends, J/kg.
     pub guided: Option<f64>,
-    /// Of the air.
     pub drag: Drag,
-    /// From which sides a surface is solid.
     pub sides: Sides,
 }
 
-/// The bodies of an island by their own numbers, and behind them the surfaces.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bodies {
-    things: Vec<Thing>,
+    pub things: Vec<Thing>,
     /// The numbers of bodies, and of surfaces behind all bodies, in the world.
     pub ids: Vec<u32>,
     count: usize,
     /// Whether anything bounces, and whether all bodies have the same friction.
     pub bounces: bool,
     pub alike: bool,
-    /// Whether the air slows any.
     pub airy: bool,
 }
 
@@ -106,7 +94,6 @@ impl IndexMut<usize> for Bodies {
 }
 
 impl Bodies {
-    /// Room for `all` bodies and surfaces.
     pub fn new(all: usize) -> Self {
         Self { things: Vec::with_capacity(all), ids: Vec::with_capacity(all), ..Self::default() }
     }
@@ -129,13 +116,11 @@ impl Bodies {
         self.alike = self.all().iter().all(|body| friction(body) == friction(&self.things[0]));
     }
 
-    /// The pose of body `k` at the end of the step in the world.
     pub fn end(&self, k: usize, down: f64) -> Pose {
         (turned(self[k].to, down), turned(self[k].end, down))
     }
 
-    /// What body `k` sweeps, as the world has it.
-    pub fn swept(&self, k: usize, down: f64) -> Edges {
+    pub fn swept(&self, k: usize, down: f64) -> Aabb {
         turned_box(self[k].swept, down)
     }
 
@@ -149,23 +134,17 @@ impl Bodies {
         &self.things[..self.count]
     }
 
-    pub fn with_surfaces(&self) -> usize {
-        self.things.len()
-    }
-
     /// Whether nothing but the air slows the flight of a body, and it does.
     pub fn meets_air(&self, i: usize) -> bool {
         self.airy && !self[i].drag.is_none() && self[i].guided.is_none()
     }
 
-    /// The coefficients of a body i with a body or surface j.
     #[inline(always)]
     pub fn coefficients(&self, i: usize, j: usize) -> Coefficients {
         self[i].traits.with(self[j].traits, j >= self.len())
     }
 
-    /// The velocity of the skin of a surface along the face that lies towards larger or smaller coordinates along an axis, besides its own,
-    /// m/s; 0 of a body.
+    /// The velocity of a skin, besides that of its surface, on the side towards larger or smaller coordinates, m/s; 0 of a body.
     pub fn skin(&self, j: usize, axis: usize, larger: bool) -> f64 {
         if (axis == ACROSS) == larger { self[j].belt } else { -self[j].belt }
     }
@@ -177,12 +156,10 @@ impl Bodies {
         mine == its.before[axis] + skin || mine == its.was[axis] + skin
     }
 
-    /// Whether a surface moves in this step.
     pub fn moves(&self, j: usize) -> bool {
         self[j].before != DVec2::ZERO
     }
 
-    /// Whether a surface moves, moved in the step before, or runs a belt.
     pub fn carries(&self, j: usize) -> bool {
         self.moves(j) || self[j].was != DVec2::ZERO || self[j].belt != 0.0
     }
@@ -191,17 +168,14 @@ impl Bodies {
     #[inline(always)]
     pub fn is_swept(&self, i: usize) -> bool {
         let Thing { to, half, swept, .. } = &self[i];
-        contains(swept, &edges(*to, *half))
+        swept.contains(&Aabb::around(*to, *half), 0.0)
     }
 
-    /// Widens what a body sweeps to where it is predicted now.
     pub fn widen(&mut self, i: usize) {
         let s = &mut self[i];
-        let [left, right, top, bottom] = edges(s.to, s.half + MARGIN);
-        s.swept = [s.swept[0].min(left), s.swept[1].max(right), s.swept[2].min(top), s.swept[3].max(bottom)];
+        s.swept = s.swept.union(&Aabb::around(s.to, s.half + MARGIN));
     }
 
-    /// Predicts all bodies to be where free flight leads them.
     pub fn fall_freely(&mut self) {
         self.things[..self.count].iter_mut().for_each(|body| body.to = body.flown);
     }
@@ -240,7 +214,6 @@ impl Thing {
             half,
             before: mean,
             was: turned(was, down),
-            // What rides on it moves so when the step ends.
             free: end,
             end,
             mean,
@@ -258,7 +231,7 @@ fn turned(of: DVec2, down: f64) -> DVec2 {
     DVec2::new(of.x, of.y * down)
 }
 
-/// The same of a box.
-fn turned_box([left, right, top, bottom]: Edges, down: f64) -> Edges {
-    if down < 0.0 { [left, right, -bottom, -top] } else { [left, right, top, bottom] }
+fn turned_box(of: Aabb, down: f64) -> Aabb {
+    let (a, b) = (turned(of.min, down), turned(of.max, down));
+    Aabb::new(a.min(b), a.max(b))
 }

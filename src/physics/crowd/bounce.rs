@@ -1,15 +1,8 @@
-//! Restitution: the last stage of a crowd step.
-//!
-//! The step is solved as if every impact were plastic; that gives each contact the impulse of its compression. Poisson's law returns the
-//! part e of it. In a group of bodies that merged in the air each contact returns the same part, the smallest restitution of its impacts:
-//! the plastic velocities are the projection of the free ones on what the contacts allow, in the metric of the masses, so
-//! |v⁺|² = |v_p|² + e²|v_p − v|² ≤ |v|² (Moreau 1988), and the momentum stays. What hits something that does not give way leaves with e·s, where s
-//! is the closing speed at the contact by the energy of its own fall. A bounce that would end within the step is none.
+//! Restitution, the last stage of a crowd step (Poisson's law; `docs/physics.md`, The crowd step, 6), and the bound on energy.
 
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::dense::Dense;
 use crate::physics::crowd::impulses::Edge;
-use crate::physics::crowd::restitution::Fall;
 use crate::physics::crowd::{ACROSS, ALONG};
 use crate::physics::data::plan::{Part, called};
 use glam::DVec2;
@@ -17,7 +10,6 @@ use glam::DVec2;
 /// Energy gained that is no more than rounding, as a part of the kinetic energy. Smaller: rounding slows what it should not.
 const ROUNDING: f64 = 1e-12;
 
-/// Lets an edge along that axis return its part.
 fn part(bodies: &mut Bodies, edge: &mut Edge, axis: usize) {
     let impulse = edge.restitution * edge.impulse;
     for (i, impulse) in [(edge.a as usize, -impulse), (edge.b as usize, impulse)] {
@@ -29,7 +21,6 @@ fn part(bodies: &mut Bodies, edge: &mut Edge, axis: usize) {
 }
 
 impl Dense {
-    /// Returns to every impact its part of the impulse.
     pub(crate) fn bounce(&mut self, bodies: &mut Bodies) {
         self.bounced = false;
         if !bodies.bounces {
@@ -48,16 +39,15 @@ impl Dense {
         }
         for i in 0..bodies.len() {
             if anchors.bounce[i] > 0.0 {
-                let fall = Fall::of(&bodies[i], bodies[i].to.y - bodies[i].from.y, bodies[i].end.y);
-                bodies[i].end.y = fall.rebound(anchors.bounce[i], anchors.bounces);
-                *bounced |= bodies[i].end.y != fall.end;
+                let (way, end) = (bodies[i].to.y - bodies[i].from.y, bodies[i].end.y);
+                bodies[i].end.y = anchors.bounces.rebound(&bodies[i], way, end, anchors.bounce[i]);
+                *bounced |= bodies[i].end.y != end;
             }
         }
     }
 
-    /// The last word on energy. Impacts on both axes and of different restitution may return more than their island had: then all return the
-    /// part of it that leaves none over, which keeps the momentum. What is merged and parted in a wild way may end higher even without
-    /// bounces: then what was touched is slowed down by one factor. That is counted, and keeps the momentum where nothing immovable is.
+    /// An island that has gained energy keeps the part of its bounces that leaves none over (momentum stays). If the plastic motion alone has too
+    /// much, one factor slows the touched bodies: that is counted, and keeps the momentum where nothing immovable is.
     pub(crate) fn restrain(&mut self, bodies: &mut Bodies, doubt: bool) {
         let stirred = self.bounced || self.walls.any;
         if self.contacts.carried || !(stirred || doubt || !self.anchors.edges.is_empty()) {
@@ -87,7 +77,6 @@ impl Dense {
             return;
         }
         self.guards.energy_taken_out += 1;
-        // In the frame of all that was touched, where nothing immovable is: that keeps their momentum.
         let n = bodies.len();
         let afloat = self.contacts.all().all(|contact| (contact.first as usize) < n && (contact.second as usize) < n);
         let of_touched = || (0..n).filter(|i| touched(bodies, *i));
@@ -107,7 +96,7 @@ impl Dense {
 /// The energy of an island as a polynomial of the part of the bounces that it keeps, J.
 #[derive(Default)]
 struct Balance {
-    /// What it had at the start, with the work of what pulls at it.
+    /// At the start, with the work of all pulls.
     had: f64,
     /// Of the plastic velocities, their product with the bounces, and of the bounces.
     plastic: f64,
@@ -138,7 +127,6 @@ impl Balance {
         self.left(part) - self.had
     }
 
-    /// The largest part with which nothing is gained, at most 1.
     fn part(&self) -> f64 {
         let over = self.gained(0.0);
         let root = (self.mixed * self.mixed - 4.0 * self.bounces * over).max(0.0).sqrt();

@@ -1,19 +1,13 @@
-//! Perfectly plastic merging along one axis, for whatever is not carried by the ground.
+//! Perfectly plastic merging along one axis by pooling adjacent violators (Ayer et al. 1955): exact on a row or a column; on branching groups a
+//! member may be carried along for one step although it would have parted. Momentum is conserved and kinetic energy never grows.
 //!
-//! Two bodies that close by more than their gap within the step become a cluster that moves as one: their ways differ by the gaps
-//! from now on, the centre of mass goes where it would have gone, and all leave with the velocity of the whole, the perfectly plastic
-//! impact. Momentum is exactly conserved and kinetic energy never grows. After at most n − 1 merges nothing is violated. On a row or a
-//! column this is isotonic regression by pooling adjacent violators (Ayer et al. 1955), the exact answer; on branching groups a member
-//! may be carried along for one step although it would have parted, since clusters never split.
-//!
-//! A cluster may lie on immovable ground with friction: with momentum P, mass M and the ground's largest impulses S (static) and
-//! K (kinetic), its velocity is 0 while |P| ≤ S, else (P ∓ K)/M. Pooling stays exact, as the terms K·|v| are convex.
+//! On immovable ground a cluster with momentum P, mass M and the ground's largest impulses S (static) and K (kinetic) has the velocity 0 while |P|
+//! ≤ S, else (P ∓ K)/M. Pooling stays exact, as the terms K·|v| are convex.
 
 use crate::physics::crowd::contacts::Contact;
 use crate::physics::crowd::impulses::Edge;
 use crate::physics::data::lists::refill;
 
-/// What a body brings into its cluster.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Node {
     /// At the end of the step without the cluster and the ground's friction, N·s; and at its start.
@@ -29,7 +23,6 @@ pub(crate) struct Node {
 }
 
 impl Node {
-    /// A body that nothing rubs at: its mass, and its velocities before, at the end and on average.
     pub fn free(mass: f64, before: f64, velocity: f64, mean: f64) -> Self {
         Self { momentum: mass * velocity, began: mass * before, way: mass * mean, mass, ..Self::default() }
     }
@@ -45,14 +38,13 @@ impl Node {
     }
 }
 
-/// Velocity at the end of the step and mean velocity, m/s.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Motion {
     pub velocity: f64,
     pub mean: f64,
 }
 
-/// Which pairs close: bodies' mean velocities (m/s) or places (m) before pooling, and how much is rounding.
+/// Mean velocities (m/s) or places (m) before pooling, and their rounding.
 pub(crate) struct Pool<Before> {
     pub before: Before,
     pub slack: f64,
@@ -60,7 +52,6 @@ pub(crate) struct Pool<Before> {
     pub places: bool,
 }
 
-/// Whether any pair closed; and whether one could not be merged.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Pooled {
     pub any: bool,
@@ -73,13 +64,12 @@ struct Member {
     next: u32,
     /// Its mean velocity is the cluster's and this.
     offset: f64,
-    /// Whether nothing changes its velocity.
     fixed: bool,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
 struct Root {
-    /// Of all members, the way less what their offsets make of it.
+    /// The way is less what the members' offsets make of it.
     node: Node,
     motion: Motion,
     fixed: bool,
@@ -92,21 +82,17 @@ struct Root {
 
 const NONE: u32 = u32::MAX;
 
-/// Groups of bodies that move as one along one axis. Only bodies that were merged are in one.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Clusters {
-    /// Whether a body is in a cluster: few are, and all are asked.
     is_joined: Vec<bool>,
     members: Vec<Member>,
     roots: Vec<Root>,
-    /// All that are in a cluster, in the order of joining.
     pub joined: Vec<u32>,
     /// The pairs through which they were merged: a tree a cluster.
     pub edges: Vec<Edge>,
 }
 
 impl Clusters {
-    /// Begins an island of `all` bodies and surfaces.
     pub fn begin(&mut self, all: usize) {
         self.joined.clear();
         refill(&mut self.is_joined, all, false);
@@ -119,7 +105,6 @@ impl Clusters {
         self.joined.drain(..).for_each(|i| self.is_joined[i as usize] = false);
     }
 
-    /// The mean velocity of a body in a cluster; of one that is in none, its own.
     pub fn mean(&self, i: usize, own: f64) -> f64 {
         if !self.is_joined(i) {
             return own;
@@ -128,22 +113,18 @@ impl Clusters {
         self.roots[member.root as usize].motion.mean + member.offset
     }
 
-    /// The velocity at the end of the step of a joined body.
     pub fn velocity(&self, i: usize) -> f64 {
         self.roots[self.members[i].root as usize].motion.velocity
     }
 
-    /// Whether a joined body came with a motion that nothing changes.
     pub fn came_fixed(&self, i: usize) -> bool {
         self.members[i].fixed
     }
 
-    /// Whether the body's motion can no longer change.
     pub fn is_fixed(&self, i: usize) -> bool {
         self.is_joined(i) && self.roots[self.members[i].root as usize].fixed
     }
 
-    /// The restitution of a joined body's cluster.
     pub fn restitution(&self, i: usize) -> f64 {
         let root = &self.roots[self.members[i].root as usize];
         if root.hit { root.restitution } else { 0.0 }
@@ -154,7 +135,6 @@ impl Clusters {
         self.edges.iter().map(|edge| Edge { restitution: self.restitution(edge.a as usize), ..*edge })
     }
 
-    /// Notes the restitutions of pairs of the same cluster that hit each other: `hits` says whether a pair does.
     pub fn hit<'a>(&mut self, contacts: impl Iterator<Item = &'a Contact>, hits: impl Fn(&Contact) -> Option<f64>) {
         for contact in contacts {
             let (a, b) = (contact.first as usize, contact.second as usize);
@@ -178,7 +158,7 @@ impl Clusters {
         (node.momentum, node.static_limit)
     }
 
-    /// Lets a body in: `fixed` with a motion that nothing changes, or free with what it brings. Nothing if it is in already.
+    /// Lets a body in: `fixed` with a motion that nothing changes, or free with its node.
     pub fn join(&mut self, i: usize, fixed: Option<Motion>, node: Node) {
         if self.is_joined(i) {
             return;
@@ -203,7 +183,6 @@ impl Clusters {
             let mut merged = false;
             for contact in contacts() {
                 let (a, b) = (contact.first as usize, contact.second as usize);
-                // A pair of which nothing has merged is as it was.
                 if !first && !self.is_joined(a) && !self.is_joined(b) {
                     continue;
                 }
@@ -220,9 +199,7 @@ impl Clusters {
         }
     }
 
-    /// Makes the mean velocities of two joined bodies differ by `difference` (first minus second) from now on. Returns whether that
-    /// was possible: not within one cluster, nor between two fixed ones. So there are fewer clusters each time: whatever merges until nothing does
-    /// comes to an end.
+    /// Makes the mean velocities of two joined bodies differ by `difference` (first minus second). Returns whether that was possible.
     pub fn merge(&mut self, first: usize, second: usize, difference: f64) -> bool {
         let (a, b) = (self.members[first], self.members[second]);
         let (ra, rb) = (self.roots[a.root as usize], self.roots[b.root as usize]);
@@ -268,13 +245,12 @@ impl Clusters {
     }
 }
 
-/// The velocity of something with momentum P and mass M on ground whose friction can take `held` while it stands and takes
-/// `dragged` while it slides. Friction never reverses motion.
+/// The velocity of mass M and momentum P on ground whose friction can take `held` while it stands and `dragged` while it slides.
 pub(crate) fn slide(momentum: f64, mass: f64, held: f64, dragged: f64) -> f64 {
     if momentum.abs() <= held { 0.0 } else { (momentum.abs() - dragged.min(momentum.abs())).copysign(momentum) / mass }
 }
 
-/// How long, as a part of the step, friction up to `dragged` lets something slide that it stops: `gained` is what the slide would gain without it.
+/// The part of the step for which a slide lasts that friction up to `dragged` stops; without it, it would gain `gained`.
 pub(crate) fn time_to_stop(slide: f64, gained: f64, dragged: f64) -> f64 {
     let slowed = dragged.copysign(slide) - gained;
     if slowed == 0.0 { 1.0 } else { (slide / slowed).clamp(0.0, 1.0) }

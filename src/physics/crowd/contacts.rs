@@ -1,44 +1,33 @@
-//! Which pairs are contacts in this step, and along which axis: the narrow phase.
-//!
-//! A pair keeps the axis along which it is apart at the start of the step; if it is apart along both, the one that it enters
-//! later. Along that axis it must still be apart, on the same side, at the end: so nothing passes through anything at any speed,
-//! and no motion always satisfies every pair whose surface stands still. Speculative contact: the way may not exceed the gap.
-//! What is level with another's face at the start and does not move into it belongs to the axis of that face: what slides over flush
-//! tiles, or falls along a flush wall, meets no seams.
+//! The narrow phase: which pairs are contacts in this step, and along which axis (`docs/physics.md`, The crowd step, 1).
 
 use crate::physics::crowd::bodies::{Bodies, Group};
 use crate::physics::crowd::{ACROSS, ALONG};
-use crate::physics::data::surface::Sides;
+use crate::physics::data::{Aabb, Sides};
 use glam::DVec2;
 
-/// Gaps within this many metres of zero are touching. Larger: visible gaps; smaller: rounding turns contacts into overlaps.
+/// m. Larger: visible gaps; smaller: rounding turns contacts into overlaps.
 const TOUCH: f64 = 1e-9;
-/// The same in roundings of the largest coordinate: far from the origin they are more.
 const TOUCH_ROUNDINGS: f64 = 16.0;
-/// Overlaps below this are left alone, m, so that what rests is not moved by rounding; and in roundings of the largest coordinate.
+/// Smaller overlaps are left alone, m, so that rest is not moved by rounding; and in roundings of the largest coordinate.
 const HAIR: f64 = 1e-12;
 const HAIR_ROUNDINGS: f64 = 4.0;
-/// How far a pair must enter across the contact's axis before a corner counts as hit, as a part of the way that it closes in the step:
-/// the ways of a step are taken as straight. Larger: what lands on a corner slips off; smaller: what passes one catches.
+/// How far a pair must enter across the contact's axis before a corner counts as hit, as a part of the way that it closes. Larger: bodies that land
+/// on a corner slip off; smaller: those that pass one catch.
 const CATCH: f64 = 1e-6;
 
-/// The tolerances of one island, m.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tolerances {
-    /// Gaps up to this are touching.
     pub touch: f64,
-    /// Overlaps up to this are rounding.
     pub hair: f64,
 }
 
 impl Tolerances {
-    /// By the largest coordinate among the bodies.
     pub fn of(bodies: &Bodies) -> Self {
         // Edge by edge, so that no comparison waits for another.
         let greater = |a: f64, b: f64| if a > b { a } else { b };
         let most = bodies.all().iter().fold([0.0; 4], |most: [f64; 4], body| {
-            let [left, right, top, bottom] = body.swept;
-            [greater(-left, most[0]), greater(right, most[1]), greater(-top, most[2]), greater(bottom, most[3])]
+            let Aabb { min, max } = body.swept;
+            [greater(-min.x, most[0]), greater(max.x, most[1]), greater(-min.y, most[2]), greater(max.y, most[3])]
         });
         let largest = most.into_iter().fold(0.0, greater);
         let rounding = largest * f64::EPSILON;
@@ -46,14 +35,13 @@ impl Tolerances {
     }
 }
 
-/// Two boxes that may touch along one axis: the first has the smaller coordinate.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Contact {
     pub first: u32,
     pub second: u32,
     /// Whether it may act on velocities; if not, the two are expected to pass each other.
     pub live: bool,
-    /// Whether the two are level with a face and are expected to come over each other.
+    /// Whether the two are level with a face and are expected to come over it.
     pub level: bool,
     /// The fastest mean approach, m/s: gap/dt.
     pub bound: f64,
@@ -63,24 +51,21 @@ pub(crate) struct Contact {
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Contacts {
-    /// Where the supports of a body begin and end among the stacks, by body.
     ranges: Vec<[u32; 2]>,
     /// Bodies over bodies or surfaces, by the upper one.
     pub stacks: Vec<Contact>,
     /// Pairs apart along x.
     pub sides: Vec<Contact>,
-    /// Surfaces over bodies.
     pub ceilings: Vec<Contact>,
-    /// Pairs that are level with a face and do not get there in this step: it is not theirs.
-    missed: Vec<(u32, u32)>,
+    /// Pairs that are level with a face and do not get there in this step.
+    pub missed: Vec<(u32, u32)>,
     pub tolerances: Tolerances,
-    /// Whether some pair is expected to pass.
     pub passing: bool,
     /// Whether something may touch a surface that moves or runs a belt.
     pub carried: bool,
 }
 
-/// Along which axis a pair is a contact (0: across, 1: along gravity), and its flags.
+/// 0: across, 1: along gravity.
 struct Kind {
     axis: usize,
     live: bool,
@@ -94,7 +79,6 @@ impl Kind {
 }
 
 impl Contacts {
-    /// The supports of a body, by their numbers among the stacks.
     #[inline(always)]
     pub fn under(&self, i: usize) -> std::ops::Range<usize> {
         self.ranges[i][0] as usize..self.ranges[i][1] as usize
@@ -130,13 +114,8 @@ impl Contacts {
         }
     }
 
-    /// Begins a step: nobody has missed anything.
-    pub fn begin_step(&mut self) {
-        self.missed.clear();
-    }
-
-    /// How many pairs are level with faces that they were expected to come over, and do not on the ways that were solved, where that holds a body
-    /// along both axes: in the air, beside the one face and over the other. Found again, their contacts will be those of any corner.
+    /// The number of pairs that are level with faces, were expected to come over them and do not, where that holds a body along both axes in the
+    /// air. Found again, their contacts are those of any corner.
     pub fn miss(&mut self, bodies: &Bodies) -> usize {
         let (known, touch, n) = (self.missed.len(), self.tolerances.touch, bodies.len());
         let misses = |contact: &&Contact, axis: usize| {
@@ -154,7 +133,6 @@ impl Contacts {
         self.missed.len() - known
     }
 
-    /// Adds what body i and body or surface j are to each other; a body j comes before i in the island's order. `per_second` is 1/dt.
     #[inline(always)]
     fn meet(&mut self, bodies: &Bodies, i: usize, j: usize, [dt, per_second]: [f64; 2]) {
         let touch = self.tolerances.touch;
@@ -183,7 +161,7 @@ impl Contacts {
     }
 }
 
-/// Whether a surface lets pass what is beside its face along `axis` towards smaller or `larger` coordinates.
+/// Whether a surface is not solid on its side along `axis` towards smaller or `larger` coordinates.
 fn is_open(bodies: &Bodies, surface: usize, axis: usize, larger: bool, gap: f64, touch: f64) -> bool {
     let sides = bodies[surface].sides;
     sides != Sides::ALL && (!sides.face(axis, larger) || gap < -touch)
@@ -226,8 +204,7 @@ fn kind(
     corner([gap_x, gap_y], [close_x, close_y])
 }
 
-/// A pair that is apart along both axes: what is level with a face and does not move into it (`start`: how far the velocities at the start
-/// would close) belongs to that face, whatever pulls at it.
+/// A pair that is apart along both axes: if level with a face and not moving into it at the `start`, it belongs to that face.
 fn level([gap_x, gap_y]: [f64; 2], [close_x, close_y]: [f64; 2], start: [f64; 2], touch: f64) -> Option<Kind> {
     let level_x = gap_x <= touch && start[0] <= touch;
     let level_y = gap_y <= touch && start[1] <= touch;
@@ -237,7 +214,6 @@ fn level([gap_x, gap_y]: [f64; 2], [close_x, close_y]: [f64; 2], start: [f64; 2]
     level_x.then_some(Kind::of(0, close_y > gap_y, true))
 }
 
-/// The same where none is level: the later entry decides.
 fn corner([gap_x, gap_y]: [f64; 2], [close_x, close_y]: [f64; 2]) -> Kind {
     let enters = |gap: f64, close: f64| if close > 0.0 { (gap + CATCH * close) / close } else { f64::INFINITY };
     let (enter_x, enter_y) = (enters(gap_x, close_x), enters(gap_y, close_y));

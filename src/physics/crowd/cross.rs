@@ -1,15 +1,12 @@
-//! Velocities across gravity: what stands side by side.
+//! Velocities across gravity.
 //!
-//! Friction of the stacks first ([`crate::physics::crowd::friction`]); then bodies that close too far sideways are merged with what rides on
-//! them and with the friction of the ground under them ([`crate::physics::crowd::clusters`]), which moves a pushed row at (F − friction)/Σm and
-//! holds it below its common limit. What the merging did is handed to the friction pass as a push, until nothing closes any more;
-//! the few contacts left after [`ROUNDS`], and islands in which all that together drives instead of dissipating, are merged without
-//! friction.
+//! Friction of the stacks ([`crate::physics::crowd::friction`]) and merging with riders and ground friction ([`crate::physics::crowd::clusters`])
+//! in turns (`docs/physics.md`, The crowd step, 3); contacts left after [`ROUNDS`], and islands in which all that drives, merge without friction.
 
 use crate::physics::crowd::ACROSS;
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
-use crate::physics::crowd::contacts::Contacts;
+use crate::physics::crowd::contacts::{Contact, Contacts};
 use crate::physics::crowd::drag::Resistance;
 use crate::physics::crowd::friction::{Friction, Grip};
 use crate::physics::crowd::gravity::Anchors;
@@ -19,16 +16,17 @@ use crate::physics::guards::Guards;
 
 /// Rounds of friction and merging. Fewer: riders of pushed bodies follow a step late.
 const ROUNDS: usize = 3;
-/// The same among many bodies of which some bounce: there is always some contact that does not settle.
 const ROUNDS_OF_MANY: usize = 1;
-/// A pushed body that is faster by this part than it was and than its cluster was pushed against friction that did not come: then
-/// the pushes are dropped. Smaller: rounding drops pushes; larger: bodies are driven by friction. Among many that bounce there is always one, and
-/// only the energy of all counts.
+/// A pushed body that is faster by this part than it was and than its cluster: friction that did not come has driven it, and the pushes are
+/// dropped. Smaller: rounding drops pushes; larger: friction drives bodies.
 const DRIVEN: f64 = 1e-9;
 /// Speeds below this are rounding, m/s.
-pub(crate) const STILL: f64 = 1e-12;
+const STILL: f64 = 1e-12;
+/// Fewer: a light body that heavy ones drag against a third keeps a part of its speed.
+const SWEEPS: usize = 32;
+/// Relative to the velocities. Smaller: rounding is swept.
+const CLOSING: f64 = 1e-12;
 
-/// What one body after the other is given in a step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pushes {
     /// Momenta before friction, pushes included, N·s.
@@ -38,7 +36,6 @@ pub(crate) struct Pushes {
     /// The bodies that are pushed, and those whose way a cluster has set.
     pushed: Vec<bool>,
     told: Vec<bool>,
-    /// Plastic impacts.
     pub hits: Vec<(u32, u32)>,
     pub resistance: Resistance,
     /// Pairs side by side, and the impulses that parted them in the end.
@@ -46,9 +43,8 @@ pub(crate) struct Pushes {
 }
 
 impl Pushes {
-    /// Begins an island of `n` bodies.
     pub fn begin(&mut self, n: usize) {
-        self.resistance.begin();
+        self.resistance.saved.clear();
         for list in [&mut self.given, &mut self.before] {
             list.resize(n, 0.0);
         }
@@ -68,12 +64,10 @@ pub(crate) struct Cross<'a> {
     pub held_up: &'a [f64],
     pub report: &'a mut Report,
     pub dt: f64,
-    /// Whether they are many, of which some bounce.
     pub many: bool,
 }
 
 impl Cross<'_> {
-    /// Solves the velocities across gravity; counts where that was cut short.
     pub fn solve(&mut self, bodies: &mut Bodies, guards: &mut Guards) {
         self.pushes.hits.clear();
         self.pushes.resistance.restore(bodies);
@@ -97,7 +91,6 @@ impl Cross<'_> {
         }
     }
 
-    /// Free flight, and nobody pushed. Returns whether anything moves.
     fn begin(&mut self, bodies: &mut Bodies) -> bool {
         let per_second = 1.0 / self.dt;
         let mut moves = false;
@@ -112,7 +105,6 @@ impl Cross<'_> {
         moves
     }
 
-    /// Friction, and merging with friction, in turns. Returns whether nothing closes too far any more.
     fn rub_and_push(&mut self, bodies: &mut Bodies) -> bool {
         self.rub(bodies);
         // Drag again, with the velocities that friction leaves, and friction with that drag.
@@ -139,13 +131,11 @@ impl Cross<'_> {
         false
     }
 
-    /// Back to friction alone.
     fn reset(&mut self, bodies: &mut Bodies) {
         self.begin(bodies);
         self.rub(bodies);
     }
 
-    /// Whether a merged body is faster than it was and than its cluster: friction that did not come has driven it.
     fn drives(&self, bodies: &Bodies) -> bool {
         let mut joined = self.clusters.joined.iter().map(|i| *i as usize).filter(|i| *i < bodies.len());
         joined.any(|i| {
@@ -154,7 +144,6 @@ impl Cross<'_> {
         })
     }
 
-    /// The velocities and ways that friction leaves.
     fn slide(&mut self, bodies: &mut Bodies) {
         self.friction.solve(bodies, &self.pushes.given);
         self.friction.spread_ways(bodies, &self.pushes.told, self.dt);
@@ -171,7 +160,7 @@ impl Cross<'_> {
         self.slide(bodies);
     }
 
-    /// Merges what closes too far: with its friction where it `rubs`, else all by themselves. Returns whether anything does.
+    /// Merges pairs that close: with friction where it `rubs`. Returns whether any does.
     fn merge(&mut self, bodies: &Bodies, rubs: bool) -> bool {
         let Self { contacts, friction, clusters, pushes, anchors, dt, .. } = self;
         let (n, Pushes { told, hits, .. }) = (bodies.len(), &mut **pushes);
@@ -190,7 +179,7 @@ impl Cross<'_> {
             true
         });
         if bodies.bounces && pooled.any {
-            // What carries others does not bounce: friction alone would have to take them along.
+            // A body that carries others does not bounce: friction alone would have to take them along.
             let alone = |i: usize| i >= n || !friction.carries(bodies, i);
             clusters.hit(live(), |side| {
                 let part = if alone(side.first as usize) && alone(side.second as usize) { 1.0 } else { 0.0 };
@@ -200,7 +189,6 @@ impl Cross<'_> {
         pooled.any
     }
 
-    /// Gives merged bodies their clusters' velocities, as pushes where something `rubs` at them. Returns whether anything does.
     fn hand_over(&mut self, bodies: &mut Bodies, rubs: bool) -> bool {
         let Self { clusters, friction, pushes, report, dt, .. } = self;
         let (n, mut any) = (bodies.len(), false);
@@ -225,7 +213,7 @@ impl Cross<'_> {
         any
     }
 
-    /// Wakes what stands and is about to be hit from the side, and what touches it in a row. Returns whether there was any.
+    /// Wakes standing bodies that are about to be hit from the side, and the row that touches them. Returns whether there are any.
     fn stir(&mut self, bodies: &Bodies) -> bool {
         let (n, pushed, friction) = (bodies.len(), &mut self.pushes.pushed, &*self.friction);
         let slack = self.contacts.tolerances.hair / self.dt;
@@ -250,10 +238,56 @@ impl Cross<'_> {
             any = true;
         }
     }
+
+    /// Parts pairs side by side that still close, in turns with the friction under them. Returns whether nothing closes any more.
+    pub(crate) fn polish(&mut self, bodies: &mut Bodies) -> bool {
+        let (n, slack) = (bodies.len(), self.contacts.tolerances.hair / self.dt);
+        let side_bounces = |bodies: &Bodies, side: &Contact| self.anchors.bounces.of(bodies, side, ACROSS).is_some();
+        let Pushes { parting, .. } = &mut *self.pushes;
+        let touches = |bodies: &Bodies, side: &Contact| {
+            let (a, b) = (side.first as usize, side.second as usize);
+            // What arrives just as the step ends bounces in the next.
+            let arrives = |side| bodies.bounces && side_bounces(bodies, side);
+            side.live && bodies[a].mean.x - bodies[b].mean.x - side.bound >= -slack && !arrives(side)
+        };
+        let closes = |bodies: &Bodies, side: &Contact| {
+            let (u, v) = (bodies[side.first as usize].end.x, bodies[side.second as usize].end.x);
+            u - v > CLOSING * (u.abs() + v.abs()) + STILL
+        };
+        if !self.contacts.sides.iter().any(|side| closes(bodies, side) && touches(bodies, side)) {
+            return true;
+        }
+        let mut settled = false;
+        parting.clear();
+        let sides = self.contacts.sides.iter().filter(|side| touches(bodies, side));
+        parting.extend(sides.map(|side| Edge { a: side.first, b: side.second, ..Edge::default() }));
+        for _ in 0..SWEEPS {
+            let (mut most, mut fastest) = (0.0f64, 0.0f64);
+            for edge in parting.iter_mut() {
+                let (a, b) = (edge.a as usize, edge.b as usize);
+                let share = |i: usize| if i < n { 1.0 / bodies[i].mass } else { 0.0 };
+                let (of_a, of_b) = (share(a), share(b));
+                let more = (edge.impulse + (bodies[a].end.x - bodies[b].end.x) / (of_a + of_b)).max(0.0) - edge.impulse;
+                edge.impulse += more;
+                bodies[a].end.x -= more * of_a;
+                bodies[b].end.x += more * of_b;
+                most = most.max(more.abs() * of_a.max(of_b));
+                fastest = fastest.max(bodies[a].end.x.abs()).max(bodies[b].end.x.abs());
+            }
+            most = most.max(self.friction.sweep(bodies));
+            settled = most <= CLOSING * fastest + STILL;
+            if settled {
+                break;
+            }
+        }
+        if self.report.on {
+            self.report.sides.extend(parting.iter().filter(|edge| edge.impulse > 0.0));
+        }
+        settled
+    }
 }
 
-/// What a body brings: itself and its riders, and the friction of supports that stand still.
-/// Nothing of a body that does not take part yet. Where nothing `rubs`, each brings itself.
+/// The body with its riders and the friction of supports that stand still; none if it does not take part. Where nothing `rubs`, itself.
 fn node(bodies: &Bodies, friction: &Friction, i: usize, (told, dt, rubs): (bool, f64, bool)) -> Option<Node> {
     if rubs && !friction.is_awake[i] {
         return None;
@@ -276,13 +310,12 @@ fn node(bodies: &Bodies, friction: &Friction, i: usize, (told, dt, rubs): (bool,
         node.static_limit += t.held;
         node.kinetic_limit += t.dragged;
     }
-    // Its way without friction: as in flight, with what was given besides; or such that friction takes it where a cluster has.
+    // Its way without friction: that of flight; or such that friction takes it where a cluster has.
     let (free, of) = if told { (mean, velocity) } else { ((bodies[i].to.x - bodies[i].from.x) / dt, bodies[i].free.x) };
     node.way = node.mass * free + 0.5 * (node.momentum - node.mass * of);
     Some(node)
 }
 
-/// The impulse with which its neighbours bring a merged body to the velocity of its cluster.
 fn push(clusters: &Clusters, i: usize, node: &Node) -> f64 {
     let velocity = clusters.velocity(i);
     if velocity != 0.0 {

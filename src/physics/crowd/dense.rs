@@ -1,15 +1,6 @@
-//! The crowd step of one island, however many contacts it has.
-//!
-//! 1. `contacts`: which pairs touch in this step, and along which axis;
-//! 2. `gravity`: ways and velocities along gravity, one pass bottom-up;
-//! 3. `walls`: friction on upright faces, which may hold bodies against gravity;
-//! 4. `cross`: ways and velocities across gravity, with the `friction` of the stacks;
-//! 5. `place`: positions that cannot overlap, by construction;
-//! 6. `bounce`: what impacts return.
-//!
-//! The island's bodies and surfaces are gathered into [`Bodies`], where the step leaves their positions and velocities.
+//! The stages of a crowd step of one island. The step leaves places and velocities in [`Bodies`].
 
-use crate::physics::crowd::bodies::{Bodies, Group, Source, Thing};
+use crate::physics::crowd::bodies::{Bodies, Group, Source};
 use crate::physics::crowd::clusters::Clusters;
 use crate::physics::crowd::contacts::Contacts;
 use crate::physics::crowd::cross::{Cross, Pushes};
@@ -24,17 +15,16 @@ use crate::physics::guards::Guards;
 use crate::physics::store::islands::Island;
 use glam::DVec2;
 
-/// How often a pair that was expected to pass and did not makes the step be solved again. More: slower; fewer: more is put back.
+/// Solutions again for pairs that were expected to pass and did not. More: slower; fewer: more is put back.
 const LOOKS: usize = 3;
-/// Where some of more bodies than this bounce, fewer rounds across do: there is always something that does not settle. Larger: slower, and one
-/// contact leaves the friction of more out; smaller: more friction of what is pushed comes a step late.
+/// Where some of more bodies than this bounce, fewer rounds across do. Larger: slower, and one contact that does not settle leaves the friction of
+/// more out; smaller: more friction of pushed bodies comes a step late.
 const MANY: usize = 256;
 
-/// A plastic impact is reported if it stops more than this many steps of gravity, and m/s. Smaller: what rests is reported.
+/// A plastic impact is reported if it stops more than this many steps of gravity, and m/s. Smaller: rest is reported.
 const IMPACT: f64 = 2.0;
 const SMALLEST: f64 = 1e-6;
 
-/// What is the same for all islands of a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StepSize {
     /// s.
@@ -50,11 +40,9 @@ pub(crate) struct StepSize {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
     Done,
-    /// Some swept boxes were widened: islands have to be found again, and those of these bodies solved again from the same start.
     Grown,
 }
 
-/// The crowd step, and the island that it works on.
 #[derive(Clone, Debug)]
 pub(crate) struct Crowd {
     pub bodies: Bodies,
@@ -63,7 +51,6 @@ pub(crate) struct Crowd {
 }
 
 impl Crowd {
-    /// Room for `n` bodies; `all` with surfaces.
     pub fn new(n: usize, all: usize) -> Self {
         let mut dense = Dense::default();
         dense.begin(n, all);
@@ -74,11 +61,10 @@ impl Crowd {
         let Self { bodies, dense, local } = self;
         bodies.gather(from, island);
         (0..).zip(&bodies.ids).for_each(|(k, id)| local[*id as usize] = k);
-        dense.begin(bodies.len(), bodies.with_surfaces());
+        dense.begin(bodies.len(), bodies.things.len());
         dense.step(bodies, Group { island, local }, size)
     }
 
-    /// Lists what the contacts of the step gave, in the numbers of the world.
     pub fn finish(&mut self, down: f64, solved: impl Fn(u32) -> u32) {
         let Self { bodies, dense, .. } = self;
         let known = dense.report.list.len();
@@ -92,34 +78,30 @@ impl Crowd {
     }
 }
 
-/// The solver, and all that it works on.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Dense {
     pub contacts: Contacts,
     pub friction: Friction,
     clusters: Clusters,
-    /// What hit what: pair, axis, closing speed, m/s.
+    /// Impacts: pair, axis, closing speed, m/s.
     pub hits: Vec<(u32, u32, usize, f64)>,
     pub anchors: Anchors,
     pub pushes: Pushes,
     put_back: Vec<[bool; 2]>,
-    /// Velocities before anything bounced, m/s, by body.
+    /// Velocities before anything bounced, m/s.
     pub plastic: Vec<DVec2>,
     pub guards: Guards,
-    /// Bodies whose swept boxes were widened.
     pub grown: Vec<u32>,
-    /// Body, moving surface and closing speed (m/s) where surfaces left no room.
+    /// Body, moving surface and closing speed, m/s.
     pub squeezed: Vec<(u32, u32, f64)>,
     pub report: Report,
     pub walls: Walls,
     /// Length of the step, s.
     pub dt: f64,
-    /// Whether anything bounced.
     pub bounced: bool,
 }
 
 impl Dense {
-    /// Begins an island of `n` bodies; `all` with surfaces.
     fn begin(&mut self, n: usize, all: usize) {
         self.anchors.begin(n, all);
         self.friction.begin(all);
@@ -138,7 +120,7 @@ impl Dense {
         self.anchors.bounces = Bounces { dt: size.dt, rest_speed: size.rest_speed };
         self.anchors.impact = (IMPACT * size.gravity * size.dt).max(SMALLEST);
         self.report.sides.clear();
-        self.contacts.begin_step();
+        self.contacts.missed.clear();
         self.contacts.find(bodies, group, size.dt);
         let mut inside = true;
         for look in 0..=LOOKS {
@@ -179,7 +161,6 @@ impl Dense {
         Outcome::Done
     }
 
-    /// How often each guard acted since this was asked last.
     pub fn take_guards(&mut self) -> Guards {
         self.guards.friction_unsettled += std::mem::take(&mut self.friction.relaxed);
         std::mem::take(&mut self.guards)
@@ -192,7 +173,6 @@ impl Dense {
         report.drain_along(bodies, anchors);
     }
 
-    /// Lets the sides rub that press, and solves along and across again if any do.
     fn rub(&mut self, bodies: &mut Bodies, dt: f64) {
         let Self { contacts, anchors, clusters, walls, report, .. } = self;
         let mut along = Along { contacts, anchors, clusters, dt };
@@ -204,7 +184,6 @@ impl Dense {
     }
 
     fn solve_across(&mut self, bodies: &mut Bodies, dt: f64) {
-        // Where some of many bounce, fewer rounds across do.
         let many = self.anchors.any_bounces && bodies.len() > MANY;
         let Self { contacts, anchors, walls, friction, clusters, pushes, report, guards, .. } = self;
         let held_up = &walls.held_up;
@@ -212,20 +191,18 @@ impl Dense {
         cross.solve(bodies, guards);
     }
 
-    /// Lists what hit what, with the closing speed when touching.
     fn list_hits(&mut self, bodies: &Bodies) {
-        let Self { anchors, pushes, hits, dt, .. } = self;
+        let Self { anchors, pushes, hits, .. } = self;
         hits.clear();
         for (list, axis) in [(&anchors.hits, ALONG), (&pushes.hits, ACROSS)] {
             for &(a, b) in list {
                 let rests = axis == ALONG && anchors.rests[b as usize];
-                let speed = closing_speed([&bodies[a as usize], &bodies[b as usize]], axis, rests, *dt);
+                let (speed, _) = anchors.bounces.closing([&bodies[a as usize], &bodies[b as usize]], axis, rests);
                 hits.extend((speed > anchors.impact).then_some((a, b, axis, speed)));
             }
         }
     }
 
-    /// Finds the bodies that a moving surface has entered: they had no way out.
     fn find_squeezed(&mut self, bodies: &Bodies) {
         let (n, touch) = (bodies.len(), self.contacts.tolerances.touch);
         for contact in self.contacts.all() {
@@ -238,7 +215,6 @@ impl Dense {
         }
     }
 
-    /// Widens what was swept by those who left it.
     fn grow(&mut self, bodies: &mut Bodies) -> Outcome {
         self.guards.islands_grown += 1;
         self.grown.extend((0..bodies.len() as u32).filter(|i| !bodies.is_swept(*i as usize)));
@@ -246,7 +222,6 @@ impl Dense {
         Outcome::Grown
     }
 
-    /// Whether a pair that was expected to pass did not: then it is a contact.
     fn catch_passing(&mut self, bodies: &mut Bodies) -> bool {
         if !self.contacts.passing {
             return false;
@@ -265,13 +240,4 @@ impl Dense {
         self.guards.put_back += caught;
         caught > 0
     }
-}
-
-/// How fast a pair closes along an axis when it touches, m/s. If the second `rests`, it does not fall along with what falls on it.
-fn closing_speed([a, b]: [&Thing; 2], axis: usize, rests: bool, dt: f64) -> f64 {
-    let side = if b.from[axis] >= a.from[axis] { 1.0 } else { -1.0 };
-    let gap = ((b.from - a.from).abs() - a.half - b.half)[axis].max(0.0);
-    let gained = (a.free - a.before)[axis] - if rests { 0.0 } else { (b.free - b.before)[axis] };
-    let before = side * (a.before - b.before)[axis];
-    (before * before.abs() + 2.0 * side * gained / dt * gap).max(0.0).sqrt()
 }

@@ -1,40 +1,36 @@
 //! Velocities along gravity.
 //!
-//! Bodies come bottom-up, so one linear pass answers all that stands on the ground, at any mass ratio: a body's bound is the smallest
-//! over its *anchored* supports of their way and the gap; one that would go further takes the bound, leaves the step with its support's
-//! velocity, and is anchored itself, for pressing harder on what the ground holds does not move it. Collisions in the air and bodies that are lifted
-//! from below are merged ([`crate::physics::crowd::clusters`]) until nothing closes too far. Mean velocities stand for the ways of the step.
+//! One linear pass bottom-up (`docs/physics.md`, The crowd step, 2): a body's bound is the smallest over its *anchored* supports of their way and
+//! the gap. Bodies that close without an anchor are merged ([`crate::physics::crowd::clusters`]).
 
 use crate::physics::crowd::ALONG;
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
 use crate::physics::crowd::contacts::{Contact, Contacts};
 use crate::physics::crowd::impulses::Edge;
-use crate::physics::crowd::restitution::{Bounces, Fall};
+use crate::physics::crowd::restitution::Bounces;
 use crate::physics::data::lists::refill;
 
 /// Relative velocities along gravity below this count as none when loads are found, m/s. Larger: slow touches rub.
 pub(crate) const SLACK: f64 = 1e-12;
 
-/// Lands on nothing.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// Who is carried by the ground by body; surfaces always.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Anchors {
     pub held: Vec<bool>,
     /// Held from the start, without an impact.
     pub rests: Vec<bool>,
-    /// On what each body lands in this step, by body.
+    /// The support on which each body lands in this step.
     pub lands: Vec<u32>,
-    /// What a wall can hold by friction: whether it does, and how fast the wall moves.
+    /// Of a body that a wall may hold by friction, the velocity of the wall, m/s.
     pub hung: Vec<Option<f64>>,
     pub any_hung: bool,
-    /// The restitution of what hits something that does not give way, by body.
+    /// The restitution of each body's impact on something that does not give way.
     pub bounce: Vec<f64>,
     pub any_bounces: bool,
     pub bounces: Bounces,
-    /// Who was merged in the air, by body, and through which pairs.
+    /// The bodies that were merged in the air, and the pairs.
     pub loose: Vec<bool>,
     pub edges: Vec<Edge>,
     /// Plastic impacts, and how fast one must close, m/s.
@@ -43,7 +39,6 @@ pub(crate) struct Anchors {
 }
 
 impl Anchors {
-    /// Begins an island of `n` bodies; `all` with surfaces, which carry.
     pub fn begin(&mut self, n: usize, all: usize) {
         for held in [&mut self.held, &mut self.rests] {
             refill(held, n, false);
@@ -81,14 +76,8 @@ impl Along<'_> {
             {
                 (velocity, mean) = (wall, wall);
             }
-            let mut bound = f64::INFINITY;
-            let mut over = f64::INFINITY;
-            let mut support = i;
-            let mut gap = 0.0;
-            for stack in &contacts.stacks[contacts.under(i)] {
-                if !stack.live {
-                    continue;
-                }
+            let (mut bound, mut over, mut support, mut gap) = (f64::INFINITY, f64::INFINITY, i, 0.0);
+            for stack in contacts.stacks[contacts.under(i)].iter().filter(|stack| stack.live) {
                 let j = stack.second as usize;
                 let limit = bodies[j].mean.y + stack.bound;
                 if anchors.held[j] {
@@ -100,16 +89,12 @@ impl Along<'_> {
                 }
             }
             let hung = anchors.any_hung && anchors.hung[i].is_some();
-            anchors.held[i] = hung;
-            anchors.loose[i] = false;
-            anchors.lands[i] = NONE;
-            anchors.rests[i] = hung;
-            anchors.bounce[i] = 0.0;
+            (anchors.held[i], anchors.rests[i], anchors.loose[i]) = (hung, hung, false);
+            (anchors.lands[i], anchors.bounce[i]) = (NONE, 0.0);
             // On a surface that speeds up or slows down a body stays while it presses, though its velocity is one step late.
             let presses = contacts.carried && gap == 0.0 && bound < f64::INFINITY && velocity >= bodies[support].end.y;
             if mean >= bound || (presses && bodies.rides(i, support, ALONG, 0.0)) {
                 mean = bound;
-                // What leaves at the end has only touched.
                 if velocity >= bodies[support].end.y {
                     if velocity - bodies[support].end.y > anchors.impact {
                         anchors.hits.push((i as u32, support as u32));
@@ -118,18 +103,11 @@ impl Along<'_> {
                     anchors.held[i] = true;
                     anchors.lands[i] = if gap > 0.0 { support as u32 } else { NONE };
                     anchors.rests[i] = bodies.rides(i, support, ALONG, 0.0) && mean == bodies[support].mean.y;
-                    if bodies.bounces && !anchors.rests[i] {
-                        let bears = |stack: &&Contact| {
-                            let j = stack.second as usize;
-                            stack.live && anchors.held[j] && bodies[j].mean.y + stack.bound == bound
-                        };
-                        let all = contacts.stacks[contacts.under(i)].iter().filter(bears);
-                        let restitution = |stack: &Contact| bodies.coefficients(i, stack.second as usize).restitution;
-                        let restitution = all.map(restitution).fold(1.0, f64::min);
-                        let fall = Fall::of(&bodies[i], mean * dt, velocity);
-                        if restitution > 0.0 && fall.rebound(restitution, anchors.bounces) != velocity {
-                            (anchors.bounce[i], anchors.any_bounces) = (restitution, true);
-                        }
+                    if bodies.bounces
+                        && !anchors.rests[i]
+                        && let Some(restitution) = restitution(bodies, contacts, anchors, i, (bound, mean * dt, velocity))
+                    {
+                        (anchors.bounce[i], anchors.any_bounces) = (restitution, true);
                     }
                 }
             }
@@ -142,7 +120,18 @@ impl Along<'_> {
     }
 }
 
-/// Merges what closes too far among bodies of which at least one is not anchored.
+/// The restitution of a body that its supports stop at the mean velocity `bound`, if it bounces: its `way` (m) ends with the velocity `end`.
+fn restitution(bodies: &Bodies, contacts: &Contacts, anchors: &Anchors, i: usize, of: (f64, f64, f64)) -> Option<f64> {
+    let (bound, way, end) = of;
+    let bears = |stack: &&Contact| {
+        let j = stack.second as usize;
+        stack.live && anchors.held[j] && bodies[j].mean.y + stack.bound == bound
+    };
+    let all = contacts.stacks[contacts.under(i)].iter().filter(bears);
+    let least = all.map(|stack| bodies.coefficients(i, stack.second as usize).restitution).fold(1.0, f64::min);
+    (least > 0.0 && anchors.bounces.rebound(&bodies[i], way, end, least) != end).then_some(least)
+}
+
 fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, clusters: &mut Clusters, dt: f64) {
     let n = bodies.len();
     let slack = contacts.tolerances.hair / dt;
@@ -183,7 +172,6 @@ fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, cluste
             }
         }
     }
-    // What does not give way is bounced off by each by itself.
     let alone = |edge: Edge| if clusters.is_fixed(edge.a as usize) { Edge { restitution: 0.0, ..edge } } else { edge };
     anchors.edges.extend(clusters.bouncing().map(alone));
 }

@@ -1,24 +1,19 @@
-//! What contacts of a crowd step gave.
-
 use glam::DVec2;
 
-/// What a contact gave during the last step.
+/// The impulse of a contact in the last step, in the numbers of the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ContactImpulse {
     /// The body that feels it, and the body or surface that exerts it and feels the opposite.
     pub a: u32,
     pub b: u32,
-    /// The normal's direction.
     pub axis: usize,
-    /// The component along the normal, N·s: positive towards larger x or y.
+    /// N·s along the axis, and friction along the other one, on `a`.
     pub normal: f64,
-    /// Friction, along the other direction, N·s.
     pub friction: f64,
     /// The middle of the contact, m.
     pub point: DVec2,
     /// Whether the two came together in this step; if not, what a lasting contact exerted.
     pub impact: bool,
-    /// How often the island had been solved.
     pub solved: u32,
 }
 

@@ -5,14 +5,13 @@ use crate::physics::crowd::contacts::{Contact, Contacts};
 use crate::physics::crowd::gravity::Anchors;
 
 impl Contacts {
-    /// Whether the solution along gravity leaves no gap between a pair; `slack` is what rounding may leave, m/s.
     pub fn closes(bodies: &Bodies, contact: &Contact, slack: f64) -> bool {
         let (first, second) = (contact.first as usize, contact.second as usize);
         contact.live && (bodies[first].mean.y - bodies[second].mean.y - contact.bound).abs() <= slack
     }
 
-    /// Adds up loads top-down, N·s: each body hands its own on to the supports that it presses and that the ground carries, in equal shares,
-    /// and each share to `give`. What hangs hands on nothing.
+    /// Adds up loads top-down, N·s: each body hands its own on in equal shares to the supports that it presses and that the ground carries, and
+    /// each share to `give`. Hanging bodies hand on nothing.
     pub fn hand_down(&self, bodies: &Bodies, anchors: &Anchors, loads: &mut [f64], mut give: impl FnMut(u32, u32, f64)) {
         let slack = self.tolerances.hair / anchors.bounces.dt;
         for i in (0..bodies.len()).rev() {

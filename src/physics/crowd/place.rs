@@ -1,10 +1,7 @@
 //! Positions: apart by construction.
 //!
-//! The ways of the step come from the solution along and across; what rounding, branching islands and passed corners leave is mended
-//! here: along gravity what rises stops under what does not make way, top-down, and what falls stops on what carries it, bottom-up,
-//! and neither keeps a speed that it gained for a way that it did not go (what nothing pulls gained none, and its momentum stays);
-//! across what overlaps is merged ([`crate::physics::crowd::clusters`]), the centre of mass unmoved; and where that is not enough, bodies in conflict
-//! are put back to where they were along the contact's axis, for no motion is always allowed.
+//! Rounding, branching islands and passed corners are mended here. Bodies keep no speed gained on a way that they did not go, and go back along the
+//! contact's axis where nothing else helps: no motion is always allowed.
 
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
@@ -13,15 +10,12 @@ use crate::physics::crowd::gravity::NONE;
 use crate::physics::crowd::{ACROSS, ALONG};
 use glam::DVec2;
 
-/// Moves what something touched by the ways that were solved. Returns whether all stay within what was swept; as that holds the ways of
-/// free flight, only those need asking that something touched.
+/// Moves the bodies that contacts have touched. Returns whether all stay within their swept boxes.
 pub(crate) fn advance(bodies: &mut Bodies, lands: &[u32], dt: f64) -> bool {
     let mut inside = true;
     for i in 0..bodies.len() {
-        // Drag that was found again has changed the way of what nothing touches across.
         let mut moved = bodies[i].to.x != bodies[i].flown.x || bodies[i].to.y != bodies[i].flown.y;
         if bodies[i].end.y != bodies[i].free.y {
-            // What lands does so to the bit.
             bodies[i].to.y = match lands[i] {
                 NONE => bodies[i].from.y + dt * bodies[i].mean.y,
                 j => bodies[j as usize].to.y - (bodies[i].half.y + bodies[j as usize].half.y),
@@ -38,16 +32,13 @@ pub(crate) fn advance(bodies: &mut Bodies, lands: &[u32], dt: f64) -> bool {
     inside
 }
 
-/// What has become of predicted positions.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mended {
-    /// Whether any was changed.
     pub any: bool,
     /// Whether something may still overlap, or leave what it swept.
     pub doubt: bool,
 }
 
-/// Parts what overlaps where it is predicted.
 pub(crate) fn part(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters, dt: f64) -> Mended {
     let mut any = hold_down(bodies, contacts, dt);
     let mut doubt = lift(bodies, contacts, &mut any, dt);
@@ -79,8 +70,7 @@ fn hold_down(bodies: &mut Bodies, contacts: &Contacts, dt: f64) -> bool {
     mended
 }
 
-/// Along gravity, bottom-up: what falls stops on what carries it. Returns whether something has to be looked at again: a body
-/// passed a corner, or hit a ceiling.
+/// Along gravity, bottom-up: falling bodies stop on their supports. Returns whether to look again: at a passed corner, or a ceiling.
 fn lift(bodies: &mut Bodies, contacts: &Contacts, mended: &mut bool, dt: f64) -> bool {
     let (hair, touch) = (contacts.tolerances.hair, contacts.tolerances.touch);
     let mut doubt = false;
@@ -117,10 +107,6 @@ fn lift(bodies: &mut Bodies, contacts: &Contacts, mended: &mut bool, dt: f64) ->
     doubt
 }
 
-fn overlap_along(bodies: &Bodies, i: usize, j: usize) -> bool {
-    (bodies[i].to.y - bodies[j].to.y).abs() < bodies[i].half.y + bodies[j].half.y
-}
-
 /// Across: what overlaps is merged, in proportion to the masses. Returns whether something has to be looked at again.
 fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> bool {
     let (n, hair) = (bodies.len(), contacts.tolerances.hair);
@@ -129,7 +115,8 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
         || contacts.sides.iter(),
         |clusters, side| {
             let (a, b) = (side.first as usize, side.second as usize);
-            if !side.live && !overlap_along(bodies, a, b) {
+            let apart = (bodies[a].to.y - bodies[b].to.y).abs() >= bodies[a].half.y + bodies[b].half.y;
+            if !side.live && apart {
                 return false;
             }
             for i in [a, b] {
@@ -151,8 +138,7 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
     doubt
 }
 
-/// Puts bodies in conflict back to where they were along the contact's axis, and what they are then in the way of too, until
-/// nothing overlaps. `back` is scratch. Returns how many coordinates that are.
+/// Puts bodies in conflict back along the contact's axis until nothing overlaps. `back` is scratch. Returns the number of coordinates.
 pub(crate) fn take_back(bodies: &mut Bodies, contacts: &Contacts, back: &mut [[bool; 2]]) -> u64 {
     back.fill([false; 2]);
     for i in 0..bodies.len() {
@@ -174,7 +160,6 @@ pub(crate) fn take_back(bodies: &mut Bodies, contacts: &Contacts, back: &mut [[b
     back.iter().flatten().filter(|b| **b).count() as u64
 }
 
-/// Puts both of a pair back if it overlaps or passed through each other. Returns whether anything was moved.
 fn resolve(bodies: &mut Bodies, back: &mut [[bool; 2]], contact: &Contact, (axis, hair): (usize, f64)) -> bool {
     let (a, b) = (contact.first as usize, contact.second as usize);
     if !hits(bodies, (a, b), hair) && !passed(bodies, (a, b)) {
@@ -198,11 +183,10 @@ fn resolve(bodies: &mut Bodies, back: &mut [[bool; 2]], contact: &Contact, (axis
     moved
 }
 
-/// Whether two boxes that go straight from where they are to where they are predicted enter each other by more than `hair` on the way.
+/// Whether two boxes on straight ways enter each other by more than `hair`.
 pub(crate) fn hits(bodies: &Bodies, (a, b): (usize, usize), hair: f64) -> bool {
     let (a, b) = (&bodies[a], &bodies[b]);
     let [across, along] = [ACROSS, ALONG].map(|k| [a.from[k] - b.from[k], a.to[k] - b.to[k], a.half[k] + b.half[k] - hair]);
-    // Most stay on one side, which takes no division.
     let beside = |[from, to, reach]: [f64; 3]| from.min(to) >= reach || from.max(to) <= -reach;
     if beside(across) || beside(along) {
         return false;
@@ -211,8 +195,7 @@ pub(crate) fn hits(bodies: &Bodies, (a, b): (usize, usize), hair: f64) -> bool {
     across.0.max(along.0) < across.1.min(along.1)
 }
 
-/// Whether one of two boxes has come to the far side of the other while they face each other by a quarter, before and after: whatever
-/// hit it meanwhile, it did not get there round a corner.
+/// Whether one of two boxes has come to the far side of the other while they face each other by a quarter, before and after: not round a corner.
 fn passed(bodies: &Bodies, (a, b): (usize, usize)) -> bool {
     let (a, b) = (&bodies[a], &bodies[b]);
     let (from, to, reach) = (a.from - b.from, a.to - b.to, a.half + b.half - 0.5 * a.half.min(b.half));
@@ -220,13 +203,12 @@ fn passed(bodies: &Bodies, (a, b): (usize, usize)) -> bool {
     (through.x && beside.y && !beside.x) || (through.y && beside.x && !beside.y)
 }
 
-/// Whether two boxes overlap where they are predicted.
 pub(crate) fn overlap(bodies: &Bodies, (a, b): (usize, usize), hair: f64) -> bool {
     let deep = bodies[a].half + bodies[b].half - (bodies[a].to - bodies[b].to).abs();
     deep.x > hair && deep.y > hair
 }
 
-/// Between which parts of the way from one distance to another it is less than `reach`; an empty range if never.
+/// The part of the way between two distances on which it is less than `reach`; an empty range if none.
 fn inside_between([from, to, reach]: [f64; 3]) -> (f64, f64) {
     let way = to - from;
     if way == 0.0 {
@@ -236,7 +218,6 @@ fn inside_between([from, to, reach]: [f64; 3]) -> (f64, f64) {
     (one.min(other).max(0.0), one.max(other).min(1.0))
 }
 
-/// Returns whether it was not yet back. Along gravity it does not keep the speed that it gained on a way that it did not go.
 fn put_back(bodies: &mut Bodies, back: &mut [[bool; 2]], i: usize, axis: usize) -> bool {
     if i >= bodies.len() || back[i][axis] {
         return false;

@@ -46,7 +46,6 @@ impl Dense {
 
     fn record_across(&mut self, bodies: &Bodies, report: &mut Report) {
         let n = bodies.len();
-        // What each body still needs: its change, less what its sides gave.
         for i in 0..bodies.len() {
             report.across[i] = bodies[i].mass * (bodies[i].end.x - bodies[i].free.x);
         }
@@ -83,7 +82,6 @@ impl Dense {
     }
 }
 
-/// A record for the outside.
 fn listed(bodies: &Bodies, record: &Record, touch: f64, down: f64) -> ContactImpulse {
     let n = bodies.len();
     let Record { mut a, mut b, axis, mut normal, mut friction } = *record;

@@ -1,23 +1,17 @@
-//! Impulses of the contacts of the last step, for lists.
-//!
-//! For every body the impulses of all its contacts add up to what its momentum lacks beside the forces from outside: impacts are known
-//! as they happened; along gravity what is held hands down its load in equal shares to the supports that it presses; a cluster passes on
-//! impulses along the tree of its merges, from the leaves inwards; friction in a stack takes what then is left. Nothing here enters
-//! the motion. `record` lists it island by island.
+//! Impulses of the contacts of the last step, for lists: for each body they add up to what its momentum lacks beside the forces from outside. Held
+//! bodies hand down their loads in equal shares; a cluster passes on impulses along the tree of its merges, from the leaves inwards; friction in a
+//! stack takes what is left. Nothing here enters the motion.
 
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::Clusters;
 use crate::physics::crowd::gravity::Anchors;
 use crate::physics::crowd::impulses::{ContactImpulse, Edge, Record};
 
-/// What is recorded, and what it takes.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Report {
-    /// Whether anybody wants to know.
     pub on: bool,
     pub list: Vec<ContactImpulse>,
     pub records: Vec<Record>,
-    /// Side contacts of this island, with what they gave.
     pub sides: Vec<Edge>,
     /// By body: impulses that a body lacks along and across, and in how many edges it is.
     pub along: Vec<f64>,
@@ -26,14 +20,12 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    /// Begins an island of `all` bodies and surfaces.
     pub fn begin(&mut self, all: usize) {
         self.along.resize(all, 0.0);
         self.across.resize(all, 0.0);
         self.degree.resize(all, 0);
     }
 
-    /// Notes what side contacts gave in one merging; `along` holds what each joined body lacks.
     pub fn drain_sides(&mut self, clusters: &Clusters, n: usize) {
         let (mut sides, mut lacks) = (std::mem::take(&mut self.sides), std::mem::take(&mut self.along));
         let from = sides.len();
@@ -42,7 +34,6 @@ impl Report {
         (self.sides, self.along) = (sides, lacks);
     }
 
-    /// Tells what went through the edges along gravity.
     pub fn drain_along(&mut self, bodies: &Bodies, anchors: &mut Anchors) {
         let Anchors { edges, loose, .. } = anchors;
         if edges.is_empty() {
@@ -56,8 +47,7 @@ impl Report {
         self.along = lacks;
     }
 
-    /// Distributes over the edges of trees what their bodies lack (`lack`, N·s: momentum that has to leave). What is `fixed` takes up
-    /// anything.
+    /// Distributes over the edges of trees the momentum that has to leave their bodies (`lack`, N·s). `fixed` bodies take up anything.
     pub fn drain(&mut self, edges: &mut [Edge], lack: &mut [f64], fixed: impl Fn(usize) -> bool) {
         for edge in &*edges {
             self.degree[edge.a as usize] += 1;

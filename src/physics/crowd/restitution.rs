@@ -25,36 +25,26 @@ impl Bounces {
     pub fn of(self, bodies: &Bodies, contact: &Contact, axis: usize) -> Option<f64> {
         let (i, j) = (contact.first as usize, contact.second as usize);
         let restitution = bodies.coefficients(i.min(j), i.max(j)).restitution;
-        let (a, b) = (&bodies[i], &bodies[j]);
-        let side = if b.from[axis] < a.from[axis] { -1.0 } else { 1.0 };
-        let gap = ((b.from - a.from).abs() - a.half - b.half)[axis].max(0.0);
-        let pull = ((a.free - a.before) - (b.free - b.before))[axis] * side / self.dt;
-        let closing = (a.before - b.before)[axis] * side;
-        let speed = (closing * closing.abs() + 2.0 * pull * gap).max(0.0).sqrt();
+        let (speed, pull) = self.closing([&bodies[i], &bodies[j]], axis, false);
         (self.leaves(restitution, speed, pull) > 0.0).then_some(restitution)
     }
-}
 
-/// One body along one axis: velocity at the start and at the end if nothing were touched, how far the solution has it go, m, and how fast it
-/// ends, m/s.
-pub(crate) struct Fall {
-    pub before: f64,
-    pub free: f64,
-    pub way: f64,
-    pub end: f64,
-}
-
-impl Fall {
-    /// Of a body along gravity that goes so far and ends so fast.
-    pub fn of(body: &Thing, way: f64, end: f64) -> Self {
-        Self { before: body.before.y, free: body.free.y, way, end }
+    /// The speed with which a pair closes along an axis when it touches, m/s, and the pull of one towards the other, m/s². A second one that
+    /// `rests` does not fall along with the first.
+    pub fn closing(self, [a, b]: [&Thing; 2], axis: usize, rests: bool) -> (f64, f64) {
+        let side = if b.from[axis] < a.from[axis] { -1.0 } else { 1.0 };
+        let gap = ((b.from - a.from).abs() - a.half - b.half)[axis].max(0.0);
+        let gained = (a.free - a.before)[axis] - if rests { 0.0 } else { (b.free - b.before)[axis] };
+        let (closing, pull) = ((a.before - b.before)[axis] * side, gained * side / self.dt);
+        ((closing * closing.abs() + 2.0 * pull * gap).max(0.0).sqrt(), pull)
     }
 
-    /// The velocity with which it leaves what has stopped it, m/s.
-    pub fn rebound(&self, restitution: f64, bounces: Bounces) -> f64 {
-        let side = if self.free < self.end { -1.0 } else { 1.0 };
-        let (closing, pull) = ((self.before - self.end) * side, (self.free - self.before) / bounces.dt * side);
-        let square = closing * closing.abs() + 2.0 * pull * (self.way - self.end * bounces.dt) * side;
-        self.end - side * bounces.leaves(restitution, square.max(0.0).sqrt(), pull)
+    /// The velocity along gravity, m/s, with which a body leaves an impact that ends its `way` (m) with the velocity `end`.
+    pub fn rebound(self, body: &Thing, way: f64, end: f64, restitution: f64) -> f64 {
+        let (before, free) = (body.before.y, body.free.y);
+        let side = if free < end { -1.0 } else { 1.0 };
+        let (closing, pull) = ((before - end) * side, (free - before) / self.dt * side);
+        let square = closing * closing.abs() + 2.0 * pull * (way - end * self.dt) * side;
+        end - side * self.leaves(restitution, square.max(0.0).sqrt(), pull)
     }
 }

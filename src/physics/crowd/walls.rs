@@ -1,9 +1,5 @@
-//! Friction on upright faces: along walls, and between bodies side by side.
-//!
-//! The solution across finds how hard the sides press; it runs again where something hangs or rubs. A body that stands still against a wall,
-//! against a body that the ground carries, or against one that hangs, hangs there while the load of all its faces, its own weight and all that it
-//! carries, stays below μ_s·N of them together; else it slides and loses up to μ_k·N/m. The other side of the face bears the same. Bodies side
-//! by side that nothing carries rub as a pair. Only bodies that would move along the face take part: what the ground carries does not.
+//! Friction on upright faces: along walls, and between bodies side by side (`docs/physics.md`, The crowd step, 4). Bodies side by side that
+//! nothing carries rub as a pair. Bodies that the ground carries take no part.
 
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::Node;
@@ -15,11 +11,9 @@ use crate::physics::data::lists::refill;
 /// A limit exceeded by this part still holds: sums of many impulses are rounded.
 const ROUNDING: f64 = 1e-12;
 
-/// How often the search for bodies that hang on hanging ones runs over all faces, to and fro. Fewer: the end of a long row that is listed in
-/// disorder falls.
+/// Sweeps of the search for bodies that hang on hanging ones. Fewer: the end of a long row that is listed in disorder falls.
 const SWEEPS: usize = 8;
 
-/// A body pressed against a wall, or against another body.
 #[derive(Clone, Copy, Debug)]
 struct Grip {
     body: u32,
@@ -38,14 +32,13 @@ struct Grip {
     impulse: f64,
 }
 
-/// The friction of upright faces in one step of one island.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Walls {
     pub any: bool,
     grips: Vec<Grip>,
     edges: Vec<Edge>,
     loads: Vec<f64>,
-    /// What upright faces hold of each body, N·s, by body.
+    /// N·s.
     pub held_up: Vec<f64>,
     /// The load that hanging bodies put on each body, N·s, and the limit of all faces on which a body hangs.
     borne: Vec<f64>,
@@ -56,7 +49,6 @@ pub(crate) struct Walls {
 }
 
 impl Walls {
-    /// Begins an island of `n` bodies.
     pub fn begin(&mut self, n: usize) {
         self.any = false;
         for forces in [&mut self.held_up, &mut self.loads, &mut self.borne, &mut self.holds] {
@@ -69,7 +61,6 @@ impl Walls {
         into.extend(self.grips.iter().filter(|_| self.any).map(record));
     }
 
-    /// As if nothing had rubbed.
     pub fn undo(&mut self, bodies: &mut Bodies, anchors: &mut Anchors) {
         if !std::mem::take(&mut self.any) {
             return;
@@ -119,7 +110,6 @@ impl Walls {
         true
     }
 
-    /// Adds up how hard the sides press each other.
     fn press(&mut self, sides: &[Edge]) {
         self.edges.clear();
         for side in sides {
@@ -163,7 +153,6 @@ impl Walls {
         }
     }
 
-    /// Lets those hang that can, and slows those that slide.
     fn hang(&mut self, bodies: &mut Bodies, along: &mut Along<'_>) {
         let anchors = &mut *along.anchors;
         anchors.hung.fill(None);
@@ -207,7 +196,7 @@ impl Walls {
         self.grips[k].impulse = impulse;
     }
 
-    /// Changes where a body goes along gravity by an impulse, at the end of the step and on average over it, N·s.
+    /// Gives a body an impulse along gravity, at the end of the step and on average over it, N·s.
     fn give(&mut self, bodies: &mut Bodies, i: u32, [impulse, on_average]: [f64; 2]) {
         if (i as usize) < bodies.len() {
             let body = &mut bodies[i as usize];
@@ -220,7 +209,7 @@ impl Walls {
         }
     }
 
-    /// Finds who hangs and cannot be held. Returns whether there is any.
+    /// Finds the hanging bodies that cannot be held. Returns whether there is any.
     fn slip(&mut self, bodies: &Bodies, along: &Along<'_>) -> bool {
         for forces in [&mut self.borne, &mut self.holds] {
             forces.fill(0.0);
@@ -250,7 +239,6 @@ impl Walls {
         slips
     }
 
-    /// Adds up what each body has to bear, top-down.
     fn load(&mut self, bodies: &Bodies, along: &Along<'_>) {
         for i in 0..bodies.len() {
             self.loads[i] = self.borne[i] + bodies[i].mass * (bodies[i].free.y - bodies[i].end.y);
@@ -260,7 +248,6 @@ impl Walls {
 }
 
 impl Grip {
-    /// The friction of two bodies that press each other, or of a body and a surface.
     fn of(bodies: &Bodies, anchors: &Anchors, edge: &Edge) -> Self {
         let (n, a, b) = (bodies.len(), edge.a as usize, edge.b as usize);
         let stands = |i: usize| i >= n || anchors.rests[i];

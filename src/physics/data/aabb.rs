@@ -12,6 +12,9 @@ pub struct Aabb {
 }
 
 impl Aabb {
+    /// A box that meets none.
+    pub(crate) const NOWHERE: Self = Self { min: DVec2::INFINITY, max: DVec2::NEG_INFINITY };
+
     /// The box between two corners.
     pub const fn new(min: DVec2, max: DVec2) -> Self {
         Self { min, max }
@@ -37,10 +40,22 @@ impl Aabb {
         (other.min - self.max).max(self.min - other.max)
     }
 
+    /// The middle of the edge that two boxes which touch share, m.
+    pub fn shared_middle(&self, other: &Self) -> DVec2 {
+        (self.min.max(other.min) + self.max.min(other.max)) * 0.5
+    }
+
     /// Whether the boxes share an area by more than `slop` metres along both axes.
     pub fn overlaps(&self, other: &Self, slop: f64) -> bool {
         let gap = self.gap(other);
         gap.x < -slop && gap.y < -slop
+    }
+
+    /// Whether the boxes touch or overlap: [`Self::touches`] without a branch, for the broad phase.
+    #[inline(always)]
+    pub(crate) fn meets(&self, other: &Self) -> bool {
+        let (along_x, along_y) = (self.min.x <= other.max.x, self.min.y <= other.max.y);
+        along_x & (other.min.x <= self.max.x) & along_y & (other.min.y <= self.max.y)
     }
 
     /// Whether the boxes touch or overlap, within `slop` metres.

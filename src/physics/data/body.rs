@@ -12,6 +12,12 @@ pub(crate) fn parabola((x, v): Pose, a: DVec2, t: f64) -> Pose {
     (x + (v * t + a * (0.5 * t * t)), v + a * t)
 }
 
+/// A vector with this part along an axis (0: x, 1: y) and that part across.
+#[inline(always)]
+pub(crate) fn on_axis(axis: usize, along: f64, across: f64) -> DVec2 {
+    if axis == 0 { DVec2::new(along, across) } else { DVec2::new(across, along) }
+}
+
 /// A body's index in its world; the ship of a level is body 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct BodyId(pub u32);
@@ -82,7 +88,6 @@ impl Body {
         0.5 * self.mass * speed * speed / self.half.min_element()
     }
 
-    /// What its contacts rub and bounce with.
     pub(crate) fn coefficients(&self) -> Coefficients {
         Coefficients { restitution: self.restitution, ..self.material.coefficients() }
     }

@@ -1,10 +1,9 @@
-//! A contact: two boxes that touch, along which axis, with what friction, and what passes through it.
+//! Contacts.
 
 use crate::physics::data::material::Coefficients;
 
-/// Two things that touch. Along `axis` the lower one (`lo`) has the smaller coordinate. Items are the bodies of an island in ascending
-/// order, and after them its surfaces.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Two boxes that touch. Along `axis` `lo` has the smaller coordinate. Items are the bodies of an island in ascending order, then its surfaces.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Contact {
     pub lo: u32,
     pub hi: u32,
@@ -14,13 +13,12 @@ pub(crate) struct Contact {
     pub kinetic_friction: f64,
     /// The speed of a belt's skin along the face, m/s: on top of the velocity of the surface.
     pub skin: f64,
-    /// Whether the gap is closed; a hair of it is left where only resting contact is asked for.
+    /// Whether the gap is closed; resting contact needs it no closer than the slop.
     pub closed: bool,
-    /// Whether its ends were in contact before.
     pub lasts: bool,
     /// Whether its ends part by mere rounding and count as resting.
     pub clings: bool,
-    /// Which way `hi` slides over `lo` along the other axis: −1, 0 (it sticks) or 1.
+    /// The direction in which `hi` slides over `lo` along the other axis: −1, 0 (it sticks) or 1.
     pub slides: f64,
     /// Whether it slides because static friction gave way in the last solve for forces.
     pub gave_way: bool,
@@ -32,22 +30,8 @@ pub(crate) struct Contact {
 
 impl Contact {
     /// A closed contact without friction.
-    pub const fn between(lo: u32, hi: u32, axis: usize) -> Self {
-        Self {
-            lo,
-            hi,
-            axis,
-            static_friction: 0.0,
-            kinetic_friction: 0.0,
-            skin: 0.0,
-            closed: true,
-            lasts: false,
-            clings: false,
-            slides: 0.0,
-            gave_way: false,
-            normal: 0.0,
-            friction: 0.0,
-        }
+    pub fn between(lo: u32, hi: u32, axis: usize) -> Self {
+        Self { lo, hi, axis, closed: true, ..Self::default() }
     }
 
     pub fn rub_with(&mut self, of: Coefficients) {
@@ -58,12 +42,10 @@ impl Contact {
         self.lo == item || self.hi == item
     }
 
-    /// Whether it is between these two, whichever is the lower one.
     pub fn is_of(&self, a: u32, b: u32) -> bool {
         (self.lo == a && self.hi == b) || (self.lo == b && self.hi == a)
     }
 
-    /// What it carries along an axis: its push along its own, its friction along the other.
     pub fn along(&mut self, axis: usize) -> &mut f64 {
         if axis == self.axis { &mut self.normal } else { &mut self.friction }
     }
@@ -72,7 +54,6 @@ impl Contact {
         if self.lo == item { self.hi } else { self.lo }
     }
 
-    /// The ends in ascending order.
     pub fn ends(&self) -> (u32, u32) {
         (self.lo.min(self.hi), self.lo.max(self.hi))
     }

@@ -1,10 +1,10 @@
-//! How a world begins, and what is refused at the door: nothing that is accepted may ever become non-finite.
+//! How a world begins, and the refusals at the door: no number that is accepted becomes non-finite.
 
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::BodyDef;
 use crate::physics::data::domain::{
-    self, DefError, LIQUIDS_OVERLAP, MOST_FIELDS, MOST_LIQUIDS, MOST_STREAMS, Range, SMALLEST, at_most, both, material, number,
-    rectangle, restitution, vector, within,
+    self, DefError, LIQUIDS_OVERLAP, MOST_FIELDS, MOST_LIQUIDS, MOST_STREAMS, Range, SMALLEST, at_most, both, expect, material,
+    number, rectangle, restitution, vector, within,
 };
 use crate::physics::data::material::Material;
 use crate::physics::data::surface::SurfaceDef;
@@ -83,7 +83,7 @@ impl Default for WorldDef {
 
 impl WorldDef {
     /// # Errors
-    /// The first number that is not finite, too large or out of its range; more zones than there may be; liquids that overlap.
+    /// A number that is not finite or out of its range; too many zones; liquids that overlap.
     pub(crate) fn check(&self) -> Result<(), DefError> {
         at_most("streams", self.streams.len(), MOST_STREAMS)?;
         at_most("fields", self.fields.len(), MOST_FIELDS)?;
@@ -95,9 +95,7 @@ impl WorldDef {
             rectangle("the level's edge", bounds)?;
             material(&self.edge)?;
         }
-        for surface in &self.surfaces {
-            surface.check()?;
-        }
+        self.surfaces.iter().try_for_each(SurfaceDef::check)?;
         for stream in &self.streams {
             rectangle("a stream", &stream.zone)?;
             both("a stream's force", stream.force, domain::FORCE)?;
@@ -112,9 +110,9 @@ impl WorldDef {
             within("a liquid's viscosity", fluid.viscosity, domain::VISCOSITY)?;
         }
         for (i, fluid) in self.fluids.iter().enumerate() {
-            if let Some(other) = self.fluids[..i].iter().position(|other| other.zone.overlaps(&fluid.zone, LIQUIDS_OVERLAP)) {
-                return Err(DefError(format!("the liquids {other} and {i} overlap, expected liquids that at most touch")));
-            }
+            let other = self.fluids[..i].iter().position(|other| other.zone.overlaps(&fluid.zone, LIQUIDS_OVERLAP));
+            let reason = || format!("the liquids {} and {i} overlap, expected liquids that at most touch", other.unwrap_or(0));
+            expect(other.is_none(), reason)?;
         }
         self.bodies.iter().try_for_each(BodyDef::check)
     }

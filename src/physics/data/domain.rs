@@ -1,11 +1,9 @@
-//! The domain: the ranges of numbers that a level may hold, both ends included, and the refusal of what is outside. The loader of levels and the
-//! engine's door read them here.
+//! The domain: the ranges of numbers that a level may hold, both ends included, and the refusals of others.
 
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::material::Material;
 use glam::DVec2;
 
-/// A range of accepted numbers with its unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Range {
     pub low: f64,
@@ -19,7 +17,7 @@ const fn range(low: f64, high: f64, unit: &'static str) -> Range {
 
 /// Of every component. At 120 Hz a body passes 83 m a tick.
 pub(crate) const SPEED: Range = range(-1e4, 1e4, "m/s");
-/// The lightest weighs 1e-8 of the heaviest: ten thousand times what counts as no force when reactions are shared out.
+/// The ratio of 1e-8 is ten thousand times the tolerance of reactions.
 pub(crate) const MASS: Range = range(1e-3, 1e5, "kg");
 /// Of a liquid; osmium has 2.26e4.
 pub(crate) const DENSITY: Range = range(0.0, 2e4, "kg/m³");
@@ -50,9 +48,8 @@ impl std::fmt::Display for DefError {
 
 impl std::error::Error for DefError {}
 
-/// The largest magnitude of any accepted number: squares, products of three and sums of these stay far from overflow.
+/// The largest magnitude of any accepted number, and the smallest size, m: products of three stay far from overflow.
 pub(crate) const LARGEST: f64 = 1e12;
-/// The smallest accepted size, m, for the same reason.
 pub(crate) const SMALLEST: f64 = 1e-12;
 
 /// The most streams, fields of gravity and liquids of a world. A set of zones is a word of bits.
@@ -62,22 +59,23 @@ pub(crate) const MOST_LIQUIDS: usize = 16;
 /// m. The insides of two liquids may share so much: the rounding of places in pixels.
 pub(crate) const LIQUIDS_OVERLAP: f64 = 1e-6;
 
+/// # Errors
+/// The reason, unless the condition `holds`.
+pub(crate) fn expect(holds: bool, reason: impl FnOnce() -> String) -> Result<(), DefError> {
+    if holds { Ok(()) } else { Err(DefError(reason())) }
+}
+
 pub(crate) fn at_most(what: &str, count: usize, most: usize) -> Result<(), DefError> {
-    if count <= most { Ok(()) } else { Err(DefError(format!("{count} {what}, expected at most {most}"))) }
+    expect(count <= most, || format!("{count} {what}, expected at most {most}"))
 }
 
 pub(crate) fn restitution(value: f64) -> Result<(), DefError> {
     number("a restitution", value, 0.0)?;
-    if value <= 1.0 { Ok(()) } else { Err(DefError(format!("a restitution is {value}, expected 0 … 1"))) }
+    expect(value <= 1.0, || format!("a restitution is {value}, expected 0 … 1"))
 }
 
-pub(crate) fn within(what: &str, value: f64, range: Range) -> Result<(), DefError> {
-    let Range { low, high, unit } = range;
-    if (low..=high).contains(&value) {
-        Ok(())
-    } else {
-        Err(DefError(format!("{what} is {value}, expected {low} to {high} {unit}")))
-    }
+pub(crate) fn within(what: &str, value: f64, Range { low, high, unit }: Range) -> Result<(), DefError> {
+    expect((low..=high).contains(&value), || format!("{what} is {value}, expected {low} to {high} {unit}"))
 }
 
 pub(crate) fn both(what: &str, value: DVec2, range: Range) -> Result<(), DefError> {
@@ -85,10 +83,8 @@ pub(crate) fn both(what: &str, value: DVec2, range: Range) -> Result<(), DefErro
 }
 
 pub(crate) fn number(what: &str, value: f64, least: f64) -> Result<(), DefError> {
-    if value.is_finite() && value >= least && value.abs() <= LARGEST {
-        return Ok(());
-    }
-    Err(DefError(format!("{what} is {value}, expected a number from {least} to {LARGEST}")))
+    let holds = value >= least && value.abs() <= LARGEST;
+    expect(holds, || format!("{what} is {value}, expected a number from {least} to {LARGEST}"))
 }
 
 pub(crate) fn vector(what: &str, value: DVec2) -> Result<(), DefError> {
@@ -98,18 +94,14 @@ pub(crate) fn vector(what: &str, value: DVec2) -> Result<(), DefError> {
 pub(crate) fn rectangle(what: &str, bounds: &Aabb) -> Result<(), DefError> {
     vector(what, bounds.min)?;
     vector(what, bounds.max)?;
-    if bounds.min.cmplt(bounds.max).all() {
-        return Ok(());
-    }
-    Err(DefError(format!("{what} is {} m wide and {} m high, expected more than 0", bounds.size().x, bounds.size().y)))
+    let DVec2 { x, y } = bounds.size();
+    expect(x > 0.0 && y > 0.0, || format!("{what} is {x} m wide and {y} m high, expected more than 0"))
 }
 
 pub(crate) fn material(material: &Material) -> Result<(), DefError> {
     number("a static friction", material.static_friction, 0.0)?;
     number("a kinetic friction", material.kinetic_friction, 0.0)?;
     restitution(material.restitution)?;
-    if material.kinetic_friction <= material.static_friction {
-        return Ok(());
-    }
-    Err(DefError(format!("{}: kinetic friction above static friction", material.name)))
+    let holds = material.kinetic_friction <= material.static_friction;
+    expect(holds, || format!("{}: kinetic friction above static friction", material.name))
 }

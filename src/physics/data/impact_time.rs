@@ -1,9 +1,7 @@
 //! When two moving boxes meet: times of impact on cubics, one an axis.
 //!
-//! Within an interval every motion is a cubic in time: exactly a parabola without drag, the Hermite interpolant of both ends with it
-//! (the caller then polishes the time on the motion itself). Boxes meet where the distance of their centres along one axis falls to the
-//! sum of their halves while they overlap along the other. Crossings are bracketed on the cubic's monotone pieces and found by Newton's
-//! method kept inside the bracket, so none is missed at any speed: a box that jumps over a wall in one interval still crosses its face.
+//! Boxes meet where the distance of their centres along one axis falls to the sum of their halves while they overlap along the other.
+//! Crossings are bracketed on the cubic's monotone pieces and found by Newton's method inside the bracket: none is missed at any speed.
 
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::surface::Sides;
@@ -17,24 +15,22 @@ pub(crate) struct Cubic {
 }
 
 impl Cubic {
-    /// What a box of so large halves sweeps on it in `t` seconds, m.
+    /// The box around a box on it for `t` seconds, m.
     pub fn swept(&self, half: DVec2, t: f64) -> Aabb {
         let (x, y) = (self.axis(0).bounds(t), self.axis(1).bounds(t));
         Aabb::new(DVec2::new(x.0, y.0) - half, DVec2::new(x.1, y.1) + half)
     }
 
-    /// Uniformly accelerated motion; standing still with `v` and `a` zero.
     pub fn parabola(x: DVec2, v: DVec2, a: DVec2) -> Self {
         Self { c: [x, v, a * 0.5, DVec2::ZERO] }
     }
 
-    /// The cubic through both ends of an interval of `t` seconds with the right velocities there (Hermite).
+    /// The cubic through both ends of an interval of `t` seconds with the velocities there.
     pub fn hermite(x0: DVec2, v0: DVec2, x1: DVec2, v1: DVec2, t: f64) -> Self {
         let mean = (x1 - x0) / t;
         Self { c: [x0, v0, (3.0 * mean - 2.0 * v0 - v1) / t, (v0 + v1 - 2.0 * mean) / (t * t)] }
     }
 
-    /// The same motion from `t` seconds later on.
     pub fn from(&self, t: f64) -> Self {
         if t == 0.0 {
             return *self;
@@ -43,28 +39,23 @@ impl Cubic {
         Self { c: [x + (v + (a + j * t) * t) * t, v + (2.0 * a + 3.0 * j * t) * t, a + 3.0 * j * t, j] }
     }
 
-    /// The motion of `other` as seen from this one.
     pub fn relative(&self, other: &Self) -> Self {
         Self { c: [0, 1, 2, 3].map(|i| other.c[i] - self.c[i]) }
     }
 
-    /// Whether it stays where it is: nothing is met on it.
     pub fn stands(&self) -> bool {
         self.c[1..].iter().all(|c| *c == DVec2::ZERO)
     }
 
-    /// Along one axis.
     pub fn axis(&self, axis: usize) -> Polynomial {
         Polynomial(self.c.map(|c| c[axis]))
     }
 }
 
-/// A cubic along one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Polynomial(pub [f64; 4]);
 
 impl Polynomial {
-    /// Whether it is constant: it passes through nothing.
     pub fn stands(&self) -> bool {
         self.0[1..] == [0.0; 3]
     }
@@ -93,12 +84,11 @@ impl Polynomial {
         (p0.min(p1).min(p2.min(p3)), p0.max(p1).max(p2.max(p3)))
     }
 
-    /// It on [0, end].
     pub fn until(self, end: f64) -> Stretch {
         Stretch { path: self, end, bounds: self.bounds(end) }
     }
 
-    /// Where the slope changes sign, in ascending order; infinite where it does not.
+    /// The roots of the slope in ascending order; infinite where there are none.
     fn turning_points(&self) -> (f64, f64) {
         let (a, b, c) = (3.0 * self.0[3], self.0[2], self.0[1]);
         let discriminant = b * b - a * c;
@@ -114,7 +104,7 @@ impl Polynomial {
     /// The root between `begin` (positive) and `end` (not positive), the function falling in between.
     fn root(&self, mut begin: f64, mut end: f64) -> f64 {
         let mut t = begin;
-        // Newton's method that leaves its bracket by four roundings has converged.
+        // Within four roundings of its bracket Newton's method has converged.
         let converged = 4.0 * f64::EPSILON;
         for _ in 0..60 {
             let (value, slope) = (self.at(t), self.slope(t));
@@ -142,7 +132,6 @@ impl Polynomial {
     }
 }
 
-/// A cubic on [0, `end`], with the bounds of its values there.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stretch {
     path: Polynomial,
@@ -151,9 +140,8 @@ pub(crate) struct Stretch {
 }
 
 impl Stretch {
-    /// The first t in (from, end] at which it falls through `level`: from above it to it or below, or back into it from a rise that
-    /// ended at it (within [`SLOP`] below: things that parted by a rounding and come back).
-    #[inline]
+    /// The first t in (from, end] at which it falls to `level` from above, or falls back from a rise that ended at it (within [`SLOP`] below: boxes
+    /// that parted by a rounding and come back).
     pub fn falls_through(&self, level: f64, from: f64) -> Option<f64> {
         let (least, most) = self.bounds;
         if least > level + SLOP || most < level - 3.0 * SLOP {
@@ -161,9 +149,6 @@ impl Stretch {
         }
         self.find_fall(level, from)
     }
-
-    /// As [`Self::falls_through`], from below to above.
-    #[inline]
     pub fn rises_through(&self, level: f64, from: f64) -> Option<f64> {
         let (least, most) = self.bounds;
         Self { path: Polynomial(self.path.0.map(|c| -c)), end: self.end, bounds: (-most, -least) }.falls_through(-level, from)
@@ -189,9 +174,8 @@ impl Stretch {
     }
 }
 
-/// The first time in (0, end] at which boxes whose halves sum to `reach` meet, and along which axis; `motion` is that of the second's centre
-/// relative to the first's, and `sides` are those from which the second is solid. Boxes that touch already meet again only after they have
-/// parted.
+/// The first time in (0, end] at which boxes whose halves sum to `reach` meet, and the axis; `motion` is that of the second relative to the first,
+/// `sides` are the solid ones of the second. Boxes that touch meet again only after they have parted.
 pub(crate) fn time_of_impact(motion: &Cubic, reach: DVec2, end: f64, sides: Sides) -> Option<(f64, usize)> {
     let paths = [motion.axis(0).until(end), motion.axis(1).until(end)];
     if (0..2).any(|axis| paths[axis].bounds.0 >= reach[axis] || paths[axis].bounds.1 <= -reach[axis]) {
@@ -228,12 +212,8 @@ pub(crate) fn time_of_impact(motion: &Cubic, reach: DVec2, end: f64, sides: Side
     first
 }
 
-/// The earlier of two times.
 pub(crate) fn earliest(a: Option<f64>, b: Option<f64>) -> Option<f64> {
-    match (a, b) {
-        (Some(a), Some(b)) => Some(a.min(b)),
-        (a, b) => a.or(b),
-    }
+    a.into_iter().chain(b).reduce(f64::min)
 }
 
 #[cfg(test)]

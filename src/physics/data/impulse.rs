@@ -40,3 +40,15 @@ impl Impulse {
         }
     }
 }
+
+/// An impulse with what events and paths tell of it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hit {
+    pub impulse: Impulse,
+    /// From `b` towards `a`.
+    pub normal: DVec2,
+    /// Closing speed just before, m/s; 0 where what had bounced goes on.
+    pub speed: f64,
+    /// Where `a` and `b` were, m.
+    pub places: [DVec2; 2],
+}

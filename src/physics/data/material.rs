@@ -1,6 +1,5 @@
-//! What surfaces are made of: coefficients of friction, and whether they throw back.
+//! Materials: coefficients of friction and restitution.
 
-/// The coefficients of a body, of a surface, or of a pair in contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Coefficients {
     pub static_friction: f64,
@@ -9,9 +8,7 @@ pub(crate) struct Coefficients {
 }
 
 impl Coefficients {
-    /// Those of a body in contact with a body or a surface: the larger restitution; the friction of the surface, or the smaller one of two
-    /// bodies.
-    #[inline]
+    /// Those of a body in contact with a body or a surface: the larger restitution; the surface's friction, or the smaller of two bodies'.
     pub fn with(self, other: Self, is_surface: bool) -> Self {
         let friction = |mine: f64, other: f64| if is_surface { other } else { mine.min(other) };
         Self {
@@ -22,7 +19,7 @@ impl Coefficients {
     }
 }
 
-/// A surface material: the coefficients of friction of whatever slides on it, both ≥ 0, and of restitution.
+/// A material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// Its name as authors write it.

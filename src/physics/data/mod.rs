@@ -12,11 +12,13 @@ pub(crate) mod surface;
 pub(crate) mod tuning;
 
 pub(crate) use aabb::Aabb;
-pub(crate) use body::{Body, BodyDef, BodyId, Pose, parabola};
+pub(crate) use body::{Body, BodyDef, BodyId, Pose, on_axis, parabola};
 pub(crate) use contact::Contact;
 pub(crate) use def::{FieldDef, FluidDef, StreamDef, WorldDef};
 pub(crate) use impact_time::{Cubic, Polynomial, earliest, time_of_impact};
-pub(crate) use impulse::{Impulse, Obstacle};
+pub(crate) use impulse::{Hit, Impulse, Obstacle};
+pub(crate) use lists::{first, refill};
 pub(crate) use material::{Coefficients, Material};
 pub(crate) use plan::{Part, Plan, called};
 pub(crate) use surface::{Sides, Surface, SurfaceDef};
+pub(crate) use tuning::*;

@@ -1,4 +1,4 @@
-//! The plan: which parts of the model run, decided once from the definition. A part that a plan leaves out is not called.
+//! The plan: the parts of the model that run. A part that is left out is not called.
 
 use crate::physics::data::def::WorldDef;
 use crate::physics::data::material::Material;
@@ -39,7 +39,7 @@ impl Plan {
         }
     }
 
-    /// Whether anything acts that depends on place or velocity.
+    /// Whether a force depends on place or velocity.
     pub fn media(&self) -> bool {
         self.air || self.streams || self.liquids
     }

@@ -1,16 +1,15 @@
 //! Surfaces: what is solid and moves for nobody. Most stand still; others follow a prescribed path (lifts, doors, platforms), run a belt,
 //! are solid from some sides only, or come and go.
 //!
-//! A path is a chain of *legs* of constant acceleration, so that the place of a surface is known exactly at every instant, and a time of
-//! impact on it is the root of a polynomial as between any two things. Nothing that bodies do changes a path; it has a clock of its own,
-//! which stands still while the surface waits.
+//! A path is a chain of *legs* of constant acceleration: a time of impact on a surface is the root of a polynomial as between any two bodies.
+//! No body changes a path; its clock stands still while the surface waits.
 
 use crate::physics::data::aabb::Aabb;
-use crate::physics::data::domain::{self, DefError, LARGEST, number, rectangle, vector};
+use crate::physics::data::domain::{self, DefError, LARGEST, expect, number, rectangle, vector};
 use crate::physics::data::material::Material;
 use glam::DVec2;
 
-/// From which sides a surface is solid. What comes from another side passes through.
+/// The solid sides of a surface. A body that comes from another side passes through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sides {
     /// For what comes from the left.
@@ -46,7 +45,7 @@ impl Sides {
     }
 }
 
-/// A part of a path: uniformly accelerated motion for a while.
+/// A part of a path with constant acceleration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Leg {
     /// s, > 0.
@@ -57,10 +56,10 @@ pub struct Leg {
     pub acceleration: DVec2,
 }
 
-/// How a surface moves, from where its bounds say it is at first. After its last leg it begins again, or stands still.
+/// The path of a surface from its first place. After its last leg it begins again, or stands still.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Path {
-    /// One after the other. None: it never moves.
+    /// None: it never moves.
     pub legs: Vec<Leg>,
     /// Whether it begins again after the last leg; the legs must lead back to the start then.
     pub repeats: bool,
@@ -80,15 +79,14 @@ pub struct PathPoint {
 }
 
 impl PathPoint {
-    /// The same place, for ever.
     pub(crate) fn at_rest(self) -> Self {
         Self { offset: self.offset, lasts: f64::INFINITY, ..Self::default() }
     }
 }
 
 impl Path {
-    /// To `offset` (m) from the start and back, for ever: speeding up for `ease` seconds, slowing down for as long, `travel` seconds one
-    /// way, and waiting for `wait` seconds at either end. `ease` is at most half of `travel`; 0 starts and stops at once.
+    /// To `offset` (m) and back for ever, `travel` seconds each way: speeding up and slowing down for `ease` seconds, at most half of `travel` (0:
+    /// at once), and waiting for `wait` seconds at either end.
     pub fn shuttle(offset: DVec2, travel: f64, ease: f64, wait: f64) -> Self {
         let mut legs = Vec::new();
         for way in [offset, -offset] {
@@ -118,18 +116,13 @@ impl Path {
         self.legs.is_empty()
     }
 
-    /// How long it lasts, s.
-    fn duration(&self) -> f64 {
-        self.legs.iter().map(|leg| leg.duration).sum()
-    }
-
     /// The time since the present round began: a small number loses fewer digits.
     fn wrap(&self, clock: f64) -> f64 {
-        let period = self.duration();
+        let period: f64 = self.legs.iter().map(|leg| leg.duration).sum();
         if self.repeats && clock >= period { clock % period } else { clock }
     }
 
-    /// Where the surface is `clock` seconds (≥ 0) after its path began.
+    /// Its point `clock` seconds (≥ 0) after it began.
     pub fn at(&self, clock: f64) -> PathPoint {
         let mut left = self.wrap(clock);
         let rounding = CLOCK_ROUNDING * clock;
@@ -147,16 +140,14 @@ impl Path {
             offset += (velocity + acceleration * (0.5 * duration)) * duration;
             left = (left - duration).max(0.0);
         }
-        // Rounding may have put the clock at the end of a round: it is the beginning of the next.
-        if self.repeats && clock != 0.0 { self.at(0.0) } else { PathPoint { offset, lasts: f64::INFINITY, ..PathPoint::default() } }
+        // Rounding may have put the clock at the end of a round.
+        if self.repeats && clock != 0.0 { self.at(0.0) } else { PathPoint { offset, ..PathPoint::default() }.at_rest() }
     }
 
     /// # Errors
     /// A leg that is not finite, lasts no time, or a repeated path that does not lead back.
     fn check(&self) -> Result<(), DefError> {
-        if self.repeats && self.legs.is_empty() {
-            return Err(DefError("a repeated path has no leg".into()));
-        }
+        expect(!self.repeats || !self.legs.is_empty(), || "a repeated path has no leg".into())?;
         let (mut offset, mut longest) = (DVec2::ZERO, 0.0f64);
         for leg in &self.legs {
             // Shorter ones than a millisecond would part a tick without end.
@@ -168,15 +159,13 @@ impl Path {
             longest = longest.max(offset.length());
         }
         // 1e-9 is the rounding of the sum.
-        if self.repeats && offset.length() > 1e-9 * longest {
-            return Err(DefError(format!("a repeated path ends {} m from its start, expected 0 m", offset.length())));
-        }
-        Ok(())
+        let end = offset.length();
+        let leads_back = !self.repeats || end <= 1e-9 * longest;
+        expect(leads_back, || format!("a repeated path ends {end} m from its start, expected 0 m"))
     }
 }
 
-/// Relative to the clock of a path: a leg that lasts no longer than this is over. Without it what is left of a leg could be less than a
-/// rounding of the time, and a tick would never get beyond it.
+/// Relative to the clock of a path: a shorter leg is over. Smaller: a tick never gets beyond a leg that lasts less than a rounding.
 const CLOCK_ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// Something solid that moves for nobody.
@@ -240,11 +229,9 @@ pub struct Surface {
     /// Whether it is there: what is absent touches nothing.
     pub present: bool,
     pub(crate) def: SurfaceDef,
-    /// How long it has been on its way, s.
     pub(crate) clock: f64,
     /// How fast its belt runs now, m/s.
     pub(crate) belt: f64,
-    /// Whether its path goes on.
     pub(crate) runs: bool,
     /// Whether it shall be there as soon as nothing is in its way.
     pub(crate) wanted: bool,
@@ -270,7 +257,7 @@ impl Surface {
         surface
     }
 
-    /// How fast its skin runs on the side with that outward normal, m/s: its belt's speed goes clockwise around it.
+    /// Velocity of its skin on the side with that outward normal, m/s.
     pub fn skin(&self, outward: DVec2) -> DVec2 {
         self.velocity + outward.perp() * self.belt
     }
@@ -280,13 +267,11 @@ impl Surface {
         self.def.sides
     }
 
-    /// Where its centre is (in place of the offset) `t` seconds from now.
+    /// Its point `t` seconds from now, with its centre in place of the offset.
     pub(crate) fn at(&self, t: f64) -> PathPoint {
-        let centre = self.def.bounds.centre();
         let moves = self.runs && !self.def.path.is_still();
-        let point = self.def.path.at(self.clock + if moves { t } else { 0.0 });
-        let offset = centre + point.offset;
-        let point = PathPoint { offset, ..point };
+        let mut point = self.def.path.at(self.clock + if moves { t } else { 0.0 });
+        point.offset += self.def.bounds.centre();
         if moves { point } else { point.at_rest() }
     }
 
@@ -304,23 +289,17 @@ impl Surface {
         self.velocity = point.velocity;
     }
 
-    /// Whether it moved until now, moves, or will within `t` seconds.
-    pub(crate) fn concerns(&self, t: f64) -> bool {
-        self.moved || self.moves_within(t)
-    }
-
-    /// Whether it moves, or will within `t` seconds.
     pub(crate) fn moves_within(&self, t: f64) -> bool {
         let point = self.at(0.0);
         self.present && (point.velocity != DVec2::ZERO || point.acceleration != DVec2::ZERO || point.lasts <= t)
     }
 
-    /// How fast it moves when it arrives where it is in `t` seconds, before the next leg of its path may begin there, m/s.
+    /// Velocity at which it arrives in `t` seconds, before a next leg may begin there, m/s.
     pub(crate) fn arrives(&self, t: f64) -> DVec2 {
         self.legs(t).last().map_or(self.velocity, |(point, leg)| point.velocity + point.acceleration * leg)
     }
 
-    /// The legs of its path within the next `t` seconds: where each begins from now on, and how much of it passes.
+    /// The legs of its path within `t` seconds: the start of each, and its duration.
     fn legs(&self, t: f64) -> impl Iterator<Item = (PathPoint, f64)> {
         let mut next = Some(0.0);
         std::iter::from_fn(move || {
@@ -339,7 +318,7 @@ impl Surface {
         }
         let half = self.bounds.size() * 0.5;
         for (point, leg) in self.legs(t) {
-            // Both ends, and as far beyond them as a turn within the leg can lead.
+            // A turn within the leg leads as far beyond its ends.
             let turn = point.acceleration.abs() * (0.5 * leg * leg);
             let end = point.offset + (point.velocity + point.acceleration * (0.5 * leg)) * leg;
             swept = swept.union(&Aabb::around(point.offset, half + turn)).union(&Aabb::around(end, half + turn));

@@ -1,24 +1,20 @@
-//! Bounces that come thick and fast, passed over in closed form.
+//! Bounces of one tick, passed over in closed form.
 //!
-//! A series of bounces on something immovable has a sum: after some bounces within one tick the rest of it, or as many whole bounces as fit,
-//! is passed over (rest after 2w/(g(1 − e))), during which the mean reaction is that of a body at rest. So has one of two bodies that are pressed
-//! together. Meanwhile they count as lying against each other; what bounces without a pull does so event by event.
+//! From the sixth hit of a tick on, as many whole bounces as fit are passed over, or all of them where the series ends: 2w/(g(1 − e)) after a
+//! rebound with w. Meanwhile the two count as lying against each other. Pairs without a pull bounce event by event.
 
-use crate::physics::data::contact::Contact;
-use crate::physics::data::tuning::{CALM_REACH, DAMPED_REACH, ZENO_HITS};
+use crate::physics::data::{CALM_REACH, Contact, DAMPED_REACH, ZENO_HITS, on_axis};
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::Resume;
-use glam::DVec2;
 
-/// What follows a bounce: how long bounces go on, s, and how fast they leave each other then, m/s, if they do.
+/// How long the bounces take, s, and how fast the two leave each other then, m/s, if they do.
 #[derive(Debug, PartialEq)]
 struct Series {
     time: f64,
     leaves: Option<f64>,
 }
 
-/// The first bounce of a series: how long it takes, s, and its speed, m/s. Each bounce keeps `e` of its speed, or loses speed to drag at a rate of
-/// `damping`, 1/s, where e = 1.
+/// The first bounce: s, m/s. Each keeps `e` of its speed, or, with e = 1, loses speed to drag at a rate `damping`, 1/s.
 struct First {
     time: f64,
     speed: f64,
@@ -27,9 +23,8 @@ struct First {
 }
 
 impl First {
-    /// As many bounces as fit into `left` seconds.
-    ///
-    /// A bounce under a pull a with drag c·v comes back slower by (2c/3a)·v², and takes 2v/a: so speeds fall as e^(−c·t/3).
+    /// As many bounces as fit into `left` seconds. Under a pull a with drag c·v a bounce comes back slower by (2c/3a)·v², and takes 2v/a: speeds
+    /// fall as e^(−c·t/3).
     fn series(&self, left: f64) -> Series {
         let Self { time: first, speed, e, damping } = *self;
         if e < 1.0 {
@@ -54,8 +49,8 @@ impl First {
 }
 
 impl Events {
-    /// Passes over the rest of a series of bounces, or over whole ones, where a pair bounces thick and fast: on a surface that stands, or two bodies
-    /// that nothing else touches and that are pressed together. They have just left each other with `speed`, m/s.
+    /// Passes over bounces of a pair that has just parted with `speed`, m/s: on a surface that stands, or of two bodies that are pressed together
+    /// and that nothing else touches.
     pub(crate) fn pass_over_bounces(&mut self, scene: &Scene, contact: &Contact, speed: f64, e: f64) {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
         let (body, other) = contact.ends();
@@ -64,7 +59,7 @@ impl Events {
             return;
         }
         let shares = self.shares(lo, hi);
-        // What they have in common: the speed of their centre of mass, or none on a surface.
+        // The speed of their centre of mass, m/s; 0 on a surface.
         let together = if self.is_body(other) { self.speeds[lo][axis] + shares[0] * speed } else { 0.0 };
         let (mut pull, mut damping, mut stiffness) = (0.0, 0.0, 0.0);
         for (i, sign, share) in [(lo, 1.0, shares[0]), (hi, -1.0, shares[1])] {
@@ -91,21 +86,20 @@ impl Events {
         self.items[body as usize].resume = leaves.map(|speed| Resume { at: (self.now + time).min(scene.tick), axis, speed, other });
     }
 
-    /// Adds to the speed at which the ends of a contact part, m/s.
     fn part_with(&mut self, contact: &Contact, speed: f64) {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
         let shares = self.shares(lo, hi);
-        let mut impulse = DVec2::ZERO;
+        let mut impulse = 0.0;
         for (i, share, sign) in [(lo, shares[0], -1.0), (hi, shares[1], 1.0)] {
             if self.is_body(i as u32) {
                 self.speeds[i][axis] += sign * share * speed;
-                impulse[axis] = share * speed * self.items[i].body.mass;
+                impulse = share * speed * self.items[i].body.mass;
             }
         }
-        self.note(contact, impulse, 0.0);
+        self.note(contact, on_axis(axis, impulse, 0.0), 0.0);
     }
 
-    /// Lets a body leave what it has bounced on; nothing is left of their bounces if what pressed them together has ended.
+    /// Lets a body leave the item on which it has bounced, unless their contact has ended.
     pub(crate) fn resume(&mut self, scene: &Scene, i: usize) {
         let Some(Resume { axis, speed, other, .. }) = self.items[i].resume.take() else { return };
         let held = |contact: &&Contact| contact.axis == axis && contact.is_of(i as u32, other);
@@ -114,13 +108,6 @@ impl Events {
         self.locate(scene, i);
         self.locate(scene, other as usize);
         self.part_with(&contact, speed);
-    }
-
-    /// Ends what bounces are passed over, because something else happens to one of the pair: they leave each other now.
-    pub(crate) fn resume_concerned(&mut self, scene: &Scene) {
-        for k in 0..self.concerned.len() {
-            self.resume(scene, self.concerned[k] as usize);
-        }
     }
 }
 

@@ -1,12 +1,11 @@
-//! What touches what at an event: contacts begin, last and end, and what meets is brought exactly together.
+//! Contacts at an event: they begin, last and end, and the two are brought exactly together.
 
 use crate::physics::contact::axis::Parts;
-use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
-use crate::physics::data::{Aabb, Contact};
+use crate::physics::data::{Aabb, Contact, MAX_CLINGS, MICRO_SPEED, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Scene};
 
 impl Events {
-    /// Lists what touches anything concerned, and counts to that whatever is joined to it by touching.
+    /// Lists the contacts of all items concerned, and concerns all that these join.
     pub(crate) fn collect(&mut self, scene: &Scene) {
         self.touching.clear();
         let mut next = 0;
@@ -27,7 +26,7 @@ impl Events {
                     self.concern(j);
                     self.locate(scene, j as usize);
                     let contact = self.touch(scene, contact, met.is_some());
-                    if !contact.lasts && met.is_none() && self.is_in(&contact) {
+                    if !contact.lasts && met.is_none() && self.depth_of(&contact) > SLOP {
                         self.close(scene, &contact);
                     }
                     self.touching.push(contact);
@@ -39,7 +38,6 @@ impl Events {
         self.count += self.concerned.len() as u64;
     }
 
-    /// Whether an item may touch a box now.
     fn may_touch(&self, bounds: &Aabb, item: usize) -> bool {
         let track = &self.tracks[item];
         bounds.touches(&self.lanes[item], 0.0)
@@ -47,7 +45,6 @@ impl Events {
             && (!track.is_exact() || bounds.touches(&track.bounds_at(self.now), SLOP))
     }
 
-    /// What is known of two things that touch now.
     fn touch(&mut self, scene: &Scene, mut contact: Contact, met: bool) -> Contact {
         contact.lasts = self.contacts.iter().any(|known| known.is_of(contact.lo, contact.hi));
         contact.closed |= contact.lasts || met;
@@ -63,8 +60,7 @@ impl Events {
         contact
     }
 
-    /// Keeps those of the touching pairs as contacts that neither part nor (impacts are over by now) approach. Of the pair that has just
-    /// `met` only the impact was along the axis in which it met.
+    /// Keeps the touching pairs as contacts that neither part nor approach. The pair that has just `met` may touch along the other axis.
     pub(crate) fn find_contacts(&mut self, scene: &Scene) {
         self.take_contacts_of_concerned();
         for index in 0..self.touching.len() {
@@ -102,7 +98,6 @@ impl Events {
         if sliding.abs() <= rounding { 0.0 } else { sliding.signum() }
     }
 
-    /// Moves the contacts of what is concerned into `trial`.
     pub(crate) fn take_contacts_of_concerned(&mut self) {
         let is_concerned = &self.is_concerned;
         let concerned = |contact: &mut Contact| is_concerned[contact.lo as usize] || is_concerned[contact.hi as usize];
@@ -112,7 +107,7 @@ impl Events {
         self.trial.sort_unstable_by_key(Contact::ends);
     }
 
-    /// Ends a slide: what stops and whatever moves with it has one speed along the face from now on.
+    /// Ends a slide: the two ends, and all that moves with them, have one speed along the face from now on.
     pub(crate) fn stop_slide(&mut self, scene: &Scene, a: u32, b: u32) {
         let Some(stopped) = self.contacts.iter().find(|contact| contact.is_of(a, b)).copied() else { return };
         let mut next = 0;

@@ -1,15 +1,13 @@
-//! The end of a tick: contacts and accelerations of that instant, which are listed and with which the next tick begins.
+//! The end of a tick: its contacts and accelerations, with which the next tick begins.
 
 use crate::physics::contact::axis::Parts;
-use crate::physics::data::tuning::{SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
-use crate::physics::data::{Contact, Pose};
+use crate::physics::data::{Contact, Pose, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::Motion;
 use crate::physics::forces::link::links_on;
 use glam::DVec2;
 
 impl Events {
-    /// Where a body is and moves as the tick ends.
     fn end_of(&self, id: u32) -> Pose {
         if let Ok(at) = self.items[..self.movable].binary_search_by_key(&id, |item| item.id) {
             return (self.places[at], self.speeds[at]);
@@ -17,7 +15,7 @@ impl Events {
         self.ends.iter().find(|end| end.0 == id).map_or((DVec2::ZERO, DVec2::ZERO), |end| end.1)
     }
 
-    /// The contacts and accelerations of the instant at which the tick ends, where media make them others than when the last path began.
+    /// Solves contacts and accelerations where media have changed them since the last path began.
     pub(crate) fn settle(&mut self, scene: &Scene) {
         self.is_placed.fill(false);
         for i in 0..self.items.len() {
@@ -73,8 +71,7 @@ impl Events {
         }
     }
 
-    /// Whether another law than that of its last path acts on a body: it has crossed the border of a stream just as the tick ends, its links
-    /// pull otherwise there, or it was pushed to liquids that its own law would not have led it to.
+    /// Whether another law acts on a body than on its last path: it crossed a border, its links pull otherwise, or other liquids are near.
     fn has_another_law(&mut self, scene: &Scene, i: usize) -> bool {
         let pulled = !(self.streams.is_empty() && self.links.is_empty());
         if pulled {
@@ -85,8 +82,7 @@ impl Events {
             || !scene.media.fluids.is_empty() && !item.law.displaced.near.contains(&item.body.bounds(), 0.0)
     }
 
-    /// Gives what rides on a surface that moves its place and its speed exactly, and so on with what is carried by that: the sums of many
-    /// ticks would lead them away from each other by their roundings.
+    /// Gives all that rides on a moving surface its place and its speed exactly: over many ticks roundings would lead them apart.
     pub(crate) fn follow_surfaces(&mut self) {
         if self.items[self.movable..].iter().all(|surface| surface.motion == Motion::Still) {
             return;
@@ -115,7 +111,6 @@ impl Events {
         self.release();
     }
 
-    /// Lets a body follow the other end of a contact that presses.
     fn follow(&mut self, contact: &Contact, body: u32) {
         let (axis, along, carrier) = (contact.axis, 1 - contact.axis, contact.other(body));
         if self.is_concerned[body as usize] || contact.normal <= 0.0 {
@@ -141,7 +136,6 @@ impl Events {
         self.concern(body);
     }
 
-    /// Whether what acts on an item changes while it moves.
     fn changes(&self, item: u32) -> bool {
         let of = &self.items[item as usize];
         self.is_concerned[item as usize] || !of.law.is_constant() && of.motion != Motion::Still

@@ -1,68 +1,46 @@
-//! An island and the buffers of the method, what all islands of a tick share, and what an island reports.
+//! An island and the buffers of the method of events.
 
 use crate::physics::contact::reactions::Reactions;
-use crate::physics::data::lists::refill;
-use crate::physics::data::{Aabb, Contact, Cubic, Plan, Pose, Surface};
+use crate::physics::data::{Aabb, Contact, Cubic, Hit, Plan, Pose, Surface, refill};
 use crate::physics::exact::item::{Item, Next};
 use crate::physics::exact::track::Track;
-use crate::physics::forces::link::LinkDef;
-use crate::physics::forces::media::Media;
-use crate::physics::forces::zones::ZoneList;
+use crate::physics::forces::{LinkDef, Media, ZoneList};
 use crate::physics::guards::Guards;
 use crate::physics::state::State;
 use glam::DVec2;
 
-/// What all islands of a tick share.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scene<'a> {
     pub media: &'a Media,
+    pub plan: &'a Plan,
     pub rest_speed: f64,
-    /// Whether anything bounces.
-    pub bounces: bool,
-    /// Whether what did not change is taken over from the last tick, instead of being solved once more to the same bits.
-    pub direct: bool,
-    /// Whether the crowd step takes every island.
-    pub dense: bool,
-    /// All surfaces of the world.
     pub surfaces: &'a [Surface],
     /// Length of the tick, s.
     pub tick: f64,
 }
 
-impl Scene<'_> {
-    pub fn of<'a>(state: &'a State, plan: &Plan, tick: f64) -> Scene<'a> {
-        Scene {
-            media: &state.media,
-            rest_speed: state.rest_speed,
-            bounces: plan.bounces,
-            direct: plan.direct,
-            dense: plan.dense,
-            surfaces: &state.surfaces,
-            tick,
-        }
+impl<'a> Scene<'a> {
+    pub fn of(state: &'a State, plan: &'a Plan, tick: f64) -> Self {
+        let State { media, surfaces, rest_speed, .. } = state;
+        Self { media, plan, rest_speed: *rest_speed, surfaces, tick }
     }
 }
 
-/// How an island ended its tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Outcome {
-    /// All of it is at the end of the tick.
     Done,
     /// A body may go beyond where others were looked for.
     Grown,
-    /// Too much has happened: the tick is another method's.
     Busy,
 }
 
-/// An island, and the buffers of the method.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Events {
     /// The bodies in ascending order, then the surfaces.
     pub items: Vec<Item>,
-    /// How many of the items are bodies.
     pub movable: usize,
     pub contacts: Vec<Contact>,
-    /// Of each item: how it goes on, and its next event.
+    /// Of each item: its path, and its next event.
     pub(super) tracks: Vec<Track>,
     pub(super) nexts: Vec<Next>,
     /// Of each item: the box in which it stays until its next event, m.
@@ -71,14 +49,11 @@ pub(crate) struct Events {
     pub(super) ways: Vec<u32>,
     /// Of each item: the streams that it touches on its path, and maybe some near it.
     pub(super) borders: Vec<ZoneList>,
-    /// The air streams near the island.
     pub streams: Vec<u32>,
-    /// The links of its bodies, and where other ends of these get.
+    /// The links of its bodies, and the poses of other ends of these at the tick's end.
     pub links: Vec<LinkDef>,
     pub ends: Vec<(u32, Pose)>,
-    /// Impacts at one instant.
     pub(super) ties: Vec<Tie>,
-    /// What happened.
     pub hits: Vec<Hit>,
     /// Bodies squeezed by surfaces, and how fast these would have closed by the end of the tick, m/s.
     pub squeezed: Vec<(u32, u32, f64)>,
@@ -88,7 +63,6 @@ pub(crate) struct Events {
     pub(super) count: u64,
     pub(super) now: f64,
     pub(super) grown: bool,
-    /// Whether anything of the island bounces: what does elsewhere is of no concern to it.
     pub(super) bounces: bool,
     /// Whether a surface was stopped while the present event was looked at.
     pub(super) halted: bool,
@@ -107,16 +81,16 @@ pub(crate) struct Events {
     pub(super) before: Vec<DVec2>,
     /// Of each item: where it was when the tick began.
     pub(super) begun: Vec<DVec2>,
-    /// What the present event concerns, and whether an item belongs to it; whether its pose now is known.
+    /// The items that the present event concerns; of each item, whether it is one, and whether its pose now is known.
     pub(super) concerned: Vec<u32>,
     pub(super) is_concerned: Vec<bool>,
     pub(super) is_placed: Vec<bool>,
-    /// Contacts of what is concerned, and copies of them that can be asked what else they would carry.
+    /// Contacts of the items concerned, and copies of them for trial solves.
     pub(super) trial: Vec<Contact>,
     pub(super) asked: Vec<Contact>,
-    /// What stands behind a body that gives way.
+    /// The items behind a body that gives way.
     pub(super) behind: Vec<u32>,
-    /// What presses on the item whose next event is sought.
+    /// The items that press on the one whose next event is sought.
     pub(super) pressing: Vec<u32>,
     /// For the implicit step of what is in contact: of each item concerned, and the mean accelerations of all.
     pub(super) implicit: Vec<Implicit>,
@@ -134,26 +108,6 @@ pub(super) struct Implicit {
     pub(super) mean: DVec2,
 }
 
-/// What a contact passed on at one instant.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Hit {
-    /// The items, as in a contact, and the axis.
-    pub lo: u32,
-    pub hi: u32,
-    pub axis: usize,
-    /// On `hi`, N·s.
-    pub impulse: DVec2,
-    /// Closing speed just before, m/s; 0 where what had bounced goes on.
-    pub speed: f64,
-    /// The middle of the shared edge, m.
-    pub point: DVec2,
-    /// Where `lo` and `hi` were, m.
-    pub places: [DVec2; 2],
-    /// s, from the tick's start.
-    pub at: f64,
-}
-
-/// One of several impacts at one instant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tie {
     /// The place of its contact in the list of what touches.
@@ -161,7 +115,6 @@ pub(crate) struct Tie {
     pub e: f64,
     /// By how much its approach speed shall fall, m/s.
     pub(super) target: f64,
-    /// N·s.
     pub(super) impulse: f64,
     /// m/s: the target left over, the direction of the search, what that changes.
     pub(super) left: f64,
@@ -181,7 +134,6 @@ impl Events {
         self.movable = 0;
     }
 
-    /// Makes room for all items.
     pub(super) fn clear_buffers(&mut self) {
         let all = self.items.len();
         (self.now, self.count, self.grown) = (0.0, 0, false);
@@ -198,9 +150,9 @@ impl Events {
         }
         self.begun.clear();
         self.begun.extend(self.items.iter().map(|item| item.body.position));
+        let stands = |item: &Item| Track::new(item, Cubic::parabola(item.body.position, DVec2::ZERO, DVec2::ZERO));
         self.tracks.clear();
-        self.tracks
-            .extend(self.items.iter().map(|item| Track::new(item, Cubic::parabola(item.body.position, DVec2::ZERO, DVec2::ZERO))));
+        self.tracks.extend(self.items.iter().map(stands));
         self.lanes.clear();
         self.lanes.extend(self.tracks.iter().map(|track| track.lane(&track.swept)));
         refill(&mut self.borders, if self.streams.is_empty() { 0 } else { self.movable }, ZoneList::default());

@@ -1,19 +1,13 @@
-//! Impacts: what collisions do to velocities.
-//!
-//! Pairs that touch and approach are dealt with one after the other, the fastest first, until nothing approaches any more: impulses in
-//! this order carry one block's motion through a row to the last (Newton's cradle), where solving them all at once would not. A pair's
-//! impulse is (1 + e)·w split by mass fractions, which leaves exactly zero for equal masses. Restitution is the larger of the two; what
-//! only has to stop stops all at once in a plastic solve of the contact network, exact at any mass ratio. Friction acts during an impact
-//! too, up to μ_k times the normal impulse, and never reverses the sliding.
+//! Impacts, one after the other, the fastest first, until nothing approaches (`docs/physics.md`, Impacts and their order).
 
 use crate::physics::contact::axis::Parts;
 use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES};
-use crate::physics::data::{Contact, Part, called};
-use crate::physics::exact::events::{Events, Hit, Scene, Tie};
+use crate::physics::data::{Aabb, BodyId, Contact, Hit, Impulse, Obstacle, Part, called, on_axis};
+use crate::physics::exact::events::{Events, Scene, Tie};
 use glam::DVec2;
 
 impl Events {
-    /// Ends every approach of things that touch. Returns false if too much happens.
+    /// Ends every approach of items that touch. Returns false if the budget of events is used up.
     pub(crate) fn resolve_impacts(&mut self, scene: &Scene) -> bool {
         if self.bounces && self.squeezes(scene) {
             return true;
@@ -30,7 +24,6 @@ impl Events {
             self.find_ties(scene, index, speed);
             match self.ties[..] {
                 [] => self.bounce(scene, index, speed, e),
-                // It goes before the fastest: gravity acts along its axis.
                 [Tie { index, e, .. }] => self.bounce(scene, index, speed, e),
                 _ => self.resolve_ties(scene, speed),
             }
@@ -38,8 +31,7 @@ impl Events {
         true
     }
 
-    /// Stops the surfaces that squeeze what touches them, before anything bounces: in a gap that is closed it would do so without end.
-    /// Returns whether there are any.
+    /// Stops the surfaces that squeeze bodies before anything bounces: in a gap that closes it would bounce without end.
     fn squeezes(&mut self, scene: &Scene) -> bool {
         let hits = |contact: &Contact| {
             let surface = contact.lo.max(contact.hi);
@@ -60,9 +52,8 @@ impl Events {
         any
     }
 
-    /// The plastic solve of all that touches. Pushing one side of a body can lift it off the other by next to nothing; where it is
-    /// pulled back at once, it stays, or the two sides would take turns for ever; but it follows a surface that lifts it. Where something
-    /// would be squeezed nothing is done yet but to stop the surfaces that do it.
+    /// The plastic solve of all that touches. Pushing one side of a body can lift it off the other by next to nothing; where it is pulled back at
+    /// once, it stays, or the two sides would take turns for ever. Where a surface would squeeze a body, it only stops.
     fn stop_together(&mut self, scene: &Scene) {
         let mut touching = std::mem::take(&mut self.touching);
         let mut may_cling = true;
@@ -97,12 +88,10 @@ impl Events {
         self.touching = touching;
     }
 
-    /// Stops the surfaces that squeeze what the last solve has found squeezed, for the rest of the tick: those that close on it by the
-    /// `rate` asked about, velocity or acceleration. Returns whether there are any.
+    /// Stops the surfaces that close on squeezed bodies by their `rate`, velocity or acceleration. Returns whether there are any.
     pub(crate) fn stop_surfaces(&mut self, scene: &Scene, contacts: &[Contact], rate: impl Fn(&Self, u32) -> DVec2) -> bool {
         let squeezed = std::mem::take(&mut self.reactions.joined.squeezed);
         let known = self.squeezed.len();
-        let mut late = 0.0;
         for contact in contacts {
             let (body, surface) = contact.ends();
             if self.is_body(surface) || !squeezed.contains(&(body, contact.axis)) {
@@ -112,17 +101,16 @@ impl Events {
             if side * rate(self, surface)[contact.axis] > 0.0 {
                 let (speed, pull) = (self.speed(surface)[contact.axis], self.free[surface as usize][contact.axis]);
                 self.squeezed.push((body, surface, side * speed + (side * pull).max(0.0) * (scene.tick - self.now)));
-                late = f64::max(late, self.give_back(contacts, contact, side * speed));
             }
         }
         self.reactions.joined.squeezed = squeezed;
         for index in known..self.squeezed.len() {
-            self.halt(scene, self.squeezed[index].1, late);
+            self.halt(scene, self.squeezed[index].1);
         }
         self.squeezed.len() > known
     }
 
-    /// Whether two things part so slowly that they rest on each other, if nothing pulls them apart.
+    /// Whether two items part so slowly that they rest on each other, if nothing pulls them apart.
     pub(crate) fn clings(&self, scene: &Scene, contact: &Contact) -> bool {
         let approach = self.approach(contact);
         if !(-MICRO_SPEED..0.0).contains(&approach) {
@@ -135,7 +123,7 @@ impl Events {
         (self.pull(scene, contact.lo) - self.pull(scene, contact.hi))[contact.axis] >= 0.0
     }
 
-    /// What acts on an item without contacts now, m/s².
+    /// Acceleration without contacts now, m/s².
     fn pull(&self, scene: &Scene, item: u32) -> DVec2 {
         let of = &self.items[item as usize];
         if self.is_body(item) {
@@ -145,7 +133,7 @@ impl Events {
         }
     }
 
-    /// The next pair of the sequence: its index, its closing speed and its restitution. Bouncing pairs first, the fastest of them.
+    /// The next pair: its index, closing speed and restitution. Bouncing pairs first, the fastest of them.
     fn next_impact(&self, scene: &Scene) -> Option<(usize, f64, f64)> {
         let mut best: Option<(usize, f64, f64)> = None;
         for (index, contact) in self.touching.iter().enumerate() {
@@ -167,7 +155,7 @@ impl Events {
         best
     }
 
-    /// Restitution of a pair at a closing speed: zero where the bounce ends.
+    /// Restitution of a pair at a closing speed: 0 where the bounce ends.
     pub(crate) fn restitution(&self, scene: &Scene, contact: &Contact, speed: f64) -> f64 {
         called(Part::Bounces);
         let (lo, hi) = (&self.items[contact.lo as usize], &self.items[contact.hi as usize]);
@@ -188,7 +176,6 @@ impl Events {
         let axis = contact.axis;
         self.count_hit(&contact);
         let [lo_share, hi_share] = self.shares(contact.lo as usize, contact.hi as usize);
-        // Of a body and a surface the body's own mass.
         let reduced = if self.is_body(contact.hi) {
             hi_share * self.items[contact.hi as usize].body.mass
         } else {
@@ -198,9 +185,7 @@ impl Events {
         let relative = self.sliding(&contact);
         // Friction changes the sliding by at most μ_k times the change along the normal, and stops it at most.
         let rub = -relative.signum() * (contact.kinetic_friction * change).min(relative.abs());
-        let mut impulse = DVec2::ZERO;
-        (impulse[axis], impulse[1 - axis]) = (reduced * change, if relative == 0.0 { 0.0 } else { reduced * rub });
-        self.note(&contact, impulse, speed);
+        self.note(&contact, on_axis(axis, reduced * change, if relative == 0.0 { 0.0 } else { reduced * rub }), speed);
         let surface = [contact.lo, contact.hi].into_iter().find(|&item| !self.is_body(item));
         for (item, share, sign) in [(contact.lo, lo_share, -1.0), (contact.hi, hi_share, 1.0)] {
             if !self.is_body(item) {
@@ -222,22 +207,23 @@ impl Events {
         }
     }
 
-    /// Lists what a plastic impact passed on in a contact.
     fn note_plastic(&mut self, contact: &Contact) {
         if contact.normal != 0.0 || contact.friction != 0.0 {
-            let mut impulse = DVec2::ZERO;
-            (impulse[contact.axis], impulse[1 - contact.axis]) = (contact.normal, contact.friction);
             let before = |item: u32| self.before[item as usize][contact.axis];
             let closing = (before(contact.lo) - before(contact.hi)).max(0.0);
-            self.note(contact, impulse, closing);
+            self.note(contact, on_axis(contact.axis, contact.normal, contact.friction), closing);
         }
     }
 
-    /// Lists an impulse (N·s, on `hi`) for rules, view and sound.
     pub(crate) fn note(&mut self, contact: &Contact, impulse: DVec2, speed: f64) {
-        let point = self.point_of(contact);
-        let (lo, hi) = (contact.lo, contact.hi);
-        let places = [self.places[lo as usize], self.places[hi as usize]];
-        self.hits.push(Hit { lo, hi, axis: contact.axis, impulse, speed, point, places, at: self.now });
+        let (first, second) = contact.ends();
+        let sign = if first == contact.lo { -1.0 } else { 1.0 };
+        let bounds = |item: u32| Aabb::around(self.places[item as usize], self.items[item as usize].body.half);
+        let other = &self.items[second as usize];
+        let b = if other.surface { Obstacle::Surface(other.id) } else { Obstacle::Body(BodyId(other.id)) };
+        let (a, point) = (BodyId(self.items[first as usize].id), bounds(first).shared_middle(&bounds(second)));
+        let places = [first, second].map(|item| self.places[item as usize]);
+        let impulse = Impulse { a, b, vector: impulse * sign, point, at: self.now };
+        self.hits.push(Hit { impulse, normal: on_axis(contact.axis, sign, 0.0), speed, places });
     }
 }

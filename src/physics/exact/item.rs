@@ -1,29 +1,22 @@
-//! What takes part in an island: bodies, and the surfaces near them, each on a path of its own with a time at which it began.
+//! Items: the bodies of an island and the surfaces near them, each on a path of its own.
 
-use crate::physics::data::tuning::STRAY;
-use crate::physics::data::{Aabb, Body, BodyDef, Cubic, Pose, Sides, Surface, parabola};
-use crate::physics::flight::flow::{flow, flow_while};
-use crate::physics::forces::law::Law;
-use crate::physics::forces::media::Media;
+use crate::physics::data::{Aabb, Body, BodyDef, Cubic, Pose, STRAY, Sides, Surface, on_axis, parabola};
+use crate::physics::flight::liquid::{flow, flow_while};
+use crate::physics::forces::{Law, Media};
 use glam::DVec2;
 
-/// How something moves from one event to its next.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Motion {
-    /// Not at all.
+    #[default]
     Still,
-    /// With constant acceleration.
     Parabola,
-    /// By its own flow through the media.
     Flow,
-    /// Over a surface, through the media.
+    /// Over one surface, through media.
     Slide,
 }
 
-/// The slide of a body over one surface.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slide {
-    /// Of the contact.
     pub axis: usize,
     /// On which side of the surface the body is: 1 or −1.
     pub away: f64,
@@ -35,13 +28,10 @@ impl Slide {
     /// Acceleration of the body from the one that it would have without the contact, m/s².
     fn hold(&self, free: DVec2) -> DVec2 {
         let normal = (-self.away * free[self.axis]).max(0.0);
-        let mut a = DVec2::ZERO;
-        a[1 - self.axis] = free[1 - self.axis] - self.friction * normal;
-        a
+        on_axis(self.axis, 0.0, free[1 - self.axis] - self.friction * normal)
     }
 }
 
-/// What ends the motion of an item.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Kind {
     /// Nothing before the end of the tick.
@@ -54,16 +44,15 @@ pub(crate) enum Kind {
     Edge { other: u32 },
     /// Its contact with another item begins: both are flush, and face each other from now on.
     Begin { other: u32 },
-    /// It enters or leaves an air stream.
+    /// It crosses the border of a stream.
     Border,
-    /// Its motion has been foreseen up to here only.
+    /// Its path is foreseen up to here.
     Renew,
     /// It leaves the item on which its bounces have been passed over.
     Resume,
 }
 
 impl Kind {
-    /// The item with which it happens.
     pub fn other(self) -> Option<u32> {
         match self {
             Self::Hit { other, .. } | Self::Stop { other } | Self::Edge { other } | Self::Begin { other } => Some(other),
@@ -77,14 +66,13 @@ pub(crate) struct Next {
     /// s, from the tick's start.
     pub at: f64,
     pub kind: Kind,
-    /// The number of the path of the other item on which it was foreseen, if there is one.
+    /// The number of the path of the other item on which it was foreseen.
     pub foreseen_on: u32,
 }
 
 impl Next {
     pub const NEVER: Self = Self { at: f64::INFINITY, kind: Kind::Nothing, foreseen_on: 0 };
 
-    /// Takes the other one if that is earlier.
     pub fn or_earlier(&mut self, at: f64, kind: Kind) {
         if at < self.at {
             *self = Self { at, kind, foreseen_on: 0 };
@@ -92,7 +80,7 @@ impl Next {
     }
 }
 
-/// A body that passes over whole bounces leaves the `other` item, on which it bounced along `axis`, at that time, with so much `speed` apart, m/s.
+/// The end of bounces that are passed over: at that time (s) the body leaves the `other` item along `axis` with that `speed`, m/s.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Resume {
     pub at: f64,
@@ -101,8 +89,7 @@ pub(crate) struct Resume {
     pub other: u32,
 }
 
-/// A body or a surface in an island.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Item {
     /// The body's or the surface's number in the world, and which of the two it is.
     pub id: u32,
@@ -124,18 +111,16 @@ pub(crate) struct Item {
     /// Of its parabola, m/s²: where media act on what is in contact, the mean one.
     pub mean: DVec2,
     pub slide: Option<Slide>,
-    /// What its flow or slide comes to, with `since` and `until` as they were then: what has been foreseen is not sought once more.
-    end: Option<(f64, f64, Pose)>,
-    /// Where others were looked for, m.
+    /// The end of its flow or slide, with `since` and `until` as they were then.
+    pub end: Option<(f64, f64, Pose)>,
     pub searched: Aabb,
     pub(crate) resume: Option<Resume>,
-    /// Impacts in this tick.
     pub hits: u32,
     /// How often in this tick it was taken to stay where it parted by a rounding.
     pub clung: u32,
     /// Borders of streams that it crossed in this tick, soon after another event.
     pub crossed: u32,
-    /// Whether contacts and accelerations are known with which the tick begins, and after it, those with which the next one does.
+    /// Whether contacts and accelerations are those of the tick's start, and later those of its end.
     pub known: bool,
     /// Whether something of it changed since the tick's start.
     pub disturbed: bool,
@@ -147,44 +132,16 @@ pub(crate) struct Item {
 }
 
 impl Item {
-    /// A body as a tick begins.
     pub fn body(id: u32, body: &Body, drive: DVec2, searched: Aabb, known: bool) -> Self {
-        Self {
-            id,
-            surface: false,
-            body: body.clone(),
-            drive,
-            link: DVec2::ZERO,
-            since: 0.0,
-            until: 0.0,
-            law: Law::default(),
-            motion: Motion::Still,
-            solved: body.acceleration,
-            mean: body.acceleration,
-            slide: None,
-            end: None,
-            searched,
-            resume: None,
-            hits: 0,
-            clung: 0,
-            crossed: 0,
-            known,
-            disturbed: false,
-            sides: Sides::ALL,
-            belt: 0.0,
-            stops_at: f64::INFINITY,
-        }
+        let (body, a) = (body.clone(), body.acceleration);
+        Self { id, body, drive, solved: a, mean: a, searched, known, stops_at: f64::INFINITY, ..Self::default() }
     }
 
-    /// A surface; its path says how it begins.
+    /// A surface; [`crate::physics::exact::Scene::set_on_path`] sets its motion.
     pub fn surface(id: u32, surface: &Surface) -> Self {
-        let bounds = &surface.bounds;
-        let stand_in = Body::new(&BodyDef {
-            position: bounds.centre(),
-            half: bounds.size() * 0.5,
-            material: surface.material,
-            ..BodyDef::default()
-        });
+        let (bounds, material) = (&surface.bounds, surface.material);
+        let (position, half) = (bounds.centre(), bounds.size() * 0.5);
+        let stand_in = Body::new(&BodyDef { position, half, material, ..BodyDef::default() });
         let (sides, belt) = (surface.def.sides, surface.belt);
         Self { surface: true, sides, belt, ..Self::body(id, &stand_in, DVec2::ZERO, *bounds, true) }
     }
@@ -195,8 +152,7 @@ impl Item {
 
     /// Where it is at a time (s from the tick's start, not before `since`).
     pub fn pose(&self, media: &Media, at: f64) -> Pose {
-        let t = at - self.since;
-        let start = (self.body.position, self.body.velocity);
+        let (t, start) = (at - self.since, (self.body.position, self.body.velocity));
         match self.motion {
             _ if t == 0.0 => start,
             Motion::Still => start,
@@ -211,29 +167,21 @@ impl Item {
         self.end.is_some_and(|(since, until, _)| (since, until) == (self.since, at))
     }
 
-    /// What was foreseen holds no longer, because something happened to it.
-    pub fn forget_end(&mut self) {
-        self.end = None;
-    }
-
-    /// Runge–Kutta steps of a slide, as many as its rate asks for.
     fn slide_on(&self, media: &Media, t: f64) -> Pose {
         let mut pose = (self.body.position, self.body.velocity);
         let Some(slide) = self.slide else { return parabola(pose, self.mean, t) };
         let reach = media.rate(&self.body, &self.law, pose, t) * t;
         // Rate × time of 0.02 a step leaves 1e-9 m after some metres. A path that is foreseen at once takes 25 steps.
         let steps = (reach / 0.02).ceil().clamp(1.0, 64.0);
-        if !self.law.is_near_liquid() {
-            for _ in 0..steps as u32 {
-                pose = rk4(pose, t / steps, |x, v| slide.hold(media.acceleration(&self.body, &self.law, x, v)));
-            }
-        } else {
-            let mut regime = self.law.regime(media, &self.body, pose.0);
-            for _ in 0..steps as u32 {
-                pose = rk4(pose, t / steps, |x, v| slide.hold(regime.follow(x).acceleration(x, v)));
-            }
+        let mut regime = self.law.is_near_liquid().then(|| self.law.regime(media, &self.body, pose.0));
+        let mut pull = |x: DVec2, v: DVec2| match &mut regime {
+            Some(regime) => regime.follow(x).acceleration(x, v),
+            None => media.acceleration(&self.body, &self.law, x, v),
+        };
+        for _ in 0..steps as u32 {
+            pose = rk4(pose, t / steps, |x, v| slide.hold(pull(x, v)));
         }
-        // With what it slides on it goes on evenly: far from the origin the steps would lead it away from that by their roundings.
+        // Across the face it moves evenly: far from the origin the steps would lead it away by their roundings.
         pose.0[slide.axis] = self.body.position[slide.axis] + self.body.velocity[slide.axis] * t;
         pose
     }
@@ -255,15 +203,12 @@ impl Item {
         }
     }
 
-    /// A cubic that is right at once, so that things that bounce on each other thousands of times a second meet when they should; where it ends;
-    /// and, within [`STRAY`], at the end of each step of a flow through liquids: what enters one, or has just been thrown into it, is followed in
-    /// shorter parts.
+    /// A cubic that is exact at its start, at its end, and within [`STRAY`] at the end of each step of a flow through liquids.
     fn foresee_flow(&mut self, media: &Media) -> Cubic {
         let (x, v) = (self.body.position, self.body.velocity);
         let a = media.acceleration(&self.body, &self.law, x, v);
         let to = |t: f64, end: DVec2| Cubic { c: [x, v, a * 0.5, (end - x - (v + a * (0.5 * t)) * t) / (t * t * t)] };
         loop {
-            // One cubic follows 16 steps of a flow at most.
             let (mut passed, mut count, mut fits) = ([(0.0, DVec2::ZERO); 16], 0, true);
             let course = flow_while(media, &self.body, &self.law, self.until - self.since, |t, (place, speed)| {
                 let way = to(t, place);
@@ -289,7 +234,6 @@ impl Item {
     }
 }
 
-/// One step of the classical Runge–Kutta method.
 fn rk4((x, v): Pose, h: f64, mut acceleration: impl FnMut(DVec2, DVec2) -> DVec2) -> Pose {
     let half = 0.5 * h;
     let a1 = acceleration(x, v);

@@ -1,15 +1,12 @@
-//! Bringing together what meets, exactly, and parting what is in each other: paths through media are foreseen roughly, as cubics, so that two
-//! things may be found a hair apart or in each other when they should touch.
+//! Items that meet, brought exactly together: along cubics that follow media they may be found a hair apart or in each other.
 
-use crate::physics::data::contact::Contact;
-use crate::physics::data::tuning::{SLOP, STRAY};
+use crate::physics::data::{Contact, SLOP, STRAY};
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::Next;
 
 impl Events {
-    /// Brings two things to the instant at which they meet, and exactly together: a path foreseen as a cubic may be off by a hair, so Newton's
-    /// method ends on the motions themselves. What is left of the gap is shared as their masses say; a surface gives way to nothing. Returns
-    /// false if they meet so much later that something else happens before: then they have to be looked at again from here.
+    /// Brings two items to the instant at which they meet, by Newton's method on the motions themselves, and closes the gap left. Returns false if
+    /// they meet so much later that something else happens before.
     pub(crate) fn put_together(&mut self, scene: &Scene, contact: &Contact) -> bool {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
         let reach = self.reach_of(contact);
@@ -39,14 +36,13 @@ impl Events {
         true
     }
 
-    /// Takes away the gap, or the overlap, that the roughness of a foreseen path has left of two things that meet now: shared as their masses
-    /// say; a surface gives way to nothing, and neither does what stands against one. What stands behind what gives way goes with it.
+    /// Takes away the gap or overlap of two items that meet now, shared as their masses say; a surface gives way to nothing, and neither does a
+    /// body that stands against one. Bodies behind the one that gives way go with it.
     pub(crate) fn close(&mut self, scene: &Scene, contact: &Contact) {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
         let reach = self.reach_of(contact);
         let gap = self.locate(scene, hi)[axis] - self.locate(scene, lo)[axis] - reach;
         if gap < -STRAY && !self.began_apart(contact) {
-            // They began in each other: nothing is put right at a stroke.
             return;
         }
         if lo >= self.movable || hi >= self.movable {
@@ -68,15 +64,13 @@ impl Events {
         }
     }
 
-    /// Whether two things were not in each other when the tick began.
     fn began_apart(&self, contact: &Contact) -> bool {
         let (lo, hi) = (contact.lo as usize, contact.hi as usize);
         let reach = self.items[lo].body.half + self.items[hi].body.half;
         ((self.begun[hi] - self.begun[lo]).abs() - reach).max_element() >= -STRAY
     }
 
-    /// Where Newton's method has ended with two things in each other: halves the time between the last event, when they were not, and now,
-    /// until they are not by more than the slop.
+    /// Where Newton's method has ended with the two in each other: halves the time since the last event until they are apart.
     fn bracket(&mut self, scene: &Scene, contact: &Contact, reach: f64) {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
         let gap = |events: &Self, at: f64| {
@@ -104,8 +98,7 @@ impl Events {
         self.now = apart;
     }
 
-    /// Lists in `behind` a body and what stands behind it to that side along the axis of a contact, each against the one before, not by this
-    /// contact. Returns whether a surface does.
+    /// Lists in `behind` a body and all that stands behind it, not by the contact `besides`. Returns whether a surface does.
     fn find_behind(&mut self, body: u32, side: f64, besides: &Contact) -> bool {
         self.behind.clear();
         self.behind.push(body);
@@ -129,8 +122,7 @@ impl Events {
         false
     }
 
-    /// Moves a body by `way` (m) along the axis of a contact, and what stands behind it by as much: it would be left in it, a little deeper each
-    /// time.
+    /// Moves a body by `way` (m) along the axis of a contact, and all that stands behind it by as much.
     fn push_along(&mut self, scene: &Scene, body: u32, way: f64, besides: &Contact) {
         if way == 0.0 {
             return;
@@ -144,19 +136,13 @@ impl Events {
         }
     }
 
-    /// How far apart the centres of two things are along the axis of their contact where they touch, m.
+    /// Distance of the centres along the axis of a contact at which its ends touch, m.
     fn reach_of(&self, contact: &Contact) -> f64 {
         let half = |item: u32| self.items[item as usize].body.half[contact.axis];
         half(contact.lo) + half(contact.hi)
     }
 
-    /// Whether two things that meet are in each other by more than the slop: something else happened on the rest of a path that was foreseen
-    /// roughly.
-    pub(crate) fn is_in(&self, contact: &Contact) -> bool {
-        self.depth_of(contact) > SLOP
-    }
-
-    /// How deep two things are in each other along the axis of their contact, m.
+    /// How deep its ends are in each other along its axis, m.
     pub(crate) fn depth_of(&self, contact: &Contact) -> f64 {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
         self.reach_of(contact) - (self.places[hi][axis] - self.places[lo][axis])

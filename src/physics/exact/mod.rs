@@ -1,16 +1,9 @@
-//! The event-driven method: an island, from one thing that happens to the next.
+//! The method of events: an island, from one event to the next.
 //!
-//! Every item of an island (bodies, and the surfaces near them) has a path of its own, with its own beginning and its own next event; an event
-//! ends the paths of what it touches, and of nothing else. So a tick costs what happens in it: flight is one formula, an impact concerns two
-//! bodies and what they are in contact with, and everything else goes on as foreseen (event-driven dynamics with local clocks, after
-//! Alder and Wainwright 1959).
-//!
-//! At an event the items concerned are brought to its instant (`collect`), impacts are resolved (`impacts`), contacts and accelerations
-//! follow (`motions`), and the next events are sought (`predict`). Events are counted, and not the clock: one step of the crowd's method takes
-//! the tick of an island in which too many happen. So no time is lost, and no tick lasts longer than that number of events and one such step.
-//!
-//! Forces at the end of the tick are those of that instant: contacts are solved there once more where media act on them. The next tick
-//! begins with them, if nothing has changed meanwhile.
+//! Every item of an island (bodies, and the surfaces near them) has a path and a next event of its own; an event ends the paths of the items
+//! that it concerns and of no other (local clocks: Alder and Wainwright 1959). At an event those items are brought to its instant (`contacts`),
+//! impacts are resolved (`impacts`), contacts and accelerations follow (`motions`), and the next events are sought (`predict`). Events are
+//! counted: the crowd step takes the tick of an island in which too many happen.
 
 pub(crate) mod bounces;
 pub(crate) mod contacts;
@@ -23,16 +16,14 @@ pub(crate) mod meeting;
 pub(crate) mod motions;
 pub(crate) mod poses;
 pub(crate) mod predict;
-pub(crate) mod rest;
 pub(crate) mod ties;
 pub(crate) mod track;
 
-use crate::physics::data::tuning::{EVENTS_OF_A_BODY, MOST_BORDERS};
-use crate::physics::data::{Aabb, Pose};
+use crate::physics::data::{Aabb, EVENTS_OF_A_BODY, MOST_BORDERS, Part, Pose, called};
 pub(crate) use crate::physics::exact::events::{Events, Outcome, Scene};
 use crate::physics::exact::item::{Item, Kind, Motion, Next};
 use crate::physics::exact::motions::SHORTEST;
-use crate::physics::flight::flow::flow;
+use crate::physics::flight::liquid::flow;
 use crate::physics::forces::law::Law;
 use glam::DVec2;
 
@@ -45,9 +36,6 @@ impl Events {
     }
 
     fn go_through(&mut self, scene: &Scene) -> Outcome {
-        if self.rest(scene) {
-            return Outcome::Done;
-        }
         if !self.begin(scene) {
             return Outcome::Busy;
         }
@@ -78,23 +66,15 @@ impl Events {
         Outcome::Done
     }
 
-    /// Whether more has happened in this tick than is followed event by event.
     pub(crate) fn is_busy(&mut self) -> bool {
         self.count += std::mem::take(&mut self.reactions.solved);
         self.count > EVENTS_OF_A_BODY * (32 + self.movable as u64)
-    }
-
-    /// Contacts and accelerations before the first tick: no impact is resolved yet.
-    pub fn begin_world(&mut self, scene: &Scene) {
-        self.begin(scene);
-        self.settle(scene);
     }
 
     /// Where the only body of the island gets by the end of the tick, touching nothing.
     pub fn fly(&mut self, scene: &Scene) -> Pose {
         self.contacts.clear();
         self.items[0].known = false;
-        // It meets nothing, however far the streams take it.
         self.items[0].searched = Aabb::around(DVec2::ZERO, DVec2::splat(f64::MAX));
         let outcome = self.advance(scene);
         self.hits.clear();
@@ -106,13 +86,12 @@ impl Events {
         flow(scene.media, &item.body, &Law { rough: true, ..item.law }, scene.tick - item.since)
     }
 
-    /// The greatest speed along each axis at which something moves, m/s.
+    /// The greatest speed along each axis, m/s.
     pub fn fastest(&self) -> DVec2 {
         let speed = |item: &Item| item.body.velocity.abs() + item.mean.abs() * (item.until - item.since).clamp(0.0, 1.0);
         self.items.iter().map(speed).fold(DVec2::ZERO, DVec2::max)
     }
 
-    /// Whether no surface of a contact moves.
     pub fn stands_on_what_stands(&self) -> bool {
         self.contacts.iter().all(|contact| {
             let surface = contact.lo.max(contact.hi);
@@ -120,7 +99,6 @@ impl Events {
         })
     }
 
-    /// The first event of all, if it falls into the tick.
     fn next_event(&self, scene: &Scene) -> Option<(usize, Next)> {
         let mut first = (0, Next::NEVER);
         for (i, next) in self.nexts.iter().enumerate() {
@@ -131,15 +109,14 @@ impl Events {
         (first.1.at <= scene.tick).then_some(first)
     }
 
-    /// Whether the other item of an event has taken another path since. Nothing has happened to this item then, but from now on others may.
     fn is_void(&self, next: &Next) -> bool {
         next.kind.other().is_some_and(|other| self.ways[other as usize] != next.foreseen_on)
     }
 
-    /// Prepares the buffers, and how everything moves at the start of the tick. Returns false where too many impacts fall into that instant.
-    fn begin(&mut self, scene: &Scene) -> bool {
+    /// Returns false where too many impacts fall into the first instant of the tick.
+    pub(crate) fn begin(&mut self, scene: &Scene) -> bool {
         self.clear_buffers();
-        self.bounces = scene.bounces && self.items.iter().any(|item| item.body.restitution > 0.0);
+        self.bounces = scene.plan.bounces && self.items.iter().any(|item| item.body.restitution > 0.0);
         let (all, bodies) = (self.items.len(), self.movable);
         for i in 0..bodies {
             self.solved[i] = self.items[i].solved;
@@ -154,7 +131,7 @@ impl Events {
         self.start(scene)
     }
 
-    /// What happened last tick goes on where nothing changed; everything else is looked at as if something had happened to it.
+    /// Items that nothing changed go on as the last tick left them; an event concerns all others.
     fn start(&mut self, scene: &Scene) -> bool {
         for i in 0..self.movable {
             if !self.items[i].known {
@@ -173,8 +150,9 @@ impl Events {
                 self.is_placed[i] = true;
             }
         }
-        if !scene.direct {
-            self.solve_concerned(scene);
+        match scene.plan.direct {
+            true => called(Part::Direct),
+            false => self.solve_concerned(scene),
         }
         self.go_on(scene);
         self.release();

@@ -1,21 +1,17 @@
-//! What an event leaves behind: accelerations, and how everything concerned moves on.
+//! Motions after an event.
 //!
-//! What flies follows its own flow. What is in contact moves with the accelerations that its contacts allow; these are constant unless media
-//! act. Where they do, one body that slides on one surface follows the exact law of its slide; a group takes the mean acceleration of an
-//! implicit midpoint step, which is stable at any rate: in `v′ = f − D·v − K·x` the step is one contact solve with the masses
-//! M·(1 + ½hD + ¼h²K). So a group in a medium needs one more solve than one without, and its paths are parabolas as well. A step ends where a body
-//! enters or leaves a liquid.
+//! A group in contact in media takes the mean acceleration of an implicit step: in `v′ = f − D·v − K·x` that is one contact solve with the masses
+//! M·(1 + θhD + θ²h²K), stable at any rate (`docs/physics.md`, Flight). The step ends where a body enters or leaves a liquid.
 
 use crate::physics::contact::axis::Parts;
-use crate::physics::data::tuning::{BOBBING_REACH, SPEED_TOLERANCE};
-use crate::physics::data::{Contact, Cubic};
+use crate::physics::data::{BOBBING_REACH, Contact, Cubic, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Implicit, Scene};
 use crate::physics::exact::item::{Item, Motion, Next, Slide};
 use crate::physics::exact::track::Track;
 use crate::physics::forces::zones;
 use glam::DVec2;
 
-/// The shortest part of a tick that a path near a liquid is foreseen for. Smaller: many foresights in stiff liquids; larger: steps across a
+/// The shortest part of a tick for which a path near a liquid is foreseen. Smaller: many foresights in stiff liquids; larger: steps across a
 /// surface gain energy.
 pub(crate) const SHORTEST: f64 = 1.0 / 64.0;
 
@@ -27,8 +23,7 @@ const KINK_TRIALS: u32 = 8;
 const PASSES: u32 = 4;
 const OFF: f64 = 1e-7;
 
-/// s from the tick's start. How long the cubic of something that moves through a medium follows its flow; that of a flow through liquids is
-/// looked at as it is foreseen.
+/// How long, s from the tick's start, the cubic of an item in a medium follows its flow; flows through liquids are checked later.
 fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
     let wet = item.law.is_near_liquid();
     if wet && item.motion == Motion::Flow {
@@ -52,17 +47,18 @@ fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
 }
 
 impl Events {
-    /// Looks at everything concerned again: what touches it, its impacts, contacts, accelerations and motion. Returns false where too many impacts
-    /// fall into that instant.
+    /// Looks at all items concerned again: contacts, impacts, accelerations and motions. Returns false where too many impacts fall into that instant.
     pub(crate) fn look(&mut self, scene: &Scene) -> bool {
-        // Where a surface is stopped that would have squeezed something, other things concern it as well: each of them once.
+        // A surface that stops concerns more items: each surface once.
         let known = self.hits.len();
         for _ in self.movable..=self.items.len() {
             self.halted = false;
             self.collect(scene);
-            self.resume_concerned(scene);
+            // Something else happens to these pairs: bounces that are passed over end.
+            for k in 0..self.concerned.len() {
+                self.resume(scene, self.concerned[k] as usize);
+            }
             if !self.resolve_impacts(scene) {
-                // Nothing of this event has happened: the island is handed over as it was.
                 self.hits.truncate(known);
                 return false;
             }
@@ -77,14 +73,13 @@ impl Events {
         true
     }
 
-    /// Lets everything concerned begin where it is now: its law, contacts and accelerations.
     fn settle_concerned(&mut self, scene: &Scene) {
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
             let (place, speed) = (self.places[i], self.speeds[i]);
             let item = &mut self.items[i];
             (item.body.position, item.body.velocity, item.since) = (place, speed, self.now);
-            item.forget_end();
+            item.end = None;
             item.disturbed = true;
             self.renew_law(scene, i);
         }
@@ -92,21 +87,19 @@ impl Events {
         self.solve_concerned(scene);
     }
 
-    /// The force of a body's engine, and of all streams that it feels, N.
+    /// The force of the engine, the links and the streams, N.
     pub(crate) fn force_on(&self, scene: &Scene, i: usize) -> DVec2 {
         let item = &self.items[i];
         let push = item.drive + item.link;
         if self.streams.is_empty() { push } else { scene.media.force_of_streams(&item.body, push) }
     }
 
-    /// The law of a body's motion from now on.
     pub(crate) fn renew_law(&mut self, scene: &Scene, i: usize) {
         let force = self.force_on(scene, i);
         let item = &mut self.items[i];
         scene.media.renew(&mut item.law, &item.body, force, scene.tick - self.now);
     }
 
-    /// The accelerations of what is concerned, and what its contacts carry.
     pub(crate) fn solve_concerned(&mut self, scene: &Scene) {
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
@@ -127,7 +120,6 @@ impl Events {
         }
     }
 
-    /// Sets everything concerned on its path, and seeks what happens to it next.
     pub(crate) fn go_on(&mut self, scene: &Scene) {
         self.choose_motions(scene);
         for k in 0..self.concerned.len() {
@@ -140,7 +132,6 @@ impl Events {
             let stopped = i >= self.movable && item.stops_at <= self.now && item.since == self.now;
             if self.is_concerned[i] || stopped {
                 if still {
-                    // Nothing meets, and no contact changes.
                     self.nexts[i] = self.own_next(scene, i);
                 } else {
                     self.predict(scene, i);
@@ -161,7 +152,6 @@ impl Events {
         self.ways[i] += 1;
     }
 
-    /// How everything concerned moves from now on.
     fn choose_motions(&mut self, scene: &Scene) {
         let left = scene.tick - self.now;
         self.take_contacts_of_concerned();
@@ -189,7 +179,7 @@ impl Events {
         if coupled && left > 0.0 {
             let mut h = self.up_to_a_kink(scene, self.while_slides_last(left));
             self.take_mean_accelerations(scene, h);
-            // The path of a step that crosses a kink or a turn depends on its length: a few trials find the length that ends there.
+            // The path of a step depends on its length: trials find the length that ends at a kink or a turn.
             for _ in 0..KINK_TRIALS {
                 let sooner = self.up_to_a_kink(scene, h).min(self.up_to_a_turn(scene, h));
                 if sooner >= h {
@@ -208,7 +198,7 @@ impl Events {
         self.contacts.append(&mut self.trial);
     }
 
-    /// How long a mean acceleration may be taken for, of `left` seconds: a quarter longer than the first slide lasts, so that its end is found before.
+    /// How long a mean acceleration may be taken, of `left` seconds: a quarter longer than the first slide lasts, so that its end is found.
     fn while_slides_last(&self, left: f64) -> f64 {
         let rate = |item: u32, along: usize| self.solved[item as usize][along];
         let ends = self.trial.iter().filter(|contact| contact.slides != 0.0).map(|contact| {
@@ -219,9 +209,7 @@ impl Events {
         ends.filter(|&end| end > 0.0).fold(left, f64::min)
     }
 
-    /// How much of the next `h` seconds one implicit step may take. It ends where a side of a body passes a side of a liquid: a step across such
-    /// a kink of buoyancy gains energy. It follows what bobs, and drag that grows with the speed: a step that foresees less of it throws a light
-    /// body back.
+    /// How much of the next `h` seconds an implicit step may take: up to a kink, and no longer than bobbing and quadratic drag allow.
     fn up_to_a_kink(&self, scene: &Scene, h: f64) -> f64 {
         let moving = self.concerned.iter().map(|i| &self.items[*i as usize]).filter(|item| item.motion == Motion::Parabola);
         let most = moving.filter(|item| !item.law.is_constant()).map(|item| {
@@ -243,7 +231,7 @@ impl Events {
         turns.filter(|turn| *turn > 0.0).fold(h, f64::min).max(scene.tick * SHORTEST).min(h)
     }
 
-    /// The slide of a body that touches nothing but one surface which does not speed up, if it is one.
+    /// The slide of a body on the one surface that it touches, if that does not speed up.
     fn slide_of(&self, i: usize, contact: &Contact) -> Option<Slide> {
         let surface = contact.other(i as u32);
         if self.is_body(surface) || self.free[surface as usize] != DVec2::ZERO {
@@ -254,9 +242,7 @@ impl Events {
         slides.then_some(Slide { axis: contact.axis, away, friction: away * contact.slides * contact.kinetic_friction })
     }
 
-    /// The mean accelerations of what is in contact in media, for the next `h` seconds: an implicit midpoint step, with linearised forces and
-    /// then again with those at the midpoint found, which makes it second order whatever the linearisation neglects. Where a rate is so
-    /// high that the midpoint would be passed by far, the point moves towards the end (the θ-method), so that nothing rings.
+    /// The mean accelerations of bodies in contact in media: forces linearised, then those at the point found (second order).
     fn take_mean_accelerations(&mut self, scene: &Scene, h: f64) {
         self.implicit.clear();
         for k in 0..self.concerned.len() {
@@ -286,7 +272,7 @@ impl Events {
             let i = self.concerned[k] as usize;
             let item = &mut self.items[i];
             self.masses[i] = DVec2::splat(item.body.mass);
-            // What rests now may be pushed off within the step, by what a liquid slows less and less.
+            // A liquid that slows a resting body less and less may push it off.
             if item.motion == Motion::Still && self.means[i].abs().max_element() * h > SPEED_TOLERANCE {
                 item.motion = Motion::Parabola;
             }
@@ -296,7 +282,7 @@ impl Events {
         }
     }
 
-    /// Takes the forces once more, at the midpoint that the last mean accelerations lead to. Returns how much the next pass would change, m/s.
+    /// Takes the forces once more at that point. Returns how much the next pass would change, m/s.
     fn correct_means(&mut self, scene: &Scene, h: f64) -> f64 {
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
@@ -318,12 +304,11 @@ impl Events {
         self.reactions.accelerate(&mut self.asked, &parts, &mut self.means);
     }
 
-    /// Goes on with a flow that was foreseen up to now only, or with the next leg of a surface's path.
     pub(crate) fn renew(&mut self, scene: &Scene, i: usize) {
         let (position, velocity) = self.items[i].pose(scene.media, self.now);
         let item = &mut self.items[i];
         (item.body.position, item.body.velocity, item.since) = (position, velocity, self.now);
-        item.forget_end();
+        item.end = None;
         if i < self.movable {
             item.until = end_of_a_cubic(scene, item);
         }
@@ -332,7 +317,6 @@ impl Events {
     }
 }
 
-/// The part of an implicit step of a rate × time at whose end its forces are taken.
 fn theta(rate: f64) -> f64 {
     if rate > 2.0 { 1.0 - 1.0 / rate } else { 0.5 }
 }

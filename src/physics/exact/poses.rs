@@ -1,12 +1,10 @@
-//! The present instant: where items are, how fast they move, and what two of them have to do with each other.
+//! The present instant: poses of items, and contacts of two of them.
 
-use crate::physics::data::tuning::{SLOP, SPEED_ROUNDING};
-use crate::physics::data::{Contact, Sides};
+use crate::physics::data::{Contact, SLOP, SPEED_ROUNDING, Sides};
 use crate::physics::exact::events::{Events, Scene};
 use glam::DVec2;
 
 impl Events {
-    /// Brings everything to the present instant.
     pub(crate) fn stop_here(&mut self, scene: &Scene) {
         for i in 0..self.items.len() {
             let (position, velocity) = self.items[i].pose(scene.media, self.now);
@@ -15,7 +13,6 @@ impl Events {
         }
     }
 
-    /// Counts an item to what the present event concerns.
     pub(crate) fn concern(&mut self, item: u32) {
         if self.is_body(item) && !self.is_concerned[item as usize] {
             self.is_concerned[item as usize] = true;
@@ -23,7 +20,6 @@ impl Events {
         }
     }
 
-    /// Counts to it what an item is in contact with.
     pub(crate) fn concern_partners(&mut self, item: u32) {
         for index in 0..self.contacts.len() {
             if self.contacts[index].has(item) {
@@ -32,7 +28,6 @@ impl Events {
         }
     }
 
-    /// Ends an event.
     pub(crate) fn release(&mut self) {
         for &item in &self.concerned {
             self.is_concerned[item as usize] = false;
@@ -47,7 +42,6 @@ impl Events {
         (item as usize) < self.movable
     }
 
-    /// Velocity now, m/s.
     pub(crate) fn speed(&self, item: u32) -> DVec2 {
         self.speeds[item as usize]
     }
@@ -67,7 +61,6 @@ impl Events {
         (self.speed(contact.hi) - self.speed(contact.lo))[1 - contact.axis] + self.skin_of(contact)
     }
 
-    /// The contact of two items along an axis.
     pub(crate) fn contact_along(&self, lo: u32, hi: u32, axis: usize) -> Contact {
         let (first, second) = (&self.items[lo.min(hi) as usize], &self.items[lo.max(hi) as usize]);
         let on_surface = !self.is_body(lo.max(hi));
@@ -81,16 +74,6 @@ impl Events {
         contact
     }
 
-    /// The middle of the edge that two items share now, m.
-    pub(crate) fn point_of(&self, contact: &Contact) -> DVec2 {
-        let (a, b) = (contact.lo as usize, contact.hi as usize);
-        let (a_half, b_half) = (self.items[a].body.half, self.items[b].body.half);
-        let low = (self.places[a] - a_half).max(self.places[b] - b_half);
-        let high = (self.places[a] + a_half).min(self.places[b] + b_half);
-        (low + high) * 0.5
-    }
-
-    /// Where an item is now, found once an event.
     pub(crate) fn locate(&mut self, scene: &Scene, item: usize) -> DVec2 {
         if !self.is_placed[item] {
             let (place, speed) = self.items[item].pose(scene.media, self.now);
@@ -103,8 +86,8 @@ impl Events {
         self.places[item]
     }
 
-    /// The contact of two items whose gap along an axis is at most the slop while they overlap along the other. Boxes that overlap along both
-    /// touch along the axis along which they overlap less; a surface is touched on its solid sides only, and from outside.
+    /// The contact of two items whose gap along an axis is at most the slop while they overlap along the other: along the axis along which they
+    /// overlap less, and on solid sides of a surface only.
     pub(crate) fn contact_now(&mut self, scene: &Scene, a: u32, b: u32) -> Option<Contact> {
         let (a, b) = (a.min(b), a.max(b));
         let apart = self.locate(scene, b as usize) - self.locate(scene, a as usize);
@@ -126,12 +109,12 @@ impl Events {
         (self.speed(contact.lo).abs() + self.speed(contact.hi).abs()) * SPEED_ROUNDING
     }
 
-    /// How fast the ends of a contact close, m/s.
+    /// Closing speed, m/s.
     pub(crate) fn approach(&self, contact: &Contact) -> f64 {
         (self.speed(contact.lo) - self.speed(contact.hi))[contact.axis]
     }
 
-    /// The share of a change of relative velocity that each of two things takes: the other's fraction of the mass; a surface takes none.
+    /// The share of a change of relative velocity that each of two items takes: the other's fraction of the mass; a surface takes none.
     pub(crate) fn shares(&self, a: usize, b: usize) -> [f64; 2] {
         if a >= self.movable || b >= self.movable {
             return [a, b].map(|item| if item < self.movable { 1.0 } else { 0.0 });

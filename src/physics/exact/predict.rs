@@ -1,21 +1,14 @@
-//! What happens next: the first event of an item, found on the paths that have been foreseen.
-//!
-//! An item that sets out on a new path looks at all others, each up to its own next event, at which that one looks itself. So of two that meet,
-//! the one that has looked last knows. An event with an item that has taken another path is void; the search is repeated only when its time
-//! comes (after Lubachevsky 1991).
-//!
-//! Paths are cubics: exactly the parabola without drag, the Hermite interpolant of the flow with it. Whatever meets along them does so at a
-//! root of a polynomial; the pose at that time is then taken from the motion itself.
+//! The next event of an item, on the paths that have been foreseen (`docs/physics.md`, From event to event; Lubachevsky 1991).
 
-use crate::physics::data::tuning::{MICRO_SPEED, MOST_BORDERS, SLOP, SPEED_TOLERANCE};
-use crate::physics::data::{Aabb, Contact, Cubic, Polynomial, Sides, earliest, time_of_impact};
+use crate::physics::data::{
+    Aabb, Contact, Cubic, MICRO_SPEED, MOST_BORDERS, Polynomial, SLOP, SPEED_TOLERANCE, Sides, earliest, time_of_impact,
+};
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::{Kind, Next};
 use crate::physics::forces::zones;
 use glam::DVec2;
 
 impl Events {
-    /// Finds the next event of an item, against all others.
     pub(crate) fn predict(&mut self, scene: &Scene, i: usize) {
         let mut next = self.own_next(scene, i);
         if i < self.movable {
@@ -36,11 +29,11 @@ impl Events {
         self.keep_to_lane(i);
     }
 
-    /// Sets the box in which an item stays until its next event. An island grows where that leads out of where others were looked for.
+    /// Sets the box of an item until its next event. The island grows where that leads out of the box in which others were sought.
     fn keep_to_lane(&mut self, i: usize) {
         let track = &self.tracks[i];
         let until = track.until.min(self.nexts[i].at);
-        // The pose of what moves nearly as its path says is asked for elsewhere than on it.
+        // An item whose path is not exact may be elsewhere than on its cubic.
         let as_foreseen = track.since == self.now && until >= track.until;
         let lane = if track.is_exact() && !track.is_still() && !as_foreseen {
             track.way_from(self.now).swept(track.half, until - self.now)
@@ -51,7 +44,6 @@ impl Events {
         self.grown |= i < self.movable && !self.items[i].searched.contains(&lane, 0.0);
     }
 
-    /// The next event that an item comes to by itself.
     pub(crate) fn own_next(&self, scene: &Scene, i: usize) -> Next {
         let item = &self.items[i];
         let mut next = Next::NEVER;
@@ -64,7 +56,7 @@ impl Events {
         next
     }
 
-    /// When an item meets another one. The search begins now, and ends where the earlier of their paths does or with what is known to happen.
+    /// When an item meets another one, up to the end of the earlier of their paths.
     fn next_hit(&self, i: usize, next: &mut Next) {
         let mine = &self.tracks[i];
         let from_here = mine.way_from(self.now);
@@ -83,7 +75,7 @@ impl Events {
         }
     }
 
-    /// When an item that goes on like that meets another one, if it does `before` a time (s from the tick's start).
+    /// When an item meets another one, if it does `before` a time (s from the tick's start).
     fn next_meeting(&self, i: usize, j: usize, from_here: &Cubic, before: f64) -> Next {
         let (now, mine, other) = (self.now, &self.tracks[i], &self.tracks[j]);
         let mut next = Next::NEVER;
@@ -119,7 +111,6 @@ impl Events {
         next
     }
 
-    /// The end of a slide, and something sliding off an edge.
     fn next_contact_change(&self, i: u32, contact: &Contact, next: &mut Next) {
         let (lo, hi) = (&self.tracks[contact.lo as usize], &self.tracks[contact.hi as usize]);
         if lo.is_still() && hi.is_still() {
@@ -144,7 +135,6 @@ impl Events {
         }
     }
 
-    /// When an item enters or leaves an air stream.
     fn next_border(&mut self, scene: &Scene, i: usize, next: &mut Next) {
         let (item, track) = (&self.items[i], &self.tracks[i]);
         if track.is_still() || self.streams.is_empty() {
@@ -169,7 +159,7 @@ impl Events {
     }
 }
 
-/// How near two boxes may come along each axis, m: what is in each other by more than the slop gets no deeper, from wherever it turns round.
+/// How near two boxes may come along each axis, m: those that are in each other by more than the slop get no deeper.
 fn reach_of(motion: &Cubic, mut reach: DVec2, sides: Sides) -> DVec2 {
     let apart = motion.c[0].abs();
     let gap = apart - reach;
@@ -180,8 +170,7 @@ fn reach_of(motion: &Cubic, mut reach: DVec2, sides: Sides) -> DVec2 {
     reach
 }
 
-/// When two boxes that lie in one plane come to face each other along it: as one slides on to the next block of a floor, or a lift's top slides
-/// under what stands. They overlap by more than the slop then, however the time is rounded.
+/// When two boxes that lie in one plane come to face each other along it. They overlap by more than the slop then, however the time is rounded.
 fn begins_flush(motion: &Cubic, reach: DVec2, end: f64, sides: Sides) -> Option<f64> {
     let along = |axis: usize| {
         let (across, other) = (motion.axis(axis), 1 - axis);
@@ -196,8 +185,7 @@ fn begins_flush(motion: &Cubic, reach: DVec2, end: f64, sides: Sides) -> Option<
     along(1).or_else(|| along(0))
 }
 
-/// Along which axis two boxes that touch already, or are in each other by the rounding with which a path was foreseen, approach at this very
-/// instant. After an impact they do not.
+/// Along which axis two boxes that touch, or are in each other by the roughness of a path, approach now. After an impact they do not.
 fn meets_at_once(motion: &Cubic, reach: DVec2, sides: Sides) -> Option<usize> {
     let apart = motion.c[0];
     let gap = apart.abs() - reach;
@@ -206,8 +194,7 @@ fn meets_at_once(motion: &Cubic, reach: DVec2, sides: Sides) -> Option<usize> {
     (meets && sides.face(axis, apart[axis] <= 0.0) && (sides == Sides::ALL || gap[axis] >= -SLOP)).then_some(axis)
 }
 
-/// When a slide of `hi` over `lo` in the direction `slides` ends: when the speed of `motion`, that of `hi` relative to `lo`, less the `skin` of
-/// a belt, comes to zero.
+/// When a slide of `hi` over `lo` in the direction `slides` ends: the relative speed of `motion`, less the `skin` of a belt, comes to 0.
 fn end_of_slide(motion: &Polynomial, slides: f64, skin: f64, end: f64) -> Option<f64> {
     let [_, v, a, j] = motion.0;
     let (speed, braking) = (slides * (v + skin), -slides * 2.0 * a);

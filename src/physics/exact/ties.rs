@@ -1,13 +1,6 @@
-//! Impacts at one instant and of one speed. One small system finds their impulses together, so that neither the order of rows nor a mirror
-//! decides which comes first.
-//!
-//! With w the approach speeds, J the normals and A = J·M⁻¹·Jᵀ, impulses p > 0 satisfy A·p = (1 + e)·w: each pair leaves with e·w. Conjugate
-//! gradients (Hestenes and Stiefel 1952) from p = 0 find the solution of least norm: faces under one body share its impulse equally. A pair
-//! whose impulse would pull is left out, and is an impact of its own if it approaches still.
+//! Impacts at one instant and of one speed, solved together by conjugate gradients (`docs/physics.md`, Ties; Hestenes and Stiefel 1952).
 
-use crate::physics::data::contact::Contact;
-use crate::physics::data::lists::refill;
-use crate::physics::data::tuning::EQUAL_SPEED;
+use crate::physics::data::{Contact, EQUAL_SPEED, on_axis, refill};
 use crate::physics::exact::events::{Events, Scene, Tie};
 use glam::DVec2;
 
@@ -33,7 +26,6 @@ impl Events {
         self.ties = ties;
     }
 
-    /// The impact of a contact, if it bounces now with that speed.
     fn tie(&self, scene: &Scene, index: usize, speed: f64) -> Option<Tie> {
         let contact = &self.touching[index];
         let approach = self.approach(contact);
@@ -45,7 +37,6 @@ impl Events {
         (e > 0.0).then_some(Tie { index, e, target, impulse: 0.0, left: 0.0, direction: 0.0, change: 0.0 })
     }
 
-    /// Whether the gap of a contact is none but for rounding.
     fn closes_now(&self, contact: &Contact, speed: f64) -> bool {
         let [a, b] = [contact.lo, contact.hi].map(|item| item as usize);
         let reach = self.items[a].body.half + self.items[b].body.half;
@@ -114,7 +105,7 @@ impl Events {
         ties.iter().all(|tie| tie.left.abs() <= 1e-9 * most)
     }
 
-    /// What impulses along the directions of the search change of the approach speeds.
+    /// The changes of the approach speeds by impulses along the directions of the search.
     fn find_changes(&mut self, ties: &mut [Tie]) {
         refill(&mut self.means, self.movable, DVec2::ZERO);
         for tie in &*ties {
@@ -138,19 +129,17 @@ impl Events {
         1.0 / (per_mass(contact.lo) + per_mass(contact.hi))
     }
 
-    /// Gives two things their impulse. Friction goes by the sliding before all of them, of which each impact of a body may stop its part.
+    /// Gives two items their impulse. Friction goes by the slide before all of them; each impact of a body may stop its part.
     fn rebound(&mut self, ties: &[Tie], k: usize, speed: f64) {
         let Tie { index, impulse, .. } = ties[k];
         let contact = self.touching[index];
-        let (along, speeds) = (1 - contact.axis, std::mem::take(&mut self.speeds));
-        self.speeds = std::mem::take(&mut self.before);
+        std::mem::swap(&mut self.speeds, &mut self.before);
         let relative = self.sliding(&contact);
-        (self.before, self.speeds) = (std::mem::take(&mut self.speeds), speeds);
+        std::mem::swap(&mut self.speeds, &mut self.before);
         let of = |item: u32| ties.iter().filter(|tie| self.is_body(item) && self.touching[tie.index].has(item)).count();
         let parts = of(contact.lo).max(of(contact.hi)) as f64;
         let rub = (contact.kinetic_friction * impulse).min(relative.abs() * self.reduced(&contact) / parts);
-        let mut given = DVec2::ZERO;
-        (given[contact.axis], given[along]) = (impulse, if relative == 0.0 { 0.0 } else { -relative.signum() * rub });
+        let given = on_axis(contact.axis, impulse, if relative == 0.0 { 0.0 } else { -relative.signum() * rub });
         self.note(&contact, given, speed);
         self.count_hit(&contact);
         for (item, sign) in [(contact.lo as usize, -1.0), (contact.hi as usize, 1.0)] {

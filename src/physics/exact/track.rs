@@ -1,4 +1,4 @@
-//! The path of an item up to its next event, as a search for hits needs it: a cubic and the box that it sweeps.
+//! The path of an item, as the search for impacts needs it: a cubic and the box that it sweeps.
 
 use crate::physics::data::{Aabb, Cubic};
 use crate::physics::exact::item::{Item, Motion};
@@ -12,7 +12,7 @@ pub(crate) struct Track {
     pub motion: Motion,
     pub half: DVec2,
     pub way: Cubic,
-    /// What it sweeps, m.
+    /// m.
     pub swept: Aabb,
     /// Bounds of the rounding of its places, m.
     pub rounding: DVec2,
@@ -28,7 +28,6 @@ impl Track {
         Self { since, until, motion, half, way, swept, rounding }
     }
 
-    /// A box that it covers, with its rounding.
     pub fn lane(&self, covers: &Aabb) -> Aabb {
         Aabb::new(covers.min - self.rounding, covers.max + self.rounding)
     }
@@ -37,7 +36,7 @@ impl Track {
         self.motion == Motion::Still
     }
 
-    /// Whether it moves as its path says, and not nearly so.
+    /// Whether its cubic is its motion.
     pub fn is_exact(&self) -> bool {
         matches!(self.motion, Motion::Still | Motion::Parabola)
     }
@@ -46,7 +45,6 @@ impl Track {
         self.way.from(at - self.since)
     }
 
-    /// What it covers at a time, and no more than its rounding besides, if it moves as its path says.
     pub fn bounds_at(&self, at: f64) -> Aabb {
         let t = at - self.since;
         let [x, v, a, j] = self.way.c;

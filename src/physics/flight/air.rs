@@ -1,24 +1,17 @@
-//! Flight through air: where it takes a body that touches nothing. Under a drag per mass of −s(u)·u ([`crate::physics::forces::air`]) and the
-//! constant acceleration A the motion is u′ = A − s(u)·u.
+//! Flight through air: u′ = A − s(u)·u with the drag per mass s ([`crate::physics::forces::air`]) and the constant acceleration A.
 //!
-//! Let q = exp(∫s dt) and Q = ∫q dt. Then u = (u₀ + A·Q)/q exactly, and one scalar equation is left: Q″ = s(u₀ + A·Q) from Q = 0, Q′ = 1.
+//! With q = exp(∫s dt) and Q = ∫q dt, u = (u₀ + A·Q)/q exactly, and Q″ = s(u₀ + A·Q) from Q = 0, Q′ = 1.
 //!
 //! - **Boxes.** While no component of u changes its sign, s is linear along the way: Q″ = s₀ + σ·Q, whose solution is
 //!   Q = h·S + s₀·h²·C, q = 1 + z·C + s₀·h·S with z = σ·h², S = Σzⁿ/(2n+1)!, C = Σzⁿ/(2n+2)!. Velocities are right to rounding at any
-//!   step, the terminal velocity A/√s(A) included, without a root. At a change of sign (the apex of a throw) s has a corner: there
-//!   u₀ + A·Q = 0 along an axis, and the step is split.
-//! - **Round things.** Q″ = k·|u₀ + A·Q| by Nyström's method of fifth order (E. J. Nyström, 1925; Hairer, Nørsett, Wanner, *Solving
-//!   Ordinary Differential Equations I*, II.14), in finer steps where |u| passes its minimum within a few steps.
+//!   step. At a change of sign, where u₀ + A·Q = 0 along an axis, s has a corner, and the step ends.
+//! - **Round bodies.** Q″ = k·|u₀ + A·Q| by Nyström's method of fifth order (Nyström 1925; Hairer, Nørsett, Wanner, *Solving Ordinary
+//!   Differential Equations I*, II.14), in finer steps where |u| passes its minimum within a few steps.
 //!
-//! The position follows from velocities, accelerations and their rates j = (2s² − σ)·u − s·A at both ends (σ = ds/dQ) by two-point Hermite
-//! quadrature of sixth order, x = ½h(u₀ + u₁) + h²/10·(a₀ − a₁) + h³/120·(j₀ + j₁).
-//! No motion can diverge or turn round. A body so light that h·s or h·√s(A) passes [`LIGHT`] takes several steps; on its terminal velocity it
-//! stays, which bounds the work at any lightness.
-//!
-//! A body flies alike, to the bit, among thousands and by itself.
+//! Places follow from velocities, accelerations and their rates j = (2s² − σ)·u − s·A at both ends by two-point Hermite quadrature of sixth order,
+//! x = ½h(u₀ + u₁) + h²/10·(a₀ − a₁) + h³/120·(j₀ + j₁). A body with h·s or h·√s(A) beyond [`LIGHT`] takes several steps.
 
-use crate::physics::data::body::{Pose, parabola};
-use crate::physics::data::tuning::TERMINAL_TOLERANCE;
+use crate::physics::data::{Pose, TERMINAL_TOLERANCE, parabola};
 use crate::physics::forces::air::Drag;
 use glam::DVec2;
 
@@ -30,7 +23,7 @@ const SHARP: f64 = 8.0;
 /// needs some 3000; beyond, a body is taken to have reached its terminal velocity.
 const MOST_STEPS: u32 = 16_384;
 
-/// Where one step of flight leads: u₁ = (u₀ + A·reach)·slower and x₁ = x₀ + (u₀·carry + A·lift) along both axes.
+/// u₁ = (u₀ + A·reach)·slower and x₁ = x₀ + (u₀·carry + A·lift) along both axes.
 #[derive(Clone, Copy, Debug, Default)]
 struct Step {
     /// Q, s.
@@ -46,7 +39,7 @@ struct Step {
 }
 
 impl Step {
-    /// Q, and the way by Hermite quadrature, from Q/h, 1/q, and how the body is slowed at both ends.
+    /// From Q/h, 1/q, and the slowing at both ends.
     #[inline(always)]
     fn along(h: f64, stretch: f64, slower: f64, [start, end]: [Slowing; 2]) -> Self {
         let reach = h * stretch;
@@ -65,7 +58,6 @@ struct Slowing {
     change: f64,
 }
 
-/// One step of `h` seconds of a box with velocity `v` and constant acceleration `a`.
 #[inline(always)]
 fn box_step(h: f64, v: DVec2, a: DVec2, drag: &Drag) -> Step {
     let (tall, wide) = (drag.tall, drag.wide);
@@ -84,14 +76,12 @@ fn box_step(h: f64, v: DVec2, a: DVec2, drag: &Drag) -> Step {
     Step { fits, ..Step::along(h, stretch, slower, [Slowing { rate: p, change: z }, Slowing { rate: end, change: z }]) }
 }
 
-/// The same for a round thing.
 #[inline(always)]
 fn round_step(h: f64, v: DVec2, a: DVec2, round: f64) -> Step {
     let bend = h * round;
     let rate = |v: DVec2| bend * (v.x * v.x + v.y * v.y).sqrt();
     let at = |q: f64| rate(v + a * (h * q));
     let pull = a.x * a.x + a.y * a.y;
-    // Where there is no speed, its factor does not matter.
     let slope = |v: DVec2, rate: f64| h * bend * (bend * (v.x * a.x + v.y * a.y)) / (rate + f64::MIN_POSITIVE);
     let start = rate(v);
     let second = at(1.0 / 5.0 + start * (1.0 / 50.0));
@@ -125,12 +115,11 @@ fn take((x, v): Pose, a: DVec2, step: &Step) -> Pose {
     (x + (v * step.carry + a * step.lift), (v + a * step.reach) * step.slower)
 }
 
-/// Where something is after `t` seconds of v′ = `a` − s(v)·v.
+/// The pose after `t` seconds of v′ = `a` − s(v)·v.
 pub(crate) fn fly_through(pose: Pose, a: DVec2, drag: &Drag, t: f64) -> Pose {
     fly_in_steps(pose, a, drag, t).0
 }
 
-/// The same, and how many steps that took.
 fn fly_in_steps(pose: Pose, a: DVec2, drag: &Drag, t: f64) -> (Pose, u32) {
     if drag.is_none() {
         return (parabola(pose, a, t), 0);
@@ -145,7 +134,6 @@ fn slowed((x, v): Pose, rate: f64, t: f64) -> Pose {
     (x + v * way, v / (1.0 + rate * t))
 }
 
-/// The same in as many steps as it takes.
 fn in_parts(mut pose: Pose, a: DVec2, drag: &Drag, t: f64) -> (Pose, u32) {
     if a == DVec2::ZERO {
         return (slowed(pose, drag.rate(pose.1), t), 1);

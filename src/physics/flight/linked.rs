@@ -1,27 +1,19 @@
-//! Linked bodies are flown together: the embedded Runge–Kutta pair of [`crate::physics::flight::steps`] over all of a group, each body under
-//! its own law and the forces of its links.
+//! Linked bodies fly together: the embedded Runge–Kutta pair of [`crate::physics::flight::steps`] over all of a group.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::{Body, Pose, parabola};
-use crate::physics::data::tuning::LINKED_TOLERANCE;
+use crate::physics::data::{Aabb, Body, LINKED_TOLERANCE, Pose, parabola};
 use crate::physics::flight::steps::{ERROR, STAGES, step_factor};
-use crate::physics::forces::law::Law;
-use crate::physics::forces::link::LinkDef;
-use crate::physics::forces::media::Media;
+use crate::physics::forces::{Law, LinkDef, Media};
 use glam::DVec2;
 
-/// A body of a group.
 #[derive(Clone, Debug)]
 pub(crate) struct Member {
     pub id: u32,
     /// Contacts hold it: it stays, and the others fly around it.
     pub held: bool,
     pub law: Law,
-    /// At the start of the tick, later at its end.
     pub pose: Pose,
     /// The mean force of its links over the tick, N.
     pub mean: DVec2,
-    /// All places of its centre on the way, m.
     pub places: Aabb,
     /// Of each stage: velocity, acceleration, and the force of its links.
     stages: [[DVec2; 3]; 7],
@@ -34,7 +26,6 @@ impl Member {
         Self { id, held, law, pose, mean: DVec2::ZERO, places, stages: [[DVec2::ZERO; 3]; 7], at: pose }
     }
 
-    /// Σ of a part of the stages, weighted.
     fn sum(&self, part: usize, weights: &[f64]) -> DVec2 {
         self.stages.iter().zip(weights).fold(DVec2::ZERO, |sum, (stage, weight)| sum + stage[part] * *weight)
     }
@@ -45,7 +36,6 @@ impl Member {
     }
 }
 
-/// Bodies that links join, directly or over others.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Group<'a> {
     pub media: &'a Media,
@@ -54,7 +44,6 @@ pub(crate) struct Group<'a> {
 }
 
 impl Group<'_> {
-    /// Flies all `members`, in the order of their ids, for `t` seconds.
     pub fn fly(&self, members: &mut [Member], t: f64) {
         self.pull(members, 0);
         let (mut left, mut h) = (t, t);

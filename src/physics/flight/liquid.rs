@@ -1,29 +1,18 @@
 //! The motion of one body near or in a liquid, without contacts.
 //!
-//! The law has a kink wherever a side of the box passes a side of a liquid; between kinks all liquids together are one smooth form
-//! ([`crate::physics::forces::displaced`]), and no step crosses one. The media between them decide how the body moves:
-//!
-//! - wholly inside or wholly outside (the same bath all around), without Stokes' drag: flight through a denser air under less weight,
-//!   [`crate::physics::flight::air`];
-//! - otherwise steps by their own estimate of their error ([`crate::physics::flight::steps`]).
-//!
-//! A body that sinks or rises at its terminal velocity stays on it. A body whose bobbing is down to rounding is at rest.
+//! No step crosses a kink, where a side of the box passes a side of a liquid ([`crate::physics::forces::displaced`]). Wholly inside or outside and
+//! without Stokes' drag a body flies as through a denser air; otherwise it takes steps by their own error. A body at its terminal velocity stays on
+//! it; one whose bobbing is down to rounding is at rest.
 
-use crate::physics::data::body::{Body, Pose};
-use crate::physics::data::impact_time::Cubic;
-use crate::physics::data::tuning::{BOBBING_REACH, HEAVY_REACH, TERMINAL_TOLERANCE};
+use crate::physics::data::{BOBBING_REACH, Body, Cubic, HEAVY_REACH, Pose, TERMINAL_TOLERANCE};
 use crate::physics::flight::air::fly_through;
 use crate::physics::flight::steps::{Course, Steps};
-use crate::physics::forces::law::Law;
-use crate::physics::forces::liquid::{Bath, Regime};
-use crate::physics::forces::media::Media;
+use crate::physics::forces::{Bath, Law, Media, Regime};
 use glam::DVec2;
 
-/// A body in its media on its way.
 #[derive(Clone)]
 struct Swimmer<'a> {
     regime: Regime<'a>,
-    /// Whether nothing but a rough answer is needed.
     rough: bool,
 }
 
@@ -36,13 +25,11 @@ struct Place {
 }
 
 impl Place {
-    /// The acceleration besides drag, m/s².
     fn free(&self) -> DVec2 {
         DVec2::new(self.constant.x, self.constant.y - self.bath.lift)
     }
 }
 
-/// How a body moves around a place.
 enum Kind {
     /// By its terminal velocity, m/s.
     Settled(DVec2),
@@ -52,8 +39,26 @@ enum Kind {
     Neither { rate: f64, most: f64, heavy: f64 },
 }
 
-/// Where `body` is after `t` seconds under `law`; or at the end of the last step of which `goes_on` says so, or of the first.
-pub(crate) fn swim(media: &Media, body: &Body, law: &Law, t: f64, mut goes_on: impl FnMut(f64, Pose) -> bool) -> Course {
+pub(crate) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
+    flow_through(media, body, law, t).end
+}
+
+/// The same with its time, its next step and its last acceleration.
+pub(crate) fn flow_through(media: &Media, body: &Body, law: &Law, t: f64) -> Course {
+    flow_while(media, body, law, t, |_, _| true)
+}
+
+/// The same up to the last step through a liquid for which `goes_on` holds at its time and end, or to the end of the first step.
+pub(crate) fn flow_while(media: &Media, body: &Body, law: &Law, t: f64, goes_on: impl FnMut(f64, Pose) -> bool) -> Course {
+    if law.is_near_liquid() {
+        return swim(media, body, law, t, goes_on);
+    }
+    let end = fly_through((body.position, body.velocity), law.constant, &law.air, t);
+    Course { end, time: t, next: f64::INFINITY, pull: None }
+}
+
+/// The course of `body` under `law` for `t` seconds, or to the end of the last step (at least one) at which `goes_on` holds.
+fn swim(media: &Media, body: &Body, law: &Law, t: f64, mut goes_on: impl FnMut(f64, Pose) -> bool) -> Course {
     let mut pose = (body.position, body.velocity);
     let mut swimmer = Swimmer { regime: law.regime(media, body, pose.0), rough: law.rough };
     let (mut left, mut h) = (t, if law.first > 0.0 { law.first } else { f64::INFINITY });
@@ -87,7 +92,6 @@ pub(crate) fn swim(media: &Media, body: &Body, law: &Law, t: f64, mut goes_on: i
             }
             return Course { end: pose, time: t - left, next: h, pull };
         }
-        // A step cut off to end here says nothing about the next one.
         h = if left <= 0.0 && h.is_finite() { taken.next.max(h) } else { taken.next };
     }
     if left > 0.0 {
@@ -99,7 +103,6 @@ pub(crate) fn swim(media: &Media, body: &Body, law: &Law, t: f64, mut goes_on: i
     if bobs {
         swimmer.come_to_rest(&mut pose);
     }
-    // A body without velocity up or down may be in balance.
     let pull = pull.filter(|_| pose.1.y != 0.0);
     Course { end: pose, time: t, next: h, pull }
 }
@@ -115,9 +118,8 @@ impl Swimmer<'_> {
         Place { bath, constant, floats }
     }
 
-    /// The most steps of `t` seconds. A body that needs more leaves and meets the surface hundreds of times within a tick; one implicit step leads
-    /// it through the rest ([`Swimmer::leap`]). Where a rough answer is enough, one such step leads a body through all of it that a liquid brings
-    /// to the speed of its place long before the end.
+    /// The most steps of `t` seconds; one implicit step ([`Swimmer::leap`]) leads through the rest. A rough course of a body that a liquid brings
+    /// to the speed of its place long before the end is that one step.
     fn most_steps(&self, pose: Pose, t: f64) -> u32 {
         if !self.rough {
             return 128;
@@ -130,7 +132,6 @@ impl Swimmer<'_> {
         if reach > 20.0 { 0 } else { 8 }
     }
 
-    /// Ends a bobbing of which nothing is left but rounding.
     fn come_to_rest(&mut self, (x, v): &mut Pose) {
         let bath = self.regime.follow(*x).bath(*x);
         if bath.stiffness > 0.0 && bath.linear + bath.waves > 0.0 {
@@ -142,8 +143,7 @@ impl Swimmer<'_> {
         }
     }
 
-    /// One implicit Euler step of `h` seconds. Liquids lift more with the depth: in such a force the step gains no energy however long it is, and no
-    /// speed but from constant forces; so it may be off, but leads neither away nor back.
+    /// One implicit Euler step of `h` seconds: liquids lift more with the depth, so it gains no energy, and no speed but from constant forces.
     fn leap(&mut self, (x, v): Pose, h: f64) -> Pose {
         let constant = self.regime.constant;
         let bath = self.regime.follow(x).bath(x);
@@ -165,7 +165,7 @@ impl Swimmer<'_> {
             let q = h * (drag.wide + drag.round * along);
             let r = v.y + h * (constant.y - lift) + h * h * stiffness * down;
             let guess = 2.0 * r / (p + (p * p + 4.0 * q * r.abs()).sqrt());
-            // Across kinks it may lead to and fro: after four trials every other one halves the bracket.
+            // Across kinks Newton's method may lead to and fro: after four trials every other one halves the bracket.
             let inside = guess > low && guess < high && (trial < 4 || trial % 2 == 0);
             let next = if inside { guess } else { 0.5 * (low + high) };
             found = (next - down).abs() <= tolerance * down.abs();
@@ -175,7 +175,6 @@ impl Swimmer<'_> {
             }
         }
         if !found {
-            // The slower end of where it is gains nothing.
             down = if low.abs() < high.abs() { low } else { high };
         }
         (DVec2::new(beside, x.y + h * down), DVec2::new(across, down))
@@ -220,7 +219,6 @@ impl Swimmer<'_> {
     }
 }
 
-/// A step of at most `h` by an exact flow.
 fn take_exact(regime: &Regime, pose: Pose, mut h: f64, flow: impl Fn(f64) -> Pose) -> Course {
     let mut end = flow(h);
     for _ in 0..8 {
@@ -235,7 +233,7 @@ fn take_exact(regime: &Regime, pose: Pose, mut h: f64, flow: impl Fn(f64) -> Pos
     Course { time: h, end, next: f64::INFINITY, pull: None }
 }
 
-/// Whether a body, accelerated by `pull`, has come to the speed that its place gives it in a law of that rate, 1/s, but for a tenth.
+/// Whether a body accelerated by `pull` has come to the speed of its place but for a tenth, in a law of that rate, 1/s.
 fn is_even(pull: DVec2, v: DVec2, rate: f64) -> bool {
     pull.length() < 0.1 * rate * v.length()
 }
@@ -249,4 +247,116 @@ fn settled(bath: &Bath, free: DVec2, v: DVec2) -> Option<DVec2> {
     }
     let terminal = free * (2.0 / (bath.linear + root));
     ((v - terminal).length() <= TERMINAL_TOLERANCE * terminal.length()).then_some(terminal)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::data::aabb::Aabb;
+    use crate::physics::data::body::BodyDef;
+    use crate::physics::data::def::{FluidDef, WorldDef};
+    use crate::physics::forces::displaced::Displaced;
+    use glam::DVec2;
+    use proptest::prelude::*;
+    use proptest::test_runner::FileFailurePersistence;
+
+    fn media(gravity: f64, air_density: f64, fluids: Vec<FluidDef>) -> Media {
+        Media::new(gravity, air_density, (&[], &[]), fluids)
+    }
+
+    /// A body and its law for one tick, refused or not at the door.
+    fn at_the_door(media: &Media, def: &BodyDef, drive: DVec2) -> Option<(Body, Law)> {
+        let world = WorldDef {
+            gravity: media.gravity,
+            air_density: media.air_density,
+            fluids: media.fluids.clone(),
+            bodies: vec![def.clone()],
+            ..WorldDef::default()
+        };
+        world.check().ok()?;
+        let body = Body::new(def);
+        let constant = DVec2::new(0.0, media.gravity) + drive / body.mass;
+        let displaced = Displaced::within(media, Aabb::around(DVec2::ZERO, DVec2::splat(1e30)));
+        let law = Law { constant, air: media.air(&body), displaced, ..Law::default() };
+        Some((body, law))
+    }
+
+    /// Evenly over the powers of ten.
+    fn decades(low: f64, high: f64) -> impl Strategy<Value = f64> {
+        (low..high).prop_map(|power| 10f64.powf(power))
+    }
+
+    fn signed(low: f64, high: f64) -> impl Strategy<Value = f64> {
+        (decades(low, high), -1i8..=1).prop_map(|(size, sign)| size * f64::from(sign))
+    }
+
+    prop_compose! {
+        /// Anything that is accepted, at up to 10⁶ m/s.
+        fn things()(
+            mass in decades(-9.0, 12.0), hx in decades(-6.0, 9.0), hy in decades(-6.0, 9.0), drag in prop_oneof![Just(0.0), decades(-6.0, 12.0)],
+            round in any::<bool>(), vx in signed(-9.0, 6.0), vy in signed(-9.0, 6.0),
+        ) -> BodyDef {
+            BodyDef { mass, half: DVec2::new(hx, hy), drag, round, velocity: DVec2::new(vx, vy), ..BodyDef::default() }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig {
+            cases: 1000,
+            failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))),
+            ..ProptestConfig::default()
+        })]
+
+        /// Drag never reverses a motion, and takes energy only: what is gained, the constant force has done.
+        #[test]
+        fn drag_of_the_air_only_slows(
+            def in things(), air in decades(-6.0, 12.0), gravity in prop_oneof![Just(0.0), signed(-3.0, 6.0)], fx in signed(-3.0, 9.0), t in decades(-6.0, 0.0),
+        ) {
+            let media = media(gravity, air, Vec::new());
+            let drive = if gravity == 0.0 { DVec2::ZERO } else { DVec2::new(fx, 0.0) };
+            let Some((body, law)) = at_the_door(&media, &def, drive) else { return Ok(()) };
+            let (x, v) = flow(&media, &body, &law, t);
+            prop_assert!(x.is_finite() && v.is_finite(), "{x} {v}");
+            for axis in 0..2 {
+                if law.constant[axis] * def.velocity[axis] >= 0.0 {
+                    prop_assert!(v[axis] * def.velocity[axis] >= 0.0, "{v}, from {}", def.velocity);
+                }
+                if law.constant[axis] == 0.0 {
+                    prop_assert!(v[axis].abs() <= def.velocity[axis].abs(), "{v}, from {}", def.velocity);
+                }
+            }
+            let (before, after, work) = (def.velocity.length_squared(), v.length_squared(), 2.0 * law.constant.dot(x));
+            prop_assert!(after - before - work <= 1e-8 * (before + work.abs()), "v² {after}, from {before}, work {work}");
+        }
+
+        /// In a pool as well, at its surface or under it.
+        #[test]
+        fn a_liquid_only_slows(
+            def in things(), depth in -2.0..3.0f64, density in decades(-3.0, 12.0), viscosity in prop_oneof![Just(0.0), decades(-6.0, 12.0)],
+            gravity in prop_oneof![Just(0.0), decades(-3.0, 6.0)], t in decades(-6.0, 0.0),
+        ) {
+            let zone = Aabb::new(DVec2::new(-1e12, 0.0), DVec2::new(1e12, 1e12));
+            let media = media(gravity, 1.2, vec![FluidDef { zone, density, viscosity }]);
+            let def = BodyDef { position: DVec2::new(0.0, depth * def.half.y), ..def };
+            let Some((body, law)) = at_the_door(&media, &def, DVec2::ZERO) else { return Ok(()) };
+            let (x, v) = flow(&media, &body, &law, t);
+            prop_assert!(x.is_finite() && v.is_finite(), "{x} {v}");
+            prop_assert!(v.x * def.velocity.x >= 0.0 && v.x.abs() <= def.velocity.x.abs() * (1.0 + 1e-9), "{v}, from {}", def.velocity);
+            // Twice the potential energy per mass: of the weight, and of the displaced liquid.
+            let height = 2.0 * body.half.y;
+            let lift = density * gravity * 2.0 * body.half.x / body.mass;
+            let potential = |y: f64| {
+                let wet = (y + body.half.y).clamp(0.0, height);
+                let sunk = (y - body.half.y).max(0.0);
+                [-2.0 * gravity * y, lift * (wet * wet + 2.0 * height * sunk)]
+            };
+            let (from, to) = (potential(def.position.y), potential(x.y));
+            let (before, after) = (def.velocity.length_squared(), v.length_squared());
+            let scale = before + from[0].abs() + from[1].abs() + to[0].abs() + to[1].abs();
+            let gained = after - before + (to[0] - from[0]) + (to[1] - from[1]);
+            // And what the rounding of its depth is worth, wherever its energy lets it go.
+            let rounding = f64::EPSILON * (def.position.y.abs() + x.y.abs() + height) * (scale * lift).sqrt();
+            prop_assert!(gained <= 1e-6 * scale + 64.0 * rounding, "gained {gained} of {scale}: v {v}, from {}", def.velocity);
+        }
+    }
 }

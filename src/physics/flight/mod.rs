@@ -1,5 +1,4 @@
 pub(crate) mod air;
-pub(crate) mod flow;
 pub(crate) mod implicit;
 pub(crate) mod linked;
 pub(crate) mod liquid;

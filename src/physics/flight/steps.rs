@@ -1,24 +1,20 @@
-//! Steps through liquids by their own estimate of their error: explicit ones, the embedded Runge–Kutta pair of J. R. Dormand and P. J. Prince
-//! (1980), of fifth order; or, where drag has taken a body to the speed that its place gives it and would cut those short, implicit ones
-//! ([`crate::physics::flight::implicit`]).
+//! Steps through liquids by their own estimate of their error: the embedded Runge–Kutta pair of J. R. Dormand and P. J. Prince (1980), of fifth
+//! order; or, where stability would cut those short, implicit ones ([`crate::physics::flight::implicit`]).
 //!
-//! No step crosses a bend of the law: a kink, where a side of the body passes a side of a liquid ([`crate::physics::forces::displaced`]), or a turn,
-//! where a component of the velocity changes its sign and drag with it (|u|·u has a corner at 0). Small turns are passed over: what a corner
-//! `τ` seconds from the end of a step of `h` seconds is worth is about k·a²·τ³·h, with k the drag per m and a the acceleration.
+//! No step crosses a kink ([`crate::physics::forces::displaced`]), or a turn, where a component of the velocity changes its sign (|u|·u has a
+//! corner at 0). Small turns are passed over: a corner `τ` seconds from the end of a step of `h` seconds is worth about k·a²·τ³·h, with k the drag
+//! per m and a the acceleration.
 
-use crate::physics::data::body::Pose;
-use crate::physics::data::impact_time::{Cubic, earliest};
-use crate::physics::data::tuning::FLIGHT_TOLERANCE;
+use crate::physics::data::{Cubic, FLIGHT_TOLERANCE, Pose, earliest};
 use crate::physics::flight::implicit;
 use crate::physics::forces::liquid::{Bath, Regime, Slopes};
 use glam::DVec2;
 
-/// Where a flow, or a step of one, leads.
 pub(crate) struct Course {
     pub end: Pose,
     /// How long it takes, s.
     pub time: f64,
-    /// How long a next step through a liquid may be, s, if that is known.
+    /// The length of a next step through a liquid, s, if that is known.
     pub next: f64,
     /// The acceleration at its end, m/s², if that came out of it.
     pub pull: Option<DVec2>,
@@ -29,15 +25,14 @@ pub(crate) struct Steps<'a> {
     pub regime: &'a Regime<'a>,
     pub bath: &'a Bath,
     pub constant: DVec2,
-    /// The law where a step begins, linearised, where it is to be implicit.
+    /// The law linearised where a step begins, for an implicit step.
     pub slopes: Option<Slopes>,
     /// The error allowed besides, as a part of its way.
     pub rough: f64,
 }
 
 impl Steps<'_> {
-    /// How long the first of some steps may be, in a law of that `rate`, 1/s: the error is about 1e-4·a·ω³·h⁵, and a fourth root that is quickly
-    /// found errs on the side of caution.
+    /// The length of the first step in a law of that `rate`, 1/s: the error is about 1e-4·a·ω³·h⁵; a fourth root errs on the side of caution.
     pub fn first(&self, v: DVec2, rate: f64, left: f64) -> f64 {
         if rate * left < 0.25 {
             return left;
@@ -127,15 +122,11 @@ impl Steps<'_> {
         if x > y { x } else { y }
     }
 
-    /// The turn along an axis of a body with this velocity and acceleration.
     fn turn(&self, axis: usize, v: DVec2, pull: DVec2) -> Turn {
         let drag = &self.bath.drag;
         let straight = if axis == 0 { drag.tall } else { drag.wide };
         Turn { straight, round: drag.round, gain: pull[axis].abs(), beside: v[1 - axis].abs() }
     }
-
-    /// One step of the pair from where the acceleration is `pull`.
-    #[inline]
     fn step(&self, (x, v): Pose, pull: DVec2, h: f64) -> Step {
         if let Some(slopes) = &self.slopes {
             let (end, error) = implicit::step(self.regime, self.constant, slopes, (x, v), h);
@@ -151,9 +142,6 @@ impl Steps<'_> {
         let error = (sum(&speeds, &ERROR) * h).abs().max((sum(&pulls, &ERROR) * (h * h)).abs());
         Step { end: (end, speeds[6]), pull: pulls[6], error: error.max_element() }
     }
-
-    /// Adds the velocity and the acceleration of stage `N` of a step from `x`; returns its place.
-    #[inline]
     fn stage<const N: usize>(&self, speeds: &mut [DVec2; 7], pulls: &mut [DVec2; 7], x: DVec2, h: f64) -> DVec2 {
         let weights = STAGES[N - 1];
         let (at, speed) = (x + sum(speeds, weights) * h, speeds[0] + sum(pulls, weights) * h);
@@ -179,7 +167,6 @@ impl Turn {
     }
 }
 
-/// Where a step leads, the acceleration there, and its error, m.
 struct Step {
     end: Pose,
     pull: DVec2,
@@ -210,8 +197,7 @@ pub(crate) const STAGES: [&[f64]; 6] = [
 pub(crate) const ERROR: [f64; 7] =
     [71.0 / 57_600.0, 0.0, -71.0 / 16_695.0, 71.0 / 1920.0, -17_253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
 
-/// The factor by which the next step may be longer, given a root of the error of this one as a part of the error allowed. The fourth root stands
-/// for the fifth, which takes longer to find; that errs on the side of caution up to a factor of 3.
+/// The factor for the next step, given a root of the error as a part of the error allowed: the fourth one stands for the fifth.
 pub(crate) fn step_factor(root: f64) -> f64 {
     let factor = 0.75 / root;
     // A step whose error is no number is too long.

@@ -1,9 +1,6 @@
-//! Air Resistance: the drag of the area that a body really shows to the air, or to a liquid.
-//!
-//! A box of width w and height h, 1 m deep, that moves with velocity u against the air shows it the area (w·|u_y| + h·|u_x|)/|u|, so that
-//! Air Resistance is −½·ρ·C_d·(w·|u_y| + h·|u_x|)·u; for round things −½·ρ·C_d·d·|u|·u with d their diameter (quadratic drag: Batchelor,
-//! *An Introduction to Fluid Dynamics*, 5.11; the area is the projection of the box along u). Per mass this is −s(u)·u with a rate s that
-//! is homogeneous of degree 1.
+//! Air Resistance, and the same of liquids: −½·ρ·C_d·(w·|u_y| + h·|u_x|)·u on a box of w × h, 1 m deep (the area that it shows along u); on a
+//! round body −½·ρ·C_d·d·|u|·u with d its diameter (Batchelor, *An Introduction to Fluid Dynamics*, 5.11). Per mass this is −s(u)·u with a rate
+//! s that is homogeneous of degree 1.
 
 use crate::physics::data::{Body, Part, called};
 use crate::physics::forces::media::Media;
@@ -43,7 +40,7 @@ impl Drag {
         if self.round > 0.0 && speed > 0.0 { box_ + u * (self.round / speed) } else { box_ }
     }
 
-    /// −∂a/∂u along the axes, 1/s: how drag answers to a change of either component.
+    /// −∂a/∂u along the axes, 1/s.
     pub fn stiffness(&self, u: DVec2) -> DVec2 {
         let speed = u.length();
         let round = if speed > 0.0 { self.round / speed } else { 0.0 };
@@ -54,7 +51,6 @@ impl Drag {
         self.tall == 0.0 && self.wide == 0.0 && self.round == 0.0
     }
 
-    /// That of a medium `factor` times as dense.
     pub fn scaled(&self, factor: f64) -> Self {
         Self { tall: self.tall * factor, wide: self.wide * factor, round: self.round * factor }
     }
@@ -65,7 +61,6 @@ impl Drag {
 }
 
 impl Media {
-    /// The drag of the air on a body.
     pub fn air(&self, body: &Body) -> Drag {
         if !(self.airy && body.feels_air) {
             return Drag::default();

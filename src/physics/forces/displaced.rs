@@ -1,12 +1,10 @@
 //! The parts of all liquids that a body displaces, in closed form around a place.
 //!
-//! A kink is a place where a side of the body passes a side of a liquid. Between kinks the width and the height of the body within a liquid
-//! are linear in x and y, so that the areas that it displaces, and by them all buoyancy and drag, are bilinear. The waves of each surface that
-//! cuts the body come besides. [`Displaced`] holds these forms with the box of places in which they are the law; a little beyond it they go on
-//! smoothly, as integrators need.
+//! Between kinks, the places where a side of the body passes a side of a liquid, width and height within a liquid are linear in x and y: all
+//! buoyancy and drag are bilinear. The waves of each surface that cuts the body come besides. [`Displaced`] holds these forms with the box of
+//! places in which they are the law; a little beyond it they go on smoothly, as integrators need.
 
-use crate::physics::data::tuning::WAVES;
-use crate::physics::data::{Aabb, Body, Cubic, FluidDef, earliest};
+use crate::physics::data::{Aabb, Body, Cubic, FluidDef, WAVES, earliest};
 use crate::physics::forces::media::Media;
 use crate::physics::forces::zones::ZoneList;
 use glam::{BVec2, DVec2};
@@ -14,14 +12,12 @@ use glam::{BVec2, DVec2};
 /// Stokes' law: 3π per diameter.
 pub(crate) const STOKES: f64 = 3.0 * std::f64::consts::PI;
 
-/// How far a body is inside a liquid along both axes, m, and how that changes with its place.
 #[derive(Clone, Copy, Debug)]
 struct Extent {
     length: DVec2,
     slope: DVec2,
 }
 
-/// Of a body that is partly inside a liquid: which of its sides are.
 struct Sides {
     /// Whether its left and top side, and its right and bottom side, are outside.
     before: BVec2,
@@ -29,15 +25,11 @@ struct Sides {
 }
 
 impl Sides {
-    #[inline]
     fn of(body: &Body, fluid: &FluidDef, x: DVec2) -> Option<Self> {
         let (zone, bounds) = (&fluid.zone, Aabb::around(x, body.half));
         let sides = || Self { before: bounds.min.cmplt(zone.min), beyond: bounds.max.cmpgt(zone.max) };
         zone.overlaps(&bounds, 0.0).then(sides)
     }
-
-    /// By the place `centre`, if the sides were on the same sides there.
-    #[inline]
     fn extent(&self, body: &Body, fluid: &FluidDef, centre: DVec2) -> Extent {
         let as_number = |side: BVec2| DVec2::select(side, DVec2::ONE, DVec2::ZERO);
         let end = DVec2::select(self.beyond, fluid.zone.max, centre + body.half);
@@ -46,9 +38,6 @@ impl Sides {
         let length = DVec2::select(self.before | self.beyond, end - begin, body.half * 2.0);
         Extent { length, slope: as_number(self.before) - as_number(self.beyond) }
     }
-
-    /// The centres of bodies with sides on the same sides.
-    #[inline]
     fn places(&self, body: &Body, fluid: &FluidDef) -> (DVec2, DVec2) {
         let (zone, half) = (&fluid.zone, body.half);
         let (first, last, in_front, behind) = (zone.min - half, zone.max + half, zone.min + half, zone.max - half);
@@ -68,8 +57,6 @@ impl Sides {
 pub(crate) struct Bilinear([f64; 4]);
 
 impl Bilinear {
-    /// Adds an area within a liquid, `factor` times.
-    #[inline]
     fn add(&mut self, factor: f64, Extent { length, slope }: &Extent) {
         let (wide, wider) = (factor * length.x, factor * slope.x);
         let more = [wide * length.y, wider * length.y, wide * slope.y, wider * slope.y];
@@ -79,23 +66,16 @@ impl Bilinear {
     fn scaled(self, factor: f64) -> Self {
         Self(self.0.map(|part| factor * part))
     }
-
-    /// Beyond a box of places it could say that less than nothing is inside.
-    #[inline]
     pub fn at(&self, apart: DVec2) -> f64 {
         let [a, b, c, d] = self.0;
         ((a + b * apart.x) + (c + d * apart.x) * apart.y).max(0.0)
     }
-
-    /// How it changes with the place, where it is not cut off at 0.
-    #[inline]
     pub fn slope(&self, apart: DVec2) -> DVec2 {
         let [_, b, c, d] = self.0;
         if self.at(apart) > 0.0 { DVec2::new(b + d * apart.y, c + d * apart.x) } else { DVec2::ZERO }
     }
 }
 
-/// A surface that cuts the body.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cut {
     /// Density of its liquid, per mass of the body; and times g.
@@ -110,23 +90,17 @@ pub(crate) struct Cut {
 }
 
 impl Cut {
-    #[inline]
     fn width(&self, apart: DVec2) -> f64 {
         (self.extent.length.x + self.extent.slope.x * apart.x).max(0.0)
     }
-
-    #[inline]
     fn depth(&self, apart: DVec2) -> f64 {
         (self.extent.length.y + self.extent.slope.y * apart.y).max(0.0)
     }
-
-    #[inline]
     fn under(&self, apart: DVec2) -> f64 {
         (self.under + self.sinks * apart.y).clamp(0.0, 1.0)
     }
 
     /// The damping of its waves per C_d, 1/s.
-    #[inline]
     pub fn waves(&self, apart: DVec2) -> f64 {
         let (width, under) = (self.width(apart), self.under(apart));
         let ratio = self.density * width * self.depth(apart);
@@ -142,11 +116,9 @@ impl Cut {
             return DVec2::ZERO;
         }
         let (slope, ratio) = (self.extent.slope, self.density * width * deep);
-        // Products alone have the same bits everywhere.
         let square = under * under;
         let fourth = square * square;
         let seventh = fourth * square * under;
-        // Of its three factors, as parts of each.
         let by_ratio = DVec2::new(slope.x / width, slope.y / deep) / (1.0 + ratio);
         let by_swing = 0.5 * slope.x / width;
         let fading = -8.0 * seventh * self.sinks / (1.0 - fourth * fourth);
@@ -154,25 +126,23 @@ impl Cut {
     }
 
     /// K/m, 1/s².
-    #[inline]
     pub fn stiffness(&self, apart: DVec2) -> f64 {
         if self.sunk { self.pull * self.width(apart) } else { 0.0 }
     }
 }
 
-/// The parts of liquids that a body displaces, around a place.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Displaced {
     /// All liquids that touch the box `near`, m.
     pub liquids: ZoneList,
     pub near: Aabb,
-    /// The forms go by the distance from here, and were asked for there, m.
+    /// The forms go by the distance from `centre`, m; they were asked for at `within`.
     centre: DVec2,
     within: DVec2,
     /// The centres of the body between kinks, where the forms hold, if they hold anywhere.
     places: Option<Aabb>,
     sliver: DVec2,
-    /// The part of the body that is inside, the density of liquids around the whole, kg/m³, and Stokes' drag, 1/s.
+    /// The fraction inside, the density of liquids around the whole, kg/m³, and Stokes' drag, 1/s.
     pub fraction: Bilinear,
     pub density: Bilinear,
     pub linear: Bilinear,
@@ -187,7 +157,6 @@ impl Displaced {
         Self { near, liquids: media.liquids_at(&near), ..Self::default() }
     }
 
-    /// Makes the forms those of `body` at `x`, also where that is outside the box.
     pub fn follow(&mut self, media: &Media, body: &Body, x: DVec2) {
         if !self.near.contains(&Aabb::around(x, body.half), 0.0) {
             self.near = Aabb::around(x, self.near.size() * 0.5);
@@ -196,7 +165,6 @@ impl Displaced {
         self.renew(media, body, x);
     }
 
-    /// The same of one liquid alone, as if it had never been asked for.
     pub fn alone(&self, liquid: u32) -> Self {
         Self { near: self.near, liquids: ZoneList::of(std::iter::once(liquid)), ..Self::default() }
     }
@@ -207,7 +175,7 @@ impl Displaced {
         // Beyond a kink by the rounding of a place: smaller, it would lie before the kink.
         let sliver = 1e-12 + 16.0 * f64::EPSILON * (x.abs() + half);
         let mut places = Aabb::new(near.min + half, near.max - half);
-        // Around a corner of all places where they are the same, so that they are the same to the bit wherever in it they are asked for.
+        // Around a corner of the box of places, so that the forms are the same to the bit from anywhere in it.
         let mut corner = DVec2::NEG_INFINITY;
         for index in liquids.iter() {
             let fluid = &media.fluids[index as usize];
@@ -228,8 +196,7 @@ impl Displaced {
         self.linear = self.linear.scaled(stokes);
     }
 
-    /// Adds the area inside a liquid, m², its mass, kg/m, and the same with its viscosity.
-    #[inline]
+    /// Adds the area inside a liquid, m², and that times density and viscosity.
     fn add(&mut self, media: &Media, body: &Body, index: u32) {
         let fluid = &media.fluids[index as usize];
         if let Some(sides) = Sides::of(body, fluid, self.within) {
@@ -245,20 +212,14 @@ impl Displaced {
         }
     }
 
-    /// How far a place is from the one around which the forms are, m.
-    #[inline]
+    /// m.
     pub fn apart(&self, x: DVec2) -> DVec2 {
         x - self.centre
     }
-
-    /// The surfaces that cut the body.
-    #[inline]
     pub fn cuts(&self, media: &Media, body: &Body) -> impl Iterator<Item = Cut> {
         let more = self.more.iter().filter_map(move |index| self.surface(media, body, &media.fluids[index as usize]));
         self.cut.into_iter().chain(more)
     }
-
-    #[inline]
     fn surface(&self, media: &Media, body: &Body, fluid: &FluidDef) -> Option<Cut> {
         let (sides, down) = (Sides::of(body, fluid, self.within)?, media.gravity >= 0.0);
         let (cut, leaves) = sides.cut(down);
@@ -273,7 +234,6 @@ impl Displaced {
         })
     }
 
-    /// Whether the media are the same all around.
     pub fn is_same_around(&self) -> bool {
         self.cut.is_none() && [self.fraction, self.density, self.linear].iter().all(|form| form.0[1..] == [0.0; 3])
     }
@@ -283,13 +243,11 @@ impl Displaced {
         self.places.is_some_and(|of| x.cmpge(of.min - margin).all() && x.cmple(of.max + margin).all())
     }
 
-    /// Whether they hold at `x`.
     pub fn holds(&self, x: DVec2) -> bool {
         self.holds_within(x, 0.5 * self.sliver)
     }
 
-    /// Whether they hold at all of these points: along a curve that begins where they hold, if these are its other Bézier points.
-    #[inline]
+    /// Whether they hold at all of these points: the other Bézier points of a curve that begins where they hold.
     pub fn holds_along<const N: usize>(&self, points: [DVec2; N]) -> bool {
         points.iter().all(|point| self.holds_within(*point, DVec2::ZERO))
     }
@@ -314,7 +272,6 @@ impl Displaced {
     }
 }
 
-/// Cuts off the places at which a body at `x` would meet a liquid that it does not touch.
 fn keep_from(places: &mut Aabb, body: &Body, fluid: &FluidDef, x: DVec2) {
     let (first, last) = (fluid.zone.min - body.half, fluid.zone.max + body.half);
     // It stays apart along the axis along which it is further away.

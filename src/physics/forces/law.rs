@@ -1,8 +1,6 @@
-//! The law by which a body moves that touches nothing: all forces together. Gravity, drive, wind and fields are constant and form a sum; drag and
-//! buoyancy depend on place and velocity.
+//! The law by which a body moves that touches nothing: constant forces, drag and buoyancy.
 
-use crate::physics::data::tuning::WAVES;
-use crate::physics::data::{Aabb, Body, FluidDef, Part, Pose, called};
+use crate::physics::data::{Aabb, Body, FluidDef, Part, Pose, WAVES, called};
 use crate::physics::forces::air::Drag;
 use crate::physics::forces::displaced::{Displaced, STOKES};
 use crate::physics::forces::kind::{ForceKind, Source};
@@ -12,33 +10,26 @@ use crate::physics::forces::media::Media;
 use crate::physics::forces::weight::fall;
 use glam::DVec2;
 
-/// The law by which one body moves during one interval, contacts left out.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Law {
     /// The constant acceleration: gravity, drive, wind, fields, m/s².
     pub constant: DVec2,
-    /// Drag of the air.
     pub air: Drag,
-    /// The liquids that the body may meet, and the parts of them that it displaces around its last place.
     pub displaced: Displaced,
     /// The longest first step of its motion, s, by the steps before; 0 where none is known.
     pub first: f64,
-    /// Whether a rough answer is enough.
     pub rough: bool,
 }
 
 impl Law {
-    /// Whether some liquid is so near that it may be met.
     pub fn is_near_liquid(&self) -> bool {
         !self.displaced.liquids.is_empty()
     }
 
-    /// Whether nothing acts that depends on place or velocity.
     pub fn is_constant(&self) -> bool {
         self.air.is_none() && !self.is_near_liquid()
     }
 
-    /// The media around a body at `x`.
     pub fn regime<'a>(&'a self, media: &'a Media, body: &'a Body, x: DVec2) -> Regime<'a> {
         let air = if self.air.is_none() { 0.0 } else { media.air_density };
         let mut regime = Regime::new(media, body, self.constant, air, &self.displaced);
@@ -54,8 +45,7 @@ impl Media {
         DVec2::new(0.0 + push.x, fall(self.gravity_on(body), push.y))
     }
 
-    /// The law of a body for the next `t` seconds, under its weight and a `force` (N). It depends on nothing but the body itself: other bodies
-    /// nearby must change no bit of its motion.
+    /// The law of a body for the next `t` seconds, under its weight and a `force` (N). It depends on the body alone.
     pub fn law(&self, body: &Body, force: DVec2, t: f64) -> Law {
         let mut law = Law::default();
         self.renew(&mut law, body, force, t);
@@ -89,7 +79,6 @@ impl Media {
         self.acceleration(body, &self.law(body, force, 0.0), body.position, body.velocity)
     }
 
-    /// The linearisation of [`Media::acceleration`].
     pub fn stiffness(&self, body: &Body, law: &Law, x: DVec2, v: DVec2) -> Stiffness {
         if !law.is_near_liquid() {
             return Stiffness { drag: law.air.stiffness(v), lift: 0.0 };
@@ -97,7 +86,7 @@ impl Media {
         law.regime(self, body, x).bath(x).answer(v)
     }
 
-    /// How fast bobbing, and drag that grows with the speed, bend the path of a body that an acceleration `a` sets off, 1/s.
+    /// Rate of bobbing, and of drag after an acceleration `a`, 1/s.
     pub fn bending(&self, body: &Body, law: &Law, x: DVec2, a: DVec2) -> f64 {
         if !law.is_near_liquid() {
             return law.air.rate(a).sqrt();
@@ -106,7 +95,7 @@ impl Media {
         bath.stiffness.sqrt() + bath.drag.rate(a).sqrt()
     }
 
-    /// How fast the body's own motion changes its acceleration within `t` seconds, 1/s: an explicit step has to resolve this rate.
+    /// Rate at which the body's motion changes its acceleration within `t` seconds, 1/s: an explicit step has to resolve it.
     pub fn rate(&self, body: &Body, law: &Law, (x, v): Pose, t: f64) -> f64 {
         let of =
             |drag: &Drag, linear: f64, stiffness: f64| linear + drag.rate(v) + drag.rate(law.constant).sqrt() + stiffness.sqrt();
@@ -118,7 +107,7 @@ impl Media {
             let bath = regime.bath(x);
             return of(&bath.drag, bath.linear + bath.waves, bath.stiffness);
         }
-        // The body may come to be wholly inside all liquids nearby.
+        // As if the body were wholly inside all liquids nearby.
         let sum = |sum: (f64, f64), fluid: &FluidDef| (sum.0 + fluid.density, sum.1 + fluid.viscosity);
         let near = law.displaced.liquids.iter().map(|index| &self.fluids[index as usize]);
         let (density, viscosity) = near.fold((0.0, 0.0), sum);
@@ -127,7 +116,7 @@ impl Media {
         of(&law.air.plus(&Drag::of(body, density)), linear, stiffness)
     }
 
-    /// Appends the forces of liquids and air on a body as it moves now, under a `push` (N), to those in `out`.
+    /// Appends the forces of liquids and air on a body as it moves now, under a `push` (N).
     pub fn list(&self, body: &Body, law: &Law, push: DVec2, out: &mut ForceManager) {
         let (x, v, mass) = (body.position, body.velocity, body.mass);
         let mut add = |kind, source, vector| out.list(Force { kind, source, vector, point: x });
@@ -149,7 +138,7 @@ impl Media {
             add(ForceKind::AirResistance, Source::Air, -v * (law.air.rate(v) * dry * mass));
         }
         if wet > 0.0 && v.y == 0.0 {
-            // With v_y = 0 no drag acts up or down, so that the last buoyancy is the last of the vertical forces.
+            // With v_y = 0 the last buoyancy is the last of the vertical forces.
             let regime = law.regime(self, body, x);
             let bath = regime.bath(x);
             if regime.balances(&bath, x, bath.acceleration(self.constant(body, push), v).y) {

@@ -1,7 +1,7 @@
-//! Links: a force between two bodies, or between a body and a place. A law is a file of its own and a line in [`LinkLaw`].
+//! Links: a force between two bodies, or a body and a place. A law is a file of its own and a line in [`LinkLaw`].
 
-use crate::physics::data::body::{Body, BodyId, Pose};
-use crate::physics::data::domain::{DefError, vector};
+use crate::physics::data::domain::{DefError, expect, vector};
+use crate::physics::data::{Body, BodyId, Pose};
 use crate::physics::forces::kind::ForceKind;
 use glam::DVec2;
 
@@ -71,7 +71,6 @@ pub struct LinkDef {
 }
 
 impl LinkDef {
-    /// The other body, if there is one.
     pub(crate) fn other(&self) -> Option<BodyId> {
         match self.to {
             LinkEnd::Body(body) => Some(body),
@@ -79,12 +78,10 @@ impl LinkDef {
         }
     }
 
-    /// The bodies at its ends.
     pub(crate) fn ends(&self) -> impl Iterator<Item = BodyId> {
         [Some(self.body), self.other()].into_iter().flatten()
     }
 
-    /// Whether a body is one of its ends.
     pub(crate) fn has(&self, body: u32) -> bool {
         self.ends().any(|end| end.0 == body)
     }
@@ -103,36 +100,30 @@ impl LinkDef {
     /// # Errors
     /// A number that is not finite or negative; an end that is no body; a body that is linked to itself; links too stiff for a body.
     pub(crate) fn check(&self, bodies: &[Body], links: &[LinkDef]) -> Result<(), DefError> {
-        let refused = |why: &str| Err(DefError(format!("a link {why}")));
-        if !self.law.numbers().iter().all(|number| number.is_finite() && *number >= 0.0) {
-            return refused("has a number that is negative or not finite");
-        }
+        let numbers = self.law.numbers();
+        let good = numbers.iter().all(|number| number.is_finite() && *number >= 0.0);
+        expect(good, || "a link has a number that is negative or not finite".into())?;
         if let LinkEnd::Place(place) = self.to {
             vector("the place of a link", place)?;
         }
-        if self.other() == Some(self.body) {
-            return refused("leads from a body to itself");
-        }
+        expect(self.other() != Some(self.body), || "a link leads from a body to itself".into())?;
         for end in self.ends() {
-            let Some(body) = bodies.get(end.index()) else { return refused("leads to a body that there is not") };
-            let all = links.iter().filter(|link| link.has(end.0)).chain([self]);
-            let [stiffness, damping] = all.fold([0.0, 0.0], |[k, c], link| {
-                let [more_k, more_c] = link.law.rates();
-                [k + more_k, c + more_c]
-            });
-            if stiffness > MOST_STIFFNESS * body.mass || damping > MOST_DAMPING * body.mass {
-                return refused(&format!(
-                    "of {stiffness} N/m and {damping} N·s/m on {} kg, all of its links together, expected at most {MOST_STIFFNESS} N/m \
-                     and {MOST_DAMPING} N·s/m per kg",
+            let body = bodies.get(end.index()).ok_or_else(|| DefError("a link leads to a body that there is not".into()))?;
+            let all = || links.iter().filter(|link| link.has(end.0)).chain([self]).map(|link| link.law.rates());
+            let (stiffness, damping): (f64, f64) = (all().map(|of| of[0]).sum(), all().map(|of| of[1]).sum());
+            let soft = stiffness <= MOST_STIFFNESS * body.mass && damping <= MOST_DAMPING * body.mass;
+            expect(soft, || {
+                format!(
+                    "a link of {stiffness} N/m and {damping} N·s/m on {} kg, all of its links together, expected at most \
+                     {MOST_STIFFNESS} N/m and {MOST_DAMPING} N·s/m per kg",
                     body.mass
-                ));
-            }
+                )
+            })?;
         }
         Ok(())
     }
 }
 
-/// The links of a world, by the order in which they were added.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Links {
     pub all: Vec<LinkDef>,
@@ -141,7 +132,6 @@ pub(crate) struct Links {
 }
 
 impl Links {
-    /// Finds the groups.
     pub fn gather(&mut self) {
         self.groups.clear();
         for link in &self.all {
@@ -160,7 +150,6 @@ impl Links {
     }
 }
 
-/// The force of all links on a body, N.
 pub(crate) fn links_on(links: &[LinkDef], body: u32, pose_of: impl Fn(u32) -> Pose) -> DVec2 {
     links.iter().filter(|link| link.has(body)).map(|link| link.on(body, &pose_of)).sum()
 }

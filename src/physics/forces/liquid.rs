@@ -4,17 +4,8 @@
 //! - **Viscous Drag** of three parts: the quadratic drag of the air's formula with the liquid's density, times f; Stokes' 3π·η·d·u, times
 //!   f, with the mean of width and height as diameter d; and, up and down, the waves that a body makes which the surface cuts.
 //!
-//! **Waves.** A floating body is a spring of stiffness K = ρ·g·b, b its width in the liquid, and quadratic drag alone lets it bob with an
-//! amplitude that falls as 1/t only. The waves that it radiates still it, a damping in proportion to its velocity (J. N. Newman,
-//! *Marine Hydrodynamics*, MIT Press 1977; DNV-RP-C205, *Environmental conditions and environmental loads*). Its strength depends on
-//! the hull and the period of its motion; one damping ratio for all, ζ = `WAVES`, is a choice. Here −2·ζ·C_d·√(K·m)·φ·u_y, so that a
-//! box of C_d = 1 that floats bobs with the damping ratio ζ, and one of C_d = 0 bobs for ever with ω = √(K/m). The factor
-//! φ = 2r/(1 + r)·(1 − (1 − e)⁸), r the displaced mass over the body's and e the part of its height above the surface, is 1 for a
-//! body that floats at its waterline, falls to 0 in proportion to the depth of one that only just gets wet, and fades over the last tenths of
-//! one that goes under (waves are made near the surface): no force jumps with the depth.
-//!
-//! Air acts on the part outside. Where buoyancy and the constant forces balance to rounding, a body without velocity has no acceleration, and
-//! the buoyancy listed makes the resultant exactly zero.
+//! `docs/physics.md`, Liquids, has the formula of the waves with its reasons and sources. Air acts on the part outside. A body without velocity
+//! whose forces balance to rounding has no acceleration, and a resultant of exactly zero.
 
 use crate::physics::data::body::Body;
 use crate::physics::forces::air::Drag;
@@ -23,12 +14,10 @@ use crate::physics::forces::media::Media;
 use glam::{DMat2, DVec2};
 use std::borrow::Cow;
 
-/// How the acceleration by the media answers to small changes of a state, for implicit steps.
+/// −∂a/∂v along either axis, 1/s, and −∂a_y/∂y by buoyancy, 1/s², both ≥ 0: for implicit steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Stiffness {
-    /// −∂a/∂v along either axis, 1/s, ≥ 0.
     pub drag: DVec2,
-    /// −∂a_y/∂y by buoyancy, 1/s², ≥ 0.
     pub lift: f64,
 }
 
@@ -39,10 +28,8 @@ pub(crate) struct Slopes {
     pub speed: DMat2,
 }
 
-/// The action of all media on a body at a place, per mass.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Bath {
-    /// The fraction of the body that is inside liquids.
     pub fraction: f64,
     pub drag: Drag,
     /// Stokes' drag, 1/s.
@@ -57,13 +44,11 @@ pub(crate) struct Bath {
 
 impl Bath {
     /// Acceleration at velocity `v` by these media and `constant`, m/s².
-    #[inline]
     pub fn acceleration(&self, constant: DVec2, v: DVec2) -> DVec2 {
         let drag = self.drag.rate(v) + self.linear;
         DVec2::new(constant.x - v.x * drag, (constant.y - self.lift) - v.y * (drag + self.waves))
     }
 
-    /// Its linearisation at velocity `v`.
     pub fn answer(&self, v: DVec2) -> Stiffness {
         Stiffness { drag: self.drag.stiffness(v) + self.linear + DVec2::new(0.0, self.waves), lift: self.stiffness }
     }
@@ -75,26 +60,22 @@ impl Bath {
     }
 }
 
-/// How large a part of a body at `x` is surely more than the rounding of the fraction that is inside liquids: 16 roundings of its coordinates,
-/// in its halves. Smaller: a part of 1e-16 of a body wholly inside meets the air.
-#[inline]
+/// The least part of a body at `x` that is surely more than the rounding of its fraction inside liquids: 16 roundings of its coordinates, in its
+/// halves. Smaller: a part of 1e-16 of a body wholly inside meets the air.
 pub(crate) fn sure(body: &Body, x: DVec2) -> f64 {
     (16.0 * f64::EPSILON * (1.0 + (x.abs() / body.half).max_element())).min(1e-6)
 }
 
 /// The fraction that is in no liquid, if it is surely more than nothing.
-#[inline]
 pub(crate) fn dry(wet: f64, sure: f64) -> f64 {
     let dry = 1.0 - wet;
     if dry < sure { 0.0 } else { dry }
 }
 
-/// A body in its media, around a place.
 #[derive(Clone, Debug)]
 pub(crate) struct Regime<'a> {
     pub media: &'a Media,
     pub body: &'a Body,
-    /// The acceleration besides that by media, m/s².
     pub constant: DVec2,
     pub displaced: Cow<'a, Displaced>,
     /// The density of the air if it is felt, kg/m³.
@@ -111,9 +92,6 @@ impl<'a> Regime<'a> {
         let lift = media.gravity * (4.0 * body.half.x * body.half.y / body.mass);
         Self { media, body, constant, displaced, air, drag: Drag::of(body, 1.0), lift, sure: sure(body, body.position) }
     }
-
-    /// The one around `x`.
-    #[inline]
     pub fn follow(&mut self, x: DVec2) -> &Self {
         if !self.displaced.holds(x) {
             self.displaced.to_mut().follow(self.media, self.body, x);
@@ -122,21 +100,14 @@ impl<'a> Regime<'a> {
     }
 
     /// Densities of the liquids and of the air around the whole of the body, kg/m³.
-    #[inline]
     fn densities(&self, apart: DVec2) -> (f64, f64) {
         let dry = if self.air == 0.0 { 0.0 } else { dry(self.displaced.fraction.at(apart), self.sure) };
         (self.displaced.density.at(apart), self.air * dry)
     }
-
-    /// Damping by waves, 1/s.
-    #[inline]
     fn damping(&self, apart: DVec2) -> f64 {
         let cuts = self.displaced.cuts(self.media, self.body);
         self.body.drag * cuts.fold(0.0, |sum, cut| sum + cut.waves(apart))
     }
-
-    /// The media at `x`.
-    #[inline]
     pub fn bath(&self, x: DVec2) -> Bath {
         let (displaced, apart) = (&self.displaced, self.displaced.apart(x));
         let (wet, dry) = self.densities(apart);
@@ -151,7 +122,6 @@ impl<'a> Regime<'a> {
     }
 
     /// Acceleration at `x` with velocity `v` by media and `constant`, m/s²: [`Bath::acceleration`] for integrators.
-    #[inline]
     pub fn pull(&self, constant: DVec2, x: DVec2, v: DVec2) -> DVec2 {
         let apart = self.displaced.apart(x);
         let (wet, dry) = self.densities(apart);
@@ -180,7 +150,6 @@ impl<'a> Regime<'a> {
         }
     }
 
-    /// Acceleration at `x` with velocity `v`, m/s².
     pub fn acceleration(&self, x: DVec2, v: DVec2) -> DVec2 {
         if v.y != 0.0 {
             return self.pull(self.constant, x, v);

@@ -1,6 +1,5 @@
-//! The force manager of a body: named forces, each with its source. The world's state keeps one for each body with the constant pushes that
-//! the step moves it by: drive, wind, fields of gravity, and any that is added. `World::forces` lists with these
-//! the values of the laws that change within a tick (weight, air, liquids) and of the contacts, at the tick's end.
+//! The force manager of a body: the named constant forces that the step moves it by. `World::forces` lists with them, at the tick's end, the values
+//! of the laws that change within a tick and of the contacts.
 
 use crate::physics::forces::kind::{ForceKind, Source};
 use glam::DVec2;
@@ -27,14 +26,13 @@ pub struct ForceManager {
 }
 
 impl ForceManager {
-    /// Adds a force (N) that acts until it is replaced or removed. One of the same source and kind is replaced; a vector that is zero, or not
-    /// finite, removes it. Pushes are kept in the order of their sources and kinds, so that their sum does not depend on when they began.
-    /// Returns whether anything changed.
+    /// Adds a force (N) that acts until it is replaced by one of the same source and kind, or removed; zero, or a vector that is not finite,
+    /// removes it. Their order is that of sources and kinds, so that the sum does not depend on when they began. Returns whether anything changed.
     pub fn add(&mut self, source: Source, kind: ForceKind, vector: DVec2) -> bool {
         if vector == DVec2::ZERO || !vector.is_finite() {
             return self.remove(source, kind);
         }
-        // A list of `World::forces` has another order and may hold several forces of one source and kind: a binary search would miss them.
+        // A list of `World::forces` has another order: no binary search.
         let key = (source, kind);
         let same = |force: &Force| (force.source, force.kind) == key;
         if self.forces.iter().filter(|force| same(force)).map(|force| force.vector).eq([vector]) {
@@ -78,8 +76,7 @@ impl ForceManager {
         self.sum_of(|_| true)
     }
 
-    /// The resultant without friction and the drag of air and liquids, N: what static friction has to hold on a body at rest. The step itself
-    /// solves the friction of all contacts of a network together, and with drag: a crate that rides a belt through the air needs that.
+    /// The resultant without friction and the drag of air and liquids, N: the force that static friction has to hold on a body at rest.
     pub fn resultant_without_resistance(&self) -> DVec2 {
         self.sum_of(|kind| !kind.is_resistance())
     }
@@ -108,12 +105,11 @@ impl ForceManager {
         self.forces.retain(|force| !force.source.is_zone() || near(force.source));
     }
 
-    /// Room for eight forces, the drive and several zones: zones that a body enters allocate nothing then.
+    /// Room for eight forces: zones that a body enters allocate nothing then.
     pub(crate) fn with_room() -> Self {
         Self { forces: Vec::with_capacity(8), ..Self::default() }
     }
 
-    /// Empties the list, keeping its buffer.
     pub(crate) fn clear(&mut self) {
         self.forces.clear();
         self.rests = [false; 2];

@@ -1,8 +1,8 @@
-//! The media of a world: gravity, air, streams, fields and liquids. Each law is a file beside this one.
+//! The media of a world.
 
 use crate::physics::data::{Aabb, Body, Cubic, FieldDef, FluidDef, Part, Pose, StreamDef, called};
 use crate::physics::forces::manager::ForceManager;
-use crate::physics::forces::zones::{FAR, Stream, ZoneList};
+use crate::physics::forces::zones::{FAR, Stream, ZoneList, border};
 use glam::DVec2;
 use std::cell::Cell;
 
@@ -21,7 +21,6 @@ pub(crate) struct Media {
 }
 
 impl Media {
-    /// Of zones that stay where they are.
     pub fn new(gravity: f64, air_density: f64, (streams, fields): (&[StreamDef], &[FieldDef]), fluids: Vec<FluidDef>) -> Self {
         let streams = (0..).zip(streams).map(Stream::wind).chain((0..).zip(fields).map(Stream::field)).collect();
         Self { gravity, air_density, airy: true, streams, fluids, ended_early: Cell::new(0) }
@@ -32,7 +31,7 @@ impl Media {
         self.ended_early.set(self.ended_early.get() + 1);
     }
 
-    /// How many flows did not, since this was asked last.
+    /// How many, since this was asked last.
     pub fn take_ended_early(&self) -> u64 {
         self.ended_early.take()
     }
@@ -46,12 +45,10 @@ impl Media {
         ZoneList::touching(self.streams.iter().map(|stream| &stream.zone), near, slop)
     }
 
-    /// The liquids that a box touches.
     pub fn liquids_at(&self, near: &Aabb) -> ZoneList {
         ZoneList::touching(self.fluids.iter().map(|fluid| &fluid.zone), near, 0.0)
     }
 
-    /// Whether a box touches a liquid.
     pub fn wets(&self, near: &Aabb) -> bool {
         if self.fluids.is_empty() {
             return false;
@@ -60,7 +57,6 @@ impl Media {
         self.fluids.iter().any(|fluid| near.touches(&fluid.zone, 0.0))
     }
 
-    /// The streams and fields that a body feels.
     fn felt<'a>(&'a self, body: &'a Body) -> impl Iterator<Item = &'a Stream> {
         self.streams.iter().filter(|stream| stream.is_felt(body))
     }
@@ -81,6 +77,7 @@ impl Media {
     pub fn crosses_border(&self, body: &Body, end: Pose, dt: f64) -> bool {
         let way = Cubic::hermite(body.position, body.velocity, end.0, end.1, dt);
         let near = self.streams_at(&way.swept(body.half, dt), FAR);
-        near.iter().any(|stream| self.streams[stream as usize].is_crossed(body, &way, dt))
+        let crosses = |stream: &Stream| border(&way, body.half, &stream.zone, stream.is_felt(body), dt).is_some();
+        near.iter().any(|stream| crosses(&self.streams[stream as usize]))
     }
 }

@@ -1,14 +1,13 @@
 //! The force manager of a body, and a file for each law that moves it:
 //!
-//! | weight | drive | wind | fields of gravity | drag of the air | buoyancy and drag of liquids | springs |
+//! | weight | drive and added pushes | wind | fields of gravity | drag of the air | buoyancy and drag of liquids | springs |
 //! |---|---|---|---|---|---|---|
-//! | `weight` | `drive` | `wind` | `field` | `air` | `liquid`, `displaced` | `link` |
+//! | `weight` | `manager` | `wind` | `field` | `air` | `liquid`, `displaced` | `link` |
 //!
-//! `law` sums them for a body that touches nothing; `media` holds the zones, and `zones` says who is in one.
+//! `law` sums them for a body that touches nothing; `media` and `zones` hold the zones.
 
 pub(crate) mod air;
 pub(crate) mod displaced;
-mod drive;
 mod field;
 pub(crate) mod kind;
 pub(crate) mod law;
@@ -19,3 +18,12 @@ pub(crate) mod media;
 pub(crate) mod weight;
 mod wind;
 pub(crate) mod zones;
+
+pub(crate) use air::Drag;
+pub(crate) use kind::{ForceKind, Source};
+pub(crate) use law::Law;
+pub(crate) use link::{LinkDef, Links};
+pub(crate) use liquid::{Bath, Regime};
+pub(crate) use manager::{Force, ForceManager};
+pub(crate) use media::Media;
+pub(crate) use zones::ZoneList;

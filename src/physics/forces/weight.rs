@@ -5,18 +5,18 @@ use crate::physics::forces::media::Media;
 use glam::DVec2;
 
 impl Media {
-    /// Gravity of the world on a body, N/kg downwards.
+    /// N/kg downwards.
     pub fn gravity_on(&self, body: &Body) -> f64 {
         if body.weightless { 0.0 } else { self.gravity }
     }
 
-    /// The weight of a body, N.
+    /// N.
     pub fn weight(&self, body: &Body) -> DVec2 {
         DVec2::new(0.0, body.mass * self.gravity_on(body))
     }
 }
 
-/// The acceleration along y by gravity and by a force per mass, m/s²: exactly none where they balance but for rounding.
+/// The acceleration along y by gravity and a force per mass, m/s²; 0 where they balance but for rounding.
 pub(crate) fn fall(gravity: f64, force: f64) -> f64 {
     let sum = gravity + force;
     if sum.abs() <= 4.0 * f64::EPSILON * gravity.abs() { 0.0 } else { sum }

@@ -1,7 +1,6 @@
-//! Zones that push each body that touches them: which of them are near, whether a body is in one, and when it crosses the border.
+//! Zones that push each body that touches them.
 
-use crate::physics::data::tuning::SLOP;
-use crate::physics::data::{Aabb, Body, Cubic, Pose, earliest};
+use crate::physics::data::{Aabb, Body, Cubic, Pose, SLOP, earliest};
 use crate::physics::forces::kind::{ForceKind, Source};
 use glam::DVec2;
 
@@ -19,7 +18,6 @@ impl ZoneList {
         indices.fold(Self::default(), Self::with)
     }
 
-    /// Of those zones that a box touches within `slop` metres.
     pub fn touching<'a>(zones: impl Iterator<Item = &'a Aabb>, near: &Aabb, slop: f64) -> Self {
         Self::of((0..).zip(zones).filter(|(_, zone)| near.touches(zone, slop)).map(|(index, _)| index))
     }
@@ -43,14 +41,12 @@ impl ZoneList {
     }
 }
 
-/// A zone that pushes each body that touches it: an air stream, or a field of gravity.
 #[derive(Clone, Debug)]
 pub(crate) struct Stream {
     pub zone: Aabb,
     /// From this its law makes the force (N) on a body: N of a stream, N/kg of a field.
     pub strength: DVec2,
     pub law: fn(DVec2, &Body) -> DVec2,
-    /// Whether it is switched on.
     pub blows: bool,
     pub kind: ForceKind,
     pub source: Source,
@@ -62,26 +58,19 @@ impl Stream {
         if self.blows { (self.law)(self.strength, body) } else { DVec2::ZERO }
     }
 
-    /// Whether a body feels it where it is.
     pub fn is_felt(&self, body: &Body) -> bool {
         feels(&self.zone, body, (body.position, body.velocity))
     }
-
-    /// Whether a body crosses its border on a way of `dt` seconds.
-    pub fn is_crossed(&self, body: &Body, way: &Cubic, dt: f64) -> bool {
-        border(way, body.half, &self.zone, self.is_felt(body), dt).is_some()
-    }
 }
 
-/// Whether a body in a pose feels a stream that blows in a zone: touching suffices, but a body at the border that leaves has left. So no tick
-/// depends on how the time of a crossing is rounded.
+/// Whether a body in a pose feels a zone: touching suffices, unless it leaves. No tick depends on the rounding of a crossing.
 pub(crate) fn feels(zone: &Aabb, body: &Body, (position, velocity): Pose) -> bool {
     let apart = position - zone.centre();
     let gap = apart.abs() - body.half - zone.size() * 0.5;
     (0..2).all(|axis| gap[axis] < -SLOP || (gap[axis] <= SLOP && velocity[axis] * apart[axis].signum() <= 0.0))
 }
 
-/// Whether a body that sweeps this box is sure to stay on its side of the border of a zone: `inside`, or out of it.
+/// Whether a body that sweeps this box surely stays on its side of a border: `inside`, or out of it.
 pub(crate) fn stays(swept: &Aabb, half: DVec2, zone: &Aabb, inside: bool) -> bool {
     if inside {
         let reaches = |axis: usize| {
@@ -93,7 +82,7 @@ pub(crate) fn stays(swept: &Aabb, half: DVec2, zone: &Aabb, inside: bool) -> boo
     }
 }
 
-/// When a body on a way enters a zone or, from `inside`, leaves it. A body that begins at the border itself has crossed it once it is clear of it.
+/// When a body enters a zone or, from `inside`, leaves it. A body at the border has crossed it once it is clear of it.
 pub(crate) fn border(way: &Cubic, half: DVec2, zone: &Aabb, inside: bool, end: f64) -> Option<f64> {
     let reach = half + zone.size() * 0.5;
     let motion = Cubic::parabola(zone.centre(), DVec2::ZERO, DVec2::ZERO).relative(way);

@@ -1,11 +1,9 @@
 //! The broad phase: the bodies and surfaces that each body may meet.
 //!
-//! Each body owns a *fat box*: what it sweeps in this step, wider by a skin and by its way of the next steps (Box2D's fat AABBs). While it
-//! stays inside, the list of bodies and surfaces whose boxes overlap the fat one holds; a body that leaves gets a new box and list. Both are
-//! found in a grid whose cells are hashed, each in all cells that its box covers; those that cover many are tested one by one.
+//! Each body owns a *fat box* (Box2D's fat AABBs); the list of bodies and surfaces whose boxes overlap it holds while the body stays inside.
+//! Both are found in a hashed grid, each in all cells that its box covers; boxes that cover many cells are tested one by one.
 
-use crate::physics::data::body::Body;
-use crate::physics::store::edges::{Edges, NOWHERE, contains, edges, overlap};
+use crate::physics::data::{Aabb, Body};
 use crate::physics::store::motions::{MARGIN, Motions};
 use glam::DVec2;
 
@@ -22,33 +20,28 @@ const FEW: usize = 32;
 /// Pairs for which a body has room from the start.
 const ROOM: usize = 16;
 
-/// No entry follows.
 const NONE: u32 = u32::MAX;
 
-/// A body or surface in a cell, and the next one there.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
     item: u32,
     next: u32,
 }
 
-/// The pairs that may meet, and what finds them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct BroadPhase {
-    /// The fat box of each body, and after them where contacts with each surface are looked for while it stands.
-    boxes: Vec<Edges>,
-    /// Bodies and surfaces that overlap the fat box of each body; surfaces count on from the number of bodies.
+    /// The fat box of each body, and behind them the boxes of surfaces.
+    boxes: Vec<Aabb>,
+    /// The items that overlap the fat box of each body; surfaces count on from the number of bodies.
     near: Vec<Vec<u32>>,
-    /// Counts changes of the lists.
     pub revision: u64,
     per_metre: f64,
     skin: f64,
     heads: Vec<u32>,
     entries: Vec<Entry>,
     unused: Vec<u32>,
-    /// Bodies and surfaces that are in no cell.
     large: Vec<u32>,
-    /// When a body or surface was found last, by the number of the search.
+    /// The number of the search that found an item last.
     found: Vec<u32>,
     search: u32,
 }
@@ -57,8 +50,8 @@ impl BroadPhase {
     pub fn new(bodies: &[Body], motions: &Motions) -> Self {
         let n = bodies.len();
         let mean = bodies.iter().map(|body| body.half.min_element()).sum::<f64>() / n.max(1) as f64;
-        let mut boxes = vec![NOWHERE; n];
-        boxes.extend(motions.surfaces.iter().map(|of| edges(of.from, of.half + MARGIN)));
+        let mut boxes = vec![Aabb::NOWHERE; n];
+        boxes.extend(motions.surfaces.iter().map(|of| Aabb::around(of.from, of.half + MARGIN)));
         let all = boxes.len();
         let mut broad_phase = Self {
             boxes,
@@ -74,29 +67,25 @@ impl BroadPhase {
         broad_phase
     }
 
-    /// Bodies and surfaces that a body may meet while it sweeps no more than its fat box.
     pub fn near(&self, i: usize) -> &[u32] {
         &self.near[i]
     }
 
-    /// Makes sure that the lists of these bodies hold for what they sweep.
+    /// Gives those of the bodies new boxes that sweep more than theirs.
     pub fn update(&mut self, bodies: &[Body], motions: &Motions, of: &[u32], dt: f64) {
         for i in of.iter().map(|i| *i as usize) {
-            if !contains(&self.boxes[i], &motions.swept[i]) {
-                // Where free flight leads it in the next steps.
+            if !self.boxes[i].contains(&motions.swept[i], 0.0) {
                 let (velocity, ahead) = (bodies[i].velocity, HORIZON * dt);
                 let gained = DVec2::new(0.0, 0.5 * ahead * (motions.bodies[i].free.1.y - velocity.y) / dt);
-                self.renew(i, &motions.swept[i], ahead * (velocity + gained));
+                self.renew(i, motions.swept[i], ahead * (velocity + gained));
             }
         }
     }
 
-    /// Gives a body a new fat box, wider by its way ahead (m), and finds what overlaps it.
-    fn renew(&mut self, i: usize, swept: &Edges, DVec2 { x, y }: DVec2) {
+    fn renew(&mut self, i: usize, Aabb { min, max }: Aabb, ahead: DVec2) {
         self.revision += 1;
         self.leave(i);
-        let ([left, right, top, bottom], skin) = (*swept, self.skin);
-        let mine = [left - skin + x.min(0.0), right + skin + x.max(0.0), top - skin + y.min(0.0), bottom + skin + y.max(0.0)];
+        let mine = Aabb::new(min - self.skin + ahead.min(DVec2::ZERO), max + self.skin + ahead.max(DVec2::ZERO));
         self.boxes[i] = mine;
         let mut near = std::mem::take(&mut self.near[i]);
         self.find(&mine, i, &mut near);
@@ -109,7 +98,6 @@ impl BroadPhase {
         self.enter(i);
     }
 
-    /// Takes a body out of its cells and of the lists of others.
     fn leave(&mut self, i: usize) {
         let mut near = std::mem::take(&mut self.near[i]);
         for j in near.drain(..) {
@@ -144,30 +132,25 @@ impl BroadPhase {
         };
         for head in cells.all(self.heads.len()) {
             let entry = Entry { item: i as u32, next: self.heads[head] };
-            self.heads[head] = match self.unused.pop() {
-                Some(at) => {
-                    self.entries[at as usize] = entry;
-                    at
-                }
-                None => {
-                    self.entries.push(entry);
-                    self.entries.len() as u32 - 1
-                }
-            };
+            let at = self.unused.pop().unwrap_or(self.entries.len() as u32);
+            match self.entries.get_mut(at as usize) {
+                Some(unused) => *unused = entry,
+                None => self.entries.push(entry),
+            }
+            self.heads[head] = at;
         }
     }
 
-    /// Lists the bodies and surfaces besides i whose boxes overlap `mine`.
-    fn find(&mut self, mine: &Edges, i: usize, into: &mut Vec<u32>) {
+    fn find(&mut self, mine: &Aabb, i: usize, into: &mut Vec<u32>) {
         self.search = self.search.wrapping_add(1);
         self.found[i] = self.search;
+        let cells = self.cells(mine);
         let Self { boxes, found, search, heads, entries, large, .. } = self;
         let mut test = |j: u32| {
-            if std::mem::replace(&mut found[j as usize], *search) != *search && overlap(mine, &boxes[j as usize]) {
+            if std::mem::replace(&mut found[j as usize], *search) != *search && mine.meets(&boxes[j as usize]) {
                 into.push(j);
             }
         };
-        let cells = Cells::of(mine, self.per_metre).filter(|_| boxes.len() > FEW);
         let Some(cells) = cells else {
             return (0..boxes.len() as u32).for_each(test);
         };
@@ -181,13 +164,11 @@ impl BroadPhase {
         }
     }
 
-    /// The cells of a box; none if it is large, or none yet.
-    fn cells(&self, of: &Edges) -> Option<Cells> {
+    fn cells(&self, of: &Aabb) -> Option<Cells> {
         Cells::of(of, self.per_metre).filter(|_| self.boxes.len() > FEW)
     }
 }
 
-/// A range of columns and rows.
 #[derive(Clone, Copy)]
 struct Cells {
     columns: (i64, i64),
@@ -195,9 +176,10 @@ struct Cells {
 }
 
 impl Cells {
-    /// None if there are too many, or none.
-    fn of(edges: &Edges, per_metre: f64) -> Option<Self> {
-        let [left, right, top, bottom] = edges.map(|edge| (edge * per_metre).floor() as i64);
+    fn of(bounds: &Aabb, per_metre: f64) -> Option<Self> {
+        let cell = |edge: f64| (edge * per_metre).floor() as i64;
+        let [left, right] = [bounds.min.x, bounds.max.x].map(cell);
+        let [top, bottom] = [bounds.min.y, bounds.max.y].map(cell);
         let count = (right.saturating_sub(left).saturating_add(1)).saturating_mul(bottom.saturating_sub(top).saturating_add(1));
         (right >= left && count <= MOST_CELLS).then_some(Self { columns: (left, right), rows: (top, bottom) })
     }
@@ -215,7 +197,6 @@ impl Cells {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::data::aabb::Aabb;
     use crate::physics::data::material::Material;
     use crate::physics::data::surface::{Surface, SurfaceDef};
     use crate::physics::forces::media::Media;
@@ -250,9 +231,9 @@ mod tests {
                 let mut found = broad_phase.near(i).to_vec();
                 found.sort_unstable();
                 let mine = broad_phase.boxes[i];
-                assert!(contains(&mine, &motions.swept[i]));
-                let others = (0..n).filter(|&j| j != i && overlap(&mine, &broad_phase.boxes[j])).map(|j| j as u32);
-                let fixed = (0..surfaces).filter(|&j| overlap(&mine, &broad_phase.boxes[n + j])).map(|j| (n + j) as u32);
+                assert!(mine.contains(&motions.swept[i], 0.0));
+                let others = (0..n).filter(|&j| j != i && mine.meets(&broad_phase.boxes[j])).map(|j| j as u32);
+                let fixed = (0..surfaces).filter(|&j| mine.meets(&broad_phase.boxes[n + j])).map(|j| (n + j) as u32);
                 assert_eq!(found, others.chain(fixed).collect::<Vec<_>>());
             }
         }

@@ -1,44 +1,37 @@
-//! Islands: groups of bodies that could meet within this step, each solved by itself.
+//! Islands: groups of bodies that could meet within this step.
 //!
-//! Bodies whose swept boxes overlap are joined (union–find); surfaces that stand join nothing. What an island's solution depends on is found here
-//! in an order that only its own bodies decide: bodies bottom-up, equal heights by their numbers, and each body's pairs by the
-//! order of the other. So nothing that is added elsewhere changes one bit of it.
+//! Union–find joins bodies whose swept boxes overlap; surfaces that stand join nothing. Bodies stand bottom-up, equal heights by their numbers,
+//! each body's pairs by the order of the other: no other island changes a bit.
 
-use crate::physics::data::body::Body;
-use crate::physics::data::lists::refill;
+use crate::physics::data::{Aabb, Body, first, refill};
 use crate::physics::store::broad_phase::BroadPhase;
-use crate::physics::store::edges::{Edges, overlap};
 use crate::physics::store::motions::Motions;
 
-/// After so many moves a body, insertion gives up and all is sorted. Either way the order is the same.
+/// After more moves a body, insertion gives up and all is sorted: the same order.
 const MOST_MOVES: usize = 8;
 
-/// None yet.
 const NONE: u32 = u32::MAX;
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Island<'a> {
-    /// Its bodies, bottom-up.
     pub members: &'a [u32],
-    /// What each body may touch, a member before it or a surface: `others[from..to]`.
+    /// The items that each body may touch, a member before it or a surface: `others[from..to]`.
     pub ranges: &'a [(u32, u32)],
     pub others: &'a [u32],
 }
 
 impl<'a> Island<'a> {
-    /// Whether it is one body, near nothing.
     pub fn is_alone(&self) -> bool {
         self.members.len() == 1 && self.near(self.members[0]).is_empty()
     }
 
-    /// What a member may touch, each a member before it or a surface.
     #[inline(always)]
     pub fn near(&self, member: u32) -> &'a [u32] {
         let (from, to) = self.ranges[member as usize];
         &self.others[from as usize..to as usize]
     }
 
-    /// The surfaces that its members may touch, some maybe twice, in a world of that many bodies.
+    /// The surfaces that its members may touch, some maybe twice.
     pub fn surfaces(&self, bodies: usize) -> impl Iterator<Item = u32> + use<'a> {
         let island = *self;
         island.members.iter().flat_map(move |i| island.near(*i)).filter_map(move |j| j.checked_sub(bodies as u32))
@@ -58,8 +51,8 @@ pub(crate) struct Islands {
     island_of_root: Vec<u32>,
     ranges: Vec<(u32, u32)>,
     others: Vec<u32>,
-    /// From what the islands were found last, by place: while all of it stays, so do they.
-    swept: Vec<Edges>,
+    /// The boxes from which the islands were found last: while these stay, so do they.
+    swept: Vec<Aabb>,
     revision: u64,
     same_order: bool,
     /// Bodies that share an island wherever they are.
@@ -80,7 +73,6 @@ impl Islands {
         }
     }
 
-    /// A surface moves from now on.
     pub fn set_moving(&mut self, j: usize) {
         self.place[j] = NONE;
         self.forget();
@@ -95,19 +87,16 @@ impl Islands {
         }
     }
 
-    /// Something else than the bodies has changed: the islands have to be found again.
     pub fn forget(&mut self) {
         self.revision = 0;
     }
 
-    /// Whether anything meets anything.
     pub fn are_alone(&self) -> bool {
         self.others.is_empty() && self.links.is_empty()
     }
 
-    /// Chooses whose islands are found: those of these bodies, who meet nobody else.
     pub fn look_at(&mut self, bodies: &[u32]) {
-        if self.order.len() == bodies.len() && bodies.iter().all(|i| self.is_looked_at(*i)) {
+        if self.order.len() == bodies.len() && bodies.iter().all(|i| self.place[*i as usize] != NONE) {
             return;
         }
         self.order.iter().for_each(|i| self.place[*i as usize] = NONE);
@@ -115,10 +104,6 @@ impl Islands {
         self.order.extend_from_slice(bodies);
         self.order.iter().for_each(|i| self.place[*i as usize] = 0);
         self.forget();
-    }
-
-    fn is_looked_at(&self, i: u32) -> bool {
-        self.place[i as usize] != NONE
     }
 
     pub fn len(&self) -> usize {
@@ -130,7 +115,6 @@ impl Islands {
         Island { members: &self.members[from..to], ranges: &self.ranges, others: &self.others }
     }
 
-    /// Brings the bodies into their order; `down` is the sign of gravity.
     pub fn sort(&mut self, bodies: &[Body], down: f64) {
         self.same_order = self.put_in_order(bodies, down) == 0 && self.revision != 0;
         if !self.same_order {
@@ -140,7 +124,6 @@ impl Islands {
         }
     }
 
-    /// Finds the islands of all bodies, from the boxes that they sweep; `moving` surfaces carry some.
     pub fn find(&mut self, motions: &Motions, broad_phase: &BroadPhase, moving: &[u32]) {
         if self.same_order && self.revision == broad_phase.revision && moving.is_empty() && self.sweep_the_same(motions) {
             return;
@@ -152,13 +135,11 @@ impl Islands {
         self.gather();
     }
 
-    /// Whether all that are looked at sweep what they did when islands were found last.
     fn sweep_the_same(&self, motions: &Motions) -> bool {
         self.swept.len() == self.order.len()
             && self.order.iter().zip(&self.swept).all(|(i, swept)| motions.swept[*i as usize] == *swept)
     }
 
-    /// Bottom-up, equal heights by the numbers of the bodies. Returns how many moves it took.
     fn put_in_order(&mut self, bodies: &[Body], down: f64) -> usize {
         let Self { order, heights, .. } = self;
         heights.clear();
@@ -186,7 +167,6 @@ impl Islands {
         moves
     }
 
-    /// Joins bodies that may meet, and lists for each body the bodies below it and the surfaces that it may meet.
     fn join(&mut self, motions: &Motions, broad_phase: &BroadPhase, moving: &[u32]) {
         let Self { order, place, parent, ranges, others, links, carried, .. } = self;
         let n = motions.len();
@@ -196,18 +176,18 @@ impl Islands {
         for (k, &i) in order.iter().enumerate() {
             let (from, mine) = (others.len(), motions.swept[i as usize]);
             let mut root = i as usize;
-            // Of those that are looked at, the lower one of a pair is listed under the upper one. Without a branch: most are apart.
+            // The lower one of a pair is listed under the upper one. Without a branch: most are apart.
             let near = broad_phase.near(i as usize);
             others.resize(from + near.len(), 0);
             let mut end = from;
             for &j in near {
                 others[end] = j;
-                end += usize::from((place[j as usize] <= k as u32) & overlap(&mine, &motions.swept[j as usize]));
+                end += usize::from((place[j as usize] <= k as u32) & mine.meets(&motions.swept[j as usize]));
             }
             others.truncate(end);
             for (first, &surface) in carried.iter_mut().zip(moving) {
                 let j = n + surface as usize;
-                if !overlap(&mine, &motions.swept[j]) {
+                if !mine.meets(&motions.swept[j]) {
                     continue;
                 }
                 others.push(j as u32);
@@ -235,7 +215,6 @@ impl Islands {
         }
     }
 
-    /// Lists the members island by island, in their order.
     fn gather(&mut self) {
         let Self { order, parent, members, begins, island_of_root, .. } = self;
         begins.clear();
@@ -272,13 +251,4 @@ fn join_with(parent: &mut [u32], root: &mut usize, j: usize) {
             (parent[other.max(*root)], *root) = (other.min(*root) as u32, other.min(*root));
         }
     }
-}
-
-#[inline(always)]
-fn first(parent: &mut [u32], mut i: usize) -> usize {
-    while parent[i] as usize != i {
-        parent[i] = parent[parent[i] as usize];
-        i = parent[i] as usize;
-    }
-    i
 }

@@ -1,19 +1,15 @@
-//! How bodies and surfaces move in the present step: where free flight leads them, where they end, and what they sweep. The bodies themselves
-//! are those of the world's state.
+//! Motions of bodies and surfaces in the present step: free flights, ends, and swept boxes.
 
 use crate::physics::data::{Aabb, Body, Part, Pose, Surface, called, parabola};
 use crate::physics::flight::air::fly_through;
-use crate::physics::forces::air::Drag;
-use crate::physics::forces::media::Media;
 use crate::physics::forces::weight::fall;
-use crate::physics::store::edges::{Edges, NOWHERE, contains, edges};
+use crate::physics::forces::{Drag, Media};
 use glam::DVec2;
 
-/// How much further than predicted a body may get before its contacts are sought again, m; across, its own way besides. Larger: more contacts
-/// to look at; smaller: more islands are solved again because a hit threw a body further.
+/// How much further than predicted a body may get before its contacts are sought again, m. Larger: more contacts; smaller: more islands are solved
+/// again because a hit threw a body further.
 pub(crate) const MARGIN: f64 = 1e-2;
 
-/// The method that advances a body in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Method {
     /// Free flight, or rest.
@@ -21,10 +17,22 @@ pub(crate) enum Method {
     Flight,
     /// Flight together with the bodies that links join to it.
     Linked,
-    /// From event to event.
     Events,
-    /// The crowd step.
     Crowd,
+}
+
+/// A flight that no constant force describes.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Guide {
+    /// Its end, if the body touches nothing, and all places of its centre on the way, m, if these may lie beyond.
+    pub end: Pose,
+    pub places: Option<Aabb>,
+    /// The acceleration there, m/s², if that came out of the flight.
+    pub pull: Option<DVec2>,
+    /// Whether the body stands still although nothing holds it: it may fall asleep.
+    pub floats: bool,
+    /// Whether the end is a rough one: the body touches something, so that an island finds its end.
+    pub roughly: bool,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
@@ -34,7 +42,7 @@ pub(crate) struct Motion {
     /// The end of the step if the body touches nothing, and the end that the islands found.
     pub free: Pose,
     pub end: Pose,
-    /// What an island found at the end of the step, m/s²; `known` if that holds, and the contacts with it.
+    /// The acceleration that an island found at the end of the step, m/s²; whether that and the contacts hold.
     pub acceleration: DVec2,
     pub known: bool,
     pub method: Method,
@@ -43,12 +51,23 @@ pub(crate) struct Motion {
     /// How often its island grew in this step, and whether that island is solved again.
     pub growths: u8,
     pub again: bool,
-    /// Whether no constant force describes its flight.
+    /// Whether no constant force describes its flight, and whether `acceleration` is that at its end.
     pub guided: bool,
+    pub pulled: bool,
+    /// Of such a flight: [`Guide::floats`], [`Guide::roughly`].
+    pub floats: bool,
+    pub roughly: bool,
     /// Whether a crowd step listed what its contacts gave.
     pub listed: bool,
     /// How often its island was solved so far: what an earlier solution listed holds no longer.
     pub solved: u32,
+}
+
+impl Motion {
+    /// Sets the acceleration at the end of a flight, m/s², if that came out of it.
+    pub fn pull_at_end(&mut self, pull: Option<DVec2>) {
+        (self.pulled, self.acceleration) = (pull.is_some(), pull.unwrap_or_default());
+    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +80,6 @@ pub(crate) struct SurfaceMotion {
     pub mean: DVec2,
     pub end: DVec2,
     pub was: DVec2,
-    /// The speed of its belt, m/s.
     pub belt: f64,
     pub present: bool,
 }
@@ -73,17 +91,14 @@ impl SurfaceMotion {
         Self { from, to: from, half, mean, end, was, belt: surface.belt, present: surface.present }
     }
 
-    /// Lets it stand for the step.
     pub fn stand(&mut self) {
         (self.to, self.mean, self.end) = (self.from, DVec2::ZERO, DVec2::ZERO);
     }
 
-    /// Whether it moves in this step.
     pub fn moves(&self) -> bool {
         self.mean != DVec2::ZERO
     }
 
-    /// Whether it moves, moved in the step before, or runs a belt.
     pub fn carries(&self) -> bool {
         self.moves() || self.was != DVec2::ZERO || self.belt != 0.0
     }
@@ -96,12 +111,11 @@ pub(crate) struct Motions {
     /// The pose of each body at the start of the last step.
     pub before: Vec<Pose>,
     /// What each body, and after them each surface, sweeps in this step: an absent surface nothing.
-    pub swept: Vec<Edges>,
-    /// Drag of the air on each body, and whether any feels it.
+    pub swept: Vec<Aabb>,
     pub drags: Vec<Drag>,
     pub airy: bool,
-    /// The ends of flights that no constant force describes, in the next step.
-    pub guided: Vec<(u32, Pose)>,
+    /// Flights of the next step that no constant force describes.
+    pub guided: Vec<(u32, Guide)>,
 }
 
 impl Motions {
@@ -115,7 +129,7 @@ impl Motions {
             bodies: bodies.iter().map(rests).collect(),
             surfaces: surfaces.iter().map(SurfaceMotion::of).collect(),
             before: bodies.iter().map(|body| (body.position, body.velocity)).collect(),
-            swept: vec![NOWHERE; bodies.len() + surfaces.len()],
+            swept: vec![Aabb::NOWHERE; bodies.len() + surfaces.len()],
             airy: drags.iter().any(|drag| !drag.is_none()),
             drags,
             guided: Vec::new(),
@@ -135,7 +149,6 @@ impl Motions {
         std::mem::replace(&mut self.bodies[i].pull, pull) != pull
     }
 
-    /// Lets these bodies fly freely for `dt` seconds, and finds what they sweep.
     pub fn fly(&mut self, bodies: &[Body], of: &[u32], dt: f64) {
         let Self { bodies: motions, swept, drags, .. } = self;
         for i in of.iter().map(|i| *i as usize) {
@@ -149,23 +162,27 @@ impl Motions {
             };
             motion.end = motion.free;
             swept[i] = way(body.position, motion.free.0, body.half);
-            (motion.method, motion.known, motion.growths, motion.again, motion.guided) = (Method::Flight, true, 0, false, false);
+            (motion.method, motion.known, motion.growths, motion.again) = (Method::Flight, true, 0, false);
+            (motion.guided, motion.pulled, motion.floats, motion.roughly) = (false, false, false, false);
         }
-        for (i, pose) in self.guided.drain(..) {
+        for (i, guide) in self.guided.drain(..) {
             let (body, motion) = (&bodies[i as usize], &mut motions[i as usize]);
-            (motion.free, motion.end, motion.guided) = (pose, pose, true);
-            swept[i as usize] = way(body.position, pose.0, body.half);
+            (motion.free, motion.end, motion.guided) = (guide.end, guide.end, true);
+            (motion.floats, motion.roughly) = (guide.floats, guide.roughly);
+            motion.pull_at_end(guide.pull);
+            let places = guide.places.map(|of| Aabb::new(of.min - body.half, of.max + body.half));
+            let way = way(body.position, guide.end.0, body.half);
+            swept[i as usize] = places.map_or(way, |places| way.union(&places));
         }
     }
 
     pub fn sweep_surface(&mut self, surface: usize) {
         let of = &self.surfaces[surface];
-        self.swept[self.bodies.len() + surface] = if of.present { way(of.from, of.to, of.half) } else { NOWHERE };
+        self.swept[self.bodies.len() + surface] = if of.present { way(of.from, of.to, of.half) } else { Aabb::NOWHERE };
     }
 
-    /// Whether a body ends the step within what it was expected to sweep.
     pub fn is_swept(&self, i: usize, half: DVec2) -> bool {
-        contains(&self.swept[i], &edges(self.bodies[i].end.0, half))
+        self.swept[i].contains(&Aabb::around(self.bodies[i].end.0, half), 0.0)
     }
 
     /// The body that names the island in which a body was advanced; none if it flew or rested by itself.
@@ -174,16 +191,9 @@ impl Motions {
         (motion.method != Method::Flight).then_some(motion.leader)
     }
 
-    /// What a body sweeps.
-    pub fn area(&self, i: u32) -> Aabb {
-        let [left, right, top, bottom] = self.swept[i as usize];
-        Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom))
-    }
-
-    /// Widens what a body sweeps by `reach` (m) to all sides.
     pub fn widen(&mut self, i: usize, reach: DVec2) {
-        let [left, right, top, bottom] = self.swept[i];
-        self.swept[i] = [left - reach.x, right + reach.x, top - reach.y, bottom + reach.y];
+        let Aabb { min, max } = self.swept[i];
+        self.swept[i] = Aabb::new(min - reach, max + reach);
     }
 
     pub fn fall_freely(&mut self, i: usize) {
@@ -191,9 +201,8 @@ impl Motions {
     }
 }
 
-/// The box from one place of a body to another, and a margin.
-fn way(from: DVec2, to: DVec2, half: DVec2) -> Edges {
+fn way(from: DVec2, to: DVec2, half: DVec2) -> Aabb {
     let (min, max) = (from.min(to), from.max(to));
-    let (wide, high) = (half.x + (MARGIN + (max.x - min.x)), half.y + MARGIN);
-    [min.x - wide, max.x + wide, min.y - high, max.y + high]
+    let reach = half + DVec2::new(MARGIN + (max.x - min.x), MARGIN);
+    Aabb::new(min - reach, max + reach)
 }

@@ -1,26 +1,24 @@
-//! Sleep: islands that a step left as they were, until something outside changes or something else comes near.
+//! Sleep: islands that a step left unchanged, until something changes or comes near.
 //!
-//! What has slept through a whole step is set aside: flight, the search for neighbours and islands leave it out until something wakes it, or
-//! until the boxes that others sweep reach its own (`rouse`). A step would find about it what it found before: its box
-//! in `Motions::swept` and its free flight stay those of the step before. So it costs nothing, and changes no bit.
+//! A body that has slept through a whole step is set aside until something wakes it, or a swept box reaches its own (`rouse`). Its box and free
+//! flight of the step before still hold, so no bit depends on that.
 
 use crate::physics::data::body::Body;
 use crate::physics::store::islands::Island;
 use crate::physics::store::motions::Motions;
 use glam::DVec2;
 
-/// Nobody is set aside while more than this part of the bodies has to be looked at: who is near them is looked up one by one then.
+/// No body is set aside while more than this part of them has to be looked at: their neighbours are looked up one by one.
 const MOST_LOOKED_AT: f64 = 0.25;
 
-/// Who sleeps and who is looked at.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sleep {
-    asleep: Vec<bool>,
-    sleepers: usize,
-    /// Whom a step looks at; the others are `aside`.
-    looked_at: Vec<u32>,
+    pub asleep: Vec<bool>,
+    pub sleepers: usize,
+    /// The bodies that a step looks at; the others are `aside`.
+    pub looked_at: Vec<u32>,
     aside: Vec<bool>,
-    /// Whose islands the last step has left asleep.
+    /// The last step has left its island asleep.
     undisturbed: Vec<bool>,
 }
 
@@ -43,7 +41,7 @@ impl Sleep {
         self.rouse_all();
     }
 
-    /// Counts a body to those that a step looks at, asleep or not. Returns whether that is new.
+    /// Makes a step look at a body, asleep or not. Returns whether that is new.
     pub(crate) fn rouse(&mut self, body: usize) -> bool {
         self.undisturbed[body] = false;
         let aside = std::mem::replace(&mut self.aside[body], false);
@@ -62,15 +60,11 @@ impl Sleep {
         }
     }
 
-    pub fn looked_at(&self) -> &[u32] {
-        &self.looked_at
-    }
-
     pub fn looks_at_all(&self) -> bool {
         self.looked_at.len() == self.aside.len()
     }
 
-    /// Sets those aside that slept through the step before, if that leaves few enough to be worth it.
+    /// Sets the bodies aside that slept through the step before, if few enough are left.
     pub(crate) fn set_aside(&mut self) {
         let Self { looked_at, undisturbed, aside, asleep, .. } = self;
         let sleeps = |body: u32| asleep[body as usize] && undisturbed[body as usize];
@@ -88,22 +82,7 @@ impl Sleep {
         self.sleepers == self.asleep.len()
     }
 
-    pub fn sleepers(&self) -> usize {
-        self.sleepers
-    }
-
-    pub fn sleeps(&self, body: usize) -> bool {
-        self.asleep[body]
-    }
-
-    pub(crate) fn fall_asleep(&mut self, body: usize) {
-        if !std::mem::replace(&mut self.asleep[body], true) {
-            self.undisturbed[body] = false;
-            self.sleepers += 1;
-        }
-    }
-
-    /// An island of which all sleep and that nothing moving touches stays as it is.
+    /// An island that is all asleep and touches nothing that moves stays as it is.
     pub(crate) fn stays_asleep(&mut self, bodies: &[Body], motions: &mut Motions, island: Island<'_>) -> bool {
         if self.sleepers == 0 || !island.members.iter().all(|i| self.asleep[*i as usize]) {
             return false;
@@ -118,7 +97,7 @@ impl Sleep {
         true
     }
 
-    /// A step that moved nothing and left nothing moving would be followed by the same for ever. Returns whether the island sleeps.
+    /// A step that moved nothing and left nothing moving is followed by the same for ever. Returns whether the island sleeps.
     pub(crate) fn finish(&mut self, bodies: &[Body], motions: &Motions, (island, may_sleep): (Island<'_>, bool)) -> bool {
         let still = |i: &u32| {
             let (body, end) = (&bodies[*i as usize], motions.bodies[*i as usize].end);
@@ -132,7 +111,10 @@ impl Sleep {
     pub(crate) fn note(&mut self, island: Island<'_>, sleeps: bool) {
         for &i in island.members {
             if sleeps {
-                self.fall_asleep(i as usize);
+                if !std::mem::replace(&mut self.asleep[i as usize], true) {
+                    self.undisturbed[i as usize] = false;
+                    self.sleepers += 1;
+                }
             } else if self.sleepers > 0 {
                 self.wake(i as usize);
             }

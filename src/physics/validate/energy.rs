@@ -4,9 +4,7 @@
 //! that points up.
 
 use crate::physics::checks::{Ledger, Thing, rounding};
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::lists::refill;
-use crate::physics::data::tuning::{MICRO_SPEED, SLOP};
+use crate::physics::data::{Aabb, MICRO_SPEED, SLOP, refill};
 use crate::physics::forces::zones::{feels, stays};
 use crate::physics::world::World;
 use glam::DVec2;

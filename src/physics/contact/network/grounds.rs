@@ -1,17 +1,16 @@
-//! Ground that moves. Where all ground of a network moves alike, the network is solved in its frame. Otherwise a block is held against one of its
-//! grounds, and its links to the others are set aside: they pull while the block is routed, and hold, drag or let go after that.
+//! Ground that moves: alike, or a block is held against one of its grounds and its links to the others are set aside.
 
 use crate::physics::contact::network::{Block, Carries, GROUND, Network, Node, Side};
 
 impl Network {
     /// The acceleration of all ground, if it moves alike; else 0.
     pub(super) fn common_frame(&self) -> f64 {
-        let mut grounds = self.links.iter().filter(|link| link.is_grounded()).map(|link| link.ground);
+        let mut grounds = self.links.iter().filter(|link| link.lo == GROUND || link.hi == GROUND).map(|link| link.ground);
         let first = grounds.next().unwrap_or(0.0);
         if grounds.all(|ground| ground == first) { first } else { 0.0 }
     }
 
-    /// What nothing is linked to stays outside: in that frame what little pulls at it could be lost to rounding.
+    /// A node without links stays outside: its small force could be lost to rounding in that frame.
     pub(super) fn enter_frame(&mut self, frame: f64) {
         self.linked.clear();
         if frame != 0.0 {
@@ -24,17 +23,11 @@ impl Network {
         }
     }
 
-    fn linked_nodes(&mut self) -> impl Iterator<Item = &mut Node> {
+    pub(super) fn linked_nodes(&mut self) -> impl Iterator<Item = &mut Node> {
         self.nodes.iter_mut().zip(&self.linked).filter(|(_, linked)| **linked).map(|(node, _)| node)
     }
 
-    pub(super) fn leave_frame(&mut self, frame: f64) {
-        if frame != 0.0 {
-            self.linked_nodes().for_each(|node| node.acceleration += frame);
-        }
-    }
-
-    /// Sets those links aside (`cut`) that lead to ground which moves otherwise than `ground`. Returns whether there are any.
+    /// Sets the links aside (`cut`) that lead to other ground than `ground`. Returns whether there are any.
     pub(super) fn part_with_other_grounds(&mut self, block: Block, ground: f64) -> bool {
         let mut any = false;
         for at in block.begin..block.end {
@@ -50,8 +43,8 @@ impl Network {
         any
     }
 
-    /// Adds to the excess of the nodes what the grounds set aside do to them while they move with the acceleration `held`: ties drag with
-    /// their limit, and what is pushed is pushed by more than everything else in the block together.
+    /// Adds to the excess of the nodes the action of the grounds set aside, at the acceleration `held`: ties drag with their limit, pushes are
+    /// larger than all else in the block together.
     pub(super) fn pull_by_other_grounds(&mut self, block: Block, held: f64) {
         let (mut all, mut mass) = (0.0, 0.0);
         for at in block.begin..block.end {
@@ -91,8 +84,8 @@ impl Network {
         }
     }
 
-    /// Of the grounds set aside, those on whose side a node ended up may still hold it; the others drag or have let go for good. What
-    /// stayed although it is pushed by more than all else together is squeezed between two of them: returns the side on which it stayed, if anything is.
+    /// Grounds set aside on whose side a node ended up may still hold it; the others drag or have let go. A node that stayed against such a push is
+    /// squeezed between two grounds: returns its side.
     pub(super) fn settle_other_grounds(&mut self, held: f64) -> Option<Side> {
         let mut squeezed = None;
         for k in 0..self.aside.len() {

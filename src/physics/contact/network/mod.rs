@@ -1,37 +1,20 @@
-//! Contact forces along one axis, exactly: which bodies move together, how fast, and what each contact carries.
+//! Contact forces along one axis, exactly: Gauss's principle of least constraint as isotonic regression with total variation, solved block by
+//! block (`docs/physics.md`, Contact networks; Fujishige 1980, Groenevelt 1991).
 //!
-//! On axis-aligned boxes the normals are axis-aligned, so each axis is a problem of its own: bodies are nodes with a mass and an
-//! applied force; a *normal* link passes any pushing force from its lower to its upper body, a *tie* (static friction) passes up to its
-//! limit either way; the ground is immovable. By Gauss's principle of least constraint the accelerations minimise
-//! `Σ ½ m (a − F/m)²` subject to `a_hi ≥ a_lo` on every normal link, plus `Σ limit·|a_hi − a_lo|` over the ties. That is isotonic
-//! regression on a partial order with total variation, which splits exactly into blocks of equal acceleration: start from a whole
-//! connected component, route every body's excess force `F − m·a` through the links to where it is missing (a maximum flow: the flows
-//! *are* the contact forces), and where that cannot be done, cut at the bottleneck and go on with the parts (the decomposition
-//! algorithm for separable convex functions: Fujishige 1980, Groenevelt 1991).
-//!
-//! Most blocks settle in one pass of loads along the axis (`passes`), the rest by maximum flow (`routing`). What a settled block leaves over within its tolerance is handed on by what is light in it, for which it may be all that acts.
-//!
-//! Ground may move: a link to it knows its acceleration (or, when impulses are solved for, its velocity). Where all ground of a network
-//! moves alike, the network is solved in its frame. Otherwise a block is held against one of its grounds at a time: seen from there,
-//! ties to the others drag with their limits, and what others push is pushed by more than all else together can hold. A block between two
-//! grounds that close on it can follow neither, and says so (`squeezed`).
-//!
-//! No iteration towards a limit, no dependence on mass ratio; a block with the ground has a = 0 bit for bit. Where several supports
-//! could carry a load (statically indeterminate), they share it equally if no tie is needed. Cost: one linear pass for a pile at rest
-//! or a pushed row; otherwise O(nodes · links) a block, meant for up to a few hundred bodies.
+//! A *normal* link passes any push from its lower to its upper body, a *tie* (static friction) up to its limit either way. Most blocks settle in
+//! one pass of loads (`passes`), the rest by maximum flow (`routing`), O(nodes · links) a block. The error does not depend on the mass ratio; a
+//! block with the ground has a = 0 bit for bit. Of grounds that move apart a block is held against one at a time; between two that close on it, it
+//! is `squeezed`.
 
 pub(crate) mod grounds;
 pub(crate) mod passes;
 pub(crate) mod routing;
 
-use crate::physics::data::lists::refill;
-use crate::physics::data::tuning::{FORCE_TOLERANCE, LIGHT};
+use crate::physics::data::{FORCE_TOLERANCE, LIGHT, refill};
 use std::ops::Range;
 
-/// The index of the ground as an end of a link.
 pub(crate) const GROUND: u32 = u32::MAX;
 
-/// No block and no link.
 const NOWHERE: u32 = u32::MAX;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,15 +25,12 @@ pub(crate) enum Carries {
     UpTo(f64),
 }
 
-/// A contact as seen along one axis.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Link {
-    /// The body at the smaller coordinate, or the ground.
     pub lo: u32,
-    /// The body at the larger coordinate, or the ground.
     pub hi: u32,
     pub carries: Carries,
-    /// What the ground does, if one of the ends is it, m/s².
+    /// The acceleration of the ground, if one of the ends is it, m/s².
     pub ground: f64,
     /// The force passed on from `lo` to `hi`, N: `hi` feels it along the axis, `lo` against it.
     pub flow: f64,
@@ -71,24 +51,18 @@ impl Link {
     fn other(&self, end: u32) -> u32 {
         if self.lo == end { self.hi } else { self.lo }
     }
-
-    fn is_grounded(&self) -> bool {
-        self.lo == GROUND || self.hi == GROUND
-    }
 }
 
-/// A body along one axis.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node {
     /// kg.
     pub mass: f64,
-    /// Applied force without the contacts of this network, N.
+    /// Force without the contacts of this network, N.
     pub force: f64,
     /// The solution, m/s².
     pub acceleration: f64,
 }
 
-/// The network of one axis; its buffers are kept from solve to solve.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Network {
     pub nodes: Vec<Node>,
@@ -110,19 +84,17 @@ pub(crate) struct Network {
     aside: Vec<u32>,
 }
 
-/// The block that is being settled: a part of `order`.
 #[derive(Clone, Copy, Debug)]
 struct Block {
     begin: usize,
     end: usize,
-    /// What the ground does that the block is held against, m/s².
+    /// The acceleration of the ground that the block is held against, m/s².
     ground: Option<f64>,
-    /// The largest force that acts on one of its nodes, N.
     largest: f64,
 }
 
 impl Block {
-    /// Up to where a force left over is none, N.
+    /// A smaller force left over is none, N.
     fn tolerance(&self) -> f64 {
         self.largest * FORCE_TOLERANCE
     }
@@ -135,7 +107,6 @@ struct Note {
     block: u32,
     /// How many nodes have not handed their load on to this one yet.
     waits_for: u32,
-    /// The link by which a search reached it.
     came_by: u32,
     side: Side,
 }
@@ -154,12 +125,10 @@ impl Network {
         self.squeezed.clear();
     }
 
-    /// Adds a link; `ground` is what the ground does (m/s²) if one of the ends is it.
     pub fn link(&mut self, lo: u32, hi: u32, carries: Carries, ground: f64) {
         self.links.push(Link { lo, hi, carries, ground, flow: 0.0, cut: false });
     }
 
-    /// Finds every node's acceleration and every link's flow.
     pub fn solve(&mut self) {
         if self.links.is_empty() {
             for node in &mut self.nodes {
@@ -176,7 +145,9 @@ impl Network {
             self.settle_block(next);
             next += 1;
         }
-        self.leave_frame(frame);
+        if frame != 0.0 {
+            self.linked_nodes().for_each(|node| node.acceleration += frame);
+        }
     }
 
     fn slot(&self, end: u32) -> usize {
@@ -213,7 +184,6 @@ impl Network {
         self.first[slot] as usize..self.first[slot + 1] as usize
     }
 
-    /// Bodies joined by links; the ground joins nothing, because it moves for nobody.
     fn find_components(&mut self) {
         self.order.clear();
         self.blocks.clear();
@@ -276,8 +246,8 @@ impl Network {
         }
     }
 
-    /// What is nothing beside the rest of its block may be all that acts on something light. The lightest first, it is handed on to what is not light,
-    /// or at least heavier, or numbered later; what is pulled away from all that it is only pushed by goes on by itself.
+    /// A force that is none beside the rest of its block may be all that acts on a light body. The lightest first, it is handed on to a body that
+    /// is not light, or heavier, or numbered later; a body that is pulled away from all that pushes it goes on by itself.
     fn settle_light(&mut self, block: Block) {
         let own = |node: &Node| node.force.abs().max(node.mass * node.acceleration.abs());
         let is_light = |node: &Node| own(node) < LIGHT * block.largest;

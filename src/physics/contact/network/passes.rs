@@ -1,11 +1,10 @@
-//! The quick way through a block: loads handed on along the axis, once. A pile at rest and a pushed row settle in one such pass; `routing` would
-//! come to the same.
+//! One pass of loads along the axis: a pile at rest and a pushed row settle in it; `routing` would come to the same.
 
 use crate::physics::contact::network::{Block, Carries, GROUND, Link, Network};
 
 impl Network {
-    /// One pass along the axis: every body hands its excess on to the bodies (or the ground) that it presses against, in equal shares, as
-    /// soon as it has been handed all of its own (Kahn's order). True if that settles the block: nobody would have to pull.
+    /// Every body hands its excess on to the bodies (or the ground) that it presses against, in equal shares, once it has got all of its own
+    /// (Kahn's order). Returns whether that settles the block: no contact would have to pull.
     pub(super) fn passes(&mut self, block: Block, upwards: bool) -> bool {
         self.reset_flows(block);
         let tolerance = block.tolerance();

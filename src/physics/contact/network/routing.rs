@@ -1,10 +1,8 @@
-//! The general way through a block: a maximum flow from where force is left over to where it is missing, along shortest paths, and a cut
-//! where it gets stuck (Ford and Fulkerson's method in Edmonds and Karp's order).
+//! The general case: a maximum flow along shortest paths, and a cut where it gets stuck (Ford and Fulkerson 1956, Edmonds and Karp 1972).
 
 use crate::physics::contact::network::grounds::side_of;
 use crate::physics::contact::network::{Block, Carries, GROUND, NOWHERE, Network, Side};
 
-/// How a search reached the nodes where it started.
 const START: u32 = u32::MAX - 1;
 
 /// Where a search begins: at all excess, at the ground, or, against the flow, at all lack.
@@ -16,13 +14,12 @@ enum From {
 }
 
 impl Network {
-    /// Routes as much excess as the links allow along shortest paths: first from where it is to where it is missing or into the ground,
-    /// then from the ground to where it is still missing.
+    /// Routes excess to where it is missing or into the ground, then from the ground to where it is still missing.
     pub(super) fn route(&mut self, block: Block) {
         while let Some(goal) = self.search(block, From::Excess) {
             self.augment(goal);
         }
-        // The rest cannot hold back the nodes that the search still reaches from unrouted excess.
+        // Nodes reached from unrouted excess are faster.
         for at in block.begin..block.end {
             self.notes[self.order[at] as usize].side = Side::Same;
         }
@@ -32,12 +29,11 @@ impl Network {
                 self.augment(goal);
             }
         }
-        // Every node that could still pass force on to an unmet lack shares that lack.
+        // Nodes that could still pass force on to an unmet lack share that lack.
         self.search(block, From::Lack);
         self.mark_reached(block, Side::Slower);
     }
 
-    /// Notes the side of the nodes that the last search reached.
     fn mark_reached(&mut self, block: Block, side: Side) {
         for at in block.begin..block.end {
             let note = &mut self.notes[self.order[at] as usize];
@@ -47,8 +43,7 @@ impl Network {
         }
     }
 
-    /// Breadth first to the nearest lack or, from all excess, the ground; leaves in `came_by` how each node was reached. From all lack it
-    /// goes against the flow and seeks nothing.
+    /// Breadth first to the nearest lack or, from all excess, the ground; from all lack against the flow. `came_by` says how.
     fn search(&mut self, block: Block, from: From) -> Option<u32> {
         let (ground, tolerance) = (self.nodes.len(), block.tolerance());
         self.queue.clear();
@@ -102,7 +97,6 @@ impl Network {
         None
     }
 
-    /// Sends as much as fits along the path just found.
     fn augment(&mut self, goal: u32) {
         let mut amount = if goal == GROUND { f64::INFINITY } else { -self.notes[goal as usize].excess };
         let mut node = goal;
@@ -128,8 +122,7 @@ impl Network {
         }
     }
 
-    /// Cuts the block where the routing got stuck: ties across the cut slip at their limits, pushes across it have ended. Returns whether it was
-    /// cut.
+    /// Cuts the block where the routing got stuck. Ties across the cut slip at their limits, pushes end. Returns whether it was cut.
     pub(super) fn split(&mut self, block: Block) -> bool {
         let Block { begin, end, ground, .. } = block;
         let first = self.notes[self.order[begin] as usize].side;

@@ -1,18 +1,15 @@
-//! Who sticks and who slides: an active set over the tree of supports.
+//! Sticking and sliding contacts: an active set over the tree of supports.
 //!
-//! One pass top-down adds up, where contacts stick, mass and momentum of all that rides on a body; one pass bottom-up takes each body with its
-//! riders to its support's velocity if the limit allows, and lets it slide otherwise. A contact that slides hands down its limit instead of
-//! its riders, so the passes are done again with what they found; it ends after two or three rounds, and every impulse is applied to both, so
-//! momentum is exact also where it slips. Where they do not settle, or a body on several supports would be driven, the contacts are relaxed one
-//! by one instead, which always dissipates. Exact on trees; a body on several supports that move differently sticks to the strongest and
-//! slides on the others.
+//! One pass top-down adds up the riders of each body; one bottom-up takes each body with its riders to its support's velocity if the limit allows,
+//! or lets it slide. Rounds that do not settle are relaxed contact by contact, which dissipates. Exact on trees; on several supports that move
+//! differently a body sticks to the strongest and slides on the others.
 
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::friction::{Friction, Grip, Riders, Tight};
 
 /// The most rounds of the active set. Fewer: contacts at their limit slide or stick a step late.
 const ROUNDS: usize = 5;
-/// Sweeps of the way out. Fewer: columns shear more.
+/// Sweeps where those do not settle. Fewer: columns shear more.
 const SWEEPS: usize = 4;
 
 /// A limit exceeded by this part still holds: sums of many impulses are rounded.
@@ -32,7 +29,6 @@ impl Friction {
         !self.carried && has > had * (1.0 + ROUNDING)
     }
 
-    /// Whether friction of more than the body's own weight acts at its supports.
     pub fn carries(&self, bodies: &Bodies, i: usize) -> bool {
         if !self.is_awake[i] || !self.is_gripped[i] {
             return false;
@@ -41,9 +37,8 @@ impl Friction {
         rubs.map(|tight| tight.load).sum::<f64>() > bodies[i].mass * (bodies[i].free.y - bodies[i].end.y).abs() * (1.0 + ROUNDING)
     }
 
-    /// Solves the velocities across of what is gripped, from the momenta `given`; leaves in `riders` what each body carries.
-    ///
-    /// What slid at the start, faster than friction could stop the body alone, is expected to go on sliding: so what lies between bodies that slide over it is not taken for a part of both.
+    /// Solves the velocities across from the momenta `given`. A slide at the start that is faster than friction could stop the body alone is
+    /// expected to last: a body between two that slide over it is no part of both.
     pub fn solve(&mut self, bodies: &mut Bodies, given: &[f64]) {
         for i in self.gripped.iter().map(|i| *i as usize) {
             for tight in &mut self.tight[self.start[i] as usize..self.end[i] as usize] {
@@ -67,14 +62,12 @@ impl Friction {
         self.relax(bodies, given);
     }
 
-    /// Whether what is gripped has more energy than with the momenta `given`.
     fn drives(&self, bodies: &Bodies, given: &[f64]) -> bool {
         self.gains(bodies, self.gripped.iter().map(|i| *i as usize), |i| given[i] / bodies[i].mass)
     }
 
-    /// The way out where the grips do not settle: contact by contact, friction brings its two bodies together as far as its limit allows,
-    /// beginning with the impulses that the grips have come to, unless those drive. Always dissipates, but what sticks high up may be stopped
-    /// only after many steps.
+    /// Contact by contact, friction brings two bodies together as far as its limit allows, from the impulses so far unless those drive. Always
+    /// dissipates, but bodies high up may be stopped only after many steps.
     fn relax(&mut self, bodies: &mut Bodies, given: &[f64]) {
         self.turned = false;
         self.relaxed += 1;
@@ -87,7 +80,6 @@ impl Friction {
         }
     }
 
-    /// All bodies by themselves, with their momenta and a `part` of the impulses so far, within the limits.
     fn begin_relaxing(&mut self, bodies: &mut Bodies, given: &[f64], part: f64) {
         for i in self.gripped.iter().map(|i| *i as usize) {
             bodies[i].end.x = given[i] / bodies[i].mass;
@@ -106,7 +98,6 @@ impl Friction {
         }
     }
 
-    /// Contact by contact, brings two bodies together as far as the limit allows. Returns the greatest change of a velocity, m/s.
     pub fn sweep(&mut self, bodies: &mut Bodies) -> f64 {
         let n = bodies.len();
         let mut most = 0.0f64;
@@ -129,13 +120,12 @@ impl Friction {
         most
     }
 
-    /// A body by itself, with a momentum.
     fn alone(&self, bodies: &Bodies, i: usize, given: f64) -> Riders {
         let mass = bodies[i].mass;
         Riders { momentum: given, began: mass * bodies[i].before.x, mass }
     }
 
-    /// Top-down: mass and momentum of all that sticks to a body, and the friction of what slides on it.
+    /// Top-down.
     fn gather(&mut self, bodies: &Bodies, given: &[f64]) {
         for i in self.gripped.iter().map(|i| *i as usize) {
             self.riders[i] = self.alone(bodies, i, given[i]);
@@ -163,7 +153,7 @@ impl Friction {
         }
     }
 
-    /// Bottom-up: the velocities. Returns whether some contact had to change its grip.
+    /// Bottom-up. Returns whether some contact had to change its grip.
     fn spread(&mut self, bodies: &mut Bodies) -> bool {
         let mut changed = false;
         for k in 0..self.gripped.len() {
@@ -190,7 +180,7 @@ impl Friction {
             let target = bodies[below as usize].end.x + skin;
             let impulse = mine.mass * target - mine.momentum;
             bodies[i].end.x = target;
-            // What slid and has come to its end within the step is held by static friction then, which need not answer what it began with.
+            // Static friction holds a slide that has ended within the step.
             let first = mine.began - mine.mass * (bodies[below as usize].was.x + skin);
             let ends = !stood && (impulse.abs() <= held || first * impulse > 0.0);
             let (holds, needs) = if ends { (holds, impulse + first) } else { (held, impulse) };

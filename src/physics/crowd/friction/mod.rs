@@ -1,13 +1,10 @@
-//! Velocities across gravity: friction of the stacks.
+//! Friction of the stacks.
 //!
-//! One pass top-down adds up the loads: a body's load is split equally among its tight supports, and μ times the load is the friction's limit.
-//! Which contacts stick within it, and what that makes of the velocities, is found by [`grips`].
+//! A body's load is split equally among its tight supports; μ times the load is the limit of friction. [`grips`] finds which contacts stick.
 //!
-//! Only what moves, is pushed, or stands on such takes part. What stands and is not pushed holds whatever slides on it, since its
-//! own limit is at least theirs together, provided that no surface is more slippery than the bodies and all bodies are alike;
-//! otherwise all take part. A moving surface, or one with a belt, carries with the velocity of its skin.
-//!
-//! Friction is spread evenly over the step, or until what slides stops: then it has gone half as far as its velocity says until then.
+//! Only bodies that move, are pushed, or stand on such take part. A standing body holds all that slides on it, since its own limit is at least
+//! theirs together, if no surface is more slippery than the bodies and all bodies are alike. A moving surface or belt carries with the velocity of
+//! its skin.
 
 pub(crate) mod grips;
 
@@ -18,7 +15,6 @@ use crate::physics::crowd::gravity::{Anchors, SLACK};
 use crate::physics::crowd::{ACROSS, ALONG};
 use crate::physics::data::lists::refill;
 
-/// What a contact does across.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Grip {
     Stick,
@@ -26,7 +22,6 @@ pub(crate) enum Grip {
     Slip(f64),
 }
 
-/// A tight stack contact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tight {
     pub below: u32,
@@ -42,23 +37,22 @@ pub(crate) struct Tight {
     stood: bool,
     /// What holds once a slide has ended, N·s.
     holds: f64,
-    /// Which part of the largest impulse acts on what slips: less than all of it where the slide turned round within the step.
+    /// The part of the largest impulse that acts on a slide: less than 1 where it turned round within the step.
     sense: f64,
-    /// Whether it is a ceiling.
     above: bool,
     /// Velocity of the skin besides that of what it belongs to, m/s.
     pub skin: f64,
 }
 
 impl Tight {
-    /// Lets it press with an impulse, N·s, of which it returns a part: its limits so far are coefficients.
+    /// Sets its load, N·s, of which it returns a part: its limits so far are coefficients.
     fn press(&mut self, impulse: f64, restitution: f64) {
         let rubs = impulse * (1.0 + restitution);
         (self.load, self.held, self.holds, self.dragged) = (impulse, self.held * rubs, self.holds * rubs, self.dragged * rubs);
     }
 }
 
-/// What a body carries, itself included: momenta across at the end of the step and at its start, N·s, and the mass, kg.
+/// Of a body and all that it carries: momenta across at the end of the step and at its start, N·s, and the mass, kg.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Riders {
     pub momentum: f64,
@@ -66,7 +60,6 @@ pub(crate) struct Riders {
     pub mass: f64,
 }
 
-/// Loads and friction of the tight contacts along gravity.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Friction {
     /// Tight contacts of body i: `tight[start[i]..end[i]]`.
@@ -75,23 +68,20 @@ pub(crate) struct Friction {
     pub tight: Vec<Tight>,
     pub riders: Vec<Riders>,
     loads: Vec<f64>,
-    /// Who takes part, bottom-up.
+    /// The bodies that take part, bottom-up.
     awake: Vec<u32>,
     pub is_awake: Vec<bool>,
-    /// Who of them stands on something or carries something, bottom-up; nothing rubs at the others.
+    /// Those of them that stand on something or carry something, bottom-up.
     pub gripped: Vec<u32>,
     pub is_gripped: Vec<bool>,
     /// Whether surfaces move, which may drive.
     carried: bool,
-    /// Whether something slides back within the step: friction has turned round with it, and what it did until then is not in what the
-    /// step gives.
+    /// Whether a slide turns round within the step: the step does not show what friction did until then.
     pub turned: bool,
-    /// How often the grips did not settle, since this was taken last.
     pub relaxed: u64,
 }
 
 impl Friction {
-    /// Begins an island; `all` is the number of its bodies and surfaces.
     pub fn begin(&mut self, all: usize) {
         for flags in [&mut self.is_awake, &mut self.is_gripped] {
             refill(flags, all, false);
@@ -103,7 +93,6 @@ impl Friction {
         self.riders.resize(all, Riders::default());
     }
 
-    /// The tight contacts under a body that takes part.
     pub fn under(&self, i: usize) -> std::ops::Range<usize> {
         self.start[i] as usize..self.end[i] as usize
     }
@@ -114,14 +103,12 @@ impl Friction {
         tight.iter().find(|t| t.below == below).map_or(0.0, |t| t.impulse)
     }
 
-    /// Nothing moves across, so nobody takes part.
     pub fn rest(&mut self, n: usize) {
         self.awake.clear();
         self.gripped.clear();
         self.is_awake[..n].fill(false);
     }
 
-    /// Chooses who takes part: what has momentum in `given`, stands on nothing, stands on what takes part, or is `pushed`.
     pub fn wake(&mut self, bodies: &Bodies, contacts: &Contacts, given: &[f64], pushed: &[bool]) {
         self.awake.clear();
         let n = bodies.len();
@@ -135,7 +122,6 @@ impl Friction {
                 let slippery = bodies[j].traits.static_friction < first.static_friction.max(first.kinetic_friction);
                 bodies[j].end.x != 0.0 || bodies[j].belt != 0.0 || slippery
             };
-            // Of bodies that are alike, what stands holds what slides on it.
             let awake = !bodies.alike
                 || given[i] != 0.0
                 || pushed[i]
@@ -149,7 +135,6 @@ impl Friction {
         }
     }
 
-    /// Finds the tight contacts of what takes part.
     pub fn touch(&mut self, bodies: &Bodies, contacts: &Contacts, dt: f64) {
         let slack = contacts.tolerances.hair / dt;
         self.carried = contacts.carried;
@@ -174,7 +159,6 @@ impl Friction {
         self.gripped.extend(self.awake.iter().filter(|i| self.is_gripped[**i as usize]));
     }
 
-    /// Adds a contact of body i with what is below it, or with a ceiling, where the two press.
     #[inline(always)]
     fn grip(&mut self, bodies: &Bodies, i: usize, contact: &Contact, slack: f64) {
         let (above, gains) =
@@ -186,14 +170,13 @@ impl Friction {
         let (of, skin) = (bodies.coefficients(i, below as usize), bodies.skin(below as usize, ALONG, above));
         let stood = bodies.rides(i, below as usize, ACROSS, skin);
         let (dragged, holds) = (of.kinetic_friction, of.static_friction);
-        // What slides stops only where kinetic friction stops it; static friction holds what stands.
+        // Kinetic friction stops a slide; static friction holds a body that stands.
         let held = if stood { holds } else { dragged };
         let (grip, load, sense, impulse) = (Grip::Stick, 0.0, 1.0, 0.0);
         self.tight.push(Tight { below, grip, load, held, dragged, impulse, stood, holds, sense, above, skin });
     }
 
-    /// Adds up the loads top-down, from what the solver changed along gravity and what walls hold up, N·s. What bounces with
-    /// restitution e rubs with 1 + e times the impulse that stops it.
+    /// Adds up the loads top-down, N·s. A bounce with restitution e rubs with 1 + e times the impulse that stops it.
     pub fn load(&mut self, bodies: &Bodies, held_up: &[f64], anchors: &Anchors) {
         for &i in &self.awake {
             self.loads[i as usize] = held_up[i as usize];
@@ -219,7 +202,6 @@ impl Friction {
         }
     }
 
-    /// What merged in the air presses with what went through its merges.
     fn load_loose(&mut self, anchors: &Anchors) {
         for edge in &anchors.edges {
             let impulse = edge.impulse.max(0.0);
@@ -238,7 +220,7 @@ impl Friction {
         }
     }
 
-    /// Mean velocities across of what is gripped, once the velocities are solved; those of bodies that are `told` stay.
+    /// Mean velocities across: friction acts evenly over the step, or until the slide stops. Those of bodies that are `told` stay.
     pub fn spread_ways(&self, bodies: &mut Bodies, told: &[bool], dt: f64) {
         for &i in &self.gripped {
             let i = i as usize;
@@ -252,7 +234,6 @@ impl Friction {
                 let below = tight.below as usize;
                 let (belt, began) = (tight.skin, bodies[below].was.x);
                 if tight.sense != 1.0 && tight.grip != Grip::Stick {
-                    // It slid until it had the velocity of what carries it, and then slides back.
                     let part = 0.5 * (1.0 - tight.sense);
                     let turns = began + part * (bodies[below].end.x - began) + belt;
                     mean = 0.5 * (part * (bodies[i].before.x + turns) + (1.0 - part) * (turns + bodies[i].end.x));
@@ -269,7 +250,7 @@ impl Friction {
         }
     }
 
-    /// Neighbours have set the velocity of a body: its slide does not end by itself, and only kinetic friction acts where they push it along.
+    /// Neighbours have set the velocity of a body: only kinetic friction acts where they push it along.
     pub fn tell(&mut self, i: usize, slides: bool) {
         let under = self.under(i);
         for tight in &mut self.tight[under] {
