@@ -1,6 +1,7 @@
 //! Random levels at and beyond the limits of what is accepted: what is not refused can be played, stays finite and stays in the level.
 //! `tools/fuzz_levels` plays many more of the same, and holds them against every law.
 
+use crate::support::written::kept;
 use crate::support::{Memory, Random, level_texts};
 use resultant::game::{Controls, Game};
 use resultant::level;
@@ -15,20 +16,17 @@ const MOST_HELD: isize = 64 << 20;
 const LEVELS: u64 = 300;
 const TICKS: u32 = 15;
 
-/// Levels that once broke a law, as text: `=== NAME TICKS` with the tick in which each did, then `--- FILE` and its rows.
+/// Levels that once broke a law, and the tick in which each did.
 const ONCE_BROKEN: &str = include_str!("../fixtures/once_broken.txt");
 
 /// The keys of [`ONCE_BROKEN`] are let go of as seldom as the tool does.
 #[test]
 fn what_once_broke_a_law_holds() {
-    for level in ONCE_BROKEN.split("=== ").skip(1) {
-        let mut files = level.split("--- ");
-        let (name, ticks) = files.next().and_then(|title| title.trim().split_once(' ')).unwrap();
-        let (seed, ticks): (u64, u32) = (name.parse().unwrap(), ticks.parse().unwrap());
-        let files = files.map(|file| file.split_once('\n').unwrap()).map(|(file, rows)| (file, rows.to_owned())).collect();
+    for (name, ticks, files) in kept(ONCE_BROKEN) {
+        let files = files.into_iter().map(|(file, rows)| (file, rows.to_owned())).collect();
         let loaded = level::read("fuzz", &Memory(files)).unwrap_or_else(|problems| panic!("{name}: {problems:?}"));
         let mut game = Game::new(Arc::new(loaded.level)).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let (mut random, mut controls) = (Random(!seed), Controls::default());
+        let (mut random, mut controls) = (Random(!name), Controls::default());
         for tick in 1..=ticks {
             if random.chance(0.08) {
                 let mut key = || random.chance(0.4);

@@ -25,6 +25,19 @@ pub fn texts(files: &[(&'static str, &str)]) -> Memory {
     Memory(all)
 }
 
+/// A level kept as text: the seed of its keys, how many ticks it is played, and its files.
+pub type Kept = (u64, u32, Vec<(&'static str, &'static str)>);
+
+/// Levels kept as text, each `=== SEED TICKS`, then `--- FILE` and its rows, file by file.
+pub fn kept(text: &'static str) -> Vec<Kept> {
+    let level = |level: &'static str| {
+        let mut parts = level.split("--- ");
+        let (seed, ticks) = parts.next().and_then(|title| title.trim().split_once(' ')).unwrap();
+        (seed.parse().unwrap(), ticks.parse().unwrap(), parts.map(|file| file.split_once('\n').unwrap()).collect())
+    };
+    text.split("=== ").skip(1).map(level).collect()
+}
+
 /// What is wrong with such a level.
 pub fn refused(files: &[(&'static str, &str)]) -> Vec<String> {
     level::read("room", &texts(files)).unwrap_err().iter().map(Problem::to_string).collect()

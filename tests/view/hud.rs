@@ -1,7 +1,7 @@
 //! The head-up display covers nothing that matters, in windows of several sizes and shapes: at the start of every shipped level no hazard, no
 //! goal and no text; along every recorded flight it steps aside. Arrows point to every goal and key outside the view.
 
-use super::onlook::{WINDOWS, kept_free, pixels, window};
+use super::onlook::{WINDOWS, kept_free, on_canvas, pixels, window};
 use crate::support::shipped::{experiment, flights, levels, load};
 use resultant::draw::layout::{Area, Frame, Vec2, nearest_size, text_room};
 use resultant::game::{Controls, Game, Outcome, SHIP};
@@ -28,7 +28,7 @@ fn start(level: &Level, frame: &Frame) -> Viewport {
 
 /// What has to be seen, by name, where it lies on the canvas.
 fn shown(level: &Level, view: &Viewport, frame: &Frame) -> Vec<(String, Area)> {
-    let named = |name| move |bounds: &Aabb| (format!("{name} at {}", bounds.min * level.metre), view.rect(bounds));
+    let named = |name| move |bounds: &Aabb| (format!("{name} at {}", bounds.min * level.metre), on_canvas(bounds, view));
     let texts = level.texts.iter().map(|text| {
         let height = frame.text_height(nearest_size(view.length(text.size)));
         (text.text.clone(), Area { min: view.point(text.position), size: text_room(&text.text, height) })
@@ -100,7 +100,7 @@ struct Seen {
 fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, what: &str) {
     let (hud, frame) = (&onlooker.hud, &onlooker.frame);
     let what = || format!("{what} after {:.1} s in {}", game.ticks() as f64 / game.tick_rate(), pixels(frame));
-    let key = |i: usize| (format!("the key {i}"), view.rect(&key_box(game, i)));
+    let key = |i: usize| (format!("the key {i}"), on_canvas(&key_box(game, i), view));
     let keys = (0..game.level().objects.len()).filter(|&i| game.level().objects[i].key.is_some()).map(key);
     let free: Vec<(String, Area)> = kept_free(game, view).into_iter().chain(keys).collect();
     for part in onlooker.solid() {
@@ -112,7 +112,7 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
     seen.aside += usize::from(HudPart::ALL.into_iter().any(|part| hud.aside().of(part) == 1.0));
     seen.arrows += hud.pointers().len();
     // Arrows: inside, over no part of the display, over no other and not over the ship.
-    let ship = view.rect(&game.world().body(SHIP).bounds());
+    let ship = on_canvas(&game.world().body(SHIP).bounds(), view);
     for (i, pointer) in hud.pointers().iter().enumerate() {
         let area = pointer.area;
         let inside = area.min.cmpge(Vec2::ZERO).all() && area.max().cmple(frame.size).all();
@@ -127,7 +127,7 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
     let centre = game.world().body(SHIP).position;
     let mut wanted = 0;
     let mut ask = |target: PointerTarget, bounds: Aabb| {
-        let (seen, pointer) = (in_view(&view.rect(&bounds), frame), has(target));
+        let (seen, pointer) = (in_view(&on_canvas(&bounds, view), frame), has(target));
         assert_eq!(pointer.is_none(), seen, "{}: {target:?}", what());
         wanted += usize::from(!seen);
         if let Some(pointer) = pointer {

@@ -2,6 +2,7 @@
 
 use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::game::{Game, SHIP};
+use resultant::physics::Aabb;
 use resultant::view::camera::{CanvasWindow, Viewport};
 
 /// Pixels.
@@ -17,6 +18,12 @@ pub fn pixels(frame: &Frame) -> Vec2 {
     (frame.size / frame.pixel).round()
 }
 
+/// Where a box lies on the canvas, corner by corner as the display takes it.
+pub fn on_canvas(bounds: &Aabb, view: &Viewport) -> Area {
+    let min = view.point(bounds.min);
+    Area { min, size: view.point(bounds.max) - min }
+}
+
 /// The ship, goals and hazards, by name.
 pub fn kept_free(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
     let level = game.level();
@@ -24,5 +31,5 @@ pub fn kept_free(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
     let hazards = level.obstacles.iter().map(|bounds| ("a death box", *bounds));
     let sources = level.streams.iter().map(|stream| ("the source of a stream", stream.source));
     let all = goals.chain(hazards).chain(sources).chain([("the ship", game.world().body(SHIP).bounds())]);
-    all.map(|(name, bounds)| (format!("{name} at {}", bounds.centre()), view.rect(&bounds))).collect()
+    all.map(|(name, bounds)| (format!("{name} at {}", bounds.centre()), on_canvas(&bounds, view))).collect()
 }
