@@ -6,7 +6,7 @@
 use crate::support::lanes::Lane;
 use crate::support::scenes::{Scene, exact_scenes};
 use crate::support::turned::{mirrored, reversed, shifted};
-use crate::support::{Random, TICK, block, crowd, momentum};
+use crate::support::{G, Random, TICK, block, crowd, momentum};
 use resultant::physics::{BodyId, DVec2, ForceKind, Plan, World, WorldDef};
 
 /// The same scene event by event and dense.
@@ -119,8 +119,8 @@ fn bounds(lane: Lane) -> (f64, f64) {
     }
 }
 
-/// m/s. An impact passes momentum on and makes none: friction of the tick of the impact alone differs.
-const CENTRE: f64 = 0.15;
+/// m/s. An impact passes momentum on and makes none: what differs is friction within its tick, to either side, on rubber at most.
+const CENTRE: f64 = 2.0 * 1.15 * G * TICK;
 
 #[test]
 fn random_scenes_of_one_law_each_agree() {
