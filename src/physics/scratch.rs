@@ -14,7 +14,6 @@ pub(crate) const NOBODY: u32 = u32::MAX;
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stop {
-    /// The smallest body of the island.
     pub leader: u32,
     pub surface: u32,
     /// s from the tick's start; infinite where it goes on.

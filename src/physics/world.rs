@@ -13,7 +13,6 @@ use std::cell::Cell;
 /// Bodies, surfaces, zones, and the state of their motion. Two worlds that began alike and were stepped alike are alike to the bit.
 #[derive(Clone, Debug)]
 pub struct World {
-    /// All that decides about the future.
     pub(crate) state: State,
     pub(crate) records: Records,
     pub(crate) space: Box<Space>,

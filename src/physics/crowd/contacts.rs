@@ -52,7 +52,6 @@ pub(crate) struct Contact {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Contacts {
     ranges: Vec<[u32; 2]>,
-    /// Bodies over bodies or surfaces, by the upper one.
     pub stacks: Vec<Contact>,
     /// Pairs apart along x.
     pub sides: Vec<Contact>,

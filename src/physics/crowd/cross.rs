@@ -31,7 +31,6 @@ const CLOSING: f64 = 1e-12;
 pub(crate) struct Pushes {
     /// Momenta before friction, pushes included, N·s.
     given: Vec<f64>,
-    /// Velocities before any push, m/s.
     before: Vec<f64>,
     /// The bodies that are pushed, and those whose way a cluster has set.
     pushed: Vec<bool>,

@@ -83,7 +83,6 @@ pub(crate) struct Dense {
     pub contacts: Contacts,
     pub friction: Friction,
     clusters: Clusters,
-    /// Impacts: pair, axis, closing speed, m/s.
     pub hits: Vec<(u32, u32, usize, f64)>,
     pub anchors: Anchors,
     pub pushes: Pushes,

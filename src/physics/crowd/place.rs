@@ -35,7 +35,6 @@ pub(crate) fn advance(bodies: &mut Bodies, lands: &[u32], dt: f64) -> bool {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mended {
     pub any: bool,
-    /// Whether something may still overlap, or leave what it swept.
     pub doubt: bool,
 }
 

@@ -171,7 +171,6 @@ impl Walls {
         }
     }
 
-    /// Coulomb friction on a pair that slides; it stops where that is enough.
     fn slow(&mut self, bodies: &mut Bodies, k: usize) {
         let Grip { body, wall, skin, held, dragged, firm, .. } = self.grips[k];
         let (i, j) = (body as usize, wall as usize);

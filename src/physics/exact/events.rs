@@ -88,9 +88,7 @@ pub(crate) struct Events {
     /// Contacts of the items concerned, and copies of them for trial solves.
     pub(super) trial: Vec<Contact>,
     pub(super) asked: Vec<Contact>,
-    /// The items behind a body that gives way.
     pub(super) behind: Vec<u32>,
-    /// The items that press on the one whose next event is sought.
     pub(super) pressing: Vec<u32>,
     /// For the implicit step of what is in contact: of each item concerned, and the mean accelerations of all.
     pub(super) implicit: Vec<Implicit>,

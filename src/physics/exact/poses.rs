@@ -109,7 +109,6 @@ impl Events {
         (self.speed(contact.lo).abs() + self.speed(contact.hi).abs()) * SPEED_ROUNDING
     }
 
-    /// Closing speed, m/s.
     pub(crate) fn approach(&self, contact: &Contact) -> f64 {
         (self.speed(contact.lo) - self.speed(contact.hi))[contact.axis]
     }

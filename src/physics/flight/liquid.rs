@@ -43,7 +43,6 @@ pub(crate) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
     flow_through(media, body, law, t).end
 }
 
-/// The same with its time, its next step and its last acceleration.
 pub(crate) fn flow_through(media: &Media, body: &Body, law: &Law, t: f64) -> Course {
     flow_while(media, body, law, t, |_, _| true)
 }

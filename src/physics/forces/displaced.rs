@@ -133,7 +133,6 @@ impl Cut {
 
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Displaced {
-    /// All liquids that touch the box `near`, m.
     pub liquids: ZoneList,
     pub near: Aabb,
     /// The forms go by the distance from `centre`, m; they were asked for at `within`.

@@ -30,7 +30,6 @@ impl ZoneList {
         self.0 == 0
     }
 
-    /// The indices, ascending.
     pub fn iter(self) -> impl Iterator<Item = u32> {
         let mut bits = self.0;
         std::iter::from_fn(move || {

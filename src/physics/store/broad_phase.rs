@@ -13,7 +13,6 @@ const SKIN: f64 = 0.2;
 const HORIZON: f64 = 4.0;
 /// Cells are this many times wider than the mean body.
 const CELL: f64 = 2.0;
-/// A box that covers more cells is tested one by one.
 const MOST_CELLS: i64 = 64;
 /// Up to this many bodies and surfaces all are tested one by one.
 const FEW: usize = 32;
@@ -41,7 +40,6 @@ pub(crate) struct BroadPhase {
     entries: Vec<Entry>,
     unused: Vec<u32>,
     large: Vec<u32>,
-    /// The number of the search that found an item last.
     found: Vec<u32>,
     search: u32,
 }

@@ -21,7 +21,6 @@ pub(crate) enum Method {
     Crowd,
 }
 
-/// A flight that no constant force describes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Guide {
     /// Its end, if the body touches nothing, and all places of its centre on the way, m, if these may lie beyond.
@@ -108,7 +107,6 @@ impl SurfaceMotion {
 pub(crate) struct Motions {
     pub bodies: Vec<Motion>,
     pub surfaces: Vec<SurfaceMotion>,
-    /// The pose of each body at the start of the last step.
     pub before: Vec<Pose>,
     /// What each body, and after them each surface, sweeps in this step: an absent surface nothing.
     pub swept: Vec<Aabb>,

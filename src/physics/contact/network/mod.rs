@@ -19,7 +19,6 @@ const NOWHERE: u32 = u32::MAX;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Carries {
-    /// Any push, never a pull.
     Push,
     /// Up to this many newtons either way.
     UpTo(f64),
@@ -72,7 +71,6 @@ pub(crate) struct Network {
     /// Links of node i: `around[first[i]..first[i + 1]]`; the last node is the ground.
     first: Vec<u32>,
     around: Vec<u32>,
-    /// All nodes, each block a contiguous range of it.
     order: Vec<u32>,
     blocks: Vec<Range<u32>>,
     /// What is noted about each node; the last one is the ground.
