@@ -5,11 +5,7 @@ use super::ahead::Ahead;
 use super::input::Repeat;
 use super::instruments::{Instruments, Stage};
 use super::observer;
-#[cfg(feature = "window")]
-use super::theatre::{Moment, Theatre};
 use super::{Input, Key, Motion, Request, Screen, Spectator, Toolbar, Visit};
-#[cfg(feature = "window")]
-use crate::draw::Canvas;
 use crate::draw::layout::{Area, Frame, Vec2};
 use crate::game::{Game, Reel};
 use crate::settings::Action;
@@ -77,7 +73,12 @@ impl Screen for Watch {
     }
 
     #[cfg(feature = "window")]
-    fn draw(&self, theatre: &mut Theatre, moment: Moment, canvas: &mut Canvas) {
+    fn draw(
+        &self,
+        theatre: &mut crate::screens::theatre::Theatre,
+        moment: crate::screens::theatre::Moment,
+        canvas: &mut crate::draw::Canvas,
+    ) {
         let whole = canvas.use_frame(above(canvas.frame()));
         theatre.set_panels(self.instruments.areas(canvas.frame()));
         let above = canvas.use_frame(self.instruments.room(canvas.frame()));

@@ -14,11 +14,7 @@ mod view;
 use super::folder_watch::FolderWatch;
 use super::input::Repeat;
 use super::scroll::Scroll;
-#[cfg(feature = "window")]
-use super::theatre::{Moment, Theatre};
 use super::{Buttons, Input, Keys, Motion, Request, Screen};
-#[cfg(feature = "window")]
-use crate::draw::Canvas;
 use crate::draw::layout::{Area, Frame, Vec2};
 use crate::level::document::{Document, Kind, LevelFolder, Opened, Place, RowId, SetCell, Table};
 use crate::level::{Level, Problem};
@@ -128,7 +124,12 @@ impl Screen for Editor {
     }
 
     #[cfg(feature = "window")]
-    fn draw(&self, theatre: &mut Theatre, moment: Moment, canvas: &mut Canvas) {
+    fn draw(
+        &self,
+        theatre: &mut crate::screens::theatre::Theatre,
+        moment: crate::screens::theatre::Moment,
+        canvas: &mut crate::draw::Canvas,
+    ) {
         self.draw_all(canvas, moment.shown_for, theatre.frames());
     }
 }

@@ -9,11 +9,7 @@ use super::instruments::vary::Wish;
 use super::instruments::{Instruments, Stage};
 use super::observer::Observer;
 use super::race::{Race, Rival};
-#[cfg(feature = "window")]
-use super::theatre::{Moment, Theatre};
 use super::{Buttons, Input, Key, Motion, Purpose, Request, Screen, SettingsPanel};
-#[cfg(feature = "window")]
-use crate::draw::Canvas;
 use crate::game::{Clock, Controls, Game, GameError, History, Inputs, Latch, Outcome, Playback, Replay, RunResult, level_hash};
 use crate::level::Level;
 use crate::physics::{BodyId, DVec2};
@@ -173,7 +169,12 @@ impl Screen for Flight {
     }
 
     #[cfg(feature = "window")]
-    fn draw(&self, theatre: &mut Theatre, moment: Moment, canvas: &mut Canvas) {
+    fn draw(
+        &self,
+        theatre: &mut crate::screens::theatre::Theatre,
+        moment: crate::screens::theatre::Moment,
+        canvas: &mut crate::draw::Canvas,
+    ) {
         theatre.set_panels(self.panels(canvas.frame()));
         let whole = canvas.use_frame(self.instruments.room(canvas.frame()));
         theatre.draw_flown(self, moment.settings, moment.frame_time, canvas);
