@@ -168,7 +168,7 @@ impl Blocks {
         Some(collision)
     }
 
-    /// Makes the collisions up to `time` (s), but at most so many; returns how many it made. The same collisions come out however
+    /// Makes the collisions up to `time` (s), but at most `at_most`; returns how many it made. The same collisions come out however
     /// the time is cut into calls.
     pub fn advance(&mut self, time: f64, at_most: u64) -> u64 {
         let before = self.collisions;

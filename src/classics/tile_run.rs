@@ -105,7 +105,7 @@ impl Map {
     }
 }
 
-/// What the runner is told in a frame; the values are finite, in tiles a frame.
+/// The runner's command in a frame; the values are finite, in tiles a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Command {
     /// Subtract from vx.

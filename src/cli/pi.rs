@@ -26,10 +26,10 @@ pub struct PiArgs {
     /// How many digits follow the 3, from 0 to 9
     #[arg(value_name = "N", value_parser = clap::value_parser!(u32).range(0..=9), allow_negative_numbers = true)]
     n: u32,
-    /// Also move in steps of so many seconds, for comparison; it fails where collisions come faster
+    /// Also move in steps of this length, s, for comparison; it fails where collisions come faster
     #[arg(long, value_name = "DT", allow_negative_numbers = true)]
     dt: Option<f64>,
-    /// Cut each step into so many
+    /// Cut each step into this number of parts
     #[arg(long, value_name = "K", requires = "dt", default_value_t = 1, allow_negative_numbers = true)]
     substeps: u32,
 }

@@ -202,7 +202,7 @@ impl Canvas {
         self.picture(image, Area::new(0.0, 0.0, 1.0, 1.0), area, (0.0, tint));
     }
 
-    /// A part of an image (0 … 1 along both axes) over an area, turned clockwise by so many radians around the area's middle, and
+    /// A part of an image (0 … 1 along both axes) over an area, turned clockwise by an angle (rad) around the area's middle, and
     /// multiplied by a colour.
     pub fn picture(&self, image: &Image, part: Area, area: Area, (turn, tint): (f32, Colour)) {
         self.add(Shape::Picture { image: image.clone(), part, area, turn, tint });

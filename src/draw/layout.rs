@@ -179,7 +179,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The canvas in a window of so many physical pixels: one scale for both axes, so that all of [`DESIGN`] is in view.
+    /// The canvas in a window of this size in physical pixels: one scale for both axes, so that all of [`DESIGN`] is in view.
     pub fn of_window(pixels: Vec2) -> Self {
         let pixels = pixels.max(Vec2::ONE);
         let pixel = (DESIGN / pixels).max_element();

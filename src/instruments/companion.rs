@@ -25,7 +25,7 @@ impl Companion {
         game
     }
 
-    /// Goes on to that tick, by at most so many; `met` sees the game after each. Whether it stands there now.
+    /// Goes on to that tick, by at most `most` ticks; `met` sees the game after each. Whether it stands there now.
     pub fn go_on(&mut self, history: &History, tick: u64, most: u64, mut met: impl FnMut(&Game)) -> bool {
         let Some(game) = &mut self.game else { return false };
         let last = tick.min(history.ticks());

@@ -48,7 +48,7 @@ impl Curve {
         }
     }
 
-    /// Forgets all but the first so many points.
+    /// Forgets all but the first `length` points.
     pub fn truncate(&mut self, length: usize) {
         if length < self.len() {
             self.xs.truncate(length);

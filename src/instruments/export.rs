@@ -20,7 +20,7 @@ const NAME: usize = 40;
 /// A curve to be exported.
 #[derive(Clone, Copy)]
 pub struct Exported<'a> {
-    /// Whose, as players are told.
+    /// The body's name, as players see it.
     pub body: &'a str,
     /// The curve.
     pub curve: &'a Curve,

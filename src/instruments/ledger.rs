@@ -115,7 +115,7 @@ impl Default for Ledger {
 }
 
 impl Ledger {
-    /// Goes to that tick of a flight, by at most so many ticks; whether it is there. In a crowd it never is.
+    /// Goes to that tick of a flight, by at most `most` ticks; whether it is there. In a crowd it never is.
     pub fn go(&mut self, history: &History, tick: u64, most: u64) -> bool {
         if self.companion.tick().is_none_or(|at| at > tick) && !self.stand_before(history, tick) {
             return false;

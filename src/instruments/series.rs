@@ -25,7 +25,7 @@ impl Series {
         }
     }
 
-    /// Forgets all but the first so many.
+    /// Forgets all but the first `length` values.
     pub fn truncate(&mut self, length: usize) {
         self.values.truncate(length);
         self.blocks.truncate(length / BLOCK);

@@ -60,7 +60,7 @@ impl StopClock {
     }
 }
 
-/// So many ticks in seconds, to the millisecond: "1.350".
+/// Ticks in seconds, to the millisecond: "1.350".
 pub fn seconds(ticks: i64, rate: f64) -> String {
     fixed(ticks as f64 / rate, 3)
 }

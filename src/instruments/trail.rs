@@ -35,7 +35,7 @@ pub struct Trail {
 }
 
 impl Trail {
-    /// Goes to that tick of a flight, by at most so many ticks, with the trails of those bodies; the first [`MOST`] of them.
+    /// Goes to that tick of a flight, by at most `most` ticks, with the trails of those bodies; the first [`MOST`] of them.
     pub fn go(&mut self, history: &History, tick: u64, most: u64, who: &[BodyId]) {
         let who = &who[..who.len().min(MOST)];
         let rate = history.start().tick_rate();
@@ -43,7 +43,7 @@ impl Trail {
         let begins = history.start().ticks();
         let needed = tick.saturating_sub(window).max(begins);
         if self.who != who || self.from > needed || self.companion.tick().is_none_or(|at| at < needed) {
-            // Twice as far back, so that stepping back does not begin anew each time.
+            // Twice as far back, so that stepping back does not begin at the start each time.
             let from = needed.saturating_sub(window).max(begins);
             let start = self.companion.stand_at(history, from);
             (self.who, self.from) = (who.to_vec(), from);
@@ -153,10 +153,10 @@ mod tests {
         for tick in there_and_back {
             walked.go(&history, tick, u64::MAX, &SHIP);
             most = most.max(walked.dots.len());
-            let anew = trail(&history, tick);
-            assert!(walked.dots(tick, 120.0).eq(anew.dots(tick, 120.0)), "tick {tick}");
+            let fresh = trail(&history, tick);
+            assert!(walked.dots(tick, 120.0).eq(fresh.dots(tick, 120.0)), "tick {tick}");
             let oldest = (tick / 12).saturating_sub(if tick % 12 == 0 { 50 } else { 49 });
-            assert_eq!(anew.dots(tick, 120.0).next().map(|dots| dots.number), Some(oldest), "tick {tick}");
+            assert_eq!(fresh.dots(tick, 120.0).next().map(|dots| dots.number), Some(oldest), "tick {tick}");
         }
         assert!(most <= 3 * 50 + 2, "{most} dots");
     }

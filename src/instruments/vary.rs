@@ -122,7 +122,7 @@ impl Track {
         }
     }
 
-    /// The number so many fine steps further: units of the last but one digit that is shown, within what is accepted.
+    /// The number a count of fine steps further: units of the last but one digit that is shown, within what is accepted.
     pub fn stepped(self, value: f64, steps: f64, (least, most): (f64, f64)) -> f64 {
         let finest = match self {
             Self::Even(low, high) | Self::Fine(low, high) => power(high - low) * NOTHING,

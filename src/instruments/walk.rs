@@ -3,7 +3,7 @@
 
 use crate::game::{Game, History};
 
-/// Whoever reads a flight.
+/// The reader of a flight.
 pub trait Reader {
     /// It begins with this game.
     fn begin(&mut self, start: &Game);
@@ -21,7 +21,7 @@ pub struct Walk {
 }
 
 impl Walk {
-    /// Reads on, by so many ticks at most, up to where the flight is.
+    /// Reads on, by `most` ticks at most, up to where the flight is.
     pub fn read(&mut self, history: &History, most: u64, reader: &mut impl Reader) {
         let game = self.game.get_or_insert_with(|| {
             let start = Box::new(history.at(0));

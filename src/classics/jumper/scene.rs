@@ -29,7 +29,7 @@ const WALKING_JUMP: f64 = 8.0;
 const AIR_JUMP: f64 = 6.0;
 /// What letting go of the jump key while rising leaves of the upward velocity.
 const CUT: f64 = 0.5;
-/// For so many ticks after bumping into the other player walking is off: else it would undo the bounce within a tick.
+/// Ticks without walking after a bump into the other player: walking would undo the bounce within a tick.
 const STAGGER: u32 = 24;
 
 /// What a player holds down during a tick.

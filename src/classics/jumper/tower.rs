@@ -15,7 +15,7 @@ pub const DEPTH: f64 = 1.0;
 const ROW_HEIGHT: f64 = 1.0;
 /// The share of rows that are left out …
 const LEFT_OUT: f64 = 0.2;
-/// … of which never more than so many follow each other.
+/// … of which never more than this number follow each other.
 const MAX_LEFT_OUT: u32 = 2;
 /// Platforms are this wide, m.
 const PLATFORM_WIDTHS: (f64, f64) = (1.0, 6.0);
