@@ -2,3 +2,4 @@
 
 mod no_clocks;
 mod sources;
+mod words;
