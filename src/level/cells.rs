@@ -10,13 +10,9 @@ use std::str::Chars;
 /// A fault of a cell that has no text to be judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum CellFault {
-    /// The file ends inside quotes.
     Unclosed,
-    /// Something other than a comma follows the closing quote.
     AfterQuote,
-    /// The bytes are no UTF-8.
     NotUtf8,
-    /// The whole file is UTF-16.
     Utf16,
     /// The whole file is a spreadsheet's own, and no text.
     Workbook,
@@ -118,7 +114,6 @@ impl Scanner<'_> {
         Some(SpannedRow { line, cells, span: begin..self.at })
     }
 
-    /// The next cell, up to but without its comma or line end.
     fn cell(&mut self) -> Cell {
         self.skip_spaces();
         let (line, begin) = (self.line, self.at);
@@ -141,7 +136,6 @@ impl Scanner<'_> {
         Cell { text: text + rest.trim_end(), line, span: begin..closed + rest.trim_end().len(), fault }
     }
 
-    /// Everything up to the next comma or line end.
     fn plain(&mut self) -> String {
         let mut text = String::new();
         while let Some(c) = self.take_if(|c| !matches!(c, ',' | '\n' | '\r')) {

@@ -61,7 +61,6 @@ pub(super) fn load_from(disk: &Disk, files: &dyn Files, read: ReadLevel) -> Resu
     Ok(loaded)
 }
 
-/// A level's folder, and the project's.
 pub(super) struct Disk<'a> {
     pub folder: &'a Path,
     pub project: &'a Path,

@@ -23,7 +23,6 @@ pub(super) type PictureRefusal = (String, String);
 /// An object's look and its width and height in pixels.
 pub(super) type PictureShape = (Look, f64, f64);
 
-/// The sizes of the images that were asked for, each read once.
 pub(super) struct Images<'a> {
     files: &'a dyn Files,
     known: BTreeMap<String, Result<(f64, f64), PictureRefusal>>,

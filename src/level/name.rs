@@ -16,11 +16,9 @@ const NUMBERED_DEVICES: [&str; 2] = ["com", "lpt"];
 /// Why a name is no good for a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NameFault {
-    /// It is no word.
     NoWord,
     /// The file of that name among the leaderboards is another one, for this reason.
     Board(&'static str),
-    /// Windows takes it for a device.
     Device,
 }
 

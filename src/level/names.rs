@@ -37,7 +37,6 @@ const MOST_NAMES: usize = 100;
 /// The most wires of a level: the game looks at each in every tick.
 const MOST_WIRES: usize = 100_000;
 
-/// All names that something is called by that can be worked.
 fn worked(draft: &Draft) -> BTreeSet<&str> {
     let belts = draft.world.iter().filter(|solid| solid.item.belt != 0.0).map(|solid| &solid.item.name);
     let movers = draft.movers.iter().map(|mover| &mover.item.solid.name);

@@ -104,7 +104,6 @@ impl NumberRange {
         format!("{numbers} {}", self.unit).trim_end().to_owned()
     }
 
-    /// The least and the most that is accepted.
     pub const fn limits(&self) -> (f64, f64) {
         (self.low, self.high)
     }

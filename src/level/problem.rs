@@ -16,14 +16,11 @@ pub struct Problem {
     pub line: usize,
     /// The column's name; for a cell beyond the last column its number, counted from 1; empty in a file that is no table.
     pub column: String,
-    /// The found, in words.
     pub found: String,
-    /// The expected, in words.
     pub expected: String,
 }
 
 impl Problem {
-    /// The problem in that cell.
     pub(super) fn new(
         file: &str,
         line: usize,

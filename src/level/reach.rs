@@ -45,7 +45,6 @@ impl SearchWork {
     }
 }
 
-/// A level's free space.
 pub(super) struct FreeSpace {
     level: Aabb,
     solids: Vec<Aabb>,
@@ -78,7 +77,6 @@ impl FreeSpace {
         Self { level, solids, slack, work, grids: RefCell::default() }
     }
 
-    /// The same with more that is solid.
     pub fn with(&self, more: impl IntoIterator<Item = Aabb>) -> Self {
         let solids = self.solids.iter().copied().chain(more).collect();
         Self::new(self.level, solids, self.slack, self.work.clone())
@@ -288,12 +286,10 @@ impl Grid {
         self.slack
     }
 
-    /// The cell that holds a point.
     pub fn at(&self, point: DVec2) -> usize {
         Self::cell(&self.y, point.y) * self.columns() + Self::cell(&self.x, point.x)
     }
 
-    /// Whether the box fits nowhere in a cell.
     pub fn is_blocked(&self, cell: usize) -> bool {
         self.parts[cell] == 0
     }

@@ -18,7 +18,6 @@ use std::rc::Rc;
 /// A level that can be played, and its warnings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loaded {
-    /// The level.
     pub level: Level,
     /// Things that are probably mistakes but harm nothing.
     pub warnings: Vec<Problem>,
@@ -173,7 +172,6 @@ fn file_order(file: &str) -> usize {
 mod tests {
     use super::*;
 
-    /// Files in memory.
     struct Texts(Vec<(&'static str, String)>);
 
     impl Files for Texts {

@@ -6,7 +6,6 @@ use crate::physics::{DVec2, Leg, Path};
 /// s. The shortest wait, easing or leg: the engine refuses shorter ones.
 pub(super) const SHORTEST: f64 = 1e-3;
 
-/// How fast a mover goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum MoverPace {
     /// Between its easings, m/s.

@@ -40,41 +40,27 @@ pub struct Level {
     pub friction: f64,
     /// Whether it shows a law: the ship plays no part, and nothing is scored.
     pub experiment: bool,
-    /// The demands of its medals.
     pub awards: Awards,
-    /// The ship.
     pub player: Player,
-    /// Solid, immovable rectangles.
     pub world: Vec<Solid>,
-    /// Blocks that move along a path.
     pub movers: Vec<Mover>,
-    /// Blocks that switches open.
     pub doors: Vec<Solid>,
-    /// Plates and areas that work doors, movers, streams and belts.
     pub switches: Vec<Switch>,
     /// Those of objects.csv, then the key objects, each in file order.
     pub objects: Vec<Object>,
-    /// Objective blocks.
     pub objectives: Vec<Objective>,
-    /// Death boxes.
     pub obstacles: Vec<Aabb>,
-    /// Air streams.
     pub streams: Vec<Stream>,
-    /// Liquids.
     pub fluids: Vec<Fluid>,
     /// Zones with a gravity of their own, besides that of the level.
     pub fields: Vec<GravityZone>,
-    /// Fuel to be picked up.
     pub pods: Vec<Pod>,
-    /// Pictures that nothing touches.
     pub decoration: Vec<Decoration>,
-    /// Words in the level.
     pub texts: Vec<Text>,
     /// The path of background.png, where there is one.
     pub background: Option<std::path::PathBuf>,
 }
 
-/// The ship at the start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Player {
     /// Centre, m.
@@ -85,13 +71,10 @@ pub struct Player {
     pub angle: f64,
     /// kg.
     pub mass: f64,
-    /// Fuel units.
     pub fuel: f64,
     /// N.
     pub thrust: f64,
-    /// Whether air acts on it.
     pub feels_air: bool,
-    /// Its material.
     pub material: Material,
     /// Drag coefficient.
     pub drag: f64,
@@ -106,12 +89,10 @@ impl Player {
     }
 }
 
-/// A solid rectangle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
     /// Where it is, at the start.
     pub bounds: Aabb,
-    /// Its material.
     pub material: Material,
     /// From which sides it is solid.
     pub sides: Sides,
@@ -124,7 +105,6 @@ pub struct Solid {
 }
 
 impl Solid {
-    /// A plain block.
     pub const fn new(bounds: Aabb, material: Material) -> Self {
         Self { bounds, material, sides: Sides::ALL, belt: 0.0, breaks: None, name: None }
     }
@@ -146,36 +126,26 @@ pub enum Route {
     Once,
 }
 
-/// A block that moves along a path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mover {
-    /// The block as it is at the start.
     pub solid: Solid,
     /// Where its centre stops, the start first, m.
     pub stops: Vec<DVec2>,
-    /// Its motion at the end.
     pub route: Route,
-    /// How it goes.
     pub path: Path,
 }
 
-/// The bodies that work a switch by touching it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Presser {
-    /// The ship or any object.
     Any,
-    /// The ship.
     Ship,
-    /// A key object.
     Key,
     /// Any object, but not the ship.
     Object,
 }
 
-/// How long a switch stays on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SwitchStay {
-    /// While it is pressed.
     Held,
     /// For ever, once it has been pressed.
     Latched,
@@ -186,24 +156,18 @@ pub enum SwitchStay {
 /// The things of a name, as a switch works them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Work {
-    /// Their name.
     pub name: String,
     /// Whether they are on while it is off, and off while it is on.
     pub inverted: bool,
 }
 
-/// A switch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Switch {
-    /// Where it is.
     pub bounds: Aabb,
-    /// The things that it works.
     pub works: Vec<Work>,
     /// It is a solid plate, pressed by more than this, N. `None`: an area that only has to be touched.
     pub weight: Option<f64>,
-    /// The bodies that press it.
     pub by: Presser,
-    /// How long it stays on.
     pub latch: SwitchStay,
 }
 
@@ -213,7 +177,6 @@ impl Level {
         self.objectives.iter().filter(|objective| objective.kind == kind).count()
     }
 
-    /// The pictures that objects and decoration show.
     pub fn pictures(&self) -> impl Iterator<Item = &std::path::PathBuf> {
         let looks = self.objects.iter().map(|object| &object.look).chain(self.decoration.iter().map(|shown| &shown.look));
         looks.filter_map(|look| match look {
@@ -223,10 +186,8 @@ impl Level {
     }
 }
 
-/// How an object is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Look {
-    /// A PNG.
     Image(std::path::PathBuf),
     /// A plain box drawn by the game.
     Box,
@@ -234,7 +195,6 @@ pub enum Look {
     Ball,
 }
 
-/// A physics object.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
     /// Centre, m.
@@ -251,31 +211,22 @@ pub struct Object {
     pub restitution: f64,
     /// Whether it is round: drawn so, and met by air and liquids as a ball; every collision is that of its box.
     pub circular: bool,
-    /// How it is drawn.
     pub look: Look,
-    /// Its material.
     pub material: Material,
     /// A key object's colour; `None` for an ordinary object.
     pub key: Option<[u8; 3]>,
-    /// Whether no gravity acts on it.
     pub weightless: bool,
 }
 
-/// The body that an objective waits for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ObjectiveKind {
-    /// The ship.
     Player,
-    /// A key object.
     Physics,
 }
 
-/// An objective block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Objective {
-    /// The body that it waits for.
     pub kind: ObjectiveKind,
-    /// Where it is.
     pub bounds: Aabb,
     /// How long it has to be touched without a break before it is met, s.
     pub hold: f64,
@@ -297,23 +248,19 @@ impl Objective {
     }
 }
 
-/// An air stream.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stream {
     /// The solid source block.
     pub source: Aabb,
-    /// Where it blows.
     pub zone: Aabb,
     /// N.
     pub force: DVec2,
-    /// Its name for switches.
     pub name: Option<String>,
 }
 
 /// A zone of thick liquid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fluid {
-    /// Where it is.
     pub zone: Aabb,
     /// kg/m³.
     pub density: f64,
@@ -326,7 +273,6 @@ pub struct Fluid {
 /// A zone with a gravity of its own, which adds to that of the level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GravityZone {
-    /// Where it is.
     pub zone: Aabb,
     /// N/kg.
     pub strength: DVec2,
@@ -335,31 +281,25 @@ pub struct GravityZone {
 /// Fuel to be picked up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pod {
-    /// Where it is.
     pub bounds: Aabb,
-    /// Fuel units.
     pub fuel: f64,
 }
 
 /// A picture that nothing touches.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decoration {
-    /// Where it is.
     pub bounds: Aabb,
-    /// How it is drawn.
     pub look: Look,
     /// Whether it covers moving bodies.
     pub in_front: bool,
 }
 
-/// Words written in the level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Text {
     /// Top left corner, m.
     pub position: DVec2,
     /// Height of the letters, m.
     pub size: f64,
-    /// The words.
     pub text: String,
     /// Red, green, blue; `None`: that of all words.
     pub colour: Option<[u8; 3]>,
@@ -372,7 +312,6 @@ pub struct Awards {
     pub silver: Option<f64>,
     /// The longest time for gold, s; no longer than that for silver.
     pub gold: Option<f64>,
-    /// The demand of the level's own mark.
     pub mark: Option<Mark>,
 }
 

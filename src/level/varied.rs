@@ -46,7 +46,6 @@ impl Parameter {
         all
     }
 
-    /// Its name on the screen.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Mass(_) => "Mass",

@@ -3,7 +3,6 @@
 use super::types::Level;
 use std::collections::BTreeMap;
 
-/// Something that switches work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Worked {
     /// A mover: it moves while it is on.
@@ -19,7 +18,6 @@ pub enum Worked {
 /// A thing and the switches that work it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Wire {
-    /// The thing.
     pub worked: Worked,
     /// The switches, each with whether the thing is on while the switch is off. It is on while one of them says so.
     pub by: Vec<(usize, bool)>,
@@ -37,20 +35,15 @@ impl Wire {
 pub enum SurfaceOf {
     /// The block of that index in `Level::world`.
     World(usize),
-    /// The source block of that stream.
     Source(usize),
-    /// That mover.
     Mover(usize),
-    /// That door.
     Door(usize),
-    /// The plate of that switch.
     Plate(usize),
     /// An edge of the level: left, right, top, bottom.
     Edge(usize),
 }
 
 impl Level {
-    /// Everything that switches work.
     pub fn wires(&self) -> Vec<Wire> {
         let belt = |index: usize| (self.world[index].belt != 0.0).then_some(Worked::Belt(index));
         let named = (0..self.movers.len()).map(|i| (&self.movers[i].solid.name, Some(Worked::Mover(i))));

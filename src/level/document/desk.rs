@@ -5,7 +5,6 @@ use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// The file of unsaved edits.
 const KEPT: &str = ".autosave";
 /// The most editors of one level that keep unsaved edits.
 const MOST_EDITORS: u32 = 100;
@@ -13,9 +12,7 @@ const MOST_EDITORS: u32 = 100;
 /// Which of a level's editors this one is, for as long as it has the level open: a lock says so to the others.
 #[derive(Debug)]
 pub(super) struct EditorDesk {
-    /// The file of its unsaved edits.
     pub kept: PathBuf,
-    /// Whether another editor has the level open.
     pub shared: bool,
     /// Held until this editor ends.
     lock: Option<(File, PathBuf)>,
@@ -67,7 +64,6 @@ impl Drop for EditorDesk {
     }
 }
 
-/// Whether that is the file of that name.
 #[cfg(unix)]
 fn is_at(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;

@@ -30,7 +30,6 @@ const ASSETS_DEPTH: u32 = 3;
 const MOST_PICTURES: usize = 1000;
 /// How many copies of one file are kept beside it.
 const MOST_COPIES: u32 = 10_000;
-/// A level's folder as a document knows it.
 #[derive(Clone, Debug)]
 pub struct LevelFolder {
     folder: PathBuf,
@@ -49,18 +48,14 @@ pub enum KeptSide {
     Theirs,
 }
 
-/// A level that has been opened.
 #[derive(Debug)]
 pub struct Opened {
-    /// The files on disk.
     pub document: Document,
-    /// Where.
     pub folder: LevelFolder,
     /// Edits that were not saved before the program ended, where they differ from the files.
     pub kept: Option<Kept>,
 }
 
-/// Why a level could not be saved.
 #[derive(Debug)]
 pub enum SaveError {
     /// Another program has written these files since: nothing was written.
@@ -118,17 +113,14 @@ impl LevelFolder {
         Ok(Opened { document, folder, kept })
     }
 
-    /// The folder.
     pub fn path(&self) -> &Path {
         &self.folder
     }
 
-    /// Whether another editor has the level open.
     pub fn is_shared(&self) -> bool {
         self.desk.shared
     }
 
-    /// The level's name.
     pub fn name(&self) -> String {
         let resolved = self.folder.canonicalize().unwrap_or_else(|_| self.folder.clone());
         resolved.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
@@ -153,7 +145,6 @@ impl LevelFolder {
         document.tell_sizes(pictures, background);
     }
 
-    /// Where the picture of a cell is, to be drawn.
     pub fn picture(&self, name: &str) -> PathBuf {
         self.disk().picture(Path::new(&name.replace('\\', "/")))
     }
@@ -167,7 +158,6 @@ impl LevelFolder {
         own
     }
 
-    /// Where the background is, if there is one.
     pub fn background(&self) -> Option<PathBuf> {
         Some(self.folder.join(BACKGROUND)).filter(|path| path.is_file())
     }

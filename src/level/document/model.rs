@@ -19,33 +19,25 @@ const LETTER: f64 = 0.5;
 /// A row of a level's files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct RowId {
-    /// The file.
     pub table: Table,
     /// From 0; headers and comments do not count.
     pub row: usize,
 }
 
-/// A cell that is to hold another text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SetCell {
-    /// Where.
     pub row: RowId,
-    /// The column's name.
     pub column: &'static str,
-    /// Its new text.
     pub text: String,
 }
 
 /// A row that is to be added: the texts of its columns, those of the others are left out.
 #[derive(Clone, Debug)]
 pub struct NewRow {
-    /// The kind.
     pub kind: Kind,
-    /// Column and text.
     pub cells: Vec<(&'static str, String)>,
 }
 
-/// A level's files as they are edited.
 #[derive(Clone, Debug)]
 pub struct Document {
     /// By [`Table`].
@@ -113,7 +105,6 @@ impl Document {
         sheet.exists.then_some(&sheet.bytes)
     }
 
-    /// The rows of a file.
     pub fn rows(&self, table: Table) -> impl Iterator<Item = RowId> + use<> {
         (0..self.sheet(table).rows().len()).map(move |row| RowId { table, row })
     }
@@ -127,7 +118,6 @@ impl Document {
         Table::ALL.iter().zip(&self.places).flat_map(of)
     }
 
-    /// Where a row's thing lies.
     pub fn place(&self, row: RowId) -> Option<Place> {
         *self.places[row.table.index()].get(row.row)?
     }
@@ -159,7 +149,6 @@ impl Document {
         sheet.lines(row).filter(|(_, end)| line < *end).map(|_| RowId { table, row })
     }
 
-    /// The first line of a row.
     pub fn line(&self, row: RowId) -> Option<usize> {
         self.sheet(row.table).lines(row.row).map(|(from, _)| from)
     }

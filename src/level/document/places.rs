@@ -5,24 +5,19 @@ use crate::physics::DVec2;
 /// A rectangle in the author's picture, pixels, y down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Place {
-    /// Its top left corner.
     pub min: DVec2,
-    /// Its width and height.
     pub size: DVec2,
 }
 
 impl Place {
-    /// Its bottom right corner.
     pub fn max(&self) -> DVec2 {
         self.min + self.size
     }
 
-    /// Its middle.
     pub fn centre(&self) -> DVec2 {
         self.min + self.size * 0.5
     }
 
-    /// The rectangle between two opposite corners.
     pub fn between(a: DVec2, b: DVec2) -> Self {
         Self { min: a.min(b), size: (a - b).abs() }
     }
@@ -32,7 +27,6 @@ impl Place {
         point.cmpge(self.min).all() && point.cmple(self.max()).all()
     }
 
-    /// Whether two share a point.
     pub fn meets(&self, other: &Self) -> bool {
         self.min.cmple(other.max()).all() && other.min.cmple(self.max()).all()
     }

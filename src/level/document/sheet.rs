@@ -9,7 +9,6 @@ use std::ops::Range;
 /// Bytes of a file, and the text that takes their place.
 type Splice = (Range<usize>, String);
 
-/// A cell that is to hold another text.
 #[derive(Clone, Debug)]
 pub(super) struct CellEdit<'a> {
     /// The row, from 0, headers not counted.
@@ -18,11 +17,9 @@ pub(super) struct CellEdit<'a> {
     pub text: &'a str,
 }
 
-/// A file of a level.
 #[derive(Clone, Debug)]
 pub(super) struct EditedFile {
     pub table: Table,
-    /// Whether there is such a file at all.
     pub exists: bool,
     pub bytes: Vec<u8>,
     /// All rows that hold something, headers first.
@@ -41,7 +38,6 @@ impl EditedFile {
         Self { table, exists, bytes, rows, plan }
     }
 
-    /// Whether each row has the columns of its own kind.
     fn is_by_kind(&self) -> bool {
         self.table.rows().len() > 1
     }
@@ -51,7 +47,6 @@ impl EditedFile {
         self.plan.as_ref().map_or(&[], |plan| &self.rows[plan.headers.min(self.rows.len())..])
     }
 
-    /// The columns of a row's cells.
     fn columns(&self, row: usize) -> Columns {
         if !self.is_by_kind() {
             return self.plan.as_ref().map_or_else(Vec::new, |plan| plan.columns.clone());

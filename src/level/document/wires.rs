@@ -9,19 +9,15 @@ fn worked() -> impl Iterator<Item = Table> {
     Table::ALL.iter().copied().filter(|table| table.has(Column::is_name))
 }
 
-/// A wire from a switch to a thing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wiring {
-    /// The switch.
     pub switch: RowId,
-    /// The thing that it works.
     pub thing: RowId,
     /// Whether the thing is on while the switch is off.
     pub inverted: bool,
 }
 
 impl Document {
-    /// All wires.
     pub fn wires(&self) -> Vec<Wiring> {
         let named: Vec<(RowId, &str)> = worked()
             .flat_map(|table| self.rows(table))
@@ -38,7 +34,6 @@ impl Document {
         wires
     }
 
-    /// Whether a switch can work the thing.
     pub fn can_be_worked(&self, row: RowId) -> bool {
         row.table.has(Column::is_name)
     }

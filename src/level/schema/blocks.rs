@@ -46,7 +46,6 @@ pub static SWITCH: RowSchema = RowSchema::new(&SWITCHES, "Switch", SwitchRow::CO
     .size(60.0, 60.0)
     .counted(&[Count::if_any("switch", "switches", |level| level.switches.len())]);
 
-/// The most names that a switch works.
 const MOST_WORKS: usize = 50;
 
 const ONE_WAY: Typed<Sides> = one_of("the one side from which it is solid; with none it is solid all around").or("");
@@ -153,7 +152,6 @@ pub fn mover(record: &RowCells, reader: &mut RowReader) -> Option<Mover> {
     Some(Mover { solid, stops, route, path: path.ok()? })
 }
 
-/// Exactly one of speed and period.
 fn pace(row: &MoverRow, record: &RowCells, reader: &mut RowReader) -> Option<MoverPace> {
     let found = match (row.speed?, row.period?) {
         (Some(speed), None) => return Some(MoverPace::Speed(speed)),

@@ -5,27 +5,21 @@ use crate::level::numbers::{NumberRange, PixelScale, power};
 use crate::level::problem::Problem;
 use crate::level::types::Level;
 
-/// A CSV file of a level.
 #[derive(Debug)]
 pub struct FileSchema {
     /// Its name in the level's folder.
     pub name: &'static str,
-    /// Words for its rows.
     pub help: &'static str,
     /// The rows that a new level has of it, as text; empty where a new level has no such file.
     pub sample: &'static str,
 }
 
-/// A kind of row.
 #[derive(Debug)]
 pub struct RowSchema {
-    /// The file that holds such rows.
     pub file: &'static FileSchema,
     /// The first cell of such a row, in a file with rows of several kinds; else empty.
     pub tag: &'static str,
-    /// Its name in the editor.
     pub name: &'static str,
-    /// Its columns in the documented order.
     pub columns: &'static [Column],
     /// The cells of a new one besides its place and size.
     pub fresh: &'static [(&'static str, &'static str)],
@@ -33,24 +27,19 @@ pub struct RowSchema {
     pub usual_size: (f64, f64),
     /// Whether x and y are its centre, not its top left corner.
     pub by_centre: bool,
-    /// The counts of it that `check` prints.
     pub counts: &'static [Count],
 }
 
 /// How things of a level are counted: the words for one and for several, and how many there are.
 #[derive(Clone, Copy, Debug)]
 pub struct Count {
-    /// For one.
     pub one: &'static str,
-    /// For none or several.
     pub many: &'static str,
     /// Whether a level with none says so.
     pub at_none: bool,
-    /// How many a level has.
     pub of: fn(&Level) -> usize,
 }
 
-/// A column.
 #[derive(Clone, Copy, Debug)]
 pub struct Column {
     /// Its name in a header.
@@ -61,12 +50,10 @@ pub struct Column {
     pub may_be_empty: bool,
     /// The text that holds where the cell is left out; empty where none does.
     pub usual: &'static str,
-    /// Its meaning.
     pub help: &'static str,
     pub(in crate::level) holds: Holds,
 }
 
-/// The values of a column's cells.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::level) enum Holds {
     /// A coordinate, pixels.
@@ -75,7 +62,6 @@ pub(in crate::level) enum Holds {
     Size,
     /// A size with a sign, or 0, pixels.
     Reach,
-    /// A number.
     Number(NumberRange),
     /// A whole number, both ends included.
     Whole(u32, u32),
@@ -177,12 +163,10 @@ impl Count {
 }
 
 impl RowSchema {
-    /// Rows of a file, the only kind in it.
     pub(super) const fn new(file: &'static FileSchema, name: &'static str, columns: &'static [Column]) -> Self {
         Self { file, tag: "", name, columns, fresh: &[], usual_size: (51.0, 51.0), by_centre: false, counts: &[] }
     }
 
-    /// Those whose first cell is this.
     pub(super) const fn tagged(self, tag: &'static str) -> Self {
         Self { tag, ..self }
     }

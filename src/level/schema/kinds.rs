@@ -6,7 +6,6 @@ use crate::level::source::BACKGROUND;
 
 macro_rules! files {
     ($($file:ident $schema:path { $($kind:ident $row:path),* })*) => {
-        /// A CSV file of a level.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[allow(missing_docs)] // Named like the files.
         pub enum Table { $($file),* }
@@ -15,17 +14,14 @@ macro_rules! files {
             /// All of them, in the order in which problems are listed.
             pub const ALL: &[Self] = &[$(Self::$file),*];
 
-            /// Its facts.
             pub const fn schema(self) -> &'static FileSchema {
                 match self { $(Self::$file => &$schema),* }
             }
 
-            /// The kinds of its rows.
             pub const fn kinds(self) -> &'static [Kind] {
                 match self { $(Self::$file => &[$(Kind::$kind),*]),* }
             }
 
-            /// The facts of the kinds of its rows.
             pub(in crate::level) const fn rows(self) -> &'static [&'static RowSchema] {
                 match self { $(Self::$file => const { &[$(&$row),*] }),* }
             }
@@ -40,12 +36,10 @@ macro_rules! files {
             /// All of them, file by file.
             pub const ALL: &[Self] = &[$($(Self::$kind),*),*];
 
-            /// Its facts.
             pub const fn schema(self) -> &'static RowSchema {
                 match self { $($(Self::$kind => &$row),*),* }
             }
 
-            /// The file that its rows are in.
             pub const fn table(self) -> Table {
                 match self { $($(Self::$kind => Table::$file),*),* }
             }
@@ -82,7 +76,6 @@ pub const FILES: [&str; Table::ALL.len() + 1] = {
 };
 
 impl Table {
-    /// The file's name.
     pub const fn file(self) -> &'static str {
         self.schema().name
     }
@@ -122,7 +115,6 @@ impl Kind {
         Self::Picture,
     ];
 
-    /// Its name in the editor.
     pub const fn name(self) -> &'static str {
         self.schema().name
     }
@@ -133,7 +125,6 @@ impl Kind {
         table.kinds().iter().find(is).copied()
     }
 
-    /// Its columns, in the documented order.
     pub const fn columns(self) -> &'static [Column] {
         self.schema().columns
     }

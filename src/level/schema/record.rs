@@ -31,7 +31,6 @@ impl RowCells {
         self.cell(column).map_or(self.line, |cell| cell.line)
     }
 
-    /// A problem in one of the cells.
     pub fn problem(&self, column: &str, found: impl Into<String>, expected: impl Into<String>) -> Problem {
         let (file, line) = (self.schema.file.name, self.line_of(column));
         if self.is_settings {
@@ -47,7 +46,6 @@ pub(in crate::level) struct RowReader<'a> {
     pub problems: Vec<Problem>,
 }
 
-/// A cell that is being read.
 pub(in crate::level) struct AskedCell<'a> {
     pub record: &'a RowCells,
     pub column: &'static str,

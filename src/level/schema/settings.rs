@@ -55,7 +55,6 @@ rows! {
 /// The settings that constants.csv can name, each as a column.
 pub static SETTINGS: &[Column] = SettingsRow::COLUMNS;
 
-/// The settings of a level.
 pub(in crate::level) struct LevelSettings {
     pub title: Option<String>,
     pub gravity: f64,
@@ -68,7 +67,6 @@ pub(in crate::level) struct LevelSettings {
     pub awards: Awards,
     pub width: Option<f64>,
     pub height: Option<f64>,
-    /// The values as they are given.
     pub given: RowCells,
 }
 
@@ -98,7 +96,6 @@ pub(in crate::level) fn settings(rows: Vec<RowCells>, reader: &mut RowReader, wa
     }
 }
 
-/// The value of each setting that a row names.
 fn named(rows: Vec<RowCells>, reader: &mut RowReader, warnings: &mut Vec<Problem>) -> RowCells {
     let names = || SETTINGS.iter().map(|setting| setting.name);
     let mut given = RowCells { schema: &SETTING, line: 1, cells: Vec::new(), is_settings: true };

@@ -8,7 +8,6 @@ use crate::level::nearest::meant;
 use crate::level::numbers::{self, NumberRange};
 use crate::physics::{DVec2, Material, Sides};
 
-/// How a cell is read.
 type ReadCell<T> = fn(&AskedCell, &mut RowReader) -> Option<T>;
 
 /// A column whose cells hold a `T`; the field of the row that it stands in is its name.
@@ -44,7 +43,6 @@ impl<T> Typed<T> {
         Maybe(self.unless_given(""))
     }
 
-    /// Its facts under a name.
     pub const fn named(&self, name: &'static str) -> Column {
         Column { name, ..self.facts }
     }
@@ -149,7 +147,6 @@ fn read_whole(asked: &AskedCell, reader: &mut RowReader) -> Option<u32> {
 /// The expected channel of a colour.
 pub(super) const CHANNEL: &str = "a whole number from 0 to 255";
 
-/// A channel of a colour.
 pub(super) const fn channel(help: &'static str) -> Typed<u8> {
     Typed::new(Holds::Whole(0, 255), help, |asked, reader| {
         let number = numbers::COLOUR.parse(asked.text).ok().filter(|number| number.fract() == 0.0);
@@ -243,7 +240,6 @@ pub(super) const fn picture_or_box(help: &'static str) -> Typed<PictureShape> {
     Typed::new(Holds::Picture, help, |asked, reader| (picture("").read)(asked, reader).or_else(|| reader.images.stand_in.clone()))
 }
 
-/// The most way points of a mover.
 const MOST_STOPS: usize = 50;
 
 /// `600 300; 600 100`: top left corners in pixels, here in metres.
@@ -271,12 +267,10 @@ fn parse_points(text: &str, reader: &RowReader) -> Result<Vec<DVec2>, String> {
     points.iter().map(point).collect()
 }
 
-/// The columns of a rectangle.
 pub(super) const X: Typed<f64> = position("left edge");
 pub(super) const Y: Typed<f64> = position("upper edge");
 pub(super) const WIDTH: Typed<f64> = size("from the left edge to the right one");
 pub(super) const HEIGHT: Typed<f64> = size("from the upper edge to the lower one");
-/// The columns of several kinds of rows.
 pub(super) const CENTRE_X: Typed<f64> = position("centre, from the left edge of the level");
 pub(super) const CENTRE_Y: Typed<f64> = position("centre, from the upper edge of the level");
 pub(super) const VX: Typed<f64> = number(numbers::VELOCITY, "velocity at the start, to the right").or("0");
