@@ -1,12 +1,12 @@
 //! A sitting: the screen that is shown, what outlasts it, and how a frame goes.
 
-use super::boards::Waiting;
+use super::boards::WaitingScore;
 use super::journal::Journal;
 use super::library::{Library, Refusal};
 use super::loading::Loading;
 use super::pace;
 use super::worker::{Ticket, Worker};
-use super::{Clipboard, Editor, Facts, Flight, FolderWatch, Input, Key, Menu, Pace, Picture, Request, Screen, Spectator};
+use super::{Clipboard, Editor, Flight, FolderWatch, Input, Key, Menu, MenuFacts, Pace, Picture, Request, Screen, Spectator};
 use crate::draw::Canvas;
 use crate::draw::layout::Frame;
 use crate::game::Outcome;
@@ -14,7 +14,7 @@ use crate::pack::Installed;
 use crate::scores::{Name, PATIENCE, Scores};
 use crate::settings::Settings;
 use crate::settings::file::SettingsFile;
-use crate::ui::{Memory, Stage, Widget};
+use crate::ui::{Memory, PassInput, Widget};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -66,7 +66,7 @@ pub struct App {
     /// How many menus there have been: each has other balls.
     menus: u64,
     /// A score that another program keeps from being saved.
-    pub(super) waiting: Option<Waiting>,
+    pub(super) waiting: Option<WaitingScore>,
     /// The files of the level that is flown.
     pub(super) watch: Option<FolderWatch>,
     /// The editor, while what is edited is flown.
@@ -191,7 +191,7 @@ impl App {
     /// The pass over the screen that acts.
     fn act(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
         self.canvas.begin(input.frame, self.dpi);
-        let stage = Stage { input, canvas: &self.canvas, spectator, time: self.shown_for };
+        let stage = PassInput { input, canvas: &self.canvas, spectator, time: self.shown_for };
         self.memory.act(stage, |ui| self.screen.show(ui))
     }
 
@@ -199,7 +199,7 @@ impl App {
     fn show_frame(&mut self, input: &Input, spectator: &mut dyn Spectator) {
         for _ in 0..MOST_PASSES {
             self.canvas.begin(input.frame, self.dpi);
-            let stage = Stage { input, canvas: &self.canvas, spectator: &mut *spectator, time: self.shown_for };
+            let stage = PassInput { input, canvas: &self.canvas, spectator: &mut *spectator, time: self.shown_for };
             let nothing_more = self.memory.show(stage, |ui| self.screen.show(ui));
             debug_assert!(nothing_more.is_none(), "nobody has asked for {nothing_more:?}");
             if self.memory.is_settled() {
@@ -342,5 +342,5 @@ fn whose(player: &Name) -> &str {
 /// The menu for the present player; the worker brings the level that Play opens.
 fn menu(journal: &Journal, seed: u64) -> Box<dyn Screen> {
     let (player, trouble) = (journal.current().clone(), journal.trouble().map(str::to_owned));
-    Box::new(Menu::new(Facts { next: None, player, trouble }, seed))
+    Box::new(Menu::new(MenuFacts { next: None, player, trouble }, seed))
 }

@@ -4,7 +4,7 @@ use super::Attempt;
 use super::journal::{damage_text, rescue_text};
 use super::leaderboard::subject;
 use super::{
-    App, Classic, Flown, Fresh, Gain, Leaderboard, Prover, Purpose, Request, SaveScore, Scoring, Screen, Visit, Way, footage,
+    App, Classic, Flown, Fresh, Gain, Leaderboard, Onward, Prover, Purpose, Request, SaveScore, Scoring, Screen, Visit, footage,
     jumper,
 };
 use crate::classics::jumper::scene::LEADERBOARD;
@@ -18,7 +18,7 @@ const WAITING: &str = "Another game is saving there: waiting for it …";
 
 /// A score to be saved as soon as another program lets go of the board.
 #[derive(Debug)]
-pub(super) struct Waiting {
+pub(super) struct WaitingScore {
     gain: Gain,
     name: Name,
     /// s.
@@ -56,13 +56,13 @@ impl App {
 
     /// Saves a score under that name; the leaderboard then, or why it cannot be saved or has to wait.
     pub(super) fn submit(&mut self, gain: Gain, name: Name) -> Result<Box<dyn Screen>, String> {
-        self.save(Waiting { gain, name, since: 0.0 })
+        self.save(WaitingScore { gain, name, since: 0.0 })
     }
 
     /// Tries again to save the score that waits, if the player still does; no frame is spent on waiting.
     pub(super) fn save_what_waits(&mut self, frame_time: f64) {
         let text = self.screen.get::<SaveScore>().map(SaveScore::text);
-        let still = |waiting: &Waiting| text.as_deref() == Some(waiting.name.as_str());
+        let still = |waiting: &WaitingScore| text.as_deref() == Some(waiting.name.as_str());
         let Some(mut waiting) = self.waiting.take().filter(still) else { return };
         waiting.since += frame_time;
         match self.save(waiting) {
@@ -72,15 +72,15 @@ impl App {
     }
 
     /// Saves a score; the leaderboard then, or why that failed or has to wait.
-    fn save(&mut self, waiting: Waiting) -> Result<Box<dyn Screen>, String> {
-        let Waiting { gain, name, since } = waiting;
+    fn save(&mut self, waiting: WaitingScore) -> Result<Box<dyn Screen>, String> {
+        let WaitingScore { gain, name, since } = waiting;
         let flight = gain.flown.as_ref().map(|flown| &flown.replay);
         let version = gain.flown.as_ref().map(|flown| Fingerprint::of(&flown.level));
         let score = Score { name: &name, points: gain.points, flight, version };
         let Saved { board, placement, rescue } = match self.scores.save_within(Duration::ZERO, &gain.board, score) {
             Ok(saved) => saved,
             Err(ScoresError::Busy(_)) if since < PATIENCE.as_secs_f64() => {
-                self.waiting = Some(Waiting { gain, name, since });
+                self.waiting = Some(WaitingScore { gain, name, since });
                 return Err(WAITING.to_owned());
             }
             Err(error) => return Err(error.to_string()),
@@ -94,7 +94,7 @@ impl App {
             self.choose(name.clone(), true);
         }
         let fresh = Fresh { name, remark };
-        Ok(self.judged(&gain.board, Leaderboard::new(gain.subject, board, Some(fresh), damage, gain.ways)))
+        Ok(self.judged(&gain.board, Leaderboard::new(gain.subject, board, Some(fresh), damage, gain.onward)))
     }
 
     /// A board with a judge of its rows and the level's own flights, where the level loads.
@@ -107,9 +107,9 @@ impl App {
 
     pub(super) fn leaderboard(&mut self, name: &str) -> Box<dyn Screen> {
         if name == LEADERBOARD {
-            let ways = vec![Way { label: "Back", to: Request::Classic(Classic::Jumper) }];
+            let onward = vec![Onward { label: "Back", to: Request::Classic(Classic::Jumper) }];
             let shown = self.scores.load(name).map(|loaded| (loaded, 0));
-            return self.board(jumper::SUBJECT.to_owned(), name, shown, ways);
+            return self.board(jumper::SUBJECT.to_owned(), name, shown, onward);
         }
         self.last_level = Some(name.to_owned());
         let level = self.library.load(name).ok();
@@ -121,12 +121,12 @@ impl App {
         };
         let back = Request::Leaderboard(name.to_owned());
         let flights =
-            Way { label: "Flights", to: Request::Flights(Visit { level: name.to_owned(), flown: None, back: Box::new(back) }) };
-        let back = Way { label: "Back", to: Request::LevelSelect(Purpose::Leaderboard) };
+            Onward { label: "Flights", to: Request::Flights(Visit { level: name.to_owned(), flown: None, back: Box::new(back) }) };
+        let back = Onward { label: "Back", to: Request::LevelSelect(Purpose::Leaderboard) };
         let is_empty = shown.as_ref().is_ok_and(|(loaded, _)| loaded.board.rows().is_empty());
-        let play = (is_empty && level.is_some()).then(|| Way { label: "Play", to: Request::Play(name.to_owned()) });
-        let ways = play.into_iter().chain(level.iter().map(|_| flights.clone())).chain([back]).collect();
-        self.board(subject(name, title), name, shown, ways)
+        let play = (is_empty && level.is_some()).then(|| Onward { label: "Play", to: Request::Play(name.to_owned()) });
+        let onward = play.into_iter().chain(level.iter().map(|_| flights.clone())).chain([back]).collect();
+        self.board(subject(name, title), name, shown, onward)
     }
 
     /// A board with its buttons, and how many other versions of the level have boards of their own; or the list of levels, where it cannot
@@ -136,12 +136,12 @@ impl App {
         subject: String,
         name: &str,
         shown: Result<(LoadedBoard, usize), ScoresError>,
-        ways: Vec<Way>,
+        onward: Vec<Onward>,
     ) -> Box<dyn Screen> {
         match shown {
             Ok((LoadedBoard { board, damage }, others)) => {
                 let damage = (!damage.is_empty()).then(|| damage_text(&damage));
-                self.judged(name, Leaderboard::new(subject, board, None, damage, ways).with_other_versions(others))
+                self.judged(name, Leaderboard::new(subject, board, None, damage, onward).with_other_versions(others))
             }
             Err(error) => {
                 let mut screen = self.level_select(Purpose::Leaderboard);

@@ -4,7 +4,7 @@ use super::scroll::bar_beside;
 use super::{Key, Request, Screen};
 use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, GAP, LINE, MONO_ADVANCE, PADDING, ROW_BUTTON, TEXT, Vec2};
-use crate::ui::{Turn, Ui};
+use crate::ui::{Turning, Ui};
 use crate::view::theme;
 
 /// The game's own licence, word for word.
@@ -77,7 +77,7 @@ impl Screen for Credits {
         let step = frame.text_height(TEXT) * LINE;
         let room = ((panel.size.y - 2.0 * PADDING) / step).floor().max(1.0) as usize;
         let bar = bar_beside(panel, panel.min.y + PADDING, panel.max().y - PADDING);
-        let shown = ui.scroll("credits", (self.lines.len(), room), bar, Turn::Lines);
+        let shown = ui.scroll("credits", (self.lines.len(), room), bar, Turning::Lines);
         for (row, line) in self.lines[shown].iter().enumerate() {
             let left = Vec2::new(panel.min.x + LEFT, panel.min.y + PADDING + (row as f32 + 0.5) * step);
             let style = |colour| Style::new(TEXT, colour).middle();

@@ -1,7 +1,7 @@
 //! What the app does with levels' files while it runs: it reads them anew when they change, opens what is dropped on the window, and makes,
 //! names and edits levels.
 
-use super::level_select::Entry;
+use super::level_select::LevelEntry;
 use super::library::Refusal;
 use super::worker::{Card, Errand, Ticket};
 use super::{App, Attempt, Editor, Flight, Flights, LevelSelect, Make, Purpose, Request, Screen, Spectator, Stamp, footage};
@@ -180,7 +180,7 @@ impl App {
         let medals = self.journal.medals(&name).with_best(&awards, best);
         let title = level.as_ref().ok().map(|(title, ..)| title.clone());
         let level = Some(level.map(|(title, _, miniature)| (title, miniature)));
-        screen.tell(index, Entry { level, stamp, title, best, awards, medals, name });
+        screen.tell(index, LevelEntry { level, stamp, title, best, awards, medals, name });
     }
 
     /// Shows the levels that there are now.

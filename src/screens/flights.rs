@@ -10,7 +10,7 @@ use crate::game::Replay;
 use crate::number::clock;
 use crate::scores::RowOrigin;
 use crate::settings::Action;
-use crate::ui::{Turn, Ui};
+use crate::ui::{Turning, Ui};
 use crate::view::{theme, widgets};
 use std::ops::Range;
 use std::path::PathBuf;
@@ -47,7 +47,7 @@ pub struct Visit {
 
 /// Where a flight is.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Source {
+pub enum FlightSource {
     /// It was just flown.
     Flown,
     /// In a file of the level.
@@ -68,7 +68,7 @@ pub struct FlightCandidate {
     /// How long it took, s, where that is known.
     pub time: Option<f64>,
     /// Where it is.
-    pub source: Source,
+    pub source: FlightSource,
 }
 
 /// The list.
@@ -97,7 +97,7 @@ impl Flights {
 
     /// Reads the record of one flight in view that has not been read yet, for its time and score. A record that cannot be read says so
     /// when it is asked for.
-    pub fn look_one_up(&mut self, read: impl FnOnce(&Visit, &Source) -> Option<Replay>) {
+    pub fn look_one_up(&mut self, read: impl FnOnce(&Visit, &FlightSource) -> Option<Replay>) {
         let Some(index) = self.shown.clone().find(|&index| self.read.get(index) == Some(&false)) else { return };
         self.read[index] = true;
         let candidate = &mut self.candidates[index];
@@ -165,7 +165,7 @@ impl Flights {
     fn show_rows(&mut self, ui: &mut Ui<'_>, panel: Area) {
         let rows = panel.min.y + HEAD;
         let bar = bar_beside(panel, rows, rows + PAGE as f32 * ROW);
-        self.shown = ui.scroll("flights", (self.candidates.len(), PAGE), bar, Turn::Wheel);
+        self.shown = ui.scroll("flights", (self.candidates.len(), PAGE), bar, Turning::Wheel);
         for (line, index) in self.shown.clone().enumerate() {
             let top = rows + line as f32 * ROW;
             let area = Area::new(panel.min.x + ROW_INSET, top + 2.0, WIDTH - 2.0 * ROW_INSET, ROW - 4.0);

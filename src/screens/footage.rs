@@ -1,6 +1,6 @@
 //! Recorded flights on disk, as the screens list them, read them and keep them.
 
-use super::flights::{FlightCandidate, Source, Visit};
+use super::flights::{FlightCandidate, FlightSource, Visit};
 use super::leaderboard::BoardRival;
 use super::new_file::NewFile;
 use crate::files::{INPUTS, LEVEL_TABLE, read_text};
@@ -27,7 +27,7 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
         about: "just flown".to_owned(),
         score: Some(flown.replay.score),
         time: flown.replay.time,
-        source: Source::Flown,
+        source: FlightSource::Flown,
     });
     let own = OWN.iter().filter_map(|(file, name, about)| {
         let path = folder.join(FLIGHTS).join(format!("{file}{ENDING}"));
@@ -36,7 +36,7 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
             about: (*about).to_owned(),
             score: None,
             time: None,
-            source: Source::Level(path),
+            source: FlightSource::Level(path),
         })
     });
     let mut rows: Vec<FlightCandidate> = Vec::new();
@@ -48,8 +48,13 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
         }
         let yours = row.name == *player;
         let about = if yours { format!("your best, rank {}", index + 1) } else { format!("rank {}", index + 1) };
-        let candidate =
-            FlightCandidate { name: row.name.to_string(), about, score: Some(row.score), time: None, source: Source::Row(origin) };
+        let candidate = FlightCandidate {
+            name: row.name.to_string(),
+            about,
+            score: Some(row.score),
+            time: None,
+            source: FlightSource::Row(origin),
+        };
         if yours { best = Some(candidate) } else { rows.push(candidate) }
     }
     flown.into_iter().chain(best).chain(own).chain(rows).collect()
@@ -83,15 +88,15 @@ pub fn record(visit: &Visit, candidate: &FlightCandidate, scores: &Scores, level
 ///
 /// # Errors
 /// It cannot be read, in words.
-pub fn read(visit: &Visit, source: &Source, scores: &Scores) -> Result<Replay, String> {
+pub fn read(visit: &Visit, source: &FlightSource, scores: &Scores) -> Result<Replay, String> {
     Ok(match source {
-        Source::Flown => visit.flown.as_ref().map(|flown| flown.replay.clone()).ok_or("there is no flight")?,
-        Source::Level(path) => {
+        FlightSource::Flown => visit.flown.as_ref().map(|flown| flown.replay.clone()).ok_or("there is no flight")?,
+        FlightSource::Level(path) => {
             let named = path.display().to_string();
             let text = read_text(path, INPUTS).map_err(|error| format!("{named}: {error}"))?;
             Replay::parse(&named, &text).map_err(|problems| problems.0.first().cloned().unwrap_or_default())?
         }
-        Source::Row(origin) => {
+        FlightSource::Row(origin) => {
             scores.flight(&visit.level, origin).ok_or("the row names no flight")?.map_err(|problems| first_line(&problems))?
         }
     })

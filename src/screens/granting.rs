@@ -3,7 +3,7 @@
 
 use super::library::Refusal;
 use super::{
-    App, Attempt, Classic, Classics, Credits, Flight, Jumper, Lab, LevelSelect, Pi, Players, Purpose, Request, Screen,
+    App, Attempt, Classic, Classics, Credits, Flight, Jumper, Lab, LevelSelect, Pi, PlayerList, Purpose, Request, Screen,
     SettingsPanel, Spectator, TileRun,
 };
 use crate::pack::{self, Installed};
@@ -77,7 +77,7 @@ impl App {
     fn players(&mut self) -> Box<dyn Screen> {
         self.journal.read();
         let trouble = self.journal.trouble().map(str::to_owned);
-        Box::new(Players::new(self.journal.players(), self.journal.current(), trouble))
+        Box::new(PlayerList::new(self.journal.players(), self.journal.current(), trouble))
     }
 
     pub(super) fn level_select(&mut self, purpose: Purpose) -> LevelSelect {

@@ -1,7 +1,7 @@
 //! The jumper in the window: how many climb, the climb, and what it came to.
 
 use super::input::KeyLatch;
-use super::leaderboard::Way;
+use super::leaderboard::Onward;
 use super::{Classic, Gain, Input, Key, Keys, Motion, Noise, Request, Screen};
 use crate::classics::jumper::engine::Hit;
 use crate::classics::jumper::scene::Keys as Held;
@@ -35,7 +35,7 @@ pub struct Jumper {
     /// The climb; before the first one a tower to look at.
     scene: Scene,
     /// The panel above the climb, while it is open.
-    panel: Option<Panel>,
+    panel: Option<ClimbPanel>,
     clock: Clock,
     latch: KeyLatch,
     /// How long the screen has been there, s: a tower's seed, so that each sitting has its own towers.
@@ -46,7 +46,7 @@ pub struct Jumper {
 
 /// Buttons above a climb that stands still.
 #[derive(Debug)]
-struct Panel {
+struct ClimbPanel {
     heading: &'static str,
     labels: Vec<&'static str>,
 }
@@ -67,7 +67,7 @@ impl Jumper {
     }
 
     fn with_panel(scene: Scene, heading: &'static str, labels: Vec<&'static str>) -> Self {
-        Self { panel: Some(Panel { heading, labels }), ..Self::climbing(scene) }
+        Self { panel: Some(ClimbPanel { heading, labels }), ..Self::climbing(scene) }
     }
 
     fn climbing(scene: Scene) -> Self {
@@ -77,7 +77,7 @@ impl Jumper {
     /// A frame of the climb: a request where it has ended.
     fn go_on(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         if ui.key(Key::Escape) {
-            self.panel = Some(Panel { heading: "Paused", labels: vec![RESUME, AGAIN, BACK] });
+            self.panel = Some(ClimbPanel { heading: "Paused", labels: vec![RESUME, AGAIN, BACK] });
             return None;
         }
         if ui.key(Key::R) {
@@ -122,7 +122,7 @@ impl Jumper {
     }
 
     fn show_panel(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
-        let Panel { heading, labels } = self.panel.as_ref()?;
+        let ClimbPanel { heading, labels } = self.panel.as_ref()?;
         ui.layer(0.6);
         let size = ui.frame().size;
         let column = labels.len() as f32 * (WIDE_BUTTON.y + GAP) - GAP;
@@ -161,7 +161,7 @@ impl Jumper {
             points: self.scene.score(),
             flown: None,
             back: Box::new(Request::Climbed(Box::new(self.scene.clone()))),
-            ways: vec![Way { label: BACK, to: Request::Classic(Classic::Jumper) }],
+            onward: vec![Onward { label: BACK, to: Request::Classic(Classic::Jumper) }],
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::game::{Medal, Medals, Prize};
 use crate::level::Awards;
 use crate::number::clock;
 use crate::scores::{Board, BoardRow, Name, RowOrigin, Standing};
-use crate::ui::{Turn, Ui};
+use crate::ui::{Turning, Ui};
 use crate::view::{medals, theme, widgets};
 use std::ops::Range;
 
@@ -40,7 +40,7 @@ pub fn subject(level: &str, title: &str) -> String {
 
 /// A button, and where it leads.
 #[derive(Clone, Debug)]
-pub struct Way {
+pub struct Onward {
     /// The words on it.
     pub label: &'static str,
     /// Where it leads.
@@ -96,15 +96,15 @@ pub struct Leaderboard {
     /// What became of the score, where it is not plain to see.
     remark: Option<String>,
     /// Where its buttons lead; the last one is Back.
-    ways: Vec<Way>,
+    onward: Vec<Onward>,
 }
 
 impl Leaderboard {
-    /// A board of that subject; `fresh` is what was just saved, and `ways` are its buttons, of which there is one at least.
-    pub fn new(subject: String, board: Board, fresh: Option<Fresh>, damage: Option<String>, ways: Vec<Way>) -> Self {
+    /// A board of that subject; `fresh` is what was just saved, and `onward` are its buttons, of which there is one at least.
+    pub fn new(subject: String, board: Board, fresh: Option<Fresh>, damage: Option<String>, onward: Vec<Onward>) -> Self {
         let (saved, remark) = fresh.map(|fresh| (fresh.name, fresh.remark)).unzip();
         let (rivals, lines, shown, remark) = (Vec::new(), Vec::new(), 0..PAGE, remark.flatten());
-        let mut screen = Self { subject, board, rivals, lines, shown, prover: None, saved, damage, remark, ways };
+        let mut screen = Self { subject, board, rivals, lines, shown, prover: None, saved, damage, remark, onward };
         screen.sort_in();
         screen
     }
@@ -206,7 +206,7 @@ impl Leaderboard {
             ui.reveal("board", line);
         }
         // Where Enter and Esc are all that the buttons need, all arrows turn pages.
-        let turn = if self.ways.len() <= 2 { Turn::AllPages } else { Turn::Pages };
+        let turn = if self.onward.len() <= 2 { Turning::AllPages } else { Turning::Pages };
         let bar = bar_beside(panel, rows, rows + PAGE as f32 * ROW);
         self.shown = ui.scroll("board", (self.lines.len(), PAGE), bar, turn);
         if self.lines.is_empty() {
@@ -299,12 +299,12 @@ impl Screen for Leaderboard {
             (None, None) => {}
         }
         self.show_lines(ui, panel);
-        let labels: Vec<&str> = self.ways.iter().map(|way| way.label).collect();
+        let labels: Vec<&str> = self.onward.iter().map(|next| next.label).collect();
         let pressed = ui.row(panel.max().y + FOOT, &labels);
         if ui.key(Key::Escape) {
-            return self.ways.last().map(|way| way.to.clone());
+            return self.onward.last().map(|next| next.to.clone());
         }
-        self.ways.iter().find(|way| Some(way.label) == pressed).map(|way| way.to.clone())
+        self.onward.iter().find(|next| Some(next.label) == pressed).map(|next| next.to.clone())
     }
 
     fn tune(&self) -> Option<&str> {

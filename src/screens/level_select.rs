@@ -8,7 +8,7 @@ use super::{Key, Make, Problems, Request, Screen, Visit};
 use crate::draw::Style;
 use crate::draw::layout::{ROW_BUTTON, TEXT, Vec2};
 use crate::settings::Action;
-use crate::ui::{Kind, Ui};
+use crate::ui::{Ui, WidgetKind};
 use crate::view::theme;
 use places::{FOOT, FOOT_BUTTON, HEAD, SIDE, cards, from_left, from_right};
 use std::collections::BTreeMap;
@@ -18,7 +18,7 @@ mod card;
 mod entry;
 mod places;
 
-pub use entry::Entry;
+pub use entry::LevelEntry;
 
 /// Levels a page.
 const PAGE: usize = 15;
@@ -36,7 +36,7 @@ pub enum Purpose {
 
 /// What a level is to be chosen for, besides the list's own purpose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Pick {
+enum PickFor {
     Copy,
     Rename,
 }
@@ -52,7 +52,7 @@ const MOST_LETTERS: usize = 40;
 #[derive(Debug)]
 pub struct LevelSelect {
     purpose: Purpose,
-    entries: Vec<Entry>,
+    entries: Vec<LevelEntry>,
     /// What is to be found, and which entries that finds.
     find: String,
     found: Vec<usize>,
@@ -61,7 +61,7 @@ pub struct LevelSelect {
     start: Option<String>,
     focused: Option<String>,
     problems: Option<Problems>,
-    pick: Option<Pick>,
+    pick: Option<PickFor>,
     prompt: Option<Box<(Prompt, Asked)>>,
     /// Until the next look at files, s.
     look: f64,
@@ -80,7 +80,7 @@ enum Asked {
 impl LevelSelect {
     /// The list of those levels for that purpose.
     pub fn new(purpose: Purpose, names: Vec<String>) -> Self {
-        let entries: Vec<Entry> = names.into_iter().map(Entry::new).collect();
+        let entries: Vec<LevelEntry> = names.into_iter().map(LevelEntry::new).collect();
         Self {
             purpose,
             found: (0..entries.len()).collect(),
@@ -145,7 +145,7 @@ impl LevelSelect {
     }
 
     /// Takes over what is known of a level now.
-    pub fn tell(&mut self, index: usize, entry: Entry) {
+    pub fn tell(&mut self, index: usize, entry: LevelEntry) {
         self.entries[index] = entry;
     }
 
@@ -154,8 +154,8 @@ impl LevelSelect {
         if names.iter().eq(self.entries.iter().map(|entry| &entry.name)) {
             return;
         }
-        let mut known: BTreeMap<String, Entry> = self.entries.drain(..).map(|entry| (entry.name.clone(), entry)).collect();
-        self.entries = names.into_iter().map(|name| known.remove(&name).unwrap_or_else(|| Entry::new(name))).collect();
+        let mut known: BTreeMap<String, LevelEntry> = self.entries.drain(..).map(|entry| (entry.name.clone(), entry)).collect();
+        self.entries = names.into_iter().map(|name| known.remove(&name).unwrap_or_else(|| LevelEntry::new(name))).collect();
         self.search();
         if let Some(name) = self.focused.clone() {
             self.turn_to_level(&name);
@@ -184,13 +184,13 @@ impl LevelSelect {
     }
 
     /// All levels, in order.
-    pub fn entries(&self) -> &[Entry] {
+    pub fn entries(&self) -> &[LevelEntry] {
         &self.entries
     }
 
     /// The flights of the level at that place in the list, where it loads.
     fn visit(&self, index: usize) -> Option<Request> {
-        let Entry { name, level, .. } = &self.entries[index];
+        let LevelEntry { name, level, .. } = &self.entries[index];
         let back = Box::new(Request::LevelSelect(self.purpose));
         let loads = level.as_ref().is_some_and(Result::is_ok) && self.purpose != Purpose::Edit;
         loads.then(|| Request::Flights(Visit { level: name.clone(), flown: None, back }))
@@ -269,11 +269,11 @@ impl LevelSelect {
     fn choose(&mut self, index: usize) -> Option<Request> {
         let name = self.entries[index].name.clone();
         match (self.purpose, self.pick.take()) {
-            (_, Some(Pick::Copy)) => {
+            (_, Some(PickFor::Copy)) => {
                 self.ask(format!("What is the copy of {name} called?"), &format!("{name}-copy"), Asked::Copy(name.into()));
                 None
             }
-            (_, Some(Pick::Rename)) => {
+            (_, Some(PickFor::Rename)) => {
                 self.ask(format!("What is {name} called from now on?"), &name.clone(), Asked::Rename(name));
                 None
             }
@@ -298,8 +298,8 @@ impl LevelSelect {
 
     fn show_heading(&self, ui: &Ui<'_>) {
         let heading = match (self.purpose, self.pick) {
-            (_, Some(Pick::Copy)) => "Which level is to be copied?",
-            (_, Some(Pick::Rename)) => "Which level is to be renamed?",
+            (_, Some(PickFor::Copy)) => "Which level is to be copied?",
+            (_, Some(PickFor::Rename)) => "Which level is to be renamed?",
             (Purpose::Play, None) => "Choose a level",
             (Purpose::Leaderboard, None) => "Whose leaderboard?",
             (Purpose::Edit, None) => "Edit a level",
@@ -324,7 +324,7 @@ impl LevelSelect {
         self.focused = None;
         for (index, area) in self.in_view().into_iter().zip(cards(self.found.len().min(PAGE), &ui.frame())) {
             let entry = &self.entries[index];
-            let touch = ui.touch(&entry.name, area, Kind::Button);
+            let touch = ui.touch(&entry.name, area, WidgetKind::Button);
             card::draw(ui.canvas(), area, entry, touch);
             if touch.focus {
                 self.focused = Some(entry.name.clone());
@@ -366,8 +366,8 @@ impl LevelSelect {
             Some("Back") => return self.go_back(ui),
             Some("Edit") => return Some(Request::LevelSelect(Purpose::Edit)),
             Some("New") => self.ask("What is the new level called?".to_owned(), "", Asked::New),
-            Some("Copy") => self.pick = Some(Pick::Copy),
-            Some("Rename") => self.pick = Some(Pick::Rename),
+            Some("Copy") => self.pick = Some(PickFor::Copy),
+            Some("Rename") => self.pick = Some(PickFor::Rename),
             _ => {}
         }
         None

@@ -1,7 +1,7 @@
 //! Requests that wait for the worker: what a screen needs is read beside it, and it opens when that is there.
 
 use super::worker::{Brought, Errand, Ticket, Worker};
-use super::{App, Flight, Input, Key, Make, Menu, Purpose, Request, Source, Spectator};
+use super::{App, Flight, FlightSource, Input, Key, Make, Menu, Purpose, Request, Spectator};
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::level;
 
@@ -45,7 +45,7 @@ impl App {
                 Some((Errand::Editor(self.library.folder(name), root), named(name)))
             }
             // What was just flown is there.
-            Request::Watch(_, candidate) | Request::Keep(_, candidate) if candidate.source == Source::Flown => None,
+            Request::Watch(_, candidate) | Request::Keep(_, candidate) if candidate.source == FlightSource::Flown => None,
             Request::Flights(visit) | Request::Race(visit, _) | Request::Watch(visit, _) | Request::Keep(visit, _) => {
                 Some(of_level(self, &visit.level))
             }

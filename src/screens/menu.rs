@@ -7,7 +7,7 @@ use crate::draw::layout::{Area, BUTTON_TEXT, Frame, GRID, PADDING, ROW_BUTTON, T
 use crate::draw::{Canvas, Colour, Style};
 use crate::physics::{DVec2, ForceKind};
 use crate::scores::Name;
-use crate::ui::{Kind, Ui};
+use crate::ui::{Ui, WidgetKind};
 use crate::view::camera::{CanvasWindow, Viewport};
 use crate::view::{arrows, theme, things, widgets};
 
@@ -40,7 +40,7 @@ const ADDENDS: [(ForceKind, Vec2); 5] = [
 
 /// What the menu says.
 #[derive(Clone, Debug)]
-pub struct Facts {
+pub struct MenuFacts {
     /// The level that Play opens, by name and title: the first one that the player has not done; `None` until it is found.
     pub next: Option<(String, String)>,
     /// Who plays.
@@ -52,7 +52,7 @@ pub struct Facts {
 /// The main menu.
 #[derive(Debug)]
 pub struct Menu {
-    facts: Facts,
+    facts: MenuFacts,
     balls: Balls,
     /// The boxes of the lines of words beside the buttons, the title's last.
     lines: Vec<Area>,
@@ -60,7 +60,7 @@ pub struct Menu {
 
 impl Menu {
     /// The menu. How balls fly follows from `seed` and from when they are dropped.
-    pub fn new(facts: Facts, seed: u64) -> Self {
+    pub fn new(facts: MenuFacts, seed: u64) -> Self {
         Self { facts, balls: Balls::new(seed), lines: Vec::new() }
     }
 
@@ -134,7 +134,7 @@ impl Menu {
     /// The button that says who plays; whether it was pressed.
     fn show_player(&self, ui: &mut Ui<'_>) -> (bool, Area) {
         let area = Area { min: Vec2::new(CORNER, ui.frame().size.y - CORNER - PLAYER_BUTTON.y), size: PLAYER_BUTTON };
-        let touch = ui.touch("Player", area, Kind::Button);
+        let touch = ui.touch("Player", area, WidgetKind::Button);
         widgets::button_box(ui.canvas(), area, touch.hover, touch.focus);
         let y = area.centre().y;
         ui.text("Player", Vec2::new(area.min.x + PADDING, y), Style::new(TEXT, theme::quiet()).middle());

@@ -5,7 +5,7 @@ use super::scroll::bar_beside;
 use super::{Key, Request, Screen};
 use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, GAP, PADDING, TEXT, Vec2};
-use crate::scores::{Name, Player, Players as Known};
+use crate::scores::{Name, Player, Players};
 use crate::ui::{Rows, Ui};
 use crate::view::{theme, widgets};
 
@@ -31,7 +31,7 @@ struct Candidate {
 
 /// The list of players, or the field for a new one.
 #[derive(Debug)]
-pub struct Players {
+pub struct PlayerList {
     candidates: Vec<Candidate>,
     current: Name,
     /// The field for a new name, while it is open.
@@ -40,9 +40,9 @@ pub struct Players {
     trouble: Option<String>,
 }
 
-impl Players {
+impl PlayerList {
     /// The players that are known, and the one who plays now. Without any there is only the field.
-    pub fn new(known: &Known, current: &Name, trouble: Option<String>) -> Self {
+    pub fn new(known: &Players, current: &Name, trouble: Option<String>) -> Self {
         let candidate = |player: &Player| Candidate { name: player.name().clone(), done: player.done() };
         let mut candidates: Vec<Candidate> = known.all().iter().map(candidate).collect();
         candidates.sort_by_key(|candidate| candidate.name.as_str().to_lowercase());
@@ -86,7 +86,7 @@ impl Players {
     }
 }
 
-impl Screen for Players {
+impl Screen for PlayerList {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         if self.field.is_some() {
             return self.show_field(ui);

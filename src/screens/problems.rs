@@ -4,7 +4,7 @@ use super::Key;
 use super::scroll::{BAR_WIDTH, bar_beside};
 use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, LINE, MONO_ADVANCE, PADDING, ROW_BUTTON, Vec2, wrapped};
-use crate::ui::{Turn, Ui};
+use crate::ui::{Turning, Ui};
 use crate::view::theme;
 
 /// From the canvas' edges to the panel.
@@ -50,7 +50,7 @@ impl Problems {
         let at = panel.min + Vec2::new(LEFT, PADDING + 20.0);
         ui.text(&self.heading, at, Style::new(BUTTON_TEXT, theme::bad()).middle());
         let bar = bar_beside(panel, panel.min.y + HEAD, panel.max().y - FOOT);
-        let shown = ui.scroll(&self.heading, (lines.len(), page), bar, Turn::Lines);
+        let shown = ui.scroll(&self.heading, (lines.len(), page), bar, Turning::Lines);
         for (row, (words, begins)) in lines[shown].iter().enumerate() {
             let colour = if *begins { theme::text() } else { theme::quiet() };
             let at = panel.min + Vec2::new(LEFT, HEAD + row as f32 * height * LINE);

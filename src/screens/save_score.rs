@@ -1,6 +1,6 @@
 //! A name for a score, where the player has none yet, or where saving takes a second try.
 
-use super::leaderboard::Way;
+use super::leaderboard::Onward;
 use super::name_field::{NameEntry, NameField};
 use super::{Flown, Request, Screen};
 use crate::scores::Name;
@@ -22,7 +22,7 @@ pub struct Gain {
     /// Where Back leads.
     pub back: Box<Request>,
     /// Where the leaderboard leads once it is saved.
-    pub ways: Vec<Way>,
+    pub onward: Vec<Onward>,
 }
 
 /// The field for the name.

@@ -1,6 +1,6 @@
 //! What an attempt came to, part by part.
 
-use super::leaderboard::{Way, subject};
+use super::leaderboard::{Onward, subject};
 use super::{Attempt, Flown, Gain, Input, Key, Request, Screen, Visit};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Colour, Style};
@@ -101,7 +101,7 @@ impl Scoring {
 
     /// The score, and where the leaderboard leads on once it is saved.
     fn gain(&self) -> Gain {
-        let next = self.next.clone().map(|next| Way { label: NEXT, to: Request::Play(next) });
+        let next = self.next.clone().map(|next| Onward { label: NEXT, to: Request::Play(next) });
         // What is saved can be watched and raced from its row.
         let board = Request::Leaderboard(self.result.level.clone());
         let more = [(AGAIN, Request::Attempt(self.attempt.clone())), (FLIGHTS, self.visit(board)), (MENU, Request::Menu)];
@@ -111,7 +111,7 @@ impl Scoring {
             points: self.result.score.total,
             flown: self.flown.clone(),
             back: Box::new(self.again()),
-            ways: next.into_iter().chain(more.map(|(label, to)| Way { label, to })).collect(),
+            onward: next.into_iter().chain(more.map(|(label, to)| Onward { label, to })).collect(),
         }
     }
 

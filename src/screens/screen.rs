@@ -48,7 +48,13 @@ pub trait Screen: Any + fmt::Debug {
 
     /// Draws the part of it that needs a window, below what it has shown.
     #[cfg(feature = "window")]
-    fn draw(&self, _theatre: &mut super::theatre::Theatre, _moment: super::theatre::Moment, _canvas: &mut crate::draw::Canvas) {}
+    fn draw(
+        &self,
+        _theatre: &mut super::theatre::Theatre,
+        _moment: super::theatre::PictureTime,
+        _canvas: &mut crate::draw::Canvas,
+    ) {
+    }
 }
 
 impl dyn Screen {

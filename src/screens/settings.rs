@@ -4,7 +4,7 @@ use super::{Key, Request, Screen};
 use crate::draw::layout::{Area, DETAILS, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Colour, Style};
 use crate::settings::{Action, Item, Settings};
-use crate::ui::{Kind, Ui};
+use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
 
 /// A row of the values and one of the keys, with the gap below it.
@@ -53,7 +53,7 @@ impl SettingsPanel {
             for slot in 0..SLOTS {
                 let x = area.max().x - (SLOTS - slot) as f32 * (KEY_WIDTH + 8.0) + 8.0;
                 let area = Area { min: Vec2::new(x, area.min.y), size: Vec2::new(KEY_WIDTH, area.size.y) };
-                let touch = ui.touch(&format!("{} {}", action.label(), slot + 1), area, Kind::Button);
+                let touch = ui.touch(&format!("{} {}", action.label(), slot + 1), area, WidgetKind::Button);
                 widgets::button_box(ui.canvas(), area, touch.hover, touch.focus);
                 let (words, colour) = self.words(action, slot);
                 ui.text(&words, area.centre(), Style::new(TEXT, colour).middle().centred());
@@ -157,67 +157,5 @@ impl Screen for SettingsPanel {
     fn tell_of_settings(&mut self, settings: &Settings, problems: &[String]) {
         self.settings = *settings;
         self.problems = problems.to_vec();
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::draw::Canvas;
-    use crate::draw::layout::Frame;
-    use crate::screens::Input;
-    use crate::ui::{Memory, Stage};
-
-    /// One frame of the panel.
-    fn give(panel: &mut SettingsPanel, memory: &mut Memory, input: &Input) -> Option<Settings> {
-        let canvas = Canvas::new(input.frame);
-        let asked = memory.act(Stage { input, canvas: &canvas, spectator: &mut (), time: 0.0 }, |ui| panel.show(ui));
-        let rest = input.without_edges();
-        for _ in 0..2 {
-            memory.show(Stage { input: &rest, canvas: &canvas, spectator: &mut (), time: 0.0 }, |ui| panel.show(ui));
-        }
-        if let Some(Request::Set(settings)) = asked { Some(settings) } else { None }
-    }
-
-    #[test]
-    fn arrows_change_values_and_enter_takes_a_key() {
-        let (mut panel, mut memory) = (SettingsPanel::new(Settings::default(), vec![]), Memory::default());
-        let mut press = |panel: &mut SettingsPanel, key| {
-            give(
-                panel,
-                &mut memory,
-                &Input { pressed: [key].into_iter().collect(), pointer: Vec2::splat(-1.0), ..Input::default() },
-            )
-        };
-        press(&mut panel, Key::F5);
-        assert_eq!(press(&mut panel, Key::Left).map(|settings| settings.master), Some(70));
-        assert_eq!(press(&mut panel, Key::Right).map(|settings| settings.master), Some(80));
-        assert_eq!(press(&mut panel, Key::Tab), None);
-        press(&mut panel, Key::Enter);
-        assert_eq!(panel.taking, Some((Action::Thrust, 0)));
-        let keys = |settings: Option<Settings>| settings.map(|settings| settings.keys.of(Action::Thrust));
-        assert_eq!(keys(press(&mut panel, Key::Tab)), Some([Some(Key::Tab), Some(Key::W)]), "any key, Tab too");
-        assert_eq!(keys(press(&mut panel, Key::Delete)), Some([None, Some(Key::W)]));
-        press(&mut panel, Key::Enter);
-        assert_eq!(keys(press(&mut panel, Key::W)), Some([Some(Key::W), None]), "a key stands once");
-        press(&mut panel, Key::Enter);
-        assert_eq!(press(&mut panel, Key::Escape), None);
-        assert_eq!(panel.taking, None);
-    }
-
-    #[test]
-    fn nothing_overlaps_in_any_window() {
-        for window in [(900.0, 500.0), (1280.0, 720.0), (1920.0, 1080.0), (600.0, 1000.0)] {
-            let frame = Frame::of_window(window.into());
-            let (mut panel, mut memory) = (SettingsPanel::new(Settings::default(), vec![]), Memory::default());
-            give(&mut panel, &mut memory, &Input { frame, ..Input::default() });
-            let areas: Vec<Area> = memory.widgets().iter().map(|widget| widget.area).collect();
-            assert_eq!(areas.len(), Item::ALL.len() + SLOTS * Action::ALL.len() + 2);
-            for (i, a) in areas.iter().enumerate() {
-                assert!(a.min.min_element() >= 0.0 && a.max().cmple(frame.size).all(), "{a:?}");
-                let apart = |b: &Area| a.max().cmple(b.min).any() || b.max().cmple(a.min).any();
-                assert!(areas[i + 1..].iter().all(apart), "{window:?}: {a:?}");
-            }
-        }
     }
 }

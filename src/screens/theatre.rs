@@ -20,7 +20,7 @@ const FRAME_WEIGHT: f64 = 0.1;
 
 /// When a picture is drawn.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment {
+pub struct PictureTime {
     /// What the player has set.
     pub settings: Settings,
     /// Since the last frame, s.
@@ -31,7 +31,7 @@ pub struct Moment {
 
 /// Draws the screen: the part of it that needs a window, and what it has shown above that.
 pub fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) {
-    let moment = Moment { settings: *app.settings(), frame_time, shown_for: app.shown_for() };
+    let moment = PictureTime { settings: *app.settings(), frame_time, shown_for: app.shown_for() };
     app.screen().draw(theatre, moment, canvas);
     canvas.add_all(app.canvas());
     if let Some(what) = app.loading() {

@@ -2,7 +2,7 @@
 
 use super::footage;
 use super::leaderboard::subject;
-use super::{App, Attempt, FlightCandidate, Flights, Purpose, Request, Rival, Screen, Source, Spectator, Visit, Watch};
+use super::{App, Attempt, FlightCandidate, FlightSource, Flights, Purpose, Request, Rival, Screen, Spectator, Visit, Watch};
 use crate::game::{Fingerprint, Reel, TICK_RATE};
 use crate::level::Level;
 use crate::scores::Board;
@@ -50,7 +50,7 @@ impl App {
     fn level_of(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<Arc<Level>, String> {
         match (&candidate.source, &visit.flown) {
             // As it was then.
-            (Source::Flown, Some(flown)) => Ok(flown.level.clone()),
+            (FlightSource::Flown, Some(flown)) => Ok(flown.level.clone()),
             _ => self.library.load(&visit.level).map_err(|refusal| refusal.into_iter().next().unwrap_or_default()),
         }
     }
@@ -59,7 +59,7 @@ impl App {
         let level = self.level_of(&visit, candidate)?;
         let title = format!("{} · {}", level.title, candidate.name);
         let reel = match (&candidate.source, &visit.flown) {
-            (Source::Flown, Some(flown)) => Reel::flown(flown.history.clone()),
+            (FlightSource::Flown, Some(flown)) => Reel::flown(flown.history.clone()),
             _ => {
                 let replay = footage::record(&visit, candidate, &self.scores, &level)?;
                 Reel::new(level, &replay.inputs, replay.tick_rate).map_err(|error| error.to_string())?
@@ -87,7 +87,7 @@ impl App {
         let level = self.level_of(visit, candidate)?;
         let mut replay = footage::record(visit, candidate, &self.scores, &level)?;
         let player = self.journal.current();
-        if candidate.source == Source::Flown && !player.is_guest() {
+        if candidate.source == FlightSource::Flown && !player.is_guest() {
             replay.player = Some(player.to_string());
         }
         let path = footage::keep(&self.places.root.join("flights"), &visit.level, &candidate.name, &replay)?;

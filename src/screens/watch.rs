@@ -76,7 +76,7 @@ impl Screen for Watch {
     fn draw(
         &self,
         theatre: &mut crate::screens::theatre::Theatre,
-        moment: crate::screens::theatre::Moment,
+        moment: crate::screens::theatre::PictureTime,
         canvas: &mut crate::draw::Canvas,
     ) {
         let whole = canvas.use_frame(above(canvas.frame()));

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 /// How a widget answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum WidgetKind {
     /// To pointer and keyboard.
     Button,
     /// To the pointer alone: its key is the screen's affair.
@@ -21,7 +21,7 @@ pub enum Kind {
     Beyond,
 }
 
-impl Kind {
+impl WidgetKind {
     fn has_focus(self) -> bool {
         self != Self::Tool
     }
@@ -43,7 +43,7 @@ pub struct Widget {
     /// Where it is, canvas units.
     pub area: Area,
     /// How it answers.
-    pub kind: Kind,
+    pub kind: WidgetKind,
     /// Tab goes to the first widget of the next group.
     pub(super) group: usize,
 }
@@ -57,7 +57,7 @@ struct Spot {
 
 /// What a pass over a screen has shown.
 #[derive(Debug, Default)]
-pub(super) struct Shown {
+pub(super) struct PassShown {
     /// The widgets of the topmost layer.
     pub widgets: Vec<Widget>,
     pub layer: usize,
@@ -72,7 +72,7 @@ pub(super) struct Shown {
 /// The memory of one screen.
 #[derive(Debug, Default)]
 pub struct Memory {
-    shown: Shown,
+    shown: PassShown,
     /// The focus in each layer.
     focus: Vec<Option<Spot>>,
     pub(super) hover: Option<String>,
@@ -141,7 +141,7 @@ impl Memory {
     }
 
     /// Takes over what a pass has shown. The focus stays on its label; where that is gone it goes to the widget nearest to it.
-    pub(super) fn adopt(&mut self, shown: Shown) {
+    pub(super) fn adopt(&mut self, shown: PassShown) {
         let before = (self.shown.layer, self.focused().map(str::to_owned));
         self.shown = shown;
         self.focus.resize(self.shown.layer + 1, None);
@@ -176,13 +176,13 @@ impl Memory {
         if moved || input.click || label != self.hover {
             self.hover = label.filter(|_| moved || input.click);
             // A field keeps its selection until it is clicked.
-            let takes_focus = |widget: &&Widget| widget.kind.has_focus() && (input.click || widget.kind != Kind::Field);
+            let takes_focus = |widget: &&Widget| widget.kind.has_focus() && (input.click || widget.kind != WidgetKind::Field);
             if let (Some(label), Some(_)) = (&self.hover, under.as_ref().filter(takes_focus)) {
                 self.focus_on(Some(&label.clone()));
             }
         }
         if let (true, Some(widget)) = (input.click, under) {
-            return (widget.kind != Kind::Field).then_some(widget.label);
+            return (widget.kind != WidgetKind::Field).then_some(widget.label);
         }
         self.walk(input);
         let focused = self.focused().and_then(|label| self.find(label)).filter(|_| self.takes(input, Key::Enter));

@@ -12,15 +12,15 @@ mod spectator;
 pub mod text_field;
 mod widgets;
 
-pub use memory::{Kind, Memory, Widget};
+pub use memory::{Memory, Widget, WidgetKind};
 pub use spectator::Spectator;
-pub use widgets::{Rows, Touch, Turn, Typed};
+pub use widgets::{Rows, Touch, Turning, Typed};
 
 use crate::draw::Canvas;
 use crate::draw::layout::{Area, Frame};
 use crate::settings::{Action, Key, Keys};
 use input::Input;
-use memory::Shown;
+use memory::PassShown;
 
 /// One pass over a screen.
 pub struct Ui<'a> {
@@ -29,14 +29,14 @@ pub struct Ui<'a> {
     memory: &'a mut Memory,
     /// Watches the ticks of a game that the screen flies.
     pub spectator: &'a mut dyn Spectator,
-    shown: Shown,
+    shown: PassShown,
     group: usize,
     /// How long the screen has been there, s: carets blink by it.
     time: f64,
 }
 
 /// What a pass needs besides the memory of the screen.
-pub struct Stage<'a> {
+pub struct PassInput<'a> {
     /// What the player did.
     pub input: &'a Input,
     /// Where it is drawn.
@@ -49,22 +49,22 @@ pub struct Stage<'a> {
 
 impl Memory {
     /// The pass that acts: the screen learns what was done with the widgets of the last frame.
-    pub fn act<T>(&mut self, stage: Stage<'_>, screen: impl FnOnce(&mut Ui<'_>) -> T) -> T {
+    pub fn act<T>(&mut self, stage: PassInput<'_>, screen: impl FnOnce(&mut Ui<'_>) -> T) -> T {
         self.follow(stage.input);
         self.pass(stage, screen).0
     }
 
     /// A pass that shows, with an input in which nothing is pressed.
-    pub fn show<T>(&mut self, stage: Stage<'_>, screen: impl FnOnce(&mut Ui<'_>) -> T) -> T {
+    pub fn show<T>(&mut self, stage: PassInput<'_>, screen: impl FnOnce(&mut Ui<'_>) -> T) -> T {
         self.pressed = None;
         let (result, shown) = self.pass(stage, screen);
         self.adopt(shown);
         result
     }
 
-    fn pass<T>(&mut self, stage: Stage<'_>, screen: impl FnOnce(&mut Ui<'_>) -> T) -> (T, Shown) {
-        let Stage { input, canvas, spectator, time } = stage;
-        let mut ui = Ui { input, canvas, memory: self, spectator, shown: Shown::default(), group: 0, time };
+    fn pass<T>(&mut self, stage: PassInput<'_>, screen: impl FnOnce(&mut Ui<'_>) -> T) -> (T, PassShown) {
+        let PassInput { input, canvas, spectator, time } = stage;
+        let mut ui = Ui { input, canvas, memory: self, spectator, shown: PassShown::default(), group: 0, time };
         let result = screen(&mut ui);
         (result, ui.shown)
     }
@@ -137,7 +137,7 @@ impl<'a> Ui<'a> {
     pub fn layer(&mut self, darkened: f32) {
         crate::view::widgets::curtain(self.canvas, darkened);
         let layer = self.shown.layer + 1;
-        self.shown = Shown { layer, ..Shown::default() };
+        self.shown = PassShown { layer, ..PassShown::default() };
         self.group = 0;
     }
 
@@ -157,7 +157,7 @@ impl<'a> Ui<'a> {
     }
 
     /// A widget whose drawing is the screen's own. Of two that have the same label the second is called otherwise.
-    pub fn touch(&mut self, label: &str, area: Area, kind: Kind) -> Touch {
+    pub fn touch(&mut self, label: &str, area: Area, kind: WidgetKind) -> Touch {
         let mut label = label.to_owned();
         while self.shown.widgets.iter().any(|widget| widget.label == label) {
             label.push('′');

@@ -13,10 +13,10 @@ impl Sitting {
     /// One frame: the pass that acts, then those that show.
     fn give<T>(&mut self, input: &Input, mut screen: impl FnMut(&mut Ui<'_>) -> T) -> T {
         let canvas = Canvas::new(input.frame);
-        let acted = self.memory.act(Stage { input, canvas: &canvas, spectator: &mut (), time: 0.0 }, &mut screen);
+        let acted = self.memory.act(PassInput { input, canvas: &canvas, spectator: &mut (), time: 0.0 }, &mut screen);
         let rest = input.without_edges();
         for _ in 0..2 {
-            self.memory.show(Stage { input: &rest, canvas: &canvas, spectator: &mut (), time: 0.0 }, &mut screen);
+            self.memory.show(PassInput { input: &rest, canvas: &canvas, spectator: &mut (), time: 0.0 }, &mut screen);
         }
         acted
     }

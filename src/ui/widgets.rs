@@ -1,6 +1,6 @@
 //! The widgets: buttons alone, in rows and columns, on a tool bar; values that are chosen; lines of text; lists that scroll.
 
-use super::memory::Kind;
+use super::memory::WidgetKind;
 use super::text_field::TextField;
 use super::{Ui, input::Input};
 use crate::draw::layout::{Area, BUTTON_TEXT, GAP, HEADING, PADDING, ROW_BUTTON, TEXT, Vec2};
@@ -36,7 +36,7 @@ pub enum Typed {
 
 /// The keys that scroll a list, besides wheel and bar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Turn {
+pub enum Turning {
     /// Up and down go line by line, the others page by page.
     Lines,
     /// Up and down turn pages, each of which begins at a multiple of its length.
@@ -49,7 +49,7 @@ pub enum Turn {
     Wheel,
 }
 
-impl Turn {
+impl Turning {
     fn keys(self) -> &'static [Key] {
         const ALL: [Key; 8] = [Key::PageUp, Key::PageDown, Key::Home, Key::End, Key::Up, Key::Down, Key::Left, Key::Right];
         match self {
@@ -96,7 +96,7 @@ impl Ui<'_> {
 
     /// A button; whether it was pressed.
     pub fn button(&mut self, label: &str, area: Area) -> bool {
-        let touch = self.touch(label, area, Kind::Button);
+        let touch = self.touch(label, area, WidgetKind::Button);
         paint::button(self.canvas(), area, label, touch.hover, touch.focus);
         touch.pressed
     }
@@ -127,7 +127,7 @@ impl Ui<'_> {
         let mut pressed = None;
         for (i, (label, key, named)) in tools.iter().enumerate() {
             let area = Area { min: Vec2::new(left + i as f32 * pitch, top), size };
-            let touch = self.touch(label, area, Kind::Tool);
+            let touch = self.touch(label, area, WidgetKind::Tool);
             paint::keyed_button(self.canvas(), area, (label, named), (touch.hover, false));
             if touch.pressed || self.key(*key) {
                 self.input().answer(super::input::Answer::Pressed);
@@ -140,7 +140,7 @@ impl Ui<'_> {
     /// A value that left, right and a click on either half change, and Enter raises; whether it is raised or lowered. `share` (0 … 1) shows how
     /// far along its range it is.
     pub fn choice(&mut self, label: &str, area: Area, value: &str, share: Option<f32>) -> Option<bool> {
-        let touch = self.touch(label, area, Kind::Choice);
+        let touch = self.touch(label, area, WidgetKind::Choice);
         let place = Area::new(area.max().x - VALUE_WIDTH, area.min.y, VALUE_WIDTH, area.size.y);
         let canvas = self.canvas();
         paint::button_box(canvas, area, touch.hover, touch.focus);
@@ -163,7 +163,7 @@ impl Ui<'_> {
 
     /// A line of text. What is typed goes to it also while a button has the focus, which it takes then.
     pub fn field(&mut self, label: &str, area: Area, field: &mut TextField) -> Option<Typed> {
-        let touch = self.touch(label, area, Kind::Field);
+        let touch = self.touch(label, area, WidgetKind::Field);
         let input = self.input;
         field.note_focus(touch.focus);
         let letters = Input { pressed: Keys::default(), held: Keys::default(), ..input.clone() };
@@ -186,9 +186,9 @@ impl Ui<'_> {
 
     /// The lines of a list that are in view, `page` at most; the bar is drawn on its track where there are more. Lists are known by their
     /// names.
-    pub fn scroll(&mut self, name: &str, (lines, page): (usize, usize), track: Area, turn: Turn) -> Range<usize> {
+    pub fn scroll(&mut self, name: &str, (lines, page): (usize, usize), track: Area, turn: Turning) -> Range<usize> {
         let mut scroll = self.memory.scrolls.remove(name).unwrap_or_default();
-        scroll.pages = matches!(turn, Turn::Pages | Turn::AllPages);
+        scroll.pages = matches!(turn, Turning::Pages | Turning::AllPages);
         scroll.place(lines, page, track);
         self.claim(turn.keys().iter().copied());
         if self.is_live() {
@@ -220,16 +220,16 @@ impl Ui<'_> {
         if let (true, Some(line)) = (walked, rows.iter().position(|row| self.has_focus(row))) {
             self.memory.scrolls.entry(name.to_owned()).or_default().bring(line);
         }
-        let shown = self.scroll(name, (rows.len(), place.page), place.track, Turn::Leaps);
+        let shown = self.scroll(name, (rows.len(), place.page), place.track, Turning::Leaps);
         let mut pressed = None;
         for line in shown.start.saturating_sub(1)..(shown.end + 1).min(rows.len()) {
             let down = (line as f32 - shown.start as f32) * place.pitch;
             let area = Area { min: place.first.min + Vec2::new(0.0, down), ..place.first };
             if !shown.contains(&line) {
-                self.touch(rows[line], area, Kind::Beyond);
+                self.touch(rows[line], area, WidgetKind::Beyond);
                 continue;
             }
-            let touch = self.touch(rows[line], area, Kind::Button);
+            let touch = self.touch(rows[line], area, WidgetKind::Button);
             draw(self.canvas, line, (area, touch));
             pressed = pressed.or(touch.pressed.then_some(line));
         }

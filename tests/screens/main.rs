@@ -76,6 +76,7 @@ fn every_screen_is_whole_in_every_window() {
         whole(sitting.choose("Save Score"));
         whole(sitting.write("ann").press(Key::Enter));
         whole(sitting.press(Key::Escape).choose("Classics"));
+        whole(sitting.press(Key::Escape).choose("Settings"));
         whole(sitting.press(Key::Escape).choose("Credits"));
         whole(sitting.press(Key::Escape).choose("Player"));
         whole(sitting.choose("New Player"));

@@ -21,6 +21,26 @@ fn the_menu_and_the_pause_panel_lead_there_and_back() {
 }
 
 #[test]
+fn arrows_change_values_and_enter_takes_a_key() {
+    let mut sitting = Sitting::new();
+    sitting.choose("Settings");
+    assert_eq!(sitting.press(Key::Left).app.settings().master, 70);
+    assert_eq!(sitting.press(Key::Right).app.settings().master, 80);
+    let keys = |sitting: &Sitting| sitting.app.settings().keys.of(Action::Thrust);
+    assert_eq!(sitting.press(Key::Tab).focused(), "Thrust 1");
+    assert!(sitting.press(Key::Enter).shows("press a key"));
+    assert_eq!(keys(sitting.press(Key::Tab)), [Some(Key::Tab), Some(Key::W)], "any key, Tab too");
+    assert_eq!(keys(sitting.press(Key::Delete)), [None, Some(Key::W)]);
+    assert_eq!(keys(sitting.press(Key::Enter).press(Key::W)), [Some(Key::W), None], "a key stands once");
+    // While a key is taken nothing else is pressed: Esc and a click take none.
+    sitting.press(Key::Enter).press(Key::Escape);
+    assert!(!sitting.shows("press a key") && sitting.at() == "settings");
+    sitting.press(Key::Enter).click("Defaults");
+    assert!(!sitting.shows("press a key"));
+    assert_eq!(keys(&sitting), [Some(Key::W), None]);
+}
+
+#[test]
 fn what_is_set_holds_at_once_and_after_the_game_was_closed() {
     let mut sitting = Sitting::new();
     sitting.choose("Settings").press(Key::Left).press(Key::Tab).press(Key::Enter).press(Key::T);

@@ -4,9 +4,9 @@ use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::draw::{Colour, Contour, Shape};
 use resultant::screens::{
     App, Buttons, Classics, Credits, Editor, Flight, Flights, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Pi, Places,
-    Players, Purpose, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Watch, Worker,
+    PlayerList, Purpose, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Watch, Worker,
 };
-use resultant::ui::Kind;
+use resultant::ui::WidgetKind;
 use resultant::view::theme;
 use std::fs;
 use std::path::Path;
@@ -273,7 +273,7 @@ impl Sitting {
 
     /// What is written in the line of text that is typed into.
     pub fn field(&self) -> String {
-        let field = self.app.widgets().iter().find(|widget| widget.kind == Kind::Field).expect("there is a field");
+        let field = self.app.widgets().iter().find(|widget| widget.kind == WidgetKind::Field).expect("there is a field");
         let texts = self.texts();
         texts.into_iter().rfind(|(_, at)| field.area.contains(*at)).map(|(text, _)| text).unwrap_or_default()
     }
@@ -308,7 +308,7 @@ impl Sitting {
                 None => "flight",
             };
         }
-        if screen.is::<Players>() {
+        if screen.is::<PlayerList>() {
             return if has("Done") { "new player" } else { "players" };
         }
         let known = [

@@ -127,7 +127,7 @@ impl Screen for Editor {
     fn draw(
         &self,
         theatre: &mut crate::screens::theatre::Theatre,
-        moment: crate::screens::theatre::Moment,
+        moment: crate::screens::theatre::PictureTime,
         canvas: &mut crate::draw::Canvas,
     ) {
         self.draw_all(canvas, moment.shown_for, theatre.frames());

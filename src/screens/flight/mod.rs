@@ -172,7 +172,7 @@ impl Screen for Flight {
     fn draw(
         &self,
         theatre: &mut crate::screens::theatre::Theatre,
-        moment: crate::screens::theatre::Moment,
+        moment: crate::screens::theatre::PictureTime,
         canvas: &mut crate::draw::Canvas,
     ) {
         theatre.set_panels(self.panels(canvas.frame()));

@@ -1,6 +1,6 @@
 //! A level's card.
 
-use super::Entry;
+use super::LevelEntry;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::number::clock;
@@ -14,7 +14,7 @@ const INSIDE: f32 = 12.0;
 const WORDS: f32 = 2.4;
 
 /// A level's picture, its name and title, and below them what the player has reached.
-pub(super) fn draw(canvas: &Canvas, area: Area, entry: &Entry, touch: Touch) {
+pub(super) fn draw(canvas: &Canvas, area: Area, entry: &LevelEntry, touch: Touch) {
     widgets::button_box(canvas, area, touch.hover, touch.focus);
     let line = canvas.line_height(TEXT);
     let inner = area.inset(INSIDE);

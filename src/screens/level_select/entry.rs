@@ -8,7 +8,7 @@ use crate::screens::library::Refusal;
 
 /// A level in the list.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Entry {
+pub struct LevelEntry {
     /// Its folder's name.
     pub name: String,
     /// Its title and what it looks like, or why it does not load; `None` until it has been in view.
@@ -25,7 +25,7 @@ pub struct Entry {
     pub medals: Medals,
 }
 
-impl Entry {
+impl LevelEntry {
     /// A level of which nothing but its name is known.
     pub fn new(name: String) -> Self {
         Self {
