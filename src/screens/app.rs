@@ -53,7 +53,7 @@ pub struct App {
     pace: Pace,
     /// Who plays, and what they have done.
     pub(super) journal: Journal,
-    /// What the attempt on the screen, which has ended, brought whoever flew.
+    /// What the attempt on the screen, which has ended, brought the player.
     pub(super) ended: Option<String>,
     /// The same of the attempt before that one, which was lost.
     pub(super) lost: Option<String>,

@@ -34,7 +34,7 @@ impl App {
         Box::new(Scoring::new(attempt, result, flown, next, remark).with_best(best))
     }
 
-    /// Saves a score under the name of whoever plays, or asks for the name of who has none.
+    /// Saves a score under the player's name, or asks for the name where there is none.
     pub(super) fn save_score(&mut self, gain: Gain) -> Box<dyn Screen> {
         let name = self.journal.current().clone();
         if name.is_guest() {

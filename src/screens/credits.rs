@@ -58,7 +58,7 @@ enum Credit {
 /// The credits.
 #[derive(Debug, Default)]
 pub struct Credits {
-    /// For licences of so many columns.
+    /// The number of columns that the licences are broken into.
     columns: usize,
     lines: Vec<Credit>,
 }
@@ -96,7 +96,7 @@ impl Screen for Credits {
     }
 }
 
-/// All that is said, with the licence in lines of at most so many characters.
+/// All that is said, with the licence in lines of `columns` characters at most.
 fn lines(columns: usize) -> Vec<Credit> {
     let heading = [Credit::Heading("Resultant"), Credit::Words("Levels, art, sounds, text and code were made for this game.")];
     let between = [Credit::Words(""), Credit::Heading("Built with")];
@@ -106,7 +106,7 @@ fn lines(columns: usize) -> Vec<Credit> {
     heading.into_iter().chain(between).chain(parts).chain(own).chain(licence).collect()
 }
 
-/// The words of a paragraph in lines of at most so many characters, and a line of none below them. A longer word has its own line.
+/// The words of a paragraph in lines of `columns` characters at most, and an empty line below them. A longer word has its own line.
 fn filled(paragraph: &str, columns: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in paragraph.split_whitespace() {

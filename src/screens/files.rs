@@ -1,4 +1,4 @@
-//! What the app does with levels' files while it runs: it reads them anew when they change, opens what is dropped on the window, and makes,
+//! What the app does with levels' files while it runs: it reads them again when they change, opens what is dropped on the window, and makes,
 //! names and edits levels.
 
 use super::level_select::LevelEntry;

@@ -128,7 +128,7 @@ mod tests {
         assert!(frames(&mut watch).is_some());
         fs::remove_file(&picture).unwrap();
         assert!(frames(&mut watch).is_some());
-        // What is written anew with the same content, and what is none of the level's.
+        // A file that is written again with the same content, and one that is none of the level's.
         fs::write(&table, "1,2,3,5\n").unwrap();
         fs::write(folder.path().join(".autosave"), "x").unwrap();
         fs::write(folder.path().join("notes.txt"), "x").unwrap();

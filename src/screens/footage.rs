@@ -20,7 +20,7 @@ const OWN: [(&str, &str, &str); 4] = [
 /// How the files of flights end.
 const ENDING: &str = ".replay.csv";
 
-/// The flights of a level: what was just flown, whoever plays' best, the level's own in its folder, and the rest of the board.
+/// The flights of a level: what was just flown, the player's best, the level's own in its folder, and the rest of the board.
 pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) -> Vec<FlightCandidate> {
     let flown = visit.flown.as_ref().map(|flown| FlightCandidate {
         name: "This flight".to_owned(),

@@ -21,7 +21,7 @@ pub struct Journal {
     /// What is not on disk yet.
     deeds: Vec<Deed>,
     attempts: VecDeque<AttemptRow>,
-    /// What was done in this sitting by whoever had no name yet.
+    /// The deeds of this sitting before the player had a name.
     by_guest: Vec<Deed>,
     /// How long another program has kept it from being written, s.
     waited: f64,
@@ -79,12 +79,12 @@ impl Journal {
         self.players.get(&self.current)
     }
 
-    /// The best time of whoever plays in a level, s; `None` until it is done.
+    /// The player's best time in a level, s; `None` until it is done.
     pub fn best(&self, level: &str) -> Option<f64> {
         self.player().and_then(|player| player.best(level))
     }
 
-    /// What a level has brought whoever plays.
+    /// The medals that a level has brought the player.
     pub fn medals(&self, level: &str) -> Medals {
         self.player().map(|player| player.medals(level)).unwrap_or_default()
     }
@@ -108,7 +108,7 @@ impl Journal {
         self.update(0.0);
     }
 
-    /// Takes note of an attempt that has ended. The answer is what it brought whoever flew, in words, or why it cannot be written down.
+    /// Takes note of an attempt that has ended. The answer says what it brought the player, or why it cannot be written down.
     pub fn note(&mut self, game: &Game, assisted: bool) -> String {
         let (level, time, player) = (game.level().name.clone(), game.time(), self.current.clone());
         self.attempts.push_back(AttemptRow {

@@ -118,7 +118,7 @@ impl Leaderboard {
         self
     }
 
-    /// The same with word of so many other versions of the level that have boards of their own.
+    /// The same with a remark about other versions of the level that have boards of their own.
     #[must_use]
     pub fn with_other_versions(mut self, others: usize) -> Self {
         if others > 0 {

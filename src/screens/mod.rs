@@ -159,7 +159,7 @@ pub enum Request {
     Export(NewFile),
     /// One of them is kept as a file.
     Keep(Visit, FlightCandidate),
-    /// A score is to be saved, under the name of whoever plays.
+    /// A score is to be saved under the player's name.
     SaveScore(Gain),
     /// It is saved under that name.
     Submit(Gain, Name),

@@ -10,7 +10,7 @@ use crate::view::theme;
 /// Width and height of the field.
 const FIELD: Vec2 = Vec2::new(720.0, 56.0);
 /// What is wrong with the name of a player who has none.
-const NOBODY: &str = "Guest is whoever has no name yet: choose another one.";
+const NOBODY: &str = "Guest is the player who has no name yet: choose another one.";
 
 /// What came of a frame.
 #[derive(Clone, Debug, PartialEq, Eq)]

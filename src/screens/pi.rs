@@ -10,7 +10,7 @@ const SPEEDS: [f64; 6] = [0.01, 0.05, 0.25, 1.0, 2.0, 4.0];
 const REAL: usize = 3;
 /// A hitch counts as at most so long, s.
 const LONGEST_FRAME: f64 = 0.1;
-/// At most so many collisions are made in a frame, which takes about 5 ms. Where there are more, time waits for them.
+/// The most collisions of a frame: about 5 ms of work. Where there are more, time waits for them.
 const MOST_A_FRAME: u64 = 300_000;
 /// The first digits of π, as many as there are places at the largest N.
 pub const DIGITS: &str = "3141592653";
@@ -197,7 +197,7 @@ mod drawing {
             let digits = &DIGITS[..counter.len()];
             let words = match (self.blocks.next_time(), self.behind) {
                 (None, _) => format!("No more will come: the first {} of π", plural(counter.len())),
-                (Some(_), true) => "So many a frame that time waits for them".to_owned(),
+                (Some(_), true) => "More than a frame can hold: time waits for them".to_owned(),
                 (Some(_), false) => format!("π = {}{}{}…", &digits[..1], if self.n > 0 { "." } else { "" }, &digits[1..]),
             };
             canvas.text(&words, Vec2::new(middle, 184.0), quiet);

@@ -17,11 +17,11 @@ pub struct LevelEntry {
     pub stamp: Stamp,
     /// Its title, as far as it has been looked for.
     pub title: Option<String>,
-    /// The best time of whoever plays without help, s; `None` where there is none.
+    /// The player's best time without help, s; `None` where there is none.
     pub best: Option<f64>,
     /// What its medals ask for.
     pub awards: Awards,
-    /// What it has brought whoever plays.
+    /// The medals that it has brought the player.
     pub medals: Medals,
 }
 
