@@ -12,7 +12,7 @@ use crate::lab::curve::{CurveOrigin, MethodCurve, WorkPoint};
 use crate::lab::measured::Measured;
 use crate::lab::peers::add_peers;
 use crate::lab::report::{shipped_csv, summary};
-use crate::lab::{Answer, Scene, scenes, stability, stability_diagram, stress};
+use crate::lab::{Answer, LabScene, scenes, stability, stability_diagram, stress};
 use crate::view::paper;
 use std::hint::black_box;
 use std::io::Write;
@@ -149,7 +149,7 @@ fn progress(what: &str) {
     let _ = writeln!(std::io::stderr(), "{what}");
 }
 
-fn measure(scene: &Scene, quick: bool) -> Measured {
+fn measure(scene: &LabScene, quick: bool) -> Measured {
     let curves = scene.methods.iter().map(|method| MethodCurve {
         name: method.name.clone(),
         origin: if method.shipped { CurveOrigin::Shipped } else { CurveOrigin::Lab },
@@ -170,7 +170,7 @@ fn measure(scene: &Scene, quick: bool) -> Measured {
 }
 
 /// The courses at the game's step, of the scenes that are followed.
-fn over_time(scene: &Scene) -> Option<OverTime> {
+fn over_time(scene: &LabScene) -> Option<OverTime> {
     let course = |method: &Answer| {
         let origin = if method.shipped { CurveOrigin::Shipped } else { CurveOrigin::Lab };
         Some(MethodCurve { name: method.name.clone(), origin, points: (method.shown.as_ref()?)(FOLLOWED) })
@@ -180,7 +180,7 @@ fn over_time(scene: &Scene) -> Option<OverTime> {
 }
 
 /// The median of several runs.
-fn point(scene: &Scene, method: &Answer, step: f64, quick: bool) -> WorkPoint {
+fn point(scene: &LabScene, method: &Answer, step: f64, quick: bool) -> WorkPoint {
     let started = Clock::now();
     let error = (method.run)(black_box(step));
     let first = started.elapsed();

@@ -9,7 +9,7 @@ use crate::lab::linear::Linear;
 use std::ops::Range;
 
 /// A stretch of time, s.
-pub type Window = (f64, f64);
+pub type TimeWindow = (f64, f64);
 
 /// Where the curves go.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,12 +19,12 @@ pub struct Chart {
     /// Its axis.
     pub axis: Linear,
     /// From the top.
-    pub lanes: Vec<Lane>,
+    pub lanes: Vec<ChartLane>,
 }
 
 /// A lane.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Lane {
+pub struct ChartLane {
     /// Its unit.
     pub unit: Unit,
     /// Upwards.
@@ -34,11 +34,11 @@ pub struct Lane {
 }
 
 /// A curve with its number, and which of its points lie in the window. Several may have one number: the run before has that of its successor.
-pub type Member<'a> = (usize, &'a Curve, Range<usize>);
+pub type ChartMember<'a> = (usize, &'a Curve, Range<usize>);
 
 impl Chart {
     /// A chart of those curves, all over the same quantity, within a stretch of time.
-    pub fn of(across: Quantity, window: Window, members: &[Member]) -> Self {
+    pub fn of(across: Quantity, window: TimeWindow, members: &[ChartMember]) -> Self {
         let mut found: Option<Extremes> = None;
         let mut lanes: Vec<(Unit, Option<Extremes>, Vec<usize>)> = Vec::new();
         for (number, curve, places) in members {
@@ -59,7 +59,7 @@ impl Chart {
         let spread =
             |found: Option<Extremes>| found.map_or_else(|| Linear::between(-1.0, 1.0), |(least, most)| Linear::around(least, most));
         let axis = if across == Quantity::Time { Linear::between(window.0, window.1) } else { spread(found) };
-        let lane = |(unit, heights, curves)| Lane { unit, axis: spread(heights), curves };
+        let lane = |(unit, heights, curves)| ChartLane { unit, axis: spread(heights), curves };
         Self { across, axis, lanes: lanes.into_iter().map(lane).collect() }
     }
 
@@ -69,7 +69,7 @@ impl Chart {
     }
 }
 
-impl Lane {
+impl ChartLane {
     /// What stands at its axis: the symbols of its curves, and the unit.
     pub fn name(&self, symbol: impl Fn(usize) -> String) -> String {
         let mut symbols: Vec<String> = Vec::new();

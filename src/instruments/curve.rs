@@ -2,8 +2,8 @@
 //! what of it is drawn where there are more points than pixels.
 
 use super::quantity::Quantity;
-use super::series::{Extremes, Series};
-use super::track::Track;
+use super::series::{Extremes, NumberSeries};
+use super::track::BodyTrack;
 use std::ops::Range;
 
 /// A curve.
@@ -11,8 +11,8 @@ use std::ops::Range;
 pub struct Curve {
     across: Quantity,
     up: Quantity,
-    xs: Series,
-    ys: Series,
+    xs: NumberSeries,
+    ys: NumberSeries,
     /// Where an impact came between a point and the one before it.
     breaks: Vec<usize>,
 }
@@ -20,7 +20,7 @@ pub struct Curve {
 impl Curve {
     /// One of which nothing is known.
     pub fn new(across: Quantity, up: Quantity) -> Self {
-        Self { across, up, xs: Series::default(), ys: Series::default(), breaks: Vec::new() }
+        Self { across, up, xs: NumberSeries::default(), ys: NumberSeries::default(), breaks: Vec::new() }
     }
 
     /// What is to the right.
@@ -34,7 +34,7 @@ impl Curve {
     }
 
     /// Reads on what has been read of the body; a track that has become shorter is another flight's from there on.
-    pub fn follow(&mut self, track: &Track) {
+    pub fn follow(&mut self, track: &BodyTrack) {
         self.truncate(track.len());
         let known = self.len();
         for place in known..track.len() {
@@ -84,7 +84,7 @@ impl Curve {
 
     /// The slope at a place: exactly, dy/dt over dx/dt, where both follow from the moment ([`Quantity::rate`]); else the central difference
     /// of the neighbours, and at an end or a break that of the one neighbour on this side. Nothing where the curve stands upright.
-    pub fn slope(&self, track: &Track, place: usize) -> Option<f64> {
+    pub fn slope(&self, track: &BodyTrack, place: usize) -> Option<f64> {
         if place >= self.len() {
             return None;
         }
@@ -103,9 +103,9 @@ impl Curve {
         (x1 != x0).then(|| (y1 - y0) / (x1 - x0))
     }
 
-    /// ∫ y dx from one place of its body's track to another: exactly where a law has it ([`Track::swept`]), else by the trapezoid rule, which is
+    /// ∫ y dx from one place of its body's track to another: exactly where a law has it ([`BodyTrack::swept`]), else by the trapezoid rule, which is
     /// exact where the curve is straight from tick to tick; negative where the curve runs to the left, as work against a motion is.
-    pub fn area(&self, track: &Track, from: usize, to: usize) -> f64 {
+    pub fn area(&self, track: &BodyTrack, from: usize, to: usize) -> f64 {
         if let (Quantity::Time, Some(area)) = (self.across, track.swept(self.up, from, to)) {
             return area;
         }
@@ -188,27 +188,26 @@ impl Curve {
 pub(crate) mod fixture {
     use super::*;
     use crate::game::{Controls, Game, SHIP};
-    use crate::instruments::walk::Reader;
     use crate::level;
     use std::path::Path;
     use std::sync::Arc;
 
     /// The ship of level 1 under those controls.
-    pub fn flown(ticks: u64, controls: impl Fn(u64) -> Controls) -> Track {
+    pub fn flown(ticks: u64, controls: impl Fn(u64) -> Controls) -> BodyTrack {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
         let level = Arc::new(level::load(&root.join("levels/1"), root).expect("it ships").level);
         let mut game = Game::new(level).expect("it loads");
-        let mut track = Track::new(SHIP);
+        let mut track = BodyTrack::new(SHIP);
         track.begin(&game);
         for tick in 0..ticks {
             game.step(controls(tick));
-            Reader::tick(&mut track, &game);
+            track.tick(&game);
         }
         track
     }
 
     /// What it did, one quantity against another.
-    pub fn curve(track: &Track, across: Quantity, up: Quantity) -> Curve {
+    pub fn curve(track: &BodyTrack, across: Quantity, up: Quantity) -> Curve {
         let mut curve = Curve::new(across, up);
         curve.follow(track);
         curve
@@ -221,11 +220,10 @@ mod tests {
     use super::*;
     use crate::game::Controls;
     use crate::instruments::quantity::Part;
-    use crate::instruments::walk::Reader;
     use proptest::prelude::*;
 
     /// The ship of level 1, which goes up for half a second and falls to the floor.
-    fn hop(ticks: u64) -> Track {
+    fn hop(ticks: u64) -> BodyTrack {
         flown(ticks, |tick| Controls { thrust: tick < 60, ..Controls::default() })
     }
 
@@ -295,7 +293,7 @@ mod tests {
         let (mut track, whole) = (hop(300), hop(200));
         let quantity = Quantity::Velocity(Part::Size);
         let mut kept = curve(&track, Quantity::Time, quantity);
-        track.back_to(200);
+        track.forget_after(200);
         kept.follow(&track);
         assert_eq!(kept, curve(&whole, Quantity::Time, quantity));
     }

@@ -7,7 +7,7 @@ use std::ops::Add;
 
 /// What is in motion, and how high it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct State {
+pub struct EnergyState {
     /// Σ m·v, N·s, y downwards.
     pub momentum: DVec2,
     /// Σ ½mv², J.
@@ -16,7 +16,7 @@ pub struct State {
     pub potential: f64,
 }
 
-impl State {
+impl EnergyState {
     /// That of a body.
     pub fn of(game: &Game, id: BodyId) -> Self {
         let (level, body) = (game.level(), game.world().body(id));
@@ -34,7 +34,7 @@ impl State {
     }
 }
 
-impl Add for State {
+impl Add for EnergyState {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
@@ -69,9 +69,9 @@ mod tests {
         let high = Level { size: DVec2::splat(1000.0), ..level(0.0, 10.0) };
         let game = Game::new(std::sync::Arc::new(high)).expect("a level");
         let ship = game.world().body(BodyId(0));
-        let state = State::of(&game, BodyId(0));
+        let state = EnergyState::of(&game, BodyId(0));
         assert!((state.potential - ship.mass * 10.0 * (1000.0 - ship.position.y)).abs() < 1e-9);
-        let all = State::of_all(&game);
+        let all = EnergyState::of_all(&game);
         assert!(all.potential >= state.potential && all.kinetic == 0.0 && all.momentum == DVec2::ZERO);
     }
 }

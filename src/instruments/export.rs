@@ -1,10 +1,10 @@
 //! Curves that are taken along: a table with every tick and every digit, and the sheet of a picture. Neither knows a disk.
 
-use super::chart::{Chart, Member, Window};
+use super::chart::{Chart, ChartMember, TimeWindow};
 use super::curve::Curve;
 use super::look;
 use super::quantity::Quantity;
-use super::track::Track;
+use super::track::BodyTrack;
 use crate::lab::linear::Linear;
 use crate::lab::look::Look;
 use crate::number::Shortest;
@@ -25,7 +25,7 @@ pub struct Exported<'a> {
     /// The curve.
     pub curve: &'a Curve,
     /// What it was read from.
-    pub track: &'a Track,
+    pub track: &'a BodyTrack,
     /// Its number, by which it looks as it does.
     pub number: usize,
 }
@@ -57,7 +57,7 @@ pub fn csv(curves: &[Exported]) -> String {
     // Memory takes all that is written to it, and every row has the head's length.
     let _ =
         writer.write_record(["tick".to_owned(), Quantity::Time.heading()].iter().chain(columns.iter().map(|(heading, _)| heading)));
-    for place in 0..track.map_or(0, Track::len) {
+    for place in 0..track.map_or(0, BodyTrack::len) {
         let Some(track) = track else { break };
         let cell = |value: &f64| Shortest(*value).to_string();
         let cells = columns.iter().map(|(_, values)| values.get(place).map_or_else(String::new, cell));
@@ -103,13 +103,14 @@ pub struct Piece {
 }
 
 /// A picture of the same within a stretch of time.
-pub fn sheet(window: Window, curves: &[Exported]) -> Sheet {
+pub fn sheet(window: TimeWindow, curves: &[Exported]) -> Sheet {
     let across = curves.first().map_or(Quantity::Time, |exported| exported.curve.across());
-    let places = |track: &Track| track.places(window);
-    let members: Vec<Member> = curves.iter().map(|exported| (exported.number, exported.curve, places(exported.track))).collect();
+    let places = |track: &BodyTrack| track.places(window);
+    let members: Vec<ChartMember> =
+        curves.iter().map(|exported| (exported.number, exported.curve, places(exported.track))).collect();
     let chart = Chart::of(across, window, &members);
     let of_number = |number: usize| curves.iter().find(|exported| exported.number == number);
-    let lane = |lane: &super::chart::Lane| {
+    let lane = |lane: &super::chart::ChartLane| {
         let shown: Vec<&Exported> = lane.curves.iter().filter_map(|number| of_number(*number)).collect();
         let width = (chart.axis.to - chart.axis.from) / COLUMNS;
         let grain = (width, (lane.axis.to - lane.axis.from) / COLUMNS);
@@ -146,7 +147,7 @@ pub fn sheet(window: Window, curves: &[Exported]) -> Sheet {
 }
 
 /// When there were impacts, s; over anything but time they are the curve's breaks.
-fn impacts(shown: &[&Exported], across: Quantity, window: Window) -> Vec<f64> {
+fn impacts(shown: &[&Exported], across: Quantity, window: TimeWindow) -> Vec<f64> {
     let times = shown.iter().flat_map(|exported| exported.track.impacts().iter().map(|place| exported.track.time(*place)));
     let mut times: Vec<f64> = times.filter(|time| across == Quantity::Time && *time >= window.0 && *time <= window.1).collect();
     times.sort_by(f64::total_cmp);
@@ -170,7 +171,7 @@ mod tests {
     use crate::instruments::curve::fixture::{curve, flown};
     use crate::instruments::quantity::Part;
 
-    fn track(ticks: u64) -> Track {
+    fn track(ticks: u64) -> BodyTrack {
         flown(ticks, |tick| Controls { thrust: tick < 60, right: tick % 7 == 0, ..Controls::default() })
     }
 

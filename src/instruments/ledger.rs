@@ -73,14 +73,14 @@ impl Account {
 
 /// A body and what acts on it at an end of a tick.
 #[derive(Clone, Copy, Debug)]
-struct End {
+struct TickEnd {
     position: DVec2,
     velocity: DVec2,
     /// By kind, N; without what surfaces that cannot move press with.
     forces: [DVec2; KINDS],
 }
 
-impl End {
+impl TickEnd {
     fn of(game: &Game, id: BodyId) -> Self {
         let body = game.world().body(id);
         let mut forces = [DVec2::ZERO; KINDS];
@@ -99,23 +99,23 @@ fn is_still(game: &Game, source: Source, kind: ForceKind) -> bool {
 
 /// The accounts of all bodies at the moment that is shown.
 #[derive(Clone, Debug)]
-pub struct Ledger {
+pub struct WorkLedger {
     companion: Companion,
     /// Each body at the tick before.
-    before: Vec<End>,
+    before: Vec<TickEnd>,
     accounts: Vec<Account>,
     copies: Vec<(u64, Vec<Account>)>,
     every: u64,
 }
 
-impl Default for Ledger {
+impl Default for WorkLedger {
     fn default() -> Self {
         Self { companion: Companion::default(), before: Vec::new(), accounts: Vec::new(), copies: Vec::new(), every: EVERY }
     }
 }
 
-impl Ledger {
-    /// Goes to that tick of a flight, by at most `most` ticks; whether it is there. In a crowd it never is.
+impl WorkLedger {
+    /// Goes to that tick of a flight, by at most so many ticks; whether it is there. In a crowd it never is.
     pub fn go(&mut self, history: &History, tick: u64, most: u64) -> bool {
         if self.companion.tick().is_none_or(|at| at > tick) && !self.stand_before(history, tick) {
             return false;
@@ -153,7 +153,7 @@ impl Ledger {
             return false;
         }
         self.accounts = copy.map_or_else(|| vec![Account::default(); bodies], |(_, accounts)| accounts.clone());
-        self.before = ids(game).map(|id| End::of(game, id)).collect();
+        self.before = ids(game).map(|id| TickEnd::of(game, id)).collect();
         if self.copies.is_empty() {
             self.copies.push((game.ticks(), self.accounts.clone()));
         }
@@ -163,8 +163,8 @@ impl Ledger {
     /// Enters a tick.
     fn take(&mut self, game: &Game) {
         for id in ids(game) {
-            let (before, after) = (self.before[id.index()], End::of(game, id));
-            let account = Tick { game, id, before, after }.account();
+            let (before, after) = (self.before[id.index()], TickEnd::of(game, id));
+            let account = BodyTick { game, id, before, after }.account();
             self.accounts[id.index()] = self.accounts[id.index()].plus(&account);
             self.before[id.index()] = after;
         }
@@ -188,14 +188,14 @@ fn ids(game: &Game) -> impl Iterator<Item = BodyId> + use<> {
 }
 
 /// What happened to a body in a tick.
-struct Tick<'a> {
+struct BodyTick<'a> {
     game: &'a Game,
     id: BodyId,
-    before: End,
-    after: End,
+    before: TickEnd,
+    after: TickEnd,
 }
 
-impl Tick<'_> {
+impl BodyTick<'_> {
     fn account(&self) -> Account {
         let (world, mass) = (self.game.world(), self.game.world().body(self.id).mass);
         let (before, after) = (&self.before, &self.after);

@@ -15,4 +15,3 @@ pub mod track;
 pub mod trail;
 pub mod unit;
 pub mod vary;
-pub mod walk;

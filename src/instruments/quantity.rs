@@ -79,7 +79,7 @@ pub struct Moment {
     /// s.
     pub time: f64,
     /// What the level says of it.
-    pub constants: Constants,
+    pub constants: BodyConstants,
     /// m, from the level's lower left corner.
     pub position: DVec2,
     /// m/s.
@@ -94,7 +94,7 @@ pub struct Moment {
 
 /// What a level says of a body, and does not change while it is flown as it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Constants {
+pub struct BodyConstants {
     /// kg.
     pub mass: f64,
     /// The level's gravity on it, N/kg, y upwards.
@@ -105,7 +105,7 @@ pub struct Constants {
     pub height: f64,
 }
 
-impl Constants {
+impl BodyConstants {
     /// Of a body of a game.
     pub fn of(game: &Game, id: BodyId) -> Self {
         let (level, body) = (game.level(), game.world().body(id));
@@ -126,7 +126,7 @@ impl Moment {
     /// The moment that a game shows.
     pub fn of(game: &Game, id: BodyId) -> Self {
         let (body, forces) = (game.world().body(id), game.world().forces(id));
-        let constants = Constants::of(game, id);
+        let constants = BodyConstants::of(game, id);
         Self {
             time: game.elapsed(),
             constants,
@@ -143,7 +143,7 @@ impl Moment {
     }
 
     fn potential(&self) -> f64 {
-        let Constants { mass, field, ground, .. } = self.constants;
+        let BodyConstants { mass, field, ground, .. } = self.constants;
         0.0 - mass * field.dot(self.position - ground)
     }
 }
@@ -169,7 +169,7 @@ impl Quantity {
     /// How fast it changes at a moment, in its unit a second, where that follows from the moment itself: dr/dt = v, dv/dt = a,
     /// d(½mv²)/dt = m·a·v. Acceleration and forces say nothing of how they will change.
     pub fn rate(self, moment: &Moment) -> Option<f64> {
-        let Moment { velocity, acceleration, constants: Constants { mass, field, .. }, .. } = *moment;
+        let Moment { velocity, acceleration, constants: BodyConstants { mass, field, .. }, .. } = *moment;
         match self {
             Self::Time => Some(1.0),
             Self::X => Some(velocity.x),
@@ -261,7 +261,7 @@ mod tests {
         let h = 0.25;
         let (before, at, after) = (motion(time - h), motion(time), motion(time + h));
         let (velocity, acceleration) = ((after - before) / (2.0 * h), (after - 2.0 * at + before) / (h * h));
-        let constants = Constants { mass: 3.0, field: DVec2::new(0.5, -9.81), ground: DVec2::new(40.0, 0.0), height: 20.0 };
+        let constants = BodyConstants { mass: 3.0, field: DVec2::new(0.5, -9.81), ground: DVec2::new(40.0, 0.0), height: 20.0 };
         let forces = [DVec2::ZERO; ForceKind::ALL.len()];
         Moment { time, constants, position: at, velocity, acceleration, resultant: 3.0 * acceleration, forces }
     }

@@ -10,13 +10,13 @@ pub type Extremes = (f64, f64);
 
 /// The numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Series {
+pub struct NumberSeries {
     values: Vec<f64>,
     /// Of each full block.
     blocks: Vec<Extremes>,
 }
 
-impl Series {
+impl NumberSeries {
     /// Adds one.
     pub fn push(&mut self, value: f64) {
         self.values.push(value);
@@ -70,7 +70,7 @@ mod tests {
     proptest! {
         #[test]
         fn extremes_are_those_of_the_numbers(values in proptest::collection::vec(-9.0..9.0_f64, 0..700), ends in (0..700_usize, 0..700_usize), kept in 0..700_usize) {
-            let mut series = Series::default();
+            let mut series = NumberSeries::default();
             values.iter().for_each(|value| series.push(*value));
             series.truncate(kept);
             values.iter().for_each(|value| series.push(*value));

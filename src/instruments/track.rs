@@ -1,9 +1,9 @@
-//! The way of one body through a flight, all of it: whatever is asked for late is there from the first tick on. What never acted takes no
-//! room: a body that falls freely costs 80 bytes a tick, ten minutes of it 6 MB.
+//! All moments of one body in a flight. The flight is flown again beside its history, a few ticks a frame, so that each moment is known from
+//! the first tick on. A force that never acts takes no room: a free fall costs 80 bytes a tick, ten minutes of it 6 MB.
 
-use super::quantity::{Constants, Moment, Part, Quantity, upwards};
-use super::walk::Reader;
-use crate::game::Game;
+use super::companion::Companion;
+use super::quantity::{BodyConstants, Moment, Part, Quantity, upwards};
+use crate::game::{Game, History};
 use crate::physics::{BodyId, DVec2, ForceKind};
 use std::ops::Range;
 
@@ -12,10 +12,12 @@ const SMALLEST_JUMP: f64 = 1e-3;
 
 /// What was read of a body.
 #[derive(Clone, Debug)]
-pub struct Track {
+pub struct BodyTrack {
+    /// The game at the last tick that was read.
+    companion: Companion,
     body: BodyId,
     /// From which place on they hold: a level may be varied while it is flown.
-    constants: Vec<(usize, Constants)>,
+    constants: Vec<(usize, BodyConstants)>,
     /// The first tick; the rest of it follow one by one.
     begins: u64,
     /// Ticks a second.
@@ -32,10 +34,11 @@ pub struct Track {
     impacts: Vec<usize>,
 }
 
-impl Track {
+impl BodyTrack {
     /// Of that body, of which nothing has been read.
     pub fn new(body: BodyId) -> Self {
         Self {
+            companion: Companion::default(),
             body,
             constants: Vec::new(),
             begins: 0,
@@ -92,7 +95,7 @@ impl Track {
         first..(place(to).ceil() as usize + 2).min(self.len()).max(first)
     }
 
-    /// Everything at a place below [`Track::len`].
+    /// Everything at a place below [`BodyTrack::len`].
     pub fn moment(&self, place: usize) -> Moment {
         Moment {
             time: self.time(place),
@@ -149,15 +152,33 @@ impl Track {
     pub fn felt(&self, kind: ForceKind) -> bool {
         !self.forces[kind as usize].is_empty()
     }
-}
 
-impl Reader for Track {
-    fn begin(&mut self, start: &Game) {
+    /// Reads on, by `most` ticks at most, up to the end of the flight.
+    pub fn read(&mut self, history: &History, most: u64) {
+        let mut companion = std::mem::take(&mut self.companion);
+        if companion.tick().is_none() {
+            self.begin(companion.stand_at(history, 0));
+        }
+        companion.go_on(history, u64::MAX, most, |game| self.tick(game));
+        self.companion = companion;
+    }
+
+    /// The flight was left at that tick and goes on otherwise: all moments after it are forgotten.
+    pub fn back_to(&mut self, history: &History, tick: u64) {
+        if self.companion.tick().is_some_and(|at| at > tick) {
+            self.companion.stand_at(history, tick);
+            self.forget_after(tick);
+        }
+    }
+
+    /// Begins with the game at the flight's start.
+    pub(super) fn begin(&mut self, start: &Game) {
         *self = Self { begins: start.ticks(), rate: start.tick_rate(), ..Self::new(self.body) };
         self.tick(start);
     }
 
-    fn tick(&mut self, game: &Game) {
+    /// Takes over the game at the next tick.
+    pub(super) fn tick(&mut self, game: &Game) {
         let (place, moment) = (self.len(), Moment::of(game, self.body));
         if self.constants.last().is_none_or(|(_, constants)| *constants != moment.constants) {
             self.constants.push((place, moment.constants));
@@ -182,7 +203,7 @@ impl Reader for Track {
         }
     }
 
-    fn back_to(&mut self, tick: u64) {
+    pub(super) fn forget_after(&mut self, tick: u64) {
         let length = ((tick + 1).saturating_sub(self.begins) as usize).min(self.len());
         for column in [&mut self.position, &mut self.velocity, &mut self.acceleration, &mut self.resultant] {
             column.truncate(length);
@@ -191,5 +212,45 @@ impl Reader for Track {
         self.impulses.truncate(length);
         self.impacts.retain(|place| *place < length);
         self.constants.retain(|(from, _)| *from < length);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::game::{Controls, SHIP};
+    use crate::level;
+    use std::path::Path;
+    use std::sync::Arc;
+
+    #[test]
+    fn a_flight_is_read_as_it_was_flown_also_where_it_was_left() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let level = Arc::new(level::load(&root.join("levels/1"), root).expect("it ships").level);
+        let mut game = Game::new(level).expect("it loads");
+        let mut history = History::new(&game);
+        let mut flown = vec![game.world().body(SHIP).position.y];
+        let fly = |game: &mut Game, history: &mut History, flown: &mut Vec<f64>, ticks: usize, thrust: bool| {
+            for _ in 0..ticks {
+                let controls = Controls { thrust, ..Controls::default() };
+                game.step(controls);
+                history.note(game, controls);
+                flown.push(game.world().body(SHIP).position.y);
+            }
+        };
+        fly(&mut game, &mut history, &mut flown, 200, true);
+        let mut track = BodyTrack::new(SHIP);
+        track.read(&history, 150);
+        assert_eq!(track.len(), 151);
+        track.read(&history, 150);
+        history = history.until(120);
+        game = history.at(120);
+        flown.truncate(121);
+        track.back_to(&history, 120);
+        fly(&mut game, &mut history, &mut flown, 60, false);
+        track.read(&history, u64::MAX);
+        let read: Vec<f64> = (0..track.len()).map(|place| track.moment(place).position.y).collect();
+        let expected: Vec<f64> = flown.into_iter().map(|y| track.moment(0).constants.height - y).collect();
+        assert_eq!(read, expected);
     }
 }

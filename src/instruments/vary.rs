@@ -60,7 +60,7 @@ impl Variation {
 
 /// The way from one end of a slider to the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Track {
+pub enum SliderTrack {
     /// Equal ways, equal differences.
     Even(f64, f64),
     /// Equal ways, equal ratios; both ends above 0.
@@ -69,7 +69,7 @@ pub enum Track {
     Fine(f64, f64),
 }
 
-impl Track {
+impl SliderTrack {
     /// The slider of a number that is `usual` in the level: what is sensible, within what the loader accepts.
     pub fn of(parameter: Parameter, usual: f64) -> Self {
         let (least, most) = parameter.limits();
@@ -153,20 +153,20 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    const TRACKS: [Track; 5] = [
-        Track::Even(0.0, 30.0),
-        Track::Even(-30.0, 30.0),
-        Track::Ratios(0.01, 1e6),
-        Track::Fine(-50.0, 50.0),
-        Track::Fine(0.0, 20.0),
+    const TRACKS: [SliderTrack; 5] = [
+        SliderTrack::Even(0.0, 30.0),
+        SliderTrack::Even(-30.0, 30.0),
+        SliderTrack::Ratios(0.01, 1e6),
+        SliderTrack::Fine(-50.0, 50.0),
+        SliderTrack::Fine(0.0, 20.0),
     ];
 
     #[test]
     fn a_slider_sets_three_digits_and_finds_zero_and_its_ends() {
-        assert_eq!(Track::Even(0.0, 30.0).value(0.327), 9.81);
-        assert_eq!(Track::Even(0.0, 30.0).value(1e-4), 0.0);
-        assert_eq!(Track::Fine(-50.0, 50.0).value(0.5), 0.0);
-        assert_eq!(Track::Ratios(1.0, 1e4).value(0.5), 100.0);
+        assert_eq!(SliderTrack::Even(0.0, 30.0).value(0.327), 9.81);
+        assert_eq!(SliderTrack::Even(0.0, 30.0).value(1e-4), 0.0);
+        assert_eq!(SliderTrack::Fine(-50.0, 50.0).value(0.5), 0.0);
+        assert_eq!(SliderTrack::Ratios(1.0, 1e4).value(0.5), 100.0);
         for (track, ends) in TRACKS.iter().zip([(0.0, 30.0), (-30.0, 30.0), (0.01, 1e6), (-50.0, 50.0), (0.0, 20.0)]) {
             assert_eq!((track.value(0.0), track.value(1.0)), ends);
         }
@@ -174,11 +174,11 @@ mod tests {
 
     #[test]
     fn steps_are_units_of_the_digit_before_the_last() {
-        let gravity = Track::of(Parameter::Gravity, 9.81);
+        let gravity = SliderTrack::of(Parameter::Gravity, 9.81);
         let limits = Parameter::Gravity.limits();
         assert_eq!([1.0, -1.0, 5.0].map(|steps| gravity.stepped(9.81, steps, limits)), [9.91, 9.71, 10.3]);
         assert_eq!(gravity.stepped(0.0, 1.0, limits), 0.01);
-        let mass = Track::of(Parameter::Mass(0), 100.0);
+        let mass = SliderTrack::of(Parameter::Mass(0), 100.0);
         assert_eq!([1.0, -1.0].map(|steps| mass.stepped(2.0, steps, Parameter::Mass(0).limits())), [2.1, 1.9]);
         assert_eq!(mass.stepped(1e-3, -100.0, Parameter::Mass(0).limits()), 1e-3, "never what is not accepted");
     }
@@ -198,7 +198,7 @@ mod tests {
                 Parameter::VelocityY(1), Parameter::Thrust, Parameter::Gravity, Parameter::Air, Parameter::Friction, Parameter::Wind] {
                 let (least, most) = parameter.limits();
                 let usual = (usual * most).max(least);
-                let value = Track::of(parameter, usual).value(part);
+                let value = SliderTrack::of(parameter, usual).value(part);
                 prop_assert!(value.is_finite() && (least..=most).contains(&value), "{parameter:?} {usual}: {value}");
             }
         }

@@ -3,7 +3,7 @@
 //! q = exp(∫k|u|dt) and Q = ∫q dt the velocity in the air's frame is u = (u₀ + A·Q)/Q′ exactly, and Q″ = k·|u₀ + A·Q| is one scalar
 //! equation.
 
-use super::methods::motion::{Law, Point, rk4};
+use super::methods::motion::{MotionLaw, PointState, rk4};
 
 /// s. The longest step. Finer, and rounding grows.
 pub const STEP: f64 = 1e-5;
@@ -11,7 +11,7 @@ pub const STEP: f64 = 1e-5;
 const LOST: f64 = 0.01;
 
 /// By RK4 in steps of [`STEP`], or of less where drag is fast.
-pub fn drag_in_two_dimensions(law: &Law, start: Point, seconds: f64) -> Point {
+pub fn drag_in_two_dimensions(law: &MotionLaw, start: PointState, seconds: f64) -> PointState {
     // Whole steps that fill the time: a sum of many rounded steps would miss its end.
     let steps = (seconds / STEP).ceil().max(1.0);
     let h = seconds / steps;
@@ -24,9 +24,9 @@ pub fn drag_in_two_dimensions(law: &Law, start: Point, seconds: f64) -> Point {
 
 /// By the scalar equation, started anew in each step of `h` s, so that Q′ cannot overflow; Q by RK4 and the way by Simpson's rule on
 /// the same stages.
-pub fn by_scalar_equation(law: &Law, start: Point, seconds: f64, h: f64) -> Point {
+pub fn by_scalar_equation(law: &MotionLaw, start: PointState, seconds: f64, h: f64) -> PointState {
     let steps = (seconds / h).round() as u64;
-    (0..steps).fold(start, |Point { x, v }, _| {
+    (0..steps).fold(start, |PointState { x, v }, _| {
         let u0 = v - law.wind;
         let curve = |q: f64| law.drag * (u0 + law.constant * q).length();
         let (mut q, mut rate) = (0.0, 1.0);
@@ -46,7 +46,7 @@ pub fn by_scalar_equation(law: &Law, start: Point, seconds: f64, h: f64) -> Poin
         }
         let velocity = |(q, rate): (f64, f64)| (u0 + law.constant * q) / rate;
         let end = velocity((q, rate));
-        Point { x: x + law.wind * h + (u0 + velocity(middle) * 4.0 + end) * (h / 6.0), v: end + law.wind }
+        PointState { x: x + law.wind * h + (u0 + velocity(middle) * 4.0 + end) * (h / 6.0), v: end + law.wind }
     })
 }
 
@@ -60,8 +60,8 @@ mod tests {
         for (drag, v) in
             [(0.05, DVec2::new(20.0, -20.0)), (9.81 / 0.0324, DVec2::new(40.0, 0.0)), (9.81 / 0.0324, DVec2::new(-36.0, 0.0))]
         {
-            let law = Law { constant: DVec2::new(0.0, 9.81), drag, wind: DVec2::new(4.0, 0.0), ..Law::default() };
-            let start = Point { x: DVec2::ZERO, v };
+            let law = MotionLaw { constant: DVec2::new(0.0, 9.81), drag, wind: DVec2::new(4.0, 0.0), ..MotionLaw::default() };
+            let start = PointState { x: DVec2::ZERO, v };
             let one = drag_in_two_dimensions(&law, start, 0.5);
             let other = by_scalar_equation(&law, start, 0.5, 0.5 * STEP);
             assert!((one.x - other.x).length() < 1e-10, "{one:?} {other:?}");
@@ -71,8 +71,8 @@ mod tests {
 
     #[test]
     fn any_time_is_met_exactly() {
-        let law = Law::default();
-        let start = Point { x: DVec2::ZERO, v: DVec2::new(3.0, -4.0) };
+        let law = MotionLaw::default();
+        let start = PointState { x: DVec2::ZERO, v: DVec2::new(3.0, -4.0) };
         for seconds in [1.0 / 60.0, 1.234_567, 1e-7] {
             let end = drag_in_two_dimensions(&law, start, seconds);
             assert!((end.x - start.v * seconds).length() < 1e-10 * seconds.max(1e-3), "{seconds} s");

@@ -10,7 +10,7 @@ use super::stability_diagram::{SVG, TITLE};
 use std::fmt::Write;
 
 /// What the shipped engine costs in a scene, beside the cheapest there.
-struct Verdict<'a> {
+struct SceneVerdict<'a> {
     measured: &'a Measured,
     shipped: WorkPoint,
     /// The shipped engine at the step at which it is the cheapest within the tolerance.
@@ -21,7 +21,7 @@ struct Verdict<'a> {
     as_exact: Option<(&'a MethodCurve, WorkPoint)>,
 }
 
-impl<'a> Verdict<'a> {
+impl<'a> SceneVerdict<'a> {
     fn of(measured: &'a Measured) -> Option<Self> {
         let shipped = measured.shipped_point()?;
         let (curve, _) = measured.shipped()?;
@@ -43,7 +43,7 @@ pub fn shipped_csv(diagrams: &[Measured]) -> String {
         &["as_exact", "as_exact_step", "as_exact_error", "as_exact_work", "shipped_costs_times_as_exact"],
     ];
     let shortest = |value: f64| format!("{value:e}");
-    let rows = diagrams.iter().filter_map(Verdict::of).map(|verdict| {
+    let rows = diagrams.iter().filter_map(SceneVerdict::of).map(|verdict| {
         let WorkPoint { step, work, error } = verdict.shipped;
         let best = |best: Option<(&MethodCurve, WorkPoint)>| match best {
             None => vec![String::new(); 5],
@@ -112,7 +112,7 @@ fn stability_table(text: &mut String, regions: &[Region]) {
 /// The table of the shipped engine beside the cheapest.
 fn verdicts(text: &mut String, diagrams: &[Measured]) {
     text.push_str("## What the shipped engine costs, and what is cheapest\n\n");
-    let all: Vec<Verdict<'_>> = diagrams.iter().filter_map(Verdict::of).collect();
+    let all: Vec<SceneVerdict<'_>> = diagrams.iter().filter_map(SceneVerdict::of).collect();
     // Scenes in which only engines take part say nothing about loops by hand.
     let has_loop = |measured: &Measured| measured.curves.iter().any(|curve| curve.origin == CurveOrigin::Lab);
     let alike = || all.iter().filter(|verdict| verdict.measured.alike && has_loop(verdict.measured));

@@ -11,7 +11,7 @@ pub(super) const LADDER: [f64; 7] = [1.0 / 15.0, 1.0 / 30.0, 1.0 / 60.0, 1.0 / 1
 pub(super) const WORK: &str = "CPU time for a simulated second and body, ns";
 
 /// A question with an exact answer.
-pub struct Scene {
+pub struct LabScene {
     /// Name of its files.
     pub name: &'static str,
     /// Heading of its diagram.
@@ -39,7 +39,7 @@ pub struct Scene {
 /// A method in a scene: a step (s) gives the error of the whole scene, and its course.
 pub type Answer = Entrant<f64, Vec<CoursePoint>>;
 
-impl Scene {
+impl LabScene {
     /// A scene of so many simulated seconds and bodies, on the usual ladder, whose error is a distance.
     pub(super) fn new(name: &'static str, title: impl Into<String>, seconds: f64, bodies: usize) -> Self {
         Self {
@@ -58,7 +58,7 @@ impl Scene {
     }
 }
 
-impl std::fmt::Debug for Scene {
+impl std::fmt::Debug for LabScene {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let methods: Vec<_> = self.methods.iter().map(|method| &method.name).collect();
         f.debug_struct("Scene").field("name", &self.name).field("methods", &methods).finish_non_exhaustive()

@@ -1,7 +1,7 @@
 //! Worlds of the shipped engine for the lab's models. Their defaults are the game's.
 
-use super::methods::impact::Block;
-use super::methods::motion::{Law, Point};
+use super::methods::impact::LineBlock;
+use super::methods::motion::{MotionLaw, PointState};
 use crate::physics::{Aabb, BodyDef, DVec2, FluidDef, Material, SurfaceDef, WorldDef};
 
 /// A floor whose top is at y = 0.
@@ -21,14 +21,14 @@ pub(super) fn crate_at(x: f64, y: f64, mass: f64) -> BodyDef {
 
 /// A world with one body that obeys `law`, which pulls downwards only: round, for the law's drag does not ask for the direction. Air that blows everywhere alike is another frame of reference:
 /// in it the air stands still.
-pub(super) fn in_air(law: &Law, start: Point) -> WorldDef {
+pub(super) fn in_air(law: &MotionLaw, start: PointState) -> WorldDef {
     let body = BodyDef { position: start.x, velocity: start.v - law.wind, drag: 2.0 * law.drag, round: true, ..BodyDef::default() };
     WorldDef { gravity: law.constant.y, air_density: 1.0, bodies: vec![body], ..WorldDef::default() }
 }
 
 /// A world with one box of 1 m in a liquid of that density (kg/m³), so thick that it slows the box of `mass` kg by `viscous` of its
 /// velocity a second: Stokes' 3π·η·d/m with d = 1 m.
-pub(super) fn in_liquid(viscous: f64, density: f64, mass: f64, gravity: f64, start: Point) -> WorldDef {
+pub(super) fn in_liquid(viscous: f64, density: f64, mass: f64, gravity: f64, start: PointState) -> WorldDef {
     let zone = Aabb::around(start.x, DVec2::splat(1e4));
     let fluid = FluidDef { zone, density, viscosity: viscous * mass / (3.0 * std::f64::consts::PI) };
     let body = BodyDef { position: start.x, velocity: start.v, mass, drag: 0.0, ..BodyDef::default() };
@@ -43,7 +43,7 @@ pub(super) fn on_water(gravity: f64, density: f64, body: BodyDef) -> WorldDef {
 }
 
 /// A line of blocks without gravity and air; what has infinite mass is a wall.
-pub(super) fn line(blocks: &[Block], e: f64) -> WorldDef {
+pub(super) fn line(blocks: &[LineBlock], e: f64) -> WorldDef {
     let movable = blocks.iter().filter(|block| block.mass.is_finite());
     let bodies = movable.map(|block| BodyDef {
         position: DVec2::new(block.x, 0.0),

@@ -3,8 +3,8 @@
 
 use super::contract::{By, Model, contenders};
 use super::methods::chain::Chain;
-use super::methods::impact::Block;
-use super::methods::motion::{METHODS, Point};
+use super::methods::impact::LineBlock;
+use super::methods::motion::{METHODS, PointState};
 use super::reference;
 use super::scenes::bouncing::{self, BouncingBall};
 use super::scenes::collisions::{self, BlockLine};
@@ -18,10 +18,10 @@ pub const STEPS: [f64; 5] = [1.0 / 15.0, 1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0, 1.
 pub const USUAL_STEP: usize = 2;
 
 /// Something that moves: makes one step and says where everything is, m.
-pub type Motion = Box<dyn FnMut() -> Vec<Aabb>>;
+pub type BoxMotion = Box<dyn FnMut() -> Vec<Aabb>>;
 
 /// What starts a motion from the beginning, in steps of so many seconds.
-pub type Start = Box<dyn Fn(f64) -> Motion>;
+pub type MotionStart = Box<dyn Fn(f64) -> BoxMotion>;
 
 /// A scene and the methods that can be watched on it.
 pub struct Exhibit {
@@ -34,9 +34,9 @@ pub struct Exhibit {
     /// Where everything is at the beginning, m.
     pub start: Vec<Aabb>,
     /// How it really moves.
-    pub exact: Start,
+    pub exact: MotionStart,
     /// By name; the last one is the shipped engine.
-    pub methods: Vec<(&'static str, Start)>,
+    pub methods: Vec<(&'static str, MotionStart)>,
     /// The one to begin with: it is seen to fail.
     pub first: usize,
     /// How long it lasts, s.
@@ -87,11 +87,11 @@ impl Exhibit {
         let start = boxes(&model.start());
         let methods = contenders(by_hand).map(|(name, by)| {
             let model = model.clone();
-            let begin = move |h: f64| -> Motion {
+            let begin = move |h: f64| -> BoxMotion {
                 let mut running = model.running(by, h);
                 Box::new(move || running.step().map_or_else(Vec::new, |(_, state)| boxes(state)))
             };
-            (name, Box::new(begin) as Start)
+            (name, Box::new(begin) as MotionStart)
         });
         let methods = methods.collect();
         Self { title, view: GROUND, solid: Vec::new(), start, exact: known(exact), methods, first: 0, seconds: 20.0, speed: 1.0 }
@@ -99,7 +99,7 @@ impl Exhibit {
 }
 
 /// Boxes whose places are known at any time, s.
-fn known(places: impl Fn(f64) -> Vec<Aabb> + Clone + 'static) -> Start {
+fn known(places: impl Fn(f64) -> Vec<Aabb> + Clone + 'static) -> MotionStart {
     Box::new(move |h| {
         let (places, mut steps) = (places.clone(), 0.0);
         Box::new(move || {
@@ -144,18 +144,18 @@ fn heavy_on_light() -> Exhibit {
 
 /// Blocks on a line that hit each other; `places` are those of all blocks at a time, s.
 fn line(title: &'static str, line: BlockLine, places: impl Fn(f64) -> Vec<f64> + Clone + 'static) -> Exhibit {
-    let boxes = |blocks: &Vec<Block>| -> Vec<Aabb> {
+    let boxes = |blocks: &Vec<LineBlock>| -> Vec<Aabb> {
         let movable = blocks.iter().filter(|block| block.mass.is_finite());
         movable.map(|block| Aabb::around(DVec2::new(block.x, 0.0), DVec2::new(block.half, 0.5))).collect()
     };
     let blocks = line.blocks.clone();
-    let exact = move |t| boxes(&blocks.iter().zip(places(t)).map(|(block, x)| Block { x, ..*block }).collect());
+    let exact = move |t| boxes(&blocks.iter().zip(places(t)).map(|(block, x)| LineBlock { x, ..*block }).collect());
     Exhibit::of(title, line, collisions::METHODS, boxes, exact)
 }
 
 fn wall() -> Exhibit {
-    let flying = Block { x: -14.7, v: FAST, mass: 1.0, half: 0.25 };
-    let wall = Block { x: 0.0, v: 0.0, mass: f64::INFINITY, half: 0.05 };
+    let flying = LineBlock { x: -14.7, v: FAST, mass: 1.0, half: 0.25 };
+    let wall = LineBlock { x: 0.0, v: 0.0, mass: f64::INFINITY, half: 0.05 };
     let touch = wall.x - wall.half - flying.half;
     let places = move |t| {
         let free = flying.x + FAST * t;
@@ -186,10 +186,10 @@ fn cradle() -> Exhibit {
 fn throw() -> Exhibit {
     let body = flight::thrown();
     // Twice its size, to be seen from afar.
-    let at = |point: &Point| vec![Aabb::around(point.x, DVec2::ONE)];
+    let at = |point: &PointState| vec![Aabb::around(point.x, DVec2::ONE)];
     let exact = body.clone();
     let exhibit = Exhibit::of("A throw with drag and wind", body, METHODS, at, |_| Vec::new());
-    let exact = move |h: f64| -> Motion {
+    let exact = move |h: f64| -> BoxMotion {
         let mut running = exact.running(By::Hand(reference::drag_in_two_dimensions), h);
         Box::new(move || running.step().map_or_else(Vec::new, |(_, point)| at(point)))
     };

@@ -9,7 +9,7 @@
 //! quadratic drag has 1/τ = 2·g/v_t, so that z = −2 there is what the stress tests call g·h/v_t = 1. Drag alone has one eigenvalue, not a
 //! pair: how far each method goes on that ray is asked of it by itself.
 
-use super::methods::motion::{ADAPTIVE, Law, METHODS, Point, Step, third_order};
+use super::methods::motion::{ADAPTIVE, METHODS, MotionLaw, MotionStep, PointState, third_order};
 use super::scenes::flight::LIGHT;
 use super::scenes::oscillator;
 use super::stress::{G, TICK, largest_to};
@@ -62,10 +62,10 @@ pub fn regions() -> Vec<Region> {
 }
 
 /// By how much a step of the method multiplies an oscillation at z = h·λ, at worst.
-pub fn growth(step: Step, (re, im): Complex) -> f64 {
-    let law = Law { viscous: -2.0 * re, spring: re * re + im * im, ..Law::default() };
+pub fn growth(step: MotionStep, (re, im): Complex) -> f64 {
+    let law = MotionLaw { viscous: -2.0 * re, spring: re * re + im * im, ..MotionLaw::default() };
     let taken = |x: f64, v: f64| {
-        let end = step(&law, Point { x: DVec2::new(x, 0.0), v: DVec2::new(v, 0.0) }, 1.0);
+        let end = step(&law, PointState { x: DVec2::new(x, 0.0), v: DVec2::new(v, 0.0) }, 1.0);
         (end.x.x, end.v.x)
     };
     let ((a, c), (b, d)) = (taken(1.0, 0.0), taken(0.0, 1.0));
@@ -75,13 +75,13 @@ pub fn growth(step: Step, (re, im): Complex) -> f64 {
 }
 
 /// By how much a step multiplies a velocity under drag alone, at h/τ = `part`.
-pub fn growth_of_drag(step: Step, part: f64) -> f64 {
-    let law = Law { viscous: part, ..Law::default() };
-    step(&law, Point { x: DVec2::ZERO, v: DVec2::new(1.0, 0.0) }, 1.0).v.x.abs()
+pub fn growth_of_drag(step: MotionStep, part: f64) -> f64 {
+    let law = MotionLaw { viscous: part, ..MotionLaw::default() };
+    step(&law, PointState { x: DVec2::ZERO, v: DVec2::new(1.0, 0.0) }, 1.0).v.x.abs()
 }
 
 impl Region {
-    fn of(name: &'static str, step: Step) -> Self {
+    fn of(name: &'static str, step: MotionStep) -> Self {
         let holds = |growth: f64| growth <= 1.0 + ROUNDING;
         let middle = |i: usize| place((i % CELLS.0) as f64 + 0.5, (i / CELLS.0) as f64 + 0.5);
         Self {
@@ -125,7 +125,7 @@ pub fn place(right: f64, up: f64) -> Complex {
 }
 
 /// A side of a cell: the corner where it begins, and whether it leads upwards.
-type Side = (usize, usize, bool);
+type CellSide = (usize, usize, bool);
 
 /// The lines where a function is 0: between the corners of each cell that differ in its sign, joined to lines ("marching squares").
 fn edge(f: impl Fn(Complex) -> f64) -> Vec<Vec<Complex>> {
@@ -134,19 +134,19 @@ fn edge(f: impl Fn(Complex) -> f64) -> Vec<Vec<Complex>> {
     let value = |i: usize, j: usize| f(place(i as f64, j as f64)).min(f64::MAX);
     let values: Vec<f64> = (0..(columns + 1) * (rows + 1)).map(|k| value(k % (columns + 1), k / (columns + 1))).collect();
     let at = |i: usize, j: usize| values[j * (columns + 1) + i];
-    let crossing = |(i, j, upwards): Side| {
+    let crossing = |(i, j, upwards): CellSide| {
         let (from, to) = (at(i, j), if upwards { at(i, j + 1) } else { at(i + 1, j) });
         let part = (from / (from - to)).clamp(0.0, 1.0);
         if upwards { place(i as f64, j as f64 + part) } else { place(i as f64 + part, j as f64) }
     };
-    let mut ways: HashMap<Side, Vec<Side>> = HashMap::new();
-    let mut met: Vec<Side> = Vec::new();
+    let mut ways: HashMap<CellSide, Vec<CellSide>> = HashMap::new();
+    let mut met: Vec<CellSide> = Vec::new();
     for k in 0..columns * rows {
         let (i, j) = (k % columns, k / columns);
         let sides = [((i, j, false), (i, j), (i + 1, j)), ((i + 1, j, true), (i + 1, j), (i + 1, j + 1))];
         let others = [((i, j + 1, false), (i, j + 1), (i + 1, j + 1)), ((i, j, true), (i, j), (i, j + 1))];
-        let crosses = |(_, a, b): &(Side, (usize, usize), (usize, usize))| (at(a.0, a.1) <= 0.0) != (at(b.0, b.1) <= 0.0);
-        let crossed: Vec<Side> = sides.into_iter().chain(others).filter(crosses).map(|(side, ..)| side).collect();
+        let crosses = |(_, a, b): &(CellSide, (usize, usize), (usize, usize))| (at(a.0, a.1) <= 0.0) != (at(b.0, b.1) <= 0.0);
+        let crossed: Vec<CellSide> = sides.into_iter().chain(others).filter(crosses).map(|(side, ..)| side).collect();
         for pair in crossed.chunks_exact(2) {
             ways.entry(pair[0]).or_default().push(pair[1]);
             ways.entry(pair[1]).or_default().push(pair[0]);
@@ -232,14 +232,14 @@ mod tests {
     #[test]
     fn what_lies_inside_fades_and_what_lies_outside_grows() {
         for (step, inside, outside) in [
-            (explicit_euler as Step, (-1.0, 0.9), (-1.0, 1.1)),
+            (explicit_euler as MotionStep, (-1.0, 0.9), (-1.0, 1.1)),
             (rk4, (-1.5, 2.0), (-2.0, 2.5)),
             (semi_implicit_euler, (-0.3, 1.0), (-0.9, 0.0)),
             (velocity_verlet, (-0.3, 1.0), (0.1, 1.0)),
         ] {
             for (z, fades) in [(inside, true), (outside, false)] {
-                let law = Law { viscous: -2.0 * z.0, spring: z.0 * z.0 + z.1 * z.1, ..Law::default() };
-                let mut point = Point { x: DVec2::new(1.0, 0.0), v: DVec2::new(0.3, 0.0) };
+                let law = MotionLaw { viscous: -2.0 * z.0, spring: z.0 * z.0 + z.1 * z.1, ..MotionLaw::default() };
+                let mut point = PointState { x: DVec2::new(1.0, 0.0), v: DVec2::new(0.3, 0.0) };
                 (0..400).for_each(|_| point = step(&law, point, 1.0));
                 assert_eq!(point.x.length() < 1e-3, fades, "{z:?}: {point:?}");
                 assert_eq!(growth(step, z) < 1.0, fades);

@@ -4,20 +4,20 @@ use super::{theme, widgets};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::axes::number;
-use crate::lab::stress::picture::{Line, Picture};
+use crate::lab::stress::picture::{FailurePicture, Polyline};
 
 /// From a large picture's top to its plot, and from that to its foot: the names of its axes and their ends.
 const TOP: f32 = 44.0;
 const BOTTOM: f32 = 40.0;
 
 /// Without words.
-pub fn small(canvas: &Canvas, area: Area, picture: &Picture, colour: Colour) {
+pub fn small(canvas: &Canvas, area: Area, picture: &FailurePicture, colour: Colour) {
     canvas.rounded(area, 3.0, theme::ground());
     lines(canvas, area.inset(2.0), picture, (colour, 1.5));
 }
 
 /// With what its axes are, and where they begin and end.
-pub fn large(canvas: &Canvas, area: Area, picture: &Picture, colour: Colour) {
+pub fn large(canvas: &Canvas, area: Area, picture: &FailurePicture, colour: Colour) {
     let plot = Area::new(area.min.x, area.min.y + TOP, area.size.x, area.size.y - TOP - BOTTOM);
     canvas.rounded(plot, 0.0, theme::ground());
     canvas.rounded_edge(plot, 0.0, 1.0, theme::solid());
@@ -35,10 +35,10 @@ pub fn large(canvas: &Canvas, area: Area, picture: &Picture, colour: Colour) {
     canvas.text(picture.across, Vec2::new(plot.centre().x, foot + 4.0), words.centred());
 }
 
-fn lines(canvas: &Canvas, area: Area, picture: &Picture, (colour, width): (Colour, f32)) {
+fn lines(canvas: &Canvas, area: Area, picture: &FailurePicture, (colour, width): (Colour, f32)) {
     let at = |(right, up): (f64, f64)| Vec2::new(area.min.x + area.size.x * right as f32, area.max().y - area.size.y * up as f32);
     let across = |(from, to): (f64, f64), colour: Colour| {
-        let ends: Line = vec![(f64::NEG_INFINITY, from), (f64::INFINITY, to)];
+        let ends: Polyline = vec![(f64::NEG_INFINITY, from), (f64::INFINITY, to)];
         if let [low, high] = picture.parts(&[ends])[0].as_slice() {
             let (top, foot) = (at((0.0, high.1)).y, at((0.0, low.1)).y);
             canvas.rounded(Area::new(area.min.x, top, area.size.x, (foot - top).max(1.0)), 0.0, colour);
@@ -50,7 +50,7 @@ fn lines(canvas: &Canvas, area: Area, picture: &Picture, (colour, width): (Colou
     if let Some(right) = picture.right {
         across(right, theme::good().faded(0.25));
     }
-    let stroke = |lines: &[Line], colour: Colour, width: f32| {
+    let stroke = |lines: &[Polyline], colour: Colour, width: f32| {
         for line in picture.parts(lines) {
             line.windows(2).for_each(|pair| canvas.line(at(pair[0]), at(pair[1]), width, colour));
         }

@@ -2,7 +2,7 @@
 
 use crate::support::program::{Ran, resultant};
 use glam::DVec3;
-use resultant::classics::jumper::engine::{Dynamic, Face, Hit};
+use resultant::classics::jumper::engine::{CuboidFace, Dynamic, Hit};
 use resultant::classics::jumper::scene::{Keys, LEADERBOARD, PLAYER_SIZE, Scene, VISIBLE};
 use resultant::game::TICK_RATE;
 
@@ -127,7 +127,7 @@ fn the_walls_hold() {
             tick(&mut scene, keys);
         }
         assert!(near(body(&scene, 0).cuboid.location.x, end));
-        let against = scene.hits().iter().any(|hit| matches!(hit, Hit::Static { face: Face::MinX | Face::MaxX, .. }));
+        let against = scene.hits().iter().any(|hit| matches!(hit, Hit::Static { face: CuboidFace::MinX | CuboidFace::MaxX, .. }));
         assert!(against, "{:?}", scene.hits());
     }
 }

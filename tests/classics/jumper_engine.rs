@@ -3,7 +3,7 @@
 use glam::{BVec3, DVec3};
 use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence;
-use resultant::classics::jumper::engine::{Cuboid, Dynamic, Face, Hit, Kind, Static, step};
+use resultant::classics::jumper::engine::{Cuboid, CuboidFace, Dynamic, Hit, Kind, Static, step};
 
 fn described(bodies: &mut [Dynamic], statics: &[Static], g: f64, dt: f64) -> Vec<Hit> {
     let mut hits = Vec::new();
@@ -43,8 +43,12 @@ fn described(bodies: &mut [Dynamic], statics: &[Static], g: f64, dt: f64) -> Vec
     hits
 }
 
-fn described_face(before: Cuboid, other: Cuboid) -> Face {
-    let order = [(2, Face::Bottom, Face::Top), (0, Face::MinX, Face::MaxX), (1, Face::MinY, Face::MaxY)];
+fn described_face(before: Cuboid, other: Cuboid) -> CuboidFace {
+    let order = [
+        (2, CuboidFace::Bottom, CuboidFace::Top),
+        (0, CuboidFace::MinX, CuboidFace::MaxX),
+        (1, CuboidFace::MinY, CuboidFace::MaxY),
+    ];
     let face = order.into_iter().find_map(|(axis, low, high)| {
         if other.location[axis] >= before.end()[axis] {
             Some(low)
@@ -52,19 +56,19 @@ fn described_face(before: Cuboid, other: Cuboid) -> Face {
             (before.location[axis] >= other.end()[axis]).then_some(high)
         }
     });
-    face.unwrap_or(Face::Internal)
+    face.unwrap_or(CuboidFace::Internal)
 }
 
-fn described_answer(body: &mut Dynamic, other: &Static, face: Face) {
+fn described_answer(body: &mut Dynamic, other: &Static, face: CuboidFace) {
     let (location, end) = (&mut body.cuboid.location, other.cuboid.end());
     match (other.kind, face) {
-        (Kind::Platform, Face::Top) => (location.z, body.velocity.z, body.on_ground) = (end.z, 0.0, true),
-        (Kind::Wall, Face::MinX | Face::MaxX) => {
+        (Kind::Platform, CuboidFace::Top) => (location.z, body.velocity.z, body.on_ground) = (end.z, 0.0, true),
+        (Kind::Wall, CuboidFace::MinX | CuboidFace::MaxX) => {
             let against = other.cuboid.location.x - body.cuboid.dimensions.x;
             let rounded_into = against + body.cuboid.dimensions.x > other.cuboid.location.x;
             let against = if rounded_into { against.next_down() } else { against };
             body.velocity.x = 0.0;
-            location.x = if face == Face::MinX { against } else { end.x };
+            location.x = if face == CuboidFace::MinX { against } else { end.x };
         }
         _ => {}
     }
@@ -105,7 +109,7 @@ fn against_cubes(engine: Engine, before: Dynamic) -> [(Vec<Hit>, Dynamic); 2] {
     })
 }
 
-fn hit(face: Face) -> Vec<Hit> {
+fn hit(face: CuboidFace) -> Vec<Hit> {
     vec![Hit::Static { object: 0, obstacle: 0, face }]
 }
 
@@ -156,7 +160,7 @@ fn the_ground_stops_and_tells(engine: Engine) -> bool {
 }
 
 /// A check a face: from 0.05 m in front of it, and from touching it, 0.1 m on. Only a platform's top and a wall's two sides act.
-fn from_the_side(engine: Engine, face: Face, axis: usize, direction: f64) -> bool {
+fn from_the_side(engine: Engine, face: CuboidFace, axis: usize, direction: f64) -> bool {
     let touching = if direction > 0.0 { 1.5 } else { 3.0 };
     [0.05, 0.0].into_iter().all(|gap| {
         let (mut location, mut velocity) = (DVec3::splat(2.25), DVec3::splat(0.125));
@@ -169,26 +173,26 @@ fn from_the_side(engine: Engine, face: Face, axis: usize, direction: f64) -> boo
         let stops = |after: &Dynamic| {
             let mut left = velocity;
             left[axis] = 0.0;
-            after.velocity == left && after.cuboid.location[axis] == touching && after.on_ground == (face == Face::Top)
+            after.velocity == left && after.cuboid.location[axis] == touching && after.on_ground == (face == CuboidFace::Top)
         };
         platform_hits == hit(face)
             && wall_hits == hit(face)
-            && (if face == Face::Top { stops(&on_platform) } else { passes(&on_platform) })
-            && (if matches!(face, Face::MinX | Face::MaxX) { stops(&at_wall) } else { passes(&at_wall) })
+            && (if face == CuboidFace::Top { stops(&on_platform) } else { passes(&on_platform) })
+            && (if matches!(face, CuboidFace::MinX | CuboidFace::MaxX) { stops(&at_wall) } else { passes(&at_wall) })
     })
 }
 
 fn past_an_edge_bottom_and_top_come_first(engine: Engine) -> bool {
     let diagonal = |location: DVec3, velocity: DVec3| against_cubes(engine, small(location, velocity))[0].0.clone();
-    diagonal(v(1.45, 2.25, 3.05), v(1.0, 0.0, -1.0)) == hit(Face::Top)
-        && diagonal(v(3.05, 2.25, 1.45), v(-1.0, 0.0, 1.0)) == hit(Face::Bottom)
-        && diagonal(v(1.45, 3.05, 2.25), v(1.0, -1.0, 0.0)) == hit(Face::MinX)
+    diagonal(v(1.45, 2.25, 3.05), v(1.0, 0.0, -1.0)) == hit(CuboidFace::Top)
+        && diagonal(v(3.05, 2.25, 1.45), v(-1.0, 0.0, 1.0)) == hit(CuboidFace::Bottom)
+        && diagonal(v(1.45, 3.05, 2.25), v(1.0, -1.0, 0.0)) == hit(CuboidFace::MinX)
 }
 
 fn what_overlapped_before_is_internal_and_passes(engine: Engine) -> bool {
     let velocity = v(0.5, 0.25, -0.5);
     against_cubes(engine, small(DVec3::splat(2.25), velocity)).into_iter().all(|(hits, after)| {
-        hits == hit(Face::Internal)
+        hits == hit(CuboidFace::Internal)
             && after.velocity == velocity
             && !after.on_ground
             && close(after.cuboid.location, v(2.3, 2.275, 2.2))
@@ -240,12 +244,12 @@ const CHECKS: [(&str, Check); 16] = [
     ("the location before the move is remembered", the_location_before_the_move_is_remembered),
     ("touching is not colliding", touching_is_not_colliding),
     ("the ground stops and tells", the_ground_stops_and_tells),
-    ("bottom", |engine| from_the_side(engine, Face::Bottom, 2, 1.0)),
-    ("top", |engine| from_the_side(engine, Face::Top, 2, -1.0)),
-    ("min x", |engine| from_the_side(engine, Face::MinX, 0, 1.0)),
-    ("max x", |engine| from_the_side(engine, Face::MaxX, 0, -1.0)),
-    ("min y", |engine| from_the_side(engine, Face::MinY, 1, 1.0)),
-    ("max y", |engine| from_the_side(engine, Face::MaxY, 1, -1.0)),
+    ("bottom", |engine| from_the_side(engine, CuboidFace::Bottom, 2, 1.0)),
+    ("top", |engine| from_the_side(engine, CuboidFace::Top, 2, -1.0)),
+    ("min x", |engine| from_the_side(engine, CuboidFace::MinX, 0, 1.0)),
+    ("max x", |engine| from_the_side(engine, CuboidFace::MaxX, 0, -1.0)),
+    ("min y", |engine| from_the_side(engine, CuboidFace::MinY, 1, 1.0)),
+    ("max y", |engine| from_the_side(engine, CuboidFace::MaxY, 1, -1.0)),
     ("past an edge bottom and top come first", past_an_edge_bottom_and_top_come_first),
     ("what overlapped before is internal and passes", what_overlapped_before_is_internal_and_passes),
     ("a jump passes the platform and lands on it", a_jump_passes_the_platform_and_lands_on_it),

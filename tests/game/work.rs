@@ -3,8 +3,8 @@
 use crate::support::shipped::{experiment, load, record};
 use crate::support::written::{begun, written};
 use resultant::game::{Controls, Game, History};
-use resultant::instruments::energy::State;
-use resultant::instruments::ledger::{Account, Ledger};
+use resultant::instruments::energy::EnergyState;
+use resultant::instruments::ledger::{Account, WorkLedger};
 use resultant::level::Level;
 use resultant::physics::{BodyId, DVec2, ForceKind};
 use std::sync::Arc;
@@ -30,8 +30,8 @@ impl Flown {
         Self::of(begun(files), seconds, |_| Controls::default())
     }
 
-    fn ledger(&self) -> Ledger {
-        let mut ledger = Ledger::default();
+    fn ledger(&self) -> WorkLedger {
+        let mut ledger = WorkLedger::default();
         assert!(ledger.go(&self.history, self.history.ticks(), u64::MAX));
         ledger
     }
@@ -41,7 +41,7 @@ impl Flown {
     }
 
     fn gained(&self, body: u32) -> f64 {
-        State::of(&self.game, BodyId(body)).kinetic - State::of(self.history.start(), BodyId(body)).kinetic
+        EnergyState::of(&self.game, BodyId(body)).kinetic - EnergyState::of(self.history.start(), BodyId(body)).kinetic
     }
 }
 
@@ -125,7 +125,7 @@ fn drag_takes_what_a_fall_has_less_and_at_terminal_velocity_all_that_weight_does
     let (v, x) = (terminal * f64::tanh(g * 0.5 / terminal), terminal * terminal / g * f64::cosh(g * 0.5 / terminal).ln());
     let drag = ForceKind::AirResistance;
     assert_works(&early.account(1), &[(ForceKind::Weight, mass * g * x), (drag, 0.5 * mass * v * v - mass * g * x)], 0.0);
-    let mut before = Ledger::default();
+    let mut before = WorkLedger::default();
     let flown = fall(4.5);
     assert!(before.go(&flown.history, 4 * 120, u64::MAX));
     let last = late.accounts()[1].since(&before.accounts()[1]);
@@ -171,7 +171,7 @@ fn collisions_keep_the_momentum_of_all_and_elastic_ones_the_energy() {
             "300,585,box:30x30,3,0,FALSE,{restitution},8,0,Ice,TRUE\n600,585,box:30x30,5,0,FALSE,{restitution},-2,0,Ice,TRUE\n"
         );
         let flown = Flown::resting(&[ice, ("objects.csv", &objects)], 2.0);
-        let (start, end) = (State::of_all(flown.history.start()), State::of_all(&flown.game));
+        let (start, end) = (EnergyState::of_all(flown.history.start()), EnergyState::of_all(&flown.game));
         assert_near(end.momentum.x, 24.0 - 10.0, 14.0);
         assert_eq!(start.momentum, DVec2::new(14.0, 0.0));
         let all = flown.ledger().accounts().iter().fold(Account::default(), |sum, account| sum.plus(account));
@@ -224,7 +224,7 @@ fn the_law_of_work_and_energy_holds_in_every_level() {
         let ticks = flown.history.ticks();
         for tick in [ticks / 2, ticks / 2 - 1, 17, 0, ticks] {
             assert!(ledger.go(&flown.history, tick, u64::MAX));
-            let mut fresh = Ledger::default();
+            let mut fresh = WorkLedger::default();
             fresh.go(&flown.history, tick, u64::MAX);
             assert_eq!(ledger.accounts(), fresh.accounts(), "level {level}, tick {tick}");
         }
@@ -253,5 +253,5 @@ fn no_force_gets_the_work_of_another() {
 fn a_crowd_has_no_accounts() {
     let objects: String = (0..300).map(|i| format!("{},{},box:9x9,1,0,FALSE,0\n", 100 + i % 60 * 15, 300 + i / 60 * 15)).collect();
     let flown = Flown::resting(&[("objects.csv", &objects)], 0.1);
-    assert!(!Ledger::default().go(&flown.history, 12, u64::MAX));
+    assert!(!WorkLedger::default().go(&flown.history, 12, u64::MAX));
 }

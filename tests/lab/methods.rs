@@ -3,28 +3,28 @@
 use crate::support::program::{Ran, resultant};
 use resultant::lab::charts::Charts;
 use resultant::lab::methods::flow::rise_and_fall;
-use resultant::lab::methods::motion::{Law, Point, Step, follow, rk4, semi_implicit_euler, strang};
+use resultant::lab::methods::motion::{MotionLaw, MotionStep, PointState, follow, rk4, semi_implicit_euler, strang};
 use resultant::lab::stress::TESTS;
-use resultant::lab::stress::picture::Picture;
-use resultant::lab::{Scene, reference, scenes};
+use resultant::lab::stress::picture::FailurePicture;
+use resultant::lab::{LabScene, reference, scenes};
 use resultant::physics::DVec2;
 use std::path::Path;
 
-fn scene(name: &str) -> Scene {
+fn scene(name: &str) -> LabScene {
     scenes::all().into_iter().find(|scene| scene.name == name).unwrap()
 }
 
-fn error(scene: &Scene, method: &str, step: f64) -> f64 {
+fn error(scene: &LabScene, method: &str, step: f64) -> f64 {
     (scene.methods.iter().find(|found| found.name == method).unwrap().run)(step)
 }
 
 /// Position errors after 3 s, to the two digits known from another implementation.
 #[test]
 fn integrators_have_their_known_errors() {
-    let law = Law { constant: DVec2::new(0.0, 9.81), drag: 0.05, wind: DVec2::new(4.0, 0.0), ..Law::default() };
-    let start = Point { x: DVec2::ZERO, v: DVec2::new(20.0, -20.0) };
+    let law = MotionLaw { constant: DVec2::new(0.0, 9.81), drag: 0.05, wind: DVec2::new(4.0, 0.0), ..MotionLaw::default() };
+    let start = PointState { x: DVec2::ZERO, v: DVec2::new(20.0, -20.0) };
     let exact = reference::drag_in_two_dimensions(&law, start, 3.0).x;
-    let known: [(Step, [f64; 3]); 3] =
+    let known: [(MotionStep, [f64; 3]); 3] =
         [(semi_implicit_euler, [2.4, 0.59, 0.15]), (strang, [1.2e-2, 7.3e-4, 4.6e-5]), (rk4, [2.3e-5, 7.9e-8, 3.0e-10])];
     for (step, errors) in known {
         for (h, known) in [1.0 / 15.0, 1.0 / 60.0, 1.0 / 240.0].into_iter().zip(errors) {
@@ -102,7 +102,7 @@ fn pi_needs_small_steps() {
 
 /// Whether a picture shows something wrong: a line that ends where nothing counts as right, or that leaves every line that is right by more
 /// than a twentieth of what is seen.
-fn is_seen_to_fail(picture: &Picture) -> bool {
+fn is_seen_to_fail(picture: &FailurePicture) -> bool {
     let (_, (least, most)) = picture.window();
     if let Some((from, to)) = picture.right {
         let end = picture.found.last().and_then(|line| line.last()).unwrap();
@@ -121,10 +121,10 @@ fn is_seen_to_fail(picture: &Picture) -> bool {
 /// where the apex lies within a step, here at one part of it and there at another.
 #[test]
 fn rk4_has_no_order_at_the_apex_of_a_rise() {
-    let law = Law { constant: DVec2::new(0.0, 9.81), drag: 0.05, ..Law::default() };
+    let law = MotionLaw { constant: DVec2::new(0.0, 9.81), drag: 0.05, ..MotionLaw::default() };
     let terminal = (9.81f64 / 0.05).sqrt();
     let slopes = |apex: f64| -> Vec<f64> {
-        let start = Point { x: DVec2::ZERO, v: DVec2::new(0.0, -terminal * (9.81 * apex / terminal).tan()) };
+        let start = PointState { x: DVec2::ZERO, v: DVec2::new(0.0, -terminal * (9.81 * apex / terminal).tan()) };
         let exact = rise_and_fall(&law, start, 2.0).x.y;
         let error = |h: f64| (follow(rk4, &law, start, 2.0, h).x.y - exact).abs();
         [16.0, 32.0, 64.0].map(|parts| (error(1.0 / parts) / error(0.5 / parts)).log2()).to_vec()

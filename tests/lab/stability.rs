@@ -4,32 +4,32 @@
 use resultant::lab::TOLERANCE;
 use resultant::lab::contract::By;
 use resultant::lab::methods::motion::{
-    Step, exact_decay, exact_fall, explicit_euler, linearised_drag, rk4, semi_implicit_euler, semi_implicit_euler_f32, strang,
+    MotionStep, exact_decay, exact_fall, explicit_euler, linearised_drag, rk4, semi_implicit_euler, semi_implicit_euler_f32, strang,
 };
 use resultant::lab::methods::{bounce, chain::sweeps_needed, friction, impact};
 use resultant::lab::scenes::bouncing as bounces;
 use resultant::lab::scenes::stacks::{ContactChain, SOLVERS};
-use resultant::lab::stress::motion::{Fall, fall, gust, shipped_fall_error};
+use resultant::lab::stress::motion::{FallOutcome, fall, gust, shipped_fall_error};
 use resultant::lab::stress::{G, TICK, bouncing, contacts, robustness, standing};
 
 #[test]
 fn terminal_velocity() {
     // Explicit Euler oscillates above z = 1 and diverges from 1.47; near 1 it takes long to settle.
-    assert_eq!(fall(explicit_euler, 0.98, 0.0), Fall::Right);
-    assert_eq!(fall(explicit_euler, 1.02, 0.0), Fall::Wrong);
-    assert_eq!(fall(explicit_euler, 1.45, 0.0), Fall::Wrong);
-    assert_eq!(fall(explicit_euler, 1.48, 0.0), Fall::Diverges);
+    assert_eq!(fall(explicit_euler, 0.98, 0.0), FallOutcome::Right);
+    assert_eq!(fall(explicit_euler, 1.02, 0.0), FallOutcome::Wrong);
+    assert_eq!(fall(explicit_euler, 1.45, 0.0), FallOutcome::Wrong);
+    assert_eq!(fall(explicit_euler, 1.48, 0.0), FallOutcome::Diverges);
     // RK4 leaves even a fall that has already settled above 1.39, and diverges at 2.06.
-    assert_eq!(fall(rk4, 1.385, 0.9999), Fall::Right);
-    assert_eq!(fall(rk4, 1.40, 0.9999), Fall::Wrong);
-    assert_eq!(fall(rk4, 2.04, 0.0), Fall::Wrong);
-    assert_eq!(fall(rk4, 2.08, 0.0), Fall::Diverges);
+    assert_eq!(fall(rk4, 1.385, 0.9999), FallOutcome::Right);
+    assert_eq!(fall(rk4, 1.40, 0.9999), FallOutcome::Wrong);
+    assert_eq!(fall(rk4, 2.04, 0.0), FallOutcome::Wrong);
+    assert_eq!(fall(rk4, 2.08, 0.0), FallOutcome::Diverges);
     // Linearised and exact drag never diverge. Splittings settle, but beside the terminal velocity.
     for z in [0.1, 1.0, 1.5, 2.1, 10.0, 100.0] {
-        assert_eq!(fall(linearised_drag, z, 0.0), Fall::Right, "{z}");
-        assert_eq!(fall(exact_fall, z, 0.0), Fall::Right, "{z}");
-        for step in [exact_decay as Step, strang] {
-            assert_ne!(fall(step, z, 0.0), Fall::Diverges, "{z}");
+        assert_eq!(fall(linearised_drag, z, 0.0), FallOutcome::Right, "{z}");
+        assert_eq!(fall(exact_fall, z, 0.0), FallOutcome::Right, "{z}");
+        for step in [exact_decay as MotionStep, strang] {
+            assert_ne!(fall(step, z, 0.0), FallOutcome::Diverges, "{z}");
         }
         let error = shipped_fall_error(z);
         assert!(error <= 1e-3, "z = {z}: the engine's terminal velocity is wrong by {error}");
@@ -45,7 +45,7 @@ fn a_gust() {
     assert!(gust(By::Hand(explicit_euler), 49.5)[1].abs() > 49.5);
     assert!(gust(By::Hand(semi_implicit_euler), 60.0).iter().any(|v| !v.is_finite() || v.abs() > 1e3));
     for speed in [24.0, 49.0, 100.0, 1e4] {
-        for velocities in [By::Engine, By::Hand(linearised_drag as Step), By::Hand(exact_decay)].map(|by| gust(by, speed)) {
+        for velocities in [By::Engine, By::Hand(linearised_drag as MotionStep), By::Hand(exact_decay)].map(|by| gust(by, speed)) {
             assert!(velocities.iter().all(|v| *v > 0.0), "{speed}");
             assert!(velocities.is_sorted_by(|a, b| a > b) && velocities[0] < speed, "{speed}");
         }

@@ -4,7 +4,7 @@ use crate::package;
 use proptest::prelude::*;
 use proptest::sample::Index;
 use resultant::game::{Controls, Game, History, SHIP, level_hash};
-use resultant::instruments::vary::{Track, Variation};
+use resultant::instruments::vary::{SliderTrack, Variation};
 use resultant::level::document::{LevelFolder, Opened};
 use resultant::level::{self, Level, Parameter, scaffold};
 use std::path::PathBuf;
@@ -44,7 +44,7 @@ fn vary(level: &Level, changes: &[(Index, Index, f64, Option<f64>)]) -> Variatio
         let usual = parameter.of(level).expect("it is of this level");
         let value = match beyond {
             Some(times) => times * parameter.limits().1,
-            None => Track::of(parameter, usual).value(*part),
+            None => SliderTrack::of(parameter, usual).value(*part),
         };
         variation.set(parameter, value, level);
     }
@@ -214,7 +214,7 @@ fn to_go_on_by_other_numbers_from_the_start_is_to_begin_with_them() {
         let mut variation = Variation::default();
         for parameter in [Parameter::Gravity, Parameter::Air, Parameter::Friction, Parameter::Mass(0), Parameter::Drag(0)] {
             let usual = parameter.of(&level).unwrap();
-            variation.set(parameter, Track::of(parameter, usual).value(0.7), &level);
+            variation.set(parameter, SliderTrack::of(parameter, usual).value(0.7), &level);
         }
         let varied = Arc::new(variation.apply(&level).expect("from sliders"));
         let mut told = Game::new(Arc::new(level)).unwrap();

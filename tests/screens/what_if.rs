@@ -3,7 +3,7 @@
 use crate::sitting::{Sitting, level};
 use resultant::draw::layout::{Frame, Vec2};
 use resultant::game::{Outcome, SHIP};
-use resultant::instruments::vary::Track;
+use resultant::instruments::vary::SliderTrack;
 use resultant::level::{self, Parameter};
 use resultant::physics::DVec2;
 use resultant::screens::{Attempt, Input, Instrument, Key, Request, Rival, VaryEntry, VaryFrom};
@@ -424,6 +424,6 @@ fn the_panel_is_on_the_screen_and_its_parts_are_apart_in_every_window() {
             }
         }
         let line = vary.lines()[0];
-        assert!(Track::of(line.parameter, line.usual).part(line.value) > 0.0);
+        assert!(SliderTrack::of(line.parameter, line.usual).part(line.value) > 0.0);
     }
 }

@@ -73,7 +73,7 @@ pub struct Static {
 
 /// Which face of a static cuboid was hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Face {
+pub enum CuboidFace {
     /// That with the smallest z.
     Bottom,
     /// That with the largest z.
@@ -100,7 +100,7 @@ pub enum Hit {
         /// Index of the static one.
         obstacle: usize,
         /// The face of the static one.
-        face: Face,
+        face: CuboidFace,
     },
     /// Two dynamic cuboids, the first with the smaller index.
     Pair(usize, usize),
@@ -142,35 +142,35 @@ fn advance(dynamic: &mut Dynamic, gravity: f64, dt: f64) {
 }
 
 /// The face of `obstacle` in front of which `before`, the moving cuboid before its step, was. In front of two, past an edge, it is
-/// the first in the order of [`Face`].
-pub fn face_hit(before: &Cuboid, obstacle: &Cuboid) -> Face {
+/// the first in the order of [`CuboidFace`].
+pub fn face_hit(before: &Cuboid, obstacle: &Cuboid) -> CuboidFace {
     // Beside each other, touching included: what overlaps after the step only touched before it.
     let under = before.end().cmple(obstacle.location);
     let over = before.location.cmpge(obstacle.end());
     match () {
-        () if under.z => Face::Bottom,
-        () if over.z => Face::Top,
-        () if under.x => Face::MinX,
-        () if over.x => Face::MaxX,
-        () if under.y => Face::MinY,
-        () if over.y => Face::MaxY,
-        () => Face::Internal,
+        () if under.z => CuboidFace::Bottom,
+        () if over.z => CuboidFace::Top,
+        () if under.x => CuboidFace::MinX,
+        () if over.x => CuboidFace::MaxX,
+        () if under.y => CuboidFace::MinY,
+        () if over.y => CuboidFace::MaxY,
+        () => CuboidFace::Internal,
     }
 }
 
-fn answer(dynamic: &mut Dynamic, other: &Static, face: Face) {
+fn answer(dynamic: &mut Dynamic, other: &Static, face: CuboidFace) {
     let location = &mut dynamic.cuboid.location;
     match (other.kind, face) {
-        (Kind::Platform, Face::Top) => {
+        (Kind::Platform, CuboidFace::Top) => {
             location.z = other.cuboid.end().z;
             dynamic.velocity.z = 0.0;
             dynamic.on_ground = true;
         }
-        (Kind::Wall, Face::MinX) => {
+        (Kind::Wall, CuboidFace::MinX) => {
             location.x = start_that_ends_at(other.cuboid.location.x, dynamic.cuboid.dimensions.x);
             dynamic.velocity.x = 0.0;
         }
-        (Kind::Wall, Face::MaxX) => {
+        (Kind::Wall, CuboidFace::MaxX) => {
             location.x = other.cuboid.end().x;
             dynamic.velocity.x = 0.0;
         }

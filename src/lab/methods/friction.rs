@@ -5,7 +5,7 @@
 pub type Slider = (f64, f64);
 
 /// One step: slider, deceleration (m/s²), step (s).
-pub type Slide = fn(Slider, f64, f64) -> Slider;
+pub type SlideStep = fn(Slider, f64, f64) -> Slider;
 
 /// Friction against the sign of v, semi-implicit Euler: chatters for ever within ±a·h.
 pub fn by_sign((x, v): Slider, a: f64, h: f64) -> Slider {

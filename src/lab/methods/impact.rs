@@ -3,7 +3,7 @@
 
 /// A block; its neighbours are told by their order.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Block {
+pub struct LineBlock {
     /// Centre, m.
     pub x: f64,
     /// m/s.
@@ -15,16 +15,16 @@ pub struct Block {
 }
 
 /// One step: blocks from left to right, restitution, step (s).
-pub type Line = fn(&mut [Block], f64, f64);
+pub type ImpactStep = fn(&mut [LineBlock], f64, f64);
 
 /// Impacts in one step, at most.
 const MOST: u32 = 10_000;
 
-fn gap(a: &Block, b: &Block) -> f64 {
+fn gap(a: &LineBlock, b: &LineBlock) -> f64 {
     b.x - a.x - a.half - b.half
 }
 
-fn bounce(blocks: &mut [Block], i: usize, e: f64) {
+fn bounce(blocks: &mut [LineBlock], i: usize, e: f64) {
     let (a, b) = (blocks[i], blocks[i + 1]);
     let w = (1.0 + e) * (a.v - b.v);
     let part = |mine: f64, other: f64| if other.is_infinite() { 1.0 } else { other / (mine + other) };
@@ -36,7 +36,7 @@ fn bounce(blocks: &mut [Block], i: usize, e: f64) {
     }
 }
 
-fn advance(blocks: &mut [Block], t: f64) {
+fn advance(blocks: &mut [LineBlock], t: f64) {
     for block in blocks {
         block.x += block.v * t;
     }
@@ -44,7 +44,7 @@ fn advance(blocks: &mut [Block], t: f64) {
 
 /// Everything moves, then whatever overlaps and comes nearer is bounced. What has passed through in between is not seen: an overlap
 /// deeper than both blocks are wide is none.
-pub fn discrete(blocks: &mut [Block], e: f64, h: f64) {
+pub fn discrete(blocks: &mut [LineBlock], e: f64, h: f64) {
     advance(blocks, h);
     for i in 0..blocks.len() - 1 {
         let (a, b) = (blocks[i], blocks[i + 1]);
@@ -56,7 +56,7 @@ pub fn discrete(blocks: &mut [Block], e: f64, h: f64) {
 }
 
 /// The first impact on the way, as (contact, time in the step). Equal times: the faster approach, then the order.
-fn first(blocks: &[Block], left: f64) -> Option<(usize, f64)> {
+fn first(blocks: &[LineBlock], left: f64) -> Option<(usize, f64)> {
     let mut found: Option<(usize, f64, f64)> = None;
     for i in 0..blocks.len() - 1 {
         let w = blocks[i].v - blocks[i + 1].v;
@@ -72,7 +72,7 @@ fn first(blocks: &[Block], left: f64) -> Option<(usize, f64)> {
 }
 
 /// The path is swept: at the first impact everything stops where it is and bounces, and the rest of the step is lost.
-pub fn swept(blocks: &mut [Block], e: f64, h: f64) {
+pub fn swept(blocks: &mut [LineBlock], e: f64, h: f64) {
     match first(blocks, h) {
         None => advance(blocks, h),
         Some((i, t)) => {
@@ -83,7 +83,7 @@ pub fn swept(blocks: &mut [Block], e: f64, h: f64) {
 }
 
 /// Exact times of impact, one after the other, until the step is over.
-pub fn exact(blocks: &mut [Block], e: f64, h: f64) {
+pub fn exact(blocks: &mut [LineBlock], e: f64, h: f64) {
     let mut left = h;
     for _ in 0..MOST {
         let Some((i, t)) = first(blocks, left) else { break };
@@ -96,7 +96,7 @@ pub fn exact(blocks: &mut [Block], e: f64, h: f64) {
 
 /// All contacts that touch are solved at once, each for −e times its approach speed (here by many sweeps): right momentum and, at
 /// e = 1, right energy, but a cradle of three leaves with −⅓, ⅔, ⅔.
-pub fn at_once(blocks: &mut [Block], e: f64, h: f64) {
+pub fn at_once(blocks: &mut [LineBlock], e: f64, h: f64) {
     let Some((_, t)) = first(blocks, h) else { return advance(blocks, h) };
     advance(blocks, t);
     let contacts = blocks.len() - 1;
@@ -125,7 +125,7 @@ mod tests {
 
     #[test]
     fn an_exact_impact_is_the_same_at_any_step() {
-        let start = [Block { x: 0.0, v: 25.7, mass: 75.0, half: 0.5 }, Block { x: 11.0, v: -11.3, mass: 150.0, half: 0.5 }];
+        let start = [LineBlock { x: 0.0, v: 25.7, mass: 75.0, half: 0.5 }, LineBlock { x: 11.0, v: -11.3, mass: 150.0, half: 0.5 }];
         let (mut whole, mut cut) = (start, start);
         exact(&mut whole, 1.0, 2.0);
         for _ in 0..200 {

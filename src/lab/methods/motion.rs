@@ -9,7 +9,7 @@ use crate::physics::DVec2;
 
 /// What acts on the point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Law {
+pub struct MotionLaw {
     /// Acceleration by constant forces A, m/s².
     pub constant: DVec2,
     /// Drag k = ρ·C_d·A/2m, 1/m.
@@ -24,7 +24,7 @@ pub struct Law {
 
 /// Place (m) and velocity (m/s).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Point {
+pub struct PointState {
     /// m.
     pub x: DVec2,
     /// m/s.
@@ -32,13 +32,13 @@ pub struct Point {
 }
 
 /// One step of so many seconds.
-pub type Step = fn(&Law, Point, f64) -> Point;
+pub type MotionStep = fn(&MotionLaw, PointState, f64) -> PointState;
 
 /// The name of the one that chooses its steps itself.
 pub const ADAPTIVE: &str = "adaptive 3(2)";
 
 /// Every method that steps a motion through drag, by the name that charts and tables show.
-pub const METHODS: [(&str, Step); 10] = [
+pub const METHODS: [(&str, MotionStep); 10] = [
     ("explicit Euler", explicit_euler),
     ("semi-implicit Euler", semi_implicit_euler),
     ("velocity Verlet", velocity_verlet),
@@ -52,11 +52,11 @@ pub const METHODS: [(&str, Step); 10] = [
 ];
 
 /// Those of them that know nothing of drag in particular.
-pub static INTEGRATORS: &[(&str, Step)] = METHODS.split_at(7).0;
+pub static INTEGRATORS: &[(&str, MotionStep)] = METHODS.split_at(7).0;
 
-impl Law {
+impl MotionLaw {
     /// Acceleration at place `x` (m) and velocity `v` (m/s), m/s².
-    pub fn acceleration(&self, Point { x, v }: Point) -> DVec2 {
+    pub fn acceleration(&self, PointState { x, v }: PointState) -> DVec2 {
         let u = v - self.wind;
         self.pull(x) - u * (self.drag * u.length() + self.viscous)
     }
@@ -67,58 +67,58 @@ impl Law {
     }
 
     /// Where a point goes from `from` in `h` seconds if its rates are those at `at` all the while.
-    fn along(&self, from: Point, at: Point, h: f64) -> Point {
-        Point { x: from.x + at.v * h, v: from.v + self.acceleration(at) * h }
+    fn along(&self, from: PointState, at: PointState, h: f64) -> PointState {
+        PointState { x: from.x + at.v * h, v: from.v + self.acceleration(at) * h }
     }
 }
 
 /// Takes steps of `h` seconds until `seconds` are over.
-pub fn follow(step: Step, law: &Law, start: Point, seconds: f64, h: f64) -> Point {
+pub fn follow(step: MotionStep, law: &MotionLaw, start: PointState, seconds: f64, h: f64) -> PointState {
     let steps = (seconds / h).round() as u64;
     (0..steps).fold(start, |point, _| step(law, point, h))
 }
 
 /// x and v both from the start of the step. First order; gains energy.
-pub fn explicit_euler(law: &Law, point: Point, h: f64) -> Point {
+pub fn explicit_euler(law: &MotionLaw, point: PointState, h: f64) -> PointState {
     law.along(point, point, h)
 }
 
 /// v first, then x with the new v. First order; symplectic without drag. What most game engines do.
-pub fn semi_implicit_euler(law: &Law, point: Point, h: f64) -> Point {
+pub fn semi_implicit_euler(law: &MotionLaw, point: PointState, h: f64) -> PointState {
     let v = point.v + law.acceleration(point) * h;
-    Point { x: point.x + v * h, v }
+    PointState { x: point.x + v * h, v }
 }
 
 /// Second order; symplectic without drag. The acceleration at the end is taken at the velocity that Euler predicts, since drag depends
 /// on it.
-pub fn velocity_verlet(law: &Law, point: Point, h: f64) -> Point {
-    let Point { x, v } = point;
+pub fn velocity_verlet(law: &MotionLaw, point: PointState, h: f64) -> PointState {
+    let PointState { x, v } = point;
     let a = law.acceleration(point);
     let x = x + v * h + a * (0.5 * h * h);
-    let end = law.acceleration(Point { x, v: v + a * h });
-    Point { x, v: v + (a + end) * (0.5 * h) }
+    let end = law.acceleration(PointState { x, v: v + a * h });
+    PointState { x, v: v + (a + end) * (0.5 * h) }
 }
 
 /// Euler to the middle of the step, whose rates hold for the whole of it. Second order.
-pub fn midpoint(law: &Law, point: Point, h: f64) -> Point {
+pub fn midpoint(law: &MotionLaw, point: PointState, h: f64) -> PointState {
     law.along(point, law.along(point, point, 0.5 * h), h)
 }
 
 /// The mean of Euler's step and of one with the rates at its end. Second order.
-pub fn heun(law: &Law, point: Point, h: f64) -> Point {
+pub fn heun(law: &MotionLaw, point: PointState, h: f64) -> PointState {
     let first = law.along(point, point, h);
     let second = law.along(point, first, h);
-    Point { x: (first.x + second.x) * 0.5, v: (first.v + second.v) * 0.5 }
+    PointState { x: (first.x + second.x) * 0.5, v: (first.v + second.v) * 0.5 }
 }
 
 /// The classical Runge–Kutta method. Fourth order.
-pub fn rk4(law: &Law, point: Point, h: f64) -> Point {
-    let Point { x, v } = point;
+pub fn rk4(law: &MotionLaw, point: PointState, h: f64) -> PointState {
+    let PointState { x, v } = point;
     let p2 = law.along(point, point, 0.5 * h);
     let p3 = law.along(point, p2, 0.5 * h);
     let p4 = law.along(point, p3, h);
     let [a1, a2, a3, a4] = [point, p2, p3, p4].map(|stage| law.acceleration(stage));
-    Point { x: x + (v + (p2.v + p3.v) * 2.0 + p4.v) * (h / 6.0), v: v + (a1 + (a2 + a3) * 2.0 + a4) * (h / 6.0) }
+    PointState { x: x + (v + (p2.v + p3.v) * 2.0 + p4.v) * (h / 6.0), v: v + (a1 + (a2 + a3) * 2.0 + a4) * (h / 6.0) }
 }
 
 /// m/s. The error that [`adaptive`] allows itself in a second: the tolerance of a scene after ten.
@@ -128,7 +128,7 @@ const SHORTEST: f64 = 1e-6;
 
 /// Bogacki and Shampine's pair of orders 3 and 2, which cuts each step into as many parts as keep the difference of the two within
 /// the allowed error a second. Its work follows the motion instead of the step.
-pub fn adaptive(law: &Law, point: Point, h: f64) -> Point {
+pub fn adaptive(law: &MotionLaw, point: PointState, h: f64) -> PointState {
     let (mut point, mut left, mut part) = (point, h, h);
     while left > 0.0 {
         part = part.min(left);
@@ -146,78 +146,80 @@ pub fn adaptive(law: &Law, point: Point, h: f64) -> Point {
 }
 
 /// The third order of that pair alone, in a single part: what [`adaptive`] takes as often as it must.
-pub fn third_order(law: &Law, point: Point, h: f64) -> Point {
+pub fn third_order(law: &MotionLaw, point: PointState, h: f64) -> PointState {
     bogacki_shampine(law, point, h).0
 }
 
 /// One step of the pair: the end by the third order, and how far the second order is from it, m with a velocity of 1 m/s counted as 1 m.
-fn bogacki_shampine(law: &Law, point: Point, h: f64) -> (Point, f64) {
+fn bogacki_shampine(law: &MotionLaw, point: PointState, h: f64) -> (PointState, f64) {
     let p2 = law.along(point, point, 0.5 * h);
     let p3 = law.along(point, p2, 0.75 * h);
     let rates = [point, p2, p3].map(|stage| (stage.v, law.acceleration(stage)));
     let mixed = |weights: &[(f64, (DVec2, DVec2))]| {
-        weights.iter().fold(Point::default(), |sum, (weight, (v, a))| Point { x: sum.x + *v * *weight, v: sum.v + *a * *weight })
+        weights
+            .iter()
+            .fold(PointState::default(), |sum, (weight, (v, a))| PointState { x: sum.x + *v * *weight, v: sum.v + *a * *weight })
     };
     let way = mixed(&[(2.0 / 9.0, rates[0]), (1.0 / 3.0, rates[1]), (4.0 / 9.0, rates[2])]);
-    let end = Point { x: point.x + way.x * h, v: point.v + way.v * h };
+    let end = PointState { x: point.x + way.x * h, v: point.v + way.v * h };
     let last = (end.v, law.acceleration(end));
     let apart = mixed(&[(-5.0 / 72.0, rates[0]), (1.0 / 12.0, rates[1]), (1.0 / 9.0, rates[2]), (-1.0 / 8.0, last)]);
     (end, h * (apart.x.length_squared() + apart.v.length_squared()).sqrt())
 }
 
 /// Drag linearised to −m·u with m = k·|u| + c of the step's start, taken implicitly. First order; never diverges.
-pub fn linearised_drag(law: &Law, Point { x, v }: Point, h: f64) -> Point {
+pub fn linearised_drag(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> PointState {
     let m = law.drag * (v - law.wind).length() + law.viscous;
     let v = (v + (law.pull(x) + law.wind * m) * h) / (1.0 + m * h);
-    Point { x: x + v * h, v }
+    PointState { x: x + v * h, v }
 }
 
 /// The exact decay of drag alone, in the air's frame: u·(1 − c·q)/(1 + k·|u|·q) with q = (1 − e^(−c·h))/c, which is h where c = 0.
-pub fn decay(law: &Law, v: DVec2, h: f64) -> DVec2 {
+pub fn decay(law: &MotionLaw, v: DVec2, h: f64) -> DVec2 {
     let u = v - law.wind;
     let q = if law.viscous != 0.0 { -libm::expm1(-law.viscous * h) / law.viscous } else { h };
     law.wind + u * ((1.0 - law.viscous * q) / (1.0 + law.drag * u.length() * q))
 }
 
 /// Constant forces for h, then the exact decay of drag for h (Lie splitting). First order; never diverges.
-pub fn exact_decay(law: &Law, Point { x, v }: Point, h: f64) -> Point {
+pub fn exact_decay(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> PointState {
     let v = decay(law, v + law.pull(x) * h, h);
-    Point { x: x + v * h, v }
+    PointState { x: x + v * h, v }
 }
 
 /// Half of the forces that do not ask for the velocity, the exact decay, the other half; position by the mean of the velocities before
 /// and after the decay (Strang splitting). Second order; never diverges by drag.
-pub fn strang(law: &Law, Point { x, v }: Point, h: f64) -> Point {
+pub fn strang(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> PointState {
     let before = v + law.pull(x) * (0.5 * h);
     let after = decay(law, before, h);
     let x = x + (before + after) * (0.5 * h);
-    Point { x, v: after + law.pull(x) * (0.5 * h) }
+    PointState { x, v: after + law.pull(x) * (0.5 * h) }
 }
 
 /// The exact flow of a fall (A = (0, g) with g > 0, no wind, v = (0, v) with v ≥ 0):
 /// v = v_t·tanh(τ + artanh(v₀/v_t)), x = (v_t²/g)·ln(cosh τ + (v₀/v_t)·sinh τ), τ = g·t/v_t, in forms without overflow.
-pub fn exact_fall(law: &Law, Point { x, v }: Point, h: f64) -> Point {
+pub fn exact_fall(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> PointState {
     let g = law.constant.y;
     let terminal = (g / law.drag).sqrt();
     let (tau, r) = (g * h / terminal, v.y / terminal);
     let t = libm::tanh(tau);
     let way = tau + libm::log(0.5 * (1.0 + r) + 0.5 * (1.0 - r) * libm::exp(-2.0 * tau));
-    Point { x: x + DVec2::new(0.0, terminal * terminal / g * way), v: DVec2::new(0.0, terminal * (r + t) / (1.0 + r * t)) }
+    PointState { x: x + DVec2::new(0.0, terminal * terminal / g * way), v: DVec2::new(0.0, terminal * (r + t) / (1.0 + r * t)) }
 }
 
 /// Semi-implicit Euler in `f32`: what single precision does to it.
-pub fn semi_implicit_euler_f32(law: &Law, point: Point, h: f64) -> Point {
+pub fn semi_implicit_euler_f32(law: &MotionLaw, point: PointState, h: f64) -> PointState {
     let h = h as f32;
     let v = point.v.as_vec2() + law.acceleration(point).as_vec2() * h;
     let x = point.x.as_vec2() + v * h;
-    Point { x: x.as_dvec2(), v: v.as_dvec2() }
+    PointState { x: x.as_dvec2(), v: v.as_dvec2() }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const ORDERS: [(Step, f64); 9] = [
+    const ORDERS: [(MotionStep, f64); 9] = [
         (explicit_euler, 1.0),
         (semi_implicit_euler, 1.0),
         (linearised_drag, 1.0),
@@ -232,8 +234,8 @@ mod tests {
     /// Halving the step divides the error by 2^order.
     #[test]
     fn each_method_has_its_order() {
-        let law = Law { constant: DVec2::new(0.0, 9.81), drag: 0.05, ..Law::default() };
-        let start = Point { x: DVec2::ZERO, v: DVec2::new(0.0, 3.0) };
+        let law = MotionLaw { constant: DVec2::new(0.0, 9.81), drag: 0.05, ..MotionLaw::default() };
+        let start = PointState { x: DVec2::ZERO, v: DVec2::new(0.0, 3.0) };
         let exact = exact_fall(&law, start, 2.0).x.y;
         for (i, (step, order)) in ORDERS.into_iter().enumerate() {
             let error = |h: f64| (follow(step, &law, start, 2.0, h).x.y - exact).abs();
@@ -245,8 +247,8 @@ mod tests {
     /// Where nothing but a spring pulls, too: the places at which it is taken count as much as the velocities.
     #[test]
     fn each_method_has_its_order_on_a_spring() {
-        let law = Law { spring: 9.0, ..Law::default() };
-        let start = Point { x: DVec2::new(0.0, 1.0), v: DVec2::ZERO };
+        let law = MotionLaw { spring: 9.0, ..MotionLaw::default() };
+        let start = PointState { x: DVec2::new(0.0, 1.0), v: DVec2::ZERO };
         let exact = libm::cos(3.0 * 2.0);
         for (step, order) in ORDERS {
             let error = |h: f64| (follow(step, &law, start, 2.0, h).x.y - exact).abs();
@@ -257,8 +259,8 @@ mod tests {
 
     #[test]
     fn the_pair_has_orders_three_and_two_and_keeps_what_it_allows_itself() {
-        let law = Law { constant: DVec2::new(0.0, 9.81), drag: 0.05, ..Law::default() };
-        let start = Point { x: DVec2::ZERO, v: DVec2::new(0.0, 3.0) };
+        let law = MotionLaw { constant: DVec2::new(0.0, 9.81), drag: 0.05, ..MotionLaw::default() };
+        let start = PointState { x: DVec2::ZERO, v: DVec2::new(0.0, 3.0) };
         let exact = |h: f64| exact_fall(&law, start, h).x.y;
         // A single step: one power more than the order.
         let (error, apart) =
@@ -273,15 +275,15 @@ mod tests {
 
     #[test]
     fn the_adaptive_method_ends_where_all_is_lost() {
-        let law = Law { drag: f64::MAX, ..Law::default() };
-        assert!(!adaptive(&law, Point { x: DVec2::ZERO, v: DVec2::new(1e300, 0.0) }, 1e-5).v.x.is_finite());
+        let law = MotionLaw { drag: f64::MAX, ..MotionLaw::default() };
+        assert!(!adaptive(&law, PointState { x: DVec2::ZERO, v: DVec2::new(1e300, 0.0) }, 1e-5).v.x.is_finite());
     }
 
     #[test]
     fn the_exact_fall_can_be_cut_anywhere() {
-        let law = Law { constant: DVec2::new(0.0, 9.81), drag: 0.05, ..Law::default() };
-        let whole = exact_fall(&law, Point::default(), 6.0);
-        let cut = follow(exact_fall, &law, Point::default(), 6.0, 0.1);
+        let law = MotionLaw { constant: DVec2::new(0.0, 9.81), drag: 0.05, ..MotionLaw::default() };
+        let whole = exact_fall(&law, PointState::default(), 6.0);
+        let cut = follow(exact_fall, &law, PointState::default(), 6.0, 0.1);
         assert!((whole.x - cut.x).length() < 1e-12 && (whole.v - cut.v).length() < 1e-13);
     }
 }

@@ -3,7 +3,7 @@
 use crate::lab::contract::{By, Model};
 use crate::lab::course::{CoursePoint, sampled, worst};
 use crate::lab::methods::bounce::{Ball, Bounce, energy, every_tick, exact, reflect, snap, swept, verlet_snap};
-use crate::lab::{Answer, Scene, shipped};
+use crate::lab::{Answer, LabScene, shipped};
 use crate::physics::{BodyDef, BodyId, World};
 
 /// N/kg.
@@ -135,7 +135,7 @@ pub fn lossy_apex_at(e: f64, t: f64) -> f64 {
 }
 
 /// For a minute without loss. A height alone would forgive a ball that is late, so the error is that of the place at all steps.
-pub fn perfect() -> Scene {
+pub fn perfect() -> LabScene {
     let ball = BouncingBall::of(1.0);
     let error = move |t: f64, height: f64| (height - ball.height_at(t)).abs();
     let moment = move |time: f64, at: &Ball| {
@@ -144,10 +144,10 @@ pub fn perfect() -> Scene {
     };
     let worst = move |by, h| worst(ball.running(by, h).each(PERFECT_SECONDS, |t, at| error(t, at.0)));
     let course = move |by, h| sampled(ball.running(by, h).each(PERFECT_SECONDS, moment));
-    Scene {
+    LabScene {
         error: "worst error of the place at any time, m",
         methods: Answer::all_showing(METHODS, worst, course),
-        ..Scene::new("bounce-perfect", "Perfect bouncing (e = 1) for 60 s", PERFECT_SECONDS, 1)
+        ..LabScene::new("bounce-perfect", "Perfect bouncing (e = 1) for 60 s", PERFECT_SECONDS, 1)
     }
 }
 
@@ -161,9 +161,9 @@ fn apexes_error(found: &[f64]) -> f64 {
 }
 
 /// Ten bounces at e = 0.9.
-pub fn apexes() -> Scene {
+pub fn apexes() -> LabScene {
     let ball = BouncingBall::of(LOSSY);
     let methods = Answer::all(METHODS, move |by, h| apexes_error(&apex_heights(ball.path(by, LOSSY_SECONDS, h))));
-    let scene = Scene::new("bounce-apexes", "Ten bounces at restitution 0.9", LOSSY_SECONDS, 1);
-    Scene { error: "worst error of the first ten apexes, m", methods, ..scene }
+    let scene = LabScene::new("bounce-apexes", "Ten bounces at restitution 0.9", LOSSY_SECONDS, 1);
+    LabScene { error: "worst error of the first ten apexes, m", methods, ..scene }
 }

@@ -2,8 +2,8 @@
 //! one's velocity and all others stand still.
 
 use crate::lab::contract::{By, Model};
-use crate::lab::methods::impact::{Block, Line, at_once, discrete, exact, swept};
-use crate::lab::{Answer, Scene, shipped};
+use crate::lab::methods::impact::{ImpactStep, LineBlock, at_once, discrete, exact, swept};
+use crate::lab::{Answer, LabScene, shipped};
 use crate::physics::{BodyDef, DVec2, World};
 
 /// s.
@@ -12,7 +12,7 @@ const SECONDS: f64 = 10.0;
 pub const STRIKE: f64 = 3.0;
 
 /// The methods by hand.
-pub const METHODS: [(&str, Line); 4] = [
+pub const METHODS: [(&str, ImpactStep); 4] = [
     ("overlap at tick ends", discrete),
     ("swept, rest of tick lost", swept),
     ("all contacts at once", at_once),
@@ -23,22 +23,22 @@ pub const METHODS: [(&str, Line); 4] = [
 #[derive(Clone, Debug)]
 pub struct BlockLine {
     /// From left to right.
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<LineBlock>,
     /// Bodies that rest beside them in the engine's world, 10 m below the line.
     pub crowd: usize,
 }
 
 impl BlockLine {
     /// Alone.
-    pub fn of(blocks: Vec<Block>) -> Self {
+    pub fn of(blocks: Vec<LineBlock>) -> Self {
         Self { blocks, crowd: 0 }
     }
 
     /// A cradle: `n` equal blocks of 1 m, the first 2 m before the others and moving towards them.
     pub fn cradle(n: usize) -> Self {
-        let block = |i: usize| Block { x: i as f64, v: 0.0, mass: 1.0, half: 0.5 };
+        let block = |i: usize| LineBlock { x: i as f64, v: 0.0, mass: 1.0, half: 0.5 };
         let mut blocks: Vec<_> = (0..n).map(block).collect();
-        blocks[0] = Block { x: -2.0, v: STRIKE, ..block(0) };
+        blocks[0] = LineBlock { x: -2.0, v: STRIKE, ..block(0) };
         Self::of(blocks)
     }
 
@@ -53,22 +53,22 @@ impl BlockLine {
     }
 
     /// Places of all blocks at the start and after each step, m.
-    pub fn paths(&self, by: By<Line>, seconds: f64, h: f64) -> Vec<Vec<f64>> {
-        let places = |blocks: &[Block]| blocks.iter().map(|block| block.x).collect();
+    pub fn paths(&self, by: By<ImpactStep>, seconds: f64, h: f64) -> Vec<Vec<f64>> {
+        let places = |blocks: &[LineBlock]| blocks.iter().map(|block| block.x).collect();
         let after = self.running(by, h).each(seconds, |_, blocks| places(blocks));
         std::iter::once(places(&self.blocks)).chain(after).collect()
     }
 }
 
 impl Model for BlockLine {
-    type State = Vec<Block>;
-    type Method = Line;
+    type State = Vec<LineBlock>;
+    type Method = ImpactStep;
 
-    fn start(&self) -> Vec<Block> {
+    fn start(&self) -> Vec<LineBlock> {
         self.blocks.clone()
     }
 
-    fn step(&self, method: Line, blocks: &mut Vec<Block>, h: f64) {
+    fn step(&self, method: ImpactStep, blocks: &mut Vec<LineBlock>, h: f64) {
         method(blocks, 1.0, h);
     }
 
@@ -79,7 +79,7 @@ impl Model for BlockLine {
         World::new(def).ok()
     }
 
-    fn read(&self, world: &World, _: f64, blocks: &mut Vec<Block>) {
+    fn read(&self, world: &World, _: f64, blocks: &mut Vec<LineBlock>) {
         let movable = blocks.iter_mut().filter(|block| block.mass.is_finite());
         for (block, body) in movable.zip(world.bodies()) {
             (block.x, block.v) = (body.position.x, body.velocity.x);
@@ -87,19 +87,19 @@ impl Model for BlockLine {
     }
 }
 
-fn scene(name: &'static str, title: &str, line: BlockLine, places: Vec<f64>) -> Scene {
-    let scene = Scene::new(name, title, SECONDS, places.len());
+fn scene(name: &'static str, title: &str, line: BlockLine, places: Vec<f64>) -> LabScene {
+    let scene = LabScene::new(name, title, SECONDS, places.len());
     let methods = Answer::all(METHODS, move |by, h| {
-        let error = |blocks: Vec<Block>| blocks.iter().zip(&places).map(|(block, x)| (block.x - x).abs()).fold(0.0, f64::max);
+        let error = |blocks: Vec<LineBlock>| blocks.iter().zip(&places).map(|(block, x)| (block.x - x).abs()).fold(0.0, f64::max);
         line.end(by, SECONDS, h).map_or(f64::NAN, error)
     });
-    Scene { error: "worst error of a position at the end, m", methods, ..scene }
+    LabScene { error: "worst error of a position at the end, m", methods, ..scene }
 }
 
 /// 75 kg at 25.7 m/s against 150 kg at −11.3 m/s, 10 m apart.
-pub fn head_on() -> Scene {
-    let a = Block { x: 0.0, v: 25.7, mass: 75.0, half: 0.5 };
-    let b = Block { x: 11.0, v: -11.3, mass: 150.0, half: 0.5 };
+pub fn head_on() -> LabScene {
+    let a = LineBlock { x: 0.0, v: 25.7, mass: 75.0, half: 0.5 };
+    let b = LineBlock { x: 11.0, v: -11.3, mass: 150.0, half: 0.5 };
     let meet = 10.0 / (a.v - b.v);
     let (va, vb) = crate::classics::pi::elastic(a.mass, a.v, b.mass, b.v);
     let places = vec![a.x + a.v * meet + va * (SECONDS - meet), b.x + b.v * meet + vb * (SECONDS - meet)];
@@ -107,7 +107,7 @@ pub fn head_on() -> Scene {
 }
 
 /// Five equal blocks.
-pub fn cradle() -> Scene {
+pub fn cradle() -> LabScene {
     let line = BlockLine::cradle(5);
     let places = (0..5).map(|block| line.cradle_place(block, SECONDS)).collect();
     scene("cradle", "Newton's cradle of five blocks, 10 s", line, places)

@@ -3,8 +3,8 @@
 
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::flow::{drag_alone, in_liquid, rise_and_fall};
-use crate::lab::methods::motion::{Law, METHODS, Point, Step, exact_fall};
-use crate::lab::{Answer, Scene, reference, shipped};
+use crate::lab::methods::motion::{METHODS, MotionLaw, MotionStep, PointState, exact_fall};
+use crate::lab::{Answer, LabScene, reference, shipped};
 use crate::physics::{BodyId, DVec2, World, WorldDef};
 
 /// N/kg.
@@ -22,9 +22,9 @@ const GUST_SECONDS: f64 = 1.0;
 #[derive(Clone, Debug)]
 pub struct FlyingBody {
     /// The law.
-    pub law: Law,
+    pub law: MotionLaw,
     /// Place and velocity at 0 s.
-    pub start: Point,
+    pub start: PointState,
     def: WorldDef,
     /// m. The law's origin in the world.
     origin: DVec2,
@@ -32,30 +32,30 @@ pub struct FlyingBody {
 
 impl FlyingBody {
     /// In air.
-    pub fn in_air(law: Law, start: Point) -> Self {
+    pub fn in_air(law: MotionLaw, start: PointState) -> Self {
         Self { law, start, def: shipped::in_air(&law, start), origin: DVec2::ZERO }
     }
 
     /// In a world of its own, which has the law's origin at `origin` (m).
-    pub(in crate::lab) fn in_world(law: Law, start: Point, def: WorldDef, origin: DVec2) -> Self {
+    pub(in crate::lab) fn in_world(law: MotionLaw, start: PointState, def: WorldDef, origin: DVec2) -> Self {
         Self { law, start, def, origin }
     }
 
     /// The distance from `exact` after `seconds`, m.
-    fn error(&self, by: By<Step>, seconds: f64, h: f64, exact: DVec2) -> f64 {
+    fn error(&self, by: By<MotionStep>, seconds: f64, h: f64, exact: DVec2) -> f64 {
         self.end(by, seconds, h).map_or(f64::NAN, |point| (point.x - exact).length())
     }
 }
 
 impl Model for FlyingBody {
-    type State = Point;
-    type Method = Step;
+    type State = PointState;
+    type Method = MotionStep;
 
-    fn start(&self) -> Point {
+    fn start(&self) -> PointState {
         self.start
     }
 
-    fn step(&self, method: Step, point: &mut Point, h: f64) {
+    fn step(&self, method: MotionStep, point: &mut PointState, h: f64) {
         *point = method(&self.law, *point, h);
     }
 
@@ -64,93 +64,94 @@ impl Model for FlyingBody {
     }
 
     /// Back to the ground's frame from that of the air.
-    fn read(&self, world: &World, time: f64, point: &mut Point) {
+    fn read(&self, world: &World, time: f64, point: &mut PointState) {
         let body = world.body(BodyId(0));
-        *point = Point { x: body.position - self.origin + self.law.wind * time, v: body.velocity + self.law.wind };
+        *point = PointState { x: body.position - self.origin + self.law.wind * time, v: body.velocity + self.law.wind };
     }
 }
 
 /// A scene of `seconds` that ends at `exact` (m).
-fn scene(name: &'static str, title: &str, seconds: f64, body: FlyingBody, exact: DVec2, flow: Option<Step>) -> Scene {
+fn scene(name: &'static str, title: &str, seconds: f64, body: FlyingBody, exact: DVec2, flow: Option<MotionStep>) -> LabScene {
     let methods = METHODS.into_iter().chain(flow.map(|flow| ("exact flow", flow)));
     let methods = Answer::all(methods, move |by, h| body.error(by, seconds, h, exact));
-    Scene { methods, ..Scene::new(name, title, seconds, 1) }
+    LabScene { methods, ..LabScene::new(name, title, seconds, 1) }
 }
 
 /// A scene whose flow is known.
-fn with_flow(name: &'static str, title: &str, body: FlyingBody, flow: Step) -> Scene {
+fn with_flow(name: &'static str, title: &str, body: FlyingBody, flow: MotionStep) -> LabScene {
     let exact = flow(&body.law, body.start, SECONDS).x;
     scene(name, title, SECONDS, body, exact, Some(flow))
 }
 
 /// Without drag, from the origin at `v` (m/s).
-fn free(name: &'static str, title: &str, v: DVec2) -> Scene {
-    let law = Law { constant: DVec2::new(0.0, G), ..Law::default() };
+fn free(name: &'static str, title: &str, v: DVec2) -> LabScene {
+    let law = MotionLaw { constant: DVec2::new(0.0, G), ..MotionLaw::default() };
     let exact = v * SECONDS + law.constant * (0.5 * SECONDS * SECONDS);
-    scene(name, title, SECONDS, FlyingBody::in_air(law, Point { x: DVec2::ZERO, v }), exact, None)
+    scene(name, title, SECONDS, FlyingBody::in_air(law, PointState { x: DVec2::ZERO, v }), exact, None)
 }
 
 /// From rest.
-pub fn fall() -> Scene {
+pub fn fall() -> LabScene {
     free("fall", "Fall without drag, 10 s", DVec2::ZERO)
 }
 
 /// Thrown.
-pub fn parabola() -> Scene {
+pub fn parabola() -> LabScene {
     free("parabola", "A throw without drag, 10 s", DVec2::new(20.0, -30.0))
 }
 
 /// From rest, with drag.
-pub fn fall_with_drag() -> Scene {
-    let law = Law { constant: DVec2::new(0.0, G), drag: DRAG, ..Law::default() };
+pub fn fall_with_drag() -> LabScene {
+    let law = MotionLaw { constant: DVec2::new(0.0, G), drag: DRAG, ..MotionLaw::default() };
     let title = "Fall with drag (terminal velocity 14 m/s), 10 s";
-    with_flow("fall-with-drag", title, FlyingBody::in_air(law, Point::default()), exact_fall)
+    with_flow("fall-with-drag", title, FlyingBody::in_air(law, PointState::default()), exact_fall)
 }
 
 /// Thrown up, and falling again.
-pub fn rise() -> Scene {
-    let law = Law { constant: DVec2::new(0.0, G), drag: DRAG, ..Law::default() };
-    let start = Point { x: DVec2::ZERO, v: DVec2::new(0.0, -20.0) };
+pub fn rise() -> LabScene {
+    let law = MotionLaw { constant: DVec2::new(0.0, G), drag: DRAG, ..MotionLaw::default() };
+    let start = PointState { x: DVec2::ZERO, v: DVec2::new(0.0, -20.0) };
     let title = "Thrown up at 20 m/s with drag, and down again, 10 s";
     let note = "At the apex the second derivative of drag jumps: no order above 3 shows there.";
-    Scene { note, ..with_flow("rise-with-drag", title, FlyingBody::in_air(law, start), rise_and_fall) }
+    LabScene { note, ..with_flow("rise-with-drag", title, FlyingBody::in_air(law, start), rise_and_fall) }
 }
 
 /// Without weight.
-pub fn drag_without_weight() -> Scene {
-    let law = Law { drag: DRAG, ..Law::default() };
-    let start = Point { x: DVec2::ZERO, v: DVec2::new(20.0, -15.0) };
+pub fn drag_without_weight() -> LabScene {
+    let law = MotionLaw { drag: DRAG, ..MotionLaw::default() };
+    let start = PointState { x: DVec2::ZERO, v: DVec2::new(20.0, -15.0) };
     with_flow("drag-alone", "Drag alone, from 25 m/s, 10 s", FlyingBody::in_air(law, start), drag_alone)
 }
 
 /// Sinking through a liquid so thick that its drag is in proportion to the velocity.
-pub fn liquid() -> Scene {
+pub fn liquid() -> LabScene {
     let (mass, density, viscous) = (1500.0, 1000.0, 0.5);
-    let law = Law { constant: DVec2::new(0.0, G * (1.0 - density / mass)), viscous, ..Law::default() };
-    let start = Point { x: DVec2::ZERO, v: DVec2::new(2.0, -3.0) };
+    let law = MotionLaw { constant: DVec2::new(0.0, G * (1.0 - density / mass)), viscous, ..MotionLaw::default() };
+    let start = PointState { x: DVec2::ZERO, v: DVec2::new(2.0, -3.0) };
     let body = FlyingBody::in_world(law, start, shipped::in_liquid(viscous, density, mass, G, start), DVec2::ZERO);
     with_flow("liquid", "Sinking through a thick liquid (linear drag, buoyancy), 10 s", body, in_liquid)
 }
 
 /// The body of the throw into the wind.
 pub fn thrown() -> FlyingBody {
-    let law = Law { constant: DVec2::new(0.0, G), drag: DRAG, wind: DVec2::new(4.0, 0.0), ..Law::default() };
-    FlyingBody::in_air(law, Point { x: DVec2::ZERO, v: DVec2::new(20.0, -20.0) })
+    let law = MotionLaw { constant: DVec2::new(0.0, G), drag: DRAG, wind: DVec2::new(4.0, 0.0), ..MotionLaw::default() };
+    FlyingBody::in_air(law, PointState { x: DVec2::ZERO, v: DVec2::new(20.0, -20.0) })
 }
 
 /// Thrown, with the wind.
-pub fn projectile() -> Scene {
+pub fn projectile() -> LabScene {
     by_reference("projectile", "A throw with drag and wind in two dimensions, 10 s", SECONDS, thrown())
 }
 
 /// A body that falls at 0.18 m/s, in a wind of 40 m/s.
-pub fn gust() -> Scene {
-    let law = Law { constant: DVec2::new(0.0, G), drag: G / (LIGHT * LIGHT), wind: DVec2::new(40.0, 0.0), ..Law::default() };
+pub fn gust() -> LabScene {
+    let law =
+        MotionLaw { constant: DVec2::new(0.0, G), drag: G / (LIGHT * LIGHT), wind: DVec2::new(40.0, 0.0), ..MotionLaw::default() };
     let title = "A gust of 40 m/s on something light (terminal velocity 0.18 m/s), 1 s";
-    by_reference("gust", title, GUST_SECONDS, FlyingBody::in_air(law, Point::default()))
+    by_reference("gust", title, GUST_SECONDS, FlyingBody::in_air(law, PointState::default()))
 }
 
-fn by_reference(name: &'static str, title: &str, seconds: f64, body: FlyingBody) -> Scene {
+fn by_reference(name: &'static str, title: &str, seconds: f64, body: FlyingBody) -> LabScene {
     let exact = reference::drag_in_two_dimensions(&body.law, body.start, seconds).x;
     scene(name, title, seconds, body, exact, None)
 }

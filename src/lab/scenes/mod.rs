@@ -9,10 +9,10 @@ pub mod sliding;
 pub mod stacks;
 pub mod tunnelling;
 
-use super::Scene;
+use super::LabScene;
 
 /// All of them, in the order in which the report shows them.
-pub fn all() -> Vec<Scene> {
+pub fn all() -> Vec<LabScene> {
     vec![
         flight::fall(),
         flight::parabola(),

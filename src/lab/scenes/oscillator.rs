@@ -4,8 +4,8 @@
 use super::flight::FlyingBody;
 use crate::lab::contract::{By, Model};
 use crate::lab::course::{CoursePoint, sampled, worst};
-use crate::lab::methods::motion::{INTEGRATORS, Law, Point, Step};
-use crate::lab::{Answer, Scene, shipped};
+use crate::lab::methods::motion::{INTEGRATORS, MotionLaw, MotionStep, PointState};
+use crate::lab::{Answer, LabScene, shipped};
 use crate::physics::{BodyDef, DVec2};
 
 /// N/kg.
@@ -46,21 +46,21 @@ fn place_at(t: f64) -> f64 {
 }
 
 /// Energy over what it was at the start, `swing` m away at rest, with ω² = `stiffness` 1/s²: swings have it as motion and as lift.
-pub fn energy(point: &Point, stiffness: f64, swing: f64) -> f64 {
+pub fn energy(point: &PointState, stiffness: f64, swing: f64) -> f64 {
     (point.v.length_squared() / stiffness + point.x.length_squared()) / (swing * swing)
 }
 
 /// Of this scene's box.
-fn energy_of(point: &Point) -> f64 {
+fn energy_of(point: &PointState) -> f64 {
     energy(point, stiffness(), SWING)
 }
 
 /// A box of such a mass (kg), let go `swing` m below its place at rest, from which y counts. By hand ω² is `stiffness` 1/s².
 pub fn afloat(stiffness: f64, mass: f64, swing: f64) -> FlyingBody {
-    let (law, start) = (Law { spring: stiffness, ..Law::default() }, DVec2::new(0.0, swing));
+    let (law, start) = (MotionLaw { spring: stiffness, ..MotionLaw::default() }, DVec2::new(0.0, swing));
     let rest = DVec2::new(0.0, -0.5 + mass / DENSITY);
     let body = BodyDef { position: rest + start, mass, drag: 0.0, ..BodyDef::default() };
-    FlyingBody::in_world(law, Point { x: start, v: DVec2::ZERO }, shipped::on_water(G, DENSITY, body), rest)
+    FlyingBody::in_world(law, PointState { x: start, v: DVec2::ZERO }, shipped::on_water(G, DENSITY, body), rest)
 }
 
 /// This scene's box.
@@ -68,16 +68,16 @@ fn swinging() -> FlyingBody {
     afloat(stiffness(), MASS, SWING)
 }
 
-fn error_at_end(by: By<Step>, h: f64) -> f64 {
+fn error_at_end(by: By<MotionStep>, h: f64) -> f64 {
     let steps_end = (SECONDS / h).round() * h;
     swinging().end(by, SECONDS, h).map_or(f64::NAN, |point| (point.x.y - place_at(steps_end)).abs())
 }
 
-fn worst_energy(by: By<Step>, seconds: f64, h: f64) -> f64 {
+fn worst_energy(by: By<MotionStep>, seconds: f64, h: f64) -> f64 {
     worst(swinging().running(by, h).each(seconds, |_, point| (energy_of(point) - 1.0).abs()))
 }
 
-fn moments(by: By<Step>, seconds: f64, h: f64) -> Vec<CoursePoint> {
+fn moments(by: By<MotionStep>, seconds: f64, h: f64) -> Vec<CoursePoint> {
     sampled(swinging().running(by, h).each(seconds, |time, point| {
         let energy = Some(energy_of(point));
         CoursePoint { time, error: (point.x.y - place_at(time)).abs(), energy }
@@ -85,23 +85,23 @@ fn moments(by: By<Step>, seconds: f64, h: f64) -> Vec<CoursePoint> {
 }
 
 /// For ten seconds.
-pub fn swing() -> Scene {
+pub fn swing() -> LabScene {
     let title = "A floating box swings without drag (ω = √(ρgA/m)), 10 s";
     let methods = Answer::all(INTEGRATORS.iter().copied(), error_at_end);
-    Scene { methods, ..Scene::new("oscillator", title, SECONDS, 1) }
+    LabScene { methods, ..LabScene::new("oscillator", title, SECONDS, 1) }
 }
 
 /// The energy over a thousand periods.
-pub fn energy_kept() -> Scene {
+pub fn energy_kept() -> LabScene {
     let seconds = PERIODS * period();
     let error = move |by, h| worst_energy(by, seconds, h);
     let course = move |by, h| moments(by, seconds, h);
-    Scene {
+    LabScene {
         error: "worst error of the energy at any time, parts of 1",
         tolerance: SEEN,
         steps: STEPS.to_vec(),
         methods: Answer::all_showing(INTEGRATORS.iter().copied(), error, course),
-        ..Scene::new("oscillator-energy", "The energy of a floating box in 1000 swings without drag", seconds, 1)
+        ..LabScene::new("oscillator-energy", "The energy of a floating box in 1000 swings without drag", seconds, 1)
     }
 }
 

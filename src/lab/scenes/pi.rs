@@ -2,7 +2,7 @@
 
 use crate::classics::pi::{Blocks, step_through};
 use crate::lab::report::PI;
-use crate::lab::{Answer, Scene};
+use crate::lab::{Answer, LabScene};
 
 /// Digits after the 3 that steps are tried on.
 const DIGITS: std::ops::RangeInclusive<u32> = 0..=5;
@@ -22,7 +22,7 @@ pub fn stepped(n: u32, h: f64) -> Option<u64> {
 }
 
 /// A method a digit.
-pub fn digits() -> Scene {
+pub fn digits() -> LabScene {
     let last = *DIGITS.end();
     let stepped =
         |n: u32| Answer::new(format!("time steps, N = {n}"), move |h| stepped(n, h).map_or(f64::NAN, |count| error(n, count)));
@@ -32,13 +32,13 @@ pub fn digits() -> Scene {
         error(last, blocks.collisions())
     };
     let exact = Answer { name: format!("exact times of impact, N = {last}"), ..Answer::shipped(exact) };
-    Scene {
+    LabScene {
         error: "relative error of the count",
         work: "CPU time for the count, ns",
         tolerance: 0.5 / COUNTS[last as usize] as f64,
         alike: false,
         steps: vec![1e-1, 1.0 / 60.0, 1.0 / 120.0, 1e-3, 1e-4, 1e-5],
         methods: DIGITS.map(stepped).chain([exact]).collect(),
-        ..Scene::new(PI, "π from collisions: counting in time steps, and by exact times of impact", 1.0, 1)
+        ..LabScene::new(PI, "π from collisions: counting in time steps, and by exact times of impact", 1.0, 1)
     }
 }

@@ -1,8 +1,8 @@
 //! Sliding to a stop on a floor. Exact: d = v₀²/2μg.
 
 use crate::lab::contract::Model;
-use crate::lab::methods::friction::{Slide, Slider, by_sign, clamped, exact};
-use crate::lab::{Answer, Scene, shipped};
+use crate::lab::methods::friction::{SlideStep, Slider, by_sign, clamped, exact};
+use crate::lab::{Answer, LabScene, shipped};
 use crate::physics::{BodyDef, BodyId, DVec2, Material, World};
 
 /// N/kg.
@@ -13,7 +13,7 @@ const SPEED: f64 = 10.0;
 const SECONDS: f64 = 10.0;
 
 /// The methods by hand.
-pub const METHODS: [(&str, Slide); 3] = [("friction by sign", by_sign), ("friction clamped", clamped), ("exact stop", exact)];
+pub const METHODS: [(&str, SlideStep); 3] = [("friction by sign", by_sign), ("friction clamped", clamped), ("exact stop", exact)];
 
 /// A box at 10 m/s on asphalt.
 #[derive(Clone, Copy, Debug)]
@@ -41,13 +41,13 @@ impl SlidingBox {
 
 impl Model for SlidingBox {
     type State = Slider;
-    type Method = Slide;
+    type Method = SlideStep;
 
     fn start(&self) -> Slider {
         (0.0, SPEED)
     }
 
-    fn step(&self, method: Slide, slider: &mut Slider, h: f64) {
+    fn step(&self, method: SlideStep, slider: &mut Slider, h: f64) {
         *slider = method(*slider, self.brake(), h);
     }
 
@@ -63,9 +63,9 @@ impl Model for SlidingBox {
 }
 
 /// From 10 m/s on asphalt: 5.13 m.
-pub fn to_a_stop() -> Scene {
+pub fn to_a_stop() -> LabScene {
     let sliding = SlidingBox { gravity: G };
     let error = move |by, h| sliding.end(by, SECONDS, h).map_or(f64::NAN, |(x, _)| (x - sliding.stop()).abs());
     let methods = Answer::all(METHODS, error);
-    Scene { methods, ..Scene::new("slide", "Sliding 5.13 m to a stop, 10 s", SECONDS, 1) }
+    LabScene { methods, ..LabScene::new("slide", "Sliding 5.13 m to a stop, 10 s", SECONDS, 1) }
 }

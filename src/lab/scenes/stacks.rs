@@ -4,7 +4,7 @@
 use crate::lab::contract::{By, Model};
 use crate::lab::course::worst;
 use crate::lab::methods::chain::{Chain, Solver};
-use crate::lab::{Answer, Scene, shipped};
+use crate::lab::{Answer, LabScene, shipped};
 use crate::physics::{BodyDef, BodyId, DVec2, Material, World};
 
 /// N/kg.
@@ -111,27 +111,27 @@ fn push(n: usize) -> f64 {
     n as f64 * (ROW_ACCELERATION + Material::ASPHALT.kinetic_friction * G)
 }
 
-fn standing(name: &'static str, title: String, masses: Vec<f64>) -> Scene {
-    let scene = Scene::new(name, title, SECONDS, masses.len());
+fn standing(name: &'static str, title: String, masses: Vec<f64>) -> LabScene {
+    let scene = LabScene::new(name, title, SECONDS, masses.len());
     let column = ContactChain::standing(masses);
     let methods = Answer::all(SOLVERS, move |by, h| column.sag(by, SECONDS, h));
-    Scene { error: "largest movement of a body at rest, m", methods, ..scene }
+    LabScene { error: "largest movement of a body at rest, m", methods, ..scene }
 }
 
 /// Equal blocks, one on the other.
-pub fn column() -> Scene {
+pub fn column() -> LabScene {
     standing("column", format!("A column of {COLUMN} equal blocks, 10 s"), vec![1.0; COLUMN])
 }
 
 /// Ten thousand times its weight.
-pub fn heavy_on_light() -> Scene {
+pub fn heavy_on_light() -> LabScene {
     standing("heavy-on-light", "10 000 kg resting on 1 kg, 10 s".to_owned(), vec![1.0, 10_000.0])
 }
 
 /// Twenty blocks pushed from behind.
-pub fn pushed_row() -> Scene {
+pub fn pushed_row() -> LabScene {
     let (seconds, row) = (1.0, ContactChain::pushed(ROW));
     let methods = Answer::all(SOLVERS, move |by, h| row.row_error(by, seconds, h));
-    let scene = Scene::new("pushed-row", format!("A row of {ROW} blocks pushed along a floor, 1 s"), seconds, ROW);
-    Scene { error: "worst error of a position, m", methods, ..scene }
+    let scene = LabScene::new("pushed-row", format!("A row of {ROW} blocks pushed along a floor, 1 s"), seconds, ROW);
+    LabScene { error: "worst error of a position, m", methods, ..scene }
 }

@@ -1,9 +1,9 @@
 //! Something fast against something thin. Exact: it never gets through.
 
 use crate::lab::contract::{By, Model};
-use crate::lab::methods::impact::{Block, Line};
+use crate::lab::methods::impact::{ImpactStep, LineBlock};
 use crate::lab::scenes::collisions::{BlockLine, METHODS};
-use crate::lab::{Answer, Scene};
+use crate::lab::{Answer, LabScene};
 
 /// m. Widths of the flying box and of the thin thing in its path.
 pub const BOX: f64 = 0.5;
@@ -28,8 +28,8 @@ impl Meeting {
     fn after(self, delay: f64) -> BlockLine {
         let x = self.speed * delay + 0.5 * (BOX + THIN);
         BlockLine::of(vec![
-            Block { x: 0.0, v: self.speed, mass: 1.0, half: 0.5 * BOX },
-            Block { x, v: 0.0, mass: self.mass, half: 0.5 * THIN },
+            LineBlock { x: 0.0, v: self.speed, mass: 1.0, half: 0.5 * BOX },
+            LineBlock { x, v: 0.0, mass: self.mass, half: 0.5 * THIN },
         ])
     }
 
@@ -46,13 +46,13 @@ impl Meeting {
     }
 
     /// The first phase of the step at which the box does not stay on its side, if there is one.
-    pub fn fails_at(self, by: By<Line>, h: f64) -> Option<usize> {
-        let stays = |blocks: Vec<Block>| blocks[0].x <= blocks[1].x && blocks[0].v <= blocks[1].v;
+    pub fn fails_at(self, by: By<ImpactStep>, h: f64) -> Option<usize> {
+        let stays = |blocks: Vec<LineBlock>| blocks[0].x <= blocks[1].x && blocks[0].v <= blocks[1].v;
         (0..PHASES).find(|&phase| !self.at_phase(phase, h).0.end(by, STEPS as f64 * h, h).is_some_and(stays))
     }
 
     /// The worst error of the box's place half a second after it has bounced off, over all phases of the step, m.
-    fn worst_error(self, by: By<Line>, h: f64) -> f64 {
+    fn worst_error(self, by: By<ImpactStep>, h: f64) -> f64 {
         let mut worst: f64 = 0.0;
         for phase in 0..PHASES {
             let steps = (0.5 / h).round().max(2.0);
@@ -66,20 +66,20 @@ impl Meeting {
     }
 }
 
-fn scene(name: &'static str, title: &str, meeting: Meeting) -> Scene {
+fn scene(name: &'static str, title: &str, meeting: Meeting) -> LabScene {
     let methods = Answer::all(METHODS, move |by, h| meeting.worst_error(by, h));
     let error = "worst error of position 0.25 s after the impact, m";
-    Scene { error, methods, ..Scene::new(name, title, 0.5 * PHASES as f64, 1) }
+    LabScene { error, methods, ..LabScene::new(name, title, 0.5 * PHASES as f64, 1) }
 }
 
 /// A wall of 10 cm.
-pub fn thin_wall() -> Scene {
+pub fn thin_wall() -> LabScene {
     let wall = Meeting { speed: 100.0, mass: f64::INFINITY };
     scene("thin-wall", "A box of 0.5 m at 100 m/s against a wall of 0.1 m", wall)
 }
 
 /// A plate of 10 cm that can move.
-pub fn bodies() -> Scene {
+pub fn bodies() -> LabScene {
     let plate = Meeting { speed: 100.0, mass: 3.0 };
     scene("thin-body", "A box of 0.5 m at 100 m/s against a plate of 0.1 m and three times its mass", plate)
 }

@@ -1,11 +1,11 @@
 //! Where floors fail: jitter at rest, stops that are short or never come, bounces that end too early or never, energy from nothing.
 
-use super::picture::Picture;
+use super::picture::FailurePicture;
 use super::{G, StressTest, TICK, Trial};
 use crate::lab::TOLERANCE;
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::bounce::{Ball, Bounce, energy, event_loop, impact_times};
-use crate::lab::methods::friction::{Slide, Slider, by_sign};
+use crate::lab::methods::friction::{SlideStep, Slider, by_sign};
 use crate::lab::scenes::bouncing::{self, BouncingBall, METHODS, bounces_until, energy_kept, lossy_apex_at, series_end};
 use crate::lab::scenes::sliding::{self, SlidingBox};
 
@@ -37,37 +37,37 @@ pub fn resting_jitter() -> StressTest {
     let picture = |by: By<Bounce>, e: f64| {
         let velocities: Vec<(f64, f64)> = laid(e).running(by, TICK).each(RESTING, |t, ball| (t, ball.1)).collect();
         let last = velocities.len().saturating_sub(JITTERS);
-        Picture::of("time, s", "velocity, m/s").found(velocities.into_iter().skip(last)).within(0.0, 0.0)
+        FailurePicture::of("time, s", "velocity, m/s").found(velocities.into_iter().skip(last)).within(0.0, 0.0)
     };
     let methods = Trial::all_showing(METHODS, |by, e| jitter(by, e) == 0.0, picture);
     StressTest::of("rest without jitter", "restitution e, at h = 1/60 s", (0.01, 1.0), methods)
 }
 
 /// The time after each step, place and velocity of a slide of 5 s.
-fn slides(by: By<Slide>, h: f64) -> impl Iterator<Item = (f64, Slider)> {
+fn slides(by: By<SlideStep>, h: f64) -> impl Iterator<Item = (f64, Slider)> {
     SLIDING.running(by, h).each(RESTING, |t, slider| (t, *slider))
 }
 
 /// Place (m) and velocity (m/s) at its end.
-pub fn slide(by: By<Slide>, h: f64) -> Slider {
+pub fn slide(by: By<SlideStep>, h: f64) -> Slider {
     SLIDING.end(by, RESTING, h).unwrap_or((f64::NAN, f64::NAN))
 }
 
 /// The places about the stop.
-fn stopping(by: By<Slide>, h: f64) -> Picture {
+fn stopping(by: By<SlideStep>, h: f64) -> FailurePicture {
     let around = (12.0 * h).max(0.1);
     let (from, to) = (SLIDING.stops_after() - around, SLIDING.stops_after() + around);
     let line = slides(by, h).map(|(t, (x, _))| (t, x - SLIDING.stop())).skip_while(|(t, _)| *t < from);
-    let picture = Picture::of("time, s", "place beyond the stop, m").found(line.take_while(|(t, _)| *t <= to));
+    let picture = FailurePicture::of("time, s", "place beyond the stop, m").found(line.take_while(|(t, _)| *t <= to));
     picture.within(0.0, TOLERANCE)
 }
 
 /// The velocities about the stop, in units of what friction takes in a step.
-fn chattering(h: f64) -> Picture {
+fn chattering(h: f64) -> FailurePicture {
     let first = ((SLIDING.stops_after() / h) as usize).saturating_sub(8);
     let line = slides(By::Hand(by_sign), h).enumerate().skip(first).take(24);
     let line = line.map(|(i, (_, (_, v)))| ((i + 1 - first) as f64, v / (SLIDING.brake() * h)));
-    Picture::of("steps about the stop", "velocity / friction's in a step").found(line).within(0.0, 0.0)
+    FailurePicture::of("steps about the stop", "velocity / friction's in a step").found(line).within(0.0, 0.0)
 }
 
 /// Stops dead at v₀²/2μg, within a tenth of a pixel.
@@ -89,12 +89,12 @@ pub fn end_of_bounces(by: By<Bounce>, e: f64) -> f64 {
 }
 
 /// The height that is left to a ball at the end of the series of its bounces: the second half of their time, and a fifth more.
-fn ending(by: By<Bounce>, e: f64) -> Picture {
+fn ending(by: By<Bounce>, e: f64) -> FailurePicture {
     let (end, fall) = (series_end(e), (2.0 * bouncing::HEIGHT / G).sqrt());
     let from = 0.5 * (end + fall);
     let line = series(by, e).map(|(t, ball)| (t, energy(ball, G) / G)).skip_while(|(t, _)| *t < from);
     let exact = (0..=150).map(|i| from + (1.2 * end - from) * f64::from(i) / 150.0).map(|t| (t, lossy_apex_at(e, t)));
-    Picture::of("time, s", "height that is left, m").found(line).exact(exact)
+    FailurePicture::of("time, s", "height that is left, m").found(line).exact(exact)
 }
 
 /// Infinitely many bounces in a finite time, up to e = 0.98.
@@ -104,7 +104,7 @@ pub fn zeno() -> StressTest {
     let impacts = |e| {
         let times = impact_times((bouncing::HEIGHT, 0.0), G, e).take(60).enumerate();
         let line = times.map(|(i, t)| ((i + 1) as f64, t / series_end(e)));
-        Picture::of("impacts", "time / end of the series").found(line).exact([(1.0, 1.0), (60.0, 1.2)])
+        FailurePicture::of("impacts", "time / end of the series").found(line).exact([(1.0, 1.0), (60.0, 1.2)])
     };
     let mut methods = vec![Trial::new("event loop alone", alone).showing(impacts)];
     methods.extend(Trial::all_showing(METHODS, move |by, e| right(e, end_of_bounces(by, e)), ending));
@@ -121,7 +121,7 @@ pub fn minute_of_bounces() -> StressTest {
     let picture = |by: By<Bounce>, h: f64| {
         let energy = |t: f64, ball: &Ball| (t, energy(*ball, G) / (G * bouncing::HEIGHT));
         let line = BouncingBall::of(1.0).running(by, h).each(MINUTE, energy);
-        Picture::of("time, s", "energy / first one").found(line).within(1.0, RIGHT)
+        FailurePicture::of("time, s", "energy / first one").found(line).within(1.0, RIGHT)
     };
     let methods = Trial::all_showing(METHODS, |by, h| (minute(by, h) - 1.0).abs() <= RIGHT, picture);
     StressTest::of("perfect bouncing for 60 s keeps its energy to 1 %", "step h, s", (1e-4, 0.5), methods)

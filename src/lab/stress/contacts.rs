@@ -1,26 +1,26 @@
 //! Where methods of impact fail: thin things, and many contacts at one instant.
 
-use super::picture::Picture;
+use super::picture::FailurePicture;
 use super::{StressTest, TICK, Trial};
 use crate::lab::contract::{By, Model};
-use crate::lab::methods::impact::Line;
+use crate::lab::methods::impact::ImpactStep;
 use crate::lab::scenes::collisions::{BlockLine, METHODS, STRIKE};
 use crate::lab::scenes::tunnelling::{self, Meeting};
 
 /// Whether a box of 0.5 m never gets through something of 0.1 m and `mass` (kg; infinite: a wall) at 60 Hz.
-pub fn stays_out(by: By<Line>, speed: f64, mass: f64) -> bool {
+pub fn stays_out(by: By<ImpactStep>, speed: f64, mass: f64) -> bool {
     Meeting { speed, mass }.fails_at(by, TICK).is_none()
 }
 
 /// The places of the first `blocks` over the steps since `first`.
-fn with_paths(picture: Picture, paths: &[Vec<f64>], blocks: usize, first: usize) -> Picture {
+fn with_paths(picture: FailurePicture, paths: &[Vec<f64>], blocks: usize, first: usize) -> FailurePicture {
     let path =
         |block: usize| paths.iter().enumerate().skip(first).filter_map(move |(i, places)| Some((i as f64, *places.get(block)?)));
     (0..blocks).fold(picture, |picture, block| picture.found(path(block)))
 }
 
 /// The places of box and thin thing over the steps in which they meet, at the phase at which they fail, if any.
-fn met(by: By<Line>, meeting: Meeting) -> Picture {
+fn met(by: By<ImpactStep>, meeting: Meeting) -> FailurePicture {
     let (line, met) = meeting.at_phase(meeting.fails_at(by, TICK).unwrap_or(0), TICK);
     let end = tunnelling::STEPS as f64;
     let (found, thin) = (line.paths(by, end * TICK, TICK), line.blocks[1].x);
@@ -29,7 +29,7 @@ fn met(by: By<Line>, meeting: Meeting) -> Picture {
         let at = |steps: f64| (steps, x + before * met.min(steps * TICK) + after * (steps * TICK - met).max(0.0));
         [0.0, met / TICK, end].map(at)
     };
-    let picture = Picture::of("steps", "place, m").exact(exact(line.blocks[0].x, meeting.speed, box_after));
+    let picture = FailurePicture::of("steps", "place, m").exact(exact(line.blocks[0].x, meeting.speed, box_after));
     if meeting.mass.is_infinite() {
         let half = 0.5 * tunnelling::THIN;
         with_paths(picture, &found, 1, 0).solid(thin - half, thin + half)
@@ -60,11 +60,11 @@ const STRUCK: f64 = 1.0;
 const CROWD: usize = 200;
 
 /// The velocities of a cradle of `n` after the strike, in units of the first one's.
-pub fn cradle(by: By<Line>, n: usize) -> Vec<f64> {
+pub fn cradle(by: By<ImpactStep>, n: usize) -> Vec<f64> {
     struck_velocities(by, &BlockLine::cradle(n))
 }
 
-fn struck_velocities(by: By<Line>, cradle: &BlockLine) -> Vec<f64> {
+fn struck_velocities(by: By<ImpactStep>, cradle: &BlockLine) -> Vec<f64> {
     let blocks = cradle.end(by, STRUCK, TICK).unwrap_or_default();
     blocks.iter().map(|block| block.v / STRIKE).collect()
 }
@@ -75,15 +75,15 @@ fn last_leaves(velocities: &[f64]) -> bool {
 }
 
 /// The places of all blocks from half a strike on, and the exact ones.
-fn struck(by: By<Line>, cradle: &BlockLine) -> Picture {
+fn struck(by: By<ImpactStep>, cradle: &BlockLine) -> FailurePicture {
     let (steps, meet) = (STRUCK / TICK, 2.0 / STRIKE / TICK);
     let first = (steps / 2.0) as usize;
     let blocks = cradle.blocks.len();
     let paths = cradle.paths(by, STRUCK, TICK);
-    let exact = |picture: Picture, block: usize| {
+    let exact = |picture: FailurePicture, block: usize| {
         picture.exact([first as f64, meet, steps].map(|step| (step, cradle.cradle_place(block, step * TICK))))
     };
-    (0..blocks).fold(with_paths(Picture::of("steps", "places, m"), &paths, blocks, first), exact)
+    (0..blocks).fold(with_paths(FailurePicture::of("steps", "places, m"), &paths, blocks, first), exact)
 }
 
 /// A cradle's pattern: 0, …, 0, v.

@@ -8,7 +8,7 @@ pub mod picture;
 pub mod robustness;
 pub mod standing;
 
-use picture::Picture;
+use picture::FailurePicture;
 
 use super::axes::number;
 use super::contract::Entrant;
@@ -56,7 +56,7 @@ pub struct StressTest {
 }
 
 /// A method in a test: whether it survives a value, and a picture of its run.
-type Trial = Entrant<bool, Picture>;
+type Trial = Entrant<bool, FailurePicture>;
 
 impl std::fmt::Debug for StressTest {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -87,11 +87,11 @@ impl StressTest {
     }
 
     /// How a method fails just beyond the largest value that it survives, or how it survives the largest that was tried.
-    pub fn picture(&self, method: &str, largest: f64) -> Option<Picture> {
+    pub fn picture(&self, method: &str, largest: f64) -> Option<FailurePicture> {
         let method = self.methods.iter().find(|found| found.name == method)?;
         let value = self.beyond(largest, &method.run);
         let picture = method.shown.as_ref()?(value);
-        Some(Picture { value, ..picture })
+        Some(FailurePicture { value, ..picture })
     }
 
     /// A value beyond that one at which it does fail; the largest that was tried where it survives all.
@@ -165,7 +165,7 @@ pub const TESTS: [fn() -> StressTest; 17] = [
 ];
 
 /// How a row's method fails; nothing where its test or its method is not known here.
-pub fn picture(row: &Survival) -> Option<Picture> {
+pub fn picture(row: &Survival) -> Option<FailurePicture> {
     TESTS.iter().map(|test| test()).find(|test| test.name == row.test)?.picture(&row.method, row.largest)
 }
 
@@ -183,7 +183,9 @@ mod tests {
 
     #[test]
     fn a_failure_is_shown_just_beyond_what_is_survived() {
-        let trial = |survives: fn(f64) -> bool| Trial::new("m", survives).showing(|value| Picture { value, ..Picture::default() });
+        let trial = |survives: fn(f64) -> bool| {
+            Trial::new("m", survives).showing(|value| FailurePicture { value, ..FailurePicture::default() })
+        };
         let test = StressTest::of("a", "b", (1.0, 100.0), vec![trial(|value| value < 9.0)]);
         let at = |largest: f64| test.picture("m", largest).map(|picture| picture.value);
         assert_eq!([0.0, 8.0, 90.0, 100.0, f64::NAN].map(at), [Some(1.0), Some(10.0), Some(100.0), Some(100.0), Some(1.0)]);

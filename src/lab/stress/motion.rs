@@ -1,9 +1,9 @@
 //! Where integrators fail: things so light that a step overshoots their terminal velocity, and gusts that turn them round.
 
-use super::picture::Picture;
+use super::picture::FailurePicture;
 use super::{G, StressTest, TICK, Trial};
 use crate::lab::contract::{By, Model};
-use crate::lab::methods::motion::{INTEGRATORS, Law, METHODS, Point, Step, exact_fall};
+use crate::lab::methods::motion::{INTEGRATORS, METHODS, MotionLaw, MotionStep, PointState, exact_fall};
 use crate::lab::scenes::flight::FlyingBody;
 use crate::lab::scenes::oscillator;
 use crate::physics::DVec2;
@@ -22,7 +22,7 @@ const BOUNDS: f64 = 1e6;
 
 /// What becomes of a fall from rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fall {
+pub enum FallOutcome {
     /// It settles at the terminal velocity, to 1 %.
     Right,
     /// It settles elsewhere, or never.
@@ -34,25 +34,25 @@ pub enum Fall {
 /// A fall with z = g·h/v_t that begins at `start` terminal velocities, and that velocity, m/s.
 fn falling(z: f64, start: f64) -> (FlyingBody, f64) {
     let terminal = G * TICK / z;
-    let law = Law { constant: DVec2::new(0.0, G), drag: G / (terminal * terminal), ..Law::default() };
-    (FlyingBody::in_air(law, Point { x: DVec2::ZERO, v: DVec2::new(0.0, start * terminal) }), terminal)
+    let law = MotionLaw { constant: DVec2::new(0.0, G), drag: G / (terminal * terminal), ..MotionLaw::default() };
+    (FlyingBody::in_air(law, PointState { x: DVec2::ZERO, v: DVec2::new(0.0, start * terminal) }), terminal)
 }
 
 /// The velocities after each step of a fall, in terminal velocities; up to the first beyond all bounds.
-fn falls(by: By<Step>, z: f64, start: f64) -> Vec<f64> {
+fn falls(by: By<MotionStep>, z: f64, start: f64) -> Vec<f64> {
     let (body, terminal) = falling(z, start);
     let velocities = body.running(by, TICK).each(LONG as f64 * TICK, |_, point| point.v.y / terminal);
     velocities.take_while(|v| v.abs() <= BOUNDS).collect()
 }
 
 /// A fall at z = g·h/v_t by hand that begins at `start` terminal velocities.
-pub fn fall(step: Step, z: f64, start: f64) -> Fall {
+pub fn fall(step: MotionStep, z: f64, start: f64) -> FallOutcome {
     let velocities = falls(By::Hand(step), z, start);
     let right = velocities.iter().rev().take_while(|v| (*v - 1.0).abs() <= RIGHT).count();
     match (velocities.len(), right) {
-        (..LONG, _) => Fall::Diverges,
-        (_, 11..) => Fall::Right,
-        (_, _) => Fall::Wrong,
+        (..LONG, _) => FallOutcome::Diverges,
+        (_, 11..) => FallOutcome::Right,
+        (_, _) => FallOutcome::Wrong,
     }
 }
 
@@ -65,20 +65,20 @@ pub fn shipped_fall_error(z: f64) -> f64 {
 }
 
 /// The last of some velocities of a fall, in units of the terminal one.
-fn settled(velocities: &[f64]) -> Picture {
+fn settled(velocities: &[f64]) -> FailurePicture {
     let first = velocities.len().saturating_sub(SHOWN);
     let line = velocities.iter().enumerate().skip(first).map(|(i, v)| ((i + 1) as f64, *v));
-    Picture::of("steps since the start", "velocity / v_t").found(line).within(1.0, RIGHT)
+    FailurePicture::of("steps since the start", "velocity / v_t").found(line).within(1.0, RIGHT)
 }
 
 /// z = g·h/v_t: above 1, half a dozen methods do not find the terminal velocity any more.
 pub fn terminal_velocity() -> StressTest {
     let parameter = "z = g·h/v_t: step h = 1/60 s, terminal velocity v_t";
-    let survives = |by: By<Step>, z: f64| match by {
-        By::Hand(step) => fall(step, z, 0.0) == Fall::Right,
+    let survives = |by: By<MotionStep>, z: f64| match by {
+        By::Hand(step) => fall(step, z, 0.0) == FallOutcome::Right,
         By::Engine => shipped_fall_error(z) <= RIGHT,
     };
-    let methods = METHODS.into_iter().chain([("exact flow", exact_fall as Step)]);
+    let methods = METHODS.into_iter().chain([("exact flow", exact_fall as MotionStep)]);
     let methods = Trial::all_showing(methods, survives, |by, z| settled(&falls(by, z, 0.0)));
     StressTest::of("terminal velocity to 1 %", parameter, (0.01, 1e3), methods)
 }
@@ -89,7 +89,7 @@ const SWINGS: f64 = 100.0;
 const AMPLITUDE: f64 = 0.1;
 
 /// The swings done after each step and the amplitude then, over that at the start, at ω·h = `turn`.
-fn swings_of(by: By<Step>, turn: f64) -> impl Iterator<Item = (f64, f64)> {
+fn swings_of(by: By<MotionStep>, turn: f64) -> impl Iterator<Item = (f64, f64)> {
     let omega = turn / TICK;
     let mass = oscillator::DENSITY * oscillator::G / (omega * omega);
     let depth = mass / oscillator::DENSITY;
@@ -106,36 +106,38 @@ fn swings_of(by: By<Step>, turn: f64) -> impl Iterator<Item = (f64, f64)> {
 
 /// ω·h: a swing is a circle that steps cut off.
 pub fn swings() -> StressTest {
-    let keeps =
-        |by: By<Step>, turn: f64| swings_of(by, turn).last().is_some_and(|(_, amplitude)| (amplitude - 1.0).abs() <= AMPLITUDE);
-    let picture =
-        |by: By<Step>, turn: f64| Picture::of("swings", "amplitude / first one").found(swings_of(by, turn)).within(1.0, AMPLITUDE);
+    let keeps = |by: By<MotionStep>, turn: f64| {
+        swings_of(by, turn).last().is_some_and(|(_, amplitude)| (amplitude - 1.0).abs() <= AMPLITUDE)
+    };
+    let picture = |by: By<MotionStep>, turn: f64| {
+        FailurePicture::of("swings", "amplitude / first one").found(swings_of(by, turn)).within(1.0, AMPLITUDE)
+    };
     let parameter = "ω·h: step h = 1/60 s, a swing in 2π/ω";
     let methods = Trial::all_showing(INTEGRATORS.iter().copied(), keeps, picture);
     StressTest::of("amplitude of 100 swings afloat to 10 %", parameter, (0.09, 10.0), methods)
 }
 
 /// Drag alone on something with a terminal velocity of 2 m/s.
-pub fn gust_law() -> Law {
-    Law { constant: DVec2::ZERO, drag: G / (LIGHT * LIGHT), ..Law::default() }
+pub fn gust_law() -> MotionLaw {
+    MotionLaw { constant: DVec2::ZERO, drag: G / (LIGHT * LIGHT), ..MotionLaw::default() }
 }
 
 /// The velocities (m/s) after each of a second's ticks, of a body in a wind of `speed`.
-pub fn gust(by: By<Step>, speed: f64) -> Vec<f64> {
-    let start = Point { x: DVec2::ZERO, v: DVec2::new(speed, 0.0) };
+pub fn gust(by: By<MotionStep>, speed: f64) -> Vec<f64> {
+    let start = PointState { x: DVec2::ZERO, v: DVec2::new(speed, 0.0) };
     FlyingBody::in_air(gust_law(), start).running(by, TICK).each(1.0, |_, point| point.v.x).collect()
 }
 
 /// What becomes of a velocity in the first steps, over that of the air, and what should.
-fn blown(velocities: &[f64], speed: f64) -> Picture {
+fn blown(velocities: &[f64], speed: f64) -> FailurePicture {
     let after = velocities.iter().take(SHOWN / 3).enumerate().map(|(i, v)| ((i + 1) as f64, v / speed));
-    let found = Picture::of("steps since the start", "velocity / the air's").found(std::iter::once((0.0, 1.0)).chain(after));
+    let found = FailurePicture::of("steps since the start", "velocity / the air's").found(std::iter::once((0.0, 1.0)).chain(after));
     let k = gust_law().drag;
     found.exact((0..=SHOWN / 3).map(|steps| steps as f64).map(|steps| (steps, 1.0 / (1.0 + k * speed * steps * TICK))))
 }
 
 fn gusts(name: &'static str, survives: fn(&[f64], f64) -> bool) -> StressTest {
-    let survives = move |by: By<Step>, speed: f64| {
+    let survives = move |by: By<MotionStep>, speed: f64| {
         let velocities = gust(by, speed);
         !velocities.is_empty() && survives(&velocities, speed)
     };

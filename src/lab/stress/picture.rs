@@ -2,7 +2,7 @@
 //! computed by the method itself.
 
 /// A line: how far to the right, and how far up.
-pub type Line = Vec<(f64, f64)>;
+pub type Polyline = Vec<(f64, f64)>;
 
 /// Points of a line, at most: more would be closer together than pixels.
 const MOST: usize = 160;
@@ -15,7 +15,7 @@ const MARGIN: f64 = 0.08;
 
 /// A run of a method at one value, to be drawn.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Picture {
+pub struct FailurePicture {
     /// The value.
     pub value: f64,
     /// What goes to the right, with its unit.
@@ -23,9 +23,9 @@ pub struct Picture {
     /// What goes upwards, with its unit.
     pub up: &'static str,
     /// What the method makes of it.
-    pub found: Vec<Line>,
+    pub found: Vec<Polyline>,
     /// What is right.
-    pub exact: Vec<Line>,
+    pub exact: Vec<Polyline>,
     /// From where to where upwards it counts as right.
     pub right: Option<(f64, f64)>,
     /// Something solid, from where to where upwards.
@@ -33,9 +33,9 @@ pub struct Picture {
 }
 
 /// From and to which value.
-type Span = (f64, f64);
+type ValueSpan = (f64, f64);
 
-impl Picture {
+impl FailurePicture {
     /// One with nothing on it yet.
     pub(super) fn of(across: &'static str, up: &'static str) -> Self {
         Self { across, up, ..Self::default() }
@@ -66,15 +66,15 @@ impl Picture {
     }
 
     /// Where all lines begin and end.
-    fn across_span(&self) -> Span {
+    fn across_span(&self) -> ValueSpan {
         let points = self.found.iter().chain(&self.exact).flatten();
         span(points.map(|(x, _)| *x)).unwrap_or((0.0, 1.0))
     }
 
     /// What is seen: from where to where, to the right and upwards. All that is right is; what the method makes, where it does not leave
     /// that too far.
-    pub fn window(&self) -> (Span, Span) {
-        let heights = |lines: &[Line]| span(lines.iter().flatten().map(|(_, y)| *y));
+    pub fn window(&self) -> (ValueSpan, ValueSpan) {
+        let heights = |lines: &[Polyline]| span(lines.iter().flatten().map(|(_, y)| *y));
         let band = self.right.into_iter().chain(self.solid).flat_map(|(from, to)| [from, to]);
         let right = span(band.chain(self.exact.iter().flatten().map(|(_, y)| *y)));
         let (least, most) = match (right, heights(&self.found)) {
@@ -93,7 +93,7 @@ impl Picture {
 
     /// The lines as parts of the way to the right and upwards, cut where they leave what is seen; what is no number any more has left it
     /// upwards.
-    pub fn parts(&self, lines: &[Line]) -> Vec<Line> {
+    pub fn parts(&self, lines: &[Polyline]) -> Vec<Polyline> {
         let ((from, to), (least, most)) = self.window();
         let part = |&(x, y): &(f64, f64)| {
             let up = if y.is_nan() { 1.0 } else { ((y - least) / (most - least)).clamp(0.0, 1.0) };
@@ -104,7 +104,7 @@ impl Picture {
 }
 
 /// From the least to the largest of what is finite.
-fn span(values: impl Iterator<Item = f64>) -> Option<Span> {
+fn span(values: impl Iterator<Item = f64>) -> Option<ValueSpan> {
     let finite = values.filter(|value| value.is_finite());
     finite.fold(None, |span, value| {
         let (least, most) = span.unwrap_or((value, value));
@@ -113,7 +113,7 @@ fn span(values: impl Iterator<Item = f64>) -> Option<Span> {
 }
 
 /// A few of many points, the last one among them.
-fn thinned(line: Line) -> Line {
+fn thinned(line: Polyline) -> Polyline {
     let every = line.len().div_ceil(MOST).max(1);
     let last = line.len().saturating_sub(1);
     line.into_iter().enumerate().filter(|(i, _)| i % every == 0 || *i == last).map(|(_, point)| point).collect()
@@ -126,13 +126,13 @@ mod tests {
     #[test]
     fn what_is_right_is_always_seen_and_what_leaves_it_is_cut() {
         let wild = [(0.0, 1.0), (1.0, -1e300), (2.0, f64::NAN), (3.0, f64::INFINITY)];
-        let picture = Picture::of("t", "v").found(wild).exact([(0.0, 0.0), (3.0, 1.0)]);
+        let picture = FailurePicture::of("t", "v").found(wild).exact([(0.0, 0.0), (3.0, 1.0)]);
         let ((from, to), (least, most)) = picture.window();
         assert_eq!((from, to), (0.0, 3.0));
         assert!(least < -1.0 && least > -1.5 && most > 1.0 && most < 1.5, "{least} {most}");
         let parts = &picture.parts(&picture.found)[0];
         assert_eq!((parts[1].1, parts[2].1, parts[3].1), (0.0, 1.0, 1.0));
-        let band = Picture::of("t", "v").found([(0.0, 1.005), (9.0, 5.0)]).within(1.0, 0.01);
+        let band = FailurePicture::of("t", "v").found([(0.0, 1.005), (9.0, 5.0)]).within(1.0, 0.01);
         let (_, (least, most)) = band.window();
         assert!(least < 0.99 && most > 1.5 && most < 2.0, "{least} {most}");
     }
@@ -140,11 +140,11 @@ mod tests {
     #[test]
     fn there_is_a_window_whatever_there_is_to_see() {
         for picture in [
-            Picture::default(),
-            Picture::of("t", "v").found([]),
-            Picture::of("t", "v").found([(1.0, 2.0)]),
-            Picture::of("t", "v").found([(f64::NAN, f64::NAN)]),
-            Picture::of("t", "v").exact([(0.0, 0.0), (1.0, 0.0)]).found([(0.0, 0.0), (1.0, 0.0)]),
+            FailurePicture::default(),
+            FailurePicture::of("t", "v").found([]),
+            FailurePicture::of("t", "v").found([(1.0, 2.0)]),
+            FailurePicture::of("t", "v").found([(f64::NAN, f64::NAN)]),
+            FailurePicture::of("t", "v").exact([(0.0, 0.0), (1.0, 0.0)]).found([(0.0, 0.0), (1.0, 0.0)]),
         ] {
             let ((from, to), (least, most)) = picture.window();
             assert!(to > from && most > least, "{picture:?}");

@@ -1,10 +1,10 @@
 //! Where programs fail: far from the origin, after a hitch, and on nonsense.
 
-use super::picture::Picture;
+use super::picture::FailurePicture;
 use super::{G, StressTest, TICK, Trial};
 use crate::game::{Clock, TICK_RATE};
 use crate::lab::contract::{By, Model};
-use crate::lab::methods::motion::{Law, Point, Step, semi_implicit_euler, semi_implicit_euler_f32};
+use crate::lab::methods::motion::{MotionLaw, MotionStep, PointState, semi_implicit_euler, semi_implicit_euler_f32};
 use crate::lab::scenes::flight::FlyingBody;
 use crate::lab::{TOLERANCE, shipped};
 use crate::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
@@ -13,23 +13,24 @@ use crate::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, 
 const DRIFT: f64 = 10.0;
 
 /// A body that drifts at 1 m/s, `distance` m from the origin: the time after each step, and the error of its place, m.
-fn drifts(by: By<Step>, distance: f64) -> impl Iterator<Item = (f64, f64)> {
-    let start = Point { x: DVec2::new(distance, 0.0), v: DVec2::new(1.0, 0.0) };
-    let body = FlyingBody::in_air(Law::default(), start);
+fn drifts(by: By<MotionStep>, distance: f64) -> impl Iterator<Item = (f64, f64)> {
+    let start = PointState { x: DVec2::new(distance, 0.0), v: DVec2::new(1.0, 0.0) };
+    let body = FlyingBody::in_air(MotionLaw::default(), start);
     body.running(by, TICK).each(DRIFT, move |time, point| (time, point.x.x - distance - time))
 }
 
 /// The error at the end, m.
-pub fn drift(by: By<Step>, distance: f64) -> f64 {
+pub fn drift(by: By<MotionStep>, distance: f64) -> f64 {
     drifts(by, distance).last().map_or(f64::NAN, |(_, off)| off.abs())
 }
 
 /// Places keep their tenth of a pixel.
 pub fn far_from_the_origin() -> StressTest {
-    let methods: [(&str, Step); 2] =
+    let methods: [(&str, MotionStep); 2] =
         [("semi-implicit Euler, f32", semi_implicit_euler_f32), ("semi-implicit Euler, f64", semi_implicit_euler)];
     let name = "drift of 10 s at 1 m/s to a tenth of a pixel";
-    let picture = |by, distance| Picture::of("time, s", "off its place, m").found(drifts(by, distance)).within(0.0, TOLERANCE);
+    let picture =
+        |by, distance| FailurePicture::of("time, s", "off its place, m").found(drifts(by, distance)).within(0.0, TOLERANCE);
     let methods = Trial::all_showing(methods, |by, distance| drift(by, distance) <= TOLERANCE, picture);
     StressTest::of(name, "distance from the origin, m, at h = 1/60 s", (1.0, 1e11), methods)
 }
@@ -104,18 +105,18 @@ pub fn shipped_step(frame: f64) -> Hitch {
 }
 
 /// The box before the frame and after it, beside how it would have fallen.
-fn fallen(frame: f64, hitch: &Hitch) -> Picture {
+fn fallen(frame: f64, hitch: &Hitch) -> FailurePicture {
     let lies = (2.0 * DROP / G).sqrt();
     let exact = (0..=40).map(|i| frame * f64::from(i) / 40.0).map(|t| (t, if t < lies { DROP - 0.5 * G * t * t } else { 0.0 }));
-    let picture = Picture::of("time, s", "height, m").found([(0.0, DROP), (frame, hitch.height)]).exact(exact);
+    let picture = FailurePicture::of("time, s", "height, m").found([(0.0, DROP), (frame, hitch.height)]).exact(exact);
     picture.solid(-FLOOR, 0.0)
 }
 
 /// The ticks that a frame asks for, beside those that it can afford.
-fn asked(frame: f64) -> Picture {
+fn asked(frame: f64) -> FailurePicture {
     let asked = [0.0, frame].map(|frame| (frame, f64::from(ticks_without_cap(frame).ticks)));
     let affordable = f64::from(AFFORDABLE);
-    Picture::of("length of the frame, s", "ticks to compute").found(asked).exact([(0.0, affordable), (frame, affordable)])
+    FailurePicture::of("length of the frame, s", "ticks to compute").found(asked).exact([(0.0, affordable), (frame, affordable)])
 }
 
 /// One frame takes long.
@@ -162,16 +163,16 @@ const FASTER: f64 = 1.05;
 /// Heights over the floor (m) and speeds (m/s) after each step, for ten seconds, of a nonsense body whose numbers are taken as they are.
 fn naively(body: &BodyDef) -> impl Iterator<Item = (f64, f64)> {
     let area = 2.0 * body.half.x;
-    let law = Law {
+    let law = MotionLaw {
         constant: DVec2::new(0.0, G * body.mass / body.mass),
         drag: 0.5 * 1.2041 * body.drag * area / body.mass,
-        ..Law::default()
+        ..MotionLaw::default()
     };
-    let (mut point, e) = (Point { x: body.position, v: body.velocity }, body.restitution);
+    let (mut point, e) = (PointState { x: body.position, v: body.velocity }, body.restitution);
     (0..(NONSENSE / TICK) as u32).map(move |_| {
         point = semi_implicit_euler(&law, point, TICK);
         if point.x.y > 0.0 && point.v.y > 0.0 {
-            point = Point { x: DVec2::new(point.x.x, 0.0), v: DVec2::new(point.v.x, -e * point.v.y) };
+            point = PointState { x: DVec2::new(point.x.x, 0.0), v: DVec2::new(point.v.x, -e * point.v.y) };
         }
         (if point.x.is_finite() { -point.x.y } else { f64::NAN }, point.v.length())
     })
@@ -199,7 +200,7 @@ pub fn nonsense() -> StressTest {
         // The last kind, which gives back more than it took.
         let heights = bodies.last().into_iter().flat_map(|(_, body)| naively(body)).enumerate();
         let line = heights.map(|(i, (height, _))| ((i + 1) as f64 * TICK, height));
-        Picture::of("time, s", "height at e = 2, m").found(line).exact([(0.0, NONSENSE_HEIGHT), (NONSENSE, NONSENSE_HEIGHT)])
+        FailurePicture::of("time, s", "height at e = 2, m").found(line).exact([(0.0, NONSENSE_HEIGHT), (NONSENSE, NONSENSE_HEIGHT)])
     });
     let methods = vec![naive, Trial::shipped(move |kinds| kinds.floor() <= refused)];
     let test = StressTest::of("nonsense does no harm", "of ten kinds, how many", (1.0, all), methods);

@@ -1,6 +1,6 @@
 //! Where solvers of resting contacts fail: unequal masses and tall columns.
 
-use super::picture::Picture;
+use super::picture::FailurePicture;
 use super::{G, StressTest, TICK, Trial};
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::chain::{Solver, sweeps_needed, swept_loads, weights, worst_load};
@@ -71,12 +71,12 @@ pub fn carries(masses: &[f64], solver: Solver) -> bool {
 
 /// Every solver on the column of a value.
 fn solvers(column: fn(f64) -> Vec<f64>) -> Vec<Trial> {
-    let over_time = |loads: Vec<(f64, f64)>| Picture::of("time, s", LOAD).found(loads).within(1.0, SWEPT_FORCE);
+    let over_time = |loads: Vec<(f64, f64)>| FailurePicture::of("time, s", LOAD).found(loads).within(1.0, SWEPT_FORCE);
     let from_cold = SWEEPS.map(|sweeps| {
         let survives = move |value| sweeps_needed(&column(value), SWEPT_FORCE, sweeps).is_some();
         Trial::new(format!("impulses from cold, {sweeps} sweeps"), survives).showing(move |value| {
             let loads = (1..=sweeps).map(f64::from).zip(swept_loads(&column(value)));
-            Picture::of("sweeps", LOAD).found(loads).within(1.0, SWEPT_FORCE)
+            FailurePicture::of("sweeps", LOAD).found(loads).within(1.0, SWEPT_FORCE)
         })
     });
     let at_rest = AT_REST.map(|(name, solver)| {

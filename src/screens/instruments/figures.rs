@@ -2,8 +2,8 @@
 
 use super::Stage;
 use crate::game::{Game, History, body_title};
-use crate::instruments::energy::State;
-use crate::instruments::ledger::{Account, Ledger, MOST_BODIES};
+use crate::instruments::energy::EnergyState;
+use crate::instruments::ledger::{Account, MOST_BODIES, WorkLedger};
 use crate::instruments::stop_clock::seconds;
 use crate::physics::{BodyId, ForceKind, Impulse};
 use crate::view::focus::Focus;
@@ -55,7 +55,7 @@ pub struct Table {
 /// What the table is read from.
 #[derive(Clone, Debug, Default)]
 pub struct Figures {
-    ledger: Ledger,
+    ledger: WorkLedger,
     /// From which tick on work is counted, and what had been done until then; from the start, where there is none.
     base: Option<(u64, Vec<Account>)>,
     /// Whether the accounts are those of the moment that is shown.
@@ -116,9 +116,11 @@ impl Figures {
             groups.push(all);
             columns.push("All".to_owned());
         }
-        let state = |group: &Vec<BodyId>| group.iter().map(|id| State::of(game, *id)).fold(State::default(), std::ops::Add::add);
-        let states: Vec<State> = groups.iter().map(state).collect();
-        let line = |name: &'static str, subject, of: &dyn Fn(&State) -> f64, unit| Number {
+        let state = |group: &Vec<BodyId>| {
+            group.iter().map(|id| EnergyState::of(game, *id)).fold(EnergyState::default(), std::ops::Add::add)
+        };
+        let states: Vec<EnergyState> = groups.iter().map(state).collect();
+        let line = |name: &'static str, subject, of: &dyn Fn(&EnergyState) -> f64, unit| Number {
             name,
             subject,
             values: states.iter().map(of).collect(),

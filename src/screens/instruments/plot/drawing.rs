@@ -5,11 +5,11 @@ use super::places::SAMPLE;
 use super::{Plot, PlotPlaces};
 use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Colour, Quads, Style};
-use crate::instruments::chart::{Chart, Lane};
+use crate::instruments::chart::{Chart, ChartLane};
 use crate::instruments::curve::Curve;
 use crate::instruments::look;
 use crate::instruments::quantity::Quantity;
-use crate::instruments::track::Track;
+use crate::instruments::track::BodyTrack;
 use crate::lab::linear::Linear;
 use crate::lab::look::Look;
 use crate::view::diagram::{marker, stroke};
@@ -170,7 +170,7 @@ impl Plot {
         }
     }
 
-    fn draw_axes(&self, scale: &Scale, lane: &Lane, text: f32, canvas: &Canvas) {
+    fn draw_axes(&self, scale: &Scale, lane: &ChartLane, text: f32, canvas: &Canvas) {
         let (area, end) = (scale.area, scale.area.max());
         let quiet = Style::new(DETAILS, theme::quiet()).middle();
         for (value, words) in lane.axis.named((area.size.y / (APART.y * text)).max(1.0) as usize) {
@@ -186,7 +186,7 @@ impl Plot {
     }
 
     /// What lies upwards in a lane, in its corner and above its curves.
-    fn draw_name(&self, lane: &Lane, area: Area, text: f32, canvas: &Canvas) {
+    fn draw_name(&self, lane: &ChartLane, area: Area, text: f32, canvas: &Canvas) {
         let (name, style) = (lane.name(|number| self.lines[number].up.symbol()), Style::new(DETAILS, theme::text()).middle());
         let size = Vec2::new(canvas.width(&name, style) + GRID, 1.4 * text);
         let under = Area { min: area.min + Vec2::new(GRID / 2.0, 1.0), size };
@@ -216,7 +216,7 @@ impl Plot {
     }
 
     /// What is between the selected curve and 0.
-    fn draw_area(&self, scale: &Scale, lane: &Lane, canvas: &Canvas) {
+    fn draw_area(&self, scale: &Scale, lane: &ChartLane, canvas: &Canvas) {
         let Some((number, line, track)) = self.shown().find(|(number, ..)| *number == self.selected) else { return };
         if !lane.curves.contains(&number) {
             return;
@@ -280,7 +280,7 @@ impl Plot {
 
     /// The moment that the world shows: an upright line over time, a marker on each curve, and the tangent of the selected one.
     fn draw_moment(&self, chart: &Chart, areas: &[Area], canvas: &Canvas) {
-        let place = |track: &Track| track.place(self.now);
+        let place = |track: &BodyTrack| track.place(self.now);
         if let (Quantity::Time, Some((_, _, track)), Some((first, last))) =
             (self.across, self.shown().next(), areas.first().zip(areas.last()))
         {

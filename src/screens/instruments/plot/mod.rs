@@ -13,10 +13,10 @@ mod taken_along;
 use super::Stage;
 use crate::draw::layout::{Area, Frame, Vec2};
 use crate::game::{History, body_title};
-use crate::instruments::chart::{Chart, Member, Window};
+use crate::instruments::chart::{Chart, ChartMember, TimeWindow};
 use crate::instruments::curve::Curve;
 use crate::instruments::quantity::{Part, Quantity};
-use crate::instruments::track::Track;
+use crate::instruments::track::BodyTrack;
 use crate::physics::{BodyId, DVec2};
 use crate::screens::ahead::Ahead;
 use crate::screens::{Buttons, Input, Keys, NewFile};
@@ -72,7 +72,7 @@ pub struct Plot {
     level: String,
     tick_rate: f64,
     /// What is drawn of the flight; none: all.
-    window: Option<Window>,
+    window: Option<TimeWindow>,
     /// From and to which tick the area is.
     span: Option<(u64, u64)>,
     /// Whose area is shown.
@@ -256,7 +256,7 @@ impl Plot {
     fn refresh(&mut self, anew: bool) {
         for line in &mut self.lines {
             let object = &self.objects[line.whose];
-            let body = object.track().map(Track::body);
+            let body = object.track().map(BodyTrack::body);
             if anew || line.read != body || (line.now.across(), line.now.up()) != (self.across, line.up) {
                 *line = Line { read: body, ..Line::new(line.whose, self.across, line.up) };
             }
@@ -270,17 +270,17 @@ impl Plot {
     }
 
     /// Those curves of which something is known, each with its number and its body's way.
-    fn shown(&self) -> impl Iterator<Item = (usize, &Line, &Track)> {
+    fn shown(&self) -> impl Iterator<Item = (usize, &Line, &BodyTrack)> {
         let track = |line: &Line| self.objects[line.whose].track();
         self.lines.iter().enumerate().filter_map(move |(i, line)| Some((i, line, track(line).filter(|_| !line.now.is_empty())?)))
     }
 
     /// The stretch of time that is drawn, s.
-    fn window(&self) -> Window {
+    fn window(&self) -> TimeWindow {
         self.window.unwrap_or_else(|| self.whole())
     }
 
-    fn whole(&self) -> Window {
+    fn whole(&self) -> TimeWindow {
         let tracks = || self.objects.iter().flat_map(|object| [object.track(), object.before()]).flatten();
         let from = tracks().map(|track| track.time(0)).fold(f64::INFINITY, f64::min);
         let to = tracks().map(|track| track.time(track.len() - 1)).fold(0.0, f64::max);
@@ -290,8 +290,8 @@ impl Plot {
     /// Where everything is drawn, those of the run before included.
     fn chart(&self) -> Chart {
         let window = self.window();
-        let mut members: Vec<Member> = self.shown().map(|(i, line, track)| (i, &line.now, track.places(window))).collect();
-        let before = |(i, line, _): (usize, &'_ Line, &Track)| Some((i, self.objects[line.whose].before()?.places(window)));
+        let mut members: Vec<ChartMember> = self.shown().map(|(i, line, track)| (i, &line.now, track.places(window))).collect();
+        let before = |(i, line, _): (usize, &'_ Line, &BodyTrack)| Some((i, self.objects[line.whose].before()?.places(window)));
         let places: Vec<_> = self.shown().filter_map(before).collect();
         members.extend(places.into_iter().map(|(i, places)| (i, &self.lines[i].before, places)));
         Chart::of(self.across, window, &members)

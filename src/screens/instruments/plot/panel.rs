@@ -6,7 +6,7 @@ use super::places::{MOST_LINES, PlotPlaces};
 use super::{Line, Plot, along};
 use crate::draw::layout::Area;
 use crate::instruments::quantity::Quantity;
-use crate::instruments::track::Track;
+use crate::instruments::track::BodyTrack;
 
 /// What a button does.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -126,7 +126,7 @@ impl Plot {
             Action::What(line) => self.pick = Some(Pick::Line(line)).filter(|now| pick != Some(*now)),
             Action::Keep(whose) => {
                 let object = &mut self.objects[whose];
-                object.kept = if object.kept.is_some() { None } else { object.track().map(Track::body) };
+                object.kept = if object.kept.is_some() { None } else { object.track().map(BodyTrack::body) };
             }
             Action::Export(format) => (self.waiting, self.told) = (Some(format), None),
             Action::Whole => self.window = None,

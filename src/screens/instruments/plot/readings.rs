@@ -34,7 +34,7 @@ impl Plot {
     }
 
     /// Between which places the area is: between the two marks, or from the start to the moment that is shown.
-    pub(super) fn stretch(&self, track: &crate::instruments::track::Track) -> (usize, usize) {
+    pub(super) fn stretch(&self, track: &crate::instruments::track::BodyTrack) -> (usize, usize) {
         match self.span {
             Some((from, to)) => (track.place(from), track.place(to)),
             None => (0, track.place(self.now)),

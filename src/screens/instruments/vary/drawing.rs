@@ -3,7 +3,7 @@
 use super::{Entry, From, Line, Vary};
 use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Style};
-use crate::instruments::vary::Track;
+use crate::instruments::vary::SliderTrack;
 use crate::level::Parameter;
 use crate::screens::text_field::TextField;
 use crate::view::quantity::scalar;
@@ -69,7 +69,7 @@ impl Vary {
         let style = Style::new(DETAILS, if varied { theme::accent() } else { colour }).middle();
         canvas.text(&widgets::cut(canvas, line.parameter.name(), name.size.x, style), at, style);
 
-        let track = Track::of(line.parameter, line.usual);
+        let track = SliderTrack::of(line.parameter, line.usual);
         let (begins, ends) = layout.way();
         let x = |value: f64| begins + (ends - begins) * track.part(value) as f32;
         canvas.line(Vec2::new(begins, at.y), Vec2::new(ends, at.y), 3.0, theme::solid());

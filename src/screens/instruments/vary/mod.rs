@@ -9,7 +9,7 @@ pub use drawing::written;
 use super::Stage;
 use crate::draw::layout::{Area, Vec2};
 use crate::game::body_title;
-use crate::instruments::vary::{Track, Variation};
+use crate::instruments::vary::{SliderTrack, Variation};
 use crate::level::{Level, Parameter};
 use crate::physics::BodyId;
 use crate::screens::text_field::TextField;
@@ -221,7 +221,7 @@ impl Vary {
 
     /// Asks for a number so many fine steps further, which it answers.
     fn step(&mut self, line: Line, steps: f64, level: &Level, variation: Option<&Variation>) -> f64 {
-        let value = Track::of(line.parameter, line.usual).stepped(line.value, steps, line.parameter.limits());
+        let value = SliderTrack::of(line.parameter, line.usual).stepped(line.value, steps, line.parameter.limits());
         self.ask(line, value, level, (variation, true));
         value
     }
@@ -289,7 +289,7 @@ impl Vary {
         if let Some(line) = self.held.and_then(|held| self.line(held)) {
             let part = self.layout.part(at);
             // A click that moves nothing changes nothing: the number need not be one that a slider sets.
-            let track = Track::of(line.parameter, line.usual);
+            let track = SliderTrack::of(line.parameter, line.usual);
             if (track.part(line.value) - part).abs() > self.layout.half_a_pixel() {
                 self.ask(line, track.value(part), level, (variation, !input.click));
             }

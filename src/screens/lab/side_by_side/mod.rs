@@ -6,7 +6,7 @@ mod drawing;
 use super::body;
 use crate::draw::layout::{Area, Frame, Vec2};
 use crate::lab::course::worst;
-use crate::lab::side_by_side::{Exhibit, Motion, STEPS, USUAL_STEP, error, exhibits};
+use crate::lab::side_by_side::{BoxMotion, Exhibit, STEPS, USUAL_STEP, error, exhibits};
 use crate::physics::{Aabb, DVec2};
 use crate::screens::{Buttons, Input, Key, Keys, Toolbar};
 use std::collections::VecDeque;
@@ -63,7 +63,7 @@ impl Half<'_> {
 /// A method at work.
 struct Runner {
     method: usize,
-    motion: Motion,
+    motion: BoxMotion,
     boxes: Vec<Aabb>,
     trail: VecDeque<Vec<DVec2>>,
     errors: Vec<f64>,
@@ -76,7 +76,7 @@ impl std::fmt::Debug for Runner {
 }
 
 impl Runner {
-    fn new(method: usize, motion: Motion, boxes: Vec<Aabb>) -> Self {
+    fn new(method: usize, motion: BoxMotion, boxes: Vec<Aabb>) -> Self {
         Self { method, motion, boxes, trail: VecDeque::new(), errors: Vec::new() }
     }
 

@@ -4,7 +4,7 @@ mod drawing;
 
 use super::body;
 use crate::draw::layout::{Area, Frame};
-use crate::lab::stress::picture::Picture;
+use crate::lab::stress::picture::FailurePicture;
 use crate::lab::stress::{self, Survival};
 use crate::screens::scroll::{Bar, Scroll, bar_beside};
 use crate::screens::{Input, Key, Toolbar};
@@ -35,7 +35,7 @@ pub enum Line {
 pub struct SurvivalPage {
     lines: Vec<Line>,
     /// How each line's method fails; of lines that came into view only.
-    pictures: HashMap<usize, Option<Picture>>,
+    pictures: HashMap<usize, Option<FailurePicture>>,
     /// The line under the pointer.
     pointed: Option<usize>,
     scroll: Scroll,
@@ -99,7 +99,7 @@ impl SurvivalPage {
     }
 
     /// How a line's method fails just beyond what it survives, once that is computed.
-    pub fn picture(&self, line: usize) -> Option<&Picture> {
+    pub fn picture(&self, line: usize) -> Option<&FailurePicture> {
         self.pictures.get(&line)?.as_ref()
     }
 
