@@ -12,7 +12,7 @@ mod staged;
 
 pub use lock::{Lock, PATIENCE, pauses, share};
 pub use read::{Links, is_passed_on, open, read, read_text, read_with};
-pub use rows::{CsvFile, CsvRow, RowFault};
+pub use rows::{CsvFile, CsvRow, RowFault, csv_text};
 pub use staged::{Replacement, around, behind_links, copy, create, create_folder, put, replace, sync_folder, target};
 
 /// One CSV file of a level: some 8000 objects or 20 000 solids. Whether each object is clear of each solid is looked at for all pairs:

@@ -1,4 +1,4 @@
-//! Jumper: one or two players climb an endless tower of platforms, and the view, which only rises, leaves behind who is too slow.
+//! Jumper: one or two players climb an endless tower of platforms, and the view, which only rises, leaves slow players behind.
 //!
 //! The world has three axes: x across, y depth, z up; the scene plays in x–z. Lengths are in metres, velocities in m/s.
 //!

@@ -67,12 +67,9 @@ pub fn count(n: u32) -> u64 {
     2 * rounds - u64::from(wall_left_out)
 }
 
-/// What collided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Collision {
-    /// The two blocks.
     Blocks,
-    /// The light block and the wall.
     Wall,
 }
 
@@ -108,7 +105,6 @@ impl Blocks {
         }
     }
 
-    /// Collisions so far.
     pub fn collisions(&self) -> u64 {
         self.collisions
     }
@@ -168,7 +164,7 @@ impl Blocks {
         Some(collision)
     }
 
-    /// Makes the collisions up to `time` (s), but at most `at_most`; returns how many it made. The same collisions come out however
+    /// Makes the collisions up to `time` (s), `at_most` of them; returns their number. The same collisions come out however
     /// the time is cut into calls.
     pub fn advance(&mut self, time: f64, at_most: u64) -> u64 {
         let before = self.collisions;

@@ -24,7 +24,6 @@ const GAP: f64 = 1e-6;
 pub struct InputError {
     /// Counted from 1, as an editor does.
     pub line: usize,
-    /// What was found and what is expected.
     pub message: String,
 }
 
@@ -84,7 +83,6 @@ impl Map {
         Ok(Self { solid, start })
     }
 
-    /// Column and row of the start.
     pub fn start(&self) -> (usize, usize) {
         self.start
     }
@@ -105,7 +103,7 @@ impl Map {
     }
 }
 
-/// The runner's command in a frame; the values are finite, in tiles a frame.
+/// A command for one frame; the values are finite, in tiles a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Command {
     /// Subtract from vx.
@@ -114,7 +112,6 @@ pub enum Command {
     Right(f64),
     /// Subtract from vy, when on the ground, down to -0.6 and no further.
     Jump(f64),
-    /// Do nothing.
     Wait,
 }
 
@@ -148,7 +145,6 @@ impl Command {
     }
 }
 
-/// The point that runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Runner {
     /// Tiles from the left.
@@ -175,7 +171,6 @@ impl Runner {
         (self.x.floor() as i64, self.y.floor() as i64)
     }
 
-    /// One frame.
     pub fn frame(&mut self, map: &Map, command: Command) {
         self.obey(command);
         self.vy += GRAVITY;

@@ -132,6 +132,14 @@ impl CsvRow<'_> {
     }
 }
 
+/// Rows of one length as the text of a CSV file.
+pub fn csv_text<R: IntoIterator<Item: AsRef<[u8]>>>(rows: impl IntoIterator<Item = R>) -> String {
+    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+    // Memory takes all that is written to it.
+    rows.into_iter().for_each(|row| drop(writer.write_record(row)));
+    writer.into_inner().ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default()
+}
+
 /// The sound rows of a file, each ended by LF, and for every row that is not blank its line and why it has no cells.
 fn cut(bytes: &[u8], comments: bool) -> (Vec<u8>, Vec<(usize, Option<RowFault>)>) {
     let mut rest = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);

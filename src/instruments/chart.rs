@@ -11,23 +11,17 @@ use std::ops::Range;
 /// A stretch of time, s.
 pub type TimeWindow = (f64, f64);
 
-/// Where the curves go.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chart {
-    /// What is to the right.
     pub across: Quantity,
-    /// Its axis.
     pub axis: Linear,
     /// From the top.
     pub lanes: Vec<ChartLane>,
 }
 
-/// A lane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChartLane {
-    /// Its unit.
     pub unit: Unit,
-    /// Upwards.
     pub axis: Linear,
     /// The numbers of its curves.
     pub curves: Vec<usize>,
@@ -63,7 +57,6 @@ impl Chart {
         Self { across, axis, lanes: lanes.into_iter().map(lane).collect() }
     }
 
-    /// The lane of a curve.
     pub fn lane_of(&self, number: usize) -> Option<usize> {
         self.lanes.iter().position(|lane| lane.curves.contains(&number))
     }

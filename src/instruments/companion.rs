@@ -15,8 +15,8 @@ impl Companion {
         self.game.as_ref().map(|game| game.ticks())
     }
 
-    /// Stands at that tick, or the nearest one that the flight has, with its forces as they were read when it was flown: what a crowd's
-    /// contacts carry is kept only for ticks before which somebody has asked.
+    /// Stands at that tick, or the nearest one that the flight has, with its forces as they were read when it was flown: the loads of a
+    /// crowd's contacts are kept only for ticks before which the forces were read.
     pub fn stand_at(&mut self, history: &History, tick: u64) -> &Game {
         let game = self.game.get_or_insert_with(|| Box::new(history.at(0)));
         history.seek(game, tick.saturating_sub(1));
@@ -25,7 +25,7 @@ impl Companion {
         game
     }
 
-    /// Goes on to that tick, by at most `most` ticks; `met` sees the game after each. Whether it stands there now.
+    /// Goes on to that tick, by `most` ticks at most; `met` sees the game after each. Whether it stands there now.
     pub fn go_on(&mut self, history: &History, tick: u64, most: u64, mut met: impl FnMut(&Game)) -> bool {
         let Some(game) = &mut self.game else { return false };
         let last = tick.min(history.ticks());

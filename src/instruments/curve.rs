@@ -6,7 +6,6 @@ use super::series::{Extremes, NumberSeries};
 use super::track::BodyTrack;
 use std::ops::Range;
 
-/// A curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     across: Quantity,
@@ -23,12 +22,10 @@ impl Curve {
         Self { across, up, xs: NumberSeries::default(), ys: NumberSeries::default(), breaks: Vec::new() }
     }
 
-    /// What is to the right.
     pub const fn across(&self) -> Quantity {
         self.across
     }
 
-    /// What is upwards.
     pub const fn up(&self) -> Quantity {
         self.up
     }
@@ -48,7 +45,6 @@ impl Curve {
         }
     }
 
-    /// Forgets all but the first `length` points.
     pub fn truncate(&mut self, length: usize) {
         if length < self.len() {
             self.xs.truncate(length);
@@ -62,17 +58,14 @@ impl Curve {
         [(self.across, self.xs.values()), (self.up, self.ys.values())]
     }
 
-    /// How many points there are.
     pub fn len(&self) -> usize {
         self.ys.values().len()
     }
 
-    /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// The point at a place.
     pub fn point(&self, place: usize) -> Option<(f64, f64)> {
         Some((*self.xs.values().get(place)?, *self.ys.values().get(place)?))
     }
@@ -114,7 +107,7 @@ impl Curve {
         (from..last).map(|i| 0.5 * (ys[i] + ys[i + 1]) * (xs[i + 1] - xs[i])).sum()
     }
 
-    /// What is drawn of some places: unbroken ways through points. Over time, points that share a column of width `grain.0` are drawn by
+    /// The drawn part of some places: unbroken lines through points. Over time, points that share a column of width `grain.0` are drawn by
     /// their first, least and largest one; otherwise one that is nearer than the grain to the one drawn before is left out.
     pub fn drawn(&self, places: Range<usize>, grain: (f64, f64)) -> Vec<Vec<(f64, f64)>> {
         let places = places.start..places.end.min(self.len());
@@ -183,7 +176,6 @@ impl Curve {
     }
 }
 
-/// What tests of curves are made of.
 #[cfg(test)]
 pub(crate) mod fixture {
     use super::*;
@@ -242,14 +234,14 @@ mod tests {
             let differences = (speed.point(place).unwrap().1 - speed.point(place - 1).unwrap().1) * track.tick_rate();
             assert!((differences - moment.acceleration.y).abs() < 0.1, "{place}: {differences} {}", moment.acceleration.y);
         }
-        // Work is the area under the force along the way.
+        // Work is the area under the force along the path.
         let (force, energy) = (Quantity::Resultant(Part::Y), Quantity::Kinetic);
         let work = curve(&track, y, force).area(&track, 61, landing - 1);
         let kinetic = |place: usize| energy.of(&track.moment(place));
         assert!((work - (kinetic(landing - 1) - kinetic(61))).abs() < 1e-3 * work.abs(), "{work}");
     }
 
-    /// Across the landing, where the curve jumps: the area under v is the way, that under F what the impacts left of the change of momentum.
+    /// Across the landing, where the curve jumps: the area under v is the distance, that under F what the impacts left of the change of momentum.
     #[test]
     fn areas_are_exact_across_impacts() {
         let track = hop(400);

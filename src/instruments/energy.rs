@@ -17,7 +17,6 @@ pub struct EnergyState {
 }
 
 impl EnergyState {
-    /// That of a body.
     pub fn of(game: &Game, id: BodyId) -> Self {
         let (level, body) = (game.level(), game.world().body(id));
         let field = if body.weightless { DVec2::ZERO } else { DVec2::new(level.gravity_x, level.gravity) };
@@ -28,7 +27,6 @@ impl EnergyState {
         }
     }
 
-    /// That of all bodies.
     pub fn of_all(game: &Game) -> Self {
         (0..game.world().bodies().len() as u32).map(|id| Self::of(game, BodyId(id))).fold(Self::default(), Self::add)
     }

@@ -1,14 +1,14 @@
-//! Curves that are taken along: a table with every tick and every digit, and the sheet of a picture. Neither knows a disk.
+//! Curves to be exported: a table with every tick and every digit, and the sheet of a picture. Neither knows a disk.
 
 use super::chart::{Chart, ChartMember, TimeWindow};
 use super::curve::Curve;
 use super::look;
 use super::quantity::Quantity;
 use super::track::BodyTrack;
+use crate::files::csv_text;
 use crate::lab::linear::Linear;
 use crate::lab::look::Look;
 use crate::number::Shortest;
-use csv::WriterBuilder;
 
 /// How many numbers an upright axis of the picture names, about, where it has the whole height.
 const NAMED: usize = 8;
@@ -17,14 +17,11 @@ const COLUMNS: f64 = 1300.0;
 /// How many characters of the level's name and of the curves' a file is named by.
 const NAME: usize = 40;
 
-/// A curve to be exported.
 #[derive(Clone, Copy)]
 pub struct Exported<'a> {
-    /// The body's name, as players see it.
+    /// The body's name.
     pub body: &'a str,
-    /// The curve.
     pub curve: &'a Curve,
-    /// What it was read from.
     pub track: &'a BodyTrack,
     /// Its number, by which it looks as it does.
     pub number: usize,
@@ -53,17 +50,14 @@ pub fn csv(curves: &[Exported]) -> String {
         }
     }
     let track = curves.iter().map(|curve| curve.track).max_by_key(|track| track.len());
-    let mut writer = WriterBuilder::new().from_writer(Vec::new());
-    // Memory takes all that is written to it, and every row has the head's length.
-    let _ =
-        writer.write_record(["tick".to_owned(), Quantity::Time.heading()].iter().chain(columns.iter().map(|(heading, _)| heading)));
-    for place in 0..track.map_or(0, BodyTrack::len) {
-        let Some(track) = track else { break };
-        let cell = |value: &f64| Shortest(*value).to_string();
+    let cell = |value: &f64| Shortest(*value).to_string();
+    let head = ["tick".to_owned(), Quantity::Time.heading()].into_iter().chain(columns.iter().map(|(heading, _)| heading.clone()));
+    let row = |track: &BodyTrack, place: usize| -> Vec<String> {
         let cells = columns.iter().map(|(_, values)| values.get(place).map_or_else(String::new, cell));
-        let _ = writer.write_record([track.tick_of(place).to_string(), cell(&track.time(place))].into_iter().chain(cells));
-    }
-    writer.into_inner().ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default()
+        [track.tick_of(place).to_string(), cell(&track.time(place))].into_iter().chain(cells).collect()
+    };
+    let rows = track.into_iter().flat_map(|track| (0..track.len()).map(move |place| (track, place)));
+    csv_text(std::iter::once(head.collect()).chain(rows.map(|(track, place)| row(track, place))))
 }
 
 /// A picture of curves above one axis: a strip for each kind of number, one above the other.

@@ -3,11 +3,11 @@
 //! W = ∫F·dr, tick by tick, so that what is read always obeys the law of work and energy, ΔE_kin = Σ W + W_impacts:
 //!
 //! 1. A force F₀ at a tick's start and F₁ at its end does W = ½(F₀ + F₁)·Δr. That is exact where it is constant, and where it grows evenly
-//!    with the way, as the buoyancy of what floats does. The engine is switched at a tick's start and does F₁·Δr.
+//!    with the distance, as the buoyancy of a floating body does. The engine is switched at a tick's start and does F₁·Δr.
 //! 2. Where an impact falls into the tick, F₀ acts up to that corner of the path and F₁ from there on, for it may begin or end a contact.
-//! 3. What presses on a surface that cannot move gets no work from it: where they touch the way is along it.
+//! 3. A body that presses on a surface that cannot move gets no work from it: where they touch, the body moves along it.
 //! 4. What is then missing to ΔE_kin = ½m(v₁ − v₀)·(v₁ + v₀) is the impacts', where there were any. Else contacts that changed abruptly, as
-//!    where a slide ends, did so at one point of the way, for all of them the one that makes the sum right. Where there are none the rest
+//!    where a slide ends, did so at one point of the path, for all of them the one that makes the sum right. Where there are none the rest
 //!    goes to the forces that changed, by |(F₁ − F₀)·Δr|; so drag alone is exact.
 
 use super::companion::Companion;
@@ -15,7 +15,6 @@ use crate::game::{Game, History};
 use crate::level::SurfaceOf;
 use crate::physics::{BodyId, DVec2, ForceKind, Source};
 
-/// How many kinds of force there are.
 const KINDS: usize = ForceKind::ALL.len();
 /// Two forces closer than this, as parts of them, are one: the rest is rounding.
 const SAME: f64 = 1e-12;
@@ -36,7 +35,6 @@ const FEWEST_COPIES: usize = 16;
 pub struct Account {
     /// By each kind of force, in the order of [`ForceKind::ALL`].
     pub by_force: [f64; KINDS],
-    /// By impacts.
     pub by_impacts: f64,
 }
 
@@ -51,7 +49,6 @@ impl Account {
         self.by_force.iter().sum::<f64>() + self.by_impacts
     }
 
-    /// This and another.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         self.with(other, 1.0)
@@ -115,7 +112,7 @@ impl Default for WorkLedger {
 }
 
 impl WorkLedger {
-    /// Goes to that tick of a flight, by at most so many ticks; whether it is there. In a crowd it never is.
+    /// Goes to that tick of a flight, by `most` ticks at most; whether it is there. In a crowd it never is.
     pub fn go(&mut self, history: &History, tick: u64, most: u64) -> bool {
         if self.companion.tick().is_none_or(|at| at > tick) && !self.stand_before(history, tick) {
             return false;
@@ -160,7 +157,6 @@ impl WorkLedger {
         true
     }
 
-    /// Enters a tick.
     fn take(&mut self, game: &Game) {
         for id in ids(game) {
             let (before, after) = (self.before[id.index()], TickEnd::of(game, id));
@@ -205,7 +201,7 @@ impl BodyTick<'_> {
         let ways = corners().next().zip(corners().last()).filter(|_| self.is_hit());
         let ways = ways.map(|(first, last)| (first - before.position, after.position - last));
         let mut account = Account::default();
-        // How much more each did by what it was than by what it became, all the way.
+        // The work of each by its force at the start, less that by its force at the end, along the whole path.
         let mut changed = [0.0; KINDS];
         for kind in ForceKind::ALL {
             let k = kind as usize;
@@ -242,7 +238,7 @@ impl BodyTick<'_> {
         let contacts = [ForceKind::Reaction, ForceKind::Friction, ForceKind::Push].map(|kind| kind as usize);
         let abruptly = |k: &usize| differ(self.before.forces[*k], self.after.forces[*k]) > ABRUPT;
         let turned = || contacts.into_iter().filter(abruptly);
-        // So much further than the middle of the way they changed, as a part of it.
+        // The part of the path from its middle to the point of the change.
         let further = missing / turned().map(|k| changed[k]).sum::<f64>();
         if further.abs() <= 0.5 + ABRUPT {
             return turned().for_each(|k| works[k] += further * changed[k]);

@@ -1,11 +1,10 @@
-//! How curves of a flight look: up to four, told apart by colour, dash and marker. A force has the colour that it has everywhere.
+//! How curves of a flight look: up to four, which differ by colour, dash and marker. A force has the colour that it has everywhere.
 
 use super::quantity::Quantity;
 use crate::lab::curve::CurveOrigin;
 use crate::lab::look::Look;
 use crate::physics::ForceKind;
 
-/// The resultant force.
 pub const RESULTANT: u32 = 0xFFFFFF;
 /// Of everything that is no force, by the curve's number: none of them is a force's.
 const COLOURS: [u32; 4] = [0x7FA7FF, 0xF28DB2, 0x9AD14B, 0xE6EBF2];
@@ -26,7 +25,6 @@ pub const fn force(kind: ForceKind) -> u32 {
     }
 }
 
-/// How the curve of that number looks.
 pub fn of(number: usize, up: Quantity) -> Look {
     let colour = match up {
         Quantity::Force(kind, _) => force(kind),

@@ -5,19 +5,16 @@ use super::unit::Unit;
 use crate::game::Game;
 use crate::physics::{BodyId, DVec2, ForceKind};
 
-/// A part of a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// To the right.
     X,
     /// Upwards.
     Y,
-    /// Its size.
     Size,
 }
 
 impl Part {
-    /// All of them.
     pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Size];
 
     fn of(self, vector: DVec2) -> f64 {
@@ -46,7 +43,6 @@ impl Part {
     }
 }
 
-/// Something that can be measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// Since the start, s.
@@ -106,7 +102,6 @@ pub struct BodyConstants {
 }
 
 impl BodyConstants {
-    /// Of a body of a game.
     pub fn of(game: &Game, id: BodyId) -> Self {
         let (level, body) = (game.level(), game.world().body(id));
         let field = if body.weightless { DVec2::ZERO } else { DVec2::new(level.gravity_x, -level.gravity) };
@@ -123,7 +118,6 @@ pub(super) fn upwards(vector: DVec2) -> DVec2 {
 }
 
 impl Moment {
-    /// The moment that a game shows.
     pub fn of(game: &Game, id: BodyId) -> Self {
         let (body, forces) = (game.world().body(id), game.world().forces(id));
         let constants = BodyConstants::of(game, id);
@@ -183,7 +177,6 @@ impl Quantity {
         }
     }
 
-    /// Its unit.
     pub const fn unit(self) -> Unit {
         match self {
             Self::Time => Unit::SECOND,

@@ -8,7 +8,6 @@ const BLOCK: usize = 64;
 /// The least and the largest of several numbers.
 pub type Extremes = (f64, f64);
 
-/// The numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NumberSeries {
     values: Vec<f64>,
@@ -17,7 +16,6 @@ pub struct NumberSeries {
 }
 
 impl NumberSeries {
-    /// Adds one.
     pub fn push(&mut self, value: f64) {
         self.values.push(value);
         if self.values.len().is_multiple_of(BLOCK) {
@@ -25,13 +23,11 @@ impl NumberSeries {
         }
     }
 
-    /// Forgets all but the first `length` values.
     pub fn truncate(&mut self, length: usize) {
         self.values.truncate(length);
         self.blocks.truncate(length / BLOCK);
     }
 
-    /// All of them.
     pub fn values(&self) -> &[f64] {
         &self.values
     }
@@ -53,7 +49,6 @@ impl NumberSeries {
     }
 }
 
-/// The extremes of two.
 pub fn around(a: Extremes, b: Extremes) -> Extremes {
     (a.0.min(b.0), a.1.max(b.1))
 }

@@ -19,13 +19,11 @@ pub struct StopClock {
 }
 
 impl StopClock {
-    /// Starts it, or stops it.
     pub fn start_or_stop(&mut self, now: u64) {
         self.counted = self.ticks(now);
         self.since = if self.since.is_none() { Some(now) } else { None };
     }
 
-    /// Whether it runs.
     pub const fn runs(&self) -> bool {
         self.since.is_some()
     }

@@ -7,10 +7,9 @@ use crate::game::{Game, History};
 use crate::physics::{BodyId, DVec2, ForceKind};
 use std::ops::Range;
 
-/// An impact that changed the velocity by less, m/s, is none: nobody sees it in a curve.
+/// An impact that changed the velocity by less, m/s, does not show in a curve.
 const SMALLEST_JUMP: f64 = 1e-3;
 
-/// What was read of a body.
 #[derive(Clone, Debug)]
 pub struct BodyTrack {
     /// The game at the last tick that was read.
@@ -20,7 +19,6 @@ pub struct BodyTrack {
     constants: Vec<(usize, BodyConstants)>,
     /// The first tick; the rest of it follow one by one.
     begins: u64,
-    /// Ticks a second.
     rate: f64,
     position: Vec<DVec2>,
     velocity: Vec<DVec2>,
@@ -53,7 +51,6 @@ impl BodyTrack {
         }
     }
 
-    /// Whose it is.
     pub const fn body(&self) -> BodyId {
         self.body
     }
@@ -63,12 +60,10 @@ impl BodyTrack {
         self.position.len()
     }
 
-    /// Whether nothing has been read.
     pub fn is_empty(&self) -> bool {
         self.position.is_empty()
     }
 
-    /// The tick at a place.
     pub const fn tick_of(&self, place: usize) -> u64 {
         self.begins + place as u64
     }
@@ -78,7 +73,6 @@ impl BodyTrack {
         (tick.saturating_sub(self.begins) as usize).min(self.len().saturating_sub(1))
     }
 
-    /// Ticks a second.
     pub const fn tick_rate(&self) -> f64 {
         self.rate
     }

@@ -8,7 +8,6 @@ use crate::game::{Game, History};
 use crate::physics::{BodyId, DVec2};
 use std::collections::VecDeque;
 
-/// How many dots a second.
 pub const DOTS_A_SECOND: u64 = 10;
 /// How far a trail goes back, s.
 pub const LASTS: u64 = 5;
@@ -24,7 +23,6 @@ pub struct Dots {
     pub places: Vec<DVec2>,
 }
 
-/// The trails of some bodies.
 #[derive(Clone, Debug, Default)]
 pub struct Trail {
     companion: Companion,
@@ -35,7 +33,7 @@ pub struct Trail {
 }
 
 impl Trail {
-    /// Goes to that tick of a flight, by at most `most` ticks, with the trails of those bodies; the first [`MOST`] of them.
+    /// Goes to that tick of a flight, by `most` ticks at most, with the trails of those bodies; the first [`MOST`] of them.
     pub fn go(&mut self, history: &History, tick: u64, most: u64, who: &[BodyId]) {
         let who = &who[..who.len().min(MOST)];
         let rate = history.start().tick_rate();
@@ -43,7 +41,7 @@ impl Trail {
         let begins = history.start().ticks();
         let needed = tick.saturating_sub(window).max(begins);
         if self.who != who || self.from > needed || self.companion.tick().is_none_or(|at| at < needed) {
-            // Twice as far back, so that stepping back does not begin at the start each time.
+            // Twice as far back, so that stepping back does not begin again each time.
             let from = needed.saturating_sub(window).max(begins);
             let start = self.companion.stand_at(history, from);
             (self.who, self.from) = (who.to_vec(), from);

@@ -1,6 +1,5 @@
 //! Units of SI as powers of its base units, so that slopes and areas have theirs: m/s a second is m/s², N along m is J.
 
-/// A unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unit {
     kg: i8,
@@ -32,12 +31,10 @@ impl Unit {
         (Self { kg: 2, m: 4, s: -4 }, "J²"),
     ];
 
-    /// The unit of a product.
     pub const fn times(self, other: Self) -> Self {
         Self { kg: self.kg + other.kg, m: self.m + other.m, s: self.s + other.s }
     }
 
-    /// The unit of a quotient.
     pub const fn per(self, other: Self) -> Self {
         Self { kg: self.kg - other.kg, m: self.m - other.m, s: self.s - other.s }
     }

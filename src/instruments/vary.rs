@@ -8,7 +8,6 @@ const DIGITS: usize = 3;
 /// What is nearer to 0 than this part of a slider is 0.
 const NOTHING: f64 = 1e-3;
 
-/// What is varied of a level.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Variation {
     changes: BTreeMap<Parameter, f64>,
@@ -29,7 +28,6 @@ impl Variation {
         self.changes.remove(&parameter);
     }
 
-    /// Whether nothing is varied.
     pub fn is_empty(&self) -> bool {
         self.changes.is_empty()
     }
@@ -44,7 +42,6 @@ impl Variation {
         self.changes.iter().map(|(parameter, value)| (*parameter, *value))
     }
 
-    /// The numbers that are varied.
     pub fn parameters(&self) -> Vec<Parameter> {
         self.changes.keys().copied().collect()
     }
@@ -58,14 +55,14 @@ impl Variation {
     }
 }
 
-/// The way from one end of a slider to the other.
+/// The values from one end of a slider to the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SliderTrack {
-    /// Equal ways, equal differences.
+    /// Equal distances, equal differences.
     Even(f64, f64),
-    /// Equal ways, equal ratios; both ends above 0.
+    /// Equal distances, equal ratios; both ends above 0.
     Ratios(f64, f64),
-    /// Ever finer towards 0, which is on it: a number grows with the square of the way from there.
+    /// Ever finer towards 0, which is on it: a number grows with the square of the distance from there.
     Fine(f64, f64),
 }
 
@@ -122,7 +119,7 @@ impl SliderTrack {
         }
     }
 
-    /// The number a count of fine steps further: units of the last but one digit that is shown, within what is accepted.
+    /// The number that is fine `steps` further: units of the last but one digit that is shown, within what is accepted.
     pub fn stepped(self, value: f64, steps: f64, (least, most): (f64, f64)) -> f64 {
         let finest = match self {
             Self::Even(low, high) | Self::Fine(low, high) => power(high - low) * NOTHING,

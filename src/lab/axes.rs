@@ -10,7 +10,6 @@ pub const LEAST_ERROR: f64 = 1e-16;
 /// From one power of ten to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Decades {
-    /// The lower power.
     pub from: i32,
     /// The upper one, above it.
     pub to: i32,
@@ -45,12 +44,9 @@ impl Decades {
     }
 }
 
-/// Both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Axes {
-    /// Of the work.
     pub work: Decades,
-    /// Of the error.
     pub error: Decades,
 }
 
@@ -65,7 +61,8 @@ impl Axes {
         }
     }
 
-    /// Where a point is: parts of the way to the right and upwards. What blew up is at the upper edge, what has no error at the lower.
+    /// The place of a point: parts of the axes to the right and upwards. A run that blew up is at the upper edge, one without error at the
+    /// lower.
     pub fn place(&self, point: &WorkPoint) -> (f64, f64) {
         let up = if point.blew_up() { 1.0 } else { self.error.part(point.error.max(LEAST_ERROR)) };
         (self.work.part(point.work), up)

@@ -7,7 +7,7 @@ use crate::physics::World;
 /// The name of the shipped engine in legends and tables.
 pub const SHIPPED: &str = "shipped engine";
 
-/// Who steps a model.
+/// The stepper of a model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum By<S> {
     /// A method by hand.

@@ -1,4 +1,4 @@
-//! How a method fares while a scene runs: its error and its energy over time, which a final error does not tell. A method that gains
+//! The course of a method while a scene runs: its error and its energy over time, which a final error hides. A method that gains
 //! energy slowly, one whose clock is wrong, and one that is merely coarse may end equally far from the truth.
 
 use super::curve::MethodCurve;

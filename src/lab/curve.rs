@@ -28,10 +28,10 @@ const ALIKE: f64 = 0.25;
 
 /// Steps, work and tolerances: outside, a number is a slip, and logarithmic axes to it would have no end.
 pub const NUMBERS: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
-/// The most curves of a diagram: more could neither be told apart nor named in its legend.
+/// The most curves of a diagram: neither eye nor legend copes with more.
 pub const MOST_CURVES: usize = 64;
 
-/// Who answered.
+/// The origin of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CurveOrigin {
     /// A method by hand.

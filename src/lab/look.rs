@@ -1,4 +1,4 @@
-//! How a curve looks, on paper and on the screen: methods are told apart by colour, dash and marker.
+//! How a curve looks, on paper and on the screen: methods differ by colour, dash and marker.
 
 use super::curve::CurveOrigin;
 

@@ -14,7 +14,7 @@ pub struct Measured {
     pub error: String,
     /// What the work is, with its unit.
     pub work: String,
-    /// The largest error that nobody sees.
+    /// The largest error that no eye sees.
     pub tolerance: f64,
     /// The step at which the game ships, s.
     pub shipped_step: f64,

@@ -1,17 +1,17 @@
-//! Accuracy against speed: scenes with exact answers, the methods that games use and the engine as it is shipped, what each of them
-//! survives, and the charts that show it. Nothing here reads a clock or a file: `resultant chart` measures, this draws.
+//! Accuracy against speed: scenes with exact answers, the methods that games use and the engine as it is shipped, stress tests, and the
+//! charts of all of them. Nothing here reads a clock or a file: `resultant chart` measures, this draws.
 //!
+//! - [`contract`]: the one contract of all methods, by hand and shipped. A new method stands in the table of its family in [`methods`] or
+//!   [`scenes`]; scenes, stress tests, side by side and the regions of stability take it from there.
 //! - [`methods`]: the methods, written by hand, each a small pure function.
-//! - [`contract`]: the one contract between methods, the shipped engine, and all that runs them.
-//! - [`scenes`]: what they are run on, one file a family; each scene knows its exact answer.
+//! - [`scenes`]: models and their exact answers, one file a family.
 //! - [`stress`]: where methods fail: the largest value that each survives.
-//! - [`stability`]: where methods are stable, on the complex plane; [`stability_diagram`]: as CSV.
 //! - [`side_by_side`]: two methods on a scene, to be watched.
+//! - [`stability`]: where methods are stable, on the complex plane; [`stability_diagram`]: as CSV.
 //! - [`reference`](mod@reference): answers that have no closed form, found finely and in two ways.
-//! - [`measured`] and [`curve`]: the numbers behind a diagram; [`course`]: error and energy over time. [`charts`]: all that one run measured, as CSV and back; [`kept`]: the run that comes with
-//!   the game; [`peers`]: other engines' points.
-//! - [`axes`], [`linear`], [`timeline`] and [`look`]: what a diagram is made of, on paper and on the screen. [`report`]:
-//!   the summary.
+//! - [`measured`], [`curve`], [`course`]: the numbers behind a diagram. [`charts`]: all numbers of one run, as CSV and back; [`kept`]:
+//!   the run that comes with the game; [`peers`]: other engines' points.
+//! - [`axes`], [`linear`], [`timeline`], [`look`]: parts of a diagram, on paper and on the screen. [`report`]: the summary.
 
 pub mod axes;
 pub mod charts;

@@ -22,7 +22,7 @@ pub fn drag_in_two_dimensions(law: &MotionLaw, start: PointState, seconds: f64) 
     })
 }
 
-/// By the scalar equation, started anew in each step of `h` s, so that Q′ cannot overflow; Q by RK4 and the way by Simpson's rule on
+/// By the scalar equation, started again in each step of `h` s, so that Q′ cannot overflow; Q by RK4 and the distance by Simpson's rule on
 /// the same stages.
 pub fn by_scalar_equation(law: &MotionLaw, start: PointState, seconds: f64, h: f64) -> PointState {
     let steps = (seconds / h).round() as u64;

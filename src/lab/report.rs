@@ -4,7 +4,7 @@ use super::axes::{number, step};
 use super::charts::Charts;
 use super::curve::{CurveOrigin, MethodCurve, WorkPoint};
 use super::measured::Measured;
-use super::rows::table;
+use super::rows::{shortest, table};
 use super::stability::{Region, SHIPPED, SHIPPED_LIMITS, limit};
 use super::stability_diagram::{SVG, TITLE};
 use std::fmt::Write;
@@ -15,9 +15,7 @@ struct SceneVerdict<'a> {
     shipped: WorkPoint,
     /// The shipped engine at the step at which it is the cheapest within the tolerance.
     stretched: Option<WorkPoint>,
-    /// Within the tolerance.
     cheapest: Option<(&'a MethodCurve, WorkPoint)>,
-    /// As exact as the shipped one.
     as_exact: Option<(&'a MethodCurve, WorkPoint)>,
 }
 
@@ -42,7 +40,6 @@ pub fn shipped_csv(diagrams: &[Measured]) -> String {
         &["cheapest", "step", "error", "work", "shipped_costs_times"],
         &["as_exact", "as_exact_step", "as_exact_error", "as_exact_work", "shipped_costs_times_as_exact"],
     ];
-    let shortest = |value: f64| format!("{value:e}");
     let rows = diagrams.iter().filter_map(SceneVerdict::of).map(|verdict| {
         let WorkPoint { step, work, error } = verdict.shipped;
         let best = |best: Option<(&MethodCurve, WorkPoint)>| match best {
@@ -98,7 +95,6 @@ pub fn summary(charts: &Charts, regions: &[Region]) -> String {
     text
 }
 
-/// Where each method is stable.
 fn stability_table(text: &mut String, regions: &[Region]) {
     let _ = writeln!(text, "\n## {TITLE}\n\n![{TITLE}]({SVG})\n");
     text.push_str("| method | drag alone, stable up to h/τ | a swing, stable up to ω·h |\n|---|---|---|\n");

@@ -1,9 +1,8 @@
-//! Rows of numbers and words under a head, as CSV and back. Numbers are in the shortest form that reads back as the same f64. What
-//! cannot be read is told by file, line and column.
+//! Rows of numbers and words under a head, as CSV and back. Numbers are in the shortest form that reads back as the same f64. A
+//! refusal names file, line and column.
 
 use super::curve::NUMBERS;
-use crate::files::{CsvFile, CsvRow};
-use csv::WriterBuilder;
+use crate::files::{CsvFile, CsvRow, csv_text};
 
 /// The most rows of a file below its head. With more points a diagram takes longer to draw than a frame lasts.
 const MOST_ROWS: usize = 2000;
@@ -15,13 +14,8 @@ pub(super) fn shortest(value: f64) -> String {
 
 /// Rows under a head as CSV.
 pub(super) fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
-    let mut writer = WriterBuilder::new().from_writer(Vec::new());
-    // Memory takes all that is written to it, and every row has the head's length.
-    let _ = writer.write_record(head);
-    for row in rows {
-        let _ = writer.write_record(row);
-    }
-    writer.into_inner().ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default()
+    let head = head.iter().map(|&name| name.to_owned()).collect();
+    csv_text(std::iter::once(head).chain(rows))
 }
 
 /// A number within [`NUMBERS`].

@@ -10,15 +10,13 @@ pub(super) const LADDER: [f64; 7] = [1.0 / 15.0, 1.0 / 30.0, 1.0 / 60.0, 1.0 / 1
 /// What the work is, where nothing else is said.
 pub(super) const WORK: &str = "CPU time for a simulated second and body, ns";
 
-/// A question with an exact answer.
 pub struct LabScene {
     /// Name of its files.
     pub name: &'static str,
-    /// Heading of its diagram.
     pub title: String,
     /// What the error is, with its unit, for the axis.
     pub error: &'static str,
-    /// The largest error that nobody sees, in the error's unit.
+    /// The largest error that no eye sees, in the error's unit.
     pub tolerance: f64,
     /// What the work is, with its unit, for the axis.
     pub work: &'static str,
@@ -40,7 +38,7 @@ pub struct LabScene {
 pub type Answer = Entrant<f64, Vec<CoursePoint>>;
 
 impl LabScene {
-    /// A scene of so many simulated seconds and bodies, on the usual ladder, whose error is a distance.
+    /// A scene of `seconds` and `bodies` on the usual ladder, whose error is a distance.
     pub(super) fn new(name: &'static str, title: impl Into<String>, seconds: f64, bodies: usize) -> Self {
         Self {
             name,

@@ -20,12 +20,11 @@ pub const USUAL_STEP: usize = 2;
 /// Something that moves: makes one step and says where everything is, m.
 pub type BoxMotion = Box<dyn FnMut() -> Vec<Aabb>>;
 
-/// What starts a motion from the beginning, in steps of so many seconds.
+/// Starts a motion from the beginning, in steps of that length, s.
 pub type MotionStart = Box<dyn Fn(f64) -> BoxMotion>;
 
 /// A scene and the methods that can be watched on it.
 pub struct Exhibit {
-    /// Its heading.
     pub title: &'static str,
     /// What of the world is seen, m.
     pub view: Aabb,
@@ -58,7 +57,6 @@ const DROP: f64 = 2.0;
 /// m. All below y = 0.
 const GROUND: Aabb = Aabb { min: DVec2::new(-1e3, 0.0), max: DVec2::new(1e3, 1e3) };
 
-/// All scenes.
 pub fn exhibits() -> Vec<Exhibit> {
     vec![bounce(), throw(), wall(), cradle(), column(), heavy_on_light()]
 }
@@ -125,7 +123,6 @@ fn bounce() -> Exhibit {
     }
 }
 
-/// Blocks that stand on each other, and shall.
 fn standing(title: &'static str, view: Aabb, masses: Vec<f64>) -> Exhibit {
     let at = |(i, moved): (usize, &f64)| Aabb::around(DVec2::new(0.0, -0.5 - i as f64 - moved), DVec2::splat(0.5));
     let places: Vec<Aabb> = masses.iter().map(|_| &0.0).enumerate().map(at).collect();

@@ -2,10 +2,10 @@
 //! x″ = −|λ|²·x + 2·Re λ·x′, whose solutions are e^(λt) and its conjugate; as the step is linear there, two starts give its matrix, and it
 //! is stable where no eigenvalue of that is greater than 1. For methods that treat places and velocities alike these eigenvalues are
 //! R(z) of the test equation y′ = λ·y; for the others (semi-implicit Euler, Verlet, the splittings) no such R exists, and the oscillator is
-//! the smallest system that tells. (E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, IV.2; *Geometric Numerical
+//! the smallest system that shows it. (E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, IV.2; *Geometric Numerical
 //! Integration*, I.1.)
 //!
-//! Two rays are what games meet: what swings lies at iω·h, and drag alone, v′ = −v/τ, at −h/τ. Near its terminal velocity v_t a fall with
+//! Games meet two rays: a swing lies at iω·h, and drag alone, v′ = −v/τ, at −h/τ. Near its terminal velocity v_t a fall with
 //! quadratic drag has 1/τ = 2·g/v_t, so that z = −2 there is what the stress tests call g·h/v_t = 1. Drag alone has one eigenvalue, not a
 //! pair: how far each method goes on that ray is asked of it by itself.
 
@@ -18,7 +18,6 @@ use std::collections::HashMap;
 
 /// What of the plane is looked at: real parts, and imaginary parts; below the real axis all is the same again.
 pub const REAL: (f64, f64) = (-5.0, 1.5);
-/// See [`REAL`].
 pub const IMAGINARY: (f64, f64) = (0.0, 3.5);
 /// Cells of the grid for 1.
 const FINENESS: usize = 24;
@@ -39,10 +38,8 @@ const PART: &str = "adaptive 3(2), one part";
 /// A number of the plane: real and imaginary part.
 pub type Complex = (f64, f64);
 
-/// Where a method is stable.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
-    /// The method.
     pub name: &'static str,
     /// Its edge, in pieces.
     pub edge: Vec<Vec<Complex>>,
@@ -119,7 +116,7 @@ pub fn limit(value: f64) -> String {
     }
 }
 
-/// Where so many cells to the right and upwards are.
+/// The place that is `right` and `up` cells from the corner.
 pub fn place(right: f64, up: f64) -> Complex {
     (REAL.0 + right / FINENESS as f64, IMAGINARY.0 + up / FINENESS as f64)
 }

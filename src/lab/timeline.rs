@@ -1,5 +1,5 @@
-//! The axes of a scene over time: error upwards in decades, energy in parts of what it should be, both above the same time. Where a
-//! moment lies is told in parts of the way, so that paper and screen draw the same.
+//! The axes of a scene over time: error upwards in decades, energy in parts of what it should be, both above the same time. A
+//! moment lies at parts of the axes, 0 … 1, so that paper and screen draw the same.
 
 use super::TOLERANCE;
 use super::axes::{Decades, LEAST_ERROR, number};
@@ -10,19 +10,17 @@ const ENERGIES: (f64, f64) = (0.0, 2.0);
 /// The least that the axis of the energy spans, in parts of 1: what is steady shall look so.
 const LEAST_SPAN: f64 = 0.01;
 
-/// The axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Timeline {
     /// The end, s.
     pub end: f64,
-    /// Of the error.
     pub error: Decades,
     /// From and to which energy, where any is known.
     pub energy: Option<(f64, f64)>,
 }
 
 impl Timeline {
-    /// Around everything that is known, and the error that nobody sees.
+    /// Around all points and the tolerance.
     pub fn of(over_time: &OverTime) -> Self {
         let moments = || over_time.courses.iter().flat_map(|course| &course.points);
         let errors = moments().map(|moment| moment.error).filter(|error| error.is_finite()).map(shown);

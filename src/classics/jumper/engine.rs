@@ -8,7 +8,6 @@ use glam::DVec3;
 /// A box: its corner with the smallest coordinates, and its extent, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cuboid {
-    /// The corner with the smallest coordinates.
     pub location: DVec3,
     /// Extent along each axis, above 0.
     pub dimensions: DVec3,
@@ -20,7 +19,6 @@ impl Cuboid {
         self.location + self.dimensions
     }
 
-    /// The point in the middle.
     pub fn centre(&self) -> DVec3 {
         self.location + 0.5 * self.dimensions
     }
@@ -34,7 +32,6 @@ impl Cuboid {
 /// A cuboid that moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dynamic {
-    /// Where it is.
     pub cuboid: Cuboid,
     /// m/s.
     pub velocity: DVec3,
@@ -47,7 +44,6 @@ pub struct Dynamic {
 }
 
 impl Dynamic {
-    /// A cuboid that has not moved yet.
     pub fn new(cuboid: Cuboid, velocity: DVec3, mass: f64) -> Self {
         Self { cuboid, velocity, mass, previous: cuboid.location, on_ground: false }
     }
@@ -65,26 +61,18 @@ pub enum Kind {
 /// A cuboid that does not move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Static {
-    /// Where it is.
     pub cuboid: Cuboid,
-    /// How it acts.
     pub kind: Kind,
 }
 
 /// Which face of a static cuboid was hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CuboidFace {
-    /// That with the smallest z.
     Bottom,
-    /// That with the largest z.
     Top,
-    /// That with the smallest x.
     MinX,
-    /// That with the largest x.
     MaxX,
-    /// That with the smallest y.
     MinY,
-    /// That with the largest y.
     MaxY,
     /// None: the two overlapped already before the step.
     Internal,
@@ -94,14 +82,7 @@ pub enum CuboidFace {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hit {
     /// A dynamic cuboid with a static one.
-    Static {
-        /// Index of the dynamic one.
-        object: usize,
-        /// Index of the static one.
-        obstacle: usize,
-        /// The face of the static one.
-        face: CuboidFace,
-    },
+    Static { object: usize, obstacle: usize, face: CuboidFace },
     /// Two dynamic cuboids, the first with the smaller index.
     Pair(usize, usize),
 }

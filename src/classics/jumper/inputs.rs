@@ -24,9 +24,7 @@ const MOST_TICKS: u64 = 24 * 3600 * TICK_RATE as u64;
 /// What both players hold for a number of ticks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Climb {
-    /// How long.
     pub ticks: u64,
-    /// What.
     pub keys: [Keys; 2],
 }
 

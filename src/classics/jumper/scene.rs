@@ -29,15 +29,13 @@ const WALKING_JUMP: f64 = 8.0;
 const AIR_JUMP: f64 = 6.0;
 /// What letting go of the jump key while rising leaves of the upward velocity.
 const CUT: f64 = 0.5;
-/// Ticks without walking after a bump into the other player: walking would undo the bounce within a tick.
+/// Ticks. After bumping into the other player walking is off: else it would undo the bounce within a tick.
 const STAGGER: u32 = 24;
 
 /// What a player holds down during a tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Keys {
-    /// Go to the left.
     pub left: bool,
-    /// Go to the right.
     pub right: bool,
     /// Jump, once for each press.
     pub jump: bool,
@@ -50,7 +48,6 @@ impl Keys {
     }
 }
 
-/// One who climbs.
 #[derive(Clone, Debug)]
 pub struct Player {
     jump_held: bool,
@@ -76,7 +73,6 @@ impl Player {
         self.direction
     }
 
-    /// Whether this player jumped in the last tick.
     pub fn has_jumped(&self) -> bool {
         self.jumped
     }
@@ -119,7 +115,6 @@ impl Player {
     }
 }
 
-/// One climb.
 #[derive(Clone, Debug)]
 pub struct Scene {
     tower: Tower,
@@ -184,7 +179,6 @@ impl Scene {
         self.tower.drop_below(self.bottom - 1.0);
     }
 
-    /// Whether all players are out.
     pub fn is_over(&self) -> bool {
         self.players.iter().all(|player| player.out)
     }
@@ -199,12 +193,10 @@ impl Scene {
         self.height.floor() as i64
     }
 
-    /// Ticks since the start.
     pub fn ticks(&self) -> u64 {
         self.ticks
     }
 
-    /// The players and their bodies.
     pub fn players(&self) -> impl Iterator<Item = (&Player, &Dynamic)> {
         self.players.iter().zip(&self.bodies)
     }
@@ -219,7 +211,6 @@ impl Scene {
         self.previous_bottom + alpha * (self.bottom - self.previous_bottom)
     }
 
-    /// What collided in the last tick.
     pub fn hits(&self) -> &[Hit] {
         &self.hits
     }

@@ -15,7 +15,7 @@ pub const DEPTH: f64 = 1.0;
 const ROW_HEIGHT: f64 = 1.0;
 /// The share of rows that are left out …
 const LEFT_OUT: f64 = 0.2;
-/// … of which never more than this number follow each other.
+/// … and the most of them that follow each other.
 const MAX_LEFT_OUT: u32 = 2;
 /// Platforms are this wide, m.
 const PLATFORM_WIDTHS: (f64, f64) = (1.0, 6.0);
@@ -57,7 +57,7 @@ impl Tower {
         }
     }
 
-    /// Drops the platforms below `height` m: nobody comes back to them.
+    /// Drops the platforms below `height` m: no player comes back to them.
     pub fn drop_below(&mut self, height: f64) {
         self.statics.retain(|it| it.kind == Kind::Wall || it.cuboid.end().z >= height);
     }

@@ -1,5 +1,5 @@
-//! A ball over a floor: one step of length h, with y the height above the floor (m) and v upwards (m/s), by the ways in which games
-//! answer the floor. The ball is a point; the floor is at 0.
+//! A ball over a floor: one step of length h, with y the height above the floor (m) and v upwards (m/s), as games answer
+//! the floor. The ball is a point; the floor is at 0.
 
 /// Height above the floor, m, and velocity upwards, m/s.
 pub type Ball = (f64, f64);

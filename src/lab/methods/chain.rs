@@ -19,7 +19,7 @@ pub enum Solver {
         /// Start from the last impulses.
         warm: bool,
     },
-    /// The step is cut into so many, with one warm-started sweep each.
+    /// Parts of a step, with one warm-started sweep each.
     Substeps(u32),
     /// Pool adjacent violators.
     Direct,

@@ -1,5 +1,5 @@
 //! Sliding to a stop on a floor: one step of a velocity v (m/s) and a place x (m) under Coulomb friction of deceleration a = μ·g
-//! (m/s²), by the usual ways. Exact: the stop is at v₀²/2a after v₀/a.
+//! (m/s²), by the usual methods. Exact: the stop is at v₀²/2a after v₀/a.
 
 /// Place, m, and velocity, m/s.
 pub type Slider = (f64, f64);

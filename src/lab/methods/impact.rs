@@ -1,7 +1,7 @@
 //! Blocks on a line that hit each other: one step of length h by each way of finding the impact and of answering it. Pairs bounce
 //! with restitution e: v₁ −= (1+e)·(m₂/(m₁+m₂))·w, v₂ += (1+e)·(m₁/(m₁+m₂))·w with w = v₁ − v₂, and nothing else acts.
 
-/// A block; its neighbours are told by their order.
+/// A block; the order of the blocks gives its neighbours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineBlock {
     /// Centre, m.
@@ -55,7 +55,7 @@ pub fn discrete(blocks: &mut [LineBlock], e: f64, h: f64) {
     }
 }
 
-/// The first impact on the way, as (contact, time in the step). Equal times: the faster approach, then the order.
+/// The first impact within the step, as (contact, time in the step). Equal times: the faster approach, then the order.
 fn first(blocks: &[LineBlock], left: f64) -> Option<(usize, f64)> {
     let mut found: Option<(usize, f64, f64)> = None;
     for i in 0..blocks.len() - 1 {

@@ -18,7 +18,7 @@ pub struct MotionLaw {
     pub viscous: f64,
     /// Velocity of the air w, m/s.
     pub wind: DVec2,
-    /// A force back to the origin in proportion to the way, s, 1/s²: what floats, or hangs on a spring, swings with ω = √s.
+    /// A force back to the origin in proportion to the distance, s, 1/s²: a floating body, or one on a spring, swings with ω = √s.
     pub spring: f64,
 }
 
@@ -31,7 +31,7 @@ pub struct PointState {
     pub v: DVec2,
 }
 
-/// One step of so many seconds.
+/// One step: law, point, step (s).
 pub type MotionStep = fn(&MotionLaw, PointState, f64) -> PointState;
 
 /// The name of the one that chooses its steps itself.

@@ -10,7 +10,6 @@ use crate::physics::{BodyDef, BodyId, World};
 pub const G: f64 = 9.81;
 /// m.
 pub const HEIGHT: f64 = 1.0;
-/// The lossy ball's restitution.
 pub const LOSSY: f64 = 0.9;
 /// Apexes that are compared.
 pub const APEXES: usize = 10;
@@ -23,7 +22,6 @@ const JITTER: f64 = 2.0;
 /// J/kg. Less than this counts as rest.
 const REST: f64 = 1e-12;
 
-/// The methods by hand.
 pub const METHODS: [(&str, Bounce); 6] = [
     ("snap to the floor", snap),
     ("reflect", reflect),
@@ -38,7 +36,6 @@ pub const METHODS: [(&str, Bounce); 6] = [
 pub struct BouncingBall {
     /// m.
     pub height: f64,
-    /// Restitution, 0 … 1.
     pub e: f64,
     /// m/s. Slower impacts of the engine do not bounce.
     pub rest_speed: f64,
@@ -160,7 +157,6 @@ fn apexes_error(found: &[f64]) -> f64 {
     found.iter().zip(exact).map(|(found, exact)| (found - exact).abs()).fold(0.0, f64::max)
 }
 
-/// Ten bounces at e = 0.9.
 pub fn apexes() -> LabScene {
     let ball = BouncingBall::of(LOSSY);
     let methods = Answer::all(METHODS, move |by, h| apexes_error(&apex_heights(ball.path(by, LOSSY_SECONDS, h))));

@@ -11,7 +11,6 @@ const SECONDS: f64 = 10.0;
 /// m/s. Of the first block of a cradle.
 pub const STRIKE: f64 = 3.0;
 
-/// The methods by hand.
 pub const METHODS: [(&str, ImpactStep); 4] = [
     ("overlap at tick ends", discrete),
     ("swept, rest of tick lost", swept),
@@ -29,7 +28,6 @@ pub struct BlockLine {
 }
 
 impl BlockLine {
-    /// Alone.
     pub fn of(blocks: Vec<LineBlock>) -> Self {
         Self { blocks, crowd: 0 }
     }
@@ -106,7 +104,6 @@ pub fn head_on() -> LabScene {
     scene("head-on", "An elastic head-on collision, 10 s", BlockLine::of(vec![a, b]), places)
 }
 
-/// Five equal blocks.
 pub fn cradle() -> LabScene {
     let line = BlockLine::cradle(5);
     let places = (0..5).map(|block| line.cradle_place(block, SECONDS)).collect();

@@ -18,10 +18,8 @@ pub const LIGHT: f64 = 0.18;
 /// s. A gust is over in no time; a fall at terminal velocity follows.
 const GUST_SECONDS: f64 = 1.0;
 
-/// A body under a law of motion.
 #[derive(Clone, Debug)]
 pub struct FlyingBody {
-    /// The law.
     pub law: MotionLaw,
     /// Place and velocity at 0 s.
     pub start: PointState,
@@ -31,7 +29,6 @@ pub struct FlyingBody {
 }
 
 impl FlyingBody {
-    /// In air.
     pub fn in_air(law: MotionLaw, start: PointState) -> Self {
         Self { law, start, def: shipped::in_air(&law, start), origin: DVec2::ZERO }
     }
@@ -77,7 +74,6 @@ fn scene(name: &'static str, title: &str, seconds: f64, body: FlyingBody, exact:
     LabScene { methods, ..LabScene::new(name, title, seconds, 1) }
 }
 
-/// A scene whose flow is known.
 fn with_flow(name: &'static str, title: &str, body: FlyingBody, flow: MotionStep) -> LabScene {
     let exact = flow(&body.law, body.start, SECONDS).x;
     scene(name, title, SECONDS, body, exact, Some(flow))
@@ -90,24 +86,20 @@ fn free(name: &'static str, title: &str, v: DVec2) -> LabScene {
     scene(name, title, SECONDS, FlyingBody::in_air(law, PointState { x: DVec2::ZERO, v }), exact, None)
 }
 
-/// From rest.
 pub fn fall() -> LabScene {
     free("fall", "Fall without drag, 10 s", DVec2::ZERO)
 }
 
-/// Thrown.
 pub fn parabola() -> LabScene {
     free("parabola", "A throw without drag, 10 s", DVec2::new(20.0, -30.0))
 }
 
-/// From rest, with drag.
 pub fn fall_with_drag() -> LabScene {
     let law = MotionLaw { constant: DVec2::new(0.0, G), drag: DRAG, ..MotionLaw::default() };
     let title = "Fall with drag (terminal velocity 14 m/s), 10 s";
     with_flow("fall-with-drag", title, FlyingBody::in_air(law, PointState::default()), exact_fall)
 }
 
-/// Thrown up, and falling again.
 pub fn rise() -> LabScene {
     let law = MotionLaw { constant: DVec2::new(0.0, G), drag: DRAG, ..MotionLaw::default() };
     let start = PointState { x: DVec2::ZERO, v: DVec2::new(0.0, -20.0) };
@@ -116,7 +108,6 @@ pub fn rise() -> LabScene {
     LabScene { note, ..with_flow("rise-with-drag", title, FlyingBody::in_air(law, start), rise_and_fall) }
 }
 
-/// Without weight.
 pub fn drag_without_weight() -> LabScene {
     let law = MotionLaw { drag: DRAG, ..MotionLaw::default() };
     let start = PointState { x: DVec2::ZERO, v: DVec2::new(20.0, -15.0) };
@@ -132,13 +123,11 @@ pub fn liquid() -> LabScene {
     with_flow("liquid", "Sinking through a thick liquid (linear drag, buoyancy), 10 s", body, in_liquid)
 }
 
-/// The body of the throw into the wind.
 pub fn thrown() -> FlyingBody {
     let law = MotionLaw { constant: DVec2::new(0.0, G), drag: DRAG, wind: DVec2::new(4.0, 0.0), ..MotionLaw::default() };
     FlyingBody::in_air(law, PointState { x: DVec2::ZERO, v: DVec2::new(20.0, -20.0) })
 }
 
-/// Thrown, with the wind.
 pub fn projectile() -> LabScene {
     by_reference("projectile", "A throw with drag and wind in two dimensions, 10 s", SECONDS, thrown())
 }

@@ -1,4 +1,4 @@
-//! What floats in a liquid without drag swings for ever: K = ρ·g·A, ω = √(K/m). Exact: y = y₀·cos ωt. Here symplectic methods show
+//! A floating box without drag swings for ever: K = ρ·g·A, ω = √(K/m). Exact: y = y₀·cos ωt. Here symplectic methods show
 //! their strength: their energy swings about the right one, where that of others grows or fades.
 
 use super::flight::FlyingBody;
@@ -20,7 +20,7 @@ const SWING: f64 = 0.25;
 const SECONDS: f64 = 10.0;
 /// Periods that the energy has to last for.
 const PERIODS: f64 = 1000.0;
-/// Steps for so many periods, s.
+/// s. Coarser than elsewhere, for a thousand periods.
 const STEPS: [f64; 4] = [1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0];
 /// Relative: an energy this far off is a swing that is half a percent too high.
 const SEEN: f64 = 0.01;
@@ -50,7 +50,6 @@ pub fn energy(point: &PointState, stiffness: f64, swing: f64) -> f64 {
     (point.v.length_squared() / stiffness + point.x.length_squared()) / (swing * swing)
 }
 
-/// Of this scene's box.
 fn energy_of(point: &PointState) -> f64 {
     energy(point, stiffness(), SWING)
 }
@@ -63,7 +62,6 @@ pub fn afloat(stiffness: f64, mass: f64, swing: f64) -> FlyingBody {
     FlyingBody::in_world(law, PointState { x: start, v: DVec2::ZERO }, shipped::on_water(G, DENSITY, body), rest)
 }
 
-/// This scene's box.
 fn swinging() -> FlyingBody {
     afloat(stiffness(), MASS, SWING)
 }
@@ -84,7 +82,6 @@ fn moments(by: By<MotionStep>, seconds: f64, h: f64) -> Vec<CoursePoint> {
     }))
 }
 
-/// For ten seconds.
 pub fn swing() -> LabScene {
     let title = "A floating box swings without drag (ω = √(ρgA/m)), 10 s";
     let methods = Answer::all(INTEGRATORS.iter().copied(), error_at_end);

@@ -10,7 +10,6 @@ const DIGITS: std::ops::RangeInclusive<u32> = 0..=5;
 /// The right counts: the first digits of π.
 pub const COUNTS: [u64; 10] = [3, 31, 314, 3141, 31_415, 314_159, 3_141_592, 31_415_926, 314_159_265, 3_141_592_653];
 
-/// The relative error of a count.
 fn error(n: u32, found: u64) -> f64 {
     let exact = COUNTS[n as usize] as f64;
     (found as f64 - exact).abs() / exact

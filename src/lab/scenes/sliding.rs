@@ -12,7 +12,6 @@ const SPEED: f64 = 10.0;
 /// s.
 const SECONDS: f64 = 10.0;
 
-/// The methods by hand.
 pub const METHODS: [(&str, SlideStep); 3] = [("friction by sign", by_sign), ("friction clamped", clamped), ("exact stop", exact)];
 
 /// A box at 10 m/s on asphalt.

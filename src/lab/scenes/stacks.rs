@@ -9,9 +9,7 @@ use crate::physics::{BodyDef, BodyId, DVec2, Material, World};
 
 /// N/kg.
 const G: f64 = 9.81;
-/// Blocks of the column.
 const COLUMN: usize = 20;
-/// Blocks of the row.
 const ROW: usize = 20;
 /// s.
 const SECONDS: f64 = 10.0;
@@ -118,17 +116,14 @@ fn standing(name: &'static str, title: String, masses: Vec<f64>) -> LabScene {
     LabScene { error: "largest movement of a body at rest, m", methods, ..scene }
 }
 
-/// Equal blocks, one on the other.
 pub fn column() -> LabScene {
     standing("column", format!("A column of {COLUMN} equal blocks, 10 s"), vec![1.0; COLUMN])
 }
 
-/// Ten thousand times its weight.
 pub fn heavy_on_light() -> LabScene {
     standing("heavy-on-light", "10 000 kg resting on 1 kg, 10 s".to_owned(), vec![1.0, 10_000.0])
 }
 
-/// Twenty blocks pushed from behind.
 pub fn pushed_row() -> LabScene {
     let (seconds, row) = (1.0, ContactChain::pushed(ROW));
     let methods = Answer::all(SOLVERS, move |by, h| row.row_error(by, seconds, h));

@@ -44,12 +44,10 @@ fn tunnels(name: &'static str, mass: f64) -> StressTest {
     StressTest::of(name, "speed at h = 1/60 s, m/s", (1.0, 1e6), methods)
 }
 
-/// A wall.
 pub fn tunnelling() -> StressTest {
     tunnels("0.5 m box against a 0.1 m wall", f64::INFINITY)
 }
 
-/// Something that can move.
 pub fn tunnelling_of_bodies() -> StressTest {
     tunnels("0.5 m box against a 0.1 m plate that can move", 3.0)
 }
@@ -94,12 +92,10 @@ fn cradles(name: &'static str, crowd: usize) -> StressTest {
     StressTest { whole: true, ..StressTest::of(name, "blocks, at h = 1/60 s", (2.0, 20.0), methods) }
 }
 
-/// A cradle alone.
 pub fn simultaneous_impacts() -> StressTest {
     cradles("cradle: the last leaves alone", 0)
 }
 
-/// A cradle in a crowd.
 pub fn simultaneous_impacts_in_a_crowd() -> StressTest {
     cradles("the same among 200 others", CROWD)
 }

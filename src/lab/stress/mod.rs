@@ -18,20 +18,15 @@ pub const TICK: f64 = 1.0 / 60.0;
 /// N/kg.
 pub const G: f64 = 9.81;
 
-/// What a method survives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Survival {
-    /// The test.
     pub test: String,
     /// What is made larger, with its unit.
     pub parameter: String,
-    /// The method.
     pub method: String,
     /// The largest value that it survives; 0: none of those tried.
     pub largest: f64,
-    /// The largest value that was tried.
     pub tried: f64,
-    /// Whether it is the shipped engine.
     pub shipped: bool,
 }
 
@@ -48,9 +43,7 @@ pub struct StressTest {
     pub name: &'static str,
     /// What is made larger, with its unit.
     pub parameter: &'static str,
-    /// Least and largest value.
     range: (f64, f64),
-    /// Whether only whole numbers count.
     whole: bool,
     methods: Vec<Trial>,
 }
@@ -65,12 +58,10 @@ impl std::fmt::Debug for StressTest {
 }
 
 impl StressTest {
-    /// A test that tries values of a range.
     fn of(name: &'static str, parameter: &'static str, range: (f64, f64), methods: Vec<Trial>) -> Self {
         Self { name, parameter, range, whole: false, methods }
     }
 
-    /// What each method survives.
     pub fn rows(&self) -> Vec<Survival> {
         let row = |method: &Trial| {
             let found = largest(self.range, &method.run);

@@ -10,7 +10,6 @@ use crate::physics::DVec2;
 
 /// Steps after which a fall has long settled.
 const LONG: usize = 2000;
-/// Steps that a picture shows.
 const SHOWN: usize = 30;
 /// m/s. Terminal velocity of the thing in the gust.
 const LIGHT: f64 = 2.0;
@@ -27,7 +26,6 @@ pub enum FallOutcome {
     Right,
     /// It settles elsewhere, or never.
     Wrong,
-    /// Its velocity leaves all bounds.
     Diverges,
 }
 
@@ -83,7 +81,6 @@ pub fn terminal_velocity() -> StressTest {
     StressTest::of("terminal velocity to 1 %", parameter, (0.01, 1e3), methods)
 }
 
-/// Swings that are followed.
 const SWINGS: f64 = 100.0;
 /// Relative: how right their amplitude has to stay.
 const AMPLITUDE: f64 = 0.1;

@@ -16,15 +16,12 @@ const MARGIN: f64 = 0.08;
 /// A run of a method at one value, to be drawn.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FailurePicture {
-    /// The value.
     pub value: f64,
     /// What goes to the right, with its unit.
     pub across: &'static str,
     /// What goes upwards, with its unit.
     pub up: &'static str,
-    /// What the method makes of it.
     pub found: Vec<Polyline>,
-    /// What is right.
     pub exact: Vec<Polyline>,
     /// From where to where upwards it counts as right.
     pub right: Option<(f64, f64)>,
@@ -32,22 +29,18 @@ pub struct FailurePicture {
     pub solid: Option<(f64, f64)>,
 }
 
-/// From and to which value.
 type ValueSpan = (f64, f64);
 
 impl FailurePicture {
-    /// One with nothing on it yet.
     pub(super) fn of(across: &'static str, up: &'static str) -> Self {
         Self { across, up, ..Self::default() }
     }
 
-    /// With a line that the method makes.
     pub(super) fn found(mut self, line: impl IntoIterator<Item = (f64, f64)>) -> Self {
         self.found.push(thinned(line.into_iter().collect()));
         self
     }
 
-    /// With a line that is right.
     pub(super) fn exact(mut self, line: impl IntoIterator<Item = (f64, f64)>) -> Self {
         self.exact.push(thinned(line.into_iter().collect()));
         self
@@ -60,7 +53,6 @@ impl FailurePicture {
         self.exact(vec![(from, height), (to, height)])
     }
 
-    /// With something solid.
     pub(super) fn solid(self, from: f64, to: f64) -> Self {
         Self { solid: Some((from, to)), ..self }
     }
@@ -91,8 +83,7 @@ impl FailurePicture {
         ((from, if to > from { to } else { from + 1.0 }), (least - free, most + free))
     }
 
-    /// The lines as parts of the way to the right and upwards, cut where they leave what is seen; what is no number any more has left it
-    /// upwards.
+    /// The lines as parts of the axes to the right and upwards, cut at the edges; a value that is not a number stands at the upper edge.
     pub fn parts(&self, lines: &[Polyline]) -> Vec<Polyline> {
         let ((from, to), (least, most)) = self.window();
         let part = |&(x, y): &(f64, f64)| {

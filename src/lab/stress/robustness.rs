@@ -65,7 +65,6 @@ fn naive_step((y, v): (f64, f64), h: f64) -> (f64, f64) {
     if overlaps { (0.0, 0.0) } else { (y, v) }
 }
 
-/// The frame's time is the step.
 pub fn frame_as_step(frame: f64) -> Hitch {
     Hitch { height: naive_step((DROP, 0.0), frame).0, ticks: 1 }
 }
@@ -119,7 +118,6 @@ fn asked(frame: f64) -> FailurePicture {
     FailurePicture::of("length of the frame, s", "ticks to compute").found(asked).exact([(0.0, affordable), (frame, affordable)])
 }
 
-/// One frame takes long.
 pub fn hitch() -> StressTest {
     let methods = vec![
         Trial::new("frame time as step", |frame| frame_as_step(frame).survived())
@@ -190,7 +188,6 @@ pub fn shipped_refuses(body: &BodyDef) -> bool {
     World::new(shipped::on_floor(G, 1.0, vec![body.clone()])).is_err()
 }
 
-/// How many kinds of nonsense do no harm.
 pub fn nonsense() -> StressTest {
     let bodies = nonsense_bodies();
     let all = bodies.len() as f64;

@@ -13,7 +13,6 @@ pub const OVERLAP: f64 = 1e-6;
 pub const FORCE: f64 = 1e-9;
 /// Relative: how right it has to be for sweeps.
 const SWEPT_FORCE: f64 = 0.01;
-/// Sweeps of the solvers in the table.
 const SWEEPS: [u32; 4] = [10, 50, 500, 5000];
 /// Those that have 2 s to find the forces.
 const AT_REST: [(&str, Solver); 3] = [
