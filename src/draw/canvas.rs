@@ -13,75 +13,69 @@ const ASCENT: f32 = 0.93;
 /// Half the height of a capital, in heights of the text.
 const HALF_CAPITAL: f32 = 0.355;
 
-/// The shapes of one frame, and the frame that they are laid out in.
 #[derive(Debug)]
 pub struct Canvas {
     frame: Frame,
-    /// Width and height of the whole window, canvas units.
+    /// Of the whole window, canvas units.
     window: Vec2,
-    /// Physical pixels a logical one, in which a system reports the mouse and text is set.
+    /// Physical pixels a logical one: a system reports the mouse, and text is set, in logical pixels.
     dpi: f32,
     shapes: RefCell<Vec<Shape>>,
 }
 
 impl Canvas {
-    /// An empty canvas.
     pub const fn new(frame: Frame) -> Self {
         Self { frame, window: frame.size, dpi: 1.0, shapes: RefCell::new(Vec::new()) }
     }
 
-    /// Begins a frame with nothing drawn, in a window of `dpi` physical pixels a logical one.
+    /// `dpi` is physical pixels a logical one.
     pub fn begin(&mut self, frame: Frame, dpi: f32) {
         (self.frame, self.window, self.dpi) = (frame, frame.size, dpi);
         self.clear();
     }
 
-    /// Forgets what was drawn.
     pub fn clear(&mut self) {
         self.shapes.get_mut().clear();
     }
 
-    /// Draws above it what another canvas of that size shows.
+    /// Draws another canvas of that size above it.
     pub fn add_all(&mut self, other: &Self) {
         self.shapes.get_mut().extend(other.shapes().iter().cloned());
     }
 
-    /// What was drawn, in order.
     pub fn shapes(&self) -> Ref<'_, [Shape]> {
         Ref::map(self.shapes.borrow(), Vec::as_slice)
     }
 
-    /// Lays what follows out on another part of the canvas, from its top left corner; returns the frame before, to be given back.
+    /// Lays the following shapes out on another part of the canvas, from its top left corner; returns the frame before, for the
+    /// caller to restore.
     pub const fn use_frame(&mut self, frame: Frame) -> Frame {
         std::mem::replace(&mut self.frame, frame)
     }
 
-    /// Width and height of the canvas, and its scale.
     pub const fn frame(&self) -> &Frame {
         &self.frame
     }
 
-    /// Width and height of the canvas in canvas units: at least 1280 × 720.
+    /// Canvas units: at least 1280 × 720.
     pub const fn size(&self) -> Vec2 {
         self.frame.size
     }
 
-    /// Width and height of the whole window in canvas units.
+    /// Canvas units.
     pub const fn window(&self) -> Vec2 {
         self.window
     }
 
-    /// Physical pixels a logical one.
     pub const fn dpi(&self) -> f32 {
         self.dpi
     }
 
-    /// A point of the window, in logical pixels, on the canvas.
     pub fn to_canvas(&self, logical: Vec2) -> Vec2 {
         logical * self.dpi * self.frame.pixel
     }
 
-    /// Ends a layer: what is drawn from now on lies above it and its text.
+    /// Ends a layer: the next one lies above it and its text.
     pub fn end_layer(&self) {
         self.add(Shape::Layer);
     }
@@ -93,12 +87,11 @@ impl Canvas {
         }
     }
 
-    /// The width of a line of text in canvas units.
     pub fn width(&self, text: &str, style: Style) -> f32 {
         text::width(text, style.face, self.glyph_height(style.size)) * self.frame.pixel
     }
 
-    /// Where the baseline of a line of text begins, canvas units.
+    /// Canvas units.
     pub fn baseline(&self, text: &str, at: Vec2, style: Style) -> Vec2 {
         let left = match style.align {
             Align::Left => at.x,
@@ -109,56 +102,54 @@ impl Canvas {
         Vec2::new(left, at.y + height * if style.middle { HALF_CAPITAL } else { ASCENT })
     }
 
-    /// The height of text of that size in whole logical pixels.
+    /// In whole logical pixels.
     pub fn font_size(&self, size: f32) -> u16 {
         (self.frame.text_height(size) / self.frame.pixel / self.dpi).ceil() as u16
     }
 
-    /// The height of its glyphs in whole physical pixels.
+    /// In whole physical pixels.
     pub fn glyph_height(&self, size: f32) -> f32 {
         (f32::from(self.font_size(size)) * self.dpi).ceil()
     }
 
-    /// From one line to the next in canvas units.
+    /// Canvas units.
     pub fn line_height(&self, size: f32) -> f32 {
         self.frame.text_height(size) * LINE
     }
 
-    /// A filled convex outline (its corners in order, either way round).
+    /// The corners in order, either way round.
     pub fn convex(&self, corners: &[Vec2], colour: Colour) {
         if corners.len() >= 3 {
             self.add(Shape::Fill { outline: Contour::Convex(corners.to_vec()), colour });
         }
     }
 
-    /// The outline of convex corners, `width` wide, inside them.
+    /// The edge lies inside the corners.
     pub fn convex_edge(&self, corners: &[Vec2], width: f32, colour: Colour) {
         if corners.len() >= 3 {
             self.add(Shape::Edge { outline: Contour::Convex(corners.to_vec()), width, colour });
         }
     }
 
-    /// A filled box with round corners.
     pub fn rounded(&self, area: Area, radius: f32, colour: Colour) {
         self.add(Shape::Fill { outline: Contour::Rounded(area, radius), colour });
     }
 
-    /// The edge of a box with round corners, inside it.
+    /// The edge lies inside the box.
     pub fn rounded_edge(&self, area: Area, radius: f32, width: f32, colour: Colour) {
         self.add(Shape::Edge { outline: Contour::Rounded(area, radius), width, colour });
     }
 
-    /// A filled circle.
     pub fn disc(&self, centre: Vec2, radius: f32, colour: Colour) {
         self.add(Shape::Fill { outline: Contour::Circle(centre, radius), colour });
     }
 
-    /// A circle's edge, inside it.
+    /// The edge lies inside the circle.
     pub fn ring(&self, centre: Vec2, radius: f32, width: f32, colour: Colour) {
         self.add(Shape::Edge { outline: Contour::Circle(centre, radius), width, colour });
     }
 
-    /// A straight line with blunt ends.
+    /// The ends are blunt.
     pub fn line(&self, from: Vec2, to: Vec2, width: f32, colour: Colour) {
         self.add(Shape::Fill { outline: Contour::Line(from, to, width), colour });
     }
@@ -173,31 +164,28 @@ impl Canvas {
         self.add(Shape::Hairline { from, to, colour });
     }
 
-    /// A box without soft edges: for what lies on whole pixels, and what adjoins.
+    /// A box without soft edges, for boxes that lie on whole pixels or adjoin.
     pub fn rectangle(&self, area: Area, colour: Colour) {
         self.add(Shape::Rectangle { area, colour });
     }
 
-    /// The edge of such a box, inside it.
+    /// The edge lies inside the box.
     pub fn rectangle_edge(&self, area: Area, width: f32, colour: Colour) {
         self.add(Shape::RectangleEdge { area, width, colour });
     }
 
-    /// Quadrangles without soft edges.
     pub fn quads(&self, quads: Quads) {
         if !quads.0.is_empty() {
             self.add(Shape::Quads(quads));
         }
     }
 
-    /// A triangle without soft edges.
     pub fn triangle(&self, corners: [Vec2; 3], colour: Colour) {
         let mut quads = Quads::default();
         quads.triangle(corners, colour);
         self.quads(quads);
     }
 
-    /// An image over a whole area.
     pub fn image(&self, image: &Image, area: Area, tint: Colour) {
         self.picture(image, Area::new(0.0, 0.0, 1.0, 1.0), area, (0.0, tint));
     }

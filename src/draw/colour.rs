@@ -3,13 +3,10 @@
 /// A colour in straight (not premultiplied) sRGB, each part 0 … 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Colour {
-    /// Red.
     pub r: f32,
-    /// Green.
     pub g: f32,
-    /// Blue.
     pub b: f32,
-    /// How much it covers.
+    /// Opacity.
     pub a: f32,
 }
 
@@ -17,22 +14,22 @@ impl Colour {
     /// A picture that is drawn with it keeps its colours.
     pub const WHITE: Self = Self::new(1.0, 1.0, 1.0, 1.0);
 
-    /// A colour by its parts, 0 … 1.
+    /// Each part 0 … 1.
     pub const fn new(r: f32, g: f32, b: f32, a: f32) -> Self {
         Self { r, g, b, a }
     }
 
-    /// An opaque colour by its parts, 0 … 255.
+    /// Opaque; each part 0 … 255.
     pub const fn of([r, g, b]: [u8; 3]) -> Self {
         Self::new(r as f32 / 255.0, g as f32 / 255.0, b as f32 / 255.0, 1.0)
     }
 
-    /// An opaque colour written as 0xRRGGBB.
+    /// Opaque, from 0xRRGGBB.
     pub const fn hex(hex: u32) -> Self {
         Self::of([(hex >> 16) as u8, (hex >> 8) as u8, hex as u8])
     }
 
-    /// The colour with `alpha` (0 … 1) of its cover.
+    /// `alpha` (0 … 1) multiplies the opacity.
     pub const fn faded(self, alpha: f32) -> Self {
         Self::new(self.r, self.g, self.b, self.a * alpha)
     }

@@ -12,7 +12,7 @@ pub fn dashes(corners: &[Vec2], pattern: &[f32]) -> Vec<(Vec2, Vec2)> {
         let (length, mut at) = (from.distance(to), 0.0);
         let along = |way: f32| from + (to - from) * (way / length);
         while at < length {
-            // At least a little, so that rounding cannot hold it up.
+            // A piece takes a little at least, so that rounding cannot stall the loop.
             let end = (at + left.max(0.01)).min(length);
             if index % 2 == 0 {
                 pieces.push((along(at), along(end)));

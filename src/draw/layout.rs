@@ -5,20 +5,16 @@ pub use glam::Vec2;
 
 /// The canvas on which every screen is designed; a window of another shape gets more of it along one axis, never less.
 pub const DESIGN: Vec2 = Vec2::new(1280.0, 720.0);
-/// No text is drawn smaller than this, physical pixels.
+/// The smallest text, physical pixels.
 pub const SMALLEST_TEXT: f32 = 12.0;
 
 /// Height of the text in details boxes.
 pub const DETAILS: f32 = 13.0;
-/// Height of running text.
 pub const TEXT: f32 = 18.0;
-/// Height of the words on buttons.
 pub const BUTTON_TEXT: f32 = 24.0;
-/// Height of headings.
 pub const HEADING: f32 = 40.0;
-/// Height of the title.
 pub const TITLE: f32 = 84.0;
-/// Every size of text that is used: their glyphs are made ready before they are drawn.
+/// The pen prepares the glyphs of these sizes before it draws.
 pub const TEXT_SIZES: [f32; 5] = [DETAILS, TEXT, BUTTON_TEXT, HEADING, TITLE];
 /// From one line of text to the next, in heights of the text.
 pub const LINE: f32 = 1.35;
@@ -28,7 +24,7 @@ pub const MONO_ADVANCE: f32 = 0.602;
 /// Width of the widest usual line of words, in heights of the text and for each character: a bound that needs no typeface.
 const WIDE_ADVANCE: f32 = 0.62;
 
-/// A line of words reaches from here above the middle of its capitals to there below it, in heights of the text.
+/// The reach of a line of words above and below the middle of its capitals, in heights of the text.
 const LINE_REACH: (f32, f32) = (0.37, 0.57);
 
 /// The width of a line of words in the unit of `height`, the height of its letters.
@@ -42,17 +38,17 @@ pub fn words_box(words: &str, height: f32, from: Vec2) -> Area {
     Area { min: from - Vec2::new(0.0, above * height), size: Vec2::new(words_width(words, height), (above + below) * height) }
 }
 
-/// The size of type next to one that is wanted.
+/// The size of type next to the wanted one.
 pub fn nearest_size(wanted: f32) -> f32 {
     TEXT_SIZES.into_iter().min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs())).unwrap_or(wanted)
 }
 
-/// Width and height of the room that a line of words may need at most, in the unit of `height`, the height of its letters.
+/// An upper bound of the room of a line of words, in the unit of `height`, the height of its letters.
 pub fn text_room(words: &str, height: f32) -> Vec2 {
     Vec2::new(words.chars().count() as f32 * WIDE_ADVANCE, LINE) * height
 }
 
-/// A text in lines of at most `columns` characters, cut between words where it can be; those after the first are set in by `indent`.
+/// Lines of at most `columns` characters, cut between words where a cut fits; lines after the first are indented by `indent`.
 pub fn wrapped(text: &str, columns: usize, indent: usize) -> Vec<String> {
     let mut lines = Vec::new();
     let (mut line, mut length) = (String::new(), 0);
@@ -80,30 +76,22 @@ pub fn wrapped(text: &str, columns: usize, indent: usize) -> Vec<String> {
 
 /// The step of the grid on which everything stands.
 pub const GRID: f32 = 8.0;
-/// Radius of a panel's corners.
 pub const CORNER: f32 = 8.0;
-/// From a panel's edge to what is in it.
 pub const PADDING: f32 = 16.0;
-/// Width of a panel's edge.
 pub const EDGE: f32 = 2.0;
-/// A button in a column.
 pub const WIDE_BUTTON: Vec2 = Vec2::new(320.0, 48.0);
-/// A button in a row.
 pub const ROW_BUTTON: Vec2 = Vec2::new(200.0, 48.0);
-/// Between two buttons.
 pub const GAP: f32 = 16.0;
 
 /// A box on the canvas, y down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Area {
-    /// Its top left corner.
     pub min: Vec2,
     /// Its width and height.
     pub size: Vec2,
 }
 
 impl Area {
-    /// The box of that corner and size.
     pub const fn new(x: f32, y: f32, width: f32, height: f32) -> Self {
         Self { min: Vec2::new(x, y), size: Vec2::new(width, height) }
     }
@@ -113,23 +101,20 @@ impl Area {
         Self { min: centre - size / 2.0, size }
     }
 
-    /// Its bottom right corner.
     pub fn max(&self) -> Vec2 {
         self.min + self.size
     }
 
-    /// Its middle.
     pub fn centre(&self) -> Vec2 {
         self.min + self.size / 2.0
     }
 
-    /// Its corners in order round, from the top left.
+    /// In order round, from the top left.
     pub fn corners(&self) -> [Vec2; 4] {
         let (a, b) = (self.min, self.max());
         [a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)]
     }
 
-    /// Whether a point lies in it.
     pub fn contains(&self, point: Vec2) -> bool {
         point.cmpge(self.min).all() && point.cmplt(self.max()).all()
     }
@@ -139,12 +124,11 @@ impl Area {
         (other.min - self.max()).max(self.min - other.max()).max_element()
     }
 
-    /// Whether it overlaps none of the others.
     pub fn covers_none(&self, others: &[Self]) -> bool {
         others.iter().all(|other| self.gap(other) >= 0.0)
     }
 
-    /// From where to where, seen from its start, a line is inside; `None` where it passes by.
+    /// The interval of distances from `from` within which a line lies inside; `None` where it passes by.
     pub fn stretch(&self, from: Vec2, along: Vec2, length: f32) -> Option<(f32, f32)> {
         let (mut enters, mut leaves) = (0.0_f32, length);
         for axis in 0..2 {
@@ -167,49 +151,47 @@ impl Area {
     }
 }
 
-/// The canvas as the window shows it now.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
-    /// Its width and height in canvas units: at least [`DESIGN`].
+    /// Canvas units: at least [`DESIGN`].
     pub size: Vec2,
     /// Canvas units a physical pixel.
     pub pixel: f32,
-    /// How large words are, 1 as designed.
+    /// Scale of the words, 1 as designed.
     pub text: f32,
 }
 
 impl Frame {
-    /// The canvas in a window of this size in physical pixels: one scale for both axes, so that all of [`DESIGN`] is in view.
+    /// The canvas in a window of this size in physical pixels: one scale for both axes, all of [`DESIGN`] in view.
     pub fn of_window(pixels: Vec2) -> Self {
         let pixels = pixels.max(Vec2::ONE);
         let pixel = (DESIGN / pixels).max_element();
         Self { size: pixels * pixel, pixel, text: 1.0 }
     }
 
-    /// The same with words `text` times as large as designed.
+    /// Words are `text` times as large as designed.
     #[must_use]
     pub const fn with_text(self, text: f32) -> Self {
         Self { text, ..self }
     }
 
-    /// The whole canvas as a box.
     pub fn area(&self) -> Area {
         Area { min: Vec2::ZERO, size: self.size }
     }
 
-    /// The height at which text of that size is drawn: itself, or what is legible in a small window.
+    /// The drawn height of text of that size: the legible minimum in a small window, else the size itself.
     pub fn text_height(&self, size: f32) -> f32 {
         (size * self.text / self.pixel).round().max(SMALLEST_TEXT) * self.pixel
     }
 
-    /// A column of `count` wide buttons whose top is at `top`, in the middle of the canvas.
+    /// Wide buttons from `top` down, in the middle of the canvas.
     pub fn column(&self, count: usize, top: f32) -> Vec<Area> {
         let left = (self.size.x - WIDE_BUTTON.x) / 2.0;
         let pitch = WIDE_BUTTON.y + GAP;
         (0..count).map(|i| Area::new(left, top + i as f32 * pitch, WIDE_BUTTON.x, WIDE_BUTTON.y)).collect()
     }
 
-    /// A row of `count` buttons with their tops at `top`, in the middle of the canvas.
+    /// Buttons beside each other at `top`, in the middle of the canvas.
     pub fn row(&self, count: usize, top: f32) -> Vec<Area> {
         let pitch = ROW_BUTTON.x + GAP;
         let left = (self.size.x - (count as f32 * pitch - GAP)) / 2.0;

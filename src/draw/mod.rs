@@ -1,6 +1,6 @@
-//! What a frame shows, as a list of [`Shape`]s: a [`Canvas`] records it without a window, and a pen plays it. The pen
+//! A frame as a list of [`Shape`]s: a [`Canvas`] records it without a window, and a pen plays it. The pen
 //! `pen` draws on the screen, [`svg`] writes a file.
-//! Where things go is in [`layout`]; how wide words are, from the typefaces themselves, in [`text`].
+//! Sizes and places are in [`layout`]; the widths of words, from the typefaces themselves, in [`text`].
 
 pub mod canvas;
 pub mod colour;

@@ -20,33 +20,29 @@ use macroquad::texture::{DrawTextureParams, FilterMode, Image as Pixels, Texture
 use macroquad::window::{clear_background, screen_dpi_scale, screen_height, screen_width};
 use std::sync::Arc;
 
-/// Beyond printable ASCII, the signs that the game writes.
+/// The signs beyond printable ASCII that the game writes.
 const SIGNS: &str = "−×·÷°±≈≤≥∞→←↑↓‹›–—…µμρπΔ‘’“”£é⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
-/// Sizes in physical pixels kept at once; a window dragged through more of them starts a fresh atlas, so that it never grows
-/// without end.
+/// Sizes (physical pixels) in one atlas. A window dragged through more of them starts a fresh atlas, so that none grows without
+/// end.
 const MOST_SIZES: usize = 20;
 /// The most quadrangles of one draw call: the library keeps room for 5000 indices.
 const MOST_QUADS: usize = 800;
 
-/// The pen of the window that is open.
 pub struct WindowPen {
     fonts: Fonts,
     soft: Soft,
     mesh: Mesh,
     sheet: Texture2D,
-    /// The files that were drawn, and what became of each; `None`: it is no picture.
+    /// The drawn files with their textures; `None`: the file is no picture.
     files: Vec<(Arc<[u8]>, Option<Texture2D>)>,
     /// The picture that is shown again while nothing changes.
     kept: Option<Texture2D>,
-    /// Draws it without its opacity, which is that of what was drawn last; `None` where there can be none.
+    /// Draws the kept picture without its opacity, which is that of the last shape; `None` where no material is available.
     copying: Option<Material>,
 }
 
 impl WindowPen {
-    /// A pen for the window that is open. The sheet is square, and its bytes are RGBA.
-    ///
-    /// # Errors
-    /// A typeface that cannot be read, in words.
+    /// The sheet is square, its bytes RGBA. Fails on a typeface that cannot be read.
     pub fn new(sheet: &[u8]) -> Result<Self, String> {
         let side = (sheet.len() / 4).isqrt() as u16;
         let sheet = Texture2D::from_rgba8(side, side, sheet);
@@ -62,17 +58,14 @@ impl WindowPen {
         })
     }
 
-    /// Lays a canvas out for the window's present size, with words `text` times as large as usual.
-    ///
-    /// # Errors
-    /// A typeface that cannot be read, in words.
+    /// Lays a canvas out for the window's present size, with words `text` times as large as usual. Fails on a typeface that cannot
+    /// be read.
     pub fn begin(&mut self, canvas: &mut Canvas, text: f32) -> Result<(), String> {
         let dpi = screen_dpi_scale();
         canvas.begin(Frame::of_window(Vec2::new(screen_width(), screen_height()) * dpi).with_text(text), dpi);
         self.fonts.prepare(canvas)
     }
 
-    /// Clears the window and draws the canvas on it.
     pub fn play(&mut self, canvas: &Canvas, ground: Colour) {
         clear_background(ground.into());
         use_canvas_units(canvas);
@@ -87,7 +80,7 @@ impl WindowPen {
                 use_canvas_units(canvas);
             }
         }
-        // Files that nothing but this pen holds are drawn no more.
+        // Files that only this pen holds are no longer drawn.
         drop(shapes);
         self.files.retain(|(bytes, _)| Arc::strong_count(bytes) > 1);
     }
@@ -170,7 +163,7 @@ impl WindowPen {
         self.files[index].1.as_ref()
     }
 
-    /// Keeps what has been drawn in this frame, to be shown again.
+    /// Keeps this frame's picture for later frames.
     pub fn keep(&mut self, canvas: &Canvas) {
         if self.copying.is_none() {
             return;
@@ -181,7 +174,7 @@ impl WindowPen {
             kept.set_filter(FilterMode::Nearest);
             kept
         });
-        // Ends what is batched, so that it is in the picture.
+        // Flushes the batch, so that all of it is in the picture.
         use_canvas_units(canvas);
         kept.grab_screen();
         self.kept = Some(kept);
@@ -189,7 +182,7 @@ impl WindowPen {
         self.show_kept(canvas);
     }
 
-    /// Shows what was kept, in a window of the same size; whether there is such a picture.
+    /// Shows the kept picture in a window of the same size; `false` where none is kept.
     pub fn show_kept(&self, canvas: &Canvas) -> bool {
         let Some((kept, copying)) = self.kept.as_ref().zip(self.copying.as_ref()) else { return false };
         let params = DrawTextureParams { dest_size: Some(canvas.window()), flip_y: true, ..DrawTextureParams::default() };
@@ -250,7 +243,6 @@ impl Fonts {
         Ok(Self { sans: font(Typeface::Sans)?, mono: font(Typeface::Mono)?, ready: Vec::new() })
     }
 
-    /// Makes the glyphs ready that a canvas needs.
     fn prepare(&mut self, canvas: &Canvas) -> Result<(), String> {
         let sizes = TEXT_SIZES.map(|size| canvas.glyph_height(size) as u16);
         if sizes.iter().all(|size| self.ready.contains(size)) {

@@ -3,26 +3,23 @@
 use super::colour::Colour;
 use super::layout::Vec2;
 
-/// Four corners in order round, each with its colour.
+/// The corners stand in order round.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quad {
-    /// The corners, canvas units.
+    /// Canvas units.
     pub corners: [Vec2; 4],
-    /// Their colours.
     pub colours: [Colour; 4],
 }
 
-/// Quadrangles that are drawn together.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Quads(pub Vec<Quad>);
 
 impl Quads {
-    /// Adds four corners in order round, each with its colour.
+    /// The corners stand in order round.
     pub fn quad(&mut self, corners: [Vec2; 4], colours: [Colour; 4]) {
         self.0.push(Quad { corners, colours });
     }
 
-    /// Adds a triangle of one colour.
     pub fn triangle(&mut self, [a, b, c]: [Vec2; 3], colour: Colour) {
         self.quad([a, b, c, c], [colour; 4]);
     }

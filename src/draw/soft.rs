@@ -1,5 +1,5 @@
 //! Soft edges: one physical pixel fades out around each shape, so that nothing is jagged without multisampling. Outlines become
-//! triangles here; nothing of it needs a window.
+//! triangles here, without a window.
 
 use super::colour::Colour;
 use super::layout::{Area, Vec2};
@@ -9,26 +9,25 @@ use std::f32::consts::{FRAC_PI_2, TAU};
 /// How far, in physical pixels, a curve may stray from the true one.
 const FLATNESS: f32 = 0.2;
 
-/// Triangles that are being put together; its vectors are used again from shape to shape.
+/// The triangles of a frame; their vectors are used again from shape to shape.
 #[derive(Debug, Default)]
 pub struct Soft {
     /// Canvas units a physical pixel.
     pixel: f32,
     corners: Vec<Vec2>,
     normals: Vec<Vec2>,
-    /// The corners of the triangles and their colours.
+    /// The corners with their colours.
     pub vertices: Vec<(Vec2, Colour)>,
     /// Three a triangle.
     pub indices: Vec<u16>,
 }
 
 impl Soft {
-    /// Begins a frame of that many canvas units a physical pixel.
+    /// `pixel` is canvas units a physical pixel.
     pub const fn begin(&mut self, pixel: f32) {
         self.pixel = pixel;
     }
 
-    /// The triangles of a filled outline.
     pub fn fill(&mut self, outline: &Contour, colour: Colour) {
         self.take(outline);
         let half = self.pixel / 2.0;
@@ -39,7 +38,7 @@ impl Soft {
         self.band([(-half, colour), (half, colour.faded(0.0))]);
     }
 
-    /// The triangles of an outline's edge, `width` wide, inside it.
+    /// The edge is `width` wide and lies inside the outline.
     pub fn edge(&mut self, outline: &Contour, width: f32, colour: Colour) {
         self.take(outline);
         let half = self.pixel / 2.0;
@@ -95,7 +94,7 @@ impl Soft {
         }
     }
 
-    /// Adds the outline moved outwards by `by`; returns the index of its first corner.
+    /// Adds the outline offset outwards by `by`; returns the index of its first corner.
     fn ring(&mut self, by: f32, colour: Colour) -> u16 {
         let first = self.vertices.len() as u16;
         let moved = self.corners.iter().zip(&self.normals).map(|(corner, normal)| (*corner + *normal * by, colour));

@@ -1,5 +1,5 @@
-//! The pen of paper: plays what a canvas has recorded as SVG, its words as text. A quadrangle has the colour of its first corner; images
-//! are left out, for no chart has one.
+//! The pen of paper: plays a canvas as SVG, its words as text. A quadrangle has the colour of its first corner; images are left
+//! out, for no chart has one.
 
 use super::canvas::Canvas;
 use super::colour::Colour;
@@ -8,7 +8,7 @@ use super::shape::{Align, Contour, Shape, Style};
 use super::text::Typeface;
 use std::fmt::Write;
 
-/// The canvas as a file, on that ground.
+/// `ground` fills the sheet.
 pub fn svg(canvas: &Canvas, ground: Colour) -> String {
     let Vec2 { x, y } = canvas.size();
     let mut paper = Paper { canvas, text: String::new(), lines: None };
@@ -29,7 +29,7 @@ pub fn svg(canvas: &Canvas, ground: Colour) -> String {
 struct Paper<'a> {
     canvas: &'a Canvas,
     text: String,
-    /// The path of lines that is being written: its width, its colour and where it ends.
+    /// The path of lines that is being written: width, colour and end.
     lines: Option<(f32, Colour, Vec2)>,
 }
 
@@ -54,7 +54,7 @@ impl Paper<'_> {
         }
     }
 
-    /// An outline, `inset` canvas units further in where it is round or a box.
+    /// `inset` (canvas units) moves a round outline or a box inwards.
     fn outline(&mut self, outline: &Contour, inset: f32, look: &str) {
         match outline {
             Contour::Convex(corners) => self.polygon(corners, look),
@@ -83,7 +83,7 @@ impl Paper<'_> {
         let _ = writeln!(self.text, "\" {look}/>");
     }
 
-    /// A piece of a path: lines of one look that follow each other are one path, and go on where the last one ended.
+    /// Lines of one look that follow each other are one path.
     fn line(&mut self, [from, to]: [Vec2; 2], width: f32, colour: Colour) {
         let before = self.lines.filter(|(known, own, _)| (*known, *own) == (width, colour));
         if before.is_none() {
@@ -149,7 +149,7 @@ fn hex(colour: Colour) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// A length to a tenth.
+/// Rounds to a tenth.
 fn number(value: f32) -> String {
     let text = format!("{value:.1}");
     text.strip_suffix(".0").map_or(text.clone(), str::to_owned)

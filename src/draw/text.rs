@@ -1,8 +1,7 @@
-//! The two typefaces: which signs are set in which, and how wide they are.
+//! The two typefaces: the signs that each sets, and their widths.
 
 use std::sync::LazyLock;
 
-/// What a line of text is set in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Typeface {
     /// For words: Ubuntu Light.
@@ -13,7 +12,6 @@ pub enum Typeface {
 }
 
 impl Typeface {
-    /// Its name and its file.
     pub const fn file(self) -> (&'static str, &'static [u8]) {
         match self {
             Self::Sans => ("Ubuntu Light", epaint_default_fonts::UBUNTU_LIGHT),
@@ -25,7 +23,7 @@ impl Typeface {
 /// Signs that are set in the monospaced face amid words too: the sans face has no arrows and no raised minus, and its π reads like another
 /// letter.
 const IN_MONO: [char; 6] = ['←', '→', '↑', '↓', 'π', '⁻'];
-/// Width of a sign, in heights of the text, where a typeface cannot be read.
+/// Width of a sign where a typeface cannot be read, in heights of the text.
 const UNKNOWN_ADVANCE: f32 = 0.62;
 
 /// The text cut into runs of one face each.

@@ -1,4 +1,4 @@
-//! What the player did in one frame, in canvas units and without a window.
+//! The player's input of one frame, in canvas units and without a window.
 
 use crate::draw::layout::{Frame, Vec2};
 use crate::physics::{BodyId, DVec2};
@@ -7,36 +7,32 @@ use std::cell::{Cell, RefCell};
 use std::path::PathBuf;
 use std::rc::Rc;
 
-/// What the buttons made of an input, for the ear.
+/// The buttons' answer to an input, for the sound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Answer {
-    /// The keyboard or the pointer went to another button.
     Moved,
-    /// A button was pressed.
     Pressed,
 }
 
 /// A key that went down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Keyed {
-    /// Which.
     pub key: Key,
-    /// How many characters had been typed before it in that frame.
+    /// The number of characters typed before it in that frame.
     pub after: usize,
-    /// Which of Shift, Control and Alt were down then.
+    /// Of Shift, Control and Alt, the keys that were down then.
     pub held: Keys,
 }
 
-/// What was done with the keyboard, one thing after the other.
+/// A single act with the keyboard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stroke {
-    /// A character was typed.
     Letter(char),
-    /// A key went down, while these were down.
+    /// A key that went down, and the modifiers held then.
     Key(Key, Keys),
 }
 
-/// What is copied to be pasted: in a window the system's, where that says anything, else the text that was copied here.
+/// The clipboard: in a window the system's, else the text that was copied here.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Clipboard {
     own: Rc<RefCell<String>>,
@@ -45,7 +41,6 @@ pub struct Clipboard {
 }
 
 impl Clipboard {
-    /// What is on it.
     pub fn text(&self) -> String {
         #[cfg(feature = "window")]
         if self.of_system
@@ -56,7 +51,6 @@ impl Clipboard {
         self.own.borrow().clone()
     }
 
-    /// Puts a text on it.
     pub fn keep(&self, text: String) {
         #[cfg(feature = "window")]
         if self.of_system {
@@ -66,83 +60,76 @@ impl Clipboard {
     }
 }
 
-/// What the player did since the last frame, and what is held down now.
+/// The player's input since the last frame, and the keys and buttons held down now.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Input {
-    /// The canvas as it is laid out now.
     pub frame: Frame,
     /// Since the last frame, s.
     pub frame_time: f64,
-    /// How much of that the window has waited on purpose, s.
+    /// The share of the frame time that the window has waited on purpose, s.
     pub waited: f64,
-    /// How long the player has done nothing, s; the app keeps it.
+    /// Time without any input, s; the app keeps it.
     pub idle: f64,
     /// Another window has the keyboard, or this one is hidden.
     pub away: bool,
-    /// Where the pointer is.
     pub pointer: Vec2,
-    /// The left button went down.
+    /// Left button.
     pub click: bool,
-    /// The left button is down.
+    /// Left button.
     pub holding: bool,
-    /// The right button went down.
+    /// Right button.
     pub right_click: bool,
-    /// The right or the middle button is down.
+    /// Right or middle button.
     pub dragging: bool,
     /// Notches of the wheel, positive away from the player (up).
     pub wheel: f32,
-    /// Keys that went down, also those that are up again by now.
+    /// Keys that went down, even if they are up again by now.
     pub pressed: Keys,
-    /// Keys that are down.
     pub held: Keys,
-    /// Files and folders that were dropped on the window.
     pub dropped: Vec<PathBuf>,
-    /// Characters that were typed, in order.
+    /// In order.
     pub typed: String,
-    /// Those of the keys that went down whose moment is known, in order: not those of a gamepad.
+    /// The pressed keys whose moment is known, in order: not those of a gamepad.
     pub keyed: Vec<Keyed>,
-    /// What is copied to be pasted.
     pub clipboard: Clipboard,
-    /// The body of the game under the pointer, if there is one.
+    /// The body of the game under the pointer.
     pub pointed: Option<BodyId>,
-    /// Where in the game's level the pointer is, m, where a game is shown.
+    /// The pointer's place in the game's level, m.
     pub place: Option<DVec2>,
-    /// What the player has set.
     pub settings: Settings,
-    /// What the buttons made of it, also of a copy that leaves something out: they say so with [`Input::answer`].
+    /// The buttons' answer; copies of the input share it.
     pub answer: Rc<Cell<Option<Answer>>>,
 }
 
 impl Input {
-    /// Whether the key went down: true in one frame for one press.
     pub fn pressed(&self, key: Key) -> bool {
         has(self.pressed, key)
     }
 
-    /// Whether a key went down that does this in flight.
+    /// Whether a key of the flight's action went down.
     pub fn acts(&self, action: Action) -> bool {
         self.settings.keys.does(action, self.pressed)
     }
 
-    /// Whether a key is down that does this in flight.
+    /// Whether a key of the flight's action is down.
     pub fn keeps(&self, action: Action) -> bool {
         self.settings.keys.does(action, self.held)
     }
 
-    /// Whether something went down, was turned, typed or dropped.
+    /// Whether a press, a turn of the wheel, a character or a drop is new.
     pub fn has_news(&self) -> bool {
         let pointer = self.click || self.right_click || self.wheel != 0.0;
         pointer || !self.pressed.is_empty() || !self.typed.is_empty() || !self.dropped.is_empty()
     }
 
-    /// How long the last frame took to be made, s: 0 only where no time has passed.
+    /// The time in which the last frame was made, s: 0 only where no time has passed.
     pub fn worked(&self) -> f64 {
         if self.frame_time > 0.0 { (self.frame_time - self.waited).max(f64::MIN_POSITIVE) } else { 0.0 }
     }
 
-    /// What was typed and which of `keys` went down, in order; of keys whose moment is not known it is at the end.
+    /// The typed characters and the presses of `keys`, in order; a press whose moment is not known is last.
     pub fn strokes(&self, keys: &[Key]) -> Vec<Stroke> {
-        // Systems type the letter of a command, too.
+        // Systems also type the letter of a command.
         let command = self.keyed.is_empty() && self.held(Key::Control) && !self.held(Key::Alt);
         let mut letters = self.typed.chars().filter(|_| !command).map(Stroke::Letter);
         let (mut strokes, mut typed) = (Vec::new(), 0);
@@ -158,7 +145,7 @@ impl Input {
         strokes
     }
 
-    /// The same moment once everything new in it has been taken: no time has passed and nothing was pressed, turned or typed.
+    /// The same input without edges: no time, press, turn or character.
     pub fn without_edges(&self) -> Self {
         Self {
             frame: self.frame,
@@ -174,26 +161,25 @@ impl Input {
         }
     }
 
-    /// A button says what it made of this input; a press goes before a move.
+    /// A press goes before a move.
     pub fn answer(&self, answer: Answer) {
         if self.answer.get() != Some(Answer::Pressed) {
             self.answer.set(Some(answer));
         }
     }
 
-    /// Whether the key is down.
     pub fn held(&self, key: Key) -> bool {
         has(self.held, key)
     }
 }
 
-/// Whether a key is among those, or the button of a gamepad that does the same.
+/// Whether the set holds the key, or the button of a gamepad that does the same.
 fn has(keys: Keys, key: Key) -> bool {
     keys.has(key) || key.on_pad().is_some_and(|pad| keys.has(pad))
 }
 
-/// Keeps what was pressed until a tick has taken it: a press shorter than a frame is not lost in a frame without a tick, and is not
-/// repeated in a frame with two.
+/// Keeps presses until a tick takes them: a press shorter than a frame is not lost in a frame without a tick, and does not repeat
+/// in a frame with two.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct KeyLatch {
     held: Keys,
@@ -201,33 +187,31 @@ pub struct KeyLatch {
 }
 
 impl KeyLatch {
-    /// Takes note of a frame.
     pub fn frame(&mut self, input: &Input) {
         self.held = input.held;
         self.pressed = self.pressed | input.pressed;
     }
 
-    /// The keys of the next tick.
     pub fn take(&mut self) -> Keys {
         self.held | std::mem::take(&mut self.pressed)
     }
 }
 
-/// How long a key is held before it repeats, s.
+/// Time for which a key is held before it repeats, s.
 const REPEAT_AFTER: f64 = 0.4;
-/// From one repetition to the next, s.
+/// Time between repetitions, s.
 const REPEAT_EVERY: f64 = 0.05;
 
-/// Repeats keys that are held, for moving through text and lists. Buttons never repeat.
+/// Repeats held keys, for moving through text and lists. Buttons never repeat.
 #[derive(Clone, Debug, Default)]
 pub struct Repeat {
     key: Option<Key>,
-    /// Until the next repetition, s.
+    /// Time to the next repetition, s.
     wait: f64,
 }
 
 impl Repeat {
-    /// How often each of `keys` acts in this frame; call it once a frame, with all keys of one screen.
+    /// The actions of `keys` in this frame, repetitions included; call it once a frame, with all keys of one screen.
     pub fn strokes(&mut self, input: &Input, keys: &[Key]) -> Vec<Key> {
         let mut strokes: Vec<Key> = keys.iter().copied().filter(|key| input.pressed(*key)).collect();
         if let Some(last) = strokes.last() {
@@ -235,7 +219,7 @@ impl Repeat {
         } else if let Some(key) = self.key.filter(|key| input.held(*key)) {
             self.wait -= input.frame_time;
             if self.wait <= 0.0 {
-                // At most one a frame: a hitch must not run to the end of the list.
+                // One a frame at most: a hitch must not run to the end of the list.
                 self.wait = REPEAT_EVERY;
                 strokes.push(key);
             }

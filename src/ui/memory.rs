@@ -1,4 +1,4 @@
-//! What the widgets of a screen remember from frame to frame: the focus, the highlight under the pointer, how far lists are scrolled.
+//! The memory of a screen's widgets from frame to frame: the focus, the highlight under the pointer, the position of each list.
 
 use super::input::{Answer, Input, Repeat};
 use super::scroll::Scroll;
@@ -6,18 +6,18 @@ use crate::draw::layout::{Area, Vec2};
 use crate::settings::{Key, Keys};
 use std::collections::BTreeMap;
 
-/// How a widget answers.
+/// The inputs that a widget answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WidgetKind {
-    /// To pointer and keyboard.
+    /// Pointer and keyboard.
     Button,
-    /// To the pointer alone: its key is the screen's affair.
+    /// The pointer alone: its key is the screen's affair.
     Tool,
-    /// To both; left and right change its value.
+    /// Both; left and right change its value.
     Choice,
-    /// To both; it is typed into.
+    /// Both; characters go into it.
     Field,
-    /// To arrow keys alone: a row of a list beyond its view, which scrolls there.
+    /// Arrow keys alone: a row of a list beyond its view, which scrolls there.
     Beyond,
 }
 
@@ -35,45 +35,43 @@ impl WidgetKind {
     }
 }
 
-/// A widget as a frame has shown it.
+/// A widget in the last frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Widget {
-    /// What it is called: no two of a layer have the same label.
+    /// No two of a layer have the same label.
     pub label: String,
-    /// Where it is, canvas units.
+    /// Canvas units.
     pub area: Area,
-    /// How it answers.
     pub kind: WidgetKind,
     /// Tab goes to the first widget of the next group.
     pub(super) group: usize,
 }
 
-/// Which widget has the focus, and where it was.
+/// The widget with the focus, and its place.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Spot {
     label: String,
     centre: Vec2,
 }
 
-/// What a pass over a screen has shown.
+/// The widgets and keys of one pass over a screen.
 #[derive(Debug, Default)]
 pub(super) struct PassShown {
-    /// The widgets of the topmost layer.
+    /// Of the topmost layer.
     pub widgets: Vec<Widget>,
     pub layer: usize,
-    /// The keys that the screen takes itself.
+    /// The screen takes these keys itself.
     pub claimed: Keys,
-    /// No widget answers anything.
+    /// No widget answers.
     pub captured: bool,
-    /// The widget that has the focus while nothing else has.
+    /// The widget that has the focus by default.
     pub start: Option<String>,
 }
 
-/// The memory of one screen.
 #[derive(Debug, Default)]
 pub struct Memory {
     shown: PassShown,
-    /// The focus in each layer.
+    /// One a layer.
     focus: Vec<Option<Spot>>,
     pub(super) hover: Option<String>,
     pub(super) pressed: Option<String>,
@@ -81,18 +79,15 @@ pub struct Memory {
     pointer: Option<Vec2>,
     pub(super) scrolls: BTreeMap<String, Scroll>,
     pub(super) repeat: Repeat,
-    /// Frames shown.
     frames: usize,
     settled: bool,
 }
 
 impl Memory {
-    /// The widgets of the last frame.
     pub fn widgets(&self) -> &[Widget] {
         &self.shown.widgets
     }
 
-    /// The label of the widget that has the focus.
     pub fn focused(&self) -> Option<&str> {
         Some(&self.focus.get(self.shown.layer)?.as_ref()?.label)
     }
@@ -102,7 +97,7 @@ impl Memory {
         self.hover.as_deref()
     }
 
-    /// Whether the last frame has shown the focus where it is.
+    /// Whether the last frame has shown the present focus.
     pub fn is_settled(&self) -> bool {
         self.settled
     }
@@ -115,7 +110,7 @@ impl Memory {
         self.shown.layer
     }
 
-    /// Gives the focus to a widget of the topmost layer; `None`: to the one that the screen begins with.
+    /// Focuses a widget of the topmost layer; `None`: the screen's default.
     pub(super) fn focus_on(&mut self, label: Option<&str>) {
         let spot = label.map(|label| {
             let centre = self.find(label).map_or(Vec2::ZERO, |widget| widget.area.centre());
@@ -125,7 +120,6 @@ impl Memory {
         self.focus[self.shown.layer] = spot;
     }
 
-    /// Follows pointer and keys over the widgets of the last frame.
     pub(super) fn follow(&mut self, input: &Input) {
         if self.shown.captured {
             self.pressed = None;
@@ -140,7 +134,7 @@ impl Memory {
         }
     }
 
-    /// Takes over what a pass has shown. The focus stays on its label; where that is gone it goes to the widget nearest to it.
+    /// Takes over the widgets of a pass. The focus stays on its label; where the label is gone it goes to the nearest widget.
     pub(super) fn adopt(&mut self, shown: PassShown) {
         let before = (self.shown.layer, self.focused().map(str::to_owned));
         self.shown = shown;
@@ -167,7 +161,7 @@ impl Memory {
         input.pressed(key) && !self.shown.claimed.has(key)
     }
 
-    /// The label of the widget that was pressed.
+    /// The label of the pressed widget.
     fn press(&mut self, input: &Input) -> Option<String> {
         let under =
             self.shown.widgets.iter().find(|widget| widget.kind.has_pointer() && widget.area.contains(input.pointer)).cloned();
@@ -209,7 +203,7 @@ impl Memory {
         }
     }
 
-    /// The nearest widget in a direction; one that lies straight ahead goes before one aside.
+    /// The nearest widget in a direction; a widget straight ahead goes before one aside.
     fn neighbour(&self, direction: Vec2) -> Option<String> {
         let from = self.find(self.focused()?)?.area.centre();
         let distance = |widget: &Widget| {

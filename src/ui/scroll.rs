@@ -1,4 +1,4 @@
-//! A list that is longer than its window: which line is the first in view, by keys, wheel and a bar that can be dragged.
+//! A list that is longer than its window: its first line in view, by keys, wheel and a bar that can be dragged.
 
 use super::input::{Input, Repeat};
 use crate::draw::layout::{Area, Vec2};
@@ -6,19 +6,16 @@ use crate::settings::Key;
 
 /// Lines a notch of the wheel.
 const WHEEL_LINES: f32 = 3.0;
-/// Width of the bar.
+/// Canvas units.
 pub const BAR_WIDTH: f32 = 12.0;
-/// The handle is never shorter, so that it can be grabbed.
+/// The handle is never shorter, so that the pointer can take it.
 const SHORTEST_HANDLE: f32 = 32.0;
-/// What scrolls.
 const KEYS: [Key; 6] = [Key::Up, Key::Down, Key::PageUp, Key::PageDown, Key::Home, Key::End];
 
-/// A scroll bar.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bar {
-    /// Where it runs.
     pub track: Area,
-    /// What shows, and moves, the part in view.
+    /// Shows and moves the part in view.
     pub handle: Area,
     /// Whether the pointer holds the handle.
     pub held: bool,
@@ -30,21 +27,20 @@ pub struct Scroll {
     first: usize,
     lines: usize,
     page: usize,
-    /// Where the bar runs.
     track: Area,
-    /// Parts of a line that the wheel has turned so far.
+    /// The fraction of a line that the wheel has turned so far.
     turned: f32,
-    /// Where on the handle it was grabbed, from its top.
+    /// Where the pointer holds the handle, from its top.
     grabbed: Option<f32>,
     repeat: Repeat,
     /// Whether keys turn whole pages, each of which begins at a multiple of its length.
     pub(super) pages: bool,
-    /// The line that is to be shown once it is known how many fit.
+    /// A line to be shown once the page is known.
     wanted: Option<usize>,
 }
 
 impl Scroll {
-    /// Says how many lines there are, how many fit, and where the bar runs.
+    /// `page` lines fit; the bar runs on `track`.
     pub fn place(&mut self, lines: usize, page: usize, track: Area) {
         (self.lines, self.page, self.track) = (lines, page, track);
         if let Some(line) = self.wanted.take_if(|_| page > 0) {
@@ -67,14 +63,13 @@ impl Scroll {
         self.first = self.first.clamp((line + 1).saturating_sub(self.page), line);
     }
 
-    /// Follows keys, wheel and pointer.
     pub fn update(&mut self, input: &Input) {
         for key in self.repeat.strokes(input, &KEYS) {
             match key {
                 Key::Up | Key::PageUp if self.pages => self.first = self.first.saturating_sub(1) / self.page.max(1) * self.page,
                 Key::Down | Key::PageDown if self.pages => {
                     let next = (self.first / self.page.max(1) + 1) * self.page;
-                    // What is in view to its end has no next page.
+                    // A view of the last line has no next page.
                     self.first = if self.first + self.page < self.lines { next } else { self.first };
                 }
                 Key::Up => self.by(-1),
@@ -94,12 +89,11 @@ impl Scroll {
         self.drag(input);
     }
 
-    /// The lines in view.
     pub fn range(&self) -> std::ops::Range<usize> {
         self.first..(self.first + self.page).min(self.lines)
     }
 
-    /// The bar; `None` when all lines are in view.
+    /// `None` when all lines are in view.
     pub fn bar(&self) -> Option<Bar> {
         let last = self.last_first();
         if last == 0 {
@@ -118,7 +112,7 @@ impl Scroll {
             return;
         };
         if input.click && track.contains(input.pointer) {
-            // Beside the handle the bar jumps to the pointer and is held by its middle.
+            // Beside the handle the bar jumps to the pointer, which then holds its middle.
             let on_handle = handle.contains(input.pointer);
             self.grabbed = Some(if on_handle { input.pointer.y - handle.min.y } else { handle.size.y / 2.0 });
         }
@@ -136,19 +130,19 @@ impl Scroll {
         self.first = self.first.saturating_add_signed(lines).min(self.last_first());
     }
 
-    /// The last line that can be the first in view: the first one of the last page, where there are pages.
+    /// The largest first line: the first one of the last page, where there are pages.
     fn furthest(&self) -> usize {
         let last_page = self.lines.saturating_sub(1) / self.page.max(1) * self.page;
         if self.pages { last_page } else { self.last_first() }
     }
 
-    /// Where the wheel and the bar end: the view is full.
+    /// The first line at which the wheel and the bar end, with a full view.
     fn last_first(&self) -> usize {
         self.lines.saturating_sub(self.page)
     }
 }
 
-/// The bar's place at the right edge inside a panel.
+/// A bar at the right edge inside a panel.
 pub fn bar_beside(panel: Area, top: f32, bottom: f32) -> Area {
     Area { min: Vec2::new(panel.max().x - BAR_WIDTH - 8.0, top), size: Vec2::new(BAR_WIDTH, bottom - top) }
 }

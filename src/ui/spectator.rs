@@ -1,14 +1,13 @@
-//! The game's listeners.
+//! Listeners of the game.
 
 use crate::game::Game;
 
 /// Watches attempts tick by tick: particles, sound, the cost of a tick. It changes nothing in them.
 pub trait Spectator {
-    /// An attempt begins.
     fn begins(&mut self, _game: &Game) {}
-    /// A tick is about to be computed.
+    /// Before each tick.
     fn before_tick(&mut self) {}
-    /// A tick has been computed; its events are in the game.
+    /// After each tick, whose events are in the game.
     fn after_tick(&mut self, _game: &Game) {}
     /// The game has jumped to another moment.
     fn jumped(&mut self, _game: &Game) {}

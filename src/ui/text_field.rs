@@ -3,43 +3,42 @@
 use super::input::{Input, Repeat, Stroke};
 use crate::settings::{Key, Keys};
 
-/// What moves and deletes.
+/// Keys that move and delete.
 const KEYS: [Key; 6] = [Key::Left, Key::Right, Key::Home, Key::End, Key::Backspace, Key::Delete];
-/// With Ctrl: all is selected, copied, cut, pasted.
+/// With Ctrl: select all, copy, cut, paste.
 const COMMANDS: [Key; 4] = [Key::A, Key::C, Key::X, Key::V];
 
-/// The text and where the next character goes.
+/// The text and its caret.
 #[derive(Clone, Debug, Default)]
 pub struct TextField {
     text: Vec<char>,
     caret: usize,
-    /// The other end of what is selected; at the caret where nothing is.
+    /// The other end of the selection; at the caret without a selection.
     anchor: usize,
     limit: usize,
     repeat: Repeat,
-    /// Whether the keyboard was in it in the last frame, and whether it has left it since.
+    /// Whether the field had the focus in the last frame, and has lost it since.
     had_focus: bool,
     left: bool,
 }
 
 impl TextField {
-    /// A field that takes at most `limit` characters and begins with `text`.
+    /// At most `limit` characters.
     pub fn new(text: &str, limit: usize) -> Self {
         let text: Vec<char> = text.chars().take(limit).collect();
         Self { caret: text.len(), anchor: text.len(), text, limit, ..Self::default() }
     }
 
-    /// The same with all of it selected: the first character takes its place.
+    /// All of it is selected: the first character takes its place.
     pub fn selected(text: &str, limit: usize) -> Self {
         Self { anchor: 0, ..Self::new(text, limit) }
     }
 
-    /// Selects all of it.
     pub fn select_all(&mut self) {
         (self.anchor, self.caret) = (0, self.text.len());
     }
 
-    /// Takes note of whether the keyboard is in it: where it comes back, all is selected.
+    /// Where the focus returns, all is selected.
     pub(super) fn note_focus(&mut self, focus: bool) {
         self.left |= self.had_focus && !focus;
         if focus && std::mem::take(&mut self.left) {
@@ -48,17 +47,17 @@ impl TextField {
         self.had_focus = focus;
     }
 
-    /// The keyboard comes back by a letter: nothing is selected.
+    /// The focus returns by a letter: nothing is selected.
     pub(super) fn come_back(&mut self) {
         self.left = false;
     }
 
-    /// Selects nothing; the next character goes to the end.
+    /// Selects nothing and puts the caret at the end.
     pub fn go_to_end(&mut self) {
         self.go(self.text.len(), false);
     }
 
-    /// Follows what was typed and pressed, in that order; whether the text has changed.
+    /// Follows characters and keys in order; whether the text has changed.
     pub fn update(&mut self, input: &Input) -> bool {
         let before = self.text.clone();
         let repeated = self.repeat.strokes(input, &KEYS);
@@ -106,7 +105,7 @@ impl TextField {
             }
             Key::V if control => {
                 let pasted: Vec<char> = input.clipboard.text().chars().collect();
-                // Where there is nothing to paste, what is selected stays.
+                // An empty clipboard keeps the selection.
                 if !pasted.is_empty() {
                     self.put(&pasted);
                 }
@@ -115,7 +114,7 @@ impl TextField {
         }
     }
 
-    /// Puts the caret there; what was selected stays so with `more`, up to there.
+    /// Moves the caret; `more` extends the selection to there.
     fn go(&mut self, to: usize, more: bool) {
         self.caret = to.min(self.text.len());
         if !more {
@@ -123,7 +122,7 @@ impl TextField {
         }
     }
 
-    /// Puts characters in the place of what is selected, as many as there is room for.
+    /// Replaces the selection by as many characters as fit.
     fn put(&mut self, characters: &[char]) {
         let (from, to) = self.selection();
         let room = self.limit.saturating_sub(self.text.len() - (to - from));
@@ -136,17 +135,15 @@ impl TextField {
         self.go(end, false);
     }
 
-    /// The text.
     pub fn text(&self) -> String {
         self.text.iter().collect()
     }
 
-    /// From which character to which it is selected.
+    /// First and last character of the selection.
     pub fn selection(&self) -> (usize, usize) {
         (self.anchor.min(self.caret), self.anchor.max(self.caret))
     }
 
-    /// The text up to the caret.
     #[cfg(test)]
     fn before_caret(&self) -> String {
         self.text[..self.caret].iter().collect()
@@ -159,12 +156,12 @@ mod drawing {
     use crate::draw::{Canvas, Style};
     use crate::view::theme;
 
-    /// Height of the caret and of what is selected, in heights of the text.
+    /// Height of the caret and of the selection, in heights of the text.
     const CARET: f32 = 1.35;
 
     impl TextField {
-        /// Draws the text into a box, so far from its sides. `time` (s) makes the caret blink; without it the keyboard is elsewhere. The caret
-        /// stays in view: of a text that is wider than the box the beginning is left out.
+        /// `inside` is the padding of the box. `time` (s) makes the caret blink; `None`: the field has no focus. The caret stays in
+        /// view: a text wider than the box loses its beginning.
         pub fn draw(&self, canvas: &Canvas, area: Area, (size, inside): (f32, f32), time: Option<f64>) {
             let style = Style::new(size, theme::text()).mono().middle();
             let width = |from: usize, to: usize| canvas.width(&self.text[from..to].iter().collect::<String>(), style);
@@ -260,7 +257,7 @@ mod tests {
         board.keep("two\nlines\t".to_owned());
         with_control(&mut field, Key::V, &board);
         assert_eq!(field.text(), "twolin");
-        // Shift selects; Left goes to its beginning.
+        // Shift selects; Left goes to the selection's beginning.
         let held: Keys = [Key::Shift].into_iter().collect();
         for _ in 0..2 {
             field.update(&Input { pressed: [Key::Left].into_iter().collect(), held, ..Input::default() });

@@ -1,4 +1,4 @@
-//! The widgets: buttons alone, in rows and columns, on a tool bar; values that are chosen; lines of text; lists that scroll.
+//! Widgets: buttons alone, in rows and columns, on a tool bar; values to choose; lines of text; lists that scroll.
 
 use super::memory::WidgetKind;
 use super::text_field::TextField;
@@ -9,35 +9,33 @@ use crate::settings::{Key, Keys};
 use crate::view::{theme, widgets as paint};
 use std::ops::Range;
 
-/// From a tool bar to the canvas' foot and sides.
+/// Between a tool bar and the canvas' foot and sides.
 const MARGIN: f32 = 24.0;
-/// Width of a choice's value, which stands at its right.
+/// Width of a choice's value, at its right.
 const VALUE_WIDTH: f32 = 200.0;
 
-/// What the player does with a widget.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Touch {
     /// The pointer is on it, and moved last.
     pub hover: bool,
     /// It has the keyboard's focus.
     pub focus: bool,
-    /// It was pressed in this frame.
+    /// The player pressed it in this frame.
     pub pressed: bool,
 }
 
-/// What was done with a line of text.
+/// The player's act with a line of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Typed {
-    /// Its text has changed.
     Changed,
-    /// Enter ends it.
+    /// Enter was pressed.
     Entered,
 }
 
 /// The keys that scroll a list, besides wheel and bar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Turning {
-    /// Up and down go line by line, the others page by page.
+    /// Up and down go line by line, the other keys page by page.
     Lines,
     /// Up and down turn pages, each of which begins at a multiple of its length.
     Pages,
@@ -45,7 +43,6 @@ pub enum Turning {
     AllPages,
     /// Page Up, Page Down, Home and End; arrows walk the widgets.
     Leaps,
-    /// None.
     Wheel,
 }
 
@@ -73,18 +70,16 @@ impl Turning {
 }
 
 impl Ui<'_> {
-    /// The paper of the notebook, and a heading in the middle of the canvas with its capitals around `y`.
+    /// The paper of the notebook, and a heading with its capitals around `y`.
     pub fn page(&self, heading: &str, y: f32) {
         paint::graph_paper(self.canvas());
         self.fitted(heading, Vec2::new(self.frame().size.x / 2.0, y), &[HEADING, BUTTON_TEXT], theme::text());
     }
 
-    /// A panel.
     pub fn panel(&self, area: Area) {
         paint::panel(self.canvas(), area);
     }
 
-    /// A line of text.
     pub fn text(&self, text: &str, at: Vec2, style: Style) {
         self.canvas().text(text, at, style);
     }
@@ -94,31 +89,28 @@ impl Ui<'_> {
         paint::fitted(self.canvas(), text, middle, self.frame().size.x - 64.0, sizes, colour);
     }
 
-    /// A button; whether it was pressed.
     pub fn button(&mut self, label: &str, area: Area) -> bool {
         let touch = self.touch(label, area, WidgetKind::Button);
         paint::button(self.canvas(), area, label, touch.hover, touch.focus);
         touch.pressed
     }
 
-    /// Buttons; the label of the one that was pressed.
     pub fn buttons<'l>(&mut self, areas: Vec<Area>, labels: &[&'l str]) -> Option<&'l str> {
         let all = labels.iter().zip(areas);
         all.fold(None, |pressed, (label, area)| if self.button(label, area) { Some(*label) } else { pressed })
     }
 
-    /// Buttons beside each other in the middle of the canvas.
+    /// In the middle of the canvas.
     pub fn row<'l>(&mut self, top: f32, labels: &[&'l str]) -> Option<&'l str> {
         self.buttons(self.frame().row(labels.len(), top), labels)
     }
 
-    /// Wide buttons below each other in the middle of the canvas.
+    /// In the middle of the canvas.
     pub fn column<'l>(&mut self, top: f32, labels: &[&'l str]) -> Option<&'l str> {
         self.buttons(self.frame().column(labels.len(), top), labels)
     }
 
-    /// Buttons at the foot of a scene whose arrow keys have other work: each has a key of its own, which stands on it. The label of the one
-    /// that was clicked or whose key was pressed.
+    /// Buttons at the foot of a scene whose arrow keys have other work: each shows its own key, which presses it.
     pub fn tools<'l>(&mut self, tools: &[(&'l str, Key, &str)]) -> Option<&'l str> {
         let all = self.frame().size.x - 2.0 * MARGIN + GAP;
         let pitch = (all / tools.len().max(1) as f32).min(ROW_BUTTON.x + GAP);
@@ -137,8 +129,8 @@ impl Ui<'_> {
         pressed
     }
 
-    /// A value that left, right and a click on either half change, and Enter raises; whether it is raised or lowered. `share` (0 … 1) shows how
-    /// far along its range it is.
+    /// A value that left, right and a click on either half change, and Enter raises; returns whether it rises or falls. `share` (0
+    /// … 1) is its place in its range.
     pub fn choice(&mut self, label: &str, area: Area, value: &str, share: Option<f32>) -> Option<bool> {
         let touch = self.touch(label, area, WidgetKind::Choice);
         let place = Area::new(area.max().x - VALUE_WIDTH, area.min.y, VALUE_WIDTH, area.size.y);
@@ -161,7 +153,7 @@ impl Ui<'_> {
         by_key.or_else(by_press)
     }
 
-    /// A line of text. What is typed goes to it also while a button has the focus, which it takes then.
+    /// Characters also go to it while a button has the focus; it takes the focus then.
     pub fn field(&mut self, label: &str, area: Area, field: &mut TextField) -> Option<Typed> {
         let touch = self.touch(label, area, WidgetKind::Field);
         let input = self.input;
@@ -184,7 +176,7 @@ impl Ui<'_> {
         }
     }
 
-    /// The lines of a list that are in view, `page` at most; the bar is drawn on its track where there are more. Lists are known by their
+    /// The lines of a list in view, at most `page`; the bar is drawn on its track where there are more. Lists are known by their
     /// names.
     pub fn scroll(&mut self, name: &str, (lines, page): (usize, usize), track: Area, turn: Turning) -> Range<usize> {
         let mut scroll = self.memory.scrolls.remove(name).unwrap_or_default();
@@ -202,13 +194,13 @@ impl Ui<'_> {
         range
     }
 
-    /// Brings a line of a list into view, in its middle where that can be, before the list is shown.
+    /// Brings a line into view, in its middle where that fits, before the list is shown.
     pub fn reveal(&mut self, name: &str, line: usize) {
         self.memory.scrolls.entry(name.to_owned()).or_default().show(line);
     }
 
-    /// A list of rows that are pressed like buttons; arrows walk them, and at the ends of the view they scroll. `draw` draws a row; the index of
-    /// the one that was pressed.
+    /// Rows that are pressed like buttons; arrows walk them, and scroll at the ends of the view. `draw` draws a row; returns the
+    /// index of the pressed one.
     pub fn list(
         &mut self,
         name: &str,
@@ -237,15 +229,15 @@ impl Ui<'_> {
     }
 }
 
-/// Where the rows of a list are.
+/// The places of a list's rows.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows {
-    /// The first one in view.
+    /// The first row in view.
     pub first: Area,
-    /// From one to the next.
+    /// From one row to the next.
     pub pitch: f32,
-    /// In view at most.
+    /// The most rows in view.
     pub page: usize,
-    /// Of the scroll bar.
+    /// Track of the scroll bar.
     pub track: Area,
 }
