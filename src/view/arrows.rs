@@ -1,4 +1,4 @@
-//! Free-body arrows: what each kind of force looks like - its colour, its dash, its head - and how an arrow and its label are drawn.
+//! Free-body arrows: colour, dash and head of each kind of force, and the drawing of arrows and labels.
 
 pub use super::facts::ArrowKind;
 use super::theme;
@@ -23,7 +23,7 @@ const BREAK_GAP: f32 = 3.5;
 /// How much is seen of an arrow while others are lit.
 const DIMMED: f32 = 0.35;
 
-/// What is at an arrow's tip.
+/// The head at an arrow's tip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Head {
     Filled,
@@ -34,41 +34,37 @@ enum Head {
     Disc,
 }
 
-/// An arrow on the canvas.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arrow {
-    /// Whose it is.
+    /// The body that the force acts on.
     pub body: BodyId,
-    /// Which line of its box tells of it.
+    /// The line of the body's box that states it.
     pub row: usize,
-    /// What it stands for.
+    /// The force or impact.
     pub shown: ArrowKind,
-    /// Where it begins: at the body's centre, if there is room.
+    /// The body's centre, if there is room.
     pub from: Vec2,
-    /// The tip.
     pub to: Vec2,
-    /// Whether its length is by the scale; else it bears a mark.
+    /// Whether its length is by the scale; otherwise it bears a mark.
     pub to_scale: bool,
 }
 
 impl Arrow {
-    /// Its name.
     pub fn name(&self) -> &'static str {
         self.shown.name()
     }
 
-    /// From its start to its tip.
     pub fn length(&self) -> f32 {
         (self.to - self.from).length()
     }
 
-    /// The box around it.
+    /// The bounding box.
     pub fn area(&self) -> Area {
         let min = self.from.min(self.to) - 4.0;
         Area { min, size: self.from.max(self.to) + 4.0 - min }
     }
 
-    /// How far a point is from it.
+    /// Distance of a point.
     pub fn distance(&self, point: Vec2) -> f32 {
         let way = self.to - self.from;
         let part = ((point - self.from).dot(way) / way.length_squared().max(1.0)).clamp(0.0, 1.0);
@@ -83,7 +79,7 @@ pub const fn head_length(shown: ArrowKind) -> Vec2 {
     Vec2::new(one * heads, one)
 }
 
-/// The colour of what a line or an arrow stands for.
+/// The colour of a force or impact.
 pub const fn colour(shown: ArrowKind) -> Colour {
     match shown {
         ArrowKind::Resultant => theme::RESULTANT,
@@ -92,12 +88,12 @@ pub const fn colour(shown: ArrowKind) -> Colour {
     }
 }
 
-/// How much is seen of what is lit or not: all, where nothing is.
+/// The opacity of an arrow: full where none is lit.
 pub fn seen(lit: bool, any: bool) -> f32 {
     if lit || !any { 1.0 } else { DIMMED }
 }
 
-/// Draws arrows, without their labels; `lit` says which ones are picked out, if any are.
+/// Draws arrows, without their labels; `lit` picks arrows out.
 pub fn draw(arrows: &[Arrow], lit: impl Fn(&Arrow) -> bool, canvas: &Canvas) {
     let any = arrows.iter().any(&lit);
     for arrow in arrows {
@@ -112,7 +108,7 @@ pub fn draw(arrows: &[Arrow], lit: impl Fn(&Arrow) -> bool, canvas: &Canvas) {
     }
 }
 
-/// Two strokes across the shaft: it is not to scale.
+/// Two strokes across the shaft of an arrow that is not to scale.
 fn draw_break(canvas: &Canvas, arrow: &Arrow, alpha: f32) {
     let along = (arrow.to - arrow.from).normalize_or_zero();
     let shaft = (arrow.length() - head_length(arrow.shown).x).max(0.0);
@@ -138,12 +134,12 @@ fn draw_arrow(canvas: &Canvas, arrow: &Arrow, alpha: f32) {
     draw_head(canvas, head, arrow.to, along, tip_length, width, colour);
 }
 
-/// Draws a single arrow from its tail to its tip, for show; `alpha` (0 … 1) is how much of it is seen.
+/// A single arrow from tail to tip; `alpha` (0 … 1) is its opacity.
 pub fn draw_one(canvas: &Canvas, (from, to): (Vec2, Vec2), shown: ArrowKind, alpha: f32) {
     draw_arrow(canvas, &Arrow { body: SHIP, row: 0, shown, from, to, to_scale: true }, alpha);
 }
 
-/// How a kind of force is told without its colour: no two of the same head and dash. Dashes are lengths drawn and left out in turn.
+/// Tells kinds of force apart without colour: no two share head and dash. Dashes are lengths drawn and left out in turn.
 const fn style(shown: ArrowKind) -> (Head, &'static [f32]) {
     let kind = match shown {
         ArrowKind::Resultant => return (Head::Filled, &[]),
@@ -197,16 +193,15 @@ fn draw_head(canvas: &Canvas, head: Head, tip: Vec2, along: Vec2, length: f32, w
     }
 }
 
-/// The label of an arrow and its place.
+/// The place of an arrow's label.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Label {
-    /// The index of its arrow.
+    /// Index of the arrow.
     pub arrow: usize,
-    /// Where it stands.
     pub area: Area,
 }
 
-/// Draws the labels, on a dark ground so that they can be read over anything; `lit` as for the arrows.
+/// The labels, on a dark ground so that they can be read over anything; `lit` as for the arrows.
 pub fn draw_labels(arrows: &[Arrow], labels: &[Label], lit: impl Fn(&Arrow) -> bool, canvas: &Canvas) {
     let any = arrows.iter().any(&lit);
     for label in labels {

@@ -1,14 +1,14 @@
-//! What exhaust, dust and sparks stop at: the solid surfaces near the view, sorted into columns so that a thousand particles each look at
-//! few of them.
+//! Barriers of exhaust, dust and sparks: the solid surfaces near the view, sorted into columns so that each of a thousand particles
+//! looks at few of them.
 
 use crate::physics::{Aabb, DVec2, Sides, World};
 
 /// Columns over the width of the view.
 const COLUMNS: usize = 64;
-/// From a surface to what has stopped at it, m.
+/// Gap that a stopped particle keeps to its surface, m.
 const CLEAR: f64 = 1e-3;
 
-/// Where a path ends at a surface.
+/// The end of a path at a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BarrierStop {
     /// A little before the surface, m.
@@ -27,7 +27,7 @@ pub struct Barriers {
 }
 
 impl Barriers {
-    /// The surfaces of a world that are there now and touch a box.
+    /// The present surfaces of a world that touch a box.
     pub fn new(world: &World, within: &Aabb) -> Self {
         let width = within.size().x;
         let scale = if width > 0.0 { COLUMNS as f64 / width } else { 0.0 };
@@ -54,18 +54,18 @@ impl Barriers {
         Some(BarrierStop { at, axis })
     }
 
-    /// How far it is from a point to the first stop along a unit vector, `reach` at most, m.
+    /// The distance from a point to the first stop along a unit vector, at most `reach`, m.
     pub fn room(&self, from: DVec2, along: DVec2, reach: f64) -> f64 {
         self.stop(from, from + along * reach).map_or(reach, |stop| stop.at.distance(from))
     }
 
     fn column(&self, x: f64) -> usize {
-        // The cast takes what lies left of the view to 0.
+        // The cast takes places left of the view to 0.
         (((x - self.left) * self.scale) as usize).min(COLUMNS - 1)
     }
 }
 
-/// Which part of a path is free before it enters a box through a solid face, and the axis of that face.
+/// The free part (0 … 1) of a path before it enters a box through a solid face, and the axis of that face.
 fn meets(bounds: &Aabb, sides: Sides, from: DVec2, to: DVec2) -> Option<(f64, usize)> {
     let way = to - from;
     let (mut enters, mut leaves, mut axis) = (f64::NEG_INFINITY, 1.0_f64, 0);

@@ -1,37 +1,35 @@
-//! Where the details boxes go: near their objects, inside the window, out of each other's way, and never over what has to be seen. Plain
-//! arithmetic on a grid of cells, so that it takes as long in a crowd as anywhere.
+//! Places of the details boxes: near their objects, inside the window, without overlap, and never over the ship, hazards and goals.
+//! Plain arithmetic on a grid of cells, whose time does not grow with a crowd.
 
 use crate::draw::layout::{Area, Vec2};
 
 /// Between a box and its object, canvas units.
 const OBJECT_GAP: f32 = 28.0;
-/// Between a box and another, and between a box and the window's edge, canvas units.
+/// Between two boxes, and between a box and the window's edge, canvas units.
 const GAP: f32 = 8.0;
-/// How much it costs to cover an object, an arrow or words entirely, in canvas units of distance, and a single cell of it.
+/// Cost of covering an object, an arrow or words entirely, in canvas units of distance, and of covering a single cell of it.
 const COVER_COST: f32 = 300.0;
 const CELL_COST: f32 = 10.0;
-/// How much it costs a box to change its place beside its object, for each unit of the change: what keeps boxes from jumping about.
+/// Cost of a change of a box's place beside its object, for each unit of the change: it keeps boxes from jumping about.
 const MOVE_COST: f32 = 0.6;
-/// What a change costs at most: who stands far off comes back when there is room.
+/// The most that a change costs: a box that stands far off comes back when there is room.
 const MOVE_MOST: f32 = 120.0;
-/// How much nearer two boxes together must come for it to be worth their changing places, canvas units: less makes them flutter.
+/// Two boxes change places when both together come nearer by this, canvas units: less makes them flutter.
 const EXCHANGE_GAIN: f32 = 40.0;
 /// The side of a cell, canvas units: finer finds tighter places, in time that grows with the square.
 const CELL: f32 = 16.0;
 
-/// A box that wants a place.
+/// A box without a place yet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxWish {
-    /// The object that it belongs to.
     pub object: Area,
-    /// The size of the box.
     pub size: Vec2,
-    /// Where its corner was from the object's middle in the frame before.
+    /// Its corner from the object's middle in the frame before.
     pub before: Option<Vec2>,
 }
 
-/// Gives each box, in order, the best place left: none overlaps another or one of `taken`, all lie inside `window`. What is in
-/// `kept_clear` (objects, arrows) is covered only when that spares a long way. `None` where no place is left.
+/// Gives each box, in order, the best place left: none overlaps another or one of `taken`, all lie inside `window`. A box covers
+/// `kept_clear` (objects, arrows) only when that spares a long distance. `None` where no place is left.
 pub fn place(wishes: &[BoxWish], window: Area, taken: &[Area], kept_clear: &[Area]) -> Vec<Option<Area>> {
     let mut fixed = taken.to_vec();
     let mut map = FreeMap::new(window, taken, kept_clear);
@@ -48,7 +46,7 @@ pub fn place(wishes: &[BoxWish], window: Area, taken: &[Area], kept_clear: &[Are
     places
 }
 
-/// Lets two boxes of one size change places where that brings them nearer to their objects: their lines no longer cross.
+/// Lets two boxes of one size change places where both come nearer to their objects: their lines no longer cross.
 fn exchange(wishes: &[BoxWish], places: &mut [Option<Area>]) {
     for i in 0..places.len() {
         for j in i + 1..places.len() {
@@ -84,7 +82,7 @@ fn best(wish: &BoxWish, window: Area, fixed: &[Area], map: &FreeMap) -> Option<A
             }
         }
     };
-    // Where it was, and beside, above and below its object, to the point; then on the grid.
+    // Exactly: the place before, and beside, above and below the object; then on the grid.
     let exactly = |area: &Area| fixed.iter().all(|other| area.gap(other) >= GAP - 0.01);
     if let Some(before) = wish.before {
         consider((middle + before).clamp(low, high), &exactly);
@@ -107,13 +105,12 @@ fn best(wish: &BoxWish, window: Area, fixed: &[Area], map: &FreeMap) -> Option<A
     found.map(|(_, area)| area)
 }
 
-/// The window in cells, each with what lies there. Both tables hold sums over all cells above and to the left, so that a box of any size is looked
-/// up in four of them.
+/// The window in cells. Both tables hold sums over all cells above and to the left, so that a box of any size takes four look-ups.
 struct FreeMap {
     min: Vec2,
     columns: usize,
     rows: usize,
-    /// Cells that are taken, with the gap around what takes them.
+    /// Taken cells, with the gap around them.
     taken: Vec<bool>,
     taken_sums: Vec<u32>,
     cost_sums: Vec<f32>,
@@ -179,7 +176,6 @@ impl FreeMap {
         }
     }
 
-    /// A box has its place here now.
     fn take(&mut self, area: &Area) {
         self.mark(area);
         self.sum();
@@ -195,14 +191,14 @@ impl FreeMap {
         (sums[d] + sums[a] - sums[b] - sums[c]).max(0.0)
     }
 
-    /// Where the sums of a box's four corners are: top left, top right, bottom left, bottom right.
+    /// The indices of the sums at a box's corners: top left, top right, bottom left, bottom right.
     fn corners(&self, area: &Area) -> [usize; 4] {
         let ([left, top, right, bottom], width) = (self.cells(area), self.columns + 1);
         [top * width + left, top * width + right, bottom * width + left, bottom * width + right]
     }
 }
 
-/// From a box to a point, 0 inside.
+/// 0 inside.
 fn distance(area: &Area, point: Vec2) -> f32 {
     (area.min - point).max(point - area.max()).max(Vec2::ZERO).length()
 }

@@ -1,66 +1,66 @@
-//! Which part of the level the window shows: pure arithmetic from the ship, the level and the canvas to one [`Viewport`].
+//! The part of the level in the window: pure arithmetic from the ship, the level and the canvas to one [`Viewport`].
 
 use crate::draw::layout::{Area, Vec2};
 use crate::physics::{Aabb, DVec2};
 
-/// Time in which the camera closes in on the ship to 1/e of the distance, s. Longer swims behind, shorter jerks at every bump.
+/// Time constant of the camera's approach to the ship, s. Longer lags behind, shorter jerks at every bump.
 const EASE_TIME: f64 = 0.12;
-/// How far ahead of the ship the camera looks: as far as it flies in this time, s, but so far at most, m across and down. More shows
-/// more of what comes, but the ship itself strays from the middle.
+/// The camera looks ahead of the ship by the distance that it flies in this time, s, at most so far across and down, m. A larger
+/// value shows more of the level ahead, but the ship strays from the middle.
 const AHEAD_TIME: f64 = 0.5;
 const AHEAD_MOST: DVec2 = DVec2::new(9.0, 5.0);
-/// Time in which it turns its look to where the ship flies now, s: slow enough that a bump does not throw it about.
+/// Time constant of a turn to the ship's direction, s: slow enough that a bump does not throw the view about.
 const AHEAD_EASE: f64 = 0.6;
-/// Slower than this it looks at the ship itself, m/s: what drifts and turns would make it sway.
+/// Below this speed the camera looks at the ship itself, m/s: a drifting, turning ship would make it sway.
 const AHEAD_FROM: f64 = 2.0;
-/// How far from the window's edge the ship's centre stays at least, m (in a window that has the room). Below half the ship it
-/// could leave the screen while the camera still eases.
+/// The least distance from the window's edge to the ship's centre, m (in a window that has the room). Below half the ship it could
+/// leave the screen while the camera still eases.
 const SHIP_MARGIN: f64 = 3.0;
-/// How much a level smaller than the window is magnified at most so that nothing outside of it is shown.
+/// The most that a level smaller than the window is magnified to fill it.
 const MAX_ZOOM: f64 = 1.5;
-/// When a level is done, the camera closes in on the ship: by how much at most, and the time in which it does to 1/e, s.
+/// Magnification of a completed level's view, and its time constant, s.
 const CLOSE: f64 = 1.35;
 const CLOSE_EASE: f64 = 0.45;
-/// Around what is fitted into the window, m: room for arrows.
+/// Margin around the box that the view fits, m: room for arrows.
 const FIT_MARGIN: f64 = 4.0;
-/// What moves stays so far inside of a view that is fitted to it, however fast it goes, m.
+/// Bodies stay at least this far inside of a view that fits them, at any speed, m.
 const FIT_LEAST: f64 = 1.0;
-/// Times in which the view turns from following to fitting, in which it closes in on what is fitted, and in which it zooms, to 1/e, s.
+/// Time constants of the turn from following to fitting, of the approach to the fitted box, and of the zoom, s.
 const FIT_EASE: f64 = 0.2;
 const FIT_CLOSES: f64 = 0.5;
 const ZOOM_EASE: f64 = 0.08;
 
-/// The point that the camera looks at: it eases after the ship, a little ahead of it, and knows nothing of the window or the level's
-/// edges.
+/// The point that the camera looks at: it eases after the ship, a little ahead of it, and knows nothing of the window or the
+/// level's edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Where the ship is, eased, m.
+    /// The ship's place, eased, m.
     ship: DVec2,
-    /// How far ahead of that it looks, m.
+    /// The offset ahead of that, m.
     ahead: DVec2,
-    /// How much it magnifies beyond the usual.
+    /// Magnification beyond the usual.
     closeness: f64,
-    /// What is fitted into the window, eased, m; nothing while nothing ever was.
+    /// The fitted box, eased, m; `None` before the first fit.
     fitted: Option<Aabb>,
-    /// How far the view has turned from following (0) to fitting (1).
+    /// 0: follows; 1: fits.
     fits: f64,
-    /// How many times as large as usual everything is drawn; not known before the first frame.
+    /// Scale of the picture, 1 usual; `None` before the first frame.
     zoom: Option<f64>,
 }
 
 impl Camera {
-    /// A camera that looks at the ship's centre (m) at once.
+    /// Looks at the ship's centre (m) at once.
     pub const fn new(ship: DVec2) -> Self {
         Self { ship, ahead: DVec2::ZERO, closeness: 1.0, fitted: None, fits: 0.0, zoom: None }
     }
 
-    /// Stands back to the usual distance.
+    /// Returns to the usual distance.
     pub const fn open_up(&mut self) {
         self.closeness = 1.0;
     }
 
-    /// Eases towards the ship's centre (m) and, from there, ahead by its velocity (m/s), during `frame_time` seconds; the way does not
-    /// depend on the frame rate.
+    /// Eases towards the ship's centre (m) and, from there, ahead by its velocity (m/s); the path does not depend on the frame
+    /// rate.
     pub fn follow(&mut self, ship: DVec2, velocity: DVec2, frame_time: f64) {
         let share = |time: f64| 1.0 - (-frame_time.max(0.0) / time).exp();
         let speed = velocity.length();
@@ -69,7 +69,7 @@ impl Camera {
         self.ship += (ship - self.ship) * share(EASE_TIME);
     }
 
-    /// Turns to what is to be fitted into the window (m), or away from it where that is nothing, and zooms; at once in its first frame.
+    /// Turns to the box to be fitted (m), or away from it where there is none, and zooms; at once in its first frame.
     pub fn turn(&mut self, fit: Option<Aabb>, zoom: f64, frame_time: f64) {
         let Some(before) = self.zoom else {
             (self.fitted, self.fits, self.zoom) =
@@ -87,7 +87,7 @@ impl Camera {
         }
     }
 
-    /// The view of a level of that size (m) with `kept` (m) in it; `metre` is the canvas units a metre at the usual magnification.
+    /// The view of a level of that size (m) with `kept` (m) in it; `metre` is canvas units a metre at the usual magnification.
     pub fn viewport(&self, kept: DVec2, level: DVec2, metre: f64, window: CanvasWindow) -> Viewport {
         let usual = Viewport::new(self.focus(), kept, level, metre, window);
         let (view, kept) = match &self.fitted {
@@ -97,64 +97,63 @@ impl Camera {
         view.zoomed(kept, self.zoom.unwrap_or(1.0)).closer(kept, self.closeness)
     }
 
-    /// Closes in on the ship, `frame_time` seconds of the moment that a success has.
+    /// Closes in on the ship after a success.
     pub fn close_in(&mut self, frame_time: f64) {
         self.closeness += (CLOSE - self.closeness) * (1.0 - (-frame_time.max(0.0) / CLOSE_EASE).exp());
     }
 
-    /// How much it magnifies beyond the usual, 1 …
+    /// Magnification beyond the usual, from 1 up.
     pub fn closeness(&self) -> f64 {
         self.closeness
     }
 
-    /// The point it looks at, m.
+    /// The point that the camera looks at, m.
     pub fn focus(&self) -> DVec2 {
         self.ship + self.ahead
     }
 }
 
-/// The window as the camera needs it.
+/// The window's measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CanvasWindow {
-    /// Width and height, canvas units.
+    /// Canvas units.
     pub size: DVec2,
     /// Canvas units a physical pixel.
     pub pixel: f64,
 }
 
-/// Where metres of the level lie on the canvas.
+/// The map from metres of the level to the canvas.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewport {
     /// Canvas units a metre.
     scale: f64,
-    /// The level's top left corner is drawn at minus this: whole physical pixels, so that everything static moves as one.
+    /// The level's top left corner lies at minus this: whole physical pixels, so that everything static moves as one.
     origin: DVec2,
-    /// The level's size, m.
+    /// m.
     level: DVec2,
-    /// How far outside of the level it may show, m: room for the arrows of what lies at an edge, where the view is fitted.
+    /// The view may show this much outside of the level, m: room for the arrows of bodies at an edge, where the view is fitted.
     beyond: f64,
     window: CanvasWindow,
 }
 
 impl Viewport {
-    /// Looks at `focus` (m), but keeps the ship on the screen and everything outside of the level off it. A level that is smaller
-    /// than the window along an axis even when magnified 1.5 times is centred along that axis.
-    ///
-    /// `level` is the level's size (m), `metre` the canvas units a metre at the usual magnification.
+    /// Looks at `focus` (m), but keeps the ship on the screen and the outside of the level off it. A level that is smaller than the
+    /// window along an axis even when magnified 1.5 times is centred along it. `level` is its size (m), `metre` canvas units a
+    /// metre at the usual magnification.
     pub fn new(focus: DVec2, ship: DVec2, level: DVec2, metre: f64, window: CanvasWindow) -> Self {
         let zoom = (window.size / (level * metre)).max_element().clamp(1.0, MAX_ZOOM);
         let usual = Self { scale: metre * zoom, origin: DVec2::ZERO, level, beyond: 0.0, window };
         usual.at(usual.scale, focus, ship)
     }
 
-    /// The same view magnified by `factor` around the ship (m), which stays where it is, but for the window's and the level's edges.
+    /// Magnified by `factor` around the ship (m), whose place stays but for the window's and the level's edges.
     pub fn closer(self, ship: DVec2, factor: f64) -> Self {
         let scale = self.scale * factor;
         let middle = (self.origin + self.window.size * 0.5) / self.scale;
         self.at(scale, ship + (middle - ship) / factor, ship)
     }
 
-    /// The same view turned by a part (0 … 1) towards one that has a box (m) in it, no closer than usual.
+    /// Turned by a part (0 … 1) towards a view that has a box (m) in it, no closer than usual.
     pub fn towards(self, bounds: &Aabb, part: f64) -> Self {
         let fitting = (self.window.size / bounds.size()).min_element().clamp(self.widest(), self.scale);
         let middle = ((self.origin + self.window.size * 0.5) / self.scale).lerp(bounds.centre(), part);
@@ -162,19 +161,19 @@ impl Viewport {
         view.at(self.scale * (fitting / self.scale).powf(part), middle, middle)
     }
 
-    /// The same view with everything drawn `factor` times as large, but no smaller than with the whole level in view; a point (m) stays
-    /// where it is, but for the window's and the level's edges.
+    /// Magnified by `factor`, down to the whole level in view; a point (m) keeps its place but for the window's and the level's
+    /// edges.
     pub fn zoomed(self, kept: DVec2, factor: f64) -> Self {
         let scale = (self.scale * factor).max(self.widest());
         if scale == self.scale { self } else { self.closer(kept, scale / self.scale) }
     }
 
-    /// The scale at which the whole level is in view, or the usual one where it is so already.
+    /// The scale with the whole level in view, at most the present one.
     fn widest(&self) -> f64 {
         (self.window.size / self.level).min_element().min(self.scale)
     }
 
-    /// The view of that scale with a point as near to its middle as the ship and the level's edges let it.
+    /// The view of that scale with a point as near to its middle as the ship and the level's edges allow.
     fn at(self, scale: f64, middle: DVec2, ship: DVec2) -> Self {
         let Self { level, window, beyond, .. } = self;
         let half = window.size / scale * 0.5;
@@ -188,7 +187,7 @@ impl Viewport {
         Self { scale, origin: self.snap(centre * scale - window.size * 0.5), ..self }
     }
 
-    /// The same view moved by `offset` canvas units. Where that would show something outside of the level it moves the other way.
+    /// Moved by `offset` canvas units. Where that would show the outside of the level the view moves the other way.
     pub fn shaken(self, offset: DVec2) -> Self {
         let beyond = self.beyond * self.scale;
         let along = |origin: f64, offset: f64, room: f64| {
@@ -200,44 +199,43 @@ impl Viewport {
         Self { origin: DVec2::new(along(self.origin.x, offset.x, room.x), along(self.origin.y, offset.y, room.y)), ..self }
     }
 
-    /// Canvas units a metre.
     pub const fn scale(&self) -> f64 {
         self.scale
     }
 
-    /// A length in metres as canvas units.
+    /// In canvas units.
     pub fn length(&self, metres: f64) -> f32 {
         (metres * self.scale) as f32
     }
 
-    /// The window's size, canvas units.
+    /// Canvas units.
     pub fn size(&self) -> Vec2 {
         self.window.size.as_vec2()
     }
 
-    /// Where a point of the level lies, canvas units from the window's top left corner.
+    /// A point of the level (m) on the canvas, from the window's top left corner.
     pub fn point(&self, metres: DVec2) -> Vec2 {
         (metres * self.scale - self.origin).as_vec2()
     }
 
-    /// The point of the level, m, that lies there: what [`Viewport::point`] undoes.
+    /// The inverse of [`Viewport::point`], m.
     pub fn metres(&self, point: Vec2) -> DVec2 {
         (point.as_dvec2() + self.origin) / self.scale
     }
 
-    /// Where a box of the level lies, its edges on whole physical pixels so that boxes that adjoin leave no seam.
+    /// A box of the level on the canvas, its edges on whole physical pixels so that adjoining boxes leave no seam.
     pub fn rect(&self, bounds: &Aabb) -> Area {
         let min = self.snap(bounds.min * self.scale - self.origin).as_vec2();
         let max = self.snap(bounds.max * self.scale - self.origin).as_vec2();
         Area { min, size: max - min }
     }
 
-    /// The level, m.
+    /// m.
     pub fn level(&self) -> Aabb {
         Aabb::new(DVec2::ZERO, self.level)
     }
 
-    /// The part of space that the window shows, m.
+    /// The space in the window, m.
     pub fn visible(&self) -> Aabb {
         Aabb::new(self.origin / self.scale, (self.origin + self.window.size) / self.scale)
     }
@@ -247,7 +245,7 @@ impl Viewport {
     }
 }
 
-/// The box whose edges lie so far outside.
+/// The box with its edges moved outwards.
 fn grown(bounds: &Aabb, by: f64) -> Aabb {
     Aabb::new(bounds.min - by, bounds.max + by)
 }

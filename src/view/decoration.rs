@@ -1,5 +1,5 @@
-//! Pictures and plain shapes that nothing touches: those behind what moves, and those that cover it. One behind lies on the rock as well
-//! as on the air: below goals and hazards in the air, above the rock where there is some.
+//! Pictures and plain shapes without collision, in two layers: behind bodies and in front of them. A picture behind lies on rock as
+//! well as on air: below goals and hazards in the air, above the rock.
 
 use super::camera::Viewport;
 use super::pictures::Pictures;
@@ -10,12 +10,11 @@ use crate::draw::layout::Area;
 use crate::draw::{Canvas, Colour};
 use crate::level::{Level, Look};
 
-/// Draws one of the two layers.
 pub fn draw(level: &Level, in_front: bool, pictures: &Pictures, (view, canvas): (&Viewport, &Canvas)) {
     let visible = view.visible();
     for shown in level.decoration.iter().filter(|shown| shown.in_front == in_front && shown.bounds.touches(&visible, 0.0)) {
         let area = view.rect(&shown.bounds);
-        // Calm and without an edge: nothing of the level meets it.
+        // Calm and without an edge: the shape has no collision.
         let plain = theme::solid().faded(0.6);
         match &shown.look {
             Look::Image(path) => pictures.get(path).into_iter().for_each(|image| canvas.image(image, area, Colour::WHITE)),
@@ -33,7 +32,7 @@ pub fn draw_on_rock(level: &Level, terrain: &Terrain, pictures: &Pictures, (view
         let Look::Image(path) = &picture.look else { continue };
         let Some(image) = pictures.get(path) else { continue };
         for part in terrain.parts(&picture.bounds) {
-            // Where whole pixels of the window begin and end, so that the parts meet as the rock's do.
+            // The ends are whole pixels of the window, so that the parts adjoin as the rock's do.
             let (area, all) = (view.rect(&part), view.rect(&picture.bounds));
             let shown = Area { min: (area.min - all.min) / all.size, size: area.size / all.size };
             canvas.picture(image, shown, area, (0.0, Colour::WHITE));

@@ -1,5 +1,5 @@
-//! The details overlay: a box for each body in view, tied to it by a thin line, the free-body arrows with their labels, and a legend
-//! with the arrows' scale. What is pointed at is lit with its partner of the third law. Here all of it is arranged; drawn below.
+//! The details overlay: a box for each body in view, tied to it by a thin line, the free-body arrows with their labels, and a
+//! legend with the arrows' scale. The pointer lights a line and its partner of the third law. This file lays out; `drawing` draws.
 
 mod drawing;
 mod legend;
@@ -24,45 +24,42 @@ use crate::level::{SurfaceOf, Text};
 use crate::physics::{Aabb, BodyId, DVec2, Source};
 use crate::view::hud::HudLayout;
 
-/// Inside a box's edge, canvas units: above and below less than in a panel, for there may be many.
+/// Inside a box's edge, canvas units: above and below less than in a panel, for boxes can be many.
 const PADDING: Vec2 = Vec2::new(1.5 * GRID, 0.75 * GRID);
 /// About the mean width of a letter of the sans face, in heights of the text.
 const WORDS_ADVANCE: f32 = 0.5;
-/// How far what may not be covered is kept clear around, canvas units.
+/// Margin around places that no box may cover, canvas units.
 const CLEAR: f32 = 2.0;
-/// An arrow is pointed at from this near, canvas units.
+/// The pointer picks an arrow up to this far away, canvas units.
 const NEAR: f32 = 7.0;
-/// The room below and beside the pointer for what is told of what it points at, canvas units.
+/// Room below and beside the pointer for the note on its line, canvas units.
 const POINTER: f32 = 20.0;
 
-/// What is looked at, and how.
+/// The view that the overlay explains.
 #[derive(Clone, Copy, Debug)]
 pub struct Looking<'a> {
-    /// Where each body is drawn, m.
+    /// Drawn centres of the bodies, m.
     pub centres: &'a [DVec2],
-    /// Of whom is told.
+    /// The bodies with boxes.
     pub focus: &'a Focus,
-    /// Where the pointer is, canvas units.
+    /// Canvas units.
     pub pointer: Option<Vec2>,
-    /// Whether the parts of the model are listed.
+    /// Whether the legend lists the parts of the model.
     pub model: bool,
     /// Whether the ship bears the arrow of its velocity.
     pub velocity: bool,
 }
 
-/// A box with its place.
 #[derive(Clone, Debug)]
 pub struct PlacedBox {
-    /// What it says.
     pub text: BoxText,
-    /// Where it stands.
     pub area: Area,
     /// The middle of its object.
     object: Vec2,
 }
 
 impl PlacedBox {
-    /// Where one of its lines is, from its left edge to its right one.
+    /// The place of a line, from the box's left edge to its right one.
     pub fn line(&self, line: usize) -> Area {
         let height = (self.area.size.y - 2.0 * PADDING.y) / (self.text.lines.len() + 1) as f32;
         let top = self.area.min.y + PADDING.y + (line + 1) as f32 * height;
@@ -70,7 +67,6 @@ impl PlacedBox {
     }
 }
 
-/// The overlay as it is laid out for one frame.
 #[derive(Default)]
 pub struct Details {
     boxes: Vec<PlacedBox>,
@@ -78,24 +74,24 @@ pub struct Details {
     labels: Vec<Label>,
     names: Vec<(String, Area)>,
     legend: LegendNote,
-    /// What is told of what is pointed at.
+    /// The note on the pointer's line.
     tip: Option<LegendNote>,
-    /// The lines and arrows that are lit, and the places.
+    /// The lit lines and arrows, and the places.
     lit: Vec<(BodyId, usize)>,
     lit_places: Vec<Area>,
-    /// Bodies in view without a box.
+    /// The number of bodies in view without a box.
     left_out: usize,
-    /// Where each body's box was from its middle, so that it stays there.
+    /// The offset of each body's box from its middle in the frame before: the box stays there.
     before: Vec<Option<Vec2>>,
-    /// How many boxes were full ones.
+    /// The number of full boxes.
     full: Option<usize>,
     scale: Steady,
-    /// Who is followed, and the bodies that exert something on that one, or did so last.
+    /// The followed body, and the bodies that exert a force on it, or did so last.
     partners: (Option<BodyId>, Vec<BodyId>),
 }
 
 impl Details {
-    /// Lays everything out anew. `covered` are the panels on the screen besides the head-up display.
+    /// `covered` are the panels on the screen besides the head-up display.
     pub fn arrange(&mut self, game: &Game, looking: &Looking, covered: &[Area], view: &Viewport, frame: &Frame) {
         self.before.resize(looking.centres.len(), None);
         self.remember_partners(game, looking.focus);
@@ -133,7 +129,7 @@ impl Details {
         self.place_tip(looking.pointer, frame, &taken);
     }
 
-    /// Takes note of the bodies that exert a force or an impact on the one that is followed; the last ones stay until there are others.
+    /// Keeps the bodies that exert a force or an impact on the followed one, until others do.
     fn remember_partners(&mut self, game: &Game, focus: &Focus) {
         if self.partners.0 != focus.followed() {
             self.partners = (focus.followed(), Vec::new());
@@ -147,8 +143,8 @@ impl Details {
         }
     }
 
-    /// The bodies in view of which is told, nearest to the one that is looked at first: they choose first; the sort is stable. Beside the one
-    /// that is followed its partners are told of; a ship that plays no part is not, unless it is followed.
+    /// The bodies in view with boxes, nearest to the focus first: they choose first; the sort is stable. A followed body brings its
+    /// partners; a ship that plays no part has none, unless it is followed.
     fn shown(&self, game: &Game, looking: &Looking, view: &Viewport) -> Vec<BodyId> {
         let (centres, visible, focus) = (looking.centres, view.visible(), looking.focus);
         let told = |id: &BodyId| match focus.followed() {
@@ -163,7 +159,7 @@ impl Details {
         shown
     }
 
-    /// What moves, or could, in view: bodies and movers.
+    /// Bodies and movers in view.
     fn moving<'a>(game: &'a Game, looking: &'a Looking, view: &'a Viewport) -> impl Iterator<Item = Area> + 'a {
         let level = game.level();
         let bodies = (0..looking.centres.len() as u32).map(|id| bounds(game, looking, BodyId(id)));
@@ -172,7 +168,7 @@ impl Details {
         all.filter(|bounds| bounds.touches(&view.visible(), 0.0)).map(|bounds| on_canvas(&bounds, view))
     }
 
-    /// What nothing may cover: the ship, hazards and goals in view, and the tip of the ship's velocity.
+    /// Places that nothing may cover: the ship, hazards and goals in view, and the tip of the ship's velocity.
     fn never(&self, game: &Game, looking: &Looking, view: &Viewport, frame: &Frame) -> Vec<Area> {
         let level = game.level();
         let goals = level.objectives.iter().map(|objective| objective.bounds);
@@ -184,7 +180,7 @@ impl Details {
         areas.filter(|area| area.gap(&frame.area()) < 0.0).collect()
     }
 
-    /// The line that was pointed at in the frame before: in a box or by its arrow.
+    /// The line under the pointer in the frame before: in a box or by its arrow.
     fn pointed(&self, pointer: Option<Vec2>) -> Option<(BodyId, usize)> {
         let pointer = pointer?;
         if let Some(placed) = self.boxes.iter().find(|placed| placed.area.contains(pointer)) {
@@ -196,8 +192,8 @@ impl Details {
         Some((arrow.body, arrow.row))
     }
 
-    /// Lights what is pointed at and its partner. The answer is what is told besides: partners of whom nothing else is, each made by
-    /// `subject`, and the places of those that are no bodies, m.
+    /// Lights the pointer's line and its partner. Returns the partners without a box, each made by `subject`, and the places of
+    /// partners that are no bodies, m.
     fn light(
         &mut self,
         game: &Game,
@@ -232,8 +228,8 @@ impl Details {
         (away, partner.places)
     }
 
-    /// The boxes and their places: as many full ones as go in, for the first bodies, and short ones for the rest. The number of full
-    /// ones is found from that of the frame before, for it seldom changes.
+    /// The boxes and their places: as many full ones as fit, for the first bodies, and short ones for the rest. The search begins
+    /// at the number of full ones of the frame before, for it seldom changes.
     fn place_boxes(&mut self, told: &[ArrowSubject], frame: &Frame, taken: &[Area], kept_clear: &[Area]) {
         let texts: Vec<[BoxText; 2]> =
             told.iter().map(|told| [false, true].map(|short| BoxText::new(&told.facts, short))).collect();
@@ -250,7 +246,7 @@ impl Details {
         let fits = |places: &[Option<Area>]| places.iter().all(Option::is_some);
         let mut full = self.full.unwrap_or(told.len()).clamp(1, told.len().max(1));
         let mut best = try_full(full);
-        // Half as many at a time: a crowd that comes into view is not to take a frame.
+        // Half as many at a time: a crowd that comes into view must not take a frame.
         while !fits(&best) && full > 1 {
             full = full * 2 / 3;
             best = try_full(full);
@@ -273,7 +269,7 @@ impl Details {
         }
     }
 
-    /// What is told of the partner: near the pointer, beside everything or, where there is no room, above the boxes.
+    /// The note on the partner: near the pointer, beside everything or, without room, above the boxes.
     fn place_tip(&mut self, pointer: Option<Vec2>, frame: &Frame, taken: &[Area]) {
         if let (Some(tip), Some(pointer)) = (&mut self.tip, pointer) {
             let object = Area::around(pointer, Vec2::splat(POINTER));
@@ -283,42 +279,39 @@ impl Details {
         }
     }
 
-    /// The boxes.
     pub fn boxes(&self) -> &[PlacedBox] {
         &self.boxes
     }
 
-    /// The arrows that are drawn, and how many are not.
+    /// The drawn arrows, and the number of the others.
     pub const fn arrows(&self) -> &Arranged {
         &self.arranged
     }
 
-    /// The arrows' labels.
     pub fn labels(&self) -> &[Label] {
         &self.labels
     }
 
-    /// The names of mechanisms.
+    /// Names of mechanisms, with their places.
     pub fn names(&self) -> &[(String, Area)] {
         &self.names
     }
 
-    /// The legend.
     pub const fn legend(&self) -> &LegendNote {
         &self.legend
     }
 
-    /// What is told of the partner of what is pointed at.
+    /// The note on the partner of the pointer's line.
     pub const fn tip(&self) -> Option<&LegendNote> {
         self.tip.as_ref()
     }
 
-    /// What is lit: whose line of its box, as its full facts count them.
+    /// The lit lines: the body, and the index among its full facts.
     pub fn lit(&self) -> &[(BodyId, usize)] {
         &self.lit
     }
 
-    /// How many bodies in view have no box.
+    /// The number of bodies in view without a box.
     pub const fn left_out(&self) -> usize {
         self.left_out
     }
@@ -328,7 +321,7 @@ fn bounds(game: &Game, looking: &Looking, id: BodyId) -> Aabb {
     Aabb::around(looking.centres[id.index()], game.world().body(id).half)
 }
 
-/// About where words of the level stand.
+/// An estimate of the place of a level's words.
 fn words_area(text: &Text, view: &Viewport) -> Area {
     let letters = text.text.chars().count() as f32;
     Area { min: view.point(text.position), size: Vec2::new(letters * WORDS_ADVANCE, 1.0) * view.length(text.size) }

@@ -1,4 +1,4 @@
-//! Draws a work–precision diagram: on the screen with one curve or point picked out, and on the paper of `resultant chart`.
+//! A work–precision diagram: on the screen with one curve or point picked out, and on the paper of `resultant chart`.
 
 use super::plot::DiagramPlaces;
 use super::{theme, widgets};
@@ -10,25 +10,24 @@ use crate::lab::curve::{CurveOrigin, MethodCurve, WorkPoint};
 use crate::lab::look::{FRAME, Look, Marker, RING, TOLERANCE_DASH};
 use crate::lab::measured::Measured;
 
-/// Powers of ten that an axis names, at most.
+/// The most powers of ten that an axis names.
 const NAMED: i32 = 9;
-/// How much of its colour a curve keeps while another is picked out.
+/// The opacity of a curve while another is picked out.
 const QUIETED: f32 = 0.2;
 /// From a legend line's left end to its words.
 const WORDS: f32 = 52.0;
 /// Length of the sample of a curve in the legend.
 const SAMPLE: f32 = 40.0;
 
-/// What is picked out of a diagram.
+/// The selection of a diagram.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Picked {
-    /// A curve.
+    /// Index of a curve.
     pub curve: Option<usize>,
-    /// A point under the pointer: its curve and its place in it.
+    /// The point under the pointer: its curve and its place in it.
     pub point: Option<(usize, usize)>,
 }
 
-/// Draws all of it.
 pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, picked: Picked) {
     widgets::panel(canvas, plot.panel);
     axes(canvas, plot, measured);
@@ -64,7 +63,7 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, picked: 
     }
 }
 
-/// Where the order of a curve is written: right of its point, or below the orders that stand there.
+/// The place of a curve's order: right of its point, or below the orders that stand there.
 fn free_place(point: Vec2, taken: &[Area]) -> Area {
     let mut place = Area { min: point + Vec2::new(10.0, -DETAILS), size: Vec2::new(24.0, DETAILS) };
     while !place.covers_none(taken) {
@@ -73,13 +72,13 @@ fn free_place(point: Vec2, taken: &[Area]) -> Area {
     place
 }
 
-/// A curve's name, and its order where one is seen; a peer's name is long enough, and its order stands at the curve.
+/// A curve's name, with its order where one is seen; a peer's name is long enough, and its order stands at the curve.
 fn with_order(curve: &MethodCurve) -> String {
     let order = if curve.origin == CurveOrigin::Peer { None } else { curve.order() };
     order.map_or_else(|| curve.name.clone(), |order| format!("{}, order {order:.1}", curve.name))
 }
 
-/// A colour, or what is left of it on a panel.
+/// The colour, or its faded version on a panel.
 pub(super) fn shade(colour: Colour, whole: bool) -> Colour {
     let part = if whole { 1.0 } else { QUIETED };
     let mix = |a: f32, b: f32| a * part + b * (1.0 - part);
@@ -114,7 +113,6 @@ fn axes(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
     canvas.text(&measured.work, Vec2::new(area.centre().x, end.y + 44.0), words.centred());
 }
 
-/// A line as a curve looks.
 pub fn stroke(canvas: &Canvas, line: &[Vec2], look: &Look, colour: Colour) {
     let width = look.width as f32;
     match look.dash {
@@ -127,7 +125,6 @@ pub(super) fn dashed(canvas: &Canvas, line: &[Vec2], (on, off): (u32, u32), widt
     canvas.dashed(line, &[on as f32, off as f32], width, colour);
 }
 
-/// A curve's marker.
 pub fn marker(canvas: &Canvas, at: Vec2, shape: Marker, colour: Colour) {
     for piece in shape.pieces() {
         let corners: Vec<Vec2> = piece.into_iter().map(|corner| at + Vec2::from(corner)).collect();
@@ -139,14 +136,14 @@ fn frame(canvas: &Canvas, at: Vec2) {
     canvas.rounded_edge(Area::around(at, Vec2::splat(2.0 * FRAME + 2.0)), 0.0, 2.0, theme::good());
 }
 
-/// A line of the legend: all of it, the middle of its sample, and where its words begin.
+/// A line of the legend: its area, the middle of its sample, and the start of its words.
 fn line_of(plot: &DiagramPlaces, line: usize) -> (Area, Vec2, Vec2) {
     let area = plot.legend(line);
     let y = area.centre().y;
     (area, Vec2::new(area.min.x + SAMPLE / 2.0, y), Vec2::new(area.min.x + WORDS, y))
 }
 
-/// The curves by name; one of them may be picked out.
+/// The curves by name; `picked` is highlighted.
 pub(super) fn legend_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, picked: Option<usize>) {
     for (index, curve) in measured.curves.iter().enumerate() {
         let (area, middle, words) = line_of(plot, index);
@@ -165,7 +162,7 @@ pub(super) fn legend_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: 
     }
 }
 
-/// What the marks mean that are not curves.
+/// The meaning of the marks that are not curves.
 fn legend_of_marks(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
     let quiet = Style::new(TEXT, theme::quiet()).middle();
     let mut line = measured.curves.len();
@@ -211,7 +208,7 @@ fn legend_of_marks(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
     note(&better, "lower left is better");
 }
 
-/// What a point stands for, beside it and inside the panel, above all else.
+/// The values of a point, beside it and inside the panel, above all else.
 fn tip(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, (curve, index): (usize, usize)) {
     let Some((curve, point)) = measured.curves.get(curve).and_then(|curve| Some((curve, curve.points.get(index)?))) else { return };
     let error = if point.blew_up() { "blew up".to_owned() } else { format!("error {}", with_unit(point.error, &measured.error)) };
@@ -233,7 +230,7 @@ fn tip(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, (curve, index
     }
 }
 
-/// A number with the unit that an axis names last, as in "error of position, m".
+/// A number with the unit at the end of an axis' name, as in "error of position, m".
 pub fn with_unit(value: f64, axis: &str) -> String {
     let unit = axis.rsplit_once(", ").and_then(|(_, unit)| unit.split_whitespace().next()).unwrap_or_default();
     format!("{} {unit}", number(value)).trim_end().to_owned()

@@ -1,4 +1,4 @@
-//! Who emits particles, how many a second and where to: the engine's plume, dust, objectives, key objects and air streams.
+//! Emitters of particles, with rates and directions: the engine's plume, dust, objectives, key objects and air streams.
 
 use super::particles::{Particle, ParticleLook, Particles};
 use super::theme;
@@ -9,7 +9,7 @@ use crate::physics::{Aabb, BodyId, DVec2, ForceKind};
 
 /// Particles of the plume a second, at full thrust.
 const PLUME_RATE: f64 = 110.0;
-/// How fast the plume leaves the ship, m/s.
+/// The plume's speed relative to the ship, m/s.
 const PLUME_SPEED: f64 = 7.0;
 /// Time in which the plume grows to its full size, s.
 const PLUME_GROWTH: f64 = 0.06;
@@ -19,15 +19,15 @@ const OBJECTIVE_RATE: f64 = 1.3;
 const KEY_RATE: f64 = 9.0;
 /// Streaks a second and square metre of an air stream.
 const STREAM_RATE: f64 = 1.2;
-/// Streaks a second and newton of the force that a stream or the air exerts on the ship, and at most.
+/// Streaks a second and newton of the force of a stream or the air on the ship, and at most.
 const FELT_RATE: f64 = 0.12;
 const MOST_FELT: f64 = 70.0;
-/// How far around the ship the streaks of what it feels begin, m.
+/// The streaks of a felt force begin up to this far around the ship, m.
 const FELT_REACH: f64 = 1.6;
-/// All objectives, key objects and streams in view together emit at most this many a second: with more they thin out.
+/// The most particles a second of all objectives, key objects and streams in view together: with more they thin out.
 const MOST_A_SECOND: f64 = 260.0;
 
-/// What emits all the time.
+/// A steady emitter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Emitter {
     Objective(usize),
@@ -35,20 +35,19 @@ enum Emitter {
     Stream(usize),
 }
 
-/// The emitters of a level and how much of the next particle each has ready.
+/// Each emitter keeps the fraction of its next particle.
 pub struct Emitters {
     all: Vec<(Emitter, f64)>,
     plume: f64,
-    /// Of the streaks of the air, and of those of streams.
+    /// Of the streaks of the air, and of the streams' streaks.
     felt: [f64; 2],
-    /// How far the plume has grown, 0 … 1.
+    /// Growth of the plume, 0 … 1.
     strength: f64,
-    /// The way the engine last burned: 1 along the nose, −1 against it.
+    /// The engine's last direction: 1 along the nose, −1 against it.
     way: f64,
 }
 
 impl Emitters {
-    /// Those of a level.
     pub fn new(level: &Level) -> Self {
         let keys = (0..level.objects.len()).filter(|&i| level.objects[i].key.is_some());
         let all = ((0..level.objectives.len()).map(Emitter::Objective))
@@ -57,12 +56,12 @@ impl Emitters {
         Self { all: all.map(|emitter| (emitter, 0.0)).collect(), plume: 0.0, felt: [0.0; 2], strength: 0.0, way: 1.0 }
     }
 
-    /// How far the plume has grown (0 … 1), and whether it leaves the tail (1) or the nose (−1).
+    /// Growth of the plume (0 … 1), and its side: the tail (1) or the nose (−1).
     pub const fn plume(&self) -> (f64, f64) {
         (self.strength, self.way)
     }
 
-    /// Emits what falls into `frame_time` seconds, from what is in view. `ship` is where the ship is drawn.
+    /// Emits the particles of `frame_time` seconds in view. `ship` is the ship's drawn centre.
     pub fn emit(&mut self, game: &Game, ship: DVec2, angle: f64, visible: &Aabb, frame_time: f64, particles: &mut Particles) {
         self.emit_plume(game, ship, angle, frame_time, particles);
         self.emit_felt(game, ship, frame_time, particles);
@@ -77,7 +76,7 @@ impl Emitters {
         }
     }
 
-    /// Streaks past the ship for the air that it feels and for the streams that pull at it: more the larger their force is.
+    /// Streaks past the ship for the drag of the air and the pull of streams: their rate grows with the force.
     fn emit_felt(&mut self, game: &Game, ship: DVec2, frame_time: f64, particles: &mut Particles) {
         if game.outcome() != Outcome::Running {
             return;
@@ -138,7 +137,7 @@ impl Emitters {
     }
 }
 
-/// Dust that an impact raises: the more, the harder it was.
+/// Dust of an impact: its amount grows with the speed.
 pub fn dust(particles: &mut Particles, point: DVec2, normal: DVec2, speed: f64) {
     let along = normal.perp();
     for _ in 0..(4.0 + speed * 1.4).min(26.0) as usize {
@@ -156,23 +155,23 @@ pub fn dust(particles: &mut Particles, point: DVec2, normal: DVec2, speed: f64) 
     }
 }
 
-/// The colour of an objective: its kind's, or green while it is met.
+/// The kind's colour, or green while the objective is met.
 pub fn objective_colour(game: &Game, index: usize) -> Colour {
     match game.level().objectives[index].kind {
         _ if game.met()[index] => theme::good(),
-        // Its turn has not come.
+        // The objective is not open yet.
         _ if !game.is_open(index) => theme::quiet(),
         ObjectiveKind::Player => theme::player_objective(),
         ObjectiveKind::Physics => theme::physics_objective(),
     }
 }
 
-/// The share of their particles that all emitters together may emit, from the sum of what they would like to a second.
+/// The share of their wishes that all emitters together may emit, from the sum of the wishes a second.
 fn thinning(wanted: f64) -> f64 {
     if wanted > MOST_A_SECOND { MOST_A_SECOND / wanted } else { 1.0 }
 }
 
-/// Particles a second that an emitter would like to emit: none when it is out of view.
+/// Particles a second that an emitter wishes to emit: none out of view.
 fn rate(emitter: Emitter, game: &Game, visible: &Aabb) -> f64 {
     let level = game.level();
     let (bounds, rate) = match emitter {
@@ -213,7 +212,7 @@ fn particles_of(emitter: Emitter, game: &Game, particles: &mut Particles) {
             let life = particles.between(0.5, 1.0);
             let size = stream.zone.size();
             let place = DVec2::new(particles.between(0.03, 0.97), particles.between(0.03, 0.97));
-            // It begins so far upstream that its whole way lies in the zone.
+            // It begins far enough upstream that its whole path lies in the zone.
             let position = stream.zone.min + place * size;
             let room = (stream.zone.max - position).max(DVec2::ZERO).min(size);
             let ahead = if way.x.abs() > way.y.abs() {
@@ -244,7 +243,7 @@ fn spark(particles: &mut Particles, position: DVec2, velocity: DVec2, colour: Co
     particles.add(Particle { position, velocity, age: 0.0, life, look: ParticleLook::Spark, colour });
 }
 
-/// A chance point on a box's outline and the direction out of the box there.
+/// A random point on a box's outline and the outward direction there.
 fn on_outline(bounds: &Aabb, particles: &mut Particles) -> (DVec2, DVec2) {
     let size = bounds.size();
     let along = particles.between(0.0, 2.0 * size.element_sum());

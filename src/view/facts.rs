@@ -1,37 +1,33 @@
-//! What the details box of a body says: read off the world's own state, nothing computed anew. How it is written is not here.
+//! The facts in a body's details box, read from the world's own state without computing them again. Their wording is elsewhere.
 
 use crate::game::{Game, SHIP, body_title, told_name};
 use crate::physics::{BodyId, DVec2, ForceKind, ForceManager, Impulse, Obstacle, Source};
 
-/// Below this length (N) a force's direction is no more than rounding: it is kept by itself.
+/// Below this length (N) a force's direction is no more than rounding: the force stays by itself.
 const SMALLEST_FORCE: f64 = 1e-9;
 /// Two forces of a name with directions closer than this (sine of the angle) are one arrow and one line.
 const SAME_DIRECTION: f64 = 1e-6;
 
-/// Impacts that together change a body's velocity by less (m/s) are not told: what lies still is full of them.
+/// Impacts that together change a body's velocity by less (m/s) are left out: a body at rest has many of them.
 const SMALLEST_IMPACT: f64 = 1e-3;
 const IMPULSE_UNIT: &str = "N·s";
-/// How many impacts have lines and an arrow of their own; those that were smaller are told together.
+/// The most impacts with lines and arrows of their own; the smaller ones share one line.
 const IMPACTS: usize = 3;
 
-/// What a line or an arrow stands for, if it has a colour of its own.
+/// The source of the colour of a line or an arrow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ArrowKind {
-    /// The resultant force.
     Resultant,
-    /// A force of that kind.
     Force(ForceKind),
-    /// An impact.
     Impact,
 }
 
 impl ArrowKind {
-    /// Whether it is an impact, and no force.
     pub const fn is_impact(self) -> bool {
         matches!(self, Self::Impact)
     }
 
-    /// The name shown to the player.
+    /// Shown to the player.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Resultant => "Resultant",
@@ -41,44 +37,41 @@ impl ArrowKind {
     }
 }
 
-/// A quantity as it is shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
-    /// A number.
     Scalar(f64),
-    /// Its x and y components.
+    /// x and y.
     Vector(DVec2),
 }
 
-/// One line of a box.
+/// A line of a box.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FactRow {
-    /// What it is.
+    /// The quantity.
     pub name: &'static str,
-    /// By whom, in words; empty where nobody exerts it, or it is a sum.
+    /// The exerting body in words; empty where there is none, or for a sum.
     pub by: String,
-    /// How much.
     pub value: Value,
-    /// In what.
+    /// Unit.
     pub unit: &'static str,
-    /// What it tells of, if that has a colour.
+    /// The force or impact, where the line has a colour.
     pub shown: Option<ArrowKind>,
-    /// What exerts it.
+    /// The sources of the force.
     pub causes: Vec<Source>,
 }
 
 impl FactRow {
-    /// A line that nobody exerts.
+    /// A line without a source.
     pub const fn plain(name: &'static str, value: Value, unit: &'static str) -> Self {
         Self { name, by: String::new(), value, unit, shown: None, causes: Vec::new() }
     }
 
-    /// What the line is called: "Normal force by floor".
+    /// As in "Normal force by floor".
     pub fn label(&self) -> String {
         if self.by.is_empty() { self.name.to_owned() } else { format!("{} by {}", self.name, self.by) }
     }
 
-    /// The force or the impulse that it tells of, with what exerts it.
+    /// The line's force or impulse, where it has a source.
     pub fn exerted(&self) -> Option<(ArrowKind, DVec2)> {
         match (self.shown, self.value) {
             (Some(shown), Value::Vector(vector)) if !self.causes.is_empty() => Some((shown, vector)),
@@ -87,18 +80,14 @@ impl FactRow {
     }
 }
 
-/// A box's heading and lines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyFacts {
-    /// The body.
     pub body: BodyId,
-    /// Its name.
     pub title: String,
-    /// Its lines, from the top.
     pub rows: Vec<FactRow>,
 }
 
-/// All there is to say about a body.
+/// All facts about a body.
 pub fn facts(game: &Game, id: BodyId) -> BodyFacts {
     let (world, ship) = (game.world(), id == SHIP);
     let (body, forces) = (world.body(id), world.forces(id));
@@ -129,16 +118,16 @@ pub fn facts(game: &Game, id: BodyId) -> BodyFacts {
     BodyFacts { body: id, title: body_title(game.level(), id), rows }
 }
 
-/// The impacts on a body that are told: the largest ones, each with what exerted it, and how many more there were, with their sum (N·s).
+/// The impacts on a body: the largest ones, each with its source, and the number of the others with their sum (N·s).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ImpactsTold {
     /// The largest first.
     pub each: Vec<(DVec2, Source)>,
-    /// All others.
+    /// Number and sum of all others.
     pub others: (usize, DVec2),
 }
 
-/// What is told of the impacts that can still be read.
+/// The impacts that can still be read.
 pub fn impacts(game: &Game, id: BodyId) -> ImpactsTold {
     let mut told = ImpactsTold::default();
     let least = SMALLEST_IMPACT * game.world().body(id).mass;
@@ -163,7 +152,7 @@ const fn source(obstacle: Obstacle) -> Source {
     }
 }
 
-/// What exerts a force or an impact: bodies by the titles of their boxes, all else as players are told. Several are counted.
+/// The source of a force or an impact in words: bodies by the titles of their boxes. Several are counted.
 pub fn by_whom(game: &Game, causes: &[Source]) -> String {
     let all = |sort: fn(&Source) -> bool| causes.iter().all(sort);
     match causes {
@@ -178,19 +167,17 @@ pub fn by_whom(game: &Game, causes: &[Source]) -> String {
     }
 }
 
-/// Forces of one name that point the same way, and what exerts them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Told {
-    /// Their name.
     pub kind: ForceKind,
-    /// Their sum, N.
+    /// Sum, N.
     pub vector: DVec2,
     /// Each of their sources once.
     pub by: Vec<Source>,
 }
 
 /// The forces by name, in the usual order. Forces of one name that point the same way (the reactions of two floor tiles) are one;
-/// those of one name that oppose each other stay apart, for together they would hide what presses.
+/// those of one name that oppose each other stay apart, for their sum would hide the pressure.
 pub fn by_name(forces: &ForceManager) -> Vec<Told> {
     let mut named: Vec<Told> = Vec::new();
     for kind in ForceKind::ALL {

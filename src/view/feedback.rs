@@ -1,5 +1,5 @@
-//! What the player feels of an event: the screen's shake and red edges after a damaging hit, the flash of a death, the lost points and
-//! the praise that float up, the ring of an objective met.
+//! Feedback on events: the screen's shake and red edges after a damaging hit, the flash of a death, floating words for lost points
+//! and praise, the ring of a met objective.
 
 use super::camera::Viewport;
 use super::theme;
@@ -7,25 +7,25 @@ use crate::draw::layout::{Area, BUTTON_TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::physics::DVec2;
 
-/// How long a damaging hit shakes the screen, s.
+/// Duration of the shake after a damaging hit, s.
 const SHAKE_TIME: f64 = 0.2;
-/// How far at most, canvas units.
+/// Amplitude, canvas units.
 const SHAKE_REACH: f64 = 6.0;
-/// How long the red edges stay, s.
+/// Duration of the red edges, s.
 const FLASH_TIME: f64 = 0.35;
-/// How long the flash of a death lasts, s.
+/// Duration of the flash, s.
 const DEATH_FLASH: f64 = 0.14;
-/// How long the lost points float, s, and how fast, m/s.
+/// Duration (s) and speed (m/s) of floating words.
 const FLOAT_TIME: f64 = 1.4;
 const FLOAT_SPEED: f64 = 1.3;
-/// How far down the screen the lost points stay at least, and how far beside the hit they are under a roof, canvas units.
+/// The least distance of floating words from the top of the screen, and their distance beside the hit under a roof, canvas units.
 const TOP: f32 = 112.0;
 const FLOAT_ASIDE: f32 = 80.0;
-/// How long a ring spreads, s, and how far, m.
+/// Duration (s) and radius (m) of a spreading ring.
 const RING_TIME: f64 = 0.7;
 const RING_REACH: f64 = 4.0;
 
-/// What is being shown, by the seconds for which it has been.
+/// Effects, by their age in seconds.
 #[derive(Default)]
 pub struct Feedback {
     hit: Option<f64>,
@@ -49,23 +49,21 @@ impl Feedback {
         self.float(point, "−500".into(), theme::bad());
     }
 
-    /// The ship is lost.
     pub fn death(&mut self) {
         self.hit = Some(0.0);
         self.death = Some(0.0);
     }
 
-    /// Words that float up from a point (m).
+    /// `point` in m.
     pub fn float(&mut self, point: DVec2, words: String, colour: Colour) {
         self.floats.push(Float { point, words, colour, age: 0.0 });
     }
 
-    /// A ring that spreads once from a point (m).
+    /// `centre` in m.
     pub fn ring(&mut self, centre: DVec2, colour: Colour) {
         self.rings.push((centre, colour, 0.0));
     }
 
-    /// Lets `frame_time` seconds pass.
     pub fn advance(&mut self, frame_time: f64) {
         self.hit = self.hit.map(|age| age + frame_time).filter(|age| *age < SHAKE_TIME.max(FLASH_TIME));
         self.death = self.death.map(|age| age + frame_time).filter(|age| *age < DEATH_FLASH);
@@ -79,7 +77,7 @@ impl Feedback {
         self.rings.retain(|(_, _, age)| *age < RING_TIME);
     }
 
-    /// By how much the screen is shaken now, canvas units: never more than 6 each way, nothing after 200 ms.
+    /// The shake of the screen, canvas units: at most 6 along each axis, none after 200 ms.
     pub fn shake(&self) -> DVec2 {
         self.hit.map_or(DVec2::ZERO, |age| {
             let left = (1.0 - age / SHAKE_TIME).max(0.0);
@@ -87,7 +85,7 @@ impl Feedback {
         })
     }
 
-    /// Draws the rings and the points lost, in the level.
+    /// The rings and the floating words, in the level.
     pub fn draw_in_level(&self, view: &Viewport, canvas: &Canvas) {
         for (centre, colour, age) in &self.rings {
             let t = age / RING_TIME;
@@ -97,7 +95,8 @@ impl Feedback {
         for Float { point, words, colour, age } in &self.floats {
             let t = (age / FLOAT_TIME) as f32;
             let at = view.point(*point - DVec2::new(0.0, 1.2 + FLOAT_SPEED * age));
-            // After a hit at the edge of the screen it stays on it; under a roof it floats beside the ship instead of over it.
+            // After a hit at the edge of the screen the words stay on it; under a roof they float beside the ship instead of over
+            // it.
             let beside = if at.y < TOP { FLOAT_ASIDE * (canvas.size().x / 2.0 - at.x).signum() } else { 0.0 };
             let low = Vec2::new(48.0, TOP);
             let at = (at + Vec2::new(beside, 0.0)).clamp(low, (canvas.size() - low).max(low));
@@ -106,7 +105,7 @@ impl Feedback {
         }
     }
 
-    /// Draws the flash of a death, and the red edges of the screen.
+    /// The flash of a death, and the red edges of the screen.
     pub fn draw_flash(&self, canvas: &Canvas) {
         const BANDS: usize = 12;
         if let Some(age) = self.death {

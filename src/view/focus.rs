@@ -1,15 +1,15 @@
-//! Whom the details tell of: all that are in view, one that is followed, or two that are compared; how much of the level is in view; and
-//! how long arrows are drawn.
+//! The subject of the details: all bodies in view, one that is followed, or two that are compared; with the zoom of the view and
+//! the length of the arrows.
 
 use crate::physics::BodyId;
 
-/// How often arrows can be made longer or shorter: each time by √2.
+/// The most steps that arrows can be made longer or shorter by: a step is √2.
 const MOST: i8 = 24;
-/// How often the view can be made closer and wider: each time by the fourth root of 2.
+/// The most steps that the view can be made closer or wider by: a step is the fourth root of 2.
 const CLOSER: i8 = 8;
 const WIDER: i8 = 20;
 
-/// What is picked out of a game.
+/// The selection in a game.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Focus {
     followed: Option<BodyId>,
@@ -20,33 +20,32 @@ pub struct Focus {
 }
 
 impl Focus {
-    /// On that body, with everything that moves in view.
+    /// The body, with everything that moves in view.
     pub fn fitted_on(body: BodyId) -> Self {
         Self { followed: Some(body), fitted: true, ..Self::default() }
     }
 
-    /// The same view, with nobody picked out.
+    /// The same view, without a selection.
     #[must_use]
     pub const fn on_nobody(self) -> Self {
         Self { followed: None, compared: None, ..self }
     }
 
-    /// Fits the view to everything that moves; follows again where it is fitted and as close as usual.
+    /// Fits the view to everything that moves; a second time, at the usual zoom, follows again.
     pub const fn fit(&mut self) {
         (self.fitted, self.closer) = (!self.fitted || self.closer != 0, 0);
     }
 
-    /// Whether everything that moves is in view.
     pub const fn fits(&self) -> bool {
         self.fitted
     }
 
-    /// Brings the view closer by `by` factors of the fourth root of 2, or makes it wider where negative.
+    /// Brings the view closer by `by` factors of the fourth root of 2; negative: wider.
     pub fn zoom_by(&mut self, by: i8) {
         self.closer = (self.closer + by).clamp(-WIDER, CLOSER);
     }
 
-    /// How many times as large as usual everything is drawn.
+    /// Scale of the picture, 1 usual.
     pub fn zoom(&self) -> f64 {
         2f64.powf(0.25 * f64::from(self.closer))
     }
@@ -56,23 +55,22 @@ impl Focus {
         self.followed.is_none() || self.followed == Some(body) || self.compared == Some(body)
     }
 
-    /// Who is followed.
     pub const fn followed(&self) -> Option<BodyId> {
         self.followed
     }
 
-    /// Whom that one is compared with.
+    /// The body that the followed one is compared with.
     pub const fn compared(&self) -> Option<BodyId> {
         self.compared
     }
 
-    /// Goes on from one of `bodies` bodies to the next: from all to the first, through the others, and back to all.
+    /// Cycles through `bodies` bodies: from all to `first`, through the others, and back to all.
     pub fn next(&mut self, first: BodyId, bodies: usize) {
         let next = self.followed.map_or(first.index(), |body| body.index() + 1);
         *self = Self { followed: u32::try_from(next).ok().filter(|_| next < bodies).map(BodyId), compared: None, ..*self };
     }
 
-    /// Follows a body, or compares it with the one that is followed; nobody, where it is none or already followed alone.
+    /// Follows a body, or compares it with the followed one; clears the selection for `None` or a body already followed alone.
     pub fn pick(&mut self, body: Option<BodyId>, compare: bool) {
         *self = match (body, self.followed) {
             (Some(other), Some(followed)) if compare && other != followed => Self { compared: Some(other), ..*self },
@@ -81,12 +79,12 @@ impl Focus {
         };
     }
 
-    /// Draws arrows longer or shorter by so many times √2.
+    /// Draws arrows longer or shorter by `by` factors of √2.
     pub fn lengthen(&mut self, by: i8) {
         self.longer = (self.longer + by).clamp(-MOST, MOST);
     }
 
-    /// How many times as long arrows are drawn.
+    /// Scale of the arrows' length, 1 usual.
     pub fn length(&self) -> f64 {
         2f64.powf(0.5 * f64::from(self.longer))
     }

@@ -1,6 +1,6 @@
-//! Where free-body arrows go: from the middle of their body and to scale wherever that hides nothing. A head that would cover another
-//! one, the ship, a hazard, a goal or the head-up display moves aside, along its line of action, or, at last, off its scale, which is
-//! marked. No force is nothing: what would be too short to be seen is as long as its head needs. Plain arithmetic.
+//! Places of free-body arrows: from the middle of their body and to scale wherever that hides nothing. A head that would cover
+//! another one, the ship, a hazard, a goal or the head-up display moves aside, along its line of action, or, at last, off its
+//! scale, which is marked. A force too small to be seen is as long as its head needs.
 
 use super::arrows::{Arrow, HEAD_SPREAD, Label, head_length};
 use super::facts::{ArrowKind, BodyFacts, FactRow, Value};
@@ -14,60 +14,58 @@ use std::sync::LazyLock;
 
 /// From the window's edge to an arrow's ends, canvas units.
 const EDGE: f32 = 6.0;
-/// Between two heads, and between a head and what it may not cover, canvas units.
+/// Between two heads, and between a head and a place that it may not cover, canvas units.
 const APART: f32 = 1.0;
-/// By so much more must the usual place be free for an arrow to go back to it, canvas units: less makes it flutter.
+/// The usual place must be free by this margin for an arrow to return to it, canvas units: less makes it flutter.
 const RETURNS: f32 = 6.0;
-/// The shaft that is seen at least, canvas units; the ship's heads stand so far outside of it.
+/// The least visible shaft, canvas units; the ship's heads stand that far outside of it.
 const SHAFT: f32 = 9.0;
-/// An arrow that is at least this long by the scale is not drawn longer, canvas units: its head shrinks with it.
+/// An arrow at least this long by the scale is not drawn longer, canvas units: its head shrinks with it.
 const SHORTEST: f32 = 13.0;
 const BEYOND: f32 = 3.0;
-/// How far a step moves an arrow aside and along its line, and how much it lengthens it, canvas units; by what share it shortens it.
+/// A step's shift aside and along the line, and its lengthening, canvas units; its shortening as a share.
 const ASIDE: f32 = 9.0;
 const SLIDE: f32 = 14.0;
 const LENGTHEN: f32 = 14.0;
 const SHORTEN: f32 = 0.15;
-/// By how many steps an arrow is lengthened at most.
+/// The most steps of lengthening.
 const LENGTHENED: f32 = 10.0;
-/// An arrow this near to its length by the scale is to scale, canvas units.
+/// An arrow within this of its length by the scale is to scale, canvas units.
 const TO_SCALE: f32 = 0.5;
 
-/// Canvas units: longer than any window, and still a number that can be reckoned with.
+/// Canvas units: longer than any window, and still exact enough for arithmetic.
 const LONGEST: f64 = 1e6;
 
-/// A body with what is told of it.
+/// A body with its facts.
 #[derive(Clone, Debug)]
 pub struct ArrowSubject {
-    /// Its lines.
     pub facts: BodyFacts,
-    /// Where it is drawn.
+    /// Drawn place.
     pub object: Area,
 }
 
-/// What arrows keep off.
+/// The places that arrows keep off.
 #[derive(Clone, Copy, Debug)]
 pub struct Ground<'a> {
-    /// The window.
     pub window: Area,
-    /// What no head may cover: the ship, hazards, goals.
+    /// No head may cover these: the ship, hazards, goals.
     pub never: &'a [Area],
-    /// What neither head nor shaft may cross: the head-up display.
+    /// Neither head nor shaft may cross these: the head-up display.
     pub panels: &'a [Area],
 }
 
 impl Ground<'_> {
-    /// The point of a body that its arrows begin at: its middle, or what the window shows next to that.
+    /// The start of a body's arrows: its middle, or the nearest point in the window.
     pub fn start(&self, object: &Area) -> Vec2 {
         let inner = self.window.inset(EDGE + 1.0);
         object.centre().clamp(inner.min, inner.max())
     }
 
-    /// How far a line goes from a point before it meets the window's edge or a panel.
+    /// The distance from a point along a line to the window's edge or a panel.
     fn room(&self, from: Vec2, along: Vec2) -> f32 {
         let farthest = self.window.size.length();
         let inner = self.window.inset(EDGE).stretch(from, along, farthest).map_or(0.0, |(_, leaves)| leaves);
-        // Who is below a panel already is not helped by what lies before it.
+        // A panel that begins behind the start does not shorten the line.
         let meets = |panel: &Area| panel.stretch(from, along, farthest).map(|(enters, _)| enters).filter(|enters| *enters > 0.0);
         self.panels.iter().filter_map(meets).map(|enters| enters - EDGE).fold(inner, f32::min)
     }
@@ -77,7 +75,7 @@ impl Ground<'_> {
     }
 }
 
-/// The line of a box that has an arrow: what it stands for, and its vector. What is written as nothing beside the other lines has none.
+/// The force or impact of a line with an arrow, and its vector. A line whose value is written as zero beside the others has none.
 pub fn told(row: &FactRow, beside: &[FactRow]) -> Option<(ArrowKind, DVec2)> {
     let exerted = row.exerted();
     match (row.shown, row.value) {
@@ -87,7 +85,7 @@ pub fn told(row: &FactRow, beside: &[FactRow]) -> Option<(ArrowKind, DVec2)> {
     .filter(|_| !reads_as_nothing(row, beside))
 }
 
-/// The sizes of the forces and of the impulses of some bodies, with the room that their arrows have.
+/// The sizes of the forces and of the impulses of some bodies, with the room of their arrows.
 pub fn reaches(subjects: &[ArrowSubject], ground: &Ground) -> [Vec<Reach>; 2] {
     let mut found = [Vec::new(), Vec::new()];
     for subject in subjects {
@@ -100,19 +98,19 @@ pub fn reaches(subjects: &[ArrowSubject], ground: &Ground) -> [Vec<Reach>; 2] {
     found
 }
 
-/// The arrows from frame to frame.
+/// The arrows, from frame to frame.
 #[derive(Clone, Debug, Default)]
 pub struct Arranged {
-    /// Those that have a place.
+    /// The arrows with a place.
     pub arrows: Vec<Arrow>,
-    /// How many have none.
+    /// The number of the others.
     pub left_out: usize,
-    /// Which of [`MOVES`] each had: by its body, what it stands for, and its place among those of the same.
+    /// The index in [`MOVES`] of each arrow: by its body, its kind, and its place among those of the same kind.
     moved: HashMap<(BodyId, ArrowKind, usize), usize>,
 }
 
 impl Arranged {
-    /// Gives all arrows their places; `metre` is what a metre of the level is drawn as, canvas units.
+    /// `metre` is canvas units a metre of the level.
     pub fn arrange(&mut self, subjects: &[ArrowSubject], scale: &ArrowScale, metre: f64, ground: &Ground) {
         let before = std::mem::take(&mut self.moved);
         self.arrows.clear();
@@ -146,14 +144,13 @@ impl Arranged {
     }
 }
 
-/// The lines of a body that have arrows, and these in metres of the level.
+/// The lines of a body that have arrows, with these in metres of the level.
 fn told_rows(facts: &BodyFacts, scale: &ArrowScale) -> Vec<(usize, ArrowKind, DVec2)> {
     let one = |shown: ArrowKind| if shown.is_impact() { scale.newton_seconds } else { scale.newtons };
     let rows = facts.rows.iter().enumerate().filter_map(|(row, told_of)| Some((row, told(told_of, &facts.rows)?)));
     rows.map(|(row, (shown, vector))| (row, shown, vector / one(shown))).collect()
 }
 
-/// The box around an arrow's head.
 pub fn head_area(from: Vec2, to: Vec2, shown: ArrowKind) -> Area {
     let along = (to - from).normalize_or_zero();
     let length = head_length(shown);
@@ -163,7 +160,7 @@ pub fn head_area(from: Vec2, to: Vec2, shown: ArrowKind) -> Area {
     Area { min: min - 1.0, size: max - min + 2.0 }
 }
 
-/// How an arrow is moved from its usual place, in steps.
+/// An arrow's shift from its usual place, in steps.
 #[derive(Clone, Copy, Debug)]
 struct Move {
     aside: i8,
@@ -171,17 +168,18 @@ struct Move {
     stretch: i8,
 }
 
-/// How far along its line an arrow moves at most, in steps against its direction and with it.
+/// The most steps of an arrow along its line, against its direction and with it.
 const SLIDES: [i8; 2] = [13, 8];
-/// What a step costs: along the line, so that equal arrows begin side by side, and to another length, last of all.
+/// The cost of a step: along the line, so that equal arrows begin side by side, and to another length, last of all.
 const SLIDE_COST: f32 = 6.0;
 const STRETCH_COST: f32 = 1.2;
 const OFF_SCALE: f32 = 100.0;
-/// An arrow that begins outside of its body, against its direction, stands at least this number of steps aside: it would lie over the arrows of the
+/// An arrow that begins outside of its body, against its direction, stands at least this number of steps aside: it would lie over
+/// the opposing arrows.
 /// other direction.
 const OUTSIDE_ASIDE: i8 = 2;
 
-/// All moves that are tried, the least first; no more than two sorts at once.
+/// All moves, the least first; at most two sorts at once.
 static MOVES: LazyLock<Vec<Move>> = LazyLock::new(|| {
     let mut moves = Vec::new();
     for aside in -6..=6_i8 {
@@ -202,18 +200,17 @@ static MOVES: LazyLock<Vec<Move>> = LazyLock::new(|| {
     moves
 });
 
-/// An arrow that wants a place.
 struct ArrowWish {
     shown: ArrowKind,
     from: Vec2,
     along: Vec2,
     /// From its usual start to its body's edge against its direction.
     back: f32,
-    /// Its length by the scale, the least that can be seen, and what it is drawn with where nothing is in the way.
+    /// Length by the scale, least visible length, and length where nothing is in the way.
     length: f32,
     least: f32,
     base: f32,
-    /// What it could come near to.
+    /// The area that its moves can reach.
     reach: Area,
 }
 
@@ -229,15 +226,15 @@ impl ArrowWish {
         let by_scale = if outside > 0.0 || head.x > head.y { outside + head.x } else { SHORTEST };
         let least = if length >= by_scale.max(SHORTEST) { least.min(length) } else { least };
         let (room, slides) = (ground.room(from, along), f32::from(SLIDES[0]) * SLIDE);
-        // What is longer than it can be moved along its line is cut.
+        // An arrow longer than its room and its slides is cut.
         let base = if length > room + slides { room } else { length }.max(least);
         let far = Vec2::splat(slides + LENGTHENED * LENGTHEN + head_length(shown).x);
         let (min, max) = (from.min(from + along * base) - far, from.max(from + along * base) + far);
         Self { shown, from, along, back, length, least, base, reach: Area { min, size: max - min } }
     }
 
-    /// The first place that is free: the usual one, that of the frame before, any other at the body, one outside of it, and at last one off the
-    /// scale. Which it is, the arrow's ends, and whether it is to scale.
+    /// The first free place: the usual one, that of the frame before, any other at the body, one outside of it, and at last one off
+    /// the scale. Returns its index, the arrow's ends, and whether it is to scale.
     fn place(&self, before: Option<usize>, near: &[Area], ground: &Ground) -> Option<(usize, Vec2, Vec2, bool)> {
         let usual_clearance = if before.is_some_and(|index| index > 0) { RETURNS } else { APART };
         let tried = |index: usize, apart: f32| self.tried(index, apart, near, ground);
@@ -249,7 +246,7 @@ impl ArrowWish {
             .or_else(|| (0..MOVES.len()).find_map(|index| tried(index, APART)))
     }
 
-    /// Whether an arrow that is moved so begins outside of its body, against its direction.
+    /// Whether a moved arrow begins outside of its body, against its direction.
     fn begins_outside(&self, by: Move) -> bool {
         f32::from(by.slide) * SLIDE < -self.back
     }
@@ -275,8 +272,8 @@ impl ArrowWish {
     }
 }
 
-/// Where the arrows' labels stand: beyond the tip, or next to it where that is taken; none over another or over `taken`, all inside
-/// the window. `width` gives a label's width. An arrow whose label finds no room has none: its box names it.
+/// Places of the arrows' labels: beyond the tip, or next to it where that is taken; none over another or over `taken`, all inside
+/// the window. `width` gives a label's width. An arrow without room has no label: its box names it.
 pub fn place_labels(arrows: &[Arrow], height: f32, width: impl Fn(&str) -> f32, window: Area, taken: &[Area]) -> Vec<Label> {
     let mut fixed = taken.to_vec();
     let mut labels = Vec::new();

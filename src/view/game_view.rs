@@ -1,4 +1,4 @@
-//! The game's picture, put together: what lies below is drawn first, words after the shapes of their layer.
+//! The game's picture: bodies, effects, overlays and head-up display of one attempt.
 
 use super::barriers::Barriers;
 use super::camera::{Camera, CanvasWindow, Viewport};
@@ -23,9 +23,9 @@ use crate::physics::{Aabb, BodyId, DVec2};
 use crate::settings::Settings;
 use std::path::Path;
 
-/// Canvas units. What is smaller is as easy to point at as something with half such sides.
+/// Canvas units. A smaller body is as easy to point at as one with half such sides.
 const GRAB: f32 = 12.0;
-/// How far the light of the engine, of an objective, a death box and a key object reaches, m, and how strong it is on the rock.
+/// Reach (m) and strength on the rock of the light of the engine, an objective, a death box and a key object.
 const ENGINE_REACH: f64 = 8.0;
 const ENGINE_LIGHT: f32 = 0.95;
 const OBJECTIVE_REACH: f64 = 4.0;
@@ -35,77 +35,72 @@ const OBSTACLE_LIGHT: f32 = 0.6;
 const KEY_REACH: f64 = 3.0;
 const KEY_LIGHT: f32 = 0.6;
 
-/// How far beyond the view solids stop particles, m.
+/// Solids up to this far beyond the view stop particles, m.
 const BARRIERS: f64 = 2.0;
-/// How far the engine's flame can reach from the ship's centre, m.
+/// The longest reach of the engine's flame from the ship's centre, m.
 const FLAME_REACH: f64 = 3.0;
 
-/// A ghost nearer than this to the ship or to another ghost bears no name, m.
+/// A ghost nearer than this to the ship or to another ghost has no name, m.
 const NAMED_APART: f64 = 2.5;
 
-/// The view of one attempt: what is drawn besides the game's own state.
+/// The view of one attempt: its state besides the game's own.
 pub struct GameView {
     pictures: Pictures,
     terrain: Terrain,
     camera: Camera,
-    /// Who is kept in view: the ship, unless somebody else is followed.
+    /// The body that the view keeps in sight: the ship, unless another is followed.
     followed: BodyId,
     particles: Particles,
     emitters: Emitters,
     feedback: Feedback,
     details: Details,
     hud: Hud,
-    /// Where the pointer is, canvas units.
+    /// Canvas units.
     pointer: Option<Vec2>,
     touchdown: Touchdown,
-    /// Once the ship is lost.
+    /// From the loss of the ship on.
     wreck: Option<Wreck>,
-    /// Those who fly along.
     ghosts: Vec<GhostShip>,
-    /// What stands above it besides the head-up display, canvas units.
+    /// Panels above it besides the head-up display, canvas units.
     panels: Vec<Area>,
-    /// Seconds shown, for what moves by itself (waves, pulses).
+    /// Time shown, s: waves and pulses run by it.
     time: f64,
 }
 
-/// A ship that is not there: a flight of another time.
+/// A ship of another flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GhostShip {
-    /// Whose flight it is.
+    /// Name of the flight.
     pub name: String,
-    /// Where it is; none where it is where the ship is.
+    /// `None` where it is where the ship is.
     pub pose: Option<Pose>,
-    /// Objects of that time that are elsewhere now, by their index in the level, each with its centre, m.
+    /// Objects whose places in that flight differ, by their index in the level, each with its centre, m.
     pub objects: Vec<(usize, DVec2)>,
 }
 
-/// Which overlays are shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Overlays {
-    /// What the player has set.
     pub settings: Settings,
     /// Details boxes and free-body arrows (Tab).
     pub details: bool,
-    /// Which parts of the head-up display are shown.
+    /// The visible parts of the head-up display.
     pub shown: HudShown,
-    /// Who is looked at, by the details, the instruments and the camera.
+    /// The subject of the details, the instruments and the camera.
     pub focus: Focus,
     /// Hitboxes and figures (F3).
     pub hitboxes: bool,
-    /// Whether it is watched, and the keys do not fly.
+    /// The flight is a recording: the keys do not fly.
     pub watched: bool,
 }
 
 impl Overlays {
-    /// Whom the camera follows.
     fn followed(&self, game: &Game) -> BodyId {
         self.focus.followed().unwrap_or(game.lead())
     }
 }
 
 impl GameView {
-    /// The view of a game that begins. `read` hands over the bytes of a picture that the
-    /// level names.
+    /// The view of a game that begins. `read` returns the bytes of a picture that the level names.
     pub fn new(game: &Game, read: &dyn Fn(&Path) -> Option<Vec<u8>>) -> Self {
         let level = game.level();
         let pictures = Pictures::new(level, read);
@@ -132,13 +127,13 @@ impl GameView {
         }
     }
 
-    /// The same for a game that goes on in another level: it looks where it looked.
+    /// The view of a game that goes on in another level: the camera stays.
     #[must_use]
     pub fn goes_on(&self, game: &Game, read: &dyn Fn(&Path) -> Option<Vec<u8>>) -> Self {
         Self { camera: self.camera, time: self.time, ..Self::new(game, read) }
     }
 
-    /// Takes up what happened in the tick just made. To be called once a tick.
+    /// Takes the events of the last tick. Call it once a tick.
     pub fn after_tick(&mut self, game: &Game) {
         for event in game.events() {
             match event {
@@ -179,8 +174,8 @@ impl GameView {
         }
     }
 
-    /// Lets `frame_time` seconds pass for everything that is only shown (0 while paused), and lays the details out. `alpha` (0 … 1)
-    /// is how far the frame lies between the last tick but one and the last.
+    /// Advances all effects by `frame_time` seconds (0 while paused), and lays the details out. `alpha` (0 … 1) is the frame's
+    /// place between the last tick but one and the last.
     pub fn update(&mut self, game: &Game, alpha: f64, frame_time: f64, overlays: Overlays, frame: &Frame) {
         let ship = centre(game, SHIP, alpha);
         self.time += frame_time;
@@ -221,7 +216,7 @@ impl GameView {
         }
     }
 
-    /// The body that is drawn at a point of the canvas, the nearest to it where there are several.
+    /// The body at a point of the canvas, the nearest to it where there are several.
     pub fn body_at(&self, game: &Game, alpha: f64, point: Vec2, frame: &Frame) -> Option<BodyId> {
         let view = self.viewport(game, alpha, frame);
         let place = |id: BodyId| view.point(centre(game, id, alpha));
@@ -233,7 +228,7 @@ impl GameView {
         under.min_by(|a, b| place(*a).distance(point).total_cmp(&place(*b).distance(point)))
     }
 
-    /// Forgets what was shown of another moment: the game has jumped.
+    /// Drops the effects of another moment: the game has jumped.
     pub fn jump(&mut self, game: &Game) {
         self.particles = Particles::new();
         self.feedback = Feedback::default();
@@ -241,7 +236,7 @@ impl GameView {
         self.wreck = if game.outcome() == Outcome::Failed { Wreck::new(game, SHIP) } else { None };
     }
 
-    /// Lets the camera, and nothing else, follow a ship for `frame_time` seconds: what stands still may have been moved by hand.
+    /// Only the camera moves, for `frame_time` seconds: bodies at rest may have been moved by hand.
     pub fn follow_jumps(&mut self, game: &Game, overlays: &Overlays, frame_time: f64) {
         let body = game.world().body(overlays.followed(game));
         self.camera.follow(body.position, body.velocity, frame_time);
@@ -251,32 +246,30 @@ impl GameView {
         }
     }
 
-    /// Says where the pointer is, canvas units, for the details.
+    /// The pointer, canvas units, for the details.
     pub const fn point_at(&mut self, pointer: Vec2) {
         self.pointer = Some(pointer);
     }
 
-    /// Says what panels stand above it, where the details are not.
+    /// Panels above the view, which the details keep clear.
     pub fn set_panels(&mut self, panels: Vec<Area>) {
         self.panels = panels;
     }
 
-    /// Says who flies along, and where.
     pub fn set_ghosts(&mut self, ghosts: Vec<GhostShip>) {
         self.ghosts = ghosts;
     }
 
-    /// The head-up display.
     pub const fn hud(&self) -> &Hud {
         &self.hud
     }
 
-    /// How far the engine's plume has grown, 0 … 1.
+    /// Growth of the engine's plume, 0 … 1.
     pub const fn burning(&self) -> f64 {
         self.emitters.plume().0
     }
 
-    /// Draws the game. `figures` is the line that the hitboxes show: frames a second and cost of a tick.
+    /// `figures` is the line beside the hitboxes: frames a second and cost of a tick.
     pub fn draw(&self, game: &Game, alpha: f64, overlays: Overlays, figures: &str, canvas: &Canvas) {
         let shake = self.feedback.shake() * (f64::from(overlays.settings.shake) / 100.0);
         let view = self.viewport(game, alpha, canvas.frame()).shaken(shake);
@@ -307,11 +300,11 @@ impl GameView {
         decoration::draw(level, false, &self.pictures, (view, canvas));
         mechanisms::draw_fields(level, view, canvas, time);
         zones::draw_streams(game, view, canvas, time);
-        // Below everything that could be in them: see there.
+        // Below everything that could be in them: see [`zones::draw_fluids`].
         zones::draw_fluids(level, view, canvas, time);
         zones::draw_objectives(game, view, canvas, time);
         mechanisms::draw_areas(game, view, canvas, time);
-        // Smoke and dust vanish behind what is solid.
+        // Solids hide smoke and dust.
         self.particles.draw(view, canvas);
         self.terrain.draw(view, canvas);
         decoration::draw_on_rock(level, &self.terrain, &self.pictures, (view, canvas));
@@ -320,7 +313,7 @@ impl GameView {
         mechanisms::draw(game, alpha, view, canvas, time);
         zones::draw_obstacles(level, view, canvas, time);
         world::draw_texts(level, view, canvas);
-        // What moves hides the words on walls, pads and plates.
+        // Bodies hide the words on walls, pads and plates.
         canvas.end_layer();
         let brushes = Brushes { pictures: &self.pictures, view, canvas };
         for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
@@ -334,7 +327,7 @@ impl GameView {
                 things::draw_ghost_object(apart.then_some(ghost.name.as_str()), (&level.objects[*index], *at), brushes);
             }
             let Some(pose) = ghost.pose else { continue };
-            // Names that would lie on each other, or on the ship, say nothing.
+            // A name on another, or on the ship, could not be read.
             let others = self.ghosts[..i].iter().filter_map(|other| Some(other.pose?.centre)).chain([ship.0]);
             let apart = others.into_iter().all(|other| other.distance(pose.centre) > NAMED_APART);
             things::draw_ghost(apart.then_some(ghost.name.as_str()), pose, brushes);
@@ -383,7 +376,7 @@ impl GameView {
         }
     }
 
-    /// The part of the level that is shown.
+    /// The visible part of the level.
     pub fn viewport(&self, game: &Game, alpha: f64, frame: &Frame) -> Viewport {
         let window = CanvasWindow { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
         let level = game.level();
@@ -392,7 +385,7 @@ impl GameView {
     }
 }
 
-/// The box around everything that moves, or could, m: the ship where it plays a part, objects, movers.
+/// The box around the ship, where it plays a part, objects and movers, m.
 pub fn moving(game: &Game, alpha: f64) -> Aabb {
     let (level, world) = (game.level(), game.world());
     let bodies =
@@ -405,12 +398,12 @@ fn ids(game: &Game) -> impl Iterator<Item = BodyId> {
     (0..game.world().bodies().len() as u32).map(BodyId)
 }
 
-/// Where a body is drawn, m: between where it was one tick ago and where it is.
+/// The drawn centre of a body, m: between its last two places.
 fn centre(game: &Game, id: BodyId, alpha: f64) -> DVec2 {
     game.world().previous_position(id).lerp(game.world().body(id).position, alpha)
 }
 
-/// The angle at which the ship is drawn, degrees: between the one a tick ago and now, the short way round.
+/// The drawn angle of the ship, degrees: between its last two angles, the short way round.
 fn angle(game: &Game, alpha: f64) -> f64 {
     let ship = game.ship();
     let turn = (ship.angle - ship.previous_angle + 180.0).rem_euclid(360.0) - 180.0;

@@ -1,5 +1,5 @@
-//! What authors and developers see with F3: the boxes that collide, the zones, the contacts, the path of the last tick, and a line of
-//! figures.
+//! The view for authors and developers (F3): the boxes that collide, the zones, the contacts, the path of the last tick, and a line
+//! of figures.
 
 use super::camera::Viewport;
 use super::theme;
@@ -15,12 +15,12 @@ use crate::view::hud::HudLayout;
 const BODY: Colour = Colour::hex(0x7CFF6B);
 const SURFACE: Colour = Colour::hex(0x56B4E9);
 const ZONE: Colour = Colour::hex(0xE6EBF2);
-/// The characters that a line of figures has room for at least: the panel keeps its width while they change.
+/// The least width of the figures' panel, characters: it keeps its width while they change.
 const FIGURES: usize = 46;
-/// Two boxes count as touching for this drawing within so many metres.
+/// Boxes this near to each other touch in this drawing, m.
 const NEAR: f64 = 1e-3;
 
-/// Draws the outlines and the line of `figures` (frames a second, cost of a tick), which the caller has measured.
+/// `figures` (frames a second, cost of a tick) are the caller's measurements.
 pub fn draw(game: &Game, figures: &str, view: &Viewport, canvas: &Canvas) {
     let (level, world) = (game.level(), game.world());
     let outline = |bounds: &Aabb, colour: Colour| {
@@ -41,7 +41,7 @@ pub fn draw(game: &Game, figures: &str, view: &Viewport, canvas: &Canvas) {
     for zone in level.streams.iter().map(|s| &s.zone).chain(level.fluids.iter().map(|f| &f.zone)) {
         outline(zone, ZONE);
     }
-    // The part of the ship that red kills.
+    // The part of the ship that a death box kills.
     let centre = world.body(SHIP).position;
     canvas.convex_edge(&ship_body(game.ship().angle).map(|corner| view.point(centre + corner)), 2.0, theme::bad());
     for (i, body) in world.bodies().iter().enumerate() {
@@ -56,7 +56,7 @@ pub fn draw(game: &Game, figures: &str, view: &Viewport, canvas: &Canvas) {
     draw_figures(game, figures, canvas);
 }
 
-/// The stretch along which a body is touched by what exerts a reaction or a push on it, with a stroke along the contact's normal.
+/// The stretch of a body under a reaction or a push, with a stroke along the contact's normal.
 fn draw_contacts(game: &Game, id: BodyId, view: &Viewport, canvas: &Canvas) {
     let world = game.world();
     let own = world.body(id).bounds();
@@ -77,7 +77,7 @@ fn draw_contacts(game: &Game, id: BodyId, view: &Viewport, canvas: &Canvas) {
     }
 }
 
-/// Where the figures stand: below the head-up display's panel.
+/// Below the head-up display's panel.
 pub fn figures_area(game: &Game, frame: &Frame) -> Area {
     // The caller's figures and the ship's stand above the counts.
     let (text, counts) = (frame.text_height(DETAILS), counts(game));
@@ -87,7 +87,7 @@ pub fn figures_area(game: &Game, frame: &Frame) -> Area {
     Area { min: Vec2::new(status.min.x, status.max().y + 2.0 * GRID), size: size + Vec2::new(2.0, 1.0) * GRID }
 }
 
-/// What the engine counts, a line each: how it took the bodies through the last tick, and the guards that have acted.
+/// The engine's counts, a line each: the paths of the bodies through the last tick, and the interventions of its guards.
 fn counts(game: &Game) -> Vec<String> {
     let world = game.world();
     let methods: Vec<String> = world.methods().all().filter(|(_, n)| *n > 0).map(|(name, n)| format!("{n} {name}")).collect();

@@ -1,4 +1,5 @@
-//! The head-up display: time, objectives met, speed, fuel, arrows to what is outside of the view; and the arrow of the ship's velocity.
+//! The head-up display: time, met objectives, speed, fuel, arrows to targets outside of the view; and the arrow of the ship's
+//! velocity.
 
 mod aside;
 mod layout;
@@ -26,10 +27,10 @@ use crate::settings::{Action, Settings};
 /// The fuel bar's colour when full; it runs to [`FUEL_EMPTY`].
 const FUEL_FULL: Colour = Colour::hex(0xFFB01C);
 const FUEL_EMPTY: Colour = Colour::hex(0xF2302F);
-/// How much of the level a part hides at home; and how much of its words is left where it has stepped aside.
+/// Opacity of a part at home, and of its words where it has stepped aside.
 const HIDES: f32 = 0.9;
 const WORDS_ASIDE: f32 = 0.3;
-/// The gauge of speed ends here, m/s.
+/// End of the speed gauge, m/s.
 const GAUGE_END: f64 = 2.0 * DAMAGING_SPEED;
 /// Length of the arrow of velocity, m of the level a m/s, and where it begins and ends, m from the ship's centre.
 const VELOCITY_SCALE: f64 = 0.22;
@@ -37,36 +38,31 @@ const VELOCITY_START: f64 = 1.25;
 const VELOCITY_END: f64 = 6.0;
 /// Length of its head, canvas units.
 const VELOCITY_HEAD: f32 = 9.0;
-/// Slower than this has no arrow, m/s.
+/// A slower ship has no arrow, m/s.
 const VELOCITY_LEAST: f64 = 0.5;
-/// For how long the keys are told at the start of the first level, s.
+/// Duration of the hint with the keys at the start of the first level, s.
 const HINT_TIME: f64 = 12.0;
 
-/// What the display is laid out for in a frame.
+/// The input of a frame's layout.
 #[derive(Clone, Copy, Debug)]
 pub struct HudScene<'a> {
-    /// The game.
     pub game: &'a Game,
-    /// Where each body is drawn, m.
+    /// Drawn centres of the bodies, m.
     pub centres: &'a [DVec2],
-    /// The part of the level that is shown.
     pub view: &'a Viewport,
-    /// The canvas.
     pub frame: &'a Frame,
     /// The panels on the screen besides the display.
     pub panels: &'a [Area],
-    /// Which parts of it are shown.
+    /// The visible parts.
     pub shown: HudShown,
-    /// What the player has set.
     pub settings: &'a Settings,
 }
 
-/// The display as it is laid out for one frame.
 #[derive(Default)]
 pub struct Hud {
     aside: Aside,
     pointers: Vec<Pointer>,
-    /// What to do without fuel, and where that stands.
+    /// Advice without fuel, and its place.
     stranded: Option<(String, Area)>,
 }
 
@@ -94,7 +90,7 @@ impl Hud {
         }
     }
 
-    /// How far its parts have stepped aside.
+    /// The offset of the parts from home.
     pub const fn aside(&self) -> &Aside {
         &self.aside
     }
@@ -104,12 +100,12 @@ impl Hud {
         &self.pointers
     }
 
-    /// Where the panel with what to do without fuel stands, while it does.
+    /// The panel with advice without fuel, while it is there.
     pub fn stranded(&self) -> Option<Area> {
         self.stranded.as_ref().map(|(_, area)| *area)
     }
 
-    /// Draws all of it but the strip of a race; whether the keys of the flight are `told` at the start of the first level.
+    /// All but the strip of a race; `told` says whether the first level's hint with the keys is there.
     pub fn draw(&self, game: &Game, settings: &Settings, told: bool, canvas: &Canvas) {
         for pointer in &self.pointers {
             draw_pointer(pointer, game, canvas);
@@ -131,7 +127,7 @@ impl Hud {
     }
 }
 
-/// What the display may not hide: the ship; and hazards, goals and keys.
+/// Places that the display may not hide: the ship; and hazards, goals and keys.
 fn kept_free(scene: &HudScene) -> (Area, Vec<Area>) {
     let level = scene.game.level();
     let goals = level.objectives.iter().map(|objective| objective.bounds);
@@ -146,7 +142,7 @@ fn body(scene: &HudScene, index: usize) -> Aabb {
     Aabb::around(scene.centres[index], scene.game.world().body(BodyId(index as u32)).half)
 }
 
-/// What to do without fuel: above the fuel bar, or below the status where something is that may not be hidden.
+/// The advice without fuel: above the fuel bar, or below the status where that would hide one of the others.
 fn stranded(scene: &HudScene, ship: Area, others: &[Area]) -> (String, Area) {
     let words = format!("Out of fuel – {} flies again", scene.settings.keys.label(Action::Restart));
     let layout = HudLayout::new(scene.frame);
@@ -158,8 +154,8 @@ fn stranded(scene: &HudScene, ship: Area, others: &[Area]) -> (String, Area) {
     (words, *area)
 }
 
-/// An arrow at the window's edge: its head towards the target, the target's sign and the distance. A goal's sign is a box, with the ship's
-/// picture or a diamond in it; a key's is the key with its diamond.
+/// An arrow at the window's edge: head, the target's sign and the distance. A goal's sign is a box, with the ship's picture or a
+/// diamond in it; a key's is the key with its diamond.
 fn draw_pointer(pointer: &Pointer, game: &Game, canvas: &Canvas) {
     let level = game.level();
     let panel = pointer.panel();
@@ -169,7 +165,8 @@ fn draw_pointer(pointer: &Pointer, game: &Game, canvas: &Canvas) {
         PointerTarget::Objective(index) => objective_colour(game, index),
         PointerTarget::Key(index) => key_colour(level.objects[index].key),
     };
-    // The head stands on the box's edge, where the line from the middle to the target leaves it: slim, so that its tip is no corner.
+    // The head stands on the box's edge, where the line from the middle to the target leaves it: slim, so that its tip is no
+    // corner.
     let reach = panel.stretch(panel.centre(), pointer.along, panel.size.length()).map_or(0.0, |(_, leaves)| leaves);
     let (tip, across) = (panel.centre() + pointer.along * (reach + pointers::HEAD), pointer.along.perp() * (0.4 * pointers::HEAD));
     let root = tip - pointer.along * (1.5 * pointers::HEAD);
@@ -197,12 +194,12 @@ fn draw_pointer(pointer: &Pointer, game: &Game, canvas: &Canvas) {
     canvas.text(&pointer.words, Vec2::new(panel.max().x - GRID, middle.y), words);
 }
 
-/// The colour of a key, or of what takes any.
+/// The colour of a key, or of a goal for any key.
 fn key_colour(key: Option<[u8; 3]>) -> Colour {
     key.map_or(theme::physics_objective(), Colour::of)
 }
 
-/// What the keys do, as the first level tells at its start: in the fuel bar, where it hides nothing.
+/// The keys, at the start of the first level: in the fuel bar, where the words hide nothing.
 fn hint(game: &Game, settings: &Settings) -> Option<String> {
     let first = game.level().name == "1" && game.elapsed() < HINT_TIME;
     first.then(|| {
@@ -212,7 +209,7 @@ fn hint(game: &Game, settings: &Settings) -> Option<String> {
     })
 }
 
-/// How much of a part's ground and edge, and of its words, is left where it has stepped `aside` so far.
+/// The opacity of a part's ground and edge, and of its words, at `aside` (0 … 1).
 pub const fn left(aside: f32) -> (f32, f32) {
     (1.0 - aside, 1.0 - (1.0 - WORDS_ASIDE) * aside)
 }
@@ -237,7 +234,7 @@ fn draw_status(game: &Game, settings: &Settings, area: Area, aside: f32, canvas:
     canvas.text("Objectives", name, Style::new(TEXT, theme::quiet().faded(words)).middle().right());
 }
 
-/// The ship's speed as a number and as a bar with a mark where it damages, so `strong` (0 … 1).
+/// A number and a bar with a mark where speed damages; `strong` (0 … 1) is the opacity.
 fn draw_speed(game: &Game, area: Area, strong: f32, canvas: &Canvas) {
     let speed = game.world().body(SHIP).velocity.length();
     let colour = speed_colour(speed).faded(strong);
@@ -260,7 +257,7 @@ fn speed_colour(speed: f64) -> Colour {
     if speed >= DAMAGING_SPEED { theme::bad() } else { theme::text() }
 }
 
-/// Where the arrow of the ship's velocity (m/s) begins and ends, beside the ship whose centre is drawn at `centre` (m); none for a slow ship.
+/// The ends of the velocity's arrow (m/s), beside the ship whose drawn centre is `centre` (m); none for a slow ship.
 fn velocity_arrow(velocity: DVec2, centre: DVec2, view: &Viewport) -> Option<(Vec2, Vec2)> {
     let speed = velocity.length();
     let along = velocity / speed;
@@ -269,14 +266,13 @@ fn velocity_arrow(velocity: DVec2, centre: DVec2, view: &Viewport) -> Option<(Ve
     (speed >= VELOCITY_LEAST).then(ends)
 }
 
-/// The box around its head.
+/// The box around the head.
 pub fn velocity_tip(velocity: DVec2, centre: DVec2, view: &Viewport) -> Option<Area> {
     let (from, to) = velocity_arrow(velocity, centre, view)?;
     let middle = to - (to - from).normalize_or_zero() * VELOCITY_HEAD * 0.5;
     Some(Area::around(middle, Vec2::splat(VELOCITY_HEAD * 1.2)))
 }
 
-/// Draws it.
 pub fn draw_velocity(velocity: DVec2, centre: DVec2, view: &Viewport, canvas: &Canvas) {
     let Some((from, to)) = velocity_arrow(velocity, centre, view) else { return };
     let colour = speed_colour(velocity.length()).faded(0.85);
@@ -285,19 +281,19 @@ pub fn draw_velocity(velocity: DVec2, centre: DVec2, view: &Viewport, canvas: &C
     canvas.convex(&[to, to - way * head + way.perp() * head * 0.5, to - way * head - way.perp() * head * 0.5], colour);
 }
 
-/// The bar at `area`; where it has stepped `aside` it is a line without words.
+/// The bar at `area`; at `aside` (0 … 1) it becomes a line without words.
 fn draw_fuel(share: f32, words: &str, area: Area, aside: f32, canvas: &Canvas) {
     let (at, size) = (area.min, area.size);
     canvas.rectangle(Area::new(at.x, at.y, size.x, size.y), theme::panel().faded(HIDES));
     canvas.rectangle(Area::new(at.x, at.y, size.x * share, size.y), fuel_colour(share));
-    // Dark words on the bright bar; where the bar has gone, light ones.
+    // Dark words on the bright bar; light ones where the bar has ended.
     let style = Style::new(DETAILS, theme::ground()).mono().middle();
     let width = canvas.width(words, style);
     let covered = size.x * share > width + 2.0 * GRID;
     let colour = if covered { theme::ground() } else { theme::text() };
     let x = if covered { at.x + GRID } else { at.x + size.x * share + GRID };
     let named = x - GRID..x + width + GRID;
-    // Quarters, so that the length can be read: all across the bar, or they would look like commas, and none through the words.
+    // Quarters make the length readable: all across the bar, or they would look like commas, and none through the words.
     for quarter in 1..4_u8 {
         let x = at.x + size.x * f32::from(quarter) / 4.0;
         if !named.contains(&x) {

@@ -6,7 +6,7 @@ use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::instruments::export::Sheet;
 
-/// Named values to the right, about.
+/// About how many values to the right have numbers.
 const NAMED: usize = 8;
 /// From the panel's edges to the lanes: left, top, bottom.
 const LEFT: f32 = 88.0;
@@ -17,21 +17,20 @@ const LEGEND: f32 = 340.0;
 const WORDS: f32 = 52.0;
 /// Between two lanes: the values to the right above, the name of the lane below.
 const BETWEEN: f32 = 60.0;
-/// Canvas units drawn and left out of a line that stands at a value.
+/// Dashes of a line at a value, canvas units drawn and left out.
 const MARK_DASH: (u32, u32) = (2, 5);
 
-/// The axes of one lane.
 pub(super) struct LaneAxes<'a> {
     /// Between the axes.
     pub area: Area,
-    /// The quantity upwards, with its unit.
+    /// The upward quantity, with its unit.
     pub name: &'a str,
     /// Values upwards, each with its part of the height.
     pub named: &'a [(f64, String)],
 }
 
 impl LaneAxes<'_> {
-    /// The place at those parts of the width and of the height.
+    /// The point at those parts (0 … 1) of the width and of the height.
     pub fn at(&self, (right, up): (f64, f64)) -> Vec2 {
         let size = self.area.size;
         Vec2::new(self.area.min.x + size.x * right as f32, self.area.max().y - size.y * up as f32)
@@ -42,7 +41,7 @@ impl LaneAxes<'_> {
         [self.at((0.0, up)), self.at((1.0, up))]
     }
 
-    /// Draws them; `across` are the values to the right, each with its part of the width.
+    /// `across` are the values to the right, each with its part of the width.
     pub fn draw(&self, canvas: &Canvas, across: &[(f64, String)]) {
         let quiet = Style::new(DETAILS, theme::quiet()).middle();
         canvas.rounded(self.area, 0.0, theme::ground());
@@ -60,7 +59,7 @@ impl LaneAxes<'_> {
     }
 }
 
-/// Draws a sheet of lanes with its legend on a panel.
+/// A sheet of lanes with its legend on a panel.
 pub fn draw(canvas: &Canvas, panel: Area, sheet: &Sheet) {
     widgets::panel(canvas, panel);
     let across: Vec<(f64, String)> =

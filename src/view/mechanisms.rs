@@ -1,6 +1,5 @@
-//! What moves by itself, opens, breaks, runs or is to be picked up: drafted like the world, but never to be taken for it. Blocks that move
-//! have a dashed track with a tick at each way point; doors are barred; belts run with chevrons; what is solid from one side has one thick
-//! side; what is fragile is cracked.
+//! Mechanisms, drafted like the world but distinct from it. Blocks that move have a dashed track with a tick at each way point;
+//! doors are barred; belts run with chevrons; one-way blocks have one thick side; fragile blocks are cracked.
 
 use super::art::{self, Tile};
 use super::camera::Viewport;
@@ -15,7 +14,7 @@ use crate::level::{Level, Mover, Route, Solid, SurfaceOf, Worked};
 use crate::number::fixed;
 use crate::physics::{Aabb, DVec2, ForceKind, Material, Sides};
 
-/// The body of what moves or opens: bluer and lighter than any rock.
+/// The body of movers and doors: bluer and lighter than any rock.
 const WORKS: Colour = Colour::hex(0x3D5878);
 const WORKS_EDGE: Colour = Colour::hex(0x9CC3EE);
 /// A dash and the gap after it, canvas units.
@@ -26,7 +25,7 @@ const CHEVRON: f64 = 0.22;
 /// Between two arrows of a gravity zone, m.
 const ARROW_STEP: f64 = 2.0;
 
-/// The gravity zones: faint, with arrows the way that things fall in them.
+/// The gravity zones: faint, with arrows along the gravity in them.
 pub fn draw_fields(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
     let (visible, colour) = (view.visible(), theme::force(ForceKind::Weight));
     for field in level.fields.iter().filter(|field| field.zone.touches(&visible, 0.0)) {
@@ -56,7 +55,7 @@ fn marks(from: f64, to: f64) -> impl Iterator<Item = f64> {
     (first..=(to / ARROW_STEP).ceil() as i64).map(|i| (i as f64 + 0.5) * ARROW_STEP)
 }
 
-/// What only has to be touched: the areas of switches, and pods.
+/// The areas of switches, and pods: a touch is enough.
 pub fn draw_areas(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
     let (level, visible) = (game.level(), view.visible());
     for (index, switch) in level.switches.iter().enumerate() {
@@ -75,7 +74,7 @@ pub fn draw_areas(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
     }
 }
 
-/// A canister with a drop on it, which glows.
+/// A glowing canister with a drop on it.
 fn draw_pod(area: Area, canvas: &Canvas, time: f64) {
     let pulse = 0.5 + 0.5 * (time * 3.1).sin() as f32;
     let round = (area.size.x.min(area.size.y) * 0.3).min(10.0);
@@ -89,7 +88,7 @@ fn draw_pod(area: Area, canvas: &Canvas, time: f64) {
     );
 }
 
-/// Everything that is solid and no rock. `alpha` is how far the frame lies between the last tick but one and the last.
+/// The solids that are no rock. `alpha` is the frame's place between the last tick but one and the last.
 pub fn draw(game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas, time: f64) {
     let level = game.level();
     for mover in &level.movers {
@@ -133,7 +132,7 @@ pub fn draw(game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas, time: f64
     }
 }
 
-/// The way of a mover: dashed, with a tick at each stop.
+/// The track of a mover: dashed, with a tick at each stop.
 fn draw_track(mover: &Mover, view: &Viewport, canvas: &Canvas) {
     let colour = WORKS_EDGE.faded(0.55);
     let closes = (mover.route == Route::Round).then(|| mover.stops[0]);
@@ -168,7 +167,7 @@ fn draw_mover(mover: &Mover, bounds: &Aabb, (view, canvas): (&Viewport, &Canvas)
     draw_skin(&mover.solid, bounds, true, (view, canvas), time);
 }
 
-/// A door: barred where it is closed, its frame where it is open.
+/// Barred where it is closed, its frame where it is open.
 fn draw_door(door: &Solid, closed: bool, view: &Viewport, canvas: &Canvas) {
     if !door.bounds.touches(&view.visible(), 1.0) {
         return;
@@ -182,7 +181,7 @@ fn draw_door(door: &Solid, closed: bool, view: &Viewport, canvas: &Canvas) {
     };
     if !closed {
         dashed_outline(canvas, area, WORKS_EDGE.faded(0.55));
-        // What is left of the leaves.
+        // The stubs of the leaves.
         for leaf in [piece(0.0, thin.min(long * 0.1)), piece(long - thin.min(long * 0.1), thin.min(long * 0.1))] {
             canvas.rectangle(leaf, WORKS);
             canvas.rectangle_edge(leaf, 1.5, WORKS_EDGE);
@@ -200,7 +199,7 @@ fn draw_door(door: &Solid, closed: bool, view: &Viewport, canvas: &Canvas) {
     canvas.rectangle(seam, theme::ground());
 }
 
-/// A plate: its cap stands out above it until it is pressed.
+/// The cap stands out above the plate until it is pressed.
 fn draw_plate(area: Area, colour: Colour, pressed: bool, canvas: &Canvas) {
     canvas.rectangle(area, Colour::hex(0x2A3344));
     canvas.rectangle_edge(area, 1.5, WORKS_EDGE);
@@ -209,7 +208,7 @@ fn draw_plate(area: Area, colour: Colour, pressed: bool, canvas: &Canvas) {
     lamp(canvas, Vec2::new(area.centre().x, area.min.y + area.size.y * 0.68), colour, pressed);
 }
 
-/// The colour of a switch: green while it is on.
+/// Green while the switch is on.
 fn lamp_colour(game: &Game, switch: usize) -> Colour {
     if game.mechanisms().on()[switch] { theme::good() } else { WORKS_EDGE }
 }
@@ -221,7 +220,7 @@ fn lamp(canvas: &Canvas, at: Vec2, colour: Colour, pressed: bool) {
     }
 }
 
-/// One thick side, from which it is solid, and teeth that point the way through.
+/// One thick solid side, and teeth that point in the open direction.
 fn draw_one_way(solid: &Solid, area: Area, canvas: &Canvas) {
     let (a, b) = (area.min, area.max());
     let colour = edge_of(solid.material);
@@ -244,7 +243,7 @@ fn draw_one_way(solid: &Solid, area: Area, canvas: &Canvas) {
     }
 }
 
-/// What runs or throws back: chevrons along a belt's upper and lower side, a zigzag on what bounces.
+/// Chevrons along a belt's upper and lower side, a zigzag on a trampoline.
 fn draw_skin(solid: &Solid, bounds: &Aabb, runs: bool, (view, canvas): (&Viewport, &Canvas), time: f64) {
     if solid.belt != 0.0 {
         let drift = if runs { (time * solid.belt).rem_euclid(CHEVRON_STEP) } else { 0.0 };
@@ -273,7 +272,7 @@ fn draw_skin(solid: &Solid, bounds: &Aabb, runs: bool, (view, canvas): (&Viewpor
     }
 }
 
-/// Chevrons along a height (m) that point to a side, each so far from the place that it has at rest (m).
+/// Chevrons along a height (m) that point to a side, each shifted by `drift` (m) from its rest.
 fn draw_chevrons(bounds: &Aabb, (y, drift, side): (f64, f64, f64), (view, canvas): (&Viewport, &Canvas), colour: Colour) {
     let visible = view.visible();
     let strip = Aabb::new(DVec2::new(bounds.min.x, y - CHEVRON * 0.7), DVec2::new(bounds.max.x, y + CHEVRON * 0.7));
@@ -296,7 +295,7 @@ fn draw_chevrons(bounds: &Aabb, (y, drift, side): (f64, f64, f64), (view, canvas
     }
 }
 
-/// Cracks from the middle to the sides, always the same in one block.
+/// Cracks from the middle to the sides, the same in each frame.
 fn draw_cracks(solid: &Solid, area: Area, canvas: &Canvas) {
     const CRACKS: [[f32; 2]; 5] = [[0.05, 0.0], [0.95, 0.12], [1.0, 0.85], [0.3, 1.0], [0.0, 0.6]];
     let colour = Colour::hex(0x0A0D12);
@@ -311,7 +310,7 @@ fn draw_cracks(solid: &Solid, area: Area, canvas: &Canvas) {
     dashed_outline(canvas, area, edge_of(solid.material));
 }
 
-/// Pieces of a block that has broken.
+/// Pieces of a broken block.
 pub fn debris(particles: &mut Particles, block: &Aabb) {
     let count = (block.size().x * block.size().y * 14.0).clamp(12.0, 60.0) as usize;
     for _ in 0..count {
@@ -323,7 +322,7 @@ pub fn debris(particles: &mut Particles, block: &Aabb) {
     }
 }
 
-/// The colour of an edge by its material.
+/// The edge's colour of a material.
 fn edge_of(material: Material) -> Colour {
     material_edge(material.name).unwrap_or(WORKS_EDGE)
 }

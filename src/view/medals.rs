@@ -1,5 +1,5 @@
-//! Medals, made of arrows: a ring, and in it one, two or three of them that lead up, so that colour is not the only cue; for a level's own
-//! mark four that lead out.
+//! Medals of arrows: a ring, and in it one, two or three of them that lead up, so that colour is not the only cue; for a level's
+//! own mark four that lead out.
 
 use super::theme;
 use crate::draw::layout::Vec2;
@@ -7,10 +7,9 @@ use crate::draw::{Canvas, Colour};
 use crate::game::{Medal, Medals, Prize};
 use crate::level::Awards;
 
-/// From one to the next in a row, in radii.
+/// Between neighbours in a row, in radii.
 const APART: f32 = 2.4;
 
-/// The colour of a medal.
 fn colour(prize: Prize) -> Colour {
     match prize {
         Prize::Medal(Medal::Bronze) => Colour::hex(0xC98A4B),
@@ -20,7 +19,7 @@ fn colour(prize: Prize) -> Colour {
     }
 }
 
-/// Draws a medal around a point; one that is not earned yet is a shadow of itself.
+/// A medal around a point; one that is not earned yet is a shadow of itself.
 pub fn draw(canvas: &Canvas, prize: Prize, earned: bool, centre: Vec2, radius: f32) {
     let colour = if earned { colour(prize) } else { theme::quiet().faded(0.45) };
     if earned {
@@ -43,12 +42,12 @@ pub fn draw(canvas: &Canvas, prize: Prize, earned: bool, centre: Vec2, radius: f
     }
 }
 
-/// How many a level offers to be shown beside each other: its best medal so far, and its mark.
+/// The medals that a level shows beside each other: the best so far, and its mark.
 pub fn offered(awards: &Awards) -> usize {
     1 + usize::from(awards.mark.is_some())
 }
 
-/// Draws what has been earned of a level, the first one around `first` and the others to its right.
+/// The earned medals of a level, from `first` to the right.
 pub fn draw_earned(canvas: &Canvas, medals: Medals, awards: &Awards, first: Vec2, radius: f32) {
     if let Some(medal) = medals.medal {
         draw(canvas, Prize::Medal(medal), true, first, radius);

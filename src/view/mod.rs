@@ -1,6 +1,5 @@
-//! Drawing only: reads the game and changes nothing in it. The screens hand over what they hold; what they decide is in
-//! [`crate::screens`]. Shapes are
-//! recorded by a [`crate::draw::Canvas`]; nothing but sound needs a system.
+//! Drawing only: reads the game and changes nothing in it. The screens decide, in [`crate::screens`]. A [`crate::draw::Canvas`]
+//! records the shapes; nothing but sound needs a system.
 
 pub mod lanes;
 pub mod plot;

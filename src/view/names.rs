@@ -1,4 +1,4 @@
-//! The names of mechanisms, written beside them while the details are open.
+//! The names of mechanisms beside them, while the details are open.
 
 use super::camera::Viewport;
 use super::theme;
@@ -11,7 +11,7 @@ use crate::physics::{Aabb, DVec2, Source};
 /// Around a name, canvas units.
 const AROUND: Vec2 = Vec2::new(5.0, 2.0);
 
-/// The names of all mechanisms in view with where these are, as the details call them, and by what switches call them.
+/// The names of all mechanisms in view with their areas, in the words of the details and of the switches.
 pub fn told(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
     let level = game.level();
     let mut told: Vec<(String, Area)> = Vec::new();
@@ -56,7 +56,7 @@ pub fn told(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
     told
 }
 
-/// Gives each name a place beside what it names, if there is one: none over what is taken, which grows by them. `text` is the height of letters.
+/// Gives each name a free place beside its mechanism, if there is one, and adds it to `taken`. `text` is the height of letters.
 pub fn place(told: Vec<(String, Area)>, text: f32, window: Area, taken: &mut Vec<Area>) -> Vec<(String, Area)> {
     let mut placed = Vec::new();
     for (name, of) in told {
@@ -73,7 +73,6 @@ pub fn place(told: Vec<(String, Area)>, text: f32, window: Area, taken: &mut Vec
     placed
 }
 
-/// Writes a name in its place.
 pub fn draw(name: &str, area: Area, canvas: &Canvas) {
     canvas.rectangle(area, theme::ground().faded(0.8));
     canvas.text(name, area.centre(), Style::new(DETAILS, theme::text()).mono().centred().middle());

@@ -1,4 +1,4 @@
-//! Charts on paper: the drawings of the Lab and of the instruments on a sheet of their own, as SVG.
+//! Charts on paper: the drawings of the Lab and of the instruments, each on a sheet of SVG.
 
 use super::plane::{self, Plane};
 use super::plot::DiagramPlaces;
@@ -12,7 +12,7 @@ use crate::lab::measured::Measured;
 use crate::lab::stability::Region;
 use crate::lab::stability_diagram::TITLE;
 
-/// Width and height of a sheet, and how much of that the title and the words below take, px.
+/// Size of a sheet, and the heights of the title and of the words below, px.
 const PAPER: Vec2 = Vec2::new(1280.0, 640.0);
 const HEAD: f32 = 56.0;
 const FOOT: f32 = 60.0;
@@ -24,7 +24,7 @@ pub fn measured(measured: &Measured) -> String {
     })
 }
 
-/// A scene of the Lab over time, where it was followed.
+/// A scene of the Lab over time; `None` without a recording.
 pub fn over_time(measured: &Measured) -> Option<String> {
     let over_time = measured.over_time.as_ref()?;
     let title = format!("{}: over time, step {}", measured.title, step(over_time.step));
@@ -33,7 +33,7 @@ pub fn over_time(measured: &Measured) -> Option<String> {
     }))
 }
 
-/// Where methods are stable.
+/// The stability regions of methods.
 pub fn stability(regions: &[Region]) -> String {
     sheet(TITLE, FOOT, |canvas, panel| {
         plane::draw(canvas, &Plane::of(panel), regions, None);

@@ -1,4 +1,4 @@
-//! Particles: a pool of short-lived dots and streaks. They are for show: their chance is their own and nothing reads them back.
+//! Particles: a pool of short-lived dots and streaks, for show: their random numbers are their own and nothing reads them back.
 
 use super::art::{self, Tile};
 use super::barriers::Barriers;
@@ -10,16 +10,16 @@ use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
 use std::f32::consts::FRAC_PI_2;
 
-/// Never more particles than this: more cost frames and hide the game.
+/// The most particles: more cost frames and hide the game.
 const MOST: usize = 1500;
-/// How much of the speed with which exhaust, dust or a spark hits a solid turns aside along it.
+/// The share of the speed into a solid that exhaust, dust and sparks turn along it.
 const SPLAY: f64 = 0.6;
 
-/// How fast sparks and dust fall faster, m/s²: less than a stone, for air carries what is so light, and alike in every level.
+/// Acceleration of sparks and dust downwards, m/s²: less than a stone's, for air carries them, and equal in every level.
 const SPARK_WEIGHT: f64 = 3.0;
 const DUST_WEIGHT: f64 = 1.5;
 
-/// What a particle looks like during its life.
+/// The look of a particle during its life.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ParticleLook {
     /// Orange fire that turns into white smoke.
@@ -28,29 +28,27 @@ pub enum ParticleLook {
     Dust,
     /// A spark that shrinks.
     Spark,
-    /// A stroke along its way.
+    /// A stroke along its path.
     Streak,
 }
 
-/// A dot on its way through the level.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Particle {
     /// m.
     pub position: DVec2,
     /// m/s.
     pub velocity: DVec2,
-    /// s since it was made.
+    /// Age at its death, s.
     pub age: f32,
     /// How old it gets, s.
     pub life: f32,
-    /// How it looks.
     pub look: ParticleLook,
-    /// Its colour (the plume has its own).
+    /// The plume has its own colours.
     pub colour: Colour,
 }
 
 impl Particle {
-    /// Its radius now, canvas units, and its colour.
+    /// Present radius, canvas units, and colour.
     pub fn appearance(&self) -> (f32, Colour) {
         let t = (self.age / self.life).clamp(0.0, 1.0);
         let mix = |from: f32, to: f32| from + (to - from) * t;
@@ -82,7 +80,7 @@ impl Particle {
         self.velocity[axis] = 0.0;
     }
 
-    /// How fast it is slowed down, 1/s.
+    /// Rate of slowing, 1/s.
     const fn drag(&self) -> f64 {
         match self.look {
             ParticleLook::Plume => 1.6,
@@ -92,7 +90,7 @@ impl Particle {
         }
     }
 
-    /// How fast it falls faster, m/s²: its warmth carries smoke, and a streak shows the stream.
+    /// Acceleration downwards, m/s²: smoke rises by its warmth, and a streak follows the stream.
     const fn weight(&self) -> f64 {
         match self.look {
             ParticleLook::Spark => SPARK_WEIGHT,
@@ -102,39 +100,35 @@ impl Particle {
     }
 }
 
-/// The pool of all particles and the chance that scatters them.
 pub struct Particles {
     all: Vec<Particle>,
     most: usize,
-    /// What stops them, as it stands now.
     barriers: Barriers,
     random: Pcg32,
 }
 
 impl Particles {
-    /// An empty pool.
     pub fn new() -> Self {
         Self { all: Vec::with_capacity(MOST), most: MOST, barriers: Barriers::default(), random: Pcg32::seed_from_u64(0x5245_5355) }
     }
 
-    /// Adds a particle, unless the pool is full.
+    /// A full pool drops the particle.
     pub fn add(&mut self, particle: Particle) {
         if self.all.len() < self.most {
             self.all.push(particle);
         }
     }
 
-    /// Says what stops them from now on.
+    /// Takes the barriers of the present frame.
     pub fn set_barriers(&mut self, barriers: Barriers) {
         self.barriers = barriers;
     }
 
-    /// What stops them.
     pub const fn barriers(&self) -> &Barriers {
         &self.barriers
     }
 
-    /// Adds a particle that has come from a point, unless the pool is full: before the first solid on its path from there.
+    /// Adds a particle from a point, before the first solid on its path from there; a full pool drops it.
     pub fn launch(&mut self, from: DVec2, particle: Particle) {
         let to = particle.position;
         let mut particle = Particle { position: from, ..particle };
@@ -142,7 +136,7 @@ impl Particles {
         self.add(particle);
     }
 
-    /// A number between two, all equally likely.
+    /// Uniform between the two.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * f64::from(self.random.next_u32()) / f64::from(u32::MAX)
     }
@@ -158,18 +152,16 @@ impl Particles {
         self.all.retain(|particle| particle.age < particle.life);
     }
 
-    /// Keeps the pool as small as the player wants it: `share` % of what it holds at most.
+    /// Limits the pool to `share` % of its capacity, the player's setting.
     pub fn keep(&mut self, share: u8) {
         self.most = MOST * usize::from(share) / 100;
         self.all.truncate(self.most);
     }
 
-    /// All that live.
     pub fn all(&self) -> &[Particle] {
         &self.all
     }
 
-    /// Draws those in view.
     pub fn draw(&self, view: &Viewport, canvas: &Canvas) {
         let visible = view.visible();
         for particle in &self.all {

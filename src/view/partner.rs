@@ -1,23 +1,23 @@
-//! The other half of a force: by Newton's third law, whoever exerts it feels the same one the other way. In words, and where it can be
-//! seen; also where who feels it is no part of the level, as the Earth.
+//! The partner of a force: by Newton's third law, the body that exerts it feels the opposite one. In words, and with its place in
+//! the level where there is one; the Earth has none.
 
 use super::facts::{ArrowKind, BodyFacts, FactRow, Value, by_whom};
 use super::quantity::quantity;
 use crate::game::Game;
 use crate::physics::{Aabb, BodyId, Source};
 
-/// What a force or an impact on a body has for its partner.
+/// The partner of a force or an impact on a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Partner {
-    /// Who does what to whom, and how much of it.
+    /// Subject, verb and object, with the size of the force or impact.
     pub words: Vec<String>,
     /// The bodies that feel it.
     pub bodies: Vec<BodyId>,
-    /// What else does, m.
+    /// Places of other partners, m.
     pub places: Vec<Aabb>,
 }
 
-/// The partner of what a line tells of; none where that is no force and no impact, or a sum of several.
+/// The partner of a line; none for a line that is no force or impact, or a sum of several.
 pub fn partner(game: &Game, facts: &BodyFacts, row: &FactRow) -> Option<Partner> {
     let (shown, vector) = row.exerted()?;
     let back = FactRow::plain("", Value::Vector(-vector), row.unit);
@@ -33,12 +33,12 @@ pub fn partner(game: &Game, facts: &BodyFacts, row: &FactRow) -> Option<Partner>
     Some(Partner { words: words.into(), bodies: bodies.collect(), places: places.collect() })
 }
 
-/// Which line of another body's box tells of the partner of what `shown` is for that body.
+/// The line of another body's box that is the partner of `shown` on `body`.
 pub fn answer(other: &BodyFacts, shown: ArrowKind, body: BodyId) -> Option<usize> {
     other.rows.iter().position(|row| row.shown == Some(shown) && row.causes.contains(&Source::Body(body)))
 }
 
-/// What a body does to whoever exerts that on it.
+/// The verb of the partner: what the body does to the source.
 const fn does(shown: ArrowKind) -> &'static str {
     match shown {
         ArrowKind::Resultant => "acts on",
@@ -47,7 +47,7 @@ const fn does(shown: ArrowKind) -> &'static str {
     }
 }
 
-/// Where what exerts a force is, if it has a place and is no body.
+/// The place of a source, if it has one and is no body.
 fn place(game: &Game, cause: Source) -> Option<Aabb> {
     let level = game.level();
     match cause {

@@ -1,4 +1,4 @@
-//! Draws how a method fails: small, beside its line of a table, or large, with its axes.
+//! The picture of a method's failure: small, beside its line of a table, or large, with its axes.
 
 use super::{theme, widgets};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
@@ -6,7 +6,7 @@ use crate::draw::{Canvas, Colour, Style};
 use crate::lab::axes::number;
 use crate::lab::stress::picture::{FailurePicture, Polyline};
 
-/// From a large picture's top to its plot, and from that to its foot: the names of its axes and their ends.
+/// Above and below a large picture's plot: the names of its axes and their ends.
 const TOP: f32 = 44.0;
 const BOTTOM: f32 = 40.0;
 
@@ -16,7 +16,7 @@ pub fn small(canvas: &Canvas, area: Area, picture: &FailurePicture, colour: Colo
     lines(canvas, area.inset(2.0), picture, (colour, 1.5));
 }
 
-/// With what its axes are, and where they begin and end.
+/// With names and ends of the axes.
 pub fn large(canvas: &Canvas, area: Area, picture: &FailurePicture, colour: Colour) {
     let plot = Area::new(area.min.x, area.min.y + TOP, area.size.x, area.size.y - TOP - BOTTOM);
     canvas.rounded(plot, 0.0, theme::ground());

@@ -1,9 +1,9 @@
-//! Where the complex plane of z = h·λ goes on the canvas, with its legend; drawn with the regions in which methods are stable.
+//! The complex plane of z = h·λ on the canvas with its legend, and the stability regions of methods in it.
 
 use crate::draw::layout::{Area, Vec2};
 use crate::lab::stability::{Complex, IMAGINARY, REAL};
 
-/// From the panel's left edge to the plane, from its top, and from its foot: values and names of the axes.
+/// Margins of the plane in its panel, for values and names of the axes.
 const LEFT: f32 = 64.0;
 const TOP: f32 = 48.0;
 const BOTTOM: f32 = 60.0;
@@ -11,22 +11,20 @@ const BOTTOM: f32 = 60.0;
 const LEGEND: f32 = 400.0;
 /// Between the plane and the legend.
 const BETWEEN: f32 = 32.0;
-/// From one line of the legend to the next.
+/// Line height of the legend.
 const LINE: f32 = 30.0;
 
-/// Its places.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
-    /// What it lies on.
     pub panel: Area,
-    /// Between the axes: as many pixels for 1 to the right as upwards.
+    /// Between the axes: equal scales to the right and upwards.
     pub area: Area,
-    /// These pixels.
+    /// Canvas units a unit of z.
     scale: f32,
 }
 
 impl Plane {
-    /// A plane that fills a panel, as far as it goes without stretching.
+    /// As large as the panel allows without stretching.
     pub fn of(panel: Area) -> Self {
         let room = Vec2::new(panel.size.x - LEFT - BETWEEN - LEGEND, panel.size.y - TOP - BOTTOM);
         let spans = Vec2::new((REAL.1 - REAL.0) as f32, (IMAGINARY.1 - IMAGINARY.0) as f32);
@@ -36,7 +34,7 @@ impl Plane {
         Self { panel, area, scale }
     }
 
-    /// Where a number is.
+    /// A number on the canvas.
     pub fn at(&self, (re, im): Complex) -> Vec2 {
         Vec2::new(self.area.min.x + (re - REAL.0) as f32 * self.scale, self.area.max().y - (im - IMAGINARY.0) as f32 * self.scale)
     }
@@ -48,7 +46,7 @@ impl Plane {
     }
 }
 
-/// What the plane says, below it.
+/// The words below the plane.
 pub const WORDS: [&str; 2] = [
     "h: the step; λ: the rate at which a motion e^(λt) fades (left) and swings (up). Inside its edge a method's errors fade, outside they grow.",
     "Near its terminal velocity v_t a fall has z = −2·g·h/v_t. The truth, e^z, fades in all of the left half; so does the shipped engine on both rays.",
@@ -69,13 +67,13 @@ mod drawing {
     /// From a legend line's left end to its words, and from its right end to the two limits.
     const WORDS: f32 = 52.0;
     const LIMITS: [f32; 2] = [84.0, 8.0];
-    /// What the marks on the two rays are.
+    /// The marks on the two rays.
     const MARKS: [&str; 2] =
         ["h/τ: drag alone, without a spring; ω·h: a swing without drag.", "Marks on the two rays: these limits."];
-    /// Length of the sample of an edge in the legend.
+    /// Length of an edge's sample in the legend.
     const SAMPLE: f32 = 40.0;
 
-    /// Draws the plane, the edges of all regions, and all of the one that is picked out.
+    /// The plane, the edges of all regions, and all of the picked one.
     pub fn draw(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usize>) {
         widgets::panel(canvas, plane.panel);
         canvas.rounded(plane.area, 0.0, theme::ground());
@@ -99,14 +97,14 @@ mod drawing {
         for (name, z) in examples() {
             let (at, style) = (plane.at(z), Style::new(DETAILS, theme::text()).middle());
             canvas.ring(at, 5.0, 2.0, theme::text());
-            // What fades stands to the left of its point, what swings to the right.
+            // Decay stands to the left of its point, oscillation to the right.
             let (beside, style) = if z.0 < 0.0 { (-8.0, style.right()) } else { (10.0, style) };
             canvas.text(name, at + Vec2::new(beside, -16.0), style);
         }
         legend(canvas, plane, regions, picked);
     }
 
-    /// All cells in whose middle a method is stable: its outline says where exactly they end.
+    /// All cells in whose middle a method is stable; the outline shows their exact end.
     fn fill(canvas: &Canvas, plane: &Plane, region: &Region) {
         let colour = theme::good().faded(0.16);
         for (row, cells) in region.inside.chunks(CELLS.0).enumerate() {
@@ -141,7 +139,7 @@ mod drawing {
         canvas.text("real part of z: −h/τ, what fades", Vec2::new(area.centre().x, end.y + 42.0), words.centred());
     }
 
-    /// The methods by name, with how far they go on the two rays.
+    /// The methods by name, with their limits on the two rays.
     fn legend(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usize>) {
         let words = Style::new(TEXT, theme::text()).middle();
         let quiet = Style::new(TEXT, theme::quiet()).middle();

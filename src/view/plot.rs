@@ -1,42 +1,38 @@
-//! Where a work–precision diagram goes on the canvas: plot, legend, points. Plain arithmetic; `diagram` draws it.
+//! Places of a work–precision diagram on the canvas: plot, legend, points. Plain arithmetic; `diagram` draws it.
 
 use crate::draw::layout::{Area, Vec2};
 use crate::lab::axes::Axes;
 use crate::lab::curve::WorkPoint;
 use crate::lab::measured::Measured;
 
-/// From the panel's left edge to the plot: the error's powers of ten.
+/// Left of the plot: the error's powers of ten.
 const LEFT: f32 = 80.0;
-/// From the panel's top to the plot: what the error is.
+/// Above the plot: the name of the error.
 const TOP: f32 = 48.0;
-/// From the plot to the panel's foot: the work's powers of ten, and what it is.
+/// Below the plot: the work's powers of ten, and its name.
 const BOTTOM: f32 = 64.0;
 /// Width of the legend.
 const LEGEND: f32 = 320.0;
 /// Between the plot and the legend.
 const BETWEEN: f32 = 32.0;
-/// From one line of the legend to the next, where there is room.
+/// Line height of the legend, where there is room.
 const LINE: f32 = 26.0;
-/// Lines of the legend below those of the curves: tolerance, shipped, cheapest, and what the edges mean.
+/// Lines of the legend below the curves': tolerance, shipped, cheapest, and the meaning of the edges.
 const NOTES: usize = 6;
-/// The pointer is on a point up to this far from it.
+/// The pointer picks a point up to this far away.
 const NEAR: f32 = 12.0;
 
-/// A diagram's places.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DiagramPlaces {
-    /// What it lies on.
     pub panel: Area,
     /// Between the axes.
     pub area: Area,
-    /// What they say.
     pub axes: Axes,
-    /// From one line of the legend to the next.
+    /// Line height of the legend.
     pitch: f32,
 }
 
 impl DiagramPlaces {
-    /// A diagram that fills a panel.
     pub fn of(panel: Area, measured: &Measured) -> Self {
         let width = panel.size.x - LEFT - BETWEEN - LEGEND;
         let area = Area::new(panel.min.x + LEFT, panel.min.y + TOP, width, panel.size.y - TOP - BOTTOM);
@@ -44,29 +40,28 @@ impl DiagramPlaces {
         Self { panel, area, axes: Axes::of(measured), pitch: LINE.min((panel.size.y - 32.0) / lines) }
     }
 
-    /// Where a point is drawn.
     pub fn at(&self, point: &WorkPoint) -> Vec2 {
         let (right, up) = self.axes.place(point);
         Vec2::new(self.across(right), self.upwards(up))
     }
 
-    /// So many parts of the way along the work.
+    /// A part (0 … 1) of the work's axis.
     pub fn across(&self, part: f64) -> f32 {
         self.area.min.x + self.area.size.x * part as f32
     }
 
-    /// So many parts of the way up the error.
+    /// A part (0 … 1) of the error's axis.
     pub fn upwards(&self, part: f64) -> f32 {
         self.area.max().y - self.area.size.y * part as f32
     }
 
-    /// A line of the legend: first those of the curves, then the notes.
+    /// A line of the legend: first the curves, then the notes.
     pub fn legend(&self, line: usize) -> Area {
         let top = self.panel.min.y + 16.0 + line as f32 * self.pitch;
         Area::new(self.panel.max().x - LEGEND, top, LEGEND - 16.0, self.pitch)
     }
 
-    /// The point under the pointer, as its curve and its place in it.
+    /// The point under the pointer: its curve and its place in it.
     pub fn point_near(&self, measured: &Measured, pointer: Vec2) -> Option<(usize, usize)> {
         let points = measured.curves.iter().enumerate().flat_map(|(curve, measured)| {
             measured.points.iter().enumerate().map(move |(index, point)| ((curve, index), self.at(point).distance(pointer)))

@@ -1,32 +1,32 @@
-//! How quantities are written for players: three significant digits, a unit with a prefix, a true minus sign, and y upwards as in
-//! school. The engine and the level's files count y downwards.
+//! Quantities for players: three significant digits, a unit with a prefix, a true minus sign, and y upwards as in school. The
+//! engine and the level's files count y downwards.
 
 use super::facts::{FactRow, Value};
 use crate::lab::axes;
 use crate::number::fixed;
 
-/// The prefixes of units, from the largest.
+/// From the largest.
 const PREFIXES: [(f64, &str); 6] = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ")];
-/// Masses have a prefix already, and names of their own for larger ones.
+/// Masses have a prefix already, and larger ones names of their own.
 const MASSES: [(f64, &str); 6] = [(1e9, "Mt"), (1e6, "kt"), (1e3, "t"), (1.0, "kg"), (1e-3, "g"), (1e-6, "mg")];
-/// Units: what is smaller is nothing but rounding.
+/// Units: a smaller number is rounding.
 pub const NOTHING: f64 = 1e-9;
-/// The unit without a prefix is kept down to this part of it: 0.5 m/s says more than 500 mm/s.
+/// The unit without a prefix serves down to this part of it: 0.5 m/s reads better than 500 mm/s.
 const PLAIN_FROM: f64 = 0.1;
-/// What rounds up to the next larger number of digits counts as that.
+/// A number from this share of the next power of ten on counts as that.
 const ROUNDS_UP: f64 = 0.9995;
 
-/// How the numbers of a quantity are written.
+/// The format of a quantity's numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct QuantityScale {
-    /// What one stands for, in the plain unit; none for what no prefix reaches.
+    /// The size of one written unit in plain units; none beyond all prefixes.
     one: Option<f64>,
     decimals: usize,
     unit: String,
 }
 
 impl QuantityScale {
-    /// For a quantity in that unit whose largest number has this size.
+    /// `largest` is the largest number of the quantity.
     pub fn of(largest: f64, unit: &str) -> Self {
         let scales = if unit == "kg" { MASSES } else { PREFIXES };
         let size = largest.abs();
@@ -39,14 +39,14 @@ impl QuantityScale {
         if parts < 1000.0 * ROUNDS_UP { Self { one: Some(one), decimals, unit } } else { Self { one: None, decimals, unit } }
     }
 
-    /// The same unit for numbers of which this is the largest: three digits of their own, as far as two more places show them.
+    /// The same unit for numbers of which this is the largest: three digits of their own, with up to two more places.
     #[must_use]
     pub fn finer(&self, largest: f64) -> Self {
         let own = self.one.filter(|_| largest.abs() >= NOTHING).map_or(self.decimals, |one| decimals(largest.abs() / one));
         Self { decimals: own.clamp(self.decimals, self.decimals + 2), ..self.clone() }
     }
 
-    /// A number of that quantity, without its unit.
+    /// Without its unit.
     pub fn number(&self, value: f64) -> String {
         if value.abs() < NOTHING {
             return "0".to_owned();
@@ -55,7 +55,7 @@ impl QuantityScale {
         fixed(value / one, self.decimals)
     }
 
-    /// The unit with its prefix.
+    /// With its prefix.
     pub fn unit(&self) -> &str {
         &self.unit
     }
@@ -70,15 +70,15 @@ fn decimals(parts: f64) -> usize {
     places
 }
 
-/// A single quantity with its unit: "1.50 kN".
+/// As in "1.50 kN".
 pub fn scalar(value: f64, unit: &str) -> String {
     let scale = QuantityScale::of(value, unit);
     format!("{} {}", scale.number(value), scale.unit())
 }
 
-/// The next number from …, 0.1, 0.2, 0.5, 1, 2, 5, 10, …: what one square of the graph paper stands for where arrows are drawn to scale.
+/// The next number from …, 0.1, 0.2, 0.5, 1, 2, 5, 10, …: the value of one square of the graph paper where arrows are to scale.
 pub fn round_up(value: f64) -> f64 {
-    // What is a round number but for rounding is one.
+    // A round number up to rounding counts as round.
     let value = value * (1.0 - 1e-9);
     let mut decade = NOTHING;
     while decade * 10.0 < value {
@@ -87,7 +87,6 @@ pub fn round_up(value: f64) -> f64 {
     [1.0, 2.0, 5.0].into_iter().map(|step| step * decade).find(|step| *step >= value).unwrap_or(10.0 * decade)
 }
 
-/// The largest number of a row.
 fn largest(row: &FactRow) -> f64 {
     match row.value {
         Value::Scalar(value) => value.abs(),
@@ -95,7 +94,7 @@ fn largest(row: &FactRow) -> f64 {
     }
 }
 
-/// The numbers of a row as they are written beside those of other rows, y upwards: each quantity in one unit, so that a column adds up.
+/// The numbers of a row beside those of other rows, y upwards: each quantity in one unit, so that a column adds up.
 fn numbers(row: &FactRow, beside: &[FactRow]) -> (Vec<String>, QuantityScale) {
     let values = match row.value {
         Value::Scalar(value) => vec![value],
@@ -105,13 +104,13 @@ fn numbers(row: &FactRow, beside: &[FactRow]) -> (Vec<String>, QuantityScale) {
     (values.into_iter().map(|value| scale.number(value)).collect(), scale)
 }
 
-/// How a row is written beside others.
+/// The format of a row beside others.
 fn scale(row: &FactRow, beside: &[FactRow]) -> QuantityScale {
     let of_all = beside.iter().filter(|other| other.unit == row.unit).map(largest).fold(largest(row), f64::max);
     QuantityScale::of(of_all, row.unit).finer(largest(row))
 }
 
-/// Whether all numbers of a row are written as zeros beside those of other rows.
+/// Whether all numbers of a row are zeros as written beside those of other rows.
 pub fn reads_as_nothing(row: &FactRow, beside: &[FactRow]) -> bool {
     let scale = scale(row, beside);
     let least = scale.one.map_or(0.0, |one| 0.5 * one / 10f64.powi(scale.decimals as i32));
@@ -127,7 +126,7 @@ pub fn quantity(row: &FactRow, beside: &[FactRow], width: usize) -> String {
     }
 }
 
-/// The width of the longest number in the rows, but at least `least`, characters.
+/// The width of the longest number in the rows, at least `least`, characters.
 pub fn number_width(rows: &[FactRow], least: usize) -> usize {
     rows.iter().flat_map(|row| numbers(row, rows).0).map(|number| number.chars().count()).fold(least, usize::max)
 }
@@ -175,7 +174,7 @@ mod tests {
         let texts = [
             (row(Value::Vector(DVec2::new(-12.34, 0.0)), "m/s"), "( −12.3,      0) m/s"),
             (row(Value::Vector(DVec2::new(0.04, 123_456.7)), "N"), "(     0,   −123) kN"),
-            // What rounds to nothing has no sign.
+            // A number that rounds to zero has no sign.
             (row(Value::Vector(DVec2::new(-4.0, -1500.0)), "N"), "(  0.00,   1.50) kN"),
             (row(Value::Scalar(100.0), "kg"), "    100          kg"),
         ];

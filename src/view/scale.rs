@@ -1,26 +1,26 @@
-//! How long arrows are drawn: a round number of newtons a square that suits whom the details tell of, so that the longest arrow fits. It
-//! changes at once when an arrow would no longer fit or the view is zoomed, and back only after a while: arrows that breathe cannot be
-//! compared.
+//! The length of arrows: a round number of newtons a square, for which the longest arrow of the shown bodies fits. It shrinks at
+//! once when an arrow would no longer fit or the view is zoomed, and grows back after a delay: arrows with an unsteady scale could
+//! not be compared.
 
 use super::focus::Focus;
 use super::quantity::round_up;
 use crate::game::{DAMAGING_SPEED, Game, SHIP};
 use crate::physics::BodyId;
 
-/// How long what a body usually feels is drawn, canvas units: its weight, half of the ship's thrust, what stops it at damaging speed.
+/// The length of a body's usual force, canvas units: its weight, half of the ship's thrust, or the force that stops it at damaging
+/// speed.
 const USUAL: f64 = 225.0;
-/// The least that this may shrink to where others feel far more than the ship, canvas units: theirs are cut then.
+/// The least of that length where other bodies feel far more than the ship, canvas units: their arrows are cut then.
 const USUAL_LEAST: f64 = 60.0;
-/// An arrow with less room in the window, as in its corner, is cut instead of making all of them shorter, canvas units.
+/// An arrow with less room in the window, as in its corner, is cut instead of shortening all of them, canvas units.
 const LEAST_ROOM: f32 = 120.0;
-/// N/kg. What the weight of a body is taken for where there is no gravity.
+/// N/kg: gravity of the usual weight where a level has none.
 const STANDARD: f64 = 9.81;
-/// By what factor the view is zoomed before arrows get another scale at once.
+/// A zoom by this factor changes the scale at once.
 const ZOOMED: f64 = 1.25;
-/// For how long longer arrows must have fitted before they are drawn longer, s of the game.
+/// Longer arrows must fit for this long before they are drawn longer, s of the game.
 const PATIENCE: f64 = 2.0;
 
-/// How long arrows are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArrowScale {
     /// Newtons a metre of the level, for forces.
@@ -29,20 +29,19 @@ pub struct ArrowScale {
     pub newton_seconds: f64,
 }
 
-/// A force or an impulse (N, N·s) and the room that its arrow has, canvas units.
+/// A force or an impulse (N, N·s) and the room of its arrow, canvas units.
 pub type Reach = (f64, f32);
 
-/// The scale from frame to frame.
 #[derive(Clone, Debug, Default)]
 pub struct Steady {
     newtons: Step,
     newton_seconds: Step,
-    /// For which focus, and for how many canvas units a metre, it was begun.
+    /// The focus, and the canvas units a metre, at which the scale began.
     asked: Option<(Focus, f64)>,
 }
 
 impl Steady {
-    /// The scale of this frame, in which a metre is drawn `metre` canvas units long, for those who are shown and their forces and impulses.
+    /// The scale of this frame, at `metre` canvas units a metre, for the shown bodies and their forces and impulses.
     pub fn update(
         &mut self,
         game: &Game,
@@ -50,7 +49,7 @@ impl Steady {
         metre: f64,
         [forces, impulses]: [&[Reach]; 2],
     ) -> ArrowScale {
-        // Who asks for other arrows or another view gets them at once.
+        // A new focus or zoom takes effect at once.
         let as_asked = |(asked, at): (Focus, f64)| asked == *focus && (at / ZOOMED..=at * ZOOMED).contains(&metre);
         if !self.asked.is_some_and(as_asked) {
             *self = Self { asked: Some((*focus, metre)), ..Self::default() };
@@ -69,8 +68,8 @@ impl Steady {
     }
 }
 
-/// The force and the impulse that are usual, N and N·s: for the bodies that are followed; where none is, for a ship that plays a part or,
-/// where it is out of view, for the heaviest body in view. A body without weight feels nothing usual: what it feels now counts.
+/// The usual force and impulse, N and N·s: for the followed bodies; where none is, for a ship that plays a part or, out of view,
+/// for the heaviest body in view. A weightless body has no usual force: its present one counts.
 fn usual(game: &Game, focus: &Focus, shown: &[BodyId]) -> [f64; 2] {
     let level = game.level();
     let gravity = if level.gravity == 0.0 { STANDARD } else { level.gravity.abs() };
@@ -94,15 +93,14 @@ fn usual(game: &Game, focus: &Focus, shown: &[BodyId]) -> [f64; 2] {
         shown
     };
     let [force, impulse] = whose.iter().map(one).fold([0.0_f64; 2], |most, one| [most[0].max(one[0]), most[1].max(one[1])]);
-    // Nobody is shown: any scale will do.
+    // No body is shown: any scale will do.
     if whose.is_empty() { [1.0; 2] } else { [force, impulse] }
 }
 
-/// One of the two numbers.
 #[derive(Clone, Debug, Default)]
 struct Step {
     now: Option<f64>,
-    /// Since when a smaller one would do, in ticks, and the largest that was wanted since.
+    /// The tick since which a smaller value would do, and the largest wish since.
     loose: Option<(u64, f64)>,
 }
 
@@ -137,12 +135,12 @@ mod tests {
         assert_eq!(step.update(90.0, 0, 10), 100.0);
         assert_eq!(step.update(101.0, 1, 10), 200.0, "what no longer fits is drawn shorter at once");
         for tick in 2..12 {
-            // A moment in which more was wanted is remembered.
+            // The maximum of the wishes counts, not the last one.
             assert_eq!(step.update(if tick == 5 { 45.0 } else { 3.0 }, tick, 10), 200.0, "tick {tick}");
         }
         assert_eq!(step.update(3.0, 12, 10), 50.0);
         assert_eq!(step.update(3.0, 13, 10), 50.0);
-        // Time that is taken back begins the while anew.
+        // A jump back in time restarts the delay.
         assert_eq!(step.update(3.0, 4, 10), 50.0);
         assert_eq!(step.update(3.0, 13, 10), 50.0);
         assert_eq!(step.update(3.0, 14, 10), 5.0);

@@ -1,4 +1,4 @@
-//! The palette: a physicist's notebook at night. A colour always means the same; sizes are in [`crate::draw::layout`].
+//! The palette: a physicist's notebook at night. Each colour has one meaning; sizes are in [`crate::draw::layout`].
 
 use crate::draw::Colour;
 use crate::instruments::look;
@@ -6,7 +6,6 @@ use crate::physics::ForceKind;
 use crate::settings::Palette;
 use std::sync::atomic::{AtomicU8, Ordering};
 
-/// The colours of one palette.
 struct Colours {
     ground: Colour,
     panel: Colour,
@@ -26,7 +25,7 @@ struct Colours {
     physics_objective: Colour,
 }
 
-/// Those of the art direction.
+/// The art direction's palette.
 const STANDARD: Colours = Colours {
     ground: Colour::hex(0x10141B),
     panel: Colour::hex(0x1B2230),
@@ -46,8 +45,8 @@ const STANDARD: Colours = Colours {
     physics_objective: Colour::hex(0xD65DB1),
 };
 
-/// What carries a meaning is told apart in normal sight and in the three common kinds of colour blindness by 15 units of CIEDE2000 at least
-/// (simulated after Machado, Oliveira and Fernandes, 2009), from each other, from words, rock and ground.
+/// Colours with a meaning differ by at least 15 units of CIEDE2000 from each other, from words, rock and ground, in normal sight
+/// and in the three common kinds of colour blindness (simulated after Machado, Oliveira and Fernandes, 2009).
 const SAFE: Colours = Colours {
     accent: Colour::hex(0xDC7603),
     good: Colour::hex(0x63C09A),
@@ -57,7 +56,7 @@ const SAFE: Colours = Colours {
     ..STANDARD
 };
 
-/// The same on black, with white edges.
+/// On black, with white edges.
 const HIGH_CONTRAST: Colours = Colours {
     ground: Colour::hex(0x000000),
     panel: Colour::hex(0x000000),
@@ -73,10 +72,9 @@ const HIGH_CONTRAST: Colours = Colours {
     ..SAFE
 };
 
-/// Which palette is worn: the view's own state, that a player's setting sets once a frame.
+/// The present palette: the view's own state, which the player's setting sets once a frame.
 static WORN: AtomicU8 = AtomicU8::new(0);
 
-/// Wears a palette from now on.
 pub fn wear(palette: Palette) {
     WORN.store(palette as u8, Ordering::Relaxed);
 }
@@ -89,12 +87,11 @@ fn colours() -> &'static Colours {
     }
 }
 
-/// What everything lies on.
+/// The background.
 pub fn ground() -> Colour {
     colours().ground
 }
 
-/// Panels.
 pub fn panel() -> Colour {
     colours().panel
 }
@@ -104,37 +101,35 @@ pub fn button() -> Colour {
     colours().button
 }
 
-/// A button under the pointer, and a row that is picked out.
+/// A button under the pointer, and a selected row.
 pub fn panel_hover() -> Colour {
     colours().panel_hover
 }
 
-/// The edge of a panel.
 pub fn panel_edge() -> Colour {
     colours().panel_edge
 }
 
-/// A line of the graph paper every metre.
+/// Line of the graph paper every metre.
 pub fn grid_fine() -> Colour {
     colours().grid_fine
 }
 
-/// A line of the graph paper every ten metres.
+/// Line of the graph paper every ten metres.
 pub fn grid_heavy() -> Colour {
     colours().grid_heavy
 }
 
-/// Whatever is solid and never moves.
+/// Solids that never move.
 pub fn solid() -> Colour {
     colours().solid
 }
 
-/// Its top edge.
+/// The top edge of solids.
 pub fn solid_top() -> Colour {
     colours().solid_top
 }
 
-/// Words.
 pub fn text() -> Colour {
     colours().text
 }
@@ -149,12 +144,12 @@ pub fn accent() -> Colour {
     colours().accent
 }
 
-/// What helped.
+/// Success.
 pub fn good() -> Colour {
     colours().good
 }
 
-/// What cost, and what kills.
+/// Damage and death.
 pub fn bad() -> Colour {
     colours().bad
 }
@@ -169,18 +164,16 @@ pub fn physics_objective() -> Colour {
     colours().physics_objective
 }
 
-/// The resultant force.
 pub const RESULTANT: Colour = Colour::hex(look::RESULTANT);
 
-/// Velocity and acceleration, wherever they are drawn.
+/// Velocity and acceleration.
 pub const VELOCITY: Colour = Colour::hex(0x2EE6D6);
 pub const ACCELERATION: Colour = Colour::hex(0xFF8FB1);
 
-/// An impact. Told apart from every force, in normal sight and in the three common kinds of colour blindness, by 11 units of CIEDE2000
-/// at least (colours simulated after Machado, Oliveira and Fernandes, 2009).
+/// An impact. It differs from every force by at least 11 units of CIEDE2000, in normal sight and in the three common kinds of
+/// colour blindness (simulated after Machado, Oliveira and Fernandes, 2009).
 pub const IMPACT: Colour = Colour::hex(0xAE62FF);
 
-/// The colour of a force, wherever it is shown.
 pub const fn force(kind: ForceKind) -> Colour {
     Colour::hex(look::force(kind))
 }

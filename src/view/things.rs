@@ -1,4 +1,4 @@
-//! What moves: the objects and the ship with its flame. Nothing that moves looks like the static world.
+//! Objects and the ship with its flame: nothing that moves looks like the static world.
 
 use super::art::{self, Tile};
 use super::camera::Viewport;
@@ -11,29 +11,25 @@ use crate::game::Pose;
 use crate::level::{Look, Object, SHIP_HALF};
 use crate::physics::{Aabb, DVec2};
 
-/// The colour of plain movable things: brighter than anything that stands still.
+/// Plain movable objects: brighter than everything at rest.
 const PLAIN: Colour = Colour::hex(0xB9C6DA);
 /// Length of the fully grown flame, m.
 const FLAME: f64 = 1.25;
-/// What is left of a flame close to a deck, m, and how many times as wide it spreads there at most.
+/// The least length of a flame close to a deck, m, and the most that it widens there.
 const FLAME_LEAST: f64 = 0.12;
 const FLAME_SPREAD: f64 = 1.7;
-/// Where on the nose the two flames of reverse thrust leave, m from the centre (to the side, forwards).
+/// Roots of the two flames of reverse thrust on the nose, m from the centre (to the side, forwards).
 const RETRO: (f64, f64) = (0.36, 0.50);
 
-/// What things are drawn with.
 #[derive(Clone, Copy)]
 pub struct Brushes<'a> {
-    /// The level's pictures.
     pub pictures: &'a Pictures,
-    /// Where the level lies.
     pub view: &'a Viewport,
-    /// Shapes and words.
     pub canvas: &'a Canvas,
 }
 
-/// An object around `centre` (m): its picture, or a plain box or ball; key objects in their colour, with a glow and their sign. The
-/// colours of all others are multiplied by `light`.
+/// An object around `centre` (m): its picture, or a plain box or ball; key objects in their colour, with a glow and their sign.
+/// `light` multiplies the colours of all others.
 pub fn draw_object(object: &Object, centre: DVec2, light: Colour, brushes: Brushes<'_>) {
     let Brushes { pictures, view, canvas } = brushes;
     let bounds = Aabb::around(centre, object.size * 0.5);
@@ -87,7 +83,7 @@ fn ball(canvas: &Canvas, area: Area, colour: Colour) {
     canvas.convex(&outline(0.18, half * Vec2::new(-0.34, -0.40)), Colour::WHITE.faded(0.85));
 }
 
-/// A colour with so much of its light.
+/// `light` scales the colour.
 fn shaded(colour: Colour, light: f32) -> Colour {
     Colour::new(colour.r * light, colour.g * light, colour.b * light, colour.a)
 }
@@ -95,22 +91,21 @@ fn shaded(colour: Colour, light: f32) -> Colour {
 /// Tilted further than by this cosine the ship does not stand on its legs.
 const UPRIGHT: f64 = 0.9;
 
-/// How the ship is drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct ShipPose {
     /// m.
     pub centre: DVec2,
     /// Clockwise, degrees.
     pub angle: f64,
-    /// How far its legs are pressed down, as a part of its height.
+    /// Compression of its legs, as a part of its height.
     pub squash: f64,
-    /// What its colours are multiplied by.
+    /// Multiplies its colours.
     pub light: Colour,
-    /// From its centre to the first solid in the way of its flame, m.
+    /// Free distance of its flame from the ship's centre, m.
     pub room: f64,
 }
 
-/// The ship, its plume grown to `strength`, out of the tail (`way` 1) or of the nose (−1); `flicker` (0 … 1) varies the flame.
+/// The plume has grown to `strength`, out of the tail (`way` 1) or of the nose (−1); `flicker` (0 … 1) varies the flame.
 pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, view: &Viewport, canvas: &Canvas) {
     let (centre, rotation) = (ship.centre, ship.angle.to_radians());
     let (sin, cos) = rotation.sin_cos();
@@ -137,7 +132,7 @@ pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, vie
             art::draw(canvas, Tile::Flame, Area::around(view.point(middle), size), turn as f32, Colour::WHITE);
         }
     }
-    // It stands where it stood: only its top comes down, and only where it stands on its legs.
+    // Only the top comes down, and only while the ship stands on its legs.
     let squash = ship.squash * ((cos - UPRIGHT) / (1.0 - UPRIGHT)).max(0.0);
     let height = 2.0 * SHIP_HALF.y * (1.0 - squash);
     let standing = centre + DVec2::new(0.0, SHIP_HALF.y * squash);
@@ -145,14 +140,14 @@ pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, vie
     art::draw(canvas, Tile::Ship, Area::around(view.point(standing), size), rotation as f32, ship.light);
 }
 
-/// A ghost is pale and blue, and a ring goes round it: enough to follow it, too little to be taken for the ship.
+/// A ghost is pale and blue, and a ring goes round it: clear enough to follow, too faint to pass for the ship.
 const PALE: Colour = Colour::new(0.72, 0.84, 1.0, 0.7);
-/// How much of its ring, its outline and its name is seen.
+/// Opacity of its ring, its outline and its name.
 const GHOST_EDGE: f32 = 0.75;
-/// From its centre to the ring, in halves of the ship.
+/// Radius of the ring, in halves of the ship.
 const GHOST_RING: f64 = 1.2;
 
-/// A ship of another time: pale, without light or flame, and its name below it where that is given.
+/// A ship of another flight: pale, without light or flame, with its name below it.
 pub fn draw_ghost(name: Option<&str>, pose: Pose, Brushes { view, canvas, .. }: Brushes<'_>) {
     let size = Vec2::splat(view.length(2.0 * SHIP_HALF.y));
     art::draw(canvas, Tile::Ship, Area::around(view.point(pose.centre), size), pose.angle.to_radians() as f32, PALE);
@@ -163,7 +158,7 @@ pub fn draw_ghost(name: Option<&str>, pose: Pose, Brushes { view, canvas, .. }: 
     }
 }
 
-/// An object of another time: its pale outline, and its name below it where that is given.
+/// An object of another flight: its pale outline, with its name below it.
 pub fn draw_ghost_object(name: Option<&str>, (object, centre): (&Object, DVec2), Brushes { view, canvas, .. }: Brushes<'_>) {
     let area = exact(&Aabb::around(centre, object.size * 0.5), view);
     let (fill, edge) = (PALE.faded(0.30), Colour::new(PALE.r, PALE.g, PALE.b, 1.0));
@@ -176,7 +171,7 @@ pub fn draw_ghost_object(name: Option<&str>, (object, centre): (&Object, DVec2),
     }
 }
 
-/// Where a moving box lies, not rounded to pixels: it glides.
+/// A moving box, not rounded to pixels: it glides.
 pub fn exact(bounds: &Aabb, view: &Viewport) -> Area {
     let (min, max) = (view.point(bounds.min), view.point(bounds.max));
     Area { min, size: max - min }

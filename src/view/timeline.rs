@@ -1,5 +1,5 @@
-//! Draws a scene over time: the error of every method above, the energy that it has kept below. The same picture as `resultant chart`
-//! makes, with one method picked out.
+//! A scene over time: the error of every method above, the kept energy below. The same picture as `resultant chart` makes, with one
+//! method picked out.
 
 use super::diagram::{dashed, legend_of_curves, shade, stroke};
 use super::lanes::LaneAxes;
@@ -14,14 +14,14 @@ use crate::lab::look::{Look, TOLERANCE_DASH};
 use crate::lab::measured::Measured;
 use crate::lab::timeline::{Timeline, energy_name, round_numbers};
 
-/// Of the height, what the error takes where there is an energy, too.
+/// The error's share of the height, where there is an energy, too.
 const UPPER: f32 = 0.55;
-/// From one plot to the next: the values of the time above, the name of the energy below.
+/// Between the plots: the values of the time above, the name of the energy below.
 const BETWEEN: f32 = 68.0;
-/// Named values of an axis, about.
+/// About how many values of an axis have numbers.
 const NAMED: usize = 7;
 
-/// Draws it in the places of the scene's other diagram; `picked` is one of its curves.
+/// In the places of the scene's other diagram; `picked` is one of its curves.
 pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, (measured, over_time): (&Measured, &OverTime), picked: Option<usize>) {
     widgets::panel(canvas, plot.panel);
     legend_of_curves(canvas, plot, measured, picked);

@@ -4,35 +4,34 @@ use crate::game::{Game, SHIP};
 use crate::physics::{DVec2, Event, ForceKind, Obstacle};
 use std::f64::consts::PI;
 
-/// The ship was in the air for at least so long before it lands, s: a box that tips to rest is no landing.
+/// The least flight before a landing, s: a box that tips to rest is no landing.
 const FLOWN: f64 = 0.4;
-/// Slower than this is gentle, m/s.
+/// A slower landing is gentle, m/s.
 pub const GENTLE: f64 = 2.0;
-/// How long the legs take to straighten, s; the speed that presses them down all the way, m/s; and how far that is, of the height.
+/// Time in which the legs straighten, s; the speed that presses them down fully, m/s; and that depth, of the height.
 const SPRING: f64 = 0.22;
 const FULL: f64 = 8.0;
 const DEPTH: f64 = 0.14;
 
-/// A landing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Landing {
-    /// Where, m.
+    /// m.
     pub point: DVec2,
-    /// How fast, m/s.
+    /// m/s.
     pub speed: f64,
 }
 
-/// Whether the ship flies, and how far its legs are pressed down.
+/// Whether the ship flies, and the compression of its legs.
 #[derive(Clone, Debug, Default)]
 pub struct Touchdown {
-    /// Ticks since something touched the ship.
+    /// Ticks since the last touch.
     flown: u64,
-    /// The last landing's speed (m/s) and how long ago it was (s).
+    /// The last landing's speed (m/s) and age (s).
     last: Option<(f64, f64)>,
 }
 
 impl Touchdown {
-    /// Takes up a tick; a landing, if it was one.
+    /// Takes up a tick; returns its landing.
     pub fn after_tick(&mut self, game: &Game) -> Option<Landing> {
         let flown = self.flown as f64 / game.tick_rate();
         let landing = landing(game.world().events()).filter(|_| flown >= FLOWN);
@@ -44,12 +43,11 @@ impl Touchdown {
         landing
     }
 
-    /// Lets `frame_time` seconds pass.
     pub fn advance(&mut self, frame_time: f64) {
         self.last = self.last.map(|(speed, age)| (speed, age + frame_time)).filter(|(_, age)| *age < SPRING);
     }
 
-    /// By how much of its height the ship is pressed down, 0 … 0.14.
+    /// Compression of the ship as a part of its height, 0 … 0.14.
     pub fn squash(&self) -> f64 {
         self.last.map_or(0.0, |(speed, age)| {
             let t = age / SPRING;
@@ -58,7 +56,7 @@ impl Touchdown {
     }
 }
 
-/// Whether something holds the ship.
+/// Whether a body or surface touches the ship.
 fn touches(game: &Game) -> bool {
     let forces = game.world().forces(SHIP);
     forces.forces().iter().any(|force| matches!(force.kind, ForceKind::Reaction | ForceKind::Push))
@@ -68,7 +66,7 @@ fn touches(game: &Game) -> bool {
 fn landing(events: &[Event]) -> Option<Landing> {
     let hits = events.iter().filter_map(|event| match *event {
         Event::Impact { a, b, point, speed, normal } => {
-            // The normal points away from what was hit: up, where the ship is `a`.
+            // The normal points away from the hit body: up, where the ship is `a`.
             let up = if a == SHIP {
                 -normal.y
             } else if b == Obstacle::Body(SHIP) {

@@ -1,4 +1,4 @@
-//! What the screens are made of: panels, buttons, headings.
+//! Drawings shared by the screens: panels, buttons, headings.
 
 use super::theme;
 use crate::draw::layout::{Area, BUTTON_TEXT, CORNER, DETAILS, EDGE, GRID, HEADING, TEXT, Vec2};
@@ -7,18 +7,17 @@ use crate::draw::{Canvas, Colour, Style};
 /// From a button's edge out to its focus ring.
 const RING_GAP: f32 = 4.0;
 
-/// A panel with its edge.
+/// With its edge.
 pub fn panel(canvas: &Canvas, area: Area) {
     panel_in(canvas, area, theme::panel(), theme::panel_edge());
 }
 
-/// A panel of other colours.
 pub fn panel_in(canvas: &Canvas, area: Area, fill: Colour, edge: Colour) {
     canvas.rounded(area, CORNER, fill);
     canvas.rounded_edge(area, CORNER, EDGE, edge);
 }
 
-/// A button's box: hover lightens it, keyboard focus rings it.
+/// Hover lightens the box, keyboard focus rings it.
 pub fn button_box(canvas: &Canvas, area: Area, hover: bool, focus: bool) {
     panel_in(canvas, area, if hover { theme::panel_hover() } else { theme::button() }, theme::panel_edge());
     if focus {
@@ -26,12 +25,12 @@ pub fn button_box(canvas: &Canvas, area: Area, hover: bool, focus: bool) {
     }
 }
 
-/// A button with its words in the middle.
+/// The words stand in the middle.
 pub fn button(canvas: &Canvas, area: Area, label: &str, hover: bool, focus: bool) {
     keyed_button(canvas, area, (label, ""), (hover, focus));
 }
 
-/// A button with its words in the middle and, beside them, the key that presses it.
+/// The words stand in the middle with the key's name beside them.
 pub fn keyed_button(canvas: &Canvas, area: Area, (label, key): (&str, &str), (hover, focus): (bool, bool)) {
     button_box(canvas, area, hover, focus);
     let key_style = Style::new(TEXT, theme::accent()).mono().middle();
@@ -47,23 +46,23 @@ pub fn keyed_button(canvas: &Canvas, area: Area, (label, key): (&str, &str), (ho
     canvas.text(key, Vec2::new(left + width + beside, middle.y), key_style.right());
 }
 
-/// The ring around what has the keyboard.
+/// The mark of the keyboard's focus.
 pub fn focus_ring(canvas: &Canvas, area: Area) {
     canvas.rounded_edge(area.inset(-RING_GAP), CORNER + RING_GAP, EDGE, theme::accent());
 }
 
-/// A row of a list that is picked out.
+/// The selected row of a list.
 pub fn picked_row(canvas: &Canvas, area: Area) {
     canvas.rounded(area, 6.0, theme::panel_hover());
     canvas.rounded_edge(area, 6.0, EDGE, theme::accent());
 }
 
-/// A screen's heading, in the middle of the canvas with its capitals around `y`.
+/// In the middle of the canvas, its capitals around `y`.
 pub fn heading(canvas: &Canvas, text: &str, y: f32) {
     canvas.text(text, Vec2::new(canvas.size().x / 2.0, y), Style::new(HEADING, theme::text()).centred().middle());
 }
 
-/// A line of text around its middle that is at most `widest` wide: in the first of `sizes` that fits, else cut off with an ellipsis.
+/// A line of text around its middle, at most `widest` wide: in the first of `sizes` that fits, else cut off with an ellipsis.
 pub fn fitted(canvas: &Canvas, text: &str, middle: Vec2, widest: f32, sizes: &[f32], colour: Colour) {
     let style = |size: f32| Style::new(size, colour).centred().middle();
     if let Some(size) = sizes.iter().find(|size| canvas.width(text, style(**size)) <= widest) {
@@ -73,7 +72,7 @@ pub fn fitted(canvas: &Canvas, text: &str, middle: Vec2, widest: f32, sizes: &[f
     canvas.text(&cut(canvas, text, widest, style), middle, style);
 }
 
-/// A line of text, cut off with an ellipsis where it would be wider than that.
+/// A line of text, cut off with an ellipsis where it is wider than `widest`.
 pub fn cut(canvas: &Canvas, text: &str, widest: f32, style: Style) -> String {
     if canvas.width(text, style) <= widest {
         return text.to_owned();
@@ -91,21 +90,19 @@ pub fn cut(canvas: &Canvas, text: &str, widest: f32, style: Style) -> String {
     }
 }
 
-/// A tick, as large as a letter of twice that height.
+/// As large as a letter of twice that height.
 pub fn tick(canvas: &Canvas, middle: Vec2, size: f32, colour: Colour) {
     let at = |x: f32, y: f32| middle + Vec2::new(x, y) * size;
     canvas.line(at(-0.9, 0.0), at(-0.25, 0.7), 3.0, colour);
     canvas.line(at(-0.25, 0.7), at(0.95, -0.7), 3.0, colour);
 }
 
-/// A cross of that size.
 pub fn cross(canvas: &Canvas, middle: Vec2, size: f32, colour: Colour) {
     let reach = Vec2::splat(0.8 * size);
     canvas.line(middle - reach, middle + reach, 3.0, colour);
     canvas.line(middle + reach * Vec2::new(-1.0, 1.0), middle + reach * Vec2::new(1.0, -1.0), 3.0, colour);
 }
 
-/// A scroll bar.
 pub fn scroll_bar(canvas: &Canvas, track: Area, handle: Area, held: bool) {
     canvas.rounded(track, track.size.x / 2.0, theme::ground());
     canvas.rounded(handle, handle.size.x / 2.0, if held { theme::accent() } else { theme::solid_top() });

@@ -1,4 +1,4 @@
-//! What the level is drawn on, and the words written in it. What is solid is drawn by [`super::terrain`].
+//! The ground of the level, and its words. [`super::terrain`] draws the solids.
 
 use super::camera::Viewport;
 use super::pictures::Pictures;
@@ -9,15 +9,15 @@ use crate::draw::{Canvas, Colour, Style};
 use crate::level::{Level, Text};
 use crate::physics::{Aabb, DVec2};
 
-/// How much of the graph paper shows over an author's picture.
+/// Opacity of the graph paper over an author's picture.
 const PAPER_OVER_PICTURE: f32 = 0.45;
-/// A metre of the fine graph paper narrower than this is left out, canvas units: it would be a grey haze.
+/// Fine graph paper is left out below this width of a metre, canvas units: it would be a grey haze.
 const FINEST_PAPER: f64 = 8.0;
 
-/// How much larger than the author's a size of type may be that is next to it.
+/// The most that the nearest size of type may exceed the author's.
 const SNAPPED: f64 = 1.25;
 
-/// The ground and, over it, the author's picture and the graph paper: a fine line each metre, a heavy one each ten.
+/// The background, the author's picture and the graph paper: a fine line each metre, a heavy one each ten.
 pub fn draw_ground(level: &Level, tint: &Tint, pictures: &Pictures, view: &Viewport, canvas: &Canvas) {
     let all = view.rect(&Aabb::new(DVec2::ZERO, level.size));
     let picture = level.background.as_ref().and_then(|path| pictures.get(path));
@@ -50,7 +50,7 @@ fn paper_lines(view: &Viewport, canvas: &Canvas, heavy: bool, colour: Colour) {
     }
 }
 
-/// The words written in the level, each in the size of type next to the author's.
+/// The level's words, each in the size of type nearest to the author's.
 pub fn draw_texts(level: &Level, view: &Viewport, canvas: &Canvas) {
     for text in &level.texts {
         let size = nearest_size(view.length(text.size));
@@ -59,7 +59,7 @@ pub fn draw_texts(level: &Level, view: &Viewport, canvas: &Canvas) {
     }
 }
 
-/// Where words are written, m: no less room than they need.
+/// The areas of the words, m: at least the room that they need.
 pub fn text_areas(level: &Level) -> Vec<Aabb> {
     let area = |text: &Text| Aabb::new(text.position, text.position + text_room(&text.text, text.size as f32).as_dvec2() * SNAPPED);
     level.texts.iter().map(area).collect()

@@ -1,4 +1,4 @@
-//! What is left of a lost ship: pieces that fly, fall and bounce by the engine's own laws, in a world of their own, so that nothing of
+//! The wreck of a lost ship: pieces that fly, fall and bounce by the engine's own laws, in a world of their own, so that nothing of
 //! the game changes.
 
 use super::camera::Viewport;
@@ -8,37 +8,35 @@ use crate::game::Game;
 use crate::level::{Level, SHIP_HALF};
 use crate::physics::{BodyDef, BodyId, DVec2, World, WorldDef};
 
-/// How long the game holds its breath before the ship breaks, s.
+/// Pause before the ship breaks, s.
 const HIT_STOP: f64 = 0.09;
 /// Pieces along each axis.
 const PIECES: u32 = 3;
 /// The share of its cell that a piece fills: pieces do not begin in each other.
 const FILLED: f64 = 0.9;
-/// How fast the pieces part from the ship's middle, m/s a metre, and the share of the ship's speed that they keep.
+/// Speed of the pieces away from the ship's middle, m/s a metre, and the share of the ship's speed that they keep.
 const BURST: f64 = 6.0;
 const KEPT: f64 = 0.6;
-/// s, and how many of them at most in a frame: a hitch may pass pieces over, it may not freeze.
+/// s; and the most ticks a frame: after a hitch pieces may skip time, but must not freeze the game.
 const TICK: f64 = 1.0 / 120.0;
 const MOST_TICKS: u32 = 8;
 
-/// The pieces.
 pub struct Wreck {
     world: World,
     /// Since the ship was lost, s.
     age: f64,
-    /// Of the last tick, s.
+    /// Time not yet simulated, s.
     left: f64,
 }
 
 impl Wreck {
-    /// What the ship of a game breaks into; `None` where there is no room for pieces.
+    /// The pieces of a game's ship; `None` where there is no room for them.
     pub fn new(game: &Game, ship: BodyId) -> Option<Self> {
         let body = game.world().body(ship);
         let world = World::new(definition(game.level(), body.position, body.velocity)).ok()?;
         Some(Self { world, age: 0.0, left: 0.0 })
     }
 
-    /// Lets `frame_time` seconds pass.
     pub fn advance(&mut self, frame_time: f64) {
         self.age += frame_time;
         if self.is_whole() {
@@ -56,7 +54,6 @@ impl Wreck {
         self.age < HIT_STOP
     }
 
-    /// Draws the pieces.
     pub fn draw(&self, view: &Viewport, canvas: &Canvas) {
         for (i, body) in self.world.bodies().iter().enumerate() {
             let area = view.rect(&body.bounds());

@@ -1,4 +1,4 @@
-//! What acts on what touches it: objectives, death boxes, air streams and liquids.
+//! Zones: objectives, death boxes, air streams and liquids.
 
 use super::art::{self, Tile};
 use super::camera::Viewport;
@@ -12,19 +12,19 @@ use crate::physics::{Aabb, DVec2};
 
 /// From an objective's edge to its label, canvas units.
 const LABEL_GAP: f32 = 14.0;
-/// The rings of hold times: round an objective's icon, canvas units; and round what is held, m.
+/// Radii of the rings of hold times: round an objective's icon, canvas units; and round a held body, m.
 const ICON_RING: f32 = 14.0;
 const HOLD_RING: f64 = 1.45;
-/// Width and height of a wave on a liquid's surface, canvas units; the height in both directions together.
+/// Width and height of a wave on a liquid's surface, canvas units; the height is that of both waves together.
 const WAVE_LENGTH: f32 = 52.0;
 const WAVE_HEIGHT: f32 = 5.0;
-/// How much of a liquid covers what is behind it, at its surface and at its bottom, and how much of its colour is taken on in it.
+/// Opacity of a liquid at its surface and at its bottom, and the share of its colour on bodies in it.
 const SHALLOW: f32 = 0.36;
 const DEEP: f32 = 0.58;
 const STAIN: f32 = 0.5;
-/// What is nearer to a liquid's surface than this lies on it, m.
+/// A box nearer than this to a liquid's surface lies on it, m.
 const ON_IT: f64 = 1e-6;
-/// Between two of a stream's chevrons, m, and how fast they wander, m/s.
+/// Spacing of a stream's chevrons, m, and their speed, m/s.
 const CHEVRON_STEP: f64 = 2.0;
 const CHEVRON_SPEED: f64 = 2.5;
 
@@ -38,7 +38,7 @@ pub fn draw_objectives(game: &Game, view: &Viewport, canvas: &Canvas, time: f64)
         let area = view.rect(&objective.bounds);
         let pulse = 0.5 + 0.5 * (time * 2.6).sin() as f32;
         art::halo(canvas, area, 26.0, colour.faded(0.28 + 0.14 * pulse));
-        // Nothing behind it, no liquid and no picture, may change its colour.
+        // No liquid or picture behind it may change its colour.
         canvas.rectangle(area, theme::ground());
         canvas.rectangle(area, colour.faded(0.30));
         canvas.rectangle_edge(area, 2.0, colour);
@@ -75,8 +75,8 @@ pub fn draw_objectives(game: &Game, view: &Viewport, canvas: &Canvas, time: f64)
     }
 }
 
-/// The rings of what is being held, round the ship (drawn at `ship`, m) or the block that waits for a key: over all that moves, for a ship
-/// that stands on a pad hides its label.
+/// The rings of hold times, round the ship (drawn at `ship`, m) or the block that waits for a key: over all that moves, for a ship
+/// on a pad hides the pad's label.
 pub fn draw_holds(game: &Game, ship: DVec2, view: &Viewport, canvas: &Canvas) {
     for (index, objective) in game.level().objectives.iter().enumerate() {
         let held = game.held(index) as f32;
@@ -92,7 +92,7 @@ pub fn draw_holds(game: &Game, ship: DVec2, view: &Viewport, canvas: &Canvas) {
     }
 }
 
-/// A part (0 … 1) of a ring of some radius round a point, clockwise from the top.
+/// A part (0 … 1) of a ring round a point, clockwise from the top.
 fn ring(canvas: &Canvas, (centre, radius): (Vec2, f32), part: f32, colour: Colour) {
     const SIDES: usize = 36;
     let at = |side: usize| {
@@ -104,7 +104,7 @@ fn ring(canvas: &Canvas, (centre, radius): (Vec2, f32), part: f32, colour: Colou
     }
 }
 
-/// The middle of an objective's label: in the block where it has the room, else above it, or below at the top of the window.
+/// In the block where it has the room, else above it, or below at the top of the window.
 fn label_place(area: Area, view: &Viewport) -> Vec2 {
     let centre = area.centre();
     let above = area.min.y - LABEL_GAP;
@@ -122,7 +122,7 @@ pub fn diamond(canvas: &Canvas, centre: Vec2, reach: f32, colour: Colour) {
     canvas.convex(&corners.map(|corner| centre + corner), colour);
 }
 
-/// The death boxes: hatched, edged and glowing red.
+/// Hatched, edged and glowing red.
 pub fn draw_obstacles(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
     let visible = view.visible();
     let pulse = 0.5 + 0.5 * (time * 4.2).sin() as f32;
@@ -139,7 +139,7 @@ pub fn draw_obstacles(level: &Level, view: &Viewport, canvas: &Canvas, time: f64
     }
 }
 
-/// The zones of the streams that blow and, over them, the chevrons that wander with the wind.
+/// The zones of active streams and, over them, the chevrons that drift with the wind.
 pub fn draw_streams(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
     let visible = view.visible();
     let blowing = game.level().streams.iter().enumerate().filter(|(index, _)| game.world().blows(*index));
@@ -171,7 +171,7 @@ pub fn draw_streams(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
     }
 }
 
-/// The streams' solid source blocks: a grille with an arrow the way it blows.
+/// The streams' solid source blocks: a grille with an arrow along the wind.
 pub fn draw_sources(level: &Level, view: &Viewport, canvas: &Canvas) {
     let visible = view.visible();
     for stream in level.streams.iter().filter(|stream| stream.source.touches(&visible, 0.0)) {
@@ -198,9 +198,8 @@ pub fn draw_sources(level: &Level, view: &Viewport, canvas: &Canvas) {
     }
 }
 
-/// The liquids: a tint that thickens with the depth, bands of light, and a surface that moves. They are drawn below whatever is in
-/// them, so that they never change the colour by which a goal or a hazard is known; what moves in them takes on some of their colour
-/// by [`in_liquid`].
+/// The liquids: a tint that thickens with the depth, bands of light, and a moving surface. They lie below everything in them, so
+/// that they never change the colour of a goal or a hazard; [`in_liquid`] tints bodies.
 pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
     let visible = view.visible();
     for (index, fluid) in level.fluids.iter().enumerate().filter(|(_, fluid)| fluid.zone.touches(&visible, 0.5)) {
@@ -213,7 +212,7 @@ pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
         let (a, b) = (Vec2::new(area.min.x, top), Vec2::new(area.max().x, area.max().y));
         let mut quads = Quads::default();
         quads.quad([a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)], [thick(a.y), thick(a.y), thick(b.y), thick(b.y)]);
-        // Where something lies on it, it is filled to its edge; elsewhere it has waves.
+        // Under rock or another liquid the surface is flat; elsewhere it has waves.
         let open = open_surface(&level.fluids, &level.world, index);
         let ends = [fluid.zone.min.x].into_iter().chain(open.iter().map(|span| span.1));
         let starts = open.iter().map(|span| span.0).chain([fluid.zone.max.x]);
@@ -234,7 +233,6 @@ pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
             let shown = (span.min.x.max(area.min.x), span.max().x.min(area.max().x));
             surface(canvas, shown, all, colour, time);
         }
-        // Two faint bands of light that drift below the surface.
         for band in 0..2_u8 {
             let depth = 18.0 + 26.0 * f32::from(band);
             let y = all.min.y + depth + 3.0 * (time * 0.9 + f64::from(band) * 2.0).sin() as f32;
@@ -245,7 +243,7 @@ pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
     }
 }
 
-/// The parts of a liquid's surface, m from left to right, on which nothing lies: no other liquid and no rock.
+/// The stretches of a liquid's surface, m from left to right, without another liquid or rock on them.
 fn open_surface(fluids: &[Fluid], world: &[Solid], index: usize) -> Vec<(f64, f64)> {
     let zone = &fluids[index].zone;
     let others = fluids.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, fluid)| fluid.zone);
@@ -265,8 +263,7 @@ fn open_surface(fluids: &[Fluid], world: &[Solid], index: usize) -> Vec<(f64, f6
     open
 }
 
-/// The colour by which a picture is multiplied where it is drawn: white in the air, some of a liquid's colour in it, by the share of
-/// the box that is in it.
+/// The colour that multiplies a picture: white in the air, a mix with a liquid's colour by the share of the box in it.
 pub fn in_liquid(fluids: &[Fluid], bounds: &Aabb) -> Colour {
     let all = bounds.size().x * bounds.size().y;
     fluids.iter().fold(Colour::WHITE, |light, fluid| {
@@ -304,7 +301,7 @@ fn surface(canvas: &Canvas, (left, right): (f32, f32), all: Area, colour: Colour
     }
 }
 
-/// The colour half way to white.
+/// Half way to white.
 fn mixed(colour: Colour) -> Colour {
     Colour::new(0.5 + colour.r * 0.5, 0.5 + colour.g * 0.5, 0.5 + colour.b * 0.5, 1.0)
 }

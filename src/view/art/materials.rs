@@ -1,15 +1,15 @@
-//! The materials as square patterns that tile, and the two movable plain shapes: all slate, each told by its texture.
+//! The materials as square patterns that tile, and the two movable plain shapes: all slate, each with a texture of its own.
 
 use super::paint::{Pixels, noise};
 
-/// How many metres a pattern covers before it repeats.
+/// Metres that a pattern covers before it repeats.
 pub const TILE_METRES: f64 = 4.0;
 /// Width and height of a pattern, pixels: 48 a metre.
 pub const SIZE: usize = 192;
 
 type Rgb = [f32; 3];
 
-/// The pattern of a material by its name; asphalt for a name without a pattern of its own.
+/// The pattern of a material's name; asphalt for a name without a pattern.
 pub fn pattern(material: &str) -> Pixels {
     match material {
         "Steel" => steel(),

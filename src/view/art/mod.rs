@@ -1,5 +1,5 @@
-//! The art: the game paints every picture of its own onto one sheet, so that all that is drawn with it goes to the graphics card in one
-//! batch. The pictures of a level's author (sprites, a background) are in [`super::pictures`].
+//! The art: the game paints its own pictures onto one sheet, so that they go to the graphics card in one batch. The pictures of a
+//! level's author (sprites, a background) are in [`super::pictures`].
 
 mod materials;
 mod paint;
@@ -17,7 +17,7 @@ use std::sync::LazyLock;
 
 /// Width and height of the sheet, pixels.
 const SHEET: usize = 1024;
-/// Pixels round each picture that filtering may reach.
+/// Pixels round each picture that filtering may read.
 const GUTTER: usize = 2;
 /// Width and height of the ship, pixels: four times the size at which it is usually drawn.
 const SHIP: usize = 4 * SHIP_PIXELS as usize;
@@ -42,7 +42,6 @@ pub enum Tile {
 }
 
 impl Tile {
-    /// Width and height, pixels.
     const fn size(self) -> (usize, usize) {
         match self {
             Self::Ship => (SHIP, SHIP),
@@ -55,7 +54,7 @@ impl Tile {
         }
     }
 
-    /// Paints it; the ship, which takes longest, is painted once and handed in.
+    /// The ship, which takes longest, is painted once and handed in.
     fn paint(self, ship: &Pixels) -> Pixels {
         let (width, height) = self.size();
         match self {
@@ -70,7 +69,7 @@ impl Tile {
     }
 }
 
-/// Where each picture lies on the sheet, pixels: in rows from the top.
+/// The place of each picture on the sheet, pixels: in rows from the top.
 static PLACES: LazyLock<Vec<(Tile, Area)>> = LazyLock::new(|| {
     let others = [Tile::Hatching, Tile::Ship, Tile::SmallShip, Tile::Glow, Tile::Flame, Tile::Disc];
     let (mut next, mut row) = ((0, 0), 0);
@@ -88,7 +87,7 @@ static PLACES: LazyLock<Vec<(Tile, Area)>> = LazyLock::new(|| {
     Material::ALL.iter().map(|material| Tile::Material(material.name)).chain(others).map(place).collect()
 });
 
-/// The bytes of the sheet, RGBA: painted afresh.
+/// RGBA, painted at each call.
 pub fn sheet() -> Vec<u8> {
     let mut sheet = Pixels::new(SHEET, SHEET, [255; 3]);
     let ship = ship::ship(SHIP);
@@ -99,7 +98,7 @@ pub fn sheet() -> Vec<u8> {
     sheet.into_bytes()
 }
 
-/// The part of the sheet on which a picture lies. A material without a picture of its own looks like the first.
+/// The place of a picture on the sheet. A material without a picture looks like the first.
 fn place(tile: Tile) -> Area {
     let found = PLACES.iter().find(|(known, _)| *known == tile).unwrap_or(&PLACES[0]).1;
     Area { min: found.min / SHEET as f32, size: found.size / SHEET as f32 }
@@ -145,12 +144,12 @@ pub fn halo(canvas: &Canvas, around: Area, reach: f32, tint: Colour) {
     }
 }
 
-/// The ship as a picture of so many pixels a side, RGBA: for the window's icon.
+/// The ship as a picture of `side` pixels a side, RGBA: for the window's icon.
 pub fn icon(side: usize) -> Vec<u8> {
     ship::ship(2 * side).halved().into_bytes()
 }
 
-/// Cuts a box at the lines where a pattern begins anew.
+/// Cuts a box at the lines where a pattern begins again.
 fn pieces(bounds: &Aabb) -> Vec<Aabb> {
     let cuts = |from: f64, to: f64| {
         let first = (from / TILE_METRES).floor() as i64 + 1;

@@ -1,6 +1,6 @@
 //! A small painter of pictures in memory: shapes with smooth edges and textures from a function of the place.
 
-/// Samples a pixel and axis that decide how much of it a shape covers.
+/// Samples a pixel and axis that measure how much of it a shape covers.
 const SAMPLES: usize = 2;
 
 /// A picture in straight (not premultiplied) RGBA, row by row from the top.
@@ -18,13 +18,13 @@ impl Pixels {
         Self { width, height, bytes: [r, g, b, 0].repeat(width * height) }
     }
 
-    /// A picture made pixel by pixel, from the pixel's column and row to its colour.
+    /// `colour` maps a pixel's column and row to its colour.
     pub fn of(width: usize, height: usize, colour: impl Fn(usize, usize) -> [u8; 4]) -> Self {
         let bytes = (0..width * height).flat_map(|i| colour(i % width, i / width)).collect();
         Self { width, height, bytes }
     }
 
-    /// Width and height, pixels.
+    /// Pixels.
     #[cfg(test)]
     pub const fn size(&self) -> (usize, usize) {
         (self.width, self.height)
@@ -35,7 +35,6 @@ impl Pixels {
         self.bytes
     }
 
-    /// The colour at a pixel.
     pub fn at(&self, x: usize, y: usize) -> [u8; 4] {
         let i = (y * self.width + x) * 4;
         [self.bytes[i], self.bytes[i + 1], self.bytes[i + 2], self.bytes[i + 3]]
@@ -46,7 +45,7 @@ impl Pixels {
         self.bytes[i..i + 4].copy_from_slice(&colour);
     }
 
-    /// Paints every place that `inside` holds, given from −1 to 1 across and down the picture, with `colour` of that place.
+    /// Paints each place in `inside`, −1 to 1 across and down the picture, with its `colour`.
     pub fn fill(&mut self, inside: impl Fn(f32, f32) -> bool, colour: impl Fn(f32, f32) -> [u8; 3]) {
         let place = |pixel: usize, sample: f32, size: usize| (pixel as f32 + sample) / size as f32 * 2.0 - 1.0;
         for y in 0..self.height {
@@ -66,7 +65,7 @@ impl Pixels {
         }
     }
 
-    /// The same picture at half the size, each pixel the mean of four by what they cover.
+    /// The same picture at half the size, each pixel the mean of four weighted by opacity.
     pub fn halved(&self) -> Self {
         Self::of(self.width / 2, self.height / 2, |x, y| {
             let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(dx, dy)| self.at(2 * x + dx, 2 * y + dy).map(f32::from));
@@ -91,7 +90,7 @@ impl Pixels {
     }
 }
 
-/// `colour` painted over a pixel with that much cover.
+/// `colour` painted over a pixel with that cover (0 … 1).
 fn over(under: [u8; 4], colour: [u8; 3], cover: f32) -> [u8; 4] {
     let below = f32::from(under[3]) / 255.0 * (1.0 - cover);
     let alpha = cover + below;
@@ -99,7 +98,7 @@ fn over(under: [u8; 4], colour: [u8; 3], cover: f32) -> [u8; 4] {
     [mix(colour[0], under[0]), mix(colour[1], under[1]), mix(colour[2], under[2]), (alpha * 255.0).round() as u8]
 }
 
-/// A number from 0 to 1 that belongs to a place: the same on every run, different at every place.
+/// A hash of the place, 0 to 1: the same on every run.
 pub fn noise(x: usize, y: usize, seed: u32) -> f32 {
     let mut h = (x as u32).wrapping_mul(0x9E37_79B1) ^ (y as u32).wrapping_mul(0x85EB_CA77) ^ seed.wrapping_mul(0xC2B2_AE3D);
     h = (h ^ (h >> 15)).wrapping_mul(0x2C1B_3C6D);

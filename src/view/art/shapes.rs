@@ -1,4 +1,4 @@
-//! Small pictures that are tinted where they are drawn: soft discs and glows, the flame, the hatching of death boxes.
+//! Small pictures that the canvas tints: soft discs and glows, the flame, the hatching of death boxes.
 
 use super::paint::Pixels;
 
@@ -12,7 +12,7 @@ pub fn glow(size: usize) -> Pixels {
     radial(size, |r| (1.0 - r).max(0.0).powi(2))
 }
 
-/// Pixels by their distance from the middle (1 at the rim) to their alpha.
+/// Maps the distance from the middle (1 at the rim) to alpha.
 fn radial(size: usize, alpha: impl Fn(f32) -> f32) -> Pixels {
     Pixels::of(size, size, |x, y| {
         let from = |p: usize| (p as f32 + 0.5) / size as f32 * 2.0 - 1.0;

@@ -17,7 +17,7 @@ const RIM: f32 = 0.04;
 /// Where the shell ends and the belly begins.
 const WAIST: f32 = 0.30;
 
-/// The ship, `size` pixels wide and high.
+/// `size` is width and height, pixels.
 pub fn ship(size: usize) -> Pixels {
     let mut p = Pixels::new(size, size, OUTLINE);
     // Fins: they give the tail its width and tell it from the nose.
@@ -55,7 +55,7 @@ fn nozzle(x: f32, y: f32, inset: f32) -> bool {
     (0.70..0.955 - inset).contains(&y) && x.abs() < 0.15 + (y - 0.70) * 0.2 - inset
 }
 
-/// The right fin: a swept quadrilateral.
+/// The right fin, a swept quadrilateral.
 fn fin(x: f32, y: f32, inset: f32) -> bool {
     let corners = [(0.50, -0.06), (0.89, 0.36), (0.72, 0.64), (0.30, 0.74)];
     (0..4).all(|i| {

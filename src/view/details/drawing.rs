@@ -1,4 +1,4 @@
-//! Draws the overlay as it is arranged.
+//! Draws the overlay from its layout.
 
 use super::{Details, LegendNote, PADDING, PlacedBox};
 use crate::draw::layout::{Area, CORNER, DETAILS, MONO_ADVANCE, Vec2};
@@ -8,7 +8,6 @@ use crate::view::names;
 use crate::view::theme;
 
 impl Details {
-    /// Draws the shapes and the words.
     pub fn draw(&self, canvas: &Canvas) {
         for place in &self.lit_places {
             canvas.rounded_edge(*place, 0.0, 3.0, theme::accent());

@@ -1,4 +1,5 @@
-//! The legend: the scale of the arrows, what the marks mean, what is left out, and the parts of the model when they are asked for.
+//! The legend: the scale of the arrows, the meaning of the marks, the counts of boxes and arrows left out, and on demand the parts
+//! of the model.
 
 use super::{Details, Looking, PADDING};
 use crate::draw::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, Vec2, wrapped};
@@ -7,22 +8,21 @@ use crate::view::boxes::{self, BoxWish};
 use crate::view::quantity::scalar;
 use crate::view::scale::ArrowScale;
 
-/// The longest line of the legend, characters: longer ones are wrapped, so that it leaves room for the boxes.
+/// The longest line of the legend, characters: longer ones are wrapped and leave room for the boxes.
 const LEGEND_WIDTH: usize = 46;
-/// Its further lines stand below the first one's words, behind the dot.
+/// Further lines of a note stand below the first one's words, behind the dot.
 const LEGEND_INDENT: usize = 2;
 
 /// A few lines in a panel of their own.
 #[derive(Clone, Debug, Default)]
 pub struct LegendNote {
-    /// The lines.
     pub lines: Vec<String>,
-    /// Where it stands; nowhere, where it finds no room.
+    /// `None` without room.
     pub area: Option<Area>,
 }
 
 impl LegendNote {
-    /// The room that such lines need.
+    /// The room that the lines need.
     pub(super) fn size(lines: &[String], frame: &Frame) -> Vec2 {
         let text = frame.text_height(DETAILS);
         let longest = lines.iter().map(|line| line.chars().count()).max().unwrap_or(0);
@@ -31,7 +31,7 @@ impl LegendNote {
 }
 
 impl Details {
-    /// The legend, as near to the top right as there is room.
+    /// As near to the top right as there is room.
     pub(super) fn place_legend(
         &mut self,
         game: &Game,
@@ -59,7 +59,7 @@ impl Details {
         if self.arranged.arrows.iter().any(|arrow| !arrow.to_scale) {
             lines.push("Marked //: not to scale".to_owned());
         }
-        // The boxes are those of the frame before: where they go depends on where this is.
+        // The boxes are those of the frame before: their places depend on the legend's.
         for (count, what, how) in [(self.left_out, "object", "without a box"), (self.arranged.left_out, "arrow", "without room")] {
             if count > 0 {
                 lines.push(format!("{count} more {what}{} {how}", if count > 1 { "s" } else { "" }));

@@ -1,4 +1,4 @@
-//! What a box says, letter by letter: this is what is drawn, and what tests read.
+//! The text of a box, letter by letter: the drawing shows it, and the tests read it.
 
 use super::PADDING;
 use crate::draw::layout::{DETAILS, Frame, LINE, MONO_ADVANCE, Vec2};
@@ -6,39 +6,35 @@ use crate::physics::{BodyId, DVec2};
 use crate::view::facts::{ArrowKind, BodyFacts, FactRow, Value};
 use crate::view::quantity::{number_width, quantity};
 
-/// Numbers are given room for this many characters at least, so that boxes seldom change their width: "−0.123".
+/// The least width of a number in characters, so that boxes seldom change their width: "−0.123".
 const NUMBER_WIDTH: usize = 6;
 /// Characters of the longest unit that is usual.
 const UNIT_WIDTH: usize = 4;
 
-/// A line of a box.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BoxLine {
-    /// What it is, and by whom.
+    /// The quantity, and the body that exerts it.
     pub label: String,
-    /// How much, with its unit.
+    /// Number and unit.
     pub value: String,
-    /// What it tells of, if that has a colour.
+    /// The force or impact, where the line has a colour.
     pub shown: Option<ArrowKind>,
-    /// Whether it says that there is nothing.
+    /// Whether the value is zero as written.
     pub nothing: bool,
-    /// Which of the body's facts it is.
+    /// Index among the body's facts.
     pub row: usize,
 }
 
-/// All that a box says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BoxText {
-    /// Of whom.
+    /// The body of the box.
     pub body: BodyId,
-    /// Its heading.
     pub title: String,
-    /// Its lines.
     pub lines: Vec<BoxLine>,
 }
 
 impl BoxText {
-    /// The text of a box; `short`, for when there is no room: heading and resultant.
+    /// `short`, without room: heading and resultant.
     pub fn new(facts: &BodyFacts, short: bool) -> Self {
         let width = number_width(&facts.rows, NUMBER_WIDTH);
         let line = |(row, told): (usize, &FactRow)| BoxLine {
@@ -53,12 +49,12 @@ impl BoxText {
         Self { body: facts.body, title: facts.title.clone(), lines }
     }
 
-    /// Where the numbers begin, characters from the names.
+    /// The column at which the numbers begin, characters from the names.
     pub fn column(&self) -> usize {
         self.lines.iter().map(|line| line.label.chars().count() + 1).max().unwrap_or(0)
     }
 
-    /// The size of its box: its longest line, or the longest that is usual, and the number of its lines.
+    /// Its longest line, or the longest usual one, by the number of its lines.
     pub fn size(&self, frame: &Frame) -> Vec2 {
         let text = frame.text_height(DETAILS);
         // Brackets, comma and spaces stand between and around the numbers and their unit.

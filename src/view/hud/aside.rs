@@ -1,10 +1,9 @@
-//! The parts of the head-up display step aside for the ship, hazards, goals and keys: a part that would hide one of them fades, and the fuel
-//! bar sinks to a thin line at the window's edge.
+//! The parts of the head-up display step aside for the ship, hazards, goals and keys: a part that would hide one of them fades, and
+//! the fuel bar sinks to a thin line at the window's edge.
 
 use crate::draw::layout::{Area, Frame, GRID};
 use crate::view::hud::HudLayout;
 
-/// A part of the display.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HudPart {
     /// Time, objectives and speed, at the top left.
@@ -16,29 +15,26 @@ pub enum HudPart {
 }
 
 impl HudPart {
-    /// All of them.
     pub const ALL: [Self; 3] = [Self::Status, Self::Fuel, Self::Race];
 }
 
-/// Which parts are shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HudShown {
-    /// Whether time, objectives and speed are.
+    /// Time, objectives and speed.
     pub status: bool,
-    /// Whether the fuel is.
+    /// The fuel bar.
     pub fuel: bool,
-    /// Against how many ghosts the ship races; without any there is no strip.
+    /// The number of ghosts in the race; 0 hides the strip.
     pub rivals: usize,
 }
 
-/// A part steps aside for what is nearer than this, canvas units.
+/// A part steps aside for an object nearer than this, canvas units.
 const NEAR: f32 = GRID;
-/// Time in which a part steps aside, s.
+/// Duration of a part's step aside, s.
 const TIME: f32 = 0.16;
-/// Height of the line that stays of the fuel bar, canvas units.
+/// Height of the line that remains of the fuel bar, canvas units.
 const LINE: f32 = 4.0;
 
-/// How far each part has stepped aside.
 #[derive(Clone, Debug, Default)]
 pub struct Aside {
     homes: [Option<Area>; 3],
@@ -47,8 +43,8 @@ pub struct Aside {
 }
 
 impl Aside {
-    /// Goes on by `frame_time` seconds, with the ship and its speed, canvas units a second, and everything else that may not be
-    /// hidden where they are drawn.
+    /// Advances by `frame_time` seconds, with the drawn places of the ship (its speed in canvas units a second) and of everything
+    /// else that may not be hidden.
     pub fn update(&mut self, shown: HudShown, (ship, speed): (Area, f32), others: &[Area], frame: &Frame, frame_time: f64) {
         let layout = HudLayout::new(frame);
         let race = (shown.rivals > 0).then(|| layout.race(frame, shown.rivals));
@@ -65,22 +61,22 @@ impl Aside {
         }
     }
 
-    /// Where a part stands when nothing is in its way; `None` where it is not shown.
+    /// The undisturbed place of a part; `None` where it is not shown.
     pub const fn home(&self, part: HudPart) -> Option<Area> {
         self.homes[part as usize]
     }
 
-    /// Where every part that is shown stands when nothing is in its way.
+    /// The undisturbed place of every part that is shown.
     pub fn homes(&self) -> impl Iterator<Item = Area> {
         self.homes.iter().copied().flatten()
     }
 
-    /// How far a part has stepped aside: 0 at home, 1 where what lies behind it is to be seen.
+    /// 0 at home, 1 aside.
     pub const fn of(&self, part: HudPart) -> f32 {
         self.parts[part as usize]
     }
 
-    /// Where the fuel bar is drawn on its path from its home to the line at the window's edge.
+    /// The fuel bar on its path from its home to the line at the window's edge.
     pub fn fuel_bar(&self, frame: &Frame) -> Option<Area> {
         let home = self.home(HudPart::Fuel)?;
         let aside = self.of(HudPart::Fuel);

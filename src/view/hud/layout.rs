@@ -1,16 +1,16 @@
-//! Where the parts of the head-up display stand.
+//! Places of the head-up display's parts.
 
 use crate::draw::layout::{Area, Frame, GRID, TEXT, Vec2};
 use crate::game::Game;
 
-/// Width and height of the fuel bar in the head-up display as shares of the window's.
+/// Width and height of the fuel bar as shares of the window's.
 const BAR: Vec2 = Vec2::new(0.75, 0.03);
-/// Height of its panel at the top left.
+/// Height of the panel at the top left.
 const STATUS_HEIGHT: f32 = 72.0;
 /// Width of a ghost's column in a race, in heights of text.
 const RACE_COLUMN: f32 = 6.6;
 
-/// Where the parts of the head-up display stand: nothing else should cover them.
+/// Nothing else should cover these places.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HudLayout {
     /// Timer and objectives, at the top left.
@@ -20,7 +20,6 @@ pub struct HudLayout {
 }
 
 impl HudLayout {
-    /// The places on a canvas.
     pub fn new(frame: &Frame) -> Self {
         let bar = frame.size * BAR;
         let left = (frame.size.x - bar.x) / 2.0;
@@ -35,12 +34,12 @@ impl HudLayout {
         }
     }
 
-    /// Its parts where it is shown: in a game in which the ship plays a part.
+    /// The parts in a game in which the ship plays a part.
     pub fn shown(frame: &Frame, game: &Game) -> Vec<Area> {
         if game.level().ship_plays() { Self::new(frame).areas().to_vec() } else { Vec::new() }
     }
 
-    /// Where a race stands: a strip beside the timer, with a column for each of so many ghosts.
+    /// The strip of a race beside the timer, a column a ghost.
     pub fn race(&self, frame: &Frame, ghosts: usize) -> Area {
         let left = self.status.max().x + GRID;
         let column = RACE_COLUMN * frame.text_height(TEXT);
@@ -48,7 +47,6 @@ impl HudLayout {
         Area::new(left, self.status.min.y, width, frame.text_height(TEXT) * 2.8)
     }
 
-    /// Every part.
     pub fn areas(&self) -> [Area; 2] {
         [self.status, self.fuel]
     }

@@ -7,36 +7,34 @@ use crate::level::ObjectiveKind;
 use crate::number::fixed;
 use crate::physics::{Aabb, BodyId, DVec2};
 
-/// A goal or a key of which less than this is in the window is outside, canvas units; of a smaller one half of it.
+/// A goal or a key with less than this in the window is outside, canvas units; a smaller one with less than half of itself.
 const LEAST_SEEN: f32 = 16.0;
-/// Length of an arrow's head, and the side of the sign, canvas units.
+/// Length of an arrow's head, and side of the sign, canvas units.
 pub const HEAD: f32 = 16.0;
 pub const SIGN: f32 = 18.0;
 /// From the window's edge to an arrow, canvas units.
 const MARGIN: f32 = GRID;
-/// From one place that is tried to the next, canvas units, and how many rows of places there are, from the edge inwards.
+/// The search's step along the edge, canvas units, and its number of rows, from the edge inwards.
 const STEP: f32 = GRID;
 const ROWS: usize = 4;
-/// The most arrows: more say nothing.
+/// The most arrows: more tell nothing.
 const MOST: usize = 12;
 
-/// What an arrow points to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PointerTarget {
-    /// The objective of that index.
+    /// Index of the objective.
     Objective(usize),
-    /// The key object of that index in the level's objects.
+    /// Index of the key object in the level's objects.
     Key(usize),
 }
 
 /// An arrow with its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pointer {
-    /// What it points to.
     pub target: PointerTarget,
-    /// Its words: the distance.
+    /// The distance, in words.
     pub words: String,
-    /// All of it, its head included wherever that points.
+    /// All of it, with room for its head in any direction.
     pub area: Area,
     /// The unit vector to its target.
     pub along: Vec2,
@@ -49,7 +47,7 @@ impl Pointer {
     }
 }
 
-/// The goals that are not met and the keys that an unmet one waits for, each with where it is, m; `centres` is where bodies are drawn, m.
+/// The unmet goals and the keys that an unmet one waits for, each with its place, m; `centres` are the drawn centres of bodies, m.
 pub fn targets(game: &Game, centres: &[DVec2]) -> Vec<(PointerTarget, Aabb)> {
     let level = game.level();
     if game.outcome() != Outcome::Running {
@@ -76,8 +74,8 @@ pub fn in_view(area: &Area, frame: &Frame) -> bool {
     seen.cmpge((area.size / 2.0).min(Vec2::splat(LEAST_SEEN))).all()
 }
 
-/// The arrows, the nearest target's first: inside the window, over nothing in `taken`, over no other, and, as far as there is room, over
-/// nothing in `clear`.
+/// The arrows, the nearest target's first: inside the window, over nothing in `taken`, over no other, and, where there is room,
+/// over nothing in `clear`.
 pub fn place(game: &Game, centres: &[DVec2], taken: &[Area], clear: &[Area], view: &Viewport, frame: &Frame) -> Vec<Pointer> {
     let ship = centres[SHIP.index()];
     let outside = |(_, bounds): &(PointerTarget, Aabb)| !in_view(&super::on_canvas(bounds, view), frame);

@@ -1,5 +1,5 @@
-//! What a draughtsman adds to the rock: hatching along its edge, a dimension line here and there, crosses where the heavy lines of the
-//! paper would meet. Plain geometry in metres, y down.
+//! The drafting on the rock: hatching along its edge, dimension lines, crosses where the heavy lines of the paper would meet. Plain
+//! geometry in metres, y down.
 
 use super::silhouette::{Corner, RockEdge, Silhouette};
 use crate::physics::{Aabb, DVec2};
@@ -7,33 +7,34 @@ use std::collections::BTreeSet;
 
 /// Between two strokes, along an edge, m.
 const STEP: f64 = 0.6;
-/// How long a stroke is at least, and how much longer at most, m.
+/// The least length of a stroke, and the most that it is longer, m.
 const SHORTEST: f64 = 0.5;
 const LONGER: f64 = 0.9;
 /// Shorter strokes are left out, m: they would be dots.
 const LEAST: f64 = 0.2;
-/// The strokes of a level at most: in a very large one they stand further apart.
+/// The most strokes of a level: in a very large one they stand further apart.
 const MOST_STROKES: f64 = 40_000.0;
-/// Between two grains, along an edge, m, and how deep they lie at most. At most so many of them in a level.
+/// Spacing of grains along an edge and their greatest depth, m; the most grains of a level.
 const GRAIN_STEP: f64 = 0.3;
 const GRAIN_DEPTH: f64 = 0.42;
 const MOST_GRAINS: f64 = 80_000.0;
-/// How long what is measured is at least and at most, m: shorter has no room for its number, longer does not fit into the window.
+/// The least and the greatest length with a dimension line, m: a shorter one has no room for its number, a longer one does not fit
+/// into the window.
 const MEASURED: (f64, f64) = (3.0, 36.0);
-/// How deep in the rock a dimension line lies, and how much rock it needs above and below it, m.
+/// Depth of a dimension line in the rock, and the rock that it needs above and below it, m.
 const DEEP: f64 = 1.5;
 const ROOM: f64 = 0.6;
-/// One dimension line at most in each cell of the level so large, m; further ones would be noise.
+/// Size of the cells with at most one dimension line, m; further ones would be noise.
 const CELL: DVec2 = DVec2::new(14.0, 9.0);
-/// The dimension lines of a level at most.
+/// The most dimension lines of a level.
 const MOST_DIMENSIONS: usize = 400;
-/// Between two crosses, m: the heavy lines of the paper. Where a level has more than so many of them, they are left out.
+/// Spacing of crosses, m: the heavy lines of the paper. A level with more than the most crosses has none.
 const CROSSES: f64 = 10.0;
 const MOST_CROSSES: f64 = 10_000.0;
-/// How far the rock reaches round a cross at least, m.
+/// The least rock round a cross, m.
 const CROSS_ROOM: f64 = 1.5;
 
-/// A stroke of the hatching: strong at its beginning, on the edge, gone at its end, in the rock.
+/// A stroke of the hatching: opaque at its beginning on the edge, transparent at its end in the rock.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HatchStroke {
     /// m.
@@ -42,7 +43,6 @@ pub struct HatchStroke {
     pub to: DVec2,
 }
 
-/// A grain of stone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grain {
     /// m.
@@ -51,24 +51,24 @@ pub struct Grain {
     pub size: f64,
 }
 
-/// A dimension line in the rock, parallel to the edge whose length it tells.
+/// A dimension line in the rock, parallel to the measured edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dimension {
     /// Its ends, m, the left or upper one first.
     pub from: DVec2,
     /// m.
     pub to: DVec2,
-    /// From the line to the edge that is measured, m: at right angles to the line.
+    /// From the line to the measured edge, at right angles, m.
     pub to_edge: DVec2,
 }
 
 impl Dimension {
-    /// What it says, m.
+    /// m.
     pub fn length(&self) -> f64 {
         (self.to - self.from).length()
     }
 
-    /// All that it covers, its number included, m.
+    /// The box of the line and its number, m.
     pub fn bounds(&self) -> Aabb {
         let ends = Aabb::new(self.from.min(self.to), self.from.max(self.to));
         let edge = self.to_edge.abs().normalize_or_zero() * ROOM;
@@ -76,8 +76,8 @@ impl Dimension {
     }
 }
 
-/// The hatching along all edges of a kind: strokes at 45°, on lines that run through the whole level. No stroke leaves what is of
-/// that kind, and strokes from opposite sides do not meet.
+/// The hatching along all edges of a kind: strokes at 45°, on lines that run through the whole level. No stroke leaves its kind,
+/// and strokes from opposite sides do not meet.
 pub fn hatching(mass: &Silhouette, kind: usize) -> Vec<HatchStroke> {
     let edges = || mass.edges().iter().filter(move |edge| edge.kind == kind);
     let step = STEP.max(edges().map(RockEdge::length).sum::<f64>() / MOST_STROKES);
@@ -101,7 +101,7 @@ pub fn hatching(mass: &Silhouette, kind: usize) -> Vec<HatchStroke> {
     strokes
 }
 
-/// The grain of stone along all edges of a kind: all of it in what is of that kind, the less of it the deeper.
+/// The grain of stone along all edges of a kind, inside that kind and thinner with depth.
 pub fn grains(mass: &Silhouette, kind: usize) -> Vec<Grain> {
     let edges = || mass.edges().iter().filter(move |edge| edge.kind == kind && edge.depth > GRAIN_DEPTH);
     let step = GRAIN_STEP.max(edges().map(RockEdge::length).sum::<f64>() / MOST_GRAINS);
@@ -114,12 +114,12 @@ pub fn grains(mass: &Silhouette, kind: usize) -> Vec<Grain> {
             grains.push(Grain { at: edge.from + edge.along() * along + edge.inward * deep, size: random(2) });
         }
     }
-    // Where blocks of other kinds lie behind the edge there is no grain.
+    // No grain lies in blocks of other kinds behind the edge.
     grains.retain(|grain| mass.holds(&Aabb::around(grain.at, DVec2::splat(0.05)), kind));
     grains
 }
 
-/// A number from 0 to 1 for a line of the hatching on a side, the same on every run.
+/// A hash from 0 to 1 of a line of the hatching on a side, the same on every run.
 fn chance(line: i64, side: DVec2) -> f64 {
     let side = (side.x * 3.0 + side.y) as i64;
     let mut bits = line.wrapping_mul(4).wrapping_add(side.wrapping_mul(7919)) as u64;
@@ -128,11 +128,11 @@ fn chance(line: i64, side: DVec2) -> f64 {
     ((bits >> 40) as f64) / f64::from(1 << 24)
 }
 
-/// Dimension lines beneath edges that have the rock for them; none covers another or a box of `taken`.
+/// Dimension lines beneath edges of rock; none covers another or a box of `taken`.
 pub fn dimensions(mass: &Silhouette, kind: usize, taken: &[Aabb]) -> Vec<Dimension> {
     let mut cells = BTreeSet::new();
     let mut found: Vec<Dimension> = Vec::new();
-    // Whole sides only: what ends where another kind begins is no length that a builder would ask for.
+    // Whole sides only: a part that ends at another kind is no length that a builder would ask for.
     let whole = |edge: &&RockEdge| edge.corners.iter().all(|corner| *corner != Corner::Straight);
     for edge in mass.edges().iter().filter(|edge| edge.kind == kind).filter(whole) {
         if !(MEASURED.0..=MEASURED.1).contains(&edge.length()) || edge.depth < DEEP + ROOM || found.len() >= MOST_DIMENSIONS {
@@ -154,7 +154,7 @@ pub fn dimensions(mass: &Silhouette, kind: usize, taken: &[Aabb]) -> Vec<Dimensi
     found
 }
 
-/// The places inside the rock of a level of that size (m) at which the heavy lines of the paper would meet, clear of `taken`.
+/// The crosses of the paper's heavy lines inside the rock of a level of that size (m), clear of `taken`.
 pub fn crosses(mass: &Silhouette, kind: usize, size: DVec2, taken: &[Aabb]) -> Vec<DVec2> {
     let count = (size / CROSSES).floor();
     if (count.x + 1.0) * (count.y + 1.0) > MOST_CROSSES {

@@ -1,13 +1,13 @@
-//! How lights fall on the edges of the rock: which stretches, and how brightly. Plain geometry in metres, y down.
+//! Light on the edges of the rock: the lit stretches and their brightness. Plain geometry in metres, y down.
 
 use super::silhouette::RockEdge;
 use crate::physics::{Aabb, DVec2};
 
-/// An edge is lit in pieces of this length, m: between their ends the light changes evenly.
+/// Length of the pieces of a lit edge, m: between their ends the light changes evenly.
 const PIECE: f64 = 0.5;
-/// Light weaker than this is left out, of 1.
+/// Weaker light is left out, of 1.
 const FAINTEST: f32 = 0.01;
-/// A ray begins so far off the edge that it is to reach, m: what lies on the edge does not shade it.
+/// Rays begin this far off the edge, m: a box on the edge does not shade it.
 const OFF: f64 = 0.02;
 
 /// A stretch of an edge with light on it.
@@ -19,21 +19,21 @@ pub struct Lit {
     pub to: DVec2,
     /// The unit vector into the rock.
     pub inward: DVec2,
-    /// How deep the light may reach into the rock, m.
+    /// The greatest depth of the light in the rock, m.
     pub depth: f64,
     /// The light at both ends, 0 … 1.
     pub strength: [f32; 2],
 }
 
-/// The light that a glowing box (a point, where it has no size) throws on the edges that face it, up to `reach` (m) away, past
-/// everything in `opaque`.
+/// The light of a glowing box (a point, where it has no size) on the edges that face it, up to `reach` (m) away, past everything in
+/// `opaque`.
 pub fn cast(edges: &[RockEdge], source: &Aabb, reach: f64, opaque: &[Aabb]) -> Vec<Lit> {
     let lit_space = Aabb::new(source.min - reach, source.max + reach);
     let shading: Vec<&Aabb> = opaque.iter().filter(|solid| solid.touches(&lit_space, 0.0)).collect();
     let mut lit = Vec::new();
     for edge in edges.iter().filter(|edge| edge.bounds().touches(&lit_space, 0.0)) {
         let along = edge.along();
-        // Only what is within reach is cut into pieces: an edge may be as long as the level.
+        // Only the part within reach is cut into pieces: an edge may be as long as the level.
         let near = |corner: DVec2| (corner - edge.from).dot(along);
         let (a, b) = (near(lit_space.min), near(lit_space.max));
         let (from, to) = (a.min(b).clamp(0.0, edge.length()), a.max(b).clamp(0.0, edge.length()));
@@ -52,7 +52,7 @@ pub fn cast(edges: &[RockEdge], source: &Aabb, reach: f64, opaque: &[Aabb]) -> V
     lit
 }
 
-/// The light at a point of an edge: falls off to nothing at the reach, and with the angle at which it comes.
+/// The light at a point of an edge: it falls off to nothing at the reach, and with the angle of incidence.
 fn strength(at: DVec2, inward: DVec2, source: &Aabb, reach: f64, opaque: &[&Aabb]) -> f32 {
     let at = at - inward * OFF;
     let nearest = at.clamp(source.min, source.max);
@@ -60,7 +60,7 @@ fn strength(at: DVec2, inward: DVec2, source: &Aabb, reach: f64, opaque: &[&Aabb
     if distance >= reach {
         return 0.0;
     }
-    // It comes from half the height of the box over the edge: what stands on a floor lights the floor beside it, too.
+    // The ray comes from half the height of the box over the edge: a lamp on a floor also lights the floor beside it.
     let from = if inward.x == 0.0 { DVec2::new(nearest.x, source.centre().y) } else { DVec2::new(source.centre().x, nearest.y) };
     let facing = (-inward).dot((from - at).normalize_or_zero());
     if facing <= 0.0 || opaque.iter().any(|solid| crosses(at, from, solid)) {
@@ -70,7 +70,7 @@ fn strength(at: DVec2, inward: DVec2, source: &Aabb, reach: f64, opaque: &[&Aabb
     (fall * fall * facing.sqrt()) as f32
 }
 
-/// Whether the way from one point to another leads through a box.
+/// Whether the straight path between two points leads through a box.
 fn crosses(from: DVec2, to: DVec2, solid: &Aabb) -> bool {
     let way = to - from;
     let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
@@ -85,6 +85,6 @@ fn crosses(from: DVec2, to: DVec2, solid: &Aabb) -> bool {
             leaves = leaves.min(a.max(b));
         }
     }
-    // A light that touches a box, or is inside of it, is not hidden by it.
+    // A box does not hide a light that touches it or is inside of it.
     leaves - enters > 1e-9 && enters < 1.0 - 1e-6
 }

@@ -1,5 +1,5 @@
-//! The solid world as it is drawn: one silhouette with a drafted edge. What it looks like is worked out when a level begins, in metres
-//! and without a window ([`silhouette`], [`drafting`], [`light`]); [`Terrain`] draws what is in view of it.
+//! The solid world: one silhouette with a drafted edge, made once a level, in metres and without a window ([`silhouette`],
+//! [`drafting`], [`light`]); [`Terrain`] draws the part in view.
 
 pub mod drafting;
 pub mod light;
@@ -16,19 +16,19 @@ use crate::level::Level;
 use crate::physics::{Aabb, DVec2, Material};
 use silhouette::Silhouette;
 
-/// The index of a material in [`Material::ALL`]: the kinds of the silhouettes here.
+/// The index of a material in [`Material::ALL`], which is the kind of its silhouettes.
 pub fn kind(name: &str) -> usize {
     Material::ALL.iter().position(|material| material.name == name).unwrap_or(ROCK)
 }
 
-/// The kind of plain rock: Asphalt, of which the edge of every level is.
+/// The kind of plain rock: Asphalt, also round every level.
 pub const ROCK: usize = 0;
-/// How thick the rock is that a level is surrounded with, m.
+/// Thickness of the rock round a level, m.
 const RIM: f64 = 6.0;
 
-/// The solid world of a level with the rock round it, which is its edge, and with the sources of its streams, which are drawn over it:
-/// rock has no edge against them; without what moves, opens, breaks or is solid from one side only. The far side of
-/// that rock has no edge.
+/// The solid world of a level with the rock round it, which is its edge, and with the sources of its streams, which are drawn over
+/// it: rock has no edge against them. Movers, doors, fragile and one-way blocks are left out. The far side of the outer rock has no
+/// edge.
 pub fn mass(level: &Level) -> Silhouette {
     let (size, all) = (level.size, level.bounds());
     let inside = |bounds: &Aabb| Aabb::new(bounds.min.max(all.min), bounds.max.min(all.max));
@@ -47,7 +47,7 @@ pub fn mass(level: &Level) -> Silhouette {
     mass
 }
 
-/// The parts of a box in which there is mass, none over another.
+/// The parts of a box inside the mass, without overlap.
 pub fn parts(mass: &Silhouette, within: &Aabb) -> impl Iterator<Item = Aabb> {
     let pieces = mass.pieces().map(|(piece, _)| piece).filter(move |piece| piece.overlaps(within, 0.0));
     pieces.map(move |piece| Aabb::new(piece.min.max(within.min), piece.max.min(within.max)))

@@ -1,4 +1,4 @@
-//! Draws the terrain: the mass, its materials, what is drafted on it, its edge, and the light that falls on it.
+//! Draws the terrain: the mass, its materials, the drafting, its edge, and the light on it.
 
 use super::drafting::{self, Dimension, Grain, HatchStroke};
 use super::light::{Lit, cast};
@@ -11,52 +11,50 @@ use crate::physics::{Aabb, DVec2, Material};
 use crate::view::art::{self, Tile};
 use crate::view::camera::Viewport;
 
-/// How much of the rock covers an author's picture; materials cover more of it, so that they can be told.
+/// Opacity of rock over an author's picture; materials are more opaque, so that they stay distinct.
 const ROCK_OVER_PICTURE: f32 = 0.45;
 const MATERIAL_OVER_PICTURE: f32 = 0.85;
-/// How deep the sheen of an edge reaches into the rock, m, and how bright it is on the edge.
+/// Depth of an edge's sheen in the rock, m, and its brightness on the edge.
 const SHEEN: f64 = 0.8;
 const SHEEN_LIGHT: f32 = 0.16;
-/// How deep light from outside reaches into the rock, m.
+/// Depth of light from outside in the rock, m.
 const LIT_DEPTH: f64 = 1.2;
-/// Widths of the edge where it faces up and elsewhere, canvas units.
+/// Widths of an upward edge and of the others, canvas units.
 const TOP_WIDTH: f32 = 3.0;
 const SIDE_WIDTH: f32 = 2.0;
-/// How strongly the ink is put down.
+/// Opacities of the ink.
 const HATCHING: f32 = 0.5;
 const GRAIN: f32 = 0.42;
 const DIMENSION: f32 = 0.5;
 const CROSS: f32 = 0.30;
 /// Half a cross, m.
 const CROSS_REACH: f64 = 0.22;
-/// How far from the level's edge dimension lines and crosses stay, m.
+/// Margin of dimension lines and crosses to the level's edge, m.
 const BORDER: f64 = 0.5;
-/// Lights that stand still are worked out once, for so many of them at most.
+/// The most fixed lights, whose light is computed once.
 const MOST_LAMPS: usize = 1000;
 
-/// A light that stands still, and its colour and strength when it is drawn.
+/// The box and the reach (m) of a fixed light.
 pub type Lamp = (Aabb, f64);
 
-/// The terrain of a level.
 pub struct Terrain {
     mass: Silhouette,
-    /// What is not plain rock, each kind by itself: where it meets other kinds.
+    /// The edges of each kind but plain rock.
     seams: Vec<RockEdge>,
     strokes: Vec<HatchStroke>,
     grains: Vec<Grain>,
     dimensions: Vec<(Dimension, String)>,
     crosses: Vec<DVec2>,
     tint: Tint,
-    /// What casts shadows.
+    /// Boxes that cast shadows.
     opaque: Vec<Aabb>,
-    /// What each lamp lights.
+    /// The light of each lamp.
     lit: Vec<Vec<Lit>>,
     over_picture: bool,
 }
 
 impl Terrain {
-    /// The terrain of a level. `lamps` are the boxes that glow all the time, each with the distance up to which it does (m); `texts`
-    /// where words are written.
+    /// `lamps` are the boxes that glow all the time, each with its reach (m); `texts` are the areas of words.
     pub fn new(level: &Level, lamps: impl Iterator<Item = Lamp>, texts: &[Aabb], over_picture: bool) -> Self {
         let mass = mass(level);
         let glass = kind("Glass");
@@ -90,7 +88,7 @@ impl Terrain {
         &self.tint
     }
 
-    /// Draws what is in view. Words (of the dimensions) come with the layer's words.
+    /// Draws the part in view. The words of dimensions lie on the layer's top.
     pub fn draw(&self, view: &Viewport, canvas: &Canvas) {
         self.draw_mass(view, canvas);
         let mut quads = Quads::default();
@@ -108,14 +106,14 @@ impl Terrain {
         parts(&self.mass, within)
     }
 
-    /// Draws the light of the lamp of that index in the order in which they were given.
+    /// `index` counts the lamps of [`Self::new`].
     pub fn draw_lamp(&self, index: usize, colour: Colour, (view, canvas): (&Viewport, &Canvas)) {
         if let Some(lit) = self.lit.get(index) {
             draw_lit(lit, colour, (view, canvas));
         }
     }
 
-    /// Draws the light of something that moves: a point (m) that shines up to `reach` metres far.
+    /// The light of a moving point (m), up to `reach` metres far.
     pub fn draw_moving_light(&self, at: DVec2, reach: f64, colour: Colour, (view, canvas): (&Viewport, &Canvas)) {
         let source = Aabb::around(at, DVec2::ZERO);
         if Aabb::around(at, DVec2::splat(reach)).touches(&view.visible(), 0.0) {
@@ -163,7 +161,7 @@ impl Terrain {
         self.mass.edges().iter().filter(move |edge| edge.bounds().touches(&visible, 0.2))
     }
 
-    /// A light that falls off from the edge into the rock.
+    /// Light that falls off from the edge into the rock.
     fn draw_sheen(&self, view: &Viewport, quads: &mut Quads) {
         for edge in self.edges_in_view(view).filter(|edge| edge.kind == ROCK) {
             let light = if edge.inward.y > 0.0 { 1.5 } else { 1.0 } * SHEEN_LIGHT;
@@ -229,7 +227,7 @@ impl Terrain {
         }
     }
 
-    /// The edge, inside the mass: what faces up last and brightest.
+    /// The edge, inside the mass: upward edges last and brightest.
     fn draw_edges(&self, view: &Viewport, canvas: &Canvas) {
         let up = |edge: &&RockEdge| edge.inward.y > 0.5;
         for edge in self.edges_in_view(view).filter(|edge| !up(edge)) {
@@ -243,7 +241,7 @@ impl Terrain {
     }
 }
 
-/// The outermost strips of a level of that size (m), in which nothing is drafted: they are cut off by the window's edge.
+/// The outermost strips of a level of that size (m), without drafting: the window's edge cuts them off.
 fn border(size: DVec2) -> [Aabb; 4] {
     [
         Aabb::new(DVec2::ZERO, DVec2::new(size.x, BORDER)),
@@ -253,12 +251,12 @@ fn border(size: DVec2) -> [Aabb; 4] {
     ]
 }
 
-/// The brightest colour of a material's edge: it tells the material where it is only seen from the side.
+/// The brightest colour of a material's edge: it marks the material where only its side is in view.
 fn edge_colour(kind: usize, tint: &Tint) -> Colour {
     material_edge(Material::ALL[kind].name).unwrap_or(tint.edge)
 }
 
-/// The same by a material's name; `None` for plain rock.
+/// By the material's name; `None` for plain rock.
 pub fn material_edge(name: &str) -> Option<Colour> {
     Some(match name {
         "Glass" => Colour::hex(0xCDEBFF),
@@ -271,7 +269,7 @@ pub fn material_edge(name: &str) -> Option<Colour> {
     })
 }
 
-/// A line along an edge, inside the mass, on whole pixels; where the open space has a corner it goes round it.
+/// A line along an edge, inside the mass, on whole pixels; it goes round corners of the open space.
 fn draw_side(edge: &RockEdge, width: f32, colour: Colour, (view, canvas): (&Viewport, &Canvas)) {
     let line = view.rect(&edge.bounds());
     let reaches = |end: usize| if edge.corners[end] == Corner::Inner { width } else { 0.0 };
@@ -330,7 +328,7 @@ fn draw_lit(lit: &[Lit], colour: Colour, (view, canvas): (&Viewport, &Canvas)) {
     canvas.quads(quads);
 }
 
-/// A length as it stands on a drawing: metres, a decimal only where there is one.
+/// As on a drawing: metres, a decimal only where there is one.
 fn metres(length: f64) -> String {
     let tenths = (length * 10.0).round();
     if tenths % 10.0 == 0.0 { format!("{:.0} m", tenths / 10.0) } else { format!("{:.1} m", tenths / 10.0) }

@@ -1,34 +1,33 @@
-//! Solid rectangles as one mass: what they cover together, row by row without overlap, and the outline round it, as closed loops and as
-//! straight edges that know what they are made of. Plain geometry in metres, y down.
+//! Solid rectangles as one mass: their union in rows without overlap, and its outline as closed loops and as straight edges with
+//! their kinds. Plain geometry in metres, y down.
 
 use super::sweep::{SweepRow, SweepSpan, SweptBox, TOUCH, rows, stop, stops};
 use crate::physics::{Aabb, DVec2};
 
-/// How an edge meets the next one of its loop.
+/// The join of an edge with the next one of its loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Corner {
-    /// The mass has a corner there that sticks out.
+    /// A convex corner of the mass.
     Outer,
-    /// The open space has.
+    /// A concave corner of the mass.
     Inner,
-    /// It goes straight on, of another kind.
+    /// The line goes straight on, of another kind.
     Straight,
 }
 
 /// A straight piece of the outline, of one kind, with the mass on its right hand (y down).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RockEdge {
-    /// Where it begins, m.
+    /// m.
     pub from: DVec2,
-    /// Where it ends, m.
+    /// m.
     pub to: DVec2,
     /// The unit vector into the mass.
     pub inward: DVec2,
-    /// The kind of what it bounds.
     pub kind: usize,
-    /// What it meets where it begins and where it ends.
+    /// At its beginning and its end.
     pub corners: [Corner; 2],
-    /// How deep the mass is behind all of it at least, m; deeper than [`DEPTH`] counts as that.
+    /// The least depth of the mass behind it, m; at most [`DEPTH`].
     pub depth: f64,
 }
 
@@ -43,16 +42,14 @@ impl RockEdge {
         (self.to - self.from).normalize_or_zero()
     }
 
-    /// The smallest box around it.
     pub fn bounds(&self) -> Aabb {
         Aabb::new(self.from.min(self.to), self.from.max(self.to))
     }
 }
 
-/// How deep behind an edge the mass is followed, m.
+/// The greatest depth behind an edge that is measured, m.
 pub const DEPTH: f64 = 4.0;
 
-/// The mass of some rectangles.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Silhouette {
     columns: Vec<f64>,
@@ -63,7 +60,7 @@ pub struct Silhouette {
 }
 
 impl Silhouette {
-    /// The mass of rectangles, each of a kind; where some overlap, the kind is that of the last one.
+    /// Rectangles, each of a kind; where some overlap, the kind is that of the last one.
     pub fn new(boxes: &[(Aabb, usize)]) -> Self {
         let boxes: Vec<&(Aabb, usize)> = boxes.iter().filter(|(bounds, _)| bounds.size().min_element() > TOUCH).collect();
         let columns = stops(boxes.iter().flat_map(|(bounds, _)| [bounds.min.x, bounds.max.x]));
@@ -85,7 +82,7 @@ impl Silhouette {
         mass
     }
 
-    /// The rectangles that it consists of, none over another, each with its kind.
+    /// Rectangles without overlap that fill the mass, each with its kind.
     pub fn pieces(&self) -> impl Iterator<Item = (Aabb, usize)> {
         self.rows.iter().flat_map(move |row| {
             let piece = move |span: &SweepSpan| {
@@ -96,7 +93,7 @@ impl Silhouette {
         })
     }
 
-    /// The closed loops round it: clockwise round what is solid, anticlockwise round holes (y down). Where two corners touch, each
+    /// The closed loops round the mass: clockwise round solids, anticlockwise round holes (y down). Where two corners touch, each
     /// keeps its own loop.
     pub fn loops(&self) -> &[Vec<DVec2>] {
         &self.loops
@@ -107,7 +104,7 @@ impl Silhouette {
         &self.edges
     }
 
-    /// Leaves out the edges that lie beyond a box.
+    /// Drops the edges beyond a box.
     pub fn keep_edges(&mut self, within: &Aabb) {
         self.edges.retain(|edge| edge.bounds().touches(within, 0.0));
     }
@@ -124,13 +121,12 @@ impl Silhouette {
                 .all(|row| row.spans.iter().any(|span| span.kind == kind && self.spans_over(span, bounds.min.x, bounds.max.x)))
     }
 
-    /// How far one can go from a point in a direction (a unit vector along neither axis) and stay in what is of that kind, m; at most
-    /// `limit`.
+    /// The free distance from a point along a unit vector (parallel to neither axis) inside one kind, m; at most `limit`.
     pub fn reach(&self, kind: usize, (from, direction): (DVec2, DVec2), limit: f64) -> f64 {
         let mut gone = 0.0;
         while gone < limit {
             let at = from + direction * gone;
-            // Just beyond the line that it stands on.
+            // Just beyond the line under `at`.
             let ahead = at + direction * TOUCH;
             let Some(row) = self.row_at(ahead.y) else { break };
             let holds = |span: &&SweepSpan| self.columns[span.from] <= ahead.x && ahead.x < self.columns[span.to];
@@ -179,7 +175,7 @@ impl Silhouette {
         }
     }
 
-    /// The pieces of a side by what lies behind them, in the order in which it is walked.
+    /// The pieces of a side by the kind behind them, in walking order.
     fn kinds(&self, from: EdgePlace, to: EdgePlace, inward: (i8, i8)) -> Vec<(EdgePlace, EdgePlace, usize)> {
         let mut pieces: Vec<(EdgePlace, EdgePlace, usize)> = Vec::new();
         let mut add = |a: EdgePlace, b: EdgePlace, kind: usize| match pieces.last_mut() {
@@ -228,7 +224,7 @@ impl Silhouette {
         &self.rows[first..end.max(first)]
     }
 
-    /// How deep the mass is behind a side, whatever its kind, m.
+    /// The depth of the mass behind a side, of any kind, m.
     fn depth(&self, from: EdgePlace, to: EdgePlace, inward: (i8, i8)) -> f64 {
         if inward.0 == 0 {
             let (left, right) = (from.0.min(to.0), from.0.max(to.0));
@@ -255,7 +251,7 @@ impl Silhouette {
 /// A crossing of a column and a height, by their indices.
 type EdgePlace = (usize, usize);
 
-/// The loops round what the rows cover, by their corners.
+/// The loops round the rows' mass, by their corners.
 fn loops(rows: &[SweepRow]) -> Vec<Vec<EdgePlace>> {
     let mut sides: Vec<(EdgePlace, EdgePlace)> = Vec::new();
     let mut above: Vec<(usize, usize)> = Vec::new();
@@ -291,7 +287,7 @@ fn loops(rows: &[SweepRow]) -> Vec<Vec<EdgePlace>> {
     loops
 }
 
-/// The sides along a height: where only what is below it is covered, and where only what is above it is.
+/// The sides along a height: where only the row below covers, and where only the row above does.
 fn level_sides(above: &[(usize, usize)], below: &[(usize, usize)], height: usize, sides: &mut Vec<(EdgePlace, EdgePlace)>) {
     let mut cuts: Vec<usize> = above.iter().chain(below).flat_map(|&(a, b)| [a, b]).collect();
     cuts.sort_unstable();
@@ -309,7 +305,7 @@ fn level_sides(above: &[(usize, usize)], below: &[(usize, usize)], height: usize
     }
 }
 
-/// The side that goes on where another ends. Where two do, the one that turns to the right: round the same corner of the mass.
+/// The side that begins at another's end. Of two, the one that turns to the right: round the same corner of the mass.
 fn following(sides: &[(EdgePlace, EdgePlace)], side: usize) -> usize {
     let (from, to) = sides[side];
     let first = sides.partition_point(|(start, _)| *start < to);

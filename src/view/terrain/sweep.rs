@@ -1,12 +1,13 @@
-//! Rectangles cut into rows: a sweep down through their sides, and in each row one from left to right. Columns and heights are indices
-//! of the sorted sides, so that what belongs together is equal to the bit.
+//! Rectangles cut into rows: a sweep down through their sides, and in each row one from left to right. Columns and heights are
+//! indices of the sorted sides, so that shared sides are equal to the bit.
 
 use std::collections::BTreeSet;
 
-/// Sides that lie so close count as one line, m: far below a pixel, far above what adding two numbers of a level's file loses.
+/// Sides this close count as one line, m: far below a pixel, far above the rounding error of a sum of two numbers in a level's
+/// file.
 pub const TOUCH: f64 = 1e-6;
 
-/// A stretch of a row, between two of the columns, of one kind.
+/// A stretch of a row between two columns, of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SweepSpan {
     pub from: usize,
@@ -24,7 +25,7 @@ pub struct SweepRow {
 }
 
 impl SweepRow {
-    /// The spans of whatever kind, those that touch as one.
+    /// The spans of all kinds, touching ones merged.
     pub fn covered(&self) -> Vec<(usize, usize)> {
         let mut all: Vec<(usize, usize)> = Vec::new();
         for span in &self.spans {
@@ -44,7 +45,7 @@ pub struct SweptBox {
     pub kind: usize,
 }
 
-/// The values in order, each once; what is as close as [`TOUCH`] is one.
+/// The values in order, each once; values within [`TOUCH`] count as one.
 pub fn stops(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut stops: Vec<f64> = values.collect();
     stops.sort_by(f64::total_cmp);
@@ -52,12 +53,12 @@ pub fn stops(values: impl Iterator<Item = f64>) -> Vec<f64> {
     stops
 }
 
-/// The index of the stop that stands for a value.
+/// The index of a value's stop.
 pub fn stop(stops: &[f64], value: f64) -> usize {
     stops.partition_point(|stop| *stop <= value).saturating_sub(1)
 }
 
-/// The rows from the first height to the last, those that are alike as one.
+/// The rows from the first height to the last, equal neighbours merged.
 pub fn rows(boxes: &[SweptBox], heights: usize) -> Vec<SweepRow> {
     let mut order: Vec<usize> = (0..boxes.len()).collect();
     order.sort_by_key(|&i| boxes[i].rows[0]);
@@ -78,7 +79,7 @@ pub fn rows(boxes: &[SweptBox], heights: usize) -> Vec<SweepRow> {
     rows
 }
 
-/// What some boxes cover along a row: a sweep from left to right, the last box on top.
+/// The spans of a row under some boxes: a sweep from left to right, the last box on top.
 fn spans(boxes: &[SweptBox], active: &[usize]) -> Vec<SweepSpan> {
     let mut events: Vec<(usize, bool, usize)> =
         active.iter().flat_map(|&i| [(boxes[i].columns[0], true, i), (boxes[i].columns[1], false, i)]).collect();

@@ -1,4 +1,4 @@
-//! The ink of a level: its rock and its paper are of one tint, so that a level is known again at a glance.
+//! The ink of a level: its rock and its paper share one tint, by which a player knows the level again.
 
 use crate::draw::Colour;
 use crate::view::theme;
@@ -15,25 +15,23 @@ const INKS: [Colour; 8] = [
     Colour::hex(0xA8AAB4),
 ];
 
-/// The colours of one level.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tint {
-    /// The rock.
     pub rock: Colour,
-    /// The rock on a map of the level, which has no edges.
+    /// The rock on a map of the level, without edges.
     pub map: Colour,
-    /// Its edge, where it catches the light.
+    /// The rock's edge in the light.
     pub edge: Colour,
     /// Hatching and dimension lines.
     pub ink: Colour,
-    /// A line of the paper every metre.
+    /// Line of the paper every metre.
     pub fine: Colour,
-    /// A line of the paper every ten metres.
+    /// Line of the paper every ten metres.
     pub heavy: Colour,
 }
 
 impl Tint {
-    /// The tint of a level by its name: numbered levels take one after the other, others any, always the same.
+    /// By a level's name: numbered levels take the inks in turn, others a hash of the name.
     pub fn of(name: &str) -> Self {
         let number = name.parse::<usize>().unwrap_or_else(|_| {
             name.bytes().fold(0x811C_9DC5_u32, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)) as usize
@@ -53,7 +51,7 @@ impl Tint {
     }
 }
 
-/// So much of the second colour mixed into the first.
+/// `share` of the second colour mixed into the first.
 fn mixed(a: Colour, b: Colour, share: f32) -> Colour {
     let mix = |a: f32, b: f32| a + (b - a) * share;
     Colour::new(mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), 1.0)
