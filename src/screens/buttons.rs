@@ -1,6 +1,6 @@
 //! Buttons by mouse and by keyboard: one press, one action.
 
-use super::input::{Answer, Input};
+use super::input::{ButtonAnswer, Input};
 use crate::draw::layout::{Area, Vec2};
 use crate::settings::Key;
 
@@ -38,9 +38,9 @@ impl Buttons {
         let before = (self.hover, self.focus);
         let pressed = self.follow(input);
         if pressed.is_some() {
-            input.answer(Answer::Pressed);
+            input.answer(ButtonAnswer::Pressed);
         } else if self.focus != before.1 || self.hover != before.0 && self.hover.is_some() {
-            input.answer(Answer::Moved);
+            input.answer(ButtonAnswer::Moved);
         }
         pressed
     }
@@ -111,10 +111,10 @@ mod tests {
             let (input, before) = (press(key), buttons.focus());
             assert_eq!(buttons.update(&input), None);
             assert_eq!(buttons.focus(), focus, "{key:?}");
-            assert_eq!(input.answer.get(), (focus != before).then_some(Answer::Moved), "{key:?}");
+            assert_eq!(input.answer.get(), (focus != before).then_some(ButtonAnswer::Moved), "{key:?}");
         }
         let enter = press(Key::Enter);
-        assert_eq!((buttons.update(&enter), enter.answer.get()), (Some(1), Some(Answer::Pressed)));
+        assert_eq!((buttons.update(&enter), enter.answer.get()), (Some(1), Some(ButtonAnswer::Pressed)));
     }
 
     #[test]

@@ -57,7 +57,7 @@ mod worker;
 
 pub use crate::settings::{Key, Keys};
 pub use crate::ui::Spectator;
-pub use crate::ui::input::{Answer, Clipboard, Input, Keyed};
+pub use crate::ui::input::{ButtonAnswer, Clipboard, Input, Keyed};
 pub use crate::ui::scroll::Bar;
 use crate::ui::{input, scroll, text_field};
 pub use app::{App, Places};

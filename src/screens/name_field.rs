@@ -4,7 +4,7 @@ use super::{Key, text_field::TextField};
 use crate::draw::Style;
 use crate::draw::layout::{Area, ROW_BUTTON, TEXT, Vec2};
 use crate::scores::{NAME_TYPING_MAX, Name};
-use crate::ui::{Typed, Ui};
+use crate::ui::{FieldEvent, Ui};
 use crate::view::theme;
 
 /// Width and height of the field.
@@ -44,7 +44,7 @@ impl NameField {
         ui.text("Your name", area.min - Vec2::new(0.0, 24.0), quiet);
         ui.text("up to 15 characters", Vec2::new(area.max().x, area.min.y - 24.0), quiet.right());
         let typed = ui.field("Your name", area, &mut self.field);
-        if let Some(Typed::Changed) = typed {
+        if let Some(FieldEvent::Changed) = typed {
             // Once a name was refused, what is wrong stays in view until it is mended.
             self.error = self.error.as_ref().and_then(|_| judge(&self.field.text()).err());
         }
@@ -56,7 +56,7 @@ impl NameField {
         if ui.key(Key::Escape) || pressed == Some("Back") {
             return Some(NameEntry::Back);
         }
-        if pressed.is_none() && typed != Some(Typed::Entered) {
+        if pressed.is_none() && typed != Some(FieldEvent::Entered) {
             return None;
         }
         judge(&self.field.text()).map(NameEntry::Name).map_err(|error| self.error = Some(error)).ok()

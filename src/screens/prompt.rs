@@ -2,7 +2,7 @@
 
 use super::{Key, text_field::TextField};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, GAP, PADDING, ROW_BUTTON, TEXT, Vec2};
-use crate::ui::{Typed, Ui};
+use crate::ui::{FieldEvent, Ui};
 use crate::view::{theme, widgets};
 
 /// Width and height of the panel.
@@ -55,7 +55,7 @@ impl Prompt {
         widgets::fitted(ui.canvas(), &self.heading, at, room, &[BUTTON_TEXT, TEXT, DETAILS], theme::text());
         let area = Area::new(panel.min.x + PADDING, panel.min.y + 72.0, room, 52.0);
         let typed = ui.field("Name", area, &mut self.field);
-        if typed == Some(Typed::Changed) {
+        if typed == Some(FieldEvent::Changed) {
             self.error = None;
         }
         let below = [(self.error.as_deref(), theme::bad()), (self.note.as_deref(), theme::quiet())];
@@ -70,7 +70,7 @@ impl Prompt {
         if ui.key(Key::Escape) || pressed == Some("Cancel") {
             return Some(Reply::Cancel);
         }
-        let given = pressed == Some("OK") || typed == Some(Typed::Entered);
+        let given = pressed == Some("OK") || typed == Some(FieldEvent::Entered);
         given.then(|| Reply::Text(self.field.text().trim().to_owned()))
     }
 }

@@ -1,7 +1,7 @@
 //! What a window has besides the screens: the view of the game that is flown, and sound.
 
 use super::watch::above;
-use super::{Answer, App, Flight, Input, Instruments, Noise, Screen, Spectator, Watch, pace};
+use super::{App, ButtonAnswer, Flight, Input, Instruments, Noise, Screen, Spectator, Watch, pace};
 use crate::draw::Canvas;
 use crate::draw::layout::{Area, BUTTON_TEXT, TEXT, Vec2};
 use crate::game::Game;
@@ -170,10 +170,10 @@ impl Theatre {
     }
 
     /// Ends the frame for the ear: buttons, and the tune that belongs to the screen.
-    pub fn sound(&mut self, screen: &dyn Screen, answer: Option<Answer>) {
+    pub fn sound(&mut self, screen: &dyn Screen, answer: Option<ButtonAnswer>) {
         match answer {
-            Some(Answer::Pressed) => self.speaker.play(Sound::new(Cue::Press, 1.0)),
-            Some(Answer::Moved) => self.speaker.play(Sound::new(Cue::Move, 1.0)),
+            Some(ButtonAnswer::Pressed) => self.speaker.play(Sound::new(Cue::Press, 1.0)),
+            Some(ButtonAnswer::Moved) => self.speaker.play(Sound::new(Cue::Move, 1.0)),
             None => {}
         }
         screen.noises().into_iter().for_each(|noise| self.speaker.play(heard_as(noise)));

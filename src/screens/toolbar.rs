@@ -1,6 +1,6 @@
 //! A row of buttons at the foot of a scene whose arrow keys have other work: each has a key of its own.
 
-use super::{Answer, Buttons, Input, Key, Keys};
+use super::{ButtonAnswer, Buttons, Input, Key, Keys};
 use crate::draw::layout::{Area, Frame, GAP, ROW_BUTTON, Vec2};
 
 /// From the row to the canvas' foot and sides.
@@ -19,7 +19,7 @@ impl Toolbar {
         let pointer_only = Input { pressed: Keys::default(), ..input.clone() };
         let pressed = self.buttons.update(&pointer_only).or_else(|| keys.iter().position(|key| input.pressed(*key)));
         if pressed.is_some() {
-            input.answer(Answer::Pressed);
+            input.answer(ButtonAnswer::Pressed);
         }
         pressed
     }

@@ -9,7 +9,7 @@ use std::rc::Rc;
 
 /// The buttons' answer to an input, for the sound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Answer {
+pub enum ButtonAnswer {
     Moved,
     Pressed,
 }
@@ -98,7 +98,7 @@ pub struct Input {
     pub place: Option<DVec2>,
     pub settings: Settings,
     /// The buttons' answer; copies of the input share it.
-    pub answer: Rc<Cell<Option<Answer>>>,
+    pub answer: Rc<Cell<Option<ButtonAnswer>>>,
 }
 
 impl Input {
@@ -162,8 +162,8 @@ impl Input {
     }
 
     /// A press goes before a move.
-    pub fn answer(&self, answer: Answer) {
-        if self.answer.get() != Some(Answer::Pressed) {
+    pub fn answer(&self, answer: ButtonAnswer) {
+        if self.answer.get() != Some(ButtonAnswer::Pressed) {
             self.answer.set(Some(answer));
         }
     }
@@ -247,13 +247,13 @@ mod tests {
     fn a_copy_answers_for_its_original_and_a_press_goes_before_a_move() {
         let input = Input::default();
         let copy = Input { pressed: Keys::default(), ..input.clone() };
-        copy.answer(Answer::Moved);
-        assert_eq!(input.answer.get(), Some(Answer::Moved));
-        copy.answer(Answer::Pressed);
-        input.answer(Answer::Moved);
-        assert_eq!(input.answer.get(), Some(Answer::Pressed));
-        input.without_edges().answer(Answer::Moved);
-        assert_eq!(input.answer.get(), Some(Answer::Pressed), "the same moment again answers nothing");
+        copy.answer(ButtonAnswer::Moved);
+        assert_eq!(input.answer.get(), Some(ButtonAnswer::Moved));
+        copy.answer(ButtonAnswer::Pressed);
+        input.answer(ButtonAnswer::Moved);
+        assert_eq!(input.answer.get(), Some(ButtonAnswer::Pressed));
+        input.without_edges().answer(ButtonAnswer::Moved);
+        assert_eq!(input.answer.get(), Some(ButtonAnswer::Pressed), "the same moment again answers nothing");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The memory of a screen's widgets from frame to frame: the focus, the highlight under the pointer, the position of each list.
 
-use super::input::{Answer, Input, Repeat};
+use super::input::{ButtonAnswer, Input, Repeat};
 use super::scroll::Scroll;
 use crate::draw::layout::{Area, Vec2};
 use crate::settings::{Key, Keys};
@@ -128,9 +128,9 @@ impl Memory {
         let before = (self.hover.clone(), self.focused().map(str::to_owned));
         self.pressed = self.press(input);
         if self.pressed.is_some() {
-            input.answer(Answer::Pressed);
+            input.answer(ButtonAnswer::Pressed);
         } else if self.focused() != before.1.as_deref() || self.hover != before.0 && self.hover.is_some() {
-            input.answer(Answer::Moved);
+            input.answer(ButtonAnswer::Moved);
         }
     }
 

@@ -14,7 +14,7 @@ mod widgets;
 
 pub use memory::{Memory, Widget, WidgetKind};
 pub use spectator::Spectator;
-pub use widgets::{Rows, Touch, Turning, Typed};
+pub use widgets::{FieldEvent, Rows, Touch, Turning};
 
 use crate::draw::Canvas;
 use crate::draw::layout::{Area, Frame};

@@ -1,6 +1,6 @@
 use super::*;
 use crate::draw::layout::Vec2;
-use crate::ui::input::Answer;
+use crate::ui::input::ButtonAnswer;
 use crate::ui::text_field::TextField;
 
 /// A screen of one function, and its memory.
@@ -52,10 +52,10 @@ fn arrows_walk_a_grid_and_stop_at_its_edges() {
         let (input, before) = (press(key), sitting.focus().to_owned());
         assert_eq!(sitting.give(&input, grid), None);
         assert_eq!(sitting.focus(), focus, "{key:?}");
-        assert_eq!(input.answer.get(), (focus != before).then_some(Answer::Moved), "{key:?}");
+        assert_eq!(input.answer.get(), (focus != before).then_some(ButtonAnswer::Moved), "{key:?}");
     }
     let enter = press(Key::Enter);
-    assert_eq!((sitting.give(&enter, grid), enter.answer.get()), (Some("b"), Some(Answer::Pressed)));
+    assert_eq!((sitting.give(&enter, grid), enter.answer.get()), (Some("b"), Some(ButtonAnswer::Pressed)));
 }
 
 #[test]
@@ -129,13 +129,16 @@ fn letters_go_to_the_field_wherever_the_focus_is_and_tab_changes_the_group() {
         (typed, sitting.focus().to_owned(), field.text())
     };
     give(&Input::default());
-    assert_eq!(give(&Input { typed: "b".into(), ..Input::default() }), ((Some(Typed::Changed), None), "Name".into(), "bob".into()));
+    assert_eq!(
+        give(&Input { typed: "b".into(), ..Input::default() }),
+        ((Some(FieldEvent::Changed), None), "Name".into(), "bob".into())
+    );
     assert_eq!(give(&press(Key::Left)).1, "Name", "it moves the caret");
     assert_eq!(give(&press(Key::Tab)).1, "Save");
     assert_eq!(give(&press(Key::Right)).1, "Back");
     let typed = give(&Input { typed: "x".into(), ..Input::default() });
     assert_eq!((typed.1, typed.2), ("Name".into(), "boxb".into()));
-    assert_eq!(give(&press(Key::Enter)).0, (Some(Typed::Entered), None));
+    assert_eq!(give(&press(Key::Enter)).0, (Some(FieldEvent::Entered), None));
     give(&press(Key::Down));
     give(&press(Key::Up));
     assert_eq!(give(&Input { typed: "c".into(), ..Input::default() }).2, "c", "all of it was selected");

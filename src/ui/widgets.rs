@@ -26,7 +26,7 @@ pub struct Touch {
 
 /// The player's act with a line of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Typed {
+pub enum FieldEvent {
     Changed,
     /// Enter was pressed.
     Entered,
@@ -122,7 +122,7 @@ impl Ui<'_> {
             let touch = self.touch(label, area, WidgetKind::Tool);
             paint::keyed_button(self.canvas(), area, (label, named), (touch.hover, false));
             if touch.pressed || self.key(*key) {
-                self.input().answer(super::input::Answer::Pressed);
+                self.input().answer(super::input::ButtonAnswer::Pressed);
                 pressed = Some(*label);
             }
         }
@@ -154,7 +154,7 @@ impl Ui<'_> {
     }
 
     /// Characters also go to it while a button has the focus; it takes the focus then.
-    pub fn field(&mut self, label: &str, area: Area, field: &mut TextField) -> Option<Typed> {
+    pub fn field(&mut self, label: &str, area: Area, field: &mut TextField) -> Option<FieldEvent> {
         let touch = self.touch(label, area, WidgetKind::Field);
         let input = self.input;
         field.note_focus(touch.focus);
@@ -170,8 +170,8 @@ impl Ui<'_> {
         }
         field.draw(self.canvas(), area, (BUTTON_TEXT, PADDING), touch.focus.then_some(self.time()));
         match (touch.pressed, changed) {
-            (true, _) => Some(Typed::Entered),
-            (false, true) => Some(Typed::Changed),
+            (true, _) => Some(FieldEvent::Entered),
+            (false, true) => Some(FieldEvent::Changed),
             (false, false) => None,
         }
     }

@@ -34,8 +34,8 @@ pub type Reach = (f64, f32);
 
 #[derive(Clone, Debug, Default)]
 pub struct Steady {
-    newtons: Step,
-    newton_seconds: Step,
+    newtons: ScaleStep,
+    newton_seconds: ScaleStep,
     /// The focus, and the canvas units a metre, at which the scale began.
     asked: Option<(Focus, f64)>,
 }
@@ -98,13 +98,13 @@ fn usual(game: &Game, focus: &Focus, shown: &[BodyId]) -> [f64; 2] {
 }
 
 #[derive(Clone, Debug, Default)]
-struct Step {
+struct ScaleStep {
     now: Option<f64>,
     /// The tick since which a smaller value would do, and the largest wish since.
     loose: Option<(u64, f64)>,
 }
 
-impl Step {
+impl ScaleStep {
     fn update(&mut self, wanted: f64, tick: u64, patience: u64) -> f64 {
         let fitting = round_up(wanted);
         let now = match self.now {
@@ -131,7 +131,7 @@ mod tests {
 
     #[test]
     fn arrows_grow_shorter_at_once_and_longer_after_a_while() {
-        let mut step = Step::default();
+        let mut step = ScaleStep::default();
         assert_eq!(step.update(90.0, 0, 10), 100.0);
         assert_eq!(step.update(101.0, 1, 10), 200.0, "what no longer fits is drawn shorter at once");
         for tick in 2..12 {

@@ -1,6 +1,6 @@
 //! What is heard all the time: the engine, the wind, the liquid around the ship. Noise, filtered by how strong each is.
 
-use super::filter::{BandPass, Glide, LowPass, Noise};
+use super::filter::{BandPass, Glide, LowPass, WhiteNoise};
 use super::recipe::Recipe;
 use super::voice::Voice;
 use super::{Ambience, Cue};
@@ -66,7 +66,7 @@ impl Bed {
     }
 
     /// A bubble that begins now, by chance.
-    pub fn bubble(&mut self, noise: &mut Noise) -> Option<Voice> {
+    pub fn bubble(&mut self, noise: &mut WhiteNoise) -> Option<Voice> {
         let liquid = self.liquid.value();
         let rate = BUBBLES * liquid * (0.2 + 0.8 * self.motion.value());
         if liquid < 1e-3 || noise.between(0.0, 1.0) * self.rate >= rate {
@@ -78,7 +78,7 @@ impl Bed {
     }
 
     /// The next sample, left and right.
-    pub fn next(&mut self, target: &Ambience, noise: &mut Noise) -> [f32; 2] {
+    pub fn next(&mut self, target: &Ambience, noise: &mut WhiteNoise) -> [f32; 2] {
         self.engine.towards(target.engine);
         self.wind.towards(target.wind);
         self.liquid.towards(target.liquid);
@@ -102,7 +102,7 @@ impl Bed {
         sum
     }
 
-    fn add_engine(&mut self, sum: &mut [f32; 2], noise: &mut Noise) {
+    fn add_engine(&mut self, sum: &mut [f32; 2], noise: &mut WhiteNoise) {
         let strength = self.engine.value();
         let mut roar = [0.0; 3];
         for (out, [first, second]) in roar.iter_mut().zip(&mut self.roar) {

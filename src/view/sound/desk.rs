@@ -1,4 +1,4 @@
-//! Between the game and the thread that computes the sound: atomics only, so that neither ever waits. The game holds the [`Desk`] and
+//! Between the game and the thread that computes the sound: atomics only, so that neither ever waits. The game holds the [`SoundDesk`] and
 //! writes, the mixer holds the [`Feed`] and reads. Where nobody reads, what is written is lost, as it should be.
 
 use super::{Ambience, Cue, Sound, Volumes};
@@ -11,16 +11,16 @@ const WAITING: usize = 64;
 const STEPS: f32 = 32_767.0;
 
 /// The desk and its feed. There is no third end: sounds go from one writer to one reader.
-pub fn desk() -> (Desk, Feed) {
+pub fn desk() -> (SoundDesk, Feed) {
     let shared = Arc::new(Shared::default());
-    let desk = Desk(shared.clone());
+    let desk = SoundDesk(shared.clone());
     desk.set_volumes(Volumes::default());
     (desk, Feed(shared))
 }
 
 /// The game's end.
 #[derive(Debug)]
-pub struct Desk(Arc<Shared>);
+pub struct SoundDesk(Arc<Shared>);
 
 /// The mixer's end.
 #[derive(Clone, Debug)]
@@ -54,7 +54,7 @@ impl Default for Shared {
     }
 }
 
-impl Desk {
+impl SoundDesk {
     /// How loud each part is from now on.
     pub fn set_volumes(&self, volumes: Volumes) {
         let Volumes { master, effects, music } = volumes;

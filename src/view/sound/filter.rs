@@ -6,9 +6,9 @@ use std::f32::consts::{PI, TAU};
 
 /// White noise, −1 … 1; the same from the same seed.
 #[derive(Debug)]
-pub struct Noise(Pcg32);
+pub struct WhiteNoise(Pcg32);
 
-impl Noise {
+impl WhiteNoise {
     /// A source of its own.
     pub fn new(seed: u64) -> Self {
         Self(Pcg32::seed_from_u64(seed))

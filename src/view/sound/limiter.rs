@@ -84,7 +84,7 @@ impl Limiter {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::sound::filter::Noise;
+    use crate::view::sound::filter::WhiteNoise;
     use std::f32::consts::TAU;
 
     const RATE: f32 = 48_000.0;
@@ -98,14 +98,14 @@ mod tests {
 
     #[test]
     fn what_is_below_the_ceiling_passes_to_the_bit() {
-        let mut noise = Noise::new(3);
+        let mut noise = WhiteNoise::new(3);
         let quiet: Vec<[f32; 2]> = (0..48_000).map(|_| [CEILING * noise.next(), CEILING * noise.next()]).collect();
         assert!(limited(quiet.clone()) == quiet);
     }
 
     #[test]
     fn nothing_passes_the_ceiling_however_loud_and_however_sudden() {
-        let mut noise = Noise::new(5);
+        let mut noise = WhiteNoise::new(5);
         let mut wild = Vec::new();
         for i in 0..200_000 {
             // Single samples, bursts of every length and strength, on one side or both.

@@ -1,7 +1,7 @@
 //! All sounds together: stereo samples from what lies on the desk.
 
 use super::bed::Bed;
-use super::filter::{Glide, LowPass, Noise};
+use super::filter::{Glide, LowPass, WhiteNoise};
 use super::limiter::Limiter;
 use super::music::Music;
 use super::recipe::Recipe;
@@ -28,7 +28,7 @@ const MUSIC: f32 = 5.68;
 pub struct Mixer {
     feed: Feed,
     rate: f32,
-    noise: Noise,
+    noise: WhiteNoise,
     choir: Choir<32>,
     bed: Bed,
     music: Music,
@@ -57,7 +57,7 @@ impl Mixer {
         Self {
             feed,
             rate,
-            noise: Noise::new(0x736f_756e_6473),
+            noise: WhiteNoise::new(0x736f_756e_6473),
             choir: Choir::new(),
             bed: Bed::new(rate),
             music: Music::new(rate),

@@ -20,7 +20,7 @@ mod tune;
 mod voice;
 
 pub use cue::{Cue, Stuff};
-pub use desk::{Desk, Feed, desk};
+pub use desk::{Feed, SoundDesk, desk};
 pub use heard::{Ambience, Ear, Sound, tune};
 pub use mixer::Mixer;
 pub use speaker::Speaker;

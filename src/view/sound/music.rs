@@ -1,6 +1,6 @@
 //! Plays a [`Tune`]: soft chords that swell, a plucked melody, and an echo that goes from side to side.
 
-use super::filter::{Glide, LowPass, Noise};
+use super::filter::{Glide, LowPass, WhiteNoise};
 use super::recipe::{Recipe, Tone};
 use super::tune::Tune;
 use super::voice::{Choir, Voice};
@@ -42,7 +42,7 @@ impl Music {
     }
 
     /// The next sample, left and right: of that tune, once the one before it has faded.
-    pub fn next(&mut self, wanted: Option<u32>, noise: &mut Noise) -> [f32; 2] {
+    pub fn next(&mut self, wanted: Option<u32>, noise: &mut WhiteNoise) -> [f32; 2] {
         let playing = self.tune.as_ref().map(|(number, _)| *number);
         let gain = self.gain.towards(if playing == wanted && playing.is_some() { 1.0 } else { 0.0 });
         if playing != wanted && (playing.is_none() || gain < GONE) {

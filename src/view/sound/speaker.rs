@@ -2,12 +2,12 @@
 //! loudest: many collisions a frame are one click.
 
 use super::output::Output;
-use super::{Ambience, Cue, Desk, Sound, Volumes, desk};
+use super::{Ambience, Cue, Sound, SoundDesk, Volumes, desk};
 
 /// Where sounds go.
 #[derive(Debug)]
 pub struct Speaker {
-    desk: Desk,
+    desk: SoundDesk,
     /// By the cues' numbers.
     due: [Option<Sound>; Cue::COUNT],
     ambience: Ambience,
@@ -23,7 +23,7 @@ impl Speaker {
     }
 
     /// To a desk whose feed someone else reads.
-    pub fn at(desk: Desk) -> Self {
+    pub fn at(desk: SoundDesk) -> Self {
         Self { desk, due: [None; Cue::COUNT], ambience: Ambience::default(), _output: None }
     }
 

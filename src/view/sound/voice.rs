@@ -1,6 +1,6 @@
 //! Plays a [`Recipe`], sample by sample. Nothing is allocated: voices are a fixed number of places that are used again.
 
-use super::filter::{BandPass, Noise};
+use super::filter::{BandPass, WhiteNoise};
 use super::recipe::{BURSTS, Burst, Recipe, TONES, Tone};
 use std::f32::consts::TAU;
 
@@ -95,7 +95,7 @@ impl Voice {
     }
 
     /// The next sample, left and right; `None` when it is over.
-    pub fn next(&mut self, noise: &mut Noise) -> Option<[f32; 2]> {
+    pub fn next(&mut self, noise: &mut WhiteNoise) -> Option<[f32; 2]> {
         if self.age >= self.length {
             return None;
         }
@@ -159,7 +159,7 @@ impl<const N: usize> Choir<N> {
     }
 
     /// The sum of all, left and right.
-    pub fn next(&mut self, noise: &mut Noise) -> [f32; 2] {
+    pub fn next(&mut self, noise: &mut WhiteNoise) -> [f32; 2] {
         let mut sum = [0.0; 2];
         for place in &mut self.0 {
             let Some(voice) = place else { continue };
@@ -199,7 +199,7 @@ mod tests {
         let mut recipe = Recipe::default();
         recipe.tones[0] = Some(tone);
         let mut voice = Voice::new(&recipe, 48_000.0, [1.0, 0.5]);
-        let mut noise = Noise::new(0);
+        let mut noise = WhiteNoise::new(0);
         let mut peaks = [0.0_f32; 2];
         for i in 0..192_000 {
             let [left, right] = voice.next(&mut noise).expect("it does not fade");

@@ -1,6 +1,6 @@
 //! A listener: plays for a while and measures.
 
-use resultant::view::sound::{Ambience, Cue, Desk, Mixer, Sound, Volumes, desk};
+use resultant::view::sound::{Ambience, Cue, Mixer, Sound, SoundDesk, Volumes, desk};
 use std::f64::consts::TAU;
 
 /// Samples a second.
@@ -15,7 +15,7 @@ const FRAME: usize = (RATE / FRAMES) as usize;
 
 /// A game's end and a mixer's.
 pub struct Listener {
-    pub desk: Desk,
+    pub desk: SoundDesk,
     pub mixer: Mixer,
 }
 

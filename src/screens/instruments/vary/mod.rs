@@ -13,7 +13,7 @@ use crate::instruments::vary::{SliderTrack, Variation};
 use crate::level::{Level, Parameter};
 use crate::physics::BodyId;
 use crate::screens::text_field::TextField;
-use crate::screens::{Answer, Input, Key, Keys};
+use crate::screens::{ButtonAnswer, Input, Key, Keys};
 use layout::{Button, Layout};
 
 /// The most letters of a number, and of a level's name.
@@ -264,7 +264,7 @@ impl Vary {
     fn follow_pointer(&mut self, input: &Input, level: &Level, variation: Option<&Variation>) {
         let at = input.pointer;
         if input.click && self.layout.panel.contains(at) {
-            input.answer(Answer::Pressed);
+            input.answer(ButtonAnswer::Pressed);
             let written = self.entry.as_ref().map(|(entry, _)| *entry);
             // Whoever clicks elsewhere has written what they wanted.
             if !self.entry_area().is_some_and(|area| area.contains(at)) {

@@ -11,13 +11,13 @@ const FORGETS: f64 = 0.002;
 
 /// How far the samples are ahead of the clock.
 #[derive(Debug, Default)]
-pub struct Pace {
+pub struct SamplePace {
     lead: f64,
 }
 
 /// Writes blocks that last so long (s) until `write` refuses one, at the pace of the clock (s) that `now` reads and `pause` lets pass.
 pub fn keep_pace(block: f64, mut write: impl FnMut() -> bool, now: impl Fn() -> f64, pause: impl Fn(Duration)) {
-    let mut pace = Pace::default();
+    let mut pace = SamplePace::default();
     let mut begun = now();
     while write() {
         let wait = pace.after(block, now() - begun);
@@ -28,7 +28,7 @@ pub fn keep_pace(block: f64, mut write: impl FnMut() -> bool, now: impl Fn() -> 
     }
 }
 
-impl Pace {
+impl SamplePace {
     /// A block that lasts so long was computed and taken in so much time (both s): how long to wait.
     fn after(&mut self, block: f64, taken: f64) -> Duration {
         self.lead = ((self.lead + block - taken) * (1.0 - FORGETS)).max(0.0);
@@ -49,7 +49,7 @@ mod tests {
 
     #[test]
     fn what_takes_everything_gets_it_at_the_clocks_pace() {
-        let mut pace = Pace::default();
+        let mut pace = SamplePace::default();
         let waited: Duration = (0..1000).map(|_| pace.after(BLOCK, 0.0001)).sum();
         assert!((9.0..10.0).contains(&waited.as_secs_f64()), "{waited:?}");
     }
@@ -71,7 +71,7 @@ mod tests {
 
     #[test]
     fn a_device_whose_clock_is_fast_is_never_held_up() {
-        let mut pace = Pace::default();
+        let mut pace = SamplePace::default();
         // Half a per cent fast for three hours; no device is worse than a fiftieth of that.
         let waited: Duration = (0..1_000_000).map(|_| pace.after(BLOCK, BLOCK * 0.995)).sum();
         assert_eq!(waited, Duration::ZERO);
