@@ -1,5 +1,7 @@
 //! The game's picture: bodies, effects, overlays and head-up display of one attempt.
 
+mod drawing;
+
 use super::barriers::Barriers;
 use super::camera::{Camera, CanvasWindow, Viewport};
 use super::details::{Details, Looking};
@@ -10,38 +12,22 @@ use super::hud::{Hud, HudScene, HudShown};
 use super::particles::Particles;
 use super::pictures::Pictures;
 use super::terrain::Terrain;
-use super::things::Brushes;
 use super::touchdown::{GENTLE, Touchdown};
 use super::wreck::Wreck;
-use super::{decoration, hitboxes, hud, mechanisms, theme, things, world, zones};
+use super::{hitboxes, mechanisms, theme, world};
 use crate::draw::layout::{Area, Frame, Vec2};
-use crate::draw::{Canvas, Colour};
 use crate::game::{Game, GameEvent, Outcome, Pose, SHIP};
-use crate::level::{SHIP_HALF, SurfaceOf};
+use crate::level::SurfaceOf;
 use crate::number::fixed;
 use crate::physics::{Aabb, BodyId, DVec2};
 use crate::settings::Settings;
+use drawing::{OBJECTIVE_REACH, OBSTACLE_REACH};
 use std::path::Path;
 
 /// Canvas units. A smaller body is as easy to point at as one with half such sides.
 const GRAB: f32 = 12.0;
-/// Reach (m) and strength on the rock of the light of the engine, an objective, a death box and a key object.
-const ENGINE_REACH: f64 = 8.0;
-const ENGINE_LIGHT: f32 = 0.95;
-const OBJECTIVE_REACH: f64 = 4.0;
-const OBJECTIVE_LIGHT: f32 = 0.7;
-const OBSTACLE_REACH: f64 = 3.0;
-const OBSTACLE_LIGHT: f32 = 0.6;
-const KEY_REACH: f64 = 3.0;
-const KEY_LIGHT: f32 = 0.6;
-
 /// Solids up to this far beyond the view stop particles, m.
 const BARRIERS: f64 = 2.0;
-/// The longest reach of the engine's flame from the ship's centre, m.
-const FLAME_REACH: f64 = 3.0;
-
-/// A ghost nearer than this to the ship or to another ghost has no name, m.
-const NAMED_APART: f64 = 2.5;
 
 /// The view of one attempt: its state besides the game's own.
 pub struct GameView {
@@ -267,113 +253,6 @@ impl GameView {
     /// Growth of the engine's plume, 0 … 1.
     pub const fn burning(&self) -> f64 {
         self.emitters.plume().0
-    }
-
-    /// `figures` is the line beside the hitboxes: frames a second and cost of a tick.
-    pub fn draw(&self, game: &Game, alpha: f64, overlays: Overlays, figures: &str, canvas: &Canvas) {
-        let shake = self.feedback.shake() * (f64::from(overlays.settings.shake) / 100.0);
-        let view = self.viewport(game, alpha, canvas.frame()).shaken(shake);
-        self.draw_level(game, alpha, &view, canvas);
-        canvas.end_layer();
-        if overlays.hitboxes {
-            hitboxes::draw(game, figures, &view, canvas);
-        }
-        if overlays.details {
-            self.details.draw(canvas);
-        }
-        let plays = game.level().ship_plays();
-        if plays && overlays.settings.velocity && self.wreck.is_none() {
-            hud::draw_velocity(game.world().body(SHIP).velocity, centre(game, SHIP, alpha), &view, canvas);
-        }
-        if overlays.settings.flash {
-            self.feedback.draw_flash(canvas);
-        }
-        self.hud.draw(game, &overlays.settings, !overlays.watched, canvas);
-        canvas.end_layer();
-    }
-
-    fn draw_level(&self, game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas) {
-        let (level, time) = (game.level(), self.time);
-        let (ship, plume) = ((centre(game, SHIP, alpha), angle(game, alpha)), self.emitters.plume());
-        let flicker = 0.5 + 0.5 * (time * 71.0).sin() * (time * 43.0).cos();
-        world::draw_ground(level, self.terrain.tint(), &self.pictures, view, canvas);
-        decoration::draw(level, false, &self.pictures, (view, canvas));
-        mechanisms::draw_fields(level, view, canvas, time);
-        zones::draw_streams(game, view, canvas, time);
-        // Below everything that could be in them: see [`zones::draw_fluids`].
-        zones::draw_fluids(level, view, canvas, time);
-        zones::draw_objectives(game, view, canvas, time);
-        mechanisms::draw_areas(game, view, canvas, time);
-        // Solids hide smoke and dust.
-        self.particles.draw(view, canvas);
-        self.terrain.draw(view, canvas);
-        decoration::draw_on_rock(level, &self.terrain, &self.pictures, (view, canvas));
-        self.draw_lights(game, alpha, flicker, (view, canvas));
-        zones::draw_sources(level, view, canvas);
-        mechanisms::draw(game, alpha, view, canvas, time);
-        zones::draw_obstacles(level, view, canvas, time);
-        world::draw_texts(level, view, canvas);
-        // Bodies hide the words on walls, pads and plates.
-        canvas.end_layer();
-        let brushes = Brushes { pictures: &self.pictures, view, canvas };
-        for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
-            let at = centre(game, id, alpha);
-            things::draw_object(object, at, zones::in_liquid(&level.fluids, &Aabb::around(at, object.size * 0.5)), brushes);
-        }
-        for (i, ghost) in self.ghosts.iter().enumerate() {
-            for (index, at) in &ghost.objects {
-                let apart =
-                    at.distance(game.world().body(BodyId(*index as u32 + 1)).position) > level.objects[*index].size.max_element();
-                things::draw_ghost_object(apart.then_some(ghost.name.as_str()), (&level.objects[*index], *at), brushes);
-            }
-            let Some(pose) = ghost.pose else { continue };
-            // A name on another, or on the ship, could not be read.
-            let others = self.ghosts[..i].iter().filter_map(|other| Some(other.pose?.centre)).chain([ship.0]);
-            let apart = others.into_iter().all(|other| other.distance(pose.centre) > NAMED_APART);
-            things::draw_ghost(apart.then_some(ghost.name.as_str()), pose, brushes);
-        }
-        match &self.wreck {
-            Some(wreck) if !wreck.is_whole() => wreck.draw(view, canvas),
-            _ => {
-                let light = zones::in_liquid(&level.fluids, &Aabb::around(ship.0, SHIP_HALF));
-                let (sin, cos) = ship.1.to_radians().sin_cos();
-                let room = self.particles.barriers().room(ship.0, DVec2::new(-sin, cos) * plume.1, FLAME_REACH);
-                let pose = things::ShipPose { centre: ship.0, angle: ship.1, squash: self.touchdown.squash(), light, room };
-                things::draw_ship(&pose, plume, flicker, view, canvas);
-            }
-        }
-        zones::draw_holds(game, ship.0, view, canvas);
-        decoration::draw(level, true, &self.pictures, (view, canvas));
-        self.feedback.draw_in_level(view, canvas);
-    }
-
-    /// The light of objectives, death boxes, key objects and the engine on the rock near them.
-    fn draw_lights(&self, game: &Game, alpha: f64, flicker: f64, (view, canvas): (&Viewport, &Canvas)) {
-        let level = game.level();
-        for index in 0..level.objectives.len() {
-            self.terrain.draw_lamp(index, objective_colour(game, index).faded(OBJECTIVE_LIGHT), (view, canvas));
-        }
-        for index in 0..level.obstacles.len() {
-            self.terrain.draw_lamp(level.objectives.len() + index, theme::bad().faded(OBSTACLE_LIGHT), (view, canvas));
-        }
-        for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
-            if let Some([r, g, b]) = object.key {
-                let colour = Colour::of([r, g, b]).faded(KEY_LIGHT);
-                self.terrain.draw_moving_light(centre(game, id, alpha), KEY_REACH, colour, (view, canvas));
-            }
-        }
-        let (strength, way) = self.emitters.plume();
-        if strength > 0.0 {
-            let (sin, cos) = angle(game, alpha).to_radians().sin_cos();
-            let flame = centre(game, SHIP, alpha) + DVec2::new(-sin, cos) * (way * (SHIP_HALF.y + 0.3));
-            let light = strength * (0.8 + 0.2 * flicker);
-            self.terrain.draw_moving_light(
-                flame,
-                ENGINE_REACH * light,
-                theme::accent().faded(ENGINE_LIGHT * light as f32),
-                (view, canvas),
-            );
-        }
     }
 
     /// The visible part of the level.

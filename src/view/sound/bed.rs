@@ -1,4 +1,4 @@
-//! What is heard all the time: the engine, the wind, the liquid around the ship. Noise, filtered by how strong each is.
+//! The continuous sounds: the engine, the wind, the liquid around the ship. Noise, filtered by the strength of each.
 
 use super::filter::{BandPass, Glide, LowPass, WhiteNoise};
 use super::recipe::Recipe;
@@ -6,13 +6,13 @@ use super::voice::Voice;
 use super::{Ambience, Cue};
 use std::f32::consts::TAU;
 
-/// s in which the engine follows the thrust: it answers at once, but without a crack.
+/// Time constant of the engine's response to thrust, s: immediate, but without a crack.
 const ENGINE_TIME: f32 = 0.025;
-/// The same for wind and liquid, s.
+/// Time constant of wind and liquid, s.
 const SLOW: f32 = 0.12;
-/// Samples between two settings of the filters.
+/// Samples between two updates of the filters.
 const STEP: u32 = 64;
-/// How loud each is at its strongest.
+/// The loudness of each at its strongest.
 const ENGINE: f32 = 0.42;
 const RUMBLE: f32 = 0.11;
 const WIND: f32 = 0.85;
@@ -22,7 +22,7 @@ const RUMBLE_PITCH: f32 = 46.0;
 /// The most bubbles a second.
 const BUBBLES: f32 = 16.0;
 
-/// The bed and where it is.
+/// The filters of the bed and their states.
 #[derive(Debug)]
 pub struct Bed {
     rate: f32,
@@ -35,14 +35,13 @@ pub struct Bed {
     /// The wind on each side.
     howl: [BandPass; 2],
     flow: LowPass,
-    /// Turns of the rumble, and s for what wanders.
+    /// Phase of the rumble in turns, and the time of the slow wander, s.
     turn: f32,
     time: f32,
     age: u32,
 }
 
 impl Bed {
-    /// Silence.
     pub fn new(rate: f32) -> Self {
         let (quick, slow) = (Glide::new(rate, ENGINE_TIME), Glide::new(rate, SLOW));
         Self {
@@ -60,12 +59,12 @@ impl Bed {
         }
     }
 
-    /// How far the ship is under water, 0 … 1, as it is heard.
+    /// The audible share of the ship under water, 0 … 1.
     pub const fn liquid(&self) -> f32 {
         self.liquid.value()
     }
 
-    /// A bubble that begins now, by chance.
+    /// A bubble that begins at random.
     pub fn bubble(&mut self, noise: &mut WhiteNoise) -> Option<Voice> {
         let liquid = self.liquid.value();
         let rate = BUBBLES * liquid * (0.2 + 0.8 * self.motion.value());
@@ -77,7 +76,7 @@ impl Bed {
         Some(Voice::new(&Recipe::of(Cue::Bubble, size), self.rate, [gain * (1.0 - side), gain * side]))
     }
 
-    /// The next sample, left and right.
+    /// Left and right.
     pub fn next(&mut self, target: &Ambience, noise: &mut WhiteNoise) -> [f32; 2] {
         self.engine.towards(target.engine);
         self.wind.towards(target.wind);
@@ -120,7 +119,7 @@ impl Bed {
         self.time += STEP as f32 / rate;
         let (engine, wind, t) = (self.engine.value(), self.wind.value(), self.time);
         for filter in self.roar.as_flattened_mut() {
-            // The wider it opens the more passes, so that it grows brighter and louder.
+            // A wide filter lets more pass: it makes the engine brighter and louder.
             filter.set(rate, 240.0 + 1300.0 * engine);
         }
         let gust = 1.0 + 0.22 * (TAU * 0.31 * t).sin() + 0.13 * (TAU * 0.83 * t).sin();
