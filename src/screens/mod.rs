@@ -64,7 +64,7 @@ pub use app::{App, Places};
 pub use buttons::Buttons;
 pub use classics::{Classic, Classics};
 pub use credits::Credits;
-pub use editor::{Editor, Tool as EditorTool};
+pub use editor::Editor;
 pub use flight::{Attempt, Flight, Flown, News};
 pub use flights::{FlightCandidate, FlightSource, Flights, Visit};
 pub use folder_watch::{FolderWatch, Stamp};

@@ -25,13 +25,11 @@ pub struct PictureTime {
     pub settings: Settings,
     /// Since the last frame, s.
     pub frame_time: f64,
-    /// How long the screen has been there, s.
-    pub shown_for: f64,
 }
 
 /// Draws the screen: the part of it that needs a window, and what it has shown above that.
 pub fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) {
-    let moment = PictureTime { settings: *app.settings(), frame_time, shown_for: app.shown_for() };
+    let moment = PictureTime { settings: *app.settings(), frame_time };
     app.screen().draw(theatre, moment, canvas);
     canvas.add_all(app.canvas());
     if let Some(what) = app.loading() {
@@ -152,11 +150,6 @@ impl Theatre {
         self.frame_cost += (frame_time - self.frame_cost) * FRAME_WEIGHT;
     }
 
-    /// Frames a second.
-    pub(super) fn frames(&self) -> f64 {
-        1.0 / self.frame_cost
-    }
-
     /// Takes the volumes over that the player has set.
     pub fn set_volumes(&mut self, settings: &Settings) {
         let [master, effects, music] =
@@ -195,6 +188,10 @@ fn heard_as(noise: Noise) -> Sound {
 }
 
 impl Spectator for Theatre {
+    fn frames(&self) -> f64 {
+        1.0 / self.frame_cost
+    }
+
     fn begins(&mut self, game: &Game) {
         self.ear = Ear::default();
         self.view = Some(GameView::new(game, &|path| level::read_picture(path).ok()));

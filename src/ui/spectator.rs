@@ -13,6 +13,10 @@ pub trait Spectator {
     fn jumped(&mut self, _game: &Game) {}
     /// The attempt goes on in a level that was edited meanwhile.
     fn goes_on(&mut self, _game: &Game) {}
+    /// Frames a second of the window; 0 without one.
+    fn frames(&self) -> f64 {
+        0.0
+    }
 }
 
 impl Spectator for () {}

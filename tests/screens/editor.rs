@@ -1,11 +1,13 @@
-//! The editor as an author meets it, without a window.
+//! The editor, without a window: each button and field is pressed by its label.
 
 use crate::sitting::Sitting;
 use resultant::draw::layout::Vec2;
+use resultant::draw::{Contour, Shape};
 use resultant::level;
 use resultant::level::document::{Kind, Place, RowId, Table};
 use resultant::physics::DVec2;
-use resultant::screens::{EditorTool, Input, Key, News, Request};
+use resultant::screens::{Input, Key, News, Request};
+use resultant::view::theme;
 use std::fs;
 use std::path::PathBuf;
 
@@ -38,17 +40,25 @@ fn drag(sitting: &mut Sitting, from: (f64, f64), to: (f64, f64)) {
     sitting.point_at(to);
 }
 
+/// Whether the button of a tool is picked out.
+fn is_picked(sitting: &Sitting, tool: &str) -> bool {
+    let at = sitting.area(tool);
+    let shapes = sitting.app.canvas().shapes();
+    shapes.iter().any(|shape| match shape {
+        Shape::Edge { outline: Contour::Rounded(area, _), colour, .. } => *area == at && *colour == theme::accent(),
+        _ => false,
+    })
+}
+
 fn tool(sitting: &mut Sitting, kind: Kind) {
-    let index = Kind::ADDED.iter().position(|other| *other == kind).unwrap() + 1;
-    let at = sitting.editor().tools().areas()[index].centre();
-    sitting.click_at(at);
-    assert_eq!(sitting.editor().tool(), EditorTool::Add(kind));
+    sitting.click(kind.name());
+    assert!(is_picked(sitting, kind.name()) && !is_picked(sitting, "Select"));
 }
 
 fn draw(sitting: &mut Sitting, kind: Kind, from: (f64, f64), to: (f64, f64)) -> RowId {
     tool(sitting, kind);
     drag(sitting, from, to);
-    assert_eq!(sitting.editor().tool(), EditorTool::Select);
+    assert!(is_picked(sitting, "Select"));
     let [row] = sitting.editor().selection()[..] else { panic!("{:?}", sitting.editor().selection()) };
     row
 }
@@ -59,8 +69,7 @@ fn control(sitting: &mut Sitting, key: Key) {
 }
 
 fn write_into(sitting: &mut Sitting, column: &str, text: &str) {
-    let at = sitting.editor().field(column).unwrap().centre();
-    sitting.click_at(at).press(Key::End);
+    sitting.click(column).press(Key::End);
     (0..20).for_each(|_| _ = sitting.press(Key::Backspace));
     sitting.write(text).press(Key::Enter);
 }
@@ -88,7 +97,7 @@ fn an_authors_round_trip_by_mouse() {
     assert!(text(&sitting, Table::World).ends_with("0,560,800,40\n"), "{}", text(&sitting, Table::World));
     assert!(text(&sitting, Table::Movers).contains("500,500,120,20,"), "{}", text(&sitting, Table::Movers));
     sitting.wait(0.3);
-    assert!(sitting.editor().problems().iter().all(|(_, refused)| !refused), "{:?}", sitting.editor().problems());
+    assert_eq!(sitting.warning(), None);
 
     assert_eq!(sitting.press(Key::F5).at(), "test flight");
     assert_eq!(sitting.flight().game().level().movers.len(), 1);
@@ -111,7 +120,7 @@ fn a_test_flight_is_nobodys_attempt() {
     draw(&mut sitting, Kind::Deadly, (300.0, 400.0), (500.0, 420.0));
     sitting.press(Key::F5).wait(4.0);
     assert_eq!(sitting.at(), "editor");
-    assert!(sitting.editor().remark().unwrap().starts_with("Lost after"), "{:?}", sitting.editor().remark());
+    assert!(sitting.shows("Lost after"));
     assert_eq!(sitting.scores_file("attempts.csv"), "");
 }
 
@@ -152,7 +161,7 @@ fn the_ship_cannot_be_deleted_but_moved() {
     assert!(text(&sitting, Table::Player).contains("\n200,300,"), "{}", text(&sitting, Table::Player));
     sitting.press(Key::Delete);
     assert_eq!(sitting.editor().document().rows(Table::Player).count(), 1);
-    assert!(sitting.editor().remark().is_some());
+    assert!(sitting.shows("A level has a ship: it stays."));
 }
 
 #[test]
@@ -162,25 +171,27 @@ fn every_column_can_be_written_and_what_is_wrong_is_the_loaders_own_word() {
     write_into(&mut sitting, "mass", "heavy");
     assert_eq!(sitting.editor().document().cell(row, "mass"), Some("heavy"));
     sitting.wait(0.3);
-    let message = sitting.editor().problems()[0].0.to_string();
-    assert_eq!(message, "objects.csv:2: column \"mass\": found \"heavy\", expected a number such as 12.5");
+    let message = "objects.csv:2: column \"mass\": found \"heavy\", expected a number such as 12.5";
+    assert!(sitting.warning().is_some() && sitting.shows(message));
     // A click on the problem selects the thing; the view and the keyboard stay where they are. Tab leads to what is wrong with it, and what
     // is typed then takes its place.
     sitting.press(Key::Escape);
     assert!(sitting.editor().selection().is_empty());
-    let (line, before) = (sitting.editor().problem_line(0).centre(), sitting.editor().point(DVec2::ZERO));
-    sitting.click_at(line);
-    assert_eq!((sitting.editor().selection(), sitting.editor().typing()), (&[row][..], None));
+    let before = sitting.editor().point(DVec2::ZERO);
+    sitting.click(message);
+    assert_eq!((sitting.editor().selection(), sitting.focused()), (&[row][..], ""));
     assert_eq!(sitting.editor().point(DVec2::ZERO), before, "it is in view");
-    assert_eq!(sitting.press(Key::Tab).editor().typing(), Some(("mass", "heavy".to_owned())));
-    sitting.press(Key::Escape).click_at(line);
-    assert_eq!(sitting.editor().typing(), Some(("mass", "heavy".to_owned())), "and so does another click");
+    sitting.press(Key::Tab);
+    assert_eq!((sitting.focused(), sitting.field().as_str()), ("mass", "heavy"));
+    sitting.press(Key::Escape);
+    assert_eq!(sitting.focused(), "");
+    sitting.click(message);
+    assert_eq!((sitting.focused(), sitting.field().as_str()), ("mass", "heavy"), "and so does another click");
     sitting.write("70").press(Key::Enter).wait(0.3);
     assert_eq!(sitting.editor().document().cell(row, "mass"), Some("70"));
-    assert!(sitting.editor().problems().iter().all(|(_, refused)| !refused));
+    assert_eq!(sitting.warning(), None);
     // Words are gone through by clicks.
-    let at = sitting.editor().field("material").unwrap().centre();
-    sitting.click_at(at);
+    sitting.click("material");
     assert_eq!(sitting.editor().document().cell(row, "material"), Some("Steel"));
     // The level's own settings, where nothing is selected.
     sitting.press_all(&[Key::Enter, Key::Escape]);
@@ -227,8 +238,7 @@ fn the_picture_tool_puts_a_shape_down_and_offers_the_pictures_that_are_there() {
         sitting.editor().problems()
     );
     for picture in ["rock.png", "assets/sprites/tree.png"] {
-        let at = sitting.editor().offer(picture).unwrap().centre();
-        sitting.click_at(at);
+        sitting.click(picture);
         assert_eq!(sitting.editor().document().cell(row, "image"), Some(picture));
         assert!(sitting.editor().document().place(row).unwrap().size.x > 100.0, "as large as the picture");
     }
@@ -240,7 +250,7 @@ fn the_picture_tool_puts_a_shape_down_and_offers_the_pictures_that_are_there() {
     );
     control(&mut sitting, Key::Z);
     assert_eq!(sitting.editor().document().cell(row, "image"), Some("rock.png"));
-    assert!(sitting.editor().offer("background.png").is_none());
+    assert!(!sitting.labels().contains(&"background.png"));
 }
 
 #[test]
@@ -270,8 +280,7 @@ fn a_ship_and_a_size_are_enough_to_fly() {
     drag(&mut sitting, (400.0, 300.0), (400.0, 300.0));
     write_into(&mut sitting, "mass", "light");
     assert_eq!(sitting.press(Key::F5).at(), "editor");
-    let remark = sitting.editor().remark().unwrap();
-    assert!(remark.starts_with("It cannot be flown until this is mended: player.csv:2"), "{remark}");
+    assert!(sitting.shows("It cannot be flown until this is mended: player.csv:2"));
 }
 
 #[test]
@@ -294,19 +303,17 @@ fn words_have_a_colour_of_their_own() {
 fn fields_share_a_clipboard_and_tab_selects_what_is_there() {
     let mut sitting = open();
     draw(&mut sitting, Kind::Door, (100.0, 400.0), (120.0, 500.0));
-    let at = sitting.editor().field("name").unwrap().centre();
-    sitting.click_at(at).write("hatch");
+    sitting.click("name").write("hatch");
     for key in [Key::A, Key::C] {
         control(&mut sitting, key);
     }
     let switch = draw(&mut sitting, Kind::Switch, (300.0, 500.0), (360.0, 560.0));
-    let at = sitting.editor().field("works").unwrap().centre();
-    sitting.click_at(at);
+    sitting.click("works");
     control(&mut sitting, Key::V);
     assert_eq!(sitting.editor().document().cell(switch, "works"), Some("hatch"));
     assert_eq!(sitting.editor().document().things().count(), 4, "the ship, the pad, the door, the switch");
     sitting.press(Key::Tab);
-    assert_eq!(sitting.editor().typing().unwrap().0, "weight");
+    assert_eq!(sitting.focused(), "weight");
     sitting.write("900").press(Key::Tab);
     let shift = [Key::Shift, Key::Tab].into_iter().collect();
     sitting.give(Input { pressed: [Key::Tab].into_iter().collect(), held: shift, ..Input::default() }).rest();
@@ -321,8 +328,7 @@ fn a_door_that_is_renamed_keeps_its_switch() {
     let switch = draw(&mut sitting, Kind::Switch, (300.0, 500.0), (360.0, 560.0));
     assert_eq!(sitting.editor().document().cell(switch, "works"), Some("gate"));
     drag(&mut sitting, (110.0, 450.0), (110.0, 450.0));
-    let at = sitting.editor().field("name").unwrap().centre();
-    sitting.click_at(at);
+    sitting.click("name");
     for letter in ["h", "a", "t", "c", "h"] {
         sitting.write(letter);
     }
@@ -404,15 +410,16 @@ fn what_there_is_to_say_stays_until_it_is_read() {
     sitting.press(Key::Delete);
     drag(&mut sitting, (400.0, 300.0), (400.0, 300.0));
     sitting.press(Key::Delete);
-    let words = sitting.editor().remark().unwrap().to_owned();
+    let words = "A level has a ship: it stays.";
+    assert!(sitting.shows(words));
     // Pointed at it stays.
     let below = Vec2::new(sitting.frame.size.x / 2.0, sitting.frame.size.y - 6.0);
     for _ in 0..1200 {
         sitting.point_at(below);
     }
-    assert_eq!(sitting.editor().remark(), Some(words.as_str()));
+    assert!(sitting.shows(words));
     sitting.point_at(Vec2::ZERO).wait(10.0);
-    assert_eq!(sitting.editor().remark(), None);
+    assert!(!sitting.shows(words));
 }
 
 #[test]
@@ -420,17 +427,17 @@ fn leaving_asks_and_a_crash_loses_nothing() {
     let mut sitting = open();
     draw(&mut sitting, Kind::Solid, (0.0, 560.0), (800.0, 600.0));
     sitting.press_all(&[Key::Escape, Key::Escape]);
-    assert_eq!(sitting.editor().asked().unwrap()[0], "There are edits that are not saved.");
+    assert!(sitting.shows("There are edits that are not saved."));
     assert_eq!(sitting.press(Key::Escape).at(), "editor", "Esc stays");
     assert!(file(&sitting, ".autosave").exists());
     // The program ends here.
     sitting.reopen();
     sitting.choose("Level Select").choose("Edit").choose("2").rest();
     assert_eq!(sitting.editor().document().rows(Table::World).count(), 0);
-    sitting.click(0).rest();
+    sitting.click("Have them back").rest();
     assert_eq!(sitting.editor().document().rows(Table::World).count(), 1, "had back");
     // Thrown away.
-    sitting.press(Key::Escape).click(1);
+    sitting.press(Key::Escape).click("Throw away");
     assert_eq!(sitting.at(), "levels to edit");
     assert!(!file(&sitting, ".autosave").exists() && !file(&sitting, "world.csv").exists());
 }
@@ -444,14 +451,14 @@ fn what_another_program_writes_is_taken_over_or_asked_about() {
     draw(&mut sitting, Kind::Solid, (100.0, 100.0), (200.0, 150.0));
     fs::write(file(&sitting, "world.csv"), "0,500,800,20\n").unwrap();
     sitting.wait(0.4);
-    assert_eq!(sitting.buttons().areas().len(), 3, "Decide later, Theirs, Mine");
+    assert_eq!(sitting.labels(), ["Decide later", "Theirs", "Mine"]);
     sitting.press(Key::Enter).rest();
-    assert!(sitting.editor().asked().is_none() && sitting.editor().is_unsaved(), "Enter harms nothing");
+    assert!(!sitting.labels().contains(&"Mine") && sitting.editor().is_unsaved(), "Enter harms nothing");
     control(&mut sitting, Key::S);
     sitting.rest();
-    assert!(sitting.editor().asked().unwrap()[0].contains("world.csv"));
+    assert!(sitting.shows("Another program has changed world.csv."));
     assert_eq!(fs::read_to_string(file(&sitting, "world.csv")).unwrap(), "0,500,800,20\n", "nothing is written over");
-    sitting.click(1).rest();
+    sitting.click("Theirs").rest();
     assert_eq!(text(&sitting, Table::World), "0,500,800,20\n");
     assert!(!sitting.editor().is_unsaved());
     control(&mut sitting, Key::Z);
@@ -459,10 +466,10 @@ fn what_another_program_writes_is_taken_over_or_asked_about() {
     // And the other way round: theirs is beside it, and an undo away.
     fs::write(file(&sitting, "world.csv"), "0,400,800,20\n").unwrap();
     sitting.wait(0.4);
-    sitting.click(2).rest();
+    sitting.click("Mine").rest();
     assert!(fs::read_to_string(file(&sitting, "world.csv")).unwrap().contains("100,100,100,50"));
     assert_eq!(fs::read_to_string(file(&sitting, "world.csv.theirs-1")).unwrap(), "0,400,800,20\n");
-    assert!(sitting.editor().remark().unwrap().contains("world.csv.theirs-1"), "{:?}", sitting.editor().remark());
+    assert!(sitting.shows("world.csv.theirs-1"));
     control(&mut sitting, Key::Z);
     assert_eq!(text(&sitting, Table::World), "0,400,800,20\n");
 }

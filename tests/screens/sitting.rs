@@ -282,7 +282,6 @@ impl Sitting {
     pub fn buttons(&self) -> &Buttons {
         let screen = self.app.screen();
         let buttons = None
-            .or_else(|| screen.get::<Editor>().map(Editor::buttons))
             .or_else(|| screen.get::<Flight>().map(|flight| flight.pause().expect("the pause panel is open")))
             .or_else(|| screen.get::<Watch>().map(|watch| watch.toolbar().buttons()))
             .or_else(|| screen.get::<Lab>().map(|lab| lab.toolbar().buttons()));

@@ -1,17 +1,20 @@
-//! What the editor has to ask: about edits that were found, that are not saved, or that another program has written over.
+//! The editor's questions: about edits that were found, that are not saved, or that another program has written over.
 
 use super::Editor;
-use crate::draw::layout::{Area, Frame, GAP, LINE, PADDING, ROW_BUTTON, TEXT, Vec2, wrapped};
+use crate::draw::Style;
+use crate::draw::layout::{Area, GAP, LINE, PADDING, ROW_BUTTON, TEXT, Vec2, wrapped};
 use crate::level::document::{Kept, KeptSide, Table};
-use crate::screens::{Buttons, Input, Key, Request};
+use crate::screens::{Key, Request};
+use crate::ui::Ui;
+use crate::view::theme;
 
-/// Width of the panel, at least, and of a letter in it, in heights of text.
+/// Width of the panel, at least, canvas units, and of a letter in it, in heights of text.
 const WIDTH: f32 = 640.0;
 const LETTER: f32 = 0.5;
 
-/// What is asked.
+/// A question.
 #[derive(Clone, Debug)]
-pub enum Question {
+pub enum Ask {
     /// Edits were found that were not saved before the program ended.
     Restore(Kept),
     /// The editor is left, and not all is saved.
@@ -20,93 +23,73 @@ pub enum Question {
     Theirs(Vec<Table>),
 }
 
-/// A question and its answers.
-#[derive(Clone, Debug)]
-pub struct Ask {
-    pub question: Question,
-    pub panel: Area,
-    /// What it says, as it fits the panel; whether a line belongs to the first sentence.
-    lines: Vec<(String, bool)>,
-    buttons: Buttons,
-}
-
 impl Ask {
-    pub fn new(question: Question) -> Self {
-        Self { question, panel: Area::default(), lines: Vec::new(), buttons: Buttons::default() }
-    }
-
-    /// What it says: what has happened, and what is asked.
-    pub fn words(&self) -> [String; 2] {
-        match &self.question {
-            Question::Restore(_) => {
+    /// The event and the question, a sentence each.
+    fn words(&self) -> [String; 2] {
+        match self {
+            Self::Restore(_) => {
                 ["There are edits that were not saved.".into(), "The game ended before they were; they can be had back.".into()]
             }
-            Question::Leave => ["There are edits that are not saved.".into(), "What is to become of them?".into()],
-            Question::Theirs(tables) => {
+            Self::Leave => ["There are edits that are not saved.".into(), "What is to become of them?".into()],
+            Self::Theirs(tables) => {
                 let files: Vec<&str> = tables.iter().map(|table| table.file()).collect();
-                let copies = "A copy of the other is left beside it, and Undo brings it back.";
+                let edited = if files.len() == 1 { "It was" } else { "They were" };
                 [
                     format!("Another program has changed {}.", files.join(", ")),
                     format!(
-                        "{} edited here, too. Which is to stay? {copies}",
-                        if files.len() == 1 { "It was" } else { "They were" }
+                        "{edited} edited here, too. Which is to stay? A copy of the other is left beside it, and Undo brings it back."
                     ),
                 ]
             }
         }
     }
 
-    /// The answers.
-    pub fn answers(&self) -> &'static [&'static str] {
-        match self.question {
-            Question::Restore(_) => &["Have them back", "Throw away"],
-            Question::Leave => &["Save", "Throw away", "Stay here"],
-            Question::Theirs(_) => &["Decide later", "Theirs", "Mine"],
+    /// The first one harms nothing: Enter presses it.
+    fn answers(&self) -> &'static [&'static str] {
+        match self {
+            Self::Restore(_) => &["Have them back", "Throw away"],
+            Self::Leave => &["Save", "Throw away", "Stay here"],
+            Self::Theirs(_) => &["Decide later", "Theirs", "Mine"],
         }
     }
 
-    pub fn buttons(&self) -> &Buttons {
-        &self.buttons
-    }
-
-    /// The lines that it says.
-    pub fn lines(&self) -> &[(String, bool)] {
-        &self.lines
-    }
-
-    fn place(&mut self, frame: &Frame) {
-        let count = self.answers().len() as f32;
-        let row = count * (ROW_BUTTON.x + GAP) - GAP;
-        let (width, height) = ((row + 4.0 * PADDING).max(WIDTH), frame.text_height(TEXT));
+    /// Shows the panel above all else; the answer.
+    fn show(&self, ui: &mut Ui<'_>) -> Option<&'static str> {
+        let (answers, height) = (self.answers(), ui.frame().text_height(TEXT));
+        let row = answers.len() as f32 * (ROW_BUTTON.x + GAP) - GAP;
+        let width = (row + 4.0 * PADDING).max(WIDTH);
         let columns = ((width - 2.0 * PADDING) / (LETTER * height)) as usize;
         let [first, second] = self.words().map(|words| wrapped(&words, columns, 0));
-        self.lines = first.into_iter().map(|line| (line, true)).chain(second.into_iter().map(|line| (line, false))).collect();
-        let words = self.lines.len() as f32 * LINE * height;
-        self.panel = Area::around(frame.size / 2.0, Vec2::new(width, words + ROW_BUTTON.y + 4.5 * PADDING));
-        let at = Vec2::new(self.panel.centre().x - row / 2.0, self.panel.max().y - 1.5 * PADDING - ROW_BUTTON.y);
-        let button = |i: usize| Area { min: at + Vec2::new(i as f32 * (ROW_BUTTON.x + GAP), 0.0), size: ROW_BUTTON };
-        self.buttons.place((0..self.answers().len()).map(button).collect());
+        let lines = first.iter().map(|line| (line, theme::text())).chain(second.iter().map(|line| (line, theme::quiet())));
+        let words = (first.len() + second.len()) as f32 * LINE * height;
+        let panel = Area::around(ui.frame().size / 2.0, Vec2::new(width, words + ROW_BUTTON.y + 4.5 * PADDING));
+        ui.layer(0.6);
+        ui.panel(panel);
+        let top = Vec2::new(panel.centre().x, panel.min.y + 1.5 * PADDING);
+        for (i, (line, colour)) in lines.enumerate() {
+            ui.text(line, top + Vec2::new(0.0, i as f32 * LINE * height), Style::new(TEXT, colour).centred());
+        }
+        ui.buttons(ui.frame().row(answers.len(), panel.max().y - 1.5 * PADDING - ROW_BUTTON.y), answers)
     }
 }
 
 impl Editor {
-    /// One frame of the question.
-    pub(super) fn update_ask(&mut self, input: &Input) -> Option<Request> {
-        let ask = self.ask.as_mut()?;
-        ask.place(&input.frame);
-        if input.pressed(Key::Escape) && !matches!(ask.question, Question::Restore(_)) {
+    pub(super) fn show_ask(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        let ask = self.ask.as_ref()?;
+        let answer = ask.show(ui);
+        if ui.key(Key::Escape) && !matches!(ask, Ask::Restore(_)) {
             self.ask = None;
             return None;
         }
-        let answer = ask.buttons.update(input)?;
-        match (self.ask.take()?.question, answer) {
-            (Question::Restore(kept), 0) => self.document.restore(kept),
-            (Question::Restore(_), _) => self.folder.forget(),
-            (Question::Leave, 0) => return self.save().then(|| self.leave()),
-            (Question::Leave, 1) => return Some(self.leave()),
-            (Question::Leave, _) => {}
-            (Question::Theirs(_), 0) => self.say("Both stay as they are until it is saved."),
-            (Question::Theirs(_), answer) => self.settle(if answer == 1 { KeptSide::Theirs } else { KeptSide::Mine }),
+        match (answer.and_then(|_| self.ask.take())?, answer?) {
+            (Ask::Restore(kept), "Have them back") => self.document.restore(kept),
+            (Ask::Restore(_), _) => self.folder.forget(),
+            (Ask::Leave, "Save") => return self.save().then(|| self.leave()),
+            (Ask::Leave, "Throw away") => return Some(self.leave()),
+            (Ask::Leave, _) => {}
+            (Ask::Theirs(_), "Theirs") => self.settle(KeptSide::Theirs),
+            (Ask::Theirs(_), "Mine") => self.settle(KeptSide::Mine),
+            (Ask::Theirs(_), _) => self.say("Both stay as they are until it is saved."),
         }
         None
     }

@@ -1,7 +1,7 @@
-//! What the pointer does in the picture: it selects, moves, sizes, draws, and drags way points, streams' ends and wires.
+//! The pointer in the picture: it selects, moves, sizes, draws, and drags way points, streams' ends and wires.
 
 use super::snap::Snap;
-use super::{Editor, Tool};
+use super::{Editor, EditorTool};
 use crate::draw::layout::Vec2;
 use crate::level::document::{Document, Kind, Place, RowId, SetCell, number, way_text};
 use crate::physics::DVec2;
@@ -31,12 +31,12 @@ pub enum Handle {
     Wire,
 }
 
-/// What is being dragged.
+/// A drag that goes on while a button is down.
 #[derive(Clone, Debug)]
-pub enum Drag {
+pub enum PointerDrag {
     /// The view, from where the pointer was.
     Pan(Vec2),
-    /// A frame around what is to be selected, from that point; what was selected before stays.
+    /// A frame that selects the things inside it, from that point; the rows selected before stay so.
     Frame(DVec2, Vec<RowId>),
     /// The selected things; where the first of them was, and where it was grabbed.
     Move { from: Place, grabbed: DVec2, begun: Vec2, moved: bool },
@@ -48,7 +48,7 @@ pub enum Drag {
 }
 
 impl Editor {
-    /// The handles of what is selected, and where they are: one thing alone has some.
+    /// The handles of the selection, and where they are, pixels: one thing alone has some.
     pub fn handles(&self) -> Vec<(Handle, DVec2)> {
         let [row] = self.selection[..] else { return Vec::new() };
         let Some(place) = self.document.place(row) else { return Vec::new() };
@@ -76,8 +76,8 @@ impl Editor {
         handles
     }
 
-    /// The uppermost thing at a point: of those that lie one above the other the smallest.
-    pub fn thing_at(&self, at: DVec2) -> Option<RowId> {
+    /// The smallest thing at a point, pixels.
+    fn thing_at(&self, at: DVec2) -> Option<RowId> {
         let slack = DVec2::splat(f64::from(CLICK) / self.view.scale());
         let near = self
             .document
@@ -86,7 +86,7 @@ impl Editor {
         near.min_by(|(_, a), (_, b)| a.size.element_product().total_cmp(&b.size.element_product())).map(|(row, _)| row)
     }
 
-    /// What there is to snap to, besides those rows.
+    /// Snaps to all things in view but those rows.
     fn snap(&self, input: &Input, without: &[RowId]) -> Snap {
         let visible = self.view.visible();
         let level = Place { min: DVec2::ZERO, size: self.document.size() };
@@ -98,19 +98,19 @@ impl Editor {
 
     /// One frame of the pointer in the picture.
     pub(super) fn update_hand(&mut self, input: &Input) {
-        let inside = self.parts.middle.contains(input.pointer);
+        let inside = self.panes.middle.contains(input.pointer);
         let at = self.view.pixels(input.pointer);
         if inside && input.wheel != 0.0 {
             self.view.zoom(f64::from(input.wheel), input.pointer);
         }
         match self.drag.take() {
             Some(drag) => self.drag_on(drag, input, at),
-            None if inside && input.click && input.held(Key::Space) => self.drag = Some(Drag::Pan(input.pointer)),
+            None if inside && input.click && input.held(Key::Space) => self.drag = Some(PointerDrag::Pan(input.pointer)),
             None if inside && input.click => self.take_hold(input, at),
             None if inside && input.dragging => {
-                self.drag = Some(Drag::Pan(input.pointer));
-                if input.right_click && self.tool != Tool::Select {
-                    self.tool = Tool::Select;
+                self.drag = Some(PointerDrag::Pan(input.pointer));
+                if input.right_click && self.tool != EditorTool::Select {
+                    self.tool = EditorTool::Select;
                 }
             }
             None => {}
@@ -119,9 +119,9 @@ impl Editor {
 
     fn take_hold(&mut self, input: &Input, at: DVec2) {
         self.next_gesture();
-        if let Tool::Add(kind) = self.tool {
+        if let EditorTool::Add(kind) = self.tool {
             let from = self.snap(input, &[]).point(at);
-            self.drag = Some(Drag::Draw(kind, from));
+            self.drag = Some(PointerDrag::Draw(kind, from));
             return;
         }
         let near = |point: DVec2| self.view.point(point).distance(input.pointer) <= GRAB;
@@ -131,14 +131,17 @@ impl Editor {
         {
             // A handle of a small thing stands beside the edge that it moves.
             let point = if let Handle::Size(side) = handle { from.centre() + side * from.size * 0.5 } else { shown };
-            self.drag = Some(Drag::Handle { row: *row, handle, from, offset: point - at, begun: input.pointer, moved: false });
+            self.drag =
+                Some(PointerDrag::Handle { row: *row, handle, from, offset: point - at, begun: input.pointer, moved: false });
             return;
         }
         let more = input.held(Key::Shift) || input.held(Key::Control);
         let Some(row) = self.thing_at(at) else {
-            let kept = if more { self.selection.clone() } else { Vec::new() };
-            self.select(kept.clone());
-            self.drag = Some(Drag::Frame(at, kept));
+            if !more {
+                self.selection.clear();
+            }
+            let kept = self.selection.clone();
+            self.drag = Some(PointerDrag::Frame(at, kept));
             return;
         };
         // A thing of several that are selected takes the others along.
@@ -147,36 +150,37 @@ impl Editor {
             (true, Some(known)) => {
                 let mut fewer = self.selection.clone();
                 fewer.remove(known);
-                return self.select(fewer);
+                self.selection = fewer;
+                return;
             }
-            (true, None) => self.select(self.selection.iter().copied().chain([row]).collect()),
-            (false, None) if under.is_none() || self.selection.len() == 1 => self.select(vec![row]),
+            (true, None) => self.selection.push(row),
+            (false, None) if under.is_none() || self.selection.len() == 1 => self.selection = vec![row],
             (false, _) => {}
         }
         if let Some(from) = self.selection.first().and_then(|row| self.document.place(*row)) {
-            self.drag = Some(Drag::Move { from, grabbed: at, begun: input.pointer, moved: false });
+            self.drag = Some(PointerDrag::Move { from, grabbed: at, begun: input.pointer, moved: false });
         }
     }
 
-    fn drag_on(&mut self, drag: Drag, input: &Input, at: DVec2) {
-        let held = if matches!(drag, Drag::Pan(_)) { input.holding || input.dragging } else { input.holding };
+    fn drag_on(&mut self, drag: PointerDrag, input: &Input, at: DVec2) {
+        let held = if matches!(drag, PointerDrag::Pan(_)) { input.holding || input.dragging } else { input.holding };
         match drag {
-            Drag::Pan(from) => {
+            PointerDrag::Pan(from) => {
                 if held {
                     self.view.pan(input.pointer - from);
-                    self.drag = Some(Drag::Pan(input.pointer));
+                    self.drag = Some(PointerDrag::Pan(input.pointer));
                 }
             }
-            Drag::Frame(from, kept) => {
+            PointerDrag::Frame(from, kept) => {
                 let frame = Place::between(from, at);
                 let within = self.document.things().filter(|(_, place)| frame.contains(place.min) && frame.contains(place.max()));
                 let mut rows: Vec<RowId> = kept.iter().copied().chain(within.map(|(row, _)| row)).collect();
                 rows.sort_unstable();
                 rows.dedup();
-                self.select(rows);
-                self.drag = held.then_some(Drag::Frame(from, kept));
+                self.selection = rows;
+                self.drag = held.then_some(PointerDrag::Frame(from, kept));
             }
-            Drag::Move { from, grabbed, begun, moved } => {
+            PointerDrag::Move { from, grabbed, begun, moved } => {
                 let moved = moved || input.pointer.distance(begun) > CLICK;
                 if moved {
                     let first = self.selection.first().copied();
@@ -185,12 +189,12 @@ impl Editor {
                     let to = self.snap(input, &self.selection).moved(to, by_centre);
                     let now = first.and_then(|row| self.document.place(row)).unwrap_or(from);
                     let by = to.min - now.min;
-                    // Several move by whole pixels: what lay on a whole pixel still does.
+                    // Several move by whole pixels: each that lay on a whole pixel still does.
                     self.shift_selection(if self.selection.len() > 1 { by.round() } else { by });
                 }
-                self.drag = held.then_some(Drag::Move { from, grabbed, begun, moved });
+                self.drag = held.then_some(PointerDrag::Move { from, grabbed, begun, moved });
             }
-            Drag::Handle { row, mut handle, from, offset, begun, moved } => {
+            PointerDrag::Handle { row, mut handle, from, offset, begun, moved } => {
                 let moved = moved || input.pointer.distance(begun) > CLICK;
                 if moved && handle == Handle::Wire {
                     if !held {
@@ -202,11 +206,11 @@ impl Editor {
                     self.set(&cells);
                     handle = next;
                 }
-                self.drag = held.then_some(Drag::Handle { row, handle, from, offset, begun, moved });
+                self.drag = held.then_some(PointerDrag::Handle { row, handle, from, offset, begun, moved });
             }
-            Drag::Draw(kind, from) => {
+            PointerDrag::Draw(kind, from) => {
                 if held {
-                    self.drag = Some(Drag::Draw(kind, from));
+                    self.drag = Some(PointerDrag::Draw(kind, from));
                     return;
                 }
                 let to = self.snap(input, &[]).point(at);
@@ -222,7 +226,7 @@ impl Editor {
         }
     }
 
-    /// A switch's wire is let go of there.
+    /// The wire of a switch ends there.
     fn end_wire(&mut self, row: RowId, at: DVec2) {
         let near = self.document.things().filter(|(thing, place)| self.document.can_be_worked(*thing) && place.contains(at));
         let thing =
@@ -236,7 +240,7 @@ impl Editor {
         }
     }
 
-    /// What cells hold when a handle has been dragged there, and which handle it is from then on.
+    /// The cells after a handle has been dragged there, and the handle that is dragged from then on.
     fn handle_moved(&self, row: RowId, handle: Handle, from: Place, at: DVec2) -> (Handle, Vec<SetCell>) {
         match handle {
             Handle::Size(side) => {
@@ -274,7 +278,7 @@ impl Editor {
             }
             Handle::Reach => {
                 let away = at - from.centre();
-                // Along the axis that it is pulled further out of the source.
+                // The axis along which it is pulled further out of the source, in sizes of the source.
                 let across = away.x.abs() / from.size.x > away.y.abs() / from.size.y;
                 let beyond = |axis: usize| {
                     if away[axis] < 0.0 { (at[axis] - from.min[axis]).min(-1.0) } else { (at[axis] - from.max()[axis]).max(1.0) }
@@ -288,7 +292,7 @@ impl Editor {
     }
 }
 
-/// The corners and sides that can be dragged.
+/// Corners and sides, as in [`Handle::Size`].
 const SIDES: [DVec2; 8] = [
     DVec2::new(-1.0, 0.0),
     DVec2::new(1.0, 0.0),

@@ -28,7 +28,7 @@ pub fn text_scale(pixel: f32) -> f32 {
 
 /// The parts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Parts {
+pub struct Panes {
     pub top: Area,
     pub left: Area,
     pub right: Area,
@@ -47,7 +47,7 @@ pub struct Parts {
     text: f32,
 }
 
-impl Parts {
+impl Panes {
     /// The parts in that frame, with `problems` lines of problems.
     pub fn new(frame: &Frame, problems: usize) -> Self {
         let height_of_text = frame.text_height(DETAILS);
@@ -117,13 +117,13 @@ mod tests {
         for (width, height) in [(900.0, 500.0), (1280.0, 720.0), (1920.0, 1080.0), (800.0, 800.0)] {
             let frame = Frame::of_window(Vec2::new(width, height));
             let frame = frame.with_text(text_scale(frame.pixel));
-            let parts = Parts::new(&frame, PROBLEM_LINES);
+            let parts = Panes::new(&frame, PROBLEM_LINES);
             let sum: f32 = [parts.top, parts.left, parts.right, parts.bottom, parts.middle]
                 .iter()
                 .map(|part| part.size.element_product())
                 .sum();
             assert!((sum / frame.size.element_product() - 1.0).abs() < 1e-4, "{width} × {height}");
-            let share = |problems: usize| Parts::new(&frame, problems).middle.size.element_product() / frame.size.element_product();
+            let share = |problems: usize| Panes::new(&frame, problems).middle.size.element_product() / frame.size.element_product();
             let least = if width < 1000.0 { 0.5 } else { 0.6 };
             assert!(share(0) > least, "the picture has {} of {width} × {height}", share(0));
             assert!(parts.offer(13, 3).max().y < frame.size.y, "thirteen columns: {width} × {height}");

@@ -13,7 +13,7 @@ const ROOM: f64 = 0.025;
 
 /// The part in view.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct View {
+pub struct EditorView {
     /// What lies at the window's top left corner, pixels of the picture.
     origin: DVec2,
     /// Canvas units a pixel of the picture.
@@ -22,13 +22,13 @@ pub struct View {
     pub area: Area,
 }
 
-impl Default for View {
+impl Default for EditorView {
     fn default() -> Self {
         Self { origin: DVec2::ZERO, scale: 1.0, area: Area::default() }
     }
 }
 
-impl View {
+impl EditorView {
     /// Whether the same part of the picture is shown as large.
     pub fn shows_as(&self, other: &Self) -> bool {
         (self.origin, self.scale) == (other.origin, other.scale)
@@ -92,7 +92,7 @@ mod tests {
 
     #[test]
     fn what_the_pointer_is_on_stays_there_while_it_zooms() {
-        let mut view = View { area: Area::new(100.0, 50.0, 800.0, 600.0), ..View::default() };
+        let mut view = EditorView { area: Area::new(100.0, 50.0, 800.0, 600.0), ..EditorView::default() };
         view.fit(&Place { min: DVec2::ZERO, size: DVec2::new(1280.0, 720.0) });
         let at = Vec2::new(333.0, 222.0);
         let fixed = view.pixels(at);
@@ -104,7 +104,7 @@ mod tests {
 
     #[test]
     fn all_of_what_is_fitted_is_in_view() {
-        let mut view = View { area: Area::new(100.0, 50.0, 800.0, 600.0), ..View::default() };
+        let mut view = EditorView { area: Area::new(100.0, 50.0, 800.0, 600.0), ..EditorView::default() };
         for place in
             [Place { min: DVec2::new(-50.0, 3.0), size: DVec2::new(9000.0, 20.0) }, Place { min: DVec2::ZERO, size: DVec2::ONE }]
         {

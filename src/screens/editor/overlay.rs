@@ -1,6 +1,12 @@
-//! What lies above the picture: what is selected, its handles, what is being drawn; and the level in small.
+//! The marks above the picture: the selection, its handles, the drag.
 
-use super::*;
+use super::Editor;
+use super::hand::{Handle, PointerDrag};
+use super::paint::{colour, edge};
+use crate::draw::layout::{Area, DETAILS, Vec2};
+use crate::draw::{Canvas, Style};
+use crate::level::document::{Kind, Place, number};
+use crate::view::theme;
 
 impl Editor {
     pub(super) fn draw_selection(&self, canvas: &Canvas) {
@@ -28,14 +34,14 @@ impl Editor {
             }
         }
         match &self.drag {
-            Some(Drag::Frame(from, _)) => {
-                let to = self.pointed();
+            Some(PointerDrag::Frame(from, _)) => {
+                let to = self.view.pixels(self.pointer);
                 let area = self.view.rect(&Place::between(*from, to));
                 canvas.rectangle(area, theme::accent().faded(0.1));
                 edge(canvas, area, 0.75, theme::accent());
             }
-            Some(Drag::Draw(kind, from)) => {
-                let to = self.pointed().round();
+            Some(PointerDrag::Draw(kind, from)) => {
+                let to = self.view.pixels(self.pointer).round();
                 let area = self.view.rect(&Place::between(*from, to));
                 canvas.rectangle(area, colour(*kind).faded(0.5));
                 edge(canvas, area, 1.0, colour(*kind));
@@ -43,39 +49,12 @@ impl Editor {
                 let words = format!("{} × {} px", number(size.x.round()), number(size.y.round()));
                 canvas.text(&words, area.max() + Vec2::new(8.0, -8.0), Style::new(DETAILS, theme::text()).mono());
             }
-            Some(Drag::Handle { row, handle: Handle::Wire, .. }) => {
+            Some(PointerDrag::Handle { row, handle: Handle::Wire, .. }) => {
                 if let Some(place) = self.document.place(*row) {
                     canvas.line(self.view.point(place.centre()), self.pointer, 2.0, colour(Kind::Switch));
                 }
             }
-            Some(Drag::Pan(_) | Drag::Move { .. } | Drag::Handle { .. }) | None => {}
+            Some(PointerDrag::Pan(_) | PointerDrag::Move { .. } | PointerDrag::Handle { .. }) | None => {}
         }
-    }
-
-    /// The level in small, with the part in view.
-    pub(super) fn draw_map(&self, canvas: &Canvas) {
-        if !self.map_is_shown() {
-            return;
-        }
-        let (scale, corner) = self.map();
-        let size = self.document.size().as_vec2() * scale;
-        let paper = Area { min: corner, size };
-        canvas.rectangle(paper.inset(-3.0), theme::panel_edge());
-        canvas.rectangle(paper, theme::ground());
-        let point = |pixels: DVec2| (corner + pixels.as_vec2() * scale).clamp(paper.min, paper.max());
-        let between = |place: &Place| {
-            let (min, max) = (point(place.min), point(place.max()));
-            Area { min, size: (max - min).max(Vec2::ONE) }
-        };
-        for (row, place) in self.document.things() {
-            let Some(kind) = self.document.kind(row).filter(|kind| *kind != Kind::Text) else { continue };
-            let area = between(&place);
-            let least = if matches!(kind, Kind::Ship | Kind::Pad | Kind::KeyPad | Kind::Key) { 3.0 } else { 1.0 };
-            canvas.rectangle(
-                Area::around(area.centre(), area.size.max(Vec2::splat(least))),
-                if kind == Kind::Solid { theme::solid() } else { colour(kind) },
-            );
-        }
-        edge(canvas, between(&self.view.visible()), 0.75, theme::accent());
     }
 }

@@ -1,12 +1,20 @@
-//! The author's picture and what lies on it.
+//! The level as the editor draws it.
 
-use super::*;
+use super::Editor;
+use super::hand::stream_zone;
+use super::paint::{arrow, colour, edge, material};
+use crate::draw::layout::{Area, Vec2};
+use crate::draw::{Canvas, Colour, Image, Style};
+use crate::level::document::{Kind, Place, RowId};
 use crate::level::read_picture;
+use crate::physics::DVec2;
+use crate::view::theme;
+use std::path::PathBuf;
 
 impl Editor {
     pub(super) fn draw_picture(&self, canvas: &Canvas) {
         let level = self.view.rect(&Place { min: DVec2::ZERO, size: self.document.size() });
-        canvas.rectangle(self.parts.middle, theme::panel());
+        canvas.rectangle(self.panes.middle, theme::panel());
         canvas.rectangle(level, theme::ground());
         let background = self.folder.background().and_then(|path| self.picture(path));
         match background {
@@ -22,7 +30,7 @@ impl Editor {
                 place.meets(&visible) || *kind == Kind::Stream && stream_zone(&self.document, *row, *place).0.meets(&visible)
             })
             .collect();
-        // Zones below, what is solid above them, what moves above that.
+        // Zones below, solid blocks above them, movers above those.
         let depth = |kind: Kind| match kind {
             Kind::Picture => 0,
             Kind::Fluid | Kind::Gravity => 1,
@@ -47,14 +55,14 @@ impl Editor {
         }
     }
 
-    /// Paper with a square a metre, a heavy line every ten, where there is no picture.
+    /// The paper of a level without a background: a fine line every metre, a heavy one every ten.
     fn draw_grid(&self, canvas: &Canvas, level: Area) {
         let metre = self.document.metre() * self.view.scale();
         let steps: &[(f64, Colour)] = &[(1.0, theme::grid_fine()), (10.0, theme::grid_heavy())];
         for (metres, colour) in steps.iter().filter(|(metres, _)| metres * metre > 6.0) {
             let step = (metres * metre) as f32;
             let seen = |from: f32, least: f32| ((least - from) / step).ceil().max(0.0) as i32;
-            let middle = self.parts.middle;
+            let middle = self.panes.middle;
             let (end_x, end_y) = (level.max().x.min(middle.max().x), level.max().y.min(middle.max().y));
             let (top, left) = (level.min.y.max(middle.min.y), level.min.x.max(middle.min.x));
             for x in (seen(level.min.x, middle.min.x)..).map(|i| level.min.x + i as f32 * step).take_while(|x| *x <= end_x) {
@@ -82,7 +90,7 @@ impl Editor {
             Kind::Mover | Kind::Door => {
                 canvas.rectangle(area, own.faded(if kind == Kind::Door { 0.5 } else { 0.75 }));
                 edge(canvas, area, 1.5, own);
-                self.draw_way(canvas, row, place);
+                self.draw_path(canvas, row, place);
             }
             Kind::Stream => {
                 let (zone, end) = stream_zone(&self.document, row, *place);
@@ -168,7 +176,7 @@ impl Editor {
     }
 
     fn draw_one_way(&self, canvas: &Canvas, area: Area, side: &str) {
-        let (a, b, c) = (area.min, area.max(), 1.5);
+        let (a, b) = (area.min, area.max());
         let (from, to) = match side.to_ascii_lowercase().as_str() {
             "top" => (a, Vec2::new(b.x, a.y)),
             "bottom" => (Vec2::new(a.x, b.y), b),
@@ -176,11 +184,11 @@ impl Editor {
             "right" => (Vec2::new(b.x, a.y), b),
             _ => return,
         };
-        canvas.line(from, to, 2.0 * c, theme::accent());
+        canvas.line(from, to, 3.0, theme::accent());
     }
 
-    /// The way of a mover: lines between the middles of where it stops.
-    fn draw_way(&self, canvas: &Canvas, row: RowId, place: &Place) {
+    /// The path of a mover: lines between the middles of where it stops.
+    fn draw_path(&self, canvas: &Canvas, row: RowId, place: &Place) {
         let half = place.size * 0.5;
         let mut from = place.centre();
         for stop in self.document.way_points(row) {
