@@ -1,5 +1,5 @@
-//! What the app does with levels' files while it runs: it reads them again when they change, opens what is dropped on the window, and makes,
-//! names and edits levels.
+//! Levels' files while the app runs: it reads them again when they change, opens files that are dropped on the window, and makes, names and
+//! edits levels.
 
 use super::level_select::LevelEntry;
 use super::library::Refusal;
@@ -22,7 +22,7 @@ impl App {
         self.grant(request, spectator);
     }
 
-    /// Takes the screen away, where it is of that type.
+    /// The screen itself, where it is of that type; an empty one stays in its place.
     fn take_screen<T: Screen>(&mut self) -> Option<Box<T>> {
         if !self.screen.is::<T>() {
             return None;
@@ -58,7 +58,7 @@ impl App {
         })
     }
 
-    /// Has the level that is flown read again when its files have changed. What is flown from the editor is not on disk.
+    /// Has the level that is flown read again when its files have changed; a test flight's level is not on disk.
     pub(super) fn look_at_files(&mut self, frame_time: f64) {
         let (Some(flight), Some(watch), None) = (self.screen.get::<Flight>(), &mut self.watch, &self.editing) else { return };
         if !watch.update(frame_time) || !watch.folder().is_dir() {
@@ -68,7 +68,7 @@ impl App {
         self.reading = Some(self.worker.ask(Errand::Level(folder, self.library.root().to_path_buf())));
     }
 
-    /// Goes on in the level that is flown as it was read again.
+    /// Goes on with the flight in its level as that was read again.
     pub(super) fn take_over(&mut self, folder: &Path, level: Result<Arc<Level>, Refusal>, spectator: &mut dyn Spectator) {
         let (Some(flight), None) = (self.screen.get_mut::<Flight>(), &self.editing) else { return };
         let flown = flight.attempt().level.clone();
@@ -79,7 +79,7 @@ impl App {
             Ok(level) => {
                 self.watch = Some(self.library.watch(&level));
                 if *level == *flown {
-                    // A comment, a picture: nothing that the flight depends on.
+                    // A comment or a picture has changed: the flight does not depend on it.
                     flight.tell_of_mending();
                     spectator.goes_on(flight.game());
                 } else {
@@ -90,7 +90,7 @@ impl App {
         }
     }
 
-    /// Whether a level is read again before it is flown once more: what is edited is flown as it is in memory.
+    /// Whether a level is read again before it is flown once more: a test flight's level is in memory.
     pub(super) fn reads_again(&self, name: &str) -> bool {
         self.editing.is_none() && self.library.folder(name).is_dir()
     }
@@ -134,7 +134,7 @@ impl App {
         }
     }
 
-    /// Asks for what the list of levels shows and does not know yet, and looks up how long one of the listed flights took.
+    /// Asks for the cards in view that the list does not know yet, and looks up how long one of the listed flights took.
     pub(super) fn fill_in_view(&mut self) {
         if let Some(screen) = self.screen.get_mut::<Flights>() {
             // One file is enough for a frame.
@@ -168,7 +168,7 @@ impl App {
         }
     }
 
-    /// Shows on the list what the worker has found out of a level.
+    /// Shows a level's card that the worker has brought.
     pub(super) fn take_card(&mut self, ticket: Ticket, card: Card) {
         self.asked.retain(|_, asked| *asked != ticket);
         let Some(screen) = self.screen.get_mut::<LevelSelect>() else { return };
@@ -183,7 +183,7 @@ impl App {
         screen.tell(index, LevelEntry { level, stamp, title, best, awards, medals, name });
     }
 
-    /// Shows the levels that there are now.
+    /// Shows the names of levels that the worker has brought.
     pub(super) fn take_list(&mut self, names: Vec<String>) {
         self.asked.remove("");
         if let Some(screen) = self.screen.get_mut::<LevelSelect>() {
@@ -191,7 +191,7 @@ impl App {
         }
     }
 
-    /// The editor of a level; of one that comes with the game, the list with the question what a copy of it is to be called. A flight waits.
+    /// The editor of a level; of one that comes with the game, the list with the question for a copy's name. A flight waits.
     pub(super) fn edit_or_copy(&mut self, name: &str) -> Box<dyn Screen> {
         let folder = self.library.folder(name);
         if let Some(flight) = self.take_screen::<Flight>() {
@@ -216,7 +216,7 @@ impl App {
         flight
     }
 
-    /// The editor of a level, or the list with what is wrong.
+    /// The editor of a level, or the list with the problem.
     pub(super) fn edit(&mut self, name: &str) -> Box<dyn Screen> {
         self.last_level = Some(name.to_owned());
         let opened = self.opened.take();
@@ -233,7 +233,7 @@ impl App {
     /// Makes or names a level's folder.
     ///
     /// # Errors
-    /// Why that cannot be, in words.
+    /// The reason, in words.
     pub(super) fn make(&mut self, make: &Make) -> Result<(), String> {
         let levels = self.library.levels().to_path_buf();
         let (Make::New(name) | Make::Copy(_, name) | Make::Rename(_, name)) = make;
@@ -253,7 +253,7 @@ impl App {
         Ok(())
     }
 
-    /// Saves the level that is flown as it is varied, and says on the panel what became of that.
+    /// Saves the level that is flown as it is varied, and shows on the panel where, or why not.
     pub(super) fn save_varied(&mut self, variation: &Variation, name: &str) {
         let saved = self.write_varied(variation, name);
         if let Some(flight) = self.screen.get_mut::<Flight>() {
@@ -261,11 +261,11 @@ impl App {
         }
     }
 
-    /// Writes a folder with the files of the level that is flown, in which other numbers stand; where it is, in words.
+    /// Writes a folder with the files of the level that is flown and the varied numbers in them; its place, in words.
     fn write_varied(&mut self, variation: &Variation, name: &str) -> Result<String, String> {
         let Some(flight) = self.screen.get::<Flight>() else { return Err("Nothing is flown.".to_owned()) };
         if self.editing.is_some() {
-            return Err("What is edited is saved in the editor.".to_owned());
+            return Err("An edited level is saved in the editor.".to_owned());
         }
         let level = flight.attempt().level.clone();
         let first = |problems: Vec<Problem>| problems.first().map_or_else(String::new, ToString::to_string);
@@ -287,7 +287,7 @@ impl App {
         Ok(saved)
     }
 
-    /// Flies what is edited, and tells of the problems that are left; the editor waits.
+    /// Flies the level of the editor, which waits, and shows the problems that are left.
     pub(super) fn test_fly(&mut self, level: Arc<Level>, left: Vec<String>, spectator: &mut dyn Spectator) -> Box<dyn Screen> {
         match Flight::test(level, left, spectator) {
             Ok(mut flight) => {

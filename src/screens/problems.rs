@@ -1,4 +1,4 @@
-//! A panel with the lines that say what is wrong with a level.
+//! A panel with a level's problems.
 
 use super::Key;
 use super::scroll::{BAR_WIDTH, bar_beside};
@@ -7,7 +7,7 @@ use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, LINE, MONO_ADVANCE, PADDIN
 use crate::ui::{Turning, Ui};
 use crate::view::theme;
 
-/// From the canvas' edges to the panel.
+/// From the canvas' edges to the panel, canvas units, as all lengths here.
 const MARGIN: Vec2 = Vec2::new(80.0, 56.0);
 /// From the panel's top to its first line.
 const HEAD: f32 = 72.0;
@@ -15,13 +15,13 @@ const HEAD: f32 = 72.0;
 const FOOT: f32 = 3.0 * PADDING + ROW_BUTTON.y;
 /// From its left edge to its lines.
 const LEFT: f32 = PADDING + 8.0;
-/// What its width has beside the lines, for the bar.
+/// The part of its width beside the lines, with the scroll bar.
 const ASIDE: f32 = LEFT + 2.0 * PADDING + BAR_WIDTH;
 
 /// How far the further lines of a problem are set in, characters.
 const INDENT: usize = 4;
 
-/// The panel; it can be scrolled where it is long.
+/// The panel; it scrolls where it is long.
 #[derive(Debug)]
 pub struct Problems {
     heading: String,
@@ -29,7 +29,7 @@ pub struct Problems {
 }
 
 impl Problems {
-    /// A panel with a line a problem.
+    /// A panel with a paragraph a problem.
     pub fn new(heading: String, problems: Vec<String>) -> Self {
         Self { heading, problems }
     }

@@ -173,8 +173,8 @@ fn every_column_can_be_written_and_what_is_wrong_is_the_loaders_own_word() {
     sitting.wait(0.3);
     let message = "objects.csv:2: column \"mass\": found \"heavy\", expected a number such as 12.5";
     assert!(sitting.warning().is_some() && sitting.shows(message));
-    // A click on the problem selects the thing; the view and the keyboard stay where they are. Tab leads to what is wrong with it, and what
-    // is typed then takes its place.
+    // A click on the problem selects the thing; the view and the keyboard stay where they are. Tab leads to its wrong cell, and the next
+    // letters take the place of the text there.
     sitting.press(Key::Escape);
     assert!(sitting.editor().selection().is_empty());
     let before = sitting.editor().point(DVec2::ZERO);
@@ -190,7 +190,7 @@ fn every_column_can_be_written_and_what_is_wrong_is_the_loaders_own_word() {
     sitting.write("70").press(Key::Enter).wait(0.3);
     assert_eq!(sitting.editor().document().cell(row, "mass"), Some("70"));
     assert_eq!(sitting.warning(), None);
-    // Words are gone through by clicks.
+    // A click goes on to the next word of a choice.
     sitting.click("material");
     assert_eq!(sitting.editor().document().cell(row, "material"), Some("Steel"));
     // The level's own settings, where nothing is selected.
@@ -212,11 +212,11 @@ fn all_that_the_files_can_hold_can_be_added() {
         sitting.press(Key::Escape);
     }
     sitting.wait(0.3);
-    // What is wrong is about what is where, not about cells that cannot be read.
+    // The problems are about places, not about cells that cannot be read.
     let cells = sitting.editor().problems().iter().filter(|(_, refused)| *refused);
-    let told =
+    let unreadable =
         |text: &String| ["a number such", "whole number", "cell", "decoration", "picture"].iter().any(|word| text.contains(word));
-    let unread: Vec<String> = cells.map(|(problem, _)| problem.to_string()).filter(told).collect();
+    let unread: Vec<String> = cells.map(|(problem, _)| problem.to_string()).filter(unreadable).collect();
     assert!(unread.is_empty(), "{unread:?}");
 }
 
@@ -412,7 +412,7 @@ fn what_there_is_to_say_stays_until_it_is_read() {
     sitting.press(Key::Delete);
     let words = "A level has a ship: it stays.";
     assert!(sitting.shows(words));
-    // Pointed at it stays.
+    // It stays under the pointer.
     let below = Vec2::new(sitting.frame.size.x / 2.0, sitting.frame.size.y - 6.0);
     for _ in 0..1200 {
         sitting.point_at(below);
@@ -463,7 +463,7 @@ fn what_another_program_writes_is_taken_over_or_asked_about() {
     assert!(!sitting.editor().is_unsaved());
     control(&mut sitting, Key::Z);
     assert!(text(&sitting, Table::World).contains("100,100,100,50"), "theirs can be undone, too");
-    // And the other way round: theirs is beside it, and an undo away.
+    // The other answer: their file is kept beside it, and Undo brings it back.
     fs::write(file(&sitting, "world.csv"), "0,400,800,20\n").unwrap();
     sitting.wait(0.4);
     sitting.click("Mine").rest();
@@ -511,7 +511,7 @@ fn a_click_changes_no_size_and_the_middle_of_a_small_thing_moves_it() {
     assert_eq!(sitting.editor().document().place(small).unwrap(), Place { size: DVec2::new(60.0, 40.0), ..place });
 }
 
-/// Where the handle is that moves these edges.
+/// The place of the handle that moves these edges.
 fn handle(sitting: &Sitting, side: DVec2) -> DVec2 {
     let place = sitting.editor().document().place(sitting.editor().selection()[0]).unwrap();
     let signs = |value: DVec2| DVec2::new((value.x * 1e3).round().clamp(-1.0, 1.0), (value.y * 1e3).round().clamp(-1.0, 1.0));

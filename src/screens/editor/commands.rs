@@ -9,7 +9,7 @@ use crate::draw::{Canvas, Style};
 use crate::level::document::{Document, Kind, RowId, SaveError, Table};
 use crate::physics::DVec2;
 use crate::screens::{Input, Key, Request};
-use crate::ui::{WidgetKind, Ui};
+use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
 use std::sync::Arc;
 
@@ -141,7 +141,7 @@ impl Editor {
         self.nudge(input);
     }
 
-    /// The arrow keys move what is selected by a pixel, with Shift by ten; or the view, where nothing is.
+    /// The arrow keys move the selection by a pixel, with Shift by ten; or the view, where it is empty.
     fn nudge(&mut self, input: &Input) {
         let arrows = [(Key::Left, DVec2::NEG_X), (Key::Right, DVec2::X), (Key::Up, DVec2::NEG_Y), (Key::Down, DVec2::Y)];
         let strokes = self.repeat.strokes(input, &arrows.map(|(key, _)| key));
@@ -158,7 +158,6 @@ impl Editor {
         self.shift_selection(by * if input.held(Key::Shift) { 10.0 } else { 1.0 });
     }
 
-    /// Does what the button of that label says.
     fn command(&mut self, command: &str) -> Option<Request> {
         self.next_gesture();
         if matches!(command, "Undo" | "Redo") {

@@ -86,7 +86,7 @@ impl Editor {
         near.min_by(|(_, a), (_, b)| a.size.element_product().total_cmp(&b.size.element_product())).map(|(row, _)| row)
     }
 
-    /// Snaps to all things in view but those rows.
+    /// Snaps to all things in view except these rows.
     fn snap(&self, input: &Input, without: &[RowId]) -> Snap {
         let visible = self.view.visible();
         let level = Place { min: DVec2::ZERO, size: self.document.size() };

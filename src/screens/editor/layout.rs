@@ -1,5 +1,5 @@
-//! Where the editor's parts are: tools at the left, what is selected at the right, problems below, a row of commands above. The picture has
-//! the rest. All of it is as wide as its words need.
+//! The editor's panes: tools at the left, the panel at the right, problems below, commands above, the picture in the middle. Each is as wide
+//! as its words need.
 
 use crate::draw::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, TEXT, Vec2};
 
@@ -9,33 +9,31 @@ const COMMAND: f32 = 6.0;
 /// Width of the tools: their mark and the space around it, and their longest name in heights of text.
 const TOOL_MARK: f32 = 50.0;
 const TOOL_NAME: f32 = 5.7;
-/// The longest name of a column, and what a field shows of its text, in letters.
+/// The longest name of a column, and the room of a cell in its field, in letters.
 const LABEL: f32 = 13.2;
 const CELL: f32 = 15.0;
-/// The level in small.
+/// The level in small, in a window of the design's size, canvas units.
 const MAP: Vec2 = Vec2::new(160.0, 96.0);
-/// From the edge of a part to what is in it, and between two buttons.
+/// From the edge of a pane to its contents, and between two buttons, canvas units.
 pub const INSIDE: f32 = 8.0;
 pub const BETWEEN: f32 = 4.0;
 /// How many problems are in view at most.
 pub const PROBLEM_LINES: usize = 4;
 /// How many pictures are offered at most.
 pub const OFFERS: usize = 8;
-/// How large words are in a window with `pixel` canvas units a pixel: in a large window they need not grow with it.
+
+/// How large words are in a window with `pixel` canvas units a pixel: they grow less than a large window.
 pub fn text_scale(pixel: f32) -> f32 {
     (1.25 * pixel).clamp(0.75, 1.0)
 }
 
-/// The parts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Panes {
     pub top: Area,
     pub left: Area,
     pub right: Area,
     pub bottom: Area,
-    /// The picture.
     pub middle: Area,
-    /// The level in small, above the picture's corner.
     pub map: Area,
     /// From one line of small text to the next.
     pub line: f32,
@@ -43,12 +41,11 @@ pub struct Panes {
     pub field: f32,
     /// Width of a letter of small text.
     pub letter: f32,
-    /// How large words are.
     text: f32,
 }
 
 impl Panes {
-    /// The parts in that frame, with `problems` lines of problems.
+    /// The panes in that frame, with `problems` lines of problems.
     pub fn new(frame: &Frame, problems: usize) -> Self {
         let height_of_text = frame.text_height(DETAILS);
         let (line, letter, text) = (height_of_text * LINE, height_of_text * MONO_ADVANCE, frame.text);

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 /// The pictures by path, read when they are first drawn; `None`: the file is no picture.
 pub type Sheets = BTreeMap<PathBuf, Option<Image>>;
 
-/// The colours of kinds: those of the game, where it has one.
+/// The colour of a kind: the game's, where it has one.
 pub fn colour(kind: Kind) -> Colour {
     let of = |r, g, b| Colour::of([r, g, b]);
     match kind {

@@ -8,7 +8,7 @@ use crate::draw::{Canvas, Style};
 use crate::level::document::{Column, Document, Kind, RowId, SETTINGS, SetCell};
 use crate::screens::text_field::TextField;
 use crate::screens::{Input, Key};
-use crate::ui::{WidgetKind, Ui};
+use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
 
 /// The longest cell, characters.
@@ -47,7 +47,7 @@ pub struct CellPanel {
 }
 
 impl CellPanel {
-    /// Reads those rows' cells, or the settings where there are none.
+    /// Reads these rows' cells, or the settings where there are none.
     pub fn read(&mut self, document: &Document, rows: &[RowId]) {
         let kinds: Vec<Option<Kind>> = rows.iter().map(|row| document.kind(*row)).collect();
         self.kind = kinds.first().copied().flatten().filter(|first| kinds.iter().all(|kind| *kind == Some(*first)));

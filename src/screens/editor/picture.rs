@@ -30,7 +30,7 @@ impl Editor {
                 place.meets(&visible) || *kind == Kind::Stream && stream_zone(&self.document, *row, *place).0.meets(&visible)
             })
             .collect();
-        // Zones below, solid blocks above them, movers above those.
+        // Zones below, solid blocks above them, movers on top.
         let depth = |kind: Kind| match kind {
             Kind::Picture => 0,
             Kind::Fluid | Kind::Gravity => 1,

@@ -6,7 +6,7 @@ use crate::draw::layout::{Area, DETAILS, Vec2, wrapped};
 use crate::draw::{Canvas, Style};
 use crate::level::Problem;
 use crate::level::document::{Kind, RowId, Table};
-use crate::ui::{WidgetKind, Ui};
+use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
 
 impl Editor {

@@ -1,4 +1,4 @@
-//! Where the pointer's work ends up: on the edges of other things near by, else on the grid, else on whole pixels.
+//! A point or a rectangle is moved onto the edges of other things near by, else onto the grid, else onto whole pixels.
 
 use crate::level::document::Place;
 use crate::physics::DVec2;
@@ -6,14 +6,13 @@ use crate::physics::DVec2;
 /// The grid, pixels.
 pub const GRID: f64 = 10.0;
 
-/// What there is to snap to.
 #[derive(Clone, Debug, Default)]
 pub struct Snap {
-    /// Whether it is done at all.
+    /// Off: whole pixels only.
     pub on: bool,
-    /// How near is near, pixels.
+    /// An edge further away than this is none, pixels.
     pub reach: f64,
-    /// The edges of other things, across and down.
+    /// The edges of other things along x and y, whole pixels.
     pub edges: [Vec<f64>; 2],
 }
 
@@ -22,7 +21,7 @@ impl Snap {
     pub fn new(on: bool, reach: f64, others: impl Iterator<Item = Place>) -> Self {
         let mut edges = [Vec::new(), Vec::new()];
         for place in others.take(if on { usize::MAX } else { 0 }) {
-            // On whole pixels, outside of the thing: what is snapped to it does not reach into it.
+            // On whole pixels, outside of the thing: a snapped rectangle does not reach into it.
             let (min, max) = (place.min.floor(), place.max().ceil());
             edges[0].extend([min.x, max.x]);
             edges[1].extend([min.y, max.y]);
@@ -30,7 +29,7 @@ impl Snap {
         Self { on, reach, edges }
     }
 
-    /// How far a value along an axis is from where it ends up.
+    /// From a value along an axis to the snapped one, pixels.
     fn offset(&self, axis: usize, value: f64) -> f64 {
         if !self.on {
             return value.round() - value;
@@ -39,13 +38,12 @@ impl Snap {
         near.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or_else(|| (value / GRID).round() * GRID - value)
     }
 
-    /// Where a point ends up.
     pub fn point(&self, point: DVec2) -> DVec2 {
         point + DVec2::new(self.offset(0, point.x), self.offset(1, point.y))
     }
 
-    /// Where a rectangle ends up that is moved as a whole: by the one of its edges that is nearest to one of the others', else by its corner.
-    /// The point that its cells name, the corner or the middle, is a whole pixel then.
+    /// Moves a rectangle by the one of its edges that is nearest to an edge of the others, else by its corner. The point that its cells
+    /// name, the corner or the middle, is a whole pixel then.
     pub fn moved(&self, place: Place, by_centre: bool) -> Place {
         let along = |axis: usize| {
             let (near, far) = (place.min[axis], place.max()[axis]);
@@ -82,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn whole_pixels_come_of_it_also_beside_the_ship() {
+    fn snapped_points_are_whole_pixels_also_beside_the_ship() {
         let ship = Place { min: DVec2::new(124.5, 100.0), size: DVec2::splat(51.0) };
         let snap = Snap::new(true, 4.0, [ship].into_iter());
         assert_eq!(snap.point(DVec2::new(174.0, 43.0)), DVec2::new(176.0, 40.0), "its edge is at 175.5");

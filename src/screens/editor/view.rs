@@ -1,4 +1,4 @@
-//! Which part of the author's picture is in view, and how large.
+//! The part of the level in view, and its scale.
 
 use crate::draw::layout::{Area, Vec2};
 use crate::level::document::Place;
@@ -6,19 +6,18 @@ use crate::physics::DVec2;
 
 /// Canvas units a pixel of the picture, at least and at most.
 const SCALES: (f64, f64) = (1e-5, 16.0);
-/// How much a notch of the wheel magnifies.
+/// Magnification of a notch of the wheel.
 const NOTCH: f64 = 1.15;
-/// How much room is left around what is brought into view, of the window's size.
+/// Room on each side of a rectangle that is fitted into view, as a share of the window.
 const ROOM: f64 = 0.025;
 
-/// The part in view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EditorView {
-    /// What lies at the window's top left corner, pixels of the picture.
+    /// The point of the picture at the top left corner of `area`, pixels.
     origin: DVec2,
     /// Canvas units a pixel of the picture.
     scale: f64,
-    /// Where it is shown, canvas units.
+    /// The picture's pane, canvas units.
     pub area: Area,
 }
 
@@ -39,28 +38,27 @@ impl EditorView {
         self.scale
     }
 
-    /// Where a point of the picture is shown.
+    /// From the picture to the canvas.
     pub fn point(&self, pixels: DVec2) -> Vec2 {
         self.area.min + ((pixels - self.origin) * self.scale).as_vec2()
     }
 
-    /// Where a rectangle of the picture is shown.
     pub fn rect(&self, place: &Place) -> Area {
         let (min, max) = (self.point(place.min), self.point(place.max()));
         Area { min, size: max - min }
     }
 
-    /// The point of the picture that is shown there.
+    /// From the canvas to the picture.
     pub fn pixels(&self, point: Vec2) -> DVec2 {
         self.origin + (point - self.area.min).as_dvec2() / self.scale
     }
 
-    /// The part of the picture in view.
+    /// The part in view, pixels of the picture.
     pub fn visible(&self) -> Place {
         Place { min: self.origin, size: self.area.size.as_dvec2() / self.scale }
     }
 
-    /// Brings all of a rectangle into view, as large as it can be.
+    /// Brings all of a rectangle into view, as large as fits.
     pub fn fit(&mut self, place: &Place) {
         let room = self.area.size.as_dvec2() * (1.0 - 2.0 * ROOM);
         let scale = (room / place.size.max(DVec2::ONE)).min_element();
@@ -73,12 +71,12 @@ impl EditorView {
         self.origin = pixels - self.area.size.as_dvec2() / self.scale * 0.5;
     }
 
-    /// Moves what is shown by so many canvas units.
+    /// Moves the picture by that, canvas units.
     pub fn pan(&mut self, by: Vec2) {
         self.origin -= by.as_dvec2() / self.scale;
     }
 
-    /// Magnifies by so many notches of the wheel around a point of the canvas, which stays where it is.
+    /// Magnifies by a number of notches of the wheel around a point of the canvas, which stays where it is.
     pub fn zoom(&mut self, notches: f64, around: Vec2) {
         let fixed = self.pixels(around);
         self.scale = (self.scale * NOTCH.powf(notches)).clamp(SCALES.0, SCALES.1);
@@ -91,7 +89,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_the_pointer_is_on_stays_there_while_it_zooms() {
+    fn the_point_under_the_pointer_stays_there_while_it_zooms() {
         let mut view = EditorView { area: Area::new(100.0, 50.0, 800.0, 600.0), ..EditorView::default() };
         view.fit(&Place { min: DVec2::ZERO, size: DVec2::new(1280.0, 720.0) });
         let at = Vec2::new(333.0, 222.0);
@@ -103,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn all_of_what_is_fitted_is_in_view() {
+    fn all_of_a_fitted_rectangle_is_in_view() {
         let mut view = EditorView { area: Area::new(100.0, 50.0, 800.0, 600.0), ..EditorView::default() };
         for place in
             [Place { min: DVec2::new(-50.0, 3.0), size: DVec2::new(9000.0, 20.0) }, Place { min: DVec2::ZERO, size: DVec2::ONE }]
