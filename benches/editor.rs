@@ -7,7 +7,7 @@ use resultant::draw::layout::{Frame, Vec2};
 use resultant::level::document::{LevelFolder, RowId, Table};
 use resultant::physics::DVec2;
 use resultant::screens::{Editor, Input, Screen};
-use resultant::ui::{Memory, Stage};
+use resultant::ui::{Memory, PassInput};
 use std::fmt::Write as _;
 use std::fs;
 use std::hint::black_box;
@@ -39,9 +39,9 @@ fn level(blocks: usize, objects: usize) -> tempfile::TempDir {
 fn frame(editor: &mut Editor, (memory, canvas): (&mut Memory, &mut Canvas), (pointer, click, holding): (Vec2, bool, bool)) {
     let input = Input { frame_time: 1.0 / 60.0, pointer, click, holding, ..Input::default() };
     canvas.begin(input.frame, 1.0);
-    memory.act(Stage { input: &input, canvas, spectator: &mut (), time: 1.0 }, |ui| editor.show(ui));
+    memory.act(PassInput { input: &input, canvas, spectator: &mut (), time: 1.0 }, |ui| editor.show(ui));
     canvas.begin(input.frame, 1.0);
-    memory.show(Stage { input: &input.without_edges(), canvas, spectator: &mut (), time: 1.0 }, |ui| editor.show(ui));
+    memory.show(PassInput { input: &input.without_edges(), canvas, spectator: &mut (), time: 1.0 }, |ui| editor.show(ui));
 }
 
 fn editor(criterion: &mut Criterion) {
