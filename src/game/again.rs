@@ -1,4 +1,4 @@
-//! A flight that is flown again by the same controls in another level: an experiment in which one thing is changed. A long one takes several
+//! A flight that the same controls fly again in another level: an experiment that changes one thing. A long one takes several
 //! frames.
 
 use super::attempt::Game;
@@ -9,11 +9,7 @@ use crate::level::Level;
 use std::sync::Arc;
 
 impl Tape {
-    /// Flies them in a level, up to a tick at most. Where the flight's start is not a level's, because it was edited while it was flown, it is
-    /// the start that is known, which goes on in that level.
-    ///
-    /// # Errors
-    /// As [`Game::with_tick_rate`] and [`Game::go_on_in`].
+    /// Flies them in a level, up to a tick at most. A flight that began within an edited level begins again from that state.
     pub fn fly_in(&self, level: Arc<Level>, until: u64) -> Result<Again, GameError> {
         let start = if self.start.ticks() == 0 {
             Game::with_tick_rate(level, self.start.tick_rate())?
@@ -27,7 +23,6 @@ impl Tape {
     }
 }
 
-/// The flight, as far as it has been flown again.
 #[derive(Clone, Debug)]
 pub struct Again {
     game: Game,
@@ -39,7 +34,7 @@ pub struct Again {
 }
 
 impl Again {
-    /// Flies at most `ticks` ticks more; whether it has arrived, or has ended before.
+    /// Flies at most `ticks` ticks more. The answer says whether the flight is over.
     pub fn fly(&mut self, ticks: u64) -> bool {
         for _ in 0..ticks {
             let at = self.game.ticks();
@@ -52,13 +47,12 @@ impl Again {
         self.game.ticks() >= self.until || self.game.outcome() != Outcome::Running
     }
 
-    /// How much of it has been flown, 0 … 1.
+    /// 0 … 1.
     pub fn progress(&self) -> f64 {
         let all = self.until.saturating_sub(self.begins).max(1);
         (self.game.ticks() - self.begins) as f64 / all as f64
     }
 
-    /// The game where it is, and how it came there.
     pub fn done(self) -> (Game, History) {
         (self.game, self.history)
     }

@@ -18,10 +18,8 @@ use crate::level::{Level, SHIP_HALF, ship_body, sweep_touches};
 use crate::physics::{Aabb, BodyId, DVec2, Event, World};
 use std::sync::Arc;
 
-/// Figures about the flight that no rule needs but the score.
 #[derive(Clone, Debug, PartialEq)]
 struct FlightFigures {
-    /// Damaging ones.
     collisions: u32,
     /// m.
     distance: f64,
@@ -31,7 +29,6 @@ struct FlightFigures {
     peak_resultant: f64,
 }
 
-/// One attempt at a level.
 #[derive(Clone, Debug)]
 pub struct Game {
     level: Arc<Level>,
@@ -47,24 +44,21 @@ pub struct Game {
     mechanisms: Mechanisms,
     flight: FlightFigures,
     events: Vec<GameEvent>,
-    /// The impacts that can still be read, and the bodies that are being squeezed: for the screen, no rule asks.
+    /// Impacts and squeezed bodies are for the screen: no rule reads them.
     impacts: Impacts,
     squeezed: Vec<BodyId>,
 }
 
 impl Game {
     /// The level at its start, at [`TICK_RATE`].
-    ///
-    /// # Errors
-    /// As [`Game::with_tick_rate`].
     pub fn new(level: Arc<Level>) -> Result<Self, GameError> {
         Self::with_tick_rate(level, TICK_RATE)
     }
 
-    /// The level at its start, to be played at `tick_rate` ticks a second.
+    /// The level at its start, at `tick_rate` ticks a second.
     ///
     /// # Errors
-    /// A tick rate outside [`TICK_RATES`]; a level that did not come from the loader and holds what the engine refuses.
+    /// A tick rate outside [`TICK_RATES`]; a world that the engine refuses, of a level that did not come from the loader.
     pub fn with_tick_rate(level: Arc<Level>, tick_rate: f64) -> Result<Self, GameError> {
         if !TICK_RATES.contains(&tick_rate) {
             return Err(GameError::TickRate(tick_rate));
@@ -97,30 +91,28 @@ impl Game {
         Ok(game)
     }
 
-    /// Lets the engine burn no fuel from now on, or again: an assist.
     pub const fn set_lasting_fuel(&mut self, lasts: bool) {
         self.ship.fuel_lasts = lasts;
     }
 
-    /// Whether the engine burns no fuel.
     pub const fn lasting_fuel(&self) -> bool {
         self.ship.fuel_lasts
     }
 
-    /// Whether nothing that the player can do moves the ship any more: its tank is empty and it is at rest.
+    /// Whether the tank is empty and the ship at rest, so that no key moves it any more.
     pub fn is_stranded(&self) -> bool {
         let ship = self.world.body(SHIP);
         let at_rest = ship.velocity == DVec2::ZERO && ship.acceleration == DVec2::ZERO;
         self.outcome == Outcome::Running && self.ship.fuel == 0.0 && at_rest
     }
 
-    /// Advances the attempt by exactly one tick. Once it has ended nothing changes any more, but the events are over.
+    /// Advances the attempt by one tick. After its end a tick only clears the events.
     pub fn step(&mut self, controls: Controls) {
         self.events.clear();
         if self.outcome != Outcome::Running {
             return;
         }
-        // Counts on only as long as no tick before this one had an input.
+        // Counts on while no tick before this one had an input.
         self.idle += u64::from(self.is_idle() && controls == Controls::default());
         let world = &self.world;
         let drive = self.ship.obey(controls, &self.level.player, self.tick_rate, || stands(world));
@@ -135,7 +127,6 @@ impl Game {
         self.judge();
     }
 
-    /// Keeps the figures of the flight.
     fn measure(&mut self) {
         let mut from = self.world.previous_position(SHIP);
         for to in self.world.path(SHIP) {
@@ -148,12 +139,10 @@ impl Game {
         self.pushes.note(self.ticks, APART * self.tick_rate, &forces, self.world.impulses());
     }
 
-    /// Keeps impacts for as long as they are to be read.
     fn remember_impacts(&mut self) {
         self.impacts.note(self.ticks, (READABLE * self.tick_rate) as u64, self.world.impulses());
     }
 
-    /// Passes the engine's impacts on and counts the ship's damaging hits.
     fn note_impacts(&mut self) {
         self.remember_impacts();
         for event in self.world.events() {
@@ -168,7 +157,6 @@ impl Game {
         }
     }
 
-    /// Reports the bodies that begin to be squeezed.
     fn note_crushed(&mut self) {
         for (body, _) in crushed(self.world.events()) {
             if !self.squeezed.contains(&body) {
@@ -179,7 +167,6 @@ impl Game {
         self.squeezed.extend(crushed(self.world.events()).map(|(body, _)| body));
     }
 
-    /// Works what switches work, breaks what breaks, and takes up pods.
     fn note_mechanisms(&mut self) {
         let Self { level, world, mechanisms, events, .. } = self;
         mechanisms.note(level, world, |change| {
@@ -198,7 +185,6 @@ impl Game {
         }
     }
 
-    /// Finds out which objectives are met and reports the changes.
     fn note_objectives(&mut self) {
         let Self { level, world, objectives, events, .. } = self;
         objectives.note(level, world, |index, met| {
@@ -206,7 +192,7 @@ impl Game {
         });
     }
 
-    /// Ends the attempt where it ends. Death goes first.
+    /// Death goes before completion.
     fn judge(&mut self) {
         if self.death().is_some() {
             self.outcome = Outcome::Failed;
@@ -217,12 +203,11 @@ impl Game {
         }
     }
 
-    /// The death that ended the attempt; `None` where none did. Of several death boxes it is the first in the level's order.
+    /// Of several death boxes that the ship touches, the first in the level's order.
     pub fn killed_by(&self) -> Option<Death> {
         if self.outcome == Outcome::Failed { self.death() } else { None }
     }
 
-    /// The death of the last tick.
     fn death(&self) -> Option<Death> {
         let body = ship_body(self.ship.angle);
         let swept = self.swept();
@@ -232,121 +217,108 @@ impl Game {
         touched.or_else(squeezed)
     }
 
-    /// The box around all of the ship's places in the last tick.
+    /// The box around all positions of the ship in the last tick.
     fn swept(&self) -> Aabb {
         let places = self.world.path(SHIP).map(|at| Aabb::around(at, SHIP_HALF));
         places.fold(Aabb::around(self.world.previous_position(SHIP), SHIP_HALF), |all, place| all.union(&place))
     }
 
-    /// Whether a body of those corners about the ship's centre touched a box at any moment of the last tick, however fast it went.
+    /// Whether a body with these corners about the ship's centre touched a box at any moment of the last tick, at whatever speed.
     fn has_touched(&self, corners: &[DVec2], target: &Aabb) -> bool {
         let mut from = self.world.previous_position(SHIP);
         self.world.path(SHIP).any(|to| sweep_touches(corners, std::mem::replace(&mut from, to), to, target, TOUCH))
     }
 
-    /// The level.
     pub fn level(&self) -> &Level {
         &self.level
     }
 
-    /// The same, to be kept.
     pub const fn shared_level(&self) -> &Arc<Level> {
         &self.level
     }
 
-    /// The body to look at while none is picked out: the ship, or the first object where the ship plays no part.
+    /// The body that the view follows until the player picks one: the ship, or the first object where the ship plays no part.
     pub fn lead(&self) -> BodyId {
         if self.level.ship_plays() || self.level.objects.is_empty() { SHIP } else { BodyId(1) }
     }
 
-    /// The world; object i of the level is body i + 1.
+    /// Object i of the level is body i + 1.
     pub fn world(&self) -> &World {
         &self.world
     }
 
-    /// Switches, fragile blocks and pods.
     pub fn mechanisms(&self) -> &Mechanisms {
         &self.mechanisms
     }
 
-    /// The ship.
     pub fn ship(&self) -> &Ship {
         &self.ship
     }
 
-    /// How the attempt stands.
     pub fn outcome(&self) -> Outcome {
         self.outcome
     }
 
-    /// Ticks since the start.
     pub fn ticks(&self) -> u64 {
         self.ticks
     }
 
-    /// Ticks a second.
     pub fn tick_rate(&self) -> f64 {
         self.tick_rate
     }
 
-    /// Whether no tick so far had an input: the clock stands at 0 until one has.
+    /// Whether no tick so far had an input: the clock stands at 0 until then.
     pub const fn is_idle(&self) -> bool {
         self.idle == self.ticks
     }
 
-    /// Seconds of the simulation since the start.
     pub fn elapsed(&self) -> f64 {
         self.ticks as f64 / self.tick_rate
     }
 
-    /// Seconds on the clock, which score, medals and boards count: from the beginning of the first tick with an input. Of a run without
-    /// any input it is [`Game::elapsed`].
+    /// Seconds on the clock, which score, medals and boards count: from the first tick with an input on, or from the start where no
+    /// tick has one.
     pub fn time(&self) -> f64 {
         self.ticks_on_clock() as f64 / self.tick_rate
     }
 
-    /// The same in ticks.
     pub const fn ticks_on_clock(&self) -> u64 {
         if self.is_idle() { self.ticks } else { self.ticks - self.idle }
     }
 
-    /// The fraction of the fuel left, 0 … 1; 0 where the level gives none.
+    /// The fraction of the fuel left, 0 … 1; 0 in a level without fuel.
     pub fn fuel(&self) -> f64 {
         let full = self.level.player.fuel;
         if full > 0.0 { self.ship.fuel / full } else { 0.0 }
     }
 
-    /// Damaging collisions so far.
     pub fn collisions(&self) -> u32 {
         self.flight.collisions
     }
 
-    /// Whether each objective of the level is met now.
     pub fn met(&self) -> &[bool] {
         self.objectives.met()
     }
 
-    /// Which part of its hold time an objective has been touched for, 0 … 1.
+    /// The share of an objective's hold time that has passed, 0 … 1.
     pub fn held(&self, index: usize) -> f64 {
         self.objectives.held(&self.level.objectives[index], index)
     }
 
-    /// Whether it is an objective's turn.
+    /// Whether all objectives with smaller numbers are met.
     pub fn is_open(&self, index: usize) -> bool {
         self.objectives.is_open(&self.level, index)
     }
 
-    /// The events of the last tick.
     pub fn events(&self) -> &[GameEvent] {
         &self.events
     }
 
-    /// The impacts on a body that can still be read, the largest first: those of the last [`READABLE`] seconds of the game.
+    /// The impacts on a body in the last [`READABLE`] seconds of the game, the largest first.
     pub fn impacts(&self, body: BodyId) -> Vec<Felt> {
         self.impacts.on(body)
     }
 
-    /// The result of the attempt so far.
     pub fn result(&self) -> RunResult {
         let (time, optimal_time) = (self.time(), self.level.optimal_time);
         RunResult {
@@ -399,7 +371,7 @@ mod tests {
     use super::*;
     use crate::physics::{BodyDef, Material, Path, SurfaceDef, WorldDef};
 
-    /// A lift presses what stands on it against a ceiling. No level has lifts, so that the world is put in.
+    /// A lift presses the bodies on it against a ceiling. No level has lifts: the test puts the world in.
     #[test]
     fn what_is_squeezed_is_told_once_and_the_ship_is_lost() {
         let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -1,36 +1,33 @@
-//! From the time that frames take to whole ticks (Glenn Fiedler, "Fix Your Timestep!").
+//! From frame times to whole ticks (Glenn Fiedler, "Fix Your Timestep!").
 
 pub use crate::level::TICK_RATE;
 use std::ops::RangeInclusive;
 
-/// The tick rates that a game can be given. Below, a tick is longer than a player's reaction; above, it moves things by less than
-/// rounding.
+/// Hz. Below, a tick is longer than a player's reaction; above, a tick moves a body by less than rounding.
 pub const TICK_RATES: RangeInclusive<f64> = 1.0..=1e6;
-/// The most ticks that one frame is given, a 15th of a second at the game's rate. More, and a slow machine falls into a spiral of
-/// ever longer frames; fewer, and the game slows down sooner.
+/// The most ticks of one frame, a 15th of a second at the game's rate. More, and a slow machine falls into a spiral of ever longer
+/// frames; fewer, and the game slows down sooner.
 pub const TICKS_A_FRAME: u32 = 8;
 
-/// A time that is this little short of a tick is one, ticks: 24 frames of 1/144 s are 20 ticks but for rounding. Were it left out, such a tick
-/// would come a frame late and take the keys of that frame; far above rounding, and far below what a clock of frames can tell.
+/// A time that is this little short of a tick counts as one, ticks: 24 frames of 1/144 s are 20 ticks but for rounding. Without it
+/// such a tick comes a frame late and takes the keys of that frame.
 const ROUNDING: f64 = 1e-6;
 
-/// Collects frame times and hands out ticks.
 #[derive(Clone, Debug)]
 pub struct Clock {
     tick_rate: f64,
-    /// Ticks to hand out, and the part of one that is left over.
+    /// Due ticks and a part of the next one.
     pending: f64,
     dropped: f64,
 }
 
 impl Clock {
-    /// A clock of `tick_rate` ticks a second, with nothing pending.
     pub const fn new(tick_rate: f64) -> Self {
         Self { tick_rate, pending: 0.0, dropped: 0.0 }
     }
 
-    /// Adds the time that a frame took, s. At most [`TICKS_A_FRAME`] ticks are kept pending; the whole ticks beyond that are dropped
-    /// and counted. A time that is no positive number of ticks adds nothing.
+    /// Adds a frame's time, s. At most [`TICKS_A_FRAME`] ticks stay pending; the whole ticks beyond that are dropped and counted. A
+    /// time that is no positive number of ticks adds nothing.
     pub fn add(&mut self, frame_time: f64) {
         let ticks = frame_time * self.tick_rate;
         if !(ticks > 0.0 && ticks.is_finite()) {
@@ -44,7 +41,7 @@ impl Clock {
         }
     }
 
-    /// Whether a tick is due; takes it.
+    /// Takes a tick, if one is due.
     pub fn tick(&mut self) -> bool {
         let due = self.pending >= 1.0 - ROUNDING;
         if due {
@@ -53,12 +50,12 @@ impl Clock {
         due
     }
 
-    /// How far the time is from the last tick to the next one, 0 … 1: where between the two the view draws.
+    /// The place of the time between the last tick and the next one, 0 … 1, at which the view draws.
     pub fn alpha(&self) -> f64 {
         self.pending.clamp(0.0, 1.0)
     }
 
-    /// The time dropped so far, in ticks.
+    /// Ticks.
     pub fn dropped(&self) -> f64 {
         self.dropped
     }

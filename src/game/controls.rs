@@ -1,14 +1,11 @@
-//! The keys of one tick.
-
-/// The keys that the player holds down during one tick.
+/// The keys of one tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Controls {
-    /// Thrust along the nose.
     pub thrust: bool,
-    /// Thrust against it.
+    /// Thrust against the nose.
     pub reverse: bool,
-    /// Rotate anticlockwise.
+    /// Anticlockwise.
     pub left: bool,
-    /// Rotate clockwise.
+    /// Clockwise.
     pub right: bool,
 }

@@ -1,10 +1,7 @@
-//! The end of an attempt, and the bodies that were squeezed.
-
 use super::names::obstacle_name;
 use crate::level::{Level, SurfaceOf};
 use crate::physics::{Aabb, BodyId, Event, Obstacle};
 
-/// The cause of the ship's loss.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Death {
     /// The death box of that index in `Level::obstacles`.
@@ -14,7 +11,8 @@ pub enum Death {
 }
 
 impl Death {
-    /// As the command line prints it: `obstacle N` for the Nth row of obstacles.csv, `crushed by world N` for the Nth row of world.csv.
+    /// `obstacle N` for the Nth row of obstacles.csv, `crushed by world N` for the Nth row of world.csv, as the command line prints
+    /// it.
     pub fn name(self, level: &Level) -> String {
         match self {
             Self::Obstacle(index) => format!("obstacle {}", index + 1),
@@ -22,7 +20,7 @@ impl Death {
         }
     }
 
-    /// The words for the player, with the place (m from the level's left and bottom, as it counts on the screen's graph paper).
+    /// For the player, with the place: m from the level's left and bottom, as on the screen's graph paper.
     pub fn words(self, level: &Level) -> String {
         let at = |bounds: Aabb| {
             let centre = bounds.centre();
@@ -44,7 +42,7 @@ impl Death {
     }
 }
 
-/// The bodies that were squeezed in a tick with these events, and the surface that did it.
+/// The bodies that a tick with these events squeezed, each with the surface that did it.
 pub fn crushed(events: &[Event]) -> impl Iterator<Item = (BodyId, u32)> + '_ {
     events.iter().filter_map(|event| match *event {
         Event::Crushed { body, by, .. } => Some((body, by)),

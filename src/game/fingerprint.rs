@@ -1,8 +1,6 @@
-//! Which level a run was flown in: a hash of all that a flight and its score depend on.
-//!
-//! The hash is SHA-256, so that nobody can make another level that has it. Its encoding is unambiguous: numbers are 8 bytes, lists and
-//! texts begin with their length, each optional part with a byte that says whether it follows. Records and boards of before carry 64 bits
-//! of FNV-1a instead, which one walk over the level computes beside it.
+//! The hash of a level: of all that a flight and its score depend on. SHA-256, so that nobody can make another level with the same
+//! hash. The encoding is unambiguous: numbers are 8 bytes, lists and texts begin with their length, an optional part with a byte
+//! for its presence. Older records and boards carry 64 bits of FNV-1a instead; one walk over the level computes both.
 
 use super::hash::Fnv1a;
 use crate::level::{Fluid, GravityZone, Level, Mover, Object, Objective, Player, Pod, SHIP_DRAG, Solid, Stream, Switch, Work};
@@ -11,30 +9,26 @@ use sha2::{Digest, Sha256};
 use std::fmt;
 use std::str::FromStr;
 
-/// The beginning of the SHA-256: no other file has this hash by accident, and another encoding gets another number.
+/// The beginning of the hashed bytes. A change of the encoding needs another number.
 const ENCODING: &str = "resultant level 1";
-/// Hex digits of a hash in a message: enough for two to differ at a glance.
+/// Hex digits of a hash in a message.
 const SHORT: usize = 16;
 
-/// The hash of a level, as a file carries it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LevelHash {
     /// SHA-256, 64 hex digits.
     Sha256([u8; 32]),
-    /// 64 bits of FNV-1a, 16 hex digits, in files of before: they differ between versions of a level, but anyone can make a level that has them.
+    /// 64 bits of FNV-1a, 16 hex digits, in older files: they tell versions of a level apart, but a forger can match them.
     Fnv64(u64),
 }
 
 impl LevelHash {
-    /// The form that messages expect.
     pub const EXPECTED: &str = "64 hex digits, or the 16 of an older file";
 
-    /// Whether this is the 64-bit hash of older files.
     pub const fn is_old(self) -> bool {
         matches!(self, Self::Fnv64(_))
     }
 
-    /// Its first digits, for messages.
     pub fn short(self) -> String {
         self.to_string().chars().take(SHORT).collect()
     }
@@ -70,7 +64,7 @@ impl FromStr for LevelHash {
     }
 }
 
-/// Both hashes of one level: a file may carry either.
+/// Both hashes of one level, of which a file carries either.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Fingerprint {
     hash: LevelHash,
@@ -78,35 +72,32 @@ pub struct Fingerprint {
 }
 
 impl From<LevelHash> for Fingerprint {
-    /// A level of which one hash is known.
     fn from(hash: LevelHash) -> Self {
         Self { hash, old: None }
     }
 }
 
 impl Fingerprint {
-    /// The hash that new files carry.
     pub const fn hash(self) -> LevelHash {
         self.hash
     }
 
-    /// All hashes that files may carry, the new one first.
+    /// The hashes that a file may carry, the new one first.
     pub fn hashes(self) -> impl Iterator<Item = LevelHash> {
         [self.hash].into_iter().chain(self.old)
     }
 
-    /// Whether a file that carries this hash is of the level.
     pub fn is(self, hash: LevelHash) -> bool {
         self.hashes().any(|own| own == hash)
     }
 
-    /// The hash to be compared with one from a file: of the same kind, where that is known.
+    /// The hash of the same kind as `other`, where it is known.
     pub fn beside(self, other: LevelHash) -> LevelHash {
         self.old.filter(|_| other.is_old()).unwrap_or(self.hash)
     }
 
-    /// The hashes of a level. Its name, its words and how things look are left out, and so is how its files are written: two levels with
-    /// the same hash are flown alike. A new field of a level has to be named here, on one side or the other.
+    /// Names, texts and looks of the level are left out, and so is the form of its files: two levels with the same hash fly alike.
+    /// A new field of a level has to be named here, on one side or the other.
     pub fn of(level: &Level) -> Self {
         let Level {
             name: _,
@@ -114,10 +105,10 @@ impl Fingerprint {
             metre: _,
             texts: _,
             background: _,
-            // What is earned is worked out from a result, whenever it is asked for.
+            // Prizes follow from a result at any time.
             awards: _,
             decoration: _,
-            // What is shown and scored, not how it is flown.
+            // Shown and scored, without an effect on the flight.
             experiment: _,
             size,
             gravity,
@@ -164,12 +155,10 @@ impl Fingerprint {
     }
 }
 
-/// The hash of a level that new files carry.
 pub fn level_hash(level: &Level) -> LevelHash {
     Fingerprint::of(level).hash
 }
 
-/// Both hashes of what has been written so far.
 struct Hash {
     sha256: Sha256,
     old: Fnv1a,
@@ -181,13 +170,13 @@ impl Hash {
         self.old.write(word);
     }
 
-    /// A text with its length; the old hash passes it over.
+    /// Adds a text with its length to the new hash alone.
     fn text(&mut self, text: &str) {
         self.sha256.update((text.len() as u64).to_le_bytes());
         self.sha256.update(text);
     }
 
-    /// A text in the old hash: a word a byte, without a length.
+    /// Adds a text to the old hash: a word a byte, without a length.
     fn old_text(&mut self, text: &str) {
         text.bytes().for_each(|byte| self.old.write(u64::from(byte)));
     }
@@ -204,7 +193,7 @@ impl Hash {
         self.vectors(&[*min, *max]);
     }
 
-    /// A part that a level may lack. The old hash has nothing where it is not given, and its name where it is.
+    /// Adds an optional part. The old hash has nothing for a missing one, and the name for a given one.
     fn given(&mut self, name: &str, given: bool, write: impl FnOnce(&mut Self)) {
         self.sha256.update([u8::from(given)]);
         if given {
@@ -217,13 +206,12 @@ impl Hash {
         colour.into_iter().for_each(|channel| self.word(u64::from(channel)));
     }
 
-    /// How many there are, and each of them.
     fn each<T>(&mut self, things: &[T], write: impl Fn(&mut Self, &T)) {
         self.word(things.len() as u64);
         things.iter().for_each(|thing| write(self, thing));
     }
 
-    /// A list that a level may lack.
+    /// Adds an optional list.
     fn list<T>(&mut self, name: &str, things: &[T], write: impl Fn(&mut Self, &T)) {
         self.given(name, !things.is_empty(), |hash| hash.each(things, write));
     }
@@ -263,7 +251,7 @@ impl Hash {
         self.given("bounces", *restitution != 0.0, |hash| hash.numbers(&[*restitution]));
     }
 
-    /// The name by which switches find it.
+    /// The name by which switches find a part.
     fn name(&mut self, name: Option<&str>) {
         self.given("name", name.is_some(), |hash| {
             hash.text(name.unwrap_or_default());
@@ -283,7 +271,7 @@ impl Hash {
         self.name(name.as_deref());
     }
 
-    /// Its stops and its route are in its path.
+    /// A path holds the mover's stops and route.
     fn mover(&mut self, Mover { solid, stops: _, route: _, path: Path { legs, repeats } }: &Mover) {
         self.solid(solid);
         self.each(legs, |hash, Leg { duration, velocity, acceleration }| {
@@ -352,7 +340,7 @@ mod tests {
         assert!(!Fingerprint::from(hash).is(old));
     }
 
-    /// SHA-256 of "abc", FIPS 180-4: the crate is the function that it says.
+    /// SHA-256 of "abc" (FIPS 180-4).
     #[test]
     fn sha_256_is_the_one_of_the_standard() {
         let digest = LevelHash::Sha256(Sha256::digest("abc").into());

@@ -1,22 +1,18 @@
-//! A hash of the state, equal only where every bit is.
-
-/// FNV-1a, 64 bits (Fowler, Noll, Vo): not for secrets, but the same on every machine and in every version of this program.
+/// FNV-1a, 64 bits (Fowler, Noll, Vo): the same on every machine and in every version of this program; not for secrets.
 pub struct Fnv1a(u64);
 
 impl Fnv1a {
-    /// The hash of nothing.
     pub const fn new() -> Self {
         Self(0xcbf2_9ce4_8422_2325)
     }
 
-    /// Takes in eight bytes, the least significant one first.
+    /// Takes in the eight bytes, the least significant one first.
     pub fn write(&mut self, word: u64) {
         for byte in word.to_le_bytes() {
             self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
         }
     }
 
-    /// The hash of all that was taken in.
     pub const fn finish(&self) -> u64 {
         self.0
     }

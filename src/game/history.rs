@@ -1,8 +1,6 @@
-//! A flight with the way back: its inputs, and copies of the game along the way, from which any tick of it is flown again, bit for bit. It
-//! serves a recorded flight, which is flown ahead of its viewer, as well as one that is still being flown.
-//!
-//! Copies are taken at equal distances. Where there are too many of them every second one goes, and the distance doubles: a flight of any
-//! length keeps to the same memory, and the way from a copy to the tick asked for grows with its length only.
+//! A flight that can go back: its inputs, and copies of the game from which any tick is flown again, bit for bit. Copies stand at
+//! equal distances. Beyond the most copies every second one goes and the distance doubles: memory stays bounded, and the flight
+//! from a copy to a tick grows with the whole flight's length only.
 
 use super::attempt::Game;
 use super::controls::Controls;
@@ -12,23 +10,21 @@ use super::replay::{Recorder, Replay};
 use crate::level::Level;
 use std::sync::Arc;
 
-/// From copy to copy at first, ticks: half a second.
+/// The first distance of copies, ticks: half a second.
 const EVERY: u64 = 60;
-/// The most copies. With fewer, a tick of a long flight is further from the one before it: a flight of ten minutes has a copy at least every
-/// 480 ticks.
+/// With fewer copies a seek takes longer. A flight of ten minutes has a copy at least every 480 ticks.
 const MOST_COPIES: usize = 256;
-/// The fewest that a level of very many bodies has.
+/// For a level of very many bodies.
 const FEWEST_COPIES: usize = 16;
-/// How many bodies all copies have together, some 100 MiB: levels with more than 128 have fewer copies.
+/// The most bodies of all copies together, some 100 MiB: levels with more than 128 bodies have fewer copies.
 const BODIES_IN_COPIES: usize = 32_768;
 
-/// A flight up to now.
 #[derive(Clone, Debug)]
 pub struct History {
     recorder: Recorder,
-    /// Whether the fuel lasted, from a tick on: an assist that is switched while a flight lasts.
+    /// Whether the fuel lasts, from a tick on: the player may switch that assist in flight.
     lasting: Vec<(u64, bool)>,
-    /// The level that it is flown in, from a tick on: one that is varied on the way.
+    /// The level, from a tick on: the player may vary it in flight.
     levels: Vec<(u64, Arc<Level>)>,
     /// The game after 0, `every`, 2 `every` … ticks.
     copies: Vec<Game>,
@@ -36,7 +32,6 @@ pub struct History {
     most: usize,
 }
 
-/// The controls of a flight from its start on.
 #[derive(Clone, Debug)]
 pub struct Tape {
     pub(super) start: Box<Game>,
@@ -45,7 +40,6 @@ pub struct Tape {
 }
 
 impl History {
-    /// The history of a game from where it is.
     pub fn new(start: &Game) -> Self {
         let most = (BODIES_IN_COPIES / start.world().bodies().len().max(1)).clamp(FEWEST_COPIES, MOST_COPIES);
         let lasting = vec![(start.ticks(), start.ship().fuel_lasts)];
@@ -53,7 +47,7 @@ impl History {
         Self { recorder: Recorder::default(), lasting, levels, copies: vec![start.clone()], every: EVERY, most }
     }
 
-    /// Lets the game, which is where this history ends, go on in a level that differs from its own in numbers alone.
+    /// Lets the game, which stands at this history's end, go on in a level that differs in numbers alone.
     ///
     /// # Errors
     /// As [`Game::go_on_in`]; nothing has changed then.
@@ -64,12 +58,11 @@ impl History {
         Ok(())
     }
 
-    /// The controls from the start on, to be flown in another level.
     pub fn tape(&self) -> Tape {
         Tape { start: Box::new(self.copies[0].clone()), inputs: self.inputs().clone(), lasting: self.lasting.clone() }
     }
 
-    /// Takes up the tick that was just made with these controls.
+    /// Takes up the tick just made with these controls.
     pub fn note(&mut self, game: &Game, controls: Controls) {
         let lasts = game.ship().fuel_lasts;
         if self.lasting.last().is_none_or(|&(_, lasted)| lasted != lasts) {
@@ -89,37 +82,35 @@ impl History {
         }
     }
 
-    /// The game as it began.
     pub fn start(&self) -> &Game {
         &self.copies[0]
     }
 
-    /// After how many ticks it begins: not at once where a level was edited while it was flown.
+    /// The first tick: above 0 where the player edited the level in flight.
     fn begins(&self) -> u64 {
         self.copies[0].ticks()
     }
 
-    /// Up to which tick it goes.
+    /// The last tick.
     pub fn ticks(&self) -> u64 {
         self.begins() + self.recorder.inputs().ticks()
     }
 
-    /// The controls of all ticks.
     pub const fn inputs(&self) -> &Inputs {
         self.recorder.inputs()
     }
 
-    /// How many copies are kept, and how far they are from each other, ticks.
+    /// The number of copies, and their distance in ticks.
     pub fn copies(&self) -> (usize, u64) {
         (self.copies.len(), self.every)
     }
 
-    /// The record of the flight, whose last tick left that game.
+    /// `end` is the game after the last tick.
     pub fn record(&self, end: &Game) -> Replay {
         self.recorder.clone().finish(end)
     }
 
-    /// Brings a game of this flight to where it was after `tick` ticks, or to the last tick where there are fewer.
+    /// Brings a game of this flight to its state after `tick` ticks, or after the last tick where there are fewer.
     pub fn seek(&self, game: &mut Game, tick: u64) {
         let tick = tick.clamp(self.begins(), self.ticks());
         let copy = &self.copies[(((tick - self.begins()) / self.every) as usize).min(self.copies.len() - 1)];
@@ -133,7 +124,7 @@ impl History {
         self.enter_level(game);
     }
 
-    /// The history up to that tick, or all of it where there are fewer: what was flown after it is gone.
+    /// The history up to that tick; the rest is gone.
     #[must_use]
     pub fn until(&self, tick: u64) -> Self {
         let mut game = self.copies[0].clone();
@@ -146,7 +137,6 @@ impl History {
         history
     }
 
-    /// The game after `tick` ticks, as [`History::seek`].
     pub fn at(&self, tick: u64) -> Game {
         let mut game = self.copies[0].clone();
         self.seek(&mut game, tick);
@@ -159,11 +149,11 @@ impl History {
         game.step(controls);
     }
 
-    /// Brings a game into the level that it goes on in from its tick on.
+    /// Brings a game into the level of its tick.
     fn enter_level(&self, game: &mut Game) {
         let level = self.levels.iter().rev().find(|(since, _)| *since <= game.ticks()).map(|(_, level)| level);
         if let Some(level) = level.filter(|level| !Arc::ptr_eq(level, game.shared_level())) {
-            // The engine takes again a level that it took once.
+            // The engine has taken this level before.
             let entered = game.go_on_in(level.clone());
             debug_assert!(entered.is_ok(), "{entered:?}");
         }
@@ -175,30 +165,25 @@ pub(super) fn lasts(lasting: &[(u64, bool)], at: u64) -> bool {
     lasting.iter().rev().find(|(since, _)| *since <= at).is_some_and(|(_, lasts)| *lasts)
 }
 
-/// A flight that can be watched from any tick on: one that was flown, or a record that is flown again as far as it is known.
+/// A flight that can be watched from any tick on: a flown one, or a record of which as much is known as has been flown again.
 #[derive(Clone, Debug)]
 pub struct Reel {
     history: History,
-    /// The part that is not flown yet.
     ahead: Option<(Box<Game>, Playback)>,
 }
 
 impl Reel {
-    /// The recorded inputs in that level; nothing of it is flown yet.
-    ///
-    /// # Errors
-    /// As [`Game::with_tick_rate`].
+    /// The recorded inputs in that level, of which no tick is flown yet.
     pub fn new(level: Arc<Level>, inputs: &Inputs, tick_rate: f64) -> Result<Self, GameError> {
         let start = Game::with_tick_rate(level, tick_rate)?;
         Ok(Self { history: History::new(&start), ahead: Some((Box::new(start), inputs.clone().into_iter())) })
     }
 
-    /// A flight that is over.
     pub const fn flown(history: History) -> Self {
         Self { history, ahead: None }
     }
 
-    /// Flies `ticks` ticks further, as far as there are any.
+    /// Flies at most `ticks` ticks further.
     pub fn fly(&mut self, ticks: u64) {
         for _ in 0..ticks {
             let Some((game, rest)) = &mut self.ahead else { return };
@@ -212,17 +197,15 @@ impl Reel {
         }
     }
 
-    /// Whether all of it is known.
     pub const fn is_whole(&self) -> bool {
         self.ahead.is_none()
     }
 
-    /// How many ticks are known.
+    /// Known ticks.
     pub fn ticks(&self) -> u64 {
         self.history.ticks()
     }
 
-    /// How it went, as far as that is known.
     pub const fn history(&self) -> &History {
         &self.history
     }

@@ -1,5 +1,5 @@
-//! The impacts of the last half second: one is over within its tick, too soon to be read. Time is the game's, so that they stand still
-//! while it is paused; nothing that happens depends on them.
+//! The impacts of the last half second, because one tick is too short to read. Time is the game's: impacts stand still in a pause.
+//! No rule depends on them.
 
 use super::ship::SHIP;
 use crate::physics::{BodyId, DVec2, Event, Impulse, Obstacle};
@@ -8,35 +8,32 @@ use std::collections::VecDeque;
 /// From this speed along the contact's normal a hit of the ship costs points, m/s.
 pub const DAMAGING_SPEED: f64 = 10.0;
 /// A hit this much slower counts as one of [`DAMAGING_SPEED`], m/s: a fall from 100 px at 15 N/kg ends at exactly 10 m/s on paper,
-/// and a rounding below that in the engine. Far below any difference that a player sees.
+/// and a rounding below that in the engine.
 const SPEED_ROUNDING: f64 = 1e-9;
 /// From this speed along the contact's normal an impact raises dust, m/s. Lower, and a box that tips to rest smokes.
 pub const DUST_SPEED: f64 = 2.0;
 
-/// How long an impact can be read after its tick, s. Shorter: it is gone before it is found; longer: it is taken for the next one.
+/// How long an impact stays readable, s. Shorter, and it is gone before a player finds it; longer, and it passes for the next one.
 pub const READABLE: f64 = 0.5;
-/// The most that are remembered, the last ones. Fewer: those of a crowd in view are gone too soon; more: it is memory for nothing.
+/// The most impacts in memory. With fewer, impacts of a large crowd go too soon.
 const MOST: usize = 8192;
 
-/// The impact of another thing on a body in one tick.
+/// The impact of a body or surface on a body in one tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Felt {
-    /// The tick in which it happened.
     pub tick: u64,
-    /// The thing that exerted it.
     pub by: Obstacle,
     /// N·s.
     pub impulse: DVec2,
 }
 
-/// The impacts that can still be read, with their ticks.
 #[derive(Clone, Debug, Default)]
 pub struct Impacts {
     kept: VecDeque<(u64, Impulse)>,
 }
 
 impl Impacts {
-    /// Takes up those of the tick just made, and lets go of what is older than `ticks` of them.
+    /// Takes up the impacts of the tick just made, and drops the ones older than `ticks`.
     pub fn note(&mut self, tick: u64, ticks: u64, impulses: &[Impulse]) {
         while self.kept.front().is_some_and(|(at, _)| at + ticks < tick) {
             self.kept.pop_front();
@@ -47,7 +44,7 @@ impl Impacts {
         self.kept.extend(last.iter().map(|impulse| (tick, *impulse)));
     }
 
-    /// The impacts on a body, the largest first; all impacts of one thing in one tick are one.
+    /// The impacts on a body, the largest first; all impacts of one body or surface in one tick are one.
     pub fn on(&self, body: BodyId) -> Vec<Felt> {
         let mut all: Vec<Felt> = Vec::new();
         for (tick, impulse) in &self.kept {
@@ -57,15 +54,14 @@ impl Impacts {
                 None => all.push(Felt { tick: *tick, by, impulse: vector }),
             }
         }
-        // Of equal ones the latest first.
+        // Of equal impacts the latest first.
         all.sort_by(|a, b| b.impulse.length_squared().total_cmp(&a.impulse.length_squared()).then(b.tick.cmp(&a.tick)));
         all
     }
 }
 
-/// Where and how fast (m/s) the ship was damaged in a tick with these events: its hardest hit, so that a hit of several surfaces at
-/// once counts once. Contact that rests or slides is no impact and costs nothing. What flies into the ship hits it as hard as if
-/// the ship had flown: the speed is that of the two towards each other.
+/// Point and speed (m/s) of the ship's hardest hit in a tick with these events: a hit of several surfaces at once counts once. The
+/// speed is relative, so that a moving body hits the resting ship as hard. Resting and sliding contacts are no impacts.
 pub(super) fn damaging_hit(events: &[Event]) -> Option<(DVec2, f64)> {
     let hits = events.iter().filter_map(|event| {
         let &Event::Impact { a, b, point, speed, .. } = event else { return None };

@@ -15,15 +15,14 @@ use csv::WriterBuilder;
 use serde::{Serialize, Serializer};
 use std::fmt;
 
-/// The columns of the file, which are its first row.
 pub const HEADER: &str = "ticks,thrust,reverse,left,right";
-/// The most ticks that a file can hold: three months at the game's rate. More is a slip of the pen.
+/// Three months at the game's rate: more is a slip of the pen.
 pub const MOST_TICKS: u64 = 1_000_000_000;
 
-/// The most problems that are reported of a file.
+/// The most problems in the report about a file.
 const MOST_PROBLEMS: usize = 1000;
 
-/// A file that was refused: every problem in it, each on a line `file:line: column "name": what was found, what is expected`.
+/// A refused file: each problem on a line `file:line: column "name": found …, expected …`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BadFile(pub Vec<String>);
 
@@ -35,7 +34,6 @@ impl fmt::Display for BadFile {
 
 impl std::error::Error for BadFile {}
 
-/// Keys held for a number of ticks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 struct HeldKeys {
     ticks: u64,
@@ -43,20 +41,19 @@ struct HeldKeys {
     controls: Controls,
 }
 
-/// Keys as four cells, 0 or 1.
+/// Four cells, 0 or 1.
 fn as_keys<S: Serializer>(controls: &Controls, to: S) -> Result<S::Ok, S::Error> {
     let &Controls { thrust, reverse, left, right } = controls;
     [thrust, reverse, left, right].map(u8::from).serialize(to)
 }
 
-/// The controls of every tick, from the first one on.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Inputs {
     rows: Vec<HeldKeys>,
 }
 
 impl Inputs {
-    /// Reads the text of an inputs file; `file` is its name in messages.
+    /// `file` is the file's name in messages.
     ///
     /// # Errors
     /// A missing header, a wrong number of cells, ticks that are no whole number from 1, a key that is neither 0 nor 1, more than
@@ -95,7 +92,6 @@ impl Inputs {
         if problems.is_empty() { Ok(inputs) } else { Err(BadFile(problems)) }
     }
 
-    /// Records the controls of one more tick.
     pub fn record(&mut self, controls: Controls) {
         match self.rows.last_mut() {
             Some(row) if row.controls == controls => row.ticks += 1,
@@ -113,20 +109,18 @@ impl Inputs {
         })
     }
 
-    /// How many ticks go by before the first one with a key; `None` where none has one.
+    /// Ticks before the first one with a key; `None` where no tick has one.
     pub fn idle(&self) -> Option<u64> {
         let begins = self.rows.iter().position(|row| row.controls != Controls::default())?;
         Some(self.rows[..begins].iter().map(|row| row.ticks).sum())
     }
 
-    /// How many ticks there are.
     pub fn ticks(&self) -> u64 {
         self.rows.iter().map(|row| row.ticks).sum()
     }
 }
 
 impl fmt::Display for Inputs {
-    /// The text of the file, which [`Inputs::parse`] reads.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut writer = WriterBuilder::new().has_headers(false).from_writer(Vec::new());
         self.rows.iter().try_for_each(|row| writer.serialize(row)).map_err(|_| fmt::Error)?;
@@ -145,7 +139,6 @@ impl IntoIterator for Inputs {
     }
 }
 
-/// The controls of one tick after the other, until the inputs end.
 #[derive(Clone, Debug)]
 pub struct Playback {
     rows: std::vec::IntoIter<HeldKeys>,
@@ -165,10 +158,8 @@ impl Iterator for Playback {
     }
 }
 
-/// The first row, as a message expects it.
 const HEADER_ROW: &str = "the header ticks,thrust,reverse,left,right";
 
-/// The keys of a row, unless it adds to the problems.
 fn held(row: &CsvRow<'_>, columns: &[&str], problems: &mut Vec<String>) -> Option<HeldKeys> {
     let last = columns.len() - 1;
     if let Err(fault) = row.cells {

@@ -2,8 +2,8 @@
 
 use super::controls::Controls;
 
-/// Keeps what was pressed until a tick has taken it: a press shorter than a frame is not lost in a frame without a tick, and is not
-/// repeated in a frame with two.
+/// Keeps a press until a tick has taken it: a press shorter than a frame survives a frame without a tick, and counts once in a
+/// frame with two.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Latch {
     held: Controls,
@@ -11,18 +11,16 @@ pub struct Latch {
 }
 
 impl Latch {
-    /// Takes up which keys are down in this frame and which went down since the last one, even if they are up again.
+    /// Takes the keys that are down in this frame, and the ones that went down since the last frame, even if they are up again.
     pub fn frame(&mut self, held: Controls, pressed: Controls) {
         self.held = held;
         self.pressed = either(self.pressed, pressed);
     }
 
-    /// The controls of the next tick.
     pub fn take(&mut self) -> Controls {
         either(self.held, std::mem::take(&mut self.pressed))
     }
 
-    /// Lets go of everything, as when the game is paused or starts again.
     pub fn clear(&mut self) {
         *self = Self::default();
     }

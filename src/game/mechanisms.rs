@@ -1,39 +1,34 @@
-//! The state of a level's switches, fragile blocks and pods, tick by tick.
-//!
-//! After each tick of the world it is found out which switch is pressed; the things that switches work follow from the next tick on. A fragile
-//! block takes the blow that breaks it, and is gone after that tick.
+//! Switches, fragile blocks and pods, tick by tick. A switch that is pressed at a tick's end works its parts from the next tick on.
+//! A fragile block takes the blow that breaks it, and is gone after that tick.
 
 use super::ship::SHIP;
 use super::touch::TOUCH;
 use crate::level::{Level, Presser, SurfaceOf, Switch, SwitchStay, Wire, Worked};
 use crate::physics::{BodyId, Obstacle, World};
 
-/// The state of a level's mechanisms.
 #[derive(Clone, Debug)]
 pub struct Mechanisms {
-    /// Whether each switch is pressed, and whether it is on.
     pressed: Vec<bool>,
     on: Vec<bool>,
     wires: Vec<Wire>,
-    /// Whether what each wire works is on.
+    /// By wire of the level.
     works: Vec<bool>,
-    /// The blocks of the world that can break, and of all which have.
+    /// Indices in `Level::world`.
     fragile: Vec<usize>,
     broken: Vec<bool>,
     taken: Vec<bool>,
 }
 
-/// A change of a tick.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MechanismChange {
-    /// The switch of that index in `Level::switches` has been pressed, or let go.
+    /// By index in `Level::switches`; true when pressed, false when let go.
     Switch(usize, bool),
-    /// The block of that index in `Level::world` has broken.
+    /// By index in `Level::world`.
     Broke(usize),
 }
 
 impl Mechanisms {
-    /// The mechanisms of a level before the first tick; sets the world as its switches are.
+    /// Also sets the world by its switches.
     pub fn new(level: &Level, world: &mut World) -> Self {
         let off = vec![false; level.switches.len()];
         let wires = level.wires();
@@ -46,7 +41,7 @@ impl Mechanisms {
         Self { pressed: off.clone(), on: off, wires, works, fragile, broken, taken }
     }
 
-    /// Looks at a tick's end, works the things that switches work, and reports each change.
+    /// Works the parts of the switches that a tick's end finds pressed, and reports each change.
     pub fn note(&mut self, level: &Level, world: &mut World, mut changed: impl FnMut(MechanismChange)) {
         for (index, switch) in level.switches.iter().enumerate() {
             let pressed = is_pressed(switch, index, level, world);
@@ -79,38 +74,34 @@ impl Mechanisms {
         }
     }
 
-    /// Takes a pod, if it is still there.
+    /// False for a pod that is gone.
     pub fn take_pod(&mut self, index: usize) -> bool {
         !std::mem::replace(&mut self.taken[index], true)
     }
 
-    /// Whether each switch is on.
     pub fn on(&self) -> &[bool] {
         &self.on
     }
 
-    /// Whether a switch is pressed now.
     pub fn is_pressed(&self, switch: usize) -> bool {
         self.pressed[switch]
     }
 
-    /// Whether something is on; what no switch works is, but for doors: they are closed.
+    /// A part without a switch is on, except a door, which is closed.
     pub fn is_on(&self, worked: Worked) -> bool {
         let found = self.wires.iter().position(|wire| wire.worked == worked);
         found.map_or(!matches!(worked, Worked::Door(_)), |wire| self.works[wire])
     }
 
-    /// Whether a block of the world has broken.
     pub fn is_broken(&self, block: usize) -> bool {
         self.broken[block]
     }
 
-    /// Whether a pod has been taken.
     pub fn is_taken(&self, pod: usize) -> bool {
         self.taken[pod]
     }
 
-    /// Feeds every bit of the state to `write`. Levels without mechanisms have none.
+    /// Feeds every bit of the state to `write`. A level without mechanisms has none.
     pub fn hash_state(&self, write: &mut impl FnMut(u64)) {
         let broken = self.fragile.iter().map(|&block| &self.broken[block]);
         let flags = self.pressed.iter().chain(&self.on).chain(&self.works).chain(broken).chain(&self.taken);
@@ -118,7 +109,6 @@ impl Mechanisms {
     }
 }
 
-/// Sets something as the switches want it.
 fn work(worked: Worked, on: bool, level: &Level, world: &mut World) {
     match worked {
         Worked::Mover(index) => world.set_running(level.surface_index(SurfaceOf::Mover(index)), on),
@@ -128,7 +118,7 @@ fn work(worked: Worked, on: bool, level: &Level, world: &mut World) {
     }
 }
 
-/// Whether a switch is pressed as a tick ends: a plate by the weight on it, an area by the body that touches it.
+/// A plate is pressed by weight, an area by the touch of a body.
 fn is_pressed(switch: &Switch, index: usize, level: &Level, world: &World) -> bool {
     if let Some(weight) = switch.weight {
         return world.load_on(level.surface_index(SurfaceOf::Plate(index))) > weight;

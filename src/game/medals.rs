@@ -5,25 +5,20 @@ use super::score::RunResult;
 use crate::level::{Awards, Mark};
 use crate::number::{hundredths, whole_hundredths};
 
-/// A speed that is over by less than this, m/s, is not over, and a share of the fuel that lacks less is there: a tenth is no binary number.
+/// A speed this little over its limit, m/s, and a fuel share this little below its limit, are within: a tenth is no binary number.
 const ROUNDING: f64 = 1e-9;
 
-/// A prize for a completed level; the better one is greater.
+/// The better one is greater.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Medal {
-    /// It is done.
     Bronze,
-    /// In the level's time for silver.
     Silver,
-    /// In the level's time for gold.
     Gold,
 }
 
 impl Medal {
-    /// All of them, the least first.
     pub const ALL: [Self; 3] = [Self::Bronze, Self::Silver, Self::Gold];
 
-    /// Its name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Bronze => "Bronze",
@@ -32,7 +27,7 @@ impl Medal {
         }
     }
 
-    /// The medal for a flight of that time that completes the level; without a time, as it is with help, bronze.
+    /// The medal for a completed flight of that time, s; bronze without a time, as for a flight with help.
     pub fn for_time(awards: &Awards, time: Option<f64>) -> Self {
         let within = |limit: Option<f64>| limit.zip(time).is_some_and(|(limit, time)| hundredths(time) <= whole_hundredths(limit));
         match (within(awards.gold), within(awards.silver)) {
@@ -43,17 +38,14 @@ impl Medal {
     }
 }
 
-/// The prizes of a level: a medal, and whether the level's own mark.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Medals {
-    /// The best one.
     pub medal: Option<Medal>,
-    /// The level's own mark.
     pub mark: bool,
 }
 
 impl Medals {
-    /// The prizes of a flight. One with help earns bronze alone.
+    /// A flight with help earns bronze alone.
     pub fn of(awards: &Awards, result: &RunResult) -> Self {
         if result.outcome != Outcome::Completed {
             return Self::default();
@@ -62,35 +54,28 @@ impl Medals {
         Self { medal: Some(medal), mark: !result.assisted && awards.mark.is_some_and(|mark| lacks(mark, result).is_none()) }
     }
 
-    /// With what the best time of a level that is done is worth, as the level stands now: it may have been flown before the level had
-    /// medals for it.
+    /// Adds the medal for the best time, by the limits of the level as it stands now: the flight may be older than they are.
     #[must_use]
     pub fn with_best(self, awards: &Awards, time: Option<f64>) -> Self {
         Self { medal: self.medal.map(|medal| medal.max(Medal::for_time(awards, time))), ..self }
     }
 }
 
-/// A prize.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Prize {
-    /// A medal.
     Medal(Medal),
-    /// The level's own mark.
     Mark,
 }
 
-/// Something that a level offers, and how a flight stands to it.
+/// A prize, its condition, and the part that a flight lacks for it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Goal {
-    /// The prize.
     pub prize: Prize,
-    /// The condition, in words.
     pub asks: String,
-    /// The missing part, in words; `None` where it is earned.
+    /// `None` where the prize is earned.
     pub missing: Option<String>,
 }
 
-/// All that a level offers, and how a flight stands to each.
 pub fn goals(awards: &Awards, result: &RunResult) -> Vec<Goal> {
     let completed = result.outcome == Outcome::Completed;
     let unless = |lacks: Option<String>| match (completed, result.assisted) {
@@ -113,7 +98,6 @@ pub fn goals(awards: &Awards, result: &RunResult) -> Vec<Goal> {
         .collect()
 }
 
-/// The condition of a mark, in words.
 pub fn words(mark: Mark) -> String {
     match mark {
         Mark::Hits(0) => "no damaging hit".to_owned(),
@@ -125,7 +109,6 @@ pub fn words(mark: Mark) -> String {
     }
 }
 
-/// The part that a completed flight lacks for a mark, in words.
 fn lacks(mark: Mark, result: &RunResult) -> Option<String> {
     match mark {
         Mark::Hits(most) => (result.collisions > most).then(|| counted(result.collisions, "damaging hit")),
@@ -191,14 +174,14 @@ mod tests {
 
     #[test]
     fn a_shown_time_and_what_it_lacks_add_up_to_the_limit() {
-        // 661 ticks are 5.5083 s: they are shown as 00:05.51, and lack what that lacks.
+        // 661 ticks are 5.5083 s, which the screen shows as 00:05.51.
         let awards = Awards { gold: Some(5.5), ..Awards::default() };
         let missing = |ticks: f64| goals(&awards, &flight(ticks / 120.0, 1.0)).remove(1).missing;
         assert_eq!(missing(660.0), None);
         assert_eq!((missing(661.0).as_deref(), clock(661.0 / 120.0)), (Some("0.01 s too slow"), "00:05.51".to_owned()));
         assert_eq!((missing(814.0).as_deref(), clock(814.0 / 120.0)), (Some("1.29 s too slow"), "00:06.79".to_owned()));
         assert_eq!(Medal::for_time(&awards, Some(661.0 / 120.0)), Medal::Bronze);
-        // What is shown as 00:05.51 is not within 5.505 s.
+        // A time shown as 00:05.51 is not within 5.505 s.
         let odd = Awards { gold: Some(5.505), ..Awards::default() };
         assert_eq!([5.5, 5.503].map(|time| Medal::for_time(&odd, Some(time))), [Medal::Gold, Medal::Bronze]);
     }

@@ -1,6 +1,6 @@
-//! One run of a level: controls, fuel, objectives, hazards, events, score; and what turns frames and files into ticks: the
-//! [`Clock`], the [`Latch`], recorded [`Inputs`] and [`Replay`]s. No key, no clock on a wall, no file and no pixel: text, inputs
-//! and frame times are handed in, and the view and the sound read what has become of them.
+//! One run of a level: controls, fuel, objectives, hazards, events, score; and the [`Clock`], the [`Latch`], recorded [`Inputs`]
+//! and [`Replay`]s, which make ticks of frames and files. It reads no key, wall clock, file or pixel: text, inputs and frame times
+//! are arguments, and view and sound read its state.
 //!
 //! ```text
 //! clock.add(frame_time);

@@ -1,10 +1,10 @@
-//! Names for the things that exert a force in a level: bodies as the telemetry numbers them, all else as the level's files count their rows. The
-//! files have one set of names, the players' pages another, with the same numbers.
+//! Names of all that exerts a force in a level: bodies by their numbers in the telemetry, the rest by the rows of the level's
+//! files. Files and players' pages have names of their own, with the same numbers.
 
 use crate::level::{Level, Look, SurfaceOf};
 use crate::physics::{BodyId, Obstacle, Source};
 
-/// The edges of a level in the engine's order.
+/// In the engine's order.
 const EDGES: [&str; 4] = ["edge left", "edge right", "edge top", "edge bottom"];
 
 /// The name of a source: `gravity`, `engine`, `air`; `stream N`, `fluid N` and `world N`, the Nth row of hazards.csv, fluids.csv and
@@ -16,7 +16,7 @@ pub fn source_name(level: &Level, source: Source) -> String {
         Source::Engine => "engine".to_owned(),
         Source::Air => "air".to_owned(),
         Source::Stream(index) => format!("stream {}", index + 1),
-        // The level's own sideways gravity comes behind the zones.
+        // The level's own sideways gravity has the index behind the zones.
         Source::Field(index) if index as usize >= level.fields.len() => "gravity".to_owned(),
         Source::Field(index) => format!("gravity {}", index + 1),
         Source::Fluid(index) => format!("fluid {}", index + 1),
@@ -26,14 +26,13 @@ pub fn source_name(level: &Level, source: Source) -> String {
     }
 }
 
-/// The strength of the Earth's field, N/kg, and how far from it a level's may be to be named the Earth's.
+/// N/kg: the Earth's field. A level whose field differs by less has the Earth's name.
 const EARTH: f64 = 9.81;
 const EARTH_WITHIN: f64 = 0.05;
-/// The edges of a level in a player's words.
 const WALLS: [&str; 4] = ["left edge", "right edge", "roof", "floor"];
 
-/// The name of a source in a player's words: `Earth` (`planet`, where gravity is another one's), `exhaust` (the gas that leaves the engine pushes
-/// the ship), `air`, `wind N`, `liquid N`, `block N`, `mover N`, `floor` …; numbers as in [`source_name`].
+/// In a player's words: `Earth` (`planet` under another gravity), `exhaust` (the gas that leaves the engine pushes the ship),
+/// `air`, `wind N`, `liquid N`, `block N`, `mover N`, `floor` …; numbers as in [`source_name`].
 pub fn told_name(level: &Level, source: Source) -> String {
     match source {
         Source::Gravity if (level.gravity - EARTH).abs() <= EARTH_WITHIN => "Earth".to_owned(),
@@ -51,7 +50,6 @@ pub fn told_name(level: &Level, source: Source) -> String {
     }
 }
 
-/// The name of an obstacle, as in [`source_name`].
 pub fn obstacle_name(level: &Level, obstacle: Obstacle) -> String {
     match obstacle {
         Obstacle::Surface(index) => surface_name(level, index as usize),
@@ -59,7 +57,7 @@ pub fn obstacle_name(level: &Level, obstacle: Obstacle) -> String {
     }
 }
 
-/// The title of a body on the screen: `Ship`, `Key object 2`, `Ball 3`, `Box 4`, numbered as in [`source_name`].
+/// `Ship`, `Key object 2`, `Ball 3`, `Box 4`, numbered as in [`source_name`].
 pub fn body_title(level: &Level, id: BodyId) -> String {
     let Some(object) = id.index().checked_sub(1).and_then(|i| level.objects.get(i)) else {
         return "Ship".to_owned();

@@ -1,16 +1,15 @@
-//! The comments of a record, `# name: value`: finding them, and what their values may be.
+//! The comments of a record, `# name: value`: their place and their values.
 
 use super::clock::TICK_RATES;
 use super::event::Outcome;
 use std::str::FromStr;
 
-/// The most seconds that have a hash each, an hour of them; the end of a longer flight has its own hash. More would outgrow the file's inputs.
+/// An hour. The end of a longer flight has its own hash; more hashes would outgrow the file's inputs.
 pub const MOST_SECONDS: usize = 3600;
 
-/// How many comments of a file are looked at: a record has one a second, and people add some.
+/// The most comments that are read of a file: a record has one a second, and people add some.
 const MOST_NOTES: usize = 2 * MOST_SECONDS;
 
-/// The comments of a replay file.
 pub(super) struct ReplayNotes<'a> {
     file: &'a str,
     /// Number, name and value of each line `# name: value`.
@@ -27,12 +26,11 @@ impl<'a> ReplayNotes<'a> {
         Self { file, lines: lines.take(MOST_NOTES).collect() }
     }
 
-    /// The first line `# name: value`, and its number.
     fn line(&self, name: &str) -> Option<(usize, &str)> {
         self.lines.iter().find(|(_, (key, _))| *key == name).map(|&(number, (_, value))| (number, value))
     }
 
-    /// The hashes of the seconds: from the first on, none left out.
+    /// The hashes of the seconds, from the first on without a gap.
     pub fn seconds(&self, problems: &mut Vec<String>) -> Vec<u64> {
         let mut hashes = Vec::new();
         for &(line, (key, value)) in &self.lines {
@@ -54,7 +52,7 @@ impl<'a> ReplayNotes<'a> {
         hashes
     }
 
-    /// The value of a line that has to be there.
+    /// The value of a required line.
     pub fn find<T: FromStr>(&self, name: &str, expected: &str, problems: &mut Vec<String>) -> Option<T> {
         if self.line(name).is_none() {
             problems.push(format!("{}:1: {name:?}: found no line \"# {name}: …\", expected {expected}", self.file));
@@ -62,7 +60,7 @@ impl<'a> ReplayNotes<'a> {
         self.find_any(name, expected, problems)
     }
 
-    /// The value of a line that may be missing.
+    /// The value of an optional line.
     pub fn find_any<T: FromStr>(&self, name: &str, expected: &str, problems: &mut Vec<String>) -> Option<T> {
         let (line, value) = self.line(name)?;
         let bad = |_| problems.push(format!("{}:{line}: {name:?}: found {value:?}, expected {expected}", self.file));
@@ -70,16 +68,16 @@ impl<'a> ReplayNotes<'a> {
     }
 }
 
-/// A name on its line: as it is, or in quotes where it would not come back whole.
+/// A name as it is, or in quotes where it would not come back whole.
 pub(super) fn written(name: &str) -> String {
     let plain = name.trim() == name && !name.starts_with('"') && !name.chars().any(|c| c.is_control() || LINE_ENDS.contains(&c));
     if plain { name.to_owned() } else { format!("{name:?}") }
 }
 
-/// Characters besides control characters that some programs take for the end of a line.
+/// Besides control characters, these end a line for some programs.
 const LINE_ENDS: [char; 2] = ['\u{2028}', '\u{2029}'];
 
-/// A name that [`written`] has written.
+/// A name in the form of [`written`].
 pub(super) struct Plain(pub String);
 
 impl FromStr for Plain {
@@ -94,7 +92,7 @@ impl FromStr for Plain {
     }
 }
 
-/// The text between the quotes of its debug form; `None` where it is none.
+/// The inverse of a text's debug form, without the quotes; `None` for any other text.
 fn unquoted(text: &str) -> Option<String> {
     let (mut name, mut rest) = (String::new(), text.chars());
     while let Some(c) = rest.next() {
@@ -119,7 +117,7 @@ fn unquoted(text: &str) -> Option<String> {
     Some(name)
 }
 
-/// A tick rate that a game can be given.
+/// Within [`TICK_RATES`].
 pub(super) struct TickRate(pub f64);
 
 impl FromStr for TickRate {
@@ -130,7 +128,7 @@ impl FromStr for TickRate {
     }
 }
 
-/// How a run ended, by its name.
+/// By its name.
 pub(super) struct Ended(pub Outcome);
 
 impl FromStr for Ended {
@@ -145,7 +143,7 @@ impl FromStr for Ended {
     }
 }
 
-/// A time, s.
+/// Finite, from 0 on.
 pub(super) struct Seconds(pub f64);
 
 impl FromStr for Seconds {
@@ -156,7 +154,7 @@ impl FromStr for Seconds {
     }
 }
 
-/// 64 bits as 16 hex digits.
+/// 16 digits.
 pub(super) struct Hex(pub u64);
 
 impl FromStr for Hex {

@@ -1,24 +1,22 @@
-//! Which objectives are met: what touches each, for how long it has, and whose turn it is.
+//! The state of the objectives: touch, hold time and turn.
 
 use super::ship::SHIP;
 use super::touch::TOUCH;
 use crate::level::{Level, Objective, ObjectiveKind};
 use crate::physics::{BodyId, World};
 
-/// s. Holding this much less counts: hold times are whole ticks at no rate but a few.
+/// s. A hold this much shorter counts: few hold times are whole ticks.
 const ROUNDING: f64 = 1e-9;
 
-/// How the objectives of an attempt stand.
 #[derive(Clone, Debug)]
 pub struct Objectives {
     tick_rate: f64,
     met: Vec<bool>,
-    /// For how many ticks each has been touched without a break; `None` where it is not, or where it is not its turn.
+    /// Ticks of unbroken touch; `None` without a touch, or before the objective's turn.
     held: Vec<Option<u64>>,
 }
 
 impl Objectives {
-    /// The objectives of a level before the first tick.
     pub fn new(level: &Level, world: &World, tick_rate: f64) -> Self {
         let count = level.objectives.len();
         let mut objectives = Self { tick_rate, met: vec![false; count], held: vec![None; count] };
@@ -26,7 +24,7 @@ impl Objectives {
         objectives
     }
 
-    /// Looks at a tick's end; reports of each that has changed whether it is met now.
+    /// Looks at a tick's end, and reports each change of an objective with whether it is met now.
     pub fn note(&mut self, level: &Level, world: &World, mut changed: impl FnMut(usize, bool)) {
         for (index, objective) in level.objectives.iter().enumerate() {
             let touched = self.is_open(level, index) && is_touched(objective, level, world);
@@ -40,29 +38,28 @@ impl Objectives {
         }
     }
 
-    /// Whether it is an objective's turn: all with smaller numbers are met.
+    /// Whether all objectives with smaller numbers are met.
     pub fn is_open(&self, level: &Level, index: usize) -> bool {
         let before = |other: &Objective| other.order.is_some() && other.order < level.objectives[index].order;
         level.objectives.iter().zip(&self.met).all(|(other, &met)| met || !before(other))
     }
 
-    /// Whether each is met.
     pub fn met(&self) -> &[bool] {
         &self.met
     }
 
-    /// Whether all are, of which there is one at least.
+    /// False without any objective.
     pub fn are_all_met(&self) -> bool {
         !self.met.is_empty() && self.met.iter().all(|&met| met)
     }
 
-    /// Which part of its hold time an objective has been touched for, 0 … 1.
+    /// The share of an objective's hold time that has passed, 0 … 1.
     pub fn held(&self, objective: &Objective, index: usize) -> f64 {
         let seconds = self.held[index].map_or(0.0, |ticks| ticks as f64 / self.tick_rate);
         if objective.hold > 0.0 { (seconds / objective.hold).min(1.0) } else { 0.0 }
     }
 
-    /// Feeds every bit of the state to `write`. How long something is held is state only where it is asked for.
+    /// Feeds every bit of the state to `write`. The touch is state only where an objective has a hold time.
     pub fn hash_state(&self, level: &Level, write: &mut impl FnMut(u64)) {
         self.met.iter().for_each(|&met| write(u64::from(met)));
         for (_, held) in level.objectives.iter().zip(&self.held).filter(|(objective, _)| objective.hold > 0.0) {

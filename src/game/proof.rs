@@ -1,4 +1,4 @@
-//! Flying a record again, a tick at a time, to see whether it leads where it says.
+//! A record that is flown again, a tick at a time, to compare its end with the written one.
 
 use super::attempt::Game;
 use super::event::{GameError, Outcome};
@@ -8,7 +8,6 @@ use super::replay::{Mismatch, Replay, ended_second, thousandths};
 use crate::level::Level;
 use std::sync::Arc;
 
-/// A record that is flown again, as far as it has been.
 #[derive(Clone, Debug)]
 pub struct Proof {
     replay: Arc<Replay>,
@@ -20,7 +19,8 @@ impl Proof {
     /// The record at its start in that level.
     ///
     /// # Errors
-    /// As [`Game::with_tick_rate`]; within, the level is another one than the record's, by its hash, or its keys go on beyond its own time.
+    /// As [`Game::with_tick_rate`]; within, the level's hash differs from the record's, or the record's keys go on beyond its own
+    /// time.
     pub fn new(replay: Arc<Replay>, level: Arc<Level>) -> Result<Result<Self, Mismatch>, GameError> {
         let here = Fingerprint::of(&level);
         if let Some(recorded) = replay.level_hash.filter(|&recorded| !here.is(recorded)) {
@@ -33,7 +33,7 @@ impl Proof {
         Ok(Ok(Self { rest: replay.inputs.clone().into_iter(), game, replay }))
     }
 
-    /// Flies one tick; the answer once it is known.
+    /// Flies one tick. `Some` once the comparison is decided.
     pub fn step(&mut self) -> Option<Result<(), Mismatch>> {
         let Some(controls) = self.rest.next() else { return Some(self.compare()) };
         if self.game.outcome() != Outcome::Running {
@@ -46,12 +46,10 @@ impl Proof {
         (recorded != flown).then_some(Err(Mismatch::Second(second, recorded, flown)))
     }
 
-    /// The game as far as it was flown.
     pub const fn game(&self) -> &Game {
         &self.game
     }
 
-    /// Whether a game that was flown to its end came to what is recorded.
     fn compare(&self) -> Result<(), Mismatch> {
         let (recorded, result, hash) = (&self.replay, self.game.result(), self.game.hash());
         let (score, outcome) = (result.score.total, result.outcome);
@@ -67,10 +65,7 @@ impl Proof {
 }
 
 impl Replay {
-    /// Flies the inputs again and compares where they lead. `watch` is called after every tick.
-    ///
-    /// # Errors
-    /// As [`Game::with_tick_rate`].
+    /// Flies all inputs again and compares. `watch` is called after every tick.
     pub fn verify(&self, level: Arc<Level>, mut watch: impl FnMut(&Game)) -> Result<Result<(), Mismatch>, GameError> {
         let mut proof = match Proof::new(Arc::new(self.clone()), level)? {
             Ok(proof) => proof,

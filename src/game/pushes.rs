@@ -1,32 +1,30 @@
-//! How often the ship has pushed objects: what a mark for few pushes counts.
+//! The number of times the ship has pushed objects, for a mark of few pushes.
 
 use super::ship::SHIP;
 use crate::physics::{ForceManager, Impulse, Obstacle, Source};
 
-/// Touches of the ship and one object that are less than this apart are one push, s. Shorter, and what bounces along before the ship
-/// counts again and again; longer, and a nudge that was thought over counts as one with the nudge before it.
+/// Touches of the ship and one object less than this apart are one push, s. Shorter, and an object that bounces along before the
+/// ship counts again and again; longer, and two deliberate nudges count as one.
 pub const APART: f64 = 0.5;
 
-/// The pushes so far. One begins when the ship touches an object that it has not touched for [`APART`], whichever of the two moves.
+/// A push begins when the ship touches an object that it has not touched for [`APART`], whichever of the two moves.
 #[derive(Clone, Debug)]
 pub struct PushCount {
     count: u32,
-    /// The tick after the last one in which each object was touched; 0 for never.
+    /// By object, the tick after the last touch; 0 for never.
     touched: Vec<u64>,
 }
 
 impl PushCount {
-    /// No push yet, of that number of objects.
     pub fn new(objects: usize) -> Self {
         Self { count: 0, touched: vec![0; objects] }
     }
 
-    /// How many there were.
     pub const fn count(&self) -> u32 {
         self.count
     }
 
-    /// Takes up the contacts of a tick: the forces on the ship at its end, and the impacts in it. `apart` is [`APART`] in ticks.
+    /// Takes the forces on the ship at a tick's end, and the impacts of that tick. `apart` is [`APART`] in ticks.
     pub fn note(&mut self, tick: u64, apart: f64, forces: &ForceManager, impulses: &[Impulse]) {
         let pressing = forces.forces().iter().filter_map(|force| if let Source::Body(by) = force.source { Some(by) } else { None });
         let hitting = impulses.iter().filter_map(|impulse| match impulse.on(SHIP) {

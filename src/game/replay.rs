@@ -1,5 +1,5 @@
-//! A recorded run: the inputs, and what they came to. Its file is an inputs file whose comments say the rest, so that it can be
-//! flown wherever inputs can.
+//! A recorded run: inputs and their result. Its file is an inputs file whose comments hold the rest, so that it flies wherever
+//! inputs do.
 //!
 //! ```text
 //! # program: resultant 0.1.0
@@ -16,9 +16,9 @@
 //! 60,1,0,0,0
 //! ```
 //!
-//! `hash` is that of the last state, `hash 1` that after the first second, and so on: they show in which second a flight departs.
-//! `player` is in the record of a saved score. Program, level's hash, outcome, time and the hashes of the seconds are not in older records,
-//! or the level's hash has 16 digits there; a record without a level's hash is flown in the level that has its name.
+//! `hash` is of the last state, `hash 1` of the state after the first second, and so on: they show in which second a flight
+//! departs. A record of a saved score has `player`. Older records lack program, level's hash, outcome, time and the hashes of the
+//! seconds, or have a level's hash of 16 digits; a record without one flies in the level of its name.
 
 use super::attempt::Game;
 use super::controls::Controls;
@@ -28,55 +28,47 @@ use super::inputs::{BadFile, Inputs};
 use super::notes::{Ended, Hex, MOST_SECONDS, Plain, ReplayNotes, Seconds, TickRate, written};
 use std::fmt;
 
-/// This program, as records name it.
 pub const PROGRAM: &str = concat!("resultant ", env!("CARGO_PKG_VERSION"));
 
-/// A recorded run.
+/// Optional parts are missing in older records.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Replay {
-    /// The program that recorded it, where that is written down.
     pub program: Option<String>,
-    /// The name under which its score was saved, where it was.
+    /// The name under which the score was saved, if it was.
     pub player: Option<String>,
     /// The level's folder name.
     pub level: String,
-    /// The level's hash, where that is written down.
     pub level_hash: Option<LevelHash>,
     /// Ticks a second.
     pub tick_rate: f64,
-    /// How it ended, where that is written down.
     pub outcome: Option<Outcome>,
-    /// How long it took, s, where that is written down.
+    /// s.
     pub time: Option<f64>,
-    /// The score it came to.
     pub score: i64,
     /// The hash of the last state.
     pub hash: u64,
-    /// The hash after each whole second, as far as they are written down.
+    /// After each whole second.
     pub seconds: Vec<u64>,
-    /// The controls from the first tick on.
     pub inputs: Inputs,
 }
 
-/// How a run flown again differs from the recorded one; of each pair the first was recorded.
+/// How a run flown again differs from its record; of each pair the recorded value goes first.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Mismatch {
-    /// The level is another one, by its hash; it was not flown.
+    /// Another level, by its hash; the record was not flown.
     Level(LevelHash, LevelHash),
-    /// Its keys go on beyond its end: after how many ticks it ended, and how many there are.
+    /// The keys go on beyond the end: its tick, and the number of ticks of keys.
     RunsOn(u64, u64),
-    /// It leads elsewhere from this second on, the first being 1; the hashes of the state after it. The rest was not flown.
+    /// The first second that departs, from 1, with the hashes after it. The rest was not flown.
     Second(usize, u64, u64),
-    /// The same state, but not what is written of how and when it ended.
+    /// The same state, but another end than the written one.
     Result {
-        /// Where it is written down.
+        /// `None` where the record does not say.
         outcome: (Option<Outcome>, Outcome),
-        /// In thousandths of a second, where it is written down.
+        /// Thousandths of a second; `None` where the record does not say.
         time: (Option<u64>, u64),
     },
-    /// It leads elsewhere.
     End {
-        /// Points.
         score: (i64, i64),
         /// The hash of the last state.
         hash: (u64, u64),
@@ -107,7 +99,6 @@ impl fmt::Display for Mismatch {
     }
 }
 
-/// Records a run while it is flown.
 #[derive(Clone, Debug, Default)]
 pub struct Recorder {
     inputs: Inputs,
@@ -115,7 +106,7 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Takes up the tick that was just made with these controls.
+    /// Takes up the tick just made with these controls.
     pub fn note(&mut self, game: &Game, controls: Controls) {
         self.inputs.record(controls);
         if self.seconds.len() < MOST_SECONDS && ended_second(game).is_some() {
@@ -123,12 +114,10 @@ impl Recorder {
         }
     }
 
-    /// The controls so far.
     pub const fn inputs(&self) -> &Inputs {
         &self.inputs
     }
 
-    /// The record of the game, as far as it was played.
     pub fn finish(self, game: &Game) -> Replay {
         let result = game.result();
         Replay {
@@ -147,20 +136,20 @@ impl Recorder {
     }
 }
 
-/// The second that the last tick brought to its end, from 1 on.
+/// The whole second that the last tick ends, from 1 on.
 pub(super) fn ended_second(game: &Game) -> Option<usize> {
     let second = |ticks: u64| (ticks as f64 / game.tick_rate()) as usize;
     let now = second(game.ticks());
     (now > second(game.ticks().saturating_sub(1))).then_some(now)
 }
 
-/// In whole thousandths, which differ between any two ticks of the game and do not depend on how a number was written.
+/// Whole thousandths, which differ between any two ticks of the game and do not depend on the form of a number.
 pub(super) fn thousandths(seconds: f64) -> u64 {
     (seconds * 1000.0).round() as u64
 }
 
 impl Replay {
-    /// Reads the text of a replay file; `file` is its name in messages.
+    /// `file` is the file's name in messages.
     ///
     /// # Errors
     /// As [`Inputs::parse`]; a `# name: value` line that is missing or unreadable.
@@ -188,8 +177,7 @@ impl Replay {
         }
     }
 
-    /// Whether the keys go on beyond the record's own time, which needs no flight. The time before the first key is no part
-    /// of that time.
+    /// The mismatch of keys that go on beyond the record's own time, which needs no flight. That time begins with the first key.
     pub fn runs_on(&self) -> Option<Mismatch> {
         let (ended, ticks) = (self.time? * self.tick_rate, self.inputs.ticks());
         let ended = ended.round() as u64;
@@ -198,7 +186,6 @@ impl Replay {
 }
 
 impl fmt::Display for Replay {
-    /// The text of the file, which [`Replay::parse`] reads.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { program, player, level, level_hash, tick_rate, outcome, time, score, hash, seconds, inputs } = self;
         if let Some(program) = program {

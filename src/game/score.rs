@@ -2,23 +2,19 @@
 
 use super::event::Outcome;
 
-/// For a completed level.
 const BASE: i64 = 10_000;
-/// The most that time brings, and the cost of being twice as slow as the level's author.
+/// The most for time, and the loss of a flight twice as slow as the level's author.
 const TIME: f64 = 10_000.0;
-/// For a tank at least [`FULL_BONUS`] full.
 const FUEL: f64 = 1_000.0;
-/// The fraction of the fuel from which the whole bonus is given.
+/// The share of the fuel that brings the whole bonus.
 const FULL_BONUS: f64 = 0.5;
-/// For each damaging collision.
 const COLLISION: i64 = -500;
-/// A success is never worth less.
+/// The least of a success.
 const LEAST: i64 = 1;
-/// A term that lacks less than this to the next point gets it: 0.9 s of 1 s would be worth 999 points instead of 1000, because a
-/// tenth is no binary number. Points; far below what a tick is worth, far above rounding.
+/// A term that lacks less than this to the next point gets it, points: 0.9 s of 1 s would bring 999 points, because a tenth is no
+/// binary number. Far below the worth of a tick, far above rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// The score and its terms.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ScoreParts {
     /// 10 000 for a completed level.
@@ -34,9 +30,8 @@ pub struct ScoreParts {
 }
 
 impl ScoreParts {
-    /// The score of a completed level: `time` and `optimal_time` in seconds, `fuel` the fraction left (0 … 1), `collisions` the
-    /// damaging ones. Each term is cut off to whole points, the slow player's loss of time upwards: a third of a point lost is a
-    /// point lost.
+    /// `time` and `optimal_time` in seconds, `fuel` the fraction left (0 … 1), `collisions` the damaging ones. Each term is rounded
+    /// down to whole points: a slow player's loss of a third of a point is a point.
     pub fn completed(time: f64, optimal_time: f64, fuel: f64, collisions: u32) -> Self {
         let k = ((optimal_time - time) / optimal_time).clamp(-1.0, 1.0);
         let mut parts = Self {
@@ -50,7 +45,7 @@ impl ScoreParts {
         parts
     }
 
-    /// The most that a level brings in that time, s: nothing was hit, and the tank is full.
+    /// The most that a level brings in that time, s: without a hit, with a full tank.
     pub fn most(time: f64, optimal_time: f64) -> i64 {
         Self::completed(time, optimal_time, 1.0, 0).total
     }
@@ -60,24 +55,20 @@ fn whole(points: f64) -> i64 {
     (points + ROUNDING).floor() as i64
 }
 
-/// The result of an attempt; the scoring screen is made from it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RunResult {
     /// The level's folder name.
     pub level: String,
-    /// How it ended.
     pub outcome: Outcome,
     /// s.
     pub time: f64,
     /// s.
     pub optimal_time: f64,
-    /// Objectives met at the end.
     pub objectives_met: usize,
-    /// Of how many.
     pub objectives_all: usize,
-    /// Damaging collisions.
+    /// Damaging ones.
     pub collisions: u32,
-    /// Pushes of objects by the ship: touches of one that are less than half a second apart are one.
+    /// Touches of one object less than half a second apart are one.
     pub pushes: u32,
     /// Fraction of the fuel left, 0 … 1; 0 where the level gives none.
     pub fuel: f64,
@@ -89,11 +80,10 @@ pub struct RunResult {
     pub top_speed: f64,
     /// On the ship, N.
     pub peak_resultant: f64,
-    /// Whether the player had help: then it is not for the board.
+    /// A run with help is not for the board.
     pub assisted: bool,
-    /// The cause of the ship's loss, in words.
     pub death: Option<String>,
-    /// The total and its parts; all 0 unless the level was completed.
+    /// All 0 unless the level was completed.
     pub score: ScoreParts,
 }
 

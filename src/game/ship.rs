@@ -1,4 +1,4 @@
-//! The ship's engine and its rotation: what the keys do.
+//! The ship's engine and its rotation under the keys.
 
 use super::controls::Controls;
 pub use crate::level::BURN_RATE;
@@ -6,42 +6,37 @@ use crate::level::Player;
 pub use crate::level::nose;
 use crate::physics::{BodyId, DVec2, Force, ForceKind, Source, World};
 
-/// The ship's body in every level's world.
 pub const SHIP: BodyId = BodyId(0);
-/// Degrees a second while a rotation key is held. Higher is twitchier: a quarter turn takes half a second.
+/// Degrees a second. Higher is twitchier: a quarter turn takes half a second.
 pub const ROTATION_RATE: f64 = 180.0;
-/// How long the ship stands on something, tilted and without a key, before it turns to stand upright or on its side, s. Shorter, and it
-/// turns back while a player who aims on the ground changes from one key to the next.
+/// How long the ship stands tilted and without a key before it turns upright or on its side, s. Shorter, and it turns back while a
+/// player who aims on the ground changes keys.
 const RIGHTING_AFTER: f64 = 0.5;
 
-/// The ship's state besides its body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ship {
     /// Degrees clockwise; 0 is nose up. Not wrapped: a full turn is 360.
     pub angle: f64,
-    /// The angle one tick ago (for interpolation).
+    /// One tick ago, for interpolation.
     pub previous_angle: f64,
     /// Fuel units left.
     pub fuel: f64,
     /// The engine during the last tick: 1 along the nose, −1 against it, 0 off.
     pub burning: i8,
-    /// Ticks rotated clockwise minus ticks rotated anticlockwise, and the angle that they are counted from: that of the start, or the last
-    /// right angle to which the ship turned by itself. Angle and fuel are counted, not added up, so that they stay free of rounding
-    /// that grows with the flight.
+    /// Clockwise ticks minus anticlockwise ticks, and the angle from which they count: that of the start, or the last right angle
+    /// of a turn by itself. Angle and fuel are counted, not added up, so that no rounding grows with the flight.
     turned: i64,
     from: f64,
-    /// Ticks for which it has stood on something, tilted and without a key.
+    /// Ticks on the ground, tilted and without a key.
     tilted: u32,
-    /// Ticks burnt since the tank was last filled, how much was in it then, and what had been used before, fuel units.
+    /// Ticks burnt since the last filling, the fuel then, and the fuel used before, fuel units.
     burnt: u64,
     filled: f64,
     used: f64,
-    /// Whether the engine burns no fuel.
     pub(super) fuel_lasts: bool,
 }
 
 impl Ship {
-    /// The ship at the start of a level.
     pub(super) fn new(player: &Player) -> Self {
         Self {
             angle: player.angle,
@@ -58,9 +53,9 @@ impl Ship {
         }
     }
 
-    /// Obeys the keys for one tick and returns the engine's drive during it, N. Left and right cancel each other; so do thrust and
-    /// reverse, which then burn nothing. The last tick with fuel burns what is left of it, at full thrust. `stands` says whether it stands
-    /// still on something.
+    /// Obeys the keys for one tick and returns the engine's drive, N. Left and right cancel each other; so do thrust and reverse,
+    /// which then burn nothing. The last tick with fuel burns the rest at full thrust. `stands` answers whether the ship stands
+    /// still on a surface.
     pub(super) fn obey(&mut self, controls: Controls, player: &Player, tick_rate: f64, stands: impl FnOnce() -> bool) -> DVec2 {
         self.burning = if self.fuel > 0.0 { i8::from(controls.thrust) - i8::from(controls.reverse) } else { 0 };
         self.turn(controls, tick_rate, stands);
@@ -73,7 +68,7 @@ impl Ship {
         nose(self.angle) * (f64::from(self.burning) * player.thrust) + DVec2::ZERO
     }
 
-    /// Turns by the keys; or, where it has stood tilted for a while, by itself, as fast, to the nearest right angle and not beyond.
+    /// Turns by the keys; a ship that has stood tilted for a while turns by itself, as fast, to the nearest right angle.
     fn turn(&mut self, controls: Controls, tick_rate: f64, stands: impl FnOnce() -> bool) {
         self.previous_angle = self.angle;
         let goal = (self.angle / 90.0).round() * 90.0;
@@ -89,29 +84,26 @@ impl Ship {
         self.angle = self.from + self.turned as f64 * ROTATION_RATE / tick_rate;
     }
 
-    /// Takes up fuel, as much of it as the tank holds.
+    /// Fuel beyond a full tank is lost.
     pub(super) fn refuel(&mut self, fuel: f64, player: &Player) {
         self.used = self.fuel_used();
         self.fuel += fuel.min((player.fuel - self.fuel).max(0.0));
         (self.filled, self.burnt) = (self.fuel, 0);
     }
 
-    /// Begins with so much in the tank, fuel units.
     pub(super) fn fill(&mut self, fuel: f64) {
         (self.fuel, self.filled) = (fuel, fuel);
     }
 
-    /// Fuel units burnt.
     pub(super) fn fuel_used(&self) -> f64 {
         self.used + (self.filled - self.fuel)
     }
 
-    /// The unit vector along the nose.
     pub fn nose(&self) -> DVec2 {
         nose(self.angle)
     }
 
-    /// Feeds every bit of the state to `write`. The angle from which turns are counted follows from the angle and from them.
+    /// Feeds every bit of the state to `write`. The angle from which turns count follows from the angle and the turns.
     pub(super) fn hash_state(&self, write: &mut impl FnMut(u64)) {
         for value in [self.angle, self.previous_angle, self.fuel] {
             write(value.to_bits());
@@ -132,10 +124,10 @@ impl Ship {
     }
 }
 
-/// The ship stands still on something that moves no faster than this past it, m/s: far above the rounding of a belt's or a lift's speed.
+/// The ship stands still below this speed relative to its ground, m/s: far above the rounding of a belt's or a lift's speed.
 const STILL: f64 = 1e-6;
 
-/// Whether something carries the ship, against its weight, and the ship does not move on it.
+/// Whether a body or surface carries the ship against its weight, and the ship does not move on it.
 pub(super) fn stands(world: &World) -> bool {
     let (forces, velocity) = (world.forces(SHIP), world.body(SHIP).velocity);
     let weight = forces.total(ForceKind::Weight);

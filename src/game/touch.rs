@@ -3,10 +3,10 @@
 use crate::level::SHIP_HALF;
 use crate::physics::DVec2;
 
-/// Boxes closer than this touch, m. It makes up for the rounding of pixels to metres; much larger and one would see the gap.
+/// Boxes closer than this touch, m. It covers the rounding from pixels to metres; a much larger gap would be visible.
 pub const TOUCH: f64 = 1e-9;
 
-/// The corners of the ship's box about its centre, clockwise.
+/// About the ship's centre, clockwise.
 pub(super) const SHIP_BOX: [DVec2; 4] = [
     DVec2::new(-SHIP_HALF.x, -SHIP_HALF.y),
     DVec2::new(SHIP_HALF.x, -SHIP_HALF.y),
@@ -69,7 +69,7 @@ mod tests {
             let (from, to) = (DVec2::new(x0, y0), DVec2::new(x1, y1));
             let touches_at = |t: f64, slop: f64| Aabb::around(from.lerp(to, t), HALF).touches(&TARGET, slop);
             let walked = (0..=1000).any(|i| touches_at(f64::from(i) / 1000.0, 0.0));
-            // A step of the walk is at most 22 mm.
+            // A step is at most 22 mm.
             let nearly = (0..=1000).any(|i| touches_at(f64::from(i) / 1000.0, 0.022));
             let swept = sweep_touches(&corners(), from, to, &TARGET, TOUCH);
             prop_assert!(swept || !walked, "the sweep misses a touch");
@@ -82,8 +82,8 @@ mod tests {
         ) {
             let (from, to, body) = (DVec2::new(x0, y0), DVec2::new(x1, y1), ship_body(angle));
             let target = Aabb::new(DVec2::new(2.0, 3.0), DVec2::new(4.0, 5.0));
-            // Points of the outline at most 10 mm apart, at places at most 20 mm apart: none of them is nearer to a corner of the target
-            // than the sweep is by more than that.
+            // Points of the outline are at most 10 mm apart, at places at most 20 mm apart: none is nearer to a corner of the
+            // target than the sweep by more than that.
             let outline = || (0..body.len()).flat_map(|i| {
                 let (a, b) = (body[i], body[(i + 1) % body.len()]);
                 (0..64).map(move |part| a.lerp(b, f64::from(part) / 64.0))

@@ -1,5 +1,5 @@
-//! Where a recorded ship was, tick by tick, and when it met what: what a race needs of the one that flies along as a ghost. The world of
-//! the record is flown ahead of the race, apart from it: a ghost touches nothing.
+//! The ghost of a race: place of a recorded ship and times of its objectives, tick by tick. Its world is flown ahead of the race
+//! and apart from it: a ghost touches nothing.
 
 use super::attempt::Game;
 use super::event::{GameError, GameEvent, Outcome};
@@ -9,33 +9,28 @@ use crate::level::Level;
 use crate::physics::DVec2;
 use std::sync::Arc;
 
-/// Where a ship is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Its centre, m.
+    /// m.
     pub centre: DVec2,
     /// Clockwise, degrees.
     pub angle: f64,
 }
 
-/// The path of a recorded ship, as far as it is known.
+/// Known as far as it has been flown.
 #[derive(Clone, Debug)]
 pub struct Track {
     poses: Vec<Pose>,
-    /// Ticks on the clock when each objective was met for the first time.
+    /// By objective, ticks on the clock until it is met for the first time.
     met: Vec<Option<u64>>,
-    /// Ticks before its clock starts.
+    /// Ticks before the clock starts.
     idle: u64,
     outcome: Outcome,
-    /// The part that is not flown yet.
     ahead: Option<(Box<Game>, Playback)>,
 }
 
 impl Track {
-    /// The path of these inputs in that level, of which only the start is known.
-    ///
-    /// # Errors
-    /// As [`Game::new`].
+    /// Only the start is known.
     pub fn new(level: Arc<Level>, inputs: &Inputs) -> Result<Self, GameError> {
         let game = Game::new(level)?;
         let met = vec![None; game.met().len()];
@@ -43,7 +38,7 @@ impl Track {
         Ok(Self { poses: vec![pose(&game)], met, idle: inputs.idle().unwrap_or(0), outcome: Outcome::Running, ahead })
     }
 
-    /// Flies `ticks` ticks further, as far as there are any.
+    /// Flies at most `ticks` ticks further.
     pub fn fly(&mut self, ticks: u64) {
         for _ in 0..ticks {
             let Some((game, rest)) = &mut self.ahead else { return };
@@ -62,22 +57,21 @@ impl Track {
         }
     }
 
-    /// Whether all of it is known.
     pub const fn is_whole(&self) -> bool {
         self.ahead.is_none()
     }
 
-    /// The last tick that is known.
+    /// The last known tick.
     pub fn ticks(&self) -> u64 {
         self.poses.len() as u64 - 1
     }
 
-    /// How the flight ends, as far as that is known.
+    /// Running until the end is known.
     pub const fn outcome(&self) -> Outcome {
         self.outcome
     }
 
-    /// Where the ship is drawn between the tick before `tick` (`alpha` 0) and that one (1); once the flight is over, where it ended.
+    /// The pose between the tick before `tick` (`alpha` 0) and that tick (1); once the flight is over, its last pose.
     pub fn pose(&self, tick: u64, alpha: f64) -> Pose {
         let at = |tick: u64| self.poses[(tick as usize).min(self.poses.len() - 1)];
         let (from, to) = (at(tick.saturating_sub(1)), at(tick));
@@ -85,13 +79,13 @@ impl Track {
         Pose { centre: from.centre.lerp(to.centre, alpha), angle: from.angle + turn * alpha }
     }
 
-    /// The tick of this flight that stands beside a game: the one with the same time on the clock, and where it would go on from as long as
-    /// the game's clock has not started.
+    /// The tick of this flight with the same time on the clock as the game; before the game's clock starts, the tick from which it
+    /// would go on.
     pub fn beside(&self, game: &Game) -> u64 {
         if game.is_idle() { game.ticks().min(self.idle) } else { self.idle + game.ticks_on_clock() }
     }
 
-    /// Ticks on the clock when an objective is met for the first time; `None` where it is not, as far as is known.
+    /// Ticks on the clock until an objective is met for the first time; `None` where it is not, as far as is known.
     pub fn met(&self, objective: usize) -> Option<u64> {
         self.met.get(objective).copied().flatten()
     }

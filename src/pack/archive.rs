@@ -1,4 +1,4 @@
-//! A package as the bytes of a `.zip`, and back. Reading caps everything by what really comes out, not by what the archive says.
+//! A package as a `.zip`, and back. Limits hold for the unpacked bytes, not for the sizes that an archive names.
 
 use super::cost::Cost;
 use super::package::{LARGEST, MEMORY, MOST_FILES, Package, UNPACKED, limit};
@@ -8,20 +8,17 @@ use std::io::{Cursor, Read, Write};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
-/// The table without which there is no level: where it lies is the level's folder.
+/// The table of every level: its folder is the level's folder.
 const HEART: &str = "player.csv";
-/// The record at an archive's end: its first bytes, its length without a comment, and where it counts the entries.
+/// The record at an archive's end: first bytes, length without a comment, and the place of the number of entries.
 const END: &[u8] = b"PK\x05\x06";
 const END_LENGTH: usize = 22;
 const END_COUNT: usize = 10;
-/// The kind of a file in its Unix mode, and the two that a level's files are; 0 where an archive does not say.
+/// The mask of the file type in a Unix mode, and the two types of a level's files; 0 in an archive without modes.
 const KIND: u32 = 0o170_000;
 const PLAIN: [u32; 3] = [0, 0o100_000, 0o040_000];
 
-/// The bytes of the archive; the same package always makes the same bytes.
-///
-/// # Errors
-/// The writer's; writing to memory is known to cause none.
+/// The same package always makes the same bytes.
 pub fn write(package: &Package) -> Result<Vec<u8>, String> {
     let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
@@ -33,11 +30,11 @@ pub fn write(package: &Package) -> Result<Vec<u8>, String> {
     Ok(archive.finish().map_err(|error| refused(&error))?.into_inner())
 }
 
-/// The package in an archive; `called` is what the level is named where its files lie in no folder. Whether it is a level is not judged here.
+/// The package in an archive, which need not be a level. `called` is the name of a level whose files lie in no folder.
 ///
 /// # Errors
-/// No archive or a damaged one; one that is too large, has too much in it, or would cost too much memory; a path that could lead elsewhere,
-/// two that are one somewhere, links, devices, files that belong to no level; files of several levels.
+/// A damaged archive; too many bytes, entries or too much memory; a path that leads elsewhere; two paths that are one on some
+/// system; links, devices and files of no level; files of several levels.
 pub fn read(bytes: &[u8], called: &str) -> Result<Package, String> {
     if bytes.len() as u64 > LARGEST {
         return Err(format!("found {} bytes, expected at most {LARGEST}", bytes.len()));
@@ -47,7 +44,7 @@ pub fn read(bytes: &[u8], called: &str) -> Result<Package, String> {
         return Err(format!("found {count} files, expected at most {MOST_FILES}"));
     }
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| format!("found a damaged archive: {error}"))?;
-    // The reader has one entry a name: what stands there twice would be another file for another program.
+    // The reader has one entry a name, but another program may take the second of two.
     if archive.len() != count {
         return Err(format!("found {count} entries of {} names, expected one entry a name", archive.len()));
     }
@@ -62,7 +59,7 @@ pub fn read(bytes: &[u8], called: &str) -> Result<Package, String> {
     found.package(called)
 }
 
-/// The memory that a level needs, by the sizes in its archive. Of each picture the head alone is unfolded.
+/// The memory of a level, by the sizes in its archive. Of each picture only the head is unpacked.
 fn cost(archive: &mut ZipArchive<Cursor<&[u8]>>, packed: u64) -> Result<u64, String> {
     let mut cost = Cost::of_archive(packed);
     for index in 0..archive.len() {
@@ -76,7 +73,7 @@ fn cost(archive: &mut ZipArchive<Cursor<&[u8]>>, packed: u64) -> Result<u64, Str
     Ok(cost.bytes())
 }
 
-/// How many entries an archive says at its end that it has.
+/// The number of entries by the archive's end record.
 fn entries(bytes: &[u8]) -> Option<usize> {
     let last = bytes.len().checked_sub(END_LENGTH)?;
     let first = last.saturating_sub(usize::from(u16::MAX));
@@ -84,12 +81,11 @@ fn entries(bytes: &[u8]) -> Option<usize> {
     Some(usize::from(u16::from_le_bytes([bytes[at + END_COUNT], bytes[at + END_COUNT + 1]])))
 }
 
-/// The entries so far.
 #[derive(Default)]
 struct Found {
     /// By the parts of their paths.
     files: BTreeMap<Vec<String>, Vec<u8>>,
-    /// All paths of files and of the folders around them, [`path::folded`].
+    /// All paths of files and the folders around them, [`path::folded`].
     taken: BTreeSet<String>,
     folders: BTreeSet<String>,
     unpacked: u64,
@@ -109,14 +105,14 @@ impl Found {
         if entry.is_dir() {
             return Ok(());
         }
-        // Whether the first part is the level's folder is not known yet: the whole path is judged once it is.
+        // The first part may be the level's folder: the whole path is judged once that is known.
         let most = (0..parts.len().min(2)).filter_map(|from| limit(&parts[from..].join("/"))).max();
         let most = most.ok_or_else(|| format!("{shown}: found a file that belongs to no level, expected CSV, PNG, TXT, MD"))?;
         let left = UNPACKED - self.unpacked;
         if entry.size() > left {
             return Err(format!("{shown}: found more than {UNPACKED} bytes up to here, expected no more"));
         }
-        // The archive's own size was judged: an entry that unfolds to more is refused.
+        // The archive's own size was judged: an entry that unpacks to more is refused.
         let most = most.min(entry.size());
         let mut bytes = Vec::new();
         entry.by_ref().take(most + 1).read_to_end(&mut bytes).map_err(|error| format!("{shown}: found a damaged file: {error}"))?;
@@ -129,7 +125,7 @@ impl Found {
         Ok(())
     }
 
-    /// No two paths may be one on any system, and none a file here and a folder there.
+    /// Refuses a second path that is the same on some system, and a file where there is a folder.
     fn take_name(&mut self, parts: &[String]) -> Result<(), String> {
         let folded: Vec<String> = parts.iter().map(|part| path::folded(part)).collect();
         let whole = folded.join("/");
@@ -145,7 +141,7 @@ impl Found {
         Ok(())
     }
 
-    /// The level's folder is where its heart lies.
+    /// The level's folder is the folder of its heart.
     fn package(self, called: &str) -> Result<Package, String> {
         let hearts: Vec<&Vec<String>> = self.files.keys().filter(|parts| parts.last().is_some_and(|name| name == HEART)).collect();
         let folder = match hearts.as_slice() {

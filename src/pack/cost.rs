@@ -1,26 +1,25 @@
-//! The memory that a level of a package needs, known before any of it is unfolded: by the sizes that the archive names, to which reading then
-//! holds it, and by the heads of its pictures.
+//! The memory of a packed level, before it is unpacked: by the sizes in the archive, to which reading holds it, and by its
+//! pictures' heads.
 
 use crate::files;
 use crate::level::FILES;
 
-/// Bytes of memory for a byte of a table while it is read, checked and built: 29 were measured for tables of solids and objects at their
-/// limits, with `/usr/bin/time`.
+/// Bytes of memory a byte of a table, for reading, checks and building: `/usr/bin/time` shows 29 for tables of solids and objects
+/// at their limits.
 const TABLE: u64 = 32;
-/// Bytes of memory for a byte of a flight while it is read, with some room: one flight after the other is.
+/// Bytes of memory a byte of a flight, with some room. Only one flight is in memory at a time.
 const FLIGHT: u64 = 6;
-/// Bytes of a pixel that is shown: unpacked, as a texture, and the copy of a graphics driver without a card, of 4 bytes each; and of one of 16
-/// bits a channel while it is unfolded.
+/// Bytes a pixel: unpacked, as a texture and as a graphics driver's copy, 4 bytes each; or at 16 bits a channel while it is
+/// unpacked.
 const PIXEL: u64 = 12;
 const DEEP_PIXEL: u64 = 8;
-/// A PNG's first bytes; behind them the length and the name of its head, then width and height.
+/// A PNG's first bytes; then length and name of its head, width and height.
 const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 const SIDES: usize = 16;
 
-/// The sums so far.
 #[derive(Debug, Default)]
 pub(super) struct Cost {
-    /// The archive, and its files unfolded.
+    /// The archive and its unpacked files.
     files: u64,
     tables: u64,
     largest_flight: u64,
@@ -29,21 +28,21 @@ pub(super) struct Cost {
 }
 
 impl Cost {
-    /// How much of a file says what it costs, bytes.
+    /// Bytes of a file that tell its cost.
     pub const HEAD: u64 = 24;
 
-    /// Of an archive of that size.
+    /// Bytes.
     pub fn of_archive(packed: u64) -> Self {
         Self { files: packed, ..Self::default() }
     }
 
-    /// Adds a file of that path and size, which begins like that.
+    /// `head` is the beginning of the file.
     pub fn add(&mut self, path: &str, size: u64, head: &[u8]) {
         self.files = self.files.saturating_add(size);
         if path.to_lowercase().ends_with(super::package::FLIGHT) {
             self.largest_flight = self.largest_flight.max(size);
         } else if path.rsplit('/').next().is_some_and(|name| FILES.contains(&name)) {
-            // A larger one is refused by its size.
+            // The size of a larger one refuses it.
             self.tables += size.min(files::LEVEL_TABLE);
         }
         if let Some(pixels) = pixels(head) {
@@ -52,7 +51,6 @@ impl Cost {
         }
     }
 
-    /// All of it, bytes.
     pub fn bytes(&self) -> u64 {
         let Self { files, tables, largest_flight, pixels, most_pixels } = *self;
         let pictures = pixels.saturating_mul(PIXEL).saturating_add(most_pixels.saturating_mul(DEEP_PIXEL));
@@ -60,7 +58,7 @@ impl Cost {
     }
 }
 
-/// The pixels of a PNG that begins like that.
+/// The pixels of a PNG with that head.
 fn pixels(head: &[u8]) -> Option<u64> {
     let side = |at: usize| Some(u64::from(u32::from_be_bytes(*head.get(at..)?.first_chunk()?)));
     if head.starts_with(SIGNATURE) { Some(side(SIDES)?.saturating_mul(side(SIDES + 4)?)) } else { None }

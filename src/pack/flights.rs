@@ -1,4 +1,4 @@
-//! Whether the flights in a level's folder still hold: each is flown again in the level as it is.
+//! The flights in a level's folder are flown again in the level as it is.
 
 use super::package::{FLIGHT, FLIGHTS, listed};
 use crate::files::{self, read_text};
@@ -8,13 +8,13 @@ use std::fmt::Display;
 use std::path::Path;
 use std::sync::Arc;
 
-/// How many ticks all flights of a level may take together: two hours' worth. What is longer is not flown.
+/// The most ticks of all flights of a level together: two hours. The rest is not flown.
 const MOST_TICKS: u64 = 1_000_000;
-/// The flights that prove a level's medals, by their files' names.
+/// The files of the flights that prove a level's medals.
 const PROVE: [(&str, Prize); 3] =
     [("careful", Prize::Medal(Medal::Bronze)), ("gold", Prize::Medal(Medal::Gold)), ("mark", Prize::Mark)];
 
-/// The flights in the folder of that level that do not lead where they say, or do not earn what they are named by.
+/// The flights that end elsewhere than they say, or do not earn the medal of their name.
 pub fn stale(folder: &Path, level: &Arc<Level>) -> Vec<Problem> {
     let names = listed(&folder.join(FLIGHTS)).unwrap_or_default();
     let mut left = MOST_TICKS;
@@ -33,7 +33,6 @@ fn unreadable(why: &dyn Display) -> String {
     format!("a file that cannot be read ({why})")
 }
 
-/// Flies one of them.
 fn fly(folder: &Path, name: &str, level: &Arc<Level>, left: &mut u64) -> Result<(), (String, &'static str)> {
     let readable = "a flight that can be read";
     let text = read_text(&folder.join(name), files::INPUTS).map_err(|error| (unreadable(&error), readable))?;
@@ -43,7 +42,7 @@ fn fly(folder: &Path, name: &str, level: &Arc<Level>, left: &mut u64) -> Result<
         (format!("{ticks} ticks, too many to be flown here"), "flights of two hours together, or `resultant verify`")
     })?;
     let recorded = replay.level_hash;
-    // Flown in the level as it is, whichever version it is of: the second tells more than the hash.
+    // Without the hash any version of the level flies: the first second that departs says more.
     let flown = Replay { level_hash: None, ..replay };
     let mut last: Option<RunResult> = None;
     let note = |game: &Game| last = Some(game.result());

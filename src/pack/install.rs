@@ -9,20 +9,18 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// How many names are tried for a level whose own is taken.
+/// Tries for a free name.
 const MOST_NAMES: u32 = 1000;
 
-/// The result of an installation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Installed {
-    /// It has a folder now.
+    /// In a new folder.
     New(PathBuf),
-    /// The very same level is there already; with the other files that lie in its folder.
+    /// The very same level was there, with these further files in its folder.
     Already(PathBuf, Vec<String>),
 }
 
 impl Installed {
-    /// The level's folder.
     pub fn folder(&self) -> &Path {
         match self {
             Self::New(folder) | Self::Already(folder, _) => folder,
@@ -30,10 +28,10 @@ impl Installed {
     }
 }
 
-/// Installs the level of an archive on disk among the others: under a name of its own, where its name is another level's.
+/// Installs the level of an archive on disk, under another name where its own is taken.
 ///
 /// # Errors
-/// All that is wrong with it, a line each; nothing was written then.
+/// Every fault, a line each; nothing was written then.
 pub fn install_file(archive: &Path, levels: &Path, project: &Path) -> Result<Installed, Vec<String>> {
     let named = |problem: String| vec![format!("{}: {problem}", archive.display())];
     if archive.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("zip")) {
@@ -44,11 +42,11 @@ pub fn install_file(archive: &Path, levels: &Path, project: &Path) -> Result<Ins
     install(&package, levels, project, true)
 }
 
-/// Writes a package into `levels` after all of it is checked: under its own name, or under another one where `free_name` allows and its own
-/// is taken by another level.
+/// Writes a checked package into `levels`: under its own name, or, with `free_name`, under another one where a different level has
+/// that name.
 ///
 /// # Errors
-/// Every problem of the level; its name is taken; what the disk refuses. Nothing is left behind then.
+/// Every problem of the level; a taken name; the disk's. Nothing is left behind then.
 pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool) -> Result<Installed, Vec<String>> {
     path::judge_folder(&package.name).map_err(|problem| vec![problem])?;
     check(package, project)?;
@@ -78,7 +76,6 @@ pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool
     Err(vec![format!("{}: there are too many levels named {:?}", levels.display(), package.name)])
 }
 
-/// All files of a package.
 fn fill(package: &Package, folder: &Path) -> io::Result<()> {
     for (path, bytes) in &package.files {
         let to = folder.join(path);
@@ -88,10 +85,7 @@ fn fill(package: &Package, folder: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Compares a package with a folder: the files that lie there beside those of the package.
-///
-/// # Errors
-/// A difference that makes another level of it, in words.
+/// The files of a folder that the package lacks. The error is a difference that makes another level, in words.
 fn compare(package: &Package, folder: &Path) -> Result<Vec<String>, String> {
     for (path, bytes) in &package.files {
         match files::read(&folder.join(path), bytes.len() as u64) {
@@ -110,7 +104,7 @@ fn compare(package: &Package, folder: &Path) -> Result<Vec<String>, String> {
     }
 }
 
-/// Adds the files of a folder that are not the package's, by their paths from the level's folder. Hidden files are passed over.
+/// Adds the files of a folder that the package lacks, by their paths from the level's folder, except hidden ones.
 fn beside(package: &Package, folder: &Path, within: &str, more: &mut Vec<String>) {
     for name in listed(&folder.join(within)).unwrap_or_default() {
         let path = if within.is_empty() { name } else { format!("{within}/{name}") };

@@ -1,7 +1,6 @@
-//! A level as one file that can be handed on: a `.zip` with its folder, its pictures and its flights. [`gather`] and [`write()`] make one;
-//! [`read()`] takes one that came from anywhere, and believes nothing of it: what is accepted stays in its folder on every system, is of a
-//! level's kinds of files, small enough, and loads. [`install`] then writes it, as a whole or not at all, and over nothing that is there.
-//! [`crate::level`] says what a level's files mean.
+//! A level as one file to hand on: a `.zip` with its folder, pictures and flights. [`gather`] and [`write()`] make one. [`read()`]
+//! takes one from a stranger: its paths stay in the folder on every system, its files are of a level's kinds and small enough.
+//! [`install`] writes it whole or not at all, over nothing.
 
 mod archive;
 mod cost;

@@ -1,4 +1,4 @@
-//! A level's files in memory: gathering and checking them.
+//! A level's files in memory.
 
 use super::path;
 use crate::files;
@@ -10,26 +10,23 @@ use std::path::Path;
 
 /// The largest archive, bytes.
 pub const LARGEST: u64 = 64 << 20;
-/// The most bytes of all its files together, unpacked.
+/// All files together, unpacked, bytes.
 pub const UNPACKED: u64 = 64 << 20;
-/// The most memory that a level may need from its archive to the screen, bytes.
+/// From the archive to the screen, bytes.
 pub const MEMORY: u64 = 256 << 20;
-/// The most files in one.
 pub const MOST_FILES: usize = 1000;
-/// The folder of a level's flights, and how their files end.
+/// The folder of a level's flights, and the end of their files' names.
 pub(super) const FLIGHTS: &str = "flights/";
 pub(super) const FLIGHT: &str = ".replay.csv";
 
-/// A level's files, by their paths from its folder, with forward slashes.
+/// By their paths from the level's folder, with forward slashes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Package {
-    /// The level's folder name.
     pub name: String,
-    /// The files of the folder.
     pub files: BTreeMap<String, Vec<u8>>,
 }
 
-/// The most bytes that a file of that path may have; `None` for what does not belong to a level.
+/// The most bytes of a file at that path; `None` for a file that belongs to no level.
 pub(super) fn limit(path: &str) -> Option<u64> {
     let lower = path.to_lowercase();
     match lower.rsplit('.').next() {
@@ -40,11 +37,12 @@ pub(super) fn limit(path: &str) -> Option<u64> {
     }
 }
 
-/// All files of the level in `folder` that can be handed on: its tables, its pictures wherever they lie, its flights and notes; and the
-/// names of those in the folder that cannot.
+/// The files of a level that can be handed on: tables, pictures wherever they lie, flights and notes; and the names of the other
+/// files in its folder.
 ///
 /// # Errors
-/// A name that cannot be handed on; the level's problems; a file that cannot be read, or is a link; what [`check`] refuses.
+/// A level's name that no package can have; the level's problems; a file that cannot be read, or is a link; the errors of
+/// [`check`].
 pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), Vec<String>> {
     let name = folder.canonicalize().ok().as_deref().unwrap_or(folder).file_name().map(|name| name.to_string_lossy().into_owned());
     let name = name.unwrap_or_default();
@@ -85,7 +83,7 @@ pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), V
     Ok((package, left))
 }
 
-/// The first link on the path from a folder down to something in it.
+/// The first link on the path down from a folder.
 fn link_below<'a>(root: &Path, path: &'a Path) -> Option<&'a Path> {
     path.ancestors().take_while(|part| *part != root && part.starts_with(root)).find(|part| part.is_symlink())
 }
@@ -98,7 +96,7 @@ pub(super) fn listed(folder: &Path) -> Result<Vec<String>, Vec<String>> {
     Ok(names)
 }
 
-/// Whether a package is a level that loads, with flights that can be read. Pictures that it does not hold are looked for in the project.
+/// Whether a package is a level that loads, with readable flights. Pictures outside the package come from the project.
 ///
 /// # Errors
 /// Every problem, a line each.
@@ -117,7 +115,7 @@ pub fn check(package: &Package, project: &Path) -> Result<Loaded, Vec<String>> {
     }
 }
 
-/// A package as the loader reads a folder.
+/// The loader's view of a package.
 struct PackedFiles<'a> {
     package: &'a Package,
     project: &'a Path,

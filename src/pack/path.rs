@@ -1,4 +1,4 @@
-//! Paths in an archive: which of them stay in their folder on every system, and mean the same file there.
+//! Paths in an archive that stay in their folder on every system, and name the same file there.
 
 use crate::level::{NameFault, is_device, judge_name};
 use unicode_normalization::UnicodeNormalization;
@@ -6,14 +6,11 @@ use unicode_normalization::UnicodeNormalization;
 /// The longest part of a path, bytes, and the most parts.
 const LONGEST: usize = 120;
 pub(super) const DEEPEST: usize = 8;
-/// Characters that Windows allows in no name.
+/// Windows allows them in no name.
 const FORBIDDEN: &str = "\\:*?\"<>|";
 
-/// The parts of an entry's path: at least one, each a plain name. `None` for what programs leave in archives beside their content: hidden
-/// files, and what macOS notes of files.
-///
-/// # Errors
-/// The fault of the path.
+/// The parts of an entry's path: at least one, each a plain name. `None` for hidden files and macOS's notes about files. The error
+/// is the fault of the path.
 pub(super) fn parts(raw: &[u8]) -> Result<Option<Vec<String>>, String> {
     let shown = || format!("{:?}", String::from_utf8_lossy(raw));
     let text = str::from_utf8(raw).map_err(|_| format!("{}: found a name that is no UTF-8, expected one that is", shown()))?;
@@ -28,7 +25,6 @@ pub(super) fn parts(raw: &[u8]) -> Result<Option<Vec<String>>, String> {
     Ok((!parts.iter().any(beside)).then(|| parts.into_iter().map(str::to_owned).collect()))
 }
 
-/// The fault of a part of a path.
 fn fault(part: &str) -> Option<&'static str> {
     match part {
         "" => Some("an empty part"),
@@ -41,22 +37,20 @@ fn fault(part: &str) -> Option<&'static str> {
     }
 }
 
-/// A name as the least particular system tells it from others: in whatever case, and however its accents are encoded.
+/// The form in which the least particular system compares names: in one case, accents decomposed.
 pub(super) fn folded(name: &str) -> String {
     let decomposed: String = name.nfd().collect();
-    // There and back: what is two letters in capitals, as ß is, is these two.
+    // There and back: ß becomes ss, as in capitals.
     decomposed.to_lowercase().to_uppercase().to_lowercase().nfd().collect()
 }
 
-/// Judges a level's folder name: one that every system can have, and that no other file of the scores has.
-///
-/// # Errors
-/// The fault, and the names that are expected.
+/// Judges a level's folder name: every system can have it, and no other file of the scores does. The error is the fault with the
+/// expected names.
 pub(super) fn judge_folder(name: &str) -> Result<(), String> {
     let refused = |expected: String| Err(format!("found the level name {name:?}, expected {expected}"));
     match judge_name(name) {
         Err(fault @ (NameFault::Board(_) | NameFault::Device)) => refused(fault.expected()),
-        // A word is expected of new levels; an old one is only not to lead anywhere.
+        // New levels need a word; an old one only must not lead elsewhere.
         _ if fault(name).is_some() || name.starts_with('.') || name.contains('/') => refused(NameFault::NoWord.expected()),
         _ => Ok(()),
     }

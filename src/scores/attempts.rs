@@ -1,6 +1,5 @@
-//! The list of attempts: a line for each that came to an end, for spreadsheets and for people. The game only adds to it.
-//!
-//! It is written as RFC 4180 says, lines end with CRLF, in UTF-8.
+//! The list of attempts: a line for each finished one, for spreadsheets and people. The game only adds to it. RFC 4180, CRLF,
+//! UTF-8.
 
 use std::io;
 
@@ -9,16 +8,12 @@ use serde::{Serialize, Serializer};
 use super::name::Name;
 use super::players::harmless;
 
-/// Its first line.
 pub(super) const HEADER: &str = "level,player,result,time,fuel,hits,cause,assisted\r\n";
 
-/// An attempt that came to its end.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AttemptRow {
-    /// The level's folder name.
     #[serde(serialize_with = "as_text")]
     pub level: String,
-    /// The player.
     pub player: Name,
     /// `completed` or `failed`.
     pub result: &'static str,
@@ -28,26 +23,21 @@ pub struct AttemptRow {
     /// The fraction of the fuel left, 0 … 1.
     #[serde(serialize_with = "as_thousandths")]
     pub fuel: f64,
-    /// Damaging collisions.
+    /// Damaging ones.
     pub hits: u32,
-    /// The cause of the loss, as `resultant run` names it; empty when it was not.
+    /// As `resultant run` names it; empty without a loss.
     #[serde(serialize_with = "as_text")]
     pub cause: String,
-    /// Whether the player had help.
     pub assisted: bool,
 }
 
-/// The attempt's line.
-///
-/// # Errors
-/// The CSV writer's; writing to memory is known to cause none.
 pub(super) fn line(attempt: &AttemptRow) -> io::Result<Vec<u8>> {
     let mut writer = csv::WriterBuilder::new().terminator(csv::Terminator::CRLF).has_headers(false).from_writer(Vec::new());
     writer.serialize(attempt)?;
     writer.into_inner().map_err(|error| error.into_error())
 }
 
-/// No spreadsheet takes it for a formula.
+/// Text that no spreadsheet reads as a formula.
 fn as_text<S: Serializer>(text: &str, to: S) -> Result<S::Ok, S::Error> {
     to.serialize_str(&harmless(text))
 }

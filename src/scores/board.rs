@@ -9,25 +9,22 @@ use super::name::Name;
 use super::origin::RowOrigin;
 use crate::game::{Fingerprint, LevelHash};
 
-/// One user's best score.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct BoardRow {
-    /// The user.
     pub name: Name,
-    /// Points, at least 1.
+    /// At least 1.
     pub score: i64,
-    /// The cells behind these two, as they stand in the file; they belong to the user and stay when the score rises.
+    /// The cells behind name and score, as the file has them: they belong to the user and stay when the score rises.
     pub more: Vec<String>,
 }
 
-/// The leaderboard of one level: a row a user, from the highest score to the lowest, equal ones in the order they were reached.
+/// A row a user, from the highest score to the lowest; of equal scores the older goes first.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Board {
     more_columns: Vec<String>,
     rows: Vec<BoardRow>,
 }
 
-/// A row on its way to another board.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Moved {
     name: Name,
@@ -35,32 +32,26 @@ pub(super) struct Moved {
     cells: Vec<(String, String)>,
 }
 
-/// The place of a score on a board; ranks count from 1.
+/// Ranks count from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Placement {
-    /// The user was not on the board before.
     New {
-        /// Where the row stands.
         rank: usize,
     },
-    /// The score is higher than the user's best before it and has replaced it.
+    /// A higher score in place of the user's best.
     Raised {
-        /// Where the row stands now.
         rank: usize,
-        /// The score it replaced.
+        /// The score before.
         from: i64,
     },
     /// The user's best is as high or higher and stays.
     Kept {
-        /// Where the row stands.
         rank: usize,
-        /// The score that stays.
         best: i64,
     },
 }
 
 impl Placement {
-    /// Where the user's row stands now, counted from 1.
     pub fn rank(self) -> usize {
         match self {
             Self::New { rank } | Self::Raised { rank, .. } | Self::Kept { rank, .. } => rank,
@@ -69,31 +60,29 @@ impl Placement {
 }
 
 impl Board {
-    /// The board of these rows, which hold a name once each, the older one of equal scores first; `more_columns` names the
-    /// columns behind `name` and `score`.
+    /// The rows hold a name once each, the older one of equal scores first. `more_columns` names the columns behind `name` and
+    /// `score`.
     pub(super) fn new(more_columns: Vec<String>, mut rows: Vec<BoardRow>) -> Self {
         rows.sort_by_key(|row| Reverse(row.score)); // stable: equal scores keep their order
         Self { more_columns, rows }
     }
 
-    /// The rows, best first.
     pub fn rows(&self) -> &[BoardRow] {
         &self.rows
     }
 
-    /// The names of the columns behind `name` and `score`, as far as the file gives any.
+    /// The columns behind `name` and `score`, as far as the file names them.
     pub fn more_columns(&self) -> &[String] {
         &self.more_columns
     }
 
-    /// Where a row comes from, as far as its cells say.
     pub fn origin(&self, row: usize) -> RowOrigin {
         let cell = |column: &str| Some(self.rows.get(row)?.more.get(self.column(column)?)?.trim()).filter(|cell| !cell.is_empty());
         RowOrigin::of(cell)
     }
 
-    /// Ranks the rows: those with a flight that may hold, then those whose flight does not, then those without any, and last those without
-    /// any that fail at sight; in each group the highest score first. Of equal ones the older stays ahead.
+    /// Ranks the rows in four groups: with a flight that may hold; with a flight that does not; without a flight; without a flight
+    /// and refused at sight. In each group the highest score goes first, of equal ones the older.
     pub fn rank_by(&mut self, fails: impl Fn(&Name) -> bool) {
         let group = |index: usize| 2 * u8::from(self.origin(index).flight.is_none()) + u8::from(fails(&self.rows[index].name));
         let groups: Vec<u8> = (0..self.rows.len()).map(group).collect();
@@ -102,12 +91,12 @@ impl Board {
         self.rows = rows.into_iter().map(|(_, row)| row).collect();
     }
 
-    /// The index of a column behind `name` and `score`.
+    /// The index among the columns behind `name` and `score`.
     fn column(&self, name: &str) -> Option<usize> {
         self.more_columns.iter().position(|column| column.trim().eq_ignore_ascii_case(name))
     }
 
-    /// Says in a user's row where it comes from, in columns of their own behind all that there are.
+    /// Writes the origin of a user's row into columns of its own, behind all others.
     pub(super) fn set_origin(&mut self, name: &Name, origin: &RowOrigin) {
         self.set_cells(name, &origin.cells().map(|(column, cell)| (column.to_owned(), cell)));
     }
@@ -131,7 +120,7 @@ impl Board {
         }
     }
 
-    /// The further cells of a row with the names of their columns; those without a name are counted.
+    /// The further cells of a row by their columns' names; a cell without a name gets a number.
     pub(super) fn named_cells(&self, row: usize) -> Vec<(String, String)> {
         let named = |(index, cell): (usize, &String)| {
             let name = self.more_columns.get(index).filter(|name| !name.trim().is_empty());
@@ -140,7 +129,7 @@ impl Board {
         self.rows[row].more.iter().enumerate().map(named).collect()
     }
 
-    /// Takes out the rows that were flown in another version of the level, each with that version; those that do not say in which stay.
+    /// Takes out the rows of other versions of the level, each with its version. A row without a version stays.
     pub(super) fn take_other_versions(&mut self, version: Fingerprint) -> Vec<(LevelHash, Moved)> {
         let mut taken = Vec::new();
         for index in (0..self.rows.len()).rev() {
@@ -153,7 +142,6 @@ impl Board {
         taken
     }
 
-    /// All rows, as another board takes them.
     pub(super) fn all_moved(&self) -> Vec<Moved> {
         (0..self.rows.len()).map(|row| self.moved(row)).collect()
     }
@@ -163,7 +151,7 @@ impl Board {
         Moved { name: name.clone(), score: *score, cells: self.named_cells(row) }
     }
 
-    /// Takes a row of another board over, where it is the user's best.
+    /// Adds a row of another board if it is the user's best.
     pub(super) fn merge(&mut self, Moved { name, score, cells }: &Moved) {
         if let Ok(Placement::New { .. } | Placement::Raised { .. }) = self.place(name, *score) {
             self.set_origin(name, &RowOrigin::default());
@@ -171,16 +159,15 @@ impl Board {
         }
     }
 
-    /// Where the user stands, counted from 1; `None` when not on the board.
+    /// From 1.
     pub fn rank(&self, name: &Name) -> Option<usize> {
         self.rows.iter().position(|row| row.name == *name).map(|index| index + 1)
     }
 
-    /// Puts a score on the board: a new row, or in place of the user's own when it is higher. It comes behind all rows that
-    /// already have as many points.
+    /// Adds a row, or raises the user's own where the score is higher. The row comes behind all rows with as many points.
     ///
     /// # Errors
-    /// [`ScoresError::NoScore`] when `score` is below 1; the board stays as it is.
+    /// [`ScoresError::NoScore`] for a score below 1; the board stays as it is.
     pub fn place(&mut self, name: &Name, score: i64) -> Result<Placement, ScoresError> {
         if score < 1 {
             return Err(ScoresError::NoScore);

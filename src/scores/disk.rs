@@ -1,13 +1,7 @@
-//! One file that several processes may change at once: locking, reading, replacing, appending.
-//!
-//! A change holds the lock on `.<file>.lock` while it reads the file, makes the new content and replaces the file by it. So no change of
-//! another process is lost, and a reader finds the old file or the new one, whole, whatever happens in between.
-//!
-//! A folder may be shared: each user who may write in it may also lock its files, and a file keeps its mode and its
-//! group whichever user saves.
-//! Where a file is a link, the file that it leads to is changed, and everything happens beside that.
-//!
-//! A program that ends while the lock is held puts its rows by in `<file>.waiting-N`. The next change of the file takes them up.
+//! One file that several processes may change at once. A change holds the lock on `.<file>.lock` while it reads, makes new content
+//! and replaces the file: no change is lost, and a reader finds the old file or the new one, whole. In a shared folder a file keeps
+//! its mode and group; a link stays, and its target changes. A program that ends during a lock puts its rows into
+//! `<file>.waiting-N`.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
@@ -17,31 +11,28 @@ use std::time::Duration;
 use super::error::ScoresError;
 use crate::files::{self, Links, Lock, Replacement, share, sync_folder};
 
-/// How the names of files end that wait to be taken up.
 const WAITING: &str = "waiting";
 
-/// How a damaged file was dealt with: its sound rows stand in the fresh file, its bytes in a copy beside it.
+/// The rescue of a damaged file: the sound rows stand in the fresh file, all bytes in a copy beside it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Rescue {
-    /// The places that could not be read, in the damaged file.
+    /// The unreadable places of the damaged file.
     pub damage: Vec<String>,
-    /// Where the damaged file is kept, byte for byte.
+    /// The copy, byte for byte.
     pub kept: PathBuf,
 }
 
-/// The new content of a file.
 pub(super) struct FileChange<T> {
-    /// All of its new content.
+    /// The whole file.
     pub bytes: Vec<u8>,
-    /// The places of the old content that could not be read, and are not in the new one.
+    /// The unreadable places of the old content, which the new one lacks.
     pub damage: Vec<String>,
     /// Files whose rows are in the new content: they go once that is on the disk.
     pub taken_up: Vec<PathBuf>,
-    /// The caller's result.
     pub outcome: T,
 }
 
-/// A file in the folder of scores, for as long as its lock is held.
+/// A file in the folder of scores while this process holds its lock.
 struct Locked {
     path: PathBuf,
     folder: PathBuf,
@@ -62,12 +53,11 @@ impl Locked {
     }
 }
 
-/// Changes a file of that folder, which need not exist yet: `change` is given its path and its content. Where that changes nothing, nothing
-/// is written.
+/// Changes a file of that folder, which need not exist yet: `change` gets its path and content. Equal content is not written.
 ///
 /// # Errors
-/// The errors of `change`; a read-only file; one that would become too large; a lock that is held for longer than `patience`; whatever the
-/// system refuses. The file is untouched then.
+/// The errors of `change`; a read-only file; one that becomes too large; a lock that another process holds longer than `patience`;
+/// the system's. The file is untouched then.
 pub(super) fn update<T>(
     folder: &Path,
     path: PathBuf,
@@ -87,7 +77,7 @@ pub(super) fn update<T>(
             rescue = Some(Rescue { damage, kept: keep_beside(&path, "damaged", &old)? });
         }
         staged.finish().map_err(ScoresError::file("replace the scores", &path)).inspect_err(|_| {
-            // The damaged file is still in its place, so the copy is one too many.
+            // The damaged file is still in place: the copy is one too many.
             rescue.iter().for_each(|rescue| drop(fs::remove_file(&rescue.kept)));
         })?;
     }
@@ -96,11 +86,11 @@ pub(super) fn update<T>(
     Ok((outcome, rescue))
 }
 
-/// Writes a file of a folder within that of the scores, whole or not at all; there may be one of that name already. The caller holds
-/// the lock of that folder.
+/// Writes a file in a folder below that of the scores, over one of that name, whole or not at all. The caller holds the folder's
+/// lock.
 ///
 /// # Errors
-/// A read-only file; whatever the system refuses. What was there is untouched then.
+/// A read-only file; the system's. The old file is untouched then.
 pub(super) fn write_within(scores: &Path, folders: &[&str], file: &str, bytes: &[u8]) -> Result<PathBuf, ScoresError> {
     let mut folder = scores.to_owned();
     for name in folders {
@@ -112,12 +102,12 @@ pub(super) fn write_within(scores: &Path, folders: &[&str], file: &str, bytes: &
     Ok(path)
 }
 
-/// Makes a folder where there is none, for each user who may write in the one around it.
+/// Makes a folder, if there is none, for each user who may write in the one around it.
 pub(super) fn make_folder(folder: &Path) -> io::Result<()> {
     match fs::create_dir(folder) {
         Ok(()) => {
             if let Some(around) = folder.parent() {
-                // Where that is not allowed, only its maker can write in the folder.
+                // Where that is refused, only its maker can write in the folder.
                 let _ = fs::metadata(around).and_then(|around| fs::set_permissions(folder, around.permissions()));
             }
             Ok(())
@@ -127,12 +117,11 @@ pub(super) fn make_folder(folder: &Path) -> io::Result<()> {
     }
 }
 
-/// Adds a line at the end of a file of that folder. A file that does not begin with `header` is renamed to `<file>.damaged-N` first, and
-/// a fresh one begins with it; the old one's new path is the answer. The system writes it to disk when it likes: a line is not worth a
-/// frame of the game.
+/// Adds a line at the end of a file of that folder. A file without `header` at its start is renamed to `<file>.damaged-N`, which is
+/// the answer, and a fresh one begins. It does not wait for the disk: a line is not worth a frame of the game.
 ///
 /// # Errors
-/// As [`update`]; the file is as it was then.
+/// As [`update`].
 pub(super) fn append(
     folder: &Path,
     path: PathBuf,
@@ -176,16 +165,13 @@ fn open_for_lines(path: &Path) -> io::Result<File> {
     }
 }
 
-/// Puts rows by beside a file whose lock another program holds, to be taken up by its next change.
-///
-/// # Errors
-/// Whatever the system refuses.
+/// Puts rows beside a file whose lock another program holds. The next change of the file takes them up.
 pub(super) fn put_by(folder: &Path, path: PathBuf, bytes: &[u8]) -> Result<(), ScoresError> {
     fs::create_dir_all(folder).map_err(ScoresError::file("create the scores folder", folder))?;
     keep_beside(&behind_links(&path)?, WAITING, bytes).map(drop)
 }
 
-/// The files that were put by beside one, with their bytes.
+/// The files that wait beside a file, with their bytes.
 pub(super) fn waiting(path: &Path) -> Vec<(PathBuf, Vec<u8>)> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let beginning = format!("{name}.{WAITING}-");
@@ -197,7 +183,7 @@ pub(super) fn waiting(path: &Path) -> Vec<(PathBuf, Vec<u8>)> {
     paths.into_iter().filter_map(read).collect()
 }
 
-/// Whether a file is empty or begins with that line, as editors leave it: with a byte-order mark, or with another line end.
+/// Whether a file is empty or begins with that line, also with a byte-order mark or another line end from an editor.
 fn begins_with(file: &mut File, header: &[u8]) -> io::Result<bool> {
     let mut first = Vec::new();
     file.take(header.len() as u64 + 3).read_to_end(&mut first)?;
@@ -205,7 +191,7 @@ fn begins_with(file: &mut File, header: &[u8]) -> io::Result<bool> {
     Ok(first.is_empty() || first.starts_with(header.trim_ascii_end()))
 }
 
-/// Writes the line, behind the header where there is nothing yet and on a line of its own whatever an editor left; or nothing at all.
+/// Writes the line: behind the header in an empty file, on a line of its own after any editor; or nothing at all.
 fn add(file: &mut File, header: &[u8], line: &[u8]) -> io::Result<()> {
     let length = file.metadata()?.len();
     let mut bytes = Vec::new();
@@ -221,19 +207,18 @@ fn add(file: &mut File, header: &[u8], line: &[u8]) -> io::Result<()> {
     }
     bytes.extend_from_slice(line);
     file.write_all(&bytes).inspect_err(|_| {
-        // The bytes that were written before the disk was full. Should this fail, the next line stands on its own all the same.
+        // Cuts the bytes of a full disk off. If that fails, the next line still stands on its own.
         let _ = file.set_len(length);
     })?;
     // A line that is reported as written outlasts a power cut.
     file.sync_data()
 }
 
-/// The file that a path means: the one that its links lead to.
 fn behind_links(path: &Path) -> Result<PathBuf, ScoresError> {
     files::behind_links(path).map_err(ScoresError::file("follow the link to the scores", path))
 }
 
-/// The path of a companion of a scores file: `1.csv` and `damaged-1` make `1.csv.damaged-1`. No level's own file ends like that.
+/// `1.csv` and `damaged-1` make `1.csv.damaged-1`. No level's own file ends like that.
 fn beside(path: &Path, ending: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(".");
@@ -241,7 +226,7 @@ fn beside(path: &Path, ending: &str) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// The path of a hidden companion: `1.csv` and `lock` make `.1.csv.lock`.
+/// `1.csv` and `lock` make `.1.csv.lock`.
 fn hidden(path: &Path, ending: &str) -> PathBuf {
     let mut name = std::ffi::OsString::from(".");
     name.push(path.file_name().unwrap_or_default());
@@ -256,7 +241,7 @@ pub(super) fn read_if_there(path: &Path) -> Result<Option<Vec<u8>>, ScoresError>
     }
 }
 
-/// The new content of a scores file, complete and on disk under another name.
+/// New content, complete and on disk under another name.
 fn stage(path: &Path, bytes: &[u8]) -> Result<Replacement, ScoresError> {
     if fs::metadata(path).is_ok_and(|found| found.is_file() && found.permissions().readonly()) {
         return Err(ScoresError::ReadOnly(path.to_owned()));
@@ -272,7 +257,7 @@ fn stage(path: &Path, bytes: &[u8]) -> Result<Replacement, ScoresError> {
     written.map_err(ScoresError::file("write the new scores", path))
 }
 
-/// Keeps bytes beside a file under the first number that is free: `1.csv` and `damaged` make `1.csv.damaged-1`.
+/// Keeps bytes beside a file under the first free number: `1.csv` and `damaged` make `1.csv.damaged-1`.
 fn keep_beside(path: &Path, ending: &str, bytes: &[u8]) -> Result<PathBuf, ScoresError> {
     let mut number = 0_u64;
     loop {
@@ -286,7 +271,7 @@ fn keep_beside(path: &Path, ending: &str, bytes: &[u8]) -> Result<PathBuf, Score
     }
 }
 
-/// Gives a file another name beside its own, under the first number that is free.
+/// Renames a file beside its own name, under the first free number.
 fn move_aside(path: &Path) -> Result<PathBuf, ScoresError> {
     let mut number = 0_u64;
     let kept = loop {

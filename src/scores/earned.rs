@@ -1,5 +1,5 @@
-//! Whether a row of a leaderboard is earned: its flight is flown again in the level as it is, tick by tick, and has to come to the row's
-//! score. Checks that need no flight come first.
+//! Whether a row of a leaderboard is earned: its flight is flown again in the level as it is and has to come to the row's score.
+//! Checks without a flight come first.
 
 use super::board::BoardRow;
 use super::name::Name;
@@ -9,50 +9,47 @@ use crate::level::Level;
 use std::fmt;
 use std::sync::Arc;
 
-/// The longest flight that is judged, ticks: the hour of which a record has a hash for each second.
+/// Ticks: an hour, in which a record has a hash for each second.
 const LONGEST: u64 = MOST_SECONDS as u64 * TICK_RATE as u64;
 
-/// How a row stands.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Standing {
-    /// Its flight was flown again and came to its score.
+    /// Its flight, flown again, comes to its score.
     Proven,
-    /// It has no flight: it is from before flights were kept, or was written by hand.
+    /// Without a flight: older than flights are, or written by hand.
     Unproven,
-    /// It does not hold, for this reason.
     Doubtful(Doubt),
 }
 
-/// Why a row does not hold.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Doubt {
-    /// The row says how it was flown, but names no flight.
+    /// The row has an origin, but names no flight.
     Emptied,
-    /// The score is above the most that the rules allow, in the record's time (s) where there is one: score, most, time.
+    /// Score, most by the rules, and the record's time (s) where there is one.
     TooMuch(i64, i64, Option<f64>),
-    /// The flight stands under this name, too.
+    /// The same flight stands under this name, too.
     Twice(Name),
-    /// The record carries the name of another player.
+    /// The record has another player's name.
     Player(String),
-    /// Its flight cannot be read.
+    /// The flight's file has this fault.
     Unreadable(String),
-    /// The record does not say in which level it was flown.
+    /// The record names no level.
     NoLevel,
-    /// The row names another version of the level than its flight; the row's goes first.
+    /// The row's version of the level, then the flight's.
     Version(LevelHash, LevelHash),
-    /// The flight is worth another score than the row says; the row's goes first.
+    /// The row's score, then the flight's.
     Score(i64, i64),
-    /// The flight did not complete the level.
+    /// The flight ends so.
     Unfinished(Outcome),
-    /// It was flown at another rate than the game's, ticks a second.
+    /// Not the game's tick rate, Hz.
     Rate(f64),
-    /// The flight is longer than any that is judged, ticks.
+    /// Ticks.
     TooLong(u64),
-    /// The number of hashes in the record, one a whole second, and the number expected.
+    /// Hashes in the record, one a whole second, and the expected number.
     Seconds(usize, usize),
-    /// It was flown again and led elsewhere, or the level is another one; with the program that recorded it, where that is not this one.
+    /// With the record's program, if it is another one.
     Flown(Mismatch, Option<String>),
-    /// The level cannot be flown.
+    /// The level does not load, for this reason.
     Level(String),
 }
 
@@ -86,7 +83,7 @@ impl fmt::Display for Doubt {
     }
 }
 
-/// How a row stands without a look at its flight; `None` where the flight decides.
+/// `None` where the flight decides.
 pub(super) fn at_sight(row: &BoardRow, origin: &RowOrigin, level: &Level) -> Option<Standing> {
     let most = ScoreParts::most(0.0, level.optimal_time);
     match &origin.flight {
@@ -97,7 +94,6 @@ pub(super) fn at_sight(row: &BoardRow, origin: &RowOrigin, level: &Level) -> Opt
     }
 }
 
-/// A row's flight while it is flown again.
 #[derive(Clone, Debug)]
 pub(super) struct Claim {
     proof: Proof,
@@ -105,10 +101,7 @@ pub(super) struct Claim {
 }
 
 impl Claim {
-    /// The flight of a row at its start.
-    ///
-    /// # Errors
-    /// A doubt that needs no flight.
+    /// The flight at its start, or a doubt that needs no flight.
     pub fn new(row: &BoardRow, origin: &RowOrigin, flight: Replay, level: Arc<Level>) -> Result<Self, Doubt> {
         let flown_in = flight.level_hash.ok_or(Doubt::NoLevel)?;
         let here = Fingerprint::of(&level);
@@ -141,7 +134,7 @@ impl Claim {
         if ticks > LONGEST {
             return Err(Doubt::TooLong(ticks));
         }
-        // Each second that departs ends the judgement: a forged flight costs no more than the honest part of it.
+        // A forged flight costs no more than its honest part: the first second that departs ends the judgement.
         let seconds = (ticks as f64 / TICK_RATE) as usize;
         if flight.seconds.len() != seconds {
             return Err(Doubt::Seconds(flight.seconds.len(), seconds));
@@ -153,7 +146,7 @@ impl Claim {
         }
     }
 
-    /// Flies one tick; the answer once it is known: the medals that the flight earns.
+    /// Flies one tick. `Some` once the answer is known: the medals of the flight.
     pub fn step(&mut self) -> Option<Result<Medals, Doubt>> {
         match self.proof.step()? {
             Ok(()) => {

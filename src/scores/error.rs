@@ -1,5 +1,3 @@
-//! The faults of scores and their files, each with its place.
-
 use std::fmt::{self, Display};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -7,10 +5,10 @@ use std::path::{Path, PathBuf};
 use super::name::Name;
 use crate::files::RowFault;
 
-/// The number of places that a report lists; more of a file that is something else altogether would say no more.
+/// The most places in a report.
 pub(super) const MOST_DAMAGE: usize = 1000;
 
-/// The places of one file that could not be read as rows, a line each: `file:line: column "name": what was found, what is expected`.
+/// The unreadable places of one file, each on a line `file:line: column "name": found …, expected …`.
 pub(super) struct DamageReport<'a> {
     path: &'a Path,
     damage: Vec<String>,
@@ -37,7 +35,7 @@ impl<'a> DamageReport<'a> {
         self.add(line, None, found, expected);
     }
 
-    /// The name in a cell, or a report about it.
+    /// The name in a cell, or a line of the report.
     pub fn name(&mut self, line: usize, column: &str, cell: &str) -> Option<Name> {
         let refused = |error| self.add(line, Some(column), format_args!("{cell:?}"), format_args!("a user name: {error}"));
         Name::new(cell).map_err(refused).ok()
@@ -48,32 +46,29 @@ impl<'a> DamageReport<'a> {
     }
 }
 
-/// Why scores could not be read or saved. Whatever it was, the file on disk is as it was before.
+/// The file on disk is as it was before.
 #[derive(Debug)]
 pub enum ScoresError {
-    /// A score below 1 cannot be saved.
+    /// Below 1.
     NoScore,
-    /// The level's name cannot name a file.
+    /// It cannot name a file.
     LevelName(String),
-    /// The scores file is marked read-only, so that it is to stay as it is.
+    /// The file is marked read-only.
     ReadOnly(PathBuf),
-    /// Another process holds the lock of the board and does not let go: with the lock file. It may be tried again.
+    /// Another process holds this lock file for too long; a later try may succeed.
     Busy(PathBuf),
-    /// With one row more the file would be larger than it may be.
+    /// With one more row the file would be too large.
     Full(PathBuf),
-    /// The system refused something.
     File {
-        /// The attempt, as in "cannot …".
+        /// As in "cannot …".
         attempt: &'static str,
-        /// With which file or folder.
         path: PathBuf,
-        /// The system's error.
         source: io::Error,
     },
 }
 
 impl ScoresError {
-    /// For `map_err`: the system refused `attempt` with `path`.
+    /// For `map_err`.
     pub(super) fn file(attempt: &'static str, path: &Path) -> impl FnOnce(io::Error) -> Self {
         move |source| Self::File { attempt, path: path.to_owned(), source }
     }

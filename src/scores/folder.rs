@@ -1,5 +1,5 @@
-//! The folder that holds the scores files: a leaderboard a level with the flights of its rows, the boards of other versions of a level,
-//! what the players have done, and a line an attempt.
+//! The folder of the scores files: a leaderboard a level with the flights of its rows, the boards of other versions, the players'
+//! records, and a line an attempt.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -15,61 +15,51 @@ use super::table;
 use crate::files::{self, PATIENCE};
 use crate::game::{Fingerprint, LevelHash, Replay};
 
-/// The file of what the players have done.
 const PLAYERS: &str = "players.csv";
-/// The file of attempts.
 const ATTEMPTS: &str = "attempts.csv";
-/// The folder of flights, in which each level has one.
+/// Each level has a folder in it.
 const FLIGHTS: &str = "flights";
-/// The folder of boards of other versions of the levels.
+/// For boards of other versions of the levels.
 const ASIDE: &str = "aside";
 
-/// The folder of all leaderboards.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Scores {
     folder: PathBuf,
 }
 
-/// A leaderboard as read for display.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoadedBoard {
-    /// All rows that could be read.
     pub board: Board,
-    /// The places that could not.
+    /// The unreadable places.
     pub damage: Vec<String>,
 }
 
-/// A score to be saved.
 #[derive(Clone, Copy, Debug)]
 pub struct Score<'a> {
-    /// Whose.
     pub name: &'a Name,
-    /// Points.
     pub points: i64,
-    /// How they were flown; by it the row can be proven.
+    /// The proof of the row.
     pub flight: Option<&'a Replay>,
-    /// The level's version, where more is known of it than the flight says.
+    /// The level's version, where it holds more than the flight's hash.
     pub version: Option<Fingerprint>,
 }
 
-/// The result of a save.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Saved {
-    /// The board as it stands on disk now.
+    /// As on disk.
     pub board: Board,
-    /// The placement of the score.
     pub placement: Placement,
-    /// Present when the file was damaged.
+    /// `Some` for a damaged file.
     pub rescue: Option<Rescue>,
 }
 
 impl Scores {
-    /// The leaderboards in this folder, which need not exist yet.
+    /// The folder need not exist yet.
     pub fn new(folder: impl Into<PathBuf>) -> Self {
         Self { folder: folder.into() }
     }
 
-    /// Reads a level's leaderboard and changes nothing. A missing file is an empty board.
+    /// Reads a leaderboard and changes nothing. A missing file is an empty board.
     ///
     /// # Errors
     /// A level name that cannot name a file; a file that cannot be read at all.
@@ -79,12 +69,8 @@ impl Scores {
         Ok(LoadedBoard { board, damage })
     }
 
-    /// As [`Scores::load`], for a level of that version: rows that say that they are of another one are not on its board, and those that were
-    /// kept aside are. Rows without a flight stand
-    /// last. With the number of other versions that there are boards of.
-    ///
-    /// # Errors
-    /// As [`Scores::load`].
+    /// As [`Scores::load`], for one version of the level: without the rows of other versions, with the kept rows of this one. Rows
+    /// without a flight stand last. The number counts the other versions with a board.
     pub fn load_version(&self, level: &str, version: impl Into<Fingerprint>) -> Result<(LoadedBoard, usize), ScoresError> {
         let version = version.into();
         let mut loaded = self.load(level)?;
@@ -98,23 +84,18 @@ impl Scores {
         Ok((loaded, others.len()))
     }
 
-    /// Saves a score in a level's leaderboard; the file is on disk, whole, when this returns.
-    ///
-    /// Waits up to [`PATIENCE`] while another process saves there. A damaged file is kept aside as `<level>.csv.damaged-N` before it is
-    /// replaced.
+    /// Saves a score; the file is on disk, whole, when this returns. It waits up to [`PATIENCE`] for another process. A damaged
+    /// file is kept as `<level>.csv.damaged-N`.
     ///
     /// # Errors
-    /// A score below 1; a level name that cannot name a file; a read-only file; a board that is too large; another process that does
-    /// not come to an end ([`ScoresError::Busy`]: it may be tried again); whatever the system refuses. The old file is untouched then.
+    /// A score below 1; a level name that cannot name a file; a read-only file; a board that is too large; a lock that another
+    /// process keeps ([`ScoresError::Busy`]: a later try may succeed); the system's. The old file is untouched then.
     pub fn save(&self, level: &str, name: &Name, score: i64) -> Result<Saved, ScoresError> {
         self.save_within(PATIENCE, level, Score { name, points: score, flight: None, version: None })
     }
 
-    /// As [`Scores::save`], with that much patience, and with the flight: without any patience it returns at once. The flight is on disk
-    /// before the row that names it. Rows of other versions of the level than the flight's move to boards of their own.
-    ///
-    /// # Errors
-    /// As [`Scores::save`].
+    /// As [`Scores::save`], with a flight, which is on disk before the row that names it; without patience it returns at once. Rows
+    /// of other versions of the level than the flight's move to boards of their own.
     pub fn save_within(&self, patience: Duration, level: &str, score: Score<'_>) -> Result<Saved, ScoresError> {
         let path = self.path(level)?;
         let Score { name, points, flight, version } = score;
@@ -143,10 +124,7 @@ impl Scores {
         Ok(Saved { board, placement, rescue })
     }
 
-    /// The flight of a row; `None` where the row names none.
-    ///
-    /// # Errors
-    /// The fault of its name or its file.
+    /// `None` where the row names no flight; the error is the fault of its name or file.
     pub fn flight(&self, level: &str, origin: &RowOrigin) -> Option<Result<Replay, String>> {
         let read = |file: &str| {
             self.path(level).map_err(|error| error.to_string())?;
@@ -158,7 +136,7 @@ impl Scores {
         Some(origin.file()?.and_then(read))
     }
 
-    /// The levels and other games that have a board here, by their files' names.
+    /// The names of all leaderboards' files: levels and other games.
     pub fn boards(&self) -> Vec<String> {
         let entries = std::fs::read_dir(&self.folder).into_iter().flatten().flatten();
         let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
@@ -168,19 +146,17 @@ impl Scores {
         boards
     }
 
-    /// The file of a level's board of another version.
     fn aside(&self, level: &str, version: LevelHash) -> PathBuf {
         self.folder.join(ASIDE).join(format!("{level}.{version}.csv"))
     }
 
-    /// The versions of a level that have boards aside.
     fn versions_aside(&self, level: &str) -> Vec<LevelHash> {
         let entries = std::fs::read_dir(self.folder.join(ASIDE)).into_iter().flatten().flatten();
         let version = |name: String| name.strip_prefix(level)?.strip_prefix('.')?.strip_suffix(".csv")?.parse().ok();
         entries.filter_map(|entry| version(entry.file_name().into_string().ok()?)).collect()
     }
 
-    /// Moves the rows of other versions of the level to their boards. They are on disk there before they leave this one.
+    /// Moves rows of other versions to their boards. They are on disk there before they leave this one.
     fn put_aside(&self, board: &mut Board, level: &str, version: Fingerprint, patience: Duration) -> Result<(), ScoresError> {
         let mut taken = board.take_other_versions(version);
         while let Some(&(other, _)) = taken.first() {
@@ -198,7 +174,7 @@ impl Scores {
         Ok(())
     }
 
-    /// Puts the rows on a board that were kept aside when the level was another one for a while.
+    /// Returns the rows that were kept aside while the level was another version.
     fn fetch_back(&self, board: &mut Board, level: &str, version: Fingerprint) -> Result<(), ScoresError> {
         for hash in version.hashes() {
             let path = self.aside(level, hash);
@@ -209,7 +185,7 @@ impl Scores {
         Ok(())
     }
 
-    /// Reads what the players have done and changes nothing, with the places that could not be read. Without a file there are no players.
+    /// The players, and the unreadable places. Without a file there are no players.
     ///
     /// # Errors
     /// A file that cannot be read at all.
@@ -218,8 +194,7 @@ impl Scores {
         Ok(players::read(&path, &disk::read_if_there(&path)?.unwrap_or_default()))
     }
 
-    /// Writes down what players did; everything else that other processes have written there meanwhile stays. The answer is what is on
-    /// disk, whole, when this returns.
+    /// Saves deeds; rows that other processes have written meanwhile stay. The answer is what is on disk, whole.
     ///
     /// # Errors
     /// As [`Scores::save`].
@@ -230,7 +205,7 @@ impl Scores {
             for (path, bytes) in disk::waiting(path) {
                 let (waiting, damage) = players::read(&path, &bytes);
                 players.merge(waiting);
-                // A file that was damaged meanwhile stays for people to look at.
+                // A damaged file stays for people to look at.
                 if damage.is_empty() {
                     taken_up.push(path);
                 }
@@ -241,20 +216,14 @@ impl Scores {
         })
     }
 
-    /// Adds an attempt at the end of the list of attempts. A file that is no such list is renamed; to what, is the answer.
-    ///
-    /// # Errors
-    /// As [`Scores::save`].
+    /// Adds an attempt. A file that is no list of attempts is renamed; the answer is its new path.
     pub fn append_within(&self, patience: Duration, attempt: &AttemptRow) -> Result<Option<PathBuf>, ScoresError> {
         let path = self.folder.join(ATTEMPTS);
         let row = attempts::line(attempt).map_err(ScoresError::file("write the attempt", &path))?;
         disk::append(&self.folder, path, patience, (attempts::HEADER.as_bytes(), &row))
     }
 
-    /// Puts by what could not be written down because another program holds the locks: the next sitting takes it up.
-    ///
-    /// # Errors
-    /// Whatever the system refuses.
+    /// Puts deeds and attempts aside while another program holds the locks: the next sitting takes them up.
     pub fn put_by(&self, deeds: &[Deed], attempts: impl IntoIterator<Item = AttemptRow>) -> Result<(), ScoresError> {
         let mut players = Players::default();
         deeds.iter().for_each(|deed| players.apply(deed));
@@ -273,10 +242,7 @@ impl Scores {
         disk::put_by(&self.folder, path, &[attempts::HEADER.as_bytes(), &bytes].concat())
     }
 
-    /// Takes up what earlier sittings have put by.
-    ///
-    /// # Errors
-    /// As [`Scores::save`]; what was put by stays then.
+    /// Takes up what earlier sittings have put aside; after an error it stays there.
     pub fn take_up(&self, patience: Duration) -> Result<(), ScoresError> {
         let (players, attempts) = (self.folder.join(PLAYERS), self.folder.join(ATTEMPTS));
         if !disk::waiting(&players).is_empty() {
@@ -288,7 +254,7 @@ impl Scores {
         Ok(())
     }
 
-    /// The file of a level, whose name must be one that stays in the folder on every system and is no other file's.
+    /// The file of a level whose name stays in the folder on every system and is no other file's.
     fn path(&self, level: &str) -> Result<PathBuf, ScoresError> {
         let plain = !level.is_empty() && !level.chars().any(|c| matches!(c, '/' | '\\' | ':') || c.is_control());
         let file = format!("{level}.csv");

@@ -1,4 +1,4 @@
-//! Judging the rows of a board: as much as is plain at once, the flights in turn, so that none holds up the others.
+//! Judges the rows of a board: at sight where that is enough, else by flights in turn, so that no long one delays the others.
 
 use super::board::Board;
 use super::earned::{Claim, Doubt, Standing, at_sight};
@@ -9,40 +9,36 @@ use crate::level::Level;
 use std::collections::{HashMap, VecDeque};
 use std::sync::Arc;
 
-/// The most flights in the air at once.
+/// Flights at once.
 pub const IN_TURN: usize = 10;
-/// The ticks that a flight is flown until it is the next one's turn.
+/// Ticks of a flight until the next one's turn.
 pub const TURN: u64 = 30;
 
-/// A row of a board as far as it is judged.
 #[derive(Debug, Default)]
 struct Judged {
-    /// `None` until that is known.
+    /// `None` until it is known.
     standing: Option<Standing>,
-    /// How long its flight took, as its record says, s.
+    /// The record's, s.
     time: Option<f64>,
-    /// The medals of its flight, once it is proven.
+    /// None before the proof.
     medals: Medals,
-    /// Whether its flight is in the air.
     flies: bool,
 }
 
-/// The judgement of one board.
 #[derive(Debug)]
 pub struct Judge {
     scores: Scores,
     level: Arc<Level>,
     rows: HashMap<Name, Judged>,
-    /// Whose flight ends in the state with that hash.
+    /// By the hash of a flight's last state.
     ends: HashMap<u64, Name>,
     air: VecDeque<(Name, Box<Claim>)>,
-    /// How many rows are known not to hold.
     failed: usize,
     ticks: u64,
 }
 
 impl Judge {
-    /// The judgement of a level's board as far as no flight is needed for it.
+    /// Judges at sight. The flights follow with [`Judge::begin`] and [`Judge::fly`].
     pub fn new(scores: Scores, level: Arc<Level>, board: &Board) -> Self {
         let (mut rows, mut files) = (HashMap::new(), HashMap::new());
         for (index, row) in board.rows().iter().enumerate() {
@@ -58,43 +54,39 @@ impl Judge {
         Self { scores, level, rows, ends: HashMap::new(), air: VecDeque::new(), failed, ticks: 0 }
     }
 
-    /// How the row of that name stands; `None` as long as that is not known.
+    /// `None` until it is known.
     pub fn standing(&self, name: &Name) -> Option<&Standing> {
         self.rows.get(name)?.standing.as_ref()
     }
 
-    /// Whether the row of that name is known not to hold.
     pub fn fails(&self, name: &Name) -> bool {
         matches!(self.standing(name), Some(Standing::Doubtful(_)))
     }
 
-    /// How many rows are known not to hold.
     pub const fn failed(&self) -> usize {
         self.failed
     }
 
-    /// How long the flight of a row took, s: as its record says, until it is known not to hold.
+    /// The time in the row's record, s, unless the row fails.
     pub fn time(&self, name: &Name) -> Option<f64> {
         self.rows.get(name)?.time.filter(|_| !self.fails(name))
     }
 
-    /// The medals of a row's flight, once it is proven.
+    /// None before the proof.
     pub fn medals(&self, name: &Name) -> Medals {
         self.rows.get(name).map(|row| row.medals).unwrap_or_default()
     }
 
-    /// How many ticks have been flown.
     pub const fn ticks(&self) -> u64 {
         self.ticks
     }
 
-    /// Whether a flight is in the air.
     pub fn flies(&self) -> bool {
         !self.air.is_empty()
     }
 
-    /// Reads the flight of one of these rows of the board that is neither judged nor in the air, where there is room in the air for it;
-    /// which it was.
+    /// Reads the flight of the first of these rows that is neither judged nor in flight, if fewer than [`IN_TURN`] are; the answer
+    /// is that row.
     pub fn begin(&mut self, board: &Board, rows: impl IntoIterator<Item = usize>) -> Option<usize> {
         if self.air.len() >= IN_TURN {
             return None;
@@ -115,7 +107,7 @@ impl Judge {
         Some(index)
     }
 
-    /// Flies `ticks` ticks in all, the flights in the air in turn.
+    /// Flies `ticks` ticks in all, the flights in turn.
     pub fn fly(&mut self, mut ticks: u64) {
         while ticks > 0 {
             let Some((name, mut claim)) = self.air.pop_front() else { return };
@@ -126,7 +118,7 @@ impl Judge {
             });
             match verdict {
                 Some(verdict) => self.conclude(&name, verdict),
-                // Another row turned out to have the same flight with more right to it.
+                // An older row turned out to have the same flight.
                 None if self.fails(&name) => {}
                 None => self.air.push_back((name, claim)),
             }
@@ -144,7 +136,7 @@ impl Judge {
         }
     }
 
-    /// Whether no other row has a flight with that end. Of two such rows the one that stands ahead, which is the older, may keep it.
+    /// Refuses the second of two rows whose flights end alike: the older row, which stands ahead, may keep the flight.
     fn is_the_only_one(&mut self, board: &Board, name: &Name, end: u64) -> Result<(), Doubt> {
         match self.ends.insert(end, name.clone()) {
             Some(other) if self.fails(&other) => Ok(()),

@@ -1,8 +1,5 @@
-//! User names, leaderboards, the records of the players, and their files.
-//!
-//! [`Name`] has the rules of a name, [`Board`] the order of its rows, [`RowOrigin`] the flight of a row and [`Judge`] its proof. [`Players`]
-//! are the levels that each player has done. [`table`], `players` and `attempts` are the texts of the files, and [`Scores`] is their folder;
-//! only `disk` reads, locks and replaces files. [`crate::game`] makes scores, and the screens draw boards.
+//! User names, leaderboards, players' records, and their files. [`Name`] has the rules of a name, [`Board`] the order of rows,
+//! [`Judge`] their proof, [`Players`] the levels done. Only `disk` reads, locks and replaces files.
 
 mod attempts;
 mod board;

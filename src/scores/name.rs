@@ -1,43 +1,34 @@
-//! The names that a user may have.
-
 use std::fmt;
 use std::str::FromStr;
 
 use serde::Serialize;
 
-/// The most characters that a name has.
+/// Characters.
 pub const NAME_MAX: usize = 15;
-/// The most characters that a text field for a name takes while one types; [`Name::new`] judges them on submit.
+/// Characters that a text field takes; [`Name::new`] judges them on submit.
 pub const NAME_TYPING_MAX: usize = 40;
 
-/// The name of a player who has not chosen one.
 const GUEST: &str = "Guest";
 
-/// A user name: 1 to [`NAME_MAX`] characters, the first one a letter, the others letters, digits, `-` or `_`.
-///
-/// Letters are those of ASCII: every font draws them, no two of them look alike in different encodings, and a spreadsheet can
-/// never take such a name for a formula. Names that differ in case are different users.
+/// 1 to [`NAME_MAX`] characters, the first one a letter, the others letters, digits, `-` or `_`. Letters are those of ASCII: every
+/// font draws them, no two look alike, and no spreadsheet reads such a name as a formula. Names that differ in case are different
+/// users.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 pub struct Name(String);
 
-/// Why a text is no user name. Its text is meant for the player.
+/// Its text is for the player.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NameError {
-    /// No character at all.
     Empty,
-    /// More than [`NAME_MAX`] characters: this number.
+    /// This number of characters.
     TooLong(usize),
-    /// The first character is not a letter but this.
+    /// With this character, which is no letter.
     StartsWith(char),
-    /// This character is not allowed anywhere.
     NotAllowed(char),
 }
 
 impl Name {
-    /// The name spelt exactly like `text`; spaces around it are not cut off.
-    ///
-    /// # Errors
-    /// The first rule that `text` breaks, in the order of [`NameError`].
+    /// Spaces around the name are not cut off. The error is the first broken rule, in the order of [`NameError`].
     pub fn new(text: &str) -> Result<Self, NameError> {
         let length = text.chars().count();
         let Some(first) = text.chars().next() else { return Err(NameError::Empty) };
@@ -53,17 +44,16 @@ impl Name {
         }
     }
 
-    /// The name of a player who has not chosen one.
+    /// For a player without a chosen name.
     pub fn guest() -> Self {
         Self(GUEST.to_owned())
     }
 
-    /// Whether it is [`Name::guest`], in any case: no one's own name.
+    /// In any case of the letters.
     pub fn is_guest(&self) -> bool {
         self.0.eq_ignore_ascii_case(GUEST)
     }
 
-    /// The name as text.
     pub fn as_str(&self) -> &str {
         &self.0
     }
@@ -98,7 +88,7 @@ impl fmt::Display for NameError {
 
 impl std::error::Error for NameError {}
 
-/// A character between quotation marks, or its number where it cannot be seen.
+/// A character in quotation marks, or its number where it is invisible.
 fn shown(character: char) -> String {
     match character {
         ' ' => "a space".to_owned(),

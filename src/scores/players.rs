@@ -8,10 +8,9 @@
 //! bob,,,,
 //! ```
 //!
-//! A row without a level says that there is such a player; a row with one says that they have completed it, how fast at best, if ever
-//! without help, and what it has brought them. What was earned stays, whatever the level asks for later. Files of before there were medals
-//! have the first three columns: a level that is done is bronze. The player chosen last
-//! comes first. A row that cannot be read becomes a line of damage and spoils none of the others.
+//! A row without a level names a player; a row with one has the best time without help, if there is any, and the prizes. Prizes
+//! stay, whatever the level asks for later. Older files have the first three columns, and their medals are bronze. The player
+//! chosen last comes first. A row that cannot be read becomes a line of damage and spoils no other.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -25,52 +24,44 @@ use super::name::Name;
 use crate::files::{CsvFile, CsvRow};
 use crate::game::{Medal, Medals};
 
-/// The columns of the file, which are its first row.
 const FILE: CsvFile<'_> = CsvFile { name: "", columns: &["player", "level", "time", "medal", "mark"], comments: false };
-/// How many of them there were before there were medals.
+/// The columns of files from before medals.
 const OLD_COLUMNS: usize = 3;
-/// Thousandths of a second: more than any two ticks of the game need to differ.
+/// Thousandths of a second: any two ticks of the game differ in them.
 const STEPS: f64 = 1000.0;
 
-/// A player's record of a level that is done.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Done {
-    /// The best time without help, s.
+    /// The best without help, s.
     time: Option<f64>,
     medal: Medal,
     mark: bool,
 }
 
-/// One player.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Player {
     name: Name,
-    /// The levels that are done.
     done: BTreeMap<String, Done>,
 }
 
 impl Player {
-    /// A player who has done nothing yet.
     pub fn new(name: Name) -> Self {
         Self { name, done: BTreeMap::new() }
     }
 
-    /// The player's name.
     pub fn name(&self) -> &Name {
         &self.name
     }
 
-    /// The best time in a level without help, s; `None` where there is none.
+    /// The best time without help, s.
     pub fn best(&self, level: &str) -> Option<f64> {
         self.done.get(level).and_then(|done| done.time)
     }
 
-    /// The medals of a level; none until it is done.
     pub fn medals(&self, level: &str) -> Medals {
         self.done.get(level).map_or_else(Medals::default, |done| Medals { medal: Some(done.medal), mark: done.mark })
     }
 
-    /// How many levels are done.
     pub fn done(&self) -> usize {
         self.done.len()
     }
@@ -82,42 +73,37 @@ impl Player {
     }
 }
 
-/// A deed of a player, to be written down.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Deed {
-    /// Was chosen, or made.
+    /// Chosen, or made.
     Chosen(Name),
     /// Completed a level.
     Done {
-        /// The player's name.
         player: Name,
-        /// The level's folder name.
         level: String,
-        /// s, 0 or more and finite; `None` for a flight with help, whose time does not count.
+        /// s, from 0, finite; `None` for a flight with help, whose time does not count.
         time: Option<f64>,
-        /// The flight's medals; bronze at least.
+        /// Bronze at least.
         medals: Medals,
     },
 }
 
-/// All players, the one chosen last first.
+/// The player chosen last comes first.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Players {
     players: Vec<Player>,
 }
 
 impl Players {
-    /// All of them.
     pub fn all(&self) -> &[Player] {
         &self.players
     }
 
-    /// One of them.
     pub fn get(&self, name: &Name) -> Option<&Player> {
         self.players.iter().find(|player| player.name == *name)
     }
 
-    /// Takes note of a deed; its player is known from then on.
+    /// The player of a deed is known from then on.
     pub fn apply(&mut self, deed: &Deed) {
         match deed {
             Deed::Chosen(name) => {
@@ -134,7 +120,7 @@ impl Players {
         }
     }
 
-    /// Adds the deeds of others; the order of the players stays.
+    /// The order of the players stays.
     pub(super) fn merge(&mut self, others: Self) {
         for Player { name, done } in others.players {
             let player = self.player(&name);
@@ -147,7 +133,7 @@ impl Players {
         &mut self.players[index]
     }
 
-    /// The place of a player; a new one is the last.
+    /// A new player is the last.
     fn index(&mut self, name: &Name) -> usize {
         self.players.iter().position(|player| player.name == *name).unwrap_or_else(|| {
             self.players.push(Player::new(name.clone()));
@@ -156,7 +142,6 @@ impl Players {
     }
 }
 
-/// A row of the file, as it is written.
 #[derive(Serialize)]
 struct PlayerCells<'a> {
     player: &'a str,
@@ -166,7 +151,7 @@ struct PlayerCells<'a> {
     mark: &'a str,
 }
 
-/// The players that stand in `bytes`, and every place that could not be read. `path` is only named in those.
+/// The players, and a message for each unreadable place, which names `path`.
 pub(super) fn read(path: &Path, bytes: &[u8]) -> (Players, Vec<String>) {
     let mut players = Players::default();
     let mut damage = DamageReport::of(path);
@@ -180,7 +165,7 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> (Players, Vec<String>) {
     (players, damage.into_all())
 }
 
-/// Takes in one row. Spreadsheets leave empty cells at its end or cut them off.
+/// Spreadsheets leave empty cells at a row's end or cut them off.
 fn take(players: &mut Players, row: &CsvRow<'_>, damage: &mut DamageReport<'_>) {
     let (line, used, most) = (row.line, row.len(), FILE.columns.len());
     if used > most {
@@ -219,16 +204,13 @@ fn take(players: &mut Players, row: &CsvRow<'_>, damage: &mut DamageReport<'_>) 
     players.player(&name).complete(level, Done { time: seconds, medal, mark });
 }
 
-/// A time cell: a plain number of seconds; `None` for anything else.
+/// A plain number of seconds.
 fn seconds(cell: &str) -> Option<f64> {
     let plain = cell.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
     cell.parse().ok().filter(|seconds: &f64| plain && seconds.is_finite())
 }
 
-/// The file's bytes: always with a header, a player's own row before those of their levels, lines ending in LF.
-///
-/// # Errors
-/// The CSV writer's; writing to memory is known to cause none.
+/// With a header, LF, and a player's own row before the rows of levels.
 pub(super) fn write(players: &Players) -> io::Result<Vec<u8>> {
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
     writer.write_record(FILE.columns)?;
@@ -244,7 +226,7 @@ pub(super) fn write(players: &Players) -> io::Result<Vec<u8>> {
     writer.into_inner().map_err(|error| error.into_error())
 }
 
-/// A formula of a spreadsheet behind an apostrophe that makes it text; any other text as it is.
+/// Puts an apostrophe before a spreadsheet's formula, which makes it text.
 pub(super) fn harmless(text: &str) -> Cow<'_, str> {
     if text.starts_with(['=', '+', '-', '@', '\t', '\r', '\'']) { format!("'{text}").into() } else { text.into() }
 }

@@ -1,7 +1,6 @@
-//! The text of a scores file: `name,score` and whatever columns follow, to a [`Board`] and back.
-//!
-//! BoardReading accepts what people and spreadsheets make of such a file: no header, any order, blank lines, CRLF, a byte-order mark,
-//! spaces around a name or a score. What cannot be a row becomes a line of damage and spoils none of the others.
+//! The text of a scores file: `name,score` and any columns behind, to a [`Board`] and back. It reads such a file from people and
+//! spreadsheets: without header, in any order, with blank lines, CRLF, a byte-order mark or spaces. Any other row becomes a line of
+//! damage and spoils no other.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -13,10 +12,9 @@ use super::error::DamageReport;
 use super::name::Name;
 use crate::files::{CsvFile, CsvRow};
 
-/// The columns that every scores file has.
 const FILE: CsvFile<'_> = CsvFile { name: "", columns: &["name", "score"], comments: false };
 
-/// The board that stands in `bytes`, and every place that could not be read. `path` is only named in those.
+/// The board, and a message for each unreadable place, which names `path`.
 pub fn read(path: &Path, bytes: &[u8]) -> (Board, Vec<String>) {
     let mut reading =
         BoardReading { more_columns: Vec::new(), rows: Vec::new(), lines: HashMap::new(), damage: DamageReport::of(path) };
@@ -26,12 +24,9 @@ pub fn read(path: &Path, bytes: &[u8]) -> (Board, Vec<String>) {
     (Board::new(reading.more_columns, reading.rows), reading.damage.into_all())
 }
 
-/// The file's bytes for a board: always with a header, always sorted, lines ending in LF.
-///
-/// # Errors
-/// The CSV writer's; writing to memory is known to cause none.
+/// With a header, sorted, LF.
 pub fn write(board: &Board) -> io::Result<Vec<u8>> {
-    // The names of the further columns are not in the rows' type, so that the header is written apart.
+    // The further columns are not in the row's type: the header is written apart.
     let mut writer = csv::WriterBuilder::new().flexible(true).has_headers(false).from_writer(Vec::new());
     writer.write_record(FILE.columns.iter().copied().chain(board.more_columns().iter().map(String::as_str)))?;
     for row in board.rows() {
@@ -40,17 +35,16 @@ pub fn write(board: &Board) -> io::Result<Vec<u8>> {
     writer.into_inner().map_err(|error| error.into_error())
 }
 
-/// The rows and their damage so far.
 struct BoardReading<'a> {
     more_columns: Vec<String>,
     rows: Vec<BoardRow>,
-    /// Where in `rows` a name stands, and the line it came from.
+    /// By name, the index in `rows` and the line.
     lines: HashMap<Name, (usize, usize)>,
     damage: DamageReport<'a>,
 }
 
 impl BoardReading<'_> {
-    /// Takes in one row; the `first` one may be the header.
+    /// The `first` row may be the header.
     fn take(&mut self, row: &CsvRow<'_>, first: bool) {
         let line = row.line;
         let cells = match &row.cells {
@@ -59,7 +53,7 @@ impl BoardReading<'_> {
             Err(fault) => return self.damage.fault(line, *fault),
         };
         let more: Vec<String> = cells.iter().skip(FILE.columns.len()).map(str::to_owned).collect();
-        // Both names are looked at: a user may be called "name".
+        // Both names count: a user may be called "name".
         if first && row.is_header(FILE.columns.len()) {
             self.more_columns = more;
             return;
@@ -75,7 +69,7 @@ impl BoardReading<'_> {
         }
     }
 
-    /// Adds a row, or keeps the better one of two with the same name.
+    /// Of two rows with one name the better stays.
     fn row(&mut self, line: usize, row: BoardRow) {
         match self.lines.entry(row.name.clone()) {
             Entry::Vacant(place) => {
@@ -94,7 +88,7 @@ impl BoardReading<'_> {
     }
 }
 
-/// A score cell: digits only, of a value from 1 on; `None` for anything else.
+/// Digits only, from 1 on.
 fn points(cell: &str) -> Option<i64> {
     let digits = !cell.is_empty() && cell.bytes().all(|byte| byte.is_ascii_digit());
     cell.parse().ok().filter(|&score: &i64| digits && score >= 1)
@@ -105,7 +99,6 @@ mod tests {
     use super::*;
     use crate::scores::error::MOST_DAMAGE;
 
-    /// The rows as `name,score,more…` and the damage as text.
     fn reading(bytes: impl AsRef<[u8]>) -> (Vec<String>, Vec<String>) {
         let (board, damage) = read(Path::new("1.csv"), bytes.as_ref());
         let rows = board.rows().iter().map(|row| {
@@ -214,7 +207,7 @@ mod tests {
 
     #[test]
     fn a_record_behind_an_unclosed_quotation_mark_may_not_span_lines_either() {
-        // Each of these lines is within quotes at its end, whether it begins so or not.
+        // Each of these lines ends within quotes, wherever it begins.
         let (rows, damage) = reading("\"\"x\",\"\n\"\"x\",\"\nann,30\nbob,20\n");
         assert_eq!(rows, ["ann,30", "bob,20"]);
         assert_eq!(damage.len(), 2, "{damage:?}");

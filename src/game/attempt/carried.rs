@@ -1,4 +1,4 @@
-//! An attempt that goes on while its level is edited, or varied.
+//! An attempt that goes on while the player edits or varies its level.
 
 use super::Game;
 use crate::game::event::{GameError, Outcome};
@@ -7,23 +7,24 @@ use crate::level::Level;
 use crate::physics::{Aabb, Body, DVec2, Sides};
 use std::sync::Arc;
 
-/// The depth to which two boxes may overlap, m: far above the rounding of contacts, far below anything that can be seen.
+/// The depth to which two boxes may overlap, m: far above the rounding of contacts, far below a pixel.
 const TOUCH: f64 = 1e-4;
 
 impl Game {
-    /// Goes on in a level that differs from its own in numbers alone (see [`varied`](crate::level::varied)): everything stays where it is.
+    /// Goes on in a level that differs from its own in numbers alone (see [`varied`](crate::level::varied)): every body keeps its
+    /// state.
     ///
     /// # Errors
-    /// A level that the engine refuses, or a level with other things in it; nothing has changed then.
+    /// A level that the engine refuses, or that has other bodies or surfaces; nothing has changed then.
     pub fn go_on_in(&mut self, level: Arc<Level>) -> Result<(), GameError> {
         self.world.go_on_by(level.world_def()).map_err(GameError::World)?;
         self.level = level;
         Ok(())
     }
 
-    /// The attempt as it goes on in a level that has been changed since: the ship where it is, with its velocity, angle, fuel and time, and so
-    /// is each object that is as it was in `before`, the level as it was read. What has been changed, and all that is worked or moves by
-    /// itself, begins again. `None` where the attempt has ended, or where the ship has no room any more.
+    /// The attempt as it goes on in a changed level. The ship keeps place, velocity, angle, fuel and time, and each object that is
+    /// the same in `before` keeps its motion. Changed objects, switches and movers begin again. `None` once the attempt has ended,
+    /// or where the ship has no room.
     pub fn carried_into(&self, before: &Level, level: &Arc<Level>) -> Option<Self> {
         if self.outcome != Outcome::Running {
             return None;
@@ -58,7 +59,6 @@ impl Game {
     }
 }
 
-/// Whether two boxes lie within each other.
 fn overlap(a: &Aabb, b: &Aabb) -> bool {
     let depth: DVec2 = a.max.min(b.max) - a.min.max(b.min);
     depth.min_element() > TOUCH
