@@ -1,9 +1,6 @@
-//! How files are read, locked and written; the content of a file is not judged here.
-//!
-//! **Reading** takes only regular files, and none larger than its kind may be. A pipe or a device may never end, and a file of gigabytes
-//! would fill the memory before anyone could say what is wrong with it. Here are the sizes; each leaves room for a hundred times what the
-//! kind is known to need. [`Lock`] keeps two programs from changing one file at once. **Writing** makes a file or a folder whole or not
-//! at all: [`replace`], [`create`], [`create_folder`], and [`Replacement`] for content that is written piece by piece.
+//! Reading, locking and writing files, whatever their content. **Reading** takes only regular files up to their kind's size, a
+//! hundred times its known need: a pipe may never end, and gigabytes would fill the memory. [`Lock`] keeps two programs from
+//! changing one file at once. **Writing** makes a file or folder whole or not at all.
 
 mod lock;
 mod read;
@@ -15,20 +12,18 @@ pub use read::{Links, is_passed_on, open, read, read_text, read_with};
 pub use rows::{CsvFile, CsvRow, RowFault, csv_text};
 pub use staged::{Replacement, around, behind_links, copy, create, create_folder, put, replace, sync_folder, target};
 
-/// One CSV file of a level: some 8000 objects or 20 000 solids. Whether each object is clear of each solid is looked at for all pairs:
-/// with files four times as large that would take seconds.
+/// Some 8000 objects or 20 000 solids. Each object is compared with each solid: files four times as large would take seconds.
 pub const LEVEL_TABLE: u64 = 256 << 10;
-/// One picture, packed; how far it may unfold is said where it is unpacked.
+/// Packed. The unpacked size has a limit of its own.
 pub const PICTURE: u64 = 16 << 20;
-/// One leaderboard: some 20 000 users. A larger one would be read and sorted for longer than a frame lasts.
+/// Some 20 000 users. Reading and sorting more takes longer than a frame.
 pub const SCORES: u64 = 512 << 10;
-/// The settings: some hundred players.
+/// Some hundred players.
 pub const SETTINGS: u64 = 64 << 10;
-/// One file of charts, or the other engines' results.
+/// Also of the peers' results.
 pub const CHART: u64 = 128 << 10;
-/// Recorded or written inputs: a flight of 3 hours with other keys at every tick.
+/// A flight of 3 hours with other keys at every tick.
 pub const INPUTS: u64 = 16 << 20;
-/// The map of a tile run.
 pub const TILE_MAP: u64 = 1 << 20;
-/// The commands of a tile run: some 100 000.
+/// Some 100 000.
 pub const TILE_COMMANDS: u64 = 1 << 20;

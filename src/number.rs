@@ -1,13 +1,13 @@
-//! How results, exports and the screen print numbers and the times of flights.
+//! Numbers and flight times as results, exports and the screen print them.
 
 use crate::physics::DVec2;
 use serde::{Serialize, Serializer};
 use std::fmt;
 
-/// Magnitudes that print without an exponent: outside, the plain form fills up with zeros.
+/// Magnitudes without an exponent: outside, the plain form fills up with zeros.
 const PLAIN: std::ops::Range<f64> = 1e-5..1e16;
 
-/// A number with the fewest digits that read back as the same f64, bit for bit (also −0).
+/// The fewest digits that read back as the same f64, bit for bit (also −0).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shortest(pub f64);
 
@@ -24,7 +24,7 @@ impl Serialize for Shortest {
     }
 }
 
-/// A number as players read it: `decimals` decimals, a true minus sign, and no sign on one that rounds to zero.
+/// With a true minus sign, and no sign on a number that rounds to zero.
 pub fn fixed(value: f64, decimals: usize) -> String {
     let plain = format!("{value:.decimals$}");
     match plain.strip_prefix('-') {
@@ -34,29 +34,28 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
-/// Two cells of a row: a vector's x and y.
+/// A vector's x and y, two cells of a row.
 pub type Pair = (Shortest, Shortest);
 
-/// A vector's cells.
 pub const fn pair(vector: DVec2) -> Pair {
     (Shortest(vector.x), Shortest(vector.y))
 }
 
-/// A hundredth that is begun by less than this share of it is not begun: 0.29 s is 29 hundredths and a rounding. Far below a tick.
+/// A hundredth begun by less than this share of it does not count: 0.29 s is 29 hundredths and a rounding. Far below a tick.
 const ROUNDING: f64 = 1e-6;
 
-/// A time of a flight in hundredths of a second, rounded up. A medal asks for this time, which is the one that is shown, within
-/// [`whole_hundredths`] of its limit.
+/// Hundredths of a second, rounded up. The screen shows this time, and a medal asks for it within [`whole_hundredths`] of its
+/// limit.
 pub fn hundredths(seconds: f64) -> u64 {
     (seconds * 100.0 - ROUNDING).ceil().max(0.0) as u64
 }
 
-/// The limit of a medal in hundredths of a second, rounded down.
+/// A medal's limit in hundredths of a second, rounded down.
 pub fn whole_hundredths(limit: f64) -> u64 {
     (limit * 100.0 + ROUNDING).max(0.0) as u64
 }
 
-/// A time of a flight as every screen shows it, mm:ss.hh; minutes go on beyond 99.
+/// mm:ss.hh; minutes go on beyond 99.
 pub fn clock(seconds: f64) -> String {
     let hundredths = hundredths(seconds);
     format!("{:02}:{:02}.{:02}", hundredths / 6000, hundredths / 100 % 60, hundredths % 100)

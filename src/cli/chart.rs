@@ -1,6 +1,5 @@
-//! `resultant chart`: measures every method on every scene of the lab, and writes diagrams, tables and a summary. It is the only
-//! place of the lab with a clock and files. The clock is the thread's own CPU time, as in `benches/peers`: what else the machine does
-//! counts for little.
+//! `resultant chart` measures every method on every scene of the lab, and writes diagrams, tables and a summary. The clock is the
+//! thread's CPU time, as in `benches/peers`: other work of the machine counts for little.
 
 use super::files::{OutputFile, Staged, read_text};
 use super::project::Project;
@@ -25,7 +24,6 @@ use cpu_time::ThreadTime as Clock;
 #[cfg(not(any(unix, windows)))]
 use std::time::Instant as Clock;
 
-/// The arguments of `chart`.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "Writes into DIR, made if need be:\n  \
     summary.md   machine, commit, tables and all diagrams on one page\n  \
@@ -48,22 +46,19 @@ pub struct ChartArgs {
     quick: bool,
 }
 
-/// s. The step at which methods are followed over time: the one at which physics engines are usually run.
+/// s. The usual step of physics engines, at which methods are followed over time.
 const FOLLOWED: f64 = 1.0 / 60.0;
-/// Runs of a point, of which the median counts.
+/// Runs of a point; the median counts.
 const RUNS: usize = 9;
-/// The same with --quick.
 const QUICK_RUNS: usize = 3;
-/// A run is repeated until it takes this long: asking the clock, about 1 µs, must not count.
+/// A run repeats until it takes this long, so that the clock's own cost, about 1 µs, does not count.
 const LONG_ENOUGH: Duration = Duration::from_micros(300);
-/// A run that takes this long is not repeated with --quick.
+/// With --quick a run of this length does not repeat.
 const TOO_LONG: Duration = Duration::from_millis(60);
 
-/// Measures and writes.
-///
 /// # Errors
-/// Nothing can be written there, or the peers' results cannot be read; both are found out before anything is measured. Where writing
-/// fails afterwards, no file is left half written.
+/// A folder that cannot be written, or peers' results that cannot be read, before any measurement. A later fault of the disk leaves
+/// no file half written.
 pub fn run(args: &ChartArgs, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     if args.out.exists() && !args.out.is_dir() {
         return Err(Stop::Refused(format!(
@@ -108,7 +103,7 @@ pub fn run(args: &ChartArgs, project: &Project, out: &mut dyn Write) -> Result<S
     Ok(Status::Done)
 }
 
-/// The names and contents of all files.
+/// Names and contents.
 fn all_files(charts: &Charts) -> Vec<(String, String)> {
     let mut files = charts.files();
     for measured in &charts.diagrams {
@@ -123,7 +118,7 @@ fn all_files(charts: &Charts) -> Vec<(String, String)> {
     files
 }
 
-/// The peers' results, where there are any: the file's name and its text, found to be sound before minutes are spent.
+/// The file's name and checked text, if there is such a file.
 fn peers(project: &Project) -> Result<Option<(String, String)>, Stop> {
     let path = project.root().join("benches/peers/results.csv");
     if !path.exists() {
@@ -134,7 +129,7 @@ fn peers(project: &Project) -> Result<Option<(String, String)>, Stop> {
     Ok(Some((name, text)))
 }
 
-/// Writes all files of a folder, to be put in their places once all are written.
+/// Writes all files before any takes its place.
 fn stage(folder: &Path, files: &[(String, String)]) -> Result<Vec<Staged>, Stop> {
     let stage = |(name, text): &(String, String)| {
         let mut file = OutputFile::create(&folder.join(name))?;
@@ -145,7 +140,7 @@ fn stage(folder: &Path, files: &[(String, String)]) -> Result<Vec<Staged>, Stop>
 }
 
 fn progress(what: &str) {
-    // Nothing can be done about a standard error that is closed.
+    // A closed standard error does not stop the measurement.
     let _ = writeln!(std::io::stderr(), "{what}");
 }
 
@@ -169,7 +164,7 @@ fn measure(scene: &LabScene, quick: bool) -> Measured {
     }
 }
 
-/// The courses at the game's step, of the scenes that are followed.
+/// At the game's step; `None` for a scene that is not followed.
 fn over_time(scene: &LabScene) -> Option<OverTime> {
     let course = |method: &Answer| {
         let origin = if method.shipped { CurveOrigin::Shipped } else { CurveOrigin::Lab };
@@ -179,7 +174,6 @@ fn over_time(scene: &LabScene) -> Option<OverTime> {
     (!courses.is_empty()).then_some(OverTime { step: FOLLOWED, courses })
 }
 
-/// The median of several runs.
 fn point(scene: &LabScene, method: &Answer, step: f64, quick: bool) -> WorkPoint {
     let started = Clock::now();
     let error = (method.run)(black_box(step));
@@ -202,7 +196,7 @@ fn point(scene: &LabScene, method: &Answer, step: f64, quick: bool) -> WorkPoint
     WorkPoint { step, work: times[times.len() / 2] * 1e9 / scene.share, error }
 }
 
-/// The kind of machine, without its name.
+/// Without the machine's name.
 fn machine() -> String {
     let system = format!("{} {}", std::env::consts::OS, std::env::consts::ARCH);
     let Ok(text) = files::read_text(Path::new("/proc/cpuinfo"), files::INPUTS) else { return system };
@@ -210,7 +204,7 @@ fn machine() -> String {
     model.map_or(system.clone(), |(_, model)| format!("{}, {system}", model.trim()))
 }
 
-/// The commit of the code that is measured, if git knows one: that of the package's folder, or else of the project's.
+/// The commit of the measured code, if git knows one: of the package's folder, or else of the project's.
 fn commit(root: &Path) -> Option<String> {
     [Path::new(env!("CARGO_MANIFEST_DIR")), root].into_iter().find_map(|folder| {
         let ran =

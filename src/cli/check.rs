@@ -11,7 +11,6 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What to check.
 #[derive(clap::Args, Debug, Default)]
 pub struct Args {
     /// Names under levels/, or levels' folders; without any, all levels
@@ -19,7 +18,7 @@ pub struct Args {
     pub levels: Vec<OsString>,
 }
 
-/// Checks the levels: results go to `out`, problems and warnings to standard error.
+/// Results go to `out`, problems and warnings to standard error.
 ///
 /// # Errors
 /// A level that does not exist, or no level at all; nothing is checked then.
@@ -65,7 +64,7 @@ fn check(args: &Args, project: &Project, out: &mut dyn Write, err: &mut dyn Writ
     Ok(status)
 }
 
-/// What a level is called in results: as on the command line; a place such as `.` by the name of its folder.
+/// A level's name as on the command line; for a place such as `.`, the name of its folder.
 fn called(name: &OsStr, folder: &Path) -> String {
     let place = Path::new(name).file_name().is_none();
     let resolved = folder.canonicalize().ok().filter(|_| place);
@@ -73,7 +72,7 @@ fn called(name: &OsStr, folder: &Path) -> String {
     shown(own.unwrap_or_else(|| name.to_string_lossy().into_owned()))
 }
 
-/// A good level: what is in it, the parts of the physics model that it uses, and what is odd about it.
+/// Prints a good level's content, its parts of the physics model, and its warnings.
 fn describe(name: &str, loaded: &Loaded, world: &World, out: &mut dyn Write, err: &mut dyn Write) -> io::Result<()> {
     for warning in level::told(&loaded.warnings) {
         writeln!(err, "{name}: warning: {warning}")?;

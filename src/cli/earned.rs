@@ -10,16 +10,12 @@ use std::io::{self, Write};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// How long flights are flown without a word, and how long from one word to the next.
+/// The time before the first line on a long flight, and between two lines.
 const SILENCE: Duration = Duration::from_secs(2);
-/// How often the clock is asked, ticks: asking it must not count.
+/// Ticks between two looks at the clock, whose cost must not count.
 const TICKS_A_LOOK: u64 = 4096;
 
-/// Verifies all boards: a line for each goes to `out`, with how many of its rows are proven; a line for each row that does not hold goes to
-/// standard error.
-///
-/// # Errors
-/// The results cannot be written.
+/// For each board a line with its number of proven rows goes to `out`; for each row that fails a line goes to standard error.
 pub fn run(project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     let scores = Scores::new(project.scores());
     let mut err = Readers::of(io::stderr().lock());
@@ -32,7 +28,7 @@ pub fn run(project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
             status = Status::Wrong;
         }
     }
-    // The screens that use the file report one that cannot be read: no row of it is a row of a board.
+    // The screens report a file that cannot be read.
     let players = scores.players().map(|(players, _)| players).unwrap_or_default();
     let claims: usize = players.all().iter().map(crate::scores::Player::done).sum();
     if claims > 0 {
@@ -41,7 +37,7 @@ pub fn run(project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     Ok(status)
 }
 
-/// Judges a level's board; whether all of it holds.
+/// The answer says whether all rows hold.
 fn judge_board(project: &Project, scores: &Scores, name: &str, (out, err): (&mut dyn Write, &mut dyn Write)) -> Result<bool, Stop> {
     let level = level::load(&project.levels().join(name), project.root());
     let level = level.map_err(|problems| problems.first().map(ToString::to_string).unwrap_or_default());
@@ -103,7 +99,7 @@ fn judge_board(project: &Project, scores: &Scores, name: &str, (out, err): (&mut
     Ok(doubtful == 0 && damage.is_empty())
 }
 
-/// Flies all flights of a board, and says from time to time how far that is.
+/// Flies all flights of a board, and reports the progress from time to time.
 fn judge_all(judge: &mut Judge, board: &Board, name: &str, err: &mut dyn Write) -> Result<(), Stop> {
     let (mut last, mut next) = (Instant::now(), 0);
     loop {

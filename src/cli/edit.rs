@@ -5,7 +5,6 @@ use super::stop::{Status, Stop};
 use std::ffi::OsString;
 use std::io::Write;
 
-/// The arguments of `edit`.
 #[derive(clap::Args, Debug)]
 pub struct EditArgs {
     /// A name under levels/, or a level's folder
@@ -15,23 +14,19 @@ pub struct EditArgs {
     pub original: bool,
 }
 
-/// Opens the editor and returns when the window is closed.
+/// Returns when the window is closed.
 ///
 /// # Errors
-/// No such level; no display; a build without a window.
+/// No such level; no display.
 #[cfg(feature = "window")]
 pub fn run(args: &EditArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
     use crate::screens::{Editor, Start};
     let folder = project.level_folder(&args.level)?;
-    // A level that cannot be opened is refused before a window opens.
+    // A level that does not open is refused before a window opens.
     let name = Editor::open(&folder, project.root()).map_err(Stop::Refused)?.name().to_owned();
     super::play::show(project, Some(Start::Edit(folder, name, args.original)))
 }
 
-/// Opens nothing: this build has no window.
-///
-/// # Errors
-/// Always.
 #[cfg(not(feature = "window"))]
 pub fn run(args: &EditArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
     project.level_folder(&args.level)?;

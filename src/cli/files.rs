@@ -1,7 +1,5 @@
-//! Text files that a subcommand reads, and files that it writes.
-//!
-//! New content is collected in a file without a name, so that a program that is stopped leaves nothing behind. When all of it is there, it
-//! is staged beside its target and takes the target's place in one step: a target is the old file or the new one, whole.
+//! Input and output files of subcommands. New content goes into a file without a name, so that a stopped program leaves nothing
+//! behind; the complete content takes its target's place in one step.
 
 use super::stop::Stop;
 use crate::files::{self, Links, Replacement};
@@ -10,10 +8,10 @@ use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 
-/// The text of a file of at most `at_most` bytes (one of the sizes in [`crate::files`]).
+/// `at_most` is in bytes (one of the sizes in [`crate::files`]).
 ///
 /// # Errors
-/// It cannot be read, is no regular file or too large, or is no UTF-8.
+/// A file that cannot be read, is no regular one, too large, or no UTF-8.
 pub fn read_text(path: &Path, at_most: u64) -> Result<String, Stop> {
     let bytes = files::read(path, at_most).map_err(|error| refused(path, &error))?;
     String::from_utf8(bytes).map_err(|error| {
@@ -23,30 +21,27 @@ pub fn read_text(path: &Path, at_most: u64) -> Result<String, Stop> {
     })
 }
 
-/// A CSV file of rows, while it is written.
 pub struct CsvOutput<W: Write>(csv::Writer<W>);
 
 impl<W: Write> CsvOutput<W> {
-    /// Begins with the names of the columns, separated by commas. A row's fields may hold several cells each, so that they are not the
-    /// names.
+    /// `header` is the columns' names with commas between: a field of a row may hold several cells, so that the fields' names do
+    /// not serve.
     pub fn new(out: W, header: &str) -> io::Result<Self> {
         let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(out);
         writer.write_record(header.split(',')).map_err(plain)?;
         Ok(Self(writer))
     }
 
-    /// Adds a row.
     pub fn row(&mut self, row: &impl Serialize) -> io::Result<()> {
         self.0.serialize(row).map_err(plain)
     }
 
-    /// Ends the rows; what they were written to.
     pub fn into_inner(self) -> io::Result<W> {
         self.0.into_inner().map_err(|error| error.into_error())
     }
 }
 
-/// The system's own error: the reader of a pipe may have gone away.
+/// The system's error inside, such as a closed pipe.
 fn plain(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,
@@ -54,8 +49,7 @@ fn plain(error: csv::Error) -> io::Error {
     }
 }
 
-/// A file that a subcommand writes. Standard output, and a file that the caller has passed on open (`/dev/fd/3`), are written to as they
-/// are.
+/// Standard output, and a file that the caller has passed on open (`/dev/fd/3`), are written to directly.
 pub struct OutputFile {
     path: PathBuf,
     writer: BufWriter<File>,
@@ -63,17 +57,15 @@ pub struct OutputFile {
     collected: bool,
 }
 
-/// A file that is written, and not in its place yet.
+/// A complete file beside its target.
 pub struct Staged {
     path: PathBuf,
     fresh: Option<Replacement>,
 }
 
 impl OutputFile {
-    /// Begins the file.
-    ///
     /// # Errors
-    /// Nothing can be written there, or the file there is read-only; nothing has been written then.
+    /// A folder that cannot be written, or a read-only file there; nothing has been written then.
     pub fn create(path: &Path) -> Result<Self, Stop> {
         let passed_on = passed_on(path);
         let collected = passed_on.is_none();
@@ -81,8 +73,7 @@ impl OutputFile {
         Ok(Self { path: path.to_path_buf(), writer: BufWriter::new(file), collected })
     }
 
-    /// Begins those of a subcommand's output files that are asked for, each by the name of its argument. `inputs` are the files that
-    /// the subcommand reads.
+    /// Creates the wanted output files, each by its argument's name. `inputs` are the files that the subcommand reads.
     ///
     /// # Errors
     /// As [`OutputFile::create`]; two outputs are one file, or an output is an input. Nothing has been written then.
@@ -104,9 +95,6 @@ impl OutputFile {
     }
 
     /// Writes the content to the disk, beside the target.
-    ///
-    /// # Errors
-    /// The disk is full or gone.
     pub fn stage(self) -> Result<Staged, Stop> {
         let Self { path, writer, collected } = self;
         let stage = |mut file: File| {
@@ -123,10 +111,7 @@ impl OutputFile {
 }
 
 impl Staged {
-    /// Puts files in their places, each in one step, once all of them are staged.
-    ///
-    /// # Errors
-    /// The system's; that file and those behind it are as they were then.
+    /// Puts each file in its place in one step. After an error that file and the following ones are as before.
     pub fn place_all(staged: impl IntoIterator<Item = Self>) -> Result<(), Stop> {
         for Self { path, fresh } in staged {
             fresh.map_or(Ok(()), Replacement::finish).map_err(|error| Stop::Output(named(&path, &error)))?;
@@ -135,7 +120,7 @@ impl Staged {
     }
 }
 
-/// A file without a name, in the folder of the target that its content is for.
+/// A file without a name in the target's folder.
 fn collect(path: &Path) -> io::Result<File> {
     let (target, found) = files::target(path, Links::Followed)?;
     if found.is_some() {
@@ -148,7 +133,7 @@ fn collect(path: &Path) -> io::Result<File> {
     })
 }
 
-/// Refuses a file with further names (hard links): they would go on leading to the old content.
+/// Refuses a file with further names (hard links): they would lead to the old content.
 fn one_name(found: &Metadata) -> io::Result<()> {
     #[cfg(unix)]
     let names = std::os::unix::fs::MetadataExt::nlink(found);
@@ -158,8 +143,8 @@ fn one_name(found: &Metadata) -> io::Result<()> {
     if names > 1 { Err(io::Error::new(io::ErrorKind::InvalidInput, why())) } else { Ok(()) }
 }
 
-/// The file that the caller has passed on open. Standard output is this process' own: two that write to one file from its beginning would
-/// write over each other.
+/// The file that the caller has passed on open. Standard output is this process' own: two files that write to one target would
+/// overwrite each other.
 fn passed_on(path: &Path) -> Option<io::Result<File>> {
     #[cfg(unix)]
     if ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].iter().any(|output| path == Path::new(output)) {
@@ -169,7 +154,7 @@ fn passed_on(path: &Path) -> Option<io::Result<File>> {
     files::is_passed_on(path).then(|| OpenOptions::new().write(true).open(path))
 }
 
-/// The path without links, also of a file that is not there yet.
+/// Without links; the file need not exist yet.
 fn resolved(path: &Path) -> PathBuf {
     let beside = || Some(files::around(path).canonicalize().ok()?.join(path.file_name()?));
     path.canonicalize().ok().or_else(beside).unwrap_or_else(|| path.to_path_buf())
@@ -185,7 +170,6 @@ impl Write for OutputFile {
     }
 }
 
-/// An error with the file that it is about.
 fn named(path: &Path, error: &io::Error) -> io::Error {
     io::Error::new(error.kind(), format!("{}: {error}", path.display()))
 }

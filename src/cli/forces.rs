@@ -1,4 +1,4 @@
-//! The file of forces: every single force and impact, tick by tick, with what exerts it and where it acts.
+//! The file of forces: each force and impact of each tick, with its source and its point.
 
 use super::files::CsvOutput;
 use super::telemetry::column;
@@ -8,12 +8,11 @@ use crate::physics::{BodyId, DVec2, Impulse};
 use serde::Serialize;
 use std::io::{self, Write};
 
-/// The first row.
 pub const HEADER: &str = "tick,time,object,kind,by,x,y,point_x,point_y";
-/// The kind of an impact's row: its vector is an impulse, N·s.
+/// The kind of an impact, whose vector is an impulse, N·s.
 const IMPACT: &str = "impact";
 
-/// A row: an instant and what acts on an object then, numbered as in the telemetry; N (an impact: N·s) and metres.
+/// Objects have the telemetry's numbers; N (an impact: N·s) and metres.
 #[derive(Serialize)]
 struct ForceRow<'a> {
     tick: u64,
@@ -25,17 +24,14 @@ struct ForceRow<'a> {
     point: Pair,
 }
 
-/// The file while it is written.
 pub struct Forces<W: Write>(CsvOutput<W>);
 
 impl<W: Write> Forces<W> {
-    /// Begins the file.
     pub fn new(out: W) -> io::Result<Self> {
         Ok(Self(CsvOutput::new(out, HEADER)?))
     }
 
-    /// The rows of the current tick: for each object the forces that act on it at this instant, and then the impacts that it felt since the
-    /// tick before, in the order of their times.
+    /// For each object of the current tick, the forces at this instant and then the impacts since the tick before, in time order.
     pub fn write_tick(&mut self, game: &Game) -> io::Result<()> {
         let (world, level) = (game.world(), game.level());
         for id in (0..world.bodies().len() as u32).map(BodyId) {
@@ -51,13 +47,12 @@ impl<W: Write> Forces<W> {
         Ok(())
     }
 
-    /// Ends the file.
     pub fn into_inner(self) -> io::Result<W> {
         self.0.into_inner()
     }
 
     fn write_row(&mut self, game: &Game, id: BodyId, (kind, by): (&str, &str), (vector, point): (DVec2, DVec2)) -> io::Result<()> {
-        // Adding zero turns −0 into 0: what opposes 0 is 0.
+        // Adding zero turns −0 into 0.
         let vector = pair(vector + DVec2::ZERO);
         self.0.row(&ForceRow {
             tick: game.ticks(),

@@ -11,10 +11,9 @@ use crate::number::Shortest;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Ticks without inputs: 10 s.
+/// 10 s.
 const TICKS_WITHOUT_INPUTS: u64 = 10 * TICK_RATE as u64;
 
-/// The arguments of `jumper`.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "Prints lines key=value: outcome (climbing; out when all players are), score (whole metres), height (m), \
     ticks, and each player's x and z (m).\n\nINPUTS: a CSV with the header ticks,left1,right1,jump1,left2,right2,jump2 (the last \
@@ -34,7 +33,7 @@ pub struct JumperArgs {
 /// Climbs until the inputs end or all players are out.
 ///
 /// # Errors
-/// Inputs that cannot be read or are refused, with file and line.
+/// Inputs that are refused, with file and line.
 pub fn run(args: &JumperArgs, _: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     let rows = match &args.inputs {
         Some(path) => parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(Stop::Refused)?,

@@ -1,8 +1,5 @@
-//! The command line: one file a subcommand, and [`Project`], which finds the game's folders. Standard output gets results, standard error
-//! problems, and the exit status is [`Status`].
-//!
-//! Each subcommand's file has its arguments and `pub fn run(&Args, &Project, &mut dyn Write) -> Result<Status, Stop>`. It writes its results
-//! to the writer, never with `println!`, which panics when the reader has gone away.
+//! The command line: one file a subcommand, and [`Project`], which finds the game's folders. Standard output gets results, standard
+//! error problems. Results go to the writer argument, never to `println!`, which panics on a closed pipe.
 
 mod chart;
 mod check;
@@ -72,7 +69,6 @@ enum Subcommand {
     Pi(pi::PiArgs),
 }
 
-/// Parses the command line, runs what it asks for and says how that ended.
 pub fn main() -> ExitCode {
     let cli = Cli::parse();
     let mut out = io::BufWriter::new(Readers::of(io::stdout().lock()));
@@ -80,11 +76,11 @@ pub fn main() -> ExitCode {
     let status = match ended {
         Ok(status) => status,
         Err(Stop::Refused(problem)) => {
-            // Nothing can be done about a standard error that is closed.
+            // A closed standard error changes nothing.
             let _ = writeln!(io::stderr(), "{}", problem.trim_end());
             Status::Refused
         }
-        // A file of results that is a pipe: its reader has seen enough.
+        // The reader of a pipe has seen enough.
         Err(Stop::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => Status::Done,
         Err(Stop::Output(error)) => {
             let _ = writeln!(io::stderr(), "cannot write the results: {error}");

@@ -1,21 +1,18 @@
-//! `resultant new NAME`: a level folder that loads, for an author to go on from.
+//! `resultant new NAME` makes a level folder that loads, for an author to change.
 
 use super::project::Project;
 use super::stop::{Status, Stop};
 use crate::level;
 use std::io::Write;
 
-/// What to make.
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// The level's name: up to 40 letters, digits, - and _
     pub name: String,
 }
 
-/// Makes `levels/NAME/`.
-///
 /// # Errors
-/// The name is none for a level, there is such a folder already, or the disk refuses; nothing is left behind.
+/// A name that no level can have, an existing folder, or the disk's; nothing is left behind.
 pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     let Args { name } = args;
     if let Err(fault) = level::judge_name(name) {

@@ -10,10 +10,9 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// How many files are named in a line.
+/// The most files that a line names.
 const MOST_NAMED: usize = 5;
 
-/// The arguments of `pack`.
 #[derive(clap::Args, Debug)]
 pub struct PackArgs {
     /// A name under levels/, or a level's folder
@@ -23,7 +22,6 @@ pub struct PackArgs {
     out: Option<PathBuf>,
 }
 
-/// The arguments of `unpack`.
 #[derive(clap::Args, Debug)]
 pub struct UnpackArgs {
     /// An archive, as `pack` makes it
@@ -34,16 +32,14 @@ pub struct UnpackArgs {
     name: Option<String>,
 }
 
-/// Writes the level with its pictures and flights into one archive, and prints where.
-///
 /// # Errors
-/// A level that is refused or cannot be handed on, a file that is there already, one that cannot be written; nothing is written then.
+/// A level that is refused or cannot be handed on, an existing file, the disk's; nothing is written then.
 pub fn pack(args: &PackArgs, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     let folder = project.level_folder(&args.level)?;
     let (package, left) = pack::gather(&folder, project.root()).map_err(refused)?;
     let bytes = pack::write(&package).map_err(Stop::Refused)?;
     let path = args.out.clone().unwrap_or_else(|| PathBuf::from(format!("{}.zip", package.name)));
-    // An archive that is made can be read.
+    // An archive of `pack` can be read by `unpack`.
     pack::read(&bytes, &package.name)
         .map_err(|problem| Stop::Refused(format!("{}: cannot be packed: {problem}", shown(folder.display()))))?;
     files::create(&path, &bytes).map_err(|error| {
@@ -66,10 +62,8 @@ pub fn pack(args: &PackArgs, project: &Project, out: &mut dyn Write) -> Result<S
     Ok(Status::Done)
 }
 
-/// Installs the level of an archive under `levels/`, and prints where.
-///
 /// # Errors
-/// An archive, a level or a name that is refused; a level of that name that is there already; nothing is written then.
+/// A refused archive, level or name; an existing level of that name; nothing is written then.
 pub fn unpack(args: &UnpackArgs, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     let named = shown(args.archive.display());
     let mut package = open(&args.archive).map_err(|problem| Stop::Refused(format!("{named}: {problem}")))?;
@@ -87,7 +81,7 @@ pub fn unpack(args: &UnpackArgs, project: &Project, out: &mut dyn Write) -> Resu
     Ok(Status::Done)
 }
 
-/// Which other files lie in the folder of a level that is there already, in words.
+/// The further files of an existing level's folder, in words.
 fn beside(more: &[String]) -> String {
     let named: Vec<String> = more.iter().take(MOST_NAMED).map(shown).collect();
     match more.len() {
@@ -97,17 +91,14 @@ fn beside(more: &[String]) -> String {
     }
 }
 
-/// The package in an archive on disk.
-///
-/// # Errors
-/// It cannot be read, or is refused, in words.
+/// The error is in words.
 fn open(path: &Path) -> Result<Package, String> {
     let bytes = files::read(path, pack::LARGEST).map_err(|error| error.to_string())?;
     let called = path.file_stem().unwrap_or_default().to_string_lossy();
     pack::read(&bytes, &called)
 }
 
-/// How many files there are, and how many of them are flights.
+/// The number of files, and of flights among them.
 fn counts(package: &Package) -> (usize, usize) {
     let flights = package.files.keys().filter(|path| path.starts_with("flights/")).count();
     (package.files.len(), flights)

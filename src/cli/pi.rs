@@ -6,10 +6,9 @@ use crate::classics::pi::{Blocks, count, step_through};
 use std::io::Write;
 use std::time::Instant;
 
-/// Up to this N the blocks are followed with positions and times; beyond it with their velocities alone, which is much faster.
+/// Up to this N the blocks have positions and times; beyond it velocities alone, which is much faster.
 const MAX_N_WITH_POSITIONS: u32 = 7;
 
-/// The arguments of `pi`.
 #[derive(clap::Args, Debug)]
 #[command(
     after_help = "A wall, a block at rest, and one of 100^N times its mass moving towards it at 1 m/s collide as often as the \
@@ -34,8 +33,6 @@ pub struct PiArgs {
     substeps: u32,
 }
 
-/// Counts, in steps too where that is asked for.
-///
 /// # Errors
 /// A step that is not above 0 and finite, or too small.
 pub fn run(args: &PiArgs, _: &Project, out: &mut dyn Write) -> Result<Status, Stop> {

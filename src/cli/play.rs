@@ -16,7 +16,6 @@ use std::path::PathBuf;
 #[cfg(feature = "window")]
 use std::{ffi::OsStr, path::Path, sync::Arc};
 
-/// The arguments of `play`.
 #[derive(clap::Args, Debug, Default)]
 pub struct PlayArgs {
     /// A name under levels/, or a level's folder; without it the game opens with its menu
@@ -26,10 +25,10 @@ pub struct PlayArgs {
     pub inputs: Option<PathBuf>,
 }
 
-/// Opens the game and returns when it is closed.
+/// Returns when the window is closed.
 ///
 /// # Errors
-/// A level or inputs that are refused; folders that are missing; no display; a build without a window.
+/// A refused level or inputs; missing folders; no display.
 #[cfg(feature = "window")]
 pub fn run(args: &PlayArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
     for (what, folder) in [("levels", project.levels()), ("assets", project.assets())] {
@@ -43,10 +42,7 @@ pub fn run(args: &PlayArgs, project: &Project, _out: &mut dyn Write) -> Result<S
     show(project, args.level.as_deref().map(|level| start(level, args.inputs.as_deref(), project)).transpose()?)
 }
 
-/// Opens the window with that, and returns when it is closed.
-///
-/// # Errors
-/// No display.
+/// Returns when the window is closed.
 #[cfg(feature = "window")]
 pub fn show(project: &Project, start: Option<Start>) -> Result<Status, Stop> {
     let places = Places { root: project.root().to_path_buf(), levels: project.levels(), scores: project.scores() };
@@ -54,7 +50,7 @@ pub fn show(project: &Project, start: Option<Start>) -> Result<Status, Stop> {
     Ok(Status::Done)
 }
 
-/// Reads what is to be flown before a window opens. A level that is not finished is tried out, and its problems stand on standard error.
+/// Before a window opens. An unfinished level is tried out, with its problems on standard error.
 #[cfg(feature = "window")]
 fn start(level: &OsStr, inputs: Option<&Path>, project: &Project) -> Result<Start, Stop> {
     let folder = project.level_folder(level)?;
@@ -75,10 +71,6 @@ fn start(level: &OsStr, inputs: Option<&Path>, project: &Project) -> Result<Star
     Ok(Start::Play(folder, attempt))
 }
 
-/// Opens nothing: this build has no window.
-///
-/// # Errors
-/// Always.
 #[cfg(not(feature = "window"))]
 pub fn run(_args: &PlayArgs, _project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
     Err(Stop::Refused("this build of resultant has no window: see --help for what it does without one".into()))

@@ -1,19 +1,17 @@
-//! Where the game's folders are.
-
 use super::stop::{Stop, shown};
 use crate::level::{self, Level};
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-/// The folder that holds `assets/`, `levels/` and `scores/`.
+/// The folder with `assets/`, `levels/` and `scores/`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Project {
     root: PathBuf,
 }
 
 impl Project {
-    /// `data` where it is given. Otherwise the first of the working directory, those above it, the executable's folder and the folder
-    /// that the program was built from which holds `levels/`; where none does, the working directory.
+    /// `data` if it is given; else the first folder with `levels/` among the working directory, its parents, the executable's
+    /// folder and the folder of the build; else the working directory.
     ///
     /// # Errors
     /// `data` is no folder.
@@ -38,34 +36,28 @@ impl Project {
         Self { root: root.unwrap_or_else(|| PathBuf::from(".")) }
     }
 
-    /// The folder itself: image paths in level files start here.
+    /// The start of image paths in level files.
     pub fn root(&self) -> &Path {
         &self.root
     }
 
-    /// Sprites, maps, pictures.
     pub fn assets(&self) -> PathBuf {
         self.root.join("assets")
     }
 
-    /// A folder a level.
     pub fn levels(&self) -> PathBuf {
         self.root.join("levels")
     }
 
-    /// A file a leaderboard.
     pub fn scores(&self) -> PathBuf {
         self.root.join("scores")
     }
 
-    /// The folder of a level as the command line names it: a name under `levels/`, or any folder.
-    ///
-    /// # Errors
-    /// There is neither.
+    /// A name under `levels/`, or any folder.
     pub fn level_folder(&self, level: impl AsRef<Path>) -> Result<PathBuf, Stop> {
         let level = level.as_ref();
         let listed = self.levels().join(level);
-        // `.` and `..` are places, and no names under levels/.
+        // `.` and `..` are places, not names under levels/.
         let is_name = level.components().all(|part| matches!(part, Component::Normal(_)));
         if is_name && !level.as_os_str().is_empty() && listed.is_dir() {
             return Ok(listed);
@@ -76,10 +68,7 @@ impl Project {
         Err(Stop::Refused(format!("no level {level:?}: neither {} nor {level:?} is a folder", shown(listed.display()))))
     }
 
-    /// The folder of the level that a record names: records come from anywhere, so that it is one right below `levels/` and no other.
-    ///
-    /// # Errors
-    /// The name is no plain one; there is no such folder.
+    /// The folder of a record's level: right below `levels/`, because a record may come from a stranger.
     pub fn recorded_level(&self, level: &str) -> Result<PathBuf, Stop> {
         let mut parts = Path::new(level).components();
         let own = matches!((parts.next(), parts.next()), (Some(Component::Normal(own)), None) if own == level);
@@ -95,18 +84,12 @@ impl Project {
         }
     }
 
-    /// The level that the command line names, ready to be played.
-    ///
-    /// # Errors
-    /// There is no such level, or it is refused, with every problem.
+    /// The error lists every problem.
     pub fn load_level(&self, name: impl AsRef<Path>) -> Result<Arc<Level>, Stop> {
         self.load_folder(&self.level_folder(name)?)
     }
 
-    /// The level in a folder, ready to be played.
-    ///
-    /// # Errors
-    /// It is refused, with every problem.
+    /// The error lists every problem.
     pub fn load_folder(&self, folder: &Path) -> Result<Arc<Level>, Stop> {
         let loaded = level::load(folder, &self.root).map_err(|problems| Stop::Refused(level::told(&problems).join("\n")))?;
         Ok(Arc::new(loaded.level))
@@ -154,7 +137,7 @@ mod tests {
         let project = Project::find(Some(data.path())).unwrap();
         assert_eq!(project.level_folder("7").unwrap(), data.path().join("levels").join("7"));
         assert_eq!(project.level_folder(own.path().to_str().unwrap()).unwrap(), own.path());
-        // A place is no name, also where levels/ has such a place.
+        // A place is no name, even if levels/ has such a place.
         std::fs::create_dir_all(data.path().join("levels/7/flights")).unwrap();
         assert_eq!(project.level_folder(".").unwrap(), Path::new("."));
         for none in ["", "8"] {

@@ -14,15 +14,14 @@ use std::io::{self, Write};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
-/// How long a run without inputs takes, s.
+/// Of a run without inputs, s.
 const DEFAULT_SECONDS: f64 = 10.0;
-/// The tick rates that the command line takes, Hz.
+/// Hz.
 const RATES: RangeInclusive<f64> = 30.0..=480.0;
-/// A time this close above a whole number of ticks is that number of them, ticks: 0.1 s is no binary number. Larger, and a run
-/// could end visibly early.
+/// A time this little above a whole number of ticks is that number, ticks: 0.1 s is no binary number. Larger, and a run could end
+/// visibly early.
 const WHOLE_TICK: f64 = 1e-6;
 
-/// The arguments of `run`.
 #[derive(clap::Args, Debug)]
 #[command(
     after_long_help = "Prints key=value: outcome (completed, failed, running), time (s, from the first tick with an input; from the start where there is none), score, objectives (met/all), \
@@ -72,11 +71,10 @@ fn parse_tick_rate(text: &str) -> Result<f64, String> {
     rate.ok_or_else(|| format!("expected {} to {} ticks a second", RATES.start(), RATES.end()))
 }
 
-/// Plays the level until it is completed or failed, or the time is up, and prints what that came to.
+/// Plays until the level or the time ends.
 ///
 /// # Errors
-/// A level or inputs that are refused, a run of more than [`MOST_TICKS`], a file that cannot be written or is needed for something
-/// else; nothing was run then.
+/// A refused level or inputs, more than [`MOST_TICKS`], an output that cannot be written or is an input; nothing was run then.
 pub fn run(args: &RunArgs, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     let level = project.load_level(&args.level)?;
     let inputs = match &args.inputs {
@@ -105,18 +103,17 @@ pub fn run(args: &RunArgs, project: &Project, out: &mut dyn Write) -> Result<Sta
             writeln!(out, "guard_{name}={count}")?;
         }
     }
-    // Where the results cannot be printed, no file changes either.
+    // If the results cannot be printed, no file changes either.
     out.flush()?;
     Staged::place_all(staged)?;
     Ok(Status::Done)
 }
 
-/// The files of a level: its tables and its background, also where there is none yet, and its pictures.
+/// The tables, pictures and background of a level, also where there is no background yet.
 fn level_files(folder: &Path, level: &Level) -> Vec<PathBuf> {
     FILES.iter().map(|file| folder.join(file)).chain(level.pictures().cloned()).collect()
 }
 
-/// The tick after which the time is up.
 fn last_tick(args: &RunArgs, inputs: Option<&Inputs>) -> Result<u64, Stop> {
     let seconds = match (args.seconds, inputs) {
         (Some(seconds), _) => seconds,
@@ -131,7 +128,7 @@ fn last_tick(args: &RunArgs, inputs: Option<&Inputs>) -> Result<u64, Stop> {
     Ok(ticks as u64)
 }
 
-/// The files that are written while a run is flown.
+/// The outputs of a run in flight.
 struct Written {
     telemetry: Option<Telemetry<OutputFile>>,
     forces: Option<Forces<OutputFile>>,
@@ -155,7 +152,6 @@ impl Written {
     }
 }
 
-/// Flies and returns the record of it.
 fn fly(game: &mut Game, inputs: Inputs, last: u64, written: &mut Written) -> io::Result<Recorder> {
     written.write_tick(game)?;
     let mut flown = Recorder::default();

@@ -3,43 +3,39 @@
 use std::fmt::Display;
 use std::io::{self, Write};
 
-/// How a subcommand ended, as its exit status.
+/// An exit status.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Status {
-    /// It did what was asked.
     Done = 0,
-    /// A check or verification found something wrong, also when nobody reads what.
+    /// A check or verification found a fault, also when nobody reads the report.
     Wrong = 1,
-    /// The input was refused, or the results could not be written: each file is the old one or the new one, whole.
+    /// Refused input, or results that could not be written: each file is the old one or the new one, whole.
     Refused = 2,
 }
 
-/// Why a subcommand ended early.
 #[derive(Debug)]
 pub enum Stop {
-    /// The input was refused, for this reason; ends with [`Status::Refused`]. Of several problems each has its line.
+    /// With the reason, a line a problem; ends with [`Status::Refused`].
     Refused(String),
-    /// Results could not be written; ends with [`Status::Refused`], too.
+    /// Ends with [`Status::Refused`], too.
     Output(io::Error),
 }
 
 impl Stop {
-    /// The input was refused, for this reason.
     pub fn refused(reason: impl Display) -> Self {
         Self::Refused(reason.to_string())
     }
 }
 
 impl From<io::Error> for Stop {
-    /// For `?` behind `write!` to the output. Whatever else fails to be read or written wants a message with its path.
+    /// For `?` behind `write!` to the output. Any other fault of reading or writing wants a message with its path.
     fn from(error: io::Error) -> Self {
         Self::Output(error)
     }
 }
 
-/// A stream that someone reads, for as long as they do: a reader that has gone away has seen enough, as `head` does. What is written
-/// after that goes nowhere, and changes neither what is done nor how it ends.
+/// A stream until its reader goes away, as `head` does. Later writes go nowhere and change no result.
 pub(super) struct Readers<W> {
     stream: W,
     gone: bool,
@@ -50,7 +46,7 @@ impl<W: Write> Readers<W> {
         Self { stream, gone: false }
     }
 
-    /// `done`, unless nobody reads: then it is as if `otherwise` had been done.
+    /// `done`, or `otherwise` once the reader has gone.
     fn unless_gone<T>(&mut self, done: impl FnOnce(&mut W) -> io::Result<T>, otherwise: T) -> io::Result<T> {
         if self.gone {
             return Ok(otherwise);
@@ -72,7 +68,7 @@ impl<W: Write> Write for Readers<W> {
     }
 }
 
-/// A name or a path as it is shown: what would move a terminal's cursor or change its colours is written out.
+/// A name or path with control characters written out, which would move a terminal's cursor or change its colours.
 pub(super) fn shown(name: impl Display) -> String {
     let visible = |c: char| if c == '"' || c == '\'' || c == '\\' { vec![c] } else { c.escape_debug().collect() };
     name.to_string().chars().flat_map(visible).collect()

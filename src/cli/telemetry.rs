@@ -1,4 +1,4 @@
-//! The telemetry file: where everything is and what acts on it, tick by tick.
+//! The telemetry file: state and forces of each object, tick by tick.
 
 use super::files::CsvOutput;
 use crate::game::{Game, SHIP};
@@ -8,14 +8,13 @@ use crate::physics::{BodyId, DVec2, ForceKind, Obstacle, World};
 use serde::Serialize;
 use std::io::{self, Write};
 
-/// The first row.
 pub fn header() -> String {
     let forces = ForceKind::ALL.map(|kind| format!("{0}_x,{0}_y,", column(kind))).concat();
     format!("tick,time,object,kind,x,y,vx,vy,ax,ay,angle,fuel,resultant_x,resultant_y,{forces}impulse_x,impulse_y")
 }
 
-/// A row. Metres, m/s, m/s², N, degrees; an object has neither angle nor fuel: both are 0. All of a row speaks of its own instant, with
-/// the engine's drive of the tick that led to it; only the impulse (N·s) is that of all impacts since the row before.
+/// Metres, m/s, m/s², N, degrees; an object has angle and fuel 0. A row describes its own instant, with the engine's drive of the
+/// tick before it; only the impulse (N·s) sums all impacts since the row before.
 #[derive(Serialize)]
 struct BodyRow {
     tick: u64,
@@ -32,16 +31,14 @@ struct BodyRow {
     impulse: Pair,
 }
 
-/// The file while it is written.
 pub struct Telemetry<W: Write>(CsvOutput<W>);
 
 impl<W: Write> Telemetry<W> {
-    /// Begins the file.
     pub fn new(out: W) -> io::Result<Self> {
         Ok(Self(CsvOutput::new(out, &header())?))
     }
 
-    /// The rows of the current tick, one an object: the ship, then the objects in the level's order.
+    /// A row an object: the ship, then the objects in the level's order.
     pub fn write_tick(&mut self, game: &Game) -> io::Result<()> {
         let (ship, impulses) = (game.ship(), impulses(game.world()));
         self.0.row(&row(game, (SHIP, impulses[0]), "ship", (ship.angle, ship.fuel)))?;
@@ -51,13 +48,12 @@ impl<W: Write> Telemetry<W> {
         Ok(())
     }
 
-    /// Ends the file.
     pub fn into_inner(self) -> io::Result<W> {
         self.0.into_inner()
     }
 }
 
-/// The sum of the last tick's impacts on each body, N·s.
+/// N·s: the sum of the last tick's impacts on each body.
 fn impulses(world: &World) -> Vec<DVec2> {
     let mut sums = vec![DVec2::ZERO; world.bodies().len()];
     for impulse in world.impulses() {

@@ -9,7 +9,6 @@ use crate::number::Shortest;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// The arguments of `tiles`.
 #[derive(clap::Args, Debug)]
 #[command(after_help = "Prints `tile X Y`, the column and row of the last tile. With --trace, before it, a CSV line a frame:\n  \
     frame,x,y,vx,vy,on_ground\nframe counts from 0; the numbers are the shortest that read back as the same f64; on_ground is 0 or 1.\n\n\
@@ -25,10 +24,8 @@ pub struct TilesArgs {
     trace: bool,
 }
 
-/// Reads both files in full, then runs.
-///
 /// # Errors
-/// A file that cannot be read or is refused, with file and line; nothing was run then.
+/// A refused file, with file and line; nothing was run then.
 pub fn run(args: &TilesArgs, _: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     let map = read(&args.map, TILE_MAP, Map::parse)?;
     let commands = read(&args.commands, TILE_COMMANDS, Command::parse_all)?;

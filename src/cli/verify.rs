@@ -12,12 +12,11 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// How long a record is flown without a word, and how long from one word to the next.
+/// The time before the first line on a long record, and between two lines.
 const SILENCE: Duration = Duration::from_secs(2);
-/// How often the clock is asked, ticks: asking it must not count.
+/// Ticks between two looks at the clock, whose cost must not count.
 const TICKS_A_LOOK: u64 = 4096;
 
-/// The arguments of `verify`.
 #[derive(clap::Args, Debug)]
 pub struct VerifyArgs {
     /// Recorded runs, as `run --record` writes them
@@ -28,8 +27,7 @@ pub struct VerifyArgs {
     scores: bool,
 }
 
-/// Verifies the replays: a line for each that holds goes to `out`, for each that does not to standard error, and so does how far a long
-/// one has come.
+/// A line for each replay that holds goes to `out`; mismatches and the progress of long flights go to standard error.
 ///
 /// # Errors
 /// A replay that cannot be read, or whose level is refused; none is flown then.
@@ -75,7 +73,7 @@ pub fn run(args: &VerifyArgs, project: &Project, out: &mut dyn Write) -> Result<
     Ok(status)
 }
 
-/// Flies one of them and says from time to time how far it is.
+/// Flies a record and reports the progress from time to time.
 fn fly(name: &str, replay: &Replay, level: Arc<Level>, err: &mut dyn Write) -> Result<Result<(), Mismatch>, Stop> {
     let (ticks, mut last) = (replay.inputs.ticks(), Instant::now());
     let flown = replay.verify(level, |game| {

@@ -1,7 +1,5 @@
-//! Locks between programs.
-//!
-//! The system frees a lock when its process ends, however it ends. The lock file itself stays: were it deleted, two processes could hold
-//! the locks of two different files of that name.
+//! Locks between programs. The system frees a lock when its process ends. The lock file stays: were it deleted, two processes could
+//! lock two different files of that name.
 
 use super::read::{Links, open};
 use super::staged::around;
@@ -11,34 +9,33 @@ use std::io;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// How long a write waits for another process that writes there. A write takes milliseconds: a process that holds a lock for longer hangs.
+/// A write takes milliseconds: a process that holds a lock for longer hangs.
 pub const PATIENCE: Duration = Duration::from_secs(2);
 
-/// The pause between two looks at a lock that is held. Where many processes save without end, each gets its turn by luck: with longer
-/// pauses some would not get one in time.
+/// Between two looks at a held lock. Where many processes save without end, each gets its turn by luck: with longer pauses some
+/// would come too late.
 const PAUSE: Duration = Duration::from_millis(1);
 
 thread_local! {
     static PAUSES: Cell<u32> = const { Cell::new(0) };
 }
 
-/// How often this thread has paused for a lock that is held, so far: a frame never does.
+/// Pauses of this thread for a held lock so far: a frame never pauses.
 pub fn pauses() -> u32 {
     PAUSES.get()
 }
 
-/// A lock that this process holds until the value is dropped.
+/// Held until the value is dropped.
 #[derive(Debug)]
 pub struct Lock {
     _held: File,
 }
 
 impl Lock {
-    /// Takes the lock that a file stands for. The file is made where there is none, for every user who may write in its folder.
+    /// Locks a file, and makes it where there is none, for every user who may write in its folder.
     ///
     /// # Errors
-    /// [`io::ErrorKind::WouldBlock`] where another process holds it for longer than `patience`; something other than a regular file is
-    /// there; whatever the system says.
+    /// [`io::ErrorKind::WouldBlock`] where another process holds it for longer than `patience`; no regular file; the system's.
     pub fn wait(path: &Path, patience: Duration) -> io::Result<Self> {
         let file = open_lock(path)?;
         let begun = Instant::now();
@@ -65,16 +62,13 @@ fn open_lock(path: &Path) -> io::Result<File> {
         Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
         Err(error) => return Err(error),
     }
-    // To hold a lock is all that it is for: where another user made it and only reading is allowed, that will do.
+    // The file only carries the lock: of another user's file, a reader's rights are enough.
     let opened = open(OpenOptions::new().write(true), path, Links::Never);
     opened.or_else(|_| open(OpenOptions::new().read(true), path, Links::Never)).map(|(file, _)| file)
 }
 
-/// Lets every user who may write in the folder read the file and write to it, against the process' umask. Whether others may do what they
-/// could do is as it was, or, for a private file, no.
-///
-/// # Errors
-/// The system's.
+/// Lets every user who may write in the folder read and write the file, against the process' umask. Other users keep their rights,
+/// or have none to a private file.
 #[cfg(unix)]
 pub fn share(folder: &Path, file: &File, private: bool) -> io::Result<()> {
     use std::os::unix::fs::PermissionsExt;
@@ -84,9 +78,6 @@ pub fn share(folder: &Path, file: &File, private: bool) -> io::Result<()> {
 }
 
 /// Other systems have no such modes.
-///
-/// # Errors
-/// None.
 #[cfg(not(unix))]
 pub fn share(_: &Path, _: &File, _: bool) -> io::Result<()> {
     Ok(())

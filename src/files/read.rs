@@ -7,27 +7,23 @@ use std::path::Path;
 /// The meaning of a symbolic link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Links {
-    /// The file that it leads to.
+    /// The file at the link's end.
     Followed,
-    /// Itself: it is no file to read, and a new file takes its place. For hidden files of the game, which may lie in a stranger's folder.
+    /// The link itself: it is no file to read, and a new file replaces it. For hidden files of the game, in a folder that a
+    /// stranger may own.
     Never,
 }
 
-/// The bytes of a file, at most `at_most` of them.
-///
-/// A file that the caller of the program has opened and passed on by number (`/dev/stdin`, `/dev/fd/3`) may be of any kind: it is
-/// read as far as the limit.
+/// At most `at_most` bytes. A file that the caller of the program has passed on open (`/dev/stdin`, `/dev/fd/3`) may be of any
+/// kind.
 ///
 /// # Errors
-/// No regular file, or a larger one; the system's errors.
+/// No regular file, or a larger one; the system's.
 pub fn read(path: &Path, at_most: u64) -> io::Result<Vec<u8>> {
     read_with(path, at_most, Links::Followed)
 }
 
-/// As [`read`], with a say about links.
-///
-/// # Errors
-/// As [`read`].
+/// As [`read`], with the meaning of links.
 pub fn read_with(path: &Path, at_most: u64, links: Links) -> io::Result<Vec<u8>> {
     let file = if is_passed_on(path) {
         File::open(path)?
@@ -39,15 +35,15 @@ pub fn read_with(path: &Path, at_most: u64, links: Links) -> io::Result<Vec<u8>>
         file
     };
     let mut bytes = Vec::new();
-    // It may have grown since, and what has no size in advance shows it only now.
+    // A file may have grown since, and a stream shows its size only now.
     file.take(at_most + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > at_most { Err(too_large(None, at_most)) } else { Ok(bytes) }
 }
 
-/// Opens a regular file that is there, and nothing else: a pipe waits for its other end, and a device may act on being opened.
+/// Opens an existing regular file only: a pipe waits for its other end, and a device may act on being opened.
 ///
 /// # Errors
-/// No regular file; the system's errors.
+/// No regular file; the system's.
 pub fn open(options: &OpenOptions, path: &Path, links: Links) -> io::Result<(File, Metadata)> {
     judge(&match links {
         Links::Followed => fs::metadata(path)?,
@@ -61,23 +57,20 @@ pub fn open(options: &OpenOptions, path: &Path, links: Links) -> io::Result<(Fil
         options.custom_flags(libc::O_NONBLOCK | never);
     }
     let file = options.open(path)?;
-    // Another program may have put something else there since the first look.
+    // Another program may have replaced the file since the first look.
     let found = file.metadata()?;
     judge(&found)?;
     Ok((file, found))
 }
 
-/// The text of a file, as [`read`].
-///
-/// # Errors
-/// As [`read`]; the bytes are no UTF-8.
+/// As [`read`]; bytes that are no UTF-8 are an error.
 pub fn read_text(path: &Path, at_most: u64) -> io::Result<String> {
     let no_text =
         |_| io::Error::new(io::ErrorKind::InvalidData, "found letters that are not UTF-8, expected a file saved as UTF-8");
     String::from_utf8(read(path, at_most)?).map_err(no_text)
 }
 
-/// Whether the path leads to what this process was given open.
+/// Whether the path leads to a file that this process was given open.
 pub fn is_passed_on(path: &Path) -> bool {
     ["/dev/stdin", "/dev/stdout", "/dev/stderr"].iter().any(|passed| path == Path::new(passed))
         || path.starts_with("/dev/fd")

@@ -1,47 +1,41 @@
-//! The rows of a CSV file, each with the line on which it begins as an editor counts it.
-//!
-//! The `csv` crate cuts a row into cells. This file finds where a row begins and ends: the crate's line numbers are off after CRLF and
-//! blank lines, and one quotation mark without a second one would swallow all rows behind it.
+//! The rows of a CSV file with their lines as an editor counts them. The `csv` crate only cuts a row into cells: its line numbers
+//! are off after CRLF and blank lines, and one unclosed quotation mark would swallow all rows behind it.
 
 use csv::StringRecord;
 use std::fmt::Display;
 use std::str::FromStr;
 
-/// A byte-order mark, which some editors put in front of UTF-8.
+/// Some editors put it in front of UTF-8.
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 
-/// A kind of CSV file: the columns that it has, and its name in messages.
 #[derive(Clone, Copy, Debug)]
 pub struct CsvFile<'a> {
-    /// The file's name in messages.
+    /// In messages.
     pub name: &'a str,
-    /// The columns' names, from the first on.
     pub columns: &'a [&'a str],
     /// Whether a line that begins with `#` is a comment.
     pub comments: bool,
 }
 
-/// Why a row has no cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RowFault {
-    /// The file ends inside quotes that begin in the row. Only the row's first line is given up.
+    /// The file ends inside quotes of the row. Only the row's first line is lost.
     Unclosed,
-    /// Its bytes are no UTF-8.
+    /// No UTF-8.
     NotText,
 }
 
-/// A row that holds something, the header among them.
+/// A row that is not blank, the header among them.
 #[derive(Clone, Debug)]
 pub struct CsvRow<'a> {
     file: CsvFile<'a>,
-    /// The line on which it begins, from 1.
+    /// The first line, from 1.
     pub line: usize,
-    /// All cells as they stand in the file, or why there are none.
     pub cells: Result<StringRecord, RowFault>,
 }
 
 impl RowFault {
-    /// Words for the row as it was found, and for the expected one.
+    /// The found row and the expected one, in words.
     pub const fn words(self) -> (&'static str, &'static str) {
         match self {
             Self::Unclosed => ("a quotation mark that is never closed", "a second one at the end of its cell"),
@@ -51,8 +45,7 @@ impl RowFault {
 }
 
 impl<'a> CsvFile<'a> {
-    /// The rows of a file's content. Lines end with LF, CRLF or CR; a byte-order mark, blank lines and rows of empty cells are passed
-    /// over.
+    /// Lines end with LF, CRLF or CR; a byte-order mark, blank lines and rows of empty cells are skipped.
     pub fn rows(self, bytes: &[u8]) -> impl Iterator<Item = CsvRow<'a>> + use<'a> {
         let (sound, lines) = cut(bytes, self.comments);
         let reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(std::io::Cursor::new(sound));
@@ -64,83 +57,75 @@ impl<'a> CsvFile<'a> {
         rows.filter(|row| row.cells.is_err() || !row.is_empty())
     }
 
-    /// The columns' names as the header that a message expects.
+    /// The expected header in a message.
     pub fn header(&self) -> String {
         self.columns.join(",")
     }
 }
 
 impl CsvRow<'_> {
-    /// The number of cells, without empty ones at the row's end.
+    /// Without empty cells at the row's end.
     pub fn len(&self) -> usize {
         let full = self.cells.iter().flatten().zip(1..).filter(|(cell, _)| !cell.trim().is_empty());
         full.map(|(_, number)| number).last().unwrap_or(0)
     }
 
-    /// Whether there is no cell but empty ones.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// A cell without the spaces around it; empty where the row is shorter.
+    /// Without spaces around it; empty where the row is shorter.
     pub fn get(&self, column: &str) -> &str {
         let index = self.file.columns.iter().position(|name| *name == column);
         index.and_then(|index| self.cells.as_ref().ok()?.get(index)).map_or("", str::trim)
     }
 
-    /// Whether the first cells name the first columns, `least` of them or more, in any case.
+    /// Whether the first cells name the first columns, at least `least` of them, in any case of the letters.
     pub fn is_header(&self, least: usize) -> bool {
         let Ok(cells) = &self.cells else { return false };
         self.len() >= least && cells.iter().zip(self.file.columns).all(|(cell, name)| cell.trim().eq_ignore_ascii_case(name))
     }
 
-    /// All cells with commas between them, as a message quotes them.
+    /// With commas between, as in a message.
     pub fn joined(&self) -> String {
         let cells: Vec<&str> = self.cells.iter().flatten().map(str::trim).take(self.len()).collect();
         cells.join(",")
     }
 
-    /// A cell as a number or another value that is good.
-    ///
-    /// # Errors
-    /// [`CsvRow::problem`] with what is expected.
+    /// The error is [`CsvRow::problem`].
     pub fn parse<T: FromStr>(&self, column: &str, expected: &str, good: impl FnOnce(&T) -> bool) -> Result<T, String> {
         self.get(column).parse().ok().filter(good).ok_or_else(|| self.bad_cell(column, expected))
     }
 
-    /// A key or a switch, 0 or 1.
-    ///
-    /// # Errors
-    /// [`CsvRow::problem`].
+    /// 0 or 1; the error is [`CsvRow::problem`].
     pub fn bit(&self, column: &str) -> Result<bool, String> {
         self.parse(column, "0 or 1", |bit: &u8| *bit < 2 && self.get(column).len() == 1).map(|bit| bit == 1)
     }
 
-    /// [`CsvRow::problem`] with the cell that was found.
     pub fn bad_cell(&self, column: &str, expected: impl Display) -> String {
         self.problem(column, format_args!("{:?}", self.get(column)), expected)
     }
 
-    /// The message about one cell: `file:line: column "name": found …, expected …`.
+    /// `file:line: column "name": found …, expected …`.
     pub fn problem(&self, column: &str, found: impl Display, expected: impl Display) -> String {
         format!("{}:{}: column {column:?}: found {found}, expected {expected}", self.file.name, self.line)
     }
 
-    /// The message about the whole row: `file:line: found …, expected …`.
+    /// `file:line: found …, expected …`.
     pub fn row_problem(&self, found: impl Display, expected: impl Display) -> String {
         format!("{}:{}: found {found}, expected {expected}", self.file.name, self.line)
     }
 }
 
-/// Rows of one length as the text of a CSV file.
+/// The rows have one length.
 pub fn csv_text<R: IntoIterator<Item: AsRef<[u8]>>>(rows: impl IntoIterator<Item = R>) -> String {
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-    // Memory takes all that is written to it.
+    // Memory takes all writes.
     rows.into_iter().for_each(|row| drop(writer.write_record(row)));
     writer.into_inner().ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default()
 }
 
-/// The sound rows of a file, each ended by LF, and for every row that is not blank its line and why it has no cells.
+/// The sound rows, each ended by LF, and for each row that is not blank its line and its fault.
 fn cut(bytes: &[u8], comments: bool) -> (Vec<u8>, Vec<(usize, Option<RowFault>)>) {
     let mut rest = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
     let (mut line, mut unclosed) = (1, false);
@@ -168,11 +153,9 @@ fn cut(bytes: &[u8], comments: bool) -> (Vec<u8>, Vec<(usize, Option<RowFault>)>
     (sound, found)
 }
 
-/// Where the first row of `bytes` ends, its line end included; `None` when a quotation mark in it is never closed.
-///
-/// `unclosed` says that an earlier row was of that kind. That row is within quotes at each line end up to the file's end, and a row that
-/// is within quotes at one of them goes on like it. So no row is followed beyond its line, and reading takes time in proportion to the
-/// file's length.
+/// The end of the first row of `bytes`, line end included; `None` where a quotation mark in it is never closed. `unclosed` says
+/// that an earlier row was of that kind: it is within quotes at each line end up to the file's end, and so is a later row that is
+/// within quotes at one of them. No row is followed beyond its line, and reading takes linear time.
 fn row_end(bytes: &[u8], unclosed: bool) -> Option<usize> {
     let (mut quoted, mut may_open) = (false, true);
     for (index, byte) in bytes.iter().enumerate() {
@@ -187,7 +170,7 @@ fn row_end(bytes: &[u8], unclosed: bool) -> Option<usize> {
     (!quoted).then_some(bytes.len())
 }
 
-/// The length of the first line of `bytes` with its end: LF, CRLF or a CR alone.
+/// With its end: LF, CRLF or a CR alone.
 fn line_end(bytes: &[u8]) -> usize {
     match bytes.iter().position(|&byte| byte == b'\r' || byte == b'\n') {
         Some(index) if bytes[index..].starts_with(b"\r\n") => index + 2,
@@ -196,7 +179,6 @@ fn line_end(bytes: &[u8]) -> usize {
     }
 }
 
-/// The number of lines in `bytes`.
 fn line_count(mut bytes: &[u8]) -> usize {
     let mut count = 0;
     while !bytes.is_empty() {
@@ -226,7 +208,7 @@ mod tests {
     }
 
     proptest::proptest! {
-        /// The crate sees as many rows as were cut here, and each has the cells that it has alone.
+        /// The crate sees as many rows as were cut here, each with the same cells as alone.
         #[test]
         fn rows_are_those_of_the_csv_crate(text in "([a\", \r\n]|\"\"){0,16}") {
             let rows: Vec<CsvRow<'_>> = CsvFile { comments: false, ..FILE }.rows(text.as_bytes()).collect();

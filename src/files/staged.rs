@@ -1,9 +1,6 @@
-//! Files and folders that are made whole or not at all.
-//!
-//! New content is staged in the folder of its target under a hidden name with random letters, and takes the target's name by one rename
-//! once all of it is on the disk. A reader finds the old content or the new one. The staged file is created exclusively, so that a link of
-//! that name is never followed, and this process locks it: one without a lock was left by a process that was killed, and the next write
-//! in that folder removes it.
+//! Files and folders that are made whole or not at all. Content is staged beside its target under a hidden random name, and renamed
+//! once it is on the disk. The staged file is created exclusively, so that no link is followed, and locked: the next write in the
+//! folder removes one without a lock, which a killed process has left.
 
 use super::read::{Links, judge, open};
 use std::fs::{self, File, Metadata, OpenOptions, TryLockError};
@@ -12,62 +9,55 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 use tempfile::{Builder, NamedTempFile};
 
-/// Names of staged files and folders are these two with random letters between.
+/// A staged name has random letters between these two.
 const PREFIX: &str = ".resultant-";
 const SUFFIX: &str = ".new";
-/// How many random letters.
 const LETTERS: usize = 8;
-/// How many names are tried while other processes sweep the folder. Each try fails only where a sweep falls between two system calls.
+/// Tries for a name while other processes sweep the folder. Each fails only where a sweep falls between two system calls.
 const MOST_SWEPT: usize = 20;
 
-/// How often a rename is tried. Windows refuses it while a virus scanner or a spreadsheet has the target open.
+/// Windows refuses a rename while a virus scanner or a spreadsheet has the target open.
 const RENAME_TRIES: u32 = if cfg!(windows) { 50 } else { 1 };
-/// The pause between two tries. With fewer or shorter ones a save fails that would have succeeded.
+/// With fewer or shorter pauses a save fails that would have succeeded.
 const RENAME_PAUSE: Duration = Duration::from_millis(20);
 
-/// The new content of a file, while it is written. It goes with this value unless [`Replacement::finish`] puts it in place.
+/// New content of a file. It is dropped with this value unless [`Replacement::finish`] puts it in place.
 #[derive(Debug)]
 pub struct Replacement {
     staged: NamedTempFile,
     target: PathBuf,
-    /// The old file, if there is one.
     found: Option<Metadata>,
     sealed: bool,
 }
 
 impl Replacement {
-    /// Begins new content for `path`, where there need not be a file yet.
+    /// Begins new content for `path`, which need not exist yet.
     ///
     /// # Errors
-    /// A read-only file; no regular file; a link that leads to no file; whatever the system says.
+    /// A read-only file; no regular file; a link without a target; the system's.
     pub fn begin(path: &Path, links: Links) -> io::Result<Self> {
         let (target, found) = target(path, links)?;
-        // Other users cannot read the new content before it has the mode of the old file.
+        // Other users cannot read the new content before it has the old file's mode.
         let staged = stage(around(&target), if found.is_some() { 0o600 } else { 0o666 })?;
         Ok(Self { staged, target, found, sealed: false })
     }
 
-    /// Whether there was no file before.
     pub fn is_new(&self) -> bool {
         self.found.is_none()
     }
 
-    /// The staged file, to be written to.
     pub fn file(&mut self) -> &mut File {
         self.staged.as_file_mut()
     }
 
-    /// Waits until the content is on the disk, so that it outlasts a power cut.
-    ///
-    /// # Errors
-    /// Whatever the system says.
+    /// Waits for the disk, so that the content outlasts a power cut.
     pub fn seal(&mut self) -> io::Result<()> {
         self.inherit()?;
         self.sealed = true;
         self.staged.as_file().sync_all()
     }
 
-    /// Gives the staged file the mode of the old file and, as far as that is allowed, its owner and group.
+    /// Gives the staged file the old file's mode and, as far as that is allowed, its owner and group.
     fn inherit(&self) -> io::Result<()> {
         let Some(found) = &self.found else { return Ok(()) };
         let file = self.staged.as_file();
@@ -78,17 +68,14 @@ impl Replacement {
         file.set_permissions(found.permissions())
     }
 
-    /// Puts the content in the file's place.
-    ///
-    /// # Errors
-    /// Whatever the system says; the old file is in its place then.
+    /// After an error the old file is in its place.
     pub fn finish(self) -> io::Result<()> {
         if !self.sealed {
             self.inherit()?;
         }
         let Self { mut staged, target, sealed, .. } = self;
         if cfg!(windows) {
-            // There a lock keeps readers out, who would find it on the file in its new place. Should this fail, it lasts a moment longer.
+            // In its new place the lock would keep readers out. Should this fail, it lasts a moment longer.
             let _ = staged.as_file().unlock();
         }
         let mut tries = 1;
@@ -107,10 +94,7 @@ impl Replacement {
     }
 }
 
-/// Makes a file hold these bytes, on the disk when this returns. It keeps its mode.
-///
-/// # Errors
-/// As [`Replacement`]; the file is as it was then.
+/// Replaces a file's content, on the disk when this returns. The file keeps its mode, and after an error its content.
 pub fn replace(path: &Path, bytes: &[u8], links: Links) -> io::Result<()> {
     let mut fresh = Replacement::begin(path, links)?;
     fresh.file().write_all(bytes)?;
@@ -118,10 +102,10 @@ pub fn replace(path: &Path, bytes: &[u8], links: Links) -> io::Result<()> {
     fresh.finish()
 }
 
-/// Makes a file with these bytes where there is none, on the disk when this returns.
+/// Makes a file where there is none, on the disk when this returns.
 ///
 /// # Errors
-/// [`io::ErrorKind::AlreadyExists`]; whatever the system says. Nothing is left behind then.
+/// [`io::ErrorKind::AlreadyExists`]; the system's. Nothing is left behind then.
 pub fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
     if fs::symlink_metadata(path).is_ok() {
         return Err(io::ErrorKind::AlreadyExists.into());
@@ -134,10 +118,10 @@ pub fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// Makes a folder, which `fill` fills under another name, where there is none of that name.
+/// Makes a folder where there is none; `fill` fills it under another name.
 ///
 /// # Errors
-/// [`io::ErrorKind::AlreadyExists`]; those of `fill`; whatever the system says. Nothing is left behind then.
+/// [`io::ErrorKind::AlreadyExists`]; the errors of `fill`; the system's. Nothing is left behind then.
 pub fn create_folder(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
     // A rename would take the place of an empty folder.
     if fs::symlink_metadata(path).is_ok() {
@@ -147,7 +131,7 @@ pub fn create_folder(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) ->
     fs::create_dir_all(around)?;
     sweep(around);
     let begun = (0..MOST_SWEPT).find_map(|_| match builder(0o777).tempdir_in(around) {
-        // Where a folder cannot be opened, it cannot be locked, and no sweep removes it.
+        // A folder that cannot be opened cannot be locked, and no sweep removes it.
         Ok(begun) => match open_folder(begun.path()) {
             Ok(lock) => holds(&lock, begun.path()).then_some(Ok((begun, Some(lock)))),
             Err(_) => Some(Ok((begun, None))),
@@ -159,26 +143,20 @@ pub fn create_folder(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) ->
     let folders = fs::read_dir(begun.path())?.flatten().map(|entry| entry.path()).filter(|path| path.is_dir());
     folders.chain([begun.path().to_owned()]).for_each(|folder| sync_folder(&folder));
     fs::rename(begun.path(), path)?;
-    // There is nothing left to remove.
+    // Nothing is left to remove.
     drop(begun.keep());
     sync_folder(around);
     Ok(())
 }
 
-/// Writes a file of a folder that is being filled.
-///
-/// # Errors
-/// There is one of that name; whatever the system says.
+/// Writes a new file of a folder that is being filled.
 pub fn put(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut file = File::create_new(path)?;
     file.write_all(bytes)?;
     file.sync_all()
 }
 
-/// Copies a file into a folder that is being filled.
-///
-/// # Errors
-/// As [`put`]; the file is no regular one.
+/// Copies a regular file into a folder that is being filled.
 pub fn copy(from: &Path, to: &Path) -> io::Result<()> {
     let (mut from, _) = open(OpenOptions::new().read(true), from, Links::Followed)?;
     let mut file = File::create_new(to)?;
@@ -186,13 +164,12 @@ pub fn copy(from: &Path, to: &Path) -> io::Result<()> {
     file.sync_all()
 }
 
-/// Makes a new name in a folder outlast a power cut. The new file is in its place by then, so a file system that cannot do this fails
-/// nothing.
+/// Makes a new name outlast a power cut. The file is in its place by then: a file system without this fails nothing.
 pub fn sync_folder(folder: &Path) {
     let _ = open_folder(folder).and_then(|folder| folder.sync_all());
 }
 
-/// Opens a folder, and nothing else, where the system can.
+/// Opens only a folder, where the system can.
 fn open_folder(folder: &Path) -> io::Result<File> {
     let mut options = OpenOptions::new();
     #[cfg(unix)]
@@ -203,15 +180,11 @@ fn open_folder(folder: &Path) -> io::Result<File> {
     options.read(true).open(folder)
 }
 
-/// The folder that a path lies in.
 pub fn around(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// The file that a path means: the one that its links lead to.
-///
-/// # Errors
-/// A link that leads to no file; whatever the system says.
+/// The file at the end of a path's links. A link without a target is an error.
 pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
     if !fs::symlink_metadata(path).is_ok_and(|found| found.is_symlink()) {
         return Ok(path.to_path_buf());
@@ -222,14 +195,14 @@ pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
     })
 }
 
-/// The file whose place new content for `path` takes, and the old file that is there.
+/// The file whose place new content for `path` takes, and the old file there.
 ///
 /// # Errors
-/// A read-only file; no regular file; a link that leads to no file; whatever the system says.
+/// A read-only file; no regular file; a link without a target; the system's.
 pub fn target(path: &Path, links: Links) -> io::Result<(PathBuf, Option<Metadata>)> {
     let target = if links == Links::Followed { behind_links(path)? } else { path.to_path_buf() };
     let found = match fs::symlink_metadata(&target) {
-        // A pipe or a link that lies there is replaced, too: a rename does not open it.
+        // A pipe or link in that place is replaced, too: a rename does not open it.
         Ok(found) if links == Links::Never && !found.is_file() => None,
         Ok(found) => Some(found),
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
@@ -237,7 +210,7 @@ pub fn target(path: &Path, links: Links) -> io::Result<(PathBuf, Option<Metadata
     };
     if let Some(found) = &found {
         judge(found)?;
-        // The system lets its administrator replace read-only files, too.
+        // An administrator could replace read-only files, too.
         if found.permissions().readonly() {
             return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"));
         }
@@ -245,7 +218,7 @@ pub fn target(path: &Path, links: Links) -> io::Result<(PathBuf, Option<Metadata
     Ok((target, found))
 }
 
-/// A staged file in a folder, empty and locked.
+/// An empty, locked file.
 fn stage(folder: &Path, mode: u32) -> io::Result<NamedTempFile> {
     sweep(folder);
     for _ in 0..MOST_SWEPT {
@@ -271,13 +244,13 @@ fn builder(mode: u32) -> Builder<'static, 'static> {
     builder
 }
 
-/// Locks what was just staged. `false` where a sweep came between: it holds the lock, or has removed the path. A file system without locks
+/// Locks a staged file. `false` where a sweep came between and holds the lock or has removed the path. A file system without locks
 /// has no sweeps.
 fn holds(staged: &File, path: &Path) -> bool {
     !matches!(staged.try_lock(), Err(TryLockError::WouldBlock)) && fs::symlink_metadata(path).is_ok()
 }
 
-/// Removes what processes that were killed have left staged in a folder. Whatever cannot be removed stays.
+/// Removes the staged files of killed processes. A file that cannot be removed stays.
 fn sweep(folder: &Path) {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     for path in entries.filter(|entry| is_staged(&entry.file_name().to_string_lossy())).map(|entry| entry.path()) {
@@ -294,19 +267,18 @@ fn sweep(folder: &Path) {
     }
 }
 
-/// Whether a name is that of a staged file or folder.
 fn is_staged(name: &str) -> bool {
     let letters = name.strip_prefix(PREFIX).and_then(|rest| rest.strip_suffix(SUFFIX));
     letters.is_some_and(|letters| letters.len() == LETTERS && letters.bytes().all(|byte| byte.is_ascii_alphanumeric()))
 }
 
-/// Gives a file the owner and the group of the old file, or the group alone, as far as that is allowed, so that the same users share both.
+/// Gives a file the old file's owner and group, or the group alone, as far as that is allowed, so that the same users share both.
 #[cfg(unix)]
 fn keep_owner(file: &File, old: &Metadata) {
     use std::os::unix::fs::{MetadataExt, fchown};
     let same = |own: Metadata| (own.uid(), own.gid()) == (old.uid(), old.gid());
     if !file.metadata().is_ok_and(same) && fchown(file, Some(old.uid()), Some(old.gid())).is_err() {
-        // A folder may be shared by other means than a group.
+        // Users may share a folder by other means than a group.
         let _ = fchown(file, None, Some(old.gid()));
     }
 }

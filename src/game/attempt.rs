@@ -373,7 +373,7 @@ mod tests {
 
     /// A lift presses the bodies on it against a ceiling. No level has lifts: the test puts the world in.
     #[test]
-    fn what_is_squeezed_is_told_once_and_the_ship_is_lost() {
+    fn a_squeezed_body_is_reported_once_and_a_squeezed_ship_is_lost() {
         let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
         let level = Arc::new(crate::level::load(&root.join("levels/1"), root).expect("it ships").level);
         let block = |top: f64, bottom: f64| {

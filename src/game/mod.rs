@@ -46,7 +46,7 @@ pub use inputs::{BadFile, HEADER, Inputs, MOST_TICKS, Playback};
 pub use latch::Latch;
 pub use mechanisms::{MechanismChange, Mechanisms};
 pub use medals::{Goal, Medal, Medals, Prize, goals, words};
-pub use names::{body_title, obstacle_name, source_name, told_name};
+pub use names::{body_title, obstacle_name, plain_name, source_name};
 pub use notes::MOST_SECONDS;
 pub use proof::Proof;
 pub use pushes::APART;

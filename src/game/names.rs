@@ -26,14 +26,15 @@ pub fn source_name(level: &Level, source: Source) -> String {
     }
 }
 
-/// N/kg: the Earth's field. A level whose field differs by less has the Earth's name.
+/// N/kg.
 const EARTH: f64 = 9.81;
+/// A field this near to the Earth's has its name, N/kg.
 const EARTH_WITHIN: f64 = 0.05;
 const WALLS: [&str; 4] = ["left edge", "right edge", "roof", "floor"];
 
 /// In a player's words: `Earth` (`planet` under another gravity), `exhaust` (the gas that leaves the engine pushes the ship),
 /// `air`, `wind N`, `liquid N`, `block N`, `mover N`, `floor` …; numbers as in [`source_name`].
-pub fn told_name(level: &Level, source: Source) -> String {
+pub fn plain_name(level: &Level, source: Source) -> String {
     match source {
         Source::Gravity if (level.gravity - EARTH).abs() <= EARTH_WITHIN => "Earth".to_owned(),
         Source::Gravity => "planet".to_owned(),

@@ -284,15 +284,15 @@ mod tests {
 
     #[test]
     fn no_second_is_left_out() {
-        let told = |text: String| Replay::parse("run.csv", &text).unwrap_err().0;
+        let problems = |text: String| Replay::parse("run.csv", &text).unwrap_err().0;
         let text = replay().to_string();
-        assert_eq!(told(text.replace("# hash 1:", "# hash 3:")), [r#"run.csv:10: found "hash 3", expected "hash 1""#]);
+        assert_eq!(problems(text.replace("# hash 1:", "# hash 3:")), [r#"run.csv:10: found "hash 3", expected "hash 1""#]);
         assert_eq!(
-            told(text.replace("# hash 2: 000", "# hash 2: ")),
+            problems(text.replace("# hash 2: 000", "# hash 2: ")),
             [r#"run.csv:11: "hash 2": found "0000000000002", expected 16 hex digits"#]
         );
         assert_eq!(
-            told(text.replace("completed", "won").replace("5.25", "-5")),
+            problems(text.replace("completed", "won").replace("5.25", "-5")),
             [
                 r#"run.csv:6: "outcome": found "won", expected completed, failed or running"#,
                 r#"run.csv:7: "time": found "-5", expected seconds, 0 or more"#,

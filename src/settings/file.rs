@@ -1,7 +1,5 @@
-//! `settings.csv`: a row a setting, `setting,value,player`. Rows without a player hold for everyone; those with one only for him.
-//!
-//! Reading reports the rows that it cannot use, line by line. Saving rewrites the rows that it sets and leaves every other line as it is:
-//! comments, rows of other players, and rows that it cannot use.
+//! `settings.csv`: a row a setting, `setting,value,player`. A row without a player holds for everyone. Reading reports each refused
+//! row. Saving changes only the rows that it sets: comments, rows of other players and refused rows stay.
 
 use super::item::Item;
 use super::keys::{Action, Key};
@@ -12,12 +10,10 @@ use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// The cells that a row has at least: the player may be left out.
+/// A row may lack the player.
 const LEAST_CELLS: usize = 2;
-/// The file's columns.
 const FILE: CsvFile<'_> = CsvFile { name: "settings.csv", columns: &["setting", "value", "player"], comments: true };
 
-/// The setting of one row.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Setting {
     Key(Action),
@@ -40,7 +36,7 @@ impl Setting {
         Self::all().find(|target| target.setting().eq_ignore_ascii_case(name))
     }
 
-    /// Whose rows hold it, where `player` flies.
+    /// The player of a setting's rows; empty for everyone.
     fn owner(self, player: &str) -> &str {
         match self {
             Self::Item(item) if item.is_of_play() => player,
@@ -76,10 +72,10 @@ impl Setting {
     }
 }
 
-/// The settings of `text` for a player (`""` for nobody in particular), and what of it was refused, a line each.
+/// The settings for a player (`""` for the rows of everyone), and a line for each refused row.
 pub fn read(text: &str, player: &str) -> (Settings, Vec<String>) {
     let (mut settings, mut problems) = (Settings::default(), Vec::new());
-    // First the rows that hold for everyone, wherever they stand.
+    // Rows of everyone first, wherever they stand.
     for own in [false, true] {
         for row in FILE.rows(text.as_bytes()).filter(|row| !row.is_header(LEAST_CELLS)) {
             let owner = row.get("player");
@@ -97,7 +93,6 @@ pub fn read(text: &str, player: &str) -> (Settings, Vec<String>) {
     (settings, problems.into_iter().map(|(_, problem)| problem).collect())
 }
 
-/// Sets what a row says.
 fn set(row: &CsvRow<'_>, settings: &mut Settings) -> Result<(), String> {
     match &row.cells {
         Err(fault) => return Err(row.row_problem(fault.words().0, FILE.header())),
@@ -113,7 +108,7 @@ fn set(row: &CsvRow<'_>, settings: &mut Settings) -> Result<(), String> {
     target.read(value, settings).map_err(|expected| format!("{place}: found {value:?}, expected {expected}"))
 }
 
-/// `text` with the settings of a player set in it.
+/// `text` with the settings of a player.
 fn merged(text: &str, player: &str, settings: &Settings) -> io::Result<String> {
     let stale = |row: &CsvRow<'_>| {
         let target = Setting::named(row.get("setting"));
@@ -121,7 +116,7 @@ fn merged(text: &str, player: &str, settings: &Settings) -> io::Result<String> {
     };
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let (mut lines, mut headed) = (String::new(), false);
-    // No cell of this file goes over several lines.
+    // No cell of this file spans lines.
     for line in text.lines() {
         let row = FILE.rows(line.as_bytes()).next();
         headed |= row.as_ref().is_some_and(|row| row.is_header(LEAST_CELLS));
@@ -139,34 +134,34 @@ fn merged(text: &str, player: &str, settings: &Settings) -> io::Result<String> {
     Ok(header + &lines + &String::from_utf8_lossy(&fresh))
 }
 
-/// From a write that failed to the next try, s.
+/// From a failed write to the next try, s.
 const RETRY: f64 = 2.0;
 
-/// The file, and what waits to be written into it.
+/// With the settings that wait for a write.
 #[derive(Debug)]
 pub struct SettingsFile {
     path: PathBuf,
     unsaved: Option<Unsaved>,
 }
 
-/// Settings of a player that are not on disk yet.
+/// Not on disk yet.
 #[derive(Debug)]
 struct Unsaved {
     player: String,
     settings: Settings,
-    /// How long another program has kept them from being written, s.
+    /// Behind another program's lock, s.
     waited: f64,
     /// Until the next try, s.
     pause: f64,
 }
 
 impl SettingsFile {
-    /// The file at that path, which need not exist yet.
+    /// The file need not exist yet.
     pub fn new(path: impl Into<PathBuf>) -> Self {
         Self { path: path.into(), unsaved: None }
     }
 
-    /// Its settings for a player (`""` for nobody in particular), and what is wrong with it, a line each. Without a file they are the
+    /// The settings for a player (`""` for the rows of everyone), and the file's faults, a line each. Without a file they are the
     /// defaults.
     pub fn load(&self, player: &str) -> (Settings, Vec<String>) {
         match files::read_text(&self.path, SETTINGS) {
@@ -176,12 +171,12 @@ impl SettingsFile {
         }
     }
 
-    /// Takes note of a player's settings, to be written by [`SettingsFile::update`].
+    /// [`SettingsFile::update`] writes them.
     pub fn set(&mut self, player: &str, settings: &Settings) {
         self.unsaved = Some(Unsaved { player: player.to_owned(), settings: *settings, waited: 0.0, pause: 0.0 });
     }
 
-    /// Tries to write what waits; one frame has passed, and none is held up. The answer is what is wrong with the file, once that is known.
+    /// Tries once a frame to write, without a pause. `Some` with the file's faults after a write or a final failure.
     pub fn update(&mut self, frame_time: f64) -> Option<Vec<String>> {
         let mut unsaved = self.unsaved.take()?;
         unsaved.pause -= frame_time;
@@ -202,19 +197,16 @@ impl SettingsFile {
         problems
     }
 
-    /// Writes what waits, before other settings take its place or the program ends.
-    ///
-    /// # Errors
-    /// As [`SettingsFile::save`].
+    /// Writes waiting settings, before others take their place or the program ends.
     pub fn close(&mut self, patience: Duration) -> io::Result<()> {
         self.unsaved.take().map_or(Ok(()), |Unsaved { player, settings, .. }| self.save(&player, &settings, patience))
     }
 
-    /// Writes the settings of a player into it: the file is the old one or the new one, whole, whatever happens meanwhile.
+    /// Replaces the file, whole.
     ///
     /// # Errors
-    /// The system's errors, with the path; [`io::ErrorKind::WouldBlock`] where another program writes there for longer than `patience`.
-    /// The old file is untouched then.
+    /// The system's, with the path; [`io::ErrorKind::WouldBlock`] where another program holds the lock longer than `patience`. The
+    /// old file is untouched then.
     pub fn save(&self, player: &str, settings: &Settings, patience: Duration) -> io::Result<()> {
         self.replace(player, settings, patience).map_err(|error| {
             let why = match error.kind() {
@@ -228,7 +220,7 @@ impl SettingsFile {
     fn replace(&self, player: &str, settings: &Settings, patience: Duration) -> io::Result<()> {
         fs::create_dir_all(files::around(&self.path))?;
         let path = files::behind_links(&self.path)?;
-        // Of two games that save at once, neither loses the other's rows.
+        // Neither of two games that save at once loses the other's rows.
         let _lock = Lock::wait(&path.with_file_name(".settings.csv.lock"), patience)?;
         let text = match files::read_text(&path, SETTINGS) {
             Ok(text) => text,
@@ -287,7 +279,7 @@ mod tests {
         assert_eq!(read(&merged, "").0.master, 0);
     }
 
-    /// Frames are counted here: no time passes.
+    /// Counts frames: no time passes.
     #[test]
     fn a_lock_that_is_held_holds_up_no_frame_and_is_reported_after_two_seconds() {
         let folder = tempfile::tempdir().unwrap();

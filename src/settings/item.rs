@@ -1,13 +1,10 @@
-//! One setting as a list shows it, the file names it and a key changes it.
+//! One setting: its row in the list and in the file, and its keys.
 
 use super::values::{Palette, Settings};
 
-/// The values of a setting.
 #[derive(Clone, Copy)]
 enum Values {
-    /// Whole percents, in steps.
     Percent { least: u8, most: u8, step: u8 },
-    /// One of these words.
     Words(&'static [&'static str]),
 }
 
@@ -19,32 +16,30 @@ const SWITCH: Values = Values::Words(&["off", "on"]);
 const COLOURS: Values = Values::Words(&["standard", "safe", "contrast"]);
 const PALETTES: [Palette; 3] = [Palette::Standard, Palette::Safe, Palette::HighContrast];
 
-/// The field of [`Settings`] that holds a setting.
 enum Field<'a> {
     Number(&'a mut u8),
     Switch(&'a mut bool),
     Colours(&'a mut Palette),
 }
 
-/// The list of settings: the row in the settings' file, the label, a sentence about it, its values, its owner and its field.
+/// The list of settings: row in the file, label, sentence, values, owner and field of [`Settings`].
 macro_rules! items {
     ($($name:ident $setting:literal $label:literal $about:literal $values:ident $owner:ident $kind:ident $($field:ident).+;)*) => {
-        /// One setting that is not a key.
+        /// Not a key.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Item {
             $(#[doc = $about] $name,)*
         }
 
         impl Item {
-            /// All of them, in the order in which they are shown.
+            /// In the order of the list.
             pub const ALL: [Self; [$($setting),*].len()] = [$(Self::$name),*];
 
-            /// Its row in the settings' file.
+            /// The name in the settings' file.
             pub const fn setting(self) -> &'static str {
                 match self { $(Self::$name => $setting,)* }
             }
 
-            /// Its name as it is shown.
             pub const fn label(self) -> &'static str {
                 match self { $(Self::$name => $label,)* }
             }
@@ -64,7 +59,7 @@ macro_rules! items {
     };
 }
 
-/// The owner of a setting: the room has screen and speakers, the player has a manner of play.
+/// Screen and speakers belong to the room, the manner of play to the player.
 enum Owner {
     Machine,
     Player,
@@ -87,12 +82,12 @@ items! {
 }
 
 impl Item {
-    /// Whether it belongs to the player rather than to the machine.
+    /// The player's, not the room's.
     pub const fn is_of_play(self) -> bool {
         matches!(self.owner(), Owner::Player)
     }
 
-    /// Its value as it is shown.
+    /// As the list shows it.
     pub fn value(self, settings: &Settings) -> String {
         match self.values() {
             Values::Percent { .. } => format!("{} %", self.get(settings)),
@@ -100,15 +95,12 @@ impl Item {
         }
     }
 
-    /// Its value as the file holds it.
+    /// As the file holds it.
     pub fn written(self, settings: &Settings) -> String {
         self.value(settings).trim_end_matches(" %").to_owned()
     }
 
-    /// Takes a value as the file holds it.
-    ///
-    /// # Errors
-    /// The expected values.
+    /// Takes a value of the file. The error is the expected values.
     pub fn read(self, text: &str, settings: &mut Settings) -> Result<(), String> {
         let value = match self.values() {
             Values::Percent { least, most, .. } => {
@@ -125,7 +117,7 @@ impl Item {
         Ok(())
     }
 
-    /// A step up or down; words go round, percents stop at their ends.
+    /// A step up or down: words go round, percents stop at their ends.
     pub fn change(self, up: bool, settings: &mut Settings) {
         let now = self.get(settings);
         let next = match self.values() {
@@ -144,7 +136,7 @@ impl Item {
         self.set(next, settings);
     }
 
-    /// How far between its least and its most it stands, 0 … 1; `None` for words.
+    /// The place between least and most, 0 … 1; `None` for words.
     pub fn share(self, settings: &Settings) -> Option<f32> {
         match self.values() {
             Values::Percent { least, most, .. } => Some(f32::from(self.get(settings) - least) / f32::from(most - least)),

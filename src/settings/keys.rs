@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// Every key that has one place on the keyboard, by the name that it has in the settings' file. The window knows them by the same names.
+/// Every key with one place on the keyboard, by its name in the settings' file and in the window.
 macro_rules! plain_keys {
     ($with:ident) => {
         $with! {
@@ -26,16 +26,15 @@ macro_rules! keys {
         #[allow(missing_docs)] // A key's name says which one it is.
         pub enum Key {
             $($plain,)*
-            /// Also that of the number pad.
+            /// Also on the number pad.
             Enter,
-            /// Either of the two, as the two below.
+            /// Left or right, as the two below.
             Shift, Control, Alt,
             PadUp, PadDown, PadLeft, PadRight, PadA, PadB, PadX, PadY, PadStart, PadSelect,
             PadL1, PadR1, PadL2, PadR2,
         }
 
         impl Key {
-            /// All of them.
             pub const ALL: &[Self] = &[
                 $(Self::$plain,)*
                 Self::Enter, Self::Shift, Self::Control, Self::Alt,
@@ -48,12 +47,12 @@ macro_rules! keys {
 plain_keys!(keys);
 
 impl Key {
-    /// The key of that name, whatever its letters' case.
+    /// In any case of the letters.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|key| key.to_string().eq_ignore_ascii_case(name))
     }
 
-    /// The sign on it, as it is shown.
+    /// The sign on the key.
     pub fn label(self) -> String {
         match self {
             Self::Up => "↑".into(),
@@ -89,12 +88,11 @@ impl Key {
         }
     }
 
-    /// Whether it is on a gamepad.
     pub fn is_pad(self) -> bool {
         self as u8 >= Self::PadUp as u8
     }
 
-    /// The button of a gamepad that does the same in menus.
+    /// The gamepad's button with the same effect in menus.
     pub(crate) const fn on_pad(self) -> Option<Self> {
         match self {
             Self::Up => Some(Self::PadUp),
@@ -110,40 +108,34 @@ impl Key {
     }
 }
 
-/// The name that it has in the settings' file.
+/// The name in the settings' file.
 impl fmt::Display for Key {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Debug::fmt(self, f)
     }
 }
 
-/// A set of keys.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Keys(u128);
 
 impl Keys {
-    /// Whether the key is in it.
     pub const fn has(self, key: Key) -> bool {
         self.0 & (1 << key as u32) != 0
     }
 
-    /// Whether there are none.
     pub const fn is_empty(self) -> bool {
         self.0 == 0
     }
 
-    /// Adds a key.
     pub const fn add(&mut self, key: Key) {
         self.0 |= 1 << key as u32;
     }
 
-    /// The keys that are not in the others.
     #[must_use]
     pub const fn less(self, others: Self) -> Self {
         Self(self.0 & !others.0)
     }
 
-    /// The same without that key.
     #[must_use]
     pub const fn without(self, key: Key) -> Self {
         Self(self.0 & !(1 << key as u32))
@@ -153,7 +145,6 @@ impl Keys {
 impl std::ops::BitOr for Keys {
     type Output = Self;
 
-    /// All keys of both.
     fn bitor(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
@@ -167,32 +158,29 @@ impl FromIterator<Key> for Keys {
     }
 }
 
-/// An action of the flight: all that is known of it.
 struct About {
     setting: &'static str,
     label: &'static str,
     does: &'static str,
-    /// The keyboard's keys at first, up to two.
+    /// At first, up to two.
     keys: &'static [Key],
     pads: &'static [Key],
 }
 
-/// The list of actions: the row in the settings' file, the label in the settings, the sentence in docs/playing.md, the keys at first, and
-/// the gamepad's buttons.
+/// The list of actions: row in the settings' file, label, sentence in docs/playing.md, first keys and gamepad buttons.
 macro_rules! actions {
     ($($name:ident $setting:literal $label:literal $does:literal [$($key:ident)*] [$($pad:ident)*];)*) => {
-        /// An action of a key in flight.
+        /// Of a key in flight.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[repr(u8)]
         pub enum Action {
             $(#[doc = $does] $name,)*
         }
 
-        /// The number of actions.
         const ACTIONS: usize = [$($setting),*].len();
 
         impl Action {
-            /// All of them, in the order in which the settings show them.
+            /// In the order of the settings.
             pub const ALL: [Self; ACTIONS] = [$(Self::$name),*];
         }
 
@@ -223,16 +211,15 @@ actions! {
     Instruments "key_instruments" "Instruments" "opens and closes the instruments" [I] [];
 }
 
-/// The actions that fly; the others look on.
+/// The actions that fly come first.
 const FLYING: usize = Action::Pause as usize + 1;
 
 impl Action {
-    /// Its row in the settings' file.
+    /// The name in the settings' file.
     pub const fn setting(self) -> &'static str {
         self.about().setting
     }
 
-    /// Its name as it is shown.
     pub const fn label(self) -> &'static str {
         self.about().label
     }
@@ -242,7 +229,7 @@ impl Action {
         self.about().does
     }
 
-    /// The gamepad's buttons for it: triggers thrust, the stick and the cross turn.
+    /// Triggers thrust, the stick and the cross turn.
     pub const fn pads(self) -> &'static [Key] {
         self.about().pads
     }
@@ -256,7 +243,7 @@ impl Action {
     }
 }
 
-/// Which keys do what: up to two a control.
+/// Up to two keys an action.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bindings([[Option<Key>; 2]; ACTIONS]);
 
@@ -267,17 +254,16 @@ impl Default for Bindings {
 }
 
 impl Bindings {
-    /// The keys of an action.
     pub const fn of(&self, action: Action) -> [Option<Key>; 2] {
         self.0[action as usize]
     }
 
-    /// Gives an action its keys.
     pub const fn set(&mut self, action: Action, keys: [Option<Key>; 2]) {
         self.0[action as usize] = keys;
     }
 
-    /// Whether one of those keys does it. Esc always pauses too, so that no player is locked in. A key that flies does nothing else.
+    /// Whether one of these keys does it. Esc always pauses too, so that no player is locked in. A key that flies does nothing
+    /// else.
     pub fn does(&self, action: Action, keys: Keys) -> bool {
         let escapes = action == Action::Pause && keys.has(Key::Escape);
         let own = self.of(action).into_iter().flatten().filter(|key| action.flies() || !self.flies(*key));
@@ -288,12 +274,12 @@ impl Bindings {
         self.0[..FLYING].iter().flatten().any(|known| *known == Some(key))
     }
 
-    /// Another action that the key does as well.
+    /// Another action of the same key.
     pub fn conflict(&self, action: Action, key: Key) -> Option<Action> {
         Action::ALL.into_iter().find(|other| *other != action && self.of(*other).contains(&Some(key)))
     }
 
-    /// The keys of an action as they are shown: `Space or W`.
+    /// `Space or W`.
     pub fn label(&self, action: Action) -> String {
         let labels: Vec<String> = self.of(action).into_iter().flatten().map(Key::label).collect();
         if labels.is_empty() { "no key".into() } else { labels.join(" or ") }

@@ -1,7 +1,5 @@
-//! The player's settings: keys, volumes, the picture, and help in flight; and the file that keeps it.
-//!
-//! [`Settings`] holds the values, [`Item`] is one of them as a list shows and changes it, [`mod@file`] is `settings.csv`. Screens, view and
-//! game read them.
+//! The player's settings: keys, volumes, picture and assists. [`Settings`] holds the values, [`Item`] is one of them in the list,
+//! [`mod@file`] is `settings.csv`.
 
 pub mod file;
 mod item;

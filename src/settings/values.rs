@@ -1,23 +1,21 @@
-//! The values of all settings.
-
 use super::keys::Bindings;
 
-/// The colours that carry a meaning.
+/// Colours with a meaning.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Palette {
-    /// The colours of the art direction.
+    /// Of the art direction.
     #[default]
     Standard,
-    /// Colours that stay apart in the three common kinds of colour blindness.
+    /// Distinct in the three common kinds of colour blindness.
     Safe,
-    /// The safe colours, on black, with white edges.
+    /// The colours of `Safe`, on black, with white edges.
     HighContrast,
 }
 
 /// Help in flight. A run with help is marked, and does not enter the board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Assists {
-    /// How fast the game runs, % of real time: 50 … 100.
+    /// % of real time: 50 … 100.
     pub speed: u8,
     /// The engine burns, and the fuel stays.
     pub lasting_fuel: bool,
@@ -30,16 +28,14 @@ impl Default for Assists {
 }
 
 impl Assists {
-    /// Whether any of them helps.
     pub fn any(self) -> bool {
         self != Self::default()
     }
 }
 
-/// All that can be set. Levels and shares are whole percents.
+/// Levels and shares are whole percents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Settings {
-    /// The keys of the flight.
     pub keys: Bindings,
     /// All sound, 0 … 100.
     pub master: u8,
@@ -47,23 +43,19 @@ pub struct Settings {
     pub effects: u8,
     /// 0 … 100.
     pub music: u8,
-    /// Whether the window fills the screen.
     pub fullscreen: bool,
-    /// How large words and panels are: 80 … 150.
+    /// Of words and panels: 80 … 150.
     pub scale: u8,
-    /// How far a hit shakes the screen: 0 … 100.
+    /// Of the screen at a hit: 0 … 100.
     pub shake: u8,
-    /// Whether hits and deaths flash.
+    /// At hits and deaths.
     pub flash: bool,
-    /// How many of the particles are drawn: 0 … 100.
+    /// The share that is drawn: 0 … 100.
     pub particles: u8,
-    /// The colours that carry a meaning.
     pub palette: Palette,
-    /// Whether the time is shown in flight.
     pub timer: bool,
-    /// Whether the ship carries an arrow of its velocity.
+    /// The arrow at the ship.
     pub velocity: bool,
-    /// Help in flight.
     pub assists: Assists,
 }
 

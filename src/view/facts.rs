@@ -1,6 +1,6 @@
 //! The facts in a body's details box, read from the world's own state without computing them again. Their wording is elsewhere.
 
-use crate::game::{Game, SHIP, body_title, told_name};
+use crate::game::{Game, SHIP, body_title, plain_name};
 use crate::physics::{BodyId, DVec2, ForceKind, ForceManager, Impulse, Obstacle, Source};
 
 /// Below this length (N) a force's direction is no more than rounding: the force stays by itself.
@@ -158,7 +158,7 @@ pub fn by_whom(game: &Game, causes: &[Source]) -> String {
     match causes {
         [] => String::new(),
         [Source::Body(body)] => body_title(game.level(), *body),
-        [one] => told_name(game.level(), *one),
+        [one] => plain_name(game.level(), *one),
         many if all(|cause| matches!(cause, Source::Body(_))) => format!("{} objects", many.len()),
         many if all(|cause| matches!(cause, Source::Surface(_))) => format!("{} blocks", many.len()),
         many if all(|cause| matches!(cause, Source::Stream(_))) => format!("{} winds", many.len()),

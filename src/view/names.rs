@@ -4,7 +4,7 @@ use super::camera::Viewport;
 use super::theme;
 use crate::draw::layout::{Area, DETAILS, MONO_ADVANCE, Vec2};
 use crate::draw::{Canvas, Style};
-use crate::game::{Game, told_name};
+use crate::game::{Game, plain_name};
 use crate::level::SurfaceOf;
 use crate::physics::{Aabb, DVec2, Source};
 
@@ -21,7 +21,7 @@ pub fn told(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
         }
     };
     let called = |of: SurfaceOf, name: Option<&str>| {
-        let plain = told_name(level, Source::Surface(level.surface_index(of) as u32));
+        let plain = plain_name(level, Source::Surface(level.surface_index(of) as u32));
         name.map_or(plain.clone(), |name| format!("{plain}: {name}"))
     };
     for (index, solid) in level.world.iter().enumerate() {
