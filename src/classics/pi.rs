@@ -79,7 +79,8 @@ pub enum Collision {
 pub struct Blocks {
     d: f64,
     time: f64,
-    /// What adding up the delays has rounded off `time` (W. Kahan, 1965): in the thick of N = 7 one is a few times its last bit.
+    /// The rounding error of `time` from the sum of delays (W. Kahan, 1965): in the thick of N = 7 a delay is a few times its last
+    /// bit.
     time_lost: f64,
     light: f64,
     heavy: f64,
@@ -109,7 +110,7 @@ impl Blocks {
         self.collisions
     }
 
-    /// When the last collision was, s; 0 before the first.
+    /// s; 0 before the first.
     pub fn time(&self) -> f64 {
         self.time
     }
@@ -134,12 +135,12 @@ impl Blocks {
         }
     }
 
-    /// When the coming collision is, s; `None` after the very last.
+    /// s; `None` after the very last.
     pub fn next_time(&self) -> Option<f64> {
         self.coming().map(|(_, delay)| self.time + (delay + self.time_lost))
     }
 
-    /// Jumps to the coming collision and says what collided; `None`, and nothing changes, after the very last.
+    /// Jumps to the coming collision and returns its kind; `None`, and nothing changes, after the very last.
     pub fn collide(&mut self) -> Option<Collision> {
         let (collision, delay) = self.coming()?;
         let delay_and_lost = delay + self.time_lost;
@@ -175,7 +176,7 @@ impl Blocks {
     }
 }
 
-/// What [`step_through`] came to.
+/// The result of [`step_through`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stepped {
     /// Overlaps resolved, which should be collisions.

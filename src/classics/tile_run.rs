@@ -8,7 +8,7 @@ use std::fmt;
 
 /// Added to vy in every frame.
 const GRAVITY: f64 = 0.06;
-/// What a frame leaves of vx.
+/// The part of vx that a frame leaves.
 const FRICTION: f64 = 0.80;
 /// |vx| is at most this. Below 1, so that no frame jumps over a tile.
 const MAX_RUN: f64 = 0.5;
@@ -16,10 +16,9 @@ const MAX_RUN: f64 = 0.5;
 const MAX_RISE: f64 = -0.6;
 /// vy is at most this: the fastest fall, tiles a frame. Below 1, so that no frame jumps over a tile.
 pub const MAX_FALL: f64 = 0.8;
-/// How far in front of a solid tile the runner stops. Were it 0, a stop on the right or below would lie in the solid tile.
+/// The gap between a stopped runner and a solid tile. Were it 0, a stop on the right or below would lie in the solid tile.
 const GAP: f64 = 1e-6;
 
-/// Why a map or a list of commands was refused, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputError {
     /// Counted from 1, as an editor does.
@@ -43,7 +42,7 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     text.strip_prefix('\u{feff}').unwrap_or(text).lines().enumerate().map(|(index, line)| (index + 1, line))
 }
 
-/// What is solid and where the run starts. Outside the map, which is also behind the end of a short row, everything is solid.
+/// The solid tiles and the start. Outside the map, and behind the end of a short row, everything is solid.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Map {
     solid: Vec<Vec<bool>>,
@@ -185,7 +184,7 @@ impl Runner {
         match command {
             Command::Left(value) => self.vx -= value,
             Command::Right(value) => self.vx += value,
-            // Kept from rising faster here and not only below: gravity then takes its part of what was kept.
+            // The limit on rising applies here and not only below: gravity then takes its part of the limited speed.
             Command::Jump(value) if self.on_ground => self.vy = (self.vy - value).max(MAX_RISE),
             Command::Jump(_) | Command::Wait => {}
         }

@@ -8,7 +8,7 @@ use super::unit::Unit;
 use crate::lab::linear::Linear;
 use std::ops::Range;
 
-/// A stretch of time, s.
+/// s.
 pub type TimeWindow = (f64, f64);
 
 #[derive(Clone, Debug, PartialEq)]
@@ -23,15 +23,14 @@ pub struct Chart {
 pub struct ChartLane {
     pub unit: Unit,
     pub axis: Linear,
-    /// The numbers of its curves.
+    /// As in [`ChartMember`].
     pub curves: Vec<usize>,
 }
 
-/// A curve with its number, and which of its points lie in the window. Several may have one number: the run before has that of its successor.
+/// A curve with its number and its points in the window. Several may share a number: a curve of the run before has its successor's.
 pub type ChartMember<'a> = (usize, &'a Curve, Range<usize>);
 
 impl Chart {
-    /// A chart of those curves, all over the same quantity, within a stretch of time.
     pub fn of(across: Quantity, window: TimeWindow, members: &[ChartMember]) -> Self {
         let mut found: Option<Extremes> = None;
         let mut lanes: Vec<(Unit, Option<Extremes>, Vec<usize>)> = Vec::new();
@@ -63,7 +62,7 @@ impl Chart {
 }
 
 impl ChartLane {
-    /// What stands at its axis: the symbols of its curves, and the unit.
+    /// The label of its axis: the symbols of its curves, and the unit.
     pub fn name(&self, symbol: impl Fn(usize) -> String) -> String {
         let mut symbols: Vec<String> = Vec::new();
         for symbol in self.curves.iter().map(|number| symbol(*number)) {

@@ -1,5 +1,5 @@
-//! A curve of one quantity of a body over another: what a flight gave, tick by tick; the slope at a point, the area under a stretch, and
-//! what of it is drawn where there are more points than pixels.
+//! A curve of one quantity of a body over another, tick by tick: the slope at a point, the area under a stretch, and the points to
+//! draw where there are more of them than pixels.
 
 use super::quantity::Quantity;
 use super::series::{Extremes, NumberSeries};
@@ -12,12 +12,11 @@ pub struct Curve {
     up: Quantity,
     xs: NumberSeries,
     ys: NumberSeries,
-    /// Where an impact came between a point and the one before it.
     breaks: Vec<usize>,
 }
 
 impl Curve {
-    /// One of which nothing is known.
+    /// An empty curve.
     pub fn new(across: Quantity, up: Quantity) -> Self {
         Self { across, up, xs: NumberSeries::default(), ys: NumberSeries::default(), breaks: Vec::new() }
     }
@@ -30,7 +29,7 @@ impl Curve {
         self.up
     }
 
-    /// Reads on what has been read of the body; a track that has become shorter is another flight's from there on.
+    /// Reads on along the track; a track that has become shorter is another flight's from there on.
     pub fn follow(&mut self, track: &BodyTrack) {
         self.truncate(track.len());
         let known = self.len();
@@ -53,7 +52,6 @@ impl Curve {
         }
     }
 
-    /// What is to the right and upwards, each with its numbers.
     pub fn columns(&self) -> [(Quantity, &[f64]); 2] {
         [(self.across, self.xs.values()), (self.up, self.ys.values())]
     }
@@ -70,7 +68,7 @@ impl Curve {
         Some((*self.xs.values().get(place)?, *self.ys.values().get(place)?))
     }
 
-    /// The extremes to the right and upwards over some places; nothing where there are none.
+    /// To the right and upwards; `None` without places.
     pub fn extremes(&self, places: Range<usize>) -> Option<(Extremes, Extremes)> {
         Some((self.xs.extremes(places.clone())?, self.ys.extremes(places)?))
     }
@@ -142,7 +140,7 @@ impl Curve {
             let end = ((from / together + 1) * together).min(stretch.end);
             let middle = xs[usize::midpoint(from, end - 1)];
             way.push((xs[from], ys[from]));
-            // What lies between this point and the next column's is drawn by the line between them.
+            // The line between this point and the next column's stands for the points between.
             let next = if end < stretch.end { ys[end] } else { ys[from] };
             if let Some((least, largest)) = self.ys.extremes(from..end) {
                 way.extend((least < ys[from].min(next)).then_some((middle, least)));
@@ -167,7 +165,7 @@ impl Curve {
         way
     }
 
-    /// The place among some whose point is nearest to one, distances counted in grains.
+    /// Distances count in grains.
     pub fn nearest(&self, places: Range<usize>, (x, y): (f64, f64), grain: (f64, f64)) -> Option<(usize, f64)> {
         let (xs, ys) = (self.xs.values(), self.ys.values());
         let places = places.start..places.end.min(self.len());
@@ -198,7 +196,6 @@ pub(crate) mod fixture {
         track
     }
 
-    /// What it did, one quantity against another.
     pub fn curve(track: &BodyTrack, across: Quantity, up: Quantity) -> Curve {
         let mut curve = Curve::new(across, up);
         curve.follow(track);

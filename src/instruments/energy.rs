@@ -5,7 +5,6 @@ use crate::level::Level;
 use crate::physics::{BodyId, DVec2};
 use std::ops::Add;
 
-/// What is in motion, and how high it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EnergyState {
     /// Σ m·v, N·s, y downwards.

@@ -1,4 +1,4 @@
-//! Curves to be exported: a table with every tick and every digit, and the sheet of a picture. Neither knows a disk.
+//! Curves for a file: a table with every tick and every digit, and the sheet of a picture. Neither knows a disk.
 
 use super::chart::{Chart, ChartMember, TimeWindow};
 use super::curve::Curve;
@@ -10,20 +10,19 @@ use crate::lab::linear::Linear;
 use crate::lab::look::Look;
 use crate::number::Shortest;
 
-/// How many numbers an upright axis of the picture names, about, where it has the whole height.
+/// Labels of an upright axis over the whole height, about.
 const NAMED: usize = 8;
-/// How many columns of points a picture has: two a pixel.
+/// Columns of points in a picture: two a pixel.
 const COLUMNS: f64 = 1300.0;
-/// How many characters of the level's name and of the curves' a file is named by.
+/// Characters of the level's name and of the curves' in a file's name.
 const NAME: usize = 40;
 
 #[derive(Clone, Copy)]
 pub struct Exported<'a> {
-    /// The body's name.
     pub body: &'a str,
     pub curve: &'a Curve,
     pub track: &'a BodyTrack,
-    /// Its number, by which it looks as it does.
+    /// Its number, which gives its look.
     pub number: usize,
 }
 
@@ -62,41 +61,34 @@ pub fn csv(curves: &[Exported]) -> String {
 
 /// A picture of curves above one axis: a strip for each kind of number, one above the other.
 pub struct Sheet {
-    /// To the right.
     pub across: Linear,
     /// The quantity to the right, with its unit.
     pub across_name: String,
     /// From the top.
     pub strips: Vec<Strip>,
-    /// The names of the curves.
     pub legend: Vec<(String, Look)>,
     /// Lines below the legend.
     pub notes: Vec<String>,
 }
 
-/// One of the strips.
 pub struct Strip {
-    /// The quantity upwards, with its unit.
+    /// With its unit.
     pub name: String,
     /// Values upwards, each with its part of the height.
     pub named: Vec<(f64, String)>,
-    /// Values to the right at which a line stands.
+    /// Values to the right with an upright line.
     pub marks: Vec<f64>,
-    /// Unbroken pieces of curves.
     pub curves: Vec<Piece>,
 }
 
-/// An unbroken piece of a curve.
 pub struct Piece {
-    /// How it looks.
     pub look: Look,
     /// Values to the right, and parts of the height.
     pub points: Vec<(f64, f64)>,
-    /// The one of them that bears the curve's marker, if any does.
+    /// The point with the curve's marker, if any has it.
     pub marker: Option<usize>,
 }
 
-/// A picture of the same within a stretch of time.
 pub fn sheet(window: TimeWindow, curves: &[Exported]) -> Sheet {
     let across = curves.first().map_or(Quantity::Time, |exported| exported.curve.across());
     let places = |track: &BodyTrack| track.places(window);
@@ -140,7 +132,7 @@ pub fn sheet(window: TimeWindow, curves: &[Exported]) -> Sheet {
     }
 }
 
-/// When there were impacts, s; over anything but time they are the curve's breaks.
+/// The times of impacts, s; over anything but time they are the curve's breaks.
 fn impacts(shown: &[&Exported], across: Quantity, window: TimeWindow) -> Vec<f64> {
     let times = shown.iter().flat_map(|exported| exported.track.impacts().iter().map(|place| exported.track.time(*place)));
     let mut times: Vec<f64> = times.filter(|time| across == Quantity::Time && *time >= window.0 && *time <= window.1).collect();
@@ -149,7 +141,7 @@ fn impacts(shown: &[&Exported], across: Quantity, window: TimeWindow) -> Vec<f64
     times
 }
 
-/// What the files of these curves are called, without number and ending: the level and what is plotted, in letters that every system takes.
+/// The name of these curves' files, without number and ending: the level and the quantities, in letters that every system takes.
 pub fn stem(level: &str, curves: &[Exported]) -> String {
     let plain =
         |text: &str| -> String { text.chars().map(|c| if c.is_alphanumeric() || c == '_' { c } else { '-' }).take(NAME).collect() };

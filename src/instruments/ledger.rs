@@ -1,7 +1,7 @@
-//! The work that each force has done on each body up to the moment that is shown.
+//! The work of each force on each body up to the moment on the screen.
 //!
 //! W = ∫F·dr, tick by tick, so that what is read always obeys the law of work and energy, ΔE_kin = Σ W + W_impacts:
-//!
+//! W = ∫F·dr, tick by tick, so that the readings always obey the law of work and energy, ΔE_kin = Σ W + W_impacts:
 //! 1. A force F₀ at a tick's start and F₁ at its end does W = ½(F₀ + F₁)·Δr. That is exact where it is constant, and where it grows evenly
 //!    with the distance, as the buoyancy of a floating body does. The engine is switched at a tick's start and does F₁·Δr.
 //! 2. Where an impact falls into the tick, F₀ acts up to that corner of the path and F₁ from there on, for it may begin or end a contact.
@@ -18,11 +18,11 @@ use crate::physics::{BodyId, DVec2, ForceKind, Source};
 const KINDS: usize = ForceKind::ALL.len();
 /// Two forces closer than this, as parts of them, are one: the rest is rounding.
 const SAME: f64 = 1e-12;
-/// What is passed on by impacts is nothing below this part of a body's momentum.
+/// An impulse below this part of a body's momentum counts as none.
 const ROUNDING: f64 = 1e-9;
 /// A contact that changes by more than this part of it in a tick does so abruptly: in a smaller one the air's drag may have a part.
 const ABRUPT: f64 = 0.1;
-/// The most bodies of whose forces accounts are kept: asking for all forces takes time with the square of their number.
+/// The most bodies with accounts: the time to ask for all forces grows with the square of their number.
 pub const MOST_BODIES: usize = 256;
 /// From copy to copy of the accounts at first, ticks, and how many accounts all copies have together. As in [`History`], every second copy
 /// goes where there are too many.
@@ -30,7 +30,7 @@ const EVERY: u64 = 60;
 const ACCOUNTS_IN_COPIES: usize = 32_768;
 const FEWEST_COPIES: usize = 16;
 
-/// The work done on a body, or on all of them, J.
+/// On a body, or on all of them, J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Account {
     /// By each kind of force, in the order of [`ForceKind::ALL`].
@@ -39,12 +39,12 @@ pub struct Account {
 }
 
 impl Account {
-    /// The work of one kind of force, J.
+    /// J.
     pub fn by(&self, kind: ForceKind) -> f64 {
         self.by_force[kind as usize]
     }
 
-    /// All of it: what the kinetic energy has gained, J.
+    /// The gain of kinetic energy, J.
     pub fn sum(&self) -> f64 {
         self.by_force.iter().sum::<f64>() + self.by_impacts
     }
@@ -54,7 +54,7 @@ impl Account {
         self.with(other, 1.0)
     }
 
-    /// What has been done since that other one.
+    /// The work since `other`.
     #[must_use]
     pub fn since(&self, other: &Self) -> Self {
         self.with(other, -1.0)
@@ -68,12 +68,12 @@ impl Account {
     }
 }
 
-/// A body and what acts on it at an end of a tick.
+/// A body and its forces at an end of a tick.
 #[derive(Clone, Copy, Debug)]
 struct TickEnd {
     position: DVec2,
     velocity: DVec2,
-    /// By kind, N; without what surfaces that cannot move press with.
+    /// By kind, N; without the pressure of surfaces that cannot move.
     forces: [DVec2; KINDS],
 }
 
@@ -88,17 +88,16 @@ impl TickEnd {
     }
 }
 
-/// Whether a force is what a surface presses with that cannot move.
+/// Whether the force is the pressure of a surface that cannot move.
 fn is_still(game: &Game, source: Source, kind: ForceKind) -> bool {
     let Source::Surface(index) = source else { return false };
     kind != ForceKind::Friction && !matches!(game.level().surface(index as usize), SurfaceOf::Mover(_))
 }
 
-/// The accounts of all bodies at the moment that is shown.
+/// The accounts of all bodies at the moment on the screen.
 #[derive(Clone, Debug)]
 pub struct WorkLedger {
     companion: Companion,
-    /// Each body at the tick before.
     before: Vec<TickEnd>,
     accounts: Vec<Account>,
     copies: Vec<(u64, Vec<Account>)>,
@@ -112,7 +111,7 @@ impl Default for WorkLedger {
 }
 
 impl WorkLedger {
-    /// Goes to that tick of a flight, by `most` ticks at most; whether it is there. In a crowd it never is.
+    /// Goes to that tick of a flight, by `most` ticks at most. True where it arrives; in a crowd it never does.
     pub fn go(&mut self, history: &History, tick: u64, most: u64) -> bool {
         if self.companion.tick().is_none_or(|at| at > tick) && !self.stand_before(history, tick) {
             return false;
@@ -135,13 +134,13 @@ impl WorkLedger {
         &self.accounts
     }
 
-    /// The flight was left at that tick: what was read after it has not been.
+    /// The flight was left at that tick: later accounts are void.
     pub fn back_to(&mut self, tick: u64) {
         self.companion.back_to(tick);
         self.copies.retain(|(at, _)| *at <= tick);
     }
 
-    /// Stands at the last copy up to that tick, or at the flight's start; not in a crowd.
+    /// Goes to the last copy up to that tick, or to the flight's start; not in a crowd.
     fn stand_before(&mut self, history: &History, tick: u64) -> bool {
         let copy = self.copies.iter().rev().find(|(at, _)| *at <= tick);
         let game = self.companion.stand_at(history, copy.map_or(0, |(at, _)| *at));
@@ -183,7 +182,7 @@ fn ids(game: &Game) -> impl Iterator<Item = BodyId> + use<> {
     (0..game.world().bodies().len() as u32).map(BodyId)
 }
 
-/// What happened to a body in a tick.
+/// A body's motion in a tick.
 struct BodyTick<'a> {
     game: &'a Game,
     id: BodyId,
@@ -225,7 +224,7 @@ impl BodyTick<'_> {
         account
     }
 
-    /// Whether impacts changed its momentum by more than rounding, of which what rides on a lift is full.
+    /// Whether impacts changed its momentum by more than the rounding that a ride on a lift brings.
     fn is_hit(&self) -> bool {
         let impulses = self.game.world().impulses().iter().filter_map(|impulse| impulse.on(self.id));
         let passed_on: f64 = impulses.map(|(impulse, _)| impulse.length()).sum();
@@ -233,7 +232,7 @@ impl BodyTick<'_> {
         passed_on > ROUNDING * self.game.world().body(self.id).mass * speeds
     }
 
-    /// Gives the forces what is missing to their sum.
+    /// Gives the forces the remainder of their sum.
     fn share(&self, missing: f64, works: &mut [f64; KINDS], changed: &[f64; KINDS]) {
         let contacts = [ForceKind::Reaction, ForceKind::Friction, ForceKind::Push].map(|kind| kind as usize);
         let abruptly = |k: &usize| differ(self.before.forces[*k], self.after.forces[*k]) > ABRUPT;
@@ -252,7 +251,7 @@ impl BodyTick<'_> {
     }
 }
 
-/// By which part of the larger one two forces differ.
+/// The difference of two forces as a part of the larger one.
 fn differ(a: DVec2, b: DVec2) -> f64 {
     let larger = a.length().max(b.length());
     if larger == 0.0 { 0.0 } else { (a - b).length() / larger }

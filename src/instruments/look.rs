@@ -1,4 +1,4 @@
-//! How curves of a flight look: up to four, which differ by colour, dash and marker. A force has the colour that it has everywhere.
+//! Up to four curves of a flight differ by colour, dash and marker. A force has the colour that it has everywhere.
 
 use super::quantity::Quantity;
 use crate::lab::curve::CurveOrigin;
@@ -6,10 +6,10 @@ use crate::lab::look::Look;
 use crate::physics::ForceKind;
 
 pub const RESULTANT: u32 = 0xFFFFFF;
-/// Of everything that is no force, by the curve's number: none of them is a force's.
+/// By the curve's number: none of them is the colour of a force.
 const COLOURS: [u32; 4] = [0x7FA7FF, 0xF28DB2, 0x9AD14B, 0xE6EBF2];
 
-/// The colour of a force, as 0xRRGGBB.
+/// As 0xRRGGBB.
 pub const fn force(kind: ForceKind) -> u32 {
     match kind {
         ForceKind::Weight => 0xB79CED,

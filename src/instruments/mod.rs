@@ -1,4 +1,4 @@
-//! What a lesson measures with, without a window: it reads a flight tick by tick and changes nothing in it.
+//! The measuring instruments of a lesson, without a window: they read a flight tick by tick and change nothing in it.
 
 pub mod centre;
 pub mod chart;

@@ -1,5 +1,5 @@
-//! What can be measured of a body at an instant: its symbol, its unit, its value, and how fast it changes where a law says so. x counts to
-//! the right from the level's left edge and y **up** from its lower edge, as in school.
+//! A body's measurable quantities at an instant: symbol, unit, value, and rate of change where a law gives it. x counts to the right
+//! from the level's left edge and y **up** from its lower edge, as in school.
 
 use super::unit::Unit;
 use crate::game::Game;
@@ -7,9 +7,7 @@ use crate::physics::{BodyId, DVec2, ForceKind};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// To the right.
     X,
-    /// Upwards.
     Y,
     Size,
 }
@@ -25,7 +23,7 @@ impl Part {
         }
     }
 
-    /// How fast it changes where the vector changes at that rate; of the size of a vector that is none: in neither direction.
+    /// The rate of a vector that changes at `rate`; the size of a vector of 0 has none.
     fn rate_of(self, vector: DVec2, rate: DVec2) -> Option<f64> {
         match self {
             Self::X => Some(rate.x),
@@ -45,7 +43,7 @@ impl Part {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
-    /// Since the start, s.
+    /// s, since the start.
     Time,
     /// From the level's left edge, m.
     X,
@@ -57,7 +55,7 @@ pub enum Quantity {
     Acceleration(Part),
     /// Of all forces, N.
     Resultant(Part),
-    /// All forces of a kind together, N.
+    /// All forces of that kind together, N.
     Force(ForceKind, Part),
     /// m·v, N·s.
     Momentum(Part),
@@ -65,11 +63,11 @@ pub enum Quantity {
     Kinetic,
     /// m·g·y in the gravity of the level, J: zones of another gravity and liquids have none in it.
     Potential,
-    /// Kinetic and potential together, J.
+    /// J.
     Mechanical,
 }
 
-/// Everything about a body at an instant, y upwards.
+/// y upwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moment {
     /// s.
@@ -88,14 +86,14 @@ pub struct Moment {
     pub forces: [DVec2; ForceKind::ALL.len()],
 }
 
-/// What a level says of a body, and does not change while it is flown as it is.
+/// Constants of a body while the level is flown as it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BodyConstants {
     /// kg.
     pub mass: f64,
     /// The level's gravity on it, N/kg, y upwards.
     pub field: DVec2,
-    /// Where its potential energy is none, m: the edges to which the field points.
+    /// Zero of the potential energy, m: the edges to which the field points.
     pub ground: DVec2,
     /// Height of the level, m.
     pub height: f64,
@@ -143,7 +141,7 @@ impl Moment {
 }
 
 impl Quantity {
-    /// Its value at a moment, in its unit.
+    /// In its unit.
     pub fn of(self, moment: &Moment) -> f64 {
         match self {
             Self::Time => moment.time,
@@ -160,8 +158,8 @@ impl Quantity {
         }
     }
 
-    /// How fast it changes at a moment, in its unit a second, where that follows from the moment itself: dr/dt = v, dv/dt = a,
-    /// d(½mv²)/dt = m·a·v. Acceleration and forces say nothing of how they will change.
+    /// Its rate of change at a moment, in its unit a second, where that follows from the moment itself: dr/dt = v, dv/dt = a,
+    /// d(½mv²)/dt = m·a·v. Acceleration and forces have none.
     pub fn rate(self, moment: &Moment) -> Option<f64> {
         let Moment { velocity, acceleration, constants: BodyConstants { mass, field, .. }, .. } = *moment;
         match self {
@@ -189,7 +187,7 @@ impl Quantity {
         }
     }
 
-    /// Its symbol on the screen: `t`, `v_y`, `|a|`, `Weight_y`.
+    /// For the screen: `t`, `v_y`, `|a|`, `Weight_y`.
     pub fn symbol(self) -> String {
         match self {
             Self::Force(kind, part) => part.written(kind.shown()),
@@ -197,7 +195,7 @@ impl Quantity {
         }
     }
 
-    /// The same in files, where forces bear the names that they have in all files.
+    /// For files, where forces have the names that they have in all files.
     pub fn stem(self) -> String {
         match self {
             Self::Time => "t".to_owned(),
@@ -214,17 +212,17 @@ impl Quantity {
         }
     }
 
-    /// How a column of a table is headed: `v_y (m/s)`.
+    /// The heading of a column: `v_y (m/s)`.
     pub fn column(self) -> String {
         format!("{} ({})", self.stem(), self.unit().name())
     }
 
-    /// Its symbol and its unit, as axes are headed: `v_y (m/s)`.
+    /// The heading of an axis: `v_y (m/s)`.
     pub fn heading(self) -> String {
         format!("{} ({})", self.symbol(), self.unit().name())
     }
 
-    /// What it belongs to, in words.
+    /// Its group in words.
     pub const fn family(self) -> &'static str {
         match self {
             Self::Time => "Time",
@@ -238,7 +236,7 @@ impl Quantity {
         }
     }
 
-    /// Whether an impact changes it at once, so that a curve of it has a break there. A place never jumps.
+    /// Whether it jumps at an impact, so that a curve of it breaks there. A place never jumps.
     pub const fn jumps(self) -> bool {
         !matches!(self, Self::Time | Self::X | Self::Y | Self::Potential)
     }
@@ -274,7 +272,7 @@ mod tests {
                 let at = |t: f64| quantity.of(&moment(t, motion));
                 let slope = (at(t + h) - at(t - h)) / (2.0 * h);
                 let here = moment(t, motion);
-                // Where it turns round, the size of a velocity has a corner.
+                // The size of a velocity has a corner where the motion reverses.
                 prop_assume!(here.velocity.length() > 0.1);
                 let rate = quantity.rate(&here).unwrap();
                 prop_assert!((slope - rate).abs() <= 1e-4 * (1.0 + rate.abs()), "{quantity:?}: {slope}, {rate}");

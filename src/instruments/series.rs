@@ -1,11 +1,9 @@
-//! Numbers, tick by tick, whose extremes over any stretch are found without looking at each of them: a curve of an hour is drawn in a frame.
+//! Numbers, tick by tick, with the extremes of any stretch in a few steps: a curve of an hour is drawn in a frame.
 
 use std::ops::Range;
 
-/// How many numbers share a summary.
 const BLOCK: usize = 64;
 
-/// The least and the largest of several numbers.
 pub type Extremes = (f64, f64);
 
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -32,7 +30,7 @@ impl NumberSeries {
         &self.values
     }
 
-    /// The least and the largest of a stretch; nothing where that is empty.
+    /// The extremes of a stretch; `None` where it is empty.
     pub fn extremes(&self, stretch: Range<usize>) -> Option<Extremes> {
         let stretch = stretch.start..stretch.end.min(self.values.len());
         if stretch.is_empty() {

@@ -1,20 +1,19 @@
-//! A stop clock that runs in the time of the game: it stands while that stands, slows down with it, and goes back where it goes back.
+//! A stop clock in the game's time: it stops, slows down and goes back with the game.
 
 use crate::number::fixed;
 
-/// The most laps that are kept; a further one takes the place of the oldest.
+/// A further lap replaces the oldest.
 pub const MOST_LAPS: usize = 4;
 
-/// The clock. Every moment is a tick of the flight.
+/// Every moment is a tick of the flight.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct StopClock {
-    /// What it counted until it was last stopped, ticks.
+    /// Ticks up to its last stop.
     counted: i64,
-    /// Since when it runs.
     since: Option<u64>,
-    /// How many laps there were before those that are kept.
+    /// Laps before the kept ones.
     forgotten: usize,
-    /// When each lap ended, and what the clock read then, ticks.
+    /// For each lap its end and the reading then, ticks.
     laps: Vec<(u64, i64)>,
 }
 
@@ -28,7 +27,6 @@ impl StopClock {
         self.since.is_some()
     }
 
-    /// Keeps what it reads.
     pub fn lap(&mut self, now: u64) {
         self.laps.push((now, self.ticks(now)));
         if self.laps.len() > MOST_LAPS {
@@ -37,22 +35,22 @@ impl StopClock {
         }
     }
 
-    /// Back to nothing; a clock that runs goes on from there.
+    /// A clock that runs goes on from 0.
     pub fn reset(&mut self, now: u64) {
         *self = Self { since: self.since.map(|_| now), ..Self::default() };
     }
 
-    /// What it reads, ticks: less than nothing before it was started.
+    /// The reading, ticks: below 0 before its start.
     pub fn ticks(&self, now: u64) -> i64 {
         self.counted + self.since.map_or(0, |since| now.cast_signed() - since.cast_signed())
     }
 
-    /// The laps that are kept: the number of each, from 1 on, and what the clock read, ticks.
+    /// For each kept lap its number, from 1 on, and the reading, ticks.
     pub fn laps(&self) -> impl Iterator<Item = (usize, i64)> {
         (self.forgotten + 1..).zip(self.laps.iter().map(|(_, read)| *read))
     }
 
-    /// The flight was left at that tick: laps that ended later have not been.
+    /// The flight was left at that tick: later laps are void.
     pub fn back_to(&mut self, tick: u64) {
         self.laps.retain(|(at, _)| *at <= tick);
     }

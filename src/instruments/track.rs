@@ -12,12 +12,10 @@ const SMALLEST_JUMP: f64 = 1e-3;
 
 #[derive(Clone, Debug)]
 pub struct BodyTrack {
-    /// The game at the last tick that was read.
     companion: Companion,
     body: BodyId,
-    /// From which place on they hold: a level may be varied while it is flown.
+    /// From which place on they hold, since the level may be varied during the flight.
     constants: Vec<(usize, BodyConstants)>,
-    /// The first tick; the rest of it follow one by one.
     begins: u64,
     rate: f64,
     position: Vec<DVec2>,
@@ -26,14 +24,14 @@ pub struct BodyTrack {
     resultant: Vec<DVec2>,
     /// By kind, each up to the last tick in which it acted.
     forces: [Vec<DVec2>; ForceKind::ALL.len()],
-    /// What impacts passed on in each tick, up to the last one that did, N·s.
+    /// The impulses of each tick, up to the last one that had any, N·s.
     impulses: Vec<DVec2>,
-    /// Which of the ticks brought an impact, by their places.
+    /// The places of the ticks with an impact.
     impacts: Vec<usize>,
 }
 
 impl BodyTrack {
-    /// Of that body, of which nothing has been read.
+    /// A body without any moment.
     pub fn new(body: BodyId) -> Self {
         Self {
             companion: Companion::default(),
@@ -55,7 +53,7 @@ impl BodyTrack {
         self.body
     }
 
-    /// How many ticks have been read, the start included.
+    /// The number of ticks, the start included.
     pub fn len(&self) -> usize {
         self.position.len()
     }
@@ -68,7 +66,7 @@ impl BodyTrack {
         self.begins + place as u64
     }
 
-    /// The place of a tick, or the nearest to it that has been read.
+    /// The place of a tick, or the nearest to it.
     pub fn place(&self, tick: u64) -> usize {
         (tick.saturating_sub(self.begins) as usize).min(self.len().saturating_sub(1))
     }
@@ -77,7 +75,7 @@ impl BodyTrack {
         self.rate
     }
 
-    /// The time at a place, s.
+    /// s.
     pub fn time(&self, place: usize) -> f64 {
         self.tick_of(place) as f64 / self.rate
     }
@@ -89,7 +87,7 @@ impl BodyTrack {
         first..(place(to).ceil() as usize + 2).min(self.len()).max(first)
     }
 
-    /// Everything at a place below [`BodyTrack::len`].
+    /// For a place below [`BodyTrack::len`].
     pub fn moment(&self, place: usize) -> Moment {
         Moment {
             time: self.time(place),
@@ -102,12 +100,12 @@ impl BodyTrack {
         }
     }
 
-    /// What impacts passed on, tick by tick, N·s.
+    /// The impulses, tick by tick, N·s.
     pub fn impulses(&self) -> impl Iterator<Item = DVec2> + '_ {
         self.impulses.iter().copied()
     }
 
-    /// The places of the ticks that brought an impact, in order.
+    /// The places of the ticks with an impact, in order.
     pub fn impacts(&self) -> &[usize] {
         &self.impacts
     }
@@ -142,7 +140,6 @@ impl BodyTrack {
         }
     }
 
-    /// Whether a force of that kind has acted.
     pub fn felt(&self, kind: ForceKind) -> bool {
         !self.forces[kind as usize].is_empty()
     }
@@ -157,7 +154,7 @@ impl BodyTrack {
         self.companion = companion;
     }
 
-    /// The flight was left at that tick and goes on otherwise: all moments after it are forgotten.
+    /// The flight was left at that tick and goes on otherwise: later moments are void.
     pub fn back_to(&mut self, history: &History, tick: u64) {
         if self.companion.tick().is_some_and(|at| at > tick) {
             self.companion.stand_at(history, tick);
@@ -165,13 +162,11 @@ impl BodyTrack {
         }
     }
 
-    /// Begins with the game at the flight's start.
     pub(super) fn begin(&mut self, start: &Game) {
         *self = Self { begins: start.ticks(), rate: start.tick_rate(), ..Self::new(self.body) };
         self.tick(start);
     }
 
-    /// Takes over the game at the next tick.
     pub(super) fn tick(&mut self, game: &Game) {
         let (place, moment) = (self.len(), Moment::of(game, self.body));
         if self.constants.last().is_none_or(|(_, constants)| *constants != moment.constants) {

@@ -1,4 +1,4 @@
-//! Where bodies were at every tenth of a second before the moment that is shown, as in a stroboscope's picture.
+//! The places of bodies at every tenth of a second before the moment on the screen, as in a stroboscope's picture.
 //!
 //! Tenths are exact instants of the game's time: a tick of their own where the rate is a multiple of ten, and else a point between two ticks,
 //! on the parabola through both with the velocity of the later one.
@@ -9,17 +9,17 @@ use crate::physics::{BodyId, DVec2};
 use std::collections::VecDeque;
 
 pub const DOTS_A_SECOND: u64 = 10;
-/// How far a trail goes back, s.
+/// s.
 pub const LASTS: u64 = 5;
-/// The most bodies that have a trail.
+/// More bodies get no trail.
 pub const MOST: usize = 64;
 
-/// Where they all were at one instant.
+/// All places at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dots {
     /// Tenths of a second since the flight's start.
     pub number: u64,
-    /// A place for each body, m.
+    /// One a body, m.
     pub places: Vec<DVec2>,
 }
 
@@ -27,13 +27,13 @@ pub struct Dots {
 pub struct Trail {
     companion: Companion,
     who: Vec<BodyId>,
-    /// From which tick on they are known.
+    /// The first known tick.
     from: u64,
     dots: VecDeque<Dots>,
 }
 
 impl Trail {
-    /// Goes to that tick of a flight, by `most` ticks at most, with the trails of those bodies; the first [`MOST`] of them.
+    /// Goes to that tick of a flight, by `most` ticks at most, with the trails of the first [`MOST`] of those bodies.
     pub fn go(&mut self, history: &History, tick: u64, most: u64, who: &[BodyId]) {
         let who = &who[..who.len().min(MOST)];
         let rate = history.start().tick_rate();
@@ -58,7 +58,6 @@ impl Trail {
         }
     }
 
-    /// The bodies that have one.
     pub fn who(&self) -> &[BodyId] {
         &self.who
     }
@@ -70,7 +69,7 @@ impl Trail {
         self.dots.iter().filter(move |dots| (oldest..=newest).contains(&(dots.number as f64)))
     }
 
-    /// The flight was left at that tick: what was later has not been.
+    /// The flight was left at that tick: later dots are void.
     pub fn back_to(&mut self, tick: u64) {
         self.companion.back_to(tick);
     }
@@ -79,12 +78,12 @@ impl Trail {
 /// The dots of the instants after the tick before, up to the one that led to this game; of the start too.
 fn dots_of_tick(game: &Game, who: &[BodyId]) -> Vec<Dots> {
     let (rate, tick) = (game.tick_rate(), game.ticks());
-    // How many tenths there were up to a tick, the start included.
+    // The number of tenths up to a tick, the start included.
     let up_to = |tick: u64| (tick as f64 * DOTS_A_SECOND as f64 / rate).floor() as u64 + 1;
     let first = if tick == 0 { 0 } else { up_to(tick - 1) };
     let place = |id: &BodyId, back: f64| {
         let (body, before) = (game.world().body(*id), game.world().previous_position(*id));
-        // x(−s) = x₁ − v₁·s + ½a·s², s in ticks, so that x(−1) is where it was.
+        // x(−s) = x₁ − v₁·s + ½a·s², s in ticks, so that x(−1) is its place before.
         let velocity = body.velocity / rate;
         body.position - velocity * back + (before - body.position + velocity) * (back * back)
     };

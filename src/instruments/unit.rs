@@ -17,7 +17,7 @@ impl Unit {
     /// N·m.
     pub const JOULE: Self = Self { kg: 1, m: 2, s: -2 };
 
-    /// Those that have a name, or are written in one that has.
+    /// Units with a name of their own.
     const NAMED: [(Self, &'static str); 10] = [
         (Self::NEWTON, "N"),
         (Self::JOULE, "J"),
@@ -39,7 +39,7 @@ impl Unit {
         Self { kg: self.kg - other.kg, m: self.m - other.m, s: self.s - other.s }
     }
 
-    /// As it is written; empty for a mere number.
+    /// Empty for a mere number.
     pub fn name(self) -> String {
         if let Some((_, name)) = Self::NAMED.iter().find(|(unit, _)| *unit == self) {
             return (*name).to_owned();

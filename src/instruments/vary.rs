@@ -1,11 +1,11 @@
-//! "What if": numbers of a level that are varied while it is flown, and the sliders that vary them.
+//! "What if": numbers of a level that vary while it is flown, and their sliders.
 
 use crate::level::{Level, Parameter, Problem, varied};
 use std::collections::BTreeMap;
 
-/// Digits that a slider sets: as many as are shown.
+/// Digits that a slider sets, which is as many as it shows.
 const DIGITS: usize = 3;
-/// What is nearer to 0 than this part of a slider is 0.
+/// A number nearer to 0 than this part of a slider is 0.
 const NOTHING: f64 = 1e-3;
 
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -14,7 +14,7 @@ pub struct Variation {
 }
 
 impl Variation {
-    /// Makes a number another one; one that is as in the level is not varied.
+    /// Varies a number; one that is as in the level is not varied.
     pub fn set(&mut self, parameter: Parameter, value: f64, level: &Level) {
         if parameter.of(level) == Some(value) {
             self.changes.remove(&parameter);
@@ -23,7 +23,6 @@ impl Variation {
         }
     }
 
-    /// Lets a number be as in the level.
     pub fn reset(&mut self, parameter: Parameter) {
         self.changes.remove(&parameter);
     }
@@ -32,12 +31,12 @@ impl Variation {
         self.changes.is_empty()
     }
 
-    /// What a number is; `None` where it is as in the level.
+    /// `None` where it is as in the level.
     pub fn get(&self, parameter: Parameter) -> Option<f64> {
         self.changes.get(&parameter).copied()
     }
 
-    /// What is varied, in the order in which it is listed.
+    /// In the order of the list.
     pub fn changes(&self) -> impl Iterator<Item = (Parameter, f64)> + '_ {
         self.changes.iter().map(|(parameter, value)| (*parameter, *value))
     }
@@ -46,8 +45,6 @@ impl Variation {
         self.changes.keys().copied().collect()
     }
 
-    /// The level as it is varied.
-    ///
     /// # Errors
     /// Every number that the loader would not accept.
     pub fn apply(&self, level: &Level) -> Result<Level, Vec<Problem>> {
@@ -55,7 +52,6 @@ impl Variation {
     }
 }
 
-/// The values from one end of a slider to the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SliderTrack {
     /// Equal distances, equal differences.
@@ -67,7 +63,7 @@ pub enum SliderTrack {
 }
 
 impl SliderTrack {
-    /// The slider of a number that is `usual` in the level: what is sensible, within what the loader accepts.
+    /// The slider of a number that is `usual` in the level: a sensible range within the loader's limits.
     pub fn of(parameter: Parameter, usual: f64) -> Self {
         let (least, most) = parameter.limits();
         let reach = |sensible: f64| sensible.max(2.0 * usual.abs()).min(most);
@@ -89,7 +85,7 @@ impl SliderTrack {
         }
     }
 
-    /// What a slider at that part of its way (0 … 1) sets: three digits.
+    /// The number at that part of the slider (0 … 1), with three digits.
     pub fn value(self, part: f64) -> f64 {
         let part = part.clamp(0.0, 1.0);
         let (low, high) = self.ends();
@@ -108,7 +104,7 @@ impl SliderTrack {
         rounded(value).clamp(low, high)
     }
 
-    /// Where on its way (0 … 1) a slider stands for that number; at an end where that is beyond it.
+    /// The part of the slider (0 … 1) for that number; at an end where the number is beyond it.
     pub fn part(self, value: f64) -> f64 {
         let (low, high) = self.ends();
         let value = value.clamp(low, high);
@@ -119,7 +115,7 @@ impl SliderTrack {
         }
     }
 
-    /// The number that is fine `steps` further: units of the last but one digit that is shown, within what is accepted.
+    /// The number that is fine `steps` further: units of the last but one digit on the screen, within the loader's limits.
     pub fn stepped(self, value: f64, steps: f64, (least, most): (f64, f64)) -> f64 {
         let finest = match self {
             Self::Even(low, high) | Self::Fine(low, high) => power(high - low) * NOTHING,
@@ -134,14 +130,13 @@ fn bent(value: f64) -> f64 {
     value.abs().sqrt().copysign(value)
 }
 
-/// The largest power of ten that is not above a number's size; 0 for 0.
+/// Not above a number's size; 0 for 0.
 fn power(value: f64) -> f64 {
     if value == 0.0 { 0.0 } else { 10f64.powi(value.abs().log10().floor() as i32) }
 }
 
-/// A number with three digits.
 fn rounded(value: f64) -> f64 {
-    // By way of its text: a power of ten below one is no number that a float has.
+    // Through its text, since a float cannot hold most powers of ten below one.
     format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value)
 }
 

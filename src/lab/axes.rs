@@ -4,19 +4,17 @@ use super::curve::WorkPoint;
 use super::measured::Measured;
 use std::ops::Range;
 
-/// Errors below this are drawn on the lower edge: rounding of numbers about 1.
+/// Smaller errors are drawn on the lower edge: they are rounding of numbers about 1.
 pub const LEAST_ERROR: f64 = 1e-16;
 
-/// From one power of ten to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Decades {
     pub from: i32,
-    /// The upper one, above it.
     pub to: i32,
 }
 
 impl Decades {
-    /// The fewest around all values, which are above 0; a single one where there are none.
+    /// The fewest decades around all values, which are above 0; a single one without values.
     pub(super) fn around(values: impl Iterator<Item = f64>) -> Self {
         let (least, most) =
             values.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), value| (least.min(value), most.max(value)));
@@ -27,17 +25,16 @@ impl Decades {
         Self { from, to: to.max(from + 1) }
     }
 
-    /// From its lower end to its upper one, as values.
     pub fn range(&self) -> Range<f64> {
         10f64.powi(self.from)..10f64.powi(self.to)
     }
 
-    /// How far along a value lies, 0 … 1; what lies beyond an end is drawn at it.
+    /// 0 … 1; values beyond an end are drawn at it.
     pub fn part(&self, value: f64) -> f64 {
         ((value.log10() - f64::from(self.from)) / f64::from(self.to - self.from)).clamp(0.0, 1.0)
     }
 
-    /// The powers that are named, at most about `most` of them, evenly spaced and 0 among them where it is within.
+    /// The powers with a label, at most about `most` of them, evenly spaced and 0 among them where it is within.
     pub fn named(&self, most: i32) -> impl Iterator<Item = i32> {
         let every = ((self.to - self.from + most - 1) / most.max(1)).max(1);
         (self.from..=self.to).filter(move |power| power % every == 0)
@@ -51,7 +48,6 @@ pub struct Axes {
 }
 
 impl Axes {
-    /// Around everything that a diagram shows.
     pub fn of(measured: &Measured) -> Self {
         let points = || measured.curves.iter().flat_map(|curve| &curve.points);
         let errors = points().filter(|point| !point.blew_up()).map(|point| point.error.max(LEAST_ERROR));
@@ -61,8 +57,7 @@ impl Axes {
         }
     }
 
-    /// The place of a point: parts of the axes to the right and upwards. A run that blew up is at the upper edge, one without error at the
-    /// lower.
+    /// The parts of the axes to the right and upwards. A run that blew up is at the upper edge, one without error at the lower.
     pub fn place(&self, point: &WorkPoint) -> (f64, f64) {
         let up = if point.blew_up() { 1.0 } else { self.error.part(point.error.max(LEAST_ERROR)) };
         (self.work.part(point.work), up)
@@ -77,7 +72,6 @@ pub fn power(exponent: i32) -> String {
     format!("10{raised}")
 }
 
-/// A number to three digits.
 pub fn number(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();

@@ -7,51 +7,40 @@ use crate::physics::World;
 /// The name of the shipped engine in legends and tables.
 pub const SHIPPED: &str = "shipped engine";
 
-/// The stepper of a model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum By<S> {
-    /// A method by hand.
     Hand(S),
-    /// The engine as it is shipped.
     Engine,
 }
 
-/// Methods by name, the shipped engine behind those by hand.
+/// The shipped engine stands behind the methods by hand.
 pub fn contenders<S>(by_hand: impl IntoIterator<Item = (&'static str, S)>) -> impl Iterator<Item = (&'static str, By<S>)> {
     let by_hand = by_hand.into_iter().map(|(name, method)| (name, By::Hand(method)));
     by_hand.chain(std::iter::once_with(|| (SHIPPED, By::Engine)))
 }
 
-/// A method in a scene or a stress test. Its runs depend on one number: a step (s), or the value that a test makes larger.
 pub struct Entrant<R, P> {
-    /// Its name in the legend.
     pub name: String,
-    /// Whether it is the engine as it is shipped.
     pub shipped: bool,
-    /// Runs it and gives the result.
     pub run: Box<dyn Fn(f64) -> R>,
-    /// Runs it and gives the course of the run, where the scene is one to be followed.
+    /// The result and the course of the run, where the scene is one to be followed.
     pub shown: Option<Box<dyn Fn(f64) -> P>>,
 }
 
 impl<R: 'static, P: 'static> Entrant<R, P> {
-    /// A method by hand.
     pub fn new(name: impl Into<String>, run: impl Fn(f64) -> R + 'static) -> Self {
         Self { name: name.into(), shipped: false, run: Box::new(run), shown: None }
     }
 
-    /// The engine as it is shipped.
     pub fn shipped(run: impl Fn(f64) -> R + 'static) -> Self {
         Self { shipped: true, ..Self::new(SHIPPED, run) }
     }
 
-    /// One that shows its course.
     #[must_use]
     pub fn showing(self, show: impl Fn(f64) -> P + 'static) -> Self {
         Self { shown: Some(Box::new(show)), ..self }
     }
 
-    /// Methods by hand and the shipped engine.
     pub fn all<S: Copy + 'static>(
         by_hand: impl IntoIterator<Item = (&'static str, S)>,
         run: impl Fn(By<S>, f64) -> R + Clone + 'static,
@@ -63,7 +52,6 @@ impl<R: 'static, P: 'static> Entrant<R, P> {
         contenders(by_hand).map(entrant).collect()
     }
 
-    /// The same, each of which shows its course.
     pub fn all_showing<S: Copy + 'static>(
         by_hand: impl IntoIterator<Item = (&'static str, S)> + Clone,
         run: impl Fn(By<S>, f64) -> R + Clone + 'static,
@@ -77,9 +65,7 @@ impl<R: 'static, P: 'static> Entrant<R, P> {
     }
 }
 
-/// A motion that methods step.
 pub trait Model: Clone {
-    /// All of it that changes.
     type State: Clone;
     /// A method by hand: a function, or its settings.
     type Method: Copy;
@@ -90,7 +76,7 @@ pub trait Model: Clone {
     /// A step of `h` s by hand.
     fn step(&self, method: Self::Method, state: &mut Self::State, h: f64);
 
-    /// The same motion in the shipped engine; nothing where the engine refuses it.
+    /// `None` where the engine refuses the motion.
     fn world(&self) -> Option<World>;
 
     /// Takes the state over from that world, `time` s after the start.
@@ -111,7 +97,6 @@ pub trait Model: Clone {
         Some(state)
     }
 
-    /// The model at its start, to be stepped by `h` s at a time.
     fn running(&self, by: By<Self::Method>, h: f64) -> Running<Self> {
         let stepper = match by {
             By::Hand(method) => Some(Stepper::Hand(method)),
@@ -125,7 +110,6 @@ fn steps(seconds: f64, h: f64) -> u64 {
     (seconds / h).round() as u64
 }
 
-/// A model on its course.
 pub struct Running<M: Model> {
     model: M,
     state: M::State,
@@ -146,7 +130,7 @@ impl<M: Model> Running<M> {
         (0..steps(seconds, self.h)).map_while(move |_| self.step().map(|(time, state)| ask(time, state)))
     }
 
-    /// One step: the time after it, s, and the state. Nothing where the engine refuses the model.
+    /// The time after the step, s, and the state. `None` where the engine refuses the model.
     pub fn step(&mut self) -> Option<(f64, &M::State)> {
         self.steps += 1;
         let time = self.steps as f64 * self.h;

@@ -6,28 +6,25 @@ use super::curve::MethodCurve;
 /// Moments of a course, at most. More would be closer together than the pixels of a diagram.
 const MOMENTS: usize = 150;
 
-/// What is known of a method at a time.
+/// A method at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoursePoint {
     /// Since the start, s.
     pub time: f64,
     /// The largest distance from the truth since the moment before, m; not finite where the method blew up.
     pub error: f64,
-    /// Energy over what it should be, where that is kept.
+    /// Energy over the exact one, where the scene keeps it.
     pub energy: Option<f64>,
 }
 
-/// All methods of a scene over time, at one step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OverTime {
     /// s.
     pub step: f64,
-    /// In the order of the scene's curves.
     pub courses: Vec<MethodCurve<CoursePoint>>,
 }
 
 impl OverTime {
-    /// Whether energies are known.
     pub fn has_energy(&self) -> bool {
         self.courses.iter().flat_map(|course| &course.points).any(|moment| moment.energy.is_some())
     }
@@ -39,8 +36,8 @@ pub fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
     errors.into_iter().reduce(larger).unwrap_or(f64::NAN)
 }
 
-/// A few of many moments, evenly spaced, the last one among them. Between two of them the largest error counts, and the energy that is
-/// furthest from 1.
+/// Thinned out, evenly spaced; the last moment stays. Each takes the largest error since the one before, and the energy furthest from
+/// 1.
 pub fn sampled(moments: impl Iterator<Item = CoursePoint>) -> Vec<CoursePoint> {
     let all: Vec<CoursePoint> = moments.collect();
     let every = all.len().div_ceil(MOMENTS).max(1);

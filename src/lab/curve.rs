@@ -12,7 +12,6 @@ pub struct WorkPoint {
 }
 
 impl WorkPoint {
-    /// Whether the error is beyond all bounds.
     pub fn blew_up(&self) -> bool {
         self.error.is_nan() || self.error > BLOWN_UP
     }
@@ -21,39 +20,33 @@ impl WorkPoint {
 /// Errors beyond this are no answer any more, whatever their unit.
 const BLOWN_UP: f64 = 1e4;
 
-/// Errors of which an order is read: below stands rounding, above the motion's own size.
+/// An order is read from errors in this range: below stands rounding, above the motion's own size.
 const FITTED: std::ops::RangeInclusive<f64> = 1e-11..=1.0;
 /// Slopes that differ by more are no order.
 const ALIKE: f64 = 0.25;
 
 /// Steps, work and tolerances: outside, a number is a slip, and logarithmic axes to it would have no end.
 pub const NUMBERS: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
-/// The most curves of a diagram: neither eye nor legend copes with more.
+/// More curves than this neither an eye nor a legend copes with.
 pub const MOST_CURVES: usize = 64;
 
-/// The origin of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CurveOrigin {
-    /// A method by hand.
     Lab,
-    /// The engine as it is shipped.
     Shipped,
-    /// Another engine, from the file that `benches/peers` wrote.
+    /// From the file that `benches/peers` wrote.
     Peer,
 }
 
 /// A method's points, from the coarsest step or in the order of their times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MethodCurve<P = WorkPoint> {
-    /// For the legend.
     pub name: String,
-    /// The method's origin.
     pub origin: CurveOrigin,
-    /// In order.
     pub points: Vec<P>,
 }
 
-/// The curve of a method, begun where there is none; nothing where a diagram would have too many of them.
+/// The curve of a method, begun where there is none. `None` beyond [`MOST_CURVES`].
 pub(super) fn curve_of<'a, P>(
     curves: &'a mut Vec<MethodCurve<P>>,
     name: &str,
@@ -83,7 +76,7 @@ impl MethodCurve {
         (slopes.len() > 1 && most - least <= ALIKE && median >= 1.0 - ALIKE).then_some(median)
     }
 
-    /// The point with the finest step of which an order is read.
+    /// The point with the finest step that the order is read from.
     pub fn finest_fitted(&self) -> Option<WorkPoint> {
         self.points.iter().rev().copied().find(|point| FITTED.contains(&point.error))
     }

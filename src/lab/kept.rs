@@ -9,7 +9,6 @@ macro_rules! kept {
     };
 }
 
-/// Names and texts.
 const FILES: [(&str, &str); 35] = kept![
     "setting",
     "scenes",
@@ -48,10 +47,8 @@ const FILES: [(&str, &str); 35] = kept![
     "bounce-perfect-over-time",
 ];
 
-/// Reads them.
-///
 /// # Errors
-/// As [`Charts::read`]: a file that was damaged before the game was built.
+/// As [`Charts::read`]: a file was damaged before the build.
 pub fn charts() -> Result<Charts, String> {
     Charts::read(|name| {
         let file = FILES.iter().find(|(file, _)| *file == name);

@@ -6,24 +6,22 @@ use crate::number::fixed;
 
 /// Beyond these sizes numbers are written with powers of ten, each for itself.
 const PLAIN: std::ops::Range<f64> = 1e-4..1e6;
-/// What the numbers may take of the axis before it ends beyond them, in parts of their span.
+/// The parts of its span that labels may take before the axis ends beyond them.
 const MARGIN: f64 = 0.06;
-/// By how many more numbers than were asked for an axis is named at most, so that there are two.
+/// An axis names at most this many more numbers than it is asked for, so that there are two.
 const FINER: usize = 8;
 /// A span of less than this part of its numbers is none: they are one number, and rounding.
 const SAME: f64 = 1e-9;
 
-/// The axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Linear {
-    /// The lower end.
     pub from: f64,
-    /// The upper one, above it.
+    /// Above `from`.
     pub to: f64,
 }
 
 impl Linear {
-    /// From one number to another; a little longer where they are one.
+    /// A little longer where the two numbers are one.
     pub fn between(from: f64, to: f64) -> Self {
         let size = from.abs().max(to.abs());
         if to - from > SAME * size.max(SAME) {
@@ -47,7 +45,6 @@ impl Linear {
         (value - self.from) / (self.to - self.from)
     }
 
-    /// The value so far along.
     pub fn value(&self, part: f64) -> f64 {
         self.from + (self.to - self.from) * part
     }

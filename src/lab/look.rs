@@ -1,4 +1,4 @@
-//! How a curve looks, on paper and on the screen: methods differ by colour, dash and marker.
+//! Methods differ by colour, dash and marker, on paper and on the screen.
 
 use super::curve::CurveOrigin;
 
@@ -8,7 +8,8 @@ pub const TEXT: u32 = 0xE6EBF2;
 pub const SHIPPED: u32 = 0xFF9F1C;
 /// The tolerance, and the cheapest within it.
 pub const GOOD: u32 = 0x4CC38A;
-/// Told apart by all common kinds of colour vision (M. Okabe, K. Ito, "Color Universal Design", 2008), lightened for a dark ground.
+/// All common kinds of colour vision tell these apart (M. Okabe, K. Ito, "Color Universal Design", 2008); lightened for a dark
+/// ground.
 const COLOURS: [u32; 8] = [0x56B4E9, 0xB79CED, 0xF0E442, 0xD55E00, 0x1FB88F, 0xCC79A7, 0xDCE6F5, 0xA3A847];
 /// Pixels drawn and left out.
 const DASHES: [Option<(u32, u32)>; 4] = [None, Some((8, 4)), Some((3, 3)), Some((14, 5))];
@@ -19,24 +20,22 @@ pub const RING: f32 = 11.0;
 /// Pixels. Half the side of the square around the cheapest one.
 pub const FRAME: f32 = 10.0;
 
-/// Colour, dash and marker of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Look {
     /// As 0xRRGGBB.
     pub colour: u32,
     /// Pixels drawn and left out; none: a full line.
     pub dash: Option<(u32, u32)>,
-    /// The shape of its points.
     pub marker: Marker,
     /// Pixels.
     pub width: u32,
 }
 
 impl Look {
-    /// How the curve of that index and origin looks. Other engines are white, ours has the accent's colour.
+    /// Other engines are white, ours has the accent's colour.
     pub fn of(index: usize, origin: CurveOrigin) -> Self {
         let marker = Marker::ALL[index % Marker::ALL.len()];
-        // One further each time the colours begin again, so that no two of many curves share both.
+        // One shape further each time the colours begin again, so that no two of many curves share both.
         let dash = DASHES[(index + index / COLOURS.len()) % DASHES.len()];
         match origin {
             CurveOrigin::Shipped => Self { colour: SHIPPED, dash: None, marker: Marker::Star, width: 3 },
@@ -46,26 +45,19 @@ impl Look {
     }
 }
 
-/// The shape of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Marker {
-    /// A square.
     Square,
-    /// A triangle that points up.
+    /// Points up.
     Up,
-    /// A square on its corner.
     Diamond,
-    /// A triangle that points down.
+    /// Points down.
     Down,
-    /// A bar that lies.
     Bar,
-    /// A hexagon.
     Hexagon,
-    /// A bar that stands.
     Pole,
-    /// A star of five points.
     Star,
-    /// ×: blew up.
+    /// Marks a run that blew up.
     Cross,
 }
 
@@ -73,10 +65,10 @@ pub enum Marker {
 pub type Outline = Vec<(f32, f32)>;
 
 impl Marker {
-    /// Those that curves take in turn.
+    /// The markers that curves take in turn.
     const ALL: [Self; 7] = [Self::Square, Self::Up, Self::Diamond, Self::Down, Self::Hexagon, Self::Bar, Self::Pole];
 
-    /// What it is made of: convex pieces that overlap.
+    /// Convex pieces that overlap.
     pub fn pieces(self) -> Vec<Outline> {
         match self {
             Self::Square => vec![vec![(-4.0, -4.0), (4.0, -4.0), (4.0, 4.0), (-4.0, 4.0)]],

@@ -1,35 +1,28 @@
-//! What measuring a scene gives: the numbers behind its diagrams.
+//! The numbers behind a scene's diagrams.
 
 use super::course::OverTime;
 use super::curve::{CurveOrigin, MethodCurve, WorkPoint};
 
-/// Everything that a diagram shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
-    /// Name of its files.
     pub name: String,
-    /// Its heading.
     pub title: String,
-    /// What the error is, with its unit.
+    /// With its unit.
     pub error: String,
-    /// What the work is, with its unit.
+    /// With its unit.
     pub work: String,
-    /// The largest error that no eye sees.
     pub tolerance: f64,
-    /// The step at which the game ships, s.
+    /// s.
     pub shipped_step: f64,
-    /// Whether all methods answer the same question.
     pub alike: bool,
-    /// What a reader should know; empty where that is nothing.
+    /// A note for the reader, or empty.
     pub note: String,
-    /// All methods.
     pub curves: Vec<MethodCurve>,
-    /// How they fare meanwhile, where the scene was followed.
+    /// Empty where no method was followed.
     pub over_time: Option<OverTime>,
 }
 
 impl Measured {
-    /// A diagram of such curves, for tests.
     #[cfg(test)]
     pub(crate) fn of_curves(curves: Vec<MethodCurve>) -> Self {
         Self {
@@ -46,19 +39,18 @@ impl Measured {
         }
     }
 
-    /// The curve of the engine as it is shipped, if the scene has one, and its points at the step at which the game ships.
+    /// The curve of the shipped engine, if the scene has one, and its points at the step at which the game ships.
     pub fn shipped(&self) -> Option<(&MethodCurve, impl Iterator<Item = WorkPoint>)> {
         let curve = self.curves.iter().find(|curve| curve.origin == CurveOrigin::Shipped)?;
         let step = self.shipped_step;
         Some((curve, curve.points.iter().copied().filter(move |point| (point.step / step - 1.0).abs() < SAME_STEP)))
     }
 
-    /// The first of those points.
     pub fn shipped_point(&self) -> Option<WorkPoint> {
         self.shipped()?.1.next()
     }
 
-    /// The cheapest point with an error of at most `error`, where all answer the same question.
+    /// The cheapest point with an error of at most `error`, where all methods answer the same question.
     pub fn cheapest_within(&self, error: f64) -> Option<(&MethodCurve, WorkPoint)> {
         if !self.alike {
             return None;
@@ -67,7 +59,6 @@ impl Measured {
         points.filter(|(_, point)| point.error <= error).min_by(|(_, a), (_, b)| a.work.total_cmp(&b.work))
     }
 
-    /// The cheapest point within the tolerance.
     pub fn cheapest(&self) -> Option<(&MethodCurve, WorkPoint)> {
         self.cheapest_within(self.tolerance)
     }

@@ -1,5 +1,5 @@
-//! Accuracy against speed: scenes with exact answers, the methods that games use and the engine as it is shipped, stress tests, and the
-//! charts of all of them. Nothing here reads a clock or a file: `resultant chart` measures, this draws.
+//! Accuracy against speed: scenes with exact answers, the methods that games use and the shipped engine, stress tests, and the charts
+//! of all of them. Nothing here reads a clock or a file: `resultant chart` measures, the lab draws.
 //!
 //! - [`contract`]: the one contract of all methods, by hand and shipped. A new method stands in the table of its family in [`methods`] or
 //!   [`scenes`]; scenes, stress tests, side by side and the regions of stability take it from there.

@@ -1,5 +1,5 @@
 //! Other engines' points, from the file that `benches/peers` wrote: the same scenes, measured on one machine in one run. A scene of
-//! the lab gets their points into its diagram, a curve for each version and setting; the others, which no method by hand could run, make
+//! the lab gets their points into its diagram, a curve for each version and setting. Scenes that no method by hand could run make
 //! diagrams of their own.
 
 use super::TOLERANCE;
@@ -9,19 +9,19 @@ use super::rows::{above_zero, error, rows};
 
 /// The columns of the file that `benches/peers` writes.
 pub const PEERS_HEAD: [&str; 10] = ["scene", "engine", "version", "settings", "step", "work", "error", "overlap", "speed", "times"];
-/// What `benches/peers` calls this engine.
+/// The name of this engine in that file.
 pub const OURS: &str = "Resultant";
-/// What its scenes end with in which bodies that rest may sleep, as they always may in the lab.
+/// The ending of scenes in which resting bodies may sleep, as they always may in the lab.
 const SLEEP: &str = "-sleep";
 
-/// A diagram that only engines take part in, and which scenes are in it: those of that name, or of that name and a size.
+/// A diagram for engines only; its scenes bear its name, or its name and a size.
 struct Family {
     scenes: &'static str,
     name: &'static str,
     title: &'static str,
     error: &'static str,
     tolerance: f64,
-    /// Whether its scenes come in sizes: a point a size, work a body and step.
+    /// Whether the diagram has a point a size, with work a body and step.
     sizes: bool,
 }
 
@@ -70,7 +70,7 @@ impl Family {
             error: self.error.to_owned(),
             work: work.to_owned(),
             tolerance: self.tolerance,
-            // Of sizes, the only one there is; else the one at which the game ships.
+            // Of sizes, the only one there is; else the step at which the game ships.
             shipped_step: if self.sizes { step } else { 1.0 / crate::game::TICK_RATE },
             alike: !self.sizes,
             note: String::new(),
@@ -80,18 +80,18 @@ impl Family {
     }
 }
 
-/// Adds the peers' points to the diagrams of their scenes, and diagrams for the scenes that only engines take part in. Scenes that are
-/// neither are left out. `file` is where the text is from.
+/// Adds the peers' points to the diagrams of their scenes, and diagrams for the scenes of engines only; leaves out all other scenes.
+/// `file` names the text.
 ///
 /// # Errors
-/// A sentence with file and line of the first row that cannot be read.
+/// File and line of the first row that cannot be read.
 pub fn add_peers(file: &str, text: &str, diagrams: &mut Vec<Measured>) -> Result<(), String> {
     let mut families = FAMILIES.map(|family| (family, None::<Measured>));
     for row in rows(file, text, &PEERS_HEAD)? {
         let (scene, ours) = (row.get("scene"), row.get("engine") == OURS);
         let (step, work, error) = (above_zero(&row, "step")?, above_zero(&row, "work")?, error(&row)?);
         let (scene, sleeps) = match scene.strip_suffix(SLEEP) {
-            // Ours with sleep is what the lab measures.
+            // The lab measures this engine with sleep.
             Some(_) if ours => continue,
             Some(scene) => (scene, true),
             None => (scene, false),
@@ -118,7 +118,7 @@ pub fn add_peers(file: &str, text: &str, diagrams: &mut Vec<Measured>) -> Result
     Ok(())
 }
 
-/// What a curve is called: the engine with its version and its settings. Ours needs neither: it is the one that is at hand.
+/// The legend of a curve: the engine with its version and settings; ours needs neither.
 fn curve_name(engine: &str, version: &str, settings: &str, sleeps: bool) -> String {
     if engine == OURS {
         return engine.to_owned();
@@ -131,7 +131,7 @@ fn curve_name(engine: &str, version: &str, settings: &str, sleeps: bool) -> Stri
 mod tests {
     use super::*;
 
-    /// The file with such rows: all of a row up to its error.
+    /// A file of such rows, each without its end from the error on.
     fn file(rows: &[&str]) -> String {
         let rows = rows.iter().map(|row| format!("{row},0,0,1\n"));
         std::iter::once(format!("{}\n", PEERS_HEAD.join(","))).chain(rows).collect()

@@ -1,4 +1,4 @@
-//! What a run found, in writing: a page with all tables and diagrams, and which method is the cheapest in each scene.
+//! The findings of a run in writing: a page with all tables and diagrams, and the cheapest method of each scene.
 
 use super::axes::{number, step};
 use super::charts::Charts;
@@ -9,7 +9,7 @@ use super::stability::{Region, SHIPPED, SHIPPED_LIMITS, limit};
 use super::stability_diagram::{SVG, TITLE};
 use std::fmt::Write;
 
-/// What the shipped engine costs in a scene, beside the cheapest there.
+/// The shipped engine's cost in a scene, beside the cheapest there.
 struct SceneVerdict<'a> {
     measured: &'a Measured,
     shipped: WorkPoint,
@@ -33,7 +33,7 @@ impl<'a> SceneVerdict<'a> {
     }
 }
 
-/// Which method is the cheapest in each scene, and how much more the shipped one costs.
+/// The cheapest method of each scene, and how much more the shipped one costs.
 pub fn shipped_csv(diagrams: &[Measured]) -> String {
     let head = [
         ["scene", "shipped_step", "shipped_error", "shipped_work", "shipped_cheapest_step", "shipped_cheapest_work"].as_slice(),
@@ -56,13 +56,12 @@ pub fn shipped_csv(diagrams: &[Measured]) -> String {
     table(&head.concat(), rows)
 }
 
-/// Everything on one page, in Markdown.
 pub fn summary(charts: &Charts, regions: &[Region]) -> String {
     let Charts { setting, diagrams, stress } = charts;
     let mut text = "# Accuracy against speed\n\n".to_owned();
     let commit = setting.commit.as_deref().unwrap_or("unknown");
     let runs = if setting.quick { "few runs a point (--quick)" } else { "medians of several runs" };
-    // A string takes all that is written to it.
+    // Writing to a string never fails.
     let _ = writeln!(text, "Machine: {}. Commit: {commit}. Build: {}; one thread, {runs}.\n", setting.machine, setting.profile);
     text.push_str(
         "Each point is a method at a step: CPU time of its thread to the right, error upwards, so lower left is better. The dotted \
@@ -105,7 +104,6 @@ fn stability_table(text: &mut String, regions: &[Region]) {
     let _ = writeln!(text, "| **{SHIPPED}** | **{drag}** | **{swing}** |");
 }
 
-/// The table of the shipped engine beside the cheapest.
 fn verdicts(text: &mut String, diagrams: &[Measured]) {
     text.push_str("## What the shipped engine costs, and what is cheapest\n\n");
     let all: Vec<SceneVerdict<'_>> = diagrams.iter().filter_map(SceneVerdict::of).collect();
@@ -144,7 +142,6 @@ fn verdicts(text: &mut String, diagrams: &[Measured]) {
     }
 }
 
-/// The scene of which [`summary`] makes a table of its own.
 pub const PI: &str = "pi";
 
 /// Up to which N each step counts right, and what that costs.

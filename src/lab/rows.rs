@@ -12,33 +12,30 @@ pub(super) fn shortest(value: f64) -> String {
     format!("{value:e}")
 }
 
-/// Rows under a head as CSV.
 pub(super) fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
     let head = head.iter().map(|&name| name.to_owned()).collect();
     csv_text(std::iter::once(head).chain(rows))
 }
 
-/// A number within [`NUMBERS`].
-///
 /// # Errors
-/// The problem with its place.
+/// The number is not within [`NUMBERS`].
 pub(super) fn above_zero(row: &CsvRow<'_>, column: &str) -> Result<f64, String> {
     let expected = format!("a number above 0, from {:e} to {:e}", NUMBERS.start(), NUMBERS.end());
     row.parse(column, &expected, |value| NUMBERS.contains(value))
 }
 
-/// An error: 0 or more, infinite, or not a number where a run blew up.
+/// An error of a run: 0 or more, infinite, or not a number where the run blew up.
 ///
 /// # Errors
-/// The problem with its place.
+/// Anything else.
 pub(super) fn error(row: &CsvRow<'_>) -> Result<f64, String> {
     row.parse("error", "an error of 0 or more, inf or NaN", |error: &f64| error.is_nan() || *error >= 0.0)
 }
 
-/// The rows of a file below its head, each as long as that.
+/// The rows of a file below its head.
 ///
 /// # Errors
-/// The first problem, with its line.
+/// The line of the first row that is not as long as the head.
 pub(super) fn rows<'a>(file: &'a str, text: &str, head: &'a [&'a str]) -> Result<Vec<CsvRow<'a>>, String> {
     let csv = CsvFile { name: file, columns: head, comments: false };
     let mut rows = csv.rows(text.as_bytes());

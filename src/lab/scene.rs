@@ -7,18 +7,16 @@ use super::course::CoursePoint;
 /// The ladder of steps, s. The game's tick is among them.
 pub(super) const LADDER: [f64; 7] = [1.0 / 15.0, 1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0, 1.0 / 480.0, 1.0 / 960.0];
 
-/// What the work is, where nothing else is said.
 pub(super) const WORK: &str = "CPU time for a simulated second and body, ns";
 
 pub struct LabScene {
-    /// Name of its files.
     pub name: &'static str,
     pub title: String,
-    /// What the error is, with its unit, for the axis.
+    /// With its unit, for the axis.
     pub error: &'static str,
-    /// The largest error that no eye sees, in the error's unit.
+    /// In the error's unit: the largest error that no eye sees.
     pub tolerance: f64,
-    /// What the work is, with its unit, for the axis.
+    /// With its unit, for the axis.
     pub work: &'static str,
     /// Work is divided by this: simulated seconds × bodies.
     pub share: f64,
@@ -28,9 +26,9 @@ pub struct LabScene {
     pub shipped_step: f64,
     /// Whether all methods answer the same question, so that the cheapest right one can be named.
     pub alike: bool,
-    /// What a reader of its diagram should know; empty where that is nothing.
+    /// A note for the reader of the diagram, or empty.
     pub note: &'static str,
-    /// What answers it; the shipped engine is the last.
+    /// The shipped engine is the last.
     pub methods: Vec<Answer>,
 }
 

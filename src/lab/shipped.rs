@@ -1,4 +1,4 @@
-//! Worlds of the shipped engine for the lab's models. Their defaults are the game's.
+//! Worlds of the shipped engine for the lab's models, with the game's defaults.
 
 use super::methods::impact::LineBlock;
 use super::methods::motion::{MotionLaw, PointState};
@@ -19,8 +19,8 @@ pub(super) fn crate_at(x: f64, y: f64, mass: f64) -> BodyDef {
     BodyDef { position: DVec2::new(x, -0.5 - y), mass, ..BodyDef::default() }
 }
 
-/// A world with one body that obeys `law`, which pulls downwards only: round, for the law's drag does not ask for the direction. Air that blows everywhere alike is another frame of reference:
-/// in it the air stands still.
+/// A world with one body that obeys `law`, which pulls downwards only. The body is round, since the law's drag does not depend on the
+/// direction. Uniform wind is another frame of reference: in it the air stands still.
 pub(super) fn in_air(law: &MotionLaw, start: PointState) -> WorldDef {
     let body = BodyDef { position: start.x, velocity: start.v - law.wind, drag: 2.0 * law.drag, round: true, ..BodyDef::default() };
     WorldDef { gravity: law.constant.y, air_density: 1.0, bodies: vec![body], ..WorldDef::default() }
@@ -42,7 +42,7 @@ pub(super) fn on_water(gravity: f64, density: f64, body: BodyDef) -> WorldDef {
     WorldDef { gravity, air_density: 0.0, bodies: vec![body], fluids: vec![fluid], ..WorldDef::default() }
 }
 
-/// A line of blocks without gravity and air; what has infinite mass is a wall.
+/// A line of blocks without gravity and air; a block of infinite mass is a wall.
 pub(super) fn line(blocks: &[LineBlock], e: f64) -> WorldDef {
     let movable = blocks.iter().filter(|block| block.mass.is_finite());
     let bodies = movable.map(|block| BodyDef {

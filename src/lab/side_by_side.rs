@@ -1,5 +1,5 @@
-//! Methods on the same scene at the same time, to be watched: boxes that move, a step at a time, and their exact places. Their drawing is
-//! not here.
+//! Methods on the same scene at the same time, to be watched: boxes that move, a step at a time, and their exact places; without
+//! their drawing.
 
 use super::contract::{By, Model, contenders};
 use super::methods::chain::Chain;
@@ -12,35 +12,33 @@ use super::scenes::flight;
 use super::scenes::stacks::{self, ContactChain};
 use crate::physics::{Aabb, DVec2};
 
-/// s. The steps that can be chosen.
+/// s. The player chooses among these steps.
 pub const STEPS: [f64; 5] = [1.0 / 15.0, 1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0];
-/// Which of them comes first: the one at which physics engines are usually run.
+/// The index of the step that physics engines usually run at.
 pub const USUAL_STEP: usize = 2;
 
-/// Something that moves: makes one step and says where everything is, m.
+/// Makes one step and returns the place of each box, m.
 pub type BoxMotion = Box<dyn FnMut() -> Vec<Aabb>>;
 
-/// Starts a motion from the beginning, in steps of that length, s.
 pub type MotionStart = Box<dyn Fn(f64) -> BoxMotion>;
 
-/// A scene and the methods that can be watched on it.
 pub struct Exhibit {
     pub title: &'static str,
-    /// What of the world is seen, m.
+    /// m.
     pub view: Aabb,
-    /// What does not move, m.
+    /// m.
     pub solid: Vec<Aabb>,
-    /// Where everything is at the beginning, m.
+    /// m.
     pub start: Vec<Aabb>,
-    /// How it really moves.
+    /// The exact motion.
     pub exact: MotionStart,
     /// By name; the last one is the shipped engine.
     pub methods: Vec<(&'static str, MotionStart)>,
-    /// The one to begin with: it is seen to fail.
+    /// The method to begin with: it visibly fails.
     pub first: usize,
-    /// How long it lasts, s.
+    /// s.
     pub seconds: f64,
-    /// Seconds of the scene a second: what is fast is slowed down.
+    /// Seconds of the scene a second of watching: fast scenes are slowed down.
     pub speed: f64,
 }
 
@@ -50,9 +48,9 @@ impl std::fmt::Debug for Exhibit {
     }
 }
 
-/// m/s. Of the box that meets a thin wall: it travels further in a step than both are thick.
+/// m/s. Speed of the box that meets a thin wall: a step is longer than both are thick.
 const FAST: f64 = 43.0;
-/// m. From where a box falls to bounce for ever.
+/// m. Start of the box that bounces for ever.
 const DROP: f64 = 2.0;
 /// m. All below y = 0.
 const GROUND: Aabb = Aabb { min: DVec2::new(-1e3, 0.0), max: DVec2::new(1e3, 1e3) };
@@ -61,7 +59,7 @@ pub fn exhibits() -> Vec<Exhibit> {
     vec![bounce(), throw(), wall(), cradle(), column(), heavy_on_light()]
 }
 
-/// The largest distance by which a box is not where it should be, m; infinite where one is nowhere.
+/// The largest distance of a box from its exact place, m; infinite where one is not finite.
 pub fn error(found: &[Aabb], exact: &[Aabb]) -> f64 {
     if found.len() != exact.len() {
         return f64::INFINITY;

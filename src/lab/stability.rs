@@ -16,7 +16,7 @@ use super::stress::{G, TICK, largest_to};
 use crate::physics::DVec2;
 use std::collections::HashMap;
 
-/// What of the plane is looked at: real parts, and imaginary parts; below the real axis all is the same again.
+/// The window: real parts, and imaginary parts. The plane below the real axis mirrors it.
 pub const REAL: (f64, f64) = (-5.0, 1.5);
 pub const IMAGINARY: (f64, f64) = (0.0, 3.5);
 /// Cells of the grid for 1.
@@ -24,41 +24,41 @@ const FINENESS: usize = 24;
 /// Cells of the grid, to the right and upwards.
 pub const CELLS: (usize, usize) =
     (((REAL.1 - REAL.0) * FINENESS as f64) as usize, ((IMAGINARY.1 - IMAGINARY.0) * FINENESS as f64) as usize);
-/// A growth of so much more than 1 in a step is rounding: methods that keep an amplitude for ever lie just on 1.
+/// A growth above 1 by less than this in a step is rounding: methods that keep an amplitude for ever lie just on 1.
 const ROUNDING: f64 = 1e-9;
-/// How far the two rays are followed.
+/// The end of the two rays.
 pub const FAR: f64 = 100.0;
-/// The nearest to 0 that is asked for on them: a method that fails here fails everywhere but at 0.
+/// The search on the rays begins here: a method that fails at this value fails everywhere but at 0.
 const NEAR: f64 = 0.02;
-/// Relative: how finely the limits on them are looked for.
+/// Relative precision of the limits.
 const FINE: f64 = 1e-6;
-/// What a part of the adaptive method's step is called.
+/// The name of a part of the adaptive method's step.
 const PART: &str = "adaptive 3(2), one part";
 
-/// A number of the plane: real and imaginary part.
+/// Real and imaginary part.
 pub type Complex = (f64, f64);
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
     pub name: &'static str,
-    /// Its edge, in pieces.
+    /// In pieces.
     pub edge: Vec<Vec<Complex>>,
-    /// Whether it is stable in the middle of each cell, row by row from the real axis on.
+    /// In the middle of each cell, row by row from the real axis on.
     pub inside: Vec<bool>,
-    /// Up to which h/τ drag alone is, at most [`FAR`].
+    /// The largest stable h/τ of drag alone, at most [`FAR`].
     pub drag: f64,
-    /// Up to which ω·h a swing without drag is, at most [`FAR`]; 0 where every one grows.
+    /// The largest stable ω·h of a swing without drag, at most [`FAR`]; 0 where every swing grows.
     pub swing: f64,
 }
 
-/// The regions of all methods whose step is the same at any moment. The adaptive method's is that of its parts: it takes as many as keep it
-/// inside.
+/// The regions of all methods whose step is the same at any moment. For the adaptive method, the region of its parts: it takes enough
+/// of them to stay inside.
 pub fn regions() -> Vec<Region> {
     let of = |(name, step)| if name == ADAPTIVE { Region::of(PART, third_order) } else { Region::of(name, step) };
     METHODS.into_iter().map(of).collect()
 }
 
-/// By how much a step of the method multiplies an oscillation at z = h·λ, at worst.
+/// The largest factor of an oscillation in a step at z = h·λ.
 pub fn growth(step: MotionStep, (re, im): Complex) -> f64 {
     let law = MotionLaw { viscous: -2.0 * re, spring: re * re + im * im, ..MotionLaw::default() };
     let taken = |x: f64, v: f64| {
@@ -71,7 +71,7 @@ pub fn growth(step: MotionStep, (re, im): Complex) -> f64 {
     if under_root < 0.0 { determinant.sqrt() } else { half_trace.abs() + under_root.sqrt() }
 }
 
-/// By how much a step multiplies a velocity under drag alone, at h/τ = `part`.
+/// The factor of a velocity in a step of drag alone, at h/τ = `part`.
 pub fn growth_of_drag(step: MotionStep, part: f64) -> f64 {
     let law = MotionLaw { viscous: part, ..MotionLaw::default() };
     step(&law, PointState { x: DVec2::ZERO, v: DVec2::new(1.0, 0.0) }, 1.0).v.x.abs()
@@ -98,7 +98,7 @@ impl Region {
 }
 
 pub use super::contract::SHIPPED;
-/// Its limits on the two rays: none.
+/// A region without limits on the rays.
 pub const SHIPPED_LIMITS: [f64; 2] = [FAR; 2];
 
 /// Two motions of the lab's scenes at 1/60 s, each on its ray.
@@ -107,7 +107,7 @@ pub fn examples() -> [(&'static str, Complex); 2] {
     [("the floating box, h = 1/60 s", (0.0, oscillator::omega() * TICK)), ("a fall at v_t = 0.18 m/s, h = 1/60 s", (-fading, 0.0))]
 }
 
-/// A limit on one of the two rays, as people read it.
+/// For people.
 pub fn limit(value: f64) -> String {
     match value {
         0.0 => "none".to_owned(),
@@ -127,7 +127,7 @@ type CellSide = (usize, usize, bool);
 /// The lines where a function is 0: between the corners of each cell that differ in its sign, joined to lines ("marching squares").
 fn edge(f: impl Fn(Complex) -> f64) -> Vec<Vec<Complex>> {
     let (columns, rows) = CELLS;
-    // What is no number any more has grown.
+    // A growth that is not finite counts as growth.
     let value = |i: usize, j: usize| f(place(i as f64, j as f64)).min(f64::MAX);
     let values: Vec<f64> = (0..(columns + 1) * (rows + 1)).map(|k| value(k % (columns + 1), k / (columns + 1))).collect();
     let at = |i: usize, j: usize| values[j * (columns + 1) + i];
@@ -150,7 +150,7 @@ fn edge(f: impl Fn(Complex) -> f64) -> Vec<Vec<Complex>> {
             met.extend(pair);
         }
     }
-    // Open lines first, from one of their ends; then what is closed.
+    // Open lines first, from one of their ends; then closed ones.
     met.sort_by_key(|side| (ways.get(side).map_or(0, Vec::len), *side));
     let mut lines = Vec::new();
     for start in met {

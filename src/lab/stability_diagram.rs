@@ -5,22 +5,18 @@ use super::look::Look;
 use super::rows::{shortest, table};
 use super::stability::Region;
 
-/// The name of the picture.
 pub const SVG: &str = "stability.svg";
-/// Heading.
 pub const TITLE: &str = "Where methods are stable: the plane of z = h·λ";
 
-/// How the region of that index looks.
 pub fn look(index: usize) -> Look {
     Look::of(index, CurveOrigin::Lab)
 }
 
-/// How the shipped engine looks.
 pub fn shipped_look() -> Look {
     Look::of(0, CurveOrigin::Shipped)
 }
 
-/// The edges, point by point, and the limits on the two rays: two files.
+/// Two files: the edges, point by point, and the limits on the two rays.
 pub fn csv(regions: &[Region]) -> [(&'static str, String); 2] {
     let points = regions.iter().flat_map(|region| {
         region.edge.iter().enumerate().flat_map(move |(piece, line)| {

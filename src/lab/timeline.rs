@@ -5,17 +5,16 @@ use super::TOLERANCE;
 use super::axes::{Decades, LEAST_ERROR, number};
 use super::course::{CoursePoint, OverTime};
 
-/// What of an energy is shown, in parts of what it should be: beyond, a method has gained or lost all there is.
+/// The range of energies on the axis, in parts of the exact one. A method beyond it has gained or lost all there is.
 const ENERGIES: (f64, f64) = (0.0, 2.0);
-/// The least that the axis of the energy spans, in parts of 1: what is steady shall look so.
+/// The least that the axis of the energy spans, in parts of 1: a steady energy looks steady.
 const LEAST_SPAN: f64 = 0.01;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Timeline {
-    /// The end, s.
     pub end: f64,
     pub error: Decades,
-    /// From and to which energy, where any is known.
+    /// Range of the energies, where any is known.
     pub energy: Option<(f64, f64)>,
 }
 
@@ -34,13 +33,13 @@ impl Timeline {
         Self { end: if end > 0.0 { end } else { 1.0 }, error: Decades::around(errors.chain([TOLERANCE])), energy }
     }
 
-    /// How far to the right and how far up an error lies, 0 … 1 each; at the upper edge what blew up.
+    /// Parts of the axes to the right and upwards, 0 … 1; a run that blew up lies at the upper edge.
     pub fn error_at(&self, moment: &CoursePoint) -> (f64, f64) {
         let up = if moment.error.is_finite() { self.error.part(shown(moment.error)) } else { 1.0 };
         (moment.time / self.end, up)
     }
 
-    /// The same of an energy, where it is known; beyond the edges at them.
+    /// The same of an energy, where it is known; clamped at the edges.
     pub fn energy_at(&self, moment: &CoursePoint) -> Option<(f64, f64)> {
         let (least, most) = self.energy?;
         let energy = moment.energy?;
@@ -49,12 +48,12 @@ impl Timeline {
     }
 }
 
-/// An energy as its axis names it: the largest stands for all beyond it.
+/// An energy as a label: the largest stands for all beyond it.
 pub fn energy_name(energy: f64) -> String {
     if energy >= ENERGIES.1 { format!("≥ {}", number(ENERGIES.1)) } else { number(energy) }
 }
 
-/// An error as it is drawn: errors smaller than rounding at the lower edge, larger than all reason at the upper one.
+/// An error clamped to the axis: rounding at the lower edge, blown-up runs at the upper one.
 fn shown(error: f64) -> f64 {
     error.clamp(LEAST_ERROR, 1e4)
 }

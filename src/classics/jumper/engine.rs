@@ -1,7 +1,7 @@
-//! An engine of cuboids, z up: those that move fall, land on platforms, stop at walls and bounce off each other elastically.
+//! An engine of cuboids, z up: moving cuboids fall, land on platforms, stop at walls and bounce off each other elastically.
 //!
-//! Cuboids collide only when they overlap: touching is not colliding. So one that stands on a platform sinks in a little by every
-//! step's fall, hits the top and is put back.
+//! Cuboids collide only when they overlap: touching is not colliding. So a cuboid on a platform sinks in a little by every step's
+//! fall, hits the top and is put back.
 
 use glam::DVec3;
 
@@ -29,7 +29,6 @@ impl Cuboid {
     }
 }
 
-/// A cuboid that moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dynamic {
     pub cuboid: Cuboid,
@@ -49,23 +48,21 @@ impl Dynamic {
     }
 }
 
-/// How a cuboid that does not move acts on those that do.
+/// The effect of a static cuboid on moving ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Carries what comes from above; lets everything else pass.
+    /// Carries bodies from above; lets all others pass.
     Platform,
-    /// Stops what comes along x; lets everything else pass.
+    /// Stops motion along x; lets all other motion pass.
     Wall,
 }
 
-/// A cuboid that does not move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Static {
     pub cuboid: Cuboid,
     pub kind: Kind,
 }
 
-/// Which face of a static cuboid was hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CuboidFace {
     Bottom,
@@ -78,7 +75,7 @@ pub enum CuboidFace {
     Internal,
 }
 
-/// What collided in a step, by index.
+/// A collision in a step, by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hit {
     /// A dynamic cuboid with a static one.
@@ -159,8 +156,8 @@ fn answer(dynamic: &mut Dynamic, other: &Static, face: CuboidFace) {
     }
 }
 
-/// The start of a stretch that ends at `edge`, touching. Were its end rounded beyond the edge, the next step would take it for one
-/// that overlapped already, and let it through the wall.
+/// The start of a stretch that ends at `edge`, touching. Were its end rounded beyond the edge, the next step would count an overlap
+/// from before and let the cuboid through the wall.
 fn start_that_ends_at(edge: f64, extent: f64) -> f64 {
     let start = edge - extent;
     if start + extent > edge { start.next_down() } else { start }

@@ -1,4 +1,4 @@
-//! The climb: one or two players, what their keys do, the view that rises with the higher one, and the score.
+//! The climb: one or two players with their keys, the view that rises with the higher one, and the score.
 
 use super::engine::{self, Cuboid, Dynamic, Hit};
 use super::tower::{DEPTH, Tower, WIDTH};
@@ -9,7 +9,7 @@ use glam::DVec3;
 pub const LEADERBOARD: &str = "jumper";
 /// m/s².
 const GRAVITY: f64 = 10.0;
-/// How much of the tower the view shows, m.
+/// The height of the view, m.
 pub const VISIBLE: f64 = 20.0;
 /// The view rises so that the higher player's feet are at most this far above its lower edge, m.
 const HEADROOM_FROM: f64 = 0.5 * VISIBLE;
@@ -27,12 +27,12 @@ const STANDING_JUMP: f64 = 6.0;
 const WALKING_JUMP: f64 = 8.0;
 /// The one more jump in the air, m/s.
 const AIR_JUMP: f64 = 6.0;
-/// What letting go of the jump key while rising leaves of the upward velocity.
+/// The part of the upward velocity that remains when the player lets go of the jump key while rising.
 const CUT: f64 = 0.5;
 /// Ticks. After bumping into the other player walking is off: else it would undo the bounce within a tick.
 const STAGGER: u32 = 24;
 
-/// What a player holds down during a tick.
+/// The keys that a player holds during a tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Keys {
     pub left: bool,
@@ -188,7 +188,7 @@ impl Scene {
         self.height
     }
 
-    /// The height in whole metres: what the leaderboard keeps.
+    /// The height in whole metres, for the leaderboard.
     pub fn score(&self) -> i64 {
         self.height.floor() as i64
     }
@@ -206,7 +206,7 @@ impl Scene {
         &self.tower
     }
 
-    /// The view's lower edge a fraction `alpha` of the way through the last tick, m.
+    /// The view's lower edge at a fraction `alpha` of the last tick, m.
     pub fn view_bottom(&self, alpha: f64) -> f64 {
         self.previous_bottom + alpha * (self.bottom - self.previous_bottom)
     }

@@ -1,7 +1,6 @@
-//! All that one run of `resultant chart` found, as CSV and back: `setting.csv` says where it was measured, `scenes.csv` lists the
-//! diagrams, a file of each scene's name holds its points, another its courses over time where it was followed, and `stress.csv` what
-//! each method survives. Numbers are in the shortest form
-//! that reads back as the same f64; an error of `inf` or `NaN` is a run that blew up.
+//! The findings of one run of `resultant chart`, as CSV and back: `setting.csv` names the machine, `scenes.csv` lists the diagrams;
+//! each scene has a file of points, and one of courses over time where it was followed; `stress.csv` holds the limits of each method.
+//! Numbers are in the shortest form that reads back as the same f64; an error of `inf` or `NaN` is a run that blew up.
 
 mod read;
 
@@ -11,39 +10,29 @@ use super::measured::Measured;
 use super::rows::{shortest, table};
 use super::stress::Survival;
 
-/// Where and with what it was measured.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Setting {
     /// Kind of processor and system; no names of machines.
     pub machine: String,
-    /// Commit that was measured, if it is known.
     pub commit: Option<String>,
-    /// Build profile.
     pub profile: String,
-    /// Fewer repetitions.
+    /// The run made fewer repetitions.
     pub quick: bool,
 }
 
-/// A run of `resultant chart`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Charts {
-    /// Where it was made.
     pub setting: Setting,
-    /// A diagram a scene, in the order in which they are shown.
+    /// In the order of the charts' screen.
     pub diagrams: Vec<Measured>,
-    /// The stress tests, those of one test one after the other.
+    /// Rows of one test stand together.
     pub stress: Vec<Survival>,
 }
 
-/// Where it was measured.
 pub const SETTING: &str = "setting.csv";
-/// What a time of a course has to be.
 const LATER: &str = "a time of 0 or more, s, later than the one before";
-/// The list of diagrams.
 pub const SCENES: &str = "scenes.csv";
-/// The stress tests.
 pub const STRESS: &str = "stress.csv";
-/// The most diagrams.
 const MOST_SCENES: usize = 64;
 const SETTING_HEAD: [&str; 4] = ["machine", "commit", "profile", "quick"];
 const SCENES_HEAD: [&str; 9] = ["scene", "title", "error", "work", "tolerance", "shipped_step", "alike", "note", "over_time"];
@@ -52,7 +41,6 @@ const POINTS_HEAD: [&str; 5] = ["method", "origin", "step", "work", "error"];
 const STRESS_HEAD: [&str; 6] = ["test", "parameter", "method", "largest", "tried", "shipped"];
 
 impl Charts {
-    /// Every file by its name.
     pub fn files(&self) -> Vec<(String, String)> {
         let Setting { machine, commit, profile, quick } = &self.setting;
         let setting = [machine.clone(), commit.clone().unwrap_or_default(), profile.clone(), quick.to_string()];

@@ -1,5 +1,3 @@
-//! Reading what `resultant chart` wrote.
-
 use super::{
     COURSES_HEAD, Charts, LATER, MOST_SCENES, POINTS_HEAD, SCENES, SCENES_HEAD, SETTING, SETTING_HEAD, STRESS, STRESS_HEAD,
     Setting, courses_file, origin_word, points_file,
@@ -12,11 +10,11 @@ use crate::lab::report::PI;
 use crate::lab::rows::{above_zero, error, rows};
 use crate::lab::stress::Survival;
 
-/// The words of a cell that is a switch, as a message expects them.
+/// The words of a switch, for a message.
 const FLAG: &str = "true or false";
 
 impl Charts {
-    /// Reads them again; `file` gives the text of a file, or says why it cannot.
+    /// `file` gives the text of a file, or a reason.
     ///
     /// # Errors
     /// The first problem, with file and line where it has one.
@@ -43,10 +41,9 @@ impl Charts {
     }
 }
 
-/// A scene's row and the file of its points.
 fn diagram(row: &CsvRow<'_>, file: &impl Fn(&str) -> Result<String, String>) -> Result<Measured, String> {
     let name = row.get("scene").to_owned();
-    // It names a file in the same folder, and none elsewhere.
+    // A name in the same folder, none elsewhere.
     if name.is_empty() || !name.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'-') {
         return Err(row.bad_cell("scene", "a name of letters a to z, digits and -"));
     }

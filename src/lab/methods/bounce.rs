@@ -1,5 +1,5 @@
-//! A ball over a floor: one step of length h, with y the height above the floor (m) and v upwards (m/s), as games answer
-//! the floor. The ball is a point; the floor is at 0.
+//! A ball over a floor: one step of length h, with y the height above the floor (m) and v upwards (m/s), and the usual answers of
+//! games to the floor. The ball is a point; the floor is at 0.
 
 /// Height above the floor, m, and velocity upwards, m/s.
 pub type Ball = (f64, f64);
@@ -26,7 +26,7 @@ pub fn reflect((y, v): Ball, g: f64, e: f64, h: f64) -> Ball {
     if y < 0.0 { (-e * y, -e * v) } else { (y, v) }
 }
 
-/// The exact parabola, but the floor is only looked at when the step is over.
+/// The exact parabola; the floor is looked at only at the end of the step.
 pub fn verlet_snap((y, v): Ball, g: f64, e: f64, h: f64) -> Ball {
     let (y, v) = (y + v * h - 0.5 * g * h * h, v - g * h);
     if y < 0.0 { (0.0, -e * v) } else { (y, v) }
@@ -53,8 +53,8 @@ pub fn swept((y, v): Ball, g: f64, e: f64, h: f64) -> Ball {
     if t > h { (y + (v - 0.5 * g * h) * h, v - g * h) } else { (0.0, e * (v - g * t).abs()) }
 }
 
-/// Exact times of impact on the parabola; what is left of a step after some bounces within it is the geometric series: all bounces
-/// from a take-off at w end after 2w/(g·(1−e)).
+/// Exact times of impact on the parabola. After some bounces within a step the rest is the geometric series: all bounces from a
+/// take-off at w end after 2w/(g·(1−e)).
 pub fn exact((mut y, mut v): Ball, g: f64, e: f64, h: f64) -> Ball {
     let mut left = h;
     let mut bounces = 0;
@@ -75,7 +75,7 @@ pub fn exact((mut y, mut v): Ball, g: f64, e: f64, h: f64) -> Ball {
     }
 }
 
-/// The same without the series: the times of all impacts, s. With e < 1 they come nearer and nearer to its end.
+/// The times of all impacts without the series, s. With e < 1 they come nearer and nearer to its end.
 pub fn impact_times(mut ball: Ball, g: f64, e: f64) -> impl Iterator<Item = f64> {
     let mut time = 0.0;
     std::iter::repeat_with(move || {
@@ -86,7 +86,7 @@ pub fn impact_times(mut ball: Ball, g: f64, e: f64) -> impl Iterator<Item = f64>
     })
 }
 
-/// How many of them there are within `seconds`, at most `cap`. With e < 1 it meets the cap.
+/// Impacts within `seconds`, at most `cap`. With e < 1 it meets the cap.
 pub fn event_loop(ball: Ball, g: f64, e: f64, seconds: f64, cap: u32) -> u32 {
     (0..cap).zip(impact_times(ball, g, e)).take_while(|(_, time)| *time <= seconds).count() as u32
 }

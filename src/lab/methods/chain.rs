@@ -9,14 +9,12 @@
 /// The part of an overlap that a step of sequential impulses takes back (Baumgarte's method with a usual factor).
 const BAUMGARTE: f64 = 0.2;
 
-/// How the contacts are solved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Solver {
-    /// So many sweeps, from the impulses of the step before or from none.
+    /// Sweeps from the impulses of the step before (warm) or from none (cold).
     Sweeps {
-        /// Sweeps a step.
+        /// A step.
         sweeps: u32,
-        /// Start from the last impulses.
         warm: bool,
     },
     /// Parts of a step, with one warm-started sweep each.
@@ -26,12 +24,10 @@ pub enum Solver {
 }
 
 impl Solver {
-    /// Parts into which a step is cut.
     pub const fn parts(self) -> u32 {
         if let Self::Substeps(parts) = self { parts } else { 1 }
     }
 
-    /// Sweeps in each part.
     const fn sweeps(self) -> u32 {
         match self {
             Self::Sweeps { sweeps, .. } => sweeps,
@@ -41,14 +37,14 @@ impl Solver {
     }
 }
 
-/// Bodies along an axis, in its order; gravity and pushes are accelerations along it.
+/// In the axis' order; gravity and pushes are accelerations along it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chain {
     /// Distance of each body from its place when all touch, m.
     pub places: Vec<f64>,
     /// m/s.
     pub velocities: Vec<f64>,
-    /// 1/kg; 0 for what cannot be moved.
+    /// 1/kg; 0 for an immovable body.
     pub inverse_masses: Vec<f64>,
     /// Impulses of the contacts (j, j+1) in the last step, N·s.
     pub impulses: Vec<f64>,
@@ -127,7 +123,7 @@ impl Chain {
         }
         let mut begin = 0;
         for (end, _, s) in pools {
-            // Impulses from the far end on: each is the change of momentum of all beyond it.
+            // Impulses from the far end on: each is the change of momentum of all bodies beyond it.
             let mut impulse = 0.0;
             for i in (begin..end).rev() {
                 let v = s - shift(i);
@@ -147,8 +143,8 @@ impl Chain {
     }
 }
 
-/// The impulse furthest from its exact value, over that, after each sweep from cold of an anchored chain of these masses (kg) at rest. The
-/// exact one is the weight of all beyond it times the step.
+/// The relative error of the worst impulse after each sweep from cold, of an anchored chain of these masses (kg) at rest. The exact
+/// impulse is the weight of all bodies beyond it times the step.
 pub fn swept_loads(masses: &[f64]) -> impl Iterator<Item = f64> + use<> {
     let mut chain = Chain::new(masses, true);
     chain.velocities[1..].fill(-1.0);
@@ -159,19 +155,19 @@ pub fn swept_loads(masses: &[f64]) -> impl Iterator<Item = f64> + use<> {
     })
 }
 
-/// What each body of a column carries together with itself, kg.
+/// The load of each body of a column, its own mass included, kg.
 pub fn weights(masses: &[f64]) -> Vec<f64> {
     (0..masses.len()).map(|i| masses[i..].iter().sum()).collect()
 }
 
-/// Of all loads, over what each should be, the one furthest from 1.
+/// The relative load furthest from 1.
 pub fn worst_load(found: &[f64], exact: &[f64]) -> f64 {
     let ratios = found.iter().zip(exact).map(|(found, exact)| found / exact);
     ratios.fold(1.0, |worst: f64, ratio| if worst.is_nan() || (ratio - 1.0).abs() <= (worst - 1.0).abs() { worst } else { ratio })
 }
 
-/// How many sweeps from cold bring every contact's impulse of an anchored chain of these masses (kg) at rest within `part` of its
-/// exact value; `None` if `most` do not.
+/// Sweeps from cold until every contact's impulse of an anchored chain of these masses (kg) at rest is within `part` of its exact
+/// value; `None` if `most` do not do.
 pub fn sweeps_needed(masses: &[f64], part: f64, most: u32) -> Option<u32> {
     (1..=most).zip(swept_loads(masses)).find(|(_, load)| (load - 1.0).abs() <= part).map(|(sweeps, _)| sweeps)
 }

@@ -1,4 +1,4 @@
-//! Blocks on a line that hit each other: one step of length h by each way of finding the impact and of answering it. Pairs bounce
+//! Blocks on a line that hit each other: one step of length h by each method of finding the impact and of answering it. Pairs bounce
 //! with restitution e: v₁ −= (1+e)·(m₂/(m₁+m₂))·w, v₂ += (1+e)·(m₁/(m₁+m₂))·w with w = v₁ − v₂, and nothing else acts.
 
 /// A block; the order of the blocks gives its neighbours.
@@ -42,8 +42,8 @@ fn advance(blocks: &mut [LineBlock], t: f64) {
     }
 }
 
-/// Everything moves, then whatever overlaps and comes nearer is bounced. What has passed through in between is not seen: an overlap
-/// deeper than both blocks are wide is none.
+/// Everything moves, then each pair that overlaps and approaches bounces. A passage within the step goes unseen: an overlap deeper
+/// than both blocks are wide counts as none.
 pub fn discrete(blocks: &mut [LineBlock], e: f64, h: f64) {
     advance(blocks, h);
     for i in 0..blocks.len() - 1 {

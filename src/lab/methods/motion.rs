@@ -7,7 +7,6 @@
 
 use crate::physics::DVec2;
 
-/// What acts on the point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MotionLaw {
     /// Acceleration by constant forces A, m/s².
@@ -18,7 +17,7 @@ pub struct MotionLaw {
     pub viscous: f64,
     /// Velocity of the air w, m/s.
     pub wind: DVec2,
-    /// A force back to the origin in proportion to the distance, s, 1/s²: a floating body, or one on a spring, swings with ω = √s.
+    /// A force back to the origin in proportion to the distance, s, 1/s²: a floating body or a body on a spring swings with ω = √s.
     pub spring: f64,
 }
 
@@ -34,7 +33,7 @@ pub struct PointState {
 /// One step: law, point, step (s).
 pub type MotionStep = fn(&MotionLaw, PointState, f64) -> PointState;
 
-/// The name of the one that chooses its steps itself.
+/// The name of the method that chooses its steps itself.
 pub const ADAPTIVE: &str = "adaptive 3(2)";
 
 /// Every method that steps a motion through drag, by the name that charts and tables show.
@@ -51,7 +50,7 @@ pub const METHODS: [(&str, MotionStep); 10] = [
     ("Strang", strang),
 ];
 
-/// Those of them that know nothing of drag in particular.
+/// The methods that treat drag as any other force.
 pub static INTEGRATORS: &[(&str, MotionStep)] = METHODS.split_at(7).0;
 
 impl MotionLaw {
@@ -61,18 +60,17 @@ impl MotionLaw {
         self.pull(x) - u * (self.drag * u.length() + self.viscous)
     }
 
-    /// The part that does not ask for the velocity, m/s².
+    /// The part that does not depend on the velocity, m/s².
     fn pull(&self, x: DVec2) -> DVec2 {
         self.constant - x * self.spring
     }
 
-    /// Where a point goes from `from` in `h` seconds if its rates are those at `at` all the while.
+    /// The point that leaves `from` and keeps the rates at `at` for `h` seconds.
     fn along(&self, from: PointState, at: PointState, h: f64) -> PointState {
         PointState { x: from.x + at.v * h, v: from.v + self.acceleration(at) * h }
     }
 }
 
-/// Takes steps of `h` seconds until `seconds` are over.
 pub fn follow(step: MotionStep, law: &MotionLaw, start: PointState, seconds: f64, h: f64) -> PointState {
     let steps = (seconds / h).round() as u64;
     (0..steps).fold(start, |point, _| step(law, point, h))
@@ -83,7 +81,7 @@ pub fn explicit_euler(law: &MotionLaw, point: PointState, h: f64) -> PointState 
     law.along(point, point, h)
 }
 
-/// v first, then x with the new v. First order; symplectic without drag. What most game engines do.
+/// v first, then x with the new v. First order; symplectic without drag. Most game engines use it.
 pub fn semi_implicit_euler(law: &MotionLaw, point: PointState, h: f64) -> PointState {
     let v = point.v + law.acceleration(point) * h;
     PointState { x: point.x + v * h, v }
@@ -121,7 +119,7 @@ pub fn rk4(law: &MotionLaw, point: PointState, h: f64) -> PointState {
     PointState { x: x + (v + (p2.v + p3.v) * 2.0 + p4.v) * (h / 6.0), v: v + (a1 + (a2 + a3) * 2.0 + a4) * (h / 6.0) }
 }
 
-/// m/s. The error that [`adaptive`] allows itself in a second: the tolerance of a scene after ten.
+/// m/s. The error that [`adaptive`] allows itself in a second: after ten seconds, the tolerance of a scene.
 const ALLOWED: f64 = crate::lab::TOLERANCE / 10.0;
 /// s. The shortest part of a step that [`adaptive`] takes, whatever its error is.
 const SHORTEST: f64 = 1e-6;
@@ -134,8 +132,8 @@ pub fn adaptive(law: &MotionLaw, point: PointState, h: f64) -> PointState {
         part = part.min(left);
         let (end, error) = bogacki_shampine(law, point, part);
         let allowed = ALLOWED * part;
-        // The difference grows with the third power of the part, what is allowed with the first; 0.9 as in the textbook. What is no
-        // number any more is cut as far as one goes at once.
+        // The difference grows with the third power of the part, the allowed error with the first; 0.9 as in the textbook. A part
+        // whose difference is not finite is cut by the largest factor.
         let fits = if error.is_finite() { 0.9 * (allowed / error.max(f64::MIN_POSITIVE)).sqrt() } else { 0.0 };
         if error <= allowed || part <= SHORTEST {
             (point, left) = (end, if part == left { 0.0 } else { left - part });
@@ -145,7 +143,7 @@ pub fn adaptive(law: &MotionLaw, point: PointState, h: f64) -> PointState {
     point
 }
 
-/// The third order of that pair alone, in a single part: what [`adaptive`] takes as often as it must.
+/// The third order of that pair alone, in a single part: [`adaptive`] repeats it.
 pub fn third_order(law: &MotionLaw, point: PointState, h: f64) -> PointState {
     bogacki_shampine(law, point, h).0
 }
@@ -187,8 +185,8 @@ pub fn exact_decay(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> 
     PointState { x: x + v * h, v }
 }
 
-/// Half of the forces that do not ask for the velocity, the exact decay, the other half; position by the mean of the velocities before
-/// and after the decay (Strang splitting). Second order; never diverges by drag.
+/// Half of the forces that do not depend on the velocity, the exact decay, the other half; position by the mean of the velocities
+/// before and after the decay (Strang splitting). Second order; never diverges by drag.
 pub fn strang(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> PointState {
     let before = v + law.pull(x) * (0.5 * h);
     let after = decay(law, before, h);
@@ -207,7 +205,7 @@ pub fn exact_fall(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> P
     PointState { x: x + DVec2::new(0.0, terminal * terminal / g * way), v: DVec2::new(0.0, terminal * (r + t) / (1.0 + r * t)) }
 }
 
-/// Semi-implicit Euler in `f32`: what single precision does to it.
+/// Semi-implicit Euler in `f32`, to show the effect of single precision.
 pub fn semi_implicit_euler_f32(law: &MotionLaw, point: PointState, h: f64) -> PointState {
     let h = h as f32;
     let v = point.v.as_vec2() + law.acceleration(point).as_vec2() * h;

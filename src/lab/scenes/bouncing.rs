@@ -13,7 +13,7 @@ pub const HEIGHT: f64 = 1.0;
 pub const LOSSY: f64 = 0.9;
 /// Apexes that are compared.
 pub const APEXES: usize = 10;
-/// s. By then the lossy ball has made its ten bounces and is not yet at rest.
+/// s. After this time the lossy ball has made its ten bounces and is not yet at rest.
 const LOSSY_SECONDS: f64 = 6.0;
 /// s.
 const PERFECT_SECONDS: f64 = 60.0;
@@ -31,7 +31,7 @@ pub const METHODS: [(&str, Bounce); 6] = [
     ("exact time of impact", exact),
 ];
 
-/// A ball, or a box, that is let go over a floor.
+/// A ball, or a box, that falls onto a floor.
 #[derive(Clone, Copy, Debug)]
 pub struct BouncingBall {
     /// m.
@@ -70,7 +70,6 @@ impl BouncingBall {
         Self { height: HEIGHT, e, rest_speed: 0.0 }
     }
 
-    /// The time after each step (s) and the ball then.
     pub fn path(self, by: By<Bounce>, seconds: f64, h: f64) -> impl Iterator<Item = (f64, Ball)> {
         self.running(by, h).each(seconds, |time, ball| (time, *ball))
     }
@@ -88,7 +87,7 @@ pub fn energy_kept(by: By<Bounce>, seconds: f64, h: f64) -> f64 {
     BouncingBall::of(1.0).end(by, seconds, h).map_or(f64::NAN, |ball| energy(ball, G)) / (G * HEIGHT)
 }
 
-/// The first apexes: the height that the energy reaches where the ball turns, which needs no tick just there.
+/// The first apexes: the height that the energy reaches where the ball turns, so that no step needs to end there.
 fn apex_heights(balls: impl Iterator<Item = (f64, Ball)>) -> Vec<f64> {
     let mut rising = false;
     let turns = balls.filter(|(_, ball)| {
@@ -99,8 +98,7 @@ fn apex_heights(balls: impl Iterator<Item = (f64, Ball)>) -> Vec<f64> {
     turns.map(|(_, ball)| energy(ball, G) / G).take(APEXES).collect()
 }
 
-/// The end of the bouncing, s: from then on the ball has no more energy than at the very end, which is none, or the jitter that the
-/// method keeps for ever.
+/// The end of the bouncing, s: after it the ball has no more energy than at the very end, which is none or the method's jitter.
 pub fn bounces_until(balls: impl Iterator<Item = (f64, Ball)>) -> f64 {
     let energies: Vec<(f64, f64)> = balls.map(|(t, ball)| (t, energy(ball, G))).collect();
     let end = energies.len() - energies.len() / 10;
@@ -108,7 +106,6 @@ pub fn bounces_until(balls: impl Iterator<Item = (f64, Ball)>) -> f64 {
     energies.iter().rev().find(|(_, energy)| *energy > JITTER * kept).map_or(0.0, |(t, _)| *t)
 }
 
-/// The end of all bounces, s.
 pub fn series_end(e: f64) -> f64 {
     (2.0 * HEIGHT / G).sqrt() * (1.0 + e) / (1.0 - e)
 }

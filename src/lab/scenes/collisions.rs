@@ -18,7 +18,7 @@ pub const METHODS: [(&str, ImpactStep); 4] = [
     ("exact times of impact", exact),
 ];
 
-/// Blocks on a line that collide without loss; those of infinite mass are walls, which stand behind the others.
+/// Blocks on a line that collide without loss; blocks of infinite mass are walls, which stand behind the others.
 #[derive(Clone, Debug)]
 pub struct BlockLine {
     /// From left to right.

@@ -13,7 +13,7 @@ const G: f64 = 9.81;
 const SECONDS: f64 = 10.0;
 /// 1/m. Drag of all bodies but the light one: a terminal velocity of 14 m/s.
 const DRAG: f64 = 0.05;
-/// m/s. Terminal velocity of the body in the gust.
+/// m/s.
 pub const LIGHT: f64 = 0.18;
 /// s. A gust is over in no time; a fall at terminal velocity follows.
 const GUST_SECONDS: f64 = 1.0;
@@ -21,7 +21,6 @@ const GUST_SECONDS: f64 = 1.0;
 #[derive(Clone, Debug)]
 pub struct FlyingBody {
     pub law: MotionLaw,
-    /// Place and velocity at 0 s.
     pub start: PointState,
     def: WorldDef,
     /// m. The law's origin in the world.
@@ -33,7 +32,6 @@ impl FlyingBody {
         Self { law, start, def: shipped::in_air(&law, start), origin: DVec2::ZERO }
     }
 
-    /// In a world of its own, which has the law's origin at `origin` (m).
     pub(in crate::lab) fn in_world(law: MotionLaw, start: PointState, def: WorldDef, origin: DVec2) -> Self {
         Self { law, start, def, origin }
     }

@@ -11,7 +11,7 @@ pub mod tunnelling;
 
 use super::LabScene;
 
-/// All of them, in the order in which the report shows them.
+/// In the order of the report.
 pub fn all() -> Vec<LabScene> {
     vec![
         flight::fall(),

@@ -14,7 +14,7 @@ pub const G: f64 = 9.81;
 const MASS: f64 = 500.0;
 /// kg/m³.
 pub const DENSITY: f64 = 1000.0;
-/// m. From where it is let go, measured from where it would rest. It neither leaves the water nor goes under.
+/// m. Where the box starts, measured from its place at rest. It neither leaves the water nor goes under.
 const SWING: f64 = 0.25;
 /// s.
 const SECONDS: f64 = 10.0;
@@ -40,12 +40,12 @@ fn period() -> f64 {
     std::f64::consts::TAU / omega()
 }
 
-/// Where it is after `t` seconds, m.
+/// m.
 fn place_at(t: f64) -> f64 {
     SWING * libm::cos(omega() * t)
 }
 
-/// Energy over what it was at the start, `swing` m away at rest, with ω² = `stiffness` 1/s²: swings have it as motion and as lift.
+/// Energy over its value at the start, `swing` m away at rest, with ω² = `stiffness` 1/s²: the sum of motion and lift.
 pub fn energy(point: &PointState, stiffness: f64, swing: f64) -> f64 {
     (point.v.length_squared() / stiffness + point.x.length_squared()) / (swing * swing)
 }
@@ -54,7 +54,7 @@ fn energy_of(point: &PointState) -> f64 {
     energy(point, stiffness(), SWING)
 }
 
-/// A box of such a mass (kg), let go `swing` m below its place at rest, from which y counts. By hand ω² is `stiffness` 1/s².
+/// A box of such a mass (kg) that starts `swing` m below its place at rest, from which y counts. By hand ω² is `stiffness` 1/s².
 pub fn afloat(stiffness: f64, mass: f64, swing: f64) -> FlyingBody {
     let (law, start) = (MotionLaw { spring: stiffness, ..MotionLaw::default() }, DVec2::new(0.0, swing));
     let rest = DVec2::new(0.0, -0.5 + mass / DENSITY);
@@ -88,7 +88,6 @@ pub fn swing() -> LabScene {
     LabScene { methods, ..LabScene::new("oscillator", title, SECONDS, 1) }
 }
 
-/// The energy over a thousand periods.
 pub fn energy_kept() -> LabScene {
     let seconds = PERIODS * period();
     let error = move |by, h| worst_energy(by, seconds, h);

@@ -1,5 +1,5 @@
-//! Bodies in contact along an axis: a column, something heavy on something light, a row pushed along a floor. Exact: what rests,
-//! stays; the row accelerates with F/Σm − μg, all of it alike.
+//! Bodies in contact along an axis: a column, a heavy body on a light one, a row pushed along a floor. Exact: a resting body stays;
+//! the row accelerates with F/Σm − μg, all of it alike.
 
 use crate::lab::contract::{By, Model};
 use crate::lab::course::worst;
@@ -13,7 +13,7 @@ const COLUMN: usize = 20;
 const ROW: usize = 20;
 /// s.
 const SECONDS: f64 = 10.0;
-/// m/s². What the row's acceleration shall be.
+/// m/s².
 const ROW_ACCELERATION: f64 = 1.0;
 
 /// The solvers by hand, from the cheapest.

@@ -1,20 +1,20 @@
-//! Something fast against something thin. Exact: it never gets through.
+//! A fast box against a thin obstacle. Exact: it never gets through.
 
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::impact::{ImpactStep, LineBlock};
 use crate::lab::scenes::collisions::{BlockLine, METHODS};
 use crate::lab::{Answer, LabScene};
 
-/// m. Widths of the flying box and of the thin thing in its path.
+/// m. Widths of the flying box and of the obstacle in its path.
 pub const BOX: f64 = 0.5;
 /// m.
 pub const THIN: f64 = 0.1;
 /// Starting places within one step of travel: some phase of the step is the worst one.
 const PHASES: usize = 16;
-/// Steps within which box and thin thing meet and part.
+/// Steps within which box and obstacle meet and part.
 pub const STEPS: usize = 4;
 
-/// A box of 1 kg at `speed` (m/s) against something thin of `mass` (kg; infinite: a wall).
+/// A box of 1 kg at `speed` (m/s) against an obstacle of `mass` (kg; infinite: a wall).
 #[derive(Clone, Copy, Debug)]
 pub struct Meeting {
     /// m/s.
@@ -24,7 +24,7 @@ pub struct Meeting {
 }
 
 impl Meeting {
-    /// The two, such that they meet after `delay` s.
+    /// Box and obstacle, such that they meet after `delay` s.
     fn after(self, delay: f64) -> BlockLine {
         let x = self.speed * delay + 0.5 * (BOX + THIN);
         BlockLine::of(vec![
@@ -39,7 +39,7 @@ impl Meeting {
         (self.after(delay), delay)
     }
 
-    /// Velocities of box and thin thing after an impact without loss, m/s.
+    /// Velocities of box and obstacle after an impact without loss, m/s.
     pub fn parting(self) -> (f64, f64) {
         let Self { speed, mass } = self;
         if mass.is_infinite() { (-speed, 0.0) } else { (speed * (1.0 - mass) / (1.0 + mass), 2.0 * speed / (1.0 + mass)) }

@@ -1,4 +1,4 @@
-//! Where floors fail: jitter at rest, stops that are short or never come, bounces that end too early or never, energy from nothing.
+//! Floors fail by jitter at rest, stops that are short or never come, bounces that end too early or never, energy from nothing.
 
 use super::picture::FailurePicture;
 use super::{G, StressTest, TICK, Trial};
@@ -11,28 +11,26 @@ use crate::lab::scenes::sliding::{self, SlidingBox};
 
 /// s.
 const RESTING: f64 = 5.0;
-/// Ticks of them that a picture shows.
+/// Ticks in a picture.
 const JITTERS: usize = 30;
 /// s.
 const MINUTE: f64 = 60.0;
-/// Relative: how right the end of the bounces and the energy have to be.
+/// Relative tolerance of the end of the bounces and of the energy.
 const RIGHT: f64 = 0.01;
-/// The box of the slides.
 pub const SLIDING: SlidingBox = SlidingBox { gravity: G };
 /// Impacts after which an event loop counts as endless.
 pub const ENDLESS: u32 = 1_000_000;
 
-/// A ball that was put on the floor.
 fn laid(e: f64) -> BouncingBall {
     BouncingBall { height: 0.0, e, rest_speed: 1.0 }
 }
 
-/// The speed (m/s) that is left on it.
+/// The speed (m/s) that remains.
 pub fn jitter(by: By<Bounce>, e: f64) -> f64 {
     laid(e).end(by, RESTING, TICK).map_or(f64::NAN, |(_, v)| v.abs())
 }
 
-/// Rest is exact, whatever the restitution.
+/// Rest is exact at every restitution.
 pub fn resting_jitter() -> StressTest {
     let picture = |by: By<Bounce>, e: f64| {
         let velocities: Vec<(f64, f64)> = laid(e).running(by, TICK).each(RESTING, |t, ball| (t, ball.1)).collect();
@@ -48,7 +46,7 @@ fn slides(by: By<SlideStep>, h: f64) -> impl Iterator<Item = (f64, Slider)> {
     SLIDING.running(by, h).each(RESTING, |t, slider| (t, *slider))
 }
 
-/// Place (m) and velocity (m/s) at its end.
+/// m and m/s.
 pub fn slide(by: By<SlideStep>, h: f64) -> Slider {
     SLIDING.end(by, RESTING, h).unwrap_or((f64::NAN, f64::NAN))
 }
@@ -62,7 +60,7 @@ fn stopping(by: By<SlideStep>, h: f64) -> FailurePicture {
     picture.within(0.0, TOLERANCE)
 }
 
-/// The velocities about the stop, in units of what friction takes in a step.
+/// The velocities about the stop, in units of friction's change in a step.
 fn chattering(h: f64) -> FailurePicture {
     let first = ((SLIDING.stops_after() / h) as usize).saturating_sub(8);
     let line = slides(By::Hand(by_sign), h).enumerate().skip(first).take(24);
@@ -88,7 +86,7 @@ pub fn end_of_bounces(by: By<Bounce>, e: f64) -> f64 {
     bounces_until(series(by, e))
 }
 
-/// The height that is left to a ball at the end of the series of its bounces: the second half of their time, and a fifth more.
+/// The height that remains to a ball at the end of the series of its bounces: the second half of their time, and a fifth more.
 fn ending(by: By<Bounce>, e: f64) -> FailurePicture {
     let (end, fall) = (series_end(e), (2.0 * bouncing::HEIGHT / G).sqrt());
     let from = 0.5 * (end + fall);

@@ -1,4 +1,4 @@
-//! Where methods of impact fail: thin things, and many contacts at one instant.
+//! Methods of impact fail at thin obstacles and at many contacts at one instant.
 
 use super::picture::FailurePicture;
 use super::{StressTest, TICK, Trial};
@@ -7,7 +7,7 @@ use crate::lab::methods::impact::ImpactStep;
 use crate::lab::scenes::collisions::{BlockLine, METHODS, STRIKE};
 use crate::lab::scenes::tunnelling::{self, Meeting};
 
-/// Whether a box of 0.5 m never gets through something of 0.1 m and `mass` (kg; infinite: a wall) at 60 Hz.
+/// Whether a box of 0.5 m never gets through an obstacle of 0.1 m and `mass` (kg; infinite: a wall) at 60 Hz.
 pub fn stays_out(by: By<ImpactStep>, speed: f64, mass: f64) -> bool {
     Meeting { speed, mass }.fails_at(by, TICK).is_none()
 }
@@ -19,7 +19,7 @@ fn with_paths(picture: FailurePicture, paths: &[Vec<f64>], blocks: usize, first:
     (0..blocks).fold(picture, |picture, block| picture.found(path(block)))
 }
 
-/// The places of box and thin thing over the steps in which they meet, at the phase at which they fail, if any.
+/// The places of box and obstacle over the steps in which they meet, at the first phase of the step that fails.
 fn met(by: By<ImpactStep>, meeting: Meeting) -> FailurePicture {
     let (line, met) = meeting.at_phase(meeting.fails_at(by, TICK).unwrap_or(0), TICK);
     let end = tunnelling::STEPS as f64;

@@ -1,5 +1,5 @@
-//! Stress tests: for each way in which methods fail, the largest value that each method survives, the shipped engine among them.
-//! What "survives" means is a function of its own for each test, so that tests can ask it for single values.
+//! Stress tests: the largest value that each method survives, the shipped engine among them. A function of its own for each test says
+//! whether a method survives, so that tests can call it for single values.
 
 pub mod bouncing;
 pub mod contacts;
@@ -21,7 +21,7 @@ pub const G: f64 = 9.81;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Survival {
     pub test: String,
-    /// What is made larger, with its unit.
+    /// With its unit.
     pub parameter: String,
     pub method: String,
     /// The largest value that it survives; 0: none of those tried.
@@ -31,24 +31,23 @@ pub struct Survival {
 }
 
 impl Survival {
-    /// The largest value as people read it: ≥ where nothing larger was tried.
+    /// For people: ≥ where nothing larger was tried.
     pub fn shown(&self) -> String {
         format!("{}{}", if self.largest >= self.tried { "≥ " } else { "" }, number(self.largest))
     }
 }
 
-/// A stress test: methods, and the number that is made larger until they fail.
+/// Methods, and the number that grows until they fail.
 pub struct StressTest {
-    /// What has to hold.
+    /// The condition.
     pub name: &'static str,
-    /// What is made larger, with its unit.
+    /// With its unit.
     pub parameter: &'static str,
     range: (f64, f64),
     whole: bool,
     methods: Vec<Trial>,
 }
 
-/// A method in a test: whether it survives a value, and a picture of its run.
 type Trial = Entrant<bool, FailurePicture>;
 
 impl std::fmt::Debug for StressTest {
@@ -77,7 +76,7 @@ impl StressTest {
         self.methods.iter().map(row).collect()
     }
 
-    /// How a method fails just beyond the largest value that it survives, or how it survives the largest that was tried.
+    /// A picture of a method's failure just beyond the largest value that it survives, or of its success at the largest tried.
     pub fn picture(&self, method: &str, largest: f64) -> Option<FailurePicture> {
         let method = self.methods.iter().find(|found| found.name == method)?;
         let value = self.beyond(largest, &method.run);
@@ -85,10 +84,10 @@ impl StressTest {
         Some(FailurePicture { value, ..picture })
     }
 
-    /// A value beyond that one at which it does fail; the largest that was tried where it survives all.
+    /// A value beyond that one at which the method does fail; the largest tried where it survives all.
     fn beyond(&self, largest: f64, survives: impl Fn(f64) -> bool) -> f64 {
         let (least, most) = self.range;
-        // Of a number in a file anything may be asked.
+        // The number comes from a file and may be anything.
         let next = |further: f64| {
             let next = if self.whole { largest + further.ceil() } else { largest * (1.0 + further) };
             if next.is_nan() { least } else { next.clamp(least, most) }
@@ -108,7 +107,7 @@ pub fn largest(range: (f64, f64), survives: impl Fn(f64) -> bool) -> f64 {
     largest_to(RESOLUTION, range, survives)
 }
 
-/// The same, to within such a part of itself.
+/// The same, to within `part` of itself.
 pub fn largest_to(resolution: f64, (least, most): (f64, f64), survives: impl Fn(f64) -> bool) -> f64 {
     if !survives(least) {
         return 0.0;
@@ -131,10 +130,10 @@ pub fn largest_to(resolution: f64, (least, most): (f64, f64), survives: impl Fn(
     good
 }
 
-/// How finely [`largest`] looks, relative.
+/// Relative precision of [`largest`].
 const RESOLUTION: f64 = 1e-3;
 
-/// All tests, in the order of the report.
+/// In the order of the report.
 pub const TESTS: [fn() -> StressTest; 17] = [
     motion::terminal_velocity,
     motion::swings,
@@ -155,7 +154,7 @@ pub const TESTS: [fn() -> StressTest; 17] = [
     robustness::nonsense,
 ];
 
-/// How a row's method fails; nothing where its test or its method is not known here.
+/// `None` where the row's test or its method is not known here.
 pub fn picture(row: &Survival) -> Option<FailurePicture> {
     TESTS.iter().map(|test| test()).find(|test| test.name == row.test)?.picture(&row.method, row.largest)
 }

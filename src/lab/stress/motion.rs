@@ -1,4 +1,4 @@
-//! Where integrators fail: things so light that a step overshoots their terminal velocity, and gusts that turn them round.
+//! Integrators fail where a body is so light that a step overshoots its terminal velocity, and where gusts turn it round.
 
 use super::picture::FailurePicture;
 use super::{G, StressTest, TICK, Trial};
@@ -11,20 +11,20 @@ use crate::physics::DVec2;
 /// Steps after which a fall has long settled.
 const LONG: usize = 2000;
 const SHOWN: usize = 30;
-/// m/s. Terminal velocity of the thing in the gust.
+/// m/s. Terminal velocity of the body in the gust.
 const LIGHT: f64 = 2.0;
-/// Relative: how near to the terminal velocity counts as right.
+/// Relative tolerance of the terminal velocity.
 const RIGHT: f64 = 0.01;
 
 /// Terminal velocities: beyond, a fall has diverged.
 const BOUNDS: f64 = 1e6;
 
-/// What becomes of a fall from rest.
+/// The outcome of a fall from rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FallOutcome {
-    /// It settles at the terminal velocity, to 1 %.
+    /// To 1 %.
     Right,
-    /// It settles elsewhere, or never.
+    /// Settles elsewhere, or never.
     Wrong,
     Diverges,
 }
@@ -62,7 +62,7 @@ pub fn shipped_fall_error(z: f64) -> f64 {
     end.map_or(f64::NAN, |end| (end.v.y / terminal - 1.0).abs())
 }
 
-/// The last of some velocities of a fall, in units of the terminal one.
+/// The last velocity of a fall, in units of the terminal one.
 fn settled(velocities: &[f64]) -> FailurePicture {
     let first = velocities.len().saturating_sub(SHOWN);
     let line = velocities.iter().enumerate().skip(first).map(|(i, v)| ((i + 1) as f64, *v));
@@ -82,7 +82,7 @@ pub fn terminal_velocity() -> StressTest {
 }
 
 const SWINGS: f64 = 100.0;
-/// Relative: how right their amplitude has to stay.
+/// Relative tolerance of the amplitude.
 const AMPLITUDE: f64 = 0.1;
 
 /// The swings done after each step and the amplitude then, over that at the start, at ω·h = `turn`.
@@ -114,7 +114,7 @@ pub fn swings() -> StressTest {
     StressTest::of("amplitude of 100 swings afloat to 10 %", parameter, (0.09, 10.0), methods)
 }
 
-/// Drag alone on something with a terminal velocity of 2 m/s.
+/// Drag alone on a body with a terminal velocity of 2 m/s.
 pub fn gust_law() -> MotionLaw {
     MotionLaw { constant: DVec2::ZERO, drag: G / (LIGHT * LIGHT), ..MotionLaw::default() }
 }
@@ -125,7 +125,7 @@ pub fn gust(by: By<MotionStep>, speed: f64) -> Vec<f64> {
     FlyingBody::in_air(gust_law(), start).running(by, TICK).each(1.0, |_, point| point.v.x).collect()
 }
 
-/// What becomes of a velocity in the first steps, over that of the air, and what should.
+/// The velocity in the first steps over that of the air, and its exact value.
 fn blown(velocities: &[f64], speed: f64) -> FailurePicture {
     let after = velocities.iter().take(SHOWN / 3).enumerate().map(|(i, v)| ((i + 1) as f64, v / speed));
     let found = FailurePicture::of("steps since the start", "velocity / the air's").found(std::iter::once((0.0, 1.0)).chain(after));
@@ -142,7 +142,7 @@ fn gusts(name: &'static str, survives: fn(&[f64], f64) -> bool) -> StressTest {
     StressTest::of(name, "wind on v_t = 2 m/s at h = 1/60 s, m/s", (1.0, 1e4), methods)
 }
 
-/// Drag may slow something down; it never turns it round.
+/// Drag may slow a body down; it never turns it round.
 pub fn gust_reversal() -> StressTest {
     gusts("a gust never reverses", |velocities, _| velocities.iter().all(|v| *v >= 0.0))
 }

@@ -1,31 +1,30 @@
-//! What a method's failure looks like: a few lines over time, or over whatever goes on, beside what is right. Everything in it is
-//! computed by the method itself.
+//! A picture of a method's failure: a few lines over time, or over another quantity, beside the exact one. The method itself computes
+//! everything in it.
 
-/// A line: how far to the right, and how far up.
+/// Right and up.
 pub type Polyline = Vec<(f64, f64)>;
 
 /// Points of a line, at most: more would be closer together than pixels.
 const MOST: usize = 160;
-/// How far a line may leave what is right and still be seen, in heights of that.
+/// A line stays in view this far from the exact one, in heights of that.
 const BEYOND: f64 = 1.0;
-/// The same where what is right is a band.
+/// The same where the exact value is a band.
 const BEYOND_BAND: f64 = 40.0;
-/// What is free above and below, in heights of all that is seen.
+/// The free margin above and below, in heights of the view.
 const MARGIN: f64 = 0.08;
 
-/// A run of a method at one value, to be drawn.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FailurePicture {
     pub value: f64,
-    /// What goes to the right, with its unit.
+    /// With its unit.
     pub across: &'static str,
-    /// What goes upwards, with its unit.
+    /// With its unit.
     pub up: &'static str,
     pub found: Vec<Polyline>,
     pub exact: Vec<Polyline>,
-    /// From where to where upwards it counts as right.
+    /// The band that counts as right.
     pub right: Option<(f64, f64)>,
-    /// Something solid, from where to where upwards.
+    /// Lower and upper side of an obstacle.
     pub solid: Option<(f64, f64)>,
 }
 
@@ -46,7 +45,7 @@ impl FailurePicture {
         self
     }
 
-    /// With what is right at a height, and how far off still counts as right.
+    /// Adds the exact height and its tolerance.
     pub(super) fn within(mut self, height: f64, off: f64) -> Self {
         let (from, to) = self.across_span();
         self.right = Some((height - off, height + off));
@@ -57,14 +56,13 @@ impl FailurePicture {
         Self { solid: Some((from, to)), ..self }
     }
 
-    /// Where all lines begin and end.
     fn across_span(&self) -> ValueSpan {
         let points = self.found.iter().chain(&self.exact).flatten();
         span(points.map(|(x, _)| *x)).unwrap_or((0.0, 1.0))
     }
 
-    /// What is seen: from where to where, to the right and upwards. All that is right is; what the method makes, where it does not leave
-    /// that too far.
+    /// The view's ranges to the right and upwards. It holds every exact value, and the method's own where they do not leave that too
+    /// far.
     pub fn window(&self) -> (ValueSpan, ValueSpan) {
         let heights = |lines: &[Polyline]| span(lines.iter().flatten().map(|(_, y)| *y));
         let band = self.right.into_iter().chain(self.solid).flat_map(|(from, to)| [from, to]);
@@ -94,7 +92,7 @@ impl FailurePicture {
     }
 }
 
-/// From the least to the largest of what is finite.
+/// The least and the largest finite value.
 fn span(values: impl Iterator<Item = f64>) -> Option<ValueSpan> {
     let finite = values.filter(|value| value.is_finite());
     finite.fold(None, |span, value| {
@@ -103,7 +101,7 @@ fn span(values: impl Iterator<Item = f64>) -> Option<ValueSpan> {
     })
 }
 
-/// A few of many points, the last one among them.
+/// Thinned out; the last point stays.
 fn thinned(line: Polyline) -> Polyline {
     let every = line.len().div_ceil(MOST).max(1);
     let last = line.len().saturating_sub(1);

@@ -1,4 +1,4 @@
-//! Where programs fail: far from the origin, after a hitch, and on nonsense.
+//! Programs fail far from the origin, after a hitch, and on nonsense.
 
 use super::picture::FailurePicture;
 use super::{G, StressTest, TICK, Trial};
@@ -19,12 +19,11 @@ fn drifts(by: By<MotionStep>, distance: f64) -> impl Iterator<Item = (f64, f64)>
     body.running(by, TICK).each(DRIFT, move |time, point| (time, point.x.x - distance - time))
 }
 
-/// The error at the end, m.
+/// m.
 pub fn drift(by: By<MotionStep>, distance: f64) -> f64 {
     drifts(by, distance).last().map_or(f64::NAN, |(_, off)| off.abs())
 }
 
-/// Places keep their tenth of a pixel.
 pub fn far_from_the_origin() -> StressTest {
     let methods: [(&str, MotionStep); 2] =
         [("semi-implicit Euler, f32", semi_implicit_euler_f32), ("semi-implicit Euler, f64", semi_implicit_euler)];
@@ -37,9 +36,9 @@ pub fn far_from_the_origin() -> StressTest {
 
 /// A box falls from 1 m onto a floor of 0.5 m; then one frame takes long.
 pub struct Hitch {
-    /// Height of the box's lower side over the floor after it, m.
+    /// m. The box's lower side over the floor after the frame.
     pub height: f64,
-    /// Ticks that had to be computed for the frame.
+    /// Ticks that the frame cost.
     pub ticks: u32,
 }
 
@@ -57,7 +56,7 @@ impl Hitch {
     }
 }
 
-/// The box falls by hand for one step: it is put on the floor if it overlaps it then.
+/// The box falls by hand for one step and is put on the floor if it overlaps it.
 fn naive_step((y, v): (f64, f64), h: f64) -> (f64, f64) {
     let v = v - G * h;
     let y = y + v * h;
@@ -69,7 +68,7 @@ pub fn frame_as_step(frame: f64) -> Hitch {
     Hitch { height: naive_step((DROP, 0.0), frame).0, ticks: 1 }
 }
 
-/// Fixed ticks, as many as the frame takes.
+/// Fixed ticks until the frame is over.
 pub fn ticks_without_cap(frame: f64) -> Hitch {
     let ticks = (frame * TICK_RATE).floor() as u32;
     let (height, _) = (0..ticks).fold((DROP, 0.0), |ball, _| naive_step(ball, 1.0 / TICK_RATE));
@@ -83,7 +82,6 @@ fn box_over_floor() -> WorldDef {
     def
 }
 
-/// The game's clock and the engine.
 pub fn shipped_hitch(frame: f64) -> Hitch {
     let mut clock = Clock::new(TICK_RATE);
     let Ok(mut world) = World::new(box_over_floor()) else { return Hitch { height: f64::NAN, ticks: 0 } };
@@ -96,7 +94,7 @@ pub fn shipped_hitch(frame: f64) -> Hitch {
     Hitch { height: -0.5 - world.body(BodyId(0)).position.y, ticks }
 }
 
-/// The engine alone, given the whole frame as one step.
+/// The engine alone, with the whole frame as one step.
 pub fn shipped_step(frame: f64) -> Hitch {
     let Ok(mut world) = World::new(box_over_floor()) else { return Hitch { height: f64::NAN, ticks: 0 } };
     world.step(frame);
@@ -111,7 +109,7 @@ fn fallen(frame: f64, hitch: &Hitch) -> FailurePicture {
     picture.solid(-FLOOR, 0.0)
 }
 
-/// The ticks that a frame asks for, beside those that it can afford.
+/// The ticks of a frame, beside the ticks that it can afford.
 fn asked(frame: f64) -> FailurePicture {
     let asked = [0.0, frame].map(|frame| (frame, f64::from(ticks_without_cap(frame).ticks)));
     let affordable = f64::from(AFFORDABLE);
@@ -134,7 +132,7 @@ pub fn hitch() -> StressTest {
     StressTest::of("a hitch: nothing tunnels, nothing stalls", "length of one frame, s", (1.0 / 240.0, 10.0), methods)
 }
 
-/// Bodies that make no sense, and what is wrong with them.
+/// Bodies that make no sense, with the fault of each.
 pub fn nonsense_bodies() -> Vec<(&'static str, BodyDef)> {
     let body = || BodyDef { position: DVec2::new(0.0, -NONSENSE_HEIGHT), ..BodyDef::default() };
     vec![
@@ -153,9 +151,9 @@ pub fn nonsense_bodies() -> Vec<(&'static str, BodyDef)> {
 
 /// s.
 const NONSENSE: f64 = 10.0;
-/// m. From where nonsense falls.
+/// m. Nonsense falls from this height.
 const NONSENSE_HEIGHT: f64 = 20.0;
-/// How much faster than after that fall first-order methods may be.
+/// First-order methods may be this much faster than after that fall.
 const FASTER: f64 = 1.05;
 
 /// Heights over the floor (m) and speeds (m/s) after each step, for ten seconds, of a nonsense body whose numbers are taken as they are.
@@ -176,14 +174,14 @@ fn naively(body: &BodyDef) -> impl Iterator<Item = (f64, f64)> {
     })
 }
 
-/// Whether a nonsense body does no harm by hand: for ten seconds over a floor its numbers stay finite and it is never faster than its fall
-/// can make it.
+/// Whether a nonsense body does no harm by hand: for ten seconds over a floor its numbers stay finite and it is never faster than
+/// after its fall.
 pub fn naive_takes(body: &BodyDef) -> bool {
     let fastest = FASTER * (body.velocity.length_squared() + 2.0 * G * NONSENSE_HEIGHT).sqrt();
     naively(body).all(|(height, speed)| height.is_finite() && speed <= fastest)
 }
 
-/// Whether it does no harm with the shipped engine: it is refused.
+/// Whether the shipped engine refuses it.
 pub fn shipped_refuses(body: &BodyDef) -> bool {
     World::new(shipped::on_floor(G, 1.0, vec![body.clone()])).is_err()
 }

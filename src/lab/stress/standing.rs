@@ -1,4 +1,4 @@
-//! Where solvers of resting contacts fail: unequal masses and tall columns.
+//! Solvers of resting contacts fail at unequal masses and in tall columns.
 
 use super::picture::FailurePicture;
 use super::{G, StressTest, TICK, Trial};
@@ -9,20 +9,20 @@ use crate::physics::{BodyId, ForceKind, World};
 
 /// m. The overlap that a resting pair may show at any tick.
 pub const OVERLAP: f64 = 1e-6;
-/// Relative: how right a resting contact's force has to be, of the shipped engine.
+/// Relative tolerance of a resting contact's force, of the shipped engine.
 pub const FORCE: f64 = 1e-9;
-/// Relative: how right it has to be for sweeps.
+/// Relative tolerance for sweeps.
 const SWEPT_FORCE: f64 = 0.01;
 const SWEEPS: [u32; 4] = [10, 50, 500, 5000];
-/// Those that have 2 s to find the forces.
+/// The solvers that have 2 s to find the forces.
 const AT_REST: [(&str, Solver); 3] = [
     ("impulses, 20 sweeps, warm, after 2 s", Solver::Sweeps { sweeps: 20, warm: true }),
     ("impulses, 20 substeps, after 2 s", Solver::Substeps(20)),
     ("direct", Solver::Direct),
 ];
-/// s. How long things have to rest.
+/// s. Bodies rest for this time.
 const RESTING: f64 = 2.0;
-/// What every picture shows upwards.
+/// The upward label of every picture.
 const LOAD: &str = "worst force / right one";
 
 /// The force that carries a body itself, N: the reaction from below without the push of the bodies above, which is their weight.
@@ -44,7 +44,7 @@ pub fn stands(masses: &[f64]) -> bool {
     })
 }
 
-/// The load furthest from right after each tick, with its time (s), by the shipped engine.
+/// The load furthest from its exact value after each tick, with its time (s), by the shipped engine.
 fn shipped_loads(masses: &[f64]) -> Vec<(f64, f64)> {
     let Some(mut world) = ContactChain::standing(masses.to_vec()).world() else { return Vec::new() };
     let exact: Vec<f64> = masses.iter().map(|mass| mass * G).collect();
@@ -63,12 +63,11 @@ fn loads(masses: &[f64], solver: Solver) -> Vec<(f64, f64)> {
     column.running(By::Hand(solver), TICK).each(RESTING, |t, chain| (t, worst_load(&chain.impulses, &exact))).collect()
 }
 
-/// Whether a column of these masses that has rested for a while is carried by the right impulses, to 1 %, solved by hand.
+/// Whether a column of these masses, after a while at rest and solved by hand, shows the right impulses, to 1 %.
 pub fn carries(masses: &[f64], solver: Solver) -> bool {
     loads(masses, solver).last().is_some_and(|(_, load)| (load - 1.0).abs() <= SWEPT_FORCE)
 }
 
-/// Every solver on the column of a value.
 fn solvers(column: fn(f64) -> Vec<f64>) -> Vec<Trial> {
     let over_time = |loads: Vec<(f64, f64)>| FailurePicture::of("time, s", LOAD).found(loads).within(1.0, SWEPT_FORCE);
     let from_cold = SWEEPS.map(|sweeps| {
@@ -87,13 +86,11 @@ fn solvers(column: fn(f64) -> Vec<f64>) -> Vec<Trial> {
     from_cold.into_iter().chain(at_rest).chain([shipped]).collect()
 }
 
-/// R times its mass on a block.
 pub fn heavy_on_light() -> StressTest {
     let methods = solvers(|ratio| vec![1.0, ratio]);
     StressTest::of("heavy on light: forces to 1 %", "mass ratio R at h = 1/60 s", (1.0, 1e8), methods)
 }
 
-/// N equal blocks.
 pub fn columns() -> StressTest {
     let methods = solvers(|n| vec![1.0; n.floor() as usize]);
     let test = StressTest::of("column: forces to 1 %", "equal blocks N at h = 1/60 s", (1.0, 200.0), methods);

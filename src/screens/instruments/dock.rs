@@ -1,9 +1,9 @@
-//! Where the panels at the left stand: below the rail, and beside it where that is too short.
+//! Panels at the left stand below the rail, and beside it where that is too short.
 
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, TEXT, Vec2};
 use crate::view::hud::HudLayout;
 
-/// Puts panels of those sizes one below the other from the foot of the rail on, in as many columns as it takes; the first has the rail above it.
+/// Panels one below the other from the foot of the rail on, in as many columns as it takes; the first has the rail above it.
 pub fn dock(frame: &Frame, rail: &[Area], sizes: &[Vec2]) -> Vec<Area> {
     let (Some(first), Some(last)) = (rail.first(), rail.last()) else { return Vec::new() };
     let foot = HudLayout::new(frame).fuel.min.y - GRID;
@@ -22,17 +22,15 @@ pub fn dock(frame: &Frame, rail: &[Area], sizes: &[Vec2]) -> Vec<Area> {
     sizes.iter().map(place).collect()
 }
 
-/// From one line of a panel to the next.
 pub fn line(frame: &Frame) -> f32 {
     frame.text_height(DETAILS) * LINE
 }
 
-/// The width of so many characters of a panel's lines.
+/// The width of that many characters of a panel's lines.
 pub fn width(frame: &Frame, characters: usize) -> f32 {
     characters as f32 * MONO_ADVANCE * frame.text_height(DETAILS)
 }
 
-/// A row of buttons with those words, from a place on.
 pub fn row(frame: &Frame, from: Vec2, words: &[&str]) -> Vec<Area> {
     let mut left = from.x;
     let button = |words: &&str| {
@@ -44,7 +42,6 @@ pub fn row(frame: &Frame, from: Vec2, words: &[&str]) -> Vec<Area> {
     words.iter().map(button).collect()
 }
 
-/// The height of the stop clock's large figures.
 pub fn large(frame: &Frame) -> f32 {
     frame.text_height(TEXT) * LINE
 }

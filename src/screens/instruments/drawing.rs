@@ -1,5 +1,3 @@
-//! Draws the instruments: what lies in the level, and the rail and the panels above it.
-
 use super::measured::{label, pair};
 use super::{Instruments, Tool};
 use crate::draw::layout::{DETAILS, GRID, Vec2};
@@ -9,11 +7,10 @@ use crate::instruments::centre::{centre_of_mass, velocity_of_centre};
 use crate::view::camera::Viewport;
 use crate::view::{theme, widgets};
 
-/// Radius of the mark of the centre of mass, canvas units.
+/// Canvas units.
 const MARK: f32 = 9.0;
 
 impl Instruments {
-    /// Draws what lies in the level.
     pub fn draw_in_level(&self, (game, alpha): (&Game, f64), view: &Viewport, canvas: &Canvas) {
         self.measures.draw_in_level((game, alpha), (view, canvas), |tool| self.uses(tool));
         if self.uses(Tool::Centre) {
@@ -21,14 +18,12 @@ impl Instruments {
         }
     }
 
-    /// Draws what lies below the flight.
     pub fn draw_below(&self, canvas: &Canvas) {
         if self.uses(Tool::Plot) {
             self.plot.draw(canvas);
         }
     }
 
-    /// Draws the rail and the panels.
     pub fn draw(&self, scene: (&Game, f64), view: &Viewport, canvas: &Canvas) {
         if !self.open {
             return;
@@ -49,12 +44,12 @@ impl Instruments {
     }
 }
 
-/// A disc in quarters, as it is marked in books, and how fast it goes.
+/// A disc in quarters, as in books, with its speed.
 fn draw_centre((game, alpha): (&Game, f64), view: &Viewport, canvas: &Canvas) {
-    // An idle ship is none of the system.
+    // An idle ship does not belong to the system.
     let bodies = &game.world().bodies()[game.lead().index()..];
     let (centre, velocity) = (centre_of_mass(bodies), velocity_of_centre(bodies));
-    // Drawn between the last two ticks, as all else is.
+    // Between the last two ticks, as everything on the screen.
     let at = view.point(centre - velocity * ((1.0 - alpha) / game.tick_rate()));
     if !canvas.frame().area().contains(at) {
         return;
@@ -70,7 +65,7 @@ fn draw_centre((game, alpha): (&Game, f64), view: &Viewport, canvas: &Canvas) {
         canvas.convex(&[&[at][..], &arc].concat(), theme::ground());
     }
     let lines = ["Centre of mass".to_owned(), format!("v {}", pair(velocity, "m/s"))];
-    // Above it or below, away from the ship, which is often near.
+    // Above or below, away from the ship, which is often near.
     let ship = view.point(game.world().body(SHIP).position);
     let up = if ship.y < at.y { 1.0 } else { -1.0 };
     let aside = Vec2::new(

@@ -1,4 +1,4 @@
-//! The table of momentum, energy and work: of the object that is followed, of the one that it is compared with and of both; else of all.
+//! The table of momentum, energy and work: of the followed object, of the one compared with it and of both; else of all.
 
 use super::Stage;
 use crate::game::{Game, History, body_title};
@@ -9,61 +9,50 @@ use crate::physics::{BodyId, ForceKind, Impulse};
 use crate::view::focus::Focus;
 use crate::view::quantity::QuantityScale;
 
-/// How many ticks are read in a frame at most, where the table is opened late in a flight.
+/// Ticks of reading in a frame at most, where the table opens late in a flight.
 const AHEAD: u64 = 600;
-/// Parts of the largest work below which one is nothing but rounding.
+/// A work below this part of the largest one is rounding.
 const ROUNDING: f64 = 1e-10;
 
-/// What all works together come to: what the kinetic energy has gained.
+/// The sum of all works: the gain of kinetic energy.
 pub const GAINED: &str = "= kinetic gained";
 
-/// What a line tells of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
-    /// A quantity.
     Quantity,
-    /// A sum of what stands above.
+    /// The sum of the lines above.
     Sum,
-    /// What stands below, or a remark.
+    /// A heading or a remark.
     Words,
-    /// The work of a force.
     Force(ForceKind),
-    /// The work of impacts.
     Impact,
 }
 
-/// A line of the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
-    /// Its words.
     pub name: String,
-    /// What it tells of.
     pub subject: Subject,
-    /// A number with its unit for each column; none in a line of words.
+    /// One a column, with its unit; empty in a line of words.
     pub values: Vec<String>,
 }
 
-/// The table as it is shown.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
-    /// What stands above the columns.
     pub columns: Vec<String>,
-    /// From the top.
     pub lines: Vec<Line>,
 }
 
-/// What the table is read from.
 #[derive(Clone, Debug, Default)]
 pub struct Figures {
     ledger: WorkLedger,
-    /// From which tick on work is counted, and what had been done until then; from the start, where there is none.
+    /// The tick from which work counts, and the accounts then; `None`: from the start.
     base: Option<(u64, Vec<Account>)>,
-    /// Whether the accounts are those of the moment that is shown.
+    /// The accounts are up to date with the moment on the screen.
     is_read: bool,
     table: Table,
 }
 
-/// Who is told of: whoever is followed and compared, or who is looked at while nobody is.
+/// The followed and the compared body, or the one under the camera while the player follows none.
 pub fn told(focus: &Focus, game: &Game) -> Vec<BodyId> {
     let there = |body: &BodyId| body.index() < game.world().bodies().len();
     let followed = focus.followed().filter(there).unwrap_or(game.lead());
@@ -71,29 +60,28 @@ pub fn told(focus: &Focus, game: &Game) -> Vec<BodyId> {
 }
 
 impl Figures {
-    /// Reads up to the moment that is shown.
+    /// Reads up to the moment on the screen.
     pub fn update(&mut self, stage: &Stage) {
         self.is_read = self.ledger.go(stage.history, stage.game.ticks(), AHEAD);
         self.table = self.tabulate(stage);
     }
 
-    /// The table.
     pub const fn table(&self) -> &Table {
         &self.table
     }
 
-    /// Counts work from the moment that is shown, once all before it is read, or from the flight's start.
+    /// Counts work from the moment on the screen, once all ticks before it are read, or from the flight's start.
     pub fn count_from(&mut self, now: Option<u64>) {
         self.base = now.filter(|_| self.is_read).map(|now| (now, self.ledger.accounts().to_vec()));
     }
 
-    /// The flight was left at that tick: what was later has not been.
+    /// The flight was left at that tick: later readings are void.
     pub fn back_to(&mut self, tick: u64) {
         self.ledger.back_to(tick);
         self.base = self.base.take().filter(|(from, _)| *from <= tick);
     }
 
-    /// The work done on those bodies, together, since it is counted, J.
+    /// J, summed over those bodies.
     fn work(&self, bodies: &[BodyId]) -> Account {
         let done = |id: &BodyId| {
             let account = self.ledger.accounts()[id.index()];
@@ -107,7 +95,7 @@ impl Figures {
         let told = told(stage.focus, game);
         let mut groups: Vec<Vec<BodyId>> = told.iter().map(|id| vec![*id]).collect();
         let mut columns: Vec<String> = groups.iter().map(|group| body_title(game.level(), group[0])).collect();
-        // Two that are compared are a system of their own: others would mix in.
+        // Two compared bodies are a system of their own: others would mix in.
         let all: Vec<BodyId> = (game.lead().0..bodies as u32).map(BodyId).collect();
         if told.len() == 2 {
             groups.push(told);
@@ -155,7 +143,6 @@ impl Figures {
     }
 }
 
-/// A line before its numbers are written.
 struct Number {
     name: &'static str,
     subject: Subject,
@@ -163,7 +150,7 @@ struct Number {
     unit: &'static str,
 }
 
-/// Lines that add up, as they are written: each quantity in one unit.
+/// The lines of a sum: each quantity in one unit.
 fn written(numbers: Vec<Number>) -> Vec<Line> {
     let largest = |unit: &str| {
         let values = numbers.iter().filter(|line| line.unit == unit).flat_map(|line| &line.values);
@@ -182,7 +169,7 @@ fn written(numbers: Vec<Number>) -> Vec<Line> {
 fn work_lines(works: &[Account]) -> Vec<Number> {
     let largest =
         works.iter().flat_map(|work| work.by_force.into_iter().chain([work.by_impacts])).fold(0.0, |a: f64, b| a.max(b.abs()));
-    // What is less than rounding in the largest reads as nothing.
+    // A work within rounding of the largest reads 0.
     let told = |work: f64| if work.abs() <= ROUNDING * largest { 0.0 } else { work };
     let line = |name: &'static str, subject, of: &dyn Fn(&Account) -> f64| Number {
         name,
@@ -200,7 +187,6 @@ fn work_lines(works: &[Account]) -> Vec<Number> {
     lines
 }
 
-/// Where potential energy is zero, in words.
 fn zero_level(game: &Game) -> String {
     let level = game.level();
     let across = match level.gravity_x {

@@ -1,5 +1,5 @@
-//! What is measured with at the left: trails, vectors, the ruler, the stop clock, the table of momentum, energy and work. It has the pointer
-//! before the flight.
+//! The instruments at the left: trails, vectors, the ruler, the stop clock, the table of momentum, energy and work. They have the
+//! pointer before the flight.
 
 use super::dock::{self, dock};
 use super::figures::{Figures, Table, told};
@@ -14,18 +14,16 @@ use crate::physics::BodyId;
 use crate::screens::{Buttons, Input, Keys};
 use crate::view::focus::Focus;
 
-/// How many ticks trails are read on in a frame at most.
+/// Ticks of reading in a frame, at most.
 const AHEAD: u64 = 600;
-/// Arrows are no longer than this part of the window's height.
+/// The longest arrow, in parts of the window's height.
 const LONGEST: f64 = 0.25;
-/// Characters of the table's names and of its numbers at least, so that it seldom changes its width.
+/// The least characters of the table's names and of its numbers, so that it seldom changes its width.
 const NAMES: usize = 16;
 const NUMBERS: usize = 10;
-/// What stands on the stop clock's buttons, and on the table's.
 pub const CLOCK_BUTTONS: [&str; 3] = ["Start", "Lap", "Reset"];
 pub const WORK_BUTTONS: [&str; 2] = ["From now", "From start"];
 
-/// The instruments at the left.
 #[derive(Clone, Debug, Default)]
 pub struct Measures {
     pub(super) focus: Focus,
@@ -36,18 +34,16 @@ pub struct Measures {
     pub(super) clock_buttons: Buttons,
     pub(super) figures: Figures,
     pub(super) work_buttons: Buttons,
-    /// Where each panel stands that is in use, beside that rail, on that canvas.
     panels: Vec<(Tool, Area)>,
     pub(super) rail: Vec<Area>,
     frame: Frame,
-    /// How far each panel was dragged from its place, and the one that the pointer holds, with where the pointer was.
+    /// Each panel's offset from its place, and the held panel with the last place of the pointer.
     dragged: [Vec2; Tool::ALL.len()],
     hold: Option<(Tool, Vec2)>,
 }
 
 impl Measures {
-    /// One frame with those tools in use, beside that rail, with the pointer on another instrument or not; the answer is what is left of the
-    /// input.
+    /// One frame beside that rail; `covered` where another instrument has the pointer. Returns the rest of the input.
     pub fn update(&mut self, input: &Input, stage: &Stage, (rail, covered): (&[Area], bool), uses: impl Fn(Tool) -> bool) -> Input {
         let mut rest = input.clone();
         let (now, world) = (stage.game.ticks(), stage.game.world());
@@ -71,7 +67,7 @@ impl Measures {
         rest
     }
 
-    /// Reads the trails and the table of the moment that is drawn, and puts the panels where they have room.
+    /// Reads the trails and the table of the moment on the screen, and places the panels.
     pub fn read(&mut self, stage: &Stage, uses: impl Fn(Tool) -> bool) {
         self.focus = *stage.focus;
         if uses(Tool::Trails) {
@@ -90,7 +86,6 @@ impl Measures {
         self.panels = shown.iter().zip(docked).map(|((tool, _), area)| (*tool, self.where_dragged(*tool, area))).collect();
     }
 
-    /// The buttons of the panels.
     fn press(&mut self, input: &Input, now: u64) {
         // Arrows and Enter fly.
         let input = &Input { pressed: Keys::default(), ..input.clone() };
@@ -127,24 +122,24 @@ impl Measures {
         }
     }
 
-    /// A panel's place, in the window however far it was dragged.
+    /// Inside the window however far the player drags it.
     fn where_dragged(&mut self, tool: Tool, docked: Area) -> Area {
         let most = (self.frame.size - docked.size).max(Vec2::ZERO);
         let min = (docked.min + self.dragged[tool as usize]).clamp(Vec2::ZERO, most);
         if self.hold.is_none() {
-            // It is taken from where it stands.
+            // The next drag begins at the clamped place.
             self.dragged[tool as usize] = min - docked.min;
         }
         Area { min, ..docked }
     }
 
-    /// The same for another flight: panels stay where they are, and what was measured is put away.
+    /// The same for another flight: panels stay in their places, readings go.
     #[must_use]
     pub fn of_another_flight(self) -> Self {
         Self { dragged: self.dragged, ..Self::default() }
     }
 
-    /// The flight was flown again from its start in another level: it is read anew; the ruler and the stop clock stay.
+    /// The flight starts again in another level: the ruler and the stop clock stay.
     pub fn flown_again(&mut self) {
         (self.trail, self.figures) = (Trail::default(), Figures::default());
     }
@@ -156,42 +151,37 @@ impl Measures {
         self.figures.back_to(tick);
     }
 
-    /// The panels.
     pub fn areas(&self) -> impl Iterator<Item = Area> {
         self.panels.iter().map(|(_, area)| *area)
     }
 
-    /// Where a tool's panel stands, while it is in use.
+    /// `None` while the tool is not in use.
     pub fn area(&self, tool: Tool) -> Option<Area> {
         self.panels.iter().find(|(other, _)| *other == tool).map(|(_, area)| *area)
     }
 
-    /// The trails.
     pub const fn trail(&self) -> &Trail {
         &self.trail
     }
 
-    /// The ruler.
     pub const fn ruler(&self) -> &Ruler {
         &self.ruler
     }
 
-    /// The stop clock.
     pub const fn clock(&self) -> &StopClock {
         &self.clock
     }
 
-    /// The stop clock's buttons: start or stop, lap, reset.
+    /// Start or stop, lap, reset.
     pub const fn clock_buttons(&self) -> &Buttons {
         &self.clock_buttons
     }
 
-    /// The table of momentum, energy and work.
     pub const fn table(&self) -> &Table {
         self.figures.table()
     }
 
-    /// The table's buttons: work from now on, from the start on.
+    /// Work from now on, from the start on.
     pub const fn work_buttons(&self) -> &Buttons {
         &self.work_buttons
     }
@@ -226,7 +216,7 @@ impl Measures {
     }
 }
 
-/// Whose trails are drawn: of whoever is followed and compared, or of all.
+/// The bodies in focus, or all.
 fn with_trails(focus: &Focus, game: &Game) -> Vec<BodyId> {
     match focus.followed() {
         Some(_) => told(focus, game),

@@ -1,4 +1,4 @@
-//! Draws what is measured in the level: trails, arrows, the ruler and its reading.
+//! The readings in the level: trails, arrows, the ruler.
 
 use super::Tool;
 use super::figures::told;
@@ -16,30 +16,29 @@ use crate::view::hud::HudLayout;
 use crate::view::quantity::{QuantityScale, round_up, scalar};
 use crate::view::theme;
 
-/// Radius of a trail's dots, and of those at whole seconds, canvas units.
 const DOT: f32 = 3.0;
 const WHOLE: f32 = 5.0;
 /// Width of the arrows, length of their heads, half the heads' breadth, canvas units.
 const ARROW: f32 = 4.0;
 const HEAD: Vec2 = Vec2::new(14.0, 6.5);
-/// Arrows shorter than this are none, canvas units.
+/// Shorter arrows are not drawn, canvas units.
 const SHORTEST: f32 = 3.0;
-/// From the window's edge, canvas units.
+/// Canvas units.
 const MARGIN: f32 = 12.0;
-/// How often arrows are shortened to the next round scale before they are cut off at the window's edge.
+/// Arrows are shortened to the next round scale this often before the window's edge cuts them off.
 const SHORTENED: usize = 6;
 /// Half the length of the ruler's marks at its ends, and of those at its metres, canvas units.
 const END_MARK: f32 = 9.0;
 const METRE_MARK: f32 = 4.0;
 /// Marks nearer than this are left out, canvas units.
 const MARKS_APART: f32 = 6.0;
-/// A pair of numbers with a unit, y upwards.
+/// With a unit, y upwards.
 pub fn pair(vector: DVec2, unit: &str) -> String {
     let scale = QuantityScale::of(vector.abs().max_element(), unit);
     format!("({}, {}) {}", scale.number(vector.x), scale.number(-vector.y), scale.unit())
 }
 
-/// Words on a dark ground, their left end at a point as far as the window has room.
+/// Words on a dark ground, their left end at a point, within the window.
 pub fn label(lines: &[String], at: Vec2, colour: Colour, canvas: &Canvas) {
     let style = Style::new(DETAILS, colour).mono();
     let (line, size) = (canvas.line_height(DETAILS), label_size(lines, canvas));
@@ -51,21 +50,19 @@ pub fn label(lines: &[String], at: Vec2, colour: Colour, canvas: &Canvas) {
     }
 }
 
-/// The size of such words with their ground.
 fn label_size(lines: &[String], canvas: &Canvas) -> Vec2 {
     let style = Style::new(DETAILS, theme::text()).mono();
     let width = lines.iter().map(|words| canvas.width(words, style)).fold(0.0, f32::max);
     Vec2::new(width, canvas.line_height(DETAILS) * lines.len() as f32) + Vec2::new(GRID, 0.5 * GRID)
 }
 
-/// Where a body is drawn, m.
+/// m.
 pub(super) fn drawn(game: &Game, alpha: f64, id: BodyId) -> DVec2 {
     let world = game.world();
     world.previous_position(id).lerp(world.body(id).position, alpha)
 }
 
 impl Measures {
-    /// Draws what lies in the level, of those tools that are in use.
     pub(super) fn draw_in_level(&self, scene: (&Game, f64), (view, canvas): (&Viewport, &Canvas), uses: impl Fn(Tool) -> bool) {
         if uses(Tool::Trails) {
             self.draw_trails(scene.0, view, canvas);
@@ -84,7 +81,7 @@ impl Measures {
         let seen = canvas.frame().area().inset(-WHOLE);
         for (i, id) in self.trail.who().iter().enumerate() {
             let colour = if *id == SHIP { theme::text() } else { theme::player_objective() };
-            // What rests has one dot, not fifty on each other.
+            // A body at rest has one dot, not fifty on each other.
             let mut before = Some(view.point(game.world().body(*id).position));
             let dots: Vec<_> = self.trail.dots(tick, rate).collect();
             for dots in dots.into_iter().rev() {
@@ -105,7 +102,7 @@ impl Measures {
         }
     }
 
-    /// What a metre stands for in arrows that begin at those bodies, so that all their tips are in the window if they can be.
+    /// The value of a metre in arrows from the bodies in focus, such that all tips are in the window if possible.
     pub(super) fn fitting(&self, vector: Vector, (game, alpha): (&Game, f64), view: &Viewport, canvas: &Canvas) -> f64 {
         let window = canvas.frame().area().inset(MARGIN);
         let bodies = told(&self.focus, game);
@@ -179,7 +176,7 @@ impl Measures {
         canvas.line(from, to, 5.0, theme::ground().faded(0.7));
         canvas.line(from, to, 2.0, colour);
         let step = if view.length(1.0) >= MARKS_APART { 1.0 } else { round_up(f64::from(MARKS_APART / view.length(1.0))) };
-        // Too long a ruler has none: they are no more than what a window shows.
+        // A ruler longer than the window gets no more marks than the window has room for.
         let marks = (reading.length / step).floor().min(f64::from(canvas.size().length() / MARKS_APART)) as usize;
         for i in 1..=marks {
             let at = from + along * view.length(step * i as f64);
@@ -192,7 +189,7 @@ impl Measures {
                 End::Body(_) => canvas.ring(at, END_MARK, 3.0, colour),
             }
         }
-        // Beside the middle of what is seen of it, on the side that has more room above.
+        // Beside the middle of its visible part, on the side that has more room above.
         let area = canvas.frame().area().inset(MARGIN);
         let middle = (from.clamp(area.min, area.max()) + to.clamp(area.min, area.max())) / 2.0;
         let side = if across.y > 0.0 { -across } else { across };
@@ -204,7 +201,7 @@ impl Measures {
 }
 
 impl Vector {
-    /// Its sign in formulas.
+    /// In formulas.
     pub const fn sign(self) -> &'static str {
         match self {
             Self::Velocity => "v",
@@ -212,7 +209,6 @@ impl Vector {
         }
     }
 
-    /// Its unit.
     pub const fn unit(self) -> &'static str {
         match self {
             Self::Velocity => "m/s",

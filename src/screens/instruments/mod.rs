@@ -1,5 +1,5 @@
-//! What a lesson measures with, beside the flight: a rail of buttons, which I opens, and what each of them shows. It takes the clicks and keys
-//! that are its own; the flight has the rest.
+//! The measuring instruments beside the flight: a rail of buttons, which I opens, and a panel each. They take the clicks and keys
+//! that are their own; the flight has the rest.
 
 mod dock;
 mod drawing;
@@ -25,33 +25,28 @@ pub use plot::{Plot, PlotPlaces, Reading};
 use std::path::PathBuf;
 use vary::Vary;
 
-/// What there is on the rail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tool {
-    /// The centre of mass of everything that moves.
+    /// Of everything that moves.
     Centre,
-    /// Where things were, ten times a second.
+    /// Places ten times a second.
     Trails,
-    /// Arrows of velocity and acceleration.
     Vectors,
-    /// A ruler.
     Ruler,
-    /// A stop clock.
     StopClock,
-    /// Momentum, energy and work.
     Figures,
-    /// Curves of what two objects do.
+    /// Curves of two objects.
     Plot,
-    /// Numbers of the level are varied.
+    /// "What if".
     Vary,
 }
 
 impl Tool {
-    /// All of them, from the top.
+    /// From the top.
     pub const ALL: [Self; 8] =
         [Self::Centre, Self::Trails, Self::Vectors, Self::Ruler, Self::StopClock, Self::Figures, Self::Plot, Self::Vary];
 
-    /// What stands on its button.
+    /// The words on its button.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Centre => "Centre of mass",
@@ -66,23 +61,21 @@ impl Tool {
     }
 }
 
-/// What is shown while the instruments look on.
+/// The flight as the instruments see it.
 pub struct Stage<'a> {
-    /// The game at the moment that is shown.
+    /// At the moment on the screen.
     pub game: &'a Game,
-    /// The flight that led to it, and goes beyond it where someone went back.
+    /// The whole flight, which may go beyond that moment.
     pub history: &'a History,
-    /// Who is followed.
     pub focus: &'a Focus,
-    /// The level that can be varied, where it can.
+    /// The level, where it can be varied.
     pub varied: Option<vary::Varied<'a>>,
-    /// Whether the world stands still, or is watched, and can be taken to another moment of the flight.
+    /// Whether the world can go to another moment: in a pause or in a replay.
     pub seekable: bool,
-    /// The run before the last change, where the level is varied: it stays, and its curves, pale, to be compared.
+    /// The run before the last change of a varied level; its curves stay, pale, for comparison.
     pub before: Option<&'a History>,
 }
 
-/// The instruments.
 #[derive(Clone, Debug, Default)]
 pub struct Instruments {
     open: bool,
@@ -91,16 +84,16 @@ pub struct Instruments {
     measures: Measures,
     plot: Plot,
     vary: Vary,
-    /// Whether the level that is shown can be varied: not that of a flight which is watched.
+    /// Not in a replay.
     can_vary: bool,
 }
 
 impl Instruments {
-    /// One frame; the answer is what is left of the input for the flight.
+    /// Returns the input that remains for the flight.
     pub fn update(&mut self, input: &Input, stage: &Stage) -> Input {
         let whole = input.frame;
         self.can_vary = stage.varied.is_some();
-        // The plot has the foot of the canvas, everything else what is above it.
+        // The plot has the foot of the canvas, the others the room above it.
         let above = Input { frame: self.room(&whole), ..input.clone() };
         let input = Input { frame: whole, ..self.vary.update(&above, stage, self.uses(Tool::Vary)) };
         self.open ^= input.acts(Action::Instruments);
@@ -124,7 +117,7 @@ impl Instruments {
         Input { frame: whole, ..rest }
     }
 
-    /// Reads what is known of the moment that is drawn, at the end of its frame.
+    /// Reads the moment on the screen, at the end of its frame.
     pub fn read(&mut self, stage: &Stage) {
         if self.open {
             let used = self.used;
@@ -138,74 +131,68 @@ impl Instruments {
         self.plot.back_to(history, tick);
     }
 
-    /// The flight was flown again in a level that was varied, or there is another run before: whatever was read is read anew.
+    /// The flight was flown again in a varied level, or another run stands before it: all is read from its start.
     pub fn flown_again(&mut self) {
         self.measures.flown_again();
         self.plot.flown_again();
     }
 
-    /// The panel that varies the level.
     pub const fn vary(&self) -> &Vary {
         &self.vary
     }
 
-    /// The same, to take its wishes and to tell it what became of them.
+    /// For the caller that fulfils its wishes and reports the outcome.
     pub(super) const fn vary_mut(&mut self) -> &mut Vary {
         &mut self.vary
     }
 
-    /// The same for another flight: what is open stays open, and what was measured is put away.
+    /// The same for another flight: panels stay open, readings go.
     #[must_use]
     pub fn of_another_flight(self) -> Self {
         Self { measures: self.measures.of_another_flight(), plot: self.plot.of_another_flight(), ..self }
     }
 
-    /// The moment of the flight, in ticks, to which the world is to be taken.
+    /// The tick that the player wants to see.
     pub fn take_seek(&mut self) -> Option<u64> {
         self.plot.take_seek()
     }
 
-    /// A file that is to be written.
     pub fn take_export(&mut self) -> Option<NewFile> {
         self.plot.take_export()
     }
 
-    /// What became of it.
+    /// The outcome of the export.
     pub fn tell_of_export(&mut self, told: Result<PathBuf, String>) {
         self.plot.tell_of_export(told);
     }
 
-    /// Whether a flight that has ended stays on the screen to be looked at.
+    /// Whether a flight that has ended stays on the screen for its instruments.
     pub const fn stays(&self) -> bool {
         self.uses(Tool::Plot)
     }
 
-    /// The plot.
     pub const fn plot(&self) -> &Plot {
         &self.plot
     }
 
-    /// The part of the canvas in which the flight is.
+    /// The flight's part of the canvas.
     pub fn room(&self, frame: &Frame) -> Frame {
         if self.uses(Tool::Plot) { self.plot.above(frame) } else { *frame }
     }
 
-    /// Whether the rail is there.
     pub const fn is_open(&self) -> bool {
         self.open
     }
 
-    /// Whether a tool can be used here.
     pub fn offers(&self, tool: Tool) -> bool {
         tool != Tool::Vary || self.can_vary
     }
 
-    /// Whether a tool is in use.
     pub const fn uses(&self, tool: Tool) -> bool {
         self.open && self.used[tool as usize]
     }
 
-    /// What covers the flight.
+    /// The areas that cover the flight.
     pub fn areas(&self, frame: &Frame) -> Vec<Area> {
         if !self.open {
             return Vec::new();
@@ -215,7 +202,6 @@ impl Instruments {
         places.areas().chain(plot).chain(self.measures.areas()).chain(self.vary.area()).collect()
     }
 
-    /// What is measured with at the left.
     pub const fn measures(&self) -> &Measures {
         &self.measures
     }

@@ -1,4 +1,4 @@
-//! Draws the panels of what is measured at the left: the scales of the arrows, the stop clock, the table.
+//! The panels at the left: the scales of the arrows, the stop clock, the table.
 
 use super::Tool;
 use super::dock;
@@ -16,12 +16,11 @@ use crate::view::quantity::scalar;
 use crate::view::theme;
 use crate::view::widgets;
 
-/// How much a panel hides of what is below it, and of the ship and whoever is followed.
+/// Opacity of a panel: in general, and above the ship or a body in focus.
 const HIDES: f32 = 0.95;
 const OVER_SHIP: f32 = 0.55;
 
 impl Measures {
-    /// Draws the panels.
     pub(super) fn draw(&self, scene: (&Game, f64), (view, canvas): (&Viewport, &Canvas)) {
         for (tool, area) in
             [Tool::Vectors, Tool::StopClock, Tool::Figures].into_iter().filter_map(|tool| Some((tool, self.area(tool)?)))

@@ -1,13 +1,11 @@
-//! Where the rail and the panels stand: beside the head-up display and each other, and away from the middle, where the ship is.
+//! The rail and the panels stand beside the head-up display and each other, and away from the middle, where the ship is.
 
 use super::Tool;
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, Vec2, text_room};
 use crate::view::hud::HudLayout;
 
-/// Between two buttons of the rail.
 const GAP: f32 = 4.0;
 
-/// Where everything stands in a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Places {
     /// A button a tool, from the top.
@@ -15,7 +13,6 @@ pub struct Places {
 }
 
 impl Places {
-    /// The places on a canvas, of the panels of those tools that are in use.
     pub fn new(frame: &Frame, _uses: impl Fn(Tool) -> bool) -> Self {
         let top = HudLayout::new(frame).status.max().y + 2.0 * GRID;
         let text = frame.text_height(DETAILS);
@@ -25,7 +22,6 @@ impl Places {
         Self { rail: (0..Tool::ALL.len()).map(button).collect() }
     }
 
-    /// Everything that covers the flight.
     pub fn areas(&self) -> impl Iterator<Item = Area> {
         self.rail.iter().copied()
     }

@@ -1,25 +1,23 @@
-//! A ruler that is laid by mouse: drawn from point to point, each end of which can be taken and moved again. It lies in the level, so that it
-//! stays where it is when the camera moves. An end that is put on a body's centre is bound to the body and goes with it.
+//! A ruler laid by mouse, from point to point; each end can be moved later. It lies in the level and stays when the camera moves. An
+//! end on a body's centre is bound to the body and goes with it.
 
 use super::super::Input;
 use crate::draw::layout::Vec2;
 use crate::physics::{BodyId, DVec2, World};
 
-/// How near an end has to be to be taken, or a body's centre for the end to be bound to it, canvas units.
+/// The range in which a click takes an end, or an end snaps to a body's centre, canvas units.
 const NEAR: f64 = 14.0;
-/// A click that moves less is none of the ruler's, canvas units.
+/// A shorter drag is a click for the flight, canvas units.
 const STARTS: f32 = 5.0;
 
-/// Where an end lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum End {
-    /// At a place of the level, m.
+    /// m.
     Place(DVec2),
-    /// At a body's centre.
     Body(BodyId),
 }
 
-/// What it reads, y upwards.
+/// y upwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading {
     /// From end to end, m.
@@ -30,37 +28,32 @@ pub struct Reading {
     pub angle: f64,
 }
 
-/// The ruler.
 #[derive(Clone, Debug, Default)]
 pub struct Ruler {
     ends: Option<[End; 2]>,
     hold: Option<Hold>,
 }
 
-/// An end that the pointer holds.
 #[derive(Clone, Copy, Debug)]
 struct Hold {
     end: usize,
-    /// Where the pointer took it.
     from: Vec2,
     moved: bool,
-    /// How the ruler lay before.
     before: Option<[End; 2]>,
 }
 
-/// Whose a frame's click is.
+/// The owner of a frame's click.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Click {
-    /// The ruler has nothing to do with it.
+    /// The ruler leaves it.
     Others,
-    /// The ruler's.
     Rulers,
-    /// It was taken, and moved nothing: others may have it now.
+    /// The ruler took it and moved nothing, so others may have it now.
     GivenBack,
 }
 
 impl Ruler {
-    /// One frame, in a level with so many canvas units a metre; `free` where nothing covers the level under the pointer.
+    /// One frame, at `metre` canvas units a metre; `free` where nothing covers the level under the pointer.
     pub fn update(&mut self, input: &Input, world: &World, metre: f64, free: bool) -> Click {
         let near = NEAR / metre;
         if let Some(mut hold) = self.hold {
@@ -89,19 +82,18 @@ impl Ruler {
         Click::Rulers
     }
 
-    /// Its ends, once it lies anywhere.
+    /// `None` before the player lays it.
     pub fn ends(&self) -> Option<[End; 2]> {
         self.ends.filter(|ends| ends[0] != ends[1])
     }
 
-    /// What it reads.
     pub fn reading(&self, world: &World) -> Option<Reading> {
         self.ends().map(|[from, to]| Reading::of(from.at(world), to.at(world)))
     }
 }
 
 impl End {
-    /// Where it is, m.
+    /// m.
     pub fn at(&self, world: &World) -> DVec2 {
         match self {
             Self::Place(place) => *place,

@@ -1,24 +1,19 @@
-//! The arrows of velocity and acceleration: whose they are and how long they are drawn. The scale is a round number that fits: it changes at
-//! once where an arrow would be too long, and where arrows are too short to be seen, once they have been so for a while; what passes through
-//! zero for a moment does not change it.
+//! The scale of the arrows of velocity and acceleration. It is a round number that fits: it changes at once where an arrow would be
+//! too long, and after a while where all are too short to be seen, so that a passage through zero does not change it.
 
 use crate::physics::{BodyId, DVec2, World};
 use crate::view::quantity::round_up;
 
-/// The two of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Vector {
-    /// How fast and where to.
     Velocity,
-    /// How fast that changes.
     Acceleration,
 }
 
 impl Vector {
-    /// Both.
     pub const ALL: [Self; 2] = [Self::Velocity, Self::Acceleration];
 
-    /// That of a body, y downwards.
+    /// y downwards.
     pub fn of(self, world: &World, body: BodyId) -> DVec2 {
         let body = world.body(body);
         match self {
@@ -28,20 +23,19 @@ impl Vector {
     }
 }
 
-/// What a metre stands for at first, m/s and m/s².
+/// The value of a metre at first, m/s and m/s².
 const USUAL: f64 = 2.0;
-/// Slower than this nothing is looked at closer.
+/// The scale is never finer than for this speed.
 const NOTHING: f64 = 1e-6;
-/// How short arrows may be for how long before the scale changes, parts of the longest that they may be, and s.
+/// The scale changes where the longest arrow is shorter than this part of the limit for this time, s.
 const TOO_SHORT: f64 = 0.15;
 const PATIENCE: f64 = 0.6;
 
-/// How long they are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scales {
-    /// What a metre of the level stands for.
+    /// The value of a metre of the level.
     a_metre: [f64; 2],
-    /// For how long the longest has been too short, s.
+    /// s since the longest arrow became too short.
     short_for: [f64; 2],
 }
 
@@ -52,7 +46,7 @@ impl Default for Scales {
 }
 
 impl Scales {
-    /// One frame of so many seconds, in which no arrow of those bodies should be longer than `most` metres. They are drawn `length` times as
+    /// One frame of `frame_time` s, in which no arrow of those bodies should be longer than `most` metres, drawn `length` times as
     /// long as usual.
     pub fn update(&mut self, frame_time: f64, world: &World, bodies: &[BodyId], (most, length): (f64, f64)) {
         for (i, vector) in Vector::ALL.into_iter().enumerate() {
@@ -66,7 +60,7 @@ impl Scales {
         }
     }
 
-    /// What a metre stands for, in the vector's unit, where they are drawn `length` times as long as usual.
+    /// The value of a metre, in the vector's unit, for arrows `length` times as long as usual.
     pub fn a_metre(&self, vector: Vector, length: f64) -> f64 {
         round_up(self.a_metre[vector as usize] / length)
     }
@@ -82,7 +76,7 @@ mod tests {
         World::new(WorldDef { bodies: vec![body], ..WorldDef::default() }).expect("a body")
     }
 
-    /// The length that a velocity is drawn with, m, after so many frames of 1/60 s.
+    /// The drawn length of a velocity, m, after `frames` of 1/60 s.
     fn drawn(scales: &mut Scales, velocity: f64, frames: u32, length: f64) -> f64 {
         for _ in 0..frames {
             scales.update(1.0 / 60.0, &moving(velocity), &[BodyId(0)], (8.0, length));

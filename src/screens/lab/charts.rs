@@ -1,4 +1,4 @@
-//! The charts: a work–precision diagram a scene, one after the other. A method can be picked out, and a point looked at.
+//! A work–precision diagram a scene. The player picks out a method or reads a point.
 
 use super::{Shown, body};
 use crate::draw::layout::{Area, Frame};
@@ -9,25 +9,20 @@ use crate::lab::measured::Measured;
 use crate::screens::{Input, Key, Toolbar};
 use crate::view::plot::DiagramPlaces;
 
-/// The toolbar's keys: back, the scene before, the next one, another method, and the scene over time where it was followed.
+/// Back, the scene before, the next one, another method, and the scene over time where it has that.
 const KEYS: [Key; 5] = [Key::Escape, Key::Left, Key::Right, Key::Down, Key::Space];
-/// From the body's top to the diagram: its title.
 const TITLE: f32 = 40.0;
-/// From the diagram to the body's foot: what it says in words, and where it was measured.
 const WORDS: f32 = 56.0;
 
-/// The page.
 #[derive(Debug)]
 pub struct ChartsPage {
     shown: Shown,
     scene: usize,
-    /// The curve that was picked out.
     picked: Option<usize>,
-    /// The line of the legend under the pointer.
     pointed: Option<usize>,
-    /// The point under the pointer: its curve and its place in it.
+    /// Its curve and its index.
     point: Option<(usize, usize)>,
-    /// Whether error and energy over time are wanted, of the scenes that have them.
+    /// The wish for error and energy over time, for the scenes that have them.
     over_time: bool,
     toolbar: Toolbar,
 }
@@ -37,7 +32,7 @@ impl ChartsPage {
         Self { shown, scene: 0, picked: None, pointed: None, point: None, over_time: false, toolbar: Toolbar::default() }
     }
 
-    /// One frame; whether the lab is left.
+    /// True where the player leaves the lab.
     pub(super) fn update(&mut self, input: &Input) -> bool {
         let followed = self.measured().is_some_and(|measured| measured.over_time.is_some());
         let pressed = self.toolbar.update(input, &KEYS[..if followed { 5 } else { 4 }]);
@@ -70,47 +65,42 @@ impl ChartsPage {
         false
     }
 
-    /// All that was measured.
     pub fn charts(&self) -> &Charts {
         &self.shown.charts
     }
 
-    /// Why these are not the charts that the player made, or why there are none.
+    /// The reason why these are not the player's own charts, or why there are none.
     pub fn problem(&self) -> Option<&str> {
         self.shown.problem.as_deref()
     }
 
-    /// The diagram that is shown, if there is any.
     pub fn measured(&self) -> Option<&Measured> {
         self.shown.charts.diagrams.get(self.scene)
     }
 
-    /// Error and energy over time, where they are shown instead.
+    /// Where they are shown instead.
     pub fn over_time(&self) -> Option<&OverTime> {
         self.measured()?.over_time.as_ref().filter(|_| self.over_time)
     }
 
-    /// Which of the diagrams it is, from 0.
     pub fn scene(&self) -> usize {
         self.scene
     }
 
-    /// The curve that is picked out: the one in whose line the pointer is, or else the chosen one.
+    /// The curve of the legend's line under the pointer, or else the chosen one.
     pub fn picked(&self) -> Option<usize> {
         self.pointed.or(self.picked)
     }
 
-    /// The point under the pointer: its curve and its place in it.
+    /// Its curve and its index.
     pub fn point(&self) -> Option<(usize, usize)> {
         self.point
     }
 
-    /// Where the diagram is.
     pub fn plot(&self, frame: &Frame) -> Option<DiagramPlaces> {
         Some(DiagramPlaces::of(panel(frame), self.measured()?))
     }
 
-    /// What the diagram says, in a line.
     pub fn verdict(&self) -> Option<String> {
         let measured = self.measured()?;
         if self.over_time().is_some() {
@@ -128,7 +118,6 @@ impl ChartsPage {
         Some(words)
     }
 
-    /// Where it was measured, in a line.
     pub fn source(&self) -> String {
         let setting = &self.shown.charts.setting;
         let commit = setting.commit.as_ref().map_or(String::new(), |commit| format!(", commit {commit}"));
@@ -141,7 +130,6 @@ impl ChartsPage {
         format!("Measured on {}{commit}, {} build, {runs}. {whose}", setting.machine, setting.profile)
     }
 
-    /// Its buttons: Back, Previous, Next, Method.
     pub fn toolbar(&self) -> &Toolbar {
         &self.toolbar
     }
@@ -151,17 +139,16 @@ impl ChartsPage {
         self.picked = None;
     }
 
-    /// Goes through the curves, and through none of them, in either direction.
+    /// Cycles through the curves and through none of them.
     fn pick(&mut self, by: isize) {
         let curves = self.measured().map_or(0, |measured| measured.curves.len());
-        // None stands before the first and after the last.
+        // No curve stands before the first and after the last.
         let places = curves as isize + 1;
         let place = self.picked.map_or(0, |curve| curve as isize + 1);
         self.picked = usize::try_from((place + by).rem_euclid(places) - 1).ok();
     }
 }
 
-/// What the diagram lies on.
 fn panel(frame: &Frame) -> Area {
     let body = body(frame);
     Area::new(body.min.x, body.min.y + TITLE, body.size.x, body.size.y - TITLE - WORDS)
@@ -176,7 +163,6 @@ mod drawing {
     use crate::view::{theme, widgets};
 
     impl ChartsPage {
-        /// Draws the diagram, what it says, and the buttons.
         pub(in crate::screens::lab) fn draw(&self, canvas: &Canvas) {
             let panel = panel(canvas.frame());
             let (middle, widest) = (panel.centre().x, panel.size.x);

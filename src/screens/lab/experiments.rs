@@ -1,46 +1,37 @@
-//! The experiments: what each asks, what to vary and, when it is wanted, the exact answer. Enter flies its level.
+//! The experiments: question, numbers to vary and, on request, the exact answer. Enter flies the level.
 
 use super::body;
 use crate::draw::layout::{Area, Frame};
 use crate::screens::{Buttons, Input, Key, Toolbar};
 
-/// An experiment, as the list in its folder has it.
 #[derive(Clone, Debug, Default, PartialEq, Eq, serde::Deserialize)]
 pub struct Experiment {
-    /// The folder of its level.
     pub folder: String,
-    /// What it asks.
     pub question: String,
-    /// What to vary.
     pub vary: String,
-    /// What is exactly right.
     pub answer: String,
-    /// The level's title.
     #[serde(skip)]
     pub title: String,
 }
 
-/// Height of a line of the list, at most, and what it leaves free below.
+/// Height of a line of the list, at most, and the room below the list.
 const LINE: f32 = 44.0;
 const APART: f32 = 4.0;
-/// Of the width, what the list takes.
+/// The list's part of the width.
 const LIST: f32 = 0.42;
-/// The toolbar's keys: back, fly, the answer.
 const KEYS: [Key; 3] = [Key::Escape, Key::Enter, Key::Space];
 
-/// The page.
 #[derive(Debug)]
 pub struct ExperimentsPage {
     experiments: Vec<Experiment>,
-    /// Why there are none.
+    /// The reason why there are none.
     problem: Option<String>,
     list: Buttons,
-    /// Whether the answer is shown, of the one that is chosen.
+    /// The answer of the chosen experiment is shown.
     answered: bool,
     toolbar: Toolbar,
 }
 
-/// What is asked for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Wish {
     Leave,
@@ -57,14 +48,13 @@ impl ExperimentsPage {
         Self { experiments, problem, list: Buttons::focused_on(chosen), answered: false, toolbar: Toolbar::default() }
     }
 
-    /// One frame.
     pub(super) fn update(&mut self, input: &Input) -> Option<Wish> {
         self.list.place(places(&input.frame, self.experiments.len()));
         let before = self.list.focus();
         let clicked = self.list.update(&Input { pressed: input.pressed.without(Key::Enter), ..input.clone() });
         let pressed = self.toolbar.update(input, &KEYS);
         if let Some(clicked) = clicked {
-            // A first click chooses, another one flies.
+            // The first click chooses, the second one flies.
             if clicked == before {
                 return self.fly();
             }
@@ -86,38 +76,32 @@ impl ExperimentsPage {
         self.chosen().map(|experiment| Wish::Fly(experiment.folder.clone()))
     }
 
-    /// All of them.
     pub fn experiments(&self) -> &[Experiment] {
         &self.experiments
     }
 
-    /// The one that is told of.
     pub fn chosen(&self) -> Option<&Experiment> {
         self.experiments.get(self.list.focus())
     }
 
-    /// Whether its answer is shown: whoever wants to learn from it makes a guess before.
+    /// Hidden at first: a student makes a guess before.
     pub const fn answered(&self) -> bool {
         self.answered
     }
 
-    /// Why there are none.
     pub fn problem(&self) -> Option<&str> {
         self.problem.as_deref()
     }
 
-    /// A button an experiment.
     pub const fn list(&self) -> &Buttons {
         &self.list
     }
 
-    /// Its buttons: Back, Fly, Answer.
     pub const fn toolbar(&self) -> &Toolbar {
         &self.toolbar
     }
 }
 
-/// The lines of the list.
 fn places(frame: &Frame, count: usize) -> Vec<Area> {
     let body = body(frame);
     let pitch = LINE.min(body.size.y / count.max(1) as f32);
@@ -131,10 +115,8 @@ mod drawing {
     use crate::draw::{Canvas, Colour, Style};
     use crate::view::{theme, widgets};
 
-    /// Between the list and what is told of an experiment.
     const BETWEEN: f32 = 24.0;
 
-    /// What the one that is chosen is told on.
     fn told(frame: &Frame) -> Area {
         let body = body(frame);
         let left = body.size.x * LIST + BETWEEN;
@@ -142,7 +124,6 @@ mod drawing {
     }
 
     impl ExperimentsPage {
-        /// Draws the list, what is told of the one that is chosen, and the buttons.
         pub(in crate::screens::lab) fn draw(&self, canvas: &Canvas) {
             for (i, (area, experiment)) in self.list.areas().iter().zip(&self.experiments).enumerate() {
                 widgets::button_box(canvas, *area, self.list.hover() == Some(i), self.list.focus() == i);
@@ -172,7 +153,6 @@ mod drawing {
         }
     }
 
-    /// Writes one paragraph below the other.
     struct Pen<'a> {
         canvas: &'a Canvas,
         at: Vec2,

@@ -1,4 +1,4 @@
-//! Where methods are stable: their regions of the complex plane of z = h·λ. One of them can be picked out.
+//! The methods' regions of stability in the complex plane of z = h·λ. The player picks out one of them.
 
 use super::body;
 use crate::draw::layout::{Area, Frame};
@@ -6,32 +6,27 @@ use crate::lab::stability::{Region, regions};
 use crate::screens::{Input, Key, Toolbar};
 use crate::view::plane::Plane;
 
-/// The toolbar's keys: back, another method.
 const KEYS: [Key; 2] = [Key::Escape, Key::Down];
-/// From the body's top to the plane: its title.
 const TITLE: f32 = 40.0;
-/// From the plane to the body's foot: what it says in words.
 const WORDS: f32 = 56.0;
 
-/// The page.
 #[derive(Debug, Default)]
 pub struct StabilityPage {
-    /// Computed when the page is opened first.
+    /// Computed when the page first opens.
     regions: Vec<Region>,
     picked: Option<usize>,
-    /// The line of the legend under the pointer.
     pointed: Option<usize>,
     toolbar: Toolbar,
 }
 
 impl StabilityPage {
-    /// One frame; whether the lab is left.
+    /// True where the player leaves the lab.
     pub(super) fn update(&mut self, input: &Input) -> bool {
         if self.regions.is_empty() {
             self.regions = regions();
         }
         let pressed = self.toolbar.update(input, &KEYS);
-        // None stands before the first and after the last.
+        // No region stands before the first and after the last.
         let places = self.regions.len() + 1;
         let further = |picked: Option<usize>, by: usize| ((picked.map_or(0, |picked| picked + 1) + by) % places).checked_sub(1);
         if pressed == Some(1) {
@@ -47,23 +42,21 @@ impl StabilityPage {
         pressed == Some(0)
     }
 
-    /// All methods whose step is the same at any moment.
+    /// Methods whose step is the same at any moment.
     pub fn regions(&self) -> &[Region] {
         &self.regions
     }
 
-    /// The one that is picked out: the one in whose line the pointer is, or else the chosen one.
+    /// The region of the legend's line under the pointer, or else the chosen one.
     pub fn picked(&self) -> Option<usize> {
         self.pointed.or(self.picked)
     }
 
-    /// Where everything is.
     pub fn plane(&self, frame: &Frame) -> Plane {
         let body = body(frame);
         Plane::of(Area::new(body.min.x, body.min.y + TITLE, body.size.x, body.size.y - TITLE - WORDS))
     }
 
-    /// Its buttons: Back, Method.
     pub const fn toolbar(&self) -> &Toolbar {
         &self.toolbar
     }
@@ -77,7 +70,6 @@ mod drawing {
     use crate::view::{plane, theme, widgets};
 
     impl StabilityPage {
-        /// Draws the plane, what it says, and the buttons.
         pub(in crate::screens::lab) fn draw(&self, canvas: &Canvas) {
             let place = self.plane(canvas.frame());
             let (middle, widest) = (place.panel.centre().x, place.panel.size.x);

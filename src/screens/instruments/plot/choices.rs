@@ -1,16 +1,14 @@
-//! What can be plotted, as it is offered: a row a family, x, y and size beside each other; motion on the left, forces on the right.
+//! The quantities to plot: a row a family, x, y and size beside each other; motion on the left, forces on the right.
 
 use crate::instruments::quantity::{Part, Quantity};
 use crate::physics::ForceKind;
 
-/// A row: what it belongs to, and what can be chosen.
+/// A family's name and its quantities.
 pub type Row = (&'static str, Vec<Quantity>);
-/// The most of one row.
 pub const MOST_OF_A_ROW: usize = 3;
-/// Characters of the longest name of a row.
 pub const NAME: usize = 14;
 
-/// All there is to choose from, in two blocks; of the forces those that have acted.
+/// In two blocks; of the forces only those that have acted.
 pub fn choices(time: bool, acted: impl Fn(ForceKind) -> bool) -> [Vec<Row>; 2] {
     let parts = |of: &dyn Fn(Part) -> Quantity| Part::ALL.map(of).to_vec();
     let row = |quantities: Vec<Quantity>| (quantities[0].family(), quantities);
@@ -30,7 +28,7 @@ pub fn choices(time: bool, acted: impl Fn(ForceKind) -> bool) -> [Vec<Row>; 2] {
     [motion, std::iter::once(row(parts(&Quantity::Resultant))).chain(forces).collect()]
 }
 
-/// What stands on the button of a choice: forces by their part alone, their row has the name.
+/// The words of a button: forces by their part alone, since their row has the name.
 pub fn label(quantity: Quantity) -> String {
     match quantity {
         Quantity::Force(_, Part::X) => "F_x".to_owned(),

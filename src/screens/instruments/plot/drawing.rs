@@ -1,4 +1,4 @@
-//! Draws the plot: buttons and readings on the left, the lanes with their curves on the right, a line of words at the foot.
+//! The plot: buttons and readings on the left, the lanes with their curves on the right, a line of words at the foot.
 
 use super::panel::Action;
 use super::places::SAMPLE;
@@ -16,20 +16,18 @@ use crate::view::diagram::{marker, stroke};
 use crate::view::{quantity, theme, widgets};
 use std::ops::Range;
 
-/// From one named number to the next, at least, in heights of the text: to the right and upwards.
+/// The least distance of labels, in heights of the text: to the right and upwards.
 const APART: Vec2 = Vec2::new(6.0, 1.7);
-/// Points in less than so many canvas units are drawn as one column.
+/// Points within this many canvas units are drawn as one column.
 const COLUMN: f64 = 1.5;
-/// Half the length of the tangent.
 const TANGENT: f32 = 48.0;
-/// How much of its colour the run before has, and the area under a curve.
+/// Opacity of the run before, and of the area under a curve.
 const PALE: f32 = 0.45;
 const SHADE: f32 = 0.22;
-/// Said while there is nothing else to be said.
 const HINT: &str =
     "While it stands still (B) a click leads to that moment. Shift and drag: an area. Wheel: zoom. N: whom to follow.";
 
-/// Where numbers lie in a lane.
+/// From numbers to a lane.
 #[derive(Clone, Copy)]
 struct Scale {
     area: Area,
@@ -43,13 +41,13 @@ impl Scale {
         Vec2::new(min.x + size.x * self.right.part(x) as f32, min.y + size.y * (1.0 - self.up.part(y) as f32))
     }
 
-    /// What one canvas unit stands for.
+    /// The numbers that one canvas unit spans.
     fn grain(&self) -> (f64, f64) {
         let span = |axis: Linear, length: f32| (axis.to - axis.from) / f64::from(length);
         (COLUMN * span(self.right, self.area.size.x), 0.5 * span(self.up, self.area.size.y))
     }
 
-    /// A way through points as it lies within the lane from left to right.
+    /// The part of a line between the lane's left and right edge.
     fn within(&self, points: Vec<(f64, f64)>) -> Vec<Vec2> {
         let (left, right) = (self.area.min.x, self.area.max().x);
         let all: Vec<Vec2> = points.into_iter().map(|point| self.at(point)).collect();
@@ -73,7 +71,6 @@ impl Scale {
 }
 
 impl Plot {
-    /// Draws all of it.
     pub fn draw(&self, canvas: &Canvas) {
         let places = PlotPlaces::new(canvas.frame(), self.large);
         let panel = places.panel;
@@ -114,7 +111,7 @@ impl Plot {
         }
     }
 
-    /// The curves' lines: a sample, and below the buttons what is read.
+    /// For each curve a sample, and below the buttons its readings.
     fn draw_lines(&self, places: &PlotPlaces, canvas: &Canvas) {
         let line = canvas.line_height(DETAILS);
         for ((i, reading), area) in self.readings().into_iter().enumerate().zip(&places.lines) {
@@ -185,7 +182,7 @@ impl Plot {
         }
     }
 
-    /// What lies upwards in a lane, in its corner and above its curves.
+    /// In the lane's corner and above its curves.
     fn draw_name(&self, lane: &ChartLane, area: Area, text: f32, canvas: &Canvas) {
         let (name, style) = (lane.name(|number| self.lines[number].up.symbol()), Style::new(DETAILS, theme::text()).middle());
         let size = Vec2::new(canvas.width(&name, style) + GRID, 1.4 * text);
@@ -215,7 +212,7 @@ impl Plot {
         }
     }
 
-    /// What is between the selected curve and 0.
+    /// Between the selected curve and 0.
     fn draw_area(&self, scale: &Scale, lane: &ChartLane, canvas: &Canvas) {
         let Some((number, line, track)) = self.shown().find(|(number, ..)| *number == self.selected) else { return };
         if !lane.curves.contains(&number) {
@@ -252,7 +249,6 @@ impl Plot {
         }
     }
 
-    /// A dotted upright at each impact, over time.
     fn draw_impacts(&self, scale: &Scale, canvas: &Canvas) {
         if self.across != Quantity::Time {
             return;
@@ -261,7 +257,7 @@ impl Plot {
         for track in self.objects.iter().filter_map(super::Object::track) {
             for place in track.impacts() {
                 let x = scale.at((track.time(*place), 0.0)).x;
-                // Of many at one place one is drawn.
+                // One of many at one place.
                 if !(scale.area.min.x..=scale.area.max().x).contains(&x) || (x - drawn).abs() < 2.0 {
                     continue;
                 }
@@ -278,7 +274,7 @@ impl Plot {
         }
     }
 
-    /// The moment that the world shows: an upright line over time, a marker on each curve, and the tangent of the selected one.
+    /// The moment on the screen: an upright line over time, a marker on each curve, and the tangent of the selected one.
     fn draw_moment(&self, chart: &Chart, areas: &[Area], canvas: &Canvas) {
         let place = |track: &BodyTrack| track.place(self.now);
         if let (Quantity::Time, Some((_, _, track)), Some((first, last))) =

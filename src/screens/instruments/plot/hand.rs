@@ -6,23 +6,20 @@ use crate::instruments::chart::Chart;
 use crate::instruments::quantity::Quantity;
 use crate::screens::{Input, Key};
 
-/// What a notch of the wheel leaves of the stretch of time.
+/// The part of the stretch of time that a notch of the wheel leaves.
 const NOTCH: f64 = 0.8;
 
-/// What the pointer holds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Hand {
-    /// Nothing.
     #[default]
     Empty,
-    /// The moment that is shown.
+    /// The moment on the screen.
     Cursor,
     /// One end of a stretch; the other is at that tick.
     End(u64),
 }
 
 impl Hand {
-    /// Whether it holds anything.
     pub fn holds(self) -> bool {
         self != Self::Empty
     }
@@ -52,9 +49,9 @@ impl Plot {
         }
     }
 
-    /// The end that stays where another one is taken from a tick: of a stretch that there is, the far one.
+    /// The end that stays in a drag from `tick`: the far one of a stretch, if there is one.
     fn other_end(&self, tick: u64) -> u64 {
-        // Nearer than this part of what is drawn, it is the end that was meant.
+        // Nearer than this part of the window, the player means this end.
         const NEAR: f64 = 0.02;
         let (from, to) = self.window();
         let near = |end: u64| (end.abs_diff(tick) as f64) < NEAR * (to - from) * self.tick_rate;
@@ -78,7 +75,7 @@ impl Plot {
         self.window = (length < last - first).then_some((from, from + length));
     }
 
-    /// The tick at a point: of its time, or else of the nearest point of the curves of its lane.
+    /// The tick of the point's time, or else of the nearest point of the curves of its lane.
     fn tick_at(&self, point: Vec2, places: &PlotPlaces, chart: &Chart) -> Option<u64> {
         let across = f64::from((point.x - places.plot.min.x) / places.plot.size.x);
         let (_, _, track) = self.shown().next()?;
@@ -100,7 +97,7 @@ impl Plot {
         self.shown().filter_map(nearest).min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(tick, _)| tick)
     }
 
-    /// Where a curve's point at a tick is on the canvas, if it is drawn.
+    /// `None` where it is not drawn.
     pub fn at(&self, frame: &Frame, number: usize, tick: u64) -> Option<Vec2> {
         let (places, chart) = (PlotPlaces::new(frame, self.large), self.chart());
         let lane = chart.lane_of(number)?;

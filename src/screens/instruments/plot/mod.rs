@@ -1,5 +1,5 @@
-//! The plot: up to four curves of two objects, in a band below the flight. What they are of is chosen by mouse; they are there from the
-//! first tick, however late they are asked for. An upright line stands at the moment that the world shows, and leads to another one.
+//! The plot: up to four curves of two objects, in a band below the flight. The player chooses the quantities by mouse; each curve
+//! begins at the first tick. An upright line stands at the world's moment, and leads to another one.
 
 mod choices;
 mod drawing;
@@ -28,27 +28,26 @@ use places::{MOST_LINES, READINGS};
 pub use readings::Reading;
 use std::path::PathBuf;
 
-/// The shortest stretch of time that is drawn, s.
+/// s.
 const SHORTEST: f64 = 0.1;
-/// What is drawn of a flight that has just begun, s.
+/// The window of a flight that has just begun, s.
 const AT_LEAST: f64 = 1.0;
-/// An object that has come this far from its start has shown along which axis it moves, m.
+/// An object this far from its start has shown its axis of motion, m.
 const MOVED: f64 = 0.05;
-/// What curves along an axis are of; a further one is of the first of these that there is not yet.
+/// The quantities of curves along an axis: a new curve takes the first of them that is missing.
 const fn along(axis: Part) -> [Quantity; MOST_LINES] {
     let place = if matches!(axis, Part::X) { Quantity::X } else { Quantity::Y };
     [place, Quantity::Velocity(axis), Quantity::Acceleration(axis), Quantity::Resultant(axis)]
 }
 
-/// A curve that is wanted.
 #[derive(Clone, Debug)]
 struct Line {
-    /// Of which of the two objects.
+    /// The index of its object.
     whose: usize,
     up: Quantity,
     now: Curve,
     before: Curve,
-    /// Whose way the curves were read from.
+    /// The body behind the curves.
     read: Option<BodyId>,
 }
 
@@ -58,12 +57,11 @@ impl Line {
     }
 }
 
-/// The plot.
 #[derive(Clone, Debug)]
 pub struct Plot {
     lines: Vec<Line>,
     across: Quantity,
-    /// Along which axis the plot opens: that of the object's motion, until it is known or something is chosen.
+    /// The axis of the object's motion, until the player chooses.
     axis: Part,
     settled: bool,
     objects: [Object; 2],
@@ -71,21 +69,19 @@ pub struct Plot {
     compared: bool,
     level: String,
     tick_rate: f64,
-    /// What is drawn of the flight; none: all.
+    /// `None`: the whole flight.
     window: Option<TimeWindow>,
-    /// From and to which tick the area is.
+    /// The ticks between which the area is.
     span: Option<(u64, u64)>,
-    /// Whose area is shown.
     selected: usize,
     pick: Option<Pick>,
     hand: Hand,
     large: bool,
-    /// What became of the last export, and whether it failed.
+    /// The outcome of the last export, and whether it failed.
     told: Option<(String, bool)>,
     waiting: Option<Format>,
     export: Option<NewFile>,
     seek: Option<u64>,
-    /// The tick that is shown.
     now: u64,
     ahead: Ahead,
     buttons: Buttons,
@@ -124,7 +120,7 @@ impl Default for Plot {
 }
 
 impl Plot {
-    /// One frame; the answer is what is left of the input, with the part of the canvas that is left for the flight.
+    /// Returns the rest of the input, with the flight's part of the canvas.
     pub fn update(&mut self, input: &Input, stage: &Stage) -> Input {
         self.read(input.worked(), stage);
         let places = PlotPlaces::new(&input.frame, self.large);
@@ -143,7 +139,7 @@ impl Plot {
         }
         self.lay_out(&places);
         let mut rest = Input { frame: self.above(&input.frame), ..input.clone() };
-        // A click beside an open list closes it, and does nothing else.
+        // A click beside an open list only closes it.
         if picking || places.panel.contains(input.pointer) || self.hand.holds() {
             (rest.click, rest.wheel, rest.pointed) = (false, 0.0, None);
         }
@@ -155,22 +151,20 @@ impl Plot {
         Frame { size: Vec2::new(frame.size.x, PlotPlaces::new(frame, self.large).panel.min.y), ..*frame }
     }
 
-    /// What is covered.
     pub fn area(&self, frame: &Frame) -> Area {
         PlotPlaces::new(frame, self.large).panel
     }
 
-    /// The tick to which the world is to be taken.
+    /// The tick that the player wants to see.
     pub fn take_seek(&mut self) -> Option<u64> {
         self.seek.take()
     }
 
-    /// What is to be written.
     pub fn take_export(&mut self) -> Option<NewFile> {
         self.export.take()
     }
 
-    /// What became of it.
+    /// The outcome of the export.
     pub fn tell_of_export(&mut self, told: Result<PathBuf, String>) {
         self.told = Some(match told {
             Ok(path) => (format!("Written: {}", path.display()), false),
@@ -178,12 +172,12 @@ impl Plot {
         });
     }
 
-    /// What was said of the last export, and whether it failed.
+    /// The outcome of the last export, and whether it failed.
     pub fn told(&self) -> Option<(&str, bool)> {
         self.told.as_ref().map(|(words, bad)| (words.as_str(), *bad))
     }
 
-    /// Its buttons as they are laid out now: words and places.
+    /// In their present layout.
     pub fn buttons(&self) -> impl Iterator<Item = (&str, Area)> {
         self.actions.iter().map(|(_, words)| words.as_str()).zip(self.buttons.areas().iter().copied())
     }
@@ -195,7 +189,6 @@ impl Plot {
         self.refresh(false);
     }
 
-    /// The same plot of another flight.
     #[must_use]
     pub fn of_another_flight(mut self) -> Self {
         self.objects.iter_mut().for_each(|object| object.kept = None);
@@ -204,7 +197,7 @@ impl Plot {
         self
     }
 
-    /// The flight, or the run before, is another one: both are read anew from their first ticks.
+    /// The flight, or the run before, is another one: both are read from their first ticks.
     pub fn flown_again(&mut self) {
         self.objects.iter_mut().for_each(Object::forget);
         self.refresh(true);
@@ -225,7 +218,7 @@ impl Plot {
         self.settle();
         let compared = self.names[1].is_some();
         if compared && !self.compared && 2 * self.lines.len() <= MOST_LINES && self.lines.iter().all(|line| line.whose == 0) {
-            // Who is compared is so in what is plotted already.
+            // The compared object takes over the plotted quantities.
             self.lines.extend(self.lines.clone().into_iter().map(|line| Line::new(1, self.across, line.up)));
         }
         self.compared = compared;
@@ -252,7 +245,7 @@ impl Plot {
         self.axis = axis;
     }
 
-    /// Lets the curves follow what has been read; anew where they are of another flight.
+    /// Follows the tracks; begins at their start where they are of another flight.
     fn refresh(&mut self, anew: bool) {
         for line in &mut self.lines {
             let object = &self.objects[line.whose];
@@ -269,13 +262,13 @@ impl Plot {
         }
     }
 
-    /// Those curves of which something is known, each with its number and its body's way.
+    /// Each non-empty curve with its number and its body's track.
     fn shown(&self) -> impl Iterator<Item = (usize, &Line, &BodyTrack)> {
         let track = |line: &Line| self.objects[line.whose].track();
         self.lines.iter().enumerate().filter_map(move |(i, line)| Some((i, line, track(line).filter(|_| !line.now.is_empty())?)))
     }
 
-    /// The stretch of time that is drawn, s.
+    /// s.
     fn window(&self) -> TimeWindow {
         self.window.unwrap_or_else(|| self.whole())
     }
@@ -287,7 +280,7 @@ impl Plot {
         if from.is_finite() { (from, to.max(from + AT_LEAST)) } else { (0.0, AT_LEAST) }
     }
 
-    /// Where everything is drawn, those of the run before included.
+    /// The run before included.
     fn chart(&self) -> Chart {
         let window = self.window();
         let mut members: Vec<ChartMember> = self.shown().map(|(i, line, track)| (i, &line.now, track.places(window))).collect();
@@ -297,7 +290,6 @@ impl Plot {
         Chart::of(self.across, window, &members)
     }
 
-    /// Whose curve it is, in words.
     fn name(&self, whose: usize) -> &str {
         self.names[whose].as_deref().unwrap_or("nobody")
     }

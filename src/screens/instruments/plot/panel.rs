@@ -1,4 +1,4 @@
-//! The buttons of the panel: what each does, where it is, and the lists to choose from.
+//! The buttons of the panel: their effects, their places, and the lists to choose from.
 
 use super::choices::{self, choices};
 use super::object::Object;
@@ -8,43 +8,33 @@ use crate::draw::layout::Area;
 use crate::instruments::quantity::Quantity;
 use crate::instruments::track::BodyTrack;
 
-/// What a button does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Action {
-    /// Another curve.
     Add,
-    /// Choose what is to the right.
+    /// Opens the choice of the quantity to the right.
     Across,
     /// Keep an object, or follow again.
     Keep(usize),
-    /// Export as that.
     Export(Format),
-    /// Show the whole flight.
     Whole,
-    /// More or less room.
     Larger,
     /// The other object for a curve.
     Whose(usize),
-    /// Choose what a curve is of.
+    /// Opens the choice of a curve's quantity.
     What(usize),
-    /// Without a curve.
     Remove(usize),
-    /// This curve's area is shown.
+    /// Shows this curve's area.
     Select(usize),
-    /// That is to be plotted.
     Choose(Quantity),
-    /// A name in the list.
     None,
 }
 
-/// As what curves are taken along.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Format {
     Csv,
     Svg,
 }
 
-/// What is being chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Pick {
     Across,
@@ -86,7 +76,7 @@ impl Plot {
         self.buttons.place(areas);
     }
 
-    /// The list to choose from: its cells with what they do, and where they are.
+    /// The open list: its cells with their effects and places.
     fn list(&self, pick: Pick, places: &PlotPlaces) -> (Vec<(Action, String)>, Vec<Area>) {
         let blocks = self.choices(pick);
         let (_, cells) = places.picker(&blocks.each_ref().map(Vec::len), choices::NAME, choices::MOST_OF_A_ROW);
@@ -105,7 +95,6 @@ impl Plot {
         choices(pick == Pick::Across, |kind| tracks().any(|track| track.felt(kind)))
     }
 
-    /// What the list to choose from covers.
     pub(super) fn picker(&self, places: &PlotPlaces) -> Option<Area> {
         let blocks = self.choices(self.pick?);
         Some(places.picker(&blocks.each_ref().map(Vec::len), choices::NAME, choices::MOST_OF_A_ROW).0)
@@ -113,7 +102,7 @@ impl Plot {
 
     pub(super) fn act(&mut self, action: Action) {
         let pick = self.pick.take();
-        // Whoever has chosen something keeps it.
+        // The player's choice stays.
         self.settled |= matches!(action, Action::Add | Action::Choose(_) | Action::Remove(_));
         match action {
             Action::Add => {

@@ -1,40 +1,31 @@
-//! Where the parts of the plot's panel stand: a band at the canvas' foot, with the flight above it, so that it covers nothing of that.
+//! The plot's panel is a band at the canvas' foot, with the flight above it, so that it covers nothing of that.
 
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2, text_room};
 
-/// Of the canvas' height, what a large panel takes.
+/// Part of the canvas' height.
 const LARGE: f32 = 0.6;
-/// The most lines: a curve each.
+/// A curve each.
 pub const MOST_LINES: usize = 4;
-/// Characters of a reading: what it is, a number with three digits, its sign and its unit.
+/// Characters of a reading: its name, a number with three digits, its sign and its unit.
 const READING: usize = 17;
-/// What is read of a curve: its value, its slope, its area.
+/// Value, slope, area.
 pub const READINGS: usize = 3;
-/// Between two buttons.
 const GAP: f32 = 4.0;
-/// Length of the sample of a curve.
 pub const SAMPLE: f32 = 36.0;
-/// Characters of a number at an upright axis.
 const NUMBER: f32 = 7.0;
 
-/// The places.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlotPlaces {
-    /// All of it.
     pub panel: Area,
     /// The curves' lines: each a sample with its buttons, and its readings below.
     pub lines: Vec<Area>,
-    /// Between the axes.
     pub plot: Area,
-    /// A line of words at the foot.
     pub foot: Area,
-    /// The row of buttons at the head.
     head: Area,
     text: f32,
 }
 
 impl PlotPlaces {
-    /// The places on a canvas.
     pub fn new(frame: &Frame, large: bool) -> Self {
         let text = frame.text_height(DETAILS);
         let line = text * LINE;
@@ -55,27 +46,26 @@ impl PlotPlaces {
         Self { panel, lines, plot, foot, head, text }
     }
 
-    /// The lanes of the plot, of equal height.
+    /// Of equal height.
     pub fn lanes(&self, count: usize) -> Vec<Area> {
         let pitch = (self.plot.size.y + GRID) / count.max(1) as f32;
         let lane = |i: usize| Area::new(self.plot.min.x, self.plot.min.y + i as f32 * pitch, self.plot.size.x, pitch - GRID);
         (0..count).map(lane).collect()
     }
 
-    /// Buttons with those words in a row at the head.
     pub fn head(&self, words: &[String]) -> Vec<Area> {
         row(self.head, self.text, words)
     }
 
-    /// The buttons of a curve's line, right of its sample.
+    /// Right of its sample.
     pub fn line(&self, line: usize, words: &[String]) -> Vec<Area> {
         let Area { min, size } = self.lines[line];
         let beside = Vec2::new(SAMPLE + GRID, 0.0);
         row(Area { min: min + beside, size: Vec2::new(size.x - beside.x, self.head.size.y) }, self.text, words)
     }
 
-    /// A list to choose from above the panel's foot, in columns of rows: its panel, and the places of its cells by row and column; the
-    /// first column has as many characters as `wide` says, the others as few as a symbol has.
+    /// A list above the panel's foot, in columns of rows: its panel, and its cells by row and column; the first column has `wide`
+    /// characters, the others as few as a symbol has.
     pub fn picker(&self, blocks: &[usize], wide: usize, columns: usize) -> (Area, Vec<Vec<Vec<Area>>>) {
         const SYMBOL: usize = 9;
         let pitch = Vec2::new(text_room(&"m".repeat(SYMBOL), self.text).x, self.head.size.y);
@@ -94,7 +84,7 @@ impl PlotPlaces {
     }
 }
 
-/// A row of buttons, each as wide as its words may be.
+/// Each as wide as its words.
 fn row(room: Area, text: f32, words: &[String]) -> Vec<Area> {
     let mut x = room.min.x;
     let mut button = |words: &String| {

@@ -1,20 +1,19 @@
-//! What is read of the curves: each one's value and slope where the world is, and the area below it.
+//! Each curve's value and slope at the world's moment, and the area below it.
 
 use super::{Plot, READINGS};
 use crate::instruments::quantity::Quantity;
 use crate::instruments::unit::Unit;
 
-/// What is read of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
-    /// Whose, and of what: `Ball 2 v_y`.
+    /// Object and quantity: `Ball 2 v_y`.
     pub name: String,
     /// Value, slope and area, as far as they are known, each with its unit.
     pub numbers: [(Option<f64>, Unit); READINGS],
 }
 
 impl Plot {
-    /// What is read of each curve, in their order.
+    /// In the curves' order.
     pub fn readings(&self) -> Vec<Reading> {
         let (across, reading) =
             (self.across.unit(), |number: Option<f64>, unit| (number.filter(|number| number.is_finite()), unit));
@@ -33,7 +32,7 @@ impl Plot {
         self.lines.iter().map(line).collect()
     }
 
-    /// Between which places the area is: between the two marks, or from the start to the moment that is shown.
+    /// The places of the area: between the two marks, or from the start to the moment on the screen.
     pub(super) fn stretch(&self, track: &crate::instruments::track::BodyTrack) -> (usize, usize) {
         match self.span {
             Some((from, to)) => (track.place(from), track.place(to)),
@@ -41,7 +40,6 @@ impl Plot {
         }
     }
 
-    /// What is to the right.
     pub const fn across(&self) -> Quantity {
         self.across
     }

@@ -1,4 +1,4 @@
-//! What is plotted, as files.
+//! The curves as files.
 
 use super::Plot;
 use super::panel::Format;

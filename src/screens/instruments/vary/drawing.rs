@@ -1,4 +1,4 @@
-//! Draws the panel: a line a number, with its slider, what it is, and what it was.
+//! The panel: a line a number, with slider, value and the level's own value.
 
 use super::{Entry, From, Line, Vary};
 use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
@@ -9,12 +9,11 @@ use crate::screens::text_field::TextField;
 use crate::view::quantity::scalar;
 use crate::view::{theme, widgets};
 
-/// From the edge of a button or field to what is in it.
+/// From the edge of a button or field to its content.
 const INSIDE: f32 = 0.75 * GRID;
-/// Between the buttons of two lines.
 const APART: f32 = 2.0;
 
-/// A number of a level with its unit; a factor with its sign.
+/// With its unit; a factor with its sign.
 pub fn written(parameter: Parameter, value: f64) -> String {
     let text = scalar(value, parameter.unit());
     match parameter {
@@ -24,7 +23,6 @@ pub fn written(parameter: Parameter, value: f64) -> String {
 }
 
 impl Vary {
-    /// Draws the panel, where it is open.
     pub fn draw(&self, canvas: &Canvas) {
         if self.lines.is_empty() {
             return;
@@ -102,7 +100,7 @@ impl Vary {
         }
     }
 
-    /// The name of what is saved, or what was said, or how far it has been flown again.
+    /// The name of the new level, or the last message, or the progress of the flight.
     fn draw_foot(&self, canvas: &Canvas) {
         let field = self.layout.field;
         let (middle, widest) = (field.centre(), field.size.x);
@@ -123,12 +121,11 @@ impl Vary {
     }
 }
 
-/// A field of a line, apart from those of its neighbours.
+/// Apart from its neighbours' fields.
 fn inner(cell: Area) -> Area {
     Area::new(cell.min.x, cell.min.y + APART, cell.size.x, cell.size.y - 2.0 * APART)
 }
 
-/// What is being written.
 fn draw_field(field: &TextField, area: Area, canvas: &Canvas) {
     widgets::panel_in(canvas, area, theme::ground(), theme::accent());
     field.draw(canvas, area, (DETAILS, INSIDE), Some(0.0));

@@ -1,4 +1,4 @@
-//! Where the parts of the panel stand: at the top right, a line below the other.
+//! The panel stands at the top right, a line below the other.
 
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, Vec2};
 
@@ -7,10 +7,9 @@ const COLUMNS: [f32; 4] = [7.2, 6.0, 7.2, 6.6];
 /// Between two columns, and inside the panel's edge.
 const GAP: f32 = GRID;
 const INSIDE: f32 = 1.5 * GRID;
-/// What a line is higher than its text.
+/// The room of a line above its text.
 const LEADING: f32 = 8.0;
 
-/// A button of the panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Button {
     FromStart,
@@ -20,27 +19,23 @@ pub enum Button {
 }
 
 impl Button {
-    /// All of them, in the order in which they stand.
     pub const ALL: [Self; 4] = [Self::FromStart, Self::FromNow, Self::Restore, Self::Save];
 }
 
-/// The places.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Layout {
     pub panel: Area,
-    /// By [`Button`].
     pub buttons: [Area; 4],
-    /// Where a name is written, and where things are said.
+    /// For the name field and for messages.
     pub field: Area,
-    /// Of the first line.
     top: f32,
     line: f32,
-    /// Where each column begins, and where it ends.
+    /// Begin and end of each column.
     columns: [(f32, f32); 4],
 }
 
 impl Layout {
-    /// On a canvas, with so many lines.
+    /// On a canvas, with that many lines.
     pub fn new(frame: &Frame, lines: usize) -> Self {
         let text = frame.text_height(DETAILS);
         let line = (text * LINE + LEADING).round();
@@ -52,7 +47,7 @@ impl Layout {
             left = ends + GAP;
             (begins, ends)
         });
-        // A heading, a row of buttons, the lines, a row of buttons, what is said.
+        // A heading, a row of buttons, the lines, a row of buttons, a message.
         let row = |index: f32| min.y + INSIDE + index * line;
         let half = (width - 2.0 * INSIDE - GAP) / 2.0;
         let button = |index: usize, y: f32| {
@@ -93,12 +88,11 @@ impl Layout {
         self.cell(line, 3)
     }
 
-    /// Of the panel's name.
     pub fn heading(&self) -> Area {
         Area::new(self.columns[0].0, self.panel.min.y + INSIDE, self.panel.size.x - 2.0 * INSIDE, self.line)
     }
 
-    /// The line at a point, of so many.
+    /// `lines` is their number.
     pub fn line_at(&self, at: Vec2, lines: usize) -> Option<usize> {
         (0..lines).find(|line| {
             let (left, right) = (self.panel.min.x, self.panel.max().x);
@@ -107,29 +101,27 @@ impl Layout {
         })
     }
 
-    /// The button at a point.
     pub fn button_at(&self, at: Vec2) -> Option<Button> {
         Button::ALL.into_iter().zip(self.buttons).find(|(_, area)| area.contains(at)).map(|(button, _)| button)
     }
 
-    /// The part of their way at which a pointer holds sliders, 0 … 1.
+    /// The part of a slider at a pointer, 0 … 1.
     pub fn part(&self, at: Vec2) -> f64 {
         let (begins, ends) = self.way();
         f64::from(((at.x - begins) / (ends - begins)).clamp(0.0, 1.0))
     }
 
-    /// Where the ways of sliders begin and end: their knobs stay in their column.
+    /// The ends of sliders: their knobs stay in their column.
     pub fn way(&self) -> (f32, f32) {
         let ((begins, ends), knob) = (self.columns[1], self.knob());
         (begins + knob, ends - knob)
     }
 
-    /// Radius of a slider's knob.
     pub fn knob(&self) -> f32 {
         self.line * 0.26
     }
 
-    /// What half a canvas unit is of a slider's way.
+    /// Half a canvas unit as a part of a slider.
     pub fn half_a_pixel(&self) -> f64 {
         let (begins, ends) = self.way();
         0.5 / f64::from(ends - begins)

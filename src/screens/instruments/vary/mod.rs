@@ -1,5 +1,5 @@
-//! "What if": a panel with a slider and a number for all that can be varied of the object that is followed, and of the level. What it asks
-//! for is flown by whoever shows the flight.
+//! "What if": a panel with a slider and a number for each quantity that can vary, of the followed object and of the level. The
+//! flight's screen fulfils its wishes.
 
 mod drawing;
 mod layout;
@@ -19,92 +19,79 @@ use layout::{Button, Layout};
 /// The most letters of a number, and of a level's name.
 const MOST: usize = 40;
 
-/// The level that is varied, and how.
 #[derive(Clone, Copy, Debug)]
 pub struct Varied<'a> {
-    /// As it is in its files.
     pub level: &'a Level,
-    /// What is varied; none while the level is flown as it is.
+    /// `None` while the level is flown as it is.
     pub variation: Option<&'a Variation>,
-    /// How much has been flown again, 0 … 1, while it is.
+    /// The progress of the flight, 0 … 1, while it is flown again.
     pub progress: Option<f64>,
 }
 
-/// From where on a change holds.
+/// The start of a change.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum From {
-    /// The flight is flown again from its start.
+    /// The flight starts again.
     #[default]
     Start,
-    /// It goes on from where it is.
+    /// The flight goes on from its moment.
     Now,
 }
 
-/// What the panel asks for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Wish {
-    /// The flight varied like that, from there on; whether that goes on with what was asked for last: the same slider, further.
+    /// The varied flight, from there on; the flag says that it continues the last wish: the same slider, further.
     Vary(Variation, From, bool),
     /// The level as it is, from its start.
     Restore,
-    /// The level as it is varied, as a level of that name; of any, where the name is empty.
+    /// The varied level as a level of that name; of any, where the name is empty.
     Save(String),
 }
 
-/// A number on the panel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
-    /// What it is.
     pub parameter: Parameter,
-    /// What it is in the level.
     pub usual: f64,
-    /// What it is now.
     pub value: f64,
-    /// Whether it can be varied now.
     pub open: bool,
 }
 
 impl Line {
-    /// Whether it is another number than in the level.
     pub fn is_varied(&self) -> bool {
         self.value != self.usual
     }
 }
 
-/// What is being written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Entry {
-    /// The number of that line.
+    /// The index of its line.
     Number(Parameter),
-    /// The name of the level that is saved.
+    /// Of the level to save.
     Name,
 }
 
-/// The panel.
 #[derive(Clone, Debug, Default)]
 pub struct Vary {
-    /// What the lines are of: 0 is the ship; and what that is called.
+    /// The object of the lines, where 0 is the ship; and its name.
     body: usize,
     title: String,
     lines: Vec<Line>,
     layout: Layout,
     from: From,
-    /// The slider that the pointer holds.
     held: Option<Parameter>,
-    /// The number that was changed last, by steps or by its slider: further ones go on with it.
+    /// The last changed number: further changes go on with it.
     last: Option<Parameter>,
     entry: Option<(Entry, TextField)>,
-    /// What was said last, and whether it is bad.
+    /// The last message, and whether it is bad.
     told: Option<(String, bool)>,
     pointer: Vec2,
     progress: Option<f64>,
-    /// Whether anything is varied, of whatever object.
     is_varied: bool,
     wish: Option<Wish>,
 }
 
 impl Vary {
-    /// One frame; the answer is what is left of the input for the flight. Where nothing can be varied, or the panel is not open, it is all.
+    /// Returns the input that remains for the flight: all of it where nothing can vary or the panel is closed.
     pub fn update(&mut self, input: &Input, stage: &Stage, open: bool) -> Input {
         let Some(varied) = stage.varied.filter(|_| open) else {
             (self.lines, self.layout, self.entry, self.held) = (Vec::new(), Layout::default(), None, None);
@@ -115,7 +102,7 @@ impl Vary {
         self.pointer = input.pointer;
         let mut rest = input.clone();
         if self.entry.is_some() {
-            // What is typed flies nothing.
+            // Typing flies nothing.
             (rest.pressed, rest.held, rest.typed) = (Keys::default(), Keys::default(), String::new());
             self.follow_keys(input, varied.level, varied.variation);
         }
@@ -126,63 +113,57 @@ impl Vary {
         rest
     }
 
-    /// What is asked for, once.
+    /// Once.
     pub const fn take_wish(&mut self) -> Option<Wish> {
         self.wish.take()
     }
 
-    /// Says what became of something.
     pub fn tell(&mut self, words: String, bad: bool) {
         self.told = Some((words, bad));
     }
 
-    /// What it covers.
     pub fn area(&self) -> Option<Area> {
         (!self.lines.is_empty()).then_some(self.layout.panel)
     }
 
-    /// Its lines, from the top; none while it is closed.
+    /// From the top; none while the panel is closed.
     pub fn lines(&self) -> &[Line] {
         &self.lines
     }
 
-    /// Where the parts of a line are: its slider, its number, its reset.
+    /// Slider, number, reset.
     pub fn parts(&self, parameter: Parameter) -> Option<[Area; 3]> {
         let line = self.lines.iter().position(|line| line.parameter == parameter)?;
         Some([self.layout.slider(line), self.layout.number(line), self.layout.reset(line)])
     }
 
-    /// Where its buttons are: from the start, from now, reset all, save.
+    /// From the start, from now, reset all, save.
     pub const fn buttons(&self) -> &[Area; 4] {
         &self.layout.buttons
     }
 
-    /// What is being written, and its text so far.
     pub fn entry(&self) -> Option<(Entry, String)> {
         self.entry.as_ref().map(|(entry, field)| (*entry, field.text()))
     }
 
-    /// What was said last, and whether it is bad.
+    /// And whether it is bad.
     pub fn told(&self) -> Option<(&str, bool)> {
         self.told.as_ref().map(|(words, bad)| (words.as_str(), *bad))
     }
 
-    /// What its first lines are of.
     pub fn title(&self) -> &str {
         &self.title
     }
 
-    /// How much has been flown again, 0 … 1, while it is.
+    /// 0 … 1, while the flight is flown again.
     pub const fn progress(&self) -> Option<f64> {
         self.progress
     }
 
-    /// Where the pointer was last.
     pub const fn pointer(&self) -> Vec2 {
         self.pointer
     }
 
-    /// From where on changes hold.
     pub const fn from(&self) -> From {
         self.from
     }
@@ -207,7 +188,7 @@ impl Vary {
         self.lines.iter().copied().find(|line| line.parameter == parameter)
     }
 
-    /// Asks for a number, where it is another one; whether it goes on with the change before.
+    /// Asks for a number, where it changes; `goes_on` says that it continues the change before.
     fn ask(&mut self, line: Line, value: f64, level: &Level, (variation, goes_on): (Option<&Variation>, bool)) {
         if value == line.value {
             return;
@@ -219,17 +200,17 @@ impl Vary {
         self.last = Some(line.parameter);
     }
 
-    /// Asks for a number so many fine steps further, which it answers.
+    /// Asks for a number `steps` fine steps further, and returns it.
     fn step(&mut self, line: Line, steps: f64, level: &Level, variation: Option<&Variation>) -> f64 {
         let value = SliderTrack::of(line.parameter, line.usual).stepped(line.value, steps, line.parameter.limits());
         self.ask(line, value, level, (variation, true));
         value
     }
 
-    /// Keys while something is written: Enter takes it, Esc gives it up, up and down are fine steps.
+    /// Keys of a field: Enter accepts, Esc gives up, up and down are fine steps.
     fn follow_keys(&mut self, input: &Input, level: &Level, variation: Option<&Variation>) {
         let Some((entry, field)) = &mut self.entry else { return };
-        // What was typed in the same frame as Enter is taken with it.
+        // Letters of the same frame as Enter belong to the text.
         if field.update(input) {
             self.told = None;
         }
@@ -245,7 +226,7 @@ impl Vary {
         }
     }
 
-    /// Takes what was written; what will not do stays, with what is expected.
+    /// Accepts the text; a bad one stays, with a message.
     fn take_entry(&mut self, level: &Level, variation: Option<&Variation>) {
         let Some((entry, field)) = self.entry.take() else { return };
         match entry {
@@ -266,7 +247,7 @@ impl Vary {
         if input.click && self.layout.panel.contains(at) {
             input.answer(ButtonAnswer::Pressed);
             let written = self.entry.as_ref().map(|(entry, _)| *entry);
-            // Whoever clicks elsewhere has written what they wanted.
+            // A click elsewhere accepts the text.
             if !self.entry_area().is_some_and(|area| area.contains(at)) {
                 self.take_entry(level, variation);
             }
@@ -288,7 +269,7 @@ impl Vary {
         }
         if let Some(line) = self.held.and_then(|held| self.line(held)) {
             let part = self.layout.part(at);
-            // A click that moves nothing changes nothing: the number need not be one that a slider sets.
+            // A click that moves nothing changes nothing: the number need not lie on the slider's steps.
             let track = SliderTrack::of(line.parameter, line.usual);
             if (track.part(line.value) - part).abs() > self.layout.half_a_pixel() {
                 self.ask(line, track.value(part), level, (variation, !input.click));
@@ -300,7 +281,7 @@ impl Vary {
         }
     }
 
-    /// A click on a line: its slider is held, its number is written, or it is as in the level again.
+    /// Holds the slider, opens the number's field, or resets the number.
     fn click_line(&mut self, at: Vec2, level: &Level, variation: Option<&Variation>) {
         let Some(index) = self.layout.line_at(at, self.lines.len()).filter(|line| self.lines[*line].open) else { return };
         let line = self.lines[index];

@@ -1,5 +1,3 @@
-//! Draws the two halves, the errors so far and the words around them.
-
 use super::{Half, SideBySide, panels};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
@@ -10,17 +8,14 @@ use crate::view::{theme, widgets};
 
 /// Height of the line at a half's foot: its error.
 const FOOT: f32 = 40.0;
-/// Errors from here on are written with as many decimals, so that they do not jitter.
+/// Larger errors have this many decimals, so that they do not jitter.
 const PLAIN: f64 = 1e-3;
-/// What the buttons of the choices say: left half, right half.
 const CHOICES: [(&str, &str); 4] = [("‹", "A"), ("›", "D"), ("‹", "←"), ("›", "→")];
-/// The colours of the two halves' boxes.
 fn colour_of(half: usize) -> Colour {
     if half == 0 { theme::player_objective() } else { theme::accent() }
 }
 
 impl SideBySide {
-    /// Draws both halves and the buttons.
     pub(in crate::screens::lab) fn draw(&self, canvas: &Canvas) {
         let middle = canvas.size().x / 2.0;
         let halves = panels(canvas.frame());
@@ -48,7 +43,7 @@ impl SideBySide {
         self.toolbar.draw(canvas, &labels);
     }
 
-    /// Below the halves: what the outline and the lines above mean at the left, the time at the right.
+    /// The meaning of the outline and of the lines above at the left, the time at the right.
     fn draw_words(&self, canvas: &Canvas, row: Area) {
         let quiet = Style::new(TEXT, theme::quiet()).middle();
         let ghost = Area::around(Vec2::new(row.min.x + 8.0, row.centre().y), Vec2::splat(16.0));
@@ -62,7 +57,7 @@ impl SideBySide {
         canvas.text(&words, Vec2::new(row.max().x, row.centre().y), quiet.mono().right());
     }
 
-    /// How far both were from the truth all the while, in decades upwards.
+    /// The errors of both so far, in decades upwards.
     fn draw_errors(&self, canvas: &Canvas, panel: Area) {
         widgets::panel(canvas, panel);
         let area = Area::new(panel.min.x + 64.0, panel.min.y + 10.0, panel.size.x - 76.0, panel.size.y - 20.0);
@@ -132,7 +127,7 @@ fn metres(error: f64) -> String {
     }
 }
 
-/// From metres to a panel, which it fills without stretching.
+/// From metres to a panel, without stretching.
 struct Placing {
     view: Aabb,
     panel: Area,
@@ -158,7 +153,7 @@ impl Placing {
         (max.x > min.x && max.y > min.y).then_some(Area { min, size: max - min })
     }
 
-    /// A line, where both of its ends are inside the panel.
+    /// `None` where an end is outside the panel.
     fn stroke(&self, canvas: &Canvas, (from, to): (DVec2, DVec2), colour: Colour) {
         let (from, to) = (self.at(from), self.at(to));
         let inside = |point: Vec2| point.cmpge(self.panel.min).all() && point.cmple(self.panel.max()).all();

@@ -1,5 +1,4 @@
-//! Two methods on the same scene at the same time, one in each half of the screen, how far each is from the truth, and how far it was
-//! all the while.
+//! Two methods on the same scene at the same time, one in each half of the screen, with their errors now and so far.
 
 mod drawing;
 
@@ -11,56 +10,43 @@ use crate::physics::{Aabb, DVec2};
 use crate::screens::{Buttons, Input, Key, Keys, Toolbar};
 use std::collections::VecDeque;
 
-/// A hitch counts as at most so long, s.
+/// s. The most of a hitch that counts.
 const LONGEST_FRAME: f64 = 0.1;
-/// The toolbar's keys: back, restart, pause, a single step, another step, the scene before, the next one.
+/// Back, restart, pause, a single step, another step, the scene before, the next one.
 const KEYS: [Key; 7] = [Key::Escape, Key::R, Key::Space, Key::Period, Key::S, Key::Up, Key::Down];
-/// The keys of the choices above the halves: the method before and the next one, of the left half and of the right one.
+/// The method before and the next one, of the left half and of the right one.
 const CHOICES: [Key; 4] = [Key::A, Key::D, Key::Left, Key::Right];
 /// Width and height of the buttons of a choice.
 const CHOICE: Vec2 = Vec2::new(64.0, 40.0);
-/// From the body's top to the choices: the scene's title.
 const TITLE: f32 = 40.0;
-/// From the choices' top to the halves.
 const HEAD: f32 = 48.0;
 /// Height of the errors so far, below the halves, and from these to the time.
 const ERRORS: f32 = 84.0;
-/// From the errors to the body's foot: the time.
 const TIME: f32 = 36.0;
-/// From the halves to the body's foot.
 const WORDS: f32 = APART + ERRORS + TIME;
-/// From the halves to the errors.
 const APART: f32 = 12.0;
-/// Between the halves.
 const BETWEEN: f32 = 24.0;
-/// Moments of a trail, at most.
 const TRAIL: usize = 240;
-/// Moments of the errors so far.
 const MOMENTS: usize = 400;
 
-/// What is to be seen of one half.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Half<'a> {
-    /// The method that runs in it.
     pub method: &'static str,
-    /// Where its boxes are.
     pub boxes: &'a [Aabb],
-    /// Where their centres were, the latest last.
+    /// The latest last.
     pub trail: &'a VecDeque<Vec<DVec2>>,
-    /// How far the worst of them is from where it should be, m.
+    /// The error of its worst box, m.
     pub error: f64,
-    /// The worst of that in each part of the scene that has begun: of as many as [`parts`](Half::parts) tells.
+    /// The largest error in each part of the scene that has begun: [`parts`](Half::parts) of them.
     pub errors: &'a [f64],
 }
 
 impl Half<'_> {
-    /// Parts of equal length into which the whole scene is cut for the errors.
     pub fn parts() -> usize {
         MOMENTS
     }
 }
 
-/// A method at work.
 struct Runner {
     method: usize,
     motion: BoxMotion,
@@ -88,7 +74,7 @@ impl Runner {
         Self::new(exhibit.methods.len(), (exhibit.exact)(step), exhibit.start.clone())
     }
 
-    /// Makes a step; `part` is the one of the scene that it ends in, and `exact` where everything should be then.
+    /// Makes a step that ends in `part` of the scene, where `exact` is the exact place of each box.
     fn step(&mut self, part: usize, exact: &[Aabb]) {
         if self.trail.len() == TRAIL {
             self.trail.pop_front();
@@ -96,23 +82,21 @@ impl Runner {
         self.trail.push_back(self.boxes.iter().map(Aabb::centre).collect());
         self.boxes = (self.motion)();
         let found = error(&self.boxes, exact);
-        // Steps longer than a part leave some without one of their own.
+        // A step longer than a part skips parts.
         self.errors.resize(self.errors.len().max(part + 1), found);
         self.errors[part] = worst([self.errors[part], found]);
     }
 }
 
-/// The page.
 #[derive(Debug)]
 pub struct SideBySide {
     exhibits: Vec<Exhibit>,
     exhibit: usize,
-    /// Which of the steps that can be chosen.
     step: usize,
     halves: [Runner; 2],
     exact: Runner,
     steps: u32,
-    /// Of the scene's time, what is left for the next step, s.
+    /// s. The scene's time that remains for the next step.
     left_over: f64,
     paused: bool,
     choices: Buttons,
@@ -145,7 +129,7 @@ fn first_against_shipped(exhibit: &Exhibit, step: f64) -> [Runner; 2] {
 }
 
 impl SideBySide {
-    /// One frame; whether the lab is left.
+    /// True where the player leaves the lab.
     pub(super) fn update(&mut self, input: &Input) -> bool {
         self.choices.place(places(&input.frame));
         let pointer_only = Input { pressed: Keys::default(), ..input.clone() };
@@ -184,7 +168,7 @@ impl SideBySide {
         }
     }
 
-    /// One step, and then it stands still.
+    /// One step, then a pause.
     fn single_step(&mut self) {
         self.paused = true;
         self.left_over = 0.0;
@@ -209,7 +193,7 @@ impl SideBySide {
         self.restart([0, 0]);
     }
 
-    /// Starts again, each half so many methods further.
+    /// Starts again with other methods, each `further` places down the list.
     fn restart(&mut self, further: [isize; 2]) {
         let (exhibit, step) = (&self.exhibits[self.exhibit], self.step());
         let methods = exhibit.methods.len();
@@ -219,12 +203,10 @@ impl SideBySide {
         (self.steps, self.left_over, self.paused) = (0, 0.0, false);
     }
 
-    /// What is shown.
     pub fn exhibit(&self) -> &Exhibit {
         &self.exhibits[self.exhibit]
     }
 
-    /// The left and the right half.
     pub fn halves(&self) -> [Half<'_>; 2] {
         self.halves.each_ref().map(|runner| {
             let method = self.exhibit().methods[runner.method].0;
@@ -233,43 +215,39 @@ impl SideBySide {
         })
     }
 
-    /// Where everything should be.
     pub fn exact(&self) -> &[Aabb] {
         &self.exact.boxes
     }
 
-    /// The step of both methods, s.
+    /// s.
     pub fn step(&self) -> f64 {
         STEPS[self.step]
     }
 
-    /// Of the scene, since the start, s.
+    /// s.
     pub fn time(&self) -> f64 {
         f64::from(self.steps) * self.step()
     }
 
-    /// Whether it stands still for a while.
     pub fn is_paused(&self) -> bool {
         self.paused
     }
 
-    /// Whether the scene has ended.
     pub fn is_over(&self) -> bool {
         self.time() + 0.5 * self.step() >= self.exhibit().seconds
     }
 
-    /// Which method runs where: the one before and the next one, of the left half and of the right one.
+    /// The method before and the next one, of the left half and of the right one.
     pub fn choices(&self) -> &Buttons {
         &self.choices
     }
 
-    /// Its buttons: Back, Restart, Pause, a single step, another step, the scene before, the next one.
+    /// Back, Restart, Pause, a single step, another step, the scene before, the next one.
     pub fn toolbar(&self) -> &Toolbar {
         &self.toolbar
     }
 }
 
-/// The two halves.
 fn panels(frame: &Frame) -> [Area; 2] {
     let body = body(frame);
     let size = Vec2::new((body.size.x - BETWEEN) / 2.0, body.size.y - TITLE - HEAD - WORDS);
@@ -277,7 +255,6 @@ fn panels(frame: &Frame) -> [Area; 2] {
     [0.0, size.x + BETWEEN].map(|right| Area { min: Vec2::new(body.min.x + right, top), size })
 }
 
-/// The buttons of the choices, above the corners of the halves.
 fn places(frame: &Frame) -> Vec<Area> {
     let button = |x: f32, panel: Area| Area { min: Vec2::new(x, panel.min.y - HEAD), size: CHOICE };
     panels(frame).into_iter().flat_map(|panel| [panel.min.x, panel.max().x - CHOICE.x].map(|x| button(x, panel))).collect()

@@ -1,5 +1,3 @@
-//! Draws the table, and beside it the failure of the line that is asked.
-
 use super::{Line, ROW, SurvivalPage, TABLE, WIDEST, body, line_of, panel};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
@@ -11,14 +9,12 @@ use crate::view::{picture, theme, widgets};
 const COLUMNS: [f32; 3] = [24.0, 48.0, 48.0];
 /// From the panel's right edge to a line's picture, and the width of that.
 const PICTURE: (f32, f32) = (336.0, 176.0);
-/// Between the table and the large picture.
 const BETWEEN: f32 = 16.0;
-/// From the told panel's top to its picture, and from that to its foot.
+/// From the large picture's panel to the picture: at its top, and at its foot.
 const HEAD: f32 = 88.0;
 const FOOT: f32 = 92.0;
 
 impl SurvivalPage {
-    /// Draws the table, the large picture and the button.
     pub(in crate::screens::lab) fn draw(&self, canvas: &Canvas) {
         let panel = panel(canvas.frame());
         let quiet = Style::new(TEXT, theme::quiet()).middle();
@@ -60,7 +56,6 @@ impl SurvivalPage {
         canvas.text(&row.shown(), Vec2::new(right - COLUMNS[2], y), value);
     }
 
-    /// The failure of one line, large.
     fn draw_told(&self, canvas: &Canvas, panel: Area) {
         widgets::panel(canvas, panel);
         let Some((index, Line::Method(row))) = self.chosen().map(|index| (index, &self.lines[index])) else { return };
@@ -86,7 +81,6 @@ impl SurvivalPage {
     }
 }
 
-/// What the large picture lies on.
 fn told(frame: &Frame) -> Area {
     let (body, table) = (body(frame), panel(frame));
     let left = table.max().x + BETWEEN;
@@ -106,7 +100,6 @@ fn draw_test(canvas: &Canvas, line: Area, (test, parameter): (&str, &str), ruled
     canvas.text(parameter, Vec2::new(right, line.centre().y), quiet(size));
 }
 
-/// The colour of what a method makes of it.
 fn line_colour(row: &Survival) -> Colour {
     if row.shipped { theme::accent() } else { theme::player_objective() }
 }

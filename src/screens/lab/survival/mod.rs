@@ -1,4 +1,4 @@
-//! What each method survives: the table of the stress tests, a small picture of each failure, and a large one of the line that is asked.
+//! The table of the stress tests with a small picture of each failure, and a large one of the selected line.
 
 mod drawing;
 
@@ -10,33 +10,25 @@ use crate::screens::scroll::{Bar, Scroll, bar_beside};
 use crate::screens::{Input, Key, Toolbar};
 use std::collections::HashMap;
 
-/// Height of a line.
 const ROW: f32 = 40.0;
-/// Width of the table.
 const TABLE: f32 = 768.0;
-/// Widest that both get.
+/// Widest of table and picture together.
 const WIDEST: f32 = 1440.0;
-/// From the panel's top and foot to the lines.
 const PADDING: f32 = 8.0;
-/// From the body's top to the panel: what the table says.
 const WORDS: f32 = 40.0;
 
-/// A line of the table.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Line {
-    /// A test, and what is made larger in it, with its unit.
+    /// With the number that grows, and its unit.
     Test(String, String),
-    /// What a method survives.
     Method(Survival),
 }
 
-/// The page.
 #[derive(Debug)]
 pub struct SurvivalPage {
     lines: Vec<Line>,
-    /// How each line's method fails; of lines that came into view only.
+    /// One a line, computed when the line comes into view.
     pictures: HashMap<usize, Option<FailurePicture>>,
-    /// The line under the pointer.
     pointed: Option<usize>,
     scroll: Scroll,
     toolbar: Toolbar,
@@ -58,7 +50,7 @@ impl SurvivalPage {
         }
     }
 
-    /// One frame; whether the lab is left.
+    /// True where the player leaves the lab.
     pub(super) fn update(&mut self, input: &Input) -> bool {
         let panel = panel(&input.frame);
         let page = page(panel);
@@ -72,7 +64,7 @@ impl SurvivalPage {
         self.toolbar.update(input, &[Key::Escape]).is_some()
     }
 
-    /// Lets one method in view fail that has not done so yet, the one that is told of first: each takes up to a few milliseconds.
+    /// Computes one picture in view, the selected one first: each takes up to a few milliseconds.
     fn draw_one_more(&mut self) {
         let missing = |line: &usize| !self.pictures.contains_key(line);
         let wanted = self.chosen().into_iter().chain(self.range()).filter(missing);
@@ -83,38 +75,34 @@ impl SurvivalPage {
         }
     }
 
-    /// All lines.
     pub fn lines(&self) -> &[Line] {
         &self.lines
     }
 
-    /// Those in view.
     pub fn range(&self) -> std::ops::Range<usize> {
         self.scroll.range()
     }
 
-    /// The line that is told of: the one under the pointer, or else the first method in view.
+    /// The selected line: the one under the pointer, or else the first method in view.
     pub fn chosen(&self) -> Option<usize> {
         self.pointed.or_else(|| self.range().find(|line| matches!(self.lines[*line], Line::Method(_))))
     }
 
-    /// How a line's method fails just beyond what it survives, once that is computed.
+    /// `None` until it is computed.
     pub fn picture(&self, line: usize) -> Option<&FailurePicture> {
         self.pictures.get(&line)?.as_ref()
     }
 
-    /// The scroll bar, where not all lines are in view.
+    /// `None` where all lines are in view.
     pub fn bar(&self) -> Option<Bar> {
         self.scroll.bar()
     }
 
-    /// Its button: Back.
     pub fn toolbar(&self) -> &Toolbar {
         &self.toolbar
     }
 }
 
-/// What the table lies on: as high as its lines.
 fn panel(frame: &Frame) -> Area {
     let body = body(frame);
     let width = body.size.x.min(WIDEST);
@@ -122,12 +110,10 @@ fn panel(frame: &Frame) -> Area {
     Area::new(room.min.x, room.min.y, TABLE, page(room) as f32 * ROW + 2.0 * PADDING)
 }
 
-/// A line in view, from the panel's left edge to its bar.
 fn line_of(panel: Area, place: usize) -> Area {
     Area::new(panel.min.x, panel.min.y + PADDING + place as f32 * ROW, panel.size.x - 24.0, ROW)
 }
 
-/// Lines that a panel holds.
 fn page(panel: Area) -> usize {
     ((panel.size.y - 2.0 * PADDING) / ROW).floor() as usize
 }
