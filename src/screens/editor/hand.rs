@@ -67,7 +67,7 @@ impl Editor {
                 let last = way.last().copied().unwrap_or(place.min) + half;
                 handles.push((Handle::MoreWay, last + DVec2::new(26.0, 0.0) / self.view.scale()));
             }
-            Some(Kind::Stream) => handles.push((Handle::Reach, stream_end(&self.document, row, place))),
+            Some(Kind::Stream) => handles.push((Handle::Reach, stream_zone(&self.document, row, place).1)),
             Some(Kind::Switch) => {
                 handles.push((Handle::Wire, place.centre() - DVec2::new(0.0, clear.y + 22.0 / self.view.scale())));
             }
@@ -83,7 +83,7 @@ impl Editor {
             .document
             .things()
             .filter(|(_, place)| Place { min: place.min - slack, size: place.size + 2.0 * slack }.contains(at));
-        near.min_by(|(_, a), (_, b)| a.size.element_product().total_cmp(&b.size.element_product())).map(|(row, _)| row)
+        smallest(near)
     }
 
     /// Snaps to all things in view except these rows.
@@ -229,9 +229,7 @@ impl Editor {
     /// The wire of a switch ends there.
     fn end_wire(&mut self, row: RowId, at: DVec2) {
         let near = self.document.things().filter(|(thing, place)| self.document.can_be_worked(*thing) && place.contains(at));
-        let thing =
-            near.min_by(|(_, a), (_, b)| a.size.element_product().total_cmp(&b.size.element_product())).map(|(thing, _)| thing);
-        match thing {
+        match smallest(near) {
             Some(thing) => {
                 let cells = self.document.rewired(row, thing);
                 self.set(&cells);
@@ -304,12 +302,12 @@ const SIDES: [DVec2; 8] = [
     DVec2::new(1.0, 1.0),
 ];
 
-/// The middle of a stream's far end.
-fn stream_end(document: &Document, row: RowId, place: Place) -> DVec2 {
-    stream_zone(document, row, place).1
+/// The thing of the smallest area.
+fn smallest(things: impl Iterator<Item = (RowId, Place)>) -> Option<RowId> {
+    things.min_by(|(_, a), (_, b)| a.size.element_product().total_cmp(&b.size.element_product())).map(|(row, _)| row)
 }
 
-/// Where a stream blows, and the middle of its far end.
+/// The zone in which a stream blows, and the middle of its far end, pixels.
 pub fn stream_zone(document: &Document, row: RowId, place: Place) -> (Place, DVec2) {
     let reach = DVec2::new(
         document.number(row, "stream_width").unwrap_or_default(),

@@ -19,7 +19,7 @@ mod view;
 use super::folder_watch::FolderWatch;
 use super::input::Repeat;
 use super::scroll::Scroll;
-use super::{Input, Keys, Motion, Request, Screen};
+use super::{Input, Motion, Request, Screen};
 use crate::draw::layout::{Area, Frame, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::level::document::{Document, Kind, LevelFolder, Opened, Place, RowId, SetCell, Table};
@@ -367,9 +367,4 @@ impl Editor {
     pub fn point(&self, pixels: DVec2) -> Vec2 {
         self.view.point(pixels)
     }
-}
-
-/// The input without its keys.
-fn mouse_only(input: &Input) -> Input {
-    Input { pressed: Keys::default(), ..input.clone() }
 }

@@ -1,11 +1,12 @@
 //! The pane below the picture: the pointer's place, the last remark, and the problems, a line each.
 
 use super::layout::{INSIDE, PROBLEM_LINES};
-use super::{Editor, EditorPass, mouse_only};
+use super::{Editor, EditorPass};
 use crate::draw::layout::{Area, DETAILS, Vec2, wrapped};
 use crate::draw::{Canvas, Style};
 use crate::level::Problem;
 use crate::level::document::{Kind, RowId, Table};
+use crate::screens::{Input, Keys};
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
 
@@ -17,7 +18,8 @@ impl Editor {
         let room = Area::new(bottom.max().x - 14.0, first.min.y, 12.0, lines as f32 * self.panes.line);
         self.scroll.place(self.problems.len(), lines.max(1), room);
         if pointed && pass.open && self.drag.is_none() {
-            self.scroll.update(&mouse_only(ui.input()));
+            // Keys that scroll elsewhere move the selection here.
+            self.scroll.update(&Input { pressed: Keys::default(), ..ui.input().clone() });
         }
         canvas.rectangle(bottom, theme::panel());
         let place = self.place_in_words(if self.figures { ui.spectator.frames() } else { 0.0 });
