@@ -8,7 +8,7 @@ mod rows;
 mod staged;
 
 pub use lock::{Lock, PATIENCE, pauses, share};
-pub use read::{Links, is_passed_on, open, read, read_text, read_with};
+pub use read::{Symlinks, is_passed_on, open, read, read_text, read_with};
 pub use rows::{CsvFile, CsvRow, RowFault, csv_text};
 pub use staged::{Replacement, around, behind_links, copy, create, create_folder, put, replace, sync_folder, target};
 

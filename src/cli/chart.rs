@@ -3,7 +3,7 @@
 
 use super::files::{OutputFile, Staged, read_text};
 use super::project::Project;
-use super::stop::{Status, Stop};
+use super::stop::{CommandError, Status};
 use crate::files::{self, CHART};
 use crate::lab::charts::{Charts, Setting};
 use crate::lab::course::{CoursePoint, OverTime};
@@ -59,9 +59,9 @@ const TOO_LONG: Duration = Duration::from_millis(60);
 /// # Errors
 /// A folder that cannot be written, or peers' results that cannot be read, before any measurement. A later fault of the disk leaves
 /// no file half written.
-pub fn run(args: &ChartArgs, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &ChartArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     if args.out.exists() && !args.out.is_dir() {
-        return Err(Stop::Refused(format!(
+        return Err(CommandError::Refused(format!(
             "--out {}: found a file, expected a folder or the name of a new one",
             args.out.display()
         )));
@@ -69,7 +69,7 @@ pub fn run(args: &ChartArgs, project: &Project, out: &mut dyn Write) -> Result<S
     let peers = peers(project)?;
     progress("building scenes and their exact answers");
     let scenes = scenes::all();
-    std::fs::create_dir_all(&args.out).map_err(|error| Stop::refused(format!("{}: {error}", args.out.display())))?;
+    std::fs::create_dir_all(&args.out).map_err(|error| CommandError::refused(format!("{}: {error}", args.out.display())))?;
     for scene in &scenes {
         OutputFile::create(&args.out.join(format!("{}.csv", scene.name)))?;
         OutputFile::create(&args.out.join(format!("{}.svg", scene.name)))?;
@@ -87,7 +87,7 @@ pub fn run(args: &ChartArgs, project: &Project, out: &mut dyn Write) -> Result<S
         survivals.extend(test.rows());
     }
     if let Some((path, text)) = &peers {
-        add_peers(path, text, &mut diagrams).map_err(Stop::Refused)?;
+        add_peers(path, text, &mut diagrams).map_err(CommandError::Refused)?;
     }
 
     let profile = if cfg!(debug_assertions) { "debug" } else { "release" }.to_owned();
@@ -119,18 +119,18 @@ fn all_files(charts: &Charts) -> Vec<(String, String)> {
 }
 
 /// The file's name and checked text, if there is such a file.
-fn peers(project: &Project) -> Result<Option<(String, String)>, Stop> {
+fn peers(project: &Project) -> Result<Option<(String, String)>, CommandError> {
     let path = project.root().join("benches/peers/results.csv");
     if !path.exists() {
         return Ok(None);
     }
     let (name, text) = (path.display().to_string(), read_text(&path, CHART)?);
-    add_peers(&name, &text, &mut Vec::new()).map_err(Stop::Refused)?;
+    add_peers(&name, &text, &mut Vec::new()).map_err(CommandError::Refused)?;
     Ok(Some((name, text)))
 }
 
 /// Writes all files before any takes its place.
-fn stage(folder: &Path, files: &[(String, String)]) -> Result<Vec<Staged>, Stop> {
+fn stage(folder: &Path, files: &[(String, String)]) -> Result<Vec<Staged>, CommandError> {
     let stage = |(name, text): &(String, String)| {
         let mut file = OutputFile::create(&folder.join(name))?;
         file.write_all(text.as_bytes())?;

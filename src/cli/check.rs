@@ -1,7 +1,7 @@
 //! `resultant check [LEVEL…]`: loads levels, and says what is in them or everything that is wrong with them.
 
 use super::project::Project;
-use super::stop::{Readers, Status, Stop, shown};
+use super::stop::{CommandError, Readers, Status, shown};
 use crate::level::schema::{Count, Kind};
 use crate::level::{self, Level, Loaded};
 use crate::pack;
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 #[derive(clap::Args, Debug, Default)]
-pub struct Args {
+pub struct CheckArgs {
     /// Names under levels/, or levels' folders; without any, all levels
     #[arg(value_name = "LEVEL")]
     pub levels: Vec<OsString>,
@@ -22,19 +22,19 @@ pub struct Args {
 ///
 /// # Errors
 /// A level that does not exist, or no level at all; nothing is checked then.
-pub fn run(args: &Args, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &CheckArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     check(args, project, out, &mut Readers::of(io::stderr().lock()))
 }
 
-fn check(args: &Args, project: &Project, out: &mut dyn Write, err: &mut dyn Write) -> Result<Status, Stop> {
+fn check(args: &CheckArgs, project: &Project, out: &mut dyn Write, err: &mut dyn Write) -> Result<Status, CommandError> {
     let all = || level::list(&project.levels()).into_iter().map(OsString::from).collect();
     let names: Vec<OsString> = if args.levels.is_empty() { all() } else { args.levels.clone() };
     if names.is_empty() {
         let levels = project.levels();
         let why = std::fs::read_dir(&levels).err().map_or(String::new(), |error| format!(", which cannot be read: {error}"));
-        return Err(Stop::Refused(format!("no level folder in {}{why}", levels.display())));
+        return Err(CommandError::Refused(format!("no level folder in {}{why}", levels.display())));
     }
-    let folders = names.iter().map(|name| project.level_folder(name)).collect::<Result<Vec<PathBuf>, Stop>>()?;
+    let folders = names.iter().map(|name| project.level_folder(name)).collect::<Result<Vec<PathBuf>, CommandError>>()?;
     let (mut status, mut refused) = (Status::Done, 0);
     for (name, folder) in names.iter().zip(folders) {
         let name = called(name, &folder);

@@ -1,7 +1,7 @@
 //! `resultant verify --scores`: flies the flight of every row of every leaderboard again, and names the rows that do not hold.
 
 use super::project::Project;
-use super::stop::{Readers, Status, Stop, shown};
+use super::stop::{CommandError, Readers, Status, shown};
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::Fingerprint;
 use crate::level;
@@ -16,7 +16,7 @@ const SILENCE: Duration = Duration::from_secs(2);
 const TICKS_A_LOOK: u64 = 4096;
 
 /// For each board a line with its number of proven rows goes to `out`; for each row that fails a line goes to standard error.
-pub fn run(project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let scores = Scores::new(project.scores());
     let mut err = Readers::of(io::stderr().lock());
     let mut status = Status::Done;
@@ -30,7 +30,7 @@ pub fn run(project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
     }
     // The screens report a file that cannot be read.
     let players = scores.players().map(|(players, _)| players).unwrap_or_default();
-    let claims: usize = players.all().iter().map(crate::scores::Player::done).sum();
+    let claims: usize = players.all().iter().map(crate::scores::PlayerRecord::done).sum();
     if claims > 0 {
         writeln!(out, "players.csv: {claims} levels done, on the players' own word")?;
     }
@@ -38,7 +38,12 @@ pub fn run(project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
 }
 
 /// The answer says whether all rows hold.
-fn judge_board(project: &Project, scores: &Scores, name: &str, (out, err): (&mut dyn Write, &mut dyn Write)) -> Result<bool, Stop> {
+fn judge_board(
+    project: &Project,
+    scores: &Scores,
+    name: &str,
+    (out, err): (&mut dyn Write, &mut dyn Write),
+) -> Result<bool, CommandError> {
     let level = level::load(&project.levels().join(name), project.root());
     let level = level.map_err(|problems| problems.first().map(ToString::to_string).unwrap_or_default());
     let shown_name = shown(name);
@@ -100,7 +105,7 @@ fn judge_board(project: &Project, scores: &Scores, name: &str, (out, err): (&mut
 }
 
 /// Flies all flights of a board, and reports the progress from time to time.
-fn judge_all(judge: &mut Judge, board: &Board, name: &str, err: &mut dyn Write) -> Result<(), Stop> {
+fn judge_all(judge: &mut Judge, board: &Board, name: &str, err: &mut dyn Write) -> Result<(), CommandError> {
     let (mut last, mut next) = (Instant::now(), 0);
     loop {
         while let Some(row) = judge.begin(board, next..board.rows().len()) {

@@ -1,7 +1,7 @@
 //! `resultant edit LEVEL`: opens the editor.
 
 use super::project::Project;
-use super::stop::{Status, Stop};
+use super::stop::{CommandError, Status};
 use std::ffi::OsString;
 use std::io::Write;
 
@@ -19,16 +19,16 @@ pub struct EditArgs {
 /// # Errors
 /// No such level; no display.
 #[cfg(feature = "window")]
-pub fn run(args: &EditArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &EditArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
     use crate::screens::{Editor, Start};
     let folder = project.level_folder(&args.level)?;
     // A level that does not open is refused before a window opens.
-    let name = Editor::open(&folder, project.root()).map_err(Stop::Refused)?.name().to_owned();
+    let name = Editor::open(&folder, project.root()).map_err(CommandError::Refused)?.name().to_owned();
     super::play::show(project, Some(Start::Edit(folder, name, args.original)))
 }
 
 #[cfg(not(feature = "window"))]
-pub fn run(args: &EditArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &EditArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
     project.level_folder(&args.level)?;
-    Err(Stop::Refused("this build of resultant has no window: see --help for what it does without one".into()))
+    Err(CommandError::Refused("this build of resultant has no window: see --help for what it does without one".into()))
 }

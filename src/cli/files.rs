@@ -1,8 +1,8 @@
 //! Input and output files of subcommands. New content goes into a file without a name, so that a stopped program leaves nothing
 //! behind; the complete content takes its target's place in one step.
 
-use super::stop::Stop;
-use crate::files::{self, Links, Replacement};
+use super::stop::CommandError;
+use crate::files::{self, Replacement, Symlinks};
 use serde::Serialize;
 use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Seek, Write};
@@ -12,12 +12,15 @@ use std::path::{Path, PathBuf};
 ///
 /// # Errors
 /// A file that cannot be read, is no regular one, too large, or no UTF-8.
-pub fn read_text(path: &Path, at_most: u64) -> Result<String, Stop> {
+pub fn read_text(path: &Path, at_most: u64) -> Result<String, CommandError> {
     let bytes = files::read(path, at_most).map_err(|error| refused(path, &error))?;
     String::from_utf8(bytes).map_err(|error| {
         let good = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + good.iter().filter(|&&byte| byte == b'\n').count();
-        Stop::Refused(format!("{}:{line}: found letters that are not UTF-8, expected a file saved as UTF-8", path.display()))
+        CommandError::Refused(format!(
+            "{}:{line}: found letters that are not UTF-8, expected a file saved as UTF-8",
+            path.display()
+        ))
     })
 }
 
@@ -66,7 +69,7 @@ pub struct Staged {
 impl OutputFile {
     /// # Errors
     /// A folder that cannot be written, or a read-only file there; nothing has been written then.
-    pub fn create(path: &Path) -> Result<Self, Stop> {
+    pub fn create(path: &Path) -> Result<Self, CommandError> {
         let passed_on = passed_on(path);
         let collected = passed_on.is_none();
         let file = passed_on.unwrap_or_else(|| collect(path)).map_err(|error| refused(path, &error))?;
@@ -77,14 +80,17 @@ impl OutputFile {
     ///
     /// # Errors
     /// As [`OutputFile::create`]; two outputs are one file, or an output is an input. Nothing has been written then.
-    pub fn create_all<const N: usize>(outputs: [(&str, Option<&Path>); N], inputs: &[PathBuf]) -> Result<[Option<Self>; N], Stop> {
+    pub fn create_all<const N: usize>(
+        outputs: [(&str, Option<&Path>); N],
+        inputs: &[PathBuf],
+    ) -> Result<[Option<Self>; N], CommandError> {
         let mut taken: Vec<(PathBuf, String)> =
             inputs.iter().map(|path| (resolved(path), "this file is read by the same command".to_owned())).collect();
         let mut files = [const { None }; N];
         for (argument, path) in outputs.iter().filter_map(|(argument, path)| Some((argument, (*path)?))) {
             let file = resolved(path);
             if let Some((_, why)) = taken.iter().find(|(other, _)| *other == file && !files::is_passed_on(path)) {
-                return Err(Stop::Refused(format!("{argument} {}: {why}, expected another", path.display())));
+                return Err(CommandError::Refused(format!("{argument} {}: {why}, expected another", path.display())));
             }
             taken.push((file, format!("{argument} is written to this file")));
         }
@@ -95,26 +101,26 @@ impl OutputFile {
     }
 
     /// Writes the content to the disk, beside the target.
-    pub fn stage(self) -> Result<Staged, Stop> {
+    pub fn stage(self) -> Result<Staged, CommandError> {
         let Self { path, writer, collected } = self;
         let stage = |mut file: File| {
-            let mut fresh = Replacement::begin(&path, Links::Followed)?;
+            let mut fresh = Replacement::begin(&path, Symlinks::Followed)?;
             file.rewind()?;
             io::copy(&mut file, fresh.file())?;
             fresh.seal().map(|()| fresh)
         };
         let written = writer.into_inner().map_err(io::IntoInnerError::into_error);
         let staged = written.and_then(|file| collected.then(|| stage(file)).transpose());
-        let fresh = staged.map_err(|error| Stop::Output(named(&path, &error)))?;
+        let fresh = staged.map_err(|error| CommandError::Output(named(&path, &error)))?;
         Ok(Staged { path, fresh })
     }
 }
 
 impl Staged {
     /// Puts each file in its place in one step. After an error that file and the following ones are as before.
-    pub fn place_all(staged: impl IntoIterator<Item = Self>) -> Result<(), Stop> {
+    pub fn place_all(staged: impl IntoIterator<Item = Self>) -> Result<(), CommandError> {
         for Self { path, fresh } in staged {
-            fresh.map_or(Ok(()), Replacement::finish).map_err(|error| Stop::Output(named(&path, &error)))?;
+            fresh.map_or(Ok(()), Replacement::finish).map_err(|error| CommandError::Output(named(&path, &error)))?;
         }
         Ok(())
     }
@@ -122,10 +128,10 @@ impl Staged {
 
 /// A file without a name in the target's folder.
 fn collect(path: &Path) -> io::Result<File> {
-    let (target, found) = files::target(path, Links::Followed)?;
+    let (target, found) = files::target(path, Symlinks::Followed)?;
     if found.is_some() {
         // A file that this user may not write to is not replaced either.
-        one_name(&files::open(OpenOptions::new().write(true), &target, Links::Never)?.1)?;
+        one_name(&files::open(OpenOptions::new().write(true), &target, Symlinks::Never)?.1)?;
     }
     tempfile::tempfile_in(files::around(&target)).map_err(|error| {
         let why = format!("{error}: the file is written beside its place first, and its folder takes no new file");
@@ -174,8 +180,8 @@ fn named(path: &Path, error: &io::Error) -> io::Error {
     io::Error::new(error.kind(), format!("{}: {error}", path.display()))
 }
 
-fn refused(path: &Path, error: &io::Error) -> Stop {
-    Stop::Refused(format!("{}: {error}", path.display()))
+fn refused(path: &Path, error: &io::Error) -> CommandError {
+    CommandError::Refused(format!("{}: {error}", path.display()))
 }
 
 #[cfg(test)]
@@ -233,7 +239,7 @@ mod tests {
         assert_eq!(names(folder.path()), 2);
         fs::hard_link(path("out.csv"), path("hard")).unwrap();
         for name in ["out.csv", "hard", "soft"] {
-            let Err(Stop::Refused(problem)) = OutputFile::create(&path(name)) else { panic!("begun") };
+            let Err(CommandError::Refused(problem)) = OutputFile::create(&path(name)) else { panic!("begun") };
             assert!(problem.contains("the file has 2 names (hard links)"), "{problem}");
         }
     }
@@ -245,7 +251,7 @@ mod tests {
         let pipe = folder.path().join("pipe");
         assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
         for path in [pipe.as_path(), Path::new("/dev/null"), Path::new("/dev/full")] {
-            let Err(Stop::Refused(problem)) = OutputFile::create(path) else { panic!("begun") };
+            let Err(CommandError::Refused(problem)) = OutputFile::create(path) else { panic!("begun") };
             assert!(problem.ends_with("found a pipe or a device, expected a regular file"), "{problem}");
         }
     }
@@ -260,7 +266,7 @@ mod tests {
         fs::set_permissions(&read_only, permissions).unwrap();
         let too_long = folder.path().join("x".repeat(300));
         for path in [folder.path().to_path_buf(), folder.path().join("missing/out.csv"), too_long, read_only.clone()] {
-            assert!(matches!(OutputFile::create(&path), Err(Stop::Refused(_))), "{}", path.display());
+            assert!(matches!(OutputFile::create(&path), Err(CommandError::Refused(_))), "{}", path.display());
         }
         assert_eq!(fs::read_to_string(read_only).unwrap(), "kept");
         assert_eq!(names(folder.path()), 1);
@@ -272,7 +278,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let link = folder.path().join("link");
         std::os::unix::fs::symlink("nowhere", &link).unwrap();
-        let Err(Stop::Refused(problem)) = OutputFile::create(&link) else { panic!("begun") };
+        let Err(CommandError::Refused(problem)) = OutputFile::create(&link) else { panic!("begun") };
         assert!(problem.contains("a link that leads to no file"), "{problem}");
     }
 
@@ -287,8 +293,8 @@ mod tests {
             let (a, b) = (path(a), path(b));
             let created = OutputFile::create_all([("--a", Some(a.as_path())), ("--b", Some(&b)), ("--c", None)], &[path("in")]);
             created.map(|files| files.map(|file| file.is_some())).map_err(|stop| match stop {
-                Stop::Refused(problem) => problem,
-                Stop::Output(error) => panic!("{error}"),
+                CommandError::Refused(problem) => problem,
+                CommandError::Output(error) => panic!("{error}"),
             })
         };
         assert_eq!(refusal("one", "two"), Ok([true, true, false]));
@@ -309,7 +315,7 @@ mod tests {
     fn text_that_is_none_is_refused_with_its_line() {
         let file = tempfile::NamedTempFile::new().unwrap();
         std::fs::write(file.path(), b"a\nb\n\xff\n").unwrap();
-        let Err(Stop::Refused(problem)) = read_text(file.path(), 100) else { panic!("read") };
+        let Err(CommandError::Refused(problem)) = read_text(file.path(), 100) else { panic!("read") };
         assert!(problem.contains(":3: found letters that are not UTF-8"), "{problem}");
         assert!(read_text(file.path(), 5).is_err(), "six bytes");
     }

@@ -2,9 +2,9 @@
 
 use super::files::read_text;
 use super::project::Project;
-use super::stop::{Status, Stop};
+use super::stop::{CommandError, Status};
 use crate::classics::jumper::inputs::{Climb, parse};
-use crate::classics::jumper::scene::{Keys, Scene};
+use crate::classics::jumper::scene::{JumpKeys, Scene};
 use crate::files::INPUTS;
 use crate::game::TICK_RATE;
 use crate::number::Shortest;
@@ -34,10 +34,10 @@ pub struct JumperArgs {
 ///
 /// # Errors
 /// Inputs that are refused, with file and line.
-pub fn run(args: &JumperArgs, _: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &JumperArgs, _: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let rows = match &args.inputs {
-        Some(path) => parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(Stop::Refused)?,
-        None => vec![Climb { ticks: TICKS_WITHOUT_INPUTS, keys: [Keys::default(); 2] }],
+        Some(path) => parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(CommandError::Refused)?,
+        None => vec![Climb { ticks: TICKS_WITHOUT_INPUTS, keys: [JumpKeys::default(); 2] }],
     };
     let mut scene = Scene::new(args.seed, args.players == 2);
     for row in rows {

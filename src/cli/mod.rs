@@ -20,7 +20,7 @@ mod tiles;
 mod verify;
 
 pub use project::Project;
-pub use stop::{Status, Stop};
+pub use stop::{CommandError, Status};
 
 use clap::Parser;
 use std::io::{self, Write};
@@ -48,13 +48,13 @@ enum Subcommand {
     /// Open the editor of a level
     Edit(edit::EditArgs),
     /// Load levels and print what is in them, or every problem
-    Check(check::Args),
+    Check(check::CheckArgs),
     /// Play a level without a window and print what that came to
     Run(run::RunArgs),
     /// Measure accuracy against speed and draw the charts
     Chart(chart::ChartArgs),
     /// Make a level folder that loads
-    New(new::Args),
+    New(new::NewArgs),
     /// Make one file of a level, with its pictures and flights, to be handed on
     Pack(pack::PackArgs),
     /// Install the level of such a file under levels/
@@ -75,14 +75,14 @@ pub fn main() -> ExitCode {
     let ended = dispatch(&cli, &mut out).and_then(|status| Ok(out.flush().map(|()| status)?));
     let status = match ended {
         Ok(status) => status,
-        Err(Stop::Refused(problem)) => {
+        Err(CommandError::Refused(problem)) => {
             // A closed standard error changes nothing.
             let _ = writeln!(io::stderr(), "{}", problem.trim_end());
             Status::Refused
         }
         // The reader of a pipe has seen enough.
-        Err(Stop::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => Status::Done,
-        Err(Stop::Output(error)) => {
+        Err(CommandError::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => Status::Done,
+        Err(CommandError::Output(error)) => {
             let _ = writeln!(io::stderr(), "cannot write the results: {error}");
             Status::Refused
         }
@@ -90,7 +90,7 @@ pub fn main() -> ExitCode {
     ExitCode::from(status as u8)
 }
 
-fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, Stop> {
+fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, CommandError> {
     let project = Project::find(cli.data.as_deref())?;
     match &cli.command {
         None => play::run(&play::PlayArgs::default(), &project, out),

@@ -1,7 +1,7 @@
 //! `resultant pack` and `resultant unpack`: a level as one file, and back.
 
 use super::project::Project;
-use super::stop::{Status, Stop, shown};
+use super::stop::{CommandError, Status, shown};
 use crate::files;
 use crate::level;
 use crate::pack::{self, Installed, Package};
@@ -34,20 +34,20 @@ pub struct UnpackArgs {
 
 /// # Errors
 /// A level that is refused or cannot be handed on, an existing file, the disk's; nothing is written then.
-pub fn pack(args: &PackArgs, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn pack(args: &PackArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let folder = project.level_folder(&args.level)?;
     let (package, left) = pack::gather(&folder, project.root()).map_err(refused)?;
-    let bytes = pack::write(&package).map_err(Stop::Refused)?;
+    let bytes = pack::write(&package).map_err(CommandError::Refused)?;
     let path = args.out.clone().unwrap_or_else(|| PathBuf::from(format!("{}.zip", package.name)));
     // An archive of `pack` can be read by `unpack`.
     pack::read(&bytes, &package.name)
-        .map_err(|problem| Stop::Refused(format!("{}: cannot be packed: {problem}", shown(folder.display()))))?;
+        .map_err(|problem| CommandError::Refused(format!("{}: cannot be packed: {problem}", shown(folder.display()))))?;
     files::create(&path, &bytes).map_err(|error| {
         let why = match error.kind() {
             io::ErrorKind::AlreadyExists => "there is a file of that name already".to_owned(),
             _ => error.to_string(),
         };
-        Stop::Refused(format!("{}: {why}", shown(path.display())))
+        CommandError::Refused(format!("{}: {why}", shown(path.display())))
     })?;
     let loaded = pack::check(&package, project.root()).map_err(refused)?;
     let stale = pack::stale(&folder, &Arc::new(loaded.level));
@@ -64,12 +64,12 @@ pub fn pack(args: &PackArgs, project: &Project, out: &mut dyn Write) -> Result<S
 
 /// # Errors
 /// A refused archive, level or name; an existing level of that name; nothing is written then.
-pub fn unpack(args: &UnpackArgs, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn unpack(args: &UnpackArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let named = shown(args.archive.display());
-    let mut package = open(&args.archive).map_err(|problem| Stop::Refused(format!("{named}: {problem}")))?;
+    let mut package = open(&args.archive).map_err(|problem| CommandError::Refused(format!("{named}: {problem}")))?;
     if let Some(name) = &args.name {
         if let Err(fault) = level::judge_name(name) {
-            return Err(Stop::Refused(format!("a level cannot be named {name:?}: expected {}", fault.expected())));
+            return Err(CommandError::Refused(format!("a level cannot be named {name:?}: expected {}", fault.expected())));
         }
         package.name.clone_from(name);
     }
@@ -104,7 +104,7 @@ fn counts(package: &Package) -> (usize, usize) {
     (package.files.len(), flights)
 }
 
-fn refused(problems: Vec<String>) -> Stop {
+fn refused(problems: Vec<String>) -> CommandError {
     let lines: Vec<String> = problems.iter().map(shown).collect();
-    Stop::Refused(lines.join("\n"))
+    CommandError::Refused(lines.join("\n"))
 }

@@ -1,7 +1,7 @@
 //! `resultant pi`: counts the collisions of two blocks and a wall.
 
 use super::project::Project;
-use super::stop::{Status, Stop};
+use super::stop::{CommandError, Status};
 use crate::classics::pi::{Blocks, count, step_through};
 use std::io::Write;
 use std::time::Instant;
@@ -35,10 +35,10 @@ pub struct PiArgs {
 
 /// # Errors
 /// A step that is not above 0 and finite, or too small.
-pub fn run(args: &PiArgs, _: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &PiArgs, _: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let started = Instant::now();
     let stepped = match args.dt {
-        Some(dt) => Some(step_through(args.n, dt, args.substeps).map_err(|problem| Stop::Refused(format!("--{problem}")))?),
+        Some(dt) => Some(step_through(args.n, dt, args.substeps).map_err(|problem| CommandError::Refused(format!("--{problem}")))?),
         None => None,
     };
     let stepped_seconds = started.elapsed().as_secs_f64();

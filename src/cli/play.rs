@@ -1,7 +1,7 @@
 //! `resultant` and `resultant play LEVEL`: opens the game.
 
 use super::project::Project;
-use super::stop::{Status, Stop};
+use super::stop::{CommandError, Status};
 #[cfg(feature = "window")]
 use crate::{
     cli::{files::read_text, stop::shown},
@@ -30,11 +30,11 @@ pub struct PlayArgs {
 /// # Errors
 /// A refused level or inputs; missing folders; no display.
 #[cfg(feature = "window")]
-pub fn run(args: &PlayArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &PlayArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
     for (what, folder) in [("levels", project.levels()), ("assets", project.assets())] {
         if !folder.is_dir() {
             let missing = folder.display();
-            return Err(Stop::Refused(format!(
+            return Err(CommandError::Refused(format!(
                 "there is no folder {missing}, which holds the game's {what}: say with --data DIR where assets/ and levels/ are"
             )));
         }
@@ -44,15 +44,15 @@ pub fn run(args: &PlayArgs, project: &Project, _out: &mut dyn Write) -> Result<S
 
 /// Returns when the window is closed.
 #[cfg(feature = "window")]
-pub fn show(project: &Project, start: Option<Start>) -> Result<Status, Stop> {
+pub fn show(project: &Project, start: Option<Start>) -> Result<Status, CommandError> {
     let places = Places { root: project.root().to_path_buf(), levels: project.levels(), scores: project.scores() };
-    open(places, start).map_err(Stop::Refused)?;
+    open(places, start).map_err(CommandError::Refused)?;
     Ok(Status::Done)
 }
 
 /// Before a window opens. An unfinished level is tried out, with its problems on standard error.
 #[cfg(feature = "window")]
-fn start(level: &OsStr, inputs: Option<&Path>, project: &Project) -> Result<Start, Stop> {
+fn start(level: &OsStr, inputs: Option<&Path>, project: &Project) -> Result<Start, CommandError> {
     let folder = project.level_folder(level)?;
     let loaded = match level::load(&folder, project.root()) {
         Ok(loaded) => loaded,
@@ -60,18 +60,19 @@ fn start(level: &OsStr, inputs: Option<&Path>, project: &Project) -> Result<Star
             let problems = level::told(&problems);
             let lines: String = problems.iter().map(|problem| format!("{}/{problem}\n", shown(level.display()))).collect();
             let unfinished = level::load_unfinished(&folder, project.root()).ok().filter(|_| inputs.is_none());
-            let Some(unfinished) = unfinished else { return Err(Stop::Refused(lines)) };
+            let Some(unfinished) = unfinished else { return Err(CommandError::Refused(lines)) };
             let _ =
                 writeln!(std::io::stderr(), "{lines}{}: not finished yet, its flights count for nothing", shown(level.display()));
             return Ok(Start::Test(folder, Arc::new(unfinished.level), problems));
         }
     };
-    let inputs = inputs.map(|file| Inputs::parse(&file.display().to_string(), &read_text(file, INPUTS)?).map_err(Stop::refused));
+    let inputs =
+        inputs.map(|file| Inputs::parse(&file.display().to_string(), &read_text(file, INPUTS)?).map_err(CommandError::refused));
     let attempt = Attempt { level: Arc::new(loaded.level), inputs: inputs.transpose()?.map(Arc::new), rivals: Vec::new() };
     Ok(Start::Play(folder, attempt))
 }
 
 #[cfg(not(feature = "window"))]
-pub fn run(_args: &PlayArgs, _project: &Project, _out: &mut dyn Write) -> Result<Status, Stop> {
-    Err(Stop::Refused("this build of resultant has no window: see --help for what it does without one".into()))
+pub fn run(_args: &PlayArgs, _project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
+    Err(CommandError::Refused("this build of resultant has no window: see --help for what it does without one".into()))
 }

@@ -1,4 +1,4 @@
-use super::stop::{Stop, shown};
+use super::stop::{CommandError, shown};
 use crate::level::{self, Level};
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
@@ -15,12 +15,12 @@ impl Project {
     ///
     /// # Errors
     /// `data` is no folder.
-    pub fn find(data: Option<&Path>) -> Result<Self, Stop> {
+    pub fn find(data: Option<&Path>) -> Result<Self, CommandError> {
         if let Some(data) = data {
             return if data.is_dir() {
                 Ok(Self { root: data.to_path_buf() })
             } else {
-                Err(Stop::Refused(format!("--data {}: there is no such folder", data.display())))
+                Err(CommandError::Refused(format!("--data {}: there is no such folder", data.display())))
             };
         }
         let executable = std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf));
@@ -54,7 +54,7 @@ impl Project {
     }
 
     /// A name under `levels/`, or any folder.
-    pub fn level_folder(&self, level: impl AsRef<Path>) -> Result<PathBuf, Stop> {
+    pub fn level_folder(&self, level: impl AsRef<Path>) -> Result<PathBuf, CommandError> {
         let level = level.as_ref();
         let listed = self.levels().join(level);
         // `.` and `..` are places, not names under levels/.
@@ -65,33 +65,34 @@ impl Project {
         if level.is_dir() {
             return Ok(level.to_path_buf());
         }
-        Err(Stop::Refused(format!("no level {level:?}: neither {} nor {level:?} is a folder", shown(listed.display()))))
+        Err(CommandError::Refused(format!("no level {level:?}: neither {} nor {level:?} is a folder", shown(listed.display()))))
     }
 
     /// The folder of a record's level: right below `levels/`, because a record may come from a stranger.
-    pub fn recorded_level(&self, level: &str) -> Result<PathBuf, Stop> {
+    pub fn recorded_level(&self, level: &str) -> Result<PathBuf, CommandError> {
         let mut parts = Path::new(level).components();
         let own = matches!((parts.next(), parts.next()), (Some(Component::Normal(own)), None) if own == level);
         if !own || level.contains('\\') {
             let expected = "expected the plain name of a folder below levels/";
-            return Err(Stop::Refused(format!("found a record of the level {level:?}, {expected}")));
+            return Err(CommandError::Refused(format!("found a record of the level {level:?}, {expected}")));
         }
         let folder = self.levels().join(level);
         if folder.is_dir() {
             Ok(folder)
         } else {
-            Err(Stop::Refused(format!("no level {level:?}: {} is no folder", shown(folder.display()))))
+            Err(CommandError::Refused(format!("no level {level:?}: {} is no folder", shown(folder.display()))))
         }
     }
 
     /// The error lists every problem.
-    pub fn load_level(&self, name: impl AsRef<Path>) -> Result<Arc<Level>, Stop> {
+    pub fn load_level(&self, name: impl AsRef<Path>) -> Result<Arc<Level>, CommandError> {
         self.load_folder(&self.level_folder(name)?)
     }
 
     /// The error lists every problem.
-    pub fn load_folder(&self, folder: &Path) -> Result<Arc<Level>, Stop> {
-        let loaded = level::load(folder, &self.root).map_err(|problems| Stop::Refused(level::told(&problems).join("\n")))?;
+    pub fn load_folder(&self, folder: &Path) -> Result<Arc<Level>, CommandError> {
+        let loaded =
+            level::load(folder, &self.root).map_err(|problems| CommandError::Refused(level::told(&problems).join("\n")))?;
         Ok(Arc::new(loaded.level))
     }
 }
@@ -123,10 +124,12 @@ mod tests {
         assert_eq!(project.recorded_level("7").unwrap(), data.path().join("levels").join("7"));
         let absolute = data.path().join("evil");
         for away in ["", ".", "..", "../evil", "7/..", "7/deep", "./7", "7/", "..\\evil", absolute.to_str().unwrap()] {
-            let Err(Stop::Refused(problem)) = project.recorded_level(away) else { panic!("{away:?} leads somewhere") };
+            let Err(CommandError::Refused(problem)) = project.recorded_level(away) else { panic!("{away:?} leads somewhere") };
             assert!(problem.contains("expected the plain name"), "{problem}");
         }
-        assert!(matches!(project.recorded_level("8"), Err(Stop::Refused(problem)) if problem.starts_with("no level \"8\"")));
+        assert!(
+            matches!(project.recorded_level("8"), Err(CommandError::Refused(problem)) if problem.starts_with("no level \"8\""))
+        );
     }
 
     #[test]

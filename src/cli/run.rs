@@ -3,7 +3,7 @@
 use super::files::{OutputFile, Staged, read_text};
 use super::forces::Forces;
 use super::project::Project;
-use super::stop::{Status, Stop};
+use super::stop::{CommandError, Status};
 use super::telemetry::Telemetry;
 use crate::files::INPUTS;
 use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Recorder, SHIP, TICK_RATE};
@@ -75,16 +75,16 @@ fn parse_tick_rate(text: &str) -> Result<f64, String> {
 ///
 /// # Errors
 /// A refused level or inputs, more than [`MOST_TICKS`], an output that cannot be written or is an input; nothing was run then.
-pub fn run(args: &RunArgs, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &RunArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let level = project.load_level(&args.level)?;
     let inputs = match &args.inputs {
-        Some(path) => Some(Inputs::parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(Stop::refused)?),
+        Some(path) => Some(Inputs::parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(CommandError::refused)?),
         None => None,
     };
     let last = last_tick(args, inputs.as_ref())?;
     let mut read = level_files(&project.level_folder(&args.level)?, &level);
     read.extend(args.inputs.clone());
-    let mut game = Game::with_tick_rate(level, args.tick).map_err(Stop::refused)?;
+    let mut game = Game::with_tick_rate(level, args.tick).map_err(CommandError::refused)?;
     let outputs =
         [("--telemetry", args.telemetry.as_deref()), ("--forces", args.forces.as_deref()), ("--record", args.record.as_deref())];
     let [telemetry, forces, record] = OutputFile::create_all(outputs, &read)?;
@@ -114,7 +114,7 @@ fn level_files(folder: &Path, level: &Level) -> Vec<PathBuf> {
     FILES.iter().map(|file| folder.join(file)).chain(level.pictures().cloned()).collect()
 }
 
-fn last_tick(args: &RunArgs, inputs: Option<&Inputs>) -> Result<u64, Stop> {
+fn last_tick(args: &RunArgs, inputs: Option<&Inputs>) -> Result<u64, CommandError> {
     let seconds = match (args.seconds, inputs) {
         (Some(seconds), _) => seconds,
         (None, Some(inputs)) => return Ok(inputs.ticks()),
@@ -123,7 +123,7 @@ fn last_tick(args: &RunArgs, inputs: Option<&Inputs>) -> Result<u64, Stop> {
     let ticks = (seconds * args.tick - WHOLE_TICK).ceil().max(0.0);
     if ticks > MOST_TICKS as f64 {
         let RunArgs { tick, .. } = args;
-        return Err(Stop::Refused(format!("{seconds} s of {tick} ticks a second, expected at most {MOST_TICKS} ticks")));
+        return Err(CommandError::Refused(format!("{seconds} s of {tick} ticks a second, expected at most {MOST_TICKS} ticks")));
     }
     Ok(ticks as u64)
 }
@@ -145,7 +145,7 @@ impl Written {
         Ok(())
     }
 
-    fn stage(self) -> Result<Vec<Staged>, Stop> {
+    fn stage(self) -> Result<Vec<Staged>, CommandError> {
         let telemetry = self.telemetry.map(Telemetry::into_inner).transpose()?;
         let forces = self.forces.map(Forces::into_inner).transpose()?;
         telemetry.into_iter().chain(forces).map(OutputFile::stage).collect()

@@ -15,20 +15,20 @@ pub enum Status {
 }
 
 #[derive(Debug)]
-pub enum Stop {
+pub enum CommandError {
     /// With the reason, a line a problem; ends with [`Status::Refused`].
     Refused(String),
     /// Ends with [`Status::Refused`], too.
     Output(io::Error),
 }
 
-impl Stop {
+impl CommandError {
     pub fn refused(reason: impl Display) -> Self {
         Self::Refused(reason.to_string())
     }
 }
 
-impl From<io::Error> for Stop {
+impl From<io::Error> for CommandError {
     /// For `?` behind `write!` to the output. Any other fault of reading or writing wants a message with its path.
     fn from(error: io::Error) -> Self {
         Self::Output(error)

@@ -2,7 +2,7 @@
 
 use super::files::read_text;
 use super::project::Project;
-use super::stop::{Status, Stop};
+use super::stop::{CommandError, Status};
 use crate::classics::tile_run::{Command, InputError, Map, Runner};
 use crate::files::{TILE_COMMANDS, TILE_MAP};
 use crate::number::Shortest;
@@ -26,7 +26,7 @@ pub struct TilesArgs {
 
 /// # Errors
 /// A refused file, with file and line; nothing was run then.
-pub fn run(args: &TilesArgs, _: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &TilesArgs, _: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let map = read(&args.map, TILE_MAP, Map::parse)?;
     let commands = read(&args.commands, TILE_COMMANDS, Command::parse_all)?;
     let mut runner = Runner::new(&map);
@@ -41,8 +41,8 @@ pub fn run(args: &TilesArgs, _: &Project, out: &mut dyn Write) -> Result<Status,
     Ok(Status::Done)
 }
 
-fn read<T>(path: &Path, at_most: u64, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, Stop> {
-    parse(&read_text(path, at_most)?).map_err(|error| Stop::Refused(format!("{}:{error}", path.display())))
+fn read<T>(path: &Path, at_most: u64, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, CommandError> {
+    parse(&read_text(path, at_most)?).map_err(|error| CommandError::Refused(format!("{}:{error}", path.display())))
 }
 
 fn write_frame(out: &mut dyn Write, frame: usize, runner: &Runner) -> io::Result<()> {

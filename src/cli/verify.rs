@@ -3,7 +3,7 @@
 use super::earned;
 use super::files::read_text;
 use super::project::Project;
-use super::stop::{Readers, Status, Stop, shown};
+use super::stop::{CommandError, Readers, Status, shown};
 use crate::files::INPUTS;
 use crate::game::{Mismatch, PROGRAM, Replay};
 use crate::level::Level;
@@ -31,7 +31,7 @@ pub struct VerifyArgs {
 ///
 /// # Errors
 /// A replay that cannot be read, or whose level is refused; none is flown then.
-pub fn run(args: &VerifyArgs, project: &Project, out: &mut dyn Write) -> Result<Status, Stop> {
+pub fn run(args: &VerifyArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     if args.scores {
         return earned::run(project, out);
     }
@@ -40,12 +40,12 @@ pub fn run(args: &VerifyArgs, project: &Project, out: &mut dyn Write) -> Result<
         let name = shown(path.display());
         match read(project, path) {
             Ok((replay, level)) => replays.push((name, replay, level)),
-            Err(Stop::Refused(problem)) => problems.push(problem),
+            Err(CommandError::Refused(problem)) => problems.push(problem),
             Err(other) => return Err(other),
         }
     }
     if !problems.is_empty() {
-        return Err(Stop::Refused(problems.join("\n")));
+        return Err(CommandError::Refused(problems.join("\n")));
     }
 
     let mut status = Status::Done;
@@ -74,7 +74,7 @@ pub fn run(args: &VerifyArgs, project: &Project, out: &mut dyn Write) -> Result<
 }
 
 /// Flies a record and reports the progress from time to time.
-fn fly(name: &str, replay: &Replay, level: Arc<Level>, err: &mut dyn Write) -> Result<Result<(), Mismatch>, Stop> {
+fn fly(name: &str, replay: &Replay, level: Arc<Level>, err: &mut dyn Write) -> Result<Result<(), Mismatch>, CommandError> {
     let (ticks, mut last) = (replay.inputs.ticks(), Instant::now());
     let flown = replay.verify(level, |game| {
         if game.ticks().is_multiple_of(TICKS_A_LOOK) && last.elapsed() >= SILENCE {
@@ -83,13 +83,13 @@ fn fly(name: &str, replay: &Replay, level: Arc<Level>, err: &mut dyn Write) -> R
             let _ = writeln!(err, "{name}: {} of {ticks} ticks flown", game.ticks());
         }
     });
-    flown.map_err(|error| Stop::Refused(format!("{name}: {error}")))
+    flown.map_err(|error| CommandError::Refused(format!("{name}: {error}")))
 }
 
-fn read(project: &Project, path: &std::path::Path) -> Result<(Replay, Arc<Level>), Stop> {
-    let replay = Replay::parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(Stop::refused)?;
+fn read(project: &Project, path: &std::path::Path) -> Result<(Replay, Arc<Level>), CommandError> {
+    let replay = Replay::parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(CommandError::refused)?;
     let named = |stop| match stop {
-        Stop::Refused(problem) => Stop::Refused(format!("{}: {problem}", shown(path.display()))),
+        CommandError::Refused(problem) => CommandError::Refused(format!("{}: {problem}", shown(path.display()))),
         other => other,
     };
     let level = project.recorded_level(&replay.level).and_then(|folder| project.load_folder(&folder)).map_err(named)?;

@@ -1,7 +1,7 @@
 //! Locks between programs. The system frees a lock when its process ends. The lock file stays: were it deleted, two processes could
 //! lock two different files of that name.
 
-use super::read::{Links, open};
+use super::read::{Symlinks, open};
 use super::staged::around;
 use std::cell::Cell;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -63,8 +63,8 @@ fn open_lock(path: &Path) -> io::Result<File> {
         Err(error) => return Err(error),
     }
     // The file only carries the lock: of another user's file, a reader's rights are enough.
-    let opened = open(OpenOptions::new().write(true), path, Links::Never);
-    opened.or_else(|_| open(OpenOptions::new().read(true), path, Links::Never)).map(|(file, _)| file)
+    let opened = open(OpenOptions::new().write(true), path, Symlinks::Never);
+    opened.or_else(|_| open(OpenOptions::new().read(true), path, Symlinks::Never)).map(|(file, _)| file)
 }
 
 /// Lets every user who may write in the folder read and write the file, against the process' umask. Other users keep their rights,

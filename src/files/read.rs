@@ -6,7 +6,7 @@ use std::path::Path;
 
 /// The meaning of a symbolic link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Links {
+pub enum Symlinks {
     /// The file at the link's end.
     Followed,
     /// The link itself: it is no file to read, and a new file replaces it. For hidden files of the game, in a folder that a
@@ -20,11 +20,11 @@ pub enum Links {
 /// # Errors
 /// No regular file, or a larger one; the system's.
 pub fn read(path: &Path, at_most: u64) -> io::Result<Vec<u8>> {
-    read_with(path, at_most, Links::Followed)
+    read_with(path, at_most, Symlinks::Followed)
 }
 
 /// As [`read`], with the meaning of links.
-pub fn read_with(path: &Path, at_most: u64, links: Links) -> io::Result<Vec<u8>> {
+pub fn read_with(path: &Path, at_most: u64, links: Symlinks) -> io::Result<Vec<u8>> {
     let file = if is_passed_on(path) {
         File::open(path)?
     } else {
@@ -44,16 +44,16 @@ pub fn read_with(path: &Path, at_most: u64, links: Links) -> io::Result<Vec<u8>>
 ///
 /// # Errors
 /// No regular file; the system's.
-pub fn open(options: &OpenOptions, path: &Path, links: Links) -> io::Result<(File, Metadata)> {
+pub fn open(options: &OpenOptions, path: &Path, links: Symlinks) -> io::Result<(File, Metadata)> {
     judge(&match links {
-        Links::Followed => fs::metadata(path)?,
-        Links::Never => fs::symlink_metadata(path)?,
+        Symlinks::Followed => fs::metadata(path)?,
+        Symlinks::Never => fs::symlink_metadata(path)?,
     })?;
     let mut options = options.clone();
     #[cfg(unix)]
     {
         use std::os::unix::fs::OpenOptionsExt;
-        let never = if links == Links::Never { libc::O_NOFOLLOW } else { 0 };
+        let never = if links == Symlinks::Never { libc::O_NOFOLLOW } else { 0 };
         options.custom_flags(libc::O_NONBLOCK | never);
     }
     let file = options.open(path)?;

@@ -2,7 +2,7 @@
 //! once it is on the disk. The staged file is created exclusively, so that no link is followed, and locked: the next write in the
 //! folder removes one without a lock, which a killed process has left.
 
-use super::read::{Links, judge, open};
+use super::read::{Symlinks, judge, open};
 use std::fs::{self, File, Metadata, OpenOptions, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -35,7 +35,7 @@ impl Replacement {
     ///
     /// # Errors
     /// A read-only file; no regular file; a link without a target; the system's.
-    pub fn begin(path: &Path, links: Links) -> io::Result<Self> {
+    pub fn begin(path: &Path, links: Symlinks) -> io::Result<Self> {
         let (target, found) = target(path, links)?;
         // Other users cannot read the new content before it has the old file's mode.
         let staged = stage(around(&target), if found.is_some() { 0o600 } else { 0o666 })?;
@@ -95,7 +95,7 @@ impl Replacement {
 }
 
 /// Replaces a file's content, on the disk when this returns. The file keeps its mode, and after an error its content.
-pub fn replace(path: &Path, bytes: &[u8], links: Links) -> io::Result<()> {
+pub fn replace(path: &Path, bytes: &[u8], links: Symlinks) -> io::Result<()> {
     let mut fresh = Replacement::begin(path, links)?;
     fresh.file().write_all(bytes)?;
     fresh.seal()?;
@@ -158,7 +158,7 @@ pub fn put(path: &Path, bytes: &[u8]) -> io::Result<()> {
 
 /// Copies a regular file into a folder that is being filled.
 pub fn copy(from: &Path, to: &Path) -> io::Result<()> {
-    let (mut from, _) = open(OpenOptions::new().read(true), from, Links::Followed)?;
+    let (mut from, _) = open(OpenOptions::new().read(true), from, Symlinks::Followed)?;
     let mut file = File::create_new(to)?;
     io::copy(&mut from, &mut file)?;
     file.sync_all()
@@ -199,11 +199,11 @@ pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
 ///
 /// # Errors
 /// A read-only file; no regular file; a link without a target; the system's.
-pub fn target(path: &Path, links: Links) -> io::Result<(PathBuf, Option<Metadata>)> {
-    let target = if links == Links::Followed { behind_links(path)? } else { path.to_path_buf() };
+pub fn target(path: &Path, links: Symlinks) -> io::Result<(PathBuf, Option<Metadata>)> {
+    let target = if links == Symlinks::Followed { behind_links(path)? } else { path.to_path_buf() };
     let found = match fs::symlink_metadata(&target) {
         // A pipe or link in that place is replaced, too: a rename does not open it.
-        Ok(found) if links == Links::Never && !found.is_file() => None,
+        Ok(found) if links == Symlinks::Never && !found.is_file() => None,
         Ok(found) => Some(found),
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
         Err(error) => return Err(error),
@@ -258,7 +258,7 @@ fn sweep(folder: &Path) {
         let opened = if found.is_dir() {
             open_folder(&path)
         } else {
-            open(OpenOptions::new().read(true), &path, Links::Never).map(|(file, _)| file)
+            open(OpenOptions::new().read(true), &path, Symlinks::Never).map(|(file, _)| file)
         };
         let Ok(left) = opened else { continue };
         if left.try_lock().is_ok() {
@@ -301,14 +301,14 @@ mod tests {
     fn what_a_killed_process_left_staged_goes_and_what_is_in_use_stays() {
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);
-        let mut used = Replacement::begin(&path("a"), Links::Followed).unwrap();
+        let mut used = Replacement::begin(&path("a"), Symlinks::Followed).unwrap();
         used.file().write_all(b"used").unwrap();
         fs::write(path(".resultant-aB3dE6gH.new"), "half").unwrap();
         fs::create_dir(path(".resultant-12345678.new")).unwrap();
         fs::write(path(".resultant-12345678.new/world.csv"), "half").unwrap();
         let others = [".resultant-aB3dE6g.new", ".resultant-aB3dE6gH.new2", ".resultant-../dE6g.new", "resultant-aB3dE6gH.new"];
         others.iter().filter(|name| !name.contains('/')).for_each(|name| fs::write(path(name), "kept").unwrap());
-        replace(&path("b"), b"new", Links::Followed).unwrap();
+        replace(&path("b"), b"new", Symlinks::Followed).unwrap();
         let left = names(folder.path());
         assert!(
             !left.iter().any(|name| name.contains("aB3dE6gH.new") && name.len() == 23 || name.contains("12345678")),
@@ -340,16 +340,16 @@ mod tests {
         fs::write(path("mine"), "mine").unwrap();
         symlink("mine", path("link")).unwrap();
         symlink("mine", path(".resultant-aB3dE6gH.new")).unwrap();
-        replace(&path("link"), b"followed", Links::Followed).unwrap();
+        replace(&path("link"), b"followed", Symlinks::Followed).unwrap();
         assert_eq!(fs::read(path("mine")).unwrap(), b"followed");
-        replace(&path("link"), b"replaced", Links::Never).unwrap();
+        replace(&path("link"), b"replaced", Symlinks::Never).unwrap();
         assert_eq!(
             (fs::read(path("mine")).unwrap(), fs::read(path("link")).unwrap()),
             (b"followed".to_vec(), b"replaced".to_vec())
         );
         assert!(!path("link").is_symlink() && path(".resultant-aB3dE6gH.new").is_symlink());
         symlink("nowhere", path("lost")).unwrap();
-        assert_eq!(replace(&path("lost"), b"", Links::Followed).unwrap_err().to_string(), "a link that leads to no file");
+        assert_eq!(replace(&path("lost"), b"", Symlinks::Followed).unwrap_err().to_string(), "a link that leads to no file");
         assert_eq!(create(&path("lost"), b"").unwrap_err().kind(), io::ErrorKind::AlreadyExists);
     }
 }

@@ -54,4 +54,4 @@ pub use replay::{Mismatch, PROGRAM, Recorder, Replay};
 pub use score::{RunResult, ScoreParts};
 pub use ship::{BURN_RATE, ROTATION_RATE, SHIP, Ship, nose};
 pub use touch::TOUCH;
-pub use track::{Pose, Track};
+pub use track::{GhostPose, GhostTrack};

@@ -10,7 +10,7 @@ use crate::physics::DVec2;
 use std::sync::Arc;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pose {
+pub struct GhostPose {
     /// m.
     pub centre: DVec2,
     /// Clockwise, degrees.
@@ -19,8 +19,8 @@ pub struct Pose {
 
 /// Known as far as it has been flown.
 #[derive(Clone, Debug)]
-pub struct Track {
-    poses: Vec<Pose>,
+pub struct GhostTrack {
+    poses: Vec<GhostPose>,
     /// By objective, ticks on the clock until it is met for the first time.
     met: Vec<Option<u64>>,
     /// Ticks before the clock starts.
@@ -29,7 +29,7 @@ pub struct Track {
     ahead: Option<(Box<Game>, Playback)>,
 }
 
-impl Track {
+impl GhostTrack {
     /// Only the start is known.
     pub fn new(level: Arc<Level>, inputs: &Inputs) -> Result<Self, GameError> {
         let game = Game::new(level)?;
@@ -72,11 +72,11 @@ impl Track {
     }
 
     /// The pose between the tick before `tick` (`alpha` 0) and that tick (1); once the flight is over, its last pose.
-    pub fn pose(&self, tick: u64, alpha: f64) -> Pose {
+    pub fn pose(&self, tick: u64, alpha: f64) -> GhostPose {
         let at = |tick: u64| self.poses[(tick as usize).min(self.poses.len() - 1)];
         let (from, to) = (at(tick.saturating_sub(1)), at(tick));
         let turn = (to.angle - from.angle + 180.0).rem_euclid(360.0) - 180.0;
-        Pose { centre: from.centre.lerp(to.centre, alpha), angle: from.angle + turn * alpha }
+        GhostPose { centre: from.centre.lerp(to.centre, alpha), angle: from.angle + turn * alpha }
     }
 
     /// The tick of this flight with the same time on the clock as the game; before the game's clock starts, the tick from which it
@@ -91,6 +91,6 @@ impl Track {
     }
 }
 
-fn pose(game: &Game) -> Pose {
-    Pose { centre: game.world().body(SHIP).position, angle: game.ship().angle }
+fn pose(game: &Game) -> GhostPose {
+    GhostPose { centre: game.world().body(SHIP).position, angle: game.ship().angle }
 }

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::error::ScoresError;
-use crate::files::{self, Links, Lock, Replacement, share, sync_folder};
+use crate::files::{self, Lock, Replacement, Symlinks, share, sync_folder};
 
 const WAITING: &str = "waiting";
 
@@ -22,7 +22,7 @@ pub struct Rescue {
     pub kept: PathBuf,
 }
 
-pub(super) struct FileChange<T> {
+pub(super) struct ScoresChange<T> {
     /// The whole file.
     pub bytes: Vec<u8>,
     /// The unreadable places of the old content, which the new one lacks.
@@ -62,11 +62,11 @@ pub(super) fn update<T>(
     folder: &Path,
     path: PathBuf,
     patience: Duration,
-    change: impl FnOnce(&Path, &[u8]) -> Result<FileChange<T>, ScoresError>,
+    change: impl FnOnce(&Path, &[u8]) -> Result<ScoresChange<T>, ScoresError>,
 ) -> Result<(T, Option<Rescue>), ScoresError> {
     let Locked { path, _lock, .. } = Locked::new(folder, path, patience)?;
     let old = read_if_there(&path)?;
-    let FileChange { bytes: new, damage, taken_up, outcome } = change(&path, old.as_deref().unwrap_or_default())?;
+    let ScoresChange { bytes: new, damage, taken_up, outcome } = change(&path, old.as_deref().unwrap_or_default())?;
     if new.len() as u64 > files::SCORES {
         return Err(ScoresError::Full(path));
     }
@@ -159,7 +159,7 @@ pub(super) fn append(
 fn open_for_lines(path: &Path) -> io::Result<File> {
     let mut options = OpenOptions::new();
     options.read(true).append(true);
-    match files::open(&options, path, Links::Followed) {
+    match files::open(&options, path, Symlinks::Followed) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => options.create_new(true).open(path),
         opened => opened.map(|(file, _)| file),
     }
@@ -179,7 +179,7 @@ pub(super) fn waiting(path: &Path) -> Vec<(PathBuf, Vec<u8>)> {
     let named = entries.filter(|entry| entry.file_name().to_string_lossy().starts_with(&beginning));
     let mut paths: Vec<PathBuf> = named.map(|entry| entry.path()).collect();
     paths.sort();
-    let read = |path: PathBuf| files::read_with(&path, files::SCORES, Links::Never).ok().map(|bytes| (path, bytes));
+    let read = |path: PathBuf| files::read_with(&path, files::SCORES, Symlinks::Never).ok().map(|bytes| (path, bytes));
     paths.into_iter().filter_map(read).collect()
 }
 
@@ -246,7 +246,7 @@ fn stage(path: &Path, bytes: &[u8]) -> Result<Replacement, ScoresError> {
     if fs::metadata(path).is_ok_and(|found| found.is_file() && found.permissions().readonly()) {
         return Err(ScoresError::ReadOnly(path.to_owned()));
     }
-    let written = Replacement::begin(path, Links::Followed).and_then(|mut staged| {
+    let written = Replacement::begin(path, Symlinks::Followed).and_then(|mut staged| {
         staged.file().write_all(bytes)?;
         if staged.is_new() {
             share(path.parent().unwrap_or(path), staged.file(), false)?;

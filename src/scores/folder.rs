@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use super::attempts::{self, AttemptRow};
 use super::board::{Board, Placement};
-use super::disk::{self, FileChange, Rescue};
+use super::disk::{self, Rescue, ScoresChange};
 use super::error::ScoresError;
 use super::name::Name;
 use super::origin::RowOrigin;
@@ -119,7 +119,7 @@ impl Scores {
                 board.set_origin(name, &origin);
             }
             let bytes = table::write(&board).map_err(ScoresError::file("write the new scores", path))?;
-            Ok(FileChange { bytes, damage, taken_up: Vec::new(), outcome: (board, placement) })
+            Ok(ScoresChange { bytes, damage, taken_up: Vec::new(), outcome: (board, placement) })
         })?;
         Ok(Saved { board, placement, rescue })
     }
@@ -168,7 +168,7 @@ impl Scores {
                 let (mut aside, damage) = table::read(path, old);
                 rows.iter().for_each(|(_, row)| aside.merge(row));
                 let bytes = table::write(&aside).map_err(ScoresError::file("write the scores kept aside", path))?;
-                Ok(FileChange { bytes, damage, taken_up: Vec::new(), outcome: () })
+                Ok(ScoresChange { bytes, damage, taken_up: Vec::new(), outcome: () })
             })?;
         }
         Ok(())
@@ -212,7 +212,7 @@ impl Scores {
             }
             deeds.iter().for_each(|deed| players.apply(deed));
             let bytes = players::write(&players).map_err(ScoresError::file("write the new scores", path))?;
-            Ok(FileChange { bytes, damage, taken_up, outcome: players })
+            Ok(ScoresChange { bytes, damage, taken_up, outcome: players })
         })
     }
 

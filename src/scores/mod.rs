@@ -23,4 +23,4 @@ pub use folder::{LoadedBoard, Saved, Score, Scores};
 pub use judge::{IN_TURN, Judge, TURN};
 pub use name::{NAME_MAX, NAME_TYPING_MAX, Name, NameError};
 pub use origin::RowOrigin;
-pub use players::{Deed, Player, Players};
+pub use players::{Deed, PlayerRecord, Players};

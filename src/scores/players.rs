@@ -39,12 +39,12 @@ struct Done {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub struct Player {
+pub struct PlayerRecord {
     name: Name,
     done: BTreeMap<String, Done>,
 }
 
-impl Player {
+impl PlayerRecord {
     pub fn new(name: Name) -> Self {
         Self { name, done: BTreeMap::new() }
     }
@@ -91,15 +91,15 @@ pub enum Deed {
 /// The player chosen last comes first.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Players {
-    players: Vec<Player>,
+    players: Vec<PlayerRecord>,
 }
 
 impl Players {
-    pub fn all(&self) -> &[Player] {
+    pub fn all(&self) -> &[PlayerRecord] {
         &self.players
     }
 
-    pub fn get(&self, name: &Name) -> Option<&Player> {
+    pub fn get(&self, name: &Name) -> Option<&PlayerRecord> {
         self.players.iter().find(|player| player.name == *name)
     }
 
@@ -122,13 +122,13 @@ impl Players {
 
     /// The order of the players stays.
     pub(super) fn merge(&mut self, others: Self) {
-        for Player { name, done } in others.players {
+        for PlayerRecord { name, done } in others.players {
             let player = self.player(&name);
             done.into_iter().for_each(|(level, done)| player.complete(&level, done));
         }
     }
 
-    fn player(&mut self, name: &Name) -> &mut Player {
+    fn player(&mut self, name: &Name) -> &mut PlayerRecord {
         let index = self.index(name);
         &mut self.players[index]
     }
@@ -136,7 +136,7 @@ impl Players {
     /// A new player is the last.
     fn index(&mut self, name: &Name) -> usize {
         self.players.iter().position(|player| player.name == *name).unwrap_or_else(|| {
-            self.players.push(Player::new(name.clone()));
+            self.players.push(PlayerRecord::new(name.clone()));
             self.players.len() - 1
         })
     }
@@ -214,7 +214,7 @@ fn seconds(cell: &str) -> Option<f64> {
 pub(super) fn write(players: &Players) -> io::Result<Vec<u8>> {
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
     writer.write_record(FILE.columns)?;
-    for Player { name, done } in &players.players {
+    for PlayerRecord { name, done } in &players.players {
         let player = name.as_str();
         writer.serialize(PlayerCells { player, level: "".into(), time: "".into(), medal: "", mark: "" })?;
         for (level, Done { time, medal, mark }) in done {

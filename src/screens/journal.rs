@@ -2,7 +2,7 @@
 
 use crate::game::{Game, Medals, Outcome, RunResult};
 use crate::number::{clock, hundredths};
-use crate::scores::{AttemptRow, Deed, Name, PATIENCE, Player, Players, Rescue, Scores, ScoresError};
+use crate::scores::{AttemptRow, Deed, Name, PATIENCE, PlayerRecord, Players, Rescue, Scores, ScoresError};
 use std::collections::VecDeque;
 use std::time::Duration;
 
@@ -75,7 +75,7 @@ impl Journal {
         &self.players
     }
 
-    fn player(&self) -> Option<&Player> {
+    fn player(&self) -> Option<&PlayerRecord> {
         self.players.get(&self.current)
     }
 

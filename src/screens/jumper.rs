@@ -4,7 +4,7 @@ use super::input::KeyLatch;
 use super::leaderboard::Onward;
 use super::{Classic, Gain, Input, Key, Keys, Motion, Noise, Request, Screen};
 use crate::classics::jumper::engine::Hit;
-use crate::classics::jumper::scene::Keys as Held;
+use crate::classics::jumper::scene::JumpKeys;
 use crate::classics::jumper::scene::{LEADERBOARD, Scene};
 use crate::draw::layout::{Area, BUTTON_TEXT, GAP, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
 use crate::game::{Clock, TICK_RATE};
@@ -167,18 +167,18 @@ impl Jumper {
 }
 
 /// Who holds what: alone, either half of the keyboard will do.
-fn held(keys: Keys, two: bool) -> [Held; 2] {
-    let letters = Held { left: keys.has(Key::A), right: keys.has(Key::D), jump: keys.has(Key::W) };
-    let arrows = Held { left: keys.has(Key::Left), right: keys.has(Key::Right), jump: keys.has(Key::Up) };
+fn held(keys: Keys, two: bool) -> [JumpKeys; 2] {
+    let letters = JumpKeys { left: keys.has(Key::A), right: keys.has(Key::D), jump: keys.has(Key::W) };
+    let arrows = JumpKeys { left: keys.has(Key::Left), right: keys.has(Key::Right), jump: keys.has(Key::Up) };
     if two {
         return [letters, arrows];
     }
-    let either = Held {
+    let either = JumpKeys {
         left: letters.left || arrows.left,
         right: letters.right || arrows.right,
         jump: letters.jump || arrows.jump || keys.has(Key::Space),
     };
-    [either, Held::default()]
+    [either, JumpKeys::default()]
 }
 
 impl Screen for Jumper {

@@ -5,7 +5,7 @@ use super::scroll::bar_beside;
 use super::{Key, Request, Screen};
 use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, GAP, PADDING, TEXT, Vec2};
-use crate::scores::{Name, Player, Players};
+use crate::scores::{Name, PlayerRecord, Players};
 use crate::ui::{Rows, Ui};
 use crate::view::{theme, widgets};
 
@@ -43,7 +43,7 @@ pub struct PlayerList {
 impl PlayerList {
     /// The players that are known, and the one who plays now. Without any there is only the field.
     pub fn new(known: &Players, current: &Name, trouble: Option<String>) -> Self {
-        let candidate = |player: &Player| Candidate { name: player.name().clone(), done: player.done() };
+        let candidate = |player: &PlayerRecord| Candidate { name: player.name().clone(), done: player.done() };
         let mut candidates: Vec<Candidate> = known.all().iter().map(candidate).collect();
         candidates.sort_by_key(|candidate| candidate.name.as_str().to_lowercase());
         let field = candidates.is_empty().then(|| NameField::new(""));

@@ -1,6 +1,6 @@
 //! Those who fly along: recorded flights as ghosts, and how the ship stands to them at each objective.
 
-use crate::game::{Game, GameError, GameEvent, Inputs, Outcome, Pose, Track};
+use crate::game::{Game, GameError, GameEvent, GhostPose, GhostTrack, Inputs, Outcome};
 use crate::level::Level;
 use crate::number::{fixed, hundredths};
 use std::sync::Arc;
@@ -26,7 +26,7 @@ pub struct Rival {
 pub struct Ghost {
     /// Whose flight it is.
     pub name: String,
-    track: Track,
+    track: GhostTrack,
 }
 
 /// An objective that the ship has met.
@@ -64,7 +64,7 @@ impl Race {
     /// As [`Game::new`].
     pub fn new(level: &Arc<Level>, rivals: &[Rival]) -> Result<Option<Self>, GameError> {
         let ghost = |rival: &Rival| {
-            let track = Track::new(level.clone(), &rival.inputs)?;
+            let track = GhostTrack::new(level.clone(), &rival.inputs)?;
             Ok(Ghost { name: rival.name.clone(), track })
         };
         let ghosts = rivals.iter().take(MOST_RIVALS).map(ghost).collect::<Result<Vec<_>, GameError>>()?;
@@ -97,7 +97,7 @@ impl Race {
     }
 
     /// The ghosts, each with where it is drawn beside that game, if its flight is not over yet or has reached its goal.
-    pub fn ghosts(&self, game: &Game, alpha: f64) -> impl Iterator<Item = (&Ghost, Pose)> {
+    pub fn ghosts(&self, game: &Game, alpha: f64) -> impl Iterator<Item = (&Ghost, GhostPose)> {
         self.ghosts.iter().filter_map(move |ghost| {
             let (track, tick) = (&ghost.track, ghost.track.beside(game));
             // One that waits for the game's clock does not move.

@@ -4,7 +4,7 @@
 use super::item::Item;
 use super::keys::{Action, Key};
 use super::values::Settings;
-use crate::files::{self, CsvFile, CsvRow, Links, Lock, PATIENCE, SETTINGS};
+use crate::files::{self, CsvFile, CsvRow, Lock, PATIENCE, SETTINGS, Symlinks};
 use std::fs;
 use std::io;
 use std::path::PathBuf;
@@ -15,12 +15,12 @@ const LEAST_CELLS: usize = 2;
 const FILE: CsvFile<'_> = CsvFile { name: "settings.csv", columns: &["setting", "value", "player"], comments: true };
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Setting {
+enum SettingRow {
     Key(Action),
     Item(Item),
 }
 
-impl Setting {
+impl SettingRow {
     fn all() -> impl Iterator<Item = Self> {
         Action::ALL.into_iter().map(Self::Key).chain(Item::ALL.into_iter().map(Self::Item))
     }
@@ -100,8 +100,8 @@ fn set(row: &CsvRow<'_>, settings: &mut Settings) -> Result<(), String> {
         Ok(_) => {}
     }
     let (setting, value) = (row.get("setting"), row.get("value"));
-    let Some(target) = Setting::named(setting) else {
-        let names: Vec<&str> = Setting::all().map(Setting::setting).collect();
+    let Some(target) = SettingRow::named(setting) else {
+        let names: Vec<&str> = SettingRow::all().map(SettingRow::setting).collect();
         return Err(row.bad_cell("setting", format_args!("one of {}", names.join(", "))));
     };
     let place = format!("{}:{}: column \"value\" of {}", FILE.name, row.line, target.setting());
@@ -111,7 +111,7 @@ fn set(row: &CsvRow<'_>, settings: &mut Settings) -> Result<(), String> {
 /// `text` with the settings of a player.
 fn merged(text: &str, player: &str, settings: &Settings) -> io::Result<String> {
     let stale = |row: &CsvRow<'_>| {
-        let target = Setting::named(row.get("setting"));
+        let target = SettingRow::named(row.get("setting"));
         target.is_some_and(|target| row.get("player") == target.owner(player)) && set(row, &mut Settings::default()).is_ok()
     };
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -127,7 +127,7 @@ fn merged(text: &str, player: &str, settings: &Settings) -> io::Result<String> {
     }
     let header = if headed { String::new() } else { FILE.header() + "\n" };
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-    for target in Setting::all() {
+    for target in SettingRow::all() {
         writer.write_record([target.setting(), &target.written(settings), target.owner(player)])?;
     }
     let fresh = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
@@ -227,7 +227,7 @@ impl SettingsFile {
             Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
             Err(error) => return Err(error),
         };
-        files::replace(&path, merged(&text, player, settings)?.as_bytes(), Links::Followed)
+        files::replace(&path, merged(&text, player, settings)?.as_bytes(), Symlinks::Followed)
     }
 }
 

@@ -16,7 +16,7 @@ const SWITCH: Values = Values::Words(&["off", "on"]);
 const COLOURS: Values = Values::Words(&["standard", "safe", "contrast"]);
 const PALETTES: [Palette; 3] = [Palette::Standard, Palette::Safe, Palette::HighContrast];
 
-enum Field<'a> {
+enum SettingField<'a> {
     Number(&'a mut u8),
     Switch(&'a mut bool),
     Colours(&'a mut Palette),
@@ -52,8 +52,8 @@ macro_rules! items {
                 match self { $(Self::$name => Owner::$owner,)* }
             }
 
-            const fn field(self, settings: &mut Settings) -> Field<'_> {
-                match self { $(Self::$name => Field::$kind(&mut settings.$($field).+),)* }
+            const fn field(self, settings: &mut Settings) -> SettingField<'_> {
+                match self { $(Self::$name => SettingField::$kind(&mut settings.$($field).+),)* }
             }
         }
     };
@@ -146,17 +146,17 @@ impl Item {
 
     fn get(self, settings: &Settings) -> u8 {
         match self.field(&mut { *settings }) {
-            Field::Number(number) => *number,
-            Field::Switch(on) => u8::from(*on),
-            Field::Colours(palette) => *palette as u8,
+            SettingField::Number(number) => *number,
+            SettingField::Switch(on) => u8::from(*on),
+            SettingField::Colours(palette) => *palette as u8,
         }
     }
 
     fn set(self, value: u8, settings: &mut Settings) {
         match self.field(settings) {
-            Field::Number(number) => *number = value,
-            Field::Switch(on) => *on = value != 0,
-            Field::Colours(palette) => *palette = PALETTES[usize::from(value).min(PALETTES.len() - 1)],
+            SettingField::Number(number) => *number = value,
+            SettingField::Switch(on) => *on = value != 0,
+            SettingField::Colours(palette) => *palette = PALETTES[usize::from(value).min(PALETTES.len() - 1)],
         }
     }
 }

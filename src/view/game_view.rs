@@ -16,7 +16,7 @@ use super::touchdown::{GENTLE, Touchdown};
 use super::wreck::Wreck;
 use super::{hitboxes, mechanisms, theme, world};
 use crate::draw::layout::{Area, Frame, Vec2};
-use crate::game::{Game, GameEvent, Outcome, Pose, SHIP};
+use crate::game::{Game, GameEvent, GhostPose, Outcome, SHIP};
 use crate::level::SurfaceOf;
 use crate::number::fixed;
 use crate::physics::{Aabb, BodyId, DVec2};
@@ -59,7 +59,7 @@ pub struct GhostShip {
     /// Name of the flight.
     pub name: String,
     /// `None` where it is where the ship is.
-    pub pose: Option<Pose>,
+    pub pose: Option<GhostPose>,
     /// Objects whose places in that flight differ, by their index in the level, each with its centre, m.
     pub objects: Vec<(usize, DVec2)>,
 }

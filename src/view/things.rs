@@ -7,7 +7,7 @@ use super::theme;
 use super::zones::diamond;
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::game::Pose;
+use crate::game::GhostPose;
 use crate::level::{Look, Object, SHIP_HALF};
 use crate::physics::{Aabb, DVec2};
 
@@ -148,7 +148,7 @@ const GHOST_EDGE: f32 = 0.75;
 const GHOST_RING: f64 = 1.2;
 
 /// A ship of another flight: pale, without light or flame, with its name below it.
-pub fn draw_ghost(name: Option<&str>, pose: Pose, Brushes { view, canvas, .. }: Brushes<'_>) {
+pub fn draw_ghost(name: Option<&str>, pose: GhostPose, Brushes { view, canvas, .. }: Brushes<'_>) {
     let size = Vec2::splat(view.length(2.0 * SHIP_HALF.y));
     art::draw(canvas, Tile::Ship, Area::around(view.point(pose.centre), size), pose.angle.to_radians() as f32, PALE);
     canvas.ring(view.point(pose.centre), view.length(SHIP_HALF.y * GHOST_RING), 1.5, PALE.faded(GHOST_EDGE));

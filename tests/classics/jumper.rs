@@ -3,14 +3,14 @@
 use crate::support::program::{Ran, resultant};
 use glam::DVec3;
 use resultant::classics::jumper::engine::{CuboidFace, Dynamic, Hit};
-use resultant::classics::jumper::scene::{Keys, LEADERBOARD, PLAYER_SIZE, Scene, VISIBLE};
+use resultant::classics::jumper::scene::{JumpKeys, LEADERBOARD, PLAYER_SIZE, Scene, VISIBLE};
 use resultant::game::TICK_RATE;
 
-const NOTHING: Keys = Keys { left: false, right: false, jump: false };
-const RIGHT: Keys = Keys { right: true, ..NOTHING };
-const LEFT: Keys = Keys { left: true, ..NOTHING };
-const JUMP: Keys = Keys { jump: true, ..NOTHING };
-const RIGHT_JUMP: Keys = Keys { jump: true, ..RIGHT };
+const NOTHING: JumpKeys = JumpKeys { left: false, right: false, jump: false };
+const RIGHT: JumpKeys = JumpKeys { right: true, ..NOTHING };
+const LEFT: JumpKeys = JumpKeys { left: true, ..NOTHING };
+const JUMP: JumpKeys = JumpKeys { jump: true, ..NOTHING };
+const RIGHT_JUMP: JumpKeys = JumpKeys { jump: true, ..RIGHT };
 /// What one tick of gravity takes off an upward velocity, m/s.
 const FALL: f64 = 10.0 / TICK_RATE;
 /// A tower without a platform right above the first player's start, where jumps are not cut short by landing.
@@ -27,7 +27,7 @@ fn alone() -> Scene {
     Scene::new(SEED, false)
 }
 
-fn tick(scene: &mut Scene, keys: Keys) -> Dynamic {
+fn tick(scene: &mut Scene, keys: JumpKeys) -> Dynamic {
     scene.tick([keys, NOTHING]);
     body(scene, 0)
 }
@@ -58,7 +58,7 @@ fn walking_is_4_and_stops_with_the_keys() {
     let mut scene = alone();
     assert_eq!(tick(&mut scene, RIGHT).velocity.x, 4.0);
     assert_eq!(tick(&mut scene, LEFT).velocity.x, -4.0);
-    assert_eq!(tick(&mut scene, Keys { left: true, ..RIGHT }).velocity.x, 0.0);
+    assert_eq!(tick(&mut scene, JumpKeys { left: true, ..RIGHT }).velocity.x, 0.0);
     assert_eq!(tick(&mut scene, RIGHT).velocity.x, 4.0);
     assert_eq!(tick(&mut scene, NOTHING).velocity.x, 0.0);
 }
@@ -134,19 +134,19 @@ fn the_walls_hold() {
 
 /// The keys, a tick each, of the hop that ends highest on the ground: walk, jump, jump once more, each to a side. It is tried out on
 /// copies of the scene.
-fn hop(scene: &Scene) -> Vec<Keys> {
+fn hop(scene: &Scene) -> Vec<JumpKeys> {
     let sides = [LEFT, NOTHING, RIGHT];
     let walks = sides.into_iter().flat_map(|side| [0, 15, 45, 90].map(|ticks| vec![side; ticks]));
     let jumps = sides.into_iter().flat_map(|first| sides.map(|second| (first, second)));
     let hops = walks.flat_map(|walk| jumps.clone().map(move |jump| (walk.clone(), jump))).map(|(mut keys, (first, second))| {
         keys.extend([first; 1]);
-        keys.extend([Keys { jump: true, ..first }; 70]);
+        keys.extend([JumpKeys { jump: true, ..first }; 70]);
         keys.extend([second; 1]);
-        keys.extend([Keys { jump: true, ..second }; 55]);
+        keys.extend([JumpKeys { jump: true, ..second }; 55]);
         keys.extend([NOTHING; 60]);
         keys
     });
-    let end = |keys: &Vec<Keys>| {
+    let end = |keys: &Vec<JumpKeys>| {
         let mut scene = scene.clone();
         let after = keys.iter().map(|&keys| tick(&mut scene, keys)).last().unwrap();
         if after.on_ground { after.cuboid.location.z } else { -1.0 }
@@ -193,7 +193,8 @@ fn a_climb_repeats_bit_by_bit_and_another_seed_is_another_tower() {
     let climb = |seed| {
         let mut scene = Scene::new(seed, true);
         for tick in 0..2000_u32 {
-            let keys = |shift: u32| Keys { left: tick / 90 % 2 == shift, right: tick / 90 % 2 != shift, jump: tick / 13 % 3 == 0 };
+            let keys =
+                |shift: u32| JumpKeys { left: tick / 90 % 2 == shift, right: tick / 90 % 2 != shift, jump: tick / 13 % 3 == 0 };
             scene.tick([keys(0), keys(1)]);
         }
         let bodies: Vec<Dynamic> = scene.players().map(|(_, body)| *body).collect();

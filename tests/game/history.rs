@@ -2,7 +2,7 @@
 
 use crate::support::Random;
 use crate::support::shipped::{load as level, record};
-use resultant::game::{Controls, Game, History, Inputs, Outcome, Reel, SHIP, TICK_RATE, Track};
+use resultant::game::{Controls, Game, GhostTrack, History, Inputs, Outcome, Reel, SHIP, TICK_RATE};
 use resultant::level::Level;
 use std::sync::Arc;
 
@@ -98,7 +98,7 @@ fn copies_stay_few_however_long_a_flight_is() {
 fn a_track_is_where_the_ship_was() {
     let (level, replay) = (level("6"), record("6", "gold"));
     let mut game = Game::new(level.clone()).unwrap();
-    let mut track = Track::new(level, &replay.inputs).unwrap();
+    let mut track = GhostTrack::new(level, &replay.inputs).unwrap();
     let mut first = vec![None; game.met().len()];
     for controls in replay.inputs.clone() {
         track.fly(1);

@@ -196,7 +196,7 @@ fn the_run_is_as_fast_at_every_frame_rate() {
 fn ended() -> Scene {
     let mut scene = Scene::new(1, false);
     for tick in 0..240 {
-        scene.tick([scene::Keys { jump: tick % 60 < 30, ..Default::default() }, Default::default()]);
+        scene.tick([scene::JumpKeys { jump: tick % 60 < 30, ..Default::default() }, Default::default()]);
     }
     scene
 }

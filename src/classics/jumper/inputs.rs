@@ -9,7 +9,7 @@
 //! Each row holds its keys (0 or 1) for that many ticks; the last three columns are the second player's and may be left out. Blank
 //! lines and lines that start with `#` are skipped.
 
-use super::scene::Keys;
+use super::scene::JumpKeys;
 use crate::files::{CsvFile, CsvRow};
 use crate::game::TICK_RATE;
 
@@ -25,7 +25,7 @@ const MOST_TICKS: u64 = 24 * 3600 * TICK_RATE as u64;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Climb {
     pub ticks: u64,
-    pub keys: [Keys; 2],
+    pub keys: [JumpKeys; 2],
 }
 
 /// Reads the text of a file of keys; `file` is its name in messages.
@@ -59,7 +59,7 @@ fn climb(row: &CsvRow<'_>, columns: usize) -> Result<Climb, String> {
     let expected = format!("a whole number from 1 to {MOST_TICKS}");
     let ticks = row.parse("ticks", &expected, |ticks| (1..=MOST_TICKS).contains(ticks))?;
     let key = |index: usize| if index < columns { row.bit(HEADER[index]) } else { Ok(false) };
-    let player = |from: usize| Ok::<_, String>(Keys { left: key(from)?, right: key(from + 1)?, jump: key(from + 2)? });
+    let player = |from: usize| Ok::<_, String>(JumpKeys { left: key(from)?, right: key(from + 1)?, jump: key(from + 2)? });
     Ok(Climb { ticks, keys: [player(1)?, player(4)?] })
 }
 
@@ -69,10 +69,10 @@ mod tests {
 
     #[test]
     fn rows_of_one_or_both_players_are_read() {
-        let none = Keys::default();
-        let one = Climb { ticks: 5, keys: [Keys { right: true, ..none }, none] };
+        let none = JumpKeys::default();
+        let one = Climb { ticks: 5, keys: [JumpKeys { right: true, ..none }, none] };
         assert_eq!(parse("keys.csv", "\u{feff}ticks,left1,right1,jump1\r\n\r\n 5, 0,1,0\r\n"), Ok(vec![one]));
-        let both = Climb { ticks: 1, keys: [Keys { left: true, ..none }, Keys { jump: true, ..none }] };
+        let both = Climb { ticks: 1, keys: [JumpKeys { left: true, ..none }, JumpKeys { jump: true, ..none }] };
         assert_eq!(parse("keys.csv", "ticks,left1,right1,jump1,left2,right2,jump2\n1,1,0,0,0,0,1"), Ok(vec![both]));
     }
 

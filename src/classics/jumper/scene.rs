@@ -34,14 +34,14 @@ const STAGGER: u32 = 24;
 
 /// The keys that a player holds during a tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Keys {
+pub struct JumpKeys {
     pub left: bool,
     pub right: bool,
     /// Jump, once for each press.
     pub jump: bool,
 }
 
-impl Keys {
+impl JumpKeys {
     /// −1 left, 1 right, 0 neither or both.
     fn direction(self) -> f64 {
         f64::from(i8::from(self.right) - i8::from(self.left))
@@ -49,7 +49,7 @@ impl Keys {
 }
 
 #[derive(Clone, Debug)]
-pub struct Player {
+pub struct Climber {
     jump_held: bool,
     jumped: bool,
     air_jump_left: bool,
@@ -58,7 +58,7 @@ pub struct Player {
     out: bool,
 }
 
-impl Player {
+impl Climber {
     fn new() -> Self {
         Self { jump_held: false, jumped: false, air_jump_left: false, direction: 0.0, stagger: 0, out: false }
     }
@@ -77,7 +77,7 @@ impl Player {
         self.jumped
     }
 
-    fn obey(&mut self, keys: Keys, body: &mut Dynamic) {
+    fn obey(&mut self, keys: JumpKeys, body: &mut Dynamic) {
         self.jumped = false;
         self.stagger = self.stagger.saturating_sub(1);
         self.air_jump_left |= body.on_ground;
@@ -118,7 +118,7 @@ impl Player {
 #[derive(Clone, Debug)]
 pub struct Scene {
     tower: Tower,
-    players: Vec<Player>,
+    players: Vec<Climber>,
     bodies: Vec<Dynamic>,
     bottom: f64,
     previous_bottom: f64,
@@ -140,7 +140,7 @@ impl Scene {
         tower.grow_to(VISIBLE + 1.0);
         Self {
             tower,
-            players: starts.iter().map(|_| Player::new()).collect(),
+            players: starts.iter().map(|_| Climber::new()).collect(),
             bodies: starts.iter().map(body).collect(),
             bottom: 0.0,
             previous_bottom: 0.0,
@@ -151,12 +151,12 @@ impl Scene {
     }
 
     /// One tick of 1/[`TICK_RATE`] s; the second player's keys count only where there are two. After the end nothing changes.
-    pub fn tick(&mut self, keys: [Keys; 2]) {
+    pub fn tick(&mut self, keys: [JumpKeys; 2]) {
         if self.is_over() {
             return;
         }
         for ((player, body), keys) in self.players.iter_mut().zip(&mut self.bodies).zip(keys) {
-            player.obey(if player.out { Keys::default() } else { keys }, body);
+            player.obey(if player.out { JumpKeys::default() } else { keys }, body);
         }
         engine::step(&mut self.bodies, self.tower.statics(), GRAVITY, 1.0 / TICK_RATE, &mut self.hits);
         if self.hits.iter().any(|hit| matches!(hit, Hit::Pair(..))) {
@@ -197,7 +197,7 @@ impl Scene {
         self.ticks
     }
 
-    pub fn players(&self) -> impl Iterator<Item = (&Player, &Dynamic)> {
+    pub fn players(&self) -> impl Iterator<Item = (&Climber, &Dynamic)> {
         self.players.iter().zip(&self.bodies)
     }
 

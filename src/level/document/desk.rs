@@ -1,6 +1,6 @@
 //! Which of a level's editors an editor is, for as long as it has the level open.
 
-use crate::files::{self, Links};
+use crate::files::{self, Symlinks};
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -40,7 +40,7 @@ impl EditorDesk {
         // No link is followed, and no pipe opened.
         let file = match File::create_new(&path) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
-                files::open(File::options().write(true), &path, Links::Never).ok()?.0
+                files::open(File::options().write(true), &path, Symlinks::Never).ok()?.0
             }
             Ok(file) => file,
             Err(_) => return Some(Self { kept, shared: false, lock: None }),

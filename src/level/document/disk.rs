@@ -8,7 +8,7 @@
 use super::desk::EditorDesk;
 use super::kept::{self, Kept};
 use super::model::Document;
-use crate::files::{self, Links, Replacement};
+use crate::files::{self, Replacement, Symlinks};
 use crate::level::folder::{Disk, load_from};
 use crate::level::image::png_size;
 use crate::level::problem::Problem;
@@ -106,7 +106,7 @@ impl LevelFolder {
         }
         let mut document = Document::new(|table| known[table.index()].clone());
         let desk = desk(folder);
-        let kept = files::read_with(&desk.kept, kept::MOST, Links::Never).ok();
+        let kept = files::read_with(&desk.kept, kept::MOST, Symlinks::Never).ok();
         let kept = kept.and_then(|bytes| kept::parse(&bytes)).filter(|kept| kept.0 != known);
         let folder = Self { folder: folder.to_path_buf(), project: project.to_path_buf(), known, desk: Arc::new(desk) };
         folder.measure(&mut document);
@@ -268,7 +268,7 @@ impl LevelFolder {
         for table in changed {
             let path = self.folder.join(table.file());
             let written = match document.bytes(table) {
-                Some(bytes) => files::replace(&path, bytes, Links::Followed),
+                Some(bytes) => files::replace(&path, bytes, Symlinks::Followed),
                 None => fs::remove_file(&path),
             };
             written.map_err(|error| SaveError::File(table.file().to_owned(), error))?;
@@ -298,7 +298,7 @@ impl LevelFolder {
     }
 
     fn write_kept(&self, document: &Document, durable: bool) -> io::Result<()> {
-        let mut kept = Replacement::begin(&self.desk.kept, Links::Never)?;
+        let mut kept = Replacement::begin(&self.desk.kept, Symlinks::Never)?;
         kept.file().write_all(&kept::encoded(document))?;
         if durable {
             kept.seal()?;

@@ -3,7 +3,7 @@
 use super::Flight;
 use crate::draw::layout::{Area, DETAILS, GRID, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
-use crate::game::{Game, Pose, SHIP, body_title};
+use crate::game::{Game, GhostPose, SHIP, body_title};
 use crate::physics::{BodyId, DVec2};
 use crate::screens::instruments::vary::written;
 use crate::view::hud::HudLayout;
@@ -31,7 +31,7 @@ impl Flight {
         let object = |i: usize| Some((i, elsewhere(BodyId(i as u32 + 1))?));
         Some(GhostShip {
             name: "before".to_owned(),
-            pose: centre.map(|centre| Pose { centre, angle }),
+            pose: centre.map(|centre| GhostPose { centre, angle }),
             objects: (0..before.level().objects.len()).filter_map(object).collect(),
         })
     }
