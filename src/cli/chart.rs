@@ -5,13 +5,13 @@ use super::files::{OutputFile, Staged, read_text};
 use super::project::Project;
 use super::stop::{CommandError, Status};
 use crate::files::{self, CHART};
-use crate::lab::charts::{Charts, Setting};
+use crate::lab::charts::{Charts, MeasuredWith};
 use crate::lab::course::{CoursePoint, OverTime};
 use crate::lab::curve::{CurveOrigin, MethodCurve, WorkPoint};
 use crate::lab::measured::Measured;
 use crate::lab::peers::add_peers;
 use crate::lab::report::{shipped_csv, summary};
-use crate::lab::{Answer, LabScene, scenes, stability, stability_diagram, stress};
+use crate::lab::{LabScene, SceneMethod, scenes, stability, stability_diagram, stress};
 use crate::view::paper;
 use std::hint::black_box;
 use std::io::Write;
@@ -91,7 +91,7 @@ pub fn run(args: &ChartArgs, project: &Project, out: &mut dyn Write) -> Result<S
     }
 
     let profile = if cfg!(debug_assertions) { "debug" } else { "release" }.to_owned();
-    let setting = Setting { machine: machine(), commit: commit(project.root()), profile, quick: args.quick };
+    let setting = MeasuredWith { machine: machine(), commit: commit(project.root()), profile, quick: args.quick };
     let charts = Charts { setting, diagrams, stress: survivals };
     let files = all_files(&charts);
     let staged = stage(&args.out, &files)?;
@@ -166,7 +166,7 @@ fn measure(scene: &LabScene, quick: bool) -> Measured {
 
 /// At the game's step; `None` for a scene that is not followed.
 fn over_time(scene: &LabScene) -> Option<OverTime> {
-    let course = |method: &Answer| {
+    let course = |method: &SceneMethod| {
         let origin = if method.shipped { CurveOrigin::Shipped } else { CurveOrigin::Lab };
         Some(MethodCurve { name: method.name.clone(), origin, points: (method.shown.as_ref()?)(FOLLOWED) })
     };
@@ -174,7 +174,7 @@ fn over_time(scene: &LabScene) -> Option<OverTime> {
     (!courses.is_empty()).then_some(OverTime { step: FOLLOWED, courses })
 }
 
-fn point(scene: &LabScene, method: &Answer, step: f64, quick: bool) -> WorkPoint {
+fn point(scene: &LabScene, method: &SceneMethod, step: f64, quick: bool) -> WorkPoint {
     let started = Clock::now();
     let error = (method.run)(black_box(step));
     let first = started.elapsed();

@@ -4,7 +4,7 @@ use super::files::read_text;
 use super::project::Project;
 use super::stop::{CommandError, Status};
 use crate::classics::jumper::inputs::{Climb, parse};
-use crate::classics::jumper::scene::{JumpKeys, Scene};
+use crate::classics::jumper::scene::{JumpKeys, JumperScene};
 use crate::files::INPUTS;
 use crate::game::TICK_RATE;
 use crate::number::Shortest;
@@ -39,7 +39,7 @@ pub fn run(args: &JumperArgs, _: &Project, out: &mut dyn Write) -> Result<Status
         Some(path) => parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(CommandError::Refused)?,
         None => vec![Climb { ticks: TICKS_WITHOUT_INPUTS, keys: [JumpKeys::default(); 2] }],
     };
-    let mut scene = Scene::new(args.seed, args.players == 2);
+    let mut scene = JumperScene::new(args.seed, args.players == 2);
     for row in rows {
         for _ in 0..row.ticks {
             if scene.is_over() {

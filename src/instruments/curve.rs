@@ -208,7 +208,7 @@ mod tests {
     use super::fixture::{curve, flown};
     use super::*;
     use crate::game::Controls;
-    use crate::instruments::quantity::Part;
+    use crate::instruments::quantity::VectorPart;
     use proptest::prelude::*;
 
     /// The ship of level 1, which goes up for half a second and falls to the floor.
@@ -221,7 +221,7 @@ mod tests {
         let track = hop(400);
         assert!(!track.impacts().is_empty(), "it comes down again");
         let landing = track.impacts()[0];
-        let (y, v) = (Quantity::Y, Quantity::Velocity(Part::Y));
+        let (y, v) = (Quantity::Y, Quantity::Velocity(VectorPart::Y));
         let (height, speed) = (curve(&track, Quantity::Time, y), curve(&track, Quantity::Time, v));
         let gained = height.point(landing - 1).unwrap().1 - height.point(0).unwrap().1;
         assert!((speed.area(&track, 0, landing - 1) - gained).abs() < 1e-12, "{} {gained}", speed.area(&track, 0, landing - 1));
@@ -232,7 +232,7 @@ mod tests {
             assert!((differences - moment.acceleration.y).abs() < 0.1, "{place}: {differences} {}", moment.acceleration.y);
         }
         // Work is the area under the force along the path.
-        let (force, energy) = (Quantity::Resultant(Part::Y), Quantity::Kinetic);
+        let (force, energy) = (Quantity::Resultant(VectorPart::Y), Quantity::Kinetic);
         let work = curve(&track, y, force).area(&track, 61, landing - 1);
         let kinetic = |place: usize| energy.of(&track.moment(place));
         assert!((work - (kinetic(landing - 1) - kinetic(61))).abs() < 1e-3 * work.abs(), "{work}");
@@ -246,19 +246,19 @@ mod tests {
         let area = |up| curve(&track, Quantity::Time, up).area(&track, 0, end);
         let (first, last) = (track.moment(0), track.moment(end));
         let risen = last.position.y - first.position.y;
-        assert_eq!(area(Quantity::Velocity(Part::Y)), risen);
-        assert_eq!(area(Quantity::Momentum(Part::Y)), first.constants.mass * risen);
-        let forces = area(Quantity::Resultant(Part::Y));
+        assert_eq!(area(Quantity::Velocity(VectorPart::Y)), risen);
+        assert_eq!(area(Quantity::Momentum(VectorPart::Y)), first.constants.mass * risen);
+        let forces = area(Quantity::Resultant(VectorPart::Y));
         let impulses: f64 = track.impulses().map(|impulse| impulse.y).sum();
         let change = first.constants.mass * (last.velocity.y - first.velocity.y);
         assert!(impulses > 0.0 && (forces + impulses - change).abs() <= 1e-9 * impulses, "{forces} and {impulses} for {change}");
         // Where nothing is hit and nothing switched, the trapezoids come to the same.
-        let (force, landing) = (curve(&track, Quantity::Time, Quantity::Resultant(Part::Y)), track.impacts()[0]);
+        let (force, landing) = (curve(&track, Quantity::Time, Quantity::Resultant(VectorPart::Y)), track.impacts()[0]);
         let trapezoids = |i: usize| (force.point(i).unwrap().1 + force.point(i + 1).unwrap().1) / (2.0 * track.tick_rate());
         let in_flight: f64 = (61..landing - 1).map(trapezoids).sum();
         let exact = force.area(&track, 61, landing - 1);
         assert!((exact - in_flight).abs() <= 1e-6 * in_flight.abs(), "{exact} {in_flight}");
-        assert!((area(Quantity::Acceleration(Part::Y)) * first.constants.mass - forces).abs() <= 1e-9 * impulses);
+        assert!((area(Quantity::Acceleration(VectorPart::Y)) * first.constants.mass - forces).abs() <= 1e-9 * impulses);
     }
 
     #[test]
@@ -267,11 +267,11 @@ mod tests {
         let landing = track.impacts()[0];
         let ways = |up| curve(&track, Quantity::Time, up).drawn(0..track.len(), (0.0, 0.0));
         assert_eq!(ways(Quantity::Y).len(), 1);
-        let speed = ways(Quantity::Velocity(Part::Y));
+        let speed = ways(Quantity::Velocity(VectorPart::Y));
         assert_eq!(speed.len(), 1 + track.impacts().len());
         assert_eq!((speed[0].len(), speed[1][0].0), (landing, track.time(landing)));
         // Forces have no rate: their slope is a difference, which never reaches over a break.
-        let force = curve(&track, Quantity::Time, Quantity::Resultant(Part::Y));
+        let force = curve(&track, Quantity::Time, Quantity::Resultant(VectorPart::Y));
         let slope = force.slope(&track, landing - 1).unwrap();
         let one_sided = (force.point(landing - 1).unwrap().1 - force.point(landing - 2).unwrap().1) * track.tick_rate();
         assert!((slope - one_sided).abs() <= 1e-9 * (1.0 + one_sided.abs()), "{slope} {one_sided}");
@@ -280,7 +280,7 @@ mod tests {
     #[test]
     fn a_flight_that_was_left_is_forgotten_and_the_other_one_read() {
         let (mut track, whole) = (hop(300), hop(200));
-        let quantity = Quantity::Velocity(Part::Size);
+        let quantity = Quantity::Velocity(VectorPart::Size);
         let mut kept = curve(&track, Quantity::Time, quantity);
         track.forget_after(200);
         kept.follow(&track);
@@ -291,7 +291,7 @@ mod tests {
         #[test]
         fn what_is_drawn_reaches_as_far_as_the_curve(from in 0..390_usize, length in 2..400_usize, grain in 0.0..0.5_f64) {
             let track = hop(400);
-            for (across, up) in [(Quantity::Time, Quantity::Resultant(Part::Size)), (Quantity::Y, Quantity::Velocity(Part::Y))] {
+            for (across, up) in [(Quantity::Time, Quantity::Resultant(VectorPart::Size)), (Quantity::Y, Quantity::Velocity(VectorPart::Y))] {
                 let curve = curve(&track, across, up);
                 let places = from..(from + length).min(curve.len());
                 let (_, (least, largest)) = curve.extremes(places.clone()).unwrap();

@@ -7,7 +7,7 @@ use super::quantity::Quantity;
 use super::track::BodyTrack;
 use crate::files::csv_text;
 use crate::lab::linear::Linear;
-use crate::lab::look::Look;
+use crate::lab::look::CurveLook;
 use crate::number::Shortest;
 
 /// Labels of an upright axis over the whole height, about.
@@ -27,7 +27,7 @@ pub struct Exported<'a> {
 }
 
 impl Exported<'_> {
-    fn look(&self) -> Look {
+    fn look(&self) -> CurveLook {
         look::of(self.number, self.curve.up())
     }
 
@@ -66,7 +66,7 @@ pub struct Sheet {
     pub across_name: String,
     /// From the top.
     pub strips: Vec<Strip>,
-    pub legend: Vec<(String, Look)>,
+    pub legend: Vec<(String, CurveLook)>,
     /// Lines below the legend.
     pub notes: Vec<String>,
 }
@@ -82,7 +82,7 @@ pub struct Strip {
 }
 
 pub struct Piece {
-    pub look: Look,
+    pub look: CurveLook,
     /// Values to the right, and parts of the height.
     pub points: Vec<(f64, f64)>,
     /// The point with the curve's marker, if any has it.
@@ -155,7 +155,7 @@ mod tests {
     use super::*;
     use crate::game::Controls;
     use crate::instruments::curve::fixture::{curve, flown};
-    use crate::instruments::quantity::Part;
+    use crate::instruments::quantity::VectorPart;
 
     fn track(ticks: u64) -> BodyTrack {
         flown(ticks, |tick| Controls { thrust: tick < 60, right: tick % 7 == 0, ..Controls::default() })
@@ -164,7 +164,7 @@ mod tests {
     #[test]
     fn every_cell_of_a_table_reads_back_bit_for_bit_and_no_column_is_there_twice() {
         let (long, short) = (track(300), track(100));
-        let curves = [Quantity::Velocity(Part::X), Quantity::Kinetic, Quantity::X].map(|up| curve(&long, Quantity::X, up));
+        let curves = [Quantity::Velocity(VectorPart::X), Quantity::Kinetic, Quantity::X].map(|up| curve(&long, Quantity::X, up));
         let other = curve(&short, Quantity::X, Quantity::Y);
         let mut exported: Vec<Exported> =
             curves.iter().enumerate().map(|(number, curve)| Exported { body: "Ship", curve, track: &long, number }).collect();
@@ -178,8 +178,8 @@ mod tests {
         assert_eq!(rows.len(), 301);
         for (place, row) in rows.iter().enumerate() {
             let moment = long.moment(place);
-            let ours =
-                [Quantity::Time, Quantity::X, Quantity::Velocity(Part::X), Quantity::Kinetic].map(|quantity| quantity.of(&moment));
+            let ours = [Quantity::Time, Quantity::X, Quantity::Velocity(VectorPart::X), Quantity::Kinetic]
+                .map(|quantity| quantity.of(&moment));
             assert_eq!(row[0].parse::<usize>().unwrap(), place);
             for (cell, value) in row.iter().skip(1).zip(ours) {
                 assert_eq!(cell.parse::<f64>().unwrap().to_bits(), value.to_bits(), "{cell}");
@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn names_of_files_are_words() {
         let track = track(1);
-        let curve = curve(&track, Quantity::Time, Quantity::Velocity(Part::Size));
+        let curve = curve(&track, Quantity::Time, Quantity::Velocity(VectorPart::Size));
         let exported = [Exported { body: "Ship", curve: &curve, track: &track, number: 0 }];
         for (level, name) in
             [("1", "1-v"), ("../../etc", "------etc-v"), ("a:b\\c", "a-b-c-v"), ("höhle 2", "höhle-2-v"), ("con", "con-v")]

@@ -2,7 +2,7 @@
 
 use super::quantity::Quantity;
 use crate::lab::curve::CurveOrigin;
-use crate::lab::look::Look;
+use crate::lab::look::CurveLook;
 use crate::physics::ForceKind;
 
 pub const RESULTANT: u32 = 0xFFFFFF;
@@ -25,12 +25,12 @@ pub const fn force(kind: ForceKind) -> u32 {
     }
 }
 
-pub fn of(number: usize, up: Quantity) -> Look {
+pub fn of(number: usize, up: Quantity) -> CurveLook {
     let colour = match up {
         Quantity::Force(kind, _) => force(kind),
         Quantity::Resultant(_) => RESULTANT,
         _ => COLOURS[number % COLOURS.len()],
     };
     // Dash and marker are the Lab's.
-    Look { colour, ..Look::of(number, CurveOrigin::Lab) }
+    CurveLook { colour, ..CurveLook::of(number, CurveOrigin::Lab) }
 }

@@ -6,13 +6,13 @@ use crate::game::Game;
 use crate::physics::{BodyId, DVec2, ForceKind};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum VectorPart {
     X,
     Y,
     Size,
 }
 
-impl Part {
+impl VectorPart {
     pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Size];
 
     fn of(self, vector: DVec2) -> f64 {
@@ -50,15 +50,15 @@ pub enum Quantity {
     /// Above the level's lower edge, m.
     Y,
     /// m/s.
-    Velocity(Part),
+    Velocity(VectorPart),
     /// m/s².
-    Acceleration(Part),
+    Acceleration(VectorPart),
     /// Of all forces, N.
-    Resultant(Part),
+    Resultant(VectorPart),
     /// All forces of that kind together, N.
-    Force(ForceKind, Part),
+    Force(ForceKind, VectorPart),
     /// m·v, N·s.
-    Momentum(Part),
+    Momentum(VectorPart),
     /// ½·m·v², J.
     Kinetic,
     /// m·g·y in the gravity of the level, J: zones of another gravity and liquids have none in it.
@@ -258,7 +258,7 @@ mod tests {
     }
 
     fn all() -> Vec<Quantity> {
-        let vectors = Part::ALL.into_iter().flat_map(|part| [Quantity::Velocity(part), Quantity::Momentum(part)]);
+        let vectors = VectorPart::ALL.into_iter().flat_map(|part| [Quantity::Velocity(part), Quantity::Momentum(part)]);
         let plain = [Quantity::Time, Quantity::X, Quantity::Y, Quantity::Kinetic, Quantity::Potential, Quantity::Mechanical];
         vectors.chain(plain).collect()
     }
@@ -286,8 +286,12 @@ mod tests {
         let energy = |t: f64| Quantity::Mechanical.of(&moment(t, fall));
         assert!((energy(0.0) - energy(3.0)).abs() < 1e-9 * energy(0.0));
         assert!(Quantity::Mechanical.rate(&moment(1.0, fall)).unwrap().abs() < 1e-9);
-        let headings =
-            [Quantity::Y, Quantity::Velocity(Part::Y), Quantity::Force(ForceKind::Weight, Part::Size), Quantity::Kinetic];
+        let headings = [
+            Quantity::Y,
+            Quantity::Velocity(VectorPart::Y),
+            Quantity::Force(ForceKind::Weight, VectorPart::Size),
+            Quantity::Kinetic,
+        ];
         assert_eq!(headings.map(Quantity::heading), ["y (m)", "v_y (m/s)", "|Weight| (N)", "E_kin (J)"]);
     }
 

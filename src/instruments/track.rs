@@ -2,7 +2,7 @@
 //! the first tick on. A force that never acts takes no room: a free fall costs 80 bytes a tick, ten minutes of it 6 MB.
 
 use super::companion::Companion;
-use super::quantity::{BodyConstants, Moment, Part, Quantity, upwards};
+use super::quantity::{BodyConstants, Moment, Quantity, VectorPart, upwards};
 use crate::game::{Game, History};
 use crate::physics::{BodyId, DVec2, ForceKind};
 use std::ops::Range;
@@ -134,9 +134,9 @@ impl BodyTrack {
             }
         });
         match part {
-            Part::X => Some(all.map(|vector| vector.x).sum()),
-            Part::Y => Some(all.map(|vector| vector.y).sum()),
-            Part::Size => None,
+            VectorPart::X => Some(all.map(|vector| vector.x).sum()),
+            VectorPart::Y => Some(all.map(|vector| vector.y).sum()),
+            VectorPart::Size => None,
         }
     }
 

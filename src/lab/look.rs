@@ -21,7 +21,7 @@ pub const RING: f32 = 11.0;
 pub const FRAME: f32 = 10.0;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Look {
+pub struct CurveLook {
     /// As 0xRRGGBB.
     pub colour: u32,
     /// Pixels drawn and left out; none: a full line.
@@ -31,7 +31,7 @@ pub struct Look {
     pub width: u32,
 }
 
-impl Look {
+impl CurveLook {
     /// Other engines are white, ours has the accent's colour.
     pub fn of(index: usize, origin: CurveOrigin) -> Self {
         let marker = Marker::ALL[index % Marker::ALL.len()];

@@ -36,7 +36,7 @@ pub mod stability_diagram;
 pub mod stress;
 pub mod timeline;
 
-pub use scene::{Answer, LabScene};
+pub use scene::{LabScene, SceneMethod};
 
 /// m. A tenth of a pixel at the default scale of 30 pixels a metre: an error that no one can see.
 pub const TOLERANCE: f64 = 1.0 / 300.0;

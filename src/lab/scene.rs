@@ -29,11 +29,11 @@ pub struct LabScene {
     /// A note for the reader of the diagram, or empty.
     pub note: &'static str,
     /// The shipped engine is the last.
-    pub methods: Vec<Answer>,
+    pub methods: Vec<SceneMethod>,
 }
 
 /// A method in a scene: a step (s) gives the error of the whole scene, and its course.
-pub type Answer = Entrant<f64, Vec<CoursePoint>>;
+pub type SceneMethod = Entrant<f64, Vec<CoursePoint>>;
 
 impl LabScene {
     /// A scene of `seconds` and `bodies` on the usual ladder, whose error is a distance.

@@ -1,19 +1,19 @@
 //! How the regions of stability look, and their edges as CSV, with their limits on the rays of a swing and of drag alone.
 
 use super::curve::CurveOrigin;
-use super::look::Look;
+use super::look::CurveLook;
 use super::rows::{shortest, table};
 use super::stability::Region;
 
 pub const SVG: &str = "stability.svg";
 pub const TITLE: &str = "Where methods are stable: the plane of z = h·λ";
 
-pub fn look(index: usize) -> Look {
-    Look::of(index, CurveOrigin::Lab)
+pub fn look(index: usize) -> CurveLook {
+    CurveLook::of(index, CurveOrigin::Lab)
 }
 
-pub fn shipped_look() -> Look {
-    Look::of(0, CurveOrigin::Shipped)
+pub fn shipped_look() -> CurveLook {
+    CurveLook::of(0, CurveOrigin::Shipped)
 }
 
 /// Two files: the edges, point by point, and the limits on the two rays.

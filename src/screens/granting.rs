@@ -39,7 +39,7 @@ impl App {
             Request::Score(attempt, result, flown) => self.scoring(attempt, result, flown),
             Request::Export(file) => {
                 let told = file.write(&self.places.root.join("exports"));
-                self.screen.tell_of_export(told);
+                self.screen.report_export(told);
                 return None;
             }
             Request::SaveScore(gain) => self.save_score(gain),

@@ -3,9 +3,9 @@
 use super::input::KeyLatch;
 use super::leaderboard::Onward;
 use super::{Classic, Gain, Input, Key, Keys, Motion, Noise, Request, Screen};
-use crate::classics::jumper::engine::Hit;
+use crate::classics::jumper::engine::CuboidHit;
 use crate::classics::jumper::scene::JumpKeys;
-use crate::classics::jumper::scene::{LEADERBOARD, Scene};
+use crate::classics::jumper::scene::{JumperScene, LEADERBOARD};
 use crate::draw::layout::{Area, BUTTON_TEXT, GAP, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
 use crate::game::{Clock, TICK_RATE};
 use crate::ui::Ui;
@@ -33,7 +33,7 @@ const HEAD: f32 = 96.0;
 #[derive(Debug)]
 pub struct Jumper {
     /// The climb; before the first one a tower to look at.
-    scene: Scene,
+    scene: JumperScene,
     /// The panel above the climb, while it is open.
     panel: Option<ClimbPanel>,
     clock: Clock,
@@ -54,23 +54,23 @@ struct ClimbPanel {
 impl Default for Jumper {
     /// The question of how many climb.
     fn default() -> Self {
-        Self::with_panel(Scene::new(0, true), "Jumper", vec![ONE, TWO, BOARD, BACK])
+        Self::with_panel(JumperScene::new(0, true), "Jumper", vec![ONE, TWO, BOARD, BACK])
     }
 }
 
 impl Jumper {
     /// A climb that has ended, and what may be done with it.
-    pub fn ended(scene: Scene) -> Self {
+    pub fn ended(scene: JumperScene) -> Self {
         let save = (scene.score() > 0).then_some(SAVE);
         let labels = [AGAIN].into_iter().chain(save).chain([BOARD, BACK]).collect();
         Self::with_panel(scene, "The view has left you behind", labels)
     }
 
-    fn with_panel(scene: Scene, heading: &'static str, labels: Vec<&'static str>) -> Self {
+    fn with_panel(scene: JumperScene, heading: &'static str, labels: Vec<&'static str>) -> Self {
         Self { panel: Some(ClimbPanel { heading, labels }), ..Self::climbing(scene) }
     }
 
-    fn climbing(scene: Scene) -> Self {
+    fn climbing(scene: JumperScene) -> Self {
         Self { scene, panel: None, clock: Clock::new(TICK_RATE), latch: KeyLatch::default(), shown_for: 0.0, noises: Vec::new() }
     }
 
@@ -93,7 +93,7 @@ impl Jumper {
     }
 
     /// The climb.
-    pub fn scene(&self) -> &Scene {
+    pub fn scene(&self) -> &JumperScene {
         &self.scene
     }
 
@@ -107,7 +107,7 @@ impl Jumper {
                 self.noises.push(Noise::Landing((-rising / HARD).clamp(0.0, 1.0)));
             }
         }
-        if self.scene.hits().iter().any(|hit| matches!(hit, Hit::Pair(..))) {
+        if self.scene.hits().iter().any(|hit| matches!(hit, CuboidHit::Pair(..))) {
             self.noises.push(Noise::Bump);
         }
     }
@@ -118,7 +118,7 @@ impl Jumper {
 
     fn climb(&mut self, two: bool) {
         let seed = self.shown_for.to_bits();
-        *self = Self { shown_for: self.shown_for, ..Self::climbing(Scene::new(seed, two)) };
+        *self = Self { shown_for: self.shown_for, ..Self::climbing(JumperScene::new(seed, two)) };
     }
 
     fn show_panel(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
@@ -207,7 +207,7 @@ impl Screen for Jumper {
 
 mod drawing {
     use super::Jumper;
-    use crate::classics::jumper::engine::{Cuboid, Kind};
+    use crate::classics::jumper::engine::{Cuboid, StaticKind};
     use crate::classics::jumper::scene::{PLAYER_SIZE, VISIBLE};
     use crate::classics::jumper::tower::WIDTH;
     use crate::draw::layout::{Area, HEADING, PADDING, TEXT, Vec2};
@@ -254,12 +254,12 @@ mod drawing {
             for it in self.scene.tower().statics() {
                 let Cuboid { location, dimensions } = it.cuboid;
                 let (z, height) = match it.kind {
-                    Kind::Platform => (location.z, dimensions.z),
-                    Kind::Wall => (view.bottom - 1.0, VISIBLE + 2.0),
+                    StaticKind::Platform => (location.z, dimensions.z),
+                    StaticKind::Wall => (view.bottom - 1.0, VISIBLE + 2.0),
                 };
                 let area = view.area(location.x, z, dimensions.x, height);
                 canvas.rounded(area, 2.0, theme::solid());
-                if it.kind == Kind::Platform {
+                if it.kind == StaticKind::Platform {
                     canvas.rounded(Area { size: Vec2::new(area.size.x, 1.5), ..area }, 0.0, theme::solid_top());
                 }
             }

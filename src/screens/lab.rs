@@ -11,9 +11,9 @@ pub use charts::ChartsPage;
 pub use experiments::{Experiment, ExperimentsPage};
 pub use side_by_side::{Half, SideBySide};
 pub use stability::StabilityPage;
-pub use survival::{Line, SurvivalPage};
+pub use survival::{SurvivalLine, SurvivalPage};
 
-use self::experiments::Wish;
+use self::experiments::ExperimentWish;
 use super::{Buttons, Input, Key, Keys, Motion, Request, Screen, Toolbar};
 use crate::draw::layout::{Area, Frame, GAP};
 use crate::lab::charts::Charts;
@@ -108,8 +108,8 @@ impl Lab {
             Page::Survival => self.survival.update(input),
             Page::SideBySide => self.side_by_side.update(input),
             Page::Experiments => match self.experiments.update(input)? {
-                Wish::Leave => true,
-                Wish::Fly(folder) => return Some(Request::Experiment(folder)),
+                ExperimentWish::Leave => true,
+                ExperimentWish::Fly(folder) => return Some(Request::Experiment(folder)),
             },
         };
         away.then_some(Request::Menu)

@@ -68,10 +68,10 @@ pub use editor::Editor;
 pub use flight::{Attempt, Flight, Flown, News};
 pub use flights::{FlightCandidate, FlightSource, Flights, Visit};
 pub use folder_watch::{FolderWatch, Stamp};
-pub use instruments::vary::{Entry as VaryEntry, From as VaryFrom, Line as VaryLine, Varied, Vary};
-pub use instruments::{Instruments, Measures, Plot, PlotPlaces, Reading, Stage, Table as Figures, Tool as Instrument};
+pub use instruments::vary::{Varied, Vary, VaryEntry, VaryFrom, VaryLine};
+pub use instruments::{Instruments, Measures, Plot, PlotPlaces, Stage, Table as Figures, Tool as Instrument};
 pub use jumper::Jumper;
-pub use lab::{Experiment, Half, Lab, Line, PAGES, Page, Shown};
+pub use lab::{Experiment, Half, Lab, PAGES, Page, Shown, SurvivalLine};
 pub use leaderboard::{BoardRival, Fresh, Leaderboard, Onward};
 pub use level_select::{LevelEntry, LevelSelect, Purpose};
 pub use library::Library;
@@ -99,7 +99,7 @@ pub use watch::{PACES, Watch, above as watch_room};
 pub use window::{Start, open};
 pub use worker::{Errand, Worker};
 
-use crate::classics::jumper::scene::Scene;
+use crate::classics::jumper::scene::JumperScene;
 use crate::game::RunResult;
 use crate::instruments::vary::Variation;
 use crate::level::Level;
@@ -186,7 +186,7 @@ pub enum Request {
     /// One of them, from its beginning.
     Classic(Classic),
     /// A climb that has ended.
-    Climbed(Box<Scene>),
+    Climbed(Box<JumperScene>),
     /// A file that was dropped on the window.
     Open(PathBuf),
     /// The end.

@@ -44,7 +44,7 @@ pub trait Screen: Any + fmt::Debug {
     fn tell_of_settings(&mut self, _settings: &Settings, _problems: &[String]) {}
 
     /// Takes over what became of a curve that was to be kept as a file.
-    fn tell_of_export(&mut self, _told: Result<PathBuf, String>) {}
+    fn report_export(&mut self, _told: Result<PathBuf, String>) {}
 
     /// Draws the part of it that needs a window, below what it has shown.
     #[cfg(feature = "window")]

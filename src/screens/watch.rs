@@ -68,8 +68,8 @@ impl Screen for Watch {
         f32::from(settings.scale) / 100.0
     }
 
-    fn tell_of_export(&mut self, told: Result<PathBuf, String>) {
-        self.instruments.tell_of_export(told);
+    fn report_export(&mut self, told: Result<PathBuf, String>) {
+        self.instruments.report_export(told);
     }
 
     #[cfg(feature = "window")]

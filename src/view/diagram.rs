@@ -7,7 +7,7 @@ use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
 use crate::lab::axes::{Decades, LEAST_ERROR, number, power, step};
 use crate::lab::curve::{CurveOrigin, MethodCurve, WorkPoint};
-use crate::lab::look::{FRAME, Look, Marker, RING, TOLERANCE_DASH};
+use crate::lab::look::{CurveLook, FRAME, Marker, RING, TOLERANCE_DASH};
 use crate::lab::measured::Measured;
 
 /// The most powers of ten that an axis names.
@@ -36,7 +36,7 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, picked: 
     dashed(canvas, &ends, TOLERANCE_DASH, 2.0, theme::good());
     let mut orders: Vec<Area> = Vec::new();
     for (index, curve) in measured.curves.iter().enumerate() {
-        let look = Look::of(index, curve.origin);
+        let look = CurveLook::of(index, curve.origin);
         let colour = shade(Colour::hex(look.colour), picked.curve.is_none_or(|picked| picked == index));
         if let Some((order, point)) = curve.order().zip(curve.finest_fitted()) {
             let place = free_place(plot.at(&point), &orders);
@@ -113,7 +113,7 @@ fn axes(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
     canvas.text(&measured.work, Vec2::new(area.centre().x, end.y + 44.0), words.centred());
 }
 
-pub fn stroke(canvas: &Canvas, line: &[Vec2], look: &Look, colour: Colour) {
+pub fn stroke(canvas: &Canvas, line: &[Vec2], look: &CurveLook, colour: Colour) {
     let width = look.width as f32;
     match look.dash {
         None => line.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], width, colour)),
@@ -151,7 +151,7 @@ pub(super) fn legend_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: 
             canvas.rounded(area, 6.0, theme::panel_hover());
         }
         let whole = picked.is_none_or(|picked| picked == index);
-        let look = Look::of(index, curve.origin);
+        let look = CurveLook::of(index, curve.origin);
         let colour = shade(Colour::hex(look.colour), whole);
         stroke(canvas, &[Vec2::new(area.min.x, middle.y), Vec2::new(area.min.x + SAMPLE, middle.y)], &look, colour);
         marker(canvas, middle, look.marker, colour);

@@ -64,7 +64,7 @@ mod tests {
     use crate::game::Controls;
     use crate::instruments::curve::fixture::{curve, flown};
     use crate::instruments::export::{self, Exported};
-    use crate::instruments::quantity::{Part, Quantity};
+    use crate::instruments::quantity::{Quantity, VectorPart};
     use crate::lab::course::{CoursePoint, OverTime};
     use crate::lab::curve::{CurveOrigin, MethodCurve, WorkPoint};
     use crate::lab::stability::regions;
@@ -115,7 +115,7 @@ mod tests {
     #[test]
     fn a_picture_of_curves_names_its_axes_and_has_bounded_size() {
         let track = flown(3000, |tick| Controls { thrust: tick < 60, right: tick % 7 == 0, ..Controls::default() });
-        let shown = [Quantity::Y, Quantity::Velocity(Part::Y), Quantity::Force(ForceKind::Reaction, Part::Size)]
+        let shown = [Quantity::Y, Quantity::Velocity(VectorPart::Y), Quantity::Force(ForceKind::Reaction, VectorPart::Size)]
             .map(|up| curve(&track, Quantity::Time, up));
         let exported: Vec<Exported> =
             shown.iter().enumerate().map(|(number, curve)| Exported { body: "Ship", curve, track: &track, number }).collect();

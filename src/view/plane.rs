@@ -58,7 +58,7 @@ mod drawing {
     use super::{LINE, Plane};
     use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
     use crate::draw::{Canvas, Colour, Style};
-    use crate::lab::look::Look;
+    use crate::lab::look::CurveLook;
     use crate::lab::stability::{CELLS, Complex, IMAGINARY, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
     use crate::lab::stability_diagram::{look, shipped_look};
     use crate::view::diagram::{marker, shade, stroke};
@@ -151,7 +151,7 @@ mod drawing {
         let head = plane.legend(0);
         canvas.text("stable up to", Vec2::new(head.min.x + WORDS, head.centre().y), quiet);
         limits(head, ["h/τ", "ω·h"], quiet);
-        let line = |line: usize, look: &Look, (name, [drag, swing]): (&str, [f64; 2]), whole: bool| {
+        let line = |line: usize, look: &CurveLook, (name, [drag, swing]): (&str, [f64; 2]), whole: bool| {
             let area = plane.legend(line);
             let (y, colour) = (area.centre().y, shade(Colour::hex(look.colour), whole));
             let sample = [area.min.x, area.min.x + SAMPLE].map(|x| Vec2::new(x, y));

@@ -10,7 +10,7 @@ use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
 use crate::lab::axes::{number, power};
 use crate::lab::course::{CoursePoint, OverTime};
-use crate::lab::look::{Look, TOLERANCE_DASH};
+use crate::lab::look::{CurveLook, TOLERANCE_DASH};
 use crate::lab::measured::Measured;
 use crate::lab::timeline::{Timeline, energy_name, round_numbers};
 
@@ -52,7 +52,7 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, (measured, over_time): (&Meas
         else {
             continue;
         };
-        let look = Look { width: 2, ..Look::of(index, curve.origin) };
+        let look = CurveLook { width: 2, ..CurveLook::of(index, curve.origin) };
         let colour = shade(Colour::hex(look.colour), picked.is_none_or(|picked| picked == index));
         let line: Vec<Vec2> = course.points.iter().map(|moment| upper.at(axes.error_at(moment))).collect();
         stroke(canvas, &line, &look, colour);

@@ -2,8 +2,8 @@
 
 use crate::support::program::{Ran, resultant};
 use glam::DVec3;
-use resultant::classics::jumper::engine::{CuboidFace, Dynamic, Hit};
-use resultant::classics::jumper::scene::{JumpKeys, LEADERBOARD, PLAYER_SIZE, Scene, VISIBLE};
+use resultant::classics::jumper::engine::{CuboidFace, CuboidHit, Dynamic};
+use resultant::classics::jumper::scene::{JumpKeys, JumperScene, LEADERBOARD, PLAYER_SIZE, VISIBLE};
 use resultant::game::TICK_RATE;
 
 const NOTHING: JumpKeys = JumpKeys { left: false, right: false, jump: false };
@@ -23,16 +23,16 @@ fn no_level_can_have_the_name_of_the_climbs_leaderboard() {
     }
 }
 
-fn alone() -> Scene {
-    Scene::new(SEED, false)
+fn alone() -> JumperScene {
+    JumperScene::new(SEED, false)
 }
 
-fn tick(scene: &mut Scene, keys: JumpKeys) -> Dynamic {
+fn tick(scene: &mut JumperScene, keys: JumpKeys) -> Dynamic {
     scene.tick([keys, NOTHING]);
     body(scene, 0)
 }
 
-fn body(scene: &Scene, player: usize) -> Dynamic {
+fn body(scene: &JumperScene, player: usize) -> Dynamic {
     *scene.players().nth(player).unwrap().1
 }
 
@@ -43,7 +43,7 @@ fn near(a: f64, b: f64) -> bool {
 #[test]
 fn players_start_on_the_ground() {
     for two in [false, true] {
-        let scene = Scene::new(3, two);
+        let scene = JumperScene::new(3, two);
         let places: Vec<DVec3> = scene.players().map(|(_, body)| body.cuboid.location).collect();
         assert_eq!(places, [DVec3::new(5.0, 0.0, 0.0), DVec3::new(10.0, 0.0, 0.0)][..places.len()]);
         assert_eq!((places.len(), scene.score(), scene.is_over()), (1 + usize::from(two), 0, false));
@@ -127,14 +127,15 @@ fn the_walls_hold() {
             tick(&mut scene, keys);
         }
         assert!(near(body(&scene, 0).cuboid.location.x, end));
-        let against = scene.hits().iter().any(|hit| matches!(hit, Hit::Static { face: CuboidFace::MinX | CuboidFace::MaxX, .. }));
+        let against =
+            scene.hits().iter().any(|hit| matches!(hit, CuboidHit::Static { face: CuboidFace::MinX | CuboidFace::MaxX, .. }));
         assert!(against, "{:?}", scene.hits());
     }
 }
 
 /// The keys, a tick each, of the hop that ends highest on the ground: walk, jump, jump once more, each to a side. It is tried out on
 /// copies of the scene.
-fn hop(scene: &Scene) -> Vec<JumpKeys> {
+fn hop(scene: &JumperScene) -> Vec<JumpKeys> {
     let sides = [LEFT, NOTHING, RIGHT];
     let walks = sides.into_iter().flat_map(|side| [0, 15, 45, 90].map(|ticks| vec![side; ticks]));
     let jumps = sides.into_iter().flat_map(|first| sides.map(|second| (first, second)));
@@ -156,7 +157,7 @@ fn hop(scene: &Scene) -> Vec<JumpKeys> {
 
 #[test]
 fn a_climb_raises_the_view_which_never_falls_and_leaves_behind_who_stays() {
-    let mut scene = Scene::new(SEED, true);
+    let mut scene = JumperScene::new(SEED, true);
     let mut bottom = 0.0;
     while scene.score() < 30 && scene.ticks() < 120 * 120 {
         for keys in hop(&scene) {
@@ -191,7 +192,7 @@ fn a_climb_raises_the_view_which_never_falls_and_leaves_behind_who_stays() {
 #[test]
 fn a_climb_repeats_bit_by_bit_and_another_seed_is_another_tower() {
     let climb = |seed| {
-        let mut scene = Scene::new(seed, true);
+        let mut scene = JumperScene::new(seed, true);
         for tick in 0..2000_u32 {
             let keys =
                 |shift: u32| JumpKeys { left: tick / 90 % 2 == shift, right: tick / 90 % 2 != shift, jump: tick / 13 % 3 == 0 };
@@ -206,10 +207,10 @@ fn a_climb_repeats_bit_by_bit_and_another_seed_is_another_tower() {
 
 #[test]
 fn players_bounce_off_each_other() {
-    let mut scene = Scene::new(SEED, true);
+    let mut scene = JumperScene::new(SEED, true);
     let bumped = (0..240).any(|_| {
         scene.tick([RIGHT, LEFT]);
-        scene.hits().contains(&Hit::Pair(0, 1))
+        scene.hits().contains(&CuboidHit::Pair(0, 1))
     });
     assert!(bumped);
     for _ in 0..10 {
@@ -229,7 +230,7 @@ fn the_command_line_climbs_and_refuses() {
         let ran = Ran::new(resultant().args(args).arg(&inputs).args(more));
         (ran.status, ran.out, ran.err)
     };
-    let mut scene = Scene::new(1, true);
+    let mut scene = JumperScene::new(1, true);
     for _ in 0..30 {
         scene.tick([RIGHT, LEFT]);
     }

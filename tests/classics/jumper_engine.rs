@@ -3,9 +3,9 @@
 use glam::{BVec3, DVec3};
 use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence;
-use resultant::classics::jumper::engine::{Cuboid, CuboidFace, Dynamic, Hit, Kind, Static, step};
+use resultant::classics::jumper::engine::{Cuboid, CuboidFace, CuboidHit, Dynamic, Static, StaticKind, step};
 
-fn described(bodies: &mut [Dynamic], statics: &[Static], g: f64, dt: f64) -> Vec<Hit> {
+fn described(bodies: &mut [Dynamic], statics: &[Static], g: f64, dt: f64) -> Vec<CuboidHit> {
     let mut hits = Vec::new();
     let overlap =
         |a: &Cuboid, b: &Cuboid| (0..3).all(|axis| a.location[axis].max(b.location[axis]) < a.end()[axis].min(b.end()[axis]));
@@ -21,7 +21,7 @@ fn described(bodies: &mut [Dynamic], statics: &[Static], g: f64, dt: f64) -> Vec
             if overlap(&body.cuboid, &other.cuboid) {
                 let face = described_face(Cuboid { location: body.previous, ..body.cuboid }, other.cuboid);
                 described_answer(body, other, face);
-                hits.push(Hit::Static { object, obstacle, face });
+                hits.push(CuboidHit::Static { object, obstacle, face });
             }
         }
     }
@@ -37,7 +37,7 @@ fn described(bodies: &mut [Dynamic], statics: &[Static], g: f64, dt: f64) -> Vec
                 bodies[first].velocity -= 2.0 * b.mass / (a.mass + b.mass) * along * n / n.dot(n);
                 bodies[second].velocity += 2.0 * a.mass / (a.mass + b.mass) * along * n / n.dot(n);
             }
-            hits.push(Hit::Pair(first, second));
+            hits.push(CuboidHit::Pair(first, second));
         }
     }
     hits
@@ -62,8 +62,8 @@ fn described_face(before: Cuboid, other: Cuboid) -> CuboidFace {
 fn described_answer(body: &mut Dynamic, other: &Static, face: CuboidFace) {
     let (location, end) = (&mut body.cuboid.location, other.cuboid.end());
     match (other.kind, face) {
-        (Kind::Platform, CuboidFace::Top) => (location.z, body.velocity.z, body.on_ground) = (end.z, 0.0, true),
-        (Kind::Wall, CuboidFace::MinX | CuboidFace::MaxX) => {
+        (StaticKind::Platform, CuboidFace::Top) => (location.z, body.velocity.z, body.on_ground) = (end.z, 0.0, true),
+        (StaticKind::Wall, CuboidFace::MinX | CuboidFace::MaxX) => {
             let against = other.cuboid.location.x - body.cuboid.dimensions.x;
             let rounded_into = against + body.cuboid.dimensions.x > other.cuboid.location.x;
             let against = if rounded_into { against.next_down() } else { against };
@@ -74,10 +74,10 @@ fn described_answer(body: &mut Dynamic, other: &Static, face: CuboidFace) {
     }
 }
 
-type Engine<'a> = &'a dyn Fn(&mut [Dynamic], &[Static], f64, f64) -> Vec<Hit>;
+type Engine<'a> = &'a dyn Fn(&mut [Dynamic], &[Static], f64, f64) -> Vec<CuboidHit>;
 
-fn shipped(bodies: &mut [Dynamic], statics: &[Static], g: f64, dt: f64) -> Vec<Hit> {
-    let mut hits = vec![Hit::Pair(7, 8)]; // A leftover, which a step has to clear.
+fn shipped(bodies: &mut [Dynamic], statics: &[Static], g: f64, dt: f64) -> Vec<CuboidHit> {
+    let mut hits = vec![CuboidHit::Pair(7, 8)]; // A leftover, which a step has to clear.
     step(bodies, statics, g, dt, &mut hits);
     hits
 }
@@ -91,7 +91,7 @@ fn body(location: DVec3, dimensions: DVec3, velocity: DVec3, mass: f64) -> Dynam
 }
 
 /// A cube of 1 m at (2, 2, 2).
-fn cube(kind: Kind) -> Static {
+fn cube(kind: StaticKind) -> Static {
     Static { cuboid: Cuboid { location: DVec3::splat(2.0), dimensions: DVec3::ONE }, kind }
 }
 
@@ -101,16 +101,16 @@ fn small(location: DVec3, velocity: DVec3) -> Dynamic {
 }
 
 /// One step without gravity of 0.1 s, against a cube of each kind: what was hit, and the two bodies after it.
-fn against_cubes(engine: Engine, before: Dynamic) -> [(Vec<Hit>, Dynamic); 2] {
-    [Kind::Platform, Kind::Wall].map(|kind| {
+fn against_cubes(engine: Engine, before: Dynamic) -> [(Vec<CuboidHit>, Dynamic); 2] {
+    [StaticKind::Platform, StaticKind::Wall].map(|kind| {
         let mut bodies = [before];
         let hits = engine(&mut bodies, &[cube(kind)], 0.0, 0.1);
         (hits, bodies[0])
     })
 }
 
-fn hit(face: CuboidFace) -> Vec<Hit> {
-    vec![Hit::Static { object: 0, obstacle: 0, face }]
+fn hit(face: CuboidFace) -> Vec<CuboidHit> {
+    vec![CuboidHit::Static { object: 0, obstacle: 0, face }]
 }
 
 fn close(a: DVec3, b: DVec3) -> bool {
@@ -202,13 +202,13 @@ fn what_overlapped_before_is_internal_and_passes(engine: Engine) -> bool {
 fn a_jump_passes_the_platform_and_lands_on_it(engine: Engine) -> bool {
     let mut bodies = [small(v(2.25, 2.25, 0.0), v(0.0, 0.0, 9.0))];
     for _ in 0..300 {
-        engine(&mut bodies, &[cube(Kind::Platform)], 10.0, 0.01);
+        engine(&mut bodies, &[cube(StaticKind::Platform)], 10.0, 0.01);
     }
     bodies[0].cuboid.location == v(2.25, 2.25, 3.0) && bodies[0].on_ground && bodies[0].velocity == DVec3::ZERO
 }
 
 fn a_wall_holds_for_ever(engine: Engine) -> bool {
-    let wall = Static { cuboid: Cuboid { location: v(15.1, -1.0, 0.0), dimensions: v(0.1, 3.0, 9.0) }, kind: Kind::Wall };
+    let wall = Static { cuboid: Cuboid { location: v(15.1, -1.0, 0.0), dimensions: v(0.1, 3.0, 9.0) }, kind: StaticKind::Wall };
     [0.3, 0.1, 1.0 / 3.0, 14.9].into_iter().all(|width| {
         let mut bodies = [body(v(0.0, 0.0, 1.0), v(width, 1.0, 1.0), DVec3::ZERO, 1.0)];
         (0..600).all(|_| {
@@ -223,7 +223,7 @@ fn the_first_elastic_example(engine: Engine) -> bool {
     let cube = DVec3::ONE;
     let mut bodies = [body(v(-0.1, -1.0, 0.0), cube, v(2.0, 1.5, 0.0), 2.0), body(v(0.1, -1.0, 0.0), cube, v(-2.0, 1.0, 0.0), 4.0)];
     let hits = engine(&mut bodies, &[], 0.0, 0.1);
-    hits == [Hit::Pair(0, 1)]
+    hits == [CuboidHit::Pair(0, 1)]
         && close(bodies[0].velocity, v(-3.176470588235294, 0.20588235294117496, 0.0))
         && close(bodies[1].velocity, v(0.5882352941176473, 1.6470588235294126, 0.0))
 }
@@ -232,7 +232,7 @@ fn the_second_elastic_example(engine: Engine) -> bool {
     let mut bodies =
         [body(v(-5.0, 1.0, 0.0), v(4.0, 1.0, 2.0), v(1.5, 0.0, 0.0), 10.0), body(DVec3::ZERO, v(1.0, 2.0, 5.0), DVec3::ZERO, 20.0)];
     let hits = engine(&mut bodies, &[], 0.0, 1.0);
-    hits == [Hit::Pair(0, 1)]
+    hits == [CuboidHit::Pair(0, 1)]
         && close(bodies[0].velocity, v(0.26923076923076905, 0.3076923076923077, -0.9230769230769232))
         && close(bodies[1].velocity, v(0.6153846153846154, -0.15384615384615385, 0.4615384615384616))
 }
@@ -284,7 +284,7 @@ proptest! {
     ) {
         let statics: Vec<Static> = statics.into_iter().map(|(location, dimensions, wall)| Static {
             cuboid: Cuboid { location, dimensions },
-            kind: if wall { Kind::Wall } else { Kind::Platform },
+            kind: if wall { StaticKind::Wall } else { StaticKind::Platform },
         }).collect();
         let mut ours: Vec<Dynamic> = bodies.into_iter().map(|(at, size, velocity, mass)| body(at, size, velocity, f64::from(mass))).collect();
         let mut theirs = ours.clone();

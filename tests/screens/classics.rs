@@ -1,7 +1,7 @@
 //! The classics' screens: the ways to them and back by mouse and keyboard, and what is played there. No window.
 
 use crate::sitting::Sitting;
-use resultant::classics::jumper::scene::{self, Scene};
+use resultant::classics::jumper::scene::{JumpKeys, JumperScene};
 use resultant::classics::pi::Blocks;
 use resultant::screens::{Classic, Input, Jumper, Key, Keys, Noise, Pi, Request, TileRun};
 use std::path::Path;
@@ -193,10 +193,10 @@ fn the_run_is_as_fast_at_every_frame_rate() {
 // Jumper
 
 /// A climb that has come to an end by waiting at the foot, after a height that counts.
-fn ended() -> Scene {
-    let mut scene = Scene::new(1, false);
+fn ended() -> JumperScene {
+    let mut scene = JumperScene::new(1, false);
     for tick in 0..240 {
-        scene.tick([scene::JumpKeys { jump: tick % 60 < 30, ..Default::default() }, Default::default()]);
+        scene.tick([JumpKeys { jump: tick % 60 < 30, ..Default::default() }, Default::default()]);
     }
     scene
 }
@@ -262,7 +262,7 @@ fn a_climb_is_saved_on_the_jumpers_leaderboard() {
 
 #[test]
 fn a_climb_that_came_to_nothing_cannot_be_saved() {
-    let mut sitting = at(Request::Climbed(Box::new(Scene::new(1, true))));
+    let mut sitting = at(Request::Climbed(Box::new(JumperScene::new(1, true))));
     assert_eq!(sitting.labels(), ["Climb Again", "Leaderboard", "Back"]);
     sitting.click("Climb Again");
     assert_eq!(jumper(&sitting).scene().players().count(), 2, "again as many");

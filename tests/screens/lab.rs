@@ -5,7 +5,7 @@ use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::lab::charts::Charts;
 use resultant::lab::kept;
 use resultant::lab::side_by_side::exhibits;
-use resultant::screens::{App, Attempt, Flight, Input, Key, Lab, Line, Menu, PAGES, Page, Places, Request};
+use resultant::screens::{App, Attempt, Flight, Input, Key, Lab, Menu, PAGES, Page, Places, Request, SurvivalLine};
 use std::fs;
 use std::path::Path;
 
@@ -192,7 +192,7 @@ fn the_table_has_every_stress_test_and_scrolls() {
     let stress = kept::charts().unwrap().stress;
     let lines = sitting.lab().survival().lines();
     let methods: Vec<_> =
-        lines.iter().filter_map(|line| if let Line::Method(row) = line { Some(row.clone()) } else { None }).collect();
+        lines.iter().filter_map(|line| if let SurvivalLine::Method(row) = line { Some(row.clone()) } else { None }).collect();
     assert_eq!(methods, stress);
     let tests = lines.len() - methods.len();
     assert_eq!(tests, stress.chunk_by(|a, b| a.test == b.test).count());
@@ -217,7 +217,7 @@ fn the_failures_in_view_are_drawn_within_a_second_and_the_one_pointed_at_is_told
         sitting.press(key).wait(1.0);
         let page = sitting.lab().survival();
         for line in page.range() {
-            let Line::Method(row) = &page.lines()[line] else { continue };
+            let SurvivalLine::Method(row) = &page.lines()[line] else { continue };
             let refused = row.shipped && row.test.starts_with("nonsense");
             assert_eq!(page.picture(line).is_none(), refused, "{}, {}", row.test, row.method);
         }

@@ -66,7 +66,7 @@ pub fn open_plot(sitting: &mut Sitting) {
 
 /// What the plot says of its last export: the path, where it was written.
 pub fn written(sitting: &Sitting) -> PathBuf {
-    match sitting.flight().instruments().plot().told() {
+    match sitting.flight().instruments().plot().message() {
         Some((words, false)) => PathBuf::from(words.strip_prefix("Written: ").unwrap()),
         told => panic!("{told:?}"),
     }

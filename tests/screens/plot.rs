@@ -153,7 +153,7 @@ fn two_objects_are_compared_in_four_curves_and_no_more() {
     assert!(names(&sitting).is_empty() && button(&sitting, "×").is_none());
     press_button(&mut sitting, "CSV");
     sitting.rest();
-    assert!(plot(&sitting).told().unwrap().1, "there is nothing to be written");
+    assert!(plot(&sitting).message().unwrap().1, "there is nothing to be written");
     for _ in 0..4 {
         press_button(&mut sitting, "+ Curve");
         sitting.click_at(Vec2::new(640.0, 100.0));
@@ -208,7 +208,7 @@ fn where_nothing_can_be_written_that_is_said_and_nothing_is_there() {
     open_plot(&mut sitting);
     press_button(&mut sitting, "CSV");
     sitting.rest();
-    let (words, bad) = plot(&sitting).told().unwrap();
+    let (words, bad) = plot(&sitting).message().unwrap();
     assert!(bad && words.contains("exports") && words.contains("cannot keep the curves"), "{words}");
     assert_eq!(fs::read_to_string(sitting.folder.path().join("exports")).unwrap(), "a file");
 }

@@ -131,7 +131,10 @@ fn what_is_typed_flies_nothing_and_what_will_not_do_says_what_would() {
     ] {
         type_in(&mut sitting, Parameter::Mass(0), text);
         let vary = sitting.flight().instruments().vary();
-        assert_eq!((vary.told(), vary.entry()), (Some((told, true)), Some((VaryEntry::Number(Parameter::Mass(0)), text.into()))));
+        assert_eq!(
+            (vary.message(), vary.entry()),
+            (Some((told, true)), Some((VaryEntry::Number(Parameter::Mass(0)), text.into())))
+        );
         sitting.press(Key::Escape);
         assert!(sitting.flight().variation().is_none());
     }
@@ -148,7 +151,7 @@ fn what_is_typed_flies_nothing_and_what_will_not_do_says_what_would() {
     // Each of two is accepted, but not both.
     type_in(&mut sitting, Parameter::Thrust, "1e6");
     type_in(&mut sitting, Parameter::Mass(0), "1");
-    let (told, bad) = sitting.flight().instruments().vary().told().expect("it is refused");
+    let (told, bad) = sitting.flight().instruments().vary().message().expect("it is refused");
     assert!(bad && told.contains("10000 m/s²"), "{told}");
     assert_eq!((value(&sitting, Parameter::Thrust), value(&sitting, Parameter::Mass(0))), (1e6, 100.0));
     // A true minus is a minus, and up is up.
@@ -309,7 +312,7 @@ fn an_edit_of_the_files_varies_the_new_level_from_its_start() {
     sitting.wait(0.4);
     let flight = sitting.flight();
     assert!(flight.variation().is_none() && flight.game().level().gravity == 15.0 && !flight.is_assisted());
-    assert!(flight.instruments().vary().told().is_some_and(|(_, bad)| bad));
+    assert!(flight.instruments().vary().message().is_some_and(|(_, bad)| bad));
 }
 
 #[test]
@@ -348,7 +351,7 @@ fn what_is_varied_is_saved_as_a_level_of_its_own_that_can_be_chosen() {
         button(&mut sitting, 3);
         assert_eq!(sitting.flight().instruments().vary().entry(), Some((VaryEntry::Name, String::new())));
         sitting.write(typed).press(Key::Enter);
-        let told = sitting.flight().instruments().vary().told().expect("it is said where").0.to_owned();
+        let told = sitting.flight().instruments().vary().message().expect("it is said where").0.to_owned();
         assert_eq!(told, format!("Saved as {}", levels.join(name).display()));
         let read = level::load(&levels.join(name), sitting.folder.path()).expect("it loads").level;
         assert_eq!((read.title.as_str(), read.name.as_str()), ("2: what if", name));
@@ -357,7 +360,7 @@ fn what_is_varied_is_saved_as_a_level_of_its_own_that_can_be_chosen() {
     for (typed, refusal) in [("moon", "there is one of that name already"), ("../x", "letters, digits"), ("jumper", "Jumper")] {
         button(&mut sitting, 3);
         sitting.write(typed).press(Key::Enter);
-        let (told, bad) = sitting.flight().instruments().vary().told().unwrap();
+        let (told, bad) = sitting.flight().instruments().vary().message().unwrap();
         assert!(bad && told.contains(refusal), "{told}");
     }
     assert_eq!(fs::read_dir(&levels).unwrap().count(), 5 + 3);

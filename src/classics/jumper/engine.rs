@@ -50,7 +50,7 @@ impl Dynamic {
 
 /// The effect of a static cuboid on moving ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum StaticKind {
     /// Carries bodies from above; lets all others pass.
     Platform,
     /// Stops motion along x; lets all other motion pass.
@@ -60,7 +60,7 @@ pub enum Kind {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Static {
     pub cuboid: Cuboid,
-    pub kind: Kind,
+    pub kind: StaticKind,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,7 +77,7 @@ pub enum CuboidFace {
 
 /// A collision in a step, by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Hit {
+pub enum CuboidHit {
     /// A dynamic cuboid with a static one.
     Static { object: usize, obstacle: usize, face: CuboidFace },
     /// Two dynamic cuboids, the first with the smaller index.
@@ -85,7 +85,7 @@ pub enum Hit {
 }
 
 /// Moves everything by `dt` s under `gravity` m/s², then answers the collisions in order of index; `hits` is cleared and filled.
-pub fn step(dynamics: &mut [Dynamic], statics: &[Static], gravity: f64, dt: f64, hits: &mut Vec<Hit>) {
+pub fn step(dynamics: &mut [Dynamic], statics: &[Static], gravity: f64, dt: f64, hits: &mut Vec<CuboidHit>) {
     hits.clear();
     for (object, dynamic) in dynamics.iter_mut().enumerate() {
         advance(dynamic, gravity, dt);
@@ -93,7 +93,7 @@ pub fn step(dynamics: &mut [Dynamic], statics: &[Static], gravity: f64, dt: f64,
             if dynamic.cuboid.overlaps(&other.cuboid) {
                 let face = face_hit(&Cuboid { location: dynamic.previous, ..dynamic.cuboid }, &other.cuboid);
                 answer(dynamic, other, face);
-                hits.push(Hit::Static { object, obstacle, face });
+                hits.push(CuboidHit::Static { object, obstacle, face });
             }
         }
     }
@@ -102,7 +102,7 @@ pub fn step(dynamics: &mut [Dynamic], statics: &[Static], gravity: f64, dt: f64,
         for (first, other) in before.iter_mut().enumerate() {
             if other.cuboid.overlaps(&from_second[0].cuboid) {
                 bounce(other, &mut from_second[0]);
-                hits.push(Hit::Pair(first, second));
+                hits.push(CuboidHit::Pair(first, second));
             }
         }
     }
@@ -139,20 +139,20 @@ pub fn face_hit(before: &Cuboid, obstacle: &Cuboid) -> CuboidFace {
 fn answer(dynamic: &mut Dynamic, other: &Static, face: CuboidFace) {
     let location = &mut dynamic.cuboid.location;
     match (other.kind, face) {
-        (Kind::Platform, CuboidFace::Top) => {
+        (StaticKind::Platform, CuboidFace::Top) => {
             location.z = other.cuboid.end().z;
             dynamic.velocity.z = 0.0;
             dynamic.on_ground = true;
         }
-        (Kind::Wall, CuboidFace::MinX) => {
+        (StaticKind::Wall, CuboidFace::MinX) => {
             location.x = start_that_ends_at(other.cuboid.location.x, dynamic.cuboid.dimensions.x);
             dynamic.velocity.x = 0.0;
         }
-        (Kind::Wall, CuboidFace::MaxX) => {
+        (StaticKind::Wall, CuboidFace::MaxX) => {
             location.x = other.cuboid.end().x;
             dynamic.velocity.x = 0.0;
         }
-        (Kind::Platform | Kind::Wall, _) => {}
+        (StaticKind::Platform | StaticKind::Wall, _) => {}
     }
 }
 

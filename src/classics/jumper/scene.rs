@@ -1,6 +1,6 @@
 //! The climb: one or two players with their keys, the view that rises with the higher one, and the score.
 
-use super::engine::{self, Cuboid, Dynamic, Hit};
+use super::engine::{self, Cuboid, CuboidHit, Dynamic};
 use super::tower::{DEPTH, Tower, WIDTH};
 use crate::game::TICK_RATE;
 use glam::DVec3;
@@ -116,7 +116,7 @@ impl Climber {
 }
 
 #[derive(Clone, Debug)]
-pub struct Scene {
+pub struct JumperScene {
     tower: Tower,
     players: Vec<Climber>,
     bodies: Vec<Dynamic>,
@@ -124,10 +124,10 @@ pub struct Scene {
     previous_bottom: f64,
     height: f64,
     ticks: u64,
-    hits: Vec<Hit>,
+    hits: Vec<CuboidHit>,
 }
 
-impl Scene {
+impl JumperScene {
     /// The start of a climb of one player or, with `two`, of both, on the tower of that seed.
     pub fn new(seed: u64, two: bool) -> Self {
         let starts = &STARTS[..1 + usize::from(two)];
@@ -159,7 +159,7 @@ impl Scene {
             player.obey(if player.out { JumpKeys::default() } else { keys }, body);
         }
         engine::step(&mut self.bodies, self.tower.statics(), GRAVITY, 1.0 / TICK_RATE, &mut self.hits);
-        if self.hits.iter().any(|hit| matches!(hit, Hit::Pair(..))) {
+        if self.hits.iter().any(|hit| matches!(hit, CuboidHit::Pair(..))) {
             self.players.iter_mut().for_each(|player| player.stagger = STAGGER);
         }
         self.raise_view();
@@ -211,7 +211,7 @@ impl Scene {
         self.previous_bottom + alpha * (self.bottom - self.previous_bottom)
     }
 
-    pub fn hits(&self) -> &[Hit] {
+    pub fn hits(&self) -> &[CuboidHit] {
         &self.hits
     }
 }

@@ -1,6 +1,6 @@
 //! The tower: walls at both sides and rows of platforms that are generated ahead of the climb. The same seed builds the same tower.
 
-use super::engine::{Cuboid, Kind, Static};
+use super::engine::{Cuboid, Static, StaticKind};
 use glam::DVec3;
 use rand::Rng;
 use rand_pcg::Pcg32;
@@ -40,7 +40,7 @@ pub struct Tower {
 impl Tower {
     /// The two walls, and no platform yet.
     pub fn new(seed: u64) -> Self {
-        let wall = |x| slab(Kind::Wall, DVec3::new(x, 0.0, 0.0), DVec3::new(THICKNESS, DEPTH, WALL_HEIGHT));
+        let wall = |x| slab(StaticKind::Wall, DVec3::new(x, 0.0, 0.0), DVec3::new(THICKNESS, DEPTH, WALL_HEIGHT));
         Self { random: Pcg32::new(seed, STREAM), rows: 0, left_out: 0, statics: vec![wall(-THICKNESS), wall(WIDTH)] }
     }
 
@@ -59,7 +59,7 @@ impl Tower {
 
     /// Drops the platforms below `height` m: no player comes back to them.
     pub fn drop_below(&mut self, height: f64) {
-        self.statics.retain(|it| it.kind == Kind::Wall || it.cuboid.end().z >= height);
+        self.statics.retain(|it| it.kind == StaticKind::Wall || it.cuboid.end().z >= height);
     }
 
     fn add_row(&mut self, height: f64) {
@@ -83,7 +83,7 @@ impl Tower {
             }
             let end = (start + width).min(WIDTH);
             let dimensions = DVec3::new(end - start, DEPTH, THICKNESS);
-            self.statics.push(slab(Kind::Platform, DVec3::new(start, 0.0, height), dimensions));
+            self.statics.push(slab(StaticKind::Platform, DVec3::new(start, 0.0, height), dimensions));
             from = end;
         }
     }
@@ -94,7 +94,7 @@ impl Tower {
     }
 }
 
-fn slab(kind: Kind, location: DVec3, dimensions: DVec3) -> Static {
+fn slab(kind: StaticKind, location: DVec3, dimensions: DVec3) -> Static {
     Static { cuboid: Cuboid { location, dimensions }, kind }
 }
 

@@ -11,7 +11,7 @@ use super::rows::{shortest, table};
 use super::stress::Survival;
 
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Setting {
+pub struct MeasuredWith {
     /// Kind of processor and system; no names of machines.
     pub machine: String,
     pub commit: Option<String>,
@@ -22,7 +22,7 @@ pub struct Setting {
 
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Charts {
-    pub setting: Setting,
+    pub setting: MeasuredWith,
     /// In the order of the charts' screen.
     pub diagrams: Vec<Measured>,
     /// Rows of one test stand together.
@@ -42,7 +42,7 @@ const STRESS_HEAD: [&str; 6] = ["test", "parameter", "method", "largest", "tried
 
 impl Charts {
     pub fn files(&self) -> Vec<(String, String)> {
-        let Setting { machine, commit, profile, quick } = &self.setting;
+        let MeasuredWith { machine, commit, profile, quick } = &self.setting;
         let setting = [machine.clone(), commit.clone().unwrap_or_default(), profile.clone(), quick.to_string()];
         let scenes = self.diagrams.iter().map(|m| {
             let words = [&m.name, &m.title, &m.error, &m.work].map(String::clone);
@@ -136,7 +136,7 @@ mod tests {
             tried: 1e6,
             shipped,
         };
-        let setting = Setting { machine: "a, b".into(), commit: None, profile: "release".into(), quick: true };
+        let setting = MeasuredWith { machine: "a, b".into(), commit: None, profile: "release".into(), quick: true };
         let other = Measured { name: "b".into(), curves: Vec::new(), alike: false, ..measured.clone() };
         Charts { setting, diagrams: vec![measured, other], stress: vec![survival("one", 36.04, false), survival("one", 1e6, true)] }
     }

@@ -1,6 +1,6 @@
 use super::{
-    COURSES_HEAD, Charts, LATER, MOST_SCENES, POINTS_HEAD, SCENES, SCENES_HEAD, SETTING, SETTING_HEAD, STRESS, STRESS_HEAD,
-    Setting, courses_file, origin_word, points_file,
+    COURSES_HEAD, Charts, LATER, MOST_SCENES, MeasuredWith, POINTS_HEAD, SCENES, SCENES_HEAD, SETTING, SETTING_HEAD, STRESS,
+    STRESS_HEAD, courses_file, origin_word, points_file,
 };
 use crate::files::CsvRow;
 use crate::lab::course::{CoursePoint, OverTime};
@@ -21,7 +21,7 @@ impl Charts {
     pub fn read(file: impl Fn(&str) -> Result<String, String>) -> Result<Self, String> {
         let setting = rows(SETTING, &file(SETTING)?, &SETTING_HEAD)?;
         let Some(row) = setting.first() else { return Err(format!("{SETTING}: expected a row below the head, found none")) };
-        let setting = Setting {
+        let setting = MeasuredWith {
             machine: row.get("machine").to_owned(),
             commit: Some(row.get("commit").to_owned()).filter(|commit| !commit.is_empty()),
             profile: row.get("profile").to_owned(),

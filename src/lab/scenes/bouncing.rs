@@ -3,7 +3,7 @@
 use crate::lab::contract::{By, Model};
 use crate::lab::course::{CoursePoint, sampled, worst};
 use crate::lab::methods::bounce::{Ball, Bounce, energy, every_tick, exact, reflect, snap, swept, verlet_snap};
-use crate::lab::{Answer, LabScene, shipped};
+use crate::lab::{LabScene, SceneMethod, shipped};
 use crate::physics::{BodyDef, BodyId, World};
 
 /// N/kg.
@@ -140,7 +140,7 @@ pub fn perfect() -> LabScene {
     let course = move |by, h| sampled(ball.running(by, h).each(PERFECT_SECONDS, moment));
     LabScene {
         error: "worst error of the place at any time, m",
-        methods: Answer::all_showing(METHODS, worst, course),
+        methods: SceneMethod::all_showing(METHODS, worst, course),
         ..LabScene::new("bounce-perfect", "Perfect bouncing (e = 1) for 60 s", PERFECT_SECONDS, 1)
     }
 }
@@ -156,7 +156,7 @@ fn apexes_error(found: &[f64]) -> f64 {
 
 pub fn apexes() -> LabScene {
     let ball = BouncingBall::of(LOSSY);
-    let methods = Answer::all(METHODS, move |by, h| apexes_error(&apex_heights(ball.path(by, LOSSY_SECONDS, h))));
+    let methods = SceneMethod::all(METHODS, move |by, h| apexes_error(&apex_heights(ball.path(by, LOSSY_SECONDS, h))));
     let scene = LabScene::new("bounce-apexes", "Ten bounces at restitution 0.9", LOSSY_SECONDS, 1);
     LabScene { error: "worst error of the first ten apexes, m", methods, ..scene }
 }

@@ -4,7 +4,7 @@
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::flow::{drag_alone, in_liquid, rise_and_fall};
 use crate::lab::methods::motion::{METHODS, MotionLaw, MotionStep, PointState, exact_fall};
-use crate::lab::{Answer, LabScene, reference, shipped};
+use crate::lab::{LabScene, SceneMethod, reference, shipped};
 use crate::physics::{BodyId, DVec2, World, WorldDef};
 
 /// N/kg.
@@ -68,7 +68,7 @@ impl Model for FlyingBody {
 /// A scene of `seconds` that ends at `exact` (m).
 fn scene(name: &'static str, title: &str, seconds: f64, body: FlyingBody, exact: DVec2, flow: Option<MotionStep>) -> LabScene {
     let methods = METHODS.into_iter().chain(flow.map(|flow| ("exact flow", flow)));
-    let methods = Answer::all(methods, move |by, h| body.error(by, seconds, h, exact));
+    let methods = SceneMethod::all(methods, move |by, h| body.error(by, seconds, h, exact));
     LabScene { methods, ..LabScene::new(name, title, seconds, 1) }
 }
 

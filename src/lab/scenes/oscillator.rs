@@ -5,7 +5,7 @@ use super::flight::FlyingBody;
 use crate::lab::contract::{By, Model};
 use crate::lab::course::{CoursePoint, sampled, worst};
 use crate::lab::methods::motion::{INTEGRATORS, MotionLaw, MotionStep, PointState};
-use crate::lab::{Answer, LabScene, shipped};
+use crate::lab::{LabScene, SceneMethod, shipped};
 use crate::physics::{BodyDef, DVec2};
 
 /// N/kg.
@@ -84,7 +84,7 @@ fn moments(by: By<MotionStep>, seconds: f64, h: f64) -> Vec<CoursePoint> {
 
 pub fn swing() -> LabScene {
     let title = "A floating box swings without drag (ω = √(ρgA/m)), 10 s";
-    let methods = Answer::all(INTEGRATORS.iter().copied(), error_at_end);
+    let methods = SceneMethod::all(INTEGRATORS.iter().copied(), error_at_end);
     LabScene { methods, ..LabScene::new("oscillator", title, SECONDS, 1) }
 }
 
@@ -96,7 +96,7 @@ pub fn energy_kept() -> LabScene {
         error: "worst error of the energy at any time, parts of 1",
         tolerance: SEEN,
         steps: STEPS.to_vec(),
-        methods: Answer::all_showing(INTEGRATORS.iter().copied(), error, course),
+        methods: SceneMethod::all_showing(INTEGRATORS.iter().copied(), error, course),
         ..LabScene::new("oscillator-energy", "The energy of a floating box in 1000 swings without drag", seconds, 1)
     }
 }

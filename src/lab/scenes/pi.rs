@@ -2,7 +2,7 @@
 
 use crate::classics::pi::{Blocks, step_through};
 use crate::lab::report::PI;
-use crate::lab::{Answer, LabScene};
+use crate::lab::{LabScene, SceneMethod};
 
 /// Digits after the 3 that steps are tried on.
 const DIGITS: std::ops::RangeInclusive<u32> = 0..=5;
@@ -24,13 +24,13 @@ pub fn stepped(n: u32, h: f64) -> Option<u64> {
 pub fn digits() -> LabScene {
     let last = *DIGITS.end();
     let stepped =
-        |n: u32| Answer::new(format!("time steps, N = {n}"), move |h| stepped(n, h).map_or(f64::NAN, |count| error(n, count)));
+        |n: u32| SceneMethod::new(format!("time steps, N = {n}"), move |h| stepped(n, h).map_or(f64::NAN, |count| error(n, count)));
     let exact = move |_| {
         let mut blocks = Blocks::new(last);
         while blocks.collide().is_some() {}
         error(last, blocks.collisions())
     };
-    let exact = Answer { name: format!("exact times of impact, N = {last}"), ..Answer::shipped(exact) };
+    let exact = SceneMethod { name: format!("exact times of impact, N = {last}"), ..SceneMethod::shipped(exact) };
     LabScene {
         error: "relative error of the count",
         work: "CPU time for the count, ns",

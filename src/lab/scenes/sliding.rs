@@ -2,7 +2,7 @@
 
 use crate::lab::contract::Model;
 use crate::lab::methods::friction::{SlideStep, Slider, by_sign, clamped, exact};
-use crate::lab::{Answer, LabScene, shipped};
+use crate::lab::{LabScene, SceneMethod, shipped};
 use crate::physics::{BodyDef, BodyId, DVec2, Material, World};
 
 /// N/kg.
@@ -65,6 +65,6 @@ impl Model for SlidingBox {
 pub fn to_a_stop() -> LabScene {
     let sliding = SlidingBox { gravity: G };
     let error = move |by, h| sliding.end(by, SECONDS, h).map_or(f64::NAN, |(x, _)| (x - sliding.stop()).abs());
-    let methods = Answer::all(METHODS, error);
+    let methods = SceneMethod::all(METHODS, error);
     LabScene { methods, ..LabScene::new("slide", "Sliding 5.13 m to a stop, 10 s", SECONDS, 1) }
 }

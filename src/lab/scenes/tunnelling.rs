@@ -3,7 +3,7 @@
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::impact::{ImpactStep, LineBlock};
 use crate::lab::scenes::collisions::{BlockLine, METHODS};
-use crate::lab::{Answer, LabScene};
+use crate::lab::{LabScene, SceneMethod};
 
 /// m. Widths of the flying box and of the obstacle in its path.
 pub const BOX: f64 = 0.5;
@@ -67,7 +67,7 @@ impl Meeting {
 }
 
 fn scene(name: &'static str, title: &str, meeting: Meeting) -> LabScene {
-    let methods = Answer::all(METHODS, move |by, h| meeting.worst_error(by, h));
+    let methods = SceneMethod::all(METHODS, move |by, h| meeting.worst_error(by, h));
     let error = "worst error of position 0.25 s after the impact, m";
     LabScene { error, methods, ..LabScene::new(name, title, 0.5 * PHASES as f64, 1) }
 }

@@ -5,7 +5,7 @@ mod what_if;
 mod what_if_drawing;
 
 use super::granting::is_of_level;
-use super::instruments::vary::Wish;
+use super::instruments::vary::VaryWish;
 use super::instruments::{Instruments, Stage};
 use super::observer::Observer;
 use super::race::{Race, Rival};
@@ -164,8 +164,8 @@ impl Screen for Flight {
         }
     }
 
-    fn tell_of_export(&mut self, told: Result<PathBuf, String>) {
-        self.instruments.tell_of_export(told);
+    fn report_export(&mut self, told: Result<PathBuf, String>) {
+        self.instruments.report_export(told);
     }
 
     #[cfg(feature = "window")]
@@ -331,7 +331,7 @@ impl Flight {
     }
 
     /// The instruments' part of a frame; what is left of the input for the flight, and what is to be varied.
-    fn measure(&mut self, input: &Input) -> (Input, Option<Wish>) {
+    fn measure(&mut self, input: &Input) -> (Input, Option<VaryWish>) {
         let mut instruments = std::mem::take(&mut self.instruments);
         let rest = instruments.update(input, &self.stage());
         self.instruments = instruments;

@@ -6,7 +6,7 @@ use super::Flight;
 use crate::game::{Again, Controls, Game, History, Outcome, Tape};
 use crate::instruments::vary::Variation;
 use crate::level::Level;
-use crate::screens::instruments::vary::{From, Varied, Wish};
+use crate::screens::instruments::vary::{Varied, VaryFrom, VaryWish};
 use crate::screens::{Input, Key, Request, Spectator};
 use std::sync::Arc;
 
@@ -103,17 +103,17 @@ impl Flight {
     }
 
     /// Does what the panel asks for.
-    pub(super) fn grant(&mut self, wish: Wish, spectator: &mut dyn Spectator) -> Option<Request> {
+    pub(super) fn grant(&mut self, wish: VaryWish, spectator: &mut dyn Spectator) -> Option<Request> {
         match wish {
-            Wish::Vary(variation, from, goes_on) => {
+            VaryWish::Vary(variation, from, goes_on) => {
                 if let Err(words) = self.vary(variation, from, goes_on) {
                     self.instruments.vary_mut().tell(words, true);
                 }
                 self.fly_again(self.ahead, spectator);
                 None
             }
-            Wish::Restore => Some(self.restore()),
-            Wish::Save(name) => Some(Request::SaveVaried(self.variation()?.clone(), name)),
+            VaryWish::Restore => Some(self.restore()),
+            VaryWish::Save(name) => Some(Request::SaveVaried(self.variation()?.clone(), name)),
         }
     }
 
@@ -135,7 +135,7 @@ impl Flight {
     ///
     /// # Errors
     /// What the loader or the engine would not accept, in words; nothing has changed then.
-    fn vary(&mut self, variation: Variation, from: From, goes_on: bool) -> Result<(), String> {
+    fn vary(&mut self, variation: Variation, from: VaryFrom, goes_on: bool) -> Result<(), String> {
         let expected = |problems: Vec<crate::level::Problem>| {
             problems.first().map_or_else(String::new, |problem| format!("Expected {}.", problem.expected))
         };
@@ -154,9 +154,9 @@ impl Flight {
             }
         };
         let again = match from {
-            From::Start => Some(Box::new(tape.fly_in(level.clone(), moment).map_err(|error| error.to_string())?)),
-            From::Now if !running => return Err("This run has ended: a change holds from its start.".to_owned()),
-            From::Now => None,
+            VaryFrom::Start => Some(Box::new(tape.fly_in(level.clone(), moment).map_err(|error| error.to_string())?)),
+            VaryFrom::Now if !running => return Err("This run has ended: a change holds from its start.".to_owned()),
+            VaryFrom::Now => None,
         };
         let before = match self.what_if.take() {
             Some(what_if) if goes_on => what_if.before,

@@ -1,7 +1,21 @@
-//! Panels at the left stand below the rail, and beside it where that is too short.
+//! The rail stands away from the middle, where the ship is. Panels at the left stand below it, and beside it where there is too little room.
 
-use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, TEXT, Vec2};
+use super::Tool;
+use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, TEXT, Vec2, text_room};
 use crate::view::hud::HudLayout;
+
+/// Between two buttons of the rail.
+const RAIL_GAP: f32 = 4.0;
+
+/// A button a tool, from the top, below the head-up display.
+pub fn rail(frame: &Frame) -> Vec<Area> {
+    let top = HudLayout::new(frame).status.max().y + 2.0 * GRID;
+    let text = frame.text_height(DETAILS);
+    let widest = Tool::ALL.iter().map(|tool| text_room(tool.name(), text).x).fold(0.0, f32::max);
+    let size = Vec2::new(widest + 2.0 * GRID, text * LINE + GRID);
+    let button = |i: usize| Area { min: Vec2::new(2.0 * GRID, top + i as f32 * (size.y + RAIL_GAP)), size };
+    (0..Tool::ALL.len()).map(button).collect()
+}
 
 /// Panels one below the other from the foot of the rail on, in as many columns as it takes; the first has the rail above it.
 pub fn dock(frame: &Frame, rail: &[Area], sizes: &[Vec2]) -> Vec<Area> {

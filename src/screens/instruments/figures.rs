@@ -29,7 +29,7 @@ pub enum Subject {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub struct Line {
+pub struct FigureLine {
     pub name: String,
     pub subject: Subject,
     /// One a column, with its unit; empty in a line of words.
@@ -39,7 +39,7 @@ pub struct Line {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
     pub columns: Vec<String>,
-    pub lines: Vec<Line>,
+    pub lines: Vec<FigureLine>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -53,7 +53,7 @@ pub struct Figures {
 }
 
 /// The followed and the compared body, or the one under the camera while the player follows none.
-pub fn told(focus: &Focus, game: &Game) -> Vec<BodyId> {
+pub fn in_focus(focus: &Focus, game: &Game) -> Vec<BodyId> {
     let there = |body: &BodyId| body.index() < game.world().bodies().len();
     let followed = focus.followed().filter(there).unwrap_or(game.lead());
     std::iter::once(followed).chain(focus.compared().filter(there)).collect()
@@ -92,13 +92,13 @@ impl Figures {
 
     fn tabulate(&self, stage: &Stage) -> Table {
         let (game, bodies) = (stage.game, stage.game.world().bodies().len());
-        let told = told(stage.focus, game);
-        let mut groups: Vec<Vec<BodyId>> = told.iter().map(|id| vec![*id]).collect();
+        let seen = in_focus(stage.focus, game);
+        let mut groups: Vec<Vec<BodyId>> = seen.iter().map(|id| vec![*id]).collect();
         let mut columns: Vec<String> = groups.iter().map(|group| body_title(game.level(), group[0])).collect();
         // Two compared bodies are a system of their own: others would mix in.
         let all: Vec<BodyId> = (game.lead().0..bodies as u32).map(BodyId).collect();
-        if told.len() == 2 {
-            groups.push(told);
+        if seen.len() == 2 {
+            groups.push(seen);
             columns.push("Both".to_owned());
         } else if stage.focus.followed().is_none() && all.len() > 1 {
             groups.push(all);
@@ -114,7 +114,7 @@ impl Figures {
             values: states.iter().map(of).collect(),
             unit,
         };
-        let words = |words: String| Line { name: words, subject: Subject::Words, values: Vec::new() };
+        let words = |words: String| FigureLine { name: words, subject: Subject::Words, values: Vec::new() };
         let states_of_all = vec![
             line("Momentum x", Subject::Quantity, &|state| state.momentum.x, "N·s"),
             line("Momentum y", Subject::Quantity, &|state| -state.momentum.y, "N·s"),
@@ -151,13 +151,13 @@ struct Number {
 }
 
 /// The lines of a sum: each quantity in one unit.
-fn written(numbers: Vec<Number>) -> Vec<Line> {
+fn written(numbers: Vec<Number>) -> Vec<FigureLine> {
     let largest = |unit: &str| {
         let values = numbers.iter().filter(|line| line.unit == unit).flat_map(|line| &line.values);
         values.fold(0.0, |most: f64, value| most.max(value.abs()))
     };
     let scales: Vec<QuantityScale> = numbers.iter().map(|line| QuantityScale::of(largest(line.unit), line.unit)).collect();
-    let line = |(line, scale): (&Number, &QuantityScale)| Line {
+    let line = |(line, scale): (&Number, &QuantityScale)| FigureLine {
         name: line.name.to_owned(),
         subject: line.subject,
         values: line.values.iter().map(|value| format!("{} {}", scale.finer(*value).number(*value), scale.unit())).collect(),
@@ -170,14 +170,14 @@ fn work_lines(works: &[Account]) -> Vec<Number> {
     let largest =
         works.iter().flat_map(|work| work.by_force.into_iter().chain([work.by_impacts])).fold(0.0, |a: f64, b| a.max(b.abs()));
     // A work within rounding of the largest reads 0.
-    let told = |work: f64| if work.abs() <= ROUNDING * largest { 0.0 } else { work };
+    let rounded = |work: f64| if work.abs() <= ROUNDING * largest { 0.0 } else { work };
     let line = |name: &'static str, subject, of: &dyn Fn(&Account) -> f64| Number {
         name,
         subject,
-        values: works.iter().map(|work| told(of(work))).collect(),
+        values: works.iter().map(|work| rounded(of(work))).collect(),
         unit: "J",
     };
-    let done = |of: &dyn Fn(&Account) -> f64| works.iter().any(|work| told(of(work)) != 0.0);
+    let done = |of: &dyn Fn(&Account) -> f64| works.iter().any(|work| rounded(of(work)) != 0.0);
     let forces = ForceKind::ALL.into_iter().filter(|kind| done(&|work| work.by(*kind)));
     let mut lines: Vec<Number> = forces.map(|kind| line(kind.shown(), Subject::Force(kind), &|work| work.by(kind))).collect();
     if done(&|work| work.by_impacts) {

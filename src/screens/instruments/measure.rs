@@ -2,7 +2,7 @@
 //! pointer before the flight.
 
 use super::dock::{self, dock};
-use super::figures::{Figures, Table, told};
+use super::figures::{Figures, Table, in_focus};
 use super::ruler::{Click, Ruler};
 use super::vectors::Scales;
 use super::{Stage, Tool};
@@ -49,7 +49,7 @@ impl Measures {
         let (now, world) = (stage.game.ticks(), stage.game.world());
         if uses(Tool::Vectors) {
             let most = LONGEST * f64::from(input.frame.size.y) / stage.game.level().metre;
-            let bodies = told(stage.focus, stage.game);
+            let bodies = in_focus(stage.focus, stage.game);
             self.scales.update(input.frame_time, world, &bodies, (most, stage.focus.length()));
         }
         self.frame = input.frame;
@@ -219,7 +219,7 @@ impl Measures {
 /// The bodies in focus, or all.
 fn with_trails(focus: &Focus, game: &Game) -> Vec<BodyId> {
     match focus.followed() {
-        Some(_) => told(focus, game),
+        Some(_) => in_focus(focus, game),
         None => (0..game.world().bodies().len() as u32).map(BodyId).collect(),
     }
 }

@@ -1,9 +1,9 @@
 //! The readings in the level: trails, arrows, the ruler.
 
 use super::Tool;
-use super::figures::told;
+use super::figures::in_focus;
 use super::measure::Measures;
-use super::ruler::{End, Reading};
+use super::ruler::{End, RulerReading};
 use super::vectors::Vector;
 use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Colour, Style};
@@ -105,7 +105,7 @@ impl Measures {
     /// The value of a metre in arrows from the bodies in focus, such that all tips are in the window if possible.
     pub(super) fn fitting(&self, vector: Vector, (game, alpha): (&Game, f64), view: &Viewport, canvas: &Canvas) -> f64 {
         let window = canvas.frame().area().inset(MARGIN);
-        let bodies = told(&self.focus, game);
+        let bodies = in_focus(&self.focus, game);
         let mut a_metre = self.scales.a_metre(vector, self.focus.length());
         for _ in 0..SHORTENED {
             let inside = |id: &BodyId| {
@@ -126,7 +126,7 @@ impl Measures {
         let mut labels = Vec::new();
         for vector in Vector::ALL {
             let a_metre = self.fitting(vector, (game, alpha), view, canvas);
-            for id in told(&self.focus, game) {
+            for id in in_focus(&self.focus, game) {
                 let (centre, value) = (drawn(game, alpha, id), vector.of(game.world(), id));
                 let from = view.point(centre);
                 let to = view.point(centre + value / a_metre);
@@ -224,8 +224,8 @@ pub(super) const fn colour(vector: Vector) -> Colour {
     }
 }
 
-fn reading_lines(reading: &Reading) -> Vec<String> {
-    let Reading { length, parts, angle } = *reading;
+fn reading_lines(reading: &RulerReading) -> Vec<String> {
+    let RulerReading { length, parts, angle } = *reading;
     let angle = format!("{}°", fixed(angle, 1));
     vec![
         format!("{}  {angle}", scalar(length, "m")),

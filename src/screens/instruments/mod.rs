@@ -7,7 +7,6 @@ mod figures;
 mod measure;
 mod measured;
 mod panels;
-pub mod places;
 mod plot;
 mod ruler;
 pub mod vary;
@@ -20,8 +19,7 @@ use crate::settings::Action;
 use crate::view::focus::Focus;
 pub use figures::Table;
 pub use measure::Measures;
-use places::Places;
-pub use plot::{Plot, PlotPlaces, Reading};
+pub use plot::{Plot, PlotPlaces};
 use std::path::PathBuf;
 use vary::Vary;
 
@@ -101,8 +99,8 @@ impl Instruments {
         if !self.open {
             return Input { frame: whole, ..input };
         }
-        let places = self.places(&input.frame);
-        self.rail.place(places.rail.clone());
+        let rail = dock::rail(&input.frame);
+        self.rail.place(rail.clone());
         // Arrows and Enter fly.
         let pointer_only = Input { pressed: Keys::default(), ..input.clone() };
         if let Some(tool) = self.rail.update(&pointer_only).filter(|tool| self.offers(Tool::ALL[*tool])) {
@@ -110,7 +108,7 @@ impl Instruments {
         }
         let used = self.used;
         let covered = self.areas(&whole).iter().any(|area| area.contains(input.pointer));
-        let mut rest = self.measures.update(&input, stage, (&places.rail, covered), |tool| used[tool as usize]);
+        let mut rest = self.measures.update(&input, stage, (&rail, covered), |tool| used[tool as usize]);
         if self.areas(&whole).iter().any(|area| area.contains(input.pointer)) {
             (rest.click, rest.wheel) = (false, 0.0);
         }
@@ -162,8 +160,8 @@ impl Instruments {
     }
 
     /// The outcome of the export.
-    pub fn tell_of_export(&mut self, told: Result<PathBuf, String>) {
-        self.plot.tell_of_export(told);
+    pub fn report_export(&mut self, outcome: Result<PathBuf, String>) {
+        self.plot.report_export(outcome);
     }
 
     /// Whether a flight that has ended stays on the screen for its instruments.
@@ -198,15 +196,10 @@ impl Instruments {
             return Vec::new();
         }
         let plot = self.uses(Tool::Plot).then(|| self.plot.area(frame));
-        let places = self.places(&self.room(frame));
-        places.areas().chain(plot).chain(self.measures.areas()).chain(self.vary.area()).collect()
+        dock::rail(&self.room(frame)).into_iter().chain(plot).chain(self.measures.areas()).chain(self.vary.area()).collect()
     }
 
     pub const fn measures(&self) -> &Measures {
         &self.measures
-    }
-
-    fn places(&self, frame: &Frame) -> Places {
-        Places::new(frame, |tool| self.uses(tool))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Tool;
 use super::dock;
-use super::figures::{Line, Subject, told};
+use super::figures::{FigureLine, Subject, in_focus};
 use super::measure::{CLOCK_BUTTONS, Measures, WORK_BUTTONS};
 use super::measured::{colour, drawn};
 use super::vectors::Vector;
@@ -26,7 +26,7 @@ impl Measures {
             [Tool::Vectors, Tool::StopClock, Tool::Figures].into_iter().filter_map(|tool| Some((tool, self.area(tool)?)))
         {
             let (game, alpha) = scene;
-            let over = told(&self.focus, game).into_iter().chain([SHIP]).any(|id| {
+            let over = in_focus(&self.focus, game).into_iter().chain([SHIP]).any(|id| {
                 let (centre, half) = (drawn(game, alpha, id), game.world().body(id).half);
                 let [min, max] = [centre - half, centre + half].map(|corner| view.point(corner));
                 max.cmpgt(area.min).all() && min.cmplt(area.max()).all()
@@ -88,7 +88,7 @@ impl Measures {
     }
 }
 
-fn line_colour(line: &Line) -> Colour {
+fn line_colour(line: &FigureLine) -> Colour {
     match line.subject {
         Subject::Quantity | Subject::Sum => theme::text(),
         Subject::Words => theme::quiet(),

@@ -19,7 +19,7 @@ pub enum End {
 
 /// y upwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reading {
+pub struct RulerReading {
     /// From end to end, m.
     pub length: f64,
     /// Its parts to the right and upwards, m.
@@ -87,8 +87,8 @@ impl Ruler {
         self.ends.filter(|ends| ends[0] != ends[1])
     }
 
-    pub fn reading(&self, world: &World) -> Option<Reading> {
-        self.ends().map(|[from, to]| Reading::of(from.at(world), to.at(world)))
+    pub fn reading(&self, world: &World) -> Option<RulerReading> {
+        self.ends().map(|[from, to]| RulerReading::of(from.at(world), to.at(world)))
     }
 }
 
@@ -102,7 +102,7 @@ impl End {
     }
 }
 
-impl Reading {
+impl RulerReading {
     fn of(from: DVec2, to: DVec2) -> Self {
         let parts = DVec2::new(to.x - from.x, from.y - to.y);
         Self { length: parts.length(), parts, angle: parts.y.atan2(parts.x).to_degrees() }
@@ -122,9 +122,9 @@ mod tests {
 
     #[test]
     fn it_reads_upwards_and_anticlockwise() {
-        let reading = Reading::of(DVec2::new(10.0, 20.0), DVec2::new(13.0, 16.0));
+        let reading = RulerReading::of(DVec2::new(10.0, 20.0), DVec2::new(13.0, 16.0));
         assert_eq!((reading.length, reading.parts), (5.0, DVec2::new(3.0, 4.0)));
         assert!((reading.angle - 53.130_102_354_155_98).abs() < 1e-12);
-        assert!((Reading::of(DVec2::ZERO, DVec2::new(0.0, 2.0)).angle + 90.0).abs() < 1e-12);
+        assert!((RulerReading::of(DVec2::ZERO, DVec2::new(0.0, 2.0)).angle + 90.0).abs() < 1e-12);
     }
 }

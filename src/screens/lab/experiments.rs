@@ -33,7 +33,7 @@ pub struct ExperimentsPage {
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Wish {
+pub(super) enum ExperimentWish {
     Leave,
     Fly(String),
 }
@@ -48,7 +48,7 @@ impl ExperimentsPage {
         Self { experiments, problem, list: Buttons::focused_on(chosen), answered: false, toolbar: Toolbar::default() }
     }
 
-    pub(super) fn update(&mut self, input: &Input) -> Option<Wish> {
+    pub(super) fn update(&mut self, input: &Input) -> Option<ExperimentWish> {
         self.list.place(places(&input.frame, self.experiments.len()));
         let before = self.list.focus();
         let clicked = self.list.update(&Input { pressed: input.pressed.without(Key::Enter), ..input.clone() });
@@ -62,7 +62,7 @@ impl ExperimentsPage {
         }
         self.answered &= self.list.focus() == before;
         match pressed {
-            Some(0) => Some(Wish::Leave),
+            Some(0) => Some(ExperimentWish::Leave),
             Some(1) => self.fly(),
             Some(2) => {
                 self.answered = !self.answered;
@@ -72,8 +72,8 @@ impl ExperimentsPage {
         }
     }
 
-    fn fly(&self) -> Option<Wish> {
-        self.chosen().map(|experiment| Wish::Fly(experiment.folder.clone()))
+    fn fly(&self) -> Option<ExperimentWish> {
+        self.chosen().map(|experiment| ExperimentWish::Fly(experiment.folder.clone()))
     }
 
     pub fn experiments(&self) -> &[Experiment] {
@@ -117,7 +117,7 @@ mod drawing {
 
     const BETWEEN: f32 = 24.0;
 
-    fn told(frame: &Frame) -> Area {
+    fn description(frame: &Frame) -> Area {
         let body = body(frame);
         let left = body.size.x * LIST + BETWEEN;
         Area::new(body.min.x + left, body.min.y, body.size.x - left, body.size.y)
@@ -132,7 +132,7 @@ mod drawing {
                 let words = widgets::cut(canvas, &words, area.size.x - 2.0 * PADDING, style);
                 canvas.text(&words, Vec2::new(area.min.x + PADDING, area.centre().y), style);
             }
-            let panel = told(canvas.frame());
+            let panel = description(canvas.frame());
             widgets::panel(canvas, panel);
             let answer = if self.answered { "Hide it" } else { "Answer" };
             self.toolbar.draw(canvas, &[("Back", "Esc"), ("Fly it", "Enter"), (answer, "Space")]);

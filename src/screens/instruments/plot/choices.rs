@@ -1,6 +1,6 @@
 //! The quantities to plot: a row a family, x, y and size beside each other; motion on the left, forces on the right.
 
-use crate::instruments::quantity::{Part, Quantity};
+use crate::instruments::quantity::{Quantity, VectorPart};
 use crate::physics::ForceKind;
 
 /// A family's name and its quantities.
@@ -10,7 +10,7 @@ pub const NAME: usize = 14;
 
 /// In two blocks; of the forces only those that have acted.
 pub fn choices(time: bool, acted: impl Fn(ForceKind) -> bool) -> [Vec<Row>; 2] {
-    let parts = |of: &dyn Fn(Part) -> Quantity| Part::ALL.map(of).to_vec();
+    let parts = |of: &dyn Fn(VectorPart) -> Quantity| VectorPart::ALL.map(of).to_vec();
     let row = |quantities: Vec<Quantity>| (quantities[0].family(), quantities);
     let mut motion = Vec::new();
     if time {
@@ -31,9 +31,9 @@ pub fn choices(time: bool, acted: impl Fn(ForceKind) -> bool) -> [Vec<Row>; 2] {
 /// The words of a button: forces by their part alone, since their row has the name.
 pub fn label(quantity: Quantity) -> String {
     match quantity {
-        Quantity::Force(_, Part::X) => "F_x".to_owned(),
-        Quantity::Force(_, Part::Y) => "F_y".to_owned(),
-        Quantity::Force(_, Part::Size) => "|F|".to_owned(),
+        Quantity::Force(_, VectorPart::X) => "F_x".to_owned(),
+        Quantity::Force(_, VectorPart::Y) => "F_y".to_owned(),
+        Quantity::Force(_, VectorPart::Size) => "|F|".to_owned(),
         other => other.symbol(),
     }
 }

@@ -11,7 +11,7 @@ use crate::instruments::look;
 use crate::instruments::quantity::Quantity;
 use crate::instruments::track::BodyTrack;
 use crate::lab::linear::Linear;
-use crate::lab::look::Look;
+use crate::lab::look::CurveLook;
 use crate::view::diagram::{marker, stroke};
 use crate::view::{quantity, theme, widgets};
 use std::ops::Range;
@@ -52,21 +52,21 @@ impl Scale {
         let (left, right) = (self.area.min.x, self.area.max().x);
         let all: Vec<Vec2> = points.into_iter().map(|point| self.at(point)).collect();
         let inside = |at: &Vec2| (left..=right).contains(&at.x);
-        let mut way: Vec<Vec2> = Vec::new();
+        let mut inside_lane: Vec<Vec2> = Vec::new();
         for (i, at) in all.iter().enumerate() {
             let edge = |other: &Vec2| {
                 let x = other.x.clamp(left, right);
                 *other + (*at - *other) * if at.x == other.x { 0.0 } else { (x - other.x) / (at.x - other.x) }
             };
             if inside(at) {
-                way.extend(i.checked_sub(1).map(|before| &all[before]).filter(|before| !inside(before)).map(edge));
-                way.push(*at);
+                inside_lane.extend(i.checked_sub(1).map(|before| &all[before]).filter(|before| !inside(before)).map(edge));
+                inside_lane.push(*at);
             } else if let Some(before) = i.checked_sub(1).map(|before| &all[before]).filter(|before| inside(before)) {
                 let x = at.x.clamp(left, right);
-                way.push(*before + (*at - *before) * ((x - before.x) / (at.x - before.x)));
+                inside_lane.push(*before + (*at - *before) * ((x - before.x) / (at.x - before.x)));
             }
         }
-        way
+        inside_lane
     }
 }
 
@@ -81,7 +81,7 @@ impl Plot {
         self.draw_buttons(canvas, |action| !matches!(action, Action::Choose(_) | Action::None | Action::Select(_)));
         let chart = self.chart();
         self.draw_lanes(&places, &chart, canvas);
-        let (words, colour) = match &self.told {
+        let (words, colour) = match &self.message {
             Some((words, true)) => (words.as_str(), theme::bad()),
             Some((words, false)) => (words.as_str(), theme::good()),
             None => (HINT, theme::quiet()),
@@ -198,17 +198,23 @@ impl Plot {
         let colour = Colour::hex(look.colour);
         let window = self.window();
         if let Some(track) = object.before() {
-            let pale = Look { dash: None, width: 1, ..look };
-            self.draw_ways(&line.before, track.places(window), (scale, &pale, colour.faded(PALE)), canvas);
+            let pale = CurveLook { dash: None, width: 1, ..look };
+            self.draw_pieces(&line.before, track.places(window), (scale, &pale, colour.faded(PALE)), canvas);
         }
         if let Some(track) = object.track() {
-            self.draw_ways(&line.now, track.places(window), (scale, &look, colour), canvas);
+            self.draw_pieces(&line.now, track.places(window), (scale, &look, colour), canvas);
         }
     }
 
-    fn draw_ways(&self, curve: &Curve, places: Range<usize>, (scale, look, colour): (&Scale, &Look, Colour), canvas: &Canvas) {
-        for way in curve.drawn(places, scale.grain()) {
-            stroke(canvas, &scale.within(way), look, colour);
+    fn draw_pieces(
+        &self,
+        curve: &Curve,
+        places: Range<usize>,
+        (scale, look, colour): (&Scale, &CurveLook, Colour),
+        canvas: &Canvas,
+    ) {
+        for piece in curve.drawn(places, scale.grain()) {
+            stroke(canvas, &scale.within(piece), look, colour);
         }
     }
 
@@ -226,8 +232,8 @@ impl Plot {
         let foot = |at: Vec2| Vec2::new(at.x, zero);
         let mut quads = Quads::default();
         let mut triangle = |corners: [Vec2; 3]| quads.triangle(corners, colour);
-        for way in line.now.drawn(stretch.start..stretch.end.max(stretch.start), scale.grain()) {
-            for pair in scale.within(way).windows(2) {
+        for piece in line.now.drawn(stretch.start..stretch.end.max(stretch.start), scale.grain()) {
+            for pair in scale.within(piece).windows(2) {
                 let (a, b) = (pair[0], pair[1]);
                 if (a.y - zero) * (b.y - zero) < 0.0 {
                     let crossing = foot(a + (b - a) * ((zero - a.y) / (b.y - a.y)));
@@ -254,7 +260,7 @@ impl Plot {
             return;
         }
         let mut drawn = f32::NEG_INFINITY;
-        for track in self.objects.iter().filter_map(super::Object::track) {
+        for track in self.objects.iter().filter_map(super::PlotObject::track) {
             for place in track.impacts() {
                 let x = scale.at((track.time(*place), 0.0)).x;
                 // One of many at one place.
@@ -299,10 +305,10 @@ impl Plot {
                 let size = scale.area.size;
                 let right = f64::from(size.x) / (scale.right.to - scale.right.from);
                 let up = slope * f64::from(size.y) / (scale.up.to - scale.up.from);
-                let way = Vec2::new(right as f32, -up as f32).normalize_or_zero() * TANGENT;
+                let half = Vec2::new(right as f32, -up as f32).normalize_or_zero() * TANGENT;
                 let inside = |end: Vec2| end.clamp(scale.area.min, scale.area.max());
-                if way.is_finite() {
-                    canvas.line(inside(at - way), inside(at + way), 1.0, theme::text());
+                if half.is_finite() {
+                    canvas.line(inside(at - half), inside(at + half), 1.0, theme::text());
                 }
             }
             marker(canvas, at, look.marker, colour);

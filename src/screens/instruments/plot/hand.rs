@@ -89,7 +89,7 @@ impl Plot {
         let (area, axis) = (lanes.get(lane)?, chart.lanes[lane].axis);
         let up = f64::from((area.max().y - point.y) / area.size.y);
         let grain = ((chart.axis.to - chart.axis.from) / f64::from(area.size.x), (axis.to - axis.from) / f64::from(area.size.y));
-        let nearest = |(number, line, track): (usize, &super::Line, &crate::instruments::track::BodyTrack)| {
+        let nearest = |(number, line, track): (usize, &super::PlotLine, &crate::instruments::track::BodyTrack)| {
             let places = track.places(self.window());
             let (place, distance) = line.now.nearest(places, (chart.axis.value(across), axis.value(up)), grain)?;
             chart.lanes[lane].curves.contains(&number).then_some((track.tick_of(place), distance))

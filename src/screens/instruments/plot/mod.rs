@@ -15,17 +15,16 @@ use crate::draw::layout::{Area, Frame, Vec2};
 use crate::game::{History, body_title};
 use crate::instruments::chart::{Chart, ChartMember, TimeWindow};
 use crate::instruments::curve::Curve;
-use crate::instruments::quantity::{Part, Quantity};
+use crate::instruments::quantity::{Quantity, VectorPart};
 use crate::instruments::track::BodyTrack;
 use crate::physics::{BodyId, DVec2};
 use crate::screens::ahead::Ahead;
 use crate::screens::{Buttons, Input, Keys, NewFile};
 use hand::Hand;
-use object::Object;
+use object::PlotObject;
 use panel::{Action, Format, Pick};
 pub use places::PlotPlaces;
 use places::{MOST_LINES, READINGS};
-pub use readings::Reading;
 use std::path::PathBuf;
 
 /// s.
@@ -35,13 +34,13 @@ const AT_LEAST: f64 = 1.0;
 /// An object this far from its start has shown its axis of motion, m.
 const MOVED: f64 = 0.05;
 /// The quantities of curves along an axis: a new curve takes the first of them that is missing.
-const fn along(axis: Part) -> [Quantity; MOST_LINES] {
-    let place = if matches!(axis, Part::X) { Quantity::X } else { Quantity::Y };
+const fn along(axis: VectorPart) -> [Quantity; MOST_LINES] {
+    let place = if matches!(axis, VectorPart::X) { Quantity::X } else { Quantity::Y };
     [place, Quantity::Velocity(axis), Quantity::Acceleration(axis), Quantity::Resultant(axis)]
 }
 
 #[derive(Clone, Debug)]
-struct Line {
+struct PlotLine {
     /// The index of its object.
     whose: usize,
     up: Quantity,
@@ -51,7 +50,7 @@ struct Line {
     read: Option<BodyId>,
 }
 
-impl Line {
+impl PlotLine {
     fn new(whose: usize, across: Quantity, up: Quantity) -> Self {
         Self { whose, up, now: Curve::new(across, up), before: Curve::new(across, up), read: None }
     }
@@ -59,12 +58,12 @@ impl Line {
 
 #[derive(Clone, Debug)]
 pub struct Plot {
-    lines: Vec<Line>,
+    lines: Vec<PlotLine>,
     across: Quantity,
     /// The axis of the object's motion, until the player chooses.
-    axis: Part,
+    axis: VectorPart,
     settled: bool,
-    objects: [Object; 2],
+    objects: [PlotObject; 2],
     names: [Option<String>; 2],
     compared: bool,
     level: String,
@@ -78,7 +77,7 @@ pub struct Plot {
     hand: Hand,
     large: bool,
     /// The outcome of the last export, and whether it failed.
-    told: Option<(String, bool)>,
+    message: Option<(String, bool)>,
     waiting: Option<Format>,
     export: Option<NewFile>,
     seek: Option<u64>,
@@ -90,11 +89,11 @@ pub struct Plot {
 
 impl Default for Plot {
     fn default() -> Self {
-        let line = |up: &Quantity| Line::new(0, Quantity::Time, *up);
+        let line = |up: &Quantity| PlotLine::new(0, Quantity::Time, *up);
         Self {
-            lines: along(Part::Y)[..2].iter().map(line).collect(),
+            lines: along(VectorPart::Y)[..2].iter().map(line).collect(),
             across: Quantity::Time,
-            axis: Part::Y,
+            axis: VectorPart::Y,
             settled: false,
             objects: Default::default(),
             names: Default::default(),
@@ -107,7 +106,7 @@ impl Default for Plot {
             pick: None,
             hand: Hand::default(),
             large: false,
-            told: None,
+            message: None,
             waiting: None,
             export: None,
             seek: None,
@@ -165,16 +164,16 @@ impl Plot {
     }
 
     /// The outcome of the export.
-    pub fn tell_of_export(&mut self, told: Result<PathBuf, String>) {
-        self.told = Some(match told {
+    pub fn report_export(&mut self, outcome: Result<PathBuf, String>) {
+        self.message = Some(match outcome {
             Ok(path) => (format!("Written: {}", path.display()), false),
             Err(problem) => (problem, true),
         });
     }
 
     /// The outcome of the last export, and whether it failed.
-    pub fn told(&self) -> Option<(&str, bool)> {
-        self.told.as_ref().map(|(words, bad)| (words.as_str(), *bad))
+    pub fn message(&self) -> Option<(&str, bool)> {
+        self.message.as_ref().map(|(words, bad)| (words.as_str(), *bad))
     }
 
     /// In their present layout.
@@ -199,7 +198,7 @@ impl Plot {
 
     /// The flight, or the run before, is another one: both are read from their first ticks.
     pub fn flown_again(&mut self) {
-        self.objects.iter_mut().for_each(Object::forget);
+        self.objects.iter_mut().for_each(PlotObject::forget);
         self.refresh(true);
     }
 
@@ -219,7 +218,7 @@ impl Plot {
         let compared = self.names[1].is_some();
         if compared && !self.compared && 2 * self.lines.len() <= MOST_LINES && self.lines.iter().all(|line| line.whose == 0) {
             // The compared object takes over the plotted quantities.
-            self.lines.extend(self.lines.clone().into_iter().map(|line| Line::new(1, self.across, line.up)));
+            self.lines.extend(self.lines.clone().into_iter().map(|line| PlotLine::new(1, self.across, line.up)));
         }
         self.compared = compared;
         self.refresh(false);
@@ -238,7 +237,7 @@ impl Plot {
         self.settled = way.length() > MOVED;
         let motion = if self.settled { [way; 3] } else { [last.velocity, last.acceleration, way] };
         let Some(motion) = motion.into_iter().find(|motion| *motion != DVec2::ZERO) else { return };
-        let axis = if motion.x.abs() > motion.y.abs() { Part::X } else { Part::Y };
+        let axis = if motion.x.abs() > motion.y.abs() { VectorPart::X } else { VectorPart::Y };
         for (before, now) in along(self.axis).into_iter().zip(along(axis)) {
             self.lines.iter_mut().filter(|line| line.up == before).for_each(|line| line.up = now);
         }
@@ -246,12 +245,12 @@ impl Plot {
     }
 
     /// Follows the tracks; begins at their start where they are of another flight.
-    fn refresh(&mut self, anew: bool) {
+    fn refresh(&mut self, restart: bool) {
         for line in &mut self.lines {
             let object = &self.objects[line.whose];
             let body = object.track().map(BodyTrack::body);
-            if anew || line.read != body || (line.now.across(), line.now.up()) != (self.across, line.up) {
-                *line = Line { read: body, ..Line::new(line.whose, self.across, line.up) };
+            if restart || line.read != body || (line.now.across(), line.now.up()) != (self.across, line.up) {
+                *line = PlotLine { read: body, ..PlotLine::new(line.whose, self.across, line.up) };
             }
             if let Some(track) = object.track() {
                 line.now.follow(track);
@@ -263,8 +262,8 @@ impl Plot {
     }
 
     /// Each non-empty curve with its number and its body's track.
-    fn shown(&self) -> impl Iterator<Item = (usize, &Line, &BodyTrack)> {
-        let track = |line: &Line| self.objects[line.whose].track();
+    fn shown(&self) -> impl Iterator<Item = (usize, &PlotLine, &BodyTrack)> {
+        let track = |line: &PlotLine| self.objects[line.whose].track();
         self.lines.iter().enumerate().filter_map(move |(i, line)| Some((i, line, track(line).filter(|_| !line.now.is_empty())?)))
     }
 
@@ -284,7 +283,7 @@ impl Plot {
     fn chart(&self) -> Chart {
         let window = self.window();
         let mut members: Vec<ChartMember> = self.shown().map(|(i, line, track)| (i, &line.now, track.places(window))).collect();
-        let before = |(i, line, _): (usize, &'_ Line, &BodyTrack)| Some((i, self.objects[line.whose].before()?.places(window)));
+        let before = |(i, line, _): (usize, &'_ PlotLine, &BodyTrack)| Some((i, self.objects[line.whose].before()?.places(window)));
         let places: Vec<_> = self.shown().filter_map(before).collect();
         members.extend(places.into_iter().map(|(i, places)| (i, &self.lines[i].before, places)));
         Chart::of(self.across, window, &members)

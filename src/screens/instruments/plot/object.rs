@@ -5,7 +5,7 @@ use crate::instruments::track::BodyTrack;
 use crate::physics::BodyId;
 
 #[derive(Clone, Debug, Default)]
-pub(super) struct Object {
+pub(super) struct PlotObject {
     /// The body that stays, whichever body is followed.
     pub kept: Option<BodyId>,
     now: Option<BodyTrack>,
@@ -28,7 +28,7 @@ fn read(read: &mut Option<BodyTrack>, body: Option<BodyId>, history: Option<&His
     }
 }
 
-impl Object {
+impl PlotObject {
     /// Reads the flight first, and with the remaining ticks the one before.
     pub fn read(&mut self, body: Option<BodyId>, history: &History, before: Option<&History>, most: u64) {
         read(&mut self.now, body, Some(history), most);

@@ -1,9 +1,9 @@
 //! The buttons of the panel: their effects, their places, and the lists to choose from.
 
 use super::choices::{self, choices};
-use super::object::Object;
+use super::object::PlotObject;
 use super::places::{MOST_LINES, PlotPlaces};
-use super::{Line, Plot, along};
+use super::{Plot, PlotLine, along};
 use crate::draw::layout::Area;
 use crate::instruments::quantity::Quantity;
 use crate::instruments::track::BodyTrack;
@@ -91,7 +91,7 @@ impl Plot {
     }
 
     fn choices(&self, pick: Pick) -> [Vec<choices::Row>; 2] {
-        let tracks = || self.objects.iter().filter_map(Object::track);
+        let tracks = || self.objects.iter().filter_map(PlotObject::track);
         choices(pick == Pick::Across, |kind| tracks().any(|track| track.felt(kind)))
     }
 
@@ -108,7 +108,7 @@ impl Plot {
             Action::Add => {
                 let new = |up: &Quantity| self.lines.iter().all(|line| line.up != *up);
                 let up = along(self.axis).into_iter().find(new).unwrap_or(Quantity::Kinetic);
-                self.lines.push(Line::new(0, self.across, up));
+                self.lines.push(PlotLine::new(0, self.across, up));
                 self.pick = Some(Pick::Line(self.lines.len() - 1));
             }
             Action::Across => self.pick = Some(Pick::Across).filter(|now| pick != Some(*now)),
@@ -117,7 +117,7 @@ impl Plot {
                 let object = &mut self.objects[whose];
                 object.kept = if object.kept.is_some() { None } else { object.track().map(BodyTrack::body) };
             }
-            Action::Export(format) => (self.waiting, self.told) = (Some(format), None),
+            Action::Export(format) => (self.waiting, self.message) = (Some(format), None),
             Action::Whole => self.window = None,
             Action::Larger => self.large = !self.large,
             Action::Whose(line) => self.lines[line].whose = 1 - self.lines[line].whose,

@@ -5,7 +5,7 @@ use crate::instruments::quantity::Quantity;
 use crate::instruments::unit::Unit;
 
 #[derive(Clone, Debug, PartialEq)]
-pub struct Reading {
+pub struct CurveReading {
     /// Object and quantity: `Ball 2 v_y`.
     pub name: String,
     /// Value, slope and area, as far as they are known, each with its unit.
@@ -14,17 +14,17 @@ pub struct Reading {
 
 impl Plot {
     /// In the curves' order.
-    pub fn readings(&self) -> Vec<Reading> {
+    pub fn readings(&self) -> Vec<CurveReading> {
         let (across, reading) =
             (self.across.unit(), |number: Option<f64>, unit| (number.filter(|number| number.is_finite()), unit));
-        let line = |line: &super::Line| {
+        let line = |line: &super::PlotLine| {
             let track = self.objects[line.whose].track();
             let place = track.map(|track| track.place(self.now)).filter(|place| *place < line.now.len());
             let value = place.and_then(|place| line.now.point(place)).map(|(_, y)| y);
             let slope = track.zip(place).and_then(|(track, place)| line.now.slope(track, place));
             let area = track.map(|track| (track, self.stretch(track))).map(|(track, (from, to))| line.now.area(track, from, to));
             let unit = line.up.unit();
-            Reading {
+            CurveReading {
                 name: format!("{} {}", self.name(line.whose), line.up.symbol()),
                 numbers: [reading(value, unit), reading(slope, unit.per(across)), reading(area, unit.times(across))],
             }

@@ -15,7 +15,7 @@ impl Plot {
             .map(|(number, line, track)| Exported { body: self.name(line.whose), curve: &line.now, track, number })
             .collect();
         if curves.is_empty() {
-            self.told = Some(("There is no curve to be exported.".to_owned(), true));
+            self.message = Some(("There is no curve to be exported.".to_owned(), true));
             return;
         }
         let (text, ending) = match format {

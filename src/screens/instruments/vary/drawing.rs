@@ -1,6 +1,6 @@
 //! The panel: a line a number, with slider, value and the level's own value.
 
-use super::{Entry, From, Line, Vary};
+use super::{Vary, VaryEntry, VaryFrom, VaryLine};
 use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::instruments::vary::SliderTrack;
@@ -38,8 +38,8 @@ impl Vary {
             self.draw_line(i, line, canvas);
         }
         let buttons = [
-            ("From the start", true, self.from == From::Start),
-            ("From now", true, self.from == From::Now),
+            ("From the start", true, self.from == VaryFrom::Start),
+            ("From now", true, self.from == VaryFrom::Now),
             ("Reset all", true, false),
             ("Save as level", self.is_varied, false),
         ];
@@ -58,7 +58,7 @@ impl Vary {
         widgets::fitted(canvas, label, area.centre(), area.size.x - 2.0 * INSIDE, &[DETAILS], colour);
     }
 
-    fn draw_line(&self, index: usize, line: &Line, canvas: &Canvas) {
+    fn draw_line(&self, index: usize, line: &VaryLine, canvas: &Canvas) {
         let layout = &self.layout;
         let (colour, quiet) = (if line.open { theme::text() } else { theme::quiet() }, theme::quiet());
         let varied = line.is_varied();
@@ -81,7 +81,7 @@ impl Vary {
 
         let number = inner(layout.number(index));
         match &self.entry {
-            Some((Entry::Number(parameter), field)) if *parameter == line.parameter => draw_field(field, number, canvas),
+            Some((VaryEntry::Number(parameter), field)) if *parameter == line.parameter => draw_field(field, number, canvas),
             _ => {
                 let hover = line.open && number.contains(self.pointer);
                 widgets::panel_in(canvas, number, if hover { theme::panel_hover() } else { theme::ground() }, theme::panel_edge());
@@ -105,8 +105,8 @@ impl Vary {
         let field = self.layout.field;
         let (middle, widest) = (field.centre(), field.size.x);
         let say = |words: &str, colour| widgets::fitted(canvas, words, middle, widest, &[DETAILS], colour);
-        match (&self.entry, &self.told, self.progress) {
-            (Some((Entry::Name, text)), None, _) => {
+        match (&self.entry, &self.message, self.progress) {
+            (Some((VaryEntry::Name, text)), None, _) => {
                 draw_field(text, inner(field), canvas);
                 if text.text().is_empty() {
                     let style = Style::new(DETAILS, theme::quiet()).middle().right();

@@ -30,7 +30,7 @@ pub struct Varied<'a> {
 
 /// The start of a change.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum From {
+pub enum VaryFrom {
     /// The flight starts again.
     #[default]
     Start,
@@ -39,9 +39,9 @@ pub enum From {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub enum Wish {
+pub enum VaryWish {
     /// The varied flight, from there on; the flag says that it continues the last wish: the same slider, further.
-    Vary(Variation, From, bool),
+    Vary(Variation, VaryFrom, bool),
     /// The level as it is, from its start.
     Restore,
     /// The varied level as a level of that name; of any, where the name is empty.
@@ -49,21 +49,21 @@ pub enum Wish {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Line {
+pub struct VaryLine {
     pub parameter: Parameter,
     pub usual: f64,
     pub value: f64,
     pub open: bool,
 }
 
-impl Line {
+impl VaryLine {
     pub fn is_varied(&self) -> bool {
         self.value != self.usual
     }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Entry {
+pub enum VaryEntry {
     /// The index of its line.
     Number(Parameter),
     /// Of the level to save.
@@ -75,19 +75,19 @@ pub struct Vary {
     /// The object of the lines, where 0 is the ship; and its name.
     body: usize,
     title: String,
-    lines: Vec<Line>,
+    lines: Vec<VaryLine>,
     layout: Layout,
-    from: From,
+    from: VaryFrom,
     held: Option<Parameter>,
     /// The last changed number: further changes go on with it.
     last: Option<Parameter>,
-    entry: Option<(Entry, TextField)>,
+    entry: Option<(VaryEntry, TextField)>,
     /// The last message, and whether it is bad.
-    told: Option<(String, bool)>,
+    message: Option<(String, bool)>,
     pointer: Vec2,
     progress: Option<f64>,
     is_varied: bool,
-    wish: Option<Wish>,
+    wish: Option<VaryWish>,
 }
 
 impl Vary {
@@ -114,12 +114,12 @@ impl Vary {
     }
 
     /// Once.
-    pub const fn take_wish(&mut self) -> Option<Wish> {
+    pub const fn take_wish(&mut self) -> Option<VaryWish> {
         self.wish.take()
     }
 
     pub fn tell(&mut self, words: String, bad: bool) {
-        self.told = Some((words, bad));
+        self.message = Some((words, bad));
     }
 
     pub fn area(&self) -> Option<Area> {
@@ -127,7 +127,7 @@ impl Vary {
     }
 
     /// From the top; none while the panel is closed.
-    pub fn lines(&self) -> &[Line] {
+    pub fn lines(&self) -> &[VaryLine] {
         &self.lines
     }
 
@@ -142,13 +142,13 @@ impl Vary {
         &self.layout.buttons
     }
 
-    pub fn entry(&self) -> Option<(Entry, String)> {
+    pub fn entry(&self) -> Option<(VaryEntry, String)> {
         self.entry.as_ref().map(|(entry, field)| (*entry, field.text()))
     }
 
     /// And whether it is bad.
-    pub fn told(&self) -> Option<(&str, bool)> {
-        self.told.as_ref().map(|(words, bad)| (words.as_str(), *bad))
+    pub fn message(&self) -> Option<(&str, bool)> {
+        self.message.as_ref().map(|(words, bad)| (words.as_str(), *bad))
     }
 
     pub fn title(&self) -> &str {
@@ -164,14 +164,14 @@ impl Vary {
         self.pointer
     }
 
-    pub const fn from(&self) -> From {
+    pub const fn from(&self) -> VaryFrom {
         self.from
     }
 
     fn read(&mut self, varied: &Varied, body: usize) {
         if body != self.body {
             (self.body, self.held, self.last) = (body, None, None);
-            self.entry = self.entry.take().filter(|(entry, _)| *entry == Entry::Name);
+            self.entry = self.entry.take().filter(|(entry, _)| *entry == VaryEntry::Name);
         }
         self.progress = varied.progress;
         self.is_varied = varied.variation.is_some_and(|variation| !variation.is_empty());
@@ -179,29 +179,29 @@ impl Vary {
         let line = |parameter: Parameter| {
             let usual = parameter.of(varied.level)?;
             let value = varied.variation.and_then(|variation| variation.get(parameter)).unwrap_or(usual);
-            Some(Line { parameter, usual, value, open: self.from == From::Start || !parameter.is_of_the_start() })
+            Some(VaryLine { parameter, usual, value, open: self.from == VaryFrom::Start || !parameter.is_of_the_start() })
         };
         self.lines = Parameter::all(varied.level, body).into_iter().filter_map(line).collect();
     }
 
-    fn line(&self, parameter: Parameter) -> Option<Line> {
+    fn line(&self, parameter: Parameter) -> Option<VaryLine> {
         self.lines.iter().copied().find(|line| line.parameter == parameter)
     }
 
     /// Asks for a number, where it changes; `goes_on` says that it continues the change before.
-    fn ask(&mut self, line: Line, value: f64, level: &Level, (variation, goes_on): (Option<&Variation>, bool)) {
+    fn ask(&mut self, line: VaryLine, value: f64, level: &Level, (variation, goes_on): (Option<&Variation>, bool)) {
         if value == line.value {
             return;
         }
         let mut asked = variation.cloned().unwrap_or_default();
         asked.set(line.parameter, value, level);
-        self.told = None;
-        self.wish = Some(Wish::Vary(asked, self.from, goes_on && self.last == Some(line.parameter)));
+        self.message = None;
+        self.wish = Some(VaryWish::Vary(asked, self.from, goes_on && self.last == Some(line.parameter)));
         self.last = Some(line.parameter);
     }
 
     /// Asks for a number `steps` fine steps further, and returns it.
-    fn step(&mut self, line: Line, steps: f64, level: &Level, variation: Option<&Variation>) -> f64 {
+    fn step(&mut self, line: VaryLine, steps: f64, level: &Level, variation: Option<&Variation>) -> f64 {
         let value = SliderTrack::of(line.parameter, line.usual).stepped(line.value, steps, line.parameter.limits());
         self.ask(line, value, level, (variation, true));
         value
@@ -212,17 +212,17 @@ impl Vary {
         let Some((entry, field)) = &mut self.entry else { return };
         // Letters of the same frame as Enter belong to the text.
         if field.update(input) {
-            self.told = None;
+            self.message = None;
         }
         let steps = f64::from(u8::from(input.pressed(Key::Up))) - f64::from(u8::from(input.pressed(Key::Down)));
         if input.pressed(Key::Escape) {
-            (self.entry, self.told) = (None, None);
+            (self.entry, self.message) = (None, None);
         } else if input.pressed(Key::Enter) {
             self.take_entry(level, variation);
-        } else if let (Entry::Number(parameter), true) = (*entry, steps != 0.0) {
+        } else if let (VaryEntry::Number(parameter), true) = (*entry, steps != 0.0) {
             let Some(line) = self.line(parameter) else { return };
             let value = self.step(line, steps, level, variation);
-            self.entry = Some((Entry::Number(parameter), TextField::selected(&value.to_string(), MOST)));
+            self.entry = Some((VaryEntry::Number(parameter), TextField::selected(&value.to_string(), MOST)));
         }
     }
 
@@ -230,8 +230,8 @@ impl Vary {
     fn take_entry(&mut self, level: &Level, variation: Option<&Variation>) {
         let Some((entry, field)) = self.entry.take() else { return };
         match entry {
-            Entry::Name => self.wish = Some(Wish::Save(field.text().trim().to_owned())),
-            Entry::Number(parameter) => match (parameter.parse(&field.text()), self.line(parameter)) {
+            VaryEntry::Name => self.wish = Some(VaryWish::Save(field.text().trim().to_owned())),
+            VaryEntry::Number(parameter) => match (parameter.parse(&field.text()), self.line(parameter)) {
                 (Ok(value), Some(line)) => self.ask(line, value, level, (variation, false)),
                 (Err(expected), _) => {
                     self.tell(format!("Expected {expected}."), true);
@@ -252,12 +252,12 @@ impl Vary {
                 self.take_entry(level, variation);
             }
             match self.layout.button_at(at) {
-                Some(Button::FromStart) => self.from = From::Start,
-                Some(Button::FromNow) => self.from = From::Now,
-                Some(Button::Restore) if variation.is_some() => self.wish = Some(Wish::Restore),
+                Some(Button::FromStart) => self.from = VaryFrom::Start,
+                Some(Button::FromNow) => self.from = VaryFrom::Now,
+                Some(Button::Restore) if variation.is_some() => self.wish = Some(VaryWish::Restore),
                 Some(Button::Save) if self.is_varied => {
-                    if written != Some(Entry::Name) {
-                        (self.entry, self.told) = (Some((Entry::Name, TextField::new("", MOST))), None);
+                    if written != Some(VaryEntry::Name) {
+                        (self.entry, self.message) = (Some((VaryEntry::Name, TextField::new("", MOST))), None);
                     }
                 }
                 Some(Button::Restore | Button::Save) | None => {}
@@ -288,8 +288,8 @@ impl Vary {
         if self.layout.reset(index).contains(at) {
             self.ask(line, line.usual, level, (variation, false));
         } else if self.layout.number(index).contains(at) {
-            if self.entry.as_ref().is_none_or(|(entry, _)| *entry != Entry::Number(line.parameter)) {
-                self.entry = Some((Entry::Number(line.parameter), TextField::selected(&line.value.to_string(), MOST)));
+            if self.entry.as_ref().is_none_or(|(entry, _)| *entry != VaryEntry::Number(line.parameter)) {
+                self.entry = Some((VaryEntry::Number(line.parameter), TextField::selected(&line.value.to_string(), MOST)));
             }
         } else if self.layout.slider(index).contains(at) {
             self.held = Some(line.parameter);
@@ -298,8 +298,8 @@ impl Vary {
 
     fn entry_area(&self) -> Option<Area> {
         match self.entry.as_ref()?.0 {
-            Entry::Name => Some(self.layout.field),
-            Entry::Number(parameter) => self.parts(parameter).map(|[_, number, _]| number),
+            VaryEntry::Name => Some(self.layout.field),
+            VaryEntry::Number(parameter) => self.parts(parameter).map(|[_, number, _]| number),
         }
     }
 }

@@ -47,7 +47,7 @@ impl Half<'_> {
     }
 }
 
-struct Runner {
+struct RunningMethod {
     method: usize,
     motion: BoxMotion,
     boxes: Vec<Aabb>,
@@ -55,13 +55,13 @@ struct Runner {
     errors: Vec<f64>,
 }
 
-impl std::fmt::Debug for Runner {
+impl std::fmt::Debug for RunningMethod {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Runner").field("method", &self.method).field("boxes", &self.boxes).finish_non_exhaustive()
+        f.debug_struct("RunningMethod").field("method", &self.method).field("boxes", &self.boxes).finish_non_exhaustive()
     }
 }
 
-impl Runner {
+impl RunningMethod {
     fn new(method: usize, motion: BoxMotion, boxes: Vec<Aabb>) -> Self {
         Self { method, motion, boxes, trail: VecDeque::new(), errors: Vec::new() }
     }
@@ -93,8 +93,8 @@ pub struct SideBySide {
     exhibits: Vec<Exhibit>,
     exhibit: usize,
     step: usize,
-    halves: [Runner; 2],
-    exact: Runner,
+    halves: [RunningMethod; 2],
+    exact: RunningMethod,
     steps: u32,
     /// s. The scene's time that remains for the next step.
     left_over: f64,
@@ -108,7 +108,7 @@ impl Default for SideBySide {
         let exhibits = exhibits();
         let step = STEPS[USUAL_STEP];
         let halves = first_against_shipped(&exhibits[0], step);
-        let exact = Runner::exact(&exhibits[0], step);
+        let exact = RunningMethod::exact(&exhibits[0], step);
         Self {
             exhibits,
             exhibit: 0,
@@ -124,8 +124,8 @@ impl Default for SideBySide {
     }
 }
 
-fn first_against_shipped(exhibit: &Exhibit, step: f64) -> [Runner; 2] {
-    [exhibit.first, exhibit.methods.len() - 1].map(|method| Runner::of(exhibit, method, step))
+fn first_against_shipped(exhibit: &Exhibit, step: f64) -> [RunningMethod; 2] {
+    [exhibit.first, exhibit.methods.len() - 1].map(|method| RunningMethod::of(exhibit, method, step))
 }
 
 impl SideBySide {
@@ -198,8 +198,8 @@ impl SideBySide {
         let (exhibit, step) = (&self.exhibits[self.exhibit], self.step());
         let methods = exhibit.methods.len();
         let next = |half: usize| self.halves[half].method.saturating_add_signed(further[half] + methods as isize) % methods;
-        self.halves = [next(0), next(1)].map(|method| Runner::of(exhibit, method, step));
-        self.exact = Runner::exact(exhibit, step);
+        self.halves = [next(0), next(1)].map(|method| RunningMethod::of(exhibit, method, step));
+        self.exact = RunningMethod::exact(exhibit, step);
         (self.steps, self.left_over, self.paused) = (0, 0.0, false);
     }
 
@@ -210,7 +210,7 @@ impl SideBySide {
     pub fn halves(&self) -> [Half<'_>; 2] {
         self.halves.each_ref().map(|runner| {
             let method = self.exhibit().methods[runner.method].0;
-            let Runner { boxes, trail, errors, .. } = runner;
+            let RunningMethod { boxes, trail, errors, .. } = runner;
             Half { method, boxes, trail, errors, error: error(boxes, &self.exact.boxes) }
         })
     }

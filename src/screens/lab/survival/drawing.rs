@@ -1,4 +1,4 @@
-use super::{Line, ROW, SurvivalPage, TABLE, WIDEST, body, line_of, panel};
+use super::{ROW, SurvivalLine, SurvivalPage, TABLE, WIDEST, body, line_of, panel};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::axes::number;
@@ -29,14 +29,14 @@ impl SurvivalPage {
         for (place, index) in self.scroll.range().enumerate() {
             let line = line_of(panel, place);
             match &self.lines[index] {
-                Line::Test(test, parameter) => draw_test(canvas, line, (test, parameter), place > 0),
-                Line::Method(row) => self.draw_method(canvas, line, (index, row)),
+                SurvivalLine::Test(test, parameter) => draw_test(canvas, line, (test, parameter), place > 0),
+                SurvivalLine::Method(row) => self.draw_method(canvas, line, (index, row)),
             }
         }
         if let Some(bar) = self.scroll.bar() {
             widgets::scroll_bar(canvas, bar.track, bar.handle, bar.held);
         }
-        self.draw_told(canvas, told(canvas.frame()));
+        self.draw_large(canvas, large_panel(canvas.frame()));
     }
 
     fn draw_method(&self, canvas: &Canvas, line: Area, (index, row): (usize, &Survival)) {
@@ -56,9 +56,9 @@ impl SurvivalPage {
         canvas.text(&row.shown(), Vec2::new(right - COLUMNS[2], y), value);
     }
 
-    fn draw_told(&self, canvas: &Canvas, panel: Area) {
+    fn draw_large(&self, canvas: &Canvas, panel: Area) {
         widgets::panel(canvas, panel);
-        let Some((index, Line::Method(row))) = self.chosen().map(|index| (index, &self.lines[index])) else { return };
+        let Some((index, SurvivalLine::Method(row))) = self.chosen().map(|index| (index, &self.lines[index])) else { return };
         let (middle, widest) = (panel.centre().x, panel.size.x - 2.0 * PADDING);
         let name = if row.shipped { theme::accent() } else { theme::text() };
         widgets::fitted(canvas, &row.method, Vec2::new(middle, panel.min.y + 28.0), widest, &[BUTTON_TEXT, TEXT], name);
@@ -81,7 +81,7 @@ impl SurvivalPage {
     }
 }
 
-fn told(frame: &Frame) -> Area {
+fn large_panel(frame: &Frame) -> Area {
     let (body, table) = (body(frame), panel(frame));
     let left = table.max().x + BETWEEN;
     Area::new(left, table.min.y, body.size.x.min(WIDEST) - TABLE - BETWEEN, table.size.y)

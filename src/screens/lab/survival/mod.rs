@@ -18,7 +18,7 @@ const PADDING: f32 = 8.0;
 const WORDS: f32 = 40.0;
 
 #[derive(Clone, Debug, PartialEq)]
-pub enum Line {
+pub enum SurvivalLine {
     /// With the number that grows, and its unit.
     Test(String, String),
     Method(Survival),
@@ -26,7 +26,7 @@ pub enum Line {
 
 #[derive(Debug)]
 pub struct SurvivalPage {
-    lines: Vec<Line>,
+    lines: Vec<SurvivalLine>,
     /// One a line, computed when the line comes into view.
     pictures: HashMap<usize, Option<FailurePicture>>,
     pointed: Option<usize>,
@@ -38,8 +38,8 @@ impl SurvivalPage {
     pub(super) fn new(stress: &[Survival]) -> Self {
         let tests = stress.chunk_by(|a, b| a.test == b.test);
         let lines = tests.flat_map(|rows| {
-            let head = Line::Test(rows[0].test.clone(), rows[0].parameter.clone());
-            std::iter::once(head).chain(rows.iter().cloned().map(Line::Method))
+            let head = SurvivalLine::Test(rows[0].test.clone(), rows[0].parameter.clone());
+            std::iter::once(head).chain(rows.iter().cloned().map(SurvivalLine::Method))
         });
         Self {
             lines: lines.collect(),
@@ -59,7 +59,7 @@ impl SurvivalPage {
         self.scroll.update(input);
         let in_line = |place: &usize| line_of(panel, *place).contains(input.pointer);
         let pointed = (0..self.range().len()).find(in_line).map(|place| self.range().start + place);
-        self.pointed = pointed.filter(|line| matches!(self.lines[*line], Line::Method(_)));
+        self.pointed = pointed.filter(|line| matches!(self.lines[*line], SurvivalLine::Method(_)));
         self.draw_one_more();
         self.toolbar.update(input, &[Key::Escape]).is_some()
     }
@@ -68,14 +68,14 @@ impl SurvivalPage {
     fn draw_one_more(&mut self) {
         let missing = |line: &usize| !self.pictures.contains_key(line);
         let wanted = self.chosen().into_iter().chain(self.range()).filter(missing);
-        let method = |line: usize| if let Line::Method(row) = &self.lines[line] { Some((line, row)) } else { None };
+        let method = |line: usize| if let SurvivalLine::Method(row) = &self.lines[line] { Some((line, row)) } else { None };
         if let Some((line, row)) = wanted.filter_map(method).next() {
             let picture = stress::picture(row);
             self.pictures.insert(line, picture);
         }
     }
 
-    pub fn lines(&self) -> &[Line] {
+    pub fn lines(&self) -> &[SurvivalLine] {
         &self.lines
     }
 
@@ -85,7 +85,7 @@ impl SurvivalPage {
 
     /// The selected line: the one under the pointer, or else the first method in view.
     pub fn chosen(&self) -> Option<usize> {
-        self.pointed.or_else(|| self.range().find(|line| matches!(self.lines[*line], Line::Method(_))))
+        self.pointed.or_else(|| self.range().find(|line| matches!(self.lines[*line], SurvivalLine::Method(_))))
     }
 
     /// `None` until it is computed.
