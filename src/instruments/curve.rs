@@ -238,7 +238,8 @@ mod tests {
         assert!((work - (kinetic(landing - 1) - kinetic(61))).abs() < 1e-3 * work.abs(), "{work}");
     }
 
-    /// Across the landing, where the curve jumps: the area under v is the distance, that under F what the impacts left of the change of momentum.
+    /// Across the landing, where the curve jumps: the area under v is the distance; the area under F is the change of momentum
+    /// without the impulses.
     #[test]
     fn areas_are_exact_across_impacts() {
         let track = hop(400);

@@ -11,7 +11,8 @@ pub struct EnergyState {
     pub momentum: DVec2,
     /// Σ ½mv², J.
     pub kinetic: f64,
-    /// −Σ m·g·(r − r₀), J: of the level's own gravity, above [`ground`]. What zones of gravity add has no potential, for their fields end at their borders.
+    /// −Σ m·g·(r − r₀), J: of the level's own gravity, above [`ground`]. Gravity of zones has no potential, since their fields end at
+    /// their borders.
     pub potential: f64,
 }
 

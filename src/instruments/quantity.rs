@@ -72,7 +72,6 @@ pub enum Quantity {
 pub struct Moment {
     /// s.
     pub time: f64,
-    /// What the level says of it.
     pub constants: BodyConstants,
     /// m, from the level's lower left corner.
     pub position: DVec2,

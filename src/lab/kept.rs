@@ -66,7 +66,7 @@ mod tests {
         let charts = charts().unwrap();
         let kept: Vec<&str> = charts.diagrams.iter().map(|measured| measured.name.as_str()).collect();
         let scenes: Vec<&str> = scenes::all().iter().map(|scene| scene.name).collect();
-        // Behind those of the lab stand the scenes that only engines take part in.
+        // Behind the scenes of the lab stand the scenes of engines only.
         assert_eq!(kept[..scenes.len()], scenes);
         let followed = charts.diagrams.iter().filter(|measured| measured.over_time.is_some());
         let kept: Vec<String> =

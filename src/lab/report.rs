@@ -144,7 +144,7 @@ fn verdicts(text: &mut String, diagrams: &[Measured]) {
 
 pub const PI: &str = "pi";
 
-/// Up to which N each step counts right, and what that costs.
+/// The largest N that each step counts right, and its cost.
 fn pi_table(text: &mut String, measured: &Measured) {
     text.push_str("\n## π from collisions in time steps\n\n| step | right up to N | its CPU time, ns |\n|---|---|---|\n");
     let by_hand: Vec<&MethodCurve> = measured.curves.iter().filter(|curve| curve.origin == CurveOrigin::Lab).collect();

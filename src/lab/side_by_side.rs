@@ -137,7 +137,7 @@ fn heavy_on_light() -> Exhibit {
     standing("10 000 kg rest on 1 kg", area(-2.0, -2.5, 2.0, 0.25), vec![1.0, 10_000.0])
 }
 
-/// Blocks on a line that hit each other; `places` are those of all blocks at a time, s.
+/// Blocks on a line that hit each other; `places` gives the places of all blocks at a time, s.
 fn line(title: &'static str, line: BlockLine, places: impl Fn(f64) -> Vec<f64> + Clone + 'static) -> Exhibit {
     let boxes = |blocks: &Vec<LineBlock>| -> Vec<Aabb> {
         let movable = blocks.iter().filter(|block| block.mass.is_finite());
@@ -222,7 +222,7 @@ mod tests {
         }
     }
 
-    /// What moves fills its view, and does not leave it while it is right.
+    /// Moving boxes fill their view, and do not leave it while the method is right.
     #[test]
     fn what_moves_is_seen_all_the_while_and_no_speck() {
         for exhibit in exhibits() {
@@ -231,7 +231,7 @@ mod tests {
             for _ in 0..(exhibit.seconds / STEP) as usize {
                 met = exact().iter().fold(met, |met, body| met.union(body));
             }
-            // What is solid goes on beyond the view.
+            // Immovable things go on beyond the view.
             let seen = |body: &Aabb| Aabb::new(body.min.max(exhibit.view.min), body.max.min(exhibit.view.max));
             met = exhibit.start.iter().copied().chain(exhibit.solid.iter().map(seen)).fold(met, |met, body| met.union(&body));
             let (used, whole) = (met.size(), exhibit.view.size());

@@ -122,7 +122,7 @@ fn advance(dynamic: &mut Dynamic, gravity: f64, dt: f64) {
 /// The face of `obstacle` in front of which `before`, the moving cuboid before its step, was. In front of two, past an edge, it is
 /// the first in the order of [`CuboidFace`].
 pub fn face_hit(before: &Cuboid, obstacle: &Cuboid) -> CuboidFace {
-    // Beside each other, touching included: what overlaps after the step only touched before it.
+    // Beside each other, touching included: two that overlap after the step only touched before it.
     let under = before.end().cmple(obstacle.location);
     let over = before.location.cmpge(obstacle.end());
     match () {

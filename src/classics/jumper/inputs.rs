@@ -1,4 +1,4 @@
-//! Recorded keys of a climb: what was held for how many ticks, as a CSV file that people can write.
+//! Recorded keys of a climb: held keys and their number of ticks, as a CSV file that people can write.
 //!
 //! ```text
 //! ticks,left1,right1,jump1,left2,right2,jump2
@@ -21,7 +21,7 @@ const BOTH_PLAYERS: usize = HEADER.len();
 /// The most ticks that a file can hold: a day. More is a slip of the pen, and would be climbed for minutes without a word.
 const MOST_TICKS: u64 = 24 * 3600 * TICK_RATE as u64;
 
-/// What both players hold for a number of ticks.
+/// The keys of both players for a number of ticks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Climb {
     pub ticks: u64,

@@ -24,7 +24,7 @@ pub struct Survival {
     /// With its unit.
     pub parameter: String,
     pub method: String,
-    /// The largest value that it survives; 0: none of those tried.
+    /// The largest value that it survives; 0: none.
     pub largest: f64,
     pub tried: f64,
     pub shipped: bool,

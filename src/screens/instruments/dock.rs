@@ -1,4 +1,4 @@
-//! The rail stands away from the middle, where the ship is. Panels at the left stand below it, and beside it where there is too little room.
+//! The rail stands away from the middle, where the ship is. Panels stand below it, and beside it where there is too little room.
 
 use super::Tool;
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, TEXT, Vec2, text_room};

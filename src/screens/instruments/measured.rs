@@ -27,7 +27,7 @@ const SHORTEST: f32 = 3.0;
 const MARGIN: f32 = 12.0;
 /// Arrows are shortened to the next round scale this often before the window's edge cuts them off.
 const SHORTENED: usize = 6;
-/// Half the length of the ruler's marks at its ends, and of those at its metres, canvas units.
+/// Half the length of the ruler's marks at its ends, and at its metres, canvas units.
 const END_MARK: f32 = 9.0;
 const METRE_MARK: f32 = 4.0;
 /// Marks nearer than this are left out, canvas units.
