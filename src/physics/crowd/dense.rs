@@ -11,15 +11,13 @@ use crate::physics::crowd::report::Report;
 use crate::physics::crowd::restitution::Bounces;
 use crate::physics::crowd::walls::Walls;
 use crate::physics::crowd::{ACROSS, ALONG};
+use crate::physics::data::tuning::MANY;
 use crate::physics::guards::Guards;
 use crate::physics::store::islands::Island;
 use glam::DVec2;
 
 /// Solutions again for pairs that were expected to pass and did not. More: slower; fewer: more is put back.
 const LOOKS: usize = 3;
-/// Where some of more bodies than this bounce, fewer rounds across do. Larger: slower, and one contact that does not settle leaves the friction of
-/// more out; smaller: more friction of pushed bodies comes a step late.
-const MANY: usize = 256;
 
 /// A plastic impact is reported if it stops more than this many steps of gravity, and m/s. Smaller: rest is reported.
 const IMPACT: f64 = 2.0;

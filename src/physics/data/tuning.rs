@@ -9,10 +9,10 @@ pub(crate) const SLOP: f64 = 1e-9;
 /// its other side), it parts after that.
 pub(crate) const MAX_CLINGS: u32 = 32;
 
-/// Crossings of borders of streams by one body in one tick, each within a 64th of it after another event of the body; then the body keeps the
-/// streams that it feels until the tick ends. More: a body that a stream blows out and a liquid drives back, every 0.1 ms or sooner, uses up the
-/// budget of events of its island; fewer: a body at 10 km/s misses a stream.
-pub(crate) const MOST_BORDERS: u32 = 8;
+/// How often one body may turn back across borders of streams in one tick, within a 64th of it after another event of the body; then the body
+/// keeps the streams that it feels until the tick ends. More: a body that a stream blows out and a liquid drives back, every 0.1 ms or sooner,
+/// uses up the budget of events of its island; fewer: a bounce inside a narrow stream misses it.
+pub(crate) const MOST_BORDERS: u32 = 4;
 
 /// Relative to the largest force of a block of bodies: what counts as no force left over when reactions are shared out. Smaller:
 /// rounding splits resting blocks; larger: a feather beside an anvil is taken for part of it.
@@ -91,3 +91,7 @@ pub(crate) const EQUAL_SPEED: f64 = 1e-10;
 /// Relative to the largest force among joined bodies: what pulls at a light body. Smaller: the rounding of something heavy is more than
 /// what a light body beside it feels; larger: two bodies of a kind are treated apart.
 pub(crate) const LIGHT: f64 = 1e-3;
+
+/// An island of more bodies than this does with fewer rounds across where some of it bounces, and keeps friction that turns round within a step:
+/// something in it never settles. Larger: slower, and heaps creep; smaller: more friction acts a step late, and may drive a light body.
+pub(crate) const MANY: usize = 256;

@@ -118,8 +118,8 @@ pub(crate) struct Item {
     pub hits: u32,
     /// How often in this tick it was taken to stay where it parted by a rounding.
     pub clung: u32,
-    /// Borders of streams that it crossed in this tick, soon after another event.
-    pub crossed: u32,
+    /// Borders of streams that it crossed back in this tick, soon after another event, and its velocity at the last border, m/s.
+    pub crossed: (u32, DVec2),
     /// Whether contacts and accelerations are those of the tick's start, and later those of its end.
     pub known: bool,
     /// Whether something of it changed since the tick's start.

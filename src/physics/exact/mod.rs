@@ -165,9 +165,10 @@ impl Events {
             Kind::Nothing | Kind::Edge { .. } => {}
             Kind::Border => {
                 let item = &mut self.items[i];
-                let soon = self.now - item.since < scene.tick * SHORTEST;
-                item.crossed += u32::from(soon);
-                self.guards.flows_cut_short += u64::from(soon && item.crossed == MOST_BORDERS);
+                let velocity = item.pose(scene.media, self.now).1;
+                let back = (velocity * item.crossed.1).min_element() < 0.0 && self.now - item.since < scene.tick * SHORTEST;
+                item.crossed = (item.crossed.0 + u32::from(back), velocity);
+                self.guards.flows_cut_short += u64::from(back && item.crossed.0 == MOST_BORDERS);
             }
             Kind::Begin { other } => self.concern(other),
             Kind::Renew if i >= self.movable => {

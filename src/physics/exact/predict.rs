@@ -142,7 +142,7 @@ impl Events {
         }
         let end = track.until - self.now;
         let near = &self.borders[i];
-        if near.is_empty() || self.items[i].crossed >= MOST_BORDERS {
+        if near.is_empty() || self.items[i].crossed.0 >= MOST_BORDERS {
             return;
         }
         let (way, pose) = (track.way_from(self.now), item.pose(scene.media, self.now));

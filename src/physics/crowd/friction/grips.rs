@@ -6,6 +6,7 @@
 
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::friction::{Friction, Grip, Riders, Tight};
+use crate::physics::data::tuning::MANY;
 
 /// The most rounds of the active set. Fewer: contacts at their limit slide or stick a step late.
 const ROUNDS: usize = 5;
@@ -52,7 +53,7 @@ impl Friction {
         for _ in 0..ROUNDS {
             self.gather(bodies, given);
             if !self.spread(bodies) {
-                if !self.drives(bodies, given) {
+                if self.turned && self.gripped.len() > MANY || !self.drives(bodies, given) {
                     // A body on several supports is not left with a slip that drives.
                     return;
                 }
