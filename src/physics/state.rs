@@ -63,7 +63,6 @@ pub(crate) struct State {
     pub rest_speed: f64,
     /// Contacts at the end of the last tick. Items are bodies, and surfaces from the number of bodies on.
     pub contacts: Vec<Contact>,
-    /// Whether contacts and acceleration of a body hold now.
     pub known: Vec<bool>,
     pub ticks: u64,
 }

@@ -31,7 +31,6 @@ pub(crate) struct StepSize {
     pub gravity: f64,
     /// A rebound of e < 1 that is slower than this is none, m/s.
     pub rest_speed: f64,
-    /// Whether an island may no longer ask to grow.
     pub last: bool,
 }
 

@@ -37,14 +37,23 @@ pub(crate) enum Kind {
     /// Nothing before the end of the tick.
     Nothing,
     /// It meets another item along an axis; `ascending` if that has the larger coordinate.
-    Hit { other: u32, axis: usize, ascending: bool },
+    Hit {
+        other: u32,
+        axis: usize,
+        ascending: bool,
+    },
     /// Its slide over another item ends.
-    Stop { other: u32 },
+    Stop {
+        other: u32,
+    },
     /// Its contact with another item ends, because they no longer face each other.
-    Edge { other: u32 },
+    Edge {
+        other: u32,
+    },
     /// Its contact with another item begins: both are flush, and face each other from now on.
-    Begin { other: u32 },
-    /// It crosses the border of a stream.
+    Begin {
+        other: u32,
+    },
     Border,
     /// Its path is foreseen up to here.
     Renew,
@@ -122,7 +131,6 @@ pub(crate) struct Item {
     pub crossed: (u32, DVec2),
     /// Whether contacts and accelerations are those of the tick's start, and later those of its end.
     pub known: bool,
-    /// Whether something of it changed since the tick's start.
     pub disturbed: bool,
     /// Of a surface: from which sides it is solid, and the speed of its belt.
     pub sides: Sides,
