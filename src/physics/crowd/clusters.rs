@@ -48,7 +48,6 @@ pub(crate) struct Motion {
 pub(crate) struct Pool<Before> {
     pub before: Before,
     pub slack: f64,
-    /// Whether these are places, which have to be apart.
     pub places: bool,
 }
 
@@ -130,7 +129,6 @@ impl Clusters {
         if root.hit { root.restitution } else { 0.0 }
     }
 
-    /// The pairs through which bodies were merged, with the restitutions of their clusters.
     pub fn bouncing(&self) -> impl Iterator<Item = Edge> + '_ {
         self.edges.iter().map(|edge| Edge { restitution: self.restitution(edge.a as usize), ..*edge })
     }

@@ -60,7 +60,6 @@ pub(crate) struct Contacts {
     pub missed: Vec<(u32, u32)>,
     pub tolerances: Tolerances,
     pub passing: bool,
-    /// Whether something may touch a surface that moves or runs a belt.
     pub carried: bool,
 }
 

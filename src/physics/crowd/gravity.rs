@@ -21,12 +21,10 @@ pub(crate) struct Anchors {
     pub held: Vec<bool>,
     /// Held from the start, without an impact.
     pub rests: Vec<bool>,
-    /// The support on which each body lands in this step.
     pub lands: Vec<u32>,
     /// Of a body that a wall may hold by friction, the velocity of the wall, m/s.
     pub hung: Vec<Option<f64>>,
     pub any_hung: bool,
-    /// The restitution of each body's impact on something that does not give way.
     pub bounce: Vec<f64>,
     pub any_bounces: bool,
     pub bounces: Bounces,
@@ -163,7 +161,10 @@ fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, cluste
         let i = i as usize;
         if i < n {
             anchors.lands[i] = if clusters.came_fixed(i) { anchors.lands[i] } else { NONE };
-            bodies[i].mean.y = clusters.mean(i, 0.0);
+            let (own, mean) = (bodies[i].mean.y.min(0.0), clusters.mean(i, 0.0));
+            // Nothing that stands lifts a body that something else has stopped on its way up.
+            let lifted = !contacts.carried && clusters.is_fixed(i) && mean < own - slack;
+            bodies[i].mean.y = if lifted { own } else { mean };
             bodies[i].end.y = clusters.velocity(i);
             anchors.held[i] |= clusters.is_fixed(i);
             anchors.loose[i] = !clusters.came_fixed(i);

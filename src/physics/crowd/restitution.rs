@@ -21,7 +21,6 @@ impl Bounces {
         if lasts && (restitution == 1.0 || leaves >= self.rest_speed) { leaves } else { 0.0 }
     }
 
-    /// The restitution of a pair that merges, if its impact bounces.
     pub fn of(self, bodies: &Bodies, contact: &Contact, axis: usize) -> Option<f64> {
         let (i, j) = (contact.first as usize, contact.second as usize);
         let restitution = bodies.coefficients(i.min(j), i.max(j)).restitution;

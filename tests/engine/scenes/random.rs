@@ -170,6 +170,7 @@ fn rooms_that_once_broke_a_law_keep_it() {
         include!("../../fixtures/found/wild_scenes_5.rs"),
         include!("../../fixtures/found/wild_scenes_6.rs"),
         include!("../../fixtures/found/wild_scenes_7.rs"),
+        include!("../../fixtures/found/wild_scenes_8.rs"),
     ];
     for (i, (bodies, surfaces, air, weightless)) in scenes.into_iter().enumerate() {
         keeps_every_law(wild(bodies, surfaces, air, weightless)).unwrap_or_else(|fault| panic!("scene {i}: {fault}"));

@@ -33,7 +33,6 @@ pub(crate) struct Tight {
     pub dragged: f64,
     /// Friction's impulse on the upper body, N·s.
     pub impulse: f64,
-    /// Whether the two had the same velocity at the start.
     stood: bool,
     /// What holds once a slide has ended, N·s.
     holds: f64,
@@ -68,13 +67,11 @@ pub(crate) struct Friction {
     pub tight: Vec<Tight>,
     pub riders: Vec<Riders>,
     loads: Vec<f64>,
-    /// The bodies that take part, bottom-up.
     awake: Vec<u32>,
     pub is_awake: Vec<bool>,
     /// Those of them that stand on something or carry something, bottom-up.
     pub gripped: Vec<u32>,
     pub is_gripped: Vec<bool>,
-    /// Whether surfaces move, which may drive.
     carried: bool,
     /// Whether a slide turns round within the step: the step does not show what friction did until then.
     pub turned: bool,
