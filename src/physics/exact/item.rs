@@ -37,23 +37,14 @@ pub(crate) enum Kind {
     /// Nothing before the end of the tick.
     Nothing,
     /// It meets another item along an axis; `ascending` if that has the larger coordinate.
-    Hit {
-        other: u32,
-        axis: usize,
-        ascending: bool,
-    },
+    Hit { other: u32, axis: usize, ascending: bool },
     /// Its slide over another item ends.
-    Stop {
-        other: u32,
-    },
+    Stop { other: u32 },
     /// Its contact with another item ends, because they no longer face each other.
-    Edge {
-        other: u32,
-    },
+    Edge { other: u32 },
     /// Its contact with another item begins: both are flush, and face each other from now on.
-    Begin {
-        other: u32,
-    },
+    Begin { other: u32 },
+    /// It crosses the border of a stream.
     Border,
     /// Its path is foreseen up to here.
     Renew,
