@@ -1,17 +1,15 @@
-//! The sounds that are played once.
+//! The one-shot sounds.
 
 use crate::physics::Material;
 
-/// What a knock sounds like: the materials that a level can name; what bounces hardly sounds, either.
+/// The sound of a knock, by the materials that a level can name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stuff {
     /// A dull thud.
     Asphalt,
-    /// It rings.
     Steel,
     /// A hard, high tick.
     Ice,
-    /// It hardly sounds.
     Rubber,
     /// A hollow knock.
     Wood,
@@ -20,10 +18,10 @@ pub enum Stuff {
 }
 
 impl Stuff {
-    /// All of them, in the order of [`Material::FIRM`].
+    /// In the order of [`Material::FIRM`].
     pub const ALL: [Self; 6] = [Self::Asphalt, Self::Steel, Self::Ice, Self::Rubber, Self::Wood, Self::Glass];
 
-    /// What something of that material sounds like: as asphalt where the name is none of ours.
+    /// A material with another name sounds like rubber where it bounces, else like asphalt.
     pub fn of(material: &Material) -> Self {
         let found = Material::FIRM.iter().position(|known| known.name == material.name);
         let other = if material.restitution > 0.0 { Self::Rubber } else { Self::Asphalt };
@@ -31,39 +29,31 @@ impl Stuff {
     }
 }
 
-/// A sound that is played once.
+/// A one-shot sound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cue {
-    /// Something was hit.
     Knock(Stuff),
-    /// The ship hit something so hard that it costs points.
+    /// So hard that it costs points.
     Crash,
-    /// An objective is met.
     Met,
-    /// An objective is no longer met.
     Lost,
-    /// The level is complete.
     Success,
-    /// The ship is lost.
     Death,
     /// The ship dives into a liquid or leaves it.
     Splash,
-    /// A bubble rises.
     Bubble,
-    /// A button is pressed.
     Press,
     /// The keyboard or the pointer goes to another button.
     Move,
     /// A collision of the blocks that count π.
     Click,
-    /// A jump, in the classics.
     Jump,
 }
 
 impl Cue {
-    /// How many there are.
+    /// The number of cues.
     pub const COUNT: usize = 17;
-    /// All of them; a cue's number is its place here.
+    /// A cue's number is its index here.
     pub const ALL: [Self; Self::COUNT] = [
         Self::Knock(Stuff::Asphalt),
         Self::Knock(Stuff::Steel),
@@ -84,7 +74,7 @@ impl Cue {
         Self::Jump,
     ];
 
-    /// Its place in [`Cue::ALL`].
+    /// Its index in [`Cue::ALL`].
     pub const fn number(self) -> usize {
         match self {
             Self::Knock(stuff) => stuff as usize,

@@ -1,13 +1,13 @@
-//! Between the game and the thread that computes the sound: atomics only, so that neither ever waits. The game holds the [`SoundDesk`] and
-//! writes, the mixer holds the [`Feed`] and reads. Where nobody reads, what is written is lost, as it should be.
+//! Between the game and the sound's thread: atomics only, so that neither ever waits. The game writes to the [`SoundDesk`], the
+//! mixer reads the [`Feed`]. Without a reader the writes are lost.
 
 use super::{Ambience, Cue, Sound, Volumes};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
 
-/// How many sounds can be due at once: more than a frame ever brings, [`Cue::COUNT`].
+/// The most sounds due at once: more than a frame ever brings, [`Cue::COUNT`].
 const WAITING: usize = 64;
-/// Loudness and place pass as multiples of 1 part in this number.
+/// Loudness and place pass as integer multiples of 1 / this.
 const STEPS: f32 = 32_767.0;
 
 /// The desk and its feed. There is no third end: sounds go from one writer to one reader.
@@ -32,9 +32,9 @@ struct Shared {
     ambience: [AtomicU32; 4],
     /// The tune's number + 1; 0: none.
     tune: AtomicU32,
-    /// Frames written so far: what no longer moves has stopped.
+    /// Frames written so far: a game without new frames is held up.
     frames: AtomicU32,
-    /// A ring of sounds. `written` and `read` count them; the writer alone moves the one, the reader alone the other.
+    /// A ring of sounds. `written` and `read` count them; only the writer moves the one, only the reader the other.
     sounds: [AtomicU64; WAITING],
     written: AtomicUsize,
     read: AtomicUsize,
@@ -55,50 +55,46 @@ impl Default for Shared {
 }
 
 impl SoundDesk {
-    /// How loud each part is from now on.
     pub fn set_volumes(&self, volumes: Volumes) {
         let Volumes { master, effects, music } = volumes;
         store(&self.0.volumes, [master, effects, music]);
     }
 
-    /// What is heard all the time, in the frame that ends now.
+    /// Of the frame that ends now.
     pub fn set_ambience(&self, ambience: Ambience) {
         let Ambience { engine, wind, liquid, motion } = ambience;
         store(&self.0.ambience, [engine, wind, liquid, motion]);
         self.0.frames.fetch_add(1, Ordering::Relaxed);
     }
 
-    /// Which tune is played, or none.
+    /// `None` stops the music.
     pub fn set_tune(&self, tune: Option<u32>) {
         self.0.tune.store(tune.map_or(0, |tune| tune.saturating_add(1)), Ordering::Relaxed);
     }
 
-    /// Plays a sound once; too many at a time are lost.
+    /// A full ring drops the sound.
     pub fn play(&self, sound: Sound) {
         let shared = &self.0;
         let (written, read) = (shared.written.load(Ordering::Relaxed), shared.read.load(Ordering::Acquire));
         if written.wrapping_sub(read) < WAITING {
             shared.sounds[written % WAITING].store(pack(sound), Ordering::Relaxed);
-            // What is below `written` can be read.
+            // The reader may read sounds below `written`.
             shared.written.store(written.wrapping_add(1), Ordering::Release);
         }
     }
 }
 
 impl Feed {
-    /// How loud each part is, each 0 … 1.
     pub fn volumes(&self) -> Volumes {
         let [master, effects, music] = load(&self.0.volumes);
         Volumes { master, effects, music }
     }
 
-    /// What is heard all the time, each 0 … 1.
     pub fn ambience(&self) -> Ambience {
         let [engine, wind, liquid, motion] = load(&self.0.ambience);
         Ambience { engine, wind, liquid, motion }
     }
 
-    /// Which tune is played, or none.
     pub fn tune(&self) -> Option<u32> {
         self.0.tune.load(Ordering::Relaxed).checked_sub(1)
     }
@@ -116,12 +112,12 @@ impl Feed {
             return None;
         }
         let sound = unpack(shared.sounds[read % WAITING].load(Ordering::Relaxed));
-        // What is below `read` can be written over.
+        // The writer may overwrite sounds below `read`.
         shared.read.store(read.wrapping_add(1), Ordering::Release);
         Some(sound)
     }
 
-    /// Forgets the sounds that are due: they are of another time.
+    /// Drops the due sounds: they are of another time.
     pub fn forget(&self) {
         while self.next().is_some() {}
     }
@@ -137,7 +133,7 @@ fn load<const N: usize>(from: &[AtomicU32; N]) -> [f32; N] {
     from.each_ref().map(|value| f32::from_bits(value.load(Ordering::Relaxed)))
 }
 
-/// From `least` to 1; what is no number becomes 0.
+/// Clamps to `least` … 1; NaN becomes 0.
 fn within(value: f32, least: f32) -> f32 {
     if value.is_nan() { 0.0 } else { value.clamp(least, 1.0) }
 }

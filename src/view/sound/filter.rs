@@ -1,60 +1,57 @@
-//! The small parts that sounds are made of: noise, filters, and values that glide instead of jumping.
+//! Building blocks of sounds: noise, filters, and values that glide instead of jumping.
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 use std::f32::consts::{PI, TAU};
 
-/// White noise, −1 … 1; the same from the same seed.
+/// −1 … 1; the same from the same seed.
 #[derive(Debug)]
 pub struct WhiteNoise(Pcg32);
 
 impl WhiteNoise {
-    /// A source of its own.
     pub fn new(seed: u64) -> Self {
         Self(Pcg32::seed_from_u64(seed))
     }
 
-    /// The next sample.
     pub fn next(&mut self) -> f32 {
         self.0.random_range(-1.0..1.0)
     }
 
-    /// A chance value of a range.
+    /// Uniform between the two.
     pub fn between(&mut self, low: f32, high: f32) -> f32 {
         low + (high - low) * (0.5 + 0.5 * self.next())
     }
 }
 
-/// A value that follows its target within some time: steps are heard as cracks.
+/// A value that approaches its target exponentially: a step would be heard as a crack.
 #[derive(Clone, Copy, Debug)]
 pub struct Glide {
     value: f32,
-    /// The part of the way that is left after a sample.
+    /// The part of the difference that is left after a sample.
     keeps: f32,
 }
 
 impl Glide {
-    /// At 0; after `time` s 1/e of the way is left.
+    /// Starts at 0; 1/e of the difference is left after `time` s.
     pub fn new(rate: f32, time: f32) -> Self {
         Self { value: 0.0, keeps: (-1.0 / (rate * time)).exp() }
     }
 
-    /// One sample on.
+    /// Advances by a sample.
     pub fn towards(&mut self, target: f32) -> f32 {
         self.value = target + (self.value - target) * self.keeps;
-        // Numbers too small to be normal cost a hundred times as much.
+        // Denormal numbers cost a hundred times as much.
         if self.value.abs() < 1e-12 {
             self.value = 0.0;
         }
         self.value
     }
 
-    /// Where it is.
     pub const fn value(&self) -> f32 {
         self.value
     }
 
-    /// Is there at once.
+    /// Jumps to the value.
     pub const fn set(&mut self, value: f32) {
         self.value = value;
     }
@@ -68,12 +65,12 @@ pub struct LowPass {
 }
 
 impl LowPass {
-    /// Sets the corner frequency, Hz.
+    /// `corner` in Hz.
     pub fn set(&mut self, rate: f32, corner: f32) {
         self.part = 1.0 - (-TAU * corner / rate).exp();
     }
 
-    /// One sample on.
+    /// Advances by a sample.
     pub fn next(&mut self, sample: f32) -> f32 {
         self.level += self.part * (sample - self.level);
         if self.level.abs() < 1e-12 {
@@ -93,14 +90,14 @@ pub struct BandPass {
 }
 
 impl BandPass {
-    /// Sets the centre, Hz, and how narrow it is: the centre divided by the width.
+    /// `centre` in Hz; `narrowness` is the centre divided by the bandwidth.
     pub fn set(&mut self, rate: f32, centre: f32, narrowness: f32) {
-        // The tangent bends the frequencies so that the centre is met; it has a pole at half the rate.
+        // The tangent warps frequencies so that the centre is exact; it has a pole at half the rate.
         self.g = (PI * (centre / rate).min(0.45)).tan();
         self.k = 1.0 / narrowness;
     }
 
-    /// One sample on; at the centre the gain is 1.
+    /// Advances by a sample; the gain at the centre is 1.
     pub fn next(&mut self, sample: f32) -> f32 {
         let a = 1.0 / (1.0 + self.g * (self.g + self.k));
         let band = a * (self.first + self.g * (sample - self.second));
@@ -117,7 +114,7 @@ mod tests {
 
     const RATE: f32 = 48_000.0;
 
-    /// How much of a sine of that frequency passes.
+    /// The gain for a sine of that frequency.
     fn gain(hertz: f32, mut filter: impl FnMut(f32) -> f32) -> f32 {
         let mut peak = 0.0_f32;
         for i in 0..48_000 {

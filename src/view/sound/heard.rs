@@ -1,30 +1,29 @@
-//! What is heard of a game: each event once, and what goes on around the ship.
+//! The sounds of a game: one for each event, and the ambience of the ship.
 
 use super::{Cue, Stuff};
 use crate::game::{DAMAGING_SPEED, DUST_SPEED, Game, GameEvent, Outcome, SHIP};
 use crate::physics::{Body, DVec2, Event, Obstacle};
 
-/// Half as loud so far from the ship, m, and wholly on one side so far beside it.
+/// The distance from the ship that halves the loudness, m, and the distance to the side that puts a sound wholly there.
 const HALVES: f64 = 12.0;
 const ASIDE: f64 = 25.0;
 /// Speed through the air of the level's density 1.2041 kg/m³ at which the wind is loudest, m/s.
 const STORM: f64 = 35.0;
 const AIR: f64 = 1.2041;
-/// Speed in a liquid at which it is loudest, m/s.
+/// Speed in a liquid at which the liquid is loudest, m/s.
 const TORRENT: f64 = 8.0;
 /// A change of the ship's share under water that is a splash.
 const SPLASH: f64 = 0.08;
-/// How fast the ship must be then, m/s.
+/// The ship's least speed for a splash, m/s.
 const SPLASH_SPEED: f64 = 0.8;
 
 /// A sound that is due.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sound {
-    /// Which.
     pub cue: Cue,
     /// 0 … 1.
     pub loudness: f32,
-    /// −1: left, 0: in the middle, 1: right.
+    /// −1 left, 0 middle, 1 right.
     pub place: f32,
 }
 
@@ -35,28 +34,28 @@ impl Sound {
     }
 }
 
-/// What is heard all the time; each 0 … 1.
+/// The continuous sounds, each 0 … 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ambience {
-    /// How hard the engine burns.
+    /// The engine's thrust.
     pub engine: f32,
-    /// How fast the air passes by.
+    /// The speed of the air past the ship.
     pub wind: f32,
-    /// The part of the ship that is under water.
+    /// The share of the ship under water.
     pub liquid: f32,
-    /// How fast the ship moves through it.
+    /// The speed of the ship in the liquid.
     pub motion: f32,
 }
 
 /// Listens to one attempt, tick by tick.
 #[derive(Debug, Default)]
 pub struct Ear {
-    /// The part of the ship that was under water, `None` before the first tick.
+    /// The share of the ship under water; `None` before the first tick.
     wet: Option<f64>,
 }
 
 impl Ear {
-    /// Passes on what was heard in the tick just made.
+    /// Passes on the sounds of the last tick.
     pub fn listen(&mut self, game: &Game, mut hear: impl FnMut(Sound)) {
         for event in game.world().events() {
             if let &Event::Impact { a, b, point, speed, .. } = event
@@ -65,7 +64,7 @@ impl Ear {
                 let bodies = game.world().bodies();
                 let hit = match b {
                     Obstacle::Surface(surface) => game.world().surfaces().get(surface as usize).map(|surface| surface.material),
-                    // The ship's own hull is not what tells things apart.
+                    // The sound is that of the other body, not of the ship's hull.
                     Obstacle::Body(SHIP) => bodies.get(a.0 as usize).map(|body| body.material),
                     Obstacle::Body(other) => bodies.get(other.0 as usize).map(|body| body.material),
                 };
@@ -87,7 +86,7 @@ impl Ear {
                 GameEvent::ObjectiveLost(_) => hear(Sound::new(Cue::Lost, 1.0)),
                 GameEvent::Completed => hear(Sound::new(Cue::Success, 1.0)),
                 GameEvent::Died => hear(Sound::new(Cue::Death, 1.0)),
-                // With its material, above.
+                // The collision above has its material.
                 GameEvent::Impact { .. } => {}
             }
         }
@@ -95,7 +94,7 @@ impl Ear {
         let before = *self.wet.get_or_insert(wet);
         if (wet - before).abs() >= SPLASH {
             self.wet = Some(wet);
-            // Only the surface splashes: what is nearly out or nearly under.
+            // Only the surface splashes: a ship nearly out or nearly under.
             if speed >= SPLASH_SPEED && (before < SPLASH || wet < SPLASH) {
                 hear(Sound::new(Cue::Splash, (speed / TORRENT).min(1.0) as f32));
             }
@@ -104,7 +103,7 @@ impl Ear {
 }
 
 impl Ambience {
-    /// Around the ship as it is now. `burning` is how far the engine's plume has grown, 0 … 1.
+    /// Around the ship as it is now. `burning` is the growth of the engine's plume, 0 … 1.
     pub fn of(game: &Game, burning: f64) -> Self {
         let (level, ship) = (game.level(), game.world().body(SHIP));
         let (speed, wet) = (ship.velocity.length(), wetness(game));
@@ -120,20 +119,20 @@ impl Ambience {
     }
 }
 
-/// The number of the tune of a level or of anything else with a name: levels with a number have that number's.
+/// The number of a name's tune: the level's number, or a hash.
 pub fn tune(name: &str) -> u32 {
     let hash = || name.bytes().fold(0x811c_9dc5_u32, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193));
     name.parse().unwrap_or_else(|_| hash())
 }
 
-/// How strongly an air stream blows on the ship: 1 when it carries its weight one and a half times.
+/// Strength of the air stream at the ship: 1 at one and a half times its weight.
 fn stream(game: &Game, ship: &Body) -> f64 {
     let weight = 1.5 * ship.mass * game.level().gravity.abs().max(1.0);
     let felt = game.level().streams.iter().filter(|stream| stream.zone.touches(&ship.bounds(), 0.0));
     felt.map(|stream| stream.force).sum::<DVec2>().length() / weight
 }
 
-/// The part of the ship that is under water, 0 … 1.
+/// 0 … 1.
 fn wetness(game: &Game) -> f64 {
     let ship = game.world().body(SHIP).bounds();
     let shared = |zone: &crate::physics::Aabb| (zone.max.min(ship.max) - zone.min.max(ship.min)).max(DVec2::ZERO).element_product();
@@ -141,7 +140,7 @@ fn wetness(game: &Game) -> f64 {
     (under / ship.size().element_product()).min(1.0)
 }
 
-/// A sound from a point in the level, as the ship hears it.
+/// A sound at a point of the level, heard from the ship.
 fn at(cue: Cue, loudness: f64, point: DVec2, game: &Game) -> Sound {
     let away = point - game.world().body(SHIP).position;
     let loudness = loudness / (1.0 + away.length() / HALVES);

@@ -1,38 +1,38 @@
-//! Keeps what is too loud below a ceiling. Up to there samples pass as they are, only a moment later: the limiter sees what comes, and has
-//! turned down by the time that it is heard.
+//! Keeps loud samples below a ceiling. Samples below it pass unchanged, with a short delay: the limiter sees them in advance and
+//! has turned down in time.
 
 /// The largest sample: −1.4 dBFS, so that the curve between samples stays below −1 dBFS.
 const CEILING: f32 = 0.85;
-/// How long it sees ahead, s: the time in which it turns down. A jump would be heard as a crack; 2 ms are shorter than the ear can tell
+/// Its look-ahead, s: the time in which it turns down. A jump would be heard as a crack; 2 ms are shorter than the ear can tell
 /// from one.
 const AHEAD: f32 = 0.002;
-/// It turns up again by a factor of e in this time, s: longer than five periods of the deepest tone, 46 Hz, which it would bend otherwise,
-/// and shorter than the fading of a crash, after which the engine would be heard to swell.
+/// Time constant of its release, s: longer than five periods of the deepest tone, 46 Hz, which it would distort otherwise, and
+/// shorter than the decay of a crash, after which the engine would be heard to swell.
 const RELEASE: f32 = 0.12;
-/// A gain that is so near to 1 is 1.
+/// A gain from here on counts as 1.
 const NEARLY: f32 = 0.9995;
 
-/// Both sides are turned down by the same gain, so that nothing moves from side to side.
+/// Both sides have the same gain, so that no sound moves from side to side.
 #[derive(Debug)]
 pub struct Limiter {
-    /// Rings of the samples that are not heard yet, of the gain that each of them needs, and of the gain that was aimed at when it came.
+    /// Rings of the delayed samples, of the gain that each needs, and of the target gain at its arrival.
     samples: Vec<[f32; 2]>,
     needed: Vec<f32>,
     aims: Vec<f32>,
     at: usize,
-    /// The gain that is aimed at, and for how many samples it is held.
+    /// The target gain, and the samples for which it is held.
     aim: f32,
     held: usize,
-    /// How many aims in a row were 1.
+    /// The number of consecutive targets of 1.
     open: usize,
-    /// Of the aims in the ring; in `f64` its rounding is not heard.
+    /// Of the targets in the ring; `f64` keeps its rounding inaudible.
     sum: f64,
-    /// The part of the distance to 1 that is left after a sample.
+    /// The part of the difference to 1 that is left after a sample.
     keeps: f32,
 }
 
 impl Limiter {
-    /// Silence, at `rate` samples a second.
+    /// `rate` is samples a second.
     pub fn new(rate: f32) -> Self {
         let ahead = (AHEAD * rate).ceil().max(1.0) as usize;
         Self {
@@ -48,9 +48,8 @@ impl Limiter {
         }
     }
 
-    /// The sample of a moment ago, left and right.
-    ///
-    /// Its gain is the mean of the aims since it came, and none of them is above what it needs: so it ends below the ceiling.
+    /// The delayed sample, left and right. Its gain is the mean of the targets since its arrival, and none of them exceeds its
+    /// need: so it ends below the ceiling.
     pub fn next(&mut self, sample: [f32; 2]) -> [f32; 2] {
         let ahead = self.samples.len();
         let peak = sample[0].abs().max(sample[1].abs());
@@ -119,14 +118,15 @@ mod tests {
         let heard = limited(wild.iter().copied());
         let most = heard.as_flattened().iter().fold(0.0_f32, |most, sample| most.max(sample.abs()));
         assert!(most <= CEILING * 1.000_01, "{most}");
-        // And it does not turn down more than it must: what is quiet for long is as it was.
+        // The limiter turns down no further than necessary: long quiet passages are unchanged.
         let quiet = limited((0..96_000).map(|i| if i < 4800 { [9.0; 2] } else { [0.1; 2] }));
         assert_eq!(quiet[95_000], [0.1; 2]);
     }
 
     #[test]
     fn it_turns_down_within_its_sight_and_up_within_a_few_tenths_of_a_second_and_never_jumps() {
-        // A tone below the ceiling, a tenth of a second of one four times as loud, the first again; by the gain at every sample.
+        // A tone below the ceiling, a tenth of a second of one four times as loud, the first again; the test reads the gain at
+        // every sample.
         let tone = |i: usize| 0.7 * (TAU * 1000.0 * i as f32 / RATE + 0.4).sin();
         let loud = 24_000..28_800;
         let samples: Vec<[f32; 2]> = (0..72_000).map(|i| [if loud.contains(&i) { 4.0 } else { 1.0 } * tone(i); 2]).collect();

@@ -1,4 +1,4 @@
-//! All sounds together: stereo samples from what lies on the desk.
+//! The sum of all sounds: stereo samples from the desk's state.
 
 use super::bed::Bed;
 use super::filter::{Glide, LowPass, WhiteNoise};
@@ -10,20 +10,20 @@ use super::{Ambience, Feed, Volumes};
 
 /// Samples between two looks at the desk: 1.3 ms at 48 kHz.
 const STEP: u32 = 64;
-/// Volumes glide within this time, s.
+/// Time constant of the volumes, s.
 const VOLUME_TIME: f32 = 0.02;
-/// When no frame has come for so long, s, the game is held up: what is heard all the time stops until it goes on.
+/// Without a frame for this time, s, the game is held up: the continuous sounds stop until it goes on.
 const HELD_UP: f32 = 0.4;
-/// Under water nothing above this is heard, Hz; in air nothing is held back.
+/// Corner frequency under water, Hz; in air all passes.
 const UNDER_WATER: f32 = 420.0;
 const IN_AIR: f32 = 18_000.0;
-/// With the volumes as they are at first, flights come to some −19 dBFS, as other games do; what is louder is the limiter's: a crash
-/// beside the engine, or volumes near their ends.
+/// At the default volumes flights average about −19 dBFS, as other games do; the limiter takes the louder part: a crash beside the
+/// engine, or volumes near their ends.
 const EFFECTS: f32 = 2.84;
-/// At full volume music is nearly as loud as the engine; as it is set at first, far below it.
+/// At full volume music is nearly as loud as the engine; by default, far below it.
 const MUSIC: f32 = 5.68;
 
-/// Computes what is heard. It allocates nothing after it has been made, and never waits.
+/// Computes the samples. It allocates nothing after construction, and never waits.
 #[derive(Debug)]
 pub struct Mixer {
     feed: Feed,
@@ -34,7 +34,7 @@ pub struct Mixer {
     music: Music,
     /// Two in a row for each side.
     water: [[LowPass; 2]; 2],
-    /// What the desk said last.
+    /// The desk's last state.
     volumes: Volumes,
     ambience: Ambience,
     tune: Option<u32>,
@@ -48,7 +48,7 @@ pub struct Mixer {
 }
 
 impl Mixer {
-    /// Silence, at `rate` samples a second, until the desk says more.
+    /// `rate` is samples a second.
     pub fn new(rate: u32, feed: Feed) -> Self {
         let frames = feed.frames();
         let rate = rate.max(8000) as f32;
@@ -74,7 +74,7 @@ impl Mixer {
         }
     }
 
-    /// The next samples, left and right by turns, each within −1.4 dBFS. An odd one at the end is silent.
+    /// Fills `samples`, left and right by turns, each within −1.4 dBFS. An odd one at the end is silent.
     pub fn render(&mut self, samples: &mut [f32]) {
         let (pairs, rest) = samples.as_chunks_mut();
         for pair in pairs {
@@ -83,13 +83,13 @@ impl Mixer {
         rest.fill(0.0);
     }
 
-    /// The next sample, left and right.
+    /// Left and right.
     pub fn sample(&mut self) -> [f32; 2] {
         if self.age.is_multiple_of(STEP) {
             self.look_at_the_desk();
         }
         self.age = self.age.wrapping_add(1);
-        // The ear hears ratios: half of the way is half as loud when the amplitude is a quarter.
+        // The ear hears ratios: at half of the setting the amplitude is a quarter.
         let Volumes { master, effects, music } = self.volumes;
         let effects = self.effects_gain.towards(EFFECTS * (master * effects).powi(2));
         let music = self.music_gain.towards(MUSIC * (master * music).powi(2));
@@ -112,10 +112,10 @@ impl Mixer {
         self.frames = frames;
         let moves = (self.held_up as f32) < HELD_UP * self.rate;
         self.ambience = if moves { self.feed.ambience() } else { Ambience::default() };
-        // Music that nobody hears is not computed.
+        // Music at volume 0 is not computed.
         self.tune = self.feed.tune().filter(|_| self.volumes.master * self.volumes.music > 0.0);
         while let Some(sound) = self.feed.next() {
-            // As strong on both sides together wherever it is.
+            // The power of both sides together is the same at every place.
             let angle = (sound.place + 1.0) * std::f32::consts::FRAC_PI_4;
             let gains = [angle.cos(), angle.sin()].map(|side| side * sound.loudness);
             self.choir.sing(Voice::new(&Recipe::of(sound.cue, sound.loudness), self.rate, gains));

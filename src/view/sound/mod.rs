@@ -1,9 +1,8 @@
-//! Sound: what is heard of the game, computed as it is played; no file is read and nothing waits for it.
+//! Sound, computed while the game runs; no file is read and nothing waits for it.
 //!
-//! The way of a sound: `heard` says which event is heard as what, and what the ship hears all the time ([`Ambience`]). The
-//! [`Speaker`] gathers that for a frame and writes it into a `desk` of atomics. The [`Mixer`] reads the desk and computes stereo samples:
-//! one-shot `voice`s after the `recipe`s of the cues, the `bed` of engine, wind and liquid, and the `music`, below the ceiling of a `limiter`. An `output` takes the samples to a
-//! device on a thread of its own. Neither side ever waits for the other, and where there is no device the desk is simply not read.
+//! `heard` maps events and the ship's surroundings ([`Ambience`]) to sounds, the [`Speaker`] writes a frame of them into a `desk`
+//! of atomics, and the [`Mixer`] reads it and computes stereo samples from `voice`s (the cues' `recipe`s), the `bed` and the
+//! `music` below a `limiter`. An `output` takes them to a device on its own thread; without a device nothing reads the desk.
 
 mod bed;
 mod cue;
@@ -25,14 +24,13 @@ pub use heard::{Ambience, Ear, Sound, tune};
 pub use mixer::Mixer;
 pub use speaker::Speaker;
 
-/// How loud each part is, 0 … 1; what lies outside counts as the nearest end, and what is no number as silence.
+/// Loudness of each part; values clamp to 0 … 1, and NaN is silence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Volumes {
-    /// Everything.
     pub master: f32,
     /// Engine, wind, liquids, knocks, chimes, buttons.
     pub effects: f32,
-    /// Music; at 0 none is computed.
+    /// At 0 no music is computed.
     pub music: f32,
 }
 

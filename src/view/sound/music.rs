@@ -5,18 +5,17 @@ use super::recipe::{Recipe, Tone};
 use super::tune::Tune;
 use super::voice::{Choir, Voice};
 
-/// s in which a tune fades by a factor of e when another takes its place.
+/// Time constant of a tune's fade when another replaces it, s.
 const FADE: f32 = 0.25;
-/// Below this a tune has faded.
+/// A tune below this amplitude has faded.
 const GONE: f32 = 0.003;
-/// The longest echo, s, and the share of it that comes back.
+/// The longest echo, s, and its feedback.
 const LONGEST_ECHO: f32 = 0.8;
 const ECHO: f32 = 0.34;
 /// Amplitude of a note of the melody and of a chord.
 const MELODY: f32 = 0.16;
 const CHORD: f32 = 0.085;
 
-/// The music and where it is.
 #[derive(Debug)]
 pub struct Music {
     rate: f32,
@@ -30,18 +29,16 @@ pub struct Music {
 }
 
 impl Music {
-    /// Silence.
     pub fn new(rate: f32) -> Self {
         let (gain, echo) = (Glide::new(rate, FADE), Echo::new(rate));
         Self { rate, tune: None, gain, wait: 0.0, eighth: 0, choir: Choir::new(), echo }
     }
 
-    /// Whether nothing is played.
     pub const fn is_silent(&self) -> bool {
         self.tune.is_none()
     }
 
-    /// The next sample, left and right: of that tune, once the one before it has faded.
+    /// Left and right; a new tune begins once the one before has faded.
     pub fn next(&mut self, wanted: Option<u32>, noise: &mut WhiteNoise) -> [f32; 2] {
         let playing = self.tune.as_ref().map(|(number, _)| *number);
         let gain = self.gain.towards(if playing == wanted && playing.is_some() { 1.0 } else { 0.0 });

@@ -1,4 +1,4 @@
-//! What each cue is made of: tones that ring and fade, as things do that were struck, and bursts of filtered noise.
+//! The parts of each cue: tones that ring and fade, as struck objects do, and bursts of filtered noise.
 
 use super::{Cue, Stuff};
 
@@ -9,50 +9,50 @@ pub const BURSTS: usize = 2;
 /// A sine that swells and fades.
 #[derive(Clone, Copy, Debug)]
 pub struct Tone {
-    /// When it begins, s.
+    /// Start, s.
     pub at: f32,
-    /// Hz, at its beginning.
+    /// At its beginning, Hz.
     pub pitch: f32,
-    /// Octaves a second by which it rises (or falls, < 0).
+    /// Octaves a second, negative where it falls.
     pub glide: f32,
-    /// s until it is there.
+    /// Attack, s.
     pub swell: f32,
-    /// s in which it fades by a factor of e.
+    /// Time constant of the decay, s.
     pub fade: f32,
-    /// Its amplitude.
+    /// Amplitude.
     pub peak: f32,
 }
 
 /// Noise between two frequencies that swells and fades.
 #[derive(Clone, Copy, Debug)]
 pub struct Burst {
-    /// When it begins, s.
+    /// Start, s.
     pub at: f32,
-    /// The middle of what passes, Hz.
+    /// Centre frequency, Hz.
     pub pitch: f32,
-    /// Octaves a second by which that moves.
+    /// Octaves a second.
     pub glide: f32,
-    /// The middle divided by the width.
+    /// Centre divided by bandwidth.
     pub narrowness: f32,
-    /// s until it is there.
+    /// Attack, s.
     pub swell: f32,
-    /// s in which it fades by a factor of e.
+    /// Time constant of the decay, s.
     pub fade: f32,
-    /// Its amplitude before the filter.
+    /// Amplitude before the filter.
     pub peak: f32,
 }
 
-/// A sound that is played once.
+/// A one-shot sound.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Recipe {
-    /// Those that are there come first.
+    /// Present ones first.
     pub tones: [Option<Tone>; TONES],
-    /// Likewise.
+    /// Present ones first.
     pub bursts: [Option<Burst>; BURSTS],
 }
 
 impl Recipe {
-    /// What a cue sounds like. What is struck harder (`loudness` 0 … 1) sounds brighter, besides being louder.
+    /// The recipe of a cue. A harder strike (`loudness` 0 … 1) sounds brighter, besides being louder.
     pub fn of(cue: Cue, loudness: f32) -> Self {
         match cue {
             Cue::Knock(stuff) => knock(stuff, loudness),
@@ -92,7 +92,7 @@ impl Recipe {
             Cue::Bubble => Self::new(&[Tone { glide: 7.0, swell: 0.006, ..struck(380.0 + 900.0 * loudness, 0.03, 0.5) }], &[]),
             Cue::Press => Self::new(&[struck(659.26, 0.05, 0.3), struck(1318.5, 0.03, 0.12)], &[burst(2500.0, 0.8, 0.006, 0.3)]),
             Cue::Move => Self::new(&[struck(880.0, 0.018, 0.16)], &[]),
-            // What leaves the ground: a tone that rises.
+            // A jump is a tone that rises.
             Cue::Jump => Self::new(&[Tone { glide: 5.0, swell: 0.004, ..struck(247.0, 0.08, 0.4) }], &[]),
             Cue::Click => Self::new(&[struck(900.0, 0.008, 0.3), struck(2200.0, 0.004, 0.5)], &[]),
         }
@@ -106,7 +106,7 @@ impl Recipe {
     }
 }
 
-/// Modes of what is struck: each with its pitch (Hz), how long it rings (s) and its share.
+/// Modes of a struck object: each with its pitch (Hz), its decay (s) and its share.
 fn knock(stuff: Stuff, loudness: f32) -> Recipe {
     let (modes, noise): (&[(f32, f32, f32)], Burst) = match stuff {
         Stuff::Asphalt => (&[(88.0, 0.05, 0.6), (147.0, 0.035, 0.3)], burst(300.0, 0.7, 0.025, 0.6)),
@@ -127,7 +127,7 @@ fn knock(stuff: Stuff, loudness: f32) -> Recipe {
     recipe
 }
 
-/// Notes of a small bell, s and Hz, each with its octave and a high mode.
+/// Notes of a small bell (s and Hz), each with its octave and a high mode.
 fn bells<const N: usize>(notes: &[(f32, f32); N], peak: f32) -> [Tone; TONES] {
     std::array::from_fn(|i| {
         let (at, pitch) = notes[(i / 3).min(N - 1)];
@@ -136,12 +136,12 @@ fn bells<const N: usize>(notes: &[(f32, f32); N], peak: f32) -> [Tone; TONES] {
     })
 }
 
-/// A tone that is there at once.
+/// A tone without attack.
 const fn struck(pitch: f32, fade: f32, peak: f32) -> Tone {
     Tone { at: 0.0, pitch, glide: 0.0, swell: 0.0015, fade, peak }
 }
 
-/// Noise that is there at once.
+/// Noise without attack.
 const fn burst(pitch: f32, narrowness: f32, fade: f32, peak: f32) -> Burst {
     Burst { at: 0.0, pitch, glide: 0.0, narrowness, swell: 0.0015, fade, peak }
 }

@@ -1,43 +1,41 @@
-//! The game's side of the sound. What is due in a frame is gathered and passed on at its end, each cue once and as loud as its
+//! The game's side of the sound. It gathers the sounds of a frame and passes them on at its end, each cue once and as loud as its
 //! loudest: many collisions a frame are one click.
 
 use super::output::Output;
 use super::{Ambience, Cue, Sound, SoundDesk, Volumes, desk};
 
-/// Where sounds go.
 #[derive(Debug)]
 pub struct Speaker {
     desk: SoundDesk,
-    /// By the cues' numbers.
+    /// Indexed by the cues' numbers.
     due: [Option<Sound>; Cue::COUNT],
     ambience: Ambience,
-    /// `None` where sounds go nowhere.
+    /// `None` where no device plays.
     _output: Option<Output>,
 }
 
 impl Speaker {
-    /// To the system's own device, as soon and as long as there is one. Never waits, never fails.
+    /// Plays on the system's device whenever there is one. Never waits, never fails.
     pub fn new() -> Self {
         let (desk, feed) = desk();
         Self { desk, due: [None; Cue::COUNT], ambience: Ambience::default(), _output: Some(Output::start(feed)) }
     }
 
-    /// To a desk whose feed someone else reads.
+    /// Plays to a desk with another reader.
     pub fn at(desk: SoundDesk) -> Self {
         Self { desk, due: [None; Cue::COUNT], ambience: Ambience::default(), _output: None }
     }
 
-    /// How loud each part is from now on.
     pub fn set_volumes(&mut self, volumes: Volumes) {
         self.desk.set_volumes(volumes);
     }
 
-    /// Which tune is played, or none. The one before it fades.
+    /// The tune before it fades.
     pub fn set_tune(&mut self, tune: Option<u32>) {
         self.desk.set_tune(tune);
     }
 
-    /// A sound is due in this frame.
+    /// In this frame.
     pub fn play(&mut self, sound: Sound) {
         let due = &mut self.due[sound.cue.number()];
         if due.is_none_or(|due| due.loudness < sound.loudness) {
@@ -45,12 +43,12 @@ impl Speaker {
         }
     }
 
-    /// What is heard all the time, in this frame. A frame that does not say so has none of it.
+    /// The ambience of this frame. A frame without this call has none.
     pub fn surround(&mut self, ambience: Ambience) {
         self.ambience = ambience;
     }
 
-    /// Passes on what became due.
+    /// Writes the frame's sounds to the desk.
     pub fn end_frame(&mut self) {
         self.desk.set_ambience(std::mem::take(&mut self.ambience));
         for sound in self.due.iter_mut().filter_map(Option::take) {

@@ -1,4 +1,4 @@
-//! The notes of the music, from a number: a scale, a pace, and motifs that come back changed. Nothing sounds here.
+//! The notes of the music, from a number: a scale, a pace, and motifs that return changed. No sound is made here.
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
@@ -14,31 +14,30 @@ const ROOTS: [f32; 6] = [98.0, 110.0, 123.47, 130.81, 146.83, 164.81];
 const LOWEST: i32 = 5;
 const HIGHEST: i32 = 16;
 
-/// A piece of music without an end: the same from the same number.
+/// An endless piece of music: the same from the same number.
 #[derive(Debug)]
 pub struct Tune {
     number: u32,
     scale: [i32; 5],
     root: f32,
-    /// Seconds an eighth.
+    /// s.
     pub eighth: f32,
-    /// The section that is played, with its motif and the degrees that its bars stand on.
+    /// The present section, with its motif and the degrees of its bars.
     section: u32,
     motif: [Option<i32>; BAR as usize],
     grounds: [i32; 4],
 }
 
-/// What begins with an eighth.
+/// The notes that begin with an eighth.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Notes {
-    /// The melody: Hz and how hard it is struck, 0 … 1.
+    /// The melody: Hz, and the strength of the strike, 0 … 1.
     pub melody: Option<(f32, f32)>,
-    /// The chord that a bar stands on: its root, fifth and octave or tenth, Hz.
+    /// The chord of a bar: its root, fifth and octave or tenth, Hz.
     pub chord: Option<[f32; 3]>,
 }
 
 impl Tune {
-    /// The tune of that number.
     pub fn new(number: u32) -> Self {
         let mut chance = Pcg32::seed_from_u64(u64::from(number));
         let scale = SCALES[chance.random_range(0..SCALES.len())];
@@ -49,7 +48,7 @@ impl Tune {
         tune
     }
 
-    /// What begins with that eighth, counted from the beginning.
+    /// The notes that begin with that eighth, counted from the beginning.
     pub fn notes(&mut self, eighth: u32) -> Notes {
         let (bar, beat) = (eighth / BAR, eighth % BAR);
         let (section, bar) = (bar / SECTION, bar % SECTION);
@@ -64,7 +63,7 @@ impl Tune {
         Notes { melody: self.melody(section, bar, beat), chord }
     }
 
-    /// The first four bars say the motif, answer it higher and backwards, say it again and pause; the last four do so thinned out.
+    /// The first four bars play the motif, answer it higher and backwards, repeat it and pause; the last four do so thinned out.
     fn melody(&self, section: u32, bar: u32, beat: u32) -> Option<(f32, f32)> {
         let last = self.motif.len() - 1;
         let degree = match bar % 4 {
@@ -81,7 +80,7 @@ impl Tune {
         })
     }
 
-    /// A walk by small steps over the scale, with rests; and what its bars stand on.
+    /// A walk by small steps over the scale, with rests; and the degrees of its bars.
     fn begin_section(&mut self, section: u32) {
         self.section = section;
         let mut chance = self.chance(u64::from(section) << 32);

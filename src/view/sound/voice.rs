@@ -1,18 +1,17 @@
-//! Plays a [`Recipe`], sample by sample. Nothing is allocated: voices are a fixed number of places that are used again.
+//! Plays a [`Recipe`], sample by sample. Nothing is allocated: a fixed number of voices is used again and again.
 
 use super::filter::{BandPass, WhiteNoise};
 use super::recipe::{BURSTS, Burst, Recipe, TONES, Tone};
 use std::f32::consts::TAU;
 
-/// Pitches move once in this number of samples.
+/// Samples between two updates of the pitches.
 const STEP: u32 = 32;
-/// In fades (e⁻⁸ is −70 dB): a part ends after this time, and its last `END` seconds go down to nothing.
+/// In time constants (e⁻⁸ is −70 dB): a part ends after this, and its last `END` seconds ramp down to 0.
 const FADES: f32 = 8.0;
 const END: f32 = 0.006;
-/// No pitch lies above this share of the rate: it would be heard mirrored.
+/// The highest pitch as a share of the rate: above half of it a pitch would alias.
 const HIGHEST: f32 = 0.45;
 
-/// A sound that is being played.
 #[derive(Debug)]
 pub struct Voice {
     rate: f32,
@@ -27,7 +26,7 @@ pub struct Voice {
 struct Sine {
     tone: Tone,
     envelope: Envelope,
-    /// A unit vector that turns: its height is the sine.
+    /// A unit vector that turns: its y is the sine.
     at: [f32; 2],
     turn: [f32; 2],
 }
@@ -39,7 +38,7 @@ struct Hiss {
     filter: BandPass,
 }
 
-/// Rises evenly from 0 to 1 and fades at the same time.
+/// Rises linearly from 0 to 1 and decays at the same time.
 #[derive(Clone, Copy, Debug)]
 struct Envelope {
     begins: u32,
@@ -63,7 +62,7 @@ impl Envelope {
 }
 
 impl Voice {
-    /// The recipe from its beginning, at `rate` samples a second; with one gain for the left and one for the right.
+    /// The recipe from its beginning, at `rate` samples a second; one gain for the left and one for the right.
     pub fn new(recipe: &Recipe, rate: f32, gains: [f32; 2]) -> Self {
         let ends = (recipe.tones.iter().flatten().map(|tone| tone.at + tone.swell + FADES * tone.fade))
             .chain(recipe.bursts.iter().flatten().map(|burst| burst.at + burst.swell + FADES * burst.fade));
@@ -89,12 +88,11 @@ impl Voice {
         }
     }
 
-    /// How many samples are left.
     pub const fn left(&self) -> u32 {
         self.length - self.age
     }
 
-    /// The next sample, left and right; `None` when it is over.
+    /// Left and right; `None` at the end.
     pub fn next(&mut self, noise: &mut WhiteNoise) -> Option<[f32; 2]> {
         if self.age >= self.length {
             return None;
@@ -120,7 +118,7 @@ impl Voice {
         Some(self.gains.map(|gain| gain * end * sum))
     }
 
-    /// Sets the pitches as they are now.
+    /// Sets the present pitches.
     fn tune(&mut self) {
         let (age, rate) = (self.age, self.rate);
         let now = |pitch: f32, glide: f32, begins: u32| {
@@ -130,7 +128,7 @@ impl Voice {
         for Sine { tone, envelope, at, turn } in self.tones.iter_mut().flatten() {
             let (s, c) = (TAU * now(tone.pitch, tone.glide, envelope.begins) / rate).sin_cos();
             *turn = [c, s];
-            // Rounding makes the vector longer or shorter by and by.
+            // Rounding changes the vector's length over time.
             let length = at[0].hypot(at[1]);
             *at = at.map(|side| side / length);
         }
@@ -140,17 +138,16 @@ impl Voice {
     }
 }
 
-/// Some voices at once. When all are taken, the one that is nearest its end makes way.
+/// A fixed number of voices. A new one replaces the one nearest its end when all are taken.
 #[derive(Debug)]
 pub struct Choir<const N: usize>([Option<Voice>; N]);
 
 impl<const N: usize> Choir<N> {
-    /// Silence.
     pub const fn new() -> Self {
         Self([const { None }; N])
     }
 
-    /// A voice more.
+    /// Adds a voice.
     pub fn sing(&mut self, voice: Voice) {
         let left = |voice: &Option<Voice>| voice.as_ref().map_or(0, Voice::left);
         if let Some(place) = self.0.iter_mut().min_by_key(|place| left(place)) {
@@ -171,7 +168,7 @@ impl<const N: usize> Choir<N> {
         sum
     }
 
-    /// Silence from now on.
+    /// Ends all voices.
     pub fn hush(&mut self) {
         self.0.fill_with(|| None);
     }

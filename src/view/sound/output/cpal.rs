@@ -1,4 +1,4 @@
-//! Playing on Windows and macOS: the system asks for samples on a thread of its own.
+//! Output on Windows and macOS: the system asks for samples on its own thread.
 
 use super::{Feed, Why};
 use crate::view::sound::Mixer;
@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-/// How often the end of the game, or of the device, is looked for.
+/// How often the thread looks for the end of the game or of the device.
 const LOOK: Duration = Duration::from_millis(100);
 
 /// Plays until the game has ended or the device is gone.

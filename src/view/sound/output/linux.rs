@@ -1,4 +1,4 @@
-//! Playing on Linux: block after block is computed and written; the device holds the thread until it has room.
+//! Output on Linux: the thread computes and writes block after block; the device holds it until there is room.
 
 use super::pace::keep_pace;
 use super::system::{CHANNELS, Device, LATENCY, Libraries, RATE};
@@ -32,7 +32,7 @@ pub fn play(feed: &Feed, ends: &AtomicBool) -> Why {
     if lost {
         return Why::Lost;
     }
-    // The last block goes down to nothing, and is heard before the device is closed.
+    // The last block fades out and is heard before the device closes.
     mixer.render(&mut samples);
     let length = samples.len() as f32;
     for (i, sample) in samples.iter_mut().enumerate() {

@@ -1,5 +1,5 @@
-//! Takes the mixer's samples to a device, on a thread that the game never waits for: on Linux through the libraries that the system
-//! has, found when the game runs (nothing is needed to build it); on Windows and macOS through `cpal`. Elsewhere there is silence.
+//! Takes the mixer's samples to a device, on a thread that the game never waits for: on Linux through the libraries of the system,
+//! found at run time (the build needs nothing); on Windows and macOS through `cpal`. Other systems are silent.
 
 #[cfg(any(windows, target_os = "macos"))]
 mod cpal;
@@ -27,11 +27,10 @@ use linux::play;
 /// The time to the first attempt to find a device again, and the longest.
 #[cfg(any(target_os = "linux", windows, target_os = "macos"))]
 const RETRY: [Duration; 2] = [Duration::from_secs(4), Duration::from_secs(60)];
-/// At the end the thread gets so long to let go of the device; then it is left to the system.
+/// The time in which the thread must release the device at the end; then it is left to the system.
 #[cfg(any(target_os = "linux", windows, target_os = "macos"))]
 const FAREWELL: Duration = Duration::from_millis(200);
 
-/// The thread that plays.
 #[cfg(any(target_os = "linux", windows, target_os = "macos"))]
 #[derive(Debug)]
 pub struct Output {
@@ -39,25 +38,25 @@ pub struct Output {
     thread: Option<JoinHandle<()>>,
 }
 
-/// Why playing has ended.
+/// The reason for the end of playing.
 #[cfg(any(target_os = "linux", windows, target_os = "macos"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Why {
-    /// The game has ended, or there will never be a device.
+    /// The game has ended, or there is no library.
     Over,
     /// There is no device now.
     NoDevice,
-    /// There was one, and it is gone.
+    /// The device vanished.
     Lost,
 }
 
 #[cfg(any(target_os = "linux", windows, target_os = "macos"))]
 impl Output {
-    /// Begins to play. Where no thread can be had there is silence.
+    /// Begins to play; silence where no thread can start.
     pub fn start(feed: Feed) -> Self {
         let ends = Arc::new(AtomicBool::new(false));
         let seen = ends.clone();
-        // The end of the game wakes it.
+        // The end of the game unparks it.
         let pause = std::thread::park_timeout;
         let thread =
             std::thread::Builder::new().name("sound".into()).spawn(move || keep_playing(|| play(&feed, &seen), pause)).ok();
@@ -65,7 +64,7 @@ impl Output {
     }
 }
 
-/// Plays until it is over; where there is no device it is looked for again, the seldomer the longer there is none.
+/// Plays until the end; without a device it tries again, at growing intervals.
 #[cfg(any(target_os = "linux", windows, target_os = "macos"))]
 fn keep_playing(mut play: impl FnMut() -> Why, mut pause: impl FnMut(Duration)) {
     let mut wait = RETRY[0];
@@ -96,14 +95,13 @@ impl Drop for Output {
     }
 }
 
-/// No device is known on this system.
+/// No output is known on this system.
 #[cfg(not(any(target_os = "linux", windows, target_os = "macos")))]
 #[derive(Debug)]
 pub struct Output;
 
 #[cfg(not(any(target_os = "linux", windows, target_os = "macos")))]
 impl Output {
-    /// Silence.
     pub fn start(_feed: Feed) -> Self {
         Self
     }

@@ -1,21 +1,21 @@
-//! Keeps the samples at the pace of the clock. A device takes no more than fits its buffer; one that is a file or nothing takes whatever
-//! it gets, and would be fed as fast as the processor can.
+//! Paces the samples by the clock. A device takes no more than fits its buffer; a file or null device takes samples as fast as the
+//! processor computes them.
 
 use std::time::Duration;
 
-/// So far ahead of the clock is a device that does not keep the pace itself, s; and from there it is let back to the other.
+/// The lead over the clock (s) from which the device does not pace itself, and the lead to which a pause reduces it.
 const AHEAD: f64 = 0.2;
 const BACK: f64 = 0.1;
-/// The lead is forgotten by this share a block: clocks differ a little, and a device's own is the right one.
+/// The share of the lead that is forgotten a block: clocks differ a little, and a device's own is the right one.
 const FORGETS: f64 = 0.002;
 
-/// How far the samples are ahead of the clock.
+/// The lead of the samples over the clock.
 #[derive(Debug, Default)]
 pub struct SamplePace {
     lead: f64,
 }
 
-/// Writes blocks that last so long (s) until `write` refuses one, at the pace of the clock (s) that `now` reads and `pause` lets pass.
+/// Writes blocks of a length (s) until `write` refuses one, at the pace of the clock (s) that `now` reads and `pause` lets pass.
 pub fn keep_pace(block: f64, mut write: impl FnMut() -> bool, now: impl Fn() -> f64, pause: impl Fn(Duration)) {
     let mut pace = SamplePace::default();
     let mut begun = now();
@@ -29,7 +29,7 @@ pub fn keep_pace(block: f64, mut write: impl FnMut() -> bool, now: impl Fn() -> 
 }
 
 impl SamplePace {
-    /// A block that lasts so long was computed and taken in so much time (both s): how long to wait.
+    /// The pause after a block of that length that took so long to compute and to write (both s).
     fn after(&mut self, block: f64, taken: f64) -> Duration {
         self.lead = ((self.lead + block - taken) * (1.0 - FORGETS)).max(0.0);
         if self.lead < AHEAD {
@@ -54,8 +54,8 @@ mod tests {
         assert!((9.0..10.0).contains(&waited.as_secs_f64()), "{waited:?}");
     }
 
-    /// A device that takes a block in a millisecond gets ten seconds of samples in ten seconds, by a clock that only the device and the
-    /// pauses move; a twentieth more at the most, since the lead is forgotten by and by.
+    /// A device that takes a block in a millisecond gets ten seconds of samples in ten seconds, by a clock that only the device and
+    /// the pauses move; a twentieth more at most, since the lead fades.
     #[test]
     fn samples_are_computed_at_the_pace_of_the_clock() {
         let (clock, blocks) = (std::cell::Cell::new(0.0), std::cell::Cell::new(0));

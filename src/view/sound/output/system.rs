@@ -1,9 +1,9 @@
-//! The sound libraries of a Linux system, found when the game runs: PulseAudio's simple interface (which PipeWire offers as well), else
-//! ALSA's. Where neither is there, or neither has a device, there is silence.
+//! The sound libraries of a Linux system, found at run time: PulseAudio's simple interface (which PipeWire offers as well), else
+//! ALSA's. Without either, or without a device, there is silence.
 //!
-//! This is the game's only unsafe code. It stands on: the types below are those of `pulse/simple.h` (PulseAudio's API 12) and `alsa/asoundlib.h`
-//! (libasound 2), which both projects have kept compatible since 2007 and 2004, as the libraries' names `.so.0` and `.so.2` promise; a
-//! library that has once been loaded stays, so that its functions never vanish; and a device is used by the one thread that opened it.
+//! This is the game's only unsafe code. It rests on: the types below are those of `pulse/simple.h` (PulseAudio's API 12) and
+//! `alsa/asoundlib.h` (libasound 2), compatible since 2007 and 2004, as the names `.so.0` and `.so.2` promise; a loaded library
+//! stays, so that its functions never vanish; and a device is used by the one thread that opened it.
 #![allow(unsafe_code)]
 
 use libloading::Library;
@@ -11,17 +11,17 @@ use std::ffi::{CStr, c_char, c_int, c_long, c_uint, c_ulong, c_void};
 use std::ptr::{self, NonNull};
 use std::sync::OnceLock;
 
-/// Samples a second that are asked for; the libraries convert them to what the device has.
+/// Samples a second; the libraries convert them to the device's rate.
 pub const RATE: u32 = 48_000;
 /// Left and right.
 pub const CHANNELS: usize = 2;
-/// How much is on its way, ms: less and a busy machine tears it, more and it is heard late.
+/// Buffered time, ms: with less a busy machine tears the sound, with more it is heard late.
 pub const LATENCY: u32 = 60;
 const SAMPLE: usize = size_of::<f32>();
-/// So often a device may stumble within one block before it counts as gone.
+/// A device that fails this often within one block counts as gone.
 const STUMBLES: usize = 8;
 
-/// What was found.
+/// The library in use.
 #[derive(Debug)]
 pub struct Libraries {
     pulse: Option<Pulse>,
@@ -29,7 +29,7 @@ pub struct Libraries {
 }
 
 impl Libraries {
-    /// Loads what there is, once; `None` where there is nothing.
+    /// Loads a library, once; `None` where there is none.
     pub fn load() -> Option<&'static Self> {
         static LOADED: OnceLock<Libraries> = OnceLock::new();
         let loaded = LOADED.get_or_init(|| Self { pulse: Pulse::load("libpulse-simple.so.0"), alsa: Alsa::load("libasound.so.2") });
@@ -37,24 +37,22 @@ impl Libraries {
     }
 }
 
-/// A device that takes samples.
 #[derive(Debug)]
 pub enum Device {
-    /// Through PulseAudio or PipeWire, which mix programs.
+    /// PulseAudio or PipeWire, which mix programs.
     Pulse(&'static Pulse, NonNull<c_void>),
-    /// Through ALSA.
     Alsa(&'static Alsa, NonNull<c_void>),
 }
 
 impl Device {
-    /// The device that the system plays on unless told otherwise.
+    /// The system's default device.
     pub fn open(libraries: &'static Libraries) -> Option<Self> {
         let pulse = || libraries.pulse.as_ref().and_then(|pulse| Some(Self::Pulse(pulse, pulse.open()?)));
         let alsa = || libraries.alsa.as_ref().and_then(|alsa| Some(Self::Alsa(alsa, alsa.open()?)));
         pulse().or_else(alsa)
     }
 
-    /// Hands over samples, left and right by turns, and waits until the device has taken them; `false` when it is gone.
+    /// Writes samples, left and right by turns, and waits until the device has taken them; `false` when it is gone.
     pub fn write(&mut self, samples: &[f32]) -> bool {
         match self {
             Self::Pulse(pulse, connection) => pulse.write(*connection, samples),
@@ -76,15 +74,13 @@ impl Drop for Device {
     }
 }
 
-/// A library that stays loaded until the program ends.
+/// It stays loaded until the program ends.
 fn library(name: &str) -> Option<&'static Library> {
     // SAFETY: loading runs the library's own initialisers; these are the system's sound libraries, which any program may load.
     let library = unsafe { Library::new(name) }.ok()?;
     Some(Box::leak(Box::new(library)))
 }
 
-/// A function of a library.
-///
 /// # Safety
 /// `F` must be the type of a function pointer that fits what the library has under that name.
 unsafe fn function<F: Copy>(library: &'static Library, name: &CStr) -> Option<F> {
@@ -100,7 +96,7 @@ struct SampleSpec {
     channels: u8,
 }
 
-/// `pa_buffer_attr`, in bytes; all ones: as the server likes.
+/// `pa_buffer_attr`, in bytes; all ones: the server's choice.
 #[repr(C)]
 struct BufferAttr {
     maxlength: u32,
@@ -154,7 +150,7 @@ impl Pulse {
         let buffer = BufferAttr { maxlength: u32::MAX, tlength: wanted, prebuf: u32::MAX, minreq: u32::MAX, fragsize: u32::MAX };
         let (name, stream) = (c"Resultant", c"Game");
         // SAFETY: the strings end with 0 and the structures live for the call; null stands for the default server, device, order of
-        // the channels, and for no interest in the error's number, as the interface allows.
+        // the channels, and for no error number, as the interface allows.
         let connection = unsafe {
             let null = ptr::null();
             (self.new)(null, name.as_ptr(), PLAYBACK, null, stream.as_ptr(), &spec, ptr::null(), &buffer, ptr::null_mut())
@@ -175,8 +171,8 @@ const ALSA_INTERLEAVED: c_int = 3;
 /// `SND_PCM_FORMAT_FLOAT`
 const ALSA_FLOAT: c_int = if cfg!(target_endian = "little") { 14 } else { 15 };
 
-/// `snd_local_error_handler_t`: file, line, function, number, text and a `va_list`, which every ABI of Linux passes as something that
-/// a function may leave unread.
+/// `snd_local_error_handler_t`: file, line, function, number, text and a `va_list`, which every ABI of Linux passes as an argument
+/// that a function may leave unread.
 type ErrorHandler = unsafe extern "C" fn(*const c_char, c_int, *const c_char, c_int, *const c_char, *const c_void);
 
 /// ALSA's PCM interface.
@@ -191,7 +187,7 @@ pub struct Alsa {
     set_error_handler: Option<unsafe extern "C" fn(Option<ErrorHandler>) -> Option<ErrorHandler>>,
 }
 
-/// ALSA would print a line for every device that it does not find.
+/// Without it ALSA prints a line for every device that it does not find.
 unsafe extern "C" fn say_nothing(_: *const c_char, _: c_int, _: *const c_char, _: c_int, _: *const c_char, _: *const c_void) {}
 
 impl Alsa {
@@ -213,11 +209,12 @@ impl Alsa {
 
     fn open(&self) -> Option<NonNull<c_void>> {
         if let Some(set) = self.set_error_handler {
-            // SAFETY: the handler is there for ever and reads nothing; it holds for this thread only.
+            // SAFETY: the handler lives for ever and reads nothing; it holds for this thread only.
             unsafe { set(Some(say_nothing)) };
         }
         let mut pcm = ptr::null_mut();
-        // SAFETY: `pcm` takes the handle; the name ends with 0. Opened so that it does not wait for a device that another program has.
+        // SAFETY: `pcm` takes the handle; the name ends with 0. Opened so that it does not wait for a device that another program
+        // has.
         if unsafe { (self.open)(&mut pcm, c"default".as_ptr(), ALSA_PLAYBACK, ALSA_NONBLOCK) } < 0 {
             return None;
         }
@@ -244,11 +241,11 @@ impl Alsa {
             // SAFETY: the handle is open, and `samples` holds that number of frames of `CHANNELS` samples for the call.
             let written = unsafe { (self.writei)(pcm.as_ptr(), left.as_ptr().cast(), (left.len() / CHANNELS) as c_ulong) };
             match usize::try_from(written) {
-                // A device that takes nothing and says nothing would hold this loop for ever.
+                // A device that takes nothing and returns no error would hold this loop for ever.
                 Ok(0) => return false,
                 Ok(frames) => left = left.get(frames * CHANNELS..).unwrap_or_default(),
-                // Too late for the device (the machine was busy, or asleep): go on from here. Anything else: it is gone.
-                // SAFETY: the handle is open.
+                // An underrun (the machine was busy, or asleep) recovers; any other error means that the device is gone. SAFETY:
+                // the handle is open.
                 Err(_) if unsafe { (self.recover)(pcm.as_ptr(), written as c_int, 1) } < 0 => return false,
                 Err(_) => stumbles += 1,
             }
