@@ -34,10 +34,10 @@ fn arranging(c: &mut Criterion) {
                 let view = Viewport::new(middle, middle, game.level().size, game.level().metre, window);
                 let looking = Looking { centres: &centres, focus: &Focus::default(), pointer: None, model: false, velocity: true };
                 details.arrange(&game, &looking, &[], &view, &frame);
-                details.arrows().arrows.len()
+                details.arranged.arrows.len()
             });
         });
-        println!("{} arrows, {} boxes, {} left out", details.arrows().arrows.len(), details.boxes().len(), details.left_out());
+        println!("{} arrows, {} boxes, {} left out", details.arranged.arrows.len(), details.boxes.len(), details.left_out);
     }
     group.finish();
 }

@@ -33,4 +33,10 @@ impl Colour {
     pub const fn faded(self, alpha: f32) -> Self {
         Self::new(self.r, self.g, self.b, self.a * alpha)
     }
+
+    /// Opaque, `share` (0 … 1) of the difference to another colour.
+    pub fn mixed(self, other: Self, share: f32) -> Self {
+        let mix = |from: f32, to: f32| from + (to - from) * share;
+        Self::new(mix(self.r, other.r), mix(self.g, other.g), mix(self.b, other.b), 1.0)
+    }
 }

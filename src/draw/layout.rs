@@ -115,6 +115,11 @@ impl Area {
         [a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)]
     }
 
+    /// The point at parts (0 … 1) of the width to the right and of the height upwards.
+    pub fn part(&self, (right, up): (f64, f64)) -> Vec2 {
+        Vec2::new(self.min.x + self.size.x * right as f32, self.max().y - self.size.y * up as f32)
+    }
+
     pub fn contains(&self, point: Vec2) -> bool {
         point.cmpge(self.min).all() && point.cmplt(self.max()).all()
     }

@@ -52,6 +52,6 @@ pub use proof::Proof;
 pub use pushes::APART;
 pub use replay::{Mismatch, PROGRAM, Recorder, Replay};
 pub use score::{RunResult, ScoreParts};
-pub use ship::{BURN_RATE, ROTATION_RATE, SHIP, Ship, nose};
+pub use ship::{BURN_RATE, ROTATION_RATE, SHIP, Ship, nose, object_body};
 pub use touch::TOUCH;
 pub use track::{GhostPose, GhostTrack};

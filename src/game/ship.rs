@@ -13,6 +13,11 @@ pub const ROTATION_RATE: f64 = 180.0;
 /// player who aims on the ground changes keys.
 const RIGHTING_AFTER: f64 = 0.5;
 
+/// The body of the level's object of that index.
+pub const fn object_body(index: usize) -> BodyId {
+    BodyId(index as u32 + 1)
+}
+
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ship {
     /// Degrees clockwise; 0 is nose up. Not wrapped: a full turn is 360.

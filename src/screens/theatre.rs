@@ -81,7 +81,7 @@ impl Theatre {
 
     pub(super) fn set_panels(&mut self, panels: Vec<Area>) {
         if let Some(view) = &mut self.view {
-            view.set_panels(panels);
+            view.panels = panels;
         }
     }
 
@@ -102,11 +102,11 @@ impl Theatre {
         if flight.pause().is_none() {
             self.speaker.surround(Ambience::of(flight.game(), view.burning()));
         }
-        view.set_ghosts(flight.ghosts());
+        view.ghosts = flight.ghosts();
         view.draw(flight.game(), flight.alpha(), overlays, &figures, canvas);
         draw_instruments(flight.instruments(), view, (flight.game(), flight.alpha()), canvas);
         if let Some(race) = flight.race() {
-            race.draw(view.hud().aside(), canvas);
+            race.draw(&view.hud.aside, canvas);
         }
     }
 

@@ -230,6 +230,12 @@ impl Viewport {
         Area { min, size: max - min }
     }
 
+    /// A moving box on the canvas, not rounded to pixels: it glides.
+    pub fn exact(&self, bounds: &Aabb) -> Area {
+        let min = self.point(bounds.min);
+        Area { min, size: self.point(bounds.max) - min }
+    }
+
     /// m.
     pub fn level(&self) -> Aabb {
         Aabb::new(DVec2::ZERO, self.level)

@@ -14,13 +14,13 @@ use super::camera::Viewport;
 use super::facts::facts;
 use super::focus::Focus;
 use super::free_body::{Arranged, ArrowSubject, Ground, head_area, place_labels, reaches};
-use super::hud::velocity_tip;
-use super::names;
+use super::hud::{landmarks, velocity_tip};
 use super::partner::{answer, partner};
 use super::scale::Steady;
+use super::{mechanisms, names};
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, MONO_ADVANCE, Vec2};
 use crate::game::{Game, SHIP};
-use crate::level::{SurfaceOf, Text};
+use crate::level::Text;
 use crate::physics::{Aabb, BodyId, DVec2, Source};
 use crate::view::hud::HudLayout;
 
@@ -69,18 +69,19 @@ impl PlacedBox {
 
 #[derive(Default)]
 pub struct Details {
-    boxes: Vec<PlacedBox>,
-    arranged: Arranged,
-    labels: Vec<Label>,
-    names: Vec<(String, Area)>,
-    legend: LegendNote,
-    /// The note on the pointer's line.
-    tip: Option<LegendNote>,
-    /// The lit lines and arrows, and the places.
-    lit: Vec<(BodyId, usize)>,
+    pub boxes: Vec<PlacedBox>,
+    pub arranged: Arranged,
+    pub labels: Vec<Label>,
+    /// Of mechanisms.
+    pub names: Vec<(String, Area)>,
+    pub legend: LegendNote,
+    /// The note on the partner of the pointer's line.
+    pub tip: Option<LegendNote>,
+    /// The lit lines: the body, and the index among its full facts.
+    pub lit: Vec<(BodyId, usize)>,
     lit_places: Vec<Area>,
     /// The number of bodies in view without a box.
-    left_out: usize,
+    pub left_out: usize,
     /// The offset of each body's box from its middle in the frame before: the box stays there.
     before: Vec<Option<Vec2>>,
     /// The number of full boxes.
@@ -97,10 +98,10 @@ impl Details {
         self.remember_partners(game, looking.focus);
         let shown = self.shown(game, looking, view);
         let pointed = self.pointed(looking.pointer);
-        let subject = |id: BodyId| ArrowSubject { facts: facts(game, id), object: on_canvas(&bounds(game, looking, id), view) };
+        let subject = |id: BodyId| ArrowSubject { facts: facts(game, id), object: view.exact(&bounds(game, looking, id)) };
         let mut subjects: Vec<ArrowSubject> = shown.iter().map(|&id| subject(id)).collect();
         let (away, places) = self.light(game, &subjects, pointed, subject);
-        self.lit_places = places.iter().map(|bounds| on_canvas(bounds, view)).collect();
+        self.lit_places = places.iter().map(|bounds| view.exact(bounds)).collect();
         subjects.extend(away.into_iter().filter(|away| away.object.gap(&frame.area()) < 0.0));
         let told = &subjects[..shown.len()];
 
@@ -161,22 +162,19 @@ impl Details {
 
     /// Bodies and movers in view.
     fn moving<'a>(game: &'a Game, looking: &'a Looking, view: &'a Viewport) -> impl Iterator<Item = Area> + 'a {
-        let level = game.level();
         let bodies = (0..looking.centres.len() as u32).map(|id| bounds(game, looking, BodyId(id)));
-        let mover = |index: usize| game.world().surfaces()[level.surface_index(SurfaceOf::Mover(index))].bounds;
-        let all = bodies.chain((0..level.movers.len()).map(mover));
-        all.filter(|bounds| bounds.touches(&view.visible(), 0.0)).map(|bounds| on_canvas(&bounds, view))
+        bodies
+            .chain(mechanisms::movers(game))
+            .filter(|bounds| bounds.touches(&view.visible(), 0.0))
+            .map(|bounds| view.exact(&bounds))
     }
 
     /// Places that nothing may cover: the ship, hazards and goals in view, and the tip of the ship's velocity.
     fn never(&self, game: &Game, looking: &Looking, view: &Viewport, frame: &Frame) -> Vec<Area> {
-        let level = game.level();
-        let goals = level.objectives.iter().map(|objective| objective.bounds);
-        let sources = level.streams.iter().map(|stream| stream.source);
-        let seen = level.obstacles.iter().copied().chain(goals).chain(sources).chain([bounds(game, looking, SHIP)]);
+        let seen = landmarks(game.level()).chain([bounds(game, looking, SHIP)]);
         let ship = (game.world().body(SHIP).velocity, looking.centres[SHIP.index()]);
         let tip = if looking.velocity { velocity_tip(ship.0, ship.1, view) } else { None };
-        let areas = seen.map(|bounds| on_canvas(&bounds, view).inset(-CLEAR)).chain(tip);
+        let areas = seen.map(|bounds| view.exact(&bounds).inset(-CLEAR)).chain(tip);
         areas.filter(|area| area.gap(&frame.area()) < 0.0).collect()
     }
 
@@ -278,43 +276,6 @@ impl Details {
                 .or_else(|| boxes::place(&[wish], frame.area(), &[object], &[])[0]);
         }
     }
-
-    pub fn boxes(&self) -> &[PlacedBox] {
-        &self.boxes
-    }
-
-    /// The drawn arrows, and the number of the others.
-    pub const fn arrows(&self) -> &Arranged {
-        &self.arranged
-    }
-
-    pub fn labels(&self) -> &[Label] {
-        &self.labels
-    }
-
-    /// Names of mechanisms, with their places.
-    pub fn names(&self) -> &[(String, Area)] {
-        &self.names
-    }
-
-    pub const fn legend(&self) -> &LegendNote {
-        &self.legend
-    }
-
-    /// The note on the partner of the pointer's line.
-    pub const fn tip(&self) -> Option<&LegendNote> {
-        self.tip.as_ref()
-    }
-
-    /// The lit lines: the body, and the index among its full facts.
-    pub fn lit(&self) -> &[(BodyId, usize)] {
-        &self.lit
-    }
-
-    /// The number of bodies in view without a box.
-    pub const fn left_out(&self) -> usize {
-        self.left_out
-    }
 }
 
 fn bounds(game: &Game, looking: &Looking, id: BodyId) -> Aabb {
@@ -325,9 +286,4 @@ fn bounds(game: &Game, looking: &Looking, id: BodyId) -> Aabb {
 fn words_area(text: &Text, view: &Viewport) -> Area {
     let letters = text.text.chars().count() as f32;
     Area { min: view.point(text.position), size: Vec2::new(letters * WORDS_ADVANCE, 1.0) * view.length(text.size) }
-}
-
-pub(super) fn on_canvas(bounds: &Aabb, view: &Viewport) -> Area {
-    let min = view.point(bounds.min);
-    Area { min, size: view.point(bounds.max) - min }
 }

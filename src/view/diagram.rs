@@ -15,7 +15,7 @@ const NAMED: i32 = 9;
 /// The opacity of a curve while another is picked out.
 const QUIETED: f32 = 0.2;
 /// From a legend line's left end to its words.
-const WORDS: f32 = 52.0;
+pub(super) const WORDS: f32 = 52.0;
 /// Length of the sample of a curve in the legend.
 const SAMPLE: f32 = 40.0;
 
@@ -143,18 +143,24 @@ fn line_of(plot: &DiagramPlaces, line: usize) -> (Area, Vec2, Vec2) {
     (area, Vec2::new(area.min.x + SAMPLE / 2.0, y), Vec2::new(area.min.x + WORDS, y))
 }
 
+/// A curve's sample at the left end of its legend line.
+pub(super) fn sample(canvas: &Canvas, line: Area, look: &Look, colour: Colour) {
+    let [from, middle, to] = [0.0, SAMPLE / 2.0, SAMPLE].map(|right| Vec2::new(line.min.x + right, line.centre().y));
+    stroke(canvas, &[from, to], look, colour);
+    marker(canvas, middle, look.marker, colour);
+}
+
 /// The curves by name; `picked` is highlighted.
 pub(super) fn legend_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, picked: Option<usize>) {
     for (index, curve) in measured.curves.iter().enumerate() {
-        let (area, middle, words) = line_of(plot, index);
+        let (area, _, words) = line_of(plot, index);
         if picked == Some(index) {
             canvas.rounded(area, 6.0, theme::panel_hover());
         }
         let whole = picked.is_none_or(|picked| picked == index);
         let look = CurveLook::of(index, curve.origin);
         let colour = shade(Colour::hex(look.colour), whole);
-        stroke(canvas, &[Vec2::new(area.min.x, middle.y), Vec2::new(area.min.x + SAMPLE, middle.y)], &look, colour);
-        marker(canvas, middle, look.marker, colour);
+        sample(canvas, area, &look, colour);
         let (name, room) = (with_order(curve), area.max().x - words.x);
         let style = |size: f32| Style::new(size, shade(theme::text(), whole)).middle();
         let size = if canvas.width(&name, style(TEXT)) <= room { TEXT } else { DETAILS };

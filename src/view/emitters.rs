@@ -3,9 +3,9 @@
 use super::particles::{Particle, ParticleLook, Particles};
 use super::theme;
 use crate::draw::Colour;
-use crate::game::{Game, Outcome, SHIP};
+use crate::game::{Game, Outcome, SHIP, object_body};
 use crate::level::{Level, ObjectiveKind, SHIP_HALF};
-use crate::physics::{Aabb, BodyId, DVec2, ForceKind};
+use crate::physics::{Aabb, DVec2, ForceKind};
 
 /// Particles of the plume a second, at full thrust.
 const PLUME_RATE: f64 = 110.0;
@@ -179,7 +179,7 @@ fn rate(emitter: Emitter, game: &Game, visible: &Aabb) -> f64 {
             let bounds = level.objectives[i].bounds;
             (bounds, (OBJECTIVE_RATE * 2.0 * bounds.size().element_sum()).min(30.0))
         }
-        Emitter::Key(i) => (game.world().body(body(i)).bounds(), KEY_RATE),
+        Emitter::Key(i) => (game.world().body(object_body(i)).bounds(), KEY_RATE),
         Emitter::Stream(i) if !game.world().blows(i) => return 0.0,
         Emitter::Stream(i) => {
             let zone = &level.streams[i].zone;
@@ -200,7 +200,7 @@ fn particles_of(emitter: Emitter, game: &Game, particles: &mut Particles) {
         }
         Emitter::Key(i) => {
             let [r, g, b] = level.objects[i].key.unwrap_or_default();
-            let body = game.world().body(body(i));
+            let body = game.world().body(object_body(i));
             let (position, out) = on_outline(&body.bounds(), particles);
             let velocity = body.velocity * 0.3 + out * particles.between(0.3, 0.9);
             spark(particles, position, velocity, Colour::of([r, g, b]));
@@ -257,11 +257,6 @@ fn on_outline(bounds: &Aabb, particles: &mut Particles) -> (DVec2, DVec2) {
     } else {
         (DVec2::new(max.x, min.y + along - 2.0 * size.x - size.y), DVec2::X)
     }
-}
-
-/// The body of the level's object of that index.
-const fn body(object: usize) -> BodyId {
-    BodyId(object as u32 + 1)
 }
 
 #[cfg(test)]

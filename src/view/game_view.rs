@@ -17,7 +17,6 @@ use super::wreck::Wreck;
 use super::{hitboxes, mechanisms, theme, world};
 use crate::draw::layout::{Area, Frame, Vec2};
 use crate::game::{Game, GameEvent, GhostPose, Outcome, SHIP};
-use crate::level::SurfaceOf;
 use crate::number::fixed;
 use crate::physics::{Aabb, BodyId, DVec2};
 use crate::settings::Settings;
@@ -40,15 +39,15 @@ pub struct GameView {
     emitters: Emitters,
     feedback: Feedback,
     details: Details,
-    hud: Hud,
+    pub hud: Hud,
     /// Canvas units.
     pointer: Option<Vec2>,
     touchdown: Touchdown,
     /// From the loss of the ship on.
     wreck: Option<Wreck>,
-    ghosts: Vec<GhostShip>,
-    /// Panels above it besides the head-up display, canvas units.
-    panels: Vec<Area>,
+    pub ghosts: Vec<GhostShip>,
+    /// Panels above it besides the head-up display, canvas units; the details keep them clear.
+    pub panels: Vec<Area>,
     /// Time shown, s: waves and pulses run by it.
     time: f64,
 }
@@ -163,18 +162,18 @@ impl GameView {
     /// Advances all effects by `frame_time` seconds (0 while paused), and lays the details out. `alpha` (0 … 1) is the frame's
     /// place between the last tick but one and the last.
     pub fn update(&mut self, game: &Game, alpha: f64, frame_time: f64, overlays: Overlays, frame: &Frame) {
-        let ship = centre(game, SHIP, alpha);
+        let ship = drawn_centre(game, SHIP, alpha);
         self.time += frame_time;
         let followed = overlays.followed(game);
         self.followed = followed;
-        self.camera.follow(centre(game, followed, alpha), game.world().body(followed).velocity, frame_time);
+        self.camera.follow(drawn_centre(game, followed, alpha), game.world().body(followed).velocity, frame_time);
         self.camera.turn(overlays.focus.fits().then(|| moving(game, alpha)), overlays.focus.zoom(), frame_time);
         if game.outcome() == Outcome::Completed {
             self.camera.close_in(frame_time);
         }
         let view = self.viewport(game, alpha, frame);
         let visible = view.visible();
-        self.particles.set_barriers(Barriers::new(game.world(), &Aabb::new(visible.min - BARRIERS, visible.max + BARRIERS)));
+        self.particles.barriers = Barriers::new(game.world(), &Aabb::new(visible.min - BARRIERS, visible.max + BARRIERS));
         self.particles.advance(frame_time);
         self.particles.keep(overlays.settings.particles);
         self.touchdown.advance(frame_time);
@@ -183,14 +182,14 @@ impl GameView {
         }
         self.emitters.emit(game, ship, angle(game, alpha), &view.visible(), frame_time, &mut self.particles);
         self.feedback.advance(frame_time);
-        let centres: Vec<DVec2> = ids(game).map(|id| centre(game, id, alpha)).collect();
+        let centres: Vec<DVec2> = ids(game).map(|id| drawn_centre(game, id, alpha)).collect();
         let figures = overlays.hitboxes.then(|| hitboxes::figures_area(game, frame));
         let mut covered: Vec<Area> = self.panels.iter().copied().chain(figures).collect();
         let (shown, settings) = (overlays.shown, &overlays.settings);
         let scene = HudScene { game, centres: &centres, view: &view, frame, panels: &covered, shown, settings };
         self.hud.update(&scene, frame_time);
         if overlays.details {
-            covered.extend(self.hud.pointers().iter().map(|pointer| pointer.area).chain(self.hud.stranded()));
+            covered.extend(self.hud.pointers.iter().map(|pointer| pointer.area).chain(self.hud.stranded()));
             let looking = Looking {
                 centres: &centres,
                 focus: &overlays.focus,
@@ -205,7 +204,7 @@ impl GameView {
     /// The body at a point of the canvas, the nearest to it where there are several.
     pub fn body_at(&self, game: &Game, alpha: f64, point: Vec2, frame: &Frame) -> Option<BodyId> {
         let view = self.viewport(game, alpha, frame);
-        let place = |id: BodyId| view.point(centre(game, id, alpha));
+        let place = |id: BodyId| view.point(drawn_centre(game, id, alpha));
         let reach = |id: BodyId| {
             let half = game.world().body(id).half;
             Vec2::new(view.length(half.x), view.length(half.y)).max(Vec2::splat(GRAB))
@@ -237,19 +236,6 @@ impl GameView {
         self.pointer = Some(pointer);
     }
 
-    /// Panels above the view, which the details keep clear.
-    pub fn set_panels(&mut self, panels: Vec<Area>) {
-        self.panels = panels;
-    }
-
-    pub fn set_ghosts(&mut self, ghosts: Vec<GhostShip>) {
-        self.ghosts = ghosts;
-    }
-
-    pub const fn hud(&self) -> &Hud {
-        &self.hud
-    }
-
     /// Growth of the engine's plume, 0 … 1.
     pub const fn burning(&self) -> f64 {
         self.emitters.plume().0
@@ -259,18 +245,17 @@ impl GameView {
     pub fn viewport(&self, game: &Game, alpha: f64, frame: &Frame) -> Viewport {
         let window = CanvasWindow { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
         let level = game.level();
-        let kept = centre(game, self.followed, alpha);
+        let kept = drawn_centre(game, self.followed, alpha);
         self.camera.viewport(kept, level.size, level.metre, window)
     }
 }
 
 /// The box around the ship, where it plays a part, objects and movers, m.
 pub fn moving(game: &Game, alpha: f64) -> Aabb {
-    let (level, world) = (game.level(), game.world());
+    let world = game.world();
     let bodies =
-        ids(game).skip(usize::from(game.lead() != SHIP)).map(|id| Aabb::around(centre(game, id, alpha), world.body(id).half));
-    let movers = (0..level.movers.len()).map(|mover| world.surfaces()[level.surface_index(SurfaceOf::Mover(mover))].bounds);
-    bodies.chain(movers).reduce(|all, one| all.union(&one)).unwrap_or(world.body(SHIP).bounds())
+        ids(game).skip(usize::from(game.lead() != SHIP)).map(|id| Aabb::around(drawn_centre(game, id, alpha), world.body(id).half));
+    bodies.chain(mechanisms::movers(game)).reduce(|all, one| all.union(&one)).unwrap_or(world.body(SHIP).bounds())
 }
 
 fn ids(game: &Game) -> impl Iterator<Item = BodyId> {
@@ -278,7 +263,7 @@ fn ids(game: &Game) -> impl Iterator<Item = BodyId> {
 }
 
 /// The drawn centre of a body, m: between its last two places.
-fn centre(game: &Game, id: BodyId, alpha: f64) -> DVec2 {
+pub fn drawn_centre(game: &Game, id: BodyId, alpha: f64) -> DVec2 {
     game.world().previous_position(id).lerp(game.world().body(id).position, alpha)
 }
 

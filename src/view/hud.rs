@@ -11,7 +11,6 @@ pub use pointers::{Pointer, PointerTarget, in_view, targets};
 
 use super::art::{self, Tile};
 use super::camera::Viewport;
-use super::details::on_canvas;
 use super::emitters::objective_colour;
 use super::theme;
 use super::widgets::panel_in;
@@ -19,7 +18,7 @@ use super::zones::diamond;
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, TEXT, Vec2, text_room};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{DAMAGING_SPEED, Game, SHIP};
-use crate::level::ObjectiveKind;
+use crate::level::{Level, ObjectiveKind};
 use crate::number::{clock, fixed};
 use crate::physics::{Aabb, BodyId, DVec2};
 use crate::settings::{Action, Settings};
@@ -60,8 +59,8 @@ pub struct HudScene<'a> {
 
 #[derive(Default)]
 pub struct Hud {
-    aside: Aside,
-    pointers: Vec<Pointer>,
+    pub aside: Aside,
+    pub pointers: Vec<Pointer>,
     /// Advice without fuel, and its place.
     stranded: Option<(String, Area)>,
 }
@@ -83,21 +82,11 @@ impl Hud {
                 let height = frame.text_height(crate::draw::layout::nearest_size(view.length(text.size)));
                 Area { min: view.point(text.position), size: text_room(&text.text, height) }
             });
-            let objects = (1..scene.centres.len()).map(|index| on_canvas(&body(scene, index), view));
+            let objects = (1..scene.centres.len()).map(|index| view.exact(&body(scene, index)));
             let clear: Vec<Area> =
                 others.into_iter().chain(words).chain(objects).filter(|area| area.gap(&frame.area()) < 0.0).collect();
             self.pointers = pointers::place(game, scene.centres, &taken, &clear, view, frame);
         }
-    }
-
-    /// The offset of the parts from home.
-    pub const fn aside(&self) -> &Aside {
-        &self.aside
-    }
-
-    /// The arrows at the window's edge.
-    pub fn pointers(&self) -> &[Pointer] {
-        &self.pointers
     }
 
     /// The panel with advice without fuel, while it is there.
@@ -129,12 +118,16 @@ impl Hud {
 
 /// Places that the display may not hide: the ship; and hazards, goals and keys.
 fn kept_free(scene: &HudScene) -> (Area, Vec<Area>) {
-    let level = scene.game.level();
+    let objects = scene.game.level().objects.iter().enumerate();
+    let keys = objects.filter(|(_, object)| object.key.is_some()).map(|(index, _)| body(scene, index + 1));
+    let others = landmarks(scene.game.level()).chain(keys);
+    (scene.view.exact(&body(scene, SHIP.index())), others.map(|bounds| scene.view.exact(&bounds)).collect())
+}
+
+/// The boxes of goals, death boxes and the sources of streams, m.
+pub fn landmarks(level: &Level) -> impl Iterator<Item = Aabb> {
     let goals = level.objectives.iter().map(|objective| objective.bounds);
-    let sources = level.streams.iter().map(|stream| stream.source);
-    let keys = (0..level.objects.len()).filter(|&index| level.objects[index].key.is_some()).map(|index| body(scene, index + 1));
-    let others = goals.chain(level.obstacles.iter().copied()).chain(sources).chain(keys);
-    (on_canvas(&body(scene, SHIP.index()), scene.view), others.map(|bounds| on_canvas(&bounds, scene.view)).collect())
+    goals.chain(level.obstacles.iter().copied()).chain(level.streams.iter().map(|stream| stream.source))
 }
 
 /// The box of a body where it is drawn, m.
@@ -307,8 +300,7 @@ fn draw_fuel(share: f32, words: &str, area: Area, aside: f32, canvas: &Canvas) {
 
 /// From yellow-orange when full to red when empty.
 pub fn fuel_colour(share: f32) -> Colour {
-    let mix = |empty: f32, full: f32| empty + (full - empty) * share.clamp(0.0, 1.0);
-    Colour::new(mix(FUEL_EMPTY.r, FUEL_FULL.r), mix(FUEL_EMPTY.g, FUEL_FULL.g), mix(FUEL_EMPTY.b, FUEL_FULL.b), 1.0)
+    FUEL_EMPTY.mixed(FUEL_FULL, share.clamp(0.0, 1.0))
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Lanes: curves above one axis to the right, each lane with its own numbers upwards.
 
-use super::diagram::{dashed, marker, stroke};
+use super::diagram::{WORDS, dashed, marker, stroke};
 use super::{theme, widgets};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
@@ -12,9 +12,8 @@ const NAMED: usize = 8;
 const LEFT: f32 = 88.0;
 const TOP: f32 = 40.0;
 const BOTTOM: f32 = 60.0;
-/// Width of the legend, and from its left end to its words.
+/// Width of the legend.
 const LEGEND: f32 = 340.0;
-const WORDS: f32 = 52.0;
 /// Between two lanes: the values to the right above, the name of the lane below.
 const BETWEEN: f32 = 60.0;
 /// Dashes of a line at a value, canvas units drawn and left out.
@@ -30,15 +29,9 @@ pub(super) struct LaneAxes<'a> {
 }
 
 impl LaneAxes<'_> {
-    /// The point at those parts (0 … 1) of the width and of the height.
-    pub fn at(&self, (right, up): (f64, f64)) -> Vec2 {
-        let size = self.area.size;
-        Vec2::new(self.area.min.x + size.x * right as f32, self.area.max().y - size.y * up as f32)
-    }
-
     /// A line all across at a part of the height.
     pub fn level(&self, up: f64) -> [Vec2; 2] {
-        [self.at((0.0, up)), self.at((1.0, up))]
+        [self.area.part((0.0, up)), self.area.part((1.0, up))]
     }
 
     /// `across` are the values to the right, each with its part of the width.
@@ -51,7 +44,7 @@ impl LaneAxes<'_> {
             canvas.text(name, from - Vec2::new(10.0, 0.0), quiet.right());
         }
         for (part, name) in across {
-            let foot = self.at((*part, 0.0));
+            let foot = self.area.part((*part, 0.0));
             canvas.hairline(foot, Vec2::new(foot.x, self.area.min.y), theme::panel_edge());
             canvas.text(name, foot + Vec2::new(0.0, 14.0), quiet.centred());
         }
@@ -73,10 +66,10 @@ pub fn draw(canvas: &Canvas, panel: Area, sheet: &Sheet) {
         axes.draw(canvas, &across);
         for mark in &strip.marks {
             let x = sheet.across.part(*mark);
-            dashed(canvas, &[axes.at((x, 0.0)), axes.at((x, 1.0))], MARK_DASH, 1.0, theme::quiet());
+            dashed(canvas, &[axes.area.part((x, 0.0)), axes.area.part((x, 1.0))], MARK_DASH, 1.0, theme::quiet());
         }
         for part in &strip.curves {
-            let line: Vec<Vec2> = part.points.iter().map(|(x, up)| axes.at((sheet.across.part(*x), *up))).collect();
+            let line: Vec<Vec2> = part.points.iter().map(|(x, up)| axes.area.part((sheet.across.part(*x), *up))).collect();
             let colour = Colour::hex(part.look.colour);
             stroke(canvas, &line, &part.look, colour);
             if let Some(at) = part.marker.and_then(|place| line.get(place)) {

@@ -6,7 +6,6 @@ use super::camera::Viewport;
 use super::particles::{Particle, ParticleLook, Particles};
 use super::terrain::material_edge;
 use super::theme;
-use super::things::exact;
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::Game;
@@ -47,6 +46,12 @@ pub fn draw_fields(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
             }
         }
     }
+}
+
+/// The present boxes of the movers, m, in the level's order.
+pub fn movers(game: &Game) -> impl Iterator<Item = Aabb> {
+    let bounds = |index: usize| game.world().surfaces()[game.level().surface_index(SurfaceOf::Mover(index))].bounds;
+    (0..game.level().movers.len()).map(bounds)
 }
 
 /// The middles of a grid's cells between two coordinates, m.
@@ -151,7 +156,7 @@ fn draw_mover(mover: &Mover, bounds: &Aabb, (view, canvas): (&Viewport, &Canvas)
     if !bounds.touches(&view.visible(), 1.0) {
         return;
     }
-    let area = exact(bounds, view);
+    let area = view.exact(bounds);
     if mover.solid.sides == Sides::ALL {
         canvas.rectangle(area, WORKS);
         canvas.rectangle_edge(area, 2.5, edge_of(mover.solid.material));
@@ -256,7 +261,7 @@ fn draw_skin(solid: &Solid, bounds: &Aabb, runs: bool, (view, canvas): (&Viewpor
         }
     }
     if solid.belt != 0.0 {
-        let area = exact(bounds, view);
+        let area = view.exact(bounds);
         for y in [area.min.y + 1.0, area.max().y - 1.0] {
             canvas.line(Vec2::new(area.min.x, y), Vec2::new(area.max().x, y), 2.0, edge_of(solid.material));
         }

@@ -1,6 +1,7 @@
 //! The names of mechanisms beside them, while the details are open.
 
 use super::camera::Viewport;
+use super::mechanisms::movers;
 use super::theme;
 use crate::draw::layout::{Area, DETAILS, MONO_ADVANCE, Vec2};
 use crate::draw::{Canvas, Style};
@@ -34,8 +35,7 @@ pub fn told(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
             write_name(&called(SurfaceOf::World(index), name.as_deref()), &solid.bounds);
         }
     }
-    for (index, mover) in level.movers.iter().enumerate() {
-        let bounds = game.world().surfaces()[level.surface_index(SurfaceOf::Mover(index))].bounds;
+    for (index, (mover, bounds)) in level.movers.iter().zip(movers(game)).enumerate() {
         write_name(&called(SurfaceOf::Mover(index), mover.solid.name.as_deref()), &bounds);
     }
     for (index, door) in level.doors.iter().enumerate() {

@@ -103,7 +103,8 @@ impl Particle {
 pub struct Particles {
     all: Vec<Particle>,
     most: usize,
-    barriers: Barriers,
+    /// Of the present frame.
+    pub barriers: Barriers,
     random: Pcg32,
 }
 
@@ -117,15 +118,6 @@ impl Particles {
         if self.all.len() < self.most {
             self.all.push(particle);
         }
-    }
-
-    /// Takes the barriers of the present frame.
-    pub fn set_barriers(&mut self, barriers: Barriers) {
-        self.barriers = barriers;
-    }
-
-    pub const fn barriers(&self) -> &Barriers {
-        &self.barriers
     }
 
     /// Adds a particle from a point, before the first solid on its path from there; a full pool drops it.
@@ -210,7 +202,7 @@ mod tests {
         let surfaces = vec![SurfaceDef::fixed(bounds, Material::STEEL)];
         let world = World::new(WorldDef { surfaces, ..WorldDef::default() }).expect("a valid world");
         let mut pool = Particles::new();
-        pool.set_barriers(Barriers::new(&world, &Aabb::around(DVec2::ZERO, DVec2::splat(8.0))));
+        pool.barriers = Barriers::new(&world, &Aabb::around(DVec2::ZERO, DVec2::splat(8.0)));
         let velocity = DVec2::new(0.5, 7.0);
         for look in [ParticleLook::Plume, ParticleLook::Dust, ParticleLook::Spark, ParticleLook::Streak] {
             pool.launch(DVec2::ZERO, Particle { velocity, position: DVec2::new(0.0, 3.0), ..particle(look, 2.0) });

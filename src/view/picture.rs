@@ -36,11 +36,10 @@ pub fn large(canvas: &Canvas, area: Area, picture: &FailurePicture, colour: Colo
 }
 
 fn lines(canvas: &Canvas, area: Area, picture: &FailurePicture, (colour, width): (Colour, f32)) {
-    let at = |(right, up): (f64, f64)| Vec2::new(area.min.x + area.size.x * right as f32, area.max().y - area.size.y * up as f32);
     let across = |(from, to): (f64, f64), colour: Colour| {
         let ends: Polyline = vec![(f64::NEG_INFINITY, from), (f64::INFINITY, to)];
         if let [low, high] = picture.parts(&[ends])[0].as_slice() {
-            let (top, foot) = (at((0.0, high.1)).y, at((0.0, low.1)).y);
+            let (top, foot) = (area.part((0.0, high.1)).y, area.part((0.0, low.1)).y);
             canvas.rounded(Area::new(area.min.x, top, area.size.x, (foot - top).max(1.0)), 0.0, colour);
         }
     };
@@ -52,7 +51,7 @@ fn lines(canvas: &Canvas, area: Area, picture: &FailurePicture, (colour, width):
     }
     let stroke = |lines: &[Polyline], colour: Colour, width: f32| {
         for line in picture.parts(lines) {
-            line.windows(2).for_each(|pair| canvas.line(at(pair[0]), at(pair[1]), width, colour));
+            line.windows(2).for_each(|pair| canvas.line(area.part(pair[0]), area.part(pair[1]), width, colour));
         }
     };
     stroke(&picture.exact, theme::good(), 1.0);

@@ -61,17 +61,14 @@ mod drawing {
     use crate::lab::look::CurveLook;
     use crate::lab::stability::{CELLS, Complex, IMAGINARY, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
     use crate::lab::stability_diagram::{look, shipped_look};
-    use crate::view::diagram::{marker, shade, stroke};
+    use crate::view::diagram::{WORDS, marker, sample, shade, stroke};
     use crate::view::{theme, widgets};
 
-    /// From a legend line's left end to its words, and from its right end to the two limits.
-    const WORDS: f32 = 52.0;
+    /// From a legend line's right end to the two limits.
     const LIMITS: [f32; 2] = [84.0, 8.0];
     /// The marks on the two rays.
     const MARKS: [&str; 2] =
         ["h/τ: drag alone, without a spring; ω·h: a swing without drag.", "Marks on the two rays: these limits."];
-    /// Length of an edge's sample in the legend.
-    const SAMPLE: f32 = 40.0;
 
     /// The plane, the edges of all regions, and all of the picked one.
     pub fn draw(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usize>) {
@@ -154,9 +151,7 @@ mod drawing {
         let line = |line: usize, look: &CurveLook, (name, [drag, swing]): (&str, [f64; 2]), whole: bool| {
             let area = plane.legend(line);
             let (y, colour) = (area.centre().y, shade(Colour::hex(look.colour), whole));
-            let sample = [area.min.x, area.min.x + SAMPLE].map(|x| Vec2::new(x, y));
-            stroke(canvas, &sample, look, colour);
-            marker(canvas, Vec2::new(area.min.x + SAMPLE / 2.0, y), look.marker, colour);
+            sample(canvas, area, look, colour);
             let style = if whole { words } else { quiet };
             canvas.text(name, Vec2::new(area.min.x + WORDS, y), style);
             limits(area, [&limit(drag), &limit(swing)], style);

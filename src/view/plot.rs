@@ -41,18 +41,17 @@ impl DiagramPlaces {
     }
 
     pub fn at(&self, point: &WorkPoint) -> Vec2 {
-        let (right, up) = self.axes.place(point);
-        Vec2::new(self.across(right), self.upwards(up))
+        self.area.part(self.axes.place(point))
     }
 
     /// A part (0 … 1) of the work's axis.
     pub fn across(&self, part: f64) -> f32 {
-        self.area.min.x + self.area.size.x * part as f32
+        self.area.part((part, 0.0)).x
     }
 
     /// A part (0 … 1) of the error's axis.
     pub fn upwards(&self, part: f64) -> f32 {
-        self.area.max().y - self.area.size.y * part as f32
+        self.area.part((0.0, part)).y
     }
 
     /// A line of the legend: first the curves, then the notes.

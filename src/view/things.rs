@@ -36,7 +36,7 @@ pub fn draw_object(object: &Object, centre: DVec2, light: Colour, brushes: Brush
     if !bounds.touches(&view.visible(), 1.0) {
         return;
     }
-    let area = exact(&bounds, view);
+    let area = view.exact(&bounds);
     let key = object.key.map(Colour::of);
     let round = object.circular || object.look == Look::Ball;
     match key {
@@ -160,7 +160,7 @@ pub fn draw_ghost(name: Option<&str>, pose: GhostPose, Brushes { view, canvas, .
 
 /// An object of another flight: its pale outline, with its name below it.
 pub fn draw_ghost_object(name: Option<&str>, (object, centre): (&Object, DVec2), Brushes { view, canvas, .. }: Brushes<'_>) {
-    let area = exact(&Aabb::around(centre, object.size * 0.5), view);
+    let area = view.exact(&Aabb::around(centre, object.size * 0.5));
     let (fill, edge) = (PALE.faded(0.30), Colour::new(PALE.r, PALE.g, PALE.b, 1.0));
     let corners: Vec<Vec2> = if object.circular || object.look == Look::Ball { ellipse(area) } else { area.corners().to_vec() };
     canvas.convex(&corners, fill);
@@ -169,12 +169,6 @@ pub fn draw_ghost_object(name: Option<&str>, (object, centre): (&Object, DVec2),
         let below = view.point(centre + DVec2::new(0.0, object.size.y / 2.0)) + Vec2::new(0.0, canvas.line_height(DETAILS) * 0.6);
         canvas.text(name, below, Style::new(DETAILS, theme::text().faded(0.85)).centred().middle());
     }
-}
-
-/// A moving box, not rounded to pixels: it glides.
-pub fn exact(bounds: &Aabb, view: &Viewport) -> Area {
-    let (min, max) = (view.point(bounds.min), view.point(bounds.max));
-    Area { min, size: max - min }
 }
 
 /// The corners of an ellipse that fills an area.

@@ -54,10 +54,10 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, (measured, over_time): (&Meas
         };
         let look = CurveLook { width: 2, ..CurveLook::of(index, curve.origin) };
         let colour = shade(Colour::hex(look.colour), picked.is_none_or(|picked| picked == index));
-        let line: Vec<Vec2> = course.points.iter().map(|moment| upper.at(axes.error_at(moment))).collect();
+        let line: Vec<Vec2> = course.points.iter().map(|moment| upper.area.part(axes.error_at(moment))).collect();
         stroke(canvas, &line, &look, colour);
         if let Some(lower) = &lower {
-            let place = |moment: &CoursePoint| axes.energy_at(moment).map(|at| lower.at(at));
+            let place = |moment: &CoursePoint| axes.energy_at(moment).map(|at| lower.area.part(at));
             stroke(canvas, &course.points.iter().filter_map(place).collect::<Vec<_>>(), &look, colour);
         }
     }

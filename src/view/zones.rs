@@ -203,7 +203,7 @@ pub fn draw_sources(level: &Level, view: &Viewport, canvas: &Canvas) {
 pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
     let visible = view.visible();
     for (index, fluid) in level.fluids.iter().enumerate().filter(|(_, fluid)| fluid.zone.touches(&visible, 0.5)) {
-        let colour = liquid_colour(fluid);
+        let colour = Colour::of(fluid.colour);
         let shown = Aabb::new(fluid.zone.min.max(visible.min - 1.0), fluid.zone.max.min(visible.max + 1.0));
         let all = view.rect(&fluid.zone);
         let area = view.rect(&shown);
@@ -269,15 +269,10 @@ pub fn in_liquid(fluids: &[Fluid], bounds: &Aabb) -> Colour {
     fluids.iter().fold(Colour::WHITE, |light, fluid| {
         let shared = (bounds.max.min(fluid.zone.max) - bounds.min.max(fluid.zone.min)).max(DVec2::ZERO);
         let share = STAIN * (shared.x * shared.y / all) as f32;
-        let colour = liquid_colour(fluid);
+        let colour = Colour::of(fluid.colour);
         let stained = |light: f32, colour: f32| light * (1.0 - share + share * colour);
         Colour::new(stained(light.r, colour.r), stained(light.g, colour.g), stained(light.b, colour.b), 1.0)
     })
-}
-
-fn liquid_colour(fluid: &Fluid) -> Colour {
-    let [r, g, b] = fluid.colour;
-    Colour::of([r, g, b])
 }
 
 /// The top of a liquid: columns under a wave, and the bright line along it.

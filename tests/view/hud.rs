@@ -80,7 +80,7 @@ impl Onlooker {
 
     /// Every part that hides what is behind it.
     fn solid(&self) -> Vec<Area> {
-        let aside = self.hud.aside();
+        let aside = &self.hud.aside;
         HudPart::ALL.into_iter().filter(|part| aside.of(*part) < 1.0).filter_map(|part| aside.home(part)).collect()
     }
 }
@@ -109,21 +109,21 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
         }
     }
     seen.looks += 1;
-    seen.aside += usize::from(HudPart::ALL.into_iter().any(|part| hud.aside().of(part) == 1.0));
-    seen.arrows += hud.pointers().len();
+    seen.aside += usize::from(HudPart::ALL.into_iter().any(|part| hud.aside.of(part) == 1.0));
+    seen.arrows += hud.pointers.len();
     // Arrows: inside, over no part of the display, over no other and not over the ship.
     let ship = on_canvas(&game.world().body(SHIP).bounds(), view);
-    for (i, pointer) in hud.pointers().iter().enumerate() {
+    for (i, pointer) in hud.pointers.iter().enumerate() {
         let area = pointer.area;
         let inside = area.min.cmpge(Vec2::ZERO).all() && area.max().cmple(frame.size).all();
-        let others: Vec<Area> = hud.pointers()[..i].iter().map(|other| other.area).collect();
-        let homes: Vec<Area> = hud.aside().homes().collect();
+        let others: Vec<Area> = hud.pointers[..i].iter().map(|other| other.area).collect();
+        let homes: Vec<Area> = hud.aside.homes().collect();
         assert!(inside, "{}: {pointer:?} leaves the window", what());
         assert!(area.covers_none(&others) && area.covers_none(&homes) && area.gap(&ship) >= 0.0, "{}: {pointer:?}", what());
     }
     // What is still to be met is in view or has an arrow, and nothing else has one.
     let level = game.level();
-    let has = |target: PointerTarget| hud.pointers().iter().find(|pointer| pointer.target == target);
+    let has = |target: PointerTarget| hud.pointers.iter().find(|pointer| pointer.target == target);
     let centre = game.world().body(SHIP).position;
     let mut wanted = 0;
     let mut ask = |target: PointerTarget, bounds: Aabb| {
@@ -152,7 +152,7 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
             }
         }
     }
-    assert_eq!(hud.pointers().len(), wanted, "{}: {:?}", what(), hud.pointers());
+    assert_eq!(hud.pointers.len(), wanted, "{}: {:?}", what(), hud.pointers);
 }
 
 fn fly(level: &Arc<Level>, inputs: impl Iterator<Item = Controls>, seen: &mut Seen, what: &str) {
@@ -195,10 +195,10 @@ fn at_the_start_of_every_level_the_display_is_at_home_and_its_arrows_cover_nothi
         for mut onlooker in Onlooker::all() {
             let view = onlooker.look(&game, &camera, HudShown { rivals: 0, ..ALL }, 1.0);
             let window = pixels(&onlooker.frame);
-            assert_eq!(onlooker.solid().len(), 2, "level {name} in {window}: {:?}", onlooker.hud.aside());
+            assert_eq!(onlooker.solid().len(), 2, "level {name} in {window}: {:?}", onlooker.hud.aside);
             check(&onlooker, &game, &view, &mut Seen::default(), &format!("level {name}"));
             for (what, area) in shown(&level, &view, &onlooker.frame) {
-                for pointer in onlooker.hud.pointers() {
+                for pointer in &onlooker.hud.pointers {
                     assert!(pointer.area.gap(&area) >= 0.0, "level {name} in {window}: {pointer:?} covers {what} ({area:?})");
                 }
             }
@@ -213,7 +213,7 @@ fn an_experiment_shows_no_display_and_a_level_without_an_engine_no_fuel() {
     let camera = Camera::new(game.world().body(SHIP).position);
     for mut onlooker in Onlooker::all() {
         onlooker.look(&game, &camera, HudShown::default(), 1.0);
-        assert!(onlooker.solid().is_empty() && onlooker.hud.pointers().is_empty() && onlooker.hud.stranded().is_none());
+        assert!(onlooker.solid().is_empty() && onlooker.hud.pointers.is_empty() && onlooker.hud.stranded().is_none());
     }
     let mut player = level.player.clone();
     assert!(player.has_engine());

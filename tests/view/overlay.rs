@@ -205,7 +205,7 @@ fn arrange(details: &mut Details, game: &Game, focus: &Focus, pointer: Option<Ve
 
 /// The box of a body.
 fn placed(details: &Details, body: u32) -> &PlacedBox {
-    details.boxes().iter().find(|placed| placed.text.body == BodyId(body)).expect("it has a box")
+    details.boxes.iter().find(|placed| placed.text.body == BodyId(body)).expect("it has a box")
 }
 
 /// The middle of a line of a body's box.
@@ -223,7 +223,7 @@ fn lit(details: &Details, game: &Game) -> Vec<(u32, String, DVec2)> {
         let Value::Vector(vector) = row.value else { panic!("{row:?}") };
         (body.0, row.label(), vector)
     };
-    details.lit().iter().map(told).collect()
+    details.lit.iter().map(told).collect()
 }
 
 /// A crate on a crate on the floor, beside the ship.
@@ -238,17 +238,17 @@ fn stack() -> Game {
 fn pointing_at_a_force_lights_its_partner() {
     let (game, mut details, all) = (stack(), Details::default(), Focus::default());
     arrange(&mut details, &game, &all, None);
-    assert!(details.lit().is_empty() && details.tip().is_none());
+    assert!(details.lit.is_empty() && details.tip.is_none());
     let at = line(&details, 2, "Normal force by Box 1");
     arrange(&mut details, &game, &all, Some(at));
     let up = DVec2::new(0.0, -150.0);
     assert_eq!(lit(&details, &game), [(2, "Normal force by Box 1".to_owned(), up), (1, "Normal force by Box 2".to_owned(), -up)]);
-    let words = |details: &Details| details.tip().expect("a tip").lines.join(" ");
+    let words = |details: &Details| details.tip.as_ref().expect("a tip").lines.join(" ");
     assert_eq!(words(&details), "Third law: Box 2 presses on Box 1 with (0, −150) N");
-    assert!(details.tip().is_some_and(|tip| tip.area.is_some()));
+    assert!(details.tip.as_ref().is_some_and(|tip| tip.area.is_some()));
 
     // By its arrow as by its line.
-    let arrow = details.arrows().arrows.iter().find(|arrow| arrow.body == BodyId(1) && arrow.name() == "Weight").expect("an arrow");
+    let arrow = details.arranged.arrows.iter().find(|arrow| arrow.body == BodyId(1) && arrow.name() == "Weight").expect("an arrow");
     let at = arrow.to;
     arrange(&mut details, &game, &all, Some(at));
     assert_eq!(lit(&details, &game), [(1, "Weight by planet".to_owned(), DVec2::new(0.0, 150.0))]);
@@ -257,7 +257,7 @@ fn pointing_at_a_force_lights_its_partner() {
     // A sum has no partner.
     let at = line(&details, 2, "Resultant");
     arrange(&mut details, &game, &all, Some(at));
-    assert!(details.lit().is_empty() && details.tip().is_none());
+    assert!(details.lit.is_empty() && details.tip.is_none());
 }
 
 /// Beside the followed body only its partner has a box; pointing lights the partner's line.
@@ -266,7 +266,7 @@ fn the_partner_of_the_one_that_is_followed_keeps_its_box() {
     let (game, mut details, mut focus) = (stack(), Details::default(), Focus::default());
     focus.pick(Some(BodyId(2)), false);
     arrange(&mut details, &game, &focus, None);
-    let told: Vec<u32> = details.boxes().iter().map(|placed| placed.text.body.0).collect();
+    let told: Vec<u32> = details.boxes.iter().map(|placed| placed.text.body.0).collect();
     assert_eq!(told, [2, 1], "the crate below, and not the ship");
     let at = line(&details, 2, "Normal force by Box 1");
     arrange(&mut details, &game, &focus, Some(at));
@@ -285,7 +285,7 @@ fn who_was_hit_stays_beside_the_one_that_is_followed() {
     let mut told = Vec::new();
     for tick in 0..240 {
         arrange(&mut details, &game, &focus, None);
-        let boxes: Vec<u32> = details.boxes().iter().map(|placed| placed.text.body.0).collect();
+        let boxes: Vec<u32> = details.boxes.iter().map(|placed| placed.text.body.0).collect();
         if told.last().is_none_or(|(_, last)| *last != boxes) {
             told.push((tick, boxes));
         }
@@ -302,12 +302,12 @@ fn an_idle_ship_has_no_box_and_no_arrows() {
     level.experiment = true;
     let (game, mut details) = (game(level), Details::default());
     arrange(&mut details, &game, &Focus::default(), None);
-    assert!(details.boxes().iter().all(|placed| placed.text.body != SHIP) && details.boxes().len() == 1);
-    assert!(details.arrows().arrows.iter().all(|arrow| arrow.body != SHIP && arrow.to_scale));
+    assert!(details.boxes.iter().all(|placed| placed.text.body != SHIP) && details.boxes.len() == 1);
+    assert!(details.arranged.arrows.iter().all(|arrow| arrow.body != SHIP && arrow.to_scale));
     let mut focus = Focus::default();
     focus.pick(Some(SHIP), false);
     arrange(&mut details, &game, &focus, None);
-    assert_eq!(details.boxes()[0].text.body, SHIP);
+    assert_eq!(details.boxes[0].text.body, SHIP);
 }
 
 /// What exerts a force is named; several are counted.
@@ -336,27 +336,27 @@ fn every_force_has_an_arrow_and_what_is_not_to_scale_is_marked() {
     (level.objects[0].mass, level.objects[1].mass) = (1e-6, 1e6);
     let (game, mut details) = (game(level), Details::default());
     arrange(&mut details, &game, &Focus::default(), None);
-    let arrows = &details.arrows().arrows;
-    assert_eq!((arrows.len(), details.arrows().left_out), (6, 0));
+    let arrows = &details.arranged.arrows;
+    assert_eq!((arrows.len(), details.arranged.left_out), (6, 0));
     for arrow in arrows {
         assert_eq!(arrow.to_scale, arrow.body == SHIP, "{arrow:?}");
         assert!((15.0..720.0).contains(&arrow.length()), "{arrow:?}");
     }
-    assert!(details.legend().lines.iter().any(|line| line.contains("not to scale")));
+    assert!(details.legend.lines.iter().any(|line| line.contains("not to scale")));
     // Followed alone, each has a scale that suits it.
     for body in [1, 2] {
         let mut focus = Focus::default();
         focus.pick(Some(BodyId(body)), false);
         arrange(&mut details, &game, &focus, None);
-        assert!(details.arrows().arrows.iter().all(|arrow| arrow.to_scale && arrow.body == BodyId(body)), "{:?}", details.arrows());
+        assert!(details.arranged.arrows.iter().all(|arrow| arrow.to_scale && arrow.body == BodyId(body)), "{:?}", details.arranged);
     }
     // By hand, however long or short: they stay in the window, and none becomes nothing.
     for steps in [24, -24] {
         let mut focus = Focus::default();
         focus.lengthen(steps);
         arrange(&mut details, &game, &focus, None);
-        assert_eq!((details.arrows().arrows.len(), details.arrows().left_out), (6, 0));
-        for arrow in &details.arrows().arrows {
+        assert_eq!((details.arranged.arrows.len(), details.arranged.left_out), (6, 0));
+        for arrow in &details.arranged.arrows {
             let inside = |point: Vec2| Frame::default().area().contains(point);
             assert!(arrow.length() >= 15.0 && inside(arrow.from) && inside(arrow.to), "{steps}: {arrow:?}");
         }

@@ -70,26 +70,26 @@ impl Onlooker {
         }
         let details = &self.details;
         seen.looks += 1;
-        seen.labels += details.labels().len();
-        seen.boxes += details.boxes().len();
-        seen.without_box += details.left_out();
-        seen.without_legend += usize::from(details.legend().area.is_none());
+        seen.labels += details.labels.len();
+        seen.boxes += details.boxes.len();
+        seen.without_box += details.left_out;
+        seen.without_legend += usize::from(details.legend.area.is_none());
     }
 
     /// All that is laid over the level, by name.
     fn laid(&self) -> Vec<(String, Area)> {
         let details = &self.details;
-        let boxes = details.boxes().iter().map(|placed| (format!("the box of {}", placed.text.title), placed.area));
-        let heads = details.arrows().arrows.iter().map(|arrow| {
+        let boxes = details.boxes.iter().map(|placed| (format!("the box of {}", placed.text.title), placed.area));
+        let heads = details.arranged.arrows.iter().map(|arrow| {
             let name = format!("the head of {} on body {}", arrow.name(), arrow.body.0);
             (name, head_area(arrow.from, arrow.to, arrow.shown))
         });
-        let labels = details.labels().iter().map(|label| {
-            let arrow = &details.arrows().arrows[label.arrow];
+        let labels = details.labels.iter().map(|label| {
+            let arrow = &details.arranged.arrows[label.arrow];
             (format!("the label of {} on body {}", arrow.name(), arrow.body.0), label.area)
         });
-        let legend = details.legend().area.map(|area| ("the legend".to_owned(), area));
-        boxes.chain(heads).chain(labels).chain(details.names().iter().cloned()).chain(legend).collect()
+        let legend = details.legend.area.map(|area| ("the legend".to_owned(), area));
+        boxes.chain(heads).chain(labels).chain(details.names.iter().cloned()).chain(legend).collect()
     }
 
     fn check_areas(&self, game: &Game, view: &Viewport, what: &dyn Fn() -> String) {
@@ -118,7 +118,7 @@ impl Onlooker {
         seen: &mut Seen,
         what: &dyn Fn() -> String,
     ) {
-        let arranged = self.details.arrows();
+        let arranged = &self.details.arranged;
         let inside = |point: Vec2| self.frame.area().contains(point);
         let mut scales = [None; 2];
         for arrow in &arranged.arrows {
@@ -145,7 +145,7 @@ impl Onlooker {
             assert_eq!(arranged.arrows.len() + arranged.left_out, forces, "{}", what());
         }
         let off = arranged.arrows.iter().filter(|arrow| !arrow.to_scale).count();
-        let marked = self.details.legend().lines.iter().any(|line| line.contains("not to scale"));
+        let marked = self.details.legend.lines.iter().any(|line| line.contains("not to scale"));
         assert_eq!(marked, off > 0, "{}", what());
         seen.arrows += arranged.arrows.len();
         seen.off_scale += off;
@@ -166,7 +166,7 @@ impl Onlooker {
         );
         // The weights on the water are thousands of newtons.
         let usual = game.level().fluids.is_empty();
-        for arrow in self.details.arrows().arrows.iter().filter(|arrow| usual && !arrow.shown.is_impact()) {
+        for arrow in self.details.arranged.arrows.iter().filter(|arrow| usual && !arrow.shown.is_impact()) {
             let facts = facts(game, arrow.body);
             let (_, vector) = told(&facts.rows[arrow.row], &facts.rows).expect("an arrow has a row");
             let of_scale = USUAL.contains(&vector.length());

@@ -145,7 +145,7 @@ impl Reader {
         let looking = Looking { centres: &centres, focus: &self.focus, pointer: None, model: false, velocity: false };
         self.details.arrange(game, &looking, &[], &view, &frame);
         // Partners of the one that is followed have boxes, too.
-        let own = self.details.boxes().iter().find(|placed| placed.text.body == self.body);
+        let own = self.details.boxes.iter().find(|placed| placed.text.body == self.body);
         let placed = own.unwrap_or_else(|| panic!("{name}: no box of {:?}", self.body));
         let told = Told::of(&placed.text);
         let what = format!("{name}, tick {}, {}", game.ticks(), placed.text.title);

@@ -3,9 +3,10 @@
 use super::Flight;
 use crate::draw::layout::{Area, DETAILS, GRID, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
-use crate::game::{Game, GhostPose, SHIP, body_title};
+use crate::game::{GhostPose, SHIP, body_title, object_body};
 use crate::physics::{BodyId, DVec2};
 use crate::screens::instruments::vary::written;
+use crate::view::game_view::drawn_centre;
 use crate::view::hud::HudLayout;
 use crate::view::{GhostShip, theme, widgets};
 
@@ -23,12 +24,13 @@ impl Flight {
 
     fn ghost_before(&self) -> Option<GhostShip> {
         let (before, alpha) = (self.game_before()?, self.alpha());
-        let at = |game: &Game, id: BodyId| game.world().previous_position(id).lerp(game.world().body(id).position, alpha);
-        let elsewhere = |id: BodyId| Some(at(before, id)).filter(|then| then.distance(at(&self.game, id)) > SAME);
+        let elsewhere = |id: BodyId| {
+            Some(drawn_centre(before, id, alpha)).filter(|then| then.distance(drawn_centre(&self.game, id, alpha)) > SAME)
+        };
         let angle = before.ship().angle;
         let turned = (angle - self.game.ship().angle).abs() > AS_TURNED;
-        let centre: Option<DVec2> = elsewhere(SHIP).or_else(|| turned.then(|| at(before, SHIP)));
-        let object = |i: usize| Some((i, elsewhere(BodyId(i as u32 + 1))?));
+        let centre: Option<DVec2> = elsewhere(SHIP).or_else(|| turned.then(|| drawn_centre(before, SHIP, alpha)));
+        let object = |i: usize| Some((i, elsewhere(object_body(i))?));
         Some(GhostShip {
             name: "before".to_owned(),
             pose: centre.map(|centre| GhostPose { centre, angle }),

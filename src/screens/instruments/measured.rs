@@ -12,6 +12,7 @@ use crate::instruments::trail::{DOTS_A_SECOND, LASTS};
 use crate::number::fixed;
 use crate::physics::{BodyId, DVec2};
 use crate::view::camera::Viewport;
+use crate::view::game_view::drawn_centre;
 use crate::view::hud::HudLayout;
 use crate::view::quantity::{QuantityScale, round_up, scalar};
 use crate::view::theme;
@@ -54,12 +55,6 @@ fn label_size(lines: &[String], canvas: &Canvas) -> Vec2 {
     let style = Style::new(DETAILS, theme::text()).mono();
     let width = lines.iter().map(|words| canvas.width(words, style)).fold(0.0, f32::max);
     Vec2::new(width, canvas.line_height(DETAILS) * lines.len() as f32) + Vec2::new(GRID, 0.5 * GRID)
-}
-
-/// m.
-pub(super) fn drawn(game: &Game, alpha: f64, id: BodyId) -> DVec2 {
-    let world = game.world();
-    world.previous_position(id).lerp(world.body(id).position, alpha)
 }
 
 impl Measures {
@@ -109,7 +104,7 @@ impl Measures {
         let mut a_metre = self.scales.a_metre(vector, self.focus.length());
         for _ in 0..SHORTENED {
             let inside = |id: &BodyId| {
-                let centre = drawn(game, alpha, *id);
+                let centre = drawn_centre(game, *id, alpha);
                 let [from, to] = [centre, centre + vector.of(game.world(), *id) / a_metre].map(|place| view.point(place));
                 !window.contains(from) || window.contains(to)
             };
@@ -127,7 +122,7 @@ impl Measures {
         for vector in Vector::ALL {
             let a_metre = self.fitting(vector, (game, alpha), view, canvas);
             for id in in_focus(&self.focus, game) {
-                let (centre, value) = (drawn(game, alpha, id), vector.of(game.world(), id));
+                let (centre, value) = (drawn_centre(game, id, alpha), vector.of(game.world(), id));
                 let from = view.point(centre);
                 let to = view.point(centre + value / a_metre);
                 if !window.contains(from) || (to - from).length() < SHORTEST {
@@ -168,7 +163,7 @@ impl Measures {
         let (Some(ends), Some(reading)) = (self.ruler.ends(), self.ruler.reading(game.world())) else { return };
         let place = |end: End| match end {
             End::Place(place) => place,
-            End::Body(body) => drawn(game, alpha, body),
+            End::Body(body) => drawn_centre(game, body, alpha),
         };
         let [from, to] = ends.map(|end| view.point(place(end)));
         let along = (to - from).normalize_or_zero();

@@ -4,7 +4,7 @@ use super::Tool;
 use super::dock;
 use super::figures::{FigureLine, Subject, in_focus};
 use super::measure::{CLOCK_BUTTONS, Measures, WORK_BUTTONS};
-use super::measured::{colour, drawn};
+use super::measured::colour;
 use super::vectors::Vector;
 use crate::draw::layout::{Area, DETAILS, GRID, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
@@ -12,6 +12,7 @@ use crate::game::{Game, SHIP};
 use crate::instruments::stop_clock::seconds;
 use crate::screens::Buttons;
 use crate::view::camera::Viewport;
+use crate::view::game_view::drawn_centre;
 use crate::view::quantity::scalar;
 use crate::view::theme;
 use crate::view::widgets;
@@ -27,7 +28,7 @@ impl Measures {
         {
             let (game, alpha) = scene;
             let over = in_focus(&self.focus, game).into_iter().chain([SHIP]).any(|id| {
-                let (centre, half) = (drawn(game, alpha, id), game.world().body(id).half);
+                let (centre, half) = (drawn_centre(game, id, alpha), game.world().body(id).half);
                 let [min, max] = [centre - half, centre + half].map(|corner| view.point(corner));
                 max.cmpgt(area.min).all() && min.cmplt(area.max()).all()
             });

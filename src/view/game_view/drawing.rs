@@ -1,10 +1,10 @@
 //! Draws the game: from the ground up, words after the shapes of their layer.
 
-use super::{GameView, Overlays, angle, centre, ids};
+use super::{GameView, Overlays, angle, drawn_centre, ids};
 use crate::draw::{Canvas, Colour};
-use crate::game::{Game, SHIP};
+use crate::game::{Game, SHIP, object_body};
 use crate::level::{Level, SHIP_HALF};
-use crate::physics::{Aabb, BodyId, DVec2};
+use crate::physics::{Aabb, DVec2};
 use crate::view::camera::Viewport;
 use crate::view::emitters::objective_colour;
 use crate::view::things::{Brushes, ShipPose};
@@ -41,7 +41,7 @@ impl GameView {
         }
         let plays = game.level().ship_plays();
         if plays && overlays.settings.velocity && self.wreck.is_none() {
-            hud::draw_velocity(game.world().body(SHIP).velocity, centre(game, SHIP, alpha), &view, canvas);
+            hud::draw_velocity(game.world().body(SHIP).velocity, drawn_centre(game, SHIP, alpha), &view, canvas);
         }
         if overlays.settings.flash {
             self.feedback.draw_flash(canvas);
@@ -52,7 +52,7 @@ impl GameView {
 
     fn draw_level(&self, game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas) {
         let (level, time) = (game.level(), self.time);
-        let ship = (centre(game, SHIP, alpha), angle(game, alpha));
+        let ship = (drawn_centre(game, SHIP, alpha), angle(game, alpha));
         let flicker = 0.5 + 0.5 * (time * 71.0).sin() * (time * 43.0).cos();
         world::draw_ground(level, self.terrain.tint(), &self.pictures, view, canvas);
         decoration::draw(level, false, &self.pictures, (view, canvas));
@@ -75,7 +75,7 @@ impl GameView {
         canvas.end_layer();
         let brushes = Brushes { pictures: &self.pictures, view, canvas };
         for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
-            let at = centre(game, id, alpha);
+            let at = drawn_centre(game, id, alpha);
             things::draw_object(object, at, zones::in_liquid(&level.fluids, &Aabb::around(at, object.size * 0.5)), brushes);
         }
         self.draw_ghosts(game, ship.0, brushes);
@@ -89,8 +89,7 @@ impl GameView {
         let level = game.level();
         for (i, ghost) in self.ghosts.iter().enumerate() {
             for (index, at) in &ghost.objects {
-                let apart =
-                    at.distance(game.world().body(BodyId(*index as u32 + 1)).position) > level.objects[*index].size.max_element();
+                let apart = at.distance(game.world().body(object_body(*index)).position) > level.objects[*index].size.max_element();
                 things::draw_ghost_object(apart.then_some(ghost.name.as_str()), (&level.objects[*index], *at), brushes);
             }
             let Some(pose) = ghost.pose else { continue };
@@ -109,7 +108,7 @@ impl GameView {
         let plume = self.emitters.plume();
         let light = zones::in_liquid(&level.fluids, &Aabb::around(centre, SHIP_HALF));
         let (sin, cos) = angle.to_radians().sin_cos();
-        let room = self.particles.barriers().room(centre, DVec2::new(-sin, cos) * plume.1, FLAME_REACH);
+        let room = self.particles.barriers.room(centre, DVec2::new(-sin, cos) * plume.1, FLAME_REACH);
         let pose = ShipPose { centre, angle, squash: self.touchdown.squash(), light, room };
         things::draw_ship(&pose, plume, flicker, view, canvas);
     }
@@ -124,15 +123,15 @@ impl GameView {
             self.terrain.draw_lamp(level.objectives.len() + index, theme::bad().faded(OBSTACLE_LIGHT), (view, canvas));
         }
         for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
-            if let Some([r, g, b]) = object.key {
-                let colour = Colour::of([r, g, b]).faded(KEY_LIGHT);
-                self.terrain.draw_moving_light(centre(game, id, alpha), KEY_REACH, colour, (view, canvas));
+            if let Some(key) = object.key {
+                let colour = Colour::of(key).faded(KEY_LIGHT);
+                self.terrain.draw_moving_light(drawn_centre(game, id, alpha), KEY_REACH, colour, (view, canvas));
             }
         }
         let (strength, way) = self.emitters.plume();
         if strength > 0.0 {
             let (sin, cos) = angle(game, alpha).to_radians().sin_cos();
-            let flame = centre(game, SHIP, alpha) + DVec2::new(-sin, cos) * (way * (SHIP_HALF.y + 0.3));
+            let flame = drawn_centre(game, SHIP, alpha) + DVec2::new(-sin, cos) * (way * (SHIP_HALF.y + 0.3));
             let light = strength * (0.8 + 0.2 * flicker);
             self.terrain.draw_moving_light(
                 flame,

@@ -2,10 +2,10 @@
 
 use super::super::camera::Viewport;
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
-use crate::game::{Game, Outcome, SHIP};
+use crate::game::{Game, Outcome, SHIP, object_body};
 use crate::level::ObjectiveKind;
 use crate::number::fixed;
-use crate::physics::{Aabb, BodyId, DVec2};
+use crate::physics::{Aabb, DVec2};
 
 /// A goal or a key with less than this in the window is outside, canvas units; a smaller one with less than half of itself.
 const LEAST_SEEN: f32 = 16.0;
@@ -58,7 +58,7 @@ pub fn targets(game: &Game, centres: &[DVec2]) -> Vec<(PointerTarget, Aabb)> {
     let physics = || (0..level.objectives.len()).filter(|&goal| level.objectives[goal].kind == ObjectiveKind::Physics);
     let keys = level.objects.iter().enumerate().filter_map(|(index, object)| {
         let key = object.key?;
-        let (body, fits) = (BodyId(index as u32 + 1), |goal: &usize| level.objectives[*goal].fits(key));
+        let (body, fits) = (object_body(index), |goal: &usize| level.objectives[*goal].fits(key));
         let touches = |goal: usize| game.world().body(body).bounds().touches(&level.objectives[goal].bounds, 0.0);
         let wanted = physics().filter(fits).any(|goal| !game.met()[goal]);
         let at_work =
@@ -78,7 +78,7 @@ pub fn in_view(area: &Area, frame: &Frame) -> bool {
 /// over nothing in `clear`.
 pub fn place(game: &Game, centres: &[DVec2], taken: &[Area], clear: &[Area], view: &Viewport, frame: &Frame) -> Vec<Pointer> {
     let ship = centres[SHIP.index()];
-    let outside = |(_, bounds): &(PointerTarget, Aabb)| !in_view(&super::on_canvas(bounds, view), frame);
+    let outside = |(_, bounds): &(PointerTarget, Aabb)| !in_view(&view.exact(bounds), frame);
     let far = |bounds: &Aabb| bounds.centre().distance(ship);
     let mut targets: Vec<(PointerTarget, Aabb)> = targets(game, centres).into_iter().filter(outside).collect();
     targets.sort_by(|a, b| far(&a.1).total_cmp(&far(&b.1)));

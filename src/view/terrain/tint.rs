@@ -41,20 +41,14 @@ impl Tint {
 
     fn from_ink(ink: Colour) -> Self {
         Self {
-            rock: mixed(theme::ground(), ink, 0.17),
-            map: mixed(theme::ground(), ink, 0.64),
-            edge: mixed(ink, Colour::WHITE, 0.12),
+            rock: theme::ground().mixed(ink, 0.17),
+            map: theme::ground().mixed(ink, 0.64),
+            edge: ink.mixed(Colour::WHITE, 0.12),
             ink,
-            fine: mixed(theme::ground(), ink, 0.065),
-            heavy: mixed(theme::ground(), ink, 0.14),
+            fine: theme::ground().mixed(ink, 0.065),
+            heavy: theme::ground().mixed(ink, 0.14),
         }
     }
-}
-
-/// `share` of the second colour mixed into the first.
-fn mixed(a: Colour, b: Colour, share: f32) -> Colour {
-    let mix = |a: f32, b: f32| a + (b - a) * share;
-    Colour::new(mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), 1.0)
 }
 
 #[cfg(test)]
