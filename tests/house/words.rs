@@ -8,7 +8,7 @@ use std::path::PathBuf;
 const BANNED: [&str; 6] = ["is told", "are told", "anew", "so many", "whoever", "of whom"];
 const FOLDERS: [&str; 10] = ["src", "tests", "tools", "benches", "platform", "docs", "levels", "experiments", "scores", ".github"];
 /// Rooms that still have some: a room that is mended leaves this list.
-const NOT_YET: [&str; 3] = ["src/screens", "src/view", "tests/screens"];
+const NOT_YET: [&str; 2] = ["src/screens", "tests/screens"];
 const PAGES: [&str; 4] = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", ".ci/run"];
 const ENDINGS: [&str; 6] = ["rs", "md", "sh", "toml", "yml", "csv"];
 
