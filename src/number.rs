@@ -34,6 +34,11 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
+/// FNV-1a, 32 bits.
+pub fn hash(text: &str) -> u32 {
+    text.bytes().fold(0x811C_9DC5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+}
+
 /// A vector's x and y, two cells of a row.
 pub type Pair = (Shortest, Shortest);
 

@@ -47,8 +47,7 @@ impl Canvas {
         Ref::map(self.shapes.borrow(), Vec::as_slice)
     }
 
-    /// Lays the following shapes out on another part of the canvas, from its top left corner; returns the frame before, for the
-    /// caller to restore.
+    /// Lays the following shapes out on another part of the canvas, from its top left corner; returns the frame before.
     pub const fn use_frame(&mut self, frame: Frame) -> Frame {
         std::mem::replace(&mut self.frame, frame)
     }

@@ -22,8 +22,7 @@ use std::sync::Arc;
 
 /// The signs beyond printable ASCII that the game writes.
 const SIGNS: &str = "−×·÷°±≈≤≥∞→←↑↓‹›–—…µμρπΔ‘’“”£é⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
-/// Sizes (physical pixels) in one atlas. A window dragged through more of them starts a fresh atlas, so that none grows without
-/// end.
+/// Sizes (physical pixels) in one atlas. A window dragged through more of them starts a fresh atlas, which bounds it.
 const MOST_SIZES: usize = 20;
 /// The most quadrangles of one draw call: the library keeps room for 5000 indices.
 const MOST_QUADS: usize = 800;

@@ -20,8 +20,8 @@ impl Typeface {
     }
 }
 
-/// Signs that are set in the monospaced face amid words too: the sans face has no arrows and no raised minus, and its π reads like another
-/// letter.
+/// Signs that are set in the monospaced face amid words too: the sans face has no arrows and no raised minus, and its π is hard to
+/// read.
 const IN_MONO: [char; 6] = ['←', '→', '↑', '↓', 'π', '⁻'];
 /// Width of a sign where a typeface cannot be read, in heights of the text.
 const UNKNOWN_ADVANCE: f32 = 0.62;

@@ -2,8 +2,7 @@
 //! [`Canvas`], and the same call returns the player's input to each, by mouse, keys and gamepad.
 //!
 //! A frame runs the function twice or more. The first pass acts: it sees presses, and its picture is dropped. The passes after it
-//! show: without presses and without time; the last one is the picture. A widget is known by its label; [`Memory`] keeps its state
-//! between frames.
+//! show: without presses and without time; the last one is the picture. Labels identify widgets; [`Memory`] keeps their state.
 
 pub mod input;
 mod memory;

@@ -176,8 +176,7 @@ impl Ui<'_> {
         }
     }
 
-    /// The lines of a list in view, at most `page`; the bar is drawn on its track where there are more. Lists are known by their
-    /// names.
+    /// The lines of a list in view, at most `page`; the bar is drawn on its track where there are more. `name` identifies the list.
     pub fn scroll(&mut self, name: &str, (lines, page): (usize, usize), track: Area, turn: Turning) -> Range<usize> {
         let mut scroll = self.memory.scrolls.remove(name).unwrap_or_default();
         scroll.pages = matches!(turn, Turning::Pages | Turning::AllPages);

@@ -14,13 +14,13 @@ const RESULTANT_WIDTH: f32 = 6.0;
 const HEAD: f32 = 11.0;
 /// Half the breadth of a head as a part of its length.
 pub const HEAD_SPREAD: f32 = 0.45;
-/// How much larger the resultant's head is, and by what part of its length the second head of two lies behind the first.
+/// Scale of the resultant's head, and distance of the second head of two behind the first as a part of its length.
 const RESULTANT_HEAD: f32 = 1.6;
 const SECOND_HEAD: f32 = 0.75;
 /// The mark of an arrow that is not to scale: half the length of its two strokes, and between them, canvas units.
 const BREAK: f32 = 4.5;
 const BREAK_GAP: f32 = 3.5;
-/// How much is seen of an arrow while others are lit.
+/// Opacity of an arrow while others are lit.
 const DIMMED: f32 = 0.35;
 
 /// The head at an arrow's tip.

@@ -1,5 +1,5 @@
-//! Barriers of exhaust, dust and sparks: the solid surfaces near the view, sorted into columns so that each of a thousand particles
-//! looks at few of them.
+//! Barriers of exhaust, dust and sparks: the solid surfaces near the view, sorted into columns so that a particle looks at few of
+//! them.
 
 use crate::physics::{Aabb, DVec2, Sides, World};
 

@@ -2,6 +2,7 @@
 //! Plain arithmetic on a grid of cells, whose time does not grow with a crowd.
 
 use crate::draw::layout::{Area, Vec2};
+use std::ops::Add;
 
 /// Between a box and its object, canvas units.
 const OBJECT_GAP: f32 = 28.0;
@@ -130,7 +131,7 @@ impl FreeMap {
             cost_sums: vec![0.0; sums],
         };
         taken.iter().for_each(|area| map.mark(area));
-        map.sum();
+        map.sum_taken();
         let mut costs = vec![0.0; columns * rows];
         for area in kept_clear {
             let [left, top, right, bottom] = map.cells(area);
@@ -139,14 +140,7 @@ impl FreeMap {
             (top..bottom)
                 .for_each(|row| costs[row * columns + left..row * columns + right].iter_mut().for_each(|cost| *cost += each));
         }
-        let width = columns + 1;
-        for row in 0..rows {
-            let mut line = 0.0;
-            for column in 0..columns {
-                line += costs[row * columns + column];
-                map.cost_sums[(row + 1) * width + column + 1] = map.cost_sums[row * width + column + 1] + line;
-            }
-        }
+        sum(columns, costs.into_iter(), &mut map.cost_sums);
         map
     }
 
@@ -165,20 +159,13 @@ impl FreeMap {
         }
     }
 
-    fn sum(&mut self) {
-        let width = self.columns + 1;
-        for row in 0..self.rows {
-            let mut line = 0;
-            for column in 0..self.columns {
-                line += u32::from(self.taken[row * self.columns + column]);
-                self.taken_sums[(row + 1) * width + column + 1] = self.taken_sums[row * width + column + 1] + line;
-            }
-        }
+    fn sum_taken(&mut self) {
+        sum(self.columns, self.taken.iter().map(|taken| u32::from(*taken)), &mut self.taken_sums);
     }
 
     fn take(&mut self, area: &Area) {
         self.mark(area);
-        self.sum();
+        self.sum_taken();
     }
 
     fn is_free(&self, area: &Area) -> bool {
@@ -195,6 +182,17 @@ impl FreeMap {
     fn corners(&self, area: &Area) -> [usize; 4] {
         let ([left, top, right, bottom], width) = (self.cells(area), self.columns + 1);
         [top * width + left, top * width + right, bottom * width + left, bottom * width + right]
+    }
+}
+
+/// Sums of the cells of rows of `columns`, over all cells above and to the left. The first row and column of the sums stay 0.
+fn sum<T: Copy + Default + Add<Output = T>>(columns: usize, cells: impl Iterator<Item = T>, sums: &mut [T]) {
+    let mut line = T::default();
+    for (cell, value) in cells.enumerate() {
+        line = if cell % columns == 0 { value } else { line + value };
+        // The sums have a column more than the cells.
+        let above = cell + cell / columns + 1;
+        sums[above + columns + 1] = sums[above] + line;
     }
 }
 

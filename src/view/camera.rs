@@ -30,8 +30,8 @@ const FIT_EASE: f64 = 0.2;
 const FIT_CLOSES: f64 = 0.5;
 const ZOOM_EASE: f64 = 0.08;
 
-/// The point that the camera looks at: it eases after the ship, a little ahead of it, and knows nothing of the window or the
-/// level's edges.
+/// The point that the camera looks at: it eases after the ship, a little ahead of it, regardless of the window and the level's
+/// edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// The ship's place, eased, m.
@@ -59,8 +59,7 @@ impl Camera {
         self.closeness = 1.0;
     }
 
-    /// Eases towards the ship's centre (m) and, from there, ahead by its velocity (m/s); the path does not depend on the frame
-    /// rate.
+    /// Eases towards the ship's centre (m) and, from there, ahead by its velocity (m/s); the frame rate does not change the path.
     pub fn follow(&mut self, ship: DVec2, velocity: DVec2, frame_time: f64) {
         let share = |time: f64| 1.0 - (-frame_time.max(0.0) / time).exp();
         let speed = velocity.length();
@@ -161,8 +160,7 @@ impl Viewport {
         view.at(self.scale * (fitting / self.scale).powf(part), middle, middle)
     }
 
-    /// Magnified by `factor`, down to the whole level in view; a point (m) keeps its place but for the window's and the level's
-    /// edges.
+    /// Magnified by `factor`, down to the whole level in view; a point (m) stays but for the window's and the level's edges.
     pub fn zoomed(self, kept: DVec2, factor: f64) -> Self {
         let scale = (self.scale * factor).max(self.widest());
         if scale == self.scale { self } else { self.closer(kept, scale / self.scale) }

@@ -91,14 +91,8 @@ impl Emitters {
                 let way = force / strength;
                 let place = way * -particles.between(0.2, 1.2) + way.perp() * particles.between(-1.0, 1.0);
                 let speed = particles.between(6.0, 10.0);
-                particles.add(Particle {
-                    position: ship + place * FELT_REACH,
-                    velocity: game.world().body(SHIP).velocity + way * speed,
-                    age: 0.0,
-                    life: 0.3,
-                    look: ParticleLook::Streak,
-                    colour: theme::force(kind),
-                });
+                let motion = (ship + place * FELT_REACH, game.world().body(SHIP).velocity + way * speed);
+                particles.add(Particle::new(ParticleLook::Streak, theme::force(kind), motion, 0.3));
             }
         }
     }
@@ -123,16 +117,10 @@ impl Emitters {
             let spread = particles.between(-1.0, 1.0);
             let along = particles.between(0.0, 0.25);
             let speed = PLUME_SPEED * particles.between(0.75, 1.15);
-            let life = particles.between(0.5, 1.5) as f32;
-            let puff = Particle {
-                position: ship + out * (SHIP_HALF.y + along) + across * (spread * 0.16),
-                velocity: moving + out * speed + across * (spread * 1.3),
-                age: 0.0,
-                life,
-                look: ParticleLook::Plume,
-                colour: theme::accent(),
-            };
-            particles.launch(ship, puff);
+            let life = particles.between(0.5, 1.5);
+            let position = ship + out * (SHIP_HALF.y + along) + across * (spread * 0.16);
+            let velocity = moving + out * speed + across * (spread * 1.3);
+            particles.launch(ship, Particle::new(ParticleLook::Plume, theme::accent(), (position, velocity), life));
         }
     }
 }
@@ -143,15 +131,9 @@ pub fn dust(particles: &mut Particles, point: DVec2, normal: DVec2, speed: f64) 
     for _ in 0..(4.0 + speed * 1.4).min(26.0) as usize {
         let sideways = particles.between(-1.0, 1.0);
         let away = particles.between(0.1, 0.6);
-        let life = particles.between(0.3, 0.8) as f32;
-        particles.add(Particle {
-            position: point + along * (sideways * 0.4),
-            velocity: (along * sideways + normal * away) * (0.8 + speed * 0.25).min(5.0),
-            age: 0.0,
-            life,
-            look: ParticleLook::Dust,
-            colour: theme::quiet(),
-        });
+        let life = particles.between(0.3, 0.8);
+        let velocity = (along * sideways + normal * away) * (0.8 + speed * 0.25).min(5.0);
+        particles.add(Particle::new(ParticleLook::Dust, theme::quiet(), (point + along * (sideways * 0.4), velocity), life));
     }
 }
 
@@ -199,11 +181,10 @@ fn particles_of(emitter: Emitter, game: &Game, particles: &mut Particles) {
             spark(particles, position, velocity, objective_colour(game, i));
         }
         Emitter::Key(i) => {
-            let [r, g, b] = level.objects[i].key.unwrap_or_default();
             let body = game.world().body(object_body(i));
             let (position, out) = on_outline(&body.bounds(), particles);
             let velocity = body.velocity * 0.3 + out * particles.between(0.3, 0.9);
-            spark(particles, position, velocity, Colour::of([r, g, b]));
+            spark(particles, position, velocity, Colour::of(level.objects[i].key.unwrap_or_default()));
         }
         Emitter::Stream(i) => {
             let stream = &level.streams[i];
@@ -222,25 +203,18 @@ fn particles_of(emitter: Emitter, game: &Game, particles: &mut Particles) {
             } else {
                 size.y - room.y
             };
-            let life = life.min(ahead / speed) as f32;
-            if life > 0.1 {
-                let velocity = way * speed;
-                particles.add(Particle {
-                    position,
-                    velocity,
-                    age: 0.0,
-                    life,
-                    look: ParticleLook::Streak,
-                    colour: theme::force(ForceKind::Wind),
-                });
+            let life = life.min(ahead / speed);
+            if life as f32 > 0.1 {
+                let colour = theme::force(ForceKind::Wind);
+                particles.add(Particle::new(ParticleLook::Streak, colour, (position, way * speed), life));
             }
         }
     }
 }
 
 fn spark(particles: &mut Particles, position: DVec2, velocity: DVec2, colour: Colour) {
-    let life = particles.between(0.6, 1.3) as f32;
-    particles.add(Particle { position, velocity, age: 0.0, life, look: ParticleLook::Spark, colour });
+    let life = particles.between(0.6, 1.3);
+    particles.add(Particle::new(ParticleLook::Spark, colour, (position, velocity), life));
 }
 
 /// A random point on a box's outline and the outward direction there.

@@ -95,8 +95,7 @@ impl Feedback {
         for Float { point, words, colour, age } in &self.floats {
             let t = (age / FLOAT_TIME) as f32;
             let at = view.point(*point - DVec2::new(0.0, 1.2 + FLOAT_SPEED * age));
-            // After a hit at the edge of the screen the words stay on it; under a roof they float beside the ship instead of over
-            // it.
+            // After a hit at the edge of the screen the words stay on it; under a roof they float beside the ship.
             let beside = if at.y < TOP { FLOAT_ASIDE * (canvas.size().x / 2.0 - at.x).signum() } else { 0.0 };
             let low = Vec2::new(48.0, TOP);
             let at = (at + Vec2::new(beside, 0.0)).clamp(low, (canvas.size() - low).max(low));

@@ -174,9 +174,7 @@ const SLIDES: [i8; 2] = [13, 8];
 const SLIDE_COST: f32 = 6.0;
 const STRETCH_COST: f32 = 1.2;
 const OFF_SCALE: f32 = 100.0;
-/// An arrow that begins outside of its body, against its direction, stands at least this number of steps aside: it would lie over
-/// the opposing arrows.
-/// other direction.
+/// An arrow that begins outside of its body, against its direction, stands this far aside, in steps: it would lie over the others.
 const OUTSIDE_ASIDE: i8 = 2;
 
 /// All moves, the least first; at most two sorts at once.

@@ -1,5 +1,5 @@
-//! The view for authors and developers (F3): the boxes that collide, the zones, the contacts, the path of the last tick, and a line
-//! of figures.
+//! The view for authors and developers (F3): the boxes that collide, the zones, the contacts, the path of the last tick, and
+//! figures.
 
 use super::camera::Viewport;
 use super::theme;

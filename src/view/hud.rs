@@ -1,5 +1,4 @@
-//! The head-up display: time, met objectives, speed, fuel, arrows to targets outside of the view; and the arrow of the ship's
-//! velocity.
+//! The head-up display: time, met objectives, speed, fuel, arrows to targets outside of the view; and the ship's velocity.
 
 mod aside;
 mod layout;
@@ -158,7 +157,7 @@ fn draw_pointer(pointer: &Pointer, game: &Game, canvas: &Canvas) {
         PointerTarget::Objective(index) => objective_colour(game, index),
         PointerTarget::Key(index) => key_colour(level.objects[index].key),
     };
-    // The head stands on the box's edge, where the line from the middle to the target leaves it: slim, so that its tip is no
+    // The head stands on the box's edge, where the line from the middle to the target leaves it: slim, or its tip would be a
     // corner.
     let reach = panel.stretch(panel.centre(), pointer.along, panel.size.length()).map_or(0.0, |(_, leaves)| leaves);
     let (tip, across) = (panel.centre() + pointer.along * (reach + pointers::HEAD), pointer.along.perp() * (0.4 * pointers::HEAD));

@@ -259,8 +259,6 @@ fn draw_skin(solid: &Solid, bounds: &Aabb, runs: bool, (view, canvas): (&Viewpor
             let place = (bounds.max.y - CHEVRON * 0.75, back, -solid.belt.signum());
             draw_chevrons(bounds, place, (view, canvas), colour.faded(0.75));
         }
-    }
-    if solid.belt != 0.0 {
         let area = view.exact(bounds);
         for y in [area.min.y + 1.0, area.max().y - 1.0] {
             canvas.line(Vec2::new(area.min.x, y), Vec2::new(area.max().x, y), 2.0, edge_of(solid.material));
@@ -321,9 +319,9 @@ pub fn debris(particles: &mut Particles, block: &Aabb) {
     for _ in 0..count {
         let part = DVec2::new(particles.between(0.0, 1.0), particles.between(0.0, 1.0));
         let velocity = DVec2::new(particles.between(-3.0, 3.0), particles.between(-3.0, 1.0));
-        let life = particles.between(0.4, 1.0) as f32;
+        let life = particles.between(0.4, 1.0);
         let position = block.min + part * block.size();
-        particles.add(Particle { position, velocity, age: 0.0, life, look: ParticleLook::Dust, colour: theme::quiet() });
+        particles.add(Particle::new(ParticleLook::Dust, theme::quiet(), (position, velocity), life));
     }
 }
 

@@ -40,7 +40,7 @@ pub struct Particle {
     pub velocity: DVec2,
     /// Age at its death, s.
     pub age: f32,
-    /// How old it gets, s.
+    /// Age at its death, s.
     pub life: f32,
     pub look: ParticleLook,
     /// The plume has its own colours.
@@ -48,6 +48,11 @@ pub struct Particle {
 }
 
 impl Particle {
+    /// Position in m, velocity in m/s; `life` is the age at its death, s.
+    pub const fn new(look: ParticleLook, colour: Colour, (position, velocity): (DVec2, DVec2), life: f64) -> Self {
+        Self { position, velocity, age: 0.0, life: life as f32, look, colour }
+    }
+
     /// Present radius, canvas units, and colour.
     pub fn appearance(&self) -> (f32, Colour) {
         let t = (self.age / self.life).clamp(0.0, 1.0);
@@ -184,8 +189,8 @@ mod tests {
     use super::*;
     use crate::physics::{Aabb, Material, SurfaceDef, World, WorldDef};
 
-    fn particle(look: ParticleLook, life: f32) -> Particle {
-        Particle { position: DVec2::ZERO, velocity: DVec2::X, age: 0.0, life, look, colour: Colour::WHITE }
+    fn particle(look: ParticleLook, life: f64) -> Particle {
+        Particle::new(look, Colour::WHITE, (DVec2::ZERO, DVec2::X), life)
     }
 
     #[test]

@@ -7,7 +7,7 @@ use super::quantity::round_up;
 use crate::game::{DAMAGING_SPEED, Game, SHIP};
 use crate::physics::BodyId;
 
-/// The length of a body's usual force, canvas units: its weight, half of the ship's thrust, or the force that stops it at damaging
+/// The length of a body's usual force, canvas units: its weight, half of the ship's thrust, or the force that stops a damaging
 /// speed.
 const USUAL: f64 = 225.0;
 /// The least of that length where other bodies feel far more than the ship, canvas units: their arrows are cut then.

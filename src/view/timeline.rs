@@ -1,5 +1,5 @@
-//! A scene over time: the error of every method above, the kept energy below. The same picture as `resultant chart` makes, with one
-//! method picked out.
+//! A scene over time: the error of every method above, the kept energy below. The picture of `resultant chart`, with one method
+//! picked out.
 
 use super::diagram::{dashed, legend_of_curves, shade, stroke};
 use super::lanes::LaneAxes;

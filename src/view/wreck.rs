@@ -1,5 +1,5 @@
-//! The wreck of a lost ship: pieces that fly, fall and bounce by the engine's own laws, in a world of their own, so that nothing of
-//! the game changes.
+//! The wreck of a lost ship: pieces that fly, fall and bounce by the engine's own laws, in a world of their own: the game does not
+//! change.
 
 use super::camera::Viewport;
 use super::theme;

@@ -59,9 +59,9 @@ pub fn draw_objectives(game: &Game, view: &Viewport, canvas: &Canvas, time: f64)
             match objective.kind {
                 ObjectiveKind::Player => art::draw(canvas, Tile::Ship, Area::around(middle, Vec2::splat(20.0)), 0.0, Colour::WHITE),
                 ObjectiveKind::Physics => match objective.colour {
-                    Some([r, g, b]) => {
+                    Some(key) => {
                         diamond(canvas, middle, 9.0, colour);
-                        diamond(canvas, middle, 6.5, Colour::of([r, g, b]));
+                        diamond(canvas, middle, 6.5, Colour::of(key));
                     }
                     None => diamond(canvas, middle, 7.0, colour),
                 },
@@ -178,7 +178,7 @@ pub fn draw_sources(level: &Level, view: &Viewport, canvas: &Canvas) {
         let area = view.rect(&stream.source);
         canvas.rectangle(area, Colour::hex(0x55647C));
         canvas.rectangle_edge(area, 2.0, Colour::hex(0x8FA3BF));
-        let inner = Area::new(area.min.x + 5.0, area.min.y + 5.0, area.size.x - 10.0, area.size.y - 10.0);
+        let inner = area.inset(5.0);
         let upright = stream.force.x.abs() > stream.force.y.abs();
         let slats = ((if upright { inner.size.y } else { inner.size.x }) / 9.0).floor().max(0.0) as usize;
         for i in 0..slats {

@@ -1,5 +1,5 @@
-//! The legend: the scale of the arrows, the meaning of the marks, the counts of boxes and arrows left out, and on demand the parts
-//! of the model.
+//! The legend: the scale of the arrows, the meaning of the marks, the boxes and arrows left out, and on demand the parts of the
+//! model.
 
 use super::{Details, Looking, PADDING};
 use crate::draw::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, Vec2, wrapped};

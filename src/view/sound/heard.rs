@@ -2,6 +2,7 @@
 
 use super::{Cue, Stuff};
 use crate::game::{DAMAGING_SPEED, DUST_SPEED, Game, GameEvent, Outcome, SHIP};
+use crate::number::hash;
 use crate::physics::{Body, DVec2, Event, Obstacle};
 
 /// The distance from the ship that halves the loudness, m, and the distance to the side that puts a sound wholly there.
@@ -121,8 +122,7 @@ impl Ambience {
 
 /// The number of a name's tune: the level's number, or a hash.
 pub fn tune(name: &str) -> u32 {
-    let hash = || name.bytes().fold(0x811c_9dc5_u32, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193));
-    name.parse().unwrap_or_else(|_| hash())
+    name.parse().unwrap_or_else(|_| hash(name))
 }
 
 /// Strength of the air stream at the ship: 1 at one and a half times its weight.

@@ -18,8 +18,8 @@ const MOST_STROKES: f64 = 40_000.0;
 const GRAIN_STEP: f64 = 0.3;
 const GRAIN_DEPTH: f64 = 0.42;
 const MOST_GRAINS: f64 = 80_000.0;
-/// The least and the greatest length with a dimension line, m: a shorter one has no room for its number, a longer one does not fit
-/// into the window.
+/// The least and the greatest length with a dimension line, m: a shorter one has no room for its number, a longer one leaves the
+/// window.
 const MEASURED: (f64, f64) = (3.0, 36.0);
 /// Depth of a dimension line in the rock, and the rock that it needs above and below it, m.
 const DEEP: f64 = 1.5;

@@ -25,8 +25,8 @@ pub struct Lit {
     pub strength: [f32; 2],
 }
 
-/// The light of a glowing box (a point, where it has no size) on the edges that face it, up to `reach` (m) away, past everything in
-/// `opaque`.
+/// The light of a glowing box (a point, where it has no size) on the edges that face it, up to `reach` (m) away, past `opaque`
+/// boxes.
 pub fn cast(edges: &[RockEdge], source: &Aabb, reach: f64, opaque: &[Aabb]) -> Vec<Lit> {
     let lit_space = Aabb::new(source.min - reach, source.max + reach);
     let shading: Vec<&Aabb> = opaque.iter().filter(|solid| solid.touches(&lit_space, 0.0)).collect();

@@ -3,8 +3,7 @@
 
 use std::collections::BTreeSet;
 
-/// Sides this close count as one line, m: far below a pixel, far above the rounding error of a sum of two numbers in a level's
-/// file.
+/// Sides this close count as one line, m: far below a pixel, far above the rounding error of a sum of two coordinates.
 pub const TOUCH: f64 = 1e-6;
 
 /// A stretch of a row between two columns, of one kind.

@@ -1,6 +1,7 @@
 //! The ink of a level: its rock and its paper share one tint, by which a player knows the level again.
 
 use crate::draw::Colour;
+use crate::number::hash;
 use crate::view::theme;
 
 /// The inks, pale and calm: none is near a colour with a meaning (objectives, hazards, forces are all far more vivid).
@@ -33,9 +34,7 @@ pub struct Tint {
 impl Tint {
     /// By a level's name: numbered levels take the inks in turn, others a hash of the name.
     pub fn of(name: &str) -> Self {
-        let number = name.parse::<usize>().unwrap_or_else(|_| {
-            name.bytes().fold(0x811C_9DC5_u32, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)) as usize
-        });
+        let number: usize = name.parse().unwrap_or_else(|_| hash(name) as usize);
         Self::from_ink(INKS[number.wrapping_sub(1) % INKS.len()])
     }
 
