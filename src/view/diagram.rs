@@ -144,7 +144,7 @@ fn line_of(plot: &DiagramPlaces, line: usize) -> (Area, Vec2, Vec2) {
 }
 
 /// A curve's sample at the left end of its legend line.
-pub(super) fn sample(canvas: &Canvas, line: Area, look: &Look, colour: Colour) {
+pub(super) fn sample(canvas: &Canvas, line: Area, look: &CurveLook, colour: Colour) {
     let [from, middle, to] = [0.0, SAMPLE / 2.0, SAMPLE].map(|right| Vec2::new(line.min.x + right, line.centre().y));
     stroke(canvas, &[from, to], look, colour);
     marker(canvas, middle, look.marker, colour);
