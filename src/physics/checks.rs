@@ -36,7 +36,6 @@ pub(crate) fn rounding(bounds: &Aabb) -> f64 {
 /// What a tick did to an island, J.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Ledger {
-    /// By how much its kinetic energy rose.
     pub gained: f64,
     /// The most that the forces from outside gave it.
     pub given: f64,

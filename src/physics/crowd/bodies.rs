@@ -57,7 +57,6 @@ pub(crate) struct Thing {
     pub traits: Coefficients,
     /// The speed of a belt's upper side, m/s; 0 of a body.
     pub belt: f64,
-    /// The box in which contacts of a body are looked for in this step.
     pub swept: Aabb,
     /// Of a body whose flight no constant force describes: ½v² where it ends, J/kg.
     pub guided: Option<f64>,

@@ -32,7 +32,6 @@ pub(crate) struct Pushes {
     /// Momenta before friction, pushes included, N·s.
     given: Vec<f64>,
     before: Vec<f64>,
-    /// The bodies that are pushed, and those whose way a cluster has set.
     pushed: Vec<bool>,
     told: Vec<bool>,
     pub hits: Vec<(u32, u32)>,

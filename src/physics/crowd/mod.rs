@@ -29,7 +29,6 @@ pub(crate) const ALONG: usize = 1;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct CrowdImpact {
-    /// The body that hit, and the body or surface that it hit.
     pub a: u32,
     pub b: u32,
     pub axis: usize,

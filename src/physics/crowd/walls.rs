@@ -43,7 +43,6 @@ pub(crate) struct Walls {
     /// The load that hanging bodies put on each body, N·s, and the limit of all faces on which a body hangs.
     borne: Vec<f64>,
     holds: Vec<f64>,
-    /// Free velocities and predictions along gravity before friction.
     saved: Vec<(u32, f64, f64)>,
     dt: f64,
 }
