@@ -1,19 +1,16 @@
 //! `resultant verify --scores`: flies the flight of every row of every leaderboard again, and names the rows that do not hold.
 
 use super::project::Project;
-use super::stop::{CommandError, Readers, Status, shown};
+use super::stop::{CommandError, Readers, Silence, Status, TICKS_A_LOOK, shown};
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::Fingerprint;
 use crate::level;
 use crate::scores::{Board, Doubt, Judge, LoadedBoard, Scores, Standing};
 use std::io::{self, Write};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
-/// The time before the first line on a long flight, and between two lines.
-const SILENCE: Duration = Duration::from_secs(2);
-/// Ticks between two looks at the clock, whose cost must not count.
-const TICKS_A_LOOK: u64 = 4096;
+/// Of results and of problems.
+type Outputs<'a> = (&'a mut dyn Write, &'a mut dyn Write);
 
 /// For each board a line with its number of proven rows goes to `out`; for each row that fails a line goes to standard error.
 pub fn run(project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
@@ -38,12 +35,7 @@ pub fn run(project: &Project, out: &mut dyn Write) -> Result<Status, CommandErro
 }
 
 /// The answer says whether all rows hold.
-fn judge_board(
-    project: &Project,
-    scores: &Scores,
-    name: &str,
-    (out, err): (&mut dyn Write, &mut dyn Write),
-) -> Result<bool, CommandError> {
+fn judge_board(project: &Project, scores: &Scores, name: &str, (out, err): Outputs<'_>) -> Result<bool, CommandError> {
     let level = level::load(&project.levels().join(name), project.root());
     let level = level.map_err(|problems| problems.first().map(ToString::to_string).unwrap_or_default());
     let shown_name = shown(name);
@@ -74,25 +66,7 @@ fn judge_board(
             (0..board.rows().len()).map(standing).collect()
         }
     };
-    let (mut proven, mut unproven, mut doubtful) = (0, 0, 0);
-    for (index, (row, standing)) in board.rows().iter().zip(standings).enumerate() {
-        match standing {
-            Standing::Proven => proven += 1,
-            Standing::Unproven => unproven += 1,
-            Standing::Doubtful(doubt) => {
-                doubtful += 1;
-                let doubt = shown(doubt);
-                writeln!(err, "{shown_name}: rank {}, {}, {} points: does not hold: {doubt}", index + 1, row.name, row.score)?;
-            }
-        }
-    }
-    write!(out, "{shown_name}: {proven} proven")?;
-    if unproven > 0 {
-        write!(out, ", {unproven} unproven")?;
-    }
-    if doubtful > 0 {
-        write!(out, ", {doubtful} not")?;
-    }
+    let holds = report(&board, &standings, &shown_name, (&mut *out, &mut *err))?;
     let old = (0..board.rows().len()).filter(|&row| board.origin(row).version.is_some_and(|version| version.is_old())).count();
     if old > 0 {
         write!(out, "; {old} with the old 64-bit hash of the level")?;
@@ -101,12 +75,36 @@ fn judge_board(
         write!(out, "; {others} boards of other versions of the level aside")?;
     }
     writeln!(out)?;
-    Ok(doubtful == 0 && damage.is_empty())
+    Ok(holds && damage.is_empty())
+}
+
+/// The counts of a board's rows go to `out`, each row that fails to `err`. The answer says whether all rows hold.
+fn report(board: &Board, standings: &[Standing], name: &str, (out, err): Outputs<'_>) -> io::Result<bool> {
+    let (mut proven, mut unproven, mut doubtful) = (0, 0, 0);
+    for (index, (row, standing)) in board.rows().iter().zip(standings).enumerate() {
+        match standing {
+            Standing::Proven => proven += 1,
+            Standing::Unproven => unproven += 1,
+            Standing::Doubtful(doubt) => {
+                doubtful += 1;
+                let doubt = shown(doubt);
+                writeln!(err, "{name}: rank {}, {}, {} points: does not hold: {doubt}", index + 1, row.name, row.score)?;
+            }
+        }
+    }
+    write!(out, "{name}: {proven} proven")?;
+    if unproven > 0 {
+        write!(out, ", {unproven} unproven")?;
+    }
+    if doubtful > 0 {
+        write!(out, ", {doubtful} not")?;
+    }
+    Ok(doubtful == 0)
 }
 
 /// Flies all flights of a board, and reports the progress from time to time.
 fn judge_all(judge: &mut Judge, board: &Board, name: &str, err: &mut dyn Write) -> Result<(), CommandError> {
-    let (mut last, mut next) = (Instant::now(), 0);
+    let (mut silence, mut next) = (Silence::new(), 0);
     loop {
         while let Some(row) = judge.begin(board, next..board.rows().len()) {
             next = row + 1;
@@ -115,8 +113,7 @@ fn judge_all(judge: &mut Judge, board: &Board, name: &str, err: &mut dyn Write) 
             return Ok(());
         }
         judge.fly(TICKS_A_LOOK);
-        if last.elapsed() >= SILENCE {
-            last = Instant::now();
+        if silence.is_over() {
             let judged = board.rows().iter().filter(|row| judge.standing(&row.name).is_some()).count();
             writeln!(err, "{name}: {judged} of {} rows judged, {} ticks flown", board.rows().len(), judge.ticks())?;
         }

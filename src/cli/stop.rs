@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 use std::io::{self, Write};
+use std::time::{Duration, Instant};
 
 /// An exit status.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,6 +33,29 @@ impl From<io::Error> for CommandError {
     /// For `?` behind `write!` to the output. Any other fault of reading or writing wants a message with its path.
     fn from(error: io::Error) -> Self {
         Self::Output(error)
+    }
+}
+
+/// Ticks between two looks at the clock, whose cost must not count.
+pub(super) const TICKS_A_LOOK: u64 = 4096;
+/// The time before the first line on a long flight, and between two lines.
+const SILENCE: Duration = Duration::from_secs(2);
+
+/// The time since the last line on a long flight.
+pub(super) struct Silence(Instant);
+
+impl Silence {
+    pub fn new() -> Self {
+        Self(Instant::now())
+    }
+
+    /// Whether a line is due; the next silence begins with it.
+    pub fn is_over(&mut self) -> bool {
+        let over = self.0.elapsed() >= SILENCE;
+        if over {
+            *self = Self::new();
+        }
+        over
     }
 }
 

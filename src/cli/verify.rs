@@ -3,19 +3,13 @@
 use super::earned;
 use super::files::read_text;
 use super::project::Project;
-use super::stop::{CommandError, Readers, Status, shown};
+use super::stop::{CommandError, Readers, Silence, Status, TICKS_A_LOOK, shown};
 use crate::files::INPUTS;
 use crate::game::{Mismatch, PROGRAM, Replay};
 use crate::level::Level;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
-
-/// The time before the first line on a long record, and between two lines.
-const SILENCE: Duration = Duration::from_secs(2);
-/// Ticks between two looks at the clock, whose cost must not count.
-const TICKS_A_LOOK: u64 = 4096;
 
 #[derive(clap::Args, Debug)]
 pub struct VerifyArgs {
@@ -75,10 +69,9 @@ pub fn run(args: &VerifyArgs, project: &Project, out: &mut dyn Write) -> Result<
 
 /// Flies a record and reports the progress from time to time.
 fn fly(name: &str, replay: &Replay, level: Arc<Level>, err: &mut dyn Write) -> Result<Result<(), Mismatch>, CommandError> {
-    let (ticks, mut last) = (replay.inputs.ticks(), Instant::now());
+    let (ticks, mut silence) = (replay.inputs.ticks(), Silence::new());
     let flown = replay.verify(level, |game| {
-        if game.ticks().is_multiple_of(TICKS_A_LOOK) && last.elapsed() >= SILENCE {
-            last = Instant::now();
+        if game.ticks().is_multiple_of(TICKS_A_LOOK) && silence.is_over() {
             // A closed standard error does not stop the verification.
             let _ = writeln!(err, "{name}: {} of {ticks} ticks flown", game.ticks());
         }
