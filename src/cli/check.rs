@@ -38,13 +38,12 @@ fn check(args: &CheckArgs, project: &Project, out: &mut dyn Write, err: &mut dyn
     let (mut status, mut refused) = (Status::Done, 0);
     for (name, folder) in names.iter().zip(folders) {
         let name = called(name, &folder);
-        let made =
-            level::load(&folder, project.root()).map_err(|problems| (problems.len(), level::told(&problems))).and_then(|loaded| {
-                match World::new(loaded.level.world_def()) {
-                    Ok(world) => Ok((loaded, world)),
-                    Err(refusal) => Err((1, vec![refusal.to_string()])),
-                }
-            });
+        let made = level::load(&folder, project.root()).map_err(|problems| (problems.len(), level::listed(&problems))).and_then(
+            |loaded| match World::new(loaded.level.world_def()) {
+                Ok(world) => Ok((loaded, world)),
+                Err(refusal) => Err((1, vec![refusal.to_string()])),
+            },
+        );
         match made {
             Ok((mut loaded, world)) => {
                 let level = Arc::new(loaded.level.clone());
@@ -74,7 +73,7 @@ fn called(name: &OsStr, folder: &Path) -> String {
 
 /// Prints a good level's content, its parts of the physics model, and its warnings.
 fn describe(name: &str, loaded: &Loaded, world: &World, out: &mut dyn Write, err: &mut dyn Write) -> io::Result<()> {
-    for warning in level::told(&loaded.warnings) {
+    for warning in level::listed(&loaded.warnings) {
         writeln!(err, "{name}: warning: {warning}")?;
     }
     writeln!(out, "{name}: ok")?;

@@ -51,7 +51,7 @@ pub fn pack(args: &PackArgs, project: &Project, out: &mut dyn Write) -> Result<S
     })?;
     let loaded = pack::check(&package, project.root()).map_err(refused)?;
     let stale = pack::stale(&folder, &Arc::new(loaded.level));
-    for warning in level::told(&loaded.warnings).into_iter().chain(level::told(&stale)) {
+    for warning in level::listed(&loaded.warnings).into_iter().chain(level::listed(&stale)) {
         let _ = writeln!(io::stderr(), "warning: {}", shown(warning));
     }
     for file in left {

@@ -57,7 +57,7 @@ fn start(level: &OsStr, inputs: Option<&Path>, project: &Project) -> Result<Star
     let loaded = match level::load(&folder, project.root()) {
         Ok(loaded) => loaded,
         Err(problems) => {
-            let problems = level::told(&problems);
+            let problems = level::listed(&problems);
             let lines: String = problems.iter().map(|problem| format!("{}/{problem}\n", shown(level.display()))).collect();
             let unfinished = level::load_unfinished(&folder, project.root()).ok().filter(|_| inputs.is_none());
             let Some(unfinished) = unfinished else { return Err(CommandError::Refused(lines)) };

@@ -92,7 +92,7 @@ impl Project {
     /// The error lists every problem.
     pub fn load_folder(&self, folder: &Path) -> Result<Arc<Level>, CommandError> {
         let loaded =
-            level::load(folder, &self.root).map_err(|problems| CommandError::Refused(level::told(&problems).join("\n")))?;
+            level::load(folder, &self.root).map_err(|problems| CommandError::Refused(level::listed(&problems).join("\n")))?;
         Ok(Arc::new(loaded.level))
     }
 }

@@ -3,7 +3,9 @@
 //! for its presence. Older records and boards carry 64 bits of FNV-1a instead; one walk over the level computes both.
 
 use super::hash::Fnv1a;
-use crate::level::{Fluid, GravityZone, Level, Mover, Object, Objective, Player, Pod, SHIP_DRAG, Solid, Stream, Switch, Work};
+use crate::level::{
+    AirStream, Fluid, GravityZone, Level, Mover, Object, Objective, Pod, SHIP_DRAG, ShipStart, Solid, Switch, Work,
+};
 use crate::physics::{Aabb, DVec2, Leg, Material, Path, Sides};
 use sha2::{Digest, Sha256};
 use std::fmt;
@@ -224,7 +226,7 @@ impl Hash {
         self.given("colour", colour.is_some(), |hash| hash.colour(colour.unwrap_or_default()));
     }
 
-    fn stream(&mut self, Stream { source, zone, force, name }: &Stream) {
+    fn stream(&mut self, AirStream { source, zone, force, name }: &AirStream) {
         self.area(source);
         self.area(zone);
         self.vectors(&[*force]);
@@ -292,8 +294,8 @@ impl Hash {
         self.word(*latch as u64);
     }
 
-    fn player(&mut self, player: &Player) {
-        let Player { position, velocity, angle, mass, fuel, thrust, feels_air, material, drag, restitution } = player;
+    fn player(&mut self, player: &ShipStart) {
+        let ShipStart { position, velocity, angle, mass, fuel, thrust, feels_air, material, drag, restitution } = player;
         self.vectors(&[*position, *velocity]);
         self.numbers(&[*angle, *mass, *fuel, *thrust]);
         self.material(material);

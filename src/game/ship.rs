@@ -2,7 +2,7 @@
 
 use super::controls::Controls;
 pub use crate::level::BURN_RATE;
-use crate::level::Player;
+use crate::level::ShipStart;
 pub use crate::level::nose;
 use crate::physics::{BodyId, DVec2, Force, ForceKind, Source, World};
 
@@ -42,7 +42,7 @@ pub struct Ship {
 }
 
 impl Ship {
-    pub(super) fn new(player: &Player) -> Self {
+    pub(super) fn new(player: &ShipStart) -> Self {
         Self {
             angle: player.angle,
             previous_angle: player.angle,
@@ -61,7 +61,7 @@ impl Ship {
     /// Obeys the keys for one tick and returns the engine's drive, N. Left and right cancel each other; so do thrust and reverse,
     /// which then burn nothing. The last tick with fuel burns the rest at full thrust. `stands` answers whether the ship stands
     /// still on a surface.
-    pub(super) fn obey(&mut self, controls: Controls, player: &Player, tick_rate: f64, stands: impl FnOnce() -> bool) -> DVec2 {
+    pub(super) fn obey(&mut self, controls: Controls, player: &ShipStart, tick_rate: f64, stands: impl FnOnce() -> bool) -> DVec2 {
         self.burning = if self.fuel > 0.0 { i8::from(controls.thrust) - i8::from(controls.reverse) } else { 0 };
         self.turn(controls, tick_rate, stands);
         if self.burning == 0 {
@@ -90,7 +90,7 @@ impl Ship {
     }
 
     /// Fuel beyond a full tank is lost.
-    pub(super) fn refuel(&mut self, fuel: f64, player: &Player) {
+    pub(super) fn refuel(&mut self, fuel: f64, player: &ShipStart) {
         self.used = self.fuel_used();
         self.fuel += fuel.min((player.fuel - self.fuel).max(0.0));
         (self.filled, self.burnt) = (self.fuel, 0);

@@ -1,7 +1,5 @@
-//! Which boxes a box touches: a tree of boxes around boxes, built once.
-//!
-//! Boxes are parted at the median of their centres along the longer side of the box around them; nodes lie in the order of a descent, each with
-//! the place of the one that follows where its box is missed, so that a search is one loop without a stack.
+//! A static tree of boxes that finds the boxes that a box touches. A node parts its boxes at the median of their centres along its longer
+//! side. Nodes lie in the order of a descent, each with the index of the node that follows a miss: a search is one loop without a stack.
 
 use crate::physics::data::aabb::Aabb;
 use glam::DVec2;
@@ -24,7 +22,6 @@ pub(super) struct BoxTree {
 }
 
 impl BoxTree {
-    /// Of boxes by their indices.
     pub fn of(boxes: impl Iterator<Item = Aabb>) -> Self {
         let mut boxes: Vec<(u32, Aabb)> = (0..).zip(boxes).collect();
         let mut tree = Self::default();
@@ -51,7 +48,7 @@ impl BoxTree {
         self.nodes[at].skip = self.nodes.len() as u32;
     }
 
-    /// Hands every leaf that a box touches within `slop` metres to `goes_on`, in no order that means anything, until that says no. Returns
+    /// Calls `goes_on` with the index of every box that `near` touches within `slop` metres, in any order, until it returns false. Returns
     /// whether it never did.
     pub fn search(&self, near: &Aabb, slop: f64, mut goes_on: impl FnMut(u32) -> bool) -> bool {
         let mut at = 0;

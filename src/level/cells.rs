@@ -1,20 +1,17 @@
-//! Bytes to rows of cells, each of which knows its line as an editor counts it.
-//!
-//! The `csv` crate does not cut them: its line numbers are off after CRLF, blank lines and comments, it swallows the rest of a file after
-//! a quote that is never closed, and it does not see a quoted cell behind a space. Authors need all three.
+//! Bytes to rows of cells, each with its line as an editor counts it. The `csv` crate does not serve: its line numbers are off after CRLF,
+//! blank lines and comments, it swallows the rest of a file after a quote that is never closed, and it misses a quoted cell behind a space.
 
 use std::iter::Peekable;
 use std::ops::Range;
 use std::str::Chars;
 
-/// A fault of a cell that has no text to be judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum CellFault {
     Unclosed,
     AfterQuote,
     NotUtf8,
     Utf16,
-    /// The whole file is a spreadsheet's own, and no text.
+    /// The whole file is in a spreadsheet's own format.
     Workbook,
 }
 
@@ -22,9 +19,9 @@ pub(super) enum CellFault {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Cell {
     pub text: String,
-    /// Where it begins.
+    /// Its first line.
     pub line: usize,
-    /// Its bytes in the file, with its quotes but without the spaces around it; in a file that is UTF-8.
+    /// Its bytes in a UTF-8 file, with its quotes but without the spaces around it.
     pub span: Range<usize>,
     pub fault: Option<CellFault>,
 }
@@ -40,12 +37,12 @@ impl Cell {
 pub(super) struct SpannedRow {
     pub line: usize,
     pub cells: Vec<Cell>,
-    /// Its bytes in the file with its line end; in a file that is UTF-8.
+    /// Its bytes in a UTF-8 file, with its line end.
     pub span: Range<usize>,
 }
 
-/// All rows that hold something; blank lines, rows of empty cells and lines that start with `#` are skipped. Lines end with LF,
-/// CRLF or CR; a UTF-8 byte-order mark is passed over.
+/// All rows but blank lines, rows of empty cells and lines that start with `#`. Lines end with LF, CRLF or CR; a UTF-8 byte-order mark is
+/// passed over.
 pub(super) fn rows(bytes: &[u8]) -> Vec<SpannedRow> {
     if let Some(fault) = fault_of_file(bytes) {
         let all = 0..bytes.len();
@@ -76,10 +73,10 @@ pub(super) fn rows(bytes: &[u8]) -> Vec<SpannedRow> {
 }
 
 fn fault_of_file(bytes: &[u8]) -> Option<CellFault> {
-    /// How all files begin that are zipped, as those of spreadsheets are.
+    /// The first bytes of a zipped file, such as a spreadsheet's.
     const ZIP: [u8; 4] = [b'P', b'K', 3, 4];
     let marked = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
-    // Every other byte of plain letters in UTF-16 is 0; there is none in any text of ours.
+    // Every other byte of plain letters in UTF-16 is 0; a table in UTF-8 has none.
     let zeros = bytes.iter().filter(|byte| **byte == 0).count();
     match () {
         () if bytes.starts_with(&ZIP) => Some(CellFault::Workbook),
@@ -148,7 +145,6 @@ impl Scanner<'_> {
         while self.take_if(|c| c.is_whitespace() && !matches!(c, '\n' | '\r')).is_some() {}
     }
 
-    /// The next character if it is one of those.
     fn take_if(&mut self, wanted: impl Fn(char) -> bool) -> Option<char> {
         let taken = self.chars.next_if(|c| wanted(*c))?;
         self.at += taken.len_utf8();

@@ -1,5 +1,6 @@
-//! The things of a level's files, row by row, before it is known whether they make a level.
+//! The things of a level's files, row by row, before the checks of the whole level.
 
+use super::numbers::PixelScale;
 use super::placed::FromRow;
 use super::problem::Problem;
 use super::reader::LevelReader;
@@ -8,33 +9,32 @@ use super::schema::{Table, blocks, bodies, zones};
 use super::shade;
 use super::source::BACKGROUND;
 use super::types::{
-    Decoration, Fluid, GravityZone, Level, Mover, Object, Objective, ObjectiveKind, Player, Pod, Solid, Stream, Switch, Text,
+    AirStream, Decoration, Fluid, GravityZone, Level, Mover, Object, Objective, ObjectiveKind, Pod, ShipStart, Solid, Switch, Text,
 };
-use crate::level::numbers::PixelScale;
 use crate::physics::{Aabb, DVec2};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
-/// How many pairs of a shaded stream and a solid are looked at: some 10 ms.
+/// The most pairs of a shaded stream and a solid: some 10 ms.
 const MOST_PAIRS: usize = 4_000_000;
 
-/// The things that could be read, in metres.
+/// The things of readable rows, in metres.
 pub(super) struct Draft {
     /// Width and height in pixels.
     pub size: Option<DVec2>,
     pub scale: PixelScale,
-    pub player: Option<FromRow<Player>>,
+    pub player: Option<FromRow<ShipStart>>,
     /// N/kg, downwards and to the right.
     pub gravity: [f64; 2],
     pub world: Vec<FromRow<Solid>>,
     pub movers: Vec<FromRow<Mover>>,
     pub doors: Vec<FromRow<Solid>>,
     pub switches: Vec<FromRow<Switch>>,
-    /// Those of objects.csv, then the key objects.
+    /// The objects of objects.csv, then the key objects.
     pub objects: Vec<FromRow<Object>>,
     pub objectives: Vec<FromRow<Objective>>,
     pub obstacles: Vec<FromRow<Aabb>>,
-    pub streams: Vec<FromRow<Stream>>,
+    pub streams: Vec<FromRow<AirStream>>,
     pub fluids: Vec<FromRow<Fluid>>,
     pub fields: Vec<FromRow<GravityZone>>,
     pub pods: Vec<FromRow<Pod>>,
@@ -43,7 +43,7 @@ pub(super) struct Draft {
 }
 
 impl Draft {
-    /// Reads all files but constants.csv, of a level of that size in pixels.
+    /// Reads all files but constants.csv; `size` is in pixels.
     pub fn read(reader: &mut LevelReader, size: Option<DVec2>, gravity: [f64; 2]) -> Self {
         let player = player(reader);
         let world = reader.things(Table::World, blocks::solid);
@@ -71,8 +71,8 @@ impl Draft {
         }
     }
 
-    /// The level of a draft, with its size in metres.
-    pub fn level(self, name: &str, settings: &LevelSettings, background: bool, (player, size): (Player, DVec2)) -> Level {
+    /// The size is in metres.
+    pub fn level(self, name: &str, settings: &LevelSettings, background: bool, (player, size): (ShipStart, DVec2)) -> Level {
         Level {
             name: name.to_owned(),
             title: settings.title.clone().unwrap_or_else(|| name.to_owned()),
@@ -119,7 +119,7 @@ impl Draft {
     }
 }
 
-fn player(reader: &mut LevelReader) -> Option<FromRow<Player>> {
+fn player(reader: &mut LevelReader) -> Option<FromRow<ShipStart>> {
     let one = "exactly one row with the ship";
     let table = reader.required(Table::Player, one)?;
     if table.lines.is_empty() {
@@ -136,7 +136,7 @@ fn player(reader: &mut LevelReader) -> Option<FromRow<Player>> {
     ships.into_iter().next().flatten()
 }
 
-/// The objectives; the key objects go behind `objects`.
+/// Appends the key objects to `objects`.
 fn objectives(reader: &mut LevelReader, objects: &mut Vec<FromRow<Object>>) -> Vec<FromRow<Objective>> {
     let wanted = "at least one PLAYER or PHYS row";
     let Some(table) = reader.required(Table::Objectives, wanted) else { return Vec::new() };
@@ -159,7 +159,7 @@ fn objectives(reader: &mut LevelReader, objects: &mut Vec<FromRow<Object>>) -> V
         let objective = bodies::objective(kind, record, &mut reader.rows);
         objectives.extend(objective.map(|objective| FromRow::new(record, objective)));
     }
-    // The missing row may be one that could not be read: then its own problem is enough.
+    // The missing row may be an unreadable one, which has a problem of its own.
     let all_read = table.records.len() == table.lines.len();
     if blocks == 0 && all_read {
         reader.rows.problems.push(bodies::PAD.problem(1, "no objective", wanted));
@@ -170,8 +170,8 @@ fn objectives(reader: &mut LevelReader, objects: &mut Vec<FromRow<Object>>) -> V
     objectives
 }
 
-/// The streams; those that are shaded end at the first solid on their way.
-fn streams(reader: &mut LevelReader, world: &[FromRow<Solid>]) -> Vec<FromRow<Stream>> {
+/// A shaded stream ends at the first solid before it.
+fn streams(reader: &mut LevelReader, world: &[FromRow<Solid>]) -> Vec<FromRow<AirStream>> {
     let mut streams = Vec::new();
     let mut pairs = 0;
     for placed in reader.things(Table::Hazards, zones::stream) {

@@ -12,24 +12,24 @@ use std::cmp::Ordering;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Loads the level in `folder`; images are looked up there, then under `project`, the folder that holds `assets/` and `levels/`. The paths in
-/// the level can be opened as they are.
+/// Images are looked up in `folder`, then under `project`, the folder that holds `assets/` and `levels/`. The paths in the level can be
+/// opened as they are.
 ///
 /// # Errors
-/// Every problem in every file; a folder that is none is one problem, and so is one with the name of another leaderboard.
+/// Every problem in every file; a folder that does not exist, or that has the name of another leaderboard, is one problem.
 pub fn load(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
     load_from(&Disk { folder, project }, &Disk { folder, project }, read)
 }
 
-/// As [`load`], to try out a level that is not finished: see [`read_unfinished`].
+/// As [`load`], of an unfinished level: see [`read_unfinished`].
 ///
 /// # Errors
-/// As [`load`], where there is no ship, no place for it or no size.
+/// As [`read_unfinished`].
 pub fn load_unfinished(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
     load_from(&Disk { folder, project }, &Disk { folder, project }, read_unfinished)
 }
 
-/// How a level's files become a level: [`read()`] or [`read_unfinished`].
+/// [`read()`] or [`read_unfinished`].
 pub(super) type ReadLevel = fn(&str, &dyn Files) -> Result<Loaded, Vec<Problem>>;
 
 /// As [`load`], with the level's files from elsewhere.
@@ -47,7 +47,7 @@ pub(super) fn load_from(disk: &Disk, files: &dyn Files, read: ReadLevel) -> Resu
         return Err(vec![problem]);
     }
     let mut loaded = read(&name, files)?;
-    // It can be played here, but the folder cannot be handed on to everyone.
+    // The level plays here, but not every system takes a folder of its name.
     loaded.warnings.extend(fault.map(|(_, problem)| problem));
     let level = &mut loaded.level;
     level.background = level.background.take().map(|path| folder.join(path));
@@ -67,7 +67,7 @@ pub(super) struct Disk<'a> {
 }
 
 impl Disk<'_> {
-    /// Where the picture of that name is, as it is looked for.
+    /// In the level's folder, else in the project's.
     pub fn picture(&self, name: &Path) -> PathBuf {
         let own = self.folder.join(name);
         if own.exists() { own } else { self.project.join(name) }
@@ -80,7 +80,7 @@ impl Files for Disk<'_> {
         let path = self.folder.join(name);
         let read = files::read(&path, if table { files::LEVEL_TABLE } else { files::PICTURE });
         match read {
-            // A link that leads nowhere is no file that is not there.
+            // A broken link is no missing file.
             Err(error) if error.kind() == io::ErrorKind::NotFound && path.is_symlink() => {
                 Err(io::Error::other("a link to a file that is not there"))
             }
@@ -100,7 +100,7 @@ impl Files for Disk<'_> {
     }
 }
 
-/// The title that a level's constants.csv gives it, without reading anything else of it.
+/// The title in a level's constants.csv, the only file that is read.
 pub fn title(folder: &Path) -> Option<String> {
     let bytes = files::read(&folder.join(Table::Constants.file()), files::LEVEL_TABLE).ok()?;
     let table = table::read(Table::Constants.rows(), &bytes, &mut Vec::new());
@@ -108,10 +108,10 @@ pub fn title(folder: &Path) -> Option<String> {
     titles.filter_map(|row| row.text("value")).next().filter(|title| !title.is_empty()).map(str::to_owned)
 }
 
-/// The lists of the levels that come with the game, each beside their folders.
+/// The lists of the levels that come with the game, each beside the levels' folders.
 const SHIPPED: [&str; 2] = ["shipped.csv", "experiments.csv"];
 
-/// Whether that level comes with the game: a list beside its folder names it. It is edited as a copy.
+/// Whether a level comes with the game, so that it is edited as a copy: a list beside its folder names it.
 pub fn is_shipped(folder: &Path) -> bool {
     let Ok(folder) = folder.canonicalize() else { return false };
     let (Some(name), Some(beside)) = (folder.file_name().and_then(|name| name.to_str()), folder.parent()) else { return false };
@@ -124,8 +124,8 @@ pub fn is_shipped(folder: &Path) -> bool {
     SHIPPED.into_iter().any(named)
 }
 
-/// The names of the level folders in `levels`: those named by a number first and in numeric order (2 before 10), the others after,
-/// by name. Hidden folders and folders whose name is no text are left out; a folder that cannot be read holds none.
+/// The names of the level folders in `levels`: numbers first, in numeric order (2 before 10), then words. Hidden folders and folders whose
+/// name is no text are left out; an unreadable folder holds none.
 pub fn list(levels: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(levels).into_iter().flatten().flatten();
     let mut names: Vec<String> = entries
@@ -137,7 +137,7 @@ pub fn list(levels: &Path) -> Vec<String> {
     names
 }
 
-/// Numbers before words, numbers by value (however long they are), everything else by name, with the numbers in it by value.
+/// Numbers of any length before words, by value; words by their letters, with the numbers in them by value.
 fn by_number_then_name(a: &str, b: &str) -> Ordering {
     let digits = |name: &str| !name.is_empty() && name.bytes().all(|b| b.is_ascii_digit());
     let value = |name: &str| {
@@ -152,7 +152,7 @@ fn by_number_then_name(a: &str, b: &str) -> Ordering {
     }
 }
 
-/// A name in runs of digits and of other letters; digits come first and count by their value: lev2 is before lev10.
+/// A name in runs of digits and of other letters; digits come first and count by value: lev2 is before lev10.
 fn runs(name: &str) -> Vec<(bool, usize, &str)> {
     let mut runs = Vec::new();
     let mut rest = name;

@@ -1,17 +1,17 @@
-//! Warnings of doors that no body can open, pads behind red, plates that are too heavy. Whatever might be possible counts as possible: a
-//! body gets anywhere in its own free space, and one-way and fragile blocks and movers are no obstacles.
+//! Warnings of doors that no body can open, pads behind red, plates that are too heavy. A doubtful route counts as possible: a body gets
+//! anywhere in its own free space, and one-way and fragile blocks and movers are no obstacles.
 
 use super::draft::Draft;
 use super::placed::FromRow;
 use super::problem::Problem;
 use super::reach::{CentredBox, FreeSpace};
 use super::schema::settings::LevelSettings;
-use super::types::{ObjectiveKind, Player, Presser, SHIP_HALF, Switch};
+use super::types::{ObjectiveKind, Presser, SHIP_HALF, ShipStart, Switch};
 use super::winnable::fitting;
 use crate::physics::Aabb;
 use std::collections::BTreeMap;
 
-pub(super) fn warn(draft: &Draft, player: &Player, settings: &LevelSettings, space: &FreeSpace) -> Vec<Problem> {
+pub(super) fn warn(draft: &Draft, player: &ShipStart, settings: &LevelSettings, space: &FreeSpace) -> Vec<Problem> {
     if draft.switches.is_empty() && draft.doors.is_empty() && draft.obstacles.is_empty() {
         return Vec::new();
     }
@@ -80,7 +80,7 @@ impl<'a> Gates<'a> {
         closed.into_iter().map(|door| self.draft.doors[door].item.bounds)
     }
 
-    /// Which switches can be pressed, and which doors are open at some time: from what is in reach at the start, door after door.
+    /// Which switches can be pressed, and which doors are open at some time: from the switches in reach at the start, door after door.
     fn play(&self, ship: CentredBox, space: &FreeSpace) -> (Vec<bool>, Vec<bool>) {
         let mut pressed = vec![false; self.works.len()];
         let mut open = vec![false; self.draft.doors.len()];
@@ -105,7 +105,7 @@ impl<'a> Gates<'a> {
     }
 }
 
-/// Whether something that works a switch gets to it, the ship in one space and the objects in another.
+/// Whether a body that works a switch gets to it, the ship in one space and the objects in another.
 fn presses(draft: &Draft, switch: &Switch, ship: CentredBox, (ships, objects): (&FreeSpace, &FreeSpace)) -> bool {
     let by_ship = matches!(switch.by, Presser::Any | Presser::Ship);
     let counts = |key: bool| match switch.by {
@@ -118,9 +118,9 @@ fn presses(draft: &Draft, switch: &Switch, ship: CentredBox, (ships, objects): (
         || others.any(|object| objects.gets_to((object.item.position, object.item.size * 0.5), &switch.bounds))
 }
 
-/// Plates that are heavier than all that can press them: weights, the ship's thrust and the winds near by, all downwards at once. The force
-/// of a mover or a belt has no such bound.
-fn plates(draft: &Draft, player: &Player, settings: &LevelSettings, space: &FreeSpace) -> Vec<Problem> {
+/// Plates that take more than the sum of all weights, the ship's thrust and the winds near by, downwards. The force of a mover or a belt
+/// has no such bound.
+fn plates(draft: &Draft, player: &ShipStart, settings: &LevelSettings, space: &FreeSpace) -> Vec<Problem> {
     let driven = draft.world.iter().any(|solid| solid.item.belt != 0.0) || !draft.movers.is_empty();
     let plates = draft.switches.iter().filter_map(|switch| Some((switch, switch.item.weight?)));
     if driven {

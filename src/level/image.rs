@@ -13,6 +13,8 @@ use std::path::{Path, PathBuf};
 const MOST_SIDE: u32 = 16_384;
 /// The most pixels of a picture: 32 MiB when it is unpacked. A PNG of a few kilobytes can unfold to gigabytes.
 const MOST_PIXELS: u64 = 1 << 23;
+/// The sides of the box that stands in for a missing picture, pixels.
+const STAND_IN: f64 = 40.0;
 /// The most pixels of all the pictures of a level together, its background with them: 48 MiB, several times as much with the
 /// copies of a graphics driver.
 const MOST_PIXELS_IN_ALL: u64 = 12 << 20;
@@ -27,23 +29,15 @@ pub(super) struct Images<'a> {
     files: &'a dyn Files,
     known: BTreeMap<String, Result<(f64, f64), PictureRefusal>>,
     /// Of all known images together, and the background.
-    pixels: u64,
+    pub pixels: u64,
     /// The shape of an object whose image is missing; without it such an object is refused.
     pub stand_in: Option<PictureShape>,
 }
 
-/// The sides of the box that stands in for a missing picture, pixels.
-const STAND_IN: f64 = 40.0;
-
 impl<'a> Images<'a> {
-    /// None yet. With `stand_ins` a box stands in for every image that is missing.
+    /// With `stand_ins` a box stands in for every missing image.
     pub fn new(files: &'a dyn Files, stand_ins: bool) -> Self {
         Self { files, known: BTreeMap::new(), pixels: 0, stand_in: stand_ins.then_some((Look::Box, STAND_IN, STAND_IN)) }
-    }
-
-    /// Counts the pixels of the background.
-    pub fn begin_with(&mut self, pixels: u64) {
-        self.pixels = pixels;
     }
 
     /// The shape of an `image` cell: `box:40x40`, `ball:40x40`, or a PNG's path from the project root.
@@ -126,20 +120,19 @@ pub(super) fn png_size(bytes: io::Result<impl AsRef<[u8]>>, name: &str) -> Resul
         let found = format!("{} of {width} × {height} pixels", quoted(name));
         return Err((found, format!("a PNG image of at most {MOST_PIXELS} pixels, none of its sides above {MOST_SIDE}")));
     }
-    // Walks over all chunks and their checksums, without unpacking the picture: a file that was cut short is found here, not when it
-    // is drawn.
+    // All chunks and their checksums, without unpacking the picture: a file that was cut short is refused here, not when it is drawn.
     decoder.read_info().and_then(|mut reader| reader.finish()).map_err(damaged)?;
     Ok((f64::from(width), f64::from(height)))
 }
 
-/// The name of another kind of picture, by how its files begin.
+/// The kind of a picture that is no PNG, by its first bytes.
 fn other_picture(bytes: &[u8]) -> Option<&'static str> {
     let begins: [(&[u8], &str); 5] =
         [(&[0xff, 0xd8, 0xff], "JPEG"), (b"GIF8", "GIF"), (b"BM", "BMP"), (b"RIFF", "WebP"), (b"<svg", "SVG")];
     begins.into_iter().find(|(begin, _)| bytes.starts_with(begin)).map(|(_, kind)| kind)
 }
 
-/// The bytes of a picture that is to be unpacked, judged again: the file may be another one than when its level was loaded.
+/// The bytes of a picture, judged again: the file may have changed since its level was loaded.
 ///
 /// # Errors
 /// It cannot be read, is no PNG, or would unfold to too many pixels.

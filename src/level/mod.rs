@@ -1,12 +1,6 @@
-//! Level folders: CSV text becomes a valid [`Level`], or the list of all its [`Problem`]s. Behind the loader nothing knows pixels
-//! but drawing; drawing, rules and physics do not live here.
-//!
-//! `schema` holds each fact of the files once: names, columns, units, limits, usual values, words of help. `cells` cuts a file's bytes into
-//! cells that know their line; `table` finds the column of each cell; the rows of `schema` become things of a level, with `numbers`, `image`
-//! and `route`; `draft` is all of them, and `read` makes the level. `names`, `strength`, `placement`, `reach` and `winnable` refuse levels
-//! that cannot be played; `gates`, `pushed`, `power` and `words` warn of places, keys, medals and words out of reach. `varied` changes
-//! numbers of a level while it is flown; `ship_body` is the shape of the ship that red destroys. All of that is pure: [`read()`] asks
-//! [`Files`] for bytes. Only `folder`, `scaffold` and `document` know the disk.
+//! Level folders: CSV text becomes a valid [`Level`], or the list of all its [`Problem`]s. `cells` cuts bytes into cells, `table` finds their
+//! columns, the rows of `schema` become things of `draft`, and `read` makes the level. `names`, `strength`, `placement`, `reach` and `winnable`
+//! refuse levels; `gates`, `pushed`, `power` and `words` warn. Only `folder`, `scaffold` and `document` know the disk.
 
 mod box_tree;
 mod cells;
@@ -45,14 +39,14 @@ mod world_def;
 pub use folder::{is_shipped, list, load, load_unfinished, title};
 pub use image::read_picture;
 pub use name::{NameFault, is_device, judge_name};
-pub use problem::{Problem, told};
+pub use problem::{Problem, listed};
 pub use read::{Loaded, read, read_unfinished};
 pub use schema::FILES;
 pub use ship_body::{SHIP_BODY, nose, ship_body, sweep_touches};
 pub use source::{BACKGROUND, Files};
 pub use types::{
-    Awards, BURN_RATE, Decoration, Fluid, GravityZone, Level, Look, Mark, Mover, Object, Objective, ObjectiveKind, Player, Pod,
-    Presser, Route, SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, Solid, Stream, Switch, SwitchStay, TICK_RATE, Text, Work,
+    AirStream, Awards, BURN_RATE, Decoration, Fluid, GravityZone, Level, Look, Mark, Mover, Object, Objective, ObjectiveKind, Pod,
+    Presser, Route, SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, ShipStart, Solid, Switch, SwitchStay, TICK_RATE, Text, Work,
 };
 pub use varied::{Parameter, varied};
 pub use wiring::{SurfaceOf, Wire, Worked};

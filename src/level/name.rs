@@ -2,22 +2,21 @@
 
 /// Longest name of a new level, characters.
 const MAX_NAME: usize = 40;
-/// Files among the leaderboards that are no level's, each with its content. A level of that name would share it.
+/// Files among the leaderboards that belong to no level, each with the reason: a level of that name would share the file.
 const OTHER_FILES: [(&str, &str); 3] = [
     ("jumper", "the leaderboard of that name is that of the Jumper"),
     ("players", "scores/players.csv says what the players have done"),
     ("attempts", "scores/attempts.csv is the list of attempts"),
 ];
-/// Names that Windows takes for devices, whatever follows behind a full stop: no folder there, and no file of scores, can have one.
+/// Names that Windows takes for devices, with any ending: no folder and no file of scores can have one there.
 const DEVICES: [&str; 6] = ["con", "prn", "aux", "nul", "conin$", "conout$"];
 /// Devices that a digit follows.
 const NUMBERED_DEVICES: [&str; 2] = ["com", "lpt"];
 
-/// Why a name is no good for a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NameFault {
     NoWord,
-    /// The file of that name among the leaderboards is another one, for this reason.
+    /// Another file among the leaderboards has that name, for this reason.
     Board(&'static str),
     Device,
 }
@@ -35,9 +34,6 @@ impl NameFault {
 
 /// Judges the name of a new level: a word of at most 40 letters, digits, `-` and `_` that begins with a letter or digit and is not taken
 /// in any case.
-///
-/// # Errors
-/// The fault of the name.
 pub fn judge_name(name: &str) -> Result<(), NameFault> {
     let word = name.chars().count() <= MAX_NAME
         && name.chars().all(|c| c.is_alphanumeric() || matches!(c, '-' | '_'))
@@ -45,7 +41,7 @@ pub fn judge_name(name: &str) -> Result<(), NameFault> {
     if word { judge_taken(name) } else { Err(NameFault::NoWord) }
 }
 
-/// Judges whether a name is taken by something else, in any case.
+/// Refuses the names of devices and of other files among the leaderboards, in any case.
 pub(super) fn judge_taken(name: &str) -> Result<(), NameFault> {
     let lower = name.to_lowercase();
     if let Some((_, reason)) = OTHER_FILES.into_iter().find(|(file, _)| *file == lower) {

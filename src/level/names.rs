@@ -4,10 +4,9 @@ use super::draft::Draft;
 use super::nearest::{meant, nearest};
 use super::problem::{MOST_PROBLEMS, Problem, quoted};
 use super::schema::FILES;
-
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A file that no level has: refused where it is one of [`FILES`] misspelt, else a table is only named. Other files are the author's own.
+/// A file that no level has: refused where it is one of [`FILES`] misspelt, a warning for any other table. Other files are the author's own.
 pub(super) fn stray(file: &str) -> Option<Result<Problem, Problem>> {
     if FILES.contains(&file) {
         return None;
@@ -31,22 +30,13 @@ fn meant_file(file: &str) -> Option<&'static str> {
     FILES.into_iter().find(|known| known.rsplit_once('.').is_some_and(|(own, _)| own == stem))
 }
 
-/// How many names a message lists and compares with an unknown one; a table can hold thousands.
+/// The most names that a message lists and compares with an unknown one; a table can hold thousands.
 const MOST_NAMES: usize = 100;
-
 /// The most wires of a level: the game looks at each in every tick.
 const MOST_WIRES: usize = 100_000;
 
-fn worked(draft: &Draft) -> BTreeSet<&str> {
-    let belts = draft.world.iter().filter(|solid| solid.item.belt != 0.0).map(|solid| &solid.item.name);
-    let movers = draft.movers.iter().map(|mover| &mover.item.solid.name);
-    let doors = draft.doors.iter().map(|door| &door.item.name);
-    let streams = draft.streams.iter().map(|stream| &stream.item.name);
-    belts.chain(movers).chain(doors).chain(streams).filter_map(|name| name.as_deref()).collect()
-}
-
-/// How many wires lead from switches to things: each switch to all things of each name that it works.
-fn wires(draft: &Draft) -> usize {
+/// The names that switches can work, each with the number of its things.
+fn worked(draft: &Draft) -> BTreeMap<&str, usize> {
     let mut things: BTreeMap<&str, usize> = BTreeMap::new();
     let solids = draft.world.iter().filter(|solid| solid.item.belt != 0.0).chain(&draft.doors).map(|solid| &solid.item.name);
     let movers = draft.movers.iter().map(|mover| &mover.item.solid.name);
@@ -54,32 +44,32 @@ fn wires(draft: &Draft) -> usize {
     for name in solids.chain(movers).chain(streams).flatten() {
         *things.entry(name).or_default() += 1;
     }
-    let works = draft.switches.iter().flat_map(|switch| &switch.item.works);
-    works.map(|work| things.get(work.name.as_str()).copied().unwrap_or(0)).sum()
+    things
 }
 
 /// Switches that work a name that no thing has.
 pub(super) fn check(draft: &Draft) -> Vec<Problem> {
-    let wires = wires(draft);
+    let known = worked(draft);
+    let works = draft.switches.iter().flat_map(|switch| &switch.item.works);
+    let wires: usize = works.filter_map(|work| known.get(work.name.as_str())).sum();
     if let Some(switch) = draft.switches.first().filter(|_| wires > MOST_WIRES) {
         let found = format!("{wires} wires from switches to what they work, counted in all rows");
         return vec![switch.problem("works", found, format!("at most {MOST_WIRES} in a level"))];
     }
-    let known = worked(draft);
-    let mut all = known.iter().copied().take(MOST_NAMES).collect::<Vec<_>>().join(", ");
+    let mut all = known.keys().copied().take(MOST_NAMES).collect::<Vec<_>>().join(", ");
     if known.len() > MOST_NAMES {
         all += &format!(" and {} more", known.len() - MOST_NAMES);
     }
     let mut problems = Vec::new();
     for switch in &draft.switches {
-        for work in switch.item.works.iter().filter(|work| !known.contains(work.name.as_str())) {
+        for work in switch.item.works.iter().filter(|work| !known.contains_key(work.name.as_str())) {
             if problems.len() > MOST_PROBLEMS {
                 return problems;
             }
             let expected = if known.is_empty() {
                 "the name of a mover, door, stream or belt; none has one".to_owned()
             } else {
-                let meant = meant(&work.name, known.iter().copied().take(MOST_NAMES));
+                let meant = meant(&work.name, known.keys().copied().take(MOST_NAMES));
                 format!("the name of a mover, door, stream or belt: {all}{meant}")
             };
             problems.push(switch.problem("works", quoted(&work.name), expected));

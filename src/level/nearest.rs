@@ -1,6 +1,6 @@
 //! The known word that an author probably meant.
 
-/// A word that differs from every known one by more than a third of its letters is none of them misspelt.
+/// Letters of a misspelt word for each slip: a word with more slips is another word.
 const LETTERS_A_SLIP: usize = 3;
 
 /// The known word nearest to `word`, whatever the case, if it is near enough to be meant.
@@ -12,12 +12,12 @@ pub(super) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) 
     best.filter(|(slips, known)| slips * LETTERS_A_SLIP <= longest.max(known.chars().count())).map(|(_, known)| known)
 }
 
-/// A question behind an expectation: `; "world.csv" is meant?`, or nothing.
+/// `; is "world.csv" meant?`, or empty.
 pub(super) fn meant<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     nearest(word, known).map_or(String::new(), |known| format!("; is {known:?} meant?"))
 }
 
-/// How many letters have to be put in, left out, changed or exchanged with their neighbours to make one word of another.
+/// The fewest letters to insert, leave out, change or exchange with their neighbours to make one word of another.
 fn distance(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
     let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];

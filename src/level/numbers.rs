@@ -1,25 +1,25 @@
-//! Which numbers a level may hold, and the scale from pixels to metres.
-//!
-//! Physical ranges are those of the engine's domain. Limits of two cells together are in `strength`.
+//! The numbers that a level may hold, and the scale from pixels to metres. Physical ranges come from the engine's domain; `strength` has the
+//! limits of two cells together.
 
 use super::route::SHORTEST;
 use super::types::{SHIP_HEIGHT, SHIP_PIXELS};
 use crate::physics::domain::{self, Range};
 use crate::physics::{Aabb, DVec2};
 
-/// Farthest that anything may lie from the level's top left corner, and the largest size, m. Above it f64 resolves positions
-/// more coarsely than 1e-10 m and contacts lose their exactness.
+/// The farthest place from the level's top left corner, and the largest size, m. Beyond it f64 resolves positions more coarsely than
+/// 1e-10 m, and contacts lose their exactness.
 const MAX_DISTANCE: f64 = 1e6;
-/// Smallest side of anything, m. It must stay well above the tolerances of contacts, also at [`MAX_DISTANCE`].
+/// The smallest side, m: well above the tolerances of contacts, also at [`MAX_DISTANCE`].
 pub(super) const MIN_SIZE: f64 = 1e-3;
 
 /// A range of accepted numbers, both ends included, with its unit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NumberRange {
-    low: f64,
-    high: f64,
-    unit: &'static str,
-    /// Nothing between 0 and this.
+    pub low: f64,
+    pub high: f64,
+    /// In words; empty where there is none.
+    pub unit: &'static str,
+    /// No number between 0 and this.
     gap: f64,
 }
 
@@ -38,23 +38,20 @@ pub(super) const COLOUR: NumberRange = NumberRange::new(0.0, 255.0, "");
 pub(super) const GRAVITY: NumberRange = NumberRange::of(domain::FIELD);
 pub(super) const OPTIMAL_TIME: NumberRange = NumberRange::new(1e-3, 1e9, "s");
 pub(super) const HOLD: NumberRange = NumberRange::new(0.0, 1e6, "s");
-/// Faster than anything that one could ride on or see.
 pub(super) const SPEED: NumberRange = NumberRange::new(1e-3, 1e3, "m/s");
 pub(super) const BELT: NumberRange = NumberRange::new(-1e3, 1e3, "m/s");
 pub(super) const PERIOD: NumberRange = NumberRange::new(1e-2, 1e6, "s");
-/// Of a mover: nothing, or as long as the engine's shortest leg.
+/// Of a mover: 0, or as long as the engine's shortest leg.
 pub(super) const PAUSE: NumberRange = NumberRange { gap: SHORTEST, ..NumberRange::new(0.0, 1e6, "s") };
 pub(super) const IMPULSE: NumberRange = NumberRange::new(1e-3, 1e9, "N·s");
 pub(super) const LOAD: NumberRange = NumberRange::new(1e-3, 1e9, "N");
 pub(super) const METRE: NumberRange = NumberRange::new(1e-3, 1e6, "pixels a metre");
 pub(super) const REST_SPEED: NumberRange = NumberRange { low: 0.0, ..NumberRange::of(domain::SPEED) };
-/// A factor of all winds.
 pub(super) const WIND: NumberRange = NumberRange::new(0.0, 1e3, "");
-/// A factor; with rubber it makes a coefficient of 11.5, beyond anything there is.
+/// A factor; with rubber its maximum makes a coefficient of 11.5, beyond any material.
 pub(super) const FRICTION: NumberRange = NumberRange::new(0.0, 10.0, "");
-/// How long a medal allows.
 pub(super) const MEDAL_TIME: NumberRange = NumberRange::new(1e-3, 1e9, "s");
-/// The hits or pushes that a mark allows: a million are more than a flight can have.
+/// Hits or pushes: a million are more than a flight can have.
 pub(super) const MARK_COUNT: NumberRange = NumberRange::new(0.0, 1e6, "");
 pub(super) const MARK_FUEL: NumberRange = NumberRange::new(0.0, 100.0, "% of the fuel left");
 pub(super) const MARK_SPEED: NumberRange = NumberRange::new(1e-3, 1e4, "m/s");
@@ -79,11 +76,6 @@ impl NumberRange {
         self.judge(value).map(|()| value)
     }
 
-    /// The unit in words; empty where there is none.
-    pub const fn unit(&self) -> &'static str {
-        self.unit
-    }
-
     /// The unit as a field shows it beside a number, or the limits where a number of few digits has no unit.
     pub fn sign(&self) -> String {
         match self.unit {
@@ -104,12 +96,6 @@ impl NumberRange {
         format!("{numbers} {}", self.unit).trim_end().to_owned()
     }
 
-    pub const fn limits(&self) -> (f64, f64) {
-        (self.low, self.high)
-    }
-
-    /// Whether a number is accepted.
-    ///
     /// # Errors
     /// The number that is expected instead.
     pub fn judge(&self, value: f64) -> Result<(), String> {
@@ -125,7 +111,7 @@ impl NumberRange {
         Ok(())
     }
 
-    /// The expected numbers, instead of a `value` outside the range.
+    /// The expected numbers, in place of a `value` outside the range.
     fn range(&self, value: f64) -> String {
         let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
         if self.low > 0.0 && value <= 0.0 {
@@ -138,7 +124,7 @@ impl NumberRange {
     }
 }
 
-/// A finite number with a decimal point, whatever the locale; Rust's own `nan` and `inf` are none.
+/// A finite number with a decimal point in every locale; `nan` and `inf`, which Rust accepts, are refused.
 fn number(text: &str) -> Result<f64, String> {
     let plain = |text: &str| {
         let digits = text.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'+' | b'-' | b'.' | b'e' | b'E'));
@@ -180,17 +166,15 @@ pub(super) struct PixelScale {
 }
 
 impl PixelScale {
-    /// Where a level gives none: the ship is 51 pixels high.
+    /// Of a level that gives none: the ship is 51 pixels high.
     pub const USUAL: Self = Self { metre: SHIP_PIXELS / SHIP_HEIGHT };
     /// The smallest size and the farthest distance, m.
     pub const LIMITS: [f64; 2] = [MIN_SIZE, MAX_DISTANCE];
 
-    /// Any coordinate, in pixels.
     pub fn coordinate(&self) -> NumberRange {
         NumberRange::new(-MAX_DISTANCE * self.metre, MAX_DISTANCE * self.metre, "pixels")
     }
 
-    /// Any width, height or size, in pixels.
     pub fn size(&self) -> NumberRange {
         NumberRange::new(MIN_SIZE * self.metre, MAX_DISTANCE * self.metre, "pixels")
     }

@@ -1,9 +1,8 @@
-//! A thing of a level with the row that it comes from.
+//! A thing of a level with its row.
 
 use super::problem::Problem;
 use super::schema::record::RowCells;
 
-/// A thing of the level and the row that it comes from.
 #[derive(Clone, Debug)]
 pub(super) struct FromRow<T> {
     pub file: &'static str,
@@ -16,12 +15,10 @@ impl<T> FromRow<T> {
         Self { file: record.schema.file.name, line: record.line, item }
     }
 
-    /// Something made of the thing, from the same row.
     pub fn map<U>(&self, make: impl FnOnce(&T) -> U) -> FromRow<U> {
         FromRow { file: self.file, line: self.line, item: make(&self.item) }
     }
 
-    /// A problem with the place of the thing.
     pub fn problem(&self, column: &str, found: impl Into<String>, expected: impl Into<String>) -> Problem {
         Problem::new(self.file, self.line, column, found, expected)
     }

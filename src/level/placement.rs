@@ -5,17 +5,16 @@ use super::draft::Draft;
 use super::placed::FromRow;
 use super::problem::{MOST_PROBLEMS, Problem};
 use super::reach::{FreeSpace, SearchWork};
-
-use super::types::{Fluid, Player, SHIP_HALF, Solid};
+use super::types::{Fluid, SHIP_HALF, ShipStart, Solid};
 use crate::physics::domain::{LIQUIDS_OVERLAP, MOST_FIELDS, MOST_LIQUIDS, MOST_STREAMS};
 use crate::physics::{Aabb, DVec2, Sides};
 use std::rc::Rc;
 
-/// How far things may overlap at the start, m: the rounding of pixels to metres overlaps things that touch. Larger, and the
-/// engine would have to push things apart at the first tick.
+/// The most that things overlap at the start, m: pixels that touch overlap by rounding. The engine would push apart a larger overlap at the
+/// first tick.
 const OVERLAP: f64 = 1e-6;
 
-/// A thing's name in messages, and its box.
+/// Its name in messages, and its box.
 type Named = (&'static str, FromRow<Aabb>);
 
 /// More streams, fields and liquids than a level may have, and liquids that overlap: one problem a row.
@@ -40,9 +39,9 @@ pub(super) fn check_zones(draft: &Draft) -> Vec<Problem> {
     problems
 }
 
-fn too_many<T>(rows: &[FromRow<T>], what: &str, most: usize, problems: &mut Vec<Problem>) {
+fn too_many<T>(rows: &[FromRow<T>], kind: &str, most: usize, problems: &mut Vec<Problem>) {
     let beyond = rows.iter().skip(most).take(MOST_PROBLEMS);
-    problems.extend(beyond.map(|row| row.problem("x", format!("{} {what}", rows.len()), format!("at most {most} in a level"))));
+    problems.extend(beyond.map(|row| row.problem("x", format!("{} {kind}", rows.len()), format!("at most {most} in a level"))));
 }
 
 /// The ship and every object that start outside the level or inside something solid: one problem a body.
@@ -56,7 +55,7 @@ pub(super) fn check(draft: &Draft, work: &SearchWork) -> Vec<Problem> {
             .map(|solid| ("the solid", solid.map(|solid| solid.bounds))),
     );
     solids.extend(draft.movers.iter().map(|mover| ("the mover", mover.map(|mover| mover.solid.bounds))));
-    // A door that is open at the start closes once nothing is in its way.
+    // A door that is open at the start closes once it is free.
     let works = || draft.switches.iter().flat_map(|switch| &switch.item.works);
     let open = |door: &Solid| works().any(|work| work.inverted && Some(&work.name) == door.name.as_ref());
     solids.extend(draft.doors.iter().filter(|door| !open(&door.item)).map(|door| ("the door", door.map(|door| door.bounds))));
@@ -105,17 +104,17 @@ pub(super) fn check(draft: &Draft, work: &SearchWork) -> Vec<Problem> {
     problems
 }
 
-/// How far a body is in another, in pixels, along the shorter way out: its column, and to which side that leads.
+/// The shortest move out of another body: its column, its length in pixels, its side.
 fn depth(body: &Aabb, other: &Aabb, metre: f64) -> (&'static str, String, &'static str) {
-    let ways = [
+    let moves = [
         ("x", body.max.x - other.min.x, "left"),
         ("x", other.max.x - body.min.x, "right"),
         ("y", body.max.y - other.min.y, "up"),
         ("y", other.max.y - body.min.y, "down"),
     ];
-    let (column, metres, side) = ways.into_iter().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(ways[0]);
+    let (column, metres, side) = moves.into_iter().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(moves[0]);
     let pixels = metres * metre;
-    // Four digits, however little it is.
+    // Four digits.
     let decimals = (3 - pixels.log10().floor() as i32).clamp(0, 9) as usize;
     let text = format!("{pixels:.decimals$}");
     let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text };
@@ -138,14 +137,14 @@ fn outside(name: &str, body: &FromRow<Aabb>, draft: &Draft) -> Option<Problem> {
 }
 
 /// The objects that the ship cannot reach from its start.
-pub(super) fn warn(draft: &Draft, player: &Player, space: &FreeSpace) -> Vec<Problem> {
+pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
     let bodies = draft.objects.iter().map(|object| (object.item.position, object.item.size * 0.5)).collect::<Vec<_>>();
     let unreached = space.unreached((player.position, SHIP_HALF), &bodies);
-    let expected = "a way for the ship, or for something that it can push";
+    let expected = "a route for the ship, or for an object that it can push";
     unreached.into_iter().map(|i| draft.objects[i].problem("x", "an object that no one can reach", expected)).collect()
 }
 
-/// Where things can be that fly, in a level of that size in metres: wherever there is no rock.
+/// The space without rock, in a level of that size in metres.
 pub(super) fn space(draft: &Draft, size: DVec2, work: Rc<SearchWork>) -> FreeSpace {
     let rock = draft.world.iter().filter(|solid| solid.item.is_rock()).map(|solid| solid.item.bounds);
     let solids = rock.chain(draft.streams.iter().map(|stream| stream.item.source)).collect();

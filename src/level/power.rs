@@ -1,16 +1,13 @@
-//! Warnings of engines, tanks and medals that ask the impossible, by bounds that no flight beats.
-//!
-//! With e the energy of everything a kilogram of the ship, thrust T, mass m and burning time b: √(2e) grows by no more than b·T/m, for the
-//! engine does work at T·v and v ≤ √(2e). A climb by h from a place that lies D above the lowest takes √(2g(D + h)). Likewise √(2E) of all
-//! bodies together grows by no more than t·√(Σ F²/m), with F all that can act on each.
+//! Warnings of engines, tanks and medals that ask the impossible. With e the energy of all bodies a kilogram of the ship, thrust T, mass m
+//! and burning time b, √(2e) grows by at most b·T/m: the engine's power is T·v, and v ≤ √(2e). A climb by h from a place D above the lowest
+//! takes √(2g(D + h)). √(2E) of all bodies together grows by at most t·√(Σ F²/m), with F the sum of all forces that can act on a body.
 
 use super::draft::Draft;
 use super::placed::FromRow;
 use super::problem::Problem;
 use super::reach::{FreeSpace, Grid};
-use super::schema::settings::CONSTANTS;
-use super::schema::settings::LevelSettings;
-use super::types::{BURN_RATE, Mark, Object, Objective, ObjectiveKind, Player, SHIP_HALF, TICK_RATE};
+use super::schema::settings::{CONSTANTS, LevelSettings};
+use super::types::{BURN_RATE, Mark, Object, Objective, ObjectiveKind, SHIP_HALF, ShipStart, TICK_RATE};
 use super::winnable::fitting;
 use crate::physics::{Aabb, DVec2, Material};
 use std::collections::BinaryHeap;
@@ -18,14 +15,14 @@ use std::rc::Rc;
 
 /// How often a body may bounce off movers within the time of a medal, each time by twice their speed.
 const BOUNCES: f64 = 10.0;
-/// No more ticks of burning are reckoned with: 97 days.
+/// The most ticks of burning: 97 days.
 const MOST_TICKS: f64 = 1e9;
-/// How often bodies, blocks and objectives are compared; larger levels are not warned about.
+/// The most comparisons of bodies, blocks and objectives; a larger level gets no warning.
 const MOST_LOOKS: usize = 20_000_000;
-/// m. A nearer body is there.
+/// m. A body that is nearer than this touches.
 const NEAR: f64 = 1e-6;
 
-pub(super) fn warn(draft: &Draft, player: &FromRow<Player>, settings: &LevelSettings, space: &FreeSpace) -> Vec<Problem> {
+pub(super) fn warn(draft: &Draft, player: &FromRow<ShipStart>, settings: &LevelSettings, space: &FreeSpace) -> Vec<Problem> {
     let bodies = draft.objects.len() + 1;
     if bodies * (draft.world.len() + draft.objectives.len()) * (draft.objectives.len() + 1) > MOST_LOOKS {
         return Vec::new();
@@ -50,7 +47,7 @@ pub(super) fn warn(draft: &Draft, player: &FromRow<Player>, settings: &LevelSett
 
 struct Power<'a> {
     draft: &'a Draft,
-    ship: &'a Player,
+    ship: &'a ShipStart,
     settings: &'a LevelSettings,
     /// N/kg, downwards.
     gravity: f64,
@@ -62,17 +59,13 @@ impl Power<'_> {
         let draft = self.draft;
         let winds = draft.streams.iter().map(|stream| stream.item.force.y);
         let up = winds.chain(draft.fields.iter().map(|field| field.item.strength.y)).any(|y| y < 0.0);
-        up || !draft.fluids.is_empty() || !draft.movers.is_empty() || self.throws() || self.belt() > 0.0
+        let springy = draft.world.iter().any(|solid| solid.item.material.restitution > 0.0);
+        up || springy || !draft.fluids.is_empty() || !draft.movers.is_empty() || self.belt() > 0.0
     }
 
     /// Whether something in the level may drive the ship to any side.
     fn is_helped(&self) -> bool {
         self.is_lifted() || !self.draft.streams.is_empty() || !self.draft.fields.is_empty()
-    }
-
-    /// Whether a material throws back.
-    fn throws(&self) -> bool {
-        self.draft.world.iter().any(|solid| solid.item.material.restitution > 0.0)
     }
 
     /// The fastest belt, m/s.
@@ -81,7 +74,7 @@ impl Power<'_> {
         belts.map(|solid| solid.belt.abs()).fold(0.0, f64::max)
     }
 
-    /// Fuel units without which the ship gets to no objective of a kind, and the line of that objective; `None` where nothing is known.
+    /// The fuel units that the costliest objective takes at least, and its line; `None` where no bound is known.
     fn fuel_needed(&self, space: &FreeSpace) -> Option<(f64, usize)> {
         if self.is_helped() || self.gravity <= 0.0 || self.settings.gravity_x != 0.0 || self.ship.thrust == 0.0 {
             return None;
@@ -89,13 +82,12 @@ impl Power<'_> {
         let pads: Vec<&FromRow<Objective>> =
             self.draft.objectives.iter().filter(|placed| placed.item.kind == ObjectiveKind::Player).collect();
         let climbs = Climbs::new(self.ship.position, space)?;
-        // The energy that others can pass on to the ship: their own, and that of their fall, where they bounce.
         let others: f64 = self.draft.objects.iter().map(|object| self.energy_of(&object.item, space)).sum();
         let begun = 0.5 * self.ship.velocity.length_squared() + others / self.ship.mass;
         let depth = climbs.depth;
         let speed = |height: f64| (2.0 * self.gravity * (depth + height).max(0.0)).sqrt();
         let first = (2.0 * (begun + self.gravity * depth)).sqrt();
-        // Where nothing bounces, a body that nothing pushes moves only downwards.
+        // Where no body bounces, one that the ship does not push moves only downwards.
         let plain = others == 0.0 && self.ship.restitution.max(self.ship.material.restitution) == 0.0;
         let along = |gap: f64| if plain { self.seconds_along(gap, first) } else { 0.0 };
         let ship = Aabb::around(self.ship.position, SHIP_HALF);
@@ -119,12 +111,12 @@ impl Power<'_> {
     /// The energy that an object can pass on, J: its own, and, where it bounces, that of its fall.
     fn energy_of(&self, object: &Object, space: &FreeSpace) -> f64 {
         let bounces = object.restitution.max(object.material.restitution).max(self.ship.restitution) > 0.0;
-        let fall = if bounces { (space.bottom() - object.position.y - object.size.y * 0.5).max(0.0) } else { 0.0 };
+        let fall = if bounces { (space.level.max.y - object.position.y - object.size.y * 0.5).max(0.0) } else { 0.0 };
         object.mass * (0.5 * object.velocity.length_squared() + self.gravity * fall)
     }
 
-    /// Seconds of burning without which the ship comes no further aside than `gap`, m: at the start, and after each tick of burning, it
-    /// flies as far as its energy carries it, and slides out. `first` is √(2e) at the start, m/s.
+    /// The least seconds of burning that carry the ship `gap` m aside: at the start, and after each tick of burning, it flies as far as its
+    /// energy carries it, and slides out. `first` is √(2e) at the start, m/s.
     fn seconds_along(&self, gap: f64, first: f64) -> f64 {
         let floors = self.draft.world.iter().map(|solid| solid.item.material);
         let floors = floors.chain(self.draft.doors.iter().map(|door| door.item.material));
@@ -152,7 +144,7 @@ impl Power<'_> {
             let middle = (0.5 * (least + most)).floor();
             if far(middle) < gap { least = middle } else { most = middle }
         }
-        // With the last tick begun it may be as far as that.
+        // The last tick may end the flight as soon as it begins.
         least / TICK_RATE
     }
 
@@ -204,8 +196,8 @@ impl Power<'_> {
         physics.filter(|placed| self.gap(&placed.item).is_some_and(|(gap, _)| gap > NEAR))
     }
 
-    /// The shortest time to the end, s, and the line of the objective that takes it; `None` where nothing is known. The clock begins with the
-    /// first input, and until then everything falls.
+    /// The shortest time to the end, s, and the line of the objective that takes it; `None` where no bound is known. The clock begins with the
+    /// first input; until then all bodies fall.
     fn least_time(&self) -> Option<(f64, usize)> {
         let falls = self.falls()?;
         let settings = self.settings;
@@ -242,21 +234,18 @@ impl Power<'_> {
         longest
     }
 
-    /// How far a body that fits an objective is from it, m, wherever it has fallen to before the first input, and its mass, kg: of all that
-    /// fit the least of each.
+    /// The least distance, m, and the least mass, kg, of the bodies that fit an objective, wherever each has fallen to before the first input.
     fn gap(&self, objective: &Objective) -> Option<(f64, f64)> {
         let ship = (self.ship.position, SHIP_HALF);
-        let gaps = fitting(self.draft, objective, ship).map(|(centre, half)| {
-            let gap = self.column(centre, half).gap(&objective.bounds).max(DVec2::ZERO);
-            gap.length()
-        });
+        let gaps = fitting(self.draft, objective, ship)
+            .map(|(centre, half)| self.column(centre, half).gap(&objective.bounds).max(DVec2::ZERO).length());
         let gap = gaps.reduce(f64::min)?;
         let keys = self.draft.objects.iter().filter(|object| object.item.key.is_some_and(|key| objective.fits(key)));
         let lightest = keys.map(|key| key.item.mass).fold(f64::INFINITY, f64::min);
         Some((gap, if objective.kind == ObjectiveKind::Player { self.ship.mass } else { lightest }))
     }
 
-    /// Where a body gets that falls straight down to the first block.
+    /// The box that a body passes while it falls straight down to the first block.
     fn column(&self, centre: DVec2, half: DVec2) -> Aabb {
         let body = Aabb::around(centre, half);
         Aabb { min: body.min, max: DVec2::new(body.max.x, body.max.y + self.fall(&body)) }
@@ -294,25 +283,25 @@ impl Power<'_> {
     }
 }
 
-/// How far the ship has to climb above its start to get somewhere, at least.
+/// How far the ship has to climb above its start, at least.
 struct Climbs {
     grid: Rc<Grid>,
-    /// Of each cell, m; infinite where it does not get.
+    /// Of each cell, m; infinite where the ship does not get.
     climb: Vec<f64>,
-    /// How far below its start the lowest place is that it gets to, m.
+    /// From its start down to the lowest place that it gets to, m.
     depth: f64,
     start: f64,
 }
 
 impl Climbs {
-    /// `None` where the level is too large to say, or where the ship starts in something.
+    /// `None` where the level is too large to say, or where the ship starts in a solid.
     fn new(start: DVec2, space: &FreeSpace) -> Option<Self> {
         let grid = space.grid(SHIP_HALF)?;
         // A heap costs some steps a cell.
-        if grid.is_blocked(grid.at(start)) || !space.work().spend(4 * grid.len()) {
+        if grid.is_blocked(grid.at(start)) || !space.work.spend(4 * grid.parts.len()) {
             return None;
         }
-        let mut climbs = Self { climb: vec![f64::INFINITY; grid.len()], grid, depth: 0.0, start: start.y };
+        let mut climbs = Self { climb: vec![f64::INFINITY; grid.parts.len()], grid, depth: 0.0, start: start.y };
         let first = climbs.grid.at(start);
         climbs.climb[first] = 0.0;
         let mut open = BinaryHeap::from([Reached { climb: 0.0, cell: first }]);
@@ -320,7 +309,7 @@ impl Climbs {
             if climb > climbs.climb[cell] {
                 continue;
             }
-            let lowest = climbs.grid.area(cell).max.y - climbs.grid.slack();
+            let lowest = climbs.grid.area(cell).max.y - climbs.grid.slack;
             climbs.depth = climbs.depth.max(lowest - start.y);
             for next in climbs.grid.beside(cell) {
                 if climbs.grid.is_blocked(next) {
@@ -338,9 +327,9 @@ impl Climbs {
 
     /// To a place from which it touches a box; `None` where it gets to none.
     fn to(&self, target: &Aabb) -> Option<f64> {
-        let reach = SHIP_HALF + self.grid.slack();
+        let reach = SHIP_HALF + self.grid.slack;
         let near = Aabb { min: target.min - reach, max: target.max + reach };
-        let climbs = (0..self.grid.len()).filter(|cell| self.climb[*cell].is_finite()).filter_map(|cell| {
+        let climbs = (0..self.grid.parts.len()).filter(|cell| self.climb[*cell].is_finite()).filter_map(|cell| {
             let area = self.grid.area(cell);
             area.touches(&near, 0.0).then(|| self.climb[cell].max(self.start - area.max.y.min(near.max.y)))
         });

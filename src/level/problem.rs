@@ -6,8 +6,7 @@ use std::fmt;
 /// How many characters of an author's cell a message quotes.
 const QUOTED_CHARACTERS: usize = 40;
 
-/// One thing that is wrong, or only odd, in a level's files. It prints on one line, whatever the author's cells hold:
-/// `file:line: column "name": found …, expected …`.
+/// It prints on one line, whatever the author's cells hold: `file:line: column "name": found …, expected …`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem {
     /// The file's name in the level folder.
@@ -30,9 +29,7 @@ impl Problem {
     ) -> Self {
         Self { file: file.into(), line, column: column.into(), found: found.into(), expected: expected.into() }
     }
-}
 
-impl Problem {
     /// The problem with a file that has no lines and columns.
     pub(super) fn of_file(file: &str, found: impl Into<String>, expected: impl Into<String>) -> Self {
         Self::new(file, 0, "", found, expected)
@@ -49,13 +46,13 @@ impl fmt::Display for Problem {
     }
 }
 
-/// How many problems that are alike but for the row are written out.
+/// The most problems that are written out of all that differ only in the row.
 const ALIKE: usize = 3;
 
-/// The problems as they are printed, a line each; of those that are alike but for the row the first few, and a line that counts the rest.
-pub fn told(problems: &[Problem]) -> Vec<String> {
+/// The problems as they are printed, a line each; of problems that differ only in the row the first few, and a line that counts the rest.
+pub fn listed(problems: &[Problem]) -> Vec<String> {
     let alike = |problem: &Problem| (problem.file.clone(), problem.column.clone(), problem.found.clone(), problem.expected.clone());
-    // How many there are of a kind, and the last of them.
+    // The count of a kind, and the line of the last.
     let mut kinds: BTreeMap<_, (usize, usize)> = BTreeMap::new();
     let number = |problem: &Problem| {
         let (count, last) = kinds.entry(alike(problem)).or_default();
@@ -81,7 +78,7 @@ pub fn told(problems: &[Problem]) -> Vec<String> {
     problems.iter().zip(numbers).filter_map(line).collect()
 }
 
-/// The most problems of a level that are listed: an author with more begins with the first.
+/// The most problems of a level that are listed.
 pub(super) const MOST_PROBLEMS: usize = 1000;
 
 /// Stands in place of all further problems.
@@ -113,11 +110,11 @@ mod tests {
         let other = Problem::new("world.csv", 5, "x", quoted("a"), "a number");
         let mut problems: Vec<Problem> = (2..=1001).map(alike).collect();
         problems.insert(3, other.clone());
-        let lines = told(&problems);
+        let lines = listed(&problems);
         assert_eq!(lines.len(), 5, "{lines:?}");
         assert_eq!(lines[..4], [alike(2).to_string(), alike(3).to_string(), alike(4).to_string(), other.to_string()]);
         assert_eq!(lines[4], "world.csv:5: column \"material\": found \"Cheese\" in 997 more rows, the last in line 1001");
-        assert_eq!(told(&problems[..5]).len(), 5, "four of a kind take no less room summed up");
+        assert_eq!(listed(&problems[..5]).len(), 5, "four of a kind take no less room summed up");
     }
 
     #[test]

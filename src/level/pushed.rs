@@ -1,24 +1,21 @@
-//! Keys that stand below a step to their objective: a warning.
-//!
-//! A key rises when the ship, or another body that the ship lifts, gets below it; when something in the level lifts it; when the ship
-//! carries it by friction; or by a hop from a hit. Where none of the first three is possible, a key gets where it can slide, fall and hop.
-//! How far a fall throws it back is not asked: it may come up again to where it fell from.
+//! Warnings of keys below a step to their objective. A key rises when the ship, or a body that the ship lifts, gets below it, when a zone or
+//! a mover lifts it, when the ship carries it by friction, or by a hop from a hit. Where none of the first three is possible, a key slides,
+//! falls and hops. A key that falls may bounce back to its old height.
 
 use super::draft::Draft;
 use super::problem::Problem;
 use super::reach::{CentredBox, Counts, FreeSpace, Grid};
 use super::schema::settings::LevelSettings;
-use super::types::{Object, ObjectiveKind, Player, SHIP_HALF};
+use super::types::{Object, ObjectiveKind, SHIP_HALF, ShipStart};
 use crate::physics::{Aabb, DVec2};
 
-/// m/s. The fastest hit that a hop is reckoned from: a faster one costs the ship points.
+/// m/s. The fastest hit that makes a key hop: a faster one costs the ship points.
 const HIT: f64 = 10.0;
-
-/// Levels with more objects are not warned about.
+/// A level with more objects gets no warning.
 const MOST_OBJECTS: usize = 500;
 
 /// The objectives for keys to which no key gets that fits.
-pub(super) fn warn(draft: &Draft, player: &Player, settings: &LevelSettings, space: &FreeSpace) -> Vec<Problem> {
+pub(super) fn warn(draft: &Draft, player: &ShipStart, settings: &LevelSettings, space: &FreeSpace) -> Vec<Problem> {
     let wanted: Vec<_> = draft.objectives.iter().filter(|placed| placed.item.kind == ObjectiveKind::Physics).collect();
     let lifts = !draft.movers.is_empty() || !draft.streams.is_empty() || !draft.fields.is_empty() || !draft.fluids.is_empty();
     let belts = draft.world.iter().any(|solid| solid.item.belt != 0.0);
@@ -43,12 +40,12 @@ pub(super) fn warn(draft: &Draft, player: &Player, settings: &LevelSettings, spa
         let mut keys = draft.objects.iter().filter(|object| object.item.key.is_some_and(|key| placed.item.fits(key)));
         !keys.any(|key| gets_there(&key.item, &placed.item.bounds))
     });
-    let expected = "a way down to it, or something that lifts the key";
+    let expected = "a route down to it, or something that lifts the key";
     stuck.map(|placed| placed.problem("y", "an objective up a step that no key which fits can be pushed over", expected)).collect()
 }
 
 /// How far a key hops, m: friction passes on at most μ of a hit's impulse upwards. Low objects that it may climb on the way come on top.
-fn hop(draft: &Draft, key: &Object, player: &Player, settings: &LevelSettings) -> f64 {
+fn hop(draft: &Draft, key: &Object, player: &ShipStart, settings: &LevelSettings) -> f64 {
     let material = key.material.kinetic_friction.min(player.material.kinetic_friction) * settings.friction;
     let bounce = [key.restitution, player.restitution, key.material.restitution, player.material.restitution];
     let bounce = bounce.into_iter().fold(0.0, f64::max);
@@ -58,42 +55,42 @@ fn hop(draft: &Draft, key: &Object, player: &Player, settings: &LevelSettings) -
     hop + steps.sum::<f64>()
 }
 
-/// Whether the ship can carry an object before it by friction: it pushes so hard that friction bears the object, and bears both.
-fn is_carried(object: &Object, player: &Player, settings: &LevelSettings) -> bool {
+/// Whether the ship can carry an object before it: the push makes enough friction to bear the object, and the thrust bears both.
+fn is_carried(object: &Object, player: &ShipStart, settings: &LevelSettings) -> bool {
     let friction = object.material.static_friction.min(player.material.static_friction) * settings.friction;
     let weight = (player.mass + object.mass) * settings.gravity;
     player.thrust >= weight * (1.0 + 1.0 / (friction * friction)).sqrt()
 }
 
 /// Whether the ship gets below an object somewhere.
-fn is_lifted(object: &Object, hop: f64, player: &Player, draft: &Draft, space: &FreeSpace) -> bool {
+fn is_lifted(object: &Object, hop: f64, player: &ShipStart, draft: &Draft, space: &FreeSpace) -> bool {
     let (Some(pushed), Some(ship)) = (Pushed::new(object, hop, draft, space), space.grid(SHIP_HALF)) else { return true };
     let part = ship.part_at(player.position);
-    if part == 0 || !space.work().spend(ship.len()) {
+    if part == 0 || !space.work.spend(ship.parts.len()) {
         return true;
     }
-    let ships = Counts::new(&ship, |cell| ship.part(cell) == part);
-    let reach = pushed.grid.half() + SHIP_HALF;
-    (0..pushed.grid.len()).filter_map(|cell| pushed.area(cell)).any(|area| {
-        // Side by side they touch as well, but nothing is below the other.
-        let aside = reach.x - 2.0 * pushed.grid.slack();
+    let ships = Counts::new(&ship, |cell| ship.parts[cell] == part);
+    let reach = pushed.grid.half + SHIP_HALF;
+    (0..pushed.grid.parts.len()).filter_map(|cell| pushed.area(cell)).any(|area| {
+        // Side by side they touch as well, but neither is below the other.
+        let aside = reach.x - 2.0 * pushed.grid.slack;
         let below = Aabb {
-            min: DVec2::new(area.min.x - aside, area.min.y + reach.y - pushed.grid.slack()),
-            max: DVec2::new(area.max.x + aside, area.max.y + reach.y + pushed.grid.slack()),
+            min: DVec2::new(area.min.x - aside, area.min.y + reach.y - pushed.grid.slack),
+            max: DVec2::new(area.max.x + aside, area.max.y + reach.y + pushed.grid.slack),
         };
         ships.any_in(&below)
     })
 }
 
-/// Where an object gets that slides, falls and hops.
+/// Where an object gets by sliding, falling and hopping.
 struct Pushed {
     grid: std::rc::Rc<Grid>,
-    /// The highest place that its centre gets to in each cell, y in m; infinite where it does not get.
+    /// The highest place of its centre in each cell, y in m; infinite where it does not get.
     highest: Vec<f64>,
 }
 
 impl Pushed {
-    /// `None` where the level is too large to say, or where the object starts in something.
+    /// `None` where the level is too large to say, or where the object starts in a solid.
     fn new(object: &Object, hop: f64, draft: &Draft, space: &FreeSpace) -> Option<Self> {
         let (position, half): CentredBox = (object.position, object.size * 0.5);
         let grid = space.grid(half)?;
@@ -106,11 +103,11 @@ impl Pushed {
         let plates = draft.switches.iter().filter(|switch| switch.item.weight.is_some()).map(|plate| plate.item.bounds);
         let others = draft.world.iter().filter(|solid| !solid.item.is_rock()).map(|solid| solid.item.bounds);
         let supports: Vec<Aabb> = doors.chain(plates).chain(others).map(|b| Aabb::new(b.min - half, b.max + half)).collect();
-        let mut pushed = Self { highest: vec![f64::INFINITY; grid.len()], grid };
+        let mut pushed = Self { highest: vec![f64::INFINITY; grid.parts.len()], grid };
         pushed.highest[start] = position.y - hop;
         let mut open = vec![start];
         while let Some(cell) = open.pop() {
-            if !space.work().spend(1 + supports.len()) {
+            if !space.work.spend(1 + supports.len()) {
                 return None;
             }
             let area = pushed.grid.area(cell);
@@ -145,8 +142,8 @@ impl Pushed {
     }
 
     fn gets_to(&self, target: &Aabb) -> bool {
-        let reach = self.grid.half() + self.grid.slack();
+        let reach = self.grid.half + self.grid.slack;
         let near = Aabb { min: target.min - reach, max: target.max + reach };
-        (0..self.grid.len()).filter_map(|cell| self.area(cell)).any(|area| area.touches(&near, 0.0))
+        (0..self.grid.parts.len()).filter_map(|cell| self.area(cell)).any(|area| area.touches(&near, 0.0))
     }
 }

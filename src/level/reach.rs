@@ -4,19 +4,19 @@
 //! of the grown rectangles cut the level into a grid that is exact, whatever the sizes: its cells are the open intervals between
 //! two edges and, between them, the edges themselves (a box may slide through a gap of exactly its size).
 //!
-//! A body that can be touched can be pushed, and may then touch others where the ship does not fit. Whatever might be reachable counts as
-//! reachable: objects are no obstacles to each other, and nothing is too heavy to push.
+//! A body that is touched can be pushed, and may then touch others where the ship does not fit. A doubtful body counts as reached: objects
+//! are no obstacles to each other, and no body is too heavy to push.
 
 use crate::physics::{Aabb, DVec2};
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// Grids with more cells than this are not searched: a warning is not worth a long load. 4 million cells take about 50 ms.
+/// The largest grid that is searched, cells: 4 million take about 50 ms.
 const MOST_CELLS: usize = 4_000_000;
-/// No more sizes of objects than this are searched.
+/// The most sizes of objects that are searched.
 const MOST_SIZES: usize = 16;
-/// How many cells all searches of a level may look at together.
+/// The most cells that all searches of a level look at together.
 pub(super) const MOST_WORK: u64 = 20_000_000;
 
 /// The cost of a level's searches so far, in cells looked at.
@@ -46,30 +46,31 @@ impl SearchWork {
 }
 
 pub(super) struct FreeSpace {
-    level: Aabb,
+    pub level: Aabb,
     solids: Vec<Aabb>,
     /// How far boxes may overlap solids, m: rounding must not close a gap.
     slack: f64,
-    work: Rc<SearchWork>,
+    pub work: Rc<SearchWork>,
     grids: RefCell<Vec<(DVec2, Option<Rc<Grid>>)>>,
 }
 
 /// Where the centre of a box of one size can be.
 pub(super) struct Grid {
-    half: DVec2,
-    slack: f64,
+    pub half: DVec2,
+    /// How far boxes may overlap solids, m.
+    pub slack: f64,
     /// The edges, ascending, without repeats. Cell 2i + 1 is edge i, cell 2i the open interval before it.
     x: Vec<f64>,
     y: Vec<f64>,
     /// The connected part of the free space that each cell belongs to, from 1; 0 where it is blocked. Row by row.
-    parts: Vec<u32>,
+    pub parts: Vec<u32>,
     counts: RefCell<BTreeMap<u32, Rc<Counts>>>,
 }
 
 /// A connected part of the free space of one size: the index of its grid, and the part's number.
 type FreePart = (usize, u32);
 
-/// A `(centre, half)` box.
+/// Centre and half size.
 pub(super) type CentredBox = (DVec2, DVec2);
 
 impl FreeSpace {
@@ -82,17 +83,7 @@ impl FreeSpace {
         Self::new(self.level, solids, self.slack, self.work.clone())
     }
 
-    /// The lowest y, m.
-    pub const fn bottom(&self) -> f64 {
-        self.level.max.y
-    }
-
-    /// The cost of this level's searches.
-    pub fn work(&self) -> &SearchWork {
-        &self.work
-    }
-
-    /// The indices of those bodies that nothing reaches that starts with the ship; none where the level is too large to say.
+    /// The indices of the bodies that neither the ship reaches nor a body that it pushes; none where the level is too large to say.
     pub fn unreached(&self, ship: CentredBox, bodies: &[CentredBox]) -> Vec<usize> {
         let mut halves = vec![ship.1];
         for (_, half) in bodies {
@@ -112,7 +103,7 @@ impl FreeSpace {
         };
         let mut waiting: BTreeMap<FreePart, Vec<usize>> = BTreeMap::new();
         for (i, body) in bodies.iter().enumerate() {
-            // A body without a place of its own has been refused; it is never warned about.
+            // A body in a blocked cell has been refused: it gets no warning.
             if let Some(part) = part_of(body) {
                 waiting.entry(part).or_default().push(i);
             }
@@ -140,8 +131,8 @@ impl FreeSpace {
         unreached
     }
 
-    /// Whether a body can get somewhere from where it touches a box; also where the level is too large to say, or where the body starts in
-    /// something.
+    /// Whether a body gets to a place from which it touches a box; true where the level is too large to say, or where the body starts in a
+    /// solid.
     pub fn gets_to(&self, (centre, half): CentredBox, target: &Aabb) -> bool {
         let Some(grid) = self.grid(half) else { return true };
         let part = grid.part_at(centre);
@@ -153,7 +144,7 @@ impl FreeSpace {
         counts.any_in(&Aabb::new(target.min - reach, target.max + reach))
     }
 
-    /// Where the centres of boxes of that size can be; `None` where the level is too large to say.
+    /// `None` where the level is too large to search.
     pub fn grid(&self, half: DVec2) -> Option<Rc<Grid>> {
         if let Some((_, known)) = self.grids.borrow().iter().find(|(known, _)| *known == half) {
             return known.clone();
@@ -195,7 +186,7 @@ impl FreeSpace {
         let (x, y) = (edges(|v| v.x), edges(|v| v.y));
         let (columns, rows) = (2 * x.len() + 1, 2 * y.len() + 1);
         let index = |edges: &[f64], value: f64| edges.partition_point(|edge| *edge < value);
-        // How many solids begin less how many end at each cell: however many there are and however large, each costs four cells.
+        // How many solids begin less how many end at each cell: a solid of any size costs four cells.
         let mut begun = vec![0i32; (columns + 1) * (rows + 1)];
         for solid in &grown {
             // All cells strictly between two edges: the edges themselves stay free.
@@ -254,7 +245,6 @@ impl Grid {
         2 * before + usize::from(edges.get(before) == Some(&value))
     }
 
-    /// The interval that a cell covers along one axis.
     fn interval(edges: &[f64], cell: usize) -> (f64, f64) {
         let before = |i: usize| i.checked_sub(1).map_or(f64::NEG_INFINITY, |i| edges[i]);
         match cell % 2 {
@@ -267,23 +257,10 @@ impl Grid {
         2 * self.x.len() + 1
     }
 
-    pub fn len(&self) -> usize {
-        self.parts.len()
-    }
-
     /// Where the centres in a cell are; infinite at the outermost, which are blocked.
     pub fn area(&self, cell: usize) -> Aabb {
         let (x, y) = (Self::interval(&self.x, cell % self.columns()), Self::interval(&self.y, cell / self.columns()));
         Aabb { min: DVec2::new(x.0, y.0), max: DVec2::new(x.1, y.1) }
-    }
-
-    pub const fn half(&self) -> DVec2 {
-        self.half
-    }
-
-    /// How far boxes may overlap solids, m.
-    pub const fn slack(&self) -> f64 {
-        self.slack
     }
 
     pub fn at(&self, point: DVec2) -> usize {
@@ -292,11 +269,6 @@ impl Grid {
 
     pub fn is_blocked(&self, cell: usize) -> bool {
         self.parts[cell] == 0
-    }
-
-    /// The part that a cell belongs to; 0 where it is blocked.
-    pub fn part(&self, cell: usize) -> u32 {
-        self.parts[cell]
     }
 
     /// The part that a point belongs to; 0 where it is blocked.
@@ -310,8 +282,8 @@ impl Grid {
     }
 }
 
-/// Some cells of a grid, counted: how many of them lie above and to the left of each corner of the grid, so that those in any rectangle are
-/// counted by four look-ups. Row by row, one longer each way than the grid.
+/// How many of some cells of a grid lie above and to the left of each corner: four look-ups count the cells in any rectangle. Row by row,
+/// one row and one column more than the grid.
 pub(super) struct Counts {
     count: Vec<u32>,
     half: DVec2,
@@ -321,7 +293,6 @@ pub(super) struct Counts {
 }
 
 impl Counts {
-    /// Of those cells that are wanted.
     pub fn new(grid: &Grid, wanted: impl Fn(usize) -> bool) -> Self {
         let columns = grid.columns();
         let at = |row: usize, column: usize| row * (columns + 1) + column;
@@ -344,7 +315,7 @@ impl Counts {
         at(bottom, right) + at(top, left) > at(top, right) + at(bottom, left)
     }
 
-    /// Whether the box somewhere in these cells can touch another grid's box somewhere in that part.
+    /// Whether the box in one of these cells can touch another grid's box in that part.
     fn touches(&self, other: &Grid, part: u32) -> bool {
         let reach = self.half + other.half + self.slack;
         (0..other.parts.len()).filter(|i| other.parts[*i] == part).any(|i| {
@@ -376,14 +347,14 @@ mod tests {
         let targets = (0..2000).map(|i| Aabb::new(DVec2::new(50.0, 1.0), DVec2::new(51.0, 1.0 + 0.01 * f64::from(i))));
         assert!(targets.into_iter().all(|target| space.gets_to(body(80.0, 50.0, 1.0), &target)));
         let cells = (2 * (2 * 480 + 2) + 1_u64).pow(2);
-        assert!(space.work().spent() <= 2 * cells, "{} of {cells} cells", space.work().spent());
+        assert!(space.work.spent() <= 2 * cells, "{} of {cells} cells", space.work.spent());
         // Nothing is searched beyond what all may cost.
         let mut spent = 0;
         for i in 0..40 {
             space
                 .with([Aabb::new(DVec2::ZERO, DVec2::splat(f64::from(i + 1)))])
                 .gets_to(body(80.0, 50.0, 1.0), &Aabb::around(DVec2::ONE, DVec2::ONE));
-            spent = space.work().spent();
+            spent = space.work.spent();
         }
         assert!(spent <= MOST_WORK && spent + 4 * cells > MOST_WORK, "{spent}");
     }

@@ -1,4 +1,4 @@
-//! A level folder's files, put together: a valid level, or everything that is wrong with it.
+//! A level folder's files, put together: a valid level, or all its problems.
 
 use super::draft::Draft;
 use super::image::png_size;
@@ -15,16 +15,14 @@ use crate::physics::DVec2;
 use std::io;
 use std::rc::Rc;
 
-/// A level that can be played, and its warnings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loaded {
     pub level: Level,
-    /// Things that are probably mistakes but harm nothing.
+    /// Probable mistakes that do no harm.
     pub warnings: Vec<Problem>,
 }
 
-/// Reads a level from its files. The paths in it are as the author wrote them: images from the project's folder, the background
-/// from the level's.
+/// The paths in the level are as the author wrote them: images from the project's folder, the background from the level's.
 ///
 /// # Errors
 /// Every problem in every file, in the order of files and lines.
@@ -59,11 +57,11 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
     Ok(Loaded { level: draft.level(name, &settings, background, (player, size)), warnings })
 }
 
-/// As [`read()`], of a level that is not finished: a ship and a size are enough. A row that cannot be read or placed is left out, an
-/// object whose picture is missing is a box, and the problems stand among the warnings.
+/// As [`read()`], of an unfinished level: a ship and a size are enough. A row that cannot be read or placed is left out, an object whose
+/// picture is missing is a box, and the problems stand among the warnings.
 ///
 /// # Errors
-/// Every problem, where there is no ship, no place for it or no size.
+/// Every problem of a level without a ship, a place for it or a size.
 pub fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
     let Gathered { settings, background, mut draft, mut problems, mut warnings } = gather(files, true);
     problems.extend(names::check(&draft));
@@ -78,7 +76,7 @@ pub fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Prob
     Ok(Loaded { level: draft.level(name, &settings, background, (player, size)), warnings })
 }
 
-/// All things of a level's files, each row judged by itself.
+/// The things of a level's files, each row judged by itself.
 struct Gathered {
     settings: LevelSettings,
     background: bool,
@@ -94,7 +92,7 @@ fn gather(files: &dyn Files, unfinished: bool) -> Gathered {
     let settings = settings(rows, &mut reader.rows, &mut reader.warnings);
     let background = background(&mut reader);
     if let Some(Ok(DVec2 { x, y })) = background {
-        reader.rows.images.begin_with((x * y) as u64);
+        reader.rows.images.pixels = (x * y) as u64;
     }
     let size = match background {
         Some(size) if size.is_ok() || !unfinished => {
@@ -109,7 +107,6 @@ fn gather(files: &dyn Files, unfinished: bool) -> Gathered {
     Gathered { settings, background, draft, problems: reader.rows.problems, warnings: reader.warnings }
 }
 
-/// Reports files of the folder that no level has.
 fn strays(reader: &mut LevelReader) {
     for file in reader.files.names() {
         match names::stray(&file) {
@@ -136,7 +133,7 @@ fn background(reader: &mut LevelReader) -> Option<Result<DVec2, ()>> {
     Some(size.map_err(|(found, expected)| reader.rows.problems.push(Problem::of_file(BACKGROUND, found, expected))))
 }
 
-/// Says so where constants.csv gives another size than the background.
+/// Warns where constants.csv gives another size than the background.
 fn sizes_that_are_not_used(settings: &LevelSettings, background: DVec2, reader: &mut LevelReader) {
     for (name, given, used) in [("width", settings.width, background.x), ("height", settings.height, background.y)] {
         if let Some(given) = given.filter(|given| *given != used) {

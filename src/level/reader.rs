@@ -1,4 +1,4 @@
-//! The files of a level as they are read, one after the other.
+//! The reader of a level's files: their bytes, their rows, the things of the rows.
 
 use super::image::Images;
 use super::numbers::PixelScale;
@@ -17,13 +17,13 @@ pub(super) struct LevelReader<'a> {
 }
 
 impl<'a> LevelReader<'a> {
-    /// Of these files; in a level that is not finished a box stands in for a picture that is missing.
+    /// In an unfinished level a box stands in for a missing picture.
     pub fn new(files: &'a dyn Files, unfinished: bool) -> Self {
         let rows = RowReader { scale: PixelScale::USUAL, images: Images::new(files, unfinished), problems: Vec::new() };
         Self { files, rows, warnings: Vec::new() }
     }
 
-    /// A file's bytes; `None` where there is none or where it cannot be read, which is reported.
+    /// `None` where there is no such file, or where it cannot be read, which is reported.
     fn bytes(&mut self, table: Table) -> Option<Vec<u8>> {
         match self.files.level_file(table.file()) {
             Ok(bytes) => Some(bytes),
@@ -36,7 +36,7 @@ impl<'a> LevelReader<'a> {
         }
     }
 
-    /// The rows of a file that has to be there; `expected` says with which rows.
+    /// The rows of a file that a level must have; `expected` names these rows.
     pub fn required(&mut self, table: Table, expected: &str) -> Option<TableRows> {
         let before = self.rows.problems.len();
         let bytes = self.bytes(table);
@@ -46,7 +46,7 @@ impl<'a> LevelReader<'a> {
         Some(table::read(table.rows(), &bytes?, &mut self.rows.problems))
     }
 
-    /// The rows of a file that may be missing.
+    /// The rows of an optional file.
     pub fn table(&mut self, table: Table) -> TableRows {
         let Some(bytes) = self.bytes(table) else { return TableRows::default() };
         let rows = table::read(table.rows(), &bytes, &mut self.rows.problems);
@@ -56,7 +56,6 @@ impl<'a> LevelReader<'a> {
         rows
     }
 
-    /// The things of a file that may be missing.
     pub fn things<T>(&mut self, table: Table, read: fn(&RowCells, &mut RowReader) -> Option<T>) -> Vec<FromRow<T>> {
         let records = self.table(table).records;
         records.iter().filter_map(|record| Some(FromRow::new(record, read(record, &mut self.rows)?))).collect()

@@ -10,7 +10,7 @@ pub(super) const SHORTEST: f64 = 1e-3;
 pub(super) enum MoverPace {
     /// Between its easings, m/s.
     Speed(f64),
-    /// The time of its whole route, waits included, s.
+    /// For the whole route, waits included, s.
     Period(f64),
 }
 
@@ -20,28 +20,29 @@ pub(super) struct Manner {
     pub pace: MoverPace,
     /// At each stop, s.
     pub wait: f64,
-    /// In which it gets to its speed, and out of which it stops, s.
+    /// To get to its speed, and to stop, s.
     pub ease: f64,
 }
 
 /// The path from the first stop through the others, which differ from their neighbours.
 ///
 /// # Errors
-/// The shortest period that is possible, s, where the one asked for is too short.
+/// The shortest possible period, s, where the given one is too short.
 pub(super) fn path(stops: &[DVec2], manner: Manner) -> Result<Path, f64> {
     let Manner { route, wait, ease, .. } = manner;
-    let ways = ways(stops, route);
-    let speed = speed(&ways, manner)?;
+    let moves = moves(stops, route);
+    let speed = speed(&moves, manner)?;
     let mut legs = Vec::new();
     let mut leg = |duration: f64, velocity: DVec2, acceleration: DVec2| {
         if duration > 0.0 {
             legs.push(Leg { duration, velocity, acceleration });
         }
     };
-    for way in ways {
-        let cruise = way.length() / speed - ease;
-        // Too short to get to its speed: eased all the way.
-        let (cruise, velocity) = if cruise < SHORTEST && ease > 0.0 { (0.0, way / ease) } else { (cruise, way / (cruise + ease)) };
+    for step in moves {
+        let cruise = step.length() / speed - ease;
+        // A move too short for its speed is all easing.
+        let (cruise, velocity) =
+            if cruise < SHORTEST && ease > 0.0 { (0.0, step / ease) } else { (cruise, step / (cruise + ease)) };
         let pull = if ease > 0.0 { velocity / ease } else { DVec2::ZERO };
         leg(wait, DVec2::ZERO, DVec2::ZERO);
         leg(ease, DVec2::ZERO, pull);
@@ -51,10 +52,10 @@ pub(super) fn path(stops: &[DVec2], manner: Manner) -> Result<Path, f64> {
     Ok(Path { legs, repeats: route != Route::Once })
 }
 
-/// The ways from stop to stop, in the order in which they are gone.
-fn ways(stops: &[DVec2], route: Route) -> Vec<DVec2> {
+/// From stop to stop, in order, m.
+fn moves(stops: &[DVec2], route: Route) -> Vec<DVec2> {
     let there = stops.windows(2).map(|pair| pair[1] - pair[0]);
-    let back = there.clone().rev().map(|way| -way);
+    let back = there.clone().rev().map(|step| -step);
     match (route, stops) {
         (Route::Once, _) => there.collect(),
         (Route::Round, [first, .., last]) if first != last => there.chain([*first - *last]).collect(),
@@ -64,15 +65,15 @@ fn ways(stops: &[DVec2], route: Route) -> Vec<DVec2> {
 }
 
 /// m/s.
-fn speed(ways: &[DVec2], Manner { pace, wait, ease, .. }: Manner) -> Result<f64, f64> {
+fn speed(moves: &[DVec2], Manner { pace, wait, ease, .. }: Manner) -> Result<f64, f64> {
     let period = match pace {
         MoverPace::Speed(speed) => return Ok(speed),
         MoverPace::Period(period) => period,
     };
-    let all: f64 = ways.iter().map(|way| way.length()).sum();
-    let shortest = ways.iter().map(|way| way.length()).fold(f64::INFINITY, f64::min);
-    // Each way takes its length over the speed, and one easing; the shortest still has to get to the speed.
-    let standing = ways.len() as f64 * (wait + ease);
+    let all: f64 = moves.iter().map(|step| step.length()).sum();
+    let shortest = moves.iter().map(|step| step.length()).fold(f64::INFINITY, f64::min);
+    // Each move takes its length over the speed, and one easing; the shortest still has to get to the speed.
+    let standing = moves.len() as f64 * (wait + ease);
     let fastest = shortest / (ease + SHORTEST);
     let least = standing + all / fastest;
     if period < least { Err(least) } else { Ok(all / (period - standing)) }

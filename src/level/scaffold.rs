@@ -1,5 +1,4 @@
-//! New folders for levels: made, copied, renamed. Each is made under a hidden name, which no list of levels shows, and gets its own when it
-//! is whole.
+//! New folders for levels: made, copied, renamed. A folder has a hidden name, which no list of levels shows, until it is whole.
 
 use super::document::{Document, Table};
 use super::name::judge_name;
@@ -10,7 +9,6 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-/// How many names of one stem are tried.
 const MOST_NAMES: usize = 1000;
 
 /// The files of a new level: a room of 1280 × 720 pixels with a floor, a ledge and an objective on it.
@@ -18,7 +16,7 @@ pub fn files() -> Vec<(&'static str, String)> {
     Table::ALL.iter().filter_map(|table| Some((table.file(), sample(*table)?))).collect()
 }
 
-/// The files of a room with the ship and nothing else, to be built in the editor.
+/// The files of a room with the ship alone, for the editor.
 pub const BARE: [(&str, &str); 2] = [
     ("constants.csv", "name,value\ntitle,{name}\nwidth,1280\nheight,720\n"),
     ("player.csv", "x,y,mass,fuel,thrust\n150,640,100,500,2500\n"),
@@ -27,7 +25,7 @@ pub const BARE: [(&str, &str); 2] = [
 /// Makes `levels/NAME/` with these files, in which `{name}` stands for the name.
 ///
 /// # Errors
-/// There is one already, or the disk refuses; nothing is left behind.
+/// The folder exists already, or the disk refuses; no part of it is left behind.
 pub fn make(levels: &Path, name: &str, files: &[(&str, impl AsRef<str>)]) -> io::Result<()> {
     build(levels, name, |folder| {
         files.iter().try_for_each(|(file, text)| put(&folder.join(file), text.as_ref().replace("{name}", name).as_bytes()))
@@ -66,19 +64,17 @@ pub fn copy_edited(from: &Path, levels: &Path, name: &str, document: &Document) 
     })
 }
 
-/// A free name for a level that is made of another one: the other's name with a word behind it.
-pub fn free_name(levels: &Path, of: &str, what: &str) -> String {
+/// A free name for a level that is made of another one: the other's name with `word` behind it.
+pub fn free_name(levels: &Path, of: &str, word: &str) -> String {
     let names = |stem: String| (1_u32..).map(move |n| if n == 1 { stem.clone() } else { format!("{stem}-{n}") });
     let free = |name: &String| judge(levels, name).is_ok();
-    // Where its name is no word, or as long as one can be, the new one is a plain word.
-    let of_its_own = names(format!("{of}-{what}")).take(MOST_NAMES).find(free);
-    of_its_own.or_else(|| names(what.to_owned()).find(free)).unwrap_or_default()
+    // The plain word where the other name is no word, or too long for one more.
+    let of_its_own = names(format!("{of}-{word}")).take(MOST_NAMES).find(free);
+    of_its_own.or_else(|| names(word.to_owned()).find(free)).unwrap_or_default()
 }
 
-/// Gives a level's folder another name.
-///
 /// # Errors
-/// There is one of that name already, or the disk refuses; nothing has changed then.
+/// A folder has that name already, or the disk refuses; the old name stays then.
 pub fn rename(levels: &Path, from: &str, to: &str) -> io::Result<()> {
     if taken(levels, to).is_some_and(|other| other != from) {
         return Err(io::ErrorKind::AlreadyExists.into());
@@ -86,10 +82,8 @@ pub fn rename(levels: &Path, from: &str, to: &str) -> io::Result<()> {
     fs::rename(levels.join(from), levels.join(to))
 }
 
-/// Whether a new level may be called that.
-///
 /// # Errors
-/// Why not, in words.
+/// The reason why a new level may not have that name, in words.
 pub fn judge(levels: &Path, name: &str) -> Result<(), String> {
     judge_name(name).map_err(|fault| format!("{}: expected {}", quoted(name), fault.expected()))?;
     match taken(levels, name) {

@@ -1,10 +1,10 @@
 //! Winds that solids shade.
 
-use super::types::Stream;
+use super::types::AirStream;
 use crate::physics::Aabb;
 
-/// Where a stream blows that ends, in all of its width, at the first solid in its way; `None` where that leaves nothing.
-pub(super) fn shaded(stream: &Stream, solids: impl Iterator<Item = Aabb>) -> Option<Aabb> {
+/// The zone of a stream that ends, in all of its width, at the first solid before it; `None` where no zone is left.
+pub(super) fn shaded(stream: &AirStream, solids: impl Iterator<Item = Aabb>) -> Option<Aabb> {
     let (mut zone, source) = (stream.zone, &stream.source);
     for solid in solids.filter(|solid| solid.overlaps(&stream.zone, 0.0)) {
         // It blows away from its source, along one axis.
@@ -37,10 +37,10 @@ mod tests {
             (area(12.0, 10.0, 9.0, 2.0), area(12.0, 10.0, 4.0, 2.0)),
             (area(10.0, 12.0, 2.0, 5.0), area(10.0, 12.0, 2.0, 5.0)),
         ] {
-            let stream = Stream { source, zone, force: DVec2::X, name: None };
+            let stream = AirStream { source, zone, force: DVec2::X, name: None };
             assert_eq!(shaded(&stream, solids.into_iter()), Some(ends));
         }
-        let stream = Stream { source, zone: area(10.0, 0.0, 2.0, 10.0), force: DVec2::X, name: None };
+        let stream = AirStream { source, zone: area(10.0, 0.0, 2.0, 10.0), force: DVec2::X, name: None };
         assert_eq!(shaded(&stream, [area(9.0, 8.0, 4.0, 2.0)].into_iter()), None);
     }
 }

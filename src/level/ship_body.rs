@@ -1,4 +1,4 @@
-//! The ship's body as it is drawn: red destroys the ship where it touches this body; solids, pads, keys and zones keep the box around it.
+//! The ship's body as it is drawn, which red destroys; solids, pads, keys and zones act on the box around it.
 
 use crate::physics::{Aabb, DVec2};
 
@@ -37,7 +37,7 @@ pub fn sweep_touches(corners: &[DVec2], from: DVec2, to: DVec2, target: &Aabb, s
     let meets = |outward: DVec2| {
         let reach = corners.iter().map(|corner| outward.dot(*corner)).fold(f64::NEG_INFINITY, f64::max);
         let nearest = DVec2::select(outward.cmpge(DVec2::ZERO), target.min, target.max).dot(outward);
-        // How deep the body's farthest corner is behind the target's nearest one at the start, and how much deeper it gets.
+        // The depth of the body's farthest corner behind the target's nearest one at the start, and its growth.
         let (deep, deeper) = (reach + outward.dot(from) - nearest + slop * outward.length(), outward.dot(to - from));
         if deeper > 0.0 {
             enter = enter.max(-deep / deeper);

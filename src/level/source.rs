@@ -1,4 +1,4 @@
-//! Where the loader gets bytes from.
+//! The source of the loader's bytes.
 
 use std::io;
 
@@ -10,7 +10,7 @@ pub trait Files {
     /// A file of the level folder, by name.
     ///
     /// # Errors
-    /// [`io::ErrorKind::NotFound`] where there is none; anything else where it cannot be read.
+    /// [`io::ErrorKind::NotFound`] where there is none; any other where it cannot be read.
     fn level_file(&self, name: &str) -> io::Result<Vec<u8>>;
 
     /// A file of the project, by its path from the project's folder with forward slashes.

@@ -1,10 +1,10 @@
-//! Forces that are too strong for the masses that they act on: limits of two cells together.
+//! Forces that are too strong for the masses on which they act: limits of two cells together.
 
 use super::draft::Draft;
 use super::problem::Problem;
 use crate::physics::domain::MOST_ACCELERATION;
 
-/// The expected force, where one is more than a body of that mass may feel.
+/// The expected force, where one exceeds the limit for a body of that mass.
 pub(super) fn judge(force: f64, mass: f64) -> Option<String> {
     (force.abs() > MOST_ACCELERATION * mass)
         .then(|| format!("at most {} N, which is {MOST_ACCELERATION} m/s²", MOST_ACCELERATION * mass))

@@ -1,4 +1,4 @@
-//! Which cell belongs to which column: headers, files without one, rows of several kinds.
+//! The column of each cell: headers, files without one, rows of several kinds.
 
 use super::cells::{self, Cell, CellFault, SpannedRow};
 use super::nearest::meant;
@@ -6,11 +6,10 @@ use super::problem::{MOST_PROBLEMS, Problem, quoted, too_many};
 use super::schema::record::RowCells;
 use super::schema::{Column, RowSchema};
 
-/// The most cells that a header may have. No file has a tenth as many columns; with as many as a file can hold, every message about a
-/// row would name all of them.
+/// The most cells of a header. A file has less than a tenth of it as columns, and a message about a row names every cell of the header.
 const MOST_COLUMNS: usize = 200;
 
-/// The kinds of a file's rows: where there are several, the first cell names a row's kind.
+/// The kinds of a file's rows; of several kinds the first cell names one.
 type RowKinds = &'static [&'static RowSchema];
 
 /// The columns of a row's cells; `None` for a cell whose column is not known.
@@ -18,9 +17,9 @@ pub(super) type Columns = Vec<Option<&'static Column>>;
 
 #[derive(Debug, Default)]
 pub(super) struct TableRows {
-    /// The rows that could be read.
+    /// The readable rows.
     pub records: Vec<RowCells>,
-    /// The lines of all rows but the header, also of those that could not be read.
+    /// The lines of all rows but the header, readable or not.
     pub lines: Vec<usize>,
 }
 
@@ -61,7 +60,6 @@ pub(super) fn read(kinds: RowKinds, bytes: &[u8], problems: &mut Vec<Problem>) -
     table
 }
 
-/// The schema of a row by its first cell.
 pub(super) fn schema_of(kinds: RowKinds, first: &str) -> Option<&'static RowSchema> {
     kinds.iter().find(|schema| schema.tag.is_empty() || schema.tag.eq_ignore_ascii_case(first)).copied()
 }
@@ -79,15 +77,12 @@ fn unknown_kind(kinds: RowKinds, first: &Cell) -> Problem {
     Problem::new(any.file.name, first.line, column, found, expected)
 }
 
-/// All columns of a row of that kind, in their order.
 pub(super) fn all_columns(schema: &'static RowSchema) -> Columns {
     schema.columns.iter().map(Some).collect()
 }
 
-/// How the rows of a file are understood.
-///
 /// # Errors
-/// The file is no table of this kind, which is reported; how many of its rows are a header all the same.
+/// The number of header rows of a file that is no table of this kind, which is reported.
 pub(super) fn plan(kinds: RowKinds, rows: &[SpannedRow], problems: &mut Vec<Problem>) -> Result<HeaderPlan, usize> {
     if kinds.len() > 1 {
         return Ok(HeaderPlan { columns: Vec::new(), headers: rows.iter().take_while(|row| names_place(row)).count() });
@@ -126,7 +121,7 @@ fn is_header(schema: &RowSchema, row: &SpannedRow) -> bool {
     row.cells.first().is_some_and(named) || row.cells.iter().filter(|cell| named(cell)).count() >= 2
 }
 
-/// Whether a first row is a header none of whose names is known: where numbers belong there are only words.
+/// Whether a first row is a header of unknown names: words in place of numbers.
 fn is_foreign_header(schema: &RowSchema, row: &SpannedRow) -> bool {
     let letters = |cell: &Cell| cell.text.trim().chars().all(|c| c.is_alphabetic() || c == '_' || c == ' ');
     // Some programs write numbers as words, such as inf.
@@ -167,7 +162,7 @@ fn header(schema: &'static RowSchema, row: &SpannedRow, cells: &[Cell], problems
     columns
 }
 
-/// A problem where a row looks as if its cells were separated by semicolons or tabs, as some spreadsheets write them.
+/// The problem of a row with semicolons or tabs between its cells, as some spreadsheets write them.
 fn wrong_separator(schema: &RowSchema, row: &SpannedRow) -> Option<Problem> {
     let required = schema.columns.iter().filter(|column| column.required).count();
     let count = |separator| row.cells.iter().map(|cell| cell.text.matches(separator).count()).sum::<usize>();
@@ -179,7 +174,7 @@ fn wrong_separator(schema: &RowSchema, row: &SpannedRow) -> Option<Problem> {
     Some(schema.problem(row.line, found, "cells separated by commas, numbers with a decimal point"))
 }
 
-/// The row's cells by column, or `None` where the row as such is broken.
+/// The row's cells by column; `None` where the row is broken.
 fn record(schema: &'static RowSchema, columns: &Columns, row: &SpannedRow, problems: &mut Vec<Problem>) -> Option<RowCells> {
     if row.cells.iter().any(|cell| cell.fault.is_some()) {
         report_faults(schema, columns, row, problems);
@@ -203,7 +198,6 @@ fn cell_count(n: usize) -> String {
     format!("{n} {} in the row", if n == 1 { "cell" } else { "cells" })
 }
 
-/// How many cells a row should have, and which.
 fn cells_wanted(columns: &Columns) -> String {
     let most = columns.len();
     let least = columns.iter().rposition(|column| column.is_some_and(|column| column.required)).map_or(0, |last| last + 1);

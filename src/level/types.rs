@@ -10,12 +10,11 @@ pub const SHIP_HALF: DVec2 = DVec2::new(0.85, 0.85);
 pub const SHIP_PIXELS: f64 = 51.0;
 /// Ticks a second.
 pub const TICK_RATE: f64 = 120.0;
-/// Fuel units a second while the engine burns. Higher shortens every flight: the usual 500 units last 25 s.
+/// Fuel units a second while the engine burns: the usual 500 units last 25 s.
 pub const BURN_RATE: f64 = 20.0;
 /// The ship's drag coefficient where its level gives none.
 pub const SHIP_DRAG: f64 = 1.15;
 
-/// A level that can be played. All lengths in metres.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Level {
     /// The folder's name.
@@ -38,21 +37,20 @@ pub struct Level {
     pub rest_speed: f64,
     /// Factor of all coefficients of friction.
     pub friction: f64,
-    /// Whether it shows a law: the ship plays no part, and nothing is scored.
+    /// The level shows a law: the ship plays no part, and no flight is scored.
     pub experiment: bool,
     pub awards: Awards,
-    pub player: Player,
+    pub player: ShipStart,
     pub world: Vec<Solid>,
     pub movers: Vec<Mover>,
     pub doors: Vec<Solid>,
     pub switches: Vec<Switch>,
-    /// Those of objects.csv, then the key objects, each in file order.
+    /// The objects of objects.csv, then the key objects, each in file order.
     pub objects: Vec<Object>,
     pub objectives: Vec<Objective>,
     pub obstacles: Vec<Aabb>,
-    pub streams: Vec<Stream>,
+    pub streams: Vec<AirStream>,
     pub fluids: Vec<Fluid>,
-    /// Zones with a gravity of their own, besides that of the level.
     pub fields: Vec<GravityZone>,
     pub pods: Vec<Pod>,
     pub decoration: Vec<Decoration>,
@@ -62,7 +60,7 @@ pub struct Level {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub struct Player {
+pub struct ShipStart {
     /// Centre, m.
     pub position: DVec2,
     /// m/s.
@@ -82,8 +80,7 @@ pub struct Player {
     pub restitution: f64,
 }
 
-impl Player {
-    /// Whether its engine can burn: there is thrust, and fuel in the tank.
+impl ShipStart {
     pub fn has_engine(&self) -> bool {
         self.thrust > 0.0 && self.fuel > 0.0
     }
@@ -91,14 +88,14 @@ impl Player {
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
-    /// Where it is, at the start.
+    /// At the start.
     pub bounds: Aabb,
     pub material: Material,
-    /// From which sides it is solid.
+    /// The sides from which it is solid.
     pub sides: Sides,
-    /// The speed of its skin, m/s, clockwise around it: the top runs to the right.
+    /// The speed of its skin, m/s, clockwise: the top runs to the right.
     pub belt: f64,
-    /// It breaks when something hits it with more than this, N·s.
+    /// The impulse, N·s, beyond which a hit breaks it.
     pub breaks: Option<f64>,
     /// Its name for switches; several things may share it.
     pub name: Option<String>,
@@ -109,7 +106,7 @@ impl Solid {
         Self { bounds, material, sides: Sides::ALL, belt: 0.0, breaks: None, name: None }
     }
 
-    /// Whether it is solid all around and stays so: part of the mass that a level is cut out of.
+    /// Solid all around for the whole flight: part of the mass that a level is cut out of.
     pub fn is_rock(&self) -> bool {
         self.sides == Sides::ALL && self.breaks.is_none()
     }
@@ -129,7 +126,7 @@ pub enum Route {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mover {
     pub solid: Solid,
-    /// Where its centre stops, the start first, m.
+    /// The stops of its centre, m, the start first.
     pub stops: Vec<DVec2>,
     pub route: Route,
     pub path: Path,
@@ -153,11 +150,11 @@ pub enum SwitchStay {
     Toggled,
 }
 
-/// The things of a name, as a switch works them.
+/// The things of one name, as a switch works them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Work {
     pub name: String,
-    /// Whether they are on while it is off, and off while it is on.
+    /// They are on while the switch is off, and off while it is on.
     pub inverted: bool,
 }
 
@@ -165,14 +162,13 @@ pub struct Work {
 pub struct Switch {
     pub bounds: Aabb,
     pub works: Vec<Work>,
-    /// It is a solid plate, pressed by more than this, N. `None`: an area that only has to be touched.
+    /// The load, N, beyond which a solid plate is pressed. `None`: an area that only has to be touched.
     pub weight: Option<f64>,
     pub by: Presser,
     pub latch: SwitchStay,
 }
 
 impl Level {
-    /// How many objectives wait for the ship, or for key objects.
     pub fn objectives_of(&self, kind: ObjectiveKind) -> usize {
         self.objectives.iter().filter(|objective| objective.kind == kind).count()
     }
@@ -209,7 +205,7 @@ pub struct Object {
     pub drag: f64,
     /// Coefficient of restitution.
     pub restitution: f64,
-    /// Whether it is round: drawn so, and met by air and liquids as a ball; every collision is that of its box.
+    /// It is drawn round, and air and liquids act on it as on a ball; its box collides.
     pub circular: bool,
     pub look: Look,
     pub material: Material,
@@ -228,28 +224,27 @@ pub enum ObjectiveKind {
 pub struct Objective {
     pub kind: ObjectiveKind,
     pub bounds: Aabb,
-    /// How long it has to be touched without a break before it is met, s.
+    /// The seconds of unbroken touch after which it is met.
     pub hold: f64,
-    /// Its turn: it waits for those with smaller numbers, and stays met once it is. `None`: it is met whenever it is touched.
+    /// Its turn: objectives with smaller numbers come first, and it stays met. `None`: it is met whenever it is touched.
     pub order: Option<u32>,
-    /// The colour of the only key objects that fit; any fits where there is none.
+    /// The colour of the only key objects that fit; every key fits where there is none.
     pub colour: Option<[u8; 3]>,
 }
 
 impl Objective {
-    /// One that is met as soon as it is touched, and as long as it is.
+    /// Met as long as it is touched.
     pub const fn new(kind: ObjectiveKind, bounds: Aabb) -> Self {
         Self { kind, bounds, hold: 0.0, order: None, colour: None }
     }
 
-    /// Whether a key object of that colour fits.
     pub fn fits(&self, key: [u8; 3]) -> bool {
         self.colour.is_none_or(|colour| colour == key)
     }
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub struct Stream {
+pub struct AirStream {
     /// The solid source block.
     pub source: Aabb,
     pub zone: Aabb,
@@ -258,7 +253,6 @@ pub struct Stream {
     pub name: Option<String>,
 }
 
-/// A zone of thick liquid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fluid {
     pub zone: Aabb,
@@ -270,7 +264,7 @@ pub struct Fluid {
     pub colour: [u8; 3],
 }
 
-/// A zone with a gravity of its own, which adds to that of the level.
+/// A zone whose gravity adds to the gravity of the level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GravityZone {
     pub zone: Aabb,
@@ -278,7 +272,6 @@ pub struct GravityZone {
     pub strength: DVec2,
 }
 
-/// Fuel to be picked up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pod {
     pub bounds: Aabb,
@@ -301,7 +294,7 @@ pub struct Text {
     /// Height of the letters, m.
     pub size: f64,
     pub text: String,
-    /// Red, green, blue; `None`: that of all words.
+    /// Red, green, blue; `None`: the usual colour of words.
     pub colour: Option<[u8; 3]>,
 }
 
@@ -310,7 +303,7 @@ pub struct Text {
 pub struct Awards {
     /// The longest time for silver, s.
     pub silver: Option<f64>,
-    /// The longest time for gold, s; no longer than that for silver.
+    /// The longest time for gold, s, at most the time for silver.
     pub gold: Option<f64>,
     pub mark: Option<Mark>,
 }

@@ -1,4 +1,4 @@
-//! The numbers of a level that can be varied, each with its limits, which are the loader's, and its cells.
+//! The numbers of a level that can be varied, each with the loader's limits and its cells.
 
 use super::document::{Document, RowId, SetCell};
 use super::numbers::{self as q, NumberRange};
@@ -7,28 +7,27 @@ use super::schema::{Kind, Table};
 use super::strength;
 use super::types::{Level, Object};
 
-/// A number of a level that can be varied. Bodies are counted as in its world: 0 is the ship, i + 1 is object i.
+/// Bodies are counted as in the level's world: 0 is the ship, i + 1 is object i.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Parameter {
-    /// Of a body, kg.
+    /// kg.
     Mass(usize),
-    /// Drag coefficient of a body.
     Drag(usize),
-    /// Coefficient of restitution of a body, 0 … 1.
+    /// Coefficient, 0 … 1.
     Restitution(usize),
-    /// Start velocity of a body to the right, m/s.
+    /// At the start, m/s to the right.
     VelocityX(usize),
-    /// Start velocity of a body upwards, m/s.
+    /// At the start, m/s upwards.
     VelocityY(usize),
-    /// Of the ship's engine, N.
+    /// N.
     Thrust,
-    /// Of the level, N/kg, downwards.
+    /// N/kg, downwards.
     Gravity,
-    /// Density of the air, kg/m³.
+    /// kg/m³.
     Air,
     /// Factor of all coefficients of friction.
     Friction,
-    /// Factor of the forces of all air streams, 1 in the level that is varied.
+    /// Factor of the forces of all air streams, 1 in the unvaried level.
     Wind,
 }
 
@@ -46,27 +45,31 @@ impl Parameter {
         all
     }
 
-    pub const fn name(self) -> &'static str {
+    /// Its label, its accepted numbers and its column.
+    const fn facts(self) -> (&'static str, NumberRange, &'static str) {
         match self {
-            Self::Mass(_) => "Mass",
-            Self::Drag(_) => "Drag coefficient",
-            Self::Restitution(_) => "Restitution",
-            Self::VelocityX(_) => "Start velocity →",
-            Self::VelocityY(_) => "Start velocity ↑",
-            Self::Thrust => "Thrust",
-            Self::Gravity => "Gravity",
-            Self::Air => "Air density",
-            Self::Friction => "All friction ×",
-            Self::Wind => "All wind ×",
+            Self::Mass(_) => ("Mass", q::MASS, "mass"),
+            Self::Drag(_) => ("Drag coefficient", q::DRAG, "drag"),
+            Self::Restitution(_) => ("Restitution", q::RESTITUTION, "restitution"),
+            Self::VelocityX(_) => ("Start velocity →", q::VELOCITY, "vx"),
+            Self::VelocityY(_) => ("Start velocity ↑", q::VELOCITY, "vy"),
+            Self::Thrust => ("Thrust", q::THRUST, "thrust"),
+            Self::Gravity => ("Gravity", q::GRAVITY, "gravity"),
+            Self::Air => ("Air density", q::AIR_DENSITY, "air_density"),
+            Self::Friction => ("All friction ×", q::FRICTION, "friction"),
+            Self::Wind => ("All wind ×", q::WIND, "force_x"),
         }
     }
 
-    /// Its unit; empty where it has none.
-    pub const fn unit(self) -> &'static str {
-        self.quantity().unit()
+    pub const fn name(self) -> &'static str {
+        self.facts().0
     }
 
-    /// The body that it is of, if it is of one.
+    /// Empty where it has none.
+    pub const fn unit(self) -> &'static str {
+        self.facts().1.unit
+    }
+
     pub const fn body(self) -> Option<usize> {
         match self {
             Self::Mass(i) | Self::Drag(i) | Self::Restitution(i) | Self::VelocityX(i) | Self::VelocityY(i) => Some(i),
@@ -81,22 +84,9 @@ impl Parameter {
     }
 
     /// The least and the most that it may be.
-    pub fn limits(self) -> (f64, f64) {
-        self.quantity().limits()
-    }
-
-    const fn quantity(self) -> NumberRange {
-        match self {
-            Self::Mass(_) => q::MASS,
-            Self::Drag(_) => q::DRAG,
-            Self::Restitution(_) => q::RESTITUTION,
-            Self::VelocityX(_) | Self::VelocityY(_) => q::VELOCITY,
-            Self::Thrust => q::THRUST,
-            Self::Gravity => q::GRAVITY,
-            Self::Air => q::AIR_DENSITY,
-            Self::Friction => q::FRICTION,
-            Self::Wind => q::WIND,
-        }
+    pub const fn limits(self) -> (f64, f64) {
+        let (_, range, _) = self.facts();
+        (range.low, range.high)
     }
 
     /// The number that a text holds, as in a level's file.
@@ -105,10 +95,10 @@ impl Parameter {
     /// The number that is expected instead, in words.
     pub fn parse(self, text: &str) -> Result<f64, String> {
         // The game itself writes a true minus.
-        self.quantity().parse(&text.trim().replace('−', "-"))
+        self.facts().1.parse(&text.trim().replace('−', "-"))
     }
 
-    /// Its value in a level; `None` where that has no such body.
+    /// Its value; `None` where the level has no such body.
     pub fn of(self, level: &Level) -> Option<f64> {
         let (player, object) = (&level.player, |i: usize| level.objects.get(i - 1));
         let of = |i: usize, ship: f64, value: fn(&Object) -> f64| if i == 0 { Some(ship) } else { object(i).map(value) };
@@ -151,38 +141,24 @@ impl Parameter {
         }
     }
 
-    /// The file and the column that it stands in.
+    /// Its file and its column.
     fn place(self, level: &Level) -> (&'static str, &'static str) {
-        let of_body = |i: usize, column| {
-            let key = i > 0 && level.objects.get(i - 1).is_some_and(|object| object.key.is_some());
-            let table = if i == 0 {
-                Table::Player
-            } else if key {
-                Table::Objectives
-            } else {
-                Table::Objects
-            };
-            (table.file(), column)
+        let is_key = |body: usize| level.objects.get(body - 1).is_some_and(|object| object.key.is_some());
+        let table = match self.body() {
+            None if self == Self::Wind => Table::Hazards,
+            None => Table::Constants,
+            Some(0) => Table::Player,
+            Some(body) if is_key(body) => Table::Objectives,
+            Some(_) => Table::Objects,
         };
-        match self {
-            Self::Mass(i) => of_body(i, "mass"),
-            Self::Drag(i) => of_body(i, "drag"),
-            Self::Restitution(i) => of_body(i, "restitution"),
-            Self::VelocityX(i) => of_body(i, "vx"),
-            Self::VelocityY(i) => of_body(i, "vy"),
-            Self::Thrust => of_body(0, "thrust"),
-            Self::Gravity => (Table::Constants.file(), "gravity"),
-            Self::Air => (Table::Constants.file(), "air_density"),
-            Self::Friction => (Table::Constants.file(), "friction"),
-            Self::Wind => (Table::Hazards.file(), "force_x"),
-        }
+        (table.file(), self.facts().2)
     }
 }
 
 /// The level with other numbers, judged by the loader's rules.
 ///
 /// # Errors
-/// Every number that is not accepted, by file and column; their lines are not known here.
+/// Every number that is not accepted, by file and column, with line 0.
 pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<Problem>> {
     let mut problems = Vec::new();
     let mut refuse = |parameter: Parameter, found: String, expected: String| {
@@ -193,7 +169,7 @@ pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<
     for (parameter, value) in changes {
         if parameter.of(level).is_none() {
             refuse(*parameter, format!("no object {}", parameter.body().unwrap_or_default()), "an object of the level".to_owned());
-        } else if let Err(expected) = parameter.quantity().judge(*value) {
+        } else if let Err(expected) = parameter.facts().1.judge(*value) {
             refuse(*parameter, value.to_string(), expected);
         } else {
             parameter.put(&mut varied, *value);
@@ -216,10 +192,10 @@ pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<
 }
 
 impl Document {
-    /// Makes the files hold those numbers of a level, which was varied from what they hold: an operation as [`Document::set`].
+    /// Writes the parameters of a varied level into the cells of its files.
     ///
     /// # Errors
-    /// As [`Document::set`]; a body or stream whose row is not there.
+    /// As [`Document::set`]; a body or stream without a row.
     pub fn vary(&mut self, varied: &Level, parameters: &[Parameter], gesture: Option<u64>) -> Result<(), String> {
         let mut cells = Vec::new();
         for parameter in parameters {
@@ -245,7 +221,7 @@ impl Document {
         self.set(&cells, gesture)
     }
 
-    /// The row of a body of the level: objects come before key objects, each in the order of their file.
+    /// Objects come before key objects, each in the order of their file.
     fn row_of(&self, body: usize) -> Option<RowId> {
         let keys = self.rows(Table::Objectives).filter(|row| self.kind(*row) == Some(Kind::Key));
         self.rows(Table::Player).take(1).chain(self.rows(Table::Objects)).chain(keys).nth(body)

@@ -1,5 +1,5 @@
-//! Whether a level can be won at all, and has not been won or lost before it begins. Whatever might be possible counts as possible: doors are
-//! open, nothing is too heavy, and movers are anywhere.
+//! Whether a level can be won at all, and is neither won nor lost at its start. A doubtful route counts as possible: doors are open, no body
+//! is too heavy, and movers are anywhere.
 
 use super::box_tree::BoxTree;
 use super::draft::Draft;
@@ -7,14 +7,14 @@ use super::placed::FromRow;
 use super::problem::{Problem, quoted};
 use super::reach::{CentredBox, FreeSpace};
 use super::ship_body::{ship_body, sweep_touches};
-use super::types::{Objective, ObjectiveKind, Player, SHIP_HALF};
+use super::types::{Objective, ObjectiveKind, SHIP_HALF, ShipStart};
 use crate::physics::{Aabb, DVec2};
 use std::collections::BTreeMap;
 
 /// A gap of less than this, m, is touched: as in the rules.
 const TOUCH: f64 = 1e-9;
 
-pub(super) fn check(draft: &Draft, player: &Player, space: &FreeSpace) -> Vec<Problem> {
+pub(super) fn check(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
     let ship = (player.position, SHIP_HALF);
     let mut problems = starts(draft, ship, player.angle);
     problems.extend(unreachable(draft, ship, space));
@@ -32,10 +32,6 @@ pub(super) fn fitting<'a>(draft: &'a Draft, objective: &'a Objective, ship: Cent
     player.then_some(ship).into_iter().chain(keys.map(|key| (key.item.position, key.item.size * 0.5)))
 }
 
-fn touches((centre, half): CentredBox, bounds: &Aabb) -> bool {
-    Aabb::around(centre, half).touches(bounds, TOUCH)
-}
-
 /// A start that is the end.
 fn starts(draft: &Draft, ship: CentredBox, angle: f64) -> Vec<Problem> {
     let (at, body) = (ship.0, ship_body(angle));
@@ -43,7 +39,8 @@ fn starts(draft: &Draft, ship: CentredBox, angle: f64) -> Vec<Problem> {
     let mut problems: Vec<Problem> =
         deadly.map(|deadly| deadly.problem("x", "a death box that touches the ship at its start", "a start off red")).collect();
     let met = |objective: &Objective| {
-        objective.hold == 0.0 && fitting(draft, objective, ship).any(|body| touches(body, &objective.bounds))
+        let touches = |(centre, half)| Aabb::around(centre, half).touches(&objective.bounds, TOUCH);
+        objective.hold == 0.0 && fitting(draft, objective, ship).any(touches)
     };
     if let Some(first) = draft.objectives.first()
         && draft.objectives.iter().all(|objective| met(&objective.item))
@@ -53,14 +50,14 @@ fn starts(draft: &Draft, ship: CentredBox, angle: f64) -> Vec<Problem> {
     problems
 }
 
-/// Objectives that nothing which fits can get to.
+/// Objectives to which no body gets that fits.
 fn unreachable(draft: &Draft, ship: CentredBox, space: &FreeSpace) -> Vec<Problem> {
     let mut problems = Vec::new();
     for placed in &draft.objectives {
         let objective = &placed.item;
         let mut bodies = fitting(draft, objective, ship).peekable();
         if bodies.peek().is_none() {
-            // Without any key at all that is said elsewhere.
+            // `draft` reports a level without any key.
             if let Some(colour) = objective.colour {
                 let found =
                     format!("{}, the colour of no key object", quoted(&colour.map(|channel| channel.to_string()).join(",")));
@@ -71,12 +68,9 @@ fn unreachable(draft: &Draft, ship: CentredBox, space: &FreeSpace) -> Vec<Proble
         if bodies.any(|body| space.gets_to(body, &objective.bounds)) {
             continue;
         }
-        let who = if objective.kind == ObjectiveKind::Player { "the ship" } else { "a key object that fits" };
-        problems.push(placed.problem(
-            "x",
-            format!("an objective that {who} cannot get to"),
-            "a way to it, in the level and out of solids",
-        ));
+        let body = if objective.kind == ObjectiveKind::Player { "the ship" } else { "a key object that fits" };
+        let found = format!("an objective that {body} cannot get to");
+        problems.push(placed.problem("x", found, "a route to it, in the level and out of solids"));
     }
     problems
 }
@@ -97,7 +91,7 @@ fn apart(draft: &Draft) -> Option<Problem> {
     None
 }
 
-/// Objectives whose turn is the same: the rules let these be met in any order, which an author seldom wants.
+/// Objectives with the same turn: the rules let these be met in any order, which an author seldom wants.
 pub(super) fn same_turns(draft: &Draft) -> Vec<Problem> {
     let mut first: BTreeMap<u32, usize> = BTreeMap::new();
     let mut warnings = Vec::new();
@@ -124,8 +118,8 @@ fn too_few_keys(draft: &Draft, space: &FreeSpace) -> Option<Problem> {
         let rooms: Vec<Aabb> = wanted.iter().map(|objective| grown(&objective.item.bounds, *half)).collect();
         let tree = BoxTree::of(rooms.iter().copied());
         let alone = |(i, room): (usize, &Aabb)| tree.search(room, TOUCH, |other| other as usize == i);
-        // Where that would take too long, it counts as possible.
-        !space.work().spend(rooms.len()) || !rooms.iter().enumerate().all(alone)
+        // A search that would take too long counts as possible.
+        !space.work.spend(rooms.len()) || !rooms.iter().enumerate().all(alone)
     };
     if wanted.len() <= keys.len() || halves.iter().any(shared) {
         return None;

@@ -5,26 +5,25 @@ use std::collections::BTreeMap;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Worked {
-    /// A mover: it moves while it is on.
+    /// It moves while it is on.
     Mover(usize),
-    /// A door: it is open while it is on.
+    /// It is open while it is on.
     Door(usize),
-    /// The belt of that block of the world: it runs while it is on.
+    /// Of that block of the world: it runs while it is on.
     Belt(usize),
-    /// An air stream: it blows while it is on.
+    /// It blows while it is on.
     Stream(usize),
 }
 
-/// A thing and the switches that work it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Wire {
     pub worked: Worked,
-    /// The switches, each with whether the thing is on while the switch is off. It is on while one of them says so.
+    /// The switches, each with whether it turns the thing on while it is off, not on. One is enough.
     pub by: Vec<(usize, bool)>,
 }
 
 impl Wire {
-    /// Whether it is on, by the states of all switches.
+    /// `switches`: whether each is on.
     pub fn is_on(&self, switches: &[bool]) -> bool {
         self.by.iter().any(|&(switch, inverted)| switches[switch] != inverted)
     }
@@ -58,7 +57,7 @@ impl Level {
         named.filter_map(|(name, worked)| wire(name.as_deref()?, worked?)).collect()
     }
 
-    /// The thing that a surface of the level's world belongs to, by its index there.
+    /// `index` counts the surfaces of the level's world.
     pub fn surface(&self, index: usize) -> SurfaceOf {
         let mut left = index;
         let mut within = |count: usize| {
@@ -84,7 +83,6 @@ impl Level {
         }
     }
 
-    /// The index of a surface in the level's world.
     pub fn surface_index(&self, of: SurfaceOf) -> usize {
         let before = [self.world.len(), self.streams.len(), self.movers.len(), self.doors.len(), self.plates().count()];
         let after = |kinds: usize| before[..kinds].iter().sum::<usize>();
@@ -98,7 +96,6 @@ impl Level {
         }
     }
 
-    /// The switches that are plates.
     pub(super) fn plates(&self) -> impl Iterator<Item = usize> {
         (0..self.switches.len()).filter(|&switch| self.switches[switch].weight.is_some())
     }

@@ -1,4 +1,4 @@
-//! Warnings of words that cannot be read as they were meant.
+//! Warnings of unreadable words.
 
 use super::draft::Draft;
 use super::problem::{Problem, quoted};
@@ -7,7 +7,7 @@ use crate::physics::DVec2;
 /// The least width of a letter, in heights of it: only words that run out in any case are reported.
 const NARROWEST: f64 = 0.36;
 
-/// Texts with letters that the game's typefaces do not have, and texts that run out of a level of that size in metres.
+/// Letters that the game's typefaces lack, and texts that run out of a level of `size` metres.
 pub(super) fn warn(draft: &Draft, size: DVec2) -> Vec<Problem> {
     let mut warnings = Vec::new();
     for text in &draft.texts {
@@ -25,7 +25,7 @@ pub(super) fn warn(draft: &Draft, size: DVec2) -> Vec<Problem> {
     warnings
 }
 
-/// Whether the typefaces may have a letter: none of the scripts that they lack, no line break.
+/// No line break, and no letter of a script that the typefaces lack.
 fn is_drawn(letter: char) -> bool {
     let lacking = matches!(u32::from(letter),
         0x0590..=0x109F | 0x1100..=0x11FF | 0x2E80..=0xA4CF | 0xA960..=0xD7FF | 0xF900..=0xFAFF | 0xFB50..=0xFDFF | 0x1F000..);

@@ -5,22 +5,22 @@ use super::wiring::Worked;
 use crate::physics::{Aabb, BodyDef, DVec2, FieldDef, FluidDef, Material, StreamDef, SurfaceDef, WorldDef};
 use std::collections::BTreeMap;
 
-/// How far beyond the level its own sideways gravity reaches, in sizes of the level: nothing comes near the end of it.
+/// The reach of its own sideways gravity beyond the level, in sizes of the level: no body comes near its end.
 const BEYOND: f64 = 2.0;
 
 impl Level {
-    /// The edge of the level, m.
+    /// m.
     pub fn bounds(&self) -> Aabb {
         Aabb::new(DVec2::ZERO, self.size)
     }
 
-    /// Whether the ship plays a part: in an experiment it only lies there, and neither fuel nor time nor score matter.
+    /// False in an experiment: neither fuel nor time nor score matter there.
     pub const fn ship_plays(&self) -> bool {
         !self.experiment
     }
 
-    /// How the level's world begins, with everything that a switch works as it is before the first one is pressed; but streams blow. Body 0
-    /// is the ship, body i + 1 is object i; [`Level::surface`] tells the surfaces apart; stream i and liquid i are the level's.
+    /// The world before the first switch is pressed, but all streams blow. Body 0 is the ship, body i + 1 is object i; [`Level::surface`]
+    /// names the surfaces; stream i and liquid i are the level's.
     pub fn world_def(&self) -> WorldDef {
         let ship = BodyDef {
             position: self.player.position,
@@ -63,7 +63,6 @@ impl Level {
         }
     }
 
-    /// A material with the friction that it has in this level.
     fn rubbing(&self, material: Material) -> Material {
         let Material { static_friction, kinetic_friction, .. } = material;
         Material {
@@ -100,7 +99,7 @@ impl Level {
         world.chain(sources).chain(movers).chain(doors).chain(plates).collect()
     }
 
-    /// Those of gravity.csv, then the level's own sideways gravity, if there is any.
+    /// The zones of gravity.csv, then the level's own sideways gravity.
     fn fields(&self) -> Vec<FieldDef> {
         let zones = self.fields.iter().map(|field| FieldDef { zone: field.zone, strength: field.strength });
         let everywhere = Aabb::new(-self.size * BEYOND, self.size * (1.0 + BEYOND));

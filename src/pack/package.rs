@@ -3,7 +3,7 @@
 use super::path;
 use crate::files;
 use crate::game::Replay;
-use crate::level::{self, FILES, Files, Loaded, told};
+use crate::level::{self, FILES, Files, Loaded};
 use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
@@ -47,7 +47,7 @@ pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), V
     let name = folder.canonicalize().ok().as_deref().unwrap_or(folder).file_name().map(|name| name.to_string_lossy().into_owned());
     let name = name.unwrap_or_default();
     path::judge_folder(&name).map_err(|problem| vec![problem])?;
-    let level = level::load(folder, project).map_err(|problems| told(&problems))?.level;
+    let level = level::load(folder, project).map_err(|problems| level::listed(&problems))?.level;
     let (mut package, mut left) = (Package { name, files: BTreeMap::new() }, Vec::new());
     let mut take = |path: String, from: &Path, root: &Path, most: u64| {
         if let Some(link) = link_below(root, from) {
@@ -102,7 +102,7 @@ pub(super) fn listed(folder: &Path) -> Result<Vec<String>, Vec<String>> {
 /// Every problem, a line each.
 pub fn check(package: &Package, project: &Path) -> Result<Loaded, Vec<String>> {
     let loaded = level::read(&package.name, &PackedFiles { package, project });
-    let mut problems = loaded.as_ref().err().map(|problems| told(problems)).unwrap_or_default();
+    let mut problems = loaded.as_ref().err().map(|problems| level::listed(problems)).unwrap_or_default();
     for (path, bytes) in package.files.iter().filter(|(path, _)| path.starts_with(FLIGHTS)) {
         match str::from_utf8(bytes) {
             Ok(text) => problems.extend(Replay::parse(path, text).err().into_iter().flat_map(|bad| bad.0)),

@@ -111,7 +111,7 @@ impl Library {
         }
         match level::load(&folder, &self.root) {
             Ok(loaded) => Ok(Arc::new(loaded.level)),
-            Err(problems) => Err(level::told(&problems)),
+            Err(problems) => Err(level::listed(&problems)),
         }
     }
 

@@ -68,7 +68,7 @@ impl Errand {
     fn run(self) -> Brought {
         let load = |folder: &PathBuf, root: &PathBuf| match level::load(folder, root) {
             Ok(loaded) => Ok(Arc::new(loaded.level)),
-            Err(problems) => Err(level::told(&problems)),
+            Err(problems) => Err(level::listed(&problems)),
         };
         match self {
             Self::Level(folder, root) => {

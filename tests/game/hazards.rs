@@ -2,7 +2,7 @@
 
 use crate::support::rooms::{area, crate_at, objective, room};
 use resultant::game::{Controls, Game, GameEvent, Outcome, SHIP};
-use resultant::level::{Level, ObjectiveKind, Solid, Stream};
+use resultant::level::{AirStream, Level, ObjectiveKind, Solid};
 use resultant::physics::{BodyId, DVec2, ForceKind, Material};
 use std::sync::Arc;
 
@@ -107,7 +107,7 @@ fn what_flies_into_the_ship_damages_it_and_what_flies_into_something_else_does_n
 fn air_streams_blow_from_steel() {
     let mut level = room();
     let source = area(40.0, 60.0, 60.0, 61.0);
-    level.streams = vec![Stream { source, zone: area(40.0, 61.0, 60.0, 62.0), force: DVec2::Y, name: None }];
+    level.streams = vec![AirStream { source, zone: area(40.0, 61.0, 60.0, 62.0), force: DVec2::Y, name: None }];
     let game = Game::new(Arc::new(level)).unwrap();
     let surface = game.world().surfaces().iter().find(|surface| surface.bounds == source);
     assert_eq!(surface.map(|surface| surface.material), Some(Material::STEEL));
@@ -137,7 +137,7 @@ fn a_damaging_collision_costs_five_hundred_points() {
 fn wind_is_felt_while_the_zone_is_touched_and_the_same_by_all() {
     let mut level = room();
     let zone = area(45.0, 45.0, 60.0, 55.0);
-    level.streams = vec![Stream { source: area(44.0, 45.0, 45.0, 55.0), zone, force: DVec2::new(1200.0, 0.0), name: None }];
+    level.streams = vec![AirStream { source: area(44.0, 45.0, 45.0, 55.0), zone, force: DVec2::new(1200.0, 0.0), name: None }];
     level.objects = vec![crate_at(DVec2::new(48.0, 53.0), DVec2::ZERO, None)];
     let mut game = Game::new(Arc::new(level)).unwrap();
     let mut left = [false; 2];

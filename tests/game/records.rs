@@ -2,7 +2,7 @@
 
 use crate::support::rooms::{area, crate_at, objective, room};
 use resultant::game::{LevelHash, level_hash};
-use resultant::level::{Fluid, Level, Look, ObjectiveKind, Solid, Stream, Text};
+use resultant::level::{AirStream, Fluid, Level, Look, ObjectiveKind, Solid, Text};
 use resultant::physics::{DVec2, Material};
 
 /// A level with one of everything.
@@ -12,7 +12,7 @@ fn full() -> Level {
         world: vec![Solid::new(zone, Material::ASPHALT)],
         objects: vec![crate_at(DVec2::new(9.0, 9.0), DVec2::ZERO, None)],
         obstacles: vec![zone],
-        streams: vec![Stream { source: zone, zone, force: DVec2::X, name: None }],
+        streams: vec![AirStream { source: zone, zone, force: DVec2::X, name: None }],
         fluids: vec![Fluid { zone, density: 900.0, viscosity: 1.0, colour: [1, 2, 3] }],
         texts: vec![Text { position: DVec2::ZERO, size: 1.0, text: "Up!".into(), colour: None }],
         ..room()

@@ -10,7 +10,7 @@ use crate::support::rooms::{area, crate_at, yard};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 use resultant::game::{Controls, Game, Outcome, TICK_RATE, TICKS_A_FRAME};
-use resultant::level::{Fluid, Level, Stream};
+use resultant::level::{AirStream, Fluid, Level};
 use resultant::physics::DVec2;
 use resultant::screens::{Attempt, Flight, Input, Key, Keys};
 use std::sync::Arc;
@@ -153,7 +153,7 @@ fn script(seed: u64, slots: usize, pauses: bool) -> Script {
 /// The yard with a stream and a liquid.
 fn yard_with_media() -> Level {
     let mut level = yard();
-    level.streams = vec![Stream {
+    level.streams = vec![AirStream {
         source: area(20.0, 59.0, 30.0, 60.0),
         zone: area(20.0, 20.0, 30.0, 59.0),
         force: DVec2::new(0.0, -900.0),
@@ -176,7 +176,7 @@ fn flights_through_a_crowd_a_liquid_and_a_stream_have_their_golden_hashes() {
     // The ship begins in the liquid and in the stream, and a crate is in either, too.
     let (mut liquid, mut stream) = (yard(), yard());
     liquid.fluids = vec![Fluid { zone: area(40.0, 45.0, 70.0, 60.0), density: 900.0, viscosity: 50.0, colour: [0; 3] }];
-    stream.streams = vec![Stream {
+    stream.streams = vec![AirStream {
         source: area(40.0, 59.0, 52.0, 60.0),
         zone: area(40.0, 20.0, 52.0, 59.0),
         force: DVec2::new(40.0, -900.0),

@@ -1,7 +1,7 @@
 //! Levels built by hand, for tests of the rules.
 
 pub use super::area;
-use resultant::level::{Awards, Level, Look, Object, Objective, ObjectiveKind, Player, SHIP_DRAG, Solid};
+use resultant::level::{Awards, Level, Look, Object, Objective, ObjectiveKind, SHIP_DRAG, ShipStart, Solid};
 use resultant::physics::{Aabb, DVec2, Material};
 
 /// An empty room of 100 m × 100 m without gravity and air, the ship (100 kg, 2000 N, 500 fuel) at rest in its middle, its box
@@ -20,7 +20,7 @@ pub fn room() -> Level {
         friction: 1.0,
         experiment: false,
         awards: Awards::default(),
-        player: Player {
+        player: ShipStart {
             position: DVec2::splat(50.0),
             velocity: DVec2::ZERO,
             angle: 0.0,

@@ -2,11 +2,10 @@
 
 use crate::level::schema::Table;
 
-/// The change of one operation in a file. Of each pair the first is before it, the second after it.
+/// The change of one operation in a file: of each pair the first is before it, the second after it.
 #[derive(Clone, Debug)]
-pub(super) struct FileChange {
+pub(super) struct ByteChange {
     pub table: Table,
-    /// Whether there is such a file.
     exists: [bool; 2],
     at: usize,
     bytes: [Vec<u8>; 2],
@@ -14,13 +13,13 @@ pub(super) struct FileChange {
 
 #[derive(Clone, Debug)]
 pub(super) struct EditChange {
-    pub files: Vec<FileChange>,
-    /// Operations of the same gesture are one: dragging a thing, typing into a cell.
+    pub files: Vec<ByteChange>,
+    /// Operations of one gesture, such as a drag, are undone together.
     pub gesture: Option<u64>,
 }
 
-impl FileChange {
-    /// `None` where nothing differs.
+impl ByteChange {
+    /// `None` where no byte differs.
     pub fn between(table: Table, old: Option<&[u8]>, new: Option<&[u8]>) -> Option<Self> {
         let exists = [old.is_some(), new.is_some()];
         if old == new {
@@ -34,12 +33,10 @@ impl FileChange {
         Some(Self { table, exists, at, bytes })
     }
 
-    /// The file before the operation, made of the file after it.
     pub fn undone(&self, after: Option<&[u8]>) -> Option<Vec<u8>> {
         self.turned(after, 0)
     }
 
-    /// The file after the operation, made of the file before it.
     pub fn redone(&self, before: Option<&[u8]>) -> Option<Vec<u8>> {
         self.turned(before, 1)
     }

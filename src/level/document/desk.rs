@@ -1,4 +1,4 @@
-//! Which of a level's editors an editor is, for as long as it has the level open.
+//! The number of an editor among the editors of one level, for as long as it has the level open.
 
 use crate::files::{self, Symlinks};
 use std::fs::{self, File};
@@ -9,7 +9,7 @@ const KEPT: &str = ".autosave";
 /// The most editors of one level that keep unsaved edits.
 const MOST_EDITORS: u32 = 100;
 
-/// Which of a level's editors this one is, for as long as it has the level open: a lock says so to the others.
+/// A lock keeps the number from other editors.
 #[derive(Debug)]
 pub(super) struct EditorDesk {
     pub kept: PathBuf,
@@ -19,12 +19,12 @@ pub(super) struct EditorDesk {
 }
 
 impl EditorDesk {
-    /// The first, also where another editor has it.
+    /// Number 1, also where another editor has it.
     pub fn alone(folder: &Path) -> Self {
         Self { kept: folder.join(KEPT), shared: false, lock: None }
     }
 
-    /// The first that no editor has; one with edits that were left goes before the others.
+    /// The first free number with kept edits, else the first free one.
     pub fn take(folder: &Path) -> Self {
         let left = (1..=MOST_EDITORS).filter(|number| fs::symlink_metadata(Self::name(folder, *number)).is_ok());
         let mut desks = left.chain(1..=MOST_EDITORS).filter_map(|number| Some((number, Self::at(folder, number)?)));
@@ -33,11 +33,10 @@ impl EditorDesk {
         desk
     }
 
-    /// That one; `None` where another editor has it. Where no lock can be made, as in a folder that is read-only, nothing can be kept either.
+    /// `None` where another editor has that number. A folder without room for a lock, such as a read-only one, keeps no edits either.
     fn at(folder: &Path, number: u32) -> Option<Self> {
         let kept = Self::name(folder, number);
         let path = kept.with_extension("lock");
-        // No link is followed, and no pipe opened.
         let file = match File::create_new(&path) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
                 files::open(File::options().write(true), &path, Symlinks::Never).ok()?.0
@@ -45,7 +44,7 @@ impl EditorDesk {
             Ok(file) => file,
             Err(_) => return Some(Self { kept, shared: false, lock: None }),
         };
-        // An editor that ends takes its lock file away: the lock of a file that has gone is none.
+        // An editor that ends removes its lock file: a lock on a removed file does not count.
         let own = file.try_lock().is_ok() && is_at(&file, &path);
         own.then(|| Self { kept, shared: false, lock: Some((file, path)) })
     }
@@ -58,7 +57,7 @@ impl EditorDesk {
 impl Drop for EditorDesk {
     fn drop(&mut self) {
         if let Some((_, path)) = &self.lock {
-            // Where it stays, the next editor takes it over.
+            // The next editor takes over a file that stays.
             let _ = fs::remove_file(path);
         }
     }
@@ -71,7 +70,7 @@ fn is_at(file: &File, path: &Path) -> bool {
     file.metadata().ok().zip(fs::symlink_metadata(path).ok()).is_some_and(|(a, b)| same(a, b))
 }
 
-/// Elsewhere a file that is open keeps its name.
+/// Elsewhere an open file cannot be removed.
 #[cfg(not(unix))]
 fn is_at(_: &File, _: &Path) -> bool {
     true

@@ -1,9 +1,6 @@
-//! The only part of the document that knows the disk: it opens and saves, and keeps edits that are not saved yet.
-//!
-//! Each file is replaced whole. Before the first one is, everything stands in
-//! `.autosave`, in the level's folder, and that goes when the last one is there: whenever the program ends, however it ends, each file is
-//! the old one or the new one, and the edits are in the files or in `.autosave`. The loader and `check` pass over hidden names. Of several
-//! editors of one level each has an `.autosave` of its own.
+//! The only part of the document that knows the disk. Each file is replaced whole; `.autosave` in the level's folder holds all edits from
+//! before the first replacement until after the last. Whenever the program ends, each file is the old one or the new one, and no edit is
+//! lost. The loader and `check` pass over hidden names. Each editor of a level has an `.autosave` of its own.
 
 use super::desk::EditorDesk;
 use super::kept::{self, Kept};
@@ -12,8 +9,7 @@ use crate::files::{self, Replacement, Symlinks};
 use crate::level::folder::{Disk, load_from};
 use crate::level::image::png_size;
 use crate::level::problem::Problem;
-use crate::level::read::Loaded;
-use crate::level::read::{read, read_unfinished};
+use crate::level::read::{Loaded, read, read_unfinished};
 use crate::level::schema::Table;
 use crate::level::source::{BACKGROUND, Files};
 use crate::physics::DVec2;
@@ -24,12 +20,15 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The folder of the pictures that levels share, how deep they lie in it, and the most that are offered, or looked at in one folder.
+/// The folder of the pictures that levels share.
 const ASSETS: &str = "assets";
+/// The depth of its folders that are searched.
 const ASSETS_DEPTH: u32 = 3;
+/// The most pictures that are offered, and the most entries of one folder.
 const MOST_PICTURES: usize = 1000;
-/// How many copies of one file are kept beside it.
+/// The most copies of one file beside it.
 const MOST_COPIES: u32 = 10_000;
+
 #[derive(Clone, Debug)]
 pub struct LevelFolder {
     folder: PathBuf,
@@ -39,7 +38,7 @@ pub struct LevelFolder {
     desk: Arc<EditorDesk>,
 }
 
-/// Whose files stay where another program has written into those that are edited here.
+/// The side whose files stay where another program has written into files that are edited here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum KeptSide {
     /// The document's.
@@ -52,17 +51,17 @@ pub enum KeptSide {
 pub struct Opened {
     pub document: Document,
     pub folder: LevelFolder,
-    /// Edits that were not saved before the program ended, where they differ from the files.
+    /// Edits that an earlier editor has not saved, where they differ from the files.
     pub kept: Option<Kept>,
 }
 
 #[derive(Debug)]
 pub enum SaveError {
-    /// Another program has written these files since: nothing was written.
+    /// Another program has written these files: no file was written.
     Changed(Vec<Table>),
-    /// The edits cannot even be kept beside the files: nothing was written.
+    /// The edits cannot even be kept beside the files: no file was written.
     NotKept(io::Error),
-    /// The system refused that file; those before it are written, and all of it is kept beside them.
+    /// The system refused that file; the files before it are written, and all edits are kept beside them.
     File(String, io::Error),
 }
 
@@ -80,18 +79,15 @@ impl fmt::Display for SaveError {
 }
 
 impl LevelFolder {
-    /// Opens the level in `folder`; images are looked up there, then under `project`.
+    /// Images are looked up in `folder`, then under `project`. A level that the loader refuses can be opened.
     ///
     /// # Errors
-    /// A file that cannot be read, in words. The content of the files is not judged: a level that is refused can be opened.
+    /// An unreadable file, in words.
     pub fn open(folder: &Path, project: &Path) -> Result<Opened, String> {
         Self::open_at(folder, project, EditorDesk::alone)
     }
 
-    /// The same, for an editor: of several of one level each keeps its edits in a place of its own.
-    ///
-    /// # Errors
-    /// As [`LevelFolder::open`].
+    /// As [`LevelFolder::open`], for an editor, which keeps its edits apart from the level's other editors.
     pub fn open_to_edit(folder: &Path, project: &Path) -> Result<Opened, String> {
         Self::open_at(folder, project, EditorDesk::take)
     }
@@ -130,17 +126,13 @@ impl LevelFolder {
         Disk { folder: &self.folder, project: &self.project }
     }
 
-    /// Tells the document how large its pictures are.
+    /// Hands the sizes of its pictures to the document.
     pub fn measure(&self, document: &mut Document) {
-        let disk = self.disk();
         let side = |(width, height)| DVec2::new(width, height);
         document.tell_sizes(BTreeMap::new(), None);
-        let background = png_size(disk.level_file(BACKGROUND), BACKGROUND).ok().map(side);
-        let size = |name: &String| {
-            let path = disk.picture(Path::new(&name.replace('\\', "/")));
-            let (width, height) = png_size(files::read(&path, files::PICTURE), name).ok()?;
-            Some((name.clone(), side((width, height))))
-        };
+        let background = png_size(self.disk().level_file(BACKGROUND), BACKGROUND).ok().map(side);
+        let size =
+            |name: &String| Some((name.clone(), side(png_size(files::read(&self.picture(name), files::PICTURE), name).ok()?)));
         let pictures = document.unknown_pictures().iter().filter_map(size).collect();
         document.tell_sizes(pictures, background);
     }
@@ -149,7 +141,7 @@ impl LevelFolder {
         self.disk().picture(Path::new(&name.replace('\\', "/")))
     }
 
-    /// The pictures that cells can name: those beside the tables, then those of the project's assets.
+    /// The pictures that cells can name: first in the level's folder, then in the project's assets.
     pub fn pictures(&self) -> Vec<String> {
         let mut own = pictures_in(&self.folder, "", 0);
         own.retain(|name| name != BACKGROUND);
@@ -162,7 +154,7 @@ impl LevelFolder {
         Some(self.folder.join(BACKGROUND)).filter(|path| path.is_file())
     }
 
-    /// Loads the document as it is in memory.
+    /// Loads the document from memory.
     ///
     /// # Errors
     /// As [`load`](crate::level::load).
@@ -171,36 +163,35 @@ impl LevelFolder {
         load_from(&disk, &document.over(&disk), read)
     }
 
-    /// The document as far as it can be flown, to try it out.
-    ///
-    /// # Errors
-    /// As [`load_unfinished`](crate::level::load_unfinished).
+    /// As [`load_unfinished`](crate::level::load_unfinished), from memory.
     pub fn unfinished(&self, document: &Document) -> Result<Loaded, Vec<Problem>> {
         let disk = self.disk();
         load_from(&disk, &document.over(&disk), read_unfinished)
     }
 
-    /// Whether the document has something that is not on disk.
     pub fn is_unsaved(&self, document: &Document) -> bool {
-        Table::ALL.iter().any(|table| document.bytes(*table) != self.known[table.index()].as_deref())
+        Table::ALL.iter().any(|table| self.is_edited(*table, document))
     }
 
-    /// The files that another program has changed since they were opened or saved, with their bytes now; a file that cannot be read has
-    /// not changed yet.
+    fn is_edited(&self, table: Table, document: &Document) -> bool {
+        document.bytes(table) != self.known[table.index()].as_deref()
+    }
+
+    /// The files that another program has changed since they were opened or saved, with their bytes now; an unreadable file counts as
+    /// unchanged.
     pub fn changed(&self) -> Vec<(Table, Option<Vec<u8>>)> {
         let now = Table::ALL.iter().filter_map(|table| Some((*table, read_table(&self.folder, *table).ok()?)));
         now.filter(|(table, bytes)| *bytes != self.known[table.index()]).collect()
     }
 
-    /// Takes over the files of other programs, where the document has nothing else there; the files that were edited here, too, and
-    /// are left as they are. Whether anything was taken over.
+    /// Takes over the changes of other programs in files without edits. Returns whether there were any, and the changed files with edits,
+    /// which stay.
     pub fn take_over(&mut self, document: &mut Document) -> (bool, Vec<Table>) {
         let (mut taken, mut both) = (false, Vec::new());
         for (table, bytes) in self.changed() {
-            let edited = document.bytes(table) != self.known[table.index()].as_deref();
             if document.bytes(table) == bytes.as_deref() {
                 self.known[table.index()] = bytes;
-            } else if edited {
+            } else if self.is_edited(table, document) {
                 both.push(table);
             } else {
                 document.replace(table, bytes.clone());
@@ -210,11 +201,11 @@ impl LevelFolder {
         (taken, both)
     }
 
-    /// Lets one side's files stay where both have written; a copy of the other side's is left beside each, and is one undo away. The names of
-    /// the copies.
+    /// Keeps one side's files where both have written; a copy of the other side's is left beside each, and is one undo away. Returns the names
+    /// of the copies.
     ///
     /// # Errors
-    /// A copy that cannot be written, in words; nothing has changed then.
+    /// A copy that cannot be written, in words; the document stays.
     pub fn settle(&mut self, document: &mut Document, side: KeptSide) -> Result<Vec<String>, String> {
         self.take_over(document);
         let (both, mut copies) = (self.changed(), Vec::new());
@@ -239,7 +230,7 @@ impl LevelFolder {
         Ok(copies)
     }
 
-    /// Writes a new file into the folder, whose name ends with the first number that no other has; that name.
+    /// Writes a new file into the folder. Returns its name, which ends with the first free number.
     fn copy_beside(&self, stem: &str, bytes: &[u8]) -> io::Result<String> {
         for number in 1..=MOST_COPIES {
             let name = format!("{stem}-{number}");
@@ -255,10 +246,9 @@ impl LevelFolder {
     /// Writes every file that has changed.
     ///
     /// # Errors
-    /// See [`SaveError`]; nothing of the document is lost.
+    /// See [`SaveError`]; no edit is lost.
     pub fn save(&mut self, document: &Document) -> Result<(), SaveError> {
-        let edited = |table: &Table| document.bytes(*table) != self.known[table.index()].as_deref();
-        let changed: Vec<Table> = Table::ALL.iter().copied().filter(edited).collect();
+        let changed: Vec<Table> = Table::ALL.iter().copied().filter(|table| self.is_edited(*table, document)).collect();
         let theirs: Vec<Table> =
             self.changed().into_iter().filter(|(table, _)| changed.contains(table)).map(|(table, _)| table).collect();
         if !theirs.is_empty() {
@@ -279,7 +269,7 @@ impl LevelFolder {
         Ok(())
     }
 
-    /// Keeps unsaved edits beside the files, for when the program ends without being asked to; nothing where all is saved.
+    /// Keeps unsaved edits beside the files, in case the program ends without a save.
     ///
     /// # Errors
     /// The error of the system.
@@ -293,7 +283,7 @@ impl LevelFolder {
 
     /// Throws the kept edits away.
     pub fn forget(&self) {
-        // Where there is none, that is as well.
+        // There may be none.
         let _ = fs::remove_file(&self.desk.kept);
     }
 
@@ -315,7 +305,7 @@ fn read_table(folder: &Path, table: Table) -> io::Result<Option<Vec<u8>>> {
     }
 }
 
-/// The pictures in a folder, and in the folders in it down to that depth, in order; each with its path behind `before`.
+/// The pictures in a folder and its folders down to that depth, in order, each as a path that begins with `before`.
 fn pictures_in(folder: &Path, before: &str, depth: u32) -> Vec<String> {
     let mut entries: Vec<_> = fs::read_dir(folder).into_iter().flatten().flatten().take(MOST_PICTURES).collect();
     entries.sort_unstable_by_key(fs::DirEntry::file_name);

@@ -1,4 +1,4 @@
-//! Operations on rows: cells that get other texts, rows that are added, moved, doubled and taken out. Each can be undone.
+//! Operations on rows: to change cells, to add, move, double and take out rows. Each can be undone.
 
 use super::model::{Document, NewRow, RowId, SetCell};
 use super::places::{FINEST, Place, number, parsed, shape, shape_text, way_text};
@@ -7,11 +7,10 @@ use crate::level::schema::Kind;
 use crate::physics::DVec2;
 
 impl Document {
-    /// Makes cells hold other texts. Operations of one gesture are undone together. Where a name changes that switches work, they work the
-    /// new one.
+    /// Operations of one gesture are undone together. Switches follow the change of a name that they work.
     ///
     /// # Errors
-    /// A file or row that cannot be read as a table, in words; nothing has changed then.
+    /// A file or row that cannot be read as a table, in words; the document stays.
     pub fn set(&mut self, cells: &[SetCell], gesture: Option<u64>) -> Result<(), String> {
         let mut files = Vec::new();
         let cells: Vec<SetCell> = cells.iter().cloned().chain(self.renamed(cells, gesture)).collect();
@@ -29,7 +28,7 @@ impl Document {
         Ok(())
     }
 
-    /// Adds rows below all others of their files, and makes a file that is not there; the new rows.
+    /// Adds rows below all others of their files, and makes missing files. Returns the new rows.
     ///
     /// # Errors
     /// As [`Document::set`].
@@ -49,8 +48,6 @@ impl Document {
         Ok(added)
     }
 
-    /// A new thing at that place.
-    ///
     /// # Errors
     /// As [`Document::set`].
     pub fn put(&mut self, kind: Kind, place: Place) -> Result<Option<RowId>, String> {
@@ -79,7 +76,7 @@ impl Document {
         Ok(self.add(&[NewRow { kind, cells }])?.first().copied())
     }
 
-    /// Rows of the same cells, moved by that many pixels; the new rows.
+    /// Copies rows, moved by `by` pixels. Returns the new rows.
     ///
     /// # Errors
     /// As [`Document::set`].
@@ -116,7 +113,7 @@ impl Document {
         Ok(())
     }
 
-    /// Makes a setting hold that text; without one it goes.
+    /// An empty text clears the setting.
     ///
     /// # Errors
     /// As [`Document::set`].
@@ -135,7 +132,6 @@ impl Document {
         }
     }
 
-    /// Whether the row's thing can be given another size.
     pub fn is_sizable(&self, row: RowId) -> bool {
         match self.kind(row) {
             None | Some(Kind::Ship | Kind::Setting) => false,
@@ -144,7 +140,7 @@ impl Document {
         }
     }
 
-    /// The row's cells with its thing at that place; its size only where that differs.
+    /// The row's cells with its thing at that place; its size only where it differs.
     pub fn placed(&self, row: RowId, to: Place) -> Vec<SetCell> {
         let (Some(kind), Some(from)) = (self.kind(row), self.place(row)) else { return Vec::new() };
         let mut cells = Vec::new();
@@ -175,7 +171,7 @@ impl Document {
         cells
     }
 
-    /// The row's cells with its thing, and its route if it has one, moved by that many pixels.
+    /// The row's cells with its thing, and the route of a mover, moved by `by` pixels.
     pub fn shifted(&self, row: RowId, by: DVec2) -> Vec<SetCell> {
         let Some(place) = self.place(row) else { return Vec::new() };
         let mut cells = self.placed(row, Place { min: place.min + by, ..place });
@@ -188,7 +184,7 @@ impl Document {
         cells
     }
 
-    /// The way points of a mover, pixels; none where they cannot be read.
+    /// Pixels; none where they cannot be read.
     pub fn way_points(&self, row: RowId) -> Vec<DVec2> {
         let text = self.cell(row, "way_points").unwrap_or_default();
         let points = text.split(';').map(str::trim).filter(|point| !point.is_empty());

@@ -1,26 +1,26 @@
-//! Operations that are carried out, taken back, and joined where they belong to one gesture.
+//! Carries operations out, undoes them, and joins the operations of one gesture.
 
-use super::change::{EditChange, FileChange};
+use super::change::{ByteChange, EditChange};
 use super::model::Document;
 use super::sheet::EditedFile;
 use crate::level::schema::Table;
 use std::collections::BTreeSet;
 
-/// Files and their new bytes; `None` for a file that is to go.
+/// Files and their new bytes; `None` removes a file.
 type Contents = Vec<(Table, Option<Vec<u8>>)>;
 
 impl Document {
-    /// Takes over a file as another program has left it: an operation like any other.
+    /// Takes over a file that another program has written: an operation like any other.
     pub fn replace(&mut self, table: Table, bytes: Option<Vec<u8>>) {
         self.apply(vec![(table, bytes)], None);
     }
 
-    /// The bytes of all files, by [`Table`].
+    /// By [`Table`].
     pub(super) fn all_bytes(&self) -> Vec<Option<Vec<u8>>> {
         Table::ALL.iter().map(|table| self.bytes(*table).map(<[u8]>::to_vec)).collect()
     }
 
-    /// Makes all files hold these bytes, by [`Table`].
+    /// By [`Table`].
     pub(super) fn replace_all(&mut self, files: Vec<Option<Vec<u8>>>) {
         self.apply(Table::ALL.iter().copied().zip(files).collect(), None);
     }
@@ -36,12 +36,12 @@ impl Document {
         change.map_or_else(|| now.map(<[u8]>::to_vec), |change| change.undone(now))
     }
 
-    /// A file as it was before the gesture of that number began.
+    /// A file as it was before the gesture began.
     pub(super) fn before(&self, table: Table, gesture: Option<u64>) -> EditedFile {
         EditedFile::new(table, self.bytes_before(table, gesture))
     }
 
-    /// Takes the last operation back; whether there was one.
+    /// Returns whether there was an operation to undo.
     pub fn undo(&mut self) -> bool {
         let Some(change) = self.undo.pop() else { return false };
         self.write(change.files.iter().map(|file| (file.table, file.undone(self.bytes(file.table)))).collect());
@@ -49,7 +49,7 @@ impl Document {
         true
     }
 
-    /// Does the operation again that was undone last; whether there was one.
+    /// Returns whether there was an operation to redo.
     pub fn redo(&mut self) -> bool {
         let Some(change) = self.redo.pop() else { return false };
         self.write(change.files.iter().map(|file| (file.table, file.redone(self.bytes(file.table)))).collect());
@@ -57,12 +57,12 @@ impl Document {
         true
     }
 
-    /// How many operations can be undone, and how many done again.
+    /// The numbers of operations to undo and to redo.
     pub fn history(&self) -> (usize, usize) {
         (self.undo.len(), self.redo.len())
     }
 
-    /// Makes files hold these bytes. However long a gesture takes, where it began and where it is make one operation.
+    /// All changes of one gesture make one operation.
     pub(super) fn apply(&mut self, mut files: Contents, gesture: Option<u64>) {
         files.retain(|(table, bytes)| self.bytes(*table) != bytes.as_deref());
         if files.is_empty() {
@@ -76,8 +76,8 @@ impl Document {
         }
         self.write(files);
         self.redo.clear();
-        let changed = before.into_iter().filter_map(|(table, old)| FileChange::between(table, old.as_deref(), self.bytes(table)));
-        let files: Vec<FileChange> = changed.collect();
+        let changed = before.into_iter().filter_map(|(table, old)| ByteChange::between(table, old.as_deref(), self.bytes(table)));
+        let files: Vec<ByteChange> = changed.collect();
         if !files.is_empty() {
             self.undo.push(EditChange { files, gesture });
         }

@@ -4,25 +4,24 @@ use super::model::Document;
 use crate::files;
 use crate::level::schema::Table;
 
-/// How the file begins.
+/// The file's first line.
 const MARK: &str = "resultant autosave 1\n";
-/// How it ends: a file without this end was cut short.
+/// Its last line: a file without it was cut short.
 const END: &str = "end\n";
 /// The largest such file that is read, bytes: all tables at their limits, and room for their names.
 pub(super) const MOST: u64 = (files::LEVEL_TABLE + 100) * Table::ALL.len() as u64;
 
-/// The bytes of all files as they were edited and not saved, by [`Table`].
+/// Unsaved bytes of all files, by [`Table`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kept(pub(super) Vec<Option<Vec<u8>>>);
 
 impl Document {
-    /// Takes over kept edits: one operation, which can be undone.
+    /// One operation, which can be undone.
     pub fn restore(&mut self, kept: Kept) {
         self.replace_all(kept.0);
     }
 }
 
-/// All tables of a document, as that file holds them.
 pub(super) fn encoded(document: &Document) -> Vec<u8> {
     let mut all = MARK.as_bytes().to_vec();
     for table in Table::ALL {
@@ -35,7 +34,7 @@ pub(super) fn encoded(document: &Document) -> Vec<u8> {
     all
 }
 
-/// The tables of such a file; `None` where it is none, or not whole.
+/// `None` where the bytes are no such file, or not whole.
 pub(super) fn parse(bytes: &[u8]) -> Option<Kept> {
     let mut rest = bytes.strip_prefix(MARK.as_bytes())?;
     let mut kept = vec![None; Table::ALL.len()];

@@ -1,5 +1,5 @@
-//! The document: the files of a level, with the kind, the place and the cells of each row. Cells are read leniently: a thing without a place
-//! that can be read is not drawn, and the loader lists its problem.
+//! The document: the files of a level, with the kind, the place and the cells of each row. A thing without a readable place is not drawn,
+//! and the loader lists its problem.
 
 use super::change::EditChange;
 use super::places::{Place, parsed, shape};
@@ -16,7 +16,6 @@ use std::io;
 /// Width of a letter in heights of it, about.
 const LETTER: f64 = 0.5;
 
-/// A row of a level's files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct RowId {
     pub table: Table,
@@ -31,7 +30,7 @@ pub struct SetCell {
     pub text: String,
 }
 
-/// A row that is to be added: the texts of its columns, those of the others are left out.
+/// Columns without a text are left out.
 #[derive(Clone, Debug)]
 pub struct NewRow {
     pub kind: Kind,
@@ -45,16 +44,16 @@ pub struct Document {
     pub(super) undo: Vec<EditChange>,
     pub(super) redo: Vec<EditChange>,
     pub(super) version: u64,
-    /// Where everything lies, by table and row.
+    /// By table and row.
     places: Vec<Vec<Option<Place>>>,
-    /// The sizes of pictures, pixels, by how cells name them.
+    /// The sizes of pictures, pixels, by their names in cells.
     pictures: BTreeMap<String, DVec2>,
     /// The size of background.png, pixels.
     background: Option<DVec2>,
 }
 
 impl Document {
-    /// A document of these files' bytes; a file that is not asked for, or not there, has no row.
+    /// `file` returns a file's bytes; `None` for a missing file, which has no row.
     pub fn new(mut file: impl FnMut(Table) -> Option<Vec<u8>>) -> Self {
         let sheets: Vec<EditedFile> = Table::ALL.iter().map(|table| EditedFile::new(*table, file(*table))).collect();
         let mut document = Self {
@@ -70,13 +69,13 @@ impl Document {
         document
     }
 
-    /// Takes over how large the pictures are, which the document itself cannot know.
+    /// Sizes in pixels.
     pub fn tell_sizes(&mut self, pictures: BTreeMap<String, DVec2>, background: Option<DVec2>) {
         (self.pictures, self.background) = (pictures, background);
         self.measure_all();
     }
 
-    /// The pictures that cells name and whose size is not known yet.
+    /// The pictures of cells without a known size.
     pub fn unknown_pictures(&self) -> Vec<String> {
         let rows = Table::ALL.iter().filter(|table| table.has(Column::is_picture)).flat_map(|table| self.rows(*table));
         let names = rows.filter_map(|row| self.cell(row, "image")).filter(|name| !name.contains(':') && !name.is_empty());
@@ -94,7 +93,7 @@ impl Document {
         &self.sheets[table.index()]
     }
 
-    /// Counts all changes of the files, those undone among them.
+    /// Counts all changes of the files, also each undo.
     pub fn version(&self) -> u64 {
         self.version
     }
@@ -109,7 +108,7 @@ impl Document {
         (0..self.sheet(table).rows().len()).map(move |row| RowId { table, row })
     }
 
-    /// All rows that have a place, and that place; those of one file after the other.
+    /// All rows with a place, file by file.
     pub fn things(&self) -> impl Iterator<Item = (RowId, Place)> + '_ {
         let of = |(table, places): (&Table, &'_ Vec<Option<Place>>)| {
             let table = *table;
@@ -122,18 +121,18 @@ impl Document {
         *self.places[row.table.index()].get(row.row)?
     }
 
-    /// The kind of a row; `None` where there is none or it is not known.
+    /// `None` where there is no such row, or where its kind is unknown.
     pub fn kind(&self, row: RowId) -> Option<Kind> {
         let first = self.sheet(row.table).rows().get(row.row)?.cells.first()?;
         Kind::of(row.table, first.text.trim())
     }
 
-    /// The text of a cell; `None` where the row has no such cell.
+    /// `None` where the row has no such cell.
     pub fn cell(&self, row: RowId, column: &str) -> Option<&str> {
         self.sheet(row.table).cell(row.row, column)
     }
 
-    /// A setting of the level; `None` where it is not given.
+    /// `None` where it is not given.
     pub fn setting(&self, name: &str) -> Option<&str> {
         self.setting_row(name).and_then(|row| self.cell(row, "value")).filter(|value| !value.is_empty())
     }
@@ -142,7 +141,7 @@ impl Document {
         self.rows(Table::Constants).find(|row| self.cell(*row, "name").is_some_and(|known| known.eq_ignore_ascii_case(name)))
     }
 
-    /// The row of a file that has that line, counted from 1 as the loader's problems do.
+    /// Lines count from 1, as in the loader's problems.
     pub fn row_at(&self, table: Table, line: usize) -> Option<RowId> {
         let sheet = self.sheet(table);
         let row = sheet.rows().partition_point(|row| row.line <= line).checked_sub(1)?;
@@ -159,13 +158,12 @@ impl Document {
         metre.unwrap_or(PixelScale::USUAL.metre)
     }
 
-    /// The level's size in pixels: that of its background, or of its settings.
+    /// In pixels, from the background, else from the settings.
     pub fn size(&self) -> DVec2 {
         let given = |name: &str, usual: f64| self.setting(name).and_then(parsed).filter(|side| *side >= 1.0).unwrap_or(usual);
         self.background.unwrap_or_else(|| DVec2::new(given("width", 1280.0), given("height", 720.0)))
     }
 
-    /// The number in a cell, where there is one.
     pub fn number(&self, row: RowId, column: &str) -> Option<f64> {
         self.cell(row, column).and_then(parsed)
     }
@@ -191,7 +189,7 @@ impl Document {
 
     pub(super) fn measure_table(&mut self, table: Table) {
         if table == Table::Constants {
-            // The scale may be another: the ship's size hangs on it.
+            // The ship's size follows the scale.
             return self.measure_all();
         }
         self.places[table.index()] = self.rows(table).map(|row| self.measure(row)).collect();
@@ -219,7 +217,7 @@ impl Files for Over<'_> {
         match Table::of_file(name) {
             Some(table) => match self.document.bytes(table) {
                 None => Err(io::ErrorKind::NotFound.into()),
-                // Once saved, it could not be read again.
+                // A saved file of this size cannot be read.
                 Some(bytes) if bytes.len() as u64 > files::LEVEL_TABLE => {
                     let found = format!("found {} bytes, expected at most {}", bytes.len(), files::LEVEL_TABLE);
                     Err(io::Error::new(io::ErrorKind::FileTooLarge, found))

@@ -2,7 +2,7 @@
 
 use crate::physics::DVec2;
 
-/// A rectangle in the author's picture, pixels, y down.
+/// Pixels of the author's picture, y down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Place {
     pub min: DVec2,
@@ -22,7 +22,7 @@ impl Place {
         Self { min: a.min(b), size: (a - b).abs() }
     }
 
-    /// Whether a point lies in it or on its edge.
+    /// Edges count.
     pub fn contains(&self, point: DVec2) -> bool {
         point.cmpge(self.min).all() && point.cmple(self.max()).all()
     }
@@ -32,10 +32,10 @@ impl Place {
     }
 }
 
-/// How far down a number is written: a thousandth of a pixel.
+/// Steps of a written number in a pixel.
 pub(super) const FINEST: f64 = 1000.0;
 
-/// A number as a person writes it.
+/// A number with at most three decimals.
 pub fn number(value: f64) -> String {
     let rounded = (value * FINEST).round() / FINEST;
     (if rounded == 0.0 { 0.0 } else { rounded }).to_string()
@@ -45,7 +45,7 @@ pub(super) fn parsed(text: &str) -> Option<f64> {
     text.parse().ok().filter(|value: &f64| value.is_finite() && value.abs() < 1e12)
 }
 
-/// Way points as the file holds them.
+/// `600 300; 600 100`.
 pub fn way_text(points: &[DVec2]) -> String {
     points.iter().map(|point| format!("{} {}", number(point.x), number(point.y))).collect::<Vec<_>>().join("; ")
 }
@@ -59,7 +59,7 @@ pub(super) fn shape(image: &str) -> Option<(bool, DVec2)> {
     Some((round, DVec2::new(parsed(width.trim())?, parsed(height.trim())?)))
 }
 
-/// A plain shape as a cell holds it.
+/// `ball:40x40`.
 pub(super) fn shape_text(round: bool, size: DVec2) -> String {
     format!("{}:{}x{}", if round { "ball" } else { "box" }, number(size.x), number(size.y))
 }

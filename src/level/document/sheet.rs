@@ -1,5 +1,5 @@
-//! One CSV file, byte for byte as its author wrote it, and edits of it, which replace the bytes of their cells and rows and no others.
-//! Rows, cells and columns are the loader's own.
+//! One CSV file, byte for byte as its author wrote it, and edits, which replace the bytes of their cells and rows and no others. Rows, cells
+//! and columns are the loader's.
 
 use crate::level::cells::{self, Cell, CellFault, SpannedRow};
 use crate::level::schema::{Column, RowSchema, Table};
@@ -8,6 +8,9 @@ use std::ops::Range;
 
 /// Bytes of a file, and the text that takes their place.
 type Splice = (Range<usize>, String);
+
+/// A new row: its kind, and the texts of some columns.
+pub(super) type Added = (&'static RowSchema, Vec<(&'static str, String)>);
 
 #[derive(Clone, Debug)]
 pub(super) struct CellEdit<'a> {
@@ -22,9 +25,9 @@ pub(super) struct EditedFile {
     pub table: Table,
     pub exists: bool,
     pub bytes: Vec<u8>,
-    /// All rows that hold something, headers first.
+    /// All rows but blank ones, headers first.
     rows: Vec<SpannedRow>,
-    /// `None`: the file cannot be understood, and is kept as it is.
+    /// `None`: the file is no table of its kind, and stays as it is.
     plan: Option<HeaderPlan>,
 }
 
@@ -42,7 +45,7 @@ impl EditedFile {
         self.table.rows().len() > 1
     }
 
-    /// The rows below the headers; none in a file that cannot be understood.
+    /// The rows below the headers; none without a plan.
     pub fn rows(&self) -> &[SpannedRow] {
         self.plan.as_ref().map_or(&[], |plan| &self.rows[plan.headers.min(self.rows.len())..])
     }
@@ -55,7 +58,7 @@ impl EditedFile {
         table::schema_of(self.table.rows(), first).map_or_else(Vec::new, all_columns)
     }
 
-    /// The text of a cell, without the spaces around it; `None` where the row has no such cell.
+    /// Without the spaces around it; `None` where the row has no such cell.
     pub fn cell(&self, row: usize, column: &str) -> Option<&str> {
         let cells = &self.rows().get(row)?.cells;
         let index = match &self.plan {
@@ -74,7 +77,6 @@ impl EditedFile {
         Some((row.line, row.line + ends.count().max(1)))
     }
 
-    /// The file with those texts in these cells.
     pub fn edit(&self, edits: &[CellEdit]) -> Result<Vec<u8>, String> {
         let Some(plan) = &self.plan else { return Err(self.closed()) };
         let mut splices = Vec::new();
@@ -115,7 +117,7 @@ impl EditedFile {
         Ok(self.spliced(splices))
     }
 
-    /// Gives the header the columns that it lacks.
+    /// Adds the missing columns to the header.
     fn widen(&self, columns: &mut Columns, edits: &[CellEdit]) -> Result<Option<Splice>, String> {
         let headers = self.plan.as_ref().map_or(0, |plan| plan.headers);
         let header = self.rows.first().filter(|_| headers > 0);
@@ -132,14 +134,13 @@ impl EditedFile {
         if new.is_empty() {
             return Ok(None);
         }
-        // A cell without a column, which is a mistake, would get one.
+        // A cell beyond the header, which is a mistake, would get a column.
         if let Some(row) = self.rows().iter().find(|row| row.cells.iter().skip(known).any(|cell| !cell.is_empty())) {
             return Err(format!("{}:{} has more cells than the header: it is to be mended first", self.table.file(), row.line));
         }
         Ok(Some((last.span.end..last.span.end, new)))
     }
 
-    /// The file with these rows below all others.
     pub fn append(&self, added: &[Added]) -> Result<Vec<u8>, String> {
         let Some(plan) = &self.plan else { return Err(self.closed()) };
         if self.rows.iter().flat_map(|row| &row.cells).any(|cell| cell.fault == Some(CellFault::Unclosed)) {
@@ -170,7 +171,6 @@ impl EditedFile {
         Ok(self.spliced(splices))
     }
 
-    /// The file without these rows and their lines.
     pub fn remove(&self, rows: &[usize]) -> Result<Vec<u8>, String> {
         if self.plan.is_none() {
             return Err(self.closed());
@@ -179,7 +179,7 @@ impl EditedFile {
         Ok(self.spliced(taken.map(|row| (row.span.clone(), String::new())).collect()))
     }
 
-    /// The bytes with all of that in place; each range is that of the bytes as they are.
+    /// Ranges count the bytes before any splice.
     fn spliced(&self, mut splices: Vec<Splice>) -> Vec<u8> {
         let mut bytes = self.bytes.clone();
         splices.sort_by_key(|(range, _)| range.start);
@@ -199,7 +199,6 @@ impl EditedFile {
         format!("{} cannot be read as a table: it is to be mended in a text editor", self.table.file())
     }
 
-    /// How the file ends its lines.
     fn line_end(&self) -> &'static str {
         match self.bytes.iter().position(|byte| matches!(byte, b'\n' | b'\r')) {
             Some(at) if self.bytes[at] == b'\n' => "\n",
@@ -210,10 +209,7 @@ impl EditedFile {
     }
 }
 
-/// A row to be added: the columns of its kind, and the texts of some of them.
-pub(super) type Added = (&'static RowSchema, Vec<(&'static str, String)>);
-
-/// A row's text: as long as it has to be.
+/// A row's text, without empty cells behind the last required one.
 fn line(columns: &[Option<&Column>], cells: &[(&'static str, String)]) -> String {
     let text = |column: &Option<&Column>| {
         let given = cells.iter().find(|(name, _)| column.is_some_and(|column| column.name == *name));
@@ -231,9 +227,9 @@ fn position(columns: &[Option<&Column>], name: &str) -> Option<usize> {
     columns.iter().position(|column| column.is_some_and(|column| column.name == name))
 }
 
-/// A text as a cell: in quotes where they are needed, or were there before.
+/// A text as a cell: in quotes where they are needed, or where it had quotes before.
 fn encoded(text: &str, quoted: bool, first: bool) -> String {
-    // A text that begins with a quote would be a quoted cell, and one that begins with # a comment.
+    // A leading quote would make a quoted cell, a leading # a comment.
     let needed = text.contains([',', '"', '\n', '\r']) || (first && text.starts_with('#'));
     if quoted || needed { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
 }

@@ -1,4 +1,4 @@
-//! Which switch works which thing, and the names by which it does.
+//! The wires from switches to things, by the names of the things.
 
 use super::model::{Document, RowId, SetCell};
 use crate::level::schema::{Column, Kind, Table};
@@ -13,7 +13,7 @@ fn worked() -> impl Iterator<Item = Table> {
 pub struct Wiring {
     pub switch: RowId,
     pub thing: RowId,
-    /// Whether the thing is on while the switch is off.
+    /// The thing is on while the switch is off.
     pub inverted: bool,
 }
 
@@ -38,7 +38,7 @@ impl Document {
         row.table.has(Column::is_name)
     }
 
-    /// The cells in which that switch works that thing, or no longer does where it did. A thing without a name gets one.
+    /// The cells that add the wire between a switch and a thing, or remove it. A thing without a name gets one.
     pub fn rewired(&self, switch: RowId, thing: RowId) -> Vec<SetCell> {
         let (Some(Kind::Switch), Some(kind), true) = (self.kind(switch), self.kind(thing), self.can_be_worked(thing)) else {
             return Vec::new();
@@ -58,7 +58,7 @@ impl Document {
         if words.iter().any(|word| word.trim_start_matches('!') == name) {
             words.retain(|word| word.trim_start_matches('!') != name);
         } else {
-            // A name that nothing has yet stood there for want of one.
+            // A new switch works a name that no thing has.
             words.retain(|word| known.iter().any(|known| *known == word.trim_start_matches('!')));
             words.push(&name);
         }
@@ -66,21 +66,21 @@ impl Document {
         cells
     }
 
-    /// The switches' cells when things get other names. Names are typed letter by letter, past those of other things: so the wires
-    /// are looked up as they were before that gesture.
+    /// The switches' cells when things get other names. A name that is typed letter by letter may pass the name of another thing: so the wires
+    /// are looked up as they were before the gesture.
     pub(super) fn renamed(&self, cells: &[SetCell], gesture: Option<u64>) -> Vec<SetCell> {
         let is_name = |cell: &&SetCell| cell.column == "name" && self.can_be_worked(cell.row);
         let named: BTreeMap<RowId, &str> = cells.iter().filter(is_name).map(|cell| (cell.row, cell.text.trim())).collect();
         if named.is_empty() {
             return Vec::new();
         }
-        // The names that things had, each with those that stand in its place.
+        // Each old name with the new ones.
         let mut new: BTreeMap<String, Vec<String>> = BTreeMap::new();
         for table in worked() {
             let before = self.before(table, gesture);
             for row in 0..before.rows().len() {
                 let Some(old) = before.cell(row, "name").filter(|name| !name.is_empty()) else { continue };
-                // Until there is a name of one word the switches keep the old one.
+                // The switches keep the old name until the new one is a word.
                 let one_word = |name: &&str| !name.is_empty() && !name.starts_with('!') && !name.contains(char::is_whitespace);
                 let name = named.get(&RowId { table, row }).copied().filter(one_word).unwrap_or(old);
                 let names = new.entry(old.to_owned()).or_default();
@@ -120,7 +120,6 @@ impl Document {
         rows.filter_map(|row| self.cell(row, "name").filter(|name| !name.is_empty())).collect()
     }
 
-    /// A name that nothing of the level has.
     pub(super) fn free_name(&self, kind: Kind) -> String {
         let stem = match kind {
             Kind::Mover => "lift",
@@ -134,7 +133,7 @@ impl Document {
         free.next().unwrap_or_default()
     }
 
-    /// The name that a new switch works: that of the first thing with one, else one to be replaced.
+    /// The name of the first thing that has one, else a name to be replaced.
     pub(super) fn first_worked(&self) -> String {
         self.names().first().map_or("gate", |name| name).to_owned()
     }

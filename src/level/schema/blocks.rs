@@ -2,7 +2,7 @@
 
 use super::facts::{Count, FileSchema, Holds, RowSchema};
 use super::record::{RowCells, RowReader};
-use super::typed::{MATERIAL, Typed, Word, is_name, name, number, one_of, rows, way_points};
+use super::typed::{MATERIAL, TypedColumn, Word, is_name, name, number, one_of, rows, way_points};
 use crate::level::numbers::{self, MIN_SIZE};
 use crate::level::problem::quoted;
 use crate::level::route::{self, Manner, MoverPace};
@@ -11,7 +11,7 @@ use crate::physics::{DVec2, Material, Sides};
 
 pub static WORLD: FileSchema = FileSchema {
     name: "world.csv",
-    help: "What is solid and never moves.",
+    help: "Blocks that are solid and never move.",
     sample: "0,680,1280,40,Asphalt\n840,440,440,30,Wood\n560,560,120,15,Steel,top\n",
 };
 pub static SOLID: RowSchema =
@@ -48,12 +48,11 @@ pub static SWITCH: RowSchema = RowSchema::new(&SWITCHES, "Switch", SwitchRow::CO
 
 const MOST_WORKS: usize = 50;
 
-const ONE_WAY: Typed<Sides> = one_of("the one side from which it is solid; with none it is solid all around").or("");
-const BELT: Typed<f64> = number(numbers::BELT, "speed of its skin, clockwise: the upper side runs to the right").or("0");
-const SWITCH_NAME: Typed<String> = name("the name by which switches work it");
+const ONE_WAY: TypedColumn<Sides> = one_of("the one side from which it is solid; with none it is solid all around").or("");
+const BELT: TypedColumn<f64> = number(numbers::BELT, "speed of its skin, clockwise: the upper side runs to the right").or("0");
+const SWITCH_NAME: TypedColumn<String> = name("the name by which switches work it");
 
 rows! {
-    /// A row of world.csv.
     SolidRow {
         rectangle,
         material: Material = MATERIAL,
@@ -63,12 +62,11 @@ rows! {
         name: Option<String> = SWITCH_NAME.maybe(),
     }
 
-    /// A row of movers.csv.
     MoverRow {
         rectangle,
         way_points: Vec<DVec2> = way_points("where its top left corner goes from its start"),
         speed: Option<f64> = number(numbers::SPEED, "its speed; or give a period").maybe(),
-        period: Option<f64> = number(numbers::PERIOD, "how long all of its way takes; or give a speed").maybe(),
+        period: Option<f64> = number(numbers::PERIOD, "time of the whole route; or give a speed").maybe(),
         wait: f64 = number(numbers::PAUSE, "how long it waits at each way point").or("0"),
         ease: f64 = number(numbers::PAUSE, "how long it takes to get to its speed, and to stop").or("0"),
         route: Route = one_of::<Route>("back as it came, round to its start, or once").or("back"),
@@ -78,17 +76,15 @@ rows! {
         name: Option<String> = SWITCH_NAME.maybe(),
     }
 
-    /// A row of doors.csv.
     DoorRow {
         rectangle,
         name: String = SWITCH_NAME,
         material: Material = MATERIAL,
     }
 
-    /// A row of switches.csv.
     SwitchRow {
         rectangle,
-        works: Vec<Work> = Typed::new(
+        works: Vec<Work> = TypedColumn::new(
             Holds::Text("names, such as `gate !fan`"),
             "the things that it works; behind a ! those that are on while it is off",
             |asked, reader| asked.or_refuse(reader, works(asked.text)),
@@ -174,7 +170,7 @@ pub fn switch(record: &RowCells, reader: &mut RowReader) -> Option<Switch> {
     Some(Switch { bounds, works: works?, weight: weight?, by: by?, latch: stays? })
 }
 
-/// `lift !fan`: names of things; a thing behind a `!` is on while the switch is off.
+/// `lift !fan`.
 fn works(text: &str) -> Result<Vec<Work>, String> {
     let works: Vec<Work> = text
         .split_whitespace()

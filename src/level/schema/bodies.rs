@@ -3,12 +3,12 @@
 use super::facts::{Count, FileSchema, RowSchema};
 use super::record::{RowCells, RowReader};
 use super::typed::{
-    CENTRE_X, CENTRE_Y, CHANNEL, MATERIAL, Maybe, Typed, VX, VY, boolean, channel, number, picture_or_box, rows, whole, words,
+    CENTRE_X, CENTRE_Y, CHANNEL, MATERIAL, Maybe, TypedColumn, VX, VY, boolean, channel, number, picture_or_box, rows, whole, words,
 };
 use crate::level::image::PictureShape;
 use crate::level::numbers;
 use crate::level::problem::quoted;
-use crate::level::types::{Look, Object, Objective, ObjectiveKind, Player};
+use crate::level::types::{Look, Object, Objective, ObjectiveKind, ShipStart};
 use crate::physics::{DVec2, Material};
 
 pub static PLAYER: FileSchema = FileSchema {
@@ -51,16 +51,15 @@ pub static KEY: RowSchema = RowSchema::new(&OBJECTIVES, "Key object", KeyRow::CO
     .size(40.0, 40.0)
     .by_centre();
 
-const KIND: Typed<String> = words("PLAYER, PHYS or OBJECT", "the kind of the row");
-const MASS: Typed<f64> = number(numbers::MASS, "its inertia and its weight");
-const DRAG: Typed<f64> = number(numbers::DRAG, "coefficient of its air resistance");
-const RESTITUTION: Typed<f64> = number(numbers::RESTITUTION, "share of a blow's speed that it gives back");
-const PICTURE: Typed<PictureShape> = picture_or_box("how it looks, and its size");
-const WEIGHTLESS: Typed<bool> = boolean("whether no gravity acts on it").or("FALSE");
+const KIND: TypedColumn<String> = words("PLAYER, PHYS or OBJECT", "the kind of the row");
+const MASS: TypedColumn<f64> = number(numbers::MASS, "its inertia and its weight");
+const DRAG: TypedColumn<f64> = number(numbers::DRAG, "coefficient of its air resistance");
+const RESTITUTION: TypedColumn<f64> = number(numbers::RESTITUTION, "share of a blow's speed that it gives back");
+const PICTURE: TypedColumn<PictureShape> = picture_or_box("how it looks, and its size");
+const WEIGHTLESS: TypedColumn<bool> = boolean("whether no gravity acts on it").or("FALSE");
 const ONLY_KEYS: Maybe<u8> = channel("a channel of the only keys that fit; all keys fit where none is given").maybe();
 
 rows! {
-    /// A row of player.csv.
     ShipRow {
         x: f64 = CENTRE_X,
         y: f64 = CENTRE_Y,
@@ -70,13 +69,12 @@ rows! {
         air: bool = boolean("whether air acts on it").or("TRUE"),
         vx: f64 = VX,
         vy: f64 = VY,
-        angle: f64 = number(numbers::ANGLE, "how far it is turned clockwise; at 0 the nose points up").or("0"),
+        angle: f64 = number(numbers::ANGLE, "clockwise turn; at 0 the nose points up").or("0"),
         material: Material = MATERIAL,
         drag: f64 = DRAG.or("1.15"),
         restitution: f64 = RESTITUTION.or("0"),
     }
 
-    /// A row of objects.csv.
     ObjectRow {
         x: f64 = CENTRE_X,
         y: f64 = CENTRE_Y,
@@ -91,7 +89,6 @@ rows! {
         weightless: bool = WEIGHTLESS,
     }
 
-    /// A PLAYER or PHYS row of objectives.csv.
     ObjectiveRow {
         kind: String = KIND,
         rectangle,
@@ -102,7 +99,7 @@ rows! {
         b: Option<u8> = ONLY_KEYS,
     }
 
-    /// An OBJECT row of objectives.csv; restitution and drag stand the other way round than in objects.csv, as in the original's files.
+    /// Restitution stands before drag, unlike in objects.csv, as in the original's files.
     KeyRow {
         kind: String = KIND,
         x: f64 = CENTRE_X,
@@ -121,9 +118,9 @@ rows! {
     }
 }
 
-pub fn player(record: &RowCells, reader: &mut RowReader) -> Option<Player> {
+pub fn player(record: &RowCells, reader: &mut RowReader) -> Option<ShipStart> {
     let row = ShipRow::read(record, reader);
-    Some(Player {
+    Some(ShipStart {
         position: reader.scale.metres(row.x?, row.y?),
         velocity: DVec2::new(row.vx?, row.vy?),
         angle: row.angle?,
@@ -137,7 +134,7 @@ pub fn player(record: &RowCells, reader: &mut RowReader) -> Option<Player> {
     })
 }
 
-/// The object of a row; `None` where a cell that it needs is wrong.
+/// `None` where a needed cell is wrong.
 macro_rules! body {
     ($row:ident, $reader:ident, $key:expr, $circular:expr) => {{
         let (look, width, height) = $row.image?;
@@ -163,7 +160,7 @@ pub fn object(record: &RowCells, reader: &mut RowReader) -> Option<Object> {
     body!(row, reader, None, circular)
 }
 
-/// An OBJECT row of objectives.csv; a key is round where it is drawn as a ball.
+/// A key is round where it is drawn as a ball.
 pub fn key(record: &RowCells, reader: &mut RowReader) -> Option<Object> {
     let row = KeyRow::read(record, reader);
     let colour = [row.r?, row.g?, row.b?];

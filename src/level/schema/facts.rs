@@ -1,4 +1,4 @@
-//! The facts of a file, of a kind of row and of a column. The loader, the editor, `new`, `check` and the documentation read them here.
+//! The facts of a file, of a kind of row and of a column, for the loader, the editor, `new`, `check` and the documentation.
 
 use crate::level::nearest::meant;
 use crate::level::numbers::{NumberRange, PixelScale, power};
@@ -7,10 +7,9 @@ use crate::level::types::Level;
 
 #[derive(Debug)]
 pub struct FileSchema {
-    /// Its name in the level's folder.
     pub name: &'static str,
     pub help: &'static str,
-    /// The rows that a new level has of it, as text; empty where a new level has no such file.
+    /// The rows of a new level, as text; empty where a new level has no such file.
     pub sample: &'static str,
 }
 
@@ -23,32 +22,31 @@ pub struct RowSchema {
     pub columns: &'static [Column],
     /// The cells of a new one besides its place and size.
     pub fresh: &'static [(&'static str, &'static str)],
-    /// Width and height of a new one that is put down by a click, pixels.
+    /// Width and height of a new one that a click puts down, pixels.
     pub usual_size: (f64, f64),
-    /// Whether x and y are its centre, not its top left corner.
+    /// x and y are its centre, not its top left corner.
     pub by_centre: bool,
     pub counts: &'static [Count],
 }
 
-/// How things of a level are counted: the words for one and for several, and how many there are.
+/// The words for one thing and for several, and their number in a level.
 #[derive(Clone, Copy, Debug)]
 pub struct Count {
     pub one: &'static str,
     pub many: &'static str,
-    /// Whether a level with none says so.
+    /// A level with none says so.
     pub at_none: bool,
     pub of: fn(&Level) -> usize,
 }
 
 #[derive(Clone, Copy, Debug)]
 pub struct Column {
-    /// Its name in a header.
     pub name: &'static str,
-    /// Whether each row has to fill it.
+    /// Each row has to fill it.
     pub required: bool,
-    /// Whether a cell that is there may be empty. A setting with a usual value may be left out, but not named with nothing.
+    /// A cell that is there may be empty. A setting with a usual value may be left out, but not named without a value.
     pub may_be_empty: bool,
-    /// The text that holds where the cell is left out; empty where none does.
+    /// The text of a cell that is left out; empty where there is none.
     pub usual: &'static str,
     pub help: &'static str,
     pub(in crate::level) holds: Holds,
@@ -67,7 +65,7 @@ pub(in crate::level) enum Holds {
     Whole(u32, u32),
     /// One of these words, in any case.
     OneOf(fn() -> Vec<&'static str>),
-    /// A name by which switches find a thing.
+    /// By which switches find a thing.
     Name,
     /// A picture's path or a plain shape.
     Picture,
@@ -78,7 +76,7 @@ pub(in crate::level) enum Holds {
 }
 
 impl Holds {
-    /// The numbers that are accepted at a scale; `None` where cells hold no number.
+    /// `None` where cells hold no number.
     pub fn range(&self, scale: PixelScale) -> Option<NumberRange> {
         match self {
             Self::Position | Self::Reach => Some(scale.coordinate()),
@@ -95,7 +93,7 @@ impl Column {
         if self.required { self.name.to_owned() } else { format!("[{}]", self.name) }
     }
 
-    /// The unit, or the limits of a number that has none, as a field shows it beside its text.
+    /// As a field shows it beside its text; the limits of a number without a unit.
     pub fn unit(&self) -> String {
         match self.holds {
             Holds::Position | Holds::Size | Holds::Reach | Holds::Points => "px".to_owned(),
@@ -105,7 +103,7 @@ impl Column {
         }
     }
 
-    /// The words that it may hold, the usual one first; none where it is free.
+    /// Its words, the usual one first; none where its text is free.
     pub fn choices(&self) -> Vec<&'static str> {
         let Holds::OneOf(words) = self.holds else { return Vec::new() };
         let mut words = words();
@@ -139,24 +137,20 @@ impl Column {
         format!("{}: {} ({}{usual})", self.name, self.help, self.limits().replace('`', ""))
     }
 
-    /// Whether it names things that switches work.
     pub(in crate::level) fn is_name(&self) -> bool {
         matches!(self.holds, Holds::Name)
     }
 
-    /// Whether it names pictures.
     pub(in crate::level) fn is_picture(&self) -> bool {
         matches!(self.holds, Holds::Picture)
     }
 }
 
 impl Count {
-    /// Counted in every level.
     pub(super) const fn always(one: &'static str, many: &'static str, of: fn(&Level) -> usize) -> Self {
         Self { one, many, at_none: true, of }
     }
 
-    /// Counted in levels that have some.
     pub(super) const fn if_any(one: &'static str, many: &'static str, of: fn(&Level) -> usize) -> Self {
         Self { one, many, at_none: false, of }
     }
@@ -187,7 +181,6 @@ impl RowSchema {
         Self { counts, ..self }
     }
 
-    /// The column that a header's cell names.
     pub(in crate::level) fn find(&self, name: &str) -> Option<&'static Column> {
         self.columns.iter().find(|column| column.name.eq_ignore_ascii_case(name.trim()))
     }
@@ -197,12 +190,12 @@ impl RowSchema {
         self.columns.iter().map(Column::in_brackets).collect::<Vec<_>>().join(",")
     }
 
-    /// The columns as a refusal names them, with the one that is meant.
+    /// The columns as a refusal names them, with the nearest one.
     pub(in crate::level) fn wanted(&self, misspelt: &str) -> String {
         format!("the columns {}{}", self.columns_text(), meant(misspelt, self.columns.iter().map(|column| column.name)))
     }
 
-    /// A problem that concerns the whole file or row: its first column stands for it.
+    /// A problem of the whole file or row, for which its first column stands.
     pub(in crate::level) fn problem(&self, line: usize, found: impl Into<String>, expected: impl Into<String>) -> Problem {
         Problem::new(self.file.name, line, self.columns.first().map_or("", |column| column.name), found, expected)
     }

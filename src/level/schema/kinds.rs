@@ -1,4 +1,4 @@
-//! The files of a level and the kinds of rows in them, as enums: a list of the schemas.
+//! The files of a level and the kinds of their rows, as enums: a list of the schemas.
 
 use super::facts::{Column, FileSchema, RowSchema};
 use super::{blocks, bodies, settings, zones};
@@ -7,7 +7,6 @@ use crate::level::source::BACKGROUND;
 macro_rules! files {
     ($($file:ident $schema:path { $($kind:ident $row:path),* })*) => {
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[allow(missing_docs)] // Named like the files.
         pub enum Table { $($file),* }
 
         impl Table {
@@ -29,11 +28,9 @@ macro_rules! files {
 
         /// A kind of thing: the ship, a block, a setting of the level.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        #[allow(missing_docs)] // Named like the schemas.
         pub enum Kind { $($($kind),*),* }
 
         impl Kind {
-            /// All of them, file by file.
             pub const ALL: &[Self] = &[$($(Self::$kind),*),*];
 
             pub const fn schema(self) -> &'static RowSchema {
@@ -80,12 +77,10 @@ impl Table {
         self.schema().name
     }
 
-    /// The table of that file.
     pub fn of_file(file: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|table| table.file() == file)
     }
 
-    /// Whether some of its rows have such a column.
     pub(in crate::level) fn has(self, is: fn(&Column) -> bool) -> bool {
         self.rows().iter().any(|row| row.columns.iter().any(is))
     }
@@ -134,7 +129,7 @@ impl Kind {
         self.schema().by_centre
     }
 
-    /// Width and height of a new one that is not drawn but put down, pixels.
+    /// Width and height of a new one that is put down by a click, pixels.
     pub const fn usual_size(self) -> (f64, f64) {
         self.schema().usual_size
     }

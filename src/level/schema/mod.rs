@@ -1,8 +1,6 @@
-//! One schema of a level: the files, the kinds of their rows and the columns of these, each fact once.
-//!
-//! `facts` are the types of the tables, `typed` the columns with the types of their values, `record` the cells of a row. The tables themselves
-//! stand, with the structs of their rows and what these become, in `settings`, `bodies`, `blocks` and `zones`; `kinds` lists them. `written`
-//! makes the rows of a new level and the tables of the documentation of them.
+//! One schema of a level. `facts` are the types of the tables, `typed` the columns with the types of their values, `record` the cells of a
+//! row. `settings`, `bodies`, `blocks` and `zones` hold the tables, their rows and the things that the rows become; `kinds` lists them.
+//! `written` makes the rows of a new level and the tables of the documentation.
 
 pub(super) mod blocks;
 pub(super) mod bodies;

@@ -1,4 +1,4 @@
-//! A row whose cells have found their columns, and the state that the reading of all rows shares.
+//! A row whose cells have found their columns, and the state that all readers of rows share.
 
 use super::facts::{Holds, RowSchema};
 use crate::level::cells::Cell;
@@ -6,18 +6,18 @@ use crate::level::image::Images;
 use crate::level::numbers::PixelScale;
 use crate::level::problem::{Problem, quoted};
 
-/// A row whose cells have found their columns; or the settings of constants.csv, each a cell by its name.
+/// A row's cells by column; or the settings of constants.csv, each a cell by its name.
 #[derive(Clone, Debug)]
 pub(in crate::level) struct RowCells {
     pub schema: &'static RowSchema,
     pub line: usize,
     pub cells: Vec<(&'static str, Cell)>,
-    /// Whether the cells are the values of settings.
+    /// The cells are the values of settings.
     pub is_settings: bool,
 }
 
 impl RowCells {
-    /// A cell's text without the spaces around it; `None` where the row has no such cell: it is left out, or its lack is reported.
+    /// Without the spaces around it; `None` where the row has no such cell: it may be left out, or its lack is reported.
     pub fn text(&self, column: &str) -> Option<&str> {
         self.cell(column).map(|cell| cell.text.trim())
     }
@@ -26,7 +26,7 @@ impl RowCells {
         self.cells.iter().find(|(name, _)| *name == column).map(|(_, cell)| cell)
     }
 
-    /// The line of a cell, where the row has it.
+    /// The line of a cell; of the row where it has no such cell.
     pub fn line_of(&self, column: &str) -> usize {
         self.cell(column).map_or(self.line, |cell| cell.line)
     }
@@ -54,7 +54,7 @@ pub(in crate::level) struct AskedCell<'a> {
 }
 
 impl AskedCell<'_> {
-    /// The value, or a problem with what is expected instead.
+    /// The value; an error is reported as the expected text.
     pub fn or_refuse<T>(&self, reader: &mut RowReader, value: Result<T, String>) -> Option<T> {
         let found = || if self.text.is_empty() { "nothing".into() } else { quoted(self.text) };
         value.map_err(|expected| reader.problems.push(self.record.problem(self.column, found(), expected))).ok()

@@ -2,7 +2,7 @@
 
 use super::facts::{Column, FileSchema, Holds, RowSchema};
 use super::record::{RowCells, RowReader};
-use super::typed::{Maybe, Typed, number, rows, size, words};
+use super::typed::{Maybe, TypedColumn, number, rows, size, words};
 use crate::level::nearest::meant;
 use crate::level::numbers::{self, PixelScale};
 use crate::level::problem::{Problem, quoted};
@@ -19,16 +19,14 @@ pub static SETTING: RowSchema = RowSchema::new(&CONSTANTS, "Setting", SettingRow
 
 const TIME: Maybe<f64> =
     number(numbers::MEDAL_TIME, "the longest time for this medal; gold is no longer than silver").maybe_filled();
-const SIDE: Typed<f64> = size("size of the level, where there is no background.png");
+const SIDE: TypedColumn<f64> = size("size of the level, where there is no background.png");
 
 rows! {
-    /// A row of constants.csv.
     SettingRow {
         name: String = words("a setting", "the setting"),
-        value: String = Typed::new(Holds::Text("a value"), "its value", |asked, _| Some(asked.text.to_owned())),
+        value: String = TypedColumn::new(Holds::Text("a value"), "its value", |asked, _| Some(asked.text.to_owned())),
     }
 
-    /// All settings of a level.
     SettingsRow {
         title: Option<String> = words("words", "shown in place of the level's name").maybe(),
         width: Option<f64> = SIDE.maybe_filled(),
@@ -52,7 +50,7 @@ rows! {
     }
 }
 
-/// The settings that constants.csv can name, each as a column.
+/// The settings of constants.csv, each as a column.
 pub static SETTINGS: &[Column] = SettingsRow::COLUMNS;
 
 pub(in crate::level) struct LevelSettings {
@@ -70,14 +68,14 @@ pub(in crate::level) struct LevelSettings {
     pub given: RowCells,
 }
 
-/// The settings that these rows name; an unknown one is a warning. The reader takes over their scale.
+/// An unknown setting is a warning. The reader gets the level's scale.
 pub(in crate::level) fn settings(rows: Vec<RowCells>, reader: &mut RowReader, warnings: &mut Vec<Problem>) -> LevelSettings {
     let given = named(rows, reader, warnings);
     let metre = given.text("metre").and_then(|text| numbers::METRE.parse(text).ok());
     reader.scale = PixelScale { metre: metre.unwrap_or(PixelScale::USUAL.metre) };
     let usual = SettingsRow::read(&RowCells { cells: Vec::new(), ..given.clone() }, reader);
     let row = SettingsRow::read(&given, reader);
-    // A number that is refused stands for the usual one in a level that is not finished.
+    // In an unfinished level the usual number stands for a refused one.
     let or_usual = |number: Option<f64>, usual: Option<f64>| number.or(usual).unwrap_or_default();
     let awards = awards(&row, &given, reader);
     LevelSettings {
@@ -115,7 +113,7 @@ fn named(rows: Vec<RowCells>, reader: &mut RowReader, warnings: &mut Vec<Problem
     given
 }
 
-/// The demands of the medals: a gold no longer than silver, and one mark.
+/// Gold takes no longer than silver, and a level has one mark.
 fn awards(row: &SettingsRow, given: &RowCells, reader: &mut RowReader) -> Awards {
     let (silver, gold) = (row.silver.flatten(), row.gold.flatten());
     let marks = [

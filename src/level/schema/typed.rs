@@ -1,5 +1,5 @@
-//! Columns with the type of their values: how a cell becomes a number, a word, a picture. Every reader reports and goes on, so that an
-//! author sees all problems at once: it answers `None` where a problem has been reported, by itself or before.
+//! Columns with the type of their values. Every reader reports a problem and goes on, so that an author sees all at once: its `None` means
+//! a reported problem.
 
 use super::facts::{Column, Holds};
 use super::record::{AskedCell, RowCells, RowReader};
@@ -10,26 +10,26 @@ use crate::physics::{DVec2, Material, Sides};
 
 type ReadCell<T> = fn(&AskedCell, &mut RowReader) -> Option<T>;
 
-/// A column whose cells hold a `T`; the field of the row that it stands in is its name.
-pub(super) struct Typed<T> {
+/// A column whose cells hold a `T`; the row's field names it.
+pub(super) struct TypedColumn<T> {
     facts: Column,
     read: ReadCell<T>,
 }
 
 /// A column that may be left out, and has no usual value.
-pub(super) struct Maybe<T>(Typed<T>);
+pub(super) struct Maybe<T>(TypedColumn<T>);
 
-impl<T> Typed<T> {
+impl<T> TypedColumn<T> {
     pub const fn new(holds: Holds, help: &'static str, read: ReadCell<T>) -> Self {
         Self { facts: Column { name: "", required: true, may_be_empty: false, usual: "", help, holds }, read }
     }
 
-    /// The same; where it is left out or empty, this text holds.
+    /// `usual` holds where the cell is left out or empty.
     pub const fn or(self, usual: &'static str) -> Self {
         Self { facts: Column { required: false, may_be_empty: true, usual, ..self.facts }, ..self }
     }
 
-    /// The same; where it is left out, this text holds.
+    /// `usual` holds where the cell is left out; a cell that is there has to be filled.
     pub const fn unless_given(self, usual: &'static str) -> Self {
         Self { facts: Column { required: false, usual, ..self.facts }, ..self }
     }
@@ -38,7 +38,6 @@ impl<T> Typed<T> {
         Maybe(self.or(""))
     }
 
-    /// The same; where it is named it has to be filled.
     pub const fn maybe_filled(self) -> Maybe<T> {
         Maybe(self.unless_given(""))
     }
@@ -72,8 +71,8 @@ impl<T> Maybe<T> {
     }
 }
 
-/// A struct of the cells of a row, its columns, and how a row is read; `rectangle` stands for x, y, width and height. A field is `None`
-/// where its cell is wrong or missing, which is reported then.
+/// A struct of a row's cells, its columns, and their reader; `rectangle` stands for x, y, width and height. A field is `None` where its cell
+/// is wrong or missing, which is reported.
 macro_rules! rows {
     ($($(#[$about:meta])* $row:ident { $($fields:tt)* })*) => {
         $($crate::level::schema::typed::rows! { @fields ($(#[$about])* $row) [] $($fields)* })*
@@ -113,20 +112,20 @@ macro_rules! rows {
 }
 pub(super) use rows;
 
-pub(super) const fn number(range: NumberRange, help: &'static str) -> Typed<f64> {
-    Typed::new(Holds::Number(range), help, read_number)
+pub(super) const fn number(range: NumberRange, help: &'static str) -> TypedColumn<f64> {
+    TypedColumn::new(Holds::Number(range), help, read_number)
 }
 
-pub(super) const fn position(help: &'static str) -> Typed<f64> {
-    Typed::new(Holds::Position, help, read_number)
+pub(super) const fn position(help: &'static str) -> TypedColumn<f64> {
+    TypedColumn::new(Holds::Position, help, read_number)
 }
 
-pub(super) const fn size(help: &'static str) -> Typed<f64> {
-    Typed::new(Holds::Size, help, read_number)
+pub(super) const fn size(help: &'static str) -> TypedColumn<f64> {
+    TypedColumn::new(Holds::Size, help, read_number)
 }
 
-pub(super) const fn reach(help: &'static str) -> Typed<f64> {
-    Typed::new(Holds::Reach, help, read_number)
+pub(super) const fn reach(help: &'static str) -> TypedColumn<f64> {
+    TypedColumn::new(Holds::Reach, help, read_number)
 }
 
 fn read_number(asked: &AskedCell, reader: &mut RowReader) -> Option<f64> {
@@ -134,8 +133,8 @@ fn read_number(asked: &AskedCell, reader: &mut RowReader) -> Option<f64> {
     asked.or_refuse(reader, range.parse(asked.text))
 }
 
-pub(super) const fn whole(low: u32, high: u32, help: &'static str) -> Typed<u32> {
-    Typed::new(Holds::Whole(low, high), help, read_whole)
+pub(super) const fn whole(low: u32, high: u32, help: &'static str) -> TypedColumn<u32> {
+    TypedColumn::new(Holds::Whole(low, high), help, read_whole)
 }
 
 fn read_whole(asked: &AskedCell, reader: &mut RowReader) -> Option<u32> {
@@ -144,19 +143,18 @@ fn read_whole(asked: &AskedCell, reader: &mut RowReader) -> Option<u32> {
     asked.or_refuse(reader, number.ok_or_else(|| format!("a whole number from {low} to {high}")))
 }
 
-/// The expected channel of a colour.
 pub(super) const CHANNEL: &str = "a whole number from 0 to 255";
 
-pub(super) const fn channel(help: &'static str) -> Typed<u8> {
-    Typed::new(Holds::Whole(0, 255), help, |asked, reader| {
+pub(super) const fn channel(help: &'static str) -> TypedColumn<u8> {
+    TypedColumn::new(Holds::Whole(0, 255), help, |asked, reader| {
         let number = numbers::COLOUR.parse(asked.text).ok().filter(|number| number.fract() == 0.0);
-        // In range and whole, so the conversion is exact.
+        // In range and whole: the conversion is exact.
         asked.or_refuse(reader, number.map(|number| number as u8).ok_or_else(|| CHANNEL.into()))
     })
 }
 
-pub(super) const fn boolean(help: &'static str) -> Typed<bool> {
-    Typed::new(Holds::OneOf(|| vec!["FALSE", "TRUE"]), help, |asked, reader| {
+pub(super) const fn boolean(help: &'static str) -> TypedColumn<bool> {
+    TypedColumn::new(Holds::OneOf(|| vec!["FALSE", "TRUE"]), help, |asked, reader| {
         let value = match asked.text.to_ascii_lowercase().as_str() {
             "true" => Ok(true),
             "false" => Ok(false),
@@ -190,9 +188,9 @@ impl Word for Sides {
     }
 }
 
-/// One of a few words, in any case.
-pub(super) const fn one_of<T: Word>(help: &'static str) -> Typed<T> {
-    Typed::new(Holds::OneOf(names::<T>), help, |asked, reader| {
+/// In any case.
+pub(super) const fn one_of<T: Word>(help: &'static str) -> TypedColumn<T> {
+    TypedColumn::new(Holds::OneOf(names::<T>), help, |asked, reader| {
         let found = T::words().into_iter().find(|(word, _)| word.eq_ignore_ascii_case(asked.text)).map(|(_, value)| value);
         let expected = || {
             let all: Vec<&str> = names::<T>().into_iter().filter(|word| !word.is_empty()).collect();
@@ -206,16 +204,16 @@ fn names<T: Word>() -> Vec<&'static str> {
     T::words().into_iter().map(|(word, _)| word).collect()
 }
 
-/// Words: anything but nothing.
-pub(super) const fn words(holds: &'static str, help: &'static str) -> Typed<String> {
-    Typed::new(Holds::Text(holds), help, |asked, reader| {
+/// Any text that is not empty.
+pub(super) const fn words(holds: &'static str, help: &'static str) -> TypedColumn<String> {
+    TypedColumn::new(Holds::Text(holds), help, |asked, reader| {
         asked.or_refuse(reader, if asked.text.is_empty() { Err("text".into()) } else { Ok(asked.text.to_owned()) })
     })
 }
 
 /// A name by which switches find a thing.
-pub(super) const fn name(help: &'static str) -> Typed<String> {
-    Typed::new(Holds::Name, help, |asked, reader| {
+pub(super) const fn name(help: &'static str) -> TypedColumn<String> {
+    TypedColumn::new(Holds::Name, help, |asked, reader| {
         let expected = "a name of letters, digits, - and _ that begins with a letter";
         asked.or_refuse(reader, if is_name(asked.text) { Ok(asked.text.to_owned()) } else { Err(expected.into()) })
     })
@@ -227,24 +225,26 @@ pub(super) fn is_name(text: &str) -> bool {
         && text.chars().all(|c| c.is_alphanumeric() || matches!(c, '-' | '_'))
 }
 
-/// A picture or a plain shape, with its size in pixels.
-pub(super) const fn picture(help: &'static str) -> Typed<PictureShape> {
-    Typed::new(Holds::Picture, help, |asked, reader| {
+/// The size is in pixels.
+pub(super) const fn picture(help: &'static str) -> TypedColumn<PictureShape> {
+    TypedColumn::new(Holds::Picture, help, |asked, reader| {
         let shape = reader.images.look(asked.text, reader.scale);
         shape.map_err(|(found, expected)| reader.problems.push(asked.record.problem(asked.column, found, expected))).ok()
     })
 }
 
-/// The same; in a level that is not finished a box stands in for a missing picture.
-pub(super) const fn picture_or_box(help: &'static str) -> Typed<PictureShape> {
-    Typed::new(Holds::Picture, help, |asked, reader| (picture("").read)(asked, reader).or_else(|| reader.images.stand_in.clone()))
+/// As [`picture`]; in an unfinished level a box stands in for a missing one.
+pub(super) const fn picture_or_box(help: &'static str) -> TypedColumn<PictureShape> {
+    TypedColumn::new(Holds::Picture, help, |asked, reader| {
+        (picture("").read)(asked, reader).or_else(|| reader.images.stand_in.clone())
+    })
 }
 
 const MOST_STOPS: usize = 50;
 
 /// `600 300; 600 100`: top left corners in pixels, here in metres.
-pub(super) const fn way_points(help: &'static str) -> Typed<Vec<DVec2>> {
-    Typed::new(Holds::Points, help, |asked, reader| {
+pub(super) const fn way_points(help: &'static str) -> TypedColumn<Vec<DVec2>> {
+    TypedColumn::new(Holds::Points, help, |asked, reader| {
         let points = parse_points(asked.text, reader);
         asked.or_refuse(reader, points)
     })
@@ -267,12 +267,12 @@ fn parse_points(text: &str, reader: &RowReader) -> Result<Vec<DVec2>, String> {
     points.iter().map(point).collect()
 }
 
-pub(super) const X: Typed<f64> = position("left edge");
-pub(super) const Y: Typed<f64> = position("upper edge");
-pub(super) const WIDTH: Typed<f64> = size("from the left edge to the right one");
-pub(super) const HEIGHT: Typed<f64> = size("from the upper edge to the lower one");
-pub(super) const CENTRE_X: Typed<f64> = position("centre, from the left edge of the level");
-pub(super) const CENTRE_Y: Typed<f64> = position("centre, from the upper edge of the level");
-pub(super) const VX: Typed<f64> = number(numbers::VELOCITY, "velocity at the start, to the right").or("0");
-pub(super) const VY: Typed<f64> = number(numbers::VELOCITY, "velocity at the start, downwards").or("0");
-pub(super) const MATERIAL: Typed<Material> = one_of("static and kinetic friction, and how it throws back").or("Asphalt");
+pub(super) const X: TypedColumn<f64> = position("left edge");
+pub(super) const Y: TypedColumn<f64> = position("upper edge");
+pub(super) const WIDTH: TypedColumn<f64> = size("from the left edge to the right one");
+pub(super) const HEIGHT: TypedColumn<f64> = size("from the upper edge to the lower one");
+pub(super) const CENTRE_X: TypedColumn<f64> = position("centre, from the left edge of the level");
+pub(super) const CENTRE_Y: TypedColumn<f64> = position("centre, from the upper edge of the level");
+pub(super) const VX: TypedColumn<f64> = number(numbers::VELOCITY, "velocity at the start, to the right").or("0");
+pub(super) const VY: TypedColumn<f64> = number(numbers::VELOCITY, "velocity at the start, downwards").or("0");
+pub(super) const MATERIAL: TypedColumn<Material> = one_of("static and kinetic friction, and restitution").or("Asphalt");

@@ -7,7 +7,7 @@ use super::settings::SETTINGS;
 /// The longest line of a comment, characters.
 const LINE: usize = 100;
 
-/// A file of a new level: the help of the file and of its columns as comments, a header and some rows; `None` where a new level has none.
+/// A file of a new level: help as comments, a header and some rows; `None` where a new level has no such file.
 pub fn sample(table: Table) -> Option<String> {
     let file = table.schema();
     if file.sample.is_empty() {
@@ -25,12 +25,12 @@ pub fn sample(table: Table) -> Option<String> {
     Some(text + file.sample)
 }
 
-/// Whether a column's name says what it means.
+/// Whether a column needs no help but its name.
 fn is_place(column: &Column) -> bool {
     matches!(column.name, "kind" | "x" | "y" | "width" | "height") && column.required
 }
 
-/// The kinds of a table's rows with their columns; kinds that share their columns together. For constants.csv the settings.
+/// Kinds of rows that share their columns, and these columns. For constants.csv the settings.
 fn groups(table: Table) -> Vec<(Vec<&'static RowSchema>, &'static [Column])> {
     if table == Table::Constants {
         return vec![(table.rows().to_vec(), SETTINGS)];
@@ -39,7 +39,7 @@ fn groups(table: Table) -> Vec<(Vec<&'static RowSchema>, &'static [Column])> {
     groups.map(|rows| (rows.to_vec(), rows[0].columns)).collect()
 }
 
-/// `PLAYER,x,y,width,height,[hold]`: the columns behind the first cell of such a row.
+/// `PLAYER,x,y,width,height,[hold]`.
 fn tagged_columns(row: &RowSchema) -> String {
     let text = row.columns_text();
     match text.split_once(',') {
@@ -48,7 +48,6 @@ fn tagged_columns(row: &RowSchema) -> String {
     }
 }
 
-/// Words as comment lines.
 fn comment(words: &str) -> String {
     let mut lines = vec!["#".to_owned()];
     for word in words.split_whitespace() {

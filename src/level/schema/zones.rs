@@ -7,7 +7,7 @@ use super::typed::{Maybe, Word, X, Y, boolean, channel, name, number, one_of, pi
 use crate::level::image::PictureShape;
 use crate::level::numbers::{self, corners};
 use crate::level::problem::quoted;
-use crate::level::types::{Decoration, Fluid, GravityZone, Pod, Stream, Text};
+use crate::level::types::{AirStream, Decoration, Fluid, GravityZone, Pod, Text};
 use crate::physics::{Aabb, DVec2};
 
 pub static OBSTACLES: FileSchema =
@@ -49,7 +49,7 @@ pub static TEXT: RowSchema = RowSchema::new(&TEXTS, "Words", TextRow::COLUMNS)
 
 pub static GRAVITY: FileSchema = FileSchema {
     name: "gravity.csv",
-    help: "Zones with a gravity of their own, which adds to that of the level, at most 64 a level. What touches one feels it.",
+    help: "Zones with a gravity of their own, which adds to that of the level, at most 64 a level. A body that touches one feels it.",
     sample: "860,60,120,200,0,-12\n",
 };
 pub static GRAVITY_ZONE: RowSchema = RowSchema::new(&GRAVITY, "Gravity zone", GravityRow::COLUMNS)
@@ -73,7 +73,7 @@ pub static PICTURE: RowSchema = RowSchema::new(&DECORATION, "Picture", Decoratio
     .fresh(&[("layer", "behind")])
     .counted(&[Count::if_any("decoration", "decorations", |level| level.decoration.len())]);
 
-/// Whether a picture covers what moves.
+/// Whether a picture covers moving bodies.
 #[derive(Clone, Copy, PartialEq)]
 pub(in crate::level) enum Layer {
     Behind,
@@ -89,12 +89,10 @@ impl Word for Layer {
 const LETTERS: Maybe<u8> = channel("a channel of its colour").maybe();
 
 rows! {
-    /// A row of obstacles.csv.
     DeadlyRow {
         rectangle,
     }
 
-    /// A row of hazards.csv.
     StreamRow {
         rectangle,
         stream_width: f64 = reach("how far it blows to the right, or to the left where it is negative; or give a height"),
@@ -105,7 +103,6 @@ rows! {
         name: Option<String> = name("the name by which switches work it").maybe(),
     }
 
-    /// A row of fluids.csv.
     FluidRow {
         rectangle,
         density: f64 = number(numbers::DENSITY, "its mass a volume"),
@@ -115,7 +112,6 @@ rows! {
         b: u8 = channel("blue channel of its colour").or("165"),
     }
 
-    /// A row of texts.csv.
     TextRow {
         x: f64 = X,
         y: f64 = Y,
@@ -126,25 +122,22 @@ rows! {
         b: Option<u8> = LETTERS,
     }
 
-    /// A row of gravity.csv.
     GravityRow {
         rectangle,
         field_x: f64 = number(numbers::GRAVITY, "its pull to the right"),
         field_y: f64 = number(numbers::GRAVITY, "its pull downwards"),
     }
 
-    /// A row of pods.csv.
     PodRow {
         rectangle,
         fuel: f64 = number(numbers::FUEL, "fuel in it; the ship takes as much as its tank holds"),
     }
 
-    /// A row of decoration.csv.
     DecorationRow {
         x: f64 = X,
         y: f64 = Y,
         image: PictureShape = picture("how it looks, and its size"),
-        layer: Layer = one_of::<Layer>("behind or in front of what moves").or("behind"),
+        layer: Layer = one_of::<Layer>("behind or in front of moving bodies").or("behind"),
     }
 }
 
@@ -153,12 +146,12 @@ pub fn deadly(record: &RowCells, reader: &mut RowReader) -> Option<Aabb> {
     reader.scale.bounds([x, y, width, height])
 }
 
-/// A row of hazards.csv: the stream, and whether it is shaded.
-pub fn stream(record: &RowCells, reader: &mut RowReader) -> Option<(Stream, bool)> {
+/// The stream, and whether it is shaded.
+pub fn stream(record: &RowCells, reader: &mut RowReader) -> Option<(AirStream, bool)> {
     let row = StreamRow::read(record, reader);
     let reach = reach_of(&row, record, reader);
     let ((min, max), reach) = (corners([row.x, row.y, row.width, row.height])?, reach?);
-    // The zone lies before the side that it blows from and is as wide as that side.
+    // The zone lies before the blowing side and is as wide as that side.
     let beyond = |reach: f64, min: f64, max: f64| match reach {
         reach if reach > 0.0 => (max, max + reach),
         reach if reach < 0.0 => (min + reach, min),
@@ -168,7 +161,7 @@ pub fn stream(record: &RowCells, reader: &mut RowReader) -> Option<(Stream, bool
     let (top, bottom) = beyond(reach.y, min.y, max.y);
     let zone = reader.scale.rectangle(DVec2::new(left, top), DVec2::new(right, bottom));
     let source = reader.scale.rectangle(min, max);
-    Some((Stream { source, zone, force: DVec2::new(row.force_x?, row.force_y?), name: row.name? }, row.shaded?))
+    Some((AirStream { source, zone, force: DVec2::new(row.force_x?, row.force_y?), name: row.name? }, row.shaded?))
 }
 
 /// Exactly one of the two stream sizes, pixels.
