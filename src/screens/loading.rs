@@ -35,8 +35,7 @@ impl App {
                 Some(of_level(self, name))
             }
             Request::Restart => {
-                let Some(flight) = self.screen.get::<Flight>() else { return None };
-                let name = flight.attempt().level.name.clone();
+                let name = self.screen.get::<Flight>()?.attempt().level.name.clone();
                 self.reads_again(&name).then(|| of_level(self, &name))
             }
             // Of a level that comes with the game a copy is made first.

@@ -213,14 +213,15 @@ impl Ui<'_> {
         }
         let shown = self.scroll(name, (rows.len(), place.page), place.track, Turning::Leaps);
         let mut pressed = None;
-        for line in shown.start.saturating_sub(1)..(shown.end + 1).min(rows.len()) {
+        let beside = shown.start.saturating_sub(1)..shown.end + 1;
+        for (line, row) in rows.iter().enumerate().filter(|(line, _)| beside.contains(line)) {
             let down = (line as f32 - shown.start as f32) * place.pitch;
             let area = Area { min: place.first.min + Vec2::new(0.0, down), ..place.first };
             if !shown.contains(&line) {
-                self.touch(rows[line], area, WidgetKind::Beyond);
+                self.touch(row, area, WidgetKind::Beyond);
                 continue;
             }
-            let touch = self.touch(rows[line], area, WidgetKind::Button);
+            let touch = self.touch(row, area, WidgetKind::Button);
             draw(self.canvas, line, (area, touch));
             pressed = pressed.or(touch.pressed.then_some(line));
         }

@@ -77,7 +77,7 @@ fn a_long_list_of_players_scrolls_with_the_highlight() {
     let shown = |sitting: &Sitting| {
         let texts = sitting.texts();
         let mut rows = texts.iter().filter_map(|(text, _)| text.strip_prefix("user")?.parse::<usize>().ok());
-        (rows.next().unwrap_or_default() - 10, rows.last().unwrap_or_default() - 9, sitting.focused().to_owned())
+        (rows.next().unwrap_or_default() - 10, rows.next_back().unwrap_or_default() - 9, sitting.focused().to_owned())
     };
     assert_eq!(shown(&sitting), (0, 7, "user10".into()));
     sitting.press_all(&[Key::Down; 12]);

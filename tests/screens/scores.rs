@@ -214,7 +214,7 @@ fn a_leaderboard_turns_pages_by_keys_and_scrolls_by_wheel_and_bar_never_past_its
         let texts = sitting.texts();
         let mut rows = texts.iter().filter_map(|(text, _)| text.strip_prefix("user")?.parse::<usize>().ok());
         let first = rows.next().unwrap_or_default();
-        first..rows.last().unwrap_or(first) + 1
+        first..rows.next_back().unwrap_or(first) + 1
     };
     let first = |sitting: &mut Sitting| range(sitting.rest()).start;
     assert_eq!(range(&sitting), 0..10);

@@ -53,7 +53,7 @@ impl BroadPhase {
         let all = boxes.len();
         let mut broad_phase = Self {
             boxes,
-            near: vec![Vec::with_capacity(ROOM); n],
+            near: (0..n).map(|_| Vec::with_capacity(ROOM)).collect(),
             per_metre: 1.0 / (CELL * 2.0 * mean).max(1e-6),
             skin: SKIN * mean,
             heads: vec![NONE; (4 * all).next_power_of_two().max(64)],
