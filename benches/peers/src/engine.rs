@@ -105,7 +105,7 @@ pub fn settings(parts: u32, of: &str, hertz: f64, stiff: bool) -> String {
 
 /// The version of a crate that was built in.
 pub fn version(of: &str) -> String {
-    let lock = include_str!("../Cargo.lock");
+    let lock = include_str!("../../../Cargo.lock");
     let named = lock.split_once(&format!("name = \"{of}\"\nversion = \""));
     let version = named.and_then(|(_, rest)| rest.split_once('"'));
     version.map_or_else(|| "?".to_owned(), |(version, _)| version.to_owned())
