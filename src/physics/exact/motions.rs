@@ -21,7 +21,7 @@ const KINK_TRIALS: u32 = 8;
 /// Corrections of an implicit step, and the speed (m/s) that a further one may change. Fewer, larger: a feather on a crate parts from it at its
 /// apex and gains energy; more, smaller: work for digits below the error of the step.
 const PASSES: u32 = 4;
-/// Passes of Newton's method, which halve an overshoot each. Fewer: a body from rest in dense liquid overshoots; more: none has taken them.
+/// Passes of Newton's method, which halve an overshoot each. Fewer: a body from rest in dense liquid overshoots. `flows_cut_short` counts more.
 const STEEP_PASSES: u32 = 32;
 const OFF: f64 = 1e-7;
 
