@@ -83,7 +83,7 @@ fn is_sound(world: &World, room: Aabb) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// For so many ticks.
+/// Steps a world and its twin, and holds each tick against the laws.
 fn keeps_every_law(def: WorldDef, ticks: u32) -> Result<World, TestCaseError> {
     let (room, gravity) = (def.bounds.unwrap(), def.gravity);
     let mut world = World::new(def.clone()).unwrap();
