@@ -12,11 +12,11 @@
 //! In a gas or a heap the crowd step is cheaper from about 50 bodies on; the count of events makes sure of it for fewer.
 
 use crate::physics::crowd::CrowdImpact;
-use crate::physics::crowd::bodies::Source;
-use crate::physics::crowd::dense::{Outcome as CrowdOutcome, StepSize};
+use crate::physics::crowd::bodies::Sources;
+use crate::physics::crowd::dense::{CrowdEnd, StepSize};
 use crate::physics::data::{Body, Part, called};
 use crate::physics::exact::item::Item;
-use crate::physics::exact::{Outcome, Scene};
+use crate::physics::exact::{ExactEnd, Scene};
 use crate::physics::flight::liquid::flow_through;
 use crate::physics::flight::steps::Course;
 use crate::physics::guards::Guards;
@@ -125,7 +125,7 @@ impl Tick<'_> {
         let outcome = self.scratch.events.advance(&self.scene);
         self.guards.add(&std::mem::take(&mut self.scratch.events.guards));
         match outcome {
-            Outcome::Grown => {
+            ExactEnd::Grown => {
                 self.guards.islands_grown += 1;
                 let fastest = self.scratch.events.fastest() * (2.0 * self.scene.tick);
                 for &body in &self.scratch.members {
@@ -134,7 +134,7 @@ impl Tick<'_> {
                 }
                 Verdict::Grown
             }
-            Outcome::Done => {
+            ExactEnd::Done => {
                 self.scratch.scatter(self.state, of.motions);
                 let items = &self.scratch.events.items[..count];
                 let still = |item: &Item| item.is_still() && item.body.position == self.state.bodies[item.id as usize].position;
@@ -144,7 +144,7 @@ impl Tick<'_> {
                     && self.scratch.events.stands_on_what_stands();
                 Verdict::Taken { rests }
             }
-            Outcome::Busy => {
+            ExactEnd::Busy => {
                 self.guards.budgets_used_up += 1;
                 Verdict::Left
             }
@@ -248,7 +248,7 @@ impl Space {
                 false
             }
             Verdict::Grown => true,
-            Verdict::Left => self.solve_crowd(k, (dt, round as usize), tick) == CrowdOutcome::Grown,
+            Verdict::Left => self.solve_crowd(k, (dt, round as usize), tick) == CrowdEnd::Grown,
         };
         if grows {
             // All of them are solved again, also where a surface that stands now joins them no longer.
@@ -260,21 +260,22 @@ impl Space {
     }
 
     /// The crowd step of an island. Where a surface would squeeze a body it stands for this step, and the island is solved again.
-    fn solve_crowd(&mut self, k: usize, (dt, round): (f64, usize), tick: &mut Tick<'_>) -> CrowdOutcome {
+    fn solve_crowd(&mut self, k: usize, (dt, round): (f64, usize), tick: &mut Tick<'_>) -> CrowdEnd {
         let Self { motions, islands, crowd, sleep, impacts, .. } = self;
         let (island, state, down) = (islands.get(k), tick.state, self.down);
         let last = round >= MOST_CROWD_GROWTHS;
         let size = StepSize { dt, rest_speed: state.rest_speed, gravity: state.media.gravity.abs(), last };
         crowd.dense.report.on = tick.lists(island.members.len());
         for _ in 0..=self.moving.len() {
-            let from = Source { bodies: &state.bodies, surfaces: &state.surfaces, motions, down, bounces: tick.scene.plan.bounces };
-            if crowd.step(from, island, size) == CrowdOutcome::Grown {
+            let from =
+                Sources { bodies: &state.bodies, surfaces: &state.surfaces, motions, down, bounces: tick.scene.plan.bounces };
+            if crowd.step(from, island, size) == CrowdEnd::Grown {
                 for &k in &crowd.dense.grown {
                     let i = crowd.bodies.ids[k as usize];
                     motions.swept[i as usize] = crowd.bodies.swept(k as usize, down);
                     self.grown.push(i);
                 }
-                return CrowdOutcome::Grown;
+                return CrowdEnd::Grown;
             }
             if crowd.dense.squeezed.is_empty() {
                 break;
@@ -303,7 +304,7 @@ impl Space {
             impacts.push(CrowdImpact { a, b, axis, speed, solved: motions.bodies[a as usize].solved });
         }
         crowd.finish(down, |i| motions.bodies[i as usize].solved);
-        CrowdOutcome::Done
+        CrowdEnd::Done
     }
 
     /// Whether an island of a later round has to be solved; takes back what was solved of it before.

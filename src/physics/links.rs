@@ -3,7 +3,7 @@
 
 use crate::physics::data::domain::DefError;
 use crate::physics::data::{Aabb, Pose, SLOP};
-use crate::physics::flight::linked::{Group, Member};
+use crate::physics::flight::linked::{Linked, LinkedBodies};
 use crate::physics::forces::link::{LinkDef, links_on};
 use crate::physics::islands::{Members, Tick, Verdict};
 use crate::physics::scratch::Scratch;
@@ -69,9 +69,9 @@ impl World {
                 let (body, push) = (&state.bodies[id as usize], state.forces[id as usize].push());
                 let rests = body.velocity == DVec2::ZERO && body.acceleration == DVec2::ZERO;
                 let held = rests && state.contacts.iter().any(|contact| contact.has(id));
-                linked.push(Member::new(body, id, held, state.media.law(body, push, dt)));
+                linked.push(Linked::new(body, id, held, state.media.law(body, push, dt)));
             }
-            Group { media: &state.media, bodies: &state.bodies, links: &state.links.all }.fly(&mut linked[from..], dt);
+            LinkedBodies { media: &state.media, bodies: &state.bodies, links: &state.links.all }.fly(&mut linked[from..], dt);
             for member in &linked[from..] {
                 let i = member.id as usize;
                 space.set_force(state, i, state.forces[i].push() + member.mean);
@@ -102,7 +102,7 @@ impl State {
 }
 
 impl Scratch {
-    pub(crate) fn linked(&self, body: u32) -> Option<&Member> {
+    pub(crate) fn linked(&self, body: u32) -> Option<&Linked> {
         self.linked.binary_search_by_key(&body, |member| member.id).ok().map(|at| &self.linked[at])
     }
 }

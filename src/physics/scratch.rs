@@ -5,7 +5,7 @@ use crate::physics::checks::Checks;
 use crate::physics::data::{Aabb, Contact, Hit, SLOP};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Events, Scene};
-use crate::physics::flight::linked::Member;
+use crate::physics::flight::linked::Linked;
 use crate::physics::state::State;
 use crate::physics::store::motions::{Method, Motions};
 use glam::DVec2;
@@ -50,7 +50,7 @@ pub(crate) struct Scratch {
     pub fresh: Vec<Contact>,
     pub awake: Vec<u32>,
     /// Bodies that are linked and awake, ascending; pairs that join them; and those of an island that touch nothing.
-    pub linked: Vec<Member>,
+    pub linked: Vec<Linked>,
     pub pairs: Vec<(u32, u32)>,
     pub flown: Vec<u32>,
 }

@@ -8,7 +8,7 @@ const MOST: usize = 160;
 
 /// What a shape stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum MiniaturePart {
     /// What is solid.
     Solid,
     /// A thick liquid.
@@ -35,41 +35,41 @@ pub struct Miniature {
     /// The level's size, m.
     pub size: DVec2,
     /// What is where.
-    pub shapes: Vec<(Aabb, Part)>,
+    pub shapes: Vec<(Aabb, MiniaturePart)>,
 }
 
 impl Miniature {
     /// The level in small.
     pub fn of(level: &Level) -> Self {
         let mut shapes = Vec::new();
-        let mut add = |kind: Vec<(Aabb, Part)>| {
+        let mut add = |kind: Vec<(Aabb, MiniaturePart)>| {
             let mut kind = kind;
-            let area = |shape: &(Aabb, Part)| shape.0.size().element_product();
+            let area = |shape: &(Aabb, MiniaturePart)| shape.0.size().element_product();
             kind.sort_by(|a, b| area(b).total_cmp(&area(a)));
             kind.truncate(MOST);
             shapes.extend(kind);
         };
-        add(level.streams.iter().map(|stream| (stream.zone, Part::Stream)).collect());
-        add(level.fluids.iter().map(|fluid| (fluid.zone, Part::Liquid(fluid.colour))).collect());
-        add(level.world.iter().map(|solid| (solid.bounds, Part::Solid)).collect());
+        add(level.streams.iter().map(|stream| (stream.zone, MiniaturePart::Stream)).collect());
+        add(level.fluids.iter().map(|fluid| (fluid.zone, MiniaturePart::Liquid(fluid.colour))).collect());
+        add(level.world.iter().map(|solid| (solid.bounds, MiniaturePart::Solid)).collect());
         let blocks = level.movers.iter().map(|mover| &mover.solid).chain(&level.doors);
-        add(blocks.map(|block| (block.bounds, Part::Solid)).collect());
-        add(level.streams.iter().map(|stream| (stream.source, Part::Solid)).collect());
-        add(level.obstacles.iter().map(|deadly| (*deadly, Part::Deadly)).collect());
+        add(blocks.map(|block| (block.bounds, MiniaturePart::Solid)).collect());
+        add(level.streams.iter().map(|stream| (stream.source, MiniaturePart::Solid)).collect());
+        add(level.obstacles.iter().map(|deadly| (*deadly, MiniaturePart::Deadly)).collect());
         let objective = |kind| match kind {
-            ObjectiveKind::Player => Part::PlayerObjective,
-            ObjectiveKind::Physics => Part::PhysicsObjective,
+            ObjectiveKind::Player => MiniaturePart::PlayerObjective,
+            ObjectiveKind::Physics => MiniaturePart::PhysicsObjective,
         };
         add(level.objectives.iter().map(|it| (it.bounds, objective(it.kind))).collect());
-        let object = |key: Option<[u8; 3]>| key.map_or(Part::Object, Part::Key);
+        let object = |key: Option<[u8; 3]>| key.map_or(MiniaturePart::Object, MiniaturePart::Key);
         add(level.objects.iter().map(|it| (Aabb::around(it.position, it.size * 0.5), object(it.key))).collect());
-        add(vec![(Aabb::around(level.player.position, SHIP_HALF), Part::Ship)]);
+        add(vec![(Aabb::around(level.player.position, SHIP_HALF), MiniaturePart::Ship)]);
         Self { size: level.size, shapes }
     }
 }
 
 mod drawing {
-    use super::{Miniature, Part};
+    use super::{Miniature, MiniaturePart};
     use crate::draw::layout::{Area, Vec2};
     use crate::draw::{Canvas, Colour};
     use crate::physics::DVec2;
@@ -89,7 +89,11 @@ mod drawing {
             let point = |metres: DVec2| paper.min + (metres * scale).as_vec2().clamp(Vec2::ZERO, paper.size);
             for (bounds, part) in &self.shapes {
                 let (a, b) = (point(bounds.min), point(bounds.max));
-                let least = if matches!(part, Part::Solid | Part::Liquid(_) | Part::Stream) { canvas.frame().pixel } else { LEAST };
+                let least = if matches!(part, MiniaturePart::Solid | MiniaturePart::Liquid(_) | MiniaturePart::Stream) {
+                    canvas.frame().pixel
+                } else {
+                    LEAST
+                };
                 let size = (b - a).max(Vec2::splat(least).min(paper.size));
                 let min = ((a + b - size) / 2.0).clamp(paper.min, paper.max() - size);
                 canvas.rectangle(Area::new(min.x, min.y, size.x, size.y), colour(*part, tint));
@@ -97,18 +101,18 @@ mod drawing {
         }
     }
 
-    fn colour(part: Part, tint: &Tint) -> Colour {
+    fn colour(part: MiniaturePart, tint: &Tint) -> Colour {
         let own = |[r, g, b]: [u8; 3]| Colour::of([r, g, b]);
         match part {
-            Part::Solid => tint.map,
-            Part::Liquid(colour) => own(colour).faded(0.55),
-            Part::Stream => theme::text().faded(0.16),
-            Part::Deadly => theme::bad(),
-            Part::PlayerObjective => theme::player_objective(),
-            Part::PhysicsObjective => theme::physics_objective(),
-            Part::Object => theme::text(),
-            Part::Key(colour) => own(colour),
-            Part::Ship => theme::text(),
+            MiniaturePart::Solid => tint.map,
+            MiniaturePart::Liquid(colour) => own(colour).faded(0.55),
+            MiniaturePart::Stream => theme::text().faded(0.16),
+            MiniaturePart::Deadly => theme::bad(),
+            MiniaturePart::PlayerObjective => theme::player_objective(),
+            MiniaturePart::PhysicsObjective => theme::physics_objective(),
+            MiniaturePart::Object => theme::text(),
+            MiniaturePart::Key(colour) => own(colour),
+            MiniaturePart::Ship => theme::text(),
         }
     }
 }

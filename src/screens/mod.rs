@@ -76,7 +76,7 @@ pub use leaderboard::{BoardRival, Fresh, Leaderboard, Onward};
 pub use level_select::{LevelEntry, LevelSelect, Purpose};
 pub use library::Library;
 pub use menu::{Menu, MenuFacts};
-pub use miniature::{Miniature, Part as MiniaturePart};
+pub use miniature::{Miniature, MiniaturePart};
 pub use name_field::{NameEntry, NameField};
 pub use new_file::NewFile;
 pub use noise::Noise;

@@ -151,7 +151,7 @@ fn main() -> std::io::Result<()> {
         "{:<21} {:<11} {:<22} {:>6} {:>12} {:>12} {:>8} {:>9} {:>11} {:>9}  error is",
         "scene", "engine", "settings", "steps", "ns/body/step", "ns/step", "× ours", "error", "overlap, m", "end, m/s"
     );
-    for scene in scenes::all() {
+    for scene in exact::scenes().into_iter().chain(crowds::scenes()) {
         if !chosen.is_empty() && !chosen.iter().any(|name| name == scene.name) {
             let mine = |line: &&String| line.split(',').next() == Some(scene.name);
             before.iter().filter(mine).for_each(|line| csv.extend([line.as_str(), "\n"]));

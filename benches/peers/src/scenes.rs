@@ -1,8 +1,7 @@
-//! What a scene is, and all of them.
+//! A scene, and the parts that scenes share.
 
 use crate::engine::{Box, Spec};
 use crate::watch::Run;
-use crate::{crowds, exact};
 
 /// The step at which physics engines are usually run, s.
 pub const STEP: f64 = 1.0 / 60.0;
@@ -38,11 +37,6 @@ pub struct Scene {
 
 /// See [`Scene::error`].
 pub type Error = fn(&mut dyn Run, &Spec, usize, f64) -> f64;
-
-/// All of them.
-pub fn all() -> Vec<Scene> {
-    exact::scenes().into_iter().chain(crowds::scenes()).collect()
-}
 
 /// A scene at the usual step and with the usual settings.
 pub fn scene(name: &'static str, what: &'static str, seconds: f64, spec: Spec, error: Error) -> Scene {

@@ -1,6 +1,6 @@
 //! One axis of a group of contacts: a [`Network`] with a link for each push along the axis and for each friction that sticks.
 
-use crate::physics::contact::network::{Carries, GROUND, Network, Node};
+use crate::physics::contact::network::{Carries, GROUND, Network, NetworkNode};
 use crate::physics::data::{Contact, LIGHT, SPEED_TOLERANCE, refill};
 use glam::DVec2;
 
@@ -24,7 +24,7 @@ pub(crate) struct Parts<'a> {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Joined {
     network: Network,
-    /// Node of each item; `GROUND` for bodies without contacts and for surfaces.
+    /// The node of each item; `GROUND` for bodies without contacts and for surfaces.
     node_of: Vec<u32>,
     pub(super) body_of: Vec<u32>,
     contact_of: Vec<u32>,
@@ -91,7 +91,7 @@ impl Joined {
         for &body in &self.body_of {
             let mass = parts.masses[body as usize][axis];
             let force = mass * (parts.free[body as usize][axis] - frame);
-            self.network.nodes.push(Node { mass, force, acceleration: 0.0 });
+            self.network.nodes.push(NetworkNode { mass, force, acceleration: 0.0 });
         }
     }
 

@@ -10,7 +10,7 @@ use glam::DVec2;
 use std::ops::{Index, IndexMut};
 
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Source<'a> {
+pub(crate) struct Sources<'a> {
     pub bodies: &'a [Body],
     pub surfaces: &'a [Surface],
     pub motions: &'a Motions,
@@ -97,7 +97,7 @@ impl Bodies {
         Self { things: Vec::with_capacity(all), ids: Vec::with_capacity(all), ..Self::default() }
     }
 
-    pub fn gather(&mut self, from: Source<'_>, island: Island<'_>) {
+    pub fn gather(&mut self, from: Sources<'_>, island: Island<'_>) {
         let (n, all) = (island.members.len(), from.motions.len());
         self.ids.clear();
         self.ids.extend_from_slice(island.members);
@@ -181,8 +181,8 @@ impl Bodies {
 }
 
 impl Thing {
-    fn body(source: Source<'_>, i: usize) -> Self {
-        let Source { bodies, motions, down, .. } = source;
+    fn body(source: Sources<'_>, i: usize) -> Self {
+        let Sources { bodies, motions, down, .. } = source;
         let (body, motion) = (&bodies[i], &motions.bodies[i]);
         let (before, flown) = (turned(body.velocity, down), turned(motion.free.0, down));
         Self {
@@ -203,8 +203,8 @@ impl Thing {
         }
     }
 
-    fn surface(source: Source<'_>, s: usize) -> Self {
-        let Source { surfaces, motions, down, .. } = source;
+    fn surface(source: Sources<'_>, s: usize) -> Self {
+        let Sources { surfaces, motions, down, .. } = source;
         let SurfaceMotion { from, to, half, mean, end, was, belt, .. } = motions.surfaces[s];
         let (mean, end, sides) = (turned(mean, down), turned(end, down), surfaces[s].def.sides);
         Self {

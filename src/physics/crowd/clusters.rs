@@ -4,7 +4,7 @@
 //! On immovable ground a cluster with momentum P, mass M and the ground's largest impulses S (static) and K (kinetic) has the velocity 0 while |P|
 //! ≤ S, else (P ∓ K)/M. Pooling stays exact, as the terms K·|v| are convex.
 
-use crate::physics::crowd::contacts::Contact;
+use crate::physics::crowd::contacts::CrowdContact;
 use crate::physics::crowd::impulses::Edge;
 use crate::physics::data::lists::refill;
 
@@ -28,18 +28,18 @@ impl Node {
     }
 
     /// Its motion: as friction leaves it, spread evenly over the step, or until it stops.
-    pub fn motion(&self) -> Motion {
+    pub fn motion(&self) -> ClusterMotion {
         let velocity = slide(self.momentum, self.mass, self.static_limit, self.kinetic_limit);
         if velocity == 0.0 && (self.kinetic_limit > 0.0 || (self.static_limit > 0.0 && self.began == 0.0)) {
             let until = time_to_stop(self.began, self.momentum - self.began, self.kinetic_limit);
-            return Motion { velocity, mean: (0.5 * until * self.began - self.offset) / self.mass };
+            return ClusterMotion { velocity, mean: (0.5 * until * self.began - self.offset) / self.mass };
         }
-        Motion { velocity, mean: (self.way - 0.5 * (self.momentum - self.mass * velocity)) / self.mass }
+        ClusterMotion { velocity, mean: (self.way - 0.5 * (self.momentum - self.mass * velocity)) / self.mass }
     }
 }
 
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Motion {
+pub(crate) struct ClusterMotion {
     pub velocity: f64,
     pub mean: f64,
 }
@@ -58,7 +58,7 @@ pub(crate) struct Pooled {
 }
 
 #[derive(Clone, Copy, Debug, Default)]
-struct Member {
+struct ClusterMember {
     root: u32,
     next: u32,
     /// Its mean velocity is the cluster's and this.
@@ -70,7 +70,7 @@ struct Member {
 struct Root {
     /// The way is less what the members' offsets make of it.
     node: Node,
-    motion: Motion,
+    motion: ClusterMotion,
     fixed: bool,
     /// The smallest restitution of the impacts by which it came about; 1 where there was none yet (`hit`).
     restitution: f64,
@@ -84,7 +84,7 @@ const NONE: u32 = u32::MAX;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Clusters {
     is_joined: Vec<bool>,
-    members: Vec<Member>,
+    members: Vec<ClusterMember>,
     roots: Vec<Root>,
     pub joined: Vec<u32>,
     /// The pairs through which they were merged: a tree a cluster.
@@ -95,7 +95,7 @@ impl Clusters {
     pub fn begin(&mut self, all: usize) {
         self.joined.clear();
         refill(&mut self.is_joined, all, false);
-        self.members.resize(all, Member::default());
+        self.members.resize(all, ClusterMember::default());
         self.roots.resize(all, Root::default());
     }
 
@@ -133,7 +133,7 @@ impl Clusters {
         self.edges.iter().map(|edge| Edge { restitution: self.restitution(edge.a as usize), ..*edge })
     }
 
-    pub fn hit<'a>(&mut self, contacts: impl Iterator<Item = &'a Contact>, hits: impl Fn(&Contact) -> Option<f64>) {
+    pub fn hit<'a>(&mut self, contacts: impl Iterator<Item = &'a CrowdContact>, hits: impl Fn(&CrowdContact) -> Option<f64>) {
         for contact in contacts {
             let (a, b) = (contact.first as usize, contact.second as usize);
             if !self.is_joined(a) || !self.is_joined(b) || self.members[a].root != self.members[b].root {
@@ -157,23 +157,23 @@ impl Clusters {
     }
 
     /// Lets a body in: `fixed` with a motion that nothing changes, or free with its node.
-    pub fn join(&mut self, i: usize, fixed: Option<Motion>, node: Node) {
+    pub fn join(&mut self, i: usize, fixed: Option<ClusterMotion>, node: Node) {
         if self.is_joined(i) {
             return;
         }
         let motion = fixed.unwrap_or_else(|| node.motion());
         self.is_joined[i] = true;
-        self.members[i] = Member { root: i as u32, next: NONE, offset: 0.0, fixed: fixed.is_some() };
+        self.members[i] = ClusterMember { root: i as u32, next: NONE, offset: 0.0, fixed: fixed.is_some() };
         self.roots[i] = Root { node, motion, fixed: fixed.is_some(), restitution: 1.0, hit: false, size: 1, last: i as u32 };
         self.joined.push(i as u32);
     }
 
     /// Merges pairs until none of the contacts closes by more than its bound; `bring` lets a pair join, or refuses.
-    pub fn pool<'a, C: Iterator<Item = &'a Contact>>(
+    pub fn pool<'a, C: Iterator<Item = &'a CrowdContact>>(
         &mut self,
         pool: Pool<impl Fn(usize) -> f64>,
         contacts: impl Fn() -> C,
-        mut bring: impl FnMut(&mut Self, &Contact) -> bool,
+        mut bring: impl FnMut(&mut Self, &CrowdContact) -> bool,
     ) -> Pooled {
         self.clear();
         let (mut any, mut stuck, mut first) = (false, false, true);
@@ -233,7 +233,7 @@ impl Clusters {
         let motion = if kept.fixed {
             kept.motion
         } else if lost.fixed {
-            Motion { mean: lost.motion.mean + shift, ..lost.motion }
+            ClusterMotion { mean: lost.motion.mean + shift, ..lost.motion }
         } else {
             node.motion()
         };
@@ -278,7 +278,7 @@ mod tests {
         clusters.begin(3);
         clusters.join(0, None, Node::free(5.0, 2.0, 2.0, 2.0));
         clusters.join(1, None, Node::free(1.0, 1.0, 1.0, 1.0));
-        clusters.join(2, Some(Motion::default()), Node::default());
+        clusters.join(2, Some(ClusterMotion::default()), Node::default());
         assert!(clusters.merge(0, 1, 0.0) && clusters.merge(1, 2, 0.0));
         assert_eq!((clusters.velocity(0), clusters.mean(1, 9.0)), (0.0, 0.0));
     }

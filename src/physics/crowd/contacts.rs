@@ -36,7 +36,7 @@ impl Tolerances {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Contact {
+pub(crate) struct CrowdContact {
     pub first: u32,
     pub second: u32,
     /// Whether it may act on velocities; if not, the two are expected to pass each other.
@@ -52,10 +52,10 @@ pub(crate) struct Contact {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Contacts {
     ranges: Vec<[u32; 2]>,
-    pub stacks: Vec<Contact>,
+    pub stacks: Vec<CrowdContact>,
     /// Pairs apart along x.
-    pub sides: Vec<Contact>,
-    pub ceilings: Vec<Contact>,
+    pub sides: Vec<CrowdContact>,
+    pub ceilings: Vec<CrowdContact>,
     /// Pairs that are level with a face and do not get there in this step.
     pub missed: Vec<(u32, u32)>,
     pub tolerances: Tolerances,
@@ -64,13 +64,13 @@ pub(crate) struct Contacts {
 }
 
 /// 0: across, 1: along gravity.
-struct Kind {
+struct ContactKind {
     axis: usize,
     live: bool,
     level: bool,
 }
 
-impl Kind {
+impl ContactKind {
     const fn of(axis: usize, live: bool, level: bool) -> Self {
         Self { axis, live, level }
     }
@@ -82,11 +82,11 @@ impl Contacts {
         self.ranges[i][0] as usize..self.ranges[i][1] as usize
     }
 
-    pub fn all(&self) -> impl Iterator<Item = &Contact> {
+    pub fn all(&self) -> impl Iterator<Item = &CrowdContact> {
         self.stacks.iter().chain(&self.sides).chain(&self.ceilings)
     }
 
-    pub fn all_mut(&mut self) -> impl Iterator<Item = &mut Contact> {
+    pub fn all_mut(&mut self) -> impl Iterator<Item = &mut CrowdContact> {
         self.stacks.iter_mut().chain(&mut self.sides).chain(&mut self.ceilings)
     }
 
@@ -116,14 +116,14 @@ impl Contacts {
     /// air. Found again, their contacts are those of any corner.
     pub fn miss(&mut self, bodies: &Bodies) -> usize {
         let (known, touch, n) = (self.missed.len(), self.tolerances.touch, bodies.len());
-        let misses = |contact: &&Contact, axis: usize| {
+        let misses = |contact: &&CrowdContact, axis: usize| {
             let (a, b) = (&bodies[contact.first as usize], &bodies[contact.second as usize]);
             contact.level && contact.live && (a.to[axis] - b.to[axis]).abs() - a.half[axis] - b.half[axis] > touch
         };
         let along = || self.stacks.iter().chain(&self.ceilings).filter(|c| misses(c, ACROSS));
         let across = || self.sides.iter().filter(|c| misses(c, ALONG));
-        let holds = |c: &Contact, i: u32| (i as usize) < n && (c.first == i || c.second == i);
-        let both = |a: &Contact, b: &Contact| holds(b, a.first) || holds(b, a.second);
+        let holds = |c: &CrowdContact, i: u32| (i as usize) < n && (c.first == i || c.second == i);
+        let both = |a: &CrowdContact, b: &CrowdContact| holds(b, a.first) || holds(b, a.second);
         let mut missed = std::mem::take(&mut self.missed);
         missed.extend(along().filter(|a| across().any(|b| both(a, b))).map(|c| (c.first, c.second)));
         missed.extend(across().filter(|a| along().any(|b| both(a, b))).map(|c| (c.first, c.second)));
@@ -141,7 +141,7 @@ impl Contacts {
         self.carried |= surface && bodies.carries(j);
         let is_of = |pair: &(u32, u32)| *pair == (i as u32, j as u32) || *pair == (j as u32, i as u32);
         let misses = !self.missed.is_empty() && self.missed.iter().any(is_of);
-        let Kind { axis, live, level } = kind(bodies, (i, j), [dx, dy], [gap_x, gap_y], (dt, touch, misses));
+        let ContactKind { axis, live, level } = kind(bodies, (i, j), [dx, dy], [gap_x, gap_y], (dt, touch, misses));
         let (distance, gap, reach) = if axis == 0 { (dx, gap_x, reach_x) } else { (dy, gap_y, reach_y) };
         let upper = distance >= 0.0;
         self.passing |= !live;
@@ -155,7 +155,7 @@ impl Contacts {
             (_, false) => &mut self.ceilings,
         };
         let bound = if gap > touch { gap * per_second } else { 0.0 };
-        list.push(Contact { first, second, live, level, bound, reach });
+        list.push(CrowdContact { first, second, live, level, bound, reach });
     }
 }
 
@@ -172,13 +172,13 @@ fn kind(
     [dx, dy]: [f64; 2],
     [gap_x, gap_y]: [f64; 2],
     (dt, touch, misses): (f64, f64, bool),
-) -> Kind {
+) -> ContactKind {
     // Most pairs rest on each other or stand side by side.
     if gap_x < -touch && gap_y <= touch {
-        return Kind::of(usize::from(gap_y >= -touch || gap_x <= gap_y), true, false);
+        return ContactKind::of(usize::from(gap_y >= -touch || gap_x <= gap_y), true, false);
     }
     if gap_y < -touch && gap_x <= touch {
-        return Kind::of(0, true, false);
+        return ContactKind::of(0, true, false);
     }
     // How far they close along each axis within the step.
     let side = DVec2::new(if dx < 0.0 { -1.0 } else { 1.0 }, if dy < 0.0 { -1.0 } else { 1.0 });
@@ -187,11 +187,11 @@ fn kind(
     if gap_x < -touch {
         // Over each other and apart: passes only if it has left sideways before it arrives.
         let leaves = gap_y < close_y && gap_x - close_x * (gap_y / close_y) > 0.0;
-        return Kind::of(1, !leaves, false);
+        return ContactKind::of(1, !leaves, false);
     }
     if gap_y < -touch {
         let leaves = gap_x < close_x && gap_y - close_y * (gap_x / close_x) > 0.0;
-        return Kind::of(0, !leaves, false);
+        return ContactKind::of(0, !leaves, false);
     }
     if !misses {
         let start = (a.before - b.before) * dt * side;
@@ -203,19 +203,19 @@ fn kind(
 }
 
 /// A pair that is apart along both axes: if level with a face and not moving into it at the `start`, it belongs to that face.
-fn level([gap_x, gap_y]: [f64; 2], [close_x, close_y]: [f64; 2], start: [f64; 2], touch: f64) -> Option<Kind> {
+fn level([gap_x, gap_y]: [f64; 2], [close_x, close_y]: [f64; 2], start: [f64; 2], touch: f64) -> Option<ContactKind> {
     let level_x = gap_x <= touch && start[0] <= touch;
     let level_y = gap_y <= touch && start[1] <= touch;
     if level_y && !(level_x && close_x <= touch) {
-        return Some(Kind::of(1, close_x > gap_x, true));
+        return Some(ContactKind::of(1, close_x > gap_x, true));
     }
-    level_x.then_some(Kind::of(0, close_y > gap_y, true))
+    level_x.then_some(ContactKind::of(0, close_y > gap_y, true))
 }
 
-fn corner([gap_x, gap_y]: [f64; 2], [close_x, close_y]: [f64; 2]) -> Kind {
+fn corner([gap_x, gap_y]: [f64; 2], [close_x, close_y]: [f64; 2]) -> ContactKind {
     let enters = |gap: f64, close: f64| if close > 0.0 { (gap + CATCH * close) / close } else { f64::INFINITY };
     let (enter_x, enter_y) = (enters(gap_x, close_x), enters(gap_y, close_y));
     let by_x = if enter_x.is_infinite() && enter_y.is_infinite() { gap_x >= gap_y } else { enter_x >= enter_y };
     let live = enter_x <= 1.0 && enter_y <= 1.0;
-    Kind::of(usize::from(!by_x), live, false)
+    ContactKind::of(usize::from(!by_x), live, false)
 }

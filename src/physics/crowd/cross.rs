@@ -5,8 +5,8 @@
 
 use crate::physics::crowd::ACROSS;
 use crate::physics::crowd::bodies::Bodies;
-use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
-use crate::physics::crowd::contacts::{Contact, Contacts};
+use crate::physics::crowd::clusters::{ClusterMotion, Clusters, Node, Pool};
+use crate::physics::crowd::contacts::{Contacts, CrowdContact};
 use crate::physics::crowd::drag::Resistance;
 use crate::physics::crowd::friction::{Friction, Grip};
 use crate::physics::crowd::gravity::Anchors;
@@ -168,7 +168,7 @@ impl Cross<'_> {
         let pooled = clusters.pool(pool, live, |clusters, side| {
             let (a, b) = (side.first as usize, side.second as usize);
             let (Some(of_a), Some(of_b)) = (brings(a), brings(b)) else { return false };
-            let fixed = |i: usize| (i >= n).then(|| Motion { velocity: bodies[i].end.x, mean: bodies[i].mean.x });
+            let fixed = |i: usize| (i >= n).then(|| ClusterMotion { velocity: bodies[i].end.x, mean: bodies[i].mean.x });
             if bodies[a].end.x - bodies[b].end.x > anchors.impact && !(clusters.is_joined(a) && clusters.is_joined(b)) {
                 hits.push(if a < n { (a as u32, b as u32) } else { (b as u32, a as u32) });
             }
@@ -240,15 +240,15 @@ impl Cross<'_> {
     /// Parts pairs side by side that still close, in turns with the friction under them. Returns whether nothing closes any more.
     pub(crate) fn polish(&mut self, bodies: &mut Bodies) -> bool {
         let (n, slack) = (bodies.len(), self.contacts.tolerances.hair / self.dt);
-        let side_bounces = |bodies: &Bodies, side: &Contact| self.anchors.bounces.of(bodies, side, ACROSS).is_some();
+        let side_bounces = |bodies: &Bodies, side: &CrowdContact| self.anchors.bounces.of(bodies, side, ACROSS).is_some();
         let Pushes { parting, .. } = &mut *self.pushes;
-        let touches = |bodies: &Bodies, side: &Contact| {
+        let touches = |bodies: &Bodies, side: &CrowdContact| {
             let (a, b) = (side.first as usize, side.second as usize);
             // What arrives just as the step ends bounces in the next.
             let arrives = |side| bodies.bounces && side_bounces(bodies, side);
             side.live && bodies[a].mean.x - bodies[b].mean.x - side.bound >= -slack && !arrives(side)
         };
-        let closes = |bodies: &Bodies, side: &Contact| {
+        let closes = |bodies: &Bodies, side: &CrowdContact| {
             let (u, v) = (bodies[side.first as usize].end.x, bodies[side.second as usize].end.x);
             u - v > CLOSING * (u.abs() + v.abs()) + STILL
         };

@@ -1,6 +1,6 @@
 //! The stages of a crowd step of one island. The step leaves places and velocities in [`Bodies`].
 
-use crate::physics::crowd::bodies::{Bodies, Group, Source};
+use crate::physics::crowd::bodies::{Bodies, Group, Sources};
 use crate::physics::crowd::clusters::Clusters;
 use crate::physics::crowd::contacts::Contacts;
 use crate::physics::crowd::cross::{Cross, Pushes};
@@ -35,7 +35,7 @@ pub(crate) struct StepSize {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Outcome {
+pub(crate) enum CrowdEnd {
     Done,
     Grown,
 }
@@ -54,7 +54,7 @@ impl Crowd {
         Self { bodies: Bodies::new(all), dense, local: vec![0; all] }
     }
 
-    pub fn step(&mut self, from: Source<'_>, island: Island<'_>, size: StepSize) -> Outcome {
+    pub fn step(&mut self, from: Sources<'_>, island: Island<'_>, size: StepSize) -> CrowdEnd {
         let Self { bodies, dense, local } = self;
         bodies.gather(from, island);
         (0..).zip(&bodies.ids).for_each(|(k, id)| local[*id as usize] = k);
@@ -111,7 +111,7 @@ impl Dense {
         self.squeezed.clear();
     }
 
-    fn step(&mut self, bodies: &mut Bodies, group: Group<'_>, size: StepSize) -> Outcome {
+    fn step(&mut self, bodies: &mut Bodies, group: Group<'_>, size: StepSize) -> CrowdEnd {
         self.dt = size.dt;
         self.anchors.bounces = Bounces { dt: size.dt, rest_speed: size.rest_speed };
         self.anchors.impact = (IMPACT * size.gravity * size.dt).max(SMALLEST);
@@ -154,7 +154,7 @@ impl Dense {
         if self.contacts.carried {
             self.find_squeezed(bodies);
         }
-        Outcome::Done
+        CrowdEnd::Done
     }
 
     pub fn take_guards(&mut self) -> Guards {
@@ -211,11 +211,11 @@ impl Dense {
         }
     }
 
-    fn grow(&mut self, bodies: &mut Bodies) -> Outcome {
+    fn grow(&mut self, bodies: &mut Bodies) -> CrowdEnd {
         self.guards.islands_grown += 1;
         self.grown.extend((0..bodies.len() as u32).filter(|i| !bodies.is_swept(*i as usize)));
         self.grown.iter().for_each(|i| bodies.widen(*i as usize));
-        Outcome::Grown
+        CrowdEnd::Grown
     }
 
     fn catch_passing(&mut self, bodies: &mut Bodies) -> bool {

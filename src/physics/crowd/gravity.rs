@@ -5,8 +5,8 @@
 
 use crate::physics::crowd::ALONG;
 use crate::physics::crowd::bodies::Bodies;
-use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
-use crate::physics::crowd::contacts::{Contact, Contacts};
+use crate::physics::crowd::clusters::{ClusterMotion, Clusters, Node, Pool};
+use crate::physics::crowd::contacts::{Contacts, CrowdContact};
 use crate::physics::crowd::impulses::Edge;
 use crate::physics::crowd::restitution::Bounces;
 use crate::physics::data::lists::refill;
@@ -121,7 +121,7 @@ impl Along<'_> {
 /// The restitution of a body that its supports stop at the mean velocity `bound`, if it bounces: its `way` (m) ends with the velocity `end`.
 fn restitution(bodies: &Bodies, contacts: &Contacts, anchors: &Anchors, i: usize, of: (f64, f64, f64)) -> Option<f64> {
     let (bound, way, end) = of;
-    let bears = |stack: &&Contact| {
+    let bears = |stack: &&CrowdContact| {
         let j = stack.second as usize;
         stack.live && anchors.held[j] && bodies[j].mean.y + stack.bound == bound
     };
@@ -137,7 +137,7 @@ fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, cluste
         let mean = |i: usize| (bodies[i].to.y - bodies[i].from.y) / dt;
         if i < n { Node::free(bodies[i].mass, bodies[i].before.y, bodies[i].free.y, mean(i)) } else { Node::default() }
     };
-    let fixed = |held: bool, i: usize| held.then(|| Motion { velocity: bodies[i].end.y, mean: bodies[i].mean.y });
+    let fixed = |held: bool, i: usize| held.then(|| ClusterMotion { velocity: bodies[i].end.y, mean: bodies[i].mean.y });
     let pool = Pool { before: |i| bodies[i].mean.y, slack, places: false };
     let live = || contacts.stacks.iter().chain(&contacts.ceilings).filter(|contact| contact.live);
     clusters.pool(pool, live, |clusters, contact| {

@@ -1,11 +1,11 @@
 //! Loads along gravity: which supports bear a body, and the share of its load on each.
 
 use crate::physics::crowd::bodies::Bodies;
-use crate::physics::crowd::contacts::{Contact, Contacts};
+use crate::physics::crowd::contacts::{Contacts, CrowdContact};
 use crate::physics::crowd::gravity::Anchors;
 
 impl Contacts {
-    pub fn closes(bodies: &Bodies, contact: &Contact, slack: f64) -> bool {
+    pub fn closes(bodies: &Bodies, contact: &CrowdContact, slack: f64) -> bool {
         let (first, second) = (contact.first as usize, contact.second as usize);
         contact.live && (bodies[first].mean.y - bodies[second].mean.y - contact.bound).abs() <= slack
     }
@@ -19,7 +19,7 @@ impl Contacts {
             if load <= 0.0 || (anchors.any_hung && anchors.hung[i].is_some()) {
                 continue;
             }
-            let bears = |stack: &&Contact| anchors.held[stack.second as usize] && Self::closes(bodies, stack, slack);
+            let bears = |stack: &&CrowdContact| anchors.held[stack.second as usize] && Self::closes(bodies, stack, slack);
             let under = || self.stacks[self.under(i)].iter().filter(bears);
             let share = load / under().count() as f64;
             for stack in under() {

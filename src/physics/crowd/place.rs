@@ -4,8 +4,8 @@
 //! contact's axis where nothing else helps: no motion is always allowed.
 
 use crate::physics::crowd::bodies::Bodies;
-use crate::physics::crowd::clusters::{Clusters, Motion, Node, Pool};
-use crate::physics::crowd::contacts::{Contact, Contacts};
+use crate::physics::crowd::clusters::{ClusterMotion, Clusters, Node, Pool};
+use crate::physics::crowd::contacts::{Contacts, CrowdContact};
 use crate::physics::crowd::gravity::NONE;
 use crate::physics::crowd::{ACROSS, ALONG};
 use glam::DVec2;
@@ -120,7 +120,7 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
             }
             for i in [a, b] {
                 let mass = if i < n { bodies[i].mass } else { 1.0 };
-                let fixed = (i >= n).then(|| Motion { velocity: 0.0, mean: bodies[i].to.x });
+                let fixed = (i >= n).then(|| ClusterMotion { velocity: 0.0, mean: bodies[i].to.x });
                 clusters.join(i, fixed, Node::free(mass, 0.0, 0.0, bodies[i].to.x));
             }
             true
@@ -159,7 +159,7 @@ pub(crate) fn take_back(bodies: &mut Bodies, contacts: &Contacts, back: &mut [[b
     back.iter().flatten().filter(|b| **b).count() as u64
 }
 
-fn resolve(bodies: &mut Bodies, back: &mut [[bool; 2]], contact: &Contact, (axis, hair): (usize, f64)) -> bool {
+fn resolve(bodies: &mut Bodies, back: &mut [[bool; 2]], contact: &CrowdContact, (axis, hair): (usize, f64)) -> bool {
     let (a, b) = (contact.first as usize, contact.second as usize);
     if !hits(bodies, (a, b), hair) && !passed(bodies, (a, b)) {
         return false;

@@ -1,7 +1,7 @@
 //! Which impacts of a crowd step bounce, and how fast what they hit leaves.
 
 use crate::physics::crowd::bodies::{Bodies, Thing};
-use crate::physics::crowd::contacts::Contact;
+use crate::physics::crowd::contacts::CrowdContact;
 
 /// Closing speeds up to this are none, m/s. Smaller: rounding bounces.
 const SLOWEST: f64 = 1e-9;
@@ -21,7 +21,7 @@ impl Bounces {
         if lasts && (restitution == 1.0 || leaves >= self.rest_speed) { leaves } else { 0.0 }
     }
 
-    pub fn of(self, bodies: &Bodies, contact: &Contact, axis: usize) -> Option<f64> {
+    pub fn of(self, bodies: &Bodies, contact: &CrowdContact, axis: usize) -> Option<f64> {
         let (i, j) = (contact.first as usize, contact.second as usize);
         let restitution = bodies.coefficients(i.min(j), i.max(j)).restitution;
         let (speed, pull) = self.closing([&bodies[i], &bodies[j]], axis, false);

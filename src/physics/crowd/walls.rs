@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1e-12;
 const SWEEPS: usize = 8;
 
 #[derive(Clone, Copy, Debug)]
-struct Grip {
+struct WallContact {
     body: u32,
     wall: u32,
     /// Velocity of the wall's skin along gravity, m/s.
@@ -35,7 +35,7 @@ struct Grip {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Walls {
     pub any: bool,
-    grips: Vec<Grip>,
+    grips: Vec<WallContact>,
     edges: Vec<Edge>,
     loads: Vec<f64>,
     /// N·s.
@@ -56,7 +56,7 @@ impl Walls {
     }
 
     pub fn record(&self, into: &mut Vec<Record>) {
-        let record = |grip: &Grip| Record { a: grip.body, b: grip.wall, axis: ACROSS, normal: 0.0, friction: grip.impulse };
+        let record = |grip: &WallContact| Record { a: grip.body, b: grip.wall, axis: ACROSS, normal: 0.0, friction: grip.impulse };
         into.extend(self.grips.iter().filter(|_| self.any).map(record));
     }
 
@@ -96,7 +96,7 @@ impl Walls {
         }
         let mut bears = false;
         for k in 0..self.grips.len() {
-            let Grip { body, wall, hangs, impulse, .. } = self.grips[k];
+            let WallContact { body, wall, hangs, impulse, .. } = self.grips[k];
             if hangs {
                 self.held_up[body as usize] += impulse;
                 bears |= (wall as usize) < bodies.len();
@@ -130,7 +130,7 @@ impl Walls {
         for sweep in 0.. {
             let found = grips.len();
             edges.retain(|edge| {
-                let grip = Grip::of(bodies, anchors, edge);
+                let grip = WallContact::of(bodies, anchors, edge);
                 let known = grip.hangs || (grip.firm && !grip.on_hung);
                 if !known && !last {
                     return true;
@@ -171,7 +171,7 @@ impl Walls {
     }
 
     fn slow(&mut self, bodies: &mut Bodies, k: usize) {
-        let Grip { body, wall, skin, held, dragged, firm, .. } = self.grips[k];
+        let WallContact { body, wall, skin, held, dragged, firm, .. } = self.grips[k];
         let (i, j) = (body as usize, wall as usize);
         let mass = if firm { bodies[i].mass } else { 1.0 / (1.0 / bodies[i].mass + 1.0 / bodies[j].mass) };
         let way = (bodies[i].to.y - bodies[i].from.y) / self.dt;
@@ -245,7 +245,7 @@ impl Walls {
     }
 }
 
-impl Grip {
+impl WallContact {
     fn of(bodies: &Bodies, anchors: &Anchors, edge: &Edge) -> Self {
         let (n, a, b) = (bodies.len(), edge.a as usize, edge.b as usize);
         let stands = |i: usize| i >= n || anchors.rests[i];

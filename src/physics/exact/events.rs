@@ -27,7 +27,7 @@ impl<'a> Scene<'a> {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Outcome {
+pub(crate) enum ExactEnd {
     Done,
     /// A body may go beyond where others were looked for.
     Grown,

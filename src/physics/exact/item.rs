@@ -6,7 +6,7 @@ use crate::physics::forces::{Law, Media};
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Motion {
+pub(crate) enum Course {
     #[default]
     Still,
     Parabola,
@@ -33,7 +33,7 @@ impl Slide {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Kind {
+pub(crate) enum EventKind {
     /// Nothing before the end of the tick.
     Nothing,
     /// It meets another item along an axis; `ascending` if that has the larger coordinate.
@@ -52,7 +52,7 @@ pub(crate) enum Kind {
     Resume,
 }
 
-impl Kind {
+impl EventKind {
     pub fn other(self) -> Option<u32> {
         match self {
             Self::Hit { other, .. } | Self::Stop { other } | Self::Edge { other } | Self::Begin { other } => Some(other),
@@ -65,15 +65,15 @@ impl Kind {
 pub(crate) struct Next {
     /// s, from the tick's start.
     pub at: f64,
-    pub kind: Kind,
+    pub kind: EventKind,
     /// The number of the path of the other item on which it was foreseen.
     pub foreseen_on: u32,
 }
 
 impl Next {
-    pub const NEVER: Self = Self { at: f64::INFINITY, kind: Kind::Nothing, foreseen_on: 0 };
+    pub const NEVER: Self = Self { at: f64::INFINITY, kind: EventKind::Nothing, foreseen_on: 0 };
 
-    pub fn or_earlier(&mut self, at: f64, kind: Kind) {
+    pub fn or_earlier(&mut self, at: f64, kind: EventKind) {
         if at < self.at {
             *self = Self { at, kind, foreseen_on: 0 };
         }
@@ -105,7 +105,7 @@ pub(crate) struct Item {
     /// Its motion is foreseen up to here, s from the tick's start.
     pub until: f64,
     pub law: Law,
-    pub motion: Motion,
+    pub motion: Course,
     /// Acceleration with all contacts at `since`, m/s².
     pub solved: DVec2,
     /// Of its parabola, m/s²: where media act on what is in contact, the mean one.
@@ -146,7 +146,7 @@ impl Item {
     }
 
     pub fn is_still(&self) -> bool {
-        self.motion == Motion::Still
+        self.motion == Course::Still
     }
 
     /// Where it is at a time (s from the tick's start, not before `since`).
@@ -154,11 +154,11 @@ impl Item {
         let (t, start) = (at - self.since, (self.body.position, self.body.velocity));
         match self.motion {
             _ if t == 0.0 => start,
-            Motion::Still => start,
-            Motion::Parabola => parabola(start, self.mean, t),
-            Motion::Flow | Motion::Slide if self.is_end(at) => self.end.map_or(start, |(.., end)| end),
-            Motion::Flow => flow(media, &self.body, &self.law, t),
-            Motion::Slide => self.slide_on(media, t),
+            Course::Still => start,
+            Course::Parabola => parabola(start, self.mean, t),
+            Course::Flow | Course::Slide if self.is_end(at) => self.end.map_or(start, |(.., end)| end),
+            Course::Flow => flow(media, &self.body, &self.law, t),
+            Course::Slide => self.slide_on(media, t),
         }
     }
 
@@ -191,14 +191,14 @@ impl Item {
         let t = self.until - self.since;
         self.end = None;
         match self.motion {
-            Motion::Still => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
-            Motion::Flow if t > 0.0 => self.foresee_flow(media),
-            Motion::Slide if t > 0.0 => {
+            Course::Still => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
+            Course::Flow if t > 0.0 => self.foresee_flow(media),
+            Course::Slide if t > 0.0 => {
                 let (end_x, end_v) = self.pose(media, self.until);
                 self.end = Some((self.since, self.until, (end_x, end_v)));
                 Cubic::hermite(x, v, end_x, end_v, t)
             }
-            Motion::Parabola | Motion::Flow | Motion::Slide => Cubic::parabola(x, v, self.mean),
+            Course::Parabola | Course::Flow | Course::Slide => Cubic::parabola(x, v, self.mean),
         }
     }
 

@@ -20,33 +20,33 @@ pub(crate) mod ties;
 pub(crate) mod track;
 
 use crate::physics::data::{Aabb, EVENTS_OF_A_BODY, MOST_BORDERS, Part, Pose, called};
-pub(crate) use crate::physics::exact::events::{Events, Outcome, Scene};
-use crate::physics::exact::item::{Item, Kind, Motion, Next};
+pub(crate) use crate::physics::exact::events::{Events, ExactEnd, Scene};
+use crate::physics::exact::item::{Course, EventKind, Item, Next};
 use crate::physics::exact::motions::SHORTEST;
 use crate::physics::flight::liquid::flow;
 use crate::physics::forces::law::Law;
 use glam::DVec2;
 
 impl Events {
-    pub fn advance(&mut self, scene: &Scene) -> Outcome {
+    pub fn advance(&mut self, scene: &Scene) -> ExactEnd {
         let outcome = self.go_through(scene);
         self.total += self.count;
         self.guards.friction_unsettled += std::mem::take(&mut self.reactions.unsettled);
         outcome
     }
 
-    fn go_through(&mut self, scene: &Scene) -> Outcome {
+    fn go_through(&mut self, scene: &Scene) -> ExactEnd {
         if !self.begin(scene) {
-            return Outcome::Busy;
+            return ExactEnd::Busy;
         }
         // To begin is no event: a plan that solves once more to the same bits follows as many.
         (self.count, self.reactions.solved) = (0, 0);
         loop {
             if self.grown {
-                return Outcome::Grown;
+                return ExactEnd::Grown;
             }
             if self.is_busy() {
-                return Outcome::Busy;
+                return ExactEnd::Busy;
             }
             let Some((i, next)) = self.next_event(scene) else { break };
             self.now = next.at;
@@ -63,7 +63,7 @@ impl Events {
         self.items.iter_mut().for_each(|item| item.known = true);
         self.follow_surfaces();
         self.settle(scene);
-        Outcome::Done
+        ExactEnd::Done
     }
 
     pub(crate) fn is_busy(&mut self) -> bool {
@@ -79,7 +79,7 @@ impl Events {
         let outcome = self.advance(scene);
         self.hits.clear();
         let item = &self.items[0];
-        if outcome == Outcome::Done {
+        if outcome == ExactEnd::Done {
             return (item.body.position, item.body.velocity);
         }
         self.guards.flows_cut_short += 1;
@@ -125,7 +125,7 @@ impl Events {
         for i in bodies..all {
             self.foresee(scene, i);
             if self.items[i].until < scene.tick {
-                self.nexts[i].or_earlier(self.items[i].until, Kind::Renew);
+                self.nexts[i].or_earlier(self.items[i].until, EventKind::Renew);
             }
         }
         self.start(scene)
@@ -159,28 +159,28 @@ impl Events {
         true
     }
 
-    fn happen(&mut self, scene: &Scene, i: usize, kind: Kind) {
+    fn happen(&mut self, scene: &Scene, i: usize, kind: EventKind) {
         self.concern(i as u32);
         match kind {
-            Kind::Nothing | Kind::Edge { .. } => {}
-            Kind::Border => {
+            EventKind::Nothing | EventKind::Edge { .. } => {}
+            EventKind::Border => {
                 let item = &mut self.items[i];
                 let velocity = item.pose(scene.media, self.now).1;
                 let back = (velocity * item.crossed.1).min_element() < 0.0 && self.now - item.since < scene.tick * SHORTEST;
                 item.crossed = (item.crossed.0 + u32::from(back), velocity);
                 self.guards.flows_cut_short += u64::from(back && item.crossed.0 == MOST_BORDERS);
             }
-            Kind::Begin { other } => self.concern(other),
-            Kind::Renew if i >= self.movable => {
+            EventKind::Begin { other } => self.concern(other),
+            EventKind::Renew if i >= self.movable => {
                 self.turn(scene, i);
                 return self.release();
             }
-            Kind::Renew if self.items[i].motion == Motion::Flow => {
+            EventKind::Renew if self.items[i].motion == Course::Flow => {
                 self.renew(scene, i);
                 return self.release();
             }
-            Kind::Renew => {}
-            Kind::Hit { other, axis, ascending } => {
+            EventKind::Renew => {}
+            EventKind::Hit { other, axis, ascending } => {
                 self.concern(other);
                 let (lo, hi) = if ascending { (i as u32, other) } else { (other, i as u32) };
                 let contact = self.contact_along(lo, hi, axis);
@@ -193,11 +193,11 @@ impl Events {
                 }
                 self.met = Some(contact);
             }
-            Kind::Stop { other } => {
+            EventKind::Stop { other } => {
                 self.concern(other);
                 self.stop_slide(scene, i as u32, other);
             }
-            Kind::Resume => self.resume(scene, i),
+            EventKind::Resume => self.resume(scene, i),
         }
         self.look(scene);
         self.release();

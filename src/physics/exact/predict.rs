@@ -4,7 +4,7 @@ use crate::physics::data::{
     Aabb, Contact, Cubic, MICRO_SPEED, MOST_BORDERS, Polynomial, SLOP, SPEED_TOLERANCE, Sides, earliest, time_of_impact,
 };
 use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::item::{Kind, Next};
+use crate::physics::exact::item::{EventKind, Next};
 use crate::physics::forces::zones;
 use glam::DVec2;
 
@@ -48,10 +48,10 @@ impl Events {
         let item = &self.items[i];
         let mut next = Next::NEVER;
         if item.until < scene.tick {
-            next.or_earlier(item.until, Kind::Renew);
+            next.or_earlier(item.until, EventKind::Renew);
         }
         if let Some(resume) = item.resume {
-            next.or_earlier(resume.at, Kind::Resume);
+            next.or_earlier(resume.at, EventKind::Resume);
         }
         next
     }
@@ -95,7 +95,7 @@ impl Events {
         }
         let (halves, sides) = (mine.half + other.half, self.items[i.max(j)].sides);
         if let Some(t) = begins_flush(&motion, halves, end, sides) {
-            next.or_earlier(now + t, Kind::Begin { other: j as u32 });
+            next.or_earlier(now + t, EventKind::Begin { other: j as u32 });
         }
         let reach = reach_of(&motion, halves, sides);
         let at_once = meets_at_once(&motion, reach, sides).map(|axis| (0.0, axis));
@@ -105,7 +105,7 @@ impl Events {
             // Such roundings of two places would sink into each other by less than 1e-11 m within a tick.
             let gentle = -side * path.slope(t) <= SPEED_TOLERANCE && -side * path.curvature(t) <= 1e-6;
             if !gentle {
-                next.or_earlier(now + t, Kind::Hit { other: j as u32, axis, ascending: (side > 0.0) == (i < j) });
+                next.or_earlier(now + t, EventKind::Hit { other: j as u32, axis, ascending: (side > 0.0) == (i < j) });
             }
         }
         next
@@ -125,13 +125,13 @@ impl Events {
         if contact.slides != 0.0
             && let Some(t) = end_of_slide(&motion, contact.slides, self.skin_of(contact), end)
         {
-            next.or_earlier(self.now + t, Kind::Stop { other: contact.other(i) });
+            next.or_earlier(self.now + t, EventKind::Stop { other: contact.other(i) });
         }
         // Half the slop: a contact needs all of it, so that this one is over then, however the time is rounded.
         let level = lo.half[along] + hi.half[along] - 0.5 * SLOP;
         let motion = motion.until(end);
         if let Some(t) = earliest(motion.rises_through(level, 0.0), motion.falls_through(-level, 0.0)) {
-            next.or_earlier(self.now + t, Kind::Edge { other: contact.other(i) });
+            next.or_earlier(self.now + t, EventKind::Edge { other: contact.other(i) });
         }
     }
 
@@ -153,7 +153,7 @@ impl Events {
                 continue;
             }
             if let Some(t) = zones::border(&way, item.body.half, zone, inside, end) {
-                next.or_earlier(self.now + t, Kind::Border);
+                next.or_earlier(self.now + t, EventKind::Border);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! The path of an item, as the search for impacts needs it: a cubic and the box that it sweeps.
 
 use crate::physics::data::{Aabb, Cubic};
-use crate::physics::exact::item::{Item, Motion};
+use crate::physics::exact::item::{Course, Item};
 use glam::DVec2;
 
 /// The path of an item from `since` to `until`, s from the tick's start.
@@ -9,7 +9,7 @@ use glam::DVec2;
 pub(crate) struct Track {
     pub since: f64,
     pub until: f64,
-    pub motion: Motion,
+    pub motion: Course,
     pub half: DVec2,
     pub way: Cubic,
     /// m.
@@ -33,12 +33,12 @@ impl Track {
     }
 
     pub fn is_still(&self) -> bool {
-        self.motion == Motion::Still
+        self.motion == Course::Still
     }
 
     /// Whether its cubic is its motion.
     pub fn is_exact(&self) -> bool {
-        matches!(self.motion, Motion::Still | Motion::Parabola)
+        matches!(self.motion, Course::Still | Course::Parabola)
     }
 
     pub fn way_from(&self, at: f64) -> Cubic {

@@ -25,7 +25,7 @@ const MOST_STEPS: u32 = 16_384;
 
 /// u₁ = (u₀ + A·reach)·slower and x₁ = x₀ + (u₀·carry + A·lift) along both axes.
 #[derive(Clone, Copy, Debug, Default)]
-struct Step {
+struct AirStep {
     /// Q, s.
     reach: f64,
     /// 1/q.
@@ -38,7 +38,7 @@ struct Step {
     fits: bool,
 }
 
-impl Step {
+impl AirStep {
     /// From Q/h, 1/q, and the slowing at both ends.
     #[inline(always)]
     fn along(h: f64, stretch: f64, slower: f64, [start, end]: [Slowing; 2]) -> Self {
@@ -59,7 +59,7 @@ struct Slowing {
 }
 
 #[inline(always)]
-fn box_step(h: f64, v: DVec2, a: DVec2, drag: &Drag) -> Step {
+fn box_step(h: f64, v: DVec2, a: DVec2, drag: &Drag) -> AirStep {
     let (tall, wide) = (drag.tall, drag.wide);
     let ahead = |u: f64, a: f64| if u * a < 0.0 { -a.abs() } else { a.abs() };
     let p = h * (tall * v.x.abs() + wide * v.y.abs());
@@ -73,11 +73,11 @@ fn box_step(h: f64, v: DVec2, a: DVec2, drag: &Drag) -> Step {
     let reach = h * stretch;
     let corner = (tall * (v.x * (v.x + a.x * reach)) < 0.0) | (wide * (v.y * (v.y + a.y * reach)) < 0.0);
     let fits = !((p > LIGHT) | (eager > LIGHT * LIGHT) | corner);
-    Step { fits, ..Step::along(h, stretch, slower, [Slowing { rate: p, change: z }, Slowing { rate: end, change: z }]) }
+    AirStep { fits, ..AirStep::along(h, stretch, slower, [Slowing { rate: p, change: z }, Slowing { rate: end, change: z }]) }
 }
 
 #[inline(always)]
-fn round_step(h: f64, v: DVec2, a: DVec2, round: f64) -> Step {
+fn round_step(h: f64, v: DVec2, a: DVec2, round: f64) -> AirStep {
     let bend = h * round;
     let rate = |v: DVec2| bend * (v.x * v.x + v.y * v.y).sqrt();
     let at = |q: f64| rate(v + a * (h * q));
@@ -95,7 +95,7 @@ fn round_step(h: f64, v: DVec2, a: DVec2, round: f64) -> Step {
     let near = SHARP * h;
     let sharp = v.x * v.x + v.y * v.y < 2.0 * pull * (near * near) && bends(v, a);
     let ends = [Slowing { rate: start, change: slope(v, start) }, Slowing { rate: end, change: slope(last, end) }];
-    Step { fits: !light && !sharp, ..Step::along(h, stretch, slower, ends) }
+    AirStep { fits: !light && !sharp, ..AirStep::along(h, stretch, slower, ends) }
 }
 
 /// Whether |u₀ + A·Q| is not linear from here on: its minimum |u × A|/|A| lies ahead, or behind but not in zero. The square of the angle between
@@ -107,11 +107,11 @@ fn bends(v: DVec2, a: DVec2) -> bool {
 }
 
 #[inline(always)]
-fn step(h: f64, v: DVec2, a: DVec2, drag: &Drag) -> Step {
+fn step(h: f64, v: DVec2, a: DVec2, drag: &Drag) -> AirStep {
     if drag.round > 0.0 { round_step(h, v, a, drag.round) } else { box_step(h, v, a, drag) }
 }
 
-fn take((x, v): Pose, a: DVec2, step: &Step) -> Pose {
+fn take((x, v): Pose, a: DVec2, step: &AirStep) -> Pose {
     (x + (v * step.carry + a * step.lift), (v + a * step.reach) * step.slower)
 }
 
@@ -188,7 +188,7 @@ fn time_of(reach: f64, h: f64, v: DVec2, a: DVec2, drag: &Drag) -> f64 {
     let mut t = reach.min(h);
     // Six steps of Newton: the error is squared in each.
     for _ in 0..6 {
-        let Step { reach: got, slower, .. } = step(t, v, a, drag);
+        let AirStep { reach: got, slower, .. } = step(t, v, a, drag);
         let next = (t + (reach - got) * slower).clamp(0.0, h);
         if next == t {
             break;

@@ -6,7 +6,7 @@ use crate::physics::forces::{Law, LinkDef, Media};
 use glam::DVec2;
 
 #[derive(Clone, Debug)]
-pub(crate) struct Member {
+pub(crate) struct Linked {
     pub id: u32,
     /// Contacts hold it: it stays, and the others fly around it.
     pub held: bool,
@@ -20,7 +20,7 @@ pub(crate) struct Member {
     at: Pose,
 }
 
-impl Member {
+impl Linked {
     pub fn new(body: &Body, id: u32, held: bool, law: Law) -> Self {
         let (pose, places) = ((body.position, body.velocity), Aabb::around(body.position, DVec2::ZERO));
         Self { id, held, law, pose, mean: DVec2::ZERO, places, stages: [[DVec2::ZERO; 3]; 7], at: pose }
@@ -37,14 +37,14 @@ impl Member {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Group<'a> {
+pub(crate) struct LinkedBodies<'a> {
     pub media: &'a Media,
     pub bodies: &'a [Body],
     pub links: &'a [LinkDef],
 }
 
-impl Group<'_> {
-    pub fn fly(&self, members: &mut [Member], t: f64) {
+impl LinkedBodies<'_> {
+    pub fn fly(&self, members: &mut [Linked], t: f64) {
         self.pull(members, 0);
         let (mut left, mut h) = (t, t);
         // A group that needs more steps flies on without its links.
@@ -76,7 +76,7 @@ impl Group<'_> {
     }
 
     /// One step of `h` seconds. Returns its error as a part of the error allowed.
-    fn step(&self, members: &mut [Member], h: f64) -> f64 {
+    fn step(&self, members: &mut [Linked], h: f64) -> f64 {
         for (stage, weights) in (1..).zip(STAGES) {
             for member in members.iter_mut().filter(|member| !member.held) {
                 let (x, v) = member.pose;
@@ -88,7 +88,7 @@ impl Group<'_> {
     }
 
     /// The velocities, accelerations and forces of a stage, where the members are.
-    fn pull(&self, members: &mut [Member], stage: usize) {
+    fn pull(&self, members: &mut [Linked], stage: usize) {
         members.iter_mut().for_each(|member| member.stages[stage] = [member.at.1, DVec2::ZERO, DVec2::ZERO]);
         for link in self.links {
             let find = |id: u32| members.binary_search_by_key(&id, |member| member.id);

@@ -17,20 +17,20 @@ struct Swimmer<'a> {
 }
 
 /// The media at a place, and the constant acceleration there, m/s².
-struct Place {
+struct Surroundings {
     bath: Bath,
     constant: DVec2,
     /// Whether a liquid bears its weight: the vertical accelerations then balance exactly.
     floats: bool,
 }
 
-impl Place {
+impl Surroundings {
     fn free(&self) -> DVec2 {
         DVec2::new(self.constant.x, self.constant.y - self.bath.lift)
     }
 }
 
-enum Kind {
+enum FlightKind {
     /// By its terminal velocity, m/s.
     Settled(DVec2),
     /// By flight through one medium all around, for this many seconds at once.
@@ -107,14 +107,14 @@ fn swim(media: &Media, body: &Body, law: &Law, t: f64, mut goes_on: impl FnMut(f
 }
 
 impl Swimmer<'_> {
-    fn look(&self, (x, v): Pose) -> Place {
+    fn look(&self, (x, v): Pose) -> Surroundings {
         let (mut bath, mut constant) = (self.regime.bath(x), self.regime.constant);
         let floats = v.y == 0.0 && self.regime.balances(&bath, x, constant.y - bath.lift);
         if floats {
             constant.y = bath.lift;
             (bath.stiffness, bath.waves) = (0.0, 0.0);
         }
-        Place { bath, constant, floats }
+        Surroundings { bath, constant, floats }
     }
 
     /// The most steps of `t` seconds; one implicit step ([`Swimmer::leap`]) leads through the rest. A rough course of a body that a liquid brings
@@ -124,9 +124,9 @@ impl Swimmer<'_> {
             return 128;
         }
         let reach = match self.kind(&self.look(pose), pose.1) {
-            Kind::Settled(_) => 0.0,
-            Kind::Air(longest) => t / longest,
-            Kind::Neither { heavy, .. } => heavy * t,
+            FlightKind::Settled(_) => 0.0,
+            FlightKind::Air(longest) => t / longest,
+            FlightKind::Neither { heavy, .. } => heavy * t,
         };
         if reach > 20.0 { 0 } else { 8 }
     }
@@ -179,31 +179,31 @@ impl Swimmer<'_> {
         (DVec2::new(beside, x.y + h * down), DVec2::new(across, down))
     }
 
-    fn kind(&self, place: &Place, v: DVec2) -> Kind {
+    fn kind(&self, place: &Surroundings, v: DVec2) -> FlightKind {
         let (bath, free) = (&place.bath, place.free());
         let same_around = self.regime.displaced.is_same_around();
         if same_around && let Some(velocity) = settled(bath, free, v) {
-            return Kind::Settled(velocity);
+            return FlightKind::Settled(velocity);
         }
         let fastest = bath.drag.rate(v).max(bath.drag.rate(free).sqrt());
         if same_around && bath.linear == 0.0 {
-            return Kind::Air(BOBBING_REACH / fastest);
+            return FlightKind::Air(BOBBING_REACH / fastest);
         }
         // The greater eigenvalue of drag's linearisation is 2·s(v); at once it may be as fast as at its terminal velocity.
         let drag = 2.0 * fastest + bath.linear + bath.waves;
         let bobs = bath.stiffness.sqrt();
         let heavy = drag - bobs;
         // The stability of an explicit step ends at a rate × time of 3.3 where it is damped.
-        Kind::Neither { heavy, rate: drag + bobs, most: (BOBBING_REACH / bobs).min(2.5 / drag) }
+        FlightKind::Neither { heavy, rate: drag + bobs, most: (BOBBING_REACH / bobs).min(2.5 / drag) }
     }
 
     /// One step of at most `h` of the `left` seconds.
-    fn take(&self, place: &Place, pose: Pose, h: f64, left: f64) -> Course {
+    fn take(&self, place: &Surroundings, pose: Pose, h: f64, left: f64) -> Course {
         let (regime, bath, constant, free) = (&self.regime, &place.bath, place.constant, place.free());
         match self.kind(place, pose.1) {
-            Kind::Settled(velocity) => take_exact(regime, pose, left, |t| (pose.0 + velocity * t, velocity)),
-            Kind::Air(longest) => take_exact(regime, pose, left.min(longest), |t| fly_through(pose, free, &bath.drag, t)),
-            Kind::Neither { rate, most, heavy } => {
+            FlightKind::Settled(velocity) => take_exact(regime, pose, left, |t| (pose.0 + velocity * t, velocity)),
+            FlightKind::Air(longest) => take_exact(regime, pose, left.min(longest), |t| fly_through(pose, free, &bath.drag, t)),
+            FlightKind::Neither { rate, most, heavy } => {
                 let implicit = heavy * h.min(left) > HEAVY_REACH && is_even(bath.acceleration(constant, pose.1), pose.1, heavy);
                 let slopes = implicit.then(|| regime.slopes(pose.0, pose.1));
                 let steps = Steps { regime, bath, constant, slopes, rough: if self.rough { 1e-3 } else { 0.0 } };

@@ -18,13 +18,13 @@ struct Extent {
     slope: DVec2,
 }
 
-struct Sides {
+struct Outer {
     /// Whether its left and top side, and its right and bottom side, are outside.
     before: BVec2,
     beyond: BVec2,
 }
 
-impl Sides {
+impl Outer {
     fn of(body: &Body, fluid: &FluidDef, x: DVec2) -> Option<Self> {
         let (zone, bounds) = (&fluid.zone, Aabb::around(x, body.half));
         let sides = || Self { before: bounds.min.cmplt(zone.min), beyond: bounds.max.cmpgt(zone.max) };
@@ -178,7 +178,7 @@ impl Displaced {
         let mut corner = DVec2::NEG_INFINITY;
         for index in liquids.iter() {
             let fluid = &media.fluids[index as usize];
-            if let Some(sides) = Sides::of(body, fluid, x) {
+            if let Some(sides) = Outer::of(body, fluid, x) {
                 let (low, high) = sides.places(body, fluid);
                 corner = corner.max(low);
                 places = Aabb::new(places.min.max(low), places.max.min(high));
@@ -198,7 +198,7 @@ impl Displaced {
     /// Adds the area inside a liquid, m², and that times density and viscosity.
     fn add(&mut self, media: &Media, body: &Body, index: u32) {
         let fluid = &media.fluids[index as usize];
-        if let Some(sides) = Sides::of(body, fluid, self.within) {
+        if let Some(sides) = Outer::of(body, fluid, self.within) {
             let extent = sides.extent(body, fluid, self.centre);
             self.fraction.add(1.0, &extent);
             self.density.add(fluid.density, &extent);
@@ -220,7 +220,7 @@ impl Displaced {
         self.cut.into_iter().chain(more)
     }
     fn surface(&self, media: &Media, body: &Body, fluid: &FluidDef) -> Option<Cut> {
-        let (sides, down) = (Sides::of(body, fluid, self.within)?, media.gravity >= 0.0);
+        let (sides, down) = (Outer::of(body, fluid, self.within)?, media.gravity >= 0.0);
         let (cut, leaves) = sides.cut(down);
         cut.then(|| {
             let (top, bottom) = (self.centre.y - body.half.y, self.centre.y + body.half.y);

@@ -35,7 +35,7 @@ pub(crate) struct Guide {
 }
 
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Motion {
+pub(crate) struct BodyMotion {
     /// Acceleration by gravity and constant forces, m/s².
     pub pull: DVec2,
     /// The end of the step if the body touches nothing, and the end that the islands found.
@@ -62,7 +62,7 @@ pub(crate) struct Motion {
     pub solved: u32,
 }
 
-impl Motion {
+impl BodyMotion {
     /// Sets the acceleration at the end of a flight, m/s², if that came out of it.
     pub fn pull_at_end(&mut self, pull: Option<DVec2>) {
         (self.pulled, self.acceleration) = (pull.is_some(), pull.unwrap_or_default());
@@ -105,7 +105,7 @@ impl SurfaceMotion {
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Motions {
-    pub bodies: Vec<Motion>,
+    pub bodies: Vec<BodyMotion>,
     pub surfaces: Vec<SurfaceMotion>,
     pub before: Vec<Pose>,
     /// What each body, and after them each surface, sweeps in this step: an absent surface nothing.
@@ -121,7 +121,7 @@ impl Motions {
         let drags: Vec<Drag> = bodies.iter().map(|body| media.air(body)).collect();
         let rests = |body: &Body| {
             let pose = (body.position, body.velocity);
-            Motion { free: pose, end: pose, ..Motion::default() }
+            BodyMotion { free: pose, end: pose, ..BodyMotion::default() }
         };
         let mut motions = Self {
             bodies: bodies.iter().map(rests).collect(),

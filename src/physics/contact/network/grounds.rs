@@ -1,6 +1,6 @@
 //! Ground that moves: alike, or a block is held against one of its grounds and its links to the others are set aside.
 
-use crate::physics::contact::network::{Block, Carries, GROUND, Network, Node, Side};
+use crate::physics::contact::network::{Block, Carries, GROUND, Network, NetworkNode, Side};
 
 impl Network {
     /// The acceleration of all ground, if it moves alike; else 0.
@@ -23,7 +23,7 @@ impl Network {
         }
     }
 
-    pub(super) fn linked_nodes(&mut self) -> impl Iterator<Item = &mut Node> {
+    pub(super) fn linked_nodes(&mut self) -> impl Iterator<Item = &mut NetworkNode> {
         self.nodes.iter_mut().zip(&self.linked).filter(|(_, linked)| **linked).map(|(node, _)| node)
     }
 

@@ -53,7 +53,7 @@ impl Link {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Node {
+pub(crate) struct NetworkNode {
     /// kg.
     pub mass: f64,
     /// Force without the contacts of this network, N.
@@ -64,7 +64,7 @@ pub(crate) struct Node {
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Network {
-    pub nodes: Vec<Node>,
+    pub nodes: Vec<NetworkNode>,
     pub links: Vec<Link>,
     /// The nodes of blocks that cannot follow the grounds that close on them.
     pub squeezed: Vec<u32>,
@@ -247,8 +247,8 @@ impl Network {
     /// A force that is none beside the rest of its block may be all that acts on a light body. The lightest first, it is handed on to a body that
     /// is not light, or heavier, or numbered later; a body that is pulled away from all that pushes it goes on by itself.
     fn settle_light(&mut self, block: Block) {
-        let own = |node: &Node| node.force.abs().max(node.mass * node.acceleration.abs());
-        let is_light = |node: &Node| own(node) < LIGHT * block.largest;
+        let own = |node: &NetworkNode| node.force.abs().max(node.mass * node.acceleration.abs());
+        let is_light = |node: &NetworkNode| own(node) < LIGHT * block.largest;
         self.queue.clear();
         self.queue.extend(self.order[block.begin..block.end].iter().copied().filter(|i| is_light(&self.nodes[*i as usize])));
         let nodes = &self.nodes;

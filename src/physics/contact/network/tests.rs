@@ -12,7 +12,7 @@ fn line(bodies: &[(f64, f64)], links: &[(u32, u32, Carries)]) -> Network {
 fn on_moving_ground(bodies: &[(f64, f64)], links: &[(u32, u32, Carries, f64)]) -> Network {
     let mut network = Network::default();
     for &(mass, force) in bodies {
-        network.nodes.push(Node { mass, force, acceleration: f64::NAN });
+        network.nodes.push(NetworkNode { mass, force, acceleration: f64::NAN });
     }
     for &(lo, hi, carries, ground) in links {
         network.link(lo, hi, carries, ground);

@@ -10,7 +10,7 @@ pub(crate) mod grips;
 
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::time_to_stop;
-use crate::physics::crowd::contacts::{Contact, Contacts};
+use crate::physics::crowd::contacts::{Contacts, CrowdContact};
 use crate::physics::crowd::gravity::{Anchors, SLACK};
 use crate::physics::crowd::{ACROSS, ALONG};
 use crate::physics::data::lists::refill;
@@ -157,7 +157,7 @@ impl Friction {
     }
 
     #[inline(always)]
-    fn grip(&mut self, bodies: &Bodies, i: usize, contact: &Contact, slack: f64) {
+    fn grip(&mut self, bodies: &Bodies, i: usize, contact: &CrowdContact, slack: f64) {
         let (above, gains) =
             (contact.second as usize == i, bodies[contact.first as usize].end.y - bodies[contact.second as usize].end.y);
         if gains.abs() > SLACK || !Contacts::closes(bodies, contact, slack) {

@@ -11,6 +11,8 @@ mod pace;
 mod player;
 #[cfg(target_os = "linux")]
 mod system;
+#[cfg(any(target_os = "linux", windows, target_os = "macos"))]
+mod why;
 
 #[cfg(any(target_os = "linux", windows, target_os = "macos"))]
 pub use player::Output;

@@ -4,6 +4,7 @@
 use super::cpal::play;
 #[cfg(target_os = "linux")]
 use super::linux::play;
+use super::why::Why;
 use crate::view::sound::Feed;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -19,17 +20,6 @@ const FAREWELL: Duration = Duration::from_millis(200);
 pub struct Output {
     ends: Arc<AtomicBool>,
     thread: Option<JoinHandle<()>>,
-}
-
-/// The reason for the end of playing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Why {
-    /// The game has ended, or there is no library.
-    Over,
-    /// There is no device now.
-    NoDevice,
-    /// The device vanished.
-    Lost,
 }
 
 impl Output {
