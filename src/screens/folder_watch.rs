@@ -108,7 +108,7 @@ impl FolderWatch {
 mod tests {
     use super::*;
 
-    /// Frames until a change is told, at 60 a second.
+    /// Frames, at 60 a second, until the watch reports a change.
     fn frames(watch: &mut FolderWatch) -> Option<usize> {
         (0..60).find(|_| watch.update(1.0 / 60.0))
     }

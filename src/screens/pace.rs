@@ -141,7 +141,7 @@ mod tests {
         Input { frame_time: EASY, ..Input::default() }
     }
 
-    /// So many frames without input on a screen that has been there for long: how many of them were drawn.
+    /// How many of `frames` frames without input are drawn, on a screen that opened long ago.
     fn drawn(pace: &mut Pace, motion: Motion, frames: usize) -> usize {
         let mut frame = || {
             pace.note(&input());

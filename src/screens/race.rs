@@ -41,7 +41,7 @@ pub struct Split {
 /// How the ship stands to a ghost at an objective.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Gap {
-    /// The ship was later by so many seconds, or earlier where it is negative.
+    /// The ship's delay, s; negative where the ship was earlier.
     Seconds(f64),
     /// The ghost never met it.
     Never,

@@ -7,8 +7,17 @@ use std::path::PathBuf;
 /// Phrases that hide their subject.
 const BANNED: [&str; 6] = ["is told", "are told", "anew", "so many", "whoever", "of whom"];
 const FOLDERS: [&str; 10] = ["src", "tests", "tools", "benches", "platform", "docs", "levels", "experiments", "scores", ".github"];
-/// Rooms that still have some: a room that is mended leaves this list.
-const NOT_YET: [&str; 2] = ["src/screens", "tests/screens"];
+/// Rooms and files that still have some: a mended one leaves this list.
+const NOT_YET: [&str; 8] = [
+    "src/screens/flight",
+    "src/screens/watch.rs",
+    "tests/screens/flights.rs",
+    "tests/screens/instruments.rs",
+    "tests/screens/lab.rs",
+    "tests/screens/observed.rs",
+    "tests/screens/plot.rs",
+    "tests/screens/what_if.rs",
+];
 const PAGES: [&str; 4] = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", ".ci/run"];
 const ENDINGS: [&str; 6] = ["rs", "md", "sh", "toml", "yml", "csv"];
 

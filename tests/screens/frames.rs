@@ -1,9 +1,9 @@
-//! Flights at several frame rates, through the screen as a player has it: keys go down and up at instants, each frame tells the screen
-//! what it has seen of them and how long it took, and where that leads is compared bit for bit.
+//! Flights at several frame rates, through the flight's screen: keys go down and up at instants, each frame hands the screen its keys and
+//! its duration, and the states at the end are compared bit for bit.
 //!
-//! A frame sees what happened since the one before it, and its keys act in the ticks that it lasts. So what is pressed right behind a
-//! frame acts from that frame's end on, and flights agree whose frames all end at the instants at which keys change: here every
-//! [`SLOT`]. In between they cannot: a frame of 24 a second is five ticks, and what happens within is told at its end.
+//! A frame sees the keys that changed since the frame before, and they act in the ticks that it lasts. A key pressed right behind a frame
+//! acts from that frame's end on. So flights agree if their frames all end at the instants at which keys change, here every [`SLOT`].
+//! In between they differ: a frame of 24 a second is five ticks, and a key that changes within acts at its end.
 
 use crate::support::hashes::assert_golden;
 use crate::support::rooms::{area, crate_at, yard};
@@ -19,7 +19,7 @@ use std::sync::Arc;
 const SLOT: f64 = 1.0 / 6.0;
 /// The ticks of a slot.
 const TICKS: u64 = 20;
-/// Frames a second, each so many a slot.
+/// Frames a second; each rate has a whole number of frames in a slot.
 const RATES: [u32; 6] = [24, 30, 60, 120, 144, 240];
 
 /// What happens at the beginning of a slot.

@@ -46,18 +46,18 @@ fn where_the_ship_has_no_room_the_level_begins_again() {
 }
 
 #[test]
-fn a_broken_edit_is_told_above_the_flight_that_goes_on_and_gone_when_it_is_mended() {
+fn a_broken_edit_is_reported_above_the_flight_until_it_is_mended() {
     let mut sitting = Sitting::new();
     sitting.fly("2").wait(0.2);
     let sound = fs::read(file(&sitting, "objectives.csv")).unwrap();
     fs::write(file(&sitting, "objectives.csv"), "PLAYER,10,ten,20,20\n").unwrap();
     sitting.wait(0.4);
-    let Some(News::Broken(problems)) = sitting.flight().news() else { panic!("nothing is told") };
+    let Some(News::Broken(problems)) = sitting.flight().news() else { panic!("no message") };
     assert!(problems[0].starts_with("objectives.csv:1: column \"y\": found \"ten\""), "{problems:?}");
     let ticks = sitting.flight().game().ticks();
     sitting.wait(0.2);
     assert!(sitting.flight().game().ticks() > ticks && matches!(sitting.flight().news(), Some(News::Broken(_))));
-    // R begins again in what was there, and still tells.
+    // R begins the loaded level again, and the message stays.
     sitting.press(Key::R);
     assert!(sitting.flight().game().ticks() < 5 && matches!(sitting.flight().news(), Some(News::Broken(_))));
     fs::write(file(&sitting, "objectives.csv"), sound).unwrap();
@@ -76,7 +76,7 @@ fn r_reads_the_files_afresh_at_once() {
 }
 
 #[test]
-fn a_paused_flight_is_read_anew_too_and_stays_paused() {
+fn a_paused_flight_is_read_again_too_and_stays_paused() {
     let mut sitting = Sitting::new();
     sitting.fly("2").wait(0.1).press(Key::Escape);
     fs::write(file(&sitting, "world.csv"), "0,580,800,20\n").unwrap();
@@ -93,7 +93,7 @@ fn what_is_dropped_on_the_window_opens() {
     for path in [folder.clone(), folder.join("player.csv")] {
         sitting.give(Input { dropped: vec![path], ..Input::default() });
         assert_eq!((sitting.at(), sitting.flight().game().level().name.as_str()), ("flight", "mine"));
-        // It is read anew like any other, also by R.
+        // The game reads it again after a change, also by R.
         fs::write(folder.join("world.csv"), "0,580,800,20\n").unwrap();
         sitting.wait(0.4);
         assert_eq!(solids(sitting.press(Key::R)), 1);

@@ -88,7 +88,7 @@ impl Sitting {
         self
     }
 
-    /// Lets the worker do so many errands, a frame each; how many there were.
+    /// Lets the worker do up to `errands` errands, a frame each; returns how many it did.
     pub fn work(&mut self, errands: usize) -> usize {
         (0..errands).take_while(|_| self.app.worker().step().then(|| self.rest()).is_some()).count()
     }
