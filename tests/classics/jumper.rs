@@ -1,4 +1,4 @@
-//! The climb: what keys do, the rising view, who is out, and the score.
+//! The climb: keys, the rising view, who is out, and the score.
 
 use crate::support::program::{Ran, resultant};
 use glam::DVec3;
@@ -11,7 +11,7 @@ const RIGHT: JumpKeys = JumpKeys { right: true, ..NOTHING };
 const LEFT: JumpKeys = JumpKeys { left: true, ..NOTHING };
 const JUMP: JumpKeys = JumpKeys { jump: true, ..NOTHING };
 const RIGHT_JUMP: JumpKeys = JumpKeys { jump: true, ..RIGHT };
-/// What one tick of gravity takes off an upward velocity, m/s.
+/// One tick of gravity, from an upward velocity, m/s.
 const FALL: f64 = 10.0 / TICK_RATE;
 /// A tower without a platform right above the first player's start, where jumps are not cut short by landing.
 const SEED: u64 = 1;

@@ -1,4 +1,4 @@
-//! The jumper's engine, against checks of each rule and against [`described`], which is written a second time from the description.
+//! The jumper's engine, against checks of each rule and against [`described`], a second implementation of the description.
 
 use glam::{BVec3, DVec3};
 use proptest::prelude::*;
@@ -90,17 +90,15 @@ fn body(location: DVec3, dimensions: DVec3, velocity: DVec3, mass: f64) -> Dynam
     Dynamic::new(Cuboid { location, dimensions }, velocity, mass)
 }
 
-/// A cube of 1 m at (2, 2, 2).
 fn cube(kind: StaticKind) -> Static {
     Static { cuboid: Cuboid { location: DVec3::splat(2.0), dimensions: DVec3::ONE }, kind }
 }
 
-/// Half a metre of cube at `location`.
 fn small(location: DVec3, velocity: DVec3) -> Dynamic {
     body(location, DVec3::splat(0.5), velocity, 1.0)
 }
 
-/// One step without gravity of 0.1 s, against a cube of each kind: what was hit, and the two bodies after it.
+/// One step without gravity of 0.1 s, against a cube of each kind: the hits, and the two bodies after it.
 fn against_cubes(engine: Engine, before: Dynamic) -> [(Vec<CuboidHit>, Dynamic); 2] {
     [StaticKind::Platform, StaticKind::Wall].map(|kind| {
         let mut bodies = [before];
@@ -117,7 +115,6 @@ fn close(a: DVec3, b: DVec3) -> bool {
     (a - b).abs().max_element() < 1e-12
 }
 
-// The checks: whether an engine does what it should.
 
 fn gravity_comes_before_the_move(engine: Engine) -> bool {
     let mut bodies = [small(v(0.0, 0.0, 10.0), v(1.0, 2.0, 3.0))];

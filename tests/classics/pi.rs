@@ -48,8 +48,8 @@ fn the_largest_counts_are_the_digits() {
 /// crosses the ray at angle k·θ: both times and places follow.
 #[test]
 fn times_and_places_are_those_of_the_straight_line() {
-    /// What the rounding of all collisions may turn the line by. Near its end the line runs along the rays, and a turn moves a
-    /// crossing by a multiple of that.
+    /// Rounding of all collisions turns the line by no more than this. Near its end the line runs along the rays, and a turn moves a
+    /// crossing by a multiple of it.
     const TURN: f64 = 1e-13;
     for n in 0..=7 {
         let (root, theta) = (mass_ratio(n).sqrt(), angle(n));

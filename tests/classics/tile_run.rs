@@ -1,6 +1,6 @@
 //! The tile run: to the last bit, on any map.
 //!
-//! [`described`] is written a second time from the description, over text instead of a grid and with integers where the program has
+//! [`described`] is a second implementation of the description, over text instead of a grid and with integers where the program has
 //! `floor`, so that a slip in one of the two shows.
 
 use crate::support::program::{Ran, resultant};
@@ -185,7 +185,6 @@ proptest! {
     }
 }
 
-// The command line.
 
 #[test]
 fn the_projects_map_ends_where_it_should() {

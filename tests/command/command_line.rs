@@ -1,4 +1,4 @@
-//! What all subcommands share: help, version, the data folder, exit statuses.
+//! Common to all subcommands: help, version, the data folder, exit statuses.
 
 use crate::support::program::{Data, Ran, resultant};
 

@@ -8,7 +8,6 @@ use resultant::physics::{Aabb, BodyDef, BodyId, FluidDef, Material, StreamDef, S
 #[global_allocator]
 static ALLOCATOR: crate::support::memory::Counting = crate::support::memory::Counting;
 
-/// Whatever bounces.
 #[test]
 fn a_warm_step_allocates_nothing() {
     for restitution in [0.0, 0.8] {
@@ -34,7 +33,7 @@ fn rain(restitution: f64) {
     assert_eq!(allocations(), before);
 }
 
-/// The thread that plays must never wait for memory.
+/// The thread that plays must not wait for memory.
 #[cfg(feature = "window")]
 #[test]
 fn the_mixer_allocates_nothing() {

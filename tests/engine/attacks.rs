@@ -1,4 +1,4 @@
-//! Scenes in which the engine once failed, or in which engines fail: what passes through, what depends on the tick, what becomes infinite.
+//! Scenes in which this engine once failed, or in which engines fail: tunnelling, results that depend on the tick, infinities.
 
 use crate::support::{BODY, G, TICK, area, block, crate_at, floor, pool, run, world};
 use resultant::physics::{BodyDef, BodyId, DVec2, Guards, Material, StreamDef, SurfaceDef, WorldDef};
@@ -70,7 +70,7 @@ fn many_streams_within_a_tick_pass_on_what_they_should() {
     }
 }
 
-/// Where a ball is that was let fall from `height` and keeps the part `e` of its speed at each bounce.
+/// The height of a ball that falls from `height` and keeps the part `e` of its speed at each bounce, m.
 fn bouncing(height: f64, e: f64, time: f64) -> f64 {
     let fall = (2.0 * height / G).sqrt();
     if time < fall {
@@ -131,7 +131,6 @@ fn something_light_and_fast_on_something_heavy_in_thick_liquid_stays_finite() {
     }
 }
 
-/// At one tick a second and at a million: fall, slide and bounce end where they must.
 #[test]
 fn any_tick_rate_will_do() {
     for hz in [1.0, 7.0, 60.0, 1e3, 1e5, 1e6] {
@@ -151,7 +150,7 @@ fn any_tick_rate_will_do() {
     }
 }
 
-/// Nothing passes a wall of 5 cm, wherever it stands.
+/// Against a wall of 5 cm.
 #[test]
 fn nothing_tunnels_far_from_the_origin() {
     for distance in [0.0, 1e4, 1e5, 1e6, 1e7] {
@@ -167,7 +166,7 @@ fn nothing_tunnels_far_from_the_origin() {
     }
 }
 
-/// With e = 1 nothing is lost, neither speed nor time, however often it bounces within a tick: it is where its way says, folded at the walls.
+/// With e = 1 a body loses neither speed nor time, however many bounces fall into a tick: its path is a straight one, folded at the walls.
 #[test]
 fn what_goes_to_and_fro_between_walls_is_where_its_way_says_at_any_speed() {
     for (speed, gap) in [(30.0, 1.0), (3e3, 1.0), (1e4, 2.0)] {
@@ -190,8 +189,8 @@ fn what_goes_to_and_fro_between_walls_is_where_its_way_says_at_any_speed() {
     }
 }
 
-/// Drag presses what is light against something heavy that flies behind it, and with e = 1 it bounces there without end, thousands of times a
-/// tick. Drag c·v takes (2c/3a)·w² off the speed w of each bounce, which takes 2w/a: so w falls as e^(−c·t/3), in one tick or in a thousand.
+/// Drag presses the light body against the heavy one behind it, and with e = 1 it bounces there without end, thousands of times a tick.
+/// Drag c·v takes (2c/3a)·w² off the speed w of each bounce, which takes 2w/a: so w falls as e^(−c·t/3), in one tick or in a thousand.
 #[test]
 fn what_bounces_in_front_of_something_heavy_keeps_what_drag_leaves_it() {
     let (fast, bounce, time, half) = (10.0, 0.2, 1e-3, DVec2::splat(0.3));
@@ -215,7 +214,7 @@ fn what_bounces_in_front_of_something_heavy_keeps_what_drag_leaves_it() {
         }
         let [heavy, light] = [0, 1].map(|i| world.body(BodyId(i)));
         let (gap, speed) = (light.position.x - heavy.position.x - 0.6, light.velocity.x - heavy.velocity.x);
-        // What it has when it is back.
+        // The speed with which it is back.
         let left = (speed * speed + 2.0 * pull * gap).sqrt();
         assert!((left / expected - 1.0).abs() < 0.1, "{ticks} ticks: {left} m/s, not {expected} m/s");
         assert!(ticks > 2 || world.impulses().len() < 20, "{} impacts are listed", world.impulses().len());

@@ -42,7 +42,7 @@ fn falls_with_drag_are_right_to_a_micrometre_at_any_weight() {
     }
 }
 
-/// Over the apex of a throw and for feathers, too; `exact.rs` has the place where such a body ends.
+/// `exact.rs` holds the place where such a body ends.
 #[test]
 fn a_body_of_a_crowd_flies_as_it_does_alone() {
     for (mass, round) in [(10.0, false), (10.0, true), (0.01, false), (1e-7, false)] {

@@ -1,4 +1,4 @@
-//! Streams and liquids in crowds: what crosses their borders within a tick does so as it would alone.
+//! Streams and liquids in crowds: a body crosses their borders within a tick as it would alone.
 
 use crate::support::dense::{G, square, surface};
 use crate::support::{area, worst_overlap};
@@ -51,7 +51,7 @@ fn a_splash_and_what_floats_are_as_alone() {
     }
 }
 
-/// What touches is not sought on its very way, and a slide's end is not an event: millimetres, where sampling costs centimetres.
+/// A touching body's exact path is not sought, and the end of a slide is no event: the error is millimetres, where sampling costs centimetres.
 #[test]
 fn a_slide_through_a_stream_is_much_as_alone() {
     let floor = surface(-100.0, 0.0, 100.0, 1.0);
@@ -61,7 +61,7 @@ fn a_slide_through_a_stream_is_much_as_alone() {
     assert!(apart < 5e-3, "{apart} m");
 }
 
-/// A stream right below the floor is never reached by what the floor carries.
+/// A stream right below the floor never reaches the bodies on the floor.
 #[test]
 fn what_rests_crosses_nothing() {
     let floor = surface(-1000.0, 0.0, 1000.0, 1e-4);
@@ -84,7 +84,6 @@ fn full_pit(width: f64, level: f64, bodies: Vec<BodyDef>) -> World {
     World::new(WorldDef { gravity: G, air_density: 1.2, bodies, surfaces, fluids, ..WorldDef::default() }).unwrap()
 }
 
-/// Wood on water, three boxes deep: nothing overlaps, nothing gains speed, and the heap calms down.
 #[test]
 fn a_raft_calms_down() {
     let bodies: Vec<BodyDef> = (0..90)
@@ -101,11 +100,10 @@ fn a_raft_calms_down() {
         assert!(worst_overlap(&world) <= 1e-6, "tick {tick}: {} m", worst_overlap(&world));
     }
     let fastest = world.bodies().iter().map(|body| body.velocity.length()).fold(0.0, f64::max);
-    // What bobs under quadratic drag slows down as 1/t.
+    // Bobbing under quadratic drag slows down as 1/t.
     assert!(fastest < 0.2, "{fastest} m/s");
 }
 
-/// Boxes heavier than water sink, pile up on the bottom and come to rest exactly.
 #[test]
 fn a_heap_under_water_comes_to_rest() {
     let bodies: Vec<BodyDef> = (0..100)

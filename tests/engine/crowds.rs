@@ -17,14 +17,14 @@ fn bystander(i: usize) -> BodyDef {
     square(20.5 + (i % 20) as f64, -0.5 - (i / 20) as f64)
 }
 
-/// The Reaction of what carries a body, N: what it carries itself presses on it by the same name.
+/// The Reactions on a body from below, N; the Reactions of bodies that it carries point downwards.
 fn from_below(world: &World, id: BodyId) -> f64 {
     let forces = world.forces(id);
     let up = forces.forces().iter().filter(|force| force.kind == ForceKind::Reaction && force.vector.y < 0.0);
     up.map(|force| force.vector.y).sum()
 }
 
-/// A crowd in which nobody is near anybody has no contacts to list: once a panic in the first tick.
+/// A crowd in which no body is near another has no contacts to list: once a panic in the first tick.
 #[test]
 fn a_crowd_with_wide_gaps_flies_and_feels_nothing_but_weight() {
     let mut world = world((0..100).map(|i| square(30.0 * f64::from(i), -1000.0)).collect(), Vec::new());
@@ -51,7 +51,7 @@ fn a_body_of_a_crowd_that_is_driven_against_a_ceiling_is_held_there() {
     assert!((forces.total(ForceKind::Reaction).y - (25.0 - G)).abs() < 1e-9, "{forces:?}");
 }
 
-/// Rebounds in the air were once listed as more than what had acted.
+/// The list of forces once had more in it than had acted on bodies that rebound in the air.
 #[test]
 fn the_resultant_is_the_sum_of_what_is_listed_also_where_many_rebound_at_once() {
     let restitution = [0.0, 0.2, 0.5, 0.8, 0.9];
@@ -95,7 +95,7 @@ fn a_fast_body_of_a_crowd_is_reported_when_it_hits() {
     assert_eq!(normal, DVec2::new(0.0, -1.0));
 }
 
-/// What is held meets no drag: in air too every reaction is the weight above it.
+/// A held body meets no drag: in air, too, every reaction is the weight above it.
 #[test]
 fn a_column_of_a_crowd_in_air_shows_resultants_of_zero() {
     let column = (0..100).map(|i| square(5.0, -0.5 - f64::from(i))).collect();

@@ -1,4 +1,4 @@
-//! Islands: what happens in one changes no bit of another, and each sleeps for itself.
+//! Islands: events in one change no bit of another, and each sleeps for itself.
 
 use crate::support::Random;
 use crate::support::dense::{dense, empty, surface};
@@ -64,7 +64,6 @@ fn what_is_added_far_away_changes_no_bit() {
     }
 }
 
-/// The numbers of the others may come first as well.
 #[test]
 fn what_is_added_before_changes_no_bit() {
     let mut alone = empty();
@@ -96,7 +95,7 @@ fn a_settled_pile_sleeps_beside_one_that_does_not() {
     let mut pile = dense(def);
     (0..600).for_each(|_| pile.step(DT));
     assert_eq!(pile.methods().asleep, 60);
-    // What falls asleep wakes when something comes to touch it.
+    // A sleeping body wakes when something comes to touch it.
     pile.set_drive(BodyId(10), DVec2::new(0.0, -500.0));
     pile.step(DT);
     assert!(pile.methods().asleep < 60);

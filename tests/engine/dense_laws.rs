@@ -32,7 +32,7 @@ fn a_wall_holds_what_is_stacked_on_what_it_holds() {
     }
 }
 
-/// One that slides down a wall is stopped by friction where v² = 2·(μ_k·N/m − g)·d.
+/// v² = 2·(μ_k·N/m − g)·d.
 #[test]
 fn a_wall_stops_what_slides() {
     let mut one =
@@ -49,7 +49,6 @@ fn a_wall_stops_what_slides() {
     );
 }
 
-/// A ceiling rubs too.
 #[test]
 fn a_ceiling_holds_by_friction() {
     let mut one = pile(vec![square(0.0, 0.5)], vec![surface(-50.0, -1.0, 50.0, 0.0)], G);
@@ -61,7 +60,7 @@ fn a_ceiling_holds_by_friction() {
     assert!((one.bodies()[0].velocity.x - 3.5).abs() < 1e-9, "{}", one.bodies()[0].velocity);
 }
 
-/// A body between two that press drops with a = g − 2·μ_k·N/m.
+/// The middle one drops with a = g − 2·μ_k·N/m.
 #[test]
 fn bodies_side_by_side_rub() {
     let bodies = vec![square(-1.0, -0.5), BodyDef { half: DVec2::new(0.5, 0.2), ..square(0.0, -0.7) }, square(1.0, -0.5)];
@@ -72,7 +71,7 @@ fn bodies_side_by_side_rub() {
     assert!(three.bodies()[1].velocity.y.abs() < 1e-9, "{} {}", three.bodies()[1].position, three.bodies()[1].velocity);
 }
 
-/// What is pressed against a body that stands hangs there, or slides with a = g − μ_k·N/m, as on a wall; whatever the two weigh.
+/// A body pressed against a standing one hangs there, or slides with a = g − μ_k·N/m, as on a wall; whatever the two weigh.
 #[test]
 fn a_standing_body_holds_by_friction() {
     for (mass, press, holds) in [(1.0, 30.0, true), (0.1, 30.0, true), (8.0, 120.0, true), (1.0, 8.0, false), (5.0, 8.0, false)] {
@@ -92,7 +91,6 @@ fn a_standing_body_holds_by_friction() {
     }
 }
 
-/// A row that is pressed against a wall hangs there, each on the next.
 #[test]
 fn a_row_hangs_on_a_wall() {
     for count in [2_u32, 3, 6] {
@@ -215,7 +213,7 @@ fn an_elastic_bounce_never_ends() {
     }
 }
 
-/// What is level with a top that it is not over, and beside a wall that it is not beside, is held by neither.
+/// A corner holds no body that is level with its top but not over it, nor one beside its wall's line but not beside the wall.
 #[test]
 fn two_corners_hold_nothing_in_the_air() {
     for turned in [1.0, -1.0] {
@@ -301,7 +299,6 @@ fn nothing_tunnels_at_any_speed() {
     }
 }
 
-/// Law 6: the mirrored world.
 #[test]
 fn a_mirror_changes_nothing_but_rounding() {
     let mut all = Vec::new();

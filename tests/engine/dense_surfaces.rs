@@ -16,7 +16,6 @@ fn led(surface: SurfaceDef, legs: &[(f64, DVec2, DVec2)]) -> SurfaceDef {
     SurfaceDef { path: Path { legs: legs.iter().map(leg).collect(), repeats: false }, ..surface }
 }
 
-/// A lift carries a stack up and down, at any speed, to the bit of where it is.
 #[test]
 fn a_lift_carries_what_stands_on_it() {
     for gravity in [G, -G] {
@@ -46,7 +45,6 @@ fn a_lift_carries_what_stands_on_it() {
     }
 }
 
-/// A platform that moves sideways takes along what stands on it, and what stands on that.
 #[test]
 fn a_platform_takes_its_riders_along() {
     let legs = [(1.0, DVec2::ZERO, DVec2::new(3.0, 0.0)), (1.0, DVec2::new(3.0, 0.0), DVec2::ZERO)];
@@ -67,7 +65,7 @@ fn a_platform_takes_its_riders_along() {
     }
 }
 
-/// A belt whose right side runs down and whose left side runs up carries what is pressed against it. [`Lane::Belt`] looks at its top.
+/// The right side runs down and the left side up. [`Lane::Belt`] looks at the top.
 ///
 /// [`Lane::Belt`]: crate::support::lanes::Lane::Belt
 #[test]
@@ -81,7 +79,7 @@ fn the_sides_of_a_belt_carry() {
     }
 }
 
-/// A wall that comes along pushes and throws as a wall does; it passes nothing at any speed.
+/// At any speed it passes nothing.
 #[test]
 fn a_moving_wall_pushes_and_passes_nothing() {
     for speed in [1.0, 30.0, 300.0, 5000.0] {
@@ -109,7 +107,6 @@ fn a_moving_wall_pushes_and_passes_nothing() {
     }
 }
 
-/// A one-way platform lets pass what comes from below, and catches it when it falls.
 #[test]
 fn a_one_way_platform() {
     let ball = BodyDef { velocity: DVec2::new(0.0, -12.0), ..square(0.0, -0.5) };
@@ -128,7 +125,6 @@ fn a_one_way_platform() {
     assert_eq!(scene.bodies()[0].position.y, -0.5);
 }
 
-/// Between a press and the ground: reported, and the press stopped, without overlap.
 #[test]
 fn what_is_squeezed_stops_the_press() {
     for stack in [1, 3] {
@@ -185,7 +181,7 @@ fn a_lift_under_the_open_sky_squeezes_nobody() {
     }
 }
 
-/// For every body m·Δv is what outer forces and contacts gave, to 1e-9; in rain, heaps and closed rows; nearly always where much bounces.
+/// For every body m·Δv is the impulse of outer forces and contacts, to 1e-9; in rain, heaps and closed rows; nearly always where much bounces.
 #[test]
 fn what_contacts_gave_adds_up() {
     for (seed, restitution, walls) in [(1, 0.0, true), (2, 0.7, true), (3, 0.3, false), (4, 1.0, true)] {
@@ -243,7 +239,7 @@ fn what_contacts_gave_adds_up() {
             worst.1,
             scene.guards()
         );
-        // What the last stage of a step stops on its way, because it would have overlapped, loses a speed that no contact lists.
+        // The last stage of a step stops bodies that would overlap: no contact lists the speed that they lose.
         // Elastic heaps differ from seed to seed: 0 to 17 of 32000 in twenty of them.
         assert!(bad <= if restitution == 1.0 { 20 } else { 4 }, "seed {seed}: {bad} off, worst {worst:?}");
     }

@@ -1,7 +1,7 @@
 //! The two methods against each other: each scene once event by event and once with every island in one dense step a tick.
 //!
-//! What they may differ by is that the dense method gives what falls within a tick its order but not its time: friction acts from the tick's
-//! beginning on where something lands in it, and an edge carries to its end. The bounds below are what that comes to.
+//! The dense method gives the events of a tick their order but not their times: friction of a landing acts from the tick's beginning on,
+//! and an edge carries to the tick's end. The bounds below follow from that.
 
 use crate::support::lanes::Lane;
 use crate::support::scenes::{Scene, exact_scenes};
@@ -19,18 +19,17 @@ fn twins(scene: &Scene) -> [World; 2] {
     })
 }
 
-/// By how much the methods differ in a scene.
 #[derive(Clone, Debug, Default)]
 struct Difference {
     /// The most in any tick, m.
     place: f64,
     /// In the end, m/s.
     speed: f64,
-    /// In how many ticks a force was another one: contact forces of a kind on a body, by more than a billionth of all that act on it.
+    /// Ticks in which contact forces of a kind on a body differ by more than a billionth of all forces on it.
     forces: u32,
-    /// How many ticks of bodies the dense method took.
+    /// Ticks of bodies that the dense method took.
     dense: u32,
-    /// Of the velocities of the centre of mass, the most until the tick of the first impact, m/s.
+    /// Difference of the velocities of the centre of mass, the most until the tick of the first impact, m/s.
     centre: f64,
 }
 
@@ -65,7 +64,7 @@ fn compare(scene: &Scene) -> Difference {
     found
 }
 
-/// m and m/s. What nothing but rounding makes.
+/// m and m/s. Rounding alone.
 const ROUNDING: f64 = 1e-9;
 
 #[test]
@@ -85,8 +84,8 @@ fn scenes_with_exact_answers_have_them_by_either_method() {
         } else {
             (ROUNDING, 2)
         };
-        // Bounces without end are soon out of step, and the order of impacts decides which block of a cradle leaves, which a crowd step does not
-        // follow: `dense_laws` holds apexes, momentum and energy of these.
+        // Bounces without end are soon out of step, and a crowd step does not follow the order of impacts, which decides which block of a cradle
+        // leaves: `dense_laws` holds apexes, momentum and energy of these.
         if scene.name == "bounces without end" || scene.name.starts_with("cradle") {
             continue;
         }
@@ -94,24 +93,23 @@ fn scenes_with_exact_answers_have_them_by_either_method() {
     }
 }
 
-/// Scenes of each kind.
 const SEEDS: u64 = 40;
 
-/// What a kind of scene may differ by: m in any tick, m/s in the end.
+/// The most by which a kind of scene may differ: m in any tick, m/s in the end.
 fn bounds(lane: Lane) -> (f64, f64) {
     match lane {
         Lane::Slide | Lane::Lift | Lane::Belt | Lane::Afloat | Lane::PressedToAWall => (ROUNDING, ROUNDING),
-        // Friction of the tick in which something lands or hits, and of what it slides on until then.
+        // Friction of the tick in which a body lands or hits, and of its slide until then.
         Lane::Landing => (0.05, ROUNDING),
         // A bounce takes the rest of its tick, and goes on late.
         Lane::Bounces => (0.1, 1.0),
-        // The order of impacts decides which body of a row leaves, and how fast: `CENTRE` bounds what all of them have.
+        // The order of impacts decides which body of a row leaves, and how fast: `CENTRE` bounds the centre of mass.
         Lane::Row => (f64::INFINITY, f64::INFINITY),
-        // Edges carry to the end of a tick, and borders of streams begin there for what slides.
+        // Edges carry to the end of a tick, and for sliding bodies the borders of streams begin there.
         Lane::SlideThroughStreams => (5e-3, 1e-3),
         Lane::FlightThroughStreams | Lane::SlideUnderWater => (0.06, 0.1),
         Lane::Table => (0.2, 0.1),
-        // What is drawn from under others; what a wall, or the beginning of a path, comes upon within a tick.
+        // A body drawn from under others; a wall, or the beginning of a path, that comes upon a body within a tick.
         Lane::Stack => (0.8, 0.6),
         Lane::Platform => (0.15, 1.5),
         Lane::PushingWall => (0.2, 3.0),
@@ -119,7 +117,7 @@ fn bounds(lane: Lane) -> (f64, f64) {
     }
 }
 
-/// m/s. An impact passes momentum on and makes none: what differs is friction within its tick, to either side, on rubber at most.
+/// m/s. An impact passes momentum on and makes none: the difference is friction within its tick, to either side, on rubber at most.
 const CENTRE: f64 = 2.0 * 1.15 * G * TICK;
 
 #[test]
@@ -141,7 +139,6 @@ fn random_scenes_of_one_law_each_agree() {
     }
 }
 
-/// Bodies of all kinds in a room.
 fn room(seed: u64, count: usize, lively: bool) -> WorldDef {
     let mut bodies = crowd(&mut Random(seed), count, 6);
     for body in &mut bodies {
@@ -156,7 +153,6 @@ fn room(seed: u64, count: usize, lively: bool) -> WorldDef {
     WorldDef { air_density: 0.0, rest_speed: 0.0, bodies, surfaces, ..WorldDef::default() }
 }
 
-/// What a body touches.
 fn touches(world: &World) -> Vec<(usize, ForceKind, String)> {
     let of = |i: usize| {
         let forces = world.forces(BodyId(i as u32));
@@ -175,7 +171,6 @@ fn tick(def: &WorldDef, dense: bool) -> World {
     world
 }
 
-/// The largest difference of velocities, m/s.
 fn difference(a: &[DVec2], b: &[DVec2]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max)
 }
@@ -184,11 +179,11 @@ fn velocities(world: &World) -> Vec<DVec2> {
     world.bodies().iter().map(|body| body.velocity).collect()
 }
 
-/// From the state that the events have led to, one tick by either: where nothing begins or ends in it, they agree.
+/// From the state that the events lead to, one tick by either method: where nothing begins or ends in it, they agree.
 #[test]
 fn a_tick_in_which_nothing_happens_is_the_same_tick() {
-    // Bodies, whether they bounce, which part of the ticks may differ by more than rounding, and by how much, m/s: what keeps three bodies
-    // or more from sliding off each other is found in turns.
+    // Bodies, whether they bounce, which part of the ticks may differ by more than rounding, and by how much, m/s: the solver finds in turns
+    // the forces that keep three bodies or more from sliding off each other.
     let rooms = [
         (1, false, 0.0, ROUNDING),
         (1, true, 0.0, ROUNDING),
@@ -221,10 +216,9 @@ fn a_tick_in_which_nothing_happens_is_the_same_tick() {
     }
 }
 
-/// A scene seen otherwise, and how what is found there is seen from here.
+/// A view of a scene, and how velocities found there look from here.
 type View = (&'static str, fn(&WorldDef) -> WorldDef, fn(Vec<DVec2>) -> Vec<DVec2>);
 
-/// The dense method knows no left, no place and no order of rows: from the same state a tick is the same but for rounding.
 #[test]
 fn a_dense_tick_is_the_same_mirrored_shifted_and_in_another_order() {
     let views: [View; 3] = [
@@ -251,7 +245,7 @@ fn a_dense_tick_is_the_same_mirrored_shifted_and_in_another_order() {
             }
         }
         println!("{name}: {off} of {ticks} ticks differ by more than rounding, the worst by {worst:.1e} m/s");
-        // Where something is at the very edge of a law, rounding decides.
+        // Where a body is at the very edge of a law, rounding decides.
         assert!(off * 400 <= ticks, "{name}");
     }
 }

@@ -25,7 +25,7 @@ fn parabolas_are_exact_at_any_tick() {
     }
 }
 
-/// Two dimensions, gravity, boxes that are not square and round things, against RK4 at 1e-5 s: at the game's tick, and at coarse ones.
+/// Against RK4 at 1e-5 s.
 #[test]
 fn a_projectile_with_drag_agrees_with_a_fine_integration() {
     let (mass, drag, seconds) = (2.0, 1.1, 3.0);
@@ -97,7 +97,6 @@ fn static_friction_holds_below_its_limit_and_gives_way_above() {
     }
 }
 
-/// A wall carries friction as a floor does: what is pressed against it slides down only if μ_s times the press is too little.
 #[test]
 fn what_is_pressed_against_a_wall_is_held_by_friction() {
     for (part, moves) in [(0.99, false), (1.02, true)] {
@@ -253,7 +252,7 @@ fn a_pushed_row_moves_as_one() {
                     assert!(gap.abs() < 1e-9);
                 }
             }
-            // What each block exerts on the next one: F·(Σ of the masses behind it)/Σm.
+            // Each block exerts F·(Σ of the masses behind it)/Σm on the next one.
             for i in 0..n {
                 let pushed = force * masses[i + 1..].iter().sum::<f64>() / total;
                 let back = Source::Body(BodyId(i as u32 + 1));

@@ -1,4 +1,4 @@
-//! The force manager: by itself, and as that which moves a body.
+//! The force manager: by itself, and as the part that moves a body.
 
 use crate::support::{BODY, TICK as DT, area, block, crate_at};
 use resultant::physics::{BodyDef, BodyId, DVec2, FluidDef, ForceKind, ForceManager, Source, StreamDef, World, WorldDef};
@@ -45,7 +45,7 @@ fn kinds_are_summed_apart_and_resistances_left_out() {
     assert_eq!(forces.resultant_without_resistance(), DVec2::new(400.0, 0.0));
 }
 
-/// What a world lists has an order of its own: the sorted search of `add` did not find the drag in it, and listed a second one.
+/// A world's list has an order of its own: the sorted search of `add` did not find the drag in it, and listed a second one.
 #[test]
 fn a_listed_force_is_replaced_as_well() {
     let pool = FluidDef { zone: area(-9.0, 0.0, 9.0, 9.0), density: 800.0, viscosity: 1.0 };
@@ -72,7 +72,6 @@ fn balanced_forces_have_no_resultant() {
     assert_eq!(forces.resultant(), DVec2::ZERO);
 }
 
-/// The sum does not depend on when each of its forces began.
 #[test]
 fn the_order_of_adding_changes_no_bit() {
     let pushes = [(0, 0.1), (1, 1e8), (2, -0.7), (3, 1e-9)];
@@ -87,7 +86,7 @@ fn the_order_of_adding_changes_no_bit() {
     assert_eq!(sum([0, 1, 2, 3]), sum([2, 3, 1, 0]));
 }
 
-/// A push that is added moves the body, is listed, and wakes it; without it the body rests again.
+/// It also wakes a resting body.
 #[test]
 fn an_added_push_moves_the_body() {
     let (bodies, surfaces) = (vec![crate_at(0.0, -0.5, 10.0)], vec![block(-50.0, 0.0, 50.0, 1.0)]);
@@ -108,7 +107,6 @@ fn an_added_push_moves_the_body() {
     assert_eq!((world.body(BODY).velocity, world.forces(BODY).resultant()), (DVec2::ZERO, DVec2::ZERO));
 }
 
-/// Wind is in the list from the tick in which the body enters the stream to that in which it leaves it.
 #[test]
 fn streams_enter_and_leave_the_manager() {
     let body = BodyDef { velocity: DVec2::new(10.0, 0.0), ..BodyDef::default() };

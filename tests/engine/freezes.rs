@@ -1,4 +1,4 @@
-//! Time goes on, whatever happens in a tick: scenes in which the world once stood still for good, for seconds, or let something through.
+//! Time goes on, whatever happens in a tick: scenes in which the world once stood still for good or for seconds, or let a body through.
 
 use crate::support::{BODY, Random, TICK, area, block, crate_at, crowd, floor, run, world};
 use resultant::physics::{BodyDef, BodyId, DVec2, Material, StreamDef, WorldDef};
@@ -6,7 +6,7 @@ use resultant::physics::{BodyDef, BodyId, DVec2, Material, StreamDef, WorldDef};
 /// Events of a tick for each body: a tick that froze followed millions.
 const EVENTS_OF_A_BODY: u64 = 1056;
 
-/// The edge of a stream 1e-14 s away once took all that a tick may cost, and time stood still: every tick leads on by what the
+/// The edge of a stream 1e-14 s away once took the whole budget of a tick, and time stood still: every tick must lead on as far as the
 /// velocities at its ends say.
 #[test]
 fn time_advances_beside_a_fan() {

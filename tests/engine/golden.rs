@@ -68,7 +68,6 @@ fn all_masses_fall_alike() {
     }
 }
 
-/// The original's proof, with every force at once.
 #[test]
 fn the_original_proof_comes_out() {
     // An exposed height of 1.1163 m at 1 m depth.
@@ -92,7 +91,7 @@ fn the_original_proof_comes_out() {
     assert!((world.body(BODY).acceleration.x - 9.22).abs() < 0.005);
 }
 
-/// The area that a box really shows: along an axis the textbook's, and nothing jumps between; round things by their diameter.
+/// Along an axis it is the textbook's, nothing jumps between; round bodies show their diameter.
 #[test]
 fn air_resistance_is_that_of_the_area_shown() {
     let listed = |half: DVec2, velocity: DVec2, round: bool| {

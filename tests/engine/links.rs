@@ -1,4 +1,4 @@
-//! Links: forces between two bodies, or a body and a place, against what is known of springs.
+//! Links: forces between two bodies, or a body and a place, against the formulas of springs.
 
 use crate::support::block;
 use resultant::physics::{
@@ -57,7 +57,6 @@ fn two_bodies_on_a_spring_swing_as_the_formula_says() {
     }
 }
 
-/// In two dimensions: neither energy nor angular momentum changes.
 #[test]
 fn a_turning_pair_keeps_energy_and_angular_momentum() {
     let moving = BodyDef { velocity: DVec2::new(0.0, 2.0), ..body(0.0, 0.0, 1.5) };
@@ -73,7 +72,7 @@ fn a_turning_pair_keeps_energy_and_angular_momentum() {
     }
 }
 
-/// From a place: x = g/ω²·(1 − cos ωt), and half of it heavier for no other rate.
+/// x = g/ω²·(1 − cos ωt).
 #[test]
 fn a_body_hangs_on_a_place() {
     let (mass, k, g) = (2.0, 50.0, 10.0);
@@ -89,7 +88,6 @@ fn a_body_hangs_on_a_place() {
     }
 }
 
-/// The tick rate changes nothing but rounding.
 #[test]
 fn any_tick_leads_to_the_same_place() {
     let end = |hz: f64| {
@@ -105,7 +103,7 @@ fn any_tick_leads_to_the_same_place() {
     }
 }
 
-/// A crate on the floor, and one that bobs on a spring above it: the floor bears both, and the listed forces are those of the law.
+/// The floor bears both, and the listed forces follow the law.
 #[test]
 fn one_end_may_rest_on_the_floor() {
     let (k, length, g) = (200.0, 1.0, 10.0);
@@ -136,7 +134,7 @@ fn one_end_may_rest_on_the_floor() {
     }
 }
 
-/// A spring that pulls more than friction holds moves its crate; both meet, and nothing overlaps or turns into nonsense.
+/// The spring pulls more than friction holds.
 #[test]
 fn a_spring_pulls_two_crates_together() {
     let mut world = world(10.0, vec![body(0.0, -0.1, 2.0), body(3.0, -0.1, 5.0)], vec![floor()]);
@@ -150,7 +148,6 @@ fn a_spring_pulls_two_crates_together() {
     assert_eq!((world.forces(A).resultant(), world.forces(B).resultant()), (DVec2::ZERO, DVec2::ZERO));
 }
 
-/// Far from each other they still share what happens; what is not linked keeps every bit.
 #[test]
 fn ends_far_apart_pull_and_others_do_not_notice() {
     let bodies =
@@ -170,7 +167,6 @@ fn ends_far_apart_pull_and_others_do_not_notice() {
     assert_eq!(linked.forces(A).total(ForceKind::Spring), DVec2::ZERO);
 }
 
-/// Links are a part of the state.
 #[test]
 fn links_are_hashed() {
     let hash = |law: Option<LinkLaw>| {

@@ -1,10 +1,10 @@
-//! Liquids: what floats, sinks, bobs and splashes, against fine integrations by hand and against formulas, at any tick.
+//! Liquids: bodies that float, sink, bob and splash, against fine integrations by hand and against formulas, at any tick.
 
 use crate::support::{BODY, G, area, block, crate_at, named_forces};
 use resultant::physics::{BodyDef, DVec2, FluidDef, ForceKind, Plan, World, WorldDef};
 
 const AIR: f64 = 1.2041;
-/// Damping ratio of what floats at its waterline, per unit of C_d.
+/// Damping ratio of a body that floats at its waterline, per unit of C_d.
 const WAVES: f64 = 0.15;
 
 /// A liquid whose surface is at y = 0.
@@ -21,7 +21,7 @@ fn run(mut world: World, seconds: f64, hz: f64) -> World {
     world
 }
 
-/// The force on a box in the pool, N, written a second time.
+/// The force on a box in the pool, N, by a second implementation.
 fn force(body: &BodyDef, pool: &FluidDef, y: f64, v: DVec2) -> DVec2 {
     let (w, h) = (2.0 * body.half.x, 2.0 * body.half.y);
     let (top, bottom) = (y - body.half.y, y + body.half.y);
@@ -122,7 +122,6 @@ fn what_floats_comes_to_rest_at_its_waterline_and_then_rests_exactly() {
     }
 }
 
-/// Where a bobbing has been foreseen for some ticks, a drive changes that in the tick in which it sets in.
 #[test]
 fn what_bobs_feels_its_drive_at_once_at_any_tick() {
     let end = |hz: f64| {
@@ -143,7 +142,6 @@ fn what_bobs_feels_its_drive_at_once_at_any_tick() {
     }
 }
 
-/// A copy in the midst of what is foreseen; and the acceleration is always that of the forces listed.
 #[test]
 fn a_copy_of_what_bobs_goes_on_like_it() {
     let body = BodyDef { position: DVec2::new(0.0, -0.5), velocity: DVec2::new(0.2, 0.0), mass: 300.0, ..BodyDef::default() };
@@ -208,7 +206,6 @@ fn grains_in_treacle_move_alike_at_any_tick() {
     }
 }
 
-/// A pool of a centimetre is met, however fast.
 #[test]
 fn a_thin_pool_slows_what_flies_through_it() {
     for speed in [30.0, 300.0, 3000.0] {
@@ -223,8 +220,8 @@ fn a_thin_pool_slows_what_flies_through_it() {
     }
 }
 
-/// What a thick liquid stops within a millisecond bounces for no longer, whatever its restitution: dense steps know its terminal velocity
-/// alone, with which it would bounce for ever.
+/// A liquid that stops a body within a millisecond ends its bounces as soon, whatever its restitution: dense steps know its terminal
+/// velocity alone, with which it would bounce for ever.
 #[test]
 fn what_a_thick_liquid_presses_on_comes_to_rest_in_dense_steps() {
     let ceiling = block(-5.0, -1.0, 5.0, 0.0);
@@ -242,7 +239,7 @@ fn what_a_thick_liquid_presses_on_comes_to_rest_in_dense_steps() {
     }
 }
 
-/// The waves of what floats at its waterline: 2·ζ·C_d·√(K·m)·v.
+/// The waves of a body that floats at its waterline: 2·ζ·C_d·√(K·m)·v.
 #[test]
 fn what_is_listed_is_the_formula() {
     let (mass, v) = (300.0, DVec2::new(0.0, 0.5));

@@ -1,4 +1,4 @@
-//! Media within one tick: what broke where impacts, slides and surfaces of liquids meet drag.
+//! Media within one tick: regressions where impacts, slides and surfaces of liquids meet drag.
 
 use crate::support::{Random, area, crate_at, floor, named_forces, pool, worst_overlap};
 use resultant::physics::{BodyDef, BodyId, DVec2, Material, StreamDef, World, WorldDef};
@@ -40,7 +40,7 @@ fn speeds_that_differ_by_a_rounding_do_not_slide() {
     }
 }
 
-/// Where a body ends that comes from above the water.
+/// The end of a body that comes from above the water, m.
 fn after_a_second_in_a_pool(hz: u32, half: DVec2, velocity: DVec2, mass: f64) -> DVec2 {
     let body = BodyDef { velocity, half, drag: 0.5, ..crate_at(0.0, -1.25, mass) };
     let mut world = World::new(WorldDef { fluids: vec![pool(800.0, 5.0)], bodies: vec![body], ..WorldDef::default() }).unwrap();
@@ -59,8 +59,8 @@ fn a_splash_is_the_same_at_any_tick() {
     }
 }
 
-/// Regression: a plank that flew far and met the water within one tick was integrated across its surface in one step, and thrown off by
-/// kilometres. Liquids now act on what they touch only, and meeting the surface is an event.
+/// A plank that flew far and met the water within one tick was integrated across its surface in one step, and thrown off by kilometres.
+/// Liquids now act on touching bodies only, and meeting the surface is an event.
 #[test]
 fn a_fast_plank_is_not_thrown_off_the_water() {
     let end = |hz, half: DVec2, v| after_a_second_in_a_pool(hz, half, v, 0.2 * 800.0 * 4.0 * half.x * half.y);
@@ -74,8 +74,7 @@ fn a_fast_plank_is_not_thrown_off_the_water() {
     }
 }
 
-/// Regression: the steps for stiff motion pumped energy into whatever is far lighter than the liquid that it swims on. A crate of a gram
-/// bobbed on water for ever.
+/// The steps for stiff motion pumped energy into bodies far lighter than the liquid: a crate of a gram bobbed on water for ever.
 #[test]
 fn what_is_far_lighter_than_its_liquid_comes_to_rest_at_its_waterline() {
     for (mass, hz) in [(1e-3, 30.0), (1e-3, 120.0), (1e-3, 240.0), (1e-2, 60.0)] {
@@ -90,8 +89,8 @@ fn what_is_far_lighter_than_its_liquid_comes_to_rest_at_its_waterline() {
     }
 }
 
-/// Regression: a column of light and heavy things falling in air sank 1 cm into itself, because no cubic followed the light ones and their
-/// impact was overlooked until the interval's end. Such an interval is now cut.
+/// A column of light and heavy bodies falling in air sank 1 cm into itself: no cubic followed the light ones, and their impact was
+/// overlooked until the interval's end. Such an interval is now cut.
 #[test]
 fn light_and_heavy_things_that_fall_in_air_together_do_not_sink_into_each_other() {
     for seed in 0..4 {

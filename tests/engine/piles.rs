@@ -108,7 +108,6 @@ fn a_large_pile_of_mixed_restitutions_comes_to_rest() {
     settles(def, most);
 }
 
-/// Friction stops a heap as soon as its layers lie on each other, however many there are: nothing creeps on inside.
 #[test]
 fn a_large_heap_does_not_creep() {
     for seed in [7, 8] {
@@ -130,7 +129,7 @@ fn rain_of_mixed_masses_and_restitutions_comes_to_rest_in_pits_of_any_shape() {
     }
 }
 
-/// What falls on a resting heap leaves it with its own part of the closing speed, as from the ground.
+/// A body that falls on a resting heap leaves it with its own part of the closing speed, as from the ground.
 #[test]
 fn a_ball_bounces_on_a_resting_heap() {
     let mut def = rain(60, (1.0, 5.0), 0.0);
@@ -198,7 +197,6 @@ fn static_friction_holds_a_row_below_its_limit_to_the_bit() {
     (0..5).for_each(|i| assert!((pile.bodies()[i].velocity.x / DT - a).abs() < 1e-6 * a, "{}", pile.bodies()[i].velocity.x / DT));
 }
 
-/// What lies on a dragged box comes along, by friction alone, and none is created or lost.
 #[test]
 fn a_tower_is_dragged_along() {
     let def = floor((0..10).map(|i| square(0.0, -0.5 - f64::from(i), 1.0)).collect());
@@ -232,7 +230,6 @@ fn momentum_stays_where_nothing_is_fixed() {
     }
 }
 
-/// Gravity upwards is gravity downwards, mirrored, to the bit.
 #[test]
 fn gravity_may_point_up() {
     let run = |sign: f64| {
@@ -252,7 +249,6 @@ fn gravity_may_point_up() {
     assert_eq!(run(1.0), run(-1.0));
 }
 
-/// A ship that pushes into a walled-in pile from any side neither overlaps nor blows up.
 #[test]
 fn a_drive_pushes_into_the_pile_from_any_side() {
     for direction in [DVec2::X, -DVec2::X, DVec2::Y, -DVec2::Y] {

@@ -16,7 +16,7 @@ fn tile(left: f64, right: f64, material: Material) -> SurfaceDef {
     SurfaceDef::fixed(area(left, 0.0, right, 1.0), material)
 }
 
-/// 1 m × 1 m, on what is at y = 0.
+/// 1 m × 1 m, on a surface at y = 0.
 fn crate_at(x: f64, speed: f64) -> BodyDef {
     BodyDef { position: v(x, -0.5), velocity: v(speed, 0.0), mass: 20.0, ..BodyDef::default() }
 }
@@ -29,7 +29,7 @@ fn scene(surfaces: Vec<SurfaceDef>, bodies: Vec<BodyDef>) -> WorldDef {
     WorldDef { gravity: G, air_density: 0.0, surfaces, bodies, ..WorldDef::default() }
 }
 
-/// What slides on to something else, or is slid under: a name, a definition, and the drive of its first body.
+/// Bodies that slide on to another surface, or are slid under: a name, a definition, and the drive of the first body.
 fn scenes() -> Vec<(&'static str, WorldDef, DVec2)> {
     let (asphalt, ice, wood) = (Material::ASPHALT, Material::ICE, Material::WOOD);
     let belt = |speed: f64| SurfaceDef { belt: speed, ..tile(0.0, 30.0, asphalt) };
@@ -85,7 +85,7 @@ fn assert_alike(name: &str, a: &World, b: &World) {
     }
 }
 
-/// A world that takes up places and velocities half-way goes on as the one that has come there by itself.
+/// A world that takes up places and velocities half-way goes on as the one that got there by itself.
 #[test]
 fn history_decides_nothing() {
     for (name, def, drive) in scenes() {
@@ -132,7 +132,6 @@ fn neither_the_order_of_rows_nor_the_side_decides_anything() {
     }
 }
 
-/// Each thing that a crate stands on bears as much as any other, from the instant on at which it faces it.
 #[test]
 fn what_a_crate_stands_on_shares_its_load_at_once() {
     let surfaces = vec![tile(-9.0, 0.0, Material::ASPHALT), tile(0.0, 0.25, Material::ICE), tile(0.25, 9.0, Material::WOOD)];
@@ -181,8 +180,8 @@ fn friction_changes_where_the_seam_is() {
     }
 }
 
-/// A ship a little heavier than the balls of a cradle goes on behind them with what is left: that gives nothing up, and is as near to the
-/// answer of equal masses as the masses are.
+/// A ship a little heavier than the balls of a cradle follows them with the rest of its speed: nothing is given up, and the answer is as near
+/// to that of equal masses as the masses are.
 #[test]
 fn a_cradle_struck_by_almost_its_own_mass_answers_almost_alike() {
     let end = |mass: f64| {

@@ -25,7 +25,7 @@ fn orders(count: usize) -> Vec<Vec<usize>> {
     orders(count - 1).iter().flat_map(|order| (0..count).map(move |at| with(order, at))).collect()
 }
 
-/// Holds velocities after `seconds` against the expected ones, in every order of rows, mirrored, turned by a quarter, and shifted.
+/// Expects these velocities after `seconds`, in every order of rows, mirrored, turned by a quarter, and shifted.
 fn hold(bodies: &[BodyDef], expected: &[DVec2], seconds: f64) {
     let turns: [fn(DVec2) -> DVec2; 4] = [|v| v, |v| DVec2::new(-v.x, v.y), |v| DVec2::new(v.y, v.x), |v| DVec2::new(v.y, -v.x)];
     for (turn, of) in turns.into_iter().enumerate() {
@@ -58,7 +58,7 @@ fn two_that_hit_a_third_from_both_sides_leave_it_in_the_middle() {
     hold(&[at(-1.7, 3.0, 2.0), at(0.0, 0.5, 0.0), at(1.7, 3.0, -2.0)], &speeds([-1.0, 0.0, 1.0]), 0.5);
 }
 
-/// What one body has of the largest restitution decides about its pair alone.
+/// The largest restitution, that of one body, decides about its pair alone.
 #[test]
 fn pairs_of_other_restitution_leave_each_with_their_own() {
     let at = |x: f64, speed: f64, e: f64| boxed(DVec2::new(x, 0.0), DVec2::splat(0.5), 1.0, DVec2::new(speed, 0.0), e);
@@ -77,7 +77,7 @@ fn one_that_hits_two_at_once_gives_both_its_speed() {
     hold(&[large, small(-0.5), small(0.5)], &[DVec2::ZERO, fast, fast], 0.5);
 }
 
-/// The cradle is no tie: what touches and rests does not approach.
+/// The cradle is no tie: bodies that touch and rest do not approach.
 #[test]
 fn a_cradle_hit_from_both_sides_sends_both_back() {
     let at = |x: f64, speed: f64| boxed(DVec2::new(x, 0.0), DVec2::splat(0.5), 1.0, DVec2::new(speed, 0.0), 1.0);
@@ -85,7 +85,6 @@ fn a_cradle_hit_from_both_sides_sends_both_back() {
     hold(&row, &[-4.0, 0.0, 0.0, 0.0, 4.0].map(|speed| DVec2::new(speed, 0.0)), 0.5);
 }
 
-/// Floor and wall hit at one instant with one speed: which of them is the first row says nothing about friction.
 #[test]
 fn a_corner_is_the_same_in_either_order_of_its_walls() {
     let walls = [block(-5.0, 3.0, 5.0, 4.0), block(3.0, -5.0, 4.0, 3.0)];
@@ -112,7 +111,7 @@ fn a_corner_is_the_same_in_either_order_of_its_walls() {
     }
 }
 
-/// A bounce on tiles passes equal impulses to all, none of which pulls, and is the bounce on one block.
+/// None of the impulses pulls, and their sum is that of a bounce on one block.
 #[test]
 fn what_bounces_on_several_tiles_hits_each_equally() {
     for count in [2, 3, 5] {
@@ -136,7 +135,6 @@ fn what_bounces_on_several_tiles_hits_each_equally() {
     }
 }
 
-/// Equal shares of the load in every method, and friction by them.
 #[test]
 fn what_stands_on_several_things_loads_each_equally() {
     for dense in [false, true] {

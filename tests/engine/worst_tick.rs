@@ -1,12 +1,12 @@
-//! What a tick may take, counted and not by the clock, in scenes made to be slow; and that what is given up for it is no time. How long they
-//! take, `tools/fuzz_levels worst` shows.
+//! The work of a tick, counted and not by the clock, in scenes made to be slow; and a tick that gives up exactness loses no time. How long
+//! they take, `tools/fuzz_levels worst` shows.
 
 use crate::support::slow::{Scene, scenes};
 use crate::support::{area, worst_overlap};
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, Impulse, Material, Obstacle, SurfaceDef, World, WorldDef};
 
-/// Events that each body may add to those of its island, however the bodies share islands, and by how much that may be exceeded by what happens
-/// last and by islands that are advanced again because they have grown.
+/// Events that each body may add to those of its island, however the bodies share islands. The last events, and islands that grow and are
+/// advanced again, may exceed it.
 const EVENTS_OF_A_BODY: u64 = 1056;
 const EXCEEDED: u64 = 3;
 
@@ -34,7 +34,7 @@ fn the_events_of_a_tick_are_bounded() {
     }
 }
 
-/// What nothing hits and goes on in one direction gets on in it, also where too many events fall into a tick of its island.
+/// A body that nothing hits goes on in its direction, also where too many events fall into a tick of its island.
 #[test]
 fn no_time_is_lost_where_too_much_happens() {
     let (mut busy, mut looks) = (0, 0);
@@ -75,7 +75,6 @@ fn no_time_is_lost_where_too_much_happens() {
     assert!(busy > 0 && looks > 1000, "{busy} busy islands, {looks} looks");
 }
 
-/// A body that falls far away keeps every bit.
 #[test]
 fn what_falls_far_from_a_busy_island_does_not_notice() {
     let Scene { def: gas, ticks, tick, drive, name } = scene("gas of 1e-3 … 1e3 kg at 100 m/s, air 0");
@@ -94,7 +93,7 @@ fn what_falls_far_from_a_busy_island_does_not_notice() {
     assert!(world.guards().budgets_used_up > 0, "the gas is not busy: {:?}", world.guards());
 }
 
-/// Where an island is left before anything of it has happened, others are led where its bodies get.
+/// Where an island is left before anything of it has happened, others follow their bodies' paths.
 #[test]
 fn what_liquids_leave_to_the_dense_method_does_not_overlap() {
     let world = play(&scene("16 liquids side by side, 64 bodies"), |world, tick| {

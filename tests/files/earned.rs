@@ -1,5 +1,5 @@
-//! Scores that are earned: a row leads to its flight, and what was forged, taken from elsewhere or flown in another version of the level
-//! is found.
+//! Scores that are earned: a row leads to its flight, and a forged row, or one flown elsewhere or in another version of the level, is
+//! found.
 
 use crate::support::shipped::{load as level, record};
 use resultant::game::{Controls, Fingerprint, Game, LevelHash, Mismatch, Recorder, Replay, level_hash};
@@ -31,7 +31,6 @@ fn judged(scores: &Scores, level: Arc<Level>) -> Judge {
     }
 }
 
-/// How a row stands: `None` where it is unproven.
 fn judge(scores: &Scores, row: usize, level: Arc<Level>) -> Option<Result<(), Doubt>> {
     let board = scores.load("1").unwrap().board;
     match judged(scores, level).standing(&board.rows()[row].name).expect("it is judged") {
@@ -144,7 +143,7 @@ fn what_is_forged_is_found() {
     // Slower ticks, in which a person is faster.
     let slow = Replay { tick_rate: 30.0, ..gold.clone() }.to_string();
     assert_eq!(verdict(&sound, &slow), Err(Doubt::Rate(30.0)));
-    // A flight that has not come to its end is worth nothing.
+    // A flight without its end is worth nothing.
     let short: String =
         flown.lines().filter(|line| !line.starts_with("# hash ")).take(12).map(|line| format!("{line}\n")).collect();
     assert!(matches!(verdict(&sound, &short), Err(Doubt::Flown(Mismatch::End { .. }, None))));
@@ -175,7 +174,7 @@ fn a_changed_level_keeps_its_old_board_aside() {
     save(&scores, "cid", &older(8000));
     let text = fs::read_to_string(folder.path().join("scores/1.csv")).unwrap();
     fs::write(folder.path().join("scores/1.csv"), text.replace("cid,8000,,", "cid,8000,8a,")).unwrap();
-    // Seen from the level as it is now they are not on the board; nothing is written by looking.
+    // On the level's present version's board they do not appear; looking writes nothing.
     let shown = |version: LevelHash| {
         let (loaded, others) = scores.load_version("1", version).unwrap();
         let rows: Vec<String> = loaded.board.rows().iter().map(|row| format!("{} {}", row.name, row.score)).collect();
@@ -258,7 +257,7 @@ fn what_the_rules_do_not_allow_is_told_at_sight() {
             None,
         ]
     );
-    // Ranked by that, rows without a flight are behind those with one, and last those that no flight can come to.
+    // Rows without a flight rank behind rows with one, and last come the rows that no flight can earn.
     let (mut board, judge) = (scores.load("1").unwrap().board, judged(&scores, level("1")));
     board.rank_by(|name| judge.fails(name));
     let ranked: Vec<&str> = board.rows().iter().map(|row| row.name.as_str()).collect();
@@ -289,7 +288,7 @@ fn the_older_of_two_rows_with_one_flight_keeps_it() {
     }
 }
 
-/// Ticks flown are what judging costs.
+/// The cost of judging is counted in ticks flown.
 #[test]
 fn a_forged_row_costs_no_more_than_the_honest_part_of_its_flight() {
     let folder = tempfile::tempdir().unwrap();

@@ -110,7 +110,6 @@ pub fn work(mut write: impl FnMut(&Scores, &str, u32)) {
     }
 }
 
-/// The rows that a worker confirms, as they come.
 pub fn confirmed(worker: &mut Child) -> impl Iterator<Item = u32> + use<> {
     let lines = BufReader::new(worker.stdout.take().unwrap()).lines().map_while(Result::ok);
     lines.filter_map(|line| line.strip_prefix(WRITTEN)?.parse().ok())

@@ -1,5 +1,5 @@
-//! However a file is made, as long as it is no larger than its kind may be, reading it takes work in proportion to its length: what it
-//! takes here is far from what it would take if it grew with the square, as it did before there were limits.
+//! A file of its kind's largest size is read in work proportional to its length, however it is made. Before there were limits, the work
+//! grew with the square of the length.
 
 use crate::support::Memory;
 use cpu_time::ThreadTime;
@@ -12,14 +12,14 @@ use resultant::{files, game};
 use std::hint::black_box;
 use std::path::Path;
 
-/// The most that reading a text may cost, in passes over its bytes. The dearest one here costs a tenth of it; what grew with the square
-/// cost a pass for every few bytes.
+/// The most that reading a text may cost, in passes over its bytes. The dearest one here costs a tenth of it; quadratic work cost a pass
+/// for every few bytes.
 const MOST_PASSES: f64 = 4000.0;
 /// The measured passes go over this many bytes: far more than the grain of the clock.
 const MEASURED: usize = 16 << 20;
 
-/// What `read` answers, and that it cost few passes over the text: both in the time of this thread on the processor, which goes on only
-/// while the thread runs.
+/// The answer of `read`, and the assertion that it cost few passes over the text. The clock counts this thread's time on the processor,
+/// which goes on only while the thread runs.
 fn quick<T>(what: &str, text: &str, read: impl FnOnce() -> T) -> T {
     let begun = ThreadTime::now();
     let answer = read();
@@ -41,7 +41,7 @@ fn filled(row: &str, bytes: u64) -> String {
 
 #[test]
 fn scores() {
-    // The last one is within quotes at the end of each line, whether it begins so or not.
+    // The last one leaves each line end within quotes, whether the line begins so or not.
     for row in ["\"", "\"\n", "\"\"\"\n", ",\"", "a\n", "a,1\n", "\n", ",", "\"\",", "\"\r", "\"a\"b\"\n", "\"\"x\",\"\n"] {
         let text = filled(row, files::SCORES);
         quick(&format!("{row:?}"), &text, || table::read(Path::new("1.csv"), text.as_bytes()));
@@ -133,7 +133,7 @@ fn numbers_beyond_all_axes_are_refused() {
     let text = format!("{head}\nfall,other,1,,0.1,1.8e308,0.1,0,0,1\n");
     let told = peers::add_peers("results.csv", &text, &mut Vec::new()).unwrap_err();
     assert!(told.ends_with("expected a number above 0, from 1e-100 to 1e100"), "{told}");
-    // At the ends of what is accepted everything is drawn, with few marks.
+    // At the ends of the accepted range everything is drawn, with few marks.
     let mut diagrams = Vec::new();
     let far = ["other,1,,1e-100,1e-100,0.1", "another,1,,1e100,1e100,1e308", "third,1,,1,1,1e-308"];
     let far: String = far.into_iter().map(|row| format!("pile-100,{row},0,0,1\n")).collect();

@@ -1,4 +1,4 @@
-//! A level as one file: what is packed comes back whole, and nothing that is made to do harm leaves a trace.
+//! A level as one file: a pack comes back whole, and nothing that is made to do harm leaves a trace.
 
 use crate::support::shipped::{levels as shipped_levels, project as root};
 use resultant::game::level_hash;
@@ -136,7 +136,7 @@ fn what_could_do_harm_is_refused_with_its_name() {
     {
         says(&with(&[(away, b"x")]), "stays in the level's folder");
     }
-    // What is no level's: programs, archives, flights of another kind.
+    // Files that belong to no level: programs, archives, flights of another kind.
     for other in ["t/run.exe", "t/run", "t/a.csv.sh", "t/more.zip", "t/flights/x.csv", "t/flights/x.png"] {
         says(&with(&[(other, b"x")]), "belongs to no level");
     }
@@ -203,7 +203,7 @@ fn no_bit_that_is_turned_and_no_byte_makes_a_panic_or_a_file() {
             }
         }
     }
-    // Whatever was taken is below the folder of levels.
+    // All files are below the folder of levels.
     assert!(tree(elsewhere.path()).keys().all(|path| path.starts_with(elsewhere.path().join("a"))));
     let around: Vec<_> = fs::read_dir(elsewhere.path().join("a")).unwrap().flatten().map(|entry| entry.file_name()).collect();
     assert_eq!(around, ["levels"]);
@@ -228,7 +228,7 @@ fn bombs_do_not_go_off() {
     let names: Vec<String> = (0..1000).map(|i| format!("t/{i}.txt")).collect();
     let many: Vec<(&str, &[u8])> = names.iter().map(|name| (name.as_str(), &b"x"[..])).collect();
     says(&with(&many), "expected at most 1000");
-    // An archive that says that it is smaller than it is: what comes out counts.
+    // An archive that understates its size: the bytes that come out count.
     let mut liar = with(&[("t/big.png", &zeros)]);
     let length = (zeros.len() as u32).to_le_bytes();
     let places: Vec<usize> = (0..liar.len() - 4).filter(|&at| liar[at..at + 4] == length).collect();
@@ -327,7 +327,7 @@ fn what_is_there_already_is_told_precisely() {
     let package = pack::read(&with(&[("t/world.csv", b"x,y,width,height\n0,500,800,20\n")]), "").unwrap();
     let install = || pack::install(&package, &levels, folder.path(), false);
     install().unwrap();
-    // What the loader does not read makes no other level of it; what it reads does.
+    // A file that the loader does not read makes no other level of it; one that it reads does.
     fs::create_dir(levels.join("t/flights")).unwrap();
     for mine in ["notes.txt", "flights/mine.replay.csv", ".autosave"] {
         fs::write(levels.join("t").join(mine), "mine").unwrap();
@@ -376,7 +376,7 @@ fn files_without_a_folder_take_the_archives_name() {
     let package = pack::read(&archive(&flat), "tower").unwrap();
     assert_eq!((package.name.as_str(), package.files.len()), ("tower", 3));
     assert!(pack::read(&archive(&flat), "..").is_err());
-    // What systems leave in archives is passed over.
+    // Files that systems leave in archives are passed over.
     let beside: [(&str, &[u8]); 2] = [("__MACOSX/t/._player.csv", b"\0"), ("t/.DS_Store", b"\0")];
     assert_eq!(pack::read(&with(&beside), "").unwrap().files.len(), 3);
 }

@@ -1,5 +1,5 @@
-//! The files of players and of attempts on disk: what is left there when files are damaged, writes fail, many processes write at once, or
-//! one is killed in the middle.
+//! The files of players and of attempts on disk, also when files are damaged, writes fail, many processes write at once, or one is killed
+//! in the middle.
 
 use super::fixture::{Fixture, UNTIL_ITS_TURN, Worker, confirmed, kill_within, make_read_only, name, work};
 use resultant::game::Medals;
@@ -8,7 +8,6 @@ use std::fs;
 use std::process::Command;
 use std::time::Duration;
 
-/// An empty scores folder.
 fn empty() -> Fixture {
     let fixture = Fixture::new();
     fs::create_dir(fixture.folder()).unwrap();
@@ -161,7 +160,7 @@ fn a_lock_that_is_held_is_told() {
     assert!(matches!(scores.append_within(none, &attempt("ann", "1")), Err(ScoresError::Busy(_))));
 }
 
-/// A sitting that ends while another program holds the locks: its rows are taken up by the next one, once, with those of others between.
+/// A sitting that ends while another program holds the locks puts its rows by: the next sitting takes them up, once, with other rows between.
 #[test]
 fn what_was_put_by_is_taken_up_once() {
     let fixture = empty();

@@ -1,5 +1,5 @@
-//! Scores on disk: what a save leaves in the folder, also when files are damaged, writes fail, many processes save at once, or
-//! one is killed in the middle.
+//! Scores on disk: the folder after a save, also when files are damaged, writes fail, many processes save at once, or one is killed in
+//! the middle.
 
 use super::fixture::{Fixture, UNTIL_ITS_TURN, Worker, confirmed, kill_within, make_read_only, name, work};
 use resultant::files::{self, pauses};
@@ -211,7 +211,7 @@ fn no_link_that_somebody_laid_is_written_through() {
     );
 }
 
-/// A user who may write in the folder may save, whatever umask the first user has. Modes stand for a second user, who cannot be had here.
+/// With any umask of the first user. Modes stand for a second user, who cannot be had here.
 #[cfg(unix)]
 #[test]
 fn a_folder_that_is_shared_has_locks_that_are_shared() {
@@ -223,7 +223,7 @@ fn a_folder_that_is_shared_has_locks_that_are_shared() {
         fixture.scores().save("1", &name("bob"), 40).unwrap();
         assert_eq!(mode(&fixture.file(".1.csv.lock")), lock, "in a folder of mode {folder:o}");
     }
-    // The first board of a user who shares nothing by default, in a folder that is shared.
+    // The first board by a user who shares nothing by default, in a shared folder.
     let fixture = with("");
     fs::remove_file(fixture.file("1.csv")).unwrap();
     fs::set_permissions(fixture.folder(), fs::Permissions::from_mode(0o775)).unwrap();
@@ -231,7 +231,6 @@ fn a_folder_that_is_shared_has_locks_that_are_shared() {
     assert_eq!((mode(&fixture.file("1.csv")), mode(&fixture.file(".1.csv.lock"))), (0o660, 0o660));
 }
 
-/// Where the lock file is another user's and may only be read.
 #[cfg(unix)]
 #[test]
 fn a_lock_file_that_may_only_be_read_locks_as_well() {
@@ -347,7 +346,7 @@ fn a_file_shared_with_a_group_stays_shared() {
     assert!(!given || std::os::unix::fs::MetadataExt::gid(&found) == 12_345);
 }
 
-/// What a killed process can leave behind is removed, and its lock is gone with it.
+/// Leftovers go, and the lock of a killed process is gone with it.
 #[test]
 fn leftovers_of_a_killed_process_are_no_obstacle() {
     let fixture = with("name,score\nann,30\n");

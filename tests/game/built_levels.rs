@@ -1,5 +1,5 @@
-//! Random levels of all that there is to build with: whatever moves, opens, breaks, bounces and pulls, nothing becomes non-finite, leaves the
-//! level, or depends on anything but the inputs. (What has to hold of the engine is asked after each tick of a test besides.)
+//! Random levels of all building parts: nothing that moves, opens, breaks, bounces or pulls becomes non-finite, leaves the level, or
+//! depends on anything but the inputs. (The engine's own laws are checked after each tick of a test besides.)
 
 use crate::support::Random;
 use crate::support::written::{kept, texts};
@@ -10,8 +10,8 @@ use std::sync::Arc;
 
 const LEVELS: u64 = 150;
 const TICKS: u32 = 360;
-/// Levels in which a law was broken once: what lay on a body that was put out of a surface was left in it, a little deeper each time; and friction
-/// on walls went on where nothing pressed any more.
+/// Levels in which a law was broken once: a body on another that a surface put out of itself sank into that surface, a little deeper each
+/// time; and friction on walls went on where nothing pressed any more.
 const ONCE_BROKEN: &str = include_str!("../fixtures/once_built.txt");
 
 const MATERIALS: [&str; 5] = ["", "Ice", "Trampoline", "Rubber", "Glass"];
@@ -128,8 +128,7 @@ fn whatever_is_built_stays_finite_inside_and_the_same() {
     assert!(played > LEVELS as u32 / 2 && switched > 10 && broken > 5, "{played} played, {switched} switched, {broken} broken");
 }
 
-/// A random level and a random flight through it; then the level in which what came of that flight is asked for. Nothing of it is called
-/// impossible.
+/// A random level and a random flight through it; then the level that asks for the flight's own results. No warning calls them impossible.
 #[test]
 fn what_has_been_done_is_never_called_impossible() {
     let mut asked = [0; 3];
@@ -138,7 +137,7 @@ fn what_has_been_done_is_never_called_impossible() {
         let mut files = rows(&mut Random(seed));
         let plain = seed % 3 != 0;
         if plain {
-            // Where only the engine drives anything, most is known of what cannot be.
+            // Where only the engine drives anything, the checks know most.
             let driven = ["hazards.csv", "gravity.csv", "movers.csv", "switches.csv", "world.csv", "constants.csv"];
             files.retain(|(file, _)| !driven.contains(file));
         }
@@ -196,7 +195,7 @@ fn what_has_been_done_is_never_called_impossible() {
             let done = match warning.file.as_str() {
                 "switches.csv" => pressed[warning.line - 1],
                 "player.csv" => warning.column == "fuel",
-                // With its tank filled just so the same flight leaves nothing.
+                // With a tank filled to the flight's need the same flight leaves nothing.
                 "constants.csv" => seed % 2 == 1 || !warning.found.contains("fuel"),
                 "objectives.csv" => !warning.found.contains("no one can reach"),
                 _ => false,

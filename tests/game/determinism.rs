@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// Ten seconds.
 const TICKS: u32 = 1200;
 
-/// What the player holds during each tick: keys that change every few ticks, the same on every machine.
+/// The player's keys in each tick: they change every few ticks, the same on every machine.
 fn script() -> Vec<Controls> {
     let mut random = Pcg32::seed_from_u64(7);
     let mut controls = Controls::default();
@@ -31,7 +31,7 @@ fn script() -> Vec<Controls> {
     (0..TICKS).map(&mut change).collect()
 }
 
-/// Plays the script tick by tick while frames take the given times; the keys of a frame are those of its next tick.
+/// Plays the script tick by tick while frames take the given times; the keys of a frame apply to its next tick.
 fn play(mut frame_time: impl FnMut() -> f64) -> Game {
     let script = script();
     let mut game = Game::new(Arc::new(yard())).unwrap();
@@ -54,7 +54,7 @@ fn the_golden_hash() {
     assert_golden("yard", game.hash());
 }
 
-/// A hall in which all kinds of surfaces move, or run belts: crates are lifted, carried, pushed, pressed and let through.
+/// A hall in which all kinds of surfaces move, or run belts: they lift, carry, push, press and let through crates.
 fn hall() -> WorldDef {
     let mover = |bounds, path| SurfaceDef { path, ..SurfaceDef::fixed(bounds, Material::WOOD) };
     let shuttle = |x: f64, y: f64, travel: f64| Path::shuttle(DVec2::new(x, y), travel, 0.25 * travel, 0.3);

@@ -1,4 +1,4 @@
-//! What hurts and what helps, on the engine itself: damaging collisions, wind, key objects that are pushed.
+//! Harm and help by the engine itself: damaging collisions, wind, key objects that are pushed.
 
 use crate::support::rooms::{area, crate_at, objective, room};
 use resultant::game::{Controls, Game, GameEvent, Outcome, SHIP};

@@ -1,4 +1,4 @@
-//! Flights with the way back: whatever tick one goes to, the game there is the one that was flown, to the bit.
+//! Flights that can be gone back in: the game at any tick is the one that was flown, to the bit.
 
 use crate::support::Random;
 use crate::support::shipped::{load as level, record};

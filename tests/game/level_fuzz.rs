@@ -1,4 +1,4 @@
-//! Random levels at and beyond the limits of what is accepted: what is not refused can be played, stays finite and stays in the level.
+//! Random levels at and beyond the accepted limits: an accepted level can be played, stays finite and stays in its bounds.
 //! `tools/fuzz_levels` plays many more of the same, and holds them against every law.
 
 use crate::support::written::kept;

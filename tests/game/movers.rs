@@ -1,4 +1,4 @@
-//! Blocks that move, carry, push and crush; belts, one-way platforms and what throws back: from a level's files to what they do.
+//! Blocks that move, carry, push and crush; belts, one-way platforms and trampolines: from a level's files to their effects.
 
 use crate::support::written::{begun, refused, wait, written};
 use resultant::game::{Game, GameEvent, Outcome, SHIP, source_name};
@@ -14,7 +14,7 @@ fn velocity(game: &Game) -> DVec2 {
     game.world().body(OBJECT).velocity
 }
 
-/// The names of what exerts a kind of force on the object.
+/// The names of the sources of a kind of force on the object.
 fn by(game: &Game, kind: ForceKind) -> Vec<String> {
     let forces = game.world().forces(OBJECT);
     let of_kind = forces.forces().iter().filter(|force| force.kind == kind);
@@ -121,7 +121,7 @@ fn what_falls_on_a_trampoline_is_thrown_back_with_nine_tenths_of_its_speed() {
 
 #[test]
 fn a_trampoline_bounces_a_crowd_as_well() {
-    // More that touch than are looked at one by one. From 14 m above they come down with 16.7 m/s, and go up with nine tenths of that.
+    // One island of too many bodies for the exact method. From 14 m above they come down with 16.7 m/s, and go up with nine tenths of that.
     let crates: String = (0..75).map(|i| format!("{},414,box:12x12,5,0,FALSE,0\n", 180 + 12 * i)).collect();
     let mut game = begun(&[("world.csv", "150,840,1050,30,Trampoline\n"), ("objects.csv", &crates)]);
     let (mut fastest_up, mut dense) = (0.0f64, 0);

@@ -1,4 +1,4 @@
-//! The hash by which a record knows its level: it tells levels apart that are flown differently, and no others.
+//! The hash by which a record knows its level: levels that are flown differently differ in it, and no others.
 
 use crate::support::rooms::{area, crate_at, objective, room};
 use resultant::game::{LevelHash, level_hash};
@@ -92,7 +92,7 @@ fn names_words_and_looks_do_not() {
     assert_eq!(colour([0; 3]), colour([255; 3]));
 }
 
-/// What stands at the end of one list or name is not taken for the beginning of the next.
+/// The end of one list or name is not taken for the beginning of the next.
 #[test]
 fn no_two_levels_have_one_encoding() {
     let zone = area(1.0, 2.0, 3.0, 4.0);

@@ -22,14 +22,12 @@ fn fly(game: &mut Game, controls: Controls, ticks: u32) {
     }
 }
 
-/// The room with the ship moving.
 fn moving(x: f64, y: f64) -> Level {
     let mut level = room();
     level.player.velocity = DVec2::new(x, y);
     level
 }
 
-// Controls and fuel
 
 #[test]
 fn rotation_is_a_rate_and_moves_nothing() {
@@ -123,7 +121,6 @@ fn a_tank_that_never_held_anything_is_empty() {
     assert_eq!(game.fuel(), 0.0);
 }
 
-// Objectives
 
 #[test]
 fn a_player_objective_is_met_while_the_ship_touches_it() {
@@ -269,7 +266,6 @@ fn a_level_is_complete_when_all_are_met_at_once() {
     }
 }
 
-// The clock
 
 #[test]
 fn the_clock_starts_with_the_first_tick_that_has_an_input() {
@@ -323,9 +319,8 @@ fn the_clock_is_part_of_the_state() {
     assert_ne!(early.hash(), late.hash(), "one of them will have the better time");
 }
 
-// Standing
 
-/// The room with gravity and a floor below the ship, which leans.
+/// The room with gravity and a floor below the ship, which leans by this angle, degrees.
 fn leaning(angle: f64) -> Level {
     let mut level = room();
     (level.gravity, level.player.angle) = (15.0, angle);
@@ -394,7 +389,6 @@ fn what_carries_the_ship_may_move() {
     assert_eq!(righted(crates), 0.0, "a crate");
 }
 
-// Death boxes
 
 #[test]
 fn a_death_box_ends_the_attempt_at_once_with_nothing() {
@@ -473,7 +467,6 @@ fn death_goes_before_completion() {
     assert_eq!((game.outcome(), game.met(), game.result().score.total), (Outcome::Failed, &[true][..], 0));
 }
 
-// The end
 
 #[test]
 fn after_the_end_nothing_changes() {

@@ -10,12 +10,12 @@ use std::sync::Arc;
 
 /// How far two solids may ever overlap, m.
 const OVERLAP: f64 = 1e-3;
-/// How far the recorded flights stay from what is deadly, m.
+/// Clearance of the recorded flights from deadly things, m.
 const CLEARANCE: f64 = 0.3;
 
 /// How long the adversary plays each level, s of its time.
 const HUNT: f64 = 120.0;
-/// What the adversary is meant to find: in level 3 who flies into the chamber stays there.
+/// The adversary must find this: in level 3 a ship that flies into the chamber stays there.
 const KNOWN: [(&str, adversary::Kind); 1] = [("3", adversary::Kind::Trapped)];
 
 /// Flies a level by a record; `each_tick` sees the game after every tick.
@@ -49,7 +49,6 @@ fn assert_sound(world: &World, tick: u64) {
     }
 }
 
-/// A recorded flight completes the level as its record says, second by second, with no fault of the physics on the way.
 fn assert_flown(level: &Arc<Level>, replay: &Replay) -> Game {
     let Replay { program, level: name, level_hash, outcome, time, seconds, inputs, .. } = replay;
     assert_eq!((program.as_deref(), name, *level_hash), (Some(PROGRAM), &level.name, Some(resultant::game::level_hash(level))));

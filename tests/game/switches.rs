@@ -1,5 +1,5 @@
-//! Switches and what they work, fragile blocks, pods, weightless things, gravity by level and by zone, winds that solids shade: from a
-//! level's files to what they do.
+//! Switches and the parts that they work, fragile blocks, pods, weightless objects, gravity by level and by zone, winds that solids shade:
+//! from a level's files to their effects.
 
 use crate::support::written::{begun, refused, texts, wait, written};
 use resultant::game::{BURN_RATE, Controls, Game, GameEvent, Recorder, SHIP, level_hash, source_name};
@@ -130,7 +130,7 @@ fn switches_are_part_of_the_state_and_of_records() {
     let before = other.hash();
     wait(&mut other, 1.0);
     assert_ne!(before, other.hash());
-    // Whatever can be written changes the hash of the level.
+    // Each switch, pod, field and mover changes the hash of the level.
     let hashes = |extra: &[(&'static str, &str)]| level_hash(&written(extra));
     let all = [
         hashes(&[]),

@@ -1,4 +1,4 @@
-//! The work of each force, against exact answers, and the law of work and energy for whatever happens.
+//! The work of each force, against exact answers, and the law of work and energy.
 
 use crate::support::shipped::{experiment, load, record};
 use crate::support::written::{begun, written};
@@ -9,7 +9,6 @@ use resultant::level::Level;
 use resultant::physics::{BodyId, DVec2, ForceKind};
 use std::sync::Arc;
 
-/// A flight, and the game at its end.
 struct Flown {
     game: Game,
     history: History,
@@ -70,7 +69,7 @@ fn weight_does_mgh() {
 
 #[test]
 fn friction_takes_all_that_a_slide_had_also_where_it_stops_within_a_tick() {
-    // Asphalt: μ_k = 0.65. What stands on the floor comes from the left.
+    // Asphalt: μ_k = 0.65. The object slides on the floor to the right.
     let objects = "300,855,box:30x30,10,0,FALSE,0,6,0\n";
     for (seconds, way) in [(0.5, 6.0 * 0.5 - 0.5 * 6.5 * 0.25), (3.0, 36.0 / 13.0)] {
         let flown = Flown::resting(&[("objects.csv", objects)], seconds);
@@ -162,7 +161,6 @@ fn buoyancy_does_the_weight_of_what_is_displaced_times_the_way() {
     assert_works(&floats.account(1), &expected, 0.0);
 }
 
-/// On ice without gravity across: what one passes on the other gets.
 #[test]
 fn collisions_keep_the_momentum_of_all_and_elastic_ones_the_energy() {
     for (restitution, kept) in [(1.0, 1.0), (0.5, 0.25), (0.0, 0.0)] {
@@ -175,7 +173,7 @@ fn collisions_keep_the_momentum_of_all_and_elastic_ones_the_energy() {
         assert_near(end.momentum.x, 24.0 - 10.0, 14.0);
         assert_eq!(start.momentum, DVec2::new(14.0, 0.0));
         let all = flown.ledger().accounts().iter().fold(Account::default(), |sum, account| sum.plus(account));
-        // ½μ·v² of the reduced mass 15/8 kg at 10 m/s is what can be lost.
+        // ½μ·v² of the reduced mass 15/8 kg at 10 m/s is the most that a collision can take.
         assert_works(&all, &[], -0.5 * (15.0 / 8.0) * 100.0 * (1.0 - kept));
     }
 }
@@ -210,7 +208,7 @@ fn recorded(level: &str, flight: &str) -> Flown {
     Flown { game, history }
 }
 
-/// ΔE_kin = Σ W + W_impacts for every body of every level, and after going back the accounts are what they were, to the bit.
+/// ΔE_kin = Σ W + W_impacts for every body; after going back the accounts are the same, to the bit.
 #[test]
 fn the_law_of_work_and_energy_holds_in_every_level() {
     for level in (1..=15).map(|level| level.to_string()) {
@@ -232,7 +230,7 @@ fn the_law_of_work_and_energy_holds_in_every_level() {
     }
 }
 
-/// What each force does at 120 ticks a second is what it does at 3840: no part of the sum is another's.
+/// The work of each force at 120 ticks a second agrees with that at 3840: no part of the sum is another's.
 #[test]
 fn no_force_gets_the_work_of_another() {
     for folder in ["buoyancy", "wind-and-friction", "terminal-velocity", "projectile"] {

@@ -1,11 +1,11 @@
-//! No test reads a clock: what a test says must not depend on what else the machine does. Work is counted instead: units of the engine's
-//! work, pauses for a lock, allocations, samples, lines.
+//! No test reads a clock: its result must not depend on the load of the machine. Work is counted instead: units of the engine's work,
+//! pauses for a lock, allocations, samples, lines.
 
 use super::sources::{files, root};
 use std::fs;
 use std::path::Path;
 
-/// What reads a clock, or takes the answer.
+/// Names of clocks and of their answers.
 const CLOCKS: [&str; 6] = ["Instant", "SystemTime", "ThreadTime", "ProcessTime", "get_time(", "UNIX_EPOCH"];
 /// This list, and the one measure that is no count: how many passes over a text reading it costs, both in the thread's own time.
 const MAY: [&str; 2] = ["tests/house/no_clocks.rs", "tests/files/limits.rs"];

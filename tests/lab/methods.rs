@@ -1,4 +1,4 @@
-//! The lab: its methods against figures known from elsewhere, its scenes against the shipped engine, and `resultant chart`.
+//! The lab: its methods against known figures, its scenes against the shipped engine, and `resultant chart`.
 
 use crate::support::program::{Ran, resultant};
 use resultant::lab::charts::Charts;
@@ -81,7 +81,7 @@ fn naive_methods_miss_the_tolerance_where_they_are_known_to() {
         let found = error(&scene, method, step);
         assert!(found > scene.tolerance || found.is_nan(), "{name}, {method}: {found:e}");
     }
-    // A gust blows up what takes it in fixed explicit steps.
+    // A gust makes light bodies blow up in fixed explicit steps.
     let gust = scene("gust");
     for method in ["explicit Euler", "semi-implicit Euler", "velocity Verlet", "RK4"] {
         let found = error(&gust, method, 1.0 / 60.0);
@@ -100,8 +100,8 @@ fn pi_needs_small_steps() {
     }
 }
 
-/// Whether a picture shows something wrong: a line that ends where nothing counts as right, or that leaves every line that is right by more
-/// than a twentieth of what is seen.
+/// Whether a picture shows an error: a line that ends where nothing counts as right, or that leaves every right line by more than a
+/// twentieth of the picture.
 fn is_seen_to_fail(picture: &FailurePicture) -> bool {
     let (_, (least, most)) = picture.window();
     if let Some((from, to)) = picture.right {
@@ -136,7 +136,6 @@ fn rk4_has_no_order_at_the_apex_of_a_rise() {
     assert!(beside.iter().any(|slope| (slope - 4.0).abs() > 0.5), "{beside:?}");
 }
 
-/// What docs/accuracy.md says of methods of first order.
 #[test]
 fn methods_of_first_order_need_thousands_of_steps_a_second() {
     let scene = scene("projectile");
@@ -155,7 +154,7 @@ fn in_every_stress_test_the_shipped_engine_survives_all_that_is_tried() {
         let rows = test.rows();
         for row in &rows {
             let picture = test.picture(&row.method, row.largest);
-            // What is refused never runs.
+            // A refused command never runs.
             assert_eq!(picture.is_none(), row.shipped && row.test.starts_with("nonsense"), "{}, {}", row.test, row.method);
             let Some(picture) = picture else { continue };
             let seen = is_seen_to_fail(&picture);
@@ -206,7 +205,7 @@ fn chart_writes_diagrams_tables_and_a_summary() {
         assert!(text(name).contains("velocity Verlet"), "{name}");
     }
     assert!(summary.contains("(stability.svg)") && summary.contains("| RK4 | 2.79 | 2.83 |"), "{summary}");
-    // What the game reads is what was measured.
+    // The game reads the measured charts.
     let charts = Charts::read(|name| Ok(text(name))).unwrap();
     assert!(charts.diagrams.iter().any(|measured| measured.name == "piles"));
     for (name, written) in charts.files() {
@@ -225,7 +224,7 @@ fn chart_writes_diagrams_tables_and_a_summary() {
     assert!(told.lines().all(|line| Path::new(line).is_file()));
 }
 
-/// Whatever stands in the way is found before anything is measured, and nothing is left half written.
+/// Obstacles are found before anything is measured, and nothing is left half written.
 #[test]
 fn chart_says_where_it_cannot_write() {
     let folder = tempfile::tempdir().unwrap();

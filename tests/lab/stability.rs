@@ -88,7 +88,7 @@ fn columns() {
     for (n, sweeps) in [(2, 7), (5, 47), (10, 192), (20, 776), (50, 4886)] {
         assert_eq!(sweeps_needed(&vec![1.0; n], 0.01, 10_000), Some(sweeps), "N = {n}");
     }
-    // What that looks like: with four sweeps a step a column of twenty sinks into itself.
+    // The picture: with four sweeps a step a column of twenty sinks into itself.
     let (_, four) = SOLVERS[0];
     assert!(ContactChain::standing(vec![1.0; 20]).sag(By::Hand(four), 10.0, TICK) > 0.5);
     for n in [2, 10, 50, 100] {
@@ -165,7 +165,7 @@ fn simultaneous_impacts() {
 
 #[test]
 fn far_from_the_origin() {
-    // f32 has steps of 1 m at 1e7 m: something at 1 m/s stands still.
+    // f32 has steps of 1 m at 1e7 m: a body at 1 m/s stands still.
     assert_eq!(robustness::drift(By::Hand(semi_implicit_euler_f32), 1e7), 10.0);
     assert!(robustness::drift(By::Hand(semi_implicit_euler_f32), 1e4) > TOLERANCE);
     for distance in [1e4, 1e7, 1e9] {

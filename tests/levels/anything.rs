@@ -27,7 +27,7 @@ impl Files for Memory {
 /// Good levels to spoil.
 const BASES: [&str; 3] = ["good_original", "good_any_order", "good_spreadsheet"];
 
-/// What is written over a cell: numbers at and beyond every limit, words, separators, line ends, broken quotes.
+/// Texts in place of a cell: numbers at and beyond every limit, words, separators, line ends, broken quotes.
 const SPOILS: [&str; 40] = [
     "",
     "0",
@@ -102,8 +102,8 @@ fn arbitrary() -> impl Strategy<Value = BTreeMap<String, Vec<u8>>> {
 proptest! {
     #![proptest_config(cases(2000))]
 
-    /// The loader never panics; what it refuses has at least one problem, each on one line that names its place; and what it
-    /// accepts builds a world in which nothing becomes infinite or NaN.
+    /// The loader never panics; a refused level has at least one problem, each on one line that names its place; and an accepted one builds a
+    /// world in which nothing becomes infinite or NaN.
     #[test]
     fn any_text_is_refused_in_words_or_becomes_a_finite_world(files in prop_oneof![3 => spoilt(), 1 => arbitrary()]) {
         let ball = std::fs::read(fixtures().join("assets/sprites/ball.png")).unwrap();

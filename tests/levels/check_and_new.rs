@@ -107,7 +107,7 @@ fn check_of_a_place_is_of_the_folder_that_it_is() {
     assert_eq!((code, out.as_str()), (1, ""), "no level lies there: {err}");
 }
 
-/// The flights in a level's folder are flown by `check` and by `pack`, and what no longer holds is named with the second.
+/// `check` and `pack` fly the flights in a level's folder, and name a flight that fails with its second.
 #[test]
 fn flights_that_no_longer_hold_are_warned_about() {
     let project = tempfile::tempdir().unwrap();
@@ -176,7 +176,7 @@ fn new_makes_a_folder_whole_or_not_at_all() {
     let project = tempfile::tempdir().unwrap();
     let levels = project.path().join("levels");
     std::fs::create_dir(&levels).unwrap();
-    // Whatever has the name already stays, an empty folder too.
+    // A folder or file of that name stays, an empty folder too.
     std::fs::create_dir(levels.join("empty")).unwrap();
     std::fs::write(levels.join("file"), "kept").unwrap();
     for name in ["empty", "file"] {
@@ -188,7 +188,7 @@ fn new_makes_a_folder_whole_or_not_at_all() {
     let mut names: Vec<_> = std::fs::read_dir(&levels).unwrap().map(|entry| entry.unwrap().file_name()).collect();
     names.sort();
     assert_eq!(names, ["empty", "file"], "nothing is left of what was begun");
-    // What a kill in the middle leaves is hidden and is no level.
+    // A kill in the middle leaves a hidden folder that is no level.
     std::fs::create_dir(levels.join(".resultant-Ab3dE6gH.new")).unwrap();
     assert_eq!(level::list(&levels), ["empty"]);
     assert_eq!(texts(&resultant(project.path(), &["new", "whole"])).0, 0);
@@ -196,7 +196,6 @@ fn new_makes_a_folder_whole_or_not_at_all() {
     assert_eq!(std::fs::read_dir(levels.join("whole")).unwrap().count(), 14);
 }
 
-/// While `new` makes one folder after the other, none is ever seen that is not whole.
 #[test]
 fn no_half_folder_is_ever_seen() {
     let project = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! The limits that docs/levels.md states: each is accepted, what lies beyond is refused by file, line and column.
+//! The limits that docs/levels.md states: each limit is accepted, a number beyond it is refused by file, line and column.
 
 use crate::lines;
 use crate::support::Memory;
@@ -56,7 +56,6 @@ fn with(column: &str, value: f64) -> Memory {
     Memory(files.into())
 }
 
-/// What a level's medals ask for.
 const AWARDS: [&str; 6] = ["silver", "gold", "mark_hits", "mark_fuel", "mark_pushes", "mark_speed"];
 
 const LIMITS: [Limit; 24] = [

@@ -1,4 +1,4 @@
-//! What loads, into what.
+//! Levels that load, and their contents.
 
 use crate::{fixtures, good, lines, package, rectangle};
 use resultant::level::{self, Look, ObjectiveKind, Presser, Route, SurfaceOf, SwitchStay, Work};

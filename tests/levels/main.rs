@@ -1,4 +1,4 @@
-//! Level folders: what loads, into what, and what is refused with which words.
+//! Level folders: which load, with which contents, and which are refused with which words.
 //!
 //! `tests/fixtures` is a project folder of its own. Each folder in its `levels/` is one case: with a `problems.txt` it is refused
 //! with exactly these lines, otherwise it loads, with exactly the lines of `warnings.txt` as its warnings (none without that file).

@@ -1,4 +1,4 @@
-//! Levels that are not finished: what can be flown of them.
+//! Levels that are not finished, and the flights that are possible in them.
 
 use crate::lines;
 use crate::support::Memory;

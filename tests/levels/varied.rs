@@ -1,4 +1,4 @@
-//! Levels with other numbers: what is accepted is what the loader accepts, and what is written is what was flown.
+//! Levels with other numbers: a number is accepted exactly if the loader accepts it, and the written level is the one that was flown.
 
 use crate::package;
 use proptest::prelude::*;
@@ -31,7 +31,7 @@ fn fly(game: &mut Game, history: &mut History, ticks: u64) {
     }
 }
 
-/// Which number of a level, where on its slider, and how far beyond what is accepted.
+/// Which number of a level, where on its slider, and how far beyond the accepted range.
 fn change() -> impl Strategy<Value = (Index, Index, f64, Option<f64>)> {
     (any::<Index>(), any::<Index>(), 0.0_f64..=1.0, proptest::option::weighted(0.2, -1.5_f64..=1.5))
 }
@@ -169,7 +169,6 @@ fn a_tape_flown_in_another_level_is_the_same_controls_under_other_laws() {
     assert_eq!((again.inputs(), again.ticks()), (history.inputs(), 120));
 }
 
-/// What goes on from now is a flight like any other: it can be gone through in both directions, over the change.
 #[test]
 fn a_flight_that_goes_on_in_a_varied_level_has_a_history_over_the_change() {
     for name in ["levels/8", "levels/15", "levels/14", "experiments/bounce", "experiments/pushed-row"] {
@@ -199,14 +198,13 @@ fn a_flight_that_goes_on_in_a_varied_level_has_a_history_over_the_change() {
         }
         let until = history.until(220);
         assert_eq!((until.ticks(), until.at(220).hash()), (220, hashes[220]), "{name}");
-        // What is not the same level but for its numbers is none to go on in.
+        // A level that differs in more than its numbers is none to go on in.
         let other = Arc::new(load("levels/1"));
         let before = game.hash();
         assert!(history.go_on_in(&mut game, other).is_err() && game.hash() == before, "{name}");
     }
 }
 
-/// At its start a world that takes over other numbers is the world that begins with them.
 #[test]
 fn to_go_on_by_other_numbers_from_the_start_is_to_begin_with_them() {
     for folder in FOLDERS.iter() {

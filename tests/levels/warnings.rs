@@ -1,5 +1,5 @@
-//! What a good level is warned about: what nobody can fly, push, press or earn. `tests/game/built_levels.rs` asks that what has been done is never
-//! called impossible.
+//! Warnings about good levels: goals that nobody can fly to, push, press or earn. `tests/game/built_levels.rs` checks that no warning calls
+//! impossible a goal that a flight has met.
 
 use crate::support::{Memory, written};
 use crate::{lines, package};
@@ -111,7 +111,7 @@ fn a_switch_behind_its_own_door_and_a_pad_behind_doors_that_nothing_opens_are_wa
     // Two rooms that wait for each other.
     let crossed = "900,700,60,60,gate\n600,700,60,60,hall\n";
     assert_eq!(warned(&[("doors.csv", doors), ("switches.csv", crossed)]).lines().count(), 3);
-    // A door that is open until its switch is pressed, and a crate that presses what the ship does not get to.
+    // A door that is open until its switch is pressed, and a crate that presses a switch out of the ship's reach.
     assert_eq!(warned(&[("doors.csv", doors), ("switches.csv", "600,700,60,60,!gate hall\n")]), "");
     let crate_ = ("objects.csv", "600,850,box:40x40,50,1,FALSE,0\n");
     assert_eq!(warned(&[("doors.csv", doors), crate_, ("switches.csv", "600,700,60,60,gate hall\n")]), "");

@@ -1,4 +1,4 @@
-//! The classics' screens: the ways to them and back by mouse and keyboard, and what is played there. No window.
+//! The classics' screens without a window: the ways to them and back by mouse and keyboard, and their games.
 
 use crate::sitting::Sitting;
 use resultant::classics::jumper::scene::{JumpKeys, JumperScene};
@@ -85,7 +85,6 @@ fn a_bad_map_is_told_on_the_list() {
     assert_eq!(sitting.rest().press(Key::Enter).at(), "classics");
 }
 
-// Tile run
 
 fn tile_run() -> Sitting {
     at(Request::Classic(Classic::TileRun))
@@ -190,7 +189,6 @@ fn the_run_is_as_fast_at_every_frame_rate() {
     }
 }
 
-// Jumper
 
 /// A climb that has come to an end by waiting at the foot, after a height that counts.
 fn ended() -> JumperScene {
@@ -268,7 +266,6 @@ fn a_climb_that_came_to_nothing_cannot_be_saved() {
     assert_eq!(jumper(&sitting).scene().players().count(), 2, "again as many");
 }
 
-// π
 
 fn run(sitting: &mut Sitting, frame_time: f64, seconds: f64) {
     for _ in 0..(seconds / frame_time) as usize {

@@ -22,7 +22,7 @@ const TICKS: u64 = 20;
 /// Frames a second; each rate has a whole number of frames in a slot.
 const RATES: [u32; 6] = [24, 30, 60, 120, 144, 240];
 
-/// What happens at the beginning of a slot.
+/// An event at the beginning of a slot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Edge {
     Down(Key),
@@ -33,7 +33,7 @@ enum Edge {
     Pause,
 }
 
-/// What happens in each slot.
+/// The events of each slot.
 type Script = Vec<Vec<Edge>>;
 
 /// The times that the frames of a slot take, s; together they take [`SLOT`].
@@ -198,7 +198,7 @@ fn the_same_at_every_rate(level: &Level, script: &Script) -> u64 {
     for seed in 0..10 {
         assert_eq!(fly(level, script, &mut irregular(seed)).hash(), expected.hash(), "irregular frames, seed {seed}");
     }
-    // The rates change while one flies, as on a machine that does other things as well.
+    // The rates change during a flight, as on a machine that does other things as well.
     let mut slot = 0;
     let mixed = fly(level, script, &mut || {
         slot += 1;
@@ -223,7 +223,7 @@ fn a_pause_changes_no_bit_at_any_frame_rate() {
     assert_eq!(the_same_at_every_rate(&yard_with_media(), &paused), the_same_at_every_rate(&yard_with_media(), &without));
 }
 
-/// The hash sees each edge: what agrees above agrees because it is the same, not because nothing is looked at.
+/// The hash sees each edge, so that equal hashes above mean equal flights.
 #[test]
 fn an_edge_that_is_missing_or_comes_later_is_another_flight() {
     let script = script(1, 30, false);
@@ -238,7 +238,7 @@ fn an_edge_that_is_missing_or_comes_later_is_another_flight() {
     }
 }
 
-/// A slow machine drops time openly: it flies fewer ticks, and each of them is one of those that a fast one flies.
+/// The screen drops the time openly: it flies fewer ticks, and each is a tick of the fast machine's flight.
 #[test]
 fn frames_too_long_for_their_ticks_slow_the_flight_down_and_change_no_tick() {
     let level = yard_with_media();

@@ -45,7 +45,7 @@ pub fn experiment(name: &str) -> Sitting {
     sitting
 }
 
-/// Where the button with those words is.
+/// The middle of the button with that label.
 pub fn button(sitting: &Sitting, words: &str) -> Option<Vec2> {
     let plot = sitting.flight().instruments().plot();
     plot.buttons().find(|(other, _)| *other == words).map(|(_, area)| area.centre())
@@ -64,7 +64,7 @@ pub fn open_plot(sitting: &mut Sitting) {
     assert!(sitting.flight().instruments().uses(Instrument::Plot));
 }
 
-/// What the plot says of its last export: the path, where it was written.
+/// The path that the plot shows after its last export.
 pub fn written(sitting: &Sitting) -> PathBuf {
     match sitting.flight().instruments().plot().message() {
         Some((words, false)) => PathBuf::from(words.strip_prefix("Written: ").unwrap()),
@@ -72,7 +72,7 @@ pub fn written(sitting: &Sitting) -> PathBuf {
     }
 }
 
-/// The columns of a table with those headings.
+/// The columns of a table with these headings.
 pub fn columns(path: &Path, headings: &[&str]) -> Vec<Vec<f64>> {
     let text = fs::read_to_string(path).unwrap();
     let mut lines = text.lines();
@@ -100,8 +100,7 @@ fn taken_along(sitting: &mut Sitting) -> Vec<Vec<f64>> {
     columns(&written(sitting), &["tick", "t (s)", "Ball 1 v_y (m/s)"])
 }
 
-/// An experiment opens on what moves first, with its details and everything in view; N passes over the ship, which plays no part; and pause
-/// leads back to the list.
+/// N passes over the ship, which plays no part.
 #[test]
 fn an_experiment_opens_on_what_moves_and_leads_back_to_the_list() {
     let mut sitting = free_fall();
@@ -159,7 +158,7 @@ fn a_played_lesson_ends_with_g_in_a_file() {
     let now = sitting.flight().game().ticks();
     assert!(now > 70);
     open_plot(&mut sitting);
-    // The masses are those of the three balls; the first one is followed from the start.
+    // The masses of the three balls; the first one is followed from the start.
     let mut slopes = Vec::new();
     for ball in 1..=3 {
         if ball > 1 {
@@ -186,7 +185,7 @@ fn a_played_lesson_ends_with_g_in_a_file() {
         assert_eq!((ticks.len() as u64, ticks[0], times[now as usize]), (now + 1, 0.0, now as f64 / 120.0));
         let g = -slope(times, speeds);
         assert!((g - G).abs() <= 1e-9 * G, "{g}");
-        // The places are those of the same fall.
+        // The places of the same fall.
         for (time, height) in times.iter().zip(heights) {
             let exact = heights[0] - 0.5 * G * time * time;
             assert!((height - exact).abs() <= 1e-9, "{time}: {height} {exact}");

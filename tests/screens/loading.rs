@@ -16,7 +16,7 @@ fn a_level_opens_once_it_is_read_and_the_frames_until_then_go_on() {
         assert_eq!(sitting.rest().at(), "menu", "nothing is read by the frames themselves");
     }
     assert_eq!(sitting.app.loading(), Some("level 2"));
-    // What is pressed meanwhile is for nobody.
+    // Keys pressed meanwhile are for no screen.
     sitting.press_all(&[Key::Down, Key::Enter]);
     assert_eq!((sitting.at(), sitting.app.is_loading()), ("menu", true));
     assert_eq!((sitting.work(1), sitting.at()), (1, "flight"), "before all that nobody waits for");

@@ -1,4 +1,4 @@
-//! The screens as a player meets them, without a window: every way between them by mouse and by keyboard, one action a press.
+//! The screens without a window: every path between them by mouse and by keyboard, one action a press.
 
 mod classics;
 mod editor;

@@ -1,4 +1,4 @@
-//! Who plays, and what they have done.
+//! Players and their progress.
 
 use crate::sitting::{Sitting, level};
 use resultant::game::Medal;
@@ -99,7 +99,7 @@ fn every_attempt_that_ends_is_written_down() {
     let lines: Vec<&str> = text.split("\r\n").collect();
     assert_eq!(lines[0], "level,player,result,time,fuel,hits,cause,assisted");
     assert!(lines[1].starts_with("1,ann,completed,0.0") && lines[1].ends_with(",1.000,0,,false"), "{text}");
-    // R flies again before the score: that attempt has ended all the same. What is given up has not.
+    // R flies again before the score: that attempt has ended all the same. A flight that is given up has not.
     assert!(
         lines[2..4].iter().all(|line| line.starts_with("3,ann,failed,0.0") && line.ends_with(",1.000,0,obstacle 1,false")),
         "{text}"

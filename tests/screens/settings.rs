@@ -32,7 +32,7 @@ fn arrows_change_values_and_enter_takes_a_key() {
     assert_eq!(keys(sitting.press(Key::Tab)), [Some(Key::Tab), Some(Key::W)], "any key, Tab too");
     assert_eq!(keys(sitting.press(Key::Delete)), [None, Some(Key::W)]);
     assert_eq!(keys(sitting.press(Key::Enter).press(Key::W)), [Some(Key::W), None], "a key stands once");
-    // While a key is taken nothing else is pressed: Esc and a click take none.
+    // While the screen waits for a key it takes no other press: Esc and a click change nothing.
     sitting.press(Key::Enter).press(Key::Escape);
     assert!(!sitting.shows("press a key") && sitting.at() == "settings");
     sitting.press(Key::Enter).click("Defaults");

@@ -128,7 +128,6 @@ impl Sitting {
         self
     }
 
-    /// A key goes down and up again.
     pub fn press(&mut self, key: Key) -> &mut Self {
         let keys = [key].into_iter().collect();
         self.give(Input { pressed: keys, held: keys, ..Input::default() })
@@ -153,7 +152,6 @@ impl Sitting {
         self.point_at(pointer).give(Input { pointer, click: true, holding: true, ..Input::default() }).point_at(pointer)
     }
 
-    /// Clicks a button.
     pub fn click<'a>(&mut self, target: impl Into<Target<'a>>) -> &mut Self {
         let at = self.area(target).centre();
         self.click_at(at)
@@ -203,7 +201,6 @@ impl Sitting {
         }
     }
 
-    /// The labels of the topmost layer's widgets, in order.
     pub fn labels(&self) -> Vec<&str> {
         self.app.widgets().iter().map(|widget| widget.label.as_str()).collect()
     }
@@ -222,19 +219,19 @@ impl Sitting {
             .collect()
     }
 
-    /// Whether a line of text on the screen holds those words.
+    /// Whether a line of text on the screen holds these words.
     pub fn shows(&self, words: &str) -> bool {
         self.texts().iter().any(|(text, _)| text.contains(words))
     }
 
-    /// The line of text that holds those words.
+    /// The line of text that holds these words.
     pub fn line(&self, words: &str) -> String {
         let texts = self.texts();
         let line = texts.iter().find(|(text, _)| text.contains(words));
         line.unwrap_or_else(|| panic!("{words:?} is not among {texts:?}")).0.clone()
     }
 
-    /// The lines of text beside the one that says that, from left to right.
+    /// The lines of text beside the one with these words, from left to right.
     pub fn row(&self, words: &str) -> Vec<String> {
         let texts = self.texts();
         let at = texts.iter().find(|(text, _)| text == words).unwrap_or_else(|| panic!("{words:?} is not among {texts:?}")).1;
@@ -257,7 +254,7 @@ impl Sitting {
         shapes.iter().find_map(of).unwrap_or_else(|| panic!("{words:?} is not shown"))
     }
 
-    /// The line of text in the colour of what is wrong.
+    /// The line of text in the colour of problems.
     pub fn warning(&self) -> Option<String> {
         let texts = self.texts();
         texts.into_iter().map(|(text, _)| text).find(|text| self.colour(text) == theme::bad())
@@ -271,14 +268,13 @@ impl Sitting {
         })
     }
 
-    /// What is written in the line of text that is typed into.
+    /// The text of the line that is typed into.
     pub fn field(&self) -> String {
         let field = self.app.widgets().iter().find(|widget| widget.kind == WidgetKind::Field).expect("there is a field");
         let texts = self.texts();
         texts.into_iter().rfind(|(_, at)| field.area.contains(*at)).map(|(text, _)| text).unwrap_or_default()
     }
 
-    /// The buttons of a screen whose widgets have no labels yet.
     pub fn buttons(&self) -> &Buttons {
         let screen = self.app.screen();
         let buttons = None
@@ -329,7 +325,6 @@ impl Sitting {
         known.into_iter().find(|(is, _)| *is).map_or("elsewhere", |(_, name)| name)
     }
 
-    /// The screen, which is of that type.
     pub fn screen<T: Screen>(&self) -> &T {
         self.app.screen().get().unwrap_or_else(|| panic!("at {}", self.at()))
     }
@@ -366,7 +361,7 @@ impl Sitting {
         self.screen()
     }
 
-    /// From the menu to the field for a new player, and back to the menu as that one.
+    /// From the menu to the field for a new player, and back to the menu as that player.
     pub fn become_new(&mut self, name: &str) -> &mut Self {
         self.click("Player");
         if self.at() == "players" {

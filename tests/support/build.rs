@@ -1,4 +1,4 @@
-//! What scenes are built from.
+//! Builders of scenes.
 
 use super::Random;
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, Material, SurfaceDef, World, WorldDef};
@@ -35,7 +35,6 @@ pub fn pool(density: f64, viscosity: f64) -> FluidDef {
     FluidDef { zone: area(-100.0, 0.0, 100.0, 30.0), density, viscosity }
 }
 
-/// The world of a definition that is accepted.
 pub fn world(def: WorldDef) -> World {
     World::new(def).unwrap()
 }

@@ -1,4 +1,4 @@
-//! What scenes of the crowd step are built from: worlds of which every island takes it.
+//! Builders of worlds of which every island takes the crowd step.
 
 use super::block;
 use resultant::physics::{BodyDef, DVec2, Plan, SurfaceDef, World, WorldDef};

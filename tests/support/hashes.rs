@@ -1,10 +1,9 @@
-//! The hashes of what is played to its end, in one place. They change whenever the engine, the rules or the state that they keep change on
+//! The hashes of played scenes and levels at their ends, in one place. They change whenever the engine, the rules or their state change on
 //! purpose: then take over the lines that the failing tests print.
 
 use super::measure::bits;
 use resultant::physics::World;
 
-/// What was played, and the hash of the state at its end.
 const GOLDEN: [(&str, u64); 6] = [
     ("yard", 0xd5e3_a6c0_6de7_4c21),
     ("crowd", 0xa5e0_cf1a_b6ca_5cb9),
@@ -14,7 +13,6 @@ const GOLDEN: [(&str, u64); 6] = [
     ("moving surfaces, dense", 0x9c01_0633_88bc_633c),
 ];
 
-/// Holds a hash against the one that is known.
 #[track_caller]
 pub fn assert_golden(name: &str, hash: u64) {
     let golden = GOLDEN.iter().find(|(known, _)| *known == name).map(|(_, golden)| *golden);

@@ -5,7 +5,7 @@ use super::random::Random;
 use super::scenes::Scene;
 use resultant::physics::{BodyDef, DVec2, FluidDef, Material, Path, StreamDef, SurfaceDef, WorldDef};
 
-/// What a lane shows, in the order of [`Lane::ALL`].
+/// A law, in the order of [`Lane::ALL`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lane {
     Slide,
@@ -46,7 +46,6 @@ impl Lane {
         Self::Table,
     ];
 
-    /// A scene of this kind.
     pub fn scene(self, seed: u64) -> Scene {
         let mut random = Random(seed);
         let ground = SurfaceDef::fixed(area(-1000.0, 0.0, 1000.0, 1.0), random.pick(&Material::FIRM));

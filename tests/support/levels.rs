@@ -1,5 +1,5 @@
-//! Random levels, as the texts that an author would have written: most of them playable, some with numbers at the limits of what is
-//! accepted, some beyond.
+//! Random levels, as the texts that an author would have written: most of them playable, some with numbers at the accepted limits, some
+//! beyond.
 
 use super::Random;
 use resultant::level::Files;
@@ -38,7 +38,7 @@ fn how_wild(random: &mut Random) -> f64 {
     random.pick(&[0.0, 0.0, 0.02, 0.1, 0.3])
 }
 
-/// Levels from this seed on have surfaces that move, belts and blocks that are solid from one side only; those before stay what they were.
+/// Levels from this seed on have surfaces that move, belts and blocks that are solid from one side only; earlier seeds keep their levels.
 const MOVES_FROM: u64 = 2_000_000;
 
 const MATERIALS: [&str; 7] = ["", "Asphalt", "Steel", "Ice", "Rubber", "Wood", "Glass"];
@@ -281,7 +281,7 @@ impl Author {
         at
     }
 
-    /// A place on the ground or on what is there, as far down as it goes.
+    /// A place on the ground or on a thing there, as far down as it goes.
     fn on_top(&mut self, half: DVec2) -> DVec2 {
         let x = self.anywhere(half).x;
         let over = |of: &&Aabb| of.min.x < x + half.x && of.max.x > x - half.x;

@@ -1,4 +1,4 @@
-//! What is measured of worlds: bits, overlap, energy, momentum.
+//! Measures of worlds: bits, overlap, energy, momentum.
 
 use resultant::physics::{Aabb, BodyId, DVec2, ForceKind, World};
 

@@ -3,12 +3,12 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-/// The system's allocator, and what this thread asks of it.
+/// The system's allocator, with counts for each thread.
 pub struct Counting;
 
 thread_local! {
     static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
-    /// Bytes. What one thread takes and another gives back is counted in neither as a whole.
+    /// Bytes. Memory that one thread takes and another gives back counts as taken in the one and as given back in the other.
     static HELD: Cell<isize> = const { Cell::new(0) };
     static MOST: Cell<isize> = const { Cell::new(0) };
 }
@@ -18,7 +18,7 @@ pub fn allocations() -> usize {
     ALLOCATIONS.get()
 }
 
-/// The most bytes that this thread has held at once while it did that, beyond what it held before.
+/// The most bytes that this thread holds at once during the call, beyond its bytes before.
 pub fn most_held<T>(during: impl FnOnce() -> T) -> (isize, T) {
     let before = HELD.get();
     MOST.set(before);

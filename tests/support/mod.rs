@@ -1,4 +1,4 @@
-//! What the tests of the engine share: random numbers, what scenes are built from, and what is measured of them.
+//! Shared by the test programs: random numbers, builders of scenes and levels, and measures.
 #![allow(dead_code, unused_imports)] // Each test takes what it needs.
 
 pub mod adversary;

@@ -16,7 +16,6 @@ impl Data {
         Self { folder }
     }
 
-    /// A path in it.
     pub fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join(name)
     }
@@ -37,7 +36,6 @@ impl Data {
         }
     }
 
-    /// Runs the program.
     pub fn resultant(&self, args: &[&str]) -> Ran {
         Ran::new(resultant().arg("--data").arg(self.folder.path()).args(args))
     }
@@ -50,19 +48,14 @@ pub fn resultant() -> Command {
     command
 }
 
-/// What a run of the program came to.
 #[derive(Debug)]
 pub struct Ran {
-    /// The exit status.
     pub status: i32,
-    /// Standard output.
     pub out: String,
-    /// Standard error.
     pub err: String,
 }
 
 impl Ran {
-    /// Runs it.
     pub fn new(command: &mut Command) -> Self {
         let Output { status, stdout, stderr } = command.output().unwrap();
         let text = |bytes| String::from_utf8(bytes).unwrap();

@@ -4,7 +4,7 @@
 use super::build::{G, area};
 use resultant::physics::{BodyDef, DVec2, Material, SurfaceDef, WorldDef};
 
-/// A scene, and what drives its first body, N.
+/// A scene, and the drive of its first body, N.
 #[derive(Clone, Debug)]
 pub struct Scene {
     pub name: String,
@@ -45,12 +45,12 @@ pub fn slide_in_air() -> WorldDef {
     WorldDef { rest_speed: 0.0, bodies: vec![body], surfaces: vec![super::floor(Material::ASPHALT)], ..WorldDef::default() }
 }
 
-/// 10 kg on the floor, and the drive that is this part of what static friction holds, N.
+/// 10 kg on the floor, and a drive of this part of the limit of static friction, N.
 pub fn held_by_the_floor(part: f64) -> (WorldDef, DVec2) {
     (on_a_floor(vec![standing(0.0, 10.0)], 1.0), DVec2::new(part * 0.9 * 10.0 * G, 0.0))
 }
 
-/// 10 kg against a wall, and the drive of which its weight is this part of what static friction holds, N.
+/// 10 kg against a wall, and the drive at which its weight is this part of the limit of static friction, N.
 pub fn held_by_a_wall(part: f64) -> (WorldDef, DVec2) {
     let wall = SurfaceDef::fixed(area(0.0, -100.0, 1.0, 100.0), Material::ASPHALT);
     let body = BodyDef { position: DVec2::new(-0.5, 0.0), mass: 10.0, ..BodyDef::default() };
@@ -109,7 +109,6 @@ pub fn dart_and_target(speed: f64) -> WorldDef {
     def
 }
 
-/// All of them.
 pub fn exact_scenes() -> Vec<Scene> {
     let none = DVec2::ZERO;
     let mut scenes = vec![

@@ -6,17 +6,14 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The project's folder.
 pub fn project() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// A level that ships.
 pub fn load(name: &str) -> Arc<Level> {
     load_from(&project().join("levels").join(name))
 }
 
-/// An experiment.
 pub fn experiment(name: &str) -> Arc<Level> {
     load_from(&project().join("experiments").join(name))
 }
@@ -27,14 +24,12 @@ fn load_from(folder: &Path) -> Arc<Level> {
     Arc::new(loaded.level)
 }
 
-/// The experiments that ship.
 pub fn experiments() -> Vec<String> {
     let names = level::list(&project().join("experiments"));
     assert!(names.len() >= 12, "{names:?}");
     names
 }
 
-/// The levels that ship.
 pub fn levels() -> Vec<String> {
     let names = level::list(&project().join("levels"));
     assert!(names.len() >= 3, "{names:?}");

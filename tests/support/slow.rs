@@ -63,7 +63,7 @@ pub fn scenes() -> Vec<Scene> {
     scenes
 }
 
-/// Scenes that grow: a name, how many things there are, and what.
+/// Scenes that grow, by their number of things.
 pub fn growing() -> Vec<Scene> {
     let scene = |name: String, def| Scene { name, def, drive: DVec2::ZERO, ticks: 120, tick: 1.0 / 120.0 };
     let mut scenes = Vec::new();

@@ -1,4 +1,4 @@
-//! What property tests draw their scenes from.
+//! The strategies of property tests.
 
 use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence;

@@ -13,7 +13,7 @@ const ROOM: [(&str, &str); 4] = [
     ("objectives.csv", "PLAYER,1190,0,10,10\n"),
 ];
 
-/// The room with these files: those that it has already are added to, below.
+/// The room with these files; where the room has the file already, the text is added at its end.
 pub fn texts(files: &[(&'static str, &str)]) -> Memory {
     let mut all: Vec<(&'static str, String)> = ROOM.iter().map(|(file, text)| (*file, (*text).to_owned())).collect();
     for (file, text) in files {
@@ -38,7 +38,7 @@ pub fn kept(text: &'static str) -> Vec<Kept> {
     text.split("=== ").skip(1).map(level).collect()
 }
 
-/// What is wrong with such a level.
+/// The problems of such a level.
 pub fn refused(files: &[(&'static str, &str)]) -> Vec<String> {
     level::read("room", &texts(files)).unwrap_err().iter().map(Problem::to_string).collect()
 }

@@ -169,14 +169,14 @@ fn it_looks_ahead_of_a_ship_that_flies_and_at_one_that_rests() {
         camera.focus() - *ship
     };
     let (mut camera, mut ship) = (Camera::new(DVec2::ZERO), DVec2::ZERO);
-    // It must more than make up for what it lags behind.
+    // It must more than make up for its lag.
     let flying = follow(&mut camera, &mut ship, DVec2::new(12.0, -6.0), 4.0);
     assert!(flying.x > 1.5 && flying.y < -0.7, "{flying}");
     let fast = follow(&mut camera, &mut ship, DVec2::new(40.0, 0.0), 4.0);
     assert!(fast.x < 7.0, "{fast}: the ship would be near the edge");
     let resting = follow(&mut camera, &mut ship, DVec2::ZERO, 6.0);
     assert!(resting.length() < 0.02, "{resting}");
-    // What drifts does not sway it.
+    // A drifting ship does not sway it.
     let drifting = follow(&mut camera, &mut ship, DVec2::new(1.5, 1.5), 4.0);
     assert!(drifting.length() < 0.4, "{drifting}");
 }
@@ -194,7 +194,7 @@ fn a_bump_does_not_throw_it_about() {
     }
 }
 
-/// A camera that has turned to what is to be fitted, for `frames` frames.
+/// A camera that has turned to `fit` for `frames` frames.
 fn turned(fit: Option<Aabb>, zoom: f64, frames: u32) -> Camera {
     let mut camera = Camera::new(DVec2::new(60.0, 45.0));
     (0..frames).for_each(|_| camera.turn(fit, zoom, 1.0 / 60.0));
@@ -217,7 +217,7 @@ fn a_fitted_view_holds_what_moves_and_is_no_closer_than_usual() {
     }
 }
 
-/// However fast it goes, what is fitted stays in view; the view opens at once and closes slowly.
+/// At any speed of the ship; the view opens at once and closes slowly.
 #[test]
 fn what_is_fitted_never_leaves_the_view() {
     let (level, window) = (DVec2::new(400.0, 200.0), WINDOWS[0]);

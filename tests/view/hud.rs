@@ -18,7 +18,7 @@ const EVERY: u64 = 12;
 /// All parts, as in a race.
 const ALL: HudShown = HudShown { status: true, fuel: true, rivals: RIVALS };
 
-/// Against how many most race. More need a wider strip, which what lies behind is seen through.
+/// The ghosts of an ordinary race. More need a wider strip, through which the world is seen.
 const RIVALS: usize = 2;
 /// The view of a level as it begins.
 fn start(level: &Level, frame: &Frame) -> Viewport {
@@ -26,7 +26,7 @@ fn start(level: &Level, frame: &Frame) -> Viewport {
     Viewport::new(Camera::new(ship).focus(), ship, level.size, level.metre, window(frame))
 }
 
-/// What has to be seen, by name, where it lies on the canvas.
+/// The places of hazards, goals and texts on the canvas, by name.
 fn shown(level: &Level, view: &Viewport, frame: &Frame) -> Vec<(String, Area)> {
     let named = |name| move |bounds: &Aabb| (format!("{name} at {}", bounds.min * level.metre), on_canvas(bounds, view));
     let texts = level.texts.iter().map(|text| {
@@ -57,7 +57,7 @@ fn at_the_start_of_every_level_the_display_covers_no_hazard_no_goal_and_no_text(
     }
 }
 
-/// A display in a window, and what is drawn below it.
+/// A display in a window, and the world below it.
 struct Onlooker {
     frame: Frame,
     hud: Hud,
@@ -78,7 +78,6 @@ impl Onlooker {
         view
     }
 
-    /// Every part that hides what is behind it.
     fn solid(&self) -> Vec<Area> {
         let aside = &self.hud.aside;
         HudPart::ALL.into_iter().filter(|part| aside.of(*part) < 1.0).filter_map(|part| aside.home(part)).collect()
@@ -121,7 +120,7 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
         assert!(inside, "{}: {pointer:?} leaves the window", what());
         assert!(area.covers_none(&others) && area.covers_none(&homes) && area.gap(&ship) >= 0.0, "{}: {pointer:?}", what());
     }
-    // What is still to be met is in view or has an arrow, and nothing else has one.
+    // An open goal is in view or has an arrow, and nothing else has one.
     let level = game.level();
     let has = |target: PointerTarget| hud.pointers.iter().find(|pointer| pointer.target == target);
     let centre = game.world().body(SHIP).position;

@@ -1,4 +1,4 @@
-//! Where the picture has its parts, what its words say, and the sound; nothing is drawn.
+//! Places of the picture's parts, its words, and the sound; nothing is drawn.
 
 mod camera;
 mod hud;

@@ -1,4 +1,4 @@
-//! What somebody sees of a game in a window.
+//! A game as it appears in a window.
 
 use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::game::{Game, SHIP};

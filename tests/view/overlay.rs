@@ -1,4 +1,4 @@
-//! The details overlay tells the truth: what its boxes show is what the world says, on every tick.
+//! The details overlay tells the truth: its boxes agree with the world, on every tick.
 
 use crate::support::rooms::{area, crate_at, room};
 use resultant::draw::layout::{Frame, Vec2};
@@ -96,7 +96,7 @@ fn in_flight_the_lines_add_up_to_the_resultant_and_are_the_worlds_own_numbers() 
     }
 }
 
-/// What a line says, read off its text: a vector in brackets with y upwards, in a unit with a prefix; and half of its last digit.
+/// The value of a line's text: a vector in brackets with y upwards, in a unit with a prefix; and half of its last digit.
 fn read(row: &FactRow) -> (DVec2, f64) {
     let text = quantity(row, &[], 9).replace('−', "-");
     let (numbers, unit) = text.trim_start_matches('(').split_once(')').expect("a bracket closes");
@@ -113,14 +113,14 @@ fn read(row: &FactRow) -> (DVec2, f64) {
     (DVec2::new(value(0), -value(1)), 0.5 * one * 0.1f64.powi(decimals as i32) * 2.0_f64.sqrt() + 1e-9)
 }
 
-/// The sum of the lines of one sort as their text has it, and what rounding may make of it.
+/// The sum of the lines of one sort as their text has it, and the largest error of rounding.
 fn sum_of(facts: &BodyFacts, sort: impl Fn(ArrowKind) -> bool) -> (DVec2, f64) {
     let rows = facts.rows.iter().filter(|row| row.shown.is_some_and(&sort)).map(read);
     rows.fold((DVec2::ZERO, 0.0), |(sum, rounding), (vector, half)| (sum + vector, rounding + half))
 }
 
-/// The text of the boxes adds up: the forces to the resultant, on every tick; and the impacts to what the momentum has changed by, weight
-/// left out, in the half second in which they can be read.
+/// The forces add up to the resultant, on every tick; and the impacts to the change of momentum, without weight, in the half second in
+/// which they can be read.
 #[test]
 fn the_text_adds_up_with_the_impacts() {
     let mut level = room();
@@ -136,7 +136,7 @@ fn the_text_adds_up_with_the_impacts() {
     let mut game = game(level);
     let (dt, window) = (1.0 / game.tick_rate(), (READABLE * game.tick_rate()) as usize + 1);
     let mut given: Vec<Vec<DVec2>> = vec![Vec::new(); bodies];
-    // What lies or slides on something is given momentum by its Reaction, too.
+    // The Reaction gives momentum to bodies that lie or slide, too.
     let mut held = vec![0; bodies];
     let (mut told, mut most) = (0, 0);
     for tick in 1..=480 {
@@ -169,7 +169,7 @@ fn the_text_adds_up_with_the_impacts() {
     assert!(told > 500 && most >= 2, "{told} lines, at most {most} in a box");
 }
 
-/// An impact can be read for half a second of the game, by name, size and what exerted it; no longer, and no shorter for a pause.
+/// By name, size and source; no longer, and no shorter for a pause.
 #[test]
 fn an_impact_is_told_for_half_a_second() {
     let mut level = on_the_floor();
@@ -203,7 +203,6 @@ fn arrange(details: &mut Details, game: &Game, focus: &Focus, pointer: Option<Ve
     details.arrange(game, &Looking { centres: &centres, focus, pointer, model: false, velocity: false }, &[], &view, &frame);
 }
 
-/// The box of a body.
 fn placed(details: &Details, body: u32) -> &PlacedBox {
     details.boxes.iter().find(|placed| placed.text.body == BodyId(body)).expect("it has a box")
 }
@@ -226,14 +225,13 @@ fn lit(details: &Details, game: &Game) -> Vec<(u32, String, DVec2)> {
     details.lit.iter().map(told).collect()
 }
 
-/// A crate on a crate on the floor, beside the ship.
 fn stack() -> Game {
     let mut level = on_the_floor();
     level.objects = [99.5, 98.5].map(|y| crate_at(DVec2::new(60.0, y), DVec2::ZERO, None)).into();
     game(level)
 }
 
-/// Who points at a force sees who else feels it: the other body's line and arrow, and in words also where that is no part of the level.
+/// The other body's line and arrow light up; a partner that is no part of the level is named in words.
 #[test]
 fn pointing_at_a_force_lights_its_partner() {
     let (game, mut details, all) = (stack(), Details::default(), Focus::default());
@@ -260,7 +258,6 @@ fn pointing_at_a_force_lights_its_partner() {
     assert!(details.lit.is_empty() && details.tip.is_none());
 }
 
-/// Beside the followed body only its partner has a box; pointing lights the partner's line.
 #[test]
 fn the_partner_of_the_one_that_is_followed_keeps_its_box() {
     let (game, mut details, mut focus) = (stack(), Details::default(), Focus::default());
@@ -274,7 +271,7 @@ fn the_partner_of_the_one_that_is_followed_keeps_its_box() {
     assert_eq!(lit(&details, &game), [(2, "Normal force by Box 1".to_owned(), up), (1, "Normal force by Box 2".to_owned(), -up)]);
 }
 
-/// After an impact the partner stays beside the one that is followed, also once the impact can no longer be read.
+/// Also once the impact can no longer be read.
 #[test]
 fn who_was_hit_stays_beside_the_one_that_is_followed() {
     let mut level = on_the_floor();
@@ -295,7 +292,6 @@ fn who_was_hit_stays_beside_the_one_that_is_followed() {
     assert_eq!(told, [(0, vec![1]), (61, vec![1, 2])]);
 }
 
-/// A ship that plays no part has a box only where it is followed.
 #[test]
 fn an_idle_ship_has_no_box_and_no_arrows() {
     let mut level = on_the_floor();
@@ -310,7 +306,7 @@ fn an_idle_ship_has_no_box_and_no_arrows() {
     assert_eq!(details.boxes[0].text.body, SHIP);
 }
 
-/// What exerts a force is named; several are counted.
+/// Several sources are counted.
 #[test]
 fn who_exerts_a_force_is_named() {
     let mut level = on_the_floor();
@@ -328,7 +324,7 @@ fn who_exerts_a_force_is_named() {
     assert_eq!(labels(3), ["Weight by Earth", "Normal force by 2 objects"]);
 }
 
-/// Arrows are as long as the scale says, as far as they are not marked, and none is nothing, however small its force.
+/// Arrows are as long as the scale says, except marked ones, and none is nothing, however small its force.
 #[test]
 fn every_force_has_an_arrow_and_what_is_not_to_scale_is_marked() {
     let mut level = on_the_floor();

@@ -43,7 +43,7 @@ struct Seen {
     usual_off_scale: usize,
 }
 
-/// Somebody who looks at a game in a window.
+/// A game in a window.
 struct Onlooker {
     frame: Frame,
     details: Details,

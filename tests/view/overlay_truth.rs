@@ -1,6 +1,5 @@
-//! Lessons are played, and the text of the details is read on every frame, the very strings that are drawn: the forces add up to
-//! mass times acceleration, and what forces and impacts give in half a second is what the momentum has changed by, within what the digits
-//! that are shown leave open.
+//! Lessons are played, and the text of the details is read on every frame, the very strings that are drawn: within the digits shown the
+//! forces add up to mass times acceleration, and forces and impacts of half a second to the change of momentum.
 
 use super::onlook::window;
 use crate::support::shipped::{experiment, flights, load};
@@ -14,7 +13,7 @@ use resultant::view::facts::ArrowKind;
 use resultant::view::focus::Focus;
 use std::sync::Arc;
 
-/// Impacts that change a velocity by less are not told, m/s.
+/// Smaller impacts, by their change of velocity, are not shown, m/s.
 const UNTOLD: f64 = 1e-3;
 
 /// A number or a vector as it is shown, y downwards, and half of its last digit.
@@ -30,7 +29,6 @@ impl Read {
     }
 }
 
-/// Reads what a line says.
 fn read(line: &BoxLine) -> Read {
     let text = line.value.replace('−', "-");
     let text = text.trim();
@@ -42,7 +40,7 @@ fn read(line: &BoxLine) -> Read {
     let numbers: Vec<&str> = numbers.split(',').map(str::trim).collect();
     let decimals = numbers.iter().filter_map(|number| Some(number.len() - number.find('.')? - 1)).max().unwrap_or(0);
     let value = |i: usize| numbers.get(i).map_or(0.0, |number| number.parse::<f64>().expect("a number")) * one;
-    // Nothing is written for what is less than a billionth.
+    // Forces below a billionth are not written.
     let half = if numbers.iter().all(|number| *number == "0") { 1e-9 } else { 0.5 * one * 0.1f64.powi(decimals as i32) + 1e-9 };
     Read { value: DVec2::new(value(0), -value(1)), half }
 }
@@ -120,7 +118,7 @@ struct Reader {
     told: Vec<Told>,
 }
 
-/// What was read of a lesson.
+/// Counts of the frames of a lesson.
 #[derive(Debug, Default)]
 struct Seen {
     frames: usize,
@@ -144,7 +142,7 @@ impl Reader {
         let view = Viewport::new(middle, middle, level.size, level.metre, window(&frame));
         let looking = Looking { centres: &centres, focus: &self.focus, pointer: None, model: false, velocity: false };
         self.details.arrange(game, &looking, &[], &view, &frame);
-        // Partners of the one that is followed have boxes, too.
+        // Partners of the followed body have boxes, too.
         let own = self.details.boxes.iter().find(|placed| placed.text.body == self.body);
         let placed = own.unwrap_or_else(|| panic!("{name}: no box of {:?}", self.body));
         let told = Told::of(&placed.text);
@@ -157,8 +155,8 @@ impl Reader {
         seen.impacts += usize::from(told.impacts.value != DVec2::ZERO);
     }
 
-    /// m·Δv = ∫F dt + impulses over the time in which impacts can be read. In a tick in which a force changes, it does so at some moment: its
-    /// integral lies between those of the one and the other.
+    /// m·Δv = ∫F dt + impulses over the time in which impacts can be read. A force may change at any moment of a tick: the tick's integral then
+    /// lies between the integrals of the force before and after.
     fn check_momentum(&self, game: &Game, seen: &mut Seen, what: &str) {
         let (dt, ticks) = (1.0 / game.tick_rate(), (READABLE * game.tick_rate()) as usize + 1);
         let Some(start) = self.told.len().checked_sub(ticks + 1) else { return };

@@ -41,7 +41,7 @@ fn counted(boxes: &[(Aabb, usize)]) -> (f64, f64) {
     (area, outline)
 }
 
-/// Twice the area on the right hand of a loop (y down): positive round what is solid, negative round a hole.
+/// Twice the area on the right hand of a loop (y down): positive round solid ground, negative round a hole.
 fn shoelace(corners: &[DVec2]) -> f64 {
     (0..corners.len()).map(|i| corners[i].perp_dot(corners[(i + 1) % corners.len()])).sum()
 }
@@ -101,7 +101,7 @@ proptest! {
             let at = |share: f64| stroke.from.lerp(stroke.to, share);
             for share in [0.013, 0.307, 0.551, 0.803, 0.997] {
                 prop_assert_eq!(kind_at(&boxes, at(share)), Some(ROCK), "{:?}", stroke);
-                // (No share leads to a corner of the grid, which belongs to all that touch it.) What lies as far ahead as the stroke is long belongs to the stroke from there.
+                // (No share leads to a corner of the grid, which belongs to all that touch it.) A stroke covers the ground as far ahead as it is long.
                 prop_assert_eq!(kind_at(&boxes, stroke.from + (stroke.to - stroke.from) * (share * 1.99)), Some(ROCK), "{:?}", stroke);
             }
         }
@@ -147,7 +147,7 @@ proptest! {
     }
 }
 
-/// The sails of the windmill of level 15 turn before its cap: what is behind lies on the rock as well.
+/// The sails of the windmill of level 15 turn before its cap, so that a picture behind them lies on the rock as well.
 #[test]
 fn a_picture_behind_lies_once_on_all_of_the_rock_that_it_covers() {
     let level = load("15");

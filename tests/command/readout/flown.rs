@@ -54,7 +54,6 @@ impl Flown {
         self.level.objects.len() + 1
     }
 
-    /// Every tick and object.
     pub fn all(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         (0..self.rows.len()).flat_map(|tick| (0..self.objects()).map(move |object| (tick, object)))
     }
@@ -68,7 +67,7 @@ impl Flown {
     }
 }
 
-/// Flies a level of a data folder and reads what was written.
+/// Flies a level of a data folder and reads the files.
 fn fly(root: &Path, name: &str, args: &[&str]) -> Flown {
     let level = level::load(&root.join("levels").join(name), root).expect("the level loads").level;
     let out = tempfile::tempdir().unwrap();
@@ -123,12 +122,10 @@ pub fn shipped(name: &str) -> Flown {
     fly(root, name, &["--inputs", inputs.to_str().unwrap()])
 }
 
-/// Flies one level of a few files.
 pub fn scene(constants: &str, files: &[(&str, &str)], inputs: &str, seconds: &str) -> Flown {
     scene_at("120", constants, files, inputs, seconds)
 }
 
-/// The same at `rate` ticks a second.
 pub fn scene_at(rate: &str, constants: &str, files: &[(&str, &str)], inputs: &str, seconds: &str) -> Flown {
     let data = Data::new();
     data.level("scene", constants, &[&[FAR], files].concat());

@@ -9,7 +9,7 @@ fn area_times_speed(body: &BodyDef, u: DVec2) -> f64 {
     if body.round { 0.5 * (w + h) * u.length() } else { w * u.y.abs() + h * u.x.abs() }
 }
 
-/// What the liquids do to an object by the laws of docs/accuracy.md: the part of it that is dry, buoyancy and viscous drag.
+/// The liquids on an object by the laws of docs/accuracy.md: the part of it that is dry, buoyancy and viscous drag.
 fn baths(flown: &Flown, object: usize, row: &Row) -> (f64, DVec2, DVec2) {
     let (body, gravity, u) = (flown.body(object), flown.level.gravity, row.velocity);
     let (mass, half, drag) = (body.mass, body.half, body.drag);
@@ -38,7 +38,6 @@ fn baths(flown: &Flown, object: usize, row: &Row) -> (f64, DVec2, DVec2) {
     (dry, buoyancy, viscous)
 }
 
-/// Each force of the media, of every row, by its law at the row's own place and velocity.
 #[test]
 fn every_row_obeys_the_laws_at_its_own_place_and_velocity() {
     let mut seen = std::collections::BTreeMap::new();
@@ -62,7 +61,7 @@ fn every_row_obeys_the_laws_at_its_own_place_and_velocity() {
                 assert_close(row.total(kind), law, 1e-11, || what(kind));
                 *seen.entry(kind.name()).or_insert(0) += usize::from(law != DVec2::ZERO);
             }
-            // In a stream for certain, or outside for certain; at its very edge it depends on whether the object is leaving.
+            // Certainly in a stream, or certainly outside; at its very edge it depends on whether the object is leaving.
             for (index, stream) in level.streams.iter().enumerate() {
                 let by = format!("stream {}", index + 1);
                 let felt: Vec<&Acting> = flown.forces(tick, object).filter(|acting| acting.by == by).collect();

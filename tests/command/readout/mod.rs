@@ -1,4 +1,4 @@
-//! What `run` writes down is enough to check the physics with: its own files are held against the laws, force by force and row by row.
+//! The files of `run` suffice to check the physics: they are held against the laws, force by force and row by row.
 
 mod flown;
 mod laws;

@@ -3,14 +3,14 @@
 use super::flown::{Acting, Flown, Row, bounces, collisions, pushed_row, shipped, splash, stack};
 use resultant::physics::{Aabb, ForceKind};
 
-/// The forces at the start of a tick and at its end, if they are the same but for the engine, which is switched at the start, and for
-/// those that vary within a tick.
+/// The forces at the start of a tick and at its end, if they are the same. The engine, which is switched at the start, and forces that
+/// vary within a tick do not count.
 fn same_laws<'a>(flown: &'a Flown, tick: usize, object: usize, alike: impl Fn(&Acting, &Acting) -> bool + 'a) -> bool {
     let all = |tick: usize| flown.forces(tick, object).filter(|acting| acting.kind != "drive");
     all(tick - 1).count() == all(tick).count() && all(tick - 1).zip(all(tick)).all(|(a, b)| alike(a, b))
 }
 
-/// m·Δv = F·Δt + impulses in every tick whose forces are the same at both ends: in free flight also where impacts fall into it.
+/// In free flight also where impacts fall into the tick.
 #[test]
 fn constant_forces_and_impacts_change_the_momentum_by_just_what_they_say() {
     for (name, flown, least) in
@@ -84,7 +84,7 @@ fn drag_and_buoyancy_change_the_momentum_by_their_integral() {
             }
             held += 1;
             let mass = flown.body(object).mass;
-            // The engine was switched at the first row: what counts is how it burns from there on.
+            // The engine was switched at the first row, and burns from there on.
             let start = first.resultant - first.total(drive) + middle.total(drive);
             let (dt, gained) = (flown.dt, (last.velocity - first.velocity) * mass);
             let simpson = (start + middle.resultant * 4.0 + last.resultant) * (dt / 3.0);

@@ -11,7 +11,7 @@ use std::process::{Command, Stdio};
 /// Files by their paths in the data folder, but for staged ones.
 type Files = BTreeMap<String, Vec<u8>>;
 
-/// The calls that change what is on the disk, or wait until it is there: to be killed before any other comes to the same.
+/// Calls that change the disk, or wait for it: a kill before any other call comes to the same as before one of these.
 const CHANGES: [i64; 22] = [
     libc::SYS_open,
     libc::SYS_openat,

@@ -132,7 +132,7 @@ fn a_signal_leaves_nothing_behind() {
         std::thread::sleep(Duration::from_millis(300));
         assert!(child.try_wait().unwrap().is_none(), "it is over already");
         assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
-        // What a shell runs in the background ignores -INT, and so does all that it starts.
+        // A shell starts background jobs with -INT ignored, and so do their children.
         for _ in 0..400 {
             if child.try_wait().unwrap().is_some() {
                 break;
@@ -160,7 +160,6 @@ fn telemetry_and_results_can_go_to_the_same_output() {
     assert_eq!(text.lines().count(), 4 + 10, "{text}");
 }
 
-// Files that are read
 
 #[cfg(unix)]
 #[test]
@@ -184,7 +183,7 @@ fn what_never_ends_or_is_too_large_is_refused_at_once() {
         let ran = data.resultant(&["tiles", file, file]);
         assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{file}: {}", ran.err);
     }
-    // What is passed on open may be a pipe.
+    // The output may be a pipe.
     let mut child = resultant();
     child.arg("--data").arg(data.path(".")).args(["run", "flight", "--inputs", "/dev/stdin"]);
     let mut child = child.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();

@@ -107,7 +107,7 @@ fn a_record_tells_what_recorded_it_and_in_which_level() {
     }
     assert_eq!(data.resultant(&["verify", path]).status, 0);
 
-    // What another version has recorded is flown all the same, and named where it leads elsewhere.
+    // A record of another version is flown all the same, and the message names it where the flight leads elsewhere.
     let hash = good.lines().find(|line| line.starts_with("# level_hash: ")).unwrap();
     let older = good.replace(concat!("resultant ", env!("CARGO_PKG_VERSION")), "resultant 0.0.1");
     data.write("run.csv", &older);

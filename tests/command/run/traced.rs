@@ -1,9 +1,9 @@
-//! The program under `ptrace`: what it asks of the system, one call after the other, each of which can fail or be the last.
+//! The program under `ptrace`: its system calls, one after the other, each of which can fail or be the last.
 
 use std::os::unix::process::{CommandExt, ExitStatusExt};
 use std::process::{Command, ExitStatus};
 
-/// What happens at a system call.
+/// The fault at a system call.
 #[derive(Clone, Copy, Debug)]
 pub enum Fault {
     /// The system does not do it and answers with this error.
@@ -12,7 +12,7 @@ pub enum Fault {
     Kill,
 }
 
-/// Runs the program to its end; at the call of that index the fault happens. The numbers of all calls that were asked for, and how it ended.
+/// Runs the program to its end, with the fault at the call of that index. Returns the numbers of all calls, and the exit status.
 #[allow(clippy::zombie_processes)] // It is waited for by its number.
 pub fn run(command: &mut Command, fault: Option<(usize, Fault)>) -> (Vec<i64>, ExitStatus) {
     let trace_me = || match ptrace(libc::PTRACE_TRACEME, 0, 0, 0) {

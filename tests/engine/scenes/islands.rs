@@ -1,5 +1,5 @@
-//! What is far away is of no concern: not one bit of any motion, force, impact or event depends on it. And laws know no place, no left and
-//! no order of rows: those change nothing but rounding.
+//! Distant things change not one bit of any motion, force, impact or event. Laws know no place, no left and no order of rows: those change
+//! nothing but rounding.
 
 use crate::support::strategies::cases;
 use crate::support::turned::{mirrored, shifted};
@@ -13,7 +13,6 @@ const TICKS: u32 = 180;
 /// m. Far enough that nothing gets there.
 const FAR: f64 = 1e5;
 
-/// What a room has besides walls, ledges and a crowd.
 #[derive(Clone, Copy, Debug, Default)]
 struct Extras {
     /// Air, a pool and a fan.
@@ -75,7 +74,7 @@ fn far_bodies(count: usize) -> WorldDef {
     WorldDef { bodies, ..WorldDef::default() }
 }
 
-/// What happens to the first `count` bodies, tick by tick, to the bit.
+/// The bits and events of the first `count` bodies, tick by tick.
 fn story(def: WorldDef, count: usize, drive: DVec2) -> Vec<(Vec<u64>, Vec<Event>)> {
     let mut world = world(def);
     let of_them = |event: &Event| match *event {
@@ -110,7 +109,6 @@ fn far_away_changes_nothing(seed: u64, count: usize, drive: DVec2, extras: Extra
     Ok(())
 }
 
-/// A room that proptest once found.
 #[test]
 fn what_is_far_away_from_a_room_of_nine_changes_not_one_bit() {
     let extras = Extras { media: true, movers: false, dull: false };
@@ -129,7 +127,6 @@ proptest! {
     }
 }
 
-/// With air, a pool, a fan and surfaces that move.
 #[test]
 fn a_thousand_bodies_far_away_change_not_one_bit() {
     for (seed, count) in [(3, 9), (5, 16)] {
@@ -143,7 +140,7 @@ fn a_thousand_bodies_far_away_change_not_one_bit() {
     }
 }
 
-/// What floats at its depth, and what hovers where nothing pulls, rests there whatever falls far away.
+/// A body that floats at its depth rests there whatever falls far away.
 #[test]
 fn what_sleeps_near_nothing_stays_asleep() {
     let floats = BodyDef { mass: 500.0, ..crate_at(3.0, -0.0, 500.0) };
@@ -155,7 +152,7 @@ fn what_sleeps_near_nothing_stays_asleep() {
     assert_eq!(alone.iter().zip(&beside).position(|(a, b)| a != b), None);
 }
 
-/// Scenes that no rounding upsets: what slides, bounces, pushes, stands, is blown and is thrown; if it is `wet`, also what floats.
+/// Scenes that no rounding upsets: bodies that slide, bounce, push, stand, are blown and thrown; if the yard is `wet`, also floating ones.
 fn yard(wet: bool) -> WorldDef {
     let at = |x: f64, y: f64, vx: f64, mass: f64| BodyDef { velocity: DVec2::new(vx, 0.0), ..crate_at(x, y, mass) };
     let mut bodies = vec![at(0.0, -0.5, 9.6, 75.0), BodyDef { restitution: 0.7, ..at(20.0, -2.5, 1.0, 3.0) }];
@@ -201,7 +198,7 @@ fn left_is_as_right() {
 
 #[test]
 fn here_is_as_there() {
-    // What floats amplifies a rounding of its depth, and of the time at which it met the water.
+    // A floating body amplifies a rounding of its depth, and of the time at which it met the water.
     let near = [(DVec2::new(64.0, -32.0), 1e-9, 1e-7), (DVec2::new(-1024.0, 4096.0), 1e-9, 1e-5)];
     let far = [(DVec2::new(1e5, 1e5), 1e-7, 1e-4), (DVec2::new(-1e7, 1e7), 1e-5, 1e-2)];
     let cases = near.into_iter().chain(far).flat_map(|(shift, dry, wet)| [(shift, false, dry), (shift, true, wet)]);
@@ -232,7 +229,7 @@ fn the_order_of_rows_changes_nothing_but_rounding() {
     }
 }
 
-/// Something that rests among others sleeps; what lands on it finds the floor under it all the same, although a rounding lies between them.
+/// A body that lands on a sleeping one finds the floor under it all the same, although a rounding lies between them.
 #[test]
 fn what_has_slept_still_lies_on_its_floor() {
     for seed in 0..40 {

@@ -8,7 +8,7 @@ use resultant::physics::{Aabb, BodyDef, DVec2, Event, Leg, Obstacle, Path, Sides
 /// The room, m.
 const ROOM: Aabb = Aabb::new(DVec2::ZERO, DVec2::new(24.0, 18.0));
 const SECONDS: f64 = 4.0;
-/// m. Of an overlap, for things that stand still; and of the whole of a fast one's way within a tick, as a part.
+/// m. Of an overlap, for bodies that stand still; and of a fast body's path within a tick, as a part.
 const EXACT: f64 = 1e-9;
 
 fn vector(most: f64) -> impl Strategy<Value = DVec2> {
@@ -74,7 +74,7 @@ fn room(gravity: f64, pull: f64) -> impl Strategy<Value = WorldDef> {
     (bodies(), movers(pull), any::<bool>()).prop_map(move |(mut bodies, surfaces, air)| {
         let air = air && gravity > 0.0;
         if air {
-            // What air presses together bounces without end where nothing of a bounce is lost.
+            // Bodies that air presses together bounce without end where a bounce loses nothing.
             bodies.iter_mut().for_each(|body| body.restitution = body.restitution.min(0.8));
         }
         let air_density = if air { 1.2041 } else { 0.0 };
@@ -82,7 +82,7 @@ fn room(gravity: f64, pull: f64) -> impl Strategy<Value = WorldDef> {
     })
 }
 
-/// The deepest overlap of a body with another or with a surface that is solid all around, m, and of which two.
+/// The deepest overlap of a body with another or with a surface that is solid all around, m, and the names of the two.
 fn overlap(world: &World, sides: &[Sides]) -> (f64, String) {
     let mut worst = (0.0f64, String::new());
     for (i, a) in world.bodies().iter().enumerate() {
@@ -99,13 +99,12 @@ fn overlap(world: &World, sides: &[Sides]) -> (f64, String) {
     worst
 }
 
-/// The fastest of all, m/s.
 fn fastest(world: &World) -> f64 {
     let bodies = world.bodies().iter().map(|body| body.velocity.length());
     bodies.chain(world.surfaces().iter().map(|surface| surface.velocity.length())).fold(0.0, f64::max)
 }
 
-/// Relative to all impulses: what rides follows its surface exactly at the end of a tick, and is given its roundings for nothing.
+/// Relative to all impulses: a rider follows its surface exactly at the end of a tick, and no impulse stands for its roundings.
 const MOMENTUM: f64 = 1e-9;
 
 fn keeps_every_law(def: WorldDef, rate: f64, far: usize) -> Result<(), TestCaseError> {
@@ -169,7 +168,6 @@ fn momentum_comes_from_impulses(def: WorldDef, rate: f64) -> Result<(), TestCase
     Ok(())
 }
 
-/// Rooms that proptest once found.
 #[test]
 fn rooms_that_once_broke_a_law_keep_it() {
     let rooms = [

@@ -47,8 +47,8 @@ fn no_shipped_level_moves_otherwise_with_every_part_switched_on() {
     }
 }
 
-/// What glides as one is advanced by one formula: over seams and edges, from one material to another, on until it stops, meets a wall or a
-/// body that rests, or is pushed otherwise.
+/// Bodies that glide as one are advanced by one formula: over seams and edges, from one material to another, on until they stop, meet a
+/// wall or a resting body, or are pushed otherwise.
 #[test]
 fn nothing_that_glides_as_one_moves_otherwise_body_by_body() {
     let surface = |left: f64, top: f64, right: f64, material| {
@@ -153,7 +153,6 @@ fn no_scene_that_once_moved_otherwise_does() {
 proptest! {
     #![proptest_config(crate::support::strategies::cases(64))]
 
-    /// Each part present or absent, in every combination.
     #[test]
     fn no_random_scene_moves_otherwise(
         count in 1usize..6, air in any::<bool>(), streams in any::<bool>(), liquids in any::<bool>(), bouncy in any::<bool>(),

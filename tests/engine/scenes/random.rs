@@ -107,7 +107,6 @@ fn is_seldom_busy(world: &World) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// Pushed to and fro.
 fn is_driven(def: WorldDef, force: DVec2, ticks: u32) -> Result<World, TestCaseError> {
     let room = def.bounds.unwrap();
     let mut world = World::new(def).unwrap();
@@ -135,7 +134,7 @@ fn zones_leave_it_sound(
 ) -> Result<(), TestCaseError> {
     let at = DVec2::new(zone.0, zone.1);
     let zone = Aabb::new(at, at + DVec2::new(zone.2, zone.3));
-    // Liquids are for things that weigh something: nothing here is lighter than cork.
+    // Liquids are for bodies that weigh something: nothing here is lighter than cork.
     for body in &mut def.bodies {
         body.mass = body.mass.max(800.0 * body.half.x * body.half.y);
     }

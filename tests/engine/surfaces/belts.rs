@@ -2,7 +2,6 @@
 
 use super::*;
 
-/// Static friction carries what stands on a platform, whatever stands on that too.
 #[test]
 fn riders_of_a_platform_stay_where_they_are() {
     let path = Path::shuttle(v(8.0, 0.0), 4.0, 1.0, 0.3);
@@ -50,7 +49,7 @@ fn a_rider_slips_where_static_friction_gives_way() {
     }
 }
 
-/// A platform that reverses at once: what stands on it slides (2u)²/(2μ_k·g) along it, then rides back.
+/// A rider slides (2u)²/(2μ_k·g) along it, then rides back.
 #[test]
 fn a_platform_reverses_at_once() {
     let (speed, pull) = (3.0, Material::ASPHALT.kinetic_friction * G);
@@ -63,7 +62,6 @@ fn a_platform_reverses_at_once() {
     }
 }
 
-/// A box dropped on a belt.
 #[test]
 fn a_belt_takes_along_what_is_dropped_on_it() {
     let (speed, pull) = (4.0, Material::ASPHALT.kinetic_friction * G);
@@ -85,7 +83,6 @@ fn a_belt_takes_along_what_is_dropped_on_it() {
     }
 }
 
-/// A box that is pressed against a belt from the side, or from below, goes with it.
 #[test]
 fn a_belt_takes_along_what_is_pressed_against_it() {
     let (mass, press) = (2.0, 100.0);
@@ -126,7 +123,7 @@ fn a_belt_takes_along_what_is_pressed_against_it() {
     }
 }
 
-/// From one belt to the next: the first holds the box until it has left it, the second takes it along at its own speed.
+/// The first holds the box until it has left it, the second takes it along at its own speed.
 #[test]
 fn two_belts_end_to_end() {
     let pull = Material::ASPHALT.kinetic_friction * G;
@@ -144,7 +141,6 @@ fn two_belts_end_to_end() {
     }
 }
 
-/// A belt on a platform that moves: the sum of both.
 #[test]
 fn a_belt_on_a_moving_platform() {
     let pull = Material::ASPHALT.kinetic_friction * G;

@@ -1,8 +1,7 @@
-//! Doors, what waits and wakes beside surfaces, and what is refused.
+//! Doors, bodies that wait and wake beside surfaces, and refused paths.
 
 use super::*;
 
-/// A door closes only when nothing stands in it.
 #[test]
 fn a_door_waits_until_it_is_free() {
     for rate in RATES {
@@ -25,7 +24,7 @@ fn a_door_waits_until_it_is_free() {
             assert!(free.is_some() || !clear || position(world, 0).x - velocity(world, 0).x / rate < 0.75 + EXACT);
         });
         assert!(free.is_some());
-        // It keeps out what comes back.
+        // It keeps out a body that comes back.
         world.set_drive(BodyId(0), v(-30.0, 0.0));
         run(&mut world, 4.0, rate, |_, _| ());
         assert_eq!((position(&world, 0), velocity(&world, 0)), (v(0.75, -0.5), DVec2::ZERO));
@@ -35,7 +34,6 @@ fn a_door_waits_until_it_is_free() {
     }
 }
 
-/// A door closes flush with a body that touches its place.
 #[test]
 fn a_door_closes_beside_what_touches_its_place() {
     let door = SurfaceDef { present: false, ..mover(area(-0.3, -3.0, 0.1, 0.0), Path::default()) };
@@ -45,7 +43,6 @@ fn a_door_closes_beside_what_touches_its_place() {
     assert!(world.surfaces()[1].present);
 }
 
-/// When a surface disappears, what stood on it falls from that tick on.
 #[test]
 fn what_stood_on_a_surface_that_disappears_falls() {
     for rate in RATES {
@@ -62,7 +59,7 @@ fn what_stood_on_a_surface_that_disappears_falls() {
     }
 }
 
-/// While a surface waits what rides it rests; when it goes on, also in the middle of a tick, they go with it at once.
+/// A rider goes with it at once, also in the middle of a tick.
 #[test]
 fn riders_rest_while_a_surface_waits_and_wake_when_it_goes_on() {
     for rate in RATES {
@@ -85,7 +82,6 @@ fn riders_rest_while_a_surface_waits_and_wake_when_it_goes_on() {
     }
 }
 
-/// A body asleep is woken when something comes to it, and by nothing before.
 #[test]
 fn a_sleeper_wakes_when_a_wall_reaches_it() {
     for rate in RATES {
@@ -122,7 +118,6 @@ fn paths_that_make_no_sense_are_refused() {
     refuse(once(&[leg(1e9, v(1e9, 0.0), DVec2::ZERO), still]), "leads");
 }
 
-/// An impact names the surface by its number.
 #[test]
 fn an_impact_names_the_surface() {
     let mut world = world(

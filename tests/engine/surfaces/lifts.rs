@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// A column on a lift that eases in and out keeps its place on it, and the lift carries m(g + a).
+/// The lift carries m(g + a).
 #[test]
 fn a_column_rides_a_lift() {
     let path = Path::shuttle(v(0.0, -6.0), 4.0, 1.0, 0.5);
@@ -34,7 +34,6 @@ fn a_column_rides_a_lift() {
     within("lift: Reaction against m(g + a), relative", error, FORCE);
 }
 
-/// A lift that starts at once hits its rider; when it stops at once the rider flies on and comes back to it.
 #[test]
 fn a_lift_that_starts_and_stops_at_once() {
     let speed = 3.0;
@@ -60,7 +59,6 @@ fn a_lift_that_starts_and_stops_at_once() {
     }
 }
 
-/// A lift that is pulled away downwards faster than its rider can fall: it parts, and is caught at the right time and speed.
 #[test]
 fn a_rider_parts_from_a_lift_that_falls_faster_and_is_caught_again() {
     // Down with 25 m/s² for 0.4 s, then steadily with 10 m/s: ½·15·t² = 2 + 10·(t − 0.4).
@@ -87,7 +85,6 @@ fn a_rider_parts_from_a_lift_that_falls_faster_and_is_caught_again() {
     }
 }
 
-/// Bounces on a lift that moves steadily are those on the ground, as seen from the lift.
 #[test]
 fn bounces_on_a_steady_lift_end_as_on_the_ground() {
     for (e, lift) in [(0.5, -4.0), (0.9, 4.0), (0.5, 4.0), (1.0, -4.0)] {
@@ -108,8 +105,8 @@ fn bounces_on_a_steady_lift_end_as_on_the_ground() {
     }
 }
 
-/// A lift that comes level with a floor slower than what counts as resting lifts what stands on both, and squeezes nothing: a body was
-/// held to the floor by the rounding that makes resting things stay, and crushed against it.
+/// The lift comes level with the floor slower than the speed that counts as resting. The rounding that keeps resting bodies in place once
+/// held a body to the floor, and crushed it.
 #[test]
 fn a_lift_that_creeps_past_a_floor_lifts_what_stands_on_both() {
     for speed in [1e-9, 1e-7, 1e-6] {

@@ -16,7 +16,7 @@ const AIR: f64 = 1.2041;
 const RATES: [f64; 4] = [30.0, 60.0, 120.0, 240.0];
 /// s. Long enough for a drift to show.
 const MINUTE: f64 = 60.0;
-/// m, m/s. The bar for what is exact.
+/// m, m/s. The bar for exact answers.
 const EXACT: f64 = 1e-9;
 /// Relative. The bar for forces.
 const FORCE: f64 = 1e-12;
@@ -60,7 +60,7 @@ fn world(surfaces: Vec<SurfaceDef>, bodies: Vec<BodyDef>) -> World {
     world_in(0.0, surfaces, bodies)
 }
 
-/// Steps through `seconds`, and tells the time after each tick.
+/// Steps through `seconds`, and hands on the time after each tick.
 fn run(world: &mut World, seconds: f64, rate: f64, mut after: impl FnMut(&World, f64)) {
     for tick in 1..=(seconds * rate).round() as u32 {
         world.step(1.0 / rate);
@@ -80,7 +80,6 @@ fn centre(world: &World, surface: usize) -> DVec2 {
     world.surfaces()[surface].bounds.centre()
 }
 
-/// Tells a figure, and holds it to its bar.
 #[track_caller]
 fn within(what: &str, error: f64, bar: f64) {
     println!("{what}: {error:.1e} (bar {bar:.0e})");
@@ -108,7 +107,6 @@ fn reaction(world: &World, body: u32, surface: u32) -> f64 {
     -of.map(|force| force.vector.y).sum::<f64>()
 }
 
-/// The Push of body `from` on body `to` along x, N.
 fn push(world: &World, from: u32, to: u32) -> f64 {
     let forces = world.forces(BodyId(to));
     let of = forces.forces().iter().filter(|force| force.kind == ForceKind::Push && force.source == Source::Body(BodyId(from)));

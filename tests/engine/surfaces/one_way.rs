@@ -6,7 +6,6 @@ fn one_way(sides: Sides, path: Path) -> SurfaceDef {
     SurfaceDef { sides, bounds: area(-2.0, 0.0, 2.0, 0.3), ..mover(area(0.0, 0.0, 1.0, 1.0), path) }
 }
 
-/// Upwards through it at any speed as if it were not there; from above it carries.
 #[test]
 fn a_one_way_platform_lets_through_from_below_and_carries_from_above() {
     for rate in RATES {
@@ -34,7 +33,6 @@ fn a_one_way_platform_lets_through_from_below_and_carries_from_above() {
     }
 }
 
-/// What does not get out of it on top falls back; what comes from the side passes.
 #[test]
 fn a_one_way_platform_catches_nothing_inside_or_from_the_side() {
     for rate in RATES {
@@ -57,7 +55,6 @@ fn a_one_way_platform_catches_nothing_inside_or_from_the_side() {
     }
 }
 
-/// Solid from one other side only.
 #[test]
 fn other_sides_of_a_one_way_surface() {
     let none = Sides { left: false, right: false, top: false, bottom: false };
@@ -83,7 +80,6 @@ fn other_sides_of_a_one_way_surface() {
     }
 }
 
-/// A one-way lift carries up and down, and takes up what it comes to from below.
 #[test]
 fn a_one_way_lift_carries() {
     for rate in RATES {
@@ -100,7 +96,6 @@ fn a_one_way_lift_carries() {
     }
 }
 
-/// A body that rests on the floor when a one-way platform sinks past it, and rises again: it is let through, then taken up.
 #[test]
 fn a_one_way_lift_passes_what_it_meets_from_its_open_side() {
     for rate in RATES {

@@ -1,8 +1,8 @@
-//! What is squeezed stops what squeezes it, and the event has the force.
+//! A squeezed body stops the press, and the event has the force.
 
 use super::*;
 
-/// A lift squeezes its riders against a ceiling: it waits, tells so on every tick, and goes on when they are gone.
+/// The lift reports it on every tick.
 #[test]
 fn a_lift_waits_for_what_it_would_squeeze() {
     for rate in RATES {
@@ -55,7 +55,6 @@ fn a_lift_waits_for_what_it_would_squeeze() {
     }
 }
 
-/// Between two walls that close, one body and a row of five.
 #[test]
 fn two_walls_wait_for_what_they_would_squeeze() {
     for rate in RATES {
@@ -77,7 +76,7 @@ fn two_walls_wait_for_what_they_would_squeeze() {
     }
 }
 
-/// The force told is what would crush the body by half of its side, at any rate: ½mv²/(h/2).
+/// The force that would crush the body by half of its side, at any rate: ½mv²/(h/2).
 #[test]
 fn the_force_of_a_press() {
     for rate in RATES {
@@ -93,7 +92,6 @@ fn the_force_of_a_press() {
     }
 }
 
-/// A press on which something rides far from what it squeezes: that rests on it while it waits, and rides on.
 #[test]
 fn what_rides_a_waiting_press_waits_with_it() {
     for rate in RATES {
@@ -113,7 +111,6 @@ fn what_rides_a_waiting_press_waits_with_it() {
     }
 }
 
-/// What is lifted beside what is squeezed is not squeezed.
 #[test]
 fn a_lift_beside_a_press_goes_on() {
     for rate in RATES {

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// A wall that pushes a row: each contact carries what accelerates and drags all that is ahead of it.
+/// Each contact carries the force that accelerates and drags all bodies ahead of it.
 #[test]
 fn a_wall_pushes_a_row() {
     let rub = Material::ASPHALT.kinetic_friction * G;
@@ -41,7 +41,6 @@ fn a_wall_pushes_a_row() {
     within("a wall pushes 1, 5 and 20: forces against Σm·(a + μ_k·g), relative", worst, FORCE);
 }
 
-/// A wall hits a block that rests: e = 0, it goes with the wall; e = 1, it leaves with twice its speed.
 #[test]
 fn a_wall_hits_a_block() {
     for rate in RATES {
@@ -64,7 +63,6 @@ fn a_wall_hits_a_block() {
     }
 }
 
-/// Nothing gets through, however fast either moves.
 #[test]
 fn nothing_gets_through_at_any_speed() {
     let mut deepest = 0.0f64;
@@ -99,7 +97,7 @@ fn nothing_gets_through_at_any_speed() {
     within("walls at 1 to 1e6 m/s: deepest overlap by 1 + speed·dt", deepest, EXACT);
 }
 
-/// A row of blocks that are hit at a great speed: the engine looks further than it foresaw.
+/// The engine looks further than it foresaw.
 #[test]
 fn a_fast_wall_throws_a_block_at_others() {
     for rate in RATES {

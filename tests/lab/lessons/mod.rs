@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// N/kg, in all of them.
 const G: f64 = 9.81;
-/// What one body is said to do, exactly and by the game.
+/// A figure of a body's motion, exactly and by the game.
 struct Figure {
     what: String,
     unit: &'static str,
@@ -26,7 +26,6 @@ fn project() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).to_owned()
 }
 
-/// An experiment at work.
 struct Run {
     game: Game,
     start: Vec<Body>,
@@ -53,7 +52,6 @@ impl Run {
         Self::of(Arc::new(self.game.level().clone()))
     }
 
-    /// Goes on until `seconds` after the start, without a key.
     fn until(&mut self, seconds: f64) -> &mut Self {
         while (self.game.ticks() as f64) < (seconds * TICK_RATE).round() {
             self.game.step(Controls::default());
@@ -84,14 +82,13 @@ impl Run {
         began - self.way(object).y + speed * speed / (2.0 * gravity)
     }
 
-    /// What presses on an object along a direction, N: forces the other way do not count.
+    /// The forces that press on an object along a direction, N; opposite forces do not count.
     fn press(&self, object: usize, along: impl Fn(DVec2) -> f64) -> f64 {
         let forces = self.game.world().forces(BodyId(object as u32));
         let contact = |kind| matches!(kind, ForceKind::Reaction | ForceKind::Push);
         forces.forces().iter().filter(|force| contact(force.kind)).map(|force| along(force.vector).max(0.0)).sum()
     }
 
-    /// The push on a crate of the row from behind.
     fn push(&self, crate_number: usize, exact: f64) -> Figure {
         let found = self.press(crate_number, |force| force.x);
         figure(format!("push on crate {crate_number} from behind"), "N", exact, found)
@@ -152,7 +149,7 @@ fn terminal_velocity() -> Vec<Figure> {
         let way = terminal * terminal / G * (G * 5.0 / terminal).cosh().ln();
         figures.push(figure(format!("{mass} kg, speed after 5 s"), "m/s", after, run.speed(object)));
         figures.push(figure(format!("{mass} kg, distance after 5 s"), "m", way, run.way(object).y));
-        // What the air does at this speed tells where it would end.
+        // Drag at this speed gives the terminal speed.
         let resistance = run.total(object, ForceKind::AirResistance).length();
         let found = run.speed(object) * (mass * G / resistance).sqrt();
         figures.push(figure(format!("{mass} kg, terminal speed"), "m/s", terminal, found));
@@ -243,7 +240,7 @@ fn bounce() -> Vec<Figure> {
     for (object, e) in [(1, 0.9), (2, 0.7), (3, 0.5)] {
         let mut run = Run::new("bounce");
         run.until_hit(object, 3.0);
-        // On its way up: what it has as motion and as height is what it reaches.
+        // On its way up: its energies of motion and height give the height that it reaches.
         let found = run.height_reached(object, height, G);
         figures.push(figure(format!("e = {e}, height of the first bounce"), "m", height * e * e, found));
         figures.push(figure(format!("e = {e}, energy that is left"), "%", 100.0 * e * e, 100.0 * found / height));
@@ -292,7 +289,7 @@ fn projectile() -> Vec<Figure> {
         let (sine, speed) = (angle.to_radians().sin(), 20.0);
         let top = run.height_reached(object, 0.0, G);
         let (hit, before) = run.until_hit(object, 5.0);
-        // What is left of the last tick: until it is as fast downwards as the floor stopped it.
+        // The rest of the last tick: until it is as fast downwards as the floor stopped it.
         let down = -hit.y / before.mass;
         let way = before.position.x - run.start[object].position.x + before.velocity.x * (down - before.velocity.y) / G;
         let range = speed * speed * (2.0 * angle.to_radians()).sin() / G;
@@ -303,7 +300,7 @@ fn projectile() -> Vec<Figure> {
     figures
 }
 
-/// What an experiment comes to.
+/// The figures of an experiment.
 type Figures = fn() -> Vec<Figure>;
 
 /// Every experiment by its folder.
@@ -349,7 +346,7 @@ fn every_figure_of_a_sheet_is_computed() {
     }
 }
 
-/// Every change that a sheet suggests is made in the experiment's files and flown, and comes to what the sheet says of it.
+/// Each change is made in the experiment's files and flown, and agrees with its sheet.
 #[test]
 fn every_suggested_change_does_what_its_sheet_says() {
     let mut flown = 0;

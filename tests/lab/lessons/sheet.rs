@@ -1,4 +1,4 @@
-//! The sheets in `docs/lessons` as a test reads them: what each suggests to vary, and a level with that change.
+//! The sheets in `docs/lessons` as a test reads them: each suggested change, and a level with that change.
 
 use resultant::level::{self, Files, Level};
 use std::collections::BTreeMap;
@@ -15,7 +15,7 @@ pub fn text(name: &str) -> String {
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// A suggestion: what to change, and the rows of what comes of it, each with its answer.
+/// A suggestion: the change, and the rows of its figures, each with its answer.
 #[derive(Debug, Default)]
 pub struct Variation {
     pub change: String,

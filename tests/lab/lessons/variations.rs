@@ -1,9 +1,9 @@
-//! What comes of each change that a sheet suggests, exactly and by the game, in the order of the sheet.
+//! The figures of each change that a sheet suggests, exactly and by the game, in the order of the sheet.
 
 use super::{Figure, G, Run, figure, up};
 use resultant::physics::{DVec2, ForceKind};
 
-/// What a change comes to.
+/// The figures of a change.
 pub type Outcome = fn(&mut Run) -> Vec<Figure>;
 
 /// The changes of an experiment's sheet.
@@ -142,7 +142,7 @@ fn time_of_fall(run: &mut Run, what: &str, height: f64, gravity: f64) -> Figure 
     figure(what, "s", (2.0 * height / gravity).sqrt(), found)
 }
 
-/// What the air does at the speed that a ball has tells where it would end.
+/// Drag at the ball's speed gives the terminal speed.
 fn terminal_speed(run: &mut Run, object: usize, mass: f64, exact: f64) -> Figure {
     let resistance = run.until(2.0).total(object, ForceKind::AirResistance).length();
     let found = run.speed(object) * (mass * G / resistance).sqrt();
@@ -160,7 +160,7 @@ fn stands(run: &mut Run, object: usize, what: &str) -> Vec<Figure> {
     vec![figure(format!("{what}, friction"), "N", 60.0, run.total(object, ForceKind::Friction).length()), acceleration]
 }
 
-/// What a pair comes to, with the impulse on each: 6 m/s on another velocity.
+/// The speeds of a pair after its impact, with the impulse on each: 6 m/s on another velocity.
 fn pair([m1, m2]: [f64; 2], velocity: f64, e: f64) -> (f64, [f64; 2]) {
     let impulse = (1.0 + e) * (6.0 - velocity) * m1 * m2 / (m1 + m2);
     (impulse, [6.0 - impulse / m1, velocity + impulse / m2])
@@ -200,7 +200,7 @@ fn landing(run: &mut Run, object: usize, gravity: f64) -> f64 {
     let mut again = run.again();
     let (hit, before) = again.until_hit(object, 10.0);
     let landed = again.body(object).position.x;
-    // What is left of the last tick: until it is as fast downwards as the floor stopped it.
+    // The rest of the last tick: until it is as fast downwards as the floor stopped it.
     let left = (-hit.y / before.mass - before.velocity.y) / gravity;
     let way = before.position.x - again.start[object].position.x + before.velocity.x * left;
     again.until(10.0);

@@ -1,4 +1,4 @@
-//! What an edit changes in the files, and what it leaves.
+//! The lines of the files that an edit changes, and the lines that it leaves.
 
 use super::{all_bytes, folders};
 use proptest::prelude::*;
@@ -148,7 +148,7 @@ fn a_gesture_is_one_operation_however_long_it_takes() {
     assert_eq!(text(&document, Table::World), "1,2,3,4\n5,6,7,8\n");
     assert!(document.redo());
     assert_eq!(text(&document, Table::World), "498498,2,3,4\n499499,6,7,8\n");
-    // One that ends where it began is none.
+    // One that ends where it began is no change.
     let before = document.history();
     document.set(&[set(row(Table::World, 0), "y", "9")], Some(9)).unwrap();
     document.set(&[set(row(Table::World, 0), "y", "2")], Some(9)).unwrap();
@@ -187,7 +187,7 @@ fn keys_pads_and_objects_of_one_file_stay_in_order() {
     assert_eq!(text(&document, Table::Objectives), lines);
 }
 
-/// What an author could have in a file, and then some.
+/// A file as an author could write it, and worse ones.
 fn anything() -> impl Strategy<Value = Vec<u8>> {
     let piece = prop_oneof![
         4 => "[0-9]{1,3}(\\.[0-9])?",
@@ -204,8 +204,8 @@ fn anything() -> impl Strategy<Value = Vec<u8>> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Whatever is in the files: nothing done changes nothing, everything done can be undone and done again, a cell that was set holds its
-    /// text, and no other cell of the level has changed.
+    /// Nothing done changes nothing, everything done can be undone and done again, a cell that was set holds its text, and no other cell of the
+    /// level has changed.
     #[test]
     fn operations_change_what_they_are_about(
         file in anything(), of_world in any::<bool>(), steps in prop::collection::vec((0_u8..5, 0_usize..6, 0_usize..9, "[0-9a-z,\" #]{0,5}"), 1..25),

@@ -1,4 +1,4 @@
-//! Opening, saving, and what is kept when the program ends.
+//! Opening, saving, and the copies that are kept when the program ends.
 
 use super::{all_bytes, folders};
 use resultant::level;
@@ -46,7 +46,7 @@ fn what_is_opened_and_saved_is_the_same_to_the_byte() {
         for name in names(copy.path()) {
             assert_eq!(fs::read(copy.path().join(&name)).unwrap(), fs::read(folder.join(&name)).unwrap(), "{name}");
         }
-        // And the loader says of it in memory what it says of the files.
+        // The loader's report on the document in memory is its report on the files.
         let problems = |loaded: Result<level::Loaded, Vec<level::Problem>>| {
             loaded.map(|loaded| loaded.level).map_err(|problems| problems.len())
         };
@@ -125,7 +125,7 @@ fn two_editors_of_a_level_keep_their_edits_apart() {
     drop((first, second));
     let all = [".autosave", ".autosave-2", "constants.csv", "objectives.csv", "player.csv", "world.csv"];
     assert_eq!(names(folder.path()), all, "the locks are gone");
-    // Both are offered, one after the other; what one of them throws away leaves the other.
+    // Both are offered, one after the other; throwing one away leaves the other.
     for wanted in wanted {
         let mut again = LevelFolder::open_to_edit(folder.path(), folder.path()).unwrap();
         again.document.restore(again.kept.take().unwrap());
@@ -161,7 +161,7 @@ fn what_was_not_saved_is_offered_and_neither_the_loader_nor_a_list_sees_it() {
     again.document.restore(again.kept.unwrap());
     assert_eq!(all_bytes(&again.document), wanted);
     assert!(again.document.undo() && !again.folder.is_unsaved(&again.document), "to have it back can be undone");
-    // What is on disk already is not offered, nor what is no such file.
+    // A copy that is on disk already is not offered, nor a file that is none.
     again.folder.keep(&again.document).unwrap();
     assert!(!folder.path().join(".autosave").exists());
     for damaged in
@@ -187,7 +187,7 @@ fn a_file_keeps_its_mode_and_a_link_stays_one() {
     assert!(fs::symlink_metadata(&world).unwrap().is_symlink());
     assert_eq!(fs::metadata(&target).unwrap().permissions().mode() & 0o777, 0o640);
     assert_eq!(fs::read_to_string(&target).unwrap().lines().count(), 2);
-    // What is read-only is refused, and nothing is lost.
+    // A read-only file is refused, and nothing is lost.
     fs::set_permissions(&target, fs::Permissions::from_mode(0o440)).unwrap();
     opened.document.put(Kind::Solid, BLOCK).unwrap();
     assert!(matches!(opened.folder.save(&opened.document), Err(SaveError::File(file, _)) if file == "world.csv"));

@@ -1,4 +1,4 @@
-//! A level as it is edited: what an operation is not about stays byte for byte, everything can be undone, and nothing is lost.
+//! A level as it is edited: an operation leaves all other bytes alone, everything can be undone, and nothing is lost.
 
 mod bytes;
 mod disk;
@@ -6,7 +6,7 @@ mod disk;
 use resultant::level::document::{Document, Table};
 use std::path::{Path, PathBuf};
 
-/// The folders of all levels that come with the game, and of those that the tests of the loader read.
+/// The folders of all levels that come with the game, and of the loader's fixtures.
 fn folders() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let below = |folder: &str| {

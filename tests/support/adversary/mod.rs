@@ -1,5 +1,5 @@
-//! An adversary of levels: it plays one for hours of the level's time, many times over, at random and greedily, and tells what the
-//! level's author cannot have meant: places that let no ship go, ways out of the level, broken rules, and ways round the level's idea.
+//! An adversary of levels: it plays one for hours of the level's time, many times over, at random and greedily, and reports places that let
+//! no ship go, ways out of the level, broken rules, and ways round the level's idea.
 
 mod player;
 mod way;
@@ -58,7 +58,6 @@ pub struct Finding {
     pub what: String,
 }
 
-/// What came of it.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
     pub attempts: u64,
@@ -97,7 +96,7 @@ pub fn hunt(level: &Arc<Level>, seconds: f64, seed: u64) -> Report {
     report
 }
 
-/// One attempt. Every other one of those who wander has fuel for ever, and does not count as a way to finish.
+/// One attempt. Every other wandering one has fuel for ever, and does not count as a way to finish.
 fn attempt(level: &Arc<Level>, space: &Space, seed: u64, report: &mut Report) {
     let style = [Style::Greedy, Style::Random, Style::Wander, Style::Greedy][seed as usize % 4];
     let endless = style == Style::Wander;
@@ -134,7 +133,7 @@ impl Report {
     }
 }
 
-/// What an attempt is held against.
+/// The record of an attempt, for its checks.
 struct Watch {
     /// Fuel and hits a tick ago.
     last: (f64, u32),
@@ -143,7 +142,6 @@ struct Watch {
 }
 
 impl Watch {
-    /// Looks at the tick just made.
     fn look(&mut self, game: &Game, space: &Space) -> Result<(), (Kind, String)> {
         let bodies = game.world().bodies();
         if let Some(body) = bodies.iter().position(|body| !(body.position.is_finite() && body.velocity.is_finite())) {
@@ -185,8 +183,7 @@ impl Watch {
     }
 }
 
-/// Whether nothing leads away from where the ship is, with all the fuel in the world: neither any direction held on to, nor the ways to
-/// what is wanted.
+/// Whether the ship cannot get away with all the fuel in the world: neither in any direction held on to, nor on the ways to its goals.
 fn is_trapped(game: &Game, space: &Space) -> bool {
     let mut game = game.clone();
     game.set_lasting_fuel(true);

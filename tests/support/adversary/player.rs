@@ -6,23 +6,21 @@ use resultant::game::{Controls, Game, ROTATION_RATE, SHIP};
 use resultant::level::{Level, ObjectiveKind};
 use resultant::physics::{Aabb, BodyId, DVec2, ForceKind};
 
-/// Ticks from one decision of a player who steers to the next.
 const BEAT: u64 = 6;
 /// How fast an error of the velocity is mended, 1/s.
 const GRIP: f64 = 3.0;
 
-/// What a player is after.
+/// The aim of a player.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Style {
     /// Any keys for any time.
     Random,
-    /// What is not met yet.
+    /// Objectives that are not met yet.
     Greedy,
     /// Any place.
     Wander,
 }
 
-/// One of them.
 pub struct Player<'a> {
     style: Style,
     random: Random,
@@ -45,12 +43,10 @@ impl<'a> Player<'a> {
         Self { style, random, space, speed, way: None, until: 0, held: Controls::default(), held_until: 0, turn: 0 }
     }
 
-    /// One who goes straight for a goal.
     pub fn after(goal: &Aabb, space: &'a Space) -> Self {
         Self { way: Some(space.to(goal)), until: u64::MAX, speed: 6.0, ..Self::new(Style::Greedy, 1, space) }
     }
 
-    /// The keys of the next tick.
     pub fn keys(&mut self, game: &Game) -> Controls {
         if game.ticks() >= self.held_until {
             self.decide(game);
@@ -98,7 +94,7 @@ impl<'a> Player<'a> {
         };
     }
 
-    /// What has been reached is pushed to some side, most often the one where it is wanted.
+    /// Pushes the goal that it has reached to some side, most often towards the nearest pit.
     fn shove(&mut self, game: &Game) {
         let ship = game.world().body(SHIP).position;
         let pits = game.level().objectives.iter().filter(|objective| objective.kind == ObjectiveKind::Physics);
@@ -128,7 +124,7 @@ impl<'a> Player<'a> {
     }
 }
 
-/// What there is to go for: objectives for the ship that are not met, and keys where one is missing.
+/// Objectives for the ship that are not met, and keys where one is missing.
 pub fn wanted(game: &Game) -> Vec<Aabb> {
     let level: &Level = game.level();
     let open = || level.objectives.iter().zip(game.met()).filter(|(_, met)| !**met).map(|(objective, _)| objective);

@@ -6,7 +6,7 @@ use std::collections::VecDeque;
 
 /// The grid's cells, m: fine enough for gaps that the ship fits through with half a metre to spare.
 const CELL: f64 = 0.5;
-/// How far ways keep off what is deadly, m.
+/// Distance of ways from deadly things, m.
 const OFF_RED: f64 = 0.3;
 /// So far along its way the ship looks, cells.
 const AHEAD: usize = 8;
@@ -77,7 +77,7 @@ impl Space {
         sides.into_iter().filter(|(there, _)| *there).map(|(_, index)| index)
     }
 
-    /// The free cell nearest to a place, of those around it.
+    /// The free cell nearest to a place, within three cells.
     fn cell(&self, at: DVec2) -> Option<usize> {
         let (x, y) = ((at.x / CELL) as usize, (at.y / CELL) as usize);
         let around = (y.saturating_sub(3)..(y + 4).min(self.high))

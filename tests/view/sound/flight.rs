@@ -1,4 +1,4 @@
-//! What is heard of real flights.
+//! The sounds of real flights.
 
 use super::hearing::{Listener, RATE};
 use crate::support::Memory;

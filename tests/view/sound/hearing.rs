@@ -20,7 +20,7 @@ pub struct Listener {
 }
 
 impl Listener {
-    /// At a volume at which each sound is left alone as it is; what precedes the first sound, the volumes' glide, is over.
+    /// At a volume at which each sound is left alone as it is; the glide of the volumes before the first sound is over.
     pub fn new() -> Self {
         let (desk, feed) = desk();
         desk.set_volumes(ALONE);

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 /// Flights that come with the levels: winds, knocks, a mill, water, a landing.
 const FLIGHTS: [&str; 6] = ["1", "2", "3", "7", "12", "14"];
 
-/// What is heard of a flight of that level with those volumes, from its first tick to a second after its last.
+/// A flight of that level with those volumes, from its first tick to a second after its last.
 fn flight(name: &str, volumes: Volumes) -> Heard {
     let mut game = Game::new(load(name)).unwrap();
     let (desk, feed) = desk();
@@ -126,7 +126,7 @@ fn the_engine_is_not_heard_to_pump() {
     listener.desk.play(Sound::new(Cue::Crash, 1.0));
     let after = listener.hear(2.0, engine);
     assert!(loudness(&after, 0.0) > most, "the crash is louder");
-    // Once the crash has faded the engine is what it was: it neither swells nor sags.
+    // Once the crash has faded the engine is as loud as before: it neither swells nor sags.
     let back = loudness(&after, 1.2);
     assert!((0.8 * least..1.25 * most).contains(&back), "{back} after {least} … {most}");
 }

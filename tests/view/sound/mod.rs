@@ -1,4 +1,4 @@
-//! What is heard, computed without a device and measured: audible, never cut off, without cracks, at its pitch, of its length.
+//! The game's sound, computed without a device and measured: audible, never cut off, without cracks, at its pitch, of its length.
 #![cfg(feature = "window")]
 
 mod cues;

@@ -1,11 +1,11 @@
-//! What is heard all the time: engine, wind, liquid.
+//! Lasting sounds: engine, wind, liquid.
 
 use super::hearing::{Heard, Listener};
 use resultant::view::sound::{Ambience, Cue};
 
 const NOTHING: Ambience = Ambience { engine: 0.0, wind: 0.0, liquid: 0.0, motion: 0.0 };
 
-/// What it comes to after a while.
+/// The sound after a while.
 fn heard(ambience: Ambience) -> Heard {
     let mut listener = Listener::new();
     listener.hear(1.0, ambience);
