@@ -115,7 +115,6 @@ fn close(a: DVec3, b: DVec3) -> bool {
     (a - b).abs().max_element() < 1e-12
 }
 
-
 fn gravity_comes_before_the_move(engine: Engine) -> bool {
     let mut bodies = [small(v(0.0, 0.0, 10.0), v(1.0, 2.0, 3.0))];
     engine(&mut bodies, &[], 10.0, 0.1);

@@ -185,7 +185,6 @@ proptest! {
     }
 }
 
-
 #[test]
 fn the_projects_map_ends_where_it_should() {
     // They jump by 0.66 nine times: without the limit on the jump itself the run ends elsewhere.

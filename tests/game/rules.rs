@@ -28,7 +28,6 @@ fn moving(x: f64, y: f64) -> Level {
     level
 }
 
-
 #[test]
 fn rotation_is_a_rate_and_moves_nothing() {
     for tick_rate in [30.0, 60.0, 120.0, 144.0] {
@@ -120,7 +119,6 @@ fn a_tank_that_never_held_anything_is_empty() {
     assert_eq!(game.world().body(SHIP).velocity, DVec2::ZERO);
     assert_eq!(game.fuel(), 0.0);
 }
-
 
 #[test]
 fn a_player_objective_is_met_while_the_ship_touches_it() {
@@ -266,7 +264,6 @@ fn a_level_is_complete_when_all_are_met_at_once() {
     }
 }
 
-
 #[test]
 fn the_clock_starts_with_the_first_tick_that_has_an_input() {
     for key in [THRUST, REVERSE, LEFT, RIGHT, Controls { right: true, ..LEFT }] {
@@ -318,7 +315,6 @@ fn the_clock_is_part_of_the_state() {
     assert_eq!(early.ticks(), late.ticks());
     assert_ne!(early.hash(), late.hash(), "one of them will have the better time");
 }
-
 
 /// The room with gravity and a floor below the ship, which leans by this angle, degrees.
 fn leaning(angle: f64) -> Level {
@@ -388,7 +384,6 @@ fn what_carries_the_ship_may_move() {
     crates.objects = vec![crate_at(DVec2::new(50.0, 50.35), DVec2::ZERO, None)];
     assert_eq!(righted(crates), 0.0, "a crate");
 }
-
 
 #[test]
 fn a_death_box_ends_the_attempt_at_once_with_nothing() {
@@ -466,7 +461,6 @@ fn death_goes_before_completion() {
     game.step(NONE);
     assert_eq!((game.outcome(), game.met(), game.result().score.total), (Outcome::Failed, &[true][..], 0));
 }
-
 
 #[test]
 fn after_the_end_nothing_changes() {

@@ -85,7 +85,6 @@ fn a_bad_map_is_told_on_the_list() {
     assert_eq!(sitting.rest().press(Key::Enter).at(), "classics");
 }
 
-
 fn tile_run() -> Sitting {
     at(Request::Classic(Classic::TileRun))
 }
@@ -189,7 +188,6 @@ fn the_run_is_as_fast_at_every_frame_rate() {
     }
 }
 
-
 /// A climb that has come to an end by waiting at the foot, after a height that counts.
 fn ended() -> JumperScene {
     let mut scene = JumperScene::new(1, false);
@@ -265,7 +263,6 @@ fn a_climb_that_came_to_nothing_cannot_be_saved() {
     sitting.click("Climb Again");
     assert_eq!(jumper(&sitting).scene().players().count(), 2, "again as many");
 }
-
 
 fn run(sitting: &mut Sitting, frame_time: f64, seconds: f64) {
     for _ in 0..(seconds / frame_time) as usize {

@@ -160,7 +160,6 @@ fn telemetry_and_results_can_go_to_the_same_output() {
     assert_eq!(text.lines().count(), 4 + 10, "{text}");
 }
 
-
 #[cfg(unix)]
 #[test]
 fn what_never_ends_or_is_too_large_is_refused_at_once() {
