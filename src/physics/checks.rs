@@ -5,7 +5,7 @@ use crate::physics::forces::manager::ForceManager;
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Vetted {
+pub(crate) struct Thing {
     /// Its number, and which of the two it is.
     pub id: u32,
     pub surface: bool,
@@ -22,7 +22,7 @@ pub(crate) struct Vetted {
     pub depth: f64,
 }
 
-impl Vetted {
+impl Thing {
     pub fn name(&self) -> String {
         format!("{} {}", if self.surface { "surface" } else { "body" }, self.id)
     }
@@ -52,7 +52,7 @@ pub(crate) struct Ledger {
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Checks {
-    pub bodies: Vec<Vetted>,
+    pub bodies: Vec<Thing>,
     /// The bodies by the left edges of what they swept.
     pub order: Vec<u32>,
     pub forces: ForceManager,

@@ -12,7 +12,7 @@
 //! In a gas or a heap the crowd step is cheaper from about 50 bodies on; the count of events makes sure of it for fewer.
 
 use crate::physics::crowd::CrowdImpact;
-use crate::physics::crowd::bodies::Sources;
+use crate::physics::crowd::bodies::Origin;
 use crate::physics::crowd::dense::{CrowdEnd, StepSize};
 use crate::physics::data::{Body, Part, called};
 use crate::physics::exact::item::Item;
@@ -267,8 +267,7 @@ impl Space {
         let size = StepSize { dt, rest_speed: state.rest_speed, gravity: state.media.gravity.abs(), last };
         crowd.dense.report.on = tick.lists(island.members.len());
         for _ in 0..=self.moving.len() {
-            let from =
-                Sources { bodies: &state.bodies, surfaces: &state.surfaces, motions, down, bounces: tick.scene.plan.bounces };
+            let from = Origin { bodies: &state.bodies, surfaces: &state.surfaces, motions, down, bounces: tick.scene.plan.bounces };
             if crowd.step(from, island, size) == CrowdEnd::Grown {
                 for &k in &crowd.dense.grown {
                     let i = crowd.bodies.ids[k as usize];

@@ -1,7 +1,7 @@
 //! Laws that hold after every tick in any world. Each step of a build with debug assertions checks them, so every test does; the fuzz of levels
 //! does; the game never does.
 
-use crate::physics::checks::{Checks, Vetted, rounding};
+use crate::physics::checks::{Checks, Thing, rounding};
 use crate::physics::data::{Aabb, BodyId, SLOP, Sides};
 use crate::physics::forces::manager::ForceManager;
 use crate::physics::store::motions::Method;
@@ -74,7 +74,7 @@ impl World {
             let (now, before) = (body.bounds(), Aabb::around(self.space.previous(id as usize).0, body.half));
             let (swept, dense) = (now.union(&before), self.was_dense(id));
             let depth = if dense || self.state.media.wets(&swept) { ROUGH } else { OVERLAP };
-            Vetted { id, surface: false, now, before, swept, velocity: body.velocity, straight: true, dense, depth }
+            Thing { id, surface: false, now, before, swept, velocity: body.velocity, straight: true, dense, depth }
         }));
         for &(body, _, corner) in &self.records.corners {
             let half = self.state.bodies[body as usize].half;
@@ -88,7 +88,7 @@ impl World {
     }
 
     /// Nothing is further outside the edges, where there are any, than it was.
-    fn validate_bounds(&self, bodies: &[Vetted]) -> Result<(), String> {
+    fn validate_bounds(&self, bodies: &[Thing]) -> Result<(), String> {
         let [.., left, right, top, bottom] = self.state.surfaces.as_slice() else { return Ok(()) };
         let min = DVec2::new(left.bounds.max.x, top.bounds.max.y);
         let level = Aabb::new(min, DVec2::new(right.bounds.min.x, bottom.bounds.min.y));
@@ -124,7 +124,7 @@ impl World {
             }
             let (now, velocity, straight) = (surface.bounds, surface.velocity, surface.def.path.is_still());
             let surface =
-                Vetted { id, surface: true, now, before: now, swept: now, velocity, straight, dense: false, depth: OVERLAP };
+                Thing { id, surface: true, now, before: now, swept: now, velocity, straight, dense: false, depth: OVERLAP };
             let first = order.partition_point(|&i| bodies[i as usize].swept.min.x < now.min.x - widest);
             let near = order[first..].iter().map(|&i| &bodies[i as usize]).take_while(|body| body.swept.min.x < now.max.x);
             near.filter(|body| body.swept.overlaps(&now, 0.0)).try_for_each(|body| validate_pair(body, &surface))?;
@@ -133,9 +133,9 @@ impl World {
     }
 
     /// Bodies that were not looked at together have not come near each other.
-    fn validate_islands(&self, a: &Vetted, b: &Vetted) -> Result<(), String> {
+    fn validate_islands(&self, a: &Thing, b: &Thing) -> Result<(), String> {
         // A body that flew or rested alone is an island of its own.
-        let island = |of: &Vetted| self.space.motions.island_of(of.id);
+        let island = |of: &Thing| self.space.motions.island_of(of.id);
         let moved = a.swept != a.now || b.swept != b.now;
         let apart = moved && (island(a).is_none() || island(a) != island(b));
         if apart && self.space.last_dt > 0.0 && a.swept.overlaps(&b.swept, OVERLAP + rounding(&a.swept)) {
@@ -205,7 +205,7 @@ impl World {
 }
 
 /// Neither is in the other, unless it was so before, and neither has passed through the other.
-fn validate_pair(a: &Vetted, b: &Vetted) -> Result<(), String> {
+fn validate_pair(a: &Thing, b: &Thing) -> Result<(), String> {
     let depth = |a: &Aabb, b: &Aabb| -a.gap(b).max_element();
     let (now, rounding) = (depth(&a.now, &b.now), rounding(&a.swept));
     // Where a surface that moves was is not known: nothing was in it.
@@ -229,7 +229,7 @@ fn validate_pair(a: &Vetted, b: &Vetted) -> Result<(), String> {
             (a.velocity - b.velocity, (a.now.centre() - b.now.centre()) - (a.before.centre() - b.before.centre()));
         // A way that turned round might have led past.
         let monotone = velocity[across] * way[across] >= 0.0;
-        let passed = |a: &Vetted, b: &Vetted| a.before.max[axis] <= b.before.min[axis] && a.now.min[axis] >= b.now.max[axis];
+        let passed = |a: &Thing, b: &Thing| a.before.max[axis] <= b.before.min[axis] && a.now.min[axis] >= b.now.max[axis];
         let faced = shared(&a.before, &b.before) > least && shared(&a.now, &b.now) > least;
         if a.straight && b.straight && monotone && faced && (passed(a, b) || passed(b, a)) {
             let (from, to) = (a.before.centre(), a.now.centre());

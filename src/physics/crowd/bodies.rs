@@ -10,7 +10,7 @@ use glam::DVec2;
 use std::ops::{Index, IndexMut};
 
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Sources<'a> {
+pub(crate) struct Origin<'a> {
     pub bodies: &'a [Body],
     pub surfaces: &'a [Surface],
     pub motions: &'a Motions,
@@ -35,7 +35,7 @@ impl<'a> Group<'a> {
 }
 
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Thing {
+pub(crate) struct Member {
     /// Its centre at the start, and at the end: first predicted, then final, m.
     pub from: DVec2,
     pub to: DVec2,
@@ -66,7 +66,7 @@ pub(crate) struct Thing {
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Bodies {
-    pub things: Vec<Thing>,
+    pub things: Vec<Member>,
     /// The numbers of bodies, and of surfaces behind all bodies, in the world.
     pub ids: Vec<u32>,
     count: usize,
@@ -77,17 +77,17 @@ pub(crate) struct Bodies {
 }
 
 impl Index<usize> for Bodies {
-    type Output = Thing;
+    type Output = Member;
 
     #[inline(always)]
-    fn index(&self, i: usize) -> &Thing {
+    fn index(&self, i: usize) -> &Member {
         &self.things[i]
     }
 }
 
 impl IndexMut<usize> for Bodies {
     #[inline(always)]
-    fn index_mut(&mut self, i: usize) -> &mut Thing {
+    fn index_mut(&mut self, i: usize) -> &mut Member {
         &mut self.things[i]
     }
 }
@@ -97,7 +97,7 @@ impl Bodies {
         Self { things: Vec::with_capacity(all), ids: Vec::with_capacity(all), ..Self::default() }
     }
 
-    pub fn gather(&mut self, from: Sources<'_>, island: Island<'_>) {
+    pub fn gather(&mut self, from: Origin<'_>, island: Island<'_>) {
         let (n, all) = (island.members.len(), from.motions.len());
         self.ids.clear();
         self.ids.extend_from_slice(island.members);
@@ -106,12 +106,12 @@ impl Bodies {
         self.ids.dedup();
         (self.count, self.bounces, self.airy) = (n, from.bounces, from.motions.airy);
         self.things.clear();
-        self.things.extend(self.ids[..n].iter().map(|i| Thing::body(from, *i as usize)));
-        self.things.extend(self.ids[n..].iter().map(|i| Thing::surface(from, *i as usize - all)));
+        self.things.extend(self.ids[..n].iter().map(|i| Member::body(from, *i as usize)));
+        self.things.extend(self.ids[n..].iter().map(|i| Member::surface(from, *i as usize - all)));
         if !from.bounces {
             self.things.iter_mut().for_each(|thing| thing.traits.restitution = 0.0);
         }
-        let friction = |thing: &Thing| (thing.traits.static_friction, thing.traits.kinetic_friction);
+        let friction = |thing: &Member| (thing.traits.static_friction, thing.traits.kinetic_friction);
         self.alike = self.all().iter().all(|body| friction(body) == friction(&self.things[0]));
     }
 
@@ -129,7 +129,7 @@ impl Bodies {
         self.count
     }
 
-    pub fn all(&self) -> &[Thing] {
+    pub fn all(&self) -> &[Member] {
         &self.things[..self.count]
     }
 
@@ -166,7 +166,7 @@ impl Bodies {
     /// Whether the predicted box of a body lies within what was swept when contacts were sought.
     #[inline(always)]
     pub fn is_swept(&self, i: usize) -> bool {
-        let Thing { to, half, swept, .. } = &self[i];
+        let Member { to, half, swept, .. } = &self[i];
         swept.contains(&Aabb::around(*to, *half), 0.0)
     }
 
@@ -180,9 +180,9 @@ impl Bodies {
     }
 }
 
-impl Thing {
-    fn body(source: Sources<'_>, i: usize) -> Self {
-        let Sources { bodies, motions, down, .. } = source;
+impl Member {
+    fn body(source: Origin<'_>, i: usize) -> Self {
+        let Origin { bodies, motions, down, .. } = source;
         let (body, motion) = (&bodies[i], &motions.bodies[i]);
         let (before, flown) = (turned(body.velocity, down), turned(motion.free.0, down));
         Self {
@@ -203,8 +203,8 @@ impl Thing {
         }
     }
 
-    fn surface(source: Sources<'_>, s: usize) -> Self {
-        let Sources { surfaces, motions, down, .. } = source;
+    fn surface(source: Origin<'_>, s: usize) -> Self {
+        let Origin { surfaces, motions, down, .. } = source;
         let SurfaceMotion { from, to, half, mean, end, was, belt, .. } = motions.surfaces[s];
         let (mean, end, sides) = (turned(mean, down), turned(end, down), surfaces[s].def.sides);
         Self {

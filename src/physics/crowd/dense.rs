@@ -1,6 +1,6 @@
 //! The stages of a crowd step of one island. The step leaves places and velocities in [`Bodies`].
 
-use crate::physics::crowd::bodies::{Bodies, Group, Sources};
+use crate::physics::crowd::bodies::{Bodies, Group, Origin};
 use crate::physics::crowd::clusters::Clusters;
 use crate::physics::crowd::contacts::Contacts;
 use crate::physics::crowd::cross::{Cross, Pushes};
@@ -54,7 +54,7 @@ impl Crowd {
         Self { bodies: Bodies::new(all), dense, local: vec![0; all] }
     }
 
-    pub fn step(&mut self, from: Sources<'_>, island: Island<'_>, size: StepSize) -> CrowdEnd {
+    pub fn step(&mut self, from: Origin<'_>, island: Island<'_>, size: StepSize) -> CrowdEnd {
         let Self { bodies, dense, local } = self;
         bodies.gather(from, island);
         (0..).zip(&bodies.ids).for_each(|(k, id)| local[*id as usize] = k);

@@ -1,6 +1,6 @@
 //! Which impacts of a crowd step bounce, and how fast what they hit leaves.
 
-use crate::physics::crowd::bodies::{Bodies, Thing};
+use crate::physics::crowd::bodies::{Bodies, Member};
 use crate::physics::crowd::contacts::CrowdContact;
 
 /// Closing speeds up to this are none, m/s. Smaller: rounding bounces.
@@ -30,7 +30,7 @@ impl Bounces {
 
     /// The speed with which a pair closes along an axis when it touches, m/s, and the pull of one towards the other, m/s². A second one that
     /// `rests` does not fall along with the first.
-    pub fn closing(self, [a, b]: [&Thing; 2], axis: usize, rests: bool) -> (f64, f64) {
+    pub fn closing(self, [a, b]: [&Member; 2], axis: usize, rests: bool) -> (f64, f64) {
         let side = if b.from[axis] < a.from[axis] { -1.0 } else { 1.0 };
         let gap = ((b.from - a.from).abs() - a.half - b.half)[axis].max(0.0);
         let gained = (a.free - a.before)[axis] - if rests { 0.0 } else { (b.free - b.before)[axis] };
@@ -39,7 +39,7 @@ impl Bounces {
     }
 
     /// The velocity along gravity, m/s, with which a body leaves an impact that ends its `way` (m) with the velocity `end`.
-    pub fn rebound(self, body: &Thing, way: f64, end: f64, restitution: f64) -> f64 {
+    pub fn rebound(self, body: &Member, way: f64, end: f64, restitution: f64) -> f64 {
         let (before, free) = (body.before.y, body.free.y);
         let side = if free < end { -1.0 } else { 1.0 };
         let (closing, pull) = ((before - end) * side, (free - before) / self.dt * side);

@@ -174,7 +174,7 @@ impl Displaced {
         // Beyond a kink by the rounding of a place: smaller, it would lie before the kink.
         let sliver = 1e-12 + 16.0 * f64::EPSILON * (x.abs() + half);
         let mut places = Aabb::new(near.min + half, near.max - half);
-        // Around a corner of the box of places, so that the forms are the same to the bit from anywhere in it.
+        // Origin a corner of the box of places, so that the forms are the same to the bit from anywhere in it.
         let mut corner = DVec2::NEG_INFINITY;
         for index in liquids.iter() {
             let fluid = &media.fluids[index as usize];

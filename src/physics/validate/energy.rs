@@ -3,7 +3,7 @@
 //! Not asked: islands with links, near surfaces that move, where a body crosses the border of a stream within the tick, and liquids under a gravity
 //! that points up.
 
-use crate::physics::checks::{Ledger, Vetted, rounding};
+use crate::physics::checks::{Ledger, Thing, rounding};
 use crate::physics::data::{Aabb, MICRO_SPEED, SLOP, refill};
 use crate::physics::forces::zones::{feels, stays};
 use crate::physics::world::World;
@@ -22,12 +22,7 @@ const CROWD: f64 = 1.0;
 
 impl World {
     /// No island has gained more energy than it was given.
-    pub(super) fn validate_energy(
-        &self,
-        bodies: &[Vetted],
-        ledgers: &mut Vec<Ledger>,
-        moving: &mut Vec<u32>,
-    ) -> Result<(), String> {
+    pub(super) fn validate_energy(&self, bodies: &[Thing], ledgers: &mut Vec<Ledger>, moving: &mut Vec<u32>) -> Result<(), String> {
         moving.clear();
         let moves = |s: &u32| {
             let surface = &self.state.surfaces[*s as usize];
@@ -67,7 +62,7 @@ impl World {
 
     /// Whether a body that is in no island moved as one that touches nothing does. (A body that flew back into an island that it had left is in
     /// none.)
-    fn flew(&self, thing: &Vetted) -> bool {
+    fn flew(&self, thing: &Thing) -> bool {
         let (before, dt) = (self.space.previous(thing.id as usize).1, self.records.dt);
         let way = thing.now.centre() - thing.before.centre();
         let (mean, change) = ((before + thing.velocity) * (0.5 * dt), (thing.velocity - before).length() * dt);
@@ -76,7 +71,7 @@ impl World {
 
     /// All places that a body may have covered within the tick: a stream or a liquid may have thrown it back. Half of the tick leads it out, at no
     /// more than the speeds at both ends and the speed that its pushes, and the streams and liquids on its way, give.
-    fn reach(&self, thing: &Vetted) -> Aabb {
+    fn reach(&self, thing: &Thing) -> Aabb {
         let (i, dt, media) = (thing.id as usize, self.records.dt, &self.state.media);
         let (body, speeds) = (&self.state.bodies[i], self.space.previous(i).1.abs() + thing.velocity.abs());
         let own = self.state.forces[i].push_of_no_zone().abs() + body.mass * media.gravity_on(body).abs();
@@ -98,7 +93,7 @@ impl World {
     }
 
     /// Adds to the ledger of its island the energies of a body that has stayed within `near`.
-    fn account(&self, thing: &Vetted, near: &Aabb, ledger: &mut Ledger) {
+    fn account(&self, thing: &Thing, near: &Aabb, ledger: &mut Ledger) {
         let (i, media) = (thing.id as usize, &self.state.media);
         let (body, before) = (&self.state.bodies[i], self.space.previous(i).1);
         let way = body.position - self.space.previous(i).0;
@@ -132,7 +127,7 @@ impl World {
     }
 
     /// The most that buoyancy can have given a body on its way, J, and its largest force, N.
-    fn lift(&self, thing: &Vetted, within: &Aabb, (before, way): (DVec2, DVec2)) -> (f64, f64) {
+    fn lift(&self, thing: &Thing, within: &Aabb, (before, way): (DVec2, DVec2)) -> (f64, f64) {
         let media = &self.state.media;
         let (up, down) = ((-way.y).max(0.0), way.y.max(0.0));
         let beyond = (before.y.abs() + thing.velocity.y.abs()) * self.records.dt;
