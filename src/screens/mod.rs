@@ -71,7 +71,7 @@ pub use folder_watch::{FolderWatch, Stamp};
 pub use instruments::vary::{Varied, Vary, VaryEntry, VaryFrom, VaryLine};
 pub use instruments::{Instruments, Measures, Plot, PlotPlaces, Stage, Table as Figures, Tool as Instrument};
 pub use jumper::Jumper;
-pub use lab::{Experiment, Half, Lab, PAGES, Page, Shown, SurvivalLine};
+pub use lab::{Experiment, Half, Lab, PAGES, Page, Shown};
 pub use leaderboard::{BoardRival, Fresh, Leaderboard, Onward};
 pub use level_select::{LevelEntry, LevelSelect, Purpose};
 pub use library::Library;

@@ -15,6 +15,10 @@ pub enum WidgetKind {
     Tool,
     /// Both; left and right change its value.
     Choice,
+    /// Both; the pointer drags it, left and right move it.
+    Slider,
+    /// The pointer alone, which drags it.
+    Knob,
     /// Both; characters go into it.
     Field,
     /// Arrow keys alone: a row of a list beyond its view, which scrolls there.
@@ -23,7 +27,7 @@ pub enum WidgetKind {
 
 impl WidgetKind {
     fn has_focus(self) -> bool {
-        self != Self::Tool
+        !matches!(self, Self::Tool | Self::Knob)
     }
 
     fn has_pointer(self) -> bool {
@@ -31,7 +35,20 @@ impl WidgetKind {
     }
 
     fn keeps_sideways(self) -> bool {
-        matches!(self, Self::Choice | Self::Field)
+        matches!(self, Self::Choice | Self::Slider | Self::Field)
+    }
+
+    fn is_dragged(self) -> bool {
+        matches!(self, Self::Slider | Self::Knob)
+    }
+
+    /// The same without the keyboard.
+    pub(super) const fn by_pointer(self) -> Self {
+        match self {
+            Self::Button | Self::Choice => Self::Tool,
+            Self::Slider => Self::Knob,
+            Self::Tool | Self::Knob | Self::Field | Self::Beyond => self,
+        }
     }
 }
 
@@ -75,6 +92,8 @@ pub struct Memory {
     focus: Vec<Option<Spot>>,
     pub(super) hover: Option<String>,
     pub(super) pressed: Option<String>,
+    /// The dragged widget.
+    pub(super) held: Option<String>,
     /// `None` before the first frame: a pointer at rest takes nothing from the keyboard.
     pointer: Option<Vec2>,
     pub(super) scrolls: BTreeMap<String, Scroll>,
@@ -122,11 +141,12 @@ impl Memory {
 
     pub(super) fn follow(&mut self, input: &Input) {
         if self.shown.captured {
-            self.pressed = None;
+            (self.pressed, self.held) = (None, None);
             return;
         }
         let before = (self.hover.clone(), self.focused().map(str::to_owned));
         self.pressed = self.press(input);
+        self.hold(input);
         if self.pressed.is_some() {
             input.answer(ButtonAnswer::Pressed);
         } else if self.focused() != before.1.as_deref() || self.hover != before.0 && self.hover.is_some() {
@@ -153,6 +173,16 @@ impl Memory {
         self.frames += 1;
     }
 
+    /// The pointer holds the dragged widget that it pressed as long as its button is down.
+    fn hold(&mut self, input: &Input) {
+        if input.click {
+            let pressed = self.pressed.as_deref().and_then(|label| self.find(label));
+            self.held = pressed.filter(|widget| widget.kind.is_dragged()).map(|widget| widget.label.clone());
+        } else if !input.holding {
+            self.held = None;
+        }
+    }
+
     fn find(&self, label: &str) -> Option<&Widget> {
         self.shown.widgets.iter().find(|widget| widget.label == label)
     }
@@ -163,8 +193,9 @@ impl Memory {
 
     /// The label of the pressed widget.
     fn press(&mut self, input: &Input) -> Option<String> {
+        // Later widgets lie above earlier ones.
         let under =
-            self.shown.widgets.iter().find(|widget| widget.kind.has_pointer() && widget.area.contains(input.pointer)).cloned();
+            self.shown.widgets.iter().rfind(|widget| widget.kind.has_pointer() && widget.area.contains(input.pointer)).cloned();
         let label = under.as_ref().map(|widget| widget.label.clone());
         let moved = self.pointer.replace(input.pointer).is_some_and(|before| before != input.pointer);
         if moved || input.click || label != self.hover {

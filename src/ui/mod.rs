@@ -4,14 +4,19 @@
 //! A frame runs the function twice or more. The first pass acts: it sees presses, and its picture is dropped. The passes after it
 //! show: without presses and without time; the last one is the picture. Labels identify widgets; [`Memory`] keeps their state.
 
+mod entry;
 pub mod input;
 mod memory;
 pub mod scroll;
+mod slider;
 mod spectator;
 pub mod text_field;
+mod tip;
 mod widgets;
 
+pub use entry::{Entry, EntryEvent, without_keys};
 pub use memory::{Memory, Widget, WidgetKind};
+pub use slider::{SliderMove, SliderShown};
 pub use spectator::Spectator;
 pub use widgets::{FieldEvent, Rows, Touch, Turning};
 
@@ -31,6 +36,12 @@ pub struct Ui<'a> {
     group: usize,
     /// Age of the screen, s: carets blink by it.
     time: f64,
+    /// Whether this is the pass that acts.
+    acting: bool,
+    /// Whether widgets leave the keys to the screen.
+    by_pointer: bool,
+    /// Words beside the pointer.
+    tip: Option<String>,
 }
 
 /// The parts of a pass outside the screen's memory.
@@ -47,21 +58,23 @@ impl Memory {
     /// The pass that acts, on the widgets of the last frame.
     pub fn act<T>(&mut self, stage: PassInput<'_>, screen: impl FnOnce(&mut Ui<'_>) -> T) -> T {
         self.follow(stage.input);
-        self.pass(stage, screen).0
+        self.pass(stage, true, screen).0
     }
 
     /// A pass that shows, with an input without presses.
     pub fn show<T>(&mut self, stage: PassInput<'_>, screen: impl FnOnce(&mut Ui<'_>) -> T) -> T {
         self.pressed = None;
-        let (result, shown) = self.pass(stage, screen);
+        let (result, shown) = self.pass(stage, false, screen);
         self.adopt(shown);
         result
     }
 
-    fn pass<T>(&mut self, stage: PassInput<'_>, screen: impl FnOnce(&mut Ui<'_>) -> T) -> (T, PassShown) {
+    fn pass<T>(&mut self, stage: PassInput<'_>, acting: bool, screen: impl FnOnce(&mut Ui<'_>) -> T) -> (T, PassShown) {
         let PassInput { input, canvas, spectator, time } = stage;
-        let mut ui = Ui { input, canvas, memory: self, spectator, shown: PassShown::default(), group: 0, time };
+        let shown = PassShown::default();
+        let mut ui = Ui { input, canvas, memory: self, spectator, shown, group: 0, time, acting, by_pointer: false, tip: None };
         let result = screen(&mut ui);
+        ui.draw_tip();
         (result, ui.shown)
     }
 }
@@ -128,7 +141,7 @@ impl<'a> Ui<'a> {
         crate::view::widgets::curtain(self.canvas, darkened);
         let layer = self.shown.layer + 1;
         self.shown = PassShown { layer, ..PassShown::default() };
-        self.group = 0;
+        (self.group, self.tip) = (0, None);
     }
 
     /// Focuses the widget of that label when the layer opens.
@@ -145,12 +158,21 @@ impl<'a> Ui<'a> {
         self.is_live() && self.memory.focused() == Some(label)
     }
 
+    /// These widgets answer the pointer alone: the keys have other work. An open entry keeps its keys.
+    pub fn by_pointer<T>(&mut self, show: impl FnOnce(&mut Self) -> T) -> T {
+        let before = std::mem::replace(&mut self.by_pointer, true);
+        let result = show(self);
+        self.by_pointer = before;
+        result
+    }
+
     /// A widget whose drawing is the screen's own. The second of two with the same label gets another label.
     pub fn touch(&mut self, label: &str, area: Area, kind: WidgetKind) -> Touch {
         let mut label = label.to_owned();
         while self.shown.widgets.iter().any(|widget| widget.label == label) {
             label.push('′');
         }
+        let kind = if self.by_pointer { kind.by_pointer() } else { kind };
         let is = |known: Option<&str>| self.is_live() && known == Some(&label);
         let (hover, focus, pressed) = (is(self.memory.hovered()), is(self.memory.focused()), is(self.memory.pressed.as_deref()));
         self.shown.widgets.push(Widget { label, area, kind, group: self.group });

@@ -1,5 +1,6 @@
 use super::*;
 use crate::draw::layout::Vec2;
+use crate::draw::{Shape, Style};
 use crate::ui::input::ButtonAnswer;
 use crate::ui::text_field::TextField;
 
@@ -170,4 +171,89 @@ fn a_list_scrolls_with_the_focus_and_the_wheel_leaves_the_focus_in_view() {
     assert_eq!(give(&Input { wheel: -1.0, ..Input::default() }), (8..13, "row 9".into(), None));
     assert_eq!(give(&press(Key::Enter)).2, Some(9));
     assert_eq!(give(&press(Key::End)), (15..20, "row 16".into(), None));
+}
+
+#[test]
+fn a_slider_follows_the_pointer_that_holds_it_and_the_keys_that_it_has() {
+    let mut sitting = Sitting::default();
+    let mut part = 0.5;
+    let mut give = |input: &Input, by_pointer: bool| {
+        let show = |ui: &mut Ui<'_>| {
+            // A knob's radius inside the ends: from 105.2 to 194.8.
+            let shown = SliderShown { part, mark: 0.5, colour: crate::view::theme::text() };
+            let area = Area::new(100.0, 100.0, 100.0, 20.0);
+            ui.slider("Mass", area, &shown)
+        };
+        let moved = sitting.give(input, |ui| if by_pointer { ui.by_pointer(show) } else { show(ui) });
+        if let Some(SliderMove::To { part: to, .. }) = moved {
+            part = to;
+        }
+        (moved, sitting.focus().to_owned())
+    };
+    let at = |x: f32, click: bool| Input { pointer: Vec2::new(x, 110.0), click, holding: true, ..Input::default() };
+    give(&Input::default(), false);
+    assert_eq!(give(&press(Key::Right), false).0, Some(SliderMove::Step(1.0)));
+    assert_eq!(give(&press(Key::Left), false).0, Some(SliderMove::Step(-1.0)));
+    assert_eq!(give(&at(150.0, true), false).0, None, "the knob is there");
+    assert_eq!(give(&at(194.8, false), false).0, Some(SliderMove::To { part: 1.0, goes_on: true }));
+    assert_eq!(give(&at(900.0, false), false).0, None, "at its end it stays");
+    assert_eq!(give(&at(-900.0, false), false).0, Some(SliderMove::To { part: 0.0, goes_on: true }));
+    assert_eq!(give(&Input { pointer: Vec2::new(150.0, 110.0), ..Input::default() }, false).0, None, "it is released");
+    assert_eq!(give(&at(150.0, false), false).0, None, "a pointer that comes with its button down holds nothing");
+    // By the pointer alone.
+    assert_eq!(give(&Input::default(), true).1, "");
+    assert_eq!(give(&press(Key::Right), true).0, None);
+    assert!(matches!(give(&at(194.8, true), true).0, Some(SliderMove::To { goes_on: false, .. })));
+}
+
+#[test]
+fn an_entry_opens_on_a_click_and_is_taken_by_enter_or_a_click_elsewhere() {
+    let (mut sitting, mut entry) = (Sitting::default(), Entry::default());
+    let (mass, speed) = (Area::new(100.0, 100.0, 90.0, 20.0), Area::new(100.0, 130.0, 90.0, 20.0));
+    let style = Style::new(crate::draw::layout::DETAILS, crate::view::theme::text());
+    let mut give = |input: &Input| {
+        let event = sitting.give(input, |ui| {
+            let event = ui.entry_event(&mut entry);
+            for (label, area) in [("Mass", mass), ("Speed", speed)] {
+                if ui.entry(label, area, ("12.5 kg", style), &mut entry) {
+                    entry.open(label, "12.5");
+                }
+            }
+            event
+        });
+        (event, entry.text())
+    };
+    let click = |area: Area| Input { pointer: area.centre(), click: true, holding: true, ..Input::default() };
+    let typed = |text: &str| Input { typed: text.into(), pointer: mass.centre(), ..Input::default() };
+    give(&Input::default());
+    assert_eq!(give(&click(mass)), (None, Some("12.5".into())));
+    assert_eq!(give(&click(mass)), (None, Some("12.5".into())), "it is open");
+    assert_eq!(give(&typed("7")), (Some(EntryEvent::Changed), Some("7".into())), "all of it was selected");
+    assert_eq!(give(&press(Key::Up)).0, Some(EntryEvent::Stepped("Mass".into(), 1.0)));
+    let enter = Input { typed: "5".into(), ..press(Key::Enter) };
+    assert_eq!(give(&enter), (Some(EntryEvent::Taken("Mass".into(), "75".into())), Some("75".into())), "the screen may refuse it");
+    let (event, text) = give(&click(speed));
+    assert_eq!((event, text), (Some(EntryEvent::Taken("Mass".into(), "75".into())), Some("12.5".into())), "the other one is open");
+    assert_eq!(give(&press(Key::Escape)), (Some(EntryEvent::GivenUp), None));
+    assert_eq!(give(&typed("7")), (None, None));
+}
+
+#[test]
+fn a_tooltip_stands_beside_the_pointer_inside_the_window_and_only_there() {
+    let mut sitting = Sitting::default();
+    let area = Area::new(1200.0, 680.0, 80.0, 40.0);
+    let words = "Friction: the largest share of the contact force that acts along the surface, 0 … 3";
+    let mut shown = |pointer: Vec2| {
+        let input = Input { pointer, ..Input::default() };
+        let canvas = Canvas::new(input.frame);
+        let stage = PassInput { input: &input, canvas: &canvas, spectator: &mut (), time: 0.0 };
+        sitting.memory.show(stage, |ui| ui.tip(area, words));
+        let shapes = canvas.shapes();
+        let text = |shape: &Shape| if let Shape::Text { text, at, .. } = shape { Some((text.clone(), *at)) } else { None };
+        shapes.iter().filter_map(text).collect::<Vec<_>>()
+    };
+    assert!(shown(Vec2::ZERO).is_empty());
+    let lines = shown(area.centre());
+    assert!(lines.len() == 2 && lines.iter().all(|(_, at)| at.x > 0.0 && at.y < area.centre().y), "above the pointer: {lines:?}");
+    assert_eq!(lines.iter().map(|(text, _)| text.trim()).collect::<Vec<_>>().join(" "), words);
 }

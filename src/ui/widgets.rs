@@ -3,8 +3,8 @@
 use super::memory::WidgetKind;
 use super::text_field::TextField;
 use super::{Ui, input::Input};
-use crate::draw::layout::{Area, BUTTON_TEXT, GAP, HEADING, PADDING, ROW_BUTTON, TEXT, Vec2};
-use crate::draw::{Canvas, Colour, Style};
+use crate::draw::layout::{Area, BUTTON_TEXT, GAP, GRID, HEADING, PADDING, ROW_BUTTON, TEXT, Vec2};
+use crate::draw::{Align, Canvas, Colour, Style};
 use crate::settings::{Key, Keys};
 use crate::view::{theme, widgets as paint};
 use std::ops::Range;
@@ -92,6 +92,15 @@ impl Ui<'_> {
     pub fn button(&mut self, label: &str, area: Area) -> bool {
         let touch = self.touch(label, area, WidgetKind::Button);
         paint::button(self.canvas(), area, label, touch.hover, touch.focus);
+        touch.pressed
+    }
+
+    /// A button in words of that style: in its middle where they are centred, else at its left end.
+    pub fn small_button(&mut self, label: &str, area: Area, style: Style) -> bool {
+        let touch = self.touch(label, area, WidgetKind::Button);
+        paint::button_box(self.canvas(), area, touch.hover, touch.focus);
+        let at = if style.align == Align::Centre { area.centre() } else { Vec2::new(area.min.x + GRID, area.centre().y) };
+        self.text(label, at, style.middle());
         touch.pressed
     }
 

@@ -90,6 +90,21 @@ pub fn cut(canvas: &Canvas, text: &str, widest: f32, style: Style) -> String {
     }
 }
 
+/// Words in lines that are at most `widest` wide.
+pub fn lines(canvas: &Canvas, words: &str, widest: f32, style: Style) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in words.split(' ') {
+        match lines.last_mut() {
+            Some(line) if canvas.width(&format!("{line} {word}"), style) <= widest => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
 /// As large as a letter of twice that height.
 pub fn tick(canvas: &Canvas, middle: Vec2, size: f32, colour: Colour) {
     let at = |x: f32, y: f32| middle + Vec2::new(x, y) * size;

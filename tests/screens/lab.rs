@@ -1,126 +1,124 @@
-//! The lab's screen without a window: its charts, its table of stress tests, two methods side by side; by mouse and by keyboard, and
+//! The Lab's screen without a window: its charts, its table of stress tests, two methods side by side; by mouse and by keyboard, and
 //! with damaged charts.
 
+use crate::sitting::Sitting;
 use resultant::draw::layout::{Area, Frame, Vec2};
+use resultant::draw::{Contour, Shape};
+use resultant::lab::axes::step;
 use resultant::lab::charts::Charts;
 use resultant::lab::kept;
+use resultant::lab::measured::Measured;
 use resultant::lab::side_by_side::exhibits;
-use resultant::screens::{App, Attempt, Flight, Input, Key, Lab, Menu, PAGES, Page, Places, Request, SurvivalLine};
+use resultant::lab::stability::regions;
+use resultant::lab::stress::Survival;
+use resultant::screens::{Attempt, Flight, Input, Key, Lab, PAGES, Page, Request};
+use resultant::ui::scroll::BAR_WIDTH;
+use resultant::view::plane::Plane;
+use resultant::view::plot::DiagramPlaces;
+use resultant::view::theme;
 use std::fs;
+use std::ops::Range;
 use std::path::Path;
 
 const SIZES: [(f32, f32); 5] = [(900.0, 500.0), (1280.0, 720.0), (1920.0, 1080.0), (600.0, 900.0), (2560.0, 600.0)];
 
-/// A sitting that begins in the lab.
-struct Sitting {
-    app: App,
-    frame: Frame,
-    _folder: tempfile::TempDir,
+/// In the Lab, from the menu on, with the files of a data folder.
+fn lab_with(prepare: impl FnOnce(&Path)) -> Sitting {
+    let mut sitting = Sitting::with(prepare);
+    sitting.choose("Lab");
+    assert_eq!(sitting.at(), "lab");
+    sitting
 }
 
-impl Sitting {
-    fn new() -> Self {
-        Self::with(|_| {})
-    }
+/// In the Lab, on the page of that tab, by key.
+fn lab_at(label: &str) -> Sitting {
+    let mut sitting = lab_with(|_| {});
+    turn_to(&mut sitting, label);
+    sitting
+}
 
-    /// With the files of a data folder.
-    fn with(prepare: impl FnOnce(&Path)) -> Self {
-        let folder = tempfile::tempdir().unwrap();
-        prepare(folder.path());
-        let root = folder.path().to_path_buf();
-        let mut app = App::new(Places { levels: root.join("levels"), scores: root.join("scores"), root });
-        app.grant(Request::Lab, &mut ());
-        let mut sitting = Self { app, frame: Frame::default(), _folder: folder };
-        sitting.give(Input::default());
-        sitting
+fn turn_to(sitting: &mut Sitting, label: &str) {
+    let wanted = PAGES.iter().find(|(_, known)| *known == label).expect("a tab").0;
+    while lab(sitting).page() != wanted {
+        sitting.press(Key::Tab);
     }
+}
 
-    fn give(&mut self, input: Input) -> &mut Self {
-        let frame_time = if input.frame_time > 0.0 { input.frame_time } else { 1.0 / 60.0 };
-        assert!(self.app.update(&Input { frame: self.frame, frame_time, ..input }, &mut ()));
-        self
-    }
+fn lab(sitting: &Sitting) -> &Lab {
+    sitting.screen()
+}
 
-    fn press(&mut self, key: Key) -> &mut Self {
-        let keys = [key].into_iter().collect();
-        self.give(Input { pressed: keys, held: keys, ..Input::default() }).give(Input::default())
-    }
+/// The boxes of that colour.
+fn boxes(sitting: &Sitting, of: resultant::draw::Colour) -> Vec<Area> {
+    let shapes = sitting.app.canvas().shapes();
+    let box_of = |shape: &Shape| match shape {
+        Shape::Fill { outline: Contour::Rounded(area, _), colour } if *colour == of => Some(*area),
+        _ => None,
+    };
+    shapes.iter().filter_map(box_of).collect()
+}
 
-    fn point_at(&mut self, pointer: Vec2) -> &mut Self {
-        self.give(Input { pointer, ..Input::default() })
-    }
+/// The largest panel.
+fn panel(sitting: &Sitting) -> Area {
+    let panels = boxes(sitting, theme::panel()).into_iter();
+    panels.max_by(|a, b| a.size.element_product().total_cmp(&b.size.element_product())).expect("a panel")
+}
 
-    fn click(&mut self, area: Area) -> &mut Self {
-        let pointer = area.centre();
-        self.give(Input { pointer, click: true, holding: true, ..Input::default() }).point_at(pointer)
-    }
+/// The scene on the page of the charts: its index among all, and its chart.
+fn scene(sitting: &Sitting) -> (usize, Measured) {
+    let charts = &lab(sitting).charts().diagrams;
+    let numbered = |i: &usize| sitting.texts().iter().any(|(text, _)| *text == format!("{} of {}", i + 1, charts.len()));
+    let index = (0..charts.len()).find(numbered).expect("a scene is shown");
+    assert!(sitting.shows(&charts[index].title));
+    (index, charts[index].clone())
+}
 
-    fn wait(&mut self, seconds: f64) -> &mut Self {
-        (0..(seconds * 60.0).round() as u32).fold(self, |sitting, _| sitting.give(Input::default()))
-    }
+/// The index of the name whose line in the legend is picked out.
+fn picked<'n>(sitting: &Sitting, mut names: impl Iterator<Item = &'n str>) -> Option<usize> {
+    let y = sitting.picked()?;
+    names.position(|name| sitting.area(name).centre().y == y)
+}
 
-    fn lab(&self) -> &Lab {
-        self.app.screen().get().expect("in the lab")
-    }
-
-    fn has_left(&self) -> bool {
-        self.app.screen().is::<Menu>()
-    }
-
-    /// The page of that tab, by key.
-    fn page(&mut self, page: Page) -> &mut Self {
-        while self.lab().page() != page {
-            self.press(Key::Tab);
-        }
-        self
-    }
+fn picked_curve(sitting: &Sitting) -> Option<usize> {
+    let (_, measured) = scene(sitting);
+    picked(sitting, measured.curves.iter().map(|curve| curve.name.as_str()))
 }
 
 #[test]
 fn the_pages_are_reached_by_key_and_by_mouse_and_left_by_esc_and_back() {
-    let mut sitting = Sitting::new();
+    let mut sitting = lab_with(|_| {});
     for (page, _) in PAGES.into_iter().chain([PAGES[0]]) {
-        assert_eq!(sitting.lab().page(), page);
+        assert_eq!(lab(&sitting).page(), page);
         sitting.press(Key::Tab);
     }
-    for (index, (page, _)) in PAGES.into_iter().enumerate() {
-        let tab = sitting.lab().tabs().areas()[index];
-        assert_eq!(sitting.click(tab).lab().page(), page);
-        assert!(Sitting::new().page(page).press(Key::Escape).has_left());
-        let mut other = Sitting::new();
-        let back = other.page(page).lab().toolbar().buttons().areas()[0];
-        assert!(other.click(back).has_left());
+    for (page, label) in PAGES {
+        assert_eq!(lab(sitting.click(label)).page(), page);
+        assert_eq!(lab_at(label).press(Key::Escape).at(), "menu");
+        assert_eq!(lab_at(label).click("Back").at(), "menu");
     }
 }
 
 #[test]
 fn nothing_lies_on_anything_else_in_any_window() {
     for (width, height) in SIZES {
-        let mut sitting = Sitting::with(experiments);
+        let mut sitting = lab_with(experiments);
         sitting.frame = Frame::of_window(Vec2::new(width, height));
-        for (page, _) in PAGES {
-            sitting.page(page).give(Input::default());
-            let lab = sitting.lab();
-            let mut areas: Vec<Area> = lab.tabs().areas().to_vec();
-            areas.extend(lab.toolbar().buttons().areas());
-            match page {
-                Page::Charts => areas.push(lab.charts().plot(&sitting.frame).unwrap().panel),
-                Page::Stability => areas.push(lab.stability().plane(&sitting.frame).panel),
-                Page::Survival => areas.extend(lab.survival().bar().map(|bar| bar.track)),
-                Page::SideBySide => areas.extend(lab.side_by_side().choices().areas()),
-                Page::Experiments => {
-                    areas.extend(lab.experiments().list().areas());
-                    assert_eq!(lab.experiments().experiments().len(), 12);
-                }
+        for (page, label) in PAGES {
+            turn_to(&mut sitting, label);
+            sitting.rest();
+            let areas = sitting.areas();
+            if page == Page::Experiments {
+                assert_eq!(areas.len(), PAGES.len() + 3 + 12, "{:?}", sitting.labels());
             }
-            for (i, a) in areas.iter().enumerate() {
-                assert!(
-                    a.min.cmpge(Vec2::ZERO).all() && a.max().cmple(sitting.frame.size).all(),
-                    "{page:?} {width} × {height}: {a:?}"
-                );
-                for b in &areas[..i] {
-                    let apart = a.max().cmple(b.min).any() || b.max().cmple(a.min).any();
-                    assert!(apart, "{page:?} at {width} × {height}: {a:?} {b:?}");
+            let apart = |a: &Area, b: &Area| a.max().cmple(b.min + 0.01).any() || b.max().cmple(a.min + 0.01).any();
+            let inside = |a: &Area, b: &Area| a.min.cmpge(b.min).all() && a.max().cmple(b.max()).all();
+            let (panels, frame) = (boxes(&sitting, theme::panel()), sitting.frame.area());
+            for (i, a) in areas.iter().chain(&panels).enumerate() {
+                assert!(inside(a, &frame), "{page:?} {width} × {height}: {a:?}");
+                for b in areas.iter().take(i) {
+                    // Only a legend lies in its chart's panel.
+                    let legend = i >= areas.len() && inside(b, a) && matches!(page, Page::Charts | Page::Stability);
+                    assert!(legend || apart(a, b), "{page:?} at {width} × {height}: {a:?} {b:?}");
                 }
             }
         }
@@ -129,129 +127,173 @@ fn nothing_lies_on_anything_else_in_any_window() {
 
 #[test]
 fn the_arrows_go_through_all_scenes_and_round() {
-    let mut sitting = Sitting::new();
-    let scenes = sitting.lab().charts().charts().diagrams.len();
-    let name = |sitting: &Sitting| sitting.lab().charts().measured().unwrap().name.clone();
+    let mut sitting = lab_with(|_| {});
+    let name = |sitting: &Sitting| scene(sitting).1.name;
+    let kept: Vec<String> = kept::charts().unwrap().diagrams.into_iter().map(|measured| measured.name).collect();
+    let scenes = kept.len();
     let mut names = vec![name(&sitting)];
     for _ in 1..scenes {
         names.push(name(sitting.press(Key::Right)));
     }
-    let kept: Vec<String> = kept::charts().unwrap().diagrams.into_iter().map(|measured| measured.name).collect();
     assert_eq!(names, kept);
     assert_eq!(name(sitting.press(Key::Right)), kept[0]);
     assert_eq!(name(sitting.press(Key::Left)), kept[scenes - 1]);
     assert_eq!(name(sitting.press(Key::Home)), kept[0]);
     assert_eq!(name(sitting.press(Key::End)), kept[scenes - 1]);
-    let next = sitting.lab().toolbar().buttons().areas()[2];
-    assert_eq!(name(sitting.click(next)), kept[0]);
-    assert!(sitting.lab().charts().source().contains("commit"));
-    assert!(sitting.lab().charts().verdict().unwrap().starts_with("As shipped: error "));
+    assert_eq!(name(sitting.click("Next")), kept[0]);
+    assert_eq!(name(sitting.click("Previous")), kept[scenes - 1]);
+    assert!(sitting.press(Key::Home).line("Measured on").contains("commit"));
+    assert!(sitting.shows("As shipped: error "));
 }
 
 #[test]
 fn a_method_is_picked_out_by_key_and_by_its_line_in_the_legend() {
-    let mut sitting = Sitting::new();
-    let curves = sitting.lab().charts().measured().unwrap().curves.len();
-    let picked = |sitting: &Sitting| sitting.lab().charts().picked();
-    assert_eq!(picked(&sitting), None);
+    let mut sitting = lab_with(|_| {});
+    let curves = scene(&sitting).1.curves.len();
+    assert_eq!(picked_curve(&sitting), None);
     for curve in 0..curves {
-        assert_eq!(picked(sitting.press(Key::Down)), Some(curve));
+        assert_eq!(picked_curve(sitting.press(Key::Down)), Some(curve));
     }
-    assert_eq!(picked(sitting.press(Key::Down)), None, "none comes after the last");
-    assert_eq!(picked(sitting.press(Key::Up)), Some(curves - 1));
-    assert_eq!(picked(sitting.press(Key::Right)), None, "another scene has other methods");
-    let line = |sitting: &Sitting, line| sitting.lab().charts().plot(&sitting.frame).unwrap().legend(line);
-    let second = line(&sitting, 1);
-    assert_eq!(picked(sitting.point_at(second.centre())), Some(1), "while the pointer is there");
-    assert_eq!(picked(sitting.point_at(Vec2::ZERO)), None);
-    assert_eq!(picked(sitting.click(second).point_at(Vec2::ZERO)), Some(1), "for good");
-    assert_eq!(picked(sitting.click(second).point_at(Vec2::ZERO)), None);
+    assert_eq!(picked_curve(sitting.click("Method")), None, "none comes after the last");
+    assert_eq!(picked_curve(sitting.press(Key::Up)), Some(curves - 1));
+    assert_eq!(picked_curve(sitting.press(Key::Right)), None, "another scene has other methods");
+    let second = scene(&sitting).1.curves[1].name.clone();
+    let at = sitting.area(&second).centre();
+    assert_eq!(picked_curve(sitting.point_at(at)), Some(1), "while the pointer is there");
+    assert_eq!(picked_curve(sitting.point_at(Vec2::ZERO)), None);
+    assert_eq!(picked_curve(sitting.click(&second).point_at(Vec2::ZERO)), Some(1), "for good");
+    assert_eq!(picked_curve(sitting.click(&second).point_at(Vec2::ZERO)), None);
 }
 
 #[test]
 fn a_point_tells_what_it_is_when_it_is_pointed_at() {
-    let mut sitting = Sitting::new();
+    let mut sitting = lab_with(|_| {});
     sitting.frame = Frame::of_window(Vec2::new(1920.0, 1080.0));
-    let measured = sitting.lab().charts().measured().unwrap().clone();
+    sitting.rest();
+    let measured = scene(&sitting).1;
+    let plot = DiagramPlaces::of(panel(&sitting), &measured);
     for (curve, points) in measured.curves.iter().enumerate() {
         for point in &points.points {
-            let at = sitting.lab().charts().plot(&sitting.frame).unwrap().at(point);
-            let (found, index) = sitting.point_at(at).lab().charts().point().unwrap();
-            let other = &measured.curves[found].points[index];
-            let plot = sitting.lab().charts().plot(&sitting.frame).unwrap();
-            assert!(plot.at(other).distance(at) < 1e-3, "{curve}: another point in the same place");
+            let at = plot.at(point);
+            sitting.point_at(at);
+            let told = measured.curves.iter().any(|curve| {
+                let here = curve.points.iter().filter(|other| plot.at(other).distance(at) < 1e-3);
+                here.into_iter().any(|other| sitting.shows(&format!("{}, step {}", curve.name, step(other.step))))
+            });
+            assert!(told, "{curve}: the words are of a point in the same place");
         }
     }
-    assert_eq!(sitting.point_at(Vec2::ZERO).lab().charts().point(), None);
+    assert!(!sitting.point_at(Vec2::ZERO).shows(", step "));
+}
+
+/// The lines of the table of stress tests: a test, or a method with its test.
+fn stress_lines() -> Vec<(String, Option<Survival>)> {
+    let stress = kept::charts().unwrap().stress;
+    let tests = stress.chunk_by(|a, b| a.test == b.test);
+    let lines = tests.flat_map(|rows| {
+        let methods = rows.iter().map(|row| (row.method.clone(), Some(row.clone())));
+        std::iter::once((rows[0].test.clone(), None)).chain(methods)
+    });
+    lines.collect()
+}
+
+/// The panels of the table and of the large picture.
+fn stress_panels(sitting: &Sitting) -> [Area; 2] {
+    boxes(sitting, theme::panel()).try_into().expect("two panels")
+}
+
+/// The lines in view.
+fn in_view(sitting: &Sitting) -> Range<usize> {
+    let [table, _] = stress_panels(sitting);
+    let first_column = |at: &Vec2| at.x < table.min.x + 100.0 && table.contains(*at);
+    let names: Vec<String> = sitting.texts().into_iter().filter(|(_, at)| first_column(at)).map(|(name, _)| name).collect();
+    let lines = stress_lines();
+    let is =
+        |from: &usize| lines[*from..].iter().zip(&names).all(|((name, _), shown)| name.starts_with(shown.trim_end_matches('…')));
+    let from = (0..=lines.len() - names.len()).find(is).expect("lines one after the other");
+    from..from + names.len()
+}
+
+/// The line that the large picture shows.
+fn large(sitting: &Sitting) -> Option<usize> {
+    let [_, large] = stress_panels(sitting);
+    let texts: Vec<String> = sitting.texts().into_iter().filter(|(_, at)| large.contains(*at)).map(|(text, _)| text).collect();
+    let [method, test] = [0, 1].map(|i| texts.get(i).map(|text| text.trim_end_matches('…').to_owned()));
+    let (method, test) = (method?, test?);
+    let is = |row: &Survival| row.method.starts_with(&method) && row.test.starts_with(&test);
+    stress_lines().iter().position(|(_, row)| row.as_ref().is_some_and(is))
 }
 
 #[test]
 fn the_table_has_every_stress_test_and_scrolls() {
-    let mut sitting = Sitting::new();
-    sitting.page(Page::Survival);
-    let stress = kept::charts().unwrap().stress;
-    let lines = sitting.lab().survival().lines();
-    let methods: Vec<_> =
-        lines.iter().filter_map(|line| if let SurvivalLine::Method(row) = line { Some(row.clone()) } else { None }).collect();
-    assert_eq!(methods, stress);
-    let tests = lines.len() - methods.len();
-    assert_eq!(tests, stress.chunk_by(|a, b| a.test == b.test).count());
-    let all = lines.len();
-    let range = |sitting: &Sitting| sitting.lab().survival().range();
-    assert_eq!(range(&sitting).start, 0);
-    assert!(range(sitting.press(Key::PageDown)).start > 5);
-    assert_eq!(range(sitting.press(Key::End)).end, all);
-    assert_eq!(range(sitting.press(Key::Down)).end, all, "never past the end");
-    assert_eq!(range(sitting.press(Key::Home)).start, 0);
-    assert_eq!(range(sitting.give(Input { wheel: -1.0, ..Input::default() })).start, 3);
-    let bar = sitting.lab().survival().bar().unwrap();
-    let end = Vec2::new(bar.track.centre().x, bar.track.max().y - 1.0);
-    assert_eq!(range(sitting.click(Area::around(end, Vec2::ONE))).end, all);
+    let mut sitting = lab_at("Stress tests");
+    let all = stress_lines().len();
+    assert_eq!(in_view(&sitting).start, 0);
+    let mut seen = in_view(&sitting).end;
+    while seen < all {
+        let next = in_view(sitting.press(Key::Down));
+        assert_eq!(next.end, seen + 1, "line by line");
+        seen = next.end;
+    }
+    assert_eq!(in_view(sitting.press(Key::Home)).start, 0);
+    assert!(in_view(sitting.press(Key::PageDown)).start > 5);
+    assert_eq!(in_view(sitting.press(Key::End)).end, all);
+    assert_eq!(in_view(sitting.press(Key::Down)).end, all, "never past the end");
+    assert_eq!(in_view(sitting.press(Key::Home)).start, 0);
+    assert_eq!(in_view(sitting.give(Input { wheel: -1.0, ..Input::default() })).start, 3);
+    let track = boxes(&sitting, theme::ground()).into_iter().find(|area| area.size.x == BAR_WIDTH).expect("a bar");
+    let end = Vec2::new(track.centre().x, track.max().y - 1.0);
+    assert_eq!(in_view(sitting.click_at(end)).end, all);
 }
 
 #[test]
 fn the_failures_in_view_are_drawn_within_a_second_and_the_one_pointed_at_is_told() {
-    let mut sitting = Sitting::new();
-    sitting.page(Page::Survival);
+    let mut sitting = lab_at("Stress tests");
+    let lines = stress_lines();
     for key in [Key::Home, Key::PageDown, Key::End] {
         sitting.press(key).wait(1.0);
-        let page = sitting.lab().survival();
-        for line in page.range() {
-            let SurvivalLine::Method(row) = &page.lines()[line] else { continue };
-            let refused = row.shipped && row.test.starts_with("nonsense");
-            assert_eq!(page.picture(line).is_none(), refused, "{}, {}", row.test, row.method);
+        let ([table, _], grounds) = (stress_panels(&sitting), boxes(&sitting, theme::ground()));
+        let pictures = grounds.into_iter().filter(|area| table.contains(area.centre()) && area.size.x > BAR_WIDTH);
+        let pictures: Vec<f32> = pictures.map(|area| area.centre().y).collect();
+        let pitch = (table.size.y - 16.0) / in_view(&sitting).len() as f32;
+        for (place, line) in in_view(&sitting).enumerate() {
+            let y = table.min.y + 8.0 + (place as f32 + 0.5) * pitch;
+            let drawn = pictures.iter().any(|other| (other - y).abs() < 1.0);
+            let refused = |row: &Survival| row.shipped && row.test.starts_with("nonsense");
+            let expected = lines[line].1.as_ref().is_some_and(|row| !refused(row));
+            assert_eq!(drawn, expected, "{:?}", lines[line]);
         }
     }
     sitting.press(Key::Home).point_at(Vec2::ZERO);
-    assert_eq!(sitting.lab().survival().chosen(), Some(1), "the first method, below the name of its test");
+    assert_eq!(large(&sitting), Some(1), "the first method, below the name of its test");
     // Below it, line by line.
-    let bar = sitting.lab().survival().bar().unwrap().track;
-    let told: Vec<Option<usize>> = (0..200)
-        .map(|i| sitting.point_at(Vec2::new(bar.min.x - 100.0, bar.min.y + 2.0 * i as f32)).lab().survival().chosen())
-        .collect();
-    let in_view = sitting.lab().survival().range();
+    let [table, _] = stress_panels(&sitting);
+    let told: Vec<Option<usize>> =
+        (0..200).map(|i| large(sitting.point_at(table.min + Vec2::new(table.size.x - 100.0, 8.0 + 2.0 * i as f32)))).collect();
+    let in_view = in_view(&sitting);
     assert!((in_view.start + 1..in_view.end - 2).all(|line| told.contains(&Some(line))), "{told:?}");
 }
 
 #[test]
 fn a_region_of_stability_is_picked_out_by_key_and_by_its_line() {
-    let mut sitting = Sitting::new();
-    sitting.page(Page::Stability).give(Input::default());
-    let names: Vec<&str> = sitting.lab().stability().regions().iter().map(|region| region.name).collect();
+    let mut sitting = lab_at("Stability");
+    let regions = regions();
+    let names: Vec<&str> = regions.iter().map(|region| region.name).collect();
     assert!(names.contains(&"RK4") && names.contains(&"velocity Verlet") && names.len() == 10);
-    let picked = |sitting: &Sitting| sitting.lab().stability().picked();
-    assert_eq!(picked(&sitting), None);
+    let picked = |sitting: &Sitting| picked(sitting, names.iter().copied());
+    assert_eq!(picked(sitting.rest()), None);
     for method in 0..names.len() {
         assert_eq!(picked(sitting.press(Key::Down)), Some(method));
     }
-    assert_eq!(picked(sitting.press(Key::Down)), None, "none comes after the last");
+    assert_eq!(picked(sitting.click("Method").point_at(Vec2::ZERO)), None, "none comes after the last");
     assert_eq!(picked(sitting.press(Key::Up)), Some(names.len() - 1));
-    let third = sitting.lab().stability().plane(&sitting.frame).legend(3);
-    assert_eq!(picked(sitting.point_at(third.centre())), Some(2), "while the pointer is there");
-    assert_eq!(picked(sitting.click(third).point_at(Vec2::ZERO)), Some(2), "for good");
+    let third = sitting.area(names[2]).centre();
+    assert_eq!(picked(sitting.point_at(third)), Some(2), "while the pointer is there");
+    assert_eq!(picked(sitting.click(names[2]).point_at(Vec2::ZERO)), Some(2), "for good");
     // As many pixels for 1 to the right as upwards, and all of it in the panel.
     for (width, height) in SIZES {
-        let plane = sitting.lab().stability().plane(&Frame::of_window(Vec2::new(width, height)));
+        sitting.frame = Frame::of_window(Vec2::new(width, height));
+        let plane = Plane::of(panel(sitting.rest()));
         let unit = (plane.at((1.0, 1.0)) - plane.at((0.0, 0.0))).abs();
         assert!((unit.x - unit.y).abs() < 1e-3);
         assert!(plane.area.max().x < plane.legend(0).min.x && plane.legend(names.len() + 1).max().y < plane.panel.max().y);
@@ -261,10 +303,10 @@ fn a_region_of_stability_is_picked_out_by_key_and_by_its_line() {
 
 #[test]
 fn two_methods_run_side_by_side_and_part() {
-    let mut sitting = Sitting::new();
-    sitting.page(Page::SideBySide).press(Key::R).wait(30.0);
+    let mut sitting = lab_at("Side by side");
+    sitting.press(Key::R).wait(30.0);
     let page = |sitting: &Sitting| {
-        let page = sitting.lab().side_by_side();
+        let page = lab(sitting).side_by_side();
         let [left, right] = page.halves();
         (page.exhibit().title, left.method, right.method, left.error, right.error, page.time())
     };
@@ -276,18 +318,18 @@ fn two_methods_run_side_by_side_and_part() {
     let methods = exhibits()[0].methods.iter().map(|(name, _)| *name).collect::<Vec<_>>();
     let last = methods.len() - 1;
     for (key, button, expected) in [
-        (Key::D, 1, (methods[1], methods[last])),
-        (Key::A, 0, (methods[last], methods[last])),
-        (Key::Right, 3, (methods[0], methods[0])),
-        (Key::Left, 2, (methods[0], methods[last - 1])),
+        (Key::D, "Next method, left", (methods[1], methods[last])),
+        (Key::A, "Method before, left", (methods[last], methods[last])),
+        (Key::Right, "Next method, right", (methods[0], methods[0])),
+        (Key::Left, "Method before, right", (methods[0], methods[last - 1])),
     ] {
         let both = |sitting: &Sitting| (page(sitting).1, page(sitting).2);
         sitting.press(Key::Down).press(Key::Up).wait(0.5);
         assert_eq!(both(sitting.press(key)), expected, "{key:?}");
         assert!(page(&sitting).5 < 0.1, "it starts again");
         sitting.press(Key::Down).press(Key::Up);
-        let area = sitting.lab().side_by_side().choices().areas()[button];
-        assert_eq!(both(sitting.click(area)), expected, "button {button}");
+        assert_eq!(both(sitting.click(button)), expected, "{button}");
+        assert!(sitting.shows(expected.0) && sitting.shows(expected.1));
     }
     let mut titles = vec![first];
     while page(sitting.press(Key::Down)).0 != first {
@@ -300,20 +342,20 @@ fn two_methods_run_side_by_side_and_part() {
 
 #[test]
 fn it_pauses_ends_and_starts_again() {
-    let mut sitting = Sitting::new();
-    sitting.page(Page::SideBySide).press(Key::Down).wait(1.0);
-    let time = |sitting: &Sitting| sitting.lab().side_by_side().time();
+    let mut sitting = lab_at("Side by side");
+    sitting.press(Key::Down).wait(1.0);
+    let time = |sitting: &Sitting| lab(sitting).side_by_side().time();
     sitting.press(Key::Space);
     let stopped = time(&sitting);
-    assert!(stopped > 0.9 && sitting.lab().side_by_side().is_paused());
+    assert!(stopped > 0.9 && lab(&sitting).side_by_side().is_paused());
     assert_eq!(time(sitting.wait(1.0)), stopped);
     assert!(time(sitting.press(Key::Space).wait(0.5)) > stopped);
-    let end = sitting.lab().side_by_side().exhibit().seconds;
+    let end = lab(&sitting).side_by_side().exhibit().seconds;
     sitting.wait(end);
-    assert!(sitting.lab().side_by_side().is_over() && (time(&sitting) - end).abs() < 0.02);
-    let [left, right] = sitting.lab().side_by_side().halves();
+    assert!(lab(&sitting).side_by_side().is_over() && (time(&sitting) - end).abs() < 0.02);
+    let [left, right] = lab(&sitting).side_by_side().halves();
     assert!(left.error > 0.3 && right.error < 1e-6, "they stay where they are: {left:?} {right:?}");
-    assert!(time(sitting.press(Key::R)) < 0.1 && !sitting.lab().side_by_side().is_over());
+    assert!(time(sitting.press(Key::R)) < 0.1 && !lab(&sitting).side_by_side().is_over());
     // A hitch is no leap.
     let before = time(&sitting);
     sitting.give(Input { frame_time: 1e9, ..Input::default() });
@@ -322,10 +364,10 @@ fn it_pauses_ends_and_starts_again() {
 
 #[test]
 fn it_goes_on_by_single_steps_of_any_length_and_remembers_the_way() {
-    let mut sitting = Sitting::new();
-    sitting.page(Page::SideBySide).press(Key::R).press(Key::Space);
+    let mut sitting = lab_at("Side by side");
+    sitting.press(Key::R).press(Key::Space);
     let page = |sitting: &Sitting| {
-        let page = sitting.lab().side_by_side();
+        let page = lab(sitting).side_by_side();
         let [left, right] = page.halves();
         (page.step(), page.time(), page.is_paused(), left.trail.len(), left.errors.to_vec(), right.error)
     };
@@ -353,23 +395,23 @@ fn it_goes_on_by_single_steps_of_any_length_and_remembers_the_way() {
 
 #[test]
 fn error_and_energy_over_time_are_shown_of_what_was_followed() {
-    let mut sitting = Sitting::new();
-    let charts = |sitting: &Sitting| {
-        let page = sitting.lab().charts();
-        (page.measured().unwrap().over_time.is_some(), page.over_time().cloned(), page.verdict())
-    };
-    let scenes = sitting.lab().charts().charts().diagrams.len();
+    let mut sitting = lab_with(|_| {});
+    let scenes = lab(&sitting).charts().diagrams.len();
+    let words = "Each point is the worst since the one before.";
     let mut followed = 0;
     for _ in 0..scenes {
-        let (known, shown, words) = charts(&sitting);
-        assert!(shown.is_none());
-        let (_, shown, told) = charts(sitting.press(Key::Space));
-        assert_eq!(shown.is_some(), known);
-        assert_eq!(told != words, known);
-        if let Some(shown) = shown {
+        let measured = scene(&sitting).1;
+        assert!(!sitting.shows(words) && !sitting.shows("At the end"));
+        assert_eq!(sitting.shows("Over time"), measured.over_time.is_some());
+        sitting.press(Key::Space);
+        assert_eq!(
+            (sitting.shows(words), sitting.shows("At the end")),
+            (measured.over_time.is_some(), measured.over_time.is_some())
+        );
+        if let Some(shown) = measured.over_time {
             followed += 1;
             assert!(shown.has_energy() && shown.courses.iter().any(|course| course.name == "shipped engine"));
-            sitting.press(Key::Space);
+            sitting.click("At the end");
         }
         sitting.press(Key::Right);
     }
@@ -395,28 +437,29 @@ fn experiments(root: &Path) {
 
 #[test]
 fn an_experiment_is_guessed_flown_and_of_no_account() {
-    let mut sitting = Sitting::with(experiments);
-    sitting.page(Page::Experiments);
-    let chosen = |sitting: &Sitting| sitting.lab().experiments().chosen().unwrap().clone();
-    assert_eq!(chosen(&sitting).title, "Free fall");
-    assert!(!sitting.lab().experiments().answered());
-    assert!(sitting.press(Key::Space).lab().experiments().answered());
-    assert!(!sitting.press(Key::Down).lab().experiments().answered(), "each is guessed anew");
-    assert_eq!(chosen(&sitting).folder, "terminal-velocity");
+    let mut sitting = lab_with(experiments);
+    turn_to(&mut sitting, "Experiments");
+    let guess = "Make a guess first.";
+    assert_eq!(sitting.focused(), "Free fall");
+    assert!(sitting.shows(guess));
+    assert!(!sitting.press(Key::Space).shows(guess));
+    assert!(sitting.press(Key::Down).shows(guess), "each is guessed by itself");
+    assert!(sitting.shows("docs/lessons/terminal-velocity.md"));
     // A click chooses, a second one flies.
-    let third = sitting.lab().experiments().list().areas()[2];
-    sitting.click(third);
-    assert_eq!(chosen(&sitting).folder, "force-mass-acceleration");
-    sitting.click(third);
-    let flight = sitting.app.screen().get::<Flight>().expect("it flies");
+    let (third, title) = (sitting.areas()[PAGES.len() + 2].centre(), sitting.labels()[PAGES.len() + 2].to_owned());
+    sitting.give(Input { pointer: third, click: true, ..Input::default() });
+    assert!(sitting.focused() == title && sitting.shows("docs/lessons/force-mass-acceleration.md"));
+    sitting.click_at(third);
+    let flight = sitting.flight();
     assert!(flight.details(), "what acts is what it is about");
     assert_eq!(flight.game().level().name, "force-mass-acceleration");
     // Nobody's attempts grow by it, and its end leads back to it.
     sitting.app.grant(Request::Experiment("lift".into()), &mut ());
-    let flight = sitting.app.screen().get::<Flight>().expect("it flies");
+    let flight: &Flight = sitting.screen();
     let (level, result) = (std::sync::Arc::new(flight.game().level().clone()), flight.game().result());
     sitting.app.grant(Request::Score(Attempt::by_hand(level), result, None), &mut ());
-    assert_eq!((sitting.lab().page(), chosen(&sitting).folder.as_str()), (Page::Experiments, "lift"));
+    sitting.rest();
+    assert!(lab(&sitting).page() == Page::Experiments && sitting.shows("docs/lessons/lift.md"));
 }
 
 /// The same to the last bit; what blew up is not a number, and so not equal to itself.
@@ -442,14 +485,13 @@ fn the_last_run_of_chart_is_shown_where_there_is_one() {
     let mut charts = kept::charts().unwrap();
     charts.setting.machine = "a machine of my own".into();
     charts.diagrams.truncate(2);
-    let sitting = Sitting::with(|root| write(root, &charts, None));
-    let page = sitting.lab().charts();
-    assert_eq!(page.problem(), None);
-    assert!(same(page.charts(), &charts));
-    assert!(page.source().contains("a machine of my own") && !page.source().contains("Came with the game"));
-    let sitting = Sitting::new();
-    assert!(same(sitting.lab().charts().charts(), &kept::charts().unwrap()));
-    assert!(sitting.lab().charts().source().contains("Came with the game"));
+    let sitting = lab_with(|root| write(root, &charts, None));
+    assert_eq!(sitting.warning(), None);
+    assert!(same(lab(&sitting).charts(), &charts));
+    assert!(sitting.shows("a machine of my own") && !sitting.shows("Came with the game"));
+    let sitting = lab_with(|_| {});
+    assert!(same(lab(&sitting).charts(), &kept::charts().unwrap()));
+    assert!(sitting.shows("Came with the game"));
 }
 
 #[test]
@@ -466,19 +508,18 @@ fn damaged_charts_are_told_and_the_shipped_ones_shown() {
         ("stress.csv", Some("\0\0\0"), "charts/stress.csv:1: found "),
         ("setting.csv", None, "charts/setting.csv: "),
     ] {
-        let sitting = Sitting::with(|root| write(root, &charts, Some((file, text))));
-        let page = sitting.lab().charts();
-        assert!(page.problem().unwrap().starts_with(problem), "{:?}", page.problem());
-        assert!(same(page.charts(), &charts));
+        let sitting = lab_with(|root| write(root, &charts, Some((file, text))));
+        assert!(sitting.warning().unwrap().starts_with(problem), "{:?}", sitting.warning());
+        assert!(same(lab(&sitting).charts(), &charts));
     }
     // No folder of files at all.
-    let sitting = Sitting::with(|root| fs::write(root.join("charts"), "").unwrap());
-    assert!(sitting.lab().charts().problem().is_some() && sitting.lab().charts().measured().is_some());
-    let sitting = Sitting::with(|root| {
+    let sitting = lab_with(|root| fs::write(root.join("charts"), "").unwrap());
+    assert!(sitting.warning().is_some() && scene(&sitting).0 == 0);
+    let sitting = lab_with(|root| {
         write(root, &charts, Some(("pi.csv", None)));
         fs::create_dir(root.join("charts/pi.csv")).unwrap();
     });
-    assert!(sitting.lab().charts().problem().unwrap().starts_with("charts/pi.csv: found a folder"));
+    assert!(sitting.warning().unwrap().starts_with("charts/pi.csv: found a folder"));
 }
 
 #[test]
@@ -487,11 +528,12 @@ fn a_scene_without_points_is_shown_all_the_same() {
     charts.diagrams.truncate(1);
     charts.diagrams[0].curves.clear();
     charts.stress.clear();
-    let mut sitting = Sitting::with(|root| write(root, &charts, None));
+    let mut sitting = lab_with(|root| write(root, &charts, None));
     for key in [Key::Down, Key::Up, Key::Left, Key::Right, Key::End] {
         sitting.press(key);
     }
-    let page = sitting.lab().charts();
-    assert_eq!((page.problem(), page.verdict(), page.picked()), (None, None, None));
-    assert!(sitting.page(Page::Survival).press(Key::End).lab().survival().range().is_empty());
+    assert_eq!((sitting.warning(), picked_curve(&sitting)), (None, None));
+    assert!(!sitting.shows("As shipped"));
+    turn_to(&mut sitting, "Stress tests");
+    assert!(sitting.press(Key::End).shows("There are no stress tests to show."));
 }

@@ -279,8 +279,7 @@ impl Sitting {
         let screen = self.app.screen();
         let buttons = None
             .or_else(|| screen.get::<Flight>().map(|flight| flight.pause().expect("the pause panel is open")))
-            .or_else(|| screen.get::<Watch>().map(|watch| watch.toolbar().buttons()))
-            .or_else(|| screen.get::<Lab>().map(|lab| lab.toolbar().buttons()));
+            .or_else(|| screen.get::<Watch>().map(|watch| watch.toolbar().buttons()));
         buttons.unwrap_or_else(|| panic!("{} has labels", self.at()))
     }
 

@@ -65,7 +65,7 @@ impl Flight {
         let left = hud.max().x + GRID;
         let style = Style::new(DETAILS, theme::accent());
         let room = panel - left - GRID - 2.0 * PADDING;
-        let lines = wrapped(canvas, &words, room, style);
+        let lines = widgets::lines(canvas, &words, room, style);
         let line = canvas.line_height(DETAILS);
         let widest = lines.iter().map(|line| canvas.width(line, style)).fold(0.0, f32::max);
         let area = Area::new(left, hud.min.y, widest + 2.0 * PADDING, lines.len() as f32 * line + PADDING);
@@ -83,19 +83,4 @@ impl Flight {
             widgets::fitted(canvas, &words, above, canvas.size().x - 4.0 * PADDING, &[TEXT, DETAILS], theme::text());
         }
     }
-}
-
-/// Words in lines that are at most so wide.
-fn wrapped(canvas: &Canvas, words: &str, widest: f32, style: Style) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in words.split(' ') {
-        match lines.last_mut() {
-            Some(line) if canvas.width(&format!("{line} {word}"), style) <= widest => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
 }

@@ -1,107 +1,114 @@
 //! A work–precision diagram a scene. The player picks out a method or reads a point.
 
-use super::{Shown, body};
-use crate::draw::layout::{Area, Frame};
+use super::legend::{LegendPick, METHOD, panel};
+use super::{BACK, Shown};
+use crate::draw::Style;
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::lab::axes::{number, step};
-use crate::lab::charts::Charts;
 use crate::lab::course::OverTime;
 use crate::lab::measured::Measured;
-use crate::screens::{Input, Key, Toolbar};
+use crate::screens::{Key, Request};
+use crate::ui::Ui;
+use crate::view::diagram::{self, Picked};
 use crate::view::plot::DiagramPlaces;
-
-/// Back, the scene before, the next one, another method, and the scene over time where it has that.
-const KEYS: [Key; 5] = [Key::Escape, Key::Left, Key::Right, Key::Down, Key::Space];
-const TITLE: f32 = 40.0;
-const WORDS: f32 = 56.0;
+use crate::view::{theme, timeline, widgets};
 
 #[derive(Debug)]
 pub struct ChartsPage {
-    shown: Shown,
+    pub(super) shown: Shown,
     scene: usize,
-    picked: Option<usize>,
-    pointed: Option<usize>,
-    /// Its curve and its index.
-    point: Option<(usize, usize)>,
+    legend: LegendPick,
     /// The wish for error and energy over time, for the scenes that have them.
     over_time: bool,
-    toolbar: Toolbar,
 }
 
 impl ChartsPage {
     pub(super) fn new(shown: Shown) -> Self {
-        Self { shown, scene: 0, picked: None, pointed: None, point: None, over_time: false, toolbar: Toolbar::default() }
+        Self { shown, scene: 0, legend: LegendPick::default(), over_time: false }
     }
 
-    /// True where the player leaves the lab.
-    pub(super) fn update(&mut self, input: &Input) -> bool {
-        let followed = self.measured().is_some_and(|measured| measured.over_time.is_some());
-        let pressed = self.toolbar.update(input, &KEYS[..if followed { 5 } else { 4 }]);
+    pub(super) fn show(&mut self, ui: &mut Ui<'_>, body: Area) -> Option<Request> {
+        let request = self.show_tools(ui);
+        let panel = panel(body);
+        self.draw_words(ui, panel);
+        let Some(measured) = self.shown.charts.diagrams.get(self.scene) else {
+            ui.panel(panel);
+            ui.text("There are no charts to show.", panel.centre(), Style::new(TEXT, theme::quiet()).centred().middle());
+            return request;
+        };
+        let plot = DiagramPlaces::of(panel, measured);
+        let lines = measured.curves.iter().enumerate().map(|(line, curve)| (curve.name.as_str(), plot.legend(line)));
+        let curve = self.legend.show(ui, lines);
+        match measured.over_time.as_ref().filter(|_| self.over_time) {
+            Some(over_time) => timeline::draw(ui.canvas(), &plot, (measured, over_time), curve),
+            None => {
+                let point = plot.point_near(measured, ui.input().pointer);
+                diagram::draw(ui.canvas(), &plot, measured, Picked { curve, point });
+            }
+        }
+        request
+    }
+
+    fn show_tools(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         let scenes = self.shown.charts.diagrams.len();
-        match pressed {
-            Some(0) => return true,
-            Some(1) => self.turn_to(self.scene + scenes.saturating_sub(1)),
-            Some(2) => self.turn_to(self.scene + 1),
-            Some(3) => self.pick(1),
-            Some(4) => self.over_time = !self.over_time,
-            Some(_) | None => {}
+        let measured = self.measured();
+        let curves = measured.map_or(0, |measured| measured.curves.len());
+        let followed = measured.is_some_and(|measured| measured.over_time.is_some());
+        let other = if self.over_time().is_some() { "At the end" } else { "Over time" };
+        let tools = [BACK, ("Previous", Key::Left, "←"), ("Next", Key::Right, "→"), METHOD, (other, Key::Space, "Space")];
+        match ui.tools(&tools[..if followed { 5 } else { 4 }]) {
+            Some("Back") => return Some(Request::Menu),
+            Some("Previous") => self.turn_to(self.scene + scenes.saturating_sub(1)),
+            Some("Next") => self.turn_to(self.scene + 1),
+            Some("Method") => self.legend.go(1, curves),
+            Some(_) => self.over_time = !self.over_time,
+            None => {}
+        }
+        if ui.key(Key::Up) {
+            self.legend.go(-1, curves);
         }
         for (key, scene) in [(Key::Home, 0), (Key::End, scenes.saturating_sub(1))] {
-            if input.pressed(key) {
+            if ui.key(key) {
                 self.turn_to(scene);
             }
         }
-        if input.pressed(Key::Up) {
-            self.pick(-1);
-        }
-        (self.pointed, self.point) = (None, None);
-        if let Some((measured, plot)) = self.measured().zip(self.plot(&input.frame)) {
-            let pointed = (0..measured.curves.len()).find(|line| plot.legend(*line).contains(input.pointer));
-            let point = if self.over_time().is_some() { None } else { plot.point_near(measured, input.pointer) };
-            (self.pointed, self.point) = (pointed, point);
-        }
-        if input.click && self.pointed.is_some() {
-            self.picked = if self.picked == self.pointed { None } else { self.pointed };
-        }
-        false
+        None
     }
 
-    pub fn charts(&self) -> &Charts {
-        &self.shown.charts
+    fn turn_to(&mut self, scene: usize) {
+        self.scene = scene.checked_rem(self.shown.charts.diagrams.len()).unwrap_or(0);
+        self.legend.clear();
     }
 
-    /// The reason why these are not the player's own charts, or why there are none.
-    pub fn problem(&self) -> Option<&str> {
-        self.shown.problem.as_deref()
-    }
-
-    pub fn measured(&self) -> Option<&Measured> {
+    fn measured(&self) -> Option<&Measured> {
         self.shown.charts.diagrams.get(self.scene)
     }
 
-    /// Where they are shown instead.
-    pub fn over_time(&self) -> Option<&OverTime> {
+    fn over_time(&self) -> Option<&OverTime> {
         self.measured()?.over_time.as_ref().filter(|_| self.over_time)
     }
 
-    pub fn scene(&self) -> usize {
-        self.scene
+    /// The title above the chart, the verdict and the source below it.
+    fn draw_words(&self, ui: &Ui<'_>, panel: Area) {
+        let (canvas, widest) = (ui.canvas(), panel.size.x);
+        let below = |down: f32| Vec2::new(panel.centre().x, panel.max().y + down);
+        if let Some(problem) = &self.shown.problem {
+            widgets::fitted(canvas, problem, below(42.0), widest, &[TEXT, DETAILS], theme::bad());
+        }
+        let Some(measured) = self.measured() else { return };
+        let title = Vec2::new(panel.centre().x, panel.min.y - 20.0);
+        widgets::fitted(canvas, &measured.title, title, widest - 240.0, &[BUTTON_TEXT, TEXT], theme::text());
+        let count = format!("{} of {}", self.scene + 1, self.shown.charts.diagrams.len());
+        ui.text(&count, Vec2::new(panel.max().x, title.y), Style::new(TEXT, theme::quiet()).mono().middle().right());
+        if let Some(verdict) = self.verdict() {
+            widgets::fitted(canvas, &verdict, below(18.0), widest, &[TEXT, DETAILS], theme::text());
+        }
+        if self.shown.problem.is_none() {
+            widgets::fitted(canvas, &self.source(), below(42.0), widest, &[DETAILS], theme::quiet());
+        }
     }
 
-    /// The curve of the legend's line under the pointer, or else the chosen one.
-    pub fn picked(&self) -> Option<usize> {
-        self.pointed.or(self.picked)
-    }
-
-    /// Its curve and its index.
-    pub fn point(&self) -> Option<(usize, usize)> {
-        self.point
-    }
-
-    pub fn plot(&self, frame: &Frame) -> Option<DiagramPlaces> {
-        Some(DiagramPlaces::of(panel(frame), self.measured()?))
-    }
-
-    pub fn verdict(&self) -> Option<String> {
+    fn verdict(&self) -> Option<String> {
         let measured = self.measured()?;
         if self.over_time().is_some() {
             return Some(
@@ -118,7 +125,7 @@ impl ChartsPage {
         Some(words)
     }
 
-    pub fn source(&self) -> String {
+    fn source(&self) -> String {
         let setting = &self.shown.charts.setting;
         let commit = setting.commit.as_ref().map_or(String::new(), |commit| format!(", commit {commit}"));
         let runs = if setting.quick { "few runs a point" } else { "medians" };
@@ -128,73 +135,5 @@ impl ChartsPage {
             "From the last run of “resultant chart” here."
         };
         format!("Measured on {}{commit}, {} build, {runs}. {whose}", setting.machine, setting.profile)
-    }
-
-    pub fn toolbar(&self) -> &Toolbar {
-        &self.toolbar
-    }
-
-    fn turn_to(&mut self, scene: usize) {
-        self.scene = scene.checked_rem(self.shown.charts.diagrams.len()).unwrap_or(0);
-        self.picked = None;
-    }
-
-    /// Cycles through the curves and through none of them.
-    fn pick(&mut self, by: isize) {
-        let curves = self.measured().map_or(0, |measured| measured.curves.len());
-        // No curve stands before the first and after the last.
-        let places = curves as isize + 1;
-        let place = self.picked.map_or(0, |curve| curve as isize + 1);
-        self.picked = usize::try_from((place + by).rem_euclid(places) - 1).ok();
-    }
-}
-
-fn panel(frame: &Frame) -> Area {
-    let body = body(frame);
-    Area::new(body.min.x, body.min.y + TITLE, body.size.x, body.size.y - TITLE - WORDS)
-}
-
-mod drawing {
-    use super::{ChartsPage, panel};
-    use crate::draw::layout::{BUTTON_TEXT, DETAILS, TEXT, Vec2};
-    use crate::draw::{Canvas, Style};
-    use crate::view::diagram::{self, Picked};
-    use crate::view::timeline;
-    use crate::view::{theme, widgets};
-
-    impl ChartsPage {
-        pub(in crate::screens::lab) fn draw(&self, canvas: &Canvas) {
-            let panel = panel(canvas.frame());
-            let (middle, widest) = (panel.centre().x, panel.size.x);
-            let scenes = self.charts().diagrams.len();
-            let other = if self.over_time().is_some() { "At the end" } else { "Over time" };
-            let labels = [("Back", "Esc"), ("Previous", "←"), ("Next", "→"), ("Method", "↓"), (other, "Space")];
-            self.toolbar.draw(canvas, &labels);
-            let foot = panel.max().y;
-            if let Some(problem) = self.problem() {
-                widgets::fitted(canvas, problem, Vec2::new(middle, foot + 42.0), widest, &[TEXT, DETAILS], theme::bad());
-            }
-            let (Some(measured), Some(plot)) = (self.measured(), self.plot(canvas.frame())) else {
-                widgets::panel(canvas, panel);
-                canvas.text("There are no charts to show.", panel.centre(), Style::new(TEXT, theme::quiet()).centred().middle());
-                return;
-            };
-            let title = Vec2::new(middle, panel.min.y - 20.0);
-            widgets::fitted(canvas, &measured.title, title, widest - 240.0, &[BUTTON_TEXT, TEXT], theme::text());
-            let count = format!("{} of {scenes}", self.scene + 1);
-            let style = Style::new(TEXT, theme::quiet()).mono().middle();
-            canvas.text(&count, Vec2::new(panel.max().x, title.y), style.right());
-            if let Some(verdict) = self.verdict() {
-                widgets::fitted(canvas, &verdict, Vec2::new(middle, foot + 18.0), widest, &[TEXT, DETAILS], theme::text());
-            }
-            if self.problem().is_none() {
-                widgets::fitted(canvas, &self.source(), Vec2::new(middle, foot + 42.0), widest, &[DETAILS], theme::quiet());
-            }
-            let picked = Picked { curve: self.picked(), point: self.point() };
-            match self.over_time() {
-                Some(over_time) => timeline::draw(canvas, &plot, (measured, over_time), picked.curve),
-                None => diagram::draw(canvas, &plot, measured, picked),
-            }
-        }
     }
 }

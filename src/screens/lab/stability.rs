@@ -1,92 +1,43 @@
 //! The methods' regions of stability in the complex plane of z = h·λ. The player picks out one of them.
 
-use super::body;
-use crate::draw::layout::{Area, Frame};
+use super::BACK;
+use super::legend::{LegendPick, METHOD, panel};
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::lab::stability::{Region, regions};
-use crate::screens::{Input, Key, Toolbar};
-use crate::view::plane::Plane;
-
-const KEYS: [Key; 2] = [Key::Escape, Key::Down];
-const TITLE: f32 = 40.0;
-const WORDS: f32 = 56.0;
+use crate::lab::stability_diagram::TITLE;
+use crate::screens::{Key, Request};
+use crate::ui::Ui;
+use crate::view::plane::{self, Plane};
+use crate::view::{theme, widgets};
 
 #[derive(Debug, Default)]
 pub struct StabilityPage {
     /// Computed when the page first opens.
     regions: Vec<Region>,
-    picked: Option<usize>,
-    pointed: Option<usize>,
-    toolbar: Toolbar,
+    legend: LegendPick,
 }
 
 impl StabilityPage {
-    /// True where the player leaves the lab.
-    pub(super) fn update(&mut self, input: &Input) -> bool {
+    pub(super) fn show(&mut self, ui: &mut Ui<'_>, body: Area) -> Option<Request> {
         if self.regions.is_empty() {
             self.regions = regions();
         }
-        let pressed = self.toolbar.update(input, &KEYS);
-        // No region stands before the first and after the last.
-        let places = self.regions.len() + 1;
-        let further = |picked: Option<usize>, by: usize| ((picked.map_or(0, |picked| picked + 1) + by) % places).checked_sub(1);
-        if pressed == Some(1) {
-            self.picked = further(self.picked, 1);
-        } else if input.pressed(Key::Up) {
-            self.picked = further(self.picked, places - 1);
+        let tool = ui.tools(&[BACK, METHOD]);
+        if tool == Some("Method") {
+            self.legend.go(1, self.regions.len());
+        } else if ui.key(Key::Up) {
+            self.legend.go(-1, self.regions.len());
         }
-        let plane = self.plane(&input.frame);
-        self.pointed = (0..self.regions.len()).find(|line| plane.legend(line + 1).contains(input.pointer));
-        if input.click && self.pointed.is_some() {
-            self.picked = if self.picked == self.pointed { None } else { self.pointed };
+        let plane = Plane::of(panel(body));
+        let (middle, widest) = (plane.panel.centre().x, plane.panel.size.x);
+        let at = |y: f32| Vec2::new(middle, y);
+        widgets::fitted(ui.canvas(), TITLE, at(plane.panel.min.y - 20.0), widest, &[BUTTON_TEXT, TEXT], theme::text());
+        let lines = self.regions.iter().enumerate().map(|(line, region)| (region.name, plane.legend(line + 1)));
+        let picked = self.legend.show(ui, lines);
+        plane::draw(ui.canvas(), &plane, &self.regions, picked);
+        for (words, down) in plane::WORDS.iter().zip([18.0, 42.0]) {
+            widgets::fitted(ui.canvas(), words, at(plane.panel.max().y + down), widest, &[TEXT, DETAILS], theme::text());
         }
-        pressed == Some(0)
-    }
-
-    /// Methods whose step is the same at any moment.
-    pub fn regions(&self) -> &[Region] {
-        &self.regions
-    }
-
-    /// The region of the legend's line under the pointer, or else the chosen one.
-    pub fn picked(&self) -> Option<usize> {
-        self.pointed.or(self.picked)
-    }
-
-    pub fn plane(&self, frame: &Frame) -> Plane {
-        let body = body(frame);
-        Plane::of(Area::new(body.min.x, body.min.y + TITLE, body.size.x, body.size.y - TITLE - WORDS))
-    }
-
-    pub const fn toolbar(&self) -> &Toolbar {
-        &self.toolbar
-    }
-}
-
-mod drawing {
-    use super::StabilityPage;
-    use crate::draw::Canvas;
-    use crate::draw::layout::{BUTTON_TEXT, DETAILS, TEXT, Vec2};
-    use crate::lab::stability_diagram::TITLE;
-    use crate::view::{plane, theme, widgets};
-
-    impl StabilityPage {
-        pub(in crate::screens::lab) fn draw(&self, canvas: &Canvas) {
-            let place = self.plane(canvas.frame());
-            let (middle, widest) = (place.panel.centre().x, place.panel.size.x);
-            let title = Vec2::new(middle, place.panel.min.y - 20.0);
-            widgets::fitted(canvas, TITLE, title, widest, &[BUTTON_TEXT, TEXT], theme::text());
-            plane::draw(canvas, &place, self.regions(), self.picked());
-            for (words, down) in plane::WORDS.iter().zip([18.0, 42.0]) {
-                widgets::fitted(
-                    canvas,
-                    words,
-                    Vec2::new(middle, place.panel.max().y + down),
-                    widest,
-                    &[TEXT, DETAILS],
-                    theme::text(),
-                );
-            }
-            self.toolbar.draw(canvas, &[("Back", "Esc"), ("Method", "↓")]);
-        }
+        (tool == Some("Back")).then_some(Request::Menu)
     }
 }

@@ -2,7 +2,7 @@ use super::{Half, SideBySide, panels};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
-use crate::lab::axes::{Decades, LEAST_ERROR, number, power, step};
+use crate::lab::axes::{Decades, LEAST_ERROR, number, power};
 use crate::physics::{Aabb, DVec2};
 use crate::view::{theme, widgets};
 
@@ -10,37 +10,23 @@ use crate::view::{theme, widgets};
 const FOOT: f32 = 40.0;
 /// Larger errors have this many decimals, so that they do not jitter.
 const PLAIN: f64 = 1e-3;
-const CHOICES: [(&str, &str); 4] = [("‹", "A"), ("›", "D"), ("‹", "←"), ("›", "→")];
+
 fn colour_of(half: usize) -> Colour {
     if half == 0 { theme::player_objective() } else { theme::accent() }
 }
 
 impl SideBySide {
-    pub(in crate::screens::lab) fn draw(&self, canvas: &Canvas) {
-        let middle = canvas.size().x / 2.0;
-        let halves = panels(canvas.frame());
-        let title = Vec2::new(middle, super::body(canvas.frame()).min.y + 20.0);
+    pub(super) fn draw(&self, canvas: &Canvas, body: Area) {
+        let halves = panels(body);
+        let title = Vec2::new(body.centre().x, body.min.y + 20.0);
         canvas.text(self.exhibit().title, title, Style::new(BUTTON_TEXT, theme::text()).centred().middle());
         for (i, (half, panel)) in self.halves().iter().zip(halves).enumerate() {
             self.draw_half(canvas, half, panel, colour_of(i));
         }
-        for (i, (area, (arrow, key))) in self.choices.areas().iter().zip(CHOICES).enumerate() {
-            widgets::button_box(canvas, *area, self.choices.hover() == Some(i), false);
-            let (inner, outer) = (area.centre() - Vec2::new(12.0, 0.0), area.centre() + Vec2::new(12.0, 0.0));
-            let (arrow_at, key_at) = if i % 2 == 0 { (inner, outer) } else { (outer, inner) };
-            canvas.text(arrow, arrow_at, Style::new(BUTTON_TEXT, theme::text()).centred().middle());
-            canvas.text(key, key_at, Style::new(TEXT, theme::accent()).mono().centred().middle());
-        }
         let (left, right) = (halves[0], halves[1]);
         let below = |top: f32, height: f32| Area::new(left.min.x, left.max().y + top, right.max().x - left.min.x, height);
         self.draw_errors(canvas, below(super::APART, super::ERRORS));
-        let row = below(super::APART + super::ERRORS, super::TIME);
-        self.draw_words(canvas, row);
-        let pause = if self.is_paused() { "Go on" } else { "Pause" };
-        let step = format!("Step {}", step(self.step()));
-        let labels =
-            [("Back", "Esc"), ("Restart", "R"), (pause, "Space"), ("One step", "."), (&step, "S"), ("Before", "↑"), ("Next", "↓")];
-        self.toolbar.draw(canvas, &labels);
+        self.draw_words(canvas, below(super::APART + super::ERRORS, super::TIME));
     }
 
     /// The meaning of the outline and of the lines above at the left, the time at the right.

@@ -2,21 +2,28 @@
 
 mod drawing;
 
-use super::body;
-use crate::draw::layout::{Area, Frame, Vec2};
+use super::BACK;
+use crate::draw::Style;
+use crate::draw::layout::{Area, BUTTON_TEXT, TEXT, Vec2};
+use crate::lab::axes;
 use crate::lab::course::worst;
 use crate::lab::side_by_side::{BoxMotion, Exhibit, STEPS, USUAL_STEP, error, exhibits};
 use crate::physics::{Aabb, DVec2};
-use crate::screens::{Buttons, Input, Key, Keys, Toolbar};
+use crate::screens::{Key, Request};
+use crate::ui::{Ui, WidgetKind};
+use crate::view::{theme, widgets};
 use std::collections::VecDeque;
 
 /// s. The most of a hitch that counts.
 const LONGEST_FRAME: f64 = 0.1;
-/// Back, restart, pause, a single step, another step, the scene before, the next one.
-const KEYS: [Key; 7] = [Key::Escape, Key::R, Key::Space, Key::Period, Key::S, Key::Up, Key::Down];
-/// The method before and the next one, of the left half and of the right one.
-const CHOICES: [Key; 4] = [Key::A, Key::D, Key::Left, Key::Right];
-/// Width and height of the buttons of a choice.
+/// The buttons that change the method of a half: label, arrow, key and its name, the half and the direction.
+const CHOICES: [(&str, &str, (Key, &str), [isize; 2]); 4] = [
+    ("Method before, left", "‹", (Key::A, "A"), [-1, 0]),
+    ("Next method, left", "›", (Key::D, "D"), [1, 0]),
+    ("Method before, right", "‹", (Key::Left, "←"), [0, -1]),
+    ("Next method, right", "›", (Key::Right, "→"), [0, 1]),
+];
+/// Their size.
 const CHOICE: Vec2 = Vec2::new(64.0, 40.0);
 const TITLE: f32 = 40.0;
 const HEAD: f32 = 48.0;
@@ -99,8 +106,6 @@ pub struct SideBySide {
     /// s. The scene's time that remains for the next step.
     left_over: f64,
     paused: bool,
-    choices: Buttons,
-    toolbar: Toolbar,
 }
 
 impl Default for SideBySide {
@@ -109,18 +114,7 @@ impl Default for SideBySide {
         let step = STEPS[USUAL_STEP];
         let halves = first_against_shipped(&exhibits[0], step);
         let exact = RunningMethod::exact(&exhibits[0], step);
-        Self {
-            exhibits,
-            exhibit: 0,
-            step: USUAL_STEP,
-            halves,
-            exact,
-            steps: 0,
-            left_over: 0.0,
-            paused: false,
-            choices: Buttons::default(),
-            toolbar: Toolbar::default(),
-        }
+        Self { exhibits, exhibit: 0, step: USUAL_STEP, halves, exact, steps: 0, left_over: 0.0, paused: false }
     }
 }
 
@@ -129,35 +123,60 @@ fn first_against_shipped(exhibit: &Exhibit, step: f64) -> [RunningMethod; 2] {
 }
 
 impl SideBySide {
-    /// True where the player leaves the lab.
-    pub(super) fn update(&mut self, input: &Input) -> bool {
-        self.choices.place(places(&input.frame));
-        let pointer_only = Input { pressed: Keys::default(), ..input.clone() };
-        let chosen = self.choices.update(&pointer_only).or_else(|| CHOICES.iter().position(|key| input.pressed(*key)));
-        match self.toolbar.update(input, &KEYS) {
-            Some(0) => return true,
-            Some(1) => self.restart([0, 0]),
-            Some(2) => self.paused = !self.paused,
-            Some(3) => self.single_step(),
-            Some(4) => {
+    pub(super) fn show(&mut self, ui: &mut Ui<'_>, body: Area) -> Option<Request> {
+        let request = self.show_tools(ui);
+        self.show_choices(ui, panels(body));
+        if !self.paused {
+            self.advance(ui.input().frame_time);
+        }
+        self.draw(ui.canvas(), body);
+        request
+    }
+
+    fn show_tools(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        let pause = if self.paused { "Go on" } else { "Pause" };
+        let step = format!("Step {}", axes::step(self.step()));
+        let tools = [
+            BACK,
+            ("Restart", Key::R, "R"),
+            (pause, Key::Space, "Space"),
+            ("One step", Key::Period, "."),
+            (&step, Key::S, "S"),
+            ("Before", Key::Up, "↑"),
+            ("Next", Key::Down, "↓"),
+        ];
+        match ui.tools(&tools)? {
+            "Back" => return Some(Request::Menu),
+            "Restart" => self.restart([0, 0]),
+            "Pause" | "Go on" => self.paused = !self.paused,
+            "One step" => self.single_step(),
+            "Before" => self.turn_to(self.exhibit + self.exhibits.len() - 1),
+            "Next" => self.turn_to(self.exhibit + 1),
+            _ => {
                 self.step = (self.step + 1) % STEPS.len();
                 self.restart([0, 0]);
             }
-            Some(5) => self.turn_to(self.exhibit + self.exhibits.len() - 1),
-            Some(6) => self.turn_to(self.exhibit + 1),
-            Some(_) | None => {}
         }
-        match chosen {
-            Some(0) => self.restart([-1, 0]),
-            Some(1) => self.restart([1, 0]),
-            Some(2) => self.restart([0, -1]),
-            Some(3) => self.restart([0, 1]),
-            Some(_) | None => {}
+        None
+    }
+
+    /// At both ends of each half's name.
+    fn show_choices(&mut self, ui: &mut Ui<'_>, panels: [Area; 2]) {
+        let places = panels.into_iter().flat_map(|panel| [(panel.min.x, panel), (panel.max().x - CHOICE.x, panel)]);
+        for ((x, panel), (label, arrow, (key, named), further)) in places.zip(CHOICES) {
+            let area = Area { min: Vec2::new(x, panel.min.y - HEAD), size: CHOICE };
+            let touch = ui.touch(label, area, WidgetKind::Tool);
+            widgets::button_box(ui.canvas(), area, touch.hover, false);
+            ui.tip(area, label);
+            // The arrow points outwards.
+            let outwards = if arrow == "‹" { -12.0 } else { 12.0 };
+            let (at, key_at) = (Vec2::new(outwards, 0.0), Vec2::new(-outwards, 0.0));
+            ui.text(arrow, area.centre() + at, Style::new(BUTTON_TEXT, theme::text()).centred().middle());
+            ui.text(named, area.centre() + key_at, Style::new(TEXT, theme::accent()).mono().centred().middle());
+            if touch.pressed || ui.key(key) {
+                self.restart(further);
+            }
         }
-        if !self.paused {
-            self.advance(input.frame_time);
-        }
-        false
     }
 
     fn advance(&mut self, frame_time: f64) {
@@ -236,26 +255,10 @@ impl SideBySide {
     pub fn is_over(&self) -> bool {
         self.time() + 0.5 * self.step() >= self.exhibit().seconds
     }
-
-    /// The method before and the next one, of the left half and of the right one.
-    pub fn choices(&self) -> &Buttons {
-        &self.choices
-    }
-
-    /// Back, Restart, Pause, a single step, another step, the scene before, the next one.
-    pub fn toolbar(&self) -> &Toolbar {
-        &self.toolbar
-    }
 }
 
-fn panels(frame: &Frame) -> [Area; 2] {
-    let body = body(frame);
+fn panels(body: Area) -> [Area; 2] {
     let size = Vec2::new((body.size.x - BETWEEN) / 2.0, body.size.y - TITLE - HEAD - WORDS);
     let top = body.min.y + TITLE + HEAD;
     [0.0, size.x + BETWEEN].map(|right| Area { min: Vec2::new(body.min.x + right, top), size })
-}
-
-fn places(frame: &Frame) -> Vec<Area> {
-    let button = |x: f32, panel: Area| Area { min: Vec2::new(x, panel.min.y - HEAD), size: CHOICE };
-    panels(frame).into_iter().flat_map(|panel| [panel.min.x, panel.max().x - CHOICE.x].map(|x| button(x, panel))).collect()
 }

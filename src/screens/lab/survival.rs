@@ -1,0 +1,185 @@
+//! The table of the stress tests with a small picture of each failure, and a large one of the selected line.
+
+use super::BACK;
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, PADDING, TEXT, Vec2};
+use crate::draw::{Canvas, Colour, Style};
+use crate::lab::axes::number;
+use crate::lab::stress::picture::FailurePicture;
+use crate::lab::stress::{self, Survival};
+use crate::screens::Request;
+use crate::screens::scroll::bar_beside;
+use crate::ui::{Turning, Ui};
+use crate::view::{picture, theme, widgets};
+use std::collections::HashMap;
+
+const ROW: f32 = 40.0;
+const TABLE: f32 = 768.0;
+/// Widest of table and picture together.
+const WIDEST: f32 = 1440.0;
+/// From the panel's edge to its lines.
+const INSIDE: f32 = 8.0;
+const WORDS: f32 = 40.0;
+/// From the panel's left edge to tests and to methods, and from its right edge to the values.
+const COLUMNS: [f32; 3] = [24.0, 48.0, 48.0];
+/// From the panel's right edge to a line's picture, and the width of that.
+const PICTURE: (f32, f32) = (336.0, 176.0);
+const BETWEEN: f32 = 16.0;
+/// From the large picture's panel to the picture: at its top, and at its foot.
+const HEAD: f32 = 88.0;
+const FOOT: f32 = 92.0;
+
+#[derive(Clone, Debug, PartialEq)]
+enum SurvivalLine {
+    /// With the number that grows, and its unit.
+    Test(String, String),
+    Method(Survival),
+}
+
+#[derive(Debug)]
+pub struct SurvivalPage {
+    lines: Vec<SurvivalLine>,
+    /// One a line, computed when the line comes into view.
+    pictures: HashMap<usize, Option<FailurePicture>>,
+}
+
+impl SurvivalPage {
+    pub(super) fn new(stress: &[Survival]) -> Self {
+        let tests = stress.chunk_by(|a, b| a.test == b.test);
+        let lines = tests.flat_map(|rows| {
+            let head = SurvivalLine::Test(rows[0].test.clone(), rows[0].parameter.clone());
+            std::iter::once(head).chain(rows.iter().cloned().map(SurvivalLine::Method))
+        });
+        Self { lines: lines.collect(), pictures: HashMap::new() }
+    }
+
+    pub(super) fn show(&mut self, ui: &mut Ui<'_>, body: Area) -> Option<Request> {
+        let request = ui.tools(&[BACK]).map(|_| Request::Menu);
+        let (table, large) = panels(body);
+        let quiet = Style::new(TEXT, theme::quiet()).middle().centred();
+        let words =
+            "The largest value that each method survives (≥: all that was tried, 0: nothing), and how it fails just beyond.";
+        ui.text(words, Vec2::new(body.centre().x, table.min.y - 20.0), quiet);
+        ui.panel(table);
+        let (page, rows) = (page(table), table.min.y + INSIDE);
+        let track = bar_beside(table, rows, rows + page as f32 * ROW);
+        let range = ui.scroll("stress tests", (self.lines.len(), page), track, Turning::Lines);
+        if self.lines.is_empty() {
+            ui.text("There are no stress tests to show.", table.centre(), quiet);
+            return request;
+        }
+        let is_method = |line: &usize| matches!(self.lines[*line], SurvivalLine::Method(_));
+        let pointed = |line: &usize| line_of(table, line - range.start).contains(ui.input().pointer);
+        let chosen = range.clone().filter(is_method).find(pointed).or_else(|| range.clone().find(is_method));
+        if ui.input().frame_time > 0.0 {
+            self.compute_one_more(chosen.into_iter().chain(range.clone()));
+        }
+        for (place, index) in range.enumerate() {
+            let line = line_of(table, place);
+            match &self.lines[index] {
+                SurvivalLine::Test(test, parameter) => draw_test(ui.canvas(), line, (test, parameter), place > 0),
+                SurvivalLine::Method(row) => self.draw_method(ui.canvas(), line, (index, row), chosen == Some(index)),
+            }
+        }
+        ui.panel(large);
+        if let Some((index, SurvivalLine::Method(row))) = chosen.map(|index| (index, &self.lines[index])) {
+            self.draw_large(ui.canvas(), large, (index, row));
+        }
+        request
+    }
+
+    /// Computes the first picture that is missing: each takes up to a few milliseconds.
+    fn compute_one_more(&mut self, wanted: impl Iterator<Item = usize>) {
+        let missing = wanted.filter(|line| !self.pictures.contains_key(line));
+        let method = |line: usize| if let SurvivalLine::Method(row) = &self.lines[line] { Some((line, row)) } else { None };
+        if let Some((line, row)) = missing.filter_map(method).next() {
+            let picture = stress::picture(row);
+            self.pictures.insert(line, picture);
+        }
+    }
+
+    /// `None` until it is computed.
+    fn picture(&self, line: usize) -> Option<&FailurePicture> {
+        self.pictures.get(&line)?.as_ref()
+    }
+
+    fn draw_method(&self, canvas: &Canvas, line: Area, (index, row): (usize, &Survival), chosen: bool) {
+        let (left, right, y) = (line.min.x, line.max().x, line.centre().y);
+        if row.shipped || chosen {
+            let area = Area::new(left + COLUMNS[0], line.min.y + 1.0, right - left - COLUMNS[0] - COLUMNS[2] + 8.0, ROW - 2.0);
+            canvas.rounded(area, 6.0, theme::panel_hover());
+        }
+        let name = Style::new(TEXT, if row.shipped { theme::accent() } else { theme::quiet() }).middle();
+        let widest = right - PICTURE.0 - left - COLUMNS[1] - 8.0;
+        canvas.text(&widgets::cut(canvas, &row.method, widest, name), Vec2::new(left + COLUMNS[1], y), name);
+        if let Some(drawn) = self.picture(index) {
+            let area = Area::new(right - PICTURE.0, line.min.y + 3.0, PICTURE.1, ROW - 6.0);
+            picture::small(canvas, area, drawn, line_colour(row));
+        }
+        let value = Style::new(TEXT, value_colour(row)).middle().right();
+        canvas.text(&row.shown(), Vec2::new(right - COLUMNS[2], y), value);
+    }
+
+    fn draw_large(&self, canvas: &Canvas, panel: Area, (index, row): (usize, &Survival)) {
+        let (middle, widest) = (panel.centre().x, panel.size.x - 2.0 * PADDING);
+        let name = if row.shipped { theme::accent() } else { theme::text() };
+        widgets::fitted(canvas, &row.method, Vec2::new(middle, panel.min.y + 28.0), widest, &[BUTTON_TEXT, TEXT], name);
+        widgets::fitted(canvas, &row.test, Vec2::new(middle, panel.min.y + 58.0), widest, &[TEXT, DETAILS], theme::quiet());
+        let stage = Area::new(panel.min.x + PADDING, panel.min.y + HEAD, widest, panel.size.y - HEAD - FOOT);
+        let Some(drawn) = self.picture(index) else {
+            let words = if row.shipped { "It refuses all of them." } else { "There is no picture of this." };
+            return canvas.text(words, stage.centre(), Style::new(TEXT, theme::quiet()).middle().centred());
+        };
+        picture::large(canvas, stage, drawn, line_colour(row));
+        let survives = row.largest >= row.tried;
+        let (words, colour) = if survives { ("It still holds at", theme::good()) } else { ("It fails at", theme::bad()) };
+        let words = format!("{words} {}", number(drawn.value));
+        let foot = stage.max().y;
+        widgets::fitted(canvas, &words, Vec2::new(middle, foot + 24.0), widest, &[TEXT], colour);
+        widgets::fitted(canvas, &row.parameter, Vec2::new(middle, foot + 48.0), widest, &[TEXT, DETAILS], theme::quiet());
+        let legend = "green: the right place, and the error that still counts as right";
+        widgets::fitted(canvas, legend, Vec2::new(middle, foot + 72.0), widest, &[TEXT, DETAILS], theme::good());
+    }
+}
+
+/// The panels of the table and of the large picture, of one height.
+fn panels(body: Area) -> (Area, Area) {
+    let width = body.size.x.min(WIDEST);
+    let (left, top) = (body.centre().x - width / 2.0, body.min.y + WORDS);
+    let lines = page(Area::new(left, top, TABLE, body.size.y - WORDS));
+    let height = lines as f32 * ROW + 2.0 * INSIDE;
+    let beside = TABLE + BETWEEN;
+    (Area::new(left, top, TABLE, height), Area::new(left + beside, top, width - beside, height))
+}
+
+fn line_of(panel: Area, place: usize) -> Area {
+    Area::new(panel.min.x, panel.min.y + INSIDE + place as f32 * ROW, panel.size.x, ROW)
+}
+
+fn page(panel: Area) -> usize {
+    ((panel.size.y - 2.0 * INSIDE) / ROW).floor() as usize
+}
+
+fn draw_test(canvas: &Canvas, line: Area, (test, parameter): (&str, &str), ruled: bool) {
+    let (left, right) = (line.min.x + COLUMNS[0], line.max().x - COLUMNS[2]);
+    if ruled {
+        canvas.hairline(Vec2::new(left, line.min.y), Vec2::new(right, line.min.y), theme::panel_edge());
+    }
+    let style = Style::new(TEXT, theme::text()).middle();
+    canvas.text(test, Vec2::new(left, line.centre().y), style);
+    let room = right - left - canvas.width(test, style) - 24.0;
+    let quiet = |size: f32| Style::new(size, theme::quiet()).middle().right();
+    let size = if canvas.width(parameter, quiet(TEXT)) <= room { TEXT } else { DETAILS };
+    canvas.text(parameter, Vec2::new(right, line.centre().y), quiet(size));
+}
+
+fn line_colour(row: &Survival) -> Colour {
+    if row.shipped { theme::accent() } else { theme::player_objective() }
+}
+
+fn value_colour(row: &Survival) -> Colour {
+    match row.largest {
+        largest if largest >= row.tried => theme::good(),
+        0.0 => theme::bad(),
+        _ => theme::text(),
+    }
+}
