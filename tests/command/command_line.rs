@@ -16,6 +16,13 @@ fn help_is_everywhere_and_a_success() {
     }
 }
 
+/// A folder with one level, `way`.
+fn data() -> Data {
+    let data = Data::new();
+    data.level("way", "gravity,0\n", &[("player.csv", "1500,1500,100,500,3000\n"), ("objectives.csv", "PLAYER,10,10,20,20\n")]);
+    data
+}
+
 #[test]
 fn the_version_is_told() {
     let ran = Ran::new(resultant().arg("--version"));
@@ -33,8 +40,7 @@ fn what_is_not_understood_is_refused() {
 
 #[test]
 fn data_is_taken_anywhere_and_must_be_there() {
-    let data = Data::new();
-    data.level("way", "gravity,0\n", &[("player.csv", "1500,1500,100,500,3000\n"), ("objectives.csv", "PLAYER,10,10,20,20\n")]);
+    let data = data();
     let folder = data.path(".");
     let folder = folder.to_str().unwrap();
     for args in [
@@ -47,14 +53,8 @@ fn data_is_taken_anywhere_and_must_be_there() {
     assert_eq!(data.resultant(&["run", "way", "--seconds", "1"]).value("ticks"), "120");
     let ran = Ran::new(resultant().args(["--data", "/nowhere/at/all", "run", "way"]));
     assert_eq!((ran.status, ran.err.as_str()), (2, "--data /nowhere/at/all: there is no such folder\n"));
-}
-
-#[test]
-fn the_working_directory_is_looked_in() {
-    let data = Data::new();
-    data.level("here", "gravity,0\n", &[("player.csv", "1500,1500,100,500,3000\n"), ("objectives.csv", "PLAYER,10,10,20,20\n")]);
-    let ran = Ran::new(resultant().args(["run", "here", "--seconds", "0"]).current_dir(data.path(".")));
-    assert_eq!((ran.status, ran.value("ticks")), (0, "0"));
+    let ran = Ran::new(resultant().args(["run", "way", "--seconds", "0"]).current_dir(folder));
+    assert_eq!((ran.status, ran.value("ticks")), (0, "0"), "the working directory is looked in");
 }
 
 #[cfg(not(feature = "window"))]
@@ -71,8 +71,7 @@ fn without_a_window_playing_says_so() {
 #[cfg(all(target_os = "linux", feature = "window"))]
 #[test]
 fn the_editor_asks_for_no_folder_that_it_does_not_need() {
-    let data = Data::new();
-    data.level("way", "", &[("player.csv", "1500,1500,100,500,3000\n"), ("objectives.csv", "PLAYER,10,10,20,20\n")]);
+    let data = data();
     for args in [&["edit", "way"][..], &["edit", "way", "--original"]] {
         let ran = data.resultant(args);
         assert!(ran.status == 2 && ran.err.contains("there is no display"), "{args:?}: {ran:?}");

@@ -1,9 +1,9 @@
 //! A step allocates nothing once its scratch has grown to the scene.
 
-use crate::support::dense::{empty, restless, surface};
+use crate::support::dense::{rain_into, restless};
 use crate::support::memory::allocations;
-use glam::DVec2;
-use resultant::physics::{Aabb, BodyDef, BodyId, FluidDef, Material, StreamDef, SurfaceDef, World, WorldDef};
+use crate::support::{Ask, Random, area, world};
+use resultant::physics::{BodyDef, DVec2, FluidDef, Material, StreamDef, SurfaceDef, World, WorldDef};
 
 #[global_allocator]
 static ALLOCATOR: crate::support::memory::Counting = crate::support::memory::Counting;
@@ -16,20 +16,11 @@ fn a_warm_step_allocates_nothing() {
 }
 
 fn rain(restitution: f64) {
-    let bodies = (0..400)
-        .map(|i| BodyDef {
-            position: DVec2::new(0.5 + f64::from(i % 20), -1.0 - 1.1 * f64::from(i / 20)),
-            half: DVec2::splat(0.3 + 0.01 * f64::from(i % 13)),
-            velocity: DVec2::new(f64::from(i % 5) - 2.0, 0.0),
-            restitution: restitution * f64::from(i % 4) / 3.0,
-            ..BodyDef::default()
-        })
-        .collect();
-    let surfaces = vec![surface(-5.0, 0.0, 25.0, 1.0), surface(-1.0, -99.0, 0.0, 0.0), surface(20.0, -99.0, 21.0, 0.0)];
-    let mut pile = restless(WorldDef { bodies, surfaces, ..empty() });
-    (0..120).for_each(|_| pile.step(1.0 / 60.0));
+    let def = rain_into(0.0, 400, 20, (1.0, 1.0), Random(1), restitution);
+    let mut pile = restless(def);
+    pile.steps(120, 1.0 / 60.0);
     let before = allocations();
-    (0..300).for_each(|_| pile.step(1.0 / 60.0));
+    pile.steps(300, 1.0 / 60.0);
     assert_eq!(allocations(), before);
 }
 
@@ -63,19 +54,17 @@ fn a_warm_tick_of_a_world_allocates_nothing() {
             restitution: 0.2 * f64::from(i % 4),
             ..BodyDef::default()
         };
-        let zone = |x: f64, y: f64, w: f64, h: f64| Aabb::new(DVec2::new(x, y), DVec2::new(x + w, y + h));
-        let mut world = World::new(WorldDef {
-            bounds: Some(zone(0.0, 0.0, 16.0, 30.0)),
-            surfaces: vec![SurfaceDef::fixed(zone(2.0, 20.0, 5.0, 1.0), Material::ICE)],
-            streams: vec![StreamDef { zone: zone(8.0, 10.0, 4.0, 20.0), force: DVec2::new(0.0, -900.0) }],
-            fluids: vec![FluidDef { zone: zone(0.0, 25.0, 8.0, 5.0), density: 900.0, viscosity: 0.1 }],
+        let mut world = world(WorldDef {
+            bounds: Some(area(0.0, 0.0, 16.0, 30.0)),
+            surfaces: vec![SurfaceDef::fixed(area(2.0, 20.0, 7.0, 21.0), Material::ICE)],
+            streams: vec![StreamDef { zone: area(8.0, 10.0, 12.0, 30.0), force: DVec2::new(0.0, -900.0) }],
+            fluids: vec![FluidDef { zone: area(0.0, 25.0, 8.0, 30.0), density: 900.0, viscosity: 0.1 }],
             bodies: (0..bodies).map(body).collect(),
             ..WorldDef::default()
-        })
-        .unwrap();
+        });
         let tick = |world: &mut World, n: u32| {
             for i in 0..n {
-                world.set_drive(BodyId(0), DVec2::new(if i / 60 % 2 == 0 { 2500.0 } else { -2500.0 }, -800.0));
+                world.drive(0, if i / 60 % 2 == 0 { 2500.0 } else { -2500.0 }, -800.0);
                 world.step(1.0 / 120.0);
             }
         };

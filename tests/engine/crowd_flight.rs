@@ -1,7 +1,8 @@
 //! Free flight of crowds: each of many bodies flies to the bit as one alone does, and that is the exact answer.
 
+use crate::support::Ask;
 use crate::support::dense::G;
-use resultant::physics::{BodyDef, BodyId, DVec2, World, WorldDef};
+use resultant::physics::{BodyDef, DVec2, World, WorldDef};
 
 /// A body of drag k = ½·C_d·A/m per metre.
 fn light(k: f64, velocity: DVec2) -> BodyDef {
@@ -16,7 +17,7 @@ fn air(gravity: f64, bodies: Vec<BodyDef>) -> World {
 fn flown(gravity: f64, body: &BodyDef, rate: f64, seconds: f64) -> Vec<(DVec2, DVec2)> {
     let far = |i: usize| BodyDef { position: body.position + 1e4 * DVec2::new((i % 10) as f64, (i / 10) as f64), ..body.clone() };
     let (mut alone, mut crowd) = (air(gravity, vec![body.clone()]), air(gravity, (0..100).map(far).collect()));
-    let pose = |world: &World| (world.body(BodyId(0)).position, world.body(BodyId(0)).velocity);
+    let pose = |world: &World| world.state(0);
     let tick = |_| {
         alone.step(1.0 / rate);
         crowd.step(1.0 / rate);

@@ -1,7 +1,7 @@
 //! Worlds of many bodies: the general method behind the same world, forces and events as the exact one.
 
-use crate::support::TICK;
 use crate::support::dense::{G, scene, square, surface};
+use crate::support::{Ask, TICK, from_below};
 use resultant::physics::{BodyDef, BodyId, DVec2, Event, ForceKind, SurfaceDef, World, WorldDef};
 
 fn pit(width: f64) -> Vec<SurfaceDef> {
@@ -15,13 +15,6 @@ fn world(bodies: Vec<BodyDef>, surfaces: Vec<SurfaceDef>) -> World {
 /// Stacked from x = 20 m on, 20 a row.
 fn bystander(i: usize) -> BodyDef {
     square(20.5 + (i % 20) as f64, -0.5 - (i / 20) as f64)
-}
-
-/// The Reactions on a body from below, N; the Reactions of bodies that it carries point downwards.
-fn from_below(world: &World, id: BodyId) -> f64 {
-    let forces = world.forces(id);
-    let up = forces.forces().iter().filter(|force| force.kind == ForceKind::Reaction && force.vector.y < 0.0);
-    up.map(|force| force.vector.y).sum()
 }
 
 /// A crowd in which no body is near another has no contacts to list: once a panic in the first tick.
@@ -41,13 +34,13 @@ fn a_body_of_a_crowd_that_is_driven_against_a_ceiling_is_held_there() {
     let mut surfaces = pit(60.0);
     surfaces.push(surface(0.0, -6.0, 10.0, -5.0));
     let mut world = world(bodies, surfaces);
-    world.set_drive(BodyId(0), DVec2::new(0.0, -25.0));
+    world.drive(0, 0.0, -25.0);
     for _ in 0..240 {
         world.step(TICK);
     }
     let forces = world.forces(BodyId(0));
     assert_eq!(world.body(BodyId(0)).bounds().min.y, -5.0);
-    assert_eq!((world.body(BodyId(0)).velocity, forces.resultant()), (DVec2::ZERO, DVec2::ZERO));
+    assert_eq!((world.speed(0), forces.resultant()), (DVec2::ZERO, DVec2::ZERO));
     assert!((forces.total(ForceKind::Reaction).y - (25.0 - G)).abs() < 1e-9, "{forces:?}");
 }
 

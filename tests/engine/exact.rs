@@ -4,7 +4,7 @@ use crate::support::scenes::{
     bouncing, column, cradle, dart_and_target, dart_and_wall, held_by_a_wall, held_by_the_floor, pushed_row, slide, slide_in_air,
     ten_tonnes, thrown,
 };
-use crate::support::{G, Random, TICK, world};
+use crate::support::{Ask, G, Random, TICK, assert_all_at_rest, from_below, world};
 use resultant::physics::{BodyDef, BodyId, DVec2, ForceKind, Guards, Source, World, WorldDef};
 
 fn run(world: &mut World, seconds: f64, tick: f64) {
@@ -21,7 +21,7 @@ fn parabolas_are_exact_at_any_tick() {
         let mut world = world(thrown());
         run(&mut world, 4.0, 1.0 / hz);
         let exact = DVec2::new(28.0, -80.0 + 0.5 * G * 16.0);
-        assert!((world.body(BodyId(0)).position - exact).length() < 1e-9);
+        assert!((world.at(0) - exact).length() < 1e-9);
     }
 }
 
@@ -49,7 +49,7 @@ fn a_projectile_with_drag_agrees_with_a_fine_integration() {
                 let body = BodyDef { velocity: v0, half, mass, drag, round, ..BodyDef::default() };
                 let mut world = World::new(WorldDef { bodies: vec![body], ..WorldDef::default() }).unwrap();
                 run(&mut world, seconds, 1.0 / hz);
-                let error = world.body(BodyId(0)).position.distance(x);
+                let error = world.at(0).distance(x);
                 assert!(error < 1e-8, "{half}, {v0}, round {round}, {hz} Hz: {error} m");
             }
         }
@@ -73,9 +73,9 @@ fn a_slide_in_air_ends_where_it_must() {
     let mut world = world(slide_in_air());
     run(&mut world, 6.0, TICK);
     let exact = (1.0 + k * 900.0 / (0.65 * G)).ln() / (2.0 * k);
-    let found = world.body(BodyId(0)).position.x;
+    let found = world.at(0).x;
     assert!((found - exact).abs() < 1e-6, "{found} {exact}");
-    assert_eq!(world.body(BodyId(0)).velocity, DVec2::ZERO);
+    assert_eq!(world.speed(0), DVec2::ZERO);
 }
 
 #[test]
@@ -91,7 +91,7 @@ fn static_friction_holds_below_its_limit_and_gives_way_above() {
             assert!((body.acceleration.x - a).abs() < 1e-12 && (body.position.x - a * 50.0).abs() < 1e-9);
         } else {
             run(&mut world, 170.0, TICK);
-            assert_eq!(world.body(BodyId(0)).position, DVec2::new(0.0, -0.5));
+            assert_eq!(world.at(0), DVec2::new(0.0, -0.5));
             assert_eq!(world.forces(BodyId(0)).total(ForceKind::Friction), DVec2::new(-force, 0.0));
         }
     }
@@ -202,14 +202,11 @@ fn columns_stand_still_and_every_reaction_is_the_weight_above() {
         let mut world = world(column(n));
         let masses: Vec<f64> = world.bodies().iter().map(|body| body.mass).collect();
         run(&mut world, 180.0, TICK);
+        assert_all_at_rest(&world);
         for i in 0..n {
-            let id = BodyId(i as u32);
-            assert_eq!(world.body(id).position, DVec2::new(0.0, -0.5 - i as f64));
-            assert_eq!(world.forces(id).resultant(), DVec2::ZERO);
+            assert_eq!(world.at(i), DVec2::new(0.0, -0.5 - i as f64));
             let weight: f64 = masses[i..].iter().sum::<f64>() * G;
-            let forces = world.forces(id);
-            let from_below = forces.forces().iter().filter(|f| f.kind == ForceKind::Reaction && f.vector.y < 0.0);
-            assert!((from_below.map(|f| f.vector.y).sum::<f64>() / -weight - 1.0).abs() < 1e-12);
+            assert!((from_below(&world, BodyId(i as u32)) / -weight - 1.0).abs() < 1e-12);
         }
     }
 }
@@ -220,10 +217,10 @@ fn ten_tonnes_rest_and_drop_on_one_kilogram() {
         let mut world = world(ten_tonnes(drop));
         for _ in 0..600 {
             world.step(TICK);
-            let overlap = world.body(BodyId(1)).position.y + 1.5;
-            assert!(overlap < 1e-9 && world.body(BodyId(0)).position.y == -0.5, "overlap {overlap} m");
+            let overlap = world.at(1).y + 1.5;
+            assert!(overlap < 1e-9 && world.at(0).y == -0.5, "overlap {overlap} m");
         }
-        assert_eq!(world.body(BodyId(1)).velocity, DVec2::ZERO);
+        assert_eq!(world.speed(1), DVec2::ZERO);
     }
 }
 
@@ -271,9 +268,9 @@ fn nothing_tunnels_at_any_speed() {
         // Against a wall of 5 cm, and body against body of 5 cm.
         let mut against_wall = world(dart_and_wall(v));
         run(&mut against_wall, 2.0, TICK);
-        assert_eq!(against_wall.body(BodyId(0)).position.x, 10.0 - 0.025);
+        assert_eq!(against_wall.at(0).x, 10.0 - 0.025);
         let mut world = world(dart_and_target(v));
         run(&mut world, 2.0, TICK);
-        assert!((world.body(BodyId(1)).velocity.x / (v / 4.0) - 1.0).abs() < 1e-12);
+        assert!((world.speed(1).x / (v / 4.0) - 1.0).abs() < 1e-12);
     }
 }

@@ -1,6 +1,6 @@
 //! The force manager: by itself, and as the part that moves a body.
 
-use crate::support::{BODY, TICK as DT, area, block, crate_at};
+use crate::support::{Ask, BODY, TICK as DT, area, block, crate_at};
 use resultant::physics::{BodyDef, BodyId, DVec2, FluidDef, ForceKind, ForceManager, Source, StreamDef, World, WorldDef};
 
 #[test]
@@ -51,7 +51,7 @@ fn a_listed_force_is_replaced_as_well() {
     let pool = FluidDef { zone: area(-9.0, 0.0, 9.0, 9.0), density: 800.0, viscosity: 1.0 };
     let swims = BodyDef { velocity: DVec2::new(3.0, 0.0), ..BodyDef::default() };
     let mut world = World::new(WorldDef { bodies: vec![swims], fluids: vec![pool], ..WorldDef::default() }).unwrap();
-    world.set_drive(BodyId(0), DVec2::new(10.0, 0.0));
+    world.drive(0, 10.0, 0.0);
     world.step(1.0 / 60.0);
     let mut forces = world.forces(BodyId(0));
     for (source, kind) in forces.forces().iter().map(|force| (force.source, force.kind)).collect::<Vec<_>>() {
@@ -92,19 +92,19 @@ fn an_added_push_moves_the_body() {
     let (bodies, surfaces) = (vec![crate_at(0.0, -0.5, 10.0)], vec![block(-50.0, 0.0, 50.0, 1.0)]);
     let def = WorldDef { gravity: 10.0, air_density: 0.0, bodies, surfaces, ..WorldDef::default() };
     let mut world = World::new(def).unwrap();
-    (0..240).for_each(|_| world.step(DT));
+    world.steps(240, DT);
     assert_eq!(world.forces(BODY).resultant(), DVec2::ZERO);
     let push = DVec2::new(120.0, 0.0);
     world.add_force(BODY, Source::Body(BodyId(7)), ForceKind::Push, push);
-    (0..120).for_each(|_| world.step(DT));
+    world.steps(120, DT);
     let forces = world.forces(BODY);
     assert_eq!(forces.get(Source::Body(BodyId(7)), ForceKind::Push), Some(push));
     let a = (push + forces.total(ForceKind::Friction)).x / 10.0;
-    assert!((world.body(BODY).velocity.x - a).abs() < 1e-12, "{} m/s, not {a}", world.body(BODY).velocity);
+    assert!((world.speed(0).x - a).abs() < 1e-12, "{} m/s, not {a}", world.speed(0));
     assert!((forces.resultant().x - 10.0 * a).abs() < 1e-12);
     world.remove_force(BODY, Source::Body(BodyId(7)), ForceKind::Push);
-    (0..1200).for_each(|_| world.step(DT));
-    assert_eq!((world.body(BODY).velocity, world.forces(BODY).resultant()), (DVec2::ZERO, DVec2::ZERO));
+    world.steps(1200, DT);
+    assert_eq!((world.speed(0), world.forces(BODY).resultant()), (DVec2::ZERO, DVec2::ZERO));
 }
 
 #[test]
@@ -115,7 +115,7 @@ fn streams_enter_and_leave_the_manager() {
     let mut world = World::new(def).unwrap();
     for _ in 0..150 {
         world.step(DT);
-        let (x, forces) = (world.body(BODY).position.x, world.forces(BODY));
+        let (x, forces) = (world.at(0).x, world.forces(BODY));
         if (x - 4.5).abs() < 1e-6 || (x - 8.5).abs() < 1e-6 {
             continue;
         }
@@ -124,5 +124,5 @@ fn streams_enter_and_leave_the_manager() {
         assert_eq!(forces.resultant(), if inside { DVec2::new(0.0, 4.0) } else { DVec2::ZERO });
     }
     // 4 m at 10 m/s under 4 m/s².
-    assert!((world.body(BODY).velocity.y - 1.6).abs() < 1e-9, "{}", world.body(BODY).velocity);
+    assert!((world.speed(0).y - 1.6).abs() < 1e-9, "{}", world.speed(0));
 }

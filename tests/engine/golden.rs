@@ -1,6 +1,6 @@
 //! The golden numbers of the engine: each comes out of the force manager or of a step, never from a copy of the formula.
 
-use crate::support::{BODY, TICK, area, block, crate_at};
+use crate::support::{Ask, BODY, TICK, area, block, crate_at};
 use resultant::physics::{BodyDef, BodyId, DVec2, Event, ForceKind, StreamDef, SurfaceDef, World, WorldDef};
 
 /// A floor with its middle at x = 0.
@@ -28,7 +28,7 @@ fn weight_and_reaction_cancel_exactly() {
             assert_eq!(world.body(BODY).acceleration, DVec2::ZERO);
             world.step(TICK);
         }
-        assert_eq!(world.body(BODY).position, DVec2::new(0.0, -0.5));
+        assert_eq!(world.at(0), DVec2::new(0.0, -0.5));
     }
 }
 
@@ -51,7 +51,7 @@ fn friction_is_gone_once_it_has_slid_off_the_edge() {
             assert_eq!(friction, DVec2::ZERO);
             assert_eq!(world.body(BODY).acceleration, DVec2::new(0.0, 15.0));
             fell = true;
-        } else if world.body(BODY).position.x < 1.5 {
+        } else if world.at(0).x < 1.5 {
             assert_eq!(friction, DVec2::new(-731.25, 0.0));
         }
     }
@@ -64,7 +64,7 @@ fn all_masses_fall_alike() {
         let mut world = world(vec![BodyDef { mass, ..BodyDef::default() }], Vec::new());
         assert_eq!(world.body(BODY).acceleration, DVec2::new(0.0, 15.0));
         world.step(0.02552524);
-        assert!((world.body(BODY).velocity.y - 0.3828786).abs() < 1e-12);
+        assert!((world.speed(0).y - 0.3828786).abs() < 1e-12);
     }
 }
 
@@ -127,7 +127,7 @@ fn an_elastic_collision_conserves_momentum_and_energy() {
     let body = |x: f64, v: f64, mass| BodyDef { velocity: DVec2::new(v, 0.0), restitution: 1.0, ..crate_at(x, 0.0, mass) };
     let bodies = vec![body(-1.0, 25.7, 75.0), body(1.0, -11.3, 150.0)];
     let mut world = World::new(WorldDef { gravity: 0.0, air_density: 0.0, bodies, ..WorldDef::default() }).unwrap();
-    (0..60).for_each(|_| world.step(TICK));
+    world.steps(60, TICK);
     let v = [0, 1].map(|id| world.body(BodyId(id)).velocity.x);
     assert!((v[0] + 23.0 + 19.0 / 30.0).abs() < 1e-12 && (v[1] - 13.0 - 11.0 / 30.0).abs() < 1e-12, "{v:?}");
 }
@@ -138,12 +138,12 @@ fn a_ball_at_5_m_per_s_and_restitution_a_half_leaves_at_2_5() {
     let mut world = world(vec![ball], vec![floor(10.0)]);
     let mut hit = None;
     for _ in 0..60 {
-        let before = world.body(BODY).velocity.y;
+        let before = world.speed(0).y;
         world.step(TICK);
-        if hit.is_none() && world.body(BODY).velocity.y < 0.0 {
+        if hit.is_none() && world.speed(0).y < 0.0 {
             let Event::Impact { speed, .. } = world.events()[0] else { panic!("{:?}", world.events()) };
             let fallen = (5.0 - before) / 15.0;
-            hit = Some((speed, world.body(BODY).velocity.y - 15.0 * (TICK - fallen)));
+            hit = Some((speed, world.speed(0).y - 15.0 * (TICK - fallen)));
         }
     }
     let (speed, left) = hit.unwrap();
@@ -158,7 +158,7 @@ fn a_slow_rebound_ends_the_bounce_unless_the_scene_asks_for_every_one() {
         let mut world = World::new(def).unwrap();
         let rose = (0..40).any(|_| {
             world.step(TICK);
-            world.body(BODY).velocity.y < -0.1
+            world.speed(0).y < -0.1
         });
         assert_eq!(rose, bounces);
     }

@@ -1,6 +1,6 @@
 //! Links: forces between two bodies, or a body and a place, against the formulas of springs.
 
-use crate::support::block;
+use crate::support::{Ask, block};
 use resultant::physics::{
     BodyDef, BodyId, DVec2, ForceKind, LinkDef, LinkEnd, LinkLaw, Source, Spring, SurfaceDef, World, WorldDef,
 };
@@ -28,7 +28,7 @@ fn floor() -> SurfaceDef {
 /// Kinetic energy and that of one spring, J.
 fn energy(world: &World, length: f64, stiffness: f64) -> f64 {
     let kinetic: f64 = world.bodies().iter().map(|body| 0.5 * body.mass * body.velocity.length_squared()).sum();
-    let stretch = world.body(A).position.distance(world.body(B).position) - length;
+    let stretch = world.at(0).distance(world.at(1)) - length;
     kinetic + 0.5 * stiffness * stretch * stretch
 }
 
@@ -45,12 +45,12 @@ fn two_bodies_on_a_spring_swing_as_the_formula_says() {
         for tick in 1..=2400 {
             world.step(DT);
             let t = f64::from(tick) * DT;
-            let apart = world.body(B).position - world.body(A).position;
+            let apart = world.at(1) - world.at(0);
             let exact = 2.5 + 0.5 * (omega * t).cos();
             assert!((apart.x - exact).abs() < 1e-9 && apart.y.abs() < 1e-9, "{m1}, {m2} kg after {t} s: {apart}, not {exact}");
-            let at = (world.body(A).position * m1 + world.body(B).position * m2) / (m1 + m2);
+            let at = (world.at(0) * m1 + world.at(1) * m2) / (m1 + m2);
             assert!((at - drift * t - DVec2::new(centre, 0.0)).length() < 1e-9, "the centre of mass is at {at}");
-            let momentum = world.body(A).velocity * m1 + world.body(B).velocity * m2 - drift * (m1 + m2);
+            let momentum = world.speed(0) * m1 + world.speed(1) * m2 - drift * (m1 + m2);
             assert!(momentum.length() < 1e-10, "{momentum} kg·m/s");
             assert!((energy(&world, 2.5, k) / begun - 1.0).abs() < 1e-9, "after {t} s");
         }
@@ -83,7 +83,7 @@ fn a_body_hangs_on_a_place() {
         world.step(DT);
         let t = f64::from(tick) * DT;
         let exact = 2.0 + g / (omega * omega) * (1.0 - (omega * t).cos());
-        let at = world.body(A).position;
+        let at = world.at(0);
         assert!((at - DVec2::new(1.0, exact)).length() < 1e-9, "after {t} s: {at}, not {exact}");
     }
 }
@@ -94,8 +94,8 @@ fn any_tick_leads_to_the_same_place() {
         let moving = BodyDef { velocity: DVec2::new(1.0, 2.0), ..body(0.0, 0.0, 1.5) };
         let mut world = world(9.81, vec![moving, body(2.0, 0.5, 0.7)], Vec::new());
         world.link(LinkDef { body: A, to: LinkEnd::Body(B), law: spring(1.8, 30.0) }).unwrap();
-        (0..(4.0 * hz) as u32).for_each(|_| world.step(1.0 / hz));
-        world.body(A).position
+        world.steps((4.0 * hz) as u32, 1.0 / hz);
+        world.at(0)
     };
     let fine = end(480.0);
     for hz in [30.0, 60.0, 120.0] {
@@ -108,8 +108,8 @@ fn any_tick_leads_to_the_same_place() {
 fn one_end_may_rest_on_the_floor() {
     let (k, length, g) = (200.0, 1.0, 10.0);
     let mut world = world(g, vec![body(0.0, -0.1, 20.0), body(0.0, -1.5, 2.0)], vec![floor()]);
-    (0..10).for_each(|_| world.step(DT));
-    let (begun, start) = (world.body(B).position, world.body(B).velocity);
+    world.steps(10, DT);
+    let (begun, start) = world.state(1);
     world.link(LinkDef { body: A, to: LinkEnd::Body(B), law: spring(length, k) }).unwrap();
     let omega = (k / 2.0f64).sqrt();
     // Up is negative: the spring is slack where the body is at −0.1 − L.
@@ -118,9 +118,9 @@ fn one_end_may_rest_on_the_floor() {
         world.step(DT);
         let t = f64::from(tick) * DT;
         let exact = middle + (begun.y - middle) * (omega * t).cos() + start.y / omega * (omega * t).sin();
-        let upper = world.body(B).position;
+        let upper = world.at(1);
         assert!((upper.y - exact).abs() < 1e-9, "after {t} s: {upper}, not {exact}");
-        assert_eq!((world.body(A).position, world.body(A).velocity), (DVec2::new(0.0, -0.1), DVec2::ZERO));
+        assert_eq!(world.state(0), (DVec2::new(0.0, -0.1), DVec2::ZERO));
         let pull = k * ((-0.1 - upper.y) - length);
         let (lower, upper) = (world.forces(A), world.forces(B));
         assert!((upper.total(ForceKind::Spring).y - pull).abs() < 1e-9, "{} N, not {pull}", upper.total(ForceKind::Spring));
@@ -143,7 +143,7 @@ fn a_spring_pulls_two_crates_together() {
         world.step(DT);
         world.validate().unwrap_or_else(|fault| panic!("tick {tick}: {fault}"));
     }
-    let gap = world.body(B).position.x - world.body(A).position.x - 0.2;
+    let gap = world.at(1).x - world.at(0).x - 0.2;
     assert!(gap.abs() < 1e-9, "{gap} m");
     assert_eq!((world.forces(A).resultant(), world.forces(B).resultant()), (DVec2::ZERO, DVec2::ZERO));
 }
@@ -159,11 +159,11 @@ fn ends_far_apart_pull_and_others_do_not_notice() {
         free.step(DT);
         assert_eq!(linked.bodies()[2], free.bodies()[2]);
     }
-    assert!(linked.body(A).velocity.x > 3.9 && linked.body(B).velocity.x < -3.9);
+    assert!(linked.speed(0).x > 3.9 && linked.speed(1).x < -3.9);
     linked.unlink(number);
-    let speed = linked.body(A).velocity.x;
-    (0..120).for_each(|_| linked.step(DT));
-    assert_eq!((linked.body(A).velocity.x, linked.links().len()), (speed, 0));
+    let speed = linked.speed(0).x;
+    linked.steps(120, DT);
+    assert_eq!((linked.speed(0).x, linked.links().len()), (speed, 0));
     assert_eq!(linked.forces(A).total(ForceKind::Spring), DVec2::ZERO);
 }
 

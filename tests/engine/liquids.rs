@@ -1,6 +1,6 @@
 //! Liquids: bodies that float, sink, bob and splash, against fine integrations by hand and against formulas, at any tick.
 
-use crate::support::{BODY, G, area, block, crate_at, named_forces};
+use crate::support::{Ask, BODY, G, area, block, crate_at, named_forces};
 use resultant::physics::{BodyDef, DVec2, FluidDef, ForceKind, Plan, World, WorldDef};
 
 const AIR: f64 = 1.2041;
@@ -17,7 +17,7 @@ fn world(body: BodyDef, pool: FluidDef) -> World {
 }
 
 fn run(mut world: World, seconds: f64, hz: f64) -> World {
-    (0..(seconds * hz).round() as u32).for_each(|_| world.step(1.0 / hz));
+    world.steps((seconds * hz).round() as u32, 1.0 / hz);
     world
 }
 
@@ -95,19 +95,21 @@ fn a_splash_and_a_bob_agree_with_a_fine_integration_at_any_tick() {
         let exact = reference(&body, &pool, 2.0, 2e-6);
         for hz in [15.0, 30.0, 60.0, 120.0, 240.0] {
             let error = run(world(body.clone(), pool.clone()), 2.0, hz).body(BODY).position.distance(exact);
-            println!("{} kg at {hz} Hz: {error:e} m", body.mass);
+
             assert!(error < 5e-6, "{} kg at {hz} Hz: {error} m", body.mass);
         }
     }
 }
 
+/// The steps for stiff motion once pumped energy into bodies far lighter than the liquid: a crate of a gram bobbed on water for ever.
 #[test]
 fn what_floats_comes_to_rest_at_its_waterline_and_then_rests_exactly() {
-    for (mass, half) in [(0.05, 0.5), (0.05, 0.1), (0.5, 0.5), (1.0, 0.1), (10.0, 0.1), (30.0, 0.5), (300.0, 0.5), (300.0, 1.0)] {
-        for hz in [30.0, 120.0] {
+    let light = [(1e-3, 0.5), (1e-2, 0.5), (0.05, 0.5), (0.05, 0.1), (0.5, 0.5)];
+    for (mass, half) in light.into_iter().chain([(1.0, 0.1), (10.0, 0.1), (30.0, 0.5), (300.0, 0.5), (300.0, 1.0)]) {
+        for hz in [30.0, 60.0, 120.0, 240.0].into_iter().filter(|hz| mass < 0.05 || [30.0, 120.0].contains(hz)) {
             let body = BodyDef { position: DVec2::new(0.0, -half - 0.3), half: DVec2::splat(half), mass, ..BodyDef::default() };
             let mut world = run(world(body, pool(1000.0, 1e-3, 30.0)), 60.0, hz);
-            let (at, waterline) = (world.body(BODY).position, mass / (1000.0 * 2.0 * half) - half);
+            let (at, waterline) = (world.at(0), mass / (1000.0 * 2.0 * half) - half);
             assert!((at.y - waterline).abs() < 1e-12, "{mass} kg, {hz} Hz: {} m, not {waterline} m", at.y);
             for _ in 0..100 {
                 world.step(1.0 / hz);
@@ -132,7 +134,7 @@ fn what_bobs_feels_its_drive_at_once_at_any_tick() {
             world.set_drive(BODY, if drives { DVec2::new(400.0, -600.0) } else { DVec2::ZERO });
             world.step(1.0 / hz);
         }
-        world.body(BODY).position
+        world.at(0)
     };
     let fine = end(3840.0);
     assert!(fine.x > 0.8, "{fine}");
@@ -166,7 +168,7 @@ fn without_drag_it_bobs_for_ever() {
             let seconds = (1000.0 * 2.0 * std::f64::consts::PI / omega * hz).round() / hz;
             let body = BodyDef { position: DVec2::new(0.0, middle + amplitude), mass, drag: 0.0, ..BodyDef::default() };
             let world = run(world(body, pool(1000.0, 0.0, 30.0)), seconds, hz);
-            let (x, v) = (world.body(BODY).position.y - middle, world.body(BODY).velocity.y);
+            let (x, v) = (world.at(0).y - middle, world.speed(0).y);
             let swing = (x * x + v * v / (omega * omega)).sqrt();
             assert!((swing - amplitude).abs() < 2e-6, "{mass} kg, {hz} Hz: {swing} m");
             assert!((x - amplitude * (omega * seconds).cos()).abs() < 2e-6, "{mass} kg, {hz} Hz: {x} m");
@@ -185,7 +187,7 @@ fn a_thick_liquid_slows_as_the_formula_says() {
             let rate = 3.0 * std::f64::consts::PI * viscosity * 0.1 / mass;
             let end = DVec2::new(0.0, G * (1.0 - 1400.0 * 0.01 / mass) / rate);
             let exact = DVec2::new(0.0, 500.0) + end * 2.0 - (velocity - end) * ((-2.0 * rate).exp_m1() / rate);
-            let error = world.body(BODY).position.distance(exact);
+            let error = world.at(0).distance(exact);
             assert!(error < 1e-9, "{mass} kg, {viscosity} Pa·s, {hz} Hz: {error} m");
         }
     }

@@ -2,7 +2,7 @@
 //! a scene comes with, and carries its share of the load from then on.
 
 use crate::support::turned::{mirrored, reversed};
-use crate::support::{G, area};
+use crate::support::{Ask, G, area};
 use resultant::physics::{BodyDef, BodyId, DVec2, ForceKind, Material, Path, Source, SurfaceDef, World, WorldDef};
 
 /// m and m/s.
@@ -75,7 +75,7 @@ fn begun(def: &WorldDef, drive: DVec2) -> World {
 }
 
 fn run(world: &mut World, seconds: f64, rate: f64) {
-    (0..(seconds * rate).round() as u32).for_each(|_| world.step(1.0 / rate));
+    world.steps((seconds * rate).round() as u32, 1.0 / rate);
 }
 
 fn assert_alike(name: &str, a: &World, b: &World) {
@@ -169,7 +169,7 @@ fn friction_changes_where_the_seam_is() {
     let floor = vec![tile(-9.0, 0.0, asphalt), tile(0.0, 30.0, ice)];
     for rate in [60.0, 120.0, 240.0] {
         let mut world = World::new(scene(floor.clone(), vec![crate_at(-3.0, 9.0)])).unwrap();
-        while world.body(BodyId(0)).position.x < 1.5 {
+        while world.at(0).x < 1.5 {
             world.step(1.0 / rate);
         }
         let body = world.body(BodyId(0));

@@ -1,6 +1,6 @@
 //! Ties and shares: the order of rows, a mirror or a shift changes nothing.
 
-use crate::support::{G, TICK, block};
+use crate::support::{Ask, G, TICK, block};
 use resultant::physics::{BodyDef, BodyId, DVec2, ForceKind, Material, Obstacle, Plan, Source, SurfaceDef, World, WorldDef};
 
 /// Bodies without gravity and air.
@@ -38,9 +38,9 @@ fn hold(bodies: &[BodyDef], expected: &[DVec2], seconds: f64) {
                     ..body.clone()
                 };
                 let mut world = World::new(free(order.iter().map(|i| turned(&bodies[*i])).collect())).unwrap();
-                (0..(seconds / TICK) as u32).for_each(|_| world.step(TICK));
+                world.steps((seconds / TICK) as u32, TICK);
                 for (row, i) in order.iter().enumerate() {
-                    let found = world.bodies()[row].velocity;
+                    let found = world.speed(row);
                     let apart = found.distance(of(expected[*i]));
                     assert!(apart < 1e-9, "turn {turn}, shift {shift}, order {order:?}: body {i} has {found} m/s");
                 }
@@ -96,8 +96,8 @@ fn a_corner_is_the_same_in_either_order_of_its_walls() {
         });
         let body = boxed(DVec2::ZERO, DVec2::splat(0.5), 2.0, DVec2::new(5.0 * mirror, 5.0), 0.6);
         let mut world = World::new(WorldDef { surfaces: surfaces.collect(), ..free(vec![body]) }).unwrap();
-        (0..90).for_each(|_| world.step(TICK));
-        let velocity = world.bodies()[0].velocity;
+        world.steps(90, TICK);
+        let velocity = world.speed(0);
         DVec2::new(velocity.x * mirror, velocity.y)
     };
     let [floor, wall] = walls;
@@ -149,7 +149,7 @@ fn what_stands_on_several_things_loads_each_equally() {
             let surfaces = (0..count).map(tile).collect();
             let def = WorldDef { air_density: 0.0, surfaces, bodies: vec![body], ..WorldDef::default() };
             let mut world = World::with_plan(def.clone(), Plan { dense, ..Plan::of(&def) }).unwrap();
-            (0..20).for_each(|_| world.step(TICK));
+            world.steps(20, TICK);
             let share = mass * G / f64::from(count);
             let forces = world.forces(BodyId(0));
             let loads: Vec<f64> = forces

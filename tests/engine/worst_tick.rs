@@ -2,7 +2,7 @@
 //! they take, `tools/fuzz_levels worst` shows.
 
 use crate::support::slow::{Scene, scenes};
-use crate::support::{area, worst_overlap};
+use crate::support::{Ask, area, worst_overlap};
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, Impulse, Material, Obstacle, SurfaceDef, World, WorldDef};
 
 /// Events that each body may add to those of its island, however the bodies share islands. The last events, and islands that grow and are
@@ -85,7 +85,7 @@ fn what_falls_far_from_a_busy_island_does_not_notice() {
     let open = WorldDef { bounds: None, surfaces: walls.into(), ..gas };
     let of = |bodies: Vec<BodyDef>| Scene { def: WorldDef { bodies, ..open.clone() }, name: name.clone(), ticks, tick, drive };
     let mut lonely = Vec::new();
-    play(&of(vec![body.clone()]), |world, _| lonely.push(world.body(BodyId(0)).position));
+    play(&of(vec![body.clone()]), |world, _| lonely.push(world.at(0)));
     let mut bodies = open.bodies.clone();
     let far = BodyId(bodies.len() as u32);
     bodies.push(body);

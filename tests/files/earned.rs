@@ -1,17 +1,13 @@
 //! Scores that are earned: a row leads to its flight, and a forged row, or one flown elsewhere or in another version of the level, is
 //! found.
 
+use super::fixture::{Fixture, name};
 use crate::support::shipped::{load as level, record};
 use resultant::game::{Controls, Fingerprint, Game, LevelHash, Mismatch, Recorder, Replay, level_hash};
 use resultant::level::Level;
-use resultant::scores::{Doubt, IN_TURN, Judge, Name, PATIENCE, Placement, Score, Scores, Standing, TURN};
+use resultant::scores::{Doubt, IN_TURN, Judge, PATIENCE, Placement, Score, Scores, Standing, TURN};
 use std::fs;
-use std::path::Path;
 use std::sync::Arc;
-
-fn name(text: &str) -> Name {
-    Name::new(text).unwrap()
-}
 
 fn save(scores: &Scores, user: &str, flight: &Replay) -> Placement {
     let score = Score { name: &name(user), points: flight.score, flight: Some(flight), version: None };
@@ -40,21 +36,18 @@ fn judge(scores: &Scores, row: usize, level: Arc<Level>) -> Option<Result<(), Do
     }
 }
 
-/// The scores in a folder with a board of level 1, and the flights of its rows by their files.
-fn board(folder: &Path, rows: &str, flights: &[(&str, &str)]) -> Scores {
-    let scores = folder.join("scores");
-    fs::create_dir_all(scores.join("flights/1")).unwrap();
-    fs::write(scores.join("1.csv"), rows).unwrap();
-    for (file, text) in flights {
-        fs::write(scores.join("flights/1").join(file), text).unwrap();
-    }
-    Scores::new(scores)
+/// A board of level 1, and the flights of its rows by their files.
+fn board(rows: &str, flights: &[(&str, &str)]) -> (Fixture, Scores) {
+    let fixture = Fixture::with("1.csv", rows);
+    flights.iter().for_each(|(file, text)| fixture.write(&format!("flights/1/{file}"), text));
+    let scores = fixture.scores();
+    (fixture, scores)
 }
 
 #[test]
 fn a_row_leads_to_its_flight_and_is_proven_by_it() {
-    let folder = tempfile::tempdir().unwrap();
-    let scores = Scores::new(folder.path().join("scores"));
+    let fixture = Fixture::new();
+    let scores = fixture.scores();
     let (careful, gold) = (record("1", "careful"), record("1", "gold"));
     assert_eq!(save(&scores, "ann", &careful), Placement::New { rank: 1 });
     assert_eq!(judge(&scores, 0, level("1")), Some(Ok(())));
@@ -62,7 +55,7 @@ fn a_row_leads_to_its_flight_and_is_proven_by_it() {
     assert_eq!(scores.flight("1", &scores.load("1").unwrap().board.origin(0)), saved(&careful), "with its player's name");
     // A better one takes its place, a worse one leaves no trace.
     assert!(matches!(save(&scores, "ann", &gold), Placement::Raised { rank: 1, .. }));
-    let flights = || fs::read_dir(folder.path().join("scores/flights/1")).unwrap().count();
+    let flights = || fs::read_dir(fixture.file("flights/1")).unwrap().count();
     let (board, kept) = (scores.load("1").unwrap().board, flights());
     assert!(matches!(save(&scores, "ann", &careful), Placement::Kept { .. }));
     assert_eq!((scores.load("1").unwrap().board, flights()), (board.clone(), kept));
@@ -76,19 +69,17 @@ fn a_row_leads_to_its_flight_and_is_proven_by_it() {
 
 #[test]
 fn older_files_load_and_keep_their_cells() {
-    let folder = tempfile::tempdir().unwrap();
     for (old, new) in [
         ("name,score\nbob,9\n", "name,score,flight,version,program\n"),
         ("bob,9\n", "name,score,flight,version,program\n"),
         ("name,score,class\nbob,9,7b\n", "name,score,class,flight,version,program\n"),
         ("bob,9,7b\n", "name,score,,flight,version,program\n"),
     ] {
-        fs::create_dir_all(folder.path().join("scores")).unwrap();
-        fs::write(folder.path().join("scores/1.csv"), old).unwrap();
-        let scores = Scores::new(folder.path().join("scores"));
+        let fixture = Fixture::with("1.csv", old);
+        let scores = fixture.scores();
         assert_eq!(judge(&scores, 0, level("1")), None, "a row without a flight is one");
         save(&scores, "ann", &record("1", "gold"));
-        let text = fs::read_to_string(folder.path().join("scores/1.csv")).unwrap();
+        let text = fixture.text("1.csv");
         assert!(text.starts_with(new), "{text}");
         assert_eq!(text.contains("7b"), old.contains("7b"), "{text}");
         assert_eq!((judge(&scores, 0, level("1")), judge(&scores, 1, level("1"))), (Some(Ok(())), None));
@@ -97,17 +88,17 @@ fn older_files_load_and_keep_their_cells() {
 
 #[test]
 fn what_is_forged_is_found() {
-    let folder = tempfile::tempdir().unwrap();
-    let scores = Scores::new(folder.path().join("scores"));
+    let fixture = Fixture::new();
+    let scores = fixture.scores();
     let gold = record("1", "gold");
     save(&scores, "ann", &gold);
-    let file = folder.path().join("scores/1.csv");
-    let sound = fs::read_to_string(&file).unwrap();
-    let flight = folder.path().join("scores/flights/1").join(scores.load("1").unwrap().board.origin(0).flight.unwrap());
-    let flown = fs::read_to_string(&flight).unwrap();
+    let sound = fixture.text("1.csv");
+    let name_of_flight = scores.load("1").unwrap().board.origin(0).flight.unwrap();
+    let flight = format!("flights/1/{name_of_flight}");
+    let flown = fixture.text(&flight);
     let verdict = |row: &str, text: &str| {
-        fs::write(&file, row).unwrap();
-        fs::write(&flight, text).unwrap();
+        fixture.write("1.csv", row);
+        fixture.write(&flight, text);
         judge(&scores, 0, level("1")).expect("it has a flight")
     };
     assert_eq!(verdict(&sound, &flown), Ok(()));
@@ -151,11 +142,10 @@ fn what_is_forged_is_found() {
     let older = other.replace("# program: resultant", "# program: something");
     assert!(matches!(verdict(&sound, &older), Err(Doubt::Flown(_, Some(program))) if program.starts_with("something")));
     // No flight where the row leads, or a way out of the folder.
-    fs::remove_file(&flight).unwrap();
+    fs::remove_file(fixture.file(&flight)).unwrap();
     assert!(matches!(judge(&scores, 0, level("1")), Some(Err(Doubt::Unreadable(_)))));
     for away in ["../../../1.csv", "/etc/passwd", "..", ".hidden.replay.csv", "sub/x.replay.csv", "C:x.replay.csv"] {
-        let named = sound.replace(flight.file_name().unwrap().to_str().unwrap(), away);
-        fs::write(&file, named).unwrap();
+        fixture.write("1.csv", &sound.replace(&name_of_flight, away));
         let verdict = judge(&scores, 0, level("1"));
         assert!(matches!(&verdict, Some(Err(Doubt::Unreadable(words))) if words.contains("expected a file's name")), "{verdict:?}");
     }
@@ -163,17 +153,14 @@ fn what_is_forged_is_found() {
 
 #[test]
 fn a_changed_level_keeps_its_old_board_aside() {
-    let folder = tempfile::tempdir().unwrap();
-    let scores = Scores::new(folder.path().join("scores"));
+    let fixture = Fixture::with("1.csv", "name,score,class\nold,5,7b\n");
+    let scores = fixture.scores();
     let gold = record("1", "gold");
     let (now, then) = (gold.level_hash.unwrap(), LevelHash::Fnv64(0x1234));
     let older = |score: i64| Replay { level_hash: Some(then), score, ..gold.clone() };
-    fs::create_dir_all(folder.path().join("scores")).unwrap();
-    fs::write(folder.path().join("scores/1.csv"), "name,score,class\nold,5,7b\n").unwrap();
     save(&scores, "bob", &older(9000));
     save(&scores, "cid", &older(8000));
-    let text = fs::read_to_string(folder.path().join("scores/1.csv")).unwrap();
-    fs::write(folder.path().join("scores/1.csv"), text.replace("cid,8000,,", "cid,8000,8a,")).unwrap();
+    fixture.write("1.csv", &fixture.text("1.csv").replace("cid,8000,,", "cid,8000,8a,"));
     // On the level's present version's board they do not appear; looking writes nothing.
     let shown = |version: LevelHash| {
         let (loaded, others) = scores.load_version("1", version).unwrap();
@@ -182,38 +169,33 @@ fn a_changed_level_keeps_its_old_board_aside() {
     };
     assert_eq!(shown(now), ("old 5".to_owned(), 1));
     assert_eq!(shown(then), ("bob 9000, cid 8000, old 5".to_owned(), 0));
-    assert!(!folder.path().join("scores/aside").exists());
+    assert!(!fixture.file("aside").exists());
     // A save moves them; a lower score than the one aside is the best of this version.
     assert_eq!(save(&scores, "bob", &Replay { score: 7000, ..gold.clone() }), Placement::New { rank: 1 });
     assert_eq!(shown(now), ("bob 7000, old 5".to_owned(), 1));
-    let aside = fs::read_to_string(folder.path().join("scores/aside/1.0000000000001234.csv")).unwrap();
+    let aside = fixture.text("aside/1.0000000000001234.csv");
     assert!(aside.contains("bob,9000") && aside.contains("8a") && !aside.contains("old"), "{aside}");
     assert_eq!(shown(then).0, "bob 9000, cid 8000, old 5");
     // The level is changed back: they are on the board again, and the other version's go aside.
     save(&scores, "dan", &older(8500));
     assert_eq!(shown(then), ("bob 9000, dan 8500, cid 8000, old 5".to_owned(), 1));
     assert_eq!(shown(now), ("bob 7000, old 5".to_owned(), 1));
-    let board = fs::read_to_string(folder.path().join("scores/1.csv")).unwrap();
+    let board = fixture.text("1.csv");
     assert!(board.contains("old,5,7b") && board.contains("cid,8000,8a"), "{board}");
 }
 
 #[test]
 fn rows_with_the_old_hash_of_the_level_stay_and_those_of_another_come_back() {
-    let folder = tempfile::tempdir().unwrap();
     let level = level("1");
     let (version, gold) = (Fingerprint::of(&level), record("1", "gold"));
     let [new, old] = version.hashes().collect::<Vec<_>>()[..] else { panic!("two hashes") };
     assert!(!new.is_old() && old.is_old() && gold.level_hash == Some(new), "{new} {old}");
     let flown = Replay { level_hash: Some(old), ..gold.clone() };
-    let rows = format!(
-        "name,score,flight,version,program\nann,{},a.replay.csv,{old},\nbob,9,b.replay.csv,0000000000001234,\n",
-        gold.score
-    );
-    let scores = board(folder.path(), &rows, &[("a.replay.csv", &flown.to_string())]);
-    let aside = folder.path().join("scores/aside");
-    fs::create_dir_all(&aside).unwrap();
+    let others = "bob,9,b.replay.csv,0000000000001234,\n";
+    let rows = format!("name,score,flight,version,program\nann,{},a.replay.csv,{old},\n{others}", gold.score);
+    let (fixture, scores) = board(&rows, &[("a.replay.csv", &flown.to_string())]);
     for (hash, row) in [(new, "cid,7"), (old, "dan,6"), (LevelHash::Sha256([3; 32]), "eve,5")] {
-        fs::write(aside.join(format!("1.{hash}.csv")), format!("name,score,flight,version\n{row},,{hash}\n")).unwrap();
+        fixture.write(&format!("aside/1.{hash}.csv"), &format!("name,score,flight,version\n{row},,{hash}\n"));
     }
     let shown = |version: Fingerprint| {
         let (loaded, others) = scores.load_version("1", version).unwrap();
@@ -225,23 +207,22 @@ fn rows_with_the_old_hash_of_the_level_stay_and_those_of_another_come_back() {
     let fay = name("fay");
     let score = Score { name: &fay, points: gold.score - 1, flight: Some(&gold), version: Some(version) };
     scores.save_within(PATIENCE, "1", score).unwrap();
-    let text = fs::read_to_string(folder.path().join("scores/1.csv")).unwrap();
+    let text = fixture.text("1.csv");
     assert!(text.contains(&format!(",{old},")) && text.contains(&format!(",{new},")) && !text.contains("bob"), "{text}");
-    assert!(aside.join("1.0000000000001234.csv").is_file());
+    assert!(fixture.file("aside/1.0000000000001234.csv").is_file());
     assert_eq!(shown(version), ("ann fay cid dan".to_owned(), 2));
     assert_eq!(shown(LevelHash::Sha256([3; 32]).into()).0, "eve");
 }
 
 #[test]
 fn what_the_rules_do_not_allow_is_told_at_sight() {
-    let folder = tempfile::tempdir().unwrap();
     let gold = record("1", "gold").to_string();
     let points = record("1", "gold").score;
     let rows = format!(
         "name,score,flight,version,program\nhuge,99999999999,,,\nmuch,21001,,,\nmost,21000,,,\nann,{points},a.replay.csv,,\n\
          bob,{points},a.replay.csv,,\ncid,{points},c.replay.csv,,\ndan,{points},,,resultant 0.1.0\neve,5,,,\n"
     );
-    let scores = board(folder.path(), &rows, &[("a.replay.csv", &gold), ("c.replay.csv", &gold)]);
+    let (_fixture, scores) = board(&rows, &[("a.replay.csv", &gold), ("c.replay.csv", &gold)]);
     let verdicts: Vec<_> = (0..8).map(|row| judge(&scores, row, level("1"))).collect();
     let doubt = |doubt| Some(Err(doubt));
     assert_eq!(
@@ -269,10 +250,9 @@ fn what_the_rules_do_not_allow_is_told_at_sight() {
 /// Of two rows with one flight the one that stands ahead keeps it, whichever is looked at first.
 #[test]
 fn the_older_of_two_rows_with_one_flight_keeps_it() {
-    let folder = tempfile::tempdir().unwrap();
     let (gold, points) = (record("1", "gold").to_string(), record("1", "gold").score);
     let rows = format!("name,score,flight\nann,{points},a.replay.csv\nbob,{points},b.replay.csv\n");
-    let scores = board(folder.path(), &rows, &[("a.replay.csv", &gold), ("b.replay.csv", &gold)]);
+    let (_fixture, scores) = board(&rows, &[("a.replay.csv", &gold), ("b.replay.csv", &gold)]);
     let board = scores.load("1").unwrap().board;
     for order in [[0, 1], [1, 0]] {
         for flown_between in [0, 10_000] {
@@ -291,7 +271,6 @@ fn the_older_of_two_rows_with_one_flight_keeps_it() {
 /// The cost of judging is counted in ticks flown.
 #[test]
 fn a_forged_row_costs_no_more_than_the_honest_part_of_its_flight() {
-    let folder = tempfile::tempdir().unwrap();
     let gold = record("1", "gold");
     let text = gold.to_string();
     let lines = |wanted: bool| move |line: &&str| line.starts_with("# hash ") != wanted;
@@ -307,7 +286,7 @@ fn a_forged_row_costs_no_more_than_the_honest_part_of_its_flight() {
     };
     let one = |text: &str| {
         let score = text.lines().find_map(|line| line.strip_prefix("# score: ")).unwrap();
-        let scores = board(folder.path(), &format!("name,score,flight\nann,{score},a.replay.csv\n"), &[("a.replay.csv", text)]);
+        let (_fixture, scores) = board(&format!("name,score,flight\nann,{score},a.replay.csv\n"), &[("a.replay.csv", text)]);
         let judge = judged(&scores, level("1"));
         (judge.standing(&name("ann")).cloned().unwrap(), judge.ticks())
     };
@@ -333,7 +312,6 @@ fn a_forged_row_costs_no_more_than_the_honest_part_of_its_flight() {
 
 #[test]
 fn rows_are_judged_in_turn() {
-    let folder = tempfile::tempdir().unwrap();
     let level = level("1");
     // Slow flights that hold up to their end, at which they have not completed anything.
     let mut game = Game::new(level.clone()).unwrap();
@@ -354,7 +332,7 @@ fn rows_are_judged_in_turn() {
     rows += "honest,18222,gold.replay.csv\n";
     flights.push(("gold.replay.csv".to_owned(), gold.to_string()));
     let flights: Vec<(&str, &str)> = flights.iter().map(|(file, text)| (file.as_str(), text.as_str())).collect();
-    let scores = board(folder.path(), &rows, &flights);
+    let (_fixture, scores) = board(&rows, &flights);
     let board = scores.load("1").unwrap().board;
     let mut judge = Judge::new(scores, level, &board);
     // The honest row comes last into the air.
@@ -371,12 +349,10 @@ fn rows_are_judged_in_turn() {
 #[cfg(unix)]
 #[test]
 fn a_flight_that_cannot_be_kept_saves_no_row() {
-    let folder = tempfile::tempdir().unwrap();
-    fs::create_dir_all(folder.path().join("scores")).unwrap();
-    fs::write(folder.path().join("scores/flights"), "in the way").unwrap();
-    let scores = Scores::new(folder.path().join("scores"));
+    let fixture = Fixture::with("flights", "in the way");
+    let scores = fixture.scores();
     let gold = record("1", "gold");
     let score = Score { name: &name("ann"), points: gold.score, flight: Some(&gold), version: None };
     assert!(scores.save_within(PATIENCE, "1", score).is_err());
-    assert!(!folder.path().join("scores/1.csv").exists());
+    assert!(!fixture.file("1.csv").exists());
 }

@@ -23,9 +23,14 @@ impl Fixture {
     /// One whose scores folder holds this file.
     pub fn with(file: &str, text: &str) -> Self {
         let fixture = Self::new();
-        fs::create_dir(fixture.folder()).unwrap();
-        fs::write(fixture.file(file), text).unwrap();
+        fixture.write(file, text);
         fixture
+    }
+
+    /// Writes a file below the scores folder.
+    pub fn write(&self, name: &str, text: &str) {
+        fs::create_dir_all(self.file(name).parent().unwrap()).unwrap();
+        fs::write(self.file(name), text).unwrap();
     }
 
     pub fn folder(&self) -> PathBuf {

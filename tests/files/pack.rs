@@ -38,13 +38,25 @@ fn with(entries: &[(&str, &[u8])]) -> Vec<u8> {
     archive(&level.chain(entries.iter().copied()).collect::<Vec<_>>())
 }
 
-/// The archive with a name in it written over by another of the same length, in both places where it stands.
-fn renamed(mut bytes: Vec<u8>, from: &[u8], to: &[u8]) -> Vec<u8> {
-    assert_eq!(from.len(), to.len());
-    let places: Vec<usize> = (0..bytes.len() - from.len()).filter(|&at| bytes[at..].starts_with(from)).collect();
-    assert_eq!(places.len(), 2);
-    places.iter().for_each(|&at| bytes[at..at + to.len()].copy_from_slice(to));
+/// The archive is refused in these words.
+#[track_caller]
+fn says(bytes: &[u8], words: &str) {
+    let told = pack::read(bytes, "t").unwrap_err();
+    assert!(told.contains(words), "{told:?} does not say {words:?}");
+}
+
+/// The bytes with each place where `old` stands written over by `new`.
+fn patched(mut bytes: Vec<u8>, old: &[u8], new: &[u8]) -> Vec<u8> {
+    let places: Vec<usize> = (0..bytes.len() - old.len()).filter(|&at| bytes[at..].starts_with(old)).collect();
+    assert!(!places.is_empty());
+    places.iter().for_each(|&at| bytes[at..at + new.len()].copy_from_slice(new));
     bytes
+}
+
+/// The archive with a name in it written over by another of the same length, in both places where it stands.
+fn renamed(bytes: Vec<u8>, from: &[u8], to: &[u8]) -> Vec<u8> {
+    assert_eq!((from.len(), bytes.windows(from.len()).filter(|name| *name == from).count()), (to.len(), 2));
+    patched(bytes, from, to)
 }
 
 /// Everything below a folder, by path.
@@ -126,51 +138,47 @@ fn pictures_go_along_from_the_level_and_from_the_project() {
 
 #[test]
 fn what_could_do_harm_is_refused_with_its_name() {
-    let refused = |bytes: &[u8]| pack::read(bytes, "t").unwrap_err();
-    let says = |bytes: &[u8], words: &str| {
-        let told = refused(bytes);
-        assert!(told.contains(words), "{told:?} does not say {words:?}");
-    };
-    for away in
-        ["../x.csv", "t/../../x.csv", "/x.csv", "C:/x.csv", "t\\..\\x.csv", "t//x.csv", "t/./x.csv", "t/con.csv", "t/a:b.csv"]
-    {
-        says(&with(&[(away, b"x")]), "stays in the level's folder");
+    for (words, added) in [
+        // Ways out of the folder.
+        ("stays in the level's folder", &["../x.csv", "t/../../x.csv", "/x.csv", "C:/x.csv", "t\\..\\x.csv"][..]),
+        ("stays in the level's folder", &["t//x.csv", "t/./x.csv", "t/con.csv", "t/a:b.csv"]),
+        // Files that belong to no level: programs, archives, flights of another kind.
+        ("belongs to no level", &["t/run.exe", "t/run", "t/a.csv.sh", "t/more.zip", "t/flights/x.csv", "t/flights/x.png"]),
+        ("beside the level's folder", &["u/x.csv", "x.csv"]),
+        ("expected one level", &["u/player.csv"]),
+        ("a device", &["t/con .txt", "t/CONIN$.txt", "t/com1 .csv"]),
+    ] {
+        added.iter().for_each(|name| says(&with(&[(name, b"x")]), words));
     }
-    // Files that belong to no level: programs, archives, flights of another kind.
-    for other in ["t/run.exe", "t/run", "t/a.csv.sh", "t/more.zip", "t/flights/x.csv", "t/flights/x.png"] {
-        says(&with(&[(other, b"x")]), "belongs to no level");
+    for (words, whole) in [
+        ("at the top", &["a/b/player.csv"][..]),
+        ("no player.csv", &["t/world.csv"]),
+        ("no player.csv", &[]),
+        ("another name", &["jumper/player.csv"]),
+        ("another name", &["attempts/player.csv"]),
+    ] {
+        says(&archive(&whole.iter().map(|name| (*name, &b"x"[..])).collect::<Vec<_>>()), words);
     }
-    says(&with(&[("u/x.csv", b"x")]), "beside the level's folder");
-    says(&with(&[("x.csv", b"x")]), "beside the level's folder");
-    says(&with(&[("u/player.csv", b"x")]), "expected one level");
-    says(&archive(&[("a/b/player.csv", b"x")]), "at the top");
-    says(&archive(&[("t/world.csv", b"x")]), "no player.csv");
-    says(&archive(&[]), "no player.csv");
-    says(&archive(&[("jumper/player.csv", b"x")]), "another name");
-    says(&archive(&[("attempts/player.csv", b"x")]), "another name");
-    // One name twice, in the same case or in another; a file that is a folder, too.
-    says(&with(&[("t/World.csv", b"x"), ("t/world.csv", b"x")]), "twice");
-    says(&with(&[("t/a.png", b"x"), ("t/A.PNG", b"x")]), "twice");
-    says(&with(&[("t/a.png", b"x"), ("t/a.png/b.png", b"x")]), "twice");
-    says(&with(&[("t/a.png/b.png", b"x"), ("t/a.png", b"x")]), "twice");
+    // One name twice: in the same case or in another, as a file and a folder, in two encodings, and in two cases of unlike length.
+    for twice in [
+        ["t/World.csv", "t/world.csv"],
+        ["t/a.png", "t/A.PNG"],
+        ["t/a.png", "t/a.png/b.png"],
+        ["t/a.png/b.png", "t/a.png"],
+        ["t/\u{e9}.png", "t/e\u{301}.png"],
+        ["t/straße.png", "t/STRASSE.png"],
+    ] {
+        says(&with(&twice.map(|name| (name, &b"x"[..]))), "twice");
+    }
     says(&renamed(with(&[("t/aaaa.csv", b"one"), ("t/bbbb.csv", b"two")]), b"t/bbbb.csv", b"t/aaaa.csv"), "one entry a name");
     // Names that are no text.
     says(&renamed(with(&[("t/aaaa.csv", b"x")]), b"t/aaaa.csv", b"t/\xff\xfeaa.csv"), "UTF-8");
-    // One name in two encodings, or in two cases that are not one letter each.
-    says(&with(&[("t/\u{e9}.png", b"x"), ("t/e\u{301}.png", b"x")]), "twice");
-    says(&with(&[("t/straße.png", b"x"), ("t/STRASSE.png", b"x")]), "twice");
-    for device in ["t/con .txt", "t/CONIN$.txt", "t/com1 .csv"] {
-        says(&with(&[(device, b"x")]), "a device");
-    }
     // A pipe, and a device, by their modes, which stand in the high bytes of each entry's attributes.
     for kind in [0o010_000_u32, 0o020_000, 0o060_000, 0o140_000] {
         let mut made = ZipWriter::new(Cursor::new(Vec::new()));
         made.start_file("t/notes.txt", SimpleFileOptions::default().unix_permissions(0o644)).unwrap();
-        let mut bytes = made.finish().unwrap().into_inner();
-        let mode = (0o100_644_u32 << 16).to_le_bytes();
-        let at = bytes.windows(4).position(|window| window == mode).unwrap();
-        bytes[at..at + 4].copy_from_slice(&((kind | 0o644) << 16).to_le_bytes());
-        says(&bytes, "a pipe or a device");
+        let mode = |kind: u32| ((kind | 0o644) << 16).to_le_bytes();
+        says(&patched(made.finish().unwrap().into_inner(), &mode(0o100_000), &mode(kind)), "a pipe or a device");
     }
     // Links.
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
@@ -211,10 +219,6 @@ fn no_bit_that_is_turned_and_no_byte_makes_a_panic_or_a_file() {
 
 #[test]
 fn bombs_do_not_go_off() {
-    let says = |bytes: &[u8], words: &str| {
-        let told = pack::read(bytes, "t").unwrap_err();
-        assert!(told.contains(words), "{told:?} does not say {words:?}");
-    };
     // One file that unfolds to more than it may be.
     let zeros = vec![0; 40 << 20];
     let bomb = with(&[("t/big.png", &zeros)]);
@@ -229,12 +233,8 @@ fn bombs_do_not_go_off() {
     let many: Vec<(&str, &[u8])> = names.iter().map(|name| (name.as_str(), &b"x"[..])).collect();
     says(&with(&many), "expected at most 1000");
     // An archive that understates its size: the bytes that come out count.
-    let mut liar = with(&[("t/big.png", &zeros)]);
     let length = (zeros.len() as u32).to_le_bytes();
-    let places: Vec<usize> = (0..liar.len() - 4).filter(|&at| liar[at..at + 4] == length).collect();
-    assert!(!places.is_empty());
-    places.iter().for_each(|&at| liar[at..at + 4].copy_from_slice(&10_u32.to_le_bytes()));
-    assert!(pack::read(&liar, "t").is_err());
+    assert!(pack::read(&patched(with(&[("t/big.png", &zeros)]), &length, &10_u32.to_le_bytes()), "t").is_err());
 }
 
 /// A PNG of that size by its head, in a few bytes.
@@ -254,14 +254,10 @@ fn a_level_that_needs_too_much_memory_is_refused_by_its_sizes_alone() {
     assert!(needs > 3 * (96 << 20) + (64 << 20) && told.ends_with(" bytes of memory, expected at most 268435456"), "{told}");
     assert!(pack::read(&pictures(1), "t").is_ok());
     // An archive that says that an entry is larger than any memory: nothing of it was unfolded, for it is not there.
-    let mut liar = with(&[("t/notes.txt", &[b'x'; 77_777])]);
-    let places: Vec<usize> = (0..liar.len() - 4).filter(|&at| liar[at..at + 4] == 77_777_u32.to_le_bytes()).collect();
-    assert!(!places.is_empty());
-    places.iter().for_each(|&at| liar[at..at + 4].copy_from_slice(&(1_u32 << 30).to_le_bytes()));
-    assert!(pack::read(&liar, "t").unwrap_err().contains("bytes of memory"));
+    let lies = |length: u32| patched(with(&[("t/notes.txt", &[b'x'; 77_777])]), &77_777_u32.to_le_bytes(), &length.to_le_bytes());
+    says(&lies(1 << 30), "bytes of memory");
     // One that says that it is smaller: no more than that is unfolded.
-    places.iter().for_each(|&at| liar[at..at + 4].copy_from_slice(&7_u32.to_le_bytes()));
-    assert!(pack::read(&liar, "t").unwrap_err().contains("notes.txt"));
+    says(&lies(7), "notes.txt");
 }
 
 /// A flight has a limit of its own, far above that of a table.
@@ -277,9 +273,8 @@ fn a_long_flight_goes_along() {
     assert_eq!((&packed, left.len()), (&package, 0));
     // No flight is a table, and a table has its own limit wherever it lies.
     let wide = vec![b'x'; 300 << 10];
-    for (file, most) in [("t/world.csv", "262144"), ("t/flights/t/world.csv", "262144"), ("world.csv", "262144")] {
-        let told = pack::read(&with(&[(file, &wide)]), "t").unwrap_err();
-        assert!(told.contains(most), "{told}");
+    for file in ["t/world.csv", "t/flights/t/world.csv", "world.csv"] {
+        says(&with(&[(file, &wide)]), "262144");
     }
 }
 

@@ -36,10 +36,7 @@ fn fly(level: Level, controls: Controls, ticks: u32) -> (Game, Vec<(u64, GameEve
 }
 
 fn damaging(events: &[(u64, GameEvent)]) -> Vec<f64> {
-    let speed = |(_, event): &(u64, GameEvent)| match event {
-        GameEvent::DamagingHit { speed, .. } => Some(*speed),
-        _ => None,
-    };
+    let speed = |(_, event): &_| if let GameEvent::DamagingHit { speed, .. } = event { Some(*speed) } else { None };
     events.iter().filter_map(speed).collect()
 }
 
@@ -82,12 +79,9 @@ fn floor_and_wall_at_once_are_one_hit_and_one_after_the_other_are_two() {
     for (wall, hits) in [(53.0, 1), (60.0, 2)] {
         let mut level = above_floor(53.0 - 50.0 - HALF, DVec2::splat(12.0));
         level.world.push(solid(wall, 40.0, wall + 1.0, 60.0));
-        for solid in &mut level.world {
-            solid.material = Material { name: "Smooth", static_friction: 0.0, kinetic_friction: 0.0, ..Material::ASPHALT };
-        }
-        let mut game = Game::new(Arc::new(level)).unwrap();
-        (0..240).for_each(|_| game.step(NONE));
-        assert_eq!(game.collisions(), hits, "a wall at {wall} m");
+        let smooth = Material { name: "Smooth", static_friction: 0.0, kinetic_friction: 0.0, ..Material::ASPHALT };
+        level.world.iter_mut().for_each(|solid| solid.material = smooth);
+        assert_eq!(fly(level, NONE, 240).0.collisions(), hits, "a wall at {wall} m");
     }
 }
 
@@ -142,17 +136,14 @@ fn wind_is_felt_while_the_zone_is_touched_and_the_same_by_all() {
     let mut game = Game::new(Arc::new(level)).unwrap();
     let mut left = [false; 2];
     for _ in 0..240 {
-        let before = [0, 1].map(|body| game.world().body(BodyId(body)).bounds());
+        let inside = |game: &Game| [0, 1].map(|body| game.world().bodies()[body].bounds().touches(&zone, 0.0));
+        let before = inside(&game);
         game.step(NONE);
-        for body in [0, 1] {
-            let wind = game.world().forces(BodyId(body)).total(ForceKind::Wind);
-            let after = game.world().body(BodyId(body)).bounds();
-            if after.touches(&zone, 0.0) && before[body as usize].touches(&zone, 0.0) {
-                assert_eq!(wind, DVec2::new(1200.0, 0.0));
-            } else if !before[body as usize].touches(&zone, 0.0) {
-                assert_eq!(wind, DVec2::ZERO);
-                left[body as usize] = true;
-            }
+        for (body, after) in inside(&game).into_iter().enumerate() {
+            let wind = game.world().forces(BodyId(body as u32)).total(ForceKind::Wind);
+            assert!(before[body] || wind == DVec2::ZERO);
+            assert!(!(before[body] && after) || wind == DVec2::new(1200.0, 0.0));
+            left[body] |= !before[body];
         }
     }
     assert_eq!(left, [true; 2], "both are blown out");

@@ -10,6 +10,18 @@ pub fn resultant(data: &Path, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_resultant")).args(arguments).arg("--data").arg(data).output().unwrap()
 }
 
+/// Runs the program: exit status, standard output and standard error.
+pub fn ran(data: &Path, arguments: &[&str]) -> (i32, String, String) {
+    texts(&resultant(data, arguments))
+}
+
+/// A project with these levels, as `new` makes them.
+pub fn project(levels: &[&str]) -> tempfile::TempDir {
+    let project = tempfile::tempdir().unwrap();
+    levels.iter().for_each(|name| assert_eq!(ran(project.path(), &["new", name]).0, 0));
+    project
+}
+
 pub fn texts(output: &Output) -> (i32, String, String) {
     let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
     (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
@@ -69,7 +81,7 @@ fn new_makes_a_level_that_loads_and_touches_no_other() {
     assert_eq!(texts(&resultant(project.path(), &["new", "my-level"])).0, 2);
     assert_eq!(std::fs::read_to_string(folder.join("player.csv")).unwrap(), "mine");
     for name in ["../evil", "a/b", "", "."] {
-        let (code, out, err) = texts(&resultant(project.path(), &["new", name]));
+        let (code, out, err) = ran(project.path(), &["new", name]);
         assert_eq!((code, out.as_str()), (2, ""), "{name:?}: {err}");
     }
     assert_eq!(level::list(&project.path().join("levels")), ["my-level"]);
@@ -77,10 +89,9 @@ fn new_makes_a_level_that_loads_and_touches_no_other() {
 
 #[test]
 fn new_refuses_a_name_that_differs_by_its_case_alone() {
-    let project = tempfile::tempdir().unwrap();
-    assert_eq!(texts(&resultant(project.path(), &["new", "tower"])).0, 0);
+    let project = project(&["tower"]);
     for name in ["Tower", "TOWER"] {
-        let (code, out, err) = texts(&resultant(project.path(), &["new", name]));
+        let (code, out, err) = ran(project.path(), &["new", name]);
         assert_eq!((code, out.as_str()), (2, ""), "{err}");
         assert!(err.contains("\"tower\" is there already"), "{err}");
     }
@@ -89,8 +100,7 @@ fn new_refuses_a_name_that_differs_by_its_case_alone() {
 
 #[test]
 fn check_of_a_place_is_of_the_folder_that_it_is() {
-    let project = tempfile::tempdir().unwrap();
-    assert_eq!(texts(&resultant(project.path(), &["new", "tower"])).0, 0);
+    let project = project(&["tower"]);
     let within = |place: &str, folder: &str| {
         let at = project.path().join(folder);
         texts(&Command::new(env!("CARGO_BIN_EXE_resultant")).args(["check", place]).current_dir(at).output().unwrap())
@@ -119,7 +129,7 @@ fn flights_that_no_longer_hold_are_warned_about() {
             std::fs::copy(entry.path(), project.path().join(from).join(entry.file_name())).unwrap();
         }
     }
-    let (code, _, err) = texts(&resultant(project.path(), &["check", "1"]));
+    let (code, _, err) = ran(project.path(), &["check", "1"]);
     assert_eq!((code, err.as_str()), (0, ""));
     let edit = |file: &str, from: &str, to: &str| {
         let text = std::fs::read_to_string(folder.join(file)).unwrap();
@@ -127,7 +137,7 @@ fn flights_that_no_longer_hold_are_warned_about() {
         std::fs::write(folder.join(file), text.replace(from, to)).unwrap();
     };
     edit("constants.csv", "gold,5.5", "gold,4.5");
-    let (code, _, err) = texts(&resultant(project.path(), &["check", "1"]));
+    let (code, _, err) = ran(project.path(), &["check", "1"]);
     assert_eq!((code, err.lines().count()), (0, 1), "{err}");
     let told = "1: warning: flights/gold.replay.csv: found a flight that does not earn what it is named by (within 4.5 s): ";
     assert!(err.starts_with(told) && err.contains("s too slow"), "{err}");
@@ -145,8 +155,7 @@ fn flights_that_no_longer_hold_are_warned_about() {
 
 #[test]
 fn a_thousand_equal_problems_are_summed_up() {
-    let project = tempfile::tempdir().unwrap();
-    assert_eq!(texts(&resultant(project.path(), &["new", "tower"])).0, 0);
+    let project = project(&["tower"]);
     let rows: String = (0..900).map(|i| format!("{i},0,1,1,Cheese\n")).collect();
     std::fs::write(project.path().join("levels/tower/world.csv"), rows).unwrap();
     let (code, out, err) = texts(&resultant(project.path(), &["check", "tower"]));
@@ -163,7 +172,7 @@ fn new_refuses_names_that_are_taken_by_something_else() {
         (&["CON", "aux", "NUL", "COM1", "lpt9", "Prn"], "Windows takes that one for a device"),
     ] {
         for name in names {
-            let (code, out, err) = texts(&resultant(project.path(), &["new", name]));
+            let (code, out, err) = ran(project.path(), &["new", name]);
             assert_eq!((code, out.as_str()), (2, ""), "{name}");
             assert_eq!(err, format!("a level cannot be named {name:?}: expected another name, as {why}\n"));
         }
@@ -180,7 +189,7 @@ fn new_makes_a_folder_whole_or_not_at_all() {
     std::fs::create_dir(levels.join("empty")).unwrap();
     std::fs::write(levels.join("file"), "kept").unwrap();
     for name in ["empty", "file"] {
-        let (code, _, err) = texts(&resultant(project.path(), &["new", name]));
+        let (code, _, err) = ran(project.path(), &["new", name]);
         assert_eq!(code, 2, "{name}");
         assert!(err.contains("cannot make "), "{err}");
     }
@@ -212,14 +221,11 @@ fn no_half_folder_is_ever_seen() {
 
 #[test]
 fn a_folder_with_the_name_of_another_leaderboard_is_refused_and_a_device_warned_about() {
-    let project = tempfile::tempdir().unwrap();
-    for name in ["one", "two"] {
-        assert_eq!(texts(&resultant(project.path(), &["new", name])).0, 0);
-    }
+    let project = project(&["one", "two"]);
     let levels = project.path().join("levels");
     std::fs::rename(levels.join("one"), levels.join("Jumper")).unwrap();
     std::fs::rename(levels.join("two"), levels.join("aux")).unwrap();
-    let (code, out, err) = texts(&resultant(project.path(), &["check"]));
+    let (code, out, err) = ran(project.path(), &["check"]);
     assert_eq!(code, 1);
     assert!(out.starts_with("aux: ok\n"), "{out}");
     let jumper = "folder:1: column \"name\": found a level folder named \"Jumper\", expected another name, as the leaderboard of that \
@@ -235,12 +241,11 @@ fn a_folder_with_the_name_of_another_leaderboard_is_refused_and_a_device_warned_
 #[cfg(unix)]
 #[test]
 fn check_leaves_the_terminal_as_it_is() {
-    let project = tempfile::tempdir().unwrap();
-    assert_eq!(texts(&resultant(project.path(), &["new", "good"])).0, 0);
+    let project = project(&["good"]);
     let levels = project.path().join("levels");
     std::fs::rename(levels.join("good"), levels.join("\u{1b}[2Jgood\n1: ok\r\u{9b}31m")).unwrap();
     std::fs::create_dir(levels.join("\u{1b}]0;bad\u{7}")).unwrap();
-    let (code, out, err) = texts(&resultant(project.path(), &["check"]));
+    let (code, out, err) = ran(project.path(), &["check"]);
     assert_eq!(code, 1);
     assert!(out.starts_with("\\u{1b}[2Jgood\\n1: ok\\r\\u{9b}31m: ok\n"), "{out}");
     assert!(err.contains("\\u{1b}]0;bad\\u{7}: refused, "), "{err}");

@@ -1,10 +1,10 @@
 //! Pictures and tables that are too large.
 
-use crate::check_and_new::{resultant, texts};
+use crate::check_and_new::project;
 use crate::lines;
 use resultant::level;
 
-/// A PNG of that size by its head, in a few bytes.
+/// A PNG of a pixel that says that it has that size.
 fn png_of(width: u32, height: u32) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, 1, 1);
@@ -22,8 +22,7 @@ fn png_of(width: u32, height: u32) -> Vec<u8> {
 
 #[test]
 fn a_picture_is_judged_by_what_it_unfolds_to() {
-    let project = tempfile::tempdir().unwrap();
-    assert_eq!(texts(&resultant(project.path(), &["new", "l"])).0, 0);
+    let project = project(&["l"]);
     let folder = project.path().join("levels/l");
     let object = |bytes: &[u8]| {
         std::fs::write(project.path().join("a.png"), bytes).unwrap();
@@ -51,23 +50,19 @@ fn a_picture_is_judged_by_what_it_unfolds_to() {
     std::fs::write(folder.join("objects.csv"), rows.collect::<String>()).unwrap();
     std::fs::write(folder.join("constants.csv"), "width,30000\nheight,30000\n").unwrap();
     let refused = lines(&level::load(&folder, project.path()).unwrap_err());
-    assert!(
-        refused.contains("objects.csv:2: column \"image\": found \"1.png\", with which the level's pictures have 16777216 pixels")
-    );
+    let told = "objects.csv:2: column \"image\": found \"1.png\", with which the level's pictures have 16777216 pixels";
+    assert!(refused.contains(told), "{refused}");
     // The background is one of them.
     std::fs::write(folder.join("background.png"), png_of(16_384, 512)).unwrap();
     std::fs::write(folder.join("constants.csv"), "").unwrap();
     let refused = lines(&level::load(&folder, project.path()).unwrap_err());
-    assert!(
-        refused.contains("objects.csv:1: column \"image\": found \"0.png\", with which the level's pictures have 16777216"),
-        "{refused}"
-    );
+    let told = "objects.csv:1: column \"image\": found \"0.png\", with which the level's pictures have 16777216";
+    assert!(refused.contains(told), "{refused}");
 }
 
 #[test]
 fn a_table_or_a_picture_that_is_too_large_is_not_read() {
-    let project = tempfile::tempdir().unwrap();
-    assert_eq!(texts(&resultant(project.path(), &["new", "l"])).0, 0);
+    let project = project(&["l"]);
     let folder = project.path().join("levels/l");
     std::fs::File::create(folder.join("world.csv")).unwrap().set_len(2 << 30).unwrap();
     std::fs::File::create(folder.join("background.png")).unwrap().set_len(2 << 30).unwrap();

@@ -7,16 +7,15 @@ use resultant::level;
 
 /// The warnings about the room with these files.
 fn warned(files: &[(&'static str, &str)]) -> String {
-    match level::read("room", &written::texts(files)) {
-        Ok(loaded) => lines(&loaded.warnings),
-        Err(problems) => panic!("refused: {}", lines(&problems)),
-    }
+    warned_with(&[], files)
 }
 
-/// As [`warned`], with a file in place of the room's.
-fn warned_with(file: &str, text: &str, files: &[(&'static str, &str)]) -> String {
+/// As [`warned`], with files in place of the room's.
+fn warned_with(instead: &[(&str, &str)], files: &[(&'static str, &str)]) -> String {
     let Memory(mut all) = written::texts(files);
-    all.iter_mut().filter(|(name, _)| *name == file).for_each(|(_, old)| *old = text.to_owned());
+    for (name, text) in instead {
+        all.iter_mut().filter(|(file, _)| file == name).for_each(|(_, old)| *old = (*text).to_owned());
+    }
     match level::read("room", &Memory(all)) {
         Ok(loaded) => lines(&loaded.warnings),
         Err(problems) => panic!("refused: {}", lines(&problems)),
@@ -25,60 +24,44 @@ fn warned_with(file: &str, text: &str, files: &[(&'static str, &str)]) -> String
 
 #[test]
 fn an_engine_below_the_weight_is_warned_about_where_nothing_else_lifts() {
-    let weak = "60,844.5,100,500,900\n";
+    let weak = &[("player.csv", "60,844.5,100,500,900\n")];
     let told = "player.csv:1: column \"thrust\": found 900 N, less than the ship's weight of 1000 N, expected more than that";
-    assert!(warned_with("player.csv", weak, &[]).starts_with(told), "{}", warned_with("player.csv", weak, &[]));
+    assert!(warned_with(weak, &[]).starts_with(told), "{}", warned_with(weak, &[]));
     let lifts: [(&'static str, &str); 3] = [
         ("hazards.csv", "600,850,60,20,0,-300,0,-500\n"),
         ("movers.csv", "300,800,60,20,300 300,2\n"),
         ("gravity.csv", "300,300,300,300,0,-12\n"),
     ];
     for lift in lifts {
-        assert!(!warned_with("player.csv", weak, &[lift]).contains("thrust"), "{lift:?}");
+        assert!(!warned_with(weak, &[lift]).contains("thrust"), "{lift:?}");
     }
-    assert!(
-        warned_with("player.csv", weak, &[("hazards.csv", "600,850,60,20,0,-300,0,500\n")]).contains("thrust"),
-        "a wind that blows down"
-    );
+    let downwards = ("hazards.csv", "600,850,60,20,0,-300,0,500\n");
+    assert!(warned_with(weak, &[downwards]).contains("thrust"));
     assert_eq!(warned(&[]), "");
 }
 
 #[test]
 fn too_little_fuel_for_the_climb_or_the_distance_is_warned_about() {
     // 28 m up: √(2·10·28) m/s, of which a second of burning gives 20.
-    let one = warned_with("player.csv", "60,844.5,100,1,2000\n", &[]);
+    let flown = |fuel: f64, y: f64, goal: &str, more: &[(&'static str, &str)]| {
+        let player = format!("60,{y},100,{fuel},2000\n");
+        warned_with(&[("player.csv", &player), ("objectives.csv", goal)], more)
+    };
+    let corner = "PLAYER,1190,0,10,10\n";
+    let one = flown(1.0, 844.5, corner, &[]);
     let told = "player.csv:1: column \"fuel\": found 1 fuel units, expected at least 23.";
     assert!(one.starts_with(told) && one.ends_with("no flight to line 1 of objectives.csv takes\n"), "{one}");
-    assert_eq!(warned_with("player.csv", "60,844.5,100,26,2000\n", &[]), "");
-    assert_eq!(warned_with("player.csv", "60,844.5,100,1,2000\n", &[("pods.csv", "300,800,30,30,25\n")]), "");
-    // Along the floor.
-    let along = |fuel: f64| {
-        let player = format!("60,844.5,100,{fuel},2000\n");
-        let Memory(mut all) = written::texts(&[]);
-        all[1].1 = player;
-        all[3].1 = "PLAYER,1100,860,60,10\n".to_owned();
-        lines(&level::read("room", &Memory(all)).unwrap().warnings)
-    };
-    assert!(
-        along(1.0).contains("found 1 fuel units") && along(0.0).contains("found 0 fuel units"),
-        "{} {}",
-        along(1.0),
-        along(0.0)
-    );
-    assert_eq!(along(20.0), "");
-    // A little above the floor, and to a key that nothing else moves.
-    let with = |fuel: f64, goal: &str| {
-        let Memory(mut all) = written::texts(&[]);
-        all[1].1 = format!("60,844,100,{fuel},2000\n");
-        all[3].1 = goal.to_owned();
-        lines(&level::read("room", &Memory(all)).unwrap().warnings)
-    };
+    assert_eq!(flown(26.0, 844.5, corner, &[]), "");
+    assert_eq!(flown(1.0, 844.5, corner, &[("pods.csv", "300,800,30,30,25\n")]), "");
+    // Along the floor; a little above it, and to a key that nothing else moves.
     let key = "PHYS,1100,860,60,10\nOBJECT,600,850,box:40x40,75,120,220,190,0,0.5\n";
-    for goal in ["PLAYER,1100,860,60,10\n", key] {
+    let pad = "PLAYER,1100,860,60,10\n";
+    for (y, goal) in [(844.5, pad), (844.0, pad), (844.0, key)] {
         for fuel in [0.0, 1.0] {
-            assert!(with(fuel, goal).contains(&format!("found {fuel} fuel units")), "{fuel}: {}", with(fuel, goal));
+            let found = flown(fuel, y, goal, &[]);
+            assert!(found.contains(&format!("found {fuel} fuel units")), "{fuel}: {found}");
         }
-        assert_eq!(with(20.0, goal), "");
+        assert_eq!(flown(20.0, y, goal, &[]), "");
     }
 }
 
@@ -102,10 +85,8 @@ fn a_switch_behind_its_own_door_and_a_pad_behind_doors_that_nothing_opens_are_wa
     let behind = warned(&[("doors.csv", doors), ("switches.csv", "600,700,60,60,gate\n200,700,60,60,hall\n")]);
     let told = "switches.csv:1: column \"x\": found a switch behind its own door, line 1 of doors.csv, expected ";
     assert!(behind.starts_with("objectives.csv:1:") || behind.starts_with(told), "{behind}");
-    assert!(
-        behind.contains(told) && behind.contains("objectives.csv:1: column \"x\": found an objective behind a door"),
-        "{behind}"
-    );
+    let pad = "objectives.csv:1: column \"x\": found an objective behind a door";
+    assert!(behind.contains(told) && behind.contains(pad), "{behind}");
     // One door after the other.
     assert_eq!(warned(&[("doors.csv", doors), ("switches.csv", "200,700,60,60,gate\n600,700,60,60,hall\n")]), "");
     // Two rooms that wait for each other.
@@ -159,8 +140,8 @@ fn medals_that_nobody_can_earn_are_warned_about() {
     assert!(fuel.starts_with("constants.csv:5: column \"value\": found 100 % of the fuel left, expected at most 95."), "{fuel}");
     assert_eq!(with("mark_fuel,90\n"), "");
     assert_eq!(with("mark_hits,0\n"), "");
-    let player = "60,844.5,100,500,2000,TRUE,8\n";
-    assert!(warned_with("player.csv", player, &[("constants.csv", "mark_speed,7\n")]).contains("7 m/s, with a start at 8.000 m/s"));
+    let player = ("player.csv", "60,844.5,100,500,2000,TRUE,8\n");
+    assert!(warned_with(&[player], &[("constants.csv", "mark_speed,7\n")]).contains("7 m/s, with a start at 8.000 m/s"));
     let key = ("objectives.csv", "PHYS,900,860,60,10\nOBJECT,400,850,box:40x40,75,120,220,190,0.2,0.5\n");
     assert!(warned(&[key, ("constants.csv", "mark_pushes,0\n")]).contains("found 0 pushes, expected at least 1"));
     assert_eq!(warned(&[key, ("constants.csv", "mark_pushes,1\n")]), "");

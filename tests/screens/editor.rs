@@ -27,6 +27,19 @@ fn text(sitting: &Sitting, table: Table) -> String {
     String::from_utf8(sitting.editor().document().bytes(table).unwrap_or_default().to_vec()).unwrap()
 }
 
+fn cell<'a>(sitting: &'a Sitting, row: RowId, column: &str) -> Option<&'a str> {
+    sitting.editor().document().cell(row, column)
+}
+
+fn rows(sitting: &Sitting, table: Table) -> usize {
+    sitting.editor().document().rows(table).count()
+}
+
+#[track_caller]
+fn assert_ends(sitting: &Sitting, table: Table, end: &str) {
+    assert!(text(sitting, table).ends_with(end), "{}", text(sitting, table));
+}
+
 /// With the left button, in pixels of the picture.
 fn drag(sitting: &mut Sitting, from: (f64, f64), to: (f64, f64)) {
     let point = |sitting: &Sitting, (x, y)| sitting.editor().point(DVec2::new(x, y));
@@ -85,16 +98,13 @@ fn an_authors_round_trip_by_mouse() {
     let switch = draw(&mut sitting, Kind::Switch, (300.0, 500.0), (360.0, 560.0));
     // Its wire, pulled from the handle above it onto the lift.
     let above = sitting.editor().point(DVec2::new(330.0, 500.0)) - Vec2::new(0.0, 22.0);
-    let from = {
-        let origin = sitting.editor().point(DVec2::ZERO);
-        let scale = (sitting.editor().point(DVec2::new(100.0, 0.0)).x - origin.x) / 100.0;
-        ((above - origin) / scale).as_dvec2()
-    };
+    let origin = sitting.editor().point(DVec2::ZERO);
+    let scale = (sitting.editor().point(DVec2::new(100.0, 0.0)).x - origin.x) / 100.0;
+    let from = ((above - origin) / scale).as_dvec2();
     drag(&mut sitting, (from.x, from.y), (560.0, 510.0));
-    assert_eq!(sitting.editor().document().cell(switch, "works"), Some("lift"));
-    assert_eq!(sitting.editor().document().wires().len(), 1);
+    assert_eq!((cell(&sitting, switch, "works"), sitting.editor().document().wires().len()), (Some("lift"), 1));
     draw(&mut sitting, Kind::Pad, (660.0, 550.0), (760.0, 560.0));
-    assert!(text(&sitting, Table::World).ends_with("0,560,800,40\n"), "{}", text(&sitting, Table::World));
+    assert_ends(&sitting, Table::World, "0,560,800,40\n");
     assert!(text(&sitting, Table::Movers).contains("500,500,120,20,"), "{}", text(&sitting, Table::Movers));
     sitting.wait(0.3);
     assert_eq!(sitting.warning(), None);
@@ -129,28 +139,24 @@ fn things_are_selected_moved_sized_doubled_and_deleted() {
     let mut sitting = open();
     let block = draw(&mut sitting, Kind::Solid, (100.0, 100.0), (200.0, 150.0));
     drag(&mut sitting, (150.0, 125.0), (350.0, 225.0));
-    assert!(text(&sitting, Table::World).ends_with("300,200,100,50\n"), "{}", text(&sitting, Table::World));
+    assert_ends(&sitting, Table::World, "300,200,100,50\n");
     // By its lower right corner, onto the grid.
     drag(&mut sitting, (400.0, 250.0), (443.0, 291.0));
-    assert!(text(&sitting, Table::World).ends_with("300,200,140,90\n"), "{}", text(&sitting, Table::World));
+    assert_ends(&sitting, Table::World, "300,200,140,90\n");
     control(&mut sitting, Key::D);
     assert_eq!(sitting.editor().selection(), [RowId { row: 1, ..block }]);
     sitting.press(Key::Left);
-    assert!(text(&sitting, Table::World).ends_with("300,200,140,90\n319,220,140,90\n"), "{}", text(&sitting, Table::World));
+    assert_ends(&sitting, Table::World, "300,200,140,90\n319,220,140,90\n");
     // A frame around both.
     drag(&mut sitting, (250.0, 150.0), (500.0, 400.0));
     assert_eq!(sitting.editor().selection().len(), 3, "and around the ship, which cannot be deleted");
     sitting.press(Key::Delete);
-    assert_eq!(sitting.editor().document().rows(Table::World).count(), 0);
-    for _ in 0..6 {
-        control(&mut sitting, Key::Z);
-    }
+    assert_eq!(rows(&sitting, Table::World), 0);
+    (0..6).for_each(|_| control(&mut sitting, Key::Z));
     assert_eq!(sitting.editor().document().bytes(Table::World), None);
     assert!(!sitting.editor().is_unsaved());
-    for _ in 0..6 {
-        control(&mut sitting, Key::Y);
-    }
-    assert_eq!(sitting.editor().document().rows(Table::World).count(), 0);
+    (0..6).for_each(|_| control(&mut sitting, Key::Y));
+    assert_eq!(rows(&sitting, Table::World), 0);
     assert_eq!(sitting.editor().document().history(), (6, 0), "drawn, moved, sized, doubled, nudged, deleted");
 }
 
@@ -160,7 +166,7 @@ fn the_ship_cannot_be_deleted_but_moved() {
     drag(&mut sitting, (400.0, 300.0), (200.0, 300.0));
     assert!(text(&sitting, Table::Player).contains("\n200,300,"), "{}", text(&sitting, Table::Player));
     sitting.press(Key::Delete);
-    assert_eq!(sitting.editor().document().rows(Table::Player).count(), 1);
+    assert_eq!(rows(&sitting, Table::Player), 1);
     assert!(sitting.shows("A level has a ship: it stays."));
 }
 
@@ -169,7 +175,7 @@ fn every_column_can_be_written_and_what_is_wrong_is_the_loaders_own_word() {
     let mut sitting = open();
     let row = draw(&mut sitting, Kind::Object, (100.0, 500.0), (140.0, 540.0));
     write_into(&mut sitting, "mass", "heavy");
-    assert_eq!(sitting.editor().document().cell(row, "mass"), Some("heavy"));
+    assert_eq!(cell(&sitting, row, "mass"), Some("heavy"));
     sitting.wait(0.3);
     let message = "objects.csv:2: column \"mass\": found \"heavy\", expected a number such as 12.5";
     assert!(sitting.warning().is_some() && sitting.shows(message));
@@ -188,15 +194,14 @@ fn every_column_can_be_written_and_what_is_wrong_is_the_loaders_own_word() {
     sitting.click(message);
     assert_eq!((sitting.focused(), sitting.field().as_str()), ("mass", "heavy"), "and so does another click");
     sitting.write("70").press(Key::Enter).wait(0.3);
-    assert_eq!(sitting.editor().document().cell(row, "mass"), Some("70"));
-    assert_eq!(sitting.warning(), None);
+    assert_eq!((cell(&sitting, row, "mass"), sitting.warning()), (Some("70"), None));
     // A click goes on to the next word of a choice.
     sitting.click("material");
-    assert_eq!(sitting.editor().document().cell(row, "material"), Some("Steel"));
+    assert_eq!(cell(&sitting, row, "material"), Some("Steel"));
     // The level's own settings, where nothing is selected.
     sitting.press_all(&[Key::Enter, Key::Escape]);
     write_into(&mut sitting, "title", "A, B");
-    assert!(text(&sitting, Table::Constants).ends_with("\ntitle,\"A, B\"\n"), "{}", text(&sitting, Table::Constants));
+    assert_ends(&sitting, Table::Constants, "\ntitle,\"A, B\"\n");
     control(&mut sitting, Key::Z);
     assert!(!text(&sitting, Table::Constants).contains("title"));
 }
@@ -230,26 +235,20 @@ fn the_picture_tool_puts_a_shape_down_and_offers_the_pictures_that_are_there() {
     fs::write(sitting.folder.path().join("assets/sprites/tree.png"), &icon).unwrap();
     sitting.wait(0.4);
     let row = draw(&mut sitting, Kind::Picture, (100.0, 100.0), (160.0, 140.0));
-    assert_eq!(sitting.editor().document().cell(row, "image"), Some("box:60x40"));
-    sitting.wait(0.3);
-    assert!(
-        sitting.editor().problems().iter().all(|(problem, _)| problem.file != "decoration.csv"),
-        "{:?}",
-        sitting.editor().problems()
-    );
+    assert_eq!(cell(&sitting, row, "image"), Some("box:60x40"));
+    let assert_sound = |sitting: &mut Sitting| {
+        let problems = sitting.wait(0.3).editor().problems();
+        assert!(problems.iter().all(|(problem, _)| problem.file != "decoration.csv"), "{problems:?}");
+    };
+    assert_sound(&mut sitting);
     for picture in ["rock.png", "assets/sprites/tree.png"] {
         sitting.click(picture);
-        assert_eq!(sitting.editor().document().cell(row, "image"), Some(picture));
+        assert_eq!(cell(&sitting, row, "image"), Some(picture));
         assert!(sitting.editor().document().place(row).unwrap().size.x > 100.0, "as large as the picture");
     }
-    sitting.wait(0.3);
-    assert!(
-        sitting.editor().problems().iter().all(|(problem, _)| problem.file != "decoration.csv"),
-        "{:?}",
-        sitting.editor().problems()
-    );
+    assert_sound(&mut sitting);
     control(&mut sitting, Key::Z);
-    assert_eq!(sitting.editor().document().cell(row, "image"), Some("rock.png"));
+    assert_eq!(cell(&sitting, row, "image"), Some("rock.png"));
     assert!(!sitting.labels().contains(&"background.png"));
 }
 
@@ -304,13 +303,11 @@ fn fields_share_a_clipboard_and_tab_selects_what_is_there() {
     let mut sitting = open();
     draw(&mut sitting, Kind::Door, (100.0, 400.0), (120.0, 500.0));
     sitting.click("name").write("hatch");
-    for key in [Key::A, Key::C] {
-        control(&mut sitting, key);
-    }
+    [Key::A, Key::C].into_iter().for_each(|key| control(&mut sitting, key));
     let switch = draw(&mut sitting, Kind::Switch, (300.0, 500.0), (360.0, 560.0));
     sitting.click("works");
     control(&mut sitting, Key::V);
-    assert_eq!(sitting.editor().document().cell(switch, "works"), Some("hatch"));
+    assert_eq!(cell(&sitting, switch, "works"), Some("hatch"));
     assert_eq!(sitting.editor().document().things().count(), 4, "the ship, the pad, the door, the switch");
     sitting.press(Key::Tab);
     assert_eq!(sitting.focused(), "weight");
@@ -318,7 +315,7 @@ fn fields_share_a_clipboard_and_tab_selects_what_is_there() {
     let shift = [Key::Shift, Key::Tab].into_iter().collect();
     sitting.give(Input { pressed: [Key::Tab].into_iter().collect(), held: shift, ..Input::default() }).rest();
     sitting.write("45").press(Key::Enter);
-    assert_eq!(sitting.editor().document().cell(switch, "weight"), Some("45"));
+    assert_eq!(cell(&sitting, switch, "weight"), Some("45"));
 }
 
 #[test]
@@ -326,18 +323,19 @@ fn a_door_that_is_renamed_keeps_its_switch() {
     let mut sitting = open();
     draw(&mut sitting, Kind::Door, (100.0, 400.0), (120.0, 500.0));
     let switch = draw(&mut sitting, Kind::Switch, (300.0, 500.0), (360.0, 560.0));
-    assert_eq!(sitting.editor().document().cell(switch, "works"), Some("gate"));
+    let wired = |sitting: &Sitting, to: &str| {
+        assert_eq!((cell(sitting, switch, "works"), sitting.editor().document().wires().len()), (Some(to), 1));
+    };
+    wired(&sitting, "gate");
     drag(&mut sitting, (110.0, 450.0), (110.0, 450.0));
     sitting.click("name");
     for letter in ["h", "a", "t", "c", "h"] {
         sitting.write(letter);
     }
     sitting.press(Key::Enter);
-    assert_eq!(sitting.editor().document().cell(switch, "works"), Some("hatch"));
-    assert_eq!(sitting.editor().document().wires().len(), 1);
+    wired(&sitting, "hatch");
     control(&mut sitting, Key::Z);
-    assert_eq!(sitting.editor().document().cell(switch, "works"), Some("gate"));
-    assert_eq!(sitting.editor().document().wires().len(), 1);
+    wired(&sitting, "gate");
 }
 
 #[test]
@@ -433,9 +431,9 @@ fn leaving_asks_and_a_crash_loses_nothing() {
     // The program ends here.
     sitting.reopen();
     sitting.choose("Level Select").choose("Edit").choose("2").rest();
-    assert_eq!(sitting.editor().document().rows(Table::World).count(), 0);
+    assert_eq!(rows(&sitting, Table::World), 0);
     sitting.click("Have them back").rest();
-    assert_eq!(sitting.editor().document().rows(Table::World).count(), 1, "had back");
+    assert_eq!(rows(&sitting, Table::World), 1, "had back");
     // Thrown away.
     sitting.press(Key::Escape).click("Throw away");
     assert_eq!(sitting.at(), "levels to edit");
@@ -447,7 +445,7 @@ fn what_another_program_writes_is_taken_over_or_asked_about() {
     let mut sitting = open();
     fs::write(file(&sitting, "world.csv"), "0,580,800,20\n").unwrap();
     sitting.wait(0.4);
-    assert_eq!(sitting.editor().document().rows(Table::World).count(), 1);
+    assert_eq!(rows(&sitting, Table::World), 1);
     draw(&mut sitting, Kind::Solid, (100.0, 100.0), (200.0, 150.0));
     fs::write(file(&sitting, "world.csv"), "0,500,800,20\n").unwrap();
     sitting.wait(0.4);
@@ -524,25 +522,16 @@ fn a_click_puts_things_down_by_the_point_that_their_cells_name() {
     let mut sitting = open();
     tool(&mut sitting, Kind::Object);
     drag(&mut sitting, (203.0, 198.0), (203.0, 198.0));
-    assert!(
-        text(&sitting, Table::Objects).ends_with("\n200,200,box:40x40,50,1.05,FALSE,0.2\n"),
-        "{}",
-        text(&sitting, Table::Objects)
-    );
+    assert_ends(&sitting, Table::Objects, "\n200,200,box:40x40,50,1.05,FALSE,0.2\n");
     tool(&mut sitting, Kind::Solid);
     drag(&mut sitting, (203.0, 298.0), (203.0, 298.0));
-    assert!(text(&sitting, Table::World).ends_with("\n200,300,160,40\n"), "{}", text(&sitting, Table::World));
+    assert_ends(&sitting, Table::World, "\n200,300,160,40\n");
     // Beside the ship, whose edge is at 425.5, and with the grid off: whole pixels.
     drag(&mut sitting, (280.0, 320.0), (508.0, 320.0));
-    let x = sitting.editor().document().number(RowId { table: Table::World, row: 0 }, "x").unwrap();
-    assert!(x == 426.0, "{x}");
+    assert_eq!(sitting.editor().document().number(RowId { table: Table::World, row: 0 }, "x"), Some(426.0));
     sitting.press(Key::G);
     drag(&mut sitting, (200.0, 200.0), (233.3, 251.7));
-    assert!(
-        text(&sitting, Table::Objects).ends_with("\n233,252,box:40x40,50,1.05,FALSE,0.2\n"),
-        "{}",
-        text(&sitting, Table::Objects)
-    );
+    assert_ends(&sitting, Table::Objects, "\n233,252,box:40x40,50,1.05,FALSE,0.2\n");
 }
 
 #[test]

@@ -109,14 +109,8 @@ fn by_ticks(level: &Level, script: &Script) -> Game {
         let mut first = held;
         for edge in edges {
             match *edge {
-                Edge::Down(key) => {
-                    set(&mut held, key, true);
-                    set(&mut first, key, true);
-                }
-                Edge::Up(key) => {
-                    set(&mut held, key, false);
-                    set(&mut first, key, false);
-                }
+                Edge::Down(key) => [&mut held, &mut first].into_iter().for_each(|controls| set(controls, key, true)),
+                Edge::Up(key) => [&mut held, &mut first].into_iter().for_each(|controls| set(controls, key, false)),
                 Edge::Tap(key) => set(&mut first, key, true),
                 Edge::Pause => {}
             }
@@ -152,15 +146,18 @@ fn script(seed: u64, slots: usize, pauses: bool) -> Script {
 
 /// The yard with a stream and a liquid.
 fn yard_with_media() -> Level {
-    let mut level = yard();
-    level.streams = vec![AirStream {
-        source: area(20.0, 59.0, 30.0, 60.0),
-        zone: area(20.0, 20.0, 30.0, 59.0),
-        force: DVec2::new(0.0, -900.0),
-        name: None,
-    }];
-    level.fluids = vec![Fluid { zone: area(60.0, 50.0, 90.0, 60.0), density: 900.0, viscosity: 50.0, colour: [0; 3] }];
-    level
+    Level { streams: stream(20.0, 30.0, 0.0), fluids: liquid(60.0, 50.0, 90.0), ..yard() }
+}
+
+/// Wind upwards from the floor, and aside by a force, N.
+fn stream(left: f64, right: f64, aside: f64) -> Vec<AirStream> {
+    let (source, zone) = (area(left, 59.0, right, 60.0), area(left, 20.0, right, 59.0));
+    vec![AirStream { source, zone, force: DVec2::new(aside, -900.0), name: None }]
+}
+
+/// A liquid on the floor.
+fn liquid(left: f64, top: f64, right: f64) -> Vec<Fluid> {
+    vec![Fluid { zone: area(left, top, right, 60.0), density: 900.0, viscosity: 50.0, colour: [0; 3] }]
 }
 
 /// The yard with 80 crates in a heap beside the ship, more than one island is followed event by event with.
@@ -174,14 +171,8 @@ fn crowded_yard() -> Level {
 #[test]
 fn flights_through_a_crowd_a_liquid_and_a_stream_have_their_golden_hashes() {
     // The ship begins in the liquid and in the stream, and a crate is in either, too.
-    let (mut liquid, mut stream) = (yard(), yard());
-    liquid.fluids = vec![Fluid { zone: area(40.0, 45.0, 70.0, 60.0), density: 900.0, viscosity: 50.0, colour: [0; 3] }];
-    stream.streams = vec![AirStream {
-        source: area(40.0, 59.0, 52.0, 60.0),
-        zone: area(40.0, 20.0, 52.0, 59.0),
-        force: DVec2::new(40.0, -900.0),
-        name: None,
-    }];
+    let liquid = Level { fluids: liquid(40.0, 45.0, 70.0), ..yard() };
+    let stream = Level { streams: stream(40.0, 52.0, 40.0), ..yard() };
     let levels = [("crowd", crowded_yard()), ("liquid", liquid), ("stream", stream)];
     let hashes = levels.map(|(name, level)| (name, the_same_at_every_rate(&level, &script(2, 30, false))));
     hashes.into_iter().for_each(|(name, hash)| assert_golden(name, hash));

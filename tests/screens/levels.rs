@@ -10,7 +10,7 @@ use std::path::Path;
 fn levels_are_listed_in_numeric_order_on_cards_that_fill_the_page() {
     let mut sitting = Sitting::new();
     sitting.choose("Level Select").rest();
-    let names: Vec<&str> = sitting.level_select().entries().iter().map(|entry| entry.name.as_str()).collect();
+    let names = sitting.level_names();
     assert_eq!(names, ["1", "2", "3", "10", "broken"]);
     let cards = names.iter().map(|name| sitting.area(*name)).collect::<Vec<_>>();
     let share = cards.iter().map(|card| card.size.element_product()).sum::<f32>() / (1280.0 * 720.0);
@@ -42,7 +42,7 @@ fn more_than_fifteen_levels_make_pages() {
     sitting.click("Next").press(Key::PageDown);
     assert_eq!(shown(&sitting), (last, 14), "no page after the last");
     assert_eq!(sitting.labels()[0], "31", "the sixteenth level of the list");
-    assert_eq!(sitting.choose("31").flight().game().level().name, "31");
+    assert_eq!(sitting.choose("31").flown(), "31");
     sitting.press(Key::Escape).click(3).press(Key::PageUp).press(Key::PageDown).click("Previous").rest();
     assert_eq!(shown(&sitting).0, first);
 }
@@ -52,12 +52,8 @@ fn a_level_that_does_not_load_shows_its_problems_and_closes_nothing() {
     for by_mouse in [true, false] {
         let mut sitting = Sitting::new();
         sitting.choose("Level Select");
-        if by_mouse {
-            sitting.click("broken")
-        } else {
-            sitting.choose("broken")
-        };
-        assert_eq!(sitting.at(), "problems");
+        let at = if by_mouse { sitting.click("broken").at() } else { sitting.choose("broken").at() };
+        assert_eq!(at, "problems");
         assert!(sitting.shows("obstacles.csv:1: column \"width\": found \"wide\""), "{:?}", sitting.texts());
         sitting.press(Key::Enter);
         assert_eq!(sitting.at(), "level select", "Enter closes the panel and does not open it again");
@@ -139,12 +135,11 @@ fn typing_finds_levels_by_name_and_title() {
     });
     sitting.choose("Level Select");
     let shown = |sitting: &Sitting| -> Vec<String> {
-        let screen = sitting.level_select();
-        screen.in_view().into_iter().map(|index| screen.entries()[index].name.clone()).collect()
+        sitting.level_select().in_view().into_iter().map(|index| sitting.level_names()[index].to_owned()).collect()
     };
     sitting.write("Great m").rest();
     assert_eq!(shown(&sitting), ["lev57"]);
-    assert_eq!(sitting.press(Key::Enter).flight().game().level().name, "lev57");
+    assert_eq!(sitting.press(Key::Enter).flown(), "lev57");
     sitting.press(Key::Escape).click(3).write("v3").rest();
     assert_eq!(shown(&sitting).len(), 10);
     sitting.press(Key::Backspace);
@@ -201,12 +196,11 @@ fn levels_are_made_copied_and_renamed_in_the_game() {
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2-copy"));
     assert_eq!(fs::read(levels.join("2-copy/player.csv")).unwrap(), fs::read(levels.join("2/player.csv")).unwrap());
     sitting.press(Key::Escape);
-    let names = |sitting: &Sitting| sitting.level_select().entries().iter().map(|entry| entry.name.clone()).collect::<Vec<_>>();
-    assert_eq!(names(&sitting), ["1", "2", "3", "10", "2-copy", "2x", "broken"]);
+    assert_eq!(sitting.level_names(), ["1", "2", "3", "10", "2-copy", "2x", "broken"]);
     sitting.click("Rename").click("2-copy").press(Key::End);
     (0..6).for_each(|_| _ = sitting.press(Key::Backspace));
     sitting.write("second").press(Key::Enter);
     assert_eq!(sitting.at(), "levels to edit");
     assert!(levels.join("second/player.csv").exists() && !levels.join("2-copy").exists());
-    assert_eq!(names(&sitting), ["1", "2", "3", "10", "2x", "broken", "second"]);
+    assert_eq!(sitting.level_names(), ["1", "2", "3", "10", "2x", "broken", "second"]);
 }

@@ -1,7 +1,7 @@
 //! Levels that are read beside the screens: no frame waits for one.
 
 use crate::sitting::{FAR_AWAY, Sitting, level};
-use resultant::screens::{Input, Key, Purpose, Request};
+use resultant::screens::{Key, Purpose, Request};
 use std::fs;
 
 fn by_hand() -> Sitting {
@@ -44,7 +44,7 @@ fn esc_takes_back_what_loads_and_nothing_of_it_comes_later() {
     sitting.app.grant(Request::Play("2".into()), &mut ());
     sitting.app.grant(Request::Play("10".into()), &mut ());
     sitting.work(10);
-    assert_eq!(sitting.flight().game().level().name, "10");
+    assert_eq!(sitting.flown(), "10");
 }
 
 #[test]
@@ -60,7 +60,7 @@ fn cards_appear_one_after_the_other_and_a_level_that_is_chosen_goes_before_them(
     }
     sitting.choose("10");
     assert_eq!((sitting.work(1), sitting.at()), (1, "flight"));
-    assert_eq!(sitting.flight().game().level().name, "10");
+    assert_eq!(sitting.flown(), "10");
     assert_eq!(sitting.work(10), 0, "the other cards are not read for nobody");
 }
 
@@ -75,7 +75,7 @@ fn play_opens_the_first_level_that_loads_once_it_is_found() {
     sitting.press(Key::Escape).work(20);
     sitting.choose("Play");
     sitting.work(1);
-    assert_eq!((sitting.at(), sitting.flight().game().level().name.as_str()), ("flight", "2"));
+    assert_eq!((sitting.at(), sitting.flown()), ("flight", "2"));
 }
 
 #[test]
@@ -115,12 +115,10 @@ fn every_screen_that_needs_a_level_waits_for_it() {
 fn levels_that_come_and_go_while_the_list_is_open_are_listed() {
     let mut sitting = Sitting::new();
     sitting.choose("Level Select").press(Key::Right).rest();
-    let names = |sitting: &Sitting| sitting.level_select().entries().iter().map(|entry| entry.name.clone()).collect::<Vec<_>>();
     level(sitting.folder.path(), "0", FAR_AWAY, "");
     fs::remove_dir_all(sitting.folder.path().join("levels/3")).unwrap();
     sitting.wait(0.6);
-    assert_eq!(names(&sitting), ["0", "1", "2", "10", "broken"]);
+    assert_eq!(sitting.level_names(), ["0", "1", "2", "10", "broken"]);
     assert!(sitting.level_select().entries()[0].level.as_ref().is_some_and(Result::is_ok));
-    assert_eq!(sitting.press(Key::Enter).flight().game().level().name, "2", "the keyboard stays on its level");
-    sitting.give(Input::default());
+    assert_eq!(sitting.press(Key::Enter).flown(), "2", "the keyboard stays on its level");
 }

@@ -22,15 +22,13 @@ fn every_button_of_the_menu_leads_where_it_says_by_mouse_and_by_keyboard() {
         assert_eq!(Sitting::new().choose(button).at(), screen);
     }
     let mut sitting = Sitting::new();
-    let quit = sitting.rest().area("Quit").centre();
+    let quit = sitting.area("Quit").centre();
     assert!(!sitting.give(Input { pointer: quit, click: true, ..Input::default() }).open);
     let mut sitting = Sitting::new();
-    sitting.press_all(&[Key::Down; 6]);
-    assert_eq!(sitting.focused(), "Quit");
+    assert_eq!(sitting.press_all(&[Key::Down; 6]).focused(), "Quit");
     assert!(!sitting.give(enter()).open);
-    let mut sitting = Sitting::new();
-    sitting.press_all(&[Key::Down; 9]);
-    assert_eq!(sitting.focused(), "Player", "below the column is the player, and there the arrows stop");
+    let stop = "below the column is the player, and there the arrows stop";
+    assert_eq!(Sitting::new().press_all(&[Key::Down; 9]).focused(), "Player", "{stop}");
 }
 
 #[test]
@@ -43,7 +41,6 @@ fn one_press_is_one_action_however_long_it_is_held() {
     assert_eq!(sitting.at(), "level select", "Enter held does not choose a level as well");
 
     let mut sitting = Sitting::new();
-    sitting.rest();
     let pointer = sitting.area("Level Select").centre();
     sitting.give(Input { pointer, click: true, holding: true, ..Input::default() });
     for _ in 0..60 {
@@ -52,14 +49,13 @@ fn one_press_is_one_action_however_long_it_is_held() {
     assert_eq!(sitting.at(), "level select");
 
     let mut sitting = Sitting::new();
-    sitting.rest().give(Input { held: [Key::Down].into_iter().collect(), ..Input::default() }).wait(1.0);
+    sitting.give(Input { held: [Key::Down].into_iter().collect(), ..Input::default() }).wait(1.0);
     assert_eq!(sitting.focused(), "Play", "no press edge, no movement");
 }
 
 #[test]
 fn pointer_and_keyboard_move_one_highlight() {
     let mut sitting = Sitting::new();
-    sitting.rest();
     let third = sitting.area("Leaderboards").centre();
     sitting.press(Key::Down).point_at(third);
     let highlight = |sitting: &Sitting| (sitting.app.hovered().map(str::to_owned), sitting.focused().to_owned());
@@ -104,7 +100,6 @@ fn a_right_click_in_the_menu_drops_a_ball_that_stays_in_the_window() {
     }
 }
 
-/// Balls that are dropped on it, above it and beside it never lie in it.
 #[test]
 fn balls_bounce_off_every_word_and_every_button() {
     for size in [Vec2::new(1280.0, 720.0), Vec2::new(900.0, 500.0), Vec2::new(1920.0, 1080.0)] {
@@ -181,13 +176,13 @@ fn balls_fly_differently_in_each_sitting() {
 #[test]
 fn play_opens_the_first_level_that_the_player_has_not_done() {
     let mut sitting = Sitting::new();
-    assert_eq!(sitting.choose("Play").flight().game().level().name, "1");
+    assert_eq!(sitting.choose("Play").flown(), "1");
     sitting.wait(1.5).press(Key::Escape);
     assert_eq!(sitting.at(), "menu");
     assert!(sitting.row("Play").contains(&"2".to_owned()), "{:?}", sitting.row("Play"));
-    assert_eq!(sitting.choose("Play").flight().game().level().name, "2", "1 was completed, though no score was saved");
+    assert_eq!(sitting.choose("Play").flown(), "2", "1 was completed, though no score was saved");
     sitting.reopen();
-    assert_eq!(sitting.choose("Play").flight().game().level().name, "2", "also in another sitting");
+    assert_eq!(sitting.choose("Play").flown(), "2", "also in another sitting");
 
     let scored = |root: &Path| {
         fs::create_dir(root.join("scores")).unwrap();
@@ -195,5 +190,5 @@ fn play_opens_the_first_level_that_the_player_has_not_done() {
             fs::write(root.join(format!("scores/{level}.csv")), board(1)).unwrap();
         }
     };
-    assert_eq!(Sitting::with(scored).choose("Play").flight().game().level().name, "1", "nobody else's scores count");
+    assert_eq!(Sitting::with(scored).choose("Play").flown(), "1", "nobody else's scores count");
 }

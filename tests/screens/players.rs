@@ -1,6 +1,6 @@
 //! Players and their progress.
 
-use crate::sitting::{Sitting, level};
+use crate::sitting::{Sitting, hold, level, with_scores};
 use resultant::game::Medal;
 use resultant::scores::Scores;
 use resultant::screens::{Input, Key};
@@ -67,11 +67,8 @@ fn nobody_is_called_guest_and_names_follow_the_rules() {
 
 #[test]
 fn a_long_list_of_players_scrolls_with_the_highlight() {
-    let mut sitting = Sitting::with(|root| {
-        fs::create_dir(root.join("scores")).unwrap();
-        let rows: String = (10..30).map(|i| format!("user{i},,\n")).collect();
-        fs::write(root.join("scores/players.csv"), format!("player,level,time\n{rows}")).unwrap();
-    });
+    let rows: String = (10..30).map(|i| format!("user{i},,\n")).collect();
+    let mut sitting = with_scores("players.csv", &format!("player,level,time\n{rows}"));
     sitting.click("Player");
     // The players in view, by their numbers, and the focus.
     let shown = |sitting: &Sitting| {
@@ -100,10 +97,8 @@ fn every_attempt_that_ends_is_written_down() {
     assert_eq!(lines[0], "level,player,result,time,fuel,hits,cause,assisted");
     assert!(lines[1].starts_with("1,ann,completed,0.0") && lines[1].ends_with(",1.000,0,,false"), "{text}");
     // R flies again before the score: that attempt has ended all the same. A flight that is given up has not.
-    assert!(
-        lines[2..4].iter().all(|line| line.starts_with("3,ann,failed,0.0") && line.ends_with(",1.000,0,obstacle 1,false")),
-        "{text}"
-    );
+    let lost = |line: &&str| line.starts_with("3,ann,failed,0.0") && line.ends_with(",1.000,0,obstacle 1,false");
+    assert!(lines[2..4].iter().all(lost), "{text}");
     assert_eq!(lines[4..], [""]);
 }
 
@@ -124,12 +119,7 @@ fn what_cannot_be_written_is_told_and_written_later() {
 #[test]
 fn a_file_that_another_game_holds_is_written_when_it_lets_go_at_the_latest_at_the_end() {
     let mut sitting = Sitting::with(|root| fs::create_dir(root.join("scores")).unwrap());
-    let hold = |sitting: &Sitting| {
-        let held = fs::File::create(sitting.folder.path().join("scores/.players.csv.lock")).unwrap();
-        held.lock().unwrap();
-        held
-    };
-    let held = hold(&sitting);
+    let held = hold(&sitting, "players.csv");
     let before = resultant::files::pauses();
     sitting.complete();
     assert_eq!(resultant::files::pauses(), before, "frames were spent on waiting");
@@ -137,7 +127,7 @@ fn a_file_that_another_game_holds_is_written_when_it_lets_go_at_the_latest_at_th
     drop(held);
     assert!(sitting.rest().scores_file("players.csv").contains("Guest,1,"));
 
-    let held = hold(&sitting);
+    let held = hold(&sitting, "players.csv");
     sitting.press(Key::Escape).become_new("ann");
     assert!(!sitting.scores_file("players.csv").contains("ann"));
     drop(held);
@@ -150,11 +140,7 @@ fn a_file_that_another_game_holds_is_written_when_it_lets_go_at_the_latest_at_th
 #[test]
 fn a_window_that_is_closed_while_another_game_writes_loses_no_attempt() {
     let mut sitting = Sitting::with(|root| fs::create_dir(root.join("scores")).unwrap());
-    let held = [".players.csv.lock", ".attempts.csv.lock"].map(|file| {
-        let held = fs::File::create(sitting.folder.path().join("scores").join(file)).unwrap();
-        held.lock().unwrap();
-        held
-    });
+    let held = ["players.csv", "attempts.csv"].map(|file| hold(&sitting, file));
     sitting.complete();
     sitting.reopen();
     assert_eq!((sitting.scores_file("players.csv"), sitting.scores_file("attempts.csv")), (String::new(), String::new()));
@@ -164,18 +150,14 @@ fn a_window_that_is_closed_while_another_game_writes_loses_no_attempt() {
     sitting.reopen();
     assert!(sitting.scores_file("players.csv").contains("Guest,1,"));
     assert_eq!(sitting.scores_file("attempts.csv").lines().count(), 2);
-    let left: Vec<_> =
-        fs::read_dir(sitting.folder.path().join("scores")).unwrap().map(|entry| entry.unwrap().file_name()).collect();
-    assert!(!left.iter().any(|name| name.to_string_lossy().contains("waiting")), "{left:?}");
+    let mut left = fs::read_dir(sitting.folder.path().join("scores")).unwrap().map(|entry| entry.unwrap().file_name());
+    assert!(!left.any(|name| name.to_string_lossy().contains("waiting")));
 }
 
 #[test]
 fn a_damaged_file_of_players_is_told_kept_aside_and_costs_nobody_anything() {
     let damaged = "player,level,time\nann,1,7.5\nann,2,fast\nbob,,\n";
-    let mut sitting = Sitting::with(|root| {
-        fs::create_dir(root.join("scores")).unwrap();
-        fs::write(root.join("scores/players.csv"), damaged).unwrap();
-    });
+    let mut sitting = with_scores("players.csv", damaged);
     assert_eq!(sitting.app.player().as_str(), "ann");
     assert!(sitting.rest().shows("players.csv:3: column \"time\""));
     assert_eq!((done(&mut sitting), sitting.scores_file("players.csv").as_str()), (1, damaged), "looking changes nothing");

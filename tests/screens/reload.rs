@@ -92,7 +92,7 @@ fn what_is_dropped_on_the_window_opens() {
     let folder = elsewhere.path().join("levels/mine");
     for path in [folder.clone(), folder.join("player.csv")] {
         sitting.give(Input { dropped: vec![path], ..Input::default() });
-        assert_eq!((sitting.at(), sitting.flight().game().level().name.as_str()), ("flight", "mine"));
+        assert_eq!((sitting.at(), sitting.flown()), ("flight", "mine"));
         // The game reads it again after a change, also by R.
         fs::write(folder.join("world.csv"), "0,580,800,20\n").unwrap();
         sitting.wait(0.4);

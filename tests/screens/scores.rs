@@ -1,6 +1,6 @@
 //! From the score of a flight over the field for a name to the leaderboard.
 
-use crate::sitting::{HERE, Sitting, board, level};
+use crate::sitting::{HERE, Sitting, board, hold, level, with_scores};
 use resultant::draw::layout::Vec2;
 use resultant::scores::Scores;
 use resultant::screens::{Attempt, Input, Key, Request};
@@ -47,10 +47,8 @@ fn every_button_of_the_score_leads_where_it_says() {
         assert_eq!(Sitting::new().complete().click(button).at(), screen);
         let mut sitting = Sitting::new();
         assert_eq!(sitting.complete().choose(button).at(), screen);
-        match button {
-            "Try Again" => assert_eq!(sitting.flight().game().level().name, "1"),
-            "Next Level" => assert_eq!(sitting.flight().game().level().name, "2"),
-            _ => {}
+        if screen == "flight" {
+            assert_eq!(sitting.flown(), if button == "Try Again" { "1" } else { "2" });
         }
     }
 }
@@ -100,7 +98,7 @@ fn an_empty_board_invites_to_fly() {
     assert_eq!(sitting.at(), "leaderboard");
     assert!(sitting.leaderboard().board().rows().is_empty() && sitting.shows("No scores yet"));
     assert_eq!(sitting.labels(), ["Play", "Flights", "Back"]);
-    assert_eq!(sitting.press(Key::Enter).flight().game().level().name, "1");
+    assert_eq!(sitting.press(Key::Enter).flown(), "1");
 }
 
 #[test]
@@ -130,11 +128,11 @@ fn once_a_player_has_a_name_a_score_is_saved_with_one_press() {
     assert_eq!(sitting.labels(), ["Next Level", "Try Again", "Flights", "Main Menu"]);
     assert_eq!(sitting.press(Key::Escape).at(), "menu");
     assert_eq!(sitting.reach_save_score().at(), "leaderboard", "no name is asked for");
-    assert_eq!(sitting.choose("Try Again").flight().game().level().name, "1");
+    assert_eq!(sitting.choose("Try Again").flown(), "1");
     sitting.reopen();
     assert_eq!(sitting.app.player().as_str(), "robert", "nor in another sitting");
     assert_eq!(sitting.reach_save_score().at(), "leaderboard");
-    assert_eq!(sitting.choose("Next Level").flight().game().level().name, "2");
+    assert_eq!(sitting.choose("Next Level").flown(), "2");
     assert_eq!(sitting.scores_file("1.csv").lines().count(), 2);
 }
 
@@ -149,13 +147,12 @@ fn a_score_that_cannot_be_saved_says_why_and_stays() {
 
 #[test]
 fn a_board_that_another_program_holds_is_waited_for_without_holding_up_a_frame() {
-    let hold = |sitting: &Sitting| {
-        let held = fs::File::create(sitting.folder.path().join("scores/.1.csv.lock")).unwrap();
-        held.lock().unwrap();
-        held
+    let held_by_another = || {
+        let sitting = Sitting::with(|root| fs::create_dir(root.join("scores")).unwrap());
+        let held = hold(&sitting, "1.csv");
+        (sitting, held)
     };
-    let mut sitting = Sitting::with(|root| fs::create_dir(root.join("scores")).unwrap());
-    let held = hold(&sitting);
+    let (mut sitting, held) = held_by_another();
     sitting.reach_save_score().write("ann");
     let before = resultant::files::pauses();
     sitting.press(Key::Enter).rest();
@@ -165,16 +162,14 @@ fn a_board_that_another_program_holds_is_waited_for_without_holding_up_a_frame()
     drop(held);
     assert_eq!(sitting.rest().at(), "leaderboard", "saved as soon as it can be");
 
-    let mut sitting = Sitting::with(|root| fs::create_dir(root.join("scores")).unwrap());
-    let held = hold(&sitting);
+    let (mut sitting, held) = held_by_another();
     sitting.reach_save_score().write("ann").press(Key::Enter).wait(2.1);
     assert!(sitting.shows("try again"), "{:?}", sitting.texts());
     drop(held);
     assert_eq!(sitting.wait(1.0).at(), "save score", "given up");
     assert_eq!(sitting.press(Key::Enter).at(), "leaderboard", "tried again");
 
-    let mut sitting = Sitting::with(|root| fs::create_dir(root.join("scores")).unwrap());
-    let held = hold(&sitting);
+    let (mut sitting, held) = held_by_another();
     sitting.reach_save_score().write("ann").press(Key::Enter).write("a");
     drop(held);
     assert_eq!(sitting.wait(0.5).at(), "save score", "another name was being typed");
@@ -182,10 +177,7 @@ fn a_board_that_another_program_holds_is_waited_for_without_holding_up_a_frame()
 
 #[test]
 fn the_row_just_saved_is_in_view_and_highlighted() {
-    let mut sitting = Sitting::with(|root| {
-        fs::create_dir(root.join("scores")).unwrap();
-        fs::write(root.join("scores/1.csv"), board(40).replace("20000", "30000")).unwrap();
-    });
+    let mut sitting = with_scores("1.csv", &board(40).replace("20000", "30000"));
     sitting.reach_save_score().write("zoe").press(Key::Enter);
     let (row, names) = (sitting.row("zoe"), sitting.texts().iter().filter(|(text, _)| text.starts_with("user")).count());
     assert_eq!((sitting.picked().expect("a row is highlighted"), names), (sitting.place("zoe").y, 9), "{row:?}");
@@ -193,10 +185,7 @@ fn the_row_just_saved_is_in_view_and_highlighted() {
 
 #[test]
 fn a_worse_score_says_that_the_best_stays() {
-    let mut sitting = Sitting::with(|root| {
-        fs::create_dir(root.join("scores")).unwrap();
-        fs::write(root.join("scores/1.csv"), "name,score\nann,30000\n").unwrap();
-    });
+    let mut sitting = with_scores("1.csv", "name,score\nann,30000\n");
     sitting.reach_save_score().write("ann").press(Key::Enter);
     assert!(sitting.shows("Leaderboard of level 1") && sitting.shows("Your best of 30000 points stays."));
     assert_eq!((sitting.picked(), sitting.row("ann")[0].as_str()), (Some(sitting.place("ann").y), "1"));
@@ -204,10 +193,7 @@ fn a_worse_score_says_that_the_best_stays() {
 
 #[test]
 fn a_leaderboard_turns_pages_by_keys_and_scrolls_by_wheel_and_bar_never_past_its_ends() {
-    let mut sitting = Sitting::with(|root| {
-        fs::create_dir(root.join("scores")).unwrap();
-        fs::write(root.join("scores/1.csv"), board(24)).unwrap();
-    });
+    let mut sitting = with_scores("1.csv", &board(24));
     assert_eq!(sitting.choose("Leaderboards").choose("1").at(), "leaderboard");
     // The rows in view, of names with numbers from 0.
     let range = |sitting: &Sitting| {
@@ -245,10 +231,7 @@ fn a_leaderboard_turns_pages_by_keys_and_scrolls_by_wheel_and_bar_never_past_its
 
 #[test]
 fn an_empty_board_is_a_board_and_a_damaged_file_is_reported() {
-    let mut sitting = Sitting::with(|root| {
-        fs::create_dir(root.join("scores")).unwrap();
-        fs::write(root.join("scores/2.csv"), "name,score\nann,30000\nbob,many\n").unwrap();
-    });
+    let mut sitting = with_scores("2.csv", "name,score\nann,30000\nbob,many\n");
     sitting.choose("Leaderboards").choose("1");
     assert!(sitting.leaderboard().board().rows().is_empty() && sitting.warning().is_none());
     sitting.press(Key::Escape).choose("2");

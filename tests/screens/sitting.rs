@@ -24,12 +24,6 @@ impl<'a> From<&'a str> for Target<'a> {
     }
 }
 
-impl<'a> From<&'a String> for Target<'a> {
-    fn from(label: &'a String) -> Self {
-        Self::Label(label)
-    }
-}
-
 impl From<usize> for Target<'_> {
     fn from(index: usize) -> Self {
         Self::Index(index)
@@ -360,6 +354,16 @@ impl Sitting {
         self.screen()
     }
 
+    /// The names of the levels in the list.
+    pub fn level_names(&self) -> Vec<&str> {
+        self.level_select().entries().iter().map(|entry| entry.name.as_str()).collect()
+    }
+
+    /// The level that is flown.
+    pub fn flown(&self) -> &str {
+        &self.flight().game().level().name
+    }
+
     /// From the menu to the field for a new player, and back to the menu as that player.
     pub fn become_new(&mut self, name: &str) -> &mut Self {
         self.click("Player");
@@ -408,6 +412,21 @@ pub fn level(root: &Path, name: &str, objectives: &str, obstacles: &str) {
     fs::write(folder.join("player.csv"), PLAYER).unwrap();
     fs::write(folder.join("objectives.csv"), objectives).unwrap();
     fs::write(folder.join("obstacles.csv"), obstacles).unwrap();
+}
+
+/// A sitting with a file in the folder of scores.
+pub fn with_scores(name: &str, text: &str) -> Sitting {
+    Sitting::with(|root| {
+        fs::create_dir(root.join("scores")).unwrap();
+        fs::write(root.join("scores").join(name), text).unwrap();
+    })
+}
+
+/// The lock of a file of scores, as another program holds it.
+pub fn hold(sitting: &Sitting, file: &str) -> fs::File {
+    let held = fs::File::create(sitting.folder.path().join(format!("scores/.{file}.lock"))).unwrap();
+    held.lock().unwrap();
+    held
 }
 
 pub fn board(rows: usize) -> String {

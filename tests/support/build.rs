@@ -20,6 +20,17 @@ pub fn block(left: f64, top: f64, right: f64, bottom: f64) -> SurfaceDef {
     SurfaceDef::fixed(area(left, top, right, bottom), Material::ASPHALT)
 }
 
+/// Four walls of asphalt around an area, so thick, m.
+pub fn room(inner: Aabb, thick: f64) -> [SurfaceDef; 4] {
+    let (a, b) = (inner.min, inner.max);
+    [
+        block(a.x - thick, a.y - thick, b.x + thick, a.y),
+        block(a.x - thick, b.y, b.x + thick, b.y + thick),
+        block(a.x - thick, a.y, a.x, b.y),
+        block(b.x, a.y, b.x + thick, b.y),
+    ]
+}
+
 /// A floor whose top is at y = 0, 2 km wide.
 pub fn floor(material: Material) -> SurfaceDef {
     SurfaceDef::fixed(area(-1000.0, 0.0, 1000.0, 1.0), material)

@@ -1,6 +1,6 @@
 //! Builders of worlds of which every island takes the crowd step.
 
-use super::block;
+use super::{Random, block};
 use resultant::physics::{BodyDef, DVec2, Plan, SurfaceDef, World, WorldDef};
 
 /// The gravity of these scenes, N/kg.
@@ -31,6 +31,24 @@ pub fn dense(def: WorldDef) -> World {
 pub fn restless(def: WorldDef) -> World {
     let plan = Plan { dense: true, direct: false, ..Plan::of(&def) };
     World::with_plan(def, plan).unwrap()
+}
+
+/// Boxes of 0.3 to 0.6 m that rain into a pit of `columns` boxes from `left` on, m; their masses in kg.
+pub fn rain_into(left: f64, n: usize, columns: usize, masses: (f64, f64), mut random: Random, restitution: f64) -> WorldDef {
+    let right = left + columns as f64 * 0.7;
+    let bodies = (0..n)
+        .map(|i| BodyDef {
+            half: DVec2::new(0.15 + 0.15 * random.unit(), 0.15 + 0.15 * random.unit()),
+            position: DVec2::new(left + 0.35 + 0.7 * (i % columns) as f64, -1.0 - 0.8 * (i / columns) as f64),
+            velocity: DVec2::new(4.0 * random.unit() - 2.0, 0.0),
+            mass: masses.0 + (masses.1 - masses.0) * random.unit(),
+            restitution: restitution * random.unit(),
+            ..BodyDef::default()
+        })
+        .collect();
+    let floor = surface(left - 5.0, 0.0, right + 5.0, 1.0);
+    let surfaces = vec![floor, surface(left - 1.0, -900.0, left, 0.0), surface(right, -900.0, right + 1.0, 0.0)];
+    WorldDef { bodies, surfaces, ..empty() }
 }
 
 /// Whether no body was computed in the last tick.

@@ -1,6 +1,6 @@
 //! Measures of worlds: bits, overlap, energy, momentum.
 
-use resultant::physics::{Aabb, BodyId, DVec2, ForceKind, World};
+use resultant::physics::{Aabb, BodyId, DVec2, Event, ForceKind, World};
 
 /// All bits of a world's state.
 pub fn bits(world: &World) -> Vec<u64> {
@@ -55,6 +55,31 @@ pub fn momentum(world: &World) -> DVec2 {
 /// The sum of the magnitudes of all momenta, kg·m/s.
 pub fn momentum_scale(world: &World) -> f64 {
     world.bodies().iter().map(|b| b.mass * b.velocity.length()).sum()
+}
+
+/// The Reactions on a body from below, N; the Reactions of bodies that it carries point downwards.
+pub fn from_below(world: &World, id: BodyId) -> f64 {
+    let forces = world.forces(id);
+    let up = forces.forces().iter().filter(|force| force.kind == ForceKind::Reaction && force.vector.y < 0.0);
+    up.map(|force| force.vector.y).sum()
+}
+
+/// The squeezes of the last tick: the body, the surface that squeezes it, and the force, N.
+pub fn crushed(world: &World) -> Vec<(u32, u32, f64)> {
+    let crush = |event: &Event| match *event {
+        Event::Crushed { body, by, force } => Some((body.0, by, force)),
+        Event::Impact { .. } => None,
+    };
+    world.events().iter().filter_map(crush).collect()
+}
+
+/// Each body rests exactly, and nothing acts on it in sum.
+#[track_caller]
+pub fn assert_all_at_rest(world: &World) {
+    for (i, body) in (0..).zip(world.bodies()) {
+        assert_eq!((body.velocity, body.acceleration), (DVec2::ZERO, DVec2::ZERO), "body {i}");
+        assert_eq!(world.forces(BodyId(i)).resultant(), DVec2::ZERO, "body {i}");
+    }
 }
 
 /// Advances a world by some seconds, and holds it against [`World::validate`] after every tick.

@@ -2,6 +2,7 @@
 #![allow(dead_code, unused_imports)] // Each test takes what it needs.
 
 pub mod adversary;
+mod ask;
 mod build;
 pub mod dense;
 pub mod hashes;
@@ -19,7 +20,11 @@ pub mod strategies;
 pub mod turned;
 pub mod written;
 
-pub use build::{BODY, G, TICK, area, block, crate_at, crowd, floor, pool, world};
+pub use ask::Ask;
+pub use build::{BODY, G, TICK, area, block, crate_at, crowd, floor, pool, room, world};
 pub use levels::{Memory, level_texts};
-pub use measure::{bits, bits_of_body, deepest, energy, momentum, momentum_scale, named_forces, run, worst_overlap};
+pub use measure::{
+    assert_all_at_rest, bits, bits_of_body, crushed, deepest, energy, from_below, momentum, momentum_scale, named_forces, run,
+    worst_overlap,
+};
 pub use random::Random;

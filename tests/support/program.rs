@@ -20,12 +20,17 @@ impl Data {
         self.folder.path().join(name)
     }
 
+    /// The same for the command line.
+    pub fn arg(&self, name: &str) -> String {
+        self.path(name).to_str().unwrap().to_owned()
+    }
+
     /// Writes a file and returns its path for the command line.
     pub fn write(&self, name: &str, text: &str) -> String {
         let path = self.path(name);
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();
         std::fs::write(&path, text).unwrap();
-        path.to_str().unwrap().to_owned()
+        self.arg(name)
     }
 
     /// Writes a level of 3000 × 3000 px from its files.
@@ -37,7 +42,14 @@ impl Data {
     }
 
     pub fn resultant(&self, args: &[&str]) -> Ran {
-        Ran::new(resultant().arg("--data").arg(self.folder.path()).args(args))
+        Ran::new(&mut self.command(args))
+    }
+
+    /// The program about to run.
+    pub fn command(&self, args: &[&str]) -> Command {
+        let mut command = resultant();
+        command.arg("--data").arg(self.folder.path()).args(args);
+        command
     }
 }
 

@@ -1,52 +1,18 @@
 //! Levels built by hand, for tests of the rules.
 
+use super::Memory;
 pub use super::area;
-use resultant::level::{Awards, Level, Look, Object, Objective, ObjectiveKind, SHIP_DRAG, ShipStart, Solid};
+use resultant::level::{self, Level, Look, Object, Objective, ObjectiveKind, Solid};
 use resultant::physics::{Aabb, DVec2, Material};
 
 /// An empty room of 100 m × 100 m without gravity and air, the ship (100 kg, 2000 N, 500 fuel) at rest in its middle, its box
 /// from 49.15 m to 50.85 m, and a player objective in the far corner.
 pub fn room() -> Level {
-    Level {
-        name: "room".into(),
-        title: "Room".into(),
-        metre: 30.0,
-        size: DVec2::splat(100.0),
-        gravity: 0.0,
-        gravity_x: 0.0,
-        air_density: 0.0,
-        optimal_time: 60.0,
-        rest_speed: 1.0,
-        friction: 1.0,
-        experiment: false,
-        awards: Awards::default(),
-        player: ShipStart {
-            position: DVec2::splat(50.0),
-            velocity: DVec2::ZERO,
-            angle: 0.0,
-            mass: 100.0,
-            fuel: 500.0,
-            thrust: 2000.0,
-            feels_air: true,
-            material: Material::ASPHALT,
-            drag: SHIP_DRAG,
-            restitution: 0.0,
-        },
-        world: vec![],
-        movers: vec![],
-        doors: vec![],
-        switches: vec![],
-        objects: vec![],
-        objectives: vec![objective(ObjectiveKind::Player, area(98.0, 98.0, 99.0, 99.0))],
-        obstacles: vec![],
-        streams: vec![],
-        fluids: vec![],
-        fields: vec![],
-        pods: vec![],
-        decoration: vec![],
-        texts: vec![],
-        background: None,
-    }
+    let constants = "title,Room\nwidth,3000\nheight,3000\ngravity,0\nair_density,0\noptimal_time,60\nrest_speed,1\n";
+    let files =
+        [("constants.csv", constants), ("player.csv", "1500,1500,100,500,2000\n"), ("objectives.csv", "PLAYER,2940,2940,30,30\n")];
+    let texts = Memory(files.map(|(file, text)| (file, text.to_owned())).into());
+    Level { background: None, ..level::read("room", &texts).expect("the room loads").level }
 }
 
 /// The room with gravity and air, a floor, a key object and a box to bump into.

@@ -1,12 +1,12 @@
 //! The head-up display covers nothing that matters, in windows of several sizes and shapes: at the start of every shipped level no hazard, no
 //! goal and no text; along every recorded flight it steps aside. Arrows point to every goal and key outside the view.
 
-use super::onlook::{WINDOWS, kept_free, on_canvas, pixels, window};
+use super::onlook::{WINDOWS, centres, kept_free, on_canvas, pixels, window};
 use crate::support::shipped::{experiment, flights, levels, load};
 use resultant::draw::layout::{Area, Frame, Vec2, nearest_size, text_room};
 use resultant::game::{Controls, Game, Outcome, SHIP};
 use resultant::level::{Level, ObjectiveKind};
-use resultant::physics::{Aabb, BodyId, DVec2};
+use resultant::physics::{Aabb, BodyId};
 use resultant::settings::Settings;
 use resultant::view::camera::{Camera, Viewport};
 use resultant::view::hud::HudLayout;
@@ -71,7 +71,7 @@ impl Onlooker {
     fn look(&mut self, game: &Game, camera: &Camera, shown: HudShown, frame_time: f64) -> Viewport {
         let ship = game.world().body(SHIP).position;
         let view = Viewport::new(camera.focus(), ship, game.level().size, game.level().metre, window(&self.frame));
-        let centres: Vec<DVec2> = game.world().bodies().iter().map(|body| body.position).collect();
+        let centres = centres(game);
         let settings = Settings::default();
         let scene = HudScene { game, centres: &centres, view: &view, frame: &self.frame, panels: &[], shown, settings: &settings };
         self.hud.update(&scene, frame_time);
@@ -180,7 +180,7 @@ fn along_every_recorded_flight_the_display_steps_aside_and_points_to_what_is_out
             fly(&level, replay.inputs.into_iter(), &mut seen, &format!("level {name}, {flight}"));
         }
     }
-    println!("{seen:?}");
+
     assert!(seen.looks > 10_000 && seen.arrows > seen.looks / 2, "{seen:?}");
     assert!(seen.aside > 0 && seen.aside < seen.looks / 2, "{seen:?}: it is away more than it is there");
 }

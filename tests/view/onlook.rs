@@ -2,7 +2,7 @@
 
 use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::game::{Game, SHIP};
-use resultant::physics::Aabb;
+use resultant::physics::{Aabb, DVec2};
 use resultant::view::camera::{CanvasWindow, Viewport};
 
 /// Pixels.
@@ -22,6 +22,25 @@ pub fn pixels(frame: &Frame) -> Vec2 {
 pub fn on_canvas(bounds: &Aabb, view: &Viewport) -> Area {
     let min = view.point(bounds.min);
     Area { min, size: view.point(bounds.max) - min }
+}
+
+/// Where the bodies are, m.
+pub fn centres(game: &Game) -> Vec<DVec2> {
+    game.world().bodies().iter().map(|body| body.position).collect()
+}
+
+/// One number, or two with a comma between them, as a box shows them: x, y (or 0), and the decimals.
+pub fn numbers_in(text: &str) -> (f64, f64, i32) {
+    let numbers: Vec<&str> = text.split(',').map(str::trim).collect();
+    let decimals = numbers.iter().filter_map(|number| Some(number.len() - number.find('.')? - 1)).max().unwrap_or(0);
+    let value = |i: usize| numbers.get(i).map_or(0.0, |number| number.parse().expect("a number"));
+    (value(0), value(1), decimals as i32)
+}
+
+/// The factor that a unit's prefix stands for.
+pub fn power_of(prefix: &str) -> f64 {
+    let known = [("G", 1e9), ("M", 1e6), ("k", 1e3), ("", 1.0), ("m", 1e-3), ("µ", 1e-6)];
+    known.into_iter().find(|(name, _)| *name == prefix).unwrap_or_else(|| panic!("the prefix {prefix}")).1
 }
 
 /// The ship, goals and hazards, by name.

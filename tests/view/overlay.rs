@@ -1,5 +1,6 @@
 //! The details overlay tells the truth: its boxes agree with the world, on every tick.
 
+use super::onlook::{centres, numbers_in, power_of};
 use crate::support::rooms::{area, crate_at, room};
 use resultant::draw::layout::{Frame, Vec2};
 use resultant::game::{Controls, Game, READABLE, SHIP};
@@ -83,12 +84,8 @@ fn in_flight_the_lines_add_up_to_the_resultant_and_are_the_worlds_own_numbers() 
         let (forces, body) = (game.world().forces(SHIP), game.world().body(SHIP));
         assert_eq!(vector(&facts, "Resultant"), forces.resultant());
         assert_eq!((vector(&facts, "Velocity"), vector(&facts, "Acceleration")), (body.velocity, body.acceleration));
-        let shown: DVec2 = facts
-            .rows
-            .iter()
-            .filter(|row| matches!(row.shown, Some(ArrowKind::Force(_))))
-            .map(|row| vector(&facts, row.name))
-            .sum();
+        let of_forces = facts.rows.iter().filter(|row| matches!(row.shown, Some(ArrowKind::Force(_))));
+        let shown: DVec2 = of_forces.map(|row| vector(&facts, row.name)).sum();
         assert!((shown - forces.resultant()).length() < 1e-9 * (1.0 + shown.length()), "tick {tick}: {shown}");
         for kind in ForceKind::ALL.into_iter().filter(|kind| forces.total(*kind) != DVec2::ZERO) {
             assert_eq!(vector(&facts, kind.shown()), forces.total(kind), "tick {tick}");
@@ -100,17 +97,9 @@ fn in_flight_the_lines_add_up_to_the_resultant_and_are_the_worlds_own_numbers() 
 fn read(row: &FactRow) -> (DVec2, f64) {
     let text = quantity(row, &[], 9).replace('−', "-");
     let (numbers, unit) = text.trim_start_matches('(').split_once(')').expect("a bracket closes");
-    let one = match unit.trim().strip_suffix(row.unit).expect("the row's unit") {
-        "k" => 1e3,
-        "" => 1.0,
-        "m" => 1e-3,
-        "µ" => 1e-6,
-        other => panic!("the prefix {other}"),
-    };
-    let numbers: Vec<&str> = numbers.split(',').map(str::trim).collect();
-    let decimals = numbers.iter().filter_map(|number| Some(number.len() - number.find('.')? - 1)).max().unwrap_or(0);
-    let value = |i: usize| numbers[i].parse::<f64>().expect("a number") * one;
-    (DVec2::new(value(0), -value(1)), 0.5 * one * 0.1f64.powi(decimals as i32) * 2.0_f64.sqrt() + 1e-9)
+    let one = power_of(unit.trim().strip_suffix(row.unit).expect("the row's unit"));
+    let (x, y, decimals) = numbers_in(numbers);
+    (DVec2::new(x, -y) * one, 0.5 * one * 0.1f64.powi(decimals) * 2.0_f64.sqrt() + 1e-9)
 }
 
 /// The sum of the lines of one sort as their text has it, and the largest error of rounding.
@@ -148,11 +137,8 @@ fn the_text_adds_up_with_the_impacts() {
             let facts = facts(&game, id);
             let (forces, rounding) = sum_of(&facts, |shown| matches!(shown, ArrowKind::Force(_)));
             let (resultant, half) = sum_of(&facts, |shown| shown == ArrowKind::Resultant);
-            assert!(
-                (forces - resultant).length() <= rounding + half,
-                "tick {tick}, {}: {forces} N, not {resultant} N",
-                facts.title
-            );
+            let off = (forces - resultant).length();
+            assert!(off <= rounding + half, "tick {tick}, {}: {forces} N, not {resultant} N", facts.title);
             let (impacts, rounding) = sum_of(&facts, |shown| shown == ArrowKind::Impact);
             if facts.rows.iter().any(|row| row.shown == Some(ArrowKind::Force(ForceKind::Reaction))) {
                 held[i] = tick;
@@ -197,7 +183,7 @@ fn an_impact_is_told_for_half_a_second() {
 /// The details of a game as they are laid out for a pointer at that place.
 fn arrange(details: &mut Details, game: &Game, focus: &Focus, pointer: Option<Vec2>) {
     let frame = Frame::default();
-    let centres: Vec<DVec2> = game.world().bodies().iter().map(|body| body.position).collect();
+    let centres = centres(game);
     let window = CanvasWindow { size: frame.size.as_dvec2(), pixel: 1.0 };
     let view = Viewport::new(centres[0], centres[0], game.level().size, game.level().metre, window);
     details.arrange(game, &Looking { centres: &centres, focus, pointer, model: false, velocity: false }, &[], &view, &frame);
@@ -210,9 +196,8 @@ fn placed(details: &Details, body: u32) -> &PlacedBox {
 /// The middle of a line of a body's box.
 fn line(details: &Details, body: u32, label: &str) -> Vec2 {
     let placed = placed(details, body);
-    let index =
-        placed.text.lines.iter().position(|line| line.label == label).unwrap_or_else(|| panic!("{label}: {:?}", placed.text));
-    placed.line(index).centre()
+    let index = placed.text.lines.iter().position(|line| line.label == label);
+    placed.line(index.unwrap_or_else(|| panic!("{label}: {:?}", placed.text))).centre()
 }
 
 /// The labels of the lines that are lit, with their vectors.
@@ -231,6 +216,11 @@ fn stack() -> Game {
     game(level)
 }
 
+/// The two lines of the force between the crates of the stack.
+fn pair_of_the_stack() -> [(u32, String, DVec2); 2] {
+    [(2, 1, -150.0), (1, 2, 150.0)].map(|(on, by, y)| (on, format!("Normal force by Box {by}"), DVec2::new(0.0, y)))
+}
+
 /// The other body's line and arrow light up; a partner that is no part of the level is named in words.
 #[test]
 fn pointing_at_a_force_lights_its_partner() {
@@ -239,8 +229,7 @@ fn pointing_at_a_force_lights_its_partner() {
     assert!(details.lit.is_empty() && details.tip.is_none());
     let at = line(&details, 2, "Normal force by Box 1");
     arrange(&mut details, &game, &all, Some(at));
-    let up = DVec2::new(0.0, -150.0);
-    assert_eq!(lit(&details, &game), [(2, "Normal force by Box 1".to_owned(), up), (1, "Normal force by Box 2".to_owned(), -up)]);
+    assert_eq!(lit(&details, &game), pair_of_the_stack());
     let words = |details: &Details| details.tip.as_ref().expect("a tip").lines.join(" ");
     assert_eq!(words(&details), "Third law: Box 2 presses on Box 1 with (0, −150) N");
     assert!(details.tip.as_ref().is_some_and(|tip| tip.area.is_some()));
@@ -267,8 +256,7 @@ fn the_partner_of_the_one_that_is_followed_keeps_its_box() {
     assert_eq!(told, [2, 1], "the crate below, and not the ship");
     let at = line(&details, 2, "Normal force by Box 1");
     arrange(&mut details, &game, &focus, Some(at));
-    let up = DVec2::new(0.0, -150.0);
-    assert_eq!(lit(&details, &game), [(2, "Normal force by Box 1".to_owned(), up), (1, "Normal force by Box 2".to_owned(), -up)]);
+    assert_eq!(lit(&details, &game), pair_of_the_stack());
 }
 
 /// Also once the impact can no longer be read.

@@ -1,7 +1,7 @@
 //! Lessons are played, and the text of the details is read on every frame, the very strings that are drawn: within the digits shown the
 //! forces add up to mass times acceleration, and forces and impacts of half a second to the change of momentum.
 
-use super::onlook::window;
+use super::onlook::{centres, numbers_in, power_of, window};
 use crate::support::shipped::{experiment, flights, load};
 use resultant::draw::layout::Frame;
 use resultant::game::{Controls, Game, READABLE};
@@ -37,12 +37,11 @@ fn read(line: &BoxLine) -> Read {
         None => text.split_once(' ').expect("a unit follows"),
     };
     let one = prefix(unit.trim());
-    let numbers: Vec<&str> = numbers.split(',').map(str::trim).collect();
-    let decimals = numbers.iter().filter_map(|number| Some(number.len() - number.find('.')? - 1)).max().unwrap_or(0);
-    let value = |i: usize| numbers.get(i).map_or(0.0, |number| number.parse::<f64>().expect("a number")) * one;
+    let (x, y, decimals) = numbers_in(numbers);
     // Forces below a billionth are not written.
-    let half = if numbers.iter().all(|number| *number == "0") { 1e-9 } else { 0.5 * one * 0.1f64.powi(decimals as i32) + 1e-9 };
-    Read { value: DVec2::new(value(0), -value(1)), half }
+    let nothing = numbers.split(',').all(|number| number.trim() == "0");
+    let half = if nothing { 1e-9 } else { 0.5 * one * 0.1f64.powi(decimals) + 1e-9 };
+    Read { value: DVec2::new(x, -y) * one, half }
 }
 
 /// How many plain units one of these is.
@@ -56,16 +55,7 @@ fn prefix(unit: &str) -> f64 {
         "mg" => return 1e-6,
         _ => {}
     }
-    let plain = ["m/s²", "m/s", "N·s", "N"].into_iter().find_map(|plain| unit.strip_suffix(plain)).expect("a unit");
-    match plain {
-        "G" => 1e9,
-        "M" => 1e6,
-        "k" => 1e3,
-        "" => 1.0,
-        "m" => 1e-3,
-        "µ" => 1e-6,
-        other => panic!("the prefix {other}"),
-    }
+    power_of(["m/s²", "m/s", "N·s", "N"].into_iter().find_map(|plain| unit.strip_suffix(plain)).expect("a unit"))
 }
 
 /// A box as it was read in one frame.
@@ -137,7 +127,7 @@ impl Reader {
 
     fn read(&mut self, game: &Game, seen: &mut Seen, name: &str) {
         let frame = Frame::default();
-        let centres: Vec<DVec2> = game.world().bodies().iter().map(|body| body.position).collect();
+        let centres = centres(game);
         let (middle, level) = (centres[self.body.index()], game.level());
         let view = Viewport::new(middle, middle, level.size, level.metre, window(&frame));
         let looking = Looking { centres: &centres, focus: &self.focus, pointer: None, model: false, velocity: false };
@@ -190,7 +180,7 @@ fn play(name: &str, level: Arc<Level>, inputs: impl Iterator<Item = Controls>) -
         game.step(controls);
         readers.iter_mut().for_each(|reader| reader.read(&game, &mut seen, name));
     }
-    println!("{name}: {seen:?}");
+
     seen
 }
 

@@ -2,11 +2,11 @@
 
 use super::traced::{Fault, run};
 use super::{data, read};
-use crate::support::program::{Data, resultant};
+use crate::support::program::Data;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
 /// Files by their paths in the data folder, but for staged ones.
 type Files = BTreeMap<String, Vec<u8>>;
@@ -65,9 +65,8 @@ fn restore(data: &Data, old: &Files) {
 fn every_call(data: &Data, args: &[&str], units: &[&str]) {
     let old = files(&data.path("."));
     let command = || {
-        let mut command: Command = resultant();
-        command.arg("--data").arg(data.path(".")).args(args).current_dir(data.path("."));
-        command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+        let mut command = data.command(args);
+        command.current_dir(data.path(".")).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
         command
     };
     let (calls, status) = run(&mut command(), None);

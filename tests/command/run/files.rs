@@ -21,8 +21,7 @@ fn a_file_that_is_read_only_or_needed_otherwise_is_not_written_to() {
     let mut permissions = std::fs::metadata(&kept).unwrap().permissions();
     permissions.set_readonly(true);
     std::fs::set_permissions(&kept, permissions).unwrap();
-    let (out, level) = (data.path("out.csv"), data.path("levels/flight/objects.csv"));
-    let [out, level] = [&out, &level].map(|path| path.to_str().unwrap());
+    let [out, level] = &["out.csv", "levels/flight/objects.csv"].map(|name| data.arg(name));
     for (args, message) in [
         (["--telemetry", &kept, "--record", out], "kept.csv: the file is read-only"),
         (["--record", out, "--telemetry", &kept], "kept.csv: the file is read-only"),
@@ -50,8 +49,8 @@ fn a_file_that_is_written_over_keeps_its_mode_and_its_link_and_has_one_name() {
     let secret = data.write("secret.csv", "old");
     std::fs::set_permissions(&secret, std::fs::Permissions::from_mode(0o600)).unwrap();
     std::os::unix::fs::symlink("secret.csv", data.path("link.csv")).unwrap();
-    let link = data.path("link.csv");
-    assert_eq!(data.resultant(&["run", "goal", "--telemetry", link.to_str().unwrap()]).status, 0);
+    let link = data.arg("link.csv");
+    assert_eq!(data.resultant(&["run", "goal", "--telemetry", &link]).status, 0);
     assert_eq!(std::fs::metadata(&secret).unwrap().permissions().mode() & 0o777, 0o600);
     assert!(std::fs::symlink_metadata(link).unwrap().is_symlink());
     assert!(read(&data, "secret.csv").starts_with(COLUMNS));
@@ -67,14 +66,12 @@ fn a_file_that_is_written_over_keeps_its_mode_and_its_link_and_has_one_name() {
 fn telemetry_goes_into_a_levels_folder_again_and_again_but_over_nothing_that_is_read() {
     let data = data();
     for _ in 0..2 {
-        let path = data.path("levels/goal/out.txt");
-        let ran = data.resultant(&["run", "goal", "--telemetry", path.to_str().unwrap()]);
+        let ran = data.resultant(&["run", "goal", "--telemetry", &data.arg("levels/goal/out.txt")]);
         assert_eq!((ran.status, ran.err.as_str()), (0, ""));
         assert!(read(&data, "levels/goal/out.txt").starts_with(COLUMNS));
     }
     for table in ["player.csv", "movers.csv", "background.png"] {
-        let path = data.path(&format!("levels/goal/{table}"));
-        let ran = data.resultant(&["run", "goal", "--telemetry", path.to_str().unwrap()]);
+        let ran = data.resultant(&["run", "goal", "--telemetry", &data.arg(&format!("levels/goal/{table}"))]);
         assert_eq!(ran.status, 2);
         assert!(ran.err.ends_with("this file is read by the same command, expected another\n"), "{}", ran.err);
     }
@@ -110,9 +107,9 @@ fn a_path_need_not_be_text() {
     let odd = |name: &[u8]| data.path(".").join(std::ffi::OsStr::from_bytes(name));
     std::fs::rename(data.path("levels/goal"), odd(b"g\xf6al")).unwrap();
     std::fs::write(odd(b"\xff.csv"), format!("{HEADER}\n2,0,0,0,0\n")).unwrap();
-    let mut run = resultant();
-    run.arg("--data").arg(data.path(".")).arg("run").arg(odd(b"g\xf6al")).arg("--inputs").arg(odd(b"\xff.csv"));
-    let ran = Ran::new(run.arg("--telemetry").arg(odd(b"\xfe.csv")));
+    let mut run = data.command(&["run"]);
+    run.arg(odd(b"g\xf6al")).arg("--inputs").arg(odd(b"\xff.csv")).arg("--telemetry").arg(odd(b"\xfe.csv"));
+    let ran = Ran::new(&mut run);
     assert_eq!((ran.status, ran.value("outcome")), (0, "completed"), "{}", ran.err);
     assert!(std::fs::read_to_string(odd(b"\xfe.csv")).unwrap().starts_with(COLUMNS));
     let ran = Ran::new(resultant().arg("check").arg(odd(b"g\xf6al")));
@@ -124,11 +121,10 @@ fn a_path_need_not_be_text() {
 fn a_signal_leaves_nothing_behind() {
     let data = data();
     let old = data.write("old.csv", "old");
-    let new = data.path("new.csv");
+    let files = ["--telemetry", &old, "--record", &data.arg("new.csv")];
     for signal in ["-TERM", "-INT", "-KILL"] {
-        let mut child = resultant();
-        child.arg("--data").arg(data.path(".")).args(["run", "flight", "--seconds", "100000", "--telemetry", &old, "--record"]);
-        let mut child = child.arg(&new).stdout(Stdio::null()).spawn().unwrap();
+        let mut child = data.command(&["run", "flight", "--seconds", "100000"]);
+        let mut child = child.args(files).stdout(Stdio::null()).spawn().unwrap();
         std::thread::sleep(Duration::from_millis(300));
         assert!(child.try_wait().unwrap().is_none(), "it is over already");
         assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
@@ -151,9 +147,8 @@ fn a_signal_leaves_nothing_behind() {
 fn telemetry_and_results_can_go_to_the_same_output() {
     let data = data();
     let all = std::fs::File::create(data.path("all.txt")).unwrap();
-    let mut child = resultant();
-    child.arg("--data").arg(data.path(".")).args(["run", "goal", "--telemetry", "/dev/stdout"]).stdout(all);
-    assert!(child.status().unwrap().success());
+    let mut child = data.command(&["run", "goal", "--telemetry", "/dev/stdout"]);
+    assert!(child.stdout(all).status().unwrap().success());
     let text = read(&data, "all.txt");
     assert!(text.starts_with(COLUMNS), "{text}");
     assert_eq!(text.lines().filter(|line| line.starts_with("outcome=completed")).count(), 1, "{text}");
@@ -164,15 +159,13 @@ fn telemetry_and_results_can_go_to_the_same_output() {
 #[test]
 fn what_never_ends_or_is_too_large_is_refused_at_once() {
     let data = data();
-    let pipe = data.path("pipe");
-    assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
-    let sparse = data.path("sparse.csv");
-    std::fs::File::create(&sparse).unwrap().set_len(2 << 30).unwrap();
-    let [pipe, sparse] = [&pipe, &sparse].map(|path| path.to_str().unwrap());
+    let [pipe, sparse] = &["pipe", "sparse.csv"].map(|name| data.arg(name));
+    assert!(Command::new("mkfifo").arg(pipe).status().unwrap().success());
+    std::fs::File::create(sparse).unwrap().set_len(2 << 30).unwrap();
     for (file, message) in [
-        (pipe, "found a pipe or a device, expected a regular file"),
+        (pipe.as_str(), "found a pipe or a device, expected a regular file"),
         ("/dev/zero", "found a pipe or a device, expected a regular file"),
-        (sparse, "found 2147483648 bytes, expected at most 16777216 bytes"),
+        (sparse.as_str(), "found 2147483648 bytes, expected at most 16777216 bytes"),
     ] {
         for args in [&["run", "flight", "--inputs", file][..], &["verify", file], &["jumper", "--inputs", file]] {
             let ran = data.resultant(args);
@@ -183,8 +176,7 @@ fn what_never_ends_or_is_too_large_is_refused_at_once() {
         assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{file}: {}", ran.err);
     }
     // The output may be a pipe.
-    let mut child = resultant();
-    child.arg("--data").arg(data.path(".")).args(["run", "flight", "--inputs", "/dev/stdin"]);
+    let mut child = data.command(&["run", "flight", "--inputs", "/dev/stdin"]);
     let mut child = child.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
     std::io::Write::write_all(&mut child.stdin.take().unwrap(), format!("{HEADER}\n7,0,0,0,0\n").as_bytes()).unwrap();
     let output = child.wait_with_output().unwrap();
@@ -194,7 +186,6 @@ fn what_never_ends_or_is_too_large_is_refused_at_once() {
 #[test]
 fn a_level_can_be_any_folder() {
     let data = data();
-    let folder = data.path("levels/goal");
-    let ran = Ran::new(resultant().args(["run", folder.to_str().unwrap()]));
+    let ran = Ran::new(resultant().args(["run", &data.arg("levels/goal")]));
     assert_eq!((ran.status, ran.value("outcome")), (0, "completed"));
 }

@@ -9,8 +9,8 @@ mod telemetry;
 #[cfg(all(target_os = "linux", target_arch = "x86_64"))]
 mod traced;
 
-use crate::support::program::{Data, resultant};
-use std::process::{Command, Stdio};
+use crate::support::program::Data;
+use std::process::Stdio;
 
 const HEADER: &str = "ticks,thrust,reverse,left,right";
 const PLAYER: &str = "1500,1500,100,500,3000\n";
@@ -62,13 +62,12 @@ fn prints_what_the_run_came_to() {
 fn time_counts_from_the_first_input_and_the_telemetrys_from_the_start() {
     let data = data();
     let inputs = data.write("in.csv", &format!("{HEADER}\n60,0,0,0,0\n30,1,0,0,0\n30,0,0,0,0\n"));
-    let (telemetry, record) = (data.path("t.csv"), data.path("r.csv"));
-    let files = ["--telemetry", telemetry.to_str().unwrap(), "--record", record.to_str().unwrap()];
-    let ran = data.resultant(&[&["run", "flight", "--inputs", &inputs][..], &files].concat());
+    let (telemetry, record) = (data.arg("t.csv"), data.arg("r.csv"));
+    let ran = data.resultant(&["run", "flight", "--inputs", &inputs, "--telemetry", &telemetry, "--record", &record]);
     assert_eq!((ran.value("ticks"), ran.value("time")), ("120", "0.5"));
     assert!(read(&data, "r.csv").contains("# time: 0.5\n"));
     assert!(read(&data, "t.csv").lines().last().unwrap().starts_with("120,1,"));
-    assert_eq!(data.resultant(&["verify", record.to_str().unwrap()]).status, 0, "{}", ran.err);
+    assert_eq!(data.resultant(&["verify", &record]).status, 0, "{}", ran.err);
     assert_eq!(data.resultant(&["run", "flight", "--seconds", "0.5"]).value("time"), "0.5", "without inputs");
 }
 
@@ -119,8 +118,7 @@ fn what_is_refused_runs_nothing_and_writes_nothing() {
     data.level("broken", "", &[("player.csv", "1500,1500,heavy,500,3000\n"), ("objectives.csv", OBJECTIVES)]);
     let good = data.write("in.csv", &format!("{HEADER}\n3,1,0,0,0\n"));
     let bad = data.write("bad.csv", &format!("# mine\n{HEADER}\n3,1,0,0\n0,1,0,0,0\n"));
-    let (out, none, folder) = (data.path("out.csv"), data.path("none/out.csv"), data.path("levels"));
-    let [out, none, folder] = [&out, &none, &folder].map(|path| path.to_str().unwrap());
+    let [out, none, folder] = &["out.csv", "none/out.csv", "levels"].map(|name| data.arg(name));
     for (args, message) in [
         (&["nowhere"][..], "no level \"nowhere\""),
         (&["broken"], "player.csv:1: column \"mass\""),
@@ -156,9 +154,7 @@ fn what_is_refused_runs_nothing_and_writes_nothing() {
 #[test]
 fn a_reader_that_goes_away_is_no_error() {
     let data = data();
-    let mut child: Command = resultant();
-    child.arg("--data").arg(data.path(".")).args(["run", "flight"]).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut child = child.spawn().unwrap();
+    let mut child = data.command(&["run", "flight"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     drop(child.stdout.take());
     let output = child.wait_with_output().unwrap();
     assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]));

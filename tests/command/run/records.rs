@@ -1,7 +1,7 @@
 //! Recorded runs, and `resultant verify`.
 
 use super::{HEADER, data, read};
-use crate::support::program::{Data, resultant};
+use crate::support::program::Data;
 use resultant::game::Fingerprint;
 use resultant::level;
 use std::process::Stdio;
@@ -9,7 +9,7 @@ use std::process::Stdio;
 /// The data folder with a run of `goal` recorded in it, and the record's path.
 fn recorded() -> (Data, String) {
     let data = data();
-    let path = data.path("run.csv").to_str().unwrap().to_owned();
+    let path = data.arg("run.csv");
     data.resultant(&["run", "goal", "--record", &path]);
     (data, path)
 }
@@ -18,8 +18,7 @@ fn recorded() -> (Data, String) {
 fn a_recorded_run_is_verified() {
     let data = data();
     let inputs = data.write("in.csv", &format!("{HEADER}\n60,1,0,0,1\n60,0,1,1,0\n"));
-    let (one, two) = (data.path("one.csv"), data.path("two.csv"));
-    let [one, two] = [&one, &two].map(|path| path.to_str().unwrap());
+    let [one, two] = &["one.csv", "two.csv"].map(|name| data.arg(name));
     let ran = data.resultant(&["run", "flight", "--inputs", &inputs, "--tick", "60", "--record", one]);
     data.resultant(&["run", "goal", "--record", two]);
     let again = data.resultant(&["run", "flight", "--inputs", one, "--tick", "60"]);
@@ -35,9 +34,8 @@ fn a_recorded_run_is_verified() {
 #[test]
 fn a_run_that_was_tampered_with_is_found_out() {
     let (data, path) = recorded();
-    let path = path.as_str();
     let good = read(&data, "run.csv");
-    assert_eq!(data.resultant(&["verify", path]).status, 0);
+    assert_eq!(data.resultant(&["verify", &path]).status, 0);
     for (from, to, why) in [
         ("score: 20983", "score: 20984", "recorded score 2098"),
         ("2,0,0,0,0", "1,1,0,0,0", "recorded score 2098"),
@@ -47,7 +45,7 @@ fn a_run_that_was_tampered_with_is_found_out() {
     ] {
         let changed = good.replace(from, to);
         data.write("run.csv", &if from.starts_with("time") { changed + "1,0,0,0,0\n" } else { changed });
-        let ran = data.resultant(&["verify", path]);
+        let ran = data.resultant(&["verify", &path]);
         assert_eq!((ran.status, ran.out.as_str()), (1, ""), "{to}");
         assert!(ran.err.contains(&format!("run.csv: {why}")), "{to}: {}", ran.err);
     }
@@ -57,7 +55,7 @@ fn a_run_that_was_tampered_with_is_found_out() {
 fn it_is_told_in_which_second_a_flight_departs_and_how_it_should_have_ended() {
     let data = data();
     let inputs = data.write("in.csv", &format!("{HEADER}\n150,1,0,0,0\n150,0,0,0,0\n100,1,0,1,0\n"));
-    let path = data.path("run.csv").to_str().unwrap().to_owned();
+    let path = data.arg("run.csv");
     data.resultant(&["run", "flight", "--inputs", &inputs, "--record", &path]);
     let good = read(&data, "run.csv");
     assert_eq!(good.lines().filter(|line| line.starts_with("# hash ")).count(), 3, "{good}");
@@ -82,10 +80,8 @@ fn a_record_tells_what_recorded_it_and_in_which_level() {
     let (data, path) = recorded();
     let path = path.as_str();
     let good = read(&data, "run.csv");
-    assert!(
-        good.starts_with(concat!("# program: resultant ", env!("CARGO_PKG_VERSION"), "\n# level: goal\n# level_hash: ")),
-        "{good}"
-    );
+    let head = concat!("# program: resultant ", env!("CARGO_PKG_VERSION"), "\n# level: goal\n# level_hash: ");
+    assert!(good.starts_with(head), "{good}");
 
     // How the level's files are written, its words and its looks do not matter.
     let constants = read(&data, "levels/goal/constants.csv");
@@ -159,10 +155,9 @@ fn a_name_with_a_line_break_writes_no_header_of_its_own() {
     let data = data();
     let name = "goal\n# score: 99999\n# hash: 0123456789abcdef";
     std::fs::rename(data.path("levels/goal"), data.path("levels").join(name)).unwrap();
-    let path = data.path("run.csv");
-    let path = path.to_str().unwrap();
-    assert_eq!(data.resultant(&["run", name, "--record", path]).status, 0);
-    let ran = data.resultant(&["verify", path]);
+    let path = data.arg("run.csv");
+    assert_eq!(data.resultant(&["run", name, "--record", &path]).status, 0);
+    let ran = data.resultant(&["verify", &path]);
     assert_eq!((ran.status, ran.err.as_str()), (0, ""));
     assert!(ran.out.contains("ok, score 20983, "), "{}", ran.out);
 }
@@ -172,10 +167,8 @@ fn a_name_with_a_line_break_writes_no_header_of_its_own() {
 fn a_mismatch_is_one_whoever_listens() {
     let (data, path) = recorded();
     let path = path.as_str();
-    data.write("wrong.csv", &read(&data, "run.csv").replace("score: 20983", "score: 20984"));
+    let wrong = &data.write("wrong.csv", &read(&data, "run.csv").replace("score: 20983", "score: 20984"));
     data.write("levels/broken/player.csv", "1,2,3\n");
-    let wrong = data.path("wrong.csv");
-    let wrong = wrong.to_str().unwrap();
     for (args, status) in [
         (&["verify", path, wrong][..], 1),
         (&["verify", wrong, path], 1),
@@ -185,17 +178,11 @@ fn a_mismatch_is_one_whoever_listens() {
         (&["verify", path, path], 0),
     ] {
         for (out_gone, err_gone) in [(true, false), (false, true), (true, true)] {
-            let stdio = |gone: bool| if gone { Stdio::from(gone_pipe()) } else { Stdio::null() };
-            let mut child = resultant();
-            child.arg("--data").arg(data.path(".")).args(args).stdout(stdio(out_gone)).stderr(stdio(err_gone));
-            assert_eq!(child.status().unwrap().code(), Some(status), "{args:?}, gone: {out_gone} {err_gone}");
+            let stdio = |gone: bool| if gone { Stdio::from(std::io::pipe().unwrap().1) } else { Stdio::null() };
+            let ended = data.command(args).stdout(stdio(out_gone)).stderr(stdio(err_gone)).status().unwrap();
+            assert_eq!(ended.code(), Some(status), "{args:?}, gone: {out_gone} {err_gone}");
         }
     }
-}
-
-/// The writing end of a pipe that nobody reads any more.
-fn gone_pipe() -> std::io::PipeWriter {
-    std::io::pipe().unwrap().1
 }
 
 #[test]
@@ -210,9 +197,7 @@ fn a_long_record_tells_how_far_it_has_come() {
         .map(|line| format!("{line}\n"))
         .collect();
     data.write("run.csv", &text);
-    let mut child = resultant();
-    child.arg("--data").arg(data.path(".")).args(["verify", path]).stdout(Stdio::null()).stderr(Stdio::piped());
-    let mut child = child.spawn().unwrap();
+    let mut child = data.command(&["verify", path]).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
     let mut line = String::new();
     std::io::BufRead::read_line(&mut std::io::BufReader::new(child.stderr.take().unwrap()), &mut line).unwrap();
     child.kill().unwrap();

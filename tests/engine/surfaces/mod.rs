@@ -7,7 +7,7 @@ mod one_way;
 mod presses;
 mod walls;
 
-use crate::support::{G, area, deepest};
+use crate::support::{G, area, crushed, deepest};
 use resultant::physics::{
     Aabb, BodyDef, BodyId, DVec2, Event, ForceKind, Leg, Material, Obstacle, Path, Sides, Source, SurfaceDef, World, WorldDef,
 };
@@ -68,6 +68,11 @@ fn run(world: &mut World, seconds: f64, rate: f64, mut after: impl FnMut(&World,
     }
 }
 
+/// Without gravity and air.
+fn in_space(surfaces: Vec<SurfaceDef>, bodies: Vec<BodyDef>) -> World {
+    World::new(WorldDef { gravity: 0.0, air_density: 0.0, rest_speed: 0.0, surfaces, bodies, ..WorldDef::default() }).unwrap()
+}
+
 fn position(world: &World, body: u32) -> DVec2 {
     world.body(BodyId(body)).position
 }
@@ -82,7 +87,6 @@ fn centre(world: &World, surface: usize) -> DVec2 {
 
 #[track_caller]
 fn within(what: &str, error: f64, bar: f64) {
-    println!("{what}: {error:.1e} (bar {bar:.0e})");
     assert!(error <= bar, "{what}: {error:e}, expected at most {bar:e}");
 }
 
@@ -90,14 +94,6 @@ fn within(what: &str, error: f64, bar: f64) {
 fn overlap(world: &World) -> f64 {
     let solid: Vec<Aabb> = world.surfaces().iter().filter(|surface| surface.present).map(|surface| surface.bounds).collect();
     deepest(world.bodies().iter().map(|body| body.bounds()).collect(), &solid)
-}
-
-fn crushed(world: &World) -> Vec<(u32, u32, f64)> {
-    let crush = |event: &Event| match *event {
-        Event::Crushed { body, by, force } => Some((body.0, by, force)),
-        Event::Impact { .. } => None,
-    };
-    world.events().iter().filter_map(crush).collect()
 }
 
 /// The Reaction of a surface on a body along y, N, upwards.

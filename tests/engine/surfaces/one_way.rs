@@ -69,9 +69,7 @@ fn other_sides_of_a_one_way_surface() {
             for speed in [2.0, 2e4] {
                 let body = BodyDef { position: coming * -3.0, velocity: coming * speed, ..BodyDef::default() };
                 let surface = SurfaceDef { sides, bounds: area(-1.0, -1.0, 1.0, 1.0), ..SurfaceDef::default() };
-                let def =
-                    WorldDef { gravity: 0.0, air_density: 0.0, surfaces: vec![surface], bodies: vec![body], ..WorldDef::default() };
-                let mut world = World::new(def).unwrap();
+                let mut world = in_space(vec![surface], vec![body]);
                 run(&mut world, 4.0, 60.0, |_, _| ());
                 let exact = if stops { -1.5 } else { 4.0 * speed - 3.0 };
                 within("one-way from all sides: place, m", (position(&world, 0).dot(coming) - exact).abs(), EXACT);

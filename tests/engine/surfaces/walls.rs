@@ -46,15 +46,7 @@ fn a_wall_hits_a_block() {
     for rate in RATES {
         for (e, speed) in [(0.0, 3.0), (0.5, 3.0), (1.0, 3.0)] {
             let wall = mover(area(-3.0, -2.0, -2.0, 2.0), once(&[leg(1e6, v(speed, 0.0), v(0.0, 0.0))]));
-            let def = WorldDef {
-                gravity: 0.0,
-                air_density: 0.0,
-                rest_speed: 0.0,
-                surfaces: vec![wall],
-                bodies: vec![BodyDef { restitution: e, ..BodyDef::default() }],
-                ..WorldDef::default()
-            };
-            let mut world = World::new(def).unwrap();
+            let mut world = in_space(vec![wall], vec![BodyDef { restitution: e, ..BodyDef::default() }]);
             run(&mut world, 1.5, rate, |_, _| ());
             let exact = (1.0 + e) * speed;
             within("a wall hits a block: its speed, m/s", (velocity(&world, 0).x - exact).abs(), 1e-12);
@@ -75,15 +67,7 @@ fn nothing_gets_through_at_any_speed() {
                     let start = speed * seconds * 0.37 + 0.1;
                     let wall = mover(area(-start - 0.05, -2.0, -start, 2.0), once(&[leg(1e3, v(speed, 0.0), v(0.0, 0.0))]));
                     let body = BodyDef { restitution: e, velocity: v(flies * speed, 0.0), half: v(0.1, 0.1), ..BodyDef::default() };
-                    let def = WorldDef {
-                        gravity: 0.0,
-                        air_density: 0.0,
-                        rest_speed: 0.0,
-                        surfaces: vec![wall],
-                        bodies: vec![body],
-                        ..WorldDef::default()
-                    };
-                    let mut world = World::new(def).unwrap();
+                    let mut world = in_space(vec![wall], vec![body]);
                     run(&mut world, seconds, rate, |world, _| {
                         let ahead = position(world, 0).x - 0.1 - world.surfaces()[0].bounds.max.x;
                         deepest = deepest.max(-ahead / (1.0 + speed / rate));
@@ -106,15 +90,7 @@ fn a_fast_wall_throws_a_block_at_others() {
             let far = 0.4 * speed / rate;
             let bodies =
                 [0.0, far + 3.0, 1.5 * far + 6.0].map(|x| BodyDef { position: v(x, 0.0), restitution: 1.0, ..BodyDef::default() });
-            let def = WorldDef {
-                gravity: 0.0,
-                air_density: 0.0,
-                rest_speed: 0.0,
-                surfaces: vec![wall],
-                bodies: bodies.to_vec(),
-                ..WorldDef::default()
-            };
-            let mut world = World::new(def).unwrap();
+            let mut world = in_space(vec![wall], bodies.to_vec());
             run(&mut world, 40.0 / rate, rate, |world, _| {
                 let at = |i| position(world, i).x;
                 assert!(at(0) + 1.0 <= at(1) + EXACT * (1.0 + speed / rate) && at(1) + 1.0 <= at(2) + EXACT * (1.0 + speed / rate));
