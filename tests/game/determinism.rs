@@ -1,7 +1,7 @@
 //! The same inputs by tick give the same bits, whatever the frames do.
 
 use crate::support::hashes::{assert_golden, hash_of};
-use crate::support::rooms::{room, yard};
+use crate::support::rooms::yard;
 use crate::support::{Random, area, block, crowd};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
@@ -118,34 +118,4 @@ fn one_bit_more_is_another_hash() {
     nudged.objects[1].velocity.x = 3.0_f64.next_up();
     assert_eq!(hash(yard()), hash(yard()));
     assert_ne!(hash(yard()), hash(nudged));
-}
-
-/// Frames in which each key is down and went down, as (frame time, held, pressed), and the ticks in which the ship burnt.
-fn ticks_burnt(frames: &[(f64, bool, bool)]) -> Vec<u64> {
-    let thrust = |thrust| Controls { thrust, ..Controls::default() };
-    let mut game = Game::new(Arc::new(room())).unwrap();
-    let (mut clock, mut latch, mut burnt) = (Clock::new(TICK_RATE), Latch::default(), Vec::new());
-    for &(frame_time, held, pressed) in frames {
-        latch.frame(thrust(held), thrust(pressed));
-        clock.add(frame_time);
-        while clock.tick() {
-            game.step(latch.take());
-            burnt.extend((game.ship().burning == 1).then_some(game.ticks()));
-        }
-    }
-    burnt
-}
-
-#[test]
-fn a_press_shorter_than_a_frame_is_felt_for_one_tick() {
-    let slow = 4.0 / TICK_RATE;
-    assert_eq!(ticks_burnt(&[(slow, false, true), (slow, false, false)]), [1]);
-    assert_eq!(ticks_burnt(&[(slow, true, true), (slow, false, false)]), [1, 2, 3, 4]);
-}
-
-#[test]
-fn a_press_in_a_frame_without_a_tick_is_not_lost() {
-    let fast = 0.25 / TICK_RATE;
-    let press = [(fast, true, true), (fast, false, false), (fast, false, false), (fast, false, false), (1.0 / 60.0, false, false)];
-    assert_eq!(ticks_burnt(&press), [1]);
 }

@@ -102,15 +102,6 @@ fn an_empty_board_invites_to_fly() {
 }
 
 #[test]
-fn the_field_takes_forty_characters() {
-    let mut sitting = Sitting::new();
-    sitting.reach_save_score().write(&"a".repeat(50));
-    assert_eq!(sitting.field().len(), 40);
-    sitting.press(Key::Enter);
-    assert!(sitting.shows("long"));
-}
-
-#[test]
 fn a_score_is_saved_by_mouse_and_by_keyboard() {
     let mut sitting = Sitting::new();
     assert_eq!(sitting.reach_save_score().write("ann").click("Save").at(), "leaderboard");
@@ -219,14 +210,10 @@ fn a_leaderboard_turns_pages_by_keys_and_scrolls_by_wheel_and_bar_never_past_its
         assert_eq!(first(&mut sitting), end);
     }
     // The bar is at the panel's right edge; its handle is at the foot.
-    let grab = Vec2::new(1126.0, 550.0);
+    let (grab, up) = (Vec2::new(1126.0, 550.0), Vec2::new(826.0, -8450.0));
     let hold = |at: Vec2, click| Input { pointer: at, click, holding: true, ..Input::default() };
-    sitting.give(hold(grab, true)).give(hold(grab - Vec2::new(300.0, 9000.0), false));
+    sitting.give(hold(grab, true)).give(hold(up, false));
     assert_eq!(range(&sitting).start, 0, "dragged to the top, and beyond");
-    sitting.give(hold(grab, false));
-    assert_eq!(range(&sitting), 14..24);
-    sitting.rest().point_at(Vec2::new(1126.0, 170.0));
-    assert_eq!(first(&mut sitting), 14, "let go");
 }
 
 #[test]

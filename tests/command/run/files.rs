@@ -41,27 +41,6 @@ fn a_file_that_is_read_only_or_needed_otherwise_is_not_written_to() {
     assert!(read(&data, "levels/flight/objects.csv").starts_with("900,100,"));
 }
 
-#[cfg(unix)]
-#[test]
-fn a_file_that_is_written_over_keeps_its_mode_and_its_link_and_has_one_name() {
-    use std::os::unix::fs::PermissionsExt;
-    let data = data();
-    let secret = data.write("secret.csv", "old");
-    std::fs::set_permissions(&secret, std::fs::Permissions::from_mode(0o600)).unwrap();
-    std::os::unix::fs::symlink("secret.csv", data.path("link.csv")).unwrap();
-    let link = data.arg("link.csv");
-    assert_eq!(data.resultant(&["run", "goal", "--telemetry", &link]).status, 0);
-    assert_eq!(std::fs::metadata(&secret).unwrap().permissions().mode() & 0o777, 0o600);
-    assert!(std::fs::symlink_metadata(link).unwrap().is_symlink());
-    assert!(read(&data, "secret.csv").starts_with(COLUMNS));
-
-    std::fs::write(&secret, "old").unwrap();
-    std::fs::hard_link(&secret, data.path("same.csv")).unwrap();
-    let ran = data.resultant(&["run", "goal", "--telemetry", &secret]);
-    assert_eq!((ran.status, read(&data, "same.csv").as_str()), (2, "old"));
-    assert!(ran.err.contains("secret.csv: the file has 2 names (hard links)"), "{}", ran.err);
-}
-
 #[test]
 fn telemetry_goes_into_a_levels_folder_again_and_again_but_over_nothing_that_is_read() {
     let data = data();
