@@ -165,7 +165,7 @@ impl Onlooker {
     }
 }
 
-/// Looks at a game every half second while it is played.
+/// Looks at a game every half second while it is played, at words of either size in turn.
 fn watch(level: &Arc<Level>, focus: &Focus, inputs: impl Iterator<Item = Controls>, name: &str, seen: &mut Seen) {
     let mut game = Game::new(Arc::clone(level)).unwrap();
     let lead = focus.followed().unwrap_or(game.lead());
@@ -174,7 +174,9 @@ fn watch(level: &Arc<Level>, focus: &Focus, inputs: impl Iterator<Item = Control
     let every = (EVERY * game.tick_rate()) as u64;
     let mut look = |game: &Game, camera: &Camera| {
         let what = format!("{name} after {:.1} s", game.elapsed());
-        onlookers.iter_mut().for_each(|onlooker| onlooker.look(game, (camera, focus), seen, &what));
+        let text = TEXTS[(game.ticks() / every % 2) as usize];
+        let in_turn = onlookers.iter_mut().filter(|onlooker| onlooker.frame.text == text);
+        in_turn.for_each(|onlooker| onlooker.look(game, (camera, focus), seen, &what));
     };
     let turn = |camera: &mut Camera, game: &Game| {
         camera.turn(focus.fits().then(|| moving(game, 1.0)), focus.zoom(), 1.0 / game.tick_rate());

@@ -57,8 +57,10 @@ fn files(folder: &Path) -> Files {
 /// Puts the data folder back to these files.
 fn restore(data: &Data, old: &Files) {
     fs::remove_dir_all(data.path(".")).ok();
-    old.iter().for_each(|(name, bytes)| drop(data.write(name, std::str::from_utf8(bytes).unwrap_or_default())));
-    old.iter().for_each(|(name, bytes)| fs::write(data.path(name), bytes).unwrap());
+    for (name, bytes) in old {
+        fs::create_dir_all(data.path(name).parent().unwrap()).unwrap();
+        fs::write(data.path(name), bytes).unwrap();
+    }
 }
 
 /// Runs the command with a fault at each of its calls. `units` are the files, or beginnings of paths, of which each is as it was or as it is to be.

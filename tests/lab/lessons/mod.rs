@@ -22,6 +22,13 @@ struct Figure {
     within: f64,
 }
 
+impl Figure {
+    fn check(&self, run: &str) {
+        let Self { what, exact, found, within, .. } = self;
+        assert!((found - exact).abs() <= within * exact.abs().max(1.0), "{run}, {what}: {found}, exactly {exact}");
+    }
+}
+
 fn project() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).to_owned()
 }
@@ -173,16 +180,12 @@ fn force_mass_acceleration() -> Vec<Figure> {
 /// A crate of 10 kg, pushed along a floor of such a material.
 fn slide(run: &Run, object: usize, (what, push): (&str, f64), floor: Material) -> Vec<Figure> {
     let (weight, mass) = (10.0 * G, 10.0);
-    let holds = push <= floor.static_friction * weight;
+    let most = floor.static_friction * weight;
+    let holds = push <= most;
     let pull = if holds { 0.0 } else { push / mass - floor.kinetic_friction * G };
     let friction = if holds { push } else { floor.kinetic_friction * weight };
     vec![
-        figure(
-            format!("{what}, most that static friction holds"),
-            "N",
-            floor.static_friction * weight,
-            floor.static_friction * weight,
-        ),
+        figure(format!("{what}, most that static friction holds"), "N", most, most),
         figure(format!("{what}, friction"), "N", friction, run.total(object, ForceKind::Friction).length()),
         figure(format!("{what}, acceleration"), "m/s²", pull, run.body(object).acceleration.x),
         figure(format!("{what}, distance after 3 s"), "m", pull * 4.5, run.way(object).x),
@@ -329,18 +332,11 @@ fn three(value: f64) -> String {
 }
 
 #[test]
-fn every_experiment_has_its_exact_answer() {
+fn every_experiment_has_its_exact_answer_and_its_sheet_names_it() {
     for (name, figures) in EXPERIMENTS {
-        for Figure { what, exact, found, within, .. } in figures() {
-            assert!((found - exact).abs() <= within * exact.abs().max(1.0), "{name}, {what}: {found}, exactly {exact}");
-        }
-    }
-}
-
-#[test]
-fn every_figure_of_a_sheet_is_computed() {
-    for (name, figures) in EXPERIMENTS {
-        let rows: String = figures().iter().map(|f| format!("| {} | {} {} |\n", f.what, three(f.exact), f.unit)).collect();
+        let figures = figures();
+        figures.iter().for_each(|figure| figure.check(name));
+        let rows: String = figures.iter().map(|f| format!("| {} | {} {} |\n", f.what, three(f.exact), f.unit)).collect();
         let table = format!("| quantity | exact answer |\n|---|---|\n{rows}");
         assert!(sheet::text(name).contains(&table), "{name}: the sheet's table should be\n{table}");
     }
@@ -359,12 +355,7 @@ fn every_suggested_change_does_what_its_sheet_says() {
             let rows: Vec<[String; 2]> =
                 figures.iter().map(|f| [f.what.clone(), format!("{} {}", three(f.exact), f.unit)]).collect();
             assert_eq!(suggested.rows, rows, "{name}, {change}");
-            for Figure { what, exact, found, within, .. } in figures {
-                assert!(
-                    (found - exact).abs() <= within * exact.abs().max(1.0),
-                    "{name}, {change}, {what}: {found}, exactly {exact}"
-                );
-            }
+            figures.iter().for_each(|figure| figure.check(&format!("{name}, {change}")));
             flown += 1;
         }
     }
