@@ -24,6 +24,12 @@ impl<'a> From<&'a str> for Target<'a> {
     }
 }
 
+impl<'a> From<&'a String> for Target<'a> {
+    fn from(label: &'a String) -> Self {
+        Self::Label(label)
+    }
+}
+
 impl From<usize> for Target<'_> {
     fn from(index: usize) -> Self {
         Self::Index(index)
