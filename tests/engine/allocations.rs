@@ -11,17 +11,12 @@ static ALLOCATOR: crate::support::memory::Counting = crate::support::memory::Cou
 #[test]
 fn a_warm_step_allocates_nothing() {
     for restitution in [0.0, 0.8] {
-        rain(restitution);
+        let mut pile = restless(rain_into(0.0, 400, 20, (1.0, 1.0), Random(1), restitution));
+        pile.steps(120, 1.0 / 60.0);
+        let before = allocations();
+        pile.steps(300, 1.0 / 60.0);
+        assert_eq!(allocations(), before);
     }
-}
-
-fn rain(restitution: f64) {
-    let def = rain_into(0.0, 400, 20, (1.0, 1.0), Random(1), restitution);
-    let mut pile = restless(def);
-    pile.steps(120, 1.0 / 60.0);
-    let before = allocations();
-    pile.steps(300, 1.0 / 60.0);
-    assert_eq!(allocations(), before);
 }
 
 /// The thread that plays must not wait for memory.

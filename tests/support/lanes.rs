@@ -5,7 +5,7 @@ use super::random::Random;
 use super::scenes::Scene;
 use resultant::physics::{BodyDef, DVec2, FluidDef, Material, Path, StreamDef, SurfaceDef, WorldDef};
 
-/// A law, in the order of [`Lane::ALL`].
+/// A law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lane {
     Slide,
@@ -27,25 +27,6 @@ pub enum Lane {
 }
 
 impl Lane {
-    pub const ALL: [Self; 16] = [
-        Self::Slide,
-        Self::Landing,
-        Self::Bounces,
-        Self::Stack,
-        Self::Row,
-        Self::Belt,
-        Self::Lift,
-        Self::Platform,
-        Self::PushingWall,
-        Self::PressedToAWall,
-        Self::SlideThroughStreams,
-        Self::FlightThroughStreams,
-        Self::SlideInAir,
-        Self::SlideUnderWater,
-        Self::Afloat,
-        Self::Table,
-    ];
-
     pub fn scene(self, seed: u64) -> Scene {
         let mut random = Random(seed);
         let ground = SurfaceDef::fixed(area(-1000.0, 0.0, 1000.0, 1.0), random.pick(&Material::FIRM));
