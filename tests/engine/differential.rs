@@ -160,7 +160,7 @@ fn difference(a: &World, b: &World) -> f64 {
     a.bodies().iter().zip(b.bodies()).map(|(a, b)| a.velocity.distance(b.velocity)).fold(0.0, f64::max)
 }
 
-/// Lets `look` see the state of each of so many ticks of a scene.
+/// Lets `look` see a scene before each of its first `ticks` ticks.
 fn along(mut def: WorldDef, dense: bool, ticks: usize, mut look: impl FnMut(&WorldDef)) {
     let mut world = World::with_plan(def.clone(), Plan { dense, ..Plan::of(&def) }).unwrap();
     for _ in 0..ticks {
