@@ -203,11 +203,12 @@ fn a_tick_in_which_nothing_happens_is_the_same_tick() {
     }
 }
 
+type View = fn(&WorldDef) -> WorldDef;
+
 #[test]
 fn a_dense_tick_is_the_same_mirrored_shifted_and_in_another_order() {
     let shift = |def: &WorldDef| shifted(def, DVec2::new(131_072.0, -65_536.0));
-    let views: [(&str, fn(&WorldDef) -> WorldDef); 3] =
-        [("mirrored", mirrored), ("shifted by 100 km", shift), ("in another order", reversed)];
+    let views: [(&str, View); 3] = [("mirrored", mirrored), ("shifted by 100 km", shift), ("in another order", reversed)];
     for (name, view) in views {
         let (mut ticks, mut off) = (0u32, 0u32);
         for seed in 0..12 {
