@@ -1,16 +1,33 @@
-//! Reading, locking and writing files, whatever their content. **Reading** takes only regular files up to their kind's size, a
+//! Reading, locking and writing files, whatever their content and their home: [`Storage`] is the one trait in front of a disk and of a
+//! browser's storage, and the shipped levels lie beneath either. **Reading** takes only regular files up to their kind's size, a
 //! hundred times its known need: a pipe may never end, and gigabytes would fill the memory. [`Lock`] keeps two programs from
 //! changing one file at once. **Writing** makes a file or folder whole or not at all.
 
+mod disk;
+#[cfg(any(browser, test))]
+mod kept;
 mod lock;
+#[cfg(test)]
+pub(crate) mod memory;
 mod read;
 mod rows;
+mod shipped;
 mod staged;
+mod storage;
 
+pub use disk::Disk;
+#[cfg(any(browser, test))]
+pub use kept::{Keeper, KeepingFault, Kept};
 pub use lock::{Lock, PATIENCE, pauses, share};
-pub use read::{Symlinks, is_passed_on, open, read, read_text, read_with};
+pub use read::{Symlinks, is_passed_on, open};
 pub use rows::{CsvFile, CsvRow, RowFault, csv_text};
-pub use staged::{Replacement, around, behind_links, copy, create, create_folder, put, replace, sync_folder, target};
+pub use shipped::{Over, SHIPPED, ship_at};
+pub use staged::{Replacement, around, behind_links, sync_folder, target};
+pub use storage::{
+    FileKind, Found, Manner, Storage, append, copy, create, create_folder, is_file, is_folder, is_link, is_read_only, is_taken,
+    look, make_folder, make_shared_folder, names, put, read, read_text, read_with, remove, rename, replace, replace_with, resolve,
+    text_names,
+};
 
 /// Some 8000 objects or 20 000 solids. Each object is compared with each solid: files four times as large would take seconds.
 pub const LEVEL_TABLE: u64 = 256 << 10;
@@ -27,3 +44,19 @@ pub const INPUTS: u64 = 16 << 20;
 pub const TILE_MAP: u64 = 1 << 20;
 /// Some 100 000.
 pub const TILE_COMMANDS: u64 = 1 << 20;
+
+/// Whether a file's first bytes are none or that line, also with a byte-order mark or another line end from an editor.
+fn begins(first: &[u8], header: &[u8]) -> bool {
+    let first = first.strip_prefix("\u{feff}".as_bytes()).unwrap_or(first);
+    first.is_empty() || first.starts_with(header.trim_ascii_end())
+}
+
+/// The bytes that add lines to a file: behind the header in an empty one, else on a line of their own behind its last byte.
+fn joined(is_empty: bool, last: u8, header: &[u8], lines: &[u8]) -> Vec<u8> {
+    let before: &[u8] = match last {
+        _ if is_empty => header,
+        b'\n' => b"",
+        _ => b"\r\n",
+    };
+    [before, lines].concat()
+}

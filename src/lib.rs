@@ -20,7 +20,7 @@
 //! - [`cli`]: one file a subcommand.
 //! - [`number`]: how results print numbers, and every screen a time. [`files`]: reading with a limit, locks, and writing whole or not at all.
 
-// One file needs it, view/sound/output/system.rs, and says why.
+// Two places need it, view/sound/output/system.rs and web/, and say why.
 #![deny(unsafe_code)]
 
 pub mod classics;
@@ -44,3 +44,5 @@ pub mod screens;
 pub mod settings;
 pub mod ui;
 pub mod view;
+#[cfg(all(browser, feature = "window"))]
+mod web;

@@ -32,7 +32,7 @@ pub struct PlayArgs {
 #[cfg(feature = "window")]
 pub fn run(args: &PlayArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
     for (what, folder) in [("levels", project.levels()), ("assets", project.assets())] {
-        if !folder.is_dir() {
+        if !crate::files::is_folder(&folder) {
             let missing = folder.display();
             return Err(CommandError::Refused(format!(
                 "there is no folder {missing}, which holds the game's {what}: say with --data DIR where assets/ and levels/ are"

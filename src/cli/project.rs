@@ -1,4 +1,5 @@
 use super::stop::{CommandError, shown};
+use crate::files;
 use crate::level::{self, Level};
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
@@ -11,7 +12,7 @@ pub struct Project {
 
 impl Project {
     /// `data` if it is given; else the first folder with `levels/` among the working directory, its parents, the executable's
-    /// folder and the folder of the build; else the working directory.
+    /// folder and the folder of the build; else the working directory, above the levels and assets that are built in.
     ///
     /// # Errors
     /// `data` is no folder.
@@ -28,11 +29,15 @@ impl Project {
         let working = std::env::current_dir().ok();
         let above = working.iter().flat_map(|folder| folder.ancestors().skip(1).map(Path::to_path_buf));
         let others = executable.into_iter().chain([package]);
-        Ok(Self::first_with_levels([PathBuf::from(".")].into_iter().chain(above).chain(others)))
+        let project = Self::first_with_levels([PathBuf::from(".")].into_iter().chain(above).chain(others));
+        if !files::is_folder(&project.levels()) {
+            files::ship_at(&project.root);
+        }
+        Ok(project)
     }
 
     fn first_with_levels(mut candidates: impl Iterator<Item = PathBuf>) -> Self {
-        let root = candidates.find(|folder| folder.join("levels").is_dir());
+        let root = candidates.find(|folder| files::is_folder(&folder.join("levels")));
         Self { root: root.unwrap_or_else(|| PathBuf::from(".")) }
     }
 
@@ -59,10 +64,10 @@ impl Project {
         let listed = self.levels().join(level);
         // `.` and `..` are places, not names under levels/.
         let is_name = level.components().all(|part| matches!(part, Component::Normal(_)));
-        if is_name && !level.as_os_str().is_empty() && listed.is_dir() {
+        if is_name && !level.as_os_str().is_empty() && files::is_folder(&listed) {
             return Ok(listed);
         }
-        if level.is_dir() {
+        if files::is_folder(level) {
             return Ok(level.to_path_buf());
         }
         Err(CommandError::Refused(format!("no level {level:?}: neither {} nor {level:?} is a folder", shown(listed.display()))))
@@ -77,7 +82,7 @@ impl Project {
             return Err(CommandError::Refused(format!("found a record of the level {level:?}, {expected}")));
         }
         let folder = self.levels().join(level);
-        if folder.is_dir() {
+        if files::is_folder(&folder) {
             Ok(folder)
         } else {
             Err(CommandError::Refused(format!("no level {level:?}: {} is no folder", shown(folder.display()))))

@@ -1,10 +1,10 @@
-//! Locks between programs. The system frees a lock when its process ends. The lock file stays: were it deleted, two processes could
-//! lock two different files of that name.
+//! Locks between programs. The system frees a lock when its process ends. The lock file stays; where a holder removes it, the next one
+//! locks the file that has its name by then.
 
 use super::read::{Symlinks, open};
 use super::staged::around;
 use std::cell::Cell;
-use std::fs::{self, File, OpenOptions, TryLockError};
+use std::fs::{File, OpenOptions, TryLockError};
 use std::io;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -28,20 +28,25 @@ pub fn pauses() -> u32 {
 /// Held until the value is dropped.
 #[derive(Debug)]
 pub struct Lock {
-    _held: File,
+    _held: Option<File>,
 }
 
 impl Lock {
-    /// Locks a file, and makes it where there is none, for every user who may write in its folder.
-    ///
-    /// # Errors
-    /// [`io::ErrorKind::WouldBlock`] where another process holds it for longer than `patience`; no regular file; the system's.
-    pub fn wait(path: &Path, patience: Duration) -> io::Result<Self> {
-        let file = open_lock(path)?;
+    /// The lock of a home without other programs.
+    #[cfg(any(browser, test))]
+    pub const fn of_nothing() -> Self {
+        Self { _held: None }
+    }
+
+    /// As [`Lock::wait`], on a disk.
+    pub(super) fn of_file(path: &Path, patience: Duration) -> io::Result<Self> {
+        let mut file = open_lock(path)?;
         let begun = Instant::now();
         loop {
             match file.try_lock() {
-                Ok(()) => return Ok(Self { _held: file }),
+                Ok(()) if is_at(&file, path) => return Ok(Self { _held: Some(file) }),
+                // The holder before has removed the file.
+                Ok(()) => file = open_lock(path)?,
                 Err(TryLockError::WouldBlock) if begun.elapsed() < patience => {
                     PAUSES.set(PAUSES.get().wrapping_add(1));
                     std::thread::sleep(PAUSE);
@@ -67,14 +72,28 @@ fn open_lock(path: &Path) -> io::Result<File> {
     opened.or_else(|_| open(OpenOptions::new().read(true), path, Symlinks::Never)).map(|(file, _)| file)
 }
 
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::fs::{Metadata, symlink_metadata};
+    use std::os::unix::fs::MetadataExt;
+    let same = |a: Metadata, b: Metadata| a.dev() == b.dev() && a.ino() == b.ino();
+    file.metadata().ok().zip(symlink_metadata(path).ok()).is_some_and(|(a, b)| same(a, b))
+}
+
+/// Elsewhere an open file cannot be removed.
+#[cfg(not(unix))]
+fn is_at(_: &File, _: &Path) -> bool {
+    true
+}
+
 /// Lets every user who may write in the folder read and write the file, against the process' umask. Other users keep their rights,
 /// or have none to a private file.
 #[cfg(unix)]
 pub fn share(folder: &Path, file: &File, private: bool) -> io::Result<()> {
     use std::os::unix::fs::PermissionsExt;
-    let may_write = fs::metadata(folder)?.permissions().mode() & 0o022;
+    let may_write = std::fs::metadata(folder)?.permissions().mode() & 0o022;
     let least = if private { 0o600 } else { file.metadata()?.permissions().mode() & 0o777 };
-    file.set_permissions(fs::Permissions::from_mode(least | may_write | may_write << 1))
+    file.set_permissions(std::fs::Permissions::from_mode(least | may_write | may_write << 1))
 }
 
 /// Other systems have no such modes.

@@ -14,17 +14,8 @@ pub enum Symlinks {
     Never,
 }
 
-/// At most `at_most` bytes. A file that the caller of the program has passed on open (`/dev/stdin`, `/dev/fd/3`) may be of any
-/// kind.
-///
-/// # Errors
-/// No regular file, or a larger one; the system's.
-pub fn read(path: &Path, at_most: u64) -> io::Result<Vec<u8>> {
-    read_with(path, at_most, Symlinks::Followed)
-}
-
-/// As [`read`], with the meaning of links.
-pub fn read_with(path: &Path, at_most: u64, links: Symlinks) -> io::Result<Vec<u8>> {
+/// As [`super::read_with`], on a disk.
+pub(super) fn read_file(path: &Path, at_most: u64, links: Symlinks) -> io::Result<Vec<u8>> {
     let file = if is_passed_on(path) {
         File::open(path)?
     } else {
@@ -49,13 +40,16 @@ pub fn open(options: &OpenOptions, path: &Path, links: Symlinks) -> io::Result<(
         Symlinks::Followed => fs::metadata(path)?,
         Symlinks::Never => fs::symlink_metadata(path)?,
     })?;
-    let mut options = options.clone();
+    #[cfg(not(unix))]
+    let _ = links;
     #[cfg(unix)]
-    {
+    let options = &{
         use std::os::unix::fs::OpenOptionsExt;
         let never = if links == Symlinks::Never { libc::O_NOFOLLOW } else { 0 };
+        let mut options = options.clone();
         options.custom_flags(libc::O_NONBLOCK | never);
-    }
+        options
+    };
     let file = options.open(path)?;
     // Another program may have replaced the file since the first look.
     let found = file.metadata()?;
@@ -63,11 +57,8 @@ pub fn open(options: &OpenOptions, path: &Path, links: Symlinks) -> io::Result<(
     Ok((file, found))
 }
 
-/// As [`read`]; bytes that are no UTF-8 are an error.
-pub fn read_text(path: &Path, at_most: u64) -> io::Result<String> {
-    let no_text =
-        |_| io::Error::new(io::ErrorKind::InvalidData, "found letters that are not UTF-8, expected a file saved as UTF-8");
-    String::from_utf8(read(path, at_most)?).map_err(no_text)
+pub(super) fn no_text() -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidData, "found letters that are not UTF-8, expected a file saved as UTF-8")
 }
 
 /// Whether the path leads to a file that this process was given open.
@@ -87,13 +78,14 @@ pub(super) fn judge(found: &Metadata) -> io::Result<()> {
     Err(io::Error::new(kind, other))
 }
 
-fn too_large(bytes: Option<u64>, at_most: u64) -> io::Error {
+pub(super) fn too_large(bytes: Option<u64>, at_most: u64) -> io::Error {
     let found = bytes.map_or("more".to_owned(), |bytes| format!("{bytes} bytes"));
     io::Error::new(io::ErrorKind::FileTooLarge, format!("found {found}, expected at most {at_most} bytes"))
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::{read, read_text};
     use super::*;
 
     #[test]

@@ -94,19 +94,11 @@ impl Replacement {
     }
 }
 
-/// Replaces a file's content, on the disk when this returns. The file keeps its mode, and after an error its content.
-pub fn replace(path: &Path, bytes: &[u8], links: Symlinks) -> io::Result<()> {
-    let mut fresh = Replacement::begin(path, links)?;
-    fresh.file().write_all(bytes)?;
-    fresh.seal()?;
-    fresh.finish()
-}
-
 /// Makes a file where there is none, on the disk when this returns.
 ///
 /// # Errors
 /// [`io::ErrorKind::AlreadyExists`]; the system's. Nothing is left behind then.
-pub fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
+pub(super) fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
     if fs::symlink_metadata(path).is_ok() {
         return Err(io::ErrorKind::AlreadyExists.into());
     }
@@ -122,7 +114,7 @@ pub fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
 ///
 /// # Errors
 /// [`io::ErrorKind::AlreadyExists`]; the errors of `fill`; the system's. Nothing is left behind then.
-pub fn create_folder(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
+pub(super) fn create_folder(path: &Path, fill: &mut dyn FnMut(&Path) -> io::Result<()>) -> io::Result<()> {
     // A rename would take the place of an empty folder.
     if fs::symlink_metadata(path).is_ok() {
         return Err(io::ErrorKind::AlreadyExists.into());
@@ -147,21 +139,6 @@ pub fn create_folder(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) ->
     drop(begun.keep());
     sync_folder(around);
     Ok(())
-}
-
-/// Writes a new file of a folder that is being filled.
-pub fn put(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut file = File::create_new(path)?;
-    file.write_all(bytes)?;
-    file.sync_all()
-}
-
-/// Copies a regular file into a folder that is being filled.
-pub fn copy(from: &Path, to: &Path) -> io::Result<()> {
-    let (mut from, _) = open(OpenOptions::new().read(true), from, Symlinks::Followed)?;
-    let mut file = File::create_new(to)?;
-    io::copy(&mut from, &mut file)?;
-    file.sync_all()
 }
 
 /// Makes a new name outlast a power cut. The file is in its place by then: a file system without this fails nothing.
@@ -288,7 +265,11 @@ fn keep_owner(_: &File, _: &Metadata) {}
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::super::{create, create_folder, put, replace};
+    use super::{Replacement, Symlinks};
+    use std::fs;
+    use std::io::{self, Write};
+    use std::path::Path;
 
     fn names(folder: &Path) -> Vec<String> {
         let mut names: Vec<_> =

@@ -36,9 +36,9 @@ pub(super) type ReadLevel = fn(&str, &dyn Files) -> Result<Loaded, Vec<Problem>>
 pub(super) fn load_from(disk: &Disk, files: &dyn Files, read: ReadLevel) -> Result<Loaded, Vec<Problem>> {
     let Disk { folder, .. } = disk;
     // `.` and `..` have a name only once they are resolved.
-    let resolved = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
+    let resolved = files::resolve(folder).unwrap_or_else(|_| folder.to_path_buf());
     let name = folder.file_name().or(resolved.file_name()).map_or_else(|| folder.to_string_lossy(), |name| name.to_string_lossy());
-    if !folder.is_dir() {
+    if !files::is_folder(folder) {
         return Err(vec![Kind::Ship.schema().problem(1, format!("no folder {}", quoted(&name)), "a level folder")]);
     }
     let found = || format!("a level folder named {}", quoted(&name));
@@ -70,7 +70,7 @@ impl Disk<'_> {
     /// In the level's folder, else in the project's.
     pub fn picture(&self, name: &Path) -> PathBuf {
         let own = self.folder.join(name);
-        if own.exists() { own } else { self.project.join(name) }
+        if files::look(&own).is_ok() { own } else { self.project.join(name) }
     }
 }
 
@@ -81,7 +81,7 @@ impl Files for Disk<'_> {
         let read = files::read(&path, if table { files::LEVEL_TABLE } else { files::PICTURE });
         match read {
             // A broken link is no missing file.
-            Err(error) if error.kind() == io::ErrorKind::NotFound && path.is_symlink() => {
+            Err(error) if error.kind() == io::ErrorKind::NotFound && files::is_link(&path) => {
                 Err(io::Error::other("a link to a file that is not there"))
             }
             read => read,
@@ -89,10 +89,7 @@ impl Files for Disk<'_> {
     }
 
     fn names(&self) -> Vec<String> {
-        let entries = std::fs::read_dir(self.folder).into_iter().flatten().flatten();
-        let mut names: Vec<String> = entries.filter_map(|entry| entry.file_name().into_string().ok()).collect();
-        names.sort_unstable();
-        names
+        files::text_names(self.folder)
     }
 
     fn project_file(&self, path: &str) -> io::Result<Vec<u8>> {
@@ -113,7 +110,7 @@ const SHIPPED: [&str; 2] = ["shipped.csv", "experiments.csv"];
 
 /// Whether a level comes with the game, so that it is edited as a copy: a list beside its folder names it.
 pub fn is_shipped(folder: &Path) -> bool {
-    let Ok(folder) = folder.canonicalize() else { return false };
+    let Ok(folder) = files::resolve(folder) else { return false };
     let (Some(name), Some(beside)) = (folder.file_name().and_then(|name| name.to_str()), folder.parent()) else { return false };
     let named = |list: &str| {
         let text = files::read_text(&beside.join(list), files::LEVEL_TABLE).unwrap_or_default();
@@ -127,12 +124,8 @@ pub fn is_shipped(folder: &Path) -> bool {
 /// The names of the level folders in `levels`: numbers first, in numeric order (2 before 10), then words. Hidden folders and folders whose
 /// name is no text are left out; an unreadable folder holds none.
 pub fn list(levels: &Path) -> Vec<String> {
-    let entries = std::fs::read_dir(levels).into_iter().flatten().flatten();
-    let mut names: Vec<String> = entries
-        .filter(|entry| entry.file_type().is_ok_and(|kind| kind.is_dir() || kind.is_symlink() && entry.path().is_dir()))
-        .filter_map(|entry| entry.file_name().into_string().ok())
-        .filter(|name| !name.starts_with('.'))
-        .collect();
+    let mut names = files::text_names(levels);
+    names.retain(|name| !name.starts_with('.') && files::is_folder(&levels.join(name)));
     names.sort_by(|a, b| by_number_then_name(a, b));
     names
 }

@@ -4,8 +4,7 @@ use super::document::{Document, Table};
 use super::name::judge_name;
 use super::problem::quoted;
 use super::schema::sample;
-use crate::files::{self, create_folder, put};
-use std::fs;
+use crate::files::{self, FileKind, create_folder, put};
 use std::io;
 use std::path::Path;
 
@@ -41,11 +40,9 @@ pub fn copy(from: &Path, levels: &Path, name: &str) -> io::Result<()> {
 }
 
 fn copy_files(from: &Path, to: &Path, wanted: impl Fn(&str) -> bool) -> io::Result<()> {
-    for entry in fs::read_dir(from)? {
-        let entry = entry?;
-        let (file, path) = (entry.file_name(), entry.path());
-        let name = file.to_string_lossy();
-        if !name.starts_with('.') && wanted(&name) && fs::metadata(&path)?.is_file() {
+    for file in files::names(from)? {
+        let (name, path) = (file.to_string_lossy(), from.join(&file));
+        if !name.starts_with('.') && wanted(&name) && files::look(&path)?.kind == FileKind::File {
             files::copy(&path, &to.join(&file))?;
         }
     }
@@ -79,7 +76,7 @@ pub fn rename(levels: &Path, from: &str, to: &str) -> io::Result<()> {
     if taken(levels, to).is_some_and(|other| other != from) {
         return Err(io::ErrorKind::AlreadyExists.into());
     }
-    fs::rename(levels.join(from), levels.join(to))
+    files::rename(&levels.join(from), &levels.join(to))
 }
 
 /// # Errors
@@ -95,12 +92,11 @@ pub fn judge(levels: &Path, name: &str) -> Result<(), String> {
 
 /// The entry of `levels` that has that name in some case: on some systems `Tower` and `tower` are one folder.
 pub fn taken(levels: &Path, name: &str) -> Option<String> {
-    if fs::symlink_metadata(levels.join(name)).is_ok() {
+    if files::is_taken(&levels.join(name)) {
         return Some(name.to_owned());
     }
     let lower = name.to_lowercase();
-    let entries = fs::read_dir(levels).into_iter().flatten().flatten();
-    entries.filter_map(|entry| entry.file_name().into_string().ok()).find(|other| other.to_lowercase() == lower)
+    files::text_names(levels).into_iter().find(|other| other.to_lowercase() == lower)
 }
 
 fn build(levels: &Path, name: &str, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {

@@ -36,6 +36,41 @@ pub fn write(package: &Package) -> Result<Vec<u8>, String> {
 /// A damaged archive; too many bytes, entries or too much memory; a path that leads elsewhere; two paths that are one on some
 /// system; links, devices and files of no level; files of several levels.
 pub fn read(bytes: &[u8], called: &str) -> Result<Package, String> {
+    let mut archive = open(bytes)?;
+    let cost = cost(&mut archive, bytes.len() as u64)?;
+    if cost > MEMORY {
+        return Err(format!("found a level that needs {cost} bytes of memory, expected at most {MEMORY}"));
+    }
+    let mut found = Found::default();
+    // The first part may be the level's folder: the whole path is judged once that is known.
+    let most = |parts: &[String]| (0..parts.len().min(2)).filter_map(|from| limit(&parts[from..].join("/"))).max();
+    for index in 0..archive.len() {
+        found.entry(&mut archive, index, &most)?;
+    }
+    found.package(called)
+}
+
+/// The files below a folder of an archive, by their paths from there; `limit` is the most bytes of a path, `None` for one that does not belong.
+///
+/// # Errors
+/// As [`read`], without the rules of a level; a file outside of the folder.
+#[cfg(any(browser, test))]
+pub(super) fn read_below(
+    bytes: &[u8],
+    folder: &str,
+    limit: impl Fn(&str) -> Option<u64>,
+) -> Result<BTreeMap<String, Vec<u8>>, String> {
+    let mut archive = open(bytes)?;
+    let mut found = Found::default();
+    let most = |parts: &[String]| limit(&parts.strip_prefix(&[folder.to_owned()])?.join("/"));
+    for index in 0..archive.len() {
+        found.entry(&mut archive, index, &most)?;
+    }
+    Ok(found.files.into_iter().map(|(parts, bytes)| (parts[1..].join("/"), bytes)).collect())
+}
+
+/// An archive with as many names as entries.
+fn open(bytes: &[u8]) -> Result<ZipArchive<Cursor<&[u8]>>, String> {
     if bytes.len() as u64 > LARGEST {
         return Err(format!("found {} bytes, expected at most {LARGEST}", bytes.len()));
     }
@@ -43,20 +78,12 @@ pub fn read(bytes: &[u8], called: &str) -> Result<Package, String> {
     if count > MOST_FILES {
         return Err(format!("found {count} files, expected at most {MOST_FILES}"));
     }
-    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| format!("found a damaged archive: {error}"))?;
+    let archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| format!("found a damaged archive: {error}"))?;
     // The reader has one entry a name, but another program may take the second of two.
     if archive.len() != count {
         return Err(format!("found {count} entries of {} names, expected one entry a name", archive.len()));
     }
-    let cost = cost(&mut archive, bytes.len() as u64)?;
-    if cost > MEMORY {
-        return Err(format!("found a level that needs {cost} bytes of memory, expected at most {MEMORY}"));
-    }
-    let mut found = Found::default();
-    for index in 0..archive.len() {
-        found.entry(&mut archive, index)?;
-    }
-    found.package(called)
+    Ok(archive)
 }
 
 /// The memory of a level, by the sizes in its archive. Of each picture only the head is unpacked.
@@ -92,7 +119,13 @@ struct Found {
 }
 
 impl Found {
-    fn entry(&mut self, archive: &mut ZipArchive<Cursor<&[u8]>>, index: usize) -> Result<(), String> {
+    /// `most` is the most bytes of a path; `None` for one that does not belong.
+    fn entry(
+        &mut self,
+        archive: &mut ZipArchive<Cursor<&[u8]>>,
+        index: usize,
+        most: &dyn Fn(&[String]) -> Option<u64>,
+    ) -> Result<(), String> {
         let mut entry = archive.by_index(index).map_err(|error| format!("found an entry that cannot be read: {error}"))?;
         let Some(parts) = path::parts(entry.name_raw())? else { return Ok(()) };
         let shown = format!("{:?}", parts.join("/"));
@@ -105,9 +138,8 @@ impl Found {
         if entry.is_dir() {
             return Ok(());
         }
-        // The first part may be the level's folder: the whole path is judged once that is known.
-        let most = (0..parts.len().min(2)).filter_map(|from| limit(&parts[from..].join("/"))).max();
-        let most = most.ok_or_else(|| format!("{shown}: found a file that belongs to no level, expected CSV, PNG, TXT, MD"))?;
+        let most =
+            most(&parts).ok_or_else(|| format!("{shown}: found a file that belongs to no level, expected CSV, PNG, TXT, MD"))?;
         let left = UNPACKED - self.unpacked;
         if entry.size() > left {
             return Err(format!("{shown}: found more than {UNPACKED} bytes up to here, expected no more"));

@@ -5,7 +5,6 @@ use super::package::{LARGEST, MOST_FILES, Package, check, listed};
 use super::path;
 use crate::files;
 use crate::level::{BACKGROUND, FILES, scaffold};
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -58,7 +57,7 @@ pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool
             Some(other) => levels.join(other),
             None => match files::create_folder(&folder, |begun| fill(package, begun)) {
                 Ok(()) => return Ok(Installed::New(folder)),
-                Err(error) if error.kind() != io::ErrorKind::AlreadyExists || fs::symlink_metadata(&folder).is_err() => {
+                Err(error) if error.kind() != io::ErrorKind::AlreadyExists || !files::is_taken(&folder) => {
                     return Err(refused(&error));
                 }
                 Err(_) => folder,
@@ -78,9 +77,7 @@ pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool
 
 fn fill(package: &Package, folder: &Path) -> io::Result<()> {
     for (path, bytes) in &package.files {
-        let to = folder.join(path);
-        fs::create_dir_all(to.parent().unwrap_or(folder))?;
-        files::put(&to, bytes)?;
+        files::put(&folder.join(path), bytes)?;
     }
     Ok(())
 }
@@ -108,7 +105,8 @@ fn compare(package: &Package, folder: &Path) -> Result<Vec<String>, String> {
 fn beside(package: &Package, folder: &Path, within: &str, more: &mut Vec<String>) {
     for name in listed(&folder.join(within)).unwrap_or_default() {
         let path = if within.is_empty() { name } else { format!("{within}/{name}") };
-        let is_folder = std::fs::symlink_metadata(folder.join(&path)).is_ok_and(|found| found.is_dir());
+        let at = folder.join(&path);
+        let is_folder = !files::is_link(&at) && files::is_folder(&at);
         if more.len() >= MOST_FILES {
             return;
         }

@@ -4,12 +4,16 @@
 
 mod archive;
 mod cost;
+#[cfg(any(browser, test))]
+mod everything;
 mod flights;
 mod install;
 mod package;
 mod path;
 
 pub use archive::{read, write};
+#[cfg(any(browser, test))]
+pub use everything::{export, import, is_export};
 pub use flights::stale;
 pub use install::{Installed, install, install_file};
 pub use package::{LARGEST, MEMORY, MOST_FILES, Package, UNPACKED, check, gather};

@@ -44,7 +44,7 @@ pub(super) fn limit(path: &str) -> Option<u64> {
 /// A level's name that no package can have; the level's problems; a file that cannot be read, or is a link; the errors of
 /// [`check`].
 pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), Vec<String>> {
-    let name = folder.canonicalize().ok().as_deref().unwrap_or(folder).file_name().map(|name| name.to_string_lossy().into_owned());
+    let name = files::resolve(folder).ok().as_deref().unwrap_or(folder).file_name().map(|name| name.to_string_lossy().into_owned());
     let name = name.unwrap_or_default();
     path::judge_folder(&name).map_err(|problem| vec![problem])?;
     let level = level::load(folder, project).map_err(|problems| level::listed(&problems))?.level;
@@ -62,7 +62,7 @@ pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), V
         let table = FILES.contains(&entry.as_str()) || entry.ends_with(".txt") || entry.ends_with(".md");
         match limit(&entry).filter(|_| table || entry.ends_with(".png")) {
             Some(most) => take(entry.clone(), &folder.join(&entry), folder, most)?,
-            None if folder.join(&entry).is_dir() => {}
+            None if files::is_folder(&folder.join(&entry)) => {}
             None => left.push(entry),
         }
     }
@@ -85,12 +85,12 @@ pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), V
 
 /// The first link on the path down from a folder.
 fn link_below<'a>(root: &Path, path: &'a Path) -> Option<&'a Path> {
-    path.ancestors().take_while(|part| *part != root && part.starts_with(root)).find(|part| part.is_symlink())
+    path.ancestors().take_while(|part| *part != root && part.starts_with(root)).find(|part| files::is_link(part))
 }
 
 pub(super) fn listed(folder: &Path) -> Result<Vec<String>, Vec<String>> {
-    let entries = std::fs::read_dir(folder).map_err(|error| vec![format!("{}: {error}", folder.display())])?;
-    let mut names: Vec<String> = entries.flatten().filter_map(|entry| entry.file_name().into_string().ok()).collect();
+    let entries = files::names(folder).map_err(|error| vec![format!("{}: {error}", folder.display())])?;
+    let mut names: Vec<String> = entries.into_iter().filter_map(|name| name.into_string().ok()).collect();
     names.retain(|name| !name.starts_with('.'));
     names.sort_unstable();
     Ok(names)

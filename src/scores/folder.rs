@@ -138,8 +138,7 @@ impl Scores {
 
     /// The names of all leaderboards' files: levels and other games.
     pub fn boards(&self) -> Vec<String> {
-        let entries = std::fs::read_dir(&self.folder).into_iter().flatten().flatten();
-        let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+        let names = files::text_names(&self.folder).into_iter();
         let board = |name: String| Some(name.strip_suffix(".csv")?.to_owned()).filter(|name| !name.starts_with('.'));
         let mut boards: Vec<String> = names.filter_map(board).filter(|level| self.path(level).is_ok()).collect();
         boards.sort_unstable();
@@ -151,9 +150,9 @@ impl Scores {
     }
 
     fn versions_aside(&self, level: &str) -> Vec<LevelHash> {
-        let entries = std::fs::read_dir(self.folder.join(ASIDE)).into_iter().flatten().flatten();
+        let names = files::text_names(&self.folder.join(ASIDE)).into_iter();
         let version = |name: String| name.strip_prefix(level)?.strip_prefix('.')?.strip_suffix(".csv")?.parse().ok();
-        entries.filter_map(|entry| version(entry.file_name().into_string().ok()?)).collect()
+        names.filter_map(version).collect()
     }
 
     /// Moves rows of other versions to their boards. They are on disk there before they leave this one.
@@ -163,7 +162,7 @@ impl Scores {
             let (rows, rest) = taken.into_iter().partition::<Vec<_>, _>(|(version, _)| *version == other);
             taken = rest;
             let folder = self.folder.join(ASIDE);
-            disk::make_folder(&folder).map_err(ScoresError::file("create the folder", &folder))?;
+            files::make_shared_folder(&folder).map_err(ScoresError::file("create the folder", &folder))?;
             disk::update(&folder, self.aside(level, other), patience, |path, old| {
                 let (mut aside, damage) = table::read(path, old);
                 rows.iter().for_each(|(_, row)| aside.merge(row));

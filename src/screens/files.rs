@@ -5,6 +5,7 @@ use super::level_select::LevelEntry;
 use super::library::Refusal;
 use super::worker::{Card, Errand, Ticket};
 use super::{App, Attempt, Editor, Flight, Flights, LevelSelect, Make, Purpose, Request, Screen, Spectator, Stamp, footage};
+use crate::files;
 use crate::game::{Outcome, level_hash};
 use crate::instruments::vary::Variation;
 use crate::level::document::{LevelFolder, Opened};
@@ -61,7 +62,7 @@ impl App {
     /// Has the level that is flown read again when its files have changed; a test flight's level is not on disk.
     pub(super) fn look_at_files(&mut self, frame_time: f64) {
         let (Some(flight), Some(watch), None) = (self.screen.get::<Flight>(), &mut self.watch, &self.editing) else { return };
-        if !watch.update(frame_time) || !watch.folder().is_dir() {
+        if !watch.update(frame_time) || !files::is_folder(watch.folder()) {
             return;
         }
         let folder = self.library.folder(&flight.attempt().level.name);
@@ -92,7 +93,7 @@ impl App {
 
     /// Whether a level is read again before it is flown once more: a test flight's level is in memory.
     pub(super) fn reads_again(&self, name: &str) -> bool {
-        self.editing.is_none() && self.library.folder(name).is_dir()
+        self.editing.is_none() && files::is_folder(&self.library.folder(name))
     }
 
     /// The attempt on the screen from its start, in the level as its files are now; where those do not load, as it was.

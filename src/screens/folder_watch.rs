@@ -2,7 +2,6 @@
 //! differ. What is in them is the loader's affair.
 
 use crate::files;
-use std::fs::{self, Metadata};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
@@ -12,18 +11,18 @@ const EVERY: f64 = 0.1;
 
 /// The files of a folder from the outside: names, sizes, times.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Stamp(Vec<(PathBuf, u64, Option<SystemTime>, u64)>);
+pub struct Stamp(Vec<(PathBuf, u64, (Option<SystemTime>, u64))>);
 
 impl Stamp {
     /// Of the tables and pictures of a folder, and of these files.
     pub fn of(folder: &Path, more: &[PathBuf]) -> Self {
-        let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+        let entries = files::names(folder).into_iter().flatten().map(|name| folder.join(name));
         let mut files: Vec<PathBuf> = entries.filter(|path| counts(path)).chain(more.iter().cloned()).collect();
         files.sort_unstable();
         files.dedup();
         let seen = |path: PathBuf| {
-            let found = fs::metadata(&path).ok()?;
-            Some((path, found.len(), found.modified().ok(), changed(&found)))
+            let found = files::look(&path).ok()?;
+            Some((path, found.length, found.stamp))
         };
         Self(files.into_iter().filter_map(seen).collect())
     }
@@ -42,18 +41,6 @@ impl Stamp {
 fn counts(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy().to_lowercase();
     !name.starts_with('.') && (name.ends_with(".csv") || name.ends_with(".png"))
-}
-
-/// What changes with every write even where the time does not, ns.
-#[cfg(unix)]
-fn changed(found: &Metadata) -> u64 {
-    use std::os::unix::fs::MetadataExt;
-    (found.ctime() as u64).wrapping_mul(1_000_000_000).wrapping_add(found.ctime_nsec() as u64) ^ found.ino().rotate_left(32)
-}
-
-#[cfg(not(unix))]
-fn changed(_: &Metadata) -> u64 {
-    0
 }
 
 /// Watches a level's folder.
@@ -107,6 +94,7 @@ impl FolderWatch {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     /// Frames, at 60 a second, until the watch reports a change.
     fn frames(watch: &mut FolderWatch) -> Option<usize> {

@@ -3,7 +3,7 @@
 use super::flights::{FlightCandidate, FlightSource, Visit};
 use super::leaderboard::BoardRival;
 use super::new_file::NewFile;
-use crate::files::{INPUTS, LEVEL_TABLE, read_text};
+use crate::files::{self, INPUTS, LEVEL_TABLE, read_text};
 use crate::game::{Fingerprint, Outcome, Replay};
 use crate::level::Level;
 use crate::scores::{Board, Name, Scores};
@@ -31,7 +31,7 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
     });
     let own = OWN.iter().filter_map(|(file, name, about)| {
         let path = folder.join(FLIGHTS).join(format!("{file}{ENDING}"));
-        path.is_file().then(|| FlightCandidate {
+        files::is_file(&path).then(|| FlightCandidate {
             name: (*name).to_owned(),
             about: (*about).to_owned(),
             score: None,

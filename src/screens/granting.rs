@@ -6,6 +6,7 @@ use super::{
     App, Attempt, Classic, Classics, Credits, Flight, Jumper, Lab, LevelSelect, Pi, PlayerList, Purpose, Request, Screen,
     SettingsPanel, Spectator, TileRun,
 };
+use crate::files;
 use crate::pack::{self, Installed};
 use std::path::Path;
 
@@ -66,6 +67,8 @@ impl App {
                 return None;
             }
             Request::Open(path) => self.open(&path, spectator),
+            #[cfg(all(feature = "window", browser))]
+            Request::PageData => Box::new(super::page_data::PageData::default()),
             Request::Quit => return None,
             Request::Flights(_) | Request::Watch(..) | Request::Race(..) | Request::Keep(..) => {
                 return self.visit(request, spectator);
@@ -155,5 +158,6 @@ impl App {
 
 /// Whether that is a folder, or a file as levels have them.
 pub(super) fn is_of_level(path: &Path) -> bool {
-    path.is_dir() || path.extension().is_some_and(|ending| ["csv", "png"].iter().any(|own| ending.eq_ignore_ascii_case(own)))
+    files::is_folder(path)
+        || path.extension().is_some_and(|ending| ["csv", "png"].iter().any(|own| ending.eq_ignore_ascii_case(own)))
 }

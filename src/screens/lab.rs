@@ -84,6 +84,10 @@ impl Lab {
         }
     }
 
+    pub(super) const fn turn_to(&mut self, page: Page) {
+        self.page = page;
+    }
+
     pub fn page(&self) -> Page {
         self.page
     }

@@ -67,9 +67,9 @@ impl Library {
 
     /// Lets a folder outside of `levels` be the level of its name, until the next call; the name. A file stands for its folder.
     pub fn open(&mut self, path: &Path) -> Option<String> {
-        let folder = if path.is_dir() { path } else { path.parent()? }.canonicalize().ok()?;
+        let folder = files::resolve(if files::is_folder(path) { path } else { path.parent()? }).ok()?;
         let name = folder.file_name()?.to_string_lossy().into_owned();
-        let listed = self.levels.join(&name).canonicalize().is_ok_and(|listed| listed == folder);
+        let listed = files::resolve(&self.levels.join(&name)).is_ok_and(|listed| listed == folder);
         self.outside = (!listed).then_some(folder);
         Some(name)
     }
@@ -153,7 +153,7 @@ impl Library {
     /// came with the game.
     pub fn charts(&self) -> Shown {
         let folder = self.root.join(CHARTS);
-        let problem = match folder.exists().then(|| Charts::read(|file| text(&folder, file))) {
+        let problem = match files::look(&folder).is_ok().then(|| Charts::read(|file| text(&folder, file))) {
             Some(Ok(charts)) => return Shown { charts, kept: false, problem: None },
             Some(Err(problem)) => Some(format!("{CHARTS}/{problem}. These came with the game.")),
             None => None,

@@ -12,7 +12,9 @@ use crate::view::camera::{CanvasWindow, Viewport};
 use crate::view::{arrows, theme, things, widgets};
 
 /// The words on the buttons of the column, from top to bottom.
-const LABELS: [&str; 7] = ["Play", "Level Select", "Leaderboards", "Classics", "Lab", "Settings", "Quit"];
+const LABELS: [&str; 7] = ["Play", "Level Select", "Leaderboards", "Classics", "Lab", "Settings", LAST];
+/// A page has no end of its own.
+const LAST: &str = if cfg!(all(feature = "window", browser)) { "Your data" } else { "Quit" };
 /// From the canvas' top to the middle of the title's capitals, of the canvas' height.
 const TITLE_AT: f32 = 0.115;
 /// What the title says, and the height of its letters, which reach below no line, in heights of its text.
@@ -187,6 +189,8 @@ impl Screen for Menu {
             "Classics" => Request::Classics(None),
             "Lab" => Request::Lab,
             "Settings" => Request::Settings,
+            #[cfg(all(feature = "window", browser))]
+            LAST => Request::PageData,
             _ => Request::Quit,
         })
     }

@@ -10,6 +10,8 @@ mod boards;
 mod buttons;
 mod classics;
 mod credits;
+#[cfg(all(feature = "window", not(browser)))]
+mod desktop;
 mod editor;
 mod files;
 mod flight;
@@ -25,6 +27,7 @@ mod lab;
 mod leaderboard;
 mod level_select;
 mod library;
+mod link;
 mod loading;
 mod menu;
 mod miniature;
@@ -35,6 +38,10 @@ mod observer;
 mod pace;
 #[cfg(feature = "window")]
 mod pad;
+#[cfg(all(feature = "window", browser))]
+mod page;
+#[cfg(all(feature = "window", browser))]
+mod page_data;
 mod pi;
 mod players;
 mod problems;
@@ -75,6 +82,7 @@ pub use lab::{Experiment, Half, Lab, PAGES, Page, Shown};
 pub use leaderboard::{BoardRival, Fresh, Leaderboard, Onward};
 pub use level_select::{LevelEntry, LevelSelect, Purpose};
 pub use library::Library;
+pub use link::{Link, LinkTarget};
 pub use menu::{Menu, MenuFacts};
 pub use miniature::{Miniature, MiniaturePart};
 pub use name_field::{NameEntry, NameField};
@@ -95,6 +103,8 @@ pub use settings::SettingsPanel;
 pub use tile_run::TileRun;
 pub use toolbar::Toolbar;
 pub use watch::{PACES, Watch, above as watch_room};
+#[cfg(all(feature = "window", browser))]
+pub use window::open_page;
 #[cfg(feature = "window")]
 pub use window::{Start, open};
 pub use worker::{Errand, Worker};
@@ -189,6 +199,9 @@ pub enum Request {
     Climbed(Box<JumperScene>),
     /// A file that was dropped on the window.
     Open(PathBuf),
+    /// What a browser keeps for the page.
+    #[cfg(all(feature = "window", browser))]
+    PageData,
     /// The end.
     Quit,
 }

@@ -28,8 +28,24 @@ impl NewFile {
     /// # Errors
     /// Whatever the system refuses, with the place. Nothing is left behind then.
     pub fn write(&self, folder: &Path) -> Result<PathBuf, String> {
+        #[cfg(all(feature = "window", browser))]
+        return Ok(self.handed_out(folder));
+        #[cfg(not(all(feature = "window", browser)))]
+        self.written(folder)
+    }
+
+    /// A page has no folder that the player could open: the browser keeps the file among the downloads.
+    #[cfg(all(feature = "window", browser))]
+    fn handed_out(&self, folder: &Path) -> PathBuf {
+        let name = format!("{}{}", self.stem, self.ending);
+        crate::web::download(&name, self.text.as_bytes());
+        folder.join(name)
+    }
+
+    #[cfg(not(all(feature = "window", browser)))]
+    fn written(&self, folder: &Path) -> Result<PathBuf, String> {
         let refused = |path: &Path, error: &io::Error| format!("{}: cannot keep {}: {error}", path.display(), self.what);
-        std::fs::create_dir_all(folder).map_err(|error| refused(folder, &error))?;
+        files::make_folder(folder).map_err(|error| refused(folder, &error))?;
         for number in 1..=MOST_OF_A_NAME {
             let count = if number > 1 { format!("-{number}") } else { String::new() };
             let path = folder.join(format!("{}{count}{}", self.stem, self.ending));

@@ -1,6 +1,7 @@
 //! What a window has besides the screens: the view of the game that is flown, and sound.
 
 use super::watch::above;
+use super::window::Instant;
 use super::{App, ButtonAnswer, Flight, Input, Instruments, Noise, Screen, Spectator, Watch, pace};
 use crate::draw::Canvas;
 use crate::draw::layout::{Area, BUTTON_TEXT, TEXT, Vec2};
@@ -12,7 +13,6 @@ use crate::view::focus::Focus;
 use crate::view::hud::HudShown;
 use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::view::{GameView, Overlays, theme, widgets};
-use std::time::Instant;
 
 /// How much one tick's time, and one frame's, counts in the running means that F3 shows.
 const COST_WEIGHT: f64 = 0.02;

@@ -1,6 +1,10 @@
 //! The window: macroquad's keys, mouse and clock become an [`Input`] a frame, and the screens are drawn.
 
+#[cfg(not(browser))]
+use super::desktop as host;
 use super::pad::Pads;
+#[cfg(browser)]
+use super::page as host;
 use super::theatre::{self, Theatre};
 use super::{App, Attempt, Input, Key, Keyed, Keys, Picture, Places, Request, Worker, pace};
 use crate::draw::Canvas;
@@ -12,8 +16,8 @@ use crate::view::sound::Speaker;
 use crate::view::{art, theme};
 use macroquad::input::utils::{register_input_subscriber, repeat_all_miniquad_input};
 use macroquad::input::{
-    KeyCode, MouseButton, get_char_pressed, get_dropped_files, is_key_down, is_key_pressed, is_mouse_button_down,
-    is_mouse_button_pressed, mouse_position, mouse_wheel, utils,
+    KeyCode, MouseButton, get_char_pressed, is_key_down, is_key_pressed, is_mouse_button_down, is_mouse_button_pressed,
+    mouse_position, mouse_wheel, utils,
 };
 use macroquad::miniquad::EventHandler;
 use macroquad::miniquad::KeyMods;
@@ -24,7 +28,9 @@ use std::panic::{self, AssertUnwindSafe};
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+pub use host::Instant;
 
 /// How often the window is tried to open, and the time after each: an X server turns programs away for a moment while it resets.
 const ATTEMPTS: u32 = 4;
@@ -62,15 +68,6 @@ pub enum Start {
 /// # Errors
 /// There is no display, or what the window needs cannot be had; in words.
 pub fn open(places: Places, start: Option<Start>) -> Result<(), String> {
-    let conf = || Conf {
-        window_title: "Resultant".into(),
-        window_width: DESIGN.x as i32,
-        window_height: DESIGN.y as i32,
-        window_resizable: true,
-        high_dpi: true,
-        icon: Some(icon()),
-        ..Conf::default()
-    };
     // None until the window is there, then how the sitting ended.
     let ended: Rc<RefCell<Option<Result<(), String>>>> = Rc::default();
     // miniquad panics where it finds no display. Until the window is there that panic is caught and told in words; from then on
@@ -87,13 +84,40 @@ pub fn open(places: Places, start: Option<Start>) -> Result<(), String> {
             });
         }));
         match (ended.take(), outcome) {
-            (None, _) => std::thread::sleep(BETWEEN_ATTEMPTS),
+            (None, _) => host::pause(BETWEEN_ATTEMPTS),
             (Some(_), Err(panic)) => panic::resume_unwind(panic),
             (Some(end), Ok(())) => return end,
         }
     }
     drop(panic::take_hook());
     Err("the window cannot be opened: there is no display, or it lacks OpenGL".into())
+}
+
+/// Opens the game in a browser's page, which knows neither folders nor an end.
+#[cfg(browser)]
+pub fn open_page() {
+    use crate::web::{self, Word};
+    macroquad::Window::from_config(conf(), async {
+        if web::link() == "verify" {
+            return web::verify().await;
+        }
+        web::link_again();
+        let places = Places { root: PathBuf::new(), levels: PathBuf::from("levels"), scores: PathBuf::from("scores") };
+        let ended = run(places, None).await;
+        web::say(Word::Stopped, &ended.err().unwrap_or_default());
+    });
+}
+
+fn conf() -> Conf {
+    Conf {
+        window_title: "Resultant".into(),
+        window_width: DESIGN.x as i32,
+        window_height: DESIGN.y as i32,
+        window_resizable: true,
+        high_dpi: true,
+        icon: Some(icon()),
+        ..Conf::default()
+    }
 }
 
 async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
@@ -124,11 +148,12 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
         let mut input = Input { away: focus.is_away(), ..read_input(&canvas, pads.read(), typed) };
         // What is pressed meanwhile comes with the next frame, which waits for nothing.
         let worked = begun.elapsed();
-        std::thread::sleep(Duration::from_secs_f64(app.interval(&input)).saturating_sub(worked));
+        host::pause(Duration::from_secs_f64(app.interval(&input)).saturating_sub(worked));
         let passed = begun.elapsed();
         begun += passed;
         input.frame_time = pace::passed(passed.as_secs_f64());
         input.waited = (passed - worked).as_secs_f64();
+        host::begin_frame(&mut app, &mut input, &mut theatre);
         (input.pointed, input.place) = theatre.pointed(app.screen(), &input);
         if !app.update(&input, &mut theatre) {
             return Ok(());
@@ -147,6 +172,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
         }
         theatre.set_volumes(app.settings());
         theatre.sound(app.screen(), input.answer.get());
+        host::end_frame();
         next_frame().await;
     }
 }
@@ -201,7 +227,7 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys), Typist { t
         held: keys(is_key_down) | modifiers | pad_held,
         typed,
         keyed,
-        dropped: get_dropped_files().into_iter().filter_map(|file| file.path).collect(),
+        dropped: host::dropped(),
         ..Input::default()
     }
 }

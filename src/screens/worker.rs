@@ -163,7 +163,7 @@ impl Worker {
         Self { last: 0, at: At::Here(VecDeque::new(), Some(0)) }
     }
 
-    /// One on a thread of its own; on the screen's where the system gives none.
+    /// One on a thread of its own; on the screen's where there is none, as in a browser.
     pub fn beside() -> Self {
         let desk = Arc::new(Desk::default());
         let (send, receive) = channel();

@@ -5,7 +5,6 @@ use super::item::Item;
 use super::keys::{Action, Key};
 use super::values::Settings;
 use crate::files::{self, CsvFile, CsvRow, Lock, PATIENCE, SETTINGS, Symlinks};
-use std::fs;
 use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -218,7 +217,7 @@ impl SettingsFile {
     }
 
     fn replace(&self, player: &str, settings: &Settings, patience: Duration) -> io::Result<()> {
-        fs::create_dir_all(files::around(&self.path))?;
+        files::make_folder(files::around(&self.path))?;
         let path = files::behind_links(&self.path)?;
         // Neither of two games that save at once loses the other's rows.
         let _lock = Lock::wait(&path.with_file_name(".settings.csv.lock"), patience)?;
@@ -234,6 +233,7 @@ impl SettingsFile {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     #[test]
     fn what_is_saved_is_read_back_and_each_player_has_his_own_help() {

@@ -1,9 +1,9 @@
 //! The number of an editor among the editors of one level, for as long as it has the level open.
 
-use crate::files::{self, Symlinks};
-use std::fs::{self, File};
+use crate::files::{self, Lock};
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 const KEPT: &str = ".autosave";
 /// The most editors of one level that keep unsaved edits.
@@ -15,7 +15,7 @@ pub(super) struct EditorDesk {
     pub kept: PathBuf,
     pub shared: bool,
     /// Held until this editor ends.
-    lock: Option<(File, PathBuf)>,
+    lock: Option<(Lock, PathBuf)>,
 }
 
 impl EditorDesk {
@@ -26,7 +26,7 @@ impl EditorDesk {
 
     /// The first free number with kept edits, else the first free one.
     pub fn take(folder: &Path) -> Self {
-        let left = (1..=MOST_EDITORS).filter(|number| fs::symlink_metadata(Self::name(folder, *number)).is_ok());
+        let left = (1..=MOST_EDITORS).filter(|number| files::is_taken(&Self::name(folder, *number)));
         let mut desks = left.chain(1..=MOST_EDITORS).filter_map(|number| Some((number, Self::at(folder, number)?)));
         let Some((number, mut desk)) = desks.next() else { return Self { kept: folder.join(KEPT), shared: true, lock: None } };
         desk.shared = number != 1 && Self::at(folder, 1).is_none();
@@ -37,16 +37,11 @@ impl EditorDesk {
     fn at(folder: &Path, number: u32) -> Option<Self> {
         let kept = Self::name(folder, number);
         let path = kept.with_extension("lock");
-        let file = match File::create_new(&path) {
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
-                files::open(File::options().write(true), &path, Symlinks::Never).ok()?.0
-            }
-            Ok(file) => file,
-            Err(_) => return Some(Self { kept, shared: false, lock: None }),
-        };
-        // An editor that ends removes its lock file: a lock on a removed file does not count.
-        let own = file.try_lock().is_ok() && is_at(&file, &path);
-        own.then(|| Self { kept, shared: false, lock: Some((file, path)) })
+        match Lock::wait(&path, Duration::ZERO) {
+            Ok(lock) => Some(Self { kept, shared: false, lock: Some((lock, path)) }),
+            Err(error) if error.kind() == io::ErrorKind::WouldBlock || files::is_taken(&path) => None,
+            Err(_) => Some(Self { kept, shared: false, lock: None }),
+        }
     }
 
     fn name(folder: &Path, number: u32) -> PathBuf {
@@ -58,20 +53,7 @@ impl Drop for EditorDesk {
     fn drop(&mut self) {
         if let Some((_, path)) = &self.lock {
             // The next editor takes over a file that stays.
-            let _ = fs::remove_file(path);
+            let _ = files::remove(path);
         }
     }
-}
-
-#[cfg(unix)]
-fn is_at(file: &File, path: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    let same = |a: fs::Metadata, b: fs::Metadata| a.dev() == b.dev() && a.ino() == b.ino();
-    file.metadata().ok().zip(fs::symlink_metadata(path).ok()).is_some_and(|(a, b)| same(a, b))
-}
-
-/// Elsewhere an open file cannot be removed.
-#[cfg(not(unix))]
-fn is_at(_: &File, _: &Path) -> bool {
-    true
 }

@@ -5,7 +5,7 @@
 use super::desk::EditorDesk;
 use super::kept::{self, Kept};
 use super::model::Document;
-use crate::files::{self, Replacement, Symlinks};
+use crate::files::{self, Manner, Symlinks};
 use crate::level::folder::{Disk, load_from};
 use crate::level::image::png_size;
 use crate::level::problem::Problem;
@@ -15,8 +15,7 @@ use crate::level::source::{BACKGROUND, Files};
 use crate::physics::DVec2;
 use std::collections::BTreeMap;
 use std::fmt;
-use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -93,7 +92,7 @@ impl LevelFolder {
     }
 
     fn open_at(folder: &Path, project: &Path, desk: fn(&Path) -> EditorDesk) -> Result<Opened, String> {
-        if !folder.is_dir() {
+        if !files::is_folder(folder) {
             return Err(format!("there is no folder {}", folder.display()));
         }
         let mut known = Vec::new();
@@ -118,7 +117,7 @@ impl LevelFolder {
     }
 
     pub fn name(&self) -> String {
-        let resolved = self.folder.canonicalize().unwrap_or_else(|_| self.folder.clone());
+        let resolved = files::resolve(&self.folder).unwrap_or_else(|_| self.folder.clone());
         resolved.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
     }
 
@@ -151,7 +150,7 @@ impl LevelFolder {
     }
 
     pub fn background(&self) -> Option<PathBuf> {
-        Some(self.folder.join(BACKGROUND)).filter(|path| path.is_file())
+        Some(self.folder.join(BACKGROUND)).filter(|path| files::is_file(path))
     }
 
     /// Loads the document from memory.
@@ -259,7 +258,7 @@ impl LevelFolder {
             let path = self.folder.join(table.file());
             let written = match document.bytes(table) {
                 Some(bytes) => files::replace(&path, bytes, Symlinks::Followed),
-                None => fs::remove_file(&path),
+                None => files::remove(&path),
             };
             written.map_err(|error| SaveError::File(table.file().to_owned(), error))?;
             self.known[table.index()] = document.bytes(table).map(<[u8]>::to_vec);
@@ -284,16 +283,12 @@ impl LevelFolder {
     /// Throws the kept edits away.
     pub fn forget(&self) {
         // There may be none.
-        let _ = fs::remove_file(&self.desk.kept);
+        let _ = files::remove(&self.desk.kept);
     }
 
     fn write_kept(&self, document: &Document, durable: bool) -> io::Result<()> {
-        let mut kept = Replacement::begin(&self.desk.kept, Symlinks::Never)?;
-        kept.file().write_all(&kept::encoded(document))?;
-        if durable {
-            kept.seal()?;
-        }
-        kept.finish()
+        let manner = Manner { links: Symlinks::Never, durable, shared: false };
+        files::replace_with(&self.desk.kept, &kept::encoded(document), manner)
     }
 }
 
@@ -307,15 +302,12 @@ fn read_table(folder: &Path, table: Table) -> io::Result<Option<Vec<u8>>> {
 
 /// The pictures in a folder and its folders down to that depth, in order, each as a path that begins with `before`.
 fn pictures_in(folder: &Path, before: &str, depth: u32) -> Vec<String> {
-    let mut entries: Vec<_> = fs::read_dir(folder).into_iter().flatten().flatten().take(MOST_PICTURES).collect();
-    entries.sort_unstable_by_key(fs::DirEntry::file_name);
     let mut names = Vec::new();
-    for entry in entries {
-        let Ok(name) = entry.file_name().into_string() else { continue };
+    for name in files::text_names(folder).into_iter().take(MOST_PICTURES) {
         if name.to_ascii_lowercase().ends_with(".png") {
             names.push(format!("{before}{name}"));
-        } else if depth > 0 && entry.file_type().is_ok_and(|kind| kind.is_dir()) {
-            names.extend(pictures_in(&entry.path(), &format!("{before}{name}/"), depth - 1));
+        } else if depth > 0 && !files::is_link(&folder.join(&name)) && files::is_folder(&folder.join(&name)) {
+            names.extend(pictures_in(&folder.join(&name), &format!("{before}{name}/"), depth - 1));
         }
     }
     names

@@ -449,6 +449,14 @@ impl Flight {
         labels
     }
 
+    /// Shows the details of a body, of all where that is `None`, or hides them.
+    pub(super) fn show_as(&mut self, body: Option<BodyId>, details: Option<bool>) {
+        self.details = details.unwrap_or(self.details || body.is_some());
+        if let Some(body) = body {
+            self.observer.look_at(Focus::fitted_on(body));
+        }
+    }
+
     /// Whether forces are shown.
     pub fn details(&self) -> bool {
         self.details

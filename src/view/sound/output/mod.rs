@@ -1,5 +1,6 @@
 //! Takes the mixer's samples to a device, on a thread that the game never waits for: on Linux through the libraries of the system,
-//! found at run time (the build needs nothing); on Windows and macOS through `cpal`. Other systems are silent.
+//! found at run time (the build needs nothing); on Windows and macOS through `cpal`; in a browser by the page's script. Other
+//! systems are silent.
 
 #[cfg(any(windows, target_os = "macos"))]
 mod cpal;
@@ -17,12 +18,15 @@ mod why;
 #[cfg(any(target_os = "linux", windows, target_os = "macos"))]
 pub use player::Output;
 
+#[cfg(browser)]
+pub use crate::web::Output;
+
 /// No output is known on this system.
-#[cfg(not(any(target_os = "linux", windows, target_os = "macos")))]
+#[cfg(not(any(target_os = "linux", windows, target_os = "macos", browser)))]
 #[derive(Debug)]
 pub struct Output;
 
-#[cfg(not(any(target_os = "linux", windows, target_os = "macos")))]
+#[cfg(not(any(target_os = "linux", windows, target_os = "macos", browser)))]
 impl Output {
     pub fn start(_feed: super::Feed) -> Self {
         Self

@@ -1,0 +1,153 @@
+//! Files on a disk.
+
+use super::lock::Lock;
+use super::read::{Symlinks, judge, open, read_file};
+use super::staged::{self, Replacement, around};
+use super::storage::{FileKind, Found, Manner, Storage};
+use std::ffi::OsString;
+use std::fs::{self, File, Metadata, OpenOptions};
+use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+#[derive(Debug)]
+pub struct Disk;
+
+impl Storage for Disk {
+    fn look(&self, path: &Path, links: Symlinks) -> io::Result<Found> {
+        let found = match links {
+            Symlinks::Followed => fs::metadata(path)?,
+            Symlinks::Never => fs::symlink_metadata(path)?,
+        };
+        let kind = match found.file_type() {
+            kind if kind.is_file() => FileKind::File,
+            kind if kind.is_dir() => FileKind::Folder,
+            kind if kind.is_symlink() => FileKind::Link,
+            _ => FileKind::Other,
+        };
+        let length = if kind == FileKind::File { found.len() } else { 0 };
+        let stamp = (found.modified().ok(), changed(&found));
+        Ok(Found { kind, length, read_only: found.permissions().readonly(), stamp })
+    }
+
+    fn names(&self, folder: &Path) -> io::Result<Vec<OsString>> {
+        Ok(fs::read_dir(folder)?.flatten().map(|entry| entry.file_name()).collect())
+    }
+
+    fn resolve(&self, path: &Path) -> io::Result<PathBuf> {
+        path.canonicalize()
+    }
+
+    fn read(&self, path: &Path, at_most: u64, links: Symlinks) -> io::Result<Vec<u8>> {
+        read_file(path, at_most, links)
+    }
+
+    fn replace(&self, path: &Path, bytes: &[u8], manner: Manner) -> io::Result<()> {
+        let mut fresh = Replacement::begin(path, manner.links)?;
+        fresh.file().write_all(bytes)?;
+        if manner.shared && fresh.is_new() {
+            super::share(around(path), fresh.file(), false)?;
+        }
+        if manner.durable {
+            fresh.seal()?;
+        }
+        fresh.finish()
+    }
+
+    fn create(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        staged::create(path, bytes)
+    }
+
+    fn append(&self, path: &Path, header: &[u8], lines: &[u8]) -> io::Result<bool> {
+        let is_new = fs::symlink_metadata(path).is_err();
+        let mut file = open_for_lines(path)?;
+        if !begins_with(&mut file, header)? {
+            return Ok(false);
+        }
+        add(&mut file, header, lines)?;
+        if is_new {
+            super::share(around(path), &file, false)?;
+            staged::sync_folder(around(path));
+        }
+        Ok(true)
+    }
+
+    fn make_folder(&self, path: &Path) -> io::Result<()> {
+        fs::create_dir_all(path)
+    }
+
+    fn make_shared_folder(&self, path: &Path) -> io::Result<()> {
+        match fs::create_dir(path) {
+            Ok(()) => {
+                if let Some(around) = path.parent() {
+                    // Where that is refused, only its maker can write in the folder.
+                    let _ = fs::metadata(around).and_then(|around| fs::set_permissions(path, around.permissions()));
+                }
+                Ok(())
+            }
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists && path.is_dir() => Ok(()),
+            Err(error) => Err(error),
+        }
+    }
+
+    fn create_folder(&self, path: &Path, fill: &mut dyn FnMut(&Path) -> io::Result<()>) -> io::Result<()> {
+        staged::create_folder(path, fill)
+    }
+
+    fn remove(&self, path: &Path) -> io::Result<()> {
+        fs::remove_file(path)
+    }
+
+    fn rename(&self, from: &Path, to: &Path) -> io::Result<()> {
+        fs::rename(from, to)
+    }
+
+    fn lock(&self, path: &Path, patience: Duration) -> io::Result<Lock> {
+        Lock::of_file(path, patience)
+    }
+}
+
+/// Another value after every write, even where the time stays; ns.
+#[cfg(unix)]
+fn changed(found: &Metadata) -> u64 {
+    use std::os::unix::fs::MetadataExt;
+    (found.ctime() as u64).wrapping_mul(1_000_000_000).wrapping_add(found.ctime_nsec() as u64) ^ found.ino().rotate_left(32)
+}
+
+#[cfg(not(unix))]
+fn changed(_: &Metadata) -> u64 {
+    0
+}
+
+fn open_for_lines(path: &Path) -> io::Result<File> {
+    let mut options = OpenOptions::new();
+    options.read(true).append(true);
+    match open(&options, path, Symlinks::Followed) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => options.create_new(true).open(path),
+        opened => opened.and_then(|(file, found)| judge(&found).map(|()| file)),
+    }
+}
+
+/// Whether a file is empty or begins with that line.
+fn begins_with(file: &mut File, header: &[u8]) -> io::Result<bool> {
+    let mut first = Vec::new();
+    file.take(header.len() as u64 + 3).read_to_end(&mut first)?;
+    Ok(super::begins(&first, header))
+}
+
+/// Writes the lines: behind the header in an empty file, on a line of their own after any editor; or nothing at all.
+fn add(file: &mut File, header: &[u8], lines: &[u8]) -> io::Result<()> {
+    let length = file.metadata()?.len();
+    let mut last = [b'\n'];
+    if length > 0 {
+        file.seek(SeekFrom::End(-1))?;
+        file.read_exact(&mut last)?;
+    }
+    let bytes = super::joined(length == 0, last[0], header, lines);
+    file.write_all(&bytes).inspect_err(|_| {
+        // Cuts the bytes of a full disk off. If that fails, the next line still stands on its own.
+        let _ = file.set_len(length);
+    })?;
+    // A line that is reported as written outlasts a power cut.
+    file.sync_data()
+}

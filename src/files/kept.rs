@@ -1,0 +1,255 @@
+//! Files as values under keys, as a browser keeps them for a page: a path is a key, and a folder is there while a file lies in it.
+
+use super::lock::Lock;
+use super::read::{Symlinks, too_large};
+use super::storage::{FileKind, Found, Manner, Storage};
+use super::{begins, joined};
+use std::collections::BTreeSet;
+use std::ffi::OsString;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::io;
+use std::path::{Component, Path, PathBuf};
+use std::time::Duration;
+
+/// The most bytes of a file of lines, such as the attempts, some 3000: the oldest lines go, because a page has some 5 MB in all.
+const MOST_LINES: usize = 128 << 10;
+
+/// The reason why a value is not kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum KeepingFault {
+    Full,
+    Forbidden,
+    /// The value is not one that this program has written.
+    Damaged,
+}
+
+impl From<KeepingFault> for io::Error {
+    fn from(fault: KeepingFault) -> Self {
+        let (kind, words) = match fault {
+            KeepingFault::Full => (
+                io::ErrorKind::StorageFull,
+                "the browser's room for this page is full: “Your data” in the menu exports everything, and can delete it then",
+            ),
+            KeepingFault::Forbidden => (io::ErrorKind::PermissionDenied, "the browser keeps no data for this page"),
+            KeepingFault::Damaged => (io::ErrorKind::InvalidData, "the browser's data for this file are damaged"),
+        };
+        Self::new(kind, words)
+    }
+}
+
+/// Values under keys.
+pub trait Keeper: Sync {
+    fn get(&self, key: &str) -> Result<Option<Vec<u8>>, KeepingFault>;
+    /// After an error the old value stands.
+    fn set(&self, key: &str, value: &[u8]) -> Result<(), KeepingFault>;
+    fn remove(&self, key: &str);
+    fn keys(&self) -> Vec<String>;
+}
+
+#[derive(Debug)]
+pub struct Kept<K>(pub K);
+
+impl<K: Keeper> Kept<K> {
+    fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {
+        self.0.get(&key(path)?)?.ok_or_else(|| io::ErrorKind::NotFound.into())
+    }
+
+    /// The keys of a file, or of all files below a folder.
+    fn below(&self, key: &str) -> Vec<String> {
+        let folder = folder(key);
+        self.0.keys().into_iter().filter(|other| other == key || other.starts_with(&folder)).collect()
+    }
+}
+
+/// The beginning of the keys below a folder.
+fn folder(key: &str) -> String {
+    if key.is_empty() { String::new() } else { format!("{key}/") }
+}
+
+fn key(path: &Path) -> io::Result<String> {
+    let mut parts = Vec::new();
+    for part in path.components() {
+        match part {
+            Component::Normal(name) => parts.push(name.to_str().ok_or(io::ErrorKind::InvalidFilename)?),
+            Component::ParentDir => drop(parts.pop()),
+            _ => {}
+        }
+    }
+    Ok(parts.join("/"))
+}
+
+impl<K: Keeper> Storage for Kept<K> {
+    fn look(&self, path: &Path, _: Symlinks) -> io::Result<Found> {
+        let key = key(path)?;
+        if let Some(bytes) = self.0.get(&key)? {
+            let mut hasher = DefaultHasher::new();
+            bytes.hash(&mut hasher);
+            let stamp = (None, hasher.finish());
+            return Ok(Found { kind: FileKind::File, length: bytes.len() as u64, read_only: false, stamp });
+        }
+        if key.is_empty() || !self.below(&key).is_empty() {
+            return Ok(Found { kind: FileKind::Folder, length: 0, read_only: false, stamp: (None, 0) });
+        }
+        Err(io::ErrorKind::NotFound.into())
+    }
+
+    fn names(&self, path: &Path) -> io::Result<Vec<OsString>> {
+        let key = key(path)?;
+        let folder = folder(&key);
+        let below = self.below(&key);
+        let names: BTreeSet<&str> = below
+            .iter()
+            .filter_map(|other| other.strip_prefix(&folder)?.split('/').next().filter(|name| !name.is_empty()))
+            .collect();
+        if names.is_empty() && !key.is_empty() {
+            return Err(io::ErrorKind::NotFound.into());
+        }
+        Ok(names.into_iter().map(OsString::from).collect())
+    }
+
+    fn resolve(&self, path: &Path) -> io::Result<PathBuf> {
+        self.look(path, Symlinks::Followed)?;
+        Ok(PathBuf::from(key(path)?))
+    }
+
+    fn read(&self, path: &Path, at_most: u64, _: Symlinks) -> io::Result<Vec<u8>> {
+        let bytes = self.bytes(path)?;
+        let length = bytes.len() as u64;
+        if length > at_most { Err(too_large(Some(length), at_most)) } else { Ok(bytes) }
+    }
+
+    fn replace(&self, path: &Path, bytes: &[u8], _: Manner) -> io::Result<()> {
+        Ok(self.0.set(&key(path)?, bytes)?)
+    }
+
+    fn create(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        if self.look(path, Symlinks::Never).is_ok() {
+            return Err(io::ErrorKind::AlreadyExists.into());
+        }
+        Ok(self.0.set(&key(path)?, bytes)?)
+    }
+
+    fn append(&self, path: &Path, header: &[u8], lines: &[u8]) -> io::Result<bool> {
+        let key = key(path)?;
+        let mut bytes = self.0.get(&key)?.unwrap_or_default();
+        if !begins(&bytes, header) {
+            return Ok(false);
+        }
+        let more = joined(bytes.is_empty(), bytes.last().copied().unwrap_or(b'\n'), header, lines);
+        bytes.extend(more);
+        if bytes.len() > MOST_LINES {
+            let first = bytes.iter().position(|byte| *byte == b'\n').map_or(0, |end| end + 1);
+            let surplus = bytes.len() - MOST_LINES + first;
+            let whole = bytes[surplus..].iter().position(|byte| *byte == b'\n').map_or(bytes.len(), |end| surplus + end + 1);
+            bytes.drain(first..whole);
+        }
+        self.0.set(&key, &bytes)?;
+        Ok(true)
+    }
+
+    fn make_folder(&self, _: &Path) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn make_shared_folder(&self, _: &Path) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn create_folder(&self, path: &Path, fill: &mut dyn FnMut(&Path) -> io::Result<()>) -> io::Result<()> {
+        if self.look(path, Symlinks::Never).is_ok() {
+            return Err(io::ErrorKind::AlreadyExists.into());
+        }
+        let key = key(path)?;
+        fill(path).inspect_err(|_| self.below(&key).iter().for_each(|key| self.0.remove(key)))
+    }
+
+    fn remove(&self, path: &Path) -> io::Result<()> {
+        self.bytes(path)?;
+        self.0.remove(&key(path)?);
+        Ok(())
+    }
+
+    fn rename(&self, from: &Path, to: &Path) -> io::Result<()> {
+        let (from, to) = (key(from)?, key(to)?);
+        let olds = self.below(&from);
+        if olds.is_empty() {
+            return Err(io::ErrorKind::NotFound.into());
+        }
+        let new = |old: &str| format!("{to}{}", &old[from.len()..]);
+        for (moved, old) in olds.iter().enumerate() {
+            let copied = self.0.get(old).and_then(|value| self.0.set(&new(old), &value.unwrap_or_default()));
+            if let Err(fault) = copied {
+                olds[..moved].iter().for_each(|old| self.0.remove(&new(old)));
+                return Err(fault.into());
+            }
+        }
+        olds.iter().for_each(|old| self.0.remove(old));
+        Ok(())
+    }
+
+    /// A page changes a file within one call, and no other page comes between.
+    fn lock(&self, _: &Path, _: Duration) -> io::Result<Lock> {
+        Ok(Lock::of_nothing())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::files::memory::Memory;
+
+    fn little(room: usize) -> Kept<Memory> {
+        Kept(Memory::with_room(room))
+    }
+
+    fn text(kept: &Kept<Memory>, path: &str) -> io::Result<String> {
+        kept.read(Path::new(path), 1 << 20, Symlinks::Followed).map(|bytes| String::from_utf8(bytes).unwrap())
+    }
+
+    #[test]
+    fn a_full_storage_loses_nothing() {
+        let kept = little(10);
+        let manner = Manner { links: Symlinks::Followed, durable: true, shared: false };
+        kept.replace(Path::new("scores/1.csv"), b"12345", manner).unwrap();
+        let full = kept.replace(Path::new("scores/1.csv"), b"12345678901", manner).unwrap_err();
+        assert_eq!(full.kind(), io::ErrorKind::StorageFull);
+        assert_eq!(text(&kept, "scores/1.csv").unwrap(), "12345");
+        let folder = kept.create_folder(Path::new("levels/mine"), &mut |begun| {
+            kept.create(&begun.join("a"), b"123")?;
+            kept.create(&begun.join("b"), b"123")
+        });
+        assert_eq!(folder.unwrap_err().kind(), io::ErrorKind::StorageFull);
+        assert_eq!(kept.look(Path::new("levels"), Symlinks::Followed).unwrap_err().kind(), io::ErrorKind::NotFound);
+        kept.create(&Path::new("levels").join("a/x"), b"123").unwrap();
+        assert!(kept.rename(Path::new("levels/a"), Path::new("levels/bb")).is_err());
+        assert_eq!((text(&kept, "levels/a/x").unwrap().as_str(), kept.0.keys().len()), ("123", 2));
+    }
+
+    #[test]
+    fn folders_are_there_while_a_file_lies_in_them() {
+        let kept = little(1000);
+        for file in ["levels/b/player.csv", "levels/a/flights/x.replay.csv", "levels.txt"] {
+            kept.create(Path::new(file), b"x").unwrap();
+        }
+        assert_eq!(kept.names(Path::new("./levels")).unwrap(), ["a", "b"]);
+        assert_eq!(kept.names(Path::new(".")).unwrap(), ["levels", "levels.txt"]);
+        kept.rename(Path::new("levels/a"), Path::new("levels/c")).unwrap();
+        assert_eq!(text(&kept, "levels/../levels/c/flights/x.replay.csv").unwrap(), "x");
+        kept.remove(Path::new("levels/c/flights/x.replay.csv")).unwrap();
+        assert_eq!(kept.names(Path::new("levels")).unwrap(), ["b"]);
+        assert_eq!(kept.create(Path::new("levels/b"), b"").unwrap_err().kind(), io::ErrorKind::AlreadyExists);
+    }
+
+    #[test]
+    fn the_oldest_lines_make_room_for_new_ones() {
+        let kept = little(1 << 20);
+        let path = Path::new("attempts.csv");
+        for number in 0..3000 {
+            assert!(kept.append(path, b"header\r\n", format!("{number:060}\r\n").as_bytes()).unwrap());
+        }
+        let text = text(&kept, "attempts.csv").unwrap();
+        assert!(text.len() <= MOST_LINES && text.len() > MOST_LINES - 200, "{}", text.len());
+        assert!(text.starts_with("header\r\n0") && text.ends_with("2999\r\n") && text.lines().skip(1).all(|line| line.len() == 60));
+        assert!(!kept.append(path, b"other\r\n", b"x\r\n").unwrap());
+    }
+}

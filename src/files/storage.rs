@@ -1,0 +1,233 @@
+//! The one trait behind which files stand, whatever their home: a disk, or what a browser keeps for a page. Free functions ask the
+//! home of this program.
+
+use super::lock::Lock;
+use super::read::{Symlinks, no_text};
+use std::ffi::OsString;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileKind {
+    File,
+    Folder,
+    /// Only where links are not followed.
+    Link,
+    /// A pipe or a device.
+    Other,
+}
+
+/// A file or a folder from the outside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Found {
+    pub kind: FileKind,
+    /// Bytes; 0 for a folder.
+    pub length: u64,
+    pub read_only: bool,
+    /// Another value after every write, as far as the home can tell.
+    pub stamp: (Option<SystemTime>, u64),
+}
+
+/// The manner of a replacement.
+#[derive(Clone, Copy, Debug)]
+pub struct Manner {
+    pub links: Symlinks,
+    /// The content outlasts a power cut once the write has returned.
+    pub durable: bool,
+    /// Every user who may write in the folder may write a new file.
+    pub shared: bool,
+}
+
+pub trait Storage: Sync {
+    /// # Errors
+    /// [`io::ErrorKind::NotFound`]; the home's.
+    fn look(&self, path: &Path, links: Symlinks) -> io::Result<Found>;
+
+    /// The names in a folder, in any order.
+    fn names(&self, folder: &Path) -> io::Result<Vec<OsString>>;
+
+    /// The path without links and dots.
+    fn resolve(&self, path: &Path) -> io::Result<PathBuf>;
+
+    /// At most `at_most` bytes.
+    ///
+    /// # Errors
+    /// No regular file, or a larger one; the home's.
+    fn read(&self, path: &Path, at_most: u64, links: Symlinks) -> io::Result<Vec<u8>>;
+
+    /// Makes or replaces a file. After an error the old content is in its place.
+    fn replace(&self, path: &Path, bytes: &[u8], manner: Manner) -> io::Result<()>;
+
+    /// Makes a file where there is none.
+    ///
+    /// # Errors
+    /// [`io::ErrorKind::AlreadyExists`]; the home's. Nothing is left behind then.
+    fn create(&self, path: &Path, bytes: &[u8]) -> io::Result<()>;
+
+    /// Adds lines at a file's end, whole or not at all: behind `header` in an empty or missing file, else on a line of their own.
+    /// `false`, and nothing is written, where the file does not begin with `header`.
+    fn append(&self, path: &Path, header: &[u8], lines: &[u8]) -> io::Result<bool>;
+
+    /// Makes a folder with those around it. One that is there stays.
+    fn make_folder(&self, path: &Path) -> io::Result<()>;
+
+    /// Makes a folder, if there is none, for every user who may write in the one around it.
+    fn make_shared_folder(&self, path: &Path) -> io::Result<()>;
+
+    /// Makes a folder where there is none, whole or not at all: `fill` fills the folder of the path that it is given.
+    fn create_folder(&self, path: &Path, fill: &mut dyn FnMut(&Path) -> io::Result<()>) -> io::Result<()>;
+
+    /// Removes a file.
+    fn remove(&self, path: &Path) -> io::Result<()>;
+
+    /// Renames a file or a folder.
+    fn rename(&self, from: &Path, to: &Path) -> io::Result<()>;
+
+    /// See [`Lock::wait`].
+    fn lock(&self, path: &Path, patience: Duration) -> io::Result<Lock>;
+}
+
+#[cfg(not(all(browser, feature = "window")))]
+fn home() -> &'static dyn Storage {
+    super::shipped::desktop()
+}
+
+#[cfg(all(browser, feature = "window"))]
+fn home() -> &'static dyn Storage {
+    crate::web::storage()
+}
+
+/// As [`Storage::look`], at the end of links.
+pub fn look(path: &Path) -> io::Result<Found> {
+    home().look(path, Symlinks::Followed)
+}
+
+pub fn is_folder(path: &Path) -> bool {
+    look(path).is_ok_and(|found| found.kind == FileKind::Folder)
+}
+
+pub fn is_file(path: &Path) -> bool {
+    look(path).is_ok_and(|found| found.kind == FileKind::File)
+}
+
+/// Whether that is a file that nobody may write.
+pub fn is_read_only(path: &Path) -> bool {
+    look(path).is_ok_and(|found| found.kind == FileKind::File && found.read_only)
+}
+
+/// Whether that is a link, whatever it leads to.
+pub fn is_link(path: &Path) -> bool {
+    home().look(path, Symlinks::Never).is_ok_and(|found| found.kind == FileKind::Link)
+}
+
+/// Whether anything has that name, if only a link that leads nowhere.
+pub fn is_taken(path: &Path) -> bool {
+    home().look(path, Symlinks::Never).is_ok()
+}
+
+/// As [`Storage::names`].
+pub fn names(folder: &Path) -> io::Result<Vec<OsString>> {
+    home().names(folder)
+}
+
+/// The names that are text, in order; none in a folder that cannot be read.
+pub fn text_names(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> = names(folder).into_iter().flatten().filter_map(|name| name.into_string().ok()).collect();
+    names.sort_unstable();
+    names
+}
+
+/// As [`Storage::resolve`].
+pub fn resolve(path: &Path) -> io::Result<PathBuf> {
+    home().resolve(path)
+}
+
+/// At most `at_most` bytes. A file that the caller of the program has passed on open (`/dev/stdin`, `/dev/fd/3`) may be of any
+/// kind.
+///
+/// # Errors
+/// As [`Storage::read`].
+pub fn read(path: &Path, at_most: u64) -> io::Result<Vec<u8>> {
+    read_with(path, at_most, Symlinks::Followed)
+}
+
+/// As [`read`], with the meaning of links.
+pub fn read_with(path: &Path, at_most: u64, links: Symlinks) -> io::Result<Vec<u8>> {
+    home().read(path, at_most, links)
+}
+
+/// As [`read`]; bytes that are no UTF-8 are an error.
+pub fn read_text(path: &Path, at_most: u64) -> io::Result<String> {
+    String::from_utf8(read(path, at_most)?).map_err(|_| no_text())
+}
+
+/// Replaces a file's content, durable when this returns. The file keeps its mode, and after an error its content.
+pub fn replace(path: &Path, bytes: &[u8], links: Symlinks) -> io::Result<()> {
+    replace_with(path, bytes, Manner { links, durable: true, shared: false })
+}
+
+/// As [`Storage::replace`].
+pub fn replace_with(path: &Path, bytes: &[u8], manner: Manner) -> io::Result<()> {
+    home().replace(path, bytes, manner)
+}
+
+/// As [`Storage::create`].
+pub fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    home().create(path, bytes)
+}
+
+/// As [`Storage::append`].
+pub fn append(path: &Path, header: &[u8], lines: &[u8]) -> io::Result<bool> {
+    home().append(path, header, lines)
+}
+
+/// As [`Storage::make_folder`].
+pub fn make_folder(path: &Path) -> io::Result<()> {
+    home().make_folder(path)
+}
+
+/// As [`Storage::make_shared_folder`].
+pub fn make_shared_folder(path: &Path) -> io::Result<()> {
+    home().make_shared_folder(path)
+}
+
+/// As [`Storage::create_folder`].
+///
+/// # Errors
+/// [`io::ErrorKind::AlreadyExists`]; the errors of `fill`; the home's. Nothing is left behind then.
+pub fn create_folder(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
+    let mut fill = Some(fill);
+    home().create_folder(path, &mut |begun| fill.take().map_or(Ok(()), |fill| fill(begun)))
+}
+
+/// Copies a regular file into a folder that is being filled.
+pub fn copy(from: &Path, to: &Path) -> io::Result<()> {
+    put(to, &read(from, u64::MAX - 1)?)
+}
+
+/// Writes a new file of a folder that is being filled, and the folders between the two.
+pub fn put(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    make_folder(super::around(path))?;
+    create(path, bytes)
+}
+
+/// As [`Storage::remove`].
+pub fn remove(path: &Path) -> io::Result<()> {
+    home().remove(path)
+}
+
+/// As [`Storage::rename`].
+pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
+    home().rename(from, to)
+}
+
+impl Lock {
+    /// Locks a file, and makes it where there is none, for every user who may write in its folder.
+    ///
+    /// # Errors
+    /// [`io::ErrorKind::WouldBlock`] where another program holds it for longer than `patience`; no regular file; the home's.
+    pub fn wait(path: &Path, patience: Duration) -> io::Result<Self> {
+        home().lock(path, patience)
+    }
+}

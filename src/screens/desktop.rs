@@ -1,0 +1,23 @@
+//! What the window's loop asks of a desktop; a browser's page answers the same in `page`.
+
+use super::{App, Input, Spectator};
+use macroquad::input::get_dropped_files;
+use std::path::PathBuf;
+use std::time::Duration;
+
+pub use std::time::Instant;
+
+pub fn pause(time: Duration) {
+    std::thread::sleep(time);
+}
+
+/// The files that were dropped since the last frame.
+pub fn dropped() -> Vec<PathBuf> {
+    get_dropped_files().into_iter().filter_map(|file| file.path).collect()
+}
+
+/// Before a frame. A desktop asks for nothing.
+pub const fn begin_frame(_: &mut App, _: &mut Input, _: &mut dyn Spectator) {}
+
+/// After a frame is drawn.
+pub const fn end_frame() {}

@@ -1,0 +1,193 @@
+//! Links into the game, as a page's address has them behind `#`: `play=experiments/friction&follow=Box+1&details=1`, `play=2`,
+//! `lab=stress-tests`.
+
+use super::lab::PAGES;
+use super::{App, Flight, Lab, Page, Purpose, Request, Spectator};
+use crate::files;
+use crate::game::body_title;
+use crate::level::judge_name;
+use crate::physics::BodyId;
+
+/// A link with more characters is none of this game's.
+const LONGEST: usize = 500;
+const EXPERIMENTS: &str = "experiments/";
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum LinkTarget {
+    Level(String),
+    Experiment(String),
+    Lab(Page),
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Link {
+    pub target: LinkTarget,
+    /// The title of the body that the details are about, as the game writes it.
+    pub follow: Option<String>,
+    pub details: Option<bool>,
+}
+
+impl Link {
+    /// # Errors
+    /// The fault of the link, in words.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        if text.chars().count() > LONGEST {
+            return Err(format!("found more than {LONGEST} characters, expected a link of this game"));
+        }
+        let (mut target, mut follow, mut details) = (None, None, None);
+        for part in text.split('&').filter(|part| !part.is_empty()) {
+            let (name, value) = part.split_once('=').unwrap_or((part, ""));
+            let value =
+                decoded(value).ok_or_else(|| format!("{name}: found {value:?}, expected letters as addresses have them"))?;
+            match name {
+                "play" => target = Some(played(&value)?),
+                "lab" => target = Some(LinkTarget::Lab(page(&value)?)),
+                "follow" => follow = Some(value).filter(|value| !value.is_empty()),
+                "details" => match value.as_str() {
+                    "0" | "1" => details = Some(value == "1"),
+                    _ => return Err(format!("details: found {value:?}, expected 0 or 1")),
+                },
+                _ => return Err(format!("found {name:?}, expected play, lab, follow or details")),
+            }
+        }
+        let target = target.ok_or("found neither play nor lab, expected one of them, such as play=1")?;
+        Ok(Self { target, follow, details })
+    }
+}
+
+/// A level's name stays below the folder of levels.
+fn played(value: &str) -> Result<LinkTarget, String> {
+    let (name, experiment) = value.strip_prefix(EXPERIMENTS).map_or((value, false), |name| (name, true));
+    let number = !name.is_empty() && name.bytes().all(|byte| byte.is_ascii_digit());
+    if !number && judge_name(name).is_err() {
+        return Err(format!("play: found {value:?}, expected a level's name or experiments/NAME"));
+    }
+    Ok(if experiment { LinkTarget::Experiment(name.to_owned()) } else { LinkTarget::Level(name.to_owned()) })
+}
+
+/// A tab's words in small letters, with hyphens.
+fn page(value: &str) -> Result<Page, String> {
+    let named = |words: &str| words.to_lowercase().replace(' ', "-");
+    let found = PAGES.iter().find(|(_, words)| named(words) == value).map(|(page, _)| *page);
+    let known: Vec<String> = PAGES.iter().map(|(_, words)| named(words)).collect();
+    found.ok_or_else(|| format!("lab: found {value:?}, expected {}", known.join(", ")))
+}
+
+/// With `+` for a space and `%` before two hexadecimal digits; `None` where that is no text.
+fn decoded(text: &str) -> Option<String> {
+    let (mut bytes, mut rest) = (Vec::new(), text.bytes());
+    while let Some(byte) = rest.next() {
+        bytes.push(match byte {
+            b'+' => b' ',
+            b'%' => {
+                let digits = [rest.next()?, rest.next()?];
+                u8::from_str_radix(str::from_utf8(&digits).ok()?, 16).ok()?
+            }
+            other => other,
+        });
+    }
+    String::from_utf8(bytes).ok().filter(|text| !text.chars().any(char::is_control))
+}
+
+impl App {
+    /// Opens the target of a link, or the list of levels with the link's fault.
+    pub fn follow_link(&mut self, text: &str, spectator: &mut dyn Spectator) {
+        if let Err(problem) = Link::parse(text).and_then(|link| self.open_link(link, spectator)) {
+            let mut screen = self.level_select(Purpose::Play);
+            screen.show("This link cannot be followed".to_owned(), vec![problem]);
+            self.show(Box::new(screen));
+        }
+    }
+
+    fn open_link(&mut self, link: Link, spectator: &mut dyn Spectator) -> Result<(), String> {
+        let there = |folder: &std::path::Path, name: &str| match files::is_folder(folder) {
+            true => Ok(()),
+            false => Err(format!("play: found {name:?}, expected a level that is there")),
+        };
+        match link.target {
+            LinkTarget::Lab(page) => {
+                self.grant(Request::Lab, spectator);
+                if let Some(lab) = self.screen.get_mut::<Lab>() {
+                    lab.turn_to(page);
+                }
+                return Ok(());
+            }
+            LinkTarget::Level(name) => {
+                self.library.close();
+                there(&self.library.folder(&name), &name)?;
+                self.grant(Request::Play(name), spectator);
+            }
+            LinkTarget::Experiment(name) => {
+                there(&self.library.experiment(&name), &name)?;
+                self.grant(Request::Experiment(name), spectator);
+            }
+        }
+        let Some(flight) = self.screen.get_mut::<Flight>() else { return Ok(()) };
+        let level = flight.game().level();
+        let mut bodies = (0..flight.game().world().bodies().len() as u32).map(BodyId);
+        let of_title = |title: &String| {
+            let found = bodies.find(|body| body_title(level, *body).eq_ignore_ascii_case(title));
+            found.ok_or_else(|| format!("follow: found {title:?}, expected the title of a body of this level"))
+        };
+        let body = link.follow.as_ref().map(of_title).transpose()?;
+        flight.show_as(body, link.details);
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::screens::{LevelSelect, Places};
+    use std::path::Path;
+
+    #[test]
+    fn a_link_is_read_as_an_address_has_it() {
+        let link = Link::parse("play=experiments/friction&follow=Box+1&details=1").unwrap();
+        let friction = LinkTarget::Experiment("friction".to_owned());
+        assert_eq!(link, Link { target: friction, follow: Some("Box 1".to_owned()), details: Some(true) });
+        assert_eq!(Link::parse("play=2").unwrap().target, LinkTarget::Level("2".to_owned()));
+        assert_eq!(Link::parse("play=H%C3%B6hle&").unwrap().target, LinkTarget::Level("Höhle".to_owned()));
+        assert_eq!(Link::parse("lab=side-by-side").unwrap().target, LinkTarget::Lab(Page::SideBySide));
+    }
+
+    #[test]
+    fn a_foreign_or_damaged_link_is_refused_in_words() {
+        for (link, problem) in [
+            ("", "found neither play nor lab"),
+            ("details=1", "found neither play nor lab"),
+            ("play=", "play: found \"\""),
+            ("play=../../etc", "play: found \"../../etc\""),
+            ("play=experiments/../levels/1", "play: found"),
+            ("play=a%2Fb", "play: found \"a/b\""),
+            ("play=%zz", "play: found \"%zz\", expected letters"),
+            ("play=%f", "expected letters"),
+            ("play=%ff", "expected letters"),
+            ("play=1&details=yes", "details: found \"yes\", expected 0 or 1"),
+            ("lab=kitchen", "lab: found \"kitchen\", expected charts, "),
+            ("utm_source=x&play=1", "found \"utm_source\", expected play"),
+            (&"x".repeat(501), "found more than 500 characters"),
+        ] {
+            let refused = Link::parse(link).unwrap_err();
+            assert!(refused.contains(problem), "{link}: {refused}");
+        }
+    }
+
+    #[test]
+    fn a_link_opens_its_target_or_says_why_not() {
+        let (root, scores) = (Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf(), tempfile::tempdir().unwrap());
+        let mut app = App::new(Places { levels: root.join("levels"), root, scores: scores.path().to_path_buf() });
+        app.follow_link("play=experiments/friction&follow=box+1&details=0", &mut ());
+        let flight = app.screen().get::<Flight>().unwrap();
+        assert_eq!((flight.game().level().name.as_str(), flight.details()), ("friction", false));
+        assert_eq!(flight.observer().focus().followed(), Some(BodyId(1)));
+        app.follow_link("play=2", &mut ());
+        assert_eq!(app.screen().get::<Flight>().unwrap().game().level().name, "2");
+        app.follow_link("lab=stress-tests", &mut ());
+        assert_eq!(app.screen().get::<Lab>().unwrap().page(), Page::Survival);
+        for link in ["play=nowhere", "play=experiments/nowhere", "nonsense"] {
+            app.follow_link(link, &mut ());
+            assert!(app.screen().is::<LevelSelect>(), "{link}");
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! What the window's loop asks of a browser's page; a desktop answers the same in `desktop`.
+
+use super::{App, Flight, Input, Key, Spectator};
+use crate::web::{self, Word};
+use std::path::PathBuf;
+use std::time::Duration;
+
+pub use crate::web::Instant;
+
+/// The browser asks for a frame when it needs one.
+pub const fn pause(_: Duration) {}
+
+/// The files that were dropped or chosen since the last frame. One with everything of a page is taken over at once.
+pub fn dropped() -> Vec<PathBuf> {
+    let mut dropped = web::dropped();
+    dropped.retain(|path| {
+        let everything = web::is_export(path);
+        if everything {
+            web::import(path);
+        }
+        !everything
+    });
+    dropped
+}
+
+/// Before a frame: a page that was hidden pauses its flight, and a new link is followed.
+pub fn begin_frame(app: &mut App, input: &mut Input, spectator: &mut dyn Spectator) {
+    if web::was_hidden() && app.screen().get::<Flight>().is_some_and(|flight| flight.pause().is_none() && !flight.is_test()) {
+        input.pressed.add(Key::Escape);
+    }
+    let link = web::link();
+    if !link.is_empty() {
+        app.follow_link(&link, spectator);
+    }
+}
+
+/// After a frame is drawn.
+pub fn end_frame() {
+    web::say(Word::Ready, "");
+}

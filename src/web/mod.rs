@@ -1,0 +1,149 @@
+//! The page that the game runs in, in a browser: its storage, its clock, its gamepads and what its script asks for. The other half is
+//! `script.js` beside this file.
+//!
+//! Unsafe code: the functions of the script take and give the bytes of the program's memory; each call below hands over a pointer and the
+//! length of what it points to, and the script keeps neither beyond the call.
+#![allow(unsafe_code)]
+
+mod clock;
+mod everything;
+mod keeper;
+mod sound;
+mod verify;
+
+pub use clock::Instant;
+pub use everything::{delete, export, import, is_export};
+pub use keeper::storage;
+pub use sound::Output;
+pub use verify::verify;
+
+use std::cell::{Cell, RefCell};
+use std::path::PathBuf;
+
+/// Where dropped files lie while the page is open: never in the browser's storage.
+const DROPPED: &str = "dropped";
+/// Buttons and axes of the page's standard gamepad.
+pub const PAD_LEVELS: usize = 17 + 2;
+
+thread_local! {
+    static FILES: RefCell<Vec<PathBuf>> = const { RefCell::new(Vec::new()) };
+    static HIDDEN: Cell<bool> = const { Cell::new(false) };
+}
+
+#[link(wasm_import_module = "env")]
+unsafe extern "C" {
+    /// ms.
+    fn resultant_now() -> f64;
+    /// The length of the value, which [`resultant_take`] copies; below 0: see [`keeper`].
+    fn resultant_get(key: *const u8, length: usize) -> i32;
+    fn resultant_keys() -> i32;
+    fn resultant_take(to: *mut u8);
+    fn resultant_set(key: *const u8, length: usize, value: *const u8, value_length: usize) -> i32;
+    fn resultant_remove(key: *const u8, length: usize);
+    fn resultant_pads(levels: *mut f32);
+    fn resultant_link() -> i32;
+    fn resultant_link_again();
+    fn resultant_say(kind: i32, words: *const u8, length: usize);
+    fn resultant_download(name: *const u8, length: usize, bytes: *const u8, bytes_length: usize);
+    fn resultant_choose_file();
+}
+
+/// A word to the page.
+#[derive(Clone, Copy, Debug)]
+#[repr(i32)]
+pub enum Word {
+    /// The game has stopped, with the reason.
+    Stopped = 0,
+    /// The first picture is there.
+    Ready = 1,
+    /// A line of a verification.
+    Verified = 2,
+    /// A line above the picture, until it is clicked.
+    Notice = 3,
+    /// Everything was imported: the page begins again.
+    Begin = 4,
+}
+
+pub fn say(word: Word, words: &str) {
+    // SAFETY: pointer and length are of one string.
+    unsafe { resultant_say(word as i32, words.as_ptr(), words.len()) }
+}
+
+/// The answer of that length that the script holds ready.
+fn taken(length: i32) -> Vec<u8> {
+    let mut bytes = vec![0; usize::try_from(length).unwrap_or(0)];
+    // SAFETY: the script writes as many bytes as it has just named.
+    unsafe { resultant_take(bytes.as_mut_ptr()) }
+    bytes
+}
+
+/// The part of the page's address behind `#`, since it was last asked for; empty without news.
+pub fn link() -> String {
+    // SAFETY: it takes nothing.
+    let length = unsafe { resultant_link() };
+    String::from_utf8(taken(length)).unwrap_or_default()
+}
+
+/// The next [`link`] is the last one once more.
+pub fn link_again() {
+    // SAFETY: it takes nothing.
+    unsafe { resultant_link_again() }
+}
+
+/// How far each button and axis of the standard gamepad is pressed, over all gamepads.
+pub fn pads() -> [f32; PAD_LEVELS] {
+    let mut levels = [0.0; PAD_LEVELS];
+    // SAFETY: the script writes that number of levels.
+    unsafe { resultant_pads(levels.as_mut_ptr()) }
+    levels
+}
+
+/// Lets the player keep a file.
+pub fn download(name: &str, bytes: &[u8]) {
+    // SAFETY: pointers and lengths are of one string and one slice.
+    unsafe { resultant_download(name.as_ptr(), name.len(), bytes.as_ptr(), bytes.len()) }
+}
+
+/// Lets the player choose a file, which comes as if it were dropped.
+pub fn choose_file() {
+    // SAFETY: it takes nothing.
+    unsafe { resultant_choose_file() }
+}
+
+/// The files that were dropped or chosen since the last call.
+pub fn dropped() -> Vec<PathBuf> {
+    FILES.take()
+}
+
+/// Whether the page was hidden since the last call.
+pub fn was_hidden() -> bool {
+    HIDDEN.take()
+}
+
+/// The script's version, so that a page with an old script says so.
+#[unsafe(no_mangle)]
+pub extern "C" fn resultant_crate_version() -> u32 {
+    1
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn resultant_hidden() {
+    HIDDEN.set(true);
+}
+
+/// Room for bytes that the script hands over to [`resultant_dropped`].
+#[unsafe(no_mangle)]
+extern "C" fn resultant_room(length: usize) -> *mut u8 {
+    Box::leak(vec![0; length].into_boxed_slice()).as_mut_ptr()
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn resultant_dropped(name: *mut u8, name_length: usize, bytes: *mut u8, length: usize) {
+    // SAFETY: both were made by `resultant_room` with these lengths, and are handed over.
+    let [name, bytes] = [(name, name_length), (bytes, length)]
+        .map(|(at, length)| unsafe { Box::from_raw(std::ptr::slice_from_raw_parts_mut(at, length)) }.into_vec());
+    let name = String::from_utf8_lossy(&name).replace(['/', '\\'], "_");
+    let path = format!("{DROPPED}/{name}");
+    keeper::hold(path.clone(), bytes);
+    FILES.with_borrow_mut(|files| files.push(path.into()));
+}

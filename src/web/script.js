@@ -1,0 +1,219 @@
+// The page's half of src/web: storage, sound, gamepads, clipboard, links and files. macroquad's loader stands before it in one file.
+"use strict";
+(function () {
+  const PREFIX = "resultant/";
+  const FULL = -2, FORBIDDEN = -3, DAMAGED = -4;
+  const at = (id) => document.getElementById(id);
+  const bytesAt = (from, length) => new Uint8Array(wasm_memory.buffer, from, length);
+  const textAt = (from, length) => new TextDecoder().decode(bytesAt(from, length));
+  let answer = new Uint8Array();
+  const answers = (bytes) => { answer = bytes; return bytes.length; };
+  const encoded = (text) => new TextEncoder().encode(text);
+
+  function tell(words) { at("notice").textContent = words + "  ×"; at("notice").hidden = false; }
+  function stop(words) {
+    at("words").hidden = false;
+    at("words").className = "stopped";
+    at("words").textContent = words;
+  }
+  at("notice").onclick = () => { at("notice").hidden = true; canvas.focus(); };
+
+  // Storage. Text is kept as text, other bytes as base64; the first letter says which. Without a storage a page keeps all until it is closed.
+  let storage;
+  try {
+    storage = window.localStorage;
+    storage.setItem(PREFIX + "?", "");
+    storage.removeItem(PREFIX + "?");
+  } catch (error) {
+    if (!storage || error.name !== "QuotaExceededError") {
+      const held = new Map();
+      storage = {
+        getItem: (key) => held.get(key) ?? null, setItem: (key, value) => held.set(key, value), removeItem: (key) => held.delete(key),
+        key: (index) => [...held.keys()][index], get length() { return held.size; },
+      };
+      tell("This browser keeps no data for this page: scores and levels last until it is closed. “Your data” in the menu exports them.");
+    }
+  }
+  function packed(bytes) {
+    try {
+      return "t" + new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes);
+    } catch {
+      let letters = "";
+      for (let i = 0; i < bytes.length; i += 8192) letters += String.fromCharCode(...bytes.subarray(i, i + 8192));
+      return "b" + btoa(letters);
+    }
+  }
+  function unpacked(value) {
+    if (value[0] === "t") return encoded(value.slice(1));
+    if (value[0] === "b") return Uint8Array.from(atob(value.slice(1)), (letter) => letter.charCodeAt(0));
+    throw new Error("neither text nor base64");
+  }
+
+  // Sound: a worklet, or a script processor where the page is not secure, asks for blocks of 1024 frames; two are always on the way.
+  const FRAMES = 1024, AHEAD = 3;
+  const WORKLET = `registerProcessor("resultant", class extends AudioWorkletProcessor {
+    constructor() { super(); this.blocks = []; this.at = 0; this.port.onmessage = (event) => this.blocks.push(event.data); }
+    process(_, [[left, right]]) {
+      for (let i = 0; i < left.length; i++) {
+        const block = this.blocks[0];
+        if (!block) break;
+        left[i] = block[this.at++]; (right ?? left)[i] = block[this.at++];
+        if (this.at >= block.length) { this.blocks.shift(); this.at = 0; this.port.postMessage(0); }
+      }
+      return true;
+    }
+  });`;
+  let sound;
+  function block() {
+    const from = wasm_exports.resultant_sound_block(FRAMES);
+    return from ? new Float32Array(wasm_memory.buffer, from, 2 * FRAMES).slice() : new Float32Array(2 * FRAMES);
+  }
+  async function beginSound() {
+    if (sound) { if (sound.state === "suspended") sound.resume(); return; }
+    if (!wasm_exports || !window.AudioContext) return;
+    sound = new AudioContext({ latencyHint: "interactive" });
+    wasm_exports.resultant_sound_begins(sound.sampleRate);
+    try {
+      if (sound.audioWorklet) {
+        await sound.audioWorklet.addModule(URL.createObjectURL(new Blob([WORKLET], { type: "text/javascript" })));
+        const node = new AudioWorkletNode(sound, "resultant", { numberOfInputs: 0, outputChannelCount: [2] });
+        node.port.onmessage = () => node.port.postMessage(block());
+        for (let i = 0; i < AHEAD; i++) node.port.postMessage(block());
+        node.connect(sound.destination);
+      } else {
+        const node = sound.createScriptProcessor(FRAMES, 0, 2);
+        node.onaudioprocess = ({ outputBuffer }) => {
+          const samples = block();
+          const [left, right] = [outputBuffer.getChannelData(0), outputBuffer.getChannelData(1)];
+          for (let i = 0; i < FRAMES; i++) { left[i] = samples[2 * i]; right[i] = samples[2 * i + 1]; }
+        };
+        node.connect(sound.destination);
+        window.resultantNode = node;
+      }
+    } catch (error) { console.warn("no sound:", error); }
+  }
+  for (const press of ["keydown", "pointerdown"]) window.addEventListener(press, beginSound, true);
+
+  // Files that are dropped, chosen or pasted as files.
+  async function hand(files) {
+    for (const file of files) {
+      const [name, bytes] = [encoded(file.name), new Uint8Array(await file.arrayBuffer())];
+      const put = (data) => { const to = wasm_exports.resultant_room(data.length); bytesAt(to, data.length).set(data); return to; };
+      const [nameTo, bytesTo] = [put(name), put(bytes)];
+      wasm_exports.resultant_dropped(nameTo, name.length, bytesTo, bytes.length);
+    }
+  }
+
+  let link = location.hash.slice(1), lastLink = "";
+  window.addEventListener("hashchange", () => { link = location.hash.slice(1); });
+
+  miniquad_add_plugin({
+    name: "resultant",
+    version: 1,
+    register_plugin: (imports) => {
+      const loop = imports.env.run_animation_loop, setClipboard = imports.env.sapp_set_clipboard;
+      const fullscreen = imports.env.sapp_set_fullscreen;
+      Object.assign(imports.env, {
+        resultant_now: () => performance.now(),
+        resultant_take: (to) => bytesAt(to, answer.length).set(answer),
+        resultant_get: (key, length) => {
+          let value;
+          try { value = storage.getItem(PREFIX + textAt(key, length)); } catch { return FORBIDDEN; }
+          if (value === null) return -1;
+          try { return answers(unpacked(value)); } catch { return DAMAGED; }
+        },
+        resultant_keys: () => {
+          const keys = [];
+          for (let i = 0; i < storage.length; i++) {
+            const key = storage.key(i);
+            if (key.startsWith(PREFIX)) keys.push(key.slice(PREFIX.length));
+          }
+          return answers(encoded(keys.join("\0")));
+        },
+        resultant_set: (key, length, value, valueLength) => {
+          try { storage.setItem(PREFIX + textAt(key, length), packed(bytesAt(value, valueLength))); return 0; } catch (error) {
+            return error.name === "QuotaExceededError" || error.name === "NS_ERROR_DOM_QUOTA_REACHED" ? FULL : FORBIDDEN;
+          }
+        },
+        resultant_remove: (key, length) => { try { storage.removeItem(PREFIX + textAt(key, length)); } catch { /* It stays. */ } },
+        resultant_pads: (to) => {
+          const levels = new Float32Array(wasm_memory.buffer, to, 19);
+          levels.fill(0);
+          let pads = [];
+          try { pads = navigator.getGamepads?.() ?? []; } catch { /* The page may not ask. */ }
+          for (const pad of pads) {
+            if (pad?.mapping !== "standard") continue;
+            pad.buttons.slice(0, 17).forEach((button, i) => { levels[i] = Math.max(levels[i], button.pressed ? 1 : button.value); });
+            for (const axis of [0, 1]) if (Math.abs(pad.axes[axis]) > Math.abs(levels[17 + axis])) levels[17 + axis] = pad.axes[axis];
+          }
+        },
+        resultant_link: () => { const news = link; if (news) lastLink = news; link = ""; return answers(encoded(news)); },
+        resultant_link_again: () => { link = lastLink; },
+        resultant_say: (kind, from, length) => {
+          const words = textAt(from, length);
+          if (kind === 0) stop(words || "The game has ended. Load the page again to play on.");
+          else if (kind === 1) { if (!window.resultantReady) { window.resultantReady = performance.now(); at("words").hidden = true; } }
+          else if (kind === 2) { at("words").hidden = true; at("lines").hidden = false; at("lines").textContent += words + "\n"; }
+          else if (kind === 3) tell(words);
+          else { try { sessionStorage.setItem(PREFIX + "notice", words); } catch { /* No word then. */ } location.reload(); }
+        },
+        resultant_download: (name, nameLength, bytes, length) => {
+          const anchor = document.createElement("a");
+          anchor.href = URL.createObjectURL(new Blob([bytesAt(bytes, length).slice()], { type: "application/octet-stream" }));
+          anchor.download = textAt(name, nameLength);
+          anchor.click();
+          setTimeout(() => URL.revokeObjectURL(anchor.href), 60000);
+        },
+        resultant_choose_file: () => {
+          const field = document.createElement("input");
+          field.type = "file";
+          field.accept = ".zip";
+          field.onchange = () => { hand(field.files); canvas.focus(); };
+          field.click();
+        },
+        // The loader fills the clipboard at the next press of Ctrl+C; this one at once.
+        sapp_set_clipboard: (from, length) => {
+          setClipboard(from, length);
+          navigator.clipboard?.writeText(textAt(from, length)).catch(() => {});
+        },
+        sapp_set_fullscreen: (wanted) => {
+          if (wanted) canvas.requestFullscreen?.().catch(() => {});
+          else if (document.fullscreenElement) fullscreen(false);
+        },
+        run_animation_loop: (blocking) => {
+          loop(blocking);
+          window.ondrop = (event) => { event.preventDefault(); hand(event.dataTransfer.files); };
+          canvas.oncontextmenu = (event) => event.preventDefault();
+          canvas.addEventListener("keydown", (event) => { if (event.code === "F11" || event.ctrlKey && event.code === "KeyS") event.preventDefault(); });
+          // The browser may change the canvas' size without a window's event: its zoom, another screen, fullscreen.
+          new ResizeObserver(() => resize(canvas, wasm_exports.resize)).observe(canvas);
+          document.addEventListener("visibilitychange", () => {
+            if (document.visibilityState === "visible") return void sound?.resume();
+            wasm_exports.resultant_hidden();
+            sound?.suspend();
+          });
+          canvas.focus();
+        },
+      });
+    },
+  });
+
+  const failed = (event) => {
+    const reason = String(event.message ?? event.reason ?? "");
+    if (window.resultantReady && !/unreachable|RuntimeError|out of bounds/.test(reason)) return;
+    stop("The game has stopped.\nWhat was saved is kept. Load the page again to play on.\n\n" + reason);
+  };
+  window.addEventListener("error", failed);
+  window.addEventListener("unhandledrejection", failed);
+  // The loader reports what keeps the program from starting to the console alone.
+  const report = console.error;
+  console.error = (...words) => { report(...words); if (!window.resultantReady) failed({ message: words.join(" ") }); };
+
+  let notice = null;
+  try { notice = sessionStorage.getItem(PREFIX + "notice"); sessionStorage.removeItem(PREFIX + "notice"); } catch { /* None. */ }
+  if (notice) tell(notice);
+  if (location.protocol === "file:") stop("Resultant is opened from a web server: a browser does not let a page read the program beside it from a disk.\nSuch a server is  python3 -m http.server  in this folder.");
+  else if (typeof WebAssembly !== "object") stop("This browser has no WebAssembly, which Resultant needs.");
+  else if (!document.createElement("canvas").getContext("webgl")) stop("This browser has no WebGL, which Resultant draws with: it may be switched off in the settings.");
+  else load("resultant.wasm");
+})();
