@@ -75,7 +75,7 @@ pub use editor::Editor;
 pub use flight::{Attempt, Flight, Flown, News};
 pub use flights::{FlightCandidate, FlightSource, Flights, Visit};
 pub use folder_watch::{FolderWatch, Stamp};
-pub use instruments::vary::{Varied, Vary, VaryEntry, VaryFrom, VaryLine};
+pub use instruments::vary::Varied;
 pub use instruments::{Instruments, Measures, Plot, PlotPlaces, Stage, Table as Figures, Tool as Instrument};
 pub use jumper::Jumper;
 pub use lab::{Experiment, Half, Lab, PAGES, Page, Shown};
@@ -102,7 +102,7 @@ pub use screen::Screen;
 pub use settings::SettingsPanel;
 pub use tile_run::TileRun;
 pub use toolbar::Toolbar;
-pub use watch::{PACES, Watch, above as watch_room};
+pub use watch::{PACES, Watch};
 #[cfg(all(feature = "window", browser))]
 pub use window::open_page;
 #[cfg(feature = "window")]

@@ -140,7 +140,6 @@ fn draw_instruments(instruments: &Instruments, view: &GameView, (game, alpha): (
     if instruments.is_open() {
         let view = view.viewport(game, alpha, canvas.frame());
         instruments.draw_in_level((game, alpha), &view, canvas);
-        instruments.draw((game, alpha), &view, canvas);
     }
 }
 

@@ -53,7 +53,8 @@ pub struct Watch {
 
 impl Screen for Watch {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
-        self.update(ui.input(), ui.spectator)
+        let rest = self.measure(ui);
+        self.update(&rest, ui.spectator)
     }
 
     fn motion(&self, _: &Input) -> Motion {
@@ -81,10 +82,8 @@ impl Screen for Watch {
     ) {
         let whole = canvas.use_frame(above(canvas.frame()));
         theatre.set_panels(self.instruments.areas(canvas.frame()));
-        let above = canvas.use_frame(self.instruments.room(canvas.frame()));
+        canvas.use_frame(self.instruments.room(canvas.frame()));
         theatre.draw_watched(self, moment.settings, moment.frame_time, canvas);
-        canvas.use_frame(above);
-        self.instruments.draw_below(canvas);
         canvas.use_frame(whole);
         self.draw_controls(canvas);
     }
@@ -127,7 +126,6 @@ impl Watch {
 
     fn go_on(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
         self.line = line(&input.frame);
-        let input = &self.measure(input);
         if let Some(tick) = self.instruments.take_seek() {
             self.paused = true;
             self.go(tick, spectator);
@@ -164,12 +162,13 @@ impl Watch {
         Stage { game: &self.game, history: self.reel.history(), focus: &self.focus, varied: None, seekable: true, before: None }
     }
 
-    /// The instruments' part of a frame; what is left of the input for the flight.
-    fn measure(&mut self, input: &Input) -> Input {
+    /// Shows the instruments; returns the input that remains for the flight.
+    fn measure(&mut self, ui: &mut Ui<'_>) -> Input {
         let mut instruments = std::mem::take(&mut self.instruments);
-        let rest = instruments.update(&Input { frame: above(&input.frame), ..input.clone() }, &self.stage());
+        let whole = ui.frame();
+        let rest = instruments.show(ui, above(&whole), &self.stage());
         self.instruments = instruments;
-        Input { frame: input.frame, ..rest }
+        Input { frame: whole, ..rest }
     }
 
     /// Keys that have no button, or repeat.

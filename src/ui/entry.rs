@@ -4,7 +4,7 @@ use super::text_field::TextField;
 use super::{Touch, Ui, WidgetKind};
 use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
-use crate::settings::{Key, Keys};
+use crate::settings::Key;
 use crate::view::{theme, widgets as paint};
 
 /// From the box's edge to its text.
@@ -111,9 +111,4 @@ impl Ui<'_> {
         canvas.text(&shown, Vec2::new(area.max().x - INSIDE, area.centre().y), style);
         pressed
     }
-}
-
-/// The keys of an open entry are its own: an input without them remains.
-pub fn without_keys(input: &super::input::Input) -> super::input::Input {
-    super::input::Input { pressed: Keys::default(), held: Keys::default(), typed: String::new(), ..input.clone() }
 }

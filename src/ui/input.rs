@@ -161,6 +161,11 @@ impl Input {
         }
     }
 
+    /// The same input without the keyboard, for a screen whose keys go into a line of text.
+    pub fn without_keys(&self) -> Self {
+        Self { pressed: Keys::default(), held: Keys::default(), typed: String::new(), ..self.clone() }
+    }
+
     /// A press goes before a move.
     pub fn answer(&self, answer: ButtonAnswer) {
         if self.answer.get() != Some(ButtonAnswer::Pressed) {

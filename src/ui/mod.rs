@@ -14,14 +14,14 @@ pub mod text_field;
 mod tip;
 mod widgets;
 
-pub use entry::{Entry, EntryEvent, without_keys};
+pub use entry::{Entry, EntryEvent};
 pub use memory::{Memory, Widget, WidgetKind};
 pub use slider::{SliderMove, SliderShown};
 pub use spectator::Spectator;
 pub use widgets::{FieldEvent, Rows, Touch, Turning};
 
 use crate::draw::Canvas;
-use crate::draw::layout::{Area, Frame};
+use crate::draw::layout::{Area, Frame, Vec2};
 use crate::settings::{Action, Key, Keys};
 use input::Input;
 use memory::PassShown;
@@ -152,6 +152,11 @@ impl<'a> Ui<'a> {
     /// Focuses the widget of that label; `None`: the layer's default.
     pub fn focus(&mut self, label: Option<&str>) {
         self.memory.focus_on(label);
+    }
+
+    /// Whether a widget of the last frame is there.
+    pub fn has_widget_at(&self, at: Vec2) -> bool {
+        self.memory.widgets().iter().any(|widget| widget.area.contains(at))
     }
 
     pub fn has_focus(&self, label: &str) -> bool {

@@ -19,7 +19,8 @@ pub struct SliderShown {
     pub part: f64,
     /// The place of a mark for comparison, 0 … 1.
     pub mark: f64,
-    pub colour: Colour,
+    /// Its colour; `None`: the slider is closed.
+    pub knob: Option<Colour>,
 }
 
 /// The player's act with a slider.
@@ -43,10 +44,11 @@ impl Ui<'_> {
         canvas.line(place(0.0), place(1.0), TRACK, theme::solid());
         let (mark, half) = (place(shown.mark), Vec2::new(0.0, knob));
         canvas.line(mark - half, mark + half, MARK, theme::quiet());
-        canvas.disc(place(shown.part), knob, if held { theme::accent() } else { shown.colour });
         if focus {
             paint::focus_ring(canvas, area);
         }
+        let colour = shown.knob?;
+        canvas.disc(place(shown.part), knob, if held { theme::accent() } else { colour });
         if !self.acting {
             return None;
         }

@@ -180,7 +180,7 @@ fn a_slider_follows_the_pointer_that_holds_it_and_the_keys_that_it_has() {
     let mut give = |input: &Input, by_pointer: bool| {
         let show = |ui: &mut Ui<'_>| {
             // A knob's radius inside the ends: from 105.2 to 194.8.
-            let shown = SliderShown { part, mark: 0.5, colour: crate::view::theme::text() };
+            let shown = SliderShown { part, mark: 0.5, knob: Some(crate::view::theme::text()) };
             let area = Area::new(100.0, 100.0, 100.0, 20.0);
             ui.slider("Mass", area, &shown)
         };

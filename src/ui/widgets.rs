@@ -95,12 +95,12 @@ impl Ui<'_> {
         touch.pressed
     }
 
-    /// A button in words of that style: in its middle where they are centred, else at its left end.
-    pub fn small_button(&mut self, label: &str, area: Area, style: Style) -> bool {
+    /// A button with its words in that style: in its middle where they are centred, else at its left end.
+    pub fn small_button(&mut self, (label, words): (&str, &str), area: Area, style: Style) -> bool {
         let touch = self.touch(label, area, WidgetKind::Button);
         paint::button_box(self.canvas(), area, touch.hover, touch.focus);
         let at = if style.align == Align::Centre { area.centre() } else { Vec2::new(area.min.x + GRID, area.centre().y) };
-        self.text(label, at, style.middle());
+        self.text(words, at, style.middle());
         touch.pressed
     }
 

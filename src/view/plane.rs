@@ -66,9 +66,11 @@ mod drawing {
 
     /// From a legend line's right end to the two limits.
     const LIMITS: [f32; 2] = [84.0, 8.0];
-    /// The marks on the two rays.
-    const MARKS: [&str; 2] =
-        ["h/τ: drag alone, without a spring; ω·h: a swing without drag.", "Marks on the two rays: these limits."];
+    /// The two limits, and their marks on the two rays.
+    const MARKS: [&str; 3] =
+        ["h/τ: drag alone, without a spring.", "ω·h: a swing without drag.", "Marks on the two rays: these limits."];
+    /// Line height of these words.
+    const SMALL_LINE: f32 = 20.0;
 
     /// The plane, the edges of all regions, and all of the picked one.
     pub fn draw(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usize>) {
@@ -164,9 +166,10 @@ mod drawing {
             line(index + 1, &look(index), (region.name, [region.drag, region.swing]), whole);
         }
         line(regions.len() + 1, &shipped_look(), (SHIPPED, SHIPPED_LIMITS), true);
-        for (down, words) in MARKS.into_iter().enumerate() {
-            let area = plane.legend(regions.len() + 2 + down);
-            canvas.text(words, area.min + Vec2::new(WORDS, LINE / 2.0), Style::new(DETAILS, theme::quiet()).middle());
+        let first = plane.legend(regions.len() + 2).min + Vec2::new(WORDS, LINE / 2.0);
+        for (line, words) in MARKS.into_iter().enumerate() {
+            let at = first + Vec2::new(0.0, line as f32 * SMALL_LINE);
+            canvas.text(words, at, Style::new(DETAILS, theme::quiet()).middle());
         }
     }
 }

@@ -6,7 +6,7 @@ use resultant::game::{Game, Medal, Outcome, Replay};
 use resultant::number::{clock, hundredths};
 use resultant::pack;
 use resultant::scores::Standing;
-use resultant::screens::{Gap, Input, Instrument, Key, MOST_RIVALS, Spectator, Split};
+use resultant::screens::{Gap, Input, Key, MOST_RIVALS, Spectator, Split};
 use std::fs;
 use std::path::Path;
 
@@ -78,10 +78,7 @@ fn what_is_watched_is_measured_as_it_was_flown() {
     sitting.fly("0");
     fly_up(&mut sitting, 0);
     sitting.choose("Flights").choose("Watch").press(Key::I);
-    for tool in [Instrument::Trails, Instrument::Figures] {
-        let rail = sitting.watch().instruments().areas(&Input::default().frame);
-        sitting.click_at(rail[tool as usize].centre());
-    }
+    sitting.click("Trails").click("Energy, work");
     sitting.wait(3.0);
     for key in [Key::Left, Key::Home, Key::Right, Key::End, Key::PageUp, Key::Right] {
         sitting.press(key);

@@ -1,4 +1,4 @@
-//! The instruments beside a flight: the rail, and whose clicks are whose.
+//! The instruments beside a flight: the rail, the panels, and the clicks that each of them takes.
 
 use crate::sitting::{Sitting, says};
 use resultant::draw::layout::Vec2;
@@ -20,19 +20,18 @@ fn the_rail_opens_by_key_and_its_buttons_take_their_clicks_from_the_flight() {
     assert!(sitting.flight().instruments().is_open());
     let followed = sitting.flight().observer().focus().followed();
     assert!(followed.is_some());
-    let areas = sitting.flight().instruments().areas(&Input::default().frame);
-    sitting.give(Input { pointer: areas[0].centre(), click: true, ..Input::default() });
+    sitting.click("Centre of mass");
     assert!(sitting.flight().instruments().uses(Instrument::Centre));
     assert_eq!(sitting.flight().observer().focus().followed(), followed, "the click was the button's");
     sitting.give(Input { pointer: Vec2::new(640.0, 200.0), click: true, ..Input::default() });
     assert_eq!(sitting.flight().observer().focus().followed(), None, "the click was the flight's");
     sitting.press(Key::R);
-    assert!(sitting.flight().instruments().uses(Instrument::Centre), "it stays in use when the level begins anew");
+    assert!(sitting.flight().instruments().uses(Instrument::Centre), "it stays in use when the level begins again");
     sitting.press(Key::I);
     assert!(!sitting.flight().instruments().uses(Instrument::Centre) && !sitting.flight().is_assisted());
 }
 
-/// A flight that falls freely, with those instruments in use and the world stopped.
+/// A free fall, with these instruments in use and the world stopped.
 fn measuring(tools: &[Instrument]) -> Sitting {
     let mut sitting = Sitting::with(|folder| {
         let room = "width,1500\nheight,3000\ngravity,10\nair_density,0\n";
@@ -41,8 +40,7 @@ fn measuring(tools: &[Instrument]) -> Sitting {
     sitting.fly("2");
     sitting.press(Key::I);
     for tool in tools {
-        let areas = sitting.flight().instruments().areas(&Input::default().frame);
-        sitting.click_at(areas[*tool as usize].centre());
+        sitting.click(tool.name());
         assert!(sitting.flight().instruments().uses(*tool));
     }
     if !sitting.flight().observer().frozen() {
@@ -51,7 +49,7 @@ fn measuring(tools: &[Instrument]) -> Sitting {
     sitting
 }
 
-/// The world goes on for so many frames, and stops again.
+/// The world goes on for `frames` frames, and stops again.
 fn fly_for(sitting: &mut Sitting, frames: u32) {
     sitting.press(Key::B);
     for _ in 0..frames {
@@ -67,31 +65,27 @@ fn ticks(sitting: &Sitting) -> u64 {
 #[test]
 fn the_stop_clock_runs_in_the_time_of_the_game_and_goes_back_with_it() {
     let mut sitting = measuring(&[Instrument::StopClock]);
-    let press = |sitting: &mut Sitting, button: usize| {
-        let at = sitting.flight().instruments().measures().clock_buttons().areas()[button].centre();
-        sitting.click_at(at);
-    };
     let read = |sitting: &Sitting| sitting.flight().instruments().measures().clock().ticks(ticks(sitting));
     let start = ticks(&sitting);
-    press(&mut sitting, 0);
+    sitting.click("Start");
     sitting.wait(1.0);
     assert_eq!((read(&sitting), ticks(&sitting)), (0, start), "the world stands still, and so does the clock");
     fly_for(&mut sitting, 30);
     let flown = (ticks(&sitting) - start).cast_signed();
     assert!(flown > 50);
     assert_eq!(read(&sitting), flown);
-    press(&mut sitting, 1);
+    sitting.click("Lap");
     sitting.press(Key::Comma).press(Key::Comma).press(Key::Period);
     assert_eq!(read(&sitting), flown - 1);
-    press(&mut sitting, 0);
+    sitting.click("Stop");
     sitting.press(Key::Comma);
     assert_eq!(read(&sitting), flown - 1, "it is stopped");
     let laps: Vec<_> = sitting.flight().instruments().measures().clock().laps().collect();
     assert_eq!(laps, [(1, flown)]);
-    // Whoever goes on from here flies anew: the lap has not been.
+    // A flight that goes on from here has another future: the lap is gone.
     fly_for(&mut sitting, 1);
     assert_eq!(sitting.flight().instruments().measures().clock().laps().count(), 0);
-    press(&mut sitting, 2);
+    sitting.click("Reset");
     assert_eq!(read(&sitting), 0);
     sitting.press(Key::R);
     assert_eq!(*sitting.flight().instruments().measures().clock(), Default::default(), "another flight, another clock");
@@ -116,7 +110,7 @@ fn the_ruler_is_laid_taken_again_and_bound_to_bodies() {
     assert_eq!((reading.length, reading.parts), (5.0, DVec2::new(3.0, 4.0)));
     drag(&mut sitting, (5.1, 26.2), (2.0, 18.0));
     assert_eq!(read(&sitting).unwrap().parts, DVec2::new(0.0, 12.0), "its end was taken");
-    // Onto the ship: from now on it goes with the ship.
+    // An end on the ship goes with the ship.
     let ship = sitting.flight().game().world().bodies()[0].position;
     drag(&mut sitting, (2.0, 18.0), (ship.x + 0.2, ship.y - 0.1));
     let before = read(&sitting).unwrap().parts;
@@ -125,7 +119,7 @@ fn the_ruler_is_laid_taken_again_and_bound_to_bodies() {
     let fallen = sitting.flight().game().world().bodies()[0].position.y - ship.y;
     assert!(fallen > 0.2);
     assert!((before.y - read(&sitting).unwrap().parts.y - fallen).abs() < 1e-12);
-    // A click that draws nothing leaves it as it lies, and is the flight's.
+    // A click without a drag moves no ruler, and is the flight's.
     sitting.press(Key::Tab).press(Key::N);
     assert!(sitting.flight().observer().focus().followed().is_some());
     let before = read(&sitting);
@@ -135,7 +129,7 @@ fn the_ruler_is_laid_taken_again_and_bound_to_bodies() {
     assert_eq!(sitting.flight().observer().focus().followed(), None);
     assert_eq!(read(&sitting), before);
     // On the rail it draws nothing.
-    let rail = sitting.flight().instruments().areas(&Input::default().frame)[0].centre();
+    let rail = sitting.area("Centre of mass").centre();
     sitting.give(Input { pointer: rail, place: Some(DVec2::ZERO), click: true, holding: true, ..Input::default() });
     sitting.give(Input { pointer: rail + 300.0, place: Some(DVec2::ONE), holding: true, ..Input::default() });
     assert_eq!(read(&sitting), before);
@@ -170,16 +164,12 @@ fn the_table_obeys_the_law_of_work_and_energy_as_it_is_written() {
     told(&sitting, "Momentum y", -100.0 * ship.velocity.y, "N·s");
     assert_eq!(sitting.flight().instruments().measures().table().columns, ["Ship"], "alone it is all");
     // From now on.
-    let button = |sitting: &mut Sitting, button: usize| {
-        let at = sitting.flight().instruments().measures().work_buttons().areas()[button].centre();
-        sitting.click_at(at);
-    };
-    button(&mut sitting, 0);
+    sitting.click("From now");
     assert_eq!(text(&sitting, "= kinetic gained"), ["0 J"]);
     sitting.press(Key::Comma);
     let back = ship.position.y - sitting.flight().game().world().bodies()[0].position.y;
     told(&sitting, "Weight", -1000.0 * back, "J");
-    button(&mut sitting, 1);
+    sitting.click("From start");
     told(&sitting, "Weight", 1000.0 * (fallen - back), "J");
 }
 
@@ -201,7 +191,7 @@ fn trails_are_right_at_every_moment_gone_to() {
 #[test]
 fn a_panel_is_dragged_out_of_the_way_and_stays_in_the_window() {
     let mut sitting = measuring(&[Instrument::Figures]);
-    let area = |sitting: &Sitting| sitting.flight().instruments().measures().area(Instrument::Figures).unwrap();
+    let area = |sitting: &Sitting| sitting.flight().instruments().measures().areas().next().expect("the table");
     let docked = area(&sitting);
     let drag = |sitting: &mut Sitting, by: Vec2| {
         let from = area(sitting).min + 4.0;
@@ -215,5 +205,5 @@ fn a_panel_is_dragged_out_of_the_way_and_stays_in_the_window() {
     let frame = Input::default().frame;
     assert!(area(&sitting).min.y >= 0.0 && area(&sitting).max().x <= frame.size.x);
     sitting.press(Key::R).press(Key::B).rest();
-    assert!(area(&sitting).min.x > docked.min.x, "it stays there when the level begins anew");
+    assert!(area(&sitting).min.x > docked.min.x, "it stays there when the level begins again");
 }

@@ -2,9 +2,9 @@
 
 use crate::sitting::Sitting;
 use crate::what_if::type_in;
-use resultant::draw::layout::Vec2;
 use resultant::level::Parameter;
 use resultant::screens::{Instrument, Key, Lab, Page};
+use resultant::view::theme;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -45,31 +45,17 @@ pub fn experiment(name: &str) -> Sitting {
     sitting
 }
 
-/// The middle of the button with that label.
-pub fn button(sitting: &Sitting, words: &str) -> Option<Vec2> {
-    let plot = sitting.flight().instruments().plot();
-    plot.buttons().find(|(other, _)| *other == words).map(|(_, area)| area.centre())
-}
-
-pub fn press_button(sitting: &mut Sitting, words: &str) {
-    let at = button(sitting, words).unwrap_or_else(|| panic!("no button {words:?}"));
-    sitting.click_at(at);
-}
-
 /// Opens the instruments and the plot on their rail.
 pub fn open_plot(sitting: &mut Sitting) {
-    sitting.press(Key::I);
-    let rail = sitting.flight().instruments().areas(&sitting.frame);
-    sitting.click_at(rail[Instrument::Plot as usize].centre());
+    sitting.press(Key::I).click("Plot");
     assert!(sitting.flight().instruments().uses(Instrument::Plot));
 }
 
-/// The path that the plot shows after its last export.
+/// The path in the plot's message on its last export.
 pub fn written(sitting: &Sitting) -> PathBuf {
-    match sitting.flight().instruments().plot().message() {
-        Some((words, false)) => PathBuf::from(words.strip_prefix("Written: ").unwrap()),
-        told => panic!("{told:?}"),
-    }
+    let words = sitting.line("Written: ");
+    assert_eq!(sitting.colour(&words), theme::good());
+    PathBuf::from(words.strip_prefix("Written: ").unwrap())
 }
 
 /// The columns of a table with these headings.
@@ -95,7 +81,7 @@ fn slope(xs: &[f64], ys: &[f64]) -> f64 {
 
 /// The velocity of the first ball, as a file has it: ticks, times and v_y.
 fn taken_along(sitting: &mut Sitting) -> Vec<Vec<f64>> {
-    press_button(sitting, "CSV");
+    sitting.click("CSV");
     sitting.rest();
     columns(&written(sitting), &["tick", "t (s)", "Ball 1 v_y (m/s)"])
 }
@@ -134,8 +120,7 @@ fn with_another_mass_the_slope_in_the_file_is_still_g() {
     open_plot(&mut sitting);
     sitting.wait(0.1);
     let light = taken_along(&mut sitting);
-    let rail = sitting.flight().instruments().areas(&sitting.frame);
-    sitting.click_at(rail[Instrument::Vary as usize].centre());
+    sitting.click("What if …");
     type_in(&mut sitting, Parameter::Mass(1), "50");
     sitting.wait(0.1);
     let flight = sitting.flight();
@@ -176,7 +161,7 @@ fn a_played_lesson_ends_with_g_in_a_file() {
         let fallen = 0.5 * G * (now as f64 / 120.0).powi(2);
         assert!((area.unwrap() + fallen).abs() <= 1e-9 * fallen, "the area that is shown: {area:?}");
         assert_eq!((unit.name(), way.name()), ("m/s²".to_owned(), "m".to_owned()));
-        press_button(&mut sitting, "CSV");
+        sitting.click("CSV");
         sitting.rest();
         let path = written(&sitting);
         assert_eq!(path.parent().unwrap(), sitting.folder.path().join("exports"));
@@ -191,7 +176,7 @@ fn a_played_lesson_ends_with_g_in_a_file() {
             assert!((height - exact).abs() <= 1e-9, "{time}: {height} {exact}");
         }
         slopes.push(g);
-        press_button(&mut sitting, "SVG");
+        sitting.click("SVG");
         sitting.rest();
         let svg = fs::read_to_string(written(&sitting)).unwrap();
         assert!(svg.contains(&format!("{name} v_y")) && svg.contains("v_y (m/s)") && svg.contains("t (s)") && !svg.contains("NaN"));

@@ -1,13 +1,15 @@
 //! The plot beside a flight: what it shows, where it leads, and what it writes.
 
-use crate::lesson::{button, columns, experiment, free_fall, open_plot, press_button, written};
+use crate::lesson::{columns, experiment, free_fall, open_plot, written};
 use crate::sitting::{HERE, Sitting, level};
 use proptest::prelude::*;
+use resultant::draw::Canvas;
 use resultant::draw::layout::{Frame, Vec2};
 use resultant::game::{Controls, Game, History};
 use resultant::level::load;
 use resultant::physics::BodyId;
-use resultant::screens::{Input, Instrument, Key, Plot, PlotPlaces, Stage, watch_room};
+use resultant::screens::{Input, Key, Plot, PlotPlaces, Stage};
+use resultant::ui::{Memory, PassInput};
 use resultant::view::focus::Focus;
 use std::fs;
 use std::path::Path;
@@ -21,7 +23,7 @@ fn ticks(sitting: &Sitting) -> u64 {
     sitting.flight().game().ticks()
 }
 
-/// What the plot reads off a curve at the moment that is shown.
+/// The plot's reading of a curve at the moment on the screen.
 fn value(sitting: &Sitting, number: usize) -> Option<f64> {
     plot(sitting).readings()[number].numbers[0].0
 }
@@ -42,12 +44,12 @@ fn names(sitting: &Sitting) -> Vec<String> {
 #[test]
 fn what_is_asked_for_late_is_there_from_the_first_tick() {
     let mut sitting = falling();
-    press_button(&mut sitting, "v_y");
-    press_button(&mut sitting, "E_kin");
-    press_button(&mut sitting, "+ Curve");
-    press_button(&mut sitting, "E_mech");
+    sitting.click("Curve 2: v_y");
+    sitting.click("E_kin");
+    sitting.click("+ Curve");
+    sitting.click("E_mech");
     assert_eq!(names(&sitting), ["Ball 1 y", "Ball 1 E_kin", "Ball 1 E_mech"]);
-    press_button(&mut sitting, "CSV");
+    sitting.click("CSV");
     sitting.rest();
     let table = columns(&written(&sitting), &["tick", "Ball 1 E_kin (J)", "Ball 1 E_mech (J)"]);
     assert_eq!((table[0].len() as u64, table[0][0], table[1][0]), (ticks(&sitting) + 1, 0.0, 0.0));
@@ -61,7 +63,7 @@ fn a_click_in_the_plot_leads_to_its_moment_where_the_world_stands_still() {
     open_plot(&mut sitting);
     let followed = sitting.flight().observer().focus().followed();
     assert_eq!(followed, Some(BodyId(1)), "objects are picked out for the plot");
-    let at = |sitting: &Sitting, tick| plot(sitting).at(&sitting.frame, 0, tick).unwrap();
+    let at = |sitting: &Sitting, tick| plot(sitting).at(0, tick).unwrap();
     let place = at(&sitting, 20);
     sitting.click_at(place);
     assert!(ticks(&sitting) > 60, "what runs goes on");
@@ -76,16 +78,16 @@ fn a_click_in_the_plot_leads_to_its_moment_where_the_world_stands_still() {
     }
     assert_eq!(sitting.flight().observer().focus().followed(), followed, "the clicks were the plot's");
     assert!(sitting.flight().is_assisted() && sitting.flight().history().ticks() == end);
-    // From there it is flown anew, and that is the curve.
+    // From there it is flown otherwise, and the curve follows.
     sitting.press(Key::B).wait(0.1).press(Key::B).wait(0.1);
     let tick = ticks(&sitting);
     assert!(tick < end && sitting.flight().history().ticks() == tick);
-    press_button(&mut sitting, "CSV");
+    sitting.click("CSV");
     sitting.rest();
     assert_eq!(columns(&written(&sitting), &["tick"])[0].len() as u64, tick + 1);
 }
 
-/// Where things move sideways it plots that; and the area under v is the way, also across an impact.
+/// A sideways motion is plotted along x. The area under v is the displacement, also across an impact.
 #[test]
 fn it_opens_along_the_motion_and_the_area_under_v_is_the_way() {
     let mut sitting = experiment("third-law");
@@ -101,13 +103,12 @@ fn it_opens_along_the_motion_and_the_area_under_v_is_the_way() {
     assert!((area - moved).abs() <= 1e-12 * moved, "{area} m for {moved} m");
 }
 
-/// Two that are compared are told of together; all are only where nobody is followed, and the idle ship is none of them.
+/// Two compared objects have a column of both; a column of all is there only while no object is followed, without the idle ship.
 #[test]
 fn the_table_does_not_mix_pairs() {
     let mut sitting = experiment("momentum");
     sitting.wait(0.1).press(Key::I);
-    let rail = sitting.flight().instruments().areas(&sitting.frame);
-    sitting.click_at(rail[Instrument::Figures as usize].centre());
+    sitting.click("Energy, work");
     let table = |sitting: &Sitting| sitting.flight().instruments().measures().table().clone();
     let momentum = |sitting: &Sitting| table(sitting).lines[0].values.clone();
     assert_eq!((table(&sitting).columns, momentum(&sitting)), (vec!["Box 1".to_owned()], vec!["12.0 N·s".to_owned()]));
@@ -139,42 +140,43 @@ fn two_objects_are_compared_in_four_curves_and_no_more() {
     // The first ball is followed from the start.
     pick(&mut sitting, 3, true);
     assert_eq!(names(&sitting), ["Ball 1 y", "Ball 1 v_y", "Ball 3 y", "Ball 3 v_y"]);
-    assert_eq!((value(&sitting, 1), button(&sitting, "+ Curve")), (value(&sitting, 3), None), "all fall alike");
-    // Who is kept stays, whoever is followed.
-    press_button(&mut sitting, "1st: Ball 1");
+    assert_eq!(value(&sitting, 1), value(&sitting, 3), "all fall alike");
+    assert!(!sitting.labels().contains(&"+ Curve"));
+    // A kept object stays, whichever is followed.
+    sitting.click("1st: Ball 1");
     pick(&mut sitting, 2, false);
     assert_eq!(names(&sitting)[0], "Ball 1 y");
-    press_button(&mut sitting, "1st: Ball 1, kept");
+    sitting.click("1st: Ball 1, kept");
     sitting.wait(0.1);
     assert_eq!(names(&sitting)[..2], ["Ball 2 y", "Ball 2 v_y"]);
     for _ in 0..4 {
-        press_button(&mut sitting, "×");
+        sitting.click("Curve 1: ×");
     }
-    assert!(names(&sitting).is_empty() && button(&sitting, "×").is_none());
-    press_button(&mut sitting, "CSV");
+    assert!(names(&sitting).is_empty() && !sitting.labels().contains(&"Curve 1: ×"));
+    sitting.click("CSV");
     sitting.rest();
-    assert!(plot(&sitting).message().unwrap().1, "there is nothing to be written");
+    assert_eq!(sitting.warning().as_deref(), Some("There is no curve to be exported."));
     for _ in 0..4 {
-        press_button(&mut sitting, "+ Curve");
+        sitting.click("+ Curve");
         sitting.click_at(Vec2::new(640.0, 100.0));
     }
-    assert!(names(&sitting).len() == 4 && button(&sitting, "+ Curve").is_none());
+    assert!(names(&sitting).len() == 4 && !sitting.labels().contains(&"+ Curve"));
 }
 
 #[test]
 fn one_quantity_over_another_has_its_area_and_its_cursor() {
     let mut sitting = falling();
-    press_button(&mut sitting, "Across: t");
-    press_button(&mut sitting, "y");
-    press_button(&mut sitting, "v_y");
-    press_button(&mut sitting, "F_y");
+    sitting.click("Across: t");
+    sitting.click("y");
+    sitting.click("Curve 2: v_y");
+    sitting.click("F_y");
     let [_, _, (work, unit)] = plot(&sitting).readings()[1].numbers;
     let ball = sitting.flight().game().world().body(BodyId(1)).clone();
     let kinetic = 0.5 * ball.mass * ball.velocity.length_squared();
     // Before the first tick nothing acted yet: the trapezoid of that tick is half as high.
     assert!((work.unwrap() - kinetic).abs() <= 1e-3 * kinetic, "{work:?} {kinetic}");
     assert_eq!(unit.name(), "J");
-    let place = plot(&sitting).at(&sitting.frame, 1, 90).unwrap();
+    let place = plot(&sitting).at(1, 90).unwrap();
     sitting.click_at(place);
     assert_eq!(ticks(&sitting), 90);
 }
@@ -182,7 +184,7 @@ fn one_quantity_over_another_has_its_area_and_its_cursor() {
 #[test]
 fn the_wheel_shows_less_of_the_flight_and_shift_marks_a_stretch() {
     let mut sitting = falling();
-    let at = |sitting: &Sitting, tick| plot(sitting).at(&sitting.frame, 1, tick).unwrap();
+    let at = |sitting: &Sitting, tick| plot(sitting).at(1, tick).unwrap();
     let (from, to) = (at(&sitting, 30), at(&sitting, 90));
     let shift = [Key::Shift].into_iter().collect();
     let now = ticks(&sitting);
@@ -191,14 +193,14 @@ fn the_wheel_shows_less_of_the_flight_and_shift_marks_a_stretch() {
     let area = plot(&sitting).readings()[1].numbers[2].0.unwrap();
     let fallen = 0.5 * 9.81 * (0.75_f64.powi(2) - 0.25_f64.powi(2));
     assert!((area + fallen).abs() <= 1e-9 * fallen && ticks(&sitting) == now, "{area} {fallen}");
-    assert!(button(&sitting, "Whole flight").is_none());
+    assert!(!sitting.labels().contains(&"Whole flight"));
     for _ in 0..5 {
         sitting.give(Input { pointer: from, wheel: 1.0, ..Input::default() });
     }
     assert!((at(&sitting, 30) - from).length() < 1.0, "what the pointer shows stays below it");
     assert!(at(&sitting, 31).x - from.x > 2.0 * (to.x - from.x) / 60.0);
-    press_button(&mut sitting, "Whole flight");
-    assert!((at(&sitting, 90) - to).length() < 1.0 && button(&sitting, "Whole flight").is_none());
+    sitting.click("Whole flight");
+    assert!((at(&sitting, 90) - to).length() < 1.0 && !sitting.labels().contains(&"Whole flight"));
 }
 
 #[test]
@@ -206,10 +208,10 @@ fn where_nothing_can_be_written_that_is_said_and_nothing_is_there() {
     let mut sitting = free_fall();
     fs::write(sitting.folder.path().join("exports"), "a file").unwrap();
     open_plot(&mut sitting);
-    press_button(&mut sitting, "CSV");
+    sitting.click("CSV");
     sitting.rest();
-    let (words, bad) = plot(&sitting).message().unwrap();
-    assert!(bad && words.contains("exports") && words.contains("cannot keep the curves"), "{words}");
+    let words = sitting.warning().unwrap();
+    assert!(words.contains("exports") && words.contains("cannot keep the curves"), "{words}");
     assert_eq!(fs::read_to_string(sitting.folder.path().join("exports")).unwrap(), "a file");
 }
 
@@ -233,15 +235,14 @@ fn a_watched_flight_is_plotted_and_gone_through() {
     }
     sitting.wait(0.5);
     sitting.choose("Flights").choose("Watch").press(Key::I);
-    let rail = sitting.watch().instruments().areas(&sitting.frame);
-    sitting.click_at(rail[Instrument::Plot as usize].centre()).wait(0.3);
+    sitting.click("Plot").wait(0.3);
     assert!(!sitting.watch().paused());
-    let place = sitting.watch().instruments().plot().at(&watch_room(&sitting.frame), 1, 25).unwrap();
+    let place = sitting.watch().instruments().plot().at(1, 25).unwrap();
     sitting.click_at(place);
     assert!(sitting.watch().paused() && sitting.watch().place().0 == 25, "{:?}", sitting.watch().place());
 }
 
-/// A flight of the first level: so many ticks with thrust, then without.
+/// A flight of the first level: `thrust` ticks with thrust, then without.
 fn flown(thrust: u64, ticks: u64) -> (Game, History) {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut game = Game::new(Arc::new(load(&root.join("levels/1"), root).unwrap().level)).unwrap();
@@ -262,24 +263,30 @@ fn the_run_before_shares_the_axes_of_the_run() {
     let focus = Focus::default();
     let stage = |before| Stage { game: &game, history: &history, focus: &focus, varied: None, seekable: true, before };
     let (input, mut plot) = (Input { frame_time: 0.01, ..Input::default() }, Plot::default());
-    let settle = |plot: &mut Plot, before| (0..20).for_each(|_| drop(plot.update(&input, &stage(before))));
+    let canvas = Canvas::new(input.frame);
+    let settle = |plot: &mut Plot, before| {
+        for _ in 0..20 {
+            let pass = PassInput { input: &input, canvas: &canvas, spectator: &mut (), time: 0.0 };
+            Memory::default().act(pass, |ui| plot.show(ui, &input, &stage(before)));
+        }
+    };
     settle(&mut plot, None);
-    let alone = plot.at(&input.frame, 0, 200).unwrap();
+    let alone = plot.at(0, 200).unwrap();
     settle(&mut plot, Some(&longer));
-    let beside = plot.at(&input.frame, 0, 200).unwrap();
-    let left = plot.at(&input.frame, 0, 0).unwrap().x;
+    let beside = plot.at(0, 200).unwrap();
+    let left = plot.at(0, 0).unwrap().x;
     assert!(((beside.x - left) / (alone.x - left) - 0.25).abs() < 1e-3, "four times as long: {alone} {beside}");
     // It may go on, or lose what it did last.
     settle(&mut plot, Some(&shorter));
-    let part = |plot: &Plot| (plot.at(&input.frame, 0, 200).unwrap().x - left) / (alone.x - left);
+    let part = |plot: &Plot| (plot.at(0, 200).unwrap().x - left) / (alone.x - left);
     assert!((part(&plot) - 0.5).abs() < 1e-3);
     settle(&mut plot, Some(&longer));
     assert!((part(&plot) - 0.25).abs() < 1e-3);
     let mut plot = plot.of_another_flight();
     settle(&mut plot, Some(&longer));
-    assert_eq!(plot.at(&input.frame, 0, 200), Some(beside));
+    assert_eq!(plot.at(0, 200), Some(beside));
     settle(&mut plot, None);
-    assert_eq!(plot.at(&input.frame, 0, 200), Some(alone));
+    assert_eq!(plot.at(0, 200), Some(alone));
 }
 
 proptest! {

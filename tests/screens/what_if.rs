@@ -2,11 +2,13 @@
 
 use crate::sitting::{Sitting, level};
 use resultant::draw::layout::{Frame, Vec2};
+use resultant::draw::{Contour, Shape};
 use resultant::game::{Outcome, SHIP};
-use resultant::instruments::vary::SliderTrack;
 use resultant::level::{self, Parameter};
 use resultant::physics::DVec2;
-use resultant::screens::{Attempt, Input, Instrument, Key, Request, Rival, VaryEntry, VaryFrom};
+use resultant::screens::{Attempt, Input, Instrument, Key, Request, Rival};
+use resultant::ui::WidgetKind;
+use resultant::view::theme;
 use std::fs;
 use std::sync::Arc;
 
@@ -21,30 +23,55 @@ fn varying() -> Sitting {
 
 /// Opens the rail, and on it the panel.
 fn open(sitting: &mut Sitting) {
-    sitting.press(Key::I);
-    let areas = sitting.flight().instruments().areas(&sitting.frame);
-    sitting.click_at(areas[Instrument::Vary as usize].centre());
+    sitting.press(Key::I).click("What if …");
     assert!(sitting.flight().instruments().uses(Instrument::Vary));
-    assert!(!sitting.flight().instruments().vary().lines().is_empty());
+    assert!(sitting.shows(" and level"));
 }
 
-fn parts(sitting: &Sitting, parameter: Parameter) -> [Vec2; 3] {
-    sitting.flight().instruments().vary().parts(parameter).expect("it has a line").map(|area| area.centre())
+/// The label of a number.
+fn number(parameter: Parameter) -> String {
+    format!("{}: number", parameter.name())
 }
 
 /// Types a number into its field.
 pub fn type_in(sitting: &mut Sitting, parameter: Parameter, text: &str) {
-    let [_, number, _] = parts(sitting, parameter);
-    sitting.click_at(number);
+    sitting.click(&number(parameter));
     for _ in 0..40 {
         sitting.press(Key::Backspace);
     }
     sitting.write(text).press(Key::Enter);
 }
 
-fn button(sitting: &mut Sitting, index: usize) {
-    let at = sitting.flight().instruments().vary().buttons()[index].centre();
-    sitting.click_at(at);
+/// The label of the open number or name, and its text.
+fn entry(sitting: &Sitting) -> Option<(String, String)> {
+    let widget = sitting.app.widgets().iter().find(|widget| widget.kind == WidgetKind::Field)?;
+    Some((widget.label.clone(), sitting.field()))
+}
+
+/// The message of the panel, which its tooltip shows in full, and whether it is bad.
+fn message(sitting: &mut Sitting) -> Option<(String, bool)> {
+    let panel = sitting.flight().instruments().vary_area()?;
+    let is_message = |(text, at): &(String, Vec2)| {
+        let colour = sitting.colour(text);
+        panel.contains(*at) && at.y > panel.max().y - 40.0 && (colour == theme::good() || colour == theme::bad())
+    };
+    let (text, at) = sitting.texts().into_iter().find(is_message)?;
+    let bad = sitting.colour(&text) == theme::bad();
+    sitting.point_at(at);
+    let shapes = sitting.app.canvas().shapes();
+    let layer = shapes.rsplit(|shape| *shape == Shape::Layer).next()?;
+    let lines = layer.iter().filter_map(|shape| if let Shape::Text { text, .. } = shape { Some(text.as_str()) } else { None });
+    Some((lines.collect::<Vec<_>>().join(" "), bad))
+}
+
+/// Whether the edge of a button says that it is chosen.
+fn is_chosen(sitting: &Sitting, label: &str) -> bool {
+    let of = sitting.area(label);
+    let chosen = |shape: &Shape| match shape {
+        Shape::Edge { outline: Contour::Rounded(area, _), colour, .. } => *area == of && *colour == theme::accent(),
+        _ => false,
+    };
+    sitting.app.canvas().shapes().iter().any(chosen)
 }
 
 fn ship(sitting: &Sitting) -> DVec2 {
@@ -72,7 +99,7 @@ fn a_typed_number_is_flown_at_once_by_the_same_keys_beside_the_run_before() {
     let flight = sitting.flight();
     assert_eq!((flight.game().ticks(), flight.game().level().gravity), (before.ticks(), 3.5), "the same moment");
     assert_eq!(flight.attempt_level().gravity, 15.0, "the level itself is as it was");
-    // One thing was changed: it is what the same keys make of the other level.
+    // Only the level was changed: the same keys in it make the same flight.
     let mut again = tape.fly_in(flight.game().shared_level().clone(), before.ticks()).unwrap();
     assert!(again.fly(u64::MAX));
     assert_eq!(again.done().0.hash(), flight.game().hash());
@@ -81,7 +108,7 @@ fn a_typed_number_is_flown_at_once_by_the_same_keys_beside_the_run_before() {
     assert!(ship(&sitting).y < ghost.world().body(SHIP).position.y - 0.01, "it fell less");
     assert!(sitting.flight().observer().frozen() && sitting.flight().is_assisted());
 
-    // Back, on and beyond the end the ghost goes along, there by the keys of the run that is shown.
+    // The ghost goes along backwards, forwards, and beyond its end by the keys of the run on the screen.
     sitting.press_all(&[Key::Comma, Key::Comma]);
     assert_eq!(sitting.flight().game_before().unwrap().ticks(), before.ticks() - 2);
     sitting.press_all(&[Key::Period, Key::Period, Key::Period]);
@@ -94,7 +121,7 @@ fn a_typed_number_is_flown_at_once_by_the_same_keys_beside_the_run_before() {
     let flight = sitting.flight();
     assert_eq!(flight.game_before().unwrap().ticks(), flight.game().ticks());
     assert_eq!(flight.game_before().unwrap().level().gravity, 15.0);
-    // Who goes back and on from there leaves in the ghost's way what was flown beyond its end.
+    // A run that goes on from an earlier moment drops the ghost's ticks beyond the ghost's own end.
     let end = flight.game().ticks();
     sitting.press(Key::B).press_all(&[Key::Comma; 10]).press(Key::B).wait(0.05);
     assert!(sitting.flight().before().unwrap().ticks() < end);
@@ -104,9 +131,9 @@ fn a_typed_number_is_flown_at_once_by_the_same_keys_beside_the_run_before() {
 #[test]
 fn what_is_typed_flies_nothing_and_what_will_not_do_says_what_would() {
     let mut sitting = varying();
-    let [_, number, _] = parts(&sitting, Parameter::Mass(0));
-    sitting.click_at(number);
-    assert_eq!(sitting.flight().instruments().vary().entry(), Some((VaryEntry::Number(Parameter::Mass(0)), "100".into())));
+    let mass = number(Parameter::Mass(0));
+    sitting.click(&mass);
+    assert_eq!(entry(&sitting), Some((mass.clone(), "100".into())));
     let (fuel, angle) = (sitting.flight().game().ship().fuel, sitting.flight().game().ship().angle);
     for key in [Key::Space, Key::Left, Key::B, Key::I, Key::Tab, Key::F3] {
         sitting.press(key);
@@ -120,7 +147,7 @@ fn what_is_typed_flies_nothing_and_what_will_not_do_says_what_would() {
     sitting.press(Key::R);
     assert!(sitting.flight().game().ticks() > ticks);
     assert_eq!(sitting.press(Key::Escape).at(), "flight", "Esc gives it up");
-    assert!(sitting.flight().instruments().vary().entry().is_none() && sitting.flight().variation().is_none());
+    assert!(entry(&sitting).is_none() && sitting.flight().variation().is_none());
 
     for (text, told) in [
         ("0", "Expected a number above 0 kg."),
@@ -130,28 +157,24 @@ fn what_is_typed_flies_nothing_and_what_will_not_do_says_what_would() {
         ("", "Expected a number such as 12.5."),
     ] {
         type_in(&mut sitting, Parameter::Mass(0), text);
-        let vary = sitting.flight().instruments().vary();
-        assert_eq!(
-            (vary.message(), vary.entry()),
-            (Some((told, true)), Some((VaryEntry::Number(Parameter::Mass(0)), text.into())))
-        );
+        assert_eq!(message(&mut sitting), Some((told.to_owned(), true)));
+        assert_eq!(entry(&sitting), Some((mass.clone(), text.into())));
         sitting.press(Key::Escape);
         assert!(sitting.flight().variation().is_none());
     }
-    // What is there is taken the place of by what is typed, unless the caret was moved.
-    let [_, number, _] = parts(&sitting, Parameter::Mass(0));
-    sitting.click_at(number).write("2").write("5").press(Key::Enter);
+    // Typed text replaces the number, unless the caret was moved.
+    sitting.click(&mass).write("2").write("5").press(Key::Enter);
     assert_eq!(value(&sitting, Parameter::Mass(0)), 25.0);
-    sitting.click_at(number).press(Key::Home).write("1").press(Key::Enter);
+    sitting.click(&mass).press(Key::Home).write("1").press(Key::Enter);
     assert_eq!(value(&sitting, Parameter::Mass(0)), 125.0);
     let enter = Input { pressed: [Key::Enter].into_iter().collect(), typed: "7".into(), ..Input::default() };
-    sitting.click_at(number).write("1").give(enter);
+    sitting.click(&mass).write("1").give(enter);
     assert_eq!(value(&sitting, Parameter::Mass(0)), 17.0, "typed in the frame of Enter");
-    sitting.click_at(number).press(Key::Backspace).write("100").press(Key::Enter);
+    sitting.click(&mass).press(Key::Backspace).write("100").press(Key::Enter);
     // Each of two is accepted, but not both.
     type_in(&mut sitting, Parameter::Thrust, "1e6");
     type_in(&mut sitting, Parameter::Mass(0), "1");
-    let (told, bad) = sitting.flight().instruments().vary().message().expect("it is refused");
+    let (told, bad) = message(&mut sitting).expect("it is refused");
     assert!(bad && told.contains("10000 m/s²"), "{told}");
     assert_eq!((value(&sitting, Parameter::Thrust), value(&sitting, Parameter::Mass(0))), (1e6, 100.0));
     // A true minus is a minus, and up is up.
@@ -164,32 +187,33 @@ fn a_slider_is_dragged_against_one_run_before_and_steps_are_fine() {
     let mut sitting = varying();
     sitting.wait(0.5).press(Key::B);
     let flown = sitting.flight().game().hash();
-    let [slider, ..] = sitting.flight().instruments().vary().parts(Parameter::Gravity).unwrap();
+    let slider = sitting.area(Parameter::Gravity.name());
     let at = |part: f32| Vec2::new(slider.min.x + slider.size.x * part, slider.centre().y);
     sitting.point_at(at(0.5)).give(Input { pointer: at(0.4), click: true, holding: true, ..Input::default() });
     for part in [0.3, 0.2, 0.1] {
         sitting.give(Input { pointer: at(part), holding: true, ..Input::default() });
         assert_eq!(sitting.flight().game_before().unwrap().hash(), flown, "one drag, one run before");
     }
-    // Off its end it stays held, and clicks that are the panel's follow nobody.
+    // Off its end the slider stays held, and no click of the panel follows a body.
     sitting.give(Input { pointer: at(-3.0), holding: true, ..Input::default() });
     assert_eq!(value(&sitting, Parameter::Gravity), 0.0);
     sitting.point_at(at(0.9));
     assert_eq!(value(&sitting, Parameter::Gravity), 0.0, "let go");
     let weightless = sitting.flight().game().hash();
 
-    // The next gesture has the run before it for its own.
+    // The next drag is compared with the run before it.
     sitting.give(Input { pointer: at(0.5), wheel: 1.0, ..Input::default() });
     assert_eq!((value(&sitting, Parameter::Gravity), sitting.flight().game_before().unwrap().hash()), (0.01, flown), "it goes on");
-    let [mass, number, reset] = parts(&sitting, Parameter::Mass(0));
-    sitting.give(Input { pointer: mass, wheel: 1.0, ..Input::default() });
+    let mass = Parameter::Mass(0);
+    let over = sitting.area(mass.name()).centre();
+    sitting.give(Input { pointer: over, wheel: 1.0, ..Input::default() });
     assert_eq!(value(&sitting, Parameter::Mass(0)), 110.0);
     assert_ne!(sitting.flight().game_before().unwrap().hash(), flown);
     assert_ne!(sitting.flight().game_before().unwrap().hash(), weightless);
-    sitting.click_at(number).press_all(&[Key::Up, Key::Up, Key::Down]).press(Key::Enter);
+    sitting.click(&number(mass)).press_all(&[Key::Up, Key::Up, Key::Down]).press(Key::Enter);
     assert_eq!(value(&sitting, Parameter::Mass(0)), 120.0);
-    sitting.click_at(reset);
-    assert_eq!((value(&sitting, Parameter::Mass(0)), value(&sitting, Parameter::Gravity)), (100.0, 0.01));
+    sitting.click(&format!("{}: reset", mass.name()));
+    assert_eq!((value(&sitting, mass), value(&sitting, Parameter::Gravity)), (100.0, 0.01));
 }
 
 #[test]
@@ -197,7 +221,7 @@ fn of_an_object_that_is_followed_its_own_numbers_are_varied() {
     let mut sitting = varying();
     sitting.press(Key::Tab).press_all(&[Key::N, Key::N]).rest();
     assert_eq!(sitting.flight().observer().focus().followed().map(|body| body.index()), Some(1));
-    assert!(sitting.flight().instruments().vary().parts(Parameter::Thrust).is_none(), "only the ship has an engine");
+    assert!(!sitting.labels().contains(&Parameter::Thrust.name()), "only the ship has an engine");
     sitting.wait(0.2);
     type_in(&mut sitting, Parameter::Restitution(1), "1");
     type_in(&mut sitting, Parameter::VelocityX(1), "4");
@@ -212,8 +236,8 @@ fn of_an_object_that_is_followed_its_own_numbers_are_varied() {
 fn from_now_it_goes_on_where_it_is_and_start_velocities_wait_for_a_start() {
     let mut sitting = varying();
     sitting.wait(0.5).press(Key::B);
-    button(&mut sitting, 1);
-    assert_eq!(sitting.flight().instruments().vary().from(), VaryFrom::Now);
+    sitting.click("From now");
+    assert!(is_chosen(&sitting, "From now") && !is_chosen(&sitting, "From the start"));
     let (place, ticks) = (ship(&sitting), sitting.flight().game().ticks());
     type_in(&mut sitting, Parameter::Gravity, "0");
     assert_eq!((ship(&sitting), sitting.flight().game().ticks(), value(&sitting, Parameter::Gravity)), (place, ticks, 0.0));
@@ -224,16 +248,15 @@ fn from_now_it_goes_on_where_it_is_and_start_velocities_wait_for_a_start() {
     assert!(now > 0.5 * falls && now <= falls, "without weight it only brakes: {falls}, {now}");
     assert!(flight.game_before().unwrap().world().body(SHIP).velocity.y > falls, "the run before falls on");
     assert_eq!(flight.game_before().unwrap().ticks(), flight.game().ticks());
-    // It can be gone back over the change.
+    // Time goes back over the change.
     sitting.press(Key::B);
     let back = (sitting.flight().game().ticks() - ticks) as usize + 5;
     sitting.press_all(&vec![Key::Comma; back]);
     assert_eq!((sitting.flight().game().ticks(), value(&sitting, Parameter::Gravity)), (ticks - 5, 15.0));
-    let [_, number, _] = parts(&sitting, Parameter::VelocityX(0));
-    sitting.click_at(number);
-    assert!(sitting.flight().instruments().vary().entry().is_none());
+    sitting.click(&number(Parameter::VelocityX(0)));
+    assert!(entry(&sitting).is_none());
     // From the start again, all that is varied holds from there.
-    button(&mut sitting, 0);
+    sitting.click("From the start");
     type_in(&mut sitting, Parameter::Mass(0), "200");
     let flight = sitting.flight();
     assert_eq!((flight.game().level().gravity, flight.game().ticks()), (0.0, ticks - 5));
@@ -242,7 +265,7 @@ fn from_now_it_goes_on_where_it_is_and_start_velocities_wait_for_a_start() {
 
 #[test]
 fn a_varied_run_that_ends_is_no_attempt_and_leads_back_to_the_level_as_it_is() {
-    // Level 1 is completed by its first tick: that attempt counts, nothing that follows does.
+    // Level 1 is completed by its first tick: only that attempt counts.
     let mut sitting = Sitting::new();
     open(sitting.fly("1"));
     assert_eq!((attempts(&sitting), sitting.flight().game().outcome()), (1, Outcome::Completed));
@@ -250,9 +273,8 @@ fn a_varied_run_that_ends_is_no_attempt_and_leads_back_to_the_level_as_it_is() {
     assert_eq!(sitting.flight().game().outcome(), Outcome::Completed);
     sitting.wait(3.0);
     assert_eq!((sitting.at(), attempts(&sitting)), ("flight", 1), "it waits, and is no attempt");
-    // Also where all was taken back, one by one.
-    let [.., reset] = parts(&sitting, Parameter::Gravity);
-    sitting.click_at(reset).wait(2.0);
+    // No attempt either where each change was taken back.
+    sitting.click(&format!("{}: reset", Parameter::Gravity.name())).wait(2.0);
     assert_eq!((value(&sitting, Parameter::Gravity), sitting.flight().game().outcome()), (15.0, Outcome::Completed));
     assert!(sitting.flight().variation().is_some_and(|variation| variation.is_empty()));
     assert_eq!((sitting.at(), attempts(&sitting)), ("flight", 1));
@@ -278,17 +300,17 @@ fn reset_all_is_a_fresh_attempt_and_r_begins_the_varied_level_again() {
     assert!(flight.before().unwrap().ticks() >= flown, "the run before stays a ghost");
     sitting.wait(0.2);
     assert_eq!(sitting.flight().game_before().unwrap().ticks(), sitting.flight().game().ticks());
-    button(&mut sitting, 2);
+    sitting.click("Reset all");
     let flight = sitting.flight();
     assert!(flight.game().ticks() < 5 && flight.game().level().gravity == 15.0);
     assert!(flight.variation().is_none() && flight.before().is_none() && !flight.is_assisted());
-    // Taken back by hand it still is no attempt, until it begins anew.
+    // A change that is taken back by hand leaves no attempt, until the level begins again.
     type_in(&mut sitting, Parameter::Gravity, "3");
     type_in(&mut sitting, Parameter::Gravity, "15");
     assert!(sitting.flight().variation().is_some_and(|variation| variation.is_empty()) && sitting.flight().is_assisted());
     sitting.press(Key::R);
     assert!(sitting.flight().variation().is_none() && !sitting.flight().is_assisted());
-    // And who leaves the level leaves that behind.
+    // A player who leaves the level leaves the variation behind.
     type_in(&mut sitting, Parameter::Gravity, "3");
     sitting.press(Key::Escape).choose(3).choose("2");
     assert!(sitting.flight().variation().is_none() && sitting.flight().game().level().gravity == 15.0);
@@ -305,14 +327,14 @@ fn an_edit_of_the_files_varies_the_new_level_from_its_start() {
     let flight = sitting.flight();
     assert_eq!((flight.game().level().gravity, flight.game().level().player.mass), (3.0, 50.0));
     assert!(flight.game().time() < 0.4 && flight.variation().is_some() && flight.is_assisted());
-    // What is no longer there cannot be varied: the level is flown as it is, as a fresh attempt.
+    // A number of an object that is gone cannot vary: the level is flown as it is, as a fresh attempt.
     sitting.press(Key::Tab).press_all(&[Key::N, Key::N]).rest();
     type_in(&mut sitting, Parameter::Mass(1), "3");
     fs::remove_file(sitting.folder.path().join("levels/2/objects.csv")).unwrap();
     sitting.wait(0.4);
     let flight = sitting.flight();
     assert!(flight.variation().is_none() && flight.game().level().gravity == 15.0 && !flight.is_assisted());
-    assert!(flight.instruments().vary().message().is_some_and(|(_, bad)| bad));
+    assert!(message(&mut sitting).is_some_and(|(_, bad)| bad));
 }
 
 #[test]
@@ -335,7 +357,7 @@ fn neither_recordings_nor_rivals_nor_assists_make_it_count() {
         assert!(sitting.flight().race().is_none(), "those flew in the level as it is");
         sitting.wait(3.0);
         assert_eq!((sitting.at(), attempts(&sitting)), ("flight", counted));
-        button(&mut sitting, 2);
+        sitting.click("Reset all");
         assert!(sitting.flight().race().is_some());
     }
 }
@@ -348,19 +370,20 @@ fn what_is_varied_is_saved_as_a_level_of_its_own_that_can_be_chosen() {
     let varied = sitting.flight().game().level().clone();
     let levels = sitting.folder.path().join("levels");
     for (typed, name) in [("moon", "moon"), ("", "2-what-if"), ("", "2-what-if-2")] {
-        button(&mut sitting, 3);
-        assert_eq!(sitting.flight().instruments().vary().entry(), Some((VaryEntry::Name, String::new())));
+        sitting.click("Save as level");
+        // The hint stands in an empty field.
+        assert_eq!(entry(&sitting), Some(("Name of the level".into(), "its name, or Enter for any".into())));
         sitting.write(typed).press(Key::Enter);
-        let told = sitting.flight().instruments().vary().message().expect("it is said where").0.to_owned();
+        let told = message(&mut sitting).expect("it is said where").0;
         assert_eq!(told, format!("Saved as {}", levels.join(name).display()));
         let read = level::load(&levels.join(name), sitting.folder.path()).expect("it loads").level;
         assert_eq!((read.title.as_str(), read.name.as_str()), ("2: what if", name));
         assert_eq!(level::Level { name: varied.name.clone(), title: varied.title.clone(), ..read }, varied);
     }
     for (typed, refusal) in [("moon", "there is one of that name already"), ("../x", "letters, digits"), ("jumper", "Jumper")] {
-        button(&mut sitting, 3);
+        sitting.click("Save as level");
         sitting.write(typed).press(Key::Enter);
-        let (told, bad) = sitting.flight().instruments().vary().message().unwrap();
+        let (told, bad) = message(&mut sitting).unwrap();
         assert!(bad && told.contains(refusal), "{told}");
     }
     assert_eq!(fs::read_dir(&levels).unwrap().count(), 5 + 3);
@@ -373,7 +396,7 @@ fn what_is_varied_is_saved_as_a_level_of_its_own_that_can_be_chosen() {
     assert!(sitting.flight().variation().is_none() && !sitting.flight().is_assisted(), "a level like any other");
 }
 
-/// The moment that is shown is not lost where a run ends before it.
+/// A run that ends before the moment on the screen does not lose that moment.
 #[test]
 fn a_run_that_ends_early_keeps_the_moment_for_the_next_change() {
     let mut sitting = Sitting::with(|root| {
@@ -411,12 +434,12 @@ fn the_panel_is_on_the_screen_and_its_parts_are_apart_in_every_window() {
         let mut sitting = varying();
         sitting.frame = Frame::of_window(Vec2::new(size.0, size.1)).with_text(text);
         sitting.rest();
-        let (vary, frame) = (sitting.flight().instruments().vary(), sitting.frame);
-        let panel = vary.area().expect("it is open");
+        let (panel, frame) = (sitting.flight().instruments().vary_area().expect("it is open"), sitting.frame);
         assert!(panel.min.min_element() >= 0.0 && panel.max().cmple(frame.size).all(), "{size:?} {text}: {panel:?}");
         assert!(panel.min.x > frame.size.x / 2.0 + 30.0, "{size:?} {text}: the ship, in the middle, stays in view: {panel:?}");
-        let mut areas: Vec<_> = vary.lines().iter().flat_map(|line| vary.parts(line.parameter).unwrap()).collect();
-        areas.extend(vary.buttons());
+        let areas: Vec<_> = sitting.areas().into_iter().filter(|area| area.max().x > panel.min.x).collect();
+        let lines = Parameter::all(sitting.flight().game().level(), 0).len();
+        assert!(areas.len() >= 2 * lines + 4, "sliders, numbers and buttons: {:?}", sitting.labels());
         for (i, area) in areas.iter().enumerate() {
             assert!(area.min.cmpge(panel.min).all() && area.max().cmple(panel.max()).all(), "{area:?} in {panel:?}");
             for other in &areas[i + 1..] {
@@ -426,7 +449,5 @@ fn the_panel_is_on_the_screen_and_its_parts_are_apart_in_every_window() {
                 );
             }
         }
-        let line = vary.lines()[0];
-        assert!(SliderTrack::of(line.parameter, line.usual).part(line.value) > 0.0);
     }
 }

@@ -5,7 +5,6 @@ mod what_if;
 mod what_if_drawing;
 
 use super::granting::is_of_level;
-use super::instruments::vary::VaryWish;
 use super::instruments::{Instruments, Stage};
 use super::observer::Observer;
 use super::race::{Race, Rival};
@@ -126,7 +125,8 @@ pub enum News {
 impl Screen for Flight {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         if self.settings.is_none() {
-            let request = self.update(ui.input(), ui.spectator);
+            let rest = if self.pause.is_none() { self.measure(ui) } else { ui.input().clone() };
+            let request = self.update(&rest, ui.spectator);
             if self.settings.is_none() || request.is_some() {
                 return request;
             }
@@ -179,7 +179,6 @@ impl Screen for Flight {
         let whole = canvas.use_frame(self.instruments.room(canvas.frame()));
         theatre.draw_flown(self, moment.settings, moment.frame_time, canvas);
         canvas.use_frame(whole);
-        self.instruments.draw_below(canvas);
         self.draw_over(canvas);
     }
 }
@@ -259,8 +258,7 @@ impl Flight {
         if self.pause.is_some() {
             return self.update_pause(input);
         }
-        let (input, wish) = self.measure(input);
-        let input = &input;
+        let wish = self.instruments.vary_mut().take_wish();
         if let Some(lost) = self.lost.as_mut().filter(|_| self.game.outcome() == Outcome::Running) {
             lost.since += input.frame_time;
             if (input.pressed.has(Key::Enter) || input.pressed.has(Key::PadSelect)) && !steers(input) {
@@ -330,12 +328,12 @@ impl Flight {
         }
     }
 
-    /// The instruments' part of a frame; what is left of the input for the flight, and what is to be varied.
-    fn measure(&mut self, input: &Input) -> (Input, Option<VaryWish>) {
+    /// Shows the instruments; returns the input that remains for the flight.
+    fn measure(&mut self, ui: &mut Ui<'_>) -> Input {
         let mut instruments = std::mem::take(&mut self.instruments);
-        let rest = instruments.update(input, &self.stage());
+        let rest = instruments.show(ui, ui.frame(), &self.stage());
         self.instruments = instruments;
-        (rest, self.instruments.vary_mut().take_wish())
+        rest
     }
 
     /// A tick by the keys, or by the recording.

@@ -61,7 +61,7 @@ impl Flight {
         let Some(words) = self.what_if_words() else { return };
         canvas.end_layer();
         let hud = HudLayout::new(canvas.frame()).status;
-        let panel = self.instruments.vary().area().map_or(canvas.size().x, |area| area.min.x);
+        let panel = self.instruments.vary_area().map_or(canvas.size().x, |area| area.min.x);
         let left = hud.max().x + GRID;
         let style = Style::new(DETAILS, theme::accent());
         let room = panel - left - GRID - 2.0 * PADDING;

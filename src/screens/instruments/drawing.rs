@@ -5,42 +5,22 @@ use crate::draw::{Canvas, Style};
 use crate::game::{Game, SHIP};
 use crate::instruments::centre::{centre_of_mass, velocity_of_centre};
 use crate::view::camera::Viewport;
-use crate::view::{theme, widgets};
+use crate::view::theme;
 
 /// Canvas units.
 const MARK: f32 = 9.0;
 
 impl Instruments {
+    /// Draws the readings in the level, and the ground of the panels above it.
     pub fn draw_in_level(&self, (game, alpha): (&Game, f64), view: &Viewport, canvas: &Canvas) {
-        self.measures.draw_in_level((game, alpha), (view, canvas), |tool| self.uses(tool));
+        self.measures.draw_in_level((game, alpha), (view, canvas));
         if self.uses(Tool::Centre) {
             draw_centre((game, alpha), view, canvas);
         }
-    }
-
-    pub fn draw_below(&self, canvas: &Canvas) {
-        if self.uses(Tool::Plot) {
-            self.plot.draw(canvas);
+        if self.open {
+            canvas.end_layer();
+            self.measures.draw_grounds((game, alpha), (view, canvas));
         }
-    }
-
-    pub fn draw(&self, scene: (&Game, f64), view: &Viewport, canvas: &Canvas) {
-        if !self.open {
-            return;
-        }
-        canvas.end_layer();
-        for (i, (area, tool)) in self.rail.areas().iter().zip(Tool::ALL).enumerate() {
-            widgets::button_box(canvas, *area, self.rail.hover() == Some(i), false);
-            let colour = match (self.offers(tool), self.uses(tool)) {
-                (false, _) => theme::quiet(),
-                (true, true) => theme::accent(),
-                (true, false) => theme::text(),
-            };
-            let at = Vec2::new(area.min.x + GRID, area.centre().y);
-            canvas.text(tool.name(), at, Style::new(DETAILS, colour).middle());
-        }
-        self.measures.draw(scene, (view, canvas));
-        self.vary.draw(canvas);
     }
 }
 

@@ -3,6 +3,7 @@
 
 use super::dock::{self, dock};
 use super::figures::{Figures, Table, in_focus};
+use super::panels::CLOCK_WORDS;
 use super::ruler::{Click, Ruler};
 use super::vectors::Scales;
 use super::{Stage, Tool};
@@ -11,7 +12,8 @@ use crate::game::Game;
 use crate::instruments::stop_clock::{MOST_LAPS, StopClock};
 use crate::instruments::trail::Trail;
 use crate::physics::BodyId;
-use crate::screens::{Buttons, Input, Keys};
+use crate::screens::Input;
+use crate::ui::Ui;
 use crate::view::focus::Focus;
 
 /// Ticks of reading in a frame, at most.
@@ -21,8 +23,6 @@ const LONGEST: f64 = 0.25;
 /// The least characters of the table's names and of its numbers, so that it seldom changes its width.
 const NAMES: usize = 16;
 const NUMBERS: usize = 10;
-pub const CLOCK_BUTTONS: [&str; 3] = ["Start", "Lap", "Reset"];
-pub const WORK_BUTTONS: [&str; 2] = ["From now", "From start"];
 
 #[derive(Clone, Debug, Default)]
 pub struct Measures {
@@ -31,33 +31,37 @@ pub struct Measures {
     pub(super) scales: Scales,
     pub(super) ruler: Ruler,
     pub(super) clock: StopClock,
-    pub(super) clock_buttons: Buttons,
     pub(super) figures: Figures,
-    pub(super) work_buttons: Buttons,
-    panels: Vec<(Tool, Area)>,
-    pub(super) rail: Vec<Area>,
-    frame: Frame,
+    /// The tools in use.
+    pub(super) used: [bool; Tool::ALL.len()],
+    pub(super) panels: Vec<(Tool, Area)>,
+    pub(super) frame: Frame,
     /// Each panel's offset from its place, and the held panel with the last place of the pointer.
     dragged: [Vec2; Tool::ALL.len()],
     hold: Option<(Tool, Vec2)>,
 }
 
 impl Measures {
-    /// One frame beside that rail; `covered` where another instrument has the pointer. Returns the rest of the input.
-    pub fn update(&mut self, input: &Input, stage: &Stage, (rail, covered): (&[Area], bool), uses: impl Fn(Tool) -> bool) -> Input {
+    /// Shows the panels beside the rail; `covered` where another instrument has the pointer. Returns the rest of the input.
+    pub fn show(&mut self, ui: &mut Ui<'_>, input: &Input, stage: &Stage, covered: bool) -> Input {
         let mut rest = input.clone();
-        let (now, world) = (stage.game.ticks(), stage.game.world());
-        if uses(Tool::Vectors) {
+        let world = stage.game.world();
+        if self.uses(Tool::Vectors) {
             let most = LONGEST * f64::from(input.frame.size.y) / stage.game.level().metre;
             let bodies = in_focus(stage.focus, stage.game);
             self.scales.update(input.frame_time, world, &bodies, (most, stage.focus.length()));
         }
         self.frame = input.frame;
-        self.rail = rail.to_vec();
-        self.press(input, now);
-        self.drag(input);
-        let free = !covered && !self.areas().any(|area| area.contains(input.pointer)) && input.frame.area().contains(input.pointer);
-        if uses(Tool::Ruler) {
+        self.drag(input, ui.has_widget_at(input.pointer));
+        for (tool, area) in self.panels.clone() {
+            match tool {
+                Tool::StopClock => self.show_clock(ui, area, stage.game),
+                Tool::Figures => self.show_table(ui, area, stage.game.ticks()),
+                _ => {}
+            }
+        }
+        let free = !covered && input.frame.area().contains(input.pointer);
+        if self.uses(Tool::Ruler) {
             match self.ruler.update(input, world, stage.game.level().metre, free) {
                 Click::Others => {}
                 Click::Rulers => rest.click = false,
@@ -67,57 +71,36 @@ impl Measures {
         rest
     }
 
+    pub(super) const fn uses(&self, tool: Tool) -> bool {
+        self.used[tool as usize]
+    }
+
     /// Reads the trails and the table of the moment on the screen, and places the panels.
-    pub fn read(&mut self, stage: &Stage, uses: impl Fn(Tool) -> bool) {
+    pub fn read(&mut self, stage: &Stage) {
         self.focus = *stage.focus;
-        if uses(Tool::Trails) {
+        if self.uses(Tool::Trails) {
             self.trail.go(stage.history, stage.game.ticks(), AHEAD, &with_trails(&self.focus, stage.game));
         }
-        if uses(Tool::Figures) {
+        if self.uses(Tool::Figures) {
             self.figures.update(stage);
         }
         let shown: Vec<(Tool, Vec2)> = [Tool::Vectors, Tool::StopClock, Tool::Figures]
             .into_iter()
-            .filter(|tool| uses(*tool))
+            .filter(|tool| self.uses(*tool))
             .map(|tool| (tool, self.size(tool, &self.frame)))
             .collect();
         let sizes: Vec<Vec2> = shown.iter().map(|(_, size)| *size).collect();
-        let docked = dock(&self.frame, &self.rail, &sizes).into_iter();
+        let docked = dock(&self.frame, &dock::rail(&self.frame), &sizes).into_iter();
         self.panels = shown.iter().zip(docked).map(|((tool, _), area)| (*tool, self.where_dragged(*tool, area))).collect();
     }
 
-    fn press(&mut self, input: &Input, now: u64) {
-        // Arrows and Enter fly.
-        let input = &Input { pressed: Keys::default(), ..input.clone() };
-        let from = |tool: Tool| self.area(tool).map(|area| Vec2::new(area.min.x + GRID, area.max().y - GRID));
-        let (clock, work) = (from(Tool::StopClock), from(Tool::Figures));
-        let up = Vec2::new(0.0, dock::line(&input.frame) + GRID);
-        let place =
-            |foot: Option<Vec2>, words: &[&str]| foot.map(|foot| dock::row(&input.frame, foot - up, words)).unwrap_or_default();
-        self.clock_buttons.place(place(clock, &CLOCK_BUTTONS));
-        match self.clock_buttons.update(input) {
-            Some(0) => self.clock.start_or_stop(now),
-            Some(1) => self.clock.lap(now),
-            Some(_) => self.clock.reset(now),
-            None => {}
-        }
-        self.work_buttons.place(place(work, &WORK_BUTTONS));
-        match self.work_buttons.update(input) {
-            Some(0) => self.figures.count_from(Some(now)),
-            Some(_) => self.figures.count_from(None),
-            None => {}
-        }
-    }
-
     /// The pointer takes a panel anywhere but at its buttons, and moves it.
-    fn drag(&mut self, input: &Input) {
-        let buttons = self.clock_buttons.areas().iter().chain(self.work_buttons.areas());
-        let free = input.click && !buttons.into_iter().any(|area| area.contains(input.pointer));
+    fn drag(&mut self, input: &Input, at_button: bool) {
         if let Some((tool, from)) = self.hold.filter(|_| input.holding) {
             self.dragged[tool as usize] += input.pointer - from;
             self.hold = Some((tool, input.pointer));
         } else {
-            let taken = self.panels.iter().find(|(_, area)| free && area.contains(input.pointer));
+            let taken = self.panels.iter().find(|(_, area)| input.click && !at_button && area.contains(input.pointer));
             self.hold = taken.map(|(tool, _)| (*tool, input.pointer));
         }
     }
@@ -155,11 +138,6 @@ impl Measures {
         self.panels.iter().map(|(_, area)| *area)
     }
 
-    /// `None` while the tool is not in use.
-    pub fn area(&self, tool: Tool) -> Option<Area> {
-        self.panels.iter().find(|(other, _)| *other == tool).map(|(_, area)| *area)
-    }
-
     pub const fn trail(&self) -> &Trail {
         &self.trail
     }
@@ -172,18 +150,8 @@ impl Measures {
         &self.clock
     }
 
-    /// Start or stop, lap, reset.
-    pub const fn clock_buttons(&self) -> &Buttons {
-        &self.clock_buttons
-    }
-
     pub const fn table(&self) -> &Table {
         self.figures.table()
-    }
-
-    /// Work from now on, from the start on.
-    pub const fn work_buttons(&self) -> &Buttons {
-        &self.work_buttons
     }
 
     /// The characters of the table's names and of each column.
@@ -202,7 +170,7 @@ impl Measures {
             Tool::Vectors => Vec2::new(dock::width(frame, 25), 2.0 * line),
             Tool::StopClock => {
                 let laps = self.clock.laps().count().min(MOST_LAPS) as f32;
-                let buttons = dock::row(frame, Vec2::ZERO, &CLOCK_BUTTONS).last().map_or(0.0, |last| last.max().x);
+                let buttons = dock::row(frame, Vec2::ZERO, &CLOCK_WORDS).last().map_or(0.0, |last| last.max().x);
                 Vec2::new(buttons, dock::large(frame) + (laps + 1.0) * line + 2.0 * GRID)
             }
             _ => {

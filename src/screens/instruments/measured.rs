@@ -1,6 +1,7 @@
 //! The readings in the level: trails, arrows, the ruler.
 
 use super::Tool;
+use super::dock;
 use super::figures::in_focus;
 use super::measure::Measures;
 use super::ruler::{End, RulerReading};
@@ -58,14 +59,14 @@ fn label_size(lines: &[String], canvas: &Canvas) -> Vec2 {
 }
 
 impl Measures {
-    pub(super) fn draw_in_level(&self, scene: (&Game, f64), (view, canvas): (&Viewport, &Canvas), uses: impl Fn(Tool) -> bool) {
-        if uses(Tool::Trails) {
+    pub(super) fn draw_in_level(&self, scene: (&Game, f64), (view, canvas): (&Viewport, &Canvas)) {
+        if self.uses(Tool::Trails) {
             self.draw_trails(scene.0, view, canvas);
         }
-        if uses(Tool::Vectors) {
+        if self.uses(Tool::Vectors) {
             self.draw_vectors(scene, view, canvas);
         }
-        if uses(Tool::Ruler) {
+        if self.uses(Tool::Ruler) {
             self.draw_ruler(scene, view, canvas);
         }
     }
@@ -134,12 +135,12 @@ impl Measures {
             }
         }
         let mut taken: Vec<Area> =
-            self.areas().chain(self.rail.iter().copied()).chain(HudLayout::shown(canvas.frame(), game)).collect();
+            self.areas().chain(dock::rail(&self.frame)).chain(HudLayout::shown(canvas.frame(), game)).collect();
         for (from, to, words, colour) in labels {
             let style = Style::new(DETAILS, colour).mono();
             let size = Vec2::new(canvas.width(&words, style) + GRID, canvas.line_height(DETAILS));
             let along = (to - from).normalize_or_zero();
-            let beyond = |way: Vec2, gap: f32| to + way * ((size * 0.5 * way.abs()).element_sum() + gap);
+            let beyond = |towards: Vec2, gap: f32| to + towards * ((size * 0.5 * towards.abs()).element_sum() + gap);
             let places = [
                 beyond(along, 4.0),
                 beyond(along.perp(), 8.0),

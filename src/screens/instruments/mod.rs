@@ -12,11 +12,14 @@ mod ruler;
 pub mod vary;
 mod vectors;
 
-use super::{Buttons, Input, Keys, NewFile};
-use crate::draw::layout::{Area, Frame};
+use super::{Input, NewFile};
+use crate::draw::Style;
+use crate::draw::layout::{Area, DETAILS, Frame};
 use crate::game::{Game, History};
 use crate::settings::Action;
+use crate::ui::Ui;
 use crate::view::focus::Focus;
+use crate::view::theme;
 pub use figures::Table;
 pub use measure::Measures;
 pub use plot::{Plot, PlotPlaces};
@@ -78,7 +81,6 @@ pub struct Stage<'a> {
 pub struct Instruments {
     open: bool,
     used: [bool; Tool::ALL.len()],
-    rail: Buttons,
     measures: Measures,
     plot: Plot,
     vary: Vary,
@@ -87,39 +89,61 @@ pub struct Instruments {
 }
 
 impl Instruments {
-    /// Returns the input that remains for the flight.
-    pub fn update(&mut self, input: &Input, stage: &Stage) -> Input {
+    /// Shows rail and panels on that frame of the canvas; returns the input that remains for the flight.
+    pub fn show(&mut self, ui: &mut Ui<'_>, frame: Frame, stage: &Stage) -> Input {
+        let input = if ui.is_live() { ui.input().clone() } else { ui.input().without_edges() };
+        if self.open {
+            ui.canvas().end_layer();
+        }
+        // Arrows and Enter fly.
+        ui.by_pointer(|ui| self.show_panels(ui, &Input { frame, ..input }, stage))
+    }
+
+    fn show_panels(&mut self, ui: &mut Ui<'_>, input: &Input, stage: &Stage) -> Input {
         let whole = input.frame;
         self.can_vary = stage.varied.is_some();
+        // Typing flies nothing.
+        let mut rest = if self.vary.is_typing() { input.without_keys() } else { input.clone() };
+        self.open ^= rest.acts(Action::Instruments);
+        if self.open {
+            self.show_rail(ui, &self.room(&whole));
+        }
+        let is_covered = |instruments: &Self| instruments.areas(&whole).iter().any(|area| area.contains(input.pointer));
         // The plot has the foot of the canvas, the others the room above it.
-        let above = Input { frame: self.room(&whole), ..input.clone() };
-        let input = Input { frame: whole, ..self.vary.update(&above, stage, self.uses(Tool::Vary)) };
-        self.open ^= input.acts(Action::Instruments);
-        let input = if self.uses(Tool::Plot) { self.plot.update(&input, stage) } else { input };
-        if !self.open {
-            return Input { frame: whole, ..input };
+        rest.frame = self.room(&whole);
+        self.measures.used = if self.open { self.used } else { Default::default() };
+        if self.open {
+            let covered = is_covered(self) || self.plot.is_picking();
+            rest = self.measures.show(ui, &rest, stage, covered);
         }
-        let rail = dock::rail(&input.frame);
-        self.rail.place(rail.clone());
-        // Arrows and Enter fly.
-        let pointer_only = Input { pressed: Keys::default(), ..input.clone() };
-        if let Some(tool) = self.rail.update(&pointer_only).filter(|tool| self.offers(Tool::ALL[*tool])) {
-            self.used[tool] ^= true;
+        self.vary.show(ui, &rest.frame, stage, self.uses(Tool::Vary));
+        rest.frame = whole;
+        if self.uses(Tool::Plot) {
+            rest = self.plot.show(ui, &rest, stage);
         }
-        let used = self.used;
-        let covered = self.areas(&whole).iter().any(|area| area.contains(input.pointer));
-        let mut rest = self.measures.update(&input, stage, (&rail, covered), |tool| used[tool as usize]);
-        if self.areas(&whole).iter().any(|area| area.contains(input.pointer)) {
+        if is_covered(self) {
             (rest.click, rest.wheel) = (false, 0.0);
         }
-        Input { frame: whole, ..rest }
+        rest
+    }
+
+    /// A button a tool, below the head-up display.
+    fn show_rail(&mut self, ui: &mut Ui<'_>, room: &Frame) {
+        for (tool, area) in Tool::ALL.into_iter().zip(dock::rail(room)) {
+            let colour = match (self.offers(tool), self.uses(tool)) {
+                (false, _) => theme::quiet(),
+                (true, true) => theme::accent(),
+                (true, false) => theme::text(),
+            };
+            let pressed = ui.small_button((tool.name(), tool.name()), area, Style::new(DETAILS, colour));
+            self.used[tool as usize] ^= pressed && self.offers(tool);
+        }
     }
 
     /// Reads the moment on the screen, at the end of its frame.
     pub fn read(&mut self, stage: &Stage) {
         if self.open {
-            let used = self.used;
-            self.measures.read(stage, |tool| used[tool as usize]);
+            self.measures.read(stage);
         }
     }
 
@@ -135,8 +159,9 @@ impl Instruments {
         self.plot.flown_again();
     }
 
-    pub const fn vary(&self) -> &Vary {
-        &self.vary
+    /// The area of the panel of varied numbers, while it is open.
+    pub fn vary_area(&self) -> Option<Area> {
+        self.vary.area()
     }
 
     /// For the caller that fulfils its wishes and reports the outcome.

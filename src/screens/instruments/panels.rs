@@ -3,14 +3,14 @@
 use super::Tool;
 use super::dock;
 use super::figures::{FigureLine, Subject, in_focus};
-use super::measure::{CLOCK_BUTTONS, Measures, WORK_BUTTONS};
+use super::measure::Measures;
 use super::measured::colour;
 use super::vectors::Vector;
 use crate::draw::layout::{Area, DETAILS, GRID, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, SHIP};
 use crate::instruments::stop_clock::seconds;
-use crate::screens::Buttons;
+use crate::ui::Ui;
 use crate::view::camera::Viewport;
 use crate::view::game_view::drawn_centre;
 use crate::view::quantity::scalar;
@@ -20,12 +20,13 @@ use crate::view::widgets;
 /// Opacity of a panel: in general, and above the ship or a body in focus.
 const HIDES: f32 = 0.95;
 const OVER_SHIP: f32 = 0.55;
+/// The words on the stop clock's buttons while it stands still.
+pub const CLOCK_WORDS: [&str; 3] = ["Start", "Lap", "Reset"];
 
 impl Measures {
-    pub(super) fn draw(&self, scene: (&Game, f64), (view, canvas): (&Viewport, &Canvas)) {
-        for (tool, area) in
-            [Tool::Vectors, Tool::StopClock, Tool::Figures].into_iter().filter_map(|tool| Some((tool, self.area(tool)?)))
-        {
+    /// Draws the ground of each panel, paler above the ship or a body in focus, and the scales, which depend on the view.
+    pub(super) fn draw_grounds(&self, scene: (&Game, f64), (view, canvas): (&Viewport, &Canvas)) {
+        for (tool, area) in self.panels.iter().copied() {
             let (game, alpha) = scene;
             let over = in_focus(&self.focus, game).into_iter().chain([SHIP]).any(|id| {
                 let (centre, half) = (drawn_centre(game, id, alpha), game.world().body(id).half);
@@ -34,10 +35,8 @@ impl Measures {
             });
             let hides = if over { OVER_SHIP } else { HIDES };
             widgets::panel_in(canvas, area, theme::panel().faded(hides), theme::panel_edge());
-            match tool {
-                Tool::Vectors => self.draw_scales(scene, area, (view, canvas)),
-                Tool::StopClock => self.draw_clock(scene.0, area, canvas),
-                _ => self.draw_table(area, canvas),
+            if tool == Tool::Vectors {
+                self.draw_scales(scene, area, (view, canvas));
             }
         }
     }
@@ -51,24 +50,37 @@ impl Measures {
         }
     }
 
-    fn draw_clock(&self, game: &Game, area: Area, canvas: &Canvas) {
-        let (rate, ticks) = (game.tick_rate(), self.clock.ticks(game.ticks()));
-        let (at, line) = (area.min + GRID, dock::line(canvas.frame()));
+    pub(super) fn show_clock(&mut self, ui: &mut Ui<'_>, area: Area, game: &Game) {
+        let now = game.ticks();
+        let [start, lap, reset] = CLOCK_WORDS;
+        let words = [if self.clock.runs() { "Stop" } else { start }, lap, reset];
+        match self.buttons(ui, area, &CLOCK_WORDS, &words) {
+            Some("Lap") => self.clock.lap(now),
+            Some("Reset") => self.clock.reset(now),
+            Some(_) => self.clock.start_or_stop(now),
+            None => {}
+        }
+        let (rate, ticks, canvas) = (game.tick_rate(), self.clock.ticks(now), ui.canvas());
+        let (at, line) = (area.min + GRID, dock::line(&self.frame));
         let colour = if self.clock.runs() { theme::accent() } else { theme::text() };
         canvas.text(&format!("{} s", seconds(ticks, rate)), at, Style::new(TEXT, colour).mono());
         let count = format!("{ticks} ticks").replace('-', "−");
-        let right = Vec2::new(area.max().x - GRID, at.y + 0.5 * (dock::large(canvas.frame()) - line));
+        let right = Vec2::new(area.max().x - GRID, at.y + 0.5 * (dock::large(&self.frame) - line));
         canvas.text(&count, right, Style::new(DETAILS, theme::quiet()).mono().right());
         for (i, (lap, read)) in self.clock.laps().enumerate() {
-            let below = Vec2::new(0.0, dock::large(canvas.frame()) + i as f32 * line);
+            let below = Vec2::new(0.0, dock::large(&self.frame) + i as f32 * line);
             canvas.text(&format!("Lap {lap} {:>10} s", seconds(read, rate)), at + below, Style::new(DETAILS, theme::text()).mono());
         }
-        let [start, lap, reset] = CLOCK_BUTTONS;
-        draw_buttons(&self.clock_buttons, &[if self.clock.runs() { "Stop" } else { start }, lap, reset], canvas);
     }
 
-    fn draw_table(&self, area: Area, canvas: &Canvas) {
-        let (frame, table) = (canvas.frame(), self.table());
+    pub(super) fn show_table(&mut self, ui: &mut Ui<'_>, area: Area, now: u64) {
+        const WORDS: [&str; 2] = ["From now", "From start"];
+        match self.buttons(ui, area, &WORDS, &WORDS) {
+            Some("From now") => self.figures.count_from(Some(now)),
+            Some(_) => self.figures.count_from(None),
+            None => {}
+        }
+        let (canvas, frame, table) = (ui.canvas(), &self.frame, self.table());
         let (names, values) = self.columns();
         let right = |column: usize| Vec2::new(dock::width(frame, names + values * (column + 1)), 0.0);
         let at = |row: usize| area.min + GRID + Vec2::new(0.0, row as f32 * dock::line(frame));
@@ -85,7 +97,20 @@ impl Measures {
                 canvas.hairline(left, left + right(table.columns.len() - 1), theme::quiet());
             }
         }
-        draw_buttons(&self.work_buttons, &WORK_BUTTONS, canvas);
+    }
+
+    /// A row of buttons at a panel's foot, each as wide as the word in `widest` needs.
+    fn buttons<'l>(&self, ui: &mut Ui<'_>, panel: Area, widest: &[&str], words: &[&'l str]) -> Option<&'l str> {
+        let foot = Vec2::new(panel.min.x + GRID, panel.max().y - 2.0 * GRID - dock::line(&self.frame));
+        let style = Style::new(DETAILS, theme::text()).centred();
+        let places = dock::row(&self.frame, foot, widest);
+        let mut pressed = None;
+        for (area, words) in places.into_iter().zip(words) {
+            if ui.small_button((words, words), area, style) {
+                pressed = Some(*words);
+            }
+        }
+        pressed
     }
 }
 
@@ -95,12 +120,5 @@ fn line_colour(line: &FigureLine) -> Colour {
         Subject::Words => theme::quiet(),
         Subject::Force(kind) => theme::force(kind),
         Subject::Impact => theme::IMPACT,
-    }
-}
-
-fn draw_buttons(buttons: &Buttons, words: &[&str], canvas: &Canvas) {
-    for (i, (area, words)) in buttons.areas().iter().zip(words).enumerate() {
-        widgets::button_box(canvas, *area, buttons.hover() == Some(i), false);
-        canvas.text(words, area.centre(), Style::new(DETAILS, theme::text()).centred().middle());
     }
 }

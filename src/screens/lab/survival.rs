@@ -136,7 +136,7 @@ impl SurvivalPage {
         let foot = stage.max().y;
         widgets::fitted(canvas, &words, Vec2::new(middle, foot + 24.0), widest, &[TEXT], colour);
         widgets::fitted(canvas, &row.parameter, Vec2::new(middle, foot + 48.0), widest, &[TEXT, DETAILS], theme::quiet());
-        let legend = "green: the right place, and the error that still counts as right";
+        let legend = "green: exact, and within the tolerance";
         widgets::fitted(canvas, legend, Vec2::new(middle, foot + 72.0), widest, &[TEXT, DETAILS], theme::good());
     }
 }

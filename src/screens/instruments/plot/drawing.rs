@@ -1,6 +1,5 @@
 //! The plot: buttons and readings on the left, the lanes with their curves on the right, a line of words at the foot.
 
-use super::panel::Action;
 use super::places::SAMPLE;
 use super::{Plot, PlotPlaces};
 use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
@@ -25,7 +24,7 @@ const TANGENT: f32 = 48.0;
 const PALE: f32 = 0.45;
 const SHADE: f32 = 0.22;
 const HINT: &str =
-    "While it stands still (B) a click leads to that moment. Shift and drag: an area. Wheel: zoom. N: whom to follow.";
+    "While the world is frozen (B) a click leads to that moment. Shift and drag: an area. Wheel: zoom. N: the followed object.";
 
 /// From numbers to a lane.
 #[derive(Clone, Copy)]
@@ -71,16 +70,14 @@ impl Scale {
 }
 
 impl Plot {
-    pub fn draw(&self, canvas: &Canvas) {
-        let places = PlotPlaces::new(canvas.frame(), self.large);
+    /// Draws all of the panel but its buttons.
+    pub(super) fn draw_panel(&self, places: &PlotPlaces, chart: &Chart, canvas: &Canvas) {
         let panel = places.panel;
         canvas.end_layer();
         canvas.rounded(panel, 0.0, theme::panel());
         canvas.line(panel.min, Vec2::new(panel.max().x, panel.min.y), 2.0, theme::panel_edge());
-        self.draw_lines(&places, canvas);
-        self.draw_buttons(canvas, |action| !matches!(action, Action::Choose(_) | Action::None | Action::Select(_)));
-        let chart = self.chart();
-        self.draw_lanes(&places, &chart, canvas);
+        self.draw_lines(places, canvas);
+        self.draw_lanes(places, chart, canvas);
         let (words, colour) = match &self.message {
             Some((words, true)) => (words.as_str(), theme::bad()),
             Some((words, false)) => (words.as_str(), theme::good()),
@@ -89,26 +86,6 @@ impl Plot {
         let style = Style::new(DETAILS, colour).middle();
         let at = Vec2::new(places.foot.min.x, places.foot.centre().y);
         canvas.text(&widgets::cut(canvas, words, places.foot.size.x, style), at, style);
-        if let Some(list) = self.picker(&places) {
-            canvas.end_layer();
-            widgets::panel(canvas, list);
-            self.draw_buttons(canvas, |action| matches!(action, Action::Choose(_) | Action::None));
-        }
-    }
-
-    fn draw_buttons(&self, canvas: &Canvas, which: impl Fn(Action) -> bool) {
-        for (i, (area, (action, words))) in self.buttons.areas().iter().zip(&self.actions).enumerate() {
-            if !which(*action) {
-                continue;
-            }
-            let style = Style::new(DETAILS, theme::text()).middle();
-            if *action == Action::None {
-                canvas.text(words, Vec2::new(area.min.x, area.centre().y), Style { colour: theme::quiet(), ..style });
-            } else {
-                widgets::button_box(canvas, *area, self.buttons.hover() == Some(i), false);
-                canvas.text(words, area.centre(), style.centred());
-            }
-        }
     }
 
     /// For each curve a sample, and below the buttons its readings.

@@ -1,7 +1,7 @@
 //! The pointer in the plot: it takes the world to another moment, marks a stretch, and with the wheel shows more or less of the flight.
 
 use super::{Plot, PlotPlaces, SHORTEST};
-use crate::draw::layout::{Frame, Vec2};
+use crate::draw::layout::Vec2;
 use crate::instruments::chart::Chart;
 use crate::instruments::quantity::Quantity;
 use crate::screens::{Input, Key};
@@ -26,11 +26,10 @@ impl Hand {
 }
 
 impl Plot {
-    pub(super) fn follow_pointer(&mut self, input: &Input, places: &PlotPlaces, seekable: bool) {
+    pub(super) fn follow_pointer(&mut self, input: &Input, (places, chart): (&PlotPlaces, &Chart), seekable: bool) {
         let over = places.plot.contains(input.pointer);
-        let chart = self.chart();
         if over && input.wheel != 0.0 {
-            self.zoom(input, places, &chart);
+            self.zoom(input, places, chart);
         }
         if !(input.holding || input.click) {
             self.hand = Hand::Empty;
@@ -38,7 +37,7 @@ impl Plot {
         if !(self.hand.holds() || over && input.click) {
             return;
         }
-        let Some(tick) = self.tick_at(input.pointer, places, &chart) else { return };
+        let Some(tick) = self.tick_at(input.pointer, places, chart) else { return };
         if over && input.click {
             self.hand = if input.held(Key::Shift) { Hand::End(self.other_end(tick)) } else { Hand::Cursor };
         }
@@ -97,9 +96,9 @@ impl Plot {
         self.shown().filter_map(nearest).min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(tick, _)| tick)
     }
 
-    /// `None` where it is not drawn.
-    pub fn at(&self, frame: &Frame, number: usize, tick: u64) -> Option<Vec2> {
-        let (places, chart) = (PlotPlaces::new(frame, self.large), self.chart());
+    /// The place of a curve at a tick; `None` where it is not drawn.
+    pub fn at(&self, number: usize, tick: u64) -> Option<Vec2> {
+        let (places, chart) = (self.places.as_ref()?, self.chart());
         let lane = chart.lane_of(number)?;
         let area = places.lanes(chart.lanes.len())[lane];
         let (_, line, track) = self.shown().find(|(i, ..)| *i == number)?;

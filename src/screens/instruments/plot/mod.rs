@@ -19,10 +19,11 @@ use crate::instruments::quantity::{Quantity, VectorPart};
 use crate::instruments::track::BodyTrack;
 use crate::physics::{BodyId, DVec2};
 use crate::screens::ahead::Ahead;
-use crate::screens::{Buttons, Input, Keys, NewFile};
+use crate::screens::{Input, NewFile};
+use crate::ui::Ui;
 use hand::Hand;
 use object::PlotObject;
-use panel::{Action, Format, Pick};
+use panel::{Format, Pick};
 pub use places::PlotPlaces;
 use places::{MOST_LINES, READINGS};
 use std::path::PathBuf;
@@ -83,8 +84,8 @@ pub struct Plot {
     seek: Option<u64>,
     now: u64,
     ahead: Ahead,
-    buttons: Buttons,
-    actions: Vec<(Action, String)>,
+    /// In the last pass.
+    places: Option<PlotPlaces>,
 }
 
 impl Default for Plot {
@@ -112,37 +113,42 @@ impl Default for Plot {
             seek: None,
             now: 0,
             ahead: Ahead::default(),
-            buttons: Buttons::default(),
-            actions: Vec::new(),
+            places: None,
         }
     }
 }
 
 impl Plot {
-    /// Returns the rest of the input, with the flight's part of the canvas.
-    pub fn update(&mut self, input: &Input, stage: &Stage) -> Input {
+    /// Shows the panel at the foot of the input's frame; returns the rest of the input.
+    pub fn show(&mut self, ui: &mut Ui<'_>, input: &Input, stage: &Stage) -> Input {
         self.read(input.worked(), stage);
         let places = PlotPlaces::new(&input.frame, self.large);
-        self.lay_out(&places);
-        // Arrows and Enter fly.
-        let pointer_only = Input { pressed: Keys::default(), ..input.clone() };
-        let picking = self.pick.is_some();
-        if let Some(pressed) = self.buttons.update(&pointer_only) {
-            self.act(self.actions[pressed].0);
+        let chart = self.chart();
+        let picking = self.is_picking();
+        self.draw_panel(&places, &chart, ui.canvas());
+        let buttons = self.show_buttons(ui, &places);
+        let chosen = self.pick.and_then(|pick| self.show_picker(ui, pick, &places));
+        if let Some(action) = chosen.or(buttons) {
+            self.act(action);
         } else if picking {
-            if input.click {
-                self.pick = None;
-            }
+            // A click beside the open list closes it.
+            let beside = input.click && !self.picker(&places).is_some_and(|list| list.contains(input.pointer));
+            self.pick = self.pick.filter(|_| !beside);
         } else {
-            self.follow_pointer(input, &places, stage.seekable);
+            self.follow_pointer(input, (&places, &chart), stage.seekable);
         }
-        self.lay_out(&places);
-        let mut rest = Input { frame: self.above(&input.frame), ..input.clone() };
-        // A click beside an open list only closes it.
+        let mut rest = input.clone();
+        // A click beside the open list only closes it.
         if picking || places.panel.contains(input.pointer) || self.hand.holds() {
             (rest.click, rest.wheel, rest.pointed) = (false, 0.0, None);
         }
+        self.places = Some(places);
         rest
+    }
+
+    /// Whether the list of quantities is open.
+    pub fn is_picking(&self) -> bool {
+        self.pick.is_some()
     }
 
     /// The part of the canvas above the panel.
@@ -169,16 +175,6 @@ impl Plot {
             Ok(path) => (format!("Written: {}", path.display()), false),
             Err(problem) => (problem, true),
         });
-    }
-
-    /// The outcome of the last export, and whether it failed.
-    pub fn message(&self) -> Option<(&str, bool)> {
-        self.message.as_ref().map(|(words, bad)| (words.as_str(), *bad))
-    }
-
-    /// In their present layout.
-    pub fn buttons(&self) -> impl Iterator<Item = (&str, Area)> {
-        self.actions.iter().map(|(_, words)| words.as_str()).zip(self.buttons.areas().iter().copied())
     }
 
     /// The flight was left at that tick and goes on otherwise.
@@ -233,9 +229,9 @@ impl Plot {
     fn settle(&mut self) {
         let Some(track) = self.objects[0].track().filter(|_| !self.settled) else { return };
         let (first, last) = (track.moment(0), track.moment(track.len() - 1));
-        let way = last.position - first.position;
-        self.settled = way.length() > MOVED;
-        let motion = if self.settled { [way; 3] } else { [last.velocity, last.acceleration, way] };
+        let moved = last.position - first.position;
+        self.settled = moved.length() > MOVED;
+        let motion = if self.settled { [moved; 3] } else { [last.velocity, last.acceleration, moved] };
         let Some(motion) = motion.into_iter().find(|motion| *motion != DVec2::ZERO) else { return };
         let axis = if motion.x.abs() > motion.y.abs() { VectorPart::X } else { VectorPart::Y };
         for (before, now) in along(self.axis).into_iter().zip(along(axis)) {

@@ -4,9 +4,12 @@ use super::choices::{self, choices};
 use super::object::PlotObject;
 use super::places::{MOST_LINES, PlotPlaces};
 use super::{Plot, PlotLine, along};
-use crate::draw::layout::Area;
+use crate::draw::Style;
+use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::instruments::quantity::Quantity;
 use crate::instruments::track::BodyTrack;
+use crate::ui::{Ui, WidgetKind};
+use crate::view::theme;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Action {
@@ -26,8 +29,25 @@ pub(super) enum Action {
     /// Shows this curve's area.
     Select(usize),
     Choose(Quantity),
-    None,
 }
+
+impl Action {
+    /// The words of its tooltip, where its button does not say enough.
+    const fn tip(self) -> Option<&'static str> {
+        match self {
+            Self::Keep(_) => Some("Plots this object, whichever is followed; once more: the followed one"),
+            Self::Whose(_) => Some("Plots the other object"),
+            Self::Remove(_) => Some("Removes this curve"),
+            Self::Across => Some("The quantity of the axis to the right"),
+            Self::What(_) => Some("The quantity of this curve"),
+            Self::Export(_) => Some("Writes the curves as a file"),
+            Self::Add | Self::Whole | Self::Larger | Self::Select(_) | Self::Choose(_) => None,
+        }
+    }
+}
+
+/// A button: its label, its words, and its action.
+type PlotButton = (String, String, Action);
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Format {
@@ -42,52 +62,62 @@ pub(super) enum Pick {
 }
 
 impl Plot {
-    pub(super) fn lay_out(&mut self, places: &PlotPlaces) {
-        self.actions.clear();
-        let mut areas = Vec::new();
-        if let Some((list, cells)) = self.pick.map(|pick| self.list(pick, places)) {
-            areas.extend(cells);
-            self.actions.extend(list);
+    /// The head, and each curve's line; returns the pressed action.
+    pub(super) fn show_buttons(&self, ui: &mut Ui<'_>, places: &PlotPlaces) -> Option<Action> {
+        let head = self.head();
+        let mut pressed = row(ui, &head, places.head(&words(&head)));
+        for (i, (line, area)) in self.lines.iter().zip(&places.lines).enumerate() {
+            let name = format!("Curve {}", i + 1);
+            if ui.touch(&name, *area, WidgetKind::Tool).pressed {
+                pressed = Some(Action::Select(i));
+            }
+            let button = |words: &str, action| (format!("{name}: {words}"), words.to_owned(), action);
+            let buttons = [
+                button(&line.up.symbol(), Action::What(i)),
+                button(["1st", "2nd"][line.whose], Action::Whose(i)),
+                button("×", Action::Remove(i)),
+            ];
+            pressed = row(ui, &buttons, places.line(i, &words(&buttons))).or(pressed);
         }
-        let mut head = Vec::new();
-        if self.lines.len() < MOST_LINES {
-            head.push((Action::Add, "+ Curve".to_owned()));
-        }
-        head.push((Action::Across, format!("Across: {}", self.across.symbol())));
-        for (whose, rank) in ["1st", "2nd"].into_iter().enumerate() {
-            let kept = if self.objects[whose].kept.is_some() { ", kept" } else { "" };
-            head.push((Action::Keep(whose), format!("{rank}: {}{kept}", self.name(whose))));
-        }
-        head.push((Action::Larger, if self.large { "Smaller" } else { "Larger" }.to_owned()));
-        if self.window.is_some() {
-            head.push((Action::Whole, "Whole flight".to_owned()));
-        }
-        head.extend([(Action::Export(Format::Csv), "CSV".to_owned()), (Action::Export(Format::Svg), "SVG".to_owned())]);
-        areas.extend(places.head(&words(&head)));
-        self.actions.extend(head);
-        for (i, line) in self.lines.iter().enumerate() {
-            let whose = ["1st", "2nd"][line.whose].to_owned();
-            let row = vec![(Action::What(i), line.up.symbol()), (Action::Whose(i), whose), (Action::Remove(i), "×".to_owned())];
-            areas.extend(places.line(i, &words(&row)));
-            areas.push(places.lines[i]);
-            self.actions.extend(row);
-            self.actions.push((Action::Select(i), String::new()));
-        }
-        self.buttons.place(areas);
+        pressed
     }
 
-    /// The open list: its cells with their effects and places.
-    fn list(&self, pick: Pick, places: &PlotPlaces) -> (Vec<(Action, String)>, Vec<Area>) {
-        let blocks = self.choices(pick);
-        let (_, cells) = places.picker(&blocks.each_ref().map(Vec::len), choices::NAME, choices::MOST_OF_A_ROW);
-        let mut list = Vec::new();
-        let mut areas = Vec::new();
-        for ((name, quantities), cells) in blocks.iter().flatten().zip(cells.iter().flatten()) {
-            list.push((Action::None, (*name).to_owned()));
-            list.extend(quantities.iter().map(|quantity| (Action::Choose(*quantity), choices::label(*quantity))));
-            areas.extend(&cells[..=quantities.len()]);
+    fn head(&self) -> Vec<PlotButton> {
+        let mut head = Vec::new();
+        let mut add = |words: String, action| head.push((words.clone(), words, action));
+        if self.lines.len() < MOST_LINES {
+            add("+ Curve".to_owned(), Action::Add);
         }
-        (list, areas)
+        add(format!("Across: {}", self.across.symbol()), Action::Across);
+        for (whose, rank) in ["1st", "2nd"].into_iter().enumerate() {
+            let kept = if self.objects[whose].kept.is_some() { ", kept" } else { "" };
+            add(format!("{rank}: {}{kept}", self.name(whose)), Action::Keep(whose));
+        }
+        add(if self.large { "Smaller" } else { "Larger" }.to_owned(), Action::Larger);
+        if self.window.is_some() {
+            add("Whole flight".to_owned(), Action::Whole);
+        }
+        add("CSV".to_owned(), Action::Export(Format::Csv));
+        add("SVG".to_owned(), Action::Export(Format::Svg));
+        head
+    }
+
+    /// The open list of quantities, above all else of the plot; returns the chosen one.
+    pub(super) fn show_picker(&self, ui: &mut Ui<'_>, pick: Pick, places: &PlotPlaces) -> Option<Action> {
+        let blocks = self.choices(pick);
+        let (list, cells) = places.picker(&blocks.each_ref().map(Vec::len), choices::NAME, choices::MOST_OF_A_ROW);
+        ui.canvas().end_layer();
+        ui.touch("Quantities", list, WidgetKind::Tool);
+        ui.panel(list);
+        let mut chosen = None;
+        for ((name, quantities), cells) in blocks.iter().flatten().zip(cells.iter().flatten()) {
+            let at = Vec2::new(cells[0].min.x, cells[0].centre().y);
+            ui.text(name, at, Style::new(DETAILS, theme::quiet()).middle());
+            let button = |quantity: &Quantity| (quantity.symbol(), choices::label(*quantity), Action::Choose(*quantity));
+            let buttons: Vec<PlotButton> = quantities.iter().map(button).collect();
+            chosen = row(ui, &buttons, cells[1..].to_vec()).or(chosen);
+        }
+        chosen
     }
 
     fn choices(&self, pick: Pick) -> [Vec<choices::Row>; 2] {
@@ -131,12 +161,25 @@ impl Plot {
                 Some(Pick::Line(line)) => self.lines[line].up = quantity,
                 None => {}
             },
-            Action::None => self.pick = pick,
         }
         self.refresh(false);
     }
 }
 
-fn words(buttons: &[(Action, String)]) -> Vec<String> {
-    buttons.iter().map(|(_, words)| words.clone()).collect()
+/// Returns the pressed action.
+fn row(ui: &mut Ui<'_>, buttons: &[PlotButton], areas: Vec<Area>) -> Option<Action> {
+    let mut pressed = None;
+    for ((label, words, action), area) in buttons.iter().zip(areas) {
+        if ui.small_button((label, words), area, Style::new(DETAILS, theme::text()).centred()) {
+            pressed = Some(*action);
+        }
+        if let Some(tip) = action.tip() {
+            ui.tip(area, tip);
+        }
+    }
+    pressed
+}
+
+fn words(buttons: &[PlotButton]) -> Vec<String> {
+    buttons.iter().map(|(_, words, _)| words.clone()).collect()
 }

@@ -9,22 +9,13 @@ const GAP: f32 = GRID;
 const INSIDE: f32 = 1.5 * GRID;
 /// The room of a line above its text.
 const LEADING: f32 = 8.0;
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Button {
-    FromStart,
-    FromNow,
-    Restore,
-    Save,
-}
-
-impl Button {
-    pub const ALL: [Self; 4] = [Self::FromStart, Self::FromNow, Self::Restore, Self::Save];
-}
+/// Above and below a button.
+const APART: f32 = 2.0;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Layout {
     pub panel: Area,
+    /// From the start, from now, reset all, save.
     pub buttons: [Area; 4],
     /// For the name field and for messages.
     pub field: Area,
@@ -52,7 +43,7 @@ impl Layout {
         let half = (width - 2.0 * INSIDE - GAP) / 2.0;
         let button = |index: usize, y: f32| {
             let x = min.x + INSIDE + index as f32 * (half + GAP);
-            Area::new(x, y, half, line)
+            inner(Area::new(x, y, half, line))
         };
         let top = row(2.0) + 1.5 * GAP;
         let foot = top + lines as f32 * line + GAP;
@@ -60,70 +51,32 @@ impl Layout {
         Self {
             panel: Area { min, size: Vec2::new(width, field.max().y + INSIDE - min.y) },
             buttons: [button(0, row(1.0) + 0.5 * GAP), button(1, row(1.0) + 0.5 * GAP), button(0, foot), button(1, foot)],
-            field,
+            field: inner(field),
             top,
             line,
             columns,
         }
     }
 
-    fn cell(&self, line: usize, column: usize) -> Area {
-        let (begins, ends) = self.columns[column];
-        Area::new(begins, self.top + line as f32 * self.line, ends - begins, self.line)
-    }
-
-    pub fn name(&self, line: usize) -> Area {
-        self.cell(line, 0)
-    }
-
-    pub fn slider(&self, line: usize) -> Area {
-        self.cell(line, 1)
-    }
-
-    pub fn number(&self, line: usize) -> Area {
-        self.cell(line, 2)
-    }
-
-    pub fn reset(&self, line: usize) -> Area {
-        self.cell(line, 3)
-    }
-
     pub fn heading(&self) -> Area {
         Area::new(self.columns[0].0, self.panel.min.y + INSIDE, self.panel.size.x - 2.0 * INSIDE, self.line)
     }
 
-    /// `lines` is their number.
-    pub fn line_at(&self, at: Vec2, lines: usize) -> Option<usize> {
-        (0..lines).find(|line| {
-            let (left, right) = (self.panel.min.x, self.panel.max().x);
-            let row = self.cell(*line, 0);
-            Area::new(left, row.min.y, right - left, row.size.y).contains(at)
-        })
+    /// All of a line, across the panel.
+    pub fn row(&self, line: usize) -> Area {
+        Area::new(self.panel.min.x, self.top + line as f32 * self.line, self.panel.size.x, self.line)
     }
 
-    pub fn button_at(&self, at: Vec2) -> Option<Button> {
-        Button::ALL.into_iter().zip(self.buttons).find(|(_, area)| area.contains(at)).map(|(button, _)| button)
+    /// Name, slider, number and reset of a line.
+    pub fn cells(&self, line: usize) -> [Area; 4] {
+        let row = self.row(line);
+        let cell = |(begins, ends): (f32, f32)| Area::new(begins, row.min.y, ends - begins, row.size.y);
+        let [name, slider, number, reset] = self.columns.map(cell);
+        [name, slider, inner(number), inner(reset)]
     }
+}
 
-    /// The part of a slider at a pointer, 0 … 1.
-    pub fn part(&self, at: Vec2) -> f64 {
-        let (begins, ends) = self.way();
-        f64::from(((at.x - begins) / (ends - begins)).clamp(0.0, 1.0))
-    }
-
-    /// The ends of sliders: their knobs stay in their column.
-    pub fn way(&self) -> (f32, f32) {
-        let ((begins, ends), knob) = (self.columns[1], self.knob());
-        (begins + knob, ends - knob)
-    }
-
-    pub fn knob(&self) -> f32 {
-        self.line * 0.26
-    }
-
-    /// Half a canvas unit as a part of a slider.
-    pub fn half_a_pixel(&self) -> f64 {
-        let (begins, ends) = self.way();
-        0.5 / f64::from(ends - begins)
-    }
+/// Apart from its neighbours above and below.
+fn inner(cell: Area) -> Area {
+    Area::new(cell.min.x, cell.min.y + APART, cell.size.x, cell.size.y - 2.0 * APART)
 }

@@ -1,23 +1,24 @@
 //! "What if": a panel with a slider and a number for each quantity that can vary, of the followed object and of the level. The
 //! flight's screen fulfils its wishes.
 
-mod drawing;
 mod layout;
 
-pub use drawing::written;
-
 use super::Stage;
-use crate::draw::layout::{Area, Vec2};
+use crate::draw::Style;
+use crate::draw::layout::{Area, DETAILS, Frame, GRID, Vec2};
 use crate::game::body_title;
 use crate::instruments::vary::{SliderTrack, Variation};
 use crate::level::{Level, Parameter};
 use crate::physics::BodyId;
-use crate::screens::text_field::TextField;
-use crate::screens::{ButtonAnswer, Input, Key, Keys};
-use layout::{Button, Layout};
+use crate::ui::{Entry, EntryEvent, SliderMove, SliderShown, Ui, WidgetKind};
+use crate::view::quantity::scalar;
+use crate::view::{theme, widgets};
+use layout::Layout;
 
-/// The most letters of a number, and of a level's name.
-const MOST: usize = 40;
+/// The label of the field for the name of a level to save.
+const NAME: &str = "Name of the level";
+/// From the edge of a button or field to its words.
+const INSIDE: f32 = 0.75 * GRID;
 
 #[derive(Clone, Copy, Debug)]
 pub struct Varied<'a> {
@@ -49,25 +50,21 @@ pub enum VaryWish {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct VaryLine {
-    pub parameter: Parameter,
-    pub usual: f64,
-    pub value: f64,
-    pub open: bool,
+struct VaryLine {
+    parameter: Parameter,
+    usual: f64,
+    value: f64,
+    open: bool,
 }
 
 impl VaryLine {
-    pub fn is_varied(&self) -> bool {
+    fn is_varied(&self) -> bool {
         self.value != self.usual
     }
-}
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum VaryEntry {
-    /// The index of its line.
-    Number(Parameter),
-    /// Of the level to save.
-    Name,
+    fn number_label(&self) -> String {
+        format!("{}: number", self.parameter.name())
+    }
 }
 
 #[derive(Clone, Debug, Default)]
@@ -78,39 +75,36 @@ pub struct Vary {
     lines: Vec<VaryLine>,
     layout: Layout,
     from: VaryFrom,
-    held: Option<Parameter>,
     /// The last changed number: further changes go on with it.
     last: Option<Parameter>,
-    entry: Option<(VaryEntry, TextField)>,
+    entry: Entry,
     /// The last message, and whether it is bad.
     message: Option<(String, bool)>,
-    pointer: Vec2,
     progress: Option<f64>,
     is_varied: bool,
     wish: Option<VaryWish>,
 }
 
 impl Vary {
-    /// Returns the input that remains for the flight: all of it where nothing can vary or the panel is closed.
-    pub fn update(&mut self, input: &Input, stage: &Stage, open: bool) -> Input {
+    /// Shows the panel at the right of that frame, where it is open and something can vary.
+    pub fn show(&mut self, ui: &mut Ui<'_>, frame: &Frame, stage: &Stage, open: bool) {
         let Some(varied) = stage.varied.filter(|_| open) else {
-            (self.lines, self.layout, self.entry, self.held) = (Vec::new(), Layout::default(), None, None);
-            return input.clone();
+            (self.lines, self.layout, self.entry) = (Vec::new(), Layout::default(), Entry::default());
+            return;
         };
         self.read(&varied, stage.focus.followed().map_or(0, |body| body.index()));
-        self.layout = Layout::new(&input.frame, self.lines.len());
-        self.pointer = input.pointer;
-        let mut rest = input.clone();
-        if self.entry.is_some() {
-            // Typing flies nothing.
-            (rest.pressed, rest.held, rest.typed) = (Keys::default(), Keys::default(), String::new());
-            self.follow_keys(input, varied.level, varied.variation);
+        self.layout = Layout::new(frame, self.lines.len());
+        let names_level = self.entry.is_open_at(NAME);
+        if let Some(event) = ui.entry_event(&mut self.entry) {
+            self.follow_entry(event, &varied);
         }
-        self.follow_pointer(input, varied.level, varied.variation);
-        let own = self.layout.panel.contains(input.pointer) || self.held.is_some();
-        rest.click &= !own;
-        rest.wheel = if own { 0.0 } else { rest.wheel };
-        rest
+        ui.panel(self.layout.panel);
+        self.show_heading(ui);
+        for index in 0..self.lines.len() {
+            self.show_line(ui, index, &varied);
+        }
+        self.show_buttons(ui, varied.variation.is_some(), names_level);
+        self.show_foot(ui);
     }
 
     /// Once.
@@ -126,52 +120,17 @@ impl Vary {
         (!self.lines.is_empty()).then_some(self.layout.panel)
     }
 
-    /// From the top; none while the panel is closed.
-    pub fn lines(&self) -> &[VaryLine] {
-        &self.lines
-    }
-
-    /// Slider, number, reset.
-    pub fn parts(&self, parameter: Parameter) -> Option<[Area; 3]> {
-        let line = self.lines.iter().position(|line| line.parameter == parameter)?;
-        Some([self.layout.slider(line), self.layout.number(line), self.layout.reset(line)])
-    }
-
-    /// From the start, from now, reset all, save.
-    pub const fn buttons(&self) -> &[Area; 4] {
-        &self.layout.buttons
-    }
-
-    pub fn entry(&self) -> Option<(VaryEntry, String)> {
-        self.entry.as_ref().map(|(entry, field)| (*entry, field.text()))
-    }
-
-    /// And whether it is bad.
-    pub fn message(&self) -> Option<(&str, bool)> {
-        self.message.as_ref().map(|(words, bad)| (words.as_str(), *bad))
-    }
-
-    pub fn title(&self) -> &str {
-        &self.title
-    }
-
-    /// 0 … 1, while the flight is flown again.
-    pub const fn progress(&self) -> Option<f64> {
-        self.progress
-    }
-
-    pub const fn pointer(&self) -> Vec2 {
-        self.pointer
-    }
-
-    pub const fn from(&self) -> VaryFrom {
-        self.from
+    /// Whether the keys go into a number or a name.
+    pub const fn is_typing(&self) -> bool {
+        self.entry.is_open()
     }
 
     fn read(&mut self, varied: &Varied, body: usize) {
         if body != self.body {
-            (self.body, self.held, self.last) = (body, None, None);
-            self.entry = self.entry.take().filter(|(entry, _)| *entry == VaryEntry::Name);
+            (self.body, self.last) = (body, None);
+            if !self.entry.is_open_at(NAME) {
+                self.entry.close();
+            }
         }
         self.progress = varied.progress;
         self.is_varied = varied.variation.is_some_and(|variation| !variation.is_empty());
@@ -184,122 +143,167 @@ impl Vary {
         self.lines = Parameter::all(varied.level, body).into_iter().filter_map(line).collect();
     }
 
-    fn line(&self, parameter: Parameter) -> Option<VaryLine> {
-        self.lines.iter().copied().find(|line| line.parameter == parameter)
-    }
-
     /// Asks for a number, where it changes; `goes_on` says that it continues the change before.
-    fn ask(&mut self, line: VaryLine, value: f64, level: &Level, (variation, goes_on): (Option<&Variation>, bool)) {
+    fn ask(&mut self, line: VaryLine, value: f64, varied: &Varied, goes_on: bool) {
         if value == line.value {
             return;
         }
-        let mut asked = variation.cloned().unwrap_or_default();
-        asked.set(line.parameter, value, level);
+        let mut asked = match &self.wish {
+            Some(VaryWish::Vary(asked, ..)) => asked.clone(),
+            _ => varied.variation.cloned().unwrap_or_default(),
+        };
+        asked.set(line.parameter, value, varied.level);
         self.message = None;
         self.wish = Some(VaryWish::Vary(asked, self.from, goes_on && self.last == Some(line.parameter)));
         self.last = Some(line.parameter);
     }
 
     /// Asks for a number `steps` fine steps further, and returns it.
-    fn step(&mut self, line: VaryLine, steps: f64, level: &Level, variation: Option<&Variation>) -> f64 {
+    fn step(&mut self, line: VaryLine, steps: f64, varied: &Varied) -> f64 {
         let value = SliderTrack::of(line.parameter, line.usual).stepped(line.value, steps, line.parameter.limits());
-        self.ask(line, value, level, (variation, true));
+        self.ask(line, value, varied, true);
         value
     }
 
-    /// Keys of a field: Enter accepts, Esc gives up, up and down are fine steps.
-    fn follow_keys(&mut self, input: &Input, level: &Level, variation: Option<&Variation>) {
-        let Some((entry, field)) = &mut self.entry else { return };
-        // Letters of the same frame as Enter belong to the text.
-        if field.update(input) {
-            self.message = None;
-        }
-        let steps = f64::from(u8::from(input.pressed(Key::Up))) - f64::from(u8::from(input.pressed(Key::Down)));
-        if input.pressed(Key::Escape) {
-            (self.entry, self.message) = (None, None);
-        } else if input.pressed(Key::Enter) {
-            self.take_entry(level, variation);
-        } else if let (VaryEntry::Number(parameter), true) = (*entry, steps != 0.0) {
-            let Some(line) = self.line(parameter) else { return };
-            let value = self.step(line, steps, level, variation);
-            self.entry = Some((VaryEntry::Number(parameter), TextField::selected(&value.to_string(), MOST)));
-        }
-    }
-
-    /// Accepts the text; a bad one stays, with a message.
-    fn take_entry(&mut self, level: &Level, variation: Option<&Variation>) {
-        let Some((entry, field)) = self.entry.take() else { return };
-        match entry {
-            VaryEntry::Name => self.wish = Some(VaryWish::Save(field.text().trim().to_owned())),
-            VaryEntry::Number(parameter) => match (parameter.parse(&field.text()), self.line(parameter)) {
-                (Ok(value), Some(line)) => self.ask(line, value, level, (variation, false)),
-                (Err(expected), _) => {
-                    self.tell(format!("Expected {expected}."), true);
-                    self.entry = Some((entry, field));
+    fn follow_entry(&mut self, event: EntryEvent, varied: &Varied) {
+        let line = |label: &str| self.lines.iter().copied().find(|line| line.number_label() == label);
+        match event {
+            EntryEvent::Changed | EntryEvent::GivenUp => self.message = None,
+            EntryEvent::Stepped(label, steps) => {
+                if let Some(line) = line(&label) {
+                    let value = self.step(line, steps, varied);
+                    self.entry.open(&label, &value.to_string());
                 }
-                (Ok(_), None) => {}
+            }
+            EntryEvent::Taken(label, text) => match line(&label).map(|line| (line, line.parameter.parse(&text))) {
+                Some((_, Err(expected))) => self.tell(format!("Expected {expected}."), true),
+                Some((line, Ok(value))) => {
+                    self.entry.close();
+                    self.ask(line, value, varied, false);
+                }
+                None => {
+                    self.entry.close();
+                    self.wish = Some(VaryWish::Save(text.trim().to_owned()));
+                }
             },
         }
     }
 
-    fn follow_pointer(&mut self, input: &Input, level: &Level, variation: Option<&Variation>) {
-        let at = input.pointer;
-        if input.click && self.layout.panel.contains(at) {
-            input.answer(ButtonAnswer::Pressed);
-            let written = self.entry.as_ref().map(|(entry, _)| *entry);
-            // A click elsewhere accepts the text.
-            if !self.entry_area().is_some_and(|area| area.contains(at)) {
-                self.take_entry(level, variation);
-            }
-            match self.layout.button_at(at) {
-                Some(Button::FromStart) => self.from = VaryFrom::Start,
-                Some(Button::FromNow) => self.from = VaryFrom::Now,
-                Some(Button::Restore) if variation.is_some() => self.wish = Some(VaryWish::Restore),
-                Some(Button::Save) if self.is_varied => {
-                    if written != Some(VaryEntry::Name) {
-                        (self.entry, self.message) = (Some((VaryEntry::Name, TextField::new("", MOST))), None);
-                    }
-                }
-                Some(Button::Restore | Button::Save) | None => {}
-            }
-            self.click_line(at, level, variation);
-        }
-        if !input.holding && !input.click {
-            self.held = None;
-        }
-        if let Some(line) = self.held.and_then(|held| self.line(held)) {
-            let part = self.layout.part(at);
-            // A click that moves nothing changes nothing: the number need not lie on the slider's steps.
-            let track = SliderTrack::of(line.parameter, line.usual);
-            if (track.part(line.value) - part).abs() > self.layout.half_a_pixel() {
-                self.ask(line, track.value(part), level, (variation, !input.click));
-            }
-        }
-        let over = self.layout.line_at(at, self.lines.len()).filter(|line| self.lines[*line].open);
-        if let (Some(line), true) = (over, input.wheel != 0.0) {
-            self.step(self.lines[line], f64::from(input.wheel), level, variation);
-        }
+    fn show_heading(&self, ui: &Ui<'_>) {
+        let heading = self.layout.heading();
+        let at = |x: f32| Vec2::new(x, heading.centre().y);
+        let style = Style::new(DETAILS, theme::accent()).middle();
+        ui.text(&format!("What if: {} and level", self.title), at(heading.min.x), style);
+        let hint = Style { colour: theme::quiet(), ..style };
+        ui.text("Tab, N: another object", at(heading.max().x), hint.right());
     }
 
-    /// Holds the slider, opens the number's field, or resets the number.
-    fn click_line(&mut self, at: Vec2, level: &Level, variation: Option<&Variation>) {
-        let Some(index) = self.layout.line_at(at, self.lines.len()).filter(|line| self.lines[*line].open) else { return };
+    fn show_line(&mut self, ui: &mut Ui<'_>, index: usize, varied: &Varied) {
         let line = self.lines[index];
-        if self.layout.reset(index).contains(at) {
-            self.ask(line, line.usual, level, (variation, false));
-        } else if self.layout.number(index).contains(at) {
-            if self.entry.as_ref().is_none_or(|(entry, _)| *entry != VaryEntry::Number(line.parameter)) {
-                self.entry = Some((VaryEntry::Number(line.parameter), TextField::selected(&line.value.to_string(), MOST)));
+        let [name, slider, number, reset] = self.layout.cells(index);
+        let colour = if line.open { theme::text() } else { theme::quiet() };
+        let style = Style::new(DETAILS, if line.is_varied() { theme::accent() } else { colour }).middle();
+        let words = widgets::cut(ui.canvas(), line.parameter.name(), name.size.x, style);
+        ui.text(&words, Vec2::new(name.min.x, name.centre().y), style);
+        if words != line.parameter.name() {
+            ui.tip(name, line.parameter.name());
+        }
+        let track = SliderTrack::of(line.parameter, line.usual);
+        let knob = if line.is_varied() { theme::accent() } else { theme::text() };
+        let shown = SliderShown { part: track.part(line.value), mark: track.part(line.usual), knob: line.open.then_some(knob) };
+        match ui.slider(line.parameter.name(), slider, &shown) {
+            Some(SliderMove::To { part, goes_on }) => self.ask(line, track.value(part), varied, goes_on),
+            Some(SliderMove::Step(steps)) => {
+                self.step(line, steps, varied);
             }
-        } else if self.layout.slider(index).contains(at) {
-            self.held = Some(line.parameter);
+            None => {}
+        }
+        let notches = ui.wheel(self.layout.row(index));
+        if line.open && notches != 0.0 {
+            self.step(line, f64::from(notches), varied);
+        }
+        let label = line.number_label();
+        let words = written(line.parameter, line.value);
+        if ui.entry(&label, number, (&words, Style::new(DETAILS, colour)), &mut self.entry) && line.open {
+            self.entry.open(&label, &line.value.to_string());
+        }
+        if line.is_varied() {
+            self.show_reset(ui, line, reset, varied);
         }
     }
 
-    fn entry_area(&self) -> Option<Area> {
-        match self.entry.as_ref()?.0 {
-            VaryEntry::Name => Some(self.layout.field),
-            VaryEntry::Number(parameter) => self.parts(parameter).map(|[_, number, _]| number),
+    /// The button with the level's own value.
+    fn show_reset(&mut self, ui: &mut Ui<'_>, line: VaryLine, area: Area, varied: &Varied) {
+        let touch = ui.touch(&format!("{}: reset", line.parameter.name()), area, WidgetKind::Button);
+        let fill = if touch.hover { theme::panel_hover() } else { theme::panel() };
+        widgets::panel_in(ui.canvas(), area, fill, theme::panel_edge());
+        let back = format!("← {}", written(line.parameter, line.usual));
+        widgets::fitted(ui.canvas(), &back, area.centre(), area.size.x - INSIDE, &[DETAILS], theme::quiet());
+        if touch.pressed && line.open {
+            self.ask(line, line.usual, varied, false);
         }
+    }
+
+    fn show_buttons(&mut self, ui: &mut Ui<'_>, was_varied: bool, names_level: bool) {
+        let [start, now, restore, save] = self.layout.buttons;
+        if button(ui, "From the start", start, (true, self.from == VaryFrom::Start)) {
+            self.from = VaryFrom::Start;
+        }
+        if button(ui, "From now", now, (true, self.from == VaryFrom::Now)) {
+            self.from = VaryFrom::Now;
+        }
+        if button(ui, "Reset all", restore, (true, false)) && was_varied {
+            self.wish = Some(VaryWish::Restore);
+        }
+        if button(ui, "Save as level", save, (self.is_varied, false)) && self.is_varied && !names_level {
+            self.entry.open(NAME, "");
+            self.message = None;
+        }
+    }
+
+    /// The name of the new level, or the last message, or the progress of the flight.
+    fn show_foot(&mut self, ui: &mut Ui<'_>) {
+        let field = self.layout.field;
+        let names_level = self.entry.is_open_at(NAME);
+        if names_level && self.message.is_none() {
+            let style = Style::new(DETAILS, theme::quiet()).middle().right();
+            ui.entry(NAME, field, ("", style), &mut self.entry);
+            if self.entry.text().is_some_and(|text| text.is_empty()) {
+                ui.text("its name, or Enter for any", Vec2::new(field.max().x - INSIDE, field.centre().y), style);
+            }
+            return;
+        }
+        let flown_again;
+        let (words, colour) = match (&self.message, self.progress) {
+            (Some((words, bad)), _) => (words.as_str(), if *bad { theme::bad() } else { theme::good() }),
+            (None, Some(progress)) => {
+                flown_again = format!("Flown again: {:.0} %", 100.0 * progress);
+                (flown_again.as_str(), theme::accent())
+            }
+            (None, None) if self.is_typing() => ("Enter takes it, Esc gives it up, ↑ ↓ step", theme::quiet()),
+            (None, None) => ("Drag, turn the wheel, or click a number to type", theme::quiet()),
+        };
+        widgets::fitted(ui.canvas(), words, field.centre(), field.size.x, &[DETAILS], colour);
+        ui.tip(field, words);
+    }
+}
+
+/// A button that is open or closed, and whose edge says that it is chosen.
+fn button(ui: &mut Ui<'_>, label: &str, area: Area, (open, chosen): (bool, bool)) -> bool {
+    let touch = ui.touch(label, area, WidgetKind::Button);
+    let fill = if open && touch.hover { theme::panel_hover() } else { theme::ground() };
+    let edge = if chosen { theme::accent() } else { theme::panel_edge() };
+    widgets::panel_in(ui.canvas(), area, fill, edge);
+    let colour = if open { theme::text() } else { theme::quiet() };
+    widgets::fitted(ui.canvas(), label, area.centre(), area.size.x - 2.0 * INSIDE, &[DETAILS], colour);
+    touch.pressed
+}
+
+/// With its unit; a factor with its sign.
+pub fn written(parameter: Parameter, value: f64) -> String {
+    let text = scalar(value, parameter.unit());
+    match parameter {
+        Parameter::Friction | Parameter::Wind => format!("× {}", text.trim()),
+        _ => text.trim().to_owned(),
     }
 }
