@@ -16,12 +16,21 @@ use std::collections::VecDeque;
 
 /// s. The most of a hitch that counts.
 const LONGEST_FRAME: f64 = 0.1;
-/// The buttons that change the method of a half: label, arrow, key and its name, the half and the direction.
-const CHOICES: [(&str, &str, (Key, &str), [isize; 2]); 4] = [
-    ("Method before, left", "‹", (Key::A, "A"), [-1, 0]),
-    ("Next method, left", "›", (Key::D, "D"), [1, 0]),
-    ("Method before, right", "‹", (Key::Left, "←"), [0, -1]),
-    ("Next method, right", "›", (Key::Right, "→"), [0, 1]),
+/// A button that changes the method of a half.
+struct MethodButton {
+    label: &'static str,
+    arrow: &'static str,
+    key: Key,
+    named: &'static str,
+    /// The places down the list of methods, of the left half and of the right one.
+    further: [isize; 2],
+}
+
+const METHOD_BUTTONS: [MethodButton; 4] = [
+    MethodButton { label: "Method before, left", arrow: "‹", key: Key::A, named: "A", further: [-1, 0] },
+    MethodButton { label: "Next method, left", arrow: "›", key: Key::D, named: "D", further: [1, 0] },
+    MethodButton { label: "Method before, right", arrow: "‹", key: Key::Left, named: "←", further: [0, -1] },
+    MethodButton { label: "Next method, right", arrow: "›", key: Key::Right, named: "→", further: [0, 1] },
 ];
 /// Their size.
 const CHOICE: Vec2 = Vec2::new(64.0, 40.0);
@@ -163,7 +172,7 @@ impl SideBySide {
     /// At both ends of each half's name.
     fn show_choices(&mut self, ui: &mut Ui<'_>, panels: [Area; 2]) {
         let places = panels.into_iter().flat_map(|panel| [(panel.min.x, panel), (panel.max().x - CHOICE.x, panel)]);
-        for ((x, panel), (label, arrow, (key, named), further)) in places.zip(CHOICES) {
+        for ((x, panel), MethodButton { label, arrow, key, named, further }) in places.zip(METHOD_BUTTONS) {
             let area = Area { min: Vec2::new(x, panel.min.y - HEAD), size: CHOICE };
             let touch = ui.touch(label, area, WidgetKind::Tool);
             widgets::button_box(ui.canvas(), area, touch.hover, false);
