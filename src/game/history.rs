@@ -165,48 +165,42 @@ pub(super) fn lasts(lasting: &[(u64, bool)], at: u64) -> bool {
     lasting.iter().rev().find(|(since, _)| *since <= at).is_some_and(|(_, lasts)| *lasts)
 }
 
-/// A flight that can be watched from any tick on: a flown one, or a record of which as much is known as has been flown again.
+/// A flight that can be watched from any tick on: a flown one, or a record, of which as much is known as has been flown again.
 #[derive(Clone, Debug)]
 pub struct Reel {
-    history: History,
-    ahead: Option<(Box<Game>, Playback)>,
+    pub history: History,
+    pub unflown: Option<Unflown>,
+}
+
+/// The inputs of a record that no history has yet.
+#[derive(Clone, Debug)]
+pub struct Unflown {
+    /// After the history's last tick.
+    game: Box<Game>,
+    rest: Playback,
 }
 
 impl Reel {
     /// The recorded inputs in that level, of which no tick is flown yet.
     pub fn new(level: Arc<Level>, inputs: &Inputs, tick_rate: f64) -> Result<Self, GameError> {
         let start = Game::with_tick_rate(level, tick_rate)?;
-        Ok(Self { history: History::new(&start), ahead: Some((Box::new(start), inputs.clone().into_iter())) })
+        let history = History::new(&start);
+        Ok(Self { history, unflown: Some(Unflown { game: Box::new(start), rest: inputs.clone().into_iter() }) })
     }
 
     pub const fn flown(history: History) -> Self {
-        Self { history, ahead: None }
+        Self { history, unflown: None }
     }
+}
 
-    /// Flies at most `ticks` ticks further.
-    pub fn fly(&mut self, ticks: u64) {
+impl Unflown {
+    /// Flies at most `ticks` ticks further, which the history takes up; returns whether inputs may be left.
+    pub fn fly(&mut self, history: &mut History, ticks: u64) -> bool {
         for _ in 0..ticks {
-            let Some((game, rest)) = &mut self.ahead else { return };
-            match rest.next().filter(|_| game.outcome() == Outcome::Running) {
-                Some(controls) => {
-                    game.step(controls);
-                    self.history.note(game, controls);
-                }
-                None => self.ahead = None,
-            }
+            let Some(controls) = self.rest.next().filter(|_| self.game.outcome() == Outcome::Running) else { return false };
+            self.game.step(controls);
+            history.note(&self.game, controls);
         }
-    }
-
-    pub const fn is_whole(&self) -> bool {
-        self.ahead.is_none()
-    }
-
-    /// Known ticks.
-    pub fn ticks(&self) -> u64 {
-        self.history.ticks()
-    }
-
-    pub const fn history(&self) -> &History {
-        &self.history
+        true
     }
 }

@@ -40,7 +40,7 @@ pub use controls::Controls;
 pub use death::Death;
 pub use event::{GameError, GameEvent, Outcome};
 pub use fingerprint::{Fingerprint, LevelHash, level_hash};
-pub use history::{History, Reel, Tape};
+pub use history::{History, Reel, Tape, Unflown};
 pub use impacts::{DAMAGING_SPEED, DUST_SPEED, Felt, READABLE};
 pub use inputs::{BadFile, HEADER, Inputs, MOST_TICKS, Playback};
 pub use latch::Latch;

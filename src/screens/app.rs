@@ -318,7 +318,7 @@ impl App {
     fn note_end(&mut self) {
         let Some(flight) = self.screen.get::<Flight>() else { return };
         let game = flight.game();
-        if flight.is_test() || game.level().experiment {
+        if flight.is_test() || flight.is_watched() || game.level().experiment {
             return;
         }
         if flight.variation().is_some() {

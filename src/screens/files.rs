@@ -6,11 +6,10 @@ use super::library::Refusal;
 use super::worker::{Card, Errand, Ticket};
 use super::{App, Attempt, Editor, Flight, Flights, LevelSelect, Make, Purpose, Request, Screen, Spectator, Stamp, footage};
 use crate::files;
-use crate::game::{Outcome, level_hash};
+use crate::game::level_hash;
 use crate::instruments::vary::Variation;
 use crate::level::document::{LevelFolder, Opened};
 use crate::level::{self, Awards, Level, Problem, scaffold};
-use crate::number::clock;
 use std::any::Any;
 use std::collections::btree_map::Entry as Slot;
 use std::path::Path;
@@ -62,7 +61,7 @@ impl App {
     /// Has the level that is flown read again when its files have changed; a test flight's level is not on disk.
     pub(super) fn look_at_files(&mut self, frame_time: f64) {
         let (Some(flight), Some(watch), None) = (self.screen.get::<Flight>(), &mut self.watch, &self.editing) else { return };
-        if !watch.update(frame_time) || !files::is_folder(watch.folder()) {
+        if flight.is_watched() || !watch.update(frame_time) || !files::is_folder(watch.folder()) {
             return;
         }
         let folder = self.library.folder(&flight.attempt().level.name);
@@ -73,7 +72,7 @@ impl App {
     pub(super) fn take_over(&mut self, folder: &Path, level: Result<Arc<Level>, Refusal>, spectator: &mut dyn Spectator) {
         let (Some(flight), None) = (self.screen.get_mut::<Flight>(), &self.editing) else { return };
         let flown = flight.attempt().level.clone();
-        if self.library.folder(&flown.name) != folder {
+        if flight.is_watched() || self.library.folder(&flown.name) != folder {
             return;
         }
         match level {
@@ -315,20 +314,5 @@ impl App {
             editor.tell_of_flight(how);
         }
         editor
-    }
-}
-
-impl Flight {
-    /// How a test flight ended, in words; empty where it was broken off.
-    pub(super) fn told(&self) -> String {
-        let game = self.game();
-        match game.outcome() {
-            Outcome::Running => String::new(),
-            Outcome::Completed => format!("Completed in {}, {:.0} % of the fuel left.", clock(game.time()), 100.0 * game.fuel()),
-            Outcome::Failed => {
-                let cause = game.result().death.map_or_else(String::new, |death| format!(": {death}"));
-                format!("Lost after {}{cause}.", clock(game.time()))
-            }
-        }
     }
 }

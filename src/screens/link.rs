@@ -138,6 +138,7 @@ impl App {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::draw::layout::Frame;
     use crate::screens::{LevelSelect, Places};
     use std::path::Path;
 
@@ -179,7 +180,8 @@ mod tests {
         let mut app = App::new(Places { levels: root.join("levels"), root, scores: scores.path().to_path_buf() });
         app.follow_link("play=experiments/friction&follow=box+1&details=0", &mut ());
         let flight = app.screen().get::<Flight>().unwrap();
-        assert_eq!((flight.game().level().name.as_str(), flight.details()), ("friction", false));
+        assert_eq!(flight.game().level().name, "friction");
+        assert!(!app.screen().scene(&Frame::default()).unwrap().overlays.details);
         assert_eq!(flight.observer().focus().followed(), Some(BodyId(1)));
         app.follow_link("play=2", &mut ());
         assert_eq!(app.screen().get::<Flight>().unwrap().game().level().name, "2");

@@ -7,7 +7,6 @@ mod ahead;
 mod app;
 mod balls;
 mod boards;
-mod buttons;
 mod classics;
 mod credits;
 #[cfg(all(feature = "window", not(browser)))]
@@ -49,15 +48,14 @@ mod prompt;
 mod prover;
 mod race;
 mod save_score;
+mod scene;
 mod scoring;
 mod screen;
 mod settings;
 #[cfg(feature = "window")]
 mod theatre;
 mod tile_run;
-mod toolbar;
 mod visits;
-mod watch;
 #[cfg(feature = "window")]
 mod window;
 mod worker;
@@ -68,11 +66,10 @@ pub use crate::ui::input::{ButtonAnswer, Clipboard, Input, Keyed};
 pub use crate::ui::scroll::Bar;
 use crate::ui::{input, scroll, text_field};
 pub use app::{App, Places};
-pub use buttons::Buttons;
 pub use classics::{Classic, Classics};
 pub use credits::Credits;
 pub use editor::Editor;
-pub use flight::{Attempt, Flight, Flown, News};
+pub use flight::{Attempt, Flight, Flown};
 pub use flights::{FlightCandidate, FlightSource, Flights, Visit};
 pub use folder_watch::{FolderWatch, Stamp};
 pub use instruments::vary::Varied;
@@ -97,14 +94,11 @@ pub use prompt::{Prompt, Reply};
 pub use prover::Prover;
 pub use race::{Gap, Ghost, MOST_RIVALS, Race, Rival, Split};
 pub use save_score::{Gain, SaveScore};
+pub use scene::GameScene;
 pub use scoring::Scoring;
 pub use screen::Screen;
 pub use settings::SettingsPanel;
 pub use tile_run::TileRun;
-pub use toolbar::Toolbar;
-pub use watch::{PACES, Watch};
-#[cfg(all(feature = "window", browser))]
-pub use window::open_page;
 #[cfg(feature = "window")]
 pub use window::{Start, open};
 pub use worker::{Errand, Worker};

@@ -7,74 +7,93 @@ use crate::instruments::stop_clock::seconds;
 use crate::settings::{Action, Bindings};
 use crate::view::focus::Focus;
 
-/// How fast the world can go.
+/// Paces of the world; 1 is the usual one.
 pub const PACES: [f64; 10] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0];
-/// As it is.
-const AS_IT_IS: usize = 6;
 
-/// How much closer a key brings the view, where a notch of the wheel is one.
+/// A key brings the view closer by this many notches of the wheel.
 const KEY_ZOOM: i8 = 2;
 
-/// One for more, minus one for less, 0 for neither.
+/// 1 for more, −1 for less, 0 for neither.
 fn more_or_less(input: &Input) -> i8 {
     i8::from(input.acts(Action::Closer)) - i8::from(input.acts(Action::Wider))
 }
 
-/// Brings the view closer or makes it wider by keys or the wheel, and fits it to everything that moves, or follows again.
-pub(super) fn zoom(focus: &mut Focus, input: &Input) {
-    if input.acts(Action::Fit) {
-        focus.fit();
-    }
-    let by_keys = if input.held.has(Key::Control) { 0 } else { KEY_ZOOM * more_or_less(input) };
-    focus.zoom_by(by_keys + input.wheel.round() as i8);
-}
-
-/// Picks out one of a game's bodies, or two, by a key or by a click (with Shift or Ctrl: to compare), and makes arrows longer or shorter by
-/// Ctrl with the keys that zoom.
-pub(super) fn look(focus: &mut Focus, input: &Input, game: &Game) {
-    if input.acts(Action::Next) {
-        focus.next(game.lead(), game.world().bodies().len());
-    }
-    if input.click && (input.pointed.is_some() || focus.followed().is_some()) {
-        focus.pick(input.pointed, input.held.has(Key::Shift) || input.held.has(Key::Control));
-    }
-    if input.held.has(Key::Control) {
-        focus.lengthen(more_or_less(input));
-    }
-}
-
-/// The observer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Observer {
     frozen: bool,
+    paces: &'static [f64],
+    /// The index of the present pace.
     pace: usize,
     focus: Focus,
-    /// The keys that its words name.
+    /// The keys in its words.
     keys: Bindings,
 }
 
 impl Default for Observer {
     fn default() -> Self {
-        Self { frozen: false, pace: AS_IT_IS, focus: Focus::default(), keys: Bindings::default() }
+        Self::with_paces(&PACES)
     }
 }
 
 impl Observer {
-    /// One frame of a game whose details are open or not; how many ticks a world that stands still is to go on, or back where negative.
+    /// An observer at the pace 1 of a rising list.
+    pub(super) fn with_paces(paces: &'static [f64]) -> Self {
+        let pace = paces.iter().position(|pace| *pace == 1.0).unwrap_or(0);
+        Self { frozen: false, paces, pace, focus: Focus::default(), keys: Bindings::default() }
+    }
+
+    /// One frame of a game whose details are open or not; returns the ticks that a frozen world goes on, or back where negative.
     pub fn update(&mut self, input: &Input, game: &Game, details: bool) -> i64 {
         self.keys = input.settings.keys;
-        zoom(&mut self.focus, input);
-        self.frozen ^= input.acts(Action::Freeze);
+        self.zoom(input);
+        if input.acts(Action::Freeze) {
+            self.freeze_or_go_on();
+        }
         if input.acts(Action::Slower) {
-            self.pace = self.pace.saturating_sub(1);
+            self.slow_down();
         }
         if input.acts(Action::Faster) {
-            self.pace = (self.pace + 1).min(PACES.len() - 1);
+            self.speed_up();
         }
         if details {
-            look(&mut self.focus, input, game);
+            self.look(input, game);
         }
         if self.frozen { i64::from(input.acts(Action::TickOn)) - i64::from(input.acts(Action::TickBack)) } else { 0 }
+    }
+
+    /// Brings the view closer or makes it wider by keys or the wheel, and fits it to everything that moves, or follows again.
+    pub(super) fn zoom(&mut self, input: &Input) {
+        if input.acts(Action::Fit) {
+            self.focus.fit();
+        }
+        let by_keys = if input.held.has(Key::Control) { 0 } else { KEY_ZOOM * more_or_less(input) };
+        self.focus.zoom_by(by_keys + input.wheel.round() as i8);
+    }
+
+    /// Picks out one of a game's bodies, or two, by a key or by a click (with Shift or Ctrl: to compare), and makes arrows longer or
+    /// shorter by Ctrl with the keys that zoom.
+    pub(super) fn look(&mut self, input: &Input, game: &Game) {
+        if input.acts(Action::Next) {
+            self.focus.next(game.lead(), game.world().bodies().len());
+        }
+        if input.click && (input.pointed.is_some() || self.focus.followed().is_some()) {
+            self.focus.pick(input.pointed, input.held.has(Key::Shift) || input.held.has(Key::Control));
+        }
+        if input.held.has(Key::Control) {
+            self.focus.lengthen(more_or_less(input));
+        }
+    }
+
+    pub(super) const fn freeze_or_go_on(&mut self) {
+        self.frozen = !self.frozen;
+    }
+
+    pub(super) const fn slow_down(&mut self) {
+        self.pace = self.pace.saturating_sub(1);
+    }
+
+    pub(super) fn speed_up(&mut self) {
+        self.pace = (self.pace + 1).min(self.paces.len() - 1);
     }
 
     /// Whether the world stands still.
@@ -89,7 +108,7 @@ impl Observer {
 
     /// How fast the world goes while it does not stand still.
     pub fn pace(&self) -> f64 {
-        PACES[self.pace]
+        self.paces[self.pace]
     }
 
     /// How fast it goes, 0 while it stands still.

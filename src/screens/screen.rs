@@ -1,6 +1,8 @@
 //! What a screen is.
 
+use super::scene::GameScene;
 use super::{Input, Motion, Noise, Request};
+use crate::draw::layout::Frame;
 use crate::settings::Settings;
 use crate::ui::Ui;
 use std::any::Any;
@@ -46,14 +48,9 @@ pub trait Screen: Any + fmt::Debug {
     /// Takes over what became of a curve that was to be kept as a file.
     fn report_export(&mut self, _told: Result<PathBuf, String>) {}
 
-    /// Draws the part of it that needs a window, below what it has shown.
-    #[cfg(feature = "window")]
-    fn draw(
-        &self,
-        _theatre: &mut super::theatre::Theatre,
-        _moment: super::theatre::PictureTime,
-        _canvas: &mut crate::draw::Canvas,
-    ) {
+    /// The game on it, in a canvas of that frame: the window's view draws it below the widgets.
+    fn scene(&self, _frame: &Frame) -> Option<GameScene<'_>> {
+        None
     }
 }
 

@@ -1,16 +1,13 @@
 //! What a window has besides the screens: the view of the game that is flown, and sound.
 
-use super::watch::above;
 use super::window::Instant;
-use super::{App, ButtonAnswer, Flight, Input, Instruments, Noise, Screen, Spectator, Watch, pace};
+use super::{App, ButtonAnswer, GameScene, Input, Noise, Screen, Spectator, pace};
 use crate::draw::Canvas;
 use crate::draw::layout::{Area, BUTTON_TEXT, TEXT, Vec2};
 use crate::game::Game;
 use crate::level;
 use crate::physics::{BodyId, DVec2};
 use crate::settings::Settings;
-use crate::view::focus::Focus;
-use crate::view::hud::HudShown;
 use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::view::{GameView, Overlays, theme, widgets};
 
@@ -18,19 +15,12 @@ use crate::view::{GameView, Overlays, theme, widgets};
 const COST_WEIGHT: f64 = 0.02;
 const FRAME_WEIGHT: f64 = 0.1;
 
-/// When a picture is drawn.
-#[derive(Clone, Copy, Debug)]
-pub struct PictureTime {
-    /// What the player has set.
-    pub settings: Settings,
-    /// Since the last frame, s.
-    pub frame_time: f64,
-}
-
-/// Draws the screen: the part of it that needs a window, and what it has shown above that.
+/// Draws the screen: its game, and its widgets above that.
 pub fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canvas) {
-    let moment = PictureTime { settings: *app.settings(), frame_time };
-    app.screen().draw(theatre, moment, canvas);
+    if let Some(scene) = app.screen().scene(canvas.frame()) {
+        theatre.draw_scene(scene, *app.settings(), frame_time, canvas);
+        canvas.end_layer();
+    }
     canvas.add_all(app.canvas());
     if let Some(what) = app.loading() {
         draw_loading(what, canvas);
@@ -72,74 +62,34 @@ impl Theatre {
     pub fn pointed(&mut self, screen: &dyn Screen, input: &Input) -> (Option<BodyId>, Option<DVec2>) {
         let Some(view) = &mut self.view else { return (None, None) };
         view.point_at(input.pointer);
-        let flown = screen.get::<Flight>().map(|it| (it.game(), it.alpha(), it.instruments().room(&input.frame)));
-        let watched = || screen.get::<Watch>().map(|it| (it.game(), it.alpha(), it.instruments().room(&above(&input.frame))));
-        let Some((game, alpha, frame)) = flown.or_else(watched) else { return (None, None) };
-        let place = view.viewport(game, alpha, &frame).metres(input.pointer);
-        (view.body_at(game, alpha, input.pointer, &frame), Some(place))
-    }
-
-    pub(super) fn set_panels(&mut self, panels: Vec<Area>) {
-        if let Some(view) = &mut self.view {
-            view.panels = panels;
-        }
+        let Some(GameScene { game, alpha, room, .. }) = screen.scene(&input.frame) else { return (None, None) };
+        let place = view.viewport(game, alpha, &room).metres(input.pointer);
+        (view.body_at(game, alpha, input.pointer, &room), Some(place))
     }
 
     /// Lets the view move on by the frame just updated, and draws it.
-    pub(super) fn draw_flown(&mut self, flight: &Flight, settings: Settings, frame_time: f64, canvas: &Canvas) {
+    fn draw_scene(&mut self, scene: GameScene<'_>, settings: Settings, frame_time: f64, canvas: &mut Canvas) {
         let figures = self.figures();
         let Some(view) = &mut self.view else { return };
-        let (details, hitboxes) = (flight.details(), flight.hitboxes());
-        let focus = looked_at(flight.observer().focus(), details || flight.instruments().is_open());
-        let plays = flight.game().level().ship_plays();
-        let fuel = plays && flight.game().level().player.has_engine();
-        let shown = HudShown { status: plays, fuel, rivals: flight.race().map_or(0, |race| race.all().len()) };
-        let overlays = Overlays { settings, details, shown, focus, hitboxes, watched: false };
-        let paused = flight.pause().is_some();
-        let passed = if paused { 0.0 } else { frame_time * flight.observer().speed().min(1.0) };
-        view.update(flight.game(), flight.alpha(), passed, overlays, canvas.frame());
-        view.follow_jumps(flight.game(), &overlays, if paused { 0.0 } else { frame_time - passed });
-        if flight.pause().is_none() {
-            self.speaker.surround(Ambience::of(flight.game(), view.burning()));
+        let GameScene { game, alpha, instruments, .. } = scene;
+        let overlays = Overlays { settings, ..scene.overlays };
+        let whole = canvas.use_frame(scene.room);
+        (view.panels, view.ghosts) = (scene.panels, scene.ghosts);
+        let passed = frame_time * scene.speed.min(1.0);
+        view.update(game, alpha, passed, overlays, canvas.frame());
+        view.follow_jumps(game, &overlays, if scene.paused { 0.0 } else { frame_time - passed });
+        if scene.speed > 0.0 {
+            self.speaker.surround(Ambience::of(game, view.burning()));
         }
-        view.ghosts = flight.ghosts();
-        view.draw(flight.game(), flight.alpha(), overlays, &figures, canvas);
-        draw_instruments(flight.instruments(), view, (flight.game(), flight.alpha()), canvas);
-        if let Some(race) = flight.race() {
+        view.draw(game, alpha, overlays, &figures, canvas);
+        if instruments.is_open() {
+            let viewport = view.viewport(game, alpha, canvas.frame());
+            instruments.draw_in_level((game, alpha), &viewport, canvas);
+        }
+        if let Some(race) = scene.race {
             race.draw(&view.hud.aside, canvas);
         }
-    }
-
-    /// The same for a flight that is watched.
-    pub(super) fn draw_watched(&mut self, watch: &Watch, settings: Settings, frame_time: f64, canvas: &Canvas) {
-        let figures = self.figures();
-        let Some(view) = &mut self.view else { return };
-        let (details, hitboxes) = (watch.details(), watch.hitboxes());
-        let focus = looked_at(watch.focus(), details || watch.instruments().is_open());
-        let plays = watch.game().level().ship_plays();
-        let shown = HudShown { status: plays, fuel: plays && watch.game().level().player.has_engine(), rivals: 0 };
-        let overlays = Overlays { settings, details, shown, focus, hitboxes, watched: true };
-        let passed = if watch.paused() { 0.0 } else { frame_time * watch.pace().min(1.0) };
-        view.update(watch.game(), watch.alpha(), passed, overlays, canvas.frame());
-        view.follow_jumps(watch.game(), &overlays, frame_time - passed);
-        if !watch.paused() {
-            self.speaker.surround(Ambience::of(watch.game(), view.burning()));
-        }
-        view.draw(watch.game(), watch.alpha(), overlays, &figures, canvas);
-        draw_instruments(watch.instruments(), view, (watch.game(), watch.alpha()), canvas);
-    }
-}
-
-/// Who is looked at: nobody in particular while neither details nor instruments are open.
-fn looked_at(focus: &Focus, open: bool) -> Focus {
-    if open { *focus } else { focus.on_nobody() }
-}
-
-/// What it is measured with, above the flight.
-fn draw_instruments(instruments: &Instruments, view: &GameView, (game, alpha): (&Game, f64), canvas: &Canvas) {
-    if instruments.is_open() {
-        let view = view.viewport(game, alpha, canvas.frame());
-        instruments.draw_in_level((game, alpha), &view, canvas);
+        canvas.use_frame(whole);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::footage;
 use super::leaderboard::subject;
-use super::{App, Attempt, FlightCandidate, FlightSource, Flights, Purpose, Request, Rival, Screen, Spectator, Visit, Watch};
+use super::{App, Attempt, Flight, FlightCandidate, FlightSource, Flights, Purpose, Request, Rival, Screen, Spectator, Visit};
 use crate::game::{Fingerprint, Reel, TICK_RATE};
 use crate::level::Level;
 use crate::scores::Board;
@@ -65,7 +65,7 @@ impl App {
                 Reel::new(level, &replay.inputs, replay.tick_rate).map_err(|error| error.to_string())?
             }
         };
-        Ok(Box::new(Watch::new(visit, title, reel, spectator)))
+        Ok(Box::new(Flight::watch(title, reel, Request::Flights(visit), spectator)))
     }
 
     /// A flight by hand against those.

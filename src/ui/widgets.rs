@@ -119,7 +119,8 @@ impl Ui<'_> {
         self.buttons(self.frame().column(labels.len(), top), labels)
     }
 
-    /// Buttons at the foot of a scene whose arrow keys have other work: each shows its own key, which presses it.
+    /// Buttons at the foot of a scene whose arrow keys have other work: each shows its own key, which presses it unless the screen has
+    /// claimed it.
     pub fn tools<'l>(&mut self, tools: &[(&'l str, Key, &str)]) -> Option<&'l str> {
         let all = self.frame().size.x - 2.0 * MARGIN + GAP;
         let pitch = (all / tools.len().max(1) as f32).min(ROW_BUTTON.x + GAP);
@@ -130,7 +131,7 @@ impl Ui<'_> {
             let area = Area { min: Vec2::new(left + i as f32 * pitch, top), size };
             let touch = self.touch(label, area, WidgetKind::Tool);
             paint::keyed_button(self.canvas(), area, (label, named), (touch.hover, false));
-            if touch.pressed || self.key(*key) {
+            if touch.pressed || self.key(*key) && !self.shown.claimed.has(*key) {
                 self.input().answer(super::input::ButtonAnswer::Pressed);
                 pressed = Some(*label);
             }

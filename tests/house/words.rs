@@ -8,7 +8,7 @@ use std::path::PathBuf;
 const BANNED: [&str; 6] = ["is told", "are told", "anew", "so many", "whoever", "of whom"];
 const FOLDERS: [&str; 10] = ["src", "tests", "tools", "benches", "platform", "docs", "levels", "experiments", "scores", ".github"];
 /// Rooms and files that still have some: a mended one leaves this list.
-const NOT_YET: [&str; 4] = ["src/screens/flight", "src/screens/watch.rs", "tests/screens/flights.rs", "tests/screens/observed.rs"];
+const NOT_YET: [&str; 2] = ["tests/screens/flights.rs", "tests/screens/observed.rs"];
 const PAGES: [&str; 4] = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", ".ci/run"];
 const ENDINGS: [&str; 6] = ["rs", "md", "sh", "toml", "yml", "csv"];
 

@@ -32,6 +32,16 @@ fn fly_up(sitting: &mut Sitting, delay: u32) {
     panic!("it was not completed");
 }
 
+/// The tick on the screen.
+fn tick(sitting: &Sitting) -> u64 {
+    sitting.flight().game().ticks()
+}
+
+/// Whether a flight that is watched stands still.
+fn stands(sitting: &Sitting) -> bool {
+    sitting.labels().contains(&"Play") && sitting.shows("paused · ")
+}
+
 /// From the menu over a flight of "up" to the board on which it is saved.
 fn save_as(sitting: &mut Sitting, name: &str, delay: u32) {
     sitting.fly("0");
@@ -50,22 +60,20 @@ fn a_flight_is_watched_from_its_score_bit_for_bit() {
     fly_up(&mut sitting, 0);
     assert_eq!(sitting.at(), "scoring");
     sitting.choose("Flights").choose("Watch");
-    assert_eq!((sitting.at(), sitting.watch().place().0), ("watch", 0));
+    assert_eq!((sitting.at(), tick(&sitting)), ("watch", 0));
     sitting.wait(3.0);
-    let watch = sitting.watch();
-    assert!(watch.paused() && watch.is_whole() && watch.game().outcome() == Outcome::Completed);
-    let (tick, known) = watch.place();
-    assert_eq!(tick, known);
-    let end = watch.game().hash();
+    assert!(stands(&sitting) && sitting.flight().game().outcome() == Outcome::Completed);
+    let (known, end) = (sitting.flight().history().ticks(), sitting.flight().game().hash());
+    assert_eq!(tick(&sitting), known);
     // A step back and on leads to the same bits.
     sitting.press_all(&[Key::Left, Key::Left]);
-    assert_eq!(sitting.watch().place().0, known - 2);
+    assert_eq!(tick(&sitting), known - 2);
     sitting.press_all(&[Key::Right, Key::Right]);
-    assert_eq!((sitting.watch().place().0, sitting.watch().game().hash()), (known, end));
+    assert_eq!((tick(&sitting), sitting.flight().game().hash()), (known, end));
     sitting.press(Key::Home);
-    assert_eq!(sitting.watch().place().0, 0);
+    assert_eq!(tick(&sitting), 0);
     sitting.press(Key::PageDown);
-    assert_eq!(sitting.watch().place().0, 120.min(known));
+    assert_eq!(tick(&sitting), 120.min(known));
     sitting.press(Key::Escape);
     assert_eq!(sitting.at(), "flights");
     assert_eq!(sitting.press(Key::Escape).at(), "scoring");
@@ -82,8 +90,8 @@ fn what_is_watched_is_measured_as_it_was_flown() {
     sitting.wait(3.0);
     for key in [Key::Left, Key::Home, Key::Right, Key::End, Key::PageUp, Key::Right] {
         sitting.press(key);
-        let (watch, ship) = (sitting.watch(), |game: &Game| game.world().bodies()[0].clone());
-        let (tick, measures) = (watch.place().0, watch.instruments().measures());
+        let (watch, ship) = (sitting.flight(), |game: &Game| game.world().bodies()[0].clone());
+        let (tick, measures) = (watch.game().ticks(), watch.instruments().measures());
         let dots: Vec<_> = measures.trail().dots(tick, 120.0).map(|dots| (dots.number, dots.places[0])).collect();
         assert_eq!(dots.len() as u64, tick / 12 + 1, "tick {tick}");
         assert!(tick % 12 != 0 || dots.last().map(|dot| dot.1) == Some(ship(watch.game()).position));
@@ -101,34 +109,34 @@ fn what_is_watched_is_slowed_down_hurried_and_dragged() {
     sitting.fly("0");
     fly_up(&mut sitting, 60);
     sitting.choose("Flights").choose("Watch").press_all(&[Key::Down, Key::Down, Key::Down]);
-    assert_eq!(sitting.watch().pace(), 0.125);
-    let from = sitting.watch().place().0;
+    assert_eq!(sitting.flight().observer().pace(), 0.125);
+    let from = tick(&sitting);
     sitting.wait(1.0);
-    assert!((14..=16).contains(&(sitting.watch().place().0 - from)), "an eighth of 120 ticks");
+    assert!((14..=16).contains(&(tick(&sitting) - from)), "an eighth of 120 ticks");
     sitting.press_all(&[Key::Up; 9]);
-    assert_eq!(sitting.watch().pace(), 8.0);
+    assert_eq!(sitting.flight().observer().pace(), 8.0);
     sitting.press(Key::Home);
-    let from = sitting.watch().place().0;
+    let from = tick(&sitting);
     sitting.wait(0.1);
-    assert!((90..=120).contains(&(sitting.watch().place().0 - from)), "eight times 12 ticks");
+    assert!((90..=120).contains(&(tick(&sitting) - from)), "eight times 12 ticks");
     sitting.press(Key::Space);
-    assert!(sitting.watch().paused());
+    assert!(stands(&sitting));
     // The pointer takes the line of time to its middle, and to either end.
-    let (line, known) = (sitting.watch().line(), sitting.watch().place().1);
-    for (part, tick) in [(0.5, known / 2), (1.2, known), (-0.2, 0)] {
+    let (line, known) = (sitting.area("Time line").inset(8.0), sitting.flight().history().ticks());
+    for (part, wanted) in [(0.5, known / 2), (1.2, known), (-0.2, 0)] {
         let pointer = Vec2::new(line.min.x + line.size.x * part, line.centre().y);
         let hold = |click| Input { pointer, click, holding: true, ..Input::default() };
         if part == 0.5 {
             sitting.give(hold(true));
         }
         sitting.give(hold(false));
-        assert!(sitting.watch().place().0.abs_diff(tick) <= 1, "{part}: {:?}", sitting.watch().place());
+        assert!(tick(&sitting).abs_diff(wanted) <= 1, "{part}: {}", tick(&sitting));
     }
-    assert!(sitting.watch().paused(), "letting go changes nothing of that");
+    assert!(stands(&sitting), "letting go changes nothing of that");
     // By mouse: Play, and Back.
-    sitting.rest().click(1);
-    assert!(!sitting.watch().paused());
-    assert_eq!(sitting.click(0).at(), "flights");
+    sitting.rest().click("Play");
+    assert!(!stands(&sitting));
+    assert_eq!(sitting.click("Back").at(), "flights");
 }
 
 #[test]
@@ -151,7 +159,7 @@ fn jumps_are_told_and_single_ticks_are_seen() {
     for key in [Key::Right, Key::Right, Key::Left, Key::PageDown] {
         sitting.give_to(Input { pressed: [key].into_iter().collect(), ..Input::default() }, &mut told);
     }
-    assert_eq!(told.0, [("tick", 1), ("tick", 2), ("jump", 1), ("jump", 121.min(sitting.watch().place().1))]);
+    assert_eq!(told.0, [("tick", 1), ("tick", 2), ("jump", 1), ("jump", 121.min(sitting.flight().history().ticks()))]);
 }
 
 #[test]
@@ -319,7 +327,7 @@ fn a_lost_flight_can_be_watched_and_one_with_help_is_not_recorded() {
     let mut sitting = Sitting::new();
     sitting.lose();
     sitting.choose("Flights").choose("Watch").wait(0.2);
-    assert_eq!(sitting.watch().game().outcome(), Outcome::Failed);
+    assert_eq!(sitting.flight().game().outcome(), Outcome::Failed);
 
     let mut sitting = Sitting::with(|root| {
         level(root, "4", HERE, "");
@@ -340,10 +348,9 @@ fn a_gamepad_reaches_all_of_it() {
     sitting.press(Key::PadA);
     assert_eq!(sitting.at(), "watch");
     sitting.press_all(&[Key::PadA, Key::PadRight, Key::PadRight, Key::PadUp, Key::PadX]);
-    let watch = sitting.watch();
-    assert!(watch.paused() && watch.details() && watch.pace() == 2.0);
+    assert!(stands(&sitting) && sitting.scene().overlays.details && sitting.flight().observer().pace() == 2.0);
     sitting.press_all(&[Key::PadY, Key::PadR1]);
-    assert_eq!(sitting.watch().place().0, 120.min(sitting.watch().place().1));
+    assert_eq!(tick(&sitting), 120.min(sitting.flight().history().ticks()));
     assert_eq!(sitting.press(Key::PadB).at(), "flights");
     assert_eq!(sitting.press_all(&[Key::PadRight, Key::PadA]).at(), "flight");
 }

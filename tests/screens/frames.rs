@@ -9,10 +9,12 @@ use crate::support::hashes::assert_golden;
 use crate::support::rooms::{area, crate_at, yard};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
+use resultant::draw::Canvas;
 use resultant::game::{Controls, Game, Outcome, TICK_RATE, TICKS_A_FRAME};
 use resultant::level::{AirStream, Fluid, Level};
 use resultant::physics::DVec2;
-use resultant::screens::{Attempt, Flight, Input, Key, Keys};
+use resultant::screens::{Attempt, Flight, Input, Key, Keys, Screen};
+use resultant::ui::{Memory, PassInput};
 use std::sync::Arc;
 
 /// From one instant at which keys may change to the next, s: frames of 24, 30, 60, 144 a second all end there.
@@ -58,9 +60,32 @@ fn irregular(seed: u64) -> impl FnMut() -> Vec<f64> {
     }
 }
 
+/// A flight's screen with the memory of its widgets.
+struct Screening {
+    flight: Flight,
+    memory: Memory,
+}
+
+impl Screening {
+    fn new(level: &Level) -> Self {
+        let flight = Flight::new(Attempt::by_hand(Arc::new(level.clone())), &mut ()).unwrap();
+        Self { flight, memory: Memory::default() }
+    }
+
+    /// A frame, which asks for no other screen.
+    fn give(&mut self, input: &Input) {
+        let canvas = Canvas::new(input.frame);
+        let acts = PassInput { input, canvas: &canvas, spectator: &mut (), time: 0.0 };
+        assert!(self.memory.act(acts, |ui| self.flight.show(ui)).is_none());
+        let input = &input.without_edges();
+        let shows = PassInput { input, canvas: &canvas, spectator: &mut (), time: 0.0 };
+        assert!(self.memory.show(shows, |ui| self.flight.show(ui)).is_none());
+    }
+}
+
 /// Flies the script through the screen and returns how its attempt stands at the end.
 fn fly(level: &Level, script: &Script, frames: Frames<'_>) -> Game {
-    let mut flight = Flight::new(Attempt::by_hand(Arc::new(level.clone())), &mut ()).unwrap();
+    let mut screening = Screening::new(level);
     let mut held: Vec<Key> = Vec::new();
     for edges in script {
         let mut pressed: Vec<Key> = Vec::new();
@@ -75,7 +100,7 @@ fn fly(level: &Level, script: &Script, frames: Frames<'_>) -> Game {
                 Edge::Pause => {
                     for pressed in [keys(&[Key::Escape]), Keys::default(), keys(&[Key::Escape])] {
                         let seen = Input { pressed, held: keys(&held), frame_time: 1.0, ..Input::default() };
-                        assert!(flight.update(&seen, &mut ()).is_none());
+                        screening.give(&seen);
                     }
                 }
             }
@@ -83,11 +108,11 @@ fn fly(level: &Level, script: &Script, frames: Frames<'_>) -> Game {
         for (index, frame_time) in frames().into_iter().enumerate() {
             let pressed = if index == 0 { keys(&pressed) } else { Keys::default() };
             let seen = Input { pressed, held: keys(&held), frame_time, ..Input::default() };
-            assert!(flight.update(&seen, &mut ()).is_none());
+            screening.give(&seen);
         }
     }
-    assert_eq!(flight.game().ticks(), TICKS * script.len() as u64, "the same time is the same ticks");
-    flight.game().clone()
+    assert_eq!(screening.flight.game().ticks(), TICKS * script.len() as u64, "the same time is the same ticks");
+    screening.flight.game().clone()
 }
 
 fn keys(keys: &[Key]) -> Keys {
@@ -233,14 +258,14 @@ fn an_edge_that_is_missing_or_comes_later_is_another_flight() {
 #[test]
 fn frames_too_long_for_their_ticks_slow_the_flight_down_and_change_no_tick() {
     let level = yard_with_media();
-    let mut flight = Flight::new(Attempt::by_hand(Arc::new(level.clone())), &mut ()).unwrap();
+    let mut screening = Screening::new(&level);
     for _ in 0..10 {
         let seen = Input { held: keys(&[Key::Space]), frame_time: 0.25, ..Input::default() };
-        assert!(flight.update(&seen, &mut ()).is_none());
+        screening.give(&seen);
     }
     let ticks = u64::from(TICKS_A_FRAME) * 10;
-    assert_eq!(flight.game().ticks(), ticks);
+    assert_eq!(screening.flight.game().ticks(), ticks);
     let mut game = Game::new(Arc::new(level)).unwrap();
     (0..ticks).for_each(|_| game.step(Controls { thrust: true, ..Controls::default() }));
-    assert_eq!(flight.game().hash(), game.hash());
+    assert_eq!(screening.flight.game().hash(), game.hash());
 }

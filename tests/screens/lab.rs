@@ -450,9 +450,8 @@ fn an_experiment_is_guessed_flown_and_of_no_account() {
     sitting.give(Input { pointer: third, click: true, ..Input::default() });
     assert!(sitting.focused() == title && sitting.shows("docs/lessons/force-mass-acceleration.md"));
     sitting.click_at(third);
-    let flight = sitting.flight();
-    assert!(flight.details(), "what acts is what it is about");
-    assert_eq!(flight.game().level().name, "force-mass-acceleration");
+    assert!(sitting.scene().overlays.details, "what acts is what it is about");
+    assert_eq!(sitting.flight().game().level().name, "force-mass-acceleration");
     // Nobody's attempts grow by it, and its end leads back to it.
     sitting.app.grant(Request::Experiment("lift".into()), &mut ());
     let flight: &Flight = sitting.screen();

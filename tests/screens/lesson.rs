@@ -92,7 +92,7 @@ fn an_experiment_opens_on_what_moves_and_leads_back_to_the_list() {
     let mut sitting = free_fall();
     let followed = |sitting: &Sitting| sitting.flight().observer().focus().followed().map(|body| body.0);
     let flight = sitting.flight();
-    assert!(flight.details() && flight.observer().focus().fits() && !flight.game().level().ship_plays());
+    assert!(sitting.scene().overlays.details && flight.observer().focus().fits() && !flight.game().level().ship_plays());
     let picked: Vec<Option<u32>> = (0..5)
         .map(|_| {
             let now = followed(&sitting);
@@ -102,10 +102,10 @@ fn an_experiment_opens_on_what_moves_and_leads_back_to_the_list() {
         .collect();
     assert_eq!(picked, [Some(1), Some(2), Some(3), None, Some(1)]);
     sitting.press(Key::R);
-    assert!(sitting.flight().details() && sitting.flight().observer().focus().fits(), "also from its beginning again");
+    assert!(sitting.scene().overlays.details && sitting.flight().observer().focus().fits(), "also from its beginning again");
     sitting.press(Key::Escape);
-    assert_eq!((sitting.at(), sitting.flight().pause_labels()[3]), ("pause", "Back to experiments"));
-    sitting.click(3);
+    assert_eq!((sitting.at(), sitting.labels()[3]), ("pause", "Back to experiments"));
+    sitting.click("Back to experiments");
     let lab = sitting.screen::<Lab>();
     assert_eq!(lab.page(), Page::Experiments);
     assert!(sitting.focused() == "Free fall" && sitting.shows("docs/lessons/free-fall.md"));

@@ -43,7 +43,7 @@ fn more_than_fifteen_levels_make_pages() {
     assert_eq!(shown(&sitting), (last, 14), "no page after the last");
     assert_eq!(sitting.labels()[0], "31", "the sixteenth level of the list");
     assert_eq!(sitting.choose("31").flown(), "31");
-    sitting.press(Key::Escape).click(3).press(Key::PageUp).press(Key::PageDown).click("Previous").rest();
+    sitting.press(Key::Escape).click("Level Select").press(Key::PageUp).press(Key::PageDown).click("Previous").rest();
     assert_eq!(shown(&sitting).0, first);
 }
 
@@ -140,7 +140,7 @@ fn typing_finds_levels_by_name_and_title() {
     sitting.write("Great m").rest();
     assert_eq!(shown(&sitting), ["lev57"]);
     assert_eq!(sitting.press(Key::Enter).flown(), "lev57");
-    sitting.press(Key::Escape).click(3).write("v3").rest();
+    sitting.press(Key::Escape).click("Level Select").write("v3").rest();
     assert_eq!(shown(&sitting).len(), 10);
     sitting.press(Key::Backspace);
     assert_eq!(shown(&sitting).len(), 15, "what has a v");

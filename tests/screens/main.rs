@@ -71,8 +71,8 @@ fn every_screen_is_whole_in_every_window() {
         whole(&mut sitting);
         whole(sitting.choose("Level Select"));
         whole(sitting.choose("2").press(Key::Escape));
-        whole(sitting.choose(2));
-        whole(sitting.press(Key::Escape).choose(4).complete());
+        whole(sitting.choose("Settings"));
+        whole(sitting.press(Key::Escape).choose("Main Menu").complete());
         whole(sitting.choose("Save Score"));
         whole(sitting.write("ann").press(Key::Enter));
         whole(sitting.press(Key::Escape).choose("Classics"));

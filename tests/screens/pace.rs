@@ -57,7 +57,7 @@ fn a_paused_flight_and_a_menu_of_buttons_are_drawn_when_something_changes() {
     sitting.fly("2").press(Key::Escape);
     let settings = |sitting: &mut Sitting| {
         // The pause ends, the flight is given up for the menu's settings.
-        sitting.press(Key::Escape).press(Key::Escape).choose(4).choose("Settings");
+        sitting.press(Key::Escape).press(Key::Escape).choose("Main Menu").choose("Settings");
     };
     for open in [|_: &mut Sitting| {}, settings] {
         open(&mut sitting);

@@ -236,10 +236,10 @@ fn a_watched_flight_is_plotted_and_gone_through() {
     sitting.wait(0.5);
     sitting.choose("Flights").choose("Watch").press(Key::I);
     sitting.click("Plot").wait(0.3);
-    assert!(!sitting.watch().paused());
-    let place = sitting.watch().instruments().plot().at(1, 25).unwrap();
+    assert!(sitting.labels().contains(&"Pause"));
+    let place = sitting.flight().instruments().plot().at(1, 25).unwrap();
     sitting.click_at(place);
-    assert!(sitting.watch().paused() && sitting.watch().place().0 == 25, "{:?}", sitting.watch().place());
+    assert!(sitting.labels().contains(&"Play") && sitting.flight().game().ticks() == 25, "{}", sitting.flight().game().ticks());
 }
 
 /// A flight of the first level: `thrust` ticks with thrust, then without.

@@ -2,9 +2,11 @@
 
 use crate::sitting::{FAR_AWAY, Sitting, level};
 use resultant::physics::DVec2;
-use resultant::screens::{Input, Key, News};
+use resultant::screens::{Input, Key};
 use std::fs;
 use std::path::PathBuf;
+
+const BROKEN: &str = "The files do not load now";
 
 fn file(sitting: &Sitting, name: &str) -> PathBuf {
     sitting.folder.path().join("levels/2").join(name)
@@ -26,12 +28,12 @@ fn a_saved_file_is_there_within_half_a_second_and_the_flight_goes_on_where_it_wa
     let fallen = game.world().body(resultant::game::SHIP).position - before.world().body(resultant::game::SHIP).position;
     assert!(fallen.length() < 4.0 && fallen.y > 0.0, "{fallen}");
     assert!(game.ticks() > before.ticks() && game.fuel() == before.fuel());
-    assert!(matches!(sitting.flight().news(), Some(News::Changed(_, true))));
+    assert!(sitting.shows("Read again: you fly on in it, with help."));
     assert!(sitting.flight().is_assisted(), "what was flown in two levels is no score");
     // R begins again, in the new one.
     sitting.press(Key::R);
     assert_eq!((sitting.flight().game().level().player.position, solids(&sitting)), (DVec2::new(400.0, 300.0) / 30.0, 1));
-    assert!(!sitting.flight().is_assisted() && sitting.flight().news().is_none());
+    assert!(!sitting.flight().is_assisted() && !sitting.shows("Read again"));
 }
 
 #[test]
@@ -41,7 +43,7 @@ fn where_the_ship_has_no_room_the_level_begins_again() {
     fs::write(file(&sitting, "player.csv"), "100,100,100,500,3000\n").unwrap();
     fs::write(file(&sitting, "world.csv"), "200,200,600,400\n").unwrap();
     sitting.wait(0.4);
-    assert!(matches!(sitting.flight().news(), Some(News::Changed(_, false))));
+    assert!(sitting.shows("Read again, from its start."));
     assert!((sitting.flight().game().world().body(resultant::game::SHIP).position.x - 100.0 / 30.0).abs() < 0.1);
 }
 
@@ -52,17 +54,18 @@ fn a_broken_edit_is_reported_above_the_flight_until_it_is_mended() {
     let sound = fs::read(file(&sitting, "objectives.csv")).unwrap();
     fs::write(file(&sitting, "objectives.csv"), "PLAYER,10,ten,20,20\n").unwrap();
     sitting.wait(0.4);
-    let Some(News::Broken(problems)) = sitting.flight().news() else { panic!("no message") };
-    assert!(problems[0].starts_with("objectives.csv:1: column \"y\": found \"ten\""), "{problems:?}");
+    assert!(sitting.shows(BROKEN));
+    let problem = "objectives.csv:1: column \"y\": found \"ten\"";
+    assert!(sitting.texts().iter().any(|(line, _)| line.starts_with(problem)), "{:?}", sitting.texts());
     let ticks = sitting.flight().game().ticks();
     sitting.wait(0.2);
-    assert!(sitting.flight().game().ticks() > ticks && matches!(sitting.flight().news(), Some(News::Broken(_))));
+    assert!(sitting.flight().game().ticks() > ticks && sitting.shows(BROKEN));
     // R begins the loaded level again, and the message stays.
     sitting.press(Key::R);
-    assert!(sitting.flight().game().ticks() < 5 && matches!(sitting.flight().news(), Some(News::Broken(_))));
+    assert!(sitting.flight().game().ticks() < 5 && sitting.shows(BROKEN));
     fs::write(file(&sitting, "objectives.csv"), sound).unwrap();
     sitting.wait(0.4);
-    assert!(!matches!(sitting.flight().news(), Some(News::Broken(_))));
+    assert!(!sitting.shows(BROKEN));
 }
 
 #[test]
@@ -72,7 +75,7 @@ fn r_reads_the_files_afresh_at_once() {
     fs::write(file(&sitting, "world.csv"), "0,580,800,20\n").unwrap();
     assert_eq!(solids(sitting.press(Key::R)), 1);
     sitting.wait(0.5);
-    assert!(sitting.flight().news().is_none(), "it is known already");
+    assert!(!sitting.shows("Read again"), "it is known already");
 }
 
 #[test]
@@ -111,5 +114,5 @@ fn what_the_flight_does_not_depend_on_changes_nothing_of_it() {
     sitting.fly("2").wait(0.2);
     fs::write(file(&sitting, "obstacles.csv"), "# a comment\n").unwrap();
     sitting.wait(0.5);
-    assert!(!sitting.flight().is_assisted() && sitting.flight().news().is_none());
+    assert!(!sitting.flight().is_assisted() && !sitting.shows("Read again"));
 }

@@ -14,7 +14,7 @@ fn the_menu_and_the_pause_panel_lead_there_and_back() {
     assert_eq!(Sitting::new().choose("Settings").at(), "settings");
     assert_eq!(Sitting::new().choose("Settings").press(Key::Escape).at(), "menu");
     let mut flying = Sitting::new();
-    flying.fly("2").press(Key::Escape).choose(2);
+    flying.fly("2").press(Key::Escape).choose("Settings");
     assert_eq!(flying.at(), "settings in flight");
     assert_eq!(flying.press(Key::Escape).at(), "pause");
     assert_eq!(flying.press(Key::Escape).at(), "flight", "the attempt goes on");

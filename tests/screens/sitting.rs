@@ -3,38 +3,13 @@
 use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::draw::{Colour, Contour, Shape};
 use resultant::screens::{
-    App, Buttons, Classics, Credits, Editor, Flight, Flights, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Pi, Places,
-    PlayerList, Purpose, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Watch, Worker,
+    App, Classics, Credits, Editor, Flight, Flights, GameScene, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Pi,
+    Places, PlayerList, Purpose, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Worker,
 };
 use resultant::ui::WidgetKind;
 use resultant::view::theme;
 use std::fs;
 use std::path::Path;
-
-/// A button by its label, or by its index on a screen whose widgets have no labels yet.
-#[derive(Clone, Copy, Debug)]
-pub enum Target<'a> {
-    Label(&'a str),
-    Index(usize),
-}
-
-impl<'a> From<&'a str> for Target<'a> {
-    fn from(label: &'a str) -> Self {
-        Self::Label(label)
-    }
-}
-
-impl<'a> From<&'a String> for Target<'a> {
-    fn from(label: &'a String) -> Self {
-        Self::Label(label)
-    }
-}
-
-impl From<usize> for Target<'_> {
-    fn from(index: usize) -> Self {
-        Self::Index(index)
-    }
-}
 
 /// A sitting with levels of its own: `1` is completed by its first tick, `2` lasts, `3` is lost by its first tick, `10` lasts too,
 /// `broken` does not load.
@@ -152,16 +127,15 @@ impl Sitting {
         self.point_at(pointer).give(Input { pointer, click: true, holding: true, ..Input::default() }).point_at(pointer)
     }
 
-    pub fn click<'a>(&mut self, target: impl Into<Target<'a>>) -> &mut Self {
-        let at = self.area(target).centre();
+    pub fn click(&mut self, label: &str) -> &mut Self {
+        let at = self.area(label).centre();
         self.click_at(at)
     }
 
     /// Presses a button by arrows and Enter.
-    pub fn choose<'a>(&mut self, target: impl Into<Target<'a>>) -> &mut Self {
-        let target = target.into();
+    pub fn choose(&mut self, label: &str) -> &mut Self {
         for _ in 0..20 {
-            let (area, focus) = (self.area(target), self.focus());
+            let (area, focus) = (self.area(label), self.area(self.focused()));
             if focus == area {
                 return self.press(Key::Enter);
             }
@@ -174,31 +148,18 @@ impl Sitting {
             };
             self.press(key);
         }
-        panic!("the arrows do not lead to {target:?} of {:?}", self.labels());
+        panic!("the arrows do not lead to {label:?} of {:?}", self.labels());
     }
 
     /// Where a button is.
-    pub fn area<'a>(&self, target: impl Into<Target<'a>>) -> Area {
-        match target.into() {
-            Target::Index(index) => self.buttons().areas()[index],
-            Target::Label(label) => {
-                let widget = self.app.widgets().iter().find(|widget| widget.label == label);
-                widget.unwrap_or_else(|| panic!("{label} is none of {:?} at {}", self.labels(), self.at())).area
-            }
-        }
+    pub fn area(&self, label: &str) -> Area {
+        let widget = self.app.widgets().iter().find(|widget| widget.label == label);
+        widget.unwrap_or_else(|| panic!("{label} is none of {:?} at {}", self.labels(), self.at())).area
     }
 
     /// Where all buttons are.
     pub fn areas(&self) -> Vec<Area> {
-        let widgets = self.app.widgets();
-        if widgets.is_empty() { self.buttons().areas().to_vec() } else { widgets.iter().map(|widget| widget.area).collect() }
-    }
-
-    fn focus(&self) -> Area {
-        match self.app.focused() {
-            Some(label) => self.area(label),
-            None => self.buttons().areas()[self.buttons().focus()],
-        }
+        self.app.widgets().iter().map(|widget| widget.area).collect()
     }
 
     pub fn labels(&self) -> Vec<&str> {
@@ -275,14 +236,6 @@ impl Sitting {
         texts.into_iter().rfind(|(_, at)| field.area.contains(*at)).map(|(text, _)| text).unwrap_or_default()
     }
 
-    pub fn buttons(&self) -> &Buttons {
-        let screen = self.app.screen();
-        let buttons = None
-            .or_else(|| screen.get::<Flight>().map(|flight| flight.pause().expect("the pause panel is open")))
-            .or_else(|| screen.get::<Watch>().map(|watch| watch.toolbar().buttons()));
-        buttons.unwrap_or_else(|| panic!("{} has labels", self.at()))
-    }
-
     pub fn at(&self) -> &'static str {
         let screen = self.app.screen();
         let has = |label: &str| self.labels().contains(&label);
@@ -295,11 +248,12 @@ impl Sitting {
             };
         }
         if let Some(flight) = screen.get::<Flight>() {
-            return match flight.pause() {
-                _ if flight.is_test() => "test flight",
-                _ if has("Defaults") => "settings in flight",
-                Some(_) => "pause",
-                None => "flight",
+            return match () {
+                () if flight.is_watched() => "watch",
+                () if flight.is_test() => "test flight",
+                () if has("Defaults") => "settings in flight",
+                () if has("Resume") => "pause",
+                () => "flight",
             };
         }
         if screen.is::<PlayerList>() {
@@ -309,7 +263,6 @@ impl Sitting {
             (screen.is::<Menu>(), "menu"),
             (screen.is::<SettingsPanel>(), "settings"),
             (screen.is::<Editor>(), "editor"),
-            (screen.is::<Watch>(), "watch"),
             (screen.is::<Flights>(), "flights"),
             (screen.is::<Scoring>(), "scoring"),
             (screen.is::<SaveScore>(), "save score"),
@@ -344,8 +297,9 @@ impl Sitting {
         self.screen()
     }
 
-    pub fn watch(&self) -> &Watch {
-        self.screen()
+    /// The game on the screen.
+    pub fn scene(&self) -> GameScene<'_> {
+        self.app.screen().scene(&self.frame).unwrap_or_else(|| panic!("no game at {}", self.at()))
     }
 
     pub fn flights(&self) -> &Flights {

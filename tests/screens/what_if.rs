@@ -141,7 +141,12 @@ fn what_is_typed_flies_nothing_and_what_will_not_do_says_what_would() {
     sitting.give(Input { held: [Key::Space].into_iter().collect(), ..Input::default() });
     let flight = sitting.flight();
     assert_eq!((flight.game().ship().fuel, flight.game().ship().angle), (fuel, angle));
-    assert!(!flight.observer().frozen() && !flight.details() && flight.instruments().is_open() && flight.pause().is_none());
+    assert!(
+        !flight.observer().frozen()
+            && !sitting.scene().overlays.details
+            && flight.instruments().is_open()
+            && !sitting.labels().contains(&"Resume")
+    );
     // R types nothing here and restarts nothing.
     let ticks = flight.game().ticks();
     sitting.press(Key::R);
@@ -312,7 +317,7 @@ fn reset_all_is_a_fresh_attempt_and_r_begins_the_varied_level_again() {
     assert!(sitting.flight().variation().is_none() && !sitting.flight().is_assisted());
     // A player who leaves the level leaves the variation behind.
     type_in(&mut sitting, Parameter::Gravity, "3");
-    sitting.press(Key::Escape).choose(3).choose("2");
+    sitting.press(Key::Escape).choose("Level Select").choose("2");
     assert!(sitting.flight().variation().is_none() && sitting.flight().game().level().gravity == 15.0);
 }
 
@@ -388,7 +393,7 @@ fn what_is_varied_is_saved_as_a_level_of_its_own_that_can_be_chosen() {
     }
     assert_eq!(fs::read_dir(&levels).unwrap().count(), 5 + 3);
     assert!(sitting.flight().variation().is_some(), "it is flown on");
-    sitting.press(Key::Escape).choose(3);
+    sitting.press(Key::Escape).choose("Level Select");
     let names: Vec<&str> = sitting.level_select().entries().iter().map(|entry| entry.name.as_str()).collect();
     assert!(names.contains(&"moon"), "{names:?}");
     sitting.choose("moon");

@@ -233,7 +233,7 @@ impl Flight {
         self.what_if.is_some() && self.game.outcome() != Outcome::Running && self.ended >= END_PAUSE
     }
 
-    /// Begins a level anew as it was varied before it began anew: from the start, beside the run before where the level is the same.
+    /// Begins a level again with the numbers that it was varied by: from the start, beside the run before where the level is the same.
     ///
     /// # Errors
     /// What is not accepted in the level as it is now, in words: it is flown as it is then.

@@ -1,0 +1,96 @@
+//! The end of an attempt: its score, or the next attempt.
+
+use super::Flight;
+use super::attempt::Flown;
+use super::pilot::steers;
+use crate::game::{History, Outcome, RunResult};
+use crate::number::clock;
+use crate::screens::{Input, Key, Request};
+use std::rc::Rc;
+
+/// From the end of an attempt to its score, s: long enough to see the end.
+pub(super) const END_PAUSE: f64 = 1.2;
+/// From the loss of the ship to the next attempt, s: long enough to see it burst, and short enough that the level flies within half a second.
+const LOSS_PAUSE: f64 = 0.35;
+/// Time for which a notice stays, s: that a level was read again, or that the attempt before was lost.
+pub(super) const NOTICE: f64 = 5.0;
+
+/// An attempt that was lost, and went over into the next one without a page between.
+#[derive(Debug)]
+pub(super) struct Lost {
+    result: RunResult,
+    flown: Option<Rc<Flown>>,
+    /// Age of its notice, s.
+    since: f64,
+}
+
+impl Flight {
+    /// The attempt has ended: its score comes after a while, or at once on Esc or Enter. A lost one goes over into the next.
+    pub(super) fn wait_for_score(&mut self, input: &Input) -> Option<Request> {
+        self.ended += input.frame_time;
+        // A flight that is plotted stays.
+        let passed = |pause: f64| self.ended >= pause && !self.instruments.stays();
+        // A button that steers is still held by the flight that has just ended.
+        let leads_on = (input.pressed(Key::Escape) || input.pressed(Key::Enter)) && (self.ended >= END_PAUSE || !steers(input));
+        if self.flies_on() && passed(LOSS_PAUSE) && !leads_on {
+            return Some(Request::Restart);
+        }
+        let over = passed(END_PAUSE) || leads_on;
+        if self.test {
+            return over.then(|| Request::BackToEditor(self.told()));
+        }
+        over.then(|| Request::Score(self.attempt.clone(), self.result(), self.flown(self.history.clone())))
+    }
+
+    fn result(&self) -> RunResult {
+        RunResult { assisted: self.assisted, ..self.game.result() }
+    }
+
+    /// Whether a fresh attempt follows by itself: this one was flown by hand, for its own sake, and lost.
+    pub(super) fn flies_on(&self) -> bool {
+        self.game.outcome() == Outcome::Failed && self.is_by_hand() && !self.test && self.what_if.is_none()
+    }
+
+    /// The notice of this attempt, which was lost; its history goes along.
+    pub(super) fn take_lost(&mut self) -> Box<Lost> {
+        let history = std::mem::replace(&mut self.history, History::new(&self.game));
+        Box::new(Lost { result: self.result(), flown: self.flown(history), since: 0.0 })
+    }
+
+    /// The flight with that history, where it was flown by hand and without help: with help no replay repeats it.
+    fn flown(&self, history: History) -> Option<Rc<Flown>> {
+        let kept = || Rc::new(Flown { level: self.attempt.level.clone(), replay: history.record(&self.game), history });
+        (self.is_by_hand() && !self.assisted).then(kept)
+    }
+
+    /// A frame of the notice that the attempt before was lost: Enter leads to its score.
+    pub(super) fn follow_lost(&mut self, input: &Input) -> Option<Request> {
+        let lost = self.lost.as_mut().filter(|_| self.game.outcome() == Outcome::Running)?;
+        lost.since += input.frame_time;
+        if (input.pressed.has(Key::Enter) || input.pressed.has(Key::PadSelect)) && !steers(input) {
+            return Some(Request::Score(self.attempt.clone(), lost.result.clone(), lost.flown.clone()));
+        }
+        if lost.since > NOTICE {
+            self.lost = None;
+        }
+        None
+    }
+
+    /// The cause of the loss of the attempt before, in words, while its notice is shown.
+    pub fn lost(&self) -> Option<&str> {
+        self.lost.as_ref()?.result.death.as_deref()
+    }
+
+    /// The end of the flight in words; empty while it runs.
+    pub(in crate::screens) fn told(&self) -> String {
+        let game = self.game();
+        match game.outcome() {
+            Outcome::Running => String::new(),
+            Outcome::Completed => format!("Completed in {}, {:.0} % of the fuel left.", clock(game.time()), 100.0 * game.fuel()),
+            Outcome::Failed => {
+                let cause = game.result().death.map_or_else(String::new, |death| format!(": {death}"));
+                format!("Lost after {}{cause}.", clock(game.time()))
+            }
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! The pause panel, and the settings above it.
+
+use super::Flight;
+use crate::draw::layout::{Area, HEADING, PADDING, WIDE_BUTTON};
+use crate::screens::{Input, Key, Purpose, Request, Screen, SettingsPanel};
+use crate::settings::Action;
+use crate::ui::Ui;
+use crate::view::widgets;
+
+pub(super) const RESUME: &str = "Resume";
+const RESTART: &str = "Restart";
+const SETTINGS: &str = "Settings";
+const LEVEL_SELECT: &str = "Level Select";
+/// In an experiment in place of the list of levels.
+const EXPERIMENTS: &str = "Back to experiments";
+const MENU: &str = "Main Menu";
+const EDIT: &str = "Edit Level";
+
+/// From the middle of the canvas up to the first button.
+const TOP: f32 = 152.0;
+
+impl Flight {
+    /// Switches the overlays by their keys.
+    pub(super) fn switch_overlays(&mut self, input: &Input) {
+        self.details ^= input.acts(Action::Details);
+        self.hitboxes ^= input.acts(Action::Hitboxes);
+    }
+
+    /// The panel, where it is open.
+    pub(super) fn show_pause(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        let chosen = self.pause?;
+        ui.layer(0.45);
+        let list = if self.attempt.level.experiment { EXPERIMENTS } else { LEVEL_SELECT };
+        let labels = [RESUME, RESTART, SETTINGS, list, MENU, EDIT];
+        let middle = ui.frame().size / 2.0;
+        let places = ui.frame().column(labels.len(), middle.y - TOP);
+        let (top, width) = (middle.y - TOP - HEADING - 2.5 * PADDING, WIDE_BUTTON.x + 4.0 * PADDING);
+        let foot = places.last().map_or(middle.y, |last| last.max().y) + 1.5 * PADDING;
+        ui.panel(Area::new(middle.x - width / 2.0, top, width, foot - top));
+        widgets::heading(ui.canvas(), "Paused", top + PADDING + HEADING * 0.65);
+        ui.start_at(chosen);
+        let pressed = ui.buttons(places, &labels);
+        if self.settings.is_some() {
+            return self.show_settings(ui);
+        }
+        if ui.is_live() {
+            self.switch_overlays(ui.input());
+        }
+        if ui.acts(Action::Pause) || ui.key(Key::Escape) {
+            self.pause = None;
+            return None;
+        }
+        self.pause = Some(pressed?);
+        match pressed? {
+            RESUME => self.pause = None,
+            RESTART => return Some(Request::Restart),
+            SETTINGS => {
+                let panel = SettingsPanel::new(ui.input().settings, self.settings_problems.clone());
+                self.settings = Some(Box::new(panel));
+            }
+            LEVEL_SELECT => return Some(Request::LevelSelect(Purpose::Play)),
+            MENU => return Some(Request::Menu),
+            EDIT => return Some(Request::Edit(self.attempt.level.name.clone())),
+            _ => return Some(Request::Experiments(self.attempt.level.name.clone())),
+        }
+        None
+    }
+
+    fn show_settings(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        ui.layer(1.0);
+        match self.settings.as_mut()?.show(ui)? {
+            Request::Menu => {
+                self.settings = None;
+                None
+            }
+            request => Some(request),
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! The source of a flight's controls, and the moment of it that is shown.
+
+use super::Flight;
+use super::attempt::Attempt;
+use super::reel::Viewer;
+use crate::game::{Controls, Inputs, Latch, Outcome, Playback};
+use crate::screens::{Input, Spectator};
+use crate::settings::Action;
+
+#[derive(Debug)]
+pub(super) enum Pilot {
+    /// The player's keys.
+    Hands(Latch),
+    /// The rest of recorded inputs.
+    Inputs(Playback),
+    /// A recorded flight: the history holds its ticks.
+    Reel(Viewer),
+}
+
+impl Pilot {
+    /// At the start of an attempt.
+    pub fn of(attempt: &Attempt) -> Self {
+        match &attempt.inputs {
+            Some(inputs) => Self::Inputs(Inputs::clone(inputs).into_iter()),
+            None => Self::Hands(Latch::default()),
+        }
+    }
+
+    /// Takes the keys of a frame.
+    pub fn follow(&mut self, held: Controls, pressed: Controls) {
+        if let Self::Hands(latch) = self {
+            latch.frame(held, pressed);
+        }
+    }
+
+    /// Forgets the keys that no tick has taken.
+    pub fn let_go(&mut self) {
+        if let Self::Hands(latch) = self {
+            latch.clear();
+        }
+    }
+
+    /// The controls of the next tick.
+    fn take(&mut self) -> Controls {
+        match self {
+            Self::Hands(latch) => latch.take(),
+            Self::Inputs(playback) => playback.next().unwrap_or_default(),
+            Self::Reel(_) => Controls::default(),
+        }
+    }
+}
+
+/// The keys of a frame that went down.
+pub(super) fn pressed(input: &Input) -> Controls {
+    controls(|action| input.acts(action))
+}
+
+/// The keys of a frame that are down.
+pub(super) fn held(input: &Input) -> Controls {
+    controls(|action| input.keeps(action))
+}
+
+fn controls(is: impl Fn(Action) -> bool) -> Controls {
+    Controls { thrust: is(Action::Thrust), reverse: is(Action::Reverse), left: is(Action::Left), right: is(Action::Right) }
+}
+
+/// Whether a key went down that steers.
+pub(super) fn steers(input: &Input) -> bool {
+    pressed(input) != Controls::default()
+}
+
+impl Flight {
+    /// Flies the ticks of a frame, unless the world stands still.
+    pub(super) fn fly(&mut self, input: &Input, spectator: &mut dyn Spectator) {
+        self.pilot.follow(held(input), pressed(input));
+        let (assists, by_hand) = (input.settings.assists, self.is_by_hand());
+        self.assisted |= by_hand && (assists.any() || self.observer.pace() != 1.0);
+        if self.observer.frozen() {
+            return;
+        }
+        self.leave_what_came_after();
+        self.game.set_lasting_fuel(assists.lasting_fuel && by_hand);
+        self.clock.add(input.frame_time * f64::from(assists.speed) / 100.0 * self.observer.speed());
+        while self.game.outcome() == Outcome::Running && self.clock.tick() {
+            self.tick(spectator);
+        }
+        if let Some(race) = &mut self.race {
+            race.update(&self.game, input.worked());
+        }
+    }
+
+    /// A tick beyond the end of the history.
+    fn tick(&mut self, spectator: &mut dyn Spectator) {
+        let controls = self.pilot.take();
+        spectator.before_tick();
+        self.game.step(controls);
+        self.history.note(&self.game, controls);
+        self.after_tick_of_what_if(controls);
+        if let Some(race) = &mut self.race {
+            race.after_tick(&self.game);
+        }
+        spectator.after_tick(&self.game);
+    }
+
+    /// Takes a frozen world some ticks on, or back where `ticks` is negative: through its history, and beyond the end of that by the keys.
+    pub(super) fn step(&mut self, ticks: i64, input: &Input, spectator: &mut dyn Spectator) {
+        self.assisted |= self.is_by_hand();
+        let wanted = self.game.ticks().saturating_add_signed(ticks);
+        if wanted <= self.history.ticks() {
+            self.show_moment(wanted, spectator);
+        } else if self.game.outcome() == Outcome::Running {
+            self.pilot.follow(held(input), Controls::default());
+            self.tick(spectator);
+        }
+    }
+
+    /// Freezes the world at another moment of its history.
+    pub(super) fn seek(&mut self, tick: u64, spectator: &mut dyn Spectator) {
+        self.observer.freeze();
+        self.assisted |= self.is_by_hand();
+        self.show_moment(tick, spectator);
+    }
+
+    /// Shows the game after `tick` ticks, or the nearest moment of its history.
+    pub(super) fn show_moment(&mut self, tick: u64, spectator: &mut dyn Spectator) {
+        let before = self.game.ticks();
+        spectator.before_tick();
+        self.history.seek(&mut self.game, tick);
+        self.show_before(false);
+        if self.game.ticks() == before + 1 {
+            spectator.after_tick(&self.game);
+        } else if self.game.ticks() != before {
+            spectator.jumped(&self.game);
+        }
+    }
+
+    /// Drops the history after the moment on the screen: the flight goes on otherwise from there.
+    pub(super) fn leave_what_came_after(&mut self) {
+        let now = self.game.ticks();
+        if now < self.history.ticks() {
+            self.history = self.history.until(now);
+            self.show_before(true);
+            self.instruments.back_to(&self.history, now);
+            self.ended = 0.0;
+            self.play_on_from(now);
+        }
+    }
+
+    /// Recorded inputs, if there are any, go on from that tick.
+    pub(super) fn play_on_from(&mut self, tick: u64) {
+        if let (Pilot::Inputs(playback), Some(inputs)) = (&mut self.pilot, &self.attempt.inputs) {
+            *playback = Inputs::clone(inputs).into_iter();
+            playback.by_ref().take(tick as usize).for_each(drop);
+        }
+    }
+
+    /// Whether the player's keys fly.
+    pub fn is_by_hand(&self) -> bool {
+        matches!(self.pilot, Pilot::Hands(_))
+    }
+
+    /// Whether a reel is shown.
+    pub const fn is_watched(&self) -> bool {
+        matches!(self.pilot, Pilot::Reel(_))
+    }
+}

@@ -1,0 +1,228 @@
+//! A recorded flight on the screen: played, paused, slowed down, shown tick by tick in both directions. The picture is the game itself,
+//! flown again to the wanted moment.
+
+use super::Flight;
+use super::attempt::Attempt;
+use super::pilot::Pilot;
+use crate::draw::layout::{Area, Frame, TEXT, Vec2};
+use crate::draw::{Canvas, Style};
+use crate::game::{Clock, Outcome, Reel, Unflown};
+use crate::number::clock;
+use crate::screens::ahead::Ahead;
+use crate::screens::observer::Observer;
+use crate::screens::{Input, Key, Request, Spectator};
+use crate::settings::Action;
+use crate::ui::{Ui, WidgetKind};
+use crate::view::{theme, widgets};
+
+/// Paces of a reel; 1 is the pace of the flight.
+const PACES: [f64; 7] = [0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
+/// The most of a frame's time that counts, s: after a hitch the flight goes on where it was.
+const LONGEST_FRAME: f64 = 1.0 / 15.0;
+/// A page, s.
+const PAGE: f64 = 1.0;
+/// Height of the controls at the canvas' foot: the flight is above them.
+const FOOT: f32 = 144.0;
+/// From the sides of the canvas to the ends of the time line.
+const SIDES: f32 = 264.0;
+/// The pointer takes the time line within this distance.
+const NEAR: f32 = 8.0;
+
+const BACK: &str = "Back";
+const PLAY: &str = "Play";
+const PAUSE: &str = "Pause";
+const STEP_BACK: &str = "Step back";
+const STEP_ON: &str = "Step on";
+const SLOWER: &str = "Slower";
+const FASTER: &str = "Faster";
+const FORCES: &str = "Forces";
+/// A widget without words of its own.
+const TIME_LINE: &str = "Time line";
+
+/// The viewer's part of a watched flight.
+#[derive(Debug)]
+pub(super) struct Viewer {
+    title: String,
+    /// The request of the button that leads back.
+    back: Request,
+    /// The inputs that the history lacks.
+    unflown: Option<Unflown>,
+    /// Ticks to fly of them in a frame.
+    ahead: Ahead,
+    /// Whether the pointer holds the time line.
+    dragged: bool,
+}
+
+impl Flight {
+    /// A recorded flight from its start.
+    pub(in crate::screens) fn watch(title: String, reel: Reel, back: Request, spectator: &mut dyn Spectator) -> Self {
+        let Reel { history, unflown } = reel;
+        let game = history.at(0);
+        let attempt = Attempt::by_hand(game.shared_level().clone());
+        spectator.begins(&game);
+        let pilot = Pilot::Reel(Viewer { title, back, unflown, ahead: Ahead::default(), dragged: false });
+        Self { history, observer: Observer::with_paces(&PACES), ..Self::at_start(attempt, game, pilot) }
+    }
+
+    /// The part of the canvas above the controls of a reel.
+    pub(super) const fn above_controls(&self, frame: &Frame) -> Frame {
+        let foot = if self.is_watched() { FOOT } else { 0.0 };
+        Frame { size: Vec2::new(frame.size.x, frame.size.y - foot), ..*frame }
+    }
+
+    /// A frame of a reel, with the input that its instruments leave.
+    pub(super) fn show_reel(&mut self, ui: &mut Ui<'_>, input: &Input) -> Option<Request> {
+        if let Some(request) = self.serve_instruments(ui.spectator) {
+            return Some(request);
+        }
+        self.fly_ahead(input.worked());
+        self.follow_keys(ui);
+        let line = time_line(&ui.frame());
+        self.observer.zoom(input);
+        // Clicks on the controls pick no body.
+        if (self.details || self.instruments.is_open()) && input.pointer.y < line.min.y {
+            self.observer.look(input, &self.game);
+        }
+        self.draw_foot(ui.canvas(), line);
+        self.drag(ui, line);
+        let request = self.show_tools(ui);
+        self.play(input.frame_time, ui.spectator);
+        request
+    }
+
+    /// Flies the record ahead of the moment on the screen, so that every moment can be shown.
+    fn fly_ahead(&mut self, frame_time: f64) {
+        let Pilot::Reel(viewer) = &mut self.pilot else { return };
+        if frame_time > 0.0 {
+            let ticks = viewer.ahead.ticks(frame_time);
+            viewer.unflown.take_if(|unflown| !unflown.fly(&mut self.history, ticks));
+        }
+    }
+
+    /// Keys without a button, and keys that repeat.
+    fn follow_keys(&mut self, ui: &mut Ui<'_>) {
+        let (input, second) = (ui.input(), (PAGE * self.game.tick_rate()).round() as i64);
+        for key in ui.strokes(&[Key::Left, Key::Right, Key::PageUp, Key::PageDown]) {
+            let ticks = match key {
+                Key::Left => -1,
+                Key::Right => 1,
+                Key::PageUp => -second,
+                _ => second,
+            };
+            self.seek(self.game.ticks().saturating_add_signed(ticks), ui.spectator);
+        }
+        if input.pressed(Key::Enter) {
+            self.play_or_pause(ui.spectator);
+        }
+        if input.pressed(Key::Home) || input.acts(Action::Restart) {
+            self.show_moment(0, ui.spectator);
+        }
+        if input.pressed(Key::End) {
+            self.seek(u64::MAX, ui.spectator);
+        }
+        // Tab is the key of a button, whatever else it is set to.
+        self.switch_overlays(&Input { pressed: input.pressed.without(Key::Tab), ..input.clone() });
+    }
+
+    fn show_tools(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        let play = if self.observer.frozen() { PLAY } else { PAUSE };
+        let tools = [
+            (BACK, Key::Escape, "Esc"),
+            (play, Key::Space, "Space"),
+            (STEP_BACK, Key::Left, "←"),
+            (STEP_ON, Key::Right, "→"),
+            (SLOWER, Key::Down, "↓"),
+            (FASTER, Key::Up, "↑"),
+            (FORCES, Key::Tab, "Tab"),
+        ];
+        let now = self.game.ticks();
+        match ui.tools(&tools)? {
+            BACK => {
+                let Pilot::Reel(viewer) = &self.pilot else { return None };
+                return Some(viewer.back.clone());
+            }
+            STEP_BACK => self.seek(now.saturating_sub(1), ui.spectator),
+            STEP_ON => self.seek(now + 1, ui.spectator),
+            SLOWER => self.observer.slow_down(),
+            FASTER => self.observer.speed_up(),
+            FORCES => self.details ^= true,
+            _ => self.play_or_pause(ui.spectator),
+        }
+        None
+    }
+
+    fn play_or_pause(&mut self, spectator: &mut dyn Spectator) {
+        self.observer.freeze_or_go_on();
+        self.clock = Clock::new(self.game.tick_rate());
+        if !self.observer.frozen() && self.is_at_end() {
+            self.show_moment(0, spectator);
+        }
+    }
+
+    fn is_at_end(&self) -> bool {
+        let Pilot::Reel(viewer) = &self.pilot else { return self.game.outcome() != Outcome::Running };
+        viewer.unflown.is_none() && self.game.ticks() >= self.history.ticks()
+    }
+
+    fn play(&mut self, frame_time: f64, spectator: &mut dyn Spectator) {
+        if self.observer.frozen() || matches!(&self.pilot, Pilot::Reel(viewer) if viewer.dragged) {
+            return;
+        }
+        let tick = 1.0 / self.game.tick_rate();
+        let mut left = frame_time.min(LONGEST_FRAME) * self.observer.pace();
+        // A frame of the fastest pace has more ticks than the clock takes at once.
+        while left > 0.0 {
+            self.clock.add(left.min(tick));
+            left -= tick;
+            if self.clock.tick() {
+                self.show_moment(self.game.ticks() + 1, spectator);
+            }
+        }
+        if self.is_at_end() {
+            self.observer.freeze();
+        }
+    }
+
+    /// The pointer on the time line.
+    fn drag(&mut self, ui: &mut Ui<'_>, line: Area) {
+        let (input, touch) = (ui.input(), ui.touch(TIME_LINE, line.inset(-NEAR), WidgetKind::Tool));
+        let Pilot::Reel(viewer) = &mut self.pilot else { return };
+        viewer.dragged = touch.pressed || viewer.dragged && input.holding;
+        if viewer.dragged {
+            let part = ((input.pointer.x - line.min.x) / line.size.x).clamp(0.0, 1.0);
+            self.show_moment((f64::from(part) * self.history.ticks() as f64).round() as u64, ui.spectator);
+        }
+    }
+
+    /// The ground of the controls, the time line, and the words on the flight.
+    fn draw_foot(&self, canvas: &Canvas, line: Area) {
+        let Pilot::Reel(viewer) = &self.pilot else { return };
+        let (size, top) = (canvas.size(), canvas.size().y - FOOT);
+        canvas.rounded(Area::new(0.0, top, size.x, FOOT), 0.0, theme::panel());
+        canvas.line(Vec2::new(0.0, top), Vec2::new(size.x, top), 2.0, theme::panel_edge());
+        let (tick, known) = (self.game.ticks(), self.history.ticks());
+        let part = if known > 0 { tick as f32 / known as f32 } else { 0.0 };
+        let y = line.centre().y;
+        canvas.rounded(line, 6.0, theme::ground());
+        canvas.rounded(Area { size: Vec2::new(line.size.x * part, line.size.y), ..line }, 6.0, theme::accent());
+        canvas.disc(Vec2::new(line.min.x + line.size.x * part, y), 10.0, theme::text());
+        let number = Style::new(TEXT, theme::text()).mono().middle();
+        // The clock of the flight starts with its first key.
+        let idle = self.history.inputs().idle().unwrap_or(0);
+        let time = |tick: u64| clock(tick.saturating_sub(idle) as f64 / self.game.tick_rate());
+        canvas.text(&format!("{} / {}", time(tick), time(known)), Vec2::new(24.0, y), number);
+        let pace = written(self.observer.pace());
+        let pace = if self.observer.frozen() { format!("paused · {pace}") } else { pace };
+        canvas.text(&pace, Vec2::new(size.x - 24.0, y), number.right());
+        widgets::fitted(canvas, &viewer.title, Vec2::new(size.x / 2.0, top + 20.0), size.x - 64.0, &[TEXT], theme::quiet());
+    }
+}
+
+fn time_line(frame: &Frame) -> Area {
+    Area { min: Vec2::new(SIDES, frame.size.y - FOOT + 44.0), size: Vec2::new(frame.size.x - 2.0 * SIDES, 12.0) }
+}
+
+/// A pace in words: 1/8×, 4×.
+fn written(pace: f64) -> String {
+    if pace < 1.0 { format!("1/{}×", 1.0 / pace) } else { format!("{pace}×") }
+}
