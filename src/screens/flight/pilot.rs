@@ -14,7 +14,7 @@ pub(super) enum Pilot {
     /// The rest of recorded inputs.
     Inputs(Playback),
     /// A recorded flight: the history holds its ticks.
-    Reel(Viewer),
+    Reel(Box<Viewer>),
 }
 
 impl Pilot {

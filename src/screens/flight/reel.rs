@@ -60,8 +60,8 @@ impl Flight {
         let game = history.at(0);
         let attempt = Attempt::by_hand(game.shared_level().clone());
         spectator.begins(&game);
-        let pilot = Pilot::Reel(Viewer { title, back, unflown, ahead: Ahead::default(), dragged: false });
-        Self { history, observer: Observer::with_paces(&PACES), ..Self::at_start(attempt, game, pilot) }
+        let viewer = Viewer { title, back, unflown, ahead: Ahead::default(), dragged: false };
+        Self { history, observer: Observer::with_paces(&PACES), ..Self::at_start(attempt, game, Pilot::Reel(Box::new(viewer))) }
     }
 
     /// The part of the canvas above the controls of a reel.
