@@ -26,10 +26,9 @@ pub enum KeepingFault {
 impl From<KeepingFault> for io::Error {
     fn from(fault: KeepingFault) -> Self {
         let (kind, words) = match fault {
-            KeepingFault::Full => (
-                io::ErrorKind::StorageFull,
-                "the browser's room for this page is full: “Your data” in the menu exports everything, and can delete it then",
-            ),
+            KeepingFault::Full => {
+                (io::ErrorKind::StorageFull, "the browser's room for this page is full: see “Your data” in the menu")
+            }
             KeepingFault::Forbidden => (io::ErrorKind::PermissionDenied, "the browser keeps no data for this page"),
             KeepingFault::Damaged => (io::ErrorKind::InvalidData, "the browser's data for this file are damaged"),
         };

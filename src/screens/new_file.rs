@@ -28,22 +28,9 @@ impl NewFile {
     /// # Errors
     /// Whatever the system refuses, with the place. Nothing is left behind then.
     pub fn write(&self, folder: &Path) -> Result<PathBuf, String> {
-        #[cfg(all(feature = "window", browser))]
-        return Ok(self.handed_out(folder));
-        #[cfg(not(all(feature = "window", browser)))]
-        self.written(folder)
-    }
-
-    /// A page has no folder that the player could open: the browser keeps the file among the downloads.
-    #[cfg(all(feature = "window", browser))]
-    fn handed_out(&self, folder: &Path) -> PathBuf {
-        let name = format!("{}{}", self.stem, self.ending);
-        crate::web::download(&name, self.text.as_bytes());
-        folder.join(name)
-    }
-
-    #[cfg(not(all(feature = "window", browser)))]
-    fn written(&self, folder: &Path) -> Result<PathBuf, String> {
+        if let Some(path) = self.handed_out(folder) {
+            return Ok(path);
+        }
         let refused = |path: &Path, error: &io::Error| format!("{}: cannot keep {}: {error}", path.display(), self.what);
         files::make_folder(folder).map_err(|error| refused(folder, &error))?;
         for number in 1..=MOST_OF_A_NAME {
@@ -59,5 +46,18 @@ impl NewFile {
             }
         }
         Err(format!("{}: there are too many files of that name", folder.display()))
+    }
+
+    /// A page has no folder that the player could open: the browser puts the file among the downloads.
+    #[cfg(all(feature = "window", browser))]
+    fn handed_out(&self, folder: &Path) -> Option<PathBuf> {
+        let name = format!("{}{}", self.stem, self.ending);
+        crate::web::download(&name, self.text.as_bytes());
+        Some(folder.join(name))
+    }
+
+    #[cfg(not(all(feature = "window", browser)))]
+    const fn handed_out(&self, _: &Path) -> Option<PathBuf> {
+        None
     }
 }

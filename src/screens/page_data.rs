@@ -9,7 +9,7 @@ use crate::web;
 
 const LINES: [&str; 5] = [
     "The browser keeps your scores, flights, levels and settings for this page, on this computer alone.",
-    "It has room for some 5 MB, and forgets them when you clear its data.",
+    "It has room for some 5 MB, and forgets them when you clear its data. Where it is full: export, then delete.",
     "Export writes all of it into one file, resultant-data.zip, which any browser takes: Import, or drop it here.",
     "Unzipped beside the game on a desktop it is the game's own levels/, scores/ and settings.csv.",
     "A level as one file (.zip) comes in by the same Import.",

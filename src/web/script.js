@@ -182,7 +182,7 @@
         },
         run_animation_loop: (blocking) => {
           loop(blocking);
-          window.ondrop = (event) => { event.preventDefault(); hand(event.dataTransfer.files); };
+          window.ondrop = (event) => { event.preventDefault(); return hand(event.dataTransfer.files); };
           canvas.oncontextmenu = (event) => event.preventDefault();
           canvas.addEventListener("keydown", (event) => { if (event.code === "F11" || event.ctrlKey && event.code === "KeyS") event.preventDefault(); });
           // The browser may change the canvas' size without a window's event: its zoom, another screen, fullscreen.

@@ -1,0 +1,155 @@
+// Plays the page of target/web like a person would: level 1 by keys to success, the score saved, the page loaded again, the score there.
+// The page's clock goes by hand, five ticks of the game a frame, so that the keys of a recorded flight fall on its ticks.
+import { mkdirSync, readFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { Browser, serve } from "./browser.mjs";
+
+const root = resolve(import.meta.dirname, "../..");
+const out = join(root, "target/web-pictures");
+const TICKS = 5, FRAME = 1000 * TICKS / 120;
+const USER = "bob445";
+// A clock that stands still until a step, and frames that come with one.
+const CLOCK = `(() => {
+  let now = 1000, waiting = [];
+  performance.now = () => now;
+  window.requestAnimationFrame = (frame) => waiting.push(frame);
+  window.cancelAnimationFrame = () => { waiting = []; };
+  window.step = (frames) => {
+    for (let i = 0; i < frames; i++) { now += ${FRAME}; const due = waiting; waiting = []; due.forEach((frame) => frame(now)); }
+  };
+})()`;
+const letter = (text) => ({ key: text, code: /[0-9]/.test(text) ? `Digit${text}` : `Key${text.toUpperCase()}`, number: text.toUpperCase().charCodeAt(0), text });
+const KEYS = {
+  ShiftLeft: { key: "Shift", code: "ShiftLeft", number: 16 },
+  Space: { key: " ", code: "Space", number: 32, text: " " },
+  ArrowLeft: { key: "ArrowLeft", code: "ArrowLeft", number: 37 }, ArrowUp: { key: "ArrowUp", code: "ArrowUp", number: 38 },
+  ArrowRight: { key: "ArrowRight", code: "ArrowRight", number: 39 }, ArrowDown: { key: "ArrowDown", code: "ArrowDown", number: 40 },
+  Enter: { key: "Enter", code: "Enter", number: 13, text: "\r" }, Escape: { key: "Escape", code: "Escape", number: 27 },
+};
+// In the order of a record's columns.
+const STEER = ["Space", "ShiftLeft", "ArrowLeft", "ArrowRight"];
+const check = (holds, words) => { if (!holds) throw new Error(words); };
+
+const browser = new Browser();
+const server = await serve(join(root, "target/web"));
+try {
+  mkdirSync(out, { recursive: true });
+  await browser.open();
+  const kept = (file) => browser.ask(`localStorage.getItem(${JSON.stringify(`resultant/${file}`)})`);
+  const step = (frames = 1) => browser.ask(`step(${frames})`);
+  const picture = (name) => browser.picture(join(out, `${name}.png`));
+  async function begin(link = "") {
+    await browser.go("about:blank");
+    await browser.go(server.address + link);
+    // The program is fetched and built, and its first frames come.
+    await browser.until("typeof wasm_exports === 'object' && (step(1), !!window.resultantReady)");
+    await step(30);
+  }
+  async function press(...names) {
+    for (const name of names) {
+      const key = KEYS[name] ?? letter(name);
+      await browser.key("keyDown", key);
+      await step(2);
+      await browser.key("keyUp", key);
+      await step(8);
+    }
+  }
+
+  await browser.before(CLOCK);
+  await begin();
+  await picture("menu");
+
+  // A link opens the level; the keys of a recorded flight fly it.
+  await begin("#play=1");
+  await picture("level-1");
+  const record = readFileSync(join(root, "levels/1/flights/careful.replay.csv"), "utf8");
+  const held = new Set();
+  for (const row of record.split("\n").filter((row) => /^[0-9]+,/.test(row))) {
+    const [ticks, ...keys] = row.split(",").map(Number);
+    for (const [index, name] of STEER.entries()) {
+      if ((keys[index] === 1) === held.has(name)) continue;
+      await browser.key(held.has(name) ? "keyUp" : "keyDown", KEYS[name]);
+      if (!held.delete(name)) held.add(name);
+    }
+    await step(Math.ceil(ticks / TICKS));
+  }
+  for (const name of held) await browser.key("keyUp", KEYS[name]);
+  await step(60);
+  await picture("scoring");
+  const attempt = (await kept("scores/attempts.csv"))?.trim().split("\n").pop().trim();
+  check(/^1,Guest,completed,/.test(attempt ?? ""), `level 1 is not completed: ${attempt}`);
+  console.log("level 1 is flown by keys:", attempt);
+
+  // Its score is saved, and is there when the page is loaded again.
+  await press("ArrowRight", "Enter", ...USER, "Enter");
+  await picture("saved");
+  const board = await kept("scores/1.csv");
+  const points = /^# score: (\d+)/m.exec(record)[1];
+  check(board?.includes(`${USER},${points},`), `the score ${points} is not saved: ${board}`);
+  await begin();
+  check(await kept("scores/1.csv") === board, "the score is another one after loading");
+  await press("ArrowDown", "ArrowDown", "Enter", "Enter");
+  await picture("leaderboard");
+  console.log("its score is kept:", board.trim().split("\n").pop().trim());
+
+  // Everything goes out as one file, and comes back from it: Your data is the last button of the menu.
+  await begin();
+  await press(...Array(6).fill("ArrowDown"), "Enter");
+  await browser.ask("URL.createObjectURL = (blob) => { window.given = blob; return ''; }");
+  await picture("your-data");
+  await press("Enter");
+  check(await browser.ask("window.given.size") > 500, "nothing is exported");
+  const drop = (bytes, name) => `ondrop({ preventDefault() {}, dataTransfer: { files: [new File([${bytes}], "${name}")] } })`;
+  const archive = await browser.ask("given.arrayBuffer().then((bytes) => [...new Uint8Array(bytes)])");
+  await browser.ask("localStorage.clear()");
+  await begin();
+  check(await kept("scores/1.csv") === null, "the storage is not empty");
+  const again = browser.loaded();
+  await browser.ask(`void ${drop(`new Uint8Array([${archive}])`, "resultant-data.zip")}.then(() => setTimeout(step, 0, 2))`);
+  await again;
+  await begin();
+  await picture("imported");
+  check(await kept("scores/1.csv") === board, "the score has not come back");
+  console.log("everything is exported and imported:", archive.length, "bytes");
+
+  // A level that is dropped as a zip is installed, and one that is none says why.
+  const level = [...readFileSync(join(root, "target/web-level.zip"))];
+  await browser.ask(`${drop(`new Uint8Array([${level}])`, "good_blocks.zip")}.then(() => step(30))`);
+  check(await kept("levels/good_blocks/player.csv"), "the level is not installed");
+  await picture("level-dropped");
+  await begin();
+  await browser.ask(`${drop("'no archive'", "wrong.zip")}.then(() => step(30))`);
+  await picture("wrong-zip");
+
+  // A full storage: the flight's attempt cannot be written, and the board stays.
+  await begin();
+  await browser.ask("Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }");
+  await press("ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown", "Enter", "ArrowRight");
+  await picture("full-storage");
+  check(await kept("scores/1.csv") === board, "the board is another one");
+
+  // A link to an experiment and one to a page of the lab; foreign and damaged ones say what is wrong.
+  for (const [name, link] of [
+    ["experiment", "#play=experiments/friction&follow=Box+1&details=1"], ["lab", "#lab=stress-tests"], ["foreign-link", "#play=../../etc"],
+    ["damaged-link", "#play=1&follow=%zz"],
+  ]) {
+    await begin(link);
+    await picture(name);
+  }
+
+  // Every recorded flight leads where it led.
+  await browser.go("about:blank");
+  await browser.go(`${server.address}#verify`);
+  const lines = "document.getElementById('lines').textContent";
+  await browser.until(`typeof wasm_exports === 'object' && (step(1), / of \\d+ flights hold/.test(${lines}))`, 180);
+  const [, holds, all] = /(\d+) of (\d+) flights hold/.exec(await browser.ask(lines));
+  console.log(`the page: ${holds} of ${all} flights hold`);
+  check(holds === all && all > 0, await browser.ask(lines));
+} catch (error) {
+  await browser.picture(join(out, "failed.png")).catch(() => {});
+  console.error(error.stack, browser.console.filter((line) => !line.startsWith("Plugin")).join("\n"));
+  process.exitCode = 1;
+} finally {
+  server.close();
+  await browser.close();
+}
