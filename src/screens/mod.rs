@@ -99,6 +99,8 @@ pub use scoring::Scoring;
 pub use screen::Screen;
 pub use settings::SettingsPanel;
 pub use tile_run::TileRun;
+#[cfg(all(feature = "window", browser))]
+pub use window::open_page;
 #[cfg(feature = "window")]
 pub use window::{Start, open};
 pub use worker::{Errand, Worker};

@@ -25,7 +25,8 @@ pub fn dropped() -> Vec<PathBuf> {
 
 /// Before a frame: a page that was hidden pauses its flight, and a new link is followed.
 pub fn begin_frame(app: &mut App, input: &mut Input, spectator: &mut dyn Spectator) {
-    if web::was_hidden() && app.screen().get::<Flight>().is_some_and(|flight| flight.pause().is_none() && !flight.is_test()) {
+    let flown = app.screen().get::<Flight>().is_some_and(|flight| flight.is_by_hand() && !flight.is_test());
+    if web::was_hidden() && flown && app.screen().scene(&input.frame).is_some_and(|scene| !scene.paused) {
         input.pressed.add(Key::Escape);
     }
     let link = web::link();
