@@ -3,6 +3,7 @@
 //! hundred times its known need: a pipe may never end, and gigabytes would fill the memory. [`Lock`] keeps two programs from
 //! changing one file at once. **Writing** makes a file or folder whole or not at all.
 
+mod cells;
 mod disk;
 #[cfg(any(browser, test))]
 mod kept;
@@ -15,18 +16,19 @@ mod shipped;
 mod staged;
 mod storage;
 
+pub use cells::{Cell, CellFault, SpannedRow, csv_line, encoded, rows as csv_rows};
 pub use disk::Disk;
 #[cfg(any(browser, test))]
 pub use kept::{Keeper, KeepingFault, Kept};
 pub use lock::{Lock, PATIENCE, pauses, share};
 pub use read::{Symlinks, is_passed_on, open};
-pub use rows::{CsvFile, CsvRow, RowFault, csv_text};
+pub use rows::{CsvFile, CsvRow};
 pub use shipped::{Over, SHIPPED, ship_at};
 pub use staged::{Replacement, around, behind_links, sync_folder, target};
 pub use storage::{
-    FileKind, Found, Manner, Storage, append, copy, create, create_folder, is_file, is_folder, is_link, is_read_only, is_taken,
-    look, make_folder, make_shared_folder, names, put, read, read_text, read_with, remove, rename, replace, replace_with, resolve,
-    text_names,
+    FileKind, Found, Manner, Storage, append, copy, create, create_folder, create_numbered, is_file, is_folder, is_link,
+    is_read_only, is_taken, look, make_folder, make_shared_folder, names, put, read, read_if_there, read_text, read_with, remove,
+    rename, replace, replace_with, resolve, text_if_there, text_names,
 };
 
 /// Some 8000 objects or 20 000 solids. Each object is compared with each solid: files four times as large would take seconds.

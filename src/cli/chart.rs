@@ -56,9 +56,8 @@ const LONG_ENOUGH: Duration = Duration::from_micros(300);
 /// With --quick a run of this length does not repeat.
 const TOO_LONG: Duration = Duration::from_millis(60);
 
-/// # Errors
-/// A folder that cannot be written, or peers' results that cannot be read, before any measurement. A later fault of the disk leaves
-/// no file half written.
+/// Errors: a folder that cannot be written, or peers' results that cannot be read, before any measurement. A later fault of the
+/// disk leaves no file half written.
 pub fn run(args: &ChartArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     if args.out.exists() && !args.out.is_dir() {
         return Err(CommandError::Refused(format!(

@@ -19,9 +19,7 @@ pub struct CheckArgs {
 }
 
 /// Results go to `out`, problems and warnings to standard error.
-///
-/// # Errors
-/// A level that does not exist, or no level at all; nothing is checked then.
+/// Errors: a level that does not exist, or no level at all; nothing is checked then.
 pub fn run(args: &CheckArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     check(args, project, out, &mut Readers::of(io::stderr().lock()))
 }

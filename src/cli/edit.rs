@@ -15,9 +15,7 @@ pub struct EditArgs {
 }
 
 /// Returns when the window is closed.
-///
-/// # Errors
-/// No such level; no display.
+/// Errors: no such level; no display.
 #[cfg(feature = "window")]
 pub fn run(args: &EditArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
     use crate::screens::{Editor, Start};

@@ -31,9 +31,7 @@ pub struct JumperArgs {
 }
 
 /// Climbs until the inputs end or all players are out.
-///
-/// # Errors
-/// Inputs that are refused, with file and line.
+/// Errors: inputs that are refused, with file and line.
 pub fn run(args: &JumperArgs, _: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let rows = match &args.inputs {
         Some(path) => parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(CommandError::Refused)?,

@@ -11,8 +11,7 @@ pub struct NewArgs {
     pub name: String,
 }
 
-/// # Errors
-/// A name that no level can have, an existing folder, or the disk's; nothing is left behind.
+/// Errors: a name that no level can have, an existing folder, or the disk's; nothing is left behind.
 pub fn run(args: &NewArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let NewArgs { name } = args;
     if let Err(fault) = level::judge_name(name) {

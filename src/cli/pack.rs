@@ -32,8 +32,7 @@ pub struct UnpackArgs {
     name: Option<String>,
 }
 
-/// # Errors
-/// A level that is refused or cannot be handed on, an existing file, the disk's; nothing is written then.
+/// Errors: a level that is refused or cannot be handed on, an existing file, the disk's; nothing is written then.
 pub fn pack(args: &PackArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let folder = project.level_folder(&args.level)?;
     let (package, left) = pack::gather(&folder, project.root()).map_err(refused)?;
@@ -62,8 +61,7 @@ pub fn pack(args: &PackArgs, project: &Project, out: &mut dyn Write) -> Result<S
     Ok(Status::Done)
 }
 
-/// # Errors
-/// A refused archive, level or name; an existing level of that name; nothing is written then.
+/// Errors: a refused archive, level or name; an existing level of that name; nothing is written then.
 pub fn unpack(args: &UnpackArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let named = shown(args.archive.display());
     let mut package = open(&args.archive).map_err(|problem| CommandError::Refused(format!("{named}: {problem}")))?;

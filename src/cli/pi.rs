@@ -33,8 +33,7 @@ pub struct PiArgs {
     substeps: u32,
 }
 
-/// # Errors
-/// A step that is not above 0 and finite, or too small.
+/// Errors: a step that is not above 0 and finite, or too small.
 pub fn run(args: &PiArgs, _: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let started = Instant::now();
     let stepped = match args.dt {

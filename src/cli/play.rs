@@ -26,9 +26,7 @@ pub struct PlayArgs {
 }
 
 /// Returns when the window is closed.
-///
-/// # Errors
-/// A refused level or inputs; missing folders; no display.
+/// Errors: a refused level or inputs; missing folders; no display.
 #[cfg(feature = "window")]
 pub fn run(args: &PlayArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
     for (what, folder) in [("levels", project.levels()), ("assets", project.assets())] {

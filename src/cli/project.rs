@@ -13,9 +13,7 @@ pub struct Project {
 impl Project {
     /// `data` if it is given; else the first folder with `levels/` among the working directory, its parents, the executable's
     /// folder and the folder of the build; else the working directory, above the levels and assets that are built in.
-    ///
-    /// # Errors
-    /// `data` is no folder.
+    /// Errors: `data` is no folder.
     pub fn find(data: Option<&Path>) -> Result<Self, CommandError> {
         if let Some(data) = data {
             return if data.is_dir() {

@@ -24,8 +24,7 @@ pub struct TilesArgs {
     trace: bool,
 }
 
-/// # Errors
-/// A refused file, with file and line; nothing was run then.
+/// Errors: a refused file, with file and line; nothing was run then.
 pub fn run(args: &TilesArgs, _: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let map = read(&args.map, TILE_MAP, Map::parse)?;
     let commands = read(&args.commands, TILE_COMMANDS, Command::parse_all)?;

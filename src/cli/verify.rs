@@ -22,9 +22,7 @@ pub struct VerifyArgs {
 }
 
 /// A line for each replay that holds goes to `out`; mismatches and the progress of long flights go to standard error.
-///
-/// # Errors
-/// A replay that cannot be read, or whose level is refused; none is flown then.
+/// Errors: a replay that cannot be read, or whose level is refused; none is flown then.
 pub fn run(args: &VerifyArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     if args.scores {
         return earned::run(project, out);

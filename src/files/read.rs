@@ -32,9 +32,7 @@ pub(super) fn read_file(path: &Path, at_most: u64, links: Symlinks) -> io::Resul
 }
 
 /// Opens an existing regular file only: a pipe waits for its other end, and a device may act on being opened.
-///
-/// # Errors
-/// No regular file; the system's.
+/// Errors: no regular file; the system's.
 pub fn open(options: &OpenOptions, path: &Path, links: Symlinks) -> io::Result<(File, Metadata)> {
     judge(&match links {
         Symlinks::Followed => fs::metadata(path)?,

@@ -32,9 +32,7 @@ pub struct Replacement {
 
 impl Replacement {
     /// Begins new content for `path`, which need not exist yet.
-    ///
-    /// # Errors
-    /// A read-only file; no regular file; a link without a target; the system's.
+    /// Errors: a read-only file; no regular file; a link without a target; the system's.
     pub fn begin(path: &Path, links: Symlinks) -> io::Result<Self> {
         let (target, found) = target(path, links)?;
         // Other users cannot read the new content before it has the old file's mode.
@@ -95,9 +93,7 @@ impl Replacement {
 }
 
 /// Makes a file where there is none, on the disk when this returns.
-///
-/// # Errors
-/// [`io::ErrorKind::AlreadyExists`]; the system's. Nothing is left behind then.
+/// Errors: [`io::ErrorKind::AlreadyExists`]; the system's. Nothing is left behind then.
 pub(super) fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
     if fs::symlink_metadata(path).is_ok() {
         return Err(io::ErrorKind::AlreadyExists.into());
@@ -111,9 +107,7 @@ pub(super) fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
 }
 
 /// Makes a folder where there is none; `fill` fills it under another name.
-///
-/// # Errors
-/// [`io::ErrorKind::AlreadyExists`]; the errors of `fill`; the system's. Nothing is left behind then.
+/// Errors: [`io::ErrorKind::AlreadyExists`]; the errors of `fill`; the system's. Nothing is left behind then.
 pub(super) fn create_folder(path: &Path, fill: &mut dyn FnMut(&Path) -> io::Result<()>) -> io::Result<()> {
     // A rename would take the place of an empty folder.
     if fs::symlink_metadata(path).is_ok() {
@@ -173,9 +167,7 @@ pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
 }
 
 /// The file whose place new content for `path` takes, and the old file there.
-///
-/// # Errors
-/// A read-only file; no regular file; a link without a target; the system's.
+/// Errors: a read-only file; no regular file; a link without a target; the system's.
 pub fn target(path: &Path, links: Symlinks) -> io::Result<(PathBuf, Option<Metadata>)> {
     let target = if links == Symlinks::Followed { behind_links(path)? } else { path.to_path_buf() };
     let found = match fs::symlink_metadata(&target) {

@@ -8,6 +8,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
+/// The most numbered files of one name.
+const MOST_OF_A_NAME: u32 = 10_000;
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
     File,
@@ -162,6 +165,24 @@ pub fn read_text(path: &Path, at_most: u64) -> io::Result<String> {
     String::from_utf8(read(path, at_most)?).map_err(|_| no_text())
 }
 
+/// `None` where there is no such file.
+fn if_there<T>(read: io::Result<T>) -> io::Result<Option<T>> {
+    match read {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        read => read.map(Some),
+    }
+}
+
+/// As [`read`]; `None` where there is no such file.
+pub fn read_if_there(path: &Path, at_most: u64) -> io::Result<Option<Vec<u8>>> {
+    if_there(read(path, at_most))
+}
+
+/// As [`read_text`]; `None` where there is no such file.
+pub fn text_if_there(path: &Path, at_most: u64) -> io::Result<Option<String>> {
+    if_there(read_text(path, at_most))
+}
+
 /// Replaces a file's content, durable when this returns. The file keeps its mode, and after an error its content.
 pub fn replace(path: &Path, bytes: &[u8], links: Symlinks) -> io::Result<()> {
     replace_with(path, bytes, Manner { links, durable: true, shared: false })
@@ -175,6 +196,19 @@ pub fn replace_with(path: &Path, bytes: &[u8], manner: Manner) -> io::Result<()>
 /// As [`Storage::create`].
 pub fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
     home().create(path, bytes)
+}
+
+/// Makes a file under the first free one of the names `path-1`, `path-2` …
+pub fn create_numbered(path: &Path, bytes: &[u8]) -> io::Result<PathBuf> {
+    for number in 1..=MOST_OF_A_NAME {
+        let mut name = path.as_os_str().to_owned();
+        name.push(format!("-{number}"));
+        match create(Path::new(&name), bytes) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            made => return made.map(|()| name.into()),
+        }
+    }
+    Err(io::ErrorKind::AlreadyExists.into())
 }
 
 /// As [`Storage::append`].

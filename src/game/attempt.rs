@@ -8,7 +8,7 @@ use super::death::{Death, crushed};
 use super::event::{GameError, GameEvent, Outcome};
 use super::hash::Fnv1a;
 use super::impacts::{DUST_SPEED, Felt, Impacts, READABLE, damaging_hit};
-use super::mechanisms::{MechanismChange, Mechanisms};
+use super::mechanisms::Mechanisms;
 use super::objectives::Objectives;
 use super::pushes::{APART, PushCount};
 use super::score::{RunResult, ScoreParts};
@@ -56,9 +56,7 @@ impl Game {
     }
 
     /// The level at its start, at `tick_rate` ticks a second.
-    ///
-    /// # Errors
-    /// A tick rate outside [`TICK_RATES`]; a world that the engine refuses, of a level that did not come from the loader.
+    /// Errors: a tick rate outside [`TICK_RATES`]; a world that the engine refuses, of a level that did not come from the loader.
     pub fn with_tick_rate(level: Arc<Level>, tick_rate: f64) -> Result<Self, GameError> {
         if !TICK_RATES.contains(&tick_rate) {
             return Err(GameError::TickRate(tick_rate));
@@ -123,7 +121,7 @@ impl Game {
         self.note_impacts();
         self.note_crushed();
         self.note_mechanisms();
-        self.note_objectives();
+        self.objectives.note(&self.level, &self.world, &mut self.events);
         self.judge();
     }
 
@@ -168,13 +166,7 @@ impl Game {
     }
 
     fn note_mechanisms(&mut self) {
-        let Self { level, world, mechanisms, events, .. } = self;
-        mechanisms.note(level, world, |change| {
-            events.push(match change {
-                MechanismChange::Switch(index, pressed) => GameEvent::Switched(index, pressed),
-                MechanismChange::Broke(index) => GameEvent::Broke(index),
-            });
-        });
+        self.mechanisms.note(&self.level, &mut self.world, &mut self.events);
         for index in 0..self.level.pods.len() {
             let full = self.ship.fuel >= self.level.player.fuel;
             let touched = !full && !self.mechanisms.is_taken(index) && self.has_touched(&SHIP_BOX, &self.level.pods[index].bounds);
@@ -183,13 +175,6 @@ impl Game {
                 self.events.push(GameEvent::Refuelled(index));
             }
         }
-    }
-
-    fn note_objectives(&mut self) {
-        let Self { level, world, objectives, events, .. } = self;
-        objectives.note(level, world, |index, met| {
-            events.push(if met { GameEvent::ObjectiveMet(index) } else { GameEvent::ObjectiveLost(index) });
-        });
     }
 
     /// Death goes before completion.

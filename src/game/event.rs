@@ -22,6 +22,10 @@ impl Outcome {
             Self::Failed => "failed",
         }
     }
+
+    pub fn named(name: &str) -> Option<Self> {
+        [Self::Running, Self::Completed, Self::Failed].into_iter().find(|outcome| outcome.name() == name)
+    }
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -77,5 +81,3 @@ impl std::fmt::Display for GameError {
         }
     }
 }
-
-impl std::error::Error for GameError {}

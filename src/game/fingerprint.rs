@@ -3,6 +3,7 @@
 //! for its presence. Older records and boards carry 64 bits of FNV-1a instead; one walk over the level computes both.
 
 use super::hash::Fnv1a;
+use super::notes::hex;
 use crate::level::{
     AirStream, Fluid, GravityZone, Level, Mover, Object, Objective, Pod, SHIP_DRAG, ShipStart, Solid, Switch, Work,
 };
@@ -49,20 +50,14 @@ impl FromStr for LevelHash {
     type Err = ();
 
     fn from_str(text: &str) -> Result<Self, ()> {
-        if !text.bytes().all(|byte| byte.is_ascii_hexdigit()) {
-            return Err(());
+        if text.len() != 64 || !text.is_ascii() {
+            return hex(text).map(Self::Fnv64).ok_or(());
         }
-        match text.len() {
-            16 => u64::from_str_radix(text, 16).map(Self::Fnv64).map_err(drop),
-            64 => {
-                let mut bytes = [0; 32];
-                for (at, byte) in bytes.iter_mut().enumerate() {
-                    *byte = u8::from_str_radix(&text[2 * at..2 * at + 2], 16).map_err(drop)?;
-                }
-                Ok(Self::Sha256(bytes))
-            }
-            _ => Err(()),
+        let mut bytes = [0; 32];
+        for (bytes, digits) in bytes.chunks_mut(8).zip([0, 16, 32, 48]) {
+            bytes.copy_from_slice(&hex(&text[digits..digits + 16]).ok_or(())?.to_be_bytes());
         }
+        Ok(Self::Sha256(bytes))
     }
 }
 

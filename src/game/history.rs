@@ -48,9 +48,7 @@ impl History {
     }
 
     /// Lets the game, which stands at this history's end, go on in a level that differs in numbers alone.
-    ///
-    /// # Errors
-    /// As [`Game::go_on_in`]; nothing has changed then.
+    /// Errors: as [`Game::go_on_in`]; nothing has changed then.
     pub fn go_on_in(&mut self, game: &mut Game, level: Arc<Level>) -> Result<(), GameError> {
         game.go_on_in(level.clone())?;
         self.levels.retain(|(since, _)| *since < game.ticks());
@@ -91,7 +89,6 @@ impl History {
         self.copies[0].ticks()
     }
 
-    /// The last tick.
     pub fn ticks(&self) -> u64 {
         self.begins() + self.recorder.inputs().ticks()
     }
@@ -149,7 +146,6 @@ impl History {
         game.step(controls);
     }
 
-    /// Brings a game into the level of its tick.
     fn enter_level(&self, game: &mut Game) {
         let level = self.levels.iter().rev().find(|(since, _)| *since <= game.ticks()).map(|(_, level)| level);
         if let Some(level) = level.filter(|level| !Arc::ptr_eq(level, game.shared_level())) {

@@ -62,7 +62,7 @@ impl Inputs {
         let columns: Vec<&str> = HEADER.split(',').collect();
         let mut rows = CsvFile { name: file, columns: &columns, comments: true }.rows(text.as_bytes());
         match rows.next() {
-            Some(row) if row.is_header(columns.len()) && row.len() == columns.len() => {}
+            Some(row) if row.is_header(columns.len()) && row.used() == columns.len() => {}
             Some(row) => return Err(BadFile(vec![row.problem("ticks", format_args!("{:?}", row.joined()), HEADER_ROW)])),
             None => {
                 return Err(BadFile(vec![format!("{file}:1: column \"ticks\": found nothing, expected {HEADER_ROW}")]));
@@ -162,14 +162,14 @@ const HEADER_ROW: &str = "the header ticks,thrust,reverse,left,right";
 
 fn held(row: &CsvRow<'_>, columns: &[&str], problems: &mut Vec<String>) -> Option<HeldKeys> {
     let last = columns.len() - 1;
-    if let Err(fault) = row.cells {
+    if let Some(fault) = row.fault() {
         let (found, expected) = fault.words();
         problems.push(row.row_problem(found, expected));
         return None;
     }
-    if row.len() != columns.len() {
+    if row.used() != columns.len() {
         let expected = format_args!("{} cells for {HEADER}", columns.len());
-        problems.push(row.problem(columns[row.len().min(last)], format_args!("{} cells in the row", row.len()), expected));
+        problems.push(row.problem(columns[row.used().min(last)], format_args!("{} cells in the row", row.used()), expected));
         return None;
     }
     let before = problems.len();

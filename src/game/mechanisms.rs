@@ -1,6 +1,7 @@
 //! Switches, fragile blocks and pods, tick by tick. A switch that is pressed at a tick's end works its parts from the next tick on.
 //! A fragile block takes the blow that breaks it, and is gone after that tick.
 
+use super::event::GameEvent;
 use super::ship::SHIP;
 use super::touch::TOUCH;
 use crate::level::{Level, Presser, SurfaceOf, Switch, SwitchStay, Wire, Worked};
@@ -19,14 +20,6 @@ pub struct Mechanisms {
     taken: Vec<bool>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MechanismChange {
-    /// By index in `Level::switches`; true when pressed, false when let go.
-    Switch(usize, bool),
-    /// By index in `Level::world`.
-    Broke(usize),
-}
-
 impl Mechanisms {
     /// Also sets the world by its switches.
     pub fn new(level: &Level, world: &mut World) -> Self {
@@ -41,8 +34,8 @@ impl Mechanisms {
         Self { pressed: off.clone(), on: off, wires, works, fragile, broken, taken }
     }
 
-    /// Works the parts of the switches that a tick's end finds pressed, and reports each change.
-    pub fn note(&mut self, level: &Level, world: &mut World, mut changed: impl FnMut(MechanismChange)) {
+    /// Works the parts of the switches that a tick's end finds pressed, and adds an event for each change.
+    pub fn note(&mut self, level: &Level, world: &mut World, events: &mut Vec<GameEvent>) {
         for (index, switch) in level.switches.iter().enumerate() {
             let pressed = is_pressed(switch, index, level, world);
             let pushed = pressed && !self.pressed[index];
@@ -53,7 +46,7 @@ impl Mechanisms {
             };
             if pressed != self.pressed[index] {
                 self.pressed[index] = pressed;
-                changed(MechanismChange::Switch(index, pressed));
+                events.push(GameEvent::Switched(index, pressed));
             }
         }
         for (wire, on) in self.wires.iter().zip(&mut self.works) {
@@ -69,7 +62,7 @@ impl Mechanisms {
             if breaks.is_some_and(hit) {
                 self.broken[index] = true;
                 world.set_present(index, false);
-                changed(MechanismChange::Broke(index));
+                events.push(GameEvent::Broke(index));
             }
         }
     }

@@ -44,7 +44,7 @@ pub use history::{History, Reel, Tape, Unflown};
 pub use impacts::{DAMAGING_SPEED, DUST_SPEED, Felt, READABLE};
 pub use inputs::{BadFile, HEADER, Inputs, MOST_TICKS, Playback};
 pub use latch::Latch;
-pub use mechanisms::{MechanismChange, Mechanisms};
+pub use mechanisms::Mechanisms;
 pub use medals::{Goal, Medal, Medals, Prize, goals, words};
 pub use names::{body_title, obstacle_name, plain_name, source_name};
 pub use notes::MOST_SECONDS;

@@ -1,9 +1,5 @@
 //! The comments of a record, `# name: value`: their place and their values.
 
-use super::clock::TICK_RATES;
-use super::event::Outcome;
-use std::str::FromStr;
-
 /// An hour. The end of a longer flight has its own hash; more hashes would outgrow the file's inputs.
 pub const MOST_SECONDS: usize = 3600;
 
@@ -14,6 +10,7 @@ pub(super) struct ReplayNotes<'a> {
     file: &'a str,
     /// Number, name and value of each line `# name: value`.
     lines: Vec<(usize, (&'a str, &'a str))>,
+    pub problems: Vec<String>,
 }
 
 impl<'a> ReplayNotes<'a> {
@@ -23,48 +20,45 @@ impl<'a> ReplayNotes<'a> {
             Some((key.trim(), value.trim()))
         };
         let lines = (1..).zip(text.lines()).filter_map(|(number, line)| Some((number, note(line)?)));
-        Self { file, lines: lines.take(MOST_NOTES).collect() }
-    }
-
-    fn line(&self, name: &str) -> Option<(usize, &str)> {
-        self.lines.iter().find(|(_, (key, _))| *key == name).map(|&(number, (_, value))| (number, value))
+        Self { file, lines: lines.take(MOST_NOTES).collect(), problems: Vec::new() }
     }
 
     /// The hashes of the seconds, from the first on without a gap.
-    pub fn seconds(&self, problems: &mut Vec<String>) -> Vec<u64> {
+    pub fn seconds(&mut self) -> Vec<u64> {
         let mut hashes = Vec::new();
         for &(line, (key, value)) in &self.lines {
             let Some(second) = key.strip_prefix("hash ") else { continue };
             let next = hashes.len() + 1;
             if second.trim() != next.to_string() || next > MOST_SECONDS {
                 let expected = if next > MOST_SECONDS { "no more of them".to_owned() } else { format!("\"hash {next}\"") };
-                problems.push(format!("{}:{line}: found {key:?}, expected {expected}", self.file));
+                self.problems.push(format!("{}:{line}: found {key:?}, expected {expected}", self.file));
                 break;
             }
-            match value.parse() {
-                Ok(Hex(hash)) => hashes.push(hash),
-                Err(()) => {
-                    problems.push(format!("{}:{line}: {key:?}: found {value:?}, expected 16 hex digits", self.file));
-                    break;
-                }
-            }
+            let Some(hash) = hex(value) else {
+                self.problems.push(format!("{}:{line}: {key:?}: found {value:?}, expected 16 hex digits", self.file));
+                break;
+            };
+            hashes.push(hash);
         }
         hashes
     }
 
     /// The value of a required line.
-    pub fn find<T: FromStr>(&self, name: &str, expected: &str, problems: &mut Vec<String>) -> Option<T> {
-        if self.line(name).is_none() {
-            problems.push(format!("{}:1: {name:?}: found no line \"# {name}: …\", expected {expected}", self.file));
+    pub fn find<T>(&mut self, name: &str, expected: &str, read: impl FnOnce(&str) -> Option<T>) -> Option<T> {
+        if !self.lines.iter().any(|(_, (key, _))| *key == name) {
+            self.problems.push(format!("{}:1: {name:?}: found no line \"# {name}: …\", expected {expected}", self.file));
         }
-        self.find_any(name, expected, problems)
+        self.find_any(name, expected, read)
     }
 
     /// The value of an optional line.
-    pub fn find_any<T: FromStr>(&self, name: &str, expected: &str, problems: &mut Vec<String>) -> Option<T> {
-        let (line, value) = self.line(name)?;
-        let bad = |_| problems.push(format!("{}:{line}: {name:?}: found {value:?}, expected {expected}", self.file));
-        value.parse().map_err(bad).ok()
+    pub fn find_any<T>(&mut self, name: &str, expected: &str, read: impl FnOnce(&str) -> Option<T>) -> Option<T> {
+        let &(line, (_, value)) = self.lines.iter().find(|(_, (key, _))| *key == name)?;
+        let found = read(value);
+        if found.is_none() {
+            self.problems.push(format!("{}:{line}: {name:?}: found {value:?}, expected {expected}", self.file));
+        }
+        found
     }
 }
 
@@ -78,17 +72,10 @@ pub(super) fn written(name: &str) -> String {
 const LINE_ENDS: [char; 2] = ['\u{2028}', '\u{2029}'];
 
 /// A name in the form of [`written`].
-pub(super) struct Plain(pub String);
-
-impl FromStr for Plain {
-    type Err = ();
-
-    fn from_str(text: &str) -> Result<Self, ()> {
-        match text.strip_prefix('"') {
-            None if text.is_empty() => Err(()),
-            None => Ok(Self(text.to_owned())),
-            Some(rest) => unquoted(rest.strip_suffix('"').ok_or(())?).map(Self).ok_or(()),
-        }
+pub(super) fn plain(text: &str) -> Option<String> {
+    match text.strip_prefix('"') {
+        None => Some(text.to_owned()).filter(|name| !name.is_empty()),
+        Some(rest) => unquoted(rest.strip_suffix('"')?),
     }
 }
 
@@ -117,51 +104,8 @@ fn unquoted(text: &str) -> Option<String> {
     Some(name)
 }
 
-/// Within [`TICK_RATES`].
-pub(super) struct TickRate(pub f64);
-
-impl FromStr for TickRate {
-    type Err = ();
-
-    fn from_str(text: &str) -> Result<Self, ()> {
-        text.parse().ok().filter(|rate| TICK_RATES.contains(rate)).map(Self).ok_or(())
-    }
-}
-
-/// By its name.
-pub(super) struct Ended(pub Outcome);
-
-impl FromStr for Ended {
-    type Err = ();
-
-    fn from_str(text: &str) -> Result<Self, ()> {
-        [Outcome::Running, Outcome::Completed, Outcome::Failed]
-            .into_iter()
-            .find(|outcome| outcome.name() == text)
-            .map(Self)
-            .ok_or(())
-    }
-}
-
-/// Finite, from 0 on.
-pub(super) struct Seconds(pub f64);
-
-impl FromStr for Seconds {
-    type Err = ();
-
-    fn from_str(text: &str) -> Result<Self, ()> {
-        text.parse().ok().filter(|time: &f64| time.is_finite() && *time >= 0.0).map(Self).ok_or(())
-    }
-}
-
 /// 16 digits.
-pub(super) struct Hex(pub u64);
-
-impl FromStr for Hex {
-    type Err = ();
-
-    fn from_str(text: &str) -> Result<Self, ()> {
-        let digits = text.len() == 16 && text.bytes().all(|byte| byte.is_ascii_hexdigit());
-        digits.then(|| u64::from_str_radix(text, 16).ok()).flatten().map(Self).ok_or(())
-    }
+pub(super) fn hex(text: &str) -> Option<u64> {
+    let digits = text.len() == 16 && text.bytes().all(|byte| byte.is_ascii_hexdigit());
+    digits.then(|| u64::from_str_radix(text, 16).ok()).flatten()
 }

@@ -1,5 +1,6 @@
 //! The state of the objectives: touch, hold time and turn.
 
+use super::event::GameEvent;
 use super::ship::SHIP;
 use super::touch::TOUCH;
 use crate::level::{Level, Objective, ObjectiveKind};
@@ -20,12 +21,12 @@ impl Objectives {
     pub fn new(level: &Level, world: &World, tick_rate: f64) -> Self {
         let count = level.objectives.len();
         let mut objectives = Self { tick_rate, met: vec![false; count], held: vec![None; count] };
-        objectives.note(level, world, |_, _| {});
+        objectives.note(level, world, &mut Vec::new());
         objectives
     }
 
-    /// Looks at a tick's end, and reports each change of an objective with whether it is met now.
-    pub fn note(&mut self, level: &Level, world: &World, mut changed: impl FnMut(usize, bool)) {
+    /// Looks at a tick's end, and adds an event for each change of an objective.
+    pub fn note(&mut self, level: &Level, world: &World, events: &mut Vec<GameEvent>) {
         for (index, objective) in level.objectives.iter().enumerate() {
             let touched = self.is_open(level, index) && is_touched(objective, level, world);
             self.held[index] = touched.then(|| self.held[index].map_or(0, |ticks| ticks + 1));
@@ -33,7 +34,7 @@ impl Objectives {
             let met = kept || self.held[index].is_some_and(|ticks| ticks as f64 / self.tick_rate >= objective.hold - ROUNDING);
             if met != self.met[index] {
                 self.met[index] = met;
-                changed(index, met);
+                events.push(if met { GameEvent::ObjectiveMet(index) } else { GameEvent::ObjectiveLost(index) });
             }
         }
     }

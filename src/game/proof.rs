@@ -17,10 +17,8 @@ pub struct Proof {
 
 impl Proof {
     /// The record at its start in that level.
-    ///
-    /// # Errors
-    /// As [`Game::with_tick_rate`]; within, the level's hash differs from the record's, or the record's keys go on beyond its own
-    /// time.
+    /// Errors: as [`Game::with_tick_rate`]; within, the level's hash differs from the record's, or the record's keys go on beyond
+    /// its own time.
     pub fn new(replay: Arc<Replay>, level: Arc<Level>) -> Result<Result<Self, Mismatch>, GameError> {
         let here = Fingerprint::of(&level);
         if let Some(recorded) = replay.level_hash.filter(|&recorded| !here.is(recorded)) {

@@ -21,11 +21,12 @@
 //! seconds, or have a level's hash of 16 digits; a record without one flies in the level of its name.
 
 use super::attempt::Game;
+use super::clock::TICK_RATES;
 use super::controls::Controls;
 use super::event::Outcome;
 use super::fingerprint::{LevelHash, level_hash};
 use super::inputs::{BadFile, Inputs};
-use super::notes::{Ended, Hex, MOST_SECONDS, Plain, ReplayNotes, Seconds, TickRate, written};
+use super::notes::{MOST_SECONDS, ReplayNotes, hex, plain, written};
 use std::fmt;
 
 pub const PROGRAM: &str = concat!("resultant ", env!("CARGO_PKG_VERSION"));
@@ -150,27 +151,25 @@ pub(super) fn thousandths(seconds: f64) -> u64 {
 
 impl Replay {
     /// `file` is the file's name in messages.
-    ///
-    /// # Errors
-    /// As [`Inputs::parse`]; a `# name: value` line that is missing or unreadable.
+    /// Errors: as [`Inputs::parse`]; a `# name: value` line that is missing or unreadable.
     pub fn parse(file: &str, text: &str) -> Result<Self, BadFile> {
-        let mut problems = Vec::new();
-        let notes = ReplayNotes::of(file, text);
-        let program = notes.find_any("program", "a program's name and version", &mut problems);
-        let player = notes.find_any("player", "a player's name", &mut problems);
-        let level = notes.find("level", "a level's name", &mut problems);
-        let level_hash = notes.find_any("level_hash", LevelHash::EXPECTED, &mut problems);
-        let tick_rate = notes.find("tick_rate", "1 to 1000000 ticks a second", &mut problems);
-        let outcome = notes.find_any("outcome", "completed, failed or running", &mut problems);
-        let time = notes.find_any("time", "seconds, 0 or more", &mut problems);
-        let score = notes.find("score", "points", &mut problems);
-        let hash = notes.find("hash", "16 hex digits", &mut problems);
-        let seconds = notes.seconds(&mut problems);
+        let mut notes = ReplayNotes::of(file, text);
+        let program = notes.find_any("program", "a program's name and version", |text| Some(text.to_owned()));
+        let player = notes.find_any("player", "a player's name", plain);
+        let level = notes.find("level", "a level's name", plain);
+        let level_hash = notes.find_any("level_hash", LevelHash::EXPECTED, |text| text.parse().ok());
+        let within = |rate: &f64| TICK_RATES.contains(rate);
+        let tick_rate = notes.find("tick_rate", "1 to 1000000 ticks a second", |text| text.parse().ok().filter(within));
+        let outcome = notes.find_any("outcome", "completed, failed or running", Outcome::named);
+        let passed = |time: &f64| time.is_finite() && *time >= 0.0;
+        let time = notes.find_any("time", "seconds, 0 or more", |text| text.parse().ok().filter(passed));
+        let score = notes.find("score", "points", |text| text.parse().ok());
+        let hash = notes.find("hash", "16 hex digits", hex);
+        let seconds = notes.seconds();
+        let mut problems = notes.problems;
         let inputs = Inputs::parse(file, text).map_err(|BadFile(found)| problems.extend(found)).ok();
         match (level, tick_rate, score, hash, inputs) {
-            (Some(Plain(level)), Some(TickRate(tick_rate)), Some(score), Some(Hex(hash)), Some(inputs)) if problems.is_empty() => {
-                let player = player.map(|Plain(player)| player);
-                let (outcome, time) = (outcome.map(|Ended(outcome)| outcome), time.map(|Seconds(time)| time));
+            (Some(level), Some(tick_rate), Some(score), Some(hash), Some(inputs)) if problems.is_empty() => {
                 Ok(Self { program, player, level, level_hash, tick_rate, outcome, time, score, hash, seconds, inputs })
             }
             _ => Err(BadFile(problems)),
@@ -188,23 +187,14 @@ impl Replay {
 impl fmt::Display for Replay {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { program, player, level, level_hash, tick_rate, outcome, time, score, hash, seconds, inputs } = self;
-        if let Some(program) = program {
-            writeln!(f, "# program: {program}")?;
-        }
-        if let Some(player) = player {
-            writeln!(f, "# player: {}", written(player))?;
-        }
-        writeln!(f, "# level: {}", written(level))?;
-        if let Some(level_hash) = level_hash {
-            writeln!(f, "# level_hash: {level_hash}")?;
-        }
-        writeln!(f, "# tick_rate: {tick_rate}")?;
-        if let Some(outcome) = outcome {
-            writeln!(f, "# outcome: {}", outcome.name())?;
-        }
-        if let Some(time) = time {
-            writeln!(f, "# time: {time}")?;
-        }
+        let mut note = |name, value: Option<String>| value.map_or(Ok(()), |value| writeln!(f, "# {name}: {value}"));
+        note("program", program.clone())?;
+        note("player", player.as_deref().map(written))?;
+        note("level", Some(written(level)))?;
+        note("level_hash", level_hash.map(|hash| hash.to_string()))?;
+        note("tick_rate", Some(tick_rate.to_string()))?;
+        note("outcome", outcome.map(|outcome| outcome.name().to_owned()))?;
+        note("time", time.map(|time| time.to_string()))?;
         write!(f, "# score: {score}\n# hash: {hash:016x}\n")?;
         for (second, hash) in (1..).zip(seconds) {
             writeln!(f, "# hash {second}: {hash:016x}")?;

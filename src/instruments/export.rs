@@ -5,7 +5,7 @@ use super::curve::Curve;
 use super::look;
 use super::quantity::Quantity;
 use super::track::BodyTrack;
-use crate::files::csv_text;
+use crate::files::csv_line;
 use crate::lab::linear::Linear;
 use crate::lab::look::CurveLook;
 use crate::number::Shortest;
@@ -50,13 +50,16 @@ pub fn csv(curves: &[Exported]) -> String {
     }
     let track = curves.iter().map(|curve| curve.track).max_by_key(|track| track.len());
     let cell = |value: &f64| Shortest(*value).to_string();
-    let head = ["tick".to_owned(), Quantity::Time.heading()].into_iter().chain(columns.iter().map(|(heading, _)| heading.clone()));
-    let row = |track: &BodyTrack, place: usize| -> Vec<String> {
+    let head: Vec<String> = ["tick".to_owned(), Quantity::Time.heading()]
+        .into_iter()
+        .chain(columns.iter().map(|(heading, _)| heading.clone()))
+        .collect();
+    let row = |(track, place): (&BodyTrack, usize)| {
         let cells = columns.iter().map(|(_, values)| values.get(place).map_or_else(String::new, cell));
-        [track.tick_of(place).to_string(), cell(&track.time(place))].into_iter().chain(cells).collect()
+        csv_line([track.tick_of(place).to_string(), cell(&track.time(place))].into_iter().chain(cells))
     };
     let rows = track.into_iter().flat_map(|track| (0..track.len()).map(move |place| (track, place)));
-    csv_text(std::iter::once(head.collect()).chain(rows.map(|(track, place)| row(track, place))))
+    csv_line(head) + &rows.map(row).collect::<String>()
 }
 
 /// A picture of curves above one axis: a strip for each kind of number, one above the other.

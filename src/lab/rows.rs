@@ -2,7 +2,7 @@
 //! refusal names file, line and column.
 
 use super::curve::NUMBERS;
-use crate::files::{CsvFile, CsvRow, csv_text};
+use crate::files::{CsvFile, CsvRow, csv_line};
 
 /// The most rows of a file below its head. With more points a diagram takes longer to draw than a frame lasts.
 const MOST_ROWS: usize = 2000;
@@ -13,8 +13,7 @@ pub(super) fn shortest(value: f64) -> String {
 }
 
 pub(super) fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
-    let head = head.iter().map(|&name| name.to_owned()).collect();
-    csv_text(std::iter::once(head).chain(rows))
+    csv_line(head) + &rows.into_iter().map(csv_line).collect::<String>()
 }
 
 /// # Errors
@@ -43,13 +42,13 @@ pub(super) fn rows<'a>(file: &'a str, text: &str, head: &'a [&'a str]) -> Result
     if !first.is_header(head.len()) {
         return Err(first.row_problem(format_args!("\"{}\"", first.joined()), format_args!("the head {}", csv.header())));
     }
-    let checked = (1..).zip(rows).map(|(count, row)| match &row.cells {
+    let checked = (1..).zip(rows).map(|(count, row)| match (row.fault(), row.cells.len()) {
         _ if count > MOST_ROWS => Err(row.row_problem("a row more", format_args!("at most {MOST_ROWS} below the head"))),
-        Err(fault) => Err(row.row_problem(fault.words().0, fault.words().1)),
-        Ok(cells) if cells.len() != head.len() => {
-            Err(row.row_problem(format_args!("{} cells", cells.len()), format_args!("{}: {}", head.len(), csv.header())))
+        (Some(fault), _) => Err(row.row_problem(fault.words().0, fault.words().1)),
+        (None, cells) if cells != head.len() => {
+            Err(row.row_problem(format_args!("{cells} cells"), format_args!("{}: {}", head.len(), csv.header())))
         }
-        Ok(_) => Ok(row),
+        (None, _) => Ok(row),
     });
     checked.collect()
 }

@@ -23,9 +23,8 @@ pub(super) struct Draft {
     /// Width and height in pixels.
     pub size: Option<DVec2>,
     pub scale: PixelScale,
+    pub settings: LevelSettings,
     pub player: Option<FromRow<ShipStart>>,
-    /// N/kg, downwards and to the right.
-    pub gravity: [f64; 2],
     pub world: Vec<FromRow<Solid>>,
     pub movers: Vec<FromRow<Mover>>,
     pub doors: Vec<FromRow<Solid>>,
@@ -44,7 +43,7 @@ pub(super) struct Draft {
 
 impl Draft {
     /// Reads all files but constants.csv; `size` is in pixels.
-    pub fn read(reader: &mut LevelReader, size: Option<DVec2>, gravity: [f64; 2]) -> Self {
+    pub fn read(reader: &mut LevelReader, size: Option<DVec2>, settings: LevelSettings) -> Self {
         let player = player(reader);
         let world = reader.things(Table::World, blocks::solid);
         let mut objects = reader.things(Table::Objects, bodies::object);
@@ -53,7 +52,7 @@ impl Draft {
         Self {
             size,
             scale: reader.rows.scale,
-            gravity,
+            settings,
             player,
             world,
             movers: reader.things(Table::Movers, blocks::mover),
@@ -72,10 +71,11 @@ impl Draft {
     }
 
     /// The size is in metres.
-    pub fn level(self, name: &str, settings: &LevelSettings, background: bool, (player, size): (ShipStart, DVec2)) -> Level {
+    pub fn level(self, name: &str, background: bool, (player, size): (ShipStart, DVec2)) -> Level {
+        let settings = self.settings;
         Level {
             name: name.to_owned(),
-            title: settings.title.clone().unwrap_or_else(|| name.to_owned()),
+            title: settings.title.unwrap_or_else(|| name.to_owned()),
             metre: self.scale.metre,
             size,
             gravity: settings.gravity,
@@ -104,7 +104,6 @@ impl Draft {
         }
     }
 
-    /// Leaves out every row that one of the problems names.
     pub fn leave_out(&mut self, problems: &[Problem]) {
         let rows: BTreeSet<(&str, usize)> = problems.iter().map(|problem| (problem.file.as_str(), problem.line)).collect();
         fn keep<T>(things: &mut Vec<FromRow<T>>, rows: &BTreeSet<(&str, usize)>) {

@@ -7,24 +7,19 @@ use super::schema::{Kind, Table};
 use super::source::Files;
 use super::table;
 use super::types::Look;
-use crate::files;
+use crate::files::{self, CsvFile};
 use std::cmp::Ordering;
 use std::io;
 use std::path::{Path, PathBuf};
 
 /// Images are looked up in `folder`, then under `project`, the folder that holds `assets/` and `levels/`. The paths in the level can be
 /// opened as they are.
-///
-/// # Errors
-/// Every problem in every file; a folder that does not exist, or that has the name of another leaderboard, is one problem.
+/// Errors: every problem in every file; a folder that does not exist, or that has the name of another leaderboard, is one problem.
 pub fn load(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
     load_from(&Disk { folder, project }, &Disk { folder, project }, read)
 }
 
 /// As [`load`], of an unfinished level: see [`read_unfinished`].
-///
-/// # Errors
-/// As [`read_unfinished`].
 pub fn load_unfinished(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
     load_from(&Disk { folder, project }, &Disk { folder, project }, read_unfinished)
 }
@@ -113,10 +108,9 @@ pub fn is_shipped(folder: &Path) -> bool {
     let Ok(folder) = files::resolve(folder) else { return false };
     let (Some(name), Some(beside)) = (folder.file_name().and_then(|name| name.to_str()), folder.parent()) else { return false };
     let named = |list: &str| {
-        let text = files::read_text(&beside.join(list), files::LEVEL_TABLE).unwrap_or_default();
-        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).flexible(true).from_reader(text.as_bytes());
-        let column = reader.headers().ok().and_then(|header| header.iter().position(|column| column.trim() == "folder"));
-        column.is_some_and(|column| reader.records().flatten().any(|row| row.get(column).is_some_and(|cell| cell.trim() == name)))
+        let bytes = files::read(&beside.join(list), files::LEVEL_TABLE).unwrap_or_default();
+        let mut rows = CsvFile { name: list, columns: &["folder"], comments: true }.rows(&bytes);
+        rows.next().is_some_and(|header| header.is_header(1)) && rows.any(|row| row.get("folder") == name)
     };
     SHIPPED.into_iter().any(named)
 }

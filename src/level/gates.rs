@@ -5,13 +5,12 @@ use super::draft::Draft;
 use super::placed::FromRow;
 use super::problem::Problem;
 use super::reach::{CentredBox, FreeSpace};
-use super::schema::settings::LevelSettings;
 use super::types::{ObjectiveKind, Presser, SHIP_HALF, ShipStart, Switch};
 use super::winnable::fitting;
 use crate::physics::Aabb;
 use std::collections::BTreeMap;
 
-pub(super) fn warn(draft: &Draft, player: &ShipStart, settings: &LevelSettings, space: &FreeSpace) -> Vec<Problem> {
+pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
     if draft.switches.is_empty() && draft.doors.is_empty() && draft.obstacles.is_empty() {
         return Vec::new();
     }
@@ -50,7 +49,7 @@ pub(super) fn warn(draft: &Draft, player: &ShipStart, settings: &LevelSettings, 
             warnings.push(placed.problem("x", "an objective behind a door that nothing opens", expected));
         }
     }
-    warnings.extend(plates(draft, player, settings, space));
+    warnings.extend(plates(draft, player, space));
     warnings
 }
 
@@ -120,7 +119,7 @@ fn presses(draft: &Draft, switch: &Switch, ship: CentredBox, (ships, objects): (
 
 /// Plates that take more than the sum of all weights, the ship's thrust and the winds near by, downwards. The force of a mover or a belt
 /// has no such bound.
-fn plates(draft: &Draft, player: &ShipStart, settings: &LevelSettings, space: &FreeSpace) -> Vec<Problem> {
+fn plates(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
     let driven = draft.world.iter().any(|solid| solid.item.belt != 0.0) || !draft.movers.is_empty();
     let plates = draft.switches.iter().filter_map(|switch| Some((switch, switch.item.weight?)));
     if driven {
@@ -137,7 +136,7 @@ fn plates(draft: &Draft, player: &ShipStart, settings: &LevelSettings, space: &F
         }))
         .collect();
     let fields: f64 = draft.fields.iter().map(|field| field.item.strength.y.max(0.0)).sum();
-    let pull = settings.gravity.max(0.0) + fields;
+    let pull = draft.settings.gravity.max(0.0) + fields;
     let mut warnings = Vec::new();
     for (plate, weight) in plates {
         let near = near(&plate.item.bounds);

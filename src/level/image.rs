@@ -97,9 +97,7 @@ fn project_path(cell: &str) -> Result<String, PictureRefusal> {
 }
 
 /// Width and height of a PNG in pixels, both > 0. `name` is how the author wrote it.
-///
-/// # Errors
-/// There is no such file, it cannot be read, it is no PNG, or it would unfold to too many pixels.
+/// Errors: there is no such file, it cannot be read, it is no PNG, or it would unfold to too many pixels.
 pub(super) fn png_size(bytes: io::Result<impl AsRef<[u8]>>, name: &str) -> Result<(f64, f64), PictureRefusal> {
     let expected = || "a PNG image".to_owned();
     let bytes = bytes.map_err(|error| match error.kind() {
@@ -133,9 +131,7 @@ fn other_picture(bytes: &[u8]) -> Option<&'static str> {
 }
 
 /// The bytes of a picture, judged again: the file may have changed since its level was loaded.
-///
-/// # Errors
-/// It cannot be read, is no PNG, or would unfold to too many pixels.
+/// Errors: it cannot be read, is no PNG, or would unfold to too many pixels.
 pub fn read_picture(path: &Path) -> io::Result<Vec<u8>> {
     let bytes = files::read(path, files::PICTURE)?;
     let refused = |(found, expected)| io::Error::new(io::ErrorKind::InvalidData, format!("found {found}, expected {expected}"));

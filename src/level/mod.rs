@@ -1,9 +1,7 @@
-//! Level folders: CSV text becomes a valid [`Level`], or the list of all its [`Problem`]s. `cells` cuts bytes into cells, `table` finds their
-//! columns, the rows of `schema` become things of `draft`, and `read` makes the level. `names`, `strength`, `placement`, `reach` and `winnable`
+//! Level folders: CSV text becomes a valid [`Level`], or the list of all its [`Problem`]s. `table` finds the columns of cells, the rows of `schema` become things of `draft`, and `read` makes the level. `names`, `strength`, `placement`, `reach` and `winnable`
 //! refuse levels; `gates`, `pushed`, `power` and `words` warn. Only `folder`, `scaffold` and `document` know the disk.
 
 mod box_tree;
-mod cells;
 pub mod document;
 mod draft;
 mod folder;

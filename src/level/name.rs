@@ -22,7 +22,6 @@ pub enum NameFault {
 }
 
 impl NameFault {
-    /// The name that is expected instead.
     pub fn expected(self) -> String {
         match self {
             Self::NoWord => format!("up to {MAX_NAME} letters, digits, - and _, the first a letter or digit"),

@@ -68,9 +68,7 @@ impl NumberRange {
     }
 
     /// The number that a cell holds.
-    ///
-    /// # Errors
-    /// The text is no finite number, or it lies outside the range; the number that is expected instead.
+    /// Errors: the text is no finite number, or it lies outside the range; the number that is expected instead.
     pub fn parse(&self, text: &str) -> Result<f64, String> {
         let value = number(text)?;
         self.judge(value).map(|()| value)
@@ -96,8 +94,7 @@ impl NumberRange {
         format!("{numbers} {}", self.unit).trim_end().to_owned()
     }
 
-    /// # Errors
-    /// The number that is expected instead.
+    /// Errors: the number that is expected instead.
     pub fn judge(&self, value: f64) -> Result<(), String> {
         if !value.is_finite() {
             return Err("a finite number".into());

@@ -20,7 +20,7 @@ type Named = (&'static str, FromRow<Aabb>);
 /// More streams, fields and liquids than a level may have, and liquids that overlap: one problem a row.
 pub(super) fn check_zones(draft: &Draft) -> Vec<Problem> {
     let mut problems = Vec::new();
-    let sideways = usize::from(draft.gravity[1] != 0.0);
+    let sideways = usize::from(draft.settings.gravity_x != 0.0);
     too_many(&draft.streams, "air streams", MOST_STREAMS, &mut problems);
     too_many(&draft.fields, "gravity zones", MOST_FIELDS - sideways, &mut problems);
     too_many(&draft.fluids, "liquids", MOST_LIQUIDS, &mut problems);

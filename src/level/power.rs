@@ -10,6 +10,7 @@ use super::schema::settings::{CONSTANTS, LevelSettings};
 use super::types::{BURN_RATE, Mark, Object, Objective, ObjectiveKind, SHIP_HALF, ShipStart, TICK_RATE};
 use super::winnable::fitting;
 use crate::physics::{Aabb, DVec2, Material};
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::rc::Rc;
 
@@ -22,12 +23,13 @@ const MOST_LOOKS: usize = 20_000_000;
 /// m. A body that is nearer than this touches.
 const NEAR: f64 = 1e-6;
 
-pub(super) fn warn(draft: &Draft, player: &FromRow<ShipStart>, settings: &LevelSettings, space: &FreeSpace) -> Vec<Problem> {
+pub(super) fn warn(draft: &Draft, player: &FromRow<ShipStart>, space: &FreeSpace) -> Vec<Problem> {
     let bodies = draft.objects.len() + 1;
     if bodies * (draft.world.len() + draft.objectives.len()) * (draft.objectives.len() + 1) > MOST_LOOKS {
         return Vec::new();
     }
-    let power = Power { draft, ship: &player.item, settings, gravity: settings.gravity };
+    let settings = &draft.settings;
+    let power = Power { draft, ship: &player.item, settings };
     let mut warnings = Vec::new();
     let weight = player.item.mass * settings.gravity;
     if player.item.thrust < weight && !power.is_lifted() {
@@ -49,8 +51,6 @@ struct Power<'a> {
     draft: &'a Draft,
     ship: &'a ShipStart,
     settings: &'a LevelSettings,
-    /// N/kg, downwards.
-    gravity: f64,
 }
 
 impl Power<'_> {
@@ -76,7 +76,7 @@ impl Power<'_> {
 
     /// The fuel units that the costliest objective takes at least, and its line; `None` where no bound is known.
     fn fuel_needed(&self, space: &FreeSpace) -> Option<(f64, usize)> {
-        if self.is_helped() || self.gravity <= 0.0 || self.settings.gravity_x != 0.0 || self.ship.thrust == 0.0 {
+        if self.is_helped() || self.settings.gravity <= 0.0 || self.settings.gravity_x != 0.0 || self.ship.thrust == 0.0 {
             return None;
         }
         let pads: Vec<&FromRow<Objective>> =
@@ -85,8 +85,8 @@ impl Power<'_> {
         let others: f64 = self.draft.objects.iter().map(|object| self.energy_of(&object.item, space)).sum();
         let begun = 0.5 * self.ship.velocity.length_squared() + others / self.ship.mass;
         let depth = climbs.depth;
-        let speed = |height: f64| (2.0 * self.gravity * (depth + height).max(0.0)).sqrt();
-        let first = (2.0 * (begun + self.gravity * depth)).sqrt();
+        let speed = |height: f64| (2.0 * self.settings.gravity * (depth + height).max(0.0)).sqrt();
+        let first = (2.0 * (begun + self.settings.gravity * depth)).sqrt();
         // Where no body bounces, one that the ship does not push moves only downwards.
         let plain = others == 0.0 && self.ship.restitution.max(self.ship.material.restitution) == 0.0;
         let along = |gap: f64| if plain { self.seconds_along(gap, first) } else { 0.0 };
@@ -112,7 +112,7 @@ impl Power<'_> {
     fn energy_of(&self, object: &Object, space: &FreeSpace) -> f64 {
         let bounces = object.restitution.max(object.material.restitution).max(self.ship.restitution) > 0.0;
         let fall = if bounces { (space.level.max.y - object.position.y - object.size.y * 0.5).max(0.0) } else { 0.0 };
-        object.mass * (0.5 * object.velocity.length_squared() + self.gravity * fall)
+        object.mass * (0.5 * object.velocity.length_squared() + self.settings.gravity * fall)
     }
 
     /// The least seconds of burning that carry the ship `gap` m aside: at the start, and after each tick of burning, it flies as far as its
@@ -133,7 +133,7 @@ impl Power<'_> {
         let falls = 2.0 + (steps as f64).sqrt();
         let far = |ticks: f64| {
             let (seconds, speed) = (ticks / TICK_RATE, first + pull * ticks / TICK_RATE);
-            speed * seconds + (ticks + 1.0) * speed * speed / self.gravity * (falls + 0.5 / friction)
+            speed * seconds + (ticks + 1.0) * speed * speed / self.settings.gravity * (falls + 0.5 / friction)
         };
         let mut most = 1.0;
         while far(most) < gap && most < MOST_TICKS {
@@ -201,7 +201,7 @@ impl Power<'_> {
     fn least_time(&self) -> Option<(f64, usize)> {
         let falls = self.falls()?;
         let settings = self.settings;
-        let pull = self.gravity.abs() + settings.gravity_x.abs();
+        let pull = self.settings.gravity.abs() + settings.gravity_x.abs();
         let pull = pull + self.draft.fields.iter().map(|field| field.item.strength.length()).sum::<f64>();
         let wind: f64 = self.draft.streams.iter().map(|stream| stream.item.force.length()).sum();
         let dense: f64 = self.draft.fluids.iter().map(|fluid| fluid.item.density).sum();
@@ -210,7 +210,7 @@ impl Power<'_> {
         let (mut energy, mut power) = (0.0, 0.0);
         for ((mass, size, thrust), fall) in bodies.zip(falls) {
             let force = mass * pull + wind + thrust + dense * pull * size.x * size.y;
-            energy += mass * self.gravity * fall;
+            energy += mass * self.settings.gravity * fall;
             power += force * force / mass;
         }
         let (begun, grows) = ((2.0 * energy).sqrt(), power.sqrt());
@@ -263,7 +263,7 @@ impl Power<'_> {
     fn falls(&self) -> Option<Vec<f64>> {
         let draft = self.draft;
         let thrown = self.ship.velocity != DVec2::ZERO || draft.objects.iter().any(|object| object.item.velocity != DVec2::ZERO);
-        if thrown || self.gravity < 0.0 || self.settings.gravity_x != 0.0 {
+        if thrown || self.settings.gravity < 0.0 || self.settings.gravity_x != 0.0 {
             return None;
         }
         let zones = draft.streams.iter().map(|stream| stream.item.zone).chain(draft.fields.iter().map(|field| field.item.zone));
@@ -304,8 +304,10 @@ impl Climbs {
         let mut climbs = Self { climb: vec![f64::INFINITY; grid.parts.len()], grid, depth: 0.0, start: start.y };
         let first = climbs.grid.at(start);
         climbs.climb[first] = 0.0;
-        let mut open = BinaryHeap::from([Reached { climb: 0.0, cell: first }]);
-        while let Some(Reached { climb, cell }) = open.pop() {
+        // The bits of numbers from 0 on are in their order.
+        let mut open = BinaryHeap::from([Reverse((0.0_f64.to_bits(), first))]);
+        while let Some(Reverse((bits, cell))) = open.pop() {
+            let climb = f64::from_bits(bits);
             if climb > climbs.climb[cell] {
                 continue;
             }
@@ -318,7 +320,7 @@ impl Climbs {
                 let through = climb.max(start.y - climbs.grid.area(next).max.y);
                 if through < climbs.climb[next] {
                     climbs.climb[next] = through;
-                    open.push(Reached { climb: through, cell: next });
+                    open.push(Reverse((through.to_bits(), next)));
                 }
             }
         }
@@ -336,29 +338,3 @@ impl Climbs {
         climbs.reduce(f64::min)
     }
 }
-
-/// A cell that the ship gets to, the least climb first.
-struct Reached {
-    climb: f64,
-    cell: usize,
-}
-
-impl Ord for Reached {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        other.climb.total_cmp(&self.climb).then(other.cell.cmp(&self.cell))
-    }
-}
-
-impl PartialOrd for Reached {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Reached {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Reached {}

@@ -15,10 +15,11 @@ const HIT: f64 = 10.0;
 const MOST_OBJECTS: usize = 500;
 
 /// The objectives for keys to which no key gets that fits.
-pub(super) fn warn(draft: &Draft, player: &ShipStart, settings: &LevelSettings, space: &FreeSpace) -> Vec<Problem> {
+pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
     let wanted: Vec<_> = draft.objectives.iter().filter(|placed| placed.item.kind == ObjectiveKind::Physics).collect();
     let lifts = !draft.movers.is_empty() || !draft.streams.is_empty() || !draft.fields.is_empty() || !draft.fluids.is_empty();
     let belts = draft.world.iter().any(|solid| solid.item.belt != 0.0);
+    let settings = &draft.settings;
     let sideways = settings.gravity <= 0.0 || settings.gravity_x != 0.0;
     let own = draft.objects.iter().any(|object| object.item.weightless || object.item.velocity != DVec2::ZERO);
     let large = draft.objects.len() > MOST_OBJECTS;
@@ -26,14 +27,14 @@ pub(super) fn warn(draft: &Draft, player: &ShipStart, settings: &LevelSettings, 
         return Vec::new();
     }
     let lifted = draft.objects.iter().any(|object| {
-        let hop = hop(draft, &object.item, player, settings);
+        let hop = hop(draft, &object.item, player);
         is_carried(&object.item, player, settings) || is_lifted(&object.item, hop, player, draft, space)
     });
     if lifted {
         return Vec::new();
     }
     let gets_there = |key: &Object, target: &Aabb| {
-        let hop = hop(draft, key, player, settings);
+        let hop = hop(draft, key, player);
         Pushed::new(key, hop, draft, space).is_none_or(|pushed| pushed.gets_to(target))
     };
     let stuck = wanted.into_iter().filter(|placed| {
@@ -45,7 +46,8 @@ pub(super) fn warn(draft: &Draft, player: &ShipStart, settings: &LevelSettings, 
 }
 
 /// How far a key hops, m: friction passes on at most μ of a hit's impulse upwards. Low objects that it may climb on the way come on top.
-fn hop(draft: &Draft, key: &Object, player: &ShipStart, settings: &LevelSettings) -> f64 {
+fn hop(draft: &Draft, key: &Object, player: &ShipStart) -> f64 {
+    let settings = &draft.settings;
     let material = key.material.kinetic_friction.min(player.material.kinetic_friction) * settings.friction;
     let bounce = [key.restitution, player.restitution, key.material.restitution, player.material.restitution];
     let bounce = bounce.into_iter().fold(0.0, f64::max);

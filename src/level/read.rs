@@ -23,16 +23,14 @@ pub struct Loaded {
 }
 
 /// The paths in the level are as the author wrote them: images from the project's folder, the background from the level's.
-///
-/// # Errors
-/// Every problem in every file, in the order of files and lines.
+/// Errors: every problem in every file, in the order of files and lines.
 pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
     read_counting(name, files, &Rc::default())
 }
 
 /// As [`read()`]; `work` counts the cost of its searches.
 fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result<Loaded, Vec<Problem>> {
-    let Gathered { settings, background, draft, mut problems, mut warnings } = gather(files, false);
+    let Gathered { background, draft, mut problems, mut warnings } = gather(files, false);
     problems.extend(names::check(&draft));
     problems.extend(strength::check(&draft));
     problems.extend(placement::check_zones(&draft));
@@ -50,20 +48,18 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
     warnings.extend(winnable::same_turns(&draft));
     warnings.extend(words::warn(&draft, size / draft.scale.metre));
     warnings.extend(placement::warn(&draft, &player.item, &space));
-    warnings.extend(gates::warn(&draft, &player.item, &settings, &space));
-    warnings.extend(pushed::warn(&draft, &player.item, &settings, &space));
-    warnings.extend(power::warn(&draft, player, &settings, &space));
+    warnings.extend(gates::warn(&draft, &player.item, &space));
+    warnings.extend(pushed::warn(&draft, &player.item, &space));
+    warnings.extend(power::warn(&draft, player, &space));
     let (player, size) = (player.item.clone(), size / draft.scale.metre);
-    Ok(Loaded { level: draft.level(name, &settings, background, (player, size)), warnings })
+    Ok(Loaded { level: draft.level(name, background, (player, size)), warnings })
 }
 
 /// As [`read()`], of an unfinished level: a ship and a size are enough. A row that cannot be read or placed is left out, an object whose
 /// picture is missing is a box, and the problems stand among the warnings.
-///
-/// # Errors
-/// Every problem of a level without a ship, a place for it or a size.
+/// Errors: every problem of a level without a ship, a place for it or a size.
 pub fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
-    let Gathered { settings, background, mut draft, mut problems, mut warnings } = gather(files, true);
+    let Gathered { background, mut draft, mut problems, mut warnings } = gather(files, true);
     problems.extend(names::check(&draft));
     let mut misplaced = strength::check(&draft);
     misplaced.extend(placement::check_zones(&draft));
@@ -73,12 +69,11 @@ pub fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Prob
     let (Some(player), Some(size)) = (&draft.player, draft.size) else { return Err(in_order(problems)) };
     warnings.splice(..0, in_order(problems));
     let (player, size) = (player.item.clone(), size / draft.scale.metre);
-    Ok(Loaded { level: draft.level(name, &settings, background, (player, size)), warnings })
+    Ok(Loaded { level: draft.level(name, background, (player, size)), warnings })
 }
 
 /// The things of a level's files, each row judged by itself.
 struct Gathered {
-    settings: LevelSettings,
     background: bool,
     draft: Draft,
     problems: Vec<Problem>,
@@ -102,9 +97,9 @@ fn gather(files: &dyn Files, unfinished: bool) -> Gathered {
         }
         _ => plain_size(&settings, &mut reader),
     };
-    let draft = Draft::read(&mut reader, size, [settings.gravity, settings.gravity_x]);
+    let draft = Draft::read(&mut reader, size, settings);
     let background = background.is_some_and(|size| size.is_ok());
-    Gathered { settings, background, draft, problems: reader.rows.problems, warnings: reader.warnings }
+    Gathered { background, draft, problems: reader.rows.problems, warnings: reader.warnings }
 }
 
 fn strays(reader: &mut LevelReader) {

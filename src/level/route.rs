@@ -25,9 +25,7 @@ pub(super) struct Manner {
 }
 
 /// The path from the first stop through the others, which differ from their neighbours.
-///
-/// # Errors
-/// The shortest possible period, s, where the given one is too short.
+/// Errors: the shortest possible period, s, where the given one is too short.
 pub(super) fn path(stops: &[DVec2], manner: Manner) -> Result<Path, f64> {
     let Manner { route, wait, ease, .. } = manner;
     let moves = moves(stops, route);

@@ -22,9 +22,7 @@ pub const BARE: [(&str, &str); 2] = [
 ];
 
 /// Makes `levels/NAME/` with these files, in which `{name}` stands for the name.
-///
-/// # Errors
-/// The folder exists already, or the disk refuses; no part of it is left behind.
+/// Errors: the folder exists already, or the disk refuses; no part of it is left behind.
 pub fn make(levels: &Path, name: &str, files: &[(&str, impl AsRef<str>)]) -> io::Result<()> {
     build(levels, name, |folder| {
         files.iter().try_for_each(|(file, text)| put(&folder.join(file), text.as_ref().replace("{name}", name).as_bytes()))
@@ -32,9 +30,6 @@ pub fn make(levels: &Path, name: &str, files: &[(&str, impl AsRef<str>)]) -> io:
 }
 
 /// Makes `levels/NAME/` with the files of another level's folder, without hidden files and folders.
-///
-/// # Errors
-/// As [`make`].
 pub fn copy(from: &Path, levels: &Path, name: &str) -> io::Result<()> {
     build(levels, name, |folder| copy_files(from, folder, |_| true))
 }
@@ -50,9 +45,6 @@ fn copy_files(from: &Path, to: &Path, wanted: impl Fn(&str) -> bool) -> io::Resu
 }
 
 /// As [`copy`], with the tables as they stand in a document of that level.
-///
-/// # Errors
-/// As [`make`].
 pub fn copy_edited(from: &Path, levels: &Path, name: &str, document: &Document) -> io::Result<()> {
     build(levels, name, |folder| {
         copy_files(from, folder, |file| Table::of_file(file).is_none())?;
@@ -70,8 +62,7 @@ pub fn free_name(levels: &Path, of: &str, word: &str) -> String {
     of_its_own.or_else(|| names(word.to_owned()).find(free)).unwrap_or_default()
 }
 
-/// # Errors
-/// A folder has that name already, or the disk refuses; the old name stays then.
+/// Errors: a folder has that name already, or the disk refuses; the old name stays then.
 pub fn rename(levels: &Path, from: &str, to: &str) -> io::Result<()> {
     if taken(levels, to).is_some_and(|other| other != from) {
         return Err(io::ErrorKind::AlreadyExists.into());
@@ -79,8 +70,7 @@ pub fn rename(levels: &Path, from: &str, to: &str) -> io::Result<()> {
     files::rename(&levels.join(from), &levels.join(to))
 }
 
-/// # Errors
-/// The reason why a new level may not have that name, in words.
+/// Errors: the reason why a new level may not have that name, in words.
 pub fn judge(levels: &Path, name: &str) -> Result<(), String> {
     judge_name(name).map_err(|fault| format!("{}: expected {}", quoted(name), fault.expected()))?;
     match taken(levels, name) {

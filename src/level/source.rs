@@ -8,15 +8,10 @@ pub const BACKGROUND: &str = "background.png";
 /// A level's folder and its project, as the loader asks for their files.
 pub trait Files {
     /// A file of the level folder, by name.
-    ///
-    /// # Errors
-    /// [`io::ErrorKind::NotFound`] where there is none; any other where it cannot be read.
+    /// Errors: [`io::ErrorKind::NotFound`] where there is none; any other where it cannot be read.
     fn level_file(&self, name: &str) -> io::Result<Vec<u8>>;
 
     /// A file of the project, by its path from the project's folder with forward slashes.
-    ///
-    /// # Errors
-    /// As [`Files::level_file`].
     fn project_file(&self, path: &str) -> io::Result<Vec<u8>>;
 
     /// The names of all files of the level folder, where they can be listed.

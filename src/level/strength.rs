@@ -22,7 +22,7 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     let ship = draft.player.iter().map(|ship| ship.map(|ship| ship.mass));
     let masses = ship.chain(draft.objects.iter().map(|object| object.map(|object| object.mass)));
     let Some(lightest) = masses.min_by(|a, b| a.item.total_cmp(&b.item)) else { return problems };
-    for fluid in draft.fluids.iter().filter(|_| draft.gravity[1] != 0.0) {
+    for fluid in draft.fluids.iter().filter(|_| draft.settings.gravity_x != 0.0) {
         let expected = "no fluids.csv where constants.csv gives a gravity_x: the surface of a liquid is level";
         problems.push(fluid.problem("x", "a liquid beside gravity to the side", expected));
     }

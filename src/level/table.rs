@@ -1,10 +1,10 @@
 //! The column of each cell: headers, files without one, rows of several kinds.
 
-use super::cells::{self, Cell, CellFault, SpannedRow};
 use super::nearest::meant;
 use super::problem::{MOST_PROBLEMS, Problem, quoted, too_many};
 use super::schema::record::RowCells;
 use super::schema::{Column, RowSchema};
+use crate::files::{Cell, SpannedRow, csv_rows};
 
 /// The most cells of a header. A file has less than a tenth of it as columns, and a message about a row names every cell of the header.
 const MOST_COLUMNS: usize = 200;
@@ -32,7 +32,7 @@ pub(super) struct HeaderPlan {
 }
 
 pub(super) fn read(kinds: RowKinds, bytes: &[u8], problems: &mut Vec<Problem>) -> TableRows {
-    let rows = cells::rows(bytes);
+    let rows: Vec<SpannedRow> = csv_rows(bytes, true).collect();
     let plan = match plan(kinds, &rows, problems) {
         Ok(plan) => plan,
         Err(headers) => return TableRows { records: Vec::new(), lines: rows.iter().skip(headers).map(|row| row.line).collect() },
@@ -81,8 +81,7 @@ pub(super) fn all_columns(schema: &'static RowSchema) -> Columns {
     schema.columns.iter().map(Some).collect()
 }
 
-/// # Errors
-/// The number of header rows of a file that is no table of this kind, which is reported.
+/// Errors: the number of header rows of a file that is no table of this kind, which is reported.
 pub(super) fn plan(kinds: RowKinds, rows: &[SpannedRow], problems: &mut Vec<Problem>) -> Result<HeaderPlan, usize> {
     if kinds.len() > 1 {
         return Ok(HeaderPlan { columns: Vec::new(), headers: rows.iter().take_while(|row| names_place(row)).count() });
@@ -214,13 +213,7 @@ fn report_faults(schema: &RowSchema, columns: &[Option<&Column>], row: &SpannedR
             _ => (i + 1).to_string(),
         };
         let Some(fault) = cell.fault else { continue };
-        let (found, expected) = match fault {
-            CellFault::Unclosed => ("a quote that is never closed", "a closing quote"),
-            CellFault::AfterQuote => ("text after a closing quote", "a comma after it (a quote within quotes is written twice)"),
-            CellFault::NotUtf8 => ("letters that are not UTF-8", "a file saved as UTF-8"),
-            CellFault::Utf16 => ("a file saved as UTF-16", "a file saved as UTF-8"),
-            CellFault::Workbook => ("a spreadsheet's own file (xlsx, ods)", "a file that the spreadsheet saved as CSV"),
-        };
+        let (found, expected) = fault.words();
         problems.push(Problem::new(schema.file.name, cell.line, name, found, expected));
     }
 }

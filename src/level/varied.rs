@@ -90,9 +90,7 @@ impl Parameter {
     }
 
     /// The number that a text holds, as in a level's file.
-    ///
-    /// # Errors
-    /// The number that is expected instead, in words.
+    /// Errors: the number that is expected instead, in words.
     pub fn parse(self, text: &str) -> Result<f64, String> {
         // The game itself writes a true minus.
         self.facts().1.parse(&text.trim().replace('−', "-"))
@@ -156,9 +154,7 @@ impl Parameter {
 }
 
 /// The level with other numbers, judged by the loader's rules.
-///
-/// # Errors
-/// Every number that is not accepted, by file and column, with line 0.
+/// Errors: every number that is not accepted, by file and column, with line 0.
 pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<Problem>> {
     let mut problems = Vec::new();
     let mut refuse = |parameter: Parameter, found: String, expected: String| {
@@ -193,9 +189,7 @@ pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<
 
 impl Document {
     /// Writes the parameters of a varied level into the cells of its files.
-    ///
-    /// # Errors
-    /// As [`Document::set`]; a body or stream without a row.
+    /// Errors: as [`Document::set`]; a body or stream without a row.
     pub fn vary(&mut self, varied: &Level, parameters: &[Parameter], gesture: Option<u64>) -> Result<(), String> {
         let mut cells = Vec::new();
         for parameter in parameters {

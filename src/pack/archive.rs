@@ -31,10 +31,8 @@ pub fn write(package: &Package) -> Result<Vec<u8>, String> {
 }
 
 /// The package in an archive, which need not be a level. `called` is the name of a level whose files lie in no folder.
-///
-/// # Errors
-/// A damaged archive; too many bytes, entries or too much memory; a path that leads elsewhere; two paths that are one on some
-/// system; links, devices and files of no level; files of several levels.
+/// Errors: a damaged archive; too many bytes, entries or too much memory; a path that leads elsewhere; two paths that are one on
+/// some system; links, devices and files of no level; files of several levels.
 pub fn read(bytes: &[u8], called: &str) -> Result<Package, String> {
     let mut archive = open(bytes)?;
     let cost = cost(&mut archive, bytes.len() as u64)?;

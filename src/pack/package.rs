@@ -39,9 +39,7 @@ pub(super) fn limit(path: &str) -> Option<u64> {
 
 /// The files of a level that can be handed on: tables, pictures wherever they lie, flights and notes; and the names of the other
 /// files in its folder.
-///
-/// # Errors
-/// A level's name that no package can have; the level's problems; a file that cannot be read, or is a link; the errors of
+/// Errors: a level's name that no package can have; the level's problems; a file that cannot be read, or is a link; the errors of
 /// [`check`].
 pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), Vec<String>> {
     let name = files::resolve(folder).ok().as_deref().unwrap_or(folder).file_name().map(|name| name.to_string_lossy().into_owned());
@@ -97,9 +95,7 @@ pub(super) fn listed(folder: &Path) -> Result<Vec<String>, Vec<String>> {
 }
 
 /// Whether a package is a level that loads, with readable flights. Pictures outside the package come from the project.
-///
-/// # Errors
-/// Every problem, a line each.
+/// Errors: every problem, a line each.
 pub fn check(package: &Package, project: &Path) -> Result<Loaded, Vec<String>> {
     let loaded = level::read(&package.name, &PackedFiles { package, project });
     let mut problems = loaded.as_ref().err().map(|problems| level::listed(problems)).unwrap_or_default();
@@ -115,7 +111,6 @@ pub fn check(package: &Package, project: &Path) -> Result<Loaded, Vec<String>> {
     }
 }
 
-/// The loader's view of a package.
 struct PackedFiles<'a> {
     package: &'a Package,
     project: &'a Path,

@@ -1,15 +1,14 @@
 //! The order of a leaderboard, without files.
 
 use std::cmp::Reverse;
-
-use serde::Serialize;
+use std::collections::BTreeMap;
 
 use super::error::ScoresError;
 use super::name::Name;
 use super::origin::RowOrigin;
 use crate::game::{Fingerprint, LevelHash};
 
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BoardRow {
     pub name: Name,
     /// At least 1.
@@ -23,13 +22,6 @@ pub struct BoardRow {
 pub struct Board {
     more_columns: Vec<String>,
     rows: Vec<BoardRow>,
-}
-
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Moved {
-    name: Name,
-    score: i64,
-    cells: Vec<(String, String)>,
 }
 
 /// Ranks count from 1.
@@ -121,7 +113,7 @@ impl Board {
     }
 
     /// The further cells of a row by their columns' names; a cell without a name gets a number.
-    pub(super) fn named_cells(&self, row: usize) -> Vec<(String, String)> {
+    fn named_cells(&self, row: usize) -> Vec<(String, String)> {
         let named = |(index, cell): (usize, &String)| {
             let name = self.more_columns.get(index).filter(|name| !name.trim().is_empty());
             (name.map_or_else(|| format!("column {}", index + 3), Clone::clone), cell.clone())
@@ -129,33 +121,25 @@ impl Board {
         self.rows[row].more.iter().enumerate().map(named).collect()
     }
 
-    /// Takes out the rows of other versions of the level, each with its version. A row without a version stays.
-    pub(super) fn take_other_versions(&mut self, version: Fingerprint) -> Vec<(LevelHash, Moved)> {
-        let mut taken = Vec::new();
-        for index in (0..self.rows.len()).rev() {
-            if let Some(other) = self.origin(index).version.filter(|&other| !version.is(other)) {
-                taken.push((other, self.moved(index)));
-                self.rows.remove(index);
-            }
+    /// Takes out the rows of other versions of the level. A row without a version stays.
+    pub(super) fn take_other_versions(&mut self, version: Fingerprint) -> BTreeMap<LevelHash, Self> {
+        let other = |row| self.origin(row).version.filter(|&other| !version.is(other));
+        let others: Vec<Option<LevelHash>> = (0..self.rows.len()).map(other).collect();
+        let mut taken: BTreeMap<LevelHash, Self> = BTreeMap::new();
+        for (row, other) in std::mem::take(&mut self.rows).into_iter().zip(others) {
+            let empty = || Self::new(self.more_columns.clone(), Vec::new());
+            other.map_or(&mut self.rows, |other| &mut taken.entry(other).or_insert_with(empty).rows).push(row);
         }
-        taken.reverse();
         taken
     }
 
-    pub(super) fn all_moved(&self) -> Vec<Moved> {
-        (0..self.rows.len()).map(|row| self.moved(row)).collect()
-    }
-
-    fn moved(&self, row: usize) -> Moved {
-        let BoardRow { name, score, .. } = &self.rows[row];
-        Moved { name: name.clone(), score: *score, cells: self.named_cells(row) }
-    }
-
-    /// Adds a row of another board if it is the user's best.
-    pub(super) fn merge(&mut self, Moved { name, score, cells }: &Moved) {
-        if let Ok(Placement::New { .. } | Placement::Raised { .. }) = self.place(name, *score) {
-            self.set_origin(name, &RowOrigin::default());
-            self.set_cells(name, cells);
+    /// Adds the rows of another board that are their users' best.
+    pub(super) fn merge(&mut self, other: &Self) {
+        for (index, BoardRow { name, score, .. }) in other.rows.iter().enumerate() {
+            if let Ok(Placement::New { .. } | Placement::Raised { .. }) = self.place(name, *score) {
+                self.set_origin(name, &RowOrigin::default());
+                self.set_cells(name, &other.named_cells(index));
+            }
         }
     }
 
@@ -165,9 +149,7 @@ impl Board {
     }
 
     /// Adds a row, or raises the user's own where the score is higher. The row comes behind all rows with as many points.
-    ///
-    /// # Errors
-    /// [`ScoresError::NoScore`] for a score below 1; the board stays as it is.
+    /// Errors: [`ScoresError::NoScore`] for a score below 1; the board stays as it is.
     pub fn place(&mut self, name: &Name, score: i64) -> Result<Placement, ScoresError> {
         if score < 1 {
             return Err(ScoresError::NoScore);

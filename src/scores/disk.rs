@@ -22,8 +22,7 @@ pub struct Rescue {
 }
 
 pub(super) struct ScoresChange<T> {
-    /// The whole file.
-    pub bytes: Vec<u8>,
+    pub bytes: String,
     /// The unreadable places of the old content, which the new one lacks.
     pub damage: Vec<String>,
     /// Files whose rows are in the new content: they go once that is on the disk.
@@ -51,10 +50,8 @@ impl Locked {
 }
 
 /// Changes a file of that folder, which need not exist yet: `change` gets its path and content. Equal content is not written.
-///
-/// # Errors
-/// The errors of `change`; a read-only file; one that becomes too large; a lock that another process holds longer than `patience`;
-/// the system's. The file is untouched then.
+/// Errors: the errors of `change`; a read-only file; one that becomes too large; a lock that another process holds longer than
+/// `patience`; the system's. The file is untouched then.
 pub(super) fn update<T>(
     folder: &Path,
     path: PathBuf,
@@ -68,11 +65,11 @@ pub(super) fn update<T>(
         return Err(ScoresError::Full(path));
     }
     let mut rescue = None;
-    if old.as_ref() != Some(&new) {
+    if old.as_deref() != Some(new.as_bytes()) {
         if let Some(old) = old.filter(|_| !damage.is_empty()) {
             rescue = Some(Rescue { damage, kept: keep_beside(&path, "damaged", &old)? });
         }
-        replace(&path, &new).inspect_err(|_| {
+        replace(&path, new.as_bytes()).inspect_err(|_| {
             // The damaged file is still in place: the copy is one too many.
             rescue.iter().for_each(|rescue| drop(files::remove(&rescue.kept)));
         })?;
@@ -84,9 +81,7 @@ pub(super) fn update<T>(
 
 /// Writes a file in a folder below that of the scores, over one of that name, whole or not at all. The caller holds the folder's
 /// lock.
-///
-/// # Errors
-/// A read-only file; the system's. The old file is untouched then.
+/// Errors: a read-only file; the system's. The old file is untouched then.
 pub(super) fn write_within(scores: &Path, folders: &[&str], file: &str, bytes: &[u8]) -> Result<PathBuf, ScoresError> {
     let mut folder = scores.to_owned();
     for name in folders {
@@ -100,16 +95,14 @@ pub(super) fn write_within(scores: &Path, folders: &[&str], file: &str, bytes: &
 
 /// Adds a line at the end of a file of that folder. A file without `header` at its start is renamed to `<file>.damaged-N`, which is
 /// the answer, and a fresh one begins. It does not wait for the disk: a line is not worth a frame of the game.
-///
-/// # Errors
-/// As [`update`].
 pub(super) fn append(
     folder: &Path,
     path: PathBuf,
     patience: Duration,
-    (header, line): (&[u8], &[u8]),
+    (header, line): (&str, &str),
 ) -> Result<Option<PathBuf>, ScoresError> {
     const ATTEMPT: &str = "add a line";
+    let (header, line) = (header.as_bytes(), line.as_bytes());
     let Locked { path, _lock } = Locked::new(folder, path, patience)?;
     let taken_up: Vec<(PathBuf, Vec<u8>)> = waiting(&path).into_iter().filter(|(_, bytes)| bytes.starts_with(header)).collect();
     let lines: Vec<u8> = taken_up.iter().flat_map(|(_, bytes)| &bytes[header.len()..]).chain(line).copied().collect();
@@ -131,9 +124,9 @@ pub(super) fn append(
 }
 
 /// Puts rows beside a file whose lock another program holds. The next change of the file takes them up.
-pub(super) fn put_by(folder: &Path, path: PathBuf, bytes: &[u8]) -> Result<(), ScoresError> {
+pub(super) fn put_by(folder: &Path, path: PathBuf, text: &str) -> Result<(), ScoresError> {
     files::make_folder(folder).map_err(ScoresError::file("create the scores folder", folder))?;
-    keep_beside(&behind_links(&path)?, WAITING, bytes).map(drop)
+    keep_beside(&behind_links(&path)?, WAITING, text.as_bytes()).map(drop)
 }
 
 /// The files that wait beside a file, with their bytes.
@@ -167,11 +160,7 @@ fn hidden(path: &Path, ending: &str) -> PathBuf {
 }
 
 pub(super) fn read_if_there(path: &Path) -> Result<Option<Vec<u8>>, ScoresError> {
-    match files::read(path, files::SCORES) {
-        Ok(bytes) => Ok(Some(bytes)),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-        Err(error) => Err(ScoresError::file("read the scores", path)(error)),
-    }
+    files::read_if_there(path, files::SCORES).map_err(ScoresError::file("read the scores", path))
 }
 
 /// Replaces a file of scores, or makes it for every user who may write in its folder.
@@ -185,28 +174,14 @@ fn replace(path: &Path, bytes: &[u8]) -> Result<(), ScoresError> {
 
 /// Keeps bytes beside a file under the first free number: `1.csv` and `damaged` make `1.csv.damaged-1`.
 fn keep_beside(path: &Path, ending: &str, bytes: &[u8]) -> Result<PathBuf, ScoresError> {
-    let mut number = 0_u64;
-    loop {
-        number += 1;
-        let kept = beside(path, &format!("{ending}-{number}"));
-        match files::create(&kept, bytes) {
-            Ok(()) => return Ok(kept),
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-            Err(error) => return Err(ScoresError::file("write the new scores and keep the old ones", &kept)(error)),
-        }
-    }
+    files::create_numbered(&beside(path, ending), bytes)
+        .map_err(ScoresError::file("write the new scores and keep the old ones", path))
 }
 
 /// Renames a file beside its own name, under the first free number.
 fn move_aside(path: &Path) -> Result<PathBuf, ScoresError> {
-    let mut number = 0_u64;
-    let kept = loop {
-        number += 1;
-        let kept = beside(path, &format!("damaged-{number}"));
-        if !files::is_taken(&kept) {
-            break kept;
-        }
-    };
+    let mut names = (1_u64..).map(|number| beside(path, &format!("damaged-{number}")));
+    let kept = names.find(|kept| !files::is_taken(kept)).unwrap_or_default();
     files::rename(path, &kept).map_err(ScoresError::file("keep the damaged file", path))?;
     Ok(kept)
 }

@@ -14,7 +14,6 @@ const LONGEST: u64 = MOST_SECONDS as u64 * TICK_RATE as u64;
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum Standing {
-    /// Its flight, flown again, comes to its score.
     Proven,
     /// Without a flight: older than flights are, or written by hand.
     Unproven,
@@ -23,7 +22,6 @@ pub enum Standing {
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum Doubt {
-    /// The row has an origin, but names no flight.
     Emptied,
     /// Score, most by the rules, and the record's time (s) where there is one.
     TooMuch(i64, i64, Option<f64>),

@@ -3,7 +3,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::name::Name;
-use crate::files::RowFault;
+use crate::files::CellFault;
 
 /// The most places in a report.
 pub(super) const MOST_DAMAGE: usize = 1000;
@@ -30,7 +30,7 @@ impl<'a> DamageReport<'a> {
         }
     }
 
-    pub fn fault(&mut self, line: usize, fault: RowFault) {
+    pub fn fault(&mut self, line: usize, fault: CellFault) {
         let (found, expected) = fault.words();
         self.add(line, None, found, expected);
     }
@@ -93,15 +93,6 @@ impl fmt::Display for ScoresError {
                 write!(f, "{}: the file is full, expected one that stays below {} bytes", path.display(), crate::files::SCORES)
             }
             Self::File { attempt, path, source } => write!(f, "{}: cannot {attempt}: {source}", path.display()),
-        }
-    }
-}
-
-impl std::error::Error for ScoresError {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        match self {
-            Self::NoScore | Self::LevelName(_) | Self::ReadOnly(_) | Self::Busy(_) | Self::Full(_) => None,
-            Self::File { source, .. } => Some(source),
         }
     }
 }

@@ -60,9 +60,7 @@ impl Scores {
     }
 
     /// Reads a leaderboard and changes nothing. A missing file is an empty board.
-    ///
-    /// # Errors
-    /// A level name that cannot name a file; a file that cannot be read at all.
+    /// Errors: a level name that cannot name a file; a file that cannot be read at all.
     pub fn load(&self, level: &str) -> Result<LoadedBoard, ScoresError> {
         let path = self.path(level)?;
         let (board, damage) = table::read(&path, &disk::read_if_there(&path)?.unwrap_or_default());
@@ -75,7 +73,7 @@ impl Scores {
         let version = version.into();
         let mut loaded = self.load(level)?;
         let mut others = self.versions_aside(level);
-        others.extend(loaded.board.take_other_versions(version).into_iter().map(|(other, _)| other));
+        others.extend(loaded.board.take_other_versions(version).into_keys());
         others.retain(|&other| !version.is(other));
         others.sort_unstable();
         others.dedup();
@@ -86,10 +84,8 @@ impl Scores {
 
     /// Saves a score; the file is on disk, whole, when this returns. It waits up to [`PATIENCE`] for another process. A damaged
     /// file is kept as `<level>.csv.damaged-N`.
-    ///
-    /// # Errors
-    /// A score below 1; a level name that cannot name a file; a read-only file; a board that is too large; a lock that another
-    /// process keeps ([`ScoresError::Busy`]: a later try may succeed); the system's. The old file is untouched then.
+    /// Errors: a score below 1; a level name that cannot name a file; a read-only file; a board that is too large; a lock that
+    /// another process keeps ([`ScoresError::Busy`]: a later try may succeed); the system's. The old file is untouched then.
     pub fn save(&self, level: &str, name: &Name, score: i64) -> Result<Saved, ScoresError> {
         self.save_within(PATIENCE, level, Score { name, points: score, flight: None, version: None })
     }
@@ -118,8 +114,7 @@ impl Scores {
                 }
                 board.set_origin(name, &origin);
             }
-            let bytes = table::write(&board).map_err(ScoresError::file("write the new scores", path))?;
-            Ok(ScoresChange { bytes, damage, taken_up: Vec::new(), outcome: (board, placement) })
+            Ok(ScoresChange { bytes: table::write(&board), damage, taken_up: Vec::new(), outcome: (board, placement) })
         })?;
         Ok(Saved { board, placement, rescue })
     }
@@ -157,17 +152,13 @@ impl Scores {
 
     /// Moves rows of other versions to their boards. They are on disk there before they leave this one.
     fn put_aside(&self, board: &mut Board, level: &str, version: Fingerprint, patience: Duration) -> Result<(), ScoresError> {
-        let mut taken = board.take_other_versions(version);
-        while let Some(&(other, _)) = taken.first() {
-            let (rows, rest) = taken.into_iter().partition::<Vec<_>, _>(|(version, _)| *version == other);
-            taken = rest;
+        for (other, rows) in board.take_other_versions(version) {
             let folder = self.folder.join(ASIDE);
             files::make_shared_folder(&folder).map_err(ScoresError::file("create the folder", &folder))?;
             disk::update(&folder, self.aside(level, other), patience, |path, old| {
                 let (mut aside, damage) = table::read(path, old);
-                rows.iter().for_each(|(_, row)| aside.merge(row));
-                let bytes = table::write(&aside).map_err(ScoresError::file("write the scores kept aside", path))?;
-                Ok(ScoresChange { bytes, damage, taken_up: Vec::new(), outcome: () })
+                aside.merge(&rows);
+                Ok(ScoresChange { bytes: table::write(&aside), damage, taken_up: Vec::new(), outcome: () })
             })?;
         }
         Ok(())
@@ -178,25 +169,20 @@ impl Scores {
         for hash in version.hashes() {
             let path = self.aside(level, hash);
             if let Some(bytes) = disk::read_if_there(&path)? {
-                table::read(&path, &bytes).0.all_moved().iter().for_each(|row| board.merge(row));
+                board.merge(&table::read(&path, &bytes).0);
             }
         }
         Ok(())
     }
 
     /// The players, and the unreadable places. Without a file there are no players.
-    ///
-    /// # Errors
-    /// A file that cannot be read at all.
+    /// Errors: a file that cannot be read at all.
     pub fn players(&self) -> Result<(Players, Vec<String>), ScoresError> {
         let path = self.folder.join(PLAYERS);
         Ok(players::read(&path, &disk::read_if_there(&path)?.unwrap_or_default()))
     }
 
     /// Saves deeds; rows that other processes have written meanwhile stay. The answer is what is on disk, whole.
-    ///
-    /// # Errors
-    /// As [`Scores::save`].
     pub fn record_within(&self, patience: Duration, deeds: &[Deed]) -> Result<(Players, Option<Rescue>), ScoresError> {
         disk::update(&self.folder, self.folder.join(PLAYERS), patience, |path, old| {
             let (mut players, damage) = players::read(path, old);
@@ -210,16 +196,13 @@ impl Scores {
                 }
             }
             deeds.iter().for_each(|deed| players.apply(deed));
-            let bytes = players::write(&players).map_err(ScoresError::file("write the new scores", path))?;
-            Ok(ScoresChange { bytes, damage, taken_up, outcome: players })
+            Ok(ScoresChange { bytes: players::write(&players), damage, taken_up, outcome: players })
         })
     }
 
     /// Adds an attempt. A file that is no list of attempts is renamed; the answer is its new path.
     pub fn append_within(&self, patience: Duration, attempt: &AttemptRow) -> Result<Option<PathBuf>, ScoresError> {
-        let path = self.folder.join(ATTEMPTS);
-        let row = attempts::line(attempt).map_err(ScoresError::file("write the attempt", &path))?;
-        disk::append(&self.folder, path, patience, (attempts::HEADER.as_bytes(), &row))
+        disk::append(&self.folder, self.folder.join(ATTEMPTS), patience, (attempts::HEADER, &attempts::line(attempt)))
     }
 
     /// Puts deeds and attempts aside while another program holds the locks: the next sitting takes them up.
@@ -227,18 +210,13 @@ impl Scores {
         let mut players = Players::default();
         deeds.iter().for_each(|deed| players.apply(deed));
         if !players.all().is_empty() {
-            let path = self.folder.join(PLAYERS);
-            let bytes = players::write(&players).map_err(ScoresError::file("write the new scores", &path))?;
-            disk::put_by(&self.folder, path, &bytes)?;
+            disk::put_by(&self.folder, self.folder.join(PLAYERS), &players::write(&players))?;
         }
-        let (path, mut bytes) = (self.folder.join(ATTEMPTS), Vec::new());
-        for attempt in attempts {
-            bytes.extend(attempts::line(&attempt).map_err(ScoresError::file("write the attempt", &path))?);
-        }
-        if bytes.is_empty() {
+        let lines: String = attempts.into_iter().map(|attempt| attempts::line(&attempt)).collect();
+        if lines.is_empty() {
             return Ok(());
         }
-        disk::put_by(&self.folder, path, &[attempts::HEADER.as_bytes(), &bytes].concat())
+        disk::put_by(&self.folder, self.folder.join(ATTEMPTS), &(attempts::HEADER.to_owned() + &lines))
     }
 
     /// Takes up what earlier sittings have put aside; after an error it stays there.
@@ -248,7 +226,7 @@ impl Scores {
             self.record_within(patience, &[])?;
         }
         if !disk::waiting(&attempts).is_empty() {
-            disk::append(&self.folder, attempts, patience, (attempts::HEADER.as_bytes(), b""))?;
+            disk::append(&self.folder, attempts, patience, (attempts::HEADER, ""))?;
         }
         Ok(())
     }

@@ -1,7 +1,5 @@
-use std::fmt;
-use std::str::FromStr;
-
 use serde::Serialize;
+use std::fmt;
 
 /// Characters.
 pub const NAME_MAX: usize = 15;
@@ -59,14 +57,6 @@ impl Name {
     }
 }
 
-impl FromStr for Name {
-    type Err = NameError;
-
-    fn from_str(text: &str) -> Result<Self, NameError> {
-        Self::new(text)
-    }
-}
-
 impl fmt::Display for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(&self.0)
@@ -85,8 +75,6 @@ impl fmt::Display for NameError {
         }
     }
 }
-
-impl std::error::Error for NameError {}
 
 /// A character in quotation marks, or its number where it is invisible.
 fn shown(character: char) -> String {

@@ -4,13 +4,12 @@
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
-use std::io;
 use std::path::Path;
 
 use super::board::{Board, BoardRow};
 use super::error::DamageReport;
 use super::name::Name;
-use crate::files::{CsvFile, CsvRow};
+use crate::files::{CsvFile, CsvRow, csv_line};
 
 const FILE: CsvFile<'_> = CsvFile { name: "", columns: &["name", "score"], comments: false };
 
@@ -25,14 +24,10 @@ pub fn read(path: &Path, bytes: &[u8]) -> (Board, Vec<String>) {
 }
 
 /// With a header, sorted, LF.
-pub fn write(board: &Board) -> io::Result<Vec<u8>> {
-    // The further columns are not in the row's type: the header is written apart.
-    let mut writer = csv::WriterBuilder::new().flexible(true).has_headers(false).from_writer(Vec::new());
-    writer.write_record(FILE.columns.iter().copied().chain(board.more_columns().iter().map(String::as_str)))?;
-    for row in board.rows() {
-        writer.serialize(row)?;
-    }
-    writer.into_inner().map_err(|error| error.into_error())
+pub fn write(board: &Board) -> String {
+    let line = |first: [&str; 2], more: &[String]| csv_line(first.into_iter().chain(more.iter().map(String::as_str)));
+    let rows = board.rows().iter().map(|row| line([row.name.as_str(), &row.score.to_string()], &row.more));
+    line(["name", "score"], board.more_columns()) + &rows.collect::<String>()
 }
 
 struct BoardReading<'a> {
@@ -47,12 +42,13 @@ impl BoardReading<'_> {
     /// The `first` row may be the header.
     fn take(&mut self, row: &CsvRow<'_>, first: bool) {
         let line = row.line;
-        let cells = match &row.cells {
-            Ok(cells) if cells.len() >= FILE.columns.len() => cells,
-            Ok(_) => return self.damage.add(line, None, "1 cell", "at least 2: name,score"),
-            Err(fault) => return self.damage.fault(line, *fault),
-        };
-        let more: Vec<String> = cells.iter().skip(FILE.columns.len()).map(str::to_owned).collect();
+        if let Some(fault) = row.fault() {
+            return self.damage.fault(line, fault);
+        }
+        if row.cells.len() < FILE.columns.len() {
+            return self.damage.add(line, None, "1 cell", "at least 2: name,score");
+        }
+        let more: Vec<String> = row.cells.iter().skip(FILE.columns.len()).map(|cell| cell.text.clone()).collect();
         // Both names count: a user may be called "name".
         if first && row.is_header(FILE.columns.len()) {
             self.more_columns = more;
@@ -69,7 +65,6 @@ impl BoardReading<'_> {
         }
     }
 
-    /// Of two rows with one name the better stays.
     fn row(&mut self, line: usize, row: BoardRow) {
         match self.lines.entry(row.name.clone()) {
             Entry::Vacant(place) => {
@@ -140,10 +135,10 @@ mod tests {
         assert_eq!(board.more_columns(), ["class", "note"]);
         assert_eq!(board.rows()[0].more, ["7b", "said \"hi\",\nthen left"]);
         assert_eq!(board.rows()[2].more, [" 7a ", "", "5\" tall"]);
-        let written = write(&board).unwrap();
-        assert_eq!(read(Path::new("1.csv"), &written).0, board);
+        let written = write(&board);
+        assert_eq!(read(Path::new("1.csv"), written.as_bytes()).0, board);
         assert_eq!(
-            String::from_utf8(written).unwrap(),
+            written,
             "name,score,class,note\nann,30,7b,\"said \"\"hi\"\",\nthen left\"\nbob,20\ncid,10, 7a ,,\"5\"\" tall\"\n"
         );
     }
@@ -168,8 +163,8 @@ mod tests {
             ),
             (",5", "1.csv:3: column \"name\": \"\", expected a user name: The name is empty: type 1 to 15 characters."),
             ("ann,5", "1.csv:3: column \"name\": \"ann\" again, after line 2, expected one row a user: the higher score counts"),
-            ("\"bob,5", "1.csv:3: a quotation mark that is never closed, expected a second one at the end of its cell"),
-            ("bob,5,\"x", "1.csv:3: a quotation mark that is never closed, expected a second one at the end of its cell"),
+            ("\"bob,5", "1.csv:3: a quote that is never closed, expected a closing quote"),
+            ("bob,5,\"x", "1.csv:3: a quote that is never closed, expected a closing quote"),
         ] {
             let (rows, damage) = reading(format!("name,score\nann,30\n{line}\ncid,20\n"));
             assert_eq!(damage, [report], "{line}");
@@ -202,7 +197,13 @@ mod tests {
     fn bytes_that_are_no_text_spoil_their_own_line_only() {
         let (rows, damage) = reading(b"ann,30\nb\xFFb,20\ncid,10\n\0\0\0\0");
         assert_eq!(rows, ["ann,30", "cid,10"]);
-        assert_eq!(damage, ["1.csv:2: bytes that are no text, expected UTF-8", "1.csv:4: 1 cell, expected at least 2: name,score"]);
+        assert_eq!(
+            damage,
+            [
+                "1.csv:2: letters that are not UTF-8, expected a file saved as UTF-8",
+                "1.csv:4: 1 cell, expected at least 2: name,score"
+            ]
+        );
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use super::folder_watch::FolderWatch;
 use super::lab::{Experiment, Shown};
 use crate::classics::tile_run::{Command, InputError, Map};
-use crate::files::{self, CHART, TILE_COMMANDS, TILE_MAP, read_text};
+use crate::files::{self, CHART, CsvFile, CsvRow, TILE_COMMANDS, TILE_MAP, read_text};
 use crate::lab::charts::Charts;
 use crate::lab::kept;
 use crate::level::{self, Level};
@@ -123,13 +123,17 @@ impl Library {
         let folder = self.root.join(EXPERIMENTS);
         let list = format!("{EXPERIMENTS}/experiments.csv");
         let text = read_text(&folder.join("experiments.csv"), files::LEVEL_TABLE).map_err(|error| format!("{list}: {error}"))?;
-        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
-        let named = |row: Result<Experiment, csv::Error>| {
-            let experiment = row.map_err(|error| format!("{list}: {error}"))?;
-            let title = level::title(&folder.join(&experiment.folder)).unwrap_or_else(|| experiment.folder.clone());
-            Ok(Experiment { title, ..experiment })
+        let file = CsvFile { name: &list, columns: &["folder", "question", "vary", "answer"], comments: true };
+        let experiment = |row: CsvRow<'_>| {
+            if row.fault().is_some() || row.used() != file.columns.len() {
+                return Err(row.row_problem(format_args!("{:?}", row.joined()), file.header()));
+            }
+            let [folder_name, question, vary, answer] =
+                ["folder", "question", "vary", "answer"].map(|column| row.get(column).to_owned());
+            let title = level::title(&folder.join(&folder_name)).unwrap_or_else(|| folder_name.clone());
+            Ok(Experiment { folder: folder_name, question, vary, answer, title })
         };
-        reader.deserialize().map(named).collect()
+        file.rows(text.as_bytes()).filter(|row| !row.is_header(file.columns.len())).map(experiment).collect()
     }
 
     /// The folder of an experiment.

@@ -4,7 +4,7 @@
 use super::item::Item;
 use super::keys::{Action, Key};
 use super::values::Settings;
-use crate::files::{self, CsvFile, CsvRow, Lock, PATIENCE, SETTINGS, Symlinks};
+use crate::files::{self, CsvFile, CsvRow, Lock, PATIENCE, SETTINGS, Symlinks, csv_line};
 use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -93,10 +93,11 @@ pub fn read(text: &str, player: &str) -> (Settings, Vec<String>) {
 }
 
 fn set(row: &CsvRow<'_>, settings: &mut Settings) -> Result<(), String> {
-    match &row.cells {
-        Err(fault) => return Err(row.row_problem(fault.words().0, FILE.header())),
-        Ok(cells) if cells.len() < LEAST_CELLS => return Err(row.row_problem(format_args!("{:?}", row.joined()), FILE.header())),
-        Ok(_) => {}
+    if let Some(fault) = row.fault() {
+        return Err(row.row_problem(fault.words().0, FILE.header()));
+    }
+    if row.cells.len() < LEAST_CELLS {
+        return Err(row.row_problem(format_args!("{:?}", row.joined()), FILE.header()));
     }
     let (setting, value) = (row.get("setting"), row.get("value"));
     let Some(target) = SettingRow::named(setting) else {
@@ -108,7 +109,7 @@ fn set(row: &CsvRow<'_>, settings: &mut Settings) -> Result<(), String> {
 }
 
 /// `text` with the settings of a player.
-fn merged(text: &str, player: &str, settings: &Settings) -> io::Result<String> {
+fn merged(text: &str, player: &str, settings: &Settings) -> String {
     let stale = |row: &CsvRow<'_>| {
         let target = SettingRow::named(row.get("setting"));
         target.is_some_and(|target| row.get("player") == target.owner(player)) && set(row, &mut Settings::default()).is_ok()
@@ -125,12 +126,8 @@ fn merged(text: &str, player: &str, settings: &Settings) -> io::Result<String> {
         }
     }
     let header = if headed { String::new() } else { FILE.header() + "\n" };
-    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-    for target in SettingRow::all() {
-        writer.write_record([target.setting(), &target.written(settings), target.owner(player)])?;
-    }
-    let fresh = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
-    Ok(header + &lines + &String::from_utf8_lossy(&fresh))
+    let fresh = SettingRow::all().map(|target| csv_line([target.setting(), &target.written(settings), target.owner(player)]));
+    header + &lines + &fresh.collect::<String>()
 }
 
 /// From a failed write to the next try, s.
@@ -163,9 +160,8 @@ impl SettingsFile {
     /// The settings for a player (`""` for the rows of everyone), and the file's faults, a line each. Without a file they are the
     /// defaults.
     pub fn load(&self, player: &str) -> (Settings, Vec<String>) {
-        match files::read_text(&self.path, SETTINGS) {
-            Ok(text) => read(&text, player),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => Default::default(),
+        match files::text_if_there(&self.path, SETTINGS) {
+            Ok(text) => read(&text.unwrap_or_default(), player),
             Err(error) => (Settings::default(), vec![format!("settings.csv: {error}")]),
         }
     }
@@ -202,10 +198,8 @@ impl SettingsFile {
     }
 
     /// Replaces the file, whole.
-    ///
-    /// # Errors
-    /// The system's, with the path; [`io::ErrorKind::WouldBlock`] where another program holds the lock longer than `patience`. The
-    /// old file is untouched then.
+    /// Errors: the system's, with the path; [`io::ErrorKind::WouldBlock`] where another program holds the lock longer than
+    /// `patience`. The old file is untouched then.
     pub fn save(&self, player: &str, settings: &Settings, patience: Duration) -> io::Result<()> {
         self.replace(player, settings, patience).map_err(|error| {
             let why = match error.kind() {
@@ -221,12 +215,8 @@ impl SettingsFile {
         let path = files::behind_links(&self.path)?;
         // Neither of two games that save at once loses the other's rows.
         let _lock = Lock::wait(&path.with_file_name(".settings.csv.lock"), patience)?;
-        let text = match files::read_text(&path, SETTINGS) {
-            Ok(text) => text,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
-            Err(error) => return Err(error),
-        };
-        files::replace(&path, merged(&text, player, settings)?.as_bytes(), Symlinks::Followed)
+        let text = files::text_if_there(&path, SETTINGS)?.unwrap_or_default();
+        files::replace(&path, merged(&text, player, settings).as_bytes(), Symlinks::Followed)
     }
 }
 
@@ -271,7 +261,7 @@ mod tests {
         );
         assert!(problems[2].starts_with("settings.csv:7: column \"value\" of key_thrust: found \"A B C\""));
         assert_eq!(problems[3], "settings.csv:8: found \"music\", expected setting,value,player");
-        let merged = merged(text, "", &settings).unwrap();
+        let merged = merged(text, "", &settings);
         for line in ["# quiet please", "loudness,3", "shake,lots", "key_thrust,A B C,ann", "music"] {
             assert!(merged.lines().any(|kept| kept.trim() == line), "{line} is kept");
         }

@@ -12,7 +12,7 @@ fn levels_are_listed_in_numeric_order_on_cards_that_fill_the_page() {
     sitting.choose("Level Select").rest();
     let names = sitting.level_names();
     assert_eq!(names, ["1", "2", "3", "10", "broken"]);
-    let cards = names.iter().map(|name| sitting.area(*name)).collect::<Vec<_>>();
+    let cards = names.iter().map(|name| sitting.area(name)).collect::<Vec<_>>();
     let share = cards.iter().map(|card| card.size.element_product()).sum::<f32>() / (1280.0 * 720.0);
     assert!(share > 0.5, "five cards fill {share} of the window");
     assert!(cards.iter().all(|card| card.size == cards[0].size));

@@ -37,12 +37,12 @@ pub fn parse(file: &str, text: &str) -> Result<Vec<Climb>, String> {
     let columns = CsvFile { name: file, columns: &HEADER, comments: true };
     let mut rows = columns.rows(text.as_bytes());
     let header = rows.next().ok_or_else(|| format!("{file}:1: found \"\", expected the header {}", columns.header()))?;
-    if !header.is_header(ONE_PLAYER) || !matches!(header.len(), ONE_PLAYER | BOTH_PLAYERS) {
+    if !header.is_header(ONE_PLAYER) || !matches!(header.used(), ONE_PLAYER | BOTH_PLAYERS) {
         return Err(header.row_problem(format_args!("{:?}", header.joined()), format_args!("the header {}", columns.header())));
     }
     let mut total = 0;
     let climbs = rows.map(|row| {
-        let climb = climb(&row, header.len())?;
+        let climb = climb(&row, header.used())?;
         total += climb.ticks;
         if total > MOST_TICKS {
             return Err(row.row_problem(format_args!("{total} ticks up to here"), format_args!("at most {MOST_TICKS} in all")));
@@ -53,8 +53,8 @@ pub fn parse(file: &str, text: &str) -> Result<Vec<Climb>, String> {
 }
 
 fn climb(row: &CsvRow<'_>, columns: usize) -> Result<Climb, String> {
-    if row.len() != columns {
-        return Err(row.row_problem(format_args!("{} cells", row.len()), columns));
+    if row.used() != columns {
+        return Err(row.row_problem(format_args!("{} cells", row.used()), columns));
     }
     let expected = format!("a whole number from 1 to {MOST_TICKS}");
     let ticks = row.parse("ticks", &expected, |ticks| (1..=MOST_TICKS).contains(ticks))?;

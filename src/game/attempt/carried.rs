@@ -13,9 +13,7 @@ const TOUCH: f64 = 1e-4;
 impl Game {
     /// Goes on in a level that differs from its own in numbers alone (see [`varied`](crate::level::varied)): every body keeps its
     /// state.
-    ///
-    /// # Errors
-    /// A level that the engine refuses, or that has other bodies or surfaces; nothing has changed then.
+    /// Errors: a level that the engine refuses, or that has other bodies or surfaces; nothing has changed then.
     pub fn go_on_in(&mut self, level: Arc<Level>) -> Result<(), GameError> {
         self.world.go_on_by(level.world_def()).map_err(GameError::World)?;
         self.level = level;

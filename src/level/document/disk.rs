@@ -25,8 +25,6 @@ const ASSETS: &str = "assets";
 const ASSETS_DEPTH: u32 = 3;
 /// The most pictures that are offered, and the most entries of one folder.
 const MOST_PICTURES: usize = 1000;
-/// The most copies of one file beside it.
-const MOST_COPIES: u32 = 10_000;
 
 #[derive(Clone, Debug)]
 pub struct LevelFolder {
@@ -79,9 +77,7 @@ impl fmt::Display for SaveError {
 
 impl LevelFolder {
     /// Images are looked up in `folder`, then under `project`. A level that the loader refuses can be opened.
-    ///
-    /// # Errors
-    /// An unreadable file, in words.
+    /// Errors: an unreadable file, in words.
     pub fn open(folder: &Path, project: &Path) -> Result<Opened, String> {
         Self::open_at(folder, project, EditorDesk::alone)
     }
@@ -154,9 +150,6 @@ impl LevelFolder {
     }
 
     /// Loads the document from memory.
-    ///
-    /// # Errors
-    /// As [`load`](crate::level::load).
     pub fn check(&self, document: &Document) -> Result<Loaded, Vec<Problem>> {
         let disk = self.disk();
         load_from(&disk, &document.over(&disk), read)
@@ -202,9 +195,7 @@ impl LevelFolder {
 
     /// Keeps one side's files where both have written; a copy of the other side's is left beside each, and is one undo away. Returns the names
     /// of the copies.
-    ///
-    /// # Errors
-    /// A copy that cannot be written, in words; the document stays.
+    /// Errors: a copy that cannot be written, in words; the document stays.
     pub fn settle(&mut self, document: &mut Document, side: KeptSide) -> Result<Vec<String>, String> {
         self.take_over(document);
         let (both, mut copies) = (self.changed(), Vec::new());
@@ -217,7 +208,8 @@ impl LevelFolder {
             };
             if let Some(left) = left {
                 let stem = format!("{}.{word}", table.file());
-                copies.push(self.copy_beside(&stem, left).map_err(|error| format!("{stem}: {error}"))?);
+                let copy = files::create_numbered(&self.folder.join(&stem), left).map_err(|error| format!("{stem}: {error}"))?;
+                copies.extend(copy.file_name().map(|name| name.to_string_lossy().into_owned()));
             }
         }
         let [mine, theirs] = files;
@@ -229,23 +221,8 @@ impl LevelFolder {
         Ok(copies)
     }
 
-    /// Writes a new file into the folder. Returns its name, which ends with the first free number.
-    fn copy_beside(&self, stem: &str, bytes: &[u8]) -> io::Result<String> {
-        for number in 1..=MOST_COPIES {
-            let name = format!("{stem}-{number}");
-            match files::create(&self.folder.join(&name), bytes) {
-                Ok(()) => return Ok(name),
-                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-                Err(error) => return Err(error),
-            }
-        }
-        Err(io::ErrorKind::AlreadyExists.into())
-    }
-
     /// Writes every file that has changed.
-    ///
-    /// # Errors
-    /// See [`SaveError`]; no edit is lost.
+    /// Errors: see [`SaveError`]; no edit is lost.
     pub fn save(&mut self, document: &Document) -> Result<(), SaveError> {
         let changed: Vec<Table> = Table::ALL.iter().copied().filter(|table| self.is_edited(*table, document)).collect();
         let theirs: Vec<Table> =
@@ -269,9 +246,7 @@ impl LevelFolder {
     }
 
     /// Keeps unsaved edits beside the files, in case the program ends without a save.
-    ///
-    /// # Errors
-    /// The error of the system.
+    /// Errors: the error of the system.
     pub fn keep(&self, document: &Document) -> io::Result<()> {
         if self.is_unsaved(document) {
             return self.write_kept(document, false);
@@ -280,7 +255,6 @@ impl LevelFolder {
         Ok(())
     }
 
-    /// Throws the kept edits away.
     pub fn forget(&self) {
         // There may be none.
         let _ = files::remove(&self.desk.kept);
@@ -293,11 +267,7 @@ impl LevelFolder {
 }
 
 fn read_table(folder: &Path, table: Table) -> io::Result<Option<Vec<u8>>> {
-    match files::read(&folder.join(table.file()), files::LEVEL_TABLE) {
-        Ok(bytes) => Ok(Some(bytes)),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-        Err(error) => Err(error),
-    }
+    files::read_if_there(&folder.join(table.file()), files::LEVEL_TABLE)
 }
 
 /// The pictures in a folder and its folders down to that depth, in order, each as a path that begins with `before`.

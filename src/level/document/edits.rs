@@ -8,9 +8,7 @@ use crate::physics::DVec2;
 
 impl Document {
     /// Operations of one gesture are undone together. Switches follow the change of a name that they work.
-    ///
-    /// # Errors
-    /// A file or row that cannot be read as a table, in words; the document stays.
+    /// Errors: a file or row that cannot be read as a table, in words; the document stays.
     pub fn set(&mut self, cells: &[SetCell], gesture: Option<u64>) -> Result<(), String> {
         let mut files = Vec::new();
         let cells: Vec<SetCell> = cells.iter().cloned().chain(self.renamed(cells, gesture)).collect();
@@ -29,9 +27,6 @@ impl Document {
     }
 
     /// Adds rows below all others of their files, and makes missing files. Returns the new rows.
-    ///
-    /// # Errors
-    /// As [`Document::set`].
     pub fn add(&mut self, rows: &[NewRow]) -> Result<Vec<RowId>, String> {
         let (mut files, mut added) = (Vec::new(), Vec::new());
         for sheet in &self.sheets {
@@ -48,8 +43,7 @@ impl Document {
         Ok(added)
     }
 
-    /// # Errors
-    /// As [`Document::set`].
+    /// Errors: as [`Document::set`].
     pub fn put(&mut self, kind: Kind, place: Place) -> Result<Option<RowId>, String> {
         let mut cells: Vec<(&'static str, String)> =
             kind.schema().fresh.iter().map(|(column, text)| (*column, (*text).to_owned())).collect();
@@ -61,7 +55,7 @@ impl Document {
             Kind::Text => cells.push(("size", number(size.y))),
             _ => {
                 if kind == Kind::Stream {
-                    size.y = size.y.min(kind.usual_size().1);
+                    size.y = size.y.min(kind.schema().usual_size.1);
                     cells.push(("stream_height", number(-(8.0 * size.y).max(100.0))));
                 }
                 cells.extend([("width", number(size.x)), ("height", number(size.y))]);
@@ -77,9 +71,6 @@ impl Document {
     }
 
     /// Copies rows, moved by `by` pixels. Returns the new rows.
-    ///
-    /// # Errors
-    /// As [`Document::set`].
     pub fn duplicate(&mut self, rows: &[RowId], by: DVec2) -> Result<Vec<RowId>, String> {
         let mut new = Vec::new();
         for row in rows {
@@ -89,16 +80,13 @@ impl Document {
                 let shifted = moved.iter().find(|cell| cell.column == column).map(|cell| cell.text.clone());
                 shifted.or_else(|| self.cell(*row, column).map(str::to_owned))
             };
-            let cells = kind.columns().iter().filter_map(|column| Some((column.name, text(column.name)?))).collect();
+            let cells = kind.schema().columns.iter().filter_map(|column| Some((column.name, text(column.name)?))).collect();
             new.push(NewRow { kind, cells });
         }
         self.add(&new)
     }
 
     /// Takes rows out, with their lines.
-    ///
-    /// # Errors
-    /// As [`Document::set`].
     pub fn remove(&mut self, rows: &[RowId]) -> Result<(), String> {
         let mut files = Vec::new();
         for sheet in &self.sheets {
@@ -114,9 +102,6 @@ impl Document {
     }
 
     /// An empty text clears the setting.
-    ///
-    /// # Errors
-    /// As [`Document::set`].
     pub fn set_setting(&mut self, name: &'static str, text: &str, gesture: Option<u64>) -> Result<(), String> {
         match self.setting_row(name) {
             Some(row) => self.set(&[SetCell { row, column: "value", text: text.to_owned() }], gesture),

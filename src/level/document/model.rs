@@ -75,7 +75,6 @@ impl Document {
         self.measure_all();
     }
 
-    /// The pictures of cells without a known size.
     pub fn unknown_pictures(&self) -> Vec<String> {
         let rows = Table::ALL.iter().filter(|table| table.has(Column::is_picture)).flat_map(|table| self.rows(*table));
         let names = rows.filter_map(|row| self.cell(row, "image")).filter(|name| !name.contains(':') && !name.is_empty());

@@ -1,7 +1,7 @@
 //! One CSV file, byte for byte as its author wrote it, and edits, which replace the bytes of their cells and rows and no others. Rows, cells
 //! and columns are the loader's.
 
-use crate::level::cells::{self, Cell, CellFault, SpannedRow};
+use crate::files::{Cell, CellFault, SpannedRow, csv_rows, encoded};
 use crate::level::schema::{Column, RowSchema, Table};
 use crate::level::table::{self, Columns, HeaderPlan, all_columns};
 use std::ops::Range;
@@ -34,7 +34,7 @@ pub(super) struct EditedFile {
 impl EditedFile {
     pub fn new(table: Table, bytes: Option<Vec<u8>>) -> Self {
         let (exists, bytes) = (bytes.is_some(), bytes.unwrap_or_default());
-        let rows = cells::rows(&bytes);
+        let rows: Vec<SpannedRow> = csv_rows(&bytes, true).collect();
         let is_text = |cell: &Cell| !matches!(cell.fault, Some(CellFault::Utf16 | CellFault::Workbook));
         let whole = std::str::from_utf8(&bytes).is_ok() && rows.iter().flat_map(|row| &row.cells).all(is_text);
         let plan = if whole { table::plan(table.rows(), &rows, &mut Vec::new()).ok() } else { None };
@@ -100,24 +100,24 @@ impl EditedFile {
                     added[beyond] = Some(edit.text.trim());
                     continue;
                 };
-                if cell.text.trim() == edit.text.trim() {
+                let text = edit.text.trim();
+                if cell.text.trim() == text {
                     continue;
                 }
                 let quoted = self.bytes[cell.span.clone()].first() == Some(&b'"');
-                splices.push((cell.span.clone(), encoded(edit.text.trim(), quoted, index == 0)));
+                splices.push((cell.span.clone(), encoded(text, quoted || is_comment(text, index == 0))));
             }
             while added.last().is_some_and(|text| text.is_none_or(str::is_empty)) {
                 added.pop();
             }
             if let (false, Some(last)) = (added.is_empty(), row.cells.last()) {
-                let new: String = added.iter().map(|text| ",".to_owned() + &encoded(text.unwrap_or(""), false, false)).collect();
+                let new: String = added.iter().map(|text| ",".to_owned() + &encoded(text.unwrap_or(""), false)).collect();
                 splices.push((last.span.end..last.span.end, new));
             }
         }
         Ok(self.spliced(splices))
     }
 
-    /// Adds the missing columns to the header.
     fn widen(&self, columns: &mut Columns, edits: &[CellEdit]) -> Result<Option<Splice>, String> {
         let headers = self.plan.as_ref().map_or(0, |plan| plan.headers);
         let header = self.rows.first().filter(|_| headers > 0);
@@ -220,16 +220,14 @@ fn line(columns: &[Option<&Column>], cells: &[(&'static str, String)]) -> String
     while texts.len() > least && texts.last().is_some_and(|text| text.is_empty()) {
         texts.pop();
     }
-    texts.iter().enumerate().map(|(i, text)| encoded(text, false, i == 0)).collect::<Vec<_>>().join(",")
+    texts.iter().enumerate().map(|(i, text)| encoded(text, is_comment(text, i == 0))).collect::<Vec<_>>().join(",")
 }
 
 fn position(columns: &[Option<&Column>], name: &str) -> Option<usize> {
     columns.iter().position(|column| column.is_some_and(|column| column.name == name))
 }
 
-/// A text as a cell: in quotes where they are needed, or where it had quotes before.
-fn encoded(text: &str, quoted: bool, first: bool) -> String {
-    // A leading quote would make a quoted cell, a leading # a comment.
-    let needed = text.contains([',', '"', '\n', '\r']) || (first && text.starts_with('#'));
-    if quoted || needed { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+/// A leading `#` in a row's first cell would make a comment.
+fn is_comment(text: &str, first: bool) -> bool {
+    first && text.starts_with('#')
 }

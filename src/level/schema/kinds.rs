@@ -120,18 +120,9 @@ impl Kind {
         table.kinds().iter().find(is).copied()
     }
 
-    pub const fn columns(self) -> &'static [Column] {
-        self.schema().columns
-    }
-
     /// Whether its x and y are those of its centre.
     pub const fn by_centre(self) -> bool {
         self.schema().by_centre
-    }
-
-    /// Width and height of a new one that is put down by a click, pixels.
-    pub const fn usual_size(self) -> (f64, f64) {
-        self.schema().usual_size
     }
 }
 

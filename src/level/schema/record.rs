@@ -1,7 +1,7 @@
 //! A row whose cells have found their columns, and the state that all readers of rows share.
 
 use super::facts::{Holds, RowSchema};
-use crate::level::cells::Cell;
+use crate::files::Cell;
 use crate::level::image::Images;
 use crate::level::numbers::PixelScale;
 use crate::level::problem::{Problem, quoted};

@@ -12,7 +12,6 @@ use crate::view::theme;
 const WIDTH: f32 = 640.0;
 const LETTER: f32 = 0.5;
 
-/// A question.
 #[derive(Clone, Debug)]
 pub enum Ask {
     /// Edits were found that were not saved before the program ended.

@@ -13,7 +13,6 @@ use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
 use std::sync::Arc;
 
-/// Each command with the name of its key.
 const COMMANDS: [(&str, &str); 9] = [
     ("Back", "Esc"),
     ("Save", "Ctrl S"),
@@ -25,7 +24,6 @@ const COMMANDS: [(&str, &str); 9] = [
     ("All", "F"),
     ("Fly", "F5"),
 ];
-/// How many of them stand at the left.
 const AT_LEFT: usize = 8;
 
 impl Editor {
@@ -62,7 +60,6 @@ impl Editor {
         canvas.text(key, line(0.27), Style::new(DETAILS, theme::quiet()).centred().middle().mono());
     }
 
-    /// The level's name, between the two groups of commands.
     fn draw_name(&self, canvas: &Canvas, (from, to): (f32, f32), pass: &mut EditorPass) {
         let unsaved = self.is_unsaved();
         let name = if unsaved { format!("{} · not saved", self.name) } else { self.name.clone() };
@@ -227,7 +224,6 @@ impl Editor {
         None
     }
 
-    /// Says how a test flight ended.
     pub fn tell_of_flight(&mut self, how: String) {
         self.say(how);
     }

@@ -21,17 +21,12 @@ const SNAP_REACH: f64 = 7.0;
 pub enum Handle {
     /// A corner or side: which edges it moves, −1 … 1 along each axis.
     Size(DVec2),
-    /// A way point of a mover.
     Way(usize),
-    /// Adds a way point.
     MoreWay,
-    /// How far a stream reaches.
     Reach,
-    /// A switch's wire.
     Wire,
 }
 
-/// A drag that goes on while a button is down.
 #[derive(Clone, Debug)]
 pub enum PointerDrag {
     /// The view, from where the pointer was.
@@ -86,7 +81,6 @@ impl Editor {
         smallest(near)
     }
 
-    /// Snaps to all things in view except these rows.
     fn snap(&self, input: &Input, without: &[RowId]) -> Snap {
         let visible = self.view.visible();
         let level = Place { min: DVec2::ZERO, size: self.document.size() };
@@ -96,7 +90,6 @@ impl Editor {
         Snap::new(on, SNAP_REACH / self.view.scale(), others.chain([level]))
     }
 
-    /// One frame of the pointer in the picture.
     pub(super) fn update_hand(&mut self, input: &Input) {
         let inside = self.panes.middle.contains(input.pointer);
         let at = self.view.pixels(input.pointer);
@@ -218,7 +211,7 @@ impl Editor {
                 let drawn = place.size * self.view.scale();
                 if drawn.max_element() < f64::from(CLICK) * 2.0 {
                     // Put down with a click: by the point that its cells name.
-                    let size = DVec2::from(kind.usual_size());
+                    let size = DVec2::from(kind.schema().usual_size);
                     place = Place { min: if kind.by_centre() { from - size * 0.5 } else { from }, size };
                 }
                 self.put(kind, place);
@@ -226,7 +219,6 @@ impl Editor {
         }
     }
 
-    /// The wire of a switch ends there.
     fn end_wire(&mut self, row: RowId, at: DVec2) {
         let near = self.document.things().filter(|(thing, place)| self.document.can_be_worked(*thing) && place.contains(at));
         match smallest(near) {
@@ -302,7 +294,6 @@ const SIDES: [DVec2; 8] = [
     DVec2::new(1.0, 1.0),
 ];
 
-/// The thing of the smallest area.
 fn smallest(things: impl Iterator<Item = (RowId, Place)>) -> Option<RowId> {
     things.min_by(|(_, a), (_, b)| a.size.element_product().total_cmp(&b.size.element_product())).map(|(row, _)| row)
 }

@@ -17,9 +17,7 @@ const MAP: Vec2 = Vec2::new(160.0, 96.0);
 /// From the edge of a pane to its contents, and between two buttons, canvas units.
 pub const INSIDE: f32 = 8.0;
 pub const BETWEEN: f32 = 4.0;
-/// How many problems are in view at most.
 pub const PROBLEM_LINES: usize = 4;
-/// How many pictures are offered at most.
 pub const OFFERS: usize = 8;
 
 /// How large words are in a window with `pixel` canvas units a pixel: they grow less than a large window.
@@ -78,7 +76,6 @@ impl Panes {
         from_left.chain(from_right).map(|x| Area { min: Vec2::new(x, BETWEEN), size }).collect()
     }
 
-    /// A column of tools.
     pub fn tools(&self, count: usize) -> Vec<Area> {
         let pitch = ((self.left.size.y - INSIDE) / count as f32).min(44.0 * self.text);
         let size = Vec2::new(self.left.size.x - 2.0 * INSIDE, pitch - BETWEEN);

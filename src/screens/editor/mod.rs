@@ -48,13 +48,10 @@ const KEEP_EVERY: f64 = 1.0;
 /// The work of a click in the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum EditorTool {
-    /// It selects and moves.
     Select,
-    /// It adds one of these.
     Add(Kind),
 }
 
-/// A level that is edited.
 #[derive(Debug)]
 pub struct Editor {
     document: Document,
@@ -97,7 +94,6 @@ pub struct Editor {
     figures: bool,
 }
 
-/// One pass over the panes.
 struct EditorPass {
     pointer: Vec2,
     /// The picture is drawn: a level has thousands of rows, and the pass that acts is not seen.
@@ -173,9 +169,7 @@ impl Screen for Editor {
 
 impl Editor {
     /// Opens the level in that folder; images are looked up there, then under `root`.
-    ///
-    /// # Errors
-    /// A file that cannot be read, in words.
+    /// Errors: a file that cannot be read, in words.
     pub fn open(folder: &Path, root: &Path) -> Result<Self, String> {
         let Opened { document, folder, kept } = LevelFolder::open_to_edit(folder, root)?;
         let mut editor = Self {
@@ -230,7 +224,6 @@ impl Editor {
         self.panel.read(&self.document, &self.selection);
     }
 
-    /// The work of time: files are looked at, edits kept and checked.
     fn pass_time(&mut self, frame_time: f64) {
         // A remark under the pointer is being read.
         if let Some((_, left)) = self.remark.as_mut().filter(|_| !self.panes.bottom.contains(self.pointer)) {
@@ -338,17 +331,14 @@ impl Editor {
         self.view.fit(&all);
     }
 
-    /// The level's files.
     pub fn document(&self) -> &Document {
         &self.document
     }
 
-    /// The selected rows.
     pub fn selection(&self) -> &[RowId] {
         &self.selection
     }
 
-    /// The level's name.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -358,7 +348,6 @@ impl Editor {
         &self.problems
     }
 
-    /// Whether an edit is not on disk.
     pub fn is_unsaved(&self) -> bool {
         self.folder.is_unsaved(&self.document)
     }

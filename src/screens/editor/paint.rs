@@ -33,7 +33,6 @@ pub fn colour(kind: Kind) -> Colour {
     }
 }
 
-/// The fill of a block by its material.
 pub fn material(name: &str) -> Colour {
     let of = |r, g, b| Colour::of([r, g, b]);
     match name.to_ascii_lowercase().as_str() {

@@ -14,7 +14,6 @@ use crate::view::{theme, widgets};
 /// The longest cell, characters.
 const LONGEST: usize = 400;
 
-/// A column with its cell.
 #[derive(Clone, Debug)]
 pub struct CellField {
     pub column: &'static Column,
@@ -31,7 +30,6 @@ pub struct Typing {
     gesture: u64,
 }
 
-/// An operation on the document.
 pub enum CellWrite {
     Cells(Vec<SetCell>, u64),
     Setting(&'static str, String, u64),
@@ -57,7 +55,7 @@ impl CellPanel {
         }
         self.fields = match self.kind {
             Some(kind) => {
-                let columns = kind.columns().iter().filter(|column| column.name != "kind");
+                let columns = kind.schema().columns.iter().filter(|column| column.name != "kind");
                 columns.map(|column| self.field(document, column)).collect()
             }
             None if rows.is_empty() => SETTINGS.iter().map(|column| setting(document, column)).collect(),
@@ -191,7 +189,6 @@ impl Editor {
         }
     }
 
-    /// The selection in words, and its file.
     fn draw_heading(&self, canvas: &Canvas) {
         let (heading, place) = match (&self.selection[..], self.panel.kind) {
             ([], _) => ("The level".to_owned(), "constants.csv".to_owned()),
@@ -208,7 +205,6 @@ impl Editor {
         canvas.text(&place, at, Style::new(DETAILS, theme::quiet()).mono().right());
     }
 
-    /// The name of a column, beside its field's box.
     fn draw_label(&self, canvas: &Canvas, (column, typing): (&'static Column, bool), area: Area, pass: &mut EditorPass) {
         let left = self.panes.right.min.x + INSIDE;
         let style = Style::new(DETAILS, if column.required { theme::text() } else { theme::quiet() });
@@ -252,7 +248,6 @@ impl Editor {
         (pressed, self.panes.offer(fields, offers.len()).min.y)
     }
 
-    /// The selection shows that picture from now on.
     fn take_picture(&mut self, picture: &str) {
         self.next_gesture();
         self.panel.typing = None;
@@ -261,7 +256,6 @@ impl Editor {
         self.folder.measure(&mut self.document);
     }
 
-    /// The problems of the selection, below its fields.
     fn draw_messages(&self, canvas: &Canvas, top: f32) {
         let (area, mut y) = (self.panes.right, top + BETWEEN);
         let columns = ((area.size.x - 2.0 * INSIDE) / self.panes.letter) as usize;
@@ -280,7 +274,6 @@ impl Editor {
     }
 }
 
-/// The text of a cell in its box, and its unit.
 fn draw_cell(canvas: &Canvas, field: &CellField, area: Area, pass: &mut EditorPass) {
     let (text, colour) = match field.text.as_deref() {
         None => ("…", theme::quiet()),

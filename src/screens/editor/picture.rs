@@ -147,7 +147,6 @@ impl Editor {
         }
     }
 
-    /// The colour in a row's cells, where there is one.
     fn given_colour(&self, row: RowId) -> Option<Colour> {
         let [r, g, b] = ["r", "g", "b"].map(|name| self.document.number(row, name).map(|value| value as u8));
         Some(Colour::of([r?, g?, b?]))

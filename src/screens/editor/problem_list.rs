@@ -121,7 +121,6 @@ impl Editor {
         }
     }
 
-    /// Whether a problem is about that column of the selection.
     pub(super) fn is_wrong(&self, column: &str) -> bool {
         let named = |problem: &Problem, row: Option<RowId>| match (self.selection.is_empty(), row) {
             (true, Some(row)) => self.document.cell(row, "name").is_some_and(|name| name.eq_ignore_ascii_case(column)),

@@ -17,7 +17,6 @@ pub struct EditorView {
     origin: DVec2,
     /// Canvas units a pixel of the picture.
     scale: f64,
-    /// The picture's pane, canvas units.
     pub area: Area,
 }
 
@@ -28,7 +27,6 @@ impl Default for EditorView {
 }
 
 impl EditorView {
-    /// Whether the same part of the picture is shown as large.
     pub fn shows_as(&self, other: &Self) -> bool {
         (self.origin, self.scale) == (other.origin, other.scale)
     }
@@ -66,7 +64,6 @@ impl EditorView {
         self.centre(place.centre());
     }
 
-    /// Brings a point into the middle.
     pub fn centre(&mut self, pixels: DVec2) {
         self.origin = pixels - self.area.size.as_dvec2() / self.scale * 0.5;
     }

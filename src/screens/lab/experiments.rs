@@ -7,13 +7,12 @@ use crate::screens::{Key, Request};
 use crate::ui::{Touch, Ui, WidgetKind};
 use crate::view::{theme, widgets};
 
-#[derive(Clone, Debug, Default, PartialEq, Eq, serde::Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Experiment {
     pub folder: String,
     pub question: String,
     pub vary: String,
     pub answer: String,
-    #[serde(skip)]
     pub title: String,
 }
 

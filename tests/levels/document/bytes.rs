@@ -41,7 +41,7 @@ fn one_cell_is_one_line_in_every_file_of_every_level() {
             assert_eq!(before, std::fs::read(folder.join(table.file())).unwrap(), "opened, and nothing else");
             for row in opened.document.rows(*table) {
                 let Some(kind) = opened.document.kind(row) else { continue };
-                for column in kind.columns().iter().map(|column| column.name).filter(|column| *column != "kind") {
+                for column in kind.schema().columns.iter().map(|column| column.name).filter(|column| *column != "kind") {
                     let mut document = opened.document.clone();
                     let Some(old) = document.cell(row, column).map(str::to_owned) else { continue };
                     let Ok(()) = document.set(&[set(row, column, "123.456")], None) else { continue };
@@ -220,8 +220,8 @@ proptest! {
             match what {
                 0 | 1 => {
                     let Some(kind) = document.kind(row) else { continue };
-                    let names: Vec<&str> = kind.columns().iter().map(|column| column.name).collect();
-                    let column = kind.columns()[column % names.len()].name;
+                    let names: Vec<&str> = kind.schema().columns.iter().map(|column| column.name).collect();
+                    let column = kind.schema().columns[column % names.len()].name;
                     if column == "kind" || column == "x" && text.trim().is_empty() { continue; }
                     let cells = |document: &Document| {
                         let cells = document.rows(table).flat_map(|row| names.iter().map(move |name| (row, *name)));
