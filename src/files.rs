@@ -5,6 +5,7 @@
 
 mod cells;
 mod disk;
+mod home;
 #[cfg(any(browser, test))]
 mod kept;
 mod lock;
@@ -18,18 +19,19 @@ mod storage;
 
 pub use cells::{Cell, CellFault, SpannedRow, csv_line, encoded, rows as csv_rows};
 pub use disk::Disk;
+pub use home::{
+    append, copy, create, create_folder, create_numbered, is_file, is_folder, is_link, is_read_only, is_taken, look, make_folder,
+    make_shared_folder, names, put, read, read_if_there, read_text, read_with, remove, rename, replace, replace_with, resolve,
+    text_if_there, text_names,
+};
 #[cfg(any(browser, test))]
-pub use kept::{Keeper, KeepingFault, Kept};
+pub use kept::{Keeper, KeepingFault, PageFiles};
 pub use lock::{Lock, PATIENCE, pauses, share};
 pub use read::{Symlinks, is_passed_on, open};
 pub use rows::{CsvFile, CsvRow};
-pub use shipped::{Over, SHIPPED, ship_at};
+pub use shipped::{AboveShipped, SHIPPED, ship_at};
 pub use staged::{Replacement, around, behind_links, sync_folder, target};
-pub use storage::{
-    FileKind, Found, Manner, Storage, append, copy, create, create_folder, create_numbered, is_file, is_folder, is_link,
-    is_read_only, is_taken, look, make_folder, make_shared_folder, names, put, read, read_if_there, read_text, read_with, remove,
-    rename, replace, replace_with, resolve, text_if_there, text_names,
-};
+pub use storage::{FileKind, Found, Manner, Storage};
 
 /// Some 8000 objects or 20 000 solids. Each object is compared with each solid: files four times as large would take seconds.
 pub const LEVEL_TABLE: u64 = 256 << 10;

@@ -46,9 +46,9 @@ pub trait Keeper: Sync {
 }
 
 #[derive(Debug)]
-pub struct Kept<K>(pub K);
+pub struct PageFiles<K>(pub K);
 
-impl<K: Keeper> Kept<K> {
+impl<K: Keeper> PageFiles<K> {
     fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {
         self.0.get(&key(path)?)?.ok_or_else(|| io::ErrorKind::NotFound.into())
     }
@@ -77,7 +77,7 @@ fn key(path: &Path) -> io::Result<String> {
     Ok(parts.join("/"))
 }
 
-impl<K: Keeper> Storage for Kept<K> {
+impl<K: Keeper> Storage for PageFiles<K> {
     fn look(&self, path: &Path, _: Symlinks) -> io::Result<Found> {
         let key = key(path)?;
         if let Some(bytes) = self.0.get(&key)? {
@@ -195,13 +195,13 @@ impl<K: Keeper> Storage for Kept<K> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::files::memory::Memory;
+    use crate::files::memory::MemoryStorage;
 
-    fn little(room: usize) -> Kept<Memory> {
-        Kept(Memory::with_room(room))
+    fn little(room: usize) -> PageFiles<MemoryStorage> {
+        PageFiles(MemoryStorage::with_room(room))
     }
 
-    fn text(kept: &Kept<Memory>, path: &str) -> io::Result<String> {
+    fn text(kept: &PageFiles<MemoryStorage>, path: &str) -> io::Result<String> {
         kept.read(Path::new(path), 1 << 20, Symlinks::Followed).map(|bytes| String::from_utf8(bytes).unwrap())
     }
 

@@ -4,13 +4,13 @@ use super::{Keeper, KeepingFault};
 use std::collections::BTreeMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-pub struct Memory {
+pub struct MemoryStorage {
     kept: Mutex<BTreeMap<String, Vec<u8>>>,
     /// Bytes.
     room: usize,
 }
 
-impl Memory {
+impl MemoryStorage {
     pub fn with_room(room: usize) -> Self {
         Self { kept: Mutex::default(), room }
     }
@@ -20,7 +20,7 @@ impl Memory {
     }
 }
 
-impl Keeper for Memory {
+impl Keeper for MemoryStorage {
     fn get(&self, key: &str) -> Result<Option<Vec<u8>>, KeepingFault> {
         Ok(self.kept().get(key).cloned())
     }

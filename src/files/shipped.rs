@@ -15,11 +15,11 @@ use std::time::Duration;
 /// The bytes by their paths from the project's folder, with forward slashes.
 pub static SHIPPED: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/shipped.rs"));
 
-static ABOVE_SHIPPED: OnceLock<Over<Disk>> = OnceLock::new();
+static ABOVE_SHIPPED: OnceLock<AboveShipped<Disk>> = OnceLock::new();
 
 /// From now on the shipped files lie beneath that folder of the disk, for all of this process. A second call changes nothing.
 pub fn ship_at(root: &Path) {
-    let _ = ABOVE_SHIPPED.set(Over::new(Disk, root));
+    let _ = ABOVE_SHIPPED.set(AboveShipped::new(Disk, root));
 }
 
 #[cfg(not(all(browser, feature = "window")))]
@@ -29,7 +29,7 @@ pub(super) fn desktop() -> &'static dyn Storage {
 
 /// A home with the shipped files beneath its folder `root`.
 #[derive(Debug)]
-pub struct Over<H> {
+pub struct AboveShipped<H> {
     home: H,
     root: PathBuf,
     /// `root` without links.
@@ -41,7 +41,7 @@ enum ShippedItem {
     Folder,
 }
 
-impl<H: Storage> Over<H> {
+impl<H: Storage> AboveShipped<H> {
     pub fn new(home: H, root: &Path) -> Self {
         let resolved = home.resolve(root).unwrap_or_else(|_| root.to_path_buf());
         Self { home, root: root.to_path_buf(), resolved }
@@ -115,7 +115,7 @@ fn ships() -> io::Error {
     io::Error::new(io::ErrorKind::PermissionDenied, "it comes with the game, and stays as it is")
 }
 
-impl<H: Storage> Storage for Over<H> {
+impl<H: Storage> Storage for AboveShipped<H> {
     fn look(&self, path: &Path, links: Symlinks) -> io::Result<Found> {
         self.or_shipped(path, self.home.look(path, links), |item| {
             let (kind, length) = match item {
@@ -204,14 +204,14 @@ mod tests {
     use crate::files::LEVEL_TABLE;
     use std::fs;
 
-    fn is_folder(over: &Over<Disk>, path: &str) -> bool {
+    fn is_folder(over: &AboveShipped<Disk>, path: &str) -> bool {
         over.look(&over.root.join(path), Symlinks::Followed).is_ok_and(|found| found.kind == FileKind::Folder)
     }
 
     #[test]
     fn shipped_files_lie_beneath_the_users() {
         let folder = tempfile::tempdir().unwrap();
-        let over = Over::new(Disk, folder.path());
+        let over = AboveShipped::new(Disk, folder.path());
         let path = |name: &str| folder.path().join(name);
         let read = |name: &str| over.read(&path(name), LEVEL_TABLE, Symlinks::Followed);
         let shipped = read("levels/1/player.csv").unwrap();

@@ -16,20 +16,20 @@ use std::path::{Path, PathBuf};
 /// opened as they are.
 /// Errors: every problem in every file; a folder that does not exist, or that has the name of another leaderboard, is one problem.
 pub fn load(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
-    load_from(&Disk { folder, project }, &Disk { folder, project }, read)
+    load_from(&LevelDisk { folder, project }, &LevelDisk { folder, project }, read)
 }
 
 /// As [`load`], of an unfinished level: see [`read_unfinished`].
 pub fn load_unfinished(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
-    load_from(&Disk { folder, project }, &Disk { folder, project }, read_unfinished)
+    load_from(&LevelDisk { folder, project }, &LevelDisk { folder, project }, read_unfinished)
 }
 
 /// [`read()`] or [`read_unfinished`].
 pub(super) type ReadLevel = fn(&str, &dyn Files) -> Result<Loaded, Vec<Problem>>;
 
 /// As [`load`], with the level's files from elsewhere.
-pub(super) fn load_from(disk: &Disk, files: &dyn Files, read: ReadLevel) -> Result<Loaded, Vec<Problem>> {
-    let Disk { folder, .. } = disk;
+pub(super) fn load_from(disk: &LevelDisk, files: &dyn Files, read: ReadLevel) -> Result<Loaded, Vec<Problem>> {
+    let LevelDisk { folder, .. } = disk;
     // `.` and `..` have a name only once they are resolved.
     let resolved = files::resolve(folder).unwrap_or_else(|_| folder.to_path_buf());
     let name = folder.file_name().or(resolved.file_name()).map_or_else(|| folder.to_string_lossy(), |name| name.to_string_lossy());
@@ -56,12 +56,12 @@ pub(super) fn load_from(disk: &Disk, files: &dyn Files, read: ReadLevel) -> Resu
     Ok(loaded)
 }
 
-pub(super) struct Disk<'a> {
+pub(super) struct LevelDisk<'a> {
     pub folder: &'a Path,
     pub project: &'a Path,
 }
 
-impl Disk<'_> {
+impl LevelDisk<'_> {
     /// In the level's folder, else in the project's.
     pub fn picture(&self, name: &Path) -> PathBuf {
         let own = self.folder.join(name);
@@ -69,7 +69,7 @@ impl Disk<'_> {
     }
 }
 
-impl Files for Disk<'_> {
+impl Files for LevelDisk<'_> {
     fn level_file(&self, name: &str) -> io::Result<Vec<u8>> {
         let table = name.ends_with(".csv");
         let path = self.folder.join(name);

@@ -15,7 +15,7 @@ pub(super) enum MoverPace {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Manner {
+pub(super) struct RouteShape {
     pub route: Route,
     pub pace: MoverPace,
     /// At each stop, s.
@@ -26,8 +26,8 @@ pub(super) struct Manner {
 
 /// The path from the first stop through the others, which differ from their neighbours.
 /// Errors: the shortest possible period, s, where the given one is too short.
-pub(super) fn path(stops: &[DVec2], manner: Manner) -> Result<Path, f64> {
-    let Manner { route, wait, ease, .. } = manner;
+pub(super) fn path(stops: &[DVec2], manner: RouteShape) -> Result<Path, f64> {
+    let RouteShape { route, wait, ease, .. } = manner;
     let moves = moves(stops, route);
     let speed = speed(&moves, manner)?;
     let mut legs = Vec::new();
@@ -63,7 +63,7 @@ fn moves(stops: &[DVec2], route: Route) -> Vec<DVec2> {
 }
 
 /// m/s.
-fn speed(moves: &[DVec2], Manner { pace, wait, ease, .. }: Manner) -> Result<f64, f64> {
+fn speed(moves: &[DVec2], RouteShape { pace, wait, ease, .. }: RouteShape) -> Result<f64, f64> {
     let period = match pace {
         MoverPace::Speed(speed) => return Ok(speed),
         MoverPace::Period(period) => period,
@@ -83,8 +83,8 @@ mod tests {
 
     const STOPS: [DVec2; 3] = [DVec2::new(1.0, 1.0), DVec2::new(7.0, 1.0), DVec2::new(7.0, 4.0)];
 
-    fn manner(route: Route, pace: MoverPace) -> Manner {
-        Manner { route, pace, wait: 0.5, ease: 1.0 }
+    fn manner(route: Route, pace: MoverPace) -> RouteShape {
+        RouteShape { route, pace, wait: 0.5, ease: 1.0 }
     }
 
     fn duration(path: &Path) -> f64 {

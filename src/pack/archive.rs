@@ -39,7 +39,7 @@ pub fn read(bytes: &[u8], called: &str) -> Result<Package, String> {
     if cost > MEMORY {
         return Err(format!("found a level that needs {cost} bytes of memory, expected at most {MEMORY}"));
     }
-    let mut found = Found::default();
+    let mut found = PackEntries::default();
     // The first part may be the level's folder: the whole path is judged once that is known.
     let most = |parts: &[String]| (0..parts.len().min(2)).filter_map(|from| limit(&parts[from..].join("/"))).max();
     for index in 0..archive.len() {
@@ -59,7 +59,7 @@ pub(super) fn read_below(
     limit: impl Fn(&str) -> Option<u64>,
 ) -> Result<BTreeMap<String, Vec<u8>>, String> {
     let mut archive = open(bytes)?;
-    let mut found = Found::default();
+    let mut found = PackEntries::default();
     let most = |parts: &[String]| limit(&parts.strip_prefix(&[folder.to_owned()])?.join("/"));
     for index in 0..archive.len() {
         found.entry(&mut archive, index, &most)?;
@@ -107,7 +107,7 @@ fn entries(bytes: &[u8]) -> Option<usize> {
 }
 
 #[derive(Default)]
-struct Found {
+struct PackEntries {
     /// By the parts of their paths.
     files: BTreeMap<Vec<String>, Vec<u8>>,
     /// All paths of files and the folders around them, [`path::folded`].
@@ -116,7 +116,7 @@ struct Found {
     unpacked: u64,
 }
 
-impl Found {
+impl PackEntries {
     /// `most` is the most bytes of a path; `None` for one that does not belong.
     fn entry(
         &mut self,

@@ -3,7 +3,7 @@
 use super::archive::read_below;
 use super::package::{Package, UNPACKED};
 use super::write;
-use crate::files::{Keeper, Kept, Manner, Storage, Symlinks};
+use crate::files::{Keeper, Manner, PageFiles, Storage, Symlinks};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -18,7 +18,7 @@ const FIRST_NAME: usize = 30;
 
 /// # Errors
 /// A file that cannot be read, in words.
-pub fn export<K: Keeper>(kept: &Kept<K>) -> Result<Vec<u8>, String> {
+pub fn export<K: Keeper>(kept: &PageFiles<K>) -> Result<Vec<u8>, String> {
     let mut files = BTreeMap::new();
     for key in kept.0.keys().into_iter().filter(|key| PARTS.contains(&first(key))) {
         let bytes = kept.0.get(&key).map_err(|fault| format!("{key}: {}", std::io::Error::from(fault)))?;
@@ -40,7 +40,7 @@ pub fn is_export(bytes: &[u8]) -> bool {
 ///
 /// # Errors
 /// A damaged or foreign archive, and nothing was written; no more room, and the files up to there are written.
-pub fn import<K: Keeper>(kept: &Kept<K>, bytes: &[u8]) -> Result<String, String> {
+pub fn import<K: Keeper>(kept: &PageFiles<K>, bytes: &[u8]) -> Result<String, String> {
     let files = read_below(bytes, NAME, |path| PARTS.contains(&first(path)).then_some(UNPACKED))?;
     let (mut new, mut other) = (0, 0);
     for (path, bytes) in &files {
@@ -72,15 +72,15 @@ pub fn import<K: Keeper>(kept: &Kept<K>, bytes: &[u8]) -> Result<String, String>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::files::memory::Memory;
+    use crate::files::memory::MemoryStorage;
 
-    fn kept(files: &[(&str, &str)]) -> Kept<Memory> {
-        let kept = Kept(Memory::with_room(1 << 20));
+    fn kept(files: &[(&str, &str)]) -> PageFiles<MemoryStorage> {
+        let kept = PageFiles(MemoryStorage::with_room(1 << 20));
         files.iter().for_each(|(path, text)| kept.create(Path::new(path), text.as_bytes()).unwrap());
         kept
     }
 
-    fn text(kept: &Kept<Memory>, path: &str) -> String {
+    fn text(kept: &PageFiles<MemoryStorage>, path: &str) -> String {
         String::from_utf8(kept.read(Path::new(path), 1 << 20, Symlinks::Never).unwrap()).unwrap()
     }
 

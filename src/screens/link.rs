@@ -20,14 +20,14 @@ pub enum LinkTarget {
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Link {
+pub struct PageLink {
     pub target: LinkTarget,
     /// The title of the body that the details are about, as the game writes it.
     pub follow: Option<String>,
     pub details: Option<bool>,
 }
 
-impl Link {
+impl PageLink {
     /// # Errors
     /// The fault of the link, in words.
     pub fn parse(text: &str) -> Result<Self, String> {
@@ -92,14 +92,14 @@ fn decoded(text: &str) -> Option<String> {
 impl App {
     /// Opens the target of a link, or the list of levels with the link's fault.
     pub fn follow_link(&mut self, text: &str, spectator: &mut dyn Spectator) {
-        if let Err(problem) = Link::parse(text).and_then(|link| self.open_link(link, spectator)) {
+        if let Err(problem) = PageLink::parse(text).and_then(|link| self.open_link(link, spectator)) {
             let mut screen = self.level_select(Purpose::Play);
             screen.show("This link cannot be followed".to_owned(), vec![problem]);
             self.show(Box::new(screen));
         }
     }
 
-    fn open_link(&mut self, link: Link, spectator: &mut dyn Spectator) -> Result<(), String> {
+    fn open_link(&mut self, link: PageLink, spectator: &mut dyn Spectator) -> Result<(), String> {
         let there = |folder: &std::path::Path, name: &str| match files::is_folder(folder) {
             true => Ok(()),
             false => Err(format!("play: found {name:?}, expected a level that is there")),
@@ -144,12 +144,12 @@ mod tests {
 
     #[test]
     fn a_link_is_read_as_an_address_has_it() {
-        let link = Link::parse("play=experiments/friction&follow=Box+1&details=1").unwrap();
+        let link = PageLink::parse("play=experiments/friction&follow=Box+1&details=1").unwrap();
         let friction = LinkTarget::Experiment("friction".to_owned());
-        assert_eq!(link, Link { target: friction, follow: Some("Box 1".to_owned()), details: Some(true) });
-        assert_eq!(Link::parse("play=2").unwrap().target, LinkTarget::Level("2".to_owned()));
-        assert_eq!(Link::parse("play=H%C3%B6hle&").unwrap().target, LinkTarget::Level("Höhle".to_owned()));
-        assert_eq!(Link::parse("lab=side-by-side").unwrap().target, LinkTarget::Lab(Page::SideBySide));
+        assert_eq!(link, PageLink { target: friction, follow: Some("Box 1".to_owned()), details: Some(true) });
+        assert_eq!(PageLink::parse("play=2").unwrap().target, LinkTarget::Level("2".to_owned()));
+        assert_eq!(PageLink::parse("play=H%C3%B6hle&").unwrap().target, LinkTarget::Level("Höhle".to_owned()));
+        assert_eq!(PageLink::parse("lab=side-by-side").unwrap().target, LinkTarget::Lab(Page::SideBySide));
     }
 
     #[test]
@@ -169,7 +169,7 @@ mod tests {
             ("utm_source=x&play=1", "found \"utm_source\", expected play"),
             (&"x".repeat(501), "found more than 500 characters"),
         ] {
-            let refused = Link::parse(link).unwrap_err();
+            let refused = PageLink::parse(link).unwrap_err();
             assert!(refused.contains(problem), "{link}: {refused}");
         }
     }

@@ -60,6 +60,11 @@ mod visits;
 mod window;
 mod worker;
 
+#[cfg(all(feature = "window", not(browser)))]
+use desktop as host;
+#[cfg(all(feature = "window", browser))]
+use page as host;
+
 pub use crate::settings::{Key, Keys};
 pub use crate::ui::Spectator;
 pub use crate::ui::input::{ButtonAnswer, Clipboard, Input, Keyed};
@@ -79,7 +84,7 @@ pub use lab::{Experiment, Half, Lab, PAGES, Page, Shown};
 pub use leaderboard::{BoardRival, Fresh, Leaderboard, Onward};
 pub use level_select::{LevelEntry, LevelSelect, Purpose};
 pub use library::Library;
-pub use link::{Link, LinkTarget};
+pub use link::{LinkTarget, PageLink};
 pub use menu::{Menu, MenuFacts};
 pub use miniature::{Miniature, MiniaturePart};
 pub use name_field::{NameEntry, NameField};

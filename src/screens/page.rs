@@ -1,7 +1,7 @@
 //! What the window's loop asks of a browser's page; a desktop answers the same in `desktop`.
 
 use super::{App, Flight, Input, Key, Spectator};
-use crate::web::{self, Word};
+use crate::web::{self, PageWord};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -37,5 +37,5 @@ pub fn begin_frame(app: &mut App, input: &mut Input, spectator: &mut dyn Spectat
 
 /// After a frame is drawn.
 pub fn end_frame() {
-    web::say(Word::Ready, "");
+    web::say(PageWord::Ready, "");
 }

@@ -1,6 +1,6 @@
 //! What a window has besides the screens: the view of the game that is flown, and sound.
 
-use super::window::Instant;
+use super::host::Instant;
 use super::{App, ButtonAnswer, GameScene, Input, Noise, Screen, Spectator, pace};
 use crate::draw::Canvas;
 use crate::draw::layout::{Area, BUTTON_TEXT, TEXT, Vec2};

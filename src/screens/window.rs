@@ -1,10 +1,7 @@
 //! The window: macroquad's keys, mouse and clock become an [`Input`] a frame, and the screens are drawn.
 
-#[cfg(not(browser))]
-use super::desktop as host;
+use super::host::{self, Instant};
 use super::pad::Pads;
-#[cfg(browser)]
-use super::page as host;
 use super::theatre::{self, Theatre};
 use super::{App, Attempt, Input, Key, Keyed, Keys, Picture, Places, Request, Worker, pace};
 use crate::draw::Canvas;
@@ -29,8 +26,6 @@ use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
 use std::time::Duration;
-
-pub use host::Instant;
 
 /// How often the window is tried to open, and the time after each: an X server turns programs away for a moment while it resets.
 const ATTEMPTS: u32 = 4;
@@ -96,7 +91,7 @@ pub fn open(places: Places, start: Option<Start>) -> Result<(), String> {
 /// Opens the game in a browser's page, which knows neither folders nor an end.
 #[cfg(browser)]
 pub fn open_page() {
-    use crate::web::{self, Word};
+    use crate::web::{self, PageWord};
     macroquad::Window::from_config(conf(), async {
         if web::link() == "verify" {
             return web::verify().await;
@@ -104,7 +99,7 @@ pub fn open_page() {
         web::link_again();
         let places = Places { root: PathBuf::new(), levels: PathBuf::from("levels"), scores: PathBuf::from("scores") };
         let ended = run(places, None).await;
-        web::say(Word::Stopped, &ended.err().unwrap_or_default());
+        web::say(PageWord::Stopped, &ended.err().unwrap_or_default());
     });
 }
 

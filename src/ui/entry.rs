@@ -16,7 +16,7 @@ const KEYS: [Key; 6] = [Key::Enter, Key::Tab, Key::Up, Key::Down, Key::Left, Key
 
 /// The entries of a screen, at most one of which is open.
 #[derive(Clone, Debug, Default)]
-pub struct Entry {
+pub struct EntryField {
     open: Option<OpenEntry>,
 }
 
@@ -39,7 +39,7 @@ pub enum EntryEvent {
     Stepped(String, f64),
 }
 
-impl Entry {
+impl EntryField {
     /// Opens the entry of that label; all of its text is selected.
     pub fn open(&mut self, label: &str, text: &str) {
         self.open = Some(OpenEntry { label: label.to_owned(), field: TextField::selected(text, MOST), area: None });
@@ -65,7 +65,7 @@ impl Entry {
 
 impl Ui<'_> {
     /// The player's act with the open entry. Call it once a pass, before the entries are shown.
-    pub fn entry_event(&mut self, entry: &mut Entry) -> Option<EntryEvent> {
+    pub fn entry_event(&mut self, entry: &mut EntryField) -> Option<EntryEvent> {
         let open = entry.open.as_mut()?;
         self.claim(KEYS);
         if !self.is_live() || !self.acting {
@@ -88,7 +88,7 @@ impl Ui<'_> {
     }
 
     /// A box with `words` at its right end, or the open entry; returns whether the player pressed the box.
-    pub fn entry(&mut self, label: &str, area: Area, (words, style): (&str, Style), entry: &mut Entry) -> bool {
+    pub fn entry(&mut self, label: &str, area: Area, (words, style): (&str, Style), entry: &mut EntryField) -> bool {
         let open = entry.open.as_mut().filter(|open| open.label == label);
         let kind = if open.is_some() { WidgetKind::Field } else { WidgetKind::Button };
         let Touch { hover, focus, pressed } = self.touch(label, area, kind);

@@ -14,7 +14,7 @@ pub mod text_field;
 mod tip;
 mod widgets;
 
-pub use entry::{Entry, EntryEvent};
+pub use entry::{EntryEvent, EntryField};
 pub use memory::{Memory, Widget, WidgetKind};
 pub use slider::{SliderMove, SliderShown};
 pub use spectator::Spectator;

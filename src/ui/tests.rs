@@ -208,7 +208,7 @@ fn a_slider_follows_the_pointer_that_holds_it_and_the_keys_that_it_has() {
 
 #[test]
 fn an_entry_opens_on_a_click_and_is_taken_by_enter_or_a_click_elsewhere() {
-    let (mut sitting, mut entry) = (Sitting::default(), Entry::default());
+    let (mut sitting, mut entry) = (Sitting::default(), EntryField::default());
     let (mass, speed) = (Area::new(100.0, 100.0, 90.0, 20.0), Area::new(100.0, 130.0, 90.0, 20.0));
     let style = Style::new(crate::draw::layout::DETAILS, crate::view::theme::text());
     let mut give = |input: &Input| {

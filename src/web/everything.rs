@@ -1,12 +1,12 @@
 //! Everything that the browser keeps for the page, as a file of the player's and back.
 
 use super::keeper::{self, PageStorage};
-use super::{Word, download, say};
-use crate::files::{self, Keeper, Kept};
+use super::{PageWord, download, say};
+use crate::files::{self, Keeper, PageFiles};
 use crate::pack;
 use std::path::Path;
 
-fn kept() -> &'static Kept<PageStorage> {
+fn kept() -> &'static PageFiles<PageStorage> {
     keeper::storage().home()
 }
 
@@ -30,8 +30,8 @@ pub fn is_export(path: &Path) -> bool {
 pub fn import(path: &Path) {
     let imported = files::read(path, pack::LARGEST).map_err(|error| error.to_string());
     match imported.and_then(|bytes| pack::import(kept(), &bytes)) {
-        Ok(words) => say(Word::Begin, &words),
-        Err(problem) => say(Word::Notice, &format!("Not imported: {problem}")),
+        Ok(words) => say(PageWord::Begin, &words),
+        Err(problem) => say(PageWord::Notice, &format!("Not imported: {problem}")),
     }
 }
 
@@ -39,5 +39,5 @@ pub fn import(path: &Path) {
 pub fn delete() {
     let storage = &kept().0;
     storage.keys().iter().for_each(|key| storage.remove(key));
-    say(Word::Begin, "Everything of this page is deleted");
+    say(PageWord::Begin, "Everything of this page is deleted");
 }

@@ -1,12 +1,13 @@
 //! The browser's storage of a page, and the files that the page holds only while it is open.
 
 use super::{DROPPED, resultant_get, resultant_keys, resultant_remove, resultant_set, taken};
-use crate::files::{Keeper, KeepingFault, Kept, Over};
+use crate::files::{AboveShipped, Keeper, KeepingFault, PageFiles};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
-static STORAGE: LazyLock<Over<Kept<PageStorage>>> = LazyLock::new(|| Over::new(Kept(PageStorage), Path::new("")));
+static STORAGE: LazyLock<AboveShipped<PageFiles<PageStorage>>> =
+    LazyLock::new(|| AboveShipped::new(PageFiles(PageStorage), Path::new("")));
 static HELD: Mutex<BTreeMap<String, Vec<u8>>> = Mutex::new(BTreeMap::new());
 
 /// The script's answers where there is no value.
@@ -17,7 +18,7 @@ const DAMAGED: i32 = -4;
 #[derive(Debug)]
 pub struct PageStorage;
 
-pub fn storage() -> &'static Over<Kept<PageStorage>> {
+pub fn storage() -> &'static AboveShipped<PageFiles<PageStorage>> {
     &STORAGE
 }
 

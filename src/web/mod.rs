@@ -51,7 +51,7 @@ unsafe extern "C" {
 /// A word to the page.
 #[derive(Clone, Copy, Debug)]
 #[repr(i32)]
-pub enum Word {
+pub enum PageWord {
     /// The game has stopped, with the reason.
     Stopped = 0,
     /// The first picture is there.
@@ -64,7 +64,7 @@ pub enum Word {
     Begin = 4,
 }
 
-pub fn say(word: Word, words: &str) {
+pub fn say(word: PageWord, words: &str) {
     // SAFETY: pointer and length are of one string.
     unsafe { resultant_say(word as i32, words.as_ptr(), words.len()) }
 }

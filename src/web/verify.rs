@@ -1,6 +1,6 @@
 //! A page that flies every recorded flight that is built in, and compares where they lead: `index.html#verify`.
 
-use super::{Word, say};
+use super::{PageWord, say};
 use crate::files::SHIPPED;
 use crate::game::Replay;
 use crate::level;
@@ -20,10 +20,10 @@ pub async fn verify() {
             }
             Err(problem) => problem,
         };
-        say(Word::Verified, &format!("{path}: {line}"));
+        say(PageWord::Verified, &format!("{path}: {line}"));
         next_frame().await;
     }
-    say(Word::Verified, &format!("{holds} of {all} flights hold"));
+    say(PageWord::Verified, &format!("{holds} of {all} flights hold"));
 }
 
 fn fly(path: &str, bytes: &[u8]) -> Result<String, String> {

@@ -6,7 +6,7 @@ use super::desk::EditorDesk;
 use super::kept::{self, Kept};
 use super::model::Document;
 use crate::files::{self, Manner, Symlinks};
-use crate::level::folder::{Disk, load_from};
+use crate::level::folder::{LevelDisk, load_from};
 use crate::level::image::png_size;
 use crate::level::problem::Problem;
 use crate::level::read::{Loaded, read, read_unfinished};
@@ -117,8 +117,8 @@ impl LevelFolder {
         resolved.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
     }
 
-    fn disk(&self) -> Disk<'_> {
-        Disk { folder: &self.folder, project: &self.project }
+    fn disk(&self) -> LevelDisk<'_> {
+        LevelDisk { folder: &self.folder, project: &self.project }
     }
 
     /// Hands the sizes of its pictures to the document.

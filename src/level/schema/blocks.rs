@@ -5,7 +5,7 @@ use super::record::{RowCells, RowReader};
 use super::typed::{MATERIAL, TypedColumn, Word, is_name, name, number, one_of, rows, way_points};
 use crate::level::numbers::{self, MIN_SIZE};
 use crate::level::problem::quoted;
-use crate::level::route::{self, Manner, MoverPace};
+use crate::level::route::{self, MoverPace, RouteShape};
 use crate::level::types::{Mover, Presser, Route, Solid, Switch, SwitchStay, Work};
 use crate::physics::{DVec2, Material, Sides};
 
@@ -140,7 +140,7 @@ pub fn mover(record: &RowCells, reader: &mut RowReader) -> Option<Mover> {
         return None;
     }
     let (route, pace) = (row.route?, pace?);
-    let path = route::path(&stops, Manner { route, pace, wait: row.wait?, ease: row.ease? }).map_err(|least| {
+    let path = route::path(&stops, RouteShape { route, pace, wait: row.wait?, ease: row.ease? }).map_err(|least| {
         let found = quoted(record.text("period").unwrap_or_default());
         let expected = format!("at least {least:.3} s, which its waits and easings take");
         reader.problems.push(record.problem("period", found, expected));

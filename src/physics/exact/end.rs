@@ -3,7 +3,7 @@
 use crate::physics::contact::axis::Parts;
 use crate::physics::data::{Contact, Pose, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::item::Course;
+use crate::physics::exact::item::Travel;
 use crate::physics::forces::link::links_on;
 use glam::DVec2;
 
@@ -84,7 +84,7 @@ impl Events {
 
     /// Gives all that rides on a moving surface its place and its speed exactly: over many ticks roundings would lead them apart.
     pub(crate) fn follow_surfaces(&mut self) {
-        if self.items[self.movable..].iter().all(|surface| surface.motion == Course::Still) {
+        if self.items[self.movable..].iter().all(|surface| surface.motion == Travel::Still) {
             return;
         }
         let mut next = 0;
@@ -138,6 +138,6 @@ impl Events {
 
     fn changes(&self, item: u32) -> bool {
         let of = &self.items[item as usize];
-        self.is_concerned[item as usize] || !of.law.is_constant() && of.motion != Course::Still
+        self.is_concerned[item as usize] || !of.law.is_constant() && of.motion != Travel::Still
     }
 }

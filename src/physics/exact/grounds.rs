@@ -1,7 +1,7 @@
 //! Surfaces within a tick: the legs of their paths, and their stops.
 
 use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::item::{Course, Item, Next};
+use crate::physics::exact::item::{Item, Next, Travel};
 use glam::DVec2;
 
 impl Scene<'_> {
@@ -14,7 +14,7 @@ impl Scene<'_> {
         (item.body.position, item.body.velocity) = (point.offset, point.velocity);
         (item.solved, item.mean) = (point.acceleration, point.acceleration);
         let still = point.velocity == DVec2::ZERO && point.acceleration == DVec2::ZERO;
-        item.motion = if still { Course::Still } else { Course::Parabola };
+        item.motion = if still { Travel::Still } else { Travel::Parabola };
     }
 }
 

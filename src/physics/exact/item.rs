@@ -6,7 +6,7 @@ use crate::physics::forces::{Law, Media};
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Course {
+pub(crate) enum Travel {
     #[default]
     Still,
     Parabola,
@@ -105,7 +105,7 @@ pub(crate) struct Item {
     /// Its motion is foreseen up to here, s from the tick's start.
     pub until: f64,
     pub law: Law,
-    pub motion: Course,
+    pub motion: Travel,
     /// Acceleration with all contacts at `since`, m/s².
     pub solved: DVec2,
     /// Of its parabola, m/s²: where media act on what is in contact, the mean one.
@@ -146,7 +146,7 @@ impl Item {
     }
 
     pub fn is_still(&self) -> bool {
-        self.motion == Course::Still
+        self.motion == Travel::Still
     }
 
     /// Where it is at a time (s from the tick's start, not before `since`).
@@ -154,11 +154,11 @@ impl Item {
         let (t, start) = (at - self.since, (self.body.position, self.body.velocity));
         match self.motion {
             _ if t == 0.0 => start,
-            Course::Still => start,
-            Course::Parabola => parabola(start, self.mean, t),
-            Course::Flow | Course::Slide if self.is_end(at) => self.end.map_or(start, |(.., end)| end),
-            Course::Flow => flow(media, &self.body, &self.law, t),
-            Course::Slide => self.slide_on(media, t),
+            Travel::Still => start,
+            Travel::Parabola => parabola(start, self.mean, t),
+            Travel::Flow | Travel::Slide if self.is_end(at) => self.end.map_or(start, |(.., end)| end),
+            Travel::Flow => flow(media, &self.body, &self.law, t),
+            Travel::Slide => self.slide_on(media, t),
         }
     }
 
@@ -191,14 +191,14 @@ impl Item {
         let t = self.until - self.since;
         self.end = None;
         match self.motion {
-            Course::Still => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
-            Course::Flow if t > 0.0 => self.foresee_flow(media),
-            Course::Slide if t > 0.0 => {
+            Travel::Still => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
+            Travel::Flow if t > 0.0 => self.foresee_flow(media),
+            Travel::Slide if t > 0.0 => {
                 let (end_x, end_v) = self.pose(media, self.until);
                 self.end = Some((self.since, self.until, (end_x, end_v)));
                 Cubic::hermite(x, v, end_x, end_v, t)
             }
-            Course::Parabola | Course::Flow | Course::Slide => Cubic::parabola(x, v, self.mean),
+            Travel::Parabola | Travel::Flow | Travel::Slide => Cubic::parabola(x, v, self.mean),
         }
     }
 

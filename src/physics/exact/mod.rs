@@ -21,7 +21,7 @@ pub(crate) mod track;
 
 use crate::physics::data::{Aabb, EVENTS_OF_A_BODY, MOST_BORDERS, Part, Pose, called};
 pub(crate) use crate::physics::exact::events::{Events, ExactEnd, Scene};
-use crate::physics::exact::item::{Course, EventKind, Item, Next};
+use crate::physics::exact::item::{EventKind, Item, Next, Travel};
 use crate::physics::exact::motions::SHORTEST;
 use crate::physics::flight::liquid::flow;
 use crate::physics::forces::law::Law;
@@ -175,7 +175,7 @@ impl Events {
                 self.turn(scene, i);
                 return self.release();
             }
-            EventKind::Renew if self.items[i].motion == Course::Flow => {
+            EventKind::Renew if self.items[i].motion == Travel::Flow => {
                 self.renew(scene, i);
                 return self.release();
             }

@@ -6,7 +6,7 @@
 use crate::physics::contact::axis::Parts;
 use crate::physics::data::{BOBBING_REACH, Contact, Cubic, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Implicit, Scene};
-use crate::physics::exact::item::{Course, Item, Next, Slide};
+use crate::physics::exact::item::{Item, Next, Slide, Travel};
 use crate::physics::exact::track::Track;
 use crate::physics::forces::zones;
 use glam::DVec2;
@@ -28,7 +28,7 @@ const OFF: f64 = 1e-7;
 /// How long, s from the tick's start, the cubic of an item in a medium follows its flow; flows through liquids are checked later.
 fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
     let wet = item.law.is_near_liquid();
-    if wet && item.motion == Course::Flow {
+    if wet && item.motion == Travel::Flow {
         return scene.tick;
     }
     // Rate × time, and the shortest part of a tick. Each foresight near liquids costs many times as much.
@@ -168,13 +168,13 @@ impl Events {
             let item = &mut self.items[i];
             (item.mean, item.until, item.slide) = (self.solved[i], scene.tick, slide);
             item.motion = match first {
-                _ if at_rest => Course::Still,
-                Some(_) if slide.is_some() => Course::Slide,
-                None if in_media => Course::Flow,
-                Some(_) | None => Course::Parabola,
+                _ if at_rest => Travel::Still,
+                Some(_) if slide.is_some() => Travel::Slide,
+                None if in_media => Travel::Flow,
+                Some(_) | None => Travel::Parabola,
             };
-            coupled |= first.is_some() && in_media && item.motion == Course::Parabola;
-            if matches!(item.motion, Course::Flow | Course::Slide) {
+            coupled |= first.is_some() && in_media && item.motion == Travel::Parabola;
+            if matches!(item.motion, Travel::Flow | Travel::Slide) {
                 item.until = end_of_a_cubic(scene, item);
             }
         }
@@ -192,7 +192,7 @@ impl Events {
             }
             for k in 0..self.concerned.len() {
                 let item = &mut self.items[self.concerned[k] as usize];
-                if item.motion == Course::Parabola {
+                if item.motion == Travel::Parabola {
                     item.until = item.until.min(self.now + h);
                 }
             }
@@ -213,7 +213,7 @@ impl Events {
 
     /// How much of the next `h` seconds an implicit step may take: up to a kink, and no longer than bobbing and quadratic drag allow.
     fn up_to_a_kink(&self, scene: &Scene, h: f64) -> f64 {
-        let moving = self.concerned.iter().map(|i| &self.items[*i as usize]).filter(|item| item.motion == Course::Parabola);
+        let moving = self.concerned.iter().map(|i| &self.items[*i as usize]).filter(|item| item.motion == Travel::Parabola);
         let most = moving.filter(|item| !item.law.is_constant()).map(|item| {
             let (x, v) = (item.body.position, item.body.velocity);
             let longest = BOBBING_REACH / scene.media.bending(&item.body, &item.law, x, item.solved);
@@ -278,10 +278,10 @@ impl Events {
             let item = &mut self.items[i];
             self.masses[i] = DVec2::splat(item.body.mass);
             // A liquid that slows a resting body less and less may push it off.
-            if item.motion == Course::Still && self.means[i].abs().max_element() * h > SPEED_TOLERANCE {
-                item.motion = Course::Parabola;
+            if item.motion == Travel::Still && self.means[i].abs().max_element() * h > SPEED_TOLERANCE {
+                item.motion = Travel::Parabola;
             }
-            if item.motion == Course::Parabola {
+            if item.motion == Travel::Parabola {
                 item.mean = self.means[i];
             }
         }

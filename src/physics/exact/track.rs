@@ -1,7 +1,7 @@
 //! The path of an item, as the search for impacts needs it: a cubic and the box that it sweeps.
 
 use crate::physics::data::{Aabb, Cubic};
-use crate::physics::exact::item::{Course, Item};
+use crate::physics::exact::item::{Item, Travel};
 use glam::DVec2;
 
 /// The path of an item from `since` to `until`, s from the tick's start.
@@ -9,7 +9,7 @@ use glam::DVec2;
 pub(crate) struct Track {
     pub since: f64,
     pub until: f64,
-    pub motion: Course,
+    pub motion: Travel,
     pub half: DVec2,
     pub way: Cubic,
     /// m.
@@ -33,12 +33,12 @@ impl Track {
     }
 
     pub fn is_still(&self) -> bool {
-        self.motion == Course::Still
+        self.motion == Travel::Still
     }
 
     /// Whether its cubic is its motion.
     pub fn is_exact(&self) -> bool {
-        matches!(self.motion, Course::Still | Course::Parabola)
+        matches!(self.motion, Travel::Still | Travel::Parabola)
     }
 
     pub fn way_from(&self, at: f64) -> Cubic {

@@ -8,6 +8,7 @@ mod pilot;
 mod reel;
 mod reload;
 mod signs;
+mod viewer;
 mod what_if;
 mod what_if_drawing;
 

@@ -2,7 +2,7 @@
 
 use super::Flight;
 use super::attempt::Attempt;
-use super::reel::Viewer;
+use super::viewer::Viewer;
 use crate::game::{Controls, Inputs, Latch, Outcome, Playback};
 use crate::screens::{Input, Spectator};
 use crate::settings::Action;

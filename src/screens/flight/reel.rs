@@ -4,9 +4,10 @@
 use super::Flight;
 use super::attempt::Attempt;
 use super::pilot::Pilot;
+use super::viewer::Viewer;
 use crate::draw::layout::{Area, Frame, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
-use crate::game::{Clock, Outcome, Reel, Unflown};
+use crate::game::{Clock, Outcome, Reel};
 use crate::number::clock;
 use crate::screens::ahead::Ahead;
 use crate::screens::observer::Observer;
@@ -38,20 +39,6 @@ const FASTER: &str = "Faster";
 const FORCES: &str = "Forces";
 /// A widget without words of its own.
 const TIME_LINE: &str = "Time line";
-
-/// The viewer's part of a watched flight.
-#[derive(Debug)]
-pub(super) struct Viewer {
-    title: String,
-    /// The request of the button that leads back.
-    back: Request,
-    /// The inputs that the history lacks.
-    unflown: Option<Unflown>,
-    /// Ticks to fly of them in a frame.
-    ahead: Ahead,
-    /// Whether the pointer holds the time line.
-    dragged: bool,
-}
 
 impl Flight {
     /// A recorded flight from its start.

@@ -3,7 +3,6 @@
 
 use super::dock::{self, dock};
 use super::figures::{Figures, Table, in_focus};
-use super::panels::CLOCK_WORDS;
 use super::ruler::{Click, Ruler};
 use super::vectors::Scales;
 use super::{Stage, Tool};
@@ -15,6 +14,9 @@ use crate::physics::BodyId;
 use crate::screens::Input;
 use crate::ui::Ui;
 use crate::view::focus::Focus;
+
+/// The words on the stop clock's buttons while it stands still.
+pub const CLOCK_WORDS: [&str; 3] = ["Start", "Lap", "Reset"];
 
 /// Ticks of reading in a frame, at most.
 const AHEAD: u64 = 600;

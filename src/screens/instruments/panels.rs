@@ -3,7 +3,7 @@
 use super::Tool;
 use super::dock;
 use super::figures::{FigureLine, Subject, in_focus};
-use super::measure::Measures;
+use super::measure::{CLOCK_WORDS, Measures};
 use super::measured::colour;
 use super::vectors::Vector;
 use crate::draw::layout::{Area, DETAILS, GRID, TEXT, Vec2};
@@ -20,8 +20,6 @@ use crate::view::widgets;
 /// Opacity of a panel: in general, and above the ship or a body in focus.
 const HIDES: f32 = 0.95;
 const OVER_SHIP: f32 = 0.55;
-/// The words on the stop clock's buttons while it stands still.
-pub const CLOCK_WORDS: [&str; 3] = ["Start", "Lap", "Reset"];
 
 impl Measures {
     /// Draws the ground of each panel, paler above the ship or a body in focus, and the scales, which depend on the view.

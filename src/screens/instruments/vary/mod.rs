@@ -10,7 +10,7 @@ use crate::game::body_title;
 use crate::instruments::vary::{SliderTrack, Variation};
 use crate::level::{Level, Parameter};
 use crate::physics::BodyId;
-use crate::ui::{Entry, EntryEvent, SliderMove, SliderShown, Ui, WidgetKind};
+use crate::ui::{EntryEvent, EntryField, SliderMove, SliderShown, Ui, WidgetKind};
 use crate::view::quantity::scalar;
 use crate::view::{theme, widgets};
 use layout::Layout;
@@ -77,7 +77,7 @@ pub struct Vary {
     from: VaryFrom,
     /// The last changed number: further changes go on with it.
     last: Option<Parameter>,
-    entry: Entry,
+    entry: EntryField,
     /// The last message, and whether it is bad.
     message: Option<(String, bool)>,
     progress: Option<f64>,
@@ -89,7 +89,7 @@ impl Vary {
     /// Shows the panel at the right of that frame, where it is open and something can vary.
     pub fn show(&mut self, ui: &mut Ui<'_>, frame: &Frame, stage: &Stage, open: bool) {
         let Some(varied) = stage.varied.filter(|_| open) else {
-            (self.lines, self.layout, self.entry) = (Vec::new(), Layout::default(), Entry::default());
+            (self.lines, self.layout, self.entry) = (Vec::new(), Layout::default(), EntryField::default());
             return;
         };
         self.read(&varied, stage.focus.followed().map_or(0, |body| body.index()));
