@@ -104,6 +104,8 @@
     }
   }
 
+  const fit = () => resize(canvas, wasm_exports.resize);
+  let ratio = devicePixelRatio;
   let link = location.hash.slice(1), lastLink = "";
   window.addEventListener("hashchange", () => { link = location.hash.slice(1); });
 
@@ -152,7 +154,11 @@
         resultant_say: (kind, from, length) => {
           const words = textAt(from, length);
           if (kind === 0) stop(words || "The game has ended. Load the page again to play on.");
-          else if (kind === 1) { if (!window.resultantReady) { window.resultantReady = performance.now(); at("words").hidden = true; } }
+          else if (kind === 1) {
+            // Once a frame, in which the program takes no other call.
+            if (ratio !== devicePixelRatio) { ratio = devicePixelRatio; setTimeout(fit); }
+            if (!window.resultantReady) { window.resultantReady = performance.now(); at("words").hidden = true; }
+          }
           else if (kind === 2) { at("words").hidden = true; at("lines").hidden = false; at("lines").textContent += words + "\n"; }
           else if (kind === 3) tell(words);
           else { try { sessionStorage.setItem(PREFIX + "notice", words); } catch { /* No word then. */ } location.reload(); }
@@ -186,7 +192,7 @@
           canvas.oncontextmenu = (event) => event.preventDefault();
           canvas.addEventListener("keydown", (event) => { if (event.code === "F11" || event.ctrlKey && event.code === "KeyS") event.preventDefault(); });
           // The browser may change the canvas' size without a window's event: its zoom, another screen, fullscreen.
-          new ResizeObserver(() => resize(canvas, wasm_exports.resize)).observe(canvas);
+          new ResizeObserver(fit).observe(canvas);
           document.addEventListener("visibilitychange", () => {
             if (document.visibilityState === "visible") return void sound?.resume();
             wasm_exports.resultant_hidden();
