@@ -98,7 +98,7 @@ fn what_is_watched_is_measured_as_it_was_flown() {
         let joules = 0.5 * 100.0 * ship(watch.game()).velocity.length_squared();
         let told = |name: &str| measures.table().lines.iter().find(|line| line.name == name).unwrap().values.clone();
         for name in ["Kinetic energy", "= kinetic gained"] {
-            assert!(told(name).iter().all(|told| says(told, joules, "J")), "tick {tick}: {joules} J is told as {:?}", told(name));
+            assert!(told(name).iter().all(|told| says(told, joules, "J")), "tick {tick}: {joules} J, shown {:?}", told(name));
         }
     }
 }
@@ -260,7 +260,7 @@ fn one_or_several_are_raced_and_the_gaps_are_right() {
     // The score leads to the same race again.
     sitting.wait(2.0);
     assert_eq!(sitting.choose("Try Again").flight().race().unwrap().all().len(), 1);
-    // R begins it anew.
+    // R begins it again.
     assert_eq!(sitting.wait(0.2).press(Key::R).flight().race().unwrap().splits(), []);
 }
 

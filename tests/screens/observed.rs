@@ -1,4 +1,4 @@
-//! Whoever looks on stops the world, takes it a tick on or back, changes its pace, and picks out whom the details tell of.
+//! An observer stops the world, takes it a tick on or back, changes its pace, and picks out the body of the details.
 
 use crate::sitting::{Sitting, level};
 use resultant::game::TICK_RATE;
@@ -41,7 +41,7 @@ fn a_frozen_world_stands_and_goes_on_and_back_by_single_ticks_bit_for_bit() {
     // Back to before the start is nowhere.
     sitting.press_all(&[Key::Comma; 200]);
     assert_eq!(ticks(&sitting), 0);
-    assert!(sitting.flight().is_assisted(), "whoever takes time back has help");
+    assert!(sitting.flight().is_assisted(), "taking time back is help");
 }
 
 #[test]
