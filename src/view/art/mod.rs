@@ -202,4 +202,21 @@ mod tests {
             assert!(icon(side).chunks(4).filter(|p| p[3] > 200).count() > side * side / 3);
         }
     }
+
+    /// `UPDATE_DOCS=1 cargo test --lib icon` draws the file.
+    #[test]
+    fn the_icon_for_desktops_is_the_same_ship() {
+        const SIDE: u32 = 256;
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/platform/linux/resultant.png");
+        let drawn = icon(SIDE as usize);
+        if std::env::var_os("UPDATE_DOCS").is_some() {
+            let mut encoder = png::Encoder::new(std::fs::File::create(path).unwrap(), SIDE, SIDE);
+            encoder.set_color(png::ColorType::Rgba);
+            encoder.write_header().unwrap().write_image_data(&drawn).unwrap();
+        }
+        let mut picture = png::Decoder::new(std::io::BufReader::new(std::fs::File::open(path).unwrap())).read_info().unwrap();
+        let mut kept = vec![0; picture.output_buffer_size().unwrap()];
+        picture.next_frame(&mut kept).unwrap();
+        assert!(kept == drawn, "platform/linux/resultant.png is stale");
+    }
 }
