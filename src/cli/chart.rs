@@ -205,7 +205,7 @@ fn machine() -> String {
 
 /// The commit of the measured code, if git knows one: of the package's folder, or else of the project's.
 fn commit(root: &Path) -> Option<String> {
-    [Path::new(env!("CARGO_MANIFEST_DIR")), root].into_iter().find_map(|folder| {
+    [Path::new("."), root].into_iter().find_map(|folder| {
         let ran =
             Command::new("git").arg("-C").arg(folder).args(["describe", "--always", "--dirty", "--exclude=*"]).output().ok()?;
         let text = String::from_utf8(ran.stdout).ok()?;

@@ -4,15 +4,16 @@ use crate::level::{self, Level};
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-/// The folder with `assets/`, `levels/` and `scores/`.
+/// The folder that holds `scores/` and the player's own levels, settings and flights. The shipped levels and assets are in it, or the
+/// built-in ones lie beneath it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Project {
     root: PathBuf,
 }
 
 impl Project {
-    /// `data` if it is given; else the first folder with `levels/` among the working directory, its parents, the executable's
-    /// folder and the folder of the build; else the working directory, above the levels and assets that are built in.
+    /// `data` if it is given; else the working directory or the first folder above it with the levels of a game; else the program's
+    /// folder, where a file `portable` or levels of a game's checkout make it the place; else the system's folder for the user's files.
     /// Errors: `data` is no folder.
     pub fn find(data: Option<&Path>) -> Result<Self, CommandError> {
         if let Some(data) = data {
@@ -22,21 +23,36 @@ impl Project {
                 Err(CommandError::Refused(format!("--data {}: there is no such folder", data.display())))
             };
         }
-        let executable = std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf));
-        let package = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
         let working = std::env::current_dir().ok();
         let above = working.iter().flat_map(|folder| folder.ancestors().skip(1).map(Path::to_path_buf));
-        let others = executable.into_iter().chain([package]);
-        let project = Self::first_with_levels([PathBuf::from(".")].into_iter().chain(above).chain(others));
-        if !files::is_folder(&project.levels()) {
+        let program = std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf));
+        let portable = program.clone().filter(|folder| files::is_file(&folder.join(PORTABLE)));
+        let root = [PathBuf::from(".")].into_iter().chain(above).find(|folder| has_levels(folder));
+        let project = Self { root: root.or(portable).unwrap_or_else(|| users_folder().unwrap_or_else(|| PathBuf::from("."))) };
+        if !has_levels(&project.root) {
             files::ship_at(&project.root);
         }
         Ok(project)
     }
 
-    fn first_with_levels(mut candidates: impl Iterator<Item = PathBuf>) -> Self {
-        let root = candidates.find(|folder| files::is_folder(&folder.join("levels")));
-        Self { root: root.unwrap_or_else(|| PathBuf::from(".")) }
+    /// Makes the folder, and takes over the scores that an older version kept beside the program, once. The message says so.
+    /// Errors: scores that cannot be copied; they stay where they are.
+    pub fn settle(&self) -> Result<Option<String>, String> {
+        let program = std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf));
+        self.settle_from(program.as_deref())
+    }
+
+    fn settle_from(&self, program: Option<&Path>) -> Result<Option<String>, String> {
+        // A folder that cannot be made is reported by the first thing that is saved.
+        let _ = files::make_folder(&self.root);
+        let Some(old) = program.filter(|folder| has_levels(folder)).map(|folder| folder.join("scores")) else { return Ok(None) };
+        if !files::is_folder(&old) || files::is_taken(&self.scores()) {
+            return Ok(None);
+        }
+        let (from, to) = (old.display(), self.scores());
+        files::create_folder(&to, |folder: &Path| copy_all(&old, folder, DEPTH))
+            .map_err(|error| format!("the scores in {from} were not taken over to {}: {error}", to.display()))?;
+        Ok(Some(format!("took over the scores in {from}: they are in {} now", to.display())))
     }
 
     /// The start of image paths in level files.
@@ -100,21 +116,79 @@ impl Project {
     }
 }
 
+/// Beside the program, this file makes the program's folder the place of all files.
+const PORTABLE: &str = "portable";
+/// Folders within each other in a folder of scores, at most.
+const DEPTH: u32 = 8;
+
+/// Whether a folder's `levels/` is that of a game: another program's folder of that name holds no level.
+fn has_levels(folder: &Path) -> bool {
+    let levels = folder.join("levels");
+    files::is_file(&levels.join("shipped.csv"))
+        || files::names(&levels).is_ok_and(|names| names.iter().any(|name| files::is_file(&levels.join(name).join("player.csv"))))
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn users_folder() -> Option<PathBuf> {
+    directories::ProjectDirs::from("", "", "Resultant").map(|places| places.data_dir().to_path_buf())
+}
+
+#[cfg(target_arch = "wasm32")]
+fn users_folder() -> Option<PathBuf> {
+    None
+}
+
+/// Copies files and folders; links stay behind.
+fn copy_all(from: &Path, to: &Path, depth: u32) -> std::io::Result<()> {
+    for name in files::names(from)? {
+        let (old, new) = (from.join(&name), to.join(&name));
+        if files::is_link(&old) {
+            continue;
+        }
+        if files::is_file(&old) {
+            files::copy(&old, &new)?;
+        } else if files::is_folder(&old) && depth > 0 {
+            files::make_folder(&new)?;
+            copy_all(&old, &new, depth - 1)?;
+        }
+    }
+    Ok(())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn the_first_folder_with_levels_is_taken_and_data_goes_before_all() {
-        let (bare, one, two) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
-        for folder in [&one, &two] {
-            std::fs::create_dir(folder.path().join("levels")).unwrap();
-        }
-        let candidates = || [&bare, &one, &two].into_iter().map(|folder| folder.path().to_path_buf());
-        assert_eq!(Project::first_with_levels(candidates()).root(), one.path());
-        assert_eq!(Project::first_with_levels(candidates().take(1)).root(), Path::new("."));
-        assert_eq!(Project::find(Some(bare.path())).unwrap().root(), bare.path());
-        assert!(Project::find(Some(&bare.path().join("missing"))).is_err());
+    fn data_goes_before_all_and_a_folder_of_levels_has_a_level() {
+        let data = tempfile::tempdir().unwrap();
+        assert_eq!(Project::find(Some(data.path())).unwrap().root(), data.path());
+        assert!(Project::find(Some(&data.path().join("missing"))).is_err());
+        let levels = data.path().join("levels");
+        std::fs::create_dir_all(levels.join("7")).unwrap();
+        assert!(!has_levels(data.path()), "another program's levels");
+        std::fs::write(levels.join("7/player.csv"), "").unwrap();
+        assert!(has_levels(data.path()));
+    }
+
+    #[test]
+    fn older_scores_beside_the_program_are_taken_over_once() {
+        let (program, home) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+        let project = Project { root: home.path().join("share/resultant") };
+        assert_eq!(project.settle_from(Some(program.path())), Ok(None), "no levels beside it");
+        std::fs::create_dir_all(program.path().join("levels")).unwrap();
+        std::fs::write(program.path().join("levels/shipped.csv"), "").unwrap();
+        std::fs::create_dir_all(program.path().join("scores/flights/1")).unwrap();
+        std::fs::write(program.path().join("scores/1.csv"), "name,score\nann,5\n").unwrap();
+        std::fs::write(program.path().join("scores/flights/1/ann.replay.csv"), "x").unwrap();
+        let told = project.settle_from(Some(program.path())).unwrap().unwrap();
+        assert!(told.starts_with("took over the scores in "), "{told}");
+        let scores = project.scores();
+        assert_eq!(std::fs::read_to_string(scores.join("1.csv")).unwrap(), "name,score\nann,5\n");
+        assert!(scores.join("flights/1/ann.replay.csv").is_file() && program.path().join("scores/1.csv").is_file());
+        std::fs::write(scores.join("1.csv"), "name,score\nann,6\n").unwrap();
+        assert_eq!(project.settle_from(Some(program.path())), Ok(None), "once");
+        assert_eq!(std::fs::read_to_string(scores.join("1.csv")).unwrap(), "name,score\nann,6\n");
     }
 
     #[test]

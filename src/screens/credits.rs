@@ -15,7 +15,7 @@ const FONTS: [(&str, &str); 2] = [
     ("Hack, a typeface: C. Simpkins, DejaVu, Bitstream", "MIT; Bitstream Vera"),
 ];
 /// Crates, by their names before the colon, and their licences.
-const CRATES: [(&str, &str); 17] = [
+const CRATES: [(&str, &str); 18] = [
     ("epaint_default_fonts and ttf-parser: typefaces", "MIT or Apache 2.0"),
     ("macroquad and miniquad: window, keys, drawing", "MIT or Apache 2.0"),
     ("gilrs: gamepads", "MIT or Apache 2.0"),
@@ -31,6 +31,7 @@ const CRATES: [(&str, &str); 17] = [
     ("png: pictures", "MIT or Apache 2.0"),
     ("zip: levels as one file", "MIT"),
     ("tempfile: files that are written whole", "MIT or Apache 2.0"),
+    ("directories: where each system keeps a user's files", "MIT or Apache 2.0"),
     ("libc: how each system opens a file", "MIT or Apache 2.0"),
     ("cpu-time: a clock", "MIT or Apache 2.0"),
 ];
