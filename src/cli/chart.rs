@@ -203,7 +203,7 @@ fn machine() -> String {
     model.map_or(system.clone(), |(_, model)| format!("{}, {system}", model.trim()))
 }
 
-/// The commit of the measured code, if git knows one: of the package's folder, or else of the project's.
+/// The commit of the measured code, if git knows one: of the working directory, or else of the project.
 fn commit(root: &Path) -> Option<String> {
     [Path::new("."), root].into_iter().find_map(|folder| {
         let ran =
