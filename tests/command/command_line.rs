@@ -48,6 +48,31 @@ fn the_data_folder_must_be_there_and_the_working_directory_is_looked_in() {
     assert_eq!((ran.status, ran.value("ticks")), (0, "0"));
 }
 
+/// The system's folder for a user's files is known by the environment on Linux alone.
+#[cfg(target_os = "linux")]
+#[test]
+fn the_program_alone_has_its_levels_and_keeps_own_files_in_the_users_folder() {
+    let (alone, home) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let program = alone.path().join("resultant");
+    std::fs::copy(env!("CARGO_BIN_EXE_resultant"), &program).unwrap();
+    let run = |args: &[&str]| {
+        let mut command = std::process::Command::new(&program);
+        Ran::new(command.args(args).current_dir(alone.path()).env("HOME", home.path()).env_remove("XDG_DATA_HOME"))
+    };
+    let flown = run(&["run", "1", "--seconds", "0"]);
+    assert_eq!((flown.status, flown.value("ticks")), (0, "0"), "{}", flown.err);
+    // A folder of another program is no game's.
+    std::fs::create_dir(alone.path().join("levels")).unwrap();
+    assert_eq!(run(&["run", "1", "--seconds", "0"]).status, 0);
+    let own = home.path().join(".local/share/resultant/levels");
+    assert_eq!(run(&["new", "tower"]).out.trim(), own.join("tower").to_str().unwrap());
+    assert_eq!(run(&["check", "tower", "1"]).status, 0, "own levels stand beside the shipped ones");
+    assert_eq!(run(&["new", "1"]).status, 2, "a shipped level stays");
+    std::fs::write(alone.path().join("portable"), "").unwrap();
+    let made = run(&["new", "mill"]);
+    assert_eq!((made.status, made.out.trim()), (0, alone.path().join("levels/mill").to_str().unwrap()), "{}", made.err);
+}
+
 #[cfg(not(feature = "window"))]
 #[test]
 fn without_a_window_playing_says_so() {
