@@ -12,8 +12,8 @@ pub struct Project {
 }
 
 impl Project {
-    /// `data` if it is given; else the working directory or the first folder above it with the levels of a game; else the program's
-    /// folder, where a file `portable` or levels of a game's checkout make it the place; else the system's folder for the user's files.
+    /// `data` if it is given; else the program's folder, where a file `portable` lies in it; else the working directory or the first
+    /// folder above it with the levels of a game; else the system's folder for the user's files.
     /// Errors: `data` is no folder.
     pub fn find(data: Option<&Path>) -> Result<Self, CommandError> {
         if let Some(data) = data {
@@ -23,16 +23,17 @@ impl Project {
                 Err(CommandError::Refused(format!("--data {}: there is no such folder", data.display())))
             };
         }
+        let program = std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf));
+        let portable = program.filter(|folder| files::is_file(&folder.join(PORTABLE)));
         let working = std::env::current_dir().ok();
         let above = working.iter().flat_map(|folder| folder.ancestors().skip(1).map(Path::to_path_buf));
-        let program = std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf));
-        let portable = program.clone().filter(|folder| files::is_file(&folder.join(PORTABLE)));
-        let root = [PathBuf::from(".")].into_iter().chain(above).find(|folder| has_levels(folder));
-        let project = Self { root: root.or(portable).unwrap_or_else(|| users_folder().unwrap_or_else(|| PathBuf::from("."))) };
-        if !has_levels(&project.root) {
-            files::ship_at(&project.root);
+        let mut places = [PathBuf::from(".")].into_iter().chain(above);
+        if let (None, Some(root)) = (&portable, places.find(|folder| has_levels(folder))) {
+            return Ok(Self { root });
         }
-        Ok(project)
+        let root = portable.or_else(users_folder).unwrap_or_else(|| PathBuf::from("."));
+        files::ship_at(&root);
+        Ok(Self { root })
     }
 
     /// Makes the folder, and takes over the scores that an older version kept beside the program, once. The message says so.

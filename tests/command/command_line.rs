@@ -71,6 +71,7 @@ fn the_program_alone_has_its_levels_and_keeps_own_files_in_the_users_folder() {
     std::fs::write(alone.path().join("portable"), "").unwrap();
     let made = run(&["new", "mill"]);
     assert_eq!((made.status, made.out.trim()), (0, alone.path().join("levels/mill").to_str().unwrap()), "{}", made.err);
+    assert_eq!(run(&["check", "mill", "1"]).status, 0, "the shipped ones lie beneath own levels");
 }
 
 #[cfg(not(feature = "window"))]
