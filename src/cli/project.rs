@@ -23,8 +23,7 @@ impl Project {
                 Err(CommandError::Refused(format!("--data {}: there is no such folder", data.display())))
             };
         }
-        let program = std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf));
-        let portable = program.filter(|folder| files::is_file(&folder.join(PORTABLE)));
+        let portable = program_folder().filter(|folder| files::is_file(&folder.join(PORTABLE)));
         let working = std::env::current_dir().ok();
         let above = working.iter().flat_map(|folder| folder.ancestors().skip(1).map(Path::to_path_buf));
         let mut places = [PathBuf::from(".")].into_iter().chain(above);
@@ -39,8 +38,7 @@ impl Project {
     /// Makes the folder, and takes over the scores that an older version kept beside the program, once. The message says so.
     /// Errors: scores that cannot be copied; they stay where they are.
     pub fn settle(&self) -> Result<Option<String>, String> {
-        let program = std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf));
-        self.settle_from(program.as_deref())
+        self.settle_from(program_folder().as_deref())
     }
 
     fn settle_from(&self, program: Option<&Path>) -> Result<Option<String>, String> {
@@ -121,6 +119,10 @@ impl Project {
 const PORTABLE: &str = "portable";
 /// Folders within each other in a folder of scores, at most.
 const DEPTH: u32 = 8;
+
+fn program_folder() -> Option<PathBuf> {
+    std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf))
+}
 
 /// Whether a folder's `levels/` is that of a game: another program's folder of that name holds no level.
 fn has_levels(folder: &Path) -> bool {

@@ -1,27 +1,34 @@
 //! How many ticks are flown in a frame beside what is shown: as many as frames stay short with.
 
-/// At least, at first and at most.
-const TICKS: [u64; 3] = [30, 240, 4000];
 /// A frame that takes longer than this is no short one, s.
 const SHORT_FRAME: f64 = 1.0 / 40.0;
 
 /// The number.
 #[derive(Clone, Copy, Debug)]
-pub struct Ahead(u64);
+pub struct Ahead {
+    ticks: u64,
+    least: u64,
+    most: u64,
+}
 
 impl Default for Ahead {
     fn default() -> Self {
-        Self(TICKS[1])
+        Self::within([30, 240, 4000])
     }
 }
 
 impl Ahead {
+    /// At least, at first and at most that number of ticks.
+    pub const fn within([least, ticks, most]: [u64; 3]) -> Self {
+        Self { ticks, least, most }
+    }
+
     /// How many it is to be after a frame that took so long, s; as before where no time has passed.
     pub fn ticks(&mut self, frame_time: f64) -> u64 {
         if frame_time > 0.0 {
-            let [least, _, most] = TICKS;
-            self.0 = if frame_time > SHORT_FRAME { self.0 / 2 } else { self.0 * 5 / 4 }.clamp(least, most);
+            let wanted = if frame_time > SHORT_FRAME { self.ticks / 2 } else { self.ticks * 5 / 4 };
+            self.ticks = wanted.clamp(self.least, self.most);
         }
-        self.0
+        self.ticks
     }
 }

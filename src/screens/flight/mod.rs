@@ -12,6 +12,7 @@ mod viewer;
 mod what_if;
 mod what_if_drawing;
 
+use super::ahead::Ahead;
 use super::granting::is_of_level;
 use super::instruments::{Instruments, Stage};
 use super::observer::Observer;
@@ -63,7 +64,7 @@ pub struct Flight {
     /// The varied level; its flight does not count.
     what_if: Option<Box<WhatIf>>,
     /// Ticks to fly again in a frame.
-    ahead: u64,
+    ahead: Ahead,
     /// Whether the flight tries out an edited level: it does not count.
     test: bool,
     /// The state of the level's files, while it is shown.
@@ -193,7 +194,7 @@ impl Flight {
             observer: Observer::default(),
             instruments: Instruments::default(),
             what_if: None,
-            ahead: what_if::AT_FIRST,
+            ahead: Ahead::within(what_if::AGAIN),
             test: false,
             news: None,
             lost: None,

@@ -10,11 +10,8 @@ use crate::screens::instruments::vary::{Varied, VaryFrom, VaryWish};
 use crate::screens::{Input, Key, Request, Spectator};
 use std::sync::Arc;
 
-/// How many ticks are flown again in a frame, at first, and at least and at most: as many as frames stay short with.
-pub(super) const AT_FIRST: u64 = 1200;
-const AHEAD: (u64, u64) = (60, 20_000);
-/// A frame that takes longer than this is no short one, s.
-const SHORT_FRAME: f64 = 1.0 / 40.0;
+/// Ticks that are flown again in a frame: at least, at first and at most.
+pub(super) const AGAIN: [u64; 3] = [60, 1200, 20_000];
 
 /// A level that is varied while it is flown.
 #[derive(Debug)]
@@ -109,7 +106,8 @@ impl Flight {
                 if let Err(words) = self.vary(variation, from, goes_on) {
                     self.instruments.vary_mut().tell(words, true);
                 }
-                self.fly_again(self.ahead, spectator);
+                let ticks = self.ahead.ticks(0.0);
+                self.fly_again(ticks, spectator);
                 None
             }
             VaryWish::Restore => Some(self.restore()),
@@ -177,9 +175,8 @@ impl Flight {
     pub(super) fn update_what_if(&mut self, frame_time: f64, spectator: &mut dyn Spectator) -> bool {
         let Some(what_if) = &self.what_if else { return false };
         if what_if.again.is_some() && frame_time > 0.0 {
-            let (least, most) = AHEAD;
-            self.ahead = if frame_time > SHORT_FRAME { self.ahead / 2 } else { self.ahead * 5 / 4 }.clamp(least, most);
-            self.fly_again(self.ahead, spectator);
+            let ticks = self.ahead.ticks(frame_time);
+            self.fly_again(ticks, spectator);
         }
         self.is_flown_again()
     }
