@@ -2,13 +2,12 @@
 //! anywhere in its own free space, and one-way and fragile blocks and movers are no obstacles.
 
 use super::draft::Draft;
-use super::placed::FromRow;
 use super::problem::Problem;
 use super::reach::{CentredBox, FreeSpace};
 use super::types::{ObjectiveKind, Presser, SHIP_HALF, ShipStart, Switch};
 use super::winnable::fitting;
+use super::wiring::{SwitchesByName, Wire, Worked};
 use crate::physics::Aabb;
-use std::collections::BTreeMap;
 
 pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
     if draft.switches.is_empty() && draft.doors.is_empty() && draft.obstacles.is_empty() {
@@ -28,10 +27,10 @@ pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<
         } else if !presses(draft, &switch.item, ship, (&off_red, space)) {
             ("a switch that the ship gets to through red alone".to_owned(), "a route that keeps off the rows of obstacles.csv")
         } else {
-            let own = gates.works[index].iter().find(|(door, inverted)| !inverted && !open[*door]);
+            let own = (0..open.len()).find(|&door| !open[door] && gates.opens(index, door));
             let whose = own.map_or_else(
                 || "a door that nothing opens".to_owned(),
-                |(door, _)| format!("its own door, line {} of doors.csv", draft.doors[*door].line),
+                |door| format!("its own door, line {} of doors.csv", draft.doors[door].line),
             );
             (format!("a switch behind {whose}"), "a route to it that needs no closed door, or another switch for the door")
         };
@@ -55,23 +54,27 @@ pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<
 
 struct Gates<'a> {
     draft: &'a Draft,
-    /// Of each switch the doors that it works, and whether the door is open while the switch is off.
-    works: Vec<Vec<(usize, bool)>>,
+    /// Of each door.
+    wires: Vec<Option<Wire>>,
 }
 
 impl<'a> Gates<'a> {
     fn new(draft: &'a Draft) -> Self {
-        let mut named: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
-        for (index, door) in draft.doors.iter().enumerate() {
-            if let Some(name) = &door.item.name {
-                named.entry(name).or_default().push(index);
-            }
-        }
-        let doors = |switch: &FromRow<Switch>| {
-            let works = switch.item.works.iter();
-            works.flat_map(|work| named.get(work.name.as_str()).into_iter().flatten().map(|door| (*door, work.inverted))).collect()
-        };
-        Self { draft, works: draft.switches.iter().map(doors).collect() }
+        let switches = SwitchesByName::new(draft.switches.iter().map(|switch| &switch.item));
+        let doors = draft.doors.iter().enumerate();
+        let wires = doors.map(|(index, door)| switches.wire(door.item.name.as_deref()?, Worked::Door(index))).collect();
+        Self { draft, wires }
+    }
+
+    /// Whether a door needs that switch, or another one of the same name, to be pressed.
+    fn opens(&self, switch: usize, door: usize) -> bool {
+        self.wires[door].as_ref().is_some_and(|wire| wire.by.iter().flatten().any(|by| *by == (switch, false)))
+    }
+
+    /// The doors that are open at some time; one behind a `!` is open until its switch is pressed.
+    fn open(&self, pressed: &[bool]) -> Vec<bool> {
+        let ever = |by: &Vec<(usize, bool)>| by.iter().any(|(switch, inverted)| *inverted || pressed[*switch]);
+        self.wires.iter().map(|wire| wire.as_ref().is_some_and(|wire| wire.by.iter().all(ever))).collect()
     }
 
     fn closed(&self, open: &[bool]) -> impl Iterator<Item = Aabb> + use<'_> {
@@ -81,20 +84,15 @@ impl<'a> Gates<'a> {
 
     /// Which switches can be pressed, and which doors are open at some time: from the switches in reach at the start, door after door.
     fn play(&self, ship: CentredBox, space: &FreeSpace) -> (Vec<bool>, Vec<bool>) {
-        let mut pressed = vec![false; self.works.len()];
-        let mut open = vec![false; self.draft.doors.len()];
-        // A door behind a `!` is open until its switch is pressed.
-        self.works.iter().flatten().filter(|(_, inverted)| *inverted).for_each(|(door, _)| open[*door] = true);
+        let mut pressed = vec![false; self.draft.switches.len()];
         loop {
+            let open = self.open(&pressed);
             let free = space.with(self.closed(&open));
             let off_red = free.with(self.draft.obstacles.iter().map(|red| red.item));
             let mut news = false;
             for (index, switch) in self.draft.switches.iter().enumerate() {
                 if !pressed[index] && presses(self.draft, &switch.item, ship, (&off_red, &free)) {
-                    pressed[index] = true;
-                    for (door, _) in &self.works[index] {
-                        news |= !std::mem::replace(&mut open[*door], true);
-                    }
+                    (pressed[index], news) = (true, true);
                 }
             }
             if !news {

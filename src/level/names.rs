@@ -4,6 +4,7 @@ use super::draft::Draft;
 use super::nearest::{meant, nearest};
 use super::problem::{MOST_PROBLEMS, Problem, quoted};
 use super::schema::FILES;
+use super::wiring::names_in;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A file that no level has: refused where it is one of [`FILES`] misspelt, a warning for any other table. Other files are the author's own.
@@ -41,7 +42,7 @@ fn worked(draft: &Draft) -> BTreeMap<&str, usize> {
     let solids = draft.world.iter().filter(|solid| solid.item.belt != 0.0).chain(&draft.doors).map(|solid| &solid.item.name);
     let movers = draft.movers.iter().map(|mover| &mover.item.solid.name);
     let streams = draft.streams.iter().map(|stream| &stream.item.name);
-    for name in solids.chain(movers).chain(streams).flatten() {
+    for name in solids.chain(movers).chain(streams).flatten().flat_map(|name| names_in(name)) {
         *things.entry(name).or_default() += 1;
     }
     things
@@ -89,7 +90,7 @@ pub(super) fn warn(draft: &Draft) -> Vec<Problem> {
     let named = world.chain(movers).chain(doors).chain(streams);
     named
         .filter_map(|placed| {
-            let name = placed.item.as_deref().filter(|name| !known.contains(name))?;
+            let name = names_in(placed.item.as_deref()?).find(|name| !known.contains(name))?;
             let found = format!("{}, which no switch works", quoted(name));
             let meant = meant(name, known.iter().copied().take(MOST_NAMES));
             Some(placed.problem("name", found, format!("a row of switches.csv that works it{meant}")))

@@ -6,6 +6,7 @@ use super::placed::FromRow;
 use super::problem::{MOST_PROBLEMS, Problem};
 use super::reach::{FreeSpace, SearchWork};
 use super::types::{Fluid, SHIP_HALF, ShipStart, Solid};
+use super::wiring::{SwitchesByName, Worked};
 use crate::physics::domain::{LIQUIDS_OVERLAP, MOST_FIELDS, MOST_LIQUIDS, MOST_STREAMS};
 use crate::physics::{Aabb, DVec2, Sides};
 use std::rc::Rc;
@@ -56,8 +57,10 @@ pub(super) fn check(draft: &Draft, work: &SearchWork) -> Vec<Problem> {
     );
     solids.extend(draft.movers.iter().map(|mover| ("the mover", mover.map(|mover| mover.solid.bounds))));
     // A door that is open at the start closes once it is free.
-    let works = || draft.switches.iter().flat_map(|switch| &switch.item.works);
-    let open = |door: &Solid| works().any(|work| work.inverted && Some(&work.name) == door.name.as_ref());
+    let (switches, off) =
+        (SwitchesByName::new(draft.switches.iter().map(|switch| &switch.item)), vec![false; draft.switches.len()]);
+    let wire = |door: &Solid| switches.wire(door.name.as_deref()?, Worked::Door(0));
+    let open = |door: &Solid| wire(door).is_some_and(|wire| wire.is_on(&off));
     solids.extend(draft.doors.iter().filter(|door| !open(&door.item)).map(|door| ("the door", door.map(|door| door.bounds))));
     let plates = draft.switches.iter().filter(|switch| switch.item.weight.is_some());
     solids.extend(plates.map(|plate| ("the plate", plate.map(|plate| plate.bounds))));

@@ -1,6 +1,6 @@
 //! The things that switches work, found by name; and the kinds of a world's surfaces.
 
-use super::types::Level;
+use super::types::{Level, Switch};
 use std::collections::BTreeMap;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -18,14 +18,38 @@ pub enum Worked {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Wire {
     pub worked: Worked,
-    /// The switches, each with whether it turns the thing on while it is off, not on. One is enough.
-    pub by: Vec<(usize, bool)>,
+    /// For each name of the thing its switches, each with whether it turns the thing on while it is off, not on. One of each name is enough.
+    pub by: Vec<Vec<(usize, bool)>>,
+}
+
+/// The names of a thing: `a&b` is on while a switch of `a` and one of `b` are.
+pub fn names_in(name: &str) -> impl Iterator<Item = &str> {
+    name.split('&')
+}
+
+/// By name its switches, as in [`Wire::by`].
+pub(super) struct SwitchesByName<'a>(BTreeMap<&'a str, Vec<(usize, bool)>>);
+
+impl<'a> SwitchesByName<'a> {
+    pub fn new(switches: impl Iterator<Item = &'a Switch>) -> Self {
+        let mut known: BTreeMap<&str, Vec<(usize, bool)>> = BTreeMap::new();
+        for (switch, of) in switches.enumerate() {
+            of.works.iter().for_each(|work| known.entry(&work.name).or_default().push((switch, work.inverted)));
+        }
+        Self(known)
+    }
+
+    /// `None` where no switch works the thing; a name that no switch works does not count.
+    pub fn wire(&self, name: &str, worked: Worked) -> Option<Wire> {
+        let by: Vec<_> = names_in(name).filter_map(|name| self.0.get(name).cloned()).collect();
+        (!by.is_empty()).then_some(Wire { worked, by })
+    }
 }
 
 impl Wire {
     /// `switches`: whether each is on.
     pub fn is_on(&self, switches: &[bool]) -> bool {
-        self.by.iter().any(|&(switch, inverted)| switches[switch] != inverted)
+        self.by.iter().all(|by| by.iter().any(|&(switch, inverted)| switches[switch] != inverted))
     }
 }
 
@@ -49,12 +73,8 @@ impl Level {
         let named = named.chain((0..self.doors.len()).map(|i| (&self.doors[i].name, Some(Worked::Door(i)))));
         let named = named.chain((0..self.world.len()).map(|i| (&self.world[i].name, belt(i))));
         let named = named.chain((0..self.streams.len()).map(|i| (&self.streams[i].name, Some(Worked::Stream(i)))));
-        let mut known: BTreeMap<&str, Vec<(usize, bool)>> = BTreeMap::new();
-        for (switch, of) in self.switches.iter().enumerate() {
-            of.works.iter().for_each(|work| known.entry(&work.name).or_default().push((switch, work.inverted)));
-        }
-        let wire = |name: &str, worked| Some(Wire { worked, by: known.get(name)?.clone() });
-        named.filter_map(|(name, worked)| wire(name.as_deref()?, worked?)).collect()
+        let switches = SwitchesByName::new(self.switches.iter());
+        named.filter_map(|(name, worked)| switches.wire(name.as_deref()?, worked?)).collect()
     }
 
     /// `index` counts the surfaces of the level's world.

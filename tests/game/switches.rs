@@ -94,6 +94,31 @@ fn a_switch_works_movers_belts_and_winds_both_ways() {
 }
 
 #[test]
+fn a_thing_of_two_names_is_on_while_a_switch_of_each_is() {
+    // Two boxes fall onto plates, the second one from higher up; a third plate stays free.
+    let files = [
+        (
+            "doors.csv",
+            "600,600,30,270,left&right\n600,300,30,270,left&right&free\n900,300,30,270,left&nobody\n900,600,30,270,left&off\n",
+        ),
+        ("objects.csv", "345,840,box:30x30,10,0,FALSE,0\n445,600,box:30x30,10,0,FALSE,0\n"),
+        ("switches.csv", "300,855,90,15,left !off,50\n400,855,90,15,right,50\n500,855,90,15,free,50\n"),
+    ];
+    let mut game = begun(&files);
+    let open = |game: &Game| [0, 1, 2, 3].map(|door| game.mechanisms().is_on(Worked::Door(door)));
+    assert_eq!(open(&game), [false; 4]);
+    wait(&mut game, 0.1);
+    assert_eq!(open(&game), [false, false, true, false], "a name that no switch works does not count");
+    wait(&mut game, 2.0);
+    assert_eq!(open(&game), [true, false, true, false]);
+    let names = "a name of letters, digits, - and _ that begins with a letter";
+    for name in ["left&", "&", "left& right", "a&b&c&d&e&f&g&h&i"] {
+        let found = refused(&[("doors.csv", &format!("600,600,30,270,{name}\n"))]);
+        assert_eq!(found, [format!("doors.csv:1: column \"name\": found \"{name}\", expected {names}")]);
+    }
+}
+
+#[test]
 fn a_door_waits_for_what_is_in_its_way() {
     let mut game = begun(&[
         ("doors.csv", "300,840,60,30,gate\n"),

@@ -89,6 +89,13 @@ fn a_switch_behind_its_own_door_and_a_pad_behind_doors_that_nothing_opens_are_wa
     assert!(behind.contains(told) && behind.contains(pad), "{behind}");
     // One door after the other.
     assert_eq!(warned(&[("doors.csv", doors), ("switches.csv", "200,700,60,60,gate\n600,700,60,60,hall\n")]), "");
+    // A door that two switches open together.
+    let both = [("doors.csv", "500,0,20,870,a&b\n"), ("switches.csv", "200,700,60,60,a\n300,700,60,60,b\n")];
+    assert_eq!(warned(&both), "");
+    let one = warned(&[both[0], ("switches.csv", "200,700,60,60,a\n600,700,60,60,b\n")]);
+    assert!(one.contains("switches.csv:2: column \"x\": found a switch behind its own door") && one.contains(pad), "{one}");
+    let unworked = warned(&[both[0], ("switches.csv", "200,700,60,60,a\n")]);
+    assert!(unworked.starts_with("doors.csv:1: column \"name\": found \"b\", which no switch works"), "{unworked}");
     // Two rooms that wait for each other.
     let crossed = "900,700,60,60,gate\n600,700,60,60,hall\n";
     assert_eq!(warned(&[("doors.csv", doors), ("switches.csv", crossed)]).lines().count(), 3);

@@ -2,6 +2,7 @@
 
 use super::model::{Document, RowId, SetCell};
 use crate::level::schema::{Column, Kind, Table};
+use crate::level::wiring::names_in;
 use std::collections::BTreeMap;
 
 /// The tables whose rows have a name that a switch can work.
@@ -27,7 +28,7 @@ impl Document {
         for switch in self.rows(Table::Switches) {
             for word in self.cell(switch, "works").unwrap_or_default().split_whitespace() {
                 let (name, inverted) = (word.trim_start_matches('!'), word.starts_with('!'));
-                let things = named.iter().filter(|(_, known)| *known == name);
+                let things = named.iter().filter(|(_, known)| names_in(known).any(|known| known == name));
                 wires.extend(things.map(|(thing, _)| Wiring { switch, thing: *thing, inverted }));
             }
         }
@@ -55,12 +56,15 @@ impl Document {
         let known = self.names();
         let works = self.cell(switch, "works").unwrap_or_default();
         let mut words: Vec<&str> = works.split_whitespace().collect();
-        if words.iter().any(|word| word.trim_start_matches('!') == name) {
-            words.retain(|word| word.trim_start_matches('!') != name);
+        let is_own = |word: &&str| names_in(&name).any(|name| name == word.trim_start_matches('!'));
+        if words.iter().any(is_own) {
+            words.retain(|word| !is_own(word));
         } else {
             // A new switch works a name that no thing has.
             words.retain(|word| known.iter().any(|known| *known == word.trim_start_matches('!')));
-            words.push(&name);
+            let works = |row| self.cell(row, "works").unwrap_or_default().split_whitespace();
+            let worked = |name: &&str| self.rows(Table::Switches).flat_map(works).any(|word| word.trim_start_matches('!') == *name);
+            words.extend(names_in(&name).find(|name| !worked(name)).or_else(|| names_in(&name).next()));
         }
         cells.push(SetCell { row: switch, column: "works", text: words.join(" ") });
         cells
@@ -82,10 +86,13 @@ impl Document {
                 let Some(old) = before.cell(row, "name").filter(|name| !name.is_empty()) else { continue };
                 // The switches keep the old name until the new one is a word.
                 let one_word = |name: &&str| !name.is_empty() && !name.starts_with('!') && !name.contains(char::is_whitespace);
-                let name = named.get(&RowId { table, row }).copied().filter(one_word).unwrap_or(old);
-                let names = new.entry(old.to_owned()).or_default();
-                if !names.iter().any(|known| known == name) {
-                    names.push(name.to_owned());
+                let name = named.get(&RowId { table, row }).copied().unwrap_or(old);
+                for (old, name) in names_in(old).zip(names_in(name).map(Some).chain(std::iter::repeat(None))) {
+                    let name = name.filter(one_word).unwrap_or(old);
+                    let names = new.entry(old.to_owned()).or_default();
+                    if !names.iter().any(|known| known == name) {
+                        names.push(name.to_owned());
+                    }
                 }
             }
         }
@@ -117,7 +124,7 @@ impl Document {
 
     fn names(&self) -> Vec<&str> {
         let rows = worked().flat_map(|table| self.rows(table));
-        rows.filter_map(|row| self.cell(row, "name").filter(|name| !name.is_empty())).collect()
+        rows.flat_map(|row| names_in(self.cell(row, "name").unwrap_or_default()).filter(|name| !name.is_empty())).collect()
     }
 
     pub(super) fn free_name(&self, kind: Kind) -> String {

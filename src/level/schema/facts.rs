@@ -124,7 +124,7 @@ impl Column {
                 let words = self.choices().into_iter().filter(|word| !word.is_empty());
                 words.map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")
             }
-            Holds::Name => "a word of letters, digits, - and _".to_owned(),
+            Holds::Name => "a word of letters, digits, - and _; with `a&b` a switch of each has to be on".to_owned(),
             Holds::Picture => "a PNG's path, `box:40x40` or `ball:40x40`".to_owned(),
             Holds::Points => "`x y; x y; …` in pixels".to_owned(),
             Holds::Text(words) => words.to_owned(),

@@ -6,6 +6,7 @@ use super::record::{AskedCell, RowCells, RowReader};
 use crate::level::image::PictureShape;
 use crate::level::nearest::meant;
 use crate::level::numbers::{self, NumberRange};
+use crate::level::wiring::names_in;
 use crate::physics::{DVec2, Material, Sides};
 
 type ReadCell<T> = fn(&AskedCell, &mut RowReader) -> Option<T>;
@@ -211,11 +212,14 @@ pub(super) const fn words(holds: &'static str, help: &'static str) -> TypedColum
     })
 }
 
-/// A name by which switches find a thing.
+const MOST_NAMES: usize = 8;
+
+/// Names by which switches find a thing, with & between them.
 pub(super) const fn name(help: &'static str) -> TypedColumn<String> {
     TypedColumn::new(Holds::Name, help, |asked, reader| {
         let expected = "a name of letters, digits, - and _ that begins with a letter";
-        asked.or_refuse(reader, if is_name(asked.text) { Ok(asked.text.to_owned()) } else { Err(expected.into()) })
+        let named = names_in(asked.text).all(is_name) && names_in(asked.text).count() <= MOST_NAMES;
+        asked.or_refuse(reader, if named { Ok(asked.text.to_owned()) } else { Err(expected.into()) })
     })
 }
 

@@ -173,6 +173,15 @@ fn a_mover_takes_its_way_along_and_a_switch_is_wired_by_name() {
     assert_eq!(document.wires().len(), 2);
     document.set(&document.rewired(switch, lift), None).unwrap();
     assert_eq!(document.cell(switch, "works"), Some("door"));
+    // A wire to a thing of two names takes the one that no switch works; with a second name the first keeps its wires.
+    document.set(&[set(door, "name", "door&")], Some(1)).unwrap();
+    document.set(&[set(door, "name", "door&both")], Some(1)).unwrap();
+    assert_eq!((document.cell(switch, "works"), document.wires().len()), (Some("door"), 1));
+    let second = document.put(Kind::Switch, Place { min: DVec2::ZERO, size: DVec2::ONE }).unwrap().unwrap();
+    document.set(&document.rewired(second, door), None).unwrap();
+    assert_eq!((document.cell(second, "works"), document.wires().len()), (Some("lift both"), 3));
+    document.set(&[set(door, "name", "hatch&two")], None).unwrap();
+    assert_eq!((document.cell(switch, "works"), document.cell(second, "works")), (Some("hatch"), Some("lift two")));
     assert!(document.rewired(switch, switch).is_empty());
 }
 
