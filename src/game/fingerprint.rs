@@ -101,6 +101,7 @@ impl Fingerprint {
             title: _,
             metre: _,
             texts: _,
+            hints: _,
             background: _,
             // Prizes follow from a result at any time.
             awards: _,

@@ -39,6 +39,7 @@ pub(super) struct Draft {
     pub pods: Vec<FromRow<Pod>>,
     pub decoration: Vec<FromRow<Decoration>>,
     pub texts: Vec<FromRow<Text>>,
+    pub hints: Vec<FromRow<String>>,
 }
 
 impl Draft {
@@ -67,6 +68,7 @@ impl Draft {
             pods: reader.things(Table::Pods, zones::pod),
             decoration: reader.things(Table::Decoration, zones::decoration),
             texts: reader.things(Table::Texts, zones::text),
+            hints: zones::hints(&reader.table(Table::Hints).records, &mut reader.rows),
         }
     }
 
@@ -100,6 +102,7 @@ impl Draft {
             pods: items(self.pods),
             decoration: items(self.decoration),
             texts: items(self.texts),
+            hints: items(self.hints),
             background: background.then(|| PathBuf::from(BACKGROUND)),
         }
     }

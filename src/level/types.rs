@@ -55,6 +55,8 @@ pub struct Level {
     pub pods: Vec<Pod>,
     pub decoration: Vec<Decoration>,
     pub texts: Vec<Text>,
+    /// Given one at a time, on demand.
+    pub hints: Vec<String>,
     /// The path of background.png, where there is one.
     pub background: Option<std::path::PathBuf>,
 }

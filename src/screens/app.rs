@@ -57,6 +57,8 @@ pub struct App {
     pub(super) ended: Option<String>,
     /// The same of the attempt before that one, which was lost.
     pub(super) lost: Option<String>,
+    /// Losses of this sitting, by the level's name.
+    pub(super) losses: BTreeMap<String, u32>,
     /// The level that was last chosen: where the keyboard is when the list comes back.
     pub(super) last_level: Option<String>,
     pub(super) settings: Settings,
@@ -123,6 +125,7 @@ impl App {
             pace: Pace::default(),
             ended: None,
             lost: None,
+            losses: BTreeMap::new(),
             last_level: None,
             menus: 0,
             waiting: None,
@@ -316,7 +319,9 @@ impl App {
 
     /// Takes note of the attempt on the screen, once, when it has ended. Who watches a recording has flown nothing.
     fn note_end(&mut self) {
-        let Some(flight) = self.screen.get::<Flight>() else { return };
+        let Some(flight) = self.screen.get_mut::<Flight>() else { return };
+        let losses = self.losses.entry(flight.game().level().name.clone()).or_default();
+        flight.tell_of_losses(*losses);
         let game = flight.game();
         if flight.is_test() || flight.is_watched() || game.level().experiment {
             return;
@@ -328,6 +333,7 @@ impl App {
         if game.outcome() == Outcome::Running {
             self.ended = None;
         } else if self.ended.is_none() {
+            *losses += u32::from(game.outcome() == Outcome::Failed);
             self.ended =
                 Some(if flight.is_by_hand() { self.journal.note(game, flight.is_assisted()) } else { RECORDING.to_owned() });
         }

@@ -98,6 +98,9 @@ impl App {
     /// The attempt on the screen from its start, in the level as its files are now; where those do not load, as it was.
     pub(super) fn restart(&mut self, spectator: &mut dyn Spectator) {
         let Some(flight) = self.screen.get::<Flight>() else { return };
+        if flight.is_given_up() {
+            *self.losses.entry(flight.game().level().name.clone()).or_default() += 1;
+        }
         let Attempt { level: flown, .. } = flight.attempt().clone();
         let on_disk = self.reads_again(&flown.name);
         let (level, problems) = match on_disk.then(|| self.library.load(&flown.name)) {

@@ -200,3 +200,25 @@ fn keys_of_the_flight_move_nothing_on_the_page_that_follows() {
     sitting.rest().press(Key::Left);
     assert_ne!(sitting.focused(), focus, "once it was let go, it chooses");
 }
+
+#[test]
+fn the_pause_panel_gives_a_level_s_hints_one_at_a_time_after_three_losses() {
+    let hints = "text\n\"Red kills, grey does not.\"\nThe pad is to the left.\n";
+    let mut sitting = Sitting::with(|root| fs::write(root.join("levels/3/hints.csv"), hints).unwrap());
+    let offered = |sitting: &Sitting| sitting.labels().contains(&"Hint");
+    sitting.fly("3");
+    for _ in 0..2 {
+        sitting.wait(0.1).press(Key::R);
+    }
+    assert!(!offered(sitting.press(Key::Escape)), "two losses are not enough: {:?}", sitting.labels());
+    sitting.press(Key::Escape).wait(0.1).press(Key::R);
+    assert!(sitting.shows("Esc: hint"), "{:?}", sitting.texts());
+    assert!(offered(sitting.press(Key::Escape)));
+    assert!(!sitting.shows("Red kills"), "on demand");
+    sitting.choose("Hint");
+    assert!(sitting.shows("Red kills, grey does not.") && !sitting.shows("to the left"), "{:?}", sitting.texts());
+    sitting.choose("Hint");
+    assert!(sitting.shows("The pad is to the left.") && !offered(&sitting), "there are no more");
+    sitting.choose("Resume").press(Key::Escape);
+    assert!(sitting.shows("The pad is to the left."), "what was given stays readable");
+}

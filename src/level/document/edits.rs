@@ -119,7 +119,7 @@ impl Document {
 
     pub fn is_sizable(&self, row: RowId) -> bool {
         match self.kind(row) {
-            None | Some(Kind::Ship | Kind::Setting) => false,
+            None | Some(Kind::Ship | Kind::Setting | Kind::Hint) => false,
             Some(Kind::Object | Kind::Key | Kind::Picture) => self.cell(row, "image").is_some_and(|image| shape(image).is_some()),
             Some(_) => true,
         }

@@ -171,7 +171,7 @@ impl Document {
         let kind = self.kind(row)?;
         let at = DVec2::new(self.number(row, "x")?, self.number(row, "y")?);
         let size = match kind {
-            Kind::Setting => return None,
+            Kind::Setting | Kind::Hint => return None,
             Kind::Ship => DVec2::splat(SHIP_HEIGHT * self.metre()),
             Kind::Object | Kind::Key | Kind::Picture => self.picture_size(self.cell(row, "image")?).unwrap_or(DVec2::splat(20.0)),
             Kind::Text => {

@@ -59,6 +59,7 @@ files! {
     Decoration zones::DECORATION { Picture zones::PICTURE }
     Fluids zones::FLUIDS { Fluid zones::FLUID }
     Texts zones::TEXTS { Text zones::TEXT }
+    Hints zones::HINTS { Hint zones::HINT }
 }
 
 /// The names of a level's files, in the order in which problems are listed; the picture behind the level stands before the liquids.
@@ -133,7 +134,7 @@ mod tests {
 
     #[test]
     fn every_kind_is_offered_and_a_new_one_fills_columns_that_it_has() {
-        let not_added = [Kind::Setting, Kind::Ship];
+        let not_added = [Kind::Setting, Kind::Ship, Kind::Hint];
         assert!(Kind::ALL.iter().all(|kind| Kind::ADDED.contains(kind) != not_added.contains(kind)));
         for kind in Kind::ADDED {
             let RowSchema { columns, fresh, .. } = kind.schema();

@@ -6,6 +6,7 @@ use super::record::{RowCells, RowReader};
 use super::typed::{Maybe, Word, X, Y, boolean, channel, name, number, one_of, picture, reach, rows, size, words};
 use crate::level::image::PictureShape;
 use crate::level::numbers::{self, corners};
+use crate::level::placed::FromRow;
 use crate::level::problem::quoted;
 use crate::level::types::{AirStream, Decoration, Fluid, GravityZone, Pod, Text};
 use crate::physics::{Aabb, DVec2};
@@ -46,6 +47,18 @@ pub static TEXT: RowSchema = RowSchema::new(&TEXTS, "Words", TextRow::COLUMNS)
     .fresh(&[("text", "Words")])
     .size(200.0, 24.0)
     .counted(&[Count::always("text", "texts", |level| level.texts.len())]);
+
+/// The most hints of a level, and the most letters of one.
+const MOST_HINTS: usize = 3;
+const HINT_LENGTH: usize = 90;
+
+pub static HINTS: FileSchema = FileSchema {
+    name: "hints.csv",
+    help: "Hints, at most 3 a level, which the pause panel gives one at a time after three losses. They leave recorded flights as they are.",
+    sample: "",
+};
+pub static HINT: RowSchema =
+    RowSchema::new(&HINTS, "Hint", HintRow::COLUMNS).counted(&[Count::if_any("hint", "hints", |level| level.hints.len())]);
 
 pub static GRAVITY: FileSchema = FileSchema {
     name: "gravity.csv",
@@ -120,6 +133,10 @@ rows! {
         r: Option<u8> = LETTERS,
         g: Option<u8> = LETTERS,
         b: Option<u8> = LETTERS,
+    }
+
+    HintRow {
+        text: String = words("words, at most 90 letters", "one hint"),
     }
 
     GravityRow {
@@ -200,6 +217,22 @@ pub fn text(record: &RowCells, reader: &mut RowReader) -> Option<Text> {
     of_colour.for_each(|problem| problem.expected += " (words that hold a comma stand in quotes)");
     let position = reader.scale.metres(x?, y?);
     Some(Text { position, size: size? / reader.scale.metre, text: text?, colour: colour? })
+}
+
+/// The hints in the order of their rows.
+pub fn hints(records: &[RowCells], reader: &mut RowReader) -> Vec<FromRow<String>> {
+    let mut hints = Vec::new();
+    for record in records {
+        let Some(text) = HintRow::read(record, reader).text else { continue };
+        let (letters, before) = (text.chars().count(), hints.len());
+        let mut refuse = |found, expected| reader.problems.push(record.problem("text", found, expected));
+        match (before < MOST_HINTS, letters <= HINT_LENGTH) {
+            (false, _) => refuse("one more hint".to_owned(), format!("at most {MOST_HINTS} in a level")),
+            (_, false) => refuse(format!("{letters} letters"), format!("at most {HINT_LENGTH}")),
+            _ => hints.push(FromRow::new(record, text)),
+        }
+    }
+    hints
 }
 
 pub fn gravity_zone(record: &RowCells, reader: &mut RowReader) -> Option<GravityZone> {

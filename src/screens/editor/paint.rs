@@ -14,7 +14,7 @@ pub type Sheets = BTreeMap<PathBuf, Option<Image>>;
 pub fn colour(kind: Kind) -> Colour {
     let of = |r, g, b| Colour::of([r, g, b]);
     match kind {
-        Kind::Setting | Kind::Text => theme::text(),
+        Kind::Setting | Kind::Hint | Kind::Text => theme::text(),
         Kind::Ship => theme::text(),
         Kind::Solid => theme::solid_top(),
         Kind::Mover => of(120, 150, 190),

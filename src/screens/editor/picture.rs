@@ -37,7 +37,7 @@ impl Editor {
             Kind::Stream => 2,
             Kind::Solid => 3,
             Kind::Door | Kind::Mover | Kind::Deadly => 4,
-            Kind::Setting | Kind::Object | Kind::Key | Kind::Ship | Kind::Text => 6,
+            Kind::Setting | Kind::Hint | Kind::Object | Kind::Key | Kind::Ship | Kind::Text => 6,
             _ => 5,
         };
         things.sort_by_key(|(_, kind, _)| depth(*kind));

@@ -2,6 +2,7 @@
 
 mod attempt;
 mod ending;
+mod hints;
 mod news;
 mod pause;
 mod pilot;
@@ -30,6 +31,7 @@ use crate::view::focus::Focus;
 use crate::view::hud::HudShown;
 pub use attempt::{Attempt, Flown};
 use ending::{END_PAUSE, Lost};
+use hints::Hints;
 use news::News;
 use pilot::Pilot;
 use std::path::{Path, PathBuf};
@@ -71,6 +73,7 @@ pub struct Flight {
     news: Option<News>,
     /// The attempt before, while the loss of it is shown.
     lost: Option<Box<Lost>>,
+    hints: Hints,
 }
 
 impl Screen for Flight {
@@ -198,6 +201,7 @@ impl Flight {
             test: false,
             news: None,
             lost: None,
+            hints: Hints::default(),
         }
     }
 

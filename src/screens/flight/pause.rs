@@ -9,6 +9,7 @@ use crate::view::widgets;
 
 pub(super) const RESUME: &str = "Resume";
 const RESTART: &str = "Restart";
+const HINT: &str = "Hint";
 const SETTINGS: &str = "Settings";
 const LEVEL_SELECT: &str = "Level Select";
 /// In an experiment in place of the list of levels.
@@ -31,13 +32,17 @@ impl Flight {
         let chosen = self.pause?;
         ui.layer(0.45);
         let list = if self.attempt.level.experiment { EXPERIMENTS } else { LEVEL_SELECT };
-        let labels = [RESUME, RESTART, SETTINGS, list, MENU, EDIT];
+        let mut labels = vec![RESUME, RESTART, SETTINGS, list, MENU, EDIT];
+        if self.offers_hint() {
+            labels.insert(2, HINT);
+        }
         let middle = ui.frame().size / 2.0;
         let places = ui.frame().column(labels.len(), middle.y - TOP);
         let (top, width) = (middle.y - TOP - HEADING - 2.5 * PADDING, WIDE_BUTTON.x + 4.0 * PADDING);
         let foot = places.last().map_or(middle.y, |last| last.max().y) + 1.5 * PADDING;
         ui.panel(Area::new(middle.x - width / 2.0, top, width, foot - top));
         widgets::heading(ui.canvas(), "Paused", top + PADDING + HEADING * 0.65);
+        self.show_hints(ui);
         ui.start_at(chosen);
         let pressed = ui.buttons(places, &labels);
         if self.settings.is_some() {
@@ -53,6 +58,7 @@ impl Flight {
         self.pause = Some(pressed?);
         match pressed? {
             RESUME => self.pause = None,
+            HINT => self.give_hint(),
             RESTART => return Some(Request::Restart),
             SETTINGS => {
                 let panel = SettingsPanel::new(ui.input().settings, self.settings_problems.clone());

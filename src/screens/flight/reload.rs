@@ -30,6 +30,7 @@ impl Flight {
             observer: self.observer,
             instruments: std::mem::take(&mut self.instruments).of_another_flight(),
             test: self.test,
+            hints: self.hints,
             lost,
             settings_problems: std::mem::take(&mut self.settings_problems),
             ..fresh

@@ -42,7 +42,8 @@ impl Flight {
     /// The sign of the loss of the attempt before, below the row of the timer, away from the usual starts of ships.
     fn lost_sign(&self, frame: &Frame) -> Option<(String, Area)> {
         let death = self.lost().filter(|_| self.news.is_none())?;
-        let words = format!("{death} · Enter: what the attempt came to");
+        let hint = if self.offers_hint() { " · Esc: hint" } else { "" };
+        let words = format!("{death} · Enter: what the attempt came to{hint}");
         let size = sign_size(&words, frame);
         let top = HudLayout::new(frame).status.max().y + PADDING;
         Some((words, Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size }))
