@@ -78,11 +78,12 @@ fn direct(c: &mut Criterion) {
     compare(c, "a column of 30 under a flight", &column, &[DVec2::ZERO; TICKS], &plans(&column));
     let row = world((0..20).map(|i| block(f64::from(i), 0.0)).collect(), true);
     compare(c, "a pushed row of 20", &row, &[DVec2::new(400.0, 0.0); TICKS], &plans(&row));
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = &Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures");
     for name in ["1", "2", "3"] {
-        let Ok(loaded) = resultant::level::load(&root.join("levels").join(name), root) else { continue };
+        let folder = root.join("levels").join(name);
+        let Ok(loaded) = resultant::level::load(&folder, root) else { continue };
         let def = loaded.level.world_def();
-        let drives = recorded(Arc::new(loaded.level), &root.join("tests/inputs").join(name).with_extension("csv"));
+        let drives = recorded(Arc::new(loaded.level), &folder.join("flights/careful.replay.csv"));
         compare(c, &format!("the flight of level {name}"), &def, &drives, &plans(&def));
     }
 }

@@ -359,8 +359,7 @@ mod tests {
     /// A lift presses the bodies on it against a ceiling. No level has lifts: the test puts the world in.
     #[test]
     fn a_squeezed_body_is_reported_once_and_a_squeezed_ship_is_lost() {
-        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        let level = Arc::new(crate::level::load(&root.join("levels/1"), root).expect("it ships").level);
+        let level = Arc::new(crate::level::fixture());
         let block = |top: f64, bottom: f64| {
             let bounds = Aabb::new(DVec2::new(-520.0, top), DVec2::new(-500.0, bottom));
             SurfaceDef::fixed(bounds, Material::ASPHALT)

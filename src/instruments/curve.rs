@@ -179,14 +179,11 @@ pub(crate) mod fixture {
     use super::*;
     use crate::game::{Controls, Game, SHIP};
     use crate::level;
-    use std::path::Path;
     use std::sync::Arc;
 
-    /// The ship of level 1 under those controls.
+    /// The ship of the fixture under those controls.
     pub fn flown(ticks: u64, controls: impl Fn(u64) -> Controls) -> BodyTrack {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let level = Arc::new(level::load(&root.join("levels/1"), root).expect("it ships").level);
-        let mut game = Game::new(level).expect("it loads");
+        let mut game = Game::new(Arc::new(level::fixture())).expect("it loads");
         let mut track = BodyTrack::new(SHIP);
         track.begin(&game);
         for tick in 0..ticks {
@@ -211,7 +208,7 @@ mod tests {
     use crate::instruments::quantity::VectorPart;
     use proptest::prelude::*;
 
-    /// The ship of level 1, which goes up for half a second and falls to the floor.
+    /// The ship of the fixture, which goes up for half a second and falls to the floor.
     fn hop(ticks: u64) -> BodyTrack {
         flown(ticks, |tick| Controls { thrust: tick < 60, ..Controls::default() })
     }

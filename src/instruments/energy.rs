@@ -56,11 +56,7 @@ mod tests {
 
     #[test]
     fn potential_energy_counts_from_where_gravity_pulls_to() {
-        let level = |gravity_x, gravity| {
-            let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-            let level = crate::level::load(&root.join("levels/1"), root).expect("it ships").level;
-            Level { size: DVec2::new(40.0, 20.0), gravity_x, gravity, ..level }
-        };
+        let level = |gravity_x, gravity| Level { size: DVec2::new(40.0, 20.0), gravity_x, gravity, ..crate::level::fixture() };
         assert_eq!(ground(&level(0.0, 9.81)), DVec2::new(0.0, 20.0));
         assert_eq!(ground(&level(0.0, -9.81)), DVec2::ZERO);
         assert_eq!(ground(&level(2.0, 0.0)), DVec2::new(40.0, 0.0));

@@ -209,14 +209,11 @@ mod tests {
     use super::*;
     use crate::game::{Controls, SHIP};
     use crate::level;
-    use std::path::Path;
     use std::sync::Arc;
 
     #[test]
     fn a_flight_is_read_as_it_was_flown_also_where_it_was_left() {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let level = Arc::new(level::load(&root.join("levels/1"), root).expect("it ships").level);
-        let mut game = Game::new(level).expect("it loads");
+        let mut game = Game::new(Arc::new(level::fixture())).expect("it loads");
         let mut history = History::new(&game);
         let mut flown = vec![game.world().body(SHIP).position.y];
         let fly = |game: &mut Game, history: &mut History, flown: &mut Vec<f64>, ticks: usize, thrust: bool| {

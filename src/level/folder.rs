@@ -19,6 +19,13 @@ pub fn load(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
     load_from(&LevelDisk { folder, project }, &LevelDisk { folder, project }, read)
 }
 
+/// The level 1 of the tests' own project, which changes with no shipped level.
+#[cfg(test)]
+pub(crate) fn fixture() -> super::Level {
+    let project = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures");
+    load(&project.join("levels/1"), &project).expect("it loads").level
+}
+
 /// As [`load`], of an unfinished level: see [`read_unfinished`].
 pub fn load_unfinished(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
     load_from(&LevelDisk { folder, project }, &LevelDisk { folder, project }, read_unfinished)

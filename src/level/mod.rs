@@ -34,6 +34,8 @@ mod wiring;
 mod words;
 mod world_def;
 
+#[cfg(test)]
+pub(crate) use folder::fixture;
 pub use folder::{is_shipped, list, load, load_unfinished, title};
 pub use image::read_picture;
 pub use name::{NameFault, is_device, judge_name};

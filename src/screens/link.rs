@@ -183,8 +183,8 @@ mod tests {
         assert_eq!(flight.game().level().name, "friction");
         assert!(!app.screen().scene(&Frame::default()).unwrap().overlays.details);
         assert_eq!(flight.observer().focus().followed(), Some(BodyId(1)));
-        app.follow_link("play=2", &mut ());
-        assert_eq!(app.screen().get::<Flight>().unwrap().game().level().name, "2");
+        app.follow_link("play=1", &mut ());
+        assert_eq!(app.screen().get::<Flight>().unwrap().game().level().name, "1");
         app.follow_link("lab=stress-tests", &mut ());
         assert_eq!(app.screen().get::<Lab>().unwrap().page(), Page::Survival);
         for link in ["play=nowhere", "play=experiments/nowhere", "nonsense"] {

@@ -99,8 +99,7 @@ mod tests {
 
     #[test]
     fn the_pieces_take_the_ships_mass_fall_and_come_to_rest_inside_the_level() {
-        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        let level = crate::level::load(&root.join("levels/1"), root).expect("it ships").level;
+        let level = crate::level::fixture();
         let mut world = World::new(definition(&level, level.player.position, DVec2::new(4.0, -9.0))).unwrap();
         let mass: f64 = world.bodies().iter().map(|body| body.mass).sum();
         assert!((mass - level.player.mass).abs() < 1e-9);

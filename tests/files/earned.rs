@@ -2,7 +2,7 @@
 //! found.
 
 use super::fixture::{Fixture, name};
-use crate::support::shipped::{load as level, record};
+use crate::support::shipped::{fixture as level, record};
 use resultant::game::{Controls, Fingerprint, Game, LevelHash, Mismatch, Recorder, Replay, level_hash};
 use resultant::level::Level;
 use resultant::scores::{Doubt, IN_TURN, Judge, PATIENCE, Placement, Score, Scores, Standing, TURN};

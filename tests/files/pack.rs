@@ -1,6 +1,6 @@
 //! A level as one file: a pack comes back whole, and nothing that is made to do harm leaves a trace.
 
-use crate::support::shipped::{levels as shipped_levels, project as root};
+use crate::support::shipped::{fixtures, levels as shipped_levels, project as root};
 use resultant::game::level_hash;
 use resultant::level::{self, Level};
 use resultant::pack::{self, Installed, Package};
@@ -99,7 +99,7 @@ fn every_shipped_level_comes_back_whole_where_nothing_else_is() {
 #[test]
 fn pictures_go_along_from_the_level_and_from_the_project() {
     let from = tempfile::tempdir().unwrap();
-    let png = fs::read(root().join("levels/15/sails.png")).unwrap();
+    let png = fs::read(fixtures().join("levels/15/sails.png")).unwrap();
     let folder = from.path().join("levels/t");
     fs::create_dir_all(folder.join("art")).unwrap();
     fs::create_dir_all(from.path().join("assets/deep")).unwrap();
@@ -263,7 +263,7 @@ fn a_level_that_needs_too_much_memory_is_refused_by_its_sizes_alone() {
 /// A flight has a limit of its own, far above that of a table.
 #[test]
 fn a_long_flight_goes_along() {
-    let flight = fs::read_to_string(root().join("levels/1/flights/gold.replay.csv")).unwrap();
+    let flight = fs::read_to_string(fixtures().join("levels/1/flights/gold.replay.csv")).unwrap();
     let long = flight + &"1,1,0,0,0\n1,0,0,0,0\n".repeat(40_000);
     assert!(long.len() > 3 * (256 << 10));
     let package = pack::read(&with(&[("t/flights/long.replay.csv", long.as_bytes())]), "").unwrap();
@@ -286,7 +286,7 @@ fn a_pack_holds_what_lies_in_the_folder_and_follows_no_link() {
     let secret = project.path().join("secret.txt");
     fs::write(&secret, "nobody's business").unwrap();
     fs::create_dir_all(project.path().join("pictures")).unwrap();
-    fs::copy(root().join("levels/15/sails.png"), project.path().join("pictures/a.png")).unwrap();
+    fs::copy(fixtures().join("levels/15/sails.png"), project.path().join("pictures/a.png")).unwrap();
     let folder = project.path().join("levels/t");
     fs::create_dir_all(&folder).unwrap();
     for (name, text) in LEVEL {

@@ -1,6 +1,7 @@
 //! Harm and help by the engine itself: damaging collisions, wind, key objects that are pushed.
 
 use crate::support::rooms::{area, crate_at, objective, room};
+use crate::support::shipped::fixture;
 use resultant::game::{Controls, Game, GameEvent, Outcome, SHIP};
 use resultant::level::{AirStream, Level, ObjectiveKind, Solid};
 use resultant::physics::{BodyId, DVec2, ForceKind, Material};
@@ -10,6 +11,8 @@ const NONE: Controls = Controls { thrust: false, reverse: false, left: false, ri
 const THRUST: Controls = Controls { thrust: true, ..NONE };
 /// The ship's half size, m.
 const HALF: f64 = 0.85;
+/// A full tank is empty by then, and everything is at rest, ticks.
+const EMPTY: u32 = 30 * 120;
 
 fn solid(left: f64, top: f64, right: f64, bottom: f64) -> Solid {
     Solid::new(area(left, top, right, bottom), Material::ASPHALT)
@@ -172,4 +175,38 @@ fn the_peak_resultant_is_what_the_force_manager_held() {
     let force = |kind| game.world().forces(SHIP).total(kind);
     assert_eq!(force(ForceKind::Drive), DVec2::new(0.0, -2000.0));
     assert_eq!(game.result().peak_resultant, 500.0);
+}
+
+#[test]
+fn a_careless_climb_hits_the_roof() {
+    let (game, _) = fly(Level::clone(&fixture("2")), THRUST, EMPTY);
+    assert!(game.collisions() > 0, "{:?}", game.result());
+    assert_eq!(game.outcome(), Outcome::Running);
+}
+
+/// The fixture 3 with the ship at the foot of that wind.
+fn below_wind(stream: usize, angle: f64) -> Level {
+    let mut level = Level::clone(&fixture("3"));
+    let zone = level.streams[stream].zone;
+    (level.player.position, level.player.angle) = (DVec2::new(zone.centre().x, zone.max.y - HALF), angle);
+    level
+}
+
+#[test]
+fn a_wind_carries_the_ship_to_the_top_without_its_engine() {
+    let level = below_wind(0, 0.0);
+    let player = level.objectives.iter().position(|objective| objective.kind == ObjectiveKind::Player).unwrap();
+    let (_, events) = fly(level, NONE, EMPTY);
+    assert!(events.iter().any(|(_, event)| *event == GameEvent::ObjectiveMet(player)), "the ship never got there");
+}
+
+#[test]
+fn a_wind_that_blows_down_lets_no_ship_out_again() {
+    let start = below_wind(1, 0.0).player.position;
+    for angle in (-180..180).step_by(15) {
+        for controls in [THRUST, Controls { reverse: true, ..NONE }] {
+            let (game, _) = fly(below_wind(1, f64::from(angle)), controls, EMPTY);
+            assert_eq!(game.world().body(SHIP).position, start, "{angle} degrees, {controls:?}");
+        }
+    }
 }

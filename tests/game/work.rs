@@ -1,6 +1,6 @@
 //! The work of each force, against exact answers, and the law of work and energy.
 
-use crate::support::shipped::{experiment, load, record};
+use crate::support::shipped::{experiment, flights, levels, load};
 use crate::support::written::{begun, written};
 use resultant::game::{Controls, Game, History};
 use resultant::instruments::energy::EnergyState;
@@ -197,8 +197,9 @@ fn within_a_pushed_row_the_pushes_pass_on_what_they_take() {
     assert_near(push(&second) + second.by(ForceKind::Friction), flown.gained(2), 2000.0 * way);
 }
 
-fn recorded(level: &str, flight: &str) -> Flown {
-    let replay = record(level, flight);
+/// The careful flight of a shipped level.
+fn careful(level: &str) -> Flown {
+    let replay = flights(level).remove("careful").expect("a careful flight");
     let mut game = Game::new(load(level)).unwrap();
     let mut history = History::new(&game);
     for controls in replay.inputs.clone() {
@@ -211,8 +212,8 @@ fn recorded(level: &str, flight: &str) -> Flown {
 /// ΔE_kin = Σ W + W_impacts for every body; after going back the accounts are the same, to the bit.
 #[test]
 fn the_law_of_work_and_energy_holds_in_every_level() {
-    for level in (1..=15).map(|level| level.to_string()) {
-        let flown = recorded(&level, "careful");
+    for level in levels() {
+        let flown = careful(&level);
         let mut ledger = flown.ledger();
         let last = ledger.accounts().to_vec();
         for (body, account) in (0..).zip(&last) {

@@ -1,5 +1,6 @@
 //! `resultant check` and `resultant new`.
 
+use crate::support::shipped::copy_fixture;
 use crate::{fixtures, good, lines};
 use resultant::level;
 use resultant::physics::World;
@@ -121,14 +122,8 @@ fn check_of_a_place_is_of_the_folder_that_it_is() {
 #[test]
 fn flights_that_no_longer_hold_are_warned_about() {
     let project = tempfile::tempdir().unwrap();
-    let levels = project.path().join("levels");
-    let folder = levels.join("1");
-    std::fs::create_dir_all(folder.join("flights")).unwrap();
-    for from in ["levels/1", "levels/1/flights"] {
-        for entry in std::fs::read_dir(crate::package().join(from)).unwrap().flatten().filter(|entry| entry.path().is_file()) {
-            std::fs::copy(entry.path(), project.path().join(from).join(entry.file_name())).unwrap();
-        }
-    }
+    let folder = project.path().join("levels/1");
+    copy_fixture("1", project.path());
     let (code, _, err) = ran(project.path(), &["check", "1"]);
     assert_eq!((code, err.as_str()), (0, ""));
     let edit = |file: &str, from: &str, to: &str| {

@@ -1,6 +1,7 @@
 //! Flights that were flown are watched, kept and raced, from the score, from the board and from the list of levels.
 
 use crate::sitting::{HERE, Sitting, level, says};
+use crate::support::shipped::fixtures;
 use resultant::draw::layout::Vec2;
 use resultant::game::{Game, Medal, Outcome, Replay};
 use resultant::number::{clock, hundredths};
@@ -267,7 +268,7 @@ fn one_or_several_are_raced_and_the_gaps_are_right() {
 #[test]
 fn several_are_marked_by_keys_and_by_mouse_up_to_a_limit() {
     let mut sitting = Sitting::new();
-    let gold = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("levels/1/flights/gold.replay.csv")).unwrap();
+    let gold = fs::read_to_string(fixtures().join("levels/1/flights/gold.replay.csv")).unwrap();
     let scores = sitting.folder.path().join("scores");
     fs::create_dir_all(scores.join("flights/1")).unwrap();
     let rows: String = (0..14).map(|i| format!("user{i},{},x{i}.replay.csv,,\n", 900 - i)).collect();

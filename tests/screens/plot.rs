@@ -2,18 +2,16 @@
 
 use crate::lesson::{columns, experiment, free_fall, open_plot, written};
 use crate::sitting::{HERE, Sitting, level};
+use crate::support::shipped::fixture;
 use proptest::prelude::*;
 use resultant::draw::Canvas;
 use resultant::draw::layout::{Frame, Vec2};
 use resultant::game::{Controls, Game, History};
-use resultant::level::load;
 use resultant::physics::BodyId;
 use resultant::screens::{Input, Key, Plot, PlotPlaces, Stage};
 use resultant::ui::{Memory, PassInput};
 use resultant::view::focus::Focus;
 use std::fs;
-use std::path::Path;
-use std::sync::Arc;
 
 fn plot(sitting: &Sitting) -> &Plot {
     sitting.flight().instruments().plot()
@@ -242,10 +240,9 @@ fn a_watched_flight_is_plotted_and_gone_through() {
     assert!(sitting.labels().contains(&"Play") && sitting.flight().game().ticks() == 25, "{}", sitting.flight().game().ticks());
 }
 
-/// A flight of the first level: `thrust` ticks with thrust, then without.
+/// A flight of the fixture 1: `thrust` ticks with thrust, then without.
 fn flown(thrust: u64, ticks: u64) -> (Game, History) {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut game = Game::new(Arc::new(load(&root.join("levels/1"), root).unwrap().level)).unwrap();
+    let mut game = Game::new(fixture("1")).unwrap();
     let mut history = History::new(&game);
     for tick in 0..ticks {
         let controls = Controls { thrust: tick < thrust, ..Controls::default() };

@@ -1,4 +1,4 @@
-//! The levels and experiments that ship, and the flights that are recorded with them.
+//! The levels and experiments that ship, and the flights that are recorded with them; levels that stay as they are.
 
 use resultant::game::Replay;
 use resultant::level::{self, Level};
@@ -10,16 +10,26 @@ pub fn project() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
+/// The tests' own project, with the levels 1, 2, 3 and 15 that change with no shipped level.
+pub fn fixtures() -> PathBuf {
+    project().join("tests/fixtures")
+}
+
+pub fn fixture(name: &str) -> Arc<Level> {
+    load_from(&fixtures(), "levels", name)
+}
+
 pub fn load(name: &str) -> Arc<Level> {
-    load_from(&project().join("levels").join(name))
+    load_from(project(), "levels", name)
 }
 
 pub fn experiment(name: &str) -> Arc<Level> {
-    load_from(&project().join("experiments").join(name))
+    load_from(project(), "experiments", name)
 }
 
-fn load_from(folder: &Path) -> Arc<Level> {
-    let loaded = level::load(folder, project()).unwrap_or_else(|problems| panic!("{}: {problems:?}", folder.display()));
+fn load_from(root: &Path, of: &str, name: &str) -> Arc<Level> {
+    let folder = root.join(of).join(name);
+    let loaded = level::load(&folder, root).unwrap_or_else(|problems| panic!("{}: {problems:?}", folder.display()));
     assert!(loaded.warnings.is_empty(), "{}: {:?}", folder.display(), loaded.warnings);
     Arc::new(loaded.level)
 }
@@ -36,9 +46,13 @@ pub fn levels() -> Vec<String> {
     names
 }
 
-/// The flights of a level, by their names.
+/// The flights of a shipped level, by their names.
 pub fn flights(name: &str) -> BTreeMap<String, Replay> {
-    let folder = project().join("levels").join(name).join("flights");
+    flights_from(project(), name)
+}
+
+fn flights_from(root: &Path, name: &str) -> BTreeMap<String, Replay> {
+    let folder = root.join("levels").join(name).join("flights");
     let files = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     let flight = |path: PathBuf| {
         let file = path.file_name().unwrap().to_str().unwrap();
@@ -49,7 +63,18 @@ pub fn flights(name: &str) -> BTreeMap<String, Replay> {
     files.map(|entry| flight(entry.unwrap().path())).collect()
 }
 
-/// A flight of a level by its name.
+/// Copies a fixture with its flights into another project.
+pub fn copy_fixture(name: &str, root: &Path) {
+    let level = Path::new("levels").join(name);
+    for folder in [level.join("flights"), level] {
+        std::fs::create_dir_all(root.join(&folder)).unwrap();
+        for entry in std::fs::read_dir(fixtures().join(&folder)).unwrap().flatten().filter(|entry| entry.path().is_file()) {
+            std::fs::copy(entry.path(), root.join(&folder).join(entry.file_name())).unwrap();
+        }
+    }
+}
+
+/// A flight of a fixture by its name.
 pub fn record(level: &str, flight: &str) -> Replay {
-    flights(level).remove(flight).unwrap_or_else(|| panic!("level {level} has no flight {flight}"))
+    flights_from(&fixtures(), level).remove(flight).unwrap_or_else(|| panic!("level {level} has no flight {flight}"))
 }

@@ -2,7 +2,7 @@
 //! forces add up to mass times acceleration, and forces and impacts of half a second to the change of momentum.
 
 use super::onlook::{centres, numbers_in, power_of, window};
-use crate::support::shipped::{experiment, flights, load};
+use crate::support::shipped::{experiment, fixture, record};
 use resultant::draw::layout::Frame;
 use resultant::game::{Controls, Game, READABLE};
 use resultant::level::Level;
@@ -199,8 +199,8 @@ fn in_an_experiment_the_text_obeys_newtons_laws_on_every_frame() {
 #[test]
 fn in_a_flight_the_text_obeys_newtons_laws_on_every_frame() {
     for name in ["1", "2"] {
-        let inputs = flights(name).remove("careful").expect("a careful flight").inputs;
-        let seen = play(&format!("level {name}"), load(name), inputs.into_iter());
+        let inputs = record(name, "careful").inputs;
+        let seen = play(&format!("level {name}"), fixture(name), inputs.into_iter());
         assert!(seen.moving > 500 && seen.sharp > 1000, "{name}: {seen:?}");
     }
 }

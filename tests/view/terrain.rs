@@ -1,6 +1,6 @@
 //! The drawn world's geometry: the outline round solid rectangles, the hatching and the dimension lines within it, the light on its edges.
 
-use crate::support::shipped::{levels, load};
+use crate::support::shipped::{fixture, levels, load};
 use proptest::prelude::*;
 use resultant::physics::{Aabb, DVec2};
 use resultant::view::terrain::drafting::{Dimension, crosses, dimensions, grains, hatching};
@@ -150,7 +150,7 @@ proptest! {
 /// The sails of the windmill of level 15 turn before its cap, so that a picture behind them lies on the rock as well.
 #[test]
 fn a_picture_behind_lies_once_on_all_of_the_rock_that_it_covers() {
-    let level = load("15");
+    let level = fixture("15");
     let (mass, picture) = (mass(&level), level.decoration[0].bounds);
     assert!(!level.decoration[0].in_front);
     let (mut on_rock, step) = (0, picture.size() / 61.0);

@@ -1,6 +1,7 @@
 //! A run with its files read back, and the scenes that are flown.
 
 use crate::support::program::{Data, Ran, resultant};
+use crate::support::shipped::fixtures;
 use resultant::level::{self, Level};
 use resultant::physics::{BodyDef, DVec2, ForceKind};
 use std::path::Path;
@@ -115,11 +116,10 @@ fn fly(root: &Path, name: &str, args: &[&str]) -> Flown {
     Flown { bodies: level.world_def().bodies, level, dt, ran, rows, acting }
 }
 
-/// The shipped levels, flown by their recorded inputs.
-pub fn shipped(name: &str) -> Flown {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let inputs = root.join(format!("tests/inputs/{name}.csv"));
-    fly(root, name, &["--inputs", inputs.to_str().unwrap()])
+/// A fixture on its careful flight.
+pub fn recorded(name: &str) -> Flown {
+    let inputs = fixtures().join(format!("levels/{name}/flights/careful.replay.csv"));
+    fly(&fixtures(), name, &["--inputs", inputs.to_str().unwrap()])
 }
 
 pub fn scene(constants: &str, files: &[(&str, &str)], inputs: &str, seconds: &str) -> Flown {

@@ -1,6 +1,6 @@
 //! Each force of the media by its law.
 
-use super::flown::{Acting, Flown, Row, assert_close, bounces, shipped, splash};
+use super::flown::{Acting, Flown, Row, assert_close, bounces, recorded, splash};
 use resultant::physics::{BodyDef, DVec2, ForceKind};
 
 /// The area that a body shows to a medium, times its speed u: w·|u_y| + h·|u_x| for boxes, d·|u| for round things.
@@ -41,7 +41,7 @@ fn baths(flown: &Flown, object: usize, row: &Row) -> (f64, DVec2, DVec2) {
 #[test]
 fn every_row_obeys_the_laws_at_its_own_place_and_velocity() {
     let mut seen = std::collections::BTreeMap::new();
-    for flown in [splash("120"), bounces(), shipped("1"), shipped("2"), shipped("3")] {
+    for flown in [splash("120"), bounces(), recorded("1"), recorded("2"), recorded("3")] {
         let (level, air) = (&flown.level, flown.level.air_density);
         for (tick, object) in flown.all() {
             let (row, body) = (&flown.rows[tick][object], flown.body(object));

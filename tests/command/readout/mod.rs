@@ -5,12 +5,12 @@ mod laws;
 mod momentum;
 
 use crate::support::program::Data;
-use flown::{Acting, FAR, bounces, collisions, pushed_row, scene, shipped, splash, stack};
+use flown::{Acting, FAR, bounces, collisions, pushed_row, recorded, scene, splash, stack};
 use resultant::physics::{DVec2, ForceKind};
 
 #[test]
 fn the_rows_of_forces_are_the_columns_of_the_telemetry_and_their_sum_is_the_resultant() {
-    for flown in [pushed_row(), stack(), collisions(), bounces(), splash("120"), shipped("1"), shipped("2"), shipped("3")] {
+    for flown in [pushed_row(), stack(), collisions(), bounces(), splash("120"), recorded("1"), recorded("2"), recorded("3")] {
         for (tick, object) in flown.all() {
             let (row, mass) = (&flown.rows[tick][object], flown.body(object).mass);
             let what = || format!("{}, tick {tick}, object {object}", flown.level.name);
@@ -36,7 +36,7 @@ fn what_an_object_does_to_another_it_feels_itself_bit_for_bit() {
         (stack(), &["reaction", "friction"]),
         (collisions(), &["impact"]),
         (splash("120"), &[]),
-        (shipped("2"), &[]),
+        (recorded("2"), &[]),
     ] {
         let mut seen = Vec::new();
         for (tick, object) in flown.all() {

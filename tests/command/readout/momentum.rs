@@ -1,6 +1,6 @@
 //! m·Δv = ∫F dt + impulses.
 
-use super::flown::{Acting, Flown, Row, bounces, collisions, pushed_row, shipped, splash, stack};
+use super::flown::{Acting, Flown, Row, bounces, collisions, pushed_row, recorded, splash, stack};
 use resultant::physics::{Aabb, ForceKind};
 
 /// The forces at the start of a tick and at its end, if they are the same. The engine, which is switched at the start, and forces that
@@ -59,9 +59,9 @@ fn wet(flown: &Flown, object: usize, row: &Row) -> Vec<(bool, bool)> {
 fn drag_and_buoyancy_change_the_momentum_by_their_integral() {
     for (name, flown, bound) in [
         ("splash", splash("480"), 5e-4),
-        ("level 1", shipped("1"), 1e-6),
-        ("level 2", shipped("2"), 1e-6),
-        ("level 3", shipped("3"), 1e-3),
+        ("level 1", recorded("1"), 1e-6),
+        ("level 2", recorded("2"), 1e-6),
+        ("level 3", recorded("3"), 1e-3),
     ] {
         let (mut held, mut all, mut worst) = (0, 0, 0.0_f64);
         for (tick, object) in flown.all().filter(|(tick, _)| *tick > 1) {

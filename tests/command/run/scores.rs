@@ -1,33 +1,19 @@
 //! `resultant verify --scores`, `pack` and `unpack`, through the program.
 
 use crate::support::program::{Data, Ran, resultant};
+use crate::support::shipped::{copy_fixture, fixtures, record as flight};
 use resultant::game::{Fingerprint, Replay};
 use resultant::level;
 use resultant::scores::{Name, PATIENCE, Score, Scores};
 use std::fs;
-use std::path::Path;
 
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
-/// A data folder with levels 1 and 2 as they are shipped, and a board of level 1 with ann's flight for gold.
+/// A data folder with two levels, and a board of level 1 with ann's flight for gold.
 fn data() -> Data {
     let data = Data::new();
-    for level in ["1", "2"] {
-        for entry in fs::read_dir(root().join("levels").join(level)).unwrap().flatten().filter(|entry| entry.path().is_file()) {
-            let text = fs::read_to_string(entry.path()).unwrap();
-            data.write(&format!("levels/{level}/{}", entry.file_name().to_str().unwrap()), &text);
-        }
-    }
+    ["1", "2"].iter().for_each(|level| copy_fixture(level, &data.path(".")));
     data.write("assets/keep", "");
     save(&data, "1", "ann", &flight("1", "gold"));
     data
-}
-
-fn flight(level: &str, name: &str) -> Replay {
-    let file = root().join(format!("levels/{level}/flights/{name}.replay.csv"));
-    Replay::parse("flight", &fs::read_to_string(file).unwrap()).unwrap()
 }
 
 fn save(data: &Data, level: &str, user: &str, flight: &Replay) {
@@ -126,7 +112,7 @@ fn an_edited_level_has_another_board_and_a_level_that_is_gone_none() {
 fn a_level_is_packed_and_unpacked_elsewhere_and_nothing_is_written_over() {
     let there = Data::new();
     let zip = there.path("tower.zip");
-    let pack = || Ran::new(resultant().args(["pack", "15", "--out"]).arg(&zip));
+    let pack = || Ran::new(resultant().arg("--data").arg(fixtures()).args(["pack", "15", "--out"]).arg(&zip));
     let packed = pack();
     assert_eq!((packed.status, packed.err.as_str()), (0, ""), "{packed:?}");
     assert!(packed.out.contains("files, 3 flights, "), "{}", packed.out);

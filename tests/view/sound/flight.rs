@@ -2,7 +2,7 @@
 
 use super::hearing::{Listener, RATE};
 use crate::support::Memory;
-use crate::support::shipped::{load, record};
+use crate::support::shipped::{fixture, record};
 use resultant::game::{Controls, Game};
 use resultant::level;
 use resultant::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, desk, tune};
@@ -36,7 +36,7 @@ fn listen(game: &mut Game, ticks: usize) -> Vec<Sound> {
 
 #[test]
 fn the_recorded_flight_is_heard_from_its_engine_to_its_success() {
-    let mut game = Game::new(load("1")).unwrap();
+    let mut game = Game::new(fixture("1")).unwrap();
     let (desk, feed) = desk();
     let (mut speaker, mut ear) = (Speaker::at(desk), Ear::default());
     let mut mixer = resultant::view::sound::Mixer::new(RATE, feed);

@@ -1,17 +1,17 @@
 //! How loud the game is as a whole, and that nothing is ever too loud for a device.
 
 use super::hearing::{FULL, Heard, Listener, RATE};
-use crate::support::shipped::{load, record};
+use crate::support::shipped::{fixture, record};
 use resultant::game::Game;
 use resultant::view::sound::{Ambience, Cue, Ear, Mixer, Sound, Speaker, Volumes, desk, tune};
 use std::f64::consts::PI;
 
-/// Flights that come with the levels: winds, knocks, a mill, water, a landing.
-const FLIGHTS: [&str; 6] = ["1", "2", "3", "7", "12", "14"];
+/// Levels with winds, knocks, a mill, a thick liquid, a landing.
+const FLIGHTS: [&str; 4] = ["1", "2", "3", "15"];
 
 /// A flight of that level with those volumes, from its first tick to a second after its last.
 fn flight(name: &str, volumes: Volumes) -> Heard {
-    let mut game = Game::new(load(name)).unwrap();
+    let mut game = Game::new(fixture(name)).unwrap();
     let (desk, feed) = desk();
     desk.set_volumes(volumes);
     let (mut speaker, mut ear, mut mixer) = (Speaker::at(desk), Ear::default(), Mixer::new(RATE, feed));
