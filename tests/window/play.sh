@@ -141,21 +141,11 @@ point() {
   sleep "$settle_time"
 }
 
-# level_button INDEX: where the card of a level is on a page of level select in a window of 1280 × 720, from 0 along the rows, for `click`:
-# as src/screens/level_select.rs lays out as many cards as there are levels.
-level_button() {
-  local count
-  count=$(find "$data/levels" -mindepth 1 -maxdepth 1 -type d | wc -l)
-  awk -v index_=$1 -v count=$((count < 15 ? count : 15)) 'BEGIN {
-    for (n = count; n >= 1; n--) {
-      down = int((count + n - 1) / n); w = (1200 - 24 * (n - 1)) / n; h = (536 - 24 * (down - 1)) / down
-      worth = w < 1.3 * h ? w : 1.3 * h
-      if (worth >= best) { best = worth; across = n; rows = down; width = w < 900 ? w : 900; height = h < 600 ? h : 600 }
-    }
-    row = int(index_ / across); in_row = count - row * across; if (in_row > across) in_row = across
-    x = 640 + (index_ % across - (in_row - 1) / 2) * (width + 24); y = 356 + (row - (rows - 1) / 2) * (height + 24)
-    printf "%.2f %.2f", 100 * x / 1280, 100 * y / 720
-  }'
+# choose_level WORDS: opens the level that these words alone find in level select; its card is in the middle then.
+choose_level() {
+  type_text "$1"
+  sleep 0.3
+  click 50 50
 }
 
 # column_button INDEX: where a button of the menu's column is, from 0, for `click`; classic_button INDEX: of the list of classics.

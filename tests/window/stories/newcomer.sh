@@ -18,11 +18,11 @@ press Return
 expect named differs refused 3
 grep -q "^$user," "$data/scores/players.csv" || fail "$user is not in players.csv"
 
-# Menu → level select → level 1, by keys and by mouse; each press does one thing.
+# Menu → level select → level 1 by its title, by keys and by mouse; each press does one thing.
 press Down Return
 expect level-select differs named 3
 expect level-select drawn
-click $(level_button 0)
+choose_level "$(sed -n 's/^title,//p' "$data/levels/1/constants.csv")"
 expect level-1 hud
 
 # The keys fly the ship, Tab opens the details, Esc pauses.

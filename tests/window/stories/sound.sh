@@ -29,9 +29,14 @@ close_game
 read -r music peak < <(heard_since 0)
 holds "$music > 0.0005 && $peak < 1" || fail "the menu sounds like $music, at most $peak"
 
-# A flight has its engine, which is louder.
+# A flight has its engine, which is louder. Nothing is in its way.
+sky=$data/levels/sky
+mkdir "$sky"
+printf 'width,1280\nheight,9000\n' >"$sky/constants.csv"
+printf '640,8900,100,500,2000\n' >"$sky/player.csv"
+printf 'PLAYER,10,10,20,20\n' >"$sky/objectives.csv"
 rm -f "$sound"
-listening open_game play 1
+listening open_game play sky
 hold 0.5 space
 begun=$(($(heard_now) / 8 * 8))
 hold 2.5 space
@@ -42,7 +47,7 @@ echo "music $music, engine $engine, peak $peak"
 
 # A device that is not there is silence: the game opens, plays and says nothing of it.
 echo 'pcm.!default { type hw card 31 }' >"$data/asound.conf"
-listening open_game play 1
+listening open_game play sky
 hold 0.5 space
 close_game
 ! grep -q ALSA "$out/output.log" || fail "a missing device is spoken of: $(grep -m 1 ALSA "$out/output.log")"
