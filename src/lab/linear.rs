@@ -4,7 +4,7 @@ use super::axes::number;
 use super::timeline::round_numbers;
 use crate::number::fixed;
 
-/// Beyond these sizes numbers are written with powers of ten, each for itself.
+/// Beyond these sizes numbers are written with powers of ten, each for itself, where two digits tell them apart.
 const PLAIN: std::ops::Range<f64> = 1e-4..1e6;
 /// The parts of its span that labels may take before the axis ends beyond them.
 const MARGIN: f64 = 0.06;
@@ -56,7 +56,8 @@ impl Linear {
             .find(|numbers| numbers.len() >= 2)
             .unwrap_or_default();
         let apart = numbers.get(1).map_or(1.0, |second| second - numbers[0]);
-        let plain = PLAIN.contains(&apart) && self.from.abs().max(self.to.abs()) < PLAIN.end;
+        let size = self.from.abs().max(self.to.abs());
+        let plain = PLAIN.contains(&apart) && (size < PLAIN.end || apart < 0.1 * size);
         let decimals = (-(apart * 1.001).log10().floor()).max(0.0) as usize;
         let written = |value: f64| match plain {
             _ if value.abs() < 1e-6 * apart => "0".to_owned(),
@@ -82,6 +83,7 @@ mod tests {
         assert_eq!(names(100.0, 100.5, 5), ["100.0", "100.1", "100.2", "100.3", "100.4", "100.5"]);
         assert_eq!(names(0.0, 0.02, 2), ["0", "0.01", "0.02"]);
         assert_eq!(names(0.0, 4e7, 2), ["0", "2.0·10⁷", "4.0·10⁷"]);
+        assert_eq!(names(9.5e5, 1.01e6, 3), ["960000", "980000", "1000000"]);
     }
 
     #[test]
