@@ -1,7 +1,7 @@
 //! What an attempt came to, part by part.
 
 use super::leaderboard::{Onward, subject};
-use super::{Attempt, Flown, Gain, Input, Key, Request, Screen, Visit};
+use super::{Attempt, Flown, Gain, Input, Key, Noise, Request, Screen, Visit};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Colour, Style};
 use crate::game::{Outcome, RunResult, goals};
@@ -36,6 +36,11 @@ const FIGURES: f32 = 96.0;
 const FIGURE: f32 = 40.0;
 /// A medal's radius.
 const RADIUS: f32 = 18.0;
+/// Points count up within this time, s; earned medals are stamped from the first time on, one after the other, each within the last one, and
+/// begin that much larger.
+const COUNT: f64 = 0.45;
+const STAMPS: [f64; 3] = [0.3, 0.16, 0.14];
+const LARGER: f64 = 1.6;
 
 /// The scoring screen.
 #[derive(Debug)]
@@ -48,6 +53,8 @@ pub struct Scoring {
     remark: String,
     /// For how long the page has been there, s, and whether no key that steers has been held at a moment since.
     shown: f64,
+    /// Whether a medal was stamped in the last frame.
+    stamped: bool,
     released: bool,
     /// The player's best time in the level, this flight included, s.
     best: Option<f64>,
@@ -58,7 +65,7 @@ pub struct Scoring {
 impl Scoring {
     /// The screen for that result; `next` is the level after this one, and `remark` says what it brought.
     pub fn new(attempt: Attempt, result: RunResult, flown: Option<Rc<Flown>>, next: Option<String>, remark: String) -> Self {
-        Self { attempt, result, next, remark, shown: 0.0, released: false, best: None, flown }
+        Self { attempt, result, next, remark, shown: 0.0, stamped: false, released: false, best: None, flown }
     }
 
     /// With the player's best time in the level, s.
@@ -83,11 +90,32 @@ impl Scoring {
     /// held since the flight.
     fn guard(&mut self, ui: &mut Ui<'_>) {
         let input: &Input = ui.input();
-        self.shown += input.frame_time;
+        if input.frame_time > 0.0 {
+            let before = self.stamps();
+            self.shown += input.frame_time;
+            self.stamped = self.stamps() > before;
+        }
         self.released |= !STEERING.into_iter().any(|action| input.keeps(action));
         if self.shown < GUARD || !self.released {
             ui.claim(MENU_KEYS);
         }
+    }
+
+    /// The age of the stamp of the medal with this place among the earned ones, s; negative before it.
+    fn stamp(&self, place: usize) -> f64 {
+        self.shown - STAMPS[0] - place as f64 * STAMPS[1]
+    }
+
+    /// The number of stamps so far.
+    fn stamps(&self) -> usize {
+        let earned = goals(&self.attempt.level.awards, &self.result).iter().filter(|goal| goal.missing.is_none()).count();
+        (0..earned).filter(|place| self.stamp(*place) >= STAMPS[2]).count()
+    }
+
+    /// Points as they are shown: they count up.
+    fn counted(&self, points: i64) -> i64 {
+        let part = (self.shown / COUNT).min(1.0);
+        (points as f64 * (1.0 - (1.0 - part).powi(3))).round() as i64
     }
 
     /// This screen once more.
@@ -150,13 +178,13 @@ impl Scoring {
             ui.text(words, Vec2::new(label, y), style);
             ui.text(&reached, Vec2::new(value, y), style.mono().right());
             ui.text(&measure, Vec2::new(beside, y), quiet);
-            ui.text(&signed(points), Vec2::new(right, y), style.mono().right());
+            ui.text(&signed(self.counted(points)), Vec2::new(right, y), style.mono().right());
             y += ROW;
         }
         ui.canvas().line(Vec2::new(label, y - 20.0), Vec2::new(right, y - 20.0), 1.0, theme::panel_edge());
         let total = Style::new(BUTTON_TEXT, theme::text()).middle();
         ui.text("Score", Vec2::new(label, y + 8.0), total);
-        ui.text(&self.result.score.total.to_string(), Vec2::new(right, y + 8.0), total.mono().right());
+        ui.text(&self.counted(self.result.score.total).to_string(), Vec2::new(right, y + 8.0), total.mono().right());
     }
 
     /// What the level offers, side by side: what each goal asks for, and whether it is earned or what is missing.
@@ -164,9 +192,19 @@ impl Scoring {
         ui.panel(panel);
         let goals = goals(&self.attempt.level.awards, &self.result);
         let wide = panel.size.x / goals.len().max(1) as f32;
+        let mut earned = 0;
         for (i, goal) in goals.iter().enumerate() {
             let at = Vec2::new(panel.min.x + i as f32 * wide + 16.0, panel.centre().y);
-            medals::draw(ui.canvas(), goal.prize, goal.missing.is_none(), at + Vec2::new(RADIUS, 0.0), RADIUS);
+            let middle = at + Vec2::new(RADIUS, 0.0);
+            let stamp = if goal.missing.is_none() { self.stamp(earned) / STAMPS[2] } else { -1.0 };
+            earned += usize::from(goal.missing.is_none());
+            if stamp < 1.0 {
+                medals::draw(ui.canvas(), goal.prize, false, middle, RADIUS);
+            }
+            if stamp >= 0.0 {
+                let size = 1.0 + LARGER * (1.0 - stamp.min(1.0)).powi(2);
+                medals::draw(ui.canvas(), goal.prize, true, middle, RADIUS * size as f32);
+            }
             let room = wide - 2.0 * RADIUS - 32.0;
             let line = |text: &str, below: f32, colour| {
                 let style = Style::new(TEXT, colour).middle();
@@ -227,11 +265,20 @@ impl Screen for Scoring {
         let labels = self.labels();
         // Where most go on: to the next level after a success, to another try after a failure.
         ui.start_at(if completed { labels[1] } else { AGAIN });
-        let pressed = ui.row(size.y - ROW_BUTTON.y - 40.0, &labels);
+        let top = size.y - ROW_BUTTON.y - 40.0;
+        let pressed = ui.row(top, &labels);
+        if let Some(again) = ui.frame().row(labels.len(), top).first() {
+            // As in flight: this key flies again.
+            let at = Vec2::new(again.min.x + 16.0, again.centre().y);
+            ui.text(
+                &ui.input().settings.keys.label(Action::Restart),
+                at,
+                Style::new(TEXT, theme::accent()).mono().middle().centred(),
+            );
+        }
         if ui.key(Key::Escape) {
             return Some(Request::Menu);
         }
-        // As in flight: one key, and the ship flies again.
         if ui.acts(Action::Restart) {
             return Some(Request::Attempt(self.attempt.clone()));
         }
@@ -242,6 +289,10 @@ impl Screen for Scoring {
             FLIGHTS => self.visit(self.again()),
             _ => Request::Menu,
         })
+    }
+
+    fn noises(&self) -> Vec<Noise> {
+        self.stamped.then_some(Noise::Landing(0.8)).into_iter().collect()
     }
 
     fn tune(&self) -> Option<&str> {

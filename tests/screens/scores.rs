@@ -227,3 +227,16 @@ fn an_empty_board_is_a_board_and_a_damaged_file_is_reported() {
     let scores = Scores::new(sitting.folder.path().join("scores"));
     assert_eq!(scores.load("2").unwrap().damage.len(), 1, "looking changes nothing");
 }
+
+#[test]
+fn points_count_up_and_the_button_names_the_key_that_flies_again() {
+    let mut sitting = Sitting::new();
+    sitting.fly("1").wait(1.25);
+    assert_eq!(sitting.at(), "scoring");
+    let total = sitting.scoring().result().score.total.to_string();
+    assert_ne!(sitting.row("Score")[1], total, "it has just begun to count");
+    sitting.wait(0.6);
+    assert_eq!(sitting.row("Score")[1], total);
+    let again = sitting.area("Try Again");
+    assert!(sitting.texts().iter().any(|(text, at)| text.starts_with('R') && again.contains(*at)), "{:?}", sitting.texts());
+}
