@@ -45,6 +45,22 @@ pub struct Medals {
 }
 
 impl Medals {
+    /// Whether a level has medals for time.
+    pub const fn has_clock(awards: &Awards) -> bool {
+        awards.gold.is_some() || awards.silver.is_some()
+    }
+
+    /// The best medal that a flight of that time so far can still earn, and its time left, s; bronze has all the time.
+    pub fn within_reach(awards: &Awards, time: f64) -> (Medal, Option<f64>) {
+        let best = Medal::for_time(awards, Some(time));
+        let limit = match best {
+            Medal::Gold => awards.gold,
+            Medal::Silver => awards.silver,
+            Medal::Bronze => None,
+        };
+        (best, limit.map(|limit| (limit - time).max(0.0)))
+    }
+
     /// A flight with help earns bronze alone.
     pub fn of(awards: &Awards, result: &RunResult) -> Self {
         if result.outcome != Outcome::Completed {
@@ -184,6 +200,16 @@ mod tests {
         // A time shown as 00:05.51 is not within 5.505 s.
         let odd = Awards { gold: Some(5.505), ..Awards::default() };
         assert_eq!([5.5, 5.503].map(|time| Medal::for_time(&odd, Some(time))), [Medal::Gold, Medal::Bronze]);
+    }
+
+    #[test]
+    fn the_medal_clock_runs_from_gold_to_silver_to_bronze() {
+        let at = |time: f64| Medals::within_reach(&AWARDS, time);
+        assert_eq!(
+            [at(0.0), at(7.5), at(8.0), at(10.0)].map(|(medal, _)| medal),
+            [Medal::Gold, Medal::Gold, Medal::Silver, Medal::Bronze]
+        );
+        assert_eq!([at(0.5).1, at(7.5).1, at(8.0).1, at(10.0).1], [Some(7.0), Some(0.0), Some(1.0), None]);
     }
 
     #[test]

@@ -9,6 +9,9 @@ use crate::level::Level;
 use crate::physics::DVec2;
 use std::sync::Arc;
 
+/// The nearest moment is looked for within these ticks: where a path crosses itself, farther ones are of another leg.
+const AROUND: u64 = 180;
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GhostPose {
     /// m.
@@ -77,6 +80,13 @@ impl GhostTrack {
         let (from, to) = (at(tick.saturating_sub(1)), at(tick));
         let turn = (to.angle - from.angle + 180.0).rem_euclid(360.0) - 180.0;
         GhostPose { centre: from.centre.lerp(to.centre, alpha), angle: from.angle + turn * alpha }
+    }
+
+    /// The known tick near `about` at which the ghost was nearest to a place, m.
+    pub fn nearest(&self, place: DVec2, about: u64) -> u64 {
+        let (from, to) = (about.saturating_sub(AROUND), (about + AROUND).min(self.ticks()));
+        let apart = |tick: &u64| self.poses[*tick as usize].centre.distance_squared(place);
+        (from..=to).min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(self.ticks())
     }
 
     /// The tick of this flight with the same time on the clock as the game; before the game's clock starts, the tick from which it

@@ -66,7 +66,7 @@ pub struct App {
     /// What is wrong with the settings' file, a line each.
     pub(super) settings_problems: Vec<String>,
     /// How many menus there have been: each has other balls.
-    menus: u64,
+    pub(super) menus: u64,
     /// A score that another program keeps from being saved.
     pub(super) waiting: Option<WaitingScore>,
     /// The files of the level that is flown.

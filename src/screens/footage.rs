@@ -4,10 +4,11 @@ use super::flights::{FlightCandidate, FlightSource, Visit};
 use super::leaderboard::BoardRival;
 use super::new_file::NewFile;
 use crate::files::{self, INPUTS, LEVEL_TABLE, read_text};
-use crate::game::{Fingerprint, Outcome, Replay};
+use crate::game::{Fingerprint, Outcome, Reel, Replay};
 use crate::level::Level;
 use crate::scores::{Board, Name, Scores};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The folder in a level's with its own flights, and each of them: file, name, what it shows.
 const FLIGHTS: &str = "flights";
@@ -64,11 +65,23 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
 pub fn rivals(folder: &Path, level: &Level) -> Vec<BoardRival> {
     let here = Fingerprint::of(level);
     let rival = |(file, name, _): &(&str, &'static str, &str)| {
-        let text = read_text(&folder.join(FLIGHTS).join(format!("{file}{ENDING}")), LEVEL_TABLE).ok()?;
-        let replay = Replay::parse(file, &text).ok().filter(|replay| replay.level_hash.is_some_and(|hash| here.is(hash)))?;
-        (replay.outcome == Some(Outcome::Completed)).then_some(BoardRival { name, score: replay.score, time: replay.time })
+        let replay = own(folder, file, here)?;
+        Some(BoardRival { name, score: replay.score, time: replay.time })
     };
     OWN.iter().filter_map(rival).collect()
+}
+
+/// The level's own flight for gold, from its start.
+pub fn gold(folder: &Path, level: Arc<Level>) -> Option<Reel> {
+    let replay = own(folder, OWN[0].0, Fingerprint::of(&level))?;
+    Reel::new(level, &replay.inputs, replay.tick_rate).ok()
+}
+
+/// One of the level's own flights, where it was completed in this version of it.
+fn own(folder: &Path, file: &str, here: Fingerprint) -> Option<Replay> {
+    let text = read_text(&folder.join(FLIGHTS).join(format!("{file}{ENDING}")), LEVEL_TABLE).ok()?;
+    let replay = Replay::parse(file, &text).ok().filter(|replay| replay.level_hash.is_some_and(|hash| here.is(hash)))?;
+    (replay.outcome == Some(Outcome::Completed)).then_some(replay)
 }
 
 /// The record of one of them, which was flown in that level.

@@ -91,9 +91,12 @@ impl App {
                 }
                 (Brought::Card(card), _) => self.take_card(ticket, *card),
                 (Brought::List(names), _) => self.take_list(names),
-                (Brought::First(next), _) => {
+                (Brought::First(next, gold), _) => {
                     if let Some(menu) = self.screen.get_mut::<Menu>() {
                         menu.tell_next(next);
+                        if let Some(gold) = gold {
+                            menu.show_behind(Flight::watch(String::new(), *gold, Request::Menu, spectator));
+                        }
                     }
                 }
                 // Nobody waits for it any more.
@@ -103,7 +106,7 @@ impl App {
                         Brought::Level(folder, level) => self.library.prepare(folder, level),
                         Brought::Editor(editor) => self.opened = Some(editor),
                         Brought::Installed(installed) => self.installed = Some(installed),
-                        Brought::Card(_) | Brought::List(_) | Brought::First(_) => {}
+                        Brought::Card(_) | Brought::List(_) | Brought::First(..) => {}
                     }
                     self.enter(loading.request, spectator);
                     self.library.forget_prepared();
@@ -149,8 +152,10 @@ impl App {
     pub(super) fn ask_for_next(&mut self) {
         let names = self.library.names();
         let (open, done): (Vec<&String>, Vec<&String>) = names.iter().partition(|name| self.journal.medals(name).medal.is_none());
+        // Of a level that is not done a flight for gold would tell too much; but the first one has to begin somehow.
+        let shown = done.get(self.menus as usize % done.len().max(1)).or(open.first()).map(|name| self.library.folder(name));
         let folders = open.into_iter().chain(done).map(|name| self.library.folder(name)).collect();
-        let errand = Errand::First(folders, self.library.root().to_path_buf());
+        let errand = Errand::First(folders, self.library.root().to_path_buf(), shown);
         self.worker.ask(errand);
     }
 

@@ -2,7 +2,7 @@
 
 use super::balls::{Balls, METRE};
 use super::level_select::Purpose;
-use super::{Input, Key, Motion, Request, Screen, pace};
+use super::{Flight, GameScene, Input, Key, Motion, Request, Screen, pace};
 use crate::draw::layout::{Area, BUTTON_TEXT, Frame, GRID, PADDING, ROW_BUTTON, TEXT, TITLE, Vec2, words_box, words_width};
 use crate::draw::{Canvas, Colour, Style};
 use crate::physics::{DVec2, ForceKind};
@@ -26,6 +26,8 @@ const FOOT: f32 = 32.0;
 const BESIDE_FOOT: f32 = 640.0;
 /// From the canvas' top to the first button, of the canvas' height.
 const BUTTONS_AT: f32 = 0.3;
+/// Opacity of the ground between the flight behind the buttons and all that is above it.
+const VEIL: f32 = 0.7;
 /// From the canvas' edges to the buttons in its lower corners.
 const CORNER: f32 = 24.0;
 /// The button that says who plays.
@@ -56,6 +58,8 @@ pub struct MenuFacts {
 pub struct Menu {
     facts: MenuFacts,
     balls: Balls,
+    /// The flight that plays behind the buttons.
+    behind: Option<Box<Flight>>,
     /// The boxes of the lines of words beside the buttons, the title's last.
     lines: Vec<Area>,
 }
@@ -63,12 +67,17 @@ pub struct Menu {
 impl Menu {
     /// The menu. How balls fly follows from `seed` and from when they are dropped.
     pub fn new(facts: MenuFacts, seed: u64) -> Self {
-        Self { facts, balls: Balls::new(seed), lines: Vec::new() }
+        Self { facts, balls: Balls::new(seed), behind: None, lines: Vec::new() }
     }
 
     /// Takes over which level Play opens.
     pub fn tell_next(&mut self, next: Option<(String, String)>) {
         self.facts.next = next;
+    }
+
+    /// Lets a recorded flight play behind the buttons, over and over.
+    pub(super) fn show_behind(&mut self, flight: Flight) {
+        self.behind = Some(Box::new(flight));
     }
 
     /// Whether ship and balls hold still: nobody has touched anything for long, or the player is elsewhere.
@@ -158,7 +167,10 @@ impl Menu {
 impl Screen for Menu {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         let frame = ui.frame();
-        widgets::graph_paper(ui.canvas());
+        match &self.behind {
+            Some(_) => ui.canvas().rectangle(frame.area(), theme::ground().faded(VEIL)),
+            None => widgets::graph_paper(ui.canvas()),
+        }
         let column = frame.column(LABELS.len(), (frame.size.y * BUTTONS_AT / GRID).round() * GRID);
         let pressed = ui.buttons(column.clone(), &LABELS);
         let (player, corner) = self.show_player(ui);
@@ -169,6 +181,9 @@ impl Screen for Menu {
         // Balls bounce off all that is drawn, and the ship flies around it.
         let drawn: Vec<Area> = column.into_iter().chain([corner, credits]).chain(self.lines.iter().copied()).collect();
         let frame_time = if self.rests(ui.input()) { 0.0 } else { ui.input().frame_time };
+        if let Some(flight) = &mut self.behind {
+            flight.play_behind(frame_time);
+        }
         self.balls.update(&Input { frame_time, ..ui.input().clone() }, &drawn);
         self.balls.draw(ui.canvas());
         self.draw_ship(ui.canvas(), &frame);
@@ -193,6 +208,10 @@ impl Screen for Menu {
             LAST => Request::PageData,
             _ => Request::Quit,
         })
+    }
+
+    fn scene(&self, frame: &Frame) -> Option<GameScene<'_>> {
+        self.behind.as_ref()?.scene_behind(frame)
     }
 
     fn motion(&self, input: &Input) -> Motion {

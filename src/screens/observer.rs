@@ -25,6 +25,8 @@ pub struct Observer {
     /// The index of the present pace.
     pace: usize,
     focus: Focus,
+    /// Whether the whole level is shown.
+    map: bool,
     /// The keys in its words.
     keys: Bindings,
 }
@@ -39,7 +41,7 @@ impl Observer {
     /// An observer at the pace 1 of a rising list.
     pub(super) fn with_paces(paces: &'static [f64]) -> Self {
         let pace = paces.iter().position(|pace| *pace == 1.0).unwrap_or(0);
-        Self { frozen: false, paces, pace, focus: Focus::default(), keys: Bindings::default() }
+        Self { frozen: false, paces, pace, focus: Focus::default(), map: false, keys: Bindings::default() }
     }
 
     /// One frame of a game whose details are open or not; returns the ticks that a frozen world goes on, or back where negative.
@@ -66,6 +68,7 @@ impl Observer {
         if input.acts(Action::Fit) {
             self.focus.fit();
         }
+        self.map = input.keeps(Action::Map);
         let by_keys = if input.held.has(Key::Control) { 0 } else { KEY_ZOOM * more_or_less(input) };
         self.focus.zoom_by(by_keys + input.wheel.round() as i8);
     }
@@ -96,6 +99,10 @@ impl Observer {
         self.pace = (self.pace + 1).min(self.paces.len() - 1);
     }
 
+    pub(super) const fn keys(&self) -> &Bindings {
+        &self.keys
+    }
+
     /// Whether the world stands still.
     pub const fn frozen(&self) -> bool {
         self.frozen
@@ -119,6 +126,11 @@ impl Observer {
     /// Looks at that from now on.
     pub const fn look_at(&mut self, focus: Focus) {
         self.focus = focus;
+    }
+
+    /// Whether the whole level is shown.
+    pub const fn shows_map(&self) -> bool {
+        self.map
     }
 
     /// Whom the details tell of.

@@ -1,6 +1,6 @@
 //! Those who fly along: recorded flights as ghosts, and how the ship stands to them at each objective.
 
-use crate::game::{Game, GameError, GameEvent, GhostPose, GhostTrack, Inputs, Outcome};
+use crate::game::{Game, GameError, GameEvent, GhostPose, GhostTrack, Inputs, Outcome, SHIP};
 use crate::level::Level;
 use crate::number::{fixed, hundredths};
 use std::sync::Arc;
@@ -11,6 +11,9 @@ pub const MOST_RIVALS: usize = 5;
 const TICKS_A_FRAME: u64 = 240;
 /// Where a frame takes longer than this, s, they are flown ahead by a fourth of that only.
 const SLOW_FRAME: f64 = 1.0 / 40.0;
+
+/// A ghost's path farther from the ship than this tells nothing about its lead, m.
+const NEAR: f64 = 8.0;
 
 /// A recorded flight that flies along.
 #[derive(Clone, Debug)]
@@ -27,6 +30,8 @@ pub struct Ghost {
     /// Whose flight it is.
     pub name: String,
     track: GhostTrack,
+    /// The tick of its flight that is nearest to where the ship is.
+    beside: u64,
 }
 
 /// An objective that the ship has met.
@@ -65,7 +70,7 @@ impl Race {
     pub fn new(level: &Arc<Level>, rivals: &[Rival]) -> Result<Option<Self>, GameError> {
         let ghost = |rival: &Rival| {
             let track = GhostTrack::new(level.clone(), &rival.inputs)?;
-            Ok(Ghost { name: rival.name.clone(), track })
+            Ok(Ghost { name: rival.name.clone(), track, beside: 0 })
         };
         let ghosts = rivals.iter().take(MOST_RIVALS).map(ghost).collect::<Result<Vec<_>, GameError>>()?;
         Ok((!ghosts.is_empty()).then_some(Self { ghosts, splits: Vec::new(), tick_rate: crate::game::TICK_RATE }))
@@ -73,7 +78,8 @@ impl Race {
 
     /// The same race from its start.
     pub fn again(self) -> Self {
-        Self { splits: Vec::new(), ..self }
+        let ghosts = self.ghosts.into_iter().map(|ghost| Ghost { beside: 0, ..ghost }).collect();
+        Self { splits: Vec::new(), ghosts, ..self }
     }
 
     /// Takes up what the ship has met in the tick just made.
@@ -87,12 +93,21 @@ impl Race {
         }
     }
 
+    /// The game has been taken back to an earlier moment.
+    pub fn back_to(&mut self, game: &Game) {
+        self.splits.retain(|split| split.tick <= game.ticks_on_clock());
+        self.ghosts.iter_mut().for_each(|ghost| ghost.beside = ghost.track.beside(game));
+    }
+
     /// Flies the ghosts ahead: at least to where they are beside that game, and further as long as a frame has room for it.
     pub fn update(&mut self, game: &Game, frame_time: f64) {
         let ahead = if frame_time > SLOW_FRAME { TICKS_A_FRAME / 4 } else { TICKS_A_FRAME } / self.ghosts.len() as u64;
         for ghost in &mut self.ghosts {
             let behind = ghost.track.beside(game).saturating_sub(ghost.track.ticks());
             ghost.track.fly(behind + if frame_time > 0.0 { ahead } else { 0 });
+            if frame_time > 0.0 {
+                ghost.beside = ghost.track.nearest(game.world().body(SHIP).position, ghost.beside);
+            }
         }
     }
 
@@ -115,6 +130,13 @@ impl Race {
     /// What the ship has met, in order.
     pub fn splits(&self) -> &[Split] {
         &self.splits
+    }
+
+    /// How the ship stands to a ghost where it is now; `None` where the ghost never came by near enough.
+    pub fn lead(&self, ghost: &Ghost, game: &Game) -> Option<Gap> {
+        let apart = ghost.track.pose(ghost.beside, 1.0).centre.distance(game.world().body(SHIP).position);
+        let behind = (ghost.track.beside(game) as f64 - ghost.beside as f64) / self.tick_rate;
+        (apart <= NEAR && !game.is_idle()).then_some(Gap::Seconds(behind))
     }
 
     /// How the ship stood to a ghost at an objective.
@@ -147,11 +169,10 @@ impl Gap {
 
 mod drawing {
     use super::{Gap, Race};
-    use crate::draw::layout::{DETAILS, GRID, TEXT, Vec2};
-    use crate::draw::{Canvas, Style};
+    use crate::draw::Canvas;
     use crate::game::Game;
-    use crate::view::hud::{self, Aside, HudPart};
-    use crate::view::{GhostShip, theme, widgets};
+    use crate::view::hud::{self, Aside};
+    use crate::view::{GhostShip, theme};
 
     impl Race {
         /// Where the ghosts are drawn.
@@ -161,24 +182,19 @@ mod drawing {
                 .collect()
         }
 
-        /// Draws how the ship stands to each ghost at the objective that it met last, in a strip beside the timer.
-        pub fn draw(&self, aside: &Aside, canvas: &Canvas) {
-            let Some(area) = aside.home(HudPart::Race) else { return };
-            let (ground, strong) = hud::left(aside.of(HudPart::Race));
-            widgets::panel_in(canvas, area, theme::panel().faded(0.7 * ground), theme::panel_edge().faded(ground));
-            let column = area.size.x / self.all().len() as f32;
+        /// Draws how the ship stands to each ghost, where it is now or else at the objective that it met last: columns of the strip beside the
+        /// timer.
+        pub fn draw(&self, game: &Game, aside: &Aside, canvas: &Canvas) {
             for (i, ghost) in self.all().iter().enumerate() {
-                let middle = area.min.x + column * (i as f32 + 0.5);
-                let at = |part: f32| Vec2::new(middle, area.min.y + area.size.y * part);
-                widgets::fitted(canvas, &ghost.name, at(0.3), column - GRID, &[TEXT, DETAILS], theme::quiet().faded(strong));
-                let gap = self.splits().last().map(|split| self.gap(ghost, *split));
+                let Some(column) = aside.column(i, self.all().len()) else { continue };
+                let gap = self.lead(ghost, game).or_else(|| self.splits().last().map(|split| self.gap(ghost, *split)));
                 let colour = match gap {
                     Some(Gap::Seconds(seconds)) if seconds > 0.0 => theme::bad(),
                     Some(Gap::Seconds(_) | Gap::Never) => theme::good(),
                     Some(Gap::Unknown) | None => theme::quiet(),
                 };
                 let told = gap.map_or_else(|| "–".to_owned(), Gap::words);
-                canvas.text(&told, at(0.72), Style::new(TEXT, colour.faded(strong)).mono().centred().middle());
+                hud::draw_column(column, (&ghost.name, &told), colour, aside, canvas);
             }
         }
     }

@@ -18,6 +18,8 @@ pub struct GameScene<'a> {
     pub speed: f64,
     /// Whether the view stands still too.
     pub paused: bool,
+    /// Whether it is seen and not heard.
+    pub quiet: bool,
     pub ghosts: Vec<GhostShip>,
     pub race: Option<&'a Race>,
     /// The places above the game: they cover it.

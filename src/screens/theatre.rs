@@ -4,13 +4,15 @@ use super::host::Instant;
 use super::{App, ButtonAnswer, GameScene, Input, Noise, Screen, Spectator, pace};
 use crate::draw::Canvas;
 use crate::draw::layout::{Area, BUTTON_TEXT, TEXT, Vec2};
-use crate::game::Game;
+use crate::game::{Game, Outcome};
 use crate::level;
 use crate::physics::{BodyId, DVec2};
 use crate::settings::Settings;
-use crate::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
+use crate::view::sound::{Ambience, Arrangement, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::view::{GameView, Overlays, theme, widgets};
 
+/// Volume of the music during a loss; at 0 the tune would begin again.
+const HUSHED: f32 = 0.05;
 /// How much one tick's time, and one frame's, counts in the running means that F3 shows.
 const COST_WEIGHT: f64 = 0.02;
 const FRAME_WEIGHT: f64 = 0.1;
@@ -20,6 +22,8 @@ pub fn draw(app: &App, theatre: &mut Theatre, frame_time: f64, canvas: &mut Canv
     if let Some(scene) = app.screen().scene(canvas.frame()) {
         theatre.draw_scene(scene, *app.settings(), frame_time, canvas);
         canvas.end_layer();
+    } else if app.screen().tune().is_some() {
+        theatre.how = Arrangement::default();
     }
     canvas.add_all(app.canvas());
     if let Some(what) = app.loading() {
@@ -46,6 +50,9 @@ pub struct Theatre {
     speaker: Speaker,
     ear: Ear,
     view: Option<GameView>,
+    /// How the music of the screen is played, and whether it pauses for a loss.
+    how: Arrangement,
+    lost: bool,
     tick_started: Instant,
     /// Running mean of the time that a tick takes, s.
     tick_cost: f64,
@@ -55,7 +62,16 @@ pub struct Theatre {
 
 impl Theatre {
     pub fn new(speaker: Speaker) -> Self {
-        Self { speaker, ear: Ear::default(), view: None, tick_started: Instant::now(), tick_cost: 0.0, frame_cost: pace::EASY }
+        Self {
+            speaker,
+            ear: Ear::default(),
+            view: None,
+            how: Arrangement::default(),
+            lost: false,
+            tick_started: Instant::now(),
+            tick_cost: 0.0,
+            frame_cost: pace::EASY,
+        }
     }
 
     /// The body under the pointer, and the place in the level, m, where a game is shown.
@@ -77,8 +93,10 @@ impl Theatre {
         (view.panels, view.ghosts) = (scene.panels, scene.ghosts);
         let passed = frame_time * scene.speed.min(1.0);
         view.update(game, alpha, passed, overlays, canvas.frame());
-        view.follow_jumps(game, &overlays, if scene.paused { 0.0 } else { frame_time - passed });
-        if scene.speed > 0.0 {
+        view.follow_jumps(game, &overlays, canvas.frame(), if scene.paused { 0.0 } else { frame_time - passed });
+        self.lost = !scene.quiet && game.outcome() == Outcome::Failed;
+        self.how = if scene.quiet { Arrangement::default() } else { Arrangement::of(game) };
+        if scene.speed > 0.0 && !scene.quiet {
             self.speaker.surround(Ambience::of(game, view.burning()));
         }
         view.draw(game, alpha, overlays, &figures, canvas);
@@ -87,7 +105,7 @@ impl Theatre {
             instruments.draw_in_level((game, alpha), &viewport, canvas);
         }
         if let Some(race) = scene.race {
-            race.draw(&view.hud.aside, canvas);
+            race.draw(game, &view.hud.aside, canvas);
         }
         canvas.use_frame(whole);
     }
@@ -103,6 +121,8 @@ impl Theatre {
     pub fn set_volumes(&mut self, settings: &Settings) {
         let [master, effects, music] =
             [settings.master, settings.effects, settings.music].map(|percent| f32::from(percent) / 100.0);
+        // The burst of a loss, then a beat of silence.
+        let music = if self.lost { HUSHED * music } else { music };
         self.speaker.set_volumes(Volumes { master, effects, music });
     }
 
@@ -121,7 +141,11 @@ impl Theatre {
         screen.noises().into_iter().for_each(|noise| self.speaker.play(heard_as(noise)));
         if let Some(name) = screen.tune() {
             self.speaker.set_tune(Some(tune(name)));
+        } else {
+            self.how.pace = 0.0;
         }
+        self.speaker.arrange(self.how);
+        self.lost = false;
         self.speaker.end_frame();
     }
 }

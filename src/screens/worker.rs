@@ -3,7 +3,8 @@
 
 use super::folder_watch::Stamp;
 use super::library::Refusal;
-use super::{Editor, Miniature};
+use super::{Editor, Miniature, footage};
+use crate::game::Reel;
 use crate::level::{self, Awards, Level};
 use crate::pack::{self, Installed};
 use std::collections::VecDeque;
@@ -32,8 +33,8 @@ pub enum Errand {
     },
     /// The names of the levels in a folder.
     List(PathBuf),
-    /// The first of these levels that loads.
-    First(Vec<PathBuf>, PathBuf),
+    /// The first of these levels that loads; and of the level in the last folder, if any, its flight for gold.
+    First(Vec<PathBuf>, PathBuf, Option<PathBuf>),
 }
 
 /// What a card shows of a level.
@@ -60,8 +61,8 @@ pub enum Brought {
     Installed(Result<Installed, Refusal>),
     /// Of [`Errand::List`].
     List(Vec<String>),
-    /// Of [`Errand::First`]: name and title.
-    First(Option<(String, String)>),
+    /// Of [`Errand::First`]: name and title, and the flight.
+    First(Option<(String, String)>, Option<Box<Reel>>),
 }
 
 impl Errand {
@@ -83,12 +84,13 @@ impl Errand {
             Self::Editor(folder, root) => Brought::Editor(Editor::open(&folder, &root).map(Box::new)),
             Self::Install { archive, levels, root } => Brought::Installed(pack::install_file(&archive, &levels, &root)),
             Self::List(levels) => Brought::List(level::list(&levels)),
-            Self::First(folders, root) => {
+            Self::First(folders, root, shown) => {
                 let first = folders.iter().find_map(|folder| {
                     let level = load(folder, &root).ok()?;
                     Some((level.name.clone(), level.title.clone()))
                 });
-                Brought::First(first)
+                let gold = shown.and_then(|folder| footage::gold(&folder, load(&folder, &root).ok()?));
+                Brought::First(first, gold.map(Box::new))
             }
         }
     }

@@ -193,13 +193,15 @@ macro_rules! actions {
 actions! {
     Thrust "key_thrust" "Thrust" "thrusts along the ship's nose" [Space W] [PadR2 PadA];
     Reverse "key_reverse" "Reverse thrust" "thrusts backwards" [Shift S] [PadL2 PadB];
-    Left "key_left" "Turn left" "turns the ship anticlockwise" [Left A] [PadLeft PadL1];
-    Right "key_right" "Turn right" "turns the ship clockwise" [Right D] [PadRight PadR1];
+    Left "key_left" "Turn left" "turns the ship anticlockwise" [Left A] [PadLeft];
+    Right "key_right" "Turn right" "turns the ship clockwise" [Right D] [PadRight];
     Restart "key_restart" "Restart level" "restarts the level" [R] [PadY];
+    Rewind "key_rewind" "Rewind" "flies backwards while it is held; from there the flight goes on as practice" [Backspace] [PadL1];
     Details "key_details" "Show forces" "opens and closes the details: the forces and impacts on everything" [Tab] [PadX PadSelect];
     Hitboxes "key_hitboxes" "Hitboxes, costs" "shows hitboxes, frames a second and the cost of a tick" [F3] [];
     Pause "key_pause" "Pause" "pauses; in menus Esc and B go back" [Escape P] [PadStart];
     Fit "key_fit" "Fit the view" "fits everything that moves into the view; again: follows the ship" [F] [];
+    Map "key_map" "Whole map" "shows the whole level while it is held" [M] [PadR1];
     Closer "key_closer" "Zoom in" "zooms in, as the wheel does; with Ctrl: longer arrows" [Equal KpAdd] [];
     Wider "key_wider" "Zoom out" "zooms out; with Ctrl: shorter arrows" [Minus KpSubtract] [];
     Next "key_next" "Next body" "shows the details of the next body" [N] [];

@@ -29,6 +29,10 @@ const FIT_LEAST: f64 = 1.0;
 const FIT_EASE: f64 = 0.2;
 const FIT_CLOSES: f64 = 0.5;
 const ZOOM_EASE: f64 = 0.08;
+/// The view widens by this factor at this speed and above, m/s, beginning at the lower one; its time constant, s.
+const WIDER: f64 = 0.78;
+const WIDENS: [f64; 2] = [8.0, 24.0];
+const WIDER_EASE: f64 = 0.9;
 
 /// The point that the camera looks at: it eases after the ship, a little ahead of it, regardless of the window and the level's
 /// edges.
@@ -44,6 +48,8 @@ pub struct Camera {
     fitted: Option<Aabb>,
     /// 0: follows; 1: fits.
     fits: f64,
+    /// The ship's speed, eased, m/s.
+    speed: f64,
     /// Scale of the picture, 1 usual; `None` before the first frame.
     zoom: Option<f64>,
 }
@@ -51,7 +57,7 @@ pub struct Camera {
 impl Camera {
     /// Looks at the ship's centre (m) at once.
     pub const fn new(ship: DVec2) -> Self {
-        Self { ship, ahead: DVec2::ZERO, closeness: 1.0, fitted: None, fits: 0.0, zoom: None }
+        Self { ship, ahead: DVec2::ZERO, closeness: 1.0, fitted: None, fits: 0.0, speed: 0.0, zoom: None }
     }
 
     /// Returns to the usual distance.
@@ -63,6 +69,7 @@ impl Camera {
     pub fn follow(&mut self, ship: DVec2, velocity: DVec2, frame_time: f64) {
         let share = |time: f64| 1.0 - (-frame_time.max(0.0) / time).exp();
         let speed = velocity.length();
+        self.speed += (speed - self.speed) * share(WIDER_EASE);
         let ahead = velocity * (AHEAD_TIME * (1.0 - AHEAD_FROM / speed.max(AHEAD_FROM)));
         self.ahead += (ahead.clamp(-AHEAD_MOST, AHEAD_MOST) - self.ahead) * share(AHEAD_EASE);
         self.ship += (ship - self.ship) * share(EASE_TIME);
@@ -77,13 +84,14 @@ impl Camera {
         };
         let share = |time: f64| 1.0 - (-frame_time.max(0.0) / time).exp();
         self.zoom = Some(before * (zoom / before).powf(share(ZOOM_EASE)));
-        self.fits += (f64::from(u8::from(fit.is_some())) - self.fits) * share(FIT_EASE);
         if let Some(bounds) = fit {
             let (wanted, part) = (grown(&bounds, FIT_MARGIN), share(FIT_CLOSES));
-            let now = self.fitted.unwrap_or(wanted);
+            // A box of long ago is forgotten.
+            let now = self.fitted.filter(|_| self.fits > 0.05).unwrap_or(wanted);
             let eased = Aabb::new(now.min.lerp(wanted.min, part), now.max.lerp(wanted.max, part));
             self.fitted = Some(eased.union(&grown(&bounds, FIT_LEAST)));
         }
+        self.fits += (f64::from(u8::from(fit.is_some())) - self.fits) * share(FIT_EASE);
     }
 
     /// The view of a level of that size (m) with `kept` (m) in it; `metre` is canvas units a metre at the usual magnification.
@@ -93,7 +101,13 @@ impl Camera {
             Some(bounds) if self.fits > 1e-3 => (usual.towards(bounds, self.fits), kept.lerp(bounds.centre(), self.fits)),
             _ => (usual, kept),
         };
-        view.zoomed(kept, self.zoom.unwrap_or(1.0)).closer(kept, self.closeness)
+        view.zoomed(kept, self.zoom.unwrap_or(1.0) * self.widening()).closer(kept, self.closeness)
+    }
+
+    /// The factor on the scale of a fast ship's view.
+    fn widening(&self) -> f64 {
+        let part = ((self.speed - WIDENS[0]) / (WIDENS[1] - WIDENS[0])).clamp(0.0, 1.0);
+        1.0 + (WIDER - 1.0) * part * part * (3.0 - 2.0 * part)
     }
 
     /// Closes in on the ship after a success.

@@ -24,6 +24,9 @@ const FLOAT_ASIDE: f32 = 80.0;
 /// Duration (s) and radius (m) of a spreading ring.
 const RING_TIME: f64 = 0.7;
 const RING_REACH: f64 = 4.0;
+/// Duration of a light's run along a wire, s, and its length as a part of the wire.
+const RUN_TIME: f64 = 0.55;
+const RUN_LENGTH: f64 = 0.3;
 
 /// Effects, by their age in seconds.
 #[derive(Default)]
@@ -32,6 +35,8 @@ pub struct Feedback {
     death: Option<f64>,
     floats: Vec<Float>,
     rings: Vec<(DVec2, Colour, f64)>,
+    /// The corners of a wire, m.
+    runs: Vec<([DVec2; 3], f64)>,
 }
 
 /// Words that float up from a point (m).
@@ -64,6 +69,11 @@ impl Feedback {
         self.rings.push((centre, colour, 0.0));
     }
 
+    /// Light runs along the wire from a switch to the thing that it works, m.
+    pub fn run(&mut self, from: DVec2, to: DVec2) {
+        self.runs.push(([from, DVec2::new(to.x, from.y), to], 0.0));
+    }
+
     pub fn advance(&mut self, frame_time: f64) {
         self.hit = self.hit.map(|age| age + frame_time).filter(|age| *age < SHAKE_TIME.max(FLASH_TIME));
         self.death = self.death.map(|age| age + frame_time).filter(|age| *age < DEATH_FLASH);
@@ -75,6 +85,8 @@ impl Feedback {
             *age += frame_time;
         }
         self.rings.retain(|(_, _, age)| *age < RING_TIME);
+        self.runs.iter_mut().for_each(|(_, age)| *age += frame_time);
+        self.runs.retain(|(_, age)| *age < RUN_TIME);
     }
 
     /// The shake of the screen, canvas units: at most 6 along each axis, none after 200 ms.
@@ -91,6 +103,9 @@ impl Feedback {
             let t = age / RING_TIME;
             let spread = 1.0 - (1.0 - t).powi(3);
             canvas.ring(view.point(*centre), view.length(0.5 + RING_REACH * spread), 4.0, colour.faded(1.0 - t as f32));
+        }
+        for (wire, age) in &self.runs {
+            draw_run(wire, age / RUN_TIME, view, canvas);
         }
         for Float { point, words, colour, age } in &self.floats {
             let t = (age / FLOAT_TIME) as f32;
@@ -126,6 +141,30 @@ impl Feedback {
     }
 }
 
+/// The wire, which fades, and the light on it at a part (0 … 1) of its run.
+fn draw_run(wire: &[DVec2; 3], part: f64, view: &Viewport, canvas: &Canvas) {
+    let lengths = [wire[0].distance(wire[1]), wire[1].distance(wire[2])];
+    let all = lengths[0] + lengths[1];
+    let at = |along: f64| match along.clamp(0.0, all) {
+        along if along < lengths[0] => wire[0].lerp(wire[1], along / lengths[0]),
+        along if lengths[1] > 0.0 => wire[1].lerp(wire[2], (along - lengths[0]) / lengths[1]),
+        _ => wire[1],
+    };
+    let line = |from: f64, to: f64, width: f32, colour: Colour| {
+        // The corner belongs to a stretch around it.
+        let corner = (from < lengths[0] && lengths[0] < to).then_some(wire[1]);
+        let points: Vec<Vec2> =
+            [Some(at(from)), corner, Some(at(to))].into_iter().flatten().map(|point| view.point(point)).collect();
+        points.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], width, colour));
+    };
+    let head = part * (1.0 + RUN_LENGTH) * all;
+    line(0.0, all, 2.0, theme::good().faded(0.35 * (1.0 - part) as f32));
+    line(head - RUN_LENGTH * all, head, 5.0, theme::good());
+    if head < all {
+        canvas.disc(view.point(at(head)), 6.0, theme::text());
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -152,9 +191,11 @@ mod tests {
         let mut feedback = Feedback::default();
         feedback.hit(DVec2::ZERO);
         feedback.ring(DVec2::ZERO, theme::good());
+        feedback.run(DVec2::ZERO, DVec2::ONE);
         for _ in 0..30 {
             feedback.advance(0.1);
         }
         assert!(feedback.hit.is_none() && feedback.floats.is_empty() && feedback.rings.is_empty());
+        assert!(feedback.runs.is_empty());
     }
 }

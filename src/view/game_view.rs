@@ -11,6 +11,7 @@ use super::focus::Focus;
 use super::hud::{Hud, HudScene, HudShown};
 use super::particles::Particles;
 use super::pictures::Pictures;
+use super::stirred::StirredObjects;
 use super::terrain::Terrain;
 use super::touchdown::{GENTLE, Touchdown};
 use super::wreck::Wreck;
@@ -25,6 +26,8 @@ use std::path::Path;
 
 /// Canvas units. A smaller body is as easy to point at as one with half such sides.
 const GRAB: f32 = 12.0;
+/// The ship and what it has set in motion share a view of up to this many usual ones, each way, less the margin around them.
+const FRAMED: f64 = 1.3;
 /// Solids up to this far beyond the view stop particles, m.
 const BARRIERS: f64 = 2.0;
 
@@ -43,6 +46,7 @@ pub struct GameView {
     /// Canvas units.
     pointer: Option<Vec2>,
     touchdown: Touchdown,
+    stirred: StirredObjects,
     /// From the loss of the ship on.
     wreck: Option<Wreck>,
     pub ghosts: Vec<GhostShip>,
@@ -76,6 +80,8 @@ pub struct Overlays {
     pub hitboxes: bool,
     /// The flight is a recording: the keys do not fly.
     pub watched: bool,
+    /// The whole level is in view.
+    pub map: bool,
 }
 
 impl Overlays {
@@ -105,6 +111,7 @@ impl GameView {
             hud: Hud::default(),
             pointer: None,
             touchdown: Touchdown::default(),
+            stirred: StirredObjects::default(),
             wreck: None,
             ghosts: Vec::new(),
             panels: Vec::new(),
@@ -149,11 +156,14 @@ impl GameView {
                     self.feedback.float(pod.bounds.centre(), format!("+{:.0} fuel", pod.fuel), theme::accent());
                 }
                 GameEvent::Switched(index, true) => {
-                    self.feedback.ring(game.level().switches[*index].bounds.centre(), theme::text())
+                    let switch = game.level().switches[*index].bounds.centre();
+                    self.feedback.ring(switch, theme::text());
+                    mechanisms::worked_by(game, *index).for_each(|worked| self.feedback.run(switch, worked));
                 }
                 GameEvent::Switched(_, false) | GameEvent::ObjectiveLost(_) => {}
             }
         }
+        self.stirred.after_tick(game);
         if let Some(landing) = self.touchdown.after_tick(game).filter(|landing| landing.speed < GENTLE) {
             self.feedback.float(landing.point, format!("Gentle landing: {} m/s", fixed(landing.speed, 1)), theme::good());
         }
@@ -167,7 +177,7 @@ impl GameView {
         let followed = overlays.followed(game);
         self.followed = followed;
         self.camera.follow(drawn_centre(game, followed, alpha), game.world().body(followed).velocity, frame_time);
-        self.camera.turn(overlays.focus.fits().then(|| moving(game, alpha)), overlays.focus.zoom(), frame_time);
+        self.turn_camera(game, alpha, &overlays, frame, frame_time);
         if game.outcome() == Outcome::Completed {
             self.camera.close_in(frame_time);
         }
@@ -218,17 +228,32 @@ impl GameView {
         self.particles = Particles::new();
         self.feedback = Feedback::default();
         self.touchdown = Touchdown::default();
+        self.stirred = StirredObjects::default();
         self.wreck = if game.outcome() == Outcome::Failed { Wreck::new(game, SHIP) } else { None };
     }
 
     /// Only the camera moves, for `frame_time` seconds: bodies at rest may have been moved by hand.
-    pub fn follow_jumps(&mut self, game: &Game, overlays: &Overlays, frame_time: f64) {
+    pub fn follow_jumps(&mut self, game: &Game, overlays: &Overlays, frame: &Frame, frame_time: f64) {
         let body = game.world().body(overlays.followed(game));
         self.camera.follow(body.position, body.velocity, frame_time);
-        self.camera.turn(overlays.focus.fits().then(|| moving(game, 1.0)), overlays.focus.zoom(), frame_time);
+        self.turn_camera(game, 1.0, overlays, frame, frame_time);
         if game.outcome() != Outcome::Completed {
             self.camera.open_up();
         }
+    }
+
+    /// Turns the camera to the whole level, to everything that moves, or to the ship and what it has set in motion.
+    fn turn_camera(&mut self, game: &Game, alpha: f64, overlays: &Overlays, frame: &Frame, frame_time: f64) {
+        let level = game.level();
+        let room = frame.size.as_dvec2() / level.metre * FRAMED;
+        let stirred = || self.stirred.framed(game, room, |id| drawn_centre(game, id, alpha));
+        let (fit, zoom) = match () {
+            () if overlays.map => (Some(Aabb::new(DVec2::ZERO, level.size)), 1.0),
+            () if overlays.focus.fits() => (Some(moving(game, alpha)), overlays.focus.zoom()),
+            () if self.followed == SHIP && game.outcome() == Outcome::Running => (stirred(), overlays.focus.zoom()),
+            () => (None, overlays.focus.zoom()),
+        };
+        self.camera.turn(fit, zoom, frame_time);
     }
 
     /// The pointer, canvas units, for the details.

@@ -12,11 +12,11 @@ use super::art::{self, Tile};
 use super::camera::Viewport;
 use super::emitters::objective_colour;
 use super::theme;
-use super::widgets::panel_in;
-use super::zones::diamond;
+use super::widgets::{fitted, panel_in};
+use super::zones::{diamond, ring};
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, TEXT, Vec2, text_room};
 use crate::draw::{Canvas, Colour, Style};
-use crate::game::{DAMAGING_SPEED, Game, SHIP};
+use crate::game::{DAMAGING_SPEED, Game, Medals, SHIP};
 use crate::level::{Level, ObjectiveKind};
 use crate::number::{clock, fixed};
 use crate::physics::{Aabb, BodyId, DVec2};
@@ -38,6 +38,11 @@ const VELOCITY_END: f64 = 6.0;
 const VELOCITY_HEAD: f32 = 9.0;
 /// A slower ship has no arrow, m/s.
 const VELOCITY_LEAST: f64 = 0.5;
+/// Below this time left for a medal its number glows, s.
+const HURRY: f64 = 3.0;
+/// Radius of the fuel's ring around the ship, m, and the share of fuel below which the ring is bold.
+const FUEL_RING: f64 = 1.3;
+const FUEL_LOW: f32 = 0.25;
 /// Duration of the hint with the keys at the start of the first level, s.
 const HINT_TIME: f64 = 12.0;
 
@@ -100,6 +105,13 @@ impl Hud {
         }
         if let Some(area) = self.aside.home(HudPart::Status) {
             draw_status(game, settings, area, self.aside.of(HudPart::Status), canvas);
+        }
+        if let Some(strip) = self.aside.home(HudPart::Race) {
+            let (ground, _) = left(self.aside.of(HudPart::Race));
+            panel_in(canvas, strip, theme::panel().faded(0.7 * ground), theme::panel_edge().faded(ground));
+        }
+        if let Some(column) = self.aside.medal() {
+            draw_medal(game, column, &self.aside, canvas);
         }
         if let Some((words, area)) = &self.stranded {
             panel_in(canvas, *area, theme::panel().faded(HIDES), theme::panel_edge());
@@ -196,8 +208,8 @@ fn hint(game: &Game, settings: &Settings) -> Option<String> {
     let first = game.level().name == "1" && game.elapsed() < HINT_TIME;
     first.then(|| {
         let label = |action| settings.keys.label(action);
-        let [restart, pause, details] = [Action::Restart, Action::Pause, Action::Details].map(label);
-        format!("{restart} restarts · {pause} pauses · {details} shows the forces")
+        let [restart, rewind, pause, details] = [Action::Restart, Action::Rewind, Action::Pause, Action::Details].map(label);
+        format!("{restart} restarts · {rewind} rewinds · {pause} pauses · {details} shows the forces")
     })
 }
 
@@ -224,6 +236,23 @@ fn draw_status(game: &Game, settings: &Settings, area: Area, aside: f32, canvas:
     canvas.text(&count, Vec2::new(right, middle), style);
     let name = Vec2::new(right - canvas.width(&count, style) - GRID, middle);
     canvas.text("Objectives", name, Style::new(TEXT, theme::quiet().faded(words)).middle().right());
+}
+
+/// A column of the strip: a name and a number below it.
+pub fn draw_column(column: Area, (name, number): (&str, &str), colour: Colour, aside: &Aside, canvas: &Canvas) {
+    let (_, strong) = left(aside.of(HudPart::Race));
+    let at = |part: f32| Vec2::new(column.centre().x, column.min.y + column.size.y * part);
+    fitted(canvas, name, at(0.3), column.size.x - GRID, &[TEXT, DETAILS], theme::quiet().faded(strong));
+    canvas.text(number, at(0.72), Style::new(TEXT, colour.faded(strong)).mono().centred().middle());
+}
+
+/// The best medal within reach, and the time that is left for it.
+fn draw_medal(game: &Game, column: Area, aside: &Aside, canvas: &Canvas) {
+    let time = if game.is_idle() { 0.0 } else { game.time() };
+    let (medal, left) = Medals::within_reach(&game.level().awards, time);
+    let words = left.map_or_else(|| "–".to_owned(), |left| format!("{} s", fixed(left, 2)));
+    let colour = if left.is_some_and(|left| left < HURRY) { theme::accent() } else { theme::text() };
+    draw_column(column, (medal.name(), &words), colour, aside, canvas);
 }
 
 /// A number and a bar with a mark where speed damages; `strong` (0 … 1) is the opacity.
@@ -273,6 +302,14 @@ pub fn draw_velocity(velocity: DVec2, centre: DVec2, view: &Viewport, canvas: &C
     canvas.convex(&[to, to - way * head + way.perp() * head * 0.5, to - way * head - way.perp() * head * 0.5], colour);
 }
 
+/// The fuel as a ring around the ship, which is drawn at `centre` (m): faint while there is plenty.
+pub fn draw_fuel_ring(game: &Game, centre: DVec2, view: &Viewport, canvas: &Canvas) {
+    let (share, place) = (game.fuel().clamp(0.0, 1.0) as f32, (view.point(centre), view.length(FUEL_RING)));
+    let strength = if share < FUEL_LOW { 0.95 } else { 0.5 };
+    ring(canvas, place, 1.0, theme::panel_edge().faded(0.35));
+    ring(canvas, place, share, fuel_colour(share).faded(strength));
+}
+
 /// The bar at `area`; at `aside` (0 … 1) it becomes a line without words.
 fn draw_fuel(share: f32, words: &str, area: Area, aside: f32, canvas: &Canvas) {
     let (at, size) = (area.min, area.size);
@@ -308,12 +345,12 @@ mod tests {
     use crate::draw::layout::Frame;
 
     #[test]
-    fn the_fuel_bar_is_three_quarters_wide_and_three_hundredths_high_at_the_bottom_centre() {
+    fn the_fuel_bar_is_small_and_at_the_bottom_left() {
         for pixels in [Vec2::new(900.0, 500.0), Vec2::new(1280.0, 720.0), Vec2::new(1920.0, 1080.0), Vec2::new(700.0, 1000.0)] {
             let frame = Frame::of_window(pixels);
             let bar = HudLayout::new(&frame).fuel;
-            assert!((bar.size - frame.size * Vec2::new(0.75, 0.03)).abs().max_element() < 1e-3);
-            assert!((bar.centre().x - frame.size.x / 2.0).abs() < 1e-3);
+            assert!((bar.size - frame.size * Vec2::new(0.16, 0.025)).abs().max_element() < 1e-3);
+            assert!(bar.min.x < 0.02 * frame.size.x);
             assert!(bar.max().y < frame.size.y && bar.min.y > frame.size.y * 0.9);
         }
     }

@@ -54,6 +54,20 @@ pub fn movers(game: &Game) -> impl Iterator<Item = Aabb> {
     (0..game.level().movers.len()).map(bounds)
 }
 
+/// The places of the things that a switch works, m.
+pub fn worked_by(game: &Game, switch: usize) -> impl Iterator<Item = DVec2> {
+    let (level, surfaces) = (game.level(), game.world().surfaces());
+    let of = move |surface: SurfaceOf| surfaces[level.surface_index(surface)].bounds;
+    let wires = level.wires().into_iter().filter(move |wire| wire.by.iter().flatten().any(|(by, _)| *by == switch));
+    let places = wires.map(move |wire| match wire.worked {
+        Worked::Mover(index) => of(SurfaceOf::Mover(index)),
+        Worked::Door(index) => of(SurfaceOf::Door(index)),
+        Worked::Belt(index) => level.world[index].bounds,
+        Worked::Stream(index) => level.streams[index].source,
+    });
+    places.map(|bounds| bounds.centre())
+}
+
 /// The middles of a grid's cells between two coordinates, m.
 fn marks(from: f64, to: f64) -> impl Iterator<Item = f64> {
     let first = (from / ARROW_STEP).floor() as i64;

@@ -34,6 +34,7 @@ pub mod quantity;
 pub mod scale;
 #[cfg(feature = "window")]
 pub mod sound;
+mod stirred;
 pub mod theme;
 pub mod things;
 pub mod timeline;

@@ -93,7 +93,7 @@ pub fn draw_holds(game: &Game, ship: DVec2, view: &Viewport, canvas: &Canvas) {
 }
 
 /// A part (0 … 1) of a ring round a point, clockwise from the top.
-fn ring(canvas: &Canvas, (centre, radius): (Vec2, f32), part: f32, colour: Colour) {
+pub(super) fn ring(canvas: &Canvas, (centre, radius): (Vec2, f32), part: f32, colour: Colour) {
     const SIDES: usize = 36;
     let at = |side: usize| {
         let angle = std::f32::consts::TAU * (side as f32 / SIDES as f32).min(part) - std::f32::consts::FRAC_PI_2;

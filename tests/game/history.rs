@@ -114,5 +114,11 @@ fn a_track_is_where_the_ship_was() {
     assert!(track.is_whole() && track.ticks() == game.ticks() && track.outcome() == Outcome::Completed);
     assert_eq!((0..first.len()).map(|index| track.met(index)).collect::<Vec<_>>(), first);
     assert!(first.len() > 1 && first.iter().all(Option::is_some), "{first:?}");
+    // The place of any moment is found again from a second away, but for where the path crosses itself or rests.
+    for tick in (60..track.ticks()).step_by(97) {
+        let place = track.pose(tick, 1.0).centre;
+        let found = track.nearest(place, tick.saturating_sub(50));
+        assert!(track.pose(found, 1.0).centre.distance(place) < 1e-9, "tick {tick}: {found}");
+    }
     assert_eq!(track.pose(u64::MAX, 0.5).centre, game.world().body(SHIP).position, "it stays where it ended");
 }

@@ -222,3 +222,102 @@ fn the_pause_panel_gives_a_level_s_hints_one_at_a_time_after_three_losses() {
     sitting.choose("Resume").press(Key::Escape);
     assert!(sitting.shows("The pad is to the left."), "what was given stays readable");
 }
+
+fn keys(keys: &[Key]) -> Input {
+    Input { held: keys.iter().copied().collect(), ..Input::default() }
+}
+
+fn hold(sitting: &mut Sitting, key: Key, seconds: f64) {
+    for _ in 0..(seconds * 60.0) as u32 {
+        sitting.give(keys(&[key]));
+    }
+}
+
+#[test]
+fn backspace_flies_backwards_and_the_flight_goes_on_from_there_as_practice() {
+    for rewinds in [Key::Backspace, Key::PadL1] {
+        let mut sitting = Sitting::new();
+        sitting.fly("2");
+        hold(&mut sitting, Key::Space, 0.5);
+        let early = (sitting.flight().game().ticks(), sitting.flight().history().clone());
+        hold(&mut sitting, Key::Right, 0.5);
+        assert!(!sitting.flight().is_assisted());
+        let late = sitting.flight().game().ticks();
+        hold(&mut sitting, rewinds, 0.25);
+        assert!(sitting.shows("Rewinding"), "{:?}", sitting.texts());
+        let back = sitting.flight().game().ticks();
+        assert!(back < late - 20, "{back} of {late}");
+        hold(&mut sitting, rewinds, 0.3);
+        let now = sitting.flight().game().ticks();
+        assert!(now < back);
+        assert_eq!(sitting.flight().game().hash(), early.1.at(now.min(early.0)).hash(), "the state is the one that was flown");
+        sitting.wait(0.2);
+        assert!(sitting.flight().game().ticks() > now && sitting.flight().history().ticks() == sitting.flight().game().ticks());
+        assert!(sitting.flight().is_assisted() && sitting.shows("Practice"), "{:?}", sitting.texts());
+        hold(&mut sitting, rewinds, 3.0);
+        assert_eq!(sitting.flight().game().ticks(), 0, "up to its start");
+        sitting.press(Key::R).wait(0.1);
+        assert!(!sitting.flight().is_assisted() && !sitting.shows("Practice"), "a fresh flight counts");
+    }
+}
+
+#[test]
+fn a_rewound_flight_is_done_with_help_and_cannot_be_saved() {
+    let mut sitting = Sitting::with(|root| {
+        level(root, "1", "PLAYER,380,280,40,40,1\n", "");
+        fs::write(root.join("levels/1/world.csv"), "x,y,width,height\n0,325.5,800,20\n").unwrap();
+    });
+    sitting.fly("1").wait(0.5);
+    hold(&mut sitting, Key::Backspace, 0.2);
+    sitting.wait(3.5);
+    assert_eq!(sitting.at(), "scoring");
+    assert!(sitting.shows("with help") && !sitting.labels().contains(&"Save Score"), "{:?}", sitting.texts());
+}
+
+#[test]
+fn backspace_takes_back_a_loss() {
+    let mut sitting = Sitting::with(with_red_above);
+    sitting.fly("2");
+    let lost = |sitting: &Sitting| sitting.flight().game().outcome() == Outcome::Failed;
+    for _ in 0..600 {
+        sitting.give(keys(&[Key::Space]));
+        if lost(&sitting) {
+            break;
+        }
+    }
+    assert!(lost(&sitting));
+    let end = sitting.flight().game().ticks();
+    sitting.wait(0.5);
+    assert!(sitting.flight().game().ticks() < end && !lost(&sitting), "the level is back");
+    hold(&mut sitting, Key::Backspace, 0.1);
+    let ticks = sitting.flight().game().ticks();
+    assert!(ticks < end && ticks + 40 > end, "{ticks} of {end}");
+    assert_eq!(sitting.wait(0.05).flight().game().outcome(), Outcome::Running);
+}
+
+#[test]
+fn m_shows_the_whole_level_while_it_is_held() {
+    let mut sitting = Sitting::new();
+    sitting.fly("2");
+    hold(&mut sitting, Key::M, 0.1);
+    assert!(sitting.scene().overlays.map);
+    assert!(!sitting.rest().scene().overlays.map);
+}
+
+#[test]
+fn a_goal_that_is_met_slows_the_picture_down_and_changes_no_tick() {
+    let in_turn = "PLAYER,380,280,40,40,0.001,1\nPLAYER,10,10,20,20,0,2\n";
+    let mut sitting = Sitting::with(|root| level(root, "2", in_turn, ""));
+    sitting.fly("2").rest();
+    assert!(sitting.scene().speed < 1.0);
+    let begun = sitting.flight().game().ticks();
+    sitting.wait(0.3);
+    let slow = sitting.flight().game().ticks() - begun;
+    assert!((8..24).contains(&slow), "{slow} ticks in 0.3 s");
+    sitting.wait(0.5);
+    assert_eq!(sitting.scene().speed, 1.0);
+    let (game, history) = (sitting.flight().game(), sitting.flight().history());
+    let mut again = resultant::game::Game::new(game.shared_level().clone()).unwrap();
+    history.inputs().after(0).for_each(|controls| again.step(controls));
+    assert_eq!(again.hash(), game.hash());
+}

@@ -258,6 +258,9 @@ fn one_or_several_are_raced_and_the_gaps_are_right() {
     let apart = (shown(sitting.flight().game().time()) - shown(ann)) / 100.0;
     assert!((gap - apart).abs() < 1e-12, "{gap} s, not {apart} s behind a flight of {ann} s");
     assert!(gap < -0.4 && race.gap(&race.all()[0], split).words().starts_with('−'));
+    // On the way to the goal the lead was that of the places: here those of the goal.
+    let lead = race.lead(&race.all()[0], sitting.flight().game());
+    assert!(matches!(lead, Some(Gap::Seconds(lead)) if (lead - gap).abs() < 0.05), "{lead:?} and {gap} s");
     // The score leads to the same race again.
     sitting.wait(2.0);
     assert_eq!(sitting.choose("Try Again").flight().race().unwrap().all().len(), 1);

@@ -192,3 +192,33 @@ fn play_opens_the_first_level_that_the_player_has_not_done() {
     };
     assert_eq!(Sitting::with(scored).choose("Play").flown(), "1", "nobody else's scores count");
 }
+
+#[test]
+fn a_flight_for_gold_plays_behind_the_buttons_over_and_over() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("levels/1");
+    let mut sitting = Sitting::with(|folder| {
+        let level = folder.join("levels/1");
+        fs::create_dir_all(level.join("flights")).unwrap();
+        for part in ["", "flights"] {
+            for file in fs::read_dir(root.join(part)).unwrap().map(|file| file.unwrap()) {
+                if file.path().is_file() {
+                    fs::copy(file.path(), level.join(part).join(file.file_name())).unwrap();
+                }
+            }
+        }
+    });
+    sitting.wait(1.0);
+    let (ticks, shown) = (sitting.scene().game.ticks(), sitting.scene().overlays.shown.status);
+    assert!(ticks > 60 && !shown, "{ticks}");
+    let mut latest = ticks;
+    for _ in 0..60 * 30 {
+        sitting.rest();
+        let now = sitting.scene().game.ticks();
+        if now < latest {
+            break;
+        }
+        latest = now;
+    }
+    assert!(sitting.scene().game.ticks() < latest, "it begins again");
+    assert_eq!(sitting.choose("Level Select").at(), "level select");
+}

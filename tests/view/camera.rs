@@ -1,7 +1,13 @@
 //! The camera: it follows the ship, shows nothing outside of the level, and never loses the ship, in windows and levels of any size.
 
-use resultant::physics::{Aabb, DVec2};
+use crate::support::rooms::{crate_at, yard};
+use resultant::draw::layout::{Frame, Vec2};
+use resultant::game::{Controls, Game, SHIP};
+use resultant::level::Object;
+use resultant::physics::{Aabb, BodyId, DVec2, Material};
 use resultant::view::camera::{Camera, CanvasWindow, Viewport};
+use resultant::view::{GameView, Overlays};
+use std::sync::Arc;
 
 const METRE: f64 = 30.0;
 const HALF_SHIP: DVec2 = DVec2::splat(0.85);
@@ -257,4 +263,51 @@ fn zooming_draws_larger_and_smaller_as_far_as_the_whole_level() {
     camera.turn(None, 2.0, 1.0 / 60.0);
     let after = camera.viewport(ship, level, METRE, WINDOWS[0]).scale();
     assert!(after > METRE && after < 1.5 * METRE, "{after}");
+}
+
+#[test]
+fn a_fast_ship_has_a_wider_view_and_one_that_rests_the_usual_one() {
+    let (level, ship) = (DVec2::new(400.0, 300.0), DVec2::new(200.0, 150.0));
+    let mut camera = Camera::new(ship);
+    let mut scale = |speed: f64| {
+        (0..600).for_each(|_| camera.follow(ship, DVec2::new(speed, 0.0), 1.0 / 60.0));
+        camera.viewport(ship, level, METRE, WINDOWS[0]).scale() / METRE
+    };
+    assert!((scale(5.0) - 1.0).abs() < 1e-9);
+    let (fast, faster) = (scale(16.0), scale(40.0));
+    assert!(fast < 0.95 && faster < fast && faster > 0.7, "{fast}, {faster}");
+    assert!(scale(0.0) > 0.999);
+}
+
+/// A ship that falls on a crate which begins to move, and the same view with the whole map.
+#[test]
+fn the_ship_and_what_it_has_set_in_motion_stay_in_view_and_the_map_shows_all() {
+    let mut level = yard();
+    let struck = Object { material: Material::ICE, restitution: 1.0, ..crate_at(DVec2::new(52.0, 59.5), DVec2::ZERO, None) };
+    level.objects = vec![struck, crate_at(DVec2::new(5.0, 59.5), DVec2::ZERO, None)];
+    level.objectives.truncate(1);
+    (level.player.position, level.player.velocity) = (DVec2::new(48.0, 59.15), DVec2::new(14.0, 0.0));
+    let mut game = Game::new(Arc::new(level)).unwrap();
+    let (frame, mut view) = (Frame::of_window(Vec2::new(1280.0, 720.0)), GameView::new(&game, &|_| None));
+    let overlays = Overlays::default();
+    let seen = |view: &GameView, game: &Game, body: u32| {
+        let at = view.viewport(game, 1.0, &frame).point(game.world().body(BodyId(body)).position);
+        frame.area().contains(at)
+    };
+    let mut farthest: f64 = 0.0;
+    for _ in 0..480 {
+        game.step(Controls::default());
+        view.after_tick(&game);
+        view.update(&game, 1.0, 1.0 / 120.0, overlays, &frame);
+        let apart = game.world().body(BodyId(1)).position.distance(game.world().body(SHIP).position);
+        farthest = farthest.max(apart);
+        if apart < 35.0 {
+            assert!(seen(&view, &game, 0) && seen(&view, &game, 1), "{apart} m apart at tick {}", game.ticks());
+        }
+    }
+    assert!(farthest > 12.0, "{farthest}");
+    assert!(!seen(&view, &game, 2), "a crate that stands still does not matter");
+    (0..240).for_each(|_| view.update(&game, 1.0, 1.0 / 120.0, Overlays { map: true, ..overlays }, &frame));
+    let (all, visible) = (game.level().size, view.viewport(&game, 1.0, &frame).visible());
+    assert!(visible.contains(&Aabb::new(DVec2::ZERO, all), 0.1), "{visible:?} of {all}");
 }

@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// Between two looks at a flight, ticks of 1/120 s.
 const EVERY: u64 = 12;
 /// All parts, as in a race.
-const ALL: HudShown = HudShown { status: true, fuel: true, rivals: RIVALS };
+const ALL: HudShown = HudShown { status: true, fuel: true, rivals: RIVALS, medal: true };
 
 /// The ghosts of an ordinary race. More need a wider strip, through which the world is seen.
 const RIVALS: usize = 2;
@@ -192,7 +192,7 @@ fn at_the_start_of_every_level_the_display_is_at_home_and_its_arrows_cover_nothi
         let game = Game::new(Arc::clone(&level)).unwrap();
         let camera = Camera::new(game.world().body(SHIP).position);
         for mut onlooker in Onlooker::all() {
-            let view = onlooker.look(&game, &camera, HudShown { rivals: 0, ..ALL }, 1.0);
+            let view = onlooker.look(&game, &camera, HudShown { rivals: 0, medal: false, ..ALL }, 1.0);
             let window = pixels(&onlooker.frame);
             assert_eq!(onlooker.solid().len(), 2, "level {name} in {window}: {:?}", onlooker.hud.aside);
             check(&onlooker, &game, &view, &mut Seen::default(), &format!("level {name}"));

@@ -69,11 +69,11 @@ still() {
 # size NAME WIDTH HEIGHT: the picture's size in pixels.
 size() { [ "$(identify -format '%w %h' "$out/$1.png")" = "$2 $3" ]; }
 
-# The head-up display at its places: the fuel bar at the bottom centre, three quarters of the width long; mm:ss at the top left.
+# The head-up display at its places: the fuel bar at the bottom left, 16 % of the width long; mm:ss at the top left.
 # hud NAME: both are there, the tank being full.
 hud() { fuel_left_end "$1" && fuel_right_end "$1" && shows "$1" "$text" 0 0 14 9 0.4; }
-fuel_left_end() { shows "$1" "$accent" 14 90 6 10 15; }
-fuel_right_end() { shows "$1" "$accent" 80 90 6 10 15; }
+fuel_left_end() { shows "$1" "$accent" 1.5 90 4 10 10; }
+fuel_right_end() { shows "$1" "$accent" 12 90 5 10 15; }
 
 # How long a picture may take to become what is expected, s. Only a failure waits so long; less fails on a busy machine, where
 # software OpenGL needs seconds for the first frames of a large window.

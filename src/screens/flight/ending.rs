@@ -3,7 +3,7 @@
 use super::Flight;
 use super::attempt::Flown;
 use super::pilot::steers;
-use crate::game::{History, Outcome, RunResult};
+use crate::game::{GameEvent, History, Outcome, RunResult};
 use crate::number::clock;
 use crate::screens::{Input, Key, Request};
 use std::rc::Rc;
@@ -15,6 +15,12 @@ const LOSS_PAUSE: f64 = 0.35;
 /// Time for which a notice stays, s: that a level was read again, or that the attempt before was lost.
 pub(super) const NOTICE: f64 = 5.0;
 
+/// A goal that is met shows half a second at this pace: the time of the picture alone, for every tick stays what it is. Ticks of that, and the
+/// least ticks from one such time to the next: a goal may be met and left again and again.
+const SLOW: f64 = 0.4;
+const SLOW_TICKS: u64 = 24;
+const BETWEEN_SLOW: u64 = 240;
+
 /// An attempt that was lost, and went over into the next one without a page between.
 #[derive(Debug)]
 pub(super) struct Lost {
@@ -22,6 +28,12 @@ pub(super) struct Lost {
     flown: Option<Rc<Flown>>,
     /// Age of its notice, s.
     since: f64,
+}
+
+impl Lost {
+    pub fn into_flown(self) -> Option<Rc<Flown>> {
+        self.flown
+    }
 }
 
 impl Flight {
@@ -40,6 +52,21 @@ impl Flight {
             return over.then(|| Request::BackToEditor(self.told()));
         }
         over.then(|| Request::Score(self.attempt.clone(), self.result(), self.flown(self.history.clone())))
+    }
+
+    /// Takes up the goals of the last tick.
+    pub(super) fn slow_down_for_goals(&mut self) {
+        let met = self.game.events().iter().any(|event| matches!(event, GameEvent::ObjectiveMet(_)));
+        if met && (self.slow_until == 0 || self.game.ticks() > self.slow_until + BETWEEN_SLOW) {
+            self.slow_until = self.game.ticks() + SLOW_TICKS;
+        }
+    }
+
+    /// The factor on the time of the picture.
+    pub(super) fn slowness(&self) -> f64 {
+        let ends = self.game.outcome() == Outcome::Completed && self.ended < SLOW_TICKS as f64 / (SLOW * self.game.tick_rate());
+        let slow = ends || self.game.outcome() == Outcome::Running && self.game.ticks() < self.slow_until;
+        if slow && !self.is_watched() { SLOW } else { 1.0 }
     }
 
     fn result(&self) -> RunResult {

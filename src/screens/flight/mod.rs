@@ -8,6 +8,7 @@ mod pause;
 mod pilot;
 mod reel;
 mod reload;
+mod rewind;
 mod signs;
 mod viewer;
 mod what_if;
@@ -21,7 +22,7 @@ use super::race::Race;
 use super::scene::GameScene;
 use super::{Input, Key, Motion, Request, Screen, SettingsPanel};
 use crate::draw::layout::Frame;
-use crate::game::{Clock, Game, GameError, History, Outcome};
+use crate::game::{Clock, Game, GameError, History, Medals, Outcome};
 use crate::level::Level;
 use crate::physics::{BodyId, DVec2};
 use crate::settings::{Action, Settings};
@@ -34,6 +35,7 @@ use ending::{END_PAUSE, Lost};
 use hints::Hints;
 use news::News;
 use pilot::Pilot;
+use rewind::Rewind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use what_if::WhatIf;
@@ -74,6 +76,9 @@ pub struct Flight {
     /// The attempt before, while the loss of it is shown.
     lost: Option<Box<Lost>>,
     hints: Hints,
+    rewind: Rewind,
+    /// Up to this tick the flight is shown in slow motion: a goal has been met.
+    slow_until: u64,
 }
 
 impl Screen for Flight {
@@ -124,18 +129,21 @@ impl Screen for Flight {
         let (level, above) = (self.game.level(), self.above_controls(frame));
         let race = self.race();
         let status = level.ship_plays();
-        let shown = HudShown { status, fuel: status && level.player.has_engine(), rivals: race.map_or(0, |race| race.all().len()) };
+        let medal = status && !self.is_watched() && Medals::has_clock(&level.awards);
+        let rivals = race.map_or(0, |race| race.all().len());
+        let shown = HudShown { status, fuel: status && level.player.has_engine(), rivals, medal };
         let focus = *self.observer.focus();
         // Nobody is selected without details and instruments.
         let focus = if self.details || self.instruments.is_open() { focus } else { focus.on_nobody() };
-        let (details, hitboxes, watched) = (self.details, self.hitboxes, self.is_watched());
+        let (details, hitboxes, watched, map) = (self.details, self.hitboxes, self.is_watched(), self.observer.shows_map());
         Some(GameScene {
             game: &self.game,
             alpha: self.alpha(),
             room: self.instruments.room(&above),
-            overlays: Overlays { settings: Settings::default(), details, shown, focus, hitboxes, watched },
-            speed: if self.pause.is_some() { 0.0 } else { self.observer.speed() },
+            overlays: Overlays { settings: Settings::default(), details, shown, focus, hitboxes, watched, map },
+            speed: if self.pause.is_some() { 0.0 } else { self.observer.speed() * self.slowness() },
             paused: self.pause.is_some(),
+            quiet: false,
             ghosts: self.ghosts(),
             race,
             panels: self.panels(frame),
@@ -202,6 +210,8 @@ impl Flight {
             news: None,
             lost: None,
             hints: Hints::default(),
+            rewind: Rewind::default(),
+            slow_until: 0,
         }
     }
 
@@ -218,6 +228,9 @@ impl Flight {
         }
         self.switch_overlays(input);
         if self.update_what_if(input.worked(), spectator) {
+            return None;
+        }
+        if self.rewind(input, spectator) {
             return None;
         }
         let looked_at = self.details || self.instruments.is_open();
@@ -314,7 +327,7 @@ impl Flight {
 
     /// The place of the picture between the last two ticks, 0 … 1.
     fn alpha(&self) -> f64 {
-        if self.observer.frozen() { 1.0 } else { self.clock.alpha() }
+        if self.observer.frozen() || self.rewind.held.is_some() { 1.0 } else { self.clock.alpha() }
     }
 }
 

@@ -80,7 +80,7 @@ impl Flight {
         }
         self.leave_what_came_after();
         self.game.set_lasting_fuel(assists.lasting_fuel && by_hand);
-        self.clock.add(input.frame_time * f64::from(assists.speed) / 100.0 * self.observer.speed());
+        self.clock.add(input.frame_time * f64::from(assists.speed) / 100.0 * self.observer.speed() * self.slowness());
         while self.game.outcome() == Outcome::Running && self.clock.tick() {
             self.tick(spectator);
         }
@@ -95,6 +95,7 @@ impl Flight {
         spectator.before_tick();
         self.game.step(controls);
         self.history.note(&self.game, controls);
+        self.slow_down_for_goals();
         self.after_tick_of_what_if(controls);
         if let Some(race) = &mut self.race {
             race.after_tick(&self.game);
@@ -141,7 +142,7 @@ impl Flight {
             self.history = self.history.until(now);
             self.show_before(true);
             self.instruments.back_to(&self.history, now);
-            self.ended = 0.0;
+            (self.ended, self.slow_until) = (0.0, 0);
             self.play_on_from(now);
         }
     }

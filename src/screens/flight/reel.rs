@@ -11,15 +11,18 @@ use crate::game::{Clock, Outcome, Reel};
 use crate::number::clock;
 use crate::screens::ahead::Ahead;
 use crate::screens::observer::Observer;
-use crate::screens::{Input, Key, Request, Spectator};
+use crate::screens::{GameScene, Input, Key, Request, Screen, Spectator};
 use crate::settings::Action;
 use crate::ui::{Ui, WidgetKind};
-use crate::view::{theme, widgets};
+use crate::view::hud::HudShown;
+use crate::view::{Overlays, theme, widgets};
 
 /// Paces of a reel; 1 is the pace of the flight.
 const PACES: [f64; 7] = [0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
 /// The most of a frame's time that counts, s: after a hitch the flight goes on where it was.
 const LONGEST_FRAME: f64 = 1.0 / 15.0;
+/// Rest of a flight behind another screen at its end, s.
+const REST: f64 = 2.0;
 /// A page, s.
 const PAGE: f64 = 1.0;
 /// Height of the controls at the canvas' foot: the flight is above them.
@@ -144,6 +147,26 @@ impl Flight {
         if !self.observer.frozen() && self.is_at_end() {
             self.show_moment(0, spectator);
         }
+    }
+
+    /// A frame of a recorded flight behind another screen: it is flown over and over, and nobody listens.
+    pub(in crate::screens) fn play_behind(&mut self, frame_time: f64) {
+        self.fly_ahead(frame_time);
+        self.play(frame_time, &mut ());
+        if self.observer.frozen() {
+            self.ended += frame_time;
+        }
+        if self.ended > REST {
+            self.ended = 0.0;
+            self.play_or_pause(&mut ());
+        }
+    }
+
+    /// Its picture, without panels and display.
+    pub(in crate::screens) fn scene_behind(&self, frame: &Frame) -> Option<GameScene<'_>> {
+        let scene = self.scene(frame)?;
+        let overlays = Overlays { shown: HudShown::default(), ..scene.overlays };
+        Some(GameScene { room: *frame, overlays, panels: Vec::new(), quiet: true, ..scene })
     }
 
     fn is_at_end(&self) -> bool {

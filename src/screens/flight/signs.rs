@@ -21,7 +21,8 @@ impl Flight {
     fn time_sign(&self, frame: &Frame) -> Option<(String, Area)> {
         let stays = self.game.outcome() != Outcome::Running && self.instruments.stays() && !self.observer.frozen();
         let ended = stays.then(|| "The flight has ended: Enter leads on".to_owned());
-        let words = ended.or_else(|| self.observer.words(self.game.ticks(), self.game.tick_rate()))?;
+        let words = ended.or_else(|| self.observer.words(self.game.ticks(), self.game.tick_rate()));
+        let words = words.or_else(|| self.rewind_words(self.observer.keys()))?;
         let size = sign_size(&words, frame);
         let above = match (self.test, self.game.level().ship_plays()) {
             // The words on a test flight stand there.

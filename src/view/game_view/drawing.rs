@@ -43,6 +43,9 @@ impl GameView {
         if plays && overlays.settings.velocity && self.wreck.is_none() {
             hud::draw_velocity(game.world().body(SHIP).velocity, drawn_centre(game, SHIP, alpha), &view, canvas);
         }
+        if overlays.shown.fuel && self.wreck.is_none() {
+            hud::draw_fuel_ring(game, drawn_centre(game, SHIP, alpha), &view, canvas);
+        }
         if overlays.settings.flash {
             self.feedback.draw_flash(canvas);
         }

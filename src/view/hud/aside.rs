@@ -10,7 +10,7 @@ pub enum HudPart {
     Status,
     /// The fuel bar, at the bottom centre.
     Fuel,
-    /// The strip of a race, beside the status.
+    /// The strip with the medal and the ghosts of a race, beside the status.
     Race,
 }
 
@@ -24,8 +24,10 @@ pub struct HudShown {
     pub status: bool,
     /// The fuel bar.
     pub fuel: bool,
-    /// The number of ghosts in the race; 0 hides the strip.
+    /// The number of ghosts in the race.
     pub rivals: usize,
+    /// The medal that is still within reach.
+    pub medal: bool,
 }
 
 /// A part steps aside for an object nearer than this, canvas units.
@@ -38,6 +40,9 @@ const LINE: f32 = 4.0;
 #[derive(Clone, Debug, Default)]
 pub struct Aside {
     homes: [Option<Area>; 3],
+    /// Columns of the strip.
+    columns: usize,
+    shows_medal: bool,
     /// 0 at home … 1 aside.
     parts: [f32; 3],
 }
@@ -47,7 +52,9 @@ impl Aside {
     /// else that may not be hidden.
     pub fn update(&mut self, shown: HudShown, (ship, speed): (Area, f32), others: &[Area], frame: &Frame, frame_time: f64) {
         let layout = HudLayout::new(frame);
-        let race = (shown.rivals > 0).then(|| layout.race(frame, shown.rivals));
+        self.shows_medal = shown.medal;
+        self.columns = shown.rivals + usize::from(shown.medal);
+        let race = (self.columns > 0).then(|| layout.race(frame, self.columns));
         self.homes = [shown.status.then_some(layout.status), shown.fuel.then_some(layout.fuel), race];
         let step = frame_time as f32 / TIME;
         for (home, aside) in self.homes.iter().zip(&mut self.parts) {
@@ -64,6 +71,18 @@ impl Aside {
     /// The undisturbed place of a part; `None` where it is not shown.
     pub const fn home(&self, part: HudPart) -> Option<Area> {
         self.homes[part as usize]
+    }
+
+    /// The place of the medal in the strip.
+    pub fn medal(&self) -> Option<Area> {
+        self.column(0, self.columns).filter(|_| self.shows_medal)
+    }
+
+    /// The place of the column `index` among the last `of` of the strip.
+    pub fn column(&self, index: usize, of: usize) -> Option<Area> {
+        let strip = self.home(HudPart::Race).filter(|_| of <= self.columns)?;
+        let width = strip.size.x / self.columns as f32;
+        Some(Area::new(strip.min.x + (self.columns - of + index) as f32 * width, strip.min.y, width, strip.size.y))
     }
 
     /// The undisturbed place of every part that is shown.
@@ -90,7 +109,7 @@ mod tests {
     use super::*;
     use crate::draw::layout::Vec2;
 
-    const SHOWN: HudShown = HudShown { status: true, fuel: true, rivals: 2 };
+    const SHOWN: HudShown = HudShown { status: true, fuel: true, rivals: 2, medal: false };
 
     #[test]
     fn a_part_fades_for_the_ship_that_comes_near_and_comes_back() {

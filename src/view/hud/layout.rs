@@ -3,11 +3,11 @@
 use crate::draw::layout::{Area, Frame, GRID, TEXT, Vec2};
 use crate::game::Game;
 
-/// Width and height of the fuel bar as shares of the window's.
-const BAR: Vec2 = Vec2::new(0.75, 0.03);
+/// Width and height of the fuel bar as shares of the window's: the ring around the ship says the same.
+const BAR: Vec2 = Vec2::new(0.16, 0.025);
 /// Height of the panel at the top left.
 const STATUS_HEIGHT: f32 = 72.0;
-/// Width of a ghost's column in a race, in heights of text.
+/// Width of a column of the strip, in heights of text.
 const RACE_COLUMN: f32 = 6.6;
 
 /// Nothing else should cover these places.
@@ -15,14 +15,13 @@ const RACE_COLUMN: f32 = 6.6;
 pub struct HudLayout {
     /// Timer and objectives, at the top left.
     pub status: Area,
-    /// The fuel bar, at the bottom centre.
+    /// The fuel bar, at the bottom left.
     pub fuel: Area,
 }
 
 impl HudLayout {
     pub fn new(frame: &Frame) -> Self {
         let bar = frame.size * BAR;
-        let left = (frame.size.x - bar.x) / 2.0;
         Self {
             status: Area::new(
                 2.0 * GRID,
@@ -30,7 +29,7 @@ impl HudLayout {
                 15.2 * frame.text_height(TEXT),
                 STATUS_HEIGHT.max(frame.text_height(TEXT) * 3.2),
             ),
-            fuel: Area::new(left, frame.size.y - bar.y - 2.0 * GRID, bar.x, bar.y),
+            fuel: Area::new(2.0 * GRID, frame.size.y - bar.y - 2.0 * GRID, bar.x, bar.y),
         }
     }
 
@@ -39,11 +38,11 @@ impl HudLayout {
         if game.level().ship_plays() { Self::new(frame).areas().to_vec() } else { Vec::new() }
     }
 
-    /// The strip of a race beside the timer, a column a ghost.
-    pub fn race(&self, frame: &Frame, ghosts: usize) -> Area {
+    /// The strip beside the timer.
+    pub fn race(&self, frame: &Frame, columns: usize) -> Area {
         let left = self.status.max().x + GRID;
         let column = RACE_COLUMN * frame.text_height(TEXT);
-        let width = (column * ghosts as f32).min(frame.size.x - left - 2.0 * GRID);
+        let width = (column * columns as f32).min(frame.size.x - left - 2.0 * GRID);
         Area::new(left, self.status.min.y, width, frame.text_height(TEXT) * 2.8)
     }
 

@@ -1,6 +1,7 @@
 //! Between the game and the sound's thread: atomics only, so that neither ever waits. The game writes to the [`SoundDesk`], the
 //! mixer reads the [`Feed`]. Without a reader the writes are lost.
 
+use super::ensemble::Arrangement;
 use super::{Ambience, Cue, Sound, Volumes};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
@@ -32,6 +33,9 @@ struct Shared {
     ambience: [AtomicU32; 4],
     /// The tune's number + 1; 0: none.
     tune: AtomicU32,
+    /// The world of its ensemble, and its layers.
+    world: AtomicUsize,
+    layers: [AtomicU32; 2],
     /// Frames written so far: a game without new frames is held up.
     frames: AtomicU32,
     /// A ring of sounds. `written` and `read` count them; only the writer moves the one, only the reader the other.
@@ -46,6 +50,8 @@ impl Default for Shared {
             volumes: Default::default(),
             ambience: Default::default(),
             tune: AtomicU32::new(0),
+            world: AtomicUsize::new(0),
+            layers: Default::default(),
             frames: AtomicU32::new(0),
             sounds: [const { AtomicU64::new(0) }; WAITING],
             written: AtomicUsize::new(0),
@@ -70,6 +76,11 @@ impl SoundDesk {
     /// `None` stops the music.
     pub fn set_tune(&self, tune: Option<u32>) {
         self.0.tune.store(tune.map_or(0, |tune| tune.saturating_add(1)), Ordering::Relaxed);
+    }
+
+    pub fn set_arrangement(&self, how: Arrangement) {
+        self.0.world.store(how.world, Ordering::Relaxed);
+        store(&self.0.layers, [how.pace, how.goals]);
     }
 
     /// A full ring drops the sound.
@@ -97,6 +108,11 @@ impl Feed {
 
     pub fn tune(&self) -> Option<u32> {
         self.0.tune.load(Ordering::Relaxed).checked_sub(1)
+    }
+
+    pub fn arrangement(&self) -> Arrangement {
+        let [pace, goals] = load(&self.0.layers);
+        Arrangement { world: self.0.world.load(Ordering::Relaxed), pace, goals }
     }
 
     /// Frames written so far.

@@ -1,7 +1,8 @@
 //! The sounds of a game: one for each event, and the ambience of the ship.
 
-use super::{Cue, Stuff};
+use super::{Arrangement, Cue, Stuff, WORLDS};
 use crate::game::{DAMAGING_SPEED, DUST_SPEED, Game, GameEvent, Outcome, SHIP};
+use crate::level::Level;
 use crate::number::hash;
 use crate::physics::{Body, DVec2, Event, Obstacle};
 
@@ -17,6 +18,10 @@ const TORRENT: f64 = 8.0;
 const SPLASH: f64 = 0.08;
 /// The ship's least speed for a splash, m/s.
 const SPLASH_SPEED: f64 = 0.8;
+
+/// Speed with all layers of the music, m/s.
+const BRISK: f64 = 14.0;
+const LEVELS_A_WORLD: usize = 6;
 
 /// A sound that is due.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -118,6 +123,23 @@ impl Ambience {
             motion: (speed / TORRENT).min(1.0) as f32,
         }
     }
+}
+
+impl Arrangement {
+    /// The ensemble of the level's world, with the layers for the ship's speed and for the goals that are met.
+    pub fn of(game: &Game) -> Self {
+        let met = game.met().iter().filter(|met| **met).count();
+        Self {
+            world: world(game.level()),
+            pace: (game.world().body(SHIP).velocity.length() / BRISK).min(1.0) as f32,
+            goals: met as f32 / game.met().len().max(1) as f32,
+        }
+    }
+}
+
+/// The number of a level's world: six levels by number are one, all others play as the first.
+fn world(level: &Level) -> usize {
+    level.name.parse::<usize>().map_or(0, |number| number.saturating_sub(1) / LEVELS_A_WORLD % WORLDS)
 }
 
 /// The number of a name's tune: the level's number, or a hash.

@@ -1,6 +1,7 @@
 //! The sum of all sounds: stereo samples from the desk's state.
 
 use super::bed::Bed;
+use super::ensemble::Arrangement;
 use super::filter::{Glide, LowPass, WhiteNoise};
 use super::limiter::Limiter;
 use super::music::Music;
@@ -38,6 +39,7 @@ pub struct Mixer {
     volumes: Volumes,
     ambience: Ambience,
     tune: Option<u32>,
+    how: Arrangement,
     frames: u32,
     /// Samples since the last frame.
     held_up: u32,
@@ -65,6 +67,7 @@ impl Mixer {
             volumes: Volumes { master: 0.0, effects: 0.0, music: 0.0 },
             ambience: Ambience::default(),
             tune: None,
+            how: Arrangement::default(),
             frames,
             held_up: 0,
             effects_gain: gain,
@@ -97,7 +100,8 @@ impl Mixer {
             self.choir.sing(bubble);
         }
         let (once, always) = (self.choir.next(&mut self.noise), self.bed.next(&self.ambience, &mut self.noise));
-        let tune = if music > 1e-5 || !self.music.is_silent() { self.music.next(self.tune, &mut self.noise) } else { [0.0; 2] };
+        let tune =
+            if music > 1e-5 || !self.music.is_silent() { self.music.next(self.tune, &self.how, &mut self.noise) } else { [0.0; 2] };
         let sum = std::array::from_fn(|side| {
             let [first, second] = &mut self.water[side];
             effects * second.next(first.next(once[side] + always[side])) + music * tune[side]
@@ -114,6 +118,8 @@ impl Mixer {
         self.ambience = if moves { self.feed.ambience() } else { Ambience::default() };
         // Music at volume 0 is not computed.
         self.tune = self.feed.tune().filter(|_| self.volumes.master * self.volumes.music > 0.0);
+        let how = self.feed.arrangement();
+        self.how = if moves { how } else { Arrangement { world: how.world, ..Arrangement::default() } };
         while let Some(sound) = self.feed.next() {
             // The power of both sides together is the same at every place.
             let angle = (sound.place + 1.0) * std::f32::consts::FRAC_PI_4;

@@ -7,6 +7,7 @@
 mod bed;
 mod cue;
 mod desk;
+mod ensemble;
 mod filter;
 mod heard;
 mod limiter;
@@ -20,6 +21,7 @@ mod voice;
 
 pub use cue::{Cue, Stuff};
 pub use desk::{Feed, SoundDesk, desk};
+pub use ensemble::{Arrangement, WORLDS};
 pub use heard::{Ambience, Ear, Sound, tune};
 pub use mixer::Mixer;
 pub use speaker::Speaker;

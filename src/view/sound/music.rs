@@ -1,5 +1,7 @@
-//! Plays a [`Tune`]: soft chords that swell, a plucked melody, and an echo that goes from side to side.
+//! Plays a [`Tune`]: soft chords that swell, a plucked melody, and an echo that goes from side to side; with speed a bass and a brush come in,
+//! with goals broken chords.
 
+use super::ensemble::{Arrangement, Ensemble};
 use super::filter::{Glide, LowPass, WhiteNoise};
 use super::recipe::{Recipe, Tone};
 use super::tune::Tune;
@@ -15,11 +17,19 @@ const ECHO: f32 = 0.34;
 /// Amplitude of a note of the melody and of a chord.
 const MELODY: f32 = 0.16;
 const CHORD: f32 = 0.085;
+/// The same of the layers at their strongest, and the pace above which the brush plays.
+const BASS: f32 = 0.15;
+const BRUSH: f32 = 0.1;
+const BROKEN: f32 = 0.07;
+const BRISK: f32 = 0.4;
 
 #[derive(Debug)]
 pub struct Music {
     rate: f32,
-    tune: Option<(u32, Tune)>,
+    /// With its number and world.
+    tune: Option<((u32, usize), Tune)>,
+    /// The present chord, Hz.
+    chord: [f32; 3],
     gain: Glide,
     /// Samples to the next eighth, and its number.
     wait: f32,
@@ -31,7 +41,7 @@ pub struct Music {
 impl Music {
     pub fn new(rate: f32) -> Self {
         let (gain, echo) = (Glide::new(rate, FADE), Echo::new(rate));
-        Self { rate, tune: None, gain, wait: 0.0, eighth: 0, choir: Choir::new(), echo }
+        Self { rate, tune: None, chord: [0.0; 3], gain, wait: 0.0, eighth: 0, choir: Choir::new(), echo }
     }
 
     pub const fn is_silent(&self) -> bool {
@@ -39,48 +49,60 @@ impl Music {
     }
 
     /// Left and right; a new tune begins once the one before has faded.
-    pub fn next(&mut self, wanted: Option<u32>, noise: &mut WhiteNoise) -> [f32; 2] {
-        let playing = self.tune.as_ref().map(|(number, _)| *number);
+    pub fn next(&mut self, wanted: Option<u32>, how: &Arrangement, noise: &mut WhiteNoise) -> [f32; 2] {
+        let wanted = wanted.map(|number| (number, how.world));
+        let playing = self.tune.as_ref().map(|(playing, _)| *playing);
         let gain = self.gain.towards(if playing == wanted && playing.is_some() { 1.0 } else { 0.0 });
         if playing != wanted && (playing.is_none() || gain < GONE) {
             self.choir.hush();
             self.echo.clear();
-            self.tune = wanted.map(|number| (number, Tune::new(number)));
+            self.tune = wanted.map(|(number, world)| ((number, world), Tune::new(number, Ensemble::of(world))));
             self.gain.set(0.0);
             (self.wait, self.eighth) = (0.0, 0);
         }
-        let Some((_, tune)) = &mut self.tune else { return [0.0; 2] };
         self.wait -= 1.0;
         if self.wait <= 0.0 {
-            let notes = tune.notes(self.eighth);
-            let length = tune.eighth;
-            self.wait += length * self.rate;
-            // The echo falls between the eighths.
-            self.echo.set(1.5 * length, self.rate);
-            self.eighth = self.eighth.wrapping_add(1);
-            if let Some((pitch, strength)) = notes.melody {
-                self.pluck(pitch, strength);
-            }
-            if let Some(chord) = notes.chord {
-                self.swell(chord, 16.0 * length);
-            }
+            self.play_eighth(how);
+        }
+        if self.tune.is_none() {
+            return [0.0; 2];
         }
         let dry = self.choir.next(noise);
         let wet = self.echo.next(dry);
         [gain * (dry[0] + wet[0]), gain * (dry[1] + wet[1])]
     }
 
-    fn pluck(&mut self, pitch: f32, strength: f32) {
-        let part = |ratio: f32, fade: f32, share: f32| {
-            let peak = MELODY * strength * share;
-            Some(Tone { at: 0.0, pitch: pitch * ratio, glide: 0.0, swell: 0.008, fade, peak })
-        };
-        let mut recipe = Recipe::default();
-        recipe.tones[0] = part(1.0, 0.5, 1.0);
-        recipe.tones[1] = part(2.0, 0.25, 0.3 * strength);
-        recipe.tones[2] = part(3.01, 0.12, 0.14 * strength);
+    /// Begins the notes of the next eighth.
+    fn play_eighth(&mut self, how: &Arrangement) {
+        let Some(((_, world), tune)) = &mut self.tune else { return };
+        let (ensemble, notes, length) = (Ensemble::of(*world), tune.notes(self.eighth), tune.eighth);
+        self.wait += length * self.rate;
+        // The echo falls between the eighths.
+        self.echo.set(1.5 * length, self.rate);
+        self.eighth = self.eighth.wrapping_add(1);
+        if let Some((pitch, strength)) = notes.melody {
+            self.sing(&ensemble.pluck(pitch, strength, MELODY));
+        }
+        if let Some(chord) = notes.chord {
+            self.chord = chord;
+            self.swell(chord, 16.0 * length);
+        }
+        if how.pace > 0.05 && self.eighth % 2 == 1 {
+            self.sing(&ensemble.bass(self.chord[0], BASS * how.pace));
+        }
+        if how.pace > BRISK {
+            self.sing(&ensemble.brush(BRUSH * (how.pace - BRISK) / (1.0 - BRISK)));
+        }
+        if how.goals > 0.0 {
+            let pitch = 2.0 * self.chord[self.eighth as usize % self.chord.len()];
+            self.sing(&ensemble.pluck(pitch, 0.8, BROKEN * how.goals));
+        }
+    }
+
+    /// Notes go from side to side.
+    fn sing(&mut self, recipe: &Recipe) {
         let side = if self.eighth.is_multiple_of(2) { 0.58 } else { 0.42 };
-        self.choir.sing(Voice::new(&recipe, self.rate, [1.0 - side, side]));
+        self.choir.sing(Voice::new(recipe, self.rate, [1.0 - side, side]));
     }
 
     /// A chord over `length` s. Each note is two tones that beat slowly.

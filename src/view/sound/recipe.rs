@@ -60,8 +60,13 @@ impl Recipe {
                 &[struck(62.0, 0.22, 0.55), struck(131.0, 0.12, 0.3), struck(417.0, 0.1, 0.12), struck(1149.0, 0.07, 0.08)],
                 &[burst(900.0, 0.5, 0.11, 0.75), Burst { glide: -3.0, ..burst(3000.0, 0.6, 0.06, 0.5) }],
             ),
-            // A fifth that rises, and one that falls.
-            Cue::Met => Self::new(&bells(&[(0.0, 880.0), (0.09, 1318.5)], 0.3), &[]),
+            // A major chord, strummed upwards, with its octaves; and a fifth that falls.
+            Cue::Met => {
+                let bell = |at, pitch, peak| Tone { at, ..struck(pitch, 0.26, peak) };
+                let chord = [(0.0, 587.33, 0.16), (0.035, 739.99, 0.18), (0.07, 880.0, 0.28)];
+                let notes = chord.map(|(at, pitch, peak)| [bell(at, pitch, peak), bell(at + 0.01, 2.0 * pitch, 0.3 * peak)]);
+                Self::new(notes.as_flattened(), &[])
+            }
             Cue::Lost => Self::new(&bells(&[(0.0, 659.26), (0.1, 440.0)], 0.16), &[]),
             // The five notes of the music's scale and the octave.
             Cue::Success => {

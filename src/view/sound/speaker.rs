@@ -2,7 +2,7 @@
 //! loudest: many collisions a frame are one click.
 
 use super::output::Output;
-use super::{Ambience, Cue, Sound, SoundDesk, Volumes, desk};
+use super::{Ambience, Arrangement, Cue, Sound, SoundDesk, Volumes, desk};
 
 #[derive(Debug)]
 pub struct Speaker {
@@ -33,6 +33,10 @@ impl Speaker {
     /// The tune before it fades.
     pub fn set_tune(&mut self, tune: Option<u32>) {
         self.desk.set_tune(tune);
+    }
+
+    pub fn arrange(&mut self, how: Arrangement) {
+        self.desk.set_arrangement(how);
     }
 
     /// In this frame.

@@ -1,20 +1,19 @@
 //! The notes of the music, from a number: a scale, a pace, and motifs that return changed. No sound is made here.
 
+use super::ensemble::Ensemble;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 
 /// Eighths a bar and bars a section.
 pub const BAR: u32 = 8;
 pub const SECTION: u32 = 8;
-/// Steps of the two pentatonic scales above the root, in semitones.
-const SCALES: [[i32; 5]; 2] = [[0, 2, 4, 7, 9], [0, 3, 5, 7, 10]];
 /// The roots, Hz: from G₂ to E₃.
 const ROOTS: [f32; 6] = [98.0, 110.0, 123.47, 130.81, 146.83, 164.81];
 /// The lowest and highest degree of the melody.
 const LOWEST: i32 = 5;
 const HIGHEST: i32 = 16;
 
-/// An endless piece of music: the same from the same number.
+/// An endless piece of music: the same from the same number and ensemble.
 #[derive(Debug)]
 pub struct Tune {
     number: u32,
@@ -38,11 +37,12 @@ pub struct Notes {
 }
 
 impl Tune {
-    pub fn new(number: u32) -> Self {
+    pub fn new(number: u32, ensemble: &Ensemble) -> Self {
         let mut chance = Pcg32::seed_from_u64(u64::from(number));
-        let scale = SCALES[chance.random_range(0..SCALES.len())];
+        let scale = ensemble.scales[chance.random_range(0..ensemble.scales.len())];
         let root = ROOTS[chance.random_range(0..ROOTS.len())];
-        let eighth = 30.0 / chance.random_range(58.0..74.0_f32);
+        let [slowest, fastest] = ensemble.quarters;
+        let eighth = 30.0 / chance.random_range(slowest..fastest);
         let mut tune = Self { number, scale, root, eighth, section: 0, motif: [None; BAR as usize], grounds: [0; 4] };
         tune.begin_section(0);
         tune
@@ -107,9 +107,15 @@ impl Tune {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::view::sound::ensemble::WORLDS;
+
+    /// By turns of each world.
+    fn tune(number: u32) -> Tune {
+        Tune::new(number, Ensemble::of(number as usize % WORLDS))
+    }
 
     fn first_minutes(number: u32) -> Vec<Notes> {
-        let mut tune = Tune::new(number);
+        let mut tune = tune(number);
         (0..4 * SECTION * BAR).map(|eighth| tune.notes(eighth)).collect()
     }
 
@@ -124,7 +130,7 @@ mod tests {
     #[test]
     fn every_note_is_one_of_five_and_none_is_shrill() {
         for number in 0..20 {
-            let tune = Tune::new(number);
+            let tune = tune(number);
             for notes in first_minutes(number) {
                 let pitches = notes.melody.into_iter().map(|(pitch, _)| pitch).chain(notes.chord.into_iter().flatten());
                 for pitch in pitches {

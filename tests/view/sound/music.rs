@@ -1,7 +1,7 @@
 //! The music: quiet, of each level its own, and none where it is switched off.
 
 use super::hearing::{ALONE, Heard, Listener};
-use resultant::view::sound::{Ambience, Volumes};
+use resultant::view::sound::{Ambience, Arrangement, Volumes, WORLDS};
 
 fn heard(tune: u32, seconds: f64) -> Heard {
     let mut listener = Listener::new();
@@ -46,4 +46,26 @@ fn music_that_is_switched_off_is_none_and_comes_back() {
     assert_eq!(listener.hear(2.0, Ambience::default()).peak(), 0.0);
     listener.desk.set_volumes(ALONE);
     assert!(listener.hear(6.0, Ambience::default()).rms() > 0.008);
+}
+
+#[test]
+fn each_world_has_an_ensemble_and_layers_come_in_with_speed_and_goals() {
+    let heard = |how: Arrangement| {
+        let mut listener = Listener::new();
+        listener.desk.set_tune(Some(1));
+        listener.desk.set_arrangement(how);
+        listener.hear(16.0, Ambience::default())
+    };
+    let mut others: Vec<f64> = Vec::new();
+    for world in 0..WORLDS {
+        let alone = Arrangement { world, ..Arrangement::default() };
+        let (calm, fast) = (heard(alone), heard(Arrangement { pace: 1.0, ..alone }));
+        let goals = heard(Arrangement { goals: 1.0, ..alone });
+        assert!((0.008..0.14).contains(&calm.rms()) && calm.peak() < 0.7, "world {world}: {} {}", calm.rms(), calm.peak());
+        for louder in [&fast, &goals] {
+            assert!(louder.rms() > 1.02 * calm.rms() && louder.peak() < 0.9, "world {world}: {} {}", calm.rms(), louder.rms());
+        }
+        assert!(others.iter().all(|other| (other - calm.rms()).abs() > 1e-5), "world {world} sounds like another");
+        others.push(calm.rms());
+    }
 }

@@ -17,7 +17,7 @@ for index in 0 1 2; do
   expect classics-again resembles classics 3
 done
 press Escape
-expect classics-menu-again resembles classics-menu 3
+expect classics-menu-again resembles classics-menu 8
 
 click $(column_button 3)
 expect classics-by-mouse resembles classics 3
@@ -28,4 +28,4 @@ for index in 0 1 2; do
   expect classics-by-mouse resembles classics 3
 done
 click $(classic_button 3) # Back
-expect classics-menu-again resembles classics-menu 3
+expect classics-menu-again resembles classics-menu 8

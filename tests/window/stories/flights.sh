@@ -11,7 +11,7 @@ printf 'PLAYER,350,60,100,40\n' >"$data/levels/0/objectives.csv"
 open_game play 0
 expect flights-start hud
 hold 4 space
-expect flights-score hides "$accent" 14 90 72 10 5 # the fuel bar has gone: this is the score
+expect flights-score hides "$accent" 1 95 16 5 5 # the fuel bar has gone: this is the score
 expect flights-score shows "$good" 0 0 100 100 0.02
 expect flights-score still
 press Right
@@ -46,5 +46,5 @@ expect flights-list-again resembles flights-list 2
 press Right Return
 expect flights-race hud
 hold 4 space
-expect flights-raced hides "$accent" 14 90 72 10 5
+expect flights-raced hides "$accent" 1 95 16 5 5
 press Escape

@@ -43,7 +43,7 @@ for size in "900 500" "1280 720" "1920 1080"; do
 done
 resize 1280 720
 press Escape
-expect lab-menu-again resembles lab-menu 3
+expect lab-menu-again resembles lab-menu 8
 
 # Damaged charts are named, and those that came with the game are shown.
 mkdir "$data/charts"

@@ -38,8 +38,8 @@ close_game
 score=$("$game" --data "$data" run 1 --inputs "$inputs" | sed -n 's/^score=//p')
 [ "$score" -ge 1 ] || fail "$inputs does not complete level 1"
 open_game play 1 --inputs "$inputs"
-expect flown-start shows "$accent" 14 90 6 10 15
-patience=180 expect scoring hides "$accent" 14 90 72 10 5
+expect flown-start fuel_left_end
+patience=180 expect scoring hides "$accent" 1 95 16 5 5
 expect scoring shows "$good" 0 0 100 100 0.02
 expect scoring still
 press Return # the next level has the keyboard
@@ -53,7 +53,7 @@ printf 'name,value\nwidth,1280\nheight,720\ntitle,At once\n' >"$data/levels/0/co
 printf 'x,y,mass,fuel,thrust\n640,360,100,500,3000\n' >"$data/levels/0/player.csv"
 printf 'PLAYER,600,330,80,60,0.001\n' >"$data/levels/0/objectives.csv"
 open_game play 0
-expect done hides "$accent" 14 90 72 10 5 # the fuel bar has gone: this is the score
+expect done hides "$accent" 1 95 16 5 5 # the fuel bar has gone: this is the score
 expect done shows "$good" 0 0 100 100 0.02
 expect done still
 press Right
