@@ -6,7 +6,7 @@ mod way;
 
 use super::random::Random;
 use player::{Player, Style, wanted};
-use resultant::game::{Controls, Game, Outcome, ROTATION_RATE, SHIP};
+use resultant::game::{Controls, Game, GameEvent, Outcome, ROTATION_RATE, SHIP};
 use resultant::level::Level;
 use resultant::physics::{Aabb, DVec2};
 use std::fmt;
@@ -166,7 +166,8 @@ impl Watch {
 
     fn rules(&mut self, game: &Game) -> Result<(), String> {
         let (fuel, hits) = std::mem::replace(&mut self.last, (game.fuel(), game.collisions()));
-        if game.fuel() > fuel || game.collisions() < hits {
+        let refuelled = game.events().iter().any(|event| matches!(event, GameEvent::Refuelled(_)));
+        if game.fuel() > fuel && !refuelled || game.collisions() < hits {
             return Err(format!("fuel {fuel} became {}, {hits} hits became {}", game.fuel(), game.collisions()));
         }
         let result = game.result();
