@@ -81,6 +81,7 @@ pub struct Worker {
 
 impl Worker {
     /// Started through a shell by a script that ends in `"$@"`.
+    #[cfg(unix)]
     pub fn through(script: &str, worker: &str, folder: &Path) -> Self {
         let mut shell = Command::new("sh");
         shell.args(["-c", script, "sh"]).arg(std::env::current_exe().unwrap());
@@ -93,6 +94,7 @@ impl Worker {
         Self { command }
     }
 
+    #[cfg(unix)]
     pub fn output(mut self) -> std::process::Output {
         self.command.output().unwrap()
     }

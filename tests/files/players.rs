@@ -5,6 +5,7 @@ use super::fixture::{Fixture, UNTIL_ITS_TURN, Worker, confirmed, kill_within, ma
 use resultant::game::Medals;
 use resultant::scores::{AttemptRow, Deed, PATIENCE, ScoresError};
 use std::fs;
+#[cfg(unix)]
 use std::process::Command;
 use std::time::Duration;
 

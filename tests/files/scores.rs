@@ -6,9 +6,9 @@ use resultant::files::{self, pauses};
 use resultant::scores::{PATIENCE, Placement, Score, Scores, ScoresError};
 use std::collections::BTreeSet;
 use std::fs::{self, File};
-use std::path::Path;
-use std::process::Command;
 use std::time::Duration;
+#[cfg(unix)]
+use std::{path::Path, process::Command};
 
 /// A folder that holds `1.csv` with this text.
 fn with(text: &str) -> Fixture {

@@ -94,7 +94,9 @@ fn new_refuses_a_name_that_differs_by_its_case_alone() {
     for name in ["Tower", "TOWER"] {
         let (code, out, err) = ran(project.path(), &["new", name]);
         assert_eq!((code, out.as_str()), (2, ""), "{err}");
-        assert!(err.contains("\"tower\" is there already"), "{err}");
+        // Where the system has no other case of a name, the folder cannot be made.
+        let there = if cfg!(windows) { "there is one of that name already" } else { "\"tower\" is there already" };
+        assert!(err.contains(there), "{err}");
     }
     assert_eq!(level::list(&project.path().join("levels")), ["tower"]);
 }
@@ -214,6 +216,8 @@ fn no_half_folder_is_ever_seen() {
     assert!(maker.join().unwrap());
 }
 
+/// Windows makes no folder of a device's name.
+#[cfg(not(windows))]
 #[test]
 fn a_folder_with_the_name_of_another_leaderboard_is_refused_and_a_device_warned_about() {
     let project = project(&["one", "two"]);

@@ -2,8 +2,11 @@
 
 use super::{COLUMNS, HEADER, data, read};
 use crate::support::program::{Data, Ran, resultant};
-use std::process::{Command, Stdio};
-use std::time::Duration;
+#[cfg(unix)]
+use std::{
+    process::{Command, Stdio},
+    time::Duration,
+};
 
 /// The names in the data folder.
 fn names(data: &Data) -> Vec<String> {

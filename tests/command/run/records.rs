@@ -71,7 +71,7 @@ fn it_is_told_in_which_second_a_flight_departs_and_how_it_should_have_ended() {
         data.write("run.csv", &good.replace(from, to));
         let ran = data.resultant(&["verify", &path]);
         assert_eq!((ran.status, ran.out.as_str()), (1, ""), "{to}");
-        assert!(ran.err.starts_with(why) || ran.err.contains(&format!("/{why}")), "{to}: {}", ran.err);
+        assert!(ran.err.starts_with(why) || ran.err.contains(&format!("{}{why}", std::path::MAIN_SEPARATOR)), "{to}: {}", ran.err);
     }
 }
 
