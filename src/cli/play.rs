@@ -43,11 +43,9 @@ pub fn run(args: &PlayArgs, project: &Project, _out: &mut dyn Write) -> Result<S
 /// Returns when the window is closed.
 #[cfg(feature = "window")]
 pub fn show(project: &Project, start: Option<Start>) -> Result<Status, CommandError> {
-    match project.settle() {
-        Ok(told) => told.into_iter().for_each(|told| drop(writeln!(std::io::stderr(), "{told}"))),
-        Err(problem) => drop(writeln!(std::io::stderr(), "{problem}")),
-    }
-    let places = Places { root: project.root().to_path_buf(), levels: project.levels(), scores: project.scores() };
+    project.settle().into_iter().for_each(|line| drop(writeln!(std::io::stderr(), "{line}")));
+    let (root, settings) = (project.root().to_path_buf(), project.settings_folder().join("settings.csv"));
+    let places = Places { root, levels: project.levels(), scores: project.scores(), settings };
     open(places, start).map_err(CommandError::Refused)?;
     Ok(Status::Done)
 }

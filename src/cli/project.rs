@@ -4,21 +4,25 @@ use crate::level::{self, Level};
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-/// The folder that holds `scores/` and the player's own levels, settings and flights. The shipped levels and assets are in it, or the
-/// built-in ones lie beneath it.
+/// The folder that holds `scores/` and the player's own levels and flights. The shipped levels and assets are in it, or the built-in
+/// ones lie beneath it. The settings lie in it too, but where the system has another folder for them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Project {
     root: PathBuf,
+    settings_folder: PathBuf,
+    /// The system knows no folder of the user's.
+    homeless: bool,
 }
 
 impl Project {
     /// `data` if it is given; else the program's folder, where a file `portable` lies in it; else the working directory or the first
-    /// folder above it with the levels of a game; else the system's folder for the user's files.
+    /// folder above it with the levels of a game; else the system's folders for the user's files, or the working directory where it
+    /// has none.
     /// Errors: `data` is no folder.
     pub fn find(data: Option<&Path>) -> Result<Self, CommandError> {
         if let Some(data) = data {
             return if data.is_dir() {
-                Ok(Self { root: data.to_path_buf() })
+                Ok(Self::at(data.to_path_buf()))
             } else {
                 Err(CommandError::Refused(format!("--data {}: there is no such folder", data.display())))
             };
@@ -28,30 +32,51 @@ impl Project {
         let above = working.iter().flat_map(|folder| folder.ancestors().skip(1).map(Path::to_path_buf));
         let mut places = [PathBuf::from(".")].into_iter().chain(above);
         if let (None, Some(root)) = (&portable, places.find(|folder| has_levels(folder))) {
-            return Ok(Self { root });
+            return Ok(Self::at(root));
         }
-        let root = portable.or_else(users_folder).unwrap_or_else(|| PathBuf::from("."));
-        files::ship_at(&root);
-        Ok(Self { root })
+        let project = match (portable, users_folders()) {
+            (Some(root), _) => Self::at(root),
+            (None, Some([root, settings_folder])) => Self { root, settings_folder, homeless: false },
+            (None, None) => Self { homeless: true, ..Self::at(PathBuf::from(".")) },
+        };
+        files::ship_at(&project.root);
+        Ok(project)
     }
 
-    /// Makes the folder, and takes over the scores that an older version kept beside the program, once. The message says so.
-    /// Errors: scores that cannot be copied; they stay where they are.
-    pub fn settle(&self) -> Result<Option<String>, String> {
+    fn at(root: PathBuf) -> Self {
+        Self { settings_folder: root.clone(), root, homeless: false }
+    }
+
+    /// Makes the folder, and takes over the scores and settings that an older version kept elsewhere, once. The lines say so, and
+    /// where it failed; the older files stay where they are.
+    pub fn settle(&self) -> Vec<String> {
         self.settle_from(program_folder().as_deref())
     }
 
-    fn settle_from(&self, program: Option<&Path>) -> Result<Option<String>, String> {
-        // A folder that cannot be made is reported by the first thing that is saved.
-        let _ = files::make_folder(&self.root);
-        let Some(old) = program.filter(|folder| has_levels(folder)).map(|folder| folder.join("scores")) else { return Ok(None) };
-        if !files::is_folder(&old) || files::is_taken(&self.scores()) {
-            return Ok(None);
+    fn settle_from(&self, program: Option<&Path>) -> Vec<String> {
+        let mut lines = Vec::new();
+        if self.homeless {
+            lines.push("the system names no home folder: all is kept in the working folder".to_owned());
         }
-        let (from, to) = (old.display(), self.scores());
-        files::create_folder(&to, |folder: &Path| copy_all(&old, folder, DEPTH))
-            .map_err(|error| format!("the scores in {from} were not taken over to {}: {error}", to.display()))?;
-        Ok(Some(format!("took over the scores in {from}: they are in {} now", to.display())))
+        if let Err(error) = files::make_folder(&self.root) {
+            lines.push(format!("{}: {error}; nothing is kept until that folder can be made", self.root.display()));
+        }
+        let beside = program.filter(|folder| has_levels(folder));
+        lines.extend(beside.and_then(|folder| {
+            take_over(&folder.join("scores"), &self.scores(), |old, new| {
+                files::create_folder(new, |folder: &Path| copy_all(old, folder, DEPTH))
+            })
+        }));
+        let older = [Some(self.root.as_path()), beside].into_iter().flatten().map(|folder| folder.join(SETTINGS));
+        if let Some(older) = older.into_iter().find(|path| files::is_file(path)) {
+            lines.extend(take_over(&older, &self.settings_folder.join(SETTINGS), |old, new| files::copy(old, new)));
+        }
+        lines
+    }
+
+    /// The folder of `settings.csv`.
+    pub fn settings_folder(&self) -> &Path {
+        &self.settings_folder
     }
 
     /// The start of image paths in level files.
@@ -117,6 +142,7 @@ impl Project {
 
 /// Beside the program, this file makes the program's folder the place of all files.
 const PORTABLE: &str = "portable";
+const SETTINGS: &str = "settings.csv";
 /// Folders within each other in a folder of scores, at most.
 const DEPTH: u32 = 8;
 
@@ -131,14 +157,28 @@ fn has_levels(folder: &Path) -> bool {
         || files::names(&levels).is_ok_and(|names| names.iter().any(|name| files::is_file(&levels.join(name).join("player.csv"))))
 }
 
+/// For scores, levels and flights, and for the settings.
 #[cfg(not(target_arch = "wasm32"))]
-fn users_folder() -> Option<PathBuf> {
-    directories::ProjectDirs::from("", "", "Resultant").map(|places| places.data_dir().to_path_buf())
+fn users_folders() -> Option<[PathBuf; 2]> {
+    directories::ProjectDirs::from("", "", "Resultant")
+        .map(|places| [places.data_dir(), places.config_dir()].map(Path::to_path_buf))
 }
 
 #[cfg(target_arch = "wasm32")]
-fn users_folder() -> Option<PathBuf> {
+fn users_folders() -> Option<[PathBuf; 2]> {
     None
+}
+
+/// Copies a file or folder to its new place, unless something is there, and says so or why not.
+fn take_over(old: &Path, new: &Path, copy: impl FnOnce(&Path, &Path) -> std::io::Result<()>) -> Option<String> {
+    if files::look(old).is_err() || files::is_taken(new) {
+        return None;
+    }
+    let (from, to) = (old.display(), new.display());
+    Some(match copy(old, new) {
+        Ok(()) => format!("took over {from}: it is in {to} now"),
+        Err(error) => format!("{from} was not taken over to {to}: {error}"),
+    })
 }
 
 /// Copies files and folders; links stay behind.
@@ -175,22 +215,25 @@ mod tests {
     }
 
     #[test]
-    fn older_scores_beside_the_program_are_taken_over_once() {
+    fn older_scores_and_settings_are_taken_over_once() {
         let (program, home) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
-        let project = Project { root: home.path().join("share/resultant") };
-        assert_eq!(project.settle_from(Some(program.path())), Ok(None), "no levels beside it");
+        let project = Project { settings_folder: home.path().join("config"), ..Project::at(home.path().join("share/resultant")) };
+        let settle = || project.settle_from(Some(program.path()));
+        assert!(settle().is_empty(), "no levels beside it");
         std::fs::create_dir_all(program.path().join("levels")).unwrap();
         std::fs::write(program.path().join("levels/shipped.csv"), "").unwrap();
         std::fs::create_dir_all(program.path().join("scores/flights/1")).unwrap();
         std::fs::write(program.path().join("scores/1.csv"), "name,score\nann,5\n").unwrap();
         std::fs::write(program.path().join("scores/flights/1/ann.replay.csv"), "x").unwrap();
-        let told = project.settle_from(Some(program.path())).unwrap().unwrap();
-        assert!(told.starts_with("took over the scores in "), "{told}");
+        std::fs::write(program.path().join("settings.csv"), "setting,value,player\nshake,0,\n").unwrap();
+        let lines = settle();
+        assert!(lines.len() == 2 && lines.iter().all(|line| line.starts_with("took over ")), "{lines:?}");
+        assert!(std::fs::read_to_string(home.path().join("config/settings.csv")).unwrap().contains("shake,0"));
         let scores = project.scores();
         assert_eq!(std::fs::read_to_string(scores.join("1.csv")).unwrap(), "name,score\nann,5\n");
         assert!(scores.join("flights/1/ann.replay.csv").is_file() && program.path().join("scores/1.csv").is_file());
         std::fs::write(scores.join("1.csv"), "name,score\nann,6\n").unwrap();
-        assert_eq!(project.settle_from(Some(program.path())), Ok(None), "once");
+        assert!(settle().is_empty(), "once");
         assert_eq!(std::fs::read_to_string(scores.join("1.csv")).unwrap(), "name,score\nann,6\n");
     }
 

@@ -33,6 +33,8 @@ pub struct Places {
     pub levels: PathBuf,
     /// A file a leaderboard.
     pub scores: PathBuf,
+    /// The file of settings.
+    pub settings: PathBuf,
 }
 
 /// A sitting: the screen, and what outlasts it.
@@ -106,7 +108,7 @@ impl App {
     /// The same, with a worker that reads the levels.
     pub fn with_worker(places: Places, worker: Worker) -> Self {
         let scores = Scores::new(&places.scores);
-        let settings_file = SettingsFile::new(places.root.join("settings.csv"));
+        let settings_file = SettingsFile::new(&places.settings);
         let (library, journal) = (Library::new(&places.root, &places.levels), Journal::new(scores.clone()));
         let (settings, settings_problems) = settings_file.load(whose(journal.current()));
         let mut app = Self {

@@ -19,5 +19,5 @@ pub fn dropped() -> Vec<PathBuf> {
 /// Before a frame. A desktop asks for nothing.
 pub const fn begin_frame(_: &mut App, _: &mut Input, _: &mut dyn Spectator) {}
 
-/// After a frame is drawn.
-pub const fn end_frame() {}
+/// After a frame is drawn. A desktop waits before the next one.
+pub const fn end_frame(_: f64) {}

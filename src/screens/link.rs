@@ -177,7 +177,8 @@ mod tests {
     #[test]
     fn a_link_opens_its_target_or_says_why_not() {
         let (root, scores) = (Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf(), tempfile::tempdir().unwrap());
-        let mut app = App::new(Places { levels: root.join("levels"), root, scores: scores.path().to_path_buf() });
+        let (own, settings) = (scores.path().to_path_buf(), scores.path().join("settings.csv"));
+        let mut app = App::new(Places { levels: root.join("levels"), root, scores: own, settings });
         app.follow_link("play=experiments/friction&follow=box+1&details=0", &mut ());
         let flight = app.screen().get::<Flight>().unwrap();
         assert_eq!(flight.game().level().name, "friction");

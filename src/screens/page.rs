@@ -1,7 +1,8 @@
 //! What the window's loop asks of a browser's page; a desktop answers the same in `desktop`.
 
 use super::{App, Flight, Input, Key, Spectator};
-use crate::web::{self, PageWord};
+use crate::settings::Settings;
+use crate::web;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -29,13 +30,17 @@ pub fn begin_frame(app: &mut App, input: &mut Input, spectator: &mut dyn Spectat
     if web::was_hidden() && flown && app.screen().scene(&input.frame).is_some_and(|scene| !scene.paused) {
         input.pressed.add(Key::Escape);
     }
+    // The browser's own Esc leaves the full screen, and a page enters it by a press alone.
+    if let Some(fullscreen) = web::fullscreen().filter(|fullscreen| *fullscreen != app.settings().fullscreen) {
+        app.set(Settings { fullscreen, ..*app.settings() });
+    }
     let link = web::link();
     if !link.is_empty() {
         app.follow_link(&link, spectator);
     }
 }
 
-/// After a frame is drawn.
-pub fn end_frame() {
-    web::say(PageWord::Ready, "");
+/// After a frame is drawn; the least time until the next one, s.
+pub fn end_frame(rest: f64) {
+    web::end_frame(rest);
 }

@@ -104,8 +104,11 @@ impl SettingsPanel {
     /// What the keys do here, and what is wrong.
     fn show_hints(&self, ui: &Ui<'_>, mut at: Vec2) {
         let mut line = |text: &str, colour| {
-            ui.text(text, at, Style::new(DETAILS, colour).middle());
-            at.y += 20.0;
+            let style = Style::new(DETAILS, colour).middle();
+            for words in widgets::lines(ui.canvas(), text, VALUES.x, style) {
+                ui.text(&words, at, style);
+                at.y += 18.0;
+            }
         };
         line("Tab goes to the other list, ← → change a value; Enter sets a key, Del clears it.", theme::quiet());
         line("A gamepad flies too: stick turns, triggers thrust, Y restarts, Start pauses.", theme::quiet());

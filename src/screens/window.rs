@@ -97,7 +97,8 @@ pub fn open_page() {
             return web::verify().await;
         }
         web::link_again();
-        let places = Places { root: PathBuf::new(), levels: PathBuf::from("levels"), scores: PathBuf::from("scores") };
+        let [levels, scores, settings] = ["levels", "scores", "settings.csv"].map(PathBuf::from);
+        let places = Places { root: PathBuf::new(), levels, scores, settings };
         let ended = run(places, None).await;
         web::say(PageWord::Stopped, &ended.err().unwrap_or_default());
     });
@@ -167,7 +168,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
         }
         theatre.set_volumes(app.settings());
         theatre.sound(app.screen(), input.answer.get());
-        host::end_frame();
+        host::end_frame(app.interval(&input.without_edges()));
         next_frame().await;
     }
 }

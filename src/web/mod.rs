@@ -28,6 +28,7 @@ pub const PAD_LEVELS: usize = 17 + 2;
 thread_local! {
     static FILES: RefCell<Vec<PathBuf>> = const { RefCell::new(Vec::new()) };
     static HIDDEN: Cell<bool> = const { Cell::new(false) };
+    static FULLSCREEN: Cell<Option<bool>> = const { Cell::new(None) };
 }
 
 #[link(wasm_import_module = "env")]
@@ -43,6 +44,8 @@ unsafe extern "C" {
     fn resultant_pads(levels: *mut f32);
     fn resultant_link() -> i32;
     fn resultant_link_again();
+    /// s.
+    fn resultant_frame_ends(rest: f64);
     fn resultant_say(kind: i32, words: *const u8, length: usize);
     fn resultant_download(name: *const u8, length: usize, bytes: *const u8, bytes_length: usize);
     fn resultant_choose_file();
@@ -54,14 +57,12 @@ unsafe extern "C" {
 pub enum PageWord {
     /// The game has stopped, with the reason.
     Stopped = 0,
-    /// The first picture is there.
-    Ready = 1,
     /// A line of a verification.
-    Verified = 2,
+    Verified = 1,
     /// A line above the picture, until it is clicked.
-    Notice = 3,
+    Notice = 2,
     /// Everything was imported: the page begins again.
-    Begin = 4,
+    Begin = 3,
 }
 
 pub fn say(word: PageWord, words: &str) {
@@ -120,6 +121,17 @@ pub fn was_hidden() -> bool {
     HIDDEN.take()
 }
 
+/// Whether the page fills the screen, where that has changed since the last call.
+pub fn fullscreen() -> Option<bool> {
+    FULLSCREEN.take()
+}
+
+/// A frame is drawn; the least time until the next one, s.
+pub fn end_frame(rest: f64) {
+    // SAFETY: it takes a number.
+    unsafe { resultant_frame_ends(rest) }
+}
+
 /// The script's version, so that a page with an old script says so.
 #[unsafe(no_mangle)]
 pub extern "C" fn resultant_crate_version() -> u32 {
@@ -129,6 +141,11 @@ pub extern "C" fn resultant_crate_version() -> u32 {
 #[unsafe(no_mangle)]
 extern "C" fn resultant_hidden() {
     HIDDEN.set(true);
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn resultant_fullscreen(fills: i32) {
+    FULLSCREEN.set(Some(fills != 0));
 }
 
 /// Room for bytes that the script hands over to [`resultant_dropped`].

@@ -2,6 +2,8 @@
 "use strict";
 (function () {
   const PREFIX = "resultant/";
+  // Before each text that this program keeps.
+  const MARK = "t";
   const FULL = -2, FORBIDDEN = -3, DAMAGED = -4;
   const at = (id) => document.getElementById(id);
   const bytesAt = (from, length) => new Uint8Array(wasm_memory.buffer, from, length);
@@ -18,7 +20,7 @@
   }
   at("notice").onclick = () => { at("notice").hidden = true; canvas.focus(); };
 
-  // Storage. Text is kept as text, other bytes as base64; the first letter says which. Without a storage a page keeps all until it is closed.
+  // Storage of text. Without one a page keeps all until it is closed.
   let storage;
   try {
     storage = window.localStorage;
@@ -34,19 +36,45 @@
       tell("This browser keeps no data for this page: scores and levels last until it is closed. “Your data” in the menu exports them.");
     }
   }
-  function packed(bytes) {
-    try {
-      return "t" + new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes);
-    } catch {
-      let letters = "";
-      for (let i = 0; i < bytes.length; i += 8192) letters += String.fromCharCode(...bytes.subarray(i, i + 8192));
-      return "b" + btoa(letters);
-    }
+  function decoded(bytes) {
+    try { return new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes); } catch { return null; }
   }
-  function unpacked(value) {
-    if (value[0] === "t") return encoded(value.slice(1));
-    if (value[0] === "b") return Uint8Array.from(atob(value.slice(1)), (letter) => letter.charCodeAt(0));
-    throw new Error("neither text nor base64");
+
+  // Bytes that are no text, such as the pictures of own levels, go to the browser's database, which has more room. They are loaded before
+  // the program begins, and written behind it.
+  const PICTURES = "pictures";
+  const pictures = new Map();
+  const tabs = window.BroadcastChannel && new BroadcastChannel("resultant");
+  let database, writing = Promise.resolve();
+  if (tabs) tabs.onmessage = ({ data: [key, bytes] }) => { bytes ? pictures.set(key, bytes) : pictures.delete(key); };
+  const answered = (request) => new Promise((yes, no) => {
+    request.onsuccess = () => yes(request.result);
+    request.onerror = () => no(request.error);
+  });
+  async function loadPictures() {
+    const opening = window.indexedDB.open("resultant", 1);
+    opening.onupgradeneeded = () => opening.result.createObjectStore(PICTURES);
+    const opened = await answered(opening);
+    const store = opened.transaction(PICTURES).objectStore(PICTURES);
+    const [keys, values] = await Promise.all([answered(store.getAllKeys()), answered(store.getAll())]);
+    keys.forEach((key, i) => { if (values[i] instanceof Uint8Array) pictures.set(key, values[i]); });
+    database = opened;
+  }
+  /** Keeps bytes under a key; without bytes, removes them. */
+  function keepPicture(key, bytes) {
+    if (bytes) pictures.set(key, bytes);
+    else if (!pictures.delete(key)) return;
+    tabs?.postMessage([key, bytes]);
+    writing = writing.then(() => new Promise((yes, no) => {
+      if (!database) throw new Error("the browser has no database for this page");
+      const change = database.transaction(PICTURES, "readwrite");
+      if (bytes) change.objectStore(PICTURES).put(bytes, key);
+      else change.objectStore(PICTURES).delete(key);
+      change.oncomplete = yes;
+      change.onabort = () => no(change.error ?? new Error("the browser has stopped the write"));
+    })).catch((error) => {
+      tell(`${key} is not written: ${error.message || error.name}. It lasts until the page is closed. “Your data” in the menu exports it.`);
+    });
   }
 
   // Sound: a worklet, or a script processor where the page is not secure, asks for blocks of 1024 frames; two are always on the way.
@@ -104,6 +132,15 @@
     }
   }
 
+  // A screen where nothing is flown names the time until its next frame, s; a press, the wheel or a file does not wait for it.
+  let begun = 0, next = 0;
+  const frame = animation;
+  animation = (now) => {
+    if (now < next) animation_frame_timeout = window.requestAnimationFrame(animation);
+    else { begun = now; frame(); }
+  };
+  for (const news of ["keydown", "keyup", "pointerdown", "pointerup", "wheel", "paste", "drop"]) window.addEventListener(news, () => { next = 0; }, true);
+
   const fit = () => resize(canvas, wasm_exports.resize);
   let ratio = devicePixelRatio;
   let link = location.hash.slice(1), lastLink = "";
@@ -119,13 +156,15 @@
         resultant_now: () => performance.now(),
         resultant_take: (to) => bytesAt(to, answer.length).set(answer),
         resultant_get: (key, length) => {
+          const name = textAt(key, length);
+          if (pictures.has(name)) return answers(pictures.get(name));
           let value;
-          try { value = storage.getItem(PREFIX + textAt(key, length)); } catch { return FORBIDDEN; }
+          try { value = storage.getItem(PREFIX + name); } catch { return FORBIDDEN; }
           if (value === null) return -1;
-          try { return answers(unpacked(value)); } catch { return DAMAGED; }
+          return value[0] === MARK ? answers(encoded(value.slice(1))) : DAMAGED;
         },
         resultant_keys: () => {
-          const keys = [];
+          const keys = [...pictures.keys()];
           for (let i = 0; i < storage.length; i++) {
             const key = storage.key(i);
             if (key.startsWith(PREFIX)) keys.push(key.slice(PREFIX.length));
@@ -133,11 +172,22 @@
           return answers(encoded(keys.join("\0")));
         },
         resultant_set: (key, length, value, valueLength) => {
-          try { storage.setItem(PREFIX + textAt(key, length), packed(bytesAt(value, valueLength))); return 0; } catch (error) {
+          const [name, bytes] = [textAt(key, length), bytesAt(value, valueLength)];
+          const text = decoded(bytes);
+          try {
+            if (text === null) storage.removeItem(PREFIX + name);
+            else storage.setItem(PREFIX + name, MARK + text);
+          } catch (error) {
             return error.name === "QuotaExceededError" || error.name === "NS_ERROR_DOM_QUOTA_REACHED" ? FULL : FORBIDDEN;
           }
+          keepPicture(name, text === null ? bytes.slice() : undefined);
+          return 0;
         },
-        resultant_remove: (key, length) => { try { storage.removeItem(PREFIX + textAt(key, length)); } catch { /* It stays. */ } },
+        resultant_remove: (key, length) => {
+          const name = textAt(key, length);
+          keepPicture(name);
+          try { storage.removeItem(PREFIX + name); } catch { /* It stays. */ }
+        },
         resultant_pads: (to) => {
           const levels = new Float32Array(wasm_memory.buffer, to, 19);
           levels.fill(0);
@@ -154,14 +204,20 @@
         resultant_say: (kind, from, length) => {
           const words = textAt(from, length);
           if (kind === 0) stop(words || "The game has ended. Load the page again to play on.");
-          else if (kind === 1) {
-            // Once a frame, in which the program takes no other call.
-            if (ratio !== devicePixelRatio) { ratio = devicePixelRatio; setTimeout(fit); }
-            if (!window.resultantReady) { window.resultantReady = performance.now(); at("words").hidden = true; }
+          else if (kind === 1) { at("words").hidden = true; at("lines").hidden = false; at("lines").textContent += words + "\n"; }
+          else if (kind === 2) tell(words);
+          else {
+            try { sessionStorage.setItem(PREFIX + "notice", words); } catch { /* No word then. */ }
+            writing.then(() => location.reload());
           }
-          else if (kind === 2) { at("words").hidden = true; at("lines").hidden = false; at("lines").textContent += words + "\n"; }
-          else if (kind === 3) tell(words);
-          else { try { sessionStorage.setItem(PREFIX + "notice", words); } catch { /* No word then. */ } location.reload(); }
+        },
+        resultant_frame_ends: (rest) => {
+          // In a frame the program takes no other call.
+          if (ratio !== devicePixelRatio) { ratio = devicePixelRatio; setTimeout(fit); }
+          if (!window.resultantReady) { window.resultantReady = performance.now(); at("words").hidden = true; }
+          window.resultantFrames = (window.resultantFrames ?? 0) + 1;
+          // Frames come some milliseconds early and late.
+          next = rest > 0 ? begun + 1000 * rest - 5 : 0;
         },
         resultant_download: (name, nameLength, bytes, length) => {
           const anchor = document.createElement("a");
@@ -183,12 +239,15 @@
           navigator.clipboard?.writeText(textAt(from, length)).catch(() => {});
         },
         sapp_set_fullscreen: (wanted) => {
-          if (wanted) canvas.requestFullscreen?.().catch(() => {});
+          const refused = () => wasm_exports.resultant_fullscreen(0);
+          if (wanted) canvas.requestFullscreen ? canvas.requestFullscreen().catch(refused) : setTimeout(refused);
           else if (document.fullscreenElement) fullscreen(false);
         },
         run_animation_loop: (blocking) => {
           loop(blocking);
           window.ondrop = (event) => { event.preventDefault(); return hand(event.dataTransfer.files); };
+          window.addEventListener("paste", (event) => hand(event.clipboardData?.files ?? []), true);
+          document.addEventListener("fullscreenchange", () => wasm_exports.resultant_fullscreen(document.fullscreenElement ? 1 : 0));
           canvas.oncontextmenu = (event) => event.preventDefault();
           canvas.addEventListener("keydown", (event) => { if (event.code === "F11" || event.ctrlKey && event.code === "KeyS") event.preventDefault(); });
           // The browser may change the canvas' size without a window's event: its zoom, another screen, fullscreen.
@@ -221,5 +280,10 @@
   if (location.protocol === "file:") stop("Resultant is opened from a web server: a browser does not let a page read the program beside it from a disk.\nSuch a server is  python3 -m http.server  in this folder.");
   else if (typeof WebAssembly !== "object") stop("This browser has no WebAssembly, which Resultant needs.");
   else if (!document.createElement("canvas").getContext("webgl")) stop("This browser has no WebGL, which Resultant draws with: it may be switched off in the settings.");
-  else load("resultant.wasm");
+  else {
+    const late = new Promise((_, no) => setTimeout(no, 3000, new Error("the browser's database does not answer")));
+    Promise.race([loadPictures(), late])
+      .catch((error) => { if (at("notice").hidden) tell(`Pictures of own levels cannot be read: ${error.message || error.name}`); })
+      .then(() => load("resultant.wasm"));
+  }
 })();

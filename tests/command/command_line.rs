@@ -48,30 +48,70 @@ fn the_data_folder_must_be_there_and_the_working_directory_is_looked_in() {
     assert_eq!((ran.status, ran.value("ticks")), (0, "0"));
 }
 
-/// The system's folder for a user's files is known by the environment on Linux alone.
+/// The program alone in a folder. The system's folders for a user's files are known by the environment on Linux alone.
+#[cfg(target_os = "linux")]
+struct Alone {
+    folder: tempfile::TempDir,
+}
+
+#[cfg(target_os = "linux")]
+impl Alone {
+    fn new() -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::copy(env!("CARGO_BIN_EXE_resultant"), folder.path().join("resultant")).unwrap();
+        Self { folder }
+    }
+
+    fn run(&self, home: Option<&std::path::Path>, args: &[&str]) -> Ran {
+        let mut command = std::process::Command::new(self.folder.path().join("resultant"));
+        for unset in ["HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "DISPLAY", "WAYLAND_DISPLAY"] {
+            command.env_remove(unset);
+        }
+        Ran::new(command.args(args).current_dir(self.folder.path()).envs(home.map(|home| ("HOME", home))))
+    }
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn the_program_alone_has_its_levels_and_keeps_own_files_in_the_users_folder() {
-    let (alone, home) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
-    let program = alone.path().join("resultant");
-    std::fs::copy(env!("CARGO_BIN_EXE_resultant"), &program).unwrap();
-    let run = |args: &[&str]| {
-        let mut command = std::process::Command::new(&program);
-        Ran::new(command.args(args).current_dir(alone.path()).env("HOME", home.path()).env_remove("XDG_DATA_HOME"))
-    };
+    let (alone, home) = (Alone::new(), tempfile::tempdir().unwrap());
+    let run = |args: &[&str]| alone.run(Some(home.path()), args);
     let flown = run(&["run", "1", "--seconds", "0"]);
     assert_eq!((flown.status, flown.value("ticks")), (0, "0"), "{}", flown.err);
     // A folder of another program is no game's.
-    std::fs::create_dir(alone.path().join("levels")).unwrap();
+    std::fs::create_dir(alone.folder.path().join("levels")).unwrap();
     assert_eq!(run(&["run", "1", "--seconds", "0"]).status, 0);
     let own = home.path().join(".local/share/resultant/levels");
     assert_eq!(run(&["new", "tower"]).out.trim(), own.join("tower").to_str().unwrap());
     assert_eq!(run(&["check", "tower", "1"]).status, 0, "own levels stand beside the shipped ones");
     assert_eq!(run(&["new", "1"]).status, 2, "a shipped level stays");
-    std::fs::write(alone.path().join("portable"), "").unwrap();
+    std::fs::write(alone.folder.path().join("portable"), "").unwrap();
     let made = run(&["new", "mill"]);
-    assert_eq!((made.status, made.out.trim()), (0, alone.path().join("levels/mill").to_str().unwrap()), "{}", made.err);
+    assert_eq!((made.status, made.out.trim()), (0, alone.folder.path().join("levels/mill").to_str().unwrap()), "{}", made.err);
     assert_eq!(run(&["check", "mill", "1"]).status, 0, "the shipped ones lie beneath own levels");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn without_a_home_the_levels_are_there_and_each_user_has_own_files() {
+    let (alone, homes) = (Alone::new(), tempfile::tempdir().unwrap());
+    // The system's list of users names a home then, where nothing is written.
+    assert_eq!(alone.run(None, &["check", "1"]).status, 0);
+    let [ann, bob] = ["ann", "bob"].map(|user| homes.path().join(user));
+    assert_eq!(alone.run(Some(&ann), &["new", "tower"]).status, 0);
+    assert_eq!(alone.run(Some(&bob), &["check", "tower"]).status, 2, "it is another user's");
+    assert_eq!(alone.run(Some(&bob), &["new", "tower"]).status, 0);
+    // A home that cannot be made is named, and the shipped levels are there all the same.
+    let nowhere = homes.path().join("file/home");
+    std::fs::write(homes.path().join("file"), "kept").unwrap();
+    assert_eq!(alone.run(Some(&nowhere), &["check", "1"]).status, 0);
+    let made = alone.run(Some(&nowhere), &["new", "tower"]);
+    assert!(made.status == 2 && made.err.contains(nowhere.to_str().unwrap()), "{made:?}");
+    assert_eq!(std::fs::read_to_string(homes.path().join("file")).unwrap(), "kept");
+    if cfg!(feature = "window") {
+        let said = alone.run(Some(&nowhere), &[]).err;
+        assert!(said.contains("nothing is kept until that folder can be made") && said.contains("no display"), "{said}");
+    }
 }
 
 #[cfg(not(feature = "window"))]

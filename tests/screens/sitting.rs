@@ -362,7 +362,7 @@ impl Sitting {
 
 fn places(folder: &tempfile::TempDir) -> Places {
     let root = folder.path().to_path_buf();
-    Places { levels: root.join("levels"), scores: root.join("scores"), root }
+    Places { levels: root.join("levels"), scores: root.join("scores"), settings: root.join("settings.csv"), root }
 }
 
 pub fn level(root: &Path, name: &str, objectives: &str, obstacles: &str) {

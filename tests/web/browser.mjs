@@ -92,8 +92,9 @@ export class Browser {
     }
   }
 
-  key(type, { key, code, number, text }) {
-    return this.send("Input.dispatchKeyEvent", { type: type === "keyDown" && !text ? "rawKeyDown" : type, key, code, text, windowsVirtualKeyCode: number });
+  key(type, { key, code, number, text, modifiers = 0 }) {
+    const kind = type === "keyDown" && !text ? "rawKeyDown" : type;
+    return this.send("Input.dispatchKeyEvent", { type: kind, key, code, text, modifiers, windowsVirtualKeyCode: number });
   }
 
   async picture(file) { writeFileSync(file, Buffer.from((await this.send("Page.captureScreenshot")).data, "base64")); }

@@ -24,6 +24,7 @@ const KEYS = {
   Space: { key: " ", code: "Space", number: 32, text: " " },
   ArrowLeft: { key: "ArrowLeft", code: "ArrowLeft", number: 37 }, ArrowUp: { key: "ArrowUp", code: "ArrowUp", number: 38 },
   ArrowRight: { key: "ArrowRight", code: "ArrowRight", number: 39 }, ArrowDown: { key: "ArrowDown", code: "ArrowDown", number: 40 },
+  F11: { key: "F11", code: "F11", number: 122 },
   Enter: { key: "Enter", code: "Enter", number: 13, text: "\r" }, Escape: { key: "Escape", code: "Escape", number: 27 },
 };
 // In the order of a record's columns.
@@ -55,9 +56,44 @@ try {
     }
   }
 
+  // By the browser's own clock: a menu that nobody touches draws at most 30 frames a second.
+  await browser.go(server.address);
+  await browser.until("window.resultantReady");
+  const [frames, seconds] = await browser.ask(`new Promise((done) => setTimeout(() => {
+    const [frames, begun] = [resultantFrames, performance.now()];
+    setTimeout(() => done([resultantFrames - frames, (performance.now() - begun) / 1000]), 2000);
+  }, 1500))`);
+  console.log("the menu at rest:", (frames / seconds).toFixed(1), "frames a second");
+  check(frames / seconds <= 32, "the menu draws more than 30 frames a second");
+
   await browser.before(CLOCK);
   await begin();
   await picture("menu");
+
+  // F11 fills the screen. The browser's own Esc gives it back, and the next F11 fills it again.
+  const filled = () => browser.ask("new Promise((done) => setTimeout(() => done(!!document.fullscreenElement), 300))");
+  await press("F11");
+  check(await filled(), "F11 does not fill the screen");
+  await browser.ask("document.exitFullscreen().then(() => step(5))");
+  await press("F11");
+  check(await filled(), "F11 does not fill the screen again");
+  await press("F11");
+  check(!await filled(), "F11 does not give the screen back");
+  console.log("F11 fills the screen and gives it back");
+
+  // A page that is hidden pauses its flight: from then on no picture differs.
+  await begin("#play=1");
+  const looks = async () => (await browser.send("Page.captureScreenshot")).data;
+  const moves = async () => { const before = await looks(); await step(20); return before !== await looks(); };
+  await browser.key("keyDown", KEYS.ArrowRight);
+  await step(2);
+  check(await moves(), "the flight stands still");
+  await browser.ask(`Object.defineProperty(document, "visibilityState", { get: () => "hidden", configurable: true });
+    document.dispatchEvent(new Event("visibilitychange")); delete document.visibilityState`);
+  await browser.key("keyUp", KEYS.ArrowRight);
+  await step(60);
+  check(!await moves(), "a hidden page flies on");
+  await picture("hidden");
 
   // A link opens the level; the keys of a recorded flight fly it.
   await begin("#play=1");
@@ -80,8 +116,15 @@ try {
   check(/^1,Guest,completed,/.test(attempt ?? ""), `level 1 is not completed: ${attempt}`);
   console.log("level 1 is flown by keys:", attempt);
 
-  // Its score is saved, and is there when the page is loaded again.
-  await press("ArrowRight", "Enter", ...USER, "Enter");
+  // Its score is saved, under a name from the clipboard, and is there when the page is loaded again.
+  await press("ArrowRight", "Enter");
+  await browser.ask(`{ const data = new DataTransfer(); data.setData("text/plain", "${USER}");
+    window.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, cancelable: true })); }`);
+  await browser.key("keyDown", { ...letter("v"), text: undefined, modifiers: 2 });
+  await step(2);
+  await browser.key("keyUp", { ...letter("v"), modifiers: 2 });
+  await step(2);
+  await press("Enter");
   await picture("saved");
   const board = await kept("scores/1.csv");
   const points = /^# score: (\d+)/m.exec(record)[1];
@@ -117,9 +160,34 @@ try {
   await browser.ask(`${drop(`new Uint8Array([${level}])`, "good_blocks.zip")}.then(() => step(30))`);
   check(await kept("levels/good_blocks/player.csv"), "the level is not installed");
   await picture("level-dropped");
+  // One with a picture of its own has it in the database, also after a reload; the archive of everything has it too.
+  const painted = [...readFileSync(join(root, "target/web-painted.zip"))];
+  await begin();
+  await browser.ask(`${drop(`new Uint8Array([${painted}])`, "good_own_image.zip")}.then(() => step(30))`);
+  const stored = `new Promise((done) => { indexedDB.open("resultant").onsuccess = ({ target }) =>
+    target.result.transaction("pictures").objectStore("pictures").getAllKeys().onsuccess = ({ target }) => done(target.result.join()); })`;
+  check(/good_own_image\/\S+\.png/.test(await browser.ask(stored)), "the picture is not kept");
+  await begin("#play=good_own_image");
+  await picture("level-painted");
+  console.log("pictures in the database:", await browser.ask(stored));
   await begin();
   await browser.ask(`${drop("'no archive'", "wrong.zip")}.then(() => step(30))`);
   await picture("wrong-zip");
+
+  // A forbidden storage: the page plays on and says so.
+  const forbidden = await browser.before(`Object.defineProperty(window, "localStorage", { get() { throw new DOMException("no", "SecurityError"); } });
+    Object.defineProperty(window, "indexedDB", { get() { throw new DOMException("no", "SecurityError"); } })`);
+  await begin("#play=1");
+  const notice = await browser.ask("at = document.getElementById('notice'), at.hidden ? '' : at.textContent");
+  check(/keeps no data/.test(notice), `a forbidden storage is not named: ${notice}`);
+  await picture("forbidden-storage");
+  await browser.send("Page.removeScriptToEvaluateOnNewDocument", forbidden);
+
+  // A damaged board: it is reported and stays as it is.
+  await begin();
+  await browser.ask("localStorage.setItem('resultant/scores/2.csv', 'foreign')");
+  await begin("#play=2");
+  check(await browser.ask("localStorage.getItem('resultant/scores/2.csv')") === "foreign", "a foreign value is written over");
 
   // A full storage: the flight's attempt cannot be written, and the board stays.
   await begin();
