@@ -135,7 +135,7 @@ pub fn end_frame(rest: f64) {
 /// The script's version, so that a page with an old script says so.
 #[unsafe(no_mangle)]
 pub extern "C" fn resultant_crate_version() -> u32 {
-    1
+    2
 }
 
 #[unsafe(no_mangle)]

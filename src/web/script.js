@@ -148,7 +148,7 @@
 
   miniquad_add_plugin({
     name: "resultant",
-    version: 1,
+    version: 2,
     register_plugin: (imports) => {
       const loop = imports.env.run_animation_loop, setClipboard = imports.env.sapp_set_clipboard;
       const fullscreen = imports.env.sapp_set_fullscreen;
