@@ -281,7 +281,7 @@
   else if (typeof WebAssembly !== "object") stop("This browser has no WebAssembly, which Resultant needs.");
   else if (!document.createElement("canvas").getContext("webgl")) stop("This browser has no WebGL, which Resultant draws with: it may be switched off in the settings.");
   else {
-    const late = new Promise((_, no) => setTimeout(no, 3000, new Error("the browser's database does not answer")));
+    const late = new Promise((_, no) => setTimeout(no, 10000, new Error("the browser's database does not answer")));
     Promise.race([loadPictures(), late])
       .catch((error) => { if (at("notice").hidden) tell(`Pictures of own levels cannot be read: ${error.message || error.name}`); })
       .then(() => load("resultant.wasm"));
