@@ -83,7 +83,12 @@ impl<H: Storage> AboveShipped<H> {
         shipped: impl FnOnce(ShippedItem) -> io::Result<T>,
     ) -> io::Result<T> {
         match answer {
-            Err(error) if is_missing(&error) => self.shipped(path).map_or(Err(error), shipped),
+            Err(error) if is_missing(&error) => match self.shipped(path) {
+                Some(item) => shipped(item),
+                // A user's folder below a file: what it lacks is simply not there.
+                None if error.kind() == io::ErrorKind::NotADirectory => Err(io::ErrorKind::NotFound.into()),
+                None => Err(error),
+            },
             answer => answer,
         }
     }
