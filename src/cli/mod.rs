@@ -3,6 +3,7 @@
 
 mod chart;
 mod check;
+mod code;
 mod earned;
 mod edit;
 mod files;
@@ -61,6 +62,8 @@ enum Subcommand {
     Unpack(pack::UnpackArgs),
     /// Fly recorded runs, or all saved scores, again and compare where they lead
     Verify(verify::VerifyArgs),
+    /// Print the code of a recorded run: a line of text that `verify` and the game take
+    Code(code::CodeArgs),
     /// Run a list of commands through a map of tiles
     Tiles(tiles::TilesArgs),
     /// Climb the jumper's tower without a window
@@ -103,6 +106,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, CommandError> {
         Some(Subcommand::Pack(args)) => pack::pack(args, &project, out),
         Some(Subcommand::Unpack(args)) => pack::unpack(args, &project, out),
         Some(Subcommand::Verify(args)) => verify::run(args, &project, out),
+        Some(Subcommand::Code(args)) => code::run(args, out),
         Some(Subcommand::Tiles(args)) => tiles::run(args, &project, out),
         Some(Subcommand::Jumper(args)) => jumper::run(args, &project, out),
         Some(Subcommand::Pi(args)) => pi::run(args, &project, out),

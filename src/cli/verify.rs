@@ -4,16 +4,19 @@ use super::earned;
 use super::files::read_text;
 use super::project::Project;
 use super::stop::{CommandError, Readers, Silence, Status, TICKS_A_LOOK, shown};
-use crate::files::INPUTS;
+use crate::files::{self, INPUTS};
 use crate::game::{Mismatch, PROGRAM, Replay};
 use crate::level::Level;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
 
+/// Bytes: a shorter word is the name of a file.
+const SHORTEST_CODE: usize = 80;
+
 #[derive(clap::Args, Debug)]
 pub struct VerifyArgs {
-    /// Recorded runs, as `run --record` writes them
+    /// Recorded runs, as `run --record` writes them, or codes of flights
     #[arg(required_unless_present = "scores", value_name = "REPLAY")]
     replays: Vec<PathBuf>,
     /// Fly the flight of every saved score again, and name the rows that do not hold
@@ -29,7 +32,7 @@ pub fn run(args: &VerifyArgs, project: &Project, out: &mut dyn Write) -> Result<
     }
     let (mut replays, mut problems) = (Vec::new(), Vec::new());
     for path in &args.replays {
-        let name = shown(path.display());
+        let name = short(&shown(path.display()));
         match read(project, path) {
             Ok((replay, level)) => replays.push((name, replay, level)),
             Err(CommandError::Refused(problem)) => problems.push(problem),
@@ -65,6 +68,12 @@ pub fn run(args: &VerifyArgs, project: &Project, out: &mut dyn Write) -> Result<
     Ok(status)
 }
 
+/// A code in a message: its beginning.
+fn short(name: &str) -> String {
+    let begin: String = name.chars().take(SHORTEST_CODE / 2).collect();
+    if name.len() < SHORTEST_CODE || name.contains(['/', '.', '\\']) { name.to_owned() } else { format!("{begin}…") }
+}
+
 /// Flies a record and reports the progress from time to time.
 fn fly(name: &str, replay: &Replay, level: Arc<Level>, err: &mut dyn Write) -> Result<Result<(), Mismatch>, CommandError> {
     let (ticks, mut silence) = (replay.inputs.ticks(), Silence::new());
@@ -78,7 +87,13 @@ fn fly(name: &str, replay: &Replay, level: Arc<Level>, err: &mut dyn Write) -> R
 }
 
 fn read(project: &Project, path: &std::path::Path) -> Result<(Replay, Arc<Level>), CommandError> {
-    let replay = Replay::parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(CommandError::refused)?;
+    let code = path.to_str().filter(|text| text.len() >= SHORTEST_CODE && !files::is_file(path));
+    let replay = match code {
+        Some(code) => {
+            Replay::from_code(code).map_err(|problem| CommandError::Refused(format!("the code {}: {problem}", short(code))))?
+        }
+        None => Replay::parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(CommandError::refused)?,
+    };
     let named = |stop| match stop {
         CommandError::Refused(problem) => CommandError::Refused(format!("{}: {problem}", shown(path.display()))),
         other => other,

@@ -105,6 +105,7 @@ impl Fingerprint {
             background: _,
             // Prizes follow from a result at any time.
             awards: _,
+            landscape: _,
             decoration: _,
             // Shown and scored, without an effect on the flight.
             experiment: _,

@@ -93,10 +93,20 @@ impl Inputs {
     }
 
     pub fn record(&mut self, controls: Controls) {
+        self.hold(controls, 1);
+    }
+
+    /// `ticks` more with those keys.
+    pub fn hold(&mut self, controls: Controls, ticks: u64) {
         match self.rows.last_mut() {
-            Some(row) if row.controls == controls => row.ticks += 1,
-            _ => self.rows.push(HeldKeys { ticks: 1, controls }),
+            Some(row) if row.controls == controls => row.ticks += ticks,
+            _ => self.rows.push(HeldKeys { ticks, controls }),
         }
+    }
+
+    /// Keys, and the number of ticks for which they are held.
+    pub fn rows(&self) -> impl Iterator<Item = (Controls, u64)> + '_ {
+        self.rows.iter().map(|row| (row.controls, row.ticks))
     }
 
     /// The controls of each tick after the first `ticks` ones.

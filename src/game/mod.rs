@@ -11,6 +11,7 @@
 mod again;
 mod attempt;
 mod clock;
+mod code;
 mod controls;
 mod death;
 mod event;

@@ -88,6 +88,7 @@ impl Draft {
             friction: settings.friction,
             experiment: settings.experiment,
             awards: settings.awards,
+            landscape: settings.landscape,
             player,
             world: items(self.world),
             movers: items(self.movers),

@@ -3,10 +3,10 @@
 use super::name::{self, NameFault};
 use super::problem::{Problem, quoted};
 use super::read::{Loaded, read, read_unfinished};
-use super::schema::{Kind, Table};
+use super::schema::{Kind, Table, Word};
 use super::source::Files;
 use super::table;
-use super::types::Look;
+use super::types::{Landscape, Look};
 use crate::files::{self, CsvFile};
 use std::cmp::Ordering;
 use std::io;
@@ -101,10 +101,20 @@ impl Files for LevelDisk<'_> {
 
 /// The title in a level's constants.csv, the only file that is read.
 pub fn title(folder: &Path) -> Option<String> {
+    setting(folder, "title")
+}
+
+/// The world of a level that comes with the game.
+pub fn landscape(folder: &Path) -> Option<Landscape> {
+    let word = is_shipped(folder).then(|| setting(folder, "world"))??;
+    Landscape::words().into_iter().find(|(name, _)| word.eq_ignore_ascii_case(name)).map(|(_, landscape)| landscape)
+}
+
+fn setting(folder: &Path, name: &str) -> Option<String> {
     let bytes = files::read(&folder.join(Table::Constants.file()), files::LEVEL_TABLE).ok()?;
     let table = table::read(Table::Constants.rows(), &bytes, &mut Vec::new());
-    let titles = table.records.iter().filter(|row| row.text("name").is_some_and(|name| name.eq_ignore_ascii_case("title")));
-    titles.filter_map(|row| row.text("value")).next().filter(|title| !title.is_empty()).map(str::to_owned)
+    let rows = table.records.iter().filter(|row| row.text("name").is_some_and(|given| given.eq_ignore_ascii_case(name)));
+    rows.filter_map(|row| row.text("value")).next().filter(|value| !value.is_empty()).map(str::to_owned)
 }
 
 /// The lists of the levels that come with the game, each beside the levels' folders.

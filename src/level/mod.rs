@@ -36,7 +36,7 @@ mod world_def;
 
 #[cfg(test)]
 pub(crate) use folder::fixture;
-pub use folder::{is_shipped, list, load, load_unfinished, title};
+pub use folder::{is_shipped, landscape, list, load, load_unfinished, title};
 pub use image::read_picture;
 pub use name::{NameFault, is_device, judge_name};
 pub use problem::{Problem, listed};
@@ -45,8 +45,9 @@ pub use schema::FILES;
 pub use ship_body::{SHIP_BODY, nose, ship_body, sweep_touches};
 pub use source::{BACKGROUND, Files};
 pub use types::{
-    AirStream, Awards, BURN_RATE, Decoration, Fluid, GravityZone, Level, Look, Mark, Mover, Object, Objective, ObjectiveKind, Pod,
-    Presser, Route, SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, ShipStart, Solid, Switch, SwitchStay, TICK_RATE, Text, Work,
+    AirStream, Awards, BURN_RATE, Decoration, Fluid, GravityZone, Landscape, Level, Look, Mark, Mover, Object, Objective,
+    ObjectiveKind, Pod, Presser, Route, SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, ShipStart, Solid, Switch, SwitchStay,
+    TICK_RATE, Text, Work,
 };
 pub use varied::{Parameter, varied};
 pub use wiring::{SurfaceOf, Wire, Worked};

@@ -40,6 +40,8 @@ pub struct Level {
     /// The level shows a law: the ship plays no part, and no flight is scored.
     pub experiment: bool,
     pub awards: Awards,
+    /// The colours, the sky and the music; without one the level lies on plain paper.
+    pub landscape: Option<Landscape>,
     pub player: ShipStart,
     pub world: Vec<Solid>,
     pub movers: Vec<Mover>,
@@ -59,6 +61,30 @@ pub struct Level {
     pub hints: Vec<String>,
     /// The path of background.png, where there is one.
     pub background: Option<std::path::PathBuf>,
+}
+
+/// A world of levels, as a player sees and hears it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Landscape {
+    Launch,
+    Quarry,
+    Wind,
+    Water,
+    Orbit,
+}
+
+impl Landscape {
+    pub const ALL: [Self; 5] = [Self::Launch, Self::Quarry, Self::Wind, Self::Water, Self::Orbit];
+
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Launch => "Launch site",
+            Self::Quarry => "Quarry",
+            Self::Wind => "Wind works",
+            Self::Water => "Deep water",
+            Self::Orbit => "Orbit",
+        }
+    }
 }
 
 #[derive(Clone, Debug, PartialEq)]

@@ -183,14 +183,14 @@ impl App {
         let medals = self.journal.medals(&name).with_best(&awards, best);
         let title = level.as_ref().ok().map(|(title, ..)| title.clone());
         let level = Some(level.map(|(title, _, miniature)| (title, miniature)));
-        screen.tell(index, LevelEntry { level, stamp, title, best, awards, medals, name });
+        screen.tell(index, LevelEntry { level, stamp, title, best, awards, medals, ..LevelEntry::new(name, None) });
     }
 
     /// Shows the names of levels that the worker has brought.
     pub(super) fn take_list(&mut self, names: Vec<String>) {
         self.asked.remove("");
         if let Some(screen) = self.screen.get_mut::<LevelSelect>() {
-            screen.renew(names);
+            screen.renew(names, |name| self.library.landscape(name));
         }
     }
 

@@ -54,6 +54,8 @@ pub enum FlightSource {
     Level(PathBuf),
     /// A row of the board leads to it.
     Row(RowOrigin),
+    /// A code that a player pasted.
+    Code(String),
 }
 
 /// A flight that can be watched.
@@ -126,6 +128,15 @@ impl Flights {
     /// What became of it.
     pub fn message(&self) -> Option<&str> {
         self.message.as_ref().map(|(words, _)| words.as_str())
+    }
+
+    /// Adds a flight that has been proven, and chooses it.
+    pub fn add(&mut self, candidate: FlightCandidate) {
+        self.candidates.retain(|other| other.source != candidate.source);
+        self.candidates.push(candidate);
+        self.read.resize(self.candidates.len(), true);
+        self.chosen = self.candidates.len() - 1;
+        self.marked.clear();
     }
 
     fn mark(&mut self, index: usize) {
@@ -221,12 +232,17 @@ impl Screen for Flights {
         let told = |(words, bad)| (words, if bad { theme::bad() } else { theme::good() });
         let (words, colour) = self.message.as_ref().map_or(hint, |(words, bad)| told((words.as_str(), *bad)));
         ui.fitted(words, Vec2::new(size.x / 2.0, panel.min.y - 24.0), &[TEXT], colour);
-        let pressed = ui.row(panel.max().y + FOOT, &["Watch", "Race", "Keep as File", "Back"]);
+        let pressed = ui.row(panel.max().y + FOOT, &["Watch", "Race", "Keep as File", "Copy Code", "Paste Code", "Back"]);
         if ui.key(Key::Escape) || pressed == Some("Back") {
             return Some((*self.visit.back).clone());
         }
+        if pressed == Some("Paste Code") {
+            let code = ui.input().clipboard.text();
+            return Some(Request::PasteCode(self.visit.clone(), code.trim().to_owned()));
+        }
         let chosen = self.candidates.get(self.chosen)?.clone();
         match pressed? {
+            "Copy Code" => Some(Request::CopyCode(self.visit.clone(), chosen)),
             "Watch" => Some(Request::Watch(self.visit.clone(), chosen)),
             "Race" => Some(Request::Race(self.visit.clone(), self.rivals())),
             _ => Some(Request::Keep(self.visit.clone(), chosen)),

@@ -109,6 +109,7 @@ pub fn read(visit: &Visit, source: &FlightSource, scores: &Scores) -> Result<Rep
             let text = read_text(path, INPUTS).map_err(|error| format!("{named}: {error}"))?;
             Replay::parse(&named, &text).map_err(|problems| problems.0.first().cloned().unwrap_or_default())?
         }
+        FlightSource::Code(code) => Replay::from_code(code)?,
         FlightSource::Row(origin) => {
             scores.flight(&visit.level, origin).ok_or("the row names no flight")?.map_err(|problems| first_line(&problems))?
         }

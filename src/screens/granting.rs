@@ -70,7 +70,12 @@ impl App {
             #[cfg(all(feature = "window", browser))]
             Request::PageData => Box::new(super::page_data::PageData::default()),
             Request::Quit => return None,
-            Request::Flights(_) | Request::Watch(..) | Request::Race(..) | Request::Keep(..) => {
+            Request::Flights(_)
+            | Request::Watch(..)
+            | Request::Race(..)
+            | Request::Keep(..)
+            | Request::CopyCode(..)
+            | Request::PasteCode(..) => {
                 return self.visit(request, spectator);
             }
             request => return self.begin_editing(request, spectator),
@@ -85,7 +90,7 @@ impl App {
 
     pub(super) fn level_select(&mut self, purpose: Purpose) -> LevelSelect {
         self.library.close();
-        let mut screen = LevelSelect::new(purpose, self.library.names());
+        let mut screen = LevelSelect::new(purpose, self.library.names(), |name| self.library.landscape(name));
         if let Some(name) = &self.last_level {
             screen.turn_to_level(name);
         }

@@ -7,21 +7,21 @@ use super::prompt::{Prompt, Reply};
 use super::{Key, Make, Problems, Request, Screen, Visit};
 use crate::draw::Style;
 use crate::draw::layout::{ROW_BUTTON, TEXT, Vec2};
+use crate::level::Landscape;
 use crate::settings::Action;
 use crate::ui::{Ui, WidgetKind};
 use crate::view::theme;
-use places::{FOOT, FOOT_BUTTON, HEAD, SIDE, cards, from_left, from_right};
+use places::{FOOT, FOOT_BUTTON, HEAD, SIDE, from_left, from_right};
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::path::PathBuf;
 
 mod card;
 mod entry;
 mod places;
+mod shelves;
 
 pub use entry::LevelEntry;
-
-/// Levels a page.
-const PAGE: usize = 15;
 
 /// What a level is chosen for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +56,8 @@ pub struct LevelSelect {
     /// What is to be found, and which entries that finds.
     find: String,
     found: Vec<usize>,
+    /// The levels found, page by page and shelf by shelf.
+    pages: Vec<Vec<Range<usize>>>,
     page: usize,
     /// The level that has the focus when the page opens, and the one that has it now.
     start: Option<String>,
@@ -78,13 +80,13 @@ enum Asked {
 }
 
 impl LevelSelect {
-    /// The list of those levels for that purpose.
-    pub fn new(purpose: Purpose, names: Vec<String>) -> Self {
-        let entries: Vec<LevelEntry> = names.into_iter().map(LevelEntry::new).collect();
-        Self {
+    /// The list of those levels for that purpose; `world` is that of a level by its name.
+    pub fn new(purpose: Purpose, names: Vec<String>, world: impl Fn(&str) -> Option<Landscape>) -> Self {
+        let mut screen = Self {
             purpose,
-            found: (0..entries.len()).collect(),
-            entries,
+            found: Vec::new(),
+            entries: Vec::new(),
+            pages: Vec::new(),
             find: String::new(),
             page: 0,
             start: None,
@@ -93,13 +95,15 @@ impl LevelSelect {
             pick: None,
             prompt: None,
             look: LOOK_EVERY,
-        }
+        };
+        screen.renew(names, world);
+        screen
     }
 
     /// Opens the page of a level, which has the focus then.
     pub fn turn_to_level(&mut self, name: &str) {
         if let Some(index) = self.found.iter().position(|index| self.entries[*index].name == name) {
-            self.page = index / PAGE;
+            self.page = self.pages.iter().position(|page| page.iter().any(|shelf| shelf.contains(&index))).unwrap_or(0);
             self.start = Some(name.to_owned());
         }
     }
@@ -131,7 +135,8 @@ impl LevelSelect {
 
     /// The entries in view.
     pub fn in_view(&self) -> Vec<usize> {
-        self.found.iter().skip(self.page * PAGE).take(PAGE).copied().collect()
+        let shelves = self.pages.get(self.page).map_or(&[][..], Vec::as_slice);
+        shelves.iter().flat_map(|shelf| &self.found[shelf.clone()]).copied().collect()
     }
 
     /// Whether it is time to look whether files have changed.
@@ -146,16 +151,17 @@ impl LevelSelect {
 
     /// Takes over what is known of a level now.
     pub fn tell(&mut self, index: usize, entry: LevelEntry) {
-        self.entries[index] = entry;
+        self.entries[index] = LevelEntry { world: self.entries[index].world, ..entry };
     }
 
     /// Shows those levels instead; what is known of a level stays, and so does the focus on its card.
-    pub fn renew(&mut self, names: Vec<String>) {
-        if names.iter().eq(self.entries.iter().map(|entry| &entry.name)) {
+    pub fn renew(&mut self, names: Vec<String>, world: impl Fn(&str) -> Option<Landscape>) {
+        if !names.is_empty() && names.iter().eq(self.entries.iter().map(|entry| &entry.name)) {
             return;
         }
         let mut known: BTreeMap<String, LevelEntry> = self.entries.drain(..).map(|entry| (entry.name.clone(), entry)).collect();
-        self.entries = names.into_iter().map(|name| known.remove(&name).unwrap_or_else(|| LevelEntry::new(name))).collect();
+        let entry = |name: String| known.remove(&name).unwrap_or_else(|| LevelEntry::new(name.clone(), world(&name)));
+        self.entries = names.into_iter().map(entry).collect();
         self.search();
         if let Some(name) = self.focused.clone() {
             self.turn_to_level(&name);
@@ -243,7 +249,9 @@ impl LevelSelect {
     fn search(&mut self) {
         let letters = self.find.trim().to_lowercase();
         self.found = (0..self.entries.len()).filter(|index| self.entries[*index].has(&letters)).collect();
-        self.page = self.page.min(self.pages() - 1);
+        let worlds: Vec<Option<Landscape>> = self.found.iter().map(|index| self.entries[*index].world).collect();
+        self.pages = shelves::pages(&worlds);
+        self.page = self.page.min(self.pages.len().saturating_sub(1));
     }
 
     fn show_prompt(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
@@ -285,15 +293,11 @@ impl LevelSelect {
     }
 
     fn turn_to(&mut self, page: usize, ui: &mut Ui<'_>) {
-        if page < self.pages() && page != self.page {
+        if page < self.pages.len() && page != self.page {
             self.page = page;
             self.start = None;
             ui.focus(None);
         }
-    }
-
-    fn pages(&self) -> usize {
-        self.found.len().div_ceil(PAGE).max(1)
     }
 
     fn show_heading(&self, ui: &Ui<'_>) {
@@ -322,7 +326,14 @@ impl LevelSelect {
     fn show_cards(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         let mut request = None;
         self.focused = None;
-        for (index, area) in self.in_view().into_iter().zip(cards(self.found.len().min(PAGE), &ui.frame())) {
+        let page = self.pages.get(self.page).map_or(&[][..], Vec::as_slice);
+        let has_worlds = self.found.iter().any(|index| self.entries[*index].world.is_some());
+        let (cards, headings) = shelves::places(page, has_worlds, &ui.frame());
+        for (shelf, area) in page.iter().zip(headings) {
+            let levels: Vec<&LevelEntry> = self.found[shelf.clone()].iter().map(|index| &self.entries[*index]).collect();
+            shelves::draw_heading(ui.canvas(), area, &levels);
+        }
+        for (index, area) in self.in_view().into_iter().zip(cards) {
             let entry = &self.entries[index];
             let touch = ui.touch(&entry.name, area, WidgetKind::Button);
             card::draw(ui.canvas(), area, entry, touch);
@@ -351,10 +362,10 @@ impl LevelSelect {
         let areas = (0..labels.len()).map(|i| from_left(i as f32, &frame)).collect();
         let pressed = ui.buttons(areas, labels);
         let mut turned = None;
-        if self.pages() > 1 {
+        if self.pages.len() > 1 {
             turned = ui.buttons(vec![from_right(1.0, &frame), from_right(0.0, &frame)], &["Previous", "Next"]);
             let at = Vec2::new(frame.size.x - SIDE - 2.0 * FOOT_BUTTON.x - 100.0, frame.size.y - FOOT - ROW_BUTTON.y / 2.0);
-            let page = format!("Page {} of {}", self.page + 1, self.pages());
+            let page = format!("Page {} of {}", self.page + 1, self.pages.len());
             ui.text(&page, at, Style::new(TEXT, theme::quiet()).centred().middle());
         }
         if turned == Some("Next") || ui.key(Key::PageDown) {

@@ -6,7 +6,7 @@ use crate::classics::tile_run::{Command, InputError, Map};
 use crate::files::{self, CHART, CsvFile, CsvRow, TILE_COMMANDS, TILE_MAP, read_text};
 use crate::lab::charts::Charts;
 use crate::lab::kept;
-use crate::level::{self, Level};
+use crate::level::{self, Landscape, Level};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -82,6 +82,11 @@ impl Library {
     /// A level's title, without loading it; its name where it has none.
     pub fn title(&self, name: &str) -> String {
         level::title(&self.levels.join(name)).unwrap_or_else(|| name.to_owned())
+    }
+
+    /// The world of a level that comes with the game.
+    pub fn landscape(&self, name: &str) -> Option<Landscape> {
+        level::landscape(&self.levels.join(name))
     }
 
     /// What a level's folder and its pictures look like from the outside.

@@ -1,6 +1,6 @@
 //! A level in small: what a card shows of it.
 
-use crate::level::{Level, ObjectiveKind, SHIP_HALF};
+use crate::level::{Landscape, Level, ObjectiveKind, SHIP_HALF};
 use crate::physics::{Aabb, DVec2};
 
 /// The most things of a kind that are shown, the largest ones: a card has no room for more, and a page has fifteen cards.
@@ -36,6 +36,8 @@ pub struct Miniature {
     pub size: DVec2,
     /// What is where.
     pub shapes: Vec<(Aabb, MiniaturePart)>,
+    /// Its world's colours.
+    pub landscape: Option<Landscape>,
 }
 
 impl Miniature {
@@ -64,15 +66,16 @@ impl Miniature {
         let object = |key: Option<[u8; 3]>| key.map_or(MiniaturePart::Object, MiniaturePart::Key);
         add(level.objects.iter().map(|it| (Aabb::around(it.position, it.size * 0.5), object(it.key))).collect());
         add(vec![(Aabb::around(level.player.position, SHIP_HALF), MiniaturePart::Ship)]);
-        Self { size: level.size, shapes }
+        Self { size: level.size, shapes, landscape: level.landscape }
     }
 }
 
 mod drawing {
     use super::{Miniature, MiniaturePart};
     use crate::draw::layout::{Area, Vec2};
-    use crate::draw::{Canvas, Colour};
+    use crate::draw::{Canvas, Colour, Quads};
     use crate::physics::DVec2;
+    use crate::view::sky::{self, WorldPalette};
     use crate::view::terrain::Tint;
     use crate::view::theme;
 
@@ -85,6 +88,11 @@ mod drawing {
             let scale = (f64::from(area.size.x) / self.size.x).min(f64::from(area.size.y) / self.size.y);
             let paper = Area::around(area.centre(), (self.size * scale).as_vec2());
             canvas.rounded(paper, 2.0, theme::ground());
+            if let Some(landscape) = self.landscape.filter(|_| !theme::is_contrast()) {
+                let mut quads = Quads::default();
+                sky::gradient(&mut quads, paper, WorldPalette::of(landscape).sky);
+                canvas.quads(quads);
+            }
             canvas.rounded_edge(paper.inset(-1.0), 2.0, 1.0, tint.heavy);
             let point = |metres: DVec2| paper.min + (metres * scale).as_vec2().clamp(Vec2::ZERO, paper.size);
             for (bounds, part) in &self.shapes {

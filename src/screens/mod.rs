@@ -170,6 +170,10 @@ pub enum Request {
     Export(NewFile),
     /// One of them is kept as a file.
     Keep(Visit, FlightCandidate),
+    /// The code of one of them is to be copied.
+    CopyCode(Visit, FlightCandidate),
+    /// A flight's code, to be proven and listed.
+    PasteCode(Visit, String),
     /// A score is to be saved under the player's name.
     SaveScore(Gain),
     /// It is saved under that name.

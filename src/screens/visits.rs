@@ -3,7 +3,7 @@
 use super::footage;
 use super::leaderboard::subject;
 use super::{App, Attempt, Flight, FlightCandidate, FlightSource, Flights, Purpose, Request, Rival, Screen, Spectator, Visit};
-use crate::game::{Fingerprint, Reel, TICK_RATE};
+use crate::game::{Fingerprint, Reel, Replay, TICK_RATE};
 use crate::level::Level;
 use crate::scores::Board;
 use std::sync::Arc;
@@ -17,13 +17,27 @@ impl App {
             Request::Race(visit, candidates) => self.race(&visit, &candidates).map(|attempt| self.flight(attempt, spectator)),
             Request::Keep(visit, candidate) => {
                 let kept = self.keep(&visit, &candidate);
-                let bad = kept.is_err();
-                self.tell_flights(kept.unwrap_or_else(|problem| problem), bad);
+                self.tell_flights(kept);
+                return None;
+            }
+            Request::CopyCode(visit, candidate) => {
+                let code = self.named_record(&visit, &candidate).and_then(|(_, replay)| replay.code());
+                let copied = code.map(|code| {
+                    let words = format!("Copied: {} characters", code.len());
+                    self.clipboard.keep(code);
+                    words
+                });
+                self.tell_flights(copied);
+                return None;
+            }
+            Request::PasteCode(visit, code) => {
+                let pasted = self.paste(&visit, code);
+                self.tell_flights(pasted);
                 return None;
             }
             _ => return None,
         };
-        granted.map_err(|problem| self.tell_flights(problem, true)).ok()
+        granted.map_err(|problem| self.tell_flights(Err(problem))).ok()
     }
 
     /// The flights of a level, or why there is no such level.
@@ -84,20 +98,47 @@ impl App {
 
     /// Keeps a flight as a file, and says where.
     fn keep(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<String, String> {
+        let (_, replay) = self.named_record(visit, candidate)?;
+        let path = footage::keep(&self.places.root.join("flights"), &visit.level, &candidate.name, &replay)?;
+        Ok(format!("Kept as {}", path.display()))
+    }
+
+    /// A record with the player's name where it was just flown, and its level.
+    fn named_record(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<(Arc<Level>, Replay), String> {
         let level = self.level_of(visit, candidate)?;
         let mut replay = footage::record(visit, candidate, &self.scores, &level)?;
         let player = self.journal.current();
         if candidate.source == FlightSource::Flown && !player.is_guest() {
             replay.player = Some(player.to_string());
         }
-        let path = footage::keep(&self.places.root.join("flights"), &visit.level, &candidate.name, &replay)?;
-        Ok(format!("Kept as {}", path.display()))
+        Ok((level, replay))
+    }
+
+    /// Flies the flight of a code, and lists it where it holds. Its length is bounded: two seconds at most.
+    fn paste(&mut self, visit: &Visit, code: String) -> Result<String, String> {
+        let replay = Replay::from_code(&code).map_err(|problem| format!("No code of a flight: {problem}"))?;
+        if replay.level != visit.level {
+            return Err(format!("This flight is of level {}, here are those of level {}.", replay.level, visit.level));
+        }
+        let name = replay.player.clone().unwrap_or_else(|| "Somebody".to_owned());
+        let about = "by its code, proven".to_owned();
+        let (score, time) = (Some(replay.score), replay.time);
+        let candidate = FlightCandidate { name, about, score, time, source: FlightSource::Code(code) };
+        let level = self.level_of(visit, &candidate)?;
+        let flown = replay.verify(level, |_| {}).map_err(|error| error.to_string())?;
+        flown.map_err(|mismatch| format!("This flight does not hold: {mismatch}"))?;
+        let words = format!("Proven: {}", candidate.name);
+        if let Some(screen) = self.screen.get_mut::<Flights>() {
+            screen.add(candidate);
+        }
+        Ok(words)
     }
 
     /// Says on the list of flights what became of something.
-    fn tell_flights(&mut self, words: String, bad: bool) {
+    fn tell_flights(&mut self, became: Result<String, String>) {
         if let Some(screen) = self.screen.get_mut::<Flights>() {
-            screen.tell(words, bad);
+            let bad = became.is_err();
+            screen.tell(became.unwrap_or_else(|problem| problem), bad);
         }
     }
 }

@@ -32,6 +32,7 @@ pub mod pictures;
 pub mod plane;
 pub mod quantity;
 pub mod scale;
+pub mod sky;
 #[cfg(feature = "window")]
 pub mod sound;
 mod stirred;

@@ -87,6 +87,11 @@ fn colours() -> &'static Colours {
     }
 }
 
+/// Whether the palette of high contrast is worn.
+pub fn is_contrast() -> bool {
+    WORN.load(Ordering::Relaxed) == Palette::HighContrast as u8
+}
+
 /// The background.
 pub fn ground() -> Colour {
     colours().ground
@@ -181,6 +186,8 @@ pub const fn force(kind: ForceKind) -> Colour {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::level::Landscape;
+    use crate::view::sky::WorldPalette;
 
     /// Colour blindness on linear light, after Machado, Oliveira and Fernandes (2009), full strength: none, protan, deutan, tritan.
     const SIGHTS: [[[f64; 3]; 3]; 4] = [
@@ -242,6 +249,22 @@ mod tests {
                     for (j, b) in labs.iter().enumerate().skip(i + 1) {
                         let apart = difference(*a, *b);
                         assert!(apart >= least, "colours {i} and {j} with sight {kind}: {apart:.1}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_carries_a_meaning_stands_out_in_every_world() {
+        let meanings = [SAFE.text, SAFE.good, SAFE.bad, SAFE.player_objective, SAFE.physics_objective, SAFE.accent];
+        for landscape in Landscape::ALL {
+            let WorldPalette { sky: [top, bottom], layers: [far, near], rock, .. } = WorldPalette::of(landscape);
+            for ground in [top, bottom, far, near, rock] {
+                for (kind, sight) in SIGHTS.iter().enumerate() {
+                    for (i, colour) in meanings.iter().enumerate() {
+                        let apart = difference(lab(*colour, sight), lab(ground, sight));
+                        assert!(apart >= 15.0, "{landscape:?}: colour {i} on {ground:?} with sight {kind}: {apart:.1}");
                     }
                 }
             }

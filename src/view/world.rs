@@ -2,6 +2,7 @@
 
 use super::camera::Viewport;
 use super::pictures::Pictures;
+use super::sky;
 use super::terrain::Tint;
 use super::theme;
 use crate::draw::layout::{Area, nearest_size, text_room};
@@ -17,12 +18,14 @@ const FINEST_PAPER: f64 = 8.0;
 /// The most that the nearest size of type may exceed the author's.
 const SNAPPED: f64 = 1.25;
 
-/// The background, the author's picture and the graph paper: a fine line each metre, a heavy one each ten.
-pub fn draw_ground(level: &Level, tint: &Tint, pictures: &Pictures, view: &Viewport, canvas: &Canvas) {
+/// The background (the author's picture, or the sky of the level's world) and the graph paper: a fine line each metre, a heavy one each ten.
+pub fn draw_ground(level: &Level, tint: &Tint, pictures: &Pictures, (view, canvas): (&Viewport, &Canvas), time: f64) {
     let all = view.rect(&Aabb::new(DVec2::ZERO, level.size));
     let picture = level.background.as_ref().and_then(|path| pictures.get(path));
     if let Some(image) = picture {
         canvas.image(image, all, Colour::WHITE);
+    } else if let Some(landscape) = level.landscape {
+        sky::draw(landscape, view, canvas, time);
     }
     let strength = if picture.is_some() { PAPER_OVER_PICTURE } else { 1.0 };
     let fine = view.scale() >= FINEST_PAPER;

@@ -327,6 +327,39 @@ fn a_flight_is_kept_as_a_file_and_says_where() {
 }
 
 #[test]
+fn a_flight_goes_from_one_game_to_another_as_a_code() {
+    let mut one = sitting();
+    one.fly("0");
+    fly_up(&mut one, 0);
+    one.choose("Flights").choose("Copy Code");
+    assert!(one.flights().message().unwrap().starts_with("Copied: "), "{:?}", one.flights().message());
+    let code = one.app.clipboard_text();
+
+    let mut other = sitting();
+    other.fly("0");
+    fly_up(&mut other, 30);
+    other.choose("Flights");
+    let count = other.flights().candidates().len();
+    let mut paste = |text: &str| {
+        other.app.copy(text);
+        other.choose("Paste Code");
+        (other.flights().message().unwrap().to_owned(), other.flights().candidates().len() - count)
+    };
+    assert_eq!(paste(&format!("{code}\n")), ("Proven: Somebody".to_owned(), 1));
+    assert_eq!(paste(&code).1, 1, "once is enough");
+    assert!(paste(&code[..code.len() - 9]).0.contains("cut or altered"));
+    assert!(paste("hello").0.starts_with("No code of a flight"));
+    // A code whose sender claims another score, and one of another level.
+    let honest = Replay::from_code(&code).unwrap();
+    let (words, more) = paste(&Replay { score: honest.score + 1, ..honest.clone() }.code().unwrap());
+    assert!(words.starts_with("This flight does not hold: recorded score") && more == 1, "{words}");
+    let (words, _) = paste(&Replay { level: "7".to_owned(), ..honest }.code().unwrap());
+    assert!(words.contains("of level 7"), "{words}");
+    other.choose("Race");
+    assert_eq!(other.flight().race().unwrap().all().len(), 1);
+}
+
+#[test]
 fn a_lost_flight_can_be_watched_and_one_with_help_is_not_recorded() {
     let mut sitting = Sitting::new();
     sitting.lose();

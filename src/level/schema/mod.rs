@@ -15,4 +15,5 @@ pub(super) mod zones;
 pub use facts::{Column, Count, FileSchema, RowSchema};
 pub use kinds::{FILES, Kind, Table};
 pub use settings::SETTINGS;
+pub(super) use typed::Word;
 pub use written::{documentation, sample};

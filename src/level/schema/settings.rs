@@ -2,24 +2,30 @@
 
 use super::facts::{Column, FileSchema, Holds, RowSchema};
 use super::record::{RowCells, RowReader};
-use super::typed::{Maybe, TypedColumn, number, rows, size, words};
+use super::typed::{Maybe, TypedColumn, Word, number, one_of, rows, size, words};
 use crate::level::nearest::meant;
 use crate::level::numbers::{self, PixelScale};
 use crate::level::problem::{Problem, quoted};
-use crate::level::types::{Awards, Mark};
+use crate::level::types::{Awards, Landscape, Mark};
 
 pub static CONSTANTS: FileSchema = FileSchema {
     name: "constants.csv",
     help: "The settings of the level. width and height are needed where there is no background.png; silver and gold and one mark \
            (mark_hits, mark_fuel, mark_pushes or mark_speed) are what the level's medals ask for.",
     sample: "title,{name}\ngravity,15\ngravity_x,0\nair_density,1.2041\noptimal_time,60\nmetre,30\nrest_speed,0\nfriction,1\n\
-             experiment,0\nsilver,30\ngold,15\nmark_hits,0\nwidth,1280\nheight,720\n",
+             experiment,0\nworld,quarry\nsilver,30\ngold,15\nmark_hits,0\nwidth,1280\nheight,720\n",
 };
 pub static SETTING: RowSchema = RowSchema::new(&CONSTANTS, "Setting", SettingRow::COLUMNS);
 
 const TIME: Maybe<f64> =
     number(numbers::MEDAL_TIME, "the longest time for this medal; gold is no longer than silver").maybe_filled();
 const SIDE: TypedColumn<f64> = size("size of the level, where there is no background.png");
+
+impl Word for Landscape {
+    fn words() -> Vec<(&'static str, Self)> {
+        ["launch", "quarry", "wind", "water", "orbit"].into_iter().zip(Self::ALL).collect()
+    }
+}
 
 rows! {
     SettingRow {
@@ -40,6 +46,7 @@ rows! {
             number(numbers::REST_SPEED, "a slower rebound is none; with 0 a body bounces until its series of bounces ends").or("0"),
         friction: f64 = number(numbers::FRICTION, "factor of all coefficients of friction").or("1"),
         experiment: f64 = number(numbers::YES, "1: the level shows a law, the ship plays no part and nothing is scored").or("0"),
+        world: Option<Landscape> = one_of::<Landscape>("the world whose colours, sky and music it has").maybe(),
         silver: Option<f64> = TIME,
         gold: Option<f64> = TIME,
         mark_hits: Option<f64> = number(numbers::MARK_COUNT, "mark for no more damaging hits than this; a whole number").maybe_filled(),
@@ -63,6 +70,7 @@ pub(in crate::level) struct LevelSettings {
     pub friction: f64,
     pub experiment: bool,
     pub awards: Awards,
+    pub landscape: Option<Landscape>,
     pub width: Option<f64>,
     pub height: Option<f64>,
     pub given: RowCells,
@@ -88,6 +96,7 @@ pub(in crate::level) fn settings(rows: Vec<RowCells>, reader: &mut RowReader, wa
         friction: or_usual(row.friction, usual.friction),
         experiment: row.experiment == Some(1.0),
         awards,
+        landscape: row.world.flatten(),
         width: row.width.flatten(),
         height: row.height.flatten(),
         given,

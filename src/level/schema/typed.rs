@@ -166,7 +166,7 @@ pub(super) const fn boolean(help: &'static str) -> TypedColumn<bool> {
 }
 
 /// A value that a file names by one of a few words.
-pub(super) trait Word: Sized {
+pub trait Word: Sized {
     fn words() -> Vec<(&'static str, Self)>;
 }
 

@@ -36,7 +36,7 @@ pub(super) fn draw(canvas: &Canvas, area: Area, entry: &LevelEntry, touch: Touch
             fitted("loading …", 0.9, &[TEXT, DETAILS], theme::quiet());
         }
         Some(Ok((title, miniature))) => {
-            miniature.draw(&Tint::of(&entry.name), canvas, picture);
+            miniature.draw(&Tint::of(miniature.landscape, &entry.name), canvas, picture);
             let named = if *title == entry.name { title.clone() } else { format!("{} · {title}", entry.name) };
             let sizes: &[f32] = if area.size.x > 400.0 { &[BUTTON_TEXT, TEXT, DETAILS] } else { &[TEXT, DETAILS] };
             fitted(&named, 0.9, sizes, theme::text());

@@ -1,7 +1,7 @@
 //! A level in the list: what is known of it without opening it.
 
 use crate::game::Medals;
-use crate::level::Awards;
+use crate::level::{Awards, Landscape};
 use crate::screens::Miniature;
 use crate::screens::folder_watch::Stamp;
 use crate::screens::library::Refusal;
@@ -11,6 +11,8 @@ use crate::screens::library::Refusal;
 pub struct LevelEntry {
     /// Its folder's name.
     pub name: String,
+    /// Its world, where it comes with the game.
+    pub world: Option<Landscape>,
     /// Its title and what it looks like, or why it does not load; `None` until it has been in view.
     pub level: Option<Result<(String, Miniature), Refusal>>,
     /// What its folder looked like then.
@@ -26,10 +28,11 @@ pub struct LevelEntry {
 }
 
 impl LevelEntry {
-    /// A level of which nothing but its name is known.
-    pub fn new(name: String) -> Self {
+    /// A level of which nothing but its name and world is known.
+    pub fn new(name: String, world: Option<Landscape>) -> Self {
         Self {
             name,
+            world,
             level: None,
             stamp: Stamp::default(),
             title: None,

@@ -32,12 +32,17 @@ fn foot(frame: &Frame) -> f32 {
     frame.size.y - FOOT - ROW_BUTTON.y
 }
 
-/// The places of a page's cards: as many across as make the cards largest, all the window between the heading and the foot.
-pub(super) fn cards(count: usize, frame: &Frame) -> Vec<Area> {
-    let room = Area {
+/// All the window between the heading and the foot.
+pub(super) fn room(frame: &Frame) -> Area {
+    Area {
         min: Vec2::new(SIDE, HEAD),
         size: Vec2::new(frame.size.x - 2.0 * SIDE, frame.size.y - HEAD - FOOT - ROW_BUTTON.y - ABOVE_FOOT),
-    };
+    }
+}
+
+/// The places of a page's cards: as many across as make the cards largest, all the window between the heading and the foot.
+pub(super) fn cards(count: usize, frame: &Frame) -> Vec<Area> {
+    let room = room(frame);
     let size = |across: usize| {
         let grid = Vec2::new(across as f32, count.div_ceil(across) as f32);
         (room.size - (grid - 1.0) * BETWEEN) / grid
@@ -61,7 +66,7 @@ pub(super) fn cards(count: usize, frame: &Frame) -> Vec<Area> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::PAGE;
+    use super::super::shelves::PAGE;
     use super::*;
 
     #[test]

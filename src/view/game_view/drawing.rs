@@ -57,7 +57,7 @@ impl GameView {
         let (level, time) = (game.level(), self.time);
         let ship = (drawn_centre(game, SHIP, alpha), angle(game, alpha));
         let flicker = 0.5 + 0.5 * (time * 71.0).sin() * (time * 43.0).cos();
-        world::draw_ground(level, self.terrain.tint(), &self.pictures, view, canvas);
+        world::draw_ground(level, self.terrain.tint(), &self.pictures, (view, canvas), time);
         decoration::draw(level, false, &self.pictures, (view, canvas));
         mechanisms::draw_fields(level, view, canvas, time);
         zones::draw_streams(game, view, canvas, time);

@@ -120,7 +120,7 @@ pub fn grains(mass: &Silhouette, kind: usize) -> Vec<Grain> {
 }
 
 /// A hash from 0 to 1 of a line of the hatching on a side, the same on every run.
-fn chance(line: i64, side: DVec2) -> f64 {
+pub fn chance(line: i64, side: DVec2) -> f64 {
     let side = (side.x * 3.0 + side.y) as i64;
     let mut bits = line.wrapping_mul(4).wrapping_add(side.wrapping_mul(7919)) as u64;
     bits = (bits ^ (bits >> 31)).wrapping_mul(0x9E37_79B9_7F4A_7C15);

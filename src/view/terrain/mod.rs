@@ -1,6 +1,7 @@
 //! The solid world: one silhouette with a drafted edge, made once a level, in metres and without a window ([`silhouette`],
 //! [`drafting`], [`light`]); [`Terrain`] draws the part in view.
 
+mod corners;
 pub mod drafting;
 pub mod light;
 pub mod silhouette;

@@ -1,5 +1,6 @@
 //! Draws the terrain: the mass, its materials, the drafting, its edge, and the light on it.
 
+use super::corners::{self, RockCorner};
 use super::drafting::{self, Dimension, Grain, HatchStroke};
 use super::light::{Lit, cast};
 use super::silhouette::{Corner, RockEdge, Silhouette};
@@ -10,6 +11,8 @@ use crate::level::Level;
 use crate::physics::{Aabb, DVec2, Material};
 use crate::view::art::{self, Tile};
 use crate::view::camera::Viewport;
+use crate::view::sky::WorldPalette;
+use crate::view::theme;
 
 /// Opacity of rock over an author's picture; materials are more opaque, so that they stay distinct.
 const ROCK_OVER_PICTURE: f32 = 0.45;
@@ -51,6 +54,9 @@ pub struct Terrain {
     /// The light of each lamp.
     lit: Vec<Vec<Lit>>,
     over_picture: bool,
+    corners: Vec<RockCorner>,
+    /// The tones of the sky behind rounded corners.
+    sky: Option<[Colour; 2]>,
 }
 
 impl Terrain {
@@ -68,6 +74,7 @@ impl Terrain {
             Silhouette::new(&pieces).edges().to_vec()
         });
         let dimensions = drafting::dimensions(&mass, ROCK, &taken);
+        let sky = level.landscape.filter(|_| !over_picture && !theme::is_contrast()).map(|world| WorldPalette::of(world).sky);
         let marked: Vec<Aabb> = taken.iter().copied().chain(dimensions.iter().map(Dimension::bounds)).collect();
         Self {
             seams: seams.collect(),
@@ -75,9 +82,11 @@ impl Terrain {
             grains: drafting::grains(&mass, ROCK),
             crosses: drafting::crosses(&mass, ROCK, level.size, &marked),
             dimensions: dimensions.into_iter().map(|dimension| (dimension, metres(dimension.length()))).collect(),
-            tint: Tint::of(&level.name),
+            tint: Tint::of(level.landscape, &level.name),
             lit: lamps.take(MOST_LAMPS).map(|(bounds, reach)| cast(mass.edges(), &bounds, reach, &opaque)).collect(),
             opaque,
+            corners: if sky.is_some() { corners::corners(mass.edges(), level) } else { Vec::new() },
+            sky,
             mass,
             over_picture,
         }
@@ -99,6 +108,24 @@ impl Terrain {
         self.draw_dimensions(view, canvas, &mut quads);
         canvas.quads(quads);
         self.draw_edges(view, canvas);
+        if let Some([top, bottom]) = self.sky {
+            let mut quads = Quads::default();
+            let behind = |at: Vec2| top.mixed(bottom, (at.y / view.size().y).clamp(0.0, 1.0));
+            corners::draw(&self.corners, view, &mut quads, behind, |inward| self.rim(ROCK, inward));
+            canvas.quads(quads);
+        }
+    }
+
+    /// The colour of an edge by its kind and the unit vector into the rock: the light of the level's world falls on one side.
+    fn rim(&self, kind: usize, inward: DVec2) -> Colour {
+        let plain = edge_colour(kind, &self.tint);
+        match self.tint.rim.filter(|_| kind == ROCK) {
+            Some((rim, towards)) => {
+                let facing = -inward.dot(towards) as f32;
+                if facing > 0.0 { plain.mixed(rim, facing) } else { plain.mixed(self.tint.rock, 0.45 * -facing) }
+            }
+            None => plain,
+        }
     }
 
     /// The parts of a box that are solid ground.
@@ -165,7 +192,7 @@ impl Terrain {
     fn draw_sheen(&self, view: &Viewport, quads: &mut Quads) {
         for edge in self.edges_in_view(view).filter(|edge| edge.kind == ROCK) {
             let light = if edge.inward.y > 0.0 { 1.5 } else { 1.0 } * SHEEN_LIGHT;
-            let colour = self.tint.ink.faded(light);
+            let colour = self.rim(ROCK, edge.inward).faded(light);
             quads.quad(band(edge, SHEEN.min(edge.depth * 0.5), view), [colour, colour, colour.faded(0.0), colour.faded(0.0)]);
         }
     }
@@ -231,12 +258,12 @@ impl Terrain {
     fn draw_edges(&self, view: &Viewport, canvas: &Canvas) {
         let up = |edge: &&RockEdge| edge.inward.y > 0.5;
         for edge in self.edges_in_view(view).filter(|edge| !up(edge)) {
-            let bright = edge_colour(edge.kind, &self.tint);
+            let bright = self.rim(edge.kind, edge.inward);
             let shade = if Material::ALL[edge.kind].name == "Glass" { 1.0 } else { 0.85 };
             draw_side(edge, SIDE_WIDTH, Colour::new(bright.r * shade, bright.g * shade, bright.b * shade, 1.0), (view, canvas));
         }
         for edge in self.edges_in_view(view).filter(up) {
-            draw_side(edge, TOP_WIDTH, edge_colour(edge.kind, &self.tint), (view, canvas));
+            draw_side(edge, TOP_WIDTH, self.rim(edge.kind, edge.inward), (view, canvas));
         }
     }
 }

@@ -1,7 +1,10 @@
 //! The ink of a level: its rock and its paper share one tint, by which a player knows the level again.
 
 use crate::draw::Colour;
+use crate::level::Landscape;
 use crate::number::hash;
+use crate::physics::DVec2;
+use crate::view::sky::WorldPalette;
 use crate::view::theme;
 
 /// The inks, pale and calm: none is near a colour with a meaning (objectives, hazards, forces are all far more vivid).
@@ -23,6 +26,8 @@ pub struct Tint {
     pub map: Colour,
     /// The rock's edge in the light.
     pub edge: Colour,
+    /// The light of the level's world on edges that face it, and the unit vector towards it, y down.
+    pub rim: Option<(Colour, DVec2)>,
     /// Hatching and dimension lines.
     pub ink: Colour,
     /// Line of the paper every metre.
@@ -32,8 +37,28 @@ pub struct Tint {
 }
 
 impl Tint {
-    /// By a level's name: numbered levels take the inks in turn, others a hash of the name.
-    pub fn of(name: &str) -> Self {
+    /// Of a level's world; without one by its name: numbered levels take the inks in turn, others a hash of the name.
+    pub fn of(landscape: Option<Landscape>, name: &str) -> Self {
+        match landscape.map(WorldPalette::of) {
+            Some(palette) if !theme::is_contrast() => Self::from_world(&palette),
+            _ => Self::from_name(name),
+        }
+    }
+
+    fn from_world(palette: &WorldPalette) -> Self {
+        let WorldPalette { sky, ink, rock, rim, light, .. } = *palette;
+        Self {
+            rock,
+            map: sky[1].mixed(ink, 0.69),
+            edge: ink.mixed(Colour::WHITE, 0.12),
+            rim: Some((rim, light)),
+            ink,
+            fine: ink.faded(0.05),
+            heavy: ink.faded(0.11),
+        }
+    }
+
+    fn from_name(name: &str) -> Self {
         let number: usize = name.parse().unwrap_or_else(|_| hash(name) as usize);
         Self::from_ink(INKS[number.wrapping_sub(1) % INKS.len()])
     }
@@ -43,6 +68,7 @@ impl Tint {
             rock: theme::ground().mixed(ink, 0.17),
             map: theme::ground().mixed(ink, 0.64),
             edge: ink.mixed(Colour::WHITE, 0.12),
+            rim: None,
             ink,
             fine: theme::ground().mixed(ink, 0.065),
             heavy: theme::ground().mixed(ink, 0.14),
@@ -56,13 +82,13 @@ mod tests {
 
     #[test]
     fn numbered_levels_take_turns_and_a_name_keeps_its_tint() {
-        let first: Vec<Tint> = (1..=INKS.len()).map(|i| Tint::of(&i.to_string())).collect();
+        let first: Vec<Tint> = (1..=INKS.len()).map(|i| Tint::of(None, &i.to_string())).collect();
         for (i, tint) in first.iter().enumerate() {
             assert!(!first[..i].contains(tint), "level {} looks like one before it", i + 1);
         }
-        assert_eq!(Tint::of("9"), Tint::of("1"));
-        assert_eq!(Tint::of("my-level"), Tint::of("my-level"));
-        assert_eq!(Tint::of("0").rock.a, 1.0);
+        assert_eq!(Tint::of(None, "9"), Tint::of(None, "1"));
+        assert_eq!(Tint::of(None, "my-level"), Tint::of(None, "my-level"));
+        assert_eq!(Tint::of(None, "0").rock.a, 1.0);
     }
 
     #[test]
@@ -76,11 +102,13 @@ mod tests {
             let (a, b) = (luminance(a), luminance(b));
             (a.max(b) + 0.05) / (a.min(b) + 0.05)
         };
-        for ink in INKS {
-            let tint = Tint::from_ink(ink);
+        let plain = INKS.map(|ink| (Tint::from_ink(ink), theme::ground()));
+        let worlds = Landscape::ALL.map(WorldPalette::of);
+        let worlds = worlds.iter().flat_map(|palette| palette.sky.map(|sky| (Tint::from_world(palette), sky)));
+        for (tint, sky) in plain.into_iter().chain(worlds) {
             assert!(contrast(theme::text(), tint.rock) > 7.0);
-            assert!(contrast(tint.map, theme::ground()) > 3.0, "a card");
-            assert!(contrast(tint.edge, theme::ground()) > 4.5 && contrast(tint.edge, tint.rock) > 3.0);
+            assert!(contrast(tint.map, sky) > 3.0, "a card");
+            assert!(contrast(tint.edge, sky) > 4.5 && contrast(tint.edge, tint.rock) > 3.0);
         }
     }
 }

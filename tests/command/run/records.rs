@@ -32,6 +32,25 @@ fn a_recorded_run_is_verified() {
 }
 
 #[test]
+fn a_run_is_handed_on_as_a_code() {
+    let (data, path) = recorded();
+    let code = data.resultant(&["code", &path]);
+    assert_eq!((code.status, code.err.as_str(), code.out.lines().count()), (0, "", 1));
+    let code = code.out.trim();
+    let verified = data.resultant(&["verify", code]);
+    assert_eq!(verified.status, 0, "{}", verified.err);
+    assert!(verified.out.contains("…: ok, score 20983, hash ") && verified.out.contains("; level goal, 2 ticks"), "{}", verified.out);
+    let refused = data.resultant(&["verify", &code[..code.len() - 4]]);
+    assert_eq!((refused.status, refused.out.as_str()), (2, ""));
+    assert!(refused.err.contains("cut or altered"), "{}", refused.err);
+    // The same code after the level has changed.
+    data.write("levels/goal/constants.csv", &(read(&data, "levels/goal/constants.csv") + "gravity,14\n"));
+    let foreign = data.resultant(&["verify", code]);
+    assert_eq!(foreign.status, 1, "{}", foreign.err);
+    assert!(foreign.err.contains("the level of that name here has the hash"), "{}", foreign.err);
+}
+
+#[test]
 fn a_run_that_was_tampered_with_is_found_out() {
     let (data, path) = recorded();
     let good = read(&data, "run.csv");
