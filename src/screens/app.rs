@@ -78,7 +78,7 @@ pub struct App {
     /// The flight that editing began from, and its level's folder.
     pub(super) behind: Option<(Box<Flight>, PathBuf)>,
     /// What is copied to be pasted.
-    pub(super) clipboard: Clipboard,
+    pub clipboard: Clipboard,
     /// What reads levels.
     pub(super) worker: Worker,
     /// The request that waits for it.

@@ -333,7 +333,7 @@ fn a_flight_goes_from_one_game_to_another_as_a_code() {
     fly_up(&mut one, 0);
     one.choose("Flights").choose("Copy Code");
     assert!(one.flights().message().unwrap().starts_with("Copied: "), "{:?}", one.flights().message());
-    let code = one.app.clipboard_text();
+    let code = one.app.clipboard.text();
 
     let mut other = sitting();
     other.fly("0");
@@ -341,7 +341,7 @@ fn a_flight_goes_from_one_game_to_another_as_a_code() {
     other.choose("Flights");
     let count = other.flights().candidates().len();
     let mut paste = |text: &str| {
-        other.app.copy(text);
+        other.app.clipboard.keep(text.to_owned());
         other.choose("Paste Code");
         (other.flights().message().unwrap().to_owned(), other.flights().candidates().len() - count)
     };

@@ -39,7 +39,11 @@ fn a_run_is_handed_on_as_a_code() {
     let code = code.out.trim();
     let verified = data.resultant(&["verify", code]);
     assert_eq!(verified.status, 0, "{}", verified.err);
-    assert!(verified.out.contains("…: ok, score 20983, hash ") && verified.out.contains("; level goal, 2 ticks"), "{}", verified.out);
+    assert!(
+        verified.out.contains("…: ok, score 20983, hash ") && verified.out.contains("; level goal, 2 ticks"),
+        "{}",
+        verified.out
+    );
     let refused = data.resultant(&["verify", &code[..code.len() - 4]]);
     assert_eq!((refused.status, refused.out.as_str()), (2, ""));
     assert!(refused.err.contains("cut or altered"), "{}", refused.err);
