@@ -23,8 +23,10 @@
 // Two places need it, view/sound/output/system.rs and web/, and say why.
 #![deny(unsafe_code)]
 
+pub mod autopilot;
 pub mod classics;
 pub mod cli;
+pub mod daily;
 pub mod draw;
 pub mod files;
 pub mod game;

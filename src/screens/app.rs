@@ -7,6 +7,7 @@ use super::loading::Loading;
 use super::pace;
 use super::worker::{Ticket, Worker};
 use super::{Clipboard, Editor, Flight, FolderWatch, Input, Key, Menu, MenuFacts, Pace, Picture, Request, Screen, Spectator};
+use crate::daily::Date;
 use crate::draw::Canvas;
 use crate::draw::layout::Frame;
 use crate::game::Outcome;
@@ -79,6 +80,8 @@ pub struct App {
     pub(super) behind: Option<(Box<Flight>, PathBuf)>,
     /// What is copied to be pasted.
     pub clipboard: Clipboard,
+    /// The day of the daily flight.
+    pub today: Date,
     /// What reads levels.
     pub(super) worker: Worker,
     /// The request that waits for it.
@@ -135,6 +138,7 @@ impl App {
             editing: None,
             behind: None,
             clipboard: Clipboard::default(),
+            today: Date::of_days(0),
             worker,
             loading: None,
             reading: None,

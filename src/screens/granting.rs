@@ -69,6 +69,8 @@ impl App {
             Request::Open(path) => self.open(&path, spectator),
             #[cfg(all(feature = "window", browser))]
             Request::PageData => Box::new(super::page_data::PageData::default()),
+            // Its errand leads to its level.
+            Request::Daily => Box::new(self.level_select(Purpose::Play)),
             Request::Quit => return None,
             Request::Flights(_)
             | Request::Watch(..)

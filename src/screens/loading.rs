@@ -34,6 +34,10 @@ impl App {
                 self.library.close();
                 Some(of_level(self, name))
             }
+            Request::Daily => {
+                let (today, levels) = (self.today, self.library.levels().to_path_buf());
+                Some((Errand::Daily(today, levels), "the flight of the day, which the autopilot proves".to_owned()))
+            }
             Request::Restart => {
                 let name = self.screen.get::<Flight>()?.attempt().level.name.clone();
                 self.reads_again(&name).then(|| of_level(self, &name))
@@ -45,9 +49,13 @@ impl App {
             }
             // What was just flown is there.
             Request::Watch(_, candidate) | Request::Keep(_, candidate) if candidate.source == FlightSource::Flown => None,
-            Request::Flights(visit) | Request::Race(visit, _) | Request::Watch(visit, _) | Request::Keep(visit, _) => {
-                Some(of_level(self, &visit.level))
-            }
+            Request::CopyCode(_, candidate) if candidate.source == FlightSource::Flown => None,
+            Request::Flights(visit)
+            | Request::Race(visit, _)
+            | Request::Watch(visit, _)
+            | Request::Keep(visit, _)
+            | Request::CopyCode(visit, _)
+            | Request::PasteCode(visit, _) => Some(of_level(self, &visit.level)),
             Request::Leaderboard(name) if name != LEADERBOARD => Some(of_level(self, name)),
             Request::Experiment(name) => {
                 let name = self.library.open(&self.library.experiment(name))?;
@@ -101,12 +109,20 @@ impl App {
                 }
                 // Nobody waits for it any more.
                 (_, None) => {}
+                (Brought::Daily(made), Some(_)) => match made {
+                    Ok(name) => self.grant(Request::Play(name), spectator),
+                    Err(problem) => {
+                        let mut screen = self.level_select(Purpose::Play);
+                        screen.show("There is no flight of the day".to_owned(), vec![problem]);
+                        self.show(Box::new(screen));
+                    }
+                },
                 (brought, Some(loading)) => {
                     match brought {
                         Brought::Level(folder, level) => self.library.prepare(folder, level),
                         Brought::Editor(editor) => self.opened = Some(editor),
                         Brought::Installed(installed) => self.installed = Some(installed),
-                        Brought::Card(_) | Brought::List(_) | Brought::First(..) => {}
+                        Brought::Card(_) | Brought::List(_) | Brought::First(..) | Brought::Daily(_) => {}
                     }
                     self.enter(loading.request, spectator);
                     self.library.forget_prepared();

@@ -3,12 +3,10 @@
 
 use crate::flight::Aim;
 use crate::make::{Options, write};
-use crate::pilot::{Judgement, Pilot};
-use crate::plan::Plan;
-use crate::sight::Sight;
 use crate::{plan_file, plan_of};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
+use resultant::autopilot::{Judgement, Pilot, Plan, Sight};
 use resultant::game::{Controls, Game, Outcome};
 use resultant::level::Level;
 use std::collections::VecDeque;

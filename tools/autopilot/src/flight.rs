@@ -1,8 +1,6 @@
 //! One flight of a level: by the pilot, or again by the keys that it held; and what the flight is worth.
 
-use crate::pilot::Pilot;
-use crate::plan::{Kind, Plan};
-use crate::sight::Sight;
+use resultant::autopilot::{Pilot, Plan, Sight, StepKind};
 use resultant::game::{Controls, Game, Inputs, Medals, Outcome, RunResult, SHIP, TICK_RATE};
 use resultant::level::{Level, Mark, ObjectiveKind, SHIP_HALF};
 use resultant::physics::{Aabb, DVec2, Event, Guards, Obstacle};
@@ -99,7 +97,7 @@ impl Flight {
         flight.end(&game);
         flight.steps = pilot.step();
         let left = &plan.steps[flight.steps.min(plan.steps.len())..];
-        flight.pushes_left = left.iter().filter(|step| step.kind == Kind::Push).count() as u32;
+        flight.pushes_left = left.iter().filter(|step| step.kind == StepKind::Push).count() as u32;
         flight.distance = pilot.distance(&Sight::of(&game));
         flight
     }
@@ -150,7 +148,8 @@ impl Flight {
         let wanted = game.level().objectives.iter().filter(|objective| objective.kind == ObjectiveKind::Player);
         let shared = wanted.map(|objective| ship.max.x.min(objective.bounds.max.x) - ship.min.x.max(objective.bounds.min.x));
         self.aside = shared.fold(0.0, |aside: f64, shared| aside.max(1.0 - shared / (2.0 * SHIP_HALF.x)));
-        self.given_up = Guards { islands_grown: 0, ..*game.world().guards() } != Guards::default();
+        // A press that waits for a crate is meant.
+        self.given_up = Guards { islands_grown: 0, surfaces_stopped: 0, ..*game.world().guards() } != Guards::default();
         self.result = game.result();
         self.ticks = game.ticks();
         self.rows = self.inputs.to_string().lines().count() - 1;

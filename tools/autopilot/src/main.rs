@@ -7,15 +7,13 @@ mod adversary;
 mod difficulty;
 mod flight;
 mod make;
-mod pilot;
-mod plan;
 #[path = "../../../tests/support/random.rs"]
 #[allow(dead_code)]
 mod random;
-mod sight;
 mod speed;
 
 use make::Options;
+use resultant::autopilot::Plan;
 use resultant::level::{self, Level};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -112,10 +110,10 @@ fn load(name: &str) -> Result<Arc<Level>, String> {
 }
 
 /// Reads one of a level's plans.
-fn plan_of(level: &str, flight: &str) -> Result<plan::Plan, String> {
+fn plan_of(level: &str, flight: &str) -> Result<Plan, String> {
     let file = plan_file(level, flight);
     let text = std::fs::read_to_string(&file).map_err(|error| format!("{}: {error}", file.display()))?;
-    plan::Plan::parse(&text).map_err(|problem| format!("{}: {problem}", file.display()))
+    Plan::parse(&text).map_err(|problem| format!("{}: {problem}", file.display()))
 }
 
 fn plan_file(level: &str, flight: &str) -> PathBuf {

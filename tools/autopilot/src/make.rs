@@ -1,11 +1,10 @@
 //! Making a level's flights: by their plans as they stand, or where those no longer do by a bounded search over their numbers.
 
 use crate::flight::{Aim, CHANGES, Flight, again, bears};
-use crate::plan::Plan;
-use crate::sight::Sight;
-use crate::{pilot, plan_file, plan_of, project};
+use crate::{plan_file, plan_of, project};
 use rand::SeedableRng;
 use rand_pcg::Pcg32;
+use resultant::autopilot::{Pilot, Plan, Sight};
 use resultant::game::{Controls, Game, Inputs, Outcome, Recorder, Replay, SHIP};
 use resultant::level::Level;
 use std::path::{Path, PathBuf};
@@ -255,11 +254,18 @@ fn report(name: &str, aim: Aim, level: &Level, flight: &Flight) {
 /// Prints where the ship is, ten times a second.
 fn trace(level: &Arc<Level>, plan: &Plan) {
     let Ok(mut game) = Game::new(Arc::clone(level)) else { return };
-    let mut pilot = pilot::Pilot::new(plan, &Sight::of(&game));
+    let mut pilot = Pilot::new(plan, &Sight::of(&game));
     while game.outcome() == Outcome::Running && game.elapsed() < 2.0 * plan.settings.par {
         let controls = pilot.keys(&Sight::of(&game));
+        let before = *game.world().guards();
         game.step(controls);
+        if *game.world().guards() != before {
+            eprintln!("{:6.2} s a guard acted", game.elapsed());
+        }
         trace_line(&game, pilot.step(), controls);
+    }
+    for (name, count) in game.world().guards().all().filter(|(_, count)| *count > 0) {
+        eprintln!("guard {name}: {count}");
     }
 }
 

@@ -5,9 +5,13 @@ use std::fmt;
 
 /// What a step wants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum StepKind {
     /// To be at a place, at a speed.
     Fly,
+    /// The same with a load on the roof, or pressing on something below: what it does counts as a force on the ship.
+    Carry,
+    /// To hold the nose at an angle and burn for a while.
+    Burn,
     /// To come to rest at a place.
     Land,
     /// To push an object along the ground.
@@ -24,14 +28,16 @@ pub enum Kind {
     Hover,
     /// To go on if an object is at a place; if it has not come there after a while, to go back some steps.
     Again,
+    /// To keep the nose at an angle and burn while the ship rises slower than wanted, up or down to a height.
+    Lean,
     /// To skip some steps if an object is at a place; if it has not come there after a while, to take them.
     Unless,
 }
 
 /// A row of the plan. Lengths in pixels, everything else in SI units.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Step {
-    pub kind: Kind,
+pub struct PlanStep {
+    pub kind: StepKind,
     pub x: f64,
     pub y: f64,
     pub speed: f64,
@@ -45,7 +51,7 @@ pub struct Step {
 
 /// How the pilot flies.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
+pub struct PilotSettings {
     /// Ticks from one decision to the next.
     pub beat: u32,
     /// The ship turns for multiples of this number of ticks.
@@ -67,8 +73,8 @@ pub struct Settings {
 /// A plan, with its text for writing it again.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    pub settings: Settings,
-    pub steps: Vec<Step>,
+    pub settings: PilotSettings,
+    pub steps: Vec<PlanStep>,
     lines: Vec<Line>,
 }
 
@@ -82,20 +88,23 @@ enum Line {
 }
 
 const SETTINGS: [&str; 8] = ["beat", "turn", "grip", "brake", "top_speed", "tilt", "reverse", "par"];
-const KINDS: [(&str, Kind); 10] = [
-    ("fly", Kind::Fly),
-    ("land", Kind::Land),
-    ("push", Kind::Push),
-    ("ram", Kind::Ram),
-    ("stop", Kind::Stop),
-    ("hold", Kind::Hold),
-    ("wait", Kind::Wait),
-    ("hover", Kind::Hover),
-    ("again", Kind::Again),
-    ("unless", Kind::Unless),
+const KINDS: [(&str, StepKind); 13] = [
+    ("fly", StepKind::Fly),
+    ("carry", StepKind::Carry),
+    ("burn", StepKind::Burn),
+    ("land", StepKind::Land),
+    ("push", StepKind::Push),
+    ("ram", StepKind::Ram),
+    ("stop", StepKind::Stop),
+    ("hold", StepKind::Hold),
+    ("wait", StepKind::Wait),
+    ("hover", StepKind::Hover),
+    ("lean", StepKind::Lean),
+    ("again", StepKind::Again),
+    ("unless", StepKind::Unless),
 ];
 
-impl Settings {
+impl PilotSettings {
     fn get(&self, name: &str) -> f64 {
         match name {
             "beat" => f64::from(self.beat),
@@ -126,7 +135,8 @@ impl Settings {
 impl Plan {
     /// Reads a plan.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let settings = Settings { beat: 10, turn: 5, grip: 2.5, brake: 6.0, top_speed: 12.0, tilt: 80.0, reverse: 0.0, par: 60.0 };
+        let settings =
+            PilotSettings { beat: 10, turn: 5, grip: 2.5, brake: 6.0, top_speed: 12.0, tilt: 80.0, reverse: 0.0, par: 60.0 };
         let mut plan = Self { settings, steps: Vec::new(), lines: Vec::new() };
         for (number, line) in (1..).zip(text.lines()) {
             let cells: Vec<&str> = line.split(',').map(str::trim).collect();
@@ -151,7 +161,7 @@ impl Plan {
             } else if let Some((_, kind)) = KINDS.into_iter().find(|&(name, _)| name == cells[0]) {
                 let (x, y, speed, tolerance) = (cell(1)?, cell(2)?, cell(3)?, cell(4)?);
                 plan.lines.push(Line::Step(plan.steps.len()));
-                plan.steps.push(Step {
+                plan.steps.push(PlanStep {
                     kind,
                     x,
                     y,
@@ -194,26 +204,38 @@ impl Plan {
         vary(&mut settings.tilt, 20.0, 1.0, 30.0);
         for step in &mut plan.steps {
             match step.kind {
-                Kind::Fly => {
+                StepKind::Fly | StepKind::Carry => {
                     vary(&mut step.x, 30.0, 1.0, 0.0);
                     vary(&mut step.y, 30.0, 1.0, 0.0);
                     vary(&mut step.speed, 3.0, 0.1, 0.0);
                     vary(&mut step.tolerance, 15.0, 1.0, 10.0);
                 }
-                Kind::Land => {
+                StepKind::Land => {
                     vary(&mut step.x, 20.0, 1.0, 0.0);
                     vary(&mut step.speed, 1.0, 0.1, 0.5);
                 }
-                Kind::Push => {
+                StepKind::Push => {
                     vary(&mut step.x, 10.0, 1.0, 0.0);
                     if step.speed > 0.0 {
                         vary(&mut step.speed, 0.5, 0.1, 0.5);
                     }
                 }
-                Kind::Ram => vary(&mut step.speed, 0.5, 0.1, 0.5),
-                Kind::Stop | Kind::Again | Kind::Unless => {}
-                Kind::Hold | Kind::Wait => vary(&mut step.seconds, 0.3, 0.05, 0.0),
-                Kind::Hover => {
+                StepKind::Ram => vary(&mut step.speed, 0.5, 0.1, 0.5),
+                StepKind::Stop | StepKind::Again | StepKind::Unless => {}
+                StepKind::Burn => {
+                    vary(&mut step.x, 5.0, 1.0, -180.0);
+                    vary(&mut step.seconds, 0.3, 0.05, 0.0);
+                }
+                StepKind::Hold | StepKind::Wait => vary(&mut step.seconds, 0.3, 0.05, 0.0),
+                StepKind::Lean => {
+                    vary(&mut step.x, 6.0, 1.0, -90.0);
+                    vary(&mut step.y, 20.0, 1.0, 0.0);
+                    vary(&mut step.speed, 0.8, 0.1, -20.0);
+                    if step.seconds > 0.0 {
+                        vary(&mut step.seconds, 0.3, 0.05, 0.05);
+                    }
+                }
+                StepKind::Hover => {
                     vary(&mut step.x, 20.0, 1.0, 0.0);
                     vary(&mut step.y, 20.0, 1.0, 0.0);
                     vary(&mut step.seconds, 0.3, 0.05, 0.0);

@@ -4,12 +4,12 @@
 //! an acceleration, and what all other forces do is taken off it. What is left is the engine's part: the nose is turned that way, and
 //! the engine burns for such a share of the beats as its part along the nose asks for.
 
-use crate::plan::{Kind, Plan, Step};
-use crate::sight::Sight;
+use super::plan::{Plan, PlanStep, StepKind};
+use super::sight::Sight;
+use crate::game::{Controls, ROTATION_RATE, SHIP};
+use crate::physics::{BodyId, DVec2, Force, ForceKind, Source};
 use rand::RngExt;
 use rand_pcg::Pcg32;
-use resultant::game::{Controls, ROTATION_RATE, SHIP};
-use resultant::physics::{BodyId, DVec2, ForceKind};
 
 /// The share of the engine's acceleration that the wanted one has upwards at least: falling is left to gravity, the nose stays up.
 const UPRIGHT: f64 = 0.25;
@@ -116,12 +116,12 @@ impl<'a> Pilot<'a> {
 
     /// Whether the ship is meant to be in free flight.
     pub fn flies(&self) -> bool {
-        self.plan.steps.get(self.step).is_some_and(|step| matches!(step.kind, Kind::Fly | Kind::Hover))
+        self.plan.steps.get(self.step).is_some_and(|step| matches!(step.kind, StepKind::Fly | StepKind::Carry | StepKind::Hover))
     }
 
     /// Whether it is meant to push something.
     pub fn pushes(&self) -> bool {
-        self.plan.steps.get(self.step).is_some_and(|step| matches!(step.kind, Kind::Push | Kind::Ram))
+        self.plan.steps.get(self.step).is_some_and(|step| matches!(step.kind, StepKind::Push | StepKind::Ram))
     }
 
     /// How far the ship is from the place of its step, m.
@@ -166,19 +166,19 @@ impl<'a> Pilot<'a> {
     fn next(&self, sight: &Sight) -> Option<usize> {
         let step = self.current();
         if self.is_done(sight) {
-            let skipped = if step.kind == Kind::Unless { step.back as usize } else { 0 };
+            let skipped = if step.kind == StepKind::Unless { step.back as usize } else { 0 };
             return Some((self.step + 1 + skipped).min(self.plan.steps.len()));
         }
         match step.kind {
-            Kind::Unless if self.waited(sight, step.seconds) => Some(self.step + 1),
-            Kind::Again if self.waited(sight, step.seconds) => Some(self.step.saturating_sub(step.back as usize)),
+            StepKind::Unless if self.waited(sight, step.seconds) => Some(self.step + 1),
+            StepKind::Again if self.waited(sight, step.seconds) => Some(self.step.saturating_sub(step.back as usize)),
             // Stuck: once more, a landing from the way point before.
-            Kind::Fly if self.judgement.is_some() && self.waited(sight, PATIENCE) => Some(self.step),
-            Kind::Land if self.judgement.is_some() && (self.waited(sight, PATIENCE) || self.stands_wrong(sight)) => {
+            StepKind::Fly | StepKind::Carry if self.judgement.is_some() && self.waited(sight, PATIENCE) => Some(self.step),
+            StepKind::Land if self.judgement.is_some() && (self.waited(sight, PATIENCE) || self.stands_wrong(sight)) => {
                 Some(self.before(self.step))
             }
-            Kind::Push | Kind::Ram if self.judgement.is_some() && self.has_missed(sight) => {
-                let landed = self.plan.steps[..self.step].iter().rposition(|step| step.kind == Kind::Land);
+            StepKind::Push | StepKind::Ram if self.judgement.is_some() && self.has_missed(sight) => {
+                let landed = self.plan.steps[..self.step].iter().rposition(|step| step.kind == StepKind::Land);
                 Some(landed.filter(|landed| landed + 1 == self.step).map_or(self.step + 1, |landed| self.before(landed)))
             }
             _ => None,
@@ -187,7 +187,7 @@ impl<'a> Pilot<'a> {
 
     /// The way point before a step, if that is what was before it, or the step itself.
     fn before(&self, step: usize) -> usize {
-        step - usize::from(step > 0 && self.plan.steps[step - 1].kind == Kind::Fly)
+        step - usize::from(step > 0 && self.plan.steps[step - 1].kind == StepKind::Fly)
     }
 
     /// Whether the ship stands on something about at that height, m.
@@ -214,10 +214,13 @@ impl<'a> Pilot<'a> {
     /// Where the step leads, m.
     fn place(&self, sight: &Sight) -> DVec2 {
         let step = self.current();
-        let beside = matches!(step.kind, Kind::Fly | Kind::Land | Kind::Hover) && step.object > 0;
+        if step.kind == StepKind::Burn {
+            return sight.position;
+        }
+        let beside = matches!(step.kind, StepKind::Fly | StepKind::Carry | StepKind::Land | StepKind::Hover) && step.object > 0;
         let from = if beside { sight.body(BodyId(step.object)).position } else { DVec2::ZERO };
         let mut off = self.judgement.as_ref().map_or(DVec2::ZERO, |judgement| judgement.off);
-        if step.kind == Kind::Land {
+        if step.kind == StepKind::Land {
             // One feels when one stands.
             off.y = 0.0;
         }
@@ -235,7 +238,7 @@ impl<'a> Pilot<'a> {
     }
 
     /// The present step; after the last one that one goes on.
-    fn current(&self) -> &'a Step {
+    fn current(&self) -> &'a PlanStep {
         &self.plan.steps[self.step.min(self.plan.steps.len() - 1)]
     }
 
@@ -252,31 +255,37 @@ impl<'a> Pilot<'a> {
         let (to, tolerance) = (self.place(sight), step.tolerance / sight.game.level().metre);
         let waited = || self.waited(sight, step.seconds);
         match step.kind {
-            Kind::Fly => {
+            StepKind::Fly | StepKind::Carry => {
                 let off = sight.position.distance(to);
                 off <= tolerance || (off <= PASSED * tolerance && (to - sight.position).dot(to - self.from) < 0.0)
             }
-            Kind::Land => {
+            StepKind::Land => {
                 velocity.x.abs() < LANDED
                     && velocity.y.abs() < 0.1 * LANDED
                     && (to.y - sight.position.y < SET_DOWN || (self.judgement.is_some() && self.stands_at(to.y, sight)))
                     && (to.x - sight.position.x).abs() <= tolerance
             }
-            Kind::Push => {
+            StepKind::Push => {
                 let object = sight.body(BodyId(step.object));
                 let way = (to.x - self.pushed_from).signum();
                 let late = step.seconds > 0.0 && waited();
                 late || (object.position.x - to.x) * way >= 0.0 || (speed > 0.0 && object.velocity.x * way >= speed)
             }
-            Kind::Ram => {
+            StepKind::Ram => {
                 let way = (to.x - self.pushed_from).signum();
                 let late = step.seconds > 0.0 && waited();
                 late || (sight.body(BodyId(step.object)).position.x - to.x) * way >= 0.0
             }
-            Kind::Stop => velocity.dot(resultant::game::nose(sight.angle)) <= speed,
-            Kind::Hold | Kind::Hover => waited(),
-            Kind::Again | Kind::Unless => sight.body(BodyId(step.object)).position.distance(to) <= tolerance,
-            Kind::Wait => sight.body(BodyId(step.object)).position.distance(to) <= tolerance || (step.seconds > 0.0 && waited()),
+            StepKind::Lean => {
+                let down = (step.y / sight.game.level().metre - self.from.y).signum();
+                (step.seconds > 0.0 && waited()) || (step.y > 0.0 && (sight.position.y - to.y) * down >= 0.0)
+            }
+            StepKind::Stop => velocity.dot(crate::game::nose(sight.angle)) <= speed,
+            StepKind::Hold | StepKind::Hover | StepKind::Burn => waited(),
+            StepKind::Again | StepKind::Unless => sight.body(BodyId(step.object)).position.distance(to) <= tolerance,
+            StepKind::Wait => {
+                sight.body(BodyId(step.object)).position.distance(to) <= tolerance || (step.seconds > 0.0 && waited())
+            }
         }
     }
 
@@ -286,11 +295,19 @@ impl<'a> Pilot<'a> {
         let over = self.step >= self.plan.steps.len();
         let (velocity, to) = (sight.velocity, self.place(sight));
         let beat = self.plan.settings.beat;
-        self.reverse = step.kind == Kind::Stop && !over;
+        self.reverse = step.kind == StepKind::Stop && !over;
         match step.kind {
-            Kind::Fly => self.steer(sight, wanted_velocity(self.plan, to - sight.position, if over { 0.0 } else { speed })),
-            Kind::Hover => self.steer(sight, wanted_velocity(self.plan, to - sight.position, 0.0)),
-            Kind::Land => {
+            StepKind::Fly | StepKind::Carry => {
+                self.steer(sight, wanted_velocity(self.plan, to - sight.position, if over { 0.0 } else { speed }))
+            }
+            StepKind::Hover => self.steer(sight, wanted_velocity(self.plan, to - sight.position, 0.0)),
+            StepKind::Burn if !over => {
+                self.turn_to(sight, step.x, beat);
+                self.owed = (self.owed + if self.turn == 0 { speed.clamp(-1.0, 1.0) } else { 0.0 }).clamp(-1.5, 1.5);
+                (self.thrust, self.reverse) = (self.owed >= 0.5, self.owed <= -0.5);
+                self.owed -= f64::from(i8::from(self.thrust) - i8::from(self.reverse));
+            }
+            StepKind::Land => {
                 let away = to - sight.position;
                 if away.y < SET_DOWN && velocity.length() < 1.0 + speed && away.x.abs() < step.tolerance / sight.game.level().metre
                 {
@@ -302,20 +319,32 @@ impl<'a> Pilot<'a> {
                     self.steer(sight, sideways + down);
                 }
             }
-            Kind::Push if !over => {
+            StepKind::Lean if !over => {
+                self.turn_to(sight, step.x, PUSH_BEAT);
+                (self.thrust, self.owed) = (-velocity.y < speed, 0.0);
+            }
+            StepKind::Push if !over => {
                 let way = (to.x - self.pushed_from).signum();
                 self.turn_to(sight, 90.0 * way, PUSH_BEAT);
                 let closing = (velocity.x - sight.body(BodyId(step.object)).velocity.x) * way;
                 self.thrust = self.turn == 0 && closing < CLOSING;
                 self.owed = 0.0;
             }
-            Kind::Ram if !over => {
+            StepKind::Ram if !over => {
                 let way = (to.x - self.pushed_from).signum();
                 self.turn_to(sight, 90.0 * way, PUSH_BEAT);
                 self.thrust = self.turn == 0 && velocity.x * way < speed;
                 self.owed = 0.0;
             }
-            Kind::Push | Kind::Ram | Kind::Stop | Kind::Hold | Kind::Wait | Kind::Again | Kind::Unless => {
+            StepKind::Lean
+            | StepKind::Burn
+            | StepKind::Push
+            | StepKind::Ram
+            | StepKind::Stop
+            | StepKind::Hold
+            | StepKind::Wait
+            | StepKind::Again
+            | StepKind::Unless => {
                 (self.turn, self.thrust, self.left) = (0, false, PUSH_BEAT);
             }
         }
@@ -327,7 +356,10 @@ impl<'a> Pilot<'a> {
         let (forces, player) = (sight.game.world().forces(SHIP), &sight.game.level().player);
         let others = [ForceKind::Weight, ForceKind::Wind, ForceKind::AirResistance, ForceKind::Buoyancy, ForceKind::ViscousDrag];
         let others: DVec2 = others.map(|kind| forces.total(kind)).into_iter().sum();
-        if forces.total(ForceKind::Reaction).y < 0.0 {
+        let carries = self.current().kind == StepKind::Carry;
+        let load = |force: &&Force| carries && matches!(force.source, Source::Body(_));
+        let others = others + forces.forces().iter().filter(load).map(|force| force.vector).sum::<DVec2>();
+        if forces.total(ForceKind::Reaction).y < 0.0 && !carries {
             wanted.y = wanted.y.min(-TAKE_OFF);
         }
         // Held by what is in the way: up or from under a roof, and away from what presses from the side, else on.
@@ -351,7 +383,7 @@ impl<'a> Pilot<'a> {
         self.turn_to(sight, lean.clamp(-settings.tilt, settings.tilt), settings.beat);
 
         let angle = sight.angle + f64::from(self.turn) * degrees_a_tick(sight);
-        let along = engine.dot(resultant::game::nose(angle)) / full;
+        let along = engine.dot(crate::game::nose(angle)) / full;
         self.owed = (self.owed + along.clamp(-settings.reverse, 1.0)).clamp(-1.5, 1.5);
         (self.thrust, self.reverse) = (self.owed >= 0.5, self.owed <= -0.5);
         self.owed -= f64::from(i8::from(self.thrust) - i8::from(self.reverse));
