@@ -222,7 +222,7 @@ mod tests {
         assert_eq!(problem(&BASE64_URL_SAFE_NO_PAD.encode([9; 60])), "found a code of version 9, expected version 1");
         assert!(problem(&"A".repeat(3000)).starts_with("found 3000 characters"));
         assert!(flight(vec![(0, MOST_TICKS + 1)]).code().unwrap_err().contains("ticks"));
-        assert!(flight([(1, 900), (2, 900)].repeat(400)).code().unwrap_err().contains("keep it as a file"));
+        assert!(flight([(1, 90), (2, 90)].repeat(600)).code().unwrap_err().contains("keep it as a file"));
         let old = Replay { level_hash: None, ..flight(vec![(1, 9)]) };
         assert!(old.code().unwrap_err().contains("level's hash"));
     }

@@ -21,18 +21,7 @@ mod entry;
 mod places;
 mod shelves;
 
-pub use entry::LevelEntry;
-
-/// What a level is chosen for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Purpose {
-    /// To play it.
-    Play,
-    /// To see its leaderboard.
-    Leaderboard,
-    /// To edit it.
-    Edit,
-}
+pub use entry::{LevelEntry, Purpose};
 
 /// What a level is to be chosen for, besides the list's own purpose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,6 +6,17 @@ use crate::screens::Miniature;
 use crate::screens::folder_watch::Stamp;
 use crate::screens::library::Refusal;
 
+/// What a level is chosen for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// To play it.
+    Play,
+    /// To see its leaderboard.
+    Leaderboard,
+    /// To edit it.
+    Edit,
+}
+
 /// A level in the list.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LevelEntry {

@@ -79,10 +79,13 @@ mod tests {
     #[test]
     fn a_shelf_holds_one_world_and_a_page_two_shelves() {
         let (launch, quarry) = (Some(Landscape::Launch), Some(Landscape::Quarry));
-        assert_eq!(pages(&[None; 16]), [vec![0..15], vec![15..16]]);
-        assert_eq!(pages(&[[launch; 6], [quarry; 6]].concat()), [vec![0..6, 6..12]]);
-        assert_eq!(pages(&[launch, quarry, quarry, None]), [vec![0..1, 1..3], vec![3..4]]);
-        assert_eq!(pages(&[launch; 7]), [vec![0..6, 6..7]]);
+        let lengths = |worlds: &[Option<Landscape>]| {
+            pages(worlds).iter().map(|page| page.iter().map(Range::len).collect()).collect::<Vec<Vec<usize>>>()
+        };
+        assert_eq!(lengths(&[None; 16]), [[15], [1]]);
+        assert_eq!(pages(&[[launch; 6], [quarry; 6]].concat()), [[0..6, 6..12]]);
+        assert_eq!(lengths(&[launch, quarry, quarry, None]), [vec![1, 2], vec![1]]);
+        assert_eq!(lengths(&[launch; 7]), [[6, 1]]);
         assert!(pages(&[]).is_empty());
     }
 

@@ -1,8 +1,7 @@
 //! The sounds of a game: one for each event, and the ambience of the ship.
 
-use super::{Arrangement, Cue, Stuff, WORLDS};
+use super::{Arrangement, Cue, Stuff};
 use crate::game::{DAMAGING_SPEED, DUST_SPEED, Game, GameEvent, Outcome, SHIP};
-use crate::level::Level;
 use crate::number::hash;
 use crate::physics::{Body, DVec2, Event, Obstacle};
 
@@ -21,7 +20,6 @@ const SPLASH_SPEED: f64 = 0.8;
 
 /// Speed with all layers of the music, m/s.
 const BRISK: f64 = 14.0;
-const LEVELS_A_WORLD: usize = 6;
 
 /// A sound that is due.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -130,16 +128,11 @@ impl Arrangement {
     pub fn of(game: &Game) -> Self {
         let met = game.met().iter().filter(|met| **met).count();
         Self {
-            world: world(game.level()),
+            world: game.level().landscape.map_or(0, |landscape| landscape as usize),
             pace: (game.world().body(SHIP).velocity.length() / BRISK).min(1.0) as f32,
             goals: met as f32 / game.met().len().max(1) as f32,
         }
     }
-}
-
-/// The number of a level's world: six levels by number are one, all others play as the first.
-fn world(level: &Level) -> usize {
-    level.name.parse::<usize>().map_or(0, |number| number.saturating_sub(1) / LEVELS_A_WORLD % WORLDS)
 }
 
 /// The number of a name's tune: the level's number, or a hash.
