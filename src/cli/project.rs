@@ -69,7 +69,7 @@ impl Project {
         }));
         let older = [Some(self.root.as_path()), beside].into_iter().flatten().map(|folder| folder.join(SETTINGS));
         if let Some(older) = older.into_iter().find(|path| files::is_file(path)) {
-            lines.extend(take_over(&older, &self.settings_folder.join(SETTINGS), |old, new| files::copy(old, new)));
+            lines.extend(take_over(&older, &self.settings_folder.join(SETTINGS), files::copy));
         }
         lines
     }
