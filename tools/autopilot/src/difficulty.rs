@@ -38,7 +38,7 @@ pub fn measure(level: &Arc<Level>, options: &Options) -> Result<(), String> {
         plan = steadier(level, plan, (trials, options.seed), keep)?;
     }
     if options.trace {
-        fly(level, &plan, options.seed, longest, |game, step, keys| crate::make::trace_line(game, step, keys));
+        fly(level, &plan, options.seed, longest, crate::make::trace_line);
     }
     let ends: Vec<End> = (1..=FLIGHTS).map(|seed| fly(level, &plan, seed, longest, |_, _, _| ())).collect();
     let count = |wanted: Outcome| ends.iter().filter(|end| end.outcome == wanted).count();
