@@ -9,7 +9,7 @@ use crate::sight::Sight;
 use rand::RngExt;
 use rand_pcg::Pcg32;
 use resultant::game::{Controls, ROTATION_RATE, SHIP};
-use resultant::physics::{BodyId, DVec2, ForceKind};
+use resultant::physics::{BodyId, DVec2, Force, ForceKind, Source};
 
 /// The share of the engine's acceleration that the wanted one has upwards at least: falling is left to gravity, the nose stays up.
 const UPRIGHT: f64 = 0.25;
@@ -116,7 +116,7 @@ impl<'a> Pilot<'a> {
 
     /// Whether the ship is meant to be in free flight.
     pub fn flies(&self) -> bool {
-        self.plan.steps.get(self.step).is_some_and(|step| matches!(step.kind, Kind::Fly | Kind::Hover))
+        self.plan.steps.get(self.step).is_some_and(|step| matches!(step.kind, Kind::Fly | Kind::Carry | Kind::Hover))
     }
 
     /// Whether it is meant to push something.
@@ -173,7 +173,7 @@ impl<'a> Pilot<'a> {
             Kind::Unless if self.waited(sight, step.seconds) => Some(self.step + 1),
             Kind::Again if self.waited(sight, step.seconds) => Some(self.step.saturating_sub(step.back as usize)),
             // Stuck: once more, a landing from the way point before.
-            Kind::Fly if self.judgement.is_some() && self.waited(sight, PATIENCE) => Some(self.step),
+            Kind::Fly | Kind::Carry if self.judgement.is_some() && self.waited(sight, PATIENCE) => Some(self.step),
             Kind::Land if self.judgement.is_some() && (self.waited(sight, PATIENCE) || self.stands_wrong(sight)) => {
                 Some(self.before(self.step))
             }
@@ -214,7 +214,10 @@ impl<'a> Pilot<'a> {
     /// Where the step leads, m.
     fn place(&self, sight: &Sight) -> DVec2 {
         let step = self.current();
-        let beside = matches!(step.kind, Kind::Fly | Kind::Land | Kind::Hover) && step.object > 0;
+        if step.kind == Kind::Burn {
+            return sight.position;
+        }
+        let beside = matches!(step.kind, Kind::Fly | Kind::Carry | Kind::Land | Kind::Hover) && step.object > 0;
         let from = if beside { sight.body(BodyId(step.object)).position } else { DVec2::ZERO };
         let mut off = self.judgement.as_ref().map_or(DVec2::ZERO, |judgement| judgement.off);
         if step.kind == Kind::Land {
@@ -252,7 +255,7 @@ impl<'a> Pilot<'a> {
         let (to, tolerance) = (self.place(sight), step.tolerance / sight.game.level().metre);
         let waited = || self.waited(sight, step.seconds);
         match step.kind {
-            Kind::Fly => {
+            Kind::Fly | Kind::Carry => {
                 let off = sight.position.distance(to);
                 off <= tolerance || (off <= PASSED * tolerance && (to - sight.position).dot(to - self.from) < 0.0)
             }
@@ -274,7 +277,7 @@ impl<'a> Pilot<'a> {
                 late || (sight.body(BodyId(step.object)).position.x - to.x) * way >= 0.0
             }
             Kind::Stop => velocity.dot(resultant::game::nose(sight.angle)) <= speed,
-            Kind::Hold | Kind::Hover => waited(),
+            Kind::Hold | Kind::Hover | Kind::Burn => waited(),
             Kind::Again | Kind::Unless => sight.body(BodyId(step.object)).position.distance(to) <= tolerance,
             Kind::Wait => sight.body(BodyId(step.object)).position.distance(to) <= tolerance || (step.seconds > 0.0 && waited()),
         }
@@ -288,8 +291,14 @@ impl<'a> Pilot<'a> {
         let beat = self.plan.settings.beat;
         self.reverse = step.kind == Kind::Stop && !over;
         match step.kind {
-            Kind::Fly => self.steer(sight, wanted_velocity(self.plan, to - sight.position, if over { 0.0 } else { speed })),
+            Kind::Fly | Kind::Carry => self.steer(sight, wanted_velocity(self.plan, to - sight.position, if over { 0.0 } else { speed })),
             Kind::Hover => self.steer(sight, wanted_velocity(self.plan, to - sight.position, 0.0)),
+            Kind::Burn if !over => {
+                self.turn_to(sight, step.x, beat);
+                self.owed = (self.owed + if self.turn == 0 { speed.clamp(-1.0, 1.0) } else { 0.0 }).clamp(-1.5, 1.5);
+                (self.thrust, self.reverse) = (self.owed >= 0.5, self.owed <= -0.5);
+                self.owed -= f64::from(i8::from(self.thrust) - i8::from(self.reverse));
+            }
             Kind::Land => {
                 let away = to - sight.position;
                 if away.y < SET_DOWN && velocity.length() < 1.0 + speed && away.x.abs() < step.tolerance / sight.game.level().metre
@@ -315,7 +324,7 @@ impl<'a> Pilot<'a> {
                 self.thrust = self.turn == 0 && velocity.x * way < speed;
                 self.owed = 0.0;
             }
-            Kind::Push | Kind::Ram | Kind::Stop | Kind::Hold | Kind::Wait | Kind::Again | Kind::Unless => {
+            Kind::Burn | Kind::Push | Kind::Ram | Kind::Stop | Kind::Hold | Kind::Wait | Kind::Again | Kind::Unless => {
                 (self.turn, self.thrust, self.left) = (0, false, PUSH_BEAT);
             }
         }
@@ -327,7 +336,10 @@ impl<'a> Pilot<'a> {
         let (forces, player) = (sight.game.world().forces(SHIP), &sight.game.level().player);
         let others = [ForceKind::Weight, ForceKind::Wind, ForceKind::AirResistance, ForceKind::Buoyancy, ForceKind::ViscousDrag];
         let others: DVec2 = others.map(|kind| forces.total(kind)).into_iter().sum();
-        if forces.total(ForceKind::Reaction).y < 0.0 {
+        let carries = self.current().kind == Kind::Carry;
+        let load = |force: &&Force| carries && matches!(force.source, Source::Body(_));
+        let others = others + forces.forces().iter().filter(load).map(|force| force.vector).sum::<DVec2>();
+        if forces.total(ForceKind::Reaction).y < 0.0 && !carries {
             wanted.y = wanted.y.min(-TAKE_OFF);
         }
         // Held by what is in the way: up or from under a roof, and away from what presses from the side, else on.

@@ -8,6 +8,10 @@ use std::fmt;
 pub enum Kind {
     /// To be at a place, at a speed.
     Fly,
+    /// The same with a load on the roof, or pressing on something below: what it does counts as a force on the ship.
+    Carry,
+    /// To hold the nose at an angle and burn for a while.
+    Burn,
     /// To come to rest at a place.
     Land,
     /// To push an object along the ground.
@@ -82,8 +86,10 @@ enum Line {
 }
 
 const SETTINGS: [&str; 8] = ["beat", "turn", "grip", "brake", "top_speed", "tilt", "reverse", "par"];
-const KINDS: [(&str, Kind); 10] = [
+const KINDS: [(&str, Kind); 12] = [
     ("fly", Kind::Fly),
+    ("carry", Kind::Carry),
+    ("burn", Kind::Burn),
     ("land", Kind::Land),
     ("push", Kind::Push),
     ("ram", Kind::Ram),
@@ -194,7 +200,7 @@ impl Plan {
         vary(&mut settings.tilt, 20.0, 1.0, 30.0);
         for step in &mut plan.steps {
             match step.kind {
-                Kind::Fly => {
+                Kind::Fly | Kind::Carry => {
                     vary(&mut step.x, 30.0, 1.0, 0.0);
                     vary(&mut step.y, 30.0, 1.0, 0.0);
                     vary(&mut step.speed, 3.0, 0.1, 0.0);
@@ -212,6 +218,10 @@ impl Plan {
                 }
                 Kind::Ram => vary(&mut step.speed, 0.5, 0.1, 0.5),
                 Kind::Stop | Kind::Again | Kind::Unless => {}
+                Kind::Burn => {
+                    vary(&mut step.x, 5.0, 1.0, -180.0);
+                    vary(&mut step.seconds, 0.3, 0.05, 0.0);
+                }
                 Kind::Hold | Kind::Wait => vary(&mut step.seconds, 0.3, 0.05, 0.0),
                 Kind::Hover => {
                     vary(&mut step.x, 20.0, 1.0, 0.0);
