@@ -276,6 +276,10 @@ impl<'a> Pilot<'a> {
                 let late = step.seconds > 0.0 && waited();
                 late || (sight.body(BodyId(step.object)).position.x - to.x) * way >= 0.0
             }
+            Kind::Lean => {
+                let down = (step.y / sight.game.level().metre - self.from.y).signum();
+                (step.seconds > 0.0 && waited()) || (step.y > 0.0 && (sight.position.y - to.y) * down >= 0.0)
+            }
             Kind::Stop => velocity.dot(resultant::game::nose(sight.angle)) <= speed,
             Kind::Hold | Kind::Hover | Kind::Burn => waited(),
             Kind::Again | Kind::Unless => sight.body(BodyId(step.object)).position.distance(to) <= tolerance,

@@ -28,6 +28,8 @@ pub enum Kind {
     Hover,
     /// To go on if an object is at a place; if it has not come there after a while, to go back some steps.
     Again,
+    /// To keep the nose at an angle and burn while the ship rises slower than wanted, up or down to a height.
+    Lean,
     /// To skip some steps if an object is at a place; if it has not come there after a while, to take them.
     Unless,
 }
@@ -86,7 +88,7 @@ enum Line {
 }
 
 const SETTINGS: [&str; 8] = ["beat", "turn", "grip", "brake", "top_speed", "tilt", "reverse", "par"];
-const KINDS: [(&str, Kind); 12] = [
+const KINDS: [(&str, Kind); 13] = [
     ("fly", Kind::Fly),
     ("carry", Kind::Carry),
     ("burn", Kind::Burn),
@@ -97,6 +99,7 @@ const KINDS: [(&str, Kind); 12] = [
     ("hold", Kind::Hold),
     ("wait", Kind::Wait),
     ("hover", Kind::Hover),
+    ("lean", Kind::Lean),
     ("again", Kind::Again),
     ("unless", Kind::Unless),
 ];
@@ -223,6 +226,14 @@ impl Plan {
                     vary(&mut step.seconds, 0.3, 0.05, 0.0);
                 }
                 Kind::Hold | Kind::Wait => vary(&mut step.seconds, 0.3, 0.05, 0.0),
+                Kind::Lean => {
+                    vary(&mut step.x, 6.0, 1.0, -90.0);
+                    vary(&mut step.y, 20.0, 1.0, 0.0);
+                    vary(&mut step.speed, 0.8, 0.1, -20.0);
+                    if step.seconds > 0.0 {
+                        vary(&mut step.seconds, 0.3, 0.05, 0.05);
+                    }
+                }
                 Kind::Hover => {
                     vary(&mut step.x, 20.0, 1.0, 0.0);
                     vary(&mut step.y, 20.0, 1.0, 0.0);
