@@ -315,6 +315,10 @@ impl<'a> Pilot<'a> {
                     self.steer(sight, sideways + down);
                 }
             }
+            Kind::Lean if !over => {
+                self.turn_to(sight, step.x, PUSH_BEAT);
+                (self.thrust, self.owed) = (-velocity.y < speed, 0.0);
+            }
             Kind::Push if !over => {
                 let way = (to.x - self.pushed_from).signum();
                 self.turn_to(sight, 90.0 * way, PUSH_BEAT);
@@ -328,7 +332,7 @@ impl<'a> Pilot<'a> {
                 self.thrust = self.turn == 0 && velocity.x * way < speed;
                 self.owed = 0.0;
             }
-            Kind::Burn | Kind::Push | Kind::Ram | Kind::Stop | Kind::Hold | Kind::Wait | Kind::Again | Kind::Unless => {
+            Kind::Lean | Kind::Burn | Kind::Push | Kind::Ram | Kind::Stop | Kind::Hold | Kind::Wait | Kind::Again | Kind::Unless => {
                 (self.turn, self.thrust, self.left) = (0, false, PUSH_BEAT);
             }
         }
