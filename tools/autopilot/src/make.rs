@@ -258,8 +258,15 @@ fn trace(level: &Arc<Level>, plan: &Plan) {
     let mut pilot = pilot::Pilot::new(plan, &Sight::of(&game));
     while game.outcome() == Outcome::Running && game.elapsed() < 2.0 * plan.settings.par {
         let controls = pilot.keys(&Sight::of(&game));
+        let before = *game.world().guards();
         game.step(controls);
+        if *game.world().guards() != before {
+            eprintln!("{:6.2} s a guard acted", game.elapsed());
+        }
         trace_line(&game, pilot.step(), controls);
+    }
+    for (name, count) in game.world().guards().all().filter(|(_, count)| *count > 0) {
+        eprintln!("guard {name}: {count}");
     }
 }
 
