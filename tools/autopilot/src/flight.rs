@@ -150,7 +150,8 @@ impl Flight {
         let wanted = game.level().objectives.iter().filter(|objective| objective.kind == ObjectiveKind::Player);
         let shared = wanted.map(|objective| ship.max.x.min(objective.bounds.max.x) - ship.min.x.max(objective.bounds.min.x));
         self.aside = shared.fold(0.0, |aside: f64, shared| aside.max(1.0 - shared / (2.0 * SHIP_HALF.x)));
-        self.given_up = Guards { islands_grown: 0, ..*game.world().guards() } != Guards::default();
+        // A press that waits for a crate is meant.
+        self.given_up = Guards { islands_grown: 0, surfaces_stopped: 0, ..*game.world().guards() } != Guards::default();
         self.result = game.result();
         self.ticks = game.ticks();
         self.rows = self.inputs.to_string().lines().count() - 1;
