@@ -124,14 +124,17 @@ impl History {
     /// The history up to that tick; the rest is gone.
     #[must_use]
     pub fn until(&self, tick: u64) -> Self {
-        let mut game = self.copies[0].clone();
-        let mut history = Self::new(&game);
-        history.levels = self.levels.iter().filter(|(since, _)| *since <= tick).cloned().collect();
-        for (at, controls) in (self.begins()..tick.min(self.ticks())).zip(self.inputs().after(0)) {
-            self.step(&mut game, at, controls);
-            history.note(&game, controls);
+        let tick = tick.clamp(self.begins(), self.ticks());
+        let (ticks, rate) = (tick - self.begins(), self.start().tick_rate());
+        let second = |tick: u64| (tick as f64 / rate) as usize;
+        let lasting = self.lasting.iter().enumerate().filter(|(first, (since, _))| *first == 0 || *since < tick);
+        Self {
+            recorder: self.recorder.until(ticks, second(tick) - second(self.begins())),
+            lasting: lasting.map(|(_, lasting)| *lasting).collect(),
+            levels: self.levels.iter().filter(|(since, _)| *since <= tick).cloned().collect(),
+            copies: self.copies.iter().take((ticks / self.every) as usize + 1).cloned().collect(),
+            ..*self
         }
-        history
     }
 
     pub fn at(&self, tick: u64) -> Game {

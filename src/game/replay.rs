@@ -115,6 +115,13 @@ impl Recorder {
         }
     }
 
+    /// What was noted of the first `ticks` ticks, which end that many whole seconds.
+    pub(super) fn until(&self, ticks: u64, seconds: usize) -> Self {
+        let mut inputs = Inputs::default();
+        self.inputs.after(0).take(ticks as usize).for_each(|controls| inputs.record(controls));
+        Self { inputs, seconds: self.seconds.iter().take(seconds).copied().collect() }
+    }
+
     pub const fn inputs(&self) -> &Inputs {
         &self.inputs
     }

@@ -11,6 +11,8 @@ use std::sync::Arc;
 
 /// The nearest moment is looked for within these ticks: where a path crosses itself, farther ones are of another leg.
 const AROUND: u64 = 180;
+/// A difference of velocity counts as the distance of this many ticks of it.
+const VELOCITY: f64 = 36.0;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GhostPose {
@@ -82,11 +84,16 @@ impl GhostTrack {
         GhostPose { centre: from.centre.lerp(to.centre, alpha), angle: from.angle + turn * alpha }
     }
 
-    /// The known tick near `about` at which the ghost was nearest to a place, m.
-    pub fn nearest(&self, place: DVec2, about: u64) -> u64 {
-        let (from, to) = (about.saturating_sub(AROUND), (about + AROUND).min(self.ticks()));
-        let apart = |tick: &u64| self.poses[*tick as usize].centre.distance_squared(place);
-        (from..=to).min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(self.ticks())
+    /// The known tick near `about` at which the ghost was nearest to where a ship moves from one place (m) to another in a tick: by place and
+    /// by velocity, for a path may cross itself.
+    pub fn nearest(&self, (from, to): (DVec2, DVec2), about: u64) -> u64 {
+        let near = about.saturating_sub(AROUND).max(1)..=(about + AROUND).min(self.ticks());
+        let at = |tick: u64| self.poses[tick as usize].centre;
+        let apart = |tick: &u64| {
+            let turned = (at(*tick) - at(*tick - 1) - (to - from)) * VELOCITY;
+            at(*tick).distance_squared(to) + turned.length_squared()
+        };
+        near.min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(self.ticks())
     }
 
     /// The tick of this flight with the same time on the clock as the game; before the game's clock starts, the tick from which it

@@ -106,7 +106,8 @@ impl Race {
             let behind = ghost.track.beside(game).saturating_sub(ghost.track.ticks());
             ghost.track.fly(behind + if frame_time > 0.0 { ahead } else { 0 });
             if frame_time > 0.0 {
-                ghost.beside = ghost.track.nearest(game.world().body(SHIP).position, ghost.beside);
+                ghost.beside =
+                    ghost.track.nearest((game.world().previous_position(SHIP), game.world().body(SHIP).position), ghost.beside);
             }
         }
     }

@@ -114,11 +114,37 @@ fn a_track_is_where_the_ship_was() {
     assert!(track.is_whole() && track.ticks() == game.ticks() && track.outcome() == Outcome::Completed);
     assert_eq!((0..first.len()).map(|index| track.met(index)).collect::<Vec<_>>(), first);
     assert!(first.len() > 1 && first.iter().all(Option::is_some), "{first:?}");
-    // The place of any moment is found again from a second away, but for where the path crosses itself or rests.
+    // The place of any moment is found again from some time away.
     for tick in (60..track.ticks()).step_by(97) {
-        let place = track.pose(tick, 1.0).centre;
-        let found = track.nearest(place, tick.saturating_sub(50));
-        assert!(track.pose(found, 1.0).centre.distance(place) < 1e-9, "tick {tick}: {found}");
+        let moves = [0.0, 1.0].map(|alpha| track.pose(tick, alpha).centre).into();
+        let found = track.nearest(moves, tick.saturating_sub(50));
+        assert!(track.pose(found, 1.0).centre.distance(track.pose(tick, 1.0).centre) < 1e-9, "tick {tick}: {found}");
     }
     assert_eq!(track.pose(u64::MAX, 0.5).centre, game.world().body(SHIP).position, "it stays where it ended");
+}
+
+#[test]
+fn a_flight_that_goes_on_from_an_earlier_moment_is_recorded_as_one_that_was_flown_so() {
+    let (level, inputs) = (level("2"), record("2", "mark").inputs);
+    let fly = |until: u64| {
+        let mut game = Game::new(level.clone()).unwrap();
+        let mut history = History::new(&game);
+        for controls in inputs.after(0).take(until as usize) {
+            game.step(controls);
+            history.note(&game, controls);
+        }
+        (game, history)
+    };
+    let (_, whole) = fly(u64::MAX);
+    for tick in [0, 1, 59, 60, 61, 119, 120, 121, whole.ticks() - 1, whole.ticks(), u64::MAX] {
+        let ((mut game, mut flown), mut cut) = (fly(tick), whole.until(tick));
+        assert_eq!((cut.ticks(), cut.at(u64::MAX).hash()), (flown.ticks(), game.hash()), "tick {tick}");
+        for _ in flown.ticks()..whole.ticks().min(tick.saturating_add(200)) {
+            game.step(Controls::default());
+            flown.note(&game, Controls::default());
+            cut.note(&game, Controls::default());
+        }
+        assert_eq!(cut.record(&game), flown.record(&game), "tick {tick}");
+        assert_eq!(cut.at(cut.ticks() / 2).hash(), flown.at(cut.ticks() / 2).hash());
+    }
 }

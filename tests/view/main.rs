@@ -1,6 +1,7 @@
 //! Places of the picture's parts, its words, and the sound; nothing is drawn.
 
 mod camera;
+mod goals;
 mod hud;
 mod onlook;
 mod overlay;

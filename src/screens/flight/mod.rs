@@ -129,7 +129,7 @@ impl Screen for Flight {
         let (level, above) = (self.game.level(), self.above_controls(frame));
         let race = self.race();
         let status = level.ship_plays();
-        let medal = status && !self.is_watched() && Medals::has_clock(&level.awards);
+        let medal = status && !self.is_watched() && !self.assisted && Medals::has_clock(&level.awards);
         let rivals = race.map_or(0, |race| race.all().len());
         let shown = HudShown { status, fuel: status && level.player.has_engine(), rivals, medal };
         let focus = *self.observer.focus();
