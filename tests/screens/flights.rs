@@ -347,7 +347,7 @@ fn a_flight_goes_from_one_game_to_another_as_a_code() {
     };
     assert_eq!(paste(&format!("{code}\n")), ("Proven: Somebody".to_owned(), 1));
     assert_eq!(paste(&code).1, 1, "once is enough");
-    assert!(paste(&code[..code.len() - 9]).0.contains("cut or altered"));
+    assert!(paste(&code[..(code.len() - 9) / 4 * 4]).0.contains("cut or altered"));
     assert!(paste("hello").0.starts_with("No code of a flight"));
     // A code whose sender claims another score, and one of another level.
     let honest = Replay::from_code(&code).unwrap();

@@ -122,3 +122,15 @@ fn levels_that_come_and_go_while_the_list_is_open_are_listed() {
     assert!(sitting.level_select().entries()[0].level.as_ref().is_some_and(Result::is_ok));
     assert_eq!(sitting.press(Key::Enter).flown(), "2", "the keyboard stays on its level");
 }
+
+/// Level 3 is lost by its first tick.
+#[test]
+fn after_a_loss_the_level_is_asked_for_once_and_comes_back() {
+    let mut sitting = by_hand();
+    sitting.work(10);
+    sitting.app.grant(Request::Play("3".into()), &mut ());
+    sitting.work(10);
+    assert_eq!(sitting.at(), "flight");
+    assert_eq!(sitting.wait(0.6).work(10), 1, "one errand, however many frames it takes");
+    assert!(sitting.shows("Touched a red box"), "{:?}", sitting.texts());
+}

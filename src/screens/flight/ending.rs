@@ -45,6 +45,8 @@ impl Flight {
         // A button that steers is still held by the flight that has just ended.
         let leads_on = (input.pressed(Key::Escape) || input.pressed(Key::Enter)) && (self.ended >= END_PAUSE || !steers(input));
         if self.flies_on() && passed(LOSS_PAUSE) && !leads_on {
+            // A level whose files have changed is read first: meanwhile nothing is asked for again.
+            self.ended -= END_PAUSE;
             return Some(Request::Restart);
         }
         let over = passed(END_PAUSE) || leads_on;
