@@ -13,7 +13,7 @@ use crate::game::{Game, GameError, Outcome, Recorder};
 use crate::level::Level;
 use std::sync::Arc;
 
-/// One flight by a plan, of at most so many seconds, with its record.
+/// A flight by a plan with its record. It lasts `longest` seconds at most.
 /// Errors: as [`Game::new`].
 pub fn fly(level: &Arc<Level>, plan: &Plan, longest: f64) -> Result<(Game, Recorder), GameError> {
     let mut game = Game::new(Arc::clone(level))?;

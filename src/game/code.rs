@@ -76,14 +76,17 @@ impl Replay {
         if text.len() > LONGEST {
             return Err(format!("found {} characters, expected at most {LONGEST}", text.len()));
         }
-        let bytes =
-            BASE64_URL_SAFE_NO_PAD.decode(text).map_err(|error| format!("{error}, expected the text of a flight's code"))?;
+        let altered = "it is cut or altered: its last characters do not fit the others";
+        let known = |letter: char| letter.is_ascii_alphanumeric() || matches!(letter, '-' | '_');
+        if let Some(other) = text.chars().find(|letter| !known(*letter)) {
+            return Err(format!("found {other:?}, expected the letters, digits, - and _ of a flight's code"));
+        }
+        let bytes = BASE64_URL_SAFE_NO_PAD.decode(text).map_err(|_| altered)?;
         match bytes.first() {
             Some(&VERSION) => {}
             Some(other) => return Err(format!("found a code of version {other}, expected version {VERSION}")),
             None => return Err("found nothing, expected the text of a flight's code".to_owned()),
         }
-        let altered = "it is cut or altered: its last characters do not fit the others";
         let (said, check) = bytes.split_at_checked(bytes.len().saturating_sub(CHECK)).ok_or(altered)?;
         if Sha256::digest(said)[..CHECK] != *check {
             return Err(altered.to_owned());
@@ -217,7 +220,7 @@ mod tests {
     #[test]
     fn each_refusal_says_why() {
         let problem = |text: &str| Replay::from_code(text).unwrap_err();
-        assert!(problem("hello there").contains("expected the text of a flight's code"));
+        assert!(problem("hello there").starts_with("found ' ', expected the letters"));
         assert!(problem("").starts_with("found nothing"));
         assert_eq!(problem(&BASE64_URL_SAFE_NO_PAD.encode([9; 60])), "found a code of version 9, expected version 1");
         assert!(problem(&"A".repeat(3000)).starts_with("found 3000 characters"));

@@ -15,7 +15,7 @@ const FONTS: [(&str, &str); 2] = [
     ("Hack, a typeface: C. Simpkins, DejaVu, Bitstream", "MIT; Bitstream Vera"),
 ];
 /// Crates, by their names before the colon, and their licences.
-const CRATES: [(&str, &str); 18] = [
+const CRATES: [(&str, &str); 19] = [
     ("epaint_default_fonts and ttf-parser: typefaces", "MIT or Apache 2.0"),
     ("macroquad and miniquad: window, keys, drawing", "MIT or Apache 2.0"),
     ("gilrs: gamepads", "MIT or Apache 2.0"),
@@ -28,6 +28,7 @@ const CRATES: [(&str, &str); 18] = [
     ("libm: sines and logarithms, the same everywhere", "MIT"),
     ("clap: the command line", "MIT or Apache 2.0"),
     ("sha2 and unicode-normalization: hashes, names", "MIT or Apache 2.0"),
+    ("base64: flights as text", "MIT or Apache 2.0"),
     ("png: pictures", "MIT or Apache 2.0"),
     ("zip: levels as one file", "MIT"),
     ("tempfile: files that are written whole", "MIT or Apache 2.0"),
