@@ -34,9 +34,9 @@ fn more_than_fifteen_levels_make_pages() {
     sitting.choose("Level Select").rest();
     let shown = |sitting: &Sitting| (sitting.line("Page "), sitting.labels().len());
     let (first, last) = ("Page 1 of 2".to_owned(), "Page 2 of 2".to_owned());
-    assert_eq!(shown(&sitting), (first.clone(), 15 + 4), "a page, Back, Previous, Next and Edit");
+    assert_eq!(shown(&sitting), (first.clone(), 15 + 5), "a page, Back, Previous, Next, Edit and Daily Flight");
     sitting.press(Key::PageUp);
-    assert_eq!(shown(&sitting), (first.clone(), 19), "no page before the first");
+    assert_eq!(shown(&sitting), (first.clone(), 20), "no page before the first");
     sitting.choose("Next").rest();
     assert_eq!(shown(&sitting), (last.clone(), 10 + 4));
     sitting.click("Next").press(Key::PageDown);
