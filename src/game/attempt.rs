@@ -166,6 +166,13 @@ impl Game {
     }
 
     fn note_mechanisms(&mut self) {
+        for event in self.world.events() {
+            match event {
+                Event::Snapped { link } => self.events.push(GameEvent::Snapped(*link as usize)),
+                Event::Hooked { link } => self.events.push(GameEvent::Hooked(*link as usize)),
+                Event::Impact { .. } | Event::Crushed { .. } => {}
+            }
+        }
         self.mechanisms.note(&self.level, &mut self.world, &mut self.events);
         for index in 0..self.level.pods.len() {
             let full = self.ship.fuel >= self.level.player.fuel;

@@ -46,6 +46,6 @@ impl Death {
 pub fn crushed(events: &[Event]) -> impl Iterator<Item = (BodyId, u32)> + '_ {
     events.iter().filter_map(|event| match *event {
         Event::Crushed { body, by, .. } => Some((body, by)),
-        Event::Impact { .. } => None,
+        Event::Impact { .. } | Event::Snapped { .. } | Event::Hooked { .. } => None,
     })
 }

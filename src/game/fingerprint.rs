@@ -5,9 +5,9 @@
 use super::hash::Fnv1a;
 use super::notes::hex;
 use crate::level::{
-    AirStream, Fluid, GravityZone, Level, Mover, Object, Objective, Pod, SHIP_DRAG, ShipStart, Solid, Switch, Work,
+    AirStream, Fluid, GravityZone, Level, LevelLink, Mover, Object, Objective, Pod, SHIP_DRAG, ShipStart, Solid, Switch, Work,
 };
-use crate::physics::{Aabb, DVec2, Leg, Material, Path, Sides};
+use crate::physics::{Aabb, DVec2, Leg, LinkDef, LinkEnd, Material, Path, Sides};
 use sha2::{Digest, Sha256};
 use std::fmt;
 use std::str::FromStr;
@@ -128,6 +128,7 @@ impl Fingerprint {
             fluids,
             fields,
             pods,
+            links,
         } = level;
         let mut hash = Hash { sha256: Sha256::new(), old: Fnv1a::new() };
         hash.text(ENCODING);
@@ -150,6 +151,10 @@ impl Fingerprint {
         hash.list("switches", switches, Hash::switch);
         hash.list("fields", fields, Hash::field);
         hash.list("pods", pods, Hash::pod);
+        // Levels without links keep the hash that they had before there were any.
+        if !links.is_empty() {
+            hash.list("links", links, Hash::link);
+        }
         Self { hash: LevelHash::Sha256(hash.sha256.finalize().into()), old: Some(LevelHash::Fnv64(hash.old.finish())) }
     }
 }
@@ -245,6 +250,21 @@ impl Hash {
         self.numbers(&[*fuel]);
     }
 
+    fn link(&mut self, LevelLink { def, name }: &LevelLink) {
+        let LinkDef { body, to, law, as_found, hook, breaks, rate } = def;
+        self.word(u64::from(body.0));
+        match to {
+            LinkEnd::Body(body) => self.word(u64::from(body.0)),
+            LinkEnd::Place(place) => self.given("place", true, |hash| hash.vectors(&[*place])),
+        }
+        self.word(law.kind() as u64);
+        self.numbers(&law.numbers());
+        [as_found, hook].into_iter().for_each(|flag| self.word(u64::from(*flag)));
+        self.given("breaks", breaks.is_some(), |hash| hash.numbers(&[breaks.unwrap_or_default()]));
+        self.numbers(&[*rate]);
+        self.name(name.as_deref());
+    }
+
     fn material(&mut self, Material { name: _, static_friction, kinetic_friction, restitution }: &Material) {
         self.numbers(&[*static_friction, *kinetic_friction]);
         self.given("bounces", *restitution != 0.0, |hash| hash.numbers(&[*restitution]));
@@ -302,7 +322,8 @@ impl Hash {
     }
 
     fn object(&mut self, object: &Object) {
-        let Object { position, velocity, size, mass, drag, restitution, circular, look: _, key, material, weightless } = object;
+        let Object { position, velocity, size, mass, drag, restitution, circular, look: _, key, material, weightless, name: _ } =
+            object;
         self.vectors(&[*position, *velocity, *size]);
         self.numbers(&[*mass, *drag, *restitution]);
         self.material(material);

@@ -108,6 +108,8 @@ fn work(worked: Worked, on: bool, level: &Level, world: &mut World) {
         Worked::Door(index) => world.set_present(level.surface_index(SurfaceOf::Door(index)), !on),
         Worked::Belt(index) => world.set_belt(index, if on { level.world[index].belt } else { 0.0 }),
         Worked::Stream(index) => world.set_blowing(index, on),
+        Worked::Link(index) if level.links[index].def.rate != 0.0 => world.set_winding(index, on),
+        Worked::Link(index) => world.set_linked(index, on),
     }
 }
 

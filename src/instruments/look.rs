@@ -22,6 +22,8 @@ pub const fn force(kind: ForceKind) -> u32 {
         ForceKind::ViscousDrag => 0xA3A847,
         ForceKind::Push => 0xF0E442,
         ForceKind::Spring => 0xCC79A7,
+        ForceKind::Tension => 0xE8A0C8,
+        ForceKind::Magnetic => 0xF2545B,
     }
 }
 

@@ -1,16 +1,17 @@
 //! The things of a level's files, row by row, before the checks of the whole level.
 
+use super::links::UnboundLink;
 use super::numbers::PixelScale;
 use super::placed::FromRow;
 use super::problem::Problem;
 use super::reader::LevelReader;
 use super::schema::settings::LevelSettings;
-use super::schema::{Table, blocks, bodies, zones};
-use super::shade;
+use super::schema::{Table, blocks, bodies, ties, zones};
 use super::source::BACKGROUND;
 use super::types::{
     AirStream, Decoration, Fluid, GravityZone, Level, Mover, Object, Objective, ObjectiveKind, Pod, ShipStart, Solid, Switch, Text,
 };
+use super::{links, shade};
 use crate::physics::{Aabb, DVec2};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -37,6 +38,7 @@ pub(super) struct Draft {
     pub fluids: Vec<FromRow<Fluid>>,
     pub fields: Vec<FromRow<GravityZone>>,
     pub pods: Vec<FromRow<Pod>>,
+    pub links: Vec<FromRow<UnboundLink>>,
     pub decoration: Vec<FromRow<Decoration>>,
     pub texts: Vec<FromRow<Text>>,
     pub hints: Vec<FromRow<String>>,
@@ -66,6 +68,7 @@ impl Draft {
             fluids: reader.things(Table::Fluids, zones::fluid),
             fields: reader.things(Table::Gravity, zones::gravity_zone),
             pods: reader.things(Table::Pods, zones::pod),
+            links: reader.things(Table::Links, ties::link),
             decoration: reader.things(Table::Decoration, zones::decoration),
             texts: reader.things(Table::Texts, zones::text),
             hints: zones::hints(&reader.table(Table::Hints).records, &mut reader.rows),
@@ -94,6 +97,7 @@ impl Draft {
             movers: items(self.movers),
             doors: items(self.doors),
             switches: items(self.switches),
+            links: links::bound(&self.links, &self.objects),
             objects: items(self.objects),
             objectives: items(self.objectives),
             obstacles: items(self.obstacles),

@@ -1,4 +1,4 @@
-//! Level folders: CSV text becomes a valid [`Level`], or the list of all its [`Problem`]s. `table` finds the columns of cells, the rows of `schema` become things of `draft`, and `read` makes the level. `names`, `strength`, `placement`, `reach` and `winnable`
+//! Level folders: CSV text becomes a valid [`Level`], or the list of all its [`Problem`]s. `table` finds the columns of cells, the rows of `schema` become things of `draft`, and `read` makes the level. `names`, `links`, `strength`, `placement`, `reach` and `winnable`
 //! refuse levels; `gates`, `pushed`, `power` and `words` warn. Only `folder`, `scaffold` and `document` know the disk.
 
 mod box_tree;
@@ -7,6 +7,7 @@ mod draft;
 mod folder;
 mod gates;
 mod image;
+mod links;
 mod name;
 mod names;
 mod nearest;
@@ -45,9 +46,9 @@ pub use schema::FILES;
 pub use ship_body::{SHIP_BODY, nose, ship_body, sweep_touches};
 pub use source::{BACKGROUND, Files};
 pub use types::{
-    AirStream, Awards, BURN_RATE, Decoration, Fluid, GravityZone, Landscape, Level, Look, Mark, Mover, Object, Objective,
-    ObjectiveKind, Pod, Presser, Route, SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, ShipStart, Solid, Switch, SwitchStay,
-    TICK_RATE, Text, Work,
+    AirStream, Awards, BURN_RATE, Decoration, Fluid, GravityZone, Landscape, Level, LevelLink, Look, Mark, Mover, Object,
+    Objective, ObjectiveKind, Pod, Presser, Route, SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, ShipStart, Solid, Switch,
+    SwitchStay, TICK_RATE, Text, Work,
 };
 pub use varied::{Parameter, varied};
 pub use wiring::{SurfaceOf, Wire, Worked};

@@ -42,7 +42,8 @@ fn worked(draft: &Draft) -> BTreeMap<&str, usize> {
     let solids = draft.world.iter().filter(|solid| solid.item.belt != 0.0).chain(&draft.doors).map(|solid| &solid.item.name);
     let movers = draft.movers.iter().map(|mover| &mover.item.solid.name);
     let streams = draft.streams.iter().map(|stream| &stream.item.name);
-    for name in solids.chain(movers).chain(streams).flatten().flat_map(|name| names_in(name)) {
+    let links = draft.links.iter().map(|link| &link.item.name);
+    for name in solids.chain(movers).chain(streams).chain(links).flatten().flat_map(|name| names_in(name)) {
         *things.entry(name).or_default() += 1;
     }
     things
@@ -68,10 +69,10 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
                 return problems;
             }
             let expected = if known.is_empty() {
-                "the name of a mover, door, stream or belt; none has one".to_owned()
+                "the name of a mover, door, stream, belt or link; none has one".to_owned()
             } else {
                 let meant = meant(&work.name, known.keys().copied().take(MOST_NAMES));
-                format!("the name of a mover, door, stream or belt: {all}{meant}")
+                format!("the name of a mover, door, stream, belt or link: {all}{meant}")
             };
             problems.push(switch.problem("works", quoted(&work.name), expected));
         }
@@ -87,7 +88,8 @@ pub(super) fn warn(draft: &Draft) -> Vec<Problem> {
     let movers = draft.movers.iter().map(|mover| mover.map(|mover| mover.solid.name.clone()));
     let streams = draft.streams.iter().map(|stream| stream.map(|stream| stream.name.clone()));
     let world = draft.world.iter().map(|solid| solid.map(|solid| solid.name.clone()));
-    let named = world.chain(movers).chain(doors).chain(streams);
+    let links = draft.links.iter().map(|link| link.map(|link| link.name.clone()));
+    let named = world.chain(movers).chain(doors).chain(streams).chain(links);
     named
         .filter_map(|placed| {
             let name = names_in(placed.item.as_deref()?).find(|name| !known.contains(name))?;

@@ -45,6 +45,9 @@ pub(super) const PERIOD: NumberRange = NumberRange::new(1e-2, 1e6, "s");
 pub(super) const PAUSE: NumberRange = NumberRange { gap: SHORTEST, ..NumberRange::new(0.0, 1e6, "s") };
 pub(super) const IMPULSE: NumberRange = NumberRange::new(1e-3, 1e9, "N·s");
 pub(super) const LOAD: NumberRange = NumberRange::new(1e-3, 1e9, "N");
+pub(super) const STIFFNESS: NumberRange = NumberRange::new(0.0, 1e12, "N/m");
+pub(super) const DAMPING: NumberRange = NumberRange::new(0.0, 1e9, "N·s/m");
+pub(super) const STRENGTH: NumberRange = NumberRange::new(-1e9, 1e9, "N·m²");
 pub(super) const METRE: NumberRange = NumberRange::new(1e-3, 1e6, "pixels a metre");
 pub(super) const REST_SPEED: NumberRange = NumberRange { low: 0.0, ..NumberRange::of(domain::SPEED) };
 pub(super) const WIND: NumberRange = NumberRange::new(0.0, 1e3, "");
@@ -174,6 +177,10 @@ impl PixelScale {
 
     pub fn size(&self) -> NumberRange {
         NumberRange::new(MIN_SIZE * self.metre, MAX_DISTANCE * self.metre, "pixels")
+    }
+
+    pub fn length(&self) -> NumberRange {
+        NumberRange { low: 0.0, ..self.coordinate() }
     }
 
     /// Pixels to metres.

@@ -10,7 +10,7 @@ use super::schema::settings::{LevelSettings, SETTING, settings};
 use super::schema::{FILES, Table};
 use super::source::{BACKGROUND, Files};
 use super::types::Level;
-use super::{gates, placement, power, pushed, strength, winnable, words};
+use super::{gates, links, placement, power, pushed, strength, winnable, words};
 use crate::physics::DVec2;
 use std::io;
 use std::rc::Rc;
@@ -32,6 +32,7 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
 fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result<Loaded, Vec<Problem>> {
     let Gathered { background, draft, mut problems, mut warnings } = gather(files, false);
     problems.extend(names::check(&draft));
+    problems.extend(links::check(&draft));
     problems.extend(strength::check(&draft));
     problems.extend(placement::check_zones(&draft));
     problems.extend(placement::check(&draft, work));

@@ -1,6 +1,6 @@
 //! A level as the rest of the game knows it: in metres, checked, ready to play.
 
-use crate::physics::{Aabb, DVec2, Material, Path, Sides};
+use crate::physics::{Aabb, DVec2, LinkDef, Material, Path, Sides};
 
 /// The ship's height, m: it fixes the scale.
 pub const SHIP_HEIGHT: f64 = 1.7;
@@ -55,6 +55,7 @@ pub struct Level {
     pub fluids: Vec<Fluid>,
     pub fields: Vec<GravityZone>,
     pub pods: Vec<Pod>,
+    pub links: Vec<LevelLink>,
     pub decoration: Vec<Decoration>,
     pub texts: Vec<Text>,
     /// Given one at a time, on demand.
@@ -240,6 +241,8 @@ pub struct Object {
     /// A key object's colour; `None` for an ordinary object.
     pub key: Option<[u8; 3]>,
     pub weightless: bool,
+    /// Its name for links.
+    pub name: Option<String>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -298,6 +301,14 @@ pub struct GravityZone {
     pub zone: Aabb,
     /// N/kg.
     pub strength: DVec2,
+}
+
+/// A spring, rope or magnet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LevelLink {
+    pub def: LinkDef,
+    /// Its name for switches.
+    pub name: Option<String>,
 }
 
 #[derive(Clone, Debug, PartialEq)]

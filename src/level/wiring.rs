@@ -13,6 +13,8 @@ pub enum Worked {
     Belt(usize),
     /// It blows while it is on.
     Stream(usize),
+    /// It acts while it is on; one with a rate winds.
+    Link(usize),
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -73,6 +75,7 @@ impl Level {
         let named = named.chain((0..self.doors.len()).map(|i| (&self.doors[i].name, Some(Worked::Door(i)))));
         let named = named.chain((0..self.world.len()).map(|i| (&self.world[i].name, belt(i))));
         let named = named.chain((0..self.streams.len()).map(|i| (&self.streams[i].name, Some(Worked::Stream(i)))));
+        let named = named.chain((0..self.links.len()).map(|i| (&self.links[i].name, Some(Worked::Link(i)))));
         let switches = SwitchesByName::new(self.switches.iter());
         named.filter_map(|(name, worked)| switches.wire(name.as_deref()?, worked?)).collect()
     }

@@ -60,6 +60,7 @@ impl Level {
                 .map(|fluid| FluidDef { zone: fluid.zone, density: fluid.density, viscosity: fluid.viscosity })
                 .collect(),
             bodies: std::iter::once(ship).chain(objects).collect(),
+            links: self.links.iter().map(|link| link.def).collect(),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use crate::physics::data::domain::{DefError, expect};
 use crate::physics::data::{Body, BodyId, Surface, WorldDef};
+use crate::physics::forces::link::Link;
 use crate::physics::forces::{ForceKind, ForceManager, Source};
 use crate::physics::space::Space;
 use crate::physics::state::State;
@@ -81,9 +82,12 @@ impl World {
     /// What [`World::new`] refuses, or another number of bodies, surfaces or zones; nothing has changed then.
     pub fn go_on_by(&mut self, def: WorldDef) -> Result<(), DefError> {
         let mut next = Self::new(def)?;
-        let counts = |world: &Self| (world.state.bodies.len(), world.state.surfaces.len(), world.state.media.streams.len());
+        let counts = |world: &Self| {
+            let State { bodies, surfaces, media, links, .. } = &world.state;
+            [bodies.len(), surfaces.len(), media.streams.len(), links.all.len()]
+        };
         let alike = counts(&next) == counts(self);
-        expect(alike, || "a world goes on with as many bodies, surfaces and zones as it has".to_owned())?;
+        expect(alike, || "a world goes on with as many bodies, surfaces, zones and links as it has".to_owned())?;
         let State { bodies, forces, links, surfaces, media, ticks, .. } = &self.state;
         for (body, now) in next.state.bodies.iter_mut().zip(bodies) {
             *body = Body { position: now.position, velocity: now.velocity, ..body.clone() };
@@ -94,7 +98,12 @@ impl World {
         for (stream, now) in next.state.media.streams.iter_mut().zip(&media.streams) {
             stream.blows = now.blows;
         }
-        (next.state.forces, next.state.links, next.state.ticks) = (forces.clone(), links.clone(), *ticks);
+        (next.state.forces, next.state.ticks) = (forces.clone(), *ticks);
+        for (link, now) in next.state.links.all.iter_mut().zip(&links.all) {
+            let law = now.law.length().map_or(link.law, |length| link.law.of_length(length));
+            *link = Link { def: link.def, law, ..*now };
+        }
+        next.state.links.gather();
         next.feel_zones();
         *next.space = Space::new(&next.state);
         next.space.keep_previous(&self.space);

@@ -2,7 +2,7 @@
 
 use crate::physics::DVec2;
 use crate::physics::data::{Body, Contact, Surface};
-use crate::physics::forces::link::{LinkDef, LinkEnd};
+use crate::physics::forces::link::{Link, LinkDef, LinkEnd};
 use crate::physics::forces::{Force, ForceKind, ForceManager, Source};
 use crate::physics::state::State;
 use crate::physics::world::World;
@@ -38,8 +38,13 @@ fn hash_forces(forces: &ForceManager, write: &mut impl FnMut(u64)) {
     }
 }
 
-fn hash_link(link: &LinkDef, write: &mut impl FnMut(u64)) {
-    let LinkDef { body, to, law } = link;
+fn hash_link(link: &Link, write: &mut impl FnMut(u64)) {
+    let Link { def, law, on, winds, begun, broken } = link;
+    let LinkDef { body, to, law: _, as_found, hook, breaks, rate } = def;
+    write(u64::from(*on) | u64::from(*winds) << 1 | u64::from(*begun) << 2 | u64::from(*broken) << 3);
+    write(u64::from(*as_found) << 1 | u64::from(*hook));
+    write(breaks.map_or(0, f64::to_bits));
+    write(rate.to_bits());
     write(u64::from(body.0) << 32 | law.kind() as u64);
     match to {
         LinkEnd::Body(other) => write(u64::from(other.0)),

@@ -108,10 +108,6 @@ impl Tick<'_> {
         if island.is_alone() && of.motions.bodies[island.members[0] as usize].roughly {
             return self.fly(of);
         }
-        if round > MOST_GROWTHS || self.leaves_for_good(count) {
-            self.guards.dense_ticks += 1;
-            return Verdict::Left;
-        }
         self.scratch.members.clear();
         self.scratch.surfaces.clear();
         self.scratch.members.extend_from_slice(island.members);
@@ -120,6 +116,10 @@ impl Tick<'_> {
             return verdict;
         }
         let (whole, count) = (count, self.scratch.members.len());
+        if round > MOST_GROWTHS || self.leaves_for_good(whole) {
+            self.guards.dense_ticks += 1;
+            return Verdict::Left;
+        }
         self.scratch.gather(self.state, &self.scene, |body| of.motions.swept[body as usize]);
         called(Part::Exact);
         let outcome = self.scratch.events.advance(&self.scene);
@@ -136,9 +136,10 @@ impl Tick<'_> {
             }
             ExactEnd::Done => {
                 self.scratch.scatter(self.state, of.motions);
+                self.scratch.follow_links(self.state, of.motions);
                 let items = &self.scratch.events.items[..count];
                 let still = |item: &Item| item.is_still() && item.body.position == self.state.bodies[item.id as usize].position;
-                let rests = whole == count
+                let rests = (whole == count || self.scratch.flown_rest())
                     && self.scene.plan.direct
                     && items.iter().all(still)
                     && self.scratch.events.stands_on_what_stands();

@@ -1,14 +1,15 @@
 //! Links in a world. A linked body that touches something takes the mean force of its links over the tick as a constant one: its place is off by a
-//! part (ω·dt)²/12 of the force's own way.
+//! part (ω·dt)²/12 of the force's own way. Links with ω·dt > 2 take the force of an implicit step instead.
 
 use crate::physics::data::domain::DefError;
-use crate::physics::data::{Aabb, Pose, SLOP};
-use crate::physics::flight::linked::{Linked, LinkedBodies};
-use crate::physics::forces::link::{LinkDef, links_on};
+use crate::physics::data::{Aabb, BodyId, Contact, Obstacle, Pose, SLOP, on_axis};
+use crate::physics::flight::linked::{Linked, LinkedBodies, little};
+use crate::physics::forces::link::{Link, LinkDef, LinkEnd};
+use crate::physics::forces::{Force, ForceManager, Source};
 use crate::physics::islands::{Members, Tick, Verdict};
 use crate::physics::scratch::Scratch;
-use crate::physics::state::State;
-use crate::physics::store::motions::{Guide, Method};
+use crate::physics::state::{Event, State};
+use crate::physics::store::motions::{Guide, Method, Motions};
 use crate::physics::world::World;
 use glam::DVec2;
 
@@ -16,34 +17,56 @@ impl World {
     /// Adds a link; its number is that in [`World::links`].
     ///
     /// # Errors
-    /// A body that there is not, or a number that is out of its range: the links of a body may come to 10⁸ N/m and 10⁴ N·s/m per kg.
+    /// A body that there is not, or a number that is out of its range: the links of a body may come to 10⁷ N/m and 10⁴ N·s/m per kg.
     pub fn link(&mut self, def: LinkDef) -> Result<usize, DefError> {
-        def.check(&self.state.bodies, &self.state.links.all)?;
-        self.state.links.all.push(def);
-        self.state.links.gather();
-        self.disturb_ends(&def);
-        Ok(self.state.links.all.len() - 1)
+        let number = self.state.links.all.len();
+        let link = Link::new(def, &self.state.bodies, &self.state.links.all)?;
+        self.state.links.all.push(link);
+        self.relink(number);
+        Ok(number)
     }
 
     /// Removes a link; those behind it move up by one number.
     pub fn unlink(&mut self, number: usize) {
         if number < self.state.links.all.len() {
-            let def = self.state.links.all.remove(number);
-            self.state.links.gather();
-            self.disturb_ends(&def);
-            for end in def.ends() {
-                self.space.set_force(&self.state, end.index(), self.state.forces[end.index()].push());
-            }
+            self.set_linked(number, false);
+            self.state.links.all.remove(number);
         }
     }
 
+    /// Lets a link act, or lets its ends go: one that waits for a touch waits again then.
+    pub fn set_linked(&mut self, number: usize, on: bool) {
+        let link = &mut self.state.links.all[number];
+        if link.on != on {
+            (link.on, link.begun) = (on, !link.def.hook);
+            self.relink(number);
+        }
+    }
+
+    /// Lets the length of a link grow by its rate, or stay.
+    pub fn set_winding(&mut self, number: usize, winds: bool) {
+        self.state.links.all[number].winds = winds;
+    }
+
     /// All links.
-    pub fn links(&self) -> &[LinkDef] {
+    pub fn links(&self) -> &[Link] {
         &self.state.links.all
     }
 
-    fn disturb_ends(&mut self, def: &LinkDef) {
-        def.ends().for_each(|body| self.disturb(body.0));
+    /// The present ends of a link, m.
+    pub fn link_ends(&self, link: &Link) -> [DVec2; 2] {
+        let from = self.body(link.def.body).position;
+        [from, from + link.def.apart(|id| self.state.pose_of(id)).0]
+    }
+
+    /// Wakes the ends of a link that has changed.
+    fn relink(&mut self, number: usize) {
+        self.state.links.gather();
+        let def = self.state.links.all[number].def;
+        for end in def.ends() {
+            self.disturb(end.0);
+            self.space.set_force(&self.state, end.index(), self.state.forces[end.index()].push());
+        }
     }
 
     /// Flies all linked groups that are awake as if they touched nothing, but for bodies that contacts hold.
@@ -51,48 +74,118 @@ impl World {
         self.scratch.linked.clear();
         self.scratch.pairs.clear();
         for g in 0..self.state.links.groups.len() {
-            let group = &self.state.links.groups[g];
-            if group.iter().all(|body| self.space.sleep.asleep[*body as usize]) {
+            let group = self.state.links.groups[g].0..self.state.links.groups[g].1;
+            let asleep = |body: &u32| self.space.sleep.asleep[*body as usize];
+            if self.state.links.members[group.clone()].iter().all(asleep) && !self.winds(dt) {
                 continue;
             }
-            for k in 0..group.len() {
-                let body = self.state.links.groups[g][k];
+            let from = self.scratch.linked.len();
+            for k in group.clone() {
+                let body = self.state.links.members[k];
                 if self.space.sleep.asleep[body as usize] {
                     self.disturb(body);
                 }
+                let linked = self.state.linked(body, dt);
+                self.scratch.linked.push(linked);
             }
-            let Self { state, scratch, space, .. } = self;
-            let Scratch { linked, pairs, .. } = &mut **scratch;
-            let (from, group) = (linked.len(), &state.links.groups[g]);
-            pairs.extend(group.windows(2).map(|pair| (pair[0], pair[1])));
-            for &id in group {
-                let (body, push) = (&state.bodies[id as usize], state.forces[id as usize].push());
-                let rests = body.velocity == DVec2::ZERO && body.acceleration == DVec2::ZERO;
-                let held = rests && state.contacts.iter().any(|contact| contact.has(id));
-                linked.push(Linked::new(body, id, held, state.media.law(body, push, dt)));
-            }
-            LinkedBodies { media: &state.media, bodies: &state.bodies, links: &state.links.all }.fly(&mut linked[from..], dt);
-            for member in &linked[from..] {
-                let i = member.id as usize;
-                space.set_force(state, i, state.forces[i].push() + member.mean);
-                let end = if member.held {
-                    let body = &state.bodies[i];
-                    let a = state.media.acceleration_under(body, state.forces[i].push() + member.mean);
-                    (body.position + a * (0.5 * dt * dt), a * dt)
-                } else {
-                    member.pose
-                };
-                space.motions.guided.push((member.id, Guide { end, places: Some(member.places), ..Guide::default() }));
-            }
+            self.scratch.pairs.extend(self.state.links.members[group].windows(2).map(|pair| (pair[0], pair[1])));
+            self.fly_group(from, dt);
         }
         self.scratch.linked.sort_unstable_by_key(|member| member.id);
         self.space.islands.link(&self.scratch.pairs);
+        for link in &mut self.state.links.all {
+            let growth = link.growth(dt);
+            link.law = link.law.length().map_or(link.law, |length| link.law.of_length(length + growth * dt));
+        }
+    }
+
+    fn winds(&self, dt: f64) -> bool {
+        self.state.links.all.iter().any(|link| link.growth(dt) != 0.0)
+    }
+
+    fn fly_group(&mut self, from: usize, dt: f64) {
+        let Self { state, scratch, space, .. } = self;
+        let Scratch { linked, pulls, snapped, .. } = &mut **scratch;
+        let State { media, bodies, links, .. } = &*state;
+        LinkedBodies { media, bodies, links: &links.all, members: &mut linked[from..], pulls, tick: dt, now: 0.0 }.fly();
+        for pull in pulls.iter().filter(|pull| pull.broken) {
+            state.links.all[pull.link as usize].broken = true;
+            snapped.push(pull.link);
+        }
+        for member in &linked[from..] {
+            let (i, force) = (member.id as usize, state.forces[member.id as usize].push() + member.mean);
+            space.set_force(state, i, force);
+            let end = if member.held {
+                let body = &state.bodies[i];
+                let a = state.media.acceleration_under(body, force);
+                (body.position + a * (0.5 * dt * dt), a * dt)
+            } else {
+                member.pose
+            };
+            let floats = member.rests && !member.held;
+            space.motions.guided.push((member.id, Guide { end, places: Some(member.places), floats, ..Guide::default() }));
+        }
+    }
+
+    /// After a tick: the ends of broken links are free, and hooks take hold of what they have touched.
+    pub(crate) fn tend_links(&mut self) {
+        while let Some(link) = self.scratch.snapped.pop() {
+            self.records.events.push(Event::Snapped { link });
+            self.relink(link as usize);
+        }
+        for number in 0..self.state.links.all.len() {
+            let link = self.state.links.all[number];
+            if link.on && !link.begun && !link.broken && self.touches(&link.def) {
+                let Self { state, .. } = self;
+                let mut begun = link;
+                begun.begin(|id| state.pose_of(id));
+                state.links.all[number] = begun;
+                self.records.events.push(Event::Hooked { link: number as u32 });
+                self.relink(number);
+            }
+        }
+    }
+
+    /// Whether the ends of a link touch, or have hit each other in the last tick.
+    fn touches(&self, def: &LinkDef) -> bool {
+        let bounds = self.body(def.body).bounds();
+        match def.to {
+            LinkEnd::Place(place) => bounds.touches(&Aabb::around(place, DVec2::ZERO), SLOP),
+            LinkEnd::Body(other) => {
+                let hit = |a: BodyId, b: BodyId| self.records.impulses.iter().any(|hit| hit.a == a && hit.b == Obstacle::Body(b));
+                bounds.touches(&self.body(other).bounds(), SLOP) || hit(def.body, other) || hit(other, def.body)
+            }
+        }
+    }
+
+    /// Lists the forces of the links of a body. At rest the rounding of its place is no force.
+    pub(crate) fn list_links(&self, id: BodyId, forces: &mut ForceManager) {
+        let (state, body) = (&self.state, self.body(id));
+        let rests = body.velocity == DVec2::ZERO && body.acceleration == DVec2::ZERO;
+        for (number, link) in (0..).zip(&state.links.all).filter(|(_, link)| link.acts_on(id.0)) {
+            let vector = link.on(id.0, |id| state.pose_of(id));
+            if !rests || vector.length() > little(link.law.rates()[0], body.position) {
+                forces.list(Force { kind: link.law.kind(), source: Source::Link(number), vector, point: body.position });
+            }
+        }
     }
 }
 
 impl State {
-    pub(crate) fn links_on(&self, body: u32) -> DVec2 {
-        links_on(&self.links.all, body, |id| self.pose_of(id))
+    /// A linked body at the start of a tick. One that touches something without being held flies as under the forces of its contacts.
+    fn linked(&self, id: u32, dt: f64) -> Linked {
+        let (body, push) = (&self.bodies[id as usize], self.forces[id as usize].push());
+        let rests = body.velocity == DVec2::ZERO && body.acceleration == DVec2::ZERO;
+        let contacts = || self.contacts.iter().filter(|contact| contact.has(id));
+        let held = rests && contacts().next().is_some();
+        let borne = |sum, contact: &Contact| {
+            let sign = if contact.hi == id { 1.0 } else { -1.0 };
+            sum + on_axis(contact.axis, contact.normal, contact.friction) * sign
+        };
+        let law = self.media.law(body, contacts().fold(push, borne), dt);
+        let mut linked = Linked::new(body, id, held, law);
+        linked.touches = contacts().next().is_some();
+        linked
     }
 
     pub(crate) fn pose_of(&self, id: u32) -> Pose {
@@ -104,6 +197,27 @@ impl State {
 impl Scratch {
     pub(crate) fn linked(&self, body: u32) -> Option<&Linked> {
         self.linked.binary_search_by_key(&body, |member| member.id).ok().map(|at| &self.linked[at])
+    }
+
+    /// Linked bodies of an island that touched nothing after all are where their flight led them, if there is room.
+    pub(crate) fn follow_links(&self, state: &State, motions: &mut Motions) {
+        let Self { linked, events, .. } = self;
+        for member in linked.iter().filter(|member| !member.touches) {
+            let Ok(at) = events.items[..events.movable].binary_search_by_key(&member.id, |item| item.id) else { continue };
+            let (id, box_there) = (BodyId(member.id), Aabb::around(member.pose.0, state.bodies[member.id as usize].half));
+            let touched = events.contacts.iter().any(|contact| contact.has(at as u32))
+                || events.hits.iter().any(|hit| hit.impulse.on(id).is_some())
+                || (0..).zip(&events.items).any(|(k, item)| k != at && item.body.bounds().overlaps(&box_there, SLOP));
+            if !touched {
+                let motion = &mut motions.bodies[member.id as usize];
+                (motion.end, motion.method) = (member.pose, Method::Linked);
+            }
+        }
+    }
+
+    /// Whether all bodies rest that links alone hold.
+    pub(crate) fn flown_rest(&self) -> bool {
+        self.flown.iter().all(|id| self.linked(*id).is_some_and(|member| member.rests))
     }
 }
 
@@ -131,6 +245,7 @@ impl Tick<'_> {
         }
         scratch.members.retain(|id| !flown.contains(id));
         scratch.flown = flown;
-        scratch.members.is_empty().then_some(Verdict::Taken { rests: false })
+        let rests = scene.plan.direct && scratch.flown_rest();
+        scratch.members.is_empty().then_some(Verdict::Taken { rests })
     }
 }

@@ -5,7 +5,7 @@ use crate::physics::checks::Checks;
 use crate::physics::data::{Aabb, Contact, Hit, SLOP};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Events, Scene};
-use crate::physics::flight::linked::Linked;
+use crate::physics::flight::linked::{Linked, Pull};
 use crate::physics::state::State;
 use crate::physics::store::motions::{Method, Motions};
 use glam::DVec2;
@@ -51,6 +51,9 @@ pub(crate) struct Scratch {
     pub awake: Vec<u32>,
     /// Bodies that are linked and awake, ascending; pairs that join them; and those of an island that touch nothing.
     pub linked: Vec<Linked>,
+    /// The links of the group that flies, and all that have broken in this tick.
+    pub pulls: Vec<Pull>,
+    pub snapped: Vec<u32>,
     pub pairs: Vec<(u32, u32)>,
     pub flown: Vec<u32>,
 }
@@ -100,9 +103,8 @@ impl Scratch {
             events.items.push(Item::body(body, &state.bodies[i], state.forces[i].push_of_no_zone(), searched, state.known[i]));
         }
         events.movable = members.len();
-        for link in state.links.all.iter().filter(|_| !linked.is_empty()) {
-            let inside = |id: u32| members.binary_search(&id).is_ok();
-            if inside(link.body.0) || link.other().is_some_and(|other| inside(other.0)) {
+        for link in state.links.all.iter().filter(|link| link.acts() && !linked.is_empty()) {
+            if link.def.ends().any(|end| members.binary_search(&end.0).is_ok()) {
                 events.links.push(*link);
             }
         }

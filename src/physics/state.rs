@@ -30,6 +30,16 @@ pub enum Event {
         /// ½mv²/(h/2), N: the mean force that crushes half of its smaller side h at the speed v at which the surfaces close.
         force: f64,
     },
+    /// A larger force than it bears has broken a link.
+    Snapped {
+        /// Its number.
+        link: u32,
+    },
+    /// The ends of a link that waits for it have touched: it acts from now on.
+    Hooked {
+        /// Its number.
+        link: u32,
+    },
 }
 
 /// How many bodies each method took through the last tick.

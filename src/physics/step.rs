@@ -2,7 +2,9 @@
 
 use crate::physics::crowd::CrowdImpact;
 use crate::physics::crowd::impulses::ContactImpulse;
-use crate::physics::data::{Aabb, Body, BodyId, Coefficients, Contact, Hit, Impulse, Obstacle, REPORT_SPEED, SLOP, on_axis};
+use crate::physics::data::{
+    Aabb, BALANCED, Body, BodyId, Coefficients, Contact, Hit, Impulse, Obstacle, REPORT_SPEED, SLOP, on_axis,
+};
 use crate::physics::exact::Scene;
 use crate::physics::islands::{MOST_AT_FIRST, Tick};
 use crate::physics::scratch::{NOBODY, first_stop};
@@ -11,9 +13,6 @@ use crate::physics::state::{Event, Methods, State};
 use crate::physics::store::motions::Method;
 use crate::physics::world::World;
 use glam::DVec2;
-
-/// Relative to all forces of contacts on a body: the rounding of a balance.
-const BALANCED: f64 = 1e-9;
 
 /// m. Bodies nearer to a surface that changes are looked at.
 const MARGIN: f64 = 1e-3;
@@ -40,6 +39,7 @@ impl World {
         }
         self.state.ticks += 1;
         self.record();
+        self.tend_links();
         self.go_on_paths(dt);
         self.records.followed = self.scratch.events.total - before;
         #[cfg(all(feature = "validate", debug_assertions))]
@@ -163,8 +163,9 @@ impl World {
         for member in &scratch.linked {
             let i = member.id as usize;
             if space.motions.bodies[i].method != Method::Events {
-                let force = state.forces[i].push() + state.links_on(member.id);
-                state.bodies[i].acceleration = state.media.acceleration_under(&state.bodies[i], force);
+                let force = state.forces[i].push() + state.links.on(member.id, |id| state.pose_of(id));
+                let acceleration = state.media.acceleration_under(&state.bodies[i], force);
+                state.bodies[i].acceleration = if member.rests { DVec2::ZERO } else { acceleration };
             }
         }
         scratch.fresh.clear();

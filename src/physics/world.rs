@@ -71,6 +71,7 @@ impl World {
             world.state.forces.fill_with(ForceManager::with_room);
             world.feel_zones();
         }
+        def.links.into_iter().try_for_each(|link| world.link(link).map(drop))?;
         world.begin();
         Ok(world)
     }
@@ -174,13 +175,11 @@ impl World {
         pushes.forces().iter().for_each(|force| forces.list(Force { point: body.position, ..*force }));
         let law = state.media.law(body, pushes.push(), 0.0);
         state.media.list(body, &law, pushes.push(), forces);
-        for (number, link) in (0..).zip(&state.links.all).filter(|(_, link)| link.has(id.0)) {
-            forces.list(list(Source::Link(number), link.law.kind(), link.on(id.0, |id| state.pose_of(id))));
-        }
+        self.list_links(id, forces);
         for contact in state.contacts.iter().filter(|contact| contact.has(id.0)) {
             self.list_contact(contact, id, forces);
         }
-        forces.close(body.acceleration);
+        forces.close(body.acceleration, state.links.all.iter().any(|link| link.acts_on(id.0)));
     }
 
     /// Lists the forces of a contact on a body, N: a Reaction of a surface, or along gravity; a Push side by side.

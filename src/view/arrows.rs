@@ -157,6 +157,8 @@ const fn style(shown: ArrowKind) -> (Head, &'static [f32]) {
         ForceKind::ViscousDrag => (Head::Disc, &[9.0, 4.0, 2.5, 4.0]),
         ForceKind::Push => (Head::Bar, &[]),
         ForceKind::Spring => (Head::Bar, &[9.0, 4.0, 2.5, 4.0]),
+        ForceKind::Tension => (Head::Bar, &[10.0, 5.0]),
+        ForceKind::Magnetic => (Head::Diamond, &[]),
     }
 }
 

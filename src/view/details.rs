@@ -212,11 +212,11 @@ impl Details {
         self.lit.push((own.body, row));
         for body in partner.bodies {
             if let Some(facts) = of(body) {
-                self.lit.extend(answer(facts, shown, own.body).map(|row| (body, row)));
+                self.lit.extend(answer(facts, shown, own.body, &own.rows[row].causes).map(|row| (body, row)));
                 continue;
             }
             let mut other = subject(body);
-            if let Some(row) = answer(&other.facts, shown, own.body) {
+            if let Some(row) = answer(&other.facts, shown, own.body, &own.rows[row].causes) {
                 other.facts.rows = vec![other.facts.rows.swap_remove(row)];
                 self.lit.push((body, 0));
                 away.push(other);

@@ -1,7 +1,7 @@
 //! The facts in a body's details box, read from the world's own state without computing them again. Their wording is elsewhere.
 
 use crate::game::{Game, SHIP, body_title, plain_name};
-use crate::physics::{BodyId, DVec2, ForceKind, ForceManager, Impulse, Obstacle, Source};
+use crate::physics::{BodyId, DVec2, ForceKind, ForceManager, Impulse, LinkEnd, Obstacle, Source};
 
 /// Below this length (N) a force's direction is no more than rounding: the force stays by itself.
 const SMALLEST_FORCE: f64 = 1e-9;
@@ -106,7 +106,7 @@ pub fn facts(game: &Game, id: BodyId) -> BodyFacts {
         ..FactRow::plain(shown.name(), Value::Vector(vector), unit)
     };
     rows.push(line(ArrowKind::Resultant, forces.resultant(), "N"));
-    let exerted = |row: FactRow, causes: Vec<Source>| FactRow { by: by_whom(game, &causes), causes, ..row };
+    let exerted = |row: FactRow, causes: Vec<Source>| FactRow { by: by_whom(game, id, &causes), causes, ..row };
     let told = by_name(&forces).into_iter();
     rows.extend(told.map(|told| exerted(line(ArrowKind::Force(told.kind), told.vector, "N"), told.by)));
     let impacts = impacts(game, id);
@@ -152,12 +152,26 @@ const fn source(obstacle: Obstacle) -> Source {
     }
 }
 
-/// The source of a force or an impact in words: bodies by the titles of their boxes. Several are counted.
-pub fn by_whom(game: &Game, causes: &[Source]) -> String {
+/// The body at the other end of a link; `None` where that is a place.
+pub fn linked_to(game: &Game, body: BodyId, link: u32) -> Option<BodyId> {
+    let def = game.world().links().get(link as usize)?.def();
+    match def.to {
+        LinkEnd::Body(other) => Some(if def.body == body { other } else { def.body }),
+        LinkEnd::Place(_) => None,
+    }
+}
+
+/// The source of a force or an impact on a body in words: bodies by the titles of their boxes, also those at the other end of a link. Several
+/// are counted.
+pub fn by_whom(game: &Game, on: BodyId, causes: &[Source]) -> String {
     let all = |sort: fn(&Source) -> bool| causes.iter().all(sort);
     match causes {
         [] => String::new(),
         [Source::Body(body)] => body_title(game.level(), *body),
+        [Source::Link(link)] => {
+            let other = linked_to(game, on, *link).map(|other| body_title(game.level(), other));
+            other.unwrap_or_else(|| format!("anchor {}", link + 1))
+        }
         [one] => plain_name(game.level(), *one),
         many if all(|cause| matches!(cause, Source::Body(_))) => format!("{} objects", many.len()),
         many if all(|cause| matches!(cause, Source::Surface(_))) => format!("{} blocks", many.len()),

@@ -146,6 +146,10 @@ impl GameView {
                     self.feedback.ring(game.world().body(SHIP).position, theme::bad());
                     self.wreck = Wreck::new(game, SHIP);
                 }
+                GameEvent::Snapped(index) | GameEvent::Hooked(index) => {
+                    let ends = game.world().link_ends(&game.world().links()[*index]);
+                    self.feedback.ring((ends[0] + ends[1]) * 0.5, theme::text());
+                }
                 GameEvent::Broke(index) => {
                     let block = game.level().world[*index].bounds;
                     self.feedback.ring(block.centre(), theme::text());

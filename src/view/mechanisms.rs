@@ -64,6 +64,10 @@ pub fn worked_by(game: &Game, switch: usize) -> impl Iterator<Item = DVec2> {
         Worked::Door(index) => of(SurfaceOf::Door(index)),
         Worked::Belt(index) => level.world[index].bounds,
         Worked::Stream(index) => level.streams[index].source,
+        Worked::Link(index) => {
+            let [from, to] = game.world().link_ends(&game.world().links()[index]);
+            Aabb::new(from.min(to), from.max(to))
+        }
     });
     places.map(|bounds| bounds.centre())
 }

@@ -21,6 +21,7 @@ pub mod free_body;
 pub mod game_view;
 pub mod hitboxes;
 pub mod hud;
+pub mod links;
 pub mod mechanisms;
 pub mod medals;
 pub mod names;

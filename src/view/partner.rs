@@ -1,10 +1,13 @@
 //! The partner of a force: by Newton's third law, the body that exerts it feels the opposite one. In words, and with its place in
 //! the level where there is one; the Earth has none.
 
-use super::facts::{ArrowKind, BodyFacts, FactRow, Value, by_whom};
+use super::facts::{ArrowKind, BodyFacts, FactRow, Value, by_whom, linked_to};
 use super::quantity::quantity;
 use crate::game::Game;
-use crate::physics::{Aabb, BodyId, Source};
+use crate::physics::{Aabb, BodyId, DVec2, LinkEnd, Source};
+
+/// Half the size of the place that a link leads to, m.
+const ANCHOR: f64 = 0.3;
 
 /// The partner of a force or an impact on a body.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,20 +25,25 @@ pub fn partner(game: &Game, facts: &BodyFacts, row: &FactRow) -> Option<Partner>
     let (shown, vector) = row.exerted()?;
     let back = FactRow::plain("", Value::Vector(-vector), row.unit);
     let words = [
-        format!("Third law: {} {} {}", facts.title, does(shown), by_whom(game, &row.causes)),
+        format!("Third law: {} {} {}", facts.title, does(shown), by_whom(game, facts.body, &row.causes)),
         format!("with {}", quantity(&back, &[], 0)),
     ];
     let bodies = row.causes.iter().filter_map(|cause| match cause {
         Source::Body(body) => Some(*body),
+        Source::Link(link) => linked_to(game, facts.body, *link),
         _ => None,
     });
     let places = row.causes.iter().filter_map(|cause| place(game, *cause));
     Some(Partner { words: words.into(), bodies: bodies.collect(), places: places.collect() })
 }
 
-/// The line of another body's box that is the partner of `shown` on `body`.
-pub fn answer(other: &BodyFacts, shown: ArrowKind, body: BodyId) -> Option<usize> {
-    other.rows.iter().position(|row| row.shown == Some(shown) && row.causes.contains(&Source::Body(body)))
+/// The line of another body's box that is the partner of `shown` on `body`, by these `causes`.
+pub fn answer(other: &BodyFacts, shown: ArrowKind, body: BodyId, causes: &[Source]) -> Option<usize> {
+    let answers = |cause: &Source| match cause {
+        Source::Link(_) => causes.contains(cause),
+        _ => *cause == Source::Body(body),
+    };
+    other.rows.iter().position(|row| row.shown == Some(shown) && row.causes.iter().any(answers))
 }
 
 /// The verb of the partner: what the body does to the source.
@@ -55,6 +63,10 @@ fn place(game: &Game, cause: Source) -> Option<Aabb> {
         Source::Stream(index) => level.streams.get(index as usize).map(|stream| stream.source),
         Source::Fluid(index) => level.fluids.get(index as usize).map(|fluid| fluid.zone),
         Source::Field(index) => level.fields.get(index as usize).map(|field| field.zone),
-        Source::Gravity | Source::Engine | Source::Air | Source::Body(_) | Source::Link(_) => None,
+        Source::Link(link) => match game.world().links().get(link as usize)?.def().to {
+            LinkEnd::Place(place) => Some(Aabb::around(place, DVec2::splat(ANCHOR))),
+            LinkEnd::Body(_) => None,
+        },
+        Source::Gravity | Source::Engine | Source::Air | Source::Body(_) => None,
     }
 }

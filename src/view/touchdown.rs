@@ -76,7 +76,7 @@ fn landing(events: &[Event]) -> Option<Landing> {
             };
             (up > 0.5).then_some(Landing { point, speed })
         }
-        Event::Crushed { .. } => None,
+        Event::Crushed { .. } | Event::Snapped { .. } | Event::Hooked { .. } => None,
     });
     hits.max_by(|a, b| a.speed.total_cmp(&b.speed))
 }

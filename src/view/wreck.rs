@@ -90,7 +90,7 @@ fn definition(level: &Level, centre: DVec2, velocity: DVec2) -> WorldDef {
             ..BodyDef::default()
         }
     };
-    WorldDef { bodies: (0..PIECES * PIECES).map(piece).collect(), ..level.world_def() }
+    WorldDef { bodies: (0..PIECES * PIECES).map(piece).collect(), links: Vec::new(), ..level.world_def() }
 }
 
 #[cfg(test)]

@@ -2,7 +2,8 @@
 
 use crate::support::{Ask, block};
 use resultant::physics::{
-    BodyDef, BodyId, DVec2, ForceKind, LinkDef, LinkEnd, LinkLaw, Source, Spring, SurfaceDef, World, WorldDef,
+    BodyDef, BodyId, DVec2, Event, ForceKind, LinkDef, LinkEnd, LinkLaw, Magnet, Material, Source, Spring, SurfaceDef, World,
+    WorldDef,
 };
 
 const A: BodyId = BodyId(0);
@@ -39,7 +40,7 @@ fn two_bodies_on_a_spring_swing_as_the_formula_says() {
         let drift = DVec2::new(0.3, -0.2);
         let still = |body: BodyDef| BodyDef { velocity: drift, ..body };
         let mut world = world(0.0, vec![still(body(0.0, 0.0, m1)), still(body(3.0, 0.0, m2))], Vec::new());
-        world.link(LinkDef { body: A, to: LinkEnd::Body(B), law: spring(2.5, k) }).unwrap();
+        world.link(LinkDef::new(A, LinkEnd::Body(B), spring(2.5, k))).unwrap();
         let omega = (k * (1.0 / m1 + 1.0 / m2)).sqrt();
         let (begun, centre) = (energy(&world, 2.5, k), 3.0 * m2 / (m1 + m2));
         for tick in 1..=2400 {
@@ -61,7 +62,7 @@ fn two_bodies_on_a_spring_swing_as_the_formula_says() {
 fn a_turning_pair_keeps_energy_and_angular_momentum() {
     let moving = BodyDef { velocity: DVec2::new(0.0, 2.0), ..body(0.0, 0.0, 1.5) };
     let mut world = world(0.0, vec![moving, body(2.0, 0.0, 0.7)], Vec::new());
-    world.link(LinkDef { body: A, to: LinkEnd::Body(B), law: spring(1.2, 30.0) }).unwrap();
+    world.link(LinkDef::new(A, LinkEnd::Body(B), spring(1.2, 30.0))).unwrap();
     let turning =
         |world: &World| -> f64 { world.bodies().iter().map(|body| body.mass * body.position.perp_dot(body.velocity)).sum() };
     let (begun, turned) = (energy(&world, 1.2, 30.0), turning(&world));
@@ -77,7 +78,7 @@ fn a_turning_pair_keeps_energy_and_angular_momentum() {
 fn a_body_hangs_on_a_place() {
     let (mass, k, g) = (2.0, 50.0, 10.0);
     let mut world = world(g, vec![body(1.0, 2.0, mass)], Vec::new());
-    world.link(LinkDef { body: A, to: LinkEnd::Place(DVec2::new(1.0, 1.0)), law: spring(1.0, k) }).unwrap();
+    world.link(LinkDef::new(A, LinkEnd::Place(DVec2::new(1.0, 1.0)), spring(1.0, k))).unwrap();
     let omega = (k / mass).sqrt();
     for tick in 1..=1200 {
         world.step(DT);
@@ -93,7 +94,7 @@ fn any_tick_leads_to_the_same_place() {
     let end = |hz: f64| {
         let moving = BodyDef { velocity: DVec2::new(1.0, 2.0), ..body(0.0, 0.0, 1.5) };
         let mut world = world(9.81, vec![moving, body(2.0, 0.5, 0.7)], Vec::new());
-        world.link(LinkDef { body: A, to: LinkEnd::Body(B), law: spring(1.8, 30.0) }).unwrap();
+        world.link(LinkDef::new(A, LinkEnd::Body(B), spring(1.8, 30.0))).unwrap();
         world.steps((4.0 * hz) as u32, 1.0 / hz);
         world.at(0)
     };
@@ -110,7 +111,7 @@ fn one_end_may_rest_on_the_floor() {
     let mut world = world(g, vec![body(0.0, -0.1, 20.0), body(0.0, -1.5, 2.0)], vec![floor()]);
     world.steps(10, DT);
     let (begun, start) = world.state(1);
-    world.link(LinkDef { body: A, to: LinkEnd::Body(B), law: spring(length, k) }).unwrap();
+    world.link(LinkDef::new(A, LinkEnd::Body(B), spring(length, k))).unwrap();
     let omega = (k / 2.0f64).sqrt();
     // Up is negative: the spring is slack where the body is at −0.1 − L.
     let middle = -0.1 - length + g / (omega * omega);
@@ -138,7 +139,7 @@ fn one_end_may_rest_on_the_floor() {
 #[test]
 fn a_spring_pulls_two_crates_together() {
     let mut world = world(10.0, vec![body(0.0, -0.1, 2.0), body(3.0, -0.1, 5.0)], vec![floor()]);
-    world.link(LinkDef { body: A, to: LinkEnd::Body(B), law: spring(0.0, 60.0) }).unwrap();
+    world.link(LinkDef::new(A, LinkEnd::Body(B), spring(0.0, 60.0))).unwrap();
     for tick in 0..1200 {
         world.step(DT);
         world.validate().unwrap_or_else(|fault| panic!("tick {tick}: {fault}"));
@@ -153,7 +154,7 @@ fn ends_far_apart_pull_and_others_do_not_notice() {
     let bodies =
         || vec![body(0.0, 0.0, 1.0), body(400.0, 0.0, 1.0), BodyDef { velocity: DVec2::new(1.0, 3.0), ..body(200.0, 5.0, 1.0) }];
     let (mut linked, mut free) = (world(3.0, bodies(), Vec::new()), world(3.0, bodies(), Vec::new()));
-    let number = linked.link(LinkDef { body: A, to: LinkEnd::Body(B), law: spring(0.0, 0.01) }).unwrap();
+    let number = linked.link(LinkDef::new(A, LinkEnd::Body(B), spring(0.0, 0.01))).unwrap();
     for _ in 0..120 {
         linked.step(DT);
         free.step(DT);
@@ -171,7 +172,7 @@ fn ends_far_apart_pull_and_others_do_not_notice() {
 fn links_are_hashed() {
     let hash = |law: Option<LinkLaw>| {
         let mut world = world(0.0, vec![body(0.0, 0.0, 1.0), body(3.0, 0.0, 1.0)], Vec::new());
-        law.into_iter().for_each(|law| _ = world.link(LinkDef { body: A, to: LinkEnd::Body(B), law }).unwrap());
+        law.into_iter().for_each(|law| _ = world.link(LinkDef::new(A, LinkEnd::Body(B), law)).unwrap());
         let mut words = Vec::new();
         world.hash_state(&mut |word| words.push(word));
         words
@@ -191,7 +192,317 @@ fn nonsense_is_refused() {
         (LinkEnd::Body(B), spring(1.0, f64::INFINITY)),
         (LinkEnd::Body(B), spring(1.0, 2e8)),
     ] {
-        assert!(world.link(LinkDef { body: A, to, law }).is_err(), "{to:?}, {law:?}");
+        assert!(world.link(LinkDef::new(A, to, law)).is_err(), "{to:?}, {law:?}");
     }
     assert!(world.links().is_empty());
+}
+
+fn rope(length: f64, stiffness: f64, damping: f64) -> LinkLaw {
+    LinkLaw::Rope(Spring { length, stiffness, damping })
+}
+
+fn hung(world: &mut World, place: DVec2, law: LinkLaw) {
+    world.link(LinkDef::new(A, LinkEnd::Place(place), law)).unwrap();
+}
+
+/// x and x′ of m·x″ = −k·x − c·x′ that begins at rest at 1 m, by the closed form of each case.
+fn damped(m: f64, k: f64, c: f64, t: f64) -> (f64, f64) {
+    let (half, square) = (c / (2.0 * m), k / m);
+    let inside = square - half * half;
+    let fade = (-half * t).exp();
+    if inside > 0.0 {
+        let w = inside.sqrt();
+        (fade * ((w * t).cos() + half / w * (w * t).sin()), -fade * square / w * (w * t).sin())
+    } else if inside == 0.0 {
+        (fade * (1.0 + half * t), -fade * square * t)
+    } else {
+        let w = (-inside).sqrt();
+        // Of both roots, the slow one without cancellation.
+        let (fast, slow) = (-half - w, -square / (half + w));
+        let (a, b) = (fast / (fast - slow), slow / (slow - fast));
+        (a * (slow * t).exp() + b * (fast * t).exp(), a * slow * (slow * t).exp() + b * fast * (fast * t).exp())
+    }
+}
+
+/// Free, damped, critical and aperiodic, at all rates of ticks.
+#[test]
+fn an_oscillator_keeps_to_its_closed_form_for_a_minute() {
+    let (m, k) = (2.0, 200.0);
+    for c in [0.0, 0.02, 4.0, 40.0, 400.0] {
+        for hz in [30.0, 60.0, 120.0, 480.0] {
+            let mut world = world(0.0, vec![body(6.0, 0.0, m)], Vec::new());
+            hung(&mut world, DVec2::ZERO, LinkLaw::Spring(Spring { length: 5.0, stiffness: k, damping: c }));
+            for tick in 1..=(60.0 * hz) as u32 {
+                world.step(1.0 / hz);
+                let (x, v) = damped(m, k, c, f64::from(tick) / hz);
+                let off = (world.at(0).x - 5.0 - x).abs().max((world.speed(0).x - v).abs() / (k / m).sqrt());
+                assert!(off < 1e-9, "c = {c}, {hz} Hz: off by {off} m after {} s", f64::from(tick) / hz);
+            }
+        }
+    }
+}
+
+/// x = m·g/k, and rest to the bit; asleep from then on.
+#[test]
+fn what_hangs_comes_to_rest_exactly() {
+    for (law, k) in [
+        (LinkLaw::Spring(Spring { length: 1.0, stiffness: 50.0, damping: 20.0 }), 50.0),
+        (rope(1.0, 5000.0, 300.0), 5000.0),
+        (rope(1.0, 8e6, 4000.0), 8e6),
+    ] {
+        let (m, g) = (2.0, 10.0);
+        let mut world = world(g, vec![body(1.0, 1.5, m)], Vec::new());
+        hung(&mut world, DVec2::new(1.0, 0.0), law);
+        world.steps(6000, DT);
+        let below = world.at(0).y - 1.0 - m * g / k;
+        assert!(below.abs() < 1e-11, "{k} N/m: {below} m beside its balance");
+        assert_eq!((world.speed(0), world.bodies()[0].acceleration), (DVec2::ZERO, DVec2::ZERO), "{k} N/m");
+        let forces = world.forces(A);
+        assert_eq!(forces.resultant(), DVec2::ZERO);
+        assert!((forces.total(law.kind()).y / (-m * g) - 1.0).abs() < 1e-6);
+        let at = world.at(0);
+        world.steps(100, DT);
+        assert_eq!((world.at(0), world.methods().asleep), (at, 1));
+        world.drive(0, 1.0, 0.0);
+        world.step(DT);
+        assert!(world.speed(0).x > 0.0, "a force wakes it");
+    }
+}
+
+/// Kinetic energy, height and stretch keep their sum over 1000 swings, and the period is that of the elliptic integral.
+#[test]
+fn a_swing_without_loss_keeps_its_energy() {
+    let (m, g, k, length) = (50.0, 5.0, 5e4, 6.0);
+    let start = DVec2::new(length * 0.6, length * 0.8);
+    let mut world = world(g, vec![body(start.x, start.y, m)], Vec::new());
+    hung(&mut world, DVec2::ZERO, rope(length, k, 0.0));
+    let energy = |world: &World| {
+        let stretch = (world.at(0).length() - length).max(0.0);
+        0.5 * m * world.speed(0).length_squared() - m * g * world.at(0).y + 0.5 * k * stretch * stretch
+    };
+    // Heights count from the lowest point: 1.2 m.
+    let (begun, scale) = (energy(&world), m * g * 1.2);
+    let (mut turns, mut before) = (0, world.speed(0).x);
+    for tick in 0..900_000 {
+        world.step(DT);
+        let off = (energy(&world) - begun).abs() / scale;
+        assert!(off < 1e-9, "{off} after {turns} swings, tick {tick}");
+        let now = world.speed(0).x;
+        turns += u32::from(before * now < 0.0);
+        before = now;
+        if turns == 2000 {
+            return;
+        }
+    }
+    panic!("{turns} turns");
+}
+
+/// A ball is thrown up from a slack rope's anchor, and the rope becomes taut on the way down at an instant within a tick.
+#[test]
+fn a_rope_never_pushes_and_becomes_taut_within_a_tick() {
+    for hz in [30.0, 120.0, 333.0] {
+        let (m, g, k, length) = (2.0, 10.0, 3000.0, 1.0);
+        let mut world = world(g, vec![body(0.0, 0.5, m)], Vec::new());
+        hung(&mut world, DVec2::ZERO, rope(length, k, 0.0));
+        // Free fall over 0.5 m, then a spring that is hit at v, and let go at the same height.
+        let (fall, omega) = ((2.0 * 0.5 / g as f64).sqrt(), (k / m as f64).sqrt());
+        let (v, sag) = (g * fall, g / (omega * omega));
+        let taut = (2.0 / omega) * (std::f64::consts::PI - (v / (omega * sag)).atan());
+        let period = 2.0 * fall + taut;
+        for tick in 1..=(hz * 20.0) as u32 {
+            world.step(1.0 / hz);
+            let t = (f64::from(tick) / hz) % period;
+            let exact = if t < fall {
+                0.5 + 0.5 * g * t * t
+            } else if t < fall + taut {
+                let s = t - fall;
+                length + sag - sag * (omega * s).cos() + v / omega * (omega * s).sin()
+            } else {
+                let s = period - t;
+                0.5 + 0.5 * g * s * s
+            };
+            assert!((world.at(0).y - exact).abs() < 1e-8, "{hz} Hz, tick {tick}: {}, not {exact}", world.at(0).y);
+            let tension = world.forces(A).total(ForceKind::Tension).y;
+            assert!(tension <= 0.0, "the rope pushes with {tension} N");
+            assert_eq!(tension < 0.0, world.at(0).y > length);
+        }
+    }
+}
+
+/// F = s/ℓ²: two bodies on an ellipse keep energy, angular momentum and Kepler's third law.
+#[test]
+fn a_magnet_leads_a_body_round_an_ellipse() {
+    let (m, s) = (3.0, 120.0);
+    let (near, far): (f64, f64) = (2.0, 6.0);
+    let a = 0.5 * (near + far);
+    let fastest = (s / m * (2.0 / near - 1.0 / a)).sqrt();
+    let moving = BodyDef { velocity: DVec2::new(0.0, fastest), ..body(near, 0.0, m) };
+    let mut world = world(0.0, vec![moving], Vec::new());
+    hung(&mut world, DVec2::ZERO, LinkLaw::Magnet(Magnet { strength: s, nearest: 0.0 }));
+    let period = std::f64::consts::TAU * (a * a * a * m / s).sqrt();
+    world.steps(1200, 5.0 * period / 1200.0);
+    assert!(world.at(0).distance(DVec2::new(near, 0.0)) < 1e-8, "{}", world.at(0));
+    assert!((world.forces(A).total(ForceKind::Magnetic).x + s / (near * near)).abs() < 1e-6);
+    // One that pushes, and a body at its very centre: no force, nothing that is no number.
+    let mut world = self::world(0.0, vec![body(0.0, 0.0, 1.0), body(0.3, 0.0, 1.0)], Vec::new());
+    world.link(LinkDef::new(A, LinkEnd::Place(DVec2::ZERO), LinkLaw::Magnet(Magnet { strength: -3.0, nearest: 0.0 }))).unwrap();
+    world.link(LinkDef::new(A, LinkEnd::Body(B), LinkLaw::Magnet(Magnet { strength: -3.0, nearest: 0.0 }))).unwrap();
+    world.steps(240, DT);
+    let momentum = world.speed(0).x + world.speed(1).x;
+    assert!(world.speed(0).is_finite() && world.speed(1).x > 1.0, "{} {momentum}", world.speed(1));
+}
+
+#[test]
+fn a_link_breaks_at_its_force_within_the_tick() {
+    // A drive that grows by the stretch: k·x = 100 N at x = 1 m, from rest under 60 N: x = (60/k)(1 − cos ωt).
+    let (m, k) = (4.0, 100.0);
+    let mut world = world(0.0, vec![body(2.0, 0.0, m)], Vec::new());
+    world.link(LinkDef { breaks: Some(100.0), ..LinkDef::new(A, LinkEnd::Place(DVec2::ZERO), spring(2.0, k)) }).unwrap();
+    world.drive(0, 60.0, 0.0);
+    let omega = (k / m as f64).sqrt();
+    let (at, snapped) = ((1.0f64 - 100.0 / 60.0).acos() / omega, 60.0 / k * omega);
+    let speed = snapped * (omega * at).sin();
+    let mut broken = 0;
+    for tick in 1..=120 {
+        world.step(DT);
+        broken += world.events().iter().filter(|event| **event == Event::Snapped { link: 0 }).count();
+        let late = f64::from(tick) * DT - at;
+        assert_eq!(broken, usize::from(late > 0.0));
+        if late > 0.0 {
+            let exact = 3.0 + speed * late + 0.5 * 60.0 / m * late * late;
+            assert!((world.at(0).x - exact).abs() < 1e-9, "{}, not {exact}", world.at(0).x);
+        }
+    }
+    assert!(world.links()[0].is_broken() && world.forces(A).total(ForceKind::Spring) == DVec2::ZERO);
+}
+
+#[test]
+fn a_hook_takes_hold_where_its_ends_touch() {
+    let moving = BodyDef { velocity: DVec2::new(2.0, 0.0), restitution: 1.0, ..body(0.0, 0.0, 1.0) };
+    let mut world = world(0.0, vec![moving, BodyDef { restitution: 1.0, ..body(1.0, 0.0, 1.0) }], Vec::new());
+    let tow = LinkDef { hook: true, as_found: true, ..LinkDef::new(A, LinkEnd::Body(B), rope(0.0, 500.0, 0.0)) };
+    world.link(tow).unwrap();
+    world.steps(47, DT);
+    assert!(!world.links()[0].acts());
+    world.steps(2, DT);
+    assert!(world.links()[0].acts());
+    // The blow has passed the motion on; the rope keeps both together from then on.
+    let begun = world.links()[0].law().length().unwrap();
+    assert!((begun - 0.2).abs() < 0.02, "{begun} m");
+    let mut farthest: f64 = 0.0;
+    for _ in 0..600 {
+        world.step(DT);
+        farthest = farthest.max(world.at(1).x - world.at(0).x);
+        assert!((world.speed(0).x + world.speed(1).x - 2.0).abs() < 1e-9);
+    }
+    assert!(farthest < begun + 0.1, "{farthest} m");
+    world.set_linked(0, false);
+    world.steps(10, DT);
+    assert!(!world.links()[0].acts() && world.forces(A).forces().is_empty());
+}
+
+/// A steady winch lifts with the weight of its load, and stops where its length ends.
+#[test]
+fn a_winch_lifts_its_load() {
+    let (m, g, k) = (10.0, 10.0, 4e4);
+    let mut world = world(g, vec![body(0.0, 8.0, m)], Vec::new());
+    let hoist = LinkDef { rate: -1.5, ..LinkDef::new(A, LinkEnd::Place(DVec2::ZERO), rope(8.0, k, 600.0)) };
+    world.link(hoist).unwrap();
+    world.set_winding(0, false);
+    world.steps(600, DT);
+    assert_eq!(world.methods().asleep, 1);
+    let before = world.at(0).y;
+    world.set_winding(0, true);
+    world.steps(240, DT);
+    assert!((before - world.at(0).y - 3.0).abs() < 0.05 && (world.speed(0).y + 1.5).abs() < 1e-6, "{}", world.at(0));
+    world.set_winding(0, false);
+    let length = world.links()[0].law().length().unwrap();
+    assert!((length - 5.0).abs() < 1e-9, "{length} m");
+    world.steps(1200, DT);
+    assert_eq!(world.speed(0), DVec2::ZERO);
+}
+
+/// Momentum of a chain of 70 bodies in free flight, more than the method of events takes.
+#[test]
+fn a_long_chain_keeps_its_momentum() {
+    let bodies = (0..70)
+        .map(|i| BodyDef { velocity: DVec2::new(0.0, f64::from(i % 7) - 3.0), ..body(f64::from(i), 0.0, 1.0 + f64::from(i % 3)) });
+    let mut world = world(0.0, bodies.collect(), Vec::new());
+    for i in 0..69 {
+        let link = LinkDef::new(BodyId(i), LinkEnd::Body(BodyId(i + 1)), spring(0.9, 300.0));
+        world.link(LinkDef { law: if i % 2 == 0 { link.law } else { rope(1.1, 900.0, 2.0) }, ..link }).unwrap();
+    }
+    let momentum = |world: &World| world.bodies().iter().map(|body| body.velocity * body.mass).sum::<DVec2>();
+    let begun = momentum(&world);
+    world.steps(60, DT);
+    assert!(momentum(&world).distance(begun) < 1e-9, "{}", momentum(&world) - begun);
+    assert_eq!(world.methods().in_one_step, 0);
+}
+
+/// Stiff and damped to the engine's limits: the energy does not rise, at every rate of ticks.
+#[test]
+fn the_stiffest_links_are_stable() {
+    for (hz, k, c) in [(120.0, 4e6, 0.0), (120.0, 1e7, 1e4), (30.0, 1e7, 1e4), (30.0, 1e7, 0.0), (30.0, 0.0, 1e4)] {
+        let turning = BodyDef { velocity: DVec2::new(0.0, 3.0), weightless: true, ..body(50.0, 0.0, 2.0) };
+        let mut world =
+            world(10.0, vec![body(0.5, 3.0, 1.0), turning, BodyDef { weightless: true, ..body(52.05, 0.0, 2.0) }], Vec::new());
+        hung(&mut world, DVec2::ZERO, rope(3.0, k, c));
+        world
+            .link(LinkDef::new(B, LinkEnd::Body(BodyId(2)), LinkLaw::Spring(Spring { length: 2.0, stiffness: k, damping: c })))
+            .unwrap();
+        let energy = |world: &World| {
+            let moving: f64 = world.bodies().iter().map(|body| 0.5 * body.mass * body.velocity.length_squared()).sum();
+            let (rope, spring) = ((world.at(0).length() - 3.0).max(0.0), world.at(1).distance(world.at(2)) - 2.0);
+            moving - 10.0 * world.at(0).y + 0.5 * k * (rope * rope + spring * spring)
+        };
+        let begun = energy(&world);
+        for tick in 0..1200 {
+            world.step(1.0 / hz);
+            let gained = energy(&world) - begun;
+            assert!(gained < 1e-6 * (begun.abs() + 100.0), "{hz} Hz, {k} N/m, {c} N·s/m, tick {tick}: {gained} J of {begun} J");
+        }
+    }
+}
+
+/// A load on a floor of wood: a spring that is drawn at 0.1 m/s drags it when k·x = μ·m·g, and not before.
+#[test]
+fn a_load_on_a_floor_sticks_and_slides_where_statics_says() {
+    let (m, g, k) = (5.0, 10.0, 50.0);
+    let crates = vec![BodyDef { half: DVec2::splat(0.5), ..body(0.0, -0.5, m) }];
+    let mut world = world(g, crates, vec![SurfaceDef { material: Material::WOOD, ..floor() }]);
+    let pulled = LinkDef { rate: -0.1, ..LinkDef::new(A, LinkEnd::Place(DVec2::new(10.0, -0.5)), spring(10.0, k)) };
+    world.link(pulled).unwrap();
+    let stays = Material::WOOD.static_friction * m * g / k / 0.1;
+    let mut moved = None;
+    for tick in 1..=2400 {
+        world.step(DT);
+        world.validate().unwrap_or_else(|fault| panic!("tick {tick}: {fault}"));
+        if moved.is_none() && world.speed(0) != DVec2::ZERO {
+            moved = Some(f64::from(tick) * DT);
+        }
+        if moved.is_none() {
+            assert_eq!((world.at(0), world.forces(A).resultant()), (DVec2::new(0.0, -0.5), DVec2::ZERO), "tick {tick}");
+        }
+    }
+    let moved = moved.unwrap();
+    assert!((moved - stays).abs() < 3.0 * DT, "{moved} s, not {stays} s");
+}
+
+/// Ship, rope and load in air, against steps of a 400th of the tick.
+#[test]
+fn a_tow_in_air_keeps_to_fine_steps() {
+    let end = |hz: f64| {
+        let ship = BodyDef { half: DVec2::splat(0.85), ..body(0.0, 0.0, 100.0) };
+        let load = BodyDef { half: DVec2::splat(0.4), ..body(3.0, 2.0, 40.0) };
+        let def = WorldDef { gravity: 10.0, bodies: vec![ship, load], ..WorldDef::default() };
+        let mut world = World::new(def).unwrap();
+        world.link(LinkDef::new(A, LinkEnd::Body(B), rope(4.0, 6000.0, 50.0))).unwrap();
+        world.drive(0, 300.0, -1700.0);
+        world.steps((6.0 * hz) as u32, 1.0 / hz);
+        world.at(1)
+    };
+    let fine = end(12_000.0);
+    for hz in [30.0, 120.0, 480.0] {
+        assert!(end(hz).distance(fine) < 1e-8, "{hz} Hz: {}", end(hz) - fine);
+    }
 }

@@ -306,11 +306,11 @@ fn what_is_wrong_with_switches_and_names_is_said() {
     let cases: [(&[(&'static str, &str)], &str); 7] = [
         (
             &[("switches.csv", "0,0,9,9,gate\n")],
-            "switches.csv:1: column \"works\": found \"gate\", expected the name of a mover, door, stream or belt; none has one",
+            "switches.csv:1: column \"works\": found \"gate\", expected the name of a mover, door, stream, belt or link; none has one",
         ),
         (
             &[GATE, ("switches.csv", "0,0,9,9,gaet\n")],
-            "switches.csv:1: column \"works\": found \"gaet\", expected the name of a mover, door, stream or belt: gate; is \"gate\" meant?",
+            "switches.csv:1: column \"works\": found \"gaet\", expected the name of a mover, door, stream, belt or link: gate; is \"gate\" meant?",
         ),
         (
             &[GATE, ("switches.csv", "0,0,9,9,\"gate,fan\"\n")],
@@ -342,4 +342,79 @@ fn what_is_wrong_with_switches_and_names_is_said() {
         warnings,
         ["doors.csv:1: column \"name\": found \"gate\", which no switch works, expected a row of switches.csv that works it"]
     );
+}
+
+/// A rope that a switch lets go, a winch that a switch works, and a hook that takes hold of a key.
+#[test]
+fn switches_work_links_by_name() {
+    let files = [
+        (
+            "objects.csv",
+            "x,y,image,mass,drag,circular,restitution,name\n600,300,box:30x30,10,0,FALSE,0,load\n900,300,box:30x30,10,0,FALSE,0,lamp\n",
+        ),
+        (
+            "links.csv",
+            "kind,a,b,length,stiffness,damping,rate,name\nrope,load,600 150,,50000,2000,,!\nrope,900 150,lamp,,50000,2000,-1,winch\n",
+        ),
+        ("switches.csv", "x,y,width,height,works,by,stays\n30,600,60,60,winch !holds,ship,latched\n"),
+    ];
+    let files = [files[0], (files[1].0, &files[1].1.replace(",!", ",holds")), files[2]];
+    let mut game = begun(&files);
+    wait(&mut game, 2.0);
+    let rests = [body(&game, 1).position, body(&game, 2).position];
+    assert!((rests[0].y - 10.0).abs() < 0.01 && (rests[1].y - 10.0).abs() < 0.01, "{rests:?}");
+    let forces = game.world().forces(BodyId(1));
+    assert!((forces.total(ForceKind::Tension).y + 100.0).abs() < 1.0);
+    assert_eq!(source_name(game.level(), forces.all(ForceKind::Tension).next().unwrap().source), "link 1");
+    while !game.mechanisms().on()[0] {
+        game.step(THRUST);
+    }
+    wait(&mut game, 1.0);
+    assert!((body(&game, 1).position.y - rests[0].y - 5.0).abs() < 0.3, "let go, it falls: {}", body(&game, 1).position.y);
+    assert!((rests[1].y - body(&game, 2).position.y - 1.0).abs() < 0.1, "wound up: {}", body(&game, 2).position.y);
+    // Each link changes the hash of the level.
+    let hash = |links: &str| level_hash(&written(&[files[0], ("links.csv", links)]));
+    let all = [
+        "",
+        "rope,load,lamp,,9\n",
+        "spring,load,lamp,,9\n",
+        "rope,load,lamp,50,9\n",
+        "rope,load,lamp,,9,1\n",
+        "rope,load,9 9,,9\n",
+    ];
+    let hashes = all.map(hash);
+    assert!((1..all.len()).all(|i| !hashes[..i].contains(&hashes[i])));
+}
+
+#[test]
+fn links_that_cannot_be_are_refused() {
+    let objects = (
+        "objects.csv",
+        "x,y,image,mass,drag,circular,restitution,name\n600,300,box:30x30,10,0,FALSE,0,load\n900,300,box:30x30,10,0,FALSE,0,twin\n300,300,box:30x30,10,0,FALSE,0,twin\n",
+    );
+    for (row, said) in [
+        ("rope,load,lod,,9", "\"b\": found \"lod\", expected ship, the name of an object, or a place x y; is \"load\" meant?"),
+        ("rope,twin,ship,,9", "\"a\": found \"twin\", expected the name of one object; 2 have that one"),
+        ("rope,1 2,3 4,,9", "\"b\": found a second place, expected a body at one end at least"),
+        ("rope,load,load,,9", "\"b\": found the same body as at the other end, expected another body, or a place"),
+        ("rope,load,ship", "\"stiffness\": found nothing, expected a stiffness in N/m"),
+        ("magnet,load,ship", "\"strength\": found nothing, expected a strength in N·m²"),
+        ("magnet,load,ship,,9,,9", "\"stiffness\": found \"9\", expected nothing: a magnet has none"),
+        ("rope,load,ship,,9,,9", "\"strength\": found \"9\", expected nothing: only a magnet has one"),
+        (
+            "rope,load,ship,,1e9",
+            "\"stiffness\": found 1000000000 N/m on 10 kg, all links up to this one, expected at most 100000000 N/m",
+        ),
+        ("magnet,load,ship,,,,1e9", "\"strength\": found "),
+        ("chain,load,ship,,9", "\"kind\": found \"chain\", expected one of spring, rope, magnet"),
+        ("rope,load,1 x,,9", "\"b\": found \"1 x\", expected a number such as 12.5"),
+        ("rope,load,ship,-1,9", "\"length\": found \"-1\", expected a number of 0 or more pixels"),
+    ] {
+        let told = refused(&[objects, ("links.csv", &format!("{row}\n"))]);
+        let start = format!("links.csv:1: column {said}");
+        assert!(told.len() == 1 && told[0].starts_with(&start), "{row}: {told:?}, not {start}");
+    }
+    let ship = objects.1.replace("load", "Ship");
+    let told = refused(&[("objects.csv", &ship)]);
+    assert!(told[0].contains("other than ship"), "{told:?}");
 }

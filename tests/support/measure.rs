@@ -68,7 +68,7 @@ pub fn from_below(world: &World, id: BodyId) -> f64 {
 pub fn crushed(world: &World) -> Vec<(u32, u32, f64)> {
     let crush = |event: &Event| match *event {
         Event::Crushed { body, by, force } => Some((body.0, by, force)),
-        Event::Impact { .. } => None,
+        Event::Impact { .. } | Event::Snapped { .. } | Event::Hooked { .. } => None,
     };
     world.events().iter().filter_map(crush).collect()
 }

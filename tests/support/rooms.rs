@@ -47,5 +47,6 @@ pub fn crate_at(position: DVec2, velocity: DVec2, key: Option<[u8; 3]>) -> Objec
         material: Material::ASPHALT,
         key,
         weightless: false,
+        name: None,
     }
 }

@@ -1,5 +1,6 @@
 //! Operations on rows: to change cells, to add, move, double and take out rows. Each can be undone.
 
+use super::link_ends::place_text;
 use super::model::{Document, NewRow, RowId, SetCell};
 use super::places::{FINEST, Place, number, parsed, shape, shape_text, way_text};
 use super::sheet::{Added, CellEdit};
@@ -47,6 +48,10 @@ impl Document {
     pub fn put(&mut self, kind: Kind, place: Place) -> Result<Option<RowId>, String> {
         let mut cells: Vec<(&'static str, String)> =
             kind.schema().fresh.iter().map(|(column, text)| (*column, (*text).to_owned())).collect();
+        if kind == Kind::Link {
+            cells.push(("b", place_text(place.centre().round())));
+            return Ok(self.add(&[NewRow { kind, cells }])?.first().copied());
+        }
         let at = if kind.by_centre() { place.centre().round() } else { place.min };
         let mut size = place.size.max(DVec2::ONE);
         cells.extend([("x", number(at.x)), ("y", number(at.y))]);
@@ -119,7 +124,7 @@ impl Document {
 
     pub fn is_sizable(&self, row: RowId) -> bool {
         match self.kind(row) {
-            None | Some(Kind::Ship | Kind::Setting | Kind::Hint) => false,
+            None | Some(Kind::Ship | Kind::Setting | Kind::Hint | Kind::Link) => false,
             Some(Kind::Object | Kind::Key | Kind::Picture) => self.cell(row, "image").is_some_and(|image| shape(image).is_some()),
             Some(_) => true,
         }
@@ -128,6 +133,9 @@ impl Document {
     /// The row's cells with its thing at that place; its size only where it differs.
     pub fn placed(&self, row: RowId, to: Place) -> Vec<SetCell> {
         let (Some(kind), Some(from)) = (self.kind(row), self.place(row)) else { return Vec::new() };
+        if kind == Kind::Link {
+            return self.moved_link(row, to.min - from.min);
+        }
         let mut cells = Vec::new();
         let mut set = |column: &'static str, value: f64| cells.push(SetCell { row, column, text: number(value) });
         let resized = (to.size - from.size).abs().max_element() > 0.5 / FINEST;

@@ -8,6 +8,7 @@ mod disk;
 mod edits;
 mod history;
 mod kept;
+mod link_ends;
 mod model;
 mod places;
 mod sheet;

@@ -169,6 +169,9 @@ impl Document {
 
     fn measure(&self, row: RowId) -> Option<Place> {
         let kind = self.kind(row)?;
+        if kind == Kind::Link {
+            return self.link_place(row);
+        }
         let at = DVec2::new(self.number(row, "x")?, self.number(row, "y")?);
         let size = match kind {
             Kind::Setting | Kind::Hint => return None,
@@ -192,6 +195,9 @@ impl Document {
             return self.measure_all();
         }
         self.places[table.index()] = self.rows(table).map(|row| self.measure(row)).collect();
+        if matches!(table, Table::Player | Table::Objects | Table::Objectives) {
+            self.measure_table(Table::Links);
+        }
     }
 
     fn measure_all(&mut self) {

@@ -132,6 +132,7 @@ impl Document {
             Kind::Mover => "lift",
             Kind::Door => "gate",
             Kind::Stream => "fan",
+            Kind::Link => "link",
             _ => "belt",
         };
         let known = self.names();

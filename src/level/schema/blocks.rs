@@ -38,7 +38,7 @@ pub static DOOR: RowSchema =
 
 pub static SWITCHES: FileSchema = FileSchema {
     name: "switches.csv",
-    help: "Plates and areas that work doors, movers, streams and belts by their names.",
+    help: "Plates and areas that work doors, movers, streams, belts and links by their names.",
     sample: "60,360,60,60,gate,,ship,latched\n760,640,60,40,!fan,,object,held\n",
 };
 pub static SWITCH: RowSchema = RowSchema::new(&SWITCHES, "Switch", SwitchRow::COLUMNS)

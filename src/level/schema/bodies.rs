@@ -1,9 +1,10 @@
 //! Rows of bodies, player.csv and objects.csv, and of objectives.csv, which has key objects beside the objectives.
 
-use super::facts::{Count, FileSchema, RowSchema};
+use super::facts::{Count, FileSchema, Holds, RowSchema};
 use super::record::{RowCells, RowReader};
 use super::typed::{
-    CENTRE_X, CENTRE_Y, CHANNEL, MATERIAL, Maybe, TypedColumn, VX, VY, boolean, channel, number, picture_or_box, rows, whole, words,
+    CENTRE_X, CENTRE_Y, CHANNEL, MATERIAL, Maybe, TypedColumn, VX, VY, boolean, channel, is_name, number, picture_or_box, rows,
+    whole, words,
 };
 use crate::level::image::PictureShape;
 use crate::level::numbers;
@@ -57,6 +58,13 @@ const DRAG: TypedColumn<f64> = number(numbers::DRAG, "coefficient of its air res
 const RESTITUTION: TypedColumn<f64> = number(numbers::RESTITUTION, "share of a blow's speed that it gives back");
 const PICTURE: TypedColumn<PictureShape> = picture_or_box("how it looks, and its size");
 const WEIGHTLESS: TypedColumn<bool> = boolean("whether no gravity acts on it").or("FALSE");
+const OBJECT_NAME: Maybe<String> =
+    TypedColumn::new(Holds::Text("a word of letters, digits, - and _"), "the name by which links find it", |asked, reader| {
+        let word = is_name(asked.text) && !asked.text.eq_ignore_ascii_case("ship");
+        let expected = "a name of letters, digits, - and _ that begins with a letter, other than ship";
+        asked.or_refuse(reader, if word { Ok(asked.text.to_owned()) } else { Err(expected.into()) })
+    })
+    .maybe();
 const ONLY_KEYS: Maybe<u8> = channel("a channel of the only keys that fit; all keys fit where none is given").maybe();
 
 rows! {
@@ -87,6 +95,7 @@ rows! {
         vy: f64 = VY,
         material: Material = MATERIAL,
         weightless: bool = WEIGHTLESS,
+        name: Option<String> = OBJECT_NAME,
     }
 
     ObjectiveRow {
@@ -115,6 +124,7 @@ rows! {
         vy: f64 = VY,
         material: Material = MATERIAL,
         weightless: bool = WEIGHTLESS,
+        name: Option<String> = OBJECT_NAME,
     }
 }
 
@@ -150,6 +160,7 @@ macro_rules! body {
             material: $row.material?,
             key: $key,
             weightless: $row.weightless?,
+            name: $row.name?,
         })
     }};
 }

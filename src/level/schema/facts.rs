@@ -58,6 +58,8 @@ pub(in crate::level) enum Holds {
     Position,
     /// A width, a height or another size, pixels.
     Size,
+    /// A size, or 0, pixels.
+    Length,
     /// A size with a sign, or 0, pixels.
     Reach,
     Number(NumberRange),
@@ -81,6 +83,7 @@ impl Holds {
         match self {
             Self::Position | Self::Reach => Some(scale.coordinate()),
             Self::Size => Some(scale.size()),
+            Self::Length => Some(scale.length()),
             Self::Number(range) => Some(*range),
             _ => None,
         }
@@ -96,7 +99,7 @@ impl Column {
     /// As a field shows it beside its text; the limits of a number without a unit.
     pub fn unit(&self) -> String {
         match self.holds {
-            Holds::Position | Holds::Size | Holds::Reach | Holds::Points => "px".to_owned(),
+            Holds::Position | Holds::Size | Holds::Length | Holds::Reach | Holds::Points => "px".to_owned(),
             Holds::Number(range) => range.sign(),
             Holds::Whole(low, high) => format!("{low}–{high}"),
             _ => String::new(),
@@ -117,6 +120,7 @@ impl Column {
         match self.holds {
             Holds::Position => format!("pixels, at most {most} m from the corner"),
             Holds::Size => format!("pixels, {least} … {most} m"),
+            Holds::Length => format!("pixels, 0 … {most} m"),
             Holds::Reach => format!("pixels, 0 or {least} … {most} m to either side"),
             Holds::Number(range) => range.in_words(),
             Holds::Whole(low, high) => format!("{low} … {high}, whole"),

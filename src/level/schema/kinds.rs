@@ -1,7 +1,7 @@
 //! The files of a level and the kinds of their rows, as enums: a list of the schemas.
 
 use super::facts::{Column, FileSchema, RowSchema};
-use super::{blocks, bodies, settings, zones};
+use super::{blocks, bodies, settings, ties, zones};
 use crate::level::source::BACKGROUND;
 
 macro_rules! files {
@@ -54,6 +54,7 @@ files! {
     Movers blocks::MOVERS { Mover blocks::MOVER }
     Doors blocks::DOORS { Door blocks::DOOR }
     Switches blocks::SWITCHES { Switch blocks::SWITCH }
+    Links ties::LINKS { Link ties::LINK }
     Gravity zones::GRAVITY { Gravity zones::GRAVITY_ZONE }
     Pods zones::PODS { Pod zones::POD }
     Decoration zones::DECORATION { Picture zones::PICTURE }
@@ -93,7 +94,7 @@ impl Table {
 
 impl Kind {
     /// The kinds that can be added, in the order in which the editor offers them.
-    pub const ADDED: [Self; 15] = [
+    pub const ADDED: [Self; 16] = [
         Self::Solid,
         Self::Mover,
         Self::Door,
@@ -102,6 +103,7 @@ impl Kind {
         Self::KeyPad,
         Self::Key,
         Self::Object,
+        Self::Link,
         Self::Deadly,
         Self::Stream,
         Self::Fluid,

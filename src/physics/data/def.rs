@@ -8,6 +8,7 @@ use crate::physics::data::domain::{
 };
 use crate::physics::data::material::Material;
 use crate::physics::data::surface::SurfaceDef;
+use crate::physics::forces::link::LinkDef;
 use glam::DVec2;
 
 /// A zone that exerts a constant force named "Wind" on every body that touches it.
@@ -62,6 +63,8 @@ pub struct WorldDef {
     pub fluids: Vec<FluidDef>,
     /// What moves.
     pub bodies: Vec<BodyDef>,
+    /// Springs, ropes and magnets between them.
+    pub links: Vec<LinkDef>,
 }
 
 impl Default for WorldDef {
@@ -77,6 +80,7 @@ impl Default for WorldDef {
             fields: Vec::new(),
             fluids: Vec::new(),
             bodies: Vec::new(),
+            links: Vec::new(),
         }
     }
 }

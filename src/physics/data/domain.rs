@@ -32,6 +32,10 @@ pub(crate) const FORCE: Range = range(-1e6, 1e6, "N");
 /// What a force may give to the lightest body, m/s²: 0.7 m a tick at 120 Hz.
 pub(crate) const MOST_ACCELERATION: f64 = 1e4;
 
+/// 1/s² and 1/s: the most stiffness and damping per mass that the links of a body may come to. More: a tick takes thousands of steps.
+pub(crate) const MOST_STIFFNESS: f64 = 1e7;
+pub(crate) const MOST_DAMPING: f64 = 1e4;
+
 /// The Lab compares methods beyond every level: up to a mass ratio of 1e8 and to 1e6 m/s.
 pub(crate) const LAB_MASS: Range = range(1e-9, 1e9, "kg");
 pub(crate) const LAB_SPEED: Range = range(-1e6, 1e6, "m/s");

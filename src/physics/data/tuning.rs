@@ -38,8 +38,24 @@ pub(crate) const TERMINAL_TOLERANCE: f64 = 1e-13;
 /// sees.
 pub(crate) const FLIGHT_TOLERANCE: f64 = 1e-9;
 
-/// m. Error of one step of linked bodies, at most, by its own estimate. Larger: a spring loses more than 1e-9 of its energy in some thousand ticks.
-pub(crate) const LINKED_TOLERANCE: f64 = 1e-13;
+/// Relative to all forces of contacts or links on a body: the rounding of a balance.
+pub(crate) const BALANCED: f64 = 1e-9;
+
+/// m. Error of one step of linked bodies, at most, by its own estimate, which stands for the row before. Larger: a swing loses more than 1e-9 of its
+/// energy in a thousand periods.
+pub(crate) const LINKED_TOLERANCE: f64 = 1e-14;
+
+/// Shortest step of linked bodies, in parts of a tick, and s: shorter ones are taken whatever their error. Shorter: kinks of drag, and links of the
+/// greatest stiffness, take a millisecond; longer: those are unstable.
+pub(crate) const SHORTEST_LINKED: f64 = 64.0;
+pub(crate) const LONGEST_SHORT: f64 = 1e-4;
+
+/// How often in a tick the instant is sought at which the law of a link bends. More: a rope that rattles takes long; fewer: later ones take effect
+/// at the end of a step.
+pub(crate) const MOST_BENDS: u32 = 128;
+
+/// m. A swing of linked bodies no wider than this is rest. Smaller: what hangs never falls asleep; larger: it stops beside its balance.
+pub(crate) const LINKED_ROUNDING: f64 = 1e-12;
 
 /// Rate × time from which on a step through a liquid is implicit, where drag has taken the body to the speed that its place gives it. Smaller:
 /// more steps are implicit that explicit ones take for less; larger: more that their stability cuts short.

@@ -4,7 +4,7 @@ use crate::physics::contact::reactions::Reactions;
 use crate::physics::data::{Aabb, Contact, Cubic, Hit, Plan, Pose, Surface, refill};
 use crate::physics::exact::item::{Item, Next};
 use crate::physics::exact::track::Track;
-use crate::physics::forces::{LinkDef, Media, ZoneList};
+use crate::physics::forces::{Link, Media, ZoneList};
 use crate::physics::guards::Guards;
 use crate::physics::state::State;
 use glam::DVec2;
@@ -51,7 +51,7 @@ pub(crate) struct Events {
     pub(super) borders: Vec<ZoneList>,
     pub streams: Vec<u32>,
     /// The links of its bodies, and the poses of other ends of these at the tick's end.
-    pub links: Vec<LinkDef>,
+    pub links: Vec<Link>,
     pub ends: Vec<(u32, Pose)>,
     pub(super) ties: Vec<Tie>,
     pub hits: Vec<Hit>,

@@ -1,109 +1,434 @@
-//! Linked bodies fly together: the embedded Runge–Kutta pair of [`crate::physics::flight::steps`] over all of a group.
+//! Linked bodies fly together: the modified midpoint rule (Gragg 1965), extrapolated to order 16 at most (Bulirsch and Stoer 1966), over all of a
+//! group. No step crosses an instant at which a law bends (a rope becomes taut or slack, a magnet is at its nearest) or a link breaks.
 
-use crate::physics::data::{Aabb, Body, LINKED_TOLERANCE, Pose, parabola};
-use crate::physics::flight::steps::{ERROR, STAGES, step_factor};
-use crate::physics::forces::{Law, LinkDef, Media};
+use crate::physics::data::{
+    Aabb, BALANCED, Body, LINKED_ROUNDING, LINKED_TOLERANCE, LONGEST_SHORT, MOST_BENDS, Pose, SHORTEST_LINKED, parabola,
+};
+use crate::physics::forces::link::{Link, LinkEnd, LinkLaw};
+use crate::physics::forces::{Law, Media};
 use glam::DVec2;
+
+/// Rows of the extrapolation: 2, 4, 6 … midpoint steps.
+const ROWS: usize = 8;
+
+/// (Rate · tick)² from which a mean force over a tick is unstable: it is at 9.
+const STIFF: f64 = 4.0;
+/// Rounds over the links of a group. Fewer: a chain sags while its ends touch something.
+const SWEEPS: usize = 32;
+
+/// Place, velocity and the impulse of the links since the step's begin; or their rates.
+type Course = [DVec2; 3];
 
 #[derive(Clone, Debug)]
 pub(crate) struct Linked {
     pub id: u32,
     /// Contacts hold it: it stays, and the others fly around it.
     pub held: bool,
+    /// With it its whole group rests, which moves no more.
+    pub rests: bool,
+    /// It touches something as the tick begins.
+    pub touches: bool,
     pub law: Law,
     pub pose: Pose,
     /// The mean force of its links over the tick, N.
     pub mean: DVec2,
     pub places: Aabb,
-    /// Of each stage: velocity, acceleration, and the force of its links.
-    stages: [[DVec2; 3]; 7],
+    /// The force of its links in the pose `at`, N, and their stiffness, N/m.
+    force: DVec2,
+    stiffness: f64,
     at: Pose,
+    /// The rates at the begin of the step, the last midpoint but one, its end, and the last row of the extrapolation.
+    rates: Course,
+    before: Course,
+    end: Course,
+    row: [Course; ROWS],
 }
 
 impl Linked {
     pub fn new(body: &Body, id: u32, held: bool, law: Law) -> Self {
-        let (pose, places) = ((body.position, body.velocity), Aabb::around(body.position, DVec2::ZERO));
-        Self { id, held, law, pose, mean: DVec2::ZERO, places, stages: [[DVec2::ZERO; 3]; 7], at: pose }
+        let (pose, none) = ((body.position, body.velocity), [DVec2::ZERO; 3]);
+        let places = Aabb::around(body.position, DVec2::ZERO);
+        let (mean, force, stiffness) = (DVec2::ZERO, DVec2::ZERO, 0.0);
+        Self {
+            id,
+            held,
+            rests: false,
+            touches: false,
+            law,
+            pose,
+            mean,
+            places,
+            force,
+            stiffness,
+            at: pose,
+            rates: none,
+            before: none,
+            end: none,
+            row: [none; ROWS],
+        }
     }
 
-    fn sum(&self, part: usize, weights: &[f64]) -> DVec2 {
-        self.stages.iter().zip(weights).fold(DVec2::ZERO, |sum, (stage, weight)| sum + stage[part] * *weight)
+    /// Takes the result of a row with twice `number` + 2 midpoint steps. Returns the error of the row, in parts of the error allowed.
+    fn extrapolate(&mut self, number: usize, h: f64) -> f64 {
+        let mut best = self.end;
+        for k in 1..=number {
+            let before = std::mem::replace(&mut self.row[k - 1], best);
+            let ratio = (number + 1) as f64 / (number + 1 - k) as f64;
+            best = std::array::from_fn(|i| best[i] + (best[i] - before[i]) / (ratio * ratio - 1.0));
+        }
+        let last = self.row[number.saturating_sub(1)];
+        self.row[number] = best;
+        self.end = best;
+        let error = (best[0] - last[0]).abs().max((best[1] - last[1]).abs() * h).max_element();
+        let error = error / (LINKED_TOLERANCE + 8.0 * f64::EPSILON * self.pose.0.abs().max_element());
+        if number == 0 { f64::INFINITY } else { error }
     }
 
-    fn error(&self, h: f64) -> f64 {
-        let error = (self.sum(0, &ERROR) * h).abs().max((self.sum(1, &ERROR) * (h * h)).abs()).max_element();
-        error / (LINKED_TOLERANCE + 8.0 * f64::EPSILON * self.pose.0.abs().max_element())
+    /// The course of a body in free motion is a cubic: it lies within its control points.
+    fn accept(&mut self, h: f64, t: f64) {
+        let ((x, v), [to, w, impulse]) = (self.pose, self.end);
+        for place in [x + v * (h / 3.0), to - w * (h / 3.0), to] {
+            self.places = self.places.union(&Aabb::around(place, DVec2::ZERO));
+        }
+        (self.pose, self.at) = ((to, w), (to, w));
+        self.mean += impulse / t;
+    }
+
+    /// The rates in the pose `at`.
+    fn rates_in(&self, media: &Media, bodies: &[Body]) -> Course {
+        if self.held {
+            return [DVec2::ZERO, DVec2::ZERO, self.force];
+        }
+        let (body, (x, v)) = (&bodies[self.id as usize], self.at);
+        [v, media.acceleration(body, &self.law, x, v) + self.force / body.mass, self.force]
+    }
+
+    /// Whether it stands, and its forces balance, as far as roundings of its place decide.
+    fn balances(&self, mass: f64) -> bool {
+        let ([_, pull, links], stiffness) = (self.rates, self.stiffness);
+        let (force, links, little) = ((pull * mass).length(), links.length(), little(stiffness, self.pose.0));
+        let most = if links <= little { little } else { little.min(0.5 * BALANCED * links + rounding(stiffness, self.pose.0)) };
+        let slow = self.pose.1.length() * (stiffness * mass).sqrt() <= little && stiffness > 0.0;
+        self.held || force <= most && (slow || self.pose.1 == DVec2::ZERO)
     }
 }
 
-#[derive(Clone, Copy, Debug)]
+/// The force of a link of that stiffness (N/m) that the rounding of a place makes, N.
+fn rounding(stiffness: f64, place: DVec2) -> f64 {
+    stiffness * 8.0 * f64::EPSILON * place.abs().max_element()
+}
+
+/// The force of a link at rest that counts as none, N.
+pub(crate) fn little(stiffness: f64, place: DVec2) -> f64 {
+    rounding(stiffness, place) + stiffness * LINKED_ROUNDING
+}
+
+/// A link of the group that flies.
+#[derive(Clone, Debug)]
+pub(crate) struct Pull {
+    pub link: u32,
+    /// The numbers of its ends among the members; a place has none.
+    ends: [Option<usize>; 2],
+    /// The side of its law's border.
+    above: bool,
+    /// m/s.
+    growth: f64,
+    pub broken: bool,
+    /// Of an implicit step, N·s.
+    impulse: f64,
+}
+
 pub(crate) struct LinkedBodies<'a> {
     pub media: &'a Media,
     pub bodies: &'a [Body],
-    pub links: &'a [LinkDef],
+    pub links: &'a [Link],
+    pub members: &'a mut [Linked],
+    pub pulls: &'a mut Vec<Pull>,
+    /// Length of the tick, and the time since its begin, s.
+    pub tick: f64,
+    pub now: f64,
 }
 
 impl LinkedBodies<'_> {
-    pub fn fly(&self, members: &mut [Linked], t: f64) {
-        self.pull(members, 0);
-        let (mut left, mut h) = (t, t);
-        // A group that needs more steps flies on without its links.
-        for _ in 0..4096 {
-            if left <= 0.0 {
-                break;
+    /// Flies all members to the end of the tick. `pulls` has the links that have broken then.
+    pub fn fly(&mut self) {
+        self.gather();
+        if self.rests() {
+            for member in &mut *self.members {
+                (member.rests, member.pose.1, member.mean) = (true, DVec2::ZERO, member.force);
             }
-            h = h.min(left);
-            let error = self.step(members, h);
-            if error > 1.0 && h > t * f64::EPSILON || !error.is_finite() {
-                h *= step_factor(error.sqrt().sqrt()).min(0.5);
+            return;
+        }
+        self.members.iter_mut().for_each(|member| member.at = member.pose);
+        self.begin_step();
+        let steady = self.is_stiff();
+        let shortest = (self.tick / SHORTEST_LINKED).min(LONGEST_SHORT);
+        let (mut h, mut bends) = (self.tick, 0);
+        while self.now < self.tick {
+            let left = self.tick - self.now;
+            h = if h > 0.999 * left { left } else { h };
+            let (error, rows) = self.step(h);
+            if !(error <= 1.0) && h > shortest {
+                h *= if error.is_finite() { 0.5 } else { 0.1 };
                 continue;
             }
-            for member in members.iter_mut() {
-                member.mean += member.sum(2, STAGES[5]) * (h / t);
-                (member.pose, member.stages[0]) = (member.at, member.stages[6]);
-                member.places = member.places.union(&Aabb::around(member.pose.0, DVec2::ZERO));
+            let mut taken = h;
+            if bends < MOST_BENDS
+                && let Some(bend) = self.bend(h)
+            {
+                (taken, bends) = (bend, bends + 1);
             }
-            left -= h;
-            h *= step_factor(error.sqrt().sqrt());
+            if !self.members.iter().all(|member| member.end.iter().all(|part| part.is_finite())) {
+                return self.end_early(left);
+            }
+            self.members.iter_mut().for_each(|member| member.accept(taken, self.tick));
+            self.now = if taken == left { self.tick } else { self.now + taken };
+            self.begin_step();
+            h *= if rows <= 5 { 2.0 } else { 1.0 };
         }
-        if left > 0.0 {
-            self.media.end_early();
-            for member in members.iter_mut().filter(|member| !member.held) {
-                member.pose = parabola(member.pose, member.law.constant, left);
-                member.places = member.places.union(&Aabb::around(member.pose.0, DVec2::ZERO));
-            }
+        if steady {
+            self.steady();
         }
     }
 
-    /// One step of `h` seconds. Returns its error as a part of the error allowed.
-    fn step(&self, members: &mut [Linked], h: f64) -> f64 {
-        for (stage, weights) in (1..).zip(STAGES) {
-            for member in members.iter_mut().filter(|member| !member.held) {
-                let (x, v) = member.pose;
-                member.at = (x + member.sum(0, weights) * h, v + member.sum(1, weights) * h);
-            }
-            self.pull(members, stage);
-        }
-        members.iter().filter(|member| !member.held).map(|member| member.error(h)).fold(0.0, f64::max)
+    fn inverse_mass(&self, end: Option<usize>) -> f64 {
+        let free = end.map(|end| &self.members[end]).filter(|member| !member.held);
+        free.map_or(0.0, |member| 1.0 / self.bodies[member.id as usize].mass)
     }
 
-    /// The velocities, accelerations and forces of a stage, where the members are.
-    fn pull(&self, members: &mut [Linked], stage: usize) {
-        members.iter_mut().for_each(|member| member.stages[stage] = [member.at.1, DVec2::ZERO, DVec2::ZERO]);
-        for link in self.links {
-            let find = |id: u32| members.binary_search_by_key(&id, |member| member.id);
-            let Ok(first) = find(link.body.0) else { continue };
-            let force = link.on(link.body.0, |id| find(id).map_or((DVec2::ZERO, DVec2::ZERO), |at| members[at].at));
-            let other = link.other().and_then(|other| find(other.0).ok());
-            members[first].stages[stage][2] += force;
-            if let Some(other) = other {
-                members[other].stages[stage][2] -= force;
-            }
-        }
-        for member in members.iter_mut().filter(|member| !member.held) {
+    /// Whether a mean force that acts for all of a tick throws a body beyond where its link would have let it turn.
+    fn is_stiff(&self) -> bool {
+        self.pulls.iter().any(|pull| {
+            let mass: f64 = pull.ends.iter().map(|end| self.inverse_mass(*end)).sum();
+            self.links[pull.link as usize].law.rates()[0] * mass * self.tick * self.tick > STIFF
+        })
+    }
+
+    /// Bodies that touch something take in place of the mean force that of one implicit step, which throws none beyond its links: the impulses of
+    /// all springs and ropes under which each has its force at the place to which a constant force leads (Gauss and Seidel).
+    fn steady(&mut self) {
+        let dt = self.tick;
+        for member in &mut *self.members {
             let body = &self.bodies[member.id as usize];
-            let pull = self.media.acceleration(body, &member.law, member.at.0, member.at.1);
-            member.stages[stage][1] = pull + member.stages[stage][2] / body.mass;
+            let free = self.media.acceleration(body, &member.law, body.position, body.velocity) * dt;
+            let v = if member.held { DVec2::ZERO } else { body.velocity + free };
+            (member.end, member.mean) = ([body.position, v, DVec2::ZERO], DVec2::ZERO);
+        }
+        for _ in 0..SWEEPS {
+            (0..self.pulls.len()).for_each(|k| self.calm(k, dt));
         }
     }
+
+    /// Corrects the impulse of one link in an implicit step of `dt` seconds.
+    fn calm(&mut self, k: usize, dt: f64) {
+        let pull = &self.pulls[k];
+        let (law, ends) = (self.links[pull.link as usize].law, pull.ends);
+        let (apart, parting) = self.apart(pull, |member| (member.end[0], member.end[1]));
+        let (along, masses) = (apart.normalize_or_zero(), ends.map(|end| self.inverse_mass(end)));
+        let least = if matches!(law, LinkLaw::Rope(_)) { 0.0 } else { f64::NEG_INFINITY };
+        let impulse = match law {
+            LinkLaw::Magnet(_) => along.dot(law.force(law.border(apart, parting) > 0.0, apart, parting)) * dt,
+            LinkLaw::Spring(of) | LinkLaw::Rope(of) => {
+                let (soft, mass) = (0.5 * dt * (of.damping + dt * of.stiffness), masses[0] + masses[1]);
+                let stretch = apart.length() - of.length - pull.growth * dt;
+                let begin = self.apart(pull, |member| (DVec2::ZERO, self.bodies[member.id as usize].velocity)).1;
+                let wanted = dt * of.stiffness * stretch + soft * (along.dot(parting + begin) + pull.impulse * mass);
+                (wanted / (1.0 + soft * mass)).max(least)
+            }
+        };
+        let change = along * (impulse - pull.impulse);
+        self.pulls[k].impulse = impulse;
+        for (end, mass, sign) in [(ends[0], masses[0], 1.0), (ends[1], masses[1], -1.0)] {
+            if let Some(end) = end {
+                self.members[end].end[1] += change * (mass * sign);
+                self.members[end].mean += change * (sign / dt);
+            }
+        }
+    }
+
+    fn gather(&mut self) {
+        let Self { links, members, pulls, tick, .. } = self;
+        let find = |body: u32| members.binary_search_by_key(&body, |member| member.id).ok();
+        pulls.clear();
+        for (link, of) in (0..).zip(links.iter()).filter(|(_, link)| link.acts()) {
+            let ends = [find(of.def.body.0), of.def.other().and_then(|other| find(other.0))];
+            if ends[0].is_some() {
+                pulls.push(Pull { link, ends, above: false, growth: of.growth(*tick), broken: false, impulse: 0.0 });
+            }
+        }
+    }
+
+    /// Whether the members hardly move, and would stay if they stood.
+    fn rests(&mut self) -> bool {
+        self.members.iter_mut().for_each(|member| member.at = (member.pose.0, DVec2::ZERO));
+        self.begin_step();
+        let still = |member: &Linked| member.balances(self.bodies[member.id as usize].mass);
+        self.pulls.iter().all(|pull| pull.growth == 0.0) && self.members.iter().all(still)
+    }
+
+    /// The media alone move what is left of a tick that no step resolves.
+    fn end_early(&mut self, left: f64) {
+        self.media.end_early();
+        for member in self.members.iter_mut().filter(|member| !member.held) {
+            member.pose = parabola(member.pose, member.law.constant, left);
+            member.places = member.places.union(&Aabb::around(member.pose.0, DVec2::ZERO));
+        }
+    }
+
+    /// Sides of borders, breaks and rates where the members are.
+    fn begin_step(&mut self) {
+        for k in 0..self.pulls.len() {
+            let (border, over) = self.border(&self.pulls[k], 0.0);
+            (self.pulls[k].above, self.pulls[k].broken) = (border > 0.0, self.pulls[k].broken || over > 0.0);
+        }
+        self.pull(0.0);
+        let Self { media, bodies, members, .. } = self;
+        members.iter_mut().for_each(|member| member.rates = member.rates_in(media, bodies));
+    }
+
+    /// One step of `h` seconds. Returns its error as a part of the error allowed, and the rows that it took.
+    fn step(&mut self, h: f64) -> (f64, usize) {
+        let mut error = f64::INFINITY;
+        for row in 0..ROWS {
+            self.midpoints(h, 2 * (row + 1));
+            // An error that is no number is too large.
+            let worse = |most: f64, error: f64| if error <= most { most } else { error };
+            error = self.members.iter_mut().map(|member| member.extrapolate(row, h)).fold(0.0, worse);
+            if error <= 1.0 {
+                return (error, row + 1);
+            }
+        }
+        (error, ROWS)
+    }
+
+    /// The modified midpoint rule: the result of `count` steps becomes the members' ends.
+    fn midpoints(&mut self, h: f64, count: usize) {
+        let part = h / count as f64;
+        for member in &mut *self.members {
+            member.before = [member.pose.0, member.pose.1, DVec2::ZERO];
+            member.end = along(&member.before, &member.rates, part);
+        }
+        for step in 1..=count {
+            self.pull_at_ends(part * step as f64);
+            for member in &mut *self.members {
+                let rates = member.rates_in(self.media, self.bodies);
+                if step < count {
+                    let next = along(&member.before, &rates, 2.0 * part);
+                    member.before = std::mem::replace(&mut member.end, next);
+                } else {
+                    let smooth = along(&member.before, &rates, part);
+                    member.end = std::array::from_fn(|i| (smooth[i] + member.end[i]) * 0.5);
+                }
+            }
+        }
+    }
+
+    fn pull_at_ends(&mut self, offset: f64) {
+        self.members.iter_mut().for_each(|member| member.at = (member.end[0], member.end[1]));
+        self.pull(offset);
+    }
+
+    /// The forces of the links where the members are, `offset` seconds after the begin of the step.
+    fn pull(&mut self, offset: f64) {
+        self.members.iter_mut().for_each(|member| (member.force, member.stiffness) = (DVec2::ZERO, 0.0));
+        for k in 0..self.pulls.len() {
+            let pull = &self.pulls[k];
+            if pull.broken {
+                continue;
+            }
+            let (law, (apart, parting)) = (self.law(pull, offset), self.apart(pull, |member| member.at));
+            let (force, ends) = (law.force(pull.above, apart, parting), pull.ends);
+            let stiffness = if force == DVec2::ZERO { 0.0 } else { law.rates()[0] };
+            for (end, sign) in ends.into_iter().zip([1.0, -1.0]) {
+                if let Some(end) = end {
+                    self.members[end].force += force * sign;
+                    self.members[end].stiffness += stiffness;
+                }
+            }
+        }
+    }
+
+    fn law(&self, pull: &Pull, offset: f64) -> LinkLaw {
+        let law = self.links[pull.link as usize].law;
+        law.length().map_or(law, |length| law.of_length(length + pull.growth * (self.now + offset)))
+    }
+
+    fn apart(&self, pull: &Pull, pose: impl Fn(&Linked) -> Pose) -> Pose {
+        let of = |end: Option<usize>| end.map_or((DVec2::ZERO, DVec2::ZERO), |end| pose(&self.members[end]));
+        let (x, v) = of(pull.ends[0]);
+        let (to, w) = match self.links[pull.link as usize].def.to {
+            LinkEnd::Body(_) => of(pull.ends[1]),
+            LinkEnd::Place(place) => (place, DVec2::ZERO),
+        };
+        (to - x, w - v)
+    }
+
+    /// The side of a law's border where the members are, and how much of the force that breaks the link is exceeded, N.
+    fn border(&self, pull: &Pull, offset: f64) -> (f64, f64) {
+        let (law, (apart, parting)) = (self.law(pull, offset), self.apart(pull, |member| member.at));
+        let border = law.border(apart, parting);
+        let breaks = self.links[pull.link as usize].def.breaks.filter(|_| !pull.broken);
+        (border, breaks.map_or(-1.0, |breaks| law.force(border > 0.0, apart, parting).length() - breaks))
+    }
+
+    /// Below 0 where a law has bent or a link has broken since the begin of the step, `offset` seconds ago; the members are at its end.
+    fn margin(&mut self, offset: f64) -> f64 {
+        self.members.iter_mut().for_each(|member| member.at = (member.end[0], member.end[1]));
+        let margins = self.pulls.iter().filter(|pull| !pull.broken).map(|pull| {
+            let (border, over) = self.border(pull, offset);
+            (if pull.above { border } else { -border }).min(-over)
+        });
+        margins.fold(f64::INFINITY, f64::min)
+    }
+
+    /// When within the step of `h` seconds a law first bends; the members' ends are those of a step up to there then.
+    fn bend(&mut self, h: f64) -> Option<f64> {
+        let (mut low, mut high, mut after) = (0.0, h, self.margin(h));
+        if after >= 0.0 {
+            high = self.turn(h)?;
+            self.step(high);
+            after = self.margin(high);
+            if after >= 0.0 {
+                self.step(h);
+                return None;
+            }
+        }
+        self.members.iter_mut().for_each(|member| (member.end[0], member.end[1]) = member.pose);
+        let mut before = self.margin(0.0).max(0.0);
+        // Regula falsi and halves in turn: a rope that becomes taut out of rest has a double root.
+        let least = 1e-12 * self.tick;
+        for round in 0..80 {
+            if high - low <= least {
+                break;
+            }
+            let part = if round % 2 == 0 { before / (before - after) } else { 0.5 };
+            let middle = (low + (high - low) * part).clamp(low + 0.5 * least, high - 0.5 * least);
+            self.step(middle);
+            let margin = self.margin(middle);
+            if margin < 0.0 {
+                (high, after) = (middle, margin);
+            } else {
+                (low, before) = (middle, margin);
+            }
+        }
+        self.step(high);
+        Some(high)
+    }
+
+    /// When within a step of `h` seconds a rope is nearest to its border, if it comes near it and turns back.
+    fn turn(&self, h: f64) -> Option<f64> {
+        let turn = |pull: &Pull| {
+            let side = if pull.above { -1.0 } else { 1.0 };
+            let rate = |(apart, parting): Pose| side * (apart.normalize_or_zero().dot(parting) - pull.growth);
+            let start = self.apart(pull, |member| member.pose);
+            let (from, to) = (rate(start), rate(self.apart(pull, |member| member.at)));
+            let near = side * self.law(pull, 0.0).border(start.0, start.1) + from * h > 0.0;
+            (from > 0.0 && to < 0.0 && near).then(|| h * from / (from - to))
+        };
+        self.pulls.iter().filter(|pull| !pull.broken && self.law(pull, 0.0).length().is_some()).filter_map(turn).reduce(f64::min)
+    }
+}
+
+fn along(from: &Course, rates: &Course, time: f64) -> Course {
+    std::array::from_fn(|i| from[i] + rates[i] * time)
 }

@@ -52,6 +52,10 @@ kinds! {
     Push: "Push", "pushes";
     /// Of a spring between two bodies, or a body and a place.
     Spring: "Spring", "pulls";
+    /// Of a rope that is taut; never pushes.
+    Tension: "Tension", "pulls";
+    /// Of a magnet: it falls with the square of the distance.
+    Magnetic: "Magnetic Force", "pulls";
 }
 
 impl ForceKind {

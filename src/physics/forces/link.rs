@@ -1,30 +1,46 @@
 //! Links: a force between two bodies, or a body and a place. A law is a file of its own and a line in [`LinkLaw`].
 
-use crate::physics::data::domain::{DefError, expect, vector};
-use crate::physics::data::{Body, BodyId, Pose};
+use crate::physics::data::domain::{DefError, LARGEST, MOST_DAMPING, MOST_STIFFNESS, expect, number, vector};
+use crate::physics::data::{Body, BodyId, Pose, first, refill};
 use crate::physics::forces::kind::ForceKind;
 use glam::DVec2;
 
+mod magnet;
+mod rope;
 mod spring;
 
+pub use magnet::Magnet;
 pub use spring::Spring;
-
-/// 1/s² and 1/s: the most stiffness and damping per mass that the links of a body may come to. More: a tick takes thousands of steps.
-const MOST_STIFFNESS: f64 = 1e8;
-const MOST_DAMPING: f64 = 1e4;
 
 /// The law of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LinkLaw {
     /// A linear spring, damped along its length.
     Spring(Spring),
+    /// The same where it is longer than its length and pulls, else nothing.
+    Rope(Spring),
+    /// A pull or a push that falls with the square of the distance.
+    Magnet(Magnet),
 }
 
 impl LinkLaw {
-    /// The force on the first end, N; `apart` (m) leads from it to the other end, `parting` (m/s) is the rate of that.
-    pub(crate) fn force(&self, apart: DVec2, parting: DVec2) -> DVec2 {
+    /// The force on the first end, N; `apart` (m) leads from it to the other end, `parting` (m/s) is the rate of that. `above`: as above the
+    /// [`LinkLaw::border`], on either side of it.
+    pub(crate) fn force(&self, above: bool, apart: DVec2, parting: DVec2) -> DVec2 {
         match self {
             Self::Spring(spring) => spring.force(apart, parting),
+            Self::Rope(rope) if above => rope.force(apart, parting),
+            Self::Rope(_) => DVec2::ZERO,
+            Self::Magnet(magnet) => magnet.force(above, apart),
+        }
+    }
+
+    /// The law bends where this is 0.
+    pub(crate) fn border(&self, apart: DVec2, parting: DVec2) -> f64 {
+        match self {
+            Self::Spring(_) => 1.0,
+            Self::Rope(rope) => rope::tautness(rope, apart, parting),
+            Self::Magnet(magnet) => apart.length() - magnet.nearest,
         }
     }
 
@@ -32,20 +48,42 @@ impl LinkLaw {
     pub const fn kind(&self) -> ForceKind {
         match self {
             Self::Spring(_) => ForceKind::Spring,
+            Self::Rope(_) => ForceKind::Tension,
+            Self::Magnet(_) => ForceKind::Magnetic,
         }
     }
 
-    /// Its numbers: they are finite and at least 0.
-    pub(crate) fn numbers(&self) -> [f64; 3] {
+    /// The numbers that decide about its force.
+    pub const fn numbers(&self) -> [f64; 3] {
         match *self {
-            Self::Spring(Spring { length, stiffness, damping }) => [length, stiffness, damping],
+            Self::Spring(Spring { length, stiffness, damping }) | Self::Rope(Spring { length, stiffness, damping }) => {
+                [length, stiffness, damping]
+            }
+            Self::Magnet(Magnet { strength, nearest }) => [strength, nearest, 0.0],
+        }
+    }
+
+    /// Its length without a force, m.
+    pub const fn length(&self) -> Option<f64> {
+        match self {
+            Self::Spring(spring) | Self::Rope(spring) => Some(spring.length),
+            Self::Magnet(_) => None,
+        }
+    }
+
+    pub(crate) const fn of_length(self, length: f64) -> Self {
+        match self {
+            Self::Spring(spring) => Self::Spring(Spring { length, ..spring }),
+            Self::Rope(rope) => Self::Rope(Spring { length, ..rope }),
+            Self::Magnet(_) => self,
         }
     }
 
     /// Its greatest stiffness, N/m, and damping, N·s/m.
-    fn rates(&self) -> [f64; 2] {
+    pub(crate) fn rates(&self) -> [f64; 2] {
         match self {
-            Self::Spring(spring) => [spring.stiffness, spring.damping],
+            Self::Spring(spring) | Self::Rope(spring) => [spring.stiffness, spring.damping],
+            Self::Magnet(Magnet { strength, nearest }) => [2.0 * strength.abs() / (nearest * nearest * nearest), 0.0],
         }
     }
 }
@@ -59,7 +97,7 @@ pub enum LinkEnd {
     Place(DVec2),
 }
 
-/// A link.
+/// How a link begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinkDef {
     /// Its first end is the centre of this body.
@@ -68,10 +106,23 @@ pub struct LinkDef {
     pub to: LinkEnd,
     /// Its law.
     pub law: LinkLaw,
+    /// Its length is the distance of its ends as it begins.
+    pub as_found: bool,
+    /// It begins when its ends touch.
+    pub hook: bool,
+    /// A larger force breaks it, N.
+    pub breaks: Option<f64>,
+    /// The growth of its length while it winds, m/s.
+    pub rate: f64,
 }
 
 impl LinkDef {
-    pub(crate) fn other(&self) -> Option<BodyId> {
+    /// A link that acts from the start for ever.
+    pub const fn new(body: BodyId, to: LinkEnd, law: LinkLaw) -> Self {
+        Self { body, to, law, as_found: false, hook: false, breaks: None, rate: 0.0 }
+    }
+
+    pub(crate) const fn other(&self) -> Option<BodyId> {
         match self.to {
             LinkEnd::Body(body) => Some(body),
             LinkEnd::Place(_) => None,
@@ -86,70 +137,163 @@ impl LinkDef {
         self.ends().any(|end| end.0 == body)
     }
 
-    /// The force on one of its bodies, N.
-    pub(crate) fn on(&self, body: u32, pose_of: impl Fn(u32) -> Pose) -> DVec2 {
+    /// The way from the first end to the other one, m, and its rate, m/s.
+    pub(crate) fn apart(&self, pose_of: impl Fn(u32) -> Pose) -> Pose {
         let (x, v) = pose_of(self.body.0);
         let (to, w) = match self.to {
             LinkEnd::Body(other) => pose_of(other.0),
             LinkEnd::Place(place) => (place, DVec2::ZERO),
         };
-        let force = self.law.force(to - x, w - v);
-        if self.body.0 == body { force } else { -force }
+        (to - x, w - v)
     }
 
     /// # Errors
-    /// A number that is not finite or negative; an end that is no body; a body that is linked to itself; links too stiff for a body.
-    pub(crate) fn check(&self, bodies: &[Body], links: &[LinkDef]) -> Result<(), DefError> {
-        let numbers = self.law.numbers();
-        let good = numbers.iter().all(|number| number.is_finite() && *number >= 0.0);
-        expect(good, || "a link has a number that is negative or not finite".into())?;
+    /// A number that is not finite or negative; an end that is no body; a body that is linked to itself.
+    fn check(&self, bodies: &[Body]) -> Result<(), DefError> {
+        let least = if matches!(self.law, LinkLaw::Magnet(_)) { -LARGEST } else { 0.0 };
+        self.law.numbers().into_iter().try_for_each(|value| number("a number of a link", value, least))?;
+        number("the rate of a link", self.rate, -LARGEST)?;
+        self.breaks.map_or(Ok(()), |breaks| number("the force that breaks a link", breaks, 0.0))?;
         if let LinkEnd::Place(place) = self.to {
             vector("the place of a link", place)?;
         }
         expect(self.other() != Some(self.body), || "a link leads from a body to itself".into())?;
-        for end in self.ends() {
-            let body = bodies.get(end.index()).ok_or_else(|| DefError("a link leads to a body that there is not".into()))?;
-            let all = || links.iter().filter(|link| link.has(end.0)).chain([self]).map(|link| link.law.rates());
-            let (stiffness, damping): (f64, f64) = (all().map(|of| of[0]).sum(), all().map(|of| of[1]).sum());
-            let soft = stiffness <= MOST_STIFFNESS * body.mass && damping <= MOST_DAMPING * body.mass;
-            expect(soft, || {
+        let there = self.ends().all(|end| end.index() < bodies.len());
+        expect(there, || "a link leads to a body that there is not".into())
+    }
+}
+
+/// A link as it is now.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Link {
+    pub(crate) def: LinkDef,
+    /// With its present length.
+    pub(crate) law: LinkLaw,
+    pub(crate) on: bool,
+    pub(crate) winds: bool,
+    /// It has begun: its ends have touched, if it is one that waits for that.
+    pub(crate) begun: bool,
+    pub(crate) broken: bool,
+}
+
+impl Link {
+    /// # Errors
+    /// What [`LinkDef`] cannot be; links too stiff for a body, all of its `others` together.
+    pub(crate) fn new(def: LinkDef, bodies: &[Body], others: &[Self]) -> Result<Self, DefError> {
+        def.check(bodies)?;
+        let mut law = def.law;
+        if let LinkLaw::Magnet(magnet) = &mut law {
+            let sizes = def.ends().map(|end| bodies[end.index()].half.element_sum() * 0.5).sum();
+            magnet.nearest = magnet.nearest.max(sizes);
+        }
+        let mut link = Self { def, law, on: true, winds: true, begun: false, broken: false };
+        if !def.hook {
+            link.begin(|id| (bodies[id as usize].position, DVec2::ZERO));
+        }
+        for end in def.ends() {
+            let mass = bodies[end.index()].mass;
+            let rates = others.iter().filter(|other| other.def.has(end.0)).chain([&link]).map(|link| link.law.rates());
+            let [stiffness, damping] = rates.fold([0.0, 0.0], |sum, of| [sum[0] + of[0], sum[1] + of[1]]);
+            expect(stiffness <= MOST_STIFFNESS * mass && damping <= MOST_DAMPING * mass, || {
                 format!(
-                    "a link of {stiffness} N/m and {damping} N·s/m on {} kg, all of its links together, expected at most \
-                     {MOST_STIFFNESS} N/m and {MOST_DAMPING} N·s/m per kg",
-                    body.mass
+                    "a link of {stiffness} N/m and {damping} N·s/m on {mass} kg, all of its links together, expected at most \
+                     {MOST_STIFFNESS} N/m and {MOST_DAMPING} N·s/m per kg"
                 )
             })?;
         }
-        Ok(())
+        Ok(link)
+    }
+
+    /// How it began.
+    pub const fn def(&self) -> &LinkDef {
+        &self.def
+    }
+
+    /// Its law, with its present length.
+    pub const fn law(&self) -> &LinkLaw {
+        &self.law
+    }
+
+    /// Whether it has broken.
+    pub const fn is_broken(&self) -> bool {
+        self.broken
+    }
+
+    /// Whether it acts: a switch that works it is on, its ends have touched, if it is one that waits for that, and it has not broken.
+    pub const fn acts(&self) -> bool {
+        self.on && self.begun && !self.broken
+    }
+
+    pub(crate) fn begin(&mut self, pose_of: impl Fn(u32) -> Pose) {
+        self.begun = true;
+        if self.def.as_found {
+            self.law = self.law.of_length(self.def.apart(pose_of).0.length());
+        }
+    }
+
+    /// The growth of its length in a tick of `dt` seconds, m/s: no length ends below 0.
+    pub(crate) fn growth(&self, dt: f64) -> f64 {
+        match self.law.length() {
+            Some(length) if self.winds && self.acts() => self.def.rate.max(-length / dt),
+            _ => 0.0,
+        }
+    }
+
+    /// The force on one of its bodies, N.
+    pub(crate) fn on(&self, body: u32, pose_of: impl Fn(u32) -> Pose) -> DVec2 {
+        let (apart, parting) = self.def.apart(pose_of);
+        let force = self.law.force(self.law.border(apart, parting) > 0.0, apart, parting);
+        if self.def.body.0 == body { force } else { -force }
+    }
+
+    pub(crate) fn acts_on(&self, body: u32) -> bool {
+        self.acts() && self.def.has(body)
     }
 }
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Links {
-    pub all: Vec<LinkDef>,
-    /// Bodies that links join, directly or over others, ascending.
-    pub groups: Vec<Vec<u32>>,
+    pub all: Vec<Link>,
+    /// Bodies that acting links join, directly or over others, group by group, ascending in each; and the range of each group.
+    pub members: Vec<u32>,
+    pub groups: Vec<(usize, usize)>,
+    parents: Vec<u32>,
+    by_root: Vec<(u32, u32)>,
 }
 
 impl Links {
     pub fn gather(&mut self) {
-        self.groups.clear();
-        for link in &self.all {
-            let mut joined: Vec<u32> = link.ends().map(|body| body.0).collect();
-            self.groups.retain(|group| {
-                let apart = !group.iter().any(|body| joined.contains(body));
-                if !apart {
-                    joined.extend(group);
-                }
-                apart
-            });
-            joined.sort_unstable();
-            joined.dedup();
-            self.groups.push(joined);
+        let Self { all, members, groups, parents, by_root } = self;
+        members.clear();
+        let acting = || all.iter().filter(|link| link.acts());
+        members.extend(acting().flat_map(|link| link.def.ends()).map(|body| body.0));
+        members.sort_unstable();
+        members.dedup();
+        refill(parents, members.len(), 0);
+        (0..).zip(&mut *parents).for_each(|(i, parent)| *parent = i);
+        for (a, b) in acting().filter_map(|link| Some((link.def.body.0, link.def.other()?.0))) {
+            let [a, b] = [a, b].map(|body| first(parents, members.binary_search(&body).unwrap_or_default()));
+            parents[a.max(b)] = a.min(b) as u32;
         }
+        by_root.clear();
+        by_root.extend((0..members.len()).map(|i| (first(parents, i) as u32, members[i])));
+        by_root.sort_unstable();
+        groups.clear();
+        let mut from = 0;
+        for group in by_root.chunk_by(|a, b| a.0 == b.0) {
+            groups.push((from, from + group.len()));
+            from += group.len();
+        }
+        members.clear();
+        members.extend(by_root.iter().map(|(_, body)| *body));
+    }
+
+    /// The force of all links on a body, N.
+    pub fn on(&self, body: u32, pose_of: impl Fn(u32) -> Pose) -> DVec2 {
+        links_on(&self.all, body, pose_of)
     }
 }
 
-pub(crate) fn links_on(links: &[LinkDef], body: u32, pose_of: impl Fn(u32) -> Pose) -> DVec2 {
-    links.iter().filter(|link| link.has(body)).map(|link| link.on(body, &pose_of)).sum()
+pub(crate) fn links_on(links: &[Link], body: u32, pose_of: impl Fn(u32) -> Pose) -> DVec2 {
+    links.iter().filter(|link| link.acts_on(body)).map(|link| link.on(body, &pose_of)).sum()
 }

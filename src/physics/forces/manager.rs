@@ -21,8 +21,8 @@ pub struct Force {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ForceManager {
     forces: Vec<Force>,
-    /// The acceleration along that axis is exactly zero.
-    rests: [bool; 2],
+    /// Of each axis, the rounding of a balance, in parts of the sum of the magnitudes.
+    rounding: DVec2,
 }
 
 impl ForceManager {
@@ -84,11 +84,8 @@ impl ForceManager {
     fn sum_of(&self, counts: impl Fn(ForceKind) -> bool) -> DVec2 {
         let counted = || self.forces.iter().filter(|force| counts(force.kind)).map(|force| force.vector);
         let (sum, size): (DVec2, DVec2) = (counted().sum(), counted().map(DVec2::abs).sum());
-        // Relative to the sum of the magnitudes: rounding leaves 4 roundings of forces that balance, and 1e-9 of the forces that contacts
-        // find for a body whose acceleration is exactly zero.
-        let rests = DVec2::from(self.rests.map(|rests| if rests { 1e-9 } else { 4.0 * f64::EPSILON }));
         // Adding zero turns −0 into 0.
-        DVec2::select(sum.abs().cmple(size * rests), DVec2::ZERO, sum) + DVec2::ZERO
+        DVec2::select(sum.abs().cmple(size * self.rounding.max(DVec2::splat(4.0 * f64::EPSILON))), DVec2::ZERO, sum) + DVec2::ZERO
     }
 
     /// The sum of the pushes, N; or of those alone that come from no zone.
@@ -112,7 +109,7 @@ impl ForceManager {
 
     pub(crate) fn clear(&mut self) {
         self.forces.clear();
-        self.rests = [false; 2];
+        self.rounding = DVec2::ZERO;
     }
 
     /// Appends one to a list; zero is none.
@@ -129,8 +126,10 @@ impl ForceManager {
         }
     }
 
-    /// Closes the list of a body with that acceleration, m/s².
-    pub(crate) fn close(&mut self, acceleration: DVec2) {
-        self.rests = acceleration.to_array().map(|a| a == 0.0);
+    /// Closes the list of a body with that acceleration, m/s²: where it is exactly 0, what contacts found balances to 1e-9, and links, whose lengths
+    /// are differences of places, to 1e-6.
+    pub(crate) fn close(&mut self, acceleration: DVec2, linked: bool) {
+        let rounding = if linked { 1e-6 } else { 1e-9 };
+        self.rounding = DVec2::select(acceleration.cmpeq(DVec2::ZERO), DVec2::splat(rounding), DVec2::ZERO);
     }
 }

@@ -1,6 +1,6 @@
 //! The force manager of a body, and a file for each law that moves it:
 //!
-//! | weight | drive and added pushes | wind | fields of gravity | drag of the air | buoyancy and drag of liquids | springs |
+//! | weight | drive and added pushes | wind | fields of gravity | drag of the air | buoyancy and drag of liquids | springs, ropes, magnets |
 //! |---|---|---|---|---|---|---|
 //! | `weight` | `manager` | `wind` | `field` | `air` | `liquid`, `displaced` | `link` |
 //!
@@ -22,7 +22,7 @@ pub(crate) mod zones;
 pub(crate) use air::Drag;
 pub(crate) use kind::{ForceKind, Source};
 pub(crate) use law::Law;
-pub(crate) use link::{LinkDef, Links};
+pub(crate) use link::{Link, Links};
 pub(crate) use liquid::{Bath, Regime};
 pub(crate) use manager::{Force, ForceManager};
 pub(crate) use media::Media;

@@ -100,7 +100,7 @@ impl World {
         if body.velocity == DVec2::ZERO && before == DVec2::ZERO && way == DVec2::ZERO {
             return;
         }
-        ledger.open |= self.state.links.all.iter().any(|link| link.has(thing.id));
+        ledger.open |= self.state.links.all.iter().any(|link| link.acts_on(thing.id));
         let mut force = self.state.forces[i].push_of_no_zone() + DVec2::new(0.0, body.mass * media.gravity_on(body));
         let mut size = force.length();
         for index in media.streams_at(near, BORDER).iter() {

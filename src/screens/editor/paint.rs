@@ -24,6 +24,7 @@ pub fn colour(kind: Kind) -> Colour {
         Kind::Key => theme::accent(),
         Kind::Pad => theme::player_objective(),
         Kind::KeyPad => theme::physics_objective(),
+        Kind::Link => of(204, 121, 167),
         Kind::Deadly => theme::bad(),
         Kind::Stream => of(150, 170, 200),
         Kind::Fluid => of(70, 130, 190),

@@ -121,6 +121,12 @@ impl Editor {
                     }
                 }
             }
+            Kind::Link => {
+                if let Some([a, b]) = self.document.link_ends(row) {
+                    canvas.line(self.view.point(a), self.view.point(b), 2.0, own.faded(0.9));
+                }
+                canvas.rectangle(area, own.faded(0.7));
+            }
             Kind::Object | Kind::Key => self.draw_object(canvas, (row, area), colour(Kind::Object)),
             Kind::Picture => self.draw_object(canvas, (row, area), theme::solid().faded(0.6)),
             Kind::Ship => {

@@ -8,7 +8,7 @@ use crate::physics::{Aabb, DVec2};
 use crate::view::camera::Viewport;
 use crate::view::emitters::objective_colour;
 use crate::view::things::{Brushes, ShipPose};
-use crate::view::{decoration, hitboxes, hud, mechanisms, theme, things, world, zones};
+use crate::view::{decoration, hitboxes, hud, links, mechanisms, theme, things, world, zones};
 
 /// Reach (m) and strength on the rock of the light of the engine, an objective, a death box and a key object.
 const ENGINE_REACH: f64 = 8.0;
@@ -76,6 +76,7 @@ impl GameView {
         world::draw_texts(level, view, canvas);
         // Bodies hide the words on walls, pads and plates.
         canvas.end_layer();
+        links::draw(game, |id| drawn_centre(game, id, alpha), (view, canvas), time);
         let brushes = Brushes { pictures: &self.pictures, view, canvas };
         for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
             let at = drawn_centre(game, id, alpha);

@@ -86,6 +86,8 @@ impl Ear {
                 GameEvent::Switched(_, true) => hear(Sound::new(Cue::Press, 1.0)),
                 GameEvent::Switched(_, false) => hear(Sound::new(Cue::Move, 1.0)),
                 GameEvent::Broke(_) => hear(Sound::new(Cue::Knock(Stuff::Glass), 1.0)),
+                GameEvent::Snapped(_) => hear(Sound::new(Cue::Knock(Stuff::Rubber), 1.0)),
+                GameEvent::Hooked(_) => hear(Sound::new(Cue::Click, 1.0)),
                 GameEvent::Refuelled(_) => hear(Sound::new(Cue::Bubble, 1.0)),
                 GameEvent::ObjectiveLost(_) => hear(Sound::new(Cue::Lost, 1.0)),
                 GameEvent::Completed => hear(Sound::new(Cue::Success, 1.0)),

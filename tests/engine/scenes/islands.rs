@@ -73,6 +73,7 @@ fn story(def: WorldDef, count: usize, drive: DVec2) -> Vec<(Vec<u64>, Vec<Event>
     let of_them = |event: &Event| match *event {
         Event::Impact { a, .. } => a.index() < count,
         Event::Crushed { body, .. } => body.index() < count,
+        Event::Snapped { .. } | Event::Hooked { .. } => false,
     };
     let mut tick = |n: u32| {
         world.set_drive(BodyId(0), if n % 60 < 30 { drive } else { DVec2::ZERO });

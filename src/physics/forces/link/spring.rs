@@ -1,8 +1,8 @@
-//! A spring: F = k·(d − L) + c·ḋ along its length d, pulling where that is longer than L (Hooke 1678).
+//! A spring: F = k·(ℓ − L) + c·ℓ′ along its length ℓ, pulling where that is longer than L (Hooke 1678).
 
 use glam::DVec2;
 
-/// A linear spring.
+/// A linear spring; a rope has the same numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spring {
     /// Its length without a force, m.
