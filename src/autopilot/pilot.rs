@@ -4,12 +4,11 @@
 //! an acceleration, and what all other forces do is taken off it. What is left is the engine's part: the nose is turned that way, and
 //! the engine burns for such a share of the beats as its part along the nose asks for.
 
-use super::plan::{Plan, PlanStep, StepKind};
+use super::judgement::Judgement;
+use super::plan::{FlightPlan, PlanStep, StepKind};
 use super::sight::Sight;
 use crate::game::{Controls, ROTATION_RATE, SHIP};
 use crate::physics::{BodyId, DVec2, Force, ForceKind, Source};
-use rand::RngExt;
-use rand_pcg::Pcg32;
 
 /// The share of the engine's acceleration that the wanted one has upwards at least: falling is left to gravity, the nose stays up.
 const UPRIGHT: f64 = 0.25;
@@ -37,8 +36,8 @@ const AWAY: u32 = 6;
 
 /// Flies a game by a plan.
 #[derive(Clone, Debug)]
-pub struct Pilot<'a> {
-    plan: &'a Plan,
+pub struct Autopilot<'a> {
+    plan: &'a FlightPlan,
     step: usize,
     /// Where the ship was when the step began, m.
     from: DVec2,
@@ -58,32 +57,8 @@ pub struct Pilot<'a> {
     away: (u32, DVec2),
 }
 
-/// How a person misjudges: other errors at each step.
-#[derive(Clone, Debug)]
-pub struct Judgement {
-    /// By how much places are misjudged, m, and speeds, a share of themselves: most by less, none by more than three times that.
-    pub places: f64,
-    pub speeds: f64,
-    pub random: Pcg32,
-    /// The present ones.
-    off: DVec2,
-    speed: f64,
-}
-
-impl Judgement {
-    pub fn new(places: f64, speeds: f64, random: Pcg32) -> Self {
-        Self { places, speeds, random, off: DVec2::ZERO, speed: 1.0 }
-    }
-
-    fn misjudge(&mut self) {
-        let mut one = || (0..4).map(|_| self.random.random_range(-1.0..1.0)).sum::<f64>() * 0.866;
-        let (x, y, speed) = (one(), one(), one());
-        (self.off, self.speed) = (DVec2::new(x, y) * self.places, 1.0 + self.speeds * speed);
-    }
-}
-
-impl<'a> Pilot<'a> {
-    pub fn new(plan: &'a Plan, sight: &Sight) -> Self {
+impl<'a> Autopilot<'a> {
+    pub fn new(plan: &'a FlightPlan, sight: &Sight) -> Self {
         let mut pilot = Self {
             plan,
             step: 0,
@@ -405,7 +380,7 @@ fn degrees_a_tick(sight: &Sight) -> f64 {
 }
 
 /// As fast as can be braked to `speed` over the way that is left.
-fn wanted_velocity(plan: &Plan, way: DVec2, speed: f64) -> DVec2 {
+fn wanted_velocity(plan: &FlightPlan, way: DVec2, speed: f64) -> DVec2 {
     let settings = &plan.settings;
     let most = (speed * speed + 2.0 * settings.brake * way.length()).sqrt();
     // Close to the goal the law of braking would ask for leaps.

@@ -72,7 +72,7 @@ pub struct PilotSettings {
 
 /// A plan, with its text for writing it again.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Plan {
+pub struct FlightPlan {
     pub settings: PilotSettings,
     pub steps: Vec<PlanStep>,
     lines: Vec<Line>,
@@ -132,7 +132,7 @@ impl PilotSettings {
     }
 }
 
-impl Plan {
+impl FlightPlan {
     /// Reads a plan.
     pub fn parse(text: &str) -> Result<Self, String> {
         let settings =
@@ -252,7 +252,7 @@ impl Plan {
     }
 }
 
-impl fmt::Display for Plan {
+impl fmt::Display for FlightPlan {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for line in &self.lines {
             match *line {

@@ -6,7 +6,7 @@ mod rooms;
 
 pub use date::{Date, is_daily};
 
-use crate::autopilot::{Plan, fly};
+use crate::autopilot::{FlightPlan, fly};
 use crate::files::{self, create_folder};
 use crate::game::{Outcome, Replay};
 use crate::level::{self, Files, Landscape, Level, scaffold};
@@ -80,7 +80,7 @@ fn proven(name: &str, date: Date, attempt: u64) -> Option<Daily> {
     let mut rows = HallRows { x: 360, ..HallRows::default() };
     order.iter().take(COUNT).for_each(|room| room(&mut rows, &mut random));
     let landscape = ["launch", "quarry", "wind", "water", "orbit"][random.random_range(0..Landscape::ALL.len())];
-    let mut plan = Plan::parse(&plan_text(&rows)).ok()?;
+    let mut plan = FlightPlan::parse(&plan_text(&rows)).ok()?;
     for _ in 0..PLANS {
         let files = files_of(&rows, date, (landscape, LONGEST));
         let level = level::read(name, &InMemory(&files)).ok().filter(|loaded| loaded.warnings.is_empty())?.level;
@@ -94,7 +94,7 @@ fn proven(name: &str, date: Date, attempt: u64) -> Option<Daily> {
 }
 
 /// The level with the times that the proof's own time gives. Medals and the time that scores best change no flight.
-fn finished(name: &str, date: Date, (rows, landscape): (&HallRows, &str), plan: &Plan) -> Option<Daily> {
+fn finished(name: &str, date: Date, (rows, landscape): (&HallRows, &str), plan: &FlightPlan) -> Option<Daily> {
     let level_for = |time: f64| {
         let files = files_of(rows, date, (landscape, time));
         let level = Arc::new(level::read(name, &InMemory(&files)).ok()?.level);

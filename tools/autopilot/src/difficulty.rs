@@ -6,7 +6,7 @@ use crate::make::{Options, write};
 use crate::{plan_file, plan_of};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
-use resultant::autopilot::{Judgement, Pilot, Plan, Sight};
+use resultant::autopilot::{Autopilot, FlightPlan, Judgement, Sight};
 use resultant::game::{Controls, Game, Outcome};
 use resultant::level::Level;
 use std::collections::VecDeque;
@@ -34,7 +34,8 @@ pub fn measure(level: &Arc<Level>, options: &Options) -> Result<(), String> {
     let mut plan = plan_of(&level.name, PERSON).or_else(|_| plan_of(&level.name, Aim::Careful.name()))?;
     let longest = AT_LEISURE * level.optimal_time;
     if let Some(trials) = options.trials {
-        let keep = |plan: &Plan| if options.keep { write(&plan_file(&level.name, PERSON), &plan.to_string()) } else { Ok(()) };
+        let keep =
+            |plan: &FlightPlan| if options.keep { write(&plan_file(&level.name, PERSON), &plan.to_string()) } else { Ok(()) };
         plan = steadier(level, plan, (trials, options.seed), keep)?;
     }
     if options.trace {
@@ -64,13 +65,13 @@ pub fn measure(level: &Arc<Level>, options: &Options) -> Result<(), String> {
 /// A plan that forgives more, of `trials` variations from a seed: more of other unsteady flights succeed by it, and sooner.
 fn steadier(
     level: &Arc<Level>,
-    plan: Plan,
+    plan: FlightPlan,
     (trials, seed): (u32, u64),
-    keep: impl Fn(&Plan) -> Result<(), String>,
-) -> Result<Plan, String> {
+    keep: impl Fn(&FlightPlan) -> Result<(), String>,
+) -> Result<FlightPlan, String> {
     let mut random = Pcg32::seed_from_u64(seed);
     let longest = AT_LEISURE * level.optimal_time;
-    let worth = |plan: &Plan| -> f64 {
+    let worth = |plan: &FlightPlan| -> f64 {
         let ends = TUNED.map(|seed| fly(level, plan, seed, longest, |_, _, _| ()));
         let worth = |end: End| match end.outcome {
             Outcome::Completed => 1.0 - 0.1 * end.time / longest,
@@ -101,11 +102,11 @@ struct End {
 }
 
 /// One unsteady flight.
-fn fly(level: &Arc<Level>, plan: &Plan, seed: u64, longest: f64, mut each: impl FnMut(&Game, usize, Controls)) -> End {
+fn fly(level: &Arc<Level>, plan: &FlightPlan, seed: u64, longest: f64, mut each: impl FnMut(&Game, usize, Controls)) -> End {
     let mut random = Pcg32::seed_from_u64(seed);
     let mut game = crate::flight::new_game(level);
     let mut eyes = Eyes { seen: game.clone(), pressed: VecDeque::new(), wanted: VecDeque::new() };
-    let mut pilot = Pilot::new(plan, &Sight::of(&game)).with(Judgement::new(SPREAD / level.metre, MISJUDGED, random.clone()));
+    let mut pilot = Autopilot::new(plan, &Sight::of(&game)).with(Judgement::new(SPREAD / level.metre, MISJUDGED, random.clone()));
     let mut hands = Hands::default();
     while game.outcome() == Outcome::Running && game.elapsed() < longest && !game.is_stranded() {
         if pilot.is_due() {

@@ -1,6 +1,6 @@
 //! One flight of a level: by the pilot, or again by the keys that it held; and what the flight is worth.
 
-use resultant::autopilot::{Pilot, Plan, Sight, StepKind};
+use resultant::autopilot::{Autopilot, FlightPlan, Sight, StepKind};
 use resultant::game::{Controls, Game, Inputs, Medals, Outcome, RunResult, SHIP, TICK_RATE};
 use resultant::level::{Level, Mark, ObjectiveKind, SHIP_HALF};
 use resultant::physics::{Aabb, DVec2, Event, Guards, Obstacle};
@@ -81,9 +81,9 @@ pub struct Flight {
 
 impl Flight {
     /// Flies by the plan.
-    pub fn by_plan(level: &Arc<Level>, plan: &Plan) -> Self {
+    pub fn by_plan(level: &Arc<Level>, plan: &FlightPlan) -> Self {
         let mut game = new_game(level);
-        let mut pilot = Pilot::new(plan, &Sight::of(&game));
+        let mut pilot = Autopilot::new(plan, &Sight::of(&game));
         let mut flight = Self::begun(&game);
         // What goes on for twice its time will not do any more.
         let longest = (2.0 * plan.settings.par).min(LONGEST);

@@ -13,7 +13,7 @@ mod random;
 mod speed;
 
 use make::Options;
-use resultant::autopilot::Plan;
+use resultant::autopilot::FlightPlan;
 use resultant::level::{self, Level};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -110,10 +110,10 @@ fn load(name: &str) -> Result<Arc<Level>, String> {
 }
 
 /// Reads one of a level's plans.
-fn plan_of(level: &str, flight: &str) -> Result<Plan, String> {
+fn plan_of(level: &str, flight: &str) -> Result<FlightPlan, String> {
     let file = plan_file(level, flight);
     let text = std::fs::read_to_string(&file).map_err(|error| format!("{}: {error}", file.display()))?;
-    Plan::parse(&text).map_err(|problem| format!("{}: {problem}", file.display()))
+    FlightPlan::parse(&text).map_err(|problem| format!("{}: {problem}", file.display()))
 }
 
 fn plan_file(level: &str, flight: &str) -> PathBuf {

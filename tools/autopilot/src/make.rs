@@ -4,7 +4,7 @@ use crate::flight::{Aim, CHANGES, Flight, again, bears};
 use crate::{plan_file, plan_of, project};
 use rand::SeedableRng;
 use rand_pcg::Pcg32;
-use resultant::autopilot::{Pilot, Plan, Sight};
+use resultant::autopilot::{Autopilot, FlightPlan, Sight};
 use resultant::game::{Controls, Game, Inputs, Outcome, Recorder, Replay, SHIP};
 use resultant::level::Level;
 use std::path::{Path, PathBuf};
@@ -54,7 +54,7 @@ pub fn record(level: &Arc<Level>, options: &Options) -> Result<(), String> {
 }
 
 /// The plan for an aim; the careful plan is where the others begin.
-fn plan_for(level: &Level, aim: Aim) -> Result<Plan, String> {
+fn plan_for(level: &Level, aim: Aim) -> Result<FlightPlan, String> {
     plan_of(&level.name, aim.name()).or_else(|problem| plan_of(&level.name, Aim::Careful.name()).map_err(|_| problem))
 }
 
@@ -64,11 +64,11 @@ fn make(level: &Arc<Level>, aim: Aim, options: &Options) -> Result<(), String> {
         trace(level, &plan);
     }
     let (mut flight, mut plan) = (Flight::by_plan(level, &plan), plan);
-    let lacks = |flight: &Flight, plan: &Plan| lacks(flight, aim, level, plan);
+    let lacks = |flight: &Flight, plan: &FlightPlan| lacks(flight, aim, level, plan);
     let trials = options.trials.unwrap_or(if lacks(&flight, &plan).is_none() { 0 } else { TRIALS });
     if trials > 0 {
         report("as planned", aim, level, &flight);
-        let enough = |flight: &Flight, plan: &Plan| options.trials.is_none() && lacks(flight, plan).is_none();
+        let enough = |flight: &Flight, plan: &FlightPlan| options.trials.is_none() && lacks(flight, plan).is_none();
         (flight, plan) = Search { level, aim, trials, seed: options.seed }.climb((flight, plan), enough);
     }
     report(&level.name, aim, level, &flight);
@@ -82,7 +82,7 @@ fn make(level: &Arc<Level>, aim: Aim, options: &Options) -> Result<(), String> {
 }
 
 /// What keeps a flight by that plan from being recorded; `None` where nothing does.
-fn lacks(flight: &Flight, aim: Aim, level: &Level, plan: &Plan) -> Option<String> {
+fn lacks(flight: &Flight, aim: Aim, level: &Level, plan: &FlightPlan) -> Option<String> {
     let firm = || aim != Aim::Careful || bears(level, &flight.inputs, SAME, LATE);
     flight.lacks(aim, level, plan.settings.par).or_else(|| (!firm()).then(|| "its keys bear no small change".to_owned()))
 }
@@ -173,7 +173,7 @@ struct Search<'a> {
 impl Search<'_> {
     /// Climbs from a plan to better ones, until one is good enough. A careful flight that does not bear small changes never replaces one
     /// that does.
-    fn climb(&self, begin: (Flight, Plan), enough: impl Fn(&Flight, &Plan) -> bool) -> (Flight, Plan) {
+    fn climb(&self, begin: (Flight, FlightPlan), enough: impl Fn(&Flight, &FlightPlan) -> bool) -> (Flight, FlightPlan) {
         let mut random = Pcg32::seed_from_u64(self.seed);
         let mut best_rank = self.rank(&begin.0, (false, f64::NEG_INFINITY));
         let mut best = begin;
@@ -252,9 +252,9 @@ fn report(name: &str, aim: Aim, level: &Level, flight: &Flight) {
 }
 
 /// Prints where the ship is, ten times a second.
-fn trace(level: &Arc<Level>, plan: &Plan) {
+fn trace(level: &Arc<Level>, plan: &FlightPlan) {
     let Ok(mut game) = Game::new(Arc::clone(level)) else { return };
-    let mut pilot = Pilot::new(plan, &Sight::of(&game));
+    let mut pilot = Autopilot::new(plan, &Sight::of(&game));
     while game.outcome() == Outcome::Running && game.elapsed() < 2.0 * plan.settings.par {
         let controls = pilot.keys(&Sight::of(&game));
         let before = *game.world().guards();
