@@ -13,6 +13,8 @@ const ROWS: usize = 8;
 
 /// (Rate · tick)² from which a mean force over a tick is unstable: it is at 9.
 const STIFF: f64 = 4.0;
+/// m. How far beyond the border of its law a link may be where a step ends there. Larger: energy is lost as a rope becomes taut; smaller: more steps.
+const BENT: f64 = 1e-13;
 /// Rounds over the links of a group. Fewer: a chain sags while its ends touch something.
 const SWEEPS: usize = 32;
 
@@ -398,7 +400,7 @@ impl LinkedBodies<'_> {
         // Regula falsi and halves in turn: a rope that becomes taut out of rest has a double root.
         let least = 1e-12 * self.tick;
         for round in 0..80 {
-            if high - low <= least {
+            if high - low <= least || after > -BENT {
                 break;
             }
             let part = if round % 2 == 0 { before / (before - after) } else { 0.5 };
