@@ -103,9 +103,21 @@ impl Scratch {
             events.items.push(Item::body(body, &state.bodies[i], state.forces[i].push_of_no_zone(), searched, state.known[i]));
         }
         events.movable = members.len();
-        for link in state.links.all.iter().filter(|link| link.acts() && !linked.is_empty()) {
-            if link.def.ends().any(|end| members.binary_search(&end.0).is_ok()) {
-                events.links.push(*link);
+        let flies = |id: u32| linked.binary_search_by_key(&id, |member| member.id).is_ok();
+        for link in state.links.all.iter().filter(|link| link.acts()) {
+            if !link.def.ends().any(|end| members.binary_search(&end.0).is_ok()) {
+                continue;
+            }
+            events.links.push(*link);
+            // A group that slept as the tick began has not flown.
+            for end in link.def.ends().map(|end| end.0).filter(|end| !flies(*end)) {
+                match members.binary_search(&end) {
+                    Ok(at) => {
+                        events.items[at].link += link.on(end, |id| state.pose_of(id));
+                        events.items[at].known = false;
+                    }
+                    Err(_) => events.ends.push((end, state.pose_of(end))),
+                }
             }
         }
         for member in &*linked {
