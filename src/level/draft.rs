@@ -1,6 +1,5 @@
 //! The things of a level's files, row by row, before the checks of the whole level.
 
-use super::links::UnboundLink;
 use super::numbers::PixelScale;
 use super::placed::FromRow;
 use super::problem::Problem;
@@ -11,7 +10,8 @@ use super::source::BACKGROUND;
 use super::types::{
     AirStream, Decoration, Fluid, GravityZone, Level, Mover, Object, Objective, ObjectiveKind, Pod, ShipStart, Solid, Switch, Text,
 };
-use super::{links, shade};
+use super::unbound::{self, UnboundLink};
+use super::shade;
 use crate::physics::{Aabb, DVec2};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -97,7 +97,7 @@ impl Draft {
             movers: items(self.movers),
             doors: items(self.doors),
             switches: items(self.switches),
-            links: links::bound(&self.links, &self.objects),
+            links: unbound::bound(&self.links, &self.objects),
             objects: items(self.objects),
             objectives: items(self.objectives),
             obstacles: items(self.obstacles),

@@ -1,64 +1,14 @@
-//! Links: the names of their ends become bodies.
+//! What is wrong with the links of a level, beyond the form of their rows.
 
 use super::draft::Draft;
 use super::nearest::meant;
 use super::placed::FromRow;
 use super::problem::{MOST_PROBLEMS, Problem, quoted};
 use super::strength::judge;
-use super::types::{LevelLink, Object, SHIP_HALF, ShipStart};
+use super::types::{LevelLink, SHIP_HALF, ShipStart};
+use super::unbound::{LinkRowEnd, MOST_LINKS, UnboundLink};
 use crate::physics::domain::{MOST_DAMPING, MOST_STIFFNESS};
-use crate::physics::{BodyId, DVec2, LinkDef, LinkEnd, LinkLaw};
-
-/// The most links of a level: a stiff one takes some 10 µs a tick.
-const MOST_LINKS: usize = 256;
-
-/// An end of a row of links.csv.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum LinkRowEnd {
-    Ship,
-    /// By name.
-    Object(String),
-    /// m.
-    Place(DVec2),
-}
-
-/// A link whose ends are names.
-#[derive(Clone, Debug)]
-pub(super) struct UnboundLink {
-    pub ends: [LinkRowEnd; 2],
-    pub law: LinkLaw,
-    pub as_found: bool,
-    pub hook: bool,
-    pub breaks: Option<f64>,
-    pub rate: f64,
-    pub name: Option<String>,
-}
-
-impl UnboundLink {
-    /// `None` where an end has no body, or where neither is one.
-    fn bind(&self, objects: &[FromRow<Object>]) -> Option<LevelLink> {
-        let end = |end: &LinkRowEnd| match end {
-            LinkRowEnd::Ship => Some(LinkEnd::Body(BodyId(0))),
-            LinkRowEnd::Place(place) => Some(LinkEnd::Place(*place)),
-            LinkRowEnd::Object(name) => {
-                let found = objects.iter().position(|object| object.item.name.as_ref() == Some(name));
-                Some(LinkEnd::Body(BodyId(found? as u32 + 1)))
-            }
-        };
-        let (body, to) = match (end(&self.ends[0])?, end(&self.ends[1])?) {
-            (LinkEnd::Body(body), to) | (to, LinkEnd::Body(body)) => (body, to),
-            (LinkEnd::Place(_), LinkEnd::Place(_)) => return None,
-        };
-        let Self { law, as_found, hook, breaks, rate, .. } = *self;
-        Some(LevelLink { def: LinkDef { body, to, law, as_found, hook, breaks, rate }, name: self.name.clone() })
-    }
-}
-
-/// The links whose ends are bodies.
-pub(super) fn bound(links: &[FromRow<UnboundLink>], objects: &[FromRow<Object>]) -> Vec<LevelLink> {
-    let bound = links.iter().filter_map(|link| link.item.bind(objects));
-    bound.filter(|link| link.def.to != LinkEnd::Body(link.def.body)).take(MOST_LINKS).collect()
-}
+use crate::physics::{BodyId, LinkDef, LinkEnd, LinkLaw};
 
 /// Ends that are no body, names that two bodies share, links without a body, and links too stiff or too strong for one.
 pub(super) fn check(draft: &Draft) -> Vec<Problem> {

@@ -29,6 +29,7 @@ mod source;
 mod strength;
 mod table;
 mod types;
+mod unbound;
 mod varied;
 mod winnable;
 mod wiring;

@@ -3,9 +3,9 @@
 use super::facts::{Count, FileSchema, Holds, RowSchema};
 use super::record::{RowCells, RowReader};
 use super::typed::{TypedColumn, Word, is_name, name, number, one_of, rows};
-use crate::level::links::{LinkRowEnd, UnboundLink};
 use crate::level::numbers::{self};
 use crate::level::problem::quoted;
+use crate::level::unbound::{LinkRowEnd, UnboundLink};
 use crate::physics::{LinkLaw, Magnet, Spring};
 
 pub static LINKS: FileSchema = FileSchema {

@@ -17,7 +17,7 @@ const ROWS: usize = 8;
 const BENT: f64 = 1e-13;
 
 /// Place, velocity and the impulse of the links since the step's begin; or their rates.
-type Course = [DVec2; 3];
+type LinkedState = [DVec2; 3];
 
 #[derive(Clone, Debug)]
 pub(crate) struct Linked {
@@ -38,10 +38,10 @@ pub(crate) struct Linked {
     stiffness: f64,
     at: Pose,
     /// The rates at the begin of the step, the last midpoint but one, its end, and the last row of the extrapolation.
-    rates: Course,
-    before: Course,
-    end: Course,
-    row: [Course; ROWS],
+    rates: LinkedState,
+    before: LinkedState,
+    end: LinkedState,
+    row: [LinkedState; ROWS],
 }
 
 impl Linked {
@@ -95,7 +95,7 @@ impl Linked {
     }
 
     /// The rates in the pose `at`.
-    fn rates_in(&self, media: &Media, bodies: &[Body]) -> Course {
+    fn rates_in(&self, media: &Media, bodies: &[Body]) -> LinkedState {
         if self.held {
             return [DVec2::ZERO, DVec2::ZERO, self.force];
         }
@@ -374,6 +374,6 @@ impl LinkedBodies<'_> {
     }
 }
 
-fn along(from: &Course, rates: &Course, time: f64) -> Course {
+fn along(from: &LinkedState, rates: &LinkedState, time: f64) -> LinkedState {
     std::array::from_fn(|i| from[i] + rates[i] * time)
 }

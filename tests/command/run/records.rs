@@ -48,7 +48,7 @@ fn a_run_is_handed_on_as_a_code() {
     assert_eq!((refused.status, refused.out.as_str()), (2, ""));
     assert!(refused.err.contains("cut or altered"), "{}", refused.err);
     // The same code after the level has changed.
-    data.write("levels/goal/constants.csv", &(read(&data, "levels/goal/constants.csv") + "gravity,14\n"));
+    data.write("levels/goal/constants.csv", &(read(&data, "levels/goal/constants.csv") + "gravity_x,0.5\n"));
     let foreign = data.resultant(&["verify", code]);
     assert_eq!(foreign.status, 1, "{}", foreign.err);
     assert!(foreign.err.contains("the level of that name here has the hash"), "{}", foreign.err);

@@ -25,7 +25,7 @@ pub(crate) enum Carries {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Link {
+pub(crate) struct NetworkEdge {
     pub lo: u32,
     pub hi: u32,
     pub carries: Carries,
@@ -37,7 +37,7 @@ pub(crate) struct Link {
     pub cut: bool,
 }
 
-impl Link {
+impl NetworkEdge {
     fn room(&self, from: u32) -> f64 {
         match (self.carries, self.lo == from) {
             (Carries::Push, true) => f64::INFINITY,
@@ -65,7 +65,7 @@ pub(crate) struct NetworkNode {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Network {
     pub nodes: Vec<NetworkNode>,
-    pub links: Vec<Link>,
+    pub links: Vec<NetworkEdge>,
     /// The nodes of blocks that cannot follow the grounds that close on them.
     pub squeezed: Vec<u32>,
     /// Links of node i: `around[first[i]..first[i + 1]]`; the last node is the ground.
@@ -124,7 +124,7 @@ impl Network {
     }
 
     pub fn link(&mut self, lo: u32, hi: u32, carries: Carries, ground: f64) {
-        self.links.push(Link { lo, hi, carries, ground, flow: 0.0, cut: false });
+        self.links.push(NetworkEdge { lo, hi, carries, ground, flow: 0.0, cut: false });
     }
 
     pub fn solve(&mut self) {
@@ -257,7 +257,7 @@ impl Network {
             let i = self.queue[k];
             let node = self.nodes[i as usize];
             let links = || self.links_of(i).map(|slot| self.around[slot]).filter(|link| !self.links[*link as usize].cut);
-            let gets = |link: &Link| if link.lo == i { -link.flow } else { link.flow };
+            let gets = |link: &NetworkEdge| if link.lo == i { -link.flow } else { link.flow };
             let gotten: f64 = links().map(|link| gets(&self.links[link as usize])).sum();
             let left = node.force - node.mass * node.acceleration + gotten;
             if left.abs() <= own(&node) * FORCE_TOLERANCE {

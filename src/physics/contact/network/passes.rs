@@ -1,6 +1,6 @@
 //! One pass of loads along the axis: a pile at rest and a pushed row settle in it; `routing` would come to the same.
 
-use crate::physics::contact::network::{Block, Carries, GROUND, Link, Network};
+use crate::physics::contact::network::{Block, Carries, GROUND, Network, NetworkEdge};
 
 impl Network {
     /// Every body hands its excess on to the bodies (or the ground) that it presses against, in equal shares, once it has got all of its own
@@ -9,8 +9,9 @@ impl Network {
         self.reset_flows(block);
         let tolerance = block.tolerance();
         let sign = if upwards { 1.0 } else { -1.0 };
-        let presses =
-            |link: &Link, i: u32| !link.cut && link.carries == Carries::Push && (if upwards { link.lo } else { link.hi }) == i;
+        let presses = |link: &NetworkEdge, i: u32| {
+            !link.cut && link.carries == Carries::Push && (if upwards { link.lo } else { link.hi }) == i
+        };
         self.queue.clear();
         for at in block.begin..block.end {
             let i = self.order[at];
