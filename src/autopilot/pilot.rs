@@ -34,6 +34,18 @@ const ABOUT: f64 = 1.2;
 /// Beats for which the ship backs off from what holds it.
 const AWAY: u32 = 6;
 
+/// The forces besides the engine's that act in free flight.
+const ACTING: [ForceKind; 8] = [
+    ForceKind::Weight,
+    ForceKind::Wind,
+    ForceKind::AirResistance,
+    ForceKind::Buoyancy,
+    ForceKind::ViscousDrag,
+    ForceKind::Spring,
+    ForceKind::Tension,
+    ForceKind::Magnetic,
+];
+
 /// Flies a game by a plan.
 #[derive(Clone, Debug)]
 pub struct Autopilot<'a> {
@@ -329,8 +341,7 @@ impl<'a> Autopilot<'a> {
     fn steer(&mut self, sight: &Sight, mut wanted: DVec2) {
         let settings = &self.plan.settings;
         let (forces, player) = (sight.game.world().forces(SHIP), &sight.game.level().player);
-        let others = [ForceKind::Weight, ForceKind::Wind, ForceKind::AirResistance, ForceKind::Buoyancy, ForceKind::ViscousDrag];
-        let others: DVec2 = others.map(|kind| forces.total(kind)).into_iter().sum();
+        let others: DVec2 = ACTING.map(|kind| forces.total(kind)).into_iter().sum();
         let carries = self.current().kind == StepKind::Carry;
         let load = |force: &&Force| carries && matches!(force.source, Source::Body(_));
         let others = others + forces.forces().iter().filter(load).map(|force| force.vector).sum::<DVec2>();
