@@ -6,12 +6,12 @@ use super::problem::Problem;
 use super::reader::LevelReader;
 use super::schema::settings::LevelSettings;
 use super::schema::{Table, blocks, bodies, ties, zones};
+use super::shade;
 use super::source::BACKGROUND;
 use super::types::{
     AirStream, Decoration, Fluid, GravityZone, Level, Mover, Object, Objective, ObjectiveKind, Pod, ShipStart, Solid, Switch, Text,
 };
 use super::unbound::{self, UnboundLink};
-use super::shade;
 use crate::physics::{Aabb, DVec2};
 use std::collections::BTreeSet;
 use std::path::PathBuf;

@@ -195,7 +195,7 @@ fn at_the_start_of_every_level_the_display_is_at_home_and_its_arrows_cover_nothi
             let view = onlooker.look(&game, &camera, HudShown { rivals: 0, medal: false, ..ALL }, 1.0);
             let window = pixels(&onlooker.frame);
             // A part makes way for nothing but the pointer to a goal out of view.
-            let wanted = |home: &Area| onlooker.hud.pointers.iter().any(|pointer| pointer.area.overlaps(home));
+            let wanted = |home: &Area| onlooker.hud.pointers.iter().any(|pointer| pointer.area.gap(home) <= 0.0);
             let free = onlooker.hud.aside.homes().filter(|home| !wanted(home)).count();
             assert!(onlooker.solid().len() >= free, "level {name} in {window}: {:?}", onlooker.hud.aside);
             check(&onlooker, &game, &view, &mut Seen::default(), &format!("level {name}"));
