@@ -17,6 +17,16 @@ pub(super) enum LinkRowEnd {
     Place(DVec2),
 }
 
+impl LinkRowEnd {
+    /// The name of its object.
+    pub fn object(&self) -> Option<&str> {
+        match self {
+            Self::Object(name) => Some(name),
+            Self::Ship | Self::Place(_) => None,
+        }
+    }
+}
+
 /// A link whose ends are names.
 #[derive(Clone, Debug)]
 pub(super) struct UnboundLink {

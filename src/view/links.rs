@@ -54,7 +54,7 @@ fn draw_link(link: &Link, [from, to]: [DVec2; 2], (view, canvas): (&Viewport, &C
             let corner = |i: usize| {
                 let side = if i == 0 || i == 2 * turns {
                     0.0
-                } else if i % 2 == 0 {
+                } else if i.is_multiple_of(2) {
                     COIL
                 } else {
                     -COIL

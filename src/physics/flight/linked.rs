@@ -168,7 +168,7 @@ impl LinkedBodies<'_> {
             let left = self.tick - self.now;
             h = if h > 0.999 * left { left } else { h };
             let (error, rows) = self.step(h);
-            if !(error <= 1.0) && h > shortest {
+            if (error > 1.0 || error.is_nan()) && h > shortest {
                 h *= if error.is_finite() { 0.5 } else { 0.1 };
                 continue;
             }
