@@ -305,7 +305,7 @@ fn a_rope_never_pushes_and_becomes_taut_within_a_tick() {
         let mut world = world(g, vec![body(0.0, 0.5, m)], Vec::new());
         hung(&mut world, DVec2::ZERO, rope(length, k, 0.0));
         // Free fall over 0.5 m, then a spring that is hit at v, and let go at the same height.
-        let (fall, omega) = ((2.0 * 0.5 / g as f64).sqrt(), (k / m as f64).sqrt());
+        let (fall, omega) = ((2.0 * 0.5 / g).sqrt(), (k / m).sqrt());
         let (v, sag) = (g * fall, g / (omega * omega));
         let taut = (2.0 / omega) * (std::f64::consts::PI - (v / (omega * sag)).atan());
         let period = 2.0 * fall + taut;
@@ -359,7 +359,7 @@ fn a_link_breaks_at_its_force_within_the_tick() {
     let mut world = world(0.0, vec![body(2.0, 0.0, m)], Vec::new());
     world.link(LinkDef { breaks: Some(100.0), ..LinkDef::new(A, LinkEnd::Place(DVec2::ZERO), spring(2.0, k)) }).unwrap();
     world.drive(0, 60.0, 0.0);
-    let omega = (k / m as f64).sqrt();
+    let omega = (k / m).sqrt();
     let (at, snapped) = ((1.0f64 - 100.0 / 60.0).acos() / omega, 60.0 / k * omega);
     let speed = snapped * (omega * at).sin();
     let mut broken = 0;
