@@ -2,7 +2,7 @@
 
 use crate::support::adversary;
 use crate::support::shipped::{fixture, flights, levels, load, project};
-use resultant::game::{Game, Medal, Medals, Outcome, PROGRAM, Replay, SHIP};
+use resultant::game::{Game, Medal, Medals, Outcome, PROGRAM, Replay, SHIP, TICK_RATE};
 use resultant::level::{self, Level};
 use resultant::physics::{Aabb, Body, Guards, Sides, World};
 use std::path::Path;
