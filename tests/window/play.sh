@@ -141,11 +141,12 @@ point() {
   sleep "$settle_time"
 }
 
-# choose_level WORDS: opens the level that these words alone find in level select; its card is in the middle then.
+# choose_level WORDS [X Y]: opens the level that these words alone find in level select. The card of a player's own level is in the
+# middle then, one of a world is the first on its shelf, at 10 33.
 choose_level() {
   type_text "$1"
   sleep 0.3
-  click 50 50
+  click "${2:-50}" "${3:-50}"
 }
 
 # column_button INDEX: where a button of the menu's column is, from 0, for `click`; classic_button INDEX: of the list of classics.

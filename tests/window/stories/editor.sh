@@ -7,7 +7,7 @@ level_point() { awk "BEGIN { s = 895.3 * 0.95 / 1280; printf \"%.3f %.3f\", (571
 
 # draw TOOL X Y TO_X TO_Y: a new thing between two points of the level; tools are counted from the top, Select is 0.
 draw() {
-  click 5.8 "$(awk "BEGIN { p = (664 - 8) / 16; if (p > 44) p = 44; print (56 + 4 + $1 * p + p / 2) / 7.2 }")"
+  click 5.8 "$(awk "BEGIN { p = (664 - 8) / 17; if (p > 44) p = 44; print (56 + 4 + $1 * p + p / 2) / 7.2 }")"
   drag $(level_point "$2" "$3") $(level_point "$4" "$5")
 }
 

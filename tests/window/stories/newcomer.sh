@@ -22,7 +22,7 @@ grep -q "^$user," "$data/scores/players.csv" || fail "$user is not in players.cs
 press Down Return
 expect level-select differs named 3
 expect level-select drawn
-choose_level "$(sed -n 's/^title,//p' "$data/levels/1/constants.csv")"
+choose_level "$(sed -n 's/^title,//p' "$data/levels/1/constants.csv")" 10 33
 expect level-1 hud
 
 # The keys fly the ship, Tab opens the details, Esc pauses.
