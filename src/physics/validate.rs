@@ -17,7 +17,7 @@ const ROUGH: f64 = 1e-7;
 /// The error of a sum of forces, relative to the sum of their magnitudes.
 const FORCES: f64 = 1e-9;
 /// The same for a linked body with a contact: it flies under the mean force of its links, and lists their force at the tick's end.
-const LINKED_FORCES: f64 = 1e-5;
+const LINKED_FORCES: f64 = 1e-3;
 
 impl World {
     /// Checks all that has to hold between two ticks, before anything is changed from outside:
