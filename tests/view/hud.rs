@@ -126,7 +126,7 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
     let centre = game.world().body(SHIP).position;
     let mut wanted = 0;
     let mut ask = |target: PointerTarget, bounds: Aabb| {
-        let (seen, pointer) = (in_view(&on_canvas(&bounds, view), frame), has(target));
+        let (seen, pointer) = (in_view(&view.exact(&bounds), frame), has(target));
         assert_eq!(pointer.is_none(), seen, "{}: {target:?}", what());
         wanted += usize::from(!seen);
         if let Some(pointer) = pointer {
@@ -140,13 +140,15 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
         for (index, objective) in level.objectives.iter().enumerate().filter(|(index, _)| !game.met()[*index]) {
             ask(PointerTarget::Objective(index), objective.bounds);
         }
-        let open = (0..level.objectives.len()).any(|i| level.objectives[i].kind == ObjectiveKind::Physics && !game.met()[i]);
-        for index in (0..level.objects.len()).filter(|&index| open && level.objects[index].key.is_some()) {
+        let physics = || (0..level.objectives.len()).filter(|&i| level.objectives[i].kind == ObjectiveKind::Physics);
+        for index in (0..level.objects.len()).filter(|&index| level.objects[index].key.is_some()) {
             let (key, colour) = (key_box(game, index), level.objects[index].key.unwrap());
+            if !physics().any(|i| level.objectives[i].fits(colour) && !game.met()[i]) {
+                continue;
+            }
             let done =
                 |i: usize| game.met()[i] && level.objectives[i].fits(colour) && key.touches(&level.objectives[i].bounds, 0.0);
-            let physics = (0..level.objectives.len()).filter(|&i| level.objectives[i].kind == ObjectiveKind::Physics);
-            if !physics.into_iter().any(done) {
+            if !physics().any(done) {
                 ask(PointerTarget::Key(index), key);
             }
         }
@@ -194,10 +196,9 @@ fn at_the_start_of_every_level_the_display_is_at_home_and_its_arrows_cover_nothi
         for mut onlooker in Onlooker::all() {
             let view = onlooker.look(&game, &camera, HudShown { rivals: 0, medal: false, ..ALL }, 1.0);
             let window = pixels(&onlooker.frame);
-            // A part makes way for nothing but the pointer to a goal out of view.
-            let wanted = |home: &Area| onlooker.hud.pointers.iter().any(|pointer| pointer.area.gap(home) <= 0.0);
-            let free = onlooker.hud.aside.homes().filter(|home| !wanted(home)).count();
-            assert!(onlooker.solid().len() >= free, "level {name} in {window}: {:?}", onlooker.hud.aside);
+            // In a small window one part may have to make way.
+            let least = if onlooker.frame.size.y * onlooker.frame.pixel.recip() < 720.0 { 1 } else { 2 };
+            assert!(onlooker.solid().len() >= least, "level {name} in {window}: {:?}", onlooker.hud.aside);
             check(&onlooker, &game, &view, &mut Seen::default(), &format!("level {name}"));
             for (what, area) in shown(&level, &view, &onlooker.frame) {
                 for pointer in &onlooker.hud.pointers {
