@@ -16,7 +16,7 @@ const OVERLAP: f64 = 2.0 * SLOP;
 const ROUGH: f64 = 1e-7;
 /// The error of a sum of forces, relative to the sum of their magnitudes.
 const FORCES: f64 = 1e-9;
-/// The same for a linked body with a contact: it flies under the mean force of its links, and lists their force at the tick's end.
+/// The same for a linked body: in a tick with a contact it flies under the mean force of its links, and lists their force at the end.
 const LINKED_FORCES: f64 = 1e-3;
 
 impl World {
@@ -164,8 +164,7 @@ impl World {
             let scale: f64 = forces.forces().iter().map(|force| force.vector.length()).sum();
             let (resultant, needed) = (forces.resultant(), body.mass * body.acceleration);
             let linked = self.state.links.all.iter().any(|link| link.acts_on(i as u32));
-            let touches = linked && self.state.contacts.iter().any(|contact| contact.has(i as u32));
-            if (resultant - needed).length() > if touches { LINKED_FORCES } else { FORCES } * scale {
+            if (resultant - needed).length() > if linked { LINKED_FORCES } else { FORCES } * scale {
                 return Err(format!("the resultant on body {i} is {resultant} N, m·a is {needed} N: {:?}", forces.forces()));
             }
         }
