@@ -31,7 +31,7 @@ const CHECK: usize = 4;
 const OUTCOMES: [Outcome; 3] = [Outcome::Running, Outcome::Completed, Outcome::Failed];
 
 impl Replay {
-    /// Errors: the flight has too many changes of keys for [`LONGEST`] characters, lasts too long, has another tick rate than the
+    /// Errors: the flight has too many changes of keys for 1500 characters, lasts too long, has another tick rate than the
     /// game or lacks what a code has to say.
     pub fn code(&self) -> Result<String, String> {
         let (Some(LevelHash::Sha256(level)), Some(outcome), Some(time)) = (self.level_hash, self.outcome, self.time) else {
