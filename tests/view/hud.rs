@@ -196,9 +196,7 @@ fn at_the_start_of_every_level_the_display_is_at_home_and_its_arrows_cover_nothi
         for mut onlooker in Onlooker::all() {
             let view = onlooker.look(&game, &camera, HudShown { rivals: 0, medal: false, ..ALL }, 1.0);
             let window = pixels(&onlooker.frame);
-            // In a small window one part may have to make way.
-            let least = if onlooker.frame.size.y * onlooker.frame.pixel.recip() < 720.0 { 1 } else { 2 };
-            assert!(onlooker.solid().len() >= least, "level {name} in {window}: {:?}", onlooker.hud.aside);
+            assert_eq!(onlooker.solid().len(), 2, "level {name} in {window}: {:?}", onlooker.hud.aside);
             check(&onlooker, &game, &view, &mut Seen::default(), &format!("level {name}"));
             for (what, area) in shown(&level, &view, &onlooker.frame) {
                 for pointer in &onlooker.hud.pointers {
