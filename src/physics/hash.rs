@@ -25,8 +25,13 @@ impl World {
     }
 }
 
+/// The sign of a zero is left out: `min` and `max` of +0 and −0 give either, each platform its own.
+fn hash_number(number: f64, write: &mut impl FnMut(u64)) {
+    write((number + 0.0).to_bits());
+}
+
 fn hash_vector(vector: DVec2, write: &mut impl FnMut(u64)) {
-    vector.to_array().into_iter().for_each(|value| write(value.to_bits()));
+    vector.to_array().into_iter().for_each(|value| hash_number(value, write));
 }
 
 fn hash_forces(forces: &ForceManager, write: &mut impl FnMut(u64)) {
@@ -44,29 +49,29 @@ fn hash_link(link: &Link, write: &mut impl FnMut(u64)) {
     write(u64::from(*on) | u64::from(*winds) << 1 | u64::from(*begun) << 2 | u64::from(*broken) << 3);
     write(u64::from(*as_found) << 1 | u64::from(*hook));
     write(breaks.map_or(0, f64::to_bits));
-    write(rate.to_bits());
+    hash_number(*rate, write);
     write(u64::from(body.0) << 32 | law.kind() as u64);
     match to {
         LinkEnd::Body(other) => write(u64::from(other.0)),
         LinkEnd::Place(place) => hash_vector(*place, write),
     }
-    law.numbers().into_iter().for_each(|number| write(number.to_bits()));
+    law.numbers().into_iter().for_each(|number| hash_number(number, write));
 }
 
 fn hash_body(body: &Body, write: &mut impl FnMut(u64)) {
     let Body { position, velocity, acceleration, half, mass, drag, round, restitution, material, feels_air, weightless } = body;
     [position, velocity, acceleration, half].into_iter().for_each(|vector| hash_vector(*vector, write));
     let friction = [material.static_friction, material.kinetic_friction];
-    [*mass, *drag, *restitution].into_iter().chain(friction).for_each(|value| write(value.to_bits()));
+    [*mass, *drag, *restitution].into_iter().chain(friction).for_each(|value| hash_number(value, write));
     write(u64::from(*round) | u64::from(*feels_air) << 1 | u64::from(*weightless) << 2);
 }
 
 fn hash_surface(surface: &Surface, write: &mut impl FnMut(u64)) {
     let Surface { bounds, velocity, material, present, def, clock, belt, runs, wanted, moved } = surface;
     [bounds.min, bounds.max, *velocity].into_iter().for_each(|vector| hash_vector(vector, write));
-    [material.static_friction, material.kinetic_friction, *clock].into_iter().for_each(|value| write(value.to_bits()));
+    [material.static_friction, material.kinetic_friction, *clock].into_iter().for_each(|value| hash_number(value, write));
     if *belt != def.belt {
-        write(belt.to_bits());
+        hash_number(*belt, write);
     }
     write(u64::from(*runs) | u64::from(*present) << 1 | u64::from(*wanted) << 2 | u64::from(*moved) << 3);
 }
@@ -76,7 +81,7 @@ fn hash_contact(contact: &Contact, write: &mut impl FnMut(u64)) {
     let Contact { lo, hi, axis, slides, normal, friction, .. } = *contact;
     write(u64::from(lo) << 32 | u64::from(hi));
     write(axis as u64);
-    [slides, normal, friction].into_iter().for_each(|value| write(value.to_bits()));
+    [slides, normal, friction].into_iter().for_each(|value| hash_number(value, write));
 }
 
 #[cfg(test)]
