@@ -444,11 +444,11 @@ fn an_experiment_is_guessed_flown_and_of_no_account() {
     assert!(sitting.shows(guess));
     assert!(!sitting.press(Key::Space).shows(guess));
     assert!(sitting.press(Key::Down).shows(guess), "each is guessed by itself");
-    assert!(sitting.shows("docs/lessons/terminal-velocity.md"));
+    assert!(sitting.shows("docs/sheets/terminal-velocity.html"));
     // A click chooses, a second one flies.
     let (third, title) = (sitting.areas()[PAGES.len() + 2].centre(), sitting.labels()[PAGES.len() + 2].to_owned());
     sitting.give(Input { pointer: third, click: true, ..Input::default() });
-    assert!(sitting.focused() == title && sitting.shows("docs/lessons/force-mass-acceleration.md"));
+    assert!(sitting.focused() == title && sitting.shows("docs/sheets/force-mass-acceleration.html"));
     sitting.click_at(third);
     assert!(sitting.scene().overlays.details, "what acts is what it is about");
     assert_eq!(sitting.flight().game().level().name, "force-mass-acceleration");
@@ -458,7 +458,7 @@ fn an_experiment_is_guessed_flown_and_of_no_account() {
     let (level, result) = (std::sync::Arc::new(flight.game().level().clone()), flight.game().result());
     sitting.app.grant(Request::Score(Attempt::by_hand(level), result, None), &mut ());
     sitting.rest();
-    assert!(lab(&sitting).page() == Page::Experiments && sitting.shows("docs/lessons/lift.md"));
+    assert!(lab(&sitting).page() == Page::Experiments && sitting.shows("docs/sheets/lift.html"));
 }
 
 /// The same to the last bit; what blew up is not a number, and so not equal to itself.

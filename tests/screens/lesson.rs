@@ -108,7 +108,7 @@ fn an_experiment_opens_on_what_moves_and_leads_back_to_the_list() {
     sitting.click("Back to experiments");
     let lab = sitting.screen::<Lab>();
     assert_eq!(lab.page(), Page::Experiments);
-    assert!(sitting.focused() == "Free fall" && sitting.shows("docs/lessons/free-fall.md"));
+    assert!(sitting.focused() == "Free fall" && sitting.shows("docs/sheets/free-fall.html"));
 }
 
 /// Freeze, step, select, plot, vary the mass, take it along: a ball fifty times as heavy falls as the one before.

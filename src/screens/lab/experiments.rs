@@ -101,7 +101,7 @@ fn draw_description(canvas: &Canvas, panel: Area, (chosen, answered): (&Experime
     pen.write("Exactly", TEXT, theme::quiet());
     let (words, colour) = if answered { (chosen.answer.as_str(), theme::good()) } else { ("Make a guess first.", theme::quiet()) };
     pen.write(words, BUTTON_TEXT, colour);
-    pen.write(&format!("A page for lessons: docs/lessons/{}.md", chosen.folder), TEXT, theme::quiet());
+    pen.write(&format!("A page to print: docs/sheets/{}.html", chosen.folder), TEXT, theme::quiet());
 }
 
 struct Pen<'a> {

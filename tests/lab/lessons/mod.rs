@@ -1,6 +1,6 @@
-//! The experiments: each level flown and held against its exact answer, and every figure and every suggested change of its sheet in
-//! `docs/lessons` with it.
+//! The experiments: each level flown and held against its exact answer, and every figure and every suggested change of its sheet with it.
 
+mod pages;
 mod sheet;
 mod variations;
 
@@ -26,6 +26,11 @@ impl Figure {
     fn check(&self, run: &str) {
         let Self { what, exact, found, within, .. } = self;
         assert!((found - exact).abs() <= within * exact.abs().max(1.0), "{run}, {what}: {found}, exactly {exact}");
+    }
+
+    /// As a sheet's table has it.
+    fn row(&self) -> [String; 2] {
+        [self.what.clone(), format!("{} {}", three(self.exact), self.unit)]
     }
 }
 
@@ -336,9 +341,8 @@ fn every_experiment_has_its_exact_answer_and_its_sheet_names_it() {
     for (name, figures) in EXPERIMENTS {
         let figures = figures();
         figures.iter().for_each(|figure| figure.check(name));
-        let rows: String = figures.iter().map(|f| format!("| {} | {} {} |\n", f.what, three(f.exact), f.unit)).collect();
-        let table = format!("| quantity | exact answer |\n|---|---|\n{rows}");
-        assert!(sheet::text(name).contains(&table), "{name}: the sheet's table should be\n{table}");
+        let rows: Vec<[String; 2]> = figures.iter().map(Figure::row).collect();
+        assert_eq!(sheet::lesson(&sheet::text(name)).figures, rows, "{name}");
     }
 }
 
@@ -347,31 +351,19 @@ fn every_experiment_has_its_exact_answer_and_its_sheet_names_it() {
 fn every_suggested_change_does_what_its_sheet_says() {
     let mut flown = 0;
     for (name, _) in EXPERIMENTS {
-        let (suggested, outcomes) = (sheet::variations(name), variations::of(name));
+        let text = sheet::text(name);
+        let (suggested, outcomes) = (sheet::variations(&text), variations::of(name));
         assert_eq!(suggested.len(), outcomes.len(), "{name}: {suggested:#?}");
         for (suggested, outcome) in suggested.iter().zip(outcomes) {
             let change = &suggested.change;
             let figures = outcome(&mut Run::varied(name, change));
-            let rows: Vec<[String; 2]> =
-                figures.iter().map(|f| [f.what.clone(), format!("{} {}", three(f.exact), f.unit)]).collect();
+            let rows: Vec<[String; 2]> = figures.iter().map(Figure::row).collect();
             assert_eq!(suggested.rows, rows, "{name}, {change}");
             figures.iter().for_each(|figure| figure.check(&format!("{name}, {change}")));
             flown += 1;
         }
     }
     assert!(flown >= 36, "{flown}");
-}
-
-#[test]
-fn every_sheet_says_where_its_experiment_is_and_names_its_keys() {
-    for (name, _) in EXPERIMENTS {
-        let (text, title) = (sheet::text(name), sheet::level(name, "").title);
-        assert!(text.contains(&format!("Menu → Lab → Experiments → {title};")), "{name}: {title}");
-        let keys = text.lines().find(|line| line.starts_with("**Keys.**")).unwrap_or_else(|| panic!("{name}: no keys"));
-        for key in ["Tab", "N", "B", "`.`", "`[`", "Wheel", "+", "−", "F:", "I:", "R:", "Esc"] {
-            assert!(keys.contains(key), "{name}: {key}");
-        }
-    }
 }
 
 #[test]

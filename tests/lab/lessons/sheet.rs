@@ -1,6 +1,7 @@
-//! The sheets in `docs/lessons` as a test reads them: each suggested change, and a level with that change.
+//! The texts of the sheets, `docs/lessons`: each suggested change, and a level with that change.
 
 use resultant::level::{self, Files, Level};
+use sheets::Lesson;
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -15,29 +16,26 @@ pub fn text(name: &str) -> String {
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// A suggestion: the change, and the rows of its figures, each with its answer.
-#[derive(Debug, Default)]
-pub struct Variation {
-    pub change: String,
-    pub rows: Vec<[String; 2]>,
+/// Its parts.
+pub fn lesson(text: &str) -> Lesson<'_> {
+    Lesson::read(text).unwrap_or_else(|problem| panic!("{problem} in {text}"))
 }
 
-/// All suggestions of a sheet: a table with a row a figure, where an empty first cell means the change above.
-pub fn variations(name: &str) -> Vec<Variation> {
-    let text = text(name);
-    let section = text.split("\n## ").find(|section| section.starts_with("Vary\n")).unwrap_or_else(|| panic!("{name}: no Vary"));
-    let table: Vec<&str> = section.lines().filter(|line| line.starts_with('|')).collect();
-    assert_eq!(table[..2], ["| change | what then | exact answer |", "|---|---|---|"], "{name}");
-    assert!(!section.lines().any(|line| line.starts_with("- ")), "{name}: a suggestion outside of the table");
+/// A suggestion: the change, and the rows of its figures, each with its answer.
+#[derive(Debug)]
+pub struct Variation<'a> {
+    pub change: &'a str,
+    pub rows: Vec<[&'a str; 2]>,
+}
+
+/// All suggestions of a sheet; a row without a change goes on with the one above.
+pub fn variations(text: &str) -> Vec<Variation<'_>> {
     let mut found: Vec<Variation> = Vec::new();
-    for row in &table[2..] {
-        let cells: Vec<&str> = row.trim_matches('|').split('|').map(str::trim).collect();
-        let [change, what, answer] = cells[..] else { panic!("{name}: {row}") };
+    for [change, what, answer] in lesson(text).changes {
         if !change.is_empty() {
-            found.push(Variation { change: change.to_owned(), rows: Vec::new() });
+            found.push(Variation { change, rows: Vec::new() });
         }
-        let last = found.last_mut().unwrap_or_else(|| panic!("{name}: the first row has no change"));
-        last.rows.push([what.to_owned(), answer.to_owned()]);
+        found.last_mut().expect("the first row has a change").rows.push([what, answer]);
     }
     found
 }

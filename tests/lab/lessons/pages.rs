@@ -1,0 +1,80 @@
+//! The printable sheets in `docs/sheets`, and what their words say beside the tables.
+
+use super::{EXPERIMENTS, G, project, sheet};
+use resultant::physics::Material;
+use std::collections::BTreeSet;
+
+/// The committed sheets are those of `docs/lessons`; `cargo run -p sheets` makes them.
+#[test]
+fn the_sheets_are_made_of_the_lessons_and_need_nothing_else() {
+    let pages = sheets::pages(&project()).unwrap();
+    let folder = project().join(sheets::FOLDER);
+    let there: BTreeSet<String> =
+        std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    assert_eq!(there, pages.iter().map(|(name, _)| name.clone()).collect());
+    for (name, text) in pages {
+        assert!(std::fs::read_to_string(folder.join(&name)).unwrap() == text, "{name}: run `cargo run -p sheets`");
+        for outside in ["http", "src=", "<script", "<link", "@import", "url("] {
+            assert!(!text.contains(outside), "{name}: {outside}");
+        }
+    }
+}
+
+#[test]
+fn a_sheet_names_its_experiment_and_each_step_its_keys_but_no_answer() {
+    let pages = sheets::pages(&project()).unwrap();
+    for (name, _) in EXPERIMENTS {
+        let text = sheet::text(name);
+        let lesson = sheet::lesson(&text);
+        assert_eq!(lesson.title, sheet::level(name, "").title, "{name}");
+        for step in &lesson.steps {
+            let named = step.split('`').skip(1).step_by(2).filter(|key| sheets::is_key(key)).count();
+            assert!(named > 0, "{name}: which key? {step}");
+        }
+        let (_, page) = pages.iter().find(|(file, _)| *file == format!("{name}.html")).unwrap();
+        let answers = lesson.answer.iter().chain(&lesson.teacher);
+        for said in answers.flat_map(|paragraph| paragraph.split(['`', '*', '<', '&'])).filter(|part| part.len() > 20) {
+            assert!(!page.contains(said), "{name}: {said}");
+        }
+    }
+}
+
+/// Numbers in words: digits with decimals, without those of formulas.
+fn numbers(words: &str) -> Vec<String> {
+    let plain: String = words.split('`').step_by(2).collect();
+    let parts = plain.split(|c: char| !c.is_ascii_digit() && c != '.').map(|part| part.trim_matches('.'));
+    parts.filter(|part| !part.is_empty()).map(str::to_owned).collect()
+}
+
+/// Each number in the words of a sheet is one of its level, of a figure that a test flies, or one that follows from them.
+#[test]
+fn every_number_in_the_words_of_a_sheet_is_one_of_its_level_or_of_its_figures() {
+    for (name, figures) in EXPERIMENTS {
+        let (text, figures) = (sheet::text(name), figures());
+        let lesson = sheet::lesson(&text);
+        let tables = std::fs::read_dir(project().join("experiments").join(name)).unwrap();
+        let mut known: Vec<f64> = Vec::new();
+        let mut read = |text: &str| known.extend(numbers(text).iter().filter_map(|number| number.parse::<f64>().ok()));
+        tables.for_each(|table| read(&std::fs::read_to_string(table.unwrap().path()).unwrap()));
+        figures.iter().for_each(|figure| read(&figure.what));
+        // Metres are also named in centimetres.
+        known.extend(figures.iter().flat_map(|figure| [figure.exact, 100.0 * figure.exact]));
+        let floors = [Material::STEEL, Material::WOOD, Material::ASPHALT];
+        match name {
+            "free-fall" => {
+                known.extend(figures.iter().filter(|f| f.what == "any, speed at the floor").map(|f| f.exact * f.exact / (2.0 * G)))
+            }
+            "friction" | "wind-and-friction" => {
+                known.extend(floors.iter().flat_map(|floor| [floor.static_friction, floor.kinetic_friction]))
+            }
+            // The other angle of the same sine.
+            "projectile" => known.push(180.0 - 60.0),
+            _ => {}
+        }
+        let words = lesson.steps.iter().chain(&lesson.answer).chain(&lesson.teacher).chain([&lesson.question]);
+        for number in words.flat_map(|words| numbers(words)) {
+            let value: f64 = number.parse().unwrap();
+            assert!(known.iter().any(|known| (known.abs() - value).abs() < 1e-9), "{name}: {number} of {known:?}");
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! A lesson's text, in the part of Markdown that lessons use.
+
+use super::is_key;
+
+/// The texts of a lesson.
+pub struct Lesson<'a> {
+    pub title: &'a str,
+    pub question: &'a str,
+    /// Its section "Do".
+    pub steps: Vec<&'a str>,
+    /// Paragraphs of its section "Exact answer".
+    pub answer: Vec<&'a str>,
+    /// A quantity and its exact answer.
+    pub figures: Vec<[&'a str; 2]>,
+    /// A change, a quantity, and its exact answer; an empty change is that of the row before.
+    pub changes: Vec<[&'a str; 3]>,
+    /// Paragraphs of its section "For the teacher".
+    pub teacher: Vec<&'a str>,
+}
+
+impl<'a> Lesson<'a> {
+    /// The error names the missing part.
+    pub fn read(text: &'a str) -> Result<Self, String> {
+        let mut sections = text.split("\n## ");
+        let head = sections.next().unwrap_or_default();
+        let sections: Vec<(&str, &str)> = sections.filter_map(|section| section.split_once('\n')).collect();
+        let section = |name: &str| {
+            let found = sections.iter().find(|(title, _)| *title == name).map(|(_, text)| *text);
+            found.ok_or_else(|| format!("expected a section \"## {name}\""))
+        };
+        let title = head.lines().find_map(|line| line.strip_prefix("# ")).ok_or("expected a title \"# …\"")?;
+        let question = head.lines().find_map(|line| line.strip_prefix("**Question.** ")).ok_or("expected \"**Question.** …\"")?;
+        let steps: Vec<&str> = section("Do")?.lines().filter_map(|line| Some(line.split_once(". ")?.1)).collect();
+        if steps.is_empty() {
+            return Err("expected numbered steps in \"## Do\"".to_owned());
+        }
+        Ok(Self {
+            title,
+            question,
+            steps,
+            answer: paragraphs(section("Exact answer")?),
+            figures: table(section("Exact answer")?)?,
+            changes: table(section("Vary")?)?,
+            teacher: paragraphs(section("For the teacher")?),
+        })
+    }
+}
+
+fn paragraphs(section: &str) -> Vec<&str> {
+    section.lines().filter(|line| !line.is_empty() && !line.starts_with('|')).collect()
+}
+
+/// The rows of a section's table below its head.
+fn table<const N: usize>(section: &str) -> Result<Vec<[&str; N]>, String> {
+    let rows = section.lines().filter_map(|line| line.strip_prefix('|')?.strip_suffix('|')).skip(2);
+    let cells = |row: &str| format!("expected {N} cells in |{row}|");
+    let rows: Result<Vec<[&str; N]>, String> =
+        rows.map(|row| row.split('|').map(str::trim).collect::<Vec<_>>().try_into().map_err(|_| cells(row))).collect();
+    rows.and_then(|rows| if rows.is_empty() { Err("expected a table with rows".to_owned()) } else { Ok(rows) })
+}
+
+pub fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+/// `code` and *stress* as HTML; a code that is the name of a key looks like one.
+pub fn inline(text: &str) -> String {
+    let part = |(i, part): (usize, &str)| match i % 2 {
+        0 => stressed(part),
+        _ if is_key(part) => format!("<kbd>{part}</kbd>"),
+        _ => format!("<code>{part}</code>"),
+    };
+    escaped(text).split('`').enumerate().map(part).collect()
+}
+
+fn stressed(text: &str) -> String {
+    let part = |(i, part): (usize, &str)| if i % 2 == 1 { format!("<em>{part}</em>") } else { part.to_owned() };
+    text.split('*').enumerate().map(part).collect()
+}
