@@ -18,6 +18,7 @@
 //! - [`screens`]: the screens as a state machine, one file a screen; it is tested without a window.
 //! - [`view`]: drawing only: it reads the game and changes nothing in it.
 //! - [`cli`]: one file a subcommand.
+//! - [`words`]: the languages of the screens.
 //! - [`number`]: how results print numbers, and every screen a time. [`files`]: reading with a limit, locks, and writing whole or not at all.
 
 // Two places need it, view/sound/output/system.rs and web/, and say why.
@@ -48,3 +49,4 @@ pub mod ui;
 pub mod view;
 #[cfg(all(browser, feature = "window"))]
 mod web;
+pub mod words;

@@ -16,6 +16,7 @@ use crate::scores::{Name, PATIENCE, Scores};
 use crate::settings::Settings;
 use crate::settings::file::SettingsFile;
 use crate::ui::{Memory, PassInput, Widget};
+use crate::words;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -146,6 +147,7 @@ impl App {
             opened: None,
             installed: None,
         };
+        words::speak(app.settings.spoken());
         app.ask_for_next();
         app
     }
@@ -277,6 +279,7 @@ impl App {
     /// Takes new settings over, keeps them, and says where that failed.
     pub(super) fn set(&mut self, settings: Settings) {
         self.settings = settings;
+        words::speak(settings.spoken());
         self.settings_file.set(whose(self.journal.current()), &settings);
         self.save_settings(0.0);
         self.tell_of_settings();
@@ -310,6 +313,7 @@ impl App {
         let closed = self.settings_file.close(PATIENCE);
         self.journal.choose(name, named);
         (self.settings, self.settings_problems) = self.settings_file.load(whose(self.journal.current()));
+        words::speak(self.settings.spoken());
         self.settings_problems.extend(closed.err().map(|error| error.to_string()));
     }
 

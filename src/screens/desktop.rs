@@ -11,6 +11,15 @@ pub fn pause(time: Duration) {
     std::thread::sleep(time);
 }
 
+/// The system's, such as `de_AT.UTF-8`; empty where it names none.
+pub fn language() -> String {
+    ["LC_ALL", "LC_MESSAGES", "LANG"]
+        .into_iter()
+        .filter_map(|name| std::env::var(name).ok())
+        .find(|name| !name.is_empty())
+        .unwrap_or_default()
+}
+
 /// The files that were dropped since the last frame.
 pub fn dropped() -> Vec<PathBuf> {
     get_dropped_files().into_iter().filter_map(|file| file.path).collect()

@@ -10,6 +10,7 @@ use crate::scores::Name;
 use crate::ui::{Ui, WidgetKind};
 use crate::view::camera::{CanvasWindow, Viewport};
 use crate::view::{arrows, theme, things, widgets};
+use crate::words::tr;
 
 /// The words on the buttons of the column, from top to bottom.
 const LABELS: [&str; 7] = ["Play", "Level Select", "Leaderboards", "Classics", "Lab", "Settings", LAST];
@@ -127,13 +128,13 @@ impl Menu {
     fn show_next(&self, ui: &Ui<'_>, play: Area) -> Option<Area> {
         let (_, title) = self.facts.next.as_ref()?;
         let from = Vec2::new(play.max().x + 2.0 * PADDING, play.centre().y);
-        ui.text(title, from, Style::new(TEXT, theme::quiet()).middle());
-        Some(words_box(title, ui.frame().text_height(TEXT), from))
+        ui.text(tr(title), from, Style::new(TEXT, theme::quiet()).middle());
+        Some(words_box(tr(title), ui.frame().text_height(TEXT), from))
     }
 
     fn show_foot(&self, ui: &Ui<'_>) -> Area {
         let (size, height) = (ui.frame().size, ui.frame().text_height(TEXT));
-        let (words, colour) = self.facts.trouble.as_deref().map_or((HINT, theme::quiet()), |trouble| (trouble, theme::bad()));
+        let (words, colour) = self.facts.trouble.as_deref().map_or((tr(HINT), theme::quiet()), |trouble| (trouble, theme::bad()));
         let (middle, widest) = (Vec2::new(size.x / 2.0, size.y - FOOT), size.x - BESIDE_FOOT);
         widgets::fitted(ui.canvas(), words, middle, widest, &[TEXT], colour);
         let mut area = words_box(words, height, middle);
@@ -148,7 +149,7 @@ impl Menu {
         let touch = ui.touch("Player", area, WidgetKind::Button);
         widgets::button_box(ui.canvas(), area, touch.hover, touch.focus);
         let y = area.centre().y;
-        ui.text("Player", Vec2::new(area.min.x + PADDING, y), Style::new(TEXT, theme::quiet()).middle());
+        ui.text(tr("Player"), Vec2::new(area.min.x + PADDING, y), Style::new(TEXT, theme::quiet()).middle());
         let name = Style::new(BUTTON_TEXT, theme::text()).mono().middle();
         ui.text(self.facts.player.as_str(), Vec2::new(area.max().x - PADDING, y), name.right());
         (touch.pressed, area)

@@ -8,6 +8,8 @@ use std::time::Duration;
 
 pub use crate::web::Instant;
 
+pub use crate::web::language;
+
 /// The browser asks for a frame when it needs one.
 pub const fn pause(_: Duration) {}
 

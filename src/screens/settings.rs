@@ -6,9 +6,10 @@ use crate::draw::{Colour, Style};
 use crate::settings::{Action, Item, Settings};
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
+use crate::words::tr;
 
 /// A row of the values and one of the keys, with the gap below it.
-const VALUES: Vec2 = Vec2::new(560.0, 34.0);
+const VALUES: Vec2 = Vec2::new(560.0, 32.0);
 const KEYS: Vec2 = Vec2::new(560.0, 29.0);
 /// Between the two lists.
 const BETWEEN: f32 = 40.0;
@@ -49,7 +50,7 @@ impl SettingsPanel {
         for (row, action) in Action::ALL.into_iter().enumerate() {
             let area = Area::new(corner.x, corner.y + row as f32 * KEYS.y, KEYS.x, KEYS.y - 4.0);
             let label = Vec2::new(area.min.x, area.centre().y);
-            ui.text(action.label(), label, Style::new(TEXT, theme::quiet()).middle());
+            ui.text(tr(action.label()), label, Style::new(TEXT, theme::quiet()).middle());
             for slot in 0..SLOTS {
                 let x = area.max().x - (SLOTS - slot) as f32 * (KEY_WIDTH + 8.0) + 8.0;
                 let area = Area { min: Vec2::new(x, area.min.y), size: Vec2::new(KEY_WIDTH, area.size.y) };
@@ -74,7 +75,7 @@ impl SettingsPanel {
     fn words(&self, action: Action, slot: usize) -> (String, Colour) {
         let keys = &self.settings.keys;
         match keys.of(action)[slot] {
-            _ if self.taking == Some((action, slot)) => ("press a key".to_owned(), theme::accent()),
+            _ if self.taking == Some((action, slot)) => (tr("press a key").to_owned(), theme::accent()),
             Some(key) if keys.conflict(action, key).is_some() => (key.label(), theme::bad()),
             Some(key) => (key.label(), theme::text()),
             None => ("–".to_owned(), theme::quiet()),
@@ -110,13 +111,14 @@ impl SettingsPanel {
                 at.y += 18.0;
             }
         };
-        line("Tab goes to the other list, ← → change a value; Enter sets a key, Del clears it.", theme::quiet());
-        line("A gamepad flies too: stick turns, triggers thrust, Y restarts, Start pauses.", theme::quiet());
+        line(tr("Tab goes to the other list, ← → change a value; Enter sets a key, Del clears it."), theme::quiet());
+        line(tr("A gamepad flies too: stick turns, triggers thrust, Y restarts, Start pauses."), theme::quiet());
         if self.settings.assists.any() {
-            line("A flight with assists is marked and does not enter the board.", theme::accent());
+            line(tr("A flight with assists is marked and does not enter the board."), theme::accent());
         }
         for (action, key, other) in self.conflicts() {
-            line(&format!("{} does two things: {} and {}.", key.label(), action.label(), other.label()), theme::bad());
+            let [one, two] = [action, other].map(|action| tr(action.label()));
+            line(&tr!("{key} does two things: {one} and {two}.", key = key.label(), one, two), theme::bad());
         }
         for problem in self.problems.iter().take(3) {
             line(problem, theme::bad());

@@ -12,6 +12,7 @@ use crate::level::Level;
 use crate::settings::plain_keys;
 use crate::view::sound::Speaker;
 use crate::view::{art, theme};
+use crate::words::{self, Language};
 use macroquad::input::utils::{register_input_subscriber, repeat_all_miniquad_input};
 use macroquad::input::{
     KeyCode, MouseButton, get_char_pressed, is_key_down, is_key_pressed, is_mouse_button_down, is_mouse_button_pressed,
@@ -118,6 +119,7 @@ fn conf() -> Conf {
 }
 
 async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
+    words::note_system(Language::named(&host::language()));
     let mut pen = WindowPen::new(&art::sheet())?;
     let mut canvas = Canvas::new(Frame::default());
     let mut theatre = Theatre::new(Speaker::new());

@@ -8,6 +8,7 @@ use crate::daily::{Daily, Date};
 use crate::game::Reel;
 use crate::level::{self, Awards, Level};
 use crate::pack::{self, Installed};
+use crate::words::{self, Language};
 use std::collections::VecDeque;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -136,6 +137,8 @@ struct Desk {
 #[derive(Debug, Default)]
 struct Waiting {
     errands: VecDeque<(Ticket, Errand)>,
+    /// Of the screen that asked last.
+    language: Language,
     closed: bool,
 }
 
@@ -153,6 +156,7 @@ impl Desk {
                 return None;
             }
             if let Some(next) = waiting.errands.pop_front() {
+                words::speak(waiting.language);
                 return Some(next);
             }
             waiting = self.news.wait(waiting).unwrap_or_else(PoisonError::into_inner);
@@ -192,7 +196,9 @@ impl Worker {
         match &mut self.at {
             At::Here(errands, _) => put(errands),
             At::Beside(desk, _) => {
-                put(&mut desk.lock().errands);
+                let mut waiting = desk.lock();
+                waiting.language = words::spoken();
+                put(&mut waiting.errands);
                 desk.news.notify_one();
             }
         }

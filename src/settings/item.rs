@@ -1,11 +1,18 @@
 //! One setting: its row in the list and in the file, and its keys.
 
 use super::values::{Palette, Settings};
+use crate::words::{Language, tr};
 
 #[derive(Clone, Copy)]
 enum Values {
-    Percent { least: u8, most: u8, step: u8 },
+    Percent {
+        least: u8,
+        most: u8,
+        step: u8,
+    },
     Words(&'static [&'static str]),
+    /// Empty in the file: the system's.
+    Languages,
 }
 
 const VOLUME: Values = Values::Percent { least: 0, most: 100, step: 10 };
@@ -14,12 +21,14 @@ const SCALE: Values = Values::Percent { least: 80, most: 150, step: 10 };
 const SPEED: Values = Values::Percent { least: 50, most: 100, step: 10 };
 const SWITCH: Values = Values::Words(&["off", "on"]);
 const COLOURS: Values = Values::Words(&["standard", "safe", "contrast"]);
+const LANGUAGES: Values = Values::Languages;
 const PALETTES: [Palette; 3] = [Palette::Standard, Palette::Safe, Palette::HighContrast];
 
 enum SettingField<'a> {
     Number(&'a mut u8),
     Switch(&'a mut bool),
     Colours(&'a mut Palette),
+    Language(&'a mut Option<Language>),
 }
 
 /// The list of settings: row in the file, label, sentence, values, owner and field of [`Settings`].
@@ -70,6 +79,7 @@ items! {
     Effects "volume_effects" "Effects" "The volume of engine, knocks, wind, liquid and buttons." VOLUME Machine Number effects;
     Music "volume_music" "Music" "The volume of the music." VOLUME Machine Number music;
     Fullscreen "fullscreen" "Fullscreen (F11)" "Whether the window fills the screen." SWITCH Machine Switch fullscreen;
+    Language "language" "Language" "The language of the screens." LANGUAGES Machine Language language;
     Scale "interface_scale" "Interface scale" "The size of words and panels." SCALE Machine Number scale;
     Colours "colours" "Colours" "The colours that carry a meaning." COLOURS Machine Colours palette;
     Shake "shake" "Screen shake" "How far a hit shakes the screen." HALVES Machine Number shake;
@@ -91,13 +101,19 @@ impl Item {
     pub fn value(self, settings: &Settings) -> String {
         match self.values() {
             Values::Percent { .. } => format!("{} %", self.get(settings)),
-            Values::Words(words) => words.get(usize::from(self.get(settings))).copied().unwrap_or_default().to_owned(),
+            Values::Words(_) => tr(&self.written(settings)).to_owned(),
+            Values::Languages => settings.spoken().name().to_owned(),
         }
     }
 
     /// As the file holds it.
     pub fn written(self, settings: &Settings) -> String {
-        self.value(settings).trim_end_matches(" %").to_owned()
+        let place = self.get(settings);
+        match self.values() {
+            Values::Percent { .. } => place.to_string(),
+            Values::Words(words) => words.get(usize::from(place)).copied().unwrap_or_default().to_owned(),
+            Values::Languages => settings.language.map_or("", Language::code).to_owned(),
+        }
     }
 
     /// Takes a value of the file. The error is the expected values.
@@ -111,6 +127,14 @@ impl Item {
             Values::Words(words) => {
                 let place = words.iter().position(|word| word.eq_ignore_ascii_case(text));
                 place.ok_or_else(|| format!("one of {}", words.join(", ")))? as u8
+            }
+            Values::Languages if text.is_empty() => {
+                settings.language = None;
+                return Ok(());
+            }
+            Values::Languages => {
+                let place = Language::ALL.iter().position(|language| language.code().eq_ignore_ascii_case(text));
+                place.ok_or_else(|| format!("one of {}, or nothing", Language::ALL.map(Language::code).join(", ")))? as u8
             }
         };
         self.set(value, settings);
@@ -128,8 +152,8 @@ impl Item {
                     now.saturating_sub(step).max(least)
                 }
             }
-            Values::Words(words) => {
-                let count = words.len() as u8;
+            Values::Words(_) | Values::Languages => {
+                let count = if let Values::Words(words) = self.values() { words.len() } else { Language::ALL.len() } as u8;
                 (now + if up { 1 } else { count - 1 }) % count
             }
         };
@@ -140,7 +164,7 @@ impl Item {
     pub fn share(self, settings: &Settings) -> Option<f32> {
         match self.values() {
             Values::Percent { least, most, .. } => Some(f32::from(self.get(settings) - least) / f32::from(most - least)),
-            Values::Words(_) => None,
+            Values::Words(_) | Values::Languages => None,
         }
     }
 
@@ -149,6 +173,7 @@ impl Item {
             SettingField::Number(number) => *number,
             SettingField::Switch(on) => u8::from(*on),
             SettingField::Colours(palette) => *palette as u8,
+            SettingField::Language(language) => language.unwrap_or_else(Language::of_system) as u8,
         }
     }
 
@@ -157,6 +182,7 @@ impl Item {
             SettingField::Number(number) => *number = value,
             SettingField::Switch(on) => *on = value != 0,
             SettingField::Colours(palette) => *palette = PALETTES[usize::from(value).min(PALETTES.len() - 1)],
+            SettingField::Language(language) => *language = Language::ALL.get(usize::from(value)).copied(),
         }
     }
 }
@@ -192,6 +218,7 @@ mod tests {
             (Item::Speed, "NaN", "a whole number of percents from 50 to 100"),
             (Item::Flash, "yes", "one of off, on"),
             (Item::Colours, "", "one of standard, safe, contrast"),
+            (Item::Language, "nl", "one of en, de, fr, or nothing"),
         ] {
             assert_eq!(item.read(text, &mut settings), Err(expected.into()));
         }

@@ -1,5 +1,6 @@
 //! Keys, and what each of them does in flight.
 
+use crate::words::tr;
 use std::fmt;
 
 /// Every key with one place on the keyboard, by its name in the settings' file and in the window.
@@ -52,8 +53,12 @@ impl Key {
         Self::ALL.iter().copied().find(|key| key.to_string().eq_ignore_ascii_case(name))
     }
 
-    /// The sign on the key.
+    /// The sign on the key, or its name in the language of the screens.
     pub fn label(self) -> String {
+        tr(&self.sign()).to_owned()
+    }
+
+    fn sign(self) -> String {
         match self {
             Self::Up => "↑".into(),
             Self::Down => "↓".into(),
@@ -284,7 +289,7 @@ impl Bindings {
     /// `Space or W`.
     pub fn label(&self, action: Action) -> String {
         let labels: Vec<String> = self.of(action).into_iter().flatten().map(Key::label).collect();
-        if labels.is_empty() { "no key".into() } else { labels.join(" or ") }
+        if labels.is_empty() { tr("no key").to_owned() } else { labels.join(&format!(" {} ", tr("or"))) }
     }
 }
 

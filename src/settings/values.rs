@@ -1,4 +1,5 @@
 use super::keys::Bindings;
+use crate::words::Language;
 
 /// Colours with a meaning.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -44,6 +45,8 @@ pub struct Settings {
     /// 0 … 100.
     pub music: u8,
     pub fullscreen: bool,
+    /// `None`: the system's.
+    pub language: Option<Language>,
     /// Of words and panels: 80 … 150.
     pub scale: u8,
     /// Of the screen at a hit: 0 … 100.
@@ -59,6 +62,13 @@ pub struct Settings {
     pub assists: Assists,
 }
 
+impl Settings {
+    /// The language that the screens speak.
+    pub fn spoken(&self) -> Language {
+        self.language.unwrap_or_else(Language::of_system)
+    }
+}
+
 impl Default for Settings {
     fn default() -> Self {
         Self {
@@ -67,6 +77,7 @@ impl Default for Settings {
             effects: 80,
             music: 50,
             fullscreen: false,
+            language: None,
             scale: 100,
             shake: 100,
             flash: true,

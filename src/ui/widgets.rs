@@ -7,6 +7,7 @@ use crate::draw::layout::{Area, BUTTON_TEXT, GAP, GRID, HEADING, PADDING, ROW_BU
 use crate::draw::{Align, Canvas, Colour, Style};
 use crate::settings::{Key, Keys};
 use crate::view::{theme, widgets as paint};
+use crate::words::tr;
 use std::ops::Range;
 
 /// Between a tool bar and the canvas' foot and sides.
@@ -73,7 +74,7 @@ impl Ui<'_> {
     /// The paper of the notebook, and a heading with its capitals around `y`.
     pub fn page(&self, heading: &str, y: f32) {
         paint::graph_paper(self.canvas());
-        self.fitted(heading, Vec2::new(self.frame().size.x / 2.0, y), &[HEADING, BUTTON_TEXT], theme::text());
+        self.fitted(tr(heading), Vec2::new(self.frame().size.x / 2.0, y), &[HEADING, BUTTON_TEXT], theme::text());
     }
 
     pub fn panel(&self, area: Area) {
@@ -91,7 +92,7 @@ impl Ui<'_> {
 
     pub fn button(&mut self, label: &str, area: Area) -> bool {
         let touch = self.touch(label, area, WidgetKind::Button);
-        paint::button(self.canvas(), area, label, touch.hover, touch.focus);
+        paint::button(self.canvas(), area, tr(label), touch.hover, touch.focus);
         touch.pressed
     }
 
@@ -130,7 +131,7 @@ impl Ui<'_> {
         for (i, (label, key, named)) in tools.iter().enumerate() {
             let area = Area { min: Vec2::new(left + i as f32 * pitch, top), size };
             let touch = self.touch(label, area, WidgetKind::Tool);
-            paint::keyed_button(self.canvas(), area, (label, named), (touch.hover, false));
+            paint::keyed_button(self.canvas(), area, (tr(label), tr(named)), (touch.hover, false));
             if touch.pressed || self.key(*key) && !self.shown.claimed.has(*key) {
                 self.input().answer(super::input::ButtonAnswer::Pressed);
                 pressed = Some(*label);
@@ -147,7 +148,7 @@ impl Ui<'_> {
         let canvas = self.canvas();
         paint::button_box(canvas, area, touch.hover, touch.focus);
         let words = Style::new(TEXT, theme::text()).middle();
-        canvas.text(label, Vec2::new(area.min.x + PADDING, area.centre().y), words);
+        canvas.text(tr(label), Vec2::new(area.min.x + PADDING, area.centre().y), words);
         let mark = Style::new(TEXT, theme::accent()).middle().centred();
         canvas.text("‹", Vec2::new(place.min.x + PADDING, place.centre().y), mark);
         canvas.text("›", Vec2::new(place.max().x - PADDING, place.centre().y), mark);

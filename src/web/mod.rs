@@ -44,6 +44,7 @@ unsafe extern "C" {
     fn resultant_pads(levels: *mut f32);
     fn resultant_link() -> i32;
     fn resultant_link_again();
+    fn resultant_language() -> i32;
     /// s.
     fn resultant_frame_ends(rest: f64);
     fn resultant_say(kind: i32, words: *const u8, length: usize);
@@ -91,6 +92,13 @@ pub fn link_again() {
     unsafe { resultant_link_again() }
 }
 
+/// The browser's, such as `de-AT`.
+pub fn language() -> String {
+    // SAFETY: it takes nothing.
+    let length = unsafe { resultant_language() };
+    String::from_utf8(taken(length)).unwrap_or_default()
+}
+
 /// How far each button and axis of the standard gamepad is pressed, over all gamepads.
 pub fn pads() -> [f32; PAD_LEVELS] {
     let mut levels = [0.0; PAD_LEVELS];
@@ -135,7 +143,7 @@ pub fn end_frame(rest: f64) {
 /// The script's version, so that a page with an old script says so.
 #[unsafe(no_mangle)]
 pub extern "C" fn resultant_crate_version() -> u32 {
-    2
+    3
 }
 
 #[unsafe(no_mangle)]

@@ -148,7 +148,7 @@
 
   miniquad_add_plugin({
     name: "resultant",
-    version: 2,
+    version: 3,
     register_plugin: (imports) => {
       const loop = imports.env.run_animation_loop, setClipboard = imports.env.sapp_set_clipboard;
       const fullscreen = imports.env.sapp_set_fullscreen;
@@ -201,6 +201,7 @@
         },
         resultant_link: () => { const news = link; if (news) lastLink = news; link = ""; return answers(encoded(news)); },
         resultant_link_again: () => { link = lastLink; },
+        resultant_language: () => answers(encoded(navigator.language ?? "")),
         resultant_say: (kind, from, length) => {
           const words = textAt(from, length);
           if (kind === 0) stop(words || "The game has ended. Load the page again to play on.");

@@ -1,0 +1,174 @@
+//! The languages of the screens. The English text of the source is the key of its German and French ones in `assets/words/`; a text
+//! that a catalogue lacks stays English, as do the command line and all files.
+//!
+//! Templates have named places: `tr!("{count} levels in {name}", count = 3, name)`. Each language orders them as it likes.
+
+use crate::files::SHIPPED;
+use std::cell::Cell;
+use std::collections::HashMap;
+use std::fmt::Display;
+use std::sync::{LazyLock, Mutex, OnceLock, PoisonError};
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Language {
+    #[default]
+    English,
+    German,
+    French,
+    /// For tests: English in letters of full width, so that a text that passes by the catalogues shows.
+    Wide,
+}
+
+thread_local! {
+    static SPOKEN: Cell<Language> = const { Cell::new(Language::English) };
+}
+
+static OF_SYSTEM: OnceLock<Language> = OnceLock::new();
+static CATALOGUES: LazyLock<[HashMap<String, String>; 2]> =
+    LazyLock::new(|| [Language::German, Language::French].map(|language| rows(language).into_iter().collect()));
+/// Each text that was widened, for good: only tests ask for them.
+static WIDENED: Mutex<Option<HashMap<String, &'static str>>> = Mutex::new(None);
+
+impl Language {
+    /// In the order of the settings.
+    pub const ALL: [Self; 3] = [Self::English, Self::German, Self::French];
+
+    /// As in the settings' file and in the name of the catalogue.
+    pub const fn code(self) -> &'static str {
+        match self {
+            Self::English | Self::Wide => "en",
+            Self::German => "de",
+            Self::French => "fr",
+        }
+    }
+
+    /// In the language itself.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::English | Self::Wide => "English",
+            Self::German => "Deutsch",
+            Self::French => "Français",
+        }
+    }
+
+    /// The language of a system that names it so: `de_AT.UTF-8`, `fr-CA`; English for all others.
+    pub fn named(system: &str) -> Self {
+        let code = system.get(..2).unwrap_or_default();
+        Self::ALL.into_iter().find(|language| language.code().eq_ignore_ascii_case(code)).unwrap_or_default()
+    }
+
+    /// That of [`note_system`], else English.
+    pub fn of_system() -> Self {
+        OF_SYSTEM.get().copied().unwrap_or_default()
+    }
+}
+
+/// The language of a setting that names none, for all of this process. A second call changes nothing.
+pub fn note_system(language: Language) {
+    let _ = OF_SYSTEM.set(language);
+}
+
+/// The language of this thread from now on.
+pub fn speak(language: Language) {
+    SPOKEN.set(language);
+}
+
+/// The language of this thread.
+pub fn spoken() -> Language {
+    SPOKEN.get()
+}
+
+/// The English texts and those of a language, in the order of its file.
+pub fn rows(language: Language) -> Vec<(String, String)> {
+    let path = format!("assets/words/{}.csv", language.code());
+    let file = SHIPPED.iter().find(|(name, _)| *name == path).map_or(&b""[..], |(_, bytes)| bytes);
+    let records = csv::Reader::from_reader(file).into_records().filter_map(Result::ok);
+    records.filter_map(|record| Some((record.get(0)?.to_owned(), record.get(1)?.to_owned()))).collect()
+}
+
+/// The text in the language of this thread.
+pub fn tr(text: &str) -> &str {
+    let look_up = |catalogue: usize| CATALOGUES[catalogue].get(text).map(String::as_str);
+    let found = match spoken() {
+        Language::English => None,
+        Language::German => look_up(0),
+        Language::French => look_up(1),
+        Language::Wide => look_up(0).map(|_| widened(text)),
+    };
+    found.unwrap_or(text)
+}
+
+/// A template with its places filled, see [`crate::words::tr!`].
+pub fn filled(template: &str, places: &[(&str, &dyn Display)]) -> String {
+    let mut text = String::new();
+    let mut rest = template;
+    while let Some((before, behind)) = rest.split_once('{') {
+        text.push_str(before);
+        let Some((place, after)) = behind.split_once('}') else { break };
+        match places.iter().find(|(name, _)| *name == place) {
+            Some((_, value)) => text.push_str(&value.to_string()),
+            None => text.extend(["{", place, "}"]),
+        }
+        rest = after;
+    }
+    text + rest
+}
+
+/// A template in the language of this thread, with its places filled. `name` alone stands for `name = name`; numbers with a format are
+/// `format_args!`.
+macro_rules! template {
+    (@value $place:ident) => { $place };
+    (@value $place:ident $value:expr) => { $value };
+    ($text:expr, $($place:ident $(= $value:expr)?),+ $(,)?) => {
+        $crate::words::filled(
+            $crate::words::tr($text),
+            &[$((stringify!($place), &$crate::words::tr!(@value $place $($value)?) as &dyn std::fmt::Display)),+],
+        )
+    };
+}
+pub(crate) use template as tr;
+
+/// Letters of full width outside of the places of a template.
+fn widened(text: &str) -> &'static str {
+    let mut known = WIDENED.lock().unwrap_or_else(PoisonError::into_inner);
+    known.get_or_insert_default().entry(text.to_owned()).or_insert_with(|| {
+        let mut inside = false;
+        let wide = |letter: char| {
+            inside = letter == '{' || inside && letter != '}';
+            let code = u32::from(letter) + if letter.is_ascii_alphabetic() && !inside { 0xFEE0 } else { 0 };
+            char::from_u32(code).unwrap_or(letter)
+        };
+        text.chars().map(wide).collect::<String>().leak()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_is_looked_up_in_the_language_of_the_thread() {
+        let texts = || [tr("Play"), tr("no such text")];
+        assert_eq!(texts(), ["Play", "no such text"]);
+        speak(Language::German);
+        assert_eq!(texts(), ["Spielen", "no such text"]);
+        speak(Language::French);
+        assert_eq!(texts(), ["Jouer", "no such text"]);
+        std::thread::spawn(move || assert_eq!(tr("Play"), "Play")).join().unwrap();
+        speak(Language::Wide);
+        assert_eq!(texts(), ["Ｐｌａｙ", "no such text"]);
+        speak(Language::English);
+    }
+
+    #[test]
+    fn places_are_filled_by_their_names() {
+        let name = "Ann {count}";
+        assert_eq!(tr!("{count} of {name}, {lost} {", count = format_args!("{:.1}", 2.0), name), "2.0 of Ann {count}, {lost} {");
+    }
+
+    #[test]
+    fn the_systems_language_is_known_by_its_first_letters() {
+        let all = ["de_AT.UTF-8", "FR", "fr-CA", "C", "", "é", "nl"].map(|name| Language::named(name).code());
+        assert_eq!(all, ["de", "fr", "fr", "en", "en", "en", "en"]);
+    }
+}
