@@ -1,6 +1,7 @@
 use super::names::obstacle_name;
 use crate::level::{Level, SurfaceOf};
 use crate::physics::{Aabb, BodyId, Event, Obstacle};
+use crate::words::tr;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Death {
@@ -24,19 +25,19 @@ impl Death {
     pub fn words(self, level: &Level) -> String {
         let at = |bounds: Aabb| {
             let centre = bounds.centre();
-            format!("at x = {:.0} m, y = {:.0} m", centre.x, level.size.y - centre.y)
+            tr!("at x = {x} m, y = {y} m", x = format_args!("{:.0}", centre.x), y = format_args!("{:.0}", level.size.y - centre.y))
         };
         match self {
-            Self::Obstacle(index) => format!("Touched a red box {}", at(level.obstacles[index])),
+            Self::Obstacle(index) => tr!("Touched a red box {place}", place = at(level.obstacles[index])),
             Self::Crushed(surface) => match level.surface(surface as usize) {
-                SurfaceOf::World(index) => format!("Crushed by a block {}", at(level.world[index].bounds)),
-                SurfaceOf::Source(index) => format!("Crushed by a block {}", at(level.streams[index].source)),
+                SurfaceOf::World(index) => tr!("Crushed by a block {place}", place = at(level.world[index].bounds)),
+                SurfaceOf::Source(index) => tr!("Crushed by a block {place}", place = at(level.streams[index].source)),
                 SurfaceOf::Mover(index) => {
-                    format!("Crushed by a moving block that starts {}", at(level.movers[index].solid.bounds))
+                    tr!("Crushed by a moving block that starts {place}", place = at(level.movers[index].solid.bounds))
                 }
-                SurfaceOf::Door(index) => format!("Crushed by a door {}", at(level.doors[index].bounds)),
-                SurfaceOf::Plate(index) => format!("Crushed against a plate {}", at(level.switches[index].bounds)),
-                SurfaceOf::Edge(_) => "Crushed against the edge of the level".into(),
+                SurfaceOf::Door(index) => tr!("Crushed by a door {place}", place = at(level.doors[index].bounds)),
+                SurfaceOf::Plate(index) => tr!("Crushed against a plate {place}", place = at(level.switches[index].bounds)),
+                SurfaceOf::Edge(_) => tr("Crushed against the edge of the level").into(),
             },
         }
     }

@@ -4,6 +4,7 @@ use super::event::Outcome;
 use super::score::RunResult;
 use crate::level::{Awards, Mark};
 use crate::number::{hundredths, whole_hundredths};
+use crate::words::tr;
 
 /// A speed this little over its limit, m/s, and a fuel share this little below its limit, are within: a tenth is no binary number.
 const ROUNDING: f64 = 1e-9;
@@ -95,18 +96,18 @@ pub struct Goal {
 pub fn goals(awards: &Awards, result: &RunResult) -> Vec<Goal> {
     let completed = result.outcome == Outcome::Completed;
     let unless = |lacks: Option<String>| match (completed, result.assisted) {
-        (false, _) => Some("not completed".to_owned()),
-        (true, true) => Some("not with help".to_owned()),
+        (false, _) => Some(tr("not completed").to_owned()),
+        (true, true) => Some(tr("not with help").to_owned()),
         (true, false) => lacks,
     };
-    let bronze = (!completed).then(|| "not completed".to_owned());
+    let bronze = (!completed).then(|| tr("not completed").to_owned());
     let timed = |medal, limit: f64| {
         let late = hundredths(result.time).saturating_sub(whole_hundredths(limit));
-        let lacks = (late > 0).then(|| format!("{}.{:02} s too slow", late / 100, late % 100));
-        Goal { prize: Prize::Medal(medal), asks: format!("within {limit} s"), missing: unless(lacks) }
+        let lacks = (late > 0).then(|| tr!("{time} s too slow", time = format_args!("{}.{:02}", late / 100, late % 100)));
+        Goal { prize: Prize::Medal(medal), asks: tr!("within {limit} s", limit), missing: unless(lacks) }
     };
     let mark = |mark| Goal { prize: Prize::Mark, asks: words(mark), missing: unless(lacks(mark, result)) };
-    [Goal { prize: Prize::Medal(Medal::Bronze), asks: "level complete".to_owned(), missing: bronze }]
+    [Goal { prize: Prize::Medal(Medal::Bronze), asks: tr("level complete").to_owned(), missing: bronze }]
         .into_iter()
         .chain(awards.silver.map(|limit| timed(Medal::Silver, limit)))
         .chain(awards.gold.map(|limit| timed(Medal::Gold, limit)))
@@ -116,21 +117,22 @@ pub fn goals(awards: &Awards, result: &RunResult) -> Vec<Goal> {
 
 pub fn words(mark: Mark) -> String {
     match mark {
-        Mark::Hits(0) => "no damaging hit".to_owned(),
-        Mark::Hits(most) => format!("at most {}", counted(most, "damaging hit")),
-        Mark::Fuel(least) => format!("{least} % fuel left"),
-        Mark::Pushes(0) => "no object pushed".to_owned(),
-        Mark::Pushes(most) => format!("at most {}", count_pushes(most)),
-        Mark::Speed(most) => format!("never above {most} m/s"),
+        Mark::Hits(0) => tr("no damaging hit").to_owned(),
+        Mark::Hits(most) => tr!("at most {most}", most = counted_hits(most)),
+        Mark::Fuel(least) => tr!("{least} % fuel left", least),
+        Mark::Pushes(0) => tr("no object pushed").to_owned(),
+        Mark::Pushes(most) => tr!("at most {most}", most = count_pushes(most)),
+        Mark::Speed(most) => tr!("never above {most} m/s", most),
     }
 }
 
 fn lacks(mark: Mark, result: &RunResult) -> Option<String> {
     match mark {
-        Mark::Hits(most) => (result.collisions > most).then(|| counted(result.collisions, "damaging hit")),
+        Mark::Hits(most) => (result.collisions > most).then(|| counted_hits(result.collisions)),
         Mark::Fuel(least) => {
             let left = result.fuel * 100.0;
-            (left < least - ROUNDING).then(|| format!("{:.1} % left", (left * 10.0).floor() / 10.0))
+            (left < least - ROUNDING)
+                .then(|| tr!("{percent} % left", percent = format_args!("{:.1}", (left * 10.0).floor() / 10.0)))
         }
         Mark::Pushes(most) => (result.pushes > most).then(|| count_pushes(result.pushes)),
         Mark::Speed(most) => {
@@ -139,12 +141,12 @@ fn lacks(mark: Mark, result: &RunResult) -> Option<String> {
     }
 }
 
-fn counted(n: u32, what: &str) -> String {
-    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
+fn counted_hits(n: u32) -> String {
+    if n == 1 { tr("1 damaging hit").to_owned() } else { tr!("{count} damaging hits", count = n) }
 }
 
 fn count_pushes(n: u32) -> String {
-    format!("{n} push{}", if n == 1 { "" } else { "es" })
+    if n == 1 { tr("1 push").to_owned() } else { tr!("{count} pushes", count = n) }
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 
 use crate::level::{Level, Look, SurfaceOf};
 use crate::physics::{BodyId, Obstacle, Source};
+use crate::words::tr;
 
 /// In the engine's order.
 const EDGES: [&str; 4] = ["edge left", "edge right", "edge top", "edge bottom"];
@@ -36,18 +37,24 @@ const WALLS: [&str; 4] = ["left edge", "right edge", "roof", "floor"];
 /// `air`, `wind N`, `liquid N`, `block N`, `mover N`, `floor` …; numbers as in [`source_name`].
 pub fn plain_name(level: &Level, source: Source) -> String {
     match source {
-        Source::Gravity if (level.gravity - EARTH).abs() <= EARTH_WITHIN => "Earth".to_owned(),
-        Source::Gravity => "planet".to_owned(),
-        Source::Engine => "exhaust".to_owned(),
-        Source::Stream(index) => format!("wind {}", index + 1),
-        Source::Fluid(index) => format!("liquid {}", index + 1),
+        Source::Gravity if (level.gravity - EARTH).abs() <= EARTH_WITHIN => tr("Earth").to_owned(),
+        Source::Gravity => tr("planet").to_owned(),
+        Source::Engine => tr("exhaust").to_owned(),
+        Source::Stream(index) => tr!("wind {number}", number = index + 1),
+        Source::Fluid(index) => tr!("liquid {number}", number = index + 1),
         Source::Surface(index) => match level.surface(index as usize) {
-            SurfaceOf::World(index) => format!("block {}", index + 1),
-            SurfaceOf::Source(index) => format!("fan {}", index + 1),
-            SurfaceOf::Edge(index) => WALLS[index].to_owned(),
-            SurfaceOf::Mover(_) | SurfaceOf::Door(_) | SurfaceOf::Plate(_) => surface_name(level, index as usize),
+            SurfaceOf::World(index) => tr!("block {number}", number = index + 1),
+            SurfaceOf::Source(index) => tr!("fan {number}", number = index + 1),
+            SurfaceOf::Edge(index) => tr(WALLS[index]).to_owned(),
+            SurfaceOf::Mover(index) => tr!("mover {number}", number = index + 1),
+            SurfaceOf::Door(index) => tr!("door {number}", number = index + 1),
+            SurfaceOf::Plate(index) => tr!("switch {number}", number = index + 1),
         },
-        Source::Air | Source::Field(_) | Source::Body(_) | Source::Link(_) => source_name(level, source),
+        Source::Air => tr("air").to_owned(),
+        Source::Field(index) if (index as usize) < level.fields.len() => tr!("gravity {number}", number = index + 1),
+        Source::Field(_) => tr("gravity").to_owned(),
+        Source::Body(body) => tr!("object {number}", number = body.0),
+        Source::Link(index) => tr!("link {number}", number = index + 1),
     }
 }
 
@@ -61,15 +68,15 @@ pub fn obstacle_name(level: &Level, obstacle: Obstacle) -> String {
 /// `Ship`, `Key object 2`, `Ball 3`, `Box 4`, numbered as in [`source_name`].
 pub fn body_title(level: &Level, id: BodyId) -> String {
     let Some(object) = id.index().checked_sub(1).and_then(|i| level.objects.get(i)) else {
-        return "Ship".to_owned();
+        return tr("Ship").to_owned();
     };
     let kind = match object.look {
-        _ if object.key.is_some() => "Key object",
-        _ if object.circular => "Ball",
-        Look::Ball => "Ball",
-        Look::Image(_) | Look::Box => "Box",
+        _ if object.key.is_some() => "Key object {number}",
+        _ if object.circular => "Ball {number}",
+        Look::Ball => "Ball {number}",
+        Look::Image(_) | Look::Box => "Box {number}",
     };
-    format!("{kind} {}", id.0)
+    tr!(kind, number = id.0)
 }
 
 fn surface_name(level: &Level, index: usize) -> String {

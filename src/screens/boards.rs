@@ -10,6 +10,7 @@ use super::{
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::{Fingerprint, RunResult};
 use crate::scores::{LoadedBoard, Name, PATIENCE, Placement, Saved, Score, ScoresError};
+use crate::words::tr;
 use std::rc::Rc;
 use std::time::Duration;
 
@@ -81,13 +82,13 @@ impl App {
             Ok(saved) => saved,
             Err(ScoresError::Busy(_)) if since < PATIENCE.as_secs_f64() => {
                 self.waiting = Some(WaitingScore { gain, name, since });
-                return Err(WAITING.to_owned());
+                return Err(tr(WAITING).to_owned());
             }
             Err(error) => return Err(error.to_string()),
         };
         let damage = rescue.map(|rescue| rescue_text(&rescue));
         let remark = match placement {
-            Placement::Kept { best, .. } => Some(format!("Your best of {best} points stays.")),
+            Placement::Kept { best, .. } => Some(tr!("Your best of {best} points stays.", best)),
             Placement::New { .. } | Placement::Raised { .. } => None,
         };
         if name != *self.journal.current() {
@@ -109,7 +110,7 @@ impl App {
         if name == LEADERBOARD {
             let onward = vec![Onward { label: "Back", to: Request::Classic(Classic::Jumper) }];
             let shown = self.scores.load(name).map(|loaded| (loaded, 0));
-            return self.board(jumper::SUBJECT.to_owned(), name, shown, onward);
+            return self.board(tr(jumper::SUBJECT).to_owned(), name, shown, onward);
         }
         self.last_level = Some(name.to_owned());
         let level = self.library.load(name).ok();
@@ -145,7 +146,7 @@ impl App {
             }
             Err(error) => {
                 let mut screen = self.level_select(Purpose::Leaderboard);
-                screen.show(format!("The scores of {subject} cannot be read"), vec![error.to_string()]);
+                screen.show(tr!("The scores of {subject} cannot be read", subject), vec![error.to_string()]);
                 Box::new(screen)
             }
         }

@@ -4,6 +4,7 @@ use super::{Key, Request, Screen};
 use crate::draw::layout::{TEXT, Vec2};
 use crate::ui::Ui;
 use crate::view::theme;
+use crate::words::tr;
 
 /// One of the classics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,7 +48,7 @@ impl Screen for Classics {
             ui.start_at(label);
         }
         let pressed = ui.column(buttons, &[ALL[0].1, ALL[1].1, ALL[2].1, "Back"]);
-        let about = ALL.iter().find(|(_, label, _)| ui.has_focus(label)).map_or("", |(.., about)| about);
+        let about = ALL.iter().find(|(_, label, _)| ui.has_focus(label)).map_or("", |(.., about)| tr(about));
         let (words_of, colour) = self.problem.as_ref().map_or((about, theme::quiet()), |problem| (problem, theme::bad()));
         ui.fitted(words_of, Vec2::new(ui.frame().size.x / 2.0, words), &[TEXT], colour);
         if ui.key(Key::Escape) {

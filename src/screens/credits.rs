@@ -6,6 +6,7 @@ use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, GAP, LINE, MONO_ADVANCE, PADDING, ROW_BUTTON, TEXT, Vec2};
 use crate::ui::{Turning, Ui};
 use crate::view::theme;
+use crate::words::tr;
 
 /// The game's own licence, word for word.
 const LICENCE: &str = include_str!("../../LICENSE");
@@ -88,7 +89,7 @@ impl Screen for Credits {
                 Credit::Licence(words) => ui.text(words, left, Style { size: DETAILS, ..style(theme::quiet()) }.mono()),
                 Credit::Words(words) => ui.text(words, left, style(theme::text())),
                 Credit::Part(part, licence) => {
-                    ui.text(part, left, style(theme::text()));
+                    ui.text(tr(part), left, style(theme::text()));
                     ui.text(licence, Vec2::new(panel.max().x - RIGHT, left.y), style(theme::quiet()).right());
                 }
             }
@@ -100,10 +101,10 @@ impl Screen for Credits {
 
 /// All that is said, with the licence in lines of `columns` characters at most.
 fn lines(columns: usize) -> Vec<Credit> {
-    let heading = [Credit::Heading("Resultant"), Credit::Words("Levels, art, sounds, text and code were made for this game.")];
-    let between = [Credit::Words(""), Credit::Heading("Built with")];
+    let heading = [Credit::Heading("Resultant"), Credit::Words(tr("Levels, art, sounds, text and code were made for this game."))];
+    let between = [Credit::Words(""), Credit::Heading(tr("Built with"))];
     let parts = FONTS.into_iter().chain(CRATES).map(|(part, licence)| Credit::Part(part, licence));
-    let own = [Credit::Words(""), Credit::Heading("The game's licence")];
+    let own = [Credit::Words(""), Credit::Heading(tr("The game's licence"))];
     let licence = LICENCE.split("\n\n").flat_map(|paragraph| filled(paragraph, columns)).map(Credit::Licence);
     heading.into_iter().chain(between).chain(parts).chain(own).chain(licence).collect()
 }

@@ -10,6 +10,7 @@ use crate::game::level_hash;
 use crate::instruments::vary::Variation;
 use crate::level::document::{LevelFolder, Opened};
 use crate::level::{self, Awards, Level, Problem, scaffold};
+use crate::words::tr;
 use std::any::Any;
 use std::collections::btree_map::Entry as Slot;
 use std::path::Path;
@@ -124,8 +125,8 @@ impl App {
     /// Flies the level of a folder, or of a file in it, wherever that is; or the list of levels, with why it cannot be flown.
     pub(super) fn open_folder(&mut self, path: &Path, spectator: &mut dyn Spectator) -> Box<dyn Screen> {
         let loaded = match self.library.open(path) {
-            Some(name) => self.library.load(&name).map_err(|refusal| (format!("Level {name} does not load"), refusal)),
-            None => Err(("There is no such level".to_owned(), vec![path.display().to_string()])),
+            Some(name) => self.library.load(&name).map_err(|refusal| (tr!("Level {name} does not load", name), refusal)),
+            None => Err((tr("There is no such level").to_owned(), vec![path.display().to_string()])),
         };
         match loaded {
             Ok(level) => self.flight(Attempt::by_hand(level), spectator),
@@ -227,7 +228,7 @@ impl App {
             Ok(editor) => editor,
             Err(problem) => {
                 let mut screen = self.level_select(Purpose::Edit);
-                screen.show(format!("Level {name} cannot be edited"), vec![problem]);
+                screen.show(tr!("Level {name} cannot be edited", name), vec![problem]);
                 Box::new(screen)
             }
         }
@@ -244,7 +245,7 @@ impl App {
         if let Make::Rename(from, _) = make
             && level::is_shipped(&levels.join(from))
         {
-            return Err(format!("{from} comes with the game and keeps its name: make a copy."));
+            return Err(tr!("{from} comes with the game and keeps its name: make a copy.", from));
         }
         let made = match make {
             Make::New(_) => scaffold::make(&levels, name, &scaffold::BARE),
@@ -266,9 +267,9 @@ impl App {
 
     /// Writes a folder with the files of the level that is flown and the varied numbers in them; its place, in words.
     fn write_varied(&mut self, variation: &Variation, name: &str) -> Result<String, String> {
-        let Some(flight) = self.screen.get::<Flight>() else { return Err("Nothing is flown.".to_owned()) };
+        let Some(flight) = self.screen.get::<Flight>() else { return Err(tr("Nothing is flown.").to_owned()) };
         if self.editing.is_some() {
-            return Err("An edited level is saved in the editor.".to_owned());
+            return Err(tr("An edited level is saved in the editor.").to_owned());
         }
         let level = flight.attempt().level.clone();
         let first = |problems: Vec<Problem>| problems.first().map_or_else(String::new, ToString::to_string);
@@ -281,11 +282,11 @@ impl App {
         document.vary(&wanted, &variation.parameters(), None)?;
         let loaded = folder.check(&document).map_err(first)?;
         if level_hash(&loaded.level) != level_hash(&wanted) {
-            return Err("The level's files have changed since: R reads them.".to_owned());
+            return Err(tr("The level's files have changed since: R reads them.").to_owned());
         }
-        document.set_setting("title", &format!("{}: what if", level.title), None)?;
+        document.set_setting("title", &tr!("{title}: what if", title = level.title), None)?;
         scaffold::copy_edited(&from, &levels, &name, &document).map_err(|error| error.to_string())?;
-        let saved = format!("Saved as {}", levels.join(&name).display());
+        let saved = tr!("Saved as {path}", path = levels.join(&name).display());
         self.last_level = Some(name);
         Ok(saved)
     }

@@ -12,6 +12,7 @@ use crate::scores::RowOrigin;
 use crate::settings::Action;
 use crate::ui::{Turning, Ui};
 use crate::view::{theme, widgets};
+use crate::words::tr;
 use std::ops::Range;
 use std::path::PathBuf;
 use std::rc::Rc;
@@ -144,7 +145,7 @@ impl Flights {
         if let Some(at) = self.marked.iter().position(|marked| *marked == index) {
             self.marked.remove(at);
         } else if self.marked.len() == MOST_RIVALS {
-            self.tell(format!("At most {MOST_RIVALS} at a time can be raced."), true);
+            self.tell(tr!("At most {count} at a time can be raced.", count = MOST_RIVALS), true);
         } else if index < self.candidates.len() {
             self.marked.push(index);
         }
@@ -217,18 +218,23 @@ impl Screen for Flights {
         let size = ui.frame().size;
         let corner = Vec2::new((size.x - WIDTH) / 2.0, TOP + (size.y - 720.0) / 2.0);
         let panel = Area { min: corner, size: Vec2::new(WIDTH, HEAD + PAGE as f32 * ROW + 16.0) };
-        ui.page(&format!("Flights of {}", self.subject), panel.min.y - 64.0);
+        ui.page(&tr!("Flights of {subject}", subject = self.subject), panel.min.y - 64.0);
         ui.panel(panel);
         let quiet = Style::new(TEXT, theme::quiet()).middle();
-        let heads = [("Whose", 0, quiet), ("Time", 2, quiet.right()), ("Score", 3, quiet.right()), ("Race", 4, quiet.centred())];
+        let heads = [
+            (tr("Whose"), 0, quiet),
+            (tr("Time"), 2, quiet.right()),
+            (tr("Score"), 3, quiet.right()),
+            (tr("Race"), 4, quiet.centred()),
+        ];
         for (head, column, style) in heads {
             ui.text(head, panel.min + Vec2::new(COLUMNS[column], HEAD / 2.0 + 2.0), style);
         }
         if self.candidates.is_empty() {
-            ui.text("No flights yet: fly one and save its score.", panel.centre(), quiet.centred());
+            ui.text(tr("No flights yet: fly one and save its score."), panel.centre(), quiet.centred());
         }
         self.show_rows(ui, panel);
-        let hint = ("↑ ↓ choose, Space marks who is raced", theme::quiet());
+        let hint = (tr("↑ ↓ choose, Space marks who is raced"), theme::quiet());
         let told = |(words, bad)| (words, if bad { theme::bad() } else { theme::good() });
         let (words, colour) = self.message.as_ref().map_or(hint, |(words, bad)| told((words.as_str(), *bad)));
         ui.fitted(words, Vec2::new(size.x / 2.0, panel.min.y - 24.0), &[TEXT], colour);

@@ -7,6 +7,7 @@ use crate::files::{self, INPUTS, LEVEL_TABLE, read_text};
 use crate::game::{Fingerprint, Outcome, Reel, Replay};
 use crate::level::Level;
 use crate::scores::{Board, Name, Scores};
+use crate::words::tr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -24,8 +25,8 @@ const ENDING: &str = ".replay.csv";
 /// The flights of a level: what was just flown, the player's best, the level's own in its folder, and the rest of the board.
 pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) -> Vec<FlightCandidate> {
     let flown = visit.flown.as_ref().map(|flown| FlightCandidate {
-        name: "This flight".to_owned(),
-        about: "just flown".to_owned(),
+        name: tr("This flight").to_owned(),
+        about: tr("just flown").to_owned(),
         score: Some(flown.replay.score),
         time: flown.replay.time,
         source: FlightSource::Flown,
@@ -33,8 +34,8 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
     let own = OWN.iter().filter_map(|(file, name, about)| {
         let path = folder.join(FLIGHTS).join(format!("{file}{ENDING}"));
         files::is_file(&path).then(|| FlightCandidate {
-            name: (*name).to_owned(),
-            about: (*about).to_owned(),
+            name: tr(name).to_owned(),
+            about: tr(about).to_owned(),
             score: None,
             time: None,
             source: FlightSource::Level(path),
@@ -48,7 +49,7 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
             continue;
         }
         let yours = row.name == *player;
-        let about = if yours { format!("your best, rank {}", index + 1) } else { format!("rank {}", index + 1) };
+        let about = if yours { tr!("your best, rank {rank}", rank = index + 1) } else { tr!("rank {rank}", rank = index + 1) };
         let candidate = FlightCandidate {
             name: row.name.to_string(),
             about,
@@ -92,7 +93,7 @@ pub fn record(visit: &Visit, candidate: &FlightCandidate, scores: &Scores, level
     let replay = read(visit, &candidate.source, scores)?;
     let here = Fingerprint::of(level);
     match replay.level_hash.filter(|&flown| !here.is(flown)) {
-        Some(_) => Err(format!("{}: flown in another version of the level, or in another level.", candidate.name)),
+        Some(_) => Err(tr!("{name}: flown in another version of the level, or in another level.", name = candidate.name)),
         None => Ok(replay),
     }
 }
@@ -127,5 +128,5 @@ fn first_line(text: &str) -> String {
 pub fn keep(folder: &Path, level: &str, whose: &str, replay: &Replay) -> Result<PathBuf, String> {
     let whose: String = whose.to_lowercase().chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
     let stem = format!("{level}-{whose}-{}", replay.score);
-    NewFile { stem, ending: ENDING, text: replay.to_string(), what: "the flight", same_up_to: INPUTS }.write(folder)
+    NewFile { stem, ending: ENDING, text: replay.to_string(), what: tr("the flight"), same_up_to: INPUTS }.write(folder)
 }

@@ -8,6 +8,7 @@ use super::{
 };
 use crate::files;
 use crate::pack::{self, Installed};
+use crate::words::tr;
 use std::path::Path;
 
 impl App {
@@ -132,19 +133,23 @@ impl App {
             return self.open_folder(path, spectator);
         }
         let installed = self.installed.take();
-        let (heading, lines) =
-            match installed.unwrap_or_else(|| pack::install_file(path, self.library.levels(), self.library.root())) {
-                Ok(Installed::New(folder)) => {
-                    self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
-                    (format!("Installed: {}", self.last_level.as_deref().unwrap_or_default()), vec![folder.display().to_string()])
-                }
-                Ok(Installed::Already(folder, more)) => {
-                    self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
-                    let beside = more.into_iter().map(|file| format!("also in its folder: {file}"));
-                    ("This level is there already".to_owned(), [folder.display().to_string()].into_iter().chain(beside).collect())
-                }
-                Err(problems) => ("This file cannot be opened".to_owned(), problems),
-            };
+        let (heading, lines) = match installed
+            .unwrap_or_else(|| pack::install_file(path, self.library.levels(), self.library.root()))
+        {
+            Ok(Installed::New(folder)) => {
+                self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
+                (
+                    tr!("Installed: {level}", level = self.last_level.as_deref().unwrap_or_default()),
+                    vec![folder.display().to_string()],
+                )
+            }
+            Ok(Installed::Already(folder, more)) => {
+                self.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
+                let beside = more.into_iter().map(|file| tr!("also in its folder: {file}", file));
+                (tr("This level is there already").to_owned(), [folder.display().to_string()].into_iter().chain(beside).collect())
+            }
+            Err(problems) => (tr("This file cannot be opened").to_owned(), problems),
+        };
         let mut screen = self.level_select(Purpose::Play);
         screen.show(heading, lines);
         Box::new(screen)

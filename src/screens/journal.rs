@@ -3,6 +3,7 @@
 use crate::game::{Game, Medals, Outcome, RunResult};
 use crate::number::{clock, hundredths};
 use crate::scores::{AttemptRow, Deed, Name, PATIENCE, PlayerRecord, Players, Rescue, Scores, ScoresError};
+use crate::words::tr;
 use std::collections::VecDeque;
 use std::time::Duration;
 
@@ -121,7 +122,7 @@ impl Journal {
             cause: game.killed_by().map(|death| death.name(game.level())).unwrap_or_default(),
             assisted,
         });
-        let mut brought = game.result().death.map_or(LOST.to_owned(), |death| format!("{death}. {LOST}"));
+        let mut brought = game.result().death.map_or(tr(LOST).to_owned(), |death| format!("{death}. {}", tr(LOST)));
         if game.outcome() == Outcome::Completed {
             let before = self.best(&level);
             let medals = Medals::of(&game.level().awards, &RunResult { assisted, ..game.result() });
@@ -132,12 +133,12 @@ impl Journal {
             self.apply(deed);
             let shown = clock(time);
             brought = match before {
-                _ if assisted => format!("{player}: done, with help: neither time nor score is saved."),
-                None => format!("{player}: done for the first time, in {shown}."),
+                _ if assisted => tr!("{player}: done, with help: neither time nor score is saved.", player),
+                None => tr!("{player}: done for the first time, in {time}.", player, time = shown),
                 Some(before) if hundredths(time) < hundredths(before) => {
-                    format!("{player}: your best time! It was {}, it is {shown}.", clock(before))
+                    tr!("{player}: your best time! It was {before}, it is {time}.", player, before = clock(before), time = shown)
                 }
-                Some(before) => format!("{player}: {shown}, your best time is {}.", clock(before)),
+                Some(before) => tr!("{player}: {time}, your best time is {best}.", player, time = shown, best = clock(before)),
             };
         }
         self.update(0.0);
@@ -207,11 +208,11 @@ pub fn damage_text(damage: &[String]) -> String {
     match damage {
         [] => String::new(),
         [one] => format!("{one}."),
-        [first, rest @ ..] => format!("{first} (and {} more).", rest.len()),
+        [first, rest @ ..] => tr!("{first} (and {count} more).", first, count = rest.len()),
     }
 }
 
 /// What became of a damaged scores file, in one line.
 pub fn rescue_text(rescue: &Rescue) -> String {
-    format!("{} The damaged file was kept as {}.", damage_text(&rescue.damage), rescue.kept.display())
+    tr!("{damage} The damaged file was kept as {file}.", damage = damage_text(&rescue.damage), file = rescue.kept.display())
 }

@@ -10,6 +10,7 @@ use crate::draw::layout::{Area, BUTTON_TEXT, GAP, HEADING, PADDING, TEXT, Vec2, 
 use crate::game::{Clock, TICK_RATE};
 use crate::ui::Ui;
 use crate::view::{theme, widgets};
+use crate::words::tr;
 
 /// What its leaderboard is of, in words.
 pub const SUBJECT: &str = "the Jumper";
@@ -54,7 +55,7 @@ struct ClimbPanel {
 impl Default for Jumper {
     /// The question of how many climb.
     fn default() -> Self {
-        Self::with_panel(JumperScene::new(0, true), "Jumper", vec![ONE, TWO, BOARD, BACK])
+        Self::with_panel(JumperScene::new(0, true), tr("Jumper"), vec![ONE, TWO, BOARD, BACK])
     }
 }
 
@@ -63,7 +64,7 @@ impl Jumper {
     pub fn ended(scene: JumperScene) -> Self {
         let save = (scene.score() > 0).then_some(SAVE);
         let labels = [AGAIN].into_iter().chain(save).chain([BOARD, BACK]).collect();
-        Self::with_panel(scene, "The view has left you behind", labels)
+        Self::with_panel(scene, tr("The view has left you behind"), labels)
     }
 
     fn with_panel(scene: JumperScene, heading: &'static str, labels: Vec<&'static str>) -> Self {
@@ -77,7 +78,7 @@ impl Jumper {
     /// A frame of the climb: a request where it has ended.
     fn go_on(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         if ui.key(Key::Escape) {
-            self.panel = Some(ClimbPanel { heading: "Paused", labels: vec![RESUME, AGAIN, BACK] });
+            self.panel = Some(ClimbPanel { heading: tr("Paused"), labels: vec![RESUME, AGAIN, BACK] });
             return None;
         }
         if ui.key(Key::R) {
@@ -134,7 +135,7 @@ impl Jumper {
         let sizes = [HEADING, BUTTON_TEXT];
         widgets::fitted(ui.canvas(), heading, middle(PADDING + 24.0), width - 32.0, &sizes, theme::text());
         if self.scene.ticks() > 0 {
-            let score = format!("{} m high", self.scene.score());
+            let score = tr!("{height} m high", height = self.scene.score());
             ui.fitted(&score, middle(PADDING + 64.0), &[TEXT], theme::quiet());
         }
         let pressed = ui.column(first, labels);
@@ -157,7 +158,7 @@ impl Jumper {
     fn gain(&self) -> Gain {
         Gain {
             board: LEADERBOARD.to_owned(),
-            subject: SUBJECT.to_owned(),
+            subject: tr(SUBJECT).to_owned(),
             points: self.scene.score(),
             flown: None,
             back: Box::new(Request::Climbed(Box::new(self.scene.clone()))),
@@ -213,6 +214,7 @@ mod drawing {
     use crate::draw::layout::{Area, HEADING, PADDING, TEXT, Vec2};
     use crate::draw::{Canvas, Colour, Style};
     use crate::view::{theme, widgets};
+    use crate::words::tr;
 
     /// The colour of each player; the number above them tells them apart without it.
     fn colour_of(player: usize) -> Colour {
@@ -296,30 +298,32 @@ mod drawing {
         fn draw_words(&self, canvas: &Canvas, view: &View) {
             let right = view.point(0.0, 0.0).x - 48.0;
             let quiet = Style::new(TEXT, theme::quiet()).right().middle();
-            canvas.text("Height", Vec2::new(right, 48.0), quiet);
+            canvas.text(tr("Height"), Vec2::new(right, 48.0), quiet);
             canvas.text(
                 &format!("{} m", self.scene.score()),
                 Vec2::new(right, 84.0),
                 Style::new(HEADING, theme::text()).mono().right().middle(),
             );
             let keys: &[(&str, usize)] = if self.is_of_two() {
-                &[("1: A D walk, W jumps", 0), ("2: ← → walk, ↑ jumps", 1)]
+                &[(tr("1: A D walk, W jumps"), 0), (tr("2: ← → walk, ↑ jumps"), 1)]
             } else {
-                &[("A D or ← → walk", 0), ("W, ↑ or Space jumps", 0)]
+                &[(tr("A D or ← → walk"), 0), (tr("W, ↑ or Space jumps"), 0)]
             };
             for (line, (words, player)) in keys.iter().enumerate() {
                 let at = Vec2::new(right, 152.0 + 28.0 * line as f32);
                 canvas.text(words, at, Style { colour: colour_of(*player), ..quiet }.mono());
             }
             for (line, words) in
-                ["Jump once more in the air;", "let go early for a low jump.", "", "Esc pauses, R restarts."].iter().enumerate()
+                [tr("Jump once more in the air;"), tr("let go early for a low jump."), "", tr("Esc pauses, R restarts.")]
+                    .iter()
+                    .enumerate()
             {
                 canvas.text(words, Vec2::new(right, 224.0 + 28.0 * line as f32), quiet);
             }
             for (number, (player, _)) in self.scene.players().enumerate() {
                 if player.is_out() && self.is_of_two() {
                     let at = Vec2::new(right, 360.0 + 28.0 * number as f32);
-                    canvas.text(&format!("Player {} is out", number + 1), at, Style { colour: theme::bad(), ..quiet });
+                    canvas.text(&tr!("Player {number} is out", number = number + 1), at, Style { colour: theme::bad(), ..quiet });
                 }
             }
         }

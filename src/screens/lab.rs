@@ -17,6 +17,7 @@ use crate::draw::layout::{Area, Frame, GAP, TEXT, Vec2};
 use crate::lab::charts::Charts;
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
+use crate::words::tr;
 use charts::ChartsPage;
 use experiments::ExperimentsPage;
 use stability::StabilityPage;
@@ -113,14 +114,14 @@ impl Lab {
             let open = page == self.page;
             widgets::button_box(ui.canvas(), area, touch.hover, false);
             let colour = if open { theme::accent() } else { theme::quiet() };
-            ui.text(label, area.centre(), Style::new(TEXT, colour).centred().middle());
+            ui.text(tr(label), area.centre(), Style::new(TEXT, colour).centred().middle());
             if open {
                 let line = Area::new(area.min.x + 16.0, area.max().y - 6.0, area.size.x - 32.0, 2.0);
                 ui.canvas().rounded(line, 1.0, theme::accent());
             }
             end = area.max().x;
         }
-        ui.text("Tab", Vec2::new(end + 16.0, TABS_AT + TAB.y / 2.0), Style::new(TEXT, theme::accent()).mono().middle());
+        ui.text(tr("Tab"), Vec2::new(end + 16.0, TABS_AT + TAB.y / 2.0), Style::new(TEXT, theme::accent()).mono().middle());
         if ui.key(Key::Tab) {
             let open = PAGES.iter().position(|(page, _)| *page == self.page).unwrap_or(0);
             self.page = PAGES[(open + 1) % PAGES.len()].0;

@@ -10,6 +10,7 @@ use crate::number::clock;
 use crate::scores::{Board, BoardRow, Name, RowOrigin, Standing};
 use crate::ui::{Turning, Ui};
 use crate::view::{medals, theme, widgets};
+use crate::words::tr;
 use std::ops::Range;
 
 /// Rows a page.
@@ -35,7 +36,7 @@ const DIGITS: usize = 11;
 
 /// The subject of a level's leaderboard in words: the level's title, where it has one.
 pub fn subject(level: &str, title: &str) -> String {
-    if level == title { format!("level {level}") } else { title.to_owned() }
+    if level == title { tr!("level {level}", level) } else { tr(title).to_owned() }
 }
 
 /// A button, and where it leads.
@@ -122,8 +123,12 @@ impl Leaderboard {
     #[must_use]
     pub fn with_other_versions(mut self, others: usize) -> Self {
         if others > 0 {
-            let boards = if others == 1 { "one board is" } else { "boards are" };
-            self.remark = Some(format!("Of other versions of this level {boards} kept in scores/aside."));
+            let boards = if others == 1 {
+                "Of other versions of this level one board is kept in scores/aside."
+            } else {
+                "Of other versions of this level boards are kept in scores/aside."
+            };
+            self.remark = Some(tr(boards).to_owned());
         }
         self
     }
@@ -186,7 +191,7 @@ impl Leaderboard {
     /// What is wrong with the first row in view that does not hold.
     fn doubt(&self) -> Option<String> {
         self.rows_in_view().into_iter().map(|row| &self.board.rows()[row]).find_map(|row| match self.stands(row)? {
-            Standing::Doubtful(doubt) => Some(format!("{} does not hold: {doubt}.", row.name)),
+            Standing::Doubtful(doubt) => Some(tr!("{name} does not hold: {doubt}.", name = row.name, doubt)),
             Standing::Proven | Standing::Unproven => None,
         })
     }
@@ -221,10 +226,10 @@ impl Leaderboard {
                 BoardLine::Rival(number) => {
                     let (rival, number) = (&self.rivals[number], quiet.mono().right());
                     let column = |i: usize| top + Vec2::new(COLUMNS[i], ROW / 2.0);
-                    ui.text(rival.name, column(1), quiet);
+                    ui.text(tr(rival.name), column(1), quiet);
                     ui.text(&rival.time.map_or("–".to_owned(), clock), column(2), number);
                     ui.text(&rival.score.to_string(), column(3), number);
-                    ui.text("level's own", column(5), quiet.centred());
+                    ui.text(tr("level's own"), column(5), quiet.centred());
                 }
             }
         }
@@ -233,7 +238,8 @@ impl Leaderboard {
             widgets::fitted(ui.canvas(), &doubt, at, ui.frame().size.x - 300.0, &[TEXT, DETAILS], theme::bad());
         }
         if self.lines.len() > PAGE {
-            let text = format!("{}–{} of {}", self.shown.start + 1, self.shown.end, self.lines.len());
+            let text =
+                tr!("{first}–{last} of {count}", first = self.shown.start + 1, last = self.shown.end, count = self.lines.len());
             ui.text(&text, panel.max() + Vec2::new(-16.0, 24.0), quiet.right());
         }
     }
@@ -241,13 +247,13 @@ impl Leaderboard {
     fn show_head(&self, ui: &Ui<'_>, panel: Area) {
         let column = |i: usize| panel.min + Vec2::new(COLUMNS[i], HEAD / 2.0 + 2.0);
         let quiet = Style::new(TEXT, theme::quiet()).middle();
-        ui.text("Rank", column(0), quiet.right());
-        ui.text("Name", column(1), quiet);
-        ui.text("Score", column(3), quiet.right());
+        ui.text(tr("Rank"), column(0), quiet.right());
+        ui.text(tr("Name"), column(1), quiet);
+        ui.text(tr("Score"), column(3), quiet.right());
         if self.prover.is_some() {
-            ui.text("Time", column(2), quiet.right());
-            ui.text("Version", column(4), quiet);
-            ui.text("Proven", column(5), quiet.centred());
+            ui.text(tr("Time"), column(2), quiet.right());
+            ui.text(tr("Version"), column(4), quiet);
+            ui.text(tr("Proven"), column(5), quiet.centred());
         }
     }
 
@@ -278,7 +284,7 @@ impl Leaderboard {
         match standing {
             Some(Standing::Proven) => widgets::tick(canvas, column(5), 8.0, theme::good()),
             Some(Standing::Doubtful(_)) => widgets::cross(canvas, column(5), 8.0, theme::bad()),
-            Some(Standing::Unproven) => canvas.text("unproven", column(5), quiet.centred()),
+            Some(Standing::Unproven) => canvas.text(tr("unproven"), column(5), quiet.centred()),
             None => canvas.text("…", column(5), quiet.centred()),
         }
     }
@@ -290,7 +296,7 @@ impl Screen for Leaderboard {
         let size = ui.frame().size;
         let corner = Vec2::new((size.x - WIDTH) / 2.0, TOP + (size.y - 720.0) / 2.0);
         let panel = Area { min: corner, size: Vec2::new(WIDTH, HEAD + PAGE as f32 * ROW + 16.0) };
-        ui.page(&format!("Leaderboard of {}", self.subject), panel.min.y - 64.0);
+        ui.page(&tr!("Leaderboard of {subject}", subject = self.subject), panel.min.y - 64.0);
         ui.panel(panel);
         let message = Vec2::new(size.x / 2.0, panel.min.y - 24.0);
         match (&self.damage, &self.remark) {
@@ -322,8 +328,8 @@ fn show_empty(ui: &Ui<'_>, panel: Area) {
         let at = middle + Vec2::new(aside, down) * STEP - Vec2::new(0.0, 96.0);
         medals::draw(ui.canvas(), Prize::Medal(medal), true, at, LARGE);
     }
-    ui.fitted("No scores yet", middle + Vec2::new(0.0, 32.0), &[HEADING], theme::text());
-    let how = "Fly it and save your score: the first row is yours.";
+    ui.fitted(tr("No scores yet"), middle + Vec2::new(0.0, 32.0), &[HEADING], theme::text());
+    let how = tr("Fly it and save your score: the first row is yours.");
     ui.fitted(how, middle + Vec2::new(0.0, 84.0), &[TEXT], theme::quiet());
 }
 
@@ -334,5 +340,5 @@ fn version(origin: &RowOrigin) -> String {
     let short: String = number.chars().take(8).collect();
     let Some(version) = origin.version else { return short };
     let digits: String = version.to_string().chars().take(4).collect();
-    format!("{short} · {digits}{}", if version.is_old() { ", 64-bit" } else { "" })
+    format!("{short} · {digits}{}", if version.is_old() { tr(", 64-bit") } else { "" })
 }

@@ -11,6 +11,7 @@ use crate::level::Landscape;
 use crate::settings::Action;
 use crate::ui::{Ui, WidgetKind};
 use crate::view::theme;
+use crate::words::tr;
 use places::{FOOT, FOOT_BUTTON, HEAD, SIDE, from_left, from_right};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -100,7 +101,7 @@ impl LevelSelect {
     /// Shows why a level does not load.
     pub fn show_problems(&mut self, name: &str, refusal: Refusal) {
         self.turn_to_level(name);
-        self.show(format!("Level {name} does not load"), refusal);
+        self.show(tr!("Level {name} does not load", name), refusal);
     }
 
     /// Shows a panel above the list.
@@ -110,8 +111,8 @@ impl LevelSelect {
 
     /// Asks what a copy of a level that comes with the game is called.
     pub fn ask_for_copy(&mut self, name: &str, folder: PathBuf, free: &str) {
-        let prompt = Prompt::new(format!("What is your copy of {name} called?"), free)
-            .with_note(format!("{name} comes with the game and stays as it is."));
+        let prompt = Prompt::new(tr!("What is your copy of {name} called?", name), free)
+            .with_note(tr!("{name} comes with the game and stays as it is.", name));
         self.prompt = Some(Box::new((prompt, Asked::OwnCopy(folder))));
     }
 
@@ -267,11 +268,11 @@ impl LevelSelect {
         let name = self.entries[index].name.clone();
         match (self.purpose, self.pick.take()) {
             (_, Some(PickFor::Copy)) => {
-                self.ask(format!("What is the copy of {name} called?"), &format!("{name}-copy"), Asked::Copy(name.into()));
+                self.ask(tr!("What is the copy of {name} called?", name), &format!("{name}-copy"), Asked::Copy(name.into()));
                 None
             }
             (_, Some(PickFor::Rename)) => {
-                self.ask(format!("What is {name} called from now on?"), &name.clone(), Asked::Rename(name));
+                self.ask(tr!("What is {name} called from now on?", name), &name.clone(), Asked::Rename(name));
                 None
             }
             // Whether it loads is found out afresh: it may have been mended since.
@@ -291,21 +292,21 @@ impl LevelSelect {
 
     fn show_heading(&self, ui: &Ui<'_>) {
         let heading = match (self.purpose, self.pick) {
-            (_, Some(PickFor::Copy)) => "Which level is to be copied?",
-            (_, Some(PickFor::Rename)) => "Which level is to be renamed?",
-            (Purpose::Play, None) => "Choose a level",
-            (Purpose::Leaderboard, None) => "Whose leaderboard?",
-            (Purpose::Edit, None) => "Edit a level",
+            (_, Some(PickFor::Copy)) => tr("Which level is to be copied?"),
+            (_, Some(PickFor::Rename)) => tr("Which level is to be renamed?"),
+            (Purpose::Play, None) => tr("Choose a level"),
+            (Purpose::Leaderboard, None) => tr("Whose leaderboard?"),
+            (Purpose::Edit, None) => tr("Edit a level"),
         };
         ui.page(heading, HEAD / 2.0);
         let (found, colour) = match self.find.as_str() {
-            "" => ("type to find one".to_owned(), theme::quiet()),
-            find => (format!("find: {find}_"), theme::accent()),
+            "" => (tr("type to find one").to_owned(), theme::quiet()),
+            find => (tr!("find: {find}_", find), theme::accent()),
         };
         ui.text(&found, Vec2::new(ui.frame().size.x - SIDE, HEAD / 2.0), Style::new(TEXT, colour).middle().right());
         let nothing = match (self.entries.is_empty(), self.found.is_empty()) {
-            (true, _) => "There are no levels here yet.",
-            (false, true) => "No level has such a name or title.",
+            (true, _) => tr("There are no levels here yet."),
+            (false, true) => tr("No level has such a name or title."),
             (false, false) => "",
         };
         ui.fitted(nothing, ui.frame().size / 2.0, &[TEXT], theme::quiet());
@@ -354,7 +355,7 @@ impl LevelSelect {
         if self.pages.len() > 1 {
             turned = ui.buttons(vec![from_right(1.0, &frame), from_right(0.0, &frame)], &["Previous", "Next"]);
             let at = Vec2::new(frame.size.x - SIDE - 2.0 * FOOT_BUTTON.x - 100.0, frame.size.y - FOOT - ROW_BUTTON.y / 2.0);
-            let page = format!("Page {} of {}", self.page + 1, self.pages.len());
+            let page = tr!("Page {page} of {pages}", page = self.page + 1, pages = self.pages.len());
             ui.text(&page, at, Style::new(TEXT, theme::quiet()).centred().middle());
         }
         if turned == Some("Next") || ui.key(Key::PageDown) {
@@ -366,7 +367,7 @@ impl LevelSelect {
             Some("Back") => return self.go_back(ui),
             Some("Edit") => return Some(Request::LevelSelect(Purpose::Edit)),
             Some("Daily Flight") => return Some(Request::Daily),
-            Some("New") => self.ask("What is the new level called?".to_owned(), "", Asked::New),
+            Some("New") => self.ask(tr("What is the new level called?").to_owned(), "", Asked::New),
             Some("Copy") => self.pick = Some(PickFor::Copy),
             Some("Rename") => self.pick = Some(PickFor::Rename),
             _ => {}

@@ -4,10 +4,11 @@ use super::worker::{Brought, Errand, Ticket, Worker};
 use super::{App, Flight, FlightSource, Input, Key, Make, Menu, Purpose, Request, Spectator};
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::level;
+use crate::words::tr;
 
 /// A level in words.
 fn named(name: &str) -> String {
-    format!("level {name}")
+    tr!("level {name}", name)
 }
 
 /// The panel that names the level appears after this time, s: a level that loads sooner opens without it.
@@ -36,7 +37,7 @@ impl App {
             }
             Request::Daily => {
                 let (today, levels) = (self.today, self.library.levels().to_path_buf());
-                Some((Errand::Daily(today, levels), "the flight of the day, which the autopilot proves".to_owned()))
+                Some((Errand::Daily(today, levels), tr("the flight of the day, which the autopilot proves").to_owned()))
             }
             Request::Restart => {
                 let name = self.screen.get::<Flight>()?.attempt().level.name.clone();
@@ -113,7 +114,7 @@ impl App {
                     Ok(name) => self.grant(Request::Play(name), spectator),
                     Err(problem) => {
                         let mut screen = self.level_select(Purpose::Play);
-                        screen.show("There is no flight of the day".to_owned(), vec![problem]);
+                        screen.show(tr("There is no flight of the day").to_owned(), vec![problem]);
                         self.show(Box::new(screen));
                     }
                 },

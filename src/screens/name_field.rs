@@ -6,6 +6,7 @@ use crate::draw::layout::{Area, ROW_BUTTON, TEXT, Vec2};
 use crate::scores::{NAME_TYPING_MAX, Name};
 use crate::ui::{FieldEvent, Ui};
 use crate::view::theme;
+use crate::words::tr;
 
 /// Width and height of the field.
 const FIELD: Vec2 = Vec2::new(720.0, 56.0);
@@ -41,8 +42,8 @@ impl NameField {
         let area = Area::around(size / 2.0 - Vec2::new(0.0, ROW_BUTTON.y / 2.0), FIELD);
         let quiet = Style::new(TEXT, theme::quiet()).middle();
         ui.fitted(above, Vec2::new(size.x / 2.0, area.min.y - 88.0), &[TEXT], theme::quiet());
-        ui.text("Your name", area.min - Vec2::new(0.0, 24.0), quiet);
-        ui.text("up to 15 characters", Vec2::new(area.max().x, area.min.y - 24.0), quiet.right());
+        ui.text(tr("Your name"), area.min - Vec2::new(0.0, 24.0), quiet);
+        ui.text(tr("up to 15 characters"), Vec2::new(area.max().x, area.min.y - 24.0), quiet.right());
         let typed = ui.field("Your name", area, &mut self.field);
         if let Some(FieldEvent::Changed) = typed {
             // Once a name was refused, what is wrong stays in view until it is mended.
@@ -75,5 +76,5 @@ impl NameField {
 
 fn judge(text: &str) -> Result<Name, String> {
     let name = Name::new(text).map_err(|error| error.to_string())?;
-    if name.is_guest() { Err(NOBODY.to_owned()) } else { Ok(name) }
+    if name.is_guest() { Err(tr(NOBODY).to_owned()) } else { Ok(name) }
 }

@@ -6,6 +6,7 @@ use crate::game::Game;
 use crate::instruments::stop_clock::seconds;
 use crate::settings::{Action, Bindings};
 use crate::view::focus::Focus;
+use crate::words::tr;
 
 /// Paces of the world; 1 is the usual one.
 pub const PACES: [f64; 10] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0];
@@ -141,15 +142,15 @@ impl Observer {
     /// The line about the time, where the world does not go at its own pace.
     pub fn words(&self, ticks: u64, rate: f64) -> Option<String> {
         let pace = self.pace();
-        let how = if pace < 1.0 { format!("1/{:.0}", 1.0 / pace) } else { format!("{pace} times") };
+        let how = if pace < 1.0 { format!("1/{:.0}", 1.0 / pace) } else { tr!("{pace} times", pace) };
         let [freeze, on, back, slower, faster] = [Action::Freeze, Action::TickOn, Action::TickBack, Action::Slower, Action::Faster]
             .map(|action| self.keys.label(action));
         match (self.frozen, pace == 1.0) {
             (true, _) => {
                 let at = seconds(ticks.cast_signed(), rate);
-                Some(format!("Frozen at {at} s: {freeze} goes on, “{on}” a tick on, “{back}” a tick back"))
+                Some(tr!("Frozen at {at} s: {freeze} goes on, “{on}” a tick on, “{back}” a tick back", at, freeze, on, back))
             }
-            (false, false) => Some(format!("{how} as fast: {slower} slower, {faster} faster")),
+            (false, false) => Some(tr!("{how} as fast: {slower} slower, {faster} faster", how, slower, faster)),
             (false, true) => None,
         }
     }

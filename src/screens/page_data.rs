@@ -6,6 +6,7 @@ use crate::draw::layout::{TEXT, Vec2};
 use crate::ui::Ui;
 use crate::view::theme;
 use crate::web;
+use crate::words::tr;
 
 const LINES: [&str; 5] = [
     "The browser keeps your scores, flights, levels and settings for this page, on this computer alone.",
@@ -28,7 +29,7 @@ impl Screen for PageData {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         ui.page("Your data", 64.0);
         let middle = Vec2::new(ui.frame().size.x / 2.0, 200.0);
-        for (line, number) in LINES.into_iter().zip(0_u8..) {
+        for (line, number) in LINES.map(tr).into_iter().zip(0_u8..) {
             ui.fitted(line, middle + Vec2::new(0.0, 40.0 * f32::from(number)), &[TEXT], theme::text());
         }
         let told = Style::new(TEXT, theme::accent()).centred().middle();
@@ -42,7 +43,7 @@ impl Screen for PageData {
             "Import" => web::choose_file(),
             DELETE if self.warned => web::delete(),
             DELETE => {
-                "Press again to delete all scores, flights, levels and settings of this page.".clone_into(&mut self.told);
+                tr("Press again to delete all scores, flights, levels and settings of this page.").clone_into(&mut self.told);
                 self.warned = true;
             }
             _ => return Some(Request::Menu),

@@ -121,6 +121,7 @@ mod drawing {
     use crate::draw::layout::{Area, BUTTON_TEXT, MONO_ADVANCE, TEXT, TITLE, Vec2};
     use crate::draw::{Canvas, Colour, Style};
     use crate::view::{theme, widgets};
+    use crate::words::tr;
 
     /// How long the counter shows that there was a collision, s.
     const FLASH: f64 = 0.12;
@@ -143,7 +144,13 @@ mod drawing {
                 whole if whole >= 1.0 => format!("{whole} ×"),
                 slow => format!("1/{} ×", (1.0 / slow).round()),
             };
-            let words = format!("N = {}    masses 1 : {}    time {:6.3} s    speed {speed}", self.n, power(2 * self.n), self.time);
+            let words = tr!(
+                "N = {n}    masses 1 : {ratio}    time {time} s    speed {speed}",
+                n = self.n,
+                ratio = power(2 * self.n),
+                time = format_args!("{:6.3}", self.time),
+                speed
+            );
             let at = Vec2::new(canvas.size().x / 2.0, canvas.size().y - 96.0);
             canvas.text(&words, at, Style::new(TEXT, theme::quiet()).mono().centred().middle());
         }
@@ -177,7 +184,7 @@ mod drawing {
             let (counter, right) = self.counter();
             let middle = (canvas.size().x + WALL) / 2.0;
             let quiet = Style::new(TEXT, theme::quiet()).centred().middle();
-            canvas.text("collisions", Vec2::new(middle, 40.0), quiet);
+            canvas.text(tr("collisions"), Vec2::new(middle, 40.0), quiet);
             let leading = counter.bytes().take_while(|digit| *digit == b'0').count().min(counter.len() - 1);
             let advance = TITLE * MONO_ADVANCE;
             let left = middle - advance * (counter.len() as f32 - 1.0) / 2.0;
@@ -196,8 +203,8 @@ mod drawing {
             canvas.rounded(bar, 2.0, theme::accent().faded(0.15 + 0.85 * flash));
             let digits = &DIGITS[..counter.len()];
             let words = match (self.blocks.next_time(), self.behind) {
-                (None, _) => format!("No more will come: the first {} of π", plural(counter.len())),
-                (Some(_), true) => "More than a frame can hold: time waits for them".to_owned(),
+                (None, _) => tr!("No more will come: the first {digits} of π", digits = plural(counter.len())),
+                (Some(_), true) => tr("More than a frame can hold: time waits for them").to_owned(),
                 (Some(_), false) => format!("π = {}{}{}…", &digits[..1], if self.n > 0 { "." } else { "" }, &digits[1..]),
             };
             canvas.text(&words, Vec2::new(middle, 184.0), quiet);
@@ -223,6 +230,6 @@ mod drawing {
     }
 
     fn plural(digits: usize) -> String {
-        if digits == 1 { "digit".to_owned() } else { format!("{digits} digits") }
+        if digits == 1 { tr("digit").to_owned() } else { tr!("{digits} digits", digits) }
     }
 }

@@ -8,6 +8,7 @@ use crate::draw::layout::{Area, BUTTON_TEXT, GAP, PADDING, TEXT, Vec2};
 use crate::scores::{Name, PlayerRecord, Players};
 use crate::ui::{Rows, Ui};
 use crate::view::{theme, widgets};
+use crate::words::tr;
 
 /// Players in view.
 const PAGE: usize = 7;
@@ -52,7 +53,7 @@ impl PlayerList {
 
     fn show_field(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         ui.page("New player", ui.frame().size.y * 0.2);
-        match self.field.as_mut()?.show(ui, ("What you complete is kept under this name.", "Done"))? {
+        match self.field.as_mut()?.show(ui, (tr("What you complete is kept under this name."), "Done"))? {
             NameEntry::Name(name) => return Some(Request::Choose(name, true)),
             NameEntry::Back if self.candidates.is_empty() => return Some(Request::Menu),
             NameEntry::Back => self.field = None,
@@ -80,7 +81,7 @@ impl PlayerList {
             let (left, right) = (area.min.x + PADDING, area.max().x - PADDING);
             let colour = if *name == self.current { theme::accent() } else { theme::text() };
             canvas.text(name.as_str(), Vec2::new(left, area.centre().y), Style::new(BUTTON_TEXT, colour).mono().middle());
-            let done = format!("{done} {} done", if *done == 1 { "level" } else { "levels" });
+            let done = if *done == 1 { tr("1 level done").to_owned() } else { tr!("{count} levels done", count = done) };
             canvas.text(&done, Vec2::new(right, area.centre().y), Style::new(TEXT, theme::quiet()).right().middle());
         })
     }

@@ -3,6 +3,7 @@
 use crate::game::{Game, GameError, GameEvent, GhostPose, GhostTrack, Inputs, Outcome, SHIP};
 use crate::level::Level;
 use crate::number::{fixed, hundredths};
+use crate::words::tr;
 use std::sync::Arc;
 
 /// The most ghosts at a time: more would hide the level, and each is flown once.
@@ -162,7 +163,7 @@ impl Gap {
                 let sign = if seconds < 0.0 { "" } else { "+" };
                 format!("{sign}{} s", fixed(seconds, 2))
             }
-            Self::Never => "not met".to_owned(),
+            Self::Never => tr("not met").to_owned(),
             Self::Unknown => "…".to_owned(),
         }
     }

@@ -5,6 +5,7 @@ use super::name_field::{NameEntry, NameField};
 use super::{Flown, Request, Screen};
 use crate::scores::Name;
 use crate::ui::Ui;
+use crate::words::tr;
 use std::path::Path;
 use std::rc::Rc;
 
@@ -52,7 +53,7 @@ impl SaveScore {
 impl Screen for SaveScore {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         ui.page("Save score", ui.frame().size.y * 0.2);
-        let score = format!("{} points in {}", self.gain.points, self.gain.subject);
+        let score = tr!("{points} points in {subject}", points = self.gain.points, subject = self.gain.subject);
         Some(match self.field.show(ui, (&score, "Save"))? {
             NameEntry::Name(name) => Request::Submit(self.gain.clone(), name),
             NameEntry::Back => (*self.gain.back).clone(),

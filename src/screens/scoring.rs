@@ -9,6 +9,7 @@ use crate::number::{clock, whole_hundredths};
 use crate::settings::Action;
 use crate::ui::Ui;
 use crate::view::{medals, theme, widgets};
+use crate::words::tr;
 use std::rc::Rc;
 
 /// For how long the keys of menus do nothing on a page that has just opened, s: a key that was meant for the flight goes down about so late.
@@ -147,9 +148,9 @@ impl Scoring {
     fn measures(&self) -> String {
         let (awards, optimal) = (&self.attempt.level.awards, Some(self.result.optimal_time));
         let limit = |limit: f64| whole_hundredths(limit) as f64 / 100.0;
-        let medals = [("gold", awards.gold.map(limit)), ("silver", awards.silver.map(limit))];
+        let medals = [(tr("gold"), awards.gold.map(limit)), (tr("silver"), awards.silver.map(limit))];
         let none = medals.iter().all(|(_, time)| time.is_none());
-        let times = medals.into_iter().chain([("optimal", optimal.filter(|_| none)), ("best", self.best)]);
+        let times = medals.into_iter().chain([(tr("optimal"), optimal.filter(|_| none)), (tr("best"), self.best)]);
         let words: Vec<String> = times.filter_map(|(name, time)| Some(format!("{name} {}", clock(time?)))).collect();
         words.join(" · ")
     }
@@ -159,10 +160,10 @@ impl Scoring {
         let (result, score) = (&self.result, &self.result.score);
         let (met, all) = (result.objectives_met, result.objectives_all);
         [
-            ("Objectives met", format!("{met}/{all}"), String::new(), score.base),
-            ("Time", clock(result.time), self.measures(), score.time),
-            ("Damaging collisions", result.collisions.to_string(), "−500 each".into(), score.collisions),
-            ("Fuel left", format!("{:.0} %", result.fuel * 100.0), "full bonus from 50 %".into(), score.fuel),
+            (tr("Objectives met"), format!("{met}/{all}"), String::new(), score.base),
+            (tr("Time"), clock(result.time), self.measures(), score.time),
+            (tr("Damaging collisions"), result.collisions.to_string(), tr("−500 each").into(), score.collisions),
+            (tr("Fuel left"), format!("{:.0} %", result.fuel * 100.0), tr("full bonus from 50 %").into(), score.fuel),
         ]
     }
 
@@ -183,7 +184,7 @@ impl Scoring {
         }
         ui.canvas().line(Vec2::new(label, y - 20.0), Vec2::new(right, y - 20.0), 1.0, theme::panel_edge());
         let total = Style::new(BUTTON_TEXT, theme::text()).middle();
-        ui.text("Score", Vec2::new(label, y + 8.0), total);
+        ui.text(tr("Score"), Vec2::new(label, y + 8.0), total);
         ui.text(&self.counted(self.result.score.total).to_string(), Vec2::new(right, y + 8.0), total.mono().right());
     }
 
@@ -213,7 +214,7 @@ impl Scoring {
             };
             line(&goal.asks, -13.0, theme::text());
             match &goal.missing {
-                None => line("earned", 13.0, theme::good()),
+                None => line(tr("earned"), 13.0, theme::good()),
                 Some(missing) => line(missing, 13.0, theme::quiet()),
             }
         }
@@ -224,10 +225,10 @@ impl Scoring {
         ui.panel(panel);
         let result = &self.result;
         let figures = [
-            ("Fuel used", result.fuel_used, "units"),
-            ("Distance flown", result.distance, "m"),
-            ("Top speed", result.top_speed, "m/s"),
-            ("Peak resultant force", result.peak_resultant, "N"),
+            (tr("Fuel used"), result.fuel_used, tr("units")),
+            (tr("Distance flown"), result.distance, "m"),
+            (tr("Top speed"), result.top_speed, "m/s"),
+            (tr("Peak resultant force"), result.peak_resultant, "N"),
         ];
         let quiet = Style::new(TEXT, theme::quiet()).middle();
         for (i, (label, value, unit)) in figures.into_iter().enumerate() {
@@ -248,10 +249,10 @@ impl Screen for Scoring {
         let middle = size.x / 2.0;
         let completed = self.result.outcome == Outcome::Completed;
         widgets::graph_paper(ui.canvas());
-        let (heading, colour) = if completed { ("Level complete", theme::good()) } else { ("Attempt lost", theme::bad()) };
+        let (heading, colour) = if completed { (tr("Level complete"), theme::good()) } else { (tr("Attempt lost"), theme::bad()) };
         ui.fitted(heading, Vec2::new(middle, 44.0), &[HEADING], colour);
         let level = &self.attempt.level;
-        let title = if level.title == level.name { format!("Level {}", level.name) } else { level.title.clone() };
+        let title = if level.title == level.name { tr!("Level {level}", level = level.name) } else { tr(&level.title).to_owned() };
         ui.fitted(&title, Vec2::new(middle, 88.0), &[TEXT], theme::quiet());
         let top = ((size.y - 720.0) / 2.0).max(0.0) + 116.0;
         let parts = Area::new(middle - PANEL.x / 2.0, top, PANEL.x, PANEL.y);

@@ -10,6 +10,7 @@ use crate::physics::{BodyId, DVec2};
 use crate::settings::Settings;
 use crate::view::sound::{Ambience, Arrangement, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::view::{GameView, Overlays, theme, widgets};
+use crate::words::tr;
 
 /// Volume of the music during a loss; at 0 the tune would begin again.
 const HUSHED: f32 = 0.05;
@@ -40,9 +41,9 @@ fn draw_loading(what: &str, canvas: &Canvas) {
     widgets::curtain(canvas, 0.6);
     let (middle, size) = (canvas.size() / 2.0, Vec2::new(560.0, 120.0));
     widgets::panel(canvas, Area::around(middle, size));
-    let words = format!("Loading {what} …");
+    let words = tr!("Loading {what} …", what);
     widgets::fitted(canvas, &words, middle - Vec2::new(0.0, 18.0), size.x - 48.0, &[BUTTON_TEXT, TEXT], theme::text());
-    widgets::fitted(canvas, "Esc: not now", middle + Vec2::new(0.0, 26.0), size.x - 48.0, &[TEXT], theme::quiet());
+    widgets::fitted(canvas, tr("Esc: not now"), middle + Vec2::new(0.0, 26.0), size.x - 48.0, &[TEXT], theme::quiet());
 }
 
 /// Watches the attempt that is on the screen: its view, its sounds, and how long its ticks take.

@@ -175,6 +175,7 @@ mod drawing {
     use crate::draw::{Canvas, Style};
     use crate::number::fixed;
     use crate::view::{theme, widgets};
+    use crate::words::tr;
 
     /// From the canvas' edges to the map, and from its top to it.
     const MARGIN: Vec2 = Vec2::new(32.0, 136.0);
@@ -195,7 +196,7 @@ mod drawing {
             let at = |x: f64, y: f64| corner + Vec2::new(x as f32, y as f32) * side;
 
             widgets::graph_paper(canvas);
-            widgets::heading(canvas, "Tile Run", 40.0);
+            widgets::heading(canvas, tr("Tile Run"), 40.0);
             self.draw_map(canvas, corner, side);
             for (age, &(x, y)) in self.trail.iter().rev().enumerate() {
                 let fading = 1.0 - age as f32 / super::TRAIL as f32;
@@ -255,27 +256,31 @@ mod drawing {
             let style = Style::new(TEXT, theme::quiet()).middle();
             let middle = canvas.size().x / 2.0;
             let hint = match (self.watching, self.ended(), self.paused) {
-                (false, ..) => "Left and Right run, Space jumps".to_owned(),
+                (false, ..) => tr("Left and Right run, Space jumps").to_owned(),
                 (true, true, _) => {
                     let (column, row) = self.runner.tile();
-                    format!("All {} commands done: tile ({column}, {row})", self.commands.len())
+                    tr!("All {count} commands done: tile ({column}, {row})", count = self.commands.len(), column, row)
                 }
-                (true, false, true) => format!("Paused before command {} of {}", self.frame + 1, self.commands.len()),
-                (true, false, false) => format!("Watching command {} of {}", self.frame + 1, self.commands.len()),
+                (true, false, true) => {
+                    tr!("Paused before command {number} of {count}", number = self.frame + 1, count = self.commands.len())
+                }
+                (true, false, false) => {
+                    tr!("Watching command {number} of {count}", number = self.frame + 1, count = self.commands.len())
+                }
             };
             canvas.text(&hint, Vec2::new(middle, 80.0), style.centred());
 
             let signed = |number: f64| format!("{:>8}", fixed(number, 3));
             let runner = &self.runner;
-            let figures = format!(
-                "frame {:>5}   x {}   y {}   vx {}   vy {}   {:<7}  {:<11}",
-                self.frame,
-                signed(runner.x),
-                signed(runner.y),
-                signed(runner.vx),
-                signed(runner.vy),
-                if runner.on_ground { "ground" } else { "air" },
-                self.last_command.map_or_else(String::new, words),
+            let figures = tr!(
+                "frame {frame}   x {x}   y {y}   vx {vx}   vy {vy}   {place}  {command}",
+                frame = format_args!("{:>5}", self.frame),
+                x = signed(runner.x),
+                y = signed(runner.y),
+                vx = signed(runner.vx),
+                vy = signed(runner.vy),
+                place = format_args!("{:<7}", if runner.on_ground { tr("ground") } else { tr("air") }),
+                command = format_args!("{:<11}", self.last_command.map_or_else(String::new, words))
             );
             canvas.text(&figures, Vec2::new(middle, 112.0), style.mono().centred());
         }

@@ -7,6 +7,7 @@ use crate::daily::is_daily;
 use crate::game::{Fingerprint, Outcome, Reel, Replay, TICK_RATE};
 use crate::level::Level;
 use crate::scores::{Board, Name, Score};
+use crate::words::tr;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -25,7 +26,7 @@ impl App {
             Request::CopyCode(visit, candidate) => {
                 let code = self.named_record(&visit, &candidate).and_then(|(_, replay)| replay.code());
                 let copied = code.map(|code| {
-                    let words = format!("Copied: {} characters", code.len());
+                    let words = tr!("Copied: {count} characters", count = code.len());
                     self.clipboard.keep(code);
                     words
                 });
@@ -90,7 +91,12 @@ impl App {
         let rival = |candidate: &FlightCandidate| {
             let replay = footage::record(visit, candidate, &self.scores, &level)?;
             if replay.tick_rate != TICK_RATE {
-                return Err(format!("{}: flown at {} ticks a second, the game has {TICK_RATE}.", candidate.name, replay.tick_rate));
+                return Err(tr!(
+                    "{name}: flown at {rate} ticks a second, the game has {here}.",
+                    name = candidate.name,
+                    rate = replay.tick_rate,
+                    here = TICK_RATE
+                ));
             }
             Ok(Rival { name: candidate.name.clone(), inputs: Arc::new(replay.inputs) })
         };
@@ -102,7 +108,7 @@ impl App {
     fn keep(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<String, String> {
         let (_, replay) = self.named_record(visit, candidate)?;
         let path = footage::keep(&self.places.root.join("flights"), &visit.level, &candidate.name, &replay)?;
-        Ok(format!("Kept as {}", path.display()))
+        Ok(tr!("Kept as {path}", path = path.display()))
     }
 
     /// A record with the player's name where it was just flown, and its level.
@@ -118,18 +124,22 @@ impl App {
 
     /// Flies the flight of a code, and lists it where it holds. Its length is bounded: two seconds at most.
     fn paste(&mut self, visit: &Visit, code: String) -> Result<String, String> {
-        let replay = Replay::from_code(&code).map_err(|problem| format!("No code of a flight: {problem}"))?;
+        let replay = Replay::from_code(&code).map_err(|problem| tr!("No code of a flight: {problem}", problem))?;
         if replay.level != visit.level {
-            return Err(format!("This flight is of level {}, here are those of level {}.", replay.level, visit.level));
+            return Err(tr!(
+                "This flight is of level {level}, here are those of level {here}.",
+                level = replay.level,
+                here = visit.level
+            ));
         }
         let name = replay.player.clone().unwrap_or_else(|| "Somebody".to_owned());
-        let about = "by its code, proven".to_owned();
+        let about = tr("by its code, proven").to_owned();
         let (score, time) = (Some(replay.score), replay.time);
         let candidate = FlightCandidate { name, about, score, time, source: FlightSource::Code(code) };
         let level = self.level_of(visit, &candidate)?;
         let flown = replay.verify(level.clone(), |_| {}).map_err(|error| error.to_string())?;
-        flown.map_err(|mismatch| format!("This flight does not hold: {mismatch}"))?;
-        let mut words = format!("Proven: {}", candidate.name);
+        flown.map_err(|mismatch| tr!("This flight does not hold: {mismatch}", mismatch))?;
+        let mut words = tr!("Proven: {name}", name = candidate.name);
         // The board of a day takes codes: its rows come from many computers.
         if is_daily(&visit.level)
             && replay.outcome == Some(Outcome::Completed)
@@ -138,7 +148,7 @@ impl App {
             let version = Some(Fingerprint::of(&level));
             let score = Score { name: &name, points: replay.score, flight: Some(&replay), version };
             self.scores.save_within(Duration::ZERO, &visit.level, score).map_err(|error| error.to_string())?;
-            words += ", on the board";
+            words += tr(", on the board");
         }
         if let Some(screen) = self.screen.get_mut::<Flights>() {
             screen.add(candidate);

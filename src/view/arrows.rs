@@ -6,6 +6,7 @@ use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::SHIP;
 use crate::physics::{BodyId, ForceKind};
+use crate::words::tr;
 
 /// Width of a force's arrow and of the resultant's, canvas units.
 const WIDTH: f32 = 2.6;
@@ -211,7 +212,7 @@ pub fn draw_labels(arrows: &[Arrow], labels: &[Label], lit: impl Fn(&Arrow) -> b
         let seen = seen(lit(arrow), any);
         canvas.rounded(label.area, 3.0, theme::ground().faded(0.85 * seen));
         let style = Style::new(DETAILS, colour(arrow.shown).faded(seen)).centred().middle();
-        canvas.text(arrow.name(), label.area.centre(), style);
+        canvas.text(tr(arrow.name()), label.area.centre(), style);
     }
 }
 

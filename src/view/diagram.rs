@@ -9,6 +9,7 @@ use crate::lab::axes::{Decades, LEAST_ERROR, number, power, step};
 use crate::lab::curve::{CurveOrigin, MethodCurve, WorkPoint};
 use crate::lab::look::{CurveLook, FRAME, Marker, RING, TOLERANCE_DASH};
 use crate::lab::measured::Measured;
+use crate::words::tr;
 
 /// The most powers of ten that an axis names.
 const NAMED: i32 = 9;
@@ -75,7 +76,10 @@ fn free_place(point: Vec2, taken: &[Area]) -> Area {
 /// A curve's name, with its order where one is seen; a peer's name is long enough, and its order stands at the curve.
 fn with_order(curve: &MethodCurve) -> String {
     let order = if curve.origin == CurveOrigin::Peer { None } else { curve.order() };
-    order.map_or_else(|| curve.name.clone(), |order| format!("{}, order {order:.1}", curve.name))
+    order.map_or_else(
+        || tr(&curve.name).to_owned(),
+        |order| tr!("{method}, order {order}", method = tr(&curve.name), order = format_args!("{order:.1}")),
+    )
 }
 
 /// The colour, or its faded version on a panel.
@@ -108,9 +112,9 @@ fn axes(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
         canvas.text(&power(exponent), Vec2::new(area.min.x - 10.0, plot.upwards(part(error, exponent))), quiet.right());
     }
     let words = Style::new(TEXT, theme::text()).middle();
-    canvas.text(&measured.error, Vec2::new(area.min.x, area.min.y - 22.0), words);
-    canvas.text(&measured.note, Vec2::new(end.x, area.min.y - 22.0), quiet.right());
-    canvas.text(&measured.work, Vec2::new(area.centre().x, end.y + 44.0), words.centred());
+    canvas.text(tr(&measured.error), Vec2::new(area.min.x, area.min.y - 22.0), words);
+    canvas.text(tr(&measured.note), Vec2::new(end.x, area.min.y - 22.0), quiet.right());
+    canvas.text(tr(&measured.work), Vec2::new(area.centre().x, end.y + 44.0), words.centred());
 }
 
 pub fn stroke(canvas: &Canvas, line: &[Vec2], look: &CurveLook, colour: Colour) {
@@ -181,9 +185,9 @@ fn legend_of_marks(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
         line += 1;
     };
     let tolerance = if measured.tolerance == TOLERANCE {
-        "a tenth of a pixel, 1/300 m".to_owned()
+        tr("a tenth of a pixel, 1/300 m").to_owned()
     } else {
-        format!("tolerance {}", number(measured.tolerance))
+        tr!("tolerance {tolerance}", tolerance = number(measured.tolerance))
     };
     let sample = |area: Area, middle: Vec2| {
         let ends = [Vec2::new(area.min.x, middle.y), Vec2::new(area.min.x + SAMPLE, middle.y)];
@@ -191,35 +195,41 @@ fn legend_of_marks(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
     };
     note(&sample, &tolerance);
     if measured.shipped().is_some() {
-        note(&|_, middle| canvas.ring(middle, RING, 2.0, theme::accent()), "as shipped");
+        note(&|_, middle| canvas.ring(middle, RING, 2.0, theme::accent()), tr("as shipped"));
     }
     if measured.cheapest().is_some() {
-        note(&|_, middle| frame(canvas, middle), "cheapest within the tolerance");
+        note(&|_, middle| frame(canvas, middle), tr("cheapest within the tolerance"));
     }
     let points = || measured.curves.iter().flat_map(|curve| &curve.points);
     if points().any(WorkPoint::blew_up) {
-        note(&|_, middle| marker(canvas, middle, Marker::Cross, theme::quiet()), "upper edge: blew up");
+        note(&|_, middle| marker(canvas, middle, Marker::Cross, theme::quiet()), tr("upper edge: blew up"));
     }
     if points().any(|point| point.error < LEAST_ERROR) {
         let foot = |area: Area, middle: Vec2| {
             canvas.line(Vec2::new(area.min.x, middle.y), Vec2::new(area.min.x + SAMPLE, middle.y), 2.0, theme::solid())
         };
-        note(&foot, "lower edge: no error");
+        note(&foot, tr("lower edge: no error"));
     }
     let better = |area: Area, middle: Vec2| {
         let (from, to) = (Vec2::new(area.min.x + 28.0, middle.y - 8.0), Vec2::new(area.min.x + 12.0, middle.y + 8.0));
         canvas.line(from, to, 2.0, theme::quiet());
         canvas.convex(&[to + Vec2::new(-2.0, 2.0), to + Vec2::new(8.0, -1.0), to + Vec2::new(1.0, -8.0)], theme::quiet());
     };
-    note(&better, "lower left is better");
+    note(&better, tr("lower left is better"));
 }
 
 /// The values of a point, beside it and inside the panel, above all else.
 fn tip(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, (curve, index): (usize, usize)) {
     let Some((curve, point)) = measured.curves.get(curve).and_then(|curve| Some((curve, curve.points.get(index)?))) else { return };
-    let error = if point.blew_up() { "blew up".to_owned() } else { format!("error {}", with_unit(point.error, &measured.error)) };
-    let lines =
-        [format!("{}, step {}", curve.name, step(point.step)), format!("{}, {error}", with_unit(point.work, &measured.work))];
+    let error = if point.blew_up() {
+        tr("blew up").to_owned()
+    } else {
+        tr!("error {error}", error = with_unit(point.error, &measured.error))
+    };
+    let lines = [
+        tr!("{method}, step {step}", method = tr(&curve.name), step = step(point.step)),
+        format!("{}, {error}", with_unit(point.work, &measured.work)),
+    ];
     let style = Style::new(TEXT, theme::text()).middle();
     let line = canvas.line_height(TEXT);
     let width = lines.iter().map(|text| canvas.width(text, style)).fold(0.0, f32::max);

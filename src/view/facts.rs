@@ -2,6 +2,7 @@
 
 use crate::game::{Game, SHIP, body_title, plain_name};
 use crate::physics::{BodyId, DVec2, ForceKind, ForceManager, Impulse, LinkEnd, Obstacle, Source};
+use crate::words::tr;
 
 /// Below this length (N) a force's direction is no more than rounding: the force stays by itself.
 const SMALLEST_FORCE: f64 = 1e-9;
@@ -68,7 +69,8 @@ impl FactRow {
 
     /// As in "Normal force by floor".
     pub fn label(&self) -> String {
-        if self.by.is_empty() { self.name.to_owned() } else { format!("{} by {}", self.name, self.by) }
+        let name = tr(self.name);
+        if self.by.is_empty() { name.to_owned() } else { tr!("{name} by {body}", name, body = self.by) }
     }
 
     /// The line's force or impulse, where it has a source.
@@ -112,7 +114,11 @@ pub fn facts(game: &Game, id: BodyId) -> BodyFacts {
     let impacts = impacts(game, id);
     rows.extend(impacts.each.iter().map(|(impulse, by)| exerted(line(ArrowKind::Impact, *impulse, IMPULSE_UNIT), vec![*by])));
     if impacts.others.0 > 0 {
-        let by = if impacts.others.0 == 1 { "a lesser one".to_owned() } else { format!("{} lesser ones", impacts.others.0) };
+        let by = if impacts.others.0 == 1 {
+            tr("a lesser one").to_owned()
+        } else {
+            tr!("{count} lesser ones", count = impacts.others.0)
+        };
         rows.push(FactRow { by, ..line(ArrowKind::Impact, impacts.others.1, IMPULSE_UNIT) });
     }
     BodyFacts { body: id, title: body_title(game.level(), id), rows }
@@ -170,14 +176,14 @@ pub fn by_whom(game: &Game, on: BodyId, causes: &[Source]) -> String {
         [Source::Body(body)] => body_title(game.level(), *body),
         [Source::Link(link)] => {
             let other = linked_to(game, on, *link).map(|other| body_title(game.level(), other));
-            other.unwrap_or_else(|| format!("anchor {}", link + 1))
+            other.unwrap_or_else(|| tr!("anchor {number}", number = link + 1))
         }
         [one] => plain_name(game.level(), *one),
-        many if all(|cause| matches!(cause, Source::Body(_))) => format!("{} objects", many.len()),
-        many if all(|cause| matches!(cause, Source::Surface(_))) => format!("{} blocks", many.len()),
-        many if all(|cause| matches!(cause, Source::Stream(_))) => format!("{} winds", many.len()),
-        many if all(|cause| matches!(cause, Source::Fluid(_))) => format!("{} liquids", many.len()),
-        many => format!("{} things", many.len()),
+        many if all(|cause| matches!(cause, Source::Body(_))) => tr!("{count} objects", count = many.len()),
+        many if all(|cause| matches!(cause, Source::Surface(_))) => tr!("{count} blocks", count = many.len()),
+        many if all(|cause| matches!(cause, Source::Stream(_))) => tr!("{count} winds", count = many.len()),
+        many if all(|cause| matches!(cause, Source::Fluid(_))) => tr!("{count} liquids", count = many.len()),
+        many => tr!("{count} things", count = many.len()),
     }
 }
 

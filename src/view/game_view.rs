@@ -21,6 +21,7 @@ use crate::game::{Game, GameEvent, GhostPose, Outcome, SHIP};
 use crate::number::fixed;
 use crate::physics::{Aabb, BodyId, DVec2};
 use crate::settings::Settings;
+use crate::words::tr;
 use drawing::{OBJECTIVE_REACH, OBSTACLE_REACH};
 use std::path::Path;
 
@@ -139,7 +140,7 @@ impl GameView {
                 GameEvent::Completed => {
                     let ship = game.world().body(SHIP).position;
                     self.feedback.ring(ship, theme::good());
-                    self.feedback.float(ship, "Level complete".into(), theme::good());
+                    self.feedback.float(ship, tr("Level complete").into(), theme::good());
                 }
                 GameEvent::Died => {
                     self.feedback.death();
@@ -157,7 +158,11 @@ impl GameView {
                 }
                 GameEvent::Refuelled(index) => {
                     let pod = &game.level().pods[*index];
-                    self.feedback.float(pod.bounds.centre(), format!("+{:.0} fuel", pod.fuel), theme::accent());
+                    self.feedback.float(
+                        pod.bounds.centre(),
+                        tr!("+{fuel} fuel", fuel = format_args!("{:.0}", pod.fuel)),
+                        theme::accent(),
+                    );
                 }
                 GameEvent::Switched(index, true) => {
                     let switch = game.level().switches[*index].bounds.centre();
@@ -169,7 +174,7 @@ impl GameView {
         }
         self.stirred.after_tick(game);
         if let Some(landing) = self.touchdown.after_tick(game).filter(|landing| landing.speed < GENTLE) {
-            self.feedback.float(landing.point, format!("Gentle landing: {} m/s", fixed(landing.speed, 1)), theme::good());
+            self.feedback.float(landing.point, tr!("Gentle landing: {speed} m/s", speed = fixed(landing.speed, 1)), theme::good());
         }
     }
 

@@ -21,6 +21,7 @@ use crate::level::{Level, ObjectiveKind};
 use crate::number::{clock, fixed};
 use crate::physics::{Aabb, BodyId, DVec2};
 use crate::settings::{Action, Settings};
+use crate::words::tr;
 
 /// The fuel bar's colour when full; it runs to [`FUEL_EMPTY`].
 const FUEL_FULL: Colour = Colour::hex(0xFFB01C);
@@ -120,7 +121,7 @@ impl Hud {
         if let Some(bar) = self.aside.fuel_bar(canvas.frame()) {
             let level = &game.level().player;
             let share = if level.fuel > 0.0 { (game.ship().fuel / level.fuel).clamp(0.0, 1.0) } else { 0.0 };
-            let fuel = format!("Fuel {} units", fixed(game.ship().fuel, 0));
+            let fuel = tr!("Fuel {fuel} units", fuel = fixed(game.ship().fuel, 0));
             let words = hint(game, settings).filter(|_| told).map_or(fuel.clone(), |hint| format!("{fuel}    {hint}"));
             draw_fuel(share as f32, &words, bar, self.aside.of(HudPart::Fuel), canvas);
         }
@@ -148,7 +149,7 @@ fn body(scene: &HudScene, index: usize) -> Aabb {
 
 /// The advice without fuel: above the fuel bar, or below the status where that would hide one of the others.
 fn stranded(scene: &HudScene, ship: Area, others: &[Area]) -> (String, Area) {
-    let words = format!("Out of fuel – {} flies again", scene.settings.keys.label(Action::Restart));
+    let words = tr!("Out of fuel – {key} flies again", key = scene.settings.keys.label(Action::Restart));
     let layout = HudLayout::new(scene.frame);
     let size = text_room(&words, scene.frame.text_height(TEXT)) + Vec2::new(2.0, 1.0) * GRID;
     let at = |y: f32| Area::around(Vec2::new(scene.frame.size.x / 2.0, y), size);
@@ -209,7 +210,7 @@ fn hint(game: &Game, settings: &Settings) -> Option<String> {
     first.then(|| {
         let label = |action| settings.keys.label(action);
         let [restart, rewind, pause, details] = [Action::Restart, Action::Rewind, Action::Pause, Action::Details].map(label);
-        format!("{restart} restarts · {rewind} rewinds · {pause} pauses · {details} shows the forces")
+        tr!("{restart} restarts · {rewind} rewinds · {pause} pauses · {details} shows the forces", restart, rewind, pause, details)
     })
 }
 
@@ -235,7 +236,7 @@ fn draw_status(game: &Game, settings: &Settings, area: Area, aside: f32, canvas:
     let style = Style::new(TEXT, colour.faded(words)).mono().middle().right();
     canvas.text(&count, Vec2::new(right, middle), style);
     let name = Vec2::new(right - canvas.width(&count, style) - GRID, middle);
-    canvas.text("Objectives", name, Style::new(TEXT, theme::quiet().faded(words)).middle().right());
+    canvas.text(tr("Objectives"), name, Style::new(TEXT, theme::quiet().faded(words)).middle().right());
 }
 
 /// A column of the strip: a name and a number below it.
@@ -252,7 +253,7 @@ fn draw_medal(game: &Game, column: Area, aside: &Aside, canvas: &Canvas) {
     let (medal, left) = Medals::within_reach(&game.level().awards, time);
     let words = left.map_or_else(|| "–".to_owned(), |left| format!("{} s", fixed(left, 2)));
     let colour = if left.is_some_and(|left| left < HURRY) { theme::accent() } else { theme::text() };
-    draw_column(column, (medal.name(), &words), colour, aside, canvas);
+    draw_column(column, (tr(medal.name()), &words), colour, aside, canvas);
 }
 
 /// A number and a bar with a mark where speed damages; `strong` (0 … 1) is the opacity.

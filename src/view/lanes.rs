@@ -5,6 +5,7 @@ use super::{theme, widgets};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::instruments::export::Sheet;
+use crate::words::tr;
 
 /// About how many values to the right have numbers.
 const NAMED: usize = 8;
@@ -48,7 +49,7 @@ impl LaneAxes<'_> {
             canvas.hairline(foot, Vec2::new(foot.x, self.area.min.y), theme::panel_edge());
             canvas.text(name, foot + Vec2::new(0.0, 14.0), quiet.centred());
         }
-        canvas.text(self.name, self.area.min - Vec2::new(0.0, 18.0), Style::new(TEXT, theme::text()).middle());
+        canvas.text(tr(self.name), self.area.min - Vec2::new(0.0, 18.0), Style::new(TEXT, theme::text()).middle());
     }
 }
 
@@ -78,15 +79,15 @@ pub fn draw(canvas: &Canvas, panel: Area, sheet: &Sheet) {
         }
     }
     let words = Style::new(TEXT, theme::text()).middle();
-    canvas.text(&sheet.across_name, Vec2::new(room.centre().x, panel.max().y - 20.0), words.centred());
+    canvas.text(tr(&sheet.across_name), Vec2::new(room.centre().x, panel.max().y - 20.0), words.centred());
     let mut at = Vec2::new(panel.max().x - LEGEND, panel.min.y + TOP);
     for (name, look) in &sheet.legend {
         stroke(canvas, &[at, at + Vec2::new(WORDS - 12.0, 0.0)], look, Colour::hex(look.colour));
-        canvas.text(&widgets::cut(canvas, name, LEGEND - WORDS, words), at + Vec2::new(WORDS, 0.0), words);
+        canvas.text(&widgets::cut(canvas, tr(name), LEGEND - WORDS, words), at + Vec2::new(WORDS, 0.0), words);
         at.y += canvas.line_height(TEXT);
     }
     for note in &sheet.notes {
-        canvas.text(note, at, Style::new(DETAILS, theme::quiet()).middle());
+        canvas.text(tr(note), at, Style::new(DETAILS, theme::quiet()).middle());
         at.y += canvas.line_height(DETAILS);
     }
 }

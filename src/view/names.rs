@@ -8,6 +8,7 @@ use crate::draw::{Canvas, Style};
 use crate::game::{Game, plain_name};
 use crate::level::SurfaceOf;
 use crate::physics::{Aabb, DVec2, Source};
+use crate::words::tr;
 
 /// Around a name, canvas units.
 const AROUND: Vec2 = Vec2::new(5.0, 2.0);
@@ -29,7 +30,7 @@ pub fn told(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
         let special = !solid.is_rock() || solid.belt != 0.0 || solid.material.restitution > 0.0;
         if special && !game.mechanisms().is_broken(index) {
             let name = match solid.breaks {
-                Some(impulse) => Some(format!("breaks above {impulse:.0} N·s")),
+                Some(impulse) => Some(tr!("breaks above {impulse} N·s", impulse = format_args!("{impulse:.0}"))),
                 None => solid.name.clone(),
             };
             write_name(&called(SurfaceOf::World(index), name.as_deref()), &solid.bounds);
@@ -43,15 +44,18 @@ pub fn told(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
     }
     for (index, switch) in level.switches.iter().enumerate() {
         let works: Vec<&str> = switch.works.iter().map(|work| work.name.as_str()).collect();
-        let words = format!("switch {}: {}", index + 1, works.join(", "));
+        let words = tr!("switch {number}: {works}", number = index + 1, works = works.join(", "));
         write_name(&words, &switch.bounds);
     }
     for (index, field) in level.fields.iter().enumerate() {
         let DVec2 { x, y } = field.strength;
-        write_name(&format!("gravity {}: ({x:.1}, {y:.1}) N/kg", index + 1), &field.zone);
+        write_name(
+            &tr!("gravity {index}: ({x}, {y}) N/kg", index = index + 1, x = format_args!("{x:.1}"), y = format_args!("{y:.1}")),
+            &field.zone,
+        );
     }
     for (index, pod) in level.pods.iter().enumerate().filter(|(index, _)| !game.mechanisms().is_taken(*index)) {
-        write_name(&format!("pod {}: {:.0} fuel", index + 1, pod.fuel), &pod.bounds);
+        write_name(&tr!("pod {number}: {fuel} fuel", number = index + 1, fuel = format_args!("{:.0}", pod.fuel)), &pod.bounds);
     }
     told
 }

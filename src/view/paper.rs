@@ -11,6 +11,7 @@ use crate::lab::axes::step;
 use crate::lab::measured::Measured;
 use crate::lab::stability::Region;
 use crate::lab::stability_diagram::TITLE;
+use crate::words::tr;
 
 /// Size of a sheet, and the heights of the title and of the words below, px.
 const PAPER: Vec2 = Vec2::new(1280.0, 640.0);
@@ -19,7 +20,7 @@ const FOOT: f32 = 60.0;
 
 /// A scene of the Lab: work to the right, error upwards.
 pub fn measured(measured: &Measured) -> String {
-    sheet(&measured.title, 0.0, |canvas, panel| {
+    sheet(tr(&measured.title), 0.0, |canvas, panel| {
         diagram::draw(canvas, &DiagramPlaces::of(panel, measured), measured, diagram::Picked::default());
     })
 }
@@ -27,7 +28,7 @@ pub fn measured(measured: &Measured) -> String {
 /// A scene of the Lab over time; `None` without a recording.
 pub fn over_time(measured: &Measured) -> Option<String> {
     let over_time = measured.over_time.as_ref()?;
-    let title = format!("{}: over time, step {}", measured.title, step(over_time.step));
+    let title = tr!("{title}: over time, step {step}", title = tr(&measured.title), step = step(over_time.step));
     Some(sheet(&title, 0.0, |canvas, panel| {
         timeline::draw(canvas, &DiagramPlaces::of(panel, measured), (measured, over_time), None);
     }))
@@ -35,11 +36,11 @@ pub fn over_time(measured: &Measured) -> Option<String> {
 
 /// The stability regions of methods.
 pub fn stability(regions: &[Region]) -> String {
-    sheet(TITLE, FOOT, |canvas, panel| {
+    sheet(tr(TITLE), FOOT, |canvas, panel| {
         plane::draw(canvas, &Plane::of(panel), regions, None);
         for (words, down) in plane::WORDS.iter().zip([18.0, 42.0]) {
             let middle = Vec2::new(panel.centre().x, panel.max().y + down);
-            widgets::fitted(canvas, words, middle, panel.size.x, &[TEXT, DETAILS], theme::text());
+            widgets::fitted(canvas, tr(words), middle, panel.size.x, &[TEXT, DETAILS], theme::text());
         }
     })
 }

@@ -5,6 +5,7 @@ use super::facts::{ArrowKind, BodyFacts, FactRow, Value, by_whom, linked_to};
 use super::quantity::quantity;
 use crate::game::Game;
 use crate::physics::{Aabb, BodyId, DVec2, LinkEnd, Source};
+use crate::words::tr;
 
 /// Half the size of the place that a link leads to, m.
 const ANCHOR: f64 = 0.3;
@@ -25,8 +26,13 @@ pub fn partner(game: &Game, facts: &BodyFacts, row: &FactRow) -> Option<Partner>
     let (shown, vector) = row.exerted()?;
     let back = FactRow::plain("", Value::Vector(-vector), row.unit);
     let words = [
-        format!("Third law: {} {} {}", facts.title, does(shown), by_whom(game, facts.body, &row.causes)),
-        format!("with {}", quantity(&back, &[], 0)),
+        tr!(
+            "Third law: {body} {does} {whom}",
+            body = facts.title,
+            does = tr(does(shown)),
+            whom = by_whom(game, facts.body, &row.causes)
+        ),
+        tr!("with {force}", force = quantity(&back, &[], 0)),
     ];
     let bodies = row.causes.iter().filter_map(|cause| match cause {
         Source::Body(body) => Some(*body),

@@ -5,6 +5,7 @@ use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::axes::number;
 use crate::lab::stress::picture::{FailurePicture, Polyline};
+use crate::words::tr;
 
 /// Above and below a large picture's plot: the names of its axes and their ends.
 const TOP: f32 = 44.0;
@@ -25,14 +26,14 @@ pub fn large(canvas: &Canvas, area: Area, picture: &FailurePicture, colour: Colo
     let ((from, to), (least, most)) = picture.window();
     let words = Style::new(TEXT, theme::text()).middle();
     let quiet = Style::new(DETAILS, theme::quiet()).middle();
-    let up = widgets::cut(canvas, picture.up, plot.size.x, words);
+    let up = widgets::cut(canvas, tr(picture.up), plot.size.x, words);
     canvas.text(&up, Vec2::new(plot.min.x, plot.min.y - 32.0), words);
-    let span = format!("from {} to {}", number(least), number(most));
+    let span = tr!("from {least} to {most}", least = number(least), most = number(most));
     canvas.text(&span, Vec2::new(plot.min.x, plot.min.y - 10.0), quiet);
     let foot = plot.max().y + 14.0;
     canvas.text(&number(from), Vec2::new(plot.min.x, foot), quiet);
     canvas.text(&number(to), Vec2::new(plot.max().x, foot), quiet.right());
-    canvas.text(picture.across, Vec2::new(plot.centre().x, foot + 4.0), words.centred());
+    canvas.text(tr(picture.across), Vec2::new(plot.centre().x, foot + 4.0), words.centred());
 }
 
 fn lines(canvas: &Canvas, area: Area, picture: &FailurePicture, (colour, width): (Colour, f32)) {

@@ -63,6 +63,7 @@ mod drawing {
     use crate::lab::stability_diagram::{look, shipped_look};
     use crate::view::diagram::{WORDS, marker, sample, shade, stroke};
     use crate::view::{theme, widgets};
+    use crate::words::tr;
 
     /// From a legend line's right end to the two limits.
     const LIMITS: [f32; 2] = [84.0, 8.0];
@@ -98,7 +99,7 @@ mod drawing {
             canvas.ring(at, 5.0, 2.0, theme::text());
             // Decay stands to the left of its point, oscillation to the right.
             let (beside, style) = if z.0 < 0.0 { (-8.0, style.right()) } else { (10.0, style) };
-            canvas.text(name, at + Vec2::new(beside, -16.0), style);
+            canvas.text(tr(name), at + Vec2::new(beside, -16.0), style);
         }
         legend(canvas, plane, regions, picked);
     }
@@ -134,8 +135,8 @@ mod drawing {
         }
         canvas.rounded_edge(area, 0.0, 1.0, theme::solid());
         let words = Style::new(TEXT, theme::text()).middle();
-        canvas.text("imaginary part of z: ω·h, what swings", Vec2::new(area.min.x, area.min.y - 22.0), words);
-        canvas.text("real part of z: −h/τ, what fades", Vec2::new(area.centre().x, end.y + 42.0), words.centred());
+        canvas.text(tr("imaginary part of z: ω·h, what swings"), Vec2::new(area.min.x, area.min.y - 22.0), words);
+        canvas.text(tr("real part of z: −h/τ, what fades"), Vec2::new(area.centre().x, end.y + 42.0), words.centred());
     }
 
     /// The methods by name, with their limits on the two rays.
@@ -148,14 +149,14 @@ mod drawing {
             }
         };
         let head = plane.legend(0);
-        canvas.text("stable up to", Vec2::new(head.min.x + WORDS, head.centre().y), quiet);
+        canvas.text(tr("stable up to"), Vec2::new(head.min.x + WORDS, head.centre().y), quiet);
         limits(head, ["h/τ", "ω·h"], quiet);
         let line = |line: usize, look: &CurveLook, (name, [drag, swing]): (&str, [f64; 2]), whole: bool| {
             let area = plane.legend(line);
             let (y, colour) = (area.centre().y, shade(Colour::hex(look.colour), whole));
             sample(canvas, area, look, colour);
             let style = if whole { words } else { quiet };
-            canvas.text(name, Vec2::new(area.min.x + WORDS, y), style);
+            canvas.text(tr(name), Vec2::new(area.min.x + WORDS, y), style);
             limits(area, [&limit(drag), &limit(swing)], style);
         };
         for (index, region) in regions.iter().enumerate() {
@@ -169,7 +170,7 @@ mod drawing {
         let first = plane.legend(regions.len() + 2).min + Vec2::new(WORDS, LINE / 2.0);
         for (line, words) in MARKS.into_iter().enumerate() {
             let at = first + Vec2::new(0.0, line as f32 * SMALL_LINE);
-            canvas.text(words, at, Style::new(DETAILS, theme::quiet()).middle());
+            canvas.text(tr(words), at, Style::new(DETAILS, theme::quiet()).middle());
         }
     }
 }

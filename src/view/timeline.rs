@@ -13,6 +13,7 @@ use crate::lab::course::{CoursePoint, OverTime};
 use crate::lab::look::{CurveLook, TOLERANCE_DASH};
 use crate::lab::measured::Measured;
 use crate::lab::timeline::{Timeline, energy_name, round_numbers};
+use crate::words::tr;
 
 /// The error's share of the height, where there is an energy, too.
 const UPPER: f32 = 0.55;
@@ -62,6 +63,6 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, (measured, over_time): (&Meas
         }
     }
     let foot = lower.map_or(upper.area, |lower| lower.area);
-    let words = format!("time, s (step {})", crate::lab::axes::step(over_time.step));
+    let words = tr!("time, s (step {step})", step = crate::lab::axes::step(over_time.step));
     canvas.text(&words, Vec2::new(foot.centre().x, foot.max().y + 34.0), Style::new(TEXT, theme::text()).middle().centred());
 }

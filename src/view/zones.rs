@@ -9,6 +9,7 @@ use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::game::Game;
 use crate::level::{Fluid, Level, ObjectiveKind, Solid};
 use crate::physics::{Aabb, DVec2};
+use crate::words::tr;
 
 /// From an objective's edge to its label, canvas units.
 const LABEL_GAP: f32 = 14.0;
@@ -44,8 +45,8 @@ pub fn draw_objectives(game: &Game, view: &Viewport, canvas: &Canvas, time: f64)
         canvas.rectangle_edge(area, 2.0, colour);
         let label = label_place(area, view);
         let name = match objective.kind {
-            ObjectiveKind::Player => "Ship",
-            ObjectiveKind::Physics => "Key",
+            ObjectiveKind::Player => tr("Ship"),
+            ObjectiveKind::Physics => tr("Key"),
         };
         let name = objective.order.map_or(name.to_owned(), |turn| format!("{turn}. {name}"));
         let style = Style::new(DETAILS, theme::text()).middle();

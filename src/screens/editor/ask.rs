@@ -7,6 +7,7 @@ use crate::level::document::{Kept, KeptSide, Table};
 use crate::screens::{Key, Request};
 use crate::ui::Ui;
 use crate::view::theme;
+use crate::words::tr;
 
 /// Width of the panel, at least, canvas units, and of a letter in it, in heights of text.
 const WIDTH: f32 = 640.0;
@@ -26,19 +27,19 @@ impl Ask {
     /// The event and the question, a sentence each.
     fn words(&self) -> [String; 2] {
         match self {
-            Self::Restore(_) => {
-                ["There are edits that were not saved.".into(), "The game ended before they were; they can be had back.".into()]
-            }
-            Self::Leave => ["There are edits that are not saved.".into(), "What is to become of them?".into()],
+            Self::Restore(_) => [
+                tr("There are edits that were not saved.").into(),
+                tr("The game ended before they were; they can be had back.").into(),
+            ],
+            Self::Leave => [tr("There are edits that are not saved.").into(), tr("What is to become of them?").into()],
             Self::Theirs(tables) => {
                 let files: Vec<&str> = tables.iter().map(|table| table.file()).collect();
-                let edited = if files.len() == 1 { "It was" } else { "They were" };
-                [
-                    format!("Another program has changed {}.", files.join(", ")),
-                    format!(
-                        "{edited} edited here, too. Which is to stay? A copy of the other is left beside it, and Undo brings it back."
-                    ),
-                ]
+                let edited = if files.len() == 1 {
+                    "It was edited here, too. Which is to stay? A copy of the other is left beside it, and Undo brings it back."
+                } else {
+                    "They were edited here, too. Which are to stay? A copy of the others is left beside them, and Undo brings them back."
+                };
+                [tr!("Another program has changed {files}.", files = files.join(", ")), tr(edited).to_owned()]
             }
         }
     }
@@ -88,7 +89,7 @@ impl Editor {
             (Ask::Leave, _) => {}
             (Ask::Theirs(_), "Theirs") => self.settle(KeptSide::Theirs),
             (Ask::Theirs(_), "Mine") => self.settle(KeptSide::Mine),
-            (Ask::Theirs(_), _) => self.say("Both stay as they are until it is saved."),
+            (Ask::Theirs(_), _) => self.say(tr("Both stay as they are until it is saved.")),
         }
         None
     }
@@ -100,12 +101,15 @@ impl Editor {
         match settled {
             Ok(copies) => {
                 if side == KeptSide::Theirs || self.save() {
-                    let left =
-                        if copies.is_empty() { String::new() } else { format!(" The other is kept in {}.", copies.join(", ")) };
-                    self.say(format!("{}{left}", if side == KeptSide::Mine { "Saved." } else { "Theirs it is." }));
+                    let left = if copies.is_empty() {
+                        String::new()
+                    } else {
+                        tr!(" The other is kept in {files}.", files = copies.join(", "))
+                    };
+                    self.say(format!("{}{left}", if side == KeptSide::Mine { tr("Saved.") } else { tr("Theirs it is.") }));
                 }
             }
-            Err(problem) => self.say(format!("Nothing was changed: no copy of the other can be kept: {problem}")),
+            Err(problem) => self.say(tr!("Nothing was changed: no copy of the other can be kept: {problem}", problem)),
         }
     }
 }

@@ -11,6 +11,7 @@ use crate::physics::DVec2;
 use crate::screens::{Input, Key, Request};
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
+use crate::words::tr;
 use std::sync::Arc;
 
 const COMMANDS: [(&str, &str); 9] = [
@@ -56,13 +57,13 @@ impl Editor {
         };
         let colour = if can { theme::text() } else { theme::quiet() };
         let line = |part: f32| area.centre() + Vec2::new(0.0, part * area.size.y);
-        canvas.text(label, line(-0.19), Style::new(TEXT, colour).centred().middle());
-        canvas.text(key, line(0.27), Style::new(DETAILS, theme::quiet()).centred().middle().mono());
+        canvas.text(tr(label), line(-0.19), Style::new(TEXT, colour).centred().middle());
+        canvas.text(tr(key), line(0.27), Style::new(DETAILS, theme::quiet()).centred().middle().mono());
     }
 
     fn draw_name(&self, canvas: &Canvas, (from, to): (f32, f32), pass: &mut EditorPass) {
         let unsaved = self.is_unsaved();
-        let name = if unsaved { format!("{} · not saved", self.name) } else { self.name.clone() };
+        let name = if unsaved { tr!("{level} · not saved", level = self.name) } else { self.name.clone() };
         let colour = if unsaved { theme::accent() } else { theme::text() };
         let middle = Vec2::new((from + to) / 2.0, self.panes.top.centre().y);
         let room = to - from - 2.0 * INSIDE;
@@ -93,7 +94,7 @@ impl Editor {
                 canvas.rectangle(mark, colour);
             }
             let at = Vec2::new(mark.max().x + INSIDE, area.centre().y);
-            canvas.text(label, at, Style::new(DETAILS, theme::text()).middle());
+            canvas.text(tr(label), at, Style::new(DETAILS, theme::text()).middle());
         }
     }
 
@@ -179,7 +180,7 @@ impl Editor {
                 let rows: Vec<RowId> =
                     self.selection.iter().copied().filter(|row| self.document.kind(*row) != Some(Kind::Ship)).collect();
                 if rows.len() < self.selection.len() {
-                    self.say("A level has a ship: it stays.");
+                    self.say(tr("A level has a ship: it stays."));
                 }
                 let done = self.document.remove(&rows);
                 self.say_if_refused(done);
@@ -218,7 +219,7 @@ impl Editor {
             }
             Err(problems) => {
                 let first = problems.first().map(ToString::to_string).unwrap_or_default();
-                self.say(format!("It cannot be flown until this is mended: {first}"));
+                self.say(tr!("It cannot be flown until this is mended: {first}", first));
             }
         }
         None
@@ -239,7 +240,7 @@ impl Editor {
             Ok(()) => {
                 self.watch.take();
                 self.kept.0 = self.document.version();
-                self.say("Saved.");
+                self.say(tr("Saved."));
                 true
             }
             Err(SaveError::Changed(tables)) => {

@@ -6,6 +6,7 @@ use crate::draw::layout::Vec2;
 use crate::level::document::{Document, Kind, Place, RowId, SetCell, number, way_text};
 use crate::physics::DVec2;
 use crate::screens::{Input, Key};
+use crate::words::tr;
 
 /// How near to a handle the pointer has to be, canvas units.
 const GRAB: f32 = 9.0;
@@ -226,7 +227,7 @@ impl Editor {
                 let cells = self.document.rewired(row, thing);
                 self.set(&cells);
             }
-            None => self.say("A switch works movers, doors, air streams and blocks with a belt: pull its wire onto one."),
+            None => self.say(tr("A switch works movers, doors, air streams and blocks with a belt: pull its wire onto one.")),
         }
     }
 

@@ -28,6 +28,7 @@ use crate::physics::DVec2;
 use crate::settings::Settings;
 use crate::ui::Ui;
 use crate::view::widgets;
+use crate::words::tr;
 use ask::Ask;
 use hand::PointerDrag;
 use layout::{PROBLEM_LINES, Panes};
@@ -201,7 +202,7 @@ impl Editor {
             figures: false,
         };
         if editor.folder.is_shared() {
-            editor.say("Another editor has this level open: what it saves is taken over here.");
+            editor.say(tr("Another editor has this level open: what it saves is taken over here."));
         }
         Ok(editor)
     }
@@ -238,7 +239,7 @@ impl Editor {
         if self.kept.0 != self.document.version() && !asked && (self.drag.is_none() || self.kept.1 > KEEP_EVERY) {
             self.kept = (self.document.version(), 0.0);
             if let Err(error) = self.folder.keep(&self.document) {
-                self.say(format!("The edits cannot be kept beside the files: {error}"));
+                self.say(tr!("The edits cannot be kept beside the files: {error}", error));
             }
         }
         if self.checked.0 != Some(self.document.version()) && self.drag.is_none() {
@@ -259,7 +260,7 @@ impl Editor {
         if !both.is_empty() {
             self.ask = Some(Ask::Theirs(both));
         } else if taken {
-            self.say("Another program has changed the files: they were read again.");
+            self.say(tr("Another program has changed the files: they were read again."));
         }
     }
 

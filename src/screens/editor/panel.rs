@@ -10,6 +10,7 @@ use crate::screens::text_field::TextField;
 use crate::screens::{Input, Key};
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
+use crate::words::tr;
 
 /// The longest cell, characters.
 const LONGEST: usize = 400;
@@ -191,13 +192,13 @@ impl Editor {
 
     fn draw_heading(&self, canvas: &Canvas) {
         let (heading, place) = match (&self.selection[..], self.panel.kind) {
-            ([], _) => ("The level".to_owned(), "constants.csv".to_owned()),
+            ([], _) => (tr("The level").to_owned(), "constants.csv".to_owned()),
             ([row], Some(kind)) => {
                 let line = self.document.line(*row).unwrap_or_default();
-                (kind.name().to_owned(), format!("{}:{line}", row.table.file()))
+                (tr(kind.name()).to_owned(), format!("{}:{line}", row.table.file()))
             }
-            (rows, Some(kind)) => (format!("{} × {}", rows.len(), kind.name()), kind.table().file().to_owned()),
-            (rows, None) => (format!("{} things", rows.len()), "of several kinds".to_owned()),
+            (rows, Some(kind)) => (format!("{} × {}", rows.len(), tr(kind.name())), kind.table().file().to_owned()),
+            (rows, None) => (tr!("{count} things", count = rows.len()), tr("of several kinds").to_owned()),
         };
         let area = self.panes.right.inset(INSIDE);
         canvas.text(&heading, area.min, Style::new(TEXT, theme::text()));
@@ -230,7 +231,7 @@ impl Editor {
         let offers = &self.offered[..self.offered.len().min(OFFERS)];
         let style = Style::new(DETAILS, theme::quiet()).mono();
         let more = self.offered.len() - offers.len();
-        let words = if more > 0 { format!("Pictures, and {more} more to write:") } else { "Pictures to click:".to_owned() };
+        let words = if more > 0 { tr!("Pictures, and {more} more to write:", more) } else { tr("Pictures to click:").to_owned() };
         canvas.text(&words, self.panes.offer(fields, 0).min - Vec2::new(0.0, self.panes.line), style);
         let mut pressed = None;
         for (index, picture) in offers.iter().enumerate() {
@@ -261,7 +262,12 @@ impl Editor {
         let columns = ((area.size.x - 2.0 * INSIDE) / self.panes.letter) as usize;
         let own = self.problems.iter().zip(&self.about).filter(|((problem, _), row)| self.is_about(problem, **row));
         for ((problem, refused), _) in own.take(4) {
-            let words = format!("{}: found {}, expected {}", problem.column, problem.found, problem.expected);
+            let words = tr!(
+                "{column}: found {found}, expected {expected}",
+                column = problem.column,
+                found = problem.found,
+                expected = problem.expected
+            );
             for line in wrapped(&words, columns.max(8), 0) {
                 if y + self.panes.line > area.max().y {
                     return;

@@ -9,6 +9,7 @@ use crate::level::document::{Kind, RowId, Table};
 use crate::screens::{Input, Keys};
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
+use crate::words::tr;
 
 impl Editor {
     pub(super) fn show_problems(&mut self, ui: &mut Ui<'_>, pass: &mut EditorPass) {
@@ -60,12 +61,12 @@ impl Editor {
     /// The last remark while it is shown, else the number of problems; in whole above the picture where there is no room.
     fn draw_state(&self, canvas: &Canvas, room: f32, pass: &mut EditorPass) {
         let refused = self.problems.iter().filter(|(_, refused)| *refused).count();
-        let plural = |count: usize, one: &str| format!("{count} {one}{}", if count == 1 { "" } else { "s" });
+        let counted = |count: usize, [one, more]: [&str; 2]| if count == 1 { tr(one).to_owned() } else { tr!(more, count) };
         let (words, colour) = match (&self.remark, self.problems.len()) {
             (Some((remark, _)), _) => (remark.clone(), theme::accent()),
-            (None, 0) => ("No problems.".to_owned(), theme::good()),
-            (None, all) if refused == 0 => (format!("{} to look at", plural(all, "thing")), theme::accent()),
-            (None, _) => (plural(refused, "problem"), theme::bad()),
+            (None, 0) => (tr("No problems.").to_owned(), theme::good()),
+            (None, all) if refused == 0 => (counted(all, ["1 thing to look at", "{count} things to look at"]), theme::accent()),
+            (None, _) => (counted(refused, ["1 problem", "{count} problems"]), theme::bad()),
         };
         let style = Style::new(DETAILS, colour).mono();
         let shown = widgets::cut(canvas, &words, room, style);
@@ -94,7 +95,7 @@ impl Editor {
     fn go_to(&mut self, problem: &Problem) {
         let row = Table::of_file(&problem.file).and_then(|table| self.document.row_at(table, problem.line));
         let before = std::mem::take(&mut self.selection);
-        let Some(row) = row else { return self.say(format!("{} has no such row.", problem.file)) };
+        let Some(row) = row else { return self.say(tr!("{file} has no such row.", file = problem.file)) };
         self.next_gesture();
         if self.document.kind(row) == Some(Kind::Setting) {
             let name = self.document.cell(row, "name").unwrap_or_default().to_owned();

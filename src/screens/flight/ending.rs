@@ -6,6 +6,7 @@ use super::pilot::steers;
 use crate::game::{GameEvent, History, Outcome, RunResult};
 use crate::number::clock;
 use crate::screens::{Input, Key, Request};
+use crate::words::tr;
 use std::rc::Rc;
 
 /// From the end of an attempt to its score, s: long enough to see the end.
@@ -115,10 +116,14 @@ impl Flight {
         let game = self.game();
         match game.outcome() {
             Outcome::Running => String::new(),
-            Outcome::Completed => format!("Completed in {}, {:.0} % of the fuel left.", clock(game.time()), 100.0 * game.fuel()),
+            Outcome::Completed => tr!(
+                "Completed in {time}, {fuel} % of the fuel left.",
+                time = clock(game.time()),
+                fuel = format_args!("{:.0}", 100.0 * game.fuel())
+            ),
             Outcome::Failed => {
                 let cause = game.result().death.map_or_else(String::new, |death| format!(": {death}"));
-                format!("Lost after {}{cause}.", clock(game.time()))
+                tr!("Lost after {time}{cause}.", time = clock(game.time()), cause)
             }
         }
     }

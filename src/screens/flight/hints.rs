@@ -5,6 +5,7 @@ use crate::draw::layout::{Area, DETAILS, LINE, PADDING, TEXT, Vec2};
 use crate::game::Outcome;
 use crate::ui::Ui;
 use crate::view::theme;
+use crate::words::tr;
 
 /// Losses of a level before its hints are offered.
 const LOSSES: u32 = 3;
@@ -49,7 +50,7 @@ impl Flight {
         ui.panel(Area { min: Vec2::new((frame.size.x - size.x) / 2.0, PADDING), size });
         for (i, hint) in given.into_iter().enumerate() {
             let middle = Vec2::new(frame.size.x / 2.0, 1.5 * PADDING + (i as f32 + 0.5) * line);
-            ui.fitted(hint, middle, &[TEXT, DETAILS], theme::accent());
+            ui.fitted(tr(hint), middle, &[TEXT, DETAILS], theme::accent());
         }
     }
 }

@@ -3,6 +3,7 @@
 use crate::draw::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, PADDING, TEXT, Vec2, wrapped};
 use crate::draw::{Canvas, Style};
 use crate::view::{theme, widgets};
+use crate::words::tr;
 
 /// The state of a level's files while the level is flown.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +38,7 @@ impl News {
         let mut lines: Vec<String> = problems.iter().take(LISTED).flat_map(|problem| wrapped(problem, columns, 4)).collect();
         let more = problems.len().saturating_sub(LISTED);
         if more > 0 {
-            lines.push(format!("and {more} more"));
+            lines.push(tr!("and {more} more", more));
         }
         let [text, line] = [TEXT, DETAILS].map(|size| frame.text_height(size) * LINE);
         (Area::new(left, PADDING, width, text + 1.5 * PADDING + lines.len() as f32 * line), lines)
@@ -45,10 +46,10 @@ impl News {
 
     pub fn draw(&self, canvas: &Canvas) {
         let (words, colour) = match self {
-            Self::Changed(_, true) => ("Read again: you fly on in it, with help. R restarts it.", theme::good()),
-            Self::Changed(_, false) => ("Read again, from its start.", theme::good()),
-            Self::Unfinished(_) => ("Flown as far as it goes. What is left:", theme::accent()),
-            Self::Broken(_) => ("The files do not load now: you fly on in what was there.", theme::bad()),
+            Self::Changed(_, true) => (tr("Read again: you fly on in it, with help. R restarts it."), theme::good()),
+            Self::Changed(_, false) => (tr("Read again, from its start."), theme::good()),
+            Self::Unfinished(_) => (tr("Flown as far as it goes. What is left:"), theme::accent()),
+            Self::Broken(_) => (tr("The files do not load now: you fly on in what was there."), theme::bad()),
         };
         let (panel, lines) = self.layout(canvas.frame());
         canvas.end_layer();

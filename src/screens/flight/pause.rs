@@ -6,6 +6,7 @@ use crate::screens::{Input, Key, Purpose, Request, Screen, SettingsPanel};
 use crate::settings::Action;
 use crate::ui::Ui;
 use crate::view::widgets;
+use crate::words::tr;
 
 pub(super) const RESUME: &str = "Resume";
 const RESTART: &str = "Restart";
@@ -41,7 +42,7 @@ impl Flight {
         let (top, width) = (middle.y - TOP - HEADING - 2.5 * PADDING, WIDE_BUTTON.x + 4.0 * PADDING);
         let foot = places.last().map_or(middle.y, |last| last.max().y) + 1.5 * PADDING;
         ui.panel(Area::new(middle.x - width / 2.0, top, width, foot - top));
-        widgets::heading(ui.canvas(), "Paused", top + PADDING + HEADING * 0.65);
+        widgets::heading(ui.canvas(), tr("Paused"), top + PADDING + HEADING * 0.65);
         self.show_hints(ui);
         ui.start_at(chosen);
         let pressed = ui.buttons(places, &labels);

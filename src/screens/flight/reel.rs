@@ -16,6 +16,7 @@ use crate::settings::Action;
 use crate::ui::{Ui, WidgetKind};
 use crate::view::hud::HudShown;
 use crate::view::{Overlays, theme, widgets};
+use crate::words::tr;
 
 /// Paces of a reel; 1 is the pace of the flight.
 const PACES: [f64; 7] = [0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
@@ -222,7 +223,7 @@ impl Flight {
         let time = |tick: u64| clock(tick.saturating_sub(idle) as f64 / self.game.tick_rate());
         canvas.text(&format!("{} / {}", time(tick), time(known)), Vec2::new(24.0, y), number);
         let pace = written(self.observer.pace());
-        let pace = if self.observer.frozen() { format!("paused · {pace}") } else { pace };
+        let pace = if self.observer.frozen() { tr!("paused · {pace}", pace) } else { pace };
         canvas.text(&pace, Vec2::new(size.x - 24.0, y), number.right());
         widgets::fitted(canvas, &viewer.title, Vec2::new(size.x / 2.0, top + 20.0), size.x - 64.0, &[TEXT], theme::quiet());
     }

@@ -3,6 +3,7 @@
 use super::Flight;
 use crate::screens::{Input, Spectator};
 use crate::settings::Action;
+use crate::words::tr;
 use std::sync::Arc;
 
 /// The pace backwards at first and at most, and its growth in a second; 1 is the pace of the flight.
@@ -53,8 +54,10 @@ impl Flight {
     pub(super) fn rewind_words(&self, keys: &crate::settings::Bindings) -> Option<String> {
         let restart = keys.label(Action::Restart);
         match self.rewind {
-            Rewind { held: Some(_), .. } => Some("Rewinding: let go to fly on from here".to_owned()),
-            Rewind { practice: true, .. } => Some(format!("Practice after a rewind, not ranked: {restart} flies for the score")),
+            Rewind { held: Some(_), .. } => Some(tr("Rewinding: let go to fly on from here").to_owned()),
+            Rewind { practice: true, .. } => {
+                Some(tr!("Practice after a rewind, not ranked: {restart} flies for the score", restart))
+            }
             Rewind { .. } => None,
         }
     }

@@ -6,6 +6,7 @@ use crate::draw::{Canvas, Style};
 use crate::game::Outcome;
 use crate::view::hud::HudLayout;
 use crate::view::{theme, widgets};
+use crate::words::tr;
 
 /// From the canvas' foot to a sign above the fuel bar.
 const ABOVE_FUEL: f32 = 52.0;
@@ -20,7 +21,7 @@ impl Flight {
     /// The sign of a pace other than the usual one, or of an ended flight that stays: words and place at the flight's foot.
     fn time_sign(&self, frame: &Frame) -> Option<(String, Area)> {
         let stays = self.game.outcome() != Outcome::Running && self.instruments.stays() && !self.observer.frozen();
-        let ended = stays.then(|| "The flight has ended: Enter leads on".to_owned());
+        let ended = stays.then(|| tr("The flight has ended: Enter leads on").to_owned());
         let words = ended.or_else(|| self.observer.words(self.game.ticks(), self.game.tick_rate()));
         let words = words.or_else(|| self.rewind_words(self.observer.keys()))?;
         let size = sign_size(&words, frame);
@@ -37,14 +38,14 @@ impl Flight {
     /// The place of the words on a test flight.
     fn test_sign(&self, frame: &Frame) -> Option<Area> {
         let at = Vec2::new(frame.size.x / 2.0, self.instruments.room(frame).size.y - ABOVE_FUEL);
-        self.test.then(|| Area::around(at, text_room(TEST, frame.text_height(TEXT))))
+        self.test.then(|| Area::around(at, text_room(tr(TEST), frame.text_height(TEXT))))
     }
 
     /// The sign of the loss of the attempt before, below the row of the timer, away from the usual starts of ships.
     fn lost_sign(&self, frame: &Frame) -> Option<(String, Area)> {
         let death = self.lost().filter(|_| self.news.is_none())?;
-        let hint = if self.offers_hint() { " · Esc: hint" } else { "" };
-        let words = format!("{death} · Enter: what the attempt came to{hint}");
+        let hint = if self.offers_hint() { tr(" · Esc: hint") } else { "" };
+        let words = tr!("{death} · Enter: what the attempt came to{hint}", death, hint);
         let size = sign_size(&words, frame);
         let top = HudLayout::new(frame).status.max().y + PADDING;
         Some((words, Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size }))
@@ -68,7 +69,7 @@ impl Flight {
 
     pub(super) fn draw_signs(&self, canvas: &Canvas) {
         if let Some(area) = self.test_sign(canvas.frame()) {
-            canvas.text(TEST, area.centre(), Style::new(TEXT, theme::accent()).centred().middle());
+            canvas.text(tr(TEST), area.centre(), Style::new(TEXT, theme::accent()).centred().middle());
         }
         self.draw_what_if(canvas);
         if let Some(news) = &self.news {

@@ -8,6 +8,7 @@ use crate::instruments::vary::Variation;
 use crate::level::Level;
 use crate::screens::instruments::vary::{Varied, VaryFrom, VaryWish};
 use crate::screens::{Input, Key, Request, Spectator};
+use crate::words::tr;
 use std::sync::Arc;
 
 /// Ticks that are flown again in a frame: at least, at first and at most.
@@ -135,7 +136,7 @@ impl Flight {
     /// What the loader or the engine would not accept, in words; nothing has changed then.
     fn vary(&mut self, variation: Variation, from: VaryFrom, goes_on: bool) -> Result<(), String> {
         let expected = |problems: Vec<crate::level::Problem>| {
-            problems.first().map_or_else(String::new, |problem| format!("Expected {}.", problem.expected))
+            problems.first().map_or_else(String::new, |problem| tr!("Expected {expected}.", expected = problem.expected))
         };
         let level = Arc::new(variation.apply(&self.attempt.level).map_err(expected)?);
         self.leave_what_came_after();
@@ -153,7 +154,7 @@ impl Flight {
         };
         let again = match from {
             VaryFrom::Start => Some(Box::new(tape.fly_in(level.clone(), moment).map_err(|error| error.to_string())?)),
-            VaryFrom::Now if !running => return Err("This run has ended: a change holds from its start.".to_owned()),
+            VaryFrom::Now if !running => return Err(tr("This run has ended: a change holds from its start.").to_owned()),
             VaryFrom::Now => None,
         };
         let before = match self.what_if.take() {
@@ -238,7 +239,7 @@ impl Flight {
         if varied.variation.is_empty() {
             return Ok(());
         }
-        let gone = "The level has changed: it is flown as it is now.";
+        let gone = tr("The level has changed: it is flown as it is now.");
         let level = Arc::new(varied.variation.apply(&self.attempt.level).map_err(|_| gone)?);
         let game = Game::new(level).map_err(|error| error.to_string())?;
         let mut before = if same { varied.before } else { Before::new(&self.history, &self.game) };

@@ -9,6 +9,7 @@ use crate::screens::instruments::vary::written;
 use crate::view::game_view::drawn_centre;
 use crate::view::hud::HudLayout;
 use crate::view::{GhostShip, theme, widgets};
+use crate::words::tr;
 
 /// What is nearer to where it was in the run before is where it was, m.
 const SAME: f64 = 1e-3;
@@ -32,7 +33,7 @@ impl Flight {
         let centre: Option<DVec2> = elsewhere(SHIP).or_else(|| turned.then(|| drawn_centre(before, SHIP, alpha)));
         let object = |i: usize| Some((i, elsewhere(object_body(i))?));
         Some(GhostShip {
-            name: "before".to_owned(),
+            name: tr("before").to_owned(),
             pose: centre.map(|centre| GhostPose { centre, angle }),
             objects: (0..before.level().objects.len()).filter_map(object).collect(),
         })
@@ -43,16 +44,21 @@ impl Flight {
         let variation = self.variation()?;
         let change = |(parameter, value): (crate::level::Parameter, f64)| {
             let usual = parameter.of(&self.attempt.level)?;
-            let name = parameter.name().trim_end_matches(" ×").to_lowercase();
+            let name = tr(parameter.name()).trim_end_matches(" ×").to_lowercase();
             let body = parameter.body().filter(|body| *body > 0).map(|body| BodyId(body as u32));
             let of = body.map_or_else(String::new, |body| body_title(&self.attempt.level, body) + ": ");
-            Some(format!("{of}{name} {} (was {})", written(parameter, value), written(parameter, usual)))
+            Some(tr!(
+                "{name} {value} (was {usual})",
+                name = of + &name,
+                value = written(parameter, value),
+                usual = written(parameter, usual)
+            ))
         };
         let changes: Vec<String> = variation.changes().filter_map(change).collect();
         Some(if changes.is_empty() {
-            "What if: all as it was; R flies it so that it counts".into()
+            tr("What if: all as it was; R flies it so that it counts").into()
         } else {
-            format!("What if: {}", changes.join(", "))
+            tr!("What if: {changes}", changes = changes.join(", "))
         })
     }
 
@@ -74,7 +80,7 @@ impl Flight {
             canvas.text(text, area.min + Vec2::new(PADDING, PADDING / 2.0 + i as f32 * line), style);
         }
         if self.tells_of_the_end() && self.pause.is_none() {
-            let words = format!("{} A “what if” counts for nothing: R flies it again, Esc the level as it is.", self.told());
+            let words = tr!("{told} A “what if” counts for nothing: R flies it again, Esc the level as it is.", told = self.told());
             let style = Style::new(TEXT, theme::text()).centred().middle();
             let width = (canvas.width(&words, style) + 2.0 * PADDING).min(canvas.size().x - 2.0 * PADDING);
             let size = Vec2::new(width, canvas.line_height(TEXT) + PADDING);

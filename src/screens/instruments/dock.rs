@@ -3,6 +3,7 @@
 use super::Tool;
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, TEXT, Vec2, text_room};
 use crate::view::hud::HudLayout;
+use crate::words::tr;
 
 /// Between two buttons of the rail.
 const RAIL_GAP: f32 = 4.0;
@@ -11,7 +12,7 @@ const RAIL_GAP: f32 = 4.0;
 pub fn rail(frame: &Frame) -> Vec<Area> {
     let top = HudLayout::new(frame).status.max().y + 2.0 * GRID;
     let text = frame.text_height(DETAILS);
-    let widest = Tool::ALL.iter().map(|tool| text_room(tool.name(), text).x).fold(0.0, f32::max);
+    let widest = Tool::ALL.iter().map(|tool| text_room(tr(tool.name()), text).x).fold(0.0, f32::max);
     let size = Vec2::new(widest + 2.0 * GRID, text * LINE + GRID);
     let button = |i: usize| Area { min: Vec2::new(2.0 * GRID, top + i as f32 * (size.y + RAIL_GAP)), size };
     (0..Tool::ALL.len()).map(button).collect()

@@ -6,6 +6,7 @@ use crate::game::{Game, SHIP};
 use crate::instruments::centre::{centre_of_mass, velocity_of_centre};
 use crate::view::camera::Viewport;
 use crate::view::theme;
+use crate::words::tr;
 
 /// Canvas units.
 const MARK: f32 = 9.0;
@@ -44,7 +45,7 @@ fn draw_centre((game, alpha): (&Game, f64), view: &Viewport, canvas: &Canvas) {
         });
         canvas.convex(&[&[at][..], &arc].concat(), theme::ground());
     }
-    let lines = ["Centre of mass".to_owned(), format!("v {}", pair(velocity, "m/s"))];
+    let lines = [tr("Centre of mass").to_owned(), format!("v {}", pair(velocity, "m/s"))];
     // Above or below, away from the ship, which is often near.
     let ship = view.point(game.world().body(SHIP).position);
     let up = if ship.y < at.y { 1.0 } else { -1.0 };

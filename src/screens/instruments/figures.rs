@@ -8,6 +8,7 @@ use crate::instruments::stop_clock::seconds;
 use crate::physics::{BodyId, ForceKind, Impulse};
 use crate::view::focus::Focus;
 use crate::view::quantity::QuantityScale;
+use crate::words::tr;
 
 /// Ticks of reading in a frame at most, where the table opens late in a flight.
 const AHEAD: u64 = 600;
@@ -99,10 +100,10 @@ impl Figures {
         let all: Vec<BodyId> = (game.lead().0..bodies as u32).map(BodyId).collect();
         if seen.len() == 2 {
             groups.push(seen);
-            columns.push("Both".to_owned());
+            columns.push(tr("Both").to_owned());
         } else if stage.focus.followed().is_none() && all.len() > 1 {
             groups.push(all);
-            columns.push("All".to_owned());
+            columns.push(tr("All").to_owned());
         }
         let state = |group: &Vec<BodyId>| {
             group.iter().map(|id| EnergyState::of(game, *id)).fold(EnergyState::default(), std::ops::Add::add)
@@ -116,21 +117,21 @@ impl Figures {
         };
         let words = |words: String| FigureLine { name: words, subject: Subject::Words, values: Vec::new() };
         let states_of_all = vec![
-            line("Momentum x", Subject::Quantity, &|state| state.momentum.x, "N·s"),
-            line("Momentum y", Subject::Quantity, &|state| -state.momentum.y, "N·s"),
-            line("Kinetic energy", Subject::Quantity, &|state| state.kinetic, "J"),
-            line("Potential energy", Subject::Quantity, &|state| state.potential, "J"),
-            line("Sum of both", Subject::Sum, &|state| state.kinetic + state.potential, "J"),
+            line(tr("Momentum x"), Subject::Quantity, &|state| state.momentum.x, "N·s"),
+            line(tr("Momentum y"), Subject::Quantity, &|state| -state.momentum.y, "N·s"),
+            line(tr("Kinetic energy"), Subject::Quantity, &|state| state.kinetic, "J"),
+            line(tr("Potential energy"), Subject::Quantity, &|state| state.potential, "J"),
+            line(tr("Sum of both"), Subject::Sum, &|state| state.kinetic + state.potential, "J"),
         ];
         let (mut lines, mut numbers) = (written(states_of_all), Vec::new());
         let heading = match (self.is_read, bodies > MOST_BODIES) {
             (true, _) => {
                 let works: Vec<Account> = groups.iter().map(|group| self.work(group)).collect();
                 numbers.extend(work_lines(&works));
-                format!("Work from {} s on", self.from(stage.history, game))
+                tr!("Work from {time} s on", time = self.from(stage.history, game))
             }
-            (false, true) => "Work: too many objects".to_owned(),
-            (false, false) => "Work: reading …".to_owned(),
+            (false, true) => tr("Work: too many objects").to_owned(),
+            (false, false) => tr("Work: reading …").to_owned(),
         };
         lines.extend([words(zero_level(game)), words(heading)]);
         lines.extend(written(numbers));
@@ -179,11 +180,11 @@ fn work_lines(works: &[Account]) -> Vec<Number> {
     };
     let done = |of: &dyn Fn(&Account) -> f64| works.iter().any(|work| rounded(of(work)) != 0.0);
     let forces = ForceKind::ALL.into_iter().filter(|kind| done(&|work| work.by(*kind)));
-    let mut lines: Vec<Number> = forces.map(|kind| line(kind.shown(), Subject::Force(kind), &|work| work.by(kind))).collect();
+    let mut lines: Vec<Number> = forces.map(|kind| line(tr(kind.shown()), Subject::Force(kind), &|work| work.by(kind))).collect();
     if done(&|work| work.by_impacts) {
-        lines.push(line(Impulse::NAME, Subject::Impact, &|work| work.by_impacts));
+        lines.push(line(tr(Impulse::NAME), Subject::Impact, &|work| work.by_impacts));
     }
-    lines.push(line(GAINED, Subject::Sum, &Account::sum));
+    lines.push(line(tr(GAINED), Subject::Sum, &Account::sum));
     lines
 }
 
@@ -200,7 +201,7 @@ fn zero_level(game: &Game) -> String {
         _ => "",
     };
     match (along, across) {
-        ("", "") => "no gravity".to_owned(),
-        (along, across) => format!("zero at the level's {}", format!("{along}{across}").trim()),
+        ("", "") => tr("no gravity").to_owned(),
+        (along, across) => tr!("zero at the level's {side}", side = tr(format!("{along}{across}").trim())),
     }
 }

@@ -20,6 +20,7 @@ use crate::settings::Action;
 use crate::ui::Ui;
 use crate::view::focus::Focus;
 use crate::view::theme;
+use crate::words::tr;
 pub use figures::Table;
 pub use measure::Measures;
 pub use plot::{Plot, PlotPlaces};
@@ -135,7 +136,7 @@ impl Instruments {
                 (true, true) => theme::accent(),
                 (true, false) => theme::text(),
             };
-            let pressed = ui.small_button((tool.name(), tool.name()), area, Style::new(DETAILS, colour));
+            let pressed = ui.small_button((tool.name(), tr(tool.name())), area, Style::new(DETAILS, colour));
             self.used[tool as usize] ^= pressed && self.offers(tool);
         }
     }

@@ -16,6 +16,7 @@ use crate::view::game_view::drawn_centre;
 use crate::view::quantity::scalar;
 use crate::view::theme;
 use crate::view::widgets;
+use crate::words::tr;
 
 /// Opacity of a panel: in general, and above the ship or a body in focus.
 const HIDES: f32 = 0.95;
@@ -42,7 +43,7 @@ impl Measures {
     fn draw_scales(&self, scene: (&Game, f64), area: Area, (view, canvas): (&Viewport, &Canvas)) {
         for (i, vector) in Vector::ALL.into_iter().enumerate() {
             let a_metre = scalar(self.fitting(vector, scene, view, canvas), vector.unit());
-            let words = format!("{}: one square = {a_metre}", vector.sign());
+            let words = tr!("{sign}: one square = {a_metre}", sign = vector.sign(), a_metre);
             let at = area.min + GRID + Vec2::new(0.0, i as f32 * dock::line(canvas.frame()));
             canvas.text(&words, at, Style::new(DETAILS, colour(vector)).mono());
         }
@@ -62,12 +63,16 @@ impl Measures {
         let (at, line) = (area.min + GRID, dock::line(&self.frame));
         let colour = if self.clock.runs() { theme::accent() } else { theme::text() };
         canvas.text(&format!("{} s", seconds(ticks, rate)), at, Style::new(TEXT, colour).mono());
-        let count = format!("{ticks} ticks").replace('-', "−");
+        let count = tr!("{ticks} ticks", ticks).replace('-', "−");
         let right = Vec2::new(area.max().x - GRID, at.y + 0.5 * (dock::large(&self.frame) - line));
         canvas.text(&count, right, Style::new(DETAILS, theme::quiet()).mono().right());
         for (i, (lap, read)) in self.clock.laps().enumerate() {
             let below = Vec2::new(0.0, dock::large(&self.frame) + i as f32 * line);
-            canvas.text(&format!("Lap {lap} {:>10} s", seconds(read, rate)), at + below, Style::new(DETAILS, theme::text()).mono());
+            canvas.text(
+                &tr!("Lap {lap} {time} s", lap, time = format_args!("{:>10}", seconds(read, rate))),
+                at + below,
+                Style::new(DETAILS, theme::text()).mono(),
+            );
         }
     }
 
@@ -104,7 +109,7 @@ impl Measures {
         let places = dock::row(&self.frame, foot, widest);
         let mut pressed = None;
         for (area, words) in places.into_iter().zip(words) {
-            if ui.small_button((words, words), area, style) {
+            if ui.small_button((words, tr(words)), area, style) {
                 pressed = Some(*words);
             }
         }

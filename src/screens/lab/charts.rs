@@ -12,6 +12,7 @@ use crate::ui::Ui;
 use crate::view::diagram::{self, Picked};
 use crate::view::plot::DiagramPlaces;
 use crate::view::{theme, timeline, widgets};
+use crate::words::tr;
 
 #[derive(Debug)]
 pub struct ChartsPage {
@@ -33,7 +34,7 @@ impl ChartsPage {
         self.draw_words(ui, panel);
         let Some(measured) = self.shown.charts.diagrams.get(self.scene) else {
             ui.panel(panel);
-            ui.text("There are no charts to show.", panel.centre(), Style::new(TEXT, theme::quiet()).centred().middle());
+            ui.text(tr("There are no charts to show."), panel.centre(), Style::new(TEXT, theme::quiet()).centred().middle());
             return request;
         };
         let plot = DiagramPlaces::of(panel, measured);
@@ -97,8 +98,8 @@ impl ChartsPage {
         }
         let Some(measured) = self.measured() else { return };
         let title = Vec2::new(panel.centre().x, panel.min.y - 20.0);
-        widgets::fitted(canvas, &measured.title, title, widest - 240.0, &[BUTTON_TEXT, TEXT], theme::text());
-        let count = format!("{} of {}", self.scene + 1, self.shown.charts.diagrams.len());
+        widgets::fitted(canvas, tr(&measured.title), title, widest - 240.0, &[BUTTON_TEXT, TEXT], theme::text());
+        let count = tr!("{number} of {count}", number = self.scene + 1, count = self.shown.charts.diagrams.len());
         ui.text(&count, Vec2::new(panel.max().x, title.y), Style::new(TEXT, theme::quiet()).mono().middle().right());
         if let Some(verdict) = self.verdict() {
             widgets::fitted(canvas, &verdict, below(18.0), widest, &[TEXT, DETAILS], theme::text());
@@ -112,28 +113,41 @@ impl ChartsPage {
         let measured = self.measured()?;
         if self.over_time().is_some() {
             return Some(
-                "Each point is the worst since the one before. A method that ends near the truth may have been far from it.".into(),
+                tr("Each point is the worst since the one before. A method that ends near the truth may have been far from it.")
+                    .into(),
             );
         }
         let shipped = measured.shipped_point()?;
-        let mut words = format!("As shipped: error {}, {} ns.", number(shipped.error), number(shipped.work));
+        let mut words = tr!("As shipped: error {error}, {time} ns.", error = number(shipped.error), time = number(shipped.work));
         if let Some((curve, point)) = measured.cheapest() {
             let costs = shipped.work / point.work;
-            let cheapest = format!("{} at {}, {} ns", curve.name, step(point.step), number(point.work));
-            words += &format!("  Cheapest within the tolerance: {cheapest}; the shipped point costs {} times that.", number(costs));
+            let cheapest =
+                tr!("{method} at {step}, {time} ns", method = tr(&curve.name), step = step(point.step), time = number(point.work));
+            words += &tr!(
+                "  Cheapest within the tolerance: {cheapest}; the shipped point costs {factor} times that.",
+                cheapest,
+                factor = number(costs)
+            );
         }
         Some(words)
     }
 
     fn source(&self) -> String {
         let setting = &self.shown.charts.setting;
-        let commit = setting.commit.as_ref().map_or(String::new(), |commit| format!(", commit {commit}"));
-        let runs = if setting.quick { "few runs a point" } else { "medians" };
+        let commit = setting.commit.as_ref().map_or(String::new(), |commit| tr!(", commit {commit}", commit));
+        let runs = if setting.quick { tr("few runs a point") } else { tr("medians") };
         let whose = if self.shown.kept {
-            "Came with the game: run “resultant chart” to measure here."
+            tr("Came with the game: run “resultant chart” to measure here.")
         } else {
-            "From the last run of “resultant chart” here."
+            tr("From the last run of “resultant chart” here.")
         };
-        format!("Measured on {}{commit}, {} build, {runs}. {whose}", setting.machine, setting.profile)
+        tr!(
+            "Measured on {machine}{commit}, {profile} build, {runs}. {whose}",
+            machine = setting.machine,
+            commit,
+            profile = setting.profile,
+            runs,
+            whose
+        )
     }
 }

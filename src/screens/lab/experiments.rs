@@ -6,6 +6,7 @@ use crate::draw::{Canvas, Colour, Style};
 use crate::screens::{Key, Request};
 use crate::ui::{Touch, Ui, WidgetKind};
 use crate::view::{theme, widgets};
+use crate::words::tr;
 
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Experiment {
@@ -58,7 +59,7 @@ impl ExperimentsPage {
         let panel = Area::new(body.min.x + left, body.min.y, body.size.x - left, body.size.y);
         ui.panel(panel);
         let Some(chosen) = self.experiments.get(self.chosen) else {
-            let words = self.problem.as_deref().unwrap_or("There are no experiments here.");
+            let words = self.problem.as_deref().unwrap_or(tr("There are no experiments here."));
             widgets::fitted(ui.canvas(), words, panel.centre(), panel.size.x - 2.0 * PADDING, &[TEXT], theme::quiet());
             return None;
         };
@@ -94,14 +95,14 @@ impl ExperimentsPage {
 
 fn draw_description(canvas: &Canvas, panel: Area, (chosen, answered): (&Experiment, bool)) {
     let mut pen = Pen { canvas, at: panel.min + 1.5 * PADDING, width: panel.size.x - 3.0 * PADDING };
-    pen.write(&chosen.title, BUTTON_TEXT, theme::accent());
-    pen.write(&chosen.question, BUTTON_TEXT, theme::text());
-    pen.write("Numbers to vary, in the editor or in the files", TEXT, theme::quiet());
-    pen.write(&chosen.vary, TEXT, theme::text());
-    pen.write("Exactly", TEXT, theme::quiet());
-    let (words, colour) = if answered { (chosen.answer.as_str(), theme::good()) } else { ("Make a guess first.", theme::quiet()) };
+    pen.write(tr(&chosen.title), BUTTON_TEXT, theme::accent());
+    pen.write(tr(&chosen.question), BUTTON_TEXT, theme::text());
+    pen.write(tr("Numbers to vary, in the editor or in the files"), TEXT, theme::quiet());
+    pen.write(tr(&chosen.vary), TEXT, theme::text());
+    pen.write(tr("Exactly"), TEXT, theme::quiet());
+    let (words, colour) = if answered { (tr(&chosen.answer), theme::good()) } else { (tr("Make a guess first."), theme::quiet()) };
     pen.write(words, BUTTON_TEXT, colour);
-    pen.write(&format!("A page to print: docs/sheets/{}.html", chosen.folder), TEXT, theme::quiet());
+    pen.write(&tr!("A page to print: docs/sheets/{folder}.html", folder = chosen.folder), TEXT, theme::quiet());
 }
 
 struct Pen<'a> {

@@ -9,6 +9,7 @@ use crate::screens::{Key, Request};
 use crate::ui::Ui;
 use crate::view::plane::{self, Plane};
 use crate::view::{theme, widgets};
+use crate::words::tr;
 
 #[derive(Debug, Default)]
 pub struct StabilityPage {
@@ -31,12 +32,12 @@ impl StabilityPage {
         let plane = Plane::of(panel(body));
         let (middle, widest) = (plane.panel.centre().x, plane.panel.size.x);
         let at = |y: f32| Vec2::new(middle, y);
-        widgets::fitted(ui.canvas(), TITLE, at(plane.panel.min.y - 20.0), widest, &[BUTTON_TEXT, TEXT], theme::text());
+        widgets::fitted(ui.canvas(), tr(TITLE), at(plane.panel.min.y - 20.0), widest, &[BUTTON_TEXT, TEXT], theme::text());
         let lines = self.regions.iter().enumerate().map(|(line, region)| (region.name, plane.legend(line + 1)));
         let picked = self.legend.show(ui, lines);
         plane::draw(ui.canvas(), &plane, &self.regions, picked);
         for (words, down) in plane::WORDS.iter().zip([18.0, 42.0]) {
-            widgets::fitted(ui.canvas(), words, at(plane.panel.max().y + down), widest, &[TEXT, DETAILS], theme::text());
+            widgets::fitted(ui.canvas(), tr(words), at(plane.panel.max().y + down), widest, &[TEXT, DETAILS], theme::text());
         }
         (tool == Some("Back")).then_some(Request::Menu)
     }

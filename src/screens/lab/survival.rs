@@ -10,6 +10,7 @@ use crate::screens::Request;
 use crate::screens::scroll::bar_beside;
 use crate::ui::{Turning, Ui};
 use crate::view::{picture, theme, widgets};
+use crate::words::tr;
 use std::collections::HashMap;
 
 const ROW: f32 = 40.0;
@@ -57,14 +58,14 @@ impl SurvivalPage {
         let (table, large) = panels(body);
         let quiet = Style::new(TEXT, theme::quiet()).middle().centred();
         let words =
-            "The largest value that each method survives (≥: all that was tried, 0: nothing), and how it fails just beyond.";
+            tr("The largest value that each method survives (≥: all that was tried, 0: nothing), and how it fails just beyond.");
         ui.text(words, Vec2::new(body.centre().x, table.min.y - 20.0), quiet);
         ui.panel(table);
         let (page, rows) = (page(table), table.min.y + INSIDE);
         let track = bar_beside(table, rows, rows + page as f32 * ROW);
         let range = ui.scroll("stress tests", (self.lines.len(), page), track, Turning::Lines);
         if self.lines.is_empty() {
-            ui.text("There are no stress tests to show.", table.centre(), quiet);
+            ui.text(tr("There are no stress tests to show."), table.centre(), quiet);
             return request;
         }
         let is_method = |line: &usize| matches!(self.lines[*line], SurvivalLine::Method(_));
@@ -76,7 +77,7 @@ impl SurvivalPage {
         for (place, index) in range.enumerate() {
             let line = line_of(table, place);
             match &self.lines[index] {
-                SurvivalLine::Test(test, parameter) => draw_test(ui.canvas(), line, (test, parameter), place > 0),
+                SurvivalLine::Test(test, parameter) => draw_test(ui.canvas(), line, (tr(test), tr(parameter)), place > 0),
                 SurvivalLine::Method(row) => self.draw_method(ui.canvas(), line, (index, row), chosen == Some(index)),
             }
         }
@@ -110,7 +111,7 @@ impl SurvivalPage {
         }
         let name = Style::new(TEXT, if row.shipped { theme::accent() } else { theme::quiet() }).middle();
         let widest = right - PICTURE.0 - left - COLUMNS[1] - 8.0;
-        canvas.text(&widgets::cut(canvas, &row.method, widest, name), Vec2::new(left + COLUMNS[1], y), name);
+        canvas.text(&widgets::cut(canvas, tr(&row.method), widest, name), Vec2::new(left + COLUMNS[1], y), name);
         if let Some(drawn) = self.picture(index) {
             let area = Area::new(right - PICTURE.0, line.min.y + 3.0, PICTURE.1, ROW - 6.0);
             picture::small(canvas, area, drawn, line_colour(row));
@@ -122,21 +123,21 @@ impl SurvivalPage {
     fn draw_large(&self, canvas: &Canvas, panel: Area, (index, row): (usize, &Survival)) {
         let (middle, widest) = (panel.centre().x, panel.size.x - 2.0 * PADDING);
         let name = if row.shipped { theme::accent() } else { theme::text() };
-        widgets::fitted(canvas, &row.method, Vec2::new(middle, panel.min.y + 28.0), widest, &[BUTTON_TEXT, TEXT], name);
-        widgets::fitted(canvas, &row.test, Vec2::new(middle, panel.min.y + 58.0), widest, &[TEXT, DETAILS], theme::quiet());
+        widgets::fitted(canvas, tr(&row.method), Vec2::new(middle, panel.min.y + 28.0), widest, &[BUTTON_TEXT, TEXT], name);
+        widgets::fitted(canvas, tr(&row.test), Vec2::new(middle, panel.min.y + 58.0), widest, &[TEXT, DETAILS], theme::quiet());
         let stage = Area::new(panel.min.x + PADDING, panel.min.y + HEAD, widest, panel.size.y - HEAD - FOOT);
         let Some(drawn) = self.picture(index) else {
-            let words = if row.shipped { "It refuses all of them." } else { "There is no picture of this." };
+            let words = if row.shipped { tr("It refuses all of them.") } else { tr("There is no picture of this.") };
             return canvas.text(words, stage.centre(), Style::new(TEXT, theme::quiet()).middle().centred());
         };
         picture::large(canvas, stage, drawn, line_colour(row));
         let survives = row.largest >= row.tried;
-        let (words, colour) = if survives { ("It still holds at", theme::good()) } else { ("It fails at", theme::bad()) };
+        let (words, colour) = if survives { (tr("It still holds at"), theme::good()) } else { (tr("It fails at"), theme::bad()) };
         let words = format!("{words} {}", number(drawn.value));
         let foot = stage.max().y;
         widgets::fitted(canvas, &words, Vec2::new(middle, foot + 24.0), widest, &[TEXT], colour);
-        widgets::fitted(canvas, &row.parameter, Vec2::new(middle, foot + 48.0), widest, &[TEXT, DETAILS], theme::quiet());
-        let legend = "green: exact, and within the tolerance";
+        widgets::fitted(canvas, tr(&row.parameter), Vec2::new(middle, foot + 48.0), widest, &[TEXT, DETAILS], theme::quiet());
+        let legend = tr("green: exact, and within the tolerance");
         widgets::fitted(canvas, legend, Vec2::new(middle, foot + 72.0), widest, &[TEXT, DETAILS], theme::good());
     }
 }

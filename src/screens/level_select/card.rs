@@ -7,6 +7,7 @@ use crate::number::clock;
 use crate::ui::Touch;
 use crate::view::terrain::Tint;
 use crate::view::{medals, theme, widgets};
+use crate::words::tr;
 
 /// From a card's edge to what is on it.
 const INSIDE: f32 = 12.0;
@@ -33,17 +34,17 @@ pub(super) fn draw(canvas: &Canvas, area: Area, entry: &LevelEntry, touch: Touch
                 &[HEADING, BUTTON_TEXT, TEXT, DETAILS],
                 theme::quiet(),
             );
-            fitted("loading …", 0.9, &[TEXT, DETAILS], theme::quiet());
+            fitted(tr("loading …"), 0.9, &[TEXT, DETAILS], theme::quiet());
         }
         Some(Ok((title, miniature))) => {
             miniature.draw(&Tint::of(miniature.landscape, &entry.name), canvas, picture);
-            let named = if *title == entry.name { title.clone() } else { format!("{} · {title}", entry.name) };
+            let named = if *title == entry.name { title.clone() } else { format!("{} · {}", entry.name, tr(title)) };
             let sizes: &[f32] = if area.size.x > 400.0 { &[BUTTON_TEXT, TEXT, DETAILS] } else { &[TEXT, DETAILS] };
             fitted(&named, 0.9, sizes, theme::text());
             match entry.medals.medal {
                 Some(_) => {
                     let (style, at) = (Style::new(TEXT, theme::text()).mono().middle(), middle(1.95));
-                    let time = entry.best.map_or("with help".to_owned(), clock);
+                    let time = entry.best.map_or(tr("with help").to_owned(), clock);
                     let width = canvas.width(&time, style);
                     // The medals go before the time, and all of it stands in the middle.
                     let room = 28.0 * medals::offered(&entry.awards) as f32;
@@ -51,13 +52,13 @@ pub(super) fn draw(canvas: &Canvas, area: Area, entry: &LevelEntry, touch: Touch
                     canvas.text(&time, Vec2::new(left + room + 2.0, at.y), style);
                     medals::draw_earned(canvas, entry.medals, &entry.awards, Vec2::new(left + 11.0, at.y), 11.0);
                 }
-                None => fitted("not done yet", 1.95, &[TEXT, DETAILS], theme::quiet()),
+                None => fitted(tr("not done yet"), 1.95, &[TEXT, DETAILS], theme::quiet()),
             }
         }
         Some(Err(_)) => {
             let sign = picture.centre();
             widgets::fitted(canvas, &entry.name, sign, picture.size.x, &[HEADING, BUTTON_TEXT, TEXT, DETAILS], theme::quiet());
-            fitted("does not load", 0.9, &[TEXT, DETAILS], theme::bad());
+            fitted(tr("does not load"), 0.9, &[TEXT, DETAILS], theme::bad());
             let corner = Vec2::new(area.max().x - 18.0, area.min.y + 22.0);
             canvas.rounded(Area::around(corner, Vec2::new(4.0, 12.0)), 2.0, theme::bad());
             canvas.disc(corner + Vec2::new(0.0, 11.0), 2.5, theme::bad());

@@ -8,6 +8,7 @@ use crate::game::{Medal, Prize};
 use crate::level::Landscape;
 use crate::view::sky::WorldPalette;
 use crate::view::{medals, theme};
+use crate::words::tr;
 use std::ops::Range;
 
 /// Levels a page without worlds.
@@ -58,7 +59,8 @@ pub(super) fn places(page: &[Range<usize>], has_worlds: bool, frame: &Frame) -> 
 /// A world's name in its colour, and the sums of its medals.
 pub(super) fn draw_heading(canvas: &Canvas, area: Area, levels: &[&LevelEntry]) {
     let Some(world) = levels.first().map(|level| level.world) else { return };
-    let (title, colour) = world.map_or(("Your levels", theme::quiet()), |world| (world.title(), WorldPalette::of(world).ink));
+    let (title, colour) =
+        world.map_or((tr("Your levels"), theme::quiet()), |world| (tr(world.title()), WorldPalette::of(world).ink));
     let middle = area.centre().y;
     canvas.text(title, Vec2::new(area.min.x, middle), Style::new(BUTTON_TEXT, colour).middle());
     let mut right = area.max().x;

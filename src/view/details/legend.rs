@@ -7,6 +7,7 @@ use crate::game::Game;
 use crate::view::boxes::{self, BoxWish};
 use crate::view::quantity::scalar;
 use crate::view::scale::ArrowScale;
+use crate::words::tr;
 
 /// The longest line of the legend, characters: longer ones are wrapped and leave room for the boxes.
 const LEGEND_WIDTH: usize = 46;
@@ -51,26 +52,28 @@ impl Details {
         let has = |impact: bool| self.arranged.arrows.iter().any(|arrow| impact == arrow.shown.is_impact());
         let mut lines = Vec::new();
         if has(false) {
-            lines.push(format!("Arrows: 1 square = {}", scalar(scale.newtons, "N")));
+            lines.push(tr!("Arrows: 1 square = {force}", force = scalar(scale.newtons, "N")));
         }
         if has(true) {
-            lines.push(format!("Impacts: 1 square = {}", scalar(scale.newton_seconds, "N·s")));
+            lines.push(tr!("Impacts: 1 square = {impulse}", impulse = scalar(scale.newton_seconds, "N·s")));
         }
         if self.arranged.arrows.iter().any(|arrow| !arrow.to_scale) {
-            lines.push("Marked //: not to scale".to_owned());
+            lines.push(tr("Marked //: not to scale").to_owned());
         }
         // The boxes are those of the frame before: their places depend on the legend's.
-        for (count, what, how) in [(self.left_out, "object", "without a box"), (self.arranged.left_out, "arrow", "without room")] {
-            if count > 0 {
-                lines.push(format!("{count} more {what}{} {how}", if count > 1 { "s" } else { "" }));
-            }
+        let left_out = [
+            (self.left_out, ["1 more object without a box", "{count} more objects without a box"]),
+            (self.arranged.left_out, ["1 more arrow without room", "{count} more arrows without room"]),
+        ];
+        for (count, [one, more]) in left_out.into_iter().filter(|(count, _)| *count > 0) {
+            lines.push(if count == 1 { tr(one).to_owned() } else { tr!(more, count) });
         }
         if model {
-            lines.push("Model at work:".to_owned());
+            lines.push(tr("Model at work:").to_owned());
             let parts = game.world().plan().parts().into_iter();
-            lines.extend(parts.flat_map(|part| wrapped(&format!("· {part}"), LEGEND_WIDTH, LEGEND_INDENT)));
+            lines.extend(parts.flat_map(|part| wrapped(&format!("· {}", tr(part)), LEGEND_WIDTH, LEGEND_INDENT)));
         } else {
-            lines.push("Point here: the model".to_owned());
+            lines.push(tr("Point here: the model").to_owned());
         }
         lines
     }

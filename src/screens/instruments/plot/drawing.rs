@@ -13,6 +13,7 @@ use crate::lab::linear::Linear;
 use crate::lab::look::CurveLook;
 use crate::view::diagram::{marker, stroke};
 use crate::view::{quantity, theme, widgets};
+use crate::words::tr;
 use std::ops::Range;
 
 /// The least distance of labels, in heights of the text: to the right and upwards.
@@ -81,7 +82,7 @@ impl Plot {
         let (words, colour) = match &self.message {
             Some((words, true)) => (words.as_str(), theme::bad()),
             Some((words, false)) => (words.as_str(), theme::good()),
-            None => (HINT, theme::quiet()),
+            None => (tr(HINT), theme::quiet()),
         };
         let style = Style::new(DETAILS, colour).middle();
         let at = Vec2::new(places.foot.min.x, places.foot.centre().y);
@@ -103,7 +104,7 @@ impl Plot {
             let y = area.max().y - line / 2.0 - 2.0;
             let style = Style::new(DETAILS, theme::text()).mono().middle();
             let column = area.size.x / reading.numbers.len() as f32;
-            for (j, ((number, unit), what)) in reading.numbers.into_iter().zip(["", "slope ", "area "]).enumerate() {
+            for (j, ((number, unit), what)) in reading.numbers.into_iter().zip(["", tr("slope "), tr("area ")]).enumerate() {
                 let x = area.min.x + 4.0 + j as f32 * column;
                 let words = number.map_or_else(|| "–".to_owned(), |number| quantity::scalar(number, &unit.name()));
                 canvas.text(what, Vec2::new(x, y), Style { colour: theme::quiet(), ..style });
@@ -140,7 +141,7 @@ impl Plot {
             }
         }
         if chart.lanes.is_empty() {
-            canvas.text("Nothing is plotted: + Curve.", places.plot.centre(), quiet.centred());
+            canvas.text(tr("Nothing is plotted: + Curve."), places.plot.centre(), quiet.centred());
         }
     }
 

@@ -21,6 +21,7 @@ use crate::physics::{BodyId, DVec2};
 use crate::screens::ahead::Ahead;
 use crate::screens::{Input, NewFile};
 use crate::ui::Ui;
+use crate::words::tr;
 use hand::Hand;
 use object::PlotObject;
 use panel::{Format, Pick};
@@ -172,7 +173,7 @@ impl Plot {
     /// The outcome of the export.
     pub fn report_export(&mut self, outcome: Result<PathBuf, String>) {
         self.message = Some(match outcome {
-            Ok(path) => (format!("Written: {}", path.display()), false),
+            Ok(path) => (tr!("Written: {path}", path = path.display()), false),
             Err(problem) => (problem, true),
         });
     }
@@ -286,6 +287,6 @@ impl Plot {
     }
 
     fn name(&self, whose: usize) -> &str {
-        self.names[whose].as_deref().unwrap_or("nobody")
+        self.names[whose].as_deref().unwrap_or(tr("nobody"))
     }
 }

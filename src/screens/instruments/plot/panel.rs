@@ -10,6 +10,7 @@ use crate::instruments::quantity::Quantity;
 use crate::instruments::track::BodyTrack;
 use crate::ui::{Ui, WidgetKind};
 use crate::view::theme;
+use crate::words::tr;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Action {
@@ -33,7 +34,7 @@ pub(super) enum Action {
 
 impl Action {
     /// The words of its tooltip, where its button does not say enough.
-    const fn tip(self) -> Option<&'static str> {
+    fn tip(self) -> Option<&'static str> {
         match self {
             Self::Keep(_) => Some("Plots this object, whichever is followed; once more: the followed one"),
             Self::Whose(_) => Some("Plots the other object"),
@@ -74,7 +75,7 @@ impl Plot {
             let button = |words: &str, action| (format!("{name}: {words}"), words.to_owned(), action);
             let buttons = [
                 button(&line.up.symbol(), Action::What(i)),
-                button(["1st", "2nd"][line.whose], Action::Whose(i)),
+                button(tr(["1st", "2nd"][line.whose]), Action::Whose(i)),
                 button("×", Action::Remove(i)),
             ];
             pressed = row(ui, &buttons, places.line(i, &words(&buttons))).or(pressed);
@@ -86,16 +87,16 @@ impl Plot {
         let mut head = Vec::new();
         let mut add = |words: String, action| head.push((words.clone(), words, action));
         if self.lines.len() < MOST_LINES {
-            add("+ Curve".to_owned(), Action::Add);
+            add(tr("+ Curve").to_owned(), Action::Add);
         }
-        add(format!("Across: {}", self.across.symbol()), Action::Across);
-        for (whose, rank) in ["1st", "2nd"].into_iter().enumerate() {
-            let kept = if self.objects[whose].kept.is_some() { ", kept" } else { "" };
+        add(tr!("Across: {quantity}", quantity = self.across.symbol()), Action::Across);
+        for (whose, rank) in [tr("1st"), tr("2nd")].into_iter().enumerate() {
+            let kept = if self.objects[whose].kept.is_some() { tr(", kept") } else { "" };
             add(format!("{rank}: {}{kept}", self.name(whose)), Action::Keep(whose));
         }
-        add(if self.large { "Smaller" } else { "Larger" }.to_owned(), Action::Larger);
+        add(tr(if self.large { "Smaller" } else { "Larger" }).to_owned(), Action::Larger);
         if self.window.is_some() {
-            add("Whole flight".to_owned(), Action::Whole);
+            add(tr("Whole flight").to_owned(), Action::Whole);
         }
         add("CSV".to_owned(), Action::Export(Format::Csv));
         add("SVG".to_owned(), Action::Export(Format::Svg));

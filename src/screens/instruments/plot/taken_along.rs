@@ -7,6 +7,7 @@ use crate::game::Game;
 use crate::instruments::export::{self, Exported};
 use crate::screens::NewFile;
 use crate::view::paper;
+use crate::words::tr;
 
 impl Plot {
     pub(super) fn make_file(&mut self, format: Format, game: &Game) {
@@ -15,7 +16,7 @@ impl Plot {
             .map(|(number, line, track)| Exported { body: self.name(line.whose), curve: &line.now, track, number })
             .collect();
         if curves.is_empty() {
-            self.message = Some(("There is no curve to be exported.".to_owned(), true));
+            self.message = Some((tr("There is no curve to be exported.").to_owned(), true));
             return;
         }
         let (text, ending) = match format {
@@ -23,6 +24,6 @@ impl Plot {
             Format::Svg => (paper::curves(&game.level().title, &export::sheet(self.window(), &curves)), ".svg"),
         };
         let stem = export::stem(&self.level, &curves);
-        self.export = Some(NewFile { stem, ending, text, what: "the curves", same_up_to: INPUTS });
+        self.export = Some(NewFile { stem, ending, text, what: tr("the curves"), same_up_to: INPUTS });
     }
 }

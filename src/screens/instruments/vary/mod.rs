@@ -13,6 +13,7 @@ use crate::physics::BodyId;
 use crate::ui::{EntryEvent, EntryField, SliderMove, SliderShown, Ui, WidgetKind};
 use crate::view::quantity::scalar;
 use crate::view::{theme, widgets};
+use crate::words::tr;
 use layout::Layout;
 
 /// The label of the field for the name of a level to save.
@@ -176,7 +177,7 @@ impl Vary {
                 }
             }
             EntryEvent::Taken(label, text) => match line(&label).map(|line| (line, line.parameter.parse(&text))) {
-                Some((_, Err(expected))) => self.tell(format!("Expected {expected}."), true),
+                Some((_, Err(expected))) => self.tell(tr!("Expected {expected}.", expected), true),
                 Some((line, Ok(value))) => {
                     self.entry.close();
                     self.ask(line, value, varied, false);
@@ -193,9 +194,9 @@ impl Vary {
         let heading = self.layout.heading();
         let at = |x: f32| Vec2::new(x, heading.centre().y);
         let style = Style::new(DETAILS, theme::accent()).middle();
-        ui.text(&format!("What if: {} and level", self.title), at(heading.min.x), style);
+        ui.text(&tr!("What if: {body} and level", body = self.title), at(heading.min.x), style);
         let hint = Style { colour: theme::quiet(), ..style };
-        ui.text("Tab, N: another object", at(heading.max().x), hint.right());
+        ui.text(tr("Tab, N: another object"), at(heading.max().x), hint.right());
     }
 
     fn show_line(&mut self, ui: &mut Ui<'_>, index: usize, varied: &Varied) {
@@ -203,10 +204,11 @@ impl Vary {
         let [name, slider, number, reset] = self.layout.cells(index);
         let colour = if line.open { theme::text() } else { theme::quiet() };
         let style = Style::new(DETAILS, if line.is_varied() { theme::accent() } else { colour }).middle();
-        let words = widgets::cut(ui.canvas(), line.parameter.name(), name.size.x, style);
+        let whole = tr(line.parameter.name());
+        let words = widgets::cut(ui.canvas(), whole, name.size.x, style);
         ui.text(&words, Vec2::new(name.min.x, name.centre().y), style);
-        if words != line.parameter.name() {
-            ui.tip(name, line.parameter.name());
+        if words != whole {
+            ui.tip(name, whole);
         }
         let track = SliderTrack::of(line.parameter, line.usual);
         let knob = if line.is_varied() { theme::accent() } else { theme::text() };
@@ -269,7 +271,7 @@ impl Vary {
             let style = Style::new(DETAILS, theme::quiet()).middle().right();
             ui.entry(NAME, field, ("", style), &mut self.entry);
             if self.entry.text().is_some_and(|text| text.is_empty()) {
-                ui.text("its name, or Enter for any", Vec2::new(field.max().x - INSIDE, field.centre().y), style);
+                ui.text(tr("its name, or Enter for any"), Vec2::new(field.max().x - INSIDE, field.centre().y), style);
             }
             return;
         }
@@ -277,11 +279,11 @@ impl Vary {
         let (words, colour) = match (&self.message, self.progress) {
             (Some((words, bad)), _) => (words.as_str(), if *bad { theme::bad() } else { theme::good() }),
             (None, Some(progress)) => {
-                flown_again = format!("Flown again: {:.0} %", 100.0 * progress);
+                flown_again = tr!("Flown again: {percent} %", percent = format_args!("{:.0}", 100.0 * progress));
                 (flown_again.as_str(), theme::accent())
             }
-            (None, None) if self.is_typing() => ("Enter takes it, Esc gives it up, ↑ ↓ step", theme::quiet()),
-            (None, None) => ("Drag, turn the wheel, or click a number to type", theme::quiet()),
+            (None, None) if self.is_typing() => (tr("Enter takes it, Esc gives it up, ↑ ↓ step"), theme::quiet()),
+            (None, None) => (tr("Drag, turn the wheel, or click a number to type"), theme::quiet()),
         };
         widgets::fitted(ui.canvas(), words, field.centre(), field.size.x, &[DETAILS], colour);
         ui.tip(field, words);
@@ -295,7 +297,7 @@ fn button(ui: &mut Ui<'_>, label: &str, area: Area, (open, chosen): (bool, bool)
     let edge = if chosen { theme::accent() } else { theme::panel_edge() };
     widgets::panel_in(ui.canvas(), area, fill, edge);
     let colour = if open { theme::text() } else { theme::quiet() };
-    widgets::fitted(ui.canvas(), label, area.centre(), area.size.x - 2.0 * INSIDE, &[DETAILS], colour);
+    widgets::fitted(ui.canvas(), tr(label), area.centre(), area.size.x - 2.0 * INSIDE, &[DETAILS], colour);
     touch.pressed
 }
 

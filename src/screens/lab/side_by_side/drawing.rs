@@ -5,6 +5,7 @@ use crate::lab::TOLERANCE;
 use crate::lab::axes::{Decades, LEAST_ERROR, number, power};
 use crate::physics::{Aabb, DVec2};
 use crate::view::{theme, widgets};
+use crate::words::tr;
 
 /// Height of the line at a half's foot: its error.
 const FOOT: f32 = 40.0;
@@ -34,12 +35,12 @@ impl SideBySide {
         let quiet = Style::new(TEXT, theme::quiet()).middle();
         let ghost = Area::around(Vec2::new(row.min.x + 8.0, row.centre().y), Vec2::splat(16.0));
         canvas.rounded_edge(ghost, 0.0, 2.0, theme::good());
-        let words = "the exact answer   above: the errors so far, green: a tenth of a pixel";
+        let words = tr("the exact answer   above: the errors so far, green: a tenth of a pixel");
         canvas.text(words, Vec2::new(ghost.max().x + 10.0, row.centre().y), quiet);
         let speed = self.exhibit().speed;
-        let pace = if speed < 1.0 { format!("   {} times slower", number(1.0 / speed)) } else { String::new() };
-        let end = if self.is_over() { "   the end" } else { "" };
-        let words = format!("time {:6.3} s{pace}{end}", self.time());
+        let pace = if speed < 1.0 { tr!("   {speed} times slower", speed = number(1.0 / speed)) } else { String::new() };
+        let end = if self.is_over() { tr("   the end") } else { "" };
+        let words = tr!("time {time} s{pace}{end}", time = format_args!("{:6.3}", self.time()), pace, end);
         canvas.text(&words, Vec2::new(row.max().x, row.centre().y), quiet.mono().right());
     }
 
@@ -71,7 +72,7 @@ impl SideBySide {
     fn draw_half(&self, canvas: &Canvas, half: &Half<'_>, panel: Area, colour: Colour) {
         widgets::panel(canvas, panel);
         let name = Vec2::new(panel.centre().x, panel.min.y - super::HEAD + super::CHOICE.y / 2.0);
-        widgets::fitted(canvas, half.method, name, panel.size.x - 2.0 * super::CHOICE.x - 32.0, &[BUTTON_TEXT, TEXT], colour);
+        widgets::fitted(canvas, tr(half.method), name, panel.size.x - 2.0 * super::CHOICE.x - 32.0, &[BUTTON_TEXT, TEXT], colour);
         let stage = Area { min: panel.min, size: panel.size - Vec2::new(0.0, FOOT) };
         let place = Placing::new(&self.exhibit().view, stage.inset(8.0));
         for solid in &self.exhibit().solid {
@@ -97,7 +98,7 @@ impl SideBySide {
             theme::panel_edge(),
         );
         let y = stage.max().y + FOOT / 2.0;
-        canvas.text("error", Vec2::new(panel.centre().x - 96.0, y), Style::new(TEXT, theme::quiet()).middle());
+        canvas.text(tr("error"), Vec2::new(panel.centre().x - 96.0, y), Style::new(TEXT, theme::quiet()).middle());
         let seen = if half.error <= TOLERANCE { theme::good() } else { theme::bad() };
         let number = Vec2::new(panel.centre().x + 96.0, y);
         canvas.text(&metres(half.error), number, Style::new(TEXT, seen).mono().middle().right());

@@ -12,6 +12,7 @@ use crate::physics::{Aabb, DVec2};
 use crate::screens::{Key, Request};
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
+use crate::words::tr;
 use std::collections::VecDeque;
 
 /// s. The most of a hitch that counts.
@@ -144,7 +145,7 @@ impl SideBySide {
 
     fn show_tools(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         let pause = if self.paused { "Go on" } else { "Pause" };
-        let step = format!("Step {}", axes::step(self.step()));
+        let step = tr!("Step {step}", step = axes::step(self.step()));
         let tools = [
             BACK,
             ("Restart", Key::R, "R"),
@@ -176,7 +177,7 @@ impl SideBySide {
             let area = Area { min: Vec2::new(x, panel.min.y - HEAD), size: CHOICE };
             let touch = ui.touch(label, area, WidgetKind::Tool);
             widgets::button_box(ui.canvas(), area, touch.hover, false);
-            ui.tip(area, label);
+            ui.tip(area, tr(label));
             // The arrow points outwards.
             let outwards = if arrow == "‹" { -12.0 } else { 12.0 };
             let (at, key_at) = (Vec2::new(outwards, 0.0), Vec2::new(-outwards, 0.0));
