@@ -4,6 +4,7 @@
 use super::unit::Unit;
 use crate::game::Game;
 use crate::physics::{BodyId, DVec2, ForceKind};
+use crate::words::tr;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VectorPart {
@@ -189,7 +190,7 @@ impl Quantity {
     /// For the screen: `t`, `v_y`, `|a|`, `Weight_y`.
     pub fn symbol(self) -> String {
         match self {
-            Self::Force(kind, part) => part.written(kind.shown()),
+            Self::Force(kind, part) => part.written(tr(kind.shown())),
             other => other.stem(),
         }
     }

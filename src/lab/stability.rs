@@ -14,6 +14,7 @@ use super::scenes::flight::LIGHT;
 use super::scenes::oscillator;
 use super::stress::{G, TICK, largest_to};
 use crate::physics::DVec2;
+use crate::words::tr;
 use std::collections::HashMap;
 
 /// The window: real parts, and imaginary parts. The plane below the real axis mirrors it.
@@ -110,8 +111,8 @@ pub fn examples() -> [(&'static str, Complex); 2] {
 /// For people.
 pub fn limit(value: f64) -> String {
     match value {
-        0.0 => "none".to_owned(),
-        FAR.. => "any".to_owned(),
+        0.0 => tr("none").to_owned(),
+        FAR.. => tr("any").to_owned(),
         _ => format!("{value:.2}"),
     }
 }

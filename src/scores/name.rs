@@ -1,3 +1,4 @@
+use crate::words::tr;
 use serde::Serialize;
 use std::fmt;
 
@@ -66,11 +67,16 @@ impl fmt::Display for Name {
 impl fmt::Display for NameError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Empty => write!(f, "The name is empty: type 1 to {NAME_MAX} characters."),
-            Self::TooLong(length) => write!(f, "The name is too long: {length} characters, at most {NAME_MAX} are allowed."),
-            Self::StartsWith(first) => write!(f, "The name must start with a letter (a–z, A–Z), not with {}.", shown(*first)),
+            Self::Empty => f.write_str(&tr!("The name is empty: type 1 to {most} characters.", most = NAME_MAX)),
+            Self::TooLong(length) => {
+                f.write_str(&tr!("The name is too long: {length} characters, at most {most} are allowed.", length, most = NAME_MAX))
+            }
+            Self::StartsWith(first) => {
+                f.write_str(&tr!("The name must start with a letter (a–z, A–Z), not with {first}.", first = shown(*first)))
+            }
             Self::NotAllowed(other) => {
-                write!(f, "The character {} is not allowed: use letters (a–z, A–Z), digits, - and _.", shown(*other))
+                let other = shown(*other);
+                f.write_str(&tr!("The character {other} is not allowed: use letters (a–z, A–Z), digits, - and _.", other))
             }
         }
     }
@@ -79,7 +85,7 @@ impl fmt::Display for NameError {
 /// A character in quotation marks, or its number where it is invisible.
 fn shown(character: char) -> String {
     match character {
-        ' ' => "a space".to_owned(),
+        ' ' => tr("a space").to_owned(),
         _ if character.is_control() || character.is_whitespace() => format!("U+{:04X}", u32::from(character)),
         _ => format!("“{character}”"),
     }

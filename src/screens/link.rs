@@ -7,6 +7,7 @@ use crate::files;
 use crate::game::body_title;
 use crate::level::judge_name;
 use crate::physics::BodyId;
+use crate::words::tr;
 
 /// A link with more characters is none of this game's.
 const LONGEST: usize = 500;
@@ -94,7 +95,7 @@ impl App {
     pub fn follow_link(&mut self, text: &str, spectator: &mut dyn Spectator) {
         if let Err(problem) = PageLink::parse(text).and_then(|link| self.open_link(link, spectator)) {
             let mut screen = self.level_select(Purpose::Play);
-            screen.show("This link cannot be followed".to_owned(), vec![problem]);
+            screen.show(tr("This link cannot be followed").to_owned(), vec![problem]);
             self.show(Box::new(screen));
         }
     }

@@ -74,7 +74,7 @@ impl App {
 
     fn watch(&self, visit: Visit, candidate: &FlightCandidate, spectator: &mut dyn Spectator) -> Result<Box<dyn Screen>, String> {
         let level = self.level_of(&visit, candidate)?;
-        let title = format!("{} · {}", level.title, candidate.name);
+        let title = format!("{} · {}", tr(&level.title), candidate.name);
         let reel = match (&candidate.source, &visit.flown) {
             (FlightSource::Flown, Some(flown)) => Reel::flown(flown.history.clone()),
             _ => {
@@ -132,7 +132,7 @@ impl App {
                 here = visit.level
             ));
         }
-        let name = replay.player.clone().unwrap_or_else(|| "Somebody".to_owned());
+        let name = replay.player.clone().unwrap_or_else(|| tr("Somebody").to_owned());
         let about = tr("by its code, proven").to_owned();
         let (score, time) = (Some(replay.score), replay.time);
         let candidate = FlightCandidate { name, about, score, time, source: FlightSource::Code(code) };

@@ -76,7 +76,7 @@ impl ExperimentsPage {
             let area = Area::new(body.min.x, body.min.y + i as f32 * pitch, body.size.x * LIST, pitch - APART);
             let Touch { hover, focus, pressed } = ui.touch(&experiment.title, area, WidgetKind::Button);
             widgets::button_box(ui.canvas(), area, hover, focus);
-            let words = format!("{:>2}  {}", i + 1, experiment.title);
+            let words = format!("{:>2}  {}", i + 1, tr(&experiment.title));
             let style = Style::new(TEXT, theme::text()).middle();
             let words = widgets::cut(ui.canvas(), &words, area.size.x - 2.0 * PADDING, style);
             ui.text(&words, Vec2::new(area.min.x + PADDING, area.centre().y), style);

@@ -5,6 +5,7 @@ use crate::level::{Awards, Landscape};
 use crate::screens::Miniature;
 use crate::screens::folder_watch::Stamp;
 use crate::screens::library::Refusal;
+use crate::words::tr;
 
 /// What a level is chosen for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +57,6 @@ impl LevelEntry {
     /// Whether its name or title has these letters in it, which are small.
     pub(super) fn has(&self, letters: &str) -> bool {
         let has = |text: &str| text.to_lowercase().contains(letters);
-        has(&self.name) || self.title.as_deref().is_some_and(has)
+        has(&self.name) || self.title.as_deref().is_some_and(|title| has(title) || has(tr(title)))
     }
 }

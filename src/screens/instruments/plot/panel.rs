@@ -113,7 +113,7 @@ impl Plot {
         let mut chosen = None;
         for ((name, quantities), cells) in blocks.iter().flatten().zip(cells.iter().flatten()) {
             let at = Vec2::new(cells[0].min.x, cells[0].centre().y);
-            ui.text(name, at, Style::new(DETAILS, theme::quiet()).middle());
+            ui.text(tr(name), at, Style::new(DETAILS, theme::quiet()).middle());
             let button = |quantity: &Quantity| (quantity.symbol(), choices::label(*quantity), Action::Choose(*quantity));
             let buttons: Vec<PlotButton> = quantities.iter().map(button).collect();
             chosen = row(ui, &buttons, cells[1..].to_vec()).or(chosen);

@@ -20,7 +20,7 @@ impl SideBySide {
     pub(super) fn draw(&self, canvas: &Canvas, body: Area) {
         let halves = panels(body);
         let title = Vec2::new(body.centre().x, body.min.y + 20.0);
-        canvas.text(self.exhibit().title, title, Style::new(BUTTON_TEXT, theme::text()).centred().middle());
+        canvas.text(tr(self.exhibit().title), title, Style::new(BUTTON_TEXT, theme::text()).centred().middle());
         for (i, (half, panel)) in self.halves().iter().zip(halves).enumerate() {
             self.draw_half(canvas, half, panel, colour_of(i));
         }
