@@ -23,6 +23,7 @@ use crate::game::{Game, SHIP};
 use crate::level::Text;
 use crate::physics::{Aabb, BodyId, DVec2, Source};
 use crate::view::hud::HudLayout;
+use crate::words::tr;
 
 /// Inside a box's edge, canvas units: above and below less than in a panel, for boxes can be many.
 const PADDING: Vec2 = Vec2::new(1.5 * GRID, 0.75 * GRID);
@@ -284,6 +285,6 @@ fn bounds(game: &Game, looking: &Looking, id: BodyId) -> Aabb {
 
 /// An estimate of the place of a level's words.
 fn words_area(text: &Text, view: &Viewport) -> Area {
-    let letters = text.text.chars().count() as f32;
+    let letters = tr(&text.text).chars().count() as f32;
     Area { min: view.point(text.position), size: Vec2::new(letters * WORDS_ADVANCE, 1.0) * view.length(text.size) }
 }

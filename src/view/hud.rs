@@ -85,7 +85,7 @@ impl Hud {
             taken.push(ship);
             let words = game.level().texts.iter().map(|text| {
                 let height = frame.text_height(crate::draw::layout::nearest_size(view.length(text.size)));
-                Area { min: view.point(text.position), size: text_room(&text.text, height) }
+                Area { min: view.point(text.position), size: text_room(tr(&text.text), height) }
             });
             let objects = (1..scene.centres.len()).map(|index| view.exact(&body(scene, index)));
             let clear: Vec<Area> =

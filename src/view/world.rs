@@ -9,6 +9,7 @@ use crate::draw::layout::{Area, nearest_size, text_room};
 use crate::draw::{Canvas, Colour, Style};
 use crate::level::{Level, Text};
 use crate::physics::{Aabb, DVec2};
+use crate::words::tr;
 
 /// Opacity of the graph paper over an author's picture.
 const PAPER_OVER_PICTURE: f32 = 0.45;
@@ -58,12 +59,13 @@ pub fn draw_texts(level: &Level, view: &Viewport, canvas: &Canvas) {
     for text in &level.texts {
         let size = nearest_size(view.length(text.size));
         let colour = text.colour.map_or_else(theme::text, Colour::of);
-        canvas.text(&text.text, view.point(text.position), Style::new(size, colour));
+        canvas.text(tr(&text.text), view.point(text.position), Style::new(size, colour));
     }
 }
 
 /// The areas of the words, m: at least the room that they need.
 pub fn text_areas(level: &Level) -> Vec<Aabb> {
-    let area = |text: &Text| Aabb::new(text.position, text.position + text_room(&text.text, text.size as f32).as_dvec2() * SNAPPED);
+    let area =
+        |text: &Text| Aabb::new(text.position, text.position + text_room(tr(&text.text), text.size as f32).as_dvec2() * SNAPPED);
     level.texts.iter().map(area).collect()
 }

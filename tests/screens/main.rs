@@ -7,6 +7,7 @@ mod flights;
 mod frames;
 mod instruments;
 mod lab;
+mod languages;
 mod lesson;
 mod levels;
 mod loading;

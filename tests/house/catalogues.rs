@@ -1,0 +1,197 @@
+//! The catalogues of the languages are complete: each text that the source or a shipped file shows stands in all of them, with the same
+//! places, and no row is of no use.
+
+use super::sources::{files, root};
+use resultant::level::schema::Kind;
+use resultant::physics::ForceKind;
+use resultant::settings::{Action, Item, Key};
+use resultant::words::{Language, rows};
+use std::collections::BTreeSet;
+use std::fs;
+
+/// Calls whose words are looked up.
+const CALLS: [&str; 8] = ["tr(", "tr!(", "page(", "button(", "buttons(", "row(", "column(", "choice("];
+
+/// The string literals of a source, without its tests: where each begins and ends, and its text.
+fn literals(source: &str) -> Vec<(usize, usize, String)> {
+    let bytes = source.as_bytes();
+    let (mut found, mut at) = (Vec::new(), 0);
+    while at < bytes.len() {
+        let rest = &source[at..];
+        if rest.starts_with("//") {
+            at += rest.find('\n').unwrap_or(rest.len());
+        } else if rest.starts_with("r\"") || rest.starts_with("r#\"") {
+            let end = if rest.starts_with("r\"") { "\"" } else { "\"#" };
+            at += 3 + rest[3..].find(end).map_or(0, |length| length + end.len());
+        } else if rest.starts_with("'\\") || rest.starts_with('\'') && rest.chars().nth(2) == Some('\'') {
+            at += rest[2..].find('\'').map_or(1, |length| length + 3);
+        } else if rest.starts_with('"') {
+            let mut end = 1;
+            while end < rest.len() && !rest[end..].starts_with('"') {
+                end += if rest[end..].starts_with('\\') { 2 } else { rest[end..].chars().next().map_or(1, char::len_utf8) };
+            }
+            found.push((at, at + end + 1, unescaped(&rest[1..end])));
+            at += end + 1;
+        } else {
+            at += rest.chars().next().map_or(1, char::len_utf8);
+        }
+    }
+    found
+}
+
+fn unescaped(literal: &str) -> String {
+    let (mut text, mut letters) = (String::new(), literal.chars());
+    while let Some(letter) = letters.next() {
+        match (letter, if letter == '\\' { letters.next() } else { None }) {
+            ('\\', Some('\n')) => letters = letters.as_str().trim_start().chars(),
+            ('\\', Some('n')) => text.push('\n'),
+            ('\\', Some(other)) => text.push(other),
+            _ => text.push(letter),
+        }
+    }
+    text
+}
+
+/// The literals that stand inside the brackets of one of the calls.
+fn looked_up(source: &str) -> BTreeSet<String> {
+    let all = literals(source);
+    let mut found = BTreeSet::new();
+    for (call, name) in CALLS.iter().flat_map(|name| source.match_indices(name)) {
+        let before = source[..call].chars().next_back();
+        if before.is_some_and(|letter| letter.is_alphanumeric() || letter == '_') || source[..call].ends_with("fn ") {
+            continue;
+        }
+        let (mut depth, mut at) = (0, call + name.len() - 1);
+        while at < source.len() {
+            if let Some((_, end, text)) = all.iter().find(|(from, ..)| *from == at) {
+                found.insert(text.clone());
+                at = *end;
+                continue;
+            }
+            let letter = source[at..].chars().next().unwrap_or(' ');
+            depth += i32::from("([{".contains(letter)) - i32::from(")]}".contains(letter));
+            at += letter.len_utf8();
+            if depth == 0 {
+                break;
+            }
+        }
+    }
+    found
+}
+
+/// Whether a text has words, not signs, places and numbers alone.
+fn has_words(text: &str) -> bool {
+    let mut inside = false;
+    let outside = |letter: &char| {
+        inside = *letter == '{' || inside && *letter != '}';
+        !inside
+    };
+    let letters: String = text.chars().filter(outside).map(|letter| if letter.is_alphabetic() { letter } else { ' ' }).collect();
+    letters.split(' ').any(|word| word.chars().count() > 1)
+}
+
+fn sources() -> Vec<String> {
+    let mut all = Vec::new();
+    for path in files(&root().join("src"), &["rs"]) {
+        let text = fs::read_to_string(&path).unwrap();
+        let end = text.find("#[cfg(test)]\nmod tests {").unwrap_or(text.len());
+        if !path.ends_with("tests.rs") {
+            all.push(text[..end].to_owned());
+        }
+    }
+    all
+}
+
+/// The texts of shipped files that a screen shows: titles, hints and words of levels and experiments.
+fn shown_by_files() -> BTreeSet<String> {
+    let mut texts = BTreeSet::new();
+    for folder in ["levels", "experiments"] {
+        for path in files(&root().join(folder), &["csv"]) {
+            let bytes = fs::read(&path).unwrap();
+            let records = || {
+                csv::ReaderBuilder::new()
+                    .has_headers(false)
+                    .flexible(true)
+                    .comment(Some(b'#'))
+                    .from_reader(&bytes[..])
+                    .into_records()
+            };
+            let cells = records().filter_map(Result::ok).enumerate();
+            match path.file_name().and_then(|name| name.to_str()) {
+                Some("constants.csv") => {
+                    texts.extend(cells.filter(|(_, row)| &row[0] == "title").map(|(_, row)| row[1].to_owned()))
+                }
+                Some("hints.csv") => texts.extend(cells.skip(1).map(|(_, row)| row[0].to_owned())),
+                Some("texts.csv") => texts.extend(cells.skip(1).map(|(_, row)| row[3].to_owned())),
+                Some("experiments.csv") => {
+                    texts.extend(cells.skip(1).flat_map(|(_, row)| [row[1].to_owned(), row[2].to_owned(), row[3].to_owned()]))
+                }
+                _ => {}
+            }
+        }
+    }
+    texts.retain(|text| has_words(text) && !is_quantity(text));
+    texts
+}
+
+/// A number or letter with its unit, as in "60 kg/m³" and "e = 0.5".
+fn is_quantity(text: &str) -> bool {
+    const UNITS: [&str; 5] = ["kg", "m", "N", "s", "e"];
+    let words = text.split(|letter: char| !letter.is_alphabetic()).filter(|word| !word.is_empty());
+    words.clone().all(|word| UNITS.contains(&word))
+}
+
+fn catalogues() -> [(Language, Vec<(String, String)>); 2] {
+    [Language::German, Language::French].map(|language| (language, rows(language)))
+}
+
+#[test]
+fn every_text_stands_in_every_catalogue() {
+    let mut wanted: BTreeSet<String> =
+        sources().iter().flat_map(|source| looked_up(source)).filter(|text| has_words(text)).collect();
+    wanted.extend(shown_by_files());
+    wanted.extend(Action::ALL.map(|action| action.label().to_owned()));
+    wanted.extend(Item::ALL.map(|item| item.label().to_owned()));
+    wanted.extend(Kind::ALL.iter().map(|kind| kind.name().to_owned()));
+    wanted.extend(ForceKind::ALL.iter().flat_map(|kind| [kind.shown().to_owned(), kind.does().to_owned()]));
+    wanted.extend(
+        Key::ALL
+            .iter()
+            .map(|key| key.label())
+            .filter(|label| label.len() > 3 && !label.starts_with("Num") && !label.starts_with("Pad")),
+    );
+    for (language, rows) in catalogues() {
+        let known: BTreeSet<String> = rows.iter().map(|(english, _)| english.clone()).collect();
+        let missing: Vec<&String> = wanted.difference(&known).collect();
+        assert!(missing.is_empty(), "{language:?} lacks {} texts:\n{missing:#?}", missing.len());
+    }
+}
+
+#[test]
+fn every_row_is_of_use_and_keeps_its_places() {
+    let mut known: BTreeSet<String> = sources().iter().flat_map(|source| literals(source)).map(|(.., text)| text).collect();
+    known.extend(shown_by_files());
+    known.extend(Key::ALL.iter().map(|key| key.label()));
+    for folder in ["experiments", "docs/charts"] {
+        for path in files(&root().join(folder), &["csv"]) {
+            let bytes = fs::read(&path).unwrap();
+            let records = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(&bytes[..]).into_records();
+            known.extend(records.filter_map(Result::ok).flat_map(|row| row.iter().map(str::to_owned).collect::<Vec<_>>()));
+        }
+    }
+    let places = |text: &str| {
+        let mut places: Vec<String> = text.split('{').skip(1).filter_map(|part| Some(part.split_once('}')?.0.to_owned())).collect();
+        places.sort();
+        places
+    };
+    for (language, rows) in catalogues() {
+        let mut before = BTreeSet::new();
+        for (english, text) in rows {
+            assert!(known.contains(&english), "{language:?}: nothing shows {english:?}");
+            assert!(!text.is_empty() && before.insert(english.clone()), "{language:?}: {english:?} is empty or there twice");
+            assert_eq!(places(&english), places(&text), "{language:?}: {english:?} and {text:?} have other places");
+            let ends = |text: &str| (text.starts_with(' '), text.ends_with(' '));
+            assert_eq!(ends(&english), ends(&text), "{language:?}: {english:?} and {text:?} begin or end with other spaces");
+        }
+    }
+}

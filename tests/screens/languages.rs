@@ -1,0 +1,360 @@
+//! Every screen in every language: no word passes by the catalogues, and at 900 × 500 none is cut or lies on another that does not so
+//! in English.
+
+use crate::sitting::Sitting;
+use resultant::draw::layout::{Area, Frame, Vec2};
+use resultant::draw::{Shape, Style, Typeface};
+use resultant::screens::{App, Key, Places};
+use resultant::words::{Language, rows, speak, spoken, tr};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+/// A line of text with its box; lines of one layer are compared.
+#[derive(Clone, Debug)]
+struct Line {
+    text: String,
+    style: Style,
+    area: Area,
+    layer: usize,
+}
+
+fn lines(sitting: &Sitting) -> Vec<Line> {
+    let canvas = sitting.app.canvas();
+    let mut layer = 0;
+    let mut found = Vec::new();
+    for shape in canvas.shapes().iter() {
+        match shape {
+            Shape::Layer => layer += 1,
+            Shape::Text { text, at, style } => {
+                let from = canvas.baseline(text, *at, *style);
+                let height = canvas.glyph_height(style.size) * canvas.frame().pixel;
+                let area = Area::new(from.x, from.y - 0.7 * height, canvas.width(text, *style), 0.85 * height);
+                found.push(Line { text: text.clone(), style: *style, area, layer });
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// The game's own levels, experiments and charts, with scores of its own.
+fn shipped(settings: &str) -> Sitting {
+    let (folder, root) = (tempfile::tempdir().unwrap(), Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf());
+    fs::write(folder.path().join("settings.csv"), settings).unwrap();
+    let settings = folder.path().join("settings.csv");
+    let app = App::new(Places { levels: root.join("levels"), scores: folder.path().join("scores"), settings, root });
+    let mut sitting = Sitting { app, frame: Frame::default(), folder, open: true };
+    sitting.rest();
+    sitting
+}
+
+fn own(settings: &str) -> Sitting {
+    Sitting::with(|root| fs::write(root.join("settings.csv"), settings).unwrap())
+}
+
+/// Shows every screen in a language and a window; `visit` gets each with its name.
+fn tour(language: Language, frame: Frame, visit: &mut dyn FnMut(&mut Sitting, &str)) {
+    let settings = format!("setting,value,player\nlanguage,{},\n", language.code());
+    let begin = |sitting: &mut Sitting| {
+        speak(language);
+        sitting.frame = frame;
+        sitting.rest();
+    };
+    let mut sitting = shipped(&settings);
+    begin(&mut sitting);
+    menus(&mut sitting, visit);
+    lab(&mut sitting, visit);
+    flight(&mut sitting, visit);
+    let mut sitting = own(&settings);
+    begin(&mut sitting);
+    scores(&mut sitting, visit);
+    editor(&mut sitting, visit);
+    assert_eq!(spoken(), language);
+    speak(Language::English);
+}
+
+fn menus(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
+    visit(sitting, "menu");
+    visit(sitting.choose("Level Select"), "level select");
+    for _ in 0..4 {
+        visit(sitting.press(Key::PageDown), "level select");
+    }
+    visit(sitting.write("zzz"), "level select, nothing found");
+    visit(sitting.press(Key::Escape).choose("Edit"), "levels to edit");
+    visit(sitting.choose("New"), "a new level");
+    sitting.press(Key::Escape);
+    visit(sitting.choose("Copy"), "a copy");
+    visit(sitting.press(Key::Escape).choose("Rename"), "another name");
+    visit(sitting.press_all(&[Key::Escape, Key::Escape, Key::Escape]).choose("Leaderboards"), "leaderboards");
+    visit(sitting.choose("1"), "an empty board");
+    visit(sitting.press_all(&[Key::Escape, Key::Escape]).choose("Player"), "new player or players");
+    visit(sitting.write("1x").press(Key::Enter), "a name that is refused");
+    visit(sitting.press(Key::Escape).press(Key::Escape).choose("Settings"), "settings");
+    visit(sitting.press_all(&[Key::Tab, Key::Enter]), "a key to press");
+    visit(sitting.press_all(&[Key::Escape, Key::Escape]).choose("Credits"), "credits");
+    visit(sitting.press(Key::PageDown), "credits, further down");
+    sitting.press(Key::Escape).choose("Classics");
+    for label in ["Tile Run", "Jumper", "π from Collisions"] {
+        visit(sitting, "classics");
+        visit(sitting.choose(label).wait(0.3), label);
+        if label == "Jumper" {
+            visit(sitting.choose("One Player").wait(0.2), "a climb");
+            visit(sitting.press(Key::Escape), "a climb that pauses");
+            sitting.choose("Back");
+        } else {
+            sitting.press(Key::Escape);
+        }
+        sitting.press(Key::Down);
+    }
+    sitting.press(Key::Escape);
+}
+
+fn lab(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
+    sitting.choose("Lab");
+    for _ in 0..34 {
+        visit(sitting, "charts");
+        sitting.press(Key::Right);
+    }
+    visit(sitting.click("Stability").wait(0.1), "stability");
+    sitting.click("Stress tests");
+    for _ in 0..8 {
+        visit(sitting.wait(0.2), "stress tests");
+        sitting.press(Key::PageDown);
+    }
+    sitting.click("Side by side");
+    for _ in 0..6 {
+        visit(sitting.rest(), "side by side");
+        sitting.press(Key::Down);
+    }
+    sitting.click("Experiments");
+    for _ in 0..12 {
+        visit(sitting, "experiments");
+        sitting.press(Key::Down);
+    }
+    visit(sitting.click("Answer"), "an answer");
+    sitting.press(Key::Escape);
+}
+
+fn flight(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
+    visit(sitting.fly("1").wait(0.5), "flight");
+    visit(sitting.press(Key::Tab).wait(0.3), "forces");
+    visit(sitting.press(Key::B).rest(), "frozen");
+    sitting.press(Key::B).press(Key::I);
+    for tool in ["Centre of mass", "Trails", "v and a", "Ruler", "Stop clock", "Energy, work"] {
+        sitting.click(tool);
+    }
+    visit(sitting.wait(0.3), "instruments");
+    visit(sitting.click("What if …").wait(0.2), "what if");
+    visit(sitting.click("What if …").click("Plot").wait(0.3), "a plot");
+    visit(sitting.press(Key::I).press(Key::Escape), "pause");
+    visit(sitting.choose("Settings"), "settings in flight");
+    visit(sitting.press(Key::Escape).choose("Level Select").press(Key::PageDown), "level select");
+    sitting.press(Key::Escape).choose("Level Select").press(Key::Tab);
+    visit(sitting.rest(), "flights");
+    visit(sitting.choose("Watch").wait(0.3), "watching");
+    visit(sitting.press(Key::Tab).wait(1.0), "watching, with forces");
+    visit(sitting.press(Key::Escape).choose("Race").wait(0.3), "a race");
+    sitting.press(Key::Escape).choose("Main Menu");
+}
+
+fn scores(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
+    visit(sitting.complete(), "a score");
+    visit(sitting.choose("Save Score"), "a name for it");
+    visit(sitting.write("ann").press(Key::Enter).wait(0.3), "its board");
+    sitting.press(Key::Escape);
+    visit(sitting.fly("3").wait(0.1), "a loss");
+    visit(sitting.press(Key::Enter).wait(0.5), "a lost attempt");
+    visit(sitting.choose("Flights").rest(), "no flights");
+    sitting.press_all(&[Key::Escape, Key::Escape]);
+    visit(sitting.choose("Player"), "players");
+    visit(sitting.press(Key::Escape).choose("Level Select").choose("broken"), "problems");
+    sitting.press_all(&[Key::Escape, Key::Escape]);
+}
+
+fn editor(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
+    visit(sitting.choose("Level Select").choose("Edit").choose("2").rest(), "editor");
+    visit(sitting.press_all(&[Key::Control]).click("Switch").rest(), "editor");
+    let ship = sitting.editor().point(resultant::physics::DVec2::new(400.0, 300.0));
+    visit(sitting.click("Select").click_at(ship), "editor, the ship");
+    visit(sitting.click("Delete"), "editor, the ship stays");
+    visit(sitting.click("Snap").click("Fly").wait(0.2), "a test flight");
+    sitting.press(Key::Escape);
+    visit(sitting.press(Key::Escape).press(Key::Escape), "levels to edit");
+}
+
+/// Words that no catalogue holds: units, names, files and columns, licences.
+const DATA: [&str; 71] = [
+    "ann",
+    "Guest",
+    "Resultant",
+    "broken",
+    "copy",
+    "csv",
+    "CSV",
+    "SVG",
+    "html",
+    "docs",
+    "sheets",
+    "zip",
+    "kg",
+    "km",
+    "mm",
+    "cm",
+    "px",
+    "ms",
+    "ns",
+    "kN",
+    "mN",
+    "kJ",
+    "mJ",
+    "Mt",
+    "kt",
+    "mg",
+    "rad",
+    "fps",
+    "tick",
+    "Hz",
+    "Box",
+    "Rapier",
+    "with",
+    "sleep",
+    "substeps",
+    "iterations",
+    "f32",
+    "f64",
+    "MIT",
+    "or",
+    "Apache",
+    "Unlicense",
+    "ISC",
+    "Ubuntu",
+    "Font",
+    "Licence",
+    "Bitstream",
+    "Vera",
+    "vx",
+    "vy",
+    "LEFT",
+    "RIGHT",
+    "JUMP",
+    "WAIT",
+    "sin",
+    "kin",
+    "pot",
+    "mech",
+    "F3",
+    "F5",
+    "F11",
+    "English",
+    "Deutsch",
+    "Français",
+    "linux",
+    "debug",
+    "release",
+    "dev",
+    "worker",
+    "Xeon",
+    "GHz",
+];
+
+/// The words of a text that stand in it as the source has them.
+fn plain_words(text: &str) -> Vec<&str> {
+    let words = text.split(|letter: char| !letter.is_ascii_alphanumeric());
+    words.filter(|word| word.chars().filter(char::is_ascii_alphabetic).count() > 1).collect()
+}
+
+#[test]
+fn every_word_of_every_screen_comes_from_a_catalogue() {
+    let mut missing = BTreeSet::new();
+    tour(Language::Wide, Frame::default(), &mut |sitting, name| {
+        for line in lines(sitting) {
+            let is_file = line.text.contains("docs/") || line.text.contains(".csv") || name == "problems";
+            // Columns of files and their cells, the text of a licence, the machine that a chart was measured on.
+            let is_data = line.style.face == Typeface::Mono && (name.starts_with("editor") || name.starts_with("credits"));
+            let is_data = is_data || is_file || name == "charts" && line.style.size < 14.0;
+            let words = plain_words(&line.text);
+            if !is_data && words.iter().any(|word| !DATA.contains(word)) {
+                missing.insert(format!("{name}: {}", line.text));
+            }
+        }
+    });
+    assert!(
+        missing.is_empty(),
+        "{} texts pass by the catalogues:\n{}",
+        missing.len(),
+        missing.into_iter().collect::<Vec<_>>().join("\n")
+    );
+}
+
+/// What is wrong with the lines of a screen: cut, outside of the window, on one another or across the edge of a button.
+fn faults(sitting: &Sitting, whole: &BTreeSet<String>) -> Vec<String> {
+    let (all, frame) = (lines(sitting), sitting.frame.area());
+    let mut found = Vec::new();
+    let inside = |area: &Area, of: &Area| area.min.x >= of.min.x - 1.0 && area.max().x <= of.max().x + 1.0;
+    for (i, line) in all.iter().enumerate() {
+        if line.text.ends_with('…') && !whole.contains(&line.text) {
+            found.push(format!("cut: {}", line.text));
+        }
+        let visible = frame.gap(&line.area) < 0.0;
+        if visible && !inside(&line.area, &frame) {
+            found.push(format!("leaves the window: {}", line.text));
+        }
+        for other in all[i + 1..].iter().filter(|other| other.layer == line.layer) {
+            if line.area.gap(&other.area) < -1.0 {
+                found.push(format!("on one another: {} | {}", line.text, other.text));
+            }
+        }
+        let button = sitting.app.widgets().iter().find(|widget| widget.area.contains(line.area.centre()));
+        if let Some(button) = button.filter(|button| !inside(&line.area, &button.area)) {
+            found.push(format!("wider than {}: {}", button.label, line.text));
+        }
+    }
+    found
+}
+
+fn assert_fits(language: Language) {
+    let frame = Frame::of_window(Vec2::new(900.0, 500.0));
+    let faults_in = |language: Language| {
+        let whole: BTreeSet<String> = rows(language).into_iter().flat_map(|(english, text)| [english, text]).collect();
+        let mut stops = Vec::new();
+        tour(language, frame, &mut |sitting, name| stops.push((name.to_owned(), faults(sitting, &whole))));
+        stops
+    };
+    let (english, other) = (faults_in(Language::English), faults_in(language));
+    assert_eq!(english.len(), other.len());
+    let mut worse = BTreeSet::new();
+    for ((name, usual), (_, found)) in english.into_iter().zip(other) {
+        if found.len() > usual.len() {
+            worse.extend(found.into_iter().filter(|fault| !usual.contains(fault)).map(|fault| format!("{name}: {fault}")));
+        }
+    }
+    assert!(worse.is_empty(), "{} faults:\n{}", worse.len(), worse.into_iter().collect::<Vec<_>>().join("\n"));
+}
+
+#[test]
+fn german_fits_into_a_small_window() {
+    assert_fits(Language::German);
+}
+
+#[test]
+fn french_fits_into_a_small_window() {
+    assert_fits(Language::French);
+}
+
+#[test]
+fn a_language_holds_at_once_and_after_the_game_was_closed() {
+    let mut sitting = Sitting::new();
+    sitting.choose("Settings");
+    for _ in 0..4 {
+        sitting.press(Key::Down);
+    }
+    assert_eq!(sitting.focused(), "Language");
+    assert!(sitting.shows("English"));
+    sitting.press(Key::Right);
+    assert!(sitting.shows("Deutsch") && sitting.shows("Einstellungen"));
+    assert!(sitting.reopen().shows("Spielen"));
+    assert_eq!(tr("Play"), "Spielen");
+    sitting.choose("Settings").choose("Defaults").press(Key::Escape);
+    assert!(sitting.shows("Play"));
+}
