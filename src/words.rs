@@ -86,6 +86,14 @@ pub fn rows(language: Language) -> Vec<(String, String)> {
     records.filter_map(|record| Some((record.get(0)?.to_owned(), record.get(1)?.to_owned()))).collect()
 }
 
+/// With English on this thread meanwhile, as for files.
+pub fn in_english<T>(make: impl FnOnce() -> T) -> T {
+    let before = SPOKEN.replace(Language::English);
+    let made = make();
+    SPOKEN.set(before);
+    made
+}
+
 /// The text in the language of this thread.
 pub fn tr(text: &str) -> &str {
     let look_up = |catalogue: usize| CATALOGUES[catalogue].get(text).map(String::as_str);

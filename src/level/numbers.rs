@@ -5,6 +5,7 @@ use super::route::SHORTEST;
 use super::types::{SHIP_HEIGHT, SHIP_PIXELS};
 use crate::physics::domain::{self, Range};
 use crate::physics::{Aabb, DVec2};
+use crate::words::tr;
 
 /// The farthest place from the level's top left corner, and the largest size, m. Beyond it f64 resolves positions more coarsely than
 /// 1e-10 m, and contacts lose their exactness.
@@ -81,7 +82,7 @@ impl NumberRange {
     pub fn sign(&self) -> String {
         match self.unit {
             "" if self.high < 1e3 => format!("{}–{}", self.low, self.high),
-            "fuel units" => "units".to_owned(),
+            "fuel units" => tr("units").to_owned(),
             "degrees" => "°".to_owned(),
             "pixels" => "px".to_owned(),
             "pixels a metre" => "px/m".to_owned(),
@@ -91,10 +92,11 @@ impl NumberRange {
 
     /// The limits and the unit, for the documentation.
     pub fn in_words(&self) -> String {
-        let gap = if self.gap > 0.0 && self.gap < self.high { format!("0, or {} … ", power(self.gap)) } else { String::new() };
+        let gap =
+            if self.gap > 0.0 && self.gap < self.high { tr!("0, or {least} … ", least = power(self.gap)) } else { String::new() };
         let low = if gap.is_empty() { power(self.low) + " … " } else { gap };
-        let numbers = if self.gap == self.high { "0 or 1".to_owned() } else { low + &power(self.high) };
-        format!("{numbers} {}", self.unit).trim_end().to_owned()
+        let numbers = if self.gap == self.high { tr("0 or 1").to_owned() } else { low + &power(self.high) };
+        format!("{numbers} {}", tr(self.unit)).trim_end().to_owned()
     }
 
     /// Errors: the number that is expected instead.

@@ -2,7 +2,7 @@
 //! places, and no row is of no use.
 
 use super::sources::{files, root};
-use resultant::level::schema::Kind;
+use resultant::level::schema::{Kind, SETTINGS};
 use resultant::physics::ForceKind;
 use resultant::settings::{Action, Item, Key};
 use resultant::words::{Language, rows};
@@ -23,8 +23,10 @@ fn literals(source: &str) -> Vec<(usize, usize, String)> {
         } else if rest.starts_with("r\"") || rest.starts_with("r#\"") {
             let end = if rest.starts_with("r\"") { "\"" } else { "\"#" };
             at += 3 + rest[3..].find(end).map_or(0, |length| length + end.len());
-        } else if rest.starts_with("'\\") || rest.starts_with('\'') && rest.chars().nth(2) == Some('\'') {
-            at += rest[2..].find('\'').map_or(1, |length| length + 3);
+        } else if rest.starts_with("'\\") {
+            at += 3 + rest[3..].find('\'').map_or(0, |length| length + 1);
+        } else if rest.starts_with('\'') && rest.chars().nth(2) == Some('\'') {
+            at += 2 + rest.chars().nth(1).map_or(0, char::len_utf8);
         } else if rest.starts_with('"') {
             let mut end = 1;
             while end < rest.len() && !rest[end..].starts_with('"') {
@@ -153,6 +155,8 @@ fn every_text_stands_in_every_catalogue() {
     wanted.extend(Action::ALL.map(|action| action.label().to_owned()));
     wanted.extend(Item::ALL.map(|item| item.label().to_owned()));
     wanted.extend(Kind::ALL.iter().map(|kind| kind.name().to_owned()));
+    let columns = Kind::ALL.iter().flat_map(|kind| kind.schema().columns).chain(SETTINGS);
+    wanted.extend(columns.map(|column| column.help.to_owned()));
     wanted.extend(ForceKind::ALL.iter().flat_map(|kind| [kind.shown().to_owned(), kind.does().to_owned()]));
     wanted.extend(
         Key::ALL

@@ -4,6 +4,7 @@ use crate::level::nearest::meant;
 use crate::level::numbers::{NumberRange, PixelScale, power};
 use crate::level::problem::Problem;
 use crate::level::types::Level;
+use crate::words::tr;
 
 #[derive(Debug)]
 pub struct FileSchema {
@@ -118,27 +119,27 @@ impl Column {
     pub fn limits(&self) -> String {
         let (least, most) = PixelScale::LIMITS.map(power).into();
         match self.holds {
-            Holds::Position => format!("pixels, at most {most} m from the corner"),
-            Holds::Size => format!("pixels, {least} … {most} m"),
-            Holds::Length => format!("pixels, 0 … {most} m"),
-            Holds::Reach => format!("pixels, 0 or {least} … {most} m to either side"),
+            Holds::Position => tr!("pixels, at most {most} m from the corner", most),
+            Holds::Size => tr!("pixels, {least} … {most} m", least, most),
+            Holds::Length => tr!("pixels, 0 … {most} m", most),
+            Holds::Reach => tr!("pixels, 0 or {least} … {most} m to either side", least, most),
             Holds::Number(range) => range.in_words(),
-            Holds::Whole(low, high) => format!("{low} … {high}, whole"),
+            Holds::Whole(low, high) => tr!("{low} … {high}, whole", low, high),
             Holds::OneOf(_) => {
                 let words = self.choices().into_iter().filter(|word| !word.is_empty());
                 words.map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")
             }
-            Holds::Name => "a word of letters, digits, - and _; with `a&b` a switch of each has to be on".to_owned(),
-            Holds::Picture => "a PNG's path, `box:40x40` or `ball:40x40`".to_owned(),
-            Holds::Points => "`x y; x y; …` in pixels".to_owned(),
-            Holds::Text(words) => words.to_owned(),
+            Holds::Name => tr("a word of letters, digits, - and _; with `a&b` a switch of each has to be on").to_owned(),
+            Holds::Picture => tr("a PNG's path, `box:40x40` or `ball:40x40`").to_owned(),
+            Holds::Points => tr("`x y; x y; …` in pixels").to_owned(),
+            Holds::Text(words) => tr(words).to_owned(),
         }
     }
 
     /// `fuel: fuel in it (0 … 10¹² fuel units)`.
     pub fn in_words(&self) -> String {
-        let usual = if self.usual.is_empty() { String::new() } else { format!("; {} where it is left out", self.usual) };
-        format!("{}: {} ({}{usual})", self.name, self.help, self.limits().replace('`', ""))
+        let usual = if self.usual.is_empty() { String::new() } else { tr!("; {usual} where it is left out", usual = self.usual) };
+        format!("{}: {} ({}{usual})", self.name, tr(self.help), self.limits().replace('`', ""))
     }
 
     pub(in crate::level) fn is_name(&self) -> bool {

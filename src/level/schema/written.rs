@@ -3,12 +3,17 @@
 use super::facts::{Column, RowSchema};
 use super::kinds::Table;
 use super::settings::SETTINGS;
+use crate::words;
 
 /// The longest line of a comment, characters.
 const LINE: usize = 100;
 
-/// A file of a new level: help as comments, a header and some rows; `None` where a new level has no such file.
+/// A file of a new level: help as comments, in English, a header and some rows; `None` where a new level has no such file.
 pub fn sample(table: Table) -> Option<String> {
+    words::in_english(|| written(table))
+}
+
+fn written(table: Table) -> Option<String> {
     let file = table.schema();
     if file.sample.is_empty() {
         return None;

@@ -57,7 +57,7 @@ impl Editor {
         };
         let colour = if can { theme::text() } else { theme::quiet() };
         let line = |part: f32| area.centre() + Vec2::new(0.0, part * area.size.y);
-        canvas.text(tr(label), line(-0.19), Style::new(TEXT, colour).centred().middle());
+        widgets::fitted(canvas, tr(label), line(-0.19), area.size.x - 4.0, &[TEXT, DETAILS], colour);
         canvas.text(tr(key), line(0.27), Style::new(DETAILS, theme::quiet()).centred().middle().mono());
     }
 

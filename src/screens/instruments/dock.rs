@@ -49,7 +49,7 @@ pub fn width(frame: &Frame, characters: usize) -> f32 {
 pub fn row(frame: &Frame, from: Vec2, words: &[&str]) -> Vec<Area> {
     let mut left = from.x;
     let button = |words: &&str| {
-        let size = Vec2::new(width(frame, words.chars().count()) + 2.0 * GRID, line(frame) + GRID);
+        let size = Vec2::new(width(frame, tr(words).chars().count()) + 2.0 * GRID, line(frame) + GRID);
         let area = Area { min: Vec2::new(left, from.y), size };
         left += size.x + 0.5 * GRID;
         area
