@@ -110,9 +110,10 @@ pub fn tr(text: &str) -> &str {
 pub fn filled(template: &str, places: &[(&str, &dyn Display)]) -> String {
     let mut text = String::new();
     let mut rest = template;
-    while let Some((before, behind)) = rest.split_once('{') {
+    while let Some((before, (place, after))) =
+        rest.split_once('{').and_then(|(before, behind)| Some((before, behind.split_once('}')?)))
+    {
         text.push_str(before);
-        let Some((place, after)) = behind.split_once('}') else { break };
         match places.iter().find(|(name, _)| *name == place) {
             Some((_, value)) => text.push_str(&value.to_string()),
             None => text.extend(["{", place, "}"]),

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::fs;
 
 /// Calls whose words are looked up.
-const CALLS: [&str; 8] = ["tr(", "tr!(", "page(", "button(", "buttons(", "row(", "column(", "choice("];
+const CALLS: [&str; 8] = ["tr(", "tr!(", "ui.page(", "ui.button(", "ui.buttons(", "ui.row(", "ui.column(", "ui.choice("];
 
 /// The string literals of a source, without its tests: where each begins and ends, and its text.
 fn literals(source: &str) -> Vec<(usize, usize, String)> {

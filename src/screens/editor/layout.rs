@@ -5,7 +5,7 @@ use crate::draw::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, TEXT, Vec2};
 
 /// A command: the height of its two lines in heights of their texts, and the width of its key, in letters.
 const TWO_LINES: f32 = 1.15;
-const COMMAND: f32 = 6.0;
+const COMMAND: f32 = 7.2;
 /// Width of the tools: their mark and the space around it, and their longest name in heights of text.
 const TOOL_MARK: f32 = 50.0;
 const TOOL_NAME: f32 = 5.7;

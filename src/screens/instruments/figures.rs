@@ -190,18 +190,17 @@ fn work_lines(works: &[Account]) -> Vec<Number> {
 
 fn zero_level(game: &Game) -> String {
     let level = game.level();
-    let across = match level.gravity_x {
-        x if x > 0.0 => " right",
-        x if x < 0.0 => " left",
-        _ => "",
+    let sign = |strength: f64| if strength == 0.0 { 0 } else { strength.signum() as i8 };
+    let side = match (sign(level.gravity), sign(level.gravity_x)) {
+        (0, 0) => return tr("no gravity").to_owned(),
+        (1, 0) => tr("bottom"),
+        (1, 1) => tr("bottom right"),
+        (1, _) => tr("bottom left"),
+        (0, 1) => tr("right"),
+        (0, _) => tr("left"),
+        (_, 0) => tr("top"),
+        (_, 1) => tr("top right"),
+        _ => tr("top left"),
     };
-    let along = match level.gravity {
-        y if y > 0.0 => "bottom",
-        y if y < 0.0 => "top",
-        _ => "",
-    };
-    match (along, across) {
-        ("", "") => tr("no gravity").to_owned(),
-        (along, across) => tr!("zero at the level's {side}", side = tr(format!("{along}{across}").trim())),
-    }
+    tr!("zero at the level's {side}", side)
 }
