@@ -60,6 +60,26 @@ pub fn whole_hundredths(limit: f64) -> u64 {
     (limit * 100.0 + ROUNDING).max(0.0) as u64
 }
 
+/// Whether it is a number and nothing else: digits, with a sign in front and a decimal point or comma among them.
+pub fn is_plain(text: &str) -> bool {
+    let digits = text.strip_prefix(['+', '-', '−']).unwrap_or(text);
+    digits.contains(|c: char| c.is_ascii_digit())
+        && digits.chars().all(|c| c.is_ascii_digit() || matches!(c, '.' | ','))
+        && digits.matches(['.', ',']).count() < 2
+}
+
+/// The first number in a text, with a decimal point or comma; a sign counts where it begins a word.
+pub fn first_in(text: &str) -> Option<f64> {
+    let numeral = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',');
+    let begin = text.find(|c: char| c.is_ascii_digit())?;
+    let rest = &text[begin..];
+    let end = rest.find(|c| !numeral(c)).unwrap_or(rest.len());
+    let size: f64 = rest[..end].trim_end_matches(['.', ',']).replace(',', ".").parse().ok()?;
+    let mut before = text[..begin].chars().rev();
+    let minus = matches!(before.next(), Some('-' | '−')) && before.next().is_none_or(char::is_whitespace);
+    Some(if minus { -size } else { size })
+}
+
 /// mm:ss.hh; minutes go on beyond 99.
 pub fn clock(seconds: f64) -> String {
     let hundredths = hundredths(seconds);
@@ -68,7 +88,7 @@ pub fn clock(seconds: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Shortest, clock, fixed};
+    use super::{Shortest, clock, first_in, fixed};
     use proptest::prelude::*;
     use proptest::test_runner::FileFailurePersistence;
 
@@ -85,6 +105,22 @@ mod tests {
             (f64::NEG_INFINITY, 1, "−inf"),
         ] {
             assert_eq!(fixed(value, decimals), text);
+        }
+    }
+
+    #[test]
+    fn a_number_is_found_in_words() {
+        for (text, number) in [
+            ("50", Some(50.0)),
+            ("about 49,8 N/m", Some(49.8)),
+            ("k=50.", Some(50.0)),
+            ("−0.5 and 7", Some(-0.5)),
+            ("10-20", Some(10.0)),
+            ("T = -3", Some(-3.0)),
+            ("1.2.3", None),
+            ("none", None),
+        ] {
+            assert_eq!(first_in(text), number, "{text}");
         }
     }
 

@@ -7,6 +7,7 @@ use crate::files::{self, CHART, CsvFile, CsvRow, TILE_COMMANDS, TILE_MAP, read_t
 use crate::lab::charts::Charts;
 use crate::lab::kept;
 use crate::level::{self, Landscape, Level};
+use crate::number;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -15,6 +16,10 @@ const TILE_RUN: &str = "assets/tile_run";
 
 /// Where the experiments are, from the project's root.
 const EXPERIMENTS: &str = "experiments";
+
+/// The columns of their list, the first of which are needed.
+const EXPERIMENT: [&str; 6] = ["folder", "question", "vary", "answer", "choices", "right"];
+const NEEDED: usize = 4;
 
 /// Where `resultant chart` writes, from the project's root.
 const CHARTS: &str = "charts";
@@ -128,17 +133,22 @@ impl Library {
         let folder = self.root.join(EXPERIMENTS);
         let list = format!("{EXPERIMENTS}/experiments.csv");
         let text = read_text(&folder.join("experiments.csv"), files::LEVEL_TABLE).map_err(|error| format!("{list}: {error}"))?;
-        let file = CsvFile { name: &list, columns: &["folder", "question", "vary", "answer"], comments: true };
+        let file = CsvFile { name: &list, columns: &EXPERIMENT, comments: true };
         let experiment = |row: CsvRow<'_>| {
-            if row.fault().is_some() || row.used() != file.columns.len() {
+            if row.fault().is_some() || !(NEEDED..=EXPERIMENT.len()).contains(&row.used()) {
                 return Err(row.row_problem(format_args!("{:?}", row.joined()), file.header()));
             }
-            let [folder_name, question, vary, answer] =
-                ["folder", "question", "vary", "answer"].map(|column| row.get(column).to_owned());
+            let [folder_name, question, vary, answer, choices, right] = EXPERIMENT.map(|column| row.get(column).to_owned());
+            let choices: Vec<String> = choices.split('|').map(|choice| choice.trim().to_owned()).collect();
+            let choices = if choices.len() > 1 { choices } else { Vec::new() };
+            let fits = right.is_empty() || if choices.is_empty() { number::is_plain(&right) } else { choices.contains(&right) };
+            if !fits {
+                return Err(row.bad_cell("right", "a number, one of the choices, or nothing"));
+            }
             let title = level::title(&folder.join(&folder_name)).unwrap_or_else(|| folder_name.clone());
-            Ok(Experiment { folder: folder_name, question, vary, answer, title })
+            Ok(Experiment { folder: folder_name, question, vary, answer, choices, right, title })
         };
-        file.rows(text.as_bytes()).filter(|row| !row.is_header(file.columns.len())).map(experiment).collect()
+        file.rows(text.as_bytes()).filter(|row| !row.is_header(NEEDED)).map(experiment).collect()
     }
 
     /// The folder of an experiment.

@@ -3,6 +3,7 @@
 use super::BACK;
 use crate::draw::layout::{Area, BUTTON_TEXT, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
+use crate::number;
 use crate::screens::{Key, Request};
 use crate::ui::{Touch, Ui, WidgetKind};
 use crate::view::{theme, widgets};
@@ -14,7 +15,25 @@ pub struct Experiment {
     pub question: String,
     pub vary: String,
     pub answer: String,
+    /// The guesses to choose from; none: a guess is written.
+    pub choices: Vec<String>,
+    /// The right choice, or a number; empty where neither is.
+    pub right: String,
     pub title: String,
+}
+
+/// How far a number may be from the right one, as a share of that.
+const CLOSE: f64 = 0.05;
+
+impl Experiment {
+    /// Whether a guess or a reading is right; `None` where the experiment has no right one, or the text none that could be.
+    pub fn judge(&self, text: &str) -> Option<bool> {
+        if !self.choices.is_empty() {
+            return self.choices.iter().any(|choice| choice == text).then(|| text == self.right);
+        }
+        let right: f64 = self.right.parse().ok()?;
+        number::first_in(text).map(|number| (number - right).abs() <= CLOSE * right.abs())
+    }
 }
 
 /// Height of a line of the list, at most, and the room below the line.
@@ -94,7 +113,7 @@ impl ExperimentsPage {
 }
 
 fn draw_description(canvas: &Canvas, panel: Area, (chosen, answered): (&Experiment, bool)) {
-    let mut pen = Pen { canvas, at: panel.min + 1.5 * PADDING, width: panel.size.x - 3.0 * PADDING };
+    let mut pen = Paragraphs { canvas, at: panel.min + 1.5 * PADDING, width: panel.size.x - 3.0 * PADDING };
     pen.write(tr(&chosen.title), BUTTON_TEXT, theme::accent());
     pen.write(tr(&chosen.question), BUTTON_TEXT, theme::text());
     pen.write(tr("Numbers to vary, in the editor or in the files"), TEXT, theme::quiet());
@@ -105,20 +124,38 @@ fn draw_description(canvas: &Canvas, panel: Area, (chosen, answered): (&Experime
     pen.write(&tr!("A page to print: docs/sheets/{folder}.html", folder = chosen.folder), TEXT, theme::quiet());
 }
 
-struct Pen<'a> {
-    canvas: &'a Canvas,
-    at: Vec2,
-    width: f32,
+/// Paragraphs below each other.
+pub(in crate::screens) struct Paragraphs<'a> {
+    pub canvas: &'a Canvas,
+    /// The upper left corner of the next one.
+    pub at: Vec2,
+    pub width: f32,
 }
 
-impl Pen<'_> {
+impl Paragraphs<'_> {
     /// A paragraph, in as many lines as it takes.
-    fn write(&mut self, words: &str, size: f32, colour: Colour) {
+    pub fn write(&mut self, words: &str, size: f32, colour: Colour) {
         let style = Style::new(size, colour);
         for line in widgets::lines(self.canvas, words, self.width, style) {
             self.canvas.text(&line, self.at, style);
             self.at.y += self.canvas.line_height(size);
         }
         self.at.y += 0.6 * self.canvas.line_height(size);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_guess_is_judged_by_a_choice_or_a_number() {
+        let free = Experiment::default();
+        let number = Experiment { right: "50".to_owned(), ..free.clone() };
+        let choice = Experiment { choices: vec!["one".to_owned(), "both".to_owned()], right: "both".to_owned(), ..free.clone() };
+        assert_eq!(["", "50"].map(|text| free.judge(text)), [None; 2]);
+        let judged = ["52,4 N/m", "47.5", "47", "-50", "hard"].map(|text| number.judge(text));
+        assert_eq!(judged, [Some(true), Some(true), Some(false), Some(false), None]);
+        assert_eq!(["both", "one", "50"].map(|text| choice.judge(text)), [Some(true), Some(false), None]);
     }
 }

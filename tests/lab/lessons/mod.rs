@@ -2,6 +2,7 @@
 
 mod pages;
 mod sheet;
+mod springs;
 mod variations;
 
 use resultant::game::{Controls, Game, TICK_RATE};
@@ -312,7 +313,7 @@ fn projectile() -> Vec<Figure> {
 type Figures = fn() -> Vec<Figure>;
 
 /// Every experiment by its folder.
-const EXPERIMENTS: [(&str, Figures); 12] = [
+const EXPERIMENTS: [(&str, Figures); 14] = [
     ("free-fall", free_fall),
     ("terminal-velocity", terminal_velocity),
     ("force-mass-acceleration", force_mass_acceleration),
@@ -325,6 +326,8 @@ const EXPERIMENTS: [(&str, Figures); 12] = [
     ("pushed-row", pushed_row),
     ("lift", lift),
     ("projectile", projectile),
+    ("hooke", springs::hooke),
+    ("spring-swing", springs::swings),
 ];
 
 /// A number with three significant digits.
@@ -363,7 +366,7 @@ fn every_suggested_change_does_what_its_sheet_says() {
             flown += 1;
         }
     }
-    assert!(flown >= 36, "{flown}");
+    assert!(flown >= 44, "{flown}");
 }
 
 #[test]
@@ -371,7 +374,17 @@ fn the_list_of_experiments_names_those_that_are_there() {
     let root = project().join("experiments");
     let list = std::fs::read_to_string(root.join("experiments.csv")).unwrap();
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(list.as_bytes());
-    let listed: Vec<String> = reader.records().map(|row| row.unwrap()[0].to_owned()).collect();
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    let listed: Vec<&str> = rows.iter().map(|row| &row[0]).collect();
     assert_eq!(listed, EXPERIMENTS.map(|(name, _)| name));
+    // A number that is right is a figure, or how many times another one a figure is.
+    for (row, (name, figures)) in rows.iter().zip(EXPERIMENTS) {
+        if let Ok(right) = row[5].parse::<f64>() {
+            let exact: Vec<f64> = figures().iter().map(|figure| figure.exact).chain([1.0]).collect();
+            let is_right = |(a, b): (f64, f64)| (a / b - right).abs() < 1e-9;
+            let found = exact.iter().any(|a| exact.iter().any(|b| is_right((*a, *b))));
+            assert!(found, "{name}: {right} is none of {exact:?}");
+        }
+    }
     assert_eq!(level::list(&root).len(), listed.len());
 }

@@ -1,5 +1,6 @@
 //! The figures of each change that a sheet suggests, exactly and by the game, in the order of the sheet.
 
+use super::springs::{let_go, period, stretch, swing};
 use super::{Figure, G, Run, figure, up};
 use resultant::physics::{DVec2, ForceKind};
 
@@ -115,6 +116,25 @@ pub fn of(name: &str) -> Vec<Outcome> {
             |run| vec![range(run, 2, 40.0, G), height(run, 2, 40.0, G)],
             |run| vec![range(run, 2, 45.0, 24.8), height(run, 1, 60.0, 24.8)],
             |run| [(3, 30.0), (2, 45.0), (1, 60.0)].into_iter().map(|(object, angle)| range_in_air(run, object, angle)).collect(),
+        ],
+        "hooke" => vec![
+            |run| let_go(run, 1, ("soft", 4.0), (200.0, G)),
+            |run| let_go(run, 1, ("soft", 8.0), (50.0, G)),
+            |run| let_go(run, 1, ("soft", 4.0), (50.0, 1.62)),
+            |run| {
+                run.until(60.0);
+                vec![figure("4 kg, stretch after 60 s", "m", 4.0 * G / 50.0, stretch(run, 1))]
+            },
+        ],
+        "spring-swing" => vec![
+            |run| vec![period(run, 1, "first ball", [2.0, 10.0])],
+            |run| vec![period(run, 3, "4 kg", [4.0, 160.0])],
+            |run| {
+                let speed = swing(&mut run.again(), 1).1;
+                let period = period(run, 1, "first ball", [1.0, 10.0]);
+                vec![period, figure("first ball, speed in the middle", "m/s", 0.5 * 10.0_f64.sqrt(), speed)]
+            },
+            |run| vec![period(run, 1, "first ball", [1.0, 10.0])],
         ],
         other => panic!("{other} has no variations"),
     }
