@@ -51,7 +51,7 @@ pub const TILE_COMMANDS: u64 = 1 << 20;
 
 /// Whether a file's first bytes are none or that line, also with a byte-order mark or another line end from an editor.
 fn begins(first: &[u8], header: &[u8]) -> bool {
-    let first = first.strip_prefix("\u{feff}".as_bytes()).unwrap_or(first);
+    let [first, header] = [first, header].map(|text| text.strip_prefix("\u{feff}".as_bytes()).unwrap_or(text));
     first.is_empty() || first.starts_with(header.trim_ascii_end())
 }
 

@@ -15,6 +15,7 @@ mod pi;
 mod play;
 mod project;
 mod run;
+mod stats;
 mod stop;
 mod telemetry;
 mod tiles;
@@ -64,6 +65,8 @@ enum Subcommand {
     Verify(verify::VerifyArgs),
     /// Print the code of a recorded run: a line of text that `verify` and the game take
     Code(code::CodeArgs),
+    /// Sum up attempts by level and answers by experiment
+    Stats(stats::StatsArgs),
     /// Run a list of commands through a map of tiles
     Tiles(tiles::TilesArgs),
     /// Climb the jumper's tower without a window
@@ -107,6 +110,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, CommandError> {
         Some(Subcommand::Unpack(args)) => pack::unpack(args, &project, out),
         Some(Subcommand::Verify(args)) => verify::run(args, &project, out),
         Some(Subcommand::Code(args)) => code::run(args, out),
+        Some(Subcommand::Stats(args)) => stats::run(args, &project, out),
         Some(Subcommand::Tiles(args)) => tiles::run(args, &project, out),
         Some(Subcommand::Jumper(args)) => jumper::run(args, &project, out),
         Some(Subcommand::Pi(args)) => pi::run(args, &project, out),

@@ -56,6 +56,12 @@ impl fmt::Display for Date {
     }
 }
 
+/// `seconds` since 1970-01-01, 0 UTC, to the second: `2026-11-24 15:58:21`.
+pub fn time_of(seconds: f64) -> String {
+    let of_day = seconds.max(0.0) as u64 % 86_400;
+    format!("{} {:02}:{:02}:{:02}", Date::of_seconds(seconds), of_day / 3600, of_day / 60 % 60, of_day % 60)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,7 +4,7 @@
 mod date;
 mod rooms;
 
-pub use date::{Date, is_daily};
+pub use date::{Date, is_daily, time_of};
 
 use crate::autopilot::{FlightPlan, fly};
 use crate::files::{self, create_folder};

@@ -142,7 +142,7 @@ pub fn list(levels: &Path) -> Vec<String> {
 }
 
 /// Numbers of any length before words, by value; words by their letters, with the numbers in them by value.
-fn by_number_then_name(a: &str, b: &str) -> Ordering {
+pub(crate) fn by_number_then_name(a: &str, b: &str) -> Ordering {
     let digits = |name: &str| !name.is_empty() && name.bytes().all(|b| b.is_ascii_digit());
     let value = |name: &str| {
         let value = name.trim_start_matches('0').to_owned();

@@ -36,6 +36,7 @@ mod wiring;
 mod words;
 mod world_def;
 
+pub(crate) use folder::by_number_then_name;
 #[cfg(test)]
 pub(crate) use folder::fixture;
 pub use folder::{is_shipped, landscape, list, load, load_unfinished, title};

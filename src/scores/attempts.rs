@@ -29,15 +29,16 @@ pub struct AttemptRow {
     pub assisted: bool,
 }
 
-pub(super) fn line(attempt: &AttemptRow) -> String {
+/// A row with its line end.
+pub(super) fn line(row: &impl Serialize) -> String {
     let mut writer = csv::WriterBuilder::new().terminator(csv::Terminator::CRLF).has_headers(false).from_writer(Vec::new());
     // Memory takes all writes, and the cells are text.
-    drop(writer.serialize(attempt));
+    drop(writer.serialize(row));
     writer.into_inner().ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default()
 }
 
 /// Text that no spreadsheet reads as a formula.
-fn as_text<S: Serializer>(text: &str, to: S) -> Result<S::Ok, S::Error> {
+pub(super) fn as_text<S: Serializer>(text: &str, to: S) -> Result<S::Ok, S::Error> {
     to.serialize_str(&harmless(text))
 }
 

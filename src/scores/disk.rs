@@ -33,19 +33,22 @@ pub(super) struct ScoresChange<T> {
 /// A file in the folder of scores while this process holds its lock.
 struct Locked {
     path: PathBuf,
+    /// Whether a link leads to it.
+    is_link: bool,
     _lock: Lock,
 }
 
 impl Locked {
     fn new(folder: &Path, path: PathBuf, patience: Duration) -> Result<Self, ScoresError> {
-        files::make_folder(folder).map_err(ScoresError::file("create the scores folder", folder))?;
-        let path = behind_links(&path)?;
+        files::make_folder(folder).map_err(ScoresError::file("create the folder", folder))?;
+        let named = path;
+        let path = behind_links(&named)?;
         let held = hidden(&path, "lock");
         let lock = Lock::wait(&held, patience).map_err(|error| match error.kind() {
             io::ErrorKind::WouldBlock => ScoresError::Busy(held),
-            _ => ScoresError::file("lock the scores", &held)(error),
+            _ => ScoresError::file("lock the file", &held)(error),
         })?;
-        Ok(Self { path, _lock: lock })
+        Ok(Self { is_link: path != named, path, _lock: lock })
     }
 }
 
@@ -58,7 +61,7 @@ pub(super) fn update<T>(
     patience: Duration,
     change: impl FnOnce(&Path, &[u8]) -> Result<ScoresChange<T>, ScoresError>,
 ) -> Result<(T, Option<Rescue>), ScoresError> {
-    let Locked { path, _lock } = Locked::new(folder, path, patience)?;
+    let Locked { path, _lock, .. } = Locked::new(folder, path, patience)?;
     let old = read_if_there(&path)?;
     let ScoresChange { bytes: new, damage, taken_up, outcome } = change(&path, old.as_deref().unwrap_or_default())?;
     if new.len() as u64 > files::SCORES {
@@ -94,7 +97,7 @@ pub(super) fn write_within(scores: &Path, folders: &[&str], file: &str, bytes: &
 }
 
 /// Adds a line at the end of a file of that folder. A file without `header` at its start is renamed to `<file>.damaged-N`, which is
-/// the answer, and a fresh one begins. It does not wait for the disk: a line is not worth a frame of the game.
+/// the answer, and a fresh one begins; one behind a link is refused. It does not wait for the disk: a line is not worth a frame of the game.
 pub(super) fn append(
     folder: &Path,
     path: PathBuf,
@@ -103,7 +106,7 @@ pub(super) fn append(
 ) -> Result<Option<PathBuf>, ScoresError> {
     const ATTEMPT: &str = "add a line";
     let (header, line) = (header.as_bytes(), line.as_bytes());
-    let Locked { path, _lock } = Locked::new(folder, path, patience)?;
+    let Locked { path, is_link, _lock } = Locked::new(folder, path, patience)?;
     let taken_up: Vec<(PathBuf, Vec<u8>)> = waiting(&path).into_iter().filter(|(_, bytes)| bytes.starts_with(header)).collect();
     let lines: Vec<u8> = taken_up.iter().flat_map(|(_, bytes)| &bytes[header.len()..]).chain(line).copied().collect();
     if lines.is_empty() {
@@ -115,6 +118,9 @@ pub(super) fn append(
     let mut aside = None;
     let add = || files::append(&path, header, &lines).map_err(ScoresError::file(ATTEMPT, &path));
     if !add()? {
+        if is_link {
+            return Err(ScoresError::Foreign(path));
+        }
         aside = Some(move_aside(&path)?);
         add()?;
     }
@@ -125,7 +131,7 @@ pub(super) fn append(
 
 /// Puts rows beside a file whose lock another program holds. The next change of the file takes them up.
 pub(super) fn put_by(folder: &Path, path: PathBuf, text: &str) -> Result<(), ScoresError> {
-    files::make_folder(folder).map_err(ScoresError::file("create the scores folder", folder))?;
+    files::make_folder(folder).map_err(ScoresError::file("create the folder", folder))?;
     keep_beside(&behind_links(&path)?, WAITING, text.as_bytes()).map(drop)
 }
 
@@ -141,7 +147,7 @@ pub(super) fn waiting(path: &Path) -> Vec<(PathBuf, Vec<u8>)> {
 }
 
 fn behind_links(path: &Path) -> Result<PathBuf, ScoresError> {
-    files::behind_links(path).map_err(ScoresError::file("follow the link to the scores", path))
+    files::behind_links(path).map_err(ScoresError::file("follow the link", path))
 }
 
 /// `1.csv` and `damaged-1` make `1.csv.damaged-1`. No level's own file ends like that.

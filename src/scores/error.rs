@@ -57,6 +57,8 @@ pub enum ScoresError {
     ReadOnly(PathBuf),
     /// Another process holds this lock file for too long; a later try may succeed.
     Busy(PathBuf),
+    /// A link leads to it, and it is no list of such rows.
+    Foreign(PathBuf),
     /// With one more row the file would be too large.
     Full(PathBuf),
     File {
@@ -88,6 +90,9 @@ impl fmt::Display for ScoresError {
             Self::Busy(path) => {
                 let path = path.display();
                 write!(f, "{path}: another program is saving there and does not come to an end; nothing was saved, try again")
+            }
+            Self::Foreign(path) => {
+                write!(f, "{}: a link leads to this file, which holds other lines, expected a list of such rows", path.display())
             }
             Self::Full(path) => {
                 write!(f, "{}: the file is full, expected one that stays below {} bytes", path.display(), crate::files::SCORES)

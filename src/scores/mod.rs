@@ -11,7 +11,9 @@ mod judge;
 mod name;
 mod origin;
 mod players;
+mod results;
 pub mod table;
+mod tally;
 
 pub use crate::files::PATIENCE;
 pub use attempts::AttemptRow;
@@ -23,4 +25,7 @@ pub use folder::{LoadedBoard, Saved, Score, Scores};
 pub use judge::{IN_TURN, Judge, TURN};
 pub use name::{NAME_MAX, NAME_TYPING_MAX, Name, NameError};
 pub use origin::RowOrigin;
+pub(crate) use players::harmless;
 pub use players::{Deed, PlayerRecord, Players};
+pub use results::{ResultRow, Results};
+pub use tally::{ExperimentTally, LevelTally, Tally};

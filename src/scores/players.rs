@@ -213,12 +213,12 @@ pub(super) fn write(players: &Players) -> String {
 }
 
 /// Puts an apostrophe before a spreadsheet's formula, which makes it text.
-pub(super) fn harmless(text: &str) -> Cow<'_, str> {
+pub(crate) fn harmless(text: &str) -> Cow<'_, str> {
     if text.starts_with(['=', '+', '-', '@', '\t', '\r', '\'']) { format!("'{text}").into() } else { text.into() }
 }
 
 /// The inverse of [`harmless`].
-fn unharmed(cell: &str) -> &str {
+pub(super) fn unharmed(cell: &str) -> &str {
     cell.strip_prefix('\'').unwrap_or(cell)
 }
 

@@ -1,18 +1,18 @@
 //! A sitting: the screen that is shown, what outlasts it, and how a frame goes.
 
 use super::boards::WaitingScore;
+use super::hand_in::WaitingAnswer;
 use super::journal::Journal;
 use super::library::{Library, Refusal};
 use super::loading::Loading;
 use super::pace;
 use super::worker::{Ticket, Worker};
 use super::{Clipboard, Editor, Flight, FolderWatch, Input, Key, Menu, MenuFacts, Pace, Picture, Request, Screen, Spectator};
-use crate::daily::Date;
 use crate::draw::Canvas;
 use crate::draw::layout::Frame;
 use crate::game::Outcome;
 use crate::pack::Installed;
-use crate::scores::{Name, PATIENCE, Scores};
+use crate::scores::{Name, PATIENCE, Results, Scores};
 use crate::settings::Settings;
 use crate::settings::file::SettingsFile;
 use crate::ui::{Memory, PassInput, Widget};
@@ -45,6 +45,8 @@ pub struct App {
     pub(super) places: Places,
     pub(super) library: Library,
     pub(super) scores: Scores,
+    /// The pupils' answers.
+    pub(super) results: Results,
     pub(super) screen: Box<dyn Screen>,
     /// What its widgets remember.
     memory: Memory,
@@ -73,6 +75,8 @@ pub struct App {
     pub(super) menus: u64,
     /// A score that another program keeps from being saved.
     pub(super) waiting: Option<WaitingScore>,
+    /// An answer to an experiment that another program keeps from being saved.
+    pub(super) waiting_answer: Option<WaitingAnswer>,
     /// The files of the level that is flown.
     pub(super) watch: Option<FolderWatch>,
     /// The editor, while what is edited is flown.
@@ -81,8 +85,8 @@ pub struct App {
     pub(super) behind: Option<(Box<Flight>, PathBuf)>,
     /// What is copied to be pasted.
     pub clipboard: Clipboard,
-    /// The day of the daily flight.
-    pub today: Date,
+    /// Since 1970-01-01, 0 UTC, s: the day of the daily flight, and the time of an answer.
+    pub now: f64,
     /// What reads levels.
     pub(super) worker: Worker,
     /// The request that waits for it.
@@ -116,6 +120,7 @@ impl App {
         let (library, journal) = (Library::new(&places.root, &places.levels), Journal::new(scores.clone()));
         let (settings, settings_problems) = settings_file.load(whose(journal.current()));
         let mut app = Self {
+            results: Results::new(places.root.join("results")),
             places,
             settings,
             settings_file,
@@ -135,11 +140,12 @@ impl App {
             last_level: None,
             menus: 0,
             waiting: None,
+            waiting_answer: None,
             watch: None,
             editing: None,
             behind: None,
             clipboard: Clipboard::default(),
-            today: Date::of_days(0),
+            now: 0.0,
             worker,
             loading: None,
             reading: None,
@@ -163,6 +169,7 @@ impl App {
         self.shown_for += input.frame_time;
         self.journal.update(input.frame_time);
         self.save_settings(input.frame_time);
+        self.save_waiting_answer(input.frame_time);
         let asked = self.act(input, spectator);
         self.note_end();
         let asked = asked.or_else(|| {
@@ -320,7 +327,8 @@ impl App {
     /// Writes down what waits, at the end of the sitting.
     fn close(&mut self) {
         let (journal, settings) = (self.journal.close(PATIENCE), self.settings_file.close(PATIENCE));
-        let problems = [journal.err().map(|error| error.to_string()), settings.err().map(|error| error.to_string())];
+        let answers = self.close_answers();
+        let problems = [journal.err().map(|error| error.to_string()), settings.err().map(|error| error.to_string()), answers.err()];
         for problem in problems.into_iter().flatten() {
             // The window is gone, and nothing can be done about a standard error that is closed.
             let _ = writeln!(io::stderr(), "{problem}");

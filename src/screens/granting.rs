@@ -60,6 +60,10 @@ impl App {
                 let folder = self.library.experiment(&name);
                 self.open_folder(&folder, spectator)
             }
+            Request::HandIn(row) => {
+                self.hand_in(row);
+                return None;
+            }
             Request::Classic(classic) => self.classic(classic),
             Request::Climbed(scene) => Box::new(Jumper::ended(*scene)),
             Request::Settings => Box::new(SettingsPanel::new(self.settings, self.settings_problems.clone())),
@@ -108,6 +112,10 @@ impl App {
         match Flight::new(attempt, spectator) {
             Ok(mut flight) => {
                 flight.tell_of_settings(&self.settings, &self.settings_problems);
+                if flight.attempt().level.experiment {
+                    let listed = self.library.experiments().unwrap_or_default();
+                    listed.into_iter().find(|listed| listed.folder == name).into_iter().for_each(|found| flight.give_sheet(found));
+                }
                 Box::new(flight)
             }
             Err(error) => self.refused(Purpose::Play, &name, vec![error.to_string()]),

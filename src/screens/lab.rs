@@ -9,6 +9,7 @@ mod stability;
 mod survival;
 
 pub use experiments::Experiment;
+pub(super) use experiments::Paragraphs;
 pub use side_by_side::{Half, SideBySide};
 
 use super::{Input, Key, Motion, Request, Screen};

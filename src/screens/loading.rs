@@ -3,6 +3,7 @@
 use super::worker::{Brought, Errand, Ticket, Worker};
 use super::{App, Flight, FlightSource, Input, Key, Make, Menu, Purpose, Request, Spectator};
 use crate::classics::jumper::scene::LEADERBOARD;
+use crate::daily::Date;
 use crate::level;
 use crate::words::tr;
 
@@ -36,7 +37,7 @@ impl App {
                 Some(of_level(self, name))
             }
             Request::Daily => {
-                let (today, levels) = (self.today, self.library.levels().to_path_buf());
+                let (today, levels) = (Date::of_seconds(self.now), self.library.levels().to_path_buf());
                 Some((Errand::Daily(today, levels), tr("the flight of the day, which the autopilot proves").to_owned()))
             }
             Request::Restart => {

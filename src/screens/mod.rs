@@ -18,6 +18,7 @@ mod flights;
 mod folder_watch;
 mod footage;
 mod granting;
+mod hand_in;
 mod hover;
 mod instruments;
 mod journal;
@@ -114,7 +115,7 @@ use crate::classics::jumper::scene::JumperScene;
 use crate::game::RunResult;
 use crate::instruments::vary::Variation;
 use crate::level::Level;
-use crate::scores::Name;
+use crate::scores::{Name, ResultRow};
 use crate::settings::Settings;
 use std::path::PathBuf;
 use std::rc::Rc;
@@ -200,6 +201,8 @@ pub enum Request {
     Experiments(String),
     /// The experiment of that folder.
     Experiment(String),
+    /// An answer to it is to be saved, of the present player; the screen stays.
+    HandIn(ResultRow),
     /// One of them, from its beginning.
     Classic(Classic),
     /// A climb that has ended.

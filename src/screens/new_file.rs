@@ -4,6 +4,18 @@ use crate::files::{self, read_text};
 use std::io;
 use std::path::{Path, PathBuf};
 
+/// Hands a file of the player's to the browser's downloads; elsewhere it lies where the player finds it.
+#[cfg(all(feature = "window", browser))]
+pub(super) fn hand_out(path: &Path) {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    if let Ok(bytes) = files::read(path, files::SCORES) {
+        crate::web::download(&name, &bytes);
+    }
+}
+
+#[cfg(not(all(feature = "window", browser)))]
+pub(super) const fn hand_out(_: &Path) {}
+
 /// The most files of one name.
 const MOST_OF_A_NAME: u32 = 10_000;
 

@@ -4,7 +4,6 @@ use super::host::{self, Instant};
 use super::pad::Pads;
 use super::theatre::{self, Theatre};
 use super::{App, Attempt, Input, Key, Keyed, Keys, Picture, Places, Request, Worker, pace};
-use crate::daily::Date;
 use crate::draw::Canvas;
 use crate::draw::layout::{DESIGN, Frame, Vec2};
 use crate::draw::pen::WindowPen;
@@ -139,7 +138,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     let typist = utils::register_input_subscriber();
     loop {
         theme::wear(app.settings().palette);
-        app.today = Date::of_seconds(macroquad::miniquad::date::now());
+        app.now = macroquad::miniquad::date::now();
         let text = app.screen().text_scale(app.settings(), canvas.frame().pixel);
         pen.begin(&mut canvas, text)?;
         app.dpi = canvas.dpi();

@@ -133,7 +133,7 @@ fn whatever_the_system_refuses_is_an_error_with_its_place_and_leaves_the_old_fil
     let fixture = with(text);
     fs::create_dir(fixture.file(".1.csv.lock")).unwrap();
     let error = fixture.scores().save("1", &name("bob"), 40).unwrap_err();
-    let place = format!("{}: cannot lock the scores: found a folder", fixture.file(".1.csv.lock").display());
+    let place = format!("{}: cannot lock the file: found a folder", fixture.file(".1.csv.lock").display());
     assert!(error.to_string().starts_with(&place), "{error}");
     assert_eq!(fixture.text("1.csv"), text);
     assert!(!fixture.names().iter().any(|name| name.contains("damaged")), "no copy without a save");
@@ -146,7 +146,7 @@ fn whatever_the_system_refuses_is_an_error_with_its_place_and_leaves_the_old_fil
     let fixture = Fixture::new();
     fs::write(fixture.folder(), "a file where the folder should be").unwrap();
     let error = fixture.scores().save("1", &name("bob"), 40).unwrap_err();
-    assert!(error.to_string().contains("scores: cannot create the scores folder: "), "{error}");
+    assert!(error.to_string().contains("scores: cannot create the folder: "), "{error}");
 }
 
 /// Under a limit of no bytes at all a write fails as on a full disk, and the signal that comes with it is ignored.
@@ -178,7 +178,7 @@ fn no_link_that_somebody_laid_is_written_through() {
     fixture.scores().record_within(PATIENCE, &[resultant::scores::Deed::Chosen(name("bob"))]).unwrap();
     std::os::unix::fs::symlink(&mine, fixture.file(".2.csv.lock")).unwrap();
     let error = fixture.scores().save("2", &name("bob"), 40).unwrap_err();
-    assert!(error.to_string().ends_with(".2.csv.lock: cannot lock the scores: found a link, expected a regular file"), "{error}");
+    assert!(error.to_string().ends_with(".2.csv.lock: cannot lock the file: found a link, expected a regular file"), "{error}");
     assert_eq!(
         (fs::read_to_string(mine).unwrap().as_str(), fixture.text("1.csv").as_str()),
         ("mine", "name,score\nbob,40\nann,30\n")
@@ -263,7 +263,7 @@ fn a_board_that_is_a_link_is_followed_and_stays_one() {
 
     std::os::unix::fs::symlink("nowhere.csv", fixture.file("2.csv")).unwrap();
     let error = fixture.scores().save("2", &name("bob"), 40).unwrap_err();
-    assert!(error.to_string().contains("2.csv: cannot follow the link to the scores: "), "{error}");
+    assert!(error.to_string().contains("2.csv: cannot follow the link: "), "{error}");
 }
 
 #[cfg(unix)]

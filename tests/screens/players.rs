@@ -106,10 +106,10 @@ fn every_attempt_that_ends_is_written_down() {
 fn what_cannot_be_written_is_told_and_written_later() {
     let mut sitting = Sitting::with(|root| fs::write(root.join("scores"), "a file, no folder").unwrap());
     sitting.complete();
-    assert!(sitting.shows("cannot create the scores folder"), "{:?}", sitting.texts());
+    assert!(sitting.shows("cannot create the folder"), "{:?}", sitting.texts());
     sitting.press(Key::Escape);
     assert_eq!(done(&mut sitting), 1, "it counts all the same");
-    assert!(sitting.shows("cannot create the scores folder"));
+    assert!(sitting.shows("cannot create the folder"));
     fs::remove_file(sitting.folder.path().join("scores")).unwrap();
     sitting.wait(2.5);
     assert_eq!(sitting.scores_file("attempts.csv").lines().count(), 2);

@@ -13,6 +13,7 @@ mod signs;
 mod viewer;
 mod what_if;
 mod what_if_drawing;
+mod worksheet;
 
 use super::ahead::Ahead;
 use super::granting::is_of_level;
@@ -39,6 +40,7 @@ use rewind::Rewind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use what_if::WhatIf;
+use worksheet::Worksheet;
 
 #[derive(Debug)]
 pub struct Flight {
@@ -76,6 +78,8 @@ pub struct Flight {
     /// The attempt before, while the loss of it is shown.
     lost: Option<Box<Lost>>,
     hints: Hints,
+    /// Of an experiment that is listed.
+    sheet: Option<Box<Worksheet>>,
     rewind: Rewind,
     /// Up to this tick the flight is shown in slow motion: a goal has been met.
     slow_until: u64,
@@ -210,6 +214,7 @@ impl Flight {
             news: None,
             lost: None,
             hints: Hints::default(),
+            sheet: None,
             rewind: Rewind::default(),
             slow_until: 0,
         }

@@ -1,11 +1,11 @@
 //! The pause panel, and the settings above it.
 
-use super::Flight;
-use crate::draw::layout::{Area, HEADING, PADDING, WIDE_BUTTON};
+use super::{Flight, Worksheet, worksheet};
+use crate::draw::layout::{Area, GAP, HEADING, PADDING, Vec2, WIDE_BUTTON};
 use crate::screens::{Input, Key, Purpose, Request, Screen, SettingsPanel};
 use crate::settings::Action;
 use crate::ui::Ui;
-use crate::view::widgets;
+use crate::view::{theme, widgets};
 use crate::words::tr;
 
 pub(super) const RESUME: &str = "Resume";
@@ -37,24 +37,35 @@ impl Flight {
         if self.offers_hint() {
             labels.insert(2, HINT);
         }
-        let middle = ui.frame().size / 2.0;
-        let places = ui.frame().column(labels.len(), middle.y - TOP);
+        let aside = if self.sheet.is_some() { Vec2::new((worksheet::WIDTH + GAP) / 2.0, 0.0) } else { Vec2::ZERO };
+        let middle = ui.frame().size / 2.0 - aside;
+        let mut places = ui.frame().column(labels.len(), middle.y - TOP);
+        places.iter_mut().for_each(|place| place.min -= aside);
         let (top, width) = (middle.y - TOP - HEADING - 2.5 * PADDING, WIDE_BUTTON.x + 4.0 * PADDING);
         let foot = places.last().map_or(middle.y, |last| last.max().y) + 1.5 * PADDING;
-        ui.panel(Area::new(middle.x - width / 2.0, top, width, foot - top));
-        widgets::heading(ui.canvas(), tr("Paused"), top + PADDING + HEADING * 0.65);
+        let panel = Area::new(middle.x - width / 2.0, top, width, foot - top);
+        ui.panel(panel);
+        let heading = Vec2::new(middle.x, top + PADDING + HEADING * 0.65);
+        widgets::fitted(ui.canvas(), tr("Paused"), heading, width, &[HEADING], theme::text());
         self.show_hints(ui);
         ui.start_at(chosen);
         let pressed = ui.buttons(places, &labels);
+        let place = Area::new(panel.max().x + GAP, top, worksheet::WIDTH, panel.size.y);
+        let answer = self.sheet.as_mut().and_then(|sheet| sheet.show(ui, place));
         if self.settings.is_some() {
             return self.show_settings(ui);
         }
-        if ui.is_live() {
+        // Tab walks the sheet, and its fields take all letters.
+        if ui.is_live() && self.sheet.is_none() {
             self.switch_overlays(ui.input());
         }
-        if ui.acts(Action::Pause) || ui.key(Key::Escape) {
+        let typed = self.sheet.is_some() && Worksheet::is_typed_into(ui);
+        if ui.acts(Action::Pause) && !typed || ui.key(Key::Escape) {
             self.pause = None;
             return None;
+        }
+        if answer.is_some() {
+            return answer;
         }
         self.pause = Some(pressed?);
         match pressed? {

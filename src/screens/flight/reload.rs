@@ -31,6 +31,7 @@ impl Flight {
             instruments: std::mem::take(&mut self.instruments).of_another_flight(),
             test: self.test,
             hints: self.hints,
+            sheet: self.sheet.take(),
             lost,
             settings_problems: std::mem::take(&mut self.settings_problems),
             ..fresh

@@ -1,0 +1,189 @@
+//! `resultant stats`: sums of attempts by level and of answers by experiment.
+
+use super::files::{CsvOutput, OutputFile, Staged};
+use super::project::Project;
+use super::stop::{CommandError, Readers, Status, shown};
+use crate::files;
+use crate::level;
+use crate::scores::{ExperimentTally, LevelTally, Tally, harmless};
+use serde::Serialize;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Folders within each other, at most.
+const DEPTH: u32 = 8;
+const CSV: &str = "kind,name,players,tries,successes,median_time,lost_to,guesses_right,guesses_wrong,readings_right,readings_wrong";
+
+#[derive(clap::Args, Debug)]
+pub struct StatsArgs {
+    /// Lists of attempts and of answers, or folders with such lists anywhere in them; without any, those of this game
+    #[arg(value_name = "PATH")]
+    paths: Vec<PathBuf>,
+    /// Write the sums as CSV, too
+    #[arg(long, value_name = "OUT")]
+    csv: Option<PathBuf>,
+}
+
+/// A row of the file of sums; tries are attempts or answers.
+#[derive(Default, Serialize)]
+struct StatsRow<'a> {
+    kind: &'a str,
+    name: &'a str,
+    players: usize,
+    tries: usize,
+    successes: Option<usize>,
+    /// s.
+    median_time: Option<String>,
+    lost_to: String,
+    judged: [Option<usize>; 4],
+}
+
+/// Tables go to `out`, unreadable rows and files to standard error.
+/// Errors: a path that is not there; a file of sums that cannot be written.
+pub fn run(args: &StatsArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
+    let own = [project.scores(), project.root().join("results")];
+    let paths: Vec<PathBuf> =
+        if args.paths.is_empty() { own.into_iter().filter(|path| files::is_folder(path)).collect() } else { args.paths.clone() };
+    let mut err = Readers::of(io::stderr().lock());
+    let (mut tally, mut status, mut read) = (Tally::default(), Status::Done, Vec::new());
+    for path in &paths {
+        let named = files::look(path).map_err(|error| CommandError::Refused(format!("{}: {error}", path.display())))?;
+        let lists = if named.kind == files::FileKind::Folder { below(path, DEPTH) } else { vec![path.clone()] };
+        for list in lists {
+            let shown_list = shown(list.display());
+            let problems = match files::read(&list, files::INPUTS) {
+                Ok(bytes) => tally.add(&shown_list, &bytes),
+                Err(error) => Some(vec![format!("{shown_list}: {error}")]),
+            };
+            // A folder may hold other tables.
+            let problems = problems.or_else(|| {
+                (list == *path)
+                    .then(|| vec![format!("{shown_list}:1: found another table, expected a list of attempts or of answers")])
+            });
+            for problem in problems.into_iter().flatten() {
+                writeln!(err, "{}", shown(problem))?;
+                status = Status::Wrong;
+            }
+            read.push(list);
+        }
+    }
+    let [csv] = OutputFile::create_all([("--csv", args.csv.as_deref())], &read)?;
+    let (levels, experiments) = (levels(&tally), &tally.experiments);
+    print(&levels, experiments, out)?;
+    if let Some(file) = csv {
+        Staged::place_all([write_csv(&levels, experiments, file)?.stage()?])?;
+    }
+    Ok(status)
+}
+
+/// All tables in a folder, and rows that wait beside one; links to folders are not followed.
+fn below(folder: &Path, depth: u32) -> Vec<PathBuf> {
+    let mut lists = Vec::new();
+    for name in files::text_names(folder).into_iter().filter(|name| !name.starts_with('.')) {
+        let path = folder.join(&name);
+        if files::is_folder(&path) {
+            if depth > 0 && !files::is_link(&path) {
+                lists.extend(below(&path, depth - 1));
+            }
+        } else if name.to_lowercase().ends_with(".csv") || name.contains(".csv.waiting-") {
+            lists.push(path);
+        }
+    }
+    lists
+}
+
+/// In the order of the list of levels.
+fn levels(tally: &Tally) -> Vec<(&String, &LevelTally)> {
+    let mut levels: Vec<_> = tally.levels.iter().collect();
+    levels.sort_by(|a, b| level::by_number_then_name(a.0, b.0));
+    levels
+}
+
+/// The most frequent cause first.
+fn causes(level: &LevelTally) -> String {
+    let mut causes: Vec<_> = level.causes.iter().collect();
+    causes.sort_by_key(|(_, count)| std::cmp::Reverse(**count));
+    causes.iter().map(|(cause, count)| format!("{cause} ({count})")).collect::<Vec<_>>().join(", ")
+}
+
+type Experiments = std::collections::BTreeMap<String, ExperimentTally>;
+
+fn print(levels: &[(&String, &LevelTally)], experiments: &Experiments, out: &mut dyn Write) -> io::Result<()> {
+    let mut tables = Vec::new();
+    if !levels.is_empty() {
+        let mut rows =
+            vec![["level", "players", "tries", "successes", "rate", "median time", "lost to"].map(str::to_owned).to_vec()];
+        rows.extend(levels.iter().map(|(name, level)| {
+            let rate = format!("{:.0} %", 100.0 * level.successes as f64 / level.tries as f64);
+            let median = level.median().map_or_else(|| "–".to_owned(), |median| format!("{median:.2} s"));
+            let counts = [level.players.len(), level.tries, level.successes].map(|count| count.to_string());
+            let [players, tries, successes] = counts;
+            vec![shown(name), players, tries, successes, rate, median, shown(causes(level))]
+        }));
+        tables.push(rows);
+    }
+    if !experiments.is_empty() {
+        let heading = ["experiment", "players", "answers", "guesses right", "wrong", "readings right", "wrong"];
+        let mut rows = vec![heading.map(str::to_owned).to_vec()];
+        rows.extend(experiments.iter().map(|(name, experiment)| {
+            let ([right, wrong], [read, misread]) = (experiment.guesses, experiment.readings);
+            let counts = [experiment.players.len(), experiment.answers, right, wrong, read, misread];
+            std::iter::once(shown(name)).chain(counts.map(|count| count.to_string())).collect()
+        }));
+        tables.push(rows);
+    }
+    if tables.is_empty() {
+        writeln!(out, "no attempts and no answers")?;
+    }
+    for (i, rows) in tables.iter().enumerate() {
+        if i > 0 {
+            writeln!(out)?;
+        }
+        print_table(rows, out)?;
+    }
+    Ok(())
+}
+
+/// Words to the left, numbers to the right.
+fn print_table(rows: &[Vec<String>], out: &mut dyn Write) -> io::Result<()> {
+    let columns = rows.first().map_or(0, Vec::len);
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    for row in rows {
+        let cell = |(column, text): (usize, &String)| {
+            let (width, words) = (widths[column], column == 0 || rows[0][column] == "lost to");
+            if words { format!("{text:<width$}") } else { format!("{text:>width$}") }
+        };
+        let line: Vec<String> = row.iter().enumerate().map(cell).collect();
+        writeln!(out, "{}", line.join("  ").trim_end())?;
+    }
+    Ok(())
+}
+
+fn write_csv(levels: &[(&String, &LevelTally)], experiments: &Experiments, file: OutputFile) -> Result<OutputFile, CommandError> {
+    let mut table = CsvOutput::new(file, CSV)?;
+    for (name, level) in levels {
+        table.row(&StatsRow {
+            kind: "level",
+            name: &harmless(name),
+            players: level.players.len(),
+            tries: level.tries,
+            successes: Some(level.successes),
+            median_time: level.median().map(|median| format!("{median:.3}")),
+            lost_to: harmless(&causes(level)).into_owned(),
+            judged: [None; 4],
+        })?;
+    }
+    for (name, experiment) in experiments {
+        let ([right, wrong], [read, misread]) = (experiment.guesses, experiment.readings);
+        table.row(&StatsRow {
+            kind: "experiment",
+            name: &harmless(name),
+            players: experiment.players.len(),
+            tries: experiment.answers,
+            judged: [right, wrong, read, misread].map(Some),
+            ..StatsRow::default()
+        })?;
+    }
+    Ok(table.into_inner()?)
+}

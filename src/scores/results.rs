@@ -1,0 +1,119 @@
+//! Answers to experiments: a file a player, a row an answer, for teachers and their spreadsheets. The game only adds rows. RFC 4180,
+//! CRLF, UTF-8 behind a byte-order mark, without which Excel takes it for another encoding.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use serde::{Serialize, Serializer};
+
+use super::attempts::{self, as_text};
+use super::disk;
+use super::error::ScoresError;
+use super::name::Name;
+use super::players::harmless;
+use crate::level;
+use crate::number;
+
+pub(super) const HEADER: &str = "\u{feff}player,experiment,time,guess,guess_right,readings,readings_right,answer\r\n";
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct ResultRow {
+    pub player: Name,
+    #[serde(serialize_with = "as_text")]
+    pub experiment: String,
+    /// `2026-11-24 15:58:21`, UTC.
+    pub time: String,
+    #[serde(serialize_with = "as_number_or_text")]
+    pub guess: String,
+    /// `None` where nothing says what is right.
+    #[serde(serialize_with = "as_verdict")]
+    pub guess_right: Option<bool>,
+    #[serde(serialize_with = "as_number_or_text")]
+    pub readings: String,
+    #[serde(serialize_with = "as_verdict")]
+    pub readings_right: Option<bool>,
+    /// The exact one, of the experiment.
+    #[serde(serialize_with = "as_text")]
+    pub answer: String,
+}
+
+/// The folder of these files.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Results {
+    folder: PathBuf,
+}
+
+impl Results {
+    /// The folder need not exist yet.
+    pub fn new(folder: impl Into<PathBuf>) -> Self {
+        Self { folder: folder.into() }
+    }
+
+    /// The file of a player. Windows takes some names for devices.
+    pub fn file(&self, player: &Name) -> PathBuf {
+        let more = if level::is_device(player.as_str()) { "_" } else { "" };
+        self.folder.join(format!("{player}{more}.csv"))
+    }
+
+    /// Adds an answer. A file that is no list of answers is renamed; the answer is its new path.
+    /// Errors: as of a file of scores; a link to a file that is no list of answers.
+    pub fn append_within(&self, patience: Duration, row: &ResultRow) -> Result<Option<PathBuf>, ScoresError> {
+        disk::append(&self.folder, self.file(&row.player), patience, (HEADER, &attempts::line(row)))
+    }
+
+    /// Puts an answer aside while another program holds the lock: the next answer takes it up.
+    pub fn put_by(&self, row: &ResultRow) -> Result<(), ScoresError> {
+        disk::put_by(&self.folder, self.file(&row.player), &(HEADER.to_owned() + &attempts::line(row)))
+    }
+}
+
+/// A number as it is, also with a sign in front and a decimal comma; other text so that no spreadsheet reads it as a formula.
+fn as_number_or_text<S: Serializer>(text: &str, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(&if number::is_plain(text) { text.into() } else { harmless(text) })
+}
+
+fn as_verdict<S: Serializer>(right: &Option<bool>, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(right.map_or("", |right| if right { "yes" } else { "no" }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_stay_numbers_and_no_guess_is_a_formula() {
+        let mut row = ResultRow {
+            player: Name::new("ann").unwrap(),
+            experiment: "hooke".to_owned(),
+            time: "2026-11-24 15:58:21".to_owned(),
+            guess: "-5,25".to_owned(),
+            guess_right: Some(false),
+            readings: "48 N, \"soft\"; 50 N".to_owned(),
+            readings_right: Some(true),
+            answer: "F = k·s".to_owned(),
+        };
+        let expected = "ann,hooke,2026-11-24 15:58:21,\"-5,25\",no,\"48 N, \"\"soft\"\"; 50 N\",yes,F = k·s\r\n";
+        assert_eq!(attempts::line(&row), expected);
+        (row.guess_right, row.readings_right) = (None, None);
+        for (guess, cell) in [
+            ("=1+1", "'=1+1"),
+            ("+5", "+5"),
+            ("+5 N", "'+5 N"),
+            ("-5", "-5"),
+            ("-5-5", "'-5-5"),
+            ("-", "'-"),
+            ("@SUM(A1)", "'@SUM(A1)"),
+            ("-inf", "'-inf"),
+            ("", ""),
+        ] {
+            (row.guess, row.readings) = (guess.to_owned(), guess.to_owned());
+            assert_eq!(attempts::line(&row), format!("ann,hooke,2026-11-24 15:58:21,{cell},,{cell},,F = k·s\r\n"));
+        }
+    }
+
+    #[test]
+    fn the_file_of_a_device_has_another_name() {
+        let file = |name| Results::new("results").file(&Name::new(name).unwrap());
+        assert_eq!((file("ann"), file("Con")), ("results/ann.csv".into(), "results/Con_.csv".into()));
+    }
+}

@@ -1,0 +1,162 @@
+//! The sheet of an experiment beside the pause panel: its question, the pupil's guess and readings, and the answer, once a guess is
+//! there.
+
+use super::Flight;
+use crate::draw::Style;
+use crate::draw::layout::{Area, BUTTON_TEXT, GAP, GRID, PADDING, TEXT, Vec2};
+use crate::scores::{Name, ResultRow};
+use crate::screens::lab::{Experiment, Paragraphs};
+use crate::screens::{Request, text_field::TextField};
+use crate::ui::{FieldEvent, Ui};
+use crate::view::{theme, widgets};
+use crate::words::tr;
+
+pub(super) const WIDTH: f32 = 640.0;
+const GUESS: &str = "Your guess";
+const READINGS: &str = "Your readings";
+const ANSWER: &str = "Answer";
+const SAVE: &str = "Save";
+const NO_GUESS: &str = "Make a guess first.";
+const LINE_HEIGHT: f32 = 44.0;
+/// The most characters of a guess, and of readings.
+const MOST: (usize, usize) = (80, 240);
+
+#[derive(Debug)]
+pub struct Worksheet {
+    experiment: Experiment,
+    guess: TextField,
+    readings: TextField,
+    /// Whether the answer is shown: the guess stays as it is then.
+    answered: bool,
+    /// What was saved last.
+    saved: Option<[String; 2]>,
+    /// The outcome of the last press; an error is a problem.
+    told: Result<String, String>,
+}
+
+impl Flight {
+    /// An experiment has its question.
+    pub(in crate::screens) fn give_sheet(&mut self, experiment: Experiment) {
+        self.sheet = Some(Box::new(Worksheet::new(experiment)));
+    }
+
+    /// What became of the answer that was to be saved.
+    pub(in crate::screens) fn tell_of_answer(&mut self, told: Result<String, String>) {
+        if let Some(sheet) = &mut self.sheet {
+            sheet.saved = sheet.saved.take().filter(|_| told.is_ok());
+            sheet.told = told;
+        }
+    }
+}
+
+impl Worksheet {
+    fn new(experiment: Experiment) -> Self {
+        Self {
+            experiment,
+            guess: TextField::new("", MOST.0),
+            readings: TextField::new("", MOST.1),
+            answered: false,
+            saved: None,
+            told: Ok(String::new()),
+        }
+    }
+
+    /// Whether letters go into one of its fields.
+    pub(super) fn is_typed_into(ui: &Ui<'_>) -> bool {
+        ui.has_focus(GUESS) || ui.has_focus(READINGS)
+    }
+
+    pub(super) fn show(&mut self, ui: &mut Ui<'_>, panel: Area) -> Option<Request> {
+        ui.panel(panel);
+        let inner = panel.inset(1.5 * PADDING);
+        let mut pen = Paragraphs { canvas: ui.canvas(), at: inner.min, width: inner.size.x };
+        pen.write(tr(&self.experiment.title), BUTTON_TEXT, theme::accent());
+        pen.write(tr(&self.experiment.question), TEXT, theme::text());
+        ui.group();
+        let label = |words: &str, pen: &mut Paragraphs<'_>| {
+            pen.write(tr(words), TEXT, theme::quiet());
+            let line = Area { min: pen.at - Vec2::new(0.0, GRID), size: Vec2::new(inner.size.x, LINE_HEIGHT) };
+            pen.at.y += LINE_HEIGHT + GRID;
+            line
+        };
+        let line = label(GUESS, &mut pen);
+        self.show_guess(ui, line);
+        ui.group();
+        let line = label(READINGS, &mut pen);
+        if ui.line(READINGS, line, &mut self.readings) == Some(FieldEvent::Changed) {
+            self.told = Ok(String::new());
+        }
+        ui.group();
+        let size = Vec2::new((inner.size.x - GAP) / 2.0, LINE_HEIGHT);
+        let places = [0.0, size.x + GAP].map(|right| Area { min: pen.at + Vec2::new(right, 0.0), size });
+        let pressed = ui.buttons(places.to_vec(), &[ANSWER, SAVE]);
+        pen.at.y += LINE_HEIGHT + PADDING;
+        if self.answered {
+            pen.write(tr(&self.experiment.answer), TEXT, theme::good());
+        }
+        let (words, colour) = match &self.told {
+            Ok(words) => (words, theme::quiet()),
+            Err(problem) => (problem, theme::bad()),
+        };
+        pen.write(words, TEXT, colour);
+        self.act(pressed?)
+    }
+
+    /// The choices beside each other, or a line to write on.
+    fn show_guess(&mut self, ui: &mut Ui<'_>, line: Area) {
+        let guess = self.guess.text();
+        if self.answered {
+            let style = Style::new(TEXT, theme::text()).middle();
+            let guess = widgets::cut(ui.canvas(), tr(&guess), line.size.x, style);
+            return ui.text(&guess, Vec2::new(line.min.x, line.centre().y), style);
+        }
+        let choices = &self.experiment.choices;
+        if choices.is_empty() {
+            match ui.line(GUESS, line, &mut self.guess) {
+                Some(FieldEvent::Entered) => ui.focus(Some(READINGS)),
+                Some(FieldEvent::Changed) => self.told = Ok(String::new()),
+                None => {}
+            }
+            return;
+        }
+        let pitch = (line.size.x + GRID) / choices.len() as f32;
+        for (i, choice) in choices.iter().enumerate() {
+            let min = line.min + Vec2::new(i as f32 * pitch, 0.0);
+            let area = Area { min, size: Vec2::new(pitch - GRID, line.size.y) };
+            let colour = if *choice == guess { theme::accent() } else { theme::text() };
+            if ui.small_button((choice, tr(choice)), area, Style::new(TEXT, colour).centred()) {
+                (self.guess, self.told) = (TextField::new(choice, MOST.0), Ok(String::new()));
+            }
+        }
+    }
+
+    fn act(&mut self, pressed: &str) -> Option<Request> {
+        let [guess, readings] = [&self.guess, &self.readings].map(|field| field.text().trim().to_owned());
+        if guess.is_empty() {
+            self.told = Err(tr(NO_GUESS).to_owned());
+            return None;
+        }
+        self.told = Ok(String::new());
+        if pressed == ANSWER {
+            self.answered = true;
+            return None;
+        }
+        let now = Some([guess.clone(), readings.clone()]);
+        if self.saved == now {
+            self.told = Ok(tr("This is saved already.").to_owned());
+            return None;
+        }
+        self.saved = now;
+        self.told = Ok(tr("Another program writes there: waiting for it …").to_owned());
+        Some(Request::HandIn(ResultRow {
+            player: Name::guest(),
+            experiment: self.experiment.folder.clone(),
+            time: String::new(),
+            guess_right: self.experiment.judge(&guess),
+            readings_right: self.experiment.judge(&readings),
+            guess,
+            readings,
+            answer: self.experiment.answer.clone(),
+        }))
+    }
+}
