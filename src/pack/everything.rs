@@ -10,7 +10,7 @@ use std::path::Path;
 /// The folder of the archive.
 const NAME: &str = "resultant-data";
 /// The parts of it that are taken.
-const PARTS: [&str; 5] = ["before-import", "exports", "levels", "scores", "settings.csv"];
+const PARTS: [&str; 6] = ["before-import", "exports", "levels", "results", "scores", "settings.csv"];
 /// Where a file goes whose place an imported one takes.
 const BEFORE: &str = "before-import";
 /// The place of the first name in a ZIP archive, bytes.

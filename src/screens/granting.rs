@@ -39,9 +39,8 @@ impl App {
             // Nothing comes of an experiment but what was seen.
             Request::Score(attempt, ..) if attempt.level.experiment => self.lab(Some(&attempt.level.name)),
             Request::Score(attempt, result, flown) => self.scoring(attempt, result, flown),
-            Request::Export(file) => {
-                let told = file.write(&self.places.root.join("exports"));
-                self.screen.report_export(told);
+            Request::Export(_) | Request::HandIn(_) | Request::Set(_) => {
+                self.write_down(request);
                 return None;
             }
             Request::SaveScore(gain) => self.save_score(gain),
@@ -60,17 +59,9 @@ impl App {
                 let folder = self.library.experiment(&name);
                 self.open_folder(&folder, spectator)
             }
-            Request::HandIn(row) => {
-                self.hand_in(row);
-                return None;
-            }
             Request::Classic(classic) => self.classic(classic),
             Request::Climbed(scene) => Box::new(Jumper::ended(*scene)),
             Request::Settings => Box::new(SettingsPanel::new(self.settings, self.settings_problems.clone())),
-            Request::Set(settings) => {
-                self.set(settings);
-                return None;
-            }
             Request::Open(path) => self.open(&path, spectator),
             #[cfg(all(feature = "window", browser))]
             Request::PageData => Box::new(super::page_data::PageData::default()),
@@ -87,6 +78,19 @@ impl App {
             }
             request => return self.begin_editing(request, spectator),
         })
+    }
+
+    /// Grants what is written to a file while the screen stays.
+    fn write_down(&mut self, request: Request) {
+        match request {
+            Request::Export(file) => {
+                let told = file.write(&self.places.root.join("exports"));
+                self.screen.report_export(told);
+            }
+            Request::HandIn(row) => self.hand_in(row),
+            Request::Set(settings) => self.set(settings),
+            _ => {}
+        }
     }
 
     fn players(&mut self) -> Box<dyn Screen> {

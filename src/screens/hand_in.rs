@@ -34,7 +34,8 @@ impl App {
         let file = self.results.file(&row.player);
         let told = match self.results.append_within(Duration::ZERO, &row) {
             Ok(aside) => {
-                let kept = aside.map(|kept| tr!(" What stood there before is {place} now.", place = kept.display())).unwrap_or_default();
+                let kept =
+                    aside.map(|kept| tr!(" What stood there before is {place} now.", place = kept.display())).unwrap_or_default();
                 new_file::hand_out(&file);
                 Ok(tr!("Saved in {place}.", place = file.display()) + &kept)
             }
@@ -53,7 +54,8 @@ impl App {
     /// Puts an answer beside a file that another program keeps to itself.
     pub(super) fn put_answer_by(&self, row: &ResultRow) -> Result<String, String> {
         let file = self.results.file(&row.player);
-        let waits = || tr!("Another program writes to {place}: the answer waits beside it for your next one.", place = file.display());
+        let waits =
+            || tr!("Another program writes to {place}: the answer waits beside it for your next one.", place = file.display());
         self.results.put_by(row).map(|()| waits()).map_err(|error| error.to_string())
     }
 

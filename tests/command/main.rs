@@ -3,5 +3,6 @@
 mod command_line;
 mod readout;
 mod run;
+mod stats;
 #[path = "../support/mod.rs"]
 mod support;

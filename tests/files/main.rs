@@ -5,6 +5,7 @@ mod fixture;
 mod limits;
 mod pack;
 mod players;
+mod results;
 mod scores;
 #[path = "../support/mod.rs"]
 mod support;

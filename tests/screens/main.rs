@@ -23,6 +23,7 @@ mod sitting;
 #[path = "../support/mod.rs"]
 mod support;
 mod what_if;
+mod worksheet;
 
 use resultant::draw::layout::{Frame, Vec2};
 use resultant::screens::Key;

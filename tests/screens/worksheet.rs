@@ -1,0 +1,168 @@
+//! The sheet of an experiment in the pause panel, and the file that a pupil hands in.
+
+use crate::lesson::experiment;
+use crate::sitting::Sitting;
+use resultant::draw::layout::{Frame, Vec2};
+use resultant::screens::{Input, Key};
+use std::fs;
+use std::path::PathBuf;
+
+const HEADER: &str = "\u{feff}player,experiment,time,guess,guess_right,readings,readings_right,answer\r\n";
+
+/// In the pause panel of an experiment, where the focus is on Resume.
+fn paused(name: &str) -> Sitting {
+    let mut sitting = experiment(name);
+    sitting.press(Key::Escape);
+    assert_eq!((sitting.at(), sitting.focused()), ("pause", "Resume"));
+    sitting
+}
+
+fn file(sitting: &Sitting, name: &str) -> PathBuf {
+    sitting.folder.path().join("results").join(name)
+}
+
+fn results(sitting: &Sitting) -> String {
+    fs::read_to_string(file(sitting, "Guest.csv")).unwrap_or_default()
+}
+
+/// With a guess at Hooke's law.
+fn guessed() -> Sitting {
+    let mut sitting = paused("hooke");
+    sitting.click("Your guess").write("40");
+    sitting
+}
+
+#[test]
+fn the_answer_follows_a_guess_and_goes_with_it_to_the_pupils_file() {
+    let mut sitting = paused("hooke");
+    assert!(sitting.shows("Hooke's law") && sitting.shows("How hard does the soft spring pull") && !sitting.shows("F = k·s"));
+    for button in ["Answer", "Save"] {
+        sitting.click(button);
+        assert_eq!(sitting.warning().as_deref(), Some("Make a guess first."));
+    }
+    assert!(!file(&sitting, "").exists());
+    sitting.click("Your guess").write("40");
+    assert_eq!(sitting.warning(), None);
+    sitting.press(Key::Enter);
+    assert_eq!(sitting.focused(), "Your readings");
+    sitting.write("49,5 N/m").click("Answer");
+    assert!(sitting.shows("F = k·s") && sitting.shows("40"));
+    assert!(!sitting.labels().contains(&"Your guess"), "it stays as it was");
+    sitting.app.now = 1_800_000_000.0;
+    sitting.click("Save");
+    let row = "Guest,hooke,2027-01-15 08:00:00,40,no,\"49,5 N/m\",yes,\
+               \"F = k·s, with k = 50 N/m: m·g/k at rest, twice that at the lowest\"\r\n";
+    assert_eq!(results(&sitting), format!("{HEADER}{row}"));
+    assert!(sitting.shows("Saved in ") && sitting.warning().is_none());
+    sitting.click("Save");
+    assert!(sitting.shows("This is saved already.") && results(&sitting) == format!("{HEADER}{row}"));
+    // The sheet outlasts a restart.
+    sitting.click("Restart").press(Key::Escape);
+    assert!(sitting.shows("F = k·s") && sitting.shows("49,5 N/m"));
+    sitting.click("Your readings").write(" and 100").click("Save");
+    assert_eq!(results(&sitting).lines().count(), 3);
+}
+
+#[test]
+fn a_guess_is_chosen_where_there_are_choices() {
+    let mut sitting = paused("spring-swing");
+    sitting.click("a wider swing").click("more mass").click("Save");
+    assert!(results(&sitting).contains(",more mass,yes,,,"), "{}", results(&sitting));
+    let mut sitting = paused("free-fall");
+    sitting.choose("100 kg").choose("Save");
+    assert!(results(&sitting).contains("Guest,free-fall,1970-01-01 00:00:00,100 kg,no,,,"), "{}", results(&sitting));
+}
+
+#[test]
+fn letters_go_into_the_field_with_the_focus_and_elsewhere_are_keys() {
+    let mut sitting = guessed();
+    let p: Input = Input { pressed: [Key::P].into_iter().collect(), typed: "p".into(), ..Input::default() };
+    sitting.give(p.clone());
+    assert!(sitting.at() == "pause" && sitting.shows("40p"));
+    sitting.press(Key::Tab).give(p.clone());
+    assert!(sitting.focused() == "Your readings" && sitting.shows("40p") && !sitting.shows("40pp"));
+    sitting.press(Key::Escape);
+    assert_eq!(sitting.at(), "flight");
+    sitting.press(Key::Escape);
+    assert!(sitting.shows("40p"), "it is still there");
+    sitting.press(Key::Tab).press(Key::Tab).press(Key::Tab).press(Key::Tab);
+    assert_eq!(sitting.focused(), "Resume");
+    sitting.give(p);
+    assert!(sitting.at() == "flight");
+}
+
+#[test]
+fn what_cannot_be_saved_is_told_and_stays_on_the_sheet() {
+    let mut sitting = guessed();
+    fs::write(file(&sitting, ""), "a file, no folder").unwrap();
+    sitting.click("Save");
+    assert!(sitting.warning().unwrap().contains("results: cannot create the folder"), "{:?}", sitting.warning());
+    fs::remove_file(file(&sitting, "")).unwrap();
+    sitting.click("Save");
+    assert!(results(&sitting).contains(",40,no,") && sitting.warning().is_none());
+    // A file of another kind is kept aside.
+    fs::write(file(&sitting, "Guest.csv"), "my own notes\n").unwrap();
+    sitting.click("Your guess").write("1").click("Save");
+    assert!(results(&sitting).starts_with(HEADER) && sitting.shows("Saved in "));
+    assert_eq!(fs::read_to_string(file(&sitting, "Guest.csv.damaged-1")).unwrap(), "my own notes\n");
+}
+
+#[test]
+fn a_file_that_another_program_holds_is_waited_for_without_a_frame_and_then_put_beside() {
+    let mut sitting = guessed();
+    let hold = |sitting: &Sitting| {
+        fs::create_dir_all(file(sitting, "")).unwrap();
+        let held = fs::File::create(file(sitting, ".Guest.csv.lock")).unwrap();
+        held.lock().unwrap();
+        held
+    };
+    let (held, before) = (hold(&sitting), resultant::files::pauses());
+    sitting.click("Save").wait(0.5);
+    assert!(sitting.shows("waiting for it") && results(&sitting).is_empty());
+    drop(held);
+    assert!(sitting.rest().rest().shows("Saved in ") && results(&sitting).lines().count() == 2);
+    let held = hold(&sitting);
+    sitting.click("Your guess").write("1").click("Save").wait(2.5);
+    assert!(sitting.shows("Another program writes to ") && sitting.warning().is_none());
+    assert!(fs::read_to_string(file(&sitting, "Guest.csv.waiting-1")).unwrap().contains(",401,no,"));
+    assert_eq!(resultant::files::pauses(), before, "frames were spent on waiting");
+    // A window that is closed meanwhile loses nothing.
+    sitting.click("Your guess").write("2").click("Save").reopen();
+    assert!(fs::read_to_string(file(&sitting, "Guest.csv.waiting-2")).unwrap().contains(",4012,no,"));
+    drop(held);
+}
+
+#[test]
+fn the_sheet_is_whole_in_every_window() {
+    for name in ["hooke", "free-fall", "friction"] {
+        for (width, height) in [(900.0, 500.0), (1280.0, 720.0), (600.0, 1000.0), (3000.0, 500.0)] {
+            let mut sitting = paused(name);
+            sitting.frame = Frame::of_window(Vec2::new(width, height));
+            sitting.rest();
+            if sitting.labels().contains(&"Your guess") {
+                sitting.click("Your guess").write("a long guess, as pupils have them");
+            } else {
+                sitting.click("all at once");
+            }
+            sitting.click("Answer").click("Save");
+            let areas = sitting.areas();
+            for (i, area) in areas.iter().enumerate() {
+                assert!(area.min.min_element() >= 0.0 && area.max().cmple(sitting.frame.size).all(), "{area:?}");
+                assert!(area.covers_none(&areas[i + 1..]), "{area:?}");
+            }
+            let foot = sitting.texts().iter().filter(|(text, _)| !text.is_empty()).map(|(_, at)| at.y).fold(0.0, f32::max);
+            assert!(foot < sitting.frame.size.y - 8.0, "{name}, {width}: {foot}");
+        }
+    }
+}
+
+/// What comes with the game stays as it is.
+#[test]
+fn an_experiment_is_edited_as_a_copy() {
+    let mut sitting = paused("free-fall");
+    sitting.click("Edit Level");
+    assert!(sitting.at() == "levels to edit" && sitting.shows("free-fall"), "{:?}", sitting.texts());
+    sitting.press(Key::Enter);
+    assert_eq!(sitting.at(), "editor");
+    assert!(sitting.folder.path().join("levels/free-fall-copy/objects.csv").exists());
+}
