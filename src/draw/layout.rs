@@ -82,6 +82,8 @@ pub const EDGE: f32 = 2.0;
 pub const WIDE_BUTTON: Vec2 = Vec2::new(320.0, 48.0);
 pub const ROW_BUTTON: Vec2 = Vec2::new(200.0, 48.0);
 pub const GAP: f32 = 16.0;
+/// Between a row of buttons and the canvas' sides, a tool bar and its foot.
+pub const MARGIN: f32 = 24.0;
 
 /// A box on the canvas, y down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -196,11 +198,11 @@ impl Frame {
         (0..count).map(|i| Area::new(left, top + i as f32 * pitch, WIDE_BUTTON.x, WIDE_BUTTON.y)).collect()
     }
 
-    /// Buttons beside each other at `top`, in the middle of the canvas.
+    /// Buttons beside each other at `top`, in the middle of the canvas; narrower where there are many.
     pub fn row(&self, count: usize, top: f32) -> Vec<Area> {
-        let pitch = ROW_BUTTON.x + GAP;
+        let pitch = ((self.size.x - 2.0 * MARGIN + GAP) / count.max(1) as f32).min(ROW_BUTTON.x + GAP);
         let left = (self.size.x - (count as f32 * pitch - GAP)) / 2.0;
-        (0..count).map(|i| Area::new(left + i as f32 * pitch, top, ROW_BUTTON.x, ROW_BUTTON.y)).collect()
+        (0..count).map(|i| Area::new(left + i as f32 * pitch, top, pitch - GAP, ROW_BUTTON.y)).collect()
     }
 }
 
@@ -265,6 +267,8 @@ mod tests {
         let row = frame.row(3, 600.0);
         assert_eq!(row[0].min.x, frame.size.x - row[2].max().x);
         assert_eq!(row[1].min.x - row[0].max().x, GAP);
+        let full = frame.row(7, 600.0);
+        assert!((full[0].min.x - MARGIN).abs() < 1e-3 && (frame.size.x - full[6].max().x - MARGIN).abs() < 1e-3, "{full:?}");
         let column = frame.column(2, 100.0);
         assert_eq!(column[0].min.x, frame.size.x - column[0].max().x);
         assert_eq!(column[1].min.y - column[0].max().y, GAP);

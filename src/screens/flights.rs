@@ -10,6 +10,7 @@ use crate::game::Replay;
 use crate::number::clock;
 use crate::scores::RowOrigin;
 use crate::settings::Action;
+use crate::ui::input::Stroke;
 use crate::ui::{Turning, Ui};
 use crate::view::{theme, widgets};
 use crate::words::tr;
@@ -242,7 +243,8 @@ impl Screen for Flights {
         if ui.key(Key::Escape) || pressed == Some("Back") {
             return Some((*self.visit.back).clone());
         }
-        if pressed == Some("Paste Code") {
+        let pastes = |stroke: &Stroke| matches!(stroke, Stroke::Key(Key::V, held) if held.has(Key::Control));
+        if pressed == Some("Paste Code") || ui.input().strokes(&[Key::V]).iter().any(pastes) {
             let code = ui.input().clipboard.text();
             return Some(Request::PasteCode(self.visit.clone(), code.trim().to_owned()));
         }

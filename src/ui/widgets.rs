@@ -3,15 +3,13 @@
 use super::memory::WidgetKind;
 use super::text_field::TextField;
 use super::{Ui, input::Input};
-use crate::draw::layout::{Area, BUTTON_TEXT, GAP, GRID, HEADING, PADDING, ROW_BUTTON, TEXT, Vec2};
+use crate::draw::layout::{Area, BUTTON_TEXT, GRID, HEADING, MARGIN, PADDING, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Align, Canvas, Colour, Style};
 use crate::settings::{Key, Keys};
 use crate::view::{theme, widgets as paint};
 use crate::words::tr;
 use std::ops::Range;
 
-/// Between a tool bar and the canvas' foot and sides.
-const MARGIN: f32 = 24.0;
 /// Width of a choice's value, at its right.
 const VALUE_WIDTH: f32 = 200.0;
 
@@ -123,13 +121,9 @@ impl Ui<'_> {
     /// Buttons at the foot of a scene whose arrow keys have other work: each shows its own key, which presses it unless the screen has
     /// claimed it.
     pub fn tools<'l>(&mut self, tools: &[(&'l str, Key, &str)]) -> Option<&'l str> {
-        let all = self.frame().size.x - 2.0 * MARGIN + GAP;
-        let pitch = (all / tools.len().max(1) as f32).min(ROW_BUTTON.x + GAP);
-        let left = (self.frame().size.x - pitch * tools.len() as f32 + GAP) / 2.0;
-        let (top, size) = (self.frame().size.y - ROW_BUTTON.y - MARGIN, Vec2::new(pitch - GAP, ROW_BUTTON.y));
+        let areas = self.frame().row(tools.len(), self.frame().size.y - ROW_BUTTON.y - MARGIN);
         let mut pressed = None;
-        for (i, (label, key, named)) in tools.iter().enumerate() {
-            let area = Area { min: Vec2::new(left + i as f32 * pitch, top), size };
+        for ((label, key, named), area) in tools.iter().zip(areas) {
             let touch = self.touch(label, area, WidgetKind::Tool);
             paint::keyed_button(self.canvas(), area, (tr(label), tr(named)), (touch.hover, false));
             if touch.pressed || self.key(*key) && !self.shown.claimed.has(*key) {

@@ -133,6 +133,26 @@ try {
   await picture("leaderboard");
   console.log("its score is kept:", board.trim().split("\n").pop().trim());
 
+  // A flight's code goes to the clipboard, and is flown again from there.
+  await press("Enter");
+  await browser.ask("navigator.clipboard.writeText = async (text) => { window.copied = text; }");
+  await press("ArrowRight", "ArrowRight", "ArrowRight", "Enter");
+  const code = await browser.ask("window.copied ?? ''");
+  check(/^[\w.-]{50,1500}$/.test(code), `no code is copied: ${code}`);
+  const flights = await looks();
+  await browser.ask(`{ const data = new DataTransfer(); data.setData("text/plain", "${code}");
+    window.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data })); }`);
+  const control = { key: "Control", code: "ControlLeft", number: 17, modifiers: 2 };
+  await browser.key("keyDown", control);
+  await browser.key("keyDown", { ...letter("v"), text: undefined, modifiers: 2 });
+  await step(2);
+  await browser.key("keyUp", { ...letter("v"), modifiers: 2 });
+  await browser.key("keyUp", { ...control, modifiers: 0 });
+  await step(30);
+  check(flights !== await looks(), "the pasted code changes nothing");
+  await picture("pasted-code");
+  console.log("a flight's code is copied and pasted:", code.length, "characters");
+
   // Everything goes out as one file, and comes back from it: Your data is the last button of the menu.
   await begin();
   await press(...Array(6).fill("ArrowDown"), "Enter");
@@ -155,12 +175,45 @@ try {
 
   // A level that is dropped as a zip is installed, and one that is none says why.
   const level = [...readFileSync(join(root, "target/web-level.zip"))];
-  await browser.ask(`${drop(`new Uint8Array([${level}])`, "good_blocks.zip")}.then(() => step(30))`);
-  check(await kept("levels/good_blocks/player.csv"), "the level is not installed");
+  await browser.ask(`${drop(`new Uint8Array([${level}])`, "good_own_image.zip")}.then(() => step(30))`);
+  check(await kept("levels/good_own_image/player.csv"), "the level is not installed");
   await picture("level-dropped");
+  // Its pictures are in the browser's database when the page is loaded again.
+  await begin("#play=good_own_image");
+  await picture("own-picture");
+  const pictures = await browser.ask(`new Promise((done, no) => {
+    const opening = indexedDB.open("resultant");
+    opening.onerror = no;
+    opening.onsuccess = () => { opening.result.transaction("pictures").objectStore("pictures").getAllKeys().onsuccess = (keys) => done(keys.target.result); };
+  })`);
+  check(pictures.length === 3, `the database has ${pictures}`);
   await begin();
   await browser.ask(`${drop("'no archive'", "wrong.zip")}.then(() => step(30))`);
   await picture("wrong-zip");
+
+  // A gamepad's first button presses.
+  await begin();
+  await browser.ask(`navigator.getGamepads = () => [{ mapping: "standard", axes: [0, 0, 0, 0],
+    buttons: Array.from({ length: 17 }, (_, i) => ({ pressed: i === window.padded, value: Number(i === window.padded) })) }]`);
+  const pad = async (button) => {
+    await browser.ask(`window.padded = ${button}`);
+    await step(2);
+    await browser.ask("window.padded = null");
+    await step(20);
+  };
+  const menu = await looks();
+  await pad(0);
+  await picture("gamepad");
+  check(menu !== await looks(), "a gamepad's button presses nothing");
+
+  // A damaged board is named, and stays as it is.
+  const damaged = "tname,score\n\"Ann,12";
+  await browser.ask(`localStorage.setItem("resultant/scores/1.csv", ${JSON.stringify(damaged)})`);
+  await begin();
+  await press("ArrowDown", "ArrowDown", "Enter", "Enter");
+  await picture("damaged-board");
+  check(await kept("scores/1.csv") === damaged, "the damaged board is another one");
+  await browser.ask(`localStorage.setItem("resultant/scores/1.csv", ${JSON.stringify(board)})`);
 
   // A full storage: the flight's attempt cannot be written, and the board stays.
   await begin();
@@ -177,6 +230,13 @@ try {
     await begin(link);
     await picture(name);
   }
+
+  // Without a storage the page says so, and plays.
+  const { identifier } = await browser.before("Object.defineProperty(window, 'localStorage', { get() { throw new DOMException('no', 'SecurityError'); } })");
+  await begin("#play=1");
+  check(/keeps no data/.test(await browser.ask("document.getElementById('notice').textContent")), "a forbidden storage is not named");
+  await picture("forbidden-storage");
+  await browser.send("Page.removeScriptToEvaluateOnNewDocument", { identifier });
 
   // Every recorded flight leads where it led.
   await browser.go("about:blank");
