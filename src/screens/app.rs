@@ -17,6 +17,7 @@ use crate::settings::Settings;
 use crate::settings::file::SettingsFile;
 use crate::ui::{Memory, PassInput, Widget};
 use crate::words;
+use crate::words::tr;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -353,7 +354,7 @@ impl App {
         } else if self.ended.is_none() {
             *losses += u32::from(game.outcome() == Outcome::Failed);
             self.ended =
-                Some(if flight.is_by_hand() { self.journal.note(game, flight.is_assisted()) } else { RECORDING.to_owned() });
+                Some(if flight.is_by_hand() { self.journal.note(game, flight.is_assisted()) } else { tr(RECORDING).to_owned() });
         }
     }
 }

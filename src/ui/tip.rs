@@ -4,6 +4,7 @@ use super::Ui;
 use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::view::{theme, widgets as paint};
+use crate::words::tr;
 
 /// The longest line, canvas units.
 const WIDEST: f32 = 360.0;
@@ -14,7 +15,7 @@ impl Ui<'_> {
     /// Shows these words while the pointer is in that area, and no button is down.
     pub fn tip(&mut self, area: Area, words: &str) {
         if self.is_live() && !self.input.holding && area.contains(self.input.pointer) {
-            self.tip = Some(words.to_owned());
+            self.tip = Some(tr(words).to_owned());
         }
     }
 

@@ -177,7 +177,7 @@ impl SideBySide {
             let area = Area { min: Vec2::new(x, panel.min.y - HEAD), size: CHOICE };
             let touch = ui.touch(label, area, WidgetKind::Tool);
             widgets::button_box(ui.canvas(), area, touch.hover, false);
-            ui.tip(area, tr(label));
+            ui.tip(area, label);
             // The arrow points outwards.
             let outwards = if arrow == "‹" { -12.0 } else { 12.0 };
             let (at, key_at) = (Vec2::new(outwards, 0.0), Vec2::new(-outwards, 0.0));
