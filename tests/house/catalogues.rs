@@ -125,9 +125,10 @@ fn shown_by_files() -> BTreeSet<String> {
                 }
                 Some("hints.csv") => texts.extend(cells.skip(1).map(|(_, row)| row[0].to_owned())),
                 Some("texts.csv") => texts.extend(cells.skip(1).map(|(_, row)| row[3].to_owned())),
-                Some("experiments.csv") => {
-                    texts.extend(cells.skip(1).flat_map(|(_, row)| [row[1].to_owned(), row[2].to_owned(), row[3].to_owned()]))
-                }
+                Some("experiments.csv") => texts.extend(cells.skip(1).flat_map(|(_, row)| {
+                    let choices: Vec<String> = row[4].split('|').map(str::to_owned).collect();
+                    [[row[1].to_owned(), row[2].to_owned(), row[3].to_owned()].to_vec(), choices].concat()
+                })),
                 _ => {}
             }
         }

@@ -133,12 +133,16 @@ fn lab(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
         sitting.press(Key::Down);
     }
     sitting.click("Experiments");
-    for _ in 0..12 {
+    for _ in 0..14 {
         visit(sitting, "experiments");
         sitting.press(Key::Down);
     }
     visit(sitting.click("Answer"), "an answer");
-    sitting.press(Key::Escape);
+    visit(sitting.press(Key::Enter).wait(0.3), "an experiment");
+    visit(sitting.press(Key::Escape), "its sheet");
+    visit(sitting.choose("Back to experiments").press(Key::Up), "experiments");
+    visit(sitting.press(Key::Enter).wait(0.3).press(Key::Escape).click("Save"), "a sheet without a guess");
+    sitting.click("Main Menu");
 }
 
 fn flight(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
