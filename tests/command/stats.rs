@@ -91,7 +91,7 @@ fn rows_that_cannot_be_read_are_named_and_the_others_count() {
         assert!(said[line].contains(words), "{said:#?}");
     }
     assert_eq!(said.len(), 8, "{said:#?}");
-    assert!(sums.out.contains("\n2            1      1          0    0 %"), "{}", sums.out);
+    assert!(sums.out.contains("\n2            1      1          0   0 %"), "{}", sums.out);
     assert!(sums.out.contains("\nhooke             1        1 "), "{}", sums.out);
     // Another table that is named, one that is not there, and a folder in place of a list.
     let other = data.resultant(&["stats", &data.arg("ann/scores/2.csv"), &data.arg("bob")]);

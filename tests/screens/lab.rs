@@ -108,7 +108,7 @@ fn nothing_lies_on_anything_else_in_any_window() {
             sitting.rest();
             let areas = sitting.areas();
             if page == Page::Experiments {
-                assert_eq!(areas.len(), PAGES.len() + 3 + 12, "{:?}", sitting.labels());
+                assert_eq!(areas.len(), PAGES.len() + 3 + 14, "{:?}", sitting.labels());
             }
             let apart = |a: &Area, b: &Area| a.max().cmple(b.min + 0.01).any() || b.max().cmple(a.min + 0.01).any();
             let inside = |a: &Area, b: &Area| a.min.cmpge(b.min).all() && a.max().cmple(b.max()).all();

@@ -3,7 +3,7 @@
 
 use super::Flight;
 use crate::draw::Style;
-use crate::draw::layout::{Area, BUTTON_TEXT, GAP, GRID, PADDING, TEXT, Vec2};
+use crate::draw::layout::{Area, BUTTON_TEXT, GAP, GRID, PADDING, ROW_BUTTON, TEXT, Vec2};
 use crate::scores::{Name, ResultRow};
 use crate::screens::lab::{Experiment, Paragraphs};
 use crate::screens::{Request, text_field::TextField};
@@ -87,7 +87,7 @@ impl Worksheet {
             self.told = Ok(String::new());
         }
         ui.group();
-        let size = Vec2::new((inner.size.x - GAP) / 2.0, LINE_HEIGHT);
+        let size = Vec2::new(ROW_BUTTON.x, LINE_HEIGHT);
         let places = [0.0, size.x + GAP].map(|right| Area { min: pen.at + Vec2::new(right, 0.0), size });
         let pressed = ui.buttons(places.to_vec(), &[ANSWER, SAVE]);
         pen.at.y += LINE_HEIGHT + PADDING;
