@@ -44,7 +44,7 @@ fn hash_forces(forces: &ForceManager, write: &mut impl FnMut(u64)) {
 }
 
 fn hash_link(link: &Link, write: &mut impl FnMut(u64)) {
-    let Link { def, law, on, winds, begun, broken } = link;
+    let Link { def, law, on, winds, begun, broken, fastest: _ } = link;
     let LinkDef { body, to, law: _, as_found, hook, breaks, rate } = def;
     write(u64::from(*on) | u64::from(*winds) << 1 | u64::from(*begun) << 2 | u64::from(*broken) << 3);
     write(u64::from(*as_found) << 1 | u64::from(*hook));

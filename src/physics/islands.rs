@@ -136,7 +136,6 @@ impl Tick<'_> {
             }
             ExactEnd::Done => {
                 self.scratch.scatter(self.state, of.motions);
-                self.scratch.follow_links(self.state, of.motions);
                 let items = &self.scratch.events.items[..count];
                 let still = |item: &Item| item.is_still() && item.body.position == self.state.bodies[item.id as usize].position;
                 let rests = (whole == count || self.scratch.flown_rest())

@@ -1,5 +1,5 @@
 //! Links in a world. A linked body that touches something takes the mean force of its links over the tick as a constant one: its place is off by a
-//! part (ω·dt)²/12 of the force's own way. Links with ω·dt > 2 take the force of an implicit step instead.
+//! part (ω·dt)²/12 of the force's own path. A world with stiff links takes a tick in parts: [`crate::physics::forces::Links::parts`].
 
 use crate::physics::data::domain::DefError;
 use crate::physics::data::{Aabb, BodyId, Contact, Obstacle, Pose, SLOP, on_axis};
@@ -9,7 +9,7 @@ use crate::physics::forces::{Force, ForceManager, Source};
 use crate::physics::islands::{Members, Tick, Verdict};
 use crate::physics::scratch::Scratch;
 use crate::physics::state::{Event, State};
-use crate::physics::store::motions::{Guide, Method, Motions};
+use crate::physics::store::motions::{Guide, Method};
 use crate::physics::world::World;
 use glam::DVec2;
 
@@ -197,22 +197,6 @@ impl State {
 impl Scratch {
     pub(crate) fn linked(&self, body: u32) -> Option<&Linked> {
         self.linked.binary_search_by_key(&body, |member| member.id).ok().map(|at| &self.linked[at])
-    }
-
-    /// Linked bodies of an island that touched nothing after all are where their flight led them, if there is room.
-    pub(crate) fn follow_links(&self, state: &State, motions: &mut Motions) {
-        let Self { linked, events, .. } = self;
-        for member in linked.iter().filter(|member| !member.touches) {
-            let Ok(at) = events.items[..events.movable].binary_search_by_key(&member.id, |item| item.id) else { continue };
-            let (id, box_there) = (BodyId(member.id), Aabb::around(member.pose.0, state.bodies[member.id as usize].half));
-            let touched = events.contacts.iter().any(|contact| contact.has(at as u32))
-                || events.hits.iter().any(|hit| hit.impulse.on(id).is_some())
-                || (0..).zip(&events.items).any(|(k, item)| k != at && item.body.bounds().overlaps(&box_there, SLOP));
-            if !touched {
-                let motion = &mut motions.bodies[member.id as usize];
-                (motion.end, motion.method) = (member.pose, Method::Linked);
-            }
-        }
     }
 
     /// Whether all bodies rest that links alone hold.

@@ -2,11 +2,11 @@
 
 #[cfg(all(feature = "validate", debug_assertions))]
 use crate::physics::checks::Checks;
-use crate::physics::data::{Aabb, Contact, Hit, SLOP};
+use crate::physics::data::{Aabb, Contact, Hit, Pose, SLOP};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Events, Scene};
 use crate::physics::flight::linked::{Linked, Pull};
-use crate::physics::state::State;
+use crate::physics::state::{Records, State};
 use crate::physics::store::motions::{Method, Motions};
 use glam::DVec2;
 
@@ -55,6 +55,9 @@ pub(crate) struct Scratch {
     pub pulls: Vec<Pull>,
     pub snapped: Vec<u32>,
     pub pairs: Vec<(u32, u32)>,
+    /// Of a tick that goes in parts, else empty: its records so far, and the poses from which it began.
+    pub whole: Records,
+    pub begun: Vec<Pose>,
     pub flown: Vec<u32>,
 }
 
@@ -122,7 +125,10 @@ impl Scratch {
         }
         for member in &*linked {
             match members.binary_search(&member.id) {
-                Ok(at) => (events.items[at].link, events.items[at].known) = (member.mean, false),
+                Ok(at) => {
+                    let item = &mut events.items[at];
+                    (item.link, item.flown, item.known) = (member.mean, (!member.touches).then_some(member.pose), false);
+                }
                 Err(_) => events.ends.push((member.id, member.pose)),
             }
         }

@@ -79,8 +79,9 @@ pub(crate) struct State {
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Records {
-    /// Length of the last tick, s.
+    /// Length of the last tick, or of the last part of it, s, and its begin since that of the tick.
     pub dt: f64,
+    pub since: f64,
     /// Flows that had ended early before the last tick.
     pub flows_cut_short: u64,
     pub events: Vec<Event>,

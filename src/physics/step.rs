@@ -9,7 +9,7 @@ use crate::physics::exact::Scene;
 use crate::physics::islands::{MOST_AT_FIRST, Tick};
 use crate::physics::scratch::{NOBODY, first_stop};
 use crate::physics::space::Space;
-use crate::physics::state::{Event, Methods, State};
+use crate::physics::state::{Event, Methods, Records, State};
 use crate::physics::store::motions::Method;
 use crate::physics::world::World;
 use glam::DVec2;
@@ -21,12 +21,44 @@ impl World {
     /// Advances the world by exactly one tick of `dt` seconds.
     pub fn step(&mut self, dt: f64) {
         let before = self.scratch.events.total;
+        self.state.ticks += 1;
+        self.scratch.begun.clear();
+        self.records.since = 0.0;
+        self.records.flows_cut_short = self.records.guards.flows_cut_short;
+        match self.state.links.parts(dt) {
+            1 => self.advance(dt),
+            parts => self.advance_in_parts(dt / f64::from(parts), parts),
+        }
+        self.records.followed = self.scratch.events.total - before;
+    }
+
+    /// The parts of a tick that stiff links need, of `dt` seconds each. Its records are those of all parts.
+    fn advance_in_parts(&mut self, dt: f64, parts: u32) {
+        self.scratch.begun.extend((0..self.state.bodies.len() as u32).map(|id| self.state.pose_of(id)));
+        for part in 0..parts {
+            self.records.since = 0.0;
+            self.advance(dt);
+            self.records.since = f64::from(part) * dt;
+            let Records { events, impulses, corners, since: from, .. } = &mut self.records;
+            let whole = &mut self.scratch.whole;
+            whole.events.append(events);
+            whole.impulses.extend(impulses.drain(..).map(|hit| Impulse { at: *from + hit.at, ..hit }));
+            whole.corners.extend(corners.drain(..).map(|(body, at, place)| (body, *from + at, place)));
+        }
+        let (records, whole) = (&mut self.records, &mut self.scratch.whole);
+        records.events.append(&mut whole.events);
+        records.impulses.append(&mut whole.impulses);
+        records.corners.append(&mut whole.corners);
+    }
+
+    /// A tick, or a part of one.
+    fn advance(&mut self, dt: f64) {
         let n = self.state.bodies.len();
         self.scratch.begin_tick();
         self.records.events.clear();
         self.records.impulses.clear();
         self.records.corners.clear();
-        (self.records.dt, self.records.flows_cut_short) = (dt, self.records.guards.flows_cut_short);
+        self.records.dt = dt;
         self.bring_back_surfaces();
         self.space.begin_step();
         self.move_surfaces(dt);
@@ -37,11 +69,9 @@ impl World {
             self.advance_islands(dt);
             self.commit(dt);
         }
-        self.state.ticks += 1;
         self.record();
         self.tend_links();
         self.go_on_paths(dt);
-        self.records.followed = self.scratch.events.total - before;
         #[cfg(all(feature = "validate", debug_assertions))]
         self.assert_valid();
     }

@@ -16,8 +16,6 @@ const OVERLAP: f64 = 2.0 * SLOP;
 const ROUGH: f64 = 1e-7;
 /// The error of a sum of forces, relative to the sum of their magnitudes.
 const FORCES: f64 = 1e-9;
-/// The same for a linked body: in a tick with a contact it flies under the mean force of its links, and lists their force at the end.
-const LINKED_FORCES: f64 = 1e-3;
 
 impl World {
     /// Checks all that has to hold between two ticks, before anything is changed from outside:
@@ -78,7 +76,7 @@ impl World {
             let depth = if dense || self.state.media.wets(&swept) { ROUGH } else { OVERLAP };
             Thing { id, surface: false, now, before, swept, velocity: body.velocity, straight: true, dense, depth }
         }));
-        for &(body, _, corner) in &self.records.corners {
+        for &(body, _, corner) in self.records.corners.iter().filter(|(_, at, _)| *at >= self.records.since) {
             let half = self.state.bodies[body as usize].half;
             let thing = &mut bodies[body as usize];
             (thing.swept, thing.straight) = (thing.swept.union(&Aabb::around(corner, half)), false);
@@ -163,8 +161,7 @@ impl World {
             self.list_forces(BodyId(i as u32), forces);
             let scale: f64 = forces.forces().iter().map(|force| force.vector.length()).sum();
             let (resultant, needed) = (forces.resultant(), body.mass * body.acceleration);
-            let linked = self.state.links.all.iter().any(|link| link.acts_on(i as u32));
-            if (resultant - needed).length() > if linked { LINKED_FORCES } else { FORCES } * scale {
+            if (resultant - needed).length() > FORCES * scale {
                 return Err(format!("the resultant on body {i} is {resultant} N, m·a is {needed} N: {:?}", forces.forces()));
             }
         }

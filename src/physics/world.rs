@@ -112,7 +112,7 @@ impl World {
 
     /// Where a body's centre was one tick ago, m: the view interpolates from here.
     pub fn previous_position(&self, id: BodyId) -> DVec2 {
-        self.space.previous(id.index()).0
+        self.scratch.begun.get(id.index()).map_or_else(|| self.space.previous(id.index()).0, |pose| pose.0)
     }
 
     /// The surfaces: those of the definition, then the four edges (left, right, top, bottom) where there are any.
@@ -133,7 +133,7 @@ impl World {
     /// The corners of the path of a body's centre during the last tick, from where it was to where it is.
     pub fn path(&self, id: BodyId) -> impl Iterator<Item = DVec2> + '_ {
         let corners = self.records.corners.iter().filter(move |(body, ..)| *body == id.0).map(|(.., at)| *at);
-        std::iter::once(self.space.previous(id.index()).0).chain(corners).chain(std::iter::once(self.body(id).position))
+        std::iter::once(self.previous_position(id)).chain(corners).chain(std::iter::once(self.body(id).position))
     }
 
     /// The parts of the model that run.

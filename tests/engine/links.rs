@@ -26,11 +26,15 @@ fn floor() -> SurfaceDef {
     block(-50.0, 0.0, 50.0, 1.0)
 }
 
-/// Kinetic energy and that of one spring, J.
+/// Kinetic energy, J.
+fn energy_of_motion(world: &World) -> f64 {
+    world.bodies().iter().map(|body| 0.5 * body.mass * body.velocity.length_squared()).sum()
+}
+
+/// The same with the energy of one spring, J.
 fn energy(world: &World, length: f64, stiffness: f64) -> f64 {
-    let kinetic: f64 = world.bodies().iter().map(|body| 0.5 * body.mass * body.velocity.length_squared()).sum();
     let stretch = world.at(0).distance(world.at(1)) - length;
-    kinetic + 0.5 * stiffness * stretch * stretch
+    energy_of_motion(world) + 0.5 * stiffness * stretch * stretch
 }
 
 /// ω = √(k(1/m₁ + 1/m₂)): d = L + (d₀ − L)·cos ωt, about a centre of mass that moves on evenly.
@@ -451,9 +455,8 @@ fn the_stiffest_links_are_stable() {
             .link(LinkDef::new(B, LinkEnd::Body(BodyId(2)), LinkLaw::Spring(Spring { length: 2.0, stiffness: k, damping: c })))
             .unwrap();
         let energy = |world: &World| {
-            let moving: f64 = world.bodies().iter().map(|body| 0.5 * body.mass * body.velocity.length_squared()).sum();
             let (rope, spring) = ((world.at(0).length() - 3.0).max(0.0), world.at(1).distance(world.at(2)) - 2.0);
-            moving - 10.0 * world.at(0).y + 0.5 * k * (rope * rope + spring * spring)
+            energy_of_motion(world) - 10.0 * world.at(0).y + 0.5 * k * (rope * rope + spring * spring)
         };
         let begun = energy(&world);
         for tick in 0..1200 {
@@ -520,4 +523,60 @@ fn what_hangs_asleep_is_held_when_it_is_hit() {
         world.validate().unwrap_or_else(|fault| panic!("tick {tick}: {fault}"));
     }
     assert!(slept && (world.at(0).y - 4.02).abs() < 1e-3 && world.speed(1).length() < 1e-3, "{} {}", world.at(0), world.speed(1));
+}
+
+/// A winch on a flying ship drags a crate along a floor against a step, until its rope breaks: the forces listed are those of one instant, and the
+/// energy of the crate is what they gave it (`World::validate`).
+#[test]
+fn a_winch_drags_a_load_until_its_rope_breaks() {
+    for (material, gravity, breaks) in [(Material::WOOD, 10.0, 900.0), (Material::ICE, 10.0, 700.0), (Material::WOOD, 0.0, 400.0)] {
+        let ship = BodyDef { half: DVec2::splat(0.5), weightless: true, ..body(-6.0, -3.0, 100.0) };
+        let load = BodyDef { half: DVec2::splat(0.5), restitution: 0.3, ..body(3.0, -0.5, 60.0) };
+        let surfaces = vec![SurfaceDef { material, ..floor() }, block(-2.0, -0.4, -1.0, 0.0)];
+        let mut world = world(gravity, vec![ship, load], surfaces);
+        let rope = LinkDef { rate: -1.5, breaks: Some(breaks), ..LinkDef::new(A, LinkEnd::Body(B), rope(9.5, 2000.0, 100.0)) };
+        world.link(rope).unwrap();
+        let (mut dragged, mut snapped) = (false, None);
+        for tick in 0..1200 {
+            // The ship holds its place.
+            let hold = (DVec2::new(-6.0, -3.0) - world.at(0)) * 2000.0 - world.speed(0) * 800.0;
+            world.set_drive(A, hold);
+            world.step(DT);
+            world.validate().unwrap_or_else(|fault| panic!("tick {tick}: {fault}"));
+            let [ship, load] = [A, B].map(|id| world.forces(id).total(ForceKind::Tension));
+            assert!((ship + load).length() <= 1e-9 * ship.length(), "tick {tick}: {ship} N on the ship, {load} N on the load");
+            dragged |= ship != DVec2::ZERO && world.speed(1).x < -0.5;
+            snapped = snapped.or(world.events().contains(&Event::Snapped { link: 0 }).then_some(tick));
+            assert_eq!(world.links()[0].is_broken(), snapped.is_some());
+            assert!(snapped.is_none() || load == DVec2::ZERO, "tick {tick}: a broken rope pulls with {load} N");
+        }
+        assert!(dragged && snapped.is_some(), "{gravity} m/s², {snapped:?}");
+    }
+}
+
+/// A crate that falls on a pan whose spring is as stiff as a level may have it: the pan bears it, and no energy comes from nothing.
+#[test]
+fn a_stiff_pan_bears_what_falls_on_it() {
+    for (k, c, m) in [(4e6, 200.0, 4.0), (4e6, 0.0, 4.0), (4e6, 2000.0, 40.0), (4e7, 0.0, 4.0), (4e7, 0.0, 40.0), (1e3, 1e5, 40.0)]
+    {
+        let (length, g) = (3.95, 10.0);
+        let balance = length + 10.0 * g / k;
+        let pan = BodyDef { half: DVec2::new(1.0, 0.1), ..body(0.0, balance, 10.0) };
+        let load = BodyDef { half: DVec2::splat(0.4), ..body(0.0, balance - 1.0, m) };
+        let mut world = world(g, vec![pan, load], Vec::new());
+        hung(&mut world, DVec2::ZERO, LinkLaw::Spring(Spring { length, stiffness: k, damping: c }));
+        let energy = |world: &World| {
+            let height: f64 = world.bodies().iter().map(|body| body.mass * body.position.y).sum();
+            energy_of_motion(world) - g * height + 0.5 * k * (world.at(0).y - length).powi(2)
+        };
+        let begun = energy(&world);
+        for tick in 0..1200 {
+            world.step(DT);
+            world.validate().unwrap_or_else(|fault| panic!("{k} N/m, {m} kg, tick {tick}: {fault}"));
+            let gained = energy(&world) - begun;
+            assert!(gained < 1e-9 * m * g, "{k} N/m, {m} kg, tick {tick}: gained {gained} J");
+            let gap = world.at(0).y - world.at(1).y - 0.5;
+            assert!(tick < 600 || gap < 0.02, "{k} N/m, {m} kg, tick {tick}: thrown off by {gap} m");
+        }
+    }
 }

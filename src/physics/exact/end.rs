@@ -1,7 +1,7 @@
 //! The end of a tick: its contacts and accelerations, with which the next tick begins.
 
 use crate::physics::contact::axis::Parts;
-use crate::physics::data::{Contact, Pose, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
+use crate::physics::data::{Aabb, BodyId, Contact, Pose, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::Travel;
 use crate::physics::forces::link::links_on;
@@ -73,13 +73,31 @@ impl Events {
 
     /// Whether another law acts on a body than on its last path: it crossed a border, its links pull otherwise, or other liquids are near.
     fn has_another_law(&mut self, scene: &Scene, i: usize) -> bool {
-        let pulled = !(self.streams.is_empty() && self.links.is_empty());
-        if pulled {
+        // A link that broke in this tick pulls no more.
+        let linked = !self.links.is_empty() || self.items[i].link != DVec2::ZERO;
+        let pulled = linked || !self.streams.is_empty();
+        if linked {
             self.items[i].link = links_on(&self.links, self.items[i].id, |id| self.end_of(id));
         }
         let item = &self.items[i];
         pulled && scene.media.constant(&item.body, self.force_on(scene, i)) != item.law.constant
             || !scene.media.fluids.is_empty() && !item.law.displaced.near.contains(&item.body.bounds(), 0.0)
+    }
+
+    /// Linked bodies that touched nothing after all are where their flight led them, if there is room.
+    pub(crate) fn follow_links(&mut self) {
+        for at in 0..self.movable {
+            let item = &self.items[at];
+            let Some(there) = item.flown else { continue };
+            let (id, box_there) = (BodyId(item.id), Aabb::around(there.0, item.body.half));
+            let touched = self.contacts.iter().any(|contact| contact.has(at as u32))
+                || self.hits.iter().any(|hit| hit.impulse.on(id).is_some())
+                || (0..).zip(&self.items).any(|(k, item)| k != at && item.body.bounds().overlaps(&box_there, SLOP));
+            if !touched {
+                let body = &mut self.items[at].body;
+                (body.position, body.velocity) = there;
+            }
+        }
     }
 
     /// Gives all that rides on a moving surface its place and its speed exactly: over many ticks roundings would lead them apart.

@@ -100,6 +100,8 @@ pub(crate) struct Item {
     pub drive: DVec2,
     /// The force of its links, N: the mean over the tick, and that at its end.
     pub link: DVec2,
+    /// Where its links let it fly by the tick's end, if it touches nothing.
+    pub flown: Option<Pose>,
     /// s, from the tick's start.
     pub since: f64,
     /// Its motion is foreseen up to here, s from the tick's start.

@@ -62,6 +62,7 @@ impl Events {
         self.stop_here(scene);
         self.items.iter_mut().for_each(|item| item.known = true);
         self.follow_surfaces();
+        self.follow_links();
         self.settle(scene);
         ExactEnd::Done
     }

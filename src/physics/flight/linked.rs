@@ -8,8 +8,6 @@ use crate::physics::forces::link::{Link, LinkEnd, LinkLaw};
 use crate::physics::forces::{Law, Media};
 use glam::DVec2;
 
-mod stiff;
-
 /// Rows of the extrapolation: 2, 4, 6 … midpoint steps.
 const ROWS: usize = 8;
 
@@ -134,8 +132,6 @@ pub(crate) struct Pull {
     /// m/s.
     growth: f64,
     pub broken: bool,
-    /// Of an implicit step, N·s.
-    impulse: f64,
 }
 
 pub(crate) struct LinkedBodies<'a> {
@@ -161,7 +157,6 @@ impl LinkedBodies<'_> {
         }
         self.members.iter_mut().for_each(|member| member.at = member.pose);
         self.begin_step();
-        let steady = self.is_stiff();
         let shortest = (self.tick / SHORTEST_LINKED).min(LONGEST_SHORT);
         let (mut h, mut bends) = (self.tick, 0);
         while self.now < self.tick {
@@ -186,9 +181,6 @@ impl LinkedBodies<'_> {
             self.begin_step();
             h *= if rows <= 5 { 2.0 } else { 1.0 };
         }
-        if steady {
-            self.steady();
-        }
     }
 
     fn gather(&mut self) {
@@ -198,7 +190,7 @@ impl LinkedBodies<'_> {
         for (link, of) in (0..).zip(links.iter()).filter(|(_, link)| link.acts()) {
             let ends = [find(of.def.body.0), of.def.other().and_then(|other| find(other.0))];
             if ends[0].is_some() {
-                pulls.push(Pull { link, ends, above: false, growth: of.growth(*tick), broken: false, impulse: 0.0 });
+                pulls.push(Pull { link, ends, above: false, growth: of.growth(*tick), broken: false });
             }
         }
     }

@@ -12,6 +12,9 @@ mod spring;
 pub use magnet::Magnet;
 pub use spring::Spring;
 
+/// Rate × time of a part of a tick, at most, where links are stiff. Larger: things on stiff links are thrown off; smaller: more parts.
+const REACH: f64 = 1.0;
+
 /// The law of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LinkLaw {
@@ -174,6 +177,8 @@ pub struct Link {
     /// It has begun: its ends have touched, if it is one that waits for that.
     pub(crate) begun: bool,
     pub(crate) broken: bool,
+    /// The rate of the fastest motion that it may give one of its ends, together with the links there are, 1/s.
+    pub(crate) fastest: f64,
 }
 
 impl Link {
@@ -186,7 +191,7 @@ impl Link {
             let sizes = def.ends().map(|end| bodies[end.index()].half.element_sum() * 0.5).sum();
             magnet.nearest = magnet.nearest.max(sizes);
         }
-        let mut link = Self { def, law, on: true, winds: true, begun: false, broken: false };
+        let mut link = Self { def, law, on: true, winds: true, begun: false, broken: false, fastest: 0.0 };
         if !def.hook {
             link.begin(|id| (bodies[id as usize].position, DVec2::ZERO));
         }
@@ -200,6 +205,7 @@ impl Link {
                      {MOST_STIFFNESS} N/m and {MOST_DAMPING} N·s/m per kg"
                 )
             })?;
+            link.fastest = link.fastest.max((2.0 * stiffness / mass).sqrt() + damping / mass);
         }
         Ok(link)
     }
@@ -286,6 +292,11 @@ impl Links {
         }
         members.clear();
         members.extend(by_root.iter().map(|(_, body)| *body));
+    }
+
+    /// The number of parts in which a tick of `dt` seconds is taken: the mean force of a stiff link over all of it would throw what touches its ends.
+    pub fn parts(&self, dt: f64) -> u32 {
+        self.all.iter().map(|link| (link.fastest * dt / REACH).ceil() as u32).fold(1, u32::max)
     }
 
     /// The force of all links on a body, N.

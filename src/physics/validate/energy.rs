@@ -1,7 +1,7 @@
 //! Energy: kinetic and potential energy of an island rise in no tick by more than the work of drive, streams, fields and buoyancy.
 //!
-//! Not asked: islands with links, near surfaces that move, where a body crosses the border of a stream within the tick, and liquids under a gravity
-//! that points up.
+//! Links give what their mean force over the tick does on a body that touches something. Not asked: islands in which links alone lead a body,
+//! near surfaces that move, where a body crosses the border of a stream within the tick, and liquids under a gravity that points up.
 
 use crate::physics::checks::{Ledger, Thing, rounding};
 use crate::physics::data::{Aabb, MICRO_SPEED, SLOP, refill};
@@ -100,8 +100,10 @@ impl World {
         if body.velocity == DVec2::ZERO && before == DVec2::ZERO && way == DVec2::ZERO {
             return;
         }
-        ledger.open |= self.state.links.all.iter().any(|link| link.acts_on(thing.id));
-        let mut force = self.state.forces[i].push_of_no_zone() + DVec2::new(0.0, body.mass * media.gravity_on(body));
+        let linked = self.scratch.linked(thing.id);
+        ledger.open |= linked.is_some_and(|member| member.pose == (body.position, body.velocity));
+        let pulled = linked.map_or(DVec2::ZERO, |member| member.mean);
+        let mut force = self.state.forces[i].push_of_no_zone() + pulled + DVec2::new(0.0, body.mass * media.gravity_on(body));
         let mut size = force.length();
         for index in media.streams_at(near, BORDER).iter() {
             let stream = &media.streams[index as usize];
