@@ -50,9 +50,9 @@ pub(crate) const LINKED_TOLERANCE: f64 = 1e-14;
 pub(crate) const SHORTEST_LINKED: f64 = 64.0;
 pub(crate) const LONGEST_SHORT: f64 = 1e-4;
 
-/// How often in a tick the instant is sought at which the law of a link bends. More: a rope that rattles takes long; fewer: later ones take effect
-/// at the end of a step.
-pub(crate) const MOST_BENDS: u32 = 128;
+/// How often in a tick the instant is sought at which the law of a link bends, times the bodies of its group. More: ropes that rattle take long;
+/// fewer: later ones take effect at the end of a step.
+pub(crate) const MOST_BENDS: usize = 512;
 
 /// m. A swing of linked bodies no wider than this is rest. Smaller: what hangs never falls asleep; larger: it stops beside its balance.
 pub(crate) const LINKED_ROUNDING: f64 = 1e-12;

@@ -168,17 +168,15 @@ impl LinkedBodies<'_> {
                 continue;
             }
             let mut taken = h;
-            if bends < MOST_BENDS
+            if bends < MOST_BENDS / self.members.len()
                 && let Some(bend) = self.bend(h)
             {
                 (taken, bends) = (bend, bends + 1);
             }
             if !self.members.iter().all(|member| member.end.iter().all(|part| part.is_finite())) {
-                return self.end_early(left);
+                return self.end_early();
             }
-            self.members.iter_mut().for_each(|member| member.accept(taken, self.tick));
-            self.now = if taken == left { self.tick } else { self.now + taken };
-            self.begin_step();
+            self.accept(taken);
             h *= if rows <= 5 { 2.0 } else { 1.0 };
         }
     }
@@ -204,12 +202,19 @@ impl LinkedBodies<'_> {
     }
 
     /// The media alone move what is left of a tick that no step resolves.
-    fn end_early(&mut self, left: f64) {
+    fn end_early(&mut self) {
+        let left = self.tick - self.now;
         self.media.end_early();
         for member in self.members.iter_mut().filter(|member| !member.held) {
             member.pose = parabola(member.pose, member.law.constant, left);
             member.places = member.places.union(&Aabb::around(member.pose.0, DVec2::ZERO));
         }
+    }
+
+    fn accept(&mut self, h: f64) {
+        self.members.iter_mut().for_each(|member| member.accept(h, self.tick));
+        self.now = if h == self.tick - self.now { self.tick } else { self.now + h };
+        self.begin_step();
     }
 
     /// Sides of borders, breaks and rates where the members are.
@@ -318,9 +323,10 @@ impl LinkedBodies<'_> {
         margins.fold(f64::INFINITY, f64::min)
     }
 
-    /// When within the step of `h` seconds a law first bends; the members' ends are those of a step up to there then.
+    /// Where a law bends within the step of `h` seconds: brings the members near to that instant, and returns the length of a last step up to it, to
+    /// whose end their ends belong then.
     fn bend(&mut self, h: f64) -> Option<f64> {
-        let (mut low, mut high, mut after) = (0.0, h, self.margin(h));
+        let (mut high, mut after) = (h, self.margin(h));
         if after >= 0.0 {
             high = self.turn(h)?;
             self.step(high);
@@ -332,20 +338,27 @@ impl LinkedBodies<'_> {
         }
         self.members.iter_mut().for_each(|member| (member.end[0], member.end[1]) = member.pose);
         let mut before = self.margin(0.0).max(0.0);
-        // Regula falsi and halves in turn: a rope that becomes taut out of rest has a double root.
         let least = 1e-12 * self.tick;
         for round in 0..80 {
-            if high - low <= least || after > -BENT {
+            if high <= least || after > -BENT {
                 break;
             }
-            let part = if round % 2 == 0 { before / (before - after) } else { 0.5 };
-            let middle = (low + (high - low) * part).clamp(low + 0.5 * least, high - 0.5 * least);
+            // Regula falsi, a little short of the bend, so that a short step is left, and a little past it. A rope that becomes taut out of rest has a
+            // double root.
+            let part = match round % 3 {
+                _ if before <= BENT => 0.125,
+                0 => before * (63.0 / 64.0) / (before - after),
+                1 => (before + 0.5 * BENT) / (before - after),
+                _ => 0.5,
+            };
+            let middle = (high * part).clamp(0.5 * least, high - 0.5 * least);
             self.step(middle);
             let margin = self.margin(middle);
-            if margin < 0.0 {
+            if margin <= 0.0 {
                 (high, after) = (middle, margin);
             } else {
-                (low, before) = (middle, margin);
+                self.accept(middle);
+                (high, before) = (high - middle, margin);
             }
         }
         self.step(high);
