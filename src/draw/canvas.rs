@@ -7,6 +7,7 @@ use super::quads::Quads;
 use super::shape::{Align, Contour, Image, Shape, Style};
 use super::text;
 use std::cell::{Ref, RefCell};
+use std::collections::HashMap;
 
 /// From the top of a line to its baseline, in heights of the text (both faces within 1 %).
 const ASCENT: f32 = 0.93;
@@ -36,6 +37,27 @@ impl Canvas {
 
     pub fn clear(&mut self) {
         self.shapes.get_mut().clear();
+    }
+
+    /// Turns the colours of all shapes to those for white; pictures keep theirs.
+    pub fn put_on_white(&mut self) {
+        let mut known: HashMap<[u32; 4], Colour> = HashMap::new();
+        let mut turn = |colour: &mut Colour| {
+            let key = [colour.r, colour.g, colour.b, colour.a].map(f32::to_bits);
+            *colour = *known.entry(key).or_insert_with(|| colour.on_white());
+        };
+        for shape in self.shapes.get_mut() {
+            match shape {
+                Shape::Fill { colour, .. }
+                | Shape::Edge { colour, .. }
+                | Shape::Hairline { colour, .. }
+                | Shape::Rectangle { colour, .. }
+                | Shape::RectangleEdge { colour, .. } => turn(colour),
+                Shape::Quads(quads) => quads.0.iter_mut().flat_map(|quad| &mut quad.colours).for_each(&mut turn),
+                Shape::Text { style, .. } => turn(&mut style.colour),
+                Shape::Picture { .. } | Shape::Layer => {}
+            }
+        }
     }
 
     /// Draws another canvas of that size above it.

@@ -22,7 +22,7 @@ use std::cmp::Reverse;
 use std::sync::Arc;
 
 /// The signs beyond printable ASCII that the game writes.
-const SIGNS: &str = "−×·÷°±≈≤≥∞→←↑↓‹›–—…µμρπΔ‘’“”„«»£ßäöüÄÖÜàâæçèéêëîïôùûœÀÂÇÈÉÊÎÔŒ⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
+const SIGNS: &str = "′½₀₁₂₃₄√ωλτ−×·÷°±≈≤≥∞→←↑↓‹›–—…µμρπΔ‘’“”„«»£ßäöüÄÖÜàâæçèéêëîïôùûœÀÂÇÈÉÊÎÔŒ⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
 /// All that is written in the size of the title: by the menu, and by the digits of π.
 const TITLE_SIGNS: &str = "0123456789Resultant";
 /// The side of a fresh atlas (pixels), the largest that is asked for at once, and the room around a glyph there.

@@ -2,7 +2,7 @@
 
 use crate::game::Game;
 use crate::level::Level;
-use crate::physics::{BodyId, DVec2};
+use crate::physics::{BodyId, DVec2, Link, LinkEnd, LinkLaw, Spring};
 use std::ops::Add;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -11,20 +11,33 @@ pub struct EnergyState {
     pub momentum: DVec2,
     /// Σ ½mv², J.
     pub kinetic: f64,
-    /// −Σ m·g·(r − r₀), J: of the level's own gravity, above [`ground`]. Gravity of zones has no potential, since their fields end at
-    /// their borders.
+    /// −Σ m·g·(r − r₀), J: of the level's own gravity, above [`ground`] or another zero. Gravity of zones has no potential, since their
+    /// fields end at their borders.
     pub potential: f64,
+    /// Σ ½k(ℓ − ℓ₀)² of springs and of ropes that are longer than their length, J: half of it where a link leads to another body.
+    pub elastic: f64,
 }
 
 impl EnergyState {
     pub fn of(game: &Game, id: BodyId) -> Self {
+        Self::above(ground(game.level()), game, id)
+    }
+
+    /// With potential energy from `zero` (m) on.
+    pub fn above(zero: DVec2, game: &Game, id: BodyId) -> Self {
         let (level, body) = (game.level(), game.world().body(id));
         let field = if body.weightless { DVec2::ZERO } else { DVec2::new(level.gravity_x, level.gravity) };
         Self {
             momentum: body.mass * body.velocity,
             kinetic: 0.5 * body.mass * body.velocity.length_squared(),
-            potential: -body.mass * field.dot(body.position - ground(level)),
+            potential: -body.mass * field.dot(body.position - zero),
+            elastic: elastic(game, id),
         }
+    }
+
+    /// J.
+    pub fn sum(&self) -> f64 {
+        self.kinetic + self.potential + self.elastic
     }
 
     pub fn of_all(game: &Game) -> Self {
@@ -40,8 +53,27 @@ impl Add for EnergyState {
             momentum: self.momentum + other.momentum,
             kinetic: self.kinetic + other.kinetic,
             potential: self.potential + other.potential,
+            elastic: self.elastic + other.elastic,
         }
     }
+}
+
+fn elastic(game: &Game, id: BodyId) -> f64 {
+    let world = game.world();
+    let stored = |link: &Link| {
+        let def = link.def();
+        let share = match def.to {
+            LinkEnd::Body(other) if other == id || def.body == id => 0.5,
+            LinkEnd::Place(_) if def.body == id => 1.0,
+            _ => return 0.0,
+        };
+        let [from, to] = world.link_ends(link);
+        let stretch = |spring: &Spring| from.distance(to) - spring.length;
+        let (LinkLaw::Spring(spring) | LinkLaw::Rope(spring)) = link.law() else { return 0.0 };
+        let stretch = if matches!(link.law(), LinkLaw::Rope(_)) { stretch(spring).max(0.0) } else { stretch(spring) };
+        share * 0.5 * spring.stiffness * stretch * stretch
+    };
+    world.links().iter().filter(|link| link.acts()).map(stored).sum()
 }
 
 /// Where potential energy is zero, m: the corner of the level to which its gravity pulls, so that nothing has less.

@@ -2,12 +2,13 @@
 
 use super::chart::{Chart, ChartMember, TimeWindow};
 use super::curve::Curve;
+use super::fit::Fit;
 use super::look;
 use super::quantity::Quantity;
 use super::track::BodyTrack;
 use crate::files::csv_line;
 use crate::lab::linear::Linear;
-use crate::lab::look::CurveLook;
+use crate::lab::look::{CurveLook, Marker};
 use crate::number::Shortest;
 
 /// Labels of an upright axis over the whole height, about.
@@ -24,6 +25,8 @@ pub struct Exported<'a> {
     pub track: &'a BodyTrack,
     /// Its number, which gives its look.
     pub number: usize,
+    /// A law through it.
+    pub fit: Option<&'a Fit>,
 }
 
 impl Exported<'_> {
@@ -123,16 +126,26 @@ pub fn sheet(window: TimeWindow, curves: &[Exported]) -> Sheet {
                 .map(|(value, name)| (lane.axis.part(value), name))
                 .collect(),
             marks: impacts(&shown, across, window),
-            curves: ways.collect(),
+            curves: ways.chain(shown.iter().filter_map(|exported| Some(fitted(exported.fit?, &lane.axis)))).collect(),
         }
     };
+    let mut notes = vec!["SI units, y upwards.".to_owned(), "Dotted upright: an impact.".to_owned()];
+    for exported in curves {
+        let words = exported.fit.map(|fit| fit.words(exported.curve.up(), across)).unwrap_or_default();
+        notes.extend(words.split("; ").filter(|part| !part.is_empty()).map(str::to_owned));
+    }
     Sheet {
-        notes: vec!["SI units, y upwards.".to_owned(), "Dotted upright: an impact.".to_owned()],
+        notes,
         across: chart.axis,
         across_name: across.heading(),
         strips: chart.lanes.iter().map(lane).collect(),
         legend: curves.iter().map(|exported| (exported.label(), exported.look())).collect(),
     }
+}
+
+fn fitted(fit: &Fit, up: &Linear) -> Piece {
+    let look = CurveLook { colour: look::RESULTANT, width: 1, dash: Some((8, 4)), marker: Marker::Square };
+    Piece { look, points: fit.drawn().map(|(x, y)| (x, up.part(y))).collect(), marker: None }
 }
 
 /// The times of impacts, s; over anything but time they are the curve's breaks.
@@ -169,9 +182,12 @@ mod tests {
         let (long, short) = (track(300), track(100));
         let curves = [Quantity::Velocity(VectorPart::X), Quantity::Kinetic, Quantity::X].map(|up| curve(&long, Quantity::X, up));
         let other = curve(&short, Quantity::X, Quantity::Y);
-        let mut exported: Vec<Exported> =
-            curves.iter().enumerate().map(|(number, curve)| Exported { body: "Ship", curve, track: &long, number }).collect();
-        exported.push(Exported { body: "Box, 1", curve: &other, track: &short, number: 3 });
+        let mut exported: Vec<Exported> = curves
+            .iter()
+            .enumerate()
+            .map(|(number, curve)| Exported { body: "Ship", curve, track: &long, number, fit: None })
+            .collect();
+        exported.push(Exported { body: "Box, 1", curve: &other, track: &short, number: 3, fit: None });
         let text = csv(&exported);
         let mut reader = csv::Reader::from_reader(text.as_bytes());
         let head: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
@@ -195,7 +211,7 @@ mod tests {
     fn names_of_files_are_words() {
         let track = track(1);
         let curve = curve(&track, Quantity::Time, Quantity::Velocity(VectorPart::Size));
-        let exported = [Exported { body: "Ship", curve: &curve, track: &track, number: 0 }];
+        let exported = [Exported { body: "Ship", curve: &curve, track: &track, number: 0, fit: None }];
         for (level, name) in
             [("1", "1-v"), ("../../etc", "------etc-v"), ("a:b\\c", "a-b-c-v"), ("höhle 2", "höhle-2-v"), ("con", "con-v")]
         {

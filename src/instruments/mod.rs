@@ -6,6 +6,7 @@ pub mod companion;
 pub mod curve;
 pub mod energy;
 pub mod export;
+pub mod fit;
 pub mod ledger;
 pub mod look;
 pub mod quantity;

@@ -88,7 +88,7 @@ mod drawing {
             let scale = (f64::from(area.size.x) / self.size.x).min(f64::from(area.size.y) / self.size.y);
             let paper = Area::around(area.centre(), (self.size * scale).as_vec2());
             canvas.rounded(paper, 2.0, theme::ground());
-            if let Some(landscape) = self.landscape.filter(|_| !theme::is_contrast()) {
+            if let Some(landscape) = self.landscape.filter(|_| !theme::is_plain()) {
                 let mut quads = Quads::default();
                 sky::gradient(&mut quads, paper, WorldPalette::of(landscape).sky);
                 canvas.quads(quads);

@@ -164,7 +164,11 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
         theatre.note_frame(input.frame_time);
         if app.picture() != Picture::Again || !pen.show_kept(&canvas) {
             theatre::draw(&app, &mut theatre, input.frame_time, &mut canvas);
-            pen.play(&canvas, theme::ground());
+            let ground = if theme::is_light() { theme::ground().on_white() } else { theme::ground() };
+            if theme::is_light() {
+                canvas.put_on_white();
+            }
+            pen.play(&canvas, ground);
             if app.picture() == Picture::Kept {
                 pen.keep(&canvas);
             }

@@ -20,9 +20,9 @@ const HALVES: Values = Values::Percent { least: 0, most: 100, step: 50 };
 const SCALE: Values = Values::Percent { least: 80, most: 150, step: 10 };
 const SPEED: Values = Values::Percent { least: 50, most: 100, step: 10 };
 const SWITCH: Values = Values::Words(&["off", "on"]);
-const COLOURS: Values = Values::Words(&["standard", "safe", "contrast"]);
+const COLOURS: Values = Values::Words(&["standard", "safe", "contrast", "projector"]);
 const LANGUAGES: Values = Values::Languages;
-const PALETTES: [Palette; 3] = [Palette::Standard, Palette::Safe, Palette::HighContrast];
+const PALETTES: [Palette; 4] = [Palette::Standard, Palette::Safe, Palette::HighContrast, Palette::Projector];
 
 enum SettingField<'a> {
     Number(&'a mut u8),
@@ -217,7 +217,7 @@ mod tests {
             (Item::Scale, "79", "a whole number of percents from 80 to 150"),
             (Item::Speed, "NaN", "a whole number of percents from 50 to 100"),
             (Item::Flash, "yes", "one of off, on"),
-            (Item::Colours, "", "one of standard, safe, contrast"),
+            (Item::Colours, "", "one of standard, safe, contrast, projector"),
             (Item::Language, "nl", "one of en, de, fr, or nothing"),
         ] {
             assert_eq!(item.read(text, &mut settings), Err(expected.into()));

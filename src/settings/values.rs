@@ -11,6 +11,8 @@ pub enum Palette {
     Safe,
     /// The colours of `Safe`, on black, with white edges.
     HighContrast,
+    /// Dark on light, for a projector in a bright room.
+    Projector,
 }
 
 /// Help in flight. A run with help is marked, and does not enter the board.

@@ -5,7 +5,7 @@ use super::plot::DiagramPlaces;
 use super::{diagram, lanes, theme, timeline, widgets};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, GRID, TEXT, Vec2};
 use crate::draw::svg::svg;
-use crate::draw::{Canvas, Style};
+use crate::draw::{Canvas, Colour, Style};
 use crate::instruments::export::Sheet;
 use crate::lab::axes::step;
 use crate::lab::measured::Measured;
@@ -21,7 +21,10 @@ const FOOT: f32 = 60.0;
 /// A scene of the Lab: work to the right, error upwards.
 pub fn measured(measured: &Measured) -> String {
     sheet(tr(&measured.title), 0.0, |canvas, panel| {
-        diagram::draw(canvas, &DiagramPlaces::of(panel, measured), measured, diagram::Picked::default());
+        let plot = DiagramPlaces::of(panel, measured);
+        diagram::draw(canvas, &plot, measured, diagram::Picked::default());
+        let quiet = Style::new(DETAILS, theme::quiet()).middle().right();
+        canvas.text(tr(&measured.note), Vec2::new(plot.area.max().x, plot.area.min.y - 22.0), quiet);
     })
 }
 
@@ -45,18 +48,24 @@ pub fn stability(regions: &[Region]) -> String {
     })
 }
 
-/// The curves of the instruments.
+/// The curves of the instruments, on white.
 pub fn curves(title: &str, shown: &Sheet) -> String {
-    sheet(title, 0.0, |canvas, panel| lanes::draw(canvas, panel, shown))
+    let mut canvas = drawn(title, 0.0, |canvas, panel| lanes::draw(canvas, panel, shown));
+    canvas.put_on_white();
+    svg(&canvas, Colour::WHITE)
 }
 
 /// A title, and a drawing on the panel below it, `foot` above the lower edge.
 fn sheet(title: &str, foot: f32, draw: impl FnOnce(&Canvas, Area)) -> String {
+    svg(&drawn(title, foot, draw), theme::ground())
+}
+
+fn drawn(title: &str, foot: f32, draw: impl FnOnce(&Canvas, Area)) -> Canvas {
     let canvas = Canvas::new(Frame { size: PAPER, ..Frame::default() });
     canvas.text(title, Vec2::new(2.0 * GRID, HEAD / 2.0), Style::new(BUTTON_TEXT, theme::text()).middle());
     let inset = Area::new(GRID, HEAD, PAPER.x - 2.0 * GRID, PAPER.y - HEAD - GRID - foot);
     draw(&canvas, inset);
-    svg(&canvas, theme::ground())
+    canvas
 }
 
 #[cfg(test)]
@@ -118,8 +127,11 @@ mod tests {
         let track = flown(3000, |tick| Controls { thrust: tick < 60, right: tick % 7 == 0, ..Controls::default() });
         let shown = [Quantity::Y, Quantity::Velocity(VectorPart::Y), Quantity::Force(ForceKind::Reaction, VectorPart::Size)]
             .map(|up| curve(&track, Quantity::Time, up));
-        let exported: Vec<Exported> =
-            shown.iter().enumerate().map(|(number, curve)| Exported { body: "Ship", curve, track: &track, number }).collect();
+        let exported: Vec<Exported> = shown
+            .iter()
+            .enumerate()
+            .map(|(number, curve)| Exported { body: "Ship", curve, track: &track, number, fit: None })
+            .collect();
         let picture = curves("Up <and> down", &export::sheet((0.0, 25.0), &exported));
         let words = ["Up &lt;and&gt; down", "Ship v_y", "y (m)", "v_y (m/s)", "|Normal force| (N)", "t (s)"];
         assert_words(&picture, &words);

@@ -1,5 +1,5 @@
 //! The sky of a world of levels: a gradient of two tones, a far and a near layer that move with the camera, and weather. All of it is
-//! drawn by code, in canvas units; the palette of high contrast leaves it out.
+//! drawn by code, in canvas units; plain palettes leave it out.
 
 use super::camera::Viewport;
 use super::terrain::drafting::chance;
@@ -54,7 +54,7 @@ const PARALLAX: [f32; 2] = [0.12, 0.3];
 
 /// Draws a world's sky over the whole canvas. `time` (s) moves wheels, dust and bubbles.
 pub fn draw(landscape: Landscape, view: &Viewport, canvas: &Canvas, time: f64) {
-    if theme::is_contrast() {
+    if theme::is_plain() {
         return;
     }
     let palette = WorldPalette::of(landscape);

@@ -82,14 +82,19 @@ pub fn wear(palette: Palette) {
 fn colours() -> &'static Colours {
     match WORN.load(Ordering::Relaxed) {
         0 => &STANDARD,
-        1 => &SAFE,
-        _ => &HIGH_CONTRAST,
+        2 => &HIGH_CONTRAST,
+        _ => &SAFE,
     }
 }
 
-/// Whether the palette of high contrast is worn.
-pub fn is_contrast() -> bool {
-    WORN.load(Ordering::Relaxed) == Palette::HighContrast as u8
+/// Whether worlds have no sky and no colours of their own: in high contrast, and for a projector.
+pub fn is_plain() -> bool {
+    WORN.load(Ordering::Relaxed) >= Palette::HighContrast as u8
+}
+
+/// Whether the pen turns all colours to those for white ([`Colour::on_white`]).
+pub fn is_light() -> bool {
+    WORN.load(Ordering::Relaxed) == Palette::Projector as u8
 }
 
 /// The background.
@@ -241,10 +246,11 @@ mod tests {
 
     #[test]
     fn what_carries_a_meaning_is_told_apart_with_every_sight() {
-        for (colours, least) in [(&SAFE, 15.0), (&HIGH_CONTRAST, 13.0)] {
-            let of = |c: &Colours| [c.ground, c.solid, c.text, c.good, c.bad, c.player_objective, c.physics_objective, c.accent];
+        let of = |c: &Colours| [c.ground, c.solid, c.text, c.good, c.bad, c.player_objective, c.physics_objective, c.accent];
+        let light = of(&SAFE).map(Colour::on_white);
+        for (colours, least) in [(of(&SAFE), 15.0), (of(&HIGH_CONTRAST), 13.0), (light, 10.0)] {
             for (kind, sight) in SIGHTS.iter().enumerate() {
-                let labs = of(colours).map(|colour| lab(colour, sight));
+                let labs = colours.map(|colour| lab(colour, sight));
                 for (i, a) in labs.iter().enumerate() {
                     for (j, b) in labs.iter().enumerate().skip(i + 1) {
                         let apart = difference(*a, *b);
@@ -252,6 +258,22 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    /// The least contrast of words that are not small, and of drawings, is 3 to 1 (WCAG 2); of all words of weight 4.5.
+    #[test]
+    fn everything_is_dark_on_the_light_ground_of_a_projector() {
+        let luminance = |colour: Colour| {
+            let part = |c: f32| if c <= 0.04045 { f64::from(c) / 12.92 } else { ((f64::from(c) + 0.055) / 1.055).powf(2.4) };
+            0.2126 * part(colour.r) + 0.7152 * part(colour.g) + 0.0722 * part(colour.b)
+        };
+        let forces = ForceKind::ALL.map(force).into_iter().chain([RESULTANT, VELOCITY, ACCELERATION, IMPACT]);
+        let drawn = forces.chain([SAFE.good, SAFE.bad, SAFE.accent, SAFE.player_objective, SAFE.physics_objective]);
+        for ground in [SAFE.ground, SAFE.panel].map(|ground| luminance(ground.on_white())) {
+            let contrast = |colour: Colour| (ground + 0.05) / (luminance(colour.on_white()) + 0.05);
+            assert!(ground > 0.6 && contrast(SAFE.text) > 9.0 && contrast(SAFE.quiet) > 3.8);
+            drawn.clone().for_each(|colour| assert!(contrast(colour) > 2.4, "{colour:?}: {}", contrast(colour)));
         }
     }
 

@@ -1,5 +1,6 @@
 //! The instruments beside a flight: the rail, the panels, and the clicks that each of them takes.
 
+use crate::lesson::experiment;
 use crate::sitting::{Sitting, says};
 use resultant::draw::layout::Vec2;
 use resultant::physics::DVec2;
@@ -206,4 +207,61 @@ fn a_panel_is_dragged_out_of_the_way_and_stays_in_the_window() {
     assert!(area(&sitting).min.y >= 0.0 && area(&sitting).max().x <= frame.size.x);
     sitting.press(Key::R).press(Key::B).rest();
     assert!(area(&sitting).min.x > docked.min.x, "it stays there when the level begins again");
+}
+
+/// A ball of 2 kg and restitution 0.9 falls 10 m: at the floor it loses 1 − e² of m·g·h.
+#[test]
+fn energy_bars_count_what_a_bounce_loses_and_their_zero_moves() {
+    let mut sitting = experiment("bounce");
+    sitting.wait(0.1).press(Key::I);
+    sitting.click("Energy, work");
+    sitting.wait(2.0).press(Key::B).rest();
+    let bars = |sitting: &Sitting| -> Vec<(&'static str, f64)> {
+        let bars = &sitting.flight().instruments().measures().table().bars;
+        bars.iter().map(|bar| (bar.name, bar.values[0])).collect()
+    };
+    let at_first = bars(&sitting);
+    assert_eq!(at_first.iter().map(|(name, _)| *name).collect::<Vec<_>>(), ["Kinetic", "Potential", "Lost"]);
+    let whole = 2.0 * 9.81 * 10.0;
+    let lost = (1.0 - 0.81) * whole;
+    assert!((at_first[2].1 - lost).abs() < 1e-9 * whole, "{at_first:?} for {lost} J");
+    let level = sitting.flight().game().level().clone();
+    let sum = at_first.iter().map(|(_, value)| value).sum::<f64>();
+    let began = sitting.flight().history().start().world().bodies()[1].position.y;
+    assert!((sum - 2.0 * 9.81 * (level.size.y - began)).abs() < 1e-9 * sum, "all that there was in the beginning");
+    // Zero where the ball is now.
+    sitting.click("Zero here").rest();
+    let ball = sitting.flight().game().world().bodies()[1].clone();
+    let here = bars(&sitting);
+    assert!(here[1].1.abs() < 1e-9 && here[0] == at_first[0] && here[2] == at_first[2], "{here:?}");
+    assert!(sitting.shows("above the bottom"));
+    // Its line is taken 2 m down.
+    for (down, click, holding) in [(0.1, true, true), (2.0, false, true), (2.0, false, false)] {
+        let place = Some(ball.position + DVec2::new(3.0, down));
+        sitting.give(Input { pointer: Vec2::new(900.0, 300.0), place, click, holding, ..Input::default() });
+    }
+    sitting.rest();
+    assert!((bars(&sitting)[1].1 - 2.0 * 9.81 * 2.0).abs() < 1e-9, "{:?}", bars(&sitting));
+    // From now on nothing is lost.
+    sitting.click("From now").rest();
+    assert!(bars(&sitting)[2].1.abs() < 1e-9);
+}
+
+/// The energy of a spring of 900 N/m goes to and fro; nothing of it is lost.
+#[test]
+fn a_swing_on_a_spring_keeps_the_sum_of_its_bars() {
+    let mut sitting = Sitting::with(|folder| {
+        std::fs::write(folder.join("levels/2/constants.csv"), "width,1500\nheight,3000\ngravity,10\nair_density,0\n").unwrap();
+        let spring = "kind,a,b,length,stiffness,damping,strength,hook,breaks,rate,name\nspring,ship,600 900,0,900,,,,,,\n";
+        std::fs::write(folder.join("levels/2/links.csv"), spring).unwrap();
+    });
+    sitting.fly("2");
+    sitting.press(Key::I);
+    sitting.click("Energy, work");
+    sitting.wait(1.5);
+    let bars = &sitting.flight().instruments().measures().table().bars;
+    let values: Vec<f64> = bars.iter().map(|bar| bar.values[0]).collect();
+    let sum: f64 = values.iter().sum();
+    assert_eq!(bars[2].name, "Elastic");
+    assert!(values[2] > 0.0 && values[3].abs() < 1e-6 * sum, "{values:?}");
 }

@@ -1,13 +1,17 @@
 //! The table of momentum, energy and work: of the followed object, of the one compared with it and of both; else of all.
 
 use super::Stage;
+use crate::draw::Colour;
 use crate::game::{Game, History, body_title};
-use crate::instruments::energy::EnergyState;
+use crate::instruments::energy::{EnergyState, ground};
 use crate::instruments::ledger::{Account, MOST_BODIES, WorkLedger};
 use crate::instruments::stop_clock::seconds;
-use crate::physics::{BodyId, ForceKind, Impulse};
+use crate::level::Level;
+use crate::physics::{BodyId, DVec2, ForceKind, Impulse};
+use crate::screens::Input;
 use crate::view::focus::Focus;
-use crate::view::quantity::QuantityScale;
+use crate::view::quantity::{QuantityScale, scalar};
+use crate::view::theme;
 use crate::words::tr;
 
 /// Ticks of reading in a frame at most, where the table opens late in a flight.
@@ -41,16 +45,39 @@ pub struct FigureLine {
 pub struct Table {
     pub columns: Vec<String>,
     pub lines: Vec<FigureLine>,
+    pub bars: Vec<EnergyBar>,
+}
+
+/// A kind of energy as bars, J, one a column.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EnergyBar {
+    pub name: &'static str,
+    pub colour: Colour,
+    pub values: Vec<f64>,
 }
 
 #[derive(Clone, Debug, Default)]
 pub struct Figures {
     ledger: WorkLedger,
-    /// The tick from which work counts, and the accounts then; `None`: from the start.
-    base: Option<(u64, Vec<Account>)>,
+    /// From where work and losses count; `None`: from the start.
+    base: Option<FiguresBase>,
+    /// Of each body at the moment on the screen, J.
+    energies: Vec<f64>,
+    /// The height at which potential energy is zero, m, y down; `None`: the level's edge.
+    zero: Option<f64>,
+    holds_zero: bool,
     /// The accounts are up to date with the moment on the screen.
     is_read: bool,
     table: Table,
+}
+
+/// A moment from which work and losses count.
+#[derive(Clone, Debug)]
+struct FiguresBase {
+    tick: u64,
+    accounts: Vec<Account>,
+    /// Of each body, J.
+    energies: Vec<f64>,
 }
 
 /// The followed and the compared body, or the one under the camera while the player follows none.
@@ -64,6 +91,7 @@ impl Figures {
     /// Reads up to the moment on the screen.
     pub fn update(&mut self, stage: &Stage) {
         self.is_read = self.ledger.go(stage.history, stage.game.ticks(), AHEAD);
+        self.energies = energies(stage.game);
         self.table = self.tabulate(stage);
     }
 
@@ -73,20 +101,49 @@ impl Figures {
 
     /// Counts work from the moment on the screen, once all ticks before it are read, or from the flight's start.
     pub fn count_from(&mut self, now: Option<u64>) {
-        self.base = now.filter(|_| self.is_read).map(|now| (now, self.ledger.accounts().to_vec()));
+        let base = |tick| FiguresBase { tick, accounts: self.ledger.accounts().to_vec(), energies: self.energies.clone() };
+        self.base = now.filter(|_| self.is_read).map(base);
+    }
+
+    /// Where potential energy is zero, m.
+    pub fn zero(&self, level: &Level) -> DVec2 {
+        let ground = ground(level);
+        DVec2::new(ground.x, self.zero.unwrap_or(ground.y))
+    }
+
+    /// Potential energy is zero at the height of a place, m, y down.
+    pub const fn set_zero(&mut self, height: f64) {
+        self.zero = Some(height);
+    }
+
+    /// The pointer takes the line of the zero, and moves it. True where the click or the drag is its own; `near` is in m.
+    pub fn drag_zero(&mut self, input: &Input, level: &Level, (near, free): (f64, bool)) -> bool {
+        let Some(place) = input.place.filter(|_| level.gravity != 0.0) else { return self.holds_zero };
+        let takes = free && input.click && (place.y - self.zero(level).y).abs() <= near;
+        self.holds_zero = takes || self.holds_zero && input.holding;
+        if self.holds_zero {
+            self.set_zero(place.y);
+        }
+        self.holds_zero
+    }
+
+    /// The same for the level flown once more.
+    #[must_use]
+    pub fn flown_again(&self) -> Self {
+        Self { zero: self.zero, ..Self::default() }
     }
 
     /// The flight was left at that tick: later readings are void.
     pub fn back_to(&mut self, tick: u64) {
         self.ledger.back_to(tick);
-        self.base = self.base.take().filter(|(from, _)| *from <= tick);
+        self.base = self.base.take().filter(|base| base.tick <= tick);
     }
 
     /// J, summed over those bodies.
     fn work(&self, bodies: &[BodyId]) -> Account {
         let done = |id: &BodyId| {
             let account = self.ledger.accounts()[id.index()];
-            self.base.as_ref().map_or(account, |(_, base)| account.since(&base[id.index()]))
+            self.base.as_ref().map_or(account, |base| account.since(&base.accounts[id.index()]))
         };
         bodies.iter().map(done).fold(Account::default(), |sum, account| sum.plus(&account))
     }
@@ -105,8 +162,13 @@ impl Figures {
             groups.push(all);
             columns.push(tr("All").to_owned());
         }
+        let zero = self.zero(game.level());
         let state = |group: &Vec<BodyId>| {
-            group.iter().map(|id| EnergyState::of(game, *id)).fold(EnergyState::default(), std::ops::Add::add)
+            group.iter().map(|id| EnergyState::above(zero, game, *id)).fold(EnergyState::default(), std::ops::Add::add)
+        };
+        let at_base = self.base.as_ref().map_or_else(|| energies(stage.history.start()), |base| base.energies.clone());
+        let lost = |group: &Vec<BodyId>| -> f64 {
+            group.iter().map(|id| at_base.get(id.index()).map_or(0.0, |before| before - self.energies[id.index()])).sum()
         };
         let states: Vec<EnergyState> = groups.iter().map(state).collect();
         let line = |name: &'static str, subject, of: &dyn Fn(&EnergyState) -> f64, unit| Number {
@@ -116,13 +178,32 @@ impl Figures {
             unit,
         };
         let words = |words: String| FigureLine { name: words, subject: Subject::Words, values: Vec::new() };
-        let states_of_all = vec![
+        let elastic = states.iter().any(|state| state.elastic != 0.0);
+        let bar = |name: &'static str, colour, of: &dyn Fn(&EnergyState) -> f64| EnergyBar {
+            name,
+            colour,
+            values: states.iter().map(of).collect(),
+        };
+        let mut bars = vec![
+            bar(tr("Kinetic"), theme::VELOCITY, &|state| state.kinetic),
+            bar(tr("Potential"), theme::force(ForceKind::Weight), &|state| state.potential),
+        ];
+        bars.extend(elastic.then(|| bar(tr("Elastic"), theme::force(ForceKind::Spring), &|state| state.elastic)));
+        bars.push(EnergyBar { name: tr("Lost"), colour: theme::bad(), values: groups.iter().map(lost).collect() });
+        let mut states_of_all = vec![
             line(tr("Momentum x"), Subject::Quantity, &|state| state.momentum.x, "N·s"),
             line(tr("Momentum y"), Subject::Quantity, &|state| -state.momentum.y, "N·s"),
             line(tr("Kinetic energy"), Subject::Quantity, &|state| state.kinetic, "J"),
             line(tr("Potential energy"), Subject::Quantity, &|state| state.potential, "J"),
-            line(tr("Sum of both"), Subject::Sum, &|state| state.kinetic + state.potential, "J"),
         ];
+        states_of_all.extend(elastic.then(|| line(tr("Elastic energy"), Subject::Quantity, &|state| state.elastic, "J")));
+        states_of_all.push(line(tr(if elastic { "Sum of all" } else { "Sum of both" }), Subject::Sum, &EnergyState::sum, "J"));
+        states_of_all.push(Number {
+            name: tr("Lost"),
+            subject: Subject::Quantity,
+            values: bars[bars.len() - 1].values.clone(),
+            unit: "J",
+        });
         let (mut lines, mut numbers) = (written(states_of_all), Vec::new());
         let heading = match (self.is_read, bodies > MOST_BODIES) {
             (true, _) => {
@@ -133,15 +214,40 @@ impl Figures {
             (false, true) => tr("Work: too many objects").to_owned(),
             (false, false) => tr("Work: reading …").to_owned(),
         };
-        lines.extend([words(zero_level(game)), words(heading)]);
+        lines.extend([words(self.zero_level(game)), words(heading)]);
         lines.extend(written(numbers));
-        Table { columns, lines }
+        Table { columns, lines, bars }
+    }
+
+    fn zero_level(&self, game: &Game) -> String {
+        let level = game.level();
+        if let Some(zero) = self.zero.filter(|_| level.gravity != 0.0) {
+            return tr!("zero {height} above the bottom", height = scalar(level.size.y - zero, "m"));
+        }
+        let sign = |strength: f64| if strength == 0.0 { 0 } else { strength.signum() as i8 };
+        let side = match (sign(level.gravity), sign(level.gravity_x)) {
+            (0, 0) => return tr("no gravity").to_owned(),
+            (1, 0) => tr("bottom"),
+            (1, 1) => tr("bottom right"),
+            (1, _) => tr("bottom left"),
+            (0, 1) => tr("right"),
+            (0, _) => tr("left"),
+            (_, 0) => tr("top"),
+            (_, 1) => tr("top right"),
+            _ => tr("top left"),
+        };
+        tr!("zero at the level's {side}", side)
     }
 
     fn from(&self, history: &History, game: &Game) -> String {
-        let tick = self.base.as_ref().map_or(history.start().ticks(), |(tick, _)| *tick);
+        let tick = self.base.as_ref().map_or(history.start().ticks(), |base| base.tick);
         seconds(tick.cast_signed(), game.tick_rate())
     }
+}
+
+/// Of each body, J.
+fn energies(game: &Game) -> Vec<f64> {
+    (0..game.world().bodies().len() as u32).map(|id| EnergyState::of(game, BodyId(id)).sum()).collect()
 }
 
 struct Number {
@@ -186,21 +292,4 @@ fn work_lines(works: &[Account]) -> Vec<Number> {
     }
     lines.push(line(tr(GAINED), Subject::Sum, &Account::sum));
     lines
-}
-
-fn zero_level(game: &Game) -> String {
-    let level = game.level();
-    let sign = |strength: f64| if strength == 0.0 { 0 } else { strength.signum() as i8 };
-    let side = match (sign(level.gravity), sign(level.gravity_x)) {
-        (0, 0) => return tr("no gravity").to_owned(),
-        (1, 0) => tr("bottom"),
-        (1, 1) => tr("bottom right"),
-        (1, _) => tr("bottom left"),
-        (0, 1) => tr("right"),
-        (0, _) => tr("left"),
-        (_, 0) => tr("top"),
-        (_, 1) => tr("top right"),
-        _ => tr("top left"),
-    };
-    tr!("zero at the level's {side}", side)
 }

@@ -20,6 +20,10 @@ pub const CLOCK_WORDS: [&str; 3] = ["Start", "Lap", "Reset"];
 
 /// Ticks of reading in a frame, at most.
 const AHEAD: u64 = 600;
+/// The pointer takes the line of zero potential energy up to this far away, pixels of the level.
+const ZERO_NEAR: f64 = 10.0;
+/// The words on the buttons of the table.
+pub const TABLE_WORDS: [&str; 3] = ["From now", "From start", "Zero here"];
 /// The longest arrow, in parts of the window's height.
 const LONGEST: f64 = 0.25;
 /// The least characters of the table's names and of its numbers, so that it seldom changes its width.
@@ -58,11 +62,16 @@ impl Measures {
         for (tool, area) in self.panels.clone() {
             match tool {
                 Tool::StopClock => self.show_clock(ui, area, stage.game),
-                Tool::Figures => self.show_table(ui, area, stage.game.ticks()),
+                Tool::Figures => self.show_table(ui, area, stage.game),
                 _ => {}
             }
         }
         let free = !covered && input.frame.area().contains(input.pointer);
+        let level = stage.game.level();
+        if self.uses(Tool::Figures) && self.figures.drag_zero(input, level, (ZERO_NEAR / level.metre, free)) {
+            rest.click = false;
+            return rest;
+        }
         if self.uses(Tool::Ruler) {
             match self.ruler.update(input, world, stage.game.level().metre, free) {
                 Click::Others => {}
@@ -126,7 +135,7 @@ impl Measures {
 
     /// The flight starts again in another level: the ruler and the stop clock stay.
     pub fn flown_again(&mut self) {
-        (self.trail, self.figures) = (Trail::default(), Figures::default());
+        (self.trail, self.figures) = (Trail::default(), self.figures.flown_again());
     }
 
     /// The flight was left at that tick and goes on otherwise.
@@ -179,7 +188,9 @@ impl Measures {
                 let (names, values) = self.columns();
                 let table = self.figures.table();
                 let characters = names + values * table.columns.len();
-                Vec2::new(dock::width(frame, characters), (table.lines.len() + 2) as f32 * line + 2.0 * GRID)
+                let buttons = dock::row(frame, Vec2::ZERO, &TABLE_WORDS).last().map_or(0.0, |last| last.max().x);
+                let lines = (table.lines.len() + table.bars.len() + 2) as f32;
+                Vec2::new(dock::width(frame, characters).max(buttons), lines * line + 2.5 * GRID)
             }
         };
         inside + 2.0 * GRID

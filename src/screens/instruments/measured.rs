@@ -11,7 +11,7 @@ use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, SHIP};
 use crate::instruments::trail::{DOTS_A_SECOND, LASTS};
 use crate::number::fixed;
-use crate::physics::{BodyId, DVec2};
+use crate::physics::{BodyId, DVec2, ForceKind};
 use crate::view::camera::Viewport;
 use crate::view::game_view::drawn_centre;
 use crate::view::hud::HudLayout;
@@ -66,8 +66,21 @@ impl Measures {
         if self.uses(Tool::Vectors) {
             self.draw_vectors(scene, view, canvas);
         }
+        if self.uses(Tool::Figures) && scene.0.level().gravity != 0.0 {
+            self.draw_zero(scene.0, view, canvas);
+        }
         if self.uses(Tool::Ruler) {
             self.draw_ruler(scene, view, canvas);
+        }
+    }
+
+    /// The line from which potential energy counts.
+    fn draw_zero(&self, game: &Game, view: &Viewport, canvas: &Canvas) {
+        let (y, frame) = (view.point(self.figures.zero(game.level())).y, canvas.frame().area());
+        if (frame.min.y..=frame.max().y).contains(&y) {
+            let colour = theme::force(ForceKind::Weight);
+            canvas.dashed(&[Vec2::new(frame.min.x, y), Vec2::new(frame.max().x, y)], &[10.0, 6.0], 1.5, colour);
+            label(&["E_pot = 0".to_owned()], Vec2::new(frame.max().x - 10.0 * GRID, y - 1.2 * GRID), colour, canvas);
         }
     }
 

@@ -2,8 +2,8 @@
 
 use super::Tool;
 use super::dock;
-use super::figures::{FigureLine, Subject, in_focus};
-use super::measure::{CLOCK_WORDS, Measures};
+use super::figures::{EnergyBar, FigureLine, Subject, in_focus};
+use super::measure::{CLOCK_WORDS, Measures, TABLE_WORDS};
 use super::measured::colour;
 use super::vectors::Vector;
 use crate::draw::layout::{Area, DETAILS, GRID, TEXT, Vec2};
@@ -76,11 +76,11 @@ impl Measures {
         }
     }
 
-    pub(super) fn show_table(&mut self, ui: &mut Ui<'_>, area: Area, now: u64) {
-        const WORDS: [&str; 2] = ["From now", "From start"];
-        match self.buttons(ui, area, &WORDS, &WORDS) {
-            Some("From now") => self.figures.count_from(Some(now)),
-            Some(_) => self.figures.count_from(None),
+    pub(super) fn show_table(&mut self, ui: &mut Ui<'_>, area: Area, game: &Game) {
+        match self.buttons(ui, area, &TABLE_WORDS, &TABLE_WORDS) {
+            Some("From now") => self.figures.count_from(Some(game.ticks())),
+            Some("From start") => self.figures.count_from(None),
+            Some(_) => self.figures.set_zero(game.world().body(in_focus(&self.focus, game)[0]).position.y),
             None => {}
         }
         let (canvas, frame, table) = (ui.canvas(), &self.frame, self.table());
@@ -100,6 +100,8 @@ impl Measures {
                 canvas.hairline(left, left + right(table.columns.len() - 1), theme::quiet());
             }
         }
+        let first = at(table.lines.len() + 1) + Vec2::new(0.0, 0.5 * GRID);
+        draw_bars(canvas, &table.bars, first, &|i| (dock::width(frame, names + values * i), dock::width(frame, values - 1)));
     }
 
     /// A row of buttons at a panel's foot, each as wide as the word in `widest` needs.
@@ -114,6 +116,25 @@ impl Measures {
             }
         }
         pressed
+    }
+}
+
+/// A line a kind of energy, a bar in each column, all to one scale; `column` says where a column begins and how wide it is.
+fn draw_bars(canvas: &Canvas, bars: &[EnergyBar], first: Vec2, column: &dyn Fn(usize) -> (f32, f32)) {
+    let all = || bars.iter().flat_map(|bar| &bar.values).copied();
+    let (least, most) = (all().fold(0.0, f64::min), all().fold(0.0, f64::max));
+    let (line, span) = (canvas.line_height(DETAILS), (most - least).max(f64::MIN_POSITIVE));
+    let zero = (-least / span) as f32;
+    for (row, bar) in bars.iter().enumerate() {
+        let at = first + Vec2::new(0.0, row as f32 * line);
+        canvas.text(bar.name, at, Style::new(DETAILS, bar.colour).mono());
+        for (i, value) in bar.values.iter().enumerate() {
+            let (left, width) = column(i);
+            let ends = [zero, zero + (value / span) as f32].map(|part| at.x + left + part * width);
+            let bar_at = Area::new(ends[0].min(ends[1]), at.y + 0.15 * line, (ends[1] - ends[0]).abs(), 0.7 * line);
+            canvas.rounded(bar_at, 0.0, bar.colour);
+            canvas.hairline(Vec2::new(ends[0], at.y), Vec2::new(ends[0], at.y + line), theme::text());
+        }
     }
 }
 

@@ -74,7 +74,7 @@ impl Terrain {
             Silhouette::new(&pieces).edges().to_vec()
         });
         let dimensions = drafting::dimensions(&mass, ROCK, &taken);
-        let sky = level.landscape.filter(|_| !over_picture && !theme::is_contrast()).map(|world| WorldPalette::of(world).sky);
+        let sky = level.landscape.filter(|_| !over_picture && !theme::is_plain()).map(|world| WorldPalette::of(world).sky);
         let marked: Vec<Aabb> = taken.iter().copied().chain(dimensions.iter().map(Dimension::bounds)).collect();
         Self {
             seams: seams.collect(),

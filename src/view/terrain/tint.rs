@@ -40,7 +40,7 @@ impl Tint {
     /// Of a level's world; without one by its name: numbered levels take the inks in turn, others a hash of the name.
     pub fn of(landscape: Option<Landscape>, name: &str) -> Self {
         match landscape.map(WorldPalette::of) {
-            Some(palette) if !theme::is_contrast() => Self::from_world(&palette),
+            Some(palette) if !theme::is_plain() => Self::from_world(&palette),
             _ => Self::from_name(name),
         }
     }

@@ -6,6 +6,7 @@ use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::instruments::chart::{Chart, ChartLane};
 use crate::instruments::curve::Curve;
+use crate::instruments::fit::Fit;
 use crate::instruments::look;
 use crate::instruments::quantity::Quantity;
 use crate::instruments::track::BodyTrack;
@@ -79,10 +80,12 @@ impl Plot {
         canvas.line(panel.min, Vec2::new(panel.max().x, panel.min.y), 2.0, theme::panel_edge());
         self.draw_lines(places, canvas);
         self.draw_lanes(places, chart, canvas);
-        let (words, colour) = match &self.message {
-            Some((words, true)) => (words.as_str(), theme::bad()),
-            Some((words, false)) => (words.as_str(), theme::good()),
-            None => (tr(HINT), theme::quiet()),
+        let fit = self.fit_words();
+        let (words, colour) = match (&self.message, &fit) {
+            (Some((words, true)), _) => (words.as_str(), theme::bad()),
+            (Some((words, false)), _) => (words.as_str(), theme::good()),
+            (None, Some(words)) => (words.as_str(), theme::text()),
+            (None, None) => (tr(HINT), theme::quiet()),
         };
         let style = Style::new(DETAILS, colour).middle();
         let at = Vec2::new(places.foot.min.x, places.foot.centre().y);
@@ -124,6 +127,9 @@ impl Plot {
             self.draw_impacts(&scale, canvas);
             for number in &lane.curves {
                 self.draw_curve(*number, &scale, canvas);
+            }
+            if lane.curves.contains(&self.selected) {
+                self.draw_fit(&scale, canvas);
             }
             self.draw_name(lane, *area, text, canvas);
         }
@@ -193,6 +199,15 @@ impl Plot {
     ) {
         for piece in curve.drawn(places, scale.grain()) {
             stroke(canvas, &scale.within(piece), look, colour);
+        }
+    }
+
+    /// As far as it is inside its lane.
+    fn draw_fit(&self, scale: &Scale, canvas: &Canvas) {
+        let line = scale.within(self.fit().into_iter().flat_map(Fit::drawn).collect());
+        let inside = |at: &Vec2| (scale.area.min.y..=scale.area.max().y).contains(&at.y);
+        for pair in line.windows(2).filter(|pair| pair.iter().all(inside)) {
+            canvas.line(pair[0], pair[1], 1.5, theme::text());
         }
     }
 

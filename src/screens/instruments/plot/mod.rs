@@ -3,6 +3,7 @@
 
 mod choices;
 mod drawing;
+mod fitting;
 mod hand;
 mod object;
 mod panel;
@@ -15,6 +16,7 @@ use crate::draw::layout::{Area, Frame, Vec2};
 use crate::game::{History, body_title};
 use crate::instruments::chart::{Chart, ChartMember, TimeWindow};
 use crate::instruments::curve::Curve;
+use crate::instruments::fit::FitLaw;
 use crate::instruments::quantity::{Quantity, VectorPart};
 use crate::instruments::track::BodyTrack;
 use crate::physics::{BodyId, DVec2};
@@ -22,6 +24,7 @@ use crate::screens::ahead::Ahead;
 use crate::screens::{Input, NewFile};
 use crate::ui::Ui;
 use crate::words::tr;
+use fitting::Fitted;
 use hand::Hand;
 use object::PlotObject;
 use panel::{Format, Pick};
@@ -75,6 +78,9 @@ pub struct Plot {
     /// The ticks between which the area is.
     span: Option<(u64, u64)>,
     selected: usize,
+    /// The law that goes through the selected curve, and its figures for the present stretch.
+    law: Option<FitLaw>,
+    fitted: Option<Fitted>,
     pick: Option<Pick>,
     hand: Hand,
     large: bool,
@@ -105,6 +111,8 @@ impl Default for Plot {
             window: None,
             span: None,
             selected: 0,
+            law: None,
+            fitted: None,
             pick: None,
             hand: Hand::default(),
             large: false,
@@ -123,6 +131,7 @@ impl Plot {
     /// Shows the panel at the foot of the input's frame; returns the rest of the input.
     pub fn show(&mut self, ui: &mut Ui<'_>, input: &Input, stage: &Stage) -> Input {
         self.read(input.worked(), stage);
+        self.refit();
         let places = PlotPlaces::new(&input.frame, self.large);
         let chart = self.chart();
         let picking = self.is_picking();

@@ -6,6 +6,7 @@ use super::places::{MOST_LINES, PlotPlaces};
 use super::{Plot, PlotLine, along};
 use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, Vec2};
+use crate::instruments::fit::FitLaw;
 use crate::instruments::quantity::Quantity;
 use crate::instruments::track::BodyTrack;
 use crate::ui::{Ui, WidgetKind};
@@ -19,6 +20,8 @@ pub(super) enum Action {
     Across,
     /// Keep an object, or follow again.
     Keep(usize),
+    /// Another law through the selected curve.
+    Law,
     Export(Format),
     Whole,
     Larger,
@@ -41,6 +44,7 @@ impl Action {
             Self::Remove(_) => Some("Removes this curve"),
             Self::Across => Some("The quantity of the axis to the right"),
             Self::What(_) => Some("The quantity of this curve"),
+            Self::Law => Some("A line, a parabola or a sine through the selected curve: over the marked stretch (Shift and drag)"),
             Self::Export(_) => Some("Writes the curves as a file"),
             Self::Add | Self::Whole | Self::Larger | Self::Select(_) | Self::Choose(_) => None,
         }
@@ -94,6 +98,8 @@ impl Plot {
             let kept = if self.objects[whose].kept.is_some() { tr(", kept") } else { "" };
             add(format!("{rank}: {}{kept}", self.name(whose)), Action::Keep(whose));
         }
+        let law = self.law.map_or("none", FitLaw::name);
+        add(tr!("Fit: {law}", law = tr(law)), Action::Law);
         add(tr(if self.large { "Smaller" } else { "Larger" }).to_owned(), Action::Larger);
         if self.window.is_some() {
             add(tr("Whole flight").to_owned(), Action::Whole);
@@ -148,6 +154,7 @@ impl Plot {
                 let object = &mut self.objects[whose];
                 object.kept = if object.kept.is_some() { None } else { object.track().map(BodyTrack::body) };
             }
+            Action::Law => self.next_law(),
             Action::Export(format) => (self.waiting, self.message) = (Some(format), None),
             Action::Whole => self.window = None,
             Action::Larger => self.large = !self.large,

@@ -13,7 +13,13 @@ impl Plot {
     pub(super) fn make_file(&mut self, format: Format, game: &Game) {
         let curves: Vec<Exported> = self
             .shown()
-            .map(|(number, line, track)| Exported { body: self.name(line.whose), curve: &line.now, track, number })
+            .map(|(number, line, track)| Exported {
+                body: self.name(line.whose),
+                curve: &line.now,
+                track,
+                number,
+                fit: self.fit().filter(|_| number == self.selected),
+            })
             .collect();
         if curves.is_empty() {
             self.message = Some((tr("There is no curve to be exported.").to_owned(), true));

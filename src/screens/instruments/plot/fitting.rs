@@ -1,0 +1,52 @@
+//! A law through the selected curve, over the stretch whose area is shown.
+
+use super::Plot;
+use crate::instruments::curve::Curve;
+use crate::instruments::fit::{Fit, FitLaw};
+use crate::instruments::quantity::Quantity;
+use crate::physics::BodyId;
+
+/// A fit with all that it depends on.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Fitted {
+    of: (FitLaw, usize, Option<BodyId>, [Quantity; 2], (usize, usize)),
+    /// `None` where the stretch has too few points.
+    fit: Option<Fit>,
+}
+
+impl Plot {
+    /// Computes the fit where anything has changed that it depends on.
+    pub(super) fn refit(&mut self) {
+        let selected = self.shown().find(|(number, ..)| *number == self.selected);
+        let Some((law, (number, line, track))) = self.law.zip(selected) else {
+            self.fitted = None;
+            return;
+        };
+        let of = (law, number, line.read, [self.across, line.up], self.stretch(track));
+        if self.fitted.as_ref().is_none_or(|fitted| fitted.of != of) {
+            let fit = Fit::of(law, &points(&line.now, of.4));
+            self.fitted = Some(Fitted { of, fit });
+        }
+    }
+
+    /// The fit through the selected curve, if one is asked for and there is one.
+    pub fn fit(&self) -> Option<&Fit> {
+        self.fitted.as_ref()?.fit.as_ref()
+    }
+
+    /// The formula of the fit with its figures and its residual.
+    pub(super) fn fit_words(&self) -> Option<String> {
+        let (fit, line) = (self.fit()?, self.lines.get(self.selected)?);
+        Some(fit.words(line.up, self.across))
+    }
+
+    /// From none through every law to none.
+    pub(super) fn next_law(&mut self) {
+        let next = self.law.map_or(0, |law| law as usize + 1);
+        (self.law, self.message) = (FitLaw::ALL.get(next).copied(), None);
+    }
+}
+
+fn points(curve: &Curve, (from, to): (usize, usize)) -> Vec<(f64, f64)> {
+    (from..=to).map_while(|place| curve.point(place)).collect()
+}
