@@ -4,11 +4,12 @@
 use super::contract::{By, Model, contenders};
 use super::methods::chain::Chain;
 use super::methods::impact::LineBlock;
-use super::methods::motion::{METHODS, PointState};
+use super::methods::motion::{INTEGRATORS, METHODS, MotionStep, PointState};
 use super::reference;
 use super::scenes::bouncing::{self, BouncingBall};
 use super::scenes::collisions::{self, BlockLine};
-use super::scenes::flight;
+use super::scenes::flight::{self, FlyingBody};
+use super::scenes::springs;
 use super::scenes::stacks::{self, ContactChain};
 use crate::physics::{Aabb, DVec2};
 
@@ -28,6 +29,8 @@ pub struct Exhibit {
     pub view: Aabb,
     /// m.
     pub solid: Vec<Aabb>,
+    /// The place to which its body is bound, m.
+    pub bound: Option<DVec2>,
     /// m.
     pub start: Vec<Aabb>,
     /// The exact motion.
@@ -56,7 +59,7 @@ const DROP: f64 = 2.0;
 const GROUND: Aabb = Aabb { min: DVec2::new(-1e3, 0.0), max: DVec2::new(1e3, 1e3) };
 
 pub fn exhibits() -> Vec<Exhibit> {
-    vec![bounce(), throw(), wall(), cradle(), column(), heavy_on_light()]
+    vec![bounce(), throw(), oscillator(), pendulum(), wall(), cradle(), column(), heavy_on_light()]
 }
 
 /// The largest distance of a box from its exact place, m; infinite where one is not finite.
@@ -90,7 +93,18 @@ impl Exhibit {
             (name, Box::new(begin) as MotionStart)
         });
         let methods = methods.collect();
-        Self { title, view: GROUND, solid: Vec::new(), start, exact: known(exact), methods, first: 0, seconds: 20.0, speed: 1.0 }
+        Self {
+            title,
+            view: GROUND,
+            solid: Vec::new(),
+            bound: None,
+            start,
+            exact: known(exact),
+            methods,
+            first: 0,
+            seconds: 20.0,
+            speed: 1.0,
+        }
     }
 }
 
@@ -179,16 +193,36 @@ fn cradle() -> Exhibit {
 }
 
 fn throw() -> Exhibit {
-    let body = flight::thrown();
     // Twice its size, to be seen from afar.
-    let at = |point: &PointState| vec![Aabb::around(point.x, DVec2::ONE)];
+    let exhibit = by_reference("A throw with drag and wind", flight::thrown(), &METHODS, 1.0);
+    Exhibit { view: area(-2.0, -14.0, 34.0, 8.0), first: 1, seconds: 3.0, ..exhibit }
+}
+
+/// A body whose exact motion is that of the reference, shown as a box of `2·half` m.
+fn by_reference(title: &'static str, body: FlyingBody, methods: &[(&'static str, MotionStep)], half: f64) -> Exhibit {
+    let at = move |point: &PointState| vec![Aabb::around(point.x, DVec2::splat(half))];
     let exact = body.clone();
-    let exhibit = Exhibit::of("A throw with drag and wind", body, METHODS, at, |_| Vec::new());
+    let exhibit = Exhibit::of(title, body, methods.iter().copied(), at, |_| Vec::new());
     let exact = move |h: f64| -> BoxMotion {
         let mut running = exact.running(By::Hand(reference::drag_in_two_dimensions), h);
         Box::new(move || running.step().map_or_else(Vec::new, |(_, point)| at(point)))
     };
-    Exhibit { view: area(-2.0, -14.0, 34.0, 8.0), exact: Box::new(exact), first: 1, seconds: 3.0, ..exhibit }
+    Exhibit { exact: Box::new(exact), ..exhibit }
+}
+
+/// On a circle, so that the gain of explicit Euler shows as a spiral.
+fn oscillator() -> Exhibit {
+    let (omega, radius) = (2.0, 2.0);
+    let at = |place: DVec2| vec![Aabb::around(place, DVec2::splat(0.3))];
+    let body = springs::oscillator(omega * omega, radius, true);
+    let exact = move |t: f64| at(DVec2::from_angle(omega * t) * radius);
+    let exhibit = Exhibit::of("A body on a spring goes round", body, INTEGRATORS.iter().copied(), move |point| at(point.x), exact);
+    Exhibit { view: area(-5.4, -3.2, 5.4, 3.2), bound: Some(DVec2::ZERO), seconds: 30.0, ..exhibit }
+}
+
+fn pendulum() -> Exhibit {
+    let exhibit = by_reference("A pendulum swings", springs::pendulum(4.0, 1.0), INTEGRATORS, 0.3);
+    Exhibit { view: area(-4.4, -0.4, 4.4, 4.8), bound: Some(DVec2::ZERO), seconds: 20.0, ..exhibit }
 }
 
 #[cfg(test)]
@@ -208,7 +242,7 @@ mod tests {
 
     #[test]
     fn the_methods_part_and_the_shipped_engine_stays_with_the_truth() {
-        let apart = [0.5, 0.1, 5.0, 1.0, 0.5, 0.5];
+        let apart = [0.5, 0.1, 1.0, 0.5, 5.0, 1.0, 0.5, 0.5];
         let exhibits = exhibits();
         assert_eq!(exhibits.len(), apart.len());
         for (exhibit, apart) in exhibits.iter().zip(apart) {

@@ -1,7 +1,9 @@
-//! The Lab on five pages: accuracy against speed, regions of stability, stress tests, two methods side by side, experiments. It shows the
+//! The Lab on six pages: accuracy against speed, regions of stability, stress tests, two methods side by side, why explicit Euler gains
+//! energy, experiments. It shows the
 //! results of a run of `resultant chart`, and measures nothing itself.
 
 mod charts;
+mod euler;
 mod experiments;
 mod legend;
 mod side_by_side;
@@ -42,20 +44,22 @@ pub enum Page {
     Stability,
     Survival,
     SideBySide,
+    Euler,
     Experiments,
 }
 
 /// In the order of their tabs.
-pub const PAGES: [(Page, &str); 5] = [
+pub const PAGES: [(Page, &str); 6] = [
     (Page::Charts, "Charts"),
     (Page::Stability, "Stability"),
     (Page::Survival, "Stress tests"),
     (Page::SideBySide, "Side by side"),
+    (Page::Euler, "Why Euler gains"),
     (Page::Experiments, "Experiments"),
 ];
 /// The first tool of each page.
 const BACK: (&str, Key, &str) = ("Back", Key::Escape, "Esc");
-const TAB: Vec2 = Vec2::new(200.0, 40.0);
+const TAB: Vec2 = Vec2::new(176.0, 40.0);
 const TABS_AT: f32 = 16.0;
 /// From a page to the canvas' top, foot and sides.
 const TOP: f32 = 72.0;
@@ -145,6 +149,7 @@ impl Screen for Lab {
             Page::Stability => self.stability.show(ui, area),
             Page::Survival => self.survival.show(ui, area),
             Page::SideBySide => self.side_by_side.show(ui, area),
+            Page::Euler => euler::show(ui, area),
             Page::Experiments => self.experiments.show(ui, area),
         }
     }

@@ -40,8 +40,10 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, picked: 
         let look = CurveLook::of(index, curve.origin);
         let colour = shade(Colour::hex(look.colour), picked.curve.is_none_or(|picked| picked == index));
         if let Some((order, point)) = curve.order().zip(curve.finest_fitted()) {
-            let place = free_place(plot.at(&point), &orders);
-            canvas.text(&format!("{order:.1}"), place.min, Style::new(DETAILS, colour));
+            let (words, style) = (format!("{order:.1}"), Style::new(DETAILS, colour));
+            let size = Vec2::new(canvas.width(&words, style), canvas.frame().text_height(DETAILS));
+            let place = free_place(plot.at(&point), size, &orders);
+            canvas.text(&words, place.min, style);
             orders.push(place);
         }
         let line: Vec<Vec2> = curve.points.iter().filter(|point| !point.blew_up()).map(|point| plot.at(point)).collect();
@@ -65,10 +67,10 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, picked: 
 }
 
 /// The place of a curve's order: right of its point, or below the orders that stand there.
-fn free_place(point: Vec2, taken: &[Area]) -> Area {
-    let mut place = Area { min: point + Vec2::new(10.0, -DETAILS), size: Vec2::new(24.0, DETAILS) };
+fn free_place(point: Vec2, size: Vec2, taken: &[Area]) -> Area {
+    let mut place = Area { min: point + Vec2::new(10.0, -size.y), size };
     while !place.covers_none(taken) {
-        place.min.y += DETAILS;
+        place.min.y += size.y;
     }
     place
 }
@@ -113,7 +115,6 @@ fn axes(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
     }
     let words = Style::new(TEXT, theme::text()).middle();
     canvas.text(tr(&measured.error), Vec2::new(area.min.x, area.min.y - 22.0), words);
-    canvas.text(tr(&measured.note), Vec2::new(end.x, area.min.y - 22.0), quiet.right());
     canvas.text(tr(&measured.work), Vec2::new(area.centre().x, end.y + 44.0), words.centred());
 }
 
@@ -216,6 +217,8 @@ fn legend_of_marks(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
         canvas.convex(&[to + Vec2::new(-2.0, 2.0), to + Vec2::new(8.0, -1.0), to + Vec2::new(1.0, -8.0)], theme::quiet());
     };
     note(&better, tr("lower left is better"));
+    note(&|_, _| {}, tr("Logarithmic: equal steps"));
+    note(&|_, _| {}, tr("multiply; 10⁻³ is 0.001"));
 }
 
 /// The values of a point, beside it and inside the panel, above all else.

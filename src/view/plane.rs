@@ -48,8 +48,8 @@ impl Plane {
 
 /// The words below the plane.
 pub const WORDS: [&str; 2] = [
-    "h: the step; λ: the rate at which a motion e^(λt) fades (left) and swings (up). Inside its edge a method's errors fade, outside they grow.",
-    "Near its terminal velocity v_t a fall has z = −2·g·h/v_t. The truth, e^z, fades in all of the left half; so does the shipped engine on both rays.",
+    "A point is a motion taken with a step h: how far it swings in a step stands upwards, how much it fades to the left. Both together are one complex number, z.",
+    "Inside its edge a method's errors fade, outside they grow. The truth fades in all of the left half, and so does the shipped engine on both rays.",
 ];
 
 pub use drawing::draw;

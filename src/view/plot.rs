@@ -17,8 +17,8 @@ const LEGEND: f32 = 320.0;
 const BETWEEN: f32 = 32.0;
 /// Line height of the legend, where there is room.
 const LINE: f32 = 26.0;
-/// Lines of the legend below the curves': tolerance, shipped, cheapest, and the meaning of the edges.
-const NOTES: usize = 6;
+/// Lines of the legend below the curves': tolerance, shipped, cheapest, the meaning of the edges, and a word on the axes.
+const NOTES: usize = 8;
 /// The pointer picks a point up to this far away.
 const NEAR: f32 = 12.0;
 

@@ -10,7 +10,7 @@ use resultant::lab::methods::{bounce, chain::sweeps_needed, friction, impact};
 use resultant::lab::scenes::bouncing as bounces;
 use resultant::lab::scenes::stacks::{ContactChain, SOLVERS};
 use resultant::lab::stress::motion::{FallOutcome, fall, gust, shipped_fall_error};
-use resultant::lab::stress::{G, TICK, bouncing, contacts, robustness, standing};
+use resultant::lab::stress::{G, TICK, bouncing, contacts, motion, robustness, standing};
 
 #[test]
 fn terminal_velocity() {
@@ -196,5 +196,25 @@ fn nonsense() {
     assert!(harmed >= 9, "by hand {harmed} of {} do harm", bodies.len());
     for (what, body) in &bodies {
         assert!(robustness::shipped_refuses(body), "accepted: {what}");
+    }
+}
+
+/// On a spring and as a pendulum, which are links of the engine's world: explicit Euler spirals outwards at any step, symplectic methods
+/// stay while ω·h is small, the engine as far as anything is tried. The charts that come with the game say the same.
+#[test]
+fn springs_and_pendulums_spiral_stay_or_are_exact() {
+    let kept = resultant::lab::kept::charts().unwrap().stress;
+    for test in [motion::spring_swings(), motion::pendulum()] {
+        let rows = test.rows();
+        let largest = |method: &str| rows.iter().find(|row| row.method == method).unwrap().largest;
+        assert_eq!(largest("explicit Euler"), 0.0, "{}", test.name);
+        assert!(largest("semi-implicit Euler") > 0.04 && largest("velocity Verlet") > 0.04, "{}: {rows:#?}", test.name);
+        let ours = rows.last().unwrap();
+        assert!(ours.shipped && ours.largest >= ours.tried, "{ours:?}");
+        let known: Vec<_> = kept.iter().filter(|row| row.test == test.name).collect();
+        assert_eq!(known.len(), rows.len(), "{rows:#?}");
+        for (known, row) in known.into_iter().zip(&rows) {
+            assert!(known.method == row.method && (known.largest - row.largest).abs() <= 2e-3 * row.largest, "{known:?} {row:?}");
+        }
     }
 }

@@ -536,3 +536,100 @@ fn a_scene_without_points_is_shown_all_the_same() {
     turn_to(&mut sitting, "Stress tests");
     assert!(sitting.press(Key::End).shows("There are no stress tests to show."));
 }
+
+/// The texts of the last frame, each with the box of its capitals and lower lengths.
+fn text_boxes(sitting: &Sitting) -> Vec<(String, Area)> {
+    let canvas = sitting.app.canvas();
+    let box_of = |shape: &Shape| {
+        let Shape::Text { text, at, style } = shape else { return None };
+        let (from, height) = (canvas.baseline(text, *at, *style), canvas.frame().text_height(style.size));
+        Some((text.clone(), Area::new(from.x, from.y - 0.72 * height, canvas.width(text, *style), 0.9 * height)))
+    };
+    canvas.shapes().iter().filter_map(box_of).collect()
+}
+
+/// The pairs that lie on each other, and the texts that leave the window.
+fn note_overlaps(sitting: &Sitting, place: &str, found: &mut Vec<String>) {
+    let (texts, frame) = (text_boxes(sitting), sitting.frame.area());
+    let mut note = |words: String| {
+        if !found.iter().any(|known| known.ends_with(&words)) {
+            found.push(format!("{place}: {words}"));
+        }
+    };
+    for (i, (text, a)) in texts.iter().enumerate() {
+        if a.min.cmplt(frame.min - 1.0).any() || a.max().cmpgt(frame.max() + 1.0).any() {
+            note(format!("{text:?} leaves the window"));
+        }
+        for (other, b) in &texts[..i] {
+            let apart = (b.min - a.max()).max(a.min - b.max()).max_element();
+            if apart <= -1.0 {
+                note(format!("{text:?} lies on {other:?}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn no_words_of_the_lab_lie_on_others() {
+    let mut found = Vec::new();
+    for (width, height) in [(900.0, 500.0), (1280.0, 720.0)] {
+        let at = format!("at {width} × {height}");
+        let mut sitting = lab_with(experiments);
+        sitting.frame = Frame::of_window(Vec2::new(width, height));
+        sitting.rest();
+        for number in 0..lab(&sitting).charts().diagrams.len() {
+            for curve in 0..=scene(&sitting).1.curves.len() {
+                note_overlaps(&sitting, &format!("chart {number}, curve {curve} {at}"), &mut found);
+                sitting.press(Key::Down).rest();
+            }
+            if sitting.labels().contains(&"Over time") {
+                sitting.press(Key::Space).rest();
+                note_overlaps(&sitting, &format!("chart {number} over time {at}"), &mut found);
+                sitting.press(Key::Space);
+            }
+            sitting.press(Key::Right).rest();
+        }
+        for (page, label) in PAGES {
+            turn_to(&mut sitting, label);
+            sitting.rest();
+            let turns = if page == Page::Stability || page == Page::SideBySide { 12 } else { 1 };
+            for turn in 0..turns {
+                note_overlaps(&sitting, &format!("{label} {turn} {at}"), &mut found);
+                sitting.press(Key::Down).wait(0.3);
+            }
+        }
+    }
+    assert!(found.is_empty(), "{} of them: {:#?}", found.len(), &found[..found.len().min(60)]);
+}
+
+#[test]
+fn a_picked_method_says_its_rule_and_what_it_uses() {
+    let mut sitting = lab_with(|_| {});
+    assert!(sitting.shows("As shipped: error ") && sitting.shows(" m, "), "the caption's error has its unit");
+    assert!(sitting.shows("Logarithmic: equal steps"));
+    sitting.press(Key::Down).rest();
+    assert!(sitting.shows("x′ = x + h·v, v′ = v + h·a(x, v)") && sitting.shows("gains energy"));
+    turn_to(&mut sitting, "Stability");
+    assert!(sitting.shows("A point is a motion taken with a step h"), "the plane is introduced");
+    sitting.press(Key::Down).rest();
+    assert!(sitting.shows("x′ = x + h·v, v′ = v + h·a(x, v)"));
+    turn_to(&mut sitting, "Why Euler gains");
+    assert!(sitting.shows("Why Euler gains energy") && sitting.shows("leaves the circle"));
+}
+
+/// Side by side: the spring's body leaves its circle by explicit Euler, and the shipped engine goes round with the exact one.
+#[test]
+fn explicit_euler_spirals_beside_the_engine() {
+    let mut sitting = lab_at("Side by side");
+    sitting.press(Key::Down).press(Key::Down);
+    assert_eq!(lab(&sitting).side_by_side().exhibit().title, "A body on a spring goes round");
+    sitting.wait(5.0);
+    let [euler, ours] = lab(&sitting).side_by_side().halves();
+    assert_eq!((euler.method, ours.method), ("explicit Euler", "shipped engine"));
+    // From 2 m on, the radius grows by √(1 + (ω·h)²) a step.
+    let radius = euler.boxes[0].centre().length();
+    let steps = (lab(&sitting).side_by_side().time() * 60.0).round();
+    let grown = 2.0 * (1.0_f64 + (2.0 / 60.0_f64).powi(2)).powf(0.5 * steps);
+    assert!((radius - grown).abs() < 1e-9 && grown > 2.2, "{radius} for {grown}");
+    assert!(ours.error < 1e-9 && sitting.shows("It uses what holds at the start"));
+}

@@ -8,3 +8,4 @@ pub mod flow;
 pub mod friction;
 pub mod impact;
 pub mod motion;
+pub mod rules;

@@ -19,6 +19,8 @@ pub struct MotionLaw {
     pub wind: DVec2,
     /// A force back to the origin in proportion to the distance, s, 1/s²: a floating body or a body on a spring swings with ω = √s.
     pub spring: f64,
+    /// The distance from the origin at which that force is 0, m.
+    pub slack: f64,
 }
 
 /// Place (m) and velocity (m/s).
@@ -62,7 +64,10 @@ impl MotionLaw {
 
     /// The part that does not depend on the velocity, m/s².
     fn pull(&self, x: DVec2) -> DVec2 {
-        self.constant - x * self.spring
+        if self.slack == 0.0 {
+            return self.constant - x * self.spring;
+        }
+        self.constant - x * (self.spring * (1.0 - self.slack / x.length()))
     }
 
     /// The point that leaves `from` and keeps the rates at `at` for `h` seconds.

@@ -6,6 +6,7 @@ pub mod flight;
 pub mod oscillator;
 pub mod pi;
 pub mod sliding;
+pub mod springs;
 pub mod stacks;
 pub mod tunnelling;
 

@@ -134,9 +134,11 @@ pub fn largest_to(resolution: f64, (least, most): (f64, f64), survives: impl Fn(
 const RESOLUTION: f64 = 1e-3;
 
 /// In the order of the report.
-pub const TESTS: [fn() -> StressTest; 17] = [
+pub const TESTS: [fn() -> StressTest; 19] = [
     motion::terminal_velocity,
     motion::swings,
+    motion::spring_swings,
+    motion::pendulum,
     motion::gust_reversal,
     motion::gust_blow_up,
     contacts::tunnelling,

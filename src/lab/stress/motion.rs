@@ -5,7 +5,7 @@ use super::{G, StressTest, TICK, Trial};
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::motion::{INTEGRATORS, METHODS, MotionLaw, MotionStep, PointState, exact_fall};
 use crate::lab::scenes::flight::FlyingBody;
-use crate::lab::scenes::oscillator;
+use crate::lab::scenes::{oscillator, springs};
 use crate::physics::DVec2;
 
 /// Steps after which a fall has long settled.
@@ -112,6 +112,42 @@ pub fn swings() -> StressTest {
     let parameter = "ω·h: step h = 1/60 s, a swing in 2π/ω";
     let methods = Trial::all_showing(INTEGRATORS.iter().copied(), keeps, picture);
     StressTest::of("amplitude of 100 swings afloat to 10 %", parameter, (0.09, 10.0), methods)
+}
+
+/// The turns after each step of a body on a spring or a pendulum, and its energy then, over that at the start.
+fn energies(body: FlyingBody, by: By<MotionStep>, omega: f64) -> impl Iterator<Item = (f64, f64)> {
+    let (law, first) = (body.law, springs::energy(&body.law, &body.start));
+    let seconds = (SWINGS * std::f64::consts::TAU / omega / TICK).ceil() * TICK;
+    let turns = move |t: f64| t * omega / std::f64::consts::TAU;
+    body.running(by, TICK).each(seconds, move |t, point| (turns(t), springs::energy(&law, point) / first))
+}
+
+/// A test of the energy after 100 swings, at ω·h.
+fn energy_kept(name: &'static str, parameter: &'static str, most: f64, body: fn(f64) -> FlyingBody) -> StressTest {
+    let of = move |by: By<MotionStep>, turn: f64| energies(body(turn / TICK), by, turn / TICK);
+    let keeps = move |by, turn: f64| {
+        let right = |energy: f64| (energy - 1.0).abs() <= AMPLITUDE;
+        let mut count = 0;
+        let held = of(by, turn).inspect(|_| count += 1).all(|(_, energy)| energy < 10.0 && energy.is_finite());
+        held && count > 0 && of(by, turn).last().is_some_and(|(_, energy)| right(energy))
+    };
+    let picture = move |by, turn| {
+        let line = of(by, turn).take_while(|(_, energy)| *energy < 10.0);
+        FailurePicture::of("swings", "energy / first one").found(line).within(1.0, AMPLITUDE)
+    };
+    StressTest::of(name, parameter, (0.02, most), Trial::all_showing(INTEGRATORS.iter().copied(), keeps, picture))
+}
+
+/// A body on a spring, which is a link of the engine.
+pub fn spring_swings() -> StressTest {
+    let parameter = "ω·h: step h = 1/60 s, a swing in 2π/ω";
+    energy_kept("energy of 100 swings on a spring to 10 %", parameter, 10.0, |omega| springs::oscillator(omega * omega, 1.0, false))
+}
+
+/// A pendulum on a spring 40 times as stiff as m·g/L.
+pub fn pendulum() -> StressTest {
+    let parameter = "ω·h: step h = 1/60 s, ω² = g/L";
+    energy_kept("energy of 100 swings of a pendulum to 10 %", parameter, 2.0, |omega| springs::pendulum(G / (omega * omega), 0.5))
 }
 
 /// Drag alone on a body with a terminal velocity of 2 m/s.

@@ -7,9 +7,10 @@ use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::lab::axes::{number, step};
 use crate::lab::course::OverTime;
 use crate::lab::measured::Measured;
+use crate::lab::methods::rules;
 use crate::screens::{Key, Request};
 use crate::ui::Ui;
-use crate::view::diagram::{self, Picked};
+use crate::view::diagram::{self, Picked, with_unit};
 use crate::view::plot::DiagramPlaces;
 use crate::view::{theme, timeline, widgets};
 use crate::words::tr;
@@ -31,8 +32,8 @@ impl ChartsPage {
     pub(super) fn show(&mut self, ui: &mut Ui<'_>, body: Area) -> Option<Request> {
         let request = self.show_tools(ui);
         let panel = panel(body);
-        self.draw_words(ui, panel);
         let Some(measured) = self.shown.charts.diagrams.get(self.scene) else {
+            self.draw_words(ui, panel, None);
             ui.panel(panel);
             ui.text(tr("There are no charts to show."), panel.centre(), Style::new(TEXT, theme::quiet()).centred().middle());
             return request;
@@ -40,6 +41,7 @@ impl ChartsPage {
         let plot = DiagramPlaces::of(panel, measured);
         let lines = measured.curves.iter().enumerate().map(|(line, curve)| (curve.name.as_str(), plot.legend(line)));
         let curve = self.legend.show(ui, lines);
+        self.draw_words(ui, panel, curve);
         match measured.over_time.as_ref().filter(|_| self.over_time) {
             Some(over_time) => timeline::draw(ui.canvas(), &plot, (measured, over_time), curve),
             None => {
@@ -89,8 +91,8 @@ impl ChartsPage {
         self.measured()?.over_time.as_ref().filter(|_| self.over_time)
     }
 
-    /// The title above the chart, the verdict and the source below it.
-    fn draw_words(&self, ui: &Ui<'_>, panel: Area) {
+    /// The title above the chart; below it the verdict and the source, or the rule of the picked method and what it uses.
+    fn draw_words(&self, ui: &Ui<'_>, panel: Area, curve: Option<usize>) {
         let (canvas, widest) = (ui.canvas(), panel.size.x);
         let below = |down: f32| Vec2::new(panel.centre().x, panel.max().y + down);
         if let Some(problem) = &self.shown.problem {
@@ -101,11 +103,16 @@ impl ChartsPage {
         widgets::fitted(canvas, tr(&measured.title), title, widest - 240.0, &[BUTTON_TEXT, TEXT], theme::text());
         let count = tr!("{number} of {count}", number = self.scene + 1, count = self.shown.charts.diagrams.len());
         ui.text(&count, Vec2::new(panel.max().x, title.y), Style::new(TEXT, theme::quiet()).mono().middle().right());
+        if let Some((rule, uses)) = curve.and_then(|curve| rules::of(&measured.curves[curve].name)) {
+            widgets::fitted(canvas, tr(rule), below(18.0), widest, &[TEXT, DETAILS], theme::text());
+            return widgets::fitted(canvas, tr(uses), below(42.0), widest, &[TEXT, DETAILS], theme::quiet());
+        }
         if let Some(verdict) = self.verdict() {
             widgets::fitted(canvas, &verdict, below(18.0), widest, &[TEXT, DETAILS], theme::text());
         }
         if self.shown.problem.is_none() {
-            widgets::fitted(canvas, &self.source(), below(42.0), widest, &[DETAILS], theme::quiet());
+            let words = if measured.note.is_empty() { self.source() } else { tr(&measured.note).to_owned() };
+            widgets::fitted(canvas, &words, below(42.0), widest, &[DETAILS], theme::quiet());
         }
     }
 
@@ -118,7 +125,11 @@ impl ChartsPage {
             );
         }
         let shipped = measured.shipped_point()?;
-        let mut words = tr!("As shipped: error {error}, {time} ns.", error = number(shipped.error), time = number(shipped.work));
+        let mut words = tr!(
+            "As shipped: error {error}, {time} ns.",
+            error = with_unit(shipped.error, tr(&measured.error)),
+            time = number(shipped.work)
+        );
         if let Some((curve, point)) = measured.cheapest() {
             let costs = shipped.work / point.work;
             let cheapest =

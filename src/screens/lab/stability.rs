@@ -3,6 +3,7 @@
 use super::BACK;
 use super::legend::{LegendPick, METHOD, panel};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
+use crate::lab::methods::rules;
 use crate::lab::stability::{Region, regions};
 use crate::lab::stability_diagram::TITLE;
 use crate::screens::{Key, Request};
@@ -36,7 +37,9 @@ impl StabilityPage {
         let lines = self.regions.iter().enumerate().map(|(line, region)| (region.name, plane.legend(line + 1)));
         let picked = self.legend.show(ui, lines);
         plane::draw(ui.canvas(), &plane, &self.regions, picked);
-        for (words, down) in plane::WORDS.iter().zip([18.0, 42.0]) {
+        let rule = picked.and_then(|picked| rules::of(self.regions[picked].name));
+        let words = rule.map_or(plane::WORDS, |(rule, uses)| [rule, uses]);
+        for (words, down) in words.iter().zip([18.0, 42.0]) {
             widgets::fitted(ui.canvas(), tr(words), at(plane.panel.max().y + down), widest, &[TEXT, DETAILS], theme::text());
         }
         (tool == Some("Back")).then_some(Request::Menu)

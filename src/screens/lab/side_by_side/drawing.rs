@@ -3,6 +3,7 @@ use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
 use crate::lab::axes::{Decades, LEAST_ERROR, number, power};
+use crate::lab::methods::rules;
 use crate::physics::{Aabb, DVec2};
 use crate::view::{theme, widgets};
 use crate::words::tr;
@@ -73,6 +74,11 @@ impl SideBySide {
         widgets::panel(canvas, panel);
         let name = Vec2::new(panel.centre().x, panel.min.y - super::HEAD + super::CHOICE.y / 2.0);
         widgets::fitted(canvas, tr(half.method), name, panel.size.x - 2.0 * super::CHOICE.x - 32.0, &[BUTTON_TEXT, TEXT], colour);
+        let (rule, uses) = rules::of(half.method).unwrap_or_default();
+        for (words, up, colour) in [(rule, 32.0, theme::text()), (uses, 12.0, theme::quiet())] {
+            let at = Vec2::new(panel.centre().x, panel.min.y - up);
+            widgets::fitted(canvas, tr(words), at, panel.size.x, &[TEXT, DETAILS], colour);
+        }
         let stage = Area { min: panel.min, size: panel.size - Vec2::new(0.0, FOOT) };
         let place = Placing::new(&self.exhibit().view, stage.inset(8.0));
         for solid in &self.exhibit().solid {
@@ -87,6 +93,9 @@ impl SideBySide {
             for (from, to) in pair[0].iter().zip(pair[1]) {
                 place.stroke(canvas, (*from, *to), colour.faded(0.5));
             }
+        }
+        for body in half.boxes.iter().filter(|_| self.exhibit().bound.is_some()) {
+            place.stroke(canvas, (self.exhibit().bound.unwrap_or_default(), body.centre()), theme::quiet());
         }
         for body in half.boxes {
             place.fill(canvas, body, colour.faded(0.35));

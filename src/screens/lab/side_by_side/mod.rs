@@ -36,7 +36,8 @@ const METHOD_BUTTONS: [MethodButton; 4] = [
 /// Their size.
 const CHOICE: Vec2 = Vec2::new(64.0, 40.0);
 const TITLE: f32 = 40.0;
-const HEAD: f32 = 48.0;
+/// The method's name, its rule, and what it uses.
+const HEAD: f32 = 92.0;
 /// Height of the errors so far, below the halves, and from these to the time.
 const ERRORS: f32 = 84.0;
 const TIME: f32 = 36.0;
