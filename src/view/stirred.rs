@@ -1,7 +1,7 @@
 //! The objects that the ship has set in motion: the camera keeps them in view while they move.
 
 use crate::game::{Game, SHIP};
-use crate::physics::{Aabb, BodyId, DVec2, Event, Obstacle, Source};
+use crate::physics::{Aabb, BodyId, DVec2, Event, LinkEnd, Obstacle, Source};
 
 /// A slower object rests, m/s; it is forgotten after this time, s.
 const RESTS: f64 = 0.3;
@@ -12,7 +12,7 @@ const FORGOTTEN: f64 = 1.0;
 pub struct StirredObjects(Vec<(BodyId, f64)>);
 
 impl StirredObjects {
-    /// Takes up a tick: an object that the ship, or one of these objects, hits or pushes is one of them.
+    /// Takes up a tick: an object that the ship, or one of these objects, hits, pushes or pulls by a link is one of them.
     pub fn after_tick(&mut self, game: &Game) {
         let world = game.world();
         for event in world.events() {
@@ -20,6 +20,15 @@ impl StirredObjects {
                 for (by, hit) in [(a, b), (b, a)] {
                     if by == SHIP || self.has(by) {
                         self.add(hit);
+                    }
+                }
+            }
+        }
+        for link in world.links().iter().filter(|link| link.acts()) {
+            if let LinkEnd::Body(b) = link.def().to {
+                for (by, pulled) in [(link.def().body, b), (b, link.def().body)] {
+                    if by == SHIP || self.has(by) {
+                        self.add(pulled);
                     }
                 }
             }

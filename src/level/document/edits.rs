@@ -8,11 +8,12 @@ use crate::level::schema::Kind;
 use crate::physics::DVec2;
 
 impl Document {
-    /// Operations of one gesture are undone together. Switches follow the change of a name that they work.
+    /// Operations of one gesture are undone together. Switches follow the change of a name that they work, and the ends of links that of a body.
     /// Errors: a file or row that cannot be read as a table, in words; the document stays.
     pub fn set(&mut self, cells: &[SetCell], gesture: Option<u64>) -> Result<(), String> {
         let mut files = Vec::new();
-        let cells: Vec<SetCell> = cells.iter().cloned().chain(self.renamed(cells, gesture)).collect();
+        let renamed = self.renamed(cells, gesture).into_iter().chain(self.renamed_ends(cells, gesture));
+        let cells: Vec<SetCell> = cells.iter().cloned().chain(renamed).collect();
         for sheet in &self.sheets {
             let edits: Vec<CellEdit> = cells
                 .iter()

@@ -320,3 +320,24 @@ fn a_name_takes_its_wires_along() {
         assert_eq!(document.bytes(Table::of_file(file).unwrap()).unwrap(), bytes, "{file}");
     }
 }
+
+#[test]
+fn a_name_takes_the_ends_of_its_links_along() {
+    let files: [(&str, &[u8]); 2] = [
+        ("objects.csv", b"x,y,image,mass,name\n1,2,box:40x40,50,crate\n9,2,box:40x40,50,float\n"),
+        ("links.csv", b"kind,a,b,stiffness\nrope,ship,crate,500\nspring,crate,float,500\nrope,float,600 300,500\n"),
+    ];
+    let mut document = document(&files);
+    let ends = |document: &Document| {
+        let ends = |row| ["a", "b"].map(|column| document.cell(row, column).unwrap().to_owned()).join("-");
+        document.rows(Table::Links).map(ends).collect::<Vec<_>>()
+    };
+    for text in ["floa", "", "floa t", "raft"] {
+        let cell = SetCell { row: RowId { table: Table::Objects, row: 1 }, column: "name", text: text.to_owned() };
+        document.set(&[cell], Some(1)).unwrap();
+        let name = if ["", "floa t"].contains(&text) { "float" } else { text };
+        assert_eq!(ends(&document), ["ship-crate".to_owned(), format!("crate-{name}"), format!("{name}-600 300")]);
+    }
+    assert_eq!(document.history(), (1, 0));
+    assert!(document.undo() && document.bytes(Table::Links).unwrap() == files[1].1);
+}
