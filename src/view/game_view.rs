@@ -208,7 +208,7 @@ impl GameView {
         let scene = HudScene { game, centres: &centres, view: &view, frame, panels: &covered, shown, settings };
         self.hud.update(&scene, frame_time);
         if overlays.details {
-            covered.extend(self.hud.pointers.iter().map(|pointer| pointer.area).chain(self.hud.stranded()));
+            covered.extend(self.hud.pointers.iter().map(|pointer| pointer.area).chain(self.hud.stranded()).chain(self.hud.strip()));
             let looking = Looking {
                 centres: &centres,
                 focus: &overlays.focus,

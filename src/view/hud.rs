@@ -94,6 +94,11 @@ impl Hud {
         }
     }
 
+    /// The strip of medal and rivals beside the timer.
+    pub fn strip(&self) -> Option<Area> {
+        self.aside.home(HudPart::Race)
+    }
+
     /// The panel with advice without fuel, while it is there.
     pub fn stranded(&self) -> Option<Area> {
         self.stranded.as_ref().map(|(_, area)| *area)
