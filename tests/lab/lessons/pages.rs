@@ -9,8 +9,11 @@ use std::collections::BTreeSet;
 fn the_sheets_are_made_of_the_lessons_and_need_nothing_else() {
     let pages = sheets::pages(&project()).unwrap();
     let folder = project().join(sheets::FOLDER);
-    let there: BTreeSet<String> =
-        std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    let files = |language: &str| -> Vec<String> {
+        let entries = std::fs::read_dir(folder.join(language)).unwrap().map(Result::unwrap).filter(|entry| entry.path().is_file());
+        entries.map(|entry| format!("{language}{}", entry.file_name().into_string().unwrap())).collect()
+    };
+    let there: BTreeSet<String> = ["", "de/", "fr/"].into_iter().flat_map(files).collect();
     assert_eq!(there, pages.iter().map(|(name, _)| name.clone()).collect());
     for (name, text) in pages {
         assert!(std::fs::read_to_string(folder.join(&name)).unwrap() == text, "{name}: run `cargo run -p sheets`");

@@ -1,13 +1,16 @@
 //! Sheets for lessons as HTML to be printed: of each experiment a page for the class, and one with its answers. The texts are those of
-//! `docs/lessons`, the order is that of `experiments/experiments.csv`; the keys, which all sheets share, stand here.
+//! `docs/lessons`, the order is that of `experiments/experiments.csv`; the keys, which all sheets share, stand here. English pages lie in the
+//! folder itself, those of each other language in one of its own.
 
 mod text;
+mod words;
 
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 pub use text::Lesson;
 use text::{escaped, inline};
+use words::{LANGUAGES, SheetWords};
 
 /// The folder of the sheets in the project.
 pub const FOLDER: &str = "docs/sheets";
@@ -50,26 +53,48 @@ td.number { white-space: nowrap; } .empty { width: 22%; } .change { width: 40%; 
 @media print { body { margin: 0; max-width: none; } a { color: inherit; text-decoration: none; } }
 ";
 
-/// Every sheet: its file's name and its text. Fails on a lesson that is missing or has another shape.
+/// Every sheet in every language: its file's name and its text. Fails on a lesson that is missing or has another shape, and on a language
+/// that lacks a text of a lesson or has one too many.
 pub fn pages(root: &Path) -> Result<Vec<(String, String)>, String> {
+    let mut pages = Vec::new();
+    for (code, _) in LANGUAGES {
+        pages_in(&SheetWords::read(root, code)?, root, &mut pages)?;
+    }
+    Ok(pages)
+}
+
+fn pages_in(words: &SheetWords, root: &Path, pages: &mut Vec<(String, String)>) -> Result<(), String> {
     let list = read(&root.join("experiments/experiments.csv"))?;
     let mut names = list.lines().filter(|line| !line.starts_with('#') && !line.is_empty());
     names.next().filter(|head| head.starts_with("folder,")).ok_or("experiments.csv: expected the column folder first")?;
-    let mut pages = Vec::new();
+    let folder = words.folder();
     let mut links = String::new();
     for name in names.filter_map(|line| line.split(',').next()) {
-        let text = read(&root.join(format!("docs/lessons/{name}.md")))?;
-        let lesson = Lesson::read(&text).map_err(|problem| format!("docs/lessons/{name}.md: {problem}"))?;
-        let title = escaped(lesson.title);
-        let _ = writeln!(links, "<li><a href=\"{name}.html\">{title}</a> · <a href=\"{name}-answers.html\">answers</a></li>");
-        pages.push((format!("{name}.html"), sheet(name, &lesson)));
-        pages.push((format!("{name}-answers.html"), answers(&lesson)));
+        let file = format!("docs/lessons/{name}.md");
+        let text = read(&root.join(&file))?;
+        let lesson = Lesson::read(&text).map_err(|problem| format!("{file}: {problem}"))?;
+        let (title, answered) = (escaped(words.say(lesson.title)), words.say("answers"));
+        let _ = writeln!(links, "<li><a href=\"{name}.html\">{title}</a> · <a href=\"{name}-answers.html\">{answered}</a></li>");
+        pages.push((format!("{folder}{name}.html"), sheet(words, name, &lesson)));
+        pages.push((format!("{folder}{name}-answers.html"), answers(words, &lesson)));
+        words.complete(&file)?;
     }
-    let body = format!(
-        "<h1>Experiments</h1>\n<p>A page to print each, and one with its answers for the teacher.</p>\n<ol>\n{links}</ol>\n"
-    );
-    pages.push((INDEX.to_owned(), document("Experiments", &body)));
-    Ok(pages)
+    let (title, about) = (words.say("Experiments"), words.say("A page to print each, and one with its answers for the teacher."));
+    let body = format!("{}<h1>{title}</h1>\n<p>{about}</p>\n<ol>\n{links}</ol>\n", other_languages(words));
+    pages.push((format!("{folder}{INDEX}"), document(words, title, &body)));
+    words.complete(INDEX)?;
+    words.used()
+}
+
+/// A line with the index of each language.
+fn other_languages(words: &SheetWords) -> String {
+    let up = if words.folder().is_empty() { "" } else { "../" };
+    let link = |(code, name): (&str, &str)| match code {
+        _ if code == words.code => name.to_owned(),
+        "en" => format!("<a href=\"{up}{INDEX}\" lang=\"en\">{name}</a>"),
+        _ => format!("<a href=\"{up}{code}/{INDEX}\" lang=\"{code}\">{name}</a>"),
+    };
+    format!("<p class=\"small\">{}</p>\n", LANGUAGES.map(link).join(" · "))
 }
 
 /// Whether the keys of the sheets have that one.
@@ -81,9 +106,9 @@ pub fn is_key(name: &str) -> bool {
 pub fn write(root: &Path) -> Result<usize, String> {
     let (pages, folder) = (pages(root)?, root.join(FOLDER));
     let failed = |error: std::io::Error| format!("{}: {error}", folder.display());
-    fs::create_dir_all(&folder).map_err(failed)?;
     for (name, text) in &pages {
-        fs::write(folder.join(name), text).map_err(failed)?;
+        let file = folder.join(name);
+        file.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(&file, text)).map_err(failed)?;
     }
     Ok(pages.len())
 }
@@ -92,79 +117,106 @@ fn read(path: &Path) -> Result<String, String> {
     fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))
 }
 
-fn document(title: &str, body: &str) -> String {
-    let title = escaped(title);
+fn document(words: &SheetWords, title: &str, body: &str) -> String {
+    let (title, code) = (escaped(title), words.code);
+    // French has a space before such a sign, where no line may end.
+    let body = match code {
+        "fr" => [" :", " ;", " ?", " !", " »", "« "]
+            .iter()
+            .fold(body.to_owned(), |b, sign| b.replace(sign, &sign.replace(' ', "\u{a0}"))),
+        _ => body.to_owned(),
+    };
     format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{title}</title>\n<style>{STYLE}</style>\n\
+        "<!DOCTYPE html>\n<html lang=\"{code}\">\n<head>\n<meta charset=\"utf-8\">\n<title>{title}</title>\n<style>{STYLE}</style>\n\
          </head>\n<body>\n{body}</body>\n</html>\n"
     )
 }
 
 /// The page of the class: the question, what to do and with which keys, and room for what is found.
-fn sheet(name: &str, lesson: &Lesson) -> String {
-    let mut body = format!("<h1>{}</h1>\n", escaped(lesson.title));
-    body += "<p class=\"fields\"><span>Name</span><span>Class</span><span>Date</span></p>\n";
-    let _ = writeln!(body, "<p class=\"question\">{}</p>", inline(lesson.question));
-    let _ = writeln!(
-        body,
-        "<p class=\"where\">Menu → Lab → Experiments → {}, or <code>resultant play experiments/{name}</code></p>",
-        escaped(lesson.title)
-    );
-    body += "<h2>Your guess, and why</h2>\n<div class=\"line\"></div>\n<div class=\"line\"></div>\n<h2>Do</h2>\n<ol>\n";
+fn sheet(words: &SheetWords, name: &str, lesson: &Lesson) -> String {
+    let say = |text| escaped(words.say(text));
+    let title = say(lesson.title);
+    let mut body = format!("<h1>{title}</h1>\n");
+    let fields = ["Name", "Class", "Date"].map(|field| format!("<span>{}</span>", say(field))).concat();
+    let _ = writeln!(body, "<p class=\"fields\">{fields}</p>");
+    let _ = writeln!(body, "<p class=\"question\">{}</p>", inline(words, words.say(lesson.question)));
+    let menu = ["Menu", "Lab", "Experiments"].map(say).join(" → ");
+    let _ = writeln!(body, "<p class=\"where\">{menu} → {title}, {} <code>resultant play experiments/{name}</code></p>", say("or"));
+    let (guess, steps) = (say("Your guess, and why"), say("Do"));
+    let _ = write!(body, "<h2>{guess}</h2>\n{LINE}{LINE}<h2>{steps}</h2>\n<ol>\n");
     for step in &lesson.steps {
-        let _ = writeln!(body, "<li>{}</li>", inline(step));
+        let _ = writeln!(body, "<li>{}</li>", inline(words, words.say(step)));
     }
     body += "</ol>\n<div class=\"keys\">\n";
     for (keys, does) in KEYS {
-        let keys: String = keys.iter().map(|key| format!("<kbd>{}</kbd> ", escaped(key))).collect();
-        let _ = writeln!(body, "<div>{keys}{}</div>", escaped(does));
+        let keys: String = keys.iter().map(|key| format!("{} ", text::key(words, &escaped(key)))).collect();
+        let _ = writeln!(body, "<div>{keys}{}</div>", say(does));
     }
-    body += "</div>\n<h2>Found</h2>\n";
-    // Two quantities a line: a sheet is one page.
-    body += "<table class=\"tight\">\n<tr><th>quantity</th><th class=\"empty\">found</th><th>quantity</th><th class=\"empty\">found</th></tr>\n";
-    let cell = |row: Option<&[&str; 2]>| format!("<td>{}</td><td></td>", row.map_or_else(String::new, |[what, _]| inline(what)));
-    for pair in lesson.figures.chunks(2) {
-        let _ = writeln!(body, "<tr>{}{}</tr>", cell(pair.first()), cell(pair.get(1)));
-    }
-    body += "</table>\n<p>Why?</p>\n<div class=\"line\"></div>\n<h2>Vary</h2>\n";
-    let _ = writeln!(body, "<p class=\"small\">{VARY}</p>");
-    body += &changes(lesson, "found", |_| String::new());
-    document(lesson.title, &body)
+    let _ = write!(body, "</div>\n<h2>{}</h2>\n{}", say("Found"), found(words, lesson));
+    let _ = write!(body, "<p>{}</p>\n{LINE}<h2>{}</h2>\n", say("Why?"), say("Vary"));
+    let _ = writeln!(body, "<p class=\"small\">{}</p>", inline(words, words.say(VARY)));
+    body += &changes(words, lesson, "found", |_| String::new());
+    document(words, words.say(lesson.title), &body)
 }
 
-const VARY: &str = "In flight: <kbd>I</kbd>, then <em>What if …</em> varies the level's gravity, air, friction and wind, and the mass, start \
-    velocity, restitution and drag of the object that is followed (<kbd>N</kbd>). The table names changes of a copy of the level, in the editor \
-    or in its files.";
+/// A line to write on.
+const LINE: &str = "<div class=\"line\"></div>\n";
+
+const VARY: &str = "In flight: `I`, then *What if …* varies the level's gravity, air, friction and wind, and the mass, start velocity, \
+    restitution and drag of the object that is followed (`N`). The table names changes of a copy of the level, in the editor or in its \
+    files.";
+
+/// The table of what is found: two quantities a line, since a sheet is one page.
+fn found(words: &SheetWords, lesson: &Lesson) -> String {
+    let head = format!("<th>{}</th><th class=\"empty\">{}</th>", escaped(words.say("quantity")), escaped(words.say("found")));
+    let mut table = format!("<table class=\"tight\">\n<tr>{head}{head}</tr>\n");
+    let cell = |row: Option<&[&str; 2]>| {
+        format!("<td>{}</td><td></td>", row.map_or_else(String::new, |[what, _]| inline(words, &words.quantity(what))))
+    };
+    for pair in lesson.figures.chunks(2) {
+        let _ = writeln!(table, "<tr>{}{}</tr>", cell(pair.first()), cell(pair.get(1)));
+    }
+    table + "</table>\n"
+}
 
 /// The table of changes; `answer` writes its last column.
-fn changes(lesson: &Lesson, head: &str, answer: impl Fn(&str) -> String) -> String {
+fn changes(words: &SheetWords, lesson: &Lesson, head: &str, answer: impl Fn(&str) -> String) -> String {
+    let [change, what, head] = ["change", "what then", head].map(|text| escaped(words.say(text)));
     let mut table = format!(
-        "<table class=\"tight\">\n<tr><th class=\"change\">change</th><th>what then</th><th class=\"empty\">{head}</th></tr>\n"
+        "<table class=\"tight\">\n<tr><th class=\"change\">{change}</th><th>{what}</th><th class=\"empty\">{head}</th></tr>\n"
     );
     for (i, [change, what, exact]) in lesson.changes.iter().enumerate() {
         let rows = 1 + lesson.changes[i + 1..].iter().take_while(|[change, ..]| change.is_empty()).count();
-        let change = if change.is_empty() { String::new() } else { format!("<td rowspan=\"{rows}\">{}</td>", inline(change)) };
-        let _ = writeln!(table, "<tr>{change}<td>{}</td><td class=\"number\">{}</td></tr>", inline(what), answer(exact));
+        let change = match *change {
+            "" => String::new(),
+            change => format!("<td rowspan=\"{rows}\">{}</td>", inline(words, &words.change(change))),
+        };
+        let what = inline(words, &words.quantity(what));
+        let _ = writeln!(table, "<tr>{change}<td>{what}</td><td class=\"number\">{}</td></tr>", answer(exact));
     }
     table + "</table>\n"
 }
 
 /// The teacher's page.
-fn answers(lesson: &Lesson) -> String {
-    let mut body = format!("<h1>{}: answers</h1>\n", escaped(lesson.title));
-    let _ = writeln!(body, "<p class=\"question\">{}</p>\n<h2>Exact answer</h2>", inline(lesson.question));
-    for paragraph in &lesson.answer {
-        let _ = writeln!(body, "<p>{}</p>", inline(paragraph));
-    }
-    body += "<table>\n<tr><th>quantity</th><th class=\"empty\">exact answer</th></tr>\n";
+fn answers(words: &SheetWords, lesson: &Lesson) -> String {
+    let say = |text| escaped(words.say(text));
+    let title = words.say("{title}: answers").replace("{title}", words.say(lesson.title));
+    let mut body = format!("<h1>{}</h1>\n", escaped(&title));
+    let question = inline(words, words.say(lesson.question));
+    let _ = writeln!(body, "<p class=\"question\">{question}</p>\n<h2>{}</h2>", say("Exact answer"));
+    let paragraphs = |paragraphs: &[&str]| -> String {
+        paragraphs.iter().map(|paragraph| format!("<p>{}</p>\n", inline(words, words.say(paragraph)))).collect()
+    };
+    body += &paragraphs(&lesson.answer);
+    let (quantity, exact) = (say("quantity"), say("exact answer"));
+    let _ = writeln!(body, "<table>\n<tr><th>{quantity}</th><th class=\"empty\">{exact}</th></tr>");
     for [what, exact] in &lesson.figures {
-        let _ = writeln!(body, "<tr><td>{}</td><td class=\"number\">{}</td></tr>", inline(what), inline(exact));
+        let what = inline(words, &words.quantity(what));
+        let _ = writeln!(body, "<tr><td>{what}</td><td class=\"number\">{}</td></tr>", inline(words, exact));
     }
-    body += "</table>\n<h2>Vary</h2>\n";
-    body += &changes(lesson, "exact answer", inline);
-    body += "<h2>For the teacher</h2>\n";
-    for paragraph in &lesson.teacher {
-        let _ = writeln!(body, "<p>{}</p>", inline(paragraph));
-    }
-    document(&format!("{}: answers", lesson.title), &body)
+    let _ = writeln!(body, "</table>\n<h2>{}</h2>", say("Vary"));
+    body += &changes(words, lesson, "exact answer", |exact| inline(words, exact));
+    let _ = writeln!(body, "<h2>{}</h2>", say("For the teacher"));
+    body += &paragraphs(&lesson.teacher);
+    document(words, &title, &body)
 }

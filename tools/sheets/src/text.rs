@@ -1,6 +1,6 @@
 //! A lesson's text, in the part of Markdown that lessons use.
 
-use super::is_key;
+use super::{SheetWords, is_key};
 
 /// The texts of a lesson.
 pub struct Lesson<'a> {
@@ -64,13 +64,18 @@ pub fn escaped(text: &str) -> String {
 }
 
 /// `code` and *stress* as HTML; a code that is the name of a key looks like one.
-pub fn inline(text: &str) -> String {
+pub fn inline(words: &SheetWords, text: &str) -> String {
     let part = |(i, part): (usize, &str)| match i % 2 {
         0 => stressed(part),
-        _ if is_key(part) => format!("<kbd>{part}</kbd>"),
+        _ if is_key(part) => key(words, part),
         _ => format!("<code>{part}</code>"),
     };
     escaped(text).split('`').enumerate().map(part).collect()
+}
+
+/// A key as it is named in the language; a sign is the same in all.
+pub fn key(words: &SheetWords, name: &str) -> String {
+    format!("<kbd>{}</kbd>", if name.chars().count() == 1 { name } else { words.say(name) })
 }
 
 fn stressed(text: &str) -> String {
