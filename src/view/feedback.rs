@@ -3,7 +3,7 @@
 
 use super::camera::Viewport;
 use super::theme;
-use crate::draw::layout::{Area, BUTTON_TEXT, Vec2};
+use crate::draw::layout::{Area, BUTTON_TEXT, LINE, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::physics::DVec2;
 
@@ -18,6 +18,8 @@ const DEATH_FLASH: f64 = 0.14;
 /// Duration (s) and speed (m/s) of floating words.
 const FLOAT_TIME: f64 = 1.4;
 const FLOAT_SPEED: f64 = 1.3;
+/// Words nearer than that, canvas units, stand above each other.
+const FLOAT_WIDTH: f32 = 320.0;
 /// The least distance of floating words from the top of the screen, and their distance beside the hit under a roof, canvas units.
 const TOP: f32 = 112.0;
 const FLOAT_ASIDE: f32 = 80.0;
@@ -107,13 +109,20 @@ impl Feedback {
         for (wire, age) in &self.runs {
             draw_run(wire, age / RUN_TIME, view, canvas);
         }
-        for Float { point, words, colour, age } in &self.floats {
+        let line = canvas.frame().text_height(BUTTON_TEXT) * LINE;
+        let mut newer: Option<Vec2> = None;
+        for Float { point, words, colour, age } in self.floats.iter().rev() {
             let t = (age / FLOAT_TIME) as f32;
             let at = view.point(*point - DVec2::new(0.0, 1.2 + FLOAT_SPEED * age));
             // After a hit at the edge of the screen the words stay on it; under a roof they float beside the ship.
             let beside = if at.y < TOP { FLOAT_ASIDE * (canvas.size().x / 2.0 - at.x).signum() } else { 0.0 };
             let low = Vec2::new(48.0, TOP);
-            let at = (at + Vec2::new(beside, 0.0)).clamp(low, (canvas.size() - low).max(low));
+            let mut at = (at + Vec2::new(beside, 0.0)).clamp(low, (canvas.size() - low).max(low));
+            // Older words stand above newer ones.
+            if let Some(newer) = newer.filter(|newer| (newer.x - at.x).abs() < FLOAT_WIDTH) {
+                at.y = at.y.min(newer.y - line);
+            }
+            newer = Some(at);
             let style = Style::new(BUTTON_TEXT, colour.faded((2.0 - 2.0 * t).min(1.0))).mono().centred().middle();
             canvas.text(words, at, style);
         }
