@@ -106,7 +106,7 @@ pub fn tr(text: &str) -> &str {
     found.unwrap_or(text)
 }
 
-/// A template with its places filled, see [`crate::words::tr!`].
+/// A template with its places filled.
 pub fn filled(template: &str, places: &[(&str, &dyn Display)]) -> String {
     let mut text = String::new();
     let mut rest = template;
