@@ -11,9 +11,9 @@ click 5.5 41.1 # Plot, on the rail
 blue='#7FA7FF' pink='#F28DB2' # height and velocity
 expect lesson-plot shows "$blue" 38 72 61 25 0.05
 expect lesson-plot shows "$pink" 38 72 61 25 0.05
-click 34.3 69.9 # CSV
+click 40.9 69.9 # CSV
 expect lesson-written shows "$good" 0 95 60 5 0.2
-click 37.1 69.9 # SVG
+click 43.7 69.9 # SVG
 
 table=$data/exports/fall-y-v_y.csv
 [ -s "$table" ] && [ -s "${table%.csv}.svg" ] || fail "nothing was written to $data/exports"
