@@ -47,6 +47,10 @@ impl FitLaw {
         }
     }
 
+    fn at(self, c: [f64; 3], rate: f64, x: f64) -> f64 {
+        if self == Self::Sine { wave(c, rate, x) } else { c[0] + x * (c[1] + x * c[2]) }
+    }
+
     /// The fewest points that leave anything over.
     const fn fewest(self) -> usize {
         match self {
@@ -75,8 +79,8 @@ impl Fit {
             FitLaw::Parabola => (least_squares(&near, |u| [1.0, u, u * u])?, 0.0),
             FitLaw::Sine => sine(&near)?,
         };
-        let at_near = |u: f64| if law == FitLaw::Sine { wave(c, rate, u) } else { c[0] + u * (c[1] + u * c[2]) };
-        let residual = (near.iter().map(|(u, y)| (y - at_near(*u)).powi(2)).sum::<f64>() / near.len() as f64).sqrt();
+        let left_over = near.iter().map(|(u, y)| (y - law.at(c, rate, *u)).powi(2)).sum::<f64>();
+        let residual = (left_over / near.len() as f64).sqrt();
         let (c, rate) = match law {
             FitLaw::Sine => {
                 let (rate, turn) = (rate / half, rate * middle / half);
@@ -91,10 +95,7 @@ impl Fit {
     }
 
     pub fn at(&self, x: f64) -> f64 {
-        match self.law {
-            FitLaw::Sine => wave(self.c, self.rate, x),
-            _ => self.c[0] + x * (self.c[1] + x * self.c[2]),
-        }
+        self.law.at(self.c, self.rate, x)
     }
 
     /// The factors of 1, x and x²; of a sine the middle, and those of sin ω·x and cos ω·x.
@@ -135,7 +136,7 @@ impl Fit {
                 format!("{sine}; {} {}", tr("period"), figure(std::f64::consts::TAU / self.rate, x_unit)).replace("+ −", "− ")
             }
         };
-        format!("{y} = {law}; {} {}", tr("residual"), figure_of(self.residual, y_unit))
+        format!("{y} = {law}; {} {}", tr("residual"), with_unit(&axes::number(self.residual), y_unit))
     }
 }
 
@@ -148,11 +149,11 @@ fn digits(value: f64) -> String {
 }
 
 fn figure(value: f64, unit: Unit) -> String {
-    format!("{} {}", digits(value), unit.name()).trim_end().to_owned()
+    with_unit(&digits(value), unit)
 }
 
-fn figure_of(residual: f64, unit: Unit) -> String {
-    format!("{} {}", axes::number(residual), unit.name()).trim_end().to_owned()
+fn with_unit(digits: &str, unit: Unit) -> String {
+    format!("{digits} {}", unit.name()).trim_end().to_owned()
 }
 
 fn wave(c: [f64; 3], rate: f64, x: f64) -> f64 {
