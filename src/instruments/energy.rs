@@ -2,7 +2,7 @@
 
 use crate::game::Game;
 use crate::level::Level;
-use crate::physics::{BodyId, DVec2, Link, LinkEnd, LinkLaw, Spring};
+use crate::physics::{BodyId, DVec2, Link, LinkEnd};
 use std::ops::Add;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -14,7 +14,7 @@ pub struct EnergyState {
     /// −Σ m·g·(r − r₀), J: of the level's own gravity, above [`ground`] or another zero. Gravity of zones has no potential, since their
     /// fields end at their borders.
     pub potential: f64,
-    /// Σ ½k(ℓ − ℓ₀)² of springs and of ropes that are longer than their length, J: half of it where a link leads to another body.
+    /// The energy of its springs and ropes, J: half of it where a link leads to another body.
     pub elastic: f64,
 }
 
@@ -68,10 +68,7 @@ fn elastic(game: &Game, id: BodyId) -> f64 {
             _ => return 0.0,
         };
         let [from, to] = world.link_ends(link);
-        let stretch = |spring: &Spring| from.distance(to) - spring.length;
-        let (LinkLaw::Spring(spring) | LinkLaw::Rope(spring)) = link.law() else { return 0.0 };
-        let stretch = if matches!(link.law(), LinkLaw::Rope(_)) { stretch(spring).max(0.0) } else { stretch(spring) };
-        share * 0.5 * spring.stiffness * stretch * stretch
+        share * link.law().energy(from.distance(to))
     };
     world.links().iter().filter(|link| link.acts()).map(stored).sum()
 }

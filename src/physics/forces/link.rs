@@ -38,6 +38,15 @@ impl LinkLaw {
         }
     }
 
+    /// The energy that it holds at that distance (m) of its ends, J; of a magnet 0, whose work no figure counts.
+    pub fn energy(&self, distance: f64) -> f64 {
+        match self {
+            Self::Spring(spring) => spring.energy(distance),
+            Self::Rope(rope) => rope.energy(distance.max(rope.length)),
+            Self::Magnet(_) => 0.0,
+        }
+    }
+
     /// The law bends where this is 0.
     pub(crate) fn border(&self, apart: DVec2, parting: DVec2) -> f64 {
         match self {

@@ -19,4 +19,9 @@ impl Spring {
         let along = apart.normalize_or_zero();
         apart * self.stiffness + along * (self.damping * along.dot(parting) - self.stiffness * self.length)
     }
+
+    /// ½k(ℓ − L)², J.
+    pub(crate) fn energy(&self, distance: f64) -> f64 {
+        0.5 * self.stiffness * (distance - self.length).powi(2)
+    }
 }
