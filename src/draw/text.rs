@@ -20,9 +20,9 @@ impl Typeface {
     }
 }
 
-/// Signs that are set in the monospaced face amid words too: the sans face has no arrows and no raised minus, and its π is hard to
-/// read.
-const IN_MONO: [char; 6] = ['←', '→', '↑', '↓', 'π', '⁻'];
+/// Signs that are set in the monospaced face amid words too: the sans face has no arrows, no raised minus and no prime, and its π is
+/// hard to read.
+const IN_MONO: [char; 7] = ['←', '→', '↑', '↓', 'π', '⁻', '′'];
 /// Width of a sign where a typeface cannot be read, in heights of the text.
 const UNKNOWN_ADVANCE: f32 = 0.62;
 
@@ -82,6 +82,7 @@ fn advance(face: &ttf_parser::Face, sign: char) -> f32 {
 mod tests {
     use super::*;
     use crate::draw::layout::MONO_ADVANCE;
+    use crate::words::{self, Language};
 
     #[test]
     fn signs_that_the_words_lack_are_set_in_the_other_face() {
@@ -92,6 +93,16 @@ mod tests {
         );
         assert_eq!(cut("← → walk", Typeface::Mono), ["Mono ← → walk"]);
         assert!(cut("", Typeface::Sans).is_empty());
+    }
+
+    #[test]
+    fn every_sign_of_every_language_is_in_its_typeface() {
+        for (english, text) in Language::ALL.into_iter().flat_map(words::rows) {
+            for (run, face) in runs(&english, Typeface::Sans).chain(runs(&text, Typeface::Sans)) {
+                let face = &FACES[face as usize].as_ref().unwrap().face;
+                assert_eq!(run.chars().find(|sign| *sign != '\n' && face.glyph_index(*sign).is_none()), None, "{text}");
+            }
+        }
     }
 
     #[test]
