@@ -22,12 +22,10 @@ impl World {
         let mut awake = std::mem::take(&mut scratch.awake);
         awake.clear();
         awake.extend(space.sleep.looked_at.iter().filter(|body| !space.sleep.asleep[**body as usize]));
-        if plan.liquids {
-            let touches = &mut scratch.touches;
-            refill(touches, state.bodies.len() + state.surfaces.len(), false);
-            for contact in &state.contacts {
-                (touches[contact.lo as usize], touches[contact.hi as usize]) = (true, true);
-            }
+        let touches = &mut scratch.touches;
+        refill(touches, state.bodies.len() + state.surfaces.len(), false);
+        for contact in &state.contacts {
+            (touches[contact.lo as usize], touches[contact.hi as usize]) = (true, true);
         }
         for &i in &awake {
             let i = i as usize;
@@ -39,9 +37,10 @@ impl World {
             if plan.streams {
                 space.set_force(state, i, force);
             }
-            if body.velocity == DVec2::ZERO && body.acceleration == DVec2::ZERO {
+            let stands = body.velocity == DVec2::ZERO && body.acceleration == DVec2::ZERO;
+            let begins = stands.then(|| state.media.acceleration_under(body, force));
+            if let Some(a) = begins.filter(|a| scratch.touches[i] || *a == DVec2::ZERO) {
                 // A body that stands meets no drag: its contacts bear all that pulls at it.
-                let a = state.media.acceleration_under(body, force);
                 let floats = a == DVec2::ZERO && (plan.liquids || plan.streams);
                 let end = (body.position + a * (0.5 * dt * dt), a * dt);
                 space.motions.guided.push((i as u32, Guide { end, floats, ..Guide::default() }));

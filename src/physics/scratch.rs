@@ -40,7 +40,7 @@ pub(crate) struct Scratch {
     pub pressed: Vec<f64>,
     /// Of each body and each surface behind them: its number in the present island.
     local: Vec<u32>,
-    /// Whether each body and surface begins the tick in contact with something, where there are liquids.
+    /// Whether each body and surface begins the tick in contact with something, where there are liquids or streams.
     pub touches: Vec<bool>,
     /// Of the present island: its bodies, and the surfaces near it.
     pub members: Vec<u32>,

@@ -3,7 +3,7 @@
 
 use crate::support::turned::{mirrored, reversed};
 use crate::support::{Ask, G, area};
-use resultant::physics::{BodyDef, BodyId, DVec2, ForceKind, Material, Path, Source, SurfaceDef, World, WorldDef};
+use resultant::physics::{BodyDef, BodyId, DVec2, ForceKind, Material, Path, Source, StreamDef, SurfaceDef, World, WorldDef};
 
 /// m and m/s.
 const EXACT: f64 = 1e-9;
@@ -197,5 +197,26 @@ fn a_cradle_struck_by_almost_its_own_mass_answers_almost_alike() {
     let equal = end(20.0);
     for mass in [19.9998, 20.0002] {
         assert!(end(mass).iter().zip(&equal).all(|(x, other)| (x - other).abs() < 1e-3), "{mass} kg");
+    }
+}
+
+/// The instant at which a flush contact begins is found once, though the place at that instant is beside it by a rounding.
+#[test]
+fn a_crate_that_slides_along_seams_uses_up_no_budget() {
+    let wall = |k: i32, left: f64| {
+        let (top, material) = (f64::from(k) * 1.5, if k % 2 == 0 { Material::WOOD } else { Material::ICE });
+        SurfaceDef::fixed(area(left, top, left + 1.0, top + 1.5), material)
+    };
+    for (speed, wind, shaft) in
+        [(-9.0, 0.0, false), (-9.0, 0.0, true), (9.0, 300.0, true), (-13.3, 300.0, true), (1.7, 300.0, false)]
+    {
+        let mut surfaces: Vec<SurfaceDef> = (-20..20).map(|k| wall(k, -1.5)).collect();
+        surfaces.extend((-20..20).filter(|_| shaft).map(|k| wall(k, 0.5)));
+        let body = BodyDef { velocity: v(0.0, speed), ..crate_at(0.0, 0.0) };
+        let mut def = scene(surfaces, vec![body]);
+        def.streams.push(StreamDef { zone: area(-30.0, -6.2, 30.0, 30.0), force: v(-10.0, -wind) });
+        let mut world = World::new(def).unwrap();
+        (0..240).for_each(|_| world.step(1.0 / 120.0));
+        assert_eq!(world.guards().budgets_used_up, 0, "{speed} m/s, {wind} N");
     }
 }

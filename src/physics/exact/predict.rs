@@ -94,7 +94,11 @@ impl Events {
             return next;
         }
         let (halves, sides) = (mine.half + other.half, self.items[i.max(j)].sides);
-        if let Some(t) = begins_flush(&motion, halves, end, sides) {
+        // A contact that has begun may be outside its level by the rounding of a place.
+        let has_begun = |axis: usize| self.contacts.iter().any(|contact| contact.axis == axis && contact.is_of(i as u32, j as u32));
+        if let Some((t, axis)) = begins_flush(&motion, halves, end, sides)
+            && !has_begun(axis)
+        {
             next.or_earlier(now + t, EventKind::Begin { other: j as u32 });
         }
         let reach = reach_of(&motion, halves, sides);
@@ -170,8 +174,9 @@ fn reach_of(motion: &Cubic, mut reach: DVec2, sides: Sides) -> DVec2 {
     reach
 }
 
-/// When two boxes that lie in one plane come to face each other along it. They overlap by more than the slop then, however the time is rounded.
-fn begins_flush(motion: &Cubic, reach: DVec2, end: f64, sides: Sides) -> Option<f64> {
+/// When two boxes that lie in one plane come to face each other across it, and along which axis. They overlap by more than the slop then, however
+/// the time is rounded.
+fn begins_flush(motion: &Cubic, reach: DVec2, end: f64, sides: Sides) -> Option<(f64, usize)> {
     let along = |axis: usize| {
         let (across, other) = (motion.axis(axis), 1 - axis);
         let flush = |t: f64| (across.at(t).abs() - reach[axis]).abs() <= SLOP;
@@ -180,7 +185,7 @@ fn begins_flush(motion: &Cubic, reach: DVec2, end: f64, sides: Sides) -> Option<
         }
         let (path, level) = (motion.axis(other).until(end), reach[other] - 2.0 * SLOP);
         let t = earliest(path.falls_through(level, 0.0), path.rises_through(-level, 0.0));
-        t.filter(|t| flush(*t) && across.slope(*t).abs() <= MICRO_SPEED)
+        t.filter(|t| flush(*t) && across.slope(*t).abs() <= MICRO_SPEED).map(|t| (t, axis))
     };
     along(1).or_else(|| along(0))
 }
