@@ -8,6 +8,8 @@ use crate::words::tr;
 const SMALLEST_FORCE: f64 = 1e-9;
 /// Two forces of a name with directions closer than this (sine of the angle) are one arrow and one line.
 const SAME_DIRECTION: f64 = 1e-6;
+/// A resultant below this part of the strongest force reads as none: a body that nears its terminal velocity.
+const BALANCED: f64 = 1e-7;
 
 /// Impacts that together change a body's velocity by less (m/s) are left out: a body at rest has many of them.
 const SMALLEST_IMPACT: f64 = 1e-3;
@@ -102,12 +104,14 @@ pub fn facts(game: &Game, id: BodyId) -> BodyFacts {
     }
     rows.push(FactRow::plain("Mass", Value::Scalar(body.mass), "kg"));
     rows.push(FactRow::plain("Velocity", Value::Vector(body.velocity), "m/s"));
-    rows.push(FactRow::plain("Acceleration", Value::Vector(body.acceleration), "m/s²"));
+    let strongest = forces.forces().iter().map(|force| force.vector.length()).fold(0.0, f64::max);
+    let told = |vector: DVec2, strongest: f64| if vector.length() < BALANCED * strongest { DVec2::ZERO } else { vector };
+    rows.push(FactRow::plain("Acceleration", Value::Vector(told(body.acceleration, strongest / body.mass)), "m/s²"));
     let line = |shown: ArrowKind, vector, unit| FactRow {
         shown: Some(shown),
         ..FactRow::plain(shown.name(), Value::Vector(vector), unit)
     };
-    rows.push(line(ArrowKind::Resultant, forces.resultant(), "N"));
+    rows.push(line(ArrowKind::Resultant, told(forces.resultant(), strongest), "N"));
     let exerted = |row: FactRow, causes: Vec<Source>| FactRow { by: by_whom(game, id, &causes), causes, ..row };
     let told = by_name(&forces).into_iter();
     rows.extend(told.map(|told| exerted(line(ArrowKind::Force(told.kind), told.vector, "N"), told.by)));

@@ -45,7 +45,7 @@ impl Flight {
     fn lost_sign(&self, frame: &Frame) -> Option<(String, Area)> {
         let death = self.lost().filter(|_| self.news.is_none())?;
         let hint = if self.offers_hint() { tr(" · Esc: hint") } else { "" };
-        let words = tr!("{death} · Enter: what the attempt came to{hint}", death, hint);
+        let words = tr!("{death} · Enter: the result{hint}", death, hint);
         let size = sign_size(&words, frame);
         let top = HudLayout::new(frame).status.max().y + PADDING;
         Some((words, Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size }))
