@@ -39,12 +39,12 @@ pub struct Shown {
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Page {
-    #[default]
     Charts,
     Stability,
     Survival,
     SideBySide,
     Euler,
+    #[default]
     Experiments,
 }
 
@@ -77,11 +77,11 @@ pub struct Lab {
 }
 
 impl Lab {
-    /// Opens at its first page, or at the experiment `left`.
+    /// Opens at its experiments, at the one `left` if there is one.
     pub fn new(shown: Shown, experiments: Result<Vec<Experiment>, String>, left: Option<&str>) -> Self {
         let survival = SurvivalPage::new(&shown.charts.stress);
         Self {
-            page: if left.is_some() { Page::Experiments } else { Page::default() },
+            page: Page::default(),
             experiments: ExperimentsPage::new(experiments, left),
             charts: ChartsPage::new(shown),
             stability: StabilityPage::default(),

@@ -78,7 +78,7 @@ impl SettingsPanel {
             _ if self.taking == Some((action, slot)) => (tr("press a key").to_owned(), theme::accent()),
             Some(key) if keys.conflict(action, key).is_some() => (key.label(), theme::bad()),
             Some(key) => (key.label(), theme::text()),
-            None => ("–".to_owned(), theme::quiet()),
+            None => (String::new(), theme::quiet()),
         }
     }
 

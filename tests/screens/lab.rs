@@ -22,11 +22,12 @@ use std::path::Path;
 
 const SIZES: [(f32, f32); 5] = [(900.0, 500.0), (1280.0, 720.0), (1920.0, 1080.0), (600.0, 900.0), (2560.0, 600.0)];
 
-/// In the Lab, from the menu on, with the files of a data folder.
+/// At the Lab's charts, from the menu on, with the files of a data folder.
 fn lab_with(prepare: impl FnOnce(&Path)) -> Sitting {
     let mut sitting = Sitting::with(prepare);
     sitting.choose("Lab");
-    assert_eq!(sitting.at(), "lab");
+    assert_eq!((sitting.at(), lab(&sitting).page()), ("lab", Page::Experiments));
+    turn_to(&mut sitting, "Charts");
     sitting
 }
 

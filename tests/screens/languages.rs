@@ -116,7 +116,7 @@ fn menus(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
 }
 
 fn lab(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
-    sitting.choose("Lab");
+    sitting.choose("Lab").click("Charts");
     for _ in 0..34 {
         visit(sitting, "charts");
         sitting.press(Key::Right);

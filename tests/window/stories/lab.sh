@@ -3,7 +3,7 @@
 
 open_game
 expect lab-menu shows "$accent" 0 0 100 45 0.3
-press Down Down Down Down Return
+press Down Down Down Down Return Tab # its experiments, then its charts
 expect lab-charts differs lab-menu 3
 expect lab-charts drawn
 expect lab-charts shows "$accent" 5 20 70 60 0.1 # the shipped engine's curve
@@ -48,6 +48,6 @@ expect lab-menu-again resembles lab-menu 8
 # Damaged charts are named, and those that came with the game are shown.
 mkdir "$data/charts"
 echo nonsense >"$data/charts/setting.csv"
-press Down Down Down Down Return
+press Down Down Down Down Return Tab
 expect lab-damaged shows "$bad" 10 80 80 10 0.1
 close_game
