@@ -9,7 +9,7 @@ macro_rules! kept {
     };
 }
 
-const FILES: [(&str, &str); 35] = kept![
+const FILES: [(&str, &str); 37] = kept![
     "setting",
     "scenes",
     "stress",
@@ -23,6 +23,8 @@ const FILES: [(&str, &str); 35] = kept![
     "gust",
     "oscillator",
     "oscillator-energy",
+    "spring",
+    "pendulum",
     "slide",
     "bounce-perfect",
     "bounce-apexes",

@@ -37,7 +37,7 @@ impl FlyingBody {
     }
 
     /// The distance from `exact` after `seconds`, m.
-    fn error(&self, by: By<MotionStep>, seconds: f64, h: f64, exact: DVec2) -> f64 {
+    pub(super) fn error(&self, by: By<MotionStep>, seconds: f64, h: f64, exact: DVec2) -> f64 {
         self.end(by, seconds, h).map_or(f64::NAN, |point| (point.x - exact).length())
     }
 }

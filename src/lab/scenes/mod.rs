@@ -25,6 +25,8 @@ pub fn all() -> Vec<LabScene> {
         flight::gust(),
         oscillator::swing(),
         oscillator::energy_kept(),
+        springs::swing(),
+        springs::pendulum_swing(),
         sliding::to_a_stop(),
         bouncing::perfect(),
         bouncing::apexes(),

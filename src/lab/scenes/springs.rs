@@ -2,7 +2,8 @@
 //! methods stay, and the engine is exact.
 
 use super::flight::FlyingBody;
-use crate::lab::methods::motion::{MotionLaw, PointState};
+use crate::lab::methods::motion::{INTEGRATORS, MotionLaw, PointState};
+use crate::lab::{LabScene, SceneMethod, reference};
 use crate::physics::{BodyDef, BodyId, DVec2, LinkDef, LinkEnd, LinkLaw, Spring, WorldDef};
 
 /// N/kg.
@@ -32,6 +33,29 @@ fn on_spring(law: MotionLaw, start: PointState) -> FlyingBody {
     let links = vec![LinkDef::new(BodyId(0), LinkEnd::Place(DVec2::ZERO), spring)];
     let def = WorldDef { gravity: law.constant.y, air_density: 0.0, bodies: vec![body], links, ..WorldDef::default() };
     FlyingBody::in_world(law, start, def, DVec2::ZERO)
+}
+
+/// s.
+const SECONDS: f64 = 10.0;
+
+fn scene(name: &'static str, title: &str, body: FlyingBody, exact: DVec2) -> LabScene {
+    let methods = SceneMethod::all(INTEGRATORS.iter().copied(), move |by, h| body.error(by, SECONDS, h, exact));
+    let note = "Order p: half the step divides the error by 2 to the power of p.";
+    LabScene { methods, note, ..LabScene::new(name, title, SECONDS, 1) }
+}
+
+/// From 2 m to the side: x = 2·cos ωt.
+pub fn swing() -> LabScene {
+    let (omega, radius) = (3.0, 2.0);
+    let exact = DVec2::new(radius * libm::cos(omega * SECONDS), 0.0);
+    scene("spring", "A body on a spring without drag (ω = √(k/m)), 10 s", oscillator(omega * omega, radius, false), exact)
+}
+
+/// 2 m long, from half a radian.
+pub fn pendulum_swing() -> LabScene {
+    let body = pendulum(2.0, 0.5);
+    let exact = reference::drag_in_two_dimensions(&body.law, body.start, SECONDS).x;
+    scene("pendulum", "A pendulum on a stiff spring, 10 s", body, exact)
 }
 
 /// ½v² + ½s·(|x| − L)² − A·x, J/kg; zero is its least.
