@@ -1,6 +1,7 @@
 //! A sitting: the screen that is shown, what outlasts it, and how a frame goes.
 
 use super::boards::WaitingScore;
+use super::flight::Worksheet;
 use super::hand_in::WaitingAnswer;
 use super::journal::Journal;
 use super::library::{Library, Refusal};
@@ -76,6 +77,8 @@ pub struct App {
     pub(super) menus: u64,
     /// A score that another program keeps from being saved.
     pub(super) waiting: Option<WaitingScore>,
+    /// The sheets of experiments as they were left, by folder.
+    pub(super) sheets: BTreeMap<String, Worksheet>,
     /// An answer to an experiment that another program keeps from being saved.
     pub(super) waiting_answer: Option<WaitingAnswer>,
     /// The files of the level that is flown.
@@ -141,6 +144,7 @@ impl App {
             last_level: None,
             menus: 0,
             waiting: None,
+            sheets: BTreeMap::new(),
             waiting_answer: None,
             watch: None,
             editing: None,
@@ -279,6 +283,7 @@ impl App {
 
     /// Another screen; what its predecessor asked for nobody waits for any more.
     pub(super) fn show(&mut self, next: Box<dyn Screen>) {
+        self.keep_sheet();
         self.asked.values().for_each(|ticket| self.worker.forget(*ticket));
         self.asked.clear();
         (self.screen, self.memory, self.shown_for) = (next, Memory::default(), 0.0);
@@ -320,6 +325,7 @@ impl App {
     pub(super) fn choose(&mut self, name: Name, named: bool) {
         let closed = self.settings_file.close(PATIENCE);
         self.journal.choose(name, named);
+        self.sheets.clear();
         (self.settings, self.settings_problems) = self.settings_file.load(whose(self.journal.current()));
         words::speak(self.settings.spoken());
         self.settings_problems.extend(closed.err().map(|error| error.to_string()));
@@ -327,6 +333,7 @@ impl App {
 
     /// Writes down what waits, at the end of the sitting.
     fn close(&mut self) {
+        self.keep_sheet();
         let (journal, settings) = (self.journal.close(PATIENCE), self.settings_file.close(PATIENCE));
         let answers = self.close_answers();
         let problems = [journal.err().map(|error| error.to_string()), settings.err().map(|error| error.to_string()), answers.err()];
@@ -342,7 +349,7 @@ impl App {
         let losses = self.losses.entry(flight.game().level().name.clone()).or_default();
         flight.tell_of_losses(*losses);
         let game = flight.game();
-        if flight.is_test() || flight.is_watched() || game.level().experiment {
+        if flight.is_test() || flight.is_watched() {
             return;
         }
         if flight.variation().is_some() {

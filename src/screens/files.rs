@@ -198,6 +198,7 @@ impl App {
     /// The editor of a level; of one that comes with the game, the list with the question for a copy's name. A flight waits.
     pub(super) fn edit_or_copy(&mut self, name: &str) -> Box<dyn Screen> {
         let folder = self.library.folder(name);
+        self.keep_sheet();
         if let Some(flight) = self.take_screen::<Flight>() {
             self.behind = Some((flight, folder.clone()));
         }
@@ -213,10 +214,11 @@ impl App {
 
     /// Back to the flight that editing began from, in the level as it is saved now; else to the list.
     pub(super) fn leave_editor(&mut self, spectator: &mut dyn Spectator) -> Box<dyn Screen> {
-        let Some((flight, folder)) = self.behind.take() else { return Box::new(self.level_select(Purpose::Edit)) };
+        let Some((mut flight, folder)) = self.behind.take() else { return Box::new(self.level_select(Purpose::Edit)) };
         self.library.open(&folder);
         self.last_level = Some(flight.game().level().name.clone());
         spectator.begins(flight.game());
+        self.give_sheet(&mut flight);
         flight
     }
 

@@ -36,8 +36,6 @@ impl App {
                 return None;
             }
             Request::Attempt(attempt) => self.flight(attempt, spectator),
-            // Nothing comes of an experiment but what was seen.
-            Request::Score(attempt, ..) if attempt.level.experiment => self.lab(Some(&attempt.level.name)),
             Request::Score(attempt, result, flown) => self.scoring(attempt, result, flown),
             Request::Export(_) | Request::HandIn(_) | Request::Set(_) => {
                 self.write_down(request);
@@ -116,10 +114,7 @@ impl App {
         match Flight::new(attempt, spectator) {
             Ok(mut flight) => {
                 flight.tell_of_settings(&self.settings, &self.settings_problems);
-                if flight.attempt().level.experiment {
-                    let listed = self.library.experiments().unwrap_or_default();
-                    listed.into_iter().find(|listed| listed.folder == name).into_iter().for_each(|found| flight.give_sheet(found));
-                }
+                self.give_sheet(&mut flight);
                 Box::new(flight)
             }
             Err(error) => self.refused(Purpose::Play, &name, vec![error.to_string()]),

@@ -1,6 +1,7 @@
-//! Answers to experiments: each goes to the player's file in `results/`, and the pause panel says so, or why not. A browser also hands
-//! the file to the pupil.
+//! Answers to experiments: each goes to the player's file in `results/`, and its sheet says so, or why not. A browser also hands the file
+//! to the pupil who presses Save. A sheet outlasts its flight, and what is written on it is saved when the flight is left.
 
+use super::flight::Worksheet;
 use super::{App, Flight, new_file};
 use crate::daily::time_of;
 use crate::scores::{PATIENCE, ResultRow, ScoresError};
@@ -16,8 +17,33 @@ pub(super) struct WaitingAnswer {
 }
 
 impl App {
-    /// Saves an answer of the present player, now.
+    /// Gives a flight of an experiment that is listed its sheet, as the player has left it.
+    pub(super) fn give_sheet(&mut self, flight: &mut Flight) {
+        self.keep_sheet();
+        let level = flight.attempt().level.clone();
+        if !level.experiment {
+            return;
+        }
+        let listed = || self.library.experiments().ok()?.into_iter().find(|listed| listed.folder == level.name);
+        if let Some(sheet) = self.sheets.remove(&level.name).or_else(|| listed().map(Worksheet::new)) {
+            flight.give_sheet(sheet);
+        }
+    }
+
+    /// Keeps the sheet of the flight on the screen, and saves what it has that is not saved.
+    pub(super) fn keep_sheet(&mut self) {
+        let Some(mut sheet) = self.screen.get_mut::<Flight>().and_then(Flight::take_sheet) else { return };
+        let unsaved = sheet.take_unsaved();
+        self.sheets.insert(sheet.folder().to_owned(), sheet);
+        unsaved.into_iter().for_each(|row| self.hand_in(row));
+    }
+
+    /// Saves an answer of the present player, now; one that waits goes beside its file.
     pub(super) fn hand_in(&mut self, row: ResultRow) {
+        if let Some(waiting) = self.waiting_answer.take() {
+            let told = self.put_answer_by(&waiting.row);
+            self.tell_of_answer(&waiting.row, told);
+        }
         let row = ResultRow { player: self.journal.current().clone(), time: time_of(self.now), ..row };
         self.save_answer(WaitingAnswer { row, since: 0.0 });
     }
@@ -32,11 +58,14 @@ impl App {
     fn save_answer(&mut self, waiting: WaitingAnswer) {
         let WaitingAnswer { row, since } = waiting;
         let file = self.results.file(&row.player);
+        let is_shown = self.screen.get_mut::<Flight>().is_some_and(|flight| flight.sheet_of(&row.experiment).is_some());
         let told = match self.results.append_within(Duration::ZERO, &row) {
             Ok(aside) => {
                 let kept =
                     aside.map(|kept| tr!(" What stood there before is {place} now.", place = kept.display())).unwrap_or_default();
-                new_file::hand_out(&file);
+                if is_shown {
+                    new_file::hand_out(&file);
+                }
                 Ok(tr!("Saved in {place}.", place = file.display()) + &kept)
             }
             Err(ScoresError::Busy(_)) if since < PATIENCE.as_secs_f64() => {
@@ -46,8 +75,14 @@ impl App {
             Err(ScoresError::Busy(_)) => self.put_answer_by(&row),
             Err(error) => Err(error.to_string()),
         };
-        if let Some(flight) = self.screen.get_mut::<Flight>() {
-            flight.tell_of_answer(told);
+        self.tell_of_answer(&row, told);
+    }
+
+    /// Says on the sheet what became of its answer.
+    fn tell_of_answer(&mut self, row: &ResultRow, told: Result<String, String>) {
+        let shown = self.screen.get_mut::<Flight>().and_then(|flight| flight.sheet_of(&row.experiment));
+        if let Some(sheet) = shown.or_else(|| self.sheets.get_mut(&row.experiment)) {
+            sheet.tell(told);
         }
     }
 

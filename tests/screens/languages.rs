@@ -137,7 +137,6 @@ fn lab(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
         visit(sitting, "experiments");
         sitting.press(Key::Down);
     }
-    visit(sitting.click("Answer"), "an answer");
     visit(sitting.press(Key::Enter).wait(0.3), "an experiment");
     visit(sitting.press(Key::Escape), "its sheet");
     visit(sitting.choose("Back to experiments").press(Key::Up), "experiments");

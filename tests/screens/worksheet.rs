@@ -3,7 +3,8 @@
 use crate::lesson::experiment;
 use crate::sitting::Sitting;
 use resultant::draw::layout::{Frame, Vec2};
-use resultant::screens::{Input, Key};
+use resultant::scores::Name;
+use resultant::screens::{Input, Key, Request};
 use std::fs;
 use std::path::PathBuf;
 
@@ -65,6 +66,37 @@ fn the_answer_follows_a_guess_and_goes_with_it_to_the_pupils_file() {
     assert!(sitting.shows("F = k·s") && sitting.shows("49,5 N/m"));
     sitting.click("Your readings").write(" and 100").click("Save");
     assert_eq!(results(&sitting).lines().count(), 3);
+}
+
+#[test]
+fn a_sheet_outlasts_its_flight_and_is_saved_once_when_that_is_left() {
+    let mut sitting = guessed();
+    let rows = |sitting: &Sitting| results(sitting).lines().skip(1).map(str::to_owned).collect::<Vec<_>>();
+    sitting.click("Back to experiments");
+    assert!(
+        matches!(&rows(&sitting)[..], [row] if row.contains("Guest,hooke,") && row.contains(",40,no,,,")),
+        "{:?}",
+        rows(&sitting)
+    );
+    sitting.press(Key::Enter).press(Key::Escape);
+    assert!(sitting.at() == "pause" && sitting.shows("40") && sitting.shows("Saved in "));
+    sitting.click("Answer").click("Main Menu");
+    assert_eq!(rows(&sitting).len(), 1, "nothing has changed");
+    sitting.app.grant(Request::Experiment("hooke".into()), &mut ());
+    sitting.rest().press(Key::Escape);
+    assert!(sitting.shows("F = k·s") && !sitting.labels().contains(&"Your guess"), "the answer and its guess are there");
+    sitting.click("Your readings").write("50 N/m").click("Edit Level").press(Key::Escape);
+    assert!(matches!(&rows(&sitting)[..], [_, row] if row.contains(",40,no,50 N/m,yes,")), "{:?}", rows(&sitting));
+    sitting.app.grant(Request::Experiment("hooke".into()), &mut ());
+    sitting.rest().press(Key::Escape).click("Your readings").write("50 or more").reopen();
+    assert!(rows(&sitting).len() == 3 && rows(&sitting)[2].contains(",50 or more,yes,"), "at the end: {:?}", rows(&sitting));
+    // The next pupil has a sheet of their own.
+    sitting.app.grant(Request::Experiment("hooke".into()), &mut ());
+    sitting.rest().press(Key::Escape).click("Your guess").write("7");
+    sitting.app.grant(Request::Choose(Name::new("ann").unwrap(), false), &mut ());
+    sitting.app.grant(Request::Experiment("hooke".into()), &mut ());
+    sitting.rest().press(Key::Escape);
+    assert!(!sitting.shows("7") && rows(&sitting).len() == 4 && !file(&sitting, "ann.csv").exists());
 }
 
 #[test]
@@ -140,7 +172,7 @@ fn a_file_that_another_program_holds_is_waited_for_without_a_frame_and_then_put_
 
 #[test]
 fn the_sheet_is_whole_in_every_window() {
-    for name in ["hooke", "free-fall", "friction"] {
+    for name in ["hooke", "free-fall", "pushed-row"] {
         for (width, height) in [(900.0, 500.0), (1280.0, 720.0), (600.0, 1000.0), (3000.0, 500.0)] {
             let mut sitting = paused(name);
             sitting.frame = Frame::of_window(Vec2::new(width, height));

@@ -40,7 +40,7 @@ use rewind::Rewind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use what_if::WhatIf;
-use worksheet::Worksheet;
+pub(super) use worksheet::Worksheet;
 
 #[derive(Debug)]
 pub struct Flight {

@@ -36,21 +36,22 @@ pub struct Worksheet {
 
 impl Flight {
     /// An experiment has its question.
-    pub(in crate::screens) fn give_sheet(&mut self, experiment: Experiment) {
-        self.sheet = Some(Box::new(Worksheet::new(experiment)));
+    pub(in crate::screens) fn give_sheet(&mut self, sheet: Worksheet) {
+        self.sheet = Some(Box::new(sheet));
     }
 
-    /// What became of the answer that was to be saved.
-    pub(in crate::screens) fn tell_of_answer(&mut self, told: Result<String, String>) {
-        if let Some(sheet) = &mut self.sheet {
-            sheet.saved = sheet.saved.take().filter(|_| told.is_ok());
-            sheet.told = told;
-        }
+    pub(in crate::screens) fn take_sheet(&mut self) -> Option<Worksheet> {
+        self.sheet.take().map(|sheet| *sheet)
+    }
+
+    /// The sheet, where it is that experiment's.
+    pub(in crate::screens) fn sheet_of(&mut self, folder: &str) -> Option<&mut Worksheet> {
+        self.sheet.as_deref_mut().filter(|sheet| sheet.folder() == folder)
     }
 }
 
 impl Worksheet {
-    fn new(experiment: Experiment) -> Self {
+    pub(in crate::screens) fn new(experiment: Experiment) -> Self {
         Self {
             experiment,
             guess: TextField::new("", MOST.0),
@@ -59,6 +60,41 @@ impl Worksheet {
             saved: None,
             told: Ok(String::new()),
         }
+    }
+
+    pub(in crate::screens) fn folder(&self) -> &str {
+        &self.experiment.folder
+    }
+
+    /// What became of the answer that was to be saved.
+    pub(in crate::screens) fn tell(&mut self, told: Result<String, String>) {
+        self.saved = self.saved.take().filter(|_| told.is_ok());
+        self.told = told;
+    }
+
+    /// What is written and not saved yet; it counts as saved from now on.
+    pub(in crate::screens) fn take_unsaved(&mut self) -> Option<ResultRow> {
+        let written = self.written();
+        if written.iter().all(String::is_empty) || self.saved.as_ref() == Some(&written) {
+            return None;
+        }
+        self.saved = Some(written.clone());
+        let [guess, readings] = written;
+        Some(ResultRow {
+            player: Name::guest(),
+            experiment: self.experiment.folder.clone(),
+            time: String::new(),
+            guess_right: self.experiment.judge(&guess),
+            readings_right: self.experiment.judge(&readings),
+            guess,
+            readings,
+            answer: self.experiment.answer.clone(),
+        })
+    }
+
+    /// The guess and the readings.
+    fn written(&self) -> [String; 2] {
+        [&self.guess, &self.readings].map(|field| field.text().trim().to_owned())
     }
 
     /// Whether letters go into one of its fields.
@@ -131,8 +167,7 @@ impl Worksheet {
     }
 
     fn act(&mut self, pressed: &str) -> Option<Request> {
-        let [guess, readings] = [&self.guess, &self.readings].map(|field| field.text().trim().to_owned());
-        if guess.is_empty() {
+        if self.written()[0].is_empty() {
             self.told = Err(tr(NO_GUESS).to_owned());
             return None;
         }
@@ -141,22 +176,9 @@ impl Worksheet {
             self.answered = true;
             return None;
         }
-        let now = Some([guess.clone(), readings.clone()]);
-        if self.saved == now {
-            self.told = Ok(tr("This is saved already.").to_owned());
-            return None;
-        }
-        self.saved = now;
-        self.told = Ok(tr("Another program writes there: waiting for it …").to_owned());
-        Some(Request::HandIn(ResultRow {
-            player: Name::guest(),
-            experiment: self.experiment.folder.clone(),
-            time: String::new(),
-            guess_right: self.experiment.judge(&guess),
-            readings_right: self.experiment.judge(&readings),
-            guess,
-            readings,
-            answer: self.experiment.answer.clone(),
-        }))
+        let row = self.take_unsaved();
+        let told = if row.is_some() { "Another program writes there: waiting for it …" } else { "This is saved already." };
+        self.told = Ok(tr(told).to_owned());
+        row.map(Request::HandIn)
     }
 }

@@ -1,4 +1,4 @@
-//! The experiments: question, numbers to vary and, on request, the exact answer. Enter flies the level.
+//! The experiments: question and numbers to vary. Enter flies the level, whose sheet has the answer.
 
 use super::BACK;
 use crate::draw::layout::{Area, BUTTON_TEXT, PADDING, TEXT, Vec2};
@@ -51,8 +51,6 @@ pub struct ExperimentsPage {
     problem: Option<String>,
     /// The index of the line with the focus.
     chosen: usize,
-    /// Whether the answer of the chosen experiment is shown; a student makes a guess before.
-    answered: bool,
 }
 
 impl ExperimentsPage {
@@ -62,17 +60,14 @@ impl ExperimentsPage {
             Err(problem) => (Vec::new(), Some(problem)),
         };
         let chosen = experiments.iter().position(|experiment| Some(experiment.folder.as_str()) == left).unwrap_or(0);
-        Self { experiments, problem, chosen, answered: false }
+        Self { experiments, problem, chosen }
     }
 
     pub(super) fn show(&mut self, ui: &mut Ui<'_>, body: Area) -> Option<Request> {
         let flies = self.show_list(ui, body);
-        let answer = if self.answered { "Hide it" } else { "Answer" };
-        let tool = ui.tools(&[BACK, ("Fly it", Key::Enter, "Enter"), (answer, Key::Space, "Space")]);
-        match tool {
-            Some("Back") => return Some(Request::Menu),
-            Some("Answer" | "Hide it") => self.answered = !self.answered,
-            Some(_) | None => {}
+        let tool = ui.tools(&[BACK, ("Fly it", Key::Enter, "Enter")]);
+        if tool == Some("Back") {
+            return Some(Request::Menu);
         }
         let left = body.size.x * LIST + BETWEEN;
         let panel = Area::new(body.min.x + left, body.min.y, body.size.x - left, body.size.y);
@@ -82,7 +77,7 @@ impl ExperimentsPage {
             widgets::fitted(ui.canvas(), words, panel.centre(), panel.size.x - 2.0 * PADDING, &[TEXT], theme::quiet());
             return None;
         };
-        draw_description(ui.canvas(), panel, (chosen, self.answered));
+        draw_description(ui.canvas(), panel, chosen);
         (flies || tool == Some("Fly it")).then(|| Request::Experiment(chosen.folder.clone()))
     }
 
@@ -104,7 +99,6 @@ impl ExperimentsPage {
                 self.chosen = i;
             }
         }
-        self.answered &= self.chosen == before;
         if let Some(chosen) = self.experiments.get(self.chosen) {
             ui.start_at(&chosen.title);
         }
@@ -112,15 +106,13 @@ impl ExperimentsPage {
     }
 }
 
-fn draw_description(canvas: &Canvas, panel: Area, (chosen, answered): (&Experiment, bool)) {
+fn draw_description(canvas: &Canvas, panel: Area, chosen: &Experiment) {
     let mut pen = Paragraphs { canvas, at: panel.min + 1.5 * PADDING, width: panel.size.x - 3.0 * PADDING };
     pen.write(tr(&chosen.title), BUTTON_TEXT, theme::accent());
     pen.write(tr(&chosen.question), BUTTON_TEXT, theme::text());
     pen.write(tr("Numbers to vary, in the editor or in the files"), TEXT, theme::quiet());
     pen.write(tr(&chosen.vary), TEXT, theme::text());
-    pen.write(tr("Exactly"), TEXT, theme::quiet());
-    let (words, colour) = if answered { (tr(&chosen.answer), theme::good()) } else { (tr("Make a guess first."), theme::quiet()) };
-    pen.write(words, BUTTON_TEXT, colour);
+    pen.write(tr("The sheet is in the pause panel (Esc): make a guess, and it shows the answer."), TEXT, theme::quiet());
     pen.write(&tr!("A page to print: docs/sheets/{folder}.html", folder = chosen.folder), TEXT, theme::quiet());
 }
 
