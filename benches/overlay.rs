@@ -17,7 +17,7 @@ fn crowd() -> Game {
     let mut level = level::load(&root.join("experiments/bounce"), root).expect("the experiment loads").level;
     let one = level.objects[0].clone();
     let place = |i: usize| DVec2::new(3.0 + 1.3 * (i % 15) as f64, level.size.y - 2.0 - 3.0 * (i / 15) as f64);
-    level.objects = (0..29).map(|i| level::Object { position: place(i), ..one.clone() }).collect();
+    level.objects = (0..30).map(|i| level::Object { position: place(i), ..one.clone() }).collect();
     Game::new(Arc::new(level)).expect("the level makes a world")
 }
 

@@ -102,7 +102,7 @@ mod tests {
     use std::path::Path;
     use std::sync::Arc;
 
-    const SHIP: [BodyId; 1] = [BodyId(0)];
+    const BALL: [BodyId; 1] = [BodyId(1)];
 
     fn flown(rate: f64, seconds: f64) -> History {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -118,7 +118,7 @@ mod tests {
 
     fn trail(history: &History, tick: u64) -> Trail {
         let mut trail = Trail::default();
-        trail.go(history, tick, u64::MAX, &SHIP);
+        trail.go(history, tick, u64::MAX, &BALL);
         trail
     }
 
@@ -148,7 +148,7 @@ mod tests {
         let mut most = 0;
         let there_and_back = (0..=2400).step_by(97).chain((600..2400).rev().step_by(131)).chain([0, 2400, 17, 1200, 1199, 1198]);
         for tick in there_and_back {
-            walked.go(&history, tick, u64::MAX, &SHIP);
+            walked.go(&history, tick, u64::MAX, &BALL);
             most = most.max(walked.dots.len());
             let fresh = trail(&history, tick);
             assert!(walked.dots(tick, 120.0).eq(fresh.dots(tick, 120.0)), "tick {tick}");

@@ -25,6 +25,7 @@ pub(super) struct Draft {
     pub size: Option<DVec2>,
     pub scale: PixelScale,
     pub settings: LevelSettings,
+    /// `None` in an experiment.
     pub player: Option<FromRow<ShipStart>>,
     pub world: Vec<FromRow<Solid>>,
     pub movers: Vec<FromRow<Mover>>,
@@ -47,10 +48,10 @@ pub(super) struct Draft {
 impl Draft {
     /// Reads all files but constants.csv; `size` is in pixels.
     pub fn read(reader: &mut LevelReader, size: Option<DVec2>, settings: LevelSettings) -> Self {
-        let player = player(reader);
+        let player = if settings.experiment { None } else { player(reader) };
         let world = reader.things(Table::World, blocks::solid);
         let mut objects = reader.things(Table::Objects, bodies::object);
-        let objectives = objectives(reader, &mut objects);
+        let objectives = objectives(reader, settings.experiment, &mut objects);
         let streams = streams(reader, &world);
         Self {
             size,
@@ -75,8 +76,13 @@ impl Draft {
         }
     }
 
+    /// Whether there is a ship, or none is needed.
+    pub const fn may_start(&self) -> bool {
+        self.player.is_some() || self.settings.experiment
+    }
+
     /// The size is in metres.
-    pub fn level(self, name: &str, background: bool, (player, size): (ShipStart, DVec2)) -> Level {
+    pub fn level(self, name: &str, background: bool, size: DVec2) -> Level {
         let settings = self.settings;
         Level {
             name: name.to_owned(),
@@ -92,7 +98,7 @@ impl Draft {
             experiment: settings.experiment,
             awards: settings.awards,
             landscape: settings.landscape,
-            player,
+            player: self.player.map_or(ShipStart::PARKED, |ship| ship.item),
             world: items(self.world),
             movers: items(self.movers),
             doors: items(self.doors),
@@ -143,10 +149,11 @@ fn player(reader: &mut LevelReader) -> Option<FromRow<ShipStart>> {
     ships.into_iter().next().flatten()
 }
 
-/// Appends the key objects to `objects`.
-fn objectives(reader: &mut LevelReader, objects: &mut Vec<FromRow<Object>>) -> Vec<FromRow<Objective>> {
+/// Appends the key objects to `objects`. An experiment has no objectives.
+fn objectives(reader: &mut LevelReader, experiment: bool, objects: &mut Vec<FromRow<Object>>) -> Vec<FromRow<Objective>> {
     let wanted = "at least one PLAYER or PHYS row";
-    let Some(table) = reader.required(Table::Objectives, wanted) else { return Vec::new() };
+    let table = if experiment { Some(reader.table(Table::Objectives)) } else { reader.required(Table::Objectives, wanted) };
+    let Some(table) = table else { return Vec::new() };
     let mut objectives = Vec::new();
     let (mut first_physics, mut blocks, mut keys) = (None, 0, 0);
     for record in &table.records {
@@ -159,6 +166,9 @@ fn objectives(reader: &mut LevelReader, objects: &mut Vec<FromRow<Object>>) -> V
             tag if tag == bodies::PAD.tag => ObjectiveKind::Player,
             _ => ObjectiveKind::Physics,
         };
+        if experiment {
+            continue;
+        }
         blocks += 1;
         if kind == ObjectiveKind::Physics {
             first_physics.get_or_insert(record);
@@ -168,7 +178,7 @@ fn objectives(reader: &mut LevelReader, objects: &mut Vec<FromRow<Object>>) -> V
     }
     // The missing row may be an unreadable one, which has a problem of its own.
     let all_read = table.records.len() == table.lines.len();
-    if blocks == 0 && all_read {
+    if blocks == 0 && all_read && !experiment {
         reader.rows.problems.push(bodies::PAD.problem(1, "no objective", wanted));
     }
     if let (Some(record), 0, true) = (first_physics, keys, all_read) {

@@ -37,23 +37,25 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
     problems.extend(placement::check_zones(&draft));
     problems.extend(placement::check(&draft, work));
     // A level without a readable player or size has a problem already.
-    let (Some(player), Some(size), true) = (&draft.player, draft.size, problems.is_empty()) else {
+    let (true, Some(size), true) = (draft.may_start(), draft.size, problems.is_empty()) else {
         return Err(in_order(problems));
     };
-    let space = placement::space(&draft, size / draft.scale.metre, work.clone());
-    let problems = winnable::check(&draft, &player.item, &space);
-    if !problems.is_empty() {
-        return Err(in_order(problems));
-    }
+    let size = size / draft.scale.metre;
     warnings.extend(names::warn(&draft));
-    warnings.extend(winnable::same_turns(&draft));
-    warnings.extend(words::warn(&draft, size / draft.scale.metre));
-    warnings.extend(placement::warn(&draft, &player.item, &space));
-    warnings.extend(gates::warn(&draft, &player.item, &space));
-    warnings.extend(pushed::warn(&draft, &player.item, &space));
-    warnings.extend(power::warn(&draft, player, &space));
-    let (player, size) = (player.item.clone(), size / draft.scale.metre);
-    Ok(Loaded { level: draft.level(name, background, (player, size)), warnings })
+    warnings.extend(words::warn(&draft, size));
+    if let Some(player) = &draft.player {
+        let space = placement::space(&draft, size, work.clone());
+        let problems = winnable::check(&draft, &player.item, &space);
+        if !problems.is_empty() {
+            return Err(in_order(problems));
+        }
+        warnings.extend(winnable::same_turns(&draft));
+        warnings.extend(placement::warn(&draft, &player.item, &space));
+        warnings.extend(gates::warn(&draft, &player.item, &space));
+        warnings.extend(pushed::warn(&draft, &player.item, &space));
+        warnings.extend(power::warn(&draft, player, &space));
+    }
+    Ok(Loaded { level: draft.level(name, background, size), warnings })
 }
 
 /// As [`read()`], of an unfinished level: a ship and a size are enough. A row that cannot be read or placed is left out, an object whose
@@ -67,10 +69,10 @@ pub fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Prob
     misplaced.extend(placement::check(&draft, &SearchWork::default()));
     draft.leave_out(&misplaced);
     problems.extend(misplaced);
-    let (Some(player), Some(size)) = (&draft.player, draft.size) else { return Err(in_order(problems)) };
+    let (true, Some(size)) = (draft.may_start(), draft.size) else { return Err(in_order(problems)) };
     warnings.splice(..0, in_order(problems));
-    let (player, size) = (player.item.clone(), size / draft.scale.metre);
-    Ok(Loaded { level: draft.level(name, background, (player, size)), warnings })
+    let size = size / draft.scale.metre;
+    Ok(Loaded { level: draft.level(name, background, size), warnings })
 }
 
 /// The things of a level's files, each row judged by itself.

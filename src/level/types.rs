@@ -110,6 +110,20 @@ pub struct ShipStart {
 }
 
 impl ShipStart {
+    /// The ship of an experiment, farther out than anything of a level reaches. Nothing acts on it, and it has no engine.
+    pub const PARKED: Self = Self {
+        position: DVec2::splat(-1e7),
+        velocity: DVec2::ZERO,
+        angle: 0.0,
+        mass: 100.0,
+        fuel: 0.0,
+        thrust: 0.0,
+        feels_air: false,
+        material: Material::ASPHALT,
+        drag: 1.0,
+        restitution: 0.0,
+    };
+
     pub fn has_engine(&self) -> bool {
         self.thrust > 0.0 && self.fuel > 0.0
     }

@@ -35,7 +35,7 @@ impl Parameter {
     /// The parameters of a body of the level, and of the level.
     pub fn all(level: &Level, body: usize) -> Vec<Self> {
         let mut all = Vec::new();
-        if body <= level.objects.len() {
+        if Self::Mass(body).of(level).is_some() {
             all.push(Self::Mass(body));
             all.extend((body == 0).then_some(Self::Thrust));
             all.extend([Self::VelocityX, Self::VelocityY, Self::Restitution, Self::Drag].map(|of| of(body)));
@@ -96,10 +96,11 @@ impl Parameter {
         self.facts().1.parse(&text.trim().replace('−', "-"))
     }
 
-    /// Its value; `None` where the level has no such body.
+    /// Its value; `None` where the level has no such body, as an experiment has no ship.
     pub fn of(self, level: &Level) -> Option<f64> {
         let (player, object) = (&level.player, |i: usize| level.objects.get(i - 1));
-        let of = |i: usize, ship: f64, value: fn(&Object) -> f64| if i == 0 { Some(ship) } else { object(i).map(value) };
+        let of_ship = |value: f64| level.ship_plays().then_some(value);
+        let of = |i: usize, ship: f64, value: fn(&Object) -> f64| if i == 0 { of_ship(ship) } else { object(i).map(value) };
         match self {
             Self::Mass(i) => of(i, player.mass, |object| object.mass),
             Self::Drag(i) => of(i, player.drag, |object| object.drag),
@@ -107,7 +108,7 @@ impl Parameter {
             Self::VelocityX(i) => of(i, player.velocity.x, |object| object.velocity.x),
             // Adding zero turns a negative zero into zero.
             Self::VelocityY(i) => of(i, player.velocity.y, |object| object.velocity.y).map(|down| 0.0 - down),
-            Self::Thrust => Some(player.thrust),
+            Self::Thrust => of_ship(player.thrust),
             Self::Gravity => Some(level.gravity),
             Self::Air => Some(level.air_density),
             Self::Friction => Some(level.friction),
@@ -218,6 +219,9 @@ impl Document {
     /// Objects come before key objects, each in the order of their file.
     fn row_of(&self, body: usize) -> Option<RowId> {
         let keys = self.rows(Table::Objectives).filter(|row| self.kind(*row) == Some(Kind::Key));
-        self.rows(Table::Player).take(1).chain(self.rows(Table::Objects)).chain(keys).nth(body)
+        match body.checked_sub(1) {
+            None => self.rows(Table::Player).next(),
+            Some(object) => self.rows(Table::Objects).chain(keys).nth(object),
+        }
     }
 }

@@ -14,7 +14,7 @@ impl Level {
         Aabb::new(DVec2::ZERO, self.size)
     }
 
-    /// False in an experiment: neither fuel nor time nor score matter there.
+    /// False in an experiment: the ship is [parked](super::types::ShipStart::PARKED) there, and neither fuel nor time nor score matter.
     pub const fn ship_plays(&self) -> bool {
         !self.experiment
     }
@@ -31,6 +31,7 @@ impl Level {
             restitution: self.player.restitution,
             feels_air: self.player.feels_air,
             material: self.rubbing(self.player.material),
+            weightless: !self.ship_plays(),
             ..BodyDef::default()
         };
         let objects = self.objects.iter().map(|object| BodyDef {

@@ -8,8 +8,8 @@ use std::io::{Cursor, Read, Write};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
-/// The table of every level: its folder is the level's folder.
-const HEART: &str = "player.csv";
+/// The table of every level with a ship, and one of every experiment: its folder is the level's folder.
+const HEARTS: [&str; 2] = ["player.csv", "constants.csv"];
 /// The record at an archive's end: first bytes, length without a comment, and the place of the number of entries.
 const END: &[u8] = b"PK\x05\x06";
 const END_LENGTH: usize = 22;
@@ -173,9 +173,11 @@ impl PackEntries {
 
     /// The level's folder is the folder of its heart.
     fn package(self, called: &str) -> Result<Package, String> {
-        let hearts: Vec<&Vec<String>> = self.files.keys().filter(|parts| parts.last().is_some_and(|name| name == HEART)).collect();
+        let named =
+            |heart: &str| self.files.keys().filter(|parts| parts.last().is_some_and(|name| name == heart)).collect::<Vec<_>>();
+        let hearts = HEARTS.map(named).into_iter().find(|found| !found.is_empty()).unwrap_or_default();
         let folder = match hearts.as_slice() {
-            [] => return Err(format!("found no {HEART}, expected a level's folder")),
+            [] => return Err(format!("found no {}, expected a level's folder", HEARTS[0])),
             [heart] if heart.len() <= 2 => heart[..heart.len() - 1].to_vec(),
             [heart] => return Err(format!("found the level in {:?}, expected its folder at the top", heart.join("/"))),
             [first, second, ..] => {

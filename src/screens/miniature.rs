@@ -65,7 +65,8 @@ impl Miniature {
         add(level.objectives.iter().map(|it| (it.bounds, objective(it.kind))).collect());
         let object = |key: Option<[u8; 3]>| key.map_or(MiniaturePart::Object, MiniaturePart::Key);
         add(level.objects.iter().map(|it| (Aabb::around(it.position, it.size * 0.5), object(it.key))).collect());
-        add(vec![(Aabb::around(level.player.position, SHIP_HALF), MiniaturePart::Ship)]);
+        let ship = level.ship_plays().then(|| (Aabb::around(level.player.position, SHIP_HALF), MiniaturePart::Ship));
+        add(ship.into_iter().collect());
         Self { size: level.size, shapes, landscape: level.landscape }
     }
 }

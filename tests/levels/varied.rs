@@ -7,6 +7,7 @@ use resultant::game::{Controls, Game, History, SHIP, level_hash};
 use resultant::instruments::vary::{SliderTrack, Variation};
 use resultant::level::document::{LevelFolder, Opened};
 use resultant::level::{self, Level, Parameter, scaffold};
+use resultant::physics::BodyId;
 use std::path::PathBuf;
 use std::sync::{Arc, LazyLock};
 
@@ -122,17 +123,20 @@ fn a_level_that_is_written_as_it_is_varied_loads_as_that() {
 
 #[test]
 fn forces_that_are_too_strong_for_a_mass_are_refused_together() {
-    let level = load("experiments/friction");
-    let refused = |changes: &[(Parameter, f64)]| {
+    let refused_in = |level: &Level, changes: &[(Parameter, f64)]| {
         let mut variation = Variation::default();
-        changes.iter().for_each(|(parameter, value)| variation.set(*parameter, *value, &level));
-        variation.apply(&level).err().map(|problems| problems[0].to_string())
+        changes.iter().for_each(|(parameter, value)| variation.set(*parameter, *value, level));
+        variation.apply(level).err().map(|problems| problems[0].to_string())
     };
-    assert_eq!(refused(&[(Parameter::Thrust, 1e6)]), None);
+    let with_ship = load("tests/fixtures/levels/2");
+    assert_eq!(refused_in(&with_ship, &[(Parameter::Thrust, 1e6)]), None);
     assert_eq!(
-        refused(&[(Parameter::Thrust, 1e6), (Parameter::Mass(0), 1.0)]).as_deref(),
+        refused_in(&with_ship, &[(Parameter::Thrust, 1e6), (Parameter::Mass(0), 1.0)]).as_deref(),
         Some("player.csv: found 1000000 N on a ship of 1 kg, expected at most 10000 N, which is 10000 m/s²")
     );
+    let level = load("experiments/friction");
+    let refused = |changes: &[(Parameter, f64)]| refused_in(&level, changes);
+    assert!(refused(&[(Parameter::Thrust, 5.0)]).is_some() && refused(&[(Parameter::Mass(0), 5.0)]).is_some(), "it has no ship");
     assert_eq!(
         refused(&[(Parameter::Wind, 1000.0), (Parameter::Mass(2), 1e-3)]).as_deref(),
         Some("hazards.csv: found 60000 N on 0.001 kg, expected at most 10 N, which is 10000 m/s²")
@@ -183,14 +187,15 @@ fn a_flight_that_goes_on_in_a_varied_level_has_a_history_over_the_change() {
             }
         };
         leg(&mut game, &mut history, 130);
+        let varied = if level.ship_plays() { SHIP } else { BodyId(1) };
         for (gravity, mass) in [(5.0, 50.0), (2.5, 70.0)] {
-            let (place, motion) = (game.world().body(SHIP).position, game.world().body(SHIP).velocity);
+            let (place, motion) = (game.world().body(varied).position, game.world().body(varied).velocity);
             let mut variation = Variation::default();
             variation.set(Parameter::Gravity, gravity, &level);
-            variation.set(Parameter::Mass(0), mass, &level);
+            variation.set(Parameter::Mass(varied.index()), mass, &level);
             history.go_on_in(&mut game, Arc::new(variation.apply(&level).unwrap())).unwrap();
-            assert_eq!((game.world().body(SHIP).position, game.world().body(SHIP).velocity), (place, motion), "{name}");
-            assert_eq!((game.world().body(SHIP).mass, game.level().gravity), (mass, gravity));
+            assert_eq!((game.world().body(varied).position, game.world().body(varied).velocity), (place, motion), "{name}");
+            assert_eq!((game.world().body(varied).mass, game.level().gravity), (mass, gravity));
             leg(&mut game, &mut history, 77);
         }
         for tick in [0, 60, 129, 131, 200, 208, 284, 150, 90] {
@@ -210,7 +215,8 @@ fn to_go_on_by_other_numbers_from_the_start_is_to_begin_with_them() {
     for folder in FOLDERS.iter() {
         let level = level::load(folder, package()).expect("it ships").level;
         let mut variation = Variation::default();
-        for parameter in [Parameter::Gravity, Parameter::Air, Parameter::Friction, Parameter::Mass(0), Parameter::Drag(0)] {
+        let body = usize::from(!level.ship_plays());
+        for parameter in [Parameter::Gravity, Parameter::Air, Parameter::Friction, Parameter::Mass(body), Parameter::Drag(body)] {
             let usual = parameter.of(&level).unwrap();
             variation.set(parameter, SliderTrack::of(parameter, usual).value(0.7), &level);
         }

@@ -3,7 +3,9 @@
 
 use crate::support::{Memory, written};
 use crate::{lines, package};
+use resultant::game::{Controls, Game, Outcome, SHIP};
 use resultant::level;
+use std::sync::Arc;
 
 /// The warnings about the room with these files.
 fn warned(files: &[(&'static str, &str)]) -> String {
@@ -162,4 +164,26 @@ fn no_experiment_is_warned_about() {
             level::load(&experiments.join(&name), package()).unwrap_or_else(|problems| panic!("{name}: {}", lines(&problems)));
         assert_eq!(lines(&loaded.warnings), "", "{name}");
     }
+}
+
+/// A ship and objectives are neither asked for nor read there, and nothing is tied to a ship.
+#[test]
+fn an_experiment_has_no_ship_and_no_objectives() {
+    let read = |more: &[(&'static str, &str)]| {
+        let own = [
+            ("constants.csv", "experiment,1\nwidth,900\nheight,600\n"),
+            ("objects.csv", "450,300,box:30x30,10,0,FALSE,0,,,ball\n"),
+        ];
+        let files = own.iter().chain(more).map(|(file, text)| (*file, (*text).to_owned()));
+        level::read("lone", &Memory(files.collect())).map_err(|problems| lines(&problems))
+    };
+    let lone = read(&[]).unwrap();
+    assert!(lone.warnings.is_empty() && lone.level.objectives.is_empty() && !lone.level.ship_plays());
+    let more = [("player.csv", "no ship\n"), ("objectives.csv", "PLAYER,10,10,20,20\n")];
+    assert_eq!(read(&more).unwrap().level, lone.level);
+    assert!(read(&[("links.csv", "a,b,stiffness\nship,450 10,5\n")]).unwrap_err().contains("an experiment has no ship"));
+    let mut game = Game::new(Arc::new(lone.level)).unwrap();
+    let parked = game.world().body(SHIP).clone();
+    (0..300).for_each(|_| game.step(Controls { thrust: true, ..Controls::default() }));
+    assert!(game.outcome() == Outcome::Running && game.world().body(SHIP) == &parked, "nothing moves it");
 }

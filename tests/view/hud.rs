@@ -217,7 +217,9 @@ fn an_experiment_shows_no_display_and_a_level_without_an_engine_no_fuel() {
         assert!(onlooker.solid().is_empty() && onlooker.hud.pointers.is_empty() && onlooker.hud.stranded().is_none());
     }
     let mut player = level.player.clone();
-    assert!(player.has_engine());
-    player.fuel = 0.0;
     assert!(!player.has_engine());
+    player.thrust = 1.0;
+    assert!(!player.has_engine());
+    player.fuel = 1.0;
+    assert!(player.has_engine());
 }

@@ -33,7 +33,7 @@ impl Game {
         let surfaces: Vec<Aabb> = solid.map(|surface| surface.bounds).collect();
         let room = |bounds: &Aabb| level.bounds().contains(bounds, TOUCH) && !surfaces.iter().any(|other| overlap(bounds, other));
         let ship = self.world.body(SHIP);
-        if !room(&ship.bounds()) {
+        if before.ship_plays() != level.ship_plays() || level.ship_plays() && !room(&ship.bounds()) {
             return None;
         }
         let mut placed = vec![ship.bounds()];
