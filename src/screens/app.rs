@@ -323,9 +323,10 @@ impl App {
 
     /// Somebody plays from now on, with the settings of theirs.
     pub(super) fn choose(&mut self, name: Name, named: bool) {
+        self.keep_sheet();
+        self.sheets.clear();
         let closed = self.settings_file.close(PATIENCE);
         self.journal.choose(name, named);
-        self.sheets.clear();
         (self.settings, self.settings_problems) = self.settings_file.load(whose(self.journal.current()));
         words::speak(self.settings.spoken());
         self.settings_problems.extend(closed.err().map(|error| error.to_string()));

@@ -92,11 +92,11 @@ fn a_sheet_outlasts_its_flight_and_is_saved_once_when_that_is_left() {
     assert!(rows(&sitting).len() == 3 && rows(&sitting)[2].contains(",50 or more,yes,"), "at the end: {:?}", rows(&sitting));
     // The next pupil has a sheet of their own.
     sitting.app.grant(Request::Experiment("hooke".into()), &mut ());
-    sitting.rest().press(Key::Escape).click("Your guess").write("7");
+    sitting.rest().press(Key::Escape).click("Your guess").write("4711");
     sitting.app.grant(Request::Choose(Name::new("ann").unwrap(), false), &mut ());
     sitting.app.grant(Request::Experiment("hooke".into()), &mut ());
     sitting.rest().press(Key::Escape);
-    assert!(!sitting.shows("7") && rows(&sitting).len() == 4 && !file(&sitting, "ann.csv").exists());
+    assert!(!sitting.shows("4711") && rows(&sitting).len() == 4 && !file(&sitting, "ann.csv").exists());
 }
 
 #[test]
