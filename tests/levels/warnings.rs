@@ -170,10 +170,7 @@ fn no_experiment_is_warned_about() {
 #[test]
 fn an_experiment_has_no_ship_and_no_objectives() {
     let read = |more: &[(&'static str, &str)]| {
-        let own = [
-            ("constants.csv", "experiment,1\nwidth,900\nheight,600\n"),
-            ("objects.csv", "450,300,box:30x30,10,0,FALSE,0,,,ball\n"),
-        ];
+        let own = [("constants.csv", "experiment,1\nwidth,900\nheight,600\n"), ("objects.csv", "450,300,box:30x30,10,0,FALSE,0\n")];
         let files = own.iter().chain(more).map(|(file, text)| (*file, (*text).to_owned()));
         level::read("lone", &Memory(files.collect())).map_err(|problems| lines(&problems))
     };
