@@ -6,9 +6,9 @@ use super::placed::FromRow;
 use super::problem::{MOST_PROBLEMS, Problem, quoted};
 use super::strength::judge;
 use super::types::{LevelLink, SHIP_HALF, ShipStart};
-use super::unbound::{LinkRowEnd, MOST_LINKS, UnboundLink};
+use super::unbound::{LinkRowEnd, MOST_LINKS};
 use crate::physics::domain::{MOST_DAMPING, MOST_STIFFNESS};
-use crate::physics::{BodyId, LinkDef, LinkEnd, LinkLaw};
+use crate::physics::{BodyId, DVec2, LinkDef, LinkEnd, LinkLaw};
 
 /// Ends that are no body, names that two bodies share, links without a body, and links too stiff or too strong for one.
 pub(super) fn check(draft: &Draft) -> Vec<Problem> {
@@ -18,6 +18,11 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     problems.extend(beyond.map(|link| link.problem("a", found.clone(), format!("at most {MOST_LINKS} in a level"))));
     let names: Vec<&str> = draft.objects.iter().filter_map(|object| object.item.name.as_deref()).collect();
     let mut loads = vec![(0.0, 0.0); draft.objects.len() + 1];
+    let ship = |ship: &FromRow<ShipStart>| (ship.item.mass, SHIP_HALF);
+    let body = |body: BodyId| match body.index().checked_sub(1) {
+        None => draft.player.as_ref().map(ship),
+        Some(object) => draft.objects.get(object).map(|object| (object.item.mass, object.item.size * 0.5)),
+    };
     for link in draft.links.iter().take(MOST_LINKS) {
         let before = problems.len();
         for (column, end) in ["a", "b"].into_iter().zip(&link.item.ends) {
@@ -44,7 +49,10 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
             Some(LevelLink { def, .. }) if def.to == LinkEnd::Body(def.body) => {
                 problems.push(link.problem("b", "the same body as at the other end", "another body, or a place"));
             }
-            Some(LevelLink { def, .. }) => problems.extend(load(draft, link, def, &mut loads)),
+            Some(LevelLink { def, .. }) => {
+                let too_much = load(def, &mut loads, body);
+                problems.extend(too_much.map(|TooMuch { column, found, expected, .. }| link.problem(column, found, expected)));
+            }
             None => {}
         }
     }
@@ -52,13 +60,16 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     problems
 }
 
-/// The first number of a link that is too large for a body; `loads` sums stiffness and damping by body.
-fn load(draft: &Draft, link: &FromRow<UnboundLink>, def: &LinkDef, loads: &mut [(f64, f64)]) -> Option<Problem> {
-    let ship = |ship: &FromRow<ShipStart>| (ship.item.mass, SHIP_HALF);
-    let body = |body: BodyId| match body.index().checked_sub(1) {
-        None => draft.player.as_ref().map(ship),
-        Some(object) => draft.objects.get(object).map(|object| (object.item.mass, object.item.size * 0.5)),
-    };
+/// A number of a link that is too large for a body.
+pub(super) struct TooMuch {
+    pub body: BodyId,
+    pub column: &'static str,
+    pub found: String,
+    pub expected: String,
+}
+
+/// The first of a link; `body` gives masses (kg) and halves (m), and `loads` sums stiffness and damping by body.
+pub(super) fn load(def: &LinkDef, loads: &mut [(f64, f64)], body: impl Fn(BodyId) -> Option<(f64, DVec2)>) -> Option<TooMuch> {
     let ends: Vec<BodyId> = [def.to, LinkEnd::Body(def.body)]
         .iter()
         .filter_map(|end| match end {
@@ -78,14 +89,15 @@ fn load(draft: &Draft, link: &FromRow<UnboundLink>, def: &LinkDef, loads: &mut [
                 {
                     if sum > most {
                         let found = format!("{sum} {unit} on {mass} kg, all links up to this one");
-                        return Some(link.problem(column, found, format!("at most {most} {unit}")));
+                        return Some(TooMuch { body: end, column, found, expected: format!("at most {most} {unit}") });
                     }
                 }
             }
             LinkLaw::Magnet(magnet) => {
                 let force = magnet.strength / (nearest * nearest);
                 if let Some(expected) = judge(force, mass) {
-                    return Some(link.problem("strength", format!("{force} N on {mass} kg at {nearest} m, the nearest"), expected));
+                    let found = format!("{force} N on {mass} kg at {nearest} m, the nearest");
+                    return Some(TooMuch { body: end, column: "strength", found, expected });
                 }
             }
         }

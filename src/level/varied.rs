@@ -1,11 +1,13 @@
 //! The numbers of a level that can be varied, each with the loader's limits and its cells.
 
 use super::document::{Document, RowId, SetCell};
+use super::links::{self, TooMuch};
 use super::numbers::{self as q, NumberRange};
 use super::problem::Problem;
 use super::schema::{Kind, Table};
 use super::strength;
-use super::types::{Level, Object};
+use super::types::{Level, Object, SHIP_HALF};
+use crate::physics::BodyId;
 
 /// Bodies are counted as in the level's world: 0 is the ship, i + 1 is object i.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -184,6 +186,16 @@ pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<
         refuse(Parameter::Wind, format!("{strongest} N"), expected);
     } else if let Some(expected) = strength::judge(strongest, lightest) {
         refuse(Parameter::Wind, format!("{strongest} N on {lightest} kg"), expected);
+    }
+    let body = |body: BodyId| match body.index().checked_sub(1) {
+        None => Some((mass, SHIP_HALF)),
+        Some(object) => varied.objects.get(object).map(|object| (object.mass, object.size * 0.5)),
+    };
+    let mut loads = vec![(0.0, 0.0); varied.objects.len() + 1];
+    for link in &varied.links {
+        if let Some(TooMuch { body, found, expected, .. }) = links::load(&link.def, &mut loads, body) {
+            refuse(Parameter::Mass(body.index()), found, expected);
+        }
     }
     if problems.is_empty() { Ok(varied) } else { Err(problems) }
 }
