@@ -28,7 +28,7 @@ pub use home::{
 pub use kept::{Keeper, KeepingFault, PageFiles};
 pub use lock::{Lock, PATIENCE, pauses, share};
 pub use read::{Symlinks, is_passed_on, open};
-pub use rows::{CsvFile, CsvRow};
+pub use rows::{CsvFile, CsvRow, found_instead, place};
 pub use shipped::{AboveShipped, SHIPPED, ship_at};
 pub use staged::{Replacement, around, behind_links, sync_folder, target};
 pub use storage::{FileKind, Found, Manner, Storage};

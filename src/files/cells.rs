@@ -1,6 +1,7 @@
 //! Bytes to rows of cells, each with its line as an editor counts it. The `csv` crate does not serve: its line numbers are off after CRLF,
 //! blank lines and comments, it swallows the rest of a file after a quote that is never closed, and it misses a quoted cell behind a space.
 
+use crate::words::tr;
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -20,13 +21,13 @@ pub enum CellFault {
 
 impl CellFault {
     /// The found and the expected, in words.
-    pub const fn words(self) -> (&'static str, &'static str) {
+    pub fn words(self) -> (&'static str, &'static str) {
         match self {
-            Self::Unclosed => ("a quote that is never closed", "a closing quote"),
-            Self::AfterQuote => ("text after a closing quote", "a comma after it (a quote within quotes is written twice)"),
-            Self::NotUtf8 => ("letters that are not UTF-8", "a file saved as UTF-8"),
-            Self::Utf16 => ("a file saved as UTF-16", "a file saved as UTF-8"),
-            Self::Workbook => ("a spreadsheet's own file (xlsx, ods)", "a file that the spreadsheet saved as CSV"),
+            Self::Unclosed => (tr("a quote that is never closed"), tr("a closing quote")),
+            Self::AfterQuote => (tr("text after a closing quote"), tr("a comma after it (a quote within quotes is written twice)")),
+            Self::NotUtf8 => (tr("letters that are not UTF-8"), tr("a file saved as UTF-8")),
+            Self::Utf16 => (tr("a file saved as UTF-16"), tr("a file saved as UTF-8")),
+            Self::Workbook => (tr("a spreadsheet's own file (xlsx, ods)"), tr("a file that the spreadsheet saved as CSV")),
         }
     }
 }

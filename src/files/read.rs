@@ -1,5 +1,6 @@
 //! Reading regular files up to a size.
 
+use crate::words::tr;
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, Read};
 use std::path::Path;
@@ -56,7 +57,7 @@ pub fn open(options: &OpenOptions, path: &Path, links: Symlinks) -> io::Result<(
 }
 
 pub(super) fn no_text() -> io::Error {
-    io::Error::new(io::ErrorKind::InvalidData, "found letters that are not UTF-8, expected a file saved as UTF-8")
+    io::Error::new(io::ErrorKind::InvalidData, tr("found letters that are not UTF-8, expected a file saved as UTF-8"))
 }
 
 /// Whether the path leads to a file that this process was given open.
@@ -69,16 +70,16 @@ pub fn is_passed_on(path: &Path) -> bool {
 pub(super) fn judge(found: &Metadata) -> io::Result<()> {
     let (kind, other) = match found.file_type() {
         kind if kind.is_file() => return Ok(()),
-        kind if kind.is_dir() => (io::ErrorKind::IsADirectory, "found a folder, expected a file"),
-        kind if kind.is_symlink() => (io::ErrorKind::InvalidInput, "found a link, expected a regular file"),
-        _ => (io::ErrorKind::InvalidInput, "found a pipe or a device, expected a regular file"),
+        kind if kind.is_dir() => (io::ErrorKind::IsADirectory, tr("found a folder, expected a file")),
+        kind if kind.is_symlink() => (io::ErrorKind::InvalidInput, tr("found a link, expected a regular file")),
+        _ => (io::ErrorKind::InvalidInput, tr("found a pipe or a device, expected a regular file")),
     };
     Err(io::Error::new(kind, other))
 }
 
 pub(super) fn too_large(bytes: Option<u64>, at_most: u64) -> io::Error {
-    let found = bytes.map_or("more".to_owned(), |bytes| format!("{bytes} bytes"));
-    io::Error::new(io::ErrorKind::FileTooLarge, format!("found {found}, expected at most {at_most} bytes"))
+    let found = bytes.map_or(tr("more").to_owned(), |count| tr!("{count} bytes", count));
+    io::Error::new(io::ErrorKind::FileTooLarge, tr!("found {found}, expected at most {most} bytes", found, most = at_most))
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The rows of a CSV file by the names of their columns, and messages that name file, line and column.
 
 use super::cells::{self, Cell, CellFault};
+use crate::words::tr;
 use std::fmt::Display;
 use std::str::FromStr;
 
@@ -68,7 +69,7 @@ impl CsvRow<'_> {
 
     /// 0 or 1; the error is [`CsvRow::problem`].
     pub fn bit(&self, column: &str) -> Result<bool, String> {
-        self.parse(column, "0 or 1", |bit: &u8| *bit < 2 && self.get(column).len() == 1).map(|bit| bit == 1)
+        self.parse(column, tr("0 or 1"), |bit: &u8| *bit < 2 && self.get(column).len() == 1).map(|bit| bit == 1)
     }
 
     pub fn bad_cell(&self, column: &str, expected: impl Display) -> String {
@@ -77,13 +78,23 @@ impl CsvRow<'_> {
 
     /// `file:line: column "name": found …, expected …`.
     pub fn problem(&self, column: &str, found: impl Display, expected: impl Display) -> String {
-        format!("{}:{}: column {column:?}: found {found}, expected {expected}", self.file.name, self.line)
+        found_instead(&place(self.file.name, self.line, column), found, expected)
     }
 
     /// `file:line: found …, expected …`.
     pub fn row_problem(&self, found: impl Display, expected: impl Display) -> String {
-        format!("{}:{}: found {found}, expected {expected}", self.file.name, self.line)
+        found_instead(&format!("{}:{}", self.file.name, self.line), found, expected)
     }
+}
+
+/// The place of a cell in a message: `file:line: column "name"`.
+pub fn place(file: impl Display, line: usize, column: &str) -> String {
+    tr!("{file}:{line}: column {column}", file, line, column = format_args!("{column:?}"))
+}
+
+/// A problem in a message.
+pub fn found_instead(place: &str, found: impl Display, expected: impl Display) -> String {
+    tr!("{place}: found {found}, expected {expected}", place, found, expected)
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use super::disk::Disk;
 use super::lock::Lock;
 use super::read::{Symlinks, too_large};
 use super::storage::{FileKind, Found, Manner, Storage};
+use crate::words::tr;
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::io;
@@ -117,7 +118,7 @@ fn from(path: &str) -> (usize, String) {
 }
 
 fn ships() -> io::Error {
-    io::Error::new(io::ErrorKind::PermissionDenied, "it comes with the game, and stays as it is")
+    io::Error::new(io::ErrorKind::PermissionDenied, tr("it comes with the game, and stays as it is"))
 }
 
 impl<H: Storage> Storage for AboveShipped<H> {

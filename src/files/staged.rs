@@ -3,6 +3,7 @@
 //! folder removes one without a lock, which a killed process has left.
 
 use super::read::{Symlinks, judge, open};
+use crate::words::tr;
 use std::fs::{self, File, Metadata, OpenOptions, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -161,7 +162,7 @@ pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
         return Ok(path.to_path_buf());
     }
     path.canonicalize().map_err(|error| match error.kind() {
-        io::ErrorKind::NotFound => io::Error::new(io::ErrorKind::NotFound, "a link that leads to no file"),
+        io::ErrorKind::NotFound => io::Error::new(io::ErrorKind::NotFound, tr("a link that leads to no file")),
         _ => error,
     })
 }
@@ -181,7 +182,7 @@ pub fn target(path: &Path, links: Symlinks) -> io::Result<(PathBuf, Option<Metad
         judge(found)?;
         // An administrator could replace read-only files, too.
         if found.permissions().readonly() {
-            return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"));
+            return Err(io::Error::new(io::ErrorKind::PermissionDenied, tr("the file is read-only")));
         }
     }
     Ok((target, found))

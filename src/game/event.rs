@@ -4,6 +4,7 @@ use super::clock::TICK_RATES;
 #[cfg(doc)]
 use super::impacts::{DAMAGING_SPEED, DUST_SPEED};
 use crate::physics::{DVec2, DefError};
+use crate::words::tr;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
@@ -21,6 +22,11 @@ impl Outcome {
             Self::Completed => "completed",
             Self::Failed => "failed",
         }
+    }
+
+    /// For people.
+    pub fn shown(self) -> &'static str {
+        tr(self.name())
     }
 
     pub fn named(name: &str) -> Option<Self> {
@@ -79,7 +85,8 @@ impl std::fmt::Display for GameError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::TickRate(rate) => {
-                write!(f, "{rate} ticks a second, expected {} to {}", TICK_RATES.start(), TICK_RATES.end())
+                let (least, most) = (TICK_RATES.start(), TICK_RATES.end());
+                f.write_str(&tr!("{rate} ticks a second, expected {least} to {most}", rate, least, most))
             }
             Self::World(error) => error.fmt(f),
         }

@@ -10,7 +10,8 @@
 //! with `#` are skipped; CRLF, a byte-order mark and spaces around a cell are accepted.
 
 use super::controls::Controls;
-use crate::files::{CsvFile, CsvRow};
+use crate::files::{CsvFile, CsvRow, found_instead, place};
+use crate::words::tr;
 use csv::WriterBuilder;
 use serde::{Serialize, Serializer};
 use std::fmt;
@@ -63,9 +64,9 @@ impl Inputs {
         let mut rows = CsvFile { name: file, columns: &columns, comments: true }.rows(text.as_bytes());
         match rows.next() {
             Some(row) if row.is_header(columns.len()) && row.used() == columns.len() => {}
-            Some(row) => return Err(BadFile(vec![row.problem("ticks", format_args!("{:?}", row.joined()), HEADER_ROW)])),
+            Some(row) => return Err(BadFile(vec![row.problem("ticks", format_args!("{:?}", row.joined()), header_row())])),
             None => {
-                return Err(BadFile(vec![format!("{file}:1: column \"ticks\": found nothing, expected {HEADER_ROW}")]));
+                return Err(BadFile(vec![found_instead(&place(file, 1, "ticks"), tr("nothing"), header_row())]));
             }
         }
 
@@ -75,16 +76,16 @@ impl Inputs {
             if problems.len() >= MOST_PROBLEMS {
                 problems.push(row.problem(
                     "ticks",
-                    "more problems from here on",
-                    format_args!("at most {MOST_PROBLEMS} in a file"),
+                    tr("more problems from here on"),
+                    tr!("at most {most} in a file", most = MOST_PROBLEMS),
                 ));
                 break;
             }
             let Some(held) = held(&row, &columns, &mut problems) else { continue };
             total += held.ticks;
             if total > MOST_TICKS {
-                let found = format_args!("{total} ticks up to here");
-                problems.push(row.problem("ticks", found, format_args!("at most {MOST_TICKS} in all")));
+                let found = tr!("{total} ticks up to here", total);
+                problems.push(row.problem("ticks", found, tr!("at most {most} in all", most = MOST_TICKS)));
                 break;
             }
             inputs.rows.push(held);
@@ -168,7 +169,9 @@ impl Iterator for Playback {
     }
 }
 
-const HEADER_ROW: &str = "the header ticks,thrust,reverse,left,right";
+fn header_row() -> String {
+    tr!("the header {header}", header = HEADER)
+}
 
 fn held(row: &CsvRow<'_>, columns: &[&str], problems: &mut Vec<String>) -> Option<HeldKeys> {
     let last = columns.len() - 1;
@@ -178,13 +181,13 @@ fn held(row: &CsvRow<'_>, columns: &[&str], problems: &mut Vec<String>) -> Optio
         return None;
     }
     if row.used() != columns.len() {
-        let expected = format_args!("{} cells for {HEADER}", columns.len());
-        problems.push(row.problem(columns[row.used().min(last)], format_args!("{} cells in the row", row.used()), expected));
+        let expected = tr!("{count} cells for {header}", count = columns.len(), header = HEADER);
+        problems.push(row.problem(columns[row.used().min(last)], tr!("{count} cells in the row", count = row.used()), expected));
         return None;
     }
     let before = problems.len();
     let mut noted = |problem| problems.push(problem);
-    let expected = format!("a whole number from 1 to {MOST_TICKS}");
+    let expected = tr!("a whole number from {least} to {most}", least = 1, most = MOST_TICKS);
     let ticks = row.parse("ticks", &expected, |ticks| (1..=MOST_TICKS).contains(ticks)).map_err(&mut noted).unwrap_or(0);
     let mut key = |column| row.bit(column).map_err(&mut noted).unwrap_or(false);
     let controls = Controls { thrust: key("thrust"), reverse: key("reverse"), left: key("left"), right: key("right") };

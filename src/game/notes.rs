@@ -1,5 +1,8 @@
 //! The comments of a record, `# name: value`: their place and their values.
 
+use crate::files::found_instead;
+use crate::words::tr;
+
 /// An hour. The end of a longer flight has its own hash; more hashes would outgrow the file's inputs.
 pub const MOST_SECONDS: usize = 3600;
 
@@ -30,12 +33,14 @@ impl<'a> ReplayNotes<'a> {
             let Some(second) = key.strip_prefix("hash ") else { continue };
             let next = hashes.len() + 1;
             if second.trim() != next.to_string() || next > MOST_SECONDS {
-                let expected = if next > MOST_SECONDS { "no more of them".to_owned() } else { format!("\"hash {next}\"") };
-                self.problems.push(format!("{}:{line}: found {key:?}, expected {expected}", self.file));
+                let expected = if next > MOST_SECONDS { tr("no more of them").to_owned() } else { format!("\"hash {next}\"") };
+                let found = format!("{key:?}");
+                self.problems.push(found_instead(&format!("{}:{line}", self.file), found, expected));
                 break;
             }
             let Some(hash) = hex(value) else {
-                self.problems.push(format!("{}:{line}: {key:?}: found {value:?}, expected 16 hex digits", self.file));
+                let found = format!("{value:?}");
+                self.problems.push(found_instead(&format!("{}:{line}: {key:?}", self.file), found, tr("16 hex digits")));
                 break;
             };
             hashes.push(hash);
@@ -46,7 +51,8 @@ impl<'a> ReplayNotes<'a> {
     /// The value of a required line.
     pub fn find<T>(&mut self, name: &str, expected: &str, read: impl FnOnce(&str) -> Option<T>) -> Option<T> {
         if !self.lines.iter().any(|(_, (key, _))| *key == name) {
-            self.problems.push(format!("{}:1: {name:?}: found no line \"# {name}: …\", expected {expected}", self.file));
+            let found = tr!("no line {line}", line = format_args!("\"# {name}: …\""));
+            self.problems.push(found_instead(&format!("{}:1: {name:?}", self.file), found, expected));
         }
         self.find_any(name, expected, read)
     }
@@ -56,7 +62,8 @@ impl<'a> ReplayNotes<'a> {
         let &(line, (_, value)) = self.lines.iter().find(|(_, (key, _))| *key == name)?;
         let found = read(value);
         if found.is_none() {
-            self.problems.push(format!("{}:{line}: {name:?}: found {value:?}, expected {expected}", self.file));
+            let place = format!("{}:{line}: {name:?}", self.file);
+            self.problems.push(found_instead(&place, format_args!("{value:?}"), expected));
         }
         found
     }

@@ -27,6 +27,7 @@ use super::event::Outcome;
 use super::fingerprint::{LevelHash, level_hash};
 use super::inputs::{BadFile, Inputs};
 use super::notes::{MOST_SECONDS, ReplayNotes, hex, plain, written};
+use crate::words::tr;
 use std::fmt;
 
 pub const PROGRAM: &str = concat!("resultant ", env!("CARGO_PKG_VERSION"));
@@ -78,25 +79,32 @@ pub enum Mismatch {
 
 impl fmt::Display for Mismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Level(recorded, here) => {
-                let (recorded, here) = (recorded.short(), here.short());
-                write!(f, "recorded in a level with the hash {recorded}…, the level of that name here has the hash {here}…")
-            }
-            Self::RunsOn(ended, ticks) => write!(f, "it ends after {ended} ticks, but its keys go on for {ticks}"),
+        f.write_str(&match self {
+            Self::Level(recorded, here) => tr!(
+                "recorded in a level with the hash {recorded}…, the level of that name here has the hash {here}…",
+                recorded = recorded.short(),
+                here = here.short()
+            ),
+            Self::RunsOn(ended, ticks) => tr!("it ends after {ended} ticks, but its keys go on for {ticks}", ended, ticks),
             Self::Second(second, recorded, flown) => {
-                write!(f, "departs in second {second}: recorded hash {recorded:016x} after it, flown {flown:016x}")
+                let (recorded, flown) = (format_args!("{recorded:016x}"), format_args!("{flown:016x}"));
+                tr!("departs in second {second}: recorded hash {recorded} after it, flown {flown}", second, recorded, flown)
             }
             Self::Result { outcome, time } => {
                 let seconds = |thousandths: u64| thousandths as f64 / 1000.0;
-                let recorded = outcome.0.map_or("nothing", Outcome::name);
-                let at = time.0.map(|time| format!(" at {} s", seconds(time))).unwrap_or_default();
-                write!(f, "recorded {recorded}{at}, flown {} at {} s", outcome.1.name(), seconds(time.1))
+                let recorded = outcome.0.map_or(tr("nothing"), Outcome::shown);
+                let at = time.0.map(|time| tr!(" at {time} s", time = seconds(time))).unwrap_or_default();
+                let (flown, time) = (outcome.1.shown(), seconds(time.1));
+                tr!("recorded {recorded}{at}, flown {flown} at {time} s", recorded, at, flown, time)
             }
-            Self::End { score, hash } => {
-                write!(f, "recorded score {} and hash {:016x}, flown score {} and hash {:016x}", score.0, hash.0, score.1, hash.1)
-            }
-        }
+            Self::End { score, hash } => tr!(
+                "recorded score {old} and hash {old_hash}, flown score {new} and hash {new_hash}",
+                old = score.0,
+                old_hash = format_args!("{:016x}", hash.0),
+                new = score.1,
+                new_hash = format_args!("{:016x}", hash.1)
+            ),
+        })
     }
 }
 
@@ -161,17 +169,17 @@ impl Replay {
     /// Errors: as [`Inputs::parse`]; a `# name: value` line that is missing or unreadable.
     pub fn parse(file: &str, text: &str) -> Result<Self, BadFile> {
         let mut notes = ReplayNotes::of(file, text);
-        let program = notes.find_any("program", "a program's name and version", |text| Some(text.to_owned()));
-        let player = notes.find_any("player", "a player's name", plain);
-        let level = notes.find("level", "a level's name", plain);
-        let level_hash = notes.find_any("level_hash", LevelHash::EXPECTED, |text| text.parse().ok());
+        let program = notes.find_any("program", tr("a program's name and version"), |text| Some(text.to_owned()));
+        let player = notes.find_any("player", tr("a player's name"), plain);
+        let level = notes.find("level", tr("a level's name"), plain);
+        let level_hash = notes.find_any("level_hash", tr(LevelHash::EXPECTED), |text| text.parse().ok());
         let within = |rate: &f64| TICK_RATES.contains(rate);
-        let tick_rate = notes.find("tick_rate", "1 to 1000000 ticks a second", |text| text.parse().ok().filter(within));
-        let outcome = notes.find_any("outcome", "completed, failed or running", Outcome::named);
+        let tick_rate = notes.find("tick_rate", tr("1 to 1000000 ticks a second"), |text| text.parse().ok().filter(within));
+        let outcome = notes.find_any("outcome", tr("completed, failed or running"), Outcome::named);
         let passed = |time: &f64| time.is_finite() && *time >= 0.0;
-        let time = notes.find_any("time", "seconds, 0 or more", |text| text.parse().ok().filter(passed));
-        let score = notes.find("score", "points", |text| text.parse().ok());
-        let hash = notes.find("hash", "16 hex digits", hex);
+        let time = notes.find_any("time", tr("seconds, 0 or more"), |text| text.parse().ok().filter(passed));
+        let score = notes.find("score", tr("points"), |text| text.parse().ok());
+        let hash = notes.find("hash", tr("16 hex digits"), hex);
         let seconds = notes.seconds();
         let mut problems = notes.problems;
         let inputs = Inputs::parse(file, text).map_err(|BadFile(found)| problems.extend(found)).ok();

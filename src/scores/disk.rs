@@ -104,7 +104,6 @@ pub(super) fn append(
     patience: Duration,
     (header, line): (&str, &str),
 ) -> Result<Option<PathBuf>, ScoresError> {
-    const ATTEMPT: &str = "add a line";
     let (header, line) = (header.as_bytes(), line.as_bytes());
     let Locked { path, is_link, _lock } = Locked::new(folder, path, patience)?;
     let taken_up: Vec<(PathBuf, Vec<u8>)> = waiting(&path).into_iter().filter(|(_, bytes)| bytes.starts_with(header)).collect();
@@ -116,7 +115,7 @@ pub(super) fn append(
         return Err(ScoresError::ReadOnly(path));
     }
     let mut aside = None;
-    let add = || files::append(&path, header, &lines).map_err(ScoresError::file(ATTEMPT, &path));
+    let add = || files::append(&path, header, &lines).map_err(ScoresError::file("add a line", &path));
     if !add()? {
         if is_link {
             return Err(ScoresError::Foreign(path));

@@ -6,6 +6,7 @@ use super::name::Name;
 use super::origin::RowOrigin;
 use crate::game::{Fingerprint, LevelHash, MOST_SECONDS, Medals, Mismatch, Outcome, PROGRAM, Proof, Replay, ScoreParts, TICK_RATE};
 use crate::level::Level;
+use crate::words::tr;
 use std::fmt;
 use std::sync::Arc;
 
@@ -53,31 +54,35 @@ pub enum Doubt {
 
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Emptied => f.write_str("the row says how it was flown, but its cell for the flight is empty"),
+        f.write_str(&match self {
+            Self::Emptied => tr("the row says how it was flown, but its cell for the flight is empty").to_owned(),
             Self::TooMuch(score, most, time) => {
-                let within = time.map(|time| format!(" in {time} s")).unwrap_or_default();
-                write!(f, "{score} points are more than the {most} that the rules allow{within}")
+                let within = time.map(|time| tr!(" in {time} s", time)).unwrap_or_default();
+                tr!("{score} points are more than the {most} that the rules allow{within}", score, most, within)
             }
-            Self::Twice(name) => write!(f, "its flight stands under the name {name}, too"),
-            Self::Player(player) => write!(f, "its flight was saved by {player}"),
-            Self::Unreadable(problem) => f.write_str(problem),
-            Self::NoLevel => write!(f, "its flight does not say in which level it was flown"),
+            Self::Twice(name) => tr!("its flight stands under the name {name}, too", name),
+            Self::Player(player) => tr!("its flight was saved by {player}", player),
+            Self::Unreadable(problem) => problem.clone(),
+            Self::NoLevel => tr("its flight does not say in which level it was flown").to_owned(),
             Self::Version(row, flight) => {
                 let (row, flight) = (row.short(), flight.short());
-                write!(f, "the row is of version {row}… of the level, its flight of version {flight}…")
+                tr!("the row is of version {row}… of the level, its flight of version {flight}…", row, flight)
             }
-            Self::Score(row, flight) => write!(f, "the row says {row} points, its flight {flight}"),
-            Self::Unfinished(outcome) => write!(f, "its flight is {}, not completed", outcome.name()),
-            Self::Rate(rate) => write!(f, "it was flown at {rate} ticks a second, expected {TICK_RATE}"),
-            Self::TooLong(ticks) => write!(f, "its flight has {ticks} ticks, expected at most {LONGEST}, which is an hour"),
-            Self::Seconds(found, expected) => write!(f, "its flight has the hashes of {found} seconds, expected {expected}"),
+            Self::Score(row, flight) => tr!("the row says {row} points, its flight {flight}", row, flight),
+            Self::Unfinished(outcome) => tr!("its flight is {outcome}, not completed", outcome = outcome.shown()),
+            Self::Rate(rate) => tr!("it was flown at {rate} ticks a second, expected {usual}", rate, usual = TICK_RATE),
+            Self::TooLong(ticks) => {
+                tr!("its flight has {ticks} ticks, expected at most {most}, which is an hour", ticks, most = LONGEST)
+            }
+            Self::Seconds(found, expected) => {
+                tr!("its flight has the hashes of {found} seconds, expected {expected}", found, expected)
+            }
             Self::Flown(mismatch, program) => {
-                let by = program.as_ref().map(|program| format!("; recorded by {program}, this is {PROGRAM}"));
-                write!(f, "{mismatch}{}", by.unwrap_or_default())
+                let by = |program| tr!("; recorded by {program}, this is {here}", program, here = PROGRAM);
+                mismatch.to_string() + &program.as_ref().map(by).unwrap_or_default()
             }
-            Self::Level(problem) => write!(f, "the level cannot be flown: {problem}"),
-        }
+            Self::Level(problem) => tr!("the level cannot be flown: {problem}", problem),
+        })
     }
 }
 

@@ -3,7 +3,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::name::Name;
-use crate::files::CellFault;
+use crate::files::{CellFault, place};
+use crate::words::tr;
 
 /// The most places in a report.
 pub(super) const MOST_DAMAGE: usize = 1000;
@@ -22,11 +23,15 @@ impl<'a> DamageReport<'a> {
     pub fn add(&mut self, line: usize, column: Option<&str>, found: impl Display, expected: impl Display) {
         let path = self.path.display();
         if self.damage.len() < MOST_DAMAGE {
-            let column = column.map(|column| format!("column \"{column}\": ")).unwrap_or_default();
-            self.damage.push(format!("{path}:{line}: {column}{found}, expected {expected}"));
+            let place = column.map_or_else(|| format!("{path}:{line}"), |column| place(&path, line, column));
+            self.damage.push(tr!("{place}: {found}, expected {expected}", place, found, expected));
         } else if self.damage.len() == MOST_DAMAGE {
-            let most = format!("expected at most {MOST_DAMAGE} in a file; from here on they are not listed");
-            self.damage.push(format!("{path}:{line}: one more place that cannot be read, {most}"));
+            let (place, most) = (format_args!("{path}:{line}"), MOST_DAMAGE);
+            self.damage.push(tr!(
+                "{place}: one more place that cannot be read, expected at most {most} in a file; from here on they are not listed",
+                place,
+                most
+            ));
         }
     }
 
@@ -37,7 +42,7 @@ impl<'a> DamageReport<'a> {
 
     /// The name in a cell, or a line of the report.
     pub fn name(&mut self, line: usize, column: &str, cell: &str) -> Option<Name> {
-        let refused = |error| self.add(line, Some(column), format_args!("{cell:?}"), format_args!("a user name: {error}"));
+        let refused = |error| self.add(line, Some(column), format_args!("{cell:?}"), tr!("a user name: {error}", error));
         Name::new(cell).map_err(refused).ok()
     }
 
@@ -78,26 +83,30 @@ impl ScoresError {
 
 impl fmt::Display for ScoresError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoScore => write!(f, "a score of 0 cannot be saved, expected 1 or more"),
-            Self::LevelName(name) => {
-                write!(
-                    f,
-                    "the level's name {name:?} cannot name a scores file, expected a name without / \\ : and control characters, other than players and attempts"
-                )
+        f.write_str(&match self {
+            Self::NoScore => tr("a score of 0 cannot be saved, expected 1 or more").to_owned(),
+            Self::LevelName(name) => tr!(
+                "the level's name {name} cannot name a scores file, expected a name without / \\ : and control characters, other than players and attempts",
+                name = format_args!("{name:?}")
+            ),
+            Self::ReadOnly(path) => {
+                tr!("{path}: the file is read-only, expected one that may be replaced", path = path.display())
             }
-            Self::ReadOnly(path) => write!(f, "{}: the file is read-only, expected one that may be replaced", path.display()),
-            Self::Busy(path) => {
-                let path = path.display();
-                write!(f, "{path}: another program is saving there and does not come to an end; nothing was saved, try again")
-            }
-            Self::Foreign(path) => {
-                write!(f, "{}: a link leads to this file, which holds other lines, expected a list of such rows", path.display())
-            }
+            Self::Busy(path) => tr!(
+                "{path}: another program is saving there and does not come to an end; nothing was saved, try again",
+                path = path.display()
+            ),
+            Self::Foreign(path) => tr!(
+                "{path}: a link leads to this file, which holds other lines, expected a list of such rows",
+                path = path.display()
+            ),
             Self::Full(path) => {
-                write!(f, "{}: the file is full, expected one that stays below {} bytes", path.display(), crate::files::SCORES)
+                let most = crate::files::SCORES;
+                tr!("{path}: the file is full, expected one that stays below {most} bytes", path = path.display(), most)
             }
-            Self::File { attempt, path, source } => write!(f, "{}: cannot {attempt}: {source}", path.display()),
-        }
+            Self::File { attempt, path, source } => {
+                tr!("{path}: cannot {attempt}: {source}", path = path.display(), attempt = tr(attempt), source)
+            }
+        })
     }
 }

@@ -1,6 +1,7 @@
 //! The origin of a leaderboard's row: flight, version of the level, program. Older rows have none.
 
 use crate::game::{LevelHash, Replay};
+use crate::words::tr;
 
 /// Columns, in the order in which a save adds them.
 const FLIGHT: &str = "flight";
@@ -45,7 +46,11 @@ impl RowOrigin {
         Some(if plain {
             Ok(name)
         } else {
-            Err(format!("found the flight {name:?}, expected a file's name such as ann-17342-0123456789abcdef{ENDING}"))
+            Err(tr!(
+                "found the flight {name}, expected a file's name such as {example}",
+                name = format_args!("{name:?}"),
+                example = format_args!("ann-17342-0123456789abcdef{ENDING}")
+            ))
         })
     }
 }

@@ -20,6 +20,7 @@ use super::error::DamageReport;
 use super::name::Name;
 use crate::files::{CsvFile, CsvRow, csv_line};
 use crate::game::{Medal, Medals};
+use crate::words::tr;
 
 const FILE: CsvFile<'_> = CsvFile { name: "", columns: &["player", "level", "time", "medal", "mark"], comments: false };
 /// The columns of files from before medals.
@@ -157,7 +158,12 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> (Players, Vec<String>) {
 fn take(players: &mut Players, row: &CsvRow<'_>, damage: &mut DamageReport<'_>) {
     let (line, used, most) = (row.line, row.used(), FILE.columns.len());
     if used > most {
-        return damage.add(line, None, format!("{used} cells"), format!("at most {most}: {}", FILE.header()));
+        return damage.add(
+            line,
+            None,
+            tr!("{count} cells", count = used),
+            tr!("at most {most}: {header}", most, header = FILE.header()),
+        );
     }
     let Some(name) = damage.name(line, "player", row.get("player")) else { return };
     let (level, time) = (unharmed(row.get("level")), row.get("time"));
@@ -166,28 +172,28 @@ fn take(players: &mut Players, row: &CsvRow<'_>, damage: &mut DamageReport<'_>) 
     if level.is_empty() {
         let beside = [("time", time), ("medal", medal), ("mark", mark)].into_iter().find(|(_, cell)| !cell.is_empty());
         if let Some((what, _)) = beside {
-            damage.add(line, Some("level"), format!("nothing beside a {what}"), "a level's name");
+            damage.add(line, Some("level"), tr!("nothing beside a {column}", column = what), tr("a level's name"));
         } else {
             players.player(&name);
         }
         return;
     }
     if seconds.is_none() && !time.is_empty() {
-        return damage.add(line, Some("time"), format!("{time:?}"), "seconds such as 12.5, 0 or more, or nothing");
+        return damage.add(line, Some("time"), format_args!("{time:?}"), tr("seconds such as 12.5, 0 or more, or nothing"));
     }
     let medal = match Medal::ALL.into_iter().find(|known| known.name().eq_ignore_ascii_case(medal)) {
         Some(medal) => medal,
         None if medal.is_empty() => Medal::Bronze,
-        None => return damage.add(line, Some("medal"), format!("{medal:?}"), "bronze, silver, gold or nothing"),
+        None => return damage.add(line, Some("medal"), format_args!("{medal:?}"), tr("bronze, silver, gold or nothing")),
     };
     let mark = match mark.to_ascii_uppercase().as_str() {
         "TRUE" => true,
         "FALSE" | "" => false,
-        _ => return damage.add(line, Some("mark"), format!("{mark:?}"), "TRUE, FALSE or nothing"),
+        _ => return damage.add(line, Some("mark"), format_args!("{mark:?}"), tr("TRUE, FALSE or nothing")),
     };
     if players.get(&name).is_some_and(|player| player.medals(level).medal.is_some()) {
-        let found = format!("\"{name}\" in level {level:?} again");
-        damage.add(line, Some("level"), found, "one row a player and level: the best of both counts");
+        let found = tr!("{player} in level {level} again", player = format_args!("\"{name}\""), level = format_args!("{level:?}"));
+        damage.add(line, Some("level"), found, tr("one row a player and level: the best of both counts"));
     }
     players.player(&name).complete(level, Done { time: seconds, medal, mark });
 }

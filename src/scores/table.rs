@@ -10,6 +10,7 @@ use super::board::{Board, BoardRow};
 use super::error::DamageReport;
 use super::name::Name;
 use crate::files::{CsvFile, CsvRow, csv_line};
+use crate::words::tr;
 
 const FILE: CsvFile<'_> = CsvFile { name: "", columns: &["name", "score"], comments: false };
 
@@ -46,7 +47,12 @@ impl BoardReading<'_> {
             return self.damage.fault(line, fault);
         }
         if row.cells.len() < FILE.columns.len() {
-            return self.damage.add(line, None, "1 cell", "at least 2: name,score");
+            return self.damage.add(
+                line,
+                None,
+                tr("1 cell"),
+                tr!("at least {least}: {header}", least = FILE.columns.len(), header = FILE.header()),
+            );
         }
         let more: Vec<String> = row.cells.iter().skip(FILE.columns.len()).map(|cell| cell.text.clone()).collect();
         // Both names count: a user may be called "name".
@@ -58,7 +64,7 @@ impl BoardReading<'_> {
         let score = row.get("score");
         let valid_score = points(score);
         if valid_score.is_none() {
-            self.damage.add(line, Some("score"), format!("{score:?}"), "a whole number of 1 or more, digits only");
+            self.damage.add(line, Some("score"), format_args!("{score:?}"), tr("a whole number of 1 or more, digits only"));
         }
         if let (Some(name), Some(score)) = (valid_name, valid_score) {
             self.row(line, BoardRow { name, score, more });
@@ -73,11 +79,11 @@ impl BoardReading<'_> {
             }
             Entry::Occupied(place) => {
                 let (index, earlier) = *place.get();
-                let found = format!("\"{}\" again, after line {earlier}", row.name);
+                let found = tr!("{name} again, after line {earlier}", name = format_args!("\"{}\"", row.name), earlier);
                 if row.score > self.rows[index].score {
                     self.rows[index] = row;
                 }
-                self.damage.add(line, Some("name"), found, "one row a user: the higher score counts");
+                self.damage.add(line, Some("name"), found, tr("one row a user: the higher score counts"));
             }
         }
     }

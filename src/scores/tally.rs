@@ -5,6 +5,7 @@ use super::name::Name;
 use super::players::unharmed;
 use super::results;
 use crate::files::{CsvFile, CsvRow};
+use crate::words::tr;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 #[derive(Clone, Debug, Default)]
@@ -111,7 +112,7 @@ fn text(row: &CsvRow<'_>, column: &str) -> Result<String, String> {
 }
 
 fn player(row: &CsvRow<'_>) -> Result<Name, String> {
-    Name::new(row.get("player")).map_err(|error| row.bad_cell("player", format_args!("a user name: {error}")))
+    Name::new(row.get("player")).map_err(|error| row.bad_cell("player", tr!("a user name: {error}", error)))
 }
 
 /// The index of a word, in any case of its letters: a spreadsheet writes TRUE for true.

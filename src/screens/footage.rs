@@ -104,7 +104,7 @@ pub fn record(visit: &Visit, candidate: &FlightCandidate, scores: &Scores, level
 /// It cannot be read, in words.
 pub fn read(visit: &Visit, source: &FlightSource, scores: &Scores) -> Result<Replay, String> {
     Ok(match source {
-        FlightSource::Flown => visit.flown.as_ref().map(|flown| flown.replay.clone()).ok_or("there is no flight")?,
+        FlightSource::Flown => visit.flown.as_ref().map(|flown| flown.replay.clone()).ok_or(tr("there is no flight"))?,
         FlightSource::Level(path) => {
             let named = path.display().to_string();
             let text = read_text(path, INPUTS).map_err(|error| format!("{named}: {error}"))?;
@@ -112,7 +112,7 @@ pub fn read(visit: &Visit, source: &FlightSource, scores: &Scores) -> Result<Rep
         }
         FlightSource::Code(code) => Replay::from_code(code)?,
         FlightSource::Row(origin) => {
-            scores.flight(&visit.level, origin).ok_or("the row names no flight")?.map_err(|problems| first_line(&problems))?
+            scores.flight(&visit.level, origin).ok_or(tr("the row names no flight"))?.map_err(|problems| first_line(&problems))?
         }
     })
 }

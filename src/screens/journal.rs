@@ -194,7 +194,7 @@ impl Journal {
         }
         while let Some(attempt) = self.attempts.front() {
             if let Some(kept) = self.scores.append_within(patience, attempt)? {
-                remark = Some(format!("attempts.csv did not begin with its columns: it was kept as {}.", kept.display()));
+                remark = Some(tr!("attempts.csv did not begin with its columns: it was kept as {path}.", path = kept.display()));
             }
             self.attempts.pop_front();
         }

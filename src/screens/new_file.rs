@@ -1,6 +1,7 @@
 //! A new file in a folder, whole or not at all, that never takes the place of another one.
 
 use crate::files::{self, read_text};
+use crate::words::tr;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -43,7 +44,9 @@ impl NewFile {
         if let Some(path) = self.handed_out(folder) {
             return Ok(path);
         }
-        let refused = |path: &Path, error: &io::Error| format!("{}: cannot keep {}: {error}", path.display(), self.what);
+        let refused = |path: &Path, error: &io::Error| {
+            tr!("{path}: cannot keep {what}: {error}", path = path.display(), what = self.what, error)
+        };
         files::make_folder(folder).map_err(|error| refused(folder, &error))?;
         for number in 1..=MOST_OF_A_NAME {
             let count = if number > 1 { format!("-{number}") } else { String::new() };
@@ -57,7 +60,7 @@ impl NewFile {
                 Err(error) => return Err(refused(&path, &error)),
             }
         }
-        Err(format!("{}: there are too many files of that name", folder.display()))
+        Err(tr!("{path}: there are too many files of that name", path = folder.display()))
     }
 
     /// A page has no folder that the player could open: the browser puts the file among the downloads.

@@ -2,6 +2,7 @@
 //! places, and no row is of no use.
 
 use super::sources::{files, root};
+use resultant::game::Outcome;
 use resultant::level::schema::{Kind, SETTINGS};
 use resultant::physics::ForceKind;
 use resultant::settings::{Action, Item, Key};
@@ -10,7 +11,8 @@ use std::collections::BTreeSet;
 use std::fs;
 
 /// Calls whose words are looked up.
-const CALLS: [&str; 8] = ["tr(", "tr!(", "ui.page(", "ui.button(", "ui.buttons(", "ui.row(", "ui.column(", "ui.choice("];
+const CALLS: [&str; 9] =
+    ["tr(", "tr!(", "ui.page(", "ui.button(", "ui.buttons(", "ui.row(", "ui.column(", "ui.choice(", "ScoresError::file("];
 
 /// The string literals of a source, without its tests: where each begins and ends, and its text.
 fn literals(source: &str) -> Vec<(usize, usize, String)> {
@@ -153,6 +155,7 @@ fn every_text_stands_in_every_catalogue() {
     let mut wanted: BTreeSet<String> =
         sources().iter().flat_map(|source| looked_up(source)).filter(|text| has_words(text)).collect();
     wanted.extend(shown_by_files());
+    wanted.extend([Outcome::Running, Outcome::Completed, Outcome::Failed].map(|outcome| outcome.name().to_owned()));
     wanted.extend(Action::ALL.map(|action| action.label().to_owned()));
     wanted.extend(Item::ALL.map(|item| item.label().to_owned()));
     wanted.extend(Kind::ALL.iter().map(|kind| kind.name().to_owned()));
