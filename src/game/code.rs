@@ -18,6 +18,7 @@ use super::event::Outcome;
 use super::fingerprint::LevelHash;
 use super::inputs::Inputs;
 use super::replay::{PROGRAM, Replay};
+use crate::words::tr;
 use base64::Engine;
 use base64::prelude::BASE64_URL_SAFE_NO_PAD;
 use sha2::{Digest, Sha256};
@@ -35,18 +36,18 @@ impl Replay {
     /// game or lacks what a code has to say.
     pub fn code(&self) -> Result<String, String> {
         let (Some(LevelHash::Sha256(level)), Some(outcome), Some(time)) = (self.level_hash, self.outcome, self.time) else {
-            return Err("found a record without its level's hash, its end or its time, expected one of this version".to_owned());
+            return Err(tr("found a record without its level's hash, its end or its time, expected one of this version").to_owned());
         };
         if self.tick_rate != TICK_RATE {
-            return Err(format!("found {} ticks a second, expected the game's {TICK_RATE}", self.tick_rate));
+            return Err(tr!("found {rate} ticks a second, expected the game's {usual}", rate = self.tick_rate, usual = TICK_RATE));
         }
         lasts(self.inputs.ticks())?;
         let mut bytes = vec![VERSION];
         bytes.extend(level);
         let player = self.player.as_deref().unwrap_or_default();
         for text in [&self.level, player, self.program.as_deref().unwrap_or(PROGRAM)] {
-            let length =
-                u8::try_from(text.len()).map_err(|_| format!("found a name of {} bytes, expected at most 255", text.len()))?;
+            let length = u8::try_from(text.len())
+                .map_err(|_| tr!("found a name of {count} bytes, expected at most 255", count = text.len()))?;
             bytes.push(length);
             bytes.extend(text.as_bytes());
         }
@@ -61,9 +62,10 @@ impl Replay {
         bytes.extend(&check[..CHECK]);
         let code = BASE64_URL_SAFE_NO_PAD.encode(bytes);
         if code.len() > LONGEST {
-            return Err(format!(
-                "found {} characters, expected at most {LONGEST}: too many changes of keys; keep it as a file",
-                code.len()
+            return Err(tr!(
+                "found {count} characters, expected at most {most}: too many changes of keys; keep it as a file",
+                count = code.len(),
+                most = LONGEST
             ));
         }
         Ok(code)
@@ -74,24 +76,25 @@ impl Replay {
     pub fn from_code(text: &str) -> Result<Self, String> {
         let text = text.trim();
         if text.len() > LONGEST {
-            return Err(format!("found {} characters, expected at most {LONGEST}", text.len()));
+            return Err(tr!("found {count} characters, expected at most {most}", count = text.len(), most = LONGEST));
         }
-        let altered = "it is cut or altered: its last characters do not fit the others";
+        let altered = tr("it is cut or altered: its last characters do not fit the others");
         let known = |letter: char| letter.is_ascii_alphanumeric() || matches!(letter, '-' | '_');
         if let Some(other) = text.chars().find(|letter| !known(*letter)) {
-            return Err(format!("found {other:?}, expected the letters, digits, - and _ of a flight's code"));
+            let letter = format_args!("{other:?}");
+            return Err(tr!("found {letter}, expected the letters, digits, - and _ of a flight's code", letter));
         }
         let bytes = BASE64_URL_SAFE_NO_PAD.decode(text).map_err(|_| altered)?;
         match bytes.first() {
             Some(&VERSION) => {}
-            Some(other) => return Err(format!("found a code of version {other}, expected version {VERSION}")),
-            None => return Err("found nothing, expected the text of a flight's code".to_owned()),
+            Some(other) => return Err(tr!("found a code of version {other}, expected version {usual}", other, usual = VERSION)),
+            None => return Err(tr("found nothing, expected the text of a flight's code").to_owned()),
         }
         let (said, check) = bytes.split_at_checked(bytes.len().saturating_sub(CHECK)).ok_or(altered)?;
         if Sha256::digest(said)[..CHECK] != *check {
             return Err(altered.to_owned());
         }
-        let replay = Rest(&said[1..]).replay().ok_or("found a flight that no game has written")?;
+        let replay = Rest(&said[1..]).replay().ok_or(tr("found a flight that no game has written"))?;
         lasts(replay.inputs.ticks())?;
         Ok(replay)
     }
@@ -99,7 +102,7 @@ impl Replay {
 
 fn lasts(ticks: u64) -> Result<(), String> {
     match ticks > MOST_TICKS {
-        true => Err(format!("found a flight of {ticks} ticks, expected at most {MOST_TICKS}")),
+        true => Err(tr!("found a flight of {ticks} ticks, expected at most {most}", ticks, most = MOST_TICKS)),
         false => Ok(()),
     }
 }
