@@ -129,7 +129,8 @@ impl Theatre {
 
     /// The line that F3 shows: frames a second, and what a tick costs.
     fn figures(&self) -> String {
-        format!("{:>3.0} fps  tick {:.1} µs", 1.0 / self.frame_cost, self.tick_cost * 1e6)
+        let rate = format_args!("{:>3.0}", 1.0 / self.frame_cost);
+        tr!("{rate} fps  tick {cost} µs", rate, cost = format_args!("{:.1}", self.tick_cost * 1e6))
     }
 
     /// Ends the frame for the ear: buttons, and the tune that belongs to the screen.

@@ -10,6 +10,7 @@ use crate::level::ship_body;
 use crate::number::fixed;
 use crate::physics::{Aabb, BodyId, DVec2, ForceKind, Source};
 use crate::view::hud::HudLayout;
+use crate::words::tr;
 
 /// The colours of bodies, solid surfaces and zones.
 const BODY: Colour = Colour::hex(0x7CFF6B);
@@ -90,9 +91,10 @@ pub fn figures_area(game: &Game, frame: &Frame) -> Area {
 /// The engine's counts, a line each: the paths of the bodies through the last tick, and the interventions of its guards.
 fn counts(game: &Game) -> Vec<String> {
     let world = game.world();
-    let methods: Vec<String> = world.methods().all().filter(|(_, n)| *n > 0).map(|(name, n)| format!("{n} {name}")).collect();
-    let methods = (!methods.is_empty()).then(|| format!("bodies: {}", methods.join(", ")));
-    let guards = world.guards().all().filter(|(_, n)| *n > 0).map(|(name, n)| format!("guard {}: {n}", name.replace('_', " ")));
+    let methods: Vec<String> = world.methods().all().filter(|(_, n)| *n > 0).map(|(name, n)| format!("{n} {}", tr(name))).collect();
+    let methods = (!methods.is_empty()).then(|| tr!("bodies: {counts}", counts = methods.join(", ")));
+    let guard = |(name, count): (&str, u64)| tr!("guard {name}: {count}", name = tr(&name.replace('_', " ")), count);
+    let guards = world.guards().all().filter(|(_, n)| *n > 0).map(guard);
     methods.into_iter().chain(guards).collect()
 }
 
@@ -101,7 +103,7 @@ fn draw_figures(game: &Game, figures: &str, canvas: &Canvas) {
     let ship = game.world().body(SHIP);
     let DVec2 { x, y } = ship.position;
     let angle = fixed(game.ship().angle, 1);
-    let place = format!("tick {}  ship {}, {} m  {angle}°", game.ticks(), fixed(x, 3), fixed(y, 3));
+    let place = tr!("tick {count}  ship {x}, {y} m  {angle}°", count = game.ticks(), x = fixed(x, 3), y = fixed(y, 3), angle);
     let (line, area) = (canvas.line_height(DETAILS), figures_area(game, canvas.frame()));
     canvas.rounded(area, GRID, theme::ground().faded(0.8));
     for (i, text) in [figures.to_owned(), place].into_iter().chain(counts(game)).enumerate() {

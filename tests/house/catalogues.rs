@@ -4,7 +4,7 @@
 use super::sources::{files, root};
 use resultant::game::Outcome;
 use resultant::level::schema::{Kind, SETTINGS};
-use resultant::physics::ForceKind;
+use resultant::physics::{ForceKind, Guards, Methods};
 use resultant::settings::{Action, Item, Key};
 use resultant::words::{Language, rows};
 use std::collections::BTreeSet;
@@ -146,6 +146,13 @@ fn is_quantity(text: &str) -> bool {
     words.clone().all(|word| UNITS.contains(&word))
 }
 
+/// The engine's names of its methods and guards, as F3 shows them.
+fn shown_by_engine() -> impl Iterator<Item = String> {
+    let (methods, guards) = (Methods::default(), Guards::default());
+    let names = methods.all().map(|(name, _)| name).chain(guards.all().map(|(name, _)| name));
+    names.map(|name| name.replace('_', " ")).collect::<Vec<_>>().into_iter()
+}
+
 fn catalogues() -> [(Language, Vec<(String, String)>); 2] {
     [Language::German, Language::French].map(|language| (language, rows(language)))
 }
@@ -155,6 +162,7 @@ fn every_text_stands_in_every_catalogue() {
     let mut wanted: BTreeSet<String> =
         sources().iter().flat_map(|source| looked_up(source)).filter(|text| has_words(text)).collect();
     wanted.extend(shown_by_files());
+    wanted.extend(shown_by_engine());
     wanted.extend([Outcome::Running, Outcome::Completed, Outcome::Failed].map(|outcome| outcome.name().to_owned()));
     wanted.extend(Action::ALL.map(|action| action.label().to_owned()));
     wanted.extend(Item::ALL.map(|item| item.label().to_owned()));
@@ -179,6 +187,7 @@ fn every_text_stands_in_every_catalogue() {
 fn every_row_is_of_use_and_keeps_its_places() {
     let mut known: BTreeSet<String> = sources().iter().flat_map(|source| literals(source)).map(|(.., text)| text).collect();
     known.extend(shown_by_files());
+    known.extend(shown_by_engine());
     known.extend(Key::ALL.iter().map(|key| key.label()));
     for folder in ["experiments", "docs/charts"] {
         for path in files(&root().join(folder), &["csv"]) {
