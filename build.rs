@@ -1,4 +1,4 @@
-//! Lists the levels, experiments and assets of the repository as Rust, so that the program has them built in (`src/files/shipped.rs`),
+//! Lists the levels, experiments and assets of the repository as Rust, so that the program has them built in (`src/built_in.rs`),
 //! and names the browser's target `browser`.
 
 use std::env;

@@ -17,6 +17,7 @@ mod shipped;
 mod staged;
 mod storage;
 
+pub use crate::built_in::SHIPPED;
 pub use cells::{Cell, CellFault, SpannedRow, csv_line, encoded, rows as csv_rows};
 pub use disk::Disk;
 pub use home::{
@@ -29,7 +30,7 @@ pub use kept::{Keeper, KeepingFault, PageFiles};
 pub use lock::{Lock, PATIENCE, pauses, share};
 pub use read::{Symlinks, is_passed_on, open};
 pub use rows::{CsvFile, CsvRow, found_instead, place};
-pub use shipped::{AboveShipped, SHIPPED, ship_at};
+pub use shipped::{AboveShipped, ship_at};
 pub use staged::{Replacement, around, behind_links, sync_folder, target};
 pub use storage::{FileKind, Found, Manner, Storage};
 

@@ -25,6 +25,7 @@
 #![deny(unsafe_code)]
 
 pub mod autopilot;
+mod built_in;
 pub mod classics;
 pub mod cli;
 pub mod daily;

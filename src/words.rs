@@ -3,7 +3,7 @@
 //!
 //! Templates have named places: `tr!("{count} levels in {name}", count = 3, name)`. Each language orders them as it likes.
 
-use crate::files::SHIPPED;
+use crate::built_in::SHIPPED;
 use std::cell::Cell;
 use std::collections::HashMap;
 use std::fmt::Display;

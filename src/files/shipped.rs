@@ -5,6 +5,7 @@ use super::disk::Disk;
 use super::lock::Lock;
 use super::read::{Symlinks, too_large};
 use super::storage::{FileKind, Found, Manner, Storage};
+use crate::built_in::SHIPPED;
 use crate::words::tr;
 use std::collections::BTreeSet;
 use std::ffi::OsString;
@@ -12,9 +13,6 @@ use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::sync::OnceLock;
 use std::time::Duration;
-
-/// The bytes by their paths from the project's folder, with forward slashes.
-pub static SHIPPED: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/shipped.rs"));
 
 static ABOVE_SHIPPED: OnceLock<AboveShipped<Disk>> = OnceLock::new();
 
