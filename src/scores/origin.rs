@@ -43,14 +43,9 @@ impl RowOrigin {
         let plain = name.ends_with(ENDING)
             && !name.starts_with('.')
             && name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.'));
-        Some(if plain {
-            Ok(name)
-        } else {
-            Err(tr!(
-                "found the flight {name}, expected a file's name such as {example}",
-                name = format_args!("{name:?}"),
-                example = format_args!("ann-17342-0123456789abcdef{ENDING}")
-            ))
-        })
+        let example = format!("ann-17342-0123456789abcdef{ENDING}");
+        let refused =
+            || tr!("found the flight {name}, expected a file's name such as {example}", name = format_args!("{name:?}"), example);
+        Some(if plain { Ok(name) } else { Err(refused()) })
     }
 }
