@@ -148,7 +148,7 @@ impl Observer {
         match (self.frozen, pace == 1.0) {
             (true, _) => {
                 let at = seconds(ticks.cast_signed(), rate);
-                Some(tr!("Frozen at {at} s: {freeze} goes on, “{on}” a tick on, “{back}” a tick back", at, freeze, on, back))
+                Some(tr!("Frozen at {at} s: [{freeze}] goes on, [{on}] a tick on, [{back}] a tick back", at, freeze, on, back))
             }
             (false, false) => Some(tr!("{how} as fast: {slower} slower, {faster} faster", how, slower, faster)),
             (false, true) => None,

@@ -41,7 +41,8 @@ pub struct Ui<'a> {
     /// Whether widgets leave the keys to the screen.
     by_pointer: bool,
     /// Words beside the pointer.
-    tip: Option<String>,
+    /// Its words, and the foot of its box where it has a place of its own.
+    tip: Option<(String, Option<f32>)>,
 }
 
 /// The parts of a pass outside the screen's memory.

@@ -2,7 +2,7 @@
 
 use crate::lesson::experiment;
 use crate::sitting::{Sitting, says};
-use resultant::draw::layout::Vec2;
+use resultant::draw::layout::{Frame, Vec2};
 use resultant::physics::DVec2;
 use resultant::screens::{Input, Instrument, Key};
 
@@ -264,4 +264,26 @@ fn a_swing_on_a_spring_keeps_the_sum_of_its_bars() {
     let sum: f64 = values.iter().sum();
     assert_eq!(bars[2].name, "Elastic");
     assert!(values[2] > 0.0 && values[3].abs() < 1e-6 * sum, "{values:?}");
+}
+
+#[test]
+fn in_a_small_window_one_large_panel_is_open_above_the_line_about_the_time() {
+    let mut sitting = experiment("bounce");
+    sitting.frame = Frame::of_window(Vec2::new(900.0, 500.0));
+    sitting.wait(0.5).press(Key::I);
+    sitting.click("Plot").press(Key::B).rest();
+    let tools = [Instrument::StopClock, Instrument::Figures, Instrument::Vary];
+    for tool in tools {
+        sitting.click(tool.name()).rest();
+        let instruments = sitting.flight().instruments();
+        assert!(tools.iter().all(|other| instruments.uses(*other) == (*other == tool)), "{tool:?} alone");
+        let panels: Vec<_> = instruments.measures().areas().chain(instruments.vary_area()).collect();
+        let sign = sitting.place(&sitting.line("Frozen at"));
+        assert_eq!(panels.len(), 1);
+        assert!(panels[0].min.y >= 0.0 && panels[0].max().y < sign.y - 10.0, "{tool:?}: {:?} above {sign}", panels[0]);
+    }
+    sitting.frame = Frame::default();
+    sitting.rest();
+    sitting.click(Instrument::Figures.name());
+    assert!(tools[1..].iter().all(|tool| sitting.flight().instruments().uses(*tool)), "where there is room they stand together");
 }

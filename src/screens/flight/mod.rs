@@ -94,7 +94,7 @@ impl Screen for Flight {
             _ if self.pause.is_some() => None,
             _ => self.go_on(&rest, ui.spectator),
         };
-        self.read_instruments();
+        self.read_instruments(&ui.frame());
         if !self.is_watched() {
             self.draw_signs(ui.canvas());
         }
@@ -255,7 +255,8 @@ impl Flight {
         None
     }
 
-    fn stage(&self) -> Stage<'_> {
+    /// As the instruments see it in that frame.
+    fn stage(&self, frame: &Frame) -> Stage<'_> {
         Stage {
             game: &self.game,
             history: &self.history,
@@ -263,6 +264,7 @@ impl Flight {
             varied: (!self.is_watched()).then(|| self.varied()),
             seekable: self.is_watched() || self.observer.frozen() || self.game.outcome() != Outcome::Running,
             before: self.before(),
+            sign: if self.is_watched() { 0.0 } else { self.time_room(frame) },
         }
     }
 
@@ -270,15 +272,15 @@ impl Flight {
     fn show_instruments(&mut self, ui: &mut Ui<'_>) -> Input {
         let mut instruments = std::mem::take(&mut self.instruments);
         let whole = ui.frame();
-        let rest = instruments.show(ui, self.above_controls(&whole), &self.stage());
+        let rest = instruments.show(ui, self.above_controls(&whole), &self.stage(&whole));
         self.instruments = instruments;
         Input { frame: whole, ..rest }
     }
 
     /// Reads the moment on the screen, at the end of its frame.
-    fn read_instruments(&mut self) {
+    fn read_instruments(&mut self, frame: &Frame) {
         let mut instruments = std::mem::take(&mut self.instruments);
-        instruments.read(&self.stage());
+        instruments.read(&self.stage(frame));
         self.instruments = instruments;
     }
 

@@ -25,14 +25,19 @@ impl Flight {
         let words = ended.or_else(|| self.observer.words(self.game.ticks(), self.game.tick_rate()));
         let words = words.or_else(|| self.rewind_words(self.observer.keys()))?;
         let size = sign_size(&words, frame);
+        let top = self.instruments.room(frame).size.y - self.time_room(frame);
+        Some((words, Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size }))
+    }
+
+    /// From the foot of the flight up to the top of that sign, whether there is one or not.
+    pub(super) fn time_room(&self, frame: &Frame) -> f32 {
         let above = match (self.test, self.game.level().ship_plays()) {
             // The words on a test flight stand there.
             (true, _) => 1.5 * ABOVE_FUEL,
             (false, true) => ABOVE_FUEL,
             (false, false) => GRID,
         };
-        let foot = self.instruments.room(frame).size.y;
-        Some((words, Area { min: Vec2::new((frame.size.x - size.x) / 2.0, foot - above - size.y), size }))
+        above + sign_size("", frame).y
     }
 
     /// The place of the words on a test flight.

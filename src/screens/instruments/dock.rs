@@ -18,15 +18,19 @@ pub fn rail(frame: &Frame) -> Vec<Area> {
     (0..Tool::ALL.len()).map(button).collect()
 }
 
+/// Where panels end: above the fuel bar and above `sign`, the room that signs need at the frame's foot.
+pub fn foot(frame: &Frame, sign: f32) -> f32 {
+    HudLayout::new(frame).fuel.min.y.min(frame.size.y - sign) - GRID
+}
+
 /// Panels one below the other from the foot of the rail on, in as many columns as it takes; the first has the rail above it.
-pub fn dock(frame: &Frame, rail: &[Area], sizes: &[Vec2]) -> Vec<Area> {
+pub fn dock(foot: f32, rail: &[Area], sizes: &[Vec2]) -> Vec<Area> {
     let (Some(first), Some(last)) = (rail.first(), rail.last()) else { return Vec::new() };
-    let foot = HudLayout::new(frame).fuel.min.y - GRID;
     let mut at = Vec2::new(first.min.x, last.max().y + GRID);
     let mut widest = last.size.x;
     let place = |size: &Vec2| {
-        if at.y + size.y > foot && at.y > first.min.y {
-            at = Vec2::new(at.x + widest + GRID, first.min.y);
+        if at.y + size.y > foot {
+            at = Vec2::new(at.x + widest + GRID, first.min.y.min(foot - size.y).max(GRID));
             widest = 0.0;
         }
         let area = Area { min: at, size: *size };
@@ -71,7 +75,7 @@ mod tests {
             let frame = Frame::of_window(Vec2::new(w, h)).with_text(text);
             let rail: Vec<Area> = (0..8).map(|i| Area::new(16.0, 110.0 + 34.0 * i as f32, 150.0, 30.0)).collect();
             let sizes = [Vec2::new(200.0, 50.0), Vec2::new(240.0, 100.0), Vec2::new(360.0, 400.0)];
-            let areas = dock(&frame, &rail, &sizes);
+            let areas = dock(foot(&frame, 0.0), &rail, &sizes);
             let all: Vec<Area> = rail.iter().chain(&areas).copied().collect();
             for (i, a) in all.iter().enumerate() {
                 assert!(a.max().y < HudLayout::new(&frame).fuel.min.y);

@@ -29,6 +29,8 @@ const LONGEST: f64 = 0.25;
 /// The least characters of the table's names and of its numbers, so that it seldom changes its width.
 const NAMES: usize = 16;
 const NUMBERS: usize = 10;
+/// The least pitch of the table's rows, in lines.
+const TIGHT: f32 = 0.8;
 
 #[derive(Clone, Debug, Default)]
 pub struct Measures {
@@ -42,6 +44,8 @@ pub struct Measures {
     pub(super) used: [bool; Tool::ALL.len()],
     pub(super) panels: Vec<(Tool, Area)>,
     pub(super) frame: Frame,
+    /// Where the panels end.
+    foot: f32,
     /// Each panel's offset from its place, and the held panel with the last place of the pointer.
     dragged: [Vec2; Tool::ALL.len()],
     hold: Option<(Tool, Vec2)>,
@@ -95,13 +99,14 @@ impl Measures {
         if self.uses(Tool::Figures) {
             self.figures.update(stage);
         }
+        self.foot = dock::foot(&self.frame, stage.sign);
         let shown: Vec<(Tool, Vec2)> = [Tool::Vectors, Tool::StopClock, Tool::Figures]
             .into_iter()
             .filter(|tool| self.uses(*tool))
             .map(|tool| (tool, self.size(tool, &self.frame)))
             .collect();
         let sizes: Vec<Vec2> = shown.iter().map(|(_, size)| *size).collect();
-        let docked = dock(&self.frame, &dock::rail(&self.frame), &sizes).into_iter();
+        let docked = dock(self.foot, &dock::rail(&self.frame), &sizes).into_iter();
         self.panels = shown.iter().zip(docked).map(|((tool, _), area)| (*tool, self.where_dragged(*tool, area))).collect();
     }
 
@@ -175,6 +180,16 @@ impl Measures {
         (names, values + 1)
     }
 
+    /// From one row of the table to the next, less than a line where all of them would not fit, and whether there is room for bars.
+    pub(super) fn table_rows(&self) -> (f32, bool) {
+        let (table, line) = (self.figures.table(), dock::line(&self.frame));
+        let room = self.foot - GRID - line - 4.5 * GRID;
+        let (least, lines) = (TIGHT * line, table.lines.len() + 1);
+        let pitch = |rows: usize| (room / rows as f32).min(line);
+        let all = pitch(lines + table.bars.len());
+        if all >= least { (all, true) } else { (pitch(lines).max(least), false) }
+    }
+
     fn size(&self, tool: Tool, frame: &Frame) -> Vec2 {
         let line = dock::line(frame);
         let inside = match tool {
@@ -189,8 +204,9 @@ impl Measures {
                 let table = self.figures.table();
                 let characters = names + values * table.columns.len();
                 let buttons = dock::row(frame, Vec2::ZERO, &TABLE_WORDS).last().map_or(0.0, |last| last.max().x);
-                let lines = (table.lines.len() + table.bars.len() + 2) as f32;
-                Vec2::new(dock::width(frame, characters).max(buttons), lines * line + 2.5 * GRID)
+                let (pitch, bars) = self.table_rows();
+                let rows = table.lines.len() + 1 + if bars { table.bars.len() } else { 0 };
+                Vec2::new(dock::width(frame, characters).max(buttons), rows as f32 * pitch + line + 2.5 * GRID)
             }
         };
         inside + 2.0 * GRID

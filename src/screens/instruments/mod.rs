@@ -14,7 +14,7 @@ mod vectors;
 
 use super::{Input, NewFile};
 use crate::draw::Style;
-use crate::draw::layout::{Area, DETAILS, Frame};
+use crate::draw::layout::{Area, DETAILS, Frame, Vec2};
 use crate::game::{Game, History};
 use crate::settings::Action;
 use crate::ui::Ui;
@@ -26,6 +26,9 @@ pub use measure::Measures;
 pub use plot::{Plot, PlotPlaces};
 use std::path::PathBuf;
 use vary::Vary;
+
+/// A canvas with less than this many heights of the text in its width has room for one large panel.
+const NARROW: f32 = 80.0;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tool {
@@ -74,6 +77,8 @@ pub struct Stage<'a> {
     pub varied: Option<vary::Varied<'a>>,
     /// Whether the world can go to another moment: in a pause or in a replay.
     pub seekable: bool,
+    /// The height above the flight's foot that its signs need, canvas units.
+    pub sign: f32,
     /// The run before the last change of a varied level; its curves stay, pale, for comparison.
     pub before: Option<&'a History>,
 }
@@ -117,7 +122,8 @@ impl Instruments {
             let covered = is_covered(self) || self.plot.is_picking();
             rest = self.measures.show(ui, &rest, stage, covered);
         }
-        self.vary.show(ui, &rest.frame, stage, self.uses(Tool::Vary));
+        let above = Frame { size: rest.frame.size - Vec2::new(0.0, stage.sign), ..rest.frame };
+        self.vary.show(ui, &above, stage, self.uses(Tool::Vary));
         rest.frame = whole;
         if self.uses(Tool::Plot) {
             rest = self.plot.show(ui, &rest, stage);
@@ -137,8 +143,20 @@ impl Instruments {
                 (true, false) => theme::text(),
             };
             let pressed = ui.small_button((tool.name(), tr(tool.name())), area, Style::new(DETAILS, colour));
-            self.used[tool as usize] ^= pressed && self.offers(tool);
+            if pressed && self.offers(tool) {
+                self.open_or_close(tool, room);
+            }
         }
+    }
+
+    /// On a narrow canvas, opens one large panel in the place of another.
+    fn open_or_close(&mut self, tool: Tool, room: &Frame) {
+        const LARGE: [Tool; 3] = [Tool::StopClock, Tool::Figures, Tool::Vary];
+        let narrow = room.size.x < NARROW * room.text_height(DETAILS);
+        if narrow && !self.used[tool as usize] && LARGE.contains(&tool) {
+            LARGE.iter().for_each(|other| self.used[*other as usize] = false);
+        }
+        self.used[tool as usize] ^= true;
     }
 
     /// Reads the moment on the screen, at the end of its frame.

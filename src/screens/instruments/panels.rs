@@ -8,32 +8,20 @@ use super::measured::colour;
 use super::vectors::Vector;
 use crate::draw::layout::{Area, DETAILS, GRID, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::game::{Game, SHIP};
+use crate::game::Game;
 use crate::instruments::stop_clock::seconds;
 use crate::ui::Ui;
 use crate::view::camera::Viewport;
-use crate::view::game_view::drawn_centre;
 use crate::view::quantity::scalar;
 use crate::view::theme;
 use crate::view::widgets;
 use crate::words::tr;
 
-/// Opacity of a panel: in general, and above the ship or a body in focus.
-const HIDES: f32 = 0.95;
-const OVER_SHIP: f32 = 0.55;
-
 impl Measures {
-    /// Draws the ground of each panel, paler above the ship or a body in focus, and the scales, which depend on the view.
+    /// Draws the ground of each panel, and the scales, which depend on the view.
     pub(super) fn draw_grounds(&self, scene: (&Game, f64), (view, canvas): (&Viewport, &Canvas)) {
         for (tool, area) in self.panels.iter().copied() {
-            let (game, alpha) = scene;
-            let over = in_focus(&self.focus, game).into_iter().chain([SHIP]).any(|id| {
-                let (centre, half) = (drawn_centre(game, id, alpha), game.world().body(id).half);
-                let [min, max] = [centre - half, centre + half].map(|corner| view.point(corner));
-                max.cmpgt(area.min).all() && min.cmplt(area.max()).all()
-            });
-            let hides = if over { OVER_SHIP } else { HIDES };
-            widgets::panel_in(canvas, area, theme::panel().faded(hides), theme::panel_edge());
+            widgets::panel(canvas, area);
             if tool == Tool::Vectors {
                 self.draw_scales(scene, area, (view, canvas));
             }
@@ -86,7 +74,8 @@ impl Measures {
         let (canvas, frame, table) = (ui.canvas(), &self.frame, self.table());
         let (names, values) = self.columns();
         let right = |column: usize| Vec2::new(dock::width(frame, names + values * (column + 1)), 0.0);
-        let at = |row: usize| area.min + GRID + Vec2::new(0.0, row as f32 * dock::line(frame));
+        let (pitch, bars) = self.table_rows();
+        let at = |row: usize| area.min + GRID + Vec2::new(0.0, row as f32 * pitch);
         for (column, name) in table.columns.iter().enumerate() {
             canvas.text(name, at(0) + right(column), Style::new(DETAILS, theme::accent()).mono().right());
         }
@@ -101,7 +90,9 @@ impl Measures {
             }
         }
         let first = at(table.lines.len() + 1) + Vec2::new(0.0, 0.5 * GRID);
-        draw_bars(canvas, &table.bars, first, &|i| (dock::width(frame, names + values * i), dock::width(frame, values - 1)));
+        let bars = if bars { &table.bars[..] } else { &[] };
+        let column = |i: usize| (dock::width(frame, names + values * i), dock::width(frame, values - 1));
+        draw_bars(canvas, bars, (first, pitch), &column);
     }
 
     /// A row of buttons at a panel's foot, each as wide as the word in `widest` needs.
@@ -119,11 +110,11 @@ impl Measures {
     }
 }
 
-/// A line a kind of energy, a bar in each column, all to one scale; `column` says where a column begins and how wide it is.
-fn draw_bars(canvas: &Canvas, bars: &[EnergyBar], first: Vec2, column: &dyn Fn(usize) -> (f32, f32)) {
+/// A line a kind of energy from `first` on, a bar in each column, all to one scale; `column` says where a column begins and how wide it is.
+fn draw_bars(canvas: &Canvas, bars: &[EnergyBar], (first, line): (Vec2, f32), column: &dyn Fn(usize) -> (f32, f32)) {
     let all = || bars.iter().flat_map(|bar| &bar.values).copied();
     let (least, most) = (all().fold(0.0, f64::min), all().fold(0.0, f64::max));
-    let (line, span) = (canvas.line_height(DETAILS), (most - least).max(f64::MIN_POSITIVE));
+    let span = (most - least).max(f64::MIN_POSITIVE);
     let zero = (-least / span) as f32;
     for (row, bar) in bars.iter().enumerate() {
         let at = first + Vec2::new(0.0, row as f32 * line);

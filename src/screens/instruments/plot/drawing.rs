@@ -1,8 +1,8 @@
 //! The plot: buttons and readings on the left, the lanes with their curves on the right, a line of words at the foot.
 
-use super::places::SAMPLE;
+use super::places::{READINGS, SAMPLE};
 use super::{Plot, PlotPlaces};
-use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
+use crate::draw::layout::{Area, DETAILS, GRID, MONO_ADVANCE, Vec2};
 use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::instruments::chart::{Chart, ChartLane};
 use crate::instruments::curve::Curve;
@@ -22,6 +22,8 @@ const APART: Vec2 = Vec2::new(6.0, 1.7);
 /// Points within this many canvas units are drawn as one column.
 const COLUMN: f64 = 1.5;
 const TANGENT: f32 = 48.0;
+/// Characters of a reading's number with its sign and its unit.
+const NUMBER: usize = 10;
 /// Opacity of the run before, and of the area under a curve.
 const PALE: f32 = 0.45;
 const SHADE: f32 = 0.22;
@@ -106,12 +108,19 @@ impl Plot {
             marker(canvas, middle + Vec2::new(SAMPLE / 2.0, 0.0), look.marker, colour);
             let y = area.max().y - line / 2.0 - 2.0;
             let style = Style::new(DETAILS, theme::text()).mono().middle();
-            let column = area.size.x / reading.numbers.len() as f32;
-            for (j, ((number, unit), what)) in reading.numbers.into_iter().zip(["", tr("slope "), tr("area ")]).enumerate() {
-                let x = area.min.x + 4.0 + j as f32 * column;
+            let names = ["", tr("slope "), tr("area ")].map(|name| (name, canvas.width(name, style)));
+            let number_width = NUMBER as f32 * MONO_ADVANCE * canvas.frame().text_height(DETAILS);
+            let spare = area.size.x - GRID - names.map(|(_, width)| width + number_width).iter().sum::<f32>();
+            let apart = (spare / (READINGS - 1) as f32).max(0.0);
+            // A longer number moves those right of it.
+            let (mut column, mut free) = (area.min.x + GRID / 2.0, area.min.x);
+            for ((number, unit), (name, width)) in reading.numbers.into_iter().zip(names) {
+                let x = column.max(free);
                 let words = number.map_or_else(|| "–".to_owned(), |number| quantity::scalar(number, &unit.name()));
-                canvas.text(what, Vec2::new(x, y), Style { colour: theme::quiet(), ..style });
-                canvas.text(words.trim_end(), Vec2::new(x + canvas.width(what, style), y), style);
+                canvas.text(name, Vec2::new(x, y), Style { colour: theme::quiet(), ..style });
+                canvas.text(words.trim_end(), Vec2::new(x + width, y), style);
+                free = x + width + canvas.width(words.trim_end(), style) + GRID;
+                column += width + number_width + apart;
             }
         }
     }

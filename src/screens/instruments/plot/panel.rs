@@ -6,7 +6,6 @@ use super::places::{MOST_LINES, PlotPlaces};
 use super::{Plot, PlotLine, along};
 use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, Vec2};
-use crate::instruments::fit::FitLaw;
 use crate::instruments::quantity::Quantity;
 use crate::instruments::track::BodyTrack;
 use crate::ui::{Ui, WidgetKind};
@@ -70,7 +69,8 @@ impl Plot {
     /// The head, and each curve's line; returns the pressed action.
     pub(super) fn show_buttons(&self, ui: &mut Ui<'_>, places: &PlotPlaces) -> Option<Action> {
         let head = self.head();
-        let mut pressed = row(ui, &head, places.head(&words(&head)));
+        let top = places.panel.min.y;
+        let mut pressed = row(ui, &head, places.head(&words(&head)), top);
         for (i, (line, area)) in self.lines.iter().zip(&places.lines).enumerate() {
             let name = format!("Curve {}", i + 1);
             if ui.touch(&name, *area, WidgetKind::Tool).pressed {
@@ -82,7 +82,7 @@ impl Plot {
                 button(tr(["1st", "2nd"][line.whose]), Action::Whose(i)),
                 button("×", Action::Remove(i)),
             ];
-            pressed = row(ui, &buttons, places.line(i, &words(&buttons))).or(pressed);
+            pressed = row(ui, &buttons, places.line(i, &words(&buttons)), top).or(pressed);
         }
         pressed
     }
@@ -98,8 +98,8 @@ impl Plot {
             let kept = if self.objects[whose].kept.is_some() { tr(", kept") } else { "" };
             add(format!("{rank}: {}{kept}", self.name(whose)), Action::Keep(whose));
         }
-        let law = self.law.map_or("none", FitLaw::name);
-        add(tr!("Fit: {law}", law = tr(law)), Action::Law);
+        let law = self.law.map_or_else(|| tr("Fit: none").to_owned(), |law| tr!("Fit: {law}", law = tr(law.name())));
+        add(law, Action::Law);
         add(tr(if self.large { "Smaller" } else { "Larger" }).to_owned(), Action::Larger);
         if self.window.is_some() {
             add(tr("Whole flight").to_owned(), Action::Whole);
@@ -122,7 +122,7 @@ impl Plot {
             ui.text(tr(name), at, Style::new(DETAILS, theme::quiet()).middle());
             let button = |quantity: &Quantity| (quantity.symbol(), choices::label(*quantity), Action::Choose(*quantity));
             let buttons: Vec<PlotButton> = quantities.iter().map(button).collect();
-            chosen = row(ui, &buttons, cells[1..].to_vec()).or(chosen);
+            chosen = row(ui, &buttons, cells[1..].to_vec(), list.min.y).or(chosen);
         }
         chosen
     }
@@ -174,15 +174,15 @@ impl Plot {
     }
 }
 
-/// Returns the pressed action.
-fn row(ui: &mut Ui<'_>, buttons: &[PlotButton], areas: Vec<Area>) -> Option<Action> {
+/// Returns the pressed action; tooltips stand above `top`, off the curves.
+fn row(ui: &mut Ui<'_>, buttons: &[PlotButton], areas: Vec<Area>, top: f32) -> Option<Action> {
     let mut pressed = None;
     for ((label, words, action), area) in buttons.iter().zip(areas) {
         if ui.small_button((label, words), area, Style::new(DETAILS, theme::text()).centred()) {
             pressed = Some(*action);
         }
         if let Some(tip) = action.tip() {
-            ui.tip(area, tip);
+            ui.tip_above(area, tip, top);
         }
     }
     pressed

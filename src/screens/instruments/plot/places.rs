@@ -7,7 +7,7 @@ const LARGE: f32 = 0.6;
 /// A curve each.
 pub const MOST_LINES: usize = 4;
 /// Characters of a reading: its name, a number with three digits, its sign and its unit.
-const READING: usize = 17;
+const READING: usize = 18;
 /// Value, slope, area.
 pub const READINGS: usize = 3;
 const GAP: f32 = 4.0;

@@ -7,7 +7,9 @@ const COLUMNS: [f32; 4] = [7.2, 6.0, 7.2, 6.6];
 /// Between two columns, and inside the panel's edge.
 const GAP: f32 = GRID;
 const INSIDE: f32 = 1.5 * GRID;
-/// The room of a line above its text.
+/// Besides the lines: a heading, two rows of buttons, a message.
+const ROWS: f32 = 4.0;
+/// The room of a line above its text where the canvas is high enough.
 const LEADING: f32 = 8.0;
 /// Above and below a button.
 const APART: f32 = 2.0;
@@ -26,10 +28,12 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// On a canvas, with that many lines.
+    /// On a canvas, with that many lines; closer where they would not fit.
     pub fn new(frame: &Frame, lines: usize) -> Self {
         let text = frame.text_height(DETAILS);
-        let line = (text * LINE + LEADING).round();
+        let rows = lines as f32 + ROWS;
+        let room = frame.size.y - 2.0 * GRID - 2.0 * INSIDE - 3.25 * GAP;
+        let line = (text * LINE + LEADING).min(room / rows).max(text + 2.0 * APART).floor();
         let width = COLUMNS.iter().sum::<f32>() * text + 3.0 * GAP + 2.0 * INSIDE;
         let min = Vec2::new(frame.size.x - 2.0 * GRID - width, 2.0 * GRID);
         let mut left = min.x + INSIDE;
