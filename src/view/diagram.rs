@@ -19,6 +19,8 @@ const QUIETED: f32 = 0.2;
 pub(super) const WORDS: f32 = 52.0;
 /// Length of the sample of a curve in the legend.
 const SAMPLE: f32 = 40.0;
+/// Between two orders, canvas units.
+const ORDERS_APART: f32 = 4.0;
 
 /// The selection of a diagram.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -69,7 +71,7 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, picked: 
 /// The place of a curve's order: right of its point, or below the orders that stand there.
 fn free_place(point: Vec2, size: Vec2, taken: &[Area]) -> Area {
     let mut place = Area { min: point + Vec2::new(10.0, -size.y), size };
-    while !place.covers_none(taken) {
+    while !place.inset(-ORDERS_APART).covers_none(taken) {
         place.min.y += size.y;
     }
     place
@@ -155,9 +157,32 @@ pub(super) fn sample(canvas: &Canvas, line: Area, look: &CurveLook, colour: Colo
     marker(canvas, middle, look.marker, colour);
 }
 
+/// A name without the version of what it names: the last word before the first comma.
+fn without_version(name: &str) -> String {
+    let parts = name.split_once(", ").and_then(|(head, rest)| Some((head.rsplit_once(' ')?, rest)));
+    match parts {
+        Some(((engine, version), rest)) if version.starts_with(|letter: char| letter.is_ascii_digit()) => {
+            format!("{engine}, {rest}")
+        }
+        _ => name.to_owned(),
+    }
+}
+
+/// The curves' names in the legend and the size of all its words: whole names where these fit, or else what tells them apart.
+fn names_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) -> (Vec<String>, f32) {
+    let names: Vec<String> = measured.curves.iter().map(with_order).collect();
+    let room = plot.legend(0).size.x - WORDS;
+    let fits = |size: f32| names.iter().all(|name| canvas.width(name, Style::new(size, theme::text())) <= room);
+    match [TEXT, DETAILS].into_iter().find(|size| fits(*size)) {
+        Some(size) => (names, size),
+        None => (names.iter().map(|name| without_version(name)).collect(), DETAILS),
+    }
+}
+
 /// The curves by name; `picked` is highlighted.
 pub(super) fn legend_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, picked: Option<usize>) {
-    for (index, curve) in measured.curves.iter().enumerate() {
+    let (names, size) = names_of_curves(canvas, plot, measured);
+    for (index, (curve, name)) in measured.curves.iter().zip(&names).enumerate() {
         let (area, _, words) = line_of(plot, index);
         if picked == Some(index) {
             canvas.rounded(area, 6.0, theme::panel_hover());
@@ -166,16 +191,14 @@ pub(super) fn legend_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: 
         let look = CurveLook::of(index, curve.origin);
         let colour = shade(Colour::hex(look.colour), whole);
         sample(canvas, area, &look, colour);
-        let (name, room) = (with_order(curve), area.max().x - words.x);
-        let style = |size: f32| Style::new(size, shade(theme::text(), whole)).middle();
-        let size = if canvas.width(&name, style(TEXT)) <= room { TEXT } else { DETAILS };
-        canvas.text(&widgets::cut(canvas, &name, room, style(size)), words, style(size));
+        let style = Style::new(size, shade(theme::text(), whole)).middle();
+        canvas.text(&widgets::cut(canvas, name, area.max().x - words.x, style), words, style);
     }
 }
 
 /// The meaning of the marks that are not curves.
 fn legend_of_marks(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
-    let quiet = Style::new(TEXT, theme::quiet()).middle();
+    let quiet = Style::new(names_of_curves(canvas, plot, measured).1, theme::quiet()).middle();
     let mut line = measured.curves.len();
     let mut note = |sample: &dyn Fn(Area, Vec2), text: &str| {
         let (area, middle, words) = line_of(plot, line);

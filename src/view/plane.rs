@@ -70,6 +70,8 @@ mod drawing {
     /// The two limits, and their marks on the two rays.
     const MARKS: [&str; 3] =
         ["h/τ: drag alone, without a spring.", "ω·h: a swing without drag.", "Marks on the two rays: these limits."];
+    /// From an example's point to its words.
+    const BESIDE: f32 = 8.0;
     /// Line height of these words.
     const SMALL_LINE: f32 = 20.0;
 
@@ -98,8 +100,18 @@ mod drawing {
             let (at, style) = (plane.at(z), Style::new(DETAILS, theme::text()).middle());
             canvas.ring(at, 5.0, 2.0, theme::text());
             // Decay stands to the left of its point, oscillation to the right.
-            let (beside, style) = if z.0 < 0.0 { (-8.0, style.right()) } else { (10.0, style) };
-            canvas.text(tr(name), at + Vec2::new(beside, -16.0), style);
+            let left = z.0 < 0.0;
+            let room = if left { at.x - plane.area.min.x } else { plane.area.max().x - at.x } - 2.0 * BESIDE;
+            let lines = widgets::lines(canvas, tr(name), room, style);
+            let size = Vec2::new(
+                lines.iter().map(|words| canvas.width(words, style)).fold(0.0, f32::max),
+                lines.len() as f32 * canvas.line_height(DETAILS),
+            );
+            let min = at + Vec2::new(if left { -BESIDE - size.x } else { BESIDE }, -BESIDE - size.y);
+            canvas.rounded(Area { min, size }.inset(-2.0), 4.0, theme::ground().faded(0.9));
+            for (line, words) in lines.iter().enumerate() {
+                canvas.text(words, min + Vec2::new(0.0, (line as f32 + 0.5) * canvas.line_height(DETAILS)), style);
+            }
         }
         legend(canvas, plane, regions, picked);
     }

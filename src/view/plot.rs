@@ -12,7 +12,7 @@ const TOP: f32 = 48.0;
 /// Below the plot: the work's powers of ten, and its name.
 const BOTTOM: f32 = 64.0;
 /// Width of the legend.
-const LEGEND: f32 = 320.0;
+const LEGEND: f32 = 340.0;
 /// Between the plot and the legend.
 const BETWEEN: f32 = 32.0;
 /// Line height of the legend, where there is room.

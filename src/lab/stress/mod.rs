@@ -12,6 +12,7 @@ use picture::FailurePicture;
 
 use super::axes::number;
 use super::contract::Entrant;
+use std::collections::HashMap;
 
 /// s. The tick of the figures that physics engines are usually compared at.
 pub const TICK: f64 = 1.0 / 60.0;
@@ -155,6 +156,34 @@ pub const TESTS: [fn() -> StressTest; 19] = [
     robustness::hitch,
     robustness::nonsense,
 ];
+
+/// What each of [`TESTS`] tries, for a reader of eleven.
+const TRIED: [&str; TESTS.len()] = [
+    "A body falls through air: does it end at the right speed?",
+    "A floating box bobs up and down: are its swings as high after 100 of them?",
+    "A body swings on a spring: does it have as much energy after 100 swings?",
+    "A pendulum swings: does it have as much energy after 100 swings?",
+    "Wind blows at a light body at rest: does the body ever overtake the wind?",
+    "The same wind: does the body's speed against the air ever grow?",
+    "A fast box flies at a thin wall: does the wall stop it?",
+    "A fast box flies at a thin, loose plate: does it hit the plate?",
+    "A heavy block lies on a light one: are the forces between them right?",
+    "Many blocks stand on each other: is each force between them right?",
+    "A box lies on the floor: does it lie still?",
+    "A box slides until friction stops it: does it stop, and at the right place?",
+    "A ball bounces lower and lower: does it come to rest at the right time?",
+    "A ball bounces for a minute without loss: does it still rise as high?",
+    "A block hits a row of equal blocks: does the last one alone fly off?",
+    "The same row of blocks, with 200 other bodies in the world.",
+    "A body moves far away from the middle of the world: is its place still exact?",
+    "One picture takes far too long: does a body fall through the floor, or the game hang?",
+    "Impossible numbers are given, such as a negative mass: are they refused?",
+];
+
+/// What each test tries, in a sentence, by the test's name.
+pub fn tried() -> HashMap<&'static str, &'static str> {
+    TESTS.iter().map(|test| test().name).zip(TRIED).collect()
+}
 
 /// `None` where the row's test or its method is not known here.
 pub fn picture(row: &Survival) -> Option<FailurePicture> {

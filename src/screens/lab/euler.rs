@@ -21,7 +21,7 @@ const TURN: f64 = 0.4;
 const STEPS: usize = 12;
 /// The picture's part of the width, and the radius of the circle in its half height.
 const PICTURE: f32 = 0.5;
-const RADIUS: f32 = 0.19;
+const RADIUS: f32 = 0.17;
 
 pub(super) fn show(ui: &mut Ui<'_>, body: Area) -> Option<Request> {
     let tool = ui.tools(&[BACK]);
@@ -66,12 +66,12 @@ fn draw_picture(canvas: &Canvas, area: Area) {
     let radius = RADIUS * area.size.y;
     let middle = area.centre() - Vec2::new(0.0, 0.03 * area.size.y);
     let at = |point: DVec2| middle + Vec2::new(point.x as f32, -point.y as f32) * radius;
-    let reach = 2.3 * radius;
+    let reach = 2.6 * radius;
     let quiet = Style::new(DETAILS, theme::quiet()).middle();
     canvas.hairline(middle - Vec2::new(reach, 0.0), middle + Vec2::new(reach, 0.0), theme::solid_top());
     canvas.hairline(middle - Vec2::new(0.0, reach), middle + Vec2::new(0.0, reach), theme::solid_top());
     canvas.text("x", middle + Vec2::new(reach + 8.0, 0.0), quiet);
-    canvas.text("v/ω", middle - Vec2::new(0.0, reach + 12.0), quiet.centred());
+    canvas.text("v/ω", middle + Vec2::new(8.0, 6.0 - reach), quiet);
     canvas.ring(middle, radius + 1.0, 2.0, theme::good());
     let lines: [(MotionStep, Colour); 2] = [(semi_implicit_euler, theme::player_objective()), (explicit_euler, theme::bad())];
     for (step, colour) in lines {
@@ -98,6 +98,6 @@ mod tests {
             let kept = point.length_squared() - TURN * point.x * point.y;
             assert!((kept - 1.0).abs() < 1e-12, "{kept}");
         }
-        assert!(gain.sqrt() * f64::from(RADIUS) < 0.48, "all of it is in the picture");
+        assert!(gain.sqrt() * f64::from(RADIUS) < 0.45, "all of it is in the picture");
     }
 }

@@ -25,9 +25,11 @@ const COLUMNS: [f32; 3] = [24.0, 48.0, 48.0];
 /// From the panel's right edge to a line's picture, and the width of that.
 const PICTURE: (f32, f32) = (336.0, 176.0);
 const BETWEEN: f32 = 16.0;
-/// From the large picture's panel to the picture: at its top, and at its foot.
-const HEAD: f32 = 88.0;
+/// From the large picture's panel to the words on its test, at its top, and to the picture, at its foot.
+const HEAD: f32 = 80.0;
 const FOOT: f32 = 92.0;
+/// Lines of the words on its test.
+const SENTENCE: f32 = 3.0;
 
 #[derive(Clone, Debug, PartialEq)]
 enum SurvivalLine {
@@ -39,6 +41,8 @@ enum SurvivalLine {
 #[derive(Debug)]
 pub struct SurvivalPage {
     lines: Vec<SurvivalLine>,
+    /// What each test tries, by its name.
+    tried: HashMap<&'static str, &'static str>,
     /// One a line, computed when the line comes into view.
     pictures: HashMap<usize, Option<FailurePicture>>,
 }
@@ -50,7 +54,7 @@ impl SurvivalPage {
             let head = SurvivalLine::Test(rows[0].test.clone(), rows[0].parameter.clone());
             std::iter::once(head).chain(rows.iter().cloned().map(SurvivalLine::Method))
         });
-        Self { lines: lines.collect(), pictures: HashMap::new() }
+        Self { lines: lines.collect(), tried: stress::tried(), pictures: HashMap::new() }
     }
 
     pub(super) fn show(&mut self, ui: &mut Ui<'_>, body: Area) -> Option<Request> {
@@ -109,7 +113,7 @@ impl SurvivalPage {
             let area = Area::new(left + COLUMNS[0], line.min.y + 1.0, right - left - COLUMNS[0] - COLUMNS[2] + 8.0, ROW - 2.0);
             canvas.rounded(area, 6.0, theme::panel_hover());
         }
-        let name = Style::new(TEXT, if row.shipped { theme::accent() } else { theme::quiet() }).middle();
+        let name = Style::new(TEXT, if row.shipped { theme::accent() } else { theme::text() }).middle();
         let widest = right - PICTURE.0 - left - COLUMNS[1] - 8.0;
         canvas.text(&widgets::cut(canvas, tr(&row.method), widest, name), Vec2::new(left + COLUMNS[1], y), name);
         if let Some(drawn) = self.picture(index) {
@@ -125,7 +129,13 @@ impl SurvivalPage {
         let name = if row.shipped { theme::accent() } else { theme::text() };
         widgets::fitted(canvas, tr(&row.method), Vec2::new(middle, panel.min.y + 28.0), widest, &[BUTTON_TEXT, TEXT], name);
         widgets::fitted(canvas, tr(&row.test), Vec2::new(middle, panel.min.y + 58.0), widest, &[TEXT, DETAILS], theme::quiet());
-        let stage = Area::new(panel.min.x + PADDING, panel.min.y + HEAD, widest, panel.size.y - HEAD - FOOT);
+        let (style, line) = (Style::new(DETAILS, theme::text()).middle().centred(), canvas.line_height(DETAILS));
+        let sentence = self.tried.get(row.test.as_str()).map_or("", |sentence| tr(sentence));
+        for (i, words) in widgets::lines(canvas, sentence, widest, style).iter().enumerate() {
+            canvas.text(words, Vec2::new(middle, panel.min.y + HEAD + (i as f32 + 0.5) * line), style);
+        }
+        let head = HEAD + SENTENCE * line + PADDING / 2.0;
+        let stage = Area::new(panel.min.x + PADDING, panel.min.y + head, widest, panel.size.y - head - FOOT);
         let Some(drawn) = self.picture(index) else {
             let words = if row.shipped { tr("It refuses all of them.") } else { tr("There is no picture of this.") };
             return canvas.text(words, stage.centre(), Style::new(TEXT, theme::quiet()).middle().centred());

@@ -22,8 +22,14 @@ impl SideBySide {
         let halves = panels(body);
         let title = Vec2::new(body.centre().x, body.min.y + 20.0);
         canvas.text(tr(self.exhibit().title), title, Style::new(BUTTON_TEXT, theme::text()).centred().middle());
+        let small = self.halves().iter().any(|half| {
+            let (rule, uses) = rules::of(half.method).unwrap_or_default();
+            let wide = |words: &str| canvas.width(tr(words), Style::new(TEXT, theme::text())) > halves[0].size.x;
+            wide(rule) || wide(uses)
+        });
+        let size = if small { DETAILS } else { TEXT };
         for (i, (half, panel)) in self.halves().iter().zip(halves).enumerate() {
-            self.draw_half(canvas, half, panel, colour_of(i));
+            self.draw_half(canvas, half, panel, (colour_of(i), size));
         }
         let (left, right) = (halves[0], halves[1]);
         let below = |top: f32, height: f32| Area::new(left.min.x, left.max().y + top, right.max().x - left.min.x, height);
@@ -48,14 +54,16 @@ impl SideBySide {
     /// The errors of both so far, in decades upwards.
     fn draw_errors(&self, canvas: &Canvas, panel: Area) {
         widgets::panel(canvas, panel);
-        let area = Area::new(panel.min.x + 64.0, panel.min.y + 10.0, panel.size.x - 76.0, panel.size.y - 20.0);
         let decades = Decades { from: -15, to: 2 };
         let quiet = Style::new(DETAILS, theme::quiet()).middle();
+        let named = [-15, -10, -5, 0].map(|exponent| (exponent, format!("{} m", power(exponent))));
+        let left = named.iter().map(|(_, words)| canvas.width(words, quiet)).fold(0.0, f32::max) + 16.0;
+        let area = Area::new(panel.min.x + left, panel.min.y + 10.0, panel.size.x - left - 12.0, panel.size.y - 20.0);
         let level = |error: f64| area.max().y - area.size.y * decades.part(error) as f32;
-        for exponent in [-15, -10, -5, 0] {
+        for (exponent, words) in named {
             let y = level(10f64.powi(exponent));
             canvas.hairline(Vec2::new(area.min.x, y), Vec2::new(area.max().x, y), theme::panel_edge());
-            canvas.text(&format!("{} m", power(exponent)), Vec2::new(area.min.x - 8.0, y), quiet.right());
+            canvas.text(&words, Vec2::new(area.min.x - 8.0, y), quiet.right());
         }
         let seen = level(TOLERANCE);
         canvas.hairline(Vec2::new(area.min.x, seen), Vec2::new(area.max().x, seen), theme::good());
@@ -70,14 +78,14 @@ impl SideBySide {
         }
     }
 
-    fn draw_half(&self, canvas: &Canvas, half: &Half<'_>, panel: Area, colour: Colour) {
+    fn draw_half(&self, canvas: &Canvas, half: &Half<'_>, panel: Area, (colour, size): (Colour, f32)) {
         widgets::panel(canvas, panel);
         let name = Vec2::new(panel.centre().x, panel.min.y - super::HEAD + super::CHOICE.y / 2.0);
         widgets::fitted(canvas, tr(half.method), name, panel.size.x - 2.0 * super::CHOICE.x - 32.0, &[BUTTON_TEXT, TEXT], colour);
         let (rule, uses) = rules::of(half.method).unwrap_or_default();
         for (words, up, colour) in [(rule, 32.0, theme::text()), (uses, 12.0, theme::quiet())] {
             let at = Vec2::new(panel.centre().x, panel.min.y - up);
-            widgets::fitted(canvas, tr(words), at, panel.size.x, &[TEXT, DETAILS], colour);
+            widgets::fitted(canvas, tr(words), at, panel.size.x, &[size, DETAILS], colour);
         }
         let stage = Area { min: panel.min, size: panel.size - Vec2::new(0.0, FOOT) };
         let place = Placing::new(&self.exhibit().view, stage.inset(8.0));
@@ -119,7 +127,7 @@ fn metres(error: f64) -> String {
         0.0 => "0 m".to_owned(),
         _ if !error.is_finite() => "∞ m".to_owned(),
         _ if error >= PLAIN => format!("{error:.3} m"),
-        _ => format!("{error:.1e} m").replace('-', "−"),
+        _ => format!("{} m", number(error)),
     }
 }
 
