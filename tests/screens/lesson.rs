@@ -18,8 +18,15 @@ pub fn free_fall() -> Sitting {
     sitting
 }
 
-/// In an experiment, from the menu on.
+/// In an experiment that has been started, from the menu on.
 pub fn experiment(name: &str) -> Sitting {
+    let mut sitting = opened(name);
+    sitting.press(Key::B);
+    sitting
+}
+
+/// In an experiment as it opens, from the menu on.
+fn opened(name: &str) -> Sitting {
     let mut sitting = Sitting::with(|root| {
         let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments");
         let folder = root.join("experiments").join(name);
@@ -84,6 +91,21 @@ fn taken_along(sitting: &mut Sitting) -> Vec<Vec<f64>> {
     sitting.click("CSV");
     sitting.rest();
     columns(&written(sitting), &["tick", "t (s)", "Ball 1 v_y (m/s)"])
+}
+
+#[test]
+fn an_experiment_waits_for_its_pupil_to_guess_and_does_so_again_after_a_restart() {
+    let mut sitting = opened("free-fall");
+    for _ in 0..2 {
+        sitting.wait(1.0);
+        assert_eq!(sitting.flight().game().ticks(), 0);
+        assert_eq!(sitting.line(" starts the experiment"), "[B] starts the experiment · [Esc or P] your sheet");
+        sitting.press(Key::Escape).press(Key::Escape);
+        assert_eq!(sitting.flight().game().ticks(), 0, "the sheet starts nothing");
+        sitting.press(Key::B).wait(0.5);
+        assert!(sitting.flight().game().ticks() > 50 && !sitting.shows("starts the experiment"));
+        sitting.press(Key::R);
+    }
 }
 
 /// N passes over the ship, which plays no part.

@@ -178,6 +178,7 @@ impl Flight {
         if !flight.game.level().ship_plays() {
             flight.details = true;
             flight.observer.look_at(Focus::fitted_on(first_mover(&flight.game)));
+            flight.wait_for_a_guess();
         }
         Ok(flight)
     }
@@ -189,6 +190,13 @@ impl Flight {
     pub(super) fn test(level: Arc<Level>, left: Vec<String>, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
         let news = (!left.is_empty()).then_some(News::Unfinished(left));
         Ok(Self { test: true, news, ..Self::new(Attempt::by_hand(level), spectator)? })
+    }
+
+    /// An experiment that is flown by hand stands still at its start: a pupil looks and guesses before anything moves.
+    pub(super) fn wait_for_a_guess(&mut self) {
+        if self.is_by_hand() && !self.game.level().ship_plays() {
+            self.observer.freeze();
+        }
     }
 
     fn at_start(attempt: Attempt, game: Game, pilot: Pilot) -> Self {

@@ -36,6 +36,7 @@ impl Flight {
             settings_problems: std::mem::take(&mut self.settings_problems),
             ..fresh
         };
+        self.wait_for_a_guess();
         if let Some(Err(words)) = varied.map(|varied| self.begin_varied(varied, same)) {
             self.instruments.vary_mut().tell(words, true);
         }

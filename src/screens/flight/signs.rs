@@ -4,6 +4,7 @@ use super::Flight;
 use crate::draw::layout::{Area, Frame, GRID, PADDING, TEXT, Vec2, text_room};
 use crate::draw::{Canvas, Style};
 use crate::game::Outcome;
+use crate::settings::Action;
 use crate::view::hud::HudLayout;
 use crate::view::{theme, widgets};
 use crate::words::tr;
@@ -22,11 +23,18 @@ impl Flight {
     fn time_sign(&self, frame: &Frame) -> Option<(String, Area)> {
         let stays = self.game.outcome() != Outcome::Running && self.instruments.stays() && !self.observer.frozen();
         let ended = stays.then(|| tr("The flight has ended: Enter leads on").to_owned());
-        let words = ended.or_else(|| self.observer.words(self.game.ticks(), self.game.tick_rate()));
+        let words = ended.or_else(|| self.start_words()).or_else(|| self.observer.words(self.game.ticks(), self.game.tick_rate()));
         let words = words.or_else(|| self.rewind_words(self.observer.keys()))?;
         let size = sign_size(&words, frame);
         let top = self.instruments.room(frame).size.y - self.time_room(frame);
         Some((words, Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size }))
+    }
+
+    /// Of an experiment that stands at its start.
+    fn start_words(&self) -> Option<String> {
+        let waits = self.observer.frozen() && self.game.ticks() == 0 && !self.game.level().ship_plays();
+        let [freeze, pause] = [Action::Freeze, Action::Pause].map(|action| self.observer.keys().label(action));
+        waits.then(|| tr!("[{freeze}] starts the experiment · [{pause}] your sheet", freeze, pause))
     }
 
     /// From the foot of the flight up to the top of that sign, whether there is one or not.

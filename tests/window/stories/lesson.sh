@@ -2,6 +2,7 @@
 
 cp -r experiments/free-fall "$data/levels/fall"
 open_game play fall
+press b # it waits for that
 sleep 0.7
 press b
 # However slow the window is, the table has rows enough.

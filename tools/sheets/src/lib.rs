@@ -18,20 +18,19 @@ pub const FOLDER: &str = "docs/sheets";
 const INDEX: &str = "index.html";
 
 /// Keys of an experiment, and what they do.
-pub const KEYS: [(&[&str], &str); 13] = [
-    (&["Enter"], "flies the experiment"),
+pub const KEYS: [(&[&str], &str); 12] = [
+    (&["Enter"], "opens the experiment"),
     (&["Tab"], "details: forces and numbers"),
     (&["N"], "the next object; or click one"),
     (&["Shift"], "and a click: compares a second object"),
-    (&["B"], "stops time, lets it go on"),
+    (&["B"], "starts it, stops time, lets it go on"),
     (&[".", ","], "a tick on, a tick back"),
     (&["[", "]"], "slower, faster"),
     (&["+", "−"], "zoom; or the wheel"),
     (&["F"], "everything that moves in view"),
     (&["I"], "instruments: plot, ruler, clock, energy, what if"),
-    (&["R"], "starts once more"),
-    (&["Esc"], "pause, and back to the experiments"),
-    (&["Space"], "in the list of experiments: the answer"),
+    (&["R"], "back to its start"),
+    (&["Esc"], "pause: your sheet, and back to the experiments"),
 ];
 
 const STYLE: &str = "
