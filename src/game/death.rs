@@ -1,6 +1,6 @@
 use super::names::obstacle_name;
 use crate::level::{Level, SurfaceOf};
-use crate::physics::{Aabb, BodyId, Event, Obstacle};
+use crate::physics::{BodyId, Event, Obstacle};
 use crate::words::tr;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,25 +21,18 @@ impl Death {
         }
     }
 
-    /// For the player, with the place: m from the level's left and bottom, as on the screen's graph paper.
-    pub fn words(self, level: &Level) -> String {
-        let at = |bounds: Aabb| {
-            let centre = bounds.centre();
-            tr!("at x = {x} m, y = {y} m", x = format_args!("{:.0}", centre.x), y = format_args!("{:.0}", level.size.y - centre.y))
-        };
-        match self {
-            Self::Obstacle(index) => tr!("Touched a red box {place}", place = at(level.obstacles[index])),
+    /// For the player.
+    pub fn words(self, level: &Level) -> &'static str {
+        tr(match self {
+            Self::Obstacle(_) => "Touched a red box",
             Self::Crushed(surface) => match level.surface(surface as usize) {
-                SurfaceOf::World(index) => tr!("Crushed by a block {place}", place = at(level.world[index].bounds)),
-                SurfaceOf::Source(index) => tr!("Crushed by a block {place}", place = at(level.streams[index].source)),
-                SurfaceOf::Mover(index) => {
-                    tr!("Crushed by a moving block that starts {place}", place = at(level.movers[index].solid.bounds))
-                }
-                SurfaceOf::Door(index) => tr!("Crushed by a door {place}", place = at(level.doors[index].bounds)),
-                SurfaceOf::Plate(index) => tr!("Crushed against a plate {place}", place = at(level.switches[index].bounds)),
-                SurfaceOf::Edge(_) => tr("Crushed against the edge of the level").into(),
+                SurfaceOf::World(_) | SurfaceOf::Source(_) => "Crushed by a block",
+                SurfaceOf::Mover(_) => "Crushed by a moving block",
+                SurfaceOf::Door(_) => "Crushed by a door",
+                SurfaceOf::Plate(_) => "Crushed against a plate",
+                SurfaceOf::Edge(_) => "Crushed against the edge of the level",
             },
-        }
+        })
     }
 }
 

@@ -82,7 +82,7 @@ pub struct RunResult {
     pub peak_resultant: f64,
     /// A run with help is not for the board.
     pub assisted: bool,
-    pub death: Option<String>,
+    pub death: Option<&'static str>,
     /// All 0 unless the level was completed.
     pub score: ScoreParts,
 }

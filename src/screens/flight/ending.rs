@@ -108,7 +108,7 @@ impl Flight {
 
     /// The cause of the loss of the attempt before, in words, while its notice is shown.
     pub fn lost(&self) -> Option<&str> {
-        self.lost.as_ref()?.result.death.as_deref()
+        self.lost.as_ref()?.result.death
     }
 
     /// The end of the flight in words; empty while it runs.

@@ -39,17 +39,18 @@ impl Flight {
         self.hints.given += 1;
     }
 
-    /// The hints that were given, at the canvas' top.
-    pub(super) fn show_hints(&self, ui: &Ui<'_>) {
+    /// The hints that were given, above the pause panel whose top is at `foot`.
+    pub(super) fn show_hints(&self, ui: &Ui<'_>, foot: f32) {
         let given: Vec<&String> = self.attempt.level.hints.iter().take(self.hints.given).collect();
         if given.is_empty() {
             return;
         }
         let (frame, line) = (ui.frame(), ui.frame().text_height(TEXT) * LINE);
         let size = Vec2::new((frame.size.x - 2.0 * PADDING).min(960.0), given.len() as f32 * line + PADDING);
-        ui.panel(Area { min: Vec2::new((frame.size.x - size.x) / 2.0, PADDING), size });
+        let top = (foot - PADDING - size.y).max(PADDING);
+        ui.panel(Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size });
         for (i, hint) in given.into_iter().enumerate() {
-            let middle = Vec2::new(frame.size.x / 2.0, 1.5 * PADDING + (i as f32 + 0.5) * line);
+            let middle = Vec2::new(frame.size.x / 2.0, top + 0.5 * PADDING + (i as f32 + 0.5) * line);
             ui.fitted(tr(hint), middle, &[TEXT, DETAILS], theme::accent());
         }
     }

@@ -47,7 +47,7 @@ impl Flight {
         ui.panel(panel);
         let heading = Vec2::new(middle.x, top + PADDING + HEADING * 0.65);
         widgets::fitted(ui.canvas(), tr("Paused"), heading, width, &[HEADING], theme::text());
-        self.show_hints(ui);
+        self.show_hints(ui, top);
         ui.start_at(chosen);
         let pressed = ui.buttons(places, &labels);
         let place = Area::new(panel.max().x + GAP, top, worksheet::WIDTH, panel.size.y);
