@@ -142,8 +142,13 @@ impl Worksheet {
     fn show_guess(&mut self, ui: &mut Ui<'_>, line: Area) {
         let guess = self.guess.text();
         if self.answered {
-            let style = Style::new(TEXT, theme::text()).middle();
-            let guess = widgets::cut(ui.canvas(), tr(&guess), line.size.x, style);
+            let (judged, colour) = match self.experiment.judge(&guess) {
+                Some(true) => (tr(" · right"), theme::good()),
+                Some(false) => (tr(" · not so"), theme::text()),
+                None => ("", theme::text()),
+            };
+            let style = Style::new(TEXT, colour).middle();
+            let guess = widgets::cut(ui.canvas(), &format!("{}{judged}", tr(&guess)), line.size.x, style);
             return ui.text(&guess, Vec2::new(line.min.x, line.centre().y), style);
         }
         let choices = &self.experiment.choices;
