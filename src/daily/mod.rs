@@ -10,6 +10,7 @@ use crate::autopilot::{FlightPlan, fly};
 use crate::files::{self, create_folder};
 use crate::game::{Outcome, Replay};
 use crate::level::{self, Files, Landscape, Level, scaffold};
+use crate::words::tr;
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
@@ -54,7 +55,7 @@ impl Daily {
     /// The level of a date. Errors: none of the levels that the date tries is proven.
     pub fn of(date: Date) -> Result<Self, String> {
         let name = date.level_name();
-        (0..LEVELS).find_map(|attempt| proven(&name, date, attempt)).ok_or_else(|| format!("No level of {date} could be proven."))
+        (0..LEVELS).find_map(|attempt| proven(&name, date, attempt)).ok_or_else(|| tr!("No level of {date} could be proven.", date))
     }
 
     /// Makes its folder in `levels` where there is none yet; the answer is its name.
@@ -63,7 +64,7 @@ impl Daily {
         let name = date.level_name();
         if !files::is_folder(&levels.join(&name)) {
             let daily = Self::of(date)?;
-            let cannot = |error: io::Error| format!("Cannot make {}: {error}", levels.join(&name).display());
+            let cannot = |error: io::Error| tr!("Cannot make {path}: {error}", path = levels.join(&name).display(), error);
             scaffold::make(levels, &name, &daily.files).map_err(cannot)?;
             let proof = |folder: &Path| files::put(&folder.join("careful.replay.csv"), daily.proof.to_string().as_bytes());
             create_folder(&levels.join(&name).join("flights"), proof).map_err(cannot)?;

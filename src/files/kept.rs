@@ -4,6 +4,7 @@ use super::lock::Lock;
 use super::read::{Symlinks, too_large};
 use super::storage::{FileKind, Found, Manner, Storage};
 use super::{begins, joined};
+use crate::words::tr;
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -27,10 +28,10 @@ impl From<KeepingFault> for io::Error {
     fn from(fault: KeepingFault) -> Self {
         let (kind, words) = match fault {
             KeepingFault::Full => {
-                (io::ErrorKind::StorageFull, "the browser's room for this page is full: see “Your data” in the menu")
+                (io::ErrorKind::StorageFull, tr("the browser's room for this page is full: see “Your data” in the menu"))
             }
-            KeepingFault::Forbidden => (io::ErrorKind::PermissionDenied, "the browser keeps no data for this page"),
-            KeepingFault::Damaged => (io::ErrorKind::InvalidData, "the browser's data for this file are damaged"),
+            KeepingFault::Forbidden => (io::ErrorKind::PermissionDenied, tr("the browser keeps no data for this page")),
+            KeepingFault::Damaged => (io::ErrorKind::InvalidData, tr("the browser's data for this file are damaged")),
         };
         Self::new(kind, words)
     }

@@ -13,6 +13,7 @@ use super::types::{
 };
 use super::unbound::{self, UnboundLink};
 use crate::physics::{Aabb, DVec2};
+use crate::words::tr;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
@@ -133,14 +134,13 @@ impl Draft {
 }
 
 fn player(reader: &mut LevelReader) -> Option<FromRow<ShipStart>> {
-    let one = "exactly one row with the ship";
+    let one = tr("exactly one row with the ship");
     let table = reader.required(Table::Player, one)?;
     if table.lines.is_empty() {
-        reader.rows.problems.push(bodies::SHIP.problem(1, "no row", one));
+        reader.rows.problems.push(bodies::SHIP.problem(1, tr("no row"), one));
     }
-    for (i, line) in table.lines.iter().enumerate().skip(1) {
-        let found = format!("{} row", if i == 1 { "a second" } else { "one more" });
-        reader.rows.problems.push(bodies::SHIP.problem(*line, found, one));
+    for line in table.lines.iter().skip(1) {
+        reader.rows.problems.push(bodies::SHIP.problem(*line, tr("one more row"), one));
     }
     let mut ships: Vec<_> = Vec::new();
     for record in &table.records {
@@ -151,7 +151,7 @@ fn player(reader: &mut LevelReader) -> Option<FromRow<ShipStart>> {
 
 /// Appends the key objects to `objects`. An experiment has no objectives.
 fn objectives(reader: &mut LevelReader, experiment: bool, objects: &mut Vec<FromRow<Object>>) -> Vec<FromRow<Objective>> {
-    let wanted = "at least one PLAYER or PHYS row";
+    let wanted = tr("at least one PLAYER or PHYS row");
     let table = if experiment { Some(reader.table(Table::Objectives)) } else { reader.required(Table::Objectives, wanted) };
     let Some(table) = table else { return Vec::new() };
     let mut objectives = Vec::new();
@@ -179,10 +179,10 @@ fn objectives(reader: &mut LevelReader, experiment: bool, objects: &mut Vec<From
     // The missing row may be an unreadable one, which has a problem of its own.
     let all_read = table.records.len() == table.lines.len();
     if blocks == 0 && all_read && !experiment {
-        reader.rows.problems.push(bodies::PAD.problem(1, "no objective", wanted));
+        reader.rows.problems.push(bodies::PAD.problem(1, tr("no objective"), wanted));
     }
     if let (Some(record), 0, true) = (first_physics, keys, all_read) {
-        reader.rows.problems.push(record.problem("kind", "PHYS without any key object", "at least one OBJECT row"));
+        reader.rows.problems.push(record.problem("kind", tr("PHYS without any key object"), tr("at least one OBJECT row")));
     }
     objectives
 }
@@ -195,9 +195,10 @@ fn streams(reader: &mut LevelReader, world: &[FromRow<Solid>]) -> Vec<FromRow<Ai
         let (mut stream, shaded) = placed.item.clone();
         pairs += if shaded { world.len() } else { 0 };
         if pairs > MOST_PAIRS {
-            let found = format!("one more shaded stream beside {} solids", world.len());
+            let found = tr!("one more shaded stream beside {count} solids", count = world.len());
             let most = MOST_PAIRS / world.len();
-            let expected = format!("at most {most} in this level: shaded streams times solids are at most {MOST_PAIRS}");
+            let expected =
+                tr!("at most {most} in this level: shaded streams times solids are at most {pairs}", most, pairs = MOST_PAIRS);
             reader.rows.problems.push(placed.problem("shaded", found, expected));
             break;
         }
@@ -205,8 +206,8 @@ fn streams(reader: &mut LevelReader, world: &[FromRow<Solid>]) -> Vec<FromRow<Ai
             match shade::shaded(&stream, world.iter().map(|solid| solid.item.bounds)) {
                 Some(zone) => stream.zone = zone,
                 None => {
-                    let found = "TRUE, with a solid right before the source block";
-                    reader.rows.problems.push(placed.problem("shaded", found, "free space before it"));
+                    let found = tr("TRUE, with a solid right before the source block");
+                    reader.rows.problems.push(placed.problem("shaded", found, tr("free space before it")));
                 }
             }
         }

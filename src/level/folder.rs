@@ -8,6 +8,7 @@ use super::source::Files;
 use super::table;
 use super::types::{Landscape, Look};
 use crate::files::{self, CsvFile};
+use crate::words::tr;
 use std::cmp::Ordering;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -41,9 +42,9 @@ pub(super) fn load_from(disk: &LevelDisk, files: &dyn Files, read: ReadLevel) ->
     let resolved = files::resolve(folder).unwrap_or_else(|_| folder.to_path_buf());
     let name = folder.file_name().or(resolved.file_name()).map_or_else(|| folder.to_string_lossy(), |name| name.to_string_lossy());
     if !files::is_folder(folder) {
-        return Err(vec![Kind::Ship.schema().problem(1, format!("no folder {}", quoted(&name)), "a level folder")]);
+        return Err(vec![Kind::Ship.schema().problem(1, tr!("no folder {name}", name = quoted(&name)), tr("a level folder"))]);
     }
-    let found = || format!("a level folder named {}", quoted(&name));
+    let found = || tr!("a level folder named {name}", name = quoted(&name));
     let fault = name::judge_taken(&name).err().map(|fault| (fault, Problem::new("folder", 1, "name", found(), fault.expected())));
     if let Some((NameFault::Board(_), problem)) = fault {
         return Err(vec![problem]);

@@ -8,6 +8,7 @@ use super::types::{ObjectiveKind, Presser, SHIP_HALF, ShipStart, Switch};
 use super::winnable::fitting;
 use super::wiring::{SwitchesByName, Wire, Worked};
 use crate::physics::Aabb;
+use crate::words::tr;
 
 pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
     if draft.switches.is_empty() && draft.doors.is_empty() && draft.obstacles.is_empty() {
@@ -23,16 +24,19 @@ pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<
     let mut warnings = Vec::new();
     for (index, switch) in draft.switches.iter().enumerate().filter(|(index, _)| !pressed[*index]) {
         let (found, expected) = if !presses(draft, &switch.item, ship, (space, space)) {
-            ("a switch that nothing which works it gets to".to_owned(), "free space from the start of what works it")
+            (tr("a switch that nothing which works it gets to").to_owned(), tr("free space from the start of what works it"))
         } else if !presses(draft, &switch.item, ship, (&off_red, space)) {
-            ("a switch that the ship gets to through red alone".to_owned(), "a route that keeps off the rows of obstacles.csv")
+            (
+                tr("a switch that the ship gets to through red alone").to_owned(),
+                tr("a route for the ship that keeps off the rows of obstacles.csv"),
+            )
         } else {
             let own = (0..open.len()).find(|&door| !open[door] && gates.opens(index, door));
             let whose = own.map_or_else(
-                || "a door that nothing opens".to_owned(),
-                |door| format!("its own door, line {} of doors.csv", draft.doors[door].line),
+                || tr("a door that nothing opens").to_owned(),
+                |door| tr!("its own door, line {line} of doors.csv", line = draft.doors[door].line),
             );
-            (format!("a switch behind {whose}"), "a route to it that needs no closed door, or another switch for the door")
+            (tr!("a switch behind {whose}", whose), tr("a route to it that needs no closed door, or another switch for the door"))
         };
         warnings.push(switch.problem("x", found, expected));
     }
@@ -41,11 +45,11 @@ pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<
         let gets_there = |space: &FreeSpace| fitting(draft, objective, ship).any(|body| space.gets_to(body, &objective.bounds));
         let pad = objective.kind == ObjectiveKind::Player;
         if pad && !gets_there(&off_red) {
-            let expected = "a route for the ship that keeps off the rows of obstacles.csv";
-            warnings.push(placed.problem("x", "an objective that the ship gets to through red alone", expected));
+            let expected = tr("a route for the ship that keeps off the rows of obstacles.csv");
+            warnings.push(placed.problem("x", tr("an objective that the ship gets to through red alone"), expected));
         } else if !gets_there(if pad { &behind_and_red } else { &behind }) {
-            let expected = "a switch in reach for each door on the route, or a route around";
-            warnings.push(placed.problem("x", "an objective behind a door that nothing opens", expected));
+            let expected = tr("a switch in reach for each door on the route, or a route around");
+            warnings.push(placed.problem("x", tr("an objective behind a door that nothing opens"), expected));
         }
     }
     warnings.extend(plates(draft, player, space));
@@ -147,8 +151,12 @@ fn plates(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> 
         let winds = draft.streams.iter().filter(|stream| stream.item.zone.touches(&near, 0.0));
         most += count * winds.map(|stream| stream.item.force.y.max(0.0)).sum::<f64>();
         if most <= weight {
-            let found = format!("{weight} N, with {most:.0} N of weight, thrust and wind in all to press it");
-            warnings.push(plate.problem("weight", found, "less than that"));
+            let found = tr!(
+                "{weight} N, with {most} N of weight, thrust and wind in all to press it",
+                weight,
+                most = format_args!("{most:.0}")
+            );
+            warnings.push(plate.problem("weight", found, tr("less than that")));
         }
     }
     warnings

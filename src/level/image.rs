@@ -5,6 +5,7 @@ use super::problem::quoted;
 use super::source::Files;
 use super::types::Look;
 use crate::files;
+use crate::words::tr;
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -46,15 +47,18 @@ impl<'a> Images<'a> {
             if let Some(size) = cell.get(..prefix.len()).filter(|start| start.eq_ignore_ascii_case(prefix)) {
                 let size = &cell[size.len()..];
                 let (width, height) = plain_size(size, scale)
-                    .ok_or_else(|| (quoted(cell), format!("{prefix}WIDTHxHEIGHT in pixels, such as {prefix}40x40")))?;
+                    .ok_or_else(|| (quoted(cell), tr!("{prefix}WIDTHxHEIGHT in pixels, such as {prefix}40x40", prefix)))?;
                 return Ok((look, width, height));
             }
         }
         if let Some((shape, _)) =
             cell.split_once(':').filter(|(shape, _)| shape.len() > 1 && shape.chars().all(char::is_alphabetic))
         {
-            let expected = "box:40x40, ball:40x40 or a PNG's path";
-            return Err((format!("{}, with the unknown shape {}", quoted(cell), quoted(shape)), expected.into()));
+            let expected = tr("box:40x40, ball:40x40 or a PNG's path");
+            return Err((
+                tr!("{cell}, with the unknown shape {shape}", cell = quoted(cell), shape = quoted(shape)),
+                expected.into(),
+            ));
         }
         let path = project_path(cell)?;
         let (files, pixels) = (self.files, &mut self.pixels);
@@ -65,14 +69,14 @@ impl<'a> Images<'a> {
             let size = png_size(if missing { files.project_file(&path) } else { own }, cell)?;
             *pixels += (size.0 * size.1) as u64;
             if *pixels > MOST_PIXELS_IN_ALL {
-                let found = format!("{}, with which the level's pictures have {pixels} pixels", quoted(cell));
-                return Err((found, format!("pictures of at most {MOST_PIXELS_IN_ALL} pixels in all")));
+                let found = tr!("{cell}, with which the level's pictures have {pixels} pixels", cell = quoted(cell), pixels);
+                return Err((found, tr!("pictures of at most {most} pixels in all", most = MOST_PIXELS_IN_ALL)));
             }
             Ok(size)
         };
         let (width, height) = self.known.entry(path.clone()).or_insert_with(read).clone()?;
         for side in [width, height] {
-            scale.size().parse(&side.to_string()).map_err(|expected| (format!("an image side of {side} pixels"), expected))?;
+            scale.size().parse(&side.to_string()).map_err(|expected| (tr!("an image side of {side} pixels", side), expected))?;
         }
         Ok((Look::Image(PathBuf::from(path)), width, height))
     }
@@ -87,27 +91,27 @@ fn plain_size(text: &str, scale: PixelScale) -> Option<(f64, f64)> {
 
 /// The path with forward slashes, if it cannot lead out of the project on any system.
 fn project_path(cell: &str) -> Result<String, PictureRefusal> {
-    let expected = "a PNG's path from the level's or the project's folder, or box:40x40, or ball:40x40";
+    let expected = tr("a PNG's path from the level's or the project's folder, or box:40x40, or ball:40x40");
     if cell.is_empty() {
-        return Err(("nothing".into(), expected.into()));
+        return Err((tr("nothing").into(), expected.into()));
     }
     let path = cell.replace('\\', "/");
     let leaves = path.starts_with('/') || path.contains([':', '\0']) || path.split('/').any(|part| part == "..");
-    if leaves { Err((format!("{}, which leads out of the project", quoted(cell)), expected.into())) } else { Ok(path) }
+    if leaves { Err((tr!("{cell}, which leads out of the project", cell = quoted(cell)), expected.into())) } else { Ok(path) }
 }
 
 /// Width and height of a PNG in pixels, both > 0. `name` is how the author wrote it.
 /// Errors: there is no such file, it cannot be read, it is no PNG, or it would unfold to too many pixels.
 pub(super) fn png_size(bytes: io::Result<impl AsRef<[u8]>>, name: &str) -> Result<(f64, f64), PictureRefusal> {
-    let expected = || "a PNG image".to_owned();
+    let expected = || tr("a PNG image").to_owned();
     let bytes = bytes.map_err(|error| match error.kind() {
-        io::ErrorKind::NotFound => (format!("no file {}", quoted(name)), expected()),
-        _ => (format!("{}, which cannot be read ({error})", quoted(name)), expected()),
+        io::ErrorKind::NotFound => (tr!("no file {file}", file = quoted(name)), expected()),
+        _ => (tr!("{file}, which cannot be read ({error})", file = quoted(name), error), expected()),
     })?;
     if let Some(kind) = other_picture(bytes.as_ref()) {
-        return Err((format!("{}, which is a {kind} picture", quoted(name)), expected()));
+        return Err((tr!("{file}, which is a {kind} picture", file = quoted(name), kind), expected()));
     }
-    let damaged = |_| (format!("{}, which is no PNG or is damaged", quoted(name)), expected());
+    let damaged = |_| (tr!("{file}, which is no PNG or is damaged", file = quoted(name)), expected());
     let mut decoder = png::Decoder::new(io::Cursor::new(bytes.as_ref()));
     // Texts and profiles beside the picture could unfold to any size.
     decoder.set_ignore_text_chunk(true);
@@ -115,8 +119,11 @@ pub(super) fn png_size(bytes: io::Result<impl AsRef<[u8]>>, name: &str) -> Resul
     let head = decoder.read_header_info().map_err(damaged)?;
     let (width, height) = (head.width, head.height);
     if width.max(height) > MOST_SIDE || u64::from(width) * u64::from(height) > MOST_PIXELS {
-        let found = format!("{} of {width} × {height} pixels", quoted(name));
-        return Err((found, format!("a PNG image of at most {MOST_PIXELS} pixels, none of its sides above {MOST_SIDE}")));
+        let found = tr!("{file} of {width} × {height} pixels", file = quoted(name), width, height);
+        return Err((
+            found,
+            tr!("a PNG image of at most {most} pixels, none of its sides above {side}", most = MOST_PIXELS, side = MOST_SIDE),
+        ));
     }
     // All chunks and their checksums, without unpacking the picture: a file that was cut short is refused here, not when it is drawn.
     decoder.read_info().and_then(|mut reader| reader.finish()).map_err(damaged)?;
@@ -134,7 +141,8 @@ fn other_picture(bytes: &[u8]) -> Option<&'static str> {
 /// Errors: it cannot be read, is no PNG, or would unfold to too many pixels.
 pub fn read_picture(path: &Path) -> io::Result<Vec<u8>> {
     let bytes = files::read(path, files::PICTURE)?;
-    let refused = |(found, expected)| io::Error::new(io::ErrorKind::InvalidData, format!("found {found}, expected {expected}"));
+    let refused =
+        |(found, expected)| io::Error::new(io::ErrorKind::InvalidData, tr!("found {found}, expected {expected}", found, expected));
     png_size(Ok(&bytes), &path.display().to_string()).map_err(refused)?;
     Ok(bytes)
 }

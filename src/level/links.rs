@@ -3,19 +3,20 @@
 use super::draft::Draft;
 use super::nearest::meant;
 use super::placed::FromRow;
-use super::problem::{MOST_PROBLEMS, Problem, quoted};
+use super::problem::{MOST_PROBLEMS, Problem, at_most, quoted};
 use super::strength::judge;
 use super::types::{LevelLink, SHIP_HALF, ShipStart};
 use super::unbound::{LinkRowEnd, MOST_LINKS};
 use crate::physics::domain::{MOST_DAMPING, MOST_STIFFNESS};
 use crate::physics::{BodyId, DVec2, LinkDef, LinkEnd, LinkLaw};
+use crate::words::tr;
 
 /// Ends that are no body, names that two bodies share, links without a body, and links too stiff or too strong for one.
 pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     let mut problems = Vec::new();
     let beyond = draft.links.iter().skip(MOST_LINKS).take(MOST_PROBLEMS);
-    let found = format!("{} links", draft.links.len());
-    problems.extend(beyond.map(|link| link.problem("a", found.clone(), format!("at most {MOST_LINKS} in a level"))));
+    let found = tr!("{count} links", count = draft.links.len());
+    problems.extend(beyond.map(|link| link.problem("a", found.clone(), at_most(MOST_LINKS))));
     let names: Vec<&str> = draft.objects.iter().filter_map(|object| object.item.name.as_deref()).collect();
     let mut loads = vec![(0.0, 0.0); draft.objects.len() + 1];
     let ship = |ship: &FromRow<ShipStart>| (ship.item.mass, SHIP_HALF);
@@ -27,7 +28,7 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
         let before = problems.len();
         for (column, end) in ["a", "b"].into_iter().zip(&link.item.ends) {
             if *end == LinkRowEnd::Ship && draft.settings.experiment {
-                problems.push(link.problem(column, quoted("ship"), "an object or a place: an experiment has no ship"));
+                problems.push(link.problem(column, quoted("ship"), tr("an object or a place: an experiment has no ship")));
             }
             let LinkRowEnd::Object(name) = end else { continue };
             match names.iter().filter(|known| *known == name).count() {
@@ -36,18 +37,24 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
                     problems.push(link.problem(
                         column,
                         quoted(name),
-                        format!("ship, the name of an object, or a place x y{meant}"),
+                        tr("ship, the name of an object, or a place x y").to_owned() + &meant,
                     ));
                 }
                 1 => {}
-                many => problems.push(link.problem(column, quoted(name), format!("the name of one object; {many} have that one"))),
+                many => problems.push(link.problem(
+                    column,
+                    quoted(name),
+                    tr!("the name of one object; {count} have that one", count = many),
+                )),
             }
         }
         let bound = link.item.bind(&draft.objects);
         match &bound {
-            None if problems.len() == before => problems.push(link.problem("b", "a second place", "a body at one end at least")),
+            None if problems.len() == before => {
+                problems.push(link.problem("b", tr("a second place"), tr("a body at one end at least")))
+            }
             Some(LevelLink { def, .. }) if def.to == LinkEnd::Body(def.body) => {
-                problems.push(link.problem("b", "the same body as at the other end", "another body, or a place"));
+                problems.push(link.problem("b", tr("the same body as at the other end"), tr("another body, or a place")));
             }
             Some(LevelLink { def, .. }) => {
                 let too_much = load(def, &mut loads, body);
@@ -88,15 +95,15 @@ pub(super) fn load(def: &LinkDef, loads: &mut [(f64, f64)], body: impl Fn(BodyId
                     [("stiffness", *stiffness, MOST_STIFFNESS * mass, "N/m"), ("damping", *damping, MOST_DAMPING * mass, "N·s/m")]
                 {
                     if sum > most {
-                        let found = format!("{sum} {unit} on {mass} kg, all links up to this one");
-                        return Some(TooMuch { body: end, column, found, expected: format!("at most {most} {unit}") });
+                        let found = tr!("{sum} {unit} on {mass} kg, all links up to this one", sum, unit, mass);
+                        return Some(TooMuch { body: end, column, found, expected: tr!("at most {most} {unit}", most, unit) });
                     }
                 }
             }
             LinkLaw::Magnet(magnet) => {
                 let force = magnet.strength / (nearest * nearest);
                 if let Some(expected) = judge(force, mass) {
-                    let found = format!("{force} N on {mass} kg at {nearest} m, the nearest");
+                    let found = tr!("{force} N on {mass} kg at {nearest} m, the nearest", force, mass, nearest);
                     return Some(TooMuch { body: end, column: "strength", found, expected });
                 }
             }

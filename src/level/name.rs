@@ -1,13 +1,11 @@
 //! Names of levels: a folder's name is also the name of its leaderboard's file.
 
+use crate::words::tr;
+
 /// Longest name of a new level, characters.
 const MAX_NAME: usize = 40;
-/// Files among the leaderboards that belong to no level, each with the reason: a level of that name would share the file.
-const OTHER_FILES: [(&str, &str); 3] = [
-    ("jumper", "the leaderboard of that name is that of the Jumper"),
-    ("players", "scores/players.csv says what the players have done"),
-    ("attempts", "scores/attempts.csv is the list of attempts"),
-];
+/// Files among the leaderboards that belong to no level: the Jumper's board, what the players have done, and the list of attempts.
+const OTHER_FILES: [&str; 3] = ["jumper", "players", "attempts"];
 /// Names that Windows takes for devices, with any ending: no folder and no file of scores can have one there.
 const DEVICES: [&str; 6] = ["con", "prn", "aux", "nul", "conin$", "conout$"];
 /// Devices that a digit follows.
@@ -16,7 +14,7 @@ const NUMBERED_DEVICES: [&str; 2] = ["com", "lpt"];
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NameFault {
     NoWord,
-    /// Another file among the leaderboards has that name, for this reason.
+    /// Another file among the leaderboards has this name.
     Board(&'static str),
     Device,
 }
@@ -24,9 +22,9 @@ pub enum NameFault {
 impl NameFault {
     pub fn expected(self) -> String {
         match self {
-            Self::NoWord => format!("up to {MAX_NAME} letters, digits, - and _, the first a letter or digit"),
-            Self::Board(reason) => format!("another name, as {reason}"),
-            Self::Device => "another name, as Windows takes that one for a device".to_owned(),
+            Self::NoWord => tr!("up to {most} letters, digits, - and _, the first a letter or digit", most = MAX_NAME),
+            Self::Board(name) => tr!("another name, as scores/{name}.csv is a list of another kind", name),
+            Self::Device => tr("another name, as Windows takes that one for a device").to_owned(),
         }
     }
 }
@@ -43,8 +41,8 @@ pub fn judge_name(name: &str) -> Result<(), NameFault> {
 /// Refuses the names of devices and of other files among the leaderboards, in any case.
 pub(super) fn judge_taken(name: &str) -> Result<(), NameFault> {
     let lower = name.to_lowercase();
-    if let Some((_, reason)) = OTHER_FILES.into_iter().find(|(file, _)| *file == lower) {
-        return Err(NameFault::Board(reason));
+    if let Some(name) = OTHER_FILES.into_iter().find(|file| *file == lower) {
+        return Err(NameFault::Board(name));
     }
     if is_device(&lower) { Err(NameFault::Device) } else { Ok(()) }
 }

@@ -2,9 +2,10 @@
 
 use super::draft::Draft;
 use super::nearest::{meant, nearest};
-use super::problem::{MOST_PROBLEMS, Problem, quoted};
+use super::problem::{MOST_PROBLEMS, Problem, at_most, quoted};
 use super::schema::FILES;
 use super::wiring::names_in;
+use crate::words::tr;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A file that no level has: refused where it is one of [`FILES`] misspelt, a warning for any other table. Other files are the author's own.
@@ -16,8 +17,11 @@ pub(super) fn stray(file: &str) -> Option<Result<Problem, Problem>> {
     if known.is_none() && !file.to_lowercase().ends_with(".csv") {
         return None;
     }
-    let expected = known.map_or_else(|| format!("one of {}", FILES.join(", ")), |known| format!("the name {known:?}"));
-    let problem = Problem::of_file(file, "a file that no level has", expected);
+    let expected = known.map_or_else(
+        || tr!("one of {list}", list = FILES.join(", ")),
+        |known| tr!("the name {known}", known = format_args!("{known:?}")),
+    );
+    let problem = Problem::of_file(file, tr("a file that no level has"), expected);
     Some(if known.is_some() { Err(problem) } else { Ok(problem) })
 }
 
@@ -55,12 +59,12 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     let works = draft.switches.iter().flat_map(|switch| &switch.item.works);
     let wires: usize = works.filter_map(|work| known.get(work.name.as_str())).sum();
     if let Some(switch) = draft.switches.first().filter(|_| wires > MOST_WIRES) {
-        let found = format!("{wires} wires from switches to what they work, counted in all rows");
-        return vec![switch.problem("works", found, format!("at most {MOST_WIRES} in a level"))];
+        let found = tr!("{wires} wires from switches to what they work, counted in all rows", wires);
+        return vec![switch.problem("works", found, at_most(MOST_WIRES))];
     }
     let mut all = known.keys().copied().take(MOST_NAMES).collect::<Vec<_>>().join(", ");
     if known.len() > MOST_NAMES {
-        all += &format!(" and {} more", known.len() - MOST_NAMES);
+        all += &tr!(" and {count} more", count = known.len() - MOST_NAMES);
     }
     let mut problems = Vec::new();
     for switch in &draft.switches {
@@ -69,10 +73,10 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
                 return problems;
             }
             let expected = if known.is_empty() {
-                "the name of a mover, door, stream, belt or link; none has one".to_owned()
+                tr("the name of a mover, door, stream, belt or link; none has one").to_owned()
             } else {
                 let meant = meant(&work.name, known.keys().copied().take(MOST_NAMES));
-                format!("the name of a mover, door, stream, belt or link: {all}{meant}")
+                tr!("the name of a mover, door, stream, belt or link: {all}", all) + &meant
             };
             problems.push(switch.problem("works", quoted(&work.name), expected));
         }
@@ -93,9 +97,9 @@ pub(super) fn warn(draft: &Draft) -> Vec<Problem> {
     named
         .filter_map(|placed| {
             let name = names_in(placed.item.as_deref()?).find(|name| !known.contains(name))?;
-            let found = format!("{}, which no switch works", quoted(name));
+            let found = tr!("{name}, which no switch works", name = quoted(name));
             let meant = meant(name, known.iter().copied().take(MOST_NAMES));
-            Some(placed.problem("name", found, format!("a row of switches.csv that works it{meant}")))
+            Some(placed.problem("name", found, tr("a row of switches.csv that works it").to_owned() + &meant))
         })
         .take(MOST_PROBLEMS)
         .collect()

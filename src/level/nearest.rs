@@ -1,5 +1,7 @@
 //! The known word that an author probably meant.
 
+use crate::words::tr;
+
 /// Letters of a misspelt word for each slip: a word with more slips is another word.
 const LETTERS_A_SLIP: usize = 3;
 
@@ -14,7 +16,7 @@ pub(super) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) 
 
 /// `; is "world.csv" meant?`, or empty.
 pub(super) fn meant<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
-    nearest(word, known).map_or(String::new(), |known| format!("; is {known:?} meant?"))
+    nearest(word, known).map_or(String::new(), |known| tr!("; is {known} meant?", known = format_args!("{known:?}")))
 }
 
 /// The fewest letters to insert, leave out, change or exchange with their neighbours to make one word of another.

@@ -102,27 +102,28 @@ impl NumberRange {
     /// Errors: the number that is expected instead.
     pub fn judge(&self, value: f64) -> Result<(), String> {
         if !value.is_finite() {
-            return Err("a finite number".into());
+            return Err(tr("a finite number").into());
         }
         if value < self.low || value > self.high {
             return Err(self.range(value));
         }
         if value > 0.0 && value < self.gap {
-            return Err(format!("0, or at least {} {}", short(self.gap), self.unit).trim_end().to_owned());
+            return Err(tr!("0, or at least {least} {unit}", least = short(self.gap), unit = tr(self.unit)).trim_end().to_owned());
         }
         Ok(())
     }
 
     /// The expected numbers, in place of a `value` outside the range.
     fn range(&self, value: f64) -> String {
-        let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
-        if self.low > 0.0 && value <= 0.0 {
-            "a number above 0".to_owned() + &unit
+        let unit = tr(self.unit);
+        let range = if self.low > 0.0 && value <= 0.0 {
+            tr!("a number above 0 {unit}", unit)
         } else if self.low == 0.0 && value < 0.0 && self.high >= 1e3 {
-            "a number of 0 or more".to_owned() + &unit
+            tr!("a number of 0 or more {unit}", unit)
         } else {
-            format!("a number from {} to {}{unit}", short(self.low), short(self.high))
-        }
+            tr!("a number from {low} to {high} {unit}", low = short(self.low), high = short(self.high), unit)
+        };
+        range.trim_end().to_owned()
     }
 }
 
@@ -134,10 +135,10 @@ fn number(text: &str) -> Result<f64, String> {
     };
     match plain(text) {
         Some(value) if value.is_finite() => Ok(value),
-        Some(_) => Err("a finite number".into()),
-        None if text.parse::<f64>().is_ok() => Err("a finite number".into()),
-        None if plain(&text.replacen(',', ".", 1)).is_some() => Err("a number with a decimal point, not a comma".into()),
-        None => Err("a number such as 12.5".into()),
+        Some(_) => Err(tr("a finite number").into()),
+        None if text.parse::<f64>().is_ok() => Err(tr("a finite number").into()),
+        None if plain(&text.replacen(',', ".", 1)).is_some() => Err(tr("a number with a decimal point, not a comma").into()),
+        None => Err(tr("a number such as 12.5").into()),
     }
 }
 

@@ -3,12 +3,13 @@
 use super::box_tree::BoxTree;
 use super::draft::Draft;
 use super::placed::FromRow;
-use super::problem::{MOST_PROBLEMS, Problem};
+use super::problem::{MOST_PROBLEMS, Problem, at_most};
 use super::reach::{FreeSpace, SearchWork};
 use super::types::{Fluid, SHIP_HALF, ShipStart, Solid};
 use super::wiring::{SwitchesByName, Worked};
 use crate::physics::domain::{LIQUIDS_OVERLAP, MOST_FIELDS, MOST_LIQUIDS, MOST_STREAMS};
 use crate::physics::{Aabb, DVec2, Sides};
+use crate::words::tr;
 use std::rc::Rc;
 
 /// The most that things overlap at the start, m: pixels that touch overlap by rounding. The engine would push apart a larger overlap at the
@@ -22,18 +23,18 @@ type Named = (&'static str, FromRow<Aabb>);
 pub(super) fn check_zones(draft: &Draft) -> Vec<Problem> {
     let mut problems = Vec::new();
     let sideways = usize::from(draft.settings.gravity_x != 0.0);
-    too_many(&draft.streams, "air streams", MOST_STREAMS, &mut problems);
-    too_many(&draft.fields, "gravity zones", MOST_FIELDS - sideways, &mut problems);
-    too_many(&draft.fluids, "liquids", MOST_LIQUIDS, &mut problems);
+    too_many(&draft.streams, tr("air streams"), MOST_STREAMS, &mut problems);
+    too_many(&draft.fields, tr("gravity zones"), MOST_FIELDS - sideways, &mut problems);
+    too_many(&draft.fluids, tr("liquids"), MOST_LIQUIDS, &mut problems);
     for (i, fluid) in draft.fluids.iter().take(MOST_LIQUIDS).enumerate() {
         let inside = |other: &&FromRow<Fluid>| other.item.zone.overlaps(&fluid.item.zone, LIQUIDS_OVERLAP);
         if let Some(other) = draft.fluids[..i].iter().find(inside) {
             let (column, deep, side) = depth(&fluid.item.zone, &other.item.zone, draft.scale.metre);
-            let found = format!("a liquid {deep} pixels inside that of line {}", other.line);
+            let found = tr!("a liquid {deep} pixels inside that of line {line}", deep, line = other.line);
             problems.push(fluid.problem(
                 column,
                 found,
-                format!("liquids that at most touch, such as {deep} pixels further {side}"),
+                tr!("liquids that at most touch, such as {deep} pixels further {side}", deep, side),
             ));
         }
     }
@@ -42,7 +43,7 @@ pub(super) fn check_zones(draft: &Draft) -> Vec<Problem> {
 
 fn too_many<T>(rows: &[FromRow<T>], kind: &str, most: usize, problems: &mut Vec<Problem>) {
     let beyond = rows.iter().skip(most).take(MOST_PROBLEMS);
-    problems.extend(beyond.map(|row| row.problem("x", format!("{} {kind}", rows.len()), format!("at most {most} in a level"))));
+    problems.extend(beyond.map(|row| row.problem("x", format!("{} {kind}", rows.len()), at_most(most))));
 }
 
 /// The ship and every object that start outside the level or inside something solid: one problem a body.
@@ -53,21 +54,22 @@ pub(super) fn check(draft: &Draft, work: &SearchWork) -> Vec<Problem> {
             .world
             .iter()
             .filter(|solid| solid.item.sides == Sides::ALL)
-            .map(|solid| ("the solid", solid.map(|solid| solid.bounds))),
+            .map(|solid| (tr("the solid"), solid.map(|solid| solid.bounds))),
     );
-    solids.extend(draft.movers.iter().map(|mover| ("the mover", mover.map(|mover| mover.solid.bounds))));
+    solids.extend(draft.movers.iter().map(|mover| (tr("the mover"), mover.map(|mover| mover.solid.bounds))));
     // A door that is open at the start closes once it is free.
     let (switches, off) =
         (SwitchesByName::new(draft.switches.iter().map(|switch| &switch.item)), vec![false; draft.switches.len()]);
     let wire = |door: &Solid| switches.wire(door.name.as_deref()?, Worked::Door(0));
     let open = |door: &Solid| wire(door).is_some_and(|wire| wire.is_on(&off));
-    solids.extend(draft.doors.iter().filter(|door| !open(&door.item)).map(|door| ("the door", door.map(|door| door.bounds))));
+    solids.extend(draft.doors.iter().filter(|door| !open(&door.item)).map(|door| (tr("the door"), door.map(|door| door.bounds))));
     let plates = draft.switches.iter().filter(|switch| switch.item.weight.is_some());
-    solids.extend(plates.map(|plate| ("the plate", plate.map(|plate| plate.bounds))));
-    solids.extend(draft.streams.iter().map(|stream| ("the source block", stream.map(|stream| stream.source))));
+    solids.extend(plates.map(|plate| (tr("the plate"), plate.map(|plate| plate.bounds))));
+    solids.extend(draft.streams.iter().map(|stream| (tr("the source block"), stream.map(|stream| stream.source))));
     let mut bodies: Vec<Named> = Vec::new();
-    bodies.extend(draft.player.iter().map(|ship| ("the ship", ship.map(|ship| Aabb::around(ship.position, SHIP_HALF)))));
-    bodies.extend(draft.objects.iter().map(|body| ("the object", body.map(|body| Aabb::around(body.position, body.size * 0.5)))));
+    bodies.extend(draft.player.iter().map(|ship| (tr("the ship"), ship.map(|ship| Aabb::around(ship.position, SHIP_HALF)))));
+    bodies
+        .extend(draft.objects.iter().map(|body| (tr("the object"), body.map(|body| Aabb::around(body.position, body.size * 0.5)))));
     let mut problems = Vec::new();
     let all: Vec<&Named> = solids.iter().chain(&bodies).collect();
     let tree = BoxTree::of(all.iter().map(|(_, thing)| thing.item));
@@ -89,15 +91,20 @@ pub(super) fn check(draft: &Draft, work: &SearchWork) -> Vec<Problem> {
             problems.push(problem);
         } else if let Some((what, other)) = all.get(first).filter(|_| first < solids.len() + i) {
             let (column, deep, side) = depth(&body.item, &other.item, draft.scale.metre);
-            let found = format!("{name} {deep} pixels inside {what} of {}:{}", other.file, other.line);
-            problems.push(body.problem(column, found, format!("a start in free space, such as {deep} pixels further {side}")));
+            let found =
+                tr!("{name} {deep} pixels inside {what} of {file}:{line}", name, deep, what, file = other.file, line = other.line);
+            problems.push(body.problem(
+                column,
+                found,
+                tr!("a start in free space, such as {deep} pixels further {side}", deep, side),
+            ));
         }
     }
     for mover in &draft.movers {
         let half = mover.item.solid.bounds.size() * 0.5;
         let beyond = mover.item.stops.iter().enumerate().find_map(|(index, stop)| {
             let block = mover.map(|_| Aabb::around(*stop, half));
-            let name = if index == 0 { "the mover".to_owned() } else { format!("way point {index} of the mover") };
+            let name = if index == 0 { tr("the mover").to_owned() } else { tr!("way point {index} of the mover", index) };
             let problem = outside(&name, &block, draft)?;
             let column = if index == 0 { problem.column.clone() } else { "way_points".to_owned() };
             Some(Problem { column, ..problem })
@@ -110,10 +117,10 @@ pub(super) fn check(draft: &Draft, work: &SearchWork) -> Vec<Problem> {
 /// The shortest move out of another body: its column, its length in pixels, its side.
 fn depth(body: &Aabb, other: &Aabb, metre: f64) -> (&'static str, String, &'static str) {
     let moves = [
-        ("x", body.max.x - other.min.x, "left"),
-        ("x", other.max.x - body.min.x, "right"),
-        ("y", body.max.y - other.min.y, "up"),
-        ("y", other.max.y - body.min.y, "down"),
+        ("x", body.max.x - other.min.x, tr("left")),
+        ("x", other.max.x - body.min.x, tr("right")),
+        ("y", body.max.y - other.min.y, tr("up")),
+        ("y", other.max.y - body.min.y, tr("down")),
     ];
     let (column, metres, side) = moves.into_iter().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(moves[0]);
     let pixels = metres * metre;
@@ -135,15 +142,15 @@ fn outside(name: &str, body: &FromRow<Aabb>, draft: &Draft) -> Option<Problem> {
         (_, true) => ("y", size.y, "height"),
         _ => return None,
     };
-    let found = format!("{name} outside the level");
-    Some(body.problem(column, found, format!("all of it between 0 and {size} pixels, the level's {side}")))
+    let found = tr!("{name} outside the level", name);
+    Some(body.problem(column, found, tr!("all of it between 0 and {size} pixels, the level's {side}", size, side)))
 }
 
 /// The objects that the ship cannot reach from its start. A link may pull an object out through rock.
 pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
     let bodies = draft.objects.iter().map(|object| (object.item.position, object.item.size * 0.5)).collect::<Vec<_>>();
     let unreached = space.unreached((player.position, SHIP_HALF), &bodies);
-    let expected = "a route for the ship, or for an object that it can push";
+    let expected = tr("a route for the ship, or for an object that it can push");
     let linked = |i: &usize| {
         let name = draft.objects[*i].item.name.as_deref();
         name.is_some() && draft.links.iter().any(|link| link.item.ends.iter().any(|end| end.object() == name))
@@ -151,7 +158,7 @@ pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<
     unreached
         .into_iter()
         .filter(|i| !linked(i))
-        .map(|i| draft.objects[i].problem("x", "an object that no one can reach", expected))
+        .map(|i| draft.objects[i].problem("x", tr("an object that no one can reach"), expected))
         .collect()
 }
 

@@ -10,6 +10,7 @@ use super::schema::settings::{CONSTANTS, LevelSettings};
 use super::types::{BURN_RATE, Mark, Object, Objective, ObjectiveKind, SHIP_HALF, ShipStart, TICK_RATE};
 use super::winnable::fitting;
 use crate::physics::{Aabb, DVec2, Material};
+use crate::words::tr;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::rc::Rc;
@@ -33,14 +34,18 @@ pub(super) fn warn(draft: &Draft, player: &FromRow<ShipStart>, space: &FreeSpace
     let mut warnings = Vec::new();
     let weight = player.item.mass * settings.gravity;
     if player.item.thrust < weight && !power.is_lifted() {
-        let found = format!("{} N, less than the ship's weight of {weight} N", player.item.thrust);
-        warnings.push(player.problem("thrust", found, "more than that, as nothing in the level lifts the ship"));
+        let found = tr!("{thrust} N, less than the ship's weight of {weight} N", thrust = player.item.thrust, weight);
+        warnings.push(player.problem("thrust", found, tr("more than that, as nothing in the level lifts the ship")));
     }
     let needed = power.fuel_needed(space);
     let pods: f64 = draft.pods.iter().map(|pod| pod.item.fuel).sum();
     if let Some((needed, line)) = needed.filter(|(needed, _)| player.item.fuel + pods < *needed) {
-        let found = format!("{} fuel units", player.item.fuel);
-        let expected = format!("at least {needed:.3}, less than which no flight to line {line} of objectives.csv takes");
+        let found = format!("{} {}", player.item.fuel, tr("fuel units"));
+        let expected = tr!(
+            "at least {least}, less than which no flight to line {line} of objectives.csv takes",
+            least = format_args!("{needed:.3}"),
+            line
+        );
         warnings.push(player.problem("fuel", found, expected));
     }
     warnings.extend(power.medals(needed.map_or(0.0, |(needed, _)| needed)));
@@ -161,8 +166,12 @@ impl Power<'_> {
             if let (Some(time), Some((least, line))) = (time, least)
                 && time < least - 1.0 / TICK_RATE
             {
-                let expected = format!("at least {least:.3} s, less than which no flight to line {line} of objectives.csv takes");
-                warn(name, format!("{time} s for {name}"), expected);
+                let expected = tr!(
+                    "at least {least}, less than which no flight to line {line} of objectives.csv takes",
+                    least = format_args!("{least:.3} s"),
+                    line
+                );
+                warn(name, tr!("{found} for {column}", found = format_args!("{time} s"), column = name), expected);
             }
         }
         let still = self
@@ -173,17 +182,22 @@ impl Power<'_> {
                 let burnt = burnt.max(BURN_RATE / TICK_RATE);
                 let most = (100.0 * (1.0 - burnt / self.ship.fuel)).max(0.0);
                 if percent > most {
-                    let expected = format!("at most {most:.3} %: any flight to the end burns more than the rest");
-                    warn("mark_fuel", format!("{percent} % of the fuel left"), expected);
+                    let expected =
+                        tr!("at most {most} %: any flight to the end burns more than the rest", most = format_args!("{most:.3}"));
+                    warn("mark_fuel", format!("{percent} {}", tr("% of the fuel left")), expected);
                 }
             }
             Some(Mark::Speed(speed)) if self.ship.velocity.length() > speed => {
-                let found = format!("{speed} m/s, with a start at {:.3} m/s", self.ship.velocity.length());
-                warn("mark_speed", found, "at least the speed at the start".to_owned());
+                let found = tr!(
+                    "{speed} m/s, with a start at {start} m/s",
+                    speed,
+                    start = format_args!("{:.3}", self.ship.velocity.length())
+                );
+                warn("mark_speed", found, tr("at least the speed at the start").to_owned());
             }
             Some(Mark::Pushes(0)) if still.is_some() && !self.is_helped() && self.keys_to_move().next().is_some() => {
-                let expected = "at least 1: a key has to be moved, and nothing but the ship moves it";
-                warn("mark_pushes", "0 pushes".to_owned(), expected.to_owned());
+                let expected = tr("at least 1: a key has to be moved, and nothing but the ship moves it");
+                warn("mark_pushes", tr("0 pushes").to_owned(), expected.to_owned());
             }
             _ => {}
         }

@@ -1,5 +1,7 @@
 //! A problem of a level: its place, the found and the expected.
 
+use crate::files::found_instead;
+use crate::words::tr;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -39,11 +41,14 @@ impl Problem {
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { file, line, column, found, expected } = self;
-        if *line == 0 {
-            return write!(f, "{file}: found {found}, expected {expected}");
-        }
-        write!(f, "{file}:{line}: column {}: found {found}, expected {expected}", quoted(column))
+        let place = if *line == 0 { file.clone() } else { place(file, *line, column) };
+        f.write_str(&found_instead(&place, found, expected))
     }
+}
+
+/// As [`crate::files::place`], with a long name of a column cut.
+fn place(file: &str, line: usize, column: &str) -> String {
+    tr!("{file}:{line}: column {column}", file, line, column = quoted(column))
 }
 
 /// The most problems that are written out of all that differ only in the row.
@@ -66,10 +71,8 @@ pub fn listed(problems: &[Problem]) -> Vec<String> {
             Some(ALIKE) => {
                 let more = count - ALIKE;
                 let Problem { file, line, column, found, .. } = problem;
-                Some(format!(
-                    "{file}:{line}: column {}: found {found} in {more} more rows, the last in line {last}",
-                    quoted(column)
-                ))
+                let place = place(file, *line, column);
+                Some(tr!("{place}: found {found} in {more} more rows, the last in line {last}", place, found, more, last))
             }
             Some(further) if further > ALIKE => None,
             _ => Some(problem.to_string()),
@@ -83,7 +86,12 @@ pub(super) const MOST_PROBLEMS: usize = 1000;
 
 /// Stands in place of all further problems.
 pub(super) fn too_many(file: &str, line: usize) -> Problem {
-    Problem::new(file, line, "all", "more problems from here on", format!("at most {MOST_PROBLEMS} in a level"))
+    Problem::new(file, line, "all", tr("more problems from here on"), at_most(MOST_PROBLEMS))
+}
+
+/// In the place of what a level has too many of.
+pub(super) fn at_most(most: usize) -> String {
+    tr!("at most {most} in a level", most)
 }
 
 /// An author's text in quotes, on one line, cut when it is long.

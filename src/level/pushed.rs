@@ -8,6 +8,7 @@ use super::reach::{CentredBox, Counts, FreeSpace, Grid};
 use super::schema::settings::LevelSettings;
 use super::types::{Object, ObjectiveKind, SHIP_HALF, ShipStart};
 use crate::physics::{Aabb, DVec2};
+use crate::words::tr;
 
 /// m/s. The fastest hit that makes a key hop: a faster one costs the ship points.
 const HIT: f64 = 10.0;
@@ -41,8 +42,10 @@ pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<
         let mut keys = draft.objects.iter().filter(|object| object.item.key.is_some_and(|key| placed.item.fits(key)));
         !keys.any(|key| gets_there(&key.item, &placed.item.bounds))
     });
-    let expected = "a route down to it, or something that lifts the key";
-    stuck.map(|placed| placed.problem("y", "an objective up a step that no key which fits can be pushed over", expected)).collect()
+    let expected = tr("a route down to it, or something that lifts the key");
+    stuck
+        .map(|placed| placed.problem("y", tr("an objective up a step that no key which fits can be pushed over"), expected))
+        .collect()
 }
 
 /// How far a key hops, m: friction passes on at most μ of a hit's impulse upwards. Low objects that it may climb on the way come on top.

@@ -12,6 +12,7 @@ use super::source::{BACKGROUND, Files};
 use super::types::Level;
 use super::{gates, links, placement, power, pushed, strength, winnable, words};
 use crate::physics::DVec2;
+use crate::words::tr;
 use std::io;
 use std::rc::Rc;
 
@@ -124,7 +125,7 @@ fn background(reader: &mut LevelReader) -> Option<Result<DVec2, ()>> {
     let range = reader.rows.scale.size();
     let size = png_size(bytes, BACKGROUND).and_then(|(width, height)| {
         for side in [width, height] {
-            range.judge(side).map_err(|expected| (format!("an image side of {side} pixels"), expected))?;
+            range.judge(side).map_err(|expected| (tr!("an image side of {side} pixels", side), expected))?;
         }
         Ok(DVec2::new(width, height))
     });
@@ -135,16 +136,16 @@ fn background(reader: &mut LevelReader) -> Option<Result<DVec2, ()>> {
 fn sizes_that_are_not_used(settings: &LevelSettings, background: DVec2, reader: &mut LevelReader) {
     for (name, given, used) in [("width", settings.width, background.x), ("height", settings.height, background.y)] {
         if let Some(given) = given.filter(|given| *given != used) {
-            let expected = format!("{used}, the {name} of {BACKGROUND}, which is used");
-            reader.warnings.push(SETTING.problem(1, format!("a {name} of {given}"), expected));
+            let expected = tr!("{used}, the {name} of {background}, which is used", used, name, background = BACKGROUND);
+            reader.warnings.push(SETTING.problem(1, tr!("a {name} of {given}", name, given), expected));
         }
     }
 }
 
 fn plain_size(settings: &LevelSettings, reader: &mut LevelReader) -> Option<DVec2> {
     for name in ["width", "height"].into_iter().filter(|name| settings.given.text(name).is_none()) {
-        let expected = format!("the level's {name} in pixels, as there is no {BACKGROUND}");
-        reader.rows.problems.push(SETTING.problem(1, format!("no {name}"), expected));
+        let expected = tr!("the level's {name} in pixels, as there is no {background}", name, background = BACKGROUND);
+        reader.rows.problems.push(SETTING.problem(1, tr!("no {column}", column = name), expected));
     }
     Some(DVec2::new(settings.width?, settings.height?))
 }

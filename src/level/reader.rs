@@ -8,6 +8,7 @@ use super::schema::Table;
 use super::schema::record::{RowCells, RowReader};
 use super::source::Files;
 use super::table::{self, TableRows};
+use crate::words::tr;
 use std::io;
 
 pub(super) struct LevelReader<'a> {
@@ -29,8 +30,8 @@ impl<'a> LevelReader<'a> {
             Ok(bytes) => Some(bytes),
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
             Err(error) => {
-                let found = format!("a file that cannot be read ({error})");
-                self.rows.problems.push(table.rows()[0].problem(1, found, "a readable file"));
+                let found = tr!("a file that cannot be read ({error})", error);
+                self.rows.problems.push(table.rows()[0].problem(1, found, tr("a readable file")));
                 None
             }
         }
@@ -41,7 +42,7 @@ impl<'a> LevelReader<'a> {
         let before = self.rows.problems.len();
         let bytes = self.bytes(table);
         if bytes.is_none() && self.rows.problems.len() == before {
-            self.rows.problems.push(table.rows()[0].problem(1, "no file", expected));
+            self.rows.problems.push(table.rows()[0].problem(1, tr("no file"), expected));
         }
         Some(table::read(table.rows(), &bytes?, &mut self.rows.problems))
     }
@@ -51,7 +52,7 @@ impl<'a> LevelReader<'a> {
         let Some(bytes) = self.bytes(table) else { return TableRows::default() };
         let rows = table::read(table.rows(), &bytes, &mut self.rows.problems);
         if rows.lines.is_empty() {
-            self.warnings.push(table.rows()[0].problem(1, "no row in the file", "at least one row, or no file"));
+            self.warnings.push(table.rows()[0].problem(1, tr("no row in the file"), tr("at least one row, or no file")));
         }
         rows
     }

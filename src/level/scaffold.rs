@@ -5,6 +5,7 @@ use super::name::judge_name;
 use super::problem::quoted;
 use super::schema::sample;
 use crate::files::{self, FileKind, create_folder, put};
+use crate::words::tr;
 use std::io;
 use std::path::Path;
 
@@ -72,11 +73,15 @@ pub fn rename(levels: &Path, from: &str, to: &str) -> io::Result<()> {
 
 /// Errors: the reason why a new level may not have that name, in words.
 pub fn judge(levels: &Path, name: &str) -> Result<(), String> {
-    judge_name(name).map_err(|fault| format!("{}: expected {}", quoted(name), fault.expected()))?;
+    judge_name(name).map_err(|fault| tr!("{name}: expected {expected}", name = quoted(name), expected = fault.expected()))?;
     match taken(levels, name) {
         None => Ok(()),
-        Some(other) if other == name => Err(format!("{}: there is one of that name already", quoted(name))),
-        Some(other) => Err(format!("{}: {} is there already, the same folder on some systems", quoted(name), quoted(&other))),
+        Some(other) if other == name => Err(tr!("{name}: there is one of that name already", name = quoted(name))),
+        Some(other) => Err(tr!(
+            "{name}: {other} is there already, the same folder on some systems",
+            name = quoted(name),
+            other = quoted(&other)
+        )),
     }
 }
 

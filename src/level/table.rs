@@ -5,6 +5,7 @@ use super::problem::{MOST_PROBLEMS, Problem, quoted, too_many};
 use super::schema::record::RowCells;
 use super::schema::{Column, RowSchema};
 use crate::files::{Cell, SpannedRow, csv_rows};
+use crate::words::tr;
 
 /// The most cells of a header. A file has less than a tenth of it as columns, and a message about a row names every cell of the header.
 const MOST_COLUMNS: usize = 200;
@@ -67,12 +68,11 @@ pub(super) fn schema_of(kinds: RowKinds, first: &str) -> Option<&'static RowSche
 fn unknown_kind(kinds: RowKinds, first: &Cell) -> Problem {
     let (any, column) = (kinds[0], kinds[0].columns[0].name);
     let (found, expected) = if first.text.trim().eq_ignore_ascii_case(column) {
-        let expected = format!("{}: the columns of these rows never change places", any.columns_text());
-        ("a header with its columns in another order".to_owned(), expected)
+        let expected = tr!("{columns}: the columns of these rows never change places", columns = any.columns_text());
+        (tr("a header with its columns in another order").to_owned(), expected)
     } else {
         let tags: Vec<&str> = kinds.iter().map(|schema| schema.tag).collect();
-        let listed = tags[..tags.len() - 1].join(", ") + " or " + tags[tags.len() - 1];
-        (found(first), listed + &meant(&first.text, tags))
+        (found(first), tr!("one of {list}", list = tags.join(", ")) + &meant(&first.text, tags))
     };
     Problem::new(any.file.name, first.line, column, found, expected)
 }
@@ -96,15 +96,15 @@ pub(super) fn plan(kinds: RowKinds, rows: &[SpannedRow], problems: &mut Vec<Prob
     let used = first.cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |last| last + 1);
     let found = if is_foreign_header(schema, first) {
         let names: Vec<&str> = first.cells.iter().map(|cell| cell.text.trim()).filter(|name| !name.is_empty()).collect();
-        format!("a header of unknown names, {}", quoted(&names.join(",")))
+        tr!("a header of unknown names, {header}", header = quoted(&names.join(",")))
     } else if !is_header(schema, first) {
         return plain;
     } else if used > MOST_COLUMNS {
-        format!("{used} cells in the header")
+        tr!("{count} cells in the header", count = used)
     } else {
         return Ok(HeaderPlan { columns: header(schema, first, &first.cells[..used], problems), headers: 1 });
     };
-    problems.push(schema.problem(first.line, found, format!("the columns {}", schema.columns_text())));
+    problems.push(schema.problem(first.line, found, schema.columns_wanted()));
     Err(1)
 }
 
@@ -134,8 +134,11 @@ fn is_foreign_header(schema: &RowSchema, row: &SpannedRow) -> bool {
 fn separator_said(schema: &RowSchema, row: &SpannedRow) -> Option<Problem> {
     let said = row.cells[0].text.trim().to_lowercase();
     let separator = said.strip_prefix("sep=")?;
-    let found = format!("{}, cells separated by something else than commas", quoted(&format!("sep={separator}")));
-    Some(schema.problem(row.line, found, "a file saved with commas between the cells, numbers with a decimal point"))
+    Some(schema.problem(row.line, quoted(&format!("sep={separator}")), commas_wanted()))
+}
+
+fn commas_wanted() -> &'static str {
+    tr("cells separated by commas, numbers with a decimal point")
 }
 
 /// The columns in the order of the header; `None` for one that is not known.
@@ -148,15 +151,15 @@ fn header(schema: &'static RowSchema, row: &SpannedRow, cells: &[Cell], problems
             problems.push(Problem::new(schema.file.name, cell.line, cell.text.trim(), found, expected));
         };
         match known {
-            None => report("an unknown column", schema.wanted(&cell.text)),
-            Some(column) if has(&columns, column) => report("the same column twice", "each column once".into()),
+            None => report(tr("an unknown column"), schema.wanted(&cell.text)),
+            Some(column) if has(&columns, column) => report(tr("the same column twice"), tr("each column once").into()),
             Some(_) => {}
         }
         columns.push(known.filter(|column| !has(&columns, column)));
     }
     for missing in schema.columns.iter().filter(|column| column.required && !has(&columns, column)) {
-        let expected = format!("the columns {}", schema.columns_text());
-        problems.push(Problem::new(schema.file.name, row.line, missing.name, "no such column in the header", expected));
+        let expected = schema.columns_wanted();
+        problems.push(Problem::new(schema.file.name, row.line, missing.name, tr("no such column in the header"), expected));
     }
     columns
 }
@@ -168,9 +171,9 @@ fn wrong_separator(schema: &RowSchema, row: &SpannedRow) -> Option<Problem> {
     if row.cells.len() >= required {
         return None;
     }
-    let separator = [(';', "semicolons"), ('\t', "tabs")].into_iter().find(|(c, _)| count(*c) + 1 >= required)?.1;
-    let found = format!("cells separated by {separator}");
-    Some(schema.problem(row.line, found, "cells separated by commas, numbers with a decimal point"))
+    let separator = [(';', tr("semicolons")), ('\t', tr("tabs"))].into_iter().find(|(c, _)| count(*c) + 1 >= required)?.1;
+    let found = tr!("cells separated by {separator}", separator);
+    Some(schema.problem(row.line, found, commas_wanted()))
 }
 
 /// The row's cells by column; `None` where the row is broken.
@@ -183,7 +186,8 @@ fn record(schema: &'static RowSchema, columns: &Columns, row: &SpannedRow, probl
     if let Some(extra) = row.cells.iter().skip(columns.len()).rposition(|cell| !cell.is_empty()) {
         let (first, found) = (&row.cells[columns.len()], cell_count(columns.len() + extra + 1));
         let name = (columns.len() + 1).to_string();
-        let expected = cells_wanted(columns) + " (a cell that holds a comma stands in quotes, decimals are written with a point)";
+        let expected =
+            cells_wanted(columns) + tr(" (a cell that holds a comma stands in quotes, decimals are written with a point)");
         problems.push(Problem::new(file, first.line, name, found, expected));
     }
     if let Some(column) = columns.iter().skip(row.cells.len()).flatten().find(|column| column.required) {
@@ -194,13 +198,13 @@ fn record(schema: &'static RowSchema, columns: &Columns, row: &SpannedRow, probl
 }
 
 fn cell_count(n: usize) -> String {
-    format!("{n} {} in the row", if n == 1 { "cell" } else { "cells" })
+    if n == 1 { tr("1 cell in the row").to_owned() } else { tr!("{count} cells in the row", count = n) }
 }
 
 fn cells_wanted(columns: &Columns) -> String {
     let most = columns.len();
     let least = columns.iter().rposition(|column| column.is_some_and(|column| column.required)).map_or(0, |last| last + 1);
-    let count = if least == most { most.to_string() } else { format!("{least} to {most}") };
+    let count = if least == most { most.to_string() } else { tr!("{least} to {most}", least, most) };
     let name = |column: &Option<&Column>| column.map_or_else(|| "?".to_owned(), Column::in_brackets);
     format!("{count}: {}", columns.iter().map(name).collect::<Vec<_>>().join(","))
 }
@@ -219,5 +223,5 @@ fn report_faults(schema: &RowSchema, columns: &[Option<&Column>], row: &SpannedR
 }
 
 fn found(cell: &Cell) -> String {
-    if cell.is_empty() { "nothing".into() } else { quoted(cell.text.trim()) }
+    if cell.is_empty() { tr("nothing").into() } else { quoted(cell.text.trim()) }
 }

@@ -8,6 +8,7 @@ use super::schema::{Kind, Table};
 use super::strength;
 use super::types::{Level, Object, SHIP_HALF};
 use crate::physics::BodyId;
+use crate::words::tr;
 
 /// Bodies are counted as in the level's world: 0 is the ship, i + 1 is object i.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -167,7 +168,11 @@ pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<
     let mut varied = level.clone();
     for (parameter, value) in changes {
         if parameter.of(level).is_none() {
-            refuse(*parameter, format!("no object {}", parameter.body().unwrap_or_default()), "an object of the level".to_owned());
+            refuse(
+                *parameter,
+                tr!("no object {number}", number = parameter.body().unwrap_or_default()),
+                tr("an object of the level").to_owned(),
+            );
         } else if let Err(expected) = parameter.facts().1.judge(*value) {
             refuse(*parameter, value.to_string(), expected);
         } else {
@@ -178,14 +183,14 @@ pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<
     let (thrust, mass) = (varied.player.thrust, varied.player.mass);
     if let Some(expected) = strength::judge(thrust, mass) {
         let parameter = if changed(&Parameter::Thrust) { Parameter::Thrust } else { Parameter::Mass(0) };
-        refuse(parameter, format!("{thrust} N on a ship of {mass} kg"), expected);
+        refuse(parameter, tr!("{thrust} N on a ship of {mass} kg", thrust, mass), expected);
     }
     let lightest = varied.objects.iter().map(|object| object.mass).fold(mass, f64::min);
     let strongest = varied.streams.iter().map(|stream| stream.force.abs().max_element()).fold(0.0, f64::max);
     if let Err(expected) = q::FORCE.judge(strongest) {
         refuse(Parameter::Wind, format!("{strongest} N"), expected);
     } else if let Some(expected) = strength::judge(strongest, lightest) {
-        refuse(Parameter::Wind, format!("{strongest} N on {lightest} kg"), expected);
+        refuse(Parameter::Wind, tr!("{force} N on {mass} kg", force = strongest, mass = lightest), expected);
     }
     let body = |body: BodyId| match body.index().checked_sub(1) {
         None => Some((mass, SHIP_HALF)),
@@ -219,10 +224,12 @@ impl Document {
                 Parameter::VelocityY(_) => parameter.of(varied).map(|up| 0.0 - up),
                 _ => parameter.of(varied),
             };
-            let text = value.ok_or("there is no such object")?.to_string();
+            let text = value.ok_or(tr("there is no such object"))?.to_string();
             match parameter.body() {
                 None => self.set_setting(column, &text, gesture)?,
-                Some(body) => cells.push(SetCell { row: self.row_of(body).ok_or("there is no such row")?, column, text }),
+                Some(body) => {
+                    cells.push(SetCell { row: self.row_of(body).ok_or(tr("there is no such row any more"))?, column, text })
+                }
             }
         }
         self.set(&cells, gesture)

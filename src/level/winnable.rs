@@ -9,6 +9,7 @@ use super::reach::{CentredBox, FreeSpace};
 use super::ship_body::{ship_body, sweep_touches};
 use super::types::{Objective, ObjectiveKind, SHIP_HALF, ShipStart};
 use crate::physics::{Aabb, DVec2};
+use crate::words::tr;
 use std::collections::BTreeMap;
 
 /// A gap of less than this, m, is touched: as in the rules.
@@ -36,8 +37,9 @@ pub(super) fn fitting<'a>(draft: &'a Draft, objective: &'a Objective, ship: Cent
 fn starts(draft: &Draft, ship: CentredBox, angle: f64) -> Vec<Problem> {
     let (at, body) = (ship.0, ship_body(angle));
     let deadly = draft.obstacles.iter().filter(|deadly| sweep_touches(&body, at, at, &deadly.item, TOUCH));
-    let mut problems: Vec<Problem> =
-        deadly.map(|deadly| deadly.problem("x", "a death box that touches the ship at its start", "a start off red")).collect();
+    let mut problems: Vec<Problem> = deadly
+        .map(|deadly| deadly.problem("x", tr("a death box that touches the ship at its start"), tr("a start off red")))
+        .collect();
     let met = |objective: &Objective| {
         let touches = |(centre, half)| Aabb::around(centre, half).touches(&objective.bounds, TOUCH);
         objective.hold == 0.0 && fitting(draft, objective, ship).any(touches)
@@ -45,7 +47,7 @@ fn starts(draft: &Draft, ship: CentredBox, angle: f64) -> Vec<Problem> {
     if let Some(first) = draft.objectives.first()
         && draft.objectives.iter().all(|objective| met(&objective.item))
     {
-        problems.push(first.problem("x", "objectives that are all met at the start", "something to do"));
+        problems.push(first.problem("x", tr("objectives that are all met at the start"), tr("something to do")));
     }
     problems
 }
@@ -59,18 +61,24 @@ fn unreachable(draft: &Draft, ship: CentredBox, space: &FreeSpace) -> Vec<Proble
         if bodies.peek().is_none() {
             // `draft` reports a level without any key.
             if let Some(colour) = objective.colour {
-                let found =
-                    format!("{}, the colour of no key object", quoted(&colour.map(|channel| channel.to_string()).join(",")));
-                problems.push(placed.problem("r", found, "the r, g and b of an OBJECT row"));
+                let found = tr!(
+                    "{colour}, the colour of no key object",
+                    colour = quoted(&colour.map(|channel| channel.to_string()).join(","))
+                );
+                problems.push(placed.problem("r", found, tr("the r, g and b of an OBJECT row")));
             }
             continue;
         }
         if bodies.any(|body| space.gets_to(body, &objective.bounds)) {
             continue;
         }
-        let body = if objective.kind == ObjectiveKind::Player { "the ship" } else { "a key object that fits" };
-        let found = format!("an objective that {body} cannot get to");
-        problems.push(placed.problem("x", found, "a route to it, in the level and out of solids"));
+        let player = objective.kind == ObjectiveKind::Player;
+        let found = tr(if player {
+            "an objective that the ship cannot get to"
+        } else {
+            "an objective that a key object that fits cannot get to"
+        });
+        problems.push(placed.problem("x", found, tr("a route to it, in the level and out of solids")));
     }
     problems
 }
@@ -84,8 +92,8 @@ fn apart(draft: &Draft) -> Option<Problem> {
         let bounds = grown(&pad.item.bounds, SHIP_HALF);
         room = Aabb { min: room.min.max(bounds.min), max: room.max.min(bounds.max) };
         if (room.max - room.min).min_element() < -TOUCH {
-            let found = "a second objective for the ship, too far from the others to touch all at once";
-            return Some(pad.problem("x", found, "objectives side by side, or a number in the column order for each"));
+            let found = tr("a second objective for the ship, too far from the others to touch all at once");
+            return Some(pad.problem("x", found, tr("objectives side by side, or a number in the column order for each")));
         }
     }
     None
@@ -99,8 +107,8 @@ pub(super) fn same_turns(draft: &Draft) -> Vec<Problem> {
         let Some(order) = placed.item.order else { continue };
         let line = *first.entry(order).or_insert(placed.line);
         if line != placed.line {
-            let found = format!("{order} once more, the turn of line {line}: these two can be met in either order");
-            warnings.push(placed.problem("order", found, "a number of its own for each turn"));
+            let found = tr!("{order} once more, the turn of line {line}: these two can be met in either order", order, line);
+            warnings.push(placed.problem("order", found, tr("a number of its own for each turn")));
         }
     }
     warnings
@@ -124,8 +132,8 @@ fn too_few_keys(draft: &Draft, space: &FreeSpace) -> Option<Problem> {
     if wanted.len() <= keys.len() || halves.iter().any(shared) {
         return None;
     }
-    let found = format!("objective {} for key objects, with {} of these", keys.len() + 1, keys.len());
-    Some(wanted[keys.len()].problem("kind", found, "a key object for each, or a number in the column order"))
+    let found = tr!("objective {number} for key objects, with {count} of these", number = keys.len() + 1, count = keys.len());
+    Some(wanted[keys.len()].problem("kind", found, tr("a key object for each, or a number in the column order")))
 }
 
 fn grown(bounds: &Aabb, by: DVec2) -> Aabb {

@@ -4,6 +4,7 @@ use super::draft::Draft;
 use super::placed::FromRow;
 use super::problem::{Problem, quoted};
 use crate::physics::DVec2;
+use crate::words::tr;
 
 /// The least width of a letter, in heights of it: only words that run out in any case are reported.
 const NARROWEST: f64 = 0.36;
@@ -17,7 +18,11 @@ pub(super) fn warn(draft: &Draft, size: DVec2) -> Vec<Problem> {
         let end = text.item.position + DVec2::new(words.chars().count() as f64 * NARROWEST, 1.0) * text.item.size;
         let out = text.item.position.cmplt(DVec2::ZERO).any() || end.cmpgt(size + text.item.size * 0.5).any();
         if out {
-            warnings.push(text.problem("x", format!("{}, which runs out of the level", quoted(words)), "words that end within it"));
+            warnings.push(text.problem(
+                "x",
+                tr!("{words}, which runs out of the level", words = quoted(words)),
+                tr("words that end within it"),
+            ));
         }
     }
     warnings.extend(draft.hints.iter().filter_map(|hint| lacking(hint, &hint.item)));
@@ -27,8 +32,8 @@ pub(super) fn warn(draft: &Draft, size: DVec2) -> Vec<Problem> {
 /// The first letter of words in a row that would be drawn as a box.
 fn lacking<T>(row: &FromRow<T>, words: &str) -> Option<Problem> {
     let letter = words.chars().find(|letter| !is_drawn(*letter))?;
-    let found = format!("{}, which would be drawn as a box", quoted(&letter.to_string()));
-    Some(row.problem("text", found, "letters of Latin, Greek or Cyrillic, signs and arrows, on one line"))
+    let found = tr!("{letter}, which would be drawn as a box", letter = quoted(&letter.to_string()));
+    Some(row.problem("text", found, tr("letters of Latin, Greek or Cyrillic, signs and arrows, on one line")))
 }
 
 /// No line break, and no letter of a script that the typefaces lack.

@@ -3,6 +3,7 @@
 use super::cost::Cost;
 use super::package::{LARGEST, MEMORY, MOST_FILES, Package, UNPACKED, limit};
 use super::path;
+use crate::words::tr;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{Cursor, Read, Write};
 use zip::write::SimpleFileOptions;
@@ -22,7 +23,7 @@ const PLAIN: [u32; 3] = [0, 0o100_000, 0o040_000];
 pub fn write(package: &Package) -> Result<Vec<u8>, String> {
     let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
-    let refused = |error: &dyn std::fmt::Display| format!("cannot pack: {error}");
+    let refused = |error: &dyn std::fmt::Display| tr!("cannot pack: {error}", error);
     for (path, bytes) in &package.files {
         archive.start_file(format!("{}/{path}", package.name), options).map_err(|error| refused(&error))?;
         archive.write_all(bytes).map_err(|error| refused(&error))?;
@@ -37,7 +38,7 @@ pub fn read(bytes: &[u8], called: &str) -> Result<Package, String> {
     let mut archive = open(bytes)?;
     let cost = cost(&mut archive, bytes.len() as u64)?;
     if cost > MEMORY {
-        return Err(format!("found a level that needs {cost} bytes of memory, expected at most {MEMORY}"));
+        return Err(tr!("found a level that needs {cost} bytes of memory, expected at most {most}", cost, most = MEMORY));
     }
     let mut found = PackEntries::default();
     // The first part may be the level's folder: the whole path is judged once that is known.
@@ -70,16 +71,20 @@ pub(super) fn read_below(
 /// An archive with as many names as entries.
 fn open(bytes: &[u8]) -> Result<ZipArchive<Cursor<&[u8]>>, String> {
     if bytes.len() as u64 > LARGEST {
-        return Err(format!("found {} bytes, expected at most {LARGEST}", bytes.len()));
+        return Err(tr!(
+            "found {found}, expected at most {most} bytes",
+            found = tr!("{count} bytes", count = bytes.len()),
+            most = LARGEST
+        ));
     }
-    let count = entries(bytes).ok_or("found no ZIP archive, expected one as `resultant pack` makes it")?;
+    let count = entries(bytes).ok_or(tr("found no ZIP archive, expected one as `resultant pack` makes it"))?;
     if count > MOST_FILES {
-        return Err(format!("found {count} files, expected at most {MOST_FILES}"));
+        return Err(tr!("found {count} files, expected at most {most}", count, most = MOST_FILES));
     }
-    let archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| format!("found a damaged archive: {error}"))?;
+    let archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| tr!("found a damaged archive: {error}", error))?;
     // The reader has one entry a name, but another program may take the second of two.
     if archive.len() != count {
-        return Err(format!("found {count} entries of {} names, expected one entry a name", archive.len()));
+        return Err(tr!("found {count} entries of {names} names, expected one entry a name", count, names = archive.len()));
     }
     Ok(archive)
 }
@@ -88,7 +93,7 @@ fn open(bytes: &[u8]) -> Result<ZipArchive<Cursor<&[u8]>>, String> {
 fn cost(archive: &mut ZipArchive<Cursor<&[u8]>>, packed: u64) -> Result<u64, String> {
     let mut cost = Cost::of_archive(packed);
     for index in 0..archive.len() {
-        let entry = archive.by_index(index).map_err(|error| format!("found an entry that cannot be read: {error}"))?;
+        let entry = archive.by_index(index).map_err(|error| tr!("found an entry that cannot be read: {error}", error))?;
         let (name, size) = (String::from_utf8_lossy(entry.name_raw()).into_owned(), entry.size());
         let mut head = Vec::new();
         // The reader of the file reports a damaged head.
@@ -96,6 +101,10 @@ fn cost(archive: &mut ZipArchive<Cursor<&[u8]>>, packed: u64) -> Result<u64, Str
         cost.add(&name, size, &head);
     }
     Ok(cost.bytes())
+}
+
+fn no_file_of_a_level(place: &str) -> String {
+    tr!("{place}: found a file that belongs to no level, expected CSV, PNG, TXT, MD", place)
 }
 
 /// The number of entries by the archive's end record.
@@ -124,30 +133,33 @@ impl PackEntries {
         index: usize,
         most: &dyn Fn(&[String]) -> Option<u64>,
     ) -> Result<(), String> {
-        let mut entry = archive.by_index(index).map_err(|error| format!("found an entry that cannot be read: {error}"))?;
+        let mut entry = archive.by_index(index).map_err(|error| tr!("found an entry that cannot be read: {error}", error))?;
         let Some(parts) = path::parts(entry.name_raw())? else { return Ok(()) };
         let shown = format!("{:?}", parts.join("/"));
         if entry.is_symlink() {
-            return Err(format!("{shown}: found a link, expected a file"));
+            return Err(format!("{shown}: {}", tr("found a link, expected a regular file")));
         }
         if entry.unix_mode().is_some_and(|mode| !PLAIN.contains(&(mode & KIND))) {
-            return Err(format!("{shown}: found a pipe or a device, expected a file"));
+            return Err(format!("{shown}: {}", tr("found a pipe or a device, expected a regular file")));
         }
         if entry.is_dir() {
             return Ok(());
         }
-        let most =
-            most(&parts).ok_or_else(|| format!("{shown}: found a file that belongs to no level, expected CSV, PNG, TXT, MD"))?;
+        let most = most(&parts).ok_or_else(|| no_file_of_a_level(&shown))?;
         let left = UNPACKED - self.unpacked;
         if entry.size() > left {
-            return Err(format!("{shown}: found more than {UNPACKED} bytes up to here, expected no more"));
+            return Err(tr!("{place}: found more than {most} bytes up to here, expected no more", place = shown, most = UNPACKED));
         }
         // The archive's own size was judged: an entry that unpacks to more is refused.
         let most = most.min(entry.size());
         let mut bytes = Vec::new();
-        entry.by_ref().take(most + 1).read_to_end(&mut bytes).map_err(|error| format!("{shown}: found a damaged file: {error}"))?;
+        entry
+            .by_ref()
+            .take(most + 1)
+            .read_to_end(&mut bytes)
+            .map_err(|error| tr!("{place}: found a damaged file: {error}", place = shown, error))?;
         if bytes.len() as u64 > most {
-            return Err(format!("{shown}: found more than {most} bytes, expected no more"));
+            return Err(tr!("{place}: found more than {most} bytes, expected no more", place = shown, most));
         }
         self.unpacked += bytes.len() as u64;
         self.take_name(&parts)?;
@@ -162,9 +174,9 @@ impl PackEntries {
         let around: Vec<String> = (1..folded.len()).map(|end| folded[..end].join("/")).collect();
         let clash = self.folders.contains(&whole) || around.iter().any(|folder| self.taken.contains(folder));
         if clash || !self.taken.insert(whole) {
-            return Err(format!(
-                "{:?}: found that name twice, expected names that differ in more than their case and the encoding of accents",
-                parts.join("/")
+            return Err(tr!(
+                "{place}: found that name twice, expected names that differ in more than their case and the encoding of accents",
+                place = format_args!("{:?}", parts.join("/"))
             ));
         }
         self.folders.extend(around);
@@ -177,11 +189,20 @@ impl PackEntries {
             |heart: &str| self.files.keys().filter(|parts| parts.last().is_some_and(|name| name == heart)).collect::<Vec<_>>();
         let hearts = HEARTS.map(named).into_iter().find(|found| !found.is_empty()).unwrap_or_default();
         let folder = match hearts.as_slice() {
-            [] => return Err(format!("found no {}, expected a level's folder", HEARTS[0])),
+            [] => return Err(tr!("found no {file}, expected a level's folder", file = HEARTS[0])),
             [heart] if heart.len() <= 2 => heart[..heart.len() - 1].to_vec(),
-            [heart] => return Err(format!("found the level in {:?}, expected its folder at the top", heart.join("/"))),
+            [heart] => {
+                return Err(tr!(
+                    "found the level in {path}, expected its folder at the top",
+                    path = format_args!("{:?}", heart.join("/"))
+                ));
+            }
             [first, second, ..] => {
-                return Err(format!("found {:?} and {:?}, expected one level", first.join("/"), second.join("/")));
+                return Err(tr!(
+                    "found {first} and {second}, expected one level",
+                    first = format_args!("{:?}", first.join("/")),
+                    second = format_args!("{:?}", second.join("/"))
+                ));
             }
         };
         let name = folder.first().map_or(called, String::as_str).to_owned();
@@ -189,13 +210,22 @@ impl PackEntries {
         let mut files = BTreeMap::new();
         for (parts, bytes) in self.files {
             let Some(own) = parts.strip_prefix(folder.as_slice()) else {
-                return Err(format!("{:?}: found a file beside the level's folder, expected all in it", parts.join("/")));
+                return Err(tr!(
+                    "{place}: found a file beside the level's folder, expected all in it",
+                    place = format_args!("{:?}", parts.join("/"))
+                ));
             };
             let own = own.join("/");
-            let most =
-                limit(&own).ok_or_else(|| format!("{own:?}: found a file that belongs to no level, expected CSV, PNG, TXT, MD"))?;
+            let most = limit(&own).ok_or_else(|| no_file_of_a_level(&format!("{own:?}")))?;
             if bytes.len() as u64 > most {
-                return Err(format!("{own:?}: found {} bytes, expected at most {most}", bytes.len()));
+                return Err(format!(
+                    "{own:?}: {}",
+                    tr!(
+                        "found {found}, expected at most {most} bytes",
+                        found = tr!("{count} bytes", count = bytes.len()),
+                        most = most
+                    )
+                ));
             }
             files.insert(own, bytes);
         }

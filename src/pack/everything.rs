@@ -4,6 +4,7 @@ use super::archive::read_below;
 use super::package::{Package, UNPACKED};
 use super::write;
 use crate::files::{Keeper, Manner, PageFiles, Storage, Symlinks};
+use crate::words::tr;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -44,7 +45,9 @@ pub fn import<K: Keeper>(kept: &PageFiles<K>, bytes: &[u8]) -> Result<String, St
     let files = read_below(bytes, NAME, |path| PARTS.contains(&first(path)).then_some(UNPACKED))?;
     let (mut new, mut other) = (0, 0);
     for (path, bytes) in &files {
-        let refused = |error: std::io::Error| format!("{path}: {error}; {} of {} files are imported", new + other, files.len());
+        let refused = |error: std::io::Error| {
+            tr!("{path}: {error}; {new} of {count} files are imported", path, error, new = new + other, count = files.len())
+        };
         let at = Path::new(path);
         match kept.read(at, u64::MAX, Symlinks::Never) {
             Ok(same) if same == *bytes => continue,
@@ -61,10 +64,15 @@ pub fn import<K: Keeper>(kept: &PageFiles<K>, bytes: &[u8]) -> Result<String, St
         }
     }
     Ok(match (new, other) {
-        (0, 0) => "Everything of this file was there already".to_owned(),
-        (new, 0) => format!("Imported {new} files"),
+        (0, 0) => tr("Everything of this file was there already").to_owned(),
+        (new, 0) => tr!("Imported {count} files", count = new),
         (new, other) => {
-            format!("Imported {} files; {other} took the place of others, which the next export has in {BEFORE}/", new + other)
+            tr!(
+                "Imported {count} files; {other} took the place of others, which the next export has in {folder}/",
+                count = new + other,
+                other,
+                folder = BEFORE
+            )
         }
     })
 }

@@ -5,6 +5,7 @@ use super::package::{LARGEST, MOST_FILES, Package, check, listed};
 use super::path;
 use crate::files;
 use crate::level::{BACKGROUND, FILES, scaffold};
+use crate::words::tr;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -32,7 +33,7 @@ impl Installed {
 pub fn install_file(archive: &Path, levels: &Path, project: &Path) -> Result<Installed, Vec<String>> {
     let named = |problem: String| vec![format!("{}: {problem}", archive.display())];
     if archive.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("zip")) {
-        return Err(named("expected a level as one file, a .zip that `resultant pack` made".to_owned()));
+        return Err(named(tr("expected a level as one file, a .zip that `resultant pack` made").to_owned()));
     }
     let bytes = files::read(archive, LARGEST).map_err(|error| named(error.to_string()))?;
     let package = read(&bytes, &archive.file_stem().unwrap_or_default().to_string_lossy()).map_err(named)?;
@@ -45,7 +46,14 @@ pub fn install_file(archive: &Path, levels: &Path, project: &Path) -> Result<Ins
 pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool) -> Result<Installed, Vec<String>> {
     path::judge_folder(&package.name).map_err(|problem| vec![problem])?;
     check(package, project)?;
-    let refused = |error: &io::Error| vec![format!("{}: cannot install {:?}: {error}", levels.display(), package.name)];
+    let refused = |error: &io::Error| {
+        vec![tr!(
+            "{path}: cannot install {name}: {error}",
+            path = levels.display(),
+            name = format_args!("{:?}", package.name),
+            error
+        )]
+    };
     for number in 1..=MOST_NAMES {
         let name = if number > 1 { format!("{}-{number}", package.name) } else { package.name.clone() };
         let folder = levels.join(&name);
@@ -64,11 +72,15 @@ pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool
             Err(differs) => differs,
         };
         if !free_name {
-            let found = format!("{}: there is another level of that name: {differs}", folder.display());
-            return Err(vec![format!("{found}; nothing was written, --as NAME gives this one another name")]);
+            let found = tr!("{path}: there is another level of that name: {differs}", path = folder.display(), differs);
+            return Err(vec![format!("{found}; {}", tr("nothing was written, --as NAME gives this one another name"))]);
         }
     }
-    Err(vec![format!("{}: there are too many levels named {:?}", levels.display(), package.name)])
+    Err(vec![tr!(
+        "{path}: there are too many levels named {name}",
+        path = levels.display(),
+        name = format_args!("{:?}", package.name)
+    )])
 }
 
 fn fill(package: &Package, folder: &Path) -> io::Result<()> {
@@ -84,15 +96,15 @@ fn compare(package: &Package, folder: &Path) -> Result<Vec<String>, String> {
         match files::read(&folder.join(path), bytes.len() as u64) {
             Ok(found) if found == *bytes => {}
             Err(error) if matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => {
-                return Err(format!("{path} is not there"));
+                return Err(tr!("{path} is not there", path));
             }
-            _ => return Err(format!("{path} is another one")),
+            _ => return Err(tr!("{path} is another one", path)),
         }
     }
     let mut more = Vec::new();
     beside(package, folder, "", &mut more);
     match more.iter().find(|path| FILES.contains(&path.as_str()) || *path == BACKGROUND) {
-        Some(table) => Err(format!("{table} lies there, too")),
+        Some(table) => Err(tr!("{path} lies there, too", path = table)),
         None => Ok(more),
     }
 }

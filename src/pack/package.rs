@@ -4,6 +4,7 @@ use super::path;
 use crate::files;
 use crate::game::Replay;
 use crate::level::{self, FILES, Files, Loaded};
+use crate::words::tr;
 use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
@@ -49,8 +50,7 @@ pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), V
     let (mut package, mut left) = (Package { name, files: BTreeMap::new() }, Vec::new());
     let mut take = |path: String, from: &Path, root: &Path, most: u64| {
         if let Some(link) = link_below(root, from) {
-            let expected = "expected a file: what a link finds elsewhere is not handed on";
-            return Err(vec![format!("{}: found a link, {expected}", link.display())]);
+            return Err(vec![format!("{}: {}", link.display(), tr("found a link, expected a regular file"))]);
         }
         let bytes = files::read(from, most).map_err(|error| vec![format!("{}: {error}", from.display())])?;
         package.files.insert(path, bytes);
@@ -102,7 +102,7 @@ pub fn check(package: &Package, project: &Path) -> Result<Loaded, Vec<String>> {
     for (path, bytes) in package.files.iter().filter(|(path, _)| path.starts_with(FLIGHTS)) {
         match str::from_utf8(bytes) {
             Ok(text) => problems.extend(Replay::parse(path, text).err().into_iter().flat_map(|bad| bad.0)),
-            Err(_) => problems.push(format!("{path}: found bytes that are no text, expected UTF-8")),
+            Err(_) => problems.push(format!("{path}: {}", tr("found letters that are not UTF-8, expected a file saved as UTF-8"))),
         }
     }
     match loaded {

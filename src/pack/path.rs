@@ -1,6 +1,7 @@
 //! Paths in an archive that stay in their folder on every system, and name the same file there.
 
 use crate::level::{NameFault, is_device, judge_name};
+use crate::words::tr;
 use unicode_normalization::UnicodeNormalization;
 
 /// The longest part of a path, bytes, and the most parts.
@@ -13,13 +14,23 @@ const FORBIDDEN: &str = "\\:*?\"<>|";
 /// is the fault of the path.
 pub(super) fn parts(raw: &[u8]) -> Result<Option<Vec<String>>, String> {
     let shown = || format!("{:?}", String::from_utf8_lossy(raw));
-    let text = str::from_utf8(raw).map_err(|_| format!("{}: found a name that is no UTF-8, expected one that is", shown()))?;
+    let text =
+        str::from_utf8(raw).map_err(|_| tr!("{place}: found a name that is no UTF-8, expected one that is", place = shown()))?;
     let parts: Vec<&str> = text.trim_end_matches('/').split('/').collect();
     if parts.len() > DEEPEST {
-        return Err(format!("{}: found {} folders in each other, expected at most {DEEPEST}", shown(), parts.len()));
+        return Err(tr!(
+            "{place}: found {count} folders in each other, expected at most {most}",
+            place = shown(),
+            count = parts.len(),
+            most = DEEPEST
+        ));
     }
     if let Some(fault) = parts.iter().find_map(|part| fault(part)) {
-        return Err(format!("{}: found a path with {fault}, expected one that stays in the level's folder", shown()));
+        return Err(tr!(
+            "{place}: found a path with {fault}, expected one that stays in the level's folder",
+            place = shown(),
+            fault
+        ));
     }
     let beside = |part: &&str| part.starts_with('.') || matches!(*part, "__MACOSX" | "Thumbs.db" | "desktop.ini");
     Ok((!parts.iter().any(beside)).then(|| parts.into_iter().map(str::to_owned).collect()))
@@ -27,12 +38,14 @@ pub(super) fn parts(raw: &[u8]) -> Result<Option<Vec<String>>, String> {
 
 fn fault(part: &str) -> Option<&'static str> {
     match part {
-        "" => Some("an empty part"),
-        "." | ".." => Some("a part that leads elsewhere"),
-        _ if part.len() > LONGEST => Some("a part that is too long"),
-        _ if part.chars().any(|c| c.is_control() || FORBIDDEN.contains(c)) => Some("a character that no name has everywhere"),
-        _ if part.ends_with([' ', '.']) || part.starts_with(' ') => Some("a part that begins or ends with a space or a full stop"),
-        _ if is_device(part) => Some("a part that is a device"),
+        "" => Some(tr("an empty part")),
+        "." | ".." => Some(tr("a part that leads elsewhere")),
+        _ if part.len() > LONGEST => Some(tr("a part that is too long")),
+        _ if part.chars().any(|c| c.is_control() || FORBIDDEN.contains(c)) => Some(tr("a character that no name has everywhere")),
+        _ if part.ends_with([' ', '.']) || part.starts_with(' ') => {
+            Some(tr("a part that begins or ends with a space or a full stop"))
+        }
+        _ if is_device(part) => Some(tr("a part that is a device")),
         _ => None,
     }
 }
@@ -47,7 +60,8 @@ pub(super) fn folded(name: &str) -> String {
 /// Judges a level's folder name: every system can have it, and no other file of the scores does. The error is the fault with the
 /// expected names.
 pub(super) fn judge_folder(name: &str) -> Result<(), String> {
-    let refused = |expected: String| Err(format!("found the level name {name:?}, expected {expected}"));
+    let refused =
+        |expected: String| Err(tr!("found the level name {name}, expected {expected}", name = format_args!("{name:?}"), expected));
     match judge_name(name) {
         Err(fault @ (NameFault::Board(_) | NameFault::Device)) => refused(fault.expected()),
         // New levels need a word; an old one only must not lead elsewhere.

@@ -122,6 +122,7 @@ impl App {
         let scores = Scores::new(&places.scores);
         let settings_file = SettingsFile::new(&places.settings);
         let (library, journal) = (Library::new(&places.root, &places.levels), Journal::new(scores.clone()));
+        words::speak(settings_file.load(whose(journal.current())).0.spoken());
         let (settings, settings_problems) = settings_file.load(whose(journal.current()));
         let mut app = Self {
             results: Results::new(places.root.join("results")),
@@ -158,7 +159,6 @@ impl App {
             opened: None,
             installed: None,
         };
-        words::speak(app.settings.spoken());
         app.ask_for_next();
         app
     }

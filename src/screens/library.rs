@@ -8,6 +8,7 @@ use crate::lab::charts::Charts;
 use crate::lab::kept;
 use crate::level::{self, Landscape, Level};
 use crate::number;
+use crate::words::tr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -143,7 +144,7 @@ impl Library {
             let choices = if choices.len() > 1 { choices } else { Vec::new() };
             let fits = right.is_empty() || if choices.is_empty() { number::is_plain(&right) } else { choices.contains(&right) };
             if !fits {
-                return Err(row.bad_cell("right", "a number, one of the choices, or nothing"));
+                return Err(row.bad_cell("right", tr("a number, one of the choices, or nothing")));
             }
             let title = level::title(&folder.join(&folder_name)).unwrap_or_else(|| folder_name.clone());
             Ok(Experiment { folder: folder_name, question, vary, answer, choices, right, title })
@@ -174,7 +175,7 @@ impl Library {
         let folder = self.root.join(CHARTS);
         let problem = match files::look(&folder).is_ok().then(|| Charts::read(|file| text(&folder, file))) {
             Some(Ok(charts)) => return Shown { charts, kept: false, problem: None },
-            Some(Err(problem)) => Some(format!("{CHARTS}/{problem}. These came with the game.")),
+            Some(Err(problem)) => Some(tr!("{folder}/{problem}. These came with the game.", folder = CHARTS, problem)),
             None => None,
         };
         match kept::charts() {

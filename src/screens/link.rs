@@ -33,27 +33,32 @@ impl PageLink {
     /// The fault of the link, in words.
     pub fn parse(text: &str) -> Result<Self, String> {
         if text.chars().count() > LONGEST {
-            return Err(format!("found more than {LONGEST} characters, expected a link of this game"));
+            return Err(tr!("found more than {most} characters, expected a link of this game", most = LONGEST));
         }
         let (mut target, mut follow, mut details) = (None, None, None);
         for part in text.split('&').filter(|part| !part.is_empty()) {
             let (name, value) = part.split_once('=').unwrap_or((part, ""));
-            let value =
-                decoded(value).ok_or_else(|| format!("{name}: found {value:?}, expected letters as addresses have them"))?;
+            let value = decoded(value).ok_or_else(|| bad(name, value, tr("letters as addresses have them")))?;
             match name {
                 "play" => target = Some(played(&value)?),
                 "lab" => target = Some(LinkTarget::Lab(page(&value)?)),
                 "follow" => follow = Some(value).filter(|value| !value.is_empty()),
                 "details" => match value.as_str() {
                     "0" | "1" => details = Some(value == "1"),
-                    _ => return Err(format!("details: found {value:?}, expected 0 or 1")),
+                    _ => return Err(bad("details", &value, tr("0 or 1"))),
                 },
-                _ => return Err(format!("found {name:?}, expected play, lab, follow or details")),
+                _ => {
+                    return Err(tr!("found {found}, expected play, lab, follow or details", found = format_args!("{name:?}")));
+                }
             }
         }
-        let target = target.ok_or("found neither play nor lab, expected one of them, such as play=1")?;
+        let target = target.ok_or(tr("found neither play nor lab, expected one of them, such as play=1"))?;
         Ok(Self { target, follow, details })
     }
+}
+
+fn bad(part: &str, value: &str, expected: &str) -> String {
+    files::found_instead(part, format_args!("{value:?}"), expected)
 }
 
 /// A level's name stays below the folder of levels.
@@ -61,7 +66,7 @@ fn played(value: &str) -> Result<LinkTarget, String> {
     let (name, experiment) = value.strip_prefix(EXPERIMENTS).map_or((value, false), |name| (name, true));
     let number = !name.is_empty() && name.bytes().all(|byte| byte.is_ascii_digit());
     if !number && judge_name(name).is_err() {
-        return Err(format!("play: found {value:?}, expected a level's name or experiments/NAME"));
+        return Err(bad("play", value, tr("a level's name or experiments/NAME")));
     }
     Ok(if experiment { LinkTarget::Experiment(name.to_owned()) } else { LinkTarget::Level(name.to_owned()) })
 }
@@ -71,7 +76,7 @@ fn page(value: &str) -> Result<Page, String> {
     let named = |words: &str| words.to_lowercase().replace(' ', "-");
     let found = PAGES.iter().find(|(_, words)| named(words) == value).map(|(page, _)| *page);
     let known: Vec<String> = PAGES.iter().map(|(_, words)| named(words)).collect();
-    found.ok_or_else(|| format!("lab: found {value:?}, expected {}", known.join(", ")))
+    found.ok_or_else(|| bad("lab", value, &known.join(", ")))
 }
 
 /// With `+` for a space and `%` before two hexadecimal digits; `None` where that is no text.
@@ -103,7 +108,7 @@ impl App {
     fn open_link(&mut self, link: PageLink, spectator: &mut dyn Spectator) -> Result<(), String> {
         let there = |folder: &std::path::Path, name: &str| match files::is_folder(folder) {
             true => Ok(()),
-            false => Err(format!("play: found {name:?}, expected a level that is there")),
+            false => Err(bad("play", name, tr("a level that is there"))),
         };
         match link.target {
             LinkTarget::Lab(page) => {
@@ -128,7 +133,7 @@ impl App {
         let mut bodies = (0..flight.game().world().bodies().len() as u32).map(BodyId);
         let of_title = |title: &String| {
             let found = bodies.find(|body| body_title(level, *body).eq_ignore_ascii_case(title));
-            found.ok_or_else(|| format!("follow: found {title:?}, expected the title of a body of this level"))
+            found.ok_or_else(|| bad("follow", title, tr("the title of a body of this level")))
         };
         let body = link.follow.as_ref().map(of_title).transpose()?;
         flight.show_as(body, link.details);

@@ -4,7 +4,8 @@
 use super::item::Item;
 use super::keys::{Action, Key};
 use super::values::Settings;
-use crate::files::{self, CsvFile, CsvRow, Lock, PATIENCE, SETTINGS, Symlinks, csv_line};
+use crate::files::{self, CsvFile, CsvRow, Lock, PATIENCE, SETTINGS, Symlinks, csv_line, found_instead, place};
+use crate::words::tr;
 use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -62,7 +63,7 @@ impl SettingRow {
         for (i, name) in text.split_whitespace().enumerate() {
             let key = Key::named(name).filter(|key| !key.is_pad());
             let (Some(place), Some(key)) = (keys.get_mut(i), key) else {
-                return Err("the names of at most two keys with a space between them, such as Space W".into());
+                return Err(tr("the names of at most two keys with a space between them, such as Space W").into());
             };
             *place = Some(key);
         }
@@ -102,10 +103,11 @@ fn set(row: &CsvRow<'_>, settings: &mut Settings) -> Result<(), String> {
     let (setting, value) = (row.get("setting"), row.get("value"));
     let Some(target) = SettingRow::named(setting) else {
         let names: Vec<&str> = SettingRow::all().map(SettingRow::setting).collect();
-        return Err(row.bad_cell("setting", format_args!("one of {}", names.join(", "))));
+        return Err(row.bad_cell("setting", tr!("one of {list}", list = names.join(", "))));
     };
-    let place = format!("{}:{}: column \"value\" of {}", FILE.name, row.line, target.setting());
-    target.read(value, settings).map_err(|expected| format!("{place}: found {value:?}, expected {expected}"))
+    let place = place(FILE.name, row.line, "value");
+    let place = tr!("{place} of {setting}", place, setting = target.setting());
+    target.read(value, settings).map_err(|expected| found_instead(&place, format_args!("{value:?}"), expected))
 }
 
 /// `text` with the settings of a player.
@@ -203,10 +205,10 @@ impl SettingsFile {
     pub fn save(&self, player: &str, settings: &Settings, patience: Duration) -> io::Result<()> {
         self.replace(player, settings, patience).map_err(|error| {
             let why = match error.kind() {
-                io::ErrorKind::WouldBlock => "another program is writing there and does not come to an end".to_owned(),
+                io::ErrorKind::WouldBlock => tr("another program is writing there and does not come to an end").to_owned(),
                 _ => error.to_string(),
             };
-            io::Error::new(error.kind(), format!("{}: {why}; the settings are not saved", self.path.display()))
+            io::Error::new(error.kind(), tr!("{path}: {why}; the settings are not saved", path = self.path.display(), why))
         })
     }
 

@@ -122,11 +122,11 @@ impl Item {
             Values::Percent { least, most, .. } => {
                 let digits = text.trim_end_matches('%').trim_end();
                 let number = digits.parse().ok().filter(|number| (least..=most).contains(number));
-                number.ok_or_else(|| format!("a whole number of percents from {least} to {most}"))?
+                number.ok_or_else(|| tr!("a whole number of percents from {least} to {most}", least, most))?
             }
             Values::Words(words) => {
                 let place = words.iter().position(|word| word.eq_ignore_ascii_case(text));
-                place.ok_or_else(|| format!("one of {}", words.join(", ")))? as u8
+                place.ok_or_else(|| tr!("one of {list}", list = words.join(", ")))? as u8
             }
             Values::Languages if text.is_empty() => {
                 settings.language = None;
@@ -134,7 +134,7 @@ impl Item {
             }
             Values::Languages => {
                 let place = Language::ALL.iter().position(|language| language.code().eq_ignore_ascii_case(text));
-                place.ok_or_else(|| format!("one of {}, or nothing", Language::ALL.map(Language::code).join(", ")))? as u8
+                place.ok_or_else(|| tr!("one of {list}, or nothing", list = Language::ALL.map(Language::code).join(", ")))? as u8
             }
         };
         self.set(value, settings);

@@ -165,7 +165,7 @@ fn a_thousand_equal_problems_are_summed_up() {
 fn new_refuses_names_that_are_taken_by_something_else() {
     let project = tempfile::tempdir().unwrap();
     for (names, why) in [
-        (&["jumper", "Jumper"][..], "the leaderboard of that name is that of the Jumper"),
+        (&["jumper", "Jumper"][..], "scores/jumper.csv is a list of another kind"),
         (&["CON", "aux", "NUL", "COM1", "lpt9", "Prn"], "Windows takes that one for a device"),
     ] {
         for name in names {
@@ -227,8 +227,8 @@ fn a_folder_with_the_name_of_another_leaderboard_is_refused_and_a_device_warned_
     let (code, out, err) = ran(project.path(), &["check"]);
     assert_eq!(code, 1);
     assert!(out.starts_with("aux: ok\n"), "{out}");
-    let jumper = "folder:1: column \"name\": found a level folder named \"Jumper\", expected another name, as the leaderboard of that \
-                  name is that of the Jumper\n";
+    let jumper = "folder:1: column \"name\": found a level folder named \"Jumper\", expected another name, as \
+                  scores/jumper.csv is a list of another kind\n";
     assert!(err.contains(&format!("Jumper: refused, 1 problem\n{jumper}")), "{err}");
     let aux = "aux: warning: folder:1: column \"name\": found a level folder named \"aux\", expected another name, as Windows takes \
                that one for a device\n";

@@ -13,6 +13,7 @@ use crate::level::read::{Loaded, read, read_unfinished};
 use crate::level::schema::Table;
 use crate::level::source::{BACKGROUND, Files};
 use crate::physics::DVec2;
+use crate::words::tr;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::io;
@@ -67,10 +68,10 @@ impl fmt::Display for SaveError {
         match self {
             Self::Changed(tables) => {
                 let files: Vec<&str> = tables.iter().map(|table| table.file()).collect();
-                write!(f, "Not saved: another program has changed {}", files.join(", "))
+                f.write_str(&tr!("Not saved: another program has changed {files}", files = files.join(", ")))
             }
-            Self::NotKept(error) => write!(f, "Neither saved nor kept beside the files: {error}"),
-            Self::File(file, error) => write!(f, "Not saved, but kept beside the files: {file}: {error}"),
+            Self::NotKept(error) => f.write_str(&tr!("Neither saved nor kept beside the files: {error}", error)),
+            Self::File(file, error) => f.write_str(&tr!("Not saved, but kept beside the files: {file}: {error}", file, error)),
         }
     }
 }
@@ -89,7 +90,7 @@ impl LevelFolder {
 
     fn open_at(folder: &Path, project: &Path, desk: fn(&Path) -> EditorDesk) -> Result<Opened, String> {
         if !files::is_folder(folder) {
-            return Err(format!("there is no folder {}", folder.display()));
+            return Err(tr!("there is no folder {path}", path = folder.display()));
         }
         let mut known = Vec::new();
         for table in Table::ALL {

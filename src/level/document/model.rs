@@ -10,6 +10,7 @@ use crate::level::schema::{Column, Kind, Table};
 use crate::level::source::Files;
 use crate::level::types::SHIP_HEIGHT;
 use crate::physics::DVec2;
+use crate::words::tr;
 use std::collections::BTreeMap;
 use std::io;
 
@@ -224,7 +225,11 @@ impl Files for Over<'_> {
                 None => Err(io::ErrorKind::NotFound.into()),
                 // A saved file of this size cannot be read.
                 Some(bytes) if bytes.len() as u64 > files::LEVEL_TABLE => {
-                    let found = format!("found {} bytes, expected at most {}", bytes.len(), files::LEVEL_TABLE);
+                    let found = tr!(
+                        "found {found}, expected at most {most} bytes",
+                        found = tr!("{count} bytes", count = bytes.len()),
+                        most = files::LEVEL_TABLE
+                    );
                     Err(io::Error::new(io::ErrorKind::FileTooLarge, found))
                 }
                 Some(bytes) => Ok(bytes.to_vec()),

@@ -4,6 +4,7 @@
 use crate::files::{Cell, CellFault, SpannedRow, csv_rows, encoded};
 use crate::level::schema::{Column, RowSchema, Table};
 use crate::level::table::{self, Columns, HeaderPlan, all_columns};
+use crate::words::tr;
 use std::ops::Range;
 
 /// Bytes of a file, and the text that takes their place.
@@ -92,7 +93,11 @@ impl EditedFile {
             let mut added: Vec<Option<&str>> = Vec::new();
             for edit in of_row {
                 let Some(index) = position(&columns, edit.column) else {
-                    return Err(format!("{} has no column {:?} in this row", self.table.file(), edit.column));
+                    return Err(tr!(
+                        "{file} has no column {column} in this row",
+                        file = self.table.file(),
+                        column = format_args!("{:?}", edit.column)
+                    ));
                 };
                 let Some(cell) = row.cells.get(index) else {
                     let beyond = index - row.cells.len();
@@ -136,7 +141,11 @@ impl EditedFile {
         }
         // A cell beyond the header, which is a mistake, would get a column.
         if let Some(row) = self.rows().iter().find(|row| row.cells.iter().skip(known).any(|cell| !cell.is_empty())) {
-            return Err(format!("{}:{} has more cells than the header: it is to be mended first", self.table.file(), row.line));
+            return Err(tr!(
+                "{file}:{line} has more cells than the header: it is to be mended first",
+                file = self.table.file(),
+                line = row.line
+            ));
         }
         Ok(Some((last.span.end..last.span.end, new)))
     }
@@ -144,7 +153,7 @@ impl EditedFile {
     pub fn append(&self, added: &[Added]) -> Result<Vec<u8>, String> {
         let Some(plan) = &self.plan else { return Err(self.closed()) };
         if self.rows.iter().flat_map(|row| &row.cells).any(|cell| cell.fault == Some(CellFault::Unclosed)) {
-            return Err(format!("{} ends within quotes that are never closed", self.table.file()));
+            return Err(tr!("{file} ends within quotes that are never closed", file = self.table.file()));
         }
         let Some((first, _)) = added.first() else { return Ok(self.bytes.clone()) };
         let (ending, by_kind) = (self.line_end(), self.is_by_kind());
@@ -188,15 +197,19 @@ impl EditedFile {
     }
 
     fn row(&self, row: usize) -> Result<&SpannedRow, String> {
-        let row = self.rows().get(row).ok_or("there is no such row any more")?;
+        let row = self.rows().get(row).ok_or(tr("there is no such row any more"))?;
         match row.cells.iter().any(|cell| cell.fault.is_some()) {
-            true => Err(format!("{}:{} cannot be read: it is to be mended in a text editor", self.table.file(), row.line)),
+            true => Err(tr!(
+                "{file}:{line} cannot be read: it is to be mended in a text editor",
+                file = self.table.file(),
+                line = row.line
+            )),
             false => Ok(row),
         }
     }
 
     fn closed(&self) -> String {
-        format!("{} cannot be read as a table: it is to be mended in a text editor", self.table.file())
+        tr!("{file} cannot be read as a table: it is to be mended in a text editor", file = self.table.file())
     }
 
     fn line_end(&self) -> &'static str {

@@ -8,6 +8,7 @@ use crate::level::problem::quoted;
 use crate::level::route::{self, MoverPace, RouteShape};
 use crate::level::types::{Mover, Presser, Route, Solid, Switch, SwitchStay, Work};
 use crate::physics::{DVec2, Material, Sides};
+use crate::words::tr;
 
 pub static WORLD: FileSchema = FileSchema {
     name: "world.csv",
@@ -134,15 +135,16 @@ pub fn mover(record: &RowCells, reader: &mut RowReader) -> Option<Mover> {
     let half = bounds.size() * 0.5;
     let stops: Vec<DVec2> = std::iter::once(bounds.min).chain(row.way_points?).map(|corner| corner + half).collect();
     if stops.windows(2).any(|pair| pair[0].distance(pair[1]) < MIN_SIZE) {
-        let found = format!("{}, with a way point where the block is already", quoted(record.text("way_points")?));
-        let expected = "each way point apart from the one before (the first, from x and y)";
+        let points = quoted(record.text("way_points")?);
+        let found = tr!("{points}, with a way point where the block is already", points);
+        let expected = tr("each way point apart from the one before (the first, from x and y)");
         reader.problems.push(record.problem("way_points", found, expected));
         return None;
     }
     let (route, pace) = (row.route?, pace?);
     let path = route::path(&stops, RouteShape { route, pace, wait: row.wait?, ease: row.ease? }).map_err(|least| {
         let found = quoted(record.text("period").unwrap_or_default());
-        let expected = format!("at least {least:.3} s, which its waits and easings take");
+        let expected = tr!("at least {least} s, which its waits and easings take", least = format_args!("{least:.3}"));
         reader.problems.push(record.problem("period", found, expected));
     });
     Some(Mover { solid, stops, route, path: path.ok()? })
@@ -152,18 +154,19 @@ fn pace(row: &MoverRow, record: &RowCells, reader: &mut RowReader) -> Option<Mov
     let found = match (row.speed?, row.period?) {
         (Some(speed), None) => return Some(MoverPace::Speed(speed)),
         (None, Some(period)) => return Some(MoverPace::Period(period)),
-        (Some(_), Some(_)) => "a speed and a period",
-        (None, None) => "neither a speed nor a period",
+        (Some(_), Some(_)) => tr("a speed and a period"),
+        (None, None) => tr("neither a speed nor a period"),
     };
-    reader.problems.push(record.problem("speed", found, "one of the two: speed in m/s, or period in s"));
+    reader.problems.push(record.problem("speed", found, tr("one of the two: speed in m/s, or period in s")));
     None
 }
 
 pub fn switch(record: &RowCells, reader: &mut RowReader) -> Option<Switch> {
     let SwitchRow { x, y, width, height, works, weight, by, stays } = SwitchRow::read(record, reader);
     if record.text("weight").is_some_and(|text| !text.is_empty()) && by.is_some_and(|by| by != Presser::Any) {
-        let found = format!("{} beside a weight", quoted(record.text("by")?));
-        reader.problems.push(record.problem("by", found, "nothing or any: a plate is pressed by whatever weighs on it"));
+        let by = quoted(record.text("by")?);
+        let found = tr!("{by} beside a weight", by);
+        reader.problems.push(record.problem("by", found, tr("nothing or any: a plate is pressed by whatever weighs on it")));
         return None;
     }
     let bounds = reader.scale.bounds([x, y, width, height])?;
@@ -177,6 +180,6 @@ fn works(text: &str) -> Result<Vec<Work>, String> {
         .map(|word| Work { name: word.trim_start_matches('!').to_owned(), inverted: word.starts_with('!') })
         .collect();
     let named = works.iter().all(|work| is_name(&work.name));
-    let expected = "names with spaces between them, such as: gate !fan";
+    let expected = tr("names with spaces between them, such as: gate !fan");
     if works.is_empty() || works.len() > MOST_WORKS || !named { Err(expected.into()) } else { Ok(works) }
 }

@@ -3,14 +3,15 @@
 use super::facts::{Count, FileSchema, Holds, RowSchema};
 use super::record::{RowCells, RowReader};
 use super::typed::{
-    CENTRE_X, CENTRE_Y, CHANNEL, MATERIAL, Maybe, TypedColumn, VX, VY, boolean, channel, is_name, number, picture_or_box, rows,
-    whole, words,
+    CENTRE_X, CENTRE_Y, MATERIAL, Maybe, TypedColumn, VX, VY, boolean, channel, is_name, number, picture_or_box, rows, whole,
+    whole_number, words,
 };
 use crate::level::image::PictureShape;
 use crate::level::numbers;
 use crate::level::problem::quoted;
 use crate::level::types::{Look, Object, Objective, ObjectiveKind, ShipStart};
 use crate::physics::{DVec2, Material};
+use crate::words::tr;
 
 pub static PLAYER: FileSchema = FileSchema {
     name: "player.csv",
@@ -61,7 +62,7 @@ const WEIGHTLESS: TypedColumn<bool> = boolean("whether no gravity acts on it").o
 const OBJECT_NAME: Maybe<String> =
     TypedColumn::new(Holds::Text("a word of letters, digits, - and _"), "the name by which links find it", |asked, reader| {
         let word = is_name(asked.text) && !asked.text.eq_ignore_ascii_case("ship");
-        let expected = "a name of letters, digits, - and _ that begins with a letter, other than ship";
+        let expected = tr("a name of letters, digits, - and _ that begins with a letter, other than ship");
         asked.or_refuse(reader, if word { Ok(asked.text.to_owned()) } else { Err(expected.into()) })
     })
     .maybe();
@@ -186,7 +187,7 @@ pub fn objective(kind: ObjectiveKind, record: &RowCells, reader: &mut RowReader)
         let coloured = ["r", "g", "b"].into_iter().find(given);
         let refuse = |column| {
             let found = quoted(record.text(column).unwrap_or_default());
-            reader.problems.push(record.problem(column, found, "nothing: only key objects have a colour that can fit"));
+            reader.problems.push(record.problem(column, found, tr("nothing: only key objects have a colour that can fit")));
         };
         if coloured.map(refuse).is_some() { None } else { Some(None) }
     } else {
@@ -207,7 +208,7 @@ pub(super) fn colour_if_given(
         [Some(r), Some(g), Some(b)] => {
             let missing = ["r", "g", "b"].into_iter().zip([r, g, b]).find(|(_, channel)| channel.is_none());
             if let Some((column, _)) = missing {
-                reader.problems.push(record.problem(column, "nothing", CHANNEL));
+                reader.problems.push(record.problem(column, tr("nothing"), whole_number(0, 255)));
             }
             Some(Some([r?, g?, b?]))
         }

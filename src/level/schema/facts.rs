@@ -195,9 +195,14 @@ impl RowSchema {
         self.columns.iter().map(Column::in_brackets).collect::<Vec<_>>().join(",")
     }
 
-    /// The columns as a refusal names them, with the nearest one.
+    /// The columns as a refusal names them.
+    pub(in crate::level) fn columns_wanted(&self) -> String {
+        tr!("the columns {columns}", columns = self.columns_text())
+    }
+
+    /// [`Self::columns_wanted`], with the nearest one.
     pub(in crate::level) fn wanted(&self, misspelt: &str) -> String {
-        format!("the columns {}{}", self.columns_text(), meant(misspelt, self.columns.iter().map(|column| column.name)))
+        self.columns_wanted() + &meant(misspelt, self.columns.iter().map(|column| column.name))
     }
 
     /// A problem of the whole file or row, for which its first column stands.

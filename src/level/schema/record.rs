@@ -5,6 +5,7 @@ use crate::files::Cell;
 use crate::level::image::Images;
 use crate::level::numbers::PixelScale;
 use crate::level::problem::{Problem, quoted};
+use crate::words::tr;
 
 /// A row's cells by column; or the settings of constants.csv, each a cell by its name.
 #[derive(Clone, Debug)]
@@ -34,7 +35,7 @@ impl RowCells {
     pub fn problem(&self, column: &str, found: impl Into<String>, expected: impl Into<String>) -> Problem {
         let (file, line) = (self.schema.file.name, self.line_of(column));
         if self.is_settings {
-            return Problem::new(file, line, "value", format!("{} for {column}", found.into()), expected);
+            return Problem::new(file, line, "value", tr!("{found} for {column}", found = found.into(), column), expected);
         }
         Problem::new(file, line, column, found, expected)
     }
@@ -56,7 +57,7 @@ pub(in crate::level) struct AskedCell<'a> {
 impl AskedCell<'_> {
     /// The value; an error is reported as the expected text.
     pub fn or_refuse<T>(&self, reader: &mut RowReader, value: Result<T, String>) -> Option<T> {
-        let found = || if self.text.is_empty() { "nothing".into() } else { quoted(self.text) };
+        let found = || if self.text.is_empty() { tr("nothing").into() } else { quoted(self.text) };
         value.map_err(|expected| reader.problems.push(self.record.problem(self.column, found(), expected))).ok()
     }
 }

@@ -7,6 +7,7 @@ use crate::level::nearest::meant;
 use crate::level::numbers::{self, PixelScale};
 use crate::level::problem::{Problem, quoted};
 use crate::level::types::{Awards, Landscape, Mark};
+use crate::words::tr;
 
 pub static CONSTANTS: FileSchema = FileSchema {
     name: "constants.csv",
@@ -109,12 +110,16 @@ fn named(rows: Vec<RowCells>, reader: &mut RowReader, warnings: &mut Vec<Problem
     for record in rows {
         let Some(name) = SettingRow::read(&record, reader).name else { continue };
         let Some(known) = names().find(|known| known.eq_ignore_ascii_case(&name)) else {
-            let expected = format!("one of {}{}", names().collect::<Vec<_>>().join(", "), meant(&name, names()));
-            warnings.push(record.problem("name", format!("the unknown constant {}", quoted(&name)), expected));
+            let expected = tr!("one of {list}", list = names().collect::<Vec<_>>().join(", ")) + &meant(&name, names());
+            warnings.push(record.problem("name", tr!("the unknown constant {name}", name = quoted(&name)), expected));
             continue;
         };
         if given.text(known).is_some() {
-            reader.problems.push(record.problem("name", format!("{} a second time", quoted(known)), "each constant once"));
+            reader.problems.push(record.problem(
+                "name",
+                tr!("{name} a second time", name = quoted(known)),
+                tr("each constant once"),
+            ));
         } else if let Some((_, value)) = record.cells.into_iter().find(|(column, _)| *column == "value") {
             given.cells.push((known, value));
         }
@@ -133,7 +138,7 @@ fn awards(row: &SettingsRow, given: &RowCells, reader: &mut RowReader) -> Awards
     for (name, value, mark) in marks {
         match value {
             Some(value) if value.fract() != 0.0 => {
-                reader.problems.push(given.problem(name, quoted(&value.to_string()), "a whole number"));
+                reader.problems.push(given.problem(name, quoted(&value.to_string()), tr("a whole number")));
             }
             // Whole and at most a million, so the conversion is exact.
             Some(value) => marked.push((name, mark(value as u32))),
@@ -145,13 +150,19 @@ fn awards(row: &SettingsRow, given: &RowCells, reader: &mut RowReader) -> Awards
     marked.sort_by_key(|(name, _)| SETTINGS.iter().position(|setting| setting.name == *name));
     if let [(first, _), more @ ..] = &marked[..] {
         reader.problems.extend(more.iter().map(|(name, _)| {
-            Problem::new(CONSTANTS.name, given.line_of(name), "name", format!("{name} beside {first}"), "one mark a level")
+            Problem::new(
+                CONSTANTS.name,
+                given.line_of(name),
+                "name",
+                tr!("{name} beside {first}", name, first),
+                tr("one mark a level"),
+            )
         }));
     }
     if let (Some(silver), Some(gold)) = (silver, gold)
         && gold > silver
     {
-        let expected = format!("no longer than silver, which is {silver} s");
+        let expected = tr!("no longer than silver, which is {silver} s", silver);
         reader.problems.push(given.problem("gold", quoted(&gold.to_string()), expected));
     }
     Awards { silver, gold, mark: marked.first().map(|(_, mark)| *mark) }

@@ -7,6 +7,7 @@ use crate::level::numbers::{self};
 use crate::level::problem::quoted;
 use crate::level::unbound::{LinkRowEnd, UnboundLink};
 use crate::physics::{LinkLaw, Magnet, Spring};
+use crate::words::tr;
 
 pub static LINKS: FileSchema = FileSchema {
     name: "links.csv",
@@ -55,7 +56,7 @@ const fn end(help: &'static str) -> TypedColumn<LinkRowEnd> {
                 [x, y] => range.parse(x).and_then(|x| Ok(LinkRowEnd::Place(reader.scale.metres(x, range.parse(y)?)))),
                 [name] if name.eq_ignore_ascii_case("ship") => Ok(LinkRowEnd::Ship),
                 [name] if is_name(name) => Ok(LinkRowEnd::Object(name.to_owned())),
-                _ => Err("ship, the name of an object, or a place such as 600 300: x and y in pixels".to_owned()),
+                _ => Err(tr("ship, the name of an object, or a place such as 600 300: x and y in pixels").to_owned()),
             };
             asked.or_refuse(reader, end)
         },
@@ -93,12 +94,12 @@ pub fn link(record: &RowCells, reader: &mut RowReader) -> Option<UnboundLink> {
         LinkKind::Spring | LinkKind::Rope => ("stiffness", &["strength"]),
     };
     for column in others.iter().filter_map(|column| Some((*column, given(column)?))) {
-        let word = if kind == LinkKind::Magnet { "a magnet has none" } else { "only a magnet has one" };
-        refuse(column.0, column.1, &format!("nothing: {word}"));
+        let magnet = kind == LinkKind::Magnet;
+        refuse(column.0, column.1, tr(if magnet { "nothing: a magnet has none" } else { "nothing: only a magnet has one" }));
     }
     if given(own).is_none() {
-        let expected = if kind == LinkKind::Magnet { "a strength in N·m²" } else { "a stiffness in N/m" };
-        refuse(own, "nothing".to_owned(), expected);
+        let expected = tr(if kind == LinkKind::Magnet { "a strength in N·m²" } else { "a stiffness in N/m" });
+        refuse(own, tr("nothing").to_owned(), expected);
     }
     let (length, breaks, damping) = (row.length?, row.breaks?, row.damping?);
     let spring =

@@ -8,6 +8,7 @@ use crate::level::nearest::meant;
 use crate::level::numbers::{self, NumberRange};
 use crate::level::wiring::names_in;
 use crate::physics::{DVec2, Material, Sides};
+use crate::words::tr;
 
 type ReadCell<T> = fn(&AskedCell, &mut RowReader) -> Option<T>;
 
@@ -141,16 +142,18 @@ pub(super) const fn whole(low: u32, high: u32, help: &'static str) -> TypedColum
 fn read_whole(asked: &AskedCell, reader: &mut RowReader) -> Option<u32> {
     let Holds::Whole(low, high) = asked.holds else { return None };
     let number = asked.text.parse().ok().filter(|number| (low..=high).contains(number));
-    asked.or_refuse(reader, number.ok_or_else(|| format!("a whole number from {low} to {high}")))
+    asked.or_refuse(reader, number.ok_or_else(|| whole_number(low, high)))
 }
 
-pub(super) const CHANNEL: &str = "a whole number from 0 to 255";
+pub(super) fn whole_number(least: u32, most: u32) -> String {
+    tr!("a whole number from {least} to {most}", least, most)
+}
 
 pub(super) const fn channel(help: &'static str) -> TypedColumn<u8> {
     TypedColumn::new(Holds::Whole(0, 255), help, |asked, reader| {
         let number = numbers::COLOUR.parse(asked.text).ok().filter(|number| number.fract() == 0.0);
         // In range and whole: the conversion is exact.
-        asked.or_refuse(reader, number.map(|number| number as u8).ok_or_else(|| CHANNEL.into()))
+        asked.or_refuse(reader, number.map(|number| number as u8).ok_or_else(|| whole_number(0, 255)))
     })
 }
 
@@ -159,7 +162,7 @@ pub(super) const fn boolean(help: &'static str) -> TypedColumn<bool> {
         let value = match asked.text.to_ascii_lowercase().as_str() {
             "true" => Ok(true),
             "false" => Ok(false),
-            _ => Err("TRUE or FALSE".into()),
+            _ => Err(tr("TRUE or FALSE").into()),
         };
         asked.or_refuse(reader, value)
     })
@@ -195,7 +198,7 @@ pub(super) const fn one_of<T: Word>(help: &'static str) -> TypedColumn<T> {
         let found = T::words().into_iter().find(|(word, _)| word.eq_ignore_ascii_case(asked.text)).map(|(_, value)| value);
         let expected = || {
             let all: Vec<&str> = names::<T>().into_iter().filter(|word| !word.is_empty()).collect();
-            format!("one of {}{}", all.join(", "), meant(asked.text, all))
+            tr!("one of {list}", list = all.join(", ")) + &meant(asked.text, all)
         };
         asked.or_refuse(reader, found.ok_or_else(expected))
     })
@@ -208,7 +211,7 @@ fn names<T: Word>() -> Vec<&'static str> {
 /// Any text that is not empty.
 pub(super) const fn words(holds: &'static str, help: &'static str) -> TypedColumn<String> {
     TypedColumn::new(Holds::Text(holds), help, |asked, reader| {
-        asked.or_refuse(reader, if asked.text.is_empty() { Err("text".into()) } else { Ok(asked.text.to_owned()) })
+        asked.or_refuse(reader, if asked.text.is_empty() { Err(tr("text").into()) } else { Ok(asked.text.to_owned()) })
     })
 }
 
@@ -217,7 +220,7 @@ const MOST_NAMES: usize = 8;
 /// Names by which switches find a thing, with & between them.
 pub(super) const fn name(help: &'static str) -> TypedColumn<String> {
     TypedColumn::new(Holds::Name, help, |asked, reader| {
-        let expected = "a name of letters, digits, - and _ that begins with a letter";
+        let expected = tr("a name of letters, digits, - and _ that begins with a letter");
         let named = names_in(asked.text).all(is_name) && names_in(asked.text).count() <= MOST_NAMES;
         asked.or_refuse(reader, if named { Ok(asked.text.to_owned()) } else { Err(expected.into()) })
     })
@@ -255,13 +258,13 @@ pub(super) const fn way_points(help: &'static str) -> TypedColumn<Vec<DVec2>> {
 }
 
 fn parse_points(text: &str, reader: &RowReader) -> Result<Vec<DVec2>, String> {
-    let expected = || "way points such as 600 300; 600 100: x and y in pixels, a semicolon between them".to_owned();
+    let expected = || tr("way points such as 600 300; 600 100: x and y in pixels, a semicolon between them").to_owned();
     let points: Vec<&str> = text.split(';').map(str::trim).filter(|point| !point.is_empty()).collect();
     if points.is_empty() {
         return Err(expected());
     }
     if points.len() > MOST_STOPS {
-        return Err(format!("at most {MOST_STOPS} way points"));
+        return Err(tr!("at most {most} way points", most = MOST_STOPS));
     }
     let range = reader.scale.coordinate();
     let point = |point: &&str| match point.split_whitespace().collect::<Vec<_>>()[..] {

@@ -7,9 +7,10 @@ use super::typed::{Maybe, Word, X, Y, boolean, channel, name, number, one_of, pi
 use crate::level::image::PictureShape;
 use crate::level::numbers::{self, corners};
 use crate::level::placed::FromRow;
-use crate::level::problem::quoted;
+use crate::level::problem::{at_most, quoted};
 use crate::level::types::{AirStream, Decoration, Fluid, GravityZone, Pod, Text};
 use crate::physics::{Aabb, DVec2};
+use crate::words::tr;
 
 pub static OBSTACLES: FileSchema =
     FileSchema { name: "obstacles.csv", help: "Death boxes: red that destroys the ship.", sample: "900,660,120,20\n" };
@@ -184,21 +185,21 @@ pub fn stream(record: &RowCells, reader: &mut RowReader) -> Option<(AirStream, b
 /// Exactly one of the two stream sizes, pixels.
 fn reach_of(row: &StreamRow, record: &RowCells, reader: &mut RowReader) -> Option<DVec2> {
     let (column, found) = match (row.stream_width?, row.stream_height?) {
-        (0.0, 0.0) => ("stream_width", "0 for both stream sizes".to_owned()),
+        (0.0, 0.0) => ("stream_width", tr("0 for both stream sizes").to_owned()),
         (across, down) if across == 0.0 || down == 0.0 => {
             let column = if down == 0.0 { "stream_width" } else { "stream_height" };
             return match reader.scale.size().judge((across + down).abs()) {
                 Ok(()) => Some(DVec2::new(across, down)),
                 Err(expected) => {
                     let found = quoted(record.text(column)?);
-                    reader.problems.push(record.problem(column, found, format!("0 or, but for its sign, {expected}")));
+                    reader.problems.push(record.problem(column, found, tr!("0 or, but for its sign, {expected}", expected)));
                     None
                 }
             };
         }
-        (across, down) => ("stream_height", format!("{down} beside a stream_width of {across}")),
+        (across, down) => ("stream_height", tr!("{down} beside a stream_width of {across}", down, across)),
     };
-    reader.problems.push(record.problem(column, found, "exactly one stream size other than 0"));
+    reader.problems.push(record.problem(column, found, tr("exactly one stream size other than 0")));
     None
 }
 
@@ -214,7 +215,7 @@ pub fn text(record: &RowCells, reader: &mut RowReader) -> Option<Text> {
     let colour = colour_if_given([r, g, b], record, reader);
     // A comma in the words is more likely than a wrong colour.
     let of_colour = reader.problems[before..].iter_mut().filter(|problem| ["r", "g", "b"].contains(&problem.column.as_str()));
-    of_colour.for_each(|problem| problem.expected += " (words that hold a comma stand in quotes)");
+    of_colour.for_each(|problem| problem.expected += tr(" (words that hold a comma stand in quotes)"));
     let position = reader.scale.metres(x?, y?);
     Some(Text { position, size: size? / reader.scale.metre, text: text?, colour: colour? })
 }
@@ -227,8 +228,8 @@ pub fn hints(records: &[RowCells], reader: &mut RowReader) -> Vec<FromRow<String
         let (letters, before) = (text.chars().count(), hints.len());
         let mut refuse = |found, expected| reader.problems.push(record.problem("text", found, expected));
         match (before < MOST_HINTS, letters <= HINT_LENGTH) {
-            (false, _) => refuse("one more hint".to_owned(), format!("at most {MOST_HINTS} in a level")),
-            (_, false) => refuse(format!("{letters} letters"), format!("at most {HINT_LENGTH}")),
+            (false, _) => refuse(tr("one more hint").to_owned(), at_most(MOST_HINTS)),
+            (_, false) => refuse(tr!("{count} letters", count = letters), tr!("at most {most}", most = HINT_LENGTH)),
             _ => hints.push(FromRow::new(record, text)),
         }
     }
