@@ -1,7 +1,10 @@
 //! Scenes made to be slow.
 
 use super::Random;
-use resultant::physics::{Aabb, BodyDef, DVec2, FluidDef, Material, Path, StreamDef, SurfaceDef, WorldDef};
+use resultant::physics::{
+    Aabb, BodyDef, BodyId, DVec2, FluidDef, LinkDef, LinkEnd, LinkLaw, Magnet, Material, Path, Spring, StreamDef, SurfaceDef,
+    WorldDef,
+};
 
 /// A scene, the force on its first body, N, and how it is played.
 pub struct Scene {
@@ -54,6 +57,14 @@ pub fn scenes() -> Vec<Scene> {
     add("16 liquids upon each other, 64 bodies".into(), layers(true), DVec2::ZERO, 120);
     add("64 bodies in air of 100 kg/m³".into(), WorldDef { air_density: 100.0, ..gas(64, 10.0, 0.0) }, DVec2::ZERO, 240);
     add("64 crates on 16 lifts".into(), lifts(), DVec2::ZERO, 360);
+    for rate in [30.0, 100.0] {
+        add(format!("a net of 32 ropes of m·({rate}/s)² in air"), net(rate), DVec2::new(300.0, 0.0), 360);
+    }
+    for rate in [30.0, 100.0, 300.0, 500.0, 2000.0] {
+        add(format!("a chain of 32 ropes of m·({rate}/s)² in air"), chain(rate), DVec2::new(300.0, 0.0), 360);
+    }
+    add("32 swings on ropes of m·(100/s)² in air".into(), swings(), DVec2::ZERO, 360);
+    add("32 magnets in a heap of 24 boxes".into(), magnets(), DVec2::ZERO, 360);
     for rate in [1.0, 10.0, 30.0] {
         for (name, def) in [("60 boxes in a room that bounce", room(60, 0.8)), ("64 boxes in 16 liquids", layers(false))] {
             let drive = DVec2::new(2000.0, -2000.0);
@@ -224,6 +235,50 @@ fn room(count: usize, restitution: f64) -> WorldDef {
         ..BodyDef::default()
     };
     WorldDef { bounds: Some(area(0.0, 0.0, size, size)), bodies: (0..count).map(body).collect(), ..WorldDef::default() }
+}
+
+/// kg. Of each body on ropes.
+const KNOT: f64 = 10.0;
+
+/// A rope of 1 m whose stiffness is that `rate`² (1/s²) times the mass of a body.
+fn rope(body: usize, to: LinkEnd, rate: f64) -> LinkDef {
+    let law = Spring { length: 1.0, stiffness: KNOT * rate * rate, damping: KNOT * 2.0 };
+    LinkDef::new(BodyId(body as u32), to, LinkLaw::Rope(law))
+}
+
+fn knot(x: f64, y: f64) -> BodyDef {
+    BodyDef { position: DVec2::new(x, y), half: DVec2::splat(0.1), mass: KNOT, drag: 1.05, ..BodyDef::default() }
+}
+
+/// Four bodies side by side and up to five below each other, the upper ones on places.
+fn net(rate: f64) -> WorldDef {
+    let at = |i: usize| DVec2::new((i % 4) as f64, 0.9 * (i / 4) as f64);
+    let body = |number: usize| LinkEnd::Body(BodyId(number as u32));
+    let up = |i: usize| if i < 4 { LinkEnd::Place(DVec2::new(i as f64, -0.9)) } else { body(i - 4) };
+    let ropes = |i: usize| [Some(rope(i, up(i), rate)), (at(i).x > 0.0).then(|| rope(i, body(i - 1), rate))];
+    let links = (0..20).flat_map(ropes).flatten().take(32).collect();
+    WorldDef { bodies: (0..20).map(|i| knot(at(i).x, at(i).y)).collect(), links, ..WorldDef::default() }
+}
+
+/// It hangs on a place, and begins level.
+fn chain(rate: f64) -> WorldDef {
+    let up = |i: usize| if i == 0 { LinkEnd::Place(DVec2::ZERO) } else { LinkEnd::Body(BodyId(i as u32 - 1)) };
+    let links = (0..32).map(|i| rope(i, up(i), rate)).collect();
+    WorldDef { bodies: (0..32).map(|i| knot(0.9 * (i + 1) as f64, 0.0)).collect(), links, ..WorldDef::default() }
+}
+
+fn swings() -> WorldDef {
+    let place = |i: usize| DVec2::new(3.0 * i as f64, 0.0);
+    let links = (0..32).map(|i| rope(i, LinkEnd::Place(place(i)), 100.0)).collect();
+    WorldDef { bodies: (0..32).map(|i| knot(place(i).x + 0.9, 0.1 * i as f64 - 1.0)).collect(), links, ..WorldDef::default() }
+}
+
+/// Each box attracts the next one and the next but two.
+fn magnets() -> WorldDef {
+    let law = LinkLaw::Magnet(Magnet { strength: 300.0, nearest: 0.0 });
+    let pull =
+        |i: usize| LinkDef::new(BodyId(i as u32 % 24), LinkEnd::Body(BodyId((i as u32 % 24 + 1 + 2 * (i as u32 / 24)) % 24)), law);
+    WorldDef { links: (0..32).map(pull).collect(), ..room(24, 0.3) }
 }
 
 fn fan() -> WorldDef {
