@@ -112,6 +112,7 @@ impl Game {
         }
         // Counts on while no tick before this one had an input.
         self.idle += u64::from(self.is_idle() && controls == Controls::default());
+        self.mechanisms.work(&self.level, &mut self.world);
         let world = &self.world;
         let drive = self.ship.obey(controls, &self.level.player, self.tick_rate, || stands(world));
         self.world.set_drive(SHIP, drive);

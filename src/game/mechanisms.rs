@@ -1,4 +1,5 @@
-//! Switches, fragile blocks and pods, tick by tick. A switch that is pressed at a tick's end works its parts from the next tick on.
+//! Switches, fragile blocks and pods, tick by tick. A switch that is pressed at a tick's end works its parts as the next tick begins: until then
+//! forces and motions are those of one world.
 //! A fragile block takes the blow that breaks it, and is gone after that tick.
 
 use super::event::GameEvent;
@@ -34,7 +35,17 @@ impl Mechanisms {
         Self { pressed: off.clone(), on: off, wires, works, fragile, broken, taken }
     }
 
-    /// Works the parts of the switches that a tick's end finds pressed, and adds an event for each change.
+    /// Works the parts of the switches that the last tick's end found pressed.
+    pub fn work(&mut self, level: &Level, world: &mut World) {
+        for (wire, on) in self.wires.iter().zip(&mut self.works) {
+            if wire.is_on(&self.on) != *on {
+                *on = !*on;
+                work(wire.worked, *on, level, world);
+            }
+        }
+    }
+
+    /// Looks at a tick's end which switches are pressed, and adds an event for each change.
     pub fn note(&mut self, level: &Level, world: &mut World, events: &mut Vec<GameEvent>) {
         for (index, switch) in level.switches.iter().enumerate() {
             let pressed = is_pressed(switch, index, level, world);
@@ -47,12 +58,6 @@ impl Mechanisms {
             if pressed != self.pressed[index] {
                 self.pressed[index] = pressed;
                 events.push(GameEvent::Switched(index, pressed));
-            }
-        }
-        for (wire, on) in self.wires.iter().zip(&mut self.works) {
-            if wire.is_on(&self.on) != *on {
-                *on = !*on;
-                work(wire.worked, *on, level, world);
             }
         }
         for &index in &self.fragile {
