@@ -135,6 +135,7 @@ impl Tick<'_> {
                 Verdict::Grown
             }
             ExactEnd::Done => {
+                self.scratch.stop_on_links(self.state);
                 self.scratch.scatter(self.state, of.motions);
                 let items = &self.scratch.events.items[..count];
                 let still = |item: &Item| item.is_still() && item.body.position == self.state.bodies[item.id as usize].position;

@@ -3,6 +3,7 @@
 
 use crate::physics::data::domain::DefError;
 use crate::physics::data::{Aabb, BodyId, Contact, Obstacle, Pose, SLOP, on_axis};
+use crate::physics::exact::item::{Item, Travel};
 use crate::physics::flight::linked::{Linked, LinkedBodies, little};
 use crate::physics::forces::link::{Link, LinkDef, LinkEnd};
 use crate::physics::forces::{Force, ForceManager, Source};
@@ -197,6 +198,27 @@ impl State {
 impl Scratch {
     pub(crate) fn linked(&self, body: u32) -> Option<&Linked> {
         self.linked.binary_search_by_key(&body, |member| member.id).ok().map(|at| &self.linked[at])
+    }
+
+    /// Stops the island of the method of events where it hangs on links that balance, and hardly moves.
+    pub(crate) fn stop_on_links(&mut self, state: &State) {
+        let of_item = |id: u32| self.linked(id).filter(|member| member.rests);
+        let items = &self.events.items[..self.events.movable];
+        let hang = || items.iter().filter_map(|item| of_item(item.id));
+        let least = hang().map(|member| member.least).reduce(|a, b| (a.0.min(b.0), a.1.min(b.1)));
+        let Some((force, speed)) = least.filter(|_| self.events.hits.is_empty()) else { return };
+        let stands = |item: &Item| {
+            let before = state.bodies[item.id as usize].velocity;
+            let flies = self.linked(item.id).is_some_and(|member| !member.rests);
+            let slow = before.length().max(item.body.velocity.length()) <= speed;
+            slow && !flies && (item.solved * item.body.mass).length() <= force
+        };
+        if items.iter().all(stands) {
+            for item in &mut self.events.items[..self.events.movable] {
+                (item.body.position, item.body.velocity) = (state.bodies[item.id as usize].position, DVec2::ZERO);
+                (item.solved, item.motion) = (DVec2::ZERO, Travel::Still);
+            }
+        }
     }
 
     /// Whether all bodies rest that links alone hold.

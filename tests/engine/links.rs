@@ -525,6 +525,32 @@ fn what_hangs_asleep_is_held_when_it_is_hit() {
     assert!(slept && (world.at(0).y - 4.02).abs() < 1e-3 && world.speed(1).length() < 1e-3, "{} {}", world.at(0), world.speed(1));
 }
 
+/// A crate on a pan that hangs: both at rest to the bit, and asleep, until a force acts on the crate.
+#[test]
+fn what_stands_on_a_pan_that_hangs_comes_to_rest_exactly() {
+    for (air, k, c) in [(0.0, 1000.0, 200.0), (1.2041, 1000.0, 20.0), (0.0, 20000.0, 200.0), (1.2041, 20000.0, 200.0)] {
+        for law in [LinkLaw::Spring, LinkLaw::Rope] {
+            let pan = BodyDef { half: DVec2::new(1.0, 0.1), ..body(0.0, 4.0, 10.0) };
+            let load = BodyDef { half: DVec2::splat(0.4), ..body(0.3, 3.0, 4.0) };
+            let def = WorldDef { gravity: 5.0, air_density: air, bodies: vec![pan, load], ..WorldDef::default() };
+            let mut world = World::new(def).unwrap();
+            hung(&mut world, DVec2::ZERO, law(Spring { length: 3.95, stiffness: k, damping: c }));
+            world.steps(6000, DT);
+            for id in [A, B] {
+                let body = world.body(id);
+                assert_eq!((body.velocity, body.acceleration), (DVec2::ZERO, DVec2::ZERO), "{k} N/m");
+                assert_eq!(world.forces(id).resultant(), DVec2::ZERO, "{k} N/m");
+            }
+            let low = world.at(0).y - 3.95 - 70.0 / k;
+            assert!(low.abs() < 1e-11 && world.methods().asleep == 2, "{k} N/m: {low} m beside the balance");
+            let at = world.at(1);
+            world.drive(1, 0.0, 1.0);
+            world.steps(60, DT);
+            assert!(world.at(1).y > at.y, "a force wakes them");
+        }
+    }
+}
+
 /// A winch on a flying ship drags a crate along a floor against a step, until its rope breaks: the forces listed are those of one instant, and the
 /// energy of the crate is what they gave it (`World::validate`).
 #[test]

@@ -2,7 +2,7 @@
 //! group. No step crosses an instant at which a law bends (a rope becomes taut or slack, a magnet is at its nearest) or a link breaks.
 
 use crate::physics::data::{
-    Aabb, BALANCED, Body, LINKED_ROUNDING, LINKED_TOLERANCE, LONGEST_SHORT, MOST_BENDS, Pose, SHORTEST_LINKED, parabola,
+    Aabb, BALANCED, Body, Cubic, LINKED_ROUNDING, LINKED_TOLERANCE, LONGEST_SHORT, MOST_BENDS, Pose, SHORTEST_LINKED, parabola,
 };
 use crate::physics::forces::link::{Link, LinkEnd, LinkLaw};
 use crate::physics::forces::{Law, Media};
@@ -11,8 +11,9 @@ use glam::DVec2;
 /// Rows of the extrapolation: 2, 4, 6 … midpoint steps.
 const ROWS: usize = 8;
 
-/// m. How far beyond the border of its law a link may be where a step ends there. Larger: energy is lost as a rope becomes taut; smaller: more steps.
-const BENT: f64 = 1e-13;
+/// Error of a step allowed besides where media brake, as a part of the longest way in it. Larger: a tow is off by 1e-8 m after some seconds; smaller: the
+/// corner of drag, where a velocity changes its sign, takes many short steps.
+const ROUGH: f64 = 2e-11;
 
 /// Place, velocity and the impulse of the links since the step's begin; or their rates.
 type LinkedState = [DVec2; 3];
@@ -24,6 +25,8 @@ pub(crate) struct Linked {
     pub held: bool,
     /// With it its whole group rests, which moves no more.
     pub rests: bool,
+    /// The force, N, and the speed, m/s, that count as none where it hangs.
+    pub least: (f64, f64),
     /// It touches something as the tick begins.
     pub touches: bool,
     pub law: Law,
@@ -31,10 +34,12 @@ pub(crate) struct Linked {
     /// The mean force of its links over the tick, N.
     pub mean: DVec2,
     pub places: Aabb,
-    /// The force of its links in the pose `at`, N, and their stiffness, N/m.
+    mass: f64,
+    /// The force of its links in the pose `at`, N.
     force: DVec2,
-    stiffness: f64,
     at: Pose,
+    /// Where it is beyond the bend that is sought.
+    pub(super) beyond: Pose,
     /// The rates at the begin of the step, the last midpoint but one, its end, and the last row of the extrapolation.
     rates: LinkedState,
     before: LinkedState,
@@ -46,19 +51,20 @@ impl Linked {
     pub fn new(body: &Body, id: u32, held: bool, law: Law) -> Self {
         let (pose, none) = ((body.position, body.velocity), [DVec2::ZERO; 3]);
         let places = Aabb::around(body.position, DVec2::ZERO);
-        let (mean, force, stiffness) = (DVec2::ZERO, DVec2::ZERO, 0.0);
         Self {
             id,
             held,
             rests: false,
+            least: (0.0, 0.0),
             touches: false,
             law,
             pose,
-            mean,
+            mean: DVec2::ZERO,
             places,
-            force,
-            stiffness,
+            mass: body.mass,
+            force: DVec2::ZERO,
             at: pose,
+            beyond: pose,
             rates: none,
             before: none,
             end: none,
@@ -66,8 +72,9 @@ impl Linked {
         }
     }
 
-    /// Takes the result of a row with twice `number` + 2 midpoint steps. Returns the error of the row, in parts of the error allowed.
-    fn extrapolate(&mut self, number: usize, h: f64) -> f64 {
+    /// Takes the result of a row with twice `number` + 2 midpoint steps. Returns the error of the row, in parts of the error allowed, which is larger
+    /// by `rough`, m.
+    fn extrapolate(&mut self, number: usize, h: f64, rough: f64) -> f64 {
         let mut best = self.end;
         for k in 1..=number {
             let before = std::mem::replace(&mut self.row[k - 1], best);
@@ -78,7 +85,7 @@ impl Linked {
         self.row[number] = best;
         self.end = best;
         let error = (best[0] - last[0]).abs().max((best[1] - last[1]).abs() * h).max_element();
-        let error = error / (LINKED_TOLERANCE + 8.0 * f64::EPSILON * self.pose.0.abs().max_element());
+        let error = error / (LINKED_TOLERANCE + rough + 8.0 * f64::EPSILON * self.pose.0.abs().max_element());
         if number == 0 { f64::INFINITY } else { error }
     }
 
@@ -92,22 +99,32 @@ impl Linked {
         self.mean += impulse / t;
     }
 
+    pub(super) fn end(&self) -> Pose {
+        (self.end[0], self.end[1])
+    }
+
+    /// Its pose `t` seconds after the begin of a step that leads to `end` after `h` seconds, about.
+    pub(super) fn on_cubic(&self, end: Pose, h: f64, t: f64) -> Pose {
+        let [x, v, ..] = Cubic::hermite(self.pose.0, self.pose.1, end.0, end.1, h).from(t).c;
+        (x, v)
+    }
+
     /// The rates in the pose `at`.
     fn rates_in(&self, media: &Media, bodies: &[Body]) -> LinkedState {
         if self.held {
             return [DVec2::ZERO, DVec2::ZERO, self.force];
         }
-        let (body, (x, v)) = (&bodies[self.id as usize], self.at);
-        [v, media.acceleration(body, &self.law, x, v) + self.force / body.mass, self.force]
+        let (x, v) = self.at;
+        [v, media.acceleration(&bodies[self.id as usize], &self.law, x, v) + self.force / self.mass, self.force]
     }
 
     /// Whether it stands, and its forces balance, as far as roundings of its place decide.
-    fn balances(&self, mass: f64) -> bool {
-        let ([_, pull, links], stiffness) = (self.rates, self.stiffness);
-        let (force, links, little) = ((pull * mass).length(), links.length(), little(stiffness, self.pose.0));
+    fn balances(&mut self, stiffness: f64) -> bool {
+        let ([_, pull, links], mass) = (self.rates, self.mass);
+        let (links, little) = (links.length(), little(stiffness, self.pose.0));
         let most = if links <= little { little } else { little.min(0.5 * BALANCED * links + rounding(stiffness, self.pose.0)) };
-        let slow = self.pose.1.length() * (stiffness * mass).sqrt() <= little && stiffness > 0.0;
-        self.held || force <= most && (slow || self.pose.1 == DVec2::ZERO)
+        self.least = (most, if stiffness > 0.0 { little / (stiffness * mass).sqrt() } else { 0.0 });
+        self.held || (pull * mass).length() <= most && self.pose.1.length() <= self.least.1
     }
 }
 
@@ -127,11 +144,21 @@ pub(crate) struct Pull {
     pub link: u32,
     /// The numbers of its ends among the members; a place has none.
     ends: [Option<usize>; 2],
-    /// The side of its law's border.
-    above: bool,
+    /// Its law as the step begins, and the side of that law's border.
+    pub(super) law: LinkLaw,
+    pub(super) above: bool,
     /// m/s.
-    growth: f64,
+    pub(super) growth: f64,
     pub broken: bool,
+}
+
+impl Pull {
+    pub(super) fn law_after(&self, offset: f64) -> LinkLaw {
+        match self.law.length() {
+            Some(length) if self.growth != 0.0 => self.law.of_length(length + self.growth * offset),
+            _ => self.law,
+        }
+    }
 }
 
 pub(crate) struct LinkedBodies<'a> {
@@ -188,7 +215,7 @@ impl LinkedBodies<'_> {
         for (link, of) in (0..).zip(links.iter()).filter(|(_, link)| link.acts()) {
             let ends = [find(of.def.body.0), of.def.other().and_then(|other| find(other.0))];
             if ends[0].is_some() {
-                pulls.push(Pull { link, ends, above: false, growth: of.growth(*tick), broken: false });
+                pulls.push(Pull { link, ends, law: of.law, above: false, growth: of.growth(*tick), broken: false });
             }
         }
     }
@@ -197,8 +224,14 @@ impl LinkedBodies<'_> {
     fn rests(&mut self) -> bool {
         self.members.iter_mut().for_each(|member| member.at = (member.pose.0, DVec2::ZERO));
         self.begin_step();
-        let still = |member: &Linked| member.balances(self.bodies[member.id as usize].mass);
-        self.pulls.iter().all(|pull| pull.growth == 0.0) && self.members.iter().all(still)
+        for at in 0..self.members.len() {
+            let of = |pull: &&Pull| pull.ends.contains(&Some(at)) && self.force(pull, 0.0) != DVec2::ZERO;
+            let stiffness = self.pulls.iter().filter(of).map(|pull| pull.law.rates()[0]).sum();
+            if !self.members[at].balances(stiffness) {
+                return false;
+            }
+        }
+        self.pulls.iter().all(|pull| pull.growth == 0.0)
     }
 
     /// The media alone move what is left of a tick that no step resolves.
@@ -211,7 +244,7 @@ impl LinkedBodies<'_> {
         }
     }
 
-    fn accept(&mut self, h: f64) {
+    pub(super) fn accept(&mut self, h: f64) {
         self.members.iter_mut().for_each(|member| member.accept(h, self.tick));
         self.now = if h == self.tick - self.now { self.tick } else { self.now + h };
         self.begin_step();
@@ -220,7 +253,9 @@ impl LinkedBodies<'_> {
     /// Sides of borders, breaks and rates where the members are.
     fn begin_step(&mut self) {
         for k in 0..self.pulls.len() {
-            let (border, over) = self.border(&self.pulls[k], 0.0);
+            let law = self.links[self.pulls[k].link as usize].law;
+            self.pulls[k].law = law.length().map_or(law, |length| law.of_length(length + self.pulls[k].growth * self.now));
+            let (border, over) = self.border(&self.pulls[k], 0.0, |member| member.at);
             (self.pulls[k].above, self.pulls[k].broken) = (border > 0.0, self.pulls[k].broken || over > 0.0);
         }
         self.pull(0.0);
@@ -229,14 +264,24 @@ impl LinkedBodies<'_> {
     }
 
     /// One step of `h` seconds. Returns its error as a part of the error allowed, and the rows that it took.
-    fn step(&mut self, h: f64) -> (f64, usize) {
-        let mut error = f64::INFINITY;
+    pub(super) fn step(&mut self, h: f64) -> (f64, usize) {
+        let brakes = self.members.iter().any(|member| !member.law.is_constant());
+        let (mut rough, mut error) = (0.0, f64::INFINITY);
         for row in 0..ROWS {
             self.midpoints(h, 2 * (row + 1));
+            if row == 0 && brakes {
+                rough = ROUGH * self.members.iter().map(|member| (member.end[0] - member.pose.0).length()).fold(0.0, f64::max);
+            }
             // An error that is no number is too large.
             let worse = |most: f64, error: f64| if error <= most { most } else { error };
-            error = self.members.iter_mut().map(|member| member.extrapolate(row, h)).fold(0.0, worse);
+            let before = error;
+            error = self.members.iter_mut().map(|member| member.extrapolate(row, h, rough)).fold(0.0, worse);
             if error <= 1.0 {
+                return (error, row + 1);
+            }
+            // Rows that come nearer no faster than this do not get there: the step is too long, or there is a corner in it.
+            let last = (row + 1..ROWS).fold(error, |last, _| last * (error / before));
+            if row >= 2 && (last > 1.0 || last.is_nan()) {
                 return (error, row + 1);
             }
         }
@@ -266,36 +311,33 @@ impl LinkedBodies<'_> {
     }
 
     fn pull_at_ends(&mut self, offset: f64) {
-        self.members.iter_mut().for_each(|member| member.at = (member.end[0], member.end[1]));
+        self.members.iter_mut().for_each(|member| member.at = member.end());
         self.pull(offset);
     }
 
     /// The forces of the links where the members are, `offset` seconds after the begin of the step.
     fn pull(&mut self, offset: f64) {
-        self.members.iter_mut().for_each(|member| (member.force, member.stiffness) = (DVec2::ZERO, 0.0));
+        self.members.iter_mut().for_each(|member| member.force = DVec2::ZERO);
         for k in 0..self.pulls.len() {
-            let pull = &self.pulls[k];
-            if pull.broken {
-                continue;
-            }
-            let (law, (apart, parting)) = (self.law(pull, offset), self.apart(pull, |member| member.at));
-            let (force, ends) = (law.force(pull.above, apart, parting), pull.ends);
-            let stiffness = if force == DVec2::ZERO { 0.0 } else { law.rates()[0] };
+            let (force, ends) = (self.force(&self.pulls[k], offset), self.pulls[k].ends);
             for (end, sign) in ends.into_iter().zip([1.0, -1.0]) {
                 if let Some(end) = end {
                     self.members[end].force += force * sign;
-                    self.members[end].stiffness += stiffness;
                 }
             }
         }
     }
 
-    fn law(&self, pull: &Pull, offset: f64) -> LinkLaw {
-        let law = self.links[pull.link as usize].law;
-        law.length().map_or(law, |length| law.of_length(length + pull.growth * (self.now + offset)))
+    /// The force of a link where the members are, N.
+    fn force(&self, pull: &Pull, offset: f64) -> DVec2 {
+        if pull.broken {
+            return DVec2::ZERO;
+        }
+        let (apart, parting) = self.apart(pull, |member| member.at);
+        pull.law_after(offset).force(pull.above, apart, parting)
     }
 
-    fn apart(&self, pull: &Pull, pose: impl Fn(&Linked) -> Pose) -> Pose {
+    pub(super) fn apart(&self, pull: &Pull, pose: impl Fn(&Linked) -> Pose) -> Pose {
         let of = |end: Option<usize>| end.map_or((DVec2::ZERO, DVec2::ZERO), |end| pose(&self.members[end]));
         let (x, v) = of(pull.ends[0]);
         let (to, w) = match self.links[pull.link as usize].def.to {
@@ -305,77 +347,12 @@ impl LinkedBodies<'_> {
         (to - x, w - v)
     }
 
-    /// The side of a law's border where the members are, and how much of the force that breaks the link is exceeded, N.
-    fn border(&self, pull: &Pull, offset: f64) -> (f64, f64) {
-        let (law, (apart, parting)) = (self.law(pull, offset), self.apart(pull, |member| member.at));
+    /// The side of a law's border in those poses, and how much of the force that breaks the link is exceeded, N.
+    pub(super) fn border(&self, pull: &Pull, offset: f64, pose: impl Fn(&Linked) -> Pose) -> (f64, f64) {
+        let (law, (apart, parting)) = (pull.law_after(offset), self.apart(pull, pose));
         let border = law.border(apart, parting);
         let breaks = self.links[pull.link as usize].def.breaks.filter(|_| !pull.broken);
         (border, breaks.map_or(-1.0, |breaks| law.force(border > 0.0, apart, parting).length() - breaks))
-    }
-
-    /// Below 0 where a law has bent or a link has broken since the begin of the step, `offset` seconds ago; the members are at its end.
-    fn margin(&mut self, offset: f64) -> f64 {
-        self.members.iter_mut().for_each(|member| member.at = (member.end[0], member.end[1]));
-        let margins = self.pulls.iter().filter(|pull| !pull.broken).map(|pull| {
-            let (border, over) = self.border(pull, offset);
-            (if pull.above { border } else { -border }).min(-over)
-        });
-        margins.fold(f64::INFINITY, f64::min)
-    }
-
-    /// Where a law bends within the step of `h` seconds: brings the members near to that instant, and returns the length of a last step up to it, to
-    /// whose end their ends belong then.
-    fn bend(&mut self, h: f64) -> Option<f64> {
-        let (mut high, mut after) = (h, self.margin(h));
-        if after >= 0.0 {
-            high = self.turn(h)?;
-            self.step(high);
-            after = self.margin(high);
-            if after >= 0.0 {
-                self.step(h);
-                return None;
-            }
-        }
-        self.members.iter_mut().for_each(|member| (member.end[0], member.end[1]) = member.pose);
-        let mut before = self.margin(0.0).max(0.0);
-        let least = 1e-12 * self.tick;
-        for round in 0..80 {
-            if high <= least || after > -BENT {
-                break;
-            }
-            // Regula falsi, a little short of the bend, so that a short step is left, and a little past it. A rope that becomes taut out of rest has a
-            // double root.
-            let part = match round % 3 {
-                _ if before <= BENT => 0.125,
-                0 => before * (63.0 / 64.0) / (before - after),
-                1 => (before + 0.5 * BENT) / (before - after),
-                _ => 0.5,
-            };
-            let middle = (high * part).clamp(0.5 * least, high - 0.5 * least);
-            self.step(middle);
-            let margin = self.margin(middle);
-            if margin <= 0.0 {
-                (high, after) = (middle, margin);
-            } else {
-                self.accept(middle);
-                (high, before) = (high - middle, margin);
-            }
-        }
-        self.step(high);
-        Some(high)
-    }
-
-    /// When within a step of `h` seconds a rope is nearest to its border, if it comes near it and turns back.
-    fn turn(&self, h: f64) -> Option<f64> {
-        let turn = |pull: &Pull| {
-            let side = if pull.above { -1.0 } else { 1.0 };
-            let rate = |(apart, parting): Pose| side * (apart.normalize_or_zero().dot(parting) - pull.growth);
-            let start = self.apart(pull, |member| member.pose);
-            let (from, to) = (rate(start), rate(self.apart(pull, |member| member.at)));
-            let near = side * self.law(pull, 0.0).border(start.0, start.1) + from * h > 0.0;
-            (from > 0.0 && to < 0.0 && near).then(|| h * from / (from - to))
-        };
-        self.pulls.iter().filter(|pull| !pull.broken && self.law(pull, 0.0).length().is_some()).filter_map(turn).reduce(f64::min)
     }
 }
 

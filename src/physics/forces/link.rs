@@ -29,6 +29,7 @@ pub enum LinkLaw {
 impl LinkLaw {
     /// The force on the first end, N; `apart` (m) leads from it to the other end, `parting` (m/s) is the rate of that. `above`: as above the
     /// [`LinkLaw::border`], on either side of it.
+    #[inline]
     pub(crate) fn force(&self, above: bool, apart: DVec2, parting: DVec2) -> DVec2 {
         match self {
             Self::Spring(spring) => spring.force(apart, parting),

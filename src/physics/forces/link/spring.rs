@@ -15,6 +15,7 @@ pub struct Spring {
 
 impl Spring {
     /// The force on the first end, N; `apart` (m) leads from it to the other end, `parting` (m/s) is the rate of that.
+    #[inline]
     pub(crate) fn force(&self, apart: DVec2, parting: DVec2) -> DVec2 {
         let along = apart.normalize_or_zero();
         apart * self.stiffness + along * (self.damping * along.dot(parting) - self.stiffness * self.length)
