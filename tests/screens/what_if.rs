@@ -385,7 +385,9 @@ fn what_is_varied_is_saved_as_a_level_of_its_own_that_can_be_chosen() {
         assert_eq!((read.title.as_str(), read.name.as_str()), ("2: what if", name));
         assert_eq!(level::Level { name: varied.name.clone(), title: varied.title.clone(), ..read }, varied);
     }
-    for (typed, refusal) in [("moon", "there is one of that name already"), ("../x", "letters, digits"), ("jumper", "scores/jumper.csv")] {
+    for (typed, refusal) in
+        [("moon", "there is one of that name already"), ("../x", "letters, digits"), ("jumper", "scores/jumper.csv")]
+    {
         sitting.click("Save as level");
         sitting.write(typed).press(Key::Enter);
         let (told, bad) = message(&mut sitting).unwrap();
