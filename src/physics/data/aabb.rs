@@ -60,8 +60,9 @@ impl Aabb {
 
     /// Whether the boxes touch or overlap, within `slop` metres.
     pub fn touches(&self, other: &Self, slop: f64) -> bool {
-        let gap = self.gap(other);
-        gap.x <= slop && gap.y <= slop
+        let (before, behind) = (other.min - self.max, self.min - other.max);
+        // Without `max`, which minds what is no number, and without a branch between the axes.
+        (before.x <= slop) & (behind.x <= slop) & (before.y <= slop) & (behind.y <= slop)
     }
 
     /// The smallest box around both.

@@ -46,6 +46,10 @@ impl Contact {
         (self.lo == a && self.hi == b) || (self.lo == b && self.hi == a)
     }
 
+    pub fn pair(&self) -> [u32; 2] {
+        [self.lo, self.hi]
+    }
+
     pub fn along(&mut self, axis: usize) -> &mut f64 {
         if axis == self.axis { &mut self.normal } else { &mut self.friction }
     }

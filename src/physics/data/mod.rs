@@ -17,7 +17,7 @@ pub(crate) use contact::Contact;
 pub(crate) use def::{FieldDef, FluidDef, StreamDef, WorldDef};
 pub(crate) use impact_time::{Cubic, Polynomial, earliest, time_of_impact};
 pub(crate) use impulse::{Hit, Impulse, Obstacle};
-pub(crate) use lists::{first, refill};
+pub(crate) use lists::{Incidence, first, refill};
 pub(crate) use material::{Coefficients, Material};
 pub(crate) use plan::{Part, Plan, called};
 pub(crate) use surface::{Sides, Surface, SurfaceDef};

@@ -8,13 +8,16 @@ impl Events {
     /// Lists the contacts of all items concerned, and concerns all that these join.
     pub(crate) fn collect(&mut self, scene: &Scene) {
         self.touching.clear();
+        self.incident.index(self.items.len(), self.contacts.iter().map(Contact::pair));
         let mut next = 0;
         while next < self.concerned.len() {
             let i = self.concerned[next];
             next += 1;
             self.locate(scene, i as usize);
             // What it was in contact with until now has to know even if that is over.
-            self.concern_partners(i);
+            for slot in self.incident.slots(i as usize) {
+                self.concern(self.contacts[self.incident.list[slot] as usize].other(i));
+            }
             let bounds = Aabb::around(self.places[i as usize], self.items[i as usize].body.half);
             for j in 0..self.items.len() as u32 {
                 let looked_at = || self.concerned[..next].contains(&j);
@@ -46,7 +49,7 @@ impl Events {
     }
 
     fn touch(&mut self, scene: &Scene, mut contact: Contact, met: bool) -> Contact {
-        contact.lasts = self.contacts.iter().any(|known| known.is_of(contact.lo, contact.hi));
+        contact.lasts = self.contacts_of(contact.lo).any(|known| known.has(contact.hi));
         contact.closed |= contact.lasts || met;
         // What has just come together by a hair's breadth has done so, whatever pulls at it alone.
         let grazes = met && (-MICRO_SPEED..=0.0).contains(&self.approach(&contact));

@@ -1,7 +1,7 @@
 //! An island and the buffers of the method of events.
 
 use crate::physics::contact::reactions::Reactions;
-use crate::physics::data::{Aabb, Contact, Cubic, Hit, Plan, Pose, Surface, refill};
+use crate::physics::data::{Aabb, Contact, Cubic, Hit, Incidence, Plan, Pose, Surface, refill};
 use crate::physics::exact::item::{Item, Next};
 use crate::physics::exact::track::Track;
 use crate::physics::forces::{Link, Media, ZoneList};
@@ -40,6 +40,8 @@ pub(crate) struct Events {
     pub items: Vec<Item>,
     pub movable: usize,
     pub contacts: Vec<Contact>,
+    /// The contacts of each item, where `collect` or `go_on` asks.
+    pub(super) incident: Incidence,
     /// Of each item: its path, and its next event.
     pub(super) tracks: Vec<Track>,
     pub(super) nexts: Vec<Next>,

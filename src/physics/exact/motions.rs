@@ -124,6 +124,7 @@ impl Events {
 
     pub(crate) fn go_on(&mut self, scene: &Scene) {
         self.choose_motions(scene);
+        self.incident.index(self.items.len(), self.contacts.iter().map(Contact::pair));
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
             self.foresee(scene, i);
@@ -157,12 +158,14 @@ impl Events {
     fn choose_motions(&mut self, scene: &Scene) {
         let left = scene.tick - self.now;
         self.take_contacts_of_concerned();
+        self.incident.index(self.items.len(), self.trial.iter().map(Contact::pair));
         let mut coupled = false;
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
             let in_media = !self.items[i].law.is_constant();
-            let mut touching = self.trial.iter().filter(|contact| contact.has(i as u32));
-            let (first, more) = (touching.next().copied(), touching.next().is_some());
+            let touching = self.incident.of(i);
+            let first = touching.first().map(|index| self.trial[*index as usize]);
+            let more = touching.len() > 1;
             let at_rest = self.speeds[i] == DVec2::ZERO && self.solved[i] == DVec2::ZERO;
             let slide = first.filter(|_| in_media && !more && !at_rest).and_then(|contact| self.slide_of(i, &contact));
             let item = &mut self.items[i];

@@ -28,6 +28,11 @@ impl Events {
         }
     }
 
+    /// The contacts of an item as they were indexed last.
+    pub(crate) fn contacts_of(&self, item: u32) -> impl Iterator<Item = &Contact> {
+        self.incident.of(item as usize).iter().map(|index| &self.contacts[*index as usize])
+    }
+
     pub(crate) fn release(&mut self) {
         for &item in &self.concerned {
             self.is_concerned[item as usize] = false;

@@ -15,7 +15,8 @@ impl Events {
             self.next_border(scene, i, &mut next);
         }
         self.pressing.clear();
-        for contact in self.contacts.iter().filter(|contact| contact.has(i as u32)) {
+        for slot in self.incident.slots(i) {
+            let contact = &self.contacts[self.incident.list[slot] as usize];
             self.next_contact_change(i as u32, contact, &mut next);
             if contact.normal > 0.0 {
                 self.pressing.push(contact.other(i as u32));
@@ -95,7 +96,7 @@ impl Events {
         }
         let (halves, sides) = (mine.half + other.half, self.items[i.max(j)].sides);
         // A contact that has begun may be outside its level by the rounding of a place.
-        let has_begun = |axis: usize| self.contacts.iter().any(|contact| contact.axis == axis && contact.is_of(i as u32, j as u32));
+        let has_begun = |axis: usize| self.contacts_of(i as u32).any(|contact| contact.axis == axis && contact.has(j as u32));
         if let Some((t, axis)) = begins_flush(&motion, halves, end, sides)
             && !has_begun(axis)
         {

@@ -8,6 +8,7 @@ use crate::physics::data::{Aabb, Body, Cubic, FluidDef, WAVES, earliest};
 use crate::physics::forces::media::Media;
 use crate::physics::forces::zones::ZoneList;
 use glam::{BVec2, DVec2};
+use std::ops::AddAssign;
 
 /// Stokes' law: 3π per diameter.
 pub(crate) const STOKES: f64 = 3.0 * std::f64::consts::PI;
@@ -215,9 +216,15 @@ impl Displaced {
     pub fn apart(&self, x: DVec2) -> DVec2 {
         x - self.centre
     }
-    pub fn cuts(&self, media: &Media, body: &Body) -> impl Iterator<Item = Cut> {
-        let more = self.more.iter().filter_map(move |index| self.surface(media, body, &media.fluids[index as usize]));
-        self.cut.into_iter().chain(more)
+    /// The sum `of` all surfaces that cut the body.
+    pub fn over_cuts<T: Default + AddAssign>(&self, media: &Media, body: &Body, of: impl Fn(&Cut) -> T) -> T {
+        let mut sum = T::default();
+        if let Some(cut) = &self.cut {
+            sum += of(cut);
+            let more = self.more.iter().filter_map(|index| self.surface(media, body, &media.fluids[index as usize]));
+            more.for_each(|cut| sum += of(&cut));
+        }
+        sum
     }
     fn surface(&self, media: &Media, body: &Body, fluid: &FluidDef) -> Option<Cut> {
         let (sides, down) = (Outer::of(body, fluid, self.within)?, media.gravity >= 0.0);

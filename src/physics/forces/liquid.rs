@@ -105,8 +105,7 @@ impl<'a> Regime<'a> {
         (self.displaced.density.at(apart), self.air * dry)
     }
     fn damping(&self, apart: DVec2) -> f64 {
-        let cuts = self.displaced.cuts(self.media, self.body);
-        self.body.drag * cuts.fold(0.0, |sum, cut| sum + cut.waves(apart))
+        self.body.drag * self.displaced.over_cuts(self.media, self.body, |cut| cut.waves(apart))
     }
     pub fn bath(&self, x: DVec2) -> Bath {
         let (displaced, apart) = (&self.displaced, self.displaced.apart(x));
@@ -117,7 +116,7 @@ impl<'a> Regime<'a> {
             linear: displaced.linear.at(apart),
             waves: self.damping(apart),
             lift: self.lift * wet,
-            stiffness: displaced.cuts(self.media, self.body).fold(0.0, |sum, cut| sum + cut.stiffness(apart)),
+            stiffness: displaced.over_cuts(self.media, self.body, |cut| cut.stiffness(apart)),
         }
     }
 
@@ -138,8 +137,7 @@ impl<'a> Regime<'a> {
         let (rate, by_speed) = (self.drag.rate(v), self.drag.slope(v));
         let drag = (wet + dry) * rate + displaced.linear.at(apart);
         let draggier = (wetter + drier) * rate + displaced.linear.slope(apart);
-        let cuts = displaced.cuts(self.media, self.body);
-        let wavier = self.body.drag * cuts.fold(DVec2::ZERO, |sum, cut| sum + cut.slope_of_waves(apart));
+        let wavier = self.body.drag * displaced.over_cuts(self.media, self.body, |cut| cut.slope_of_waves(apart));
         let down = -self.lift * wetter - v.y * wavier;
         let place = |by: f64, down: f64| -v * by + DVec2::new(0.0, down);
         let speed = |by: f64| -v * ((wet + dry) * by);

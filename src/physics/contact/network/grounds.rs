@@ -33,10 +33,10 @@ impl Network {
         for at in block.begin..block.end {
             let i = self.order[at];
             for slot in self.links_of(i) {
-                let link = &mut self.links[self.around[slot] as usize];
+                let link = &mut self.links[self.incident.list[slot] as usize];
                 if !link.cut && link.other(i) == GROUND && link.ground != ground {
                     (link.cut, any) = (true, true);
-                    self.aside.push(self.around[slot]);
+                    self.aside.push(self.incident.list[slot]);
                 }
             }
         }
@@ -52,7 +52,7 @@ impl Network {
             all += self.notes[i as usize].excess.abs();
             mass += self.nodes[i as usize].mass;
             for slot in self.links_of(i) {
-                if let Carries::UpTo(limit) = self.links[self.around[slot] as usize].carries {
+                if let Carries::UpTo(limit) = self.links[self.incident.list[slot] as usize].carries {
                     all += if limit.is_finite() { limit } else { 0.0 };
                 }
             }

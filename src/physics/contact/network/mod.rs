@@ -10,7 +10,7 @@ pub(crate) mod grounds;
 pub(crate) mod passes;
 pub(crate) mod routing;
 
-use crate::physics::data::{FORCE_TOLERANCE, LIGHT, refill};
+use crate::physics::data::{FORCE_TOLERANCE, Incidence, LIGHT, refill};
 use std::ops::Range;
 
 pub(crate) const GROUND: u32 = u32::MAX;
@@ -68,14 +68,15 @@ pub(crate) struct Network {
     pub links: Vec<NetworkEdge>,
     /// The nodes of blocks that cannot follow the grounds that close on them.
     pub squeezed: Vec<u32>,
-    /// Links of node i: `around[first[i]..first[i + 1]]`; the last node is the ground.
-    first: Vec<u32>,
-    around: Vec<u32>,
+    /// The links of each node; the last node is the ground.
+    incident: Incidence,
     order: Vec<u32>,
     blocks: Vec<Range<u32>>,
     /// What is noted about each node; the last one is the ground.
     notes: Vec<Note>,
     queue: Vec<u32>,
+    /// Where a search arrived, and by which link.
+    goals: Vec<(u32, u32)>,
     /// Whether a node has a link, where that is asked.
     linked: Vec<bool>,
     /// Links of the present block to ground that moves otherwise than that it is held against.
@@ -154,32 +155,13 @@ impl Network {
 
     fn index_links(&mut self) {
         let n = self.nodes.len();
-        // Count, sum up to where each node's links end, and fill from the back: their order stays ascending.
-        refill(&mut self.first, n + 2, 0);
-        for link in &self.links {
-            for end in [link.lo, link.hi] {
-                let slot = self.slot(end);
-                self.first[slot] += 1;
-            }
-        }
-        for i in 0..=n {
-            self.first[i + 1] += self.first[i];
-        }
-        refill(&mut self.around, 2 * self.links.len(), 0);
-        for (index, link) in self.links.iter().enumerate().rev() {
-            for end in [link.lo, link.hi] {
-                let slot = self.slot(end);
-                self.first[slot] -= 1;
-                let at = self.first[slot] as usize;
-                self.around[at] = index as u32;
-            }
-        }
+        // The number of the ground is the largest.
+        self.incident.index(n + 1, self.links.iter().map(|link| [link.lo.min(n as u32), link.hi.min(n as u32)]));
         refill(&mut self.notes, n + 1, Note { excess: 0.0, block: NOWHERE, waits_for: 0, came_by: NOWHERE, side: Side::Same });
     }
 
     fn links_of(&self, node: u32) -> Range<usize> {
-        let slot = self.slot(node);
-        self.first[slot] as usize..self.first[slot + 1] as usize
+        self.incident.slots(self.slot(node))
     }
 
     fn find_components(&mut self) {
@@ -198,7 +180,7 @@ impl Network {
                 let node = self.order[at];
                 at += 1;
                 for slot in self.links_of(node) {
-                    let other = self.links[self.around[slot] as usize].other(node);
+                    let other = self.links[self.incident.list[slot] as usize].other(node);
                     if other != GROUND && self.notes[other as usize].block == NOWHERE {
                         self.notes[other as usize].block = block;
                         self.order.push(other);
@@ -219,7 +201,7 @@ impl Network {
             mass += node.mass;
             force += node.force;
             block.largest = block.largest.max(node.force.abs());
-            let grounds = self.links_of(i).map(|slot| &self.links[self.around[slot] as usize]);
+            let grounds = self.links_of(i).map(|slot| &self.links[self.incident.list[slot] as usize]);
             let mut held = grounds.filter(|link| !link.cut && link.other(i) == GROUND).map(|link| link.ground);
             block.ground = block.ground.or_else(|| held.next());
         }
@@ -256,7 +238,7 @@ impl Network {
         for k in 0..self.queue.len() {
             let i = self.queue[k];
             let node = self.nodes[i as usize];
-            let links = || self.links_of(i).map(|slot| self.around[slot]).filter(|link| !self.links[*link as usize].cut);
+            let links = || self.links_of(i).map(|slot| self.incident.list[slot]).filter(|link| !self.links[*link as usize].cut);
             let gets = |link: &NetworkEdge| if link.lo == i { -link.flow } else { link.flow };
             let gotten: f64 = links().map(|link| gets(&self.links[link as usize])).sum();
             let left = node.force - node.mass * node.acceleration + gotten;
@@ -294,7 +276,7 @@ impl Network {
             let node = self.nodes[i as usize];
             self.notes[i as usize].excess = node.force - node.mass * node.acceleration;
             for slot in self.links_of(i) {
-                let link = &mut self.links[self.around[slot] as usize];
+                let link = &mut self.links[self.incident.list[slot] as usize];
                 if !link.cut {
                     link.flow = 0.0;
                 }

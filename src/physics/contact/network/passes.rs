@@ -16,7 +16,7 @@ impl Network {
         for at in block.begin..block.end {
             let i = self.order[at];
             let bearing = self.links_of(i).filter(|&slot| {
-                let link = &self.links[self.around[slot] as usize];
+                let link = &self.links[self.incident.list[slot] as usize];
                 let from = link.other(i);
                 from != GROUND && presses(link, from)
             });
@@ -34,7 +34,7 @@ impl Network {
                 return false;
             }
             let range = self.links_of(i);
-            let supports = range.clone().filter(|&slot| presses(&self.links[self.around[slot] as usize], i)).count();
+            let supports = range.clone().filter(|&slot| presses(&self.links[self.incident.list[slot] as usize], i)).count();
             if supports == 0 {
                 if load > tolerance {
                     return false;
@@ -43,7 +43,7 @@ impl Network {
             }
             let share = load.max(0.0) / supports as f64;
             for slot in range {
-                let link = &mut self.links[self.around[slot] as usize];
+                let link = &mut self.links[self.incident.list[slot] as usize];
                 if presses(link, i) {
                     link.flow = share;
                     let other = link.other(i);

@@ -16,8 +16,8 @@ enum From {
 impl Network {
     /// Routes excess to where it is missing or into the ground, then from the ground to where it is still missing.
     pub(super) fn route(&mut self, block: Block) {
-        while let Some(goal) = self.search(block, From::Excess) {
-            self.augment(goal);
+        while self.search(block, From::Excess) {
+            self.augment_all(block);
         }
         // Nodes reached from unrouted excess are faster.
         for at in block.begin..block.end {
@@ -25,8 +25,8 @@ impl Network {
         }
         self.mark_reached(block, Side::Faster);
         if block.ground.is_some() {
-            while let Some(goal) = self.search(block, From::Ground) {
-                self.augment(goal);
+            while self.search(block, From::Ground) {
+                self.augment_all(block);
             }
         }
         // Nodes that could still pass force on to an unmet lack share that lack.
@@ -43,8 +43,9 @@ impl Network {
         }
     }
 
-    /// Breadth first to the nearest lack or, from all excess, the ground; from all lack against the flow. `came_by` says how.
-    fn search(&mut self, block: Block, from: From) -> Option<u32> {
+    /// Breadth first to the nearest lacks, all those that are equally near, or, from all excess, the ground; from all lack against the flow.
+    /// `came_by` says how. Returns whether there are `goals`.
+    fn search(&mut self, block: Block, from: From) -> bool {
         let (ground, tolerance) = (self.nodes.len(), block.tolerance());
         self.queue.clear();
         for at in block.begin..block.end {
@@ -64,12 +65,19 @@ impl Network {
             self.queue.push(GROUND);
         }
         let number = self.notes[self.order[block.begin] as usize].block;
-        let mut next = 0;
+        self.goals.clear();
+        let (mut next, mut nearer) = (0, self.queue.len());
         while next < self.queue.len() {
+            if next == nearer {
+                if !self.goals.is_empty() {
+                    break;
+                }
+                nearer = self.queue.len();
+            }
             let node = self.queue[next];
             next += 1;
             for slot in self.links_of(node) {
-                let index = self.around[slot];
+                let index = self.incident.list[slot];
                 let link = &self.links[index as usize];
                 let other = link.other(node);
                 let place = self.slot(other);
@@ -79,8 +87,7 @@ impl Network {
                 }
                 if other == GROUND {
                     if block.ground.is_some() && from != From::Lack {
-                        self.notes[place].came_by = index;
-                        return Some(GROUND);
+                        self.goals.push((GROUND, index));
                     }
                     continue;
                 }
@@ -89,15 +96,26 @@ impl Network {
                 }
                 self.notes[place].came_by = index;
                 if from != From::Lack && self.notes[place].excess < -tolerance {
-                    return Some(other);
+                    self.goals.push((other, index));
+                } else {
+                    self.queue.push(other);
                 }
-                self.queue.push(other);
             }
         }
-        None
+        !self.goals.is_empty()
     }
 
-    fn augment(&mut self, goal: u32) {
+    fn augment_all(&mut self, block: Block) {
+        for k in 0..self.goals.len() {
+            let (goal, link) = self.goals[k];
+            let place = self.slot(goal);
+            self.notes[place].came_by = link;
+            self.augment(block, goal);
+        }
+    }
+
+    /// Routes what a path still has room for: others may have taken it.
+    fn augment(&mut self, block: Block, goal: u32) {
         let mut amount = if goal == GROUND { f64::INFINITY } else { -self.notes[goal as usize].excess };
         let mut node = goal;
         while self.notes[self.slot(node)].came_by != START {
@@ -108,6 +126,11 @@ impl Network {
         }
         if node != GROUND {
             amount = amount.min(self.notes[node as usize].excess);
+        }
+        if amount <= block.tolerance() {
+            return;
+        }
+        if node != GROUND {
             self.notes[node as usize].excess -= amount;
         }
         let mut node = goal;
@@ -137,7 +160,7 @@ impl Network {
         for at in block.begin..block.end {
             let i = self.order[at];
             for slot in self.links_of(i) {
-                let index = self.around[slot] as usize;
+                let index = self.incident.list[slot] as usize;
                 let link = self.links[index];
                 let other = link.other(i);
                 let other_side = match (other, ground) {
