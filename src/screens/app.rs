@@ -122,8 +122,10 @@ impl App {
         let scores = Scores::new(&places.scores);
         let settings_file = SettingsFile::new(&places.settings);
         let (library, journal) = (Library::new(&places.root, &places.levels), Journal::new(scores.clone()));
-        words::speak(settings_file.load(whose(journal.current())).0.spoken());
-        let (settings, settings_problems) = settings_file.load(whose(journal.current()));
+        let loaded = settings_file.load(whose(journal.current()));
+        words::speak(loaded.0.spoken());
+        // Problems are worded as they are found: once more in that language.
+        let (settings, settings_problems) = if loaded.1.is_empty() { loaded } else { settings_file.load(whose(journal.current())) };
         let mut app = Self {
             results: Results::new(places.root.join("results")),
             places,

@@ -34,7 +34,8 @@ impl Flight {
     fn start_words(&self) -> Option<String> {
         let waits = self.observer.frozen() && self.game.ticks() == 0 && !self.game.level().ship_plays();
         let [freeze, pause] = [Action::Freeze, Action::Pause].map(|action| self.observer.keys().label(action));
-        waits.then(|| tr!("[{freeze}] starts the experiment · [{pause}] your sheet", freeze, pause))
+        let sheet = || if self.sheet.is_some() { tr!(" · [{pause}] your sheet", pause) } else { String::new() };
+        waits.then(|| tr!("[{freeze}] starts the experiment", freeze) + &sheet())
     }
 
     /// From the foot of the flight up to the top of that sign, whether there is one or not.
