@@ -7,7 +7,7 @@ use super::problem::{MOST_PROBLEMS, Problem, at_most};
 use super::reach::{FreeSpace, SearchWork};
 use super::types::{Fluid, SHIP_HALF, ShipStart, Solid};
 use super::wiring::{SwitchesByName, Worked};
-use crate::physics::domain::{LIQUIDS_OVERLAP, MOST_FIELDS, MOST_LIQUIDS, MOST_STREAMS};
+use crate::physics::domain::{LIQUIDS_OVERLAP, MOST_LIQUIDS, MOST_ZONES};
 use crate::physics::{Aabb, DVec2, Sides};
 use crate::words::tr;
 use std::rc::Rc;
@@ -23,8 +23,8 @@ type Named = (&'static str, FromRow<Aabb>);
 pub(super) fn check_zones(draft: &Draft) -> Vec<Problem> {
     let mut problems = Vec::new();
     let sideways = usize::from(draft.settings.gravity_x != 0.0);
-    too_many(&draft.streams, tr("air streams"), MOST_STREAMS, &mut problems);
-    too_many(&draft.fields, tr("gravity zones"), MOST_FIELDS - sideways, &mut problems);
+    too_many(&draft.streams, tr("air streams"), MOST_ZONES, &mut problems);
+    too_many(&draft.fields, tr("gravity zones"), MOST_ZONES - sideways, &mut problems);
     too_many(&draft.fluids, tr("liquids"), MOST_LIQUIDS, &mut problems);
     for (i, fluid) in draft.fluids.iter().take(MOST_LIQUIDS).enumerate() {
         let inside = |other: &&FromRow<Fluid>| other.item.zone.overlaps(&fluid.item.zone, LIQUIDS_OVERLAP);

@@ -2,7 +2,8 @@
 
 use crate::physics::DVec2;
 use crate::physics::data::{Body, Contact, Surface};
-use crate::physics::forces::link::{Link, LinkDef, LinkEnd};
+use crate::physics::data::{LinkDef, LinkEnd};
+use crate::physics::forces::link::Link;
 use crate::physics::forces::{Force, ForceKind, ForceManager, Source};
 use crate::physics::state::State;
 use crate::physics::world::World;

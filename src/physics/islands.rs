@@ -14,13 +14,13 @@
 use crate::physics::crowd::CrowdImpact;
 use crate::physics::crowd::bodies::Origin;
 use crate::physics::crowd::dense::{CrowdEnd, StepSize};
-use crate::physics::data::{Body, Part, called};
+use crate::physics::data::{Body, NONE, Part, called};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{ExactEnd, Scene};
 use crate::physics::flight::liquid::flow_through;
 use crate::physics::flight::steps::Course;
 use crate::physics::guards::Guards;
-use crate::physics::scratch::{NOBODY, Scratch, Stop};
+use crate::physics::scratch::{Scratch, Stop};
 use crate::physics::space::Space;
 use crate::physics::state::State;
 use crate::physics::store::{Island, Method, Motions};
@@ -283,8 +283,8 @@ impl Space {
             for &(body, surface, speed) in &crowd.dense.squeezed {
                 let [body, item] = [body, surface].map(|k| crowd.bodies.ids[k as usize]);
                 let surface = item - motions.len() as u32;
-                tick.scratch.crushed.push((NOBODY, body, surface, state.bodies[body as usize].crushing_force(speed)));
-                tick.scratch.stops.push(Stop { leader: NOBODY, surface, at: 0.0 });
+                tick.scratch.crushed.push((NONE, body, surface, state.bodies[body as usize].crushing_force(speed)));
+                tick.scratch.stops.push(Stop { leader: NONE, surface, at: 0.0 });
                 motions.surfaces[surface as usize].stand();
             }
         }

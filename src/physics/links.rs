@@ -2,10 +2,10 @@
 //! part (ω·dt)²/12 of the force's own path. A world with stiff links takes a tick in parts: [`crate::physics::forces::Links::parts`].
 
 use crate::physics::data::domain::DefError;
-use crate::physics::data::{Aabb, BodyId, Contact, Obstacle, Pose, SLOP, on_axis};
+use crate::physics::data::{Aabb, BodyId, Contact, LinkDef, LinkEnd, Obstacle, Pose, SLOP, on_axis};
 use crate::physics::exact::item::{Item, Travel};
 use crate::physics::flight::linked::{Linked, LinkedBodies, little};
-use crate::physics::forces::link::{Link, LinkDef, LinkEnd};
+use crate::physics::forces::link::Link;
 use crate::physics::forces::{Force, ForceManager, Source};
 use crate::physics::islands::{Members, Tick, Verdict};
 use crate::physics::scratch::Scratch;

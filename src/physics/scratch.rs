@@ -10,8 +10,6 @@ use crate::physics::state::{Records, State};
 use crate::physics::store::motions::{Method, Motions};
 use glam::DVec2;
 
-pub(crate) const NOBODY: u32 = u32::MAX;
-
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stop {
     pub leader: u32,

@@ -3,11 +3,11 @@
 use crate::physics::crowd::CrowdImpact;
 use crate::physics::crowd::impulses::ContactImpulse;
 use crate::physics::data::{
-    Aabb, BALANCED, Body, BodyId, Coefficients, Contact, Hit, Impulse, Obstacle, REPORT_SPEED, SLOP, on_axis,
+    Aabb, BALANCED, Body, BodyId, Coefficients, Contact, Hit, Impulse, NONE, Obstacle, REPORT_SPEED, SLOP, on_axis,
 };
 use crate::physics::exact::Scene;
 use crate::physics::islands::{MOST_AT_FIRST, Tick};
-use crate::physics::scratch::{NOBODY, first_stop};
+use crate::physics::scratch::first_stop;
 use crate::physics::space::Space;
 use crate::physics::state::{Event, Methods, Records, State};
 use crate::physics::store::motions::Method;
@@ -256,7 +256,7 @@ impl World {
                 let impulse = Impulse { a: BodyId(a), b: state.obstacle(b), vector, point, at: dt };
                 let at = |item: u32| state.bodies.get(item as usize).map_or(point, |body| body.position);
                 let hit = Hit { impulse, normal: on_axis(axis, normal.signum(), 0.0), speed: 0.0, places: [at(a), at(b)] };
-                scratch.happened.push((NOBODY, scratch.happened.len() as u32, hit));
+                scratch.happened.push((NONE, scratch.happened.len() as u32, hit));
             } else {
                 let (lo, hi, sign) = if normal < 0.0 { (a, b, -1.0) } else { (b, a, 1.0) };
                 let mut lasting = Contact { lasts: true, ..Contact::between(lo, hi, axis) };

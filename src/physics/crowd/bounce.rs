@@ -3,12 +3,9 @@
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::dense::Dense;
 use crate::physics::crowd::impulses::Edge;
-use crate::physics::crowd::{ACROSS, ALONG};
+use crate::physics::crowd::{ACROSS, ALONG, ROUNDING};
 use crate::physics::data::plan::{Part, called};
 use glam::DVec2;
-
-/// Energy gained that is no more than rounding, as a part of the kinetic energy. Smaller: rounding slows what it should not.
-const ROUNDING: f64 = 1e-12;
 
 fn part(bodies: &mut Bodies, edge: &mut Edge, axis: usize) {
     let impulse = edge.restitution * edge.impulse;

@@ -6,7 +6,7 @@
 
 use crate::physics::crowd::contacts::CrowdContact;
 use crate::physics::crowd::impulses::Edge;
-use crate::physics::data::lists::refill;
+use crate::physics::data::lists::{NONE, refill};
 
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Node {
@@ -78,8 +78,6 @@ struct Root {
     size: u32,
     last: u32,
 }
-
-const NONE: u32 = u32::MAX;
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Clusters {

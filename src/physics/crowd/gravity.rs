@@ -9,12 +9,10 @@ use crate::physics::crowd::clusters::{ClusterMotion, Clusters, Node, Pool};
 use crate::physics::crowd::contacts::{Contacts, CrowdContact};
 use crate::physics::crowd::impulses::Edge;
 use crate::physics::crowd::restitution::Bounces;
-use crate::physics::data::lists::refill;
+use crate::physics::data::lists::{NONE, refill};
 
 /// Relative velocities along gravity below this count as none when loads are found, m/s. Larger: slow touches rub.
 pub(crate) const SLACK: f64 = 1e-12;
-
-pub(crate) const NONE: u32 = u32::MAX;
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Anchors {

@@ -6,8 +6,8 @@
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{ClusterMotion, Clusters, Node, Pool};
 use crate::physics::crowd::contacts::{Contacts, CrowdContact};
-use crate::physics::crowd::gravity::NONE;
 use crate::physics::crowd::{ACROSS, ALONG};
+use crate::physics::data::lists::NONE;
 use glam::DVec2;
 
 /// Moves the bodies that contacts have touched. Returns whether all stay within their swept boxes.

@@ -5,11 +5,8 @@ use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::Node;
 use crate::physics::crowd::gravity::{Along, Anchors};
 use crate::physics::crowd::impulses::{Edge, Record};
-use crate::physics::crowd::{ACROSS, ALONG};
+use crate::physics::crowd::{ACROSS, ALONG, ROUNDING};
 use crate::physics::data::lists::refill;
-
-/// A limit exceeded by this part still holds: sums of many impulses are rounded.
-const ROUNDING: f64 = 1e-12;
 
 /// Sweeps of the search for bodies that hang on hanging ones. Fewer: the end of a long row that is listed in disorder falls.
 const SWEEPS: usize = 8;

@@ -3,12 +3,12 @@
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::BodyDef;
 use crate::physics::data::domain::{
-    self, DefError, LIQUIDS_OVERLAP, MOST_FIELDS, MOST_LIQUIDS, MOST_STREAMS, Range, SMALLEST, at_most, both, expect, material,
-    number, rectangle, restitution, vector, within,
+    self, DefError, LIQUIDS_OVERLAP, MOST_LIQUIDS, MOST_ZONES, Range, SMALLEST, at_most, both, expect, material, number, rectangle,
+    restitution, vector, within,
 };
+use crate::physics::data::link::LinkDef;
 use crate::physics::data::material::Material;
 use crate::physics::data::surface::SurfaceDef;
-use crate::physics::forces::link::LinkDef;
 use glam::DVec2;
 
 /// A zone that exerts a constant force named "Wind" on every body that touches it.
@@ -89,8 +89,8 @@ impl WorldDef {
     /// # Errors
     /// A number that is not finite or out of its range; too many zones; liquids that overlap.
     pub(crate) fn check(&self) -> Result<(), DefError> {
-        at_most("streams", self.streams.len(), MOST_STREAMS)?;
-        at_most("fields", self.fields.len(), MOST_FIELDS)?;
+        at_most("streams", self.streams.len(), MOST_ZONES)?;
+        at_most("fields", self.fields.len(), MOST_ZONES)?;
         at_most("liquids", self.fluids.len(), MOST_LIQUIDS)?;
         within("gravity", self.gravity, domain::FIELD)?;
         within("air density", self.air_density, domain::AIR_DENSITY)?;

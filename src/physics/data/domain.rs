@@ -56,9 +56,8 @@ impl std::error::Error for DefError {}
 pub(crate) const LARGEST: f64 = 1e12;
 pub(crate) const SMALLEST: f64 = 1e-12;
 
-/// The most streams, fields of gravity and liquids of a world. A set of zones is a word of bits.
-pub(crate) const MOST_STREAMS: usize = 64;
-pub(crate) const MOST_FIELDS: usize = 64;
+/// The most streams of a world, and the most fields of gravity: a set of zones is a word of bits. The most liquids.
+pub(crate) const MOST_ZONES: usize = 64;
 pub(crate) const MOST_LIQUIDS: usize = 16;
 /// m. The insides of two liquids may share so much: the rounding of places in pixels.
 pub(crate) const LIQUIDS_OVERLAP: f64 = 1e-6;

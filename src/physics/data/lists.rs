@@ -2,6 +2,9 @@
 
 use std::ops::Range;
 
+/// The number of nothing, in lists of numbers.
+pub(crate) const NONE: u32 = u32::MAX;
+
 pub(crate) fn refill<T: Clone>(list: &mut Vec<T>, count: usize, value: T) {
     list.clear();
     list.resize(count, value);

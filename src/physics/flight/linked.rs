@@ -2,9 +2,10 @@
 //! group. No step crosses an instant at which a law bends (a rope becomes taut or slack, a magnet is at its nearest) or a link breaks.
 
 use crate::physics::data::{
-    Aabb, BALANCED, Body, Cubic, LINKED_ROUNDING, LINKED_TOLERANCE, LONGEST_SHORT, MOST_BENDS, Pose, SHORTEST_LINKED, parabola,
+    Aabb, BALANCED, Body, Cubic, LINKED_ROUNDING, LINKED_TOLERANCE, LONGEST_SHORT, LinkEnd, LinkLaw, MOST_BENDS, Pose,
+    SHORTEST_LINKED, parabola,
 };
-use crate::physics::forces::link::{Link, LinkEnd, LinkLaw};
+use crate::physics::forces::link::Link;
 use crate::physics::forces::{Law, Media};
 use glam::DVec2;
 

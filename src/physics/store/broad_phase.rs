@@ -3,7 +3,7 @@
 //! Each body owns a *fat box* (Box2D's fat AABBs); the list of bodies and surfaces whose boxes overlap it holds while the body stays inside.
 //! Both are found in a hashed grid, each in all cells that its box covers; boxes that cover many cells are tested one by one.
 
-use crate::physics::data::{Aabb, Body};
+use crate::physics::data::{Aabb, Body, NONE};
 use crate::physics::store::motions::{MARGIN, Motions};
 use glam::DVec2;
 
@@ -18,8 +18,6 @@ const MOST_CELLS: i64 = 64;
 const FEW: usize = 32;
 /// Pairs for which a body has room from the start.
 const ROOM: usize = 16;
-
-const NONE: u32 = u32::MAX;
 
 #[derive(Clone, Copy, Debug)]
 struct Entry {

@@ -3,14 +3,12 @@
 //! Union–find joins bodies whose swept boxes overlap; surfaces that stand join nothing. Bodies stand bottom-up, equal heights by their numbers,
 //! each body's pairs by the order of the other: no other island changes a bit.
 
-use crate::physics::data::{Aabb, Body, first, refill};
+use crate::physics::data::{Aabb, Body, NONE, first, refill};
 use crate::physics::store::broad_phase::BroadPhase;
 use crate::physics::store::motions::Motions;
 
 /// After more moves a body, insertion gives up and all is sorted: the same order.
 const MOST_MOVES: usize = 8;
-
-const NONE: u32 = u32::MAX;
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Island<'a> {

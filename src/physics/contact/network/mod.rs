@@ -10,12 +10,10 @@ pub(crate) mod grounds;
 pub(crate) mod passes;
 pub(crate) mod routing;
 
-use crate::physics::data::{FORCE_TOLERANCE, Incidence, LIGHT, refill};
+use crate::physics::data::{FORCE_TOLERANCE, Incidence, LIGHT, NONE, refill};
 use std::ops::Range;
 
 pub(crate) const GROUND: u32 = u32::MAX;
-
-const NOWHERE: u32 = u32::MAX;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Carries {
@@ -157,7 +155,7 @@ impl Network {
         let n = self.nodes.len();
         // The number of the ground is the largest.
         self.incident.index(n + 1, self.links.iter().map(|link| [link.lo.min(n as u32), link.hi.min(n as u32)]));
-        refill(&mut self.notes, n + 1, Note { excess: 0.0, block: NOWHERE, waits_for: 0, came_by: NOWHERE, side: Side::Same });
+        refill(&mut self.notes, n + 1, Note { excess: 0.0, block: NONE, waits_for: 0, came_by: NONE, side: Side::Same });
     }
 
     fn links_of(&self, node: u32) -> Range<usize> {
@@ -168,7 +166,7 @@ impl Network {
         self.order.clear();
         self.blocks.clear();
         for root in 0..self.nodes.len() as u32 {
-            if self.notes[root as usize].block != NOWHERE {
+            if self.notes[root as usize].block != NONE {
                 continue;
             }
             let block = self.blocks.len() as u32;
@@ -181,7 +179,7 @@ impl Network {
                 at += 1;
                 for slot in self.links_of(node) {
                     let other = self.links[self.incident.list[slot] as usize].other(node);
-                    if other != GROUND && self.notes[other as usize].block == NOWHERE {
+                    if other != GROUND && self.notes[other as usize].block == NONE {
                         self.notes[other as usize].block = block;
                         self.order.push(other);
                     }

@@ -1,7 +1,8 @@
 //! The general case: a maximum flow along shortest paths, and a cut where it gets stuck (Ford and Fulkerson 1956, Edmonds and Karp 1972).
 
 use crate::physics::contact::network::grounds::side_of;
-use crate::physics::contact::network::{Block, Carries, GROUND, NOWHERE, Network, Side};
+use crate::physics::contact::network::{Block, Carries, GROUND, Network, Side};
+use crate::physics::data::NONE;
 
 const START: u32 = u32::MAX - 1;
 
@@ -37,7 +38,7 @@ impl Network {
     fn mark_reached(&mut self, block: Block, side: Side) {
         for at in block.begin..block.end {
             let note = &mut self.notes[self.order[at] as usize];
-            if note.came_by != NOWHERE && note.side == Side::Same {
+            if note.came_by != NONE && note.side == Side::Same {
                 note.side = side;
             }
         }
@@ -56,10 +57,10 @@ impl Network {
                 From::Ground => false,
                 From::Lack => note.excess < -tolerance && note.side == Side::Same,
             };
-            note.came_by = if starts { START } else { NOWHERE };
+            note.came_by = if starts { START } else { NONE };
             self.queue.extend(starts.then_some(i));
         }
-        self.notes[ground].came_by = NOWHERE;
+        self.notes[ground].came_by = NONE;
         if from == From::Ground {
             self.notes[ground].came_by = START;
             self.queue.push(GROUND);
@@ -82,7 +83,7 @@ impl Network {
                 let other = link.other(node);
                 let place = self.slot(other);
                 let room = link.room(if from == From::Lack { other } else { node });
-                if link.cut || room <= tolerance || self.notes[place].came_by != NOWHERE {
+                if link.cut || room <= tolerance || self.notes[place].came_by != NONE {
                     continue;
                 }
                 if other == GROUND {

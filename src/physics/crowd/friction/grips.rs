@@ -4,6 +4,7 @@
 //! or lets it slide. Rounds that do not settle are relaxed contact by contact, which dissipates. Exact on trees; on several supports that move
 //! differently a body sticks to the strongest and slides on the others.
 
+use crate::physics::crowd::ROUNDING;
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::friction::{Friction, Grip, Riders, Tight};
 use crate::physics::data::tuning::MANY;
@@ -12,9 +13,6 @@ use crate::physics::data::tuning::MANY;
 const ROUNDS: usize = 5;
 /// Sweeps where those do not settle. Fewer: columns shear more.
 const SWEEPS: usize = 4;
-
-/// A limit exceeded by this part still holds: sums of many impulses are rounded.
-const ROUNDING: f64 = 1e-12;
 
 impl Friction {
     /// Whether bodies have more kinetic energy across than with the velocities `free`, m/s; where something slides back within the step, than

@@ -1,6 +1,6 @@
 //! A rope: a spring that never pushes, and does nothing while its ends are nearer than its length.
 
-use crate::physics::forces::link::Spring;
+use crate::physics::data::Spring;
 use glam::DVec2;
 
 /// Above 0 where the rope pulls, below 0 where it is slack, m: the smaller one of its stretch and of its pull in stretches.

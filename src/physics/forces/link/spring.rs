@@ -1,17 +1,7 @@
 //! A spring: F = k·(ℓ − L) + c·ℓ′ along its length ℓ, pulling where that is longer than L (Hooke 1678).
 
+use crate::physics::data::Spring;
 use glam::DVec2;
-
-/// A linear spring; a rope has the same numbers.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spring {
-    /// Its length without a force, m.
-    pub length: f64,
-    /// N/m.
-    pub stiffness: f64,
-    /// N·s/m.
-    pub damping: f64,
-}
 
 impl Spring {
     /// The force on the first end, N; `apart` (m) leads from it to the other end, `parting` (m/s) is the rate of that.
