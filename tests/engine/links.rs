@@ -551,6 +551,23 @@ fn what_stands_on_a_pan_that_hangs_comes_to_rest_exactly() {
     }
 }
 
+/// A load presses a pan on a spring to the floor, where both sleep, and lets go: the spring's work is booked from the first tick on
+/// (`World::validate` at each).
+#[test]
+fn a_spring_that_was_held_down_in_its_sleep_works_at_once() {
+    let pan = BodyDef { half: DVec2::new(1.0, 0.1), ..body(0.0, -1.0, 10.0) };
+    let load = BodyDef { half: DVec2::splat(0.4), ..body(0.3, -1.5, 40.0) };
+    let mut world = world(5.0, vec![pan, load], vec![floor()]);
+    hung(&mut world, DVec2::new(0.0, 5.0), LinkLaw::Spring(Spring { length: 6.1, stiffness: 1000.0, damping: 100.0 }));
+    world.drive(1, 0.0, 2000.0);
+    world.steps(1200, DT);
+    assert!(world.methods().asleep == 2 && (world.at(0).y + 0.1).abs() < 1e-12, "{:?} at {}", world.methods(), world.at(0));
+    world.drive(1, 0.0, 0.0);
+    world.step(DT);
+    assert!(world.speed(1).y < -0.1, "{}", world.speed(1));
+    world.steps(600, DT);
+}
+
 /// A winch on a flying ship drags a crate along a floor against a step, until its rope breaks: the forces listed are those of one instant, and the
 /// energy of the crate is what they gave it (`World::validate`).
 #[test]

@@ -102,7 +102,9 @@ impl World {
         }
         let linked = self.scratch.linked(thing.id);
         ledger.open |= linked.is_some_and(|member| member.pose == (body.position, body.velocity));
-        let pulled = linked.map_or(DVec2::ZERO, |member| member.mean);
+        // A group that slept as the tick began has not flown: its links pull as they did then.
+        let pulled_then = || self.state.links.on(thing.id, |id| self.space.previous(id as usize));
+        let pulled = linked.map_or_else(pulled_then, |member| member.mean);
         let mut force = self.state.forces[i].push_of_no_zone() + pulled + DVec2::new(0.0, body.mass * media.gravity_on(body));
         let mut size = force.length();
         for index in media.streams_at(near, BORDER).iter() {
