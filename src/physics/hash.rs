@@ -1,8 +1,7 @@
 //! The state's hash: every bit that decides about the future, and that can change. A new field is written here or left out on purpose.
 
 use crate::physics::DVec2;
-use crate::physics::data::{Body, Contact, Surface};
-use crate::physics::data::{LinkDef, LinkEnd};
+use crate::physics::data::{Body, Contact, LinkDef, LinkEnd, Surface};
 use crate::physics::forces::link::Link;
 use crate::physics::forces::{Force, ForceKind, ForceManager, Source};
 use crate::physics::state::State;

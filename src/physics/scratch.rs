@@ -2,7 +2,7 @@
 
 #[cfg(all(feature = "validate", debug_assertions))]
 use crate::physics::checks::Checks;
-use crate::physics::data::{Aabb, Contact, Hit, Pose, SLOP};
+use crate::physics::data::{Aabb, Contact, Hit, NONE, Pose, SLOP};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Events, Scene};
 use crate::physics::flight::linked::{Linked, Pull};
@@ -94,7 +94,7 @@ impl Scratch {
         members.sort_unstable();
         surfaces.sort_unstable();
         surfaces.dedup();
-        local.resize(n + state.surfaces.len(), u32::MAX);
+        local.resize(n + state.surfaces.len(), NONE);
         let mut everything = searched(members[0]);
         for &body in &*members {
             let i = body as usize;
@@ -147,13 +147,13 @@ impl Scratch {
             let of_body = starts[body as usize] as usize..starts[body as usize + 1] as usize;
             for contact in &state.contacts[of_body] {
                 let (lo, hi) = (local[contact.lo as usize], local[contact.hi as usize]);
-                if lo != u32::MAX && hi != u32::MAX {
+                if lo != NONE && hi != NONE {
                     events.contacts.push(Contact { lo, hi, ..*contact });
                 }
             }
         }
         for item in &events.items {
-            local[if item.surface { n + item.id as usize } else { item.id as usize }] = u32::MAX;
+            local[if item.surface { n + item.id as usize } else { item.id as usize }] = NONE;
         }
     }
 

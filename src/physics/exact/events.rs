@@ -40,7 +40,7 @@ pub(crate) struct Events {
     pub items: Vec<Item>,
     pub movable: usize,
     pub contacts: Vec<Contact>,
-    /// The contacts of each item, where `collect` or `go_on` asks.
+    /// In which of the `contacts` each item is, since the last event was looked at; while motions are chosen, in which of `trial`.
     pub(super) incident: Incidence,
     /// Of each item: its path, and its next event.
     pub(super) tracks: Vec<Track>,

@@ -1,4 +1,5 @@
-//! The general case: a maximum flow along shortest paths, and a cut where it gets stuck (Ford and Fulkerson 1956, Edmonds and Karp 1972).
+//! The general case: a maximum flow along shortest paths, and a cut where it gets stuck (Ford and Fulkerson 1956, Edmonds and
+//! Karp 1972). One search serves all goals that are equally near, as in Dinic 1970.
 
 use crate::physics::contact::network::grounds::side_of;
 use crate::physics::contact::network::{Block, Carries, GROUND, Network, Side};
