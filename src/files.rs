@@ -4,6 +4,7 @@
 //! changing one file at once. **Writing** makes a file or folder whole or not at all.
 
 mod cells;
+mod dialect;
 mod disk;
 mod home;
 #[cfg(any(browser, test))]
@@ -11,6 +12,7 @@ mod kept;
 mod lock;
 #[cfg(test)]
 pub(crate) mod memory;
+mod pool;
 mod read;
 mod rows;
 mod shipped;
@@ -18,7 +20,8 @@ mod staged;
 mod storage;
 
 pub use crate::built_in::SHIPPED;
-pub use cells::{Cell, CellFault, SpannedRow, csv_line, encoded, rows as csv_rows};
+pub use cells::{Cell, CellFault, CsvRows, SpannedRow, csv_line, rows as csv_rows};
+pub use dialect::{Dialect, Encoding, separators, truth, whole};
 pub use disk::Disk;
 pub use home::{
     append, copy, create, create_folder, create_numbered, is_file, is_folder, is_link, is_read_only, is_taken, look, make_folder,
@@ -29,7 +32,7 @@ pub use home::{
 pub use kept::{Keeper, KeepingFault, PageFiles};
 pub use lock::{Lock, PATIENCE, pauses, share};
 pub use read::{Symlinks, is_passed_on, open};
-pub use rows::{CsvFile, CsvRow, found_instead, place};
+pub use rows::{BadCell, CsvColumn, CsvFile, CsvRow, CsvStruct, found_instead, place};
 pub use shipped::{AboveShipped, ship_at};
 pub use staged::{Replacement, around, behind_links, sync_folder, target};
 pub use storage::{FileKind, Found, Manner, Storage};

@@ -46,6 +46,10 @@ mod random;
 pub mod scores;
 pub mod screens;
 pub mod settings;
+/// Forms of a table for unit tests: those of the tests in `tests/`.
+#[cfg(test)]
+#[path = "../tests/support/spreadsheets.rs"]
+mod spreadsheets;
 pub mod ui;
 pub mod view;
 #[cfg(all(browser, feature = "window"))]

@@ -76,6 +76,10 @@ fn describe(name: &str, loaded: &Loaded, world: &World, out: &mut dyn Write, err
     }
     writeln!(out, "{name}: ok")?;
     writeln!(out, "  contents: {}", contents(&loaded.level))?;
+    if !loaded.dialects.is_empty() {
+        let files: Vec<String> = loaded.dialects.iter().map(|(file, words)| format!("{file}: {words}")).collect();
+        writeln!(out, "  dialects: {}", files.join("; "))?;
+    }
     writeln!(out, "  physics: {}", world.plan().parts().join("; "))
 }
 

@@ -14,13 +14,9 @@ use std::path::{Path, PathBuf};
 /// A file that cannot be read, is no regular one, too large, or no UTF-8.
 pub fn read_text(path: &Path, at_most: u64) -> Result<String, CommandError> {
     let bytes = files::read(path, at_most).map_err(|error| refused(path, &error))?;
-    String::from_utf8(bytes).map_err(|error| {
-        let good = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-        let line = 1 + good.iter().filter(|&&byte| byte == b'\n').count();
-        CommandError::Refused(format!(
-            "{}:{line}: found letters that are not UTF-8, expected a file saved as UTF-8",
-            path.display()
-        ))
+    files::Encoding::text(&bytes).map_err(|line| {
+        let (found, expected) = files::CellFault::NotUtf8.words();
+        CommandError::Refused(files::found_instead(&format!("{}:{line}", path.display()), found, expected))
     })
 }
 

@@ -1,8 +1,11 @@
 //! Files of this program's home, by free functions.
 
+use super::cells::CellFault;
+use super::dialect::Encoding;
 use super::lock::Lock;
-use super::read::{Symlinks, no_text};
+use super::read::Symlinks;
 use super::storage::{FileKind, Found, Manner, Storage};
+use crate::words::tr;
 use std::ffi::OsString;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -80,9 +83,13 @@ pub fn read_with(path: &Path, at_most: u64, links: Symlinks) -> io::Result<Vec<u
     home().read(path, at_most, links)
 }
 
-/// As [`read`]; bytes that are no UTF-8 are an error.
+/// As [`read`]; bytes that are no text are an error. A byte-order mark tells UTF-16.
 pub fn read_text(path: &Path, at_most: u64) -> io::Result<String> {
-    String::from_utf8(read(path, at_most)?).map_err(|_| no_text())
+    Encoding::text(&read(path, at_most)?).map_err(|line| {
+        let (found, expected) = CellFault::NotUtf8.words();
+        let problem = tr!("found {found} in line {line}, expected {expected}", found, line, expected);
+        io::Error::new(io::ErrorKind::InvalidData, problem)
+    })
 }
 
 /// `None` where there is no such file.

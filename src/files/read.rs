@@ -56,10 +56,6 @@ pub fn open(options: &OpenOptions, path: &Path, links: Symlinks) -> io::Result<(
     Ok((file, found))
 }
 
-pub(super) fn no_text() -> io::Error {
-    io::Error::new(io::ErrorKind::InvalidData, tr("found letters that are not UTF-8, expected a file saved as UTF-8"))
-}
-
 /// Whether the path leads to a file that this process was given open.
 pub fn is_passed_on(path: &Path) -> bool {
     ["/dev/stdin", "/dev/stdout", "/dev/stderr"].iter().any(|passed| path == Path::new(passed))

@@ -1,7 +1,11 @@
 //! The rows of a CSV file by the names of their columns, and messages that name file, line and column.
 
-use super::cells::{self, Cell, CellFault};
+use super::cells::{self, Cell, CellFault, CsvRows, SpannedRow, csv_line};
+use super::dialect::{Dialect, said, whole};
 use crate::words::tr;
+use csv::StringRecord;
+use serde::de::DeserializeOwned;
+use std::borrow::Cow;
 use std::fmt::Display;
 use std::str::FromStr;
 
@@ -18,14 +22,80 @@ pub struct CsvFile<'a> {
 #[derive(Clone, Debug)]
 pub struct CsvRow<'a> {
     file: CsvFile<'a>,
+    dialect: Dialect,
     /// The first line, from 1.
     pub line: usize,
     pub cells: Vec<Cell>,
 }
 
+/// A struct with a field for each of the first columns of a file, in their order.
+pub trait CsvStruct: DeserializeOwned {
+    const COLUMNS: &'static [CsvColumn];
+}
+
+pub struct CsvColumn {
+    pub name: &'static str,
+    /// A cell as serde reads it, or what is expected in its place.
+    pub plain: fn(Dialect, &str) -> Result<Cow<'_, str>, String>,
+}
+
+/// A cell that is refused.
+#[derive(Debug)]
+pub struct BadCell {
+    pub column: &'static str,
+    pub found: String,
+    pub expected: String,
+}
+
 impl<'a> CsvFile<'a> {
     pub fn rows<'b>(self, bytes: &'b [u8]) -> impl Iterator<Item = CsvRow<'a>> + use<'a, 'b> {
-        cells::rows(bytes, self.comments).map(move |row| CsvRow { file: self, line: row.line, cells: row.cells })
+        self.rows_where(bytes, |_| false)
+    }
+
+    /// As [`CsvFile::rows`], of a file that may lack its header: its separator shows in rows that are structs.
+    pub fn rows_of<'b, T: CsvStruct>(self, bytes: &'b [u8]) -> impl Iterator<Item = CsvRow<'a>> + use<'a, 'b, T> {
+        self.rows_where(bytes, |row| row.read::<T>().is_ok())
+    }
+
+    fn rows_where<'b, F: Fn(&CsvRow<'_>) -> bool>(
+        self,
+        bytes: &'b [u8],
+        is_good: F,
+    ) -> impl Iterator<Item = CsvRow<'a>> + use<'a, 'b, F> {
+        let rows = self.spanned(bytes, is_good);
+        let dialect = rows.dialect;
+        rows.map(move |row| self.row(dialect, row))
+    }
+
+    /// A text with plain commas between its cells; blank lines and comments stay as they are.
+    pub fn with_commas<T: CsvStruct>(self, text: &str) -> String {
+        let rows = self.spanned(text.as_bytes(), |row| row.read::<T>().is_ok());
+        let (mut at, mut plain) = (said(text).map_or(0, |(_, length)| length), String::new());
+        if at == 0 && rows.dialect.delimiter == Dialect::PLAIN.delimiter {
+            return text.to_owned();
+        }
+        for SpannedRow { cells, span, .. } in rows {
+            plain += &text[at..span.start];
+            plain += &csv_line(cells.iter().map(|cell| cell.text.trim()));
+            at = span.end;
+        }
+        plain + &text[at..]
+    }
+
+    fn spanned<F: Fn(&CsvRow<'_>) -> bool>(self, bytes: &[u8], is_good: F) -> CsvRows {
+        let suits = |dialect, rows: &[SpannedRow]| {
+            let row = |row: &SpannedRow| self.row(dialect, row.clone());
+            let named = rows.first().map_or(0, |header| row(header).named());
+            let good = rows.iter().filter(|of| is_good(&row(of))).count();
+            let cells: usize = rows.iter().map(|row| row.cells.len().min(self.columns.len())).sum();
+            // Names and good rows count more than any number of cells.
+            ((named + good) * (rows.len() + 1) * self.columns.len() + cells) as i64
+        };
+        cells::rows(bytes, self.comments, &suits)
+    }
+
+    fn row(self, dialect: Dialect, row: SpannedRow) -> CsvRow<'a> {
+        CsvRow { file: self, dialect, line: row.line, cells: row.cells }
     }
 
     /// The expected header in a message.
@@ -57,6 +127,12 @@ impl CsvRow<'_> {
         self.used() >= least && cells.all(|(cell, name)| cell.text.trim().eq_ignore_ascii_case(name))
     }
 
+    /// How many cells name the column of their place.
+    fn named(&self) -> usize {
+        let pairs = self.cells.iter().zip(self.file.columns);
+        pairs.filter(|(cell, name)| cell.text.trim().eq_ignore_ascii_case(name)).count()
+    }
+
     /// With commas between, as in a message.
     pub fn joined(&self) -> String {
         self.cells[..self.used()].iter().map(|cell| cell.text.trim()).collect::<Vec<_>>().join(",")
@@ -64,12 +140,43 @@ impl CsvRow<'_> {
 
     /// The error is [`CsvRow::problem`].
     pub fn parse<T: FromStr>(&self, column: &str, expected: &str, good: impl FnOnce(&T) -> bool) -> Result<T, String> {
-        self.get(column).parse().ok().filter(good).ok_or_else(|| self.bad_cell(column, expected))
+        let number = self.dialect.number(self.get(column));
+        let parsed = number.parse().or_else(|_| whole(&number).parse());
+        parsed.ok().filter(good).ok_or_else(|| self.bad_cell(column, expected))
+    }
+
+    /// Errors: every wrong cell.
+    pub fn read<T: CsvStruct>(&self) -> Result<T, Vec<BadCell>> {
+        let (mut record, mut wrong) = (StringRecord::new(), Vec::new());
+        for (index, column) in T::COLUMNS.iter().enumerate() {
+            let text = self.cells.get(index).map_or("", |cell| cell.text.trim());
+            match (column.plain)(self.dialect, text) {
+                Ok(plain) => record.push_field(&plain),
+                Err(expected) => wrong.push(BadCell { column: column.name, found: format!("{text:?}"), expected }),
+            }
+        }
+        if !wrong.is_empty() {
+            return Err(wrong);
+        }
+        // Of good cells serde refuses none; whatever it does refuse is told.
+        let bad =
+            |error: csv::Error| BadCell { column: T::COLUMNS[0].name, found: error.to_string(), expected: self.file.header() };
+        record.deserialize(None).map_err(|error| vec![bad(error)])
+    }
+
+    /// As messages, a line each.
+    pub fn problems(&self, wrong: Vec<BadCell>) -> String {
+        let told = wrong.into_iter().map(|BadCell { column, found, expected }| self.problem(column, found, expected));
+        told.collect::<Vec<_>>().join("\n")
     }
 
     /// 0 or 1; the error is [`CsvRow::problem`].
     pub fn bit(&self, column: &str) -> Result<bool, String> {
-        self.parse(column, tr("0 or 1"), |bit: &u8| *bit < 2 && self.get(column).len() == 1).map(|bit| bit == 1)
+        match whole(&self.dialect.number(self.get(column))) {
+            "0" => Ok(false),
+            "1" => Ok(true),
+            _ => Err(self.bad_cell(column, tr("0 or 1"))),
+        }
     }
 
     pub fn bad_cell(&self, column: &str, expected: impl Display) -> String {

@@ -10,10 +10,11 @@
 //! with `#` are skipped; CRLF, a byte-order mark and spaces around a cell are accepted.
 
 use super::controls::Controls;
-use crate::files::{CsvFile, CsvRow, found_instead, place};
+use crate::files::{BadCell, CsvColumn, CsvFile, CsvRow, CsvStruct, Dialect, found_instead, place, whole};
 use crate::words::tr;
 use csv::WriterBuilder;
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
+use std::borrow::Cow;
 use std::fmt;
 
 pub const HEADER: &str = "ticks,thrust,reverse,left,right";
@@ -42,6 +43,39 @@ struct HeldKeys {
     controls: Controls,
 }
 
+/// A row of a file.
+#[derive(Deserialize)]
+struct InputRow {
+    ticks: u64,
+    thrust: bool,
+    reverse: bool,
+    left: bool,
+    right: bool,
+}
+
+const fn key(name: &'static str) -> CsvColumn {
+    let plain = |dialect: Dialect, text: &str| match whole(&dialect.number(text)) {
+        "0" => Ok("false".into()),
+        "1" => Ok("true".into()),
+        _ => Err(tr("0 or 1").into()),
+    };
+    CsvColumn { name, plain }
+}
+
+impl CsvStruct for InputRow {
+    const COLUMNS: &'static [CsvColumn] =
+        &[CsvColumn { name: "ticks", plain: ticks }, key("thrust"), key("reverse"), key("left"), key("right")];
+}
+
+fn ticks(dialect: Dialect, text: &str) -> Result<Cow<'_, str>, String> {
+    let number = dialect.number(text);
+    let ticks = whole(&number);
+    match ticks.parse() {
+        Ok(1..=MOST_TICKS) => Ok(ticks.to_owned().into()),
+        _ => Err(tr!("a whole number from {least} to {most}", least = 1, most = MOST_TICKS)),
+    }
+}
+
 /// Four cells, 0 or 1.
 fn as_keys<S: Serializer>(controls: &Controls, to: S) -> Result<S::Ok, S::Error> {
     let &Controls { thrust, reverse, left, right } = controls;
@@ -61,7 +95,7 @@ impl Inputs {
     /// [`MOST_TICKS`] in all.
     pub fn parse(file: &str, text: &str) -> Result<Self, BadFile> {
         let columns: Vec<&str> = HEADER.split(',').collect();
-        let mut rows = CsvFile { name: file, columns: &columns, comments: true }.rows(text.as_bytes());
+        let mut rows = CsvFile { name: file, columns: &columns, comments: true }.rows_of::<InputRow>(text.as_bytes());
         match rows.next() {
             Some(row) if row.is_header(columns.len()) && row.used() == columns.len() => {}
             Some(row) => return Err(BadFile(vec![row.problem("ticks", format_args!("{:?}", row.joined()), header_row())])),
@@ -185,13 +219,13 @@ fn held(row: &CsvRow<'_>, columns: &[&str], problems: &mut Vec<String>) -> Optio
         problems.push(row.problem(columns[row.used().min(last)], tr!("{count} cells in the row", count = row.used()), expected));
         return None;
     }
-    let before = problems.len();
-    let mut noted = |problem| problems.push(problem);
-    let expected = tr!("a whole number from {least} to {most}", least = 1, most = MOST_TICKS);
-    let ticks = row.parse("ticks", &expected, |ticks| (1..=MOST_TICKS).contains(ticks)).map_err(&mut noted).unwrap_or(0);
-    let mut key = |column| row.bit(column).map_err(&mut noted).unwrap_or(false);
-    let controls = Controls { thrust: key("thrust"), reverse: key("reverse"), left: key("left"), right: key("right") };
-    (problems.len() == before).then_some(HeldKeys { ticks, controls })
+    let InputRow { ticks, thrust, reverse, left, right } = row
+        .read()
+        .map_err(|wrong| {
+            problems.extend(wrong.into_iter().map(|BadCell { column, found, expected }| row.problem(column, found, expected)));
+        })
+        .ok()?;
+    Some(HeldKeys { ticks, controls: Controls { thrust, reverse, left, right } })
 }
 
 #[cfg(test)]
@@ -276,5 +310,25 @@ mod tests {
             prop_assert_eq!(&read, &recorded);
             prop_assert!(read.into_iter().eq(keys.iter().map(controls)));
         }
+    }
+
+    #[test]
+    fn inputs_are_the_same_whatever_spreadsheet_saved_them() {
+        let plain = "# keys,of,ann,,\nticks,thrust,reverse,left,right\n60,1,0,0,0\n15,1,0,0,1\n";
+        let inputs = Inputs::parse("i.csv", plain).unwrap();
+        for saved in crate::spreadsheets::saved(plain, |_| false) {
+            let text = crate::files::Encoding::text(&saved.bytes).unwrap();
+            assert_eq!(Inputs::parse("i.csv", &text).as_ref(), Ok(&inputs), "{}", saved.form);
+        }
+        let german = "ticks;thrust;reverse;left;right\r\n60,0;1;0;0;0\r\n15;1,0;0;0;1.0\r\n";
+        assert_eq!(Inputs::parse("i.csv", german), Ok(inputs));
+        let refused = Inputs::parse("i.csv", "ticks;thrust;reverse;left;right\n0,5;2;0;0;0\n").unwrap_err().0;
+        assert_eq!(
+            refused,
+            [
+                "i.csv:2: column \"ticks\": found \"0,5\", expected a whole number from 1 to 1000000000",
+                "i.csv:2: column \"thrust\": found \"2\", expected 0 or 1",
+            ]
+        );
     }
 }

@@ -10,7 +10,8 @@ use crate::words::tr;
 const ROUNDING: f64 = 1e-9;
 
 /// The better one is greater.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Medal {
     Bronze,
     Silver,

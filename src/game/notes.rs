@@ -19,7 +19,8 @@ pub(super) struct ReplayNotes<'a> {
 impl<'a> ReplayNotes<'a> {
     pub fn of(file: &'a str, text: &'a str) -> Self {
         let note = |line: &'a str| {
-            let (key, value) = line.trim().trim_start_matches('\u{feff}').strip_prefix('#')?.split_once(':')?;
+            let line = as_written(line.trim().trim_start_matches('\u{feff}'));
+            let (key, value) = line.strip_prefix('#')?.split_once(':')?;
             Some((key.trim(), value.trim()))
         };
         let lines = (1..).zip(text.lines()).filter_map(|(number, line)| Some((number, note(line)?)));
@@ -69,9 +70,16 @@ impl<'a> ReplayNotes<'a> {
     }
 }
 
+/// A spreadsheet fills a note's row with empty cells.
+fn as_written(line: &str) -> &str {
+    line.trim_end_matches([',', ';', '\t'])
+}
+
 /// A name as it is, or in quotes where it would not come back whole.
 pub(super) fn written(name: &str) -> String {
-    let plain = name.trim() == name && !name.starts_with('"') && !name.chars().any(|c| c.is_control() || LINE_ENDS.contains(&c));
+    let plain = as_written(name.trim()) == name
+        && !name.starts_with('"')
+        && !name.chars().any(|c| c.is_control() || LINE_ENDS.contains(&c));
     if plain { name.to_owned() } else { format!("{name:?}") }
 }
 

@@ -95,6 +95,10 @@ impl Files for LevelDisk<'_> {
         files::text_names(self.folder)
     }
 
+    fn flights(&self) -> Vec<String> {
+        files::text_names(&self.folder.join("flights"))
+    }
+
     fn project_file(&self, path: &str) -> io::Result<Vec<u8>> {
         files::read(&self.project.join(path), files::PICTURE)
     }

@@ -14,8 +14,8 @@ use std::path::{Path, PathBuf};
 const MOST_SIDE: u32 = 16_384;
 /// The most pixels of a picture: 32 MiB when it is unpacked. A PNG of a few kilobytes can unfold to gigabytes.
 const MOST_PIXELS: u64 = 1 << 23;
-/// The sides of the box that stands in for a missing picture, pixels.
-const STAND_IN: f64 = 40.0;
+/// The box that stands in for a missing picture.
+const STAND_IN: &str = "box:40x40";
 /// The most pixels of all the pictures of a level together, its background with them: 48 MiB, several times as much with the
 /// copies of a graphics driver.
 const MOST_PIXELS_IN_ALL: u64 = 12 << 20;
@@ -32,13 +32,13 @@ pub(super) struct Images<'a> {
     /// Of all known images together, and the background.
     pub pixels: u64,
     /// The shape of an object whose image is missing; without it such an object is refused.
-    pub stand_in: Option<PictureShape>,
+    pub stand_in: Option<&'static str>,
 }
 
 impl<'a> Images<'a> {
     /// With `stand_ins` a box stands in for every missing image.
     pub fn new(files: &'a dyn Files, stand_ins: bool) -> Self {
-        Self { files, known: BTreeMap::new(), pixels: 0, stand_in: stand_ins.then_some((Look::Box, STAND_IN, STAND_IN)) }
+        Self { files, known: BTreeMap::new(), pixels: 0, stand_in: stand_ins.then_some(STAND_IN) }
     }
 
     /// The shape of an `image` cell: `box:40x40`, `ball:40x40`, or a PNG's path from the project root.

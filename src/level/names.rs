@@ -4,25 +4,80 @@ use super::draft::Draft;
 use super::nearest::{meant, nearest};
 use super::problem::{MOST_PROBLEMS, Problem, at_most, quoted};
 use super::schema::FILES;
+use super::source::BACKGROUND;
 use super::wiring::names_in;
 use crate::words::tr;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A file that no level has: refused where it is one of [`FILES`] misspelt, a warning for any other table. Other files are the author's own.
-pub(super) fn stray(file: &str) -> Option<Result<Problem, Problem>> {
+/// A file that no level has, among the `names` in a level's folder.
+pub(super) enum Stray {
+    /// A table misspelt, where the level has none of the right name.
+    Misspelt(Problem),
+    /// A file that only looks like that one, by its ending: it is not read.
+    LookAlike(&'static str, Problem),
+    /// A copy of a table that is there, or another table.
+    Other(Problem),
+}
+
+/// Files that are no tables are the author's own.
+pub(super) fn stray(file: &str, names: &[String]) -> Option<Stray> {
     if FILES.contains(&file) {
         return None;
     }
-    let known = meant_file(file);
-    if known.is_none() && !file.to_lowercase().ends_with(".csv") {
-        return None;
+    let problem = |expected: String| Problem::of_file(file, tr("a file that no level has"), expected);
+    let named = |known: &str| tr!("the name {known}", known = format_args!("{known:?}"));
+    let is_there = |known: &str| names.iter().any(|name| name == known);
+    if let Some(known) = look_alike(file) {
+        return Some(Stray::LookAlike(known, problem(named(known))));
     }
-    let expected = known.map_or_else(
-        || tr!("one of {list}", list = FILES.join(", ")),
-        |known| tr!("the name {known}", known = format_args!("{known:?}")),
-    );
-    let problem = Problem::of_file(file, tr("a file that no level has"), expected);
-    Some(if known.is_some() { Err(problem) } else { Ok(problem) })
+    match meant_file(file) {
+        Some(known) if is_there(known) => Some(Stray::Other(problem(tr!("{known} alone: it is the file that is read", known)))),
+        Some(known) => Some(Stray::Misspelt(problem(named(known)))),
+        None if !file.to_lowercase().ends_with(".csv") => None,
+        None => {
+            let copied = FILES.into_iter().find(|known| is_there(known) && is_copy(file, known));
+            let expected = copied.map_or_else(
+                || tr!("one of {list}", list = FILES.join(", ")),
+                |known| tr!("{known} alone: it is the file that is read", known),
+            );
+            Some(Stray::Other(problem(expected)))
+        }
+    }
+}
+
+/// The file whose name a system or a program has given another ending: `world.csv.txt`, `background.jpg`, `Background.PNG`.
+fn look_alike(file: &str) -> Option<&'static str> {
+    const PICTURES: [&str; 7] = ["png", "jpg", "jpeg", "bmp", "gif", "webp", "tiff"];
+    let file = file.to_lowercase();
+    let (stem, ending) = file.rsplit_once('.')?;
+    let is_picture = BACKGROUND.starts_with(&format!("{stem}.")) && PICTURES.contains(&ending);
+    let table = |known: &&str| stem == *known && ending == "txt";
+    FILES.into_iter().find(|known| table(known) || *known == BACKGROUND && is_picture)
+}
+
+/// `world (1).csv`, `world - Kopie.csv`, `world_old.csv`.
+fn is_copy(file: &str, known: &str) -> bool {
+    let stem = known.trim_end_matches(".csv");
+    let more = file.strip_prefix(stem);
+    more.is_some_and(|more| more.starts_with(|c: char| !c.is_alphanumeric()))
+}
+
+/// The most flights of a wrong name that are told.
+const MOST_FLIGHTS: usize = 20;
+
+/// The files in a level's folder `flights` that look like flights, and are none for their names.
+pub(super) fn misnamed_flights(names: &[String]) -> Vec<Problem> {
+    let is_slip = |name: &&String| {
+        let name = name.to_lowercase();
+        !name.starts_with('.') && !name.ends_with(".replay.csv") && name.contains(".csv")
+    };
+    let slips = names.iter().filter(is_slip).take(MOST_FLIGHTS);
+    let problem = |name: &String| {
+        let stem = name.split('.').next().unwrap_or_default();
+        let expected = tr!("a name such as {name}", name = format_args!("\"{stem}.replay.csv\""));
+        Problem::of_file(&format!("flights/{name}"), tr("a file that is no flight by its name"), expected)
+    };
+    slips.map(problem).collect()
 }
 
 /// The file of a level that a name misspells: stem and ending are each near enough, whatever the case. The ending alone, which all tables
@@ -107,28 +162,57 @@ pub(super) fn warn(draft: &Draft) -> Vec<Problem> {
 
 #[cfg(test)]
 mod tests {
-    use super::{FILES, stray};
+    use super::{FILES, Stray, misnamed_flights, stray};
+
+    fn expected(file: &str, names: &[&str]) -> Option<(&'static str, String)> {
+        let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+        stray(file, &names).map(|stray| match stray {
+            Stray::Misspelt(problem) => ("misspelt", problem.expected),
+            Stray::LookAlike(_, problem) => ("alike", problem.expected),
+            Stray::Other(problem) => ("other", problem.expected),
+        })
+    }
 
     #[test]
     fn a_name_is_refused_for_its_stem_and_never_for_the_ending_that_all_tables_share() {
         for own in ["notes", "foo", "plan", "tool", "scores", "inventory", "a", "todo", "levels", "history"] {
             let file = format!("{own}.csv");
-            assert!(matches!(stray(&file), Some(Ok(_))), "{file}: {:?}", stray(&file));
+            assert!(expected(&file, &[]).is_some_and(|(kind, _)| kind == "other"), "{file}");
         }
-        for own in ["world.txt", "movers.md", "readme", "picture.png", "player.png", ".csv.new", "world"] {
-            assert_eq!(stray(own), None, "{own}");
+        for own in ["world.txt", "movers.md", "readme", "picture.png", "player.png", ".csv.new", "world", "world.csv.bak"] {
+            assert_eq!(expected(own, &[]), None, "{own}");
         }
         for (file, meant) in [
             ("wrold.csv", "world.csv"),
             ("player.CSV", "player.csv"),
             ("movers.cvs", "movers.csv"),
-            ("Background.png", "background.png"),
             ("backgroud.PNG", "background.png"),
             ("constant.csv", "constants.csv"),
         ] {
-            let Some(Err(problem)) = stray(file) else { panic!("{file}: {:?}", stray(file)) };
-            assert_eq!(problem.expected, format!("the name {meant:?}"), "{file}");
+            assert_eq!(expected(file, &[]), Some(("misspelt", format!("the name {meant:?}"))), "{file}");
         }
-        assert!(FILES.iter().all(|file| stray(file).is_none()));
+        assert!(FILES.iter().all(|file| expected(file, &[]).is_none()));
+    }
+
+    #[test]
+    fn copies_and_files_with_another_ending_are_told_and_refuse_no_level() {
+        for copy in ["world2.csv", "worlds.csv", "world (1).csv", "world - Kopie.csv", "world-old.csv"] {
+            let alone = "world.csv alone: it is the file that is read".to_owned();
+            assert_eq!(expected(copy, &["world.csv"]), Some(("other", alone)), "{copy}");
+        }
+        for (file, meant) in
+            [("world.csv.txt", "world.csv"), ("background.jpg", "background.png"), ("Background.PNG", "background.png")]
+        {
+            assert_eq!(expected(file, &[]), Some(("alike", format!("the name {meant:?}"))), "{file}");
+        }
+        let names = ["gold.csv", "a.replay.csv", ".hidden.csv", "notes.txt", "b.replay.csv.txt"].map(str::to_owned);
+        let told: Vec<String> = misnamed_flights(&names).iter().map(ToString::to_string).collect();
+        assert_eq!(
+            told,
+            [
+                "flights/gold.csv: found a file that is no flight by its name, expected a name such as \"gold.replay.csv\"",
+                "flights/b.replay.csv.txt: found a file that is no flight by its name, expected a name such as \"b.replay.csv\"",
+            ]
+        );
     }
 }

@@ -35,7 +35,6 @@ pub(super) const RESTITUTION: NumberRange = NumberRange::new(0.0, 1.0, "");
 pub(super) const DENSITY: NumberRange = NumberRange::of(domain::DENSITY);
 pub(super) const AIR_DENSITY: NumberRange = NumberRange::of(domain::AIR_DENSITY);
 pub(super) const VISCOSITY: NumberRange = NumberRange::of(domain::VISCOSITY);
-pub(super) const COLOUR: NumberRange = NumberRange::new(0.0, 255.0, "");
 pub(super) const GRAVITY: NumberRange = NumberRange::of(domain::FIELD);
 pub(super) const OPTIMAL_TIME: NumberRange = NumberRange::new(1e-3, 1e9, "s");
 pub(super) const HOLD: NumberRange = NumberRange::new(0.0, 1e6, "s");
@@ -128,7 +127,7 @@ impl NumberRange {
 }
 
 /// A finite number with a decimal point in every locale; `nan` and `inf`, which Rust accepts, are refused.
-fn number(text: &str) -> Result<f64, String> {
+pub(super) fn number(text: &str) -> Result<f64, String> {
     let plain = |text: &str| {
         let digits = text.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'+' | b'-' | b'.' | b'e' | b'E'));
         if digits { text.parse::<f64>().ok() } else { None }
@@ -187,14 +186,19 @@ impl PixelScale {
     }
 
     /// Pixels to metres.
+    pub fn place(&self, place: DVec2) -> DVec2 {
+        place / self.metre
+    }
+
+    /// Pixels to metres.
     pub fn metres(&self, x: f64, y: f64) -> DVec2 {
         DVec2::new(x / self.metre, y / self.metre)
     }
 
     /// The rectangle of a row's x, y, width and height, in metres.
-    pub fn bounds(&self, place: [Option<f64>; 4]) -> Option<Aabb> {
-        let (min, max) = corners(place)?;
-        Some(self.rectangle(min, max))
+    pub fn bounds(&self, place: [f64; 4]) -> Aabb {
+        let (min, max) = corners(place);
+        self.rectangle(min, max)
     }
 
     /// A rectangle between two opposite corners in pixels. Each edge is scaled by itself, so that edges which share a pixel share
@@ -205,9 +209,9 @@ impl PixelScale {
 }
 
 /// The top left and the bottom right corner of x, y, width and height.
-pub(super) fn corners([x, y, width, height]: [Option<f64>; 4]) -> Option<(DVec2, DVec2)> {
-    let min = DVec2::new(x?, y?);
-    Some((min, min + DVec2::new(width?, height?)))
+pub(super) fn corners([x, y, width, height]: [f64; 4]) -> (DVec2, DVec2) {
+    let min = DVec2::new(x, y);
+    (min, min + DVec2::new(width, height))
 }
 
 #[cfg(test)]

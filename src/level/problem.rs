@@ -32,6 +32,11 @@ impl Problem {
         Self { file: file.into(), line, column: column.into(), found: found.into(), expected: expected.into() }
     }
 
+    /// Whether it is the lack of that file.
+    pub(super) fn is_no_file(&self, file: &str) -> bool {
+        self.file == file && self.found == tr("no file")
+    }
+
     /// The problem with a file that has no lines and columns.
     pub(super) fn of_file(file: &str, found: impl Into<String>, expected: impl Into<String>) -> Self {
         Self::new(file, 0, "", found, expected)

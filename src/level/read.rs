@@ -2,7 +2,7 @@
 
 use super::draft::Draft;
 use super::image::png_size;
-use super::names;
+use super::names::{self, Stray};
 use super::problem::{MOST_PROBLEMS, Problem, too_many};
 use super::reach::SearchWork;
 use super::reader::LevelReader;
@@ -21,6 +21,8 @@ pub struct Loaded {
     pub level: Level,
     /// Probable mistakes that do no harm.
     pub warnings: Vec<Problem>,
+    /// The files that are no UTF-8 with commas, and what they are instead.
+    pub dialects: Vec<(&'static str, String)>,
 }
 
 /// The paths in the level are as the author wrote them: images from the project's folder, the background from the level's.
@@ -31,7 +33,9 @@ pub fn read(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
 
 /// As [`read()`]; `work` counts the cost of its searches.
 fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result<Loaded, Vec<Problem>> {
-    let Gathered { background, draft, mut problems, mut warnings } = gather(files, false);
+    let Gathered { background, draft, dialects, unused_sizes, mut problems, mut warnings } = gather(files, false);
+    // A thing outside of the level may stand where the author takes another size.
+    let refused = |problems: Vec<Problem>| Err(in_order(problems.into_iter().chain(unused_sizes).collect()));
     problems.extend(names::check(&draft));
     problems.extend(links::check(&draft));
     problems.extend(strength::check(&draft));
@@ -39,7 +43,7 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
     problems.extend(placement::check(&draft, work));
     // A level without a readable player or size has a problem already.
     let (true, Some(size), true) = (draft.may_start(), draft.size, problems.is_empty()) else {
-        return Err(in_order(problems));
+        return refused(problems);
     };
     let size = size / draft.scale.metre;
     warnings.extend(names::warn(&draft));
@@ -48,7 +52,7 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
         let space = placement::space(&draft, size, work.clone());
         let problems = winnable::check(&draft, &player.item, &space);
         if !problems.is_empty() {
-            return Err(in_order(problems));
+            return refused(problems);
         }
         warnings.extend(winnable::same_turns(&draft));
         warnings.extend(placement::warn(&draft, &player.item, &space));
@@ -56,14 +60,14 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
         warnings.extend(pushed::warn(&draft, &player.item, &space));
         warnings.extend(power::warn(&draft, player, &space));
     }
-    Ok(Loaded { level: draft.level(name, background, size), warnings })
+    Ok(Loaded { level: draft.level(name, background, size), warnings, dialects })
 }
 
 /// As [`read()`], of an unfinished level: a ship and a size are enough. A row that cannot be read or placed is left out, an object whose
 /// picture is missing is a box, and the problems stand among the warnings.
 /// Errors: every problem of a level without a ship, a place for it or a size.
 pub fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
-    let Gathered { background, mut draft, mut problems, mut warnings } = gather(files, true);
+    let Gathered { background, mut draft, dialects, mut problems, mut warnings, .. } = gather(files, true);
     problems.extend(names::check(&draft));
     let mut misplaced = strength::check(&draft);
     misplaced.extend(placement::check_zones(&draft));
@@ -73,47 +77,70 @@ pub fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Prob
     let (true, Some(size)) = (draft.may_start(), draft.size) else { return Err(in_order(problems)) };
     warnings.splice(..0, in_order(problems));
     let size = size / draft.scale.metre;
-    Ok(Loaded { level: draft.level(name, background, size), warnings })
+    Ok(Loaded { level: draft.level(name, background, size), warnings, dialects })
 }
 
 /// The things of a level's files, each row judged by itself.
 struct Gathered {
     background: bool,
     draft: Draft,
+    dialects: Vec<(&'static str, String)>,
+    /// Among the warnings.
+    unused_sizes: Vec<Problem>,
     problems: Vec<Problem>,
     warnings: Vec<Problem>,
 }
 
 fn gather(files: &dyn Files, unfinished: bool) -> Gathered {
     let mut reader = LevelReader::new(files, unfinished);
-    strays(&mut reader);
+    let look_alikes = strays(&mut reader);
     let rows = reader.table(Table::Constants).records;
     let settings = settings(rows, &mut reader.rows, &mut reader.warnings);
     let background = background(&mut reader);
     if let Some(Ok(DVec2 { x, y })) = background {
         reader.rows.images.pixels = (x * y) as u64;
     }
+    let mut unused_sizes = Vec::new();
     let size = match background {
         Some(size) if size.is_ok() || !unfinished => {
             let size = size.ok();
-            size.iter().for_each(|size| sizes_that_are_not_used(&settings, *size, &mut reader));
+            unused_sizes = size.map_or_else(Vec::new, |size| sizes_that_are_not_used(&settings, size));
             size
         }
         _ => plain_size(&settings, &mut reader),
     };
+    reader.warnings.extend(unused_sizes.iter().cloned());
     let draft = Draft::read(&mut reader, size, settings);
+    for (known, problem) in look_alikes {
+        // A level that is refused for want of a file names the one that looks like it.
+        let wanted =
+            if known == BACKGROUND { size.is_none() } else { reader.rows.problems.iter().any(|found| found.is_no_file(known)) };
+        if wanted { &mut reader.rows.problems } else { &mut reader.warnings }.push(problem);
+    }
     let background = background.is_some_and(|size| size.is_ok());
-    Gathered { background, draft, problems: reader.rows.problems, warnings: reader.warnings }
+    Gathered {
+        background,
+        draft,
+        dialects: reader.dialects,
+        unused_sizes,
+        problems: reader.rows.problems,
+        warnings: reader.warnings,
+    }
 }
 
-fn strays(reader: &mut LevelReader) {
-    for file in reader.files.names() {
-        match names::stray(&file) {
-            Some(Err(problem)) => reader.rows.problems.push(problem),
-            Some(Ok(warning)) => reader.warnings.push(warning),
+/// Tells files that no level has; the answer is those that look like a file of a level.
+fn strays(reader: &mut LevelReader) -> Vec<(&'static str, Problem)> {
+    let (names, mut look_alikes) = (reader.files.names(), Vec::new());
+    for file in &names {
+        match names::stray(file, &names) {
+            Some(Stray::Misspelt(problem)) => reader.rows.problems.push(problem),
+            Some(Stray::LookAlike(known, problem)) => look_alikes.push((known, problem)),
+            Some(Stray::Other(warning)) => reader.warnings.push(warning),
             None => {}
         }
     }
+    reader.warnings.extend(names::misnamed_flights(&reader.files.flights()));
+    look_alikes
 }
 
 /// The size of background.png in pixels: `None` where there is none, `Err` where it is refused.
@@ -132,14 +159,15 @@ fn background(reader: &mut LevelReader) -> Option<Result<DVec2, ()>> {
     Some(size.map_err(|(found, expected)| reader.rows.problems.push(Problem::of_file(BACKGROUND, found, expected))))
 }
 
-/// Warns where constants.csv gives another size than the background.
-fn sizes_that_are_not_used(settings: &LevelSettings, background: DVec2, reader: &mut LevelReader) {
-    for (name, given, used) in [("width", settings.width, background.x), ("height", settings.height, background.y)] {
-        if let Some(given) = given.filter(|given| *given != used) {
-            let expected = tr!("{used}, the {name} of {background}, which is used", used, name, background = BACKGROUND);
-            reader.warnings.push(SETTING.problem(1, tr!("a {name} of {given}", name, given), expected));
-        }
-    }
+/// Where constants.csv gives another size than the background.
+fn sizes_that_are_not_used(settings: &LevelSettings, background: DVec2) -> Vec<Problem> {
+    let sides = [("width", settings.width, background.x), ("height", settings.height, background.y)];
+    let unused = sides.into_iter().filter_map(|(name, given, used)| Some((name, given.filter(|given| *given != used)?, used)));
+    let problem = |(name, given, used)| {
+        let expected = tr!("{used}, the {name} of {background}, which is used", used, name, background = BACKGROUND);
+        SETTING.problem(1, tr!("a {name} of {given}", name, given), expected)
+    };
+    unused.map(problem).collect()
 }
 
 fn plain_size(settings: &LevelSettings, reader: &mut LevelReader) -> Option<DVec2> {

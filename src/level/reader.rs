@@ -15,13 +15,16 @@ pub(super) struct LevelReader<'a> {
     pub files: &'a dyn Files,
     pub rows: RowReader<'a>,
     pub warnings: Vec<Problem>,
+    /// In words, of the files that are no UTF-8 with commas.
+    pub dialects: Vec<(&'static str, String)>,
 }
 
 impl<'a> LevelReader<'a> {
     /// In an unfinished level a box stands in for a missing picture.
     pub fn new(files: &'a dyn Files, unfinished: bool) -> Self {
-        let rows = RowReader { scale: PixelScale::USUAL, images: Images::new(files, unfinished), problems: Vec::new() };
-        Self { files, rows, warnings: Vec::new() }
+        let rows =
+            RowReader { scale: PixelScale::USUAL, images: Images::new(files, unfinished), problems: Vec::new(), stood_in: 0 };
+        Self { files, rows, warnings: Vec::new(), dialects: Vec::new() }
     }
 
     /// `None` where there is no such file, or where it cannot be read, which is reported.
@@ -44,16 +47,17 @@ impl<'a> LevelReader<'a> {
         if bytes.is_none() && self.rows.problems.len() == before {
             self.rows.problems.push(table.rows()[0].problem(1, tr("no file"), expected));
         }
-        Some(table::read(table.rows(), &bytes?, &mut self.rows.problems))
+        Some(self.read(table, &bytes?))
     }
 
     /// The rows of an optional file.
     pub fn table(&mut self, table: Table) -> TableRows {
-        let Some(bytes) = self.bytes(table) else { return TableRows::default() };
-        let rows = table::read(table.rows(), &bytes, &mut self.rows.problems);
-        if rows.lines.is_empty() {
-            self.warnings.push(table.rows()[0].problem(1, tr("no row in the file"), tr("at least one row, or no file")));
-        }
+        self.bytes(table).map_or_else(TableRows::default, |bytes| self.read(table, &bytes))
+    }
+
+    fn read(&mut self, table: Table, bytes: &[u8]) -> TableRows {
+        let rows = table::read(table.rows(), bytes, &mut self.rows.problems);
+        self.dialects.extend(rows.dialect.and_then(|dialect| Some((table.file(), dialect.words()?))));
         rows
     }
 

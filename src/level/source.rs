@@ -18,4 +18,9 @@ pub trait Files {
     fn names(&self) -> Vec<String> {
         Vec::new()
     }
+
+    /// The names of all files in its folder `flights`, where they can be listed.
+    fn flights(&self) -> Vec<String> {
+        Vec::new()
+    }
 }

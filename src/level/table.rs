@@ -1,10 +1,12 @@
 //! The column of each cell: headers, files without one, rows of several kinds.
 
 use super::nearest::meant;
+use super::numbers::PixelScale;
 use super::problem::{MOST_PROBLEMS, Problem, quoted, too_many};
 use super::schema::record::RowCells;
-use super::schema::{Column, RowSchema};
-use crate::files::{Cell, SpannedRow, csv_rows};
+use super::schema::settings::SETTING;
+use super::schema::{Column, Holds, Kind, RowSchema, SETTINGS};
+use crate::files::{Cell, CellFault, CsvRows, Dialect, SpannedRow, csv_rows, separators};
 use crate::words::tr;
 
 /// The most cells of a header. A file has less than a tenth of it as columns, and a message about a row names every cell of the header.
@@ -22,6 +24,8 @@ pub(super) struct TableRows {
     pub records: Vec<RowCells>,
     /// The lines of all rows but the header, readable or not.
     pub lines: Vec<usize>,
+    /// `None` without a file.
+    pub dialect: Option<Dialect>,
 }
 
 #[derive(Clone, Debug)]
@@ -32,13 +36,23 @@ pub(super) struct HeaderPlan {
     pub headers: usize,
 }
 
+/// The rows of a file, headers among them.
+pub(super) fn rows(kinds: RowKinds, bytes: &[u8]) -> CsvRows {
+    csv_rows(bytes, true, &|dialect, rows| suits(kinds, dialect, rows))
+}
+
 pub(super) fn read(kinds: RowKinds, bytes: &[u8], problems: &mut Vec<Problem>) -> TableRows {
-    let rows: Vec<SpannedRow> = csv_rows(bytes, true).collect();
+    let reader = rows(kinds, bytes);
+    let dialect = reader.dialect;
+    let rows: Vec<SpannedRow> = reader.collect();
     let plan = match plan(kinds, &rows, problems) {
         Ok(plan) => plan,
-        Err(headers) => return TableRows { records: Vec::new(), lines: rows.iter().skip(headers).map(|row| row.line).collect() },
+        Err(headers) => {
+            let lines = rows.iter().skip(headers).map(|row| row.line).collect();
+            return TableRows { lines, dialect: Some(dialect), ..TableRows::default() };
+        }
     };
-    let (mut table, any) = (TableRows::default(), kinds[0]);
+    let (mut table, any) = (TableRows { dialect: Some(dialect), ..TableRows::default() }, kinds[0]);
     let enough = problems.len() + MOST_PROBLEMS;
     for row in rows.iter().skip(plan.headers) {
         table.lines.push(row.line);
@@ -46,14 +60,14 @@ pub(super) fn read(kinds: RowKinds, bytes: &[u8], problems: &mut Vec<Problem>) -
             problems.push(too_many(any.file.name, row.line));
             break;
         }
-        if let Some(problem) = wrong_separator(any, row) {
+        if let Some(problem) = wrong_separator(any, dialect, row) {
             problems.push(problem);
             break; // The rest of the file is like this row.
         }
         let first = &row.cells[0];
         match schema_of(kinds, first.text.trim()) {
-            Some(schema) if kinds.len() > 1 => table.records.extend(record(schema, &all_columns(schema), row, problems)),
-            Some(schema) => table.records.extend(record(schema, &plan.columns, row, problems)),
+            Some(schema) if kinds.len() > 1 => table.records.extend(record(schema, dialect, &all_columns(schema), row, problems)),
+            Some(schema) => table.records.extend(record(schema, dialect, &plan.columns, row, problems)),
             None if first.fault.is_some() => report_faults(any, &[], row, problems),
             None => problems.push(unknown_kind(kinds, first)),
         }
@@ -67,14 +81,26 @@ pub(super) fn schema_of(kinds: RowKinds, first: &str) -> Option<&'static RowSche
 
 fn unknown_kind(kinds: RowKinds, first: &Cell) -> Problem {
     let (any, column) = (kinds[0], kinds[0].columns[0].name);
-    let (found, expected) = if first.text.trim().eq_ignore_ascii_case(column) {
-        let expected = tr!("{columns}: the columns of these rows never change places", columns = any.columns_text());
-        (tr("a header with its columns in another order").to_owned(), expected)
-    } else {
-        let tags: Vec<&str> = kinds.iter().map(|schema| schema.tag).collect();
-        (found(first), tr!("one of {list}", list = tags.join(", ")) + &meant(&first.text, tags))
+    if first.text.trim().eq_ignore_ascii_case(column) {
+        return moved_header(any, first.line);
+    }
+    let tags: Vec<&str> = kinds.iter().map(|schema| schema.tag).collect();
+    let expected = tr!("one of {list}", list = tags.join(", ")) + &meant(&first.text, tags);
+    Problem::new(any.file.name, first.line, column, found(first), expected)
+}
+
+fn moved_header(schema: &RowSchema, line: usize) -> Problem {
+    let expected = tr!("{columns}: the columns of these rows never change places", columns = schema.columns_text());
+    schema.problem(line, tr("a header with its columns in another order"), expected)
+}
+
+/// The kind whose column a header of rows of several kinds names in a place where no kind has it.
+fn moved(kinds: RowKinds, header: &SpannedRow) -> Option<&'static RowSchema> {
+    let is = |schema: &RowSchema, i: usize, cell: &Cell| {
+        schema.columns.get(i).is_some_and(|column| column.name.eq_ignore_ascii_case(cell.text.trim()))
     };
-    Problem::new(any.file.name, first.line, column, found, expected)
+    let strays = header.cells.iter().enumerate().filter(|(i, cell)| !kinds.iter().any(|schema| is(schema, *i, cell)));
+    strays.map(|(_, cell)| cell).find_map(|cell| kinds.iter().find(|schema| schema.find(&cell.text).is_some())).copied()
 }
 
 pub(super) fn all_columns(schema: &'static RowSchema) -> Columns {
@@ -84,15 +110,14 @@ pub(super) fn all_columns(schema: &'static RowSchema) -> Columns {
 /// Errors: the number of header rows of a file that is no table of this kind, which is reported.
 pub(super) fn plan(kinds: RowKinds, rows: &[SpannedRow], problems: &mut Vec<Problem>) -> Result<HeaderPlan, usize> {
     if kinds.len() > 1 {
-        return Ok(HeaderPlan { columns: Vec::new(), headers: rows.iter().take_while(|row| names_place(row)).count() });
+        let headers = rows.iter().take_while(|row| names_place(row)).count();
+        let moved = rows[..headers].iter().filter_map(|row| Some(moved_header(moved(kinds, row)?, row.line)));
+        problems.extend(moved);
+        return Ok(HeaderPlan { columns: Vec::new(), headers });
     }
     let schema = kinds[0];
     let plain = Ok(HeaderPlan { columns: all_columns(schema), headers: 0 });
     let Some(first) = rows.first() else { return plain };
-    if let Some(problem) = separator_said(schema, first) {
-        problems.push(problem);
-        return Err(0);
-    }
     let used = first.cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |last| last + 1);
     let found = if is_foreign_header(schema, first) {
         let names: Vec<&str> = first.cells.iter().map(|cell| cell.text.trim()).filter(|name| !name.is_empty()).collect();
@@ -130,17 +155,6 @@ fn is_foreign_header(schema: &RowSchema, row: &SpannedRow) -> bool {
     placed && !is_header(schema, row) && word(x) && word(y)
 }
 
-/// The problem of a first row `sep=;`, by which some spreadsheets say how cells are separated.
-fn separator_said(schema: &RowSchema, row: &SpannedRow) -> Option<Problem> {
-    let said = row.cells[0].text.trim().to_lowercase();
-    let separator = said.strip_prefix("sep=")?;
-    Some(schema.problem(row.line, quoted(&format!("sep={separator}")), commas_wanted()))
-}
-
-fn commas_wanted() -> &'static str {
-    tr("cells separated by commas, numbers with a decimal point")
-}
-
 /// The columns in the order of the header; `None` for one that is not known.
 fn header(schema: &'static RowSchema, row: &SpannedRow, cells: &[Cell], problems: &mut Vec<Problem>) -> Columns {
     let mut columns = Columns::new();
@@ -164,20 +178,69 @@ fn header(schema: &'static RowSchema, row: &SpannedRow, cells: &[Cell], problems
     columns
 }
 
-/// The problem of a row with semicolons or tabs between its cells, as some spreadsheets write them.
-fn wrong_separator(schema: &RowSchema, row: &SpannedRow) -> Option<Problem> {
+/// How well rows suit a file in a dialect: the cells that name columns or hold good values, less the others.
+fn suits(kinds: RowKinds, dialect: Dialect, rows: &[SpannedRow]) -> i64 {
+    let Ok(plan) = plan(kinds, rows, &mut Vec::new()) else { return 0 };
+    let (headers, rows) = rows.split_at(plan.headers);
+    let is_named = |cell: &Cell| kinds.iter().any(|schema| schema.find(&cell.text).is_some());
+    let named = headers.iter().flat_map(|row| &row.cells).filter(|cell| !cell.is_empty()).map(is_named);
+    let good = rows.iter().flat_map(|row| {
+        let columns = match schema_of(kinds, row.cells[0].text.trim()) {
+            Some(schema) if kinds.len() > 1 => all_columns(schema),
+            Some(_) => plan.columns.clone(),
+            None => Columns::new(),
+        };
+        let cells = row.cells.iter().enumerate().filter(|(_, cell)| !cell.is_empty());
+        let good = cells.map(|(i, cell)| is_good(columns.get(i).copied().flatten(), dialect, row, cell));
+        good.collect::<Vec<bool>>()
+    });
+    named.chain(good).map(|good| if good { 1 } else { -1 }).sum()
+}
+
+fn is_good(column: Option<&'static Column>, dialect: Dialect, row: &SpannedRow, cell: &Cell) -> bool {
+    let Some(held) = column.and_then(|column| held(column, row.cells[0].text.trim())) else { return false };
+    let text = cell.text.trim();
+    cell.fault.is_none() && held.judge(&held.in_plain_dialect(dialect, text), PixelScale::USUAL).is_ok()
+}
+
+/// What a row's cell holds by its column; in constants.csv by the setting that its first cell names, and `None` where that is no setting.
+pub(super) fn held(column: &'static Column, first: &str) -> Option<Holds> {
+    if !SETTING.columns.iter().any(|own| std::ptr::eq(own, column)) {
+        return Some(column.holds);
+    }
+    let setting = SETTINGS.iter().find(|setting| setting.name.eq_ignore_ascii_case(first))?;
+    Some(if column.name == "value" { setting.holds } else { column.holds })
+}
+
+/// The problem of a row whose cells are separated otherwise than in the rest of the file, or by what no file is read with.
+fn wrong_separator(schema: &RowSchema, dialect: Dialect, row: &SpannedRow) -> Option<Problem> {
     let required = schema.columns.iter().filter(|column| column.required).count();
-    let count = |separator| row.cells.iter().map(|cell| cell.text.matches(separator).count()).sum::<usize>();
     if row.cells.len() >= required {
         return None;
     }
-    let separator = [(';', tr("semicolons")), ('\t', tr("tabs"))].into_iter().find(|(c, _)| count(*c) + 1 >= required)?.1;
-    let found = tr!("cells separated by {separator}", separator);
-    Some(schema.problem(row.line, found, commas_wanted()))
+    let count = |separator: u8| {
+        row.cells.iter().map(|cell| cell.text.bytes().filter(|byte| *byte == separator).count()).sum::<usize>() + row.cells.len()
+            - 1
+    };
+    let others = Dialect::DELIMITERS.into_iter().filter(|delimiter| *delimiter != dialect.delimiter);
+    let separator = others.chain([b'|', b':']).find(|separator| count(*separator) + 1 >= required)?;
+    let sign = char::from(separator).to_string();
+    let found = tr!("cells separated by {separator}", separator = separators(separator).unwrap_or(&sign));
+    let expected = match separators(separator) {
+        Some(_) => tr!("cells separated by {separator}, as in the rest of the file", separator = separators(dialect.delimiter)?),
+        None => CellFault::Separator.words().1.to_owned(),
+    };
+    Some(schema.problem(row.line, found, expected))
 }
 
 /// The row's cells by column; `None` where the row is broken.
-fn record(schema: &'static RowSchema, columns: &Columns, row: &SpannedRow, problems: &mut Vec<Problem>) -> Option<RowCells> {
+fn record(
+    schema: &'static RowSchema,
+    dialect: Dialect,
+    columns: &Columns,
+    row: &SpannedRow,
+    problems: &mut Vec<Problem>,
+) -> Option<RowCells> {
     if row.cells.iter().any(|cell| cell.fault.is_some()) {
         report_faults(schema, columns, row, problems);
         return None;
@@ -191,10 +254,27 @@ fn record(schema: &'static RowSchema, columns: &Columns, row: &SpannedRow, probl
         problems.push(Problem::new(file, first.line, name, found, expected));
     }
     if let Some(column) = columns.iter().skip(row.cells.len()).flatten().find(|column| column.required) {
-        problems.push(Problem::new(file, row.line, column.name, cell_count(row.cells.len()), cells_wanted(columns)));
+        let expected = cells_wanted(columns) + &meant_row(schema, row);
+        problems.push(Problem::new(file, row.line, column.name, cell_count(row.cells.len()), expected));
     }
     let named = columns.iter().zip(&row.cells).filter_map(|(column, cell)| Some(((*column)?.name, cell.clone())));
-    Some(RowCells { schema, line: row.line, cells: named.collect(), is_settings: false })
+    Some(RowCells { schema, dialect, line: row.line, cells: named.collect(), is_settings: false })
+}
+
+/// What a row of too few cells, all of them numbers, is in other games and in the first version of the original; else empty.
+fn meant_row(schema: &RowSchema, row: &SpannedRow) -> String {
+    let mut cells = row.cells.iter().filter(|cell| !cell.is_empty());
+    let numbers = cells.clone().all(|cell| cell.text.trim().parse::<f64>().is_ok());
+    match (cells.next(), row.cells.len()) {
+        (Some(number), 1) if numbers && std::ptr::eq(schema, &SETTING) => tr!(
+            "; a name says what the number is, such as gravity,{number} or air_density,{number} or optimal_time,{number}",
+            number = number.text.trim()
+        ),
+        (Some(_), _) if numbers && std::ptr::eq(schema, Kind::Object.schema()) => {
+            tr!("; the ship stands in player.csv: {columns}", columns = Kind::Ship.schema().columns_text())
+        }
+        _ => String::new(),
+    }
 }
 
 fn cell_count(n: usize) -> String {

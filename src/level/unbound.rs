@@ -1,23 +1,30 @@
 //! Links as their rows have them: the names of their ends become bodies.
 
+use super::numbers::PixelScale;
 use super::placed::FromRow;
 use super::types::{LevelLink, Object};
 use crate::physics::{BodyId, DVec2, LinkDef, LinkEnd, LinkLaw};
+use serde::Deserialize;
 
 /// The most links of a level: a stiff one takes some 10 µs a tick.
 pub(super) const MOST_LINKS: usize = 256;
 
 /// An end of a row of links.csv.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(try_from = "String")]
 pub(super) enum LinkRowEnd {
     Ship,
     /// By name.
     Object(String),
-    /// m.
+    /// Pixels in a row, m in a level.
     Place(DVec2),
 }
 
 impl LinkRowEnd {
+    pub fn in_metres(self, scale: PixelScale) -> Self {
+        if let Self::Place(place) = self { Self::Place(scale.place(place)) } else { self }
+    }
+
     /// The name of its object.
     pub fn object(&self) -> Option<&str> {
         match self {

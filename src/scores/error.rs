@@ -2,8 +2,7 @@ use std::fmt::{self, Display};
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::name::Name;
-use crate::files::{CellFault, place};
+use crate::files::{BadCell, CellFault, place};
 use crate::words::tr;
 
 /// The most places in a report.
@@ -40,10 +39,8 @@ impl<'a> DamageReport<'a> {
         self.add(line, None, found, expected);
     }
 
-    /// The name in a cell, or a line of the report.
-    pub fn name(&mut self, line: usize, column: &str, cell: &str) -> Option<Name> {
-        let refused = |error| self.add(line, Some(column), format_args!("{cell:?}"), tr!("a user name: {error}", error));
-        Name::new(cell).map_err(refused).ok()
+    pub fn cells(&mut self, line: usize, wrong: impl IntoIterator<Item = BadCell>) {
+        wrong.into_iter().for_each(|BadCell { column, found, expected }| self.add(line, Some(column), found, expected));
     }
 
     pub fn into_all(self) -> Vec<String> {

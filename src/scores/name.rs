@@ -1,5 +1,6 @@
 use crate::words::tr;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::fmt;
 
 /// Characters.
@@ -12,8 +13,17 @@ const GUEST: &str = "Guest";
 /// 1 to [`NAME_MAX`] characters, the first one a letter, the others letters, digits, `-` or `_`. Letters are those of ASCII: every
 /// font draws them, no two look alike, and no spreadsheet reads such a name as a formula. Names that differ in case are different
 /// users.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Deserialize, Serialize)]
+#[serde(try_from = "String")]
 pub struct Name(String);
+
+impl TryFrom<String> for Name {
+    type Error = NameError;
+
+    fn try_from(text: String) -> Result<Self, NameError> {
+        Self::new(&text)
+    }
+}
 
 /// Its text is for the player.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +51,11 @@ impl Name {
             Some(other) => Err(NameError::NotAllowed(other)),
             None => Ok(Self(text.to_owned())),
         }
+    }
+
+    /// The text of a name in a file, or what is expected in its place.
+    pub(super) fn cell(text: &str) -> Result<Cow<'_, str>, String> {
+        Self::new(text).map(|_| text.into()).map_err(|error| tr!("a user name: {error}", error))
     }
 
     /// For a player without a chosen name.

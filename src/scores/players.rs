@@ -18,13 +18,56 @@ use std::path::Path;
 
 use super::error::DamageReport;
 use super::name::Name;
-use crate::files::{CsvFile, CsvRow, csv_line};
+use crate::files::{CsvColumn, CsvFile, CsvRow, CsvStruct, csv_line, truth};
 use crate::game::{Medal, Medals};
 use crate::words::tr;
+use serde::Deserialize;
 
 const FILE: CsvFile<'_> = CsvFile { name: "", columns: &["player", "level", "time", "medal", "mark"], comments: false };
 /// The columns of files from before medals.
 const OLD_COLUMNS: usize = 3;
+
+/// A level that a player has done; a row without a level names a player.
+#[derive(Deserialize)]
+struct DoneRow {
+    player: Name,
+    level: String,
+    /// s.
+    time: Option<f64>,
+    medal: Option<Medal>,
+    mark: bool,
+}
+
+impl CsvStruct for DoneRow {
+    const COLUMNS: &'static [CsvColumn] = &[
+        CsvColumn { name: "player", plain: |_, text| Name::cell(text) },
+        CsvColumn { name: "level", plain: |_, text| Ok(unharmed(text).into()) },
+        CsvColumn {
+            name: "time",
+            plain: |dialect, text| {
+                let number = dialect.number(text);
+                let plain = number.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
+                let good = number.is_empty() || plain && number.parse().is_ok_and(f64::is_finite);
+                if good { Ok(number) } else { Err(tr("seconds such as 12.5, 0 or more, or nothing").into()) }
+            },
+        },
+        CsvColumn {
+            name: "medal",
+            plain: |_, text| {
+                let known = text.is_empty() || Medal::ALL.into_iter().any(|known| known.name().eq_ignore_ascii_case(text));
+                if known { Ok(text.to_lowercase().into()) } else { Err(tr("bronze, silver, gold or nothing").into()) }
+            },
+        },
+        CsvColumn {
+            name: "mark",
+            plain: |_, text| {
+                let mark = if text.is_empty() { Some(false) } else { truth(text) };
+                mark.map(|mark| mark.to_string().into()).ok_or_else(|| tr("TRUE, FALSE or nothing").into())
+            },
+        },
+    ];
+}
+
 /// Thousandths of a second: any two ticks of the game differ in them.
 const STEPS: f64 = 1000.0;
 
@@ -144,7 +187,7 @@ impl Players {
 pub(super) fn read(path: &Path, bytes: &[u8]) -> (Players, Vec<String>) {
     let mut players = Players::default();
     let mut damage = DamageReport::of(path);
-    for (index, row) in FILE.rows(bytes).enumerate() {
+    for (index, row) in FILE.rows_of::<DoneRow>(bytes).enumerate() {
         match row.fault() {
             Some(fault) => damage.fault(row.line, fault),
             None if index == 0 && row.is_header(OLD_COLUMNS) => {}
@@ -165,43 +208,28 @@ fn take(players: &mut Players, row: &CsvRow<'_>, damage: &mut DamageReport<'_>) 
             tr!("at most {most}: {header}", most, header = FILE.header()),
         );
     }
-    let Some(name) = damage.name(line, "player", row.get("player")) else { return };
-    let (level, time) = (unharmed(row.get("level")), row.get("time"));
-    let (medal, mark) = (row.get("medal"), row.get("mark"));
-    let seconds = seconds(time);
-    if level.is_empty() {
-        let beside = [("time", time), ("medal", medal), ("mark", mark)].into_iter().find(|(_, cell)| !cell.is_empty());
-        if let Some((what, _)) = beside {
-            damage.add(line, Some("level"), tr!("nothing beside a {column}", column = what), tr("a level's name"));
-        } else {
-            players.player(&name);
+    let read = row.read::<DoneRow>();
+    let is_named = !matches!(&read, Err(wrong) if wrong.iter().any(|cell| cell.column == "player"));
+    if is_named && unharmed(row.get("level")).is_empty() {
+        let beside = ["time", "medal", "mark"].into_iter().find(|column| !row.get(column).is_empty());
+        if let Some(column) = beside {
+            return damage.add(line, Some("level"), tr!("nothing beside a {column}", column), tr("a level's name"));
         }
+    }
+    let DoneRow { player: name, level, time, medal, mark } = match read {
+        Ok(row) => row,
+        // A row of damage is a line of the report.
+        Err(wrong) => return damage.cells(line, wrong.into_iter().take(1)),
+    };
+    if level.is_empty() {
+        players.player(&name);
         return;
     }
-    if seconds.is_none() && !time.is_empty() {
-        return damage.add(line, Some("time"), format_args!("{time:?}"), tr("seconds such as 12.5, 0 or more, or nothing"));
-    }
-    let medal = match Medal::ALL.into_iter().find(|known| known.name().eq_ignore_ascii_case(medal)) {
-        Some(medal) => medal,
-        None if medal.is_empty() => Medal::Bronze,
-        None => return damage.add(line, Some("medal"), format_args!("{medal:?}"), tr("bronze, silver, gold or nothing")),
-    };
-    let mark = match mark.to_ascii_uppercase().as_str() {
-        "TRUE" => true,
-        "FALSE" | "" => false,
-        _ => return damage.add(line, Some("mark"), format_args!("{mark:?}"), tr("TRUE, FALSE or nothing")),
-    };
-    if players.get(&name).is_some_and(|player| player.medals(level).medal.is_some()) {
+    if players.get(&name).is_some_and(|player| player.medals(&level).medal.is_some()) {
         let found = tr!("{player} in level {level} again", player = format_args!("\"{name}\""), level = format_args!("{level:?}"));
         damage.add(line, Some("level"), found, tr("one row a player and level: the best of both counts"));
     }
-    players.player(&name).complete(level, Done { time: seconds, medal, mark });
-}
-
-/// A plain number of seconds.
-fn seconds(cell: &str) -> Option<f64> {
-    let plain = cell.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
-    cell.parse().ok().filter(|seconds: &f64| plain && seconds.is_finite())
+    players.player(&name).complete(&level, Done { time, medal: medal.unwrap_or(Medal::Bronze), mark });
 }
 
 /// With a header, LF, and a player's own row before the rows of levels.
@@ -333,5 +361,17 @@ mod tests {
             assert_eq!(damage, [report], "{line}");
             assert!(written.contains("ann,1,7.000,bronze,\n") && written.contains("cid,2,8.000,bronze,\n"), "{written}");
         }
+    }
+
+    #[test]
+    fn players_are_the_same_whatever_spreadsheet_saved_them() {
+        let plain = "player,level,time,medal,mark\nann,,,,\nann,1,5.483,gold,TRUE\nann,2,,bronze,\nbob,\"a; b, c\",0.5,,\n";
+        let (players, _) = read(Path::new("players.csv"), plain.as_bytes());
+        for saved in crate::spreadsheets::saved(plain, |text| text.contains('.')) {
+            assert_eq!(read(Path::new("players.csv"), &saved.bytes), (players.clone(), vec![]), "{}", saved.form);
+        }
+        let german = "player;level;time;medal;mark\r\nann;1;5,483;Gold;WAHR\r\n";
+        let (players, damage) = read(Path::new("players.csv"), german.as_bytes());
+        assert_eq!((players.all()[0].best("1"), players.all()[0].medals("1").mark, damage), (Some(5.483), true, vec![]));
     }
 }

@@ -9,16 +9,38 @@ use std::path::Path;
 use super::board::{Board, BoardRow};
 use super::error::DamageReport;
 use super::name::Name;
-use crate::files::{CsvFile, CsvRow, csv_line};
+use crate::files::{CsvColumn, CsvFile, CsvRow, CsvStruct, csv_line, whole};
 use crate::words::tr;
+use serde::Deserialize;
 
 const FILE: CsvFile<'_> = CsvFile { name: "", columns: &["name", "score"], comments: false };
+
+#[derive(Deserialize)]
+struct ScoreRow {
+    name: Name,
+    score: i64,
+}
+
+impl CsvStruct for ScoreRow {
+    const COLUMNS: &'static [CsvColumn] = &[
+        CsvColumn { name: "name", plain: |_, text| Name::cell(text) },
+        CsvColumn {
+            name: "score",
+            plain: |dialect, text| {
+                let number = dialect.number(text);
+                let digits = whole(&number);
+                let good = digits.bytes().all(|byte| byte.is_ascii_digit()) && digits.parse().is_ok_and(|score: i64| score >= 1);
+                if good { Ok(digits.to_owned().into()) } else { Err(tr("a whole number of 1 or more, digits only").into()) }
+            },
+        },
+    ];
+}
 
 /// The board, and a message for each unreadable place, which names `path`.
 pub fn read(path: &Path, bytes: &[u8]) -> (Board, Vec<String>) {
     let mut reading =
         BoardReading { more_columns: Vec::new(), rows: Vec::new(), lines: HashMap::new(), damage: DamageReport::of(path) };
-    for (index, row) in FILE.rows(bytes).enumerate() {
+    for (index, row) in FILE.rows_of::<ScoreRow>(bytes).enumerate() {
         reading.take(&row, index == 0);
     }
     (Board::new(reading.more_columns, reading.rows), reading.damage.into_all())
@@ -60,14 +82,9 @@ impl BoardReading<'_> {
             self.more_columns = more;
             return;
         }
-        let valid_name = self.damage.name(line, "name", row.get("name"));
-        let score = row.get("score");
-        let valid_score = points(score);
-        if valid_score.is_none() {
-            self.damage.add(line, Some("score"), format_args!("{score:?}"), tr("a whole number of 1 or more, digits only"));
-        }
-        if let (Some(name), Some(score)) = (valid_name, valid_score) {
-            self.row(line, BoardRow { name, score, more });
+        match row.read() {
+            Ok(ScoreRow { name, score }) => self.row(line, BoardRow { name, score, more }),
+            Err(wrong) => self.damage.cells(line, wrong),
         }
     }
 
@@ -89,16 +106,11 @@ impl BoardReading<'_> {
     }
 }
 
-/// Digits only, from 1 on.
-fn points(cell: &str) -> Option<i64> {
-    let digits = !cell.is_empty() && cell.bytes().all(|byte| byte.is_ascii_digit());
-    cell.parse().ok().filter(|&score: &i64| digits && score >= 1)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::scores::error::MOST_DAMAGE;
+    use crate::spreadsheets::saved;
 
     fn reading(bytes: impl AsRef<[u8]>) -> (Vec<String>, Vec<String>) {
         let (board, damage) = read(Path::new("1.csv"), bytes.as_ref());
@@ -206,7 +218,7 @@ mod tests {
         assert_eq!(
             damage,
             [
-                "1.csv:2: letters that are not UTF-8, expected a file saved as UTF-8",
+                "1.csv:2: letters that are not UTF-8, expected a file saved as UTF-8 (Excel: Save As, CSV UTF-8; LibreOffice: Save As, Text CSV, character set UTF-8)",
                 "1.csv:4: 1 cell, expected at least 2: name,score"
             ]
         );
@@ -235,5 +247,22 @@ mod tests {
     fn lines_are_counted_as_an_editor_counts_them() {
         let (_, damage) = reading("\u{feff}name,score\r\n\r\nann,30,\"two\r\nlines\"\r\n\r\nbad\r\n");
         assert_eq!(damage, ["1.csv:6: 1 cell, expected at least 2: name,score"]);
+    }
+
+    #[test]
+    fn a_board_is_the_same_whatever_spreadsheet_saved_it() {
+        let plain = "name,score,class\nann,13087,\"7b, left\"\nbob,20,\"8; a\"\n";
+        let (board, _) = read(Path::new("1.csv"), plain.as_bytes());
+        for text in [plain, plain.split_once('\n').unwrap().1] {
+            for saved in saved(text, |_| false) {
+                let (found, damage) = read(Path::new("1.csv"), &saved.bytes);
+                assert_eq!((found.rows().len(), damage), (2, Vec::new()), "{}", saved.form);
+                let filled = |rows: &[BoardRow]| {
+                    rows.iter().map(|row| (row.name.clone(), row.score, row.more[0].trim().to_owned())).collect::<Vec<_>>()
+                };
+                assert_eq!(filled(found.rows()), filled(board.rows()), "{}", saved.form);
+            }
+        }
+        assert_eq!(sound("name;score\r\nann;13087,0\r\nbob;20.0\r\n"), ["ann,13087", "bob,20"]);
     }
 }

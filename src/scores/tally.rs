@@ -4,8 +4,9 @@ use super::attempts;
 use super::name::Name;
 use super::players::unharmed;
 use super::results;
-use crate::files::{CsvFile, CsvRow};
-use crate::words::tr;
+use crate::files::{CsvColumn, CsvFile, CsvRow, CsvStruct, truth};
+use serde::Deserialize;
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 #[derive(Clone, Debug, Default)]
@@ -71,10 +72,7 @@ impl Tally {
     }
 
     fn add_attempt(&mut self, row: &CsvRow<'_>) -> Result<(), String> {
-        let (level, player) = (text(row, "level")?, player(row)?);
-        let done = word(row, "result", ["completed", "failed"])? == 0;
-        let time: f64 = row.parse("time", "a number of seconds from 0", |time: &f64| time.is_finite() && *time >= 0.0)?;
-        let assisted = word(row, "assisted", ["true", "false"])? == 0;
+        let AttemptCells { level, player, completed: done, time, cause, assisted, .. } = cells(row)?;
         let tally = self.levels.entry(level).or_default();
         tally.players.insert(player);
         tally.tries += 1;
@@ -82,46 +80,141 @@ impl Tally {
         if done {
             tally.times.extend((!assisted).then_some(time));
         } else {
-            let cause = Some(row.get("cause")).filter(|cause| !cause.is_empty()).unwrap_or("unknown");
-            *tally.causes.entry(unharmed(cause).to_owned()).or_default() += 1;
+            let cause = if cause.is_empty() { "unknown".to_owned() } else { cause };
+            *tally.causes.entry(cause).or_default() += 1;
         }
         Ok(())
     }
 
     fn add_answer(&mut self, row: &CsvRow<'_>) -> Result<(), String> {
-        let (experiment, player) = (text(row, "experiment")?, player(row)?);
-        let [guess, readings] = [verdict(row, "guess_right")?, verdict(row, "readings_right")?];
+        let AnswerCells { player, experiment, guess_right, readings_right, .. } = cells(row)?;
         if !self.seen.insert(row.joined()) {
             return Ok(());
         }
         let tally = self.experiments.entry(experiment).or_default();
         tally.players.insert(player);
         tally.answers += 1;
-        for (counts, judged) in [(&mut tally.guesses, guess), (&mut tally.readings, readings)] {
-            if let Some(count) = judged.and_then(|index| counts.get_mut(index)) {
-                *count += 1;
+        for (counts, judged) in [(&mut tally.guesses, guess_right), (&mut tally.readings, readings_right)] {
+            if let Some(right) = judged {
+                counts[usize::from(!right)] += 1;
             }
         }
         Ok(())
     }
 }
 
-fn text(row: &CsvRow<'_>, column: &str) -> Result<String, String> {
-    let cell = unharmed(row.get(column));
-    if cell.is_empty() { Err(row.bad_cell(column, "a name")) } else { Ok(cell.to_owned()) }
+/// A row of the list of attempts.
+#[derive(Deserialize)]
+#[allow(dead_code)] // Some columns are no part of the sums.
+struct AttemptCells {
+    level: String,
+    player: Name,
+    completed: bool,
+    /// s.
+    time: f64,
+    fuel: String,
+    hits: String,
+    cause: String,
+    assisted: bool,
 }
 
-fn player(row: &CsvRow<'_>) -> Result<Name, String> {
-    Name::new(row.get("player")).map_err(|error| row.bad_cell("player", tr!("a user name: {error}", error)))
+/// A row of a list of answers.
+#[derive(Deserialize)]
+#[allow(dead_code)] // Some columns are no part of the sums.
+struct AnswerCells {
+    player: Name,
+    experiment: String,
+    time: String,
+    guess: String,
+    guess_right: Option<bool>,
+    readings: String,
+    readings_right: Option<bool>,
+    answer: String,
 }
 
-/// The index of a word, in any case of its letters: a spreadsheet writes TRUE for true.
-fn word(row: &CsvRow<'_>, column: &str, [first, second]: [&str; 2]) -> Result<usize, String> {
-    let found = [first, second].iter().position(|word| row.get(column).eq_ignore_ascii_case(word));
-    found.ok_or_else(|| row.bad_cell(column, format_args!("{first} or {second}")))
+impl CsvStruct for AttemptCells {
+    const COLUMNS: &'static [CsvColumn] = &[
+        CsvColumn { name: "level", plain: |_, text| named(text) },
+        CsvColumn { name: "player", plain: |_, text| Name::cell(text) },
+        CsvColumn { name: "result", plain: |_, text| one_of(text, ["completed", "failed"]) },
+        CsvColumn {
+            name: "time",
+            plain: |dialect, text| {
+                let number = dialect.number(text);
+                let good = number.parse().is_ok_and(|time: f64| time.is_finite() && time >= 0.0);
+                if good { Ok(number) } else { Err("a number of seconds from 0".to_owned()) }
+            },
+        },
+        CsvColumn { name: "fuel", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "hits", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "cause", plain: |_, text| Ok(unharmed(text).into()) },
+        CsvColumn {
+            name: "assisted",
+            plain: |_, text| truth(text).map(|truth| truth.to_string().into()).ok_or_else(|| "true or false".to_owned()),
+        },
+    ];
 }
 
-/// 0 for a right one, 1 for a wrong one; `None` where nothing is judged.
-fn verdict(row: &CsvRow<'_>, column: &str) -> Result<Option<usize>, String> {
-    if row.get(column).is_empty() { Ok(None) } else { word(row, column, ["yes", "no"]).map(Some) }
+impl CsvStruct for AnswerCells {
+    const COLUMNS: &'static [CsvColumn] = &[
+        CsvColumn { name: "player", plain: |_, text| Name::cell(text) },
+        CsvColumn { name: "experiment", plain: |_, text| named(text) },
+        CsvColumn { name: "time", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "guess", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "guess_right", plain: |_, text| verdict(text) },
+        CsvColumn { name: "readings", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "readings_right", plain: |_, text| verdict(text) },
+        CsvColumn { name: "answer", plain: |_, text| Ok(text.into()) },
+    ];
+}
+
+/// The error is the first refused cell.
+fn cells<T: CsvStruct>(row: &CsvRow<'_>) -> Result<T, String> {
+    row.read().map_err(|wrong| row.problems(wrong.into_iter().take(1).collect()))
+}
+
+fn named(text: &str) -> Result<Cow<'_, str>, String> {
+    let name = unharmed(text);
+    if name.is_empty() { Err("a name".to_owned()) } else { Ok(name.into()) }
+}
+
+/// Whether it is the first word, in any case of its letters.
+fn one_of<'a>(text: &str, [first, second]: [&str; 2]) -> Result<Cow<'a, str>, String> {
+    let found = [(first, "true"), (second, "false")].into_iter().find(|(word, _)| word.eq_ignore_ascii_case(text));
+    found.map(|(_, plain)| plain.into()).ok_or_else(|| format!("{first} or {second}"))
+}
+
+/// Empty where nothing is judged.
+fn verdict(text: &str) -> Result<Cow<'_, str>, String> {
+    if text.is_empty() { Ok(text.into()) } else { one_of(text, ["yes", "no"]) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spreadsheets::saved;
+
+    #[test]
+    fn lists_count_the_same_whatever_spreadsheet_saved_them() {
+        let attempts = "level,player,result,time,fuel,hits,cause,assisted\n1,ann,completed,5.483,0.850,2,,false\n\"a; b\",bob,failed,1.5,1.000,0,obstacle 2,true\n";
+        let answers = "player,experiment,time,guess,guess_right,readings,readings_right,answer\nann,hooke,2026-11-24 15:58:21,0.5,no,\"3,9 m; 4\",yes,F = k\n";
+        let summed = |bytes: &[u8]| {
+            let mut tally = Tally::default();
+            let problems = tally.add("a.csv", bytes);
+            let levels: Vec<_> =
+                tally.levels.iter().map(|(level, sums)| (level.clone(), sums.tries, sums.successes, sums.median())).collect();
+            let answers: Vec<_> =
+                tally.experiments.iter().map(|(name, sums)| (name.clone(), sums.guesses, sums.readings)).collect();
+            (problems, levels, answers)
+        };
+        for plain in [attempts, answers] {
+            let expected = summed(plain.as_bytes());
+            assert_eq!(expected.0, Some(vec![]));
+            for saved in saved(plain, |text| text.parse::<f64>().is_ok_and(|number| number.fract() != 0.0)) {
+                assert_eq!(summed(&saved.bytes), expected, "{}", saved.form);
+            }
+        }
+        let german = "level;player;result;time;fuel;hits;cause;assisted\r\n1;ann;completed;5,483;0,85;2;;FALSCH\r\n";
+        assert_eq!(summed(german.as_bytes()).1, [("1".to_owned(), 1, 1, Some(5.483))]);
+    }
 }

@@ -4,8 +4,11 @@
 use super::item::Item;
 use super::keys::{Action, Key};
 use super::values::Settings;
-use crate::files::{self, CsvFile, CsvRow, Lock, PATIENCE, SETTINGS, Symlinks, csv_line, found_instead, place};
+use crate::files::{
+    self, CsvColumn, CsvFile, CsvRow, CsvStruct, Lock, PATIENCE, SETTINGS, Symlinks, csv_line, found_instead, place,
+};
 use crate::words::tr;
+use serde::Deserialize;
 use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -14,7 +17,8 @@ use std::time::Duration;
 const LEAST_CELLS: usize = 2;
 const FILE: CsvFile<'_> = CsvFile { name: "settings.csv", columns: &["setting", "value", "player"], comments: true };
 
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(try_from = "String")]
 enum SettingRow {
     Key(Action),
     Item(Item),
@@ -32,8 +36,13 @@ impl SettingRow {
         }
     }
 
-    fn named(name: &str) -> Option<Self> {
-        Self::all().find(|target| target.setting().eq_ignore_ascii_case(name))
+    /// Errors: what is expected in place of the name.
+    fn named(name: &str) -> Result<Self, String> {
+        let expected = || {
+            let names: Vec<&str> = Self::all().map(Self::setting).collect();
+            tr!("one of {list}", list = names.join(", "))
+        };
+        Self::all().find(|target| target.setting().eq_ignore_ascii_case(name)).ok_or_else(expected)
     }
 
     /// The player of a setting's rows; empty for everyone.
@@ -72,12 +81,36 @@ impl SettingRow {
     }
 }
 
+impl TryFrom<String> for SettingRow {
+    type Error = String;
+
+    fn try_from(name: String) -> Result<Self, String> {
+        Self::named(&name)
+    }
+}
+
+/// The cells of a row.
+#[derive(Deserialize)]
+struct SettingCells {
+    setting: SettingRow,
+    value: String,
+    player: String,
+}
+
+impl CsvStruct for SettingCells {
+    const COLUMNS: &'static [CsvColumn] = &[
+        CsvColumn { name: "setting", plain: |_, text| SettingRow::named(text).map(|_| text.into()) },
+        CsvColumn { name: "value", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "player", plain: |_, text| Ok(text.into()) },
+    ];
+}
+
 /// The settings for a player (`""` for the rows of everyone), and a line for each refused row.
 pub fn read(text: &str, player: &str) -> (Settings, Vec<String>) {
     let (mut settings, mut problems) = (Settings::default(), Vec::new());
     // Rows of everyone first, wherever they stand.
     for own in [false, true] {
-        for row in FILE.rows(text.as_bytes()).filter(|row| !row.is_header(LEAST_CELLS)) {
+        for row in FILE.rows_of::<SettingCells>(text.as_bytes()).filter(|row| !row.is_header(LEAST_CELLS)) {
             let owner = row.get("player");
             if owner.is_empty() == own {
                 continue;
@@ -100,23 +133,19 @@ fn set(row: &CsvRow<'_>, settings: &mut Settings) -> Result<(), String> {
     if row.cells.len() < LEAST_CELLS {
         return Err(row.row_problem(format_args!("{:?}", row.joined()), FILE.header()));
     }
-    let (setting, value) = (row.get("setting"), row.get("value"));
-    let Some(target) = SettingRow::named(setting) else {
-        let names: Vec<&str> = SettingRow::all().map(SettingRow::setting).collect();
-        return Err(row.bad_cell("setting", tr!("one of {list}", list = names.join(", "))));
-    };
+    let SettingCells { setting: target, value, .. } = row.read().map_err(|wrong| row.problems(wrong))?;
     let place = place(FILE.name, row.line, "value");
     let place = tr!("{place} of {setting}", place, setting = target.setting());
-    target.read(value, settings).map_err(|expected| found_instead(&place, format_args!("{value:?}"), expected))
+    target.read(&value, settings).map_err(|expected| found_instead(&place, format_args!("{value:?}"), expected))
 }
 
 /// `text` with the settings of a player.
 fn merged(text: &str, player: &str, settings: &Settings) -> String {
     let stale = |row: &CsvRow<'_>| {
-        let target = SettingRow::named(row.get("setting"));
-        target.is_some_and(|target| row.get("player") == target.owner(player)) && set(row, &mut Settings::default()).is_ok()
+        let of_player = |cells: SettingCells| cells.player == cells.setting.owner(player);
+        row.read().is_ok_and(of_player) && set(row, &mut Settings::default()).is_ok()
     };
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let text = FILE.with_commas::<SettingCells>(text.strip_prefix('\u{feff}').unwrap_or(text));
     let (mut lines, mut headed) = (String::new(), false);
     // No cell of this file spans lines.
     for line in text.lines() {
@@ -330,5 +359,27 @@ mod tests {
         fs::create_dir(folder.path().join("settings.csv")).unwrap();
         assert!(file.save("", &Settings::default(), PATIENCE).unwrap_err().to_string().contains("settings.csv"));
         assert_eq!(file.load("").1.len(), 1);
+    }
+
+    #[test]
+    fn settings_are_the_same_whatever_spreadsheet_saved_them_and_are_saved_as_one_file() {
+        let plain = "setting,value,player\nvolume_music,35,\nflash,off,\nkey_thrust,Up W,\nshow_timer,off,ann\n";
+        let (settings, _) = read(plain, "ann");
+        assert_eq!(settings.music, 35);
+        for saved in crate::spreadsheets::saved(plain, |_| false).into_iter().step_by(11) {
+            let folder = tempfile::tempdir().unwrap();
+            let file = SettingsFile::new(folder.path().join("settings.csv"));
+            fs::write(&file.path, &saved.bytes).unwrap();
+            assert_eq!(file.load("ann"), (settings, vec![]), "{}", saved.form);
+            let mut changed = settings;
+            changed.music = 80;
+            file.save("bob", &changed, PATIENCE).unwrap();
+            let bob = file.load("bob");
+            assert_eq!((bob.0.music, bob.1), (80, vec![]), "{}", saved.form);
+            assert!(!file.load("ann").0.timer, "{}: the row of ann stays", saved.form);
+        }
+        let commented = "# mine; all\nflash;off;ann\nvolume_music;40;\n";
+        let merged = merged(commented, "bob", &Settings::default());
+        assert!(merged.contains("# mine; all\nflash,off,ann\n") && !merged.contains("volume_music;"), "{merged}");
     }
 }

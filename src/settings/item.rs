@@ -1,6 +1,7 @@
 //! One setting: its row in the list and in the file, and its keys.
 
 use super::values::{Palette, Settings};
+use crate::files::whole;
 use crate::words::{Language, tr};
 
 #[derive(Clone, Copy)]
@@ -120,8 +121,8 @@ impl Item {
     pub fn read(self, text: &str, settings: &mut Settings) -> Result<(), String> {
         let value = match self.values() {
             Values::Percent { least, most, .. } => {
-                let digits = text.trim_end_matches('%').trim_end();
-                let number = digits.parse().ok().filter(|number| (least..=most).contains(number));
+                let digits = text.trim_end_matches('%').trim_end().replace(',', ".");
+                let number = whole(&digits).parse().ok().filter(|number| (least..=most).contains(number));
                 number.ok_or_else(|| tr!("a whole number of percents from {least} to {most}", least, most))?
             }
             Values::Words(words) => {

@@ -5,11 +5,14 @@
 
 mod anything;
 mod check_and_new;
+mod dialects;
 mod document;
 mod documentation;
 mod limits;
 mod loading;
 mod sizes;
+#[path = "../support/spreadsheets.rs"]
+mod spreadsheets;
 #[path = "../support/mod.rs"]
 mod support;
 mod unfinished;

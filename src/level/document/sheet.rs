@@ -1,7 +1,7 @@
-//! One CSV file, byte for byte as its author wrote it, and edits, which replace the bytes of their cells and rows and no others. Rows, cells
-//! and columns are the loader's.
+//! One CSV file, byte for byte as its author wrote it, and edits, which replace the text of their cells and rows and no other, in the file's
+//! dialect and encoding. Rows, cells and columns are the loader's.
 
-use crate::files::{Cell, CellFault, SpannedRow, csv_rows, encoded};
+use crate::files::{Cell, CellFault, Dialect, SpannedRow};
 use crate::level::schema::{Column, RowSchema, Table};
 use crate::level::table::{self, Columns, HeaderPlan, all_columns};
 use crate::words::tr;
@@ -26,6 +26,10 @@ pub(super) struct EditedFile {
     pub table: Table,
     pub exists: bool,
     pub bytes: Vec<u8>,
+    /// Without a byte-order mark; rows and cells count its bytes.
+    text: String,
+    dialect: Dialect,
+    decimal_commas: bool,
     /// All rows but blank ones, headers first.
     rows: Vec<SpannedRow>,
     /// `None`: the file is no table of its kind, and stays as it is.
@@ -35,11 +39,37 @@ pub(super) struct EditedFile {
 impl EditedFile {
     pub fn new(table: Table, bytes: Option<Vec<u8>>) -> Self {
         let (exists, bytes) = (bytes.is_some(), bytes.unwrap_or_default());
-        let rows: Vec<SpannedRow> = csv_rows(&bytes, true).collect();
-        let is_text = |cell: &Cell| !matches!(cell.fault, Some(CellFault::Utf16 | CellFault::Workbook));
-        let whole = std::str::from_utf8(&bytes).is_ok() && rows.iter().flat_map(|row| &row.cells).all(is_text);
+        let mut reader = table::rows(table.rows(), &bytes);
+        let rows: Vec<SpannedRow> = reader.by_ref().collect();
+        let (dialect, text) = (reader.dialect, std::mem::take(&mut reader.text));
+        let is_text = |cell: &Cell| !matches!(cell.fault, Some(CellFault::Utf16 | CellFault::Workbook | CellFault::Separator));
+        let whole = dialect.encoding.encode(&text) == bytes && rows.iter().flat_map(|row| &row.cells).all(is_text);
         let plan = if whole { table::plan(table.rows(), &rows, &mut Vec::new()).ok() } else { None };
-        Self { table, exists, bytes, rows, plan }
+        let mut file = Self { table, exists, bytes, text, dialect, decimal_commas: false, rows, plan };
+        file.in_plain_dialect();
+        file
+    }
+
+    /// In the document numbers have a decimal point. New ones are written with a comma where the file has one, or parts its cells by
+    /// semicolons and has no decimal point.
+    fn in_plain_dialect(&mut self) {
+        let headers = self.plan.as_ref().map_or(self.rows.len(), |plan| plan.headers);
+        let (mut points, mut commas) = (false, false);
+        for row in 0..self.rows().len() {
+            let first = self.rows[headers + row].cells[0].text.trim().to_owned();
+            for (i, column) in self.columns(row).into_iter().enumerate() {
+                let Some(cell) = self.rows[headers + row].cells.get_mut(i) else { break };
+                let Some(held) = column.and_then(|column| table::held(column, &first)) else { continue };
+                let text = cell.text.trim();
+                let plain = held.in_plain_dialect(self.dialect, text);
+                commas |= plain != text && text.contains(',');
+                points |= held.has_numbers() && text.contains('.');
+                if plain != text {
+                    cell.text = plain.into_owned();
+                }
+            }
+        }
+        self.decimal_commas = commas || self.dialect.delimiter == b';' && !points;
     }
 
     fn is_by_kind(&self) -> bool {
@@ -72,7 +102,7 @@ impl EditedFile {
     /// The line of a row, from 1, and the line after its last.
     pub fn lines(&self, row: usize) -> Option<(usize, usize)> {
         let row = self.rows().get(row)?;
-        let text = &self.bytes[row.span.clone()];
+        let text = self.text[row.span.clone()].as_bytes();
         let ends =
             text.iter().enumerate().filter(|(i, byte)| **byte == b'\n' || (**byte == b'\r' && text.get(i + 1) != Some(&b'\n')));
         Some((row.line, row.line + ends.count().max(1)))
@@ -109,18 +139,24 @@ impl EditedFile {
                 if cell.text.trim() == text {
                     continue;
                 }
-                let quoted = self.bytes[cell.span.clone()].first() == Some(&b'"');
-                splices.push((cell.span.clone(), encoded(text, quoted || is_comment(text, index == 0))));
+                let quoted = self.text[cell.span.clone()].starts_with('"');
+                let first = row.cells[0].text.trim();
+                splices
+                    .push((cell.span.clone(), self.encoded(columns[index], first, text, quoted || is_comment(text, index == 0))));
             }
             while added.last().is_some_and(|text| text.is_none_or(str::is_empty)) {
                 added.pop();
             }
             if let (false, Some(last)) = (added.is_empty(), row.cells.last()) {
-                let new: String = added.iter().map(|text| ",".to_owned() + &encoded(text.unwrap_or(""), false)).collect();
+                let cell = |(i, text): (usize, &Option<&str>)| {
+                    let column = columns.get(row.cells.len() + i).copied().flatten();
+                    self.dialect.sign().to_string() + &self.encoded(column, row.cells[0].text.trim(), text.unwrap_or(""), false)
+                };
+                let new: String = added.iter().enumerate().map(cell).collect();
                 splices.push((last.span.end..last.span.end, new));
             }
         }
-        Ok(self.spliced(splices))
+        self.spliced(splices)
     }
 
     fn widen(&self, columns: &mut Columns, edits: &[CellEdit]) -> Result<Option<Splice>, String> {
@@ -133,7 +169,8 @@ impl EditedFile {
             let column = self.table.rows()[0].columns.iter().find(|column| column.name == edit.column);
             if let (Some(column), None) = (column, position(columns, edit.column)) {
                 columns.push(Some(column));
-                new = new + "," + column.name;
+                new.push(self.dialect.sign());
+                new += column.name;
             }
         }
         if new.is_empty() {
@@ -166,18 +203,19 @@ impl EditedFile {
             splices.extend(self.widen(&mut shared, &cells)?);
         }
         let mut new = String::new();
-        if !self.bytes.is_empty() && !self.bytes.ends_with(b"\n") && !self.bytes.ends_with(b"\r") {
+        if !self.text.is_empty() && !self.text.ends_with(['\n', '\r']) {
             new += ending;
         }
         if fresh {
-            new = new + &first.columns.iter().map(|column| column.name).collect::<Vec<_>>().join(",") + ending;
+            let names: Vec<&str> = first.columns.iter().map(|column| column.name).collect();
+            new = new + &names.join(&self.dialect.sign().to_string()) + ending;
         }
         for (schema, cells) in added {
             let own: Columns = if by_kind { all_columns(schema) } else { shared.clone() };
-            new = new + &line(&own, cells) + ending;
+            new = new + &self.line(&own, cells) + ending;
         }
-        splices.push((self.bytes.len()..self.bytes.len(), new));
-        Ok(self.spliced(splices))
+        splices.push((self.text.len()..self.text.len(), new));
+        self.spliced(splices)
     }
 
     pub fn remove(&self, rows: &[usize]) -> Result<Vec<u8>, String> {
@@ -185,15 +223,24 @@ impl EditedFile {
             return Err(self.closed());
         }
         let taken = rows.iter().filter_map(|row| self.rows().get(*row));
-        Ok(self.spliced(taken.map(|row| (row.span.clone(), String::new())).collect()))
+        self.spliced(taken.map(|row| (row.span.clone(), String::new())).collect())
     }
 
     /// Ranges count the bytes before any splice.
-    fn spliced(&self, mut splices: Vec<Splice>) -> Vec<u8> {
-        let mut bytes = self.bytes.clone();
+    /// Errors: the file would be read as if its cells were separated otherwise.
+    fn spliced(&self, mut splices: Vec<Splice>) -> Result<Vec<u8>, String> {
+        let mut text = self.text.clone();
         splices.sort_by_key(|(range, _)| range.start);
-        splices.into_iter().rev().for_each(|(range, new)| drop(bytes.splice(range, new.into_bytes())));
-        bytes
+        splices.into_iter().rev().for_each(|(range, new)| text.replace_range(range, &new));
+        let bytes = self.dialect.encoding.encode(&text);
+        let mut read = table::rows(self.table.rows(), &bytes);
+        if read.dialect != self.dialect && read.next().is_some() {
+            return Err(tr!(
+                "{file} would be read with other separators: it is to be edited in a text editor",
+                file = self.table.file()
+            ));
+        }
+        Ok(bytes)
     }
 
     fn row(&self, row: usize) -> Result<&SpannedRow, String> {
@@ -208,32 +255,42 @@ impl EditedFile {
         }
     }
 
+    /// A row's text, without empty cells behind the last required one.
+    fn line(&self, columns: &[Option<&'static Column>], cells: &[(&'static str, String)]) -> String {
+        let text = |column: &Option<&Column>| {
+            let given = cells.iter().find(|(name, _)| column.is_some_and(|column| column.name == *name));
+            given.map_or("", |(_, text)| text.trim())
+        };
+        let mut texts: Vec<&str> = columns.iter().map(text).collect();
+        let least = columns.iter().rposition(|column| column.is_some_and(|column| column.required)).map_or(1, |last| last + 1);
+        while texts.len() > least && texts.last().is_some_and(|text| text.is_empty()) {
+            texts.pop();
+        }
+        let first = texts.first().copied().unwrap_or_default();
+        let cell = |(i, text): (usize, &&str)| self.encoded(columns[i], first, text, is_comment(text, i == 0));
+        texts.iter().enumerate().map(cell).collect::<Vec<_>>().join(&self.dialect.sign().to_string())
+    }
+
+    /// A cell's text as this file writes it; `first` is the text of its row's first cell.
+    fn encoded(&self, column: Option<&'static Column>, first: &str, text: &str, quoted: bool) -> String {
+        let number = column.and_then(|column| table::held(column, first)).is_some_and(|held| held.has_numbers());
+        if number && self.decimal_commas {
+            return self.dialect.encoded(&text.replace('.', ","), quoted);
+        }
+        self.dialect.encoded(text, quoted)
+    }
+
     fn closed(&self) -> String {
         tr!("{file} cannot be read as a table: it is to be mended in a text editor", file = self.table.file())
     }
 
     fn line_end(&self) -> &'static str {
-        match self.bytes.iter().position(|byte| matches!(byte, b'\n' | b'\r')) {
-            Some(at) if self.bytes[at] == b'\n' => "\n",
-            Some(at) if self.bytes.get(at + 1) == Some(&b'\n') => "\r\n",
-            Some(_) => "\r",
-            None => "\n",
+        match self.text.find(['\n', '\r']).map(|at| &self.text[at..]) {
+            Some(end) if end.starts_with("\r\n") => "\r\n",
+            Some(end) if end.starts_with('\r') => "\r",
+            _ => "\n",
         }
     }
-}
-
-/// A row's text, without empty cells behind the last required one.
-fn line(columns: &[Option<&Column>], cells: &[(&'static str, String)]) -> String {
-    let text = |column: &Option<&Column>| {
-        let given = cells.iter().find(|(name, _)| column.is_some_and(|column| column.name == *name));
-        given.map_or("", |(_, text)| text.trim())
-    };
-    let mut texts: Vec<&str> = columns.iter().map(text).collect();
-    let least = columns.iter().rposition(|column| column.is_some_and(|column| column.required)).map_or(1, |last| last + 1);
-    while texts.len() > least && texts.last().is_some_and(|text| text.is_empty()) {
-        texts.pop();
-    }
-    texts.iter().enumerate().map(|(i, text)| encoded(text, is_comment(text, i == 0))).collect::<Vec<_>>().join(",")
 }
 
 fn position(columns: &[Option<&Column>], name: &str) -> Option<usize> {

@@ -1,14 +1,15 @@
 //! Rows of solid blocks, world.csv, movers.csv and doors.csv; and of switches.csv.
 
-use super::facts::{Count, FileSchema, Holds, RowSchema};
+use super::facts::{Column, Count, FileSchema, Holds, RowSchema};
 use super::record::{RowCells, RowReader};
-use super::typed::{MATERIAL, TypedColumn, Word, is_name, name, number, one_of, rows, way_points};
+use super::typed::{MATERIAL, Row as _, WayPoints, Word, by_word, is_name, number, one_of, rows};
 use crate::level::numbers::{self, MIN_SIZE};
 use crate::level::problem::quoted;
 use crate::level::route::{self, MoverPace, RouteShape};
 use crate::level::types::{Mover, Presser, Route, Solid, Switch, SwitchStay, Work};
 use crate::physics::{DVec2, Material, Sides};
 use crate::words::tr;
+use serde::Deserialize;
 
 pub static WORLD: FileSchema = FileSchema {
     name: "world.csv",
@@ -49,9 +50,9 @@ pub static SWITCH: RowSchema = RowSchema::new(&SWITCHES, "Switch", SwitchRow::CO
 
 const MOST_WORKS: usize = 50;
 
-const ONE_WAY: TypedColumn<Sides> = one_of("the one side from which it is solid; with none it is solid all around").or("");
-const BELT: TypedColumn<f64> = number(numbers::BELT, "speed of its skin, clockwise: the upper side runs to the right").or("0");
-const SWITCH_NAME: TypedColumn<String> = name("the name by which switches work it");
+const ONE_WAY: Column = one_of::<Sides>("the one side from which it is solid; with none it is solid all around").or("");
+const BELT: Column = number(numbers::BELT, "speed of its skin, clockwise: the upper side runs to the right").or("0");
+const SWITCH_NAME: Column = Column::new(Holds::Name, "the name by which switches work it");
 
 rows! {
     SolidRow {
@@ -65,7 +66,7 @@ rows! {
 
     MoverRow {
         rectangle,
-        way_points: Vec<DVec2> = way_points("where its top left corner goes from its start"),
+        way_points: WayPoints = Column::new(Holds::Points, "where its top left corner goes from its start"),
         speed: Option<f64> = number(numbers::SPEED, "its speed; or give a period").maybe(),
         period: Option<f64> = number(numbers::PERIOD, "time of the whole route; or give a speed").maybe(),
         wait: f64 = number(numbers::PAUSE, "how long it waits at each way point").or("0"),
@@ -85,16 +86,14 @@ rows! {
 
     SwitchRow {
         rectangle,
-        works: Vec<Work> = TypedColumn::new(
-            Holds::Text("names, such as `gate !fan`"),
-            "the things that it works; behind a ! those that are on while it is off",
-            |asked, reader| asked.or_refuse(reader, works(asked.text)),
-        ),
+        works: Works = Column::new(Holds::Works, "the things that it works; behind a ! those that are on while it is off"),
         weight: Option<f64> = number(numbers::LOAD, "the force beyond which it is pressed, a plate; without it the switch is an area to touch").maybe(),
         by: Presser = one_of::<Presser>("the body that works an area by touching it").or("any"),
         stays: SwitchStay = one_of::<SwitchStay>("held while pressed, latched for ever, or toggled by each press").or("held"),
     }
 }
+
+by_word!(Route, Presser, SwitchStay);
 
 impl Word for Route {
     fn words() -> Vec<(&'static str, Self)> {
@@ -115,25 +114,22 @@ impl Word for SwitchStay {
 }
 
 pub fn solid(record: &RowCells, reader: &mut RowReader) -> Option<Solid> {
-    let SolidRow { x, y, width, height, material, one_way, belt, breaks, name } = SolidRow::read(record, reader);
-    let bounds = reader.scale.bounds([x, y, width, height])?;
-    Some(Solid { bounds, material: material?, sides: one_way?, belt: belt?, breaks: breaks?, name: name? })
+    let SolidRow { x, y, width, height, material, one_way, belt, breaks, name } = record.read(reader)?;
+    Some(Solid { bounds: reader.scale.bounds([x, y, width, height]), material, sides: one_way, belt, breaks, name })
 }
 
 pub fn door(record: &RowCells, reader: &mut RowReader) -> Option<Solid> {
-    let DoorRow { x, y, width, height, name, material } = DoorRow::read(record, reader);
-    let bounds = reader.scale.bounds([x, y, width, height])?;
-    Some(Solid { name: Some(name?), ..Solid::new(bounds, material?) })
+    let DoorRow { x, y, width, height, name, material } = record.read(reader)?;
+    Some(Solid { name: Some(name), ..Solid::new(reader.scale.bounds([x, y, width, height]), material) })
 }
 
 pub fn mover(record: &RowCells, reader: &mut RowReader) -> Option<Mover> {
-    let row = MoverRow::read(record, reader);
-    let pace = pace(&row, record, reader);
-    let bounds = reader.scale.bounds([row.x, row.y, row.width, row.height])?;
-    let (sides, belt, name) = (row.one_way?, row.belt?, row.name?);
-    let solid = Solid { sides, belt, name, ..Solid::new(bounds, row.material?) };
-    let half = bounds.size() * 0.5;
-    let stops: Vec<DVec2> = std::iter::once(bounds.min).chain(row.way_points?).map(|corner| corner + half).collect();
+    let row: MoverRow = record.read(reader)?;
+    let pace = pace(&row, record, reader)?;
+    let bounds = reader.scale.bounds([row.x, row.y, row.width, row.height]);
+    let solid = Solid { sides: row.one_way, belt: row.belt, name: row.name, ..Solid::new(bounds, row.material) };
+    let corners = row.way_points.0.into_iter().map(|corner| reader.scale.place(corner));
+    let stops: Vec<DVec2> = std::iter::once(bounds.min).chain(corners).map(|corner| corner + bounds.size() * 0.5).collect();
     if stops.windows(2).any(|pair| pair[0].distance(pair[1]) < MIN_SIZE) {
         let points = quoted(record.text("way_points")?);
         let found = tr!("{points}, with a way point where the block is already", points);
@@ -141,17 +137,16 @@ pub fn mover(record: &RowCells, reader: &mut RowReader) -> Option<Mover> {
         reader.problems.push(record.problem("way_points", found, expected));
         return None;
     }
-    let (route, pace) = (row.route?, pace?);
-    let path = route::path(&stops, RouteShape { route, pace, wait: row.wait?, ease: row.ease? }).map_err(|least| {
+    let path = route::path(&stops, RouteShape { route: row.route, pace, wait: row.wait, ease: row.ease }).map_err(|least| {
         let found = quoted(record.text("period").unwrap_or_default());
         let expected = tr!("at least {least} s, which its waits and easings take", least = format_args!("{least:.3}"));
         reader.problems.push(record.problem("period", found, expected));
     });
-    Some(Mover { solid, stops, route, path: path.ok()? })
+    Some(Mover { solid, stops, route: row.route, path: path.ok()? })
 }
 
 fn pace(row: &MoverRow, record: &RowCells, reader: &mut RowReader) -> Option<MoverPace> {
-    let found = match (row.speed?, row.period?) {
+    let found = match (row.speed, row.period) {
         (Some(speed), None) => return Some(MoverPace::Speed(speed)),
         (None, Some(period)) => return Some(MoverPace::Period(period)),
         (Some(_), Some(_)) => tr("a speed and a period"),
@@ -162,24 +157,27 @@ fn pace(row: &MoverRow, record: &RowCells, reader: &mut RowReader) -> Option<Mov
 }
 
 pub fn switch(record: &RowCells, reader: &mut RowReader) -> Option<Switch> {
-    let SwitchRow { x, y, width, height, works, weight, by, stays } = SwitchRow::read(record, reader);
-    if record.text("weight").is_some_and(|text| !text.is_empty()) && by.is_some_and(|by| by != Presser::Any) {
-        let by = quoted(record.text("by")?);
-        let found = tr!("{by} beside a weight", by);
+    let SwitchRow { x, y, width, height, works, weight, by, stays } = record.read(reader)?;
+    if weight.is_some() && by != Presser::Any {
+        let found = tr!("{by} beside a weight", by = quoted(record.text("by")?));
         reader.problems.push(record.problem("by", found, tr("nothing or any: a plate is pressed by whatever weighs on it")));
         return None;
     }
-    let bounds = reader.scale.bounds([x, y, width, height])?;
-    Some(Switch { bounds, works: works?, weight: weight?, by: by?, latch: stays? })
+    Some(Switch { bounds: reader.scale.bounds([x, y, width, height]), works: works.0, weight, by, latch: stays })
 }
 
 /// `lift !fan`.
-fn works(text: &str) -> Result<Vec<Work>, String> {
-    let works: Vec<Work> = text
-        .split_whitespace()
-        .map(|word| Work { name: word.trim_start_matches('!').to_owned(), inverted: word.starts_with('!') })
-        .collect();
-    let named = works.iter().all(|work| is_name(&work.name));
-    let expected = tr("names with spaces between them, such as: gate !fan");
-    if works.is_empty() || works.len() > MOST_WORKS || !named { Err(expected.into()) } else { Ok(works) }
+#[derive(Clone, Debug, Deserialize)]
+#[serde(try_from = "String")]
+pub(in crate::level) struct Works(pub Vec<Work>);
+
+impl TryFrom<String> for Works {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        let work = |word: &str| Work { name: word.trim_start_matches('!').to_owned(), inverted: word.starts_with('!') };
+        let works: Vec<Work> = text.split_whitespace().map(work).collect();
+        let good = (1..=MOST_WORKS).contains(&works.len()) && works.iter().all(|work| is_name(&work.name));
+        if good { Ok(Self(works)) } else { Err(tr("names with spaces between them, such as: gate !fan").into()) }
+    }
 }

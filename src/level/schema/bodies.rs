@@ -1,12 +1,8 @@
 //! Rows of bodies, player.csv and objects.csv, and of objectives.csv, which has key objects beside the objectives.
 
-use super::facts::{Count, FileSchema, Holds, RowSchema};
+use super::facts::{Column, Count, FileSchema, Holds, RowSchema, whole_number};
 use super::record::{RowCells, RowReader};
-use super::typed::{
-    CENTRE_X, CENTRE_Y, MATERIAL, Maybe, TypedColumn, VX, VY, boolean, channel, is_name, number, picture_or_box, rows, whole,
-    whole_number, words,
-};
-use crate::level::image::PictureShape;
+use super::typed::{CENTRE_X, CENTRE_Y, MATERIAL, Row as _, VX, VY, boolean, channel, number, rows, whole, words};
 use crate::level::numbers;
 use crate::level::problem::quoted;
 use crate::level::types::{Look, Object, Objective, ObjectiveKind, ShipStart};
@@ -53,20 +49,14 @@ pub static KEY: RowSchema = RowSchema::new(&OBJECTIVES, "Key object", KeyRow::CO
     .size(40.0, 40.0)
     .by_centre();
 
-const KIND: TypedColumn<String> = words("PLAYER, PHYS or OBJECT", "the kind of the row");
-const MASS: TypedColumn<f64> = number(numbers::MASS, "its inertia and its weight");
-const DRAG: TypedColumn<f64> = number(numbers::DRAG, "coefficient of its air resistance");
-const RESTITUTION: TypedColumn<f64> = number(numbers::RESTITUTION, "share of a blow's speed that it gives back");
-const PICTURE: TypedColumn<PictureShape> = picture_or_box("how it looks, and its size");
-const WEIGHTLESS: TypedColumn<bool> = boolean("whether no gravity acts on it").or("FALSE");
-const OBJECT_NAME: Maybe<String> =
-    TypedColumn::new(Holds::Text("a word of letters, digits, - and _"), "the name by which links find it", |asked, reader| {
-        let word = is_name(asked.text) && !asked.text.eq_ignore_ascii_case("ship");
-        let expected = tr("a name of letters, digits, - and _ that begins with a letter, other than ship");
-        asked.or_refuse(reader, if word { Ok(asked.text.to_owned()) } else { Err(expected.into()) })
-    })
-    .maybe();
-const ONLY_KEYS: Maybe<u8> = channel("a channel of the only keys that fit; all keys fit where none is given").maybe();
+const KIND: Column = words("PLAYER, PHYS or OBJECT", "the kind of the row");
+const MASS: Column = number(numbers::MASS, "its inertia and its weight");
+const DRAG: Column = number(numbers::DRAG, "coefficient of its air resistance");
+const RESTITUTION: Column = number(numbers::RESTITUTION, "share of a blow's speed that it gives back");
+const PICTURE: Column = Column::new(Holds::Picture { of_body: true }, "how it looks, and its size");
+const WEIGHTLESS: Column = boolean("whether no gravity acts on it").or("FALSE");
+const OBJECT_NAME: Column = Column::new(Holds::BodyName, "the name by which links find it").maybe();
+const ONLY_KEYS: Column = channel("a channel of the only keys that fit; all keys fit where none is given").maybe();
 
 rows! {
     ShipRow {
@@ -87,7 +77,7 @@ rows! {
     ObjectRow {
         x: f64 = CENTRE_X,
         y: f64 = CENTRE_Y,
-        image: PictureShape = PICTURE,
+        image: String = PICTURE,
         mass: f64 = MASS,
         drag: f64 = DRAG,
         circular: bool = boolean("whether it is drawn round, and air and liquids act on it as on a ball"),
@@ -114,7 +104,7 @@ rows! {
         kind: String = KIND,
         x: f64 = CENTRE_X,
         y: f64 = CENTRE_Y,
-        image: PictureShape = PICTURE,
+        image: String = PICTURE,
         mass: f64 = MASS,
         r: u8 = channel("red channel of its colour"),
         g: u8 = channel("green channel of its colour"),
@@ -130,88 +120,79 @@ rows! {
 }
 
 pub fn player(record: &RowCells, reader: &mut RowReader) -> Option<ShipStart> {
-    let row = ShipRow::read(record, reader);
+    let row: ShipRow = record.read(reader)?;
     Some(ShipStart {
-        position: reader.scale.metres(row.x?, row.y?),
-        velocity: DVec2::new(row.vx?, row.vy?),
-        angle: row.angle?,
-        mass: row.mass?,
-        fuel: row.fuel?,
-        thrust: row.thrust?,
-        feels_air: row.air?,
-        material: row.material?,
-        drag: row.drag?,
-        restitution: row.restitution?,
+        position: reader.scale.metres(row.x, row.y),
+        velocity: DVec2::new(row.vx, row.vy),
+        angle: row.angle,
+        mass: row.mass,
+        fuel: row.fuel,
+        thrust: row.thrust,
+        feels_air: row.air,
+        material: row.material,
+        drag: row.drag,
+        restitution: row.restitution,
     })
 }
 
-/// `None` where a needed cell is wrong.
+/// A key is round where it is drawn as a ball.
 macro_rules! body {
     ($row:ident, $reader:ident, $key:expr, $circular:expr) => {{
-        let (look, width, height) = $row.image?;
+        let (look, width, height) = $reader.images.look(&$row.image, $reader.scale).ok()?;
         Some(Object {
-            position: $reader.scale.metres($row.x?, $row.y?),
-            velocity: DVec2::new($row.vx?, $row.vy?),
+            position: $reader.scale.metres($row.x, $row.y),
+            velocity: DVec2::new($row.vx, $row.vy),
             size: $reader.scale.metres(width, height),
-            mass: $row.mass?,
-            drag: $row.drag?,
-            restitution: $row.restitution?,
-            circular: $circular,
+            mass: $row.mass,
+            drag: $row.drag,
+            restitution: $row.restitution,
+            circular: $circular.unwrap_or(look == Look::Ball),
             look,
-            material: $row.material?,
+            material: $row.material,
             key: $key,
-            weightless: $row.weightless?,
-            name: $row.name?,
+            weightless: $row.weightless,
+            name: $row.name,
         })
     }};
 }
 
 pub fn object(record: &RowCells, reader: &mut RowReader) -> Option<Object> {
-    let row = ObjectRow::read(record, reader);
-    let circular = row.circular?;
-    body!(row, reader, None, circular)
+    let row: ObjectRow = record.read(reader)?;
+    body!(row, reader, None, Some(row.circular))
 }
 
-/// A key is round where it is drawn as a ball.
 pub fn key(record: &RowCells, reader: &mut RowReader) -> Option<Object> {
-    let row = KeyRow::read(record, reader);
-    let colour = [row.r?, row.g?, row.b?];
-    let circular = row.image.as_ref()?.0 == Look::Ball;
-    body!(row, reader, Some(colour), circular)
+    let row: KeyRow = record.read(reader)?;
+    body!(row, reader, Some([row.r, row.g, row.b]), None)
 }
 
 pub fn objective(kind: ObjectiveKind, record: &RowCells, reader: &mut RowReader) -> Option<Objective> {
-    let row = ObjectiveRow::read(record, reader);
+    let row: ObjectiveRow = record.read(reader)?;
     let colour = if kind == ObjectiveKind::Player {
-        let given = |column: &&str| record.text(column).is_some_and(|text| !text.is_empty());
-        let coloured = ["r", "g", "b"].into_iter().find(given);
-        let refuse = |column| {
+        let coloured = ["r", "g", "b"].into_iter().zip([row.r, row.g, row.b]).find(|(_, channel)| channel.is_some());
+        if let Some((column, _)) = coloured {
             let found = quoted(record.text(column).unwrap_or_default());
             reader.problems.push(record.problem(column, found, tr("nothing: only key objects have a colour that can fit")));
-        };
-        if coloured.map(refuse).is_some() { None } else { Some(None) }
+            return None;
+        }
+        None
     } else {
-        colour_if_given([row.r, row.g, row.b], record, reader)
+        colour_if_given([row.r, row.g, row.b], record, reader)?
     };
-    let bounds = reader.scale.bounds([row.x, row.y, row.width, row.height])?;
-    Some(Objective { kind, bounds, hold: row.hold?, order: row.order?, colour: colour? })
+    let bounds = reader.scale.bounds([row.x, row.y, row.width, row.height]);
+    Some(Objective { kind, bounds, hold: row.hold, order: row.order, colour })
 }
 
 /// The colour of three channels that are given together or not at all.
-pub(super) fn colour_if_given(
-    channels: [Option<Option<u8>>; 3],
-    record: &RowCells,
-    reader: &mut RowReader,
-) -> Option<Option<[u8; 3]>> {
+pub(super) fn colour_if_given(channels: [Option<u8>; 3], record: &RowCells, reader: &mut RowReader) -> Option<Option<[u8; 3]>> {
     match channels {
-        [Some(None), Some(None), Some(None)] => Some(None),
-        [Some(r), Some(g), Some(b)] => {
-            let missing = ["r", "g", "b"].into_iter().zip([r, g, b]).find(|(_, channel)| channel.is_none());
-            if let Some((column, _)) = missing {
-                reader.problems.push(record.problem(column, tr("nothing"), whole_number(0, 255)));
-            }
-            Some(Some([r?, g?, b?]))
+        [None, None, None] => Some(None),
+        [Some(r), Some(g), Some(b)] => Some(Some([r, g, b])),
+        _ => {
+            let missing = ["r", "g", "b"].into_iter().zip(channels).find(|(_, channel)| channel.is_none());
+            let refuse = |(column, _)| reader.problems.push(record.problem(column, tr("nothing"), whole_number(0, 255)));
+            missing.map(refuse);
+            None
         }
-        _ => None,
     }
 }

@@ -1,10 +1,17 @@
 //! The facts of a file, of a kind of row and of a column, for the loader, the editor, `new`, `check` and the documentation.
 
+use super::blocks::Works;
+use super::ties::LinkRowEnd;
+use super::typed::{WayPoints, is_name};
+use crate::files::{Dialect, truth};
 use crate::level::nearest::meant;
-use crate::level::numbers::{NumberRange, PixelScale, power};
+use crate::level::numbers::{self, NumberRange, PixelScale, power};
 use crate::level::problem::Problem;
 use crate::level::types::Level;
+use crate::level::wiring::names_in;
+use crate::physics::DVec2;
 use crate::words::tr;
+use std::borrow::Cow;
 
 #[derive(Debug)]
 pub struct FileSchema {
@@ -68,15 +75,29 @@ pub(in crate::level) enum Holds {
     Whole(u32, u32),
     /// One of these words, in any case.
     OneOf(fn() -> Vec<&'static str>),
+    /// TRUE or FALSE, in any case.
+    Flag,
     /// By which switches find a thing.
     Name,
-    /// A picture's path or a plain shape.
-    Picture,
+    /// By which links find a body.
+    BodyName,
+    /// Names that a switch works.
+    Works,
+    /// The end of a link.
+    End,
+    /// A picture's path or a plain shape; in an unfinished level a box may stand in for a body's.
+    Picture {
+        of_body: bool,
+    },
     /// Pairs of coordinates, pixels.
     Points,
     /// Text, described in a few words.
     Text(&'static str),
+    /// Any text, also none.
+    Any(&'static str),
 }
+
+const MOST_NAMES: usize = 8;
 
 impl Holds {
     /// `None` where cells hold no number.
@@ -89,9 +110,107 @@ impl Holds {
             _ => None,
         }
     }
+
+    /// Errors: what is expected in place of a cell. Pictures are judged by their files.
+    pub fn judge(&self, text: &str, scale: PixelScale) -> Result<(), String> {
+        let wanted = |good: bool, expected: &str| if good { Ok(()) } else { Err(tr(expected).to_owned()) };
+        let inside = |places: &[DVec2]| {
+            places.iter().flat_map(|place| [place.x, place.y]).try_for_each(|number| scale.coordinate().judge(number))
+        };
+        match self {
+            Self::Position | Self::Reach | Self::Size | Self::Length | Self::Number(_) => {
+                self.range(scale).map_or(Ok(()), |range| range.parse(text).map(drop))
+            }
+            Self::Whole(low, high) => {
+                let whole = numbers::number(text).ok().filter(|number| number.fract() == 0.0);
+                let good = whole.is_some_and(|number| (f64::from(*low)..=f64::from(*high)).contains(&number));
+                if good { Ok(()) } else { Err(whole_number(*low, *high)) }
+            }
+            Self::OneOf(words) if words().iter().any(|word| word.eq_ignore_ascii_case(text)) => Ok(()),
+            Self::OneOf(words) => {
+                let all: Vec<&str> = words().into_iter().filter(|word| !word.is_empty()).collect();
+                Err(tr!("one of {list}", list = all.join(", ")) + &meant(text, all))
+            }
+            Self::Flag => wanted(truth(text).is_some(), "TRUE or FALSE"),
+            Self::Name => {
+                let named = names_in(text).all(is_name) && names_in(text).count() <= MOST_NAMES;
+                wanted(named, "a name of letters, digits, - and _ that begins with a letter")
+            }
+            Self::BodyName => wanted(
+                is_name(text) && !text.eq_ignore_ascii_case("ship"),
+                "a name of letters, digits, - and _ that begins with a letter, other than ship",
+            ),
+            Self::Works => Works::try_from(text.to_owned()).map(drop),
+            Self::End => match LinkRowEnd::try_from(text.to_owned())? {
+                LinkRowEnd::Place(place) => inside(&[place]),
+                LinkRowEnd::Ship | LinkRowEnd::Object(_) => Ok(()),
+            },
+            Self::Points => inside(&WayPoints::try_from(text.to_owned())?.0),
+            Self::Text(_) => wanted(!text.is_empty(), "text"),
+            Self::Picture { .. } | Self::Any(_) => Ok(()),
+        }
+    }
+
+    /// A good cell as serde reads it.
+    pub fn plain<'a>(&self, text: &'a str) -> Cow<'a, str> {
+        match self {
+            _ if text.is_empty() => text.into(),
+            Self::OneOf(words) => words().into_iter().find(|word| word.eq_ignore_ascii_case(text)).unwrap_or_default().into(),
+            Self::Flag => truth(text).unwrap_or_default().to_string().into(),
+            Self::Whole(..) if text.parse::<u32>().is_err() => numbers::number(text).unwrap_or_default().to_string().into(),
+            _ => text.into(),
+        }
+    }
+
+    /// A cell's numbers with decimal points, and its TRUE or FALSE in English; other cells as they are.
+    pub fn in_plain_dialect<'a>(&self, dialect: Dialect, text: &'a str) -> Cow<'a, str> {
+        match self {
+            Self::Flag if ["true", "false"].iter().any(|word| word.eq_ignore_ascii_case(text)) => text.into(),
+            Self::Flag => truth(text).map_or(text, |truth| if truth { "TRUE" } else { "FALSE" }).into(),
+            Self::Points | Self::End => dialect.numbers(text),
+            _ if self.has_numbers() => dialect.number(text),
+            _ => text.into(),
+        }
+    }
+
+    pub const fn has_numbers(&self) -> bool {
+        use Holds::{End, Length, Number, Points, Position, Reach, Size, Whole};
+        matches!(self, Position | Size | Length | Reach | Number(_) | Whole(..) | Points | End)
+    }
+}
+
+pub(super) fn whole_number(least: u32, most: u32) -> String {
+    tr!("a whole number from {least} to {most}", least, most)
 }
 
 impl Column {
+    pub(super) const fn new(holds: Holds, help: &'static str) -> Self {
+        Self { name: "", required: true, may_be_empty: false, usual: "", help, holds }
+    }
+
+    /// `usual` holds where the cell is left out or empty.
+    pub(super) const fn or(self, usual: &'static str) -> Self {
+        Self { required: false, may_be_empty: true, usual, ..self }
+    }
+
+    /// `usual` holds where the cell is left out; a cell that is there has to be filled.
+    pub(super) const fn unless_given(self, usual: &'static str) -> Self {
+        Self { required: false, usual, ..self }
+    }
+
+    /// It may be left out, and has no usual value.
+    pub(super) const fn maybe(self) -> Self {
+        self.or("")
+    }
+
+    pub(super) const fn maybe_filled(self) -> Self {
+        self.unless_given("")
+    }
+
+    pub(super) const fn named(self, name: &'static str) -> Self {
+        Self { name, ..self }
+    }
+
     /// Its name, in brackets where it may be left out.
     pub(in crate::level) fn in_brackets(&self) -> String {
         if self.required { self.name.to_owned() } else { format!("[{}]", self.name) }
@@ -109,8 +228,11 @@ impl Column {
 
     /// Its words, the usual one first; none where its text is free.
     pub fn choices(&self) -> Vec<&'static str> {
-        let Holds::OneOf(words) = self.holds else { return Vec::new() };
-        let mut words = words();
+        let mut words = match self.holds {
+            Holds::OneOf(words) => words(),
+            Holds::Flag => vec!["FALSE", "TRUE"],
+            _ => return Vec::new(),
+        };
         words.sort_by_key(|word| *word != self.usual);
         words
     }
@@ -125,14 +247,17 @@ impl Column {
             Holds::Reach => tr!("pixels, 0 or {least} … {most} m to either side", least, most),
             Holds::Number(range) => range.in_words(),
             Holds::Whole(low, high) => tr!("{low} … {high}, whole", low, high),
-            Holds::OneOf(_) => {
+            Holds::OneOf(_) | Holds::Flag => {
                 let words = self.choices().into_iter().filter(|word| !word.is_empty());
                 words.map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")
             }
             Holds::Name => tr("a word of letters, digits, - and _; with `a&b` a switch of each has to be on").to_owned(),
-            Holds::Picture => tr("a PNG's path, `box:40x40` or `ball:40x40`").to_owned(),
+            Holds::BodyName => tr("a word of letters, digits, - and _").to_owned(),
+            Holds::Works => tr("names, such as `gate !fan`").to_owned(),
+            Holds::End => tr("`ship`, the `name` of an object or key object, or a place `x y` in pixels").to_owned(),
+            Holds::Picture { .. } => tr("a PNG's path, `box:40x40` or `ball:40x40`").to_owned(),
             Holds::Points => tr("`x y; x y; …` in pixels").to_owned(),
-            Holds::Text(words) => tr(words).to_owned(),
+            Holds::Text(words) | Holds::Any(words) => tr(words).to_owned(),
         }
     }
 
@@ -147,7 +272,7 @@ impl Column {
     }
 
     pub(in crate::level) fn is_picture(&self) -> bool {
-        matches!(self.holds, Holds::Picture)
+        matches!(self.holds, Holds::Picture { .. })
     }
 }
 

@@ -13,6 +13,7 @@ mod typed;
 mod written;
 pub(super) mod zones;
 
+pub(super) use facts::Holds;
 pub use facts::{Column, Count, FileSchema, RowSchema};
 pub use kinds::{FILES, Kind, Table};
 pub use settings::SETTINGS;

@@ -1,16 +1,19 @@
 //! A row whose cells have found their columns, and the state that all readers of rows share.
 
-use super::facts::{Holds, RowSchema};
-use crate::files::Cell;
+use super::facts::{Column, Holds, RowSchema};
+use super::typed::Row;
+use crate::files::{Cell, Dialect};
 use crate::level::image::Images;
 use crate::level::numbers::PixelScale;
 use crate::level::problem::{Problem, quoted};
 use crate::words::tr;
+use csv::StringRecord;
 
 /// A row's cells by column; or the settings of constants.csv, each a cell by its name.
 #[derive(Clone, Debug)]
 pub(in crate::level) struct RowCells {
     pub schema: &'static RowSchema,
+    pub dialect: Dialect,
     pub line: usize,
     pub cells: Vec<(&'static str, Cell)>,
     /// The cells are the values of settings.
@@ -39,25 +42,57 @@ impl RowCells {
         }
         Problem::new(file, line, column, found, expected)
     }
+
+    /// `None` where a cell is refused, which is reported, as are all others of the row.
+    pub fn read<T: Row>(&self, reader: &mut RowReader) -> Option<T> {
+        let before = reader.problems.len();
+        let row = self.read_or_usual(reader);
+        row.filter(|_| reader.problems.len() == before || reader.stood_in == reader.problems.len() - before)
+    }
+
+    /// As [`RowCells::read`]; a column's usual text stands in for a refused cell.
+    pub fn read_or_usual<T: Row>(&self, reader: &mut RowReader) -> Option<T> {
+        let mut record = StringRecord::new();
+        reader.stood_in = 0;
+        let cells: Vec<Option<String>> = T::COLUMNS.iter().map(|column| self.plain(column, reader)).collect();
+        for cell in cells {
+            record.push_field(&cell?);
+        }
+        // Of good cells serde refuses none; whatever it does refuse has a line.
+        let refused = |error: csv::Error| reader.problems.push(self.problem(T::COLUMNS[0].name, error.to_string(), tr("text")));
+        record.deserialize(None).map_err(refused).ok()
+    }
+
+    /// A cell as serde reads it; `None` where it lacks, which is reported.
+    fn plain(&self, column: &'static Column, reader: &mut RowReader) -> Option<String> {
+        let text = match self.text(column.name) {
+            None if column.required => return None,
+            None => return Some(column.holds.plain(column.usual).into_owned()),
+            Some("") if column.may_be_empty => return Some(column.holds.plain(column.usual).into_owned()),
+            Some(text) => text,
+        };
+        let number = column.holds.in_plain_dialect(self.dialect, text);
+        let found = || if text.is_empty() { tr("nothing").into() } else { quoted(text) };
+        let judged = match column.holds {
+            Holds::Picture { .. } => reader.images.look(text, reader.scale).map(drop),
+            holds => holds.judge(&number, reader.scale).map_err(|expected| (found(), expected)),
+        };
+        let Err((found, expected)) = judged else { return Some(column.holds.plain(&number).into_owned()) };
+        reader.problems.push(self.problem(column.name, found, expected));
+        match (column.holds, &reader.images.stand_in) {
+            (Holds::Picture { of_body: true }, Some(stand_in)) => {
+                reader.stood_in += 1;
+                Some((*stand_in).to_owned())
+            }
+            _ => Some(column.holds.plain(column.usual).into_owned()).filter(|_| !column.required),
+        }
+    }
 }
 
 pub(in crate::level) struct RowReader<'a> {
     pub scale: PixelScale,
     pub images: Images<'a>,
     pub problems: Vec<Problem>,
-}
-
-pub(in crate::level) struct AskedCell<'a> {
-    pub record: &'a RowCells,
-    pub column: &'static str,
-    pub text: &'a str,
-    pub holds: Holds,
-}
-
-impl AskedCell<'_> {
-    /// The value; an error is reported as the expected text.
-    pub fn or_refuse<T>(&self, reader: &mut RowReader, value: Result<T, String>) -> Option<T> {
-        let found = || if self.text.is_empty() { tr("nothing").into() } else { quoted(self.text) };
-        value.map_err(|expected| reader.problems.push(self.record.problem(self.column, found(), expected))).ok()
-    }
+    /// Pictures of a row in whose place boxes stand.
+    pub stood_in: usize,
 }

@@ -2,7 +2,8 @@
 
 use super::facts::{Column, FileSchema, Holds, RowSchema};
 use super::record::{RowCells, RowReader};
-use super::typed::{Maybe, TypedColumn, Word, number, one_of, rows, size, words};
+use super::typed::{Row as _, Word, by_word, number, one_of, rows, words};
+use crate::files::Dialect;
 use crate::level::nearest::meant;
 use crate::level::numbers::{self, PixelScale};
 use crate::level::problem::{Problem, quoted};
@@ -18,9 +19,10 @@ pub static CONSTANTS: FileSchema = FileSchema {
 };
 pub static SETTING: RowSchema = RowSchema::new(&CONSTANTS, "Setting", SettingRow::COLUMNS);
 
-const TIME: Maybe<f64> =
-    number(numbers::MEDAL_TIME, "the longest time for this medal; gold is no longer than silver").maybe_filled();
-const SIDE: TypedColumn<f64> = size("size of the level, where there is no background.png");
+const TIME: Column = number(numbers::MEDAL_TIME, "the longest time for this medal; gold is no longer than silver").maybe_filled();
+const SIDE: Column = Column::new(Holds::Size, "size of the level, where there is no background.png");
+
+by_word!(Landscape);
 
 impl Word for Landscape {
     fn words() -> Vec<(&'static str, Self)> {
@@ -31,9 +33,10 @@ impl Word for Landscape {
 rows! {
     SettingRow {
         name: String = words("a setting", "the setting"),
-        value: String = TypedColumn::new(Holds::Text("a value"), "its value", |asked, _| Some(asked.text.to_owned())),
+        value: String = Column::new(Holds::Any("a value"), "its value"),
     }
 
+    #[derive(Default)]
     SettingsRow {
         title: Option<String> = words("words", "shown in place of the level's name").maybe(),
         width: Option<f64> = SIDE.maybe_filled(),
@@ -80,35 +83,34 @@ pub(in crate::level) struct LevelSettings {
 /// An unknown setting is a warning. The reader gets the level's scale.
 pub(in crate::level) fn settings(rows: Vec<RowCells>, reader: &mut RowReader, warnings: &mut Vec<Problem>) -> LevelSettings {
     let given = named(rows, reader, warnings);
-    let metre = given.text("metre").and_then(|text| numbers::METRE.parse(text).ok());
+    let metre = given.text("metre").and_then(|text| numbers::METRE.parse(&given.dialect.number(text)).ok());
     reader.scale = PixelScale { metre: metre.unwrap_or(PixelScale::USUAL.metre) };
-    let usual = SettingsRow::read(&RowCells { cells: Vec::new(), ..given.clone() }, reader);
-    let row = SettingsRow::read(&given, reader);
     // In an unfinished level the usual number stands for a refused one.
-    let or_usual = |number: Option<f64>, usual: Option<f64>| number.or(usual).unwrap_or_default();
+    let row: SettingsRow = given.read_or_usual(reader).unwrap_or_default();
     let awards = awards(&row, &given, reader);
     LevelSettings {
-        title: row.title.flatten(),
-        gravity: or_usual(row.gravity, usual.gravity),
-        gravity_x: or_usual(row.gravity_x, usual.gravity_x),
-        air_density: or_usual(row.air_density, usual.air_density),
-        optimal_time: or_usual(row.optimal_time, usual.optimal_time),
-        rest_speed: or_usual(row.rest_speed, usual.rest_speed),
-        friction: or_usual(row.friction, usual.friction),
-        experiment: row.experiment == Some(1.0),
+        title: row.title,
+        gravity: row.gravity,
+        gravity_x: row.gravity_x,
+        air_density: row.air_density,
+        optimal_time: row.optimal_time,
+        rest_speed: row.rest_speed,
+        friction: row.friction,
+        experiment: row.experiment == 1.0,
         awards,
-        landscape: row.world.flatten(),
-        width: row.width.flatten(),
-        height: row.height.flatten(),
+        landscape: row.world,
+        width: row.width,
+        height: row.height,
         given,
     }
 }
 
 fn named(rows: Vec<RowCells>, reader: &mut RowReader, warnings: &mut Vec<Problem>) -> RowCells {
     let names = || SETTINGS.iter().map(|setting| setting.name);
-    let mut given = RowCells { schema: &SETTING, line: 1, cells: Vec::new(), is_settings: true };
+    let mut given = RowCells { schema: &SETTING, dialect: Dialect::PLAIN, line: 1, cells: Vec::new(), is_settings: true };
     for record in rows {
-        let Some(name) = SettingRow::read(&record, reader).name else { continue };
+        let dialect = record.dialect;
+        let Some(SettingRow { name, .. }) = record.read(reader) else { continue };
         let Some(known) = names().find(|known| known.eq_ignore_ascii_case(&name)) else {
             let expected = tr!("one of {list}", list = names().collect::<Vec<_>>().join(", ")) + &meant(&name, names());
             warnings.push(record.problem("name", tr!("the unknown constant {name}", name = quoted(&name)), expected));
@@ -121,6 +123,7 @@ fn named(rows: Vec<RowCells>, reader: &mut RowReader, warnings: &mut Vec<Problem
                 tr("each constant once"),
             ));
         } else if let Some((_, value)) = record.cells.into_iter().find(|(column, _)| *column == "value") {
+            given.dialect = dialect;
             given.cells.push((known, value));
         }
     }
@@ -129,11 +132,8 @@ fn named(rows: Vec<RowCells>, reader: &mut RowReader, warnings: &mut Vec<Problem
 
 /// Gold takes no longer than silver, and a level has one mark.
 fn awards(row: &SettingsRow, given: &RowCells, reader: &mut RowReader) -> Awards {
-    let (silver, gold) = (row.silver.flatten(), row.gold.flatten());
-    let marks = [
-        ("mark_hits", row.mark_hits.flatten(), Mark::Hits as fn(u32) -> Mark),
-        ("mark_pushes", row.mark_pushes.flatten(), Mark::Pushes),
-    ];
+    let (silver, gold) = (row.silver, row.gold);
+    let marks = [("mark_hits", row.mark_hits, Mark::Hits as fn(u32) -> Mark), ("mark_pushes", row.mark_pushes, Mark::Pushes)];
     let mut marked: Vec<(&str, Mark)> = Vec::new();
     for (name, value, mark) in marks {
         match value {
@@ -145,8 +145,8 @@ fn awards(row: &SettingsRow, given: &RowCells, reader: &mut RowReader) -> Awards
             None => {}
         }
     }
-    marked.extend(row.mark_fuel.flatten().map(|value| ("mark_fuel", Mark::Fuel(value))));
-    marked.extend(row.mark_speed.flatten().map(|value| ("mark_speed", Mark::Speed(value))));
+    marked.extend(row.mark_fuel.map(|value| ("mark_fuel", Mark::Fuel(value))));
+    marked.extend(row.mark_speed.map(|value| ("mark_speed", Mark::Speed(value))));
     marked.sort_by_key(|(name, _)| SETTINGS.iter().position(|setting| setting.name == *name));
     if let [(first, _), more @ ..] = &marked[..] {
         reader.problems.extend(more.iter().map(|(name, _)| {

@@ -1,11 +1,12 @@
 //! Rows of links.csv.
 
-use super::facts::{Count, FileSchema, Holds, RowSchema};
+use super::facts::{Column, Count, FileSchema, Holds, RowSchema};
 use super::record::{RowCells, RowReader};
-use super::typed::{TypedColumn, Word, is_name, name, number, one_of, rows};
+use super::typed::{Row as _, Word, by_word, is_name, number, one_of, place, rows};
 use crate::level::numbers::{self};
 use crate::level::problem::quoted;
-use crate::level::unbound::{LinkRowEnd, UnboundLink};
+pub(super) use crate::level::unbound::LinkRowEnd;
+use crate::level::unbound::UnboundLink;
 use crate::physics::{LinkLaw, Magnet, Spring};
 use crate::words::tr;
 
@@ -27,6 +28,8 @@ pub(in crate::level) enum LinkKind {
     Magnet,
 }
 
+by_word!(LinkKind, LinkBegin);
+
 impl Word for LinkKind {
     fn words() -> Vec<(&'static str, Self)> {
         vec![("spring", Self::Spring), ("rope", Self::Rope), ("magnet", Self::Magnet)]
@@ -46,45 +49,39 @@ impl Word for LinkBegin {
     }
 }
 
-const fn end(help: &'static str) -> TypedColumn<LinkRowEnd> {
-    TypedColumn::new(
-        Holds::Text("`ship`, the `name` of an object or key object, or a place `x y` in pixels"),
-        help,
-        |asked, reader| {
-            let range = reader.scale.coordinate();
-            let end = match asked.text.split_whitespace().collect::<Vec<_>>()[..] {
-                [x, y] => range.parse(x).and_then(|x| Ok(LinkRowEnd::Place(reader.scale.metres(x, range.parse(y)?)))),
-                [name] if name.eq_ignore_ascii_case("ship") => Ok(LinkRowEnd::Ship),
-                [name] if is_name(name) => Ok(LinkRowEnd::Object(name.to_owned())),
-                _ => Err(tr("ship, the name of an object, or a place such as 600 300: x and y in pixels").to_owned()),
-            };
-            asked.or_refuse(reader, end)
-        },
-    )
+/// Pixels.
+impl TryFrom<String> for LinkRowEnd {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        match (place(&text)?, text.as_str()) {
+            (Some(place), _) => Ok(Self::Place(place)),
+            (None, name) if name.eq_ignore_ascii_case("ship") => Ok(Self::Ship),
+            (None, name) if is_name(name) => Ok(Self::Object(text)),
+            _ => Err(tr("ship, the name of an object, or a place such as 600 300: x and y in pixels").to_owned()),
+        }
+    }
 }
 
 rows! {
     LinkRow {
         kind: LinkKind = one_of::<LinkKind>("its law").or("rope"),
-        a: LinkRowEnd = end("its first end"),
-        b: LinkRowEnd = end("its other end; one of the two is a body"),
-        length: Option<f64> = TypedColumn::new(Holds::Length, "the length ℓ₀ without a force; as the ends stand, where none is given", |asked, reader| {
-            let range = asked.holds.range(reader.scale)?;
-            asked.or_refuse(reader, range.parse(asked.text))
-        }).maybe(),
+        a: LinkRowEnd = Column::new(Holds::End, "its first end"),
+        b: LinkRowEnd = Column::new(Holds::End, "its other end; one of the two is a body"),
+        length: Option<f64> = Column::new(Holds::Length, "the length ℓ₀ without a force; as the ends stand, where none is given").maybe(),
         stiffness: Option<f64> = number(numbers::STIFFNESS, "force k of a spring or rope for each metre that it is too long").maybe(),
         damping: Option<f64> = number(numbers::DAMPING, "force c of a spring or rope for each m/s at which its ends part").maybe(),
         strength: Option<f64> = number(numbers::STRENGTH, "force s of a magnet at 1 m; below 0 it pushes").maybe(),
         hook: LinkBegin = one_of::<LinkBegin>("begins when its ends first touch").or(""),
         breaks: Option<f64> = number(numbers::LOAD, "a force larger than this breaks it").maybe(),
         rate: f64 = number(numbers::BELT, "a winch: the growth of its length while its switch is on").or("0"),
-        name: Option<String> = name("the name by which switches work it").maybe(),
+        name: Option<String> = Column::new(Holds::Name, "the name by which switches work it").maybe(),
     }
 }
 
 pub fn link(record: &RowCells, reader: &mut RowReader) -> Option<UnboundLink> {
-    let row = LinkRow::read(record, reader);
-    let (kind, before) = (row.kind?, reader.problems.len());
+    let row: LinkRow = record.read(reader)?;
+    let (kind, before) = (row.kind, reader.problems.len());
     let mut refuse = |column: &'static str, found: String, expected: &str| {
         reader.problems.push(record.problem(column, found, expected));
     };
@@ -101,14 +98,15 @@ pub fn link(record: &RowCells, reader: &mut RowReader) -> Option<UnboundLink> {
         let expected = tr(if kind == LinkKind::Magnet { "a strength in N·m²" } else { "a stiffness in N/m" });
         refuse(own, tr("nothing").to_owned(), expected);
     }
-    let (length, breaks, damping) = (row.length?, row.breaks?, row.damping?);
+    let (length, breaks, damping) = (row.length, row.breaks, row.damping);
     let spring =
         |stiffness: f64| Spring { length: length.unwrap_or(0.0) / reader.scale.metre, stiffness, damping: damping.unwrap_or(0.0) };
     let law = match kind {
-        LinkKind::Spring => LinkLaw::Spring(spring(row.stiffness??)),
-        LinkKind::Rope => LinkLaw::Rope(spring(row.stiffness??)),
-        LinkKind::Magnet => LinkLaw::Magnet(Magnet { strength: row.strength??, nearest: 0.0 }),
+        LinkKind::Spring => LinkLaw::Spring(spring(row.stiffness?)),
+        LinkKind::Rope => LinkLaw::Rope(spring(row.stiffness?)),
+        LinkKind::Magnet => LinkLaw::Magnet(Magnet { strength: row.strength?, nearest: 0.0 }),
     };
-    let (hook, rate, name, ends) = (row.hook? == LinkBegin::Touch, row.rate?, row.name?, [row.a?, row.b?]);
+    let (hook, rate, name) = (row.hook == LinkBegin::Touch, row.rate, row.name);
+    let ends = [row.a, row.b].map(|end| end.in_metres(reader.scale));
     (reader.problems.len() == before).then_some(UnboundLink { ends, law, as_found: length.is_none(), hook, breaks, rate, name })
 }

@@ -1,10 +1,9 @@
 //! Rows of zones that are not solid: death boxes, air streams, liquids, gravity, pods; and of words and pictures.
 
 use super::bodies::colour_if_given;
-use super::facts::{Count, FileSchema, RowSchema};
+use super::facts::{Column, Count, FileSchema, Holds, RowSchema};
 use super::record::{RowCells, RowReader};
-use super::typed::{Maybe, Word, X, Y, boolean, channel, name, number, one_of, picture, reach, rows, size, words};
-use crate::level::image::PictureShape;
+use super::typed::{Row as _, Word, X, Y, boolean, by_word, channel, number, one_of, rows, words};
 use crate::level::numbers::{self, corners};
 use crate::level::placed::FromRow;
 use crate::level::problem::{at_most, quoted};
@@ -88,11 +87,13 @@ pub static PICTURE: RowSchema = RowSchema::new(&DECORATION, "Picture", Decoratio
     .counted(&[Count::if_any("decoration", "decorations", |level| level.decoration.len())]);
 
 /// Whether a picture covers moving bodies.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::level) enum Layer {
     Behind,
     Front,
 }
+
+by_word!(Layer);
 
 impl Word for Layer {
     fn words() -> Vec<(&'static str, Self)> {
@@ -100,7 +101,7 @@ impl Word for Layer {
     }
 }
 
-const LETTERS: Maybe<u8> = channel("a channel of its colour").maybe();
+const LETTERS: Column = channel("a channel of its colour").maybe();
 
 rows! {
     DeadlyRow {
@@ -109,12 +110,12 @@ rows! {
 
     StreamRow {
         rectangle,
-        stream_width: f64 = reach("how far it blows to the right, or to the left where it is negative; or give a height"),
-        stream_height: f64 = reach("how far it blows down, or up where it is negative; or give a width"),
+        stream_width: f64 = Column::new(Holds::Reach, "how far it blows to the right, or to the left where it is negative; or give a height"),
+        stream_height: f64 = Column::new(Holds::Reach, "how far it blows down, or up where it is negative; or give a width"),
         force_x: f64 = number(numbers::FORCE, "force on a body in it, to the right"),
         force_y: f64 = number(numbers::FORCE, "force on a body in it, downwards"),
         shaded: bool = boolean("whether it ends, in all of its width, at the first block of world.csv").or("FALSE"),
-        name: Option<String> = name("the name by which switches work it").maybe(),
+        name: Option<String> = Column::new(Holds::Name, "the name by which switches work it").maybe(),
     }
 
     FluidRow {
@@ -129,7 +130,7 @@ rows! {
     TextRow {
         x: f64 = X,
         y: f64 = Y,
-        size: f64 = size("height of its letters"),
+        size: f64 = Column::new(Holds::Size, "height of its letters"),
         text: String = words("words", "the words"),
         r: Option<u8> = LETTERS,
         g: Option<u8> = LETTERS,
@@ -154,21 +155,20 @@ rows! {
     DecorationRow {
         x: f64 = X,
         y: f64 = Y,
-        image: PictureShape = picture("how it looks, and its size"),
+        image: String = Column::new(Holds::Picture { of_body: false }, "how it looks, and its size"),
         layer: Layer = one_of::<Layer>("behind or in front of moving bodies").or("behind"),
     }
 }
 
 pub fn deadly(record: &RowCells, reader: &mut RowReader) -> Option<Aabb> {
-    let DeadlyRow { x, y, width, height } = DeadlyRow::read(record, reader);
-    reader.scale.bounds([x, y, width, height])
+    let DeadlyRow { x, y, width, height } = record.read(reader)?;
+    Some(reader.scale.bounds([x, y, width, height]))
 }
 
 /// The stream, and whether it is shaded.
 pub fn stream(record: &RowCells, reader: &mut RowReader) -> Option<(AirStream, bool)> {
-    let row = StreamRow::read(record, reader);
-    let reach = reach_of(&row, record, reader);
-    let ((min, max), reach) = (corners([row.x, row.y, row.width, row.height])?, reach?);
+    let row: StreamRow = record.read(reader)?;
+    let ((min, max), reach) = (corners([row.x, row.y, row.width, row.height]), reach_of(&row, record, reader)?);
     // The zone lies before the blowing side and is as wide as that side.
     let beyond = |reach: f64, min: f64, max: f64| match reach {
         reach if reach > 0.0 => (max, max + reach),
@@ -179,12 +179,12 @@ pub fn stream(record: &RowCells, reader: &mut RowReader) -> Option<(AirStream, b
     let (top, bottom) = beyond(reach.y, min.y, max.y);
     let zone = reader.scale.rectangle(DVec2::new(left, top), DVec2::new(right, bottom));
     let source = reader.scale.rectangle(min, max);
-    Some((AirStream { source, zone, force: DVec2::new(row.force_x?, row.force_y?), name: row.name? }, row.shaded?))
+    Some((AirStream { source, zone, force: DVec2::new(row.force_x, row.force_y), name: row.name }, row.shaded))
 }
 
 /// Exactly one of the two stream sizes, pixels.
 fn reach_of(row: &StreamRow, record: &RowCells, reader: &mut RowReader) -> Option<DVec2> {
-    let (column, found) = match (row.stream_width?, row.stream_height?) {
+    let (column, found) = match (row.stream_width, row.stream_height) {
         (0.0, 0.0) => ("stream_width", tr("0 for both stream sizes").to_owned()),
         (across, down) if across == 0.0 || down == 0.0 => {
             let column = if down == 0.0 { "stream_width" } else { "stream_height" };
@@ -204,27 +204,26 @@ fn reach_of(row: &StreamRow, record: &RowCells, reader: &mut RowReader) -> Optio
 }
 
 pub fn fluid(record: &RowCells, reader: &mut RowReader) -> Option<Fluid> {
-    let FluidRow { x, y, width, height, density, viscosity, r, g, b } = FluidRow::read(record, reader);
-    let zone = reader.scale.bounds([x, y, width, height])?;
-    Some(Fluid { zone, density: density?, viscosity: viscosity?, colour: [r?, g?, b?] })
+    let FluidRow { x, y, width, height, density, viscosity, r, g, b } = record.read(reader)?;
+    Some(Fluid { zone: reader.scale.bounds([x, y, width, height]), density, viscosity, colour: [r, g, b] })
 }
 
 pub fn text(record: &RowCells, reader: &mut RowReader) -> Option<Text> {
     let before = reader.problems.len();
-    let TextRow { x, y, size, text, r, g, b } = TextRow::read(record, reader);
-    let colour = colour_if_given([r, g, b], record, reader);
+    let row: Option<TextRow> = record.read(reader);
+    let colour = row.as_ref().and_then(|row| colour_if_given([row.r, row.g, row.b], record, reader));
     // A comma in the words is more likely than a wrong colour.
     let of_colour = reader.problems[before..].iter_mut().filter(|problem| ["r", "g", "b"].contains(&problem.column.as_str()));
     of_colour.for_each(|problem| problem.expected += tr(" (words that hold a comma stand in quotes)"));
-    let position = reader.scale.metres(x?, y?);
-    Some(Text { position, size: size? / reader.scale.metre, text: text?, colour: colour? })
+    let TextRow { x, y, size, text, .. } = row?;
+    Some(Text { position: reader.scale.metres(x, y), size: size / reader.scale.metre, text, colour: colour? })
 }
 
 /// The hints in the order of their rows.
 pub fn hints(records: &[RowCells], reader: &mut RowReader) -> Vec<FromRow<String>> {
     let mut hints = Vec::new();
     for record in records {
-        let Some(text) = HintRow::read(record, reader).text else { continue };
+        let Some(HintRow { text }) = record.read(reader) else { continue };
         let (letters, before) = (text.chars().count(), hints.len());
         let mut refuse = |found, expected| reader.problems.push(record.problem("text", found, expected));
         match (before < MOST_HINTS, letters <= HINT_LENGTH) {
@@ -237,19 +236,19 @@ pub fn hints(records: &[RowCells], reader: &mut RowReader) -> Vec<FromRow<String
 }
 
 pub fn gravity_zone(record: &RowCells, reader: &mut RowReader) -> Option<GravityZone> {
-    let GravityRow { x, y, width, height, field_x, field_y } = GravityRow::read(record, reader);
-    let zone = reader.scale.bounds([x, y, width, height])?;
-    Some(GravityZone { zone, strength: DVec2::new(field_x?, field_y?) })
+    let GravityRow { x, y, width, height, field_x, field_y } = record.read(reader)?;
+    Some(GravityZone { zone: reader.scale.bounds([x, y, width, height]), strength: DVec2::new(field_x, field_y) })
 }
 
 pub fn pod(record: &RowCells, reader: &mut RowReader) -> Option<Pod> {
-    let PodRow { x, y, width, height, fuel } = PodRow::read(record, reader);
-    Some(Pod { bounds: reader.scale.bounds([x, y, width, height])?, fuel: fuel? })
+    let PodRow { x, y, width, height, fuel } = record.read(reader)?;
+    Some(Pod { bounds: reader.scale.bounds([x, y, width, height]), fuel })
 }
 
 pub fn decoration(record: &RowCells, reader: &mut RowReader) -> Option<Decoration> {
-    let DecorationRow { x, y, image, layer } = DecorationRow::read(record, reader);
-    let (corner, (look, width, height)) = (reader.scale.metres(x?, y?), image?);
+    let DecorationRow { x, y, image, layer } = record.read(reader)?;
+    let (look, width, height) = reader.images.look(&image, reader.scale).ok()?;
+    let corner = reader.scale.metres(x, y);
     let bounds = Aabb::new(corner, corner + reader.scale.metres(width, height));
-    Some(Decoration { bounds, look, in_front: layer? == Layer::Front })
+    Some(Decoration { bounds, look, in_front: layer == Layer::Front })
 }

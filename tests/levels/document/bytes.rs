@@ -119,9 +119,10 @@ fn rows_are_added_below_and_taken_out_with_their_lines() {
 fn what_cannot_be_read_is_left_alone() {
     for bytes in [
         &b"x,y,width,height\n1,2,3,caf\xe9\n"[..],
-        b"\xff\xfe1\x002\x00",
+        b"1\x00,\x002\x00",
+        b"\xff\xfe1\x00,",
         b"PK\x03\x04...",
-        b"sep=;\n1;2;3;4\n",
+        b"sep=|\n1|2|3|4\n",
         b"left,top,wide,high\n1,2,3,4\n",
     ] {
         let mut document = Document::new(|asked| (asked == Table::World).then(|| bytes.to_vec()));
