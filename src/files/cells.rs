@@ -99,8 +99,9 @@ const SAMPLE_ROWS: usize = 8;
 /// Bytes.
 const SAMPLE: usize = 1 << 16;
 
-/// The separator is the one that the file says, else the one that suits best.
-pub fn rows(bytes: &[u8], comments: bool, suits: Suits<'_>) -> CsvRows {
+/// The separator is the one that the file says, else the one that suits best. `columns` is the number of the file's columns: a cell of a
+/// single one may hold any sign.
+pub fn rows(bytes: &[u8], comments: bool, columns: usize, suits: Suits<'_>) -> CsvRows {
     let (text, encoding, broken) = Encoding::decode(bytes);
     let mut fault = fault_of_file(bytes, &text);
     let (mut delimiter, mut at) = (Dialect::PLAIN.delimiter, 0);
@@ -109,7 +110,7 @@ pub fn rows(bytes: &[u8], comments: bool, suits: Suits<'_>) -> CsvRows {
             Some(known) => (delimiter, at) = (known, length),
             None => fault = fault.or(Some(CellFault::Separator)),
         }
-    } else if fault.is_none() && text.contains([';', '\t']) {
+    } else if fault.is_none() && (columns == 1 || text.contains([';', '\t'])) {
         delimiter = best_delimiter(&text, encoding, comments, suits);
     }
     CsvRows { fault, broken, ..CsvRows::new(text, Dialect { delimiter, encoding }, comments, at) }
@@ -175,18 +176,14 @@ impl CsvRows {
         self.line += line_ends(&self.text, self.at..begin);
         self.at = begin;
         let rest = &self.text[begin..];
-        let mut limit = rest.len();
-        let mut found = bounds(rest, self.dialect.sign());
-        if found.open || self.by_line {
-            self.by_line = true;
-            limit = rest.find(['\n', '\r']).unwrap_or(rest.len());
-            found = bounds(&rest[..limit], self.dialect.sign());
-        }
+        let whole = (!self.by_line).then(|| bounds(rest, self.dialect.sign())).filter(|row| !row.open);
+        self.by_line = whole.is_none();
+        let limit = if self.by_line { rest.find(['\n', '\r']).unwrap_or(rest.len()) } else { rest.len() };
+        let RowBounds { cells: bounds, end, odd, .. } = whole.unwrap_or_else(|| bounds(&rest[..limit], self.dialect.sign()));
         self.go_to(begin, limit);
         if !self.reader.read(&mut self.record) {
             return None;
         }
-        let RowBounds { cells: bounds, end, odd, .. } = found;
         let (rest, line) = (&self.text[begin..], self.line);
         if odd {
             self.record = bounds.iter().map(|cell| cell.text(rest)).collect();
@@ -328,7 +325,7 @@ mod tests {
     use super::*;
 
     fn rows(bytes: &[u8], comments: bool) -> Vec<SpannedRow> {
-        super::rows(bytes, comments, &|_, rows| rows.iter().map(|row| row.cells.len() as i64).sum()).collect()
+        super::rows(bytes, comments, 2, &|_, rows| rows.iter().map(|row| row.cells.len() as i64).sum()).collect()
     }
 
     fn texts(bytes: &[u8]) -> Vec<(usize, Vec<String>)> {

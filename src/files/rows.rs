@@ -91,7 +91,7 @@ impl<'a> CsvFile<'a> {
             // Names and good rows count more than any number of cells.
             ((named + good) * (rows.len() + 1) * self.columns.len() + cells) as i64
         };
-        cells::rows(bytes, self.comments, &suits)
+        cells::rows(bytes, self.comments, self.columns.len(), &suits)
     }
 
     fn row(self, dialect: Dialect, row: SpannedRow) -> CsvRow<'a> {

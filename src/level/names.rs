@@ -69,7 +69,7 @@ const MOST_FLIGHTS: usize = 20;
 pub(super) fn misnamed_flights(names: &[String]) -> Vec<Problem> {
     let is_slip = |name: &&String| {
         let name = name.to_lowercase();
-        !name.starts_with('.') && !name.ends_with(".replay.csv") && name.contains(".csv")
+        !name.starts_with('.') && !name.ends_with(".replay.csv") && [".csv", ".replay"].iter().any(|part| name.contains(part))
     };
     let slips = names.iter().filter(is_slip).take(MOST_FLIGHTS);
     let problem = |name: &String| {

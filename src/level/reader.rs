@@ -22,8 +22,7 @@ pub(super) struct LevelReader<'a> {
 impl<'a> LevelReader<'a> {
     /// In an unfinished level a box stands in for a missing picture.
     pub fn new(files: &'a dyn Files, unfinished: bool) -> Self {
-        let rows =
-            RowReader { scale: PixelScale::USUAL, images: Images::new(files, unfinished), problems: Vec::new(), stood_in: 0 };
+        let rows = RowReader { scale: PixelScale::USUAL, images: Images::new(files, unfinished), problems: Vec::new() };
         Self { files, rows, warnings: Vec::new(), dialects: Vec::new() }
     }
 

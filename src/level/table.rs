@@ -38,7 +38,7 @@ pub(super) struct HeaderPlan {
 
 /// The rows of a file, headers among them.
 pub(super) fn rows(kinds: RowKinds, bytes: &[u8]) -> CsvRows {
-    csv_rows(bytes, true, &|dialect, rows| suits(kinds, dialect, rows))
+    csv_rows(bytes, true, kinds[0].columns.len(), &|dialect, rows| suits(kinds, dialect, rows))
 }
 
 pub(super) fn read(kinds: RowKinds, bytes: &[u8], problems: &mut Vec<Problem>) -> TableRows {

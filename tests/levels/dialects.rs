@@ -107,6 +107,14 @@ fn numbers_and_truths_of_other_languages_are_read() {
 }
 
 #[test]
+fn a_hint_with_a_comma_needs_no_quotes_where_nothing_else_parts_cells() {
+    for text in ["text\r\nErst links, dann rechts\r\nNur Mut\r\n", "Erst links, dann rechts\n# a, b, c\nNur Mut\n"] {
+        let files = PLAIN.map(|(name, plain)| (name, if name == "hints.csv" { text.into() } else { plain.into() }));
+        assert_eq!(read(&files).unwrap().hints, ["Erst links, dann rechts", "Nur Mut"]);
+    }
+}
+
+#[test]
 fn refusals_in_other_dialects_name_line_column_unit_and_limits() {
     let told = |file: &str, text: &[u8]| {
         let files = PLAIN.map(|(name, plain)| (name, if name == file { text.to_vec() } else { plain.into() }));

@@ -55,9 +55,13 @@ impl EditedFile {
     fn in_plain_dialect(&mut self) {
         let headers = self.plan.as_ref().map_or(self.rows.len(), |plan| plan.headers);
         let (mut points, mut commas) = (false, false);
+        let (mut columns, of_settings) = (self.columns(0), self.table == Table::Constants);
         for row in 0..self.rows().len() {
-            let first = self.rows[headers + row].cells[0].text.trim().to_owned();
-            for (i, column) in self.columns(row).into_iter().enumerate() {
+            if self.is_by_kind() {
+                columns = self.columns(row);
+            }
+            let first = if of_settings { self.rows[headers + row].cells[0].text.trim().to_owned() } else { String::new() };
+            for (i, column) in columns.iter().copied().enumerate() {
                 let Some(cell) = self.rows[headers + row].cells.get_mut(i) else { break };
                 let Some(held) = column.and_then(|column| table::held(column, &first)) else { continue };
                 let text = cell.text.trim();

@@ -45,47 +45,47 @@ impl RowCells {
 
     /// `None` where a cell is refused, which is reported, as are all others of the row.
     pub fn read<T: Row>(&self, reader: &mut RowReader) -> Option<T> {
-        let before = reader.problems.len();
-        let row = self.read_or_usual(reader);
-        row.filter(|_| reader.problems.len() == before || reader.stood_in == reader.problems.len() - before)
+        let (row, whole) = self.read_cells(reader);
+        row.filter(|_| whole)
     }
 
     /// As [`RowCells::read`]; a column's usual text stands in for a refused cell.
     pub fn read_or_usual<T: Row>(&self, reader: &mut RowReader) -> Option<T> {
-        let mut record = StringRecord::new();
-        reader.stood_in = 0;
-        let cells: Vec<Option<String>> = T::COLUMNS.iter().map(|column| self.plain(column, reader)).collect();
-        for cell in cells {
-            record.push_field(&cell?);
-        }
-        // Of good cells serde refuses none; whatever it does refuse has a line.
-        let refused = |error: csv::Error| reader.problems.push(self.problem(T::COLUMNS[0].name, error.to_string(), tr("text")));
-        record.deserialize(None).map_err(refused).ok()
+        self.read_cells(reader).0
     }
 
-    /// A cell as serde reads it; `None` where it lacks, which is reported.
-    fn plain(&self, column: &'static Column, reader: &mut RowReader) -> Option<String> {
+    /// The row, and whether it has all its cells from its author.
+    fn read_cells<T: Row>(&self, reader: &mut RowReader) -> (Option<T>, bool) {
+        let mut whole = true;
+        let cells: Vec<Option<String>> = T::COLUMNS.iter().map(|column| self.plain(column, reader, &mut whole)).collect();
+        let Some(record) = cells.into_iter().collect::<Option<StringRecord>>() else { return (None, false) };
+        // Of good cells serde refuses none; whatever it does refuse has a line.
+        let refused = |error: csv::Error| reader.problems.push(self.problem(T::COLUMNS[0].name, error.to_string(), tr("text")));
+        (record.deserialize(None).map_err(refused).ok(), whole)
+    }
+
+    /// A cell as serde reads it; `None` where it lacks or is refused, which is reported, and nothing stands in for it.
+    fn plain(&self, column: &'static Column, reader: &mut RowReader, whole: &mut bool) -> Option<String> {
+        let usual = || column.holds.plain(column.usual).into_owned();
         let text = match self.text(column.name) {
             None if column.required => return None,
-            None => return Some(column.holds.plain(column.usual).into_owned()),
-            Some("") if column.may_be_empty => return Some(column.holds.plain(column.usual).into_owned()),
+            None => return Some(usual()),
+            Some("") if column.may_be_empty => return Some(usual()),
             Some(text) => text,
         };
-        let number = column.holds.in_plain_dialect(self.dialect, text);
+        let plain = column.holds.in_plain_dialect(self.dialect, text);
         let found = || if text.is_empty() { tr("nothing").into() } else { quoted(text) };
         let judged = match column.holds {
             Holds::Picture { .. } => reader.images.look(text, reader.scale).map(drop),
-            holds => holds.judge(&number, reader.scale).map_err(|expected| (found(), expected)),
+            holds => holds.judge(&plain, reader.scale).map_err(|expected| (found(), expected)),
         };
-        let Err((found, expected)) = judged else { return Some(column.holds.plain(&number).into_owned()) };
+        let Err((found, expected)) = judged else { return Some(column.holds.plain(&plain).into_owned()) };
         reader.problems.push(self.problem(column.name, found, expected));
-        match (column.holds, &reader.images.stand_in) {
-            (Holds::Picture { of_body: true }, Some(stand_in)) => {
-                reader.stood_in += 1;
-                Some((*stand_in).to_owned())
-            }
-            _ => Some(column.holds.plain(column.usual).into_owned()).filter(|_| !column.required),
+        if let (Holds::Picture { of_body: true }, Some(stand_in)) = (column.holds, reader.images.stand_in) {
+            return Some(stand_in.to_owned());
         }
+        *whole = false;
+        Some(usual()).filter(|_| !column.required)
     }
 }
 
@@ -93,6 +93,4 @@ pub(in crate::level) struct RowReader<'a> {
     pub scale: PixelScale,
     pub images: Images<'a>,
     pub problems: Vec<Problem>,
-    /// Pictures of a row in whose place boxes stand.
-    pub stood_in: usize,
 }
