@@ -158,7 +158,7 @@ impl CsvRow<'_> {
         if !wrong.is_empty() {
             return Err(wrong);
         }
-        // Of good cells serde refuses none; whatever it does refuse is told.
+        // Of good cells serde refuses none; whatever it does refuse has a message.
         let bad =
             |error: csv::Error| BadCell { column: T::COLUMNS[0].name, found: error.to_string(), expected: self.file.header() };
         record.deserialize(None).map_err(|error| vec![bad(error)])

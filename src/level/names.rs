@@ -62,7 +62,7 @@ fn is_copy(file: &str, known: &str) -> bool {
     more.is_some_and(|more| more.starts_with(|c: char| !c.is_alphanumeric()))
 }
 
-/// The most flights of a wrong name that are told.
+/// The most flights of a wrong name among the warnings.
 const MOST_FLIGHTS: usize = 20;
 
 /// The files in a level's folder `flights` that look like flights, and are none for their names.
@@ -74,7 +74,8 @@ pub(super) fn misnamed_flights(names: &[String]) -> Vec<Problem> {
     let slips = names.iter().filter(is_slip).take(MOST_FLIGHTS);
     let problem = |name: &String| {
         let stem = name.split('.').next().unwrap_or_default();
-        let expected = tr!("a name such as {name}", name = format_args!("\"{stem}.replay.csv\""));
+        let replay = format!("\"{stem}.replay.csv\"");
+        let expected = tr!("a name such as {name}", name = replay);
         Problem::of_file(&format!("flights/{name}"), tr("a file that is no flight by its name"), expected)
     };
     slips.map(problem).collect()
@@ -195,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn copies_and_files_with_another_ending_are_told_and_refuse_no_level() {
+    fn copies_and_files_with_another_ending_are_named_and_refuse_no_level() {
         for copy in ["world2.csv", "worlds.csv", "world (1).csv", "world - Kopie.csv", "world-old.csv"] {
             let alone = "world.csv alone: it is the file that is read".to_owned();
             assert_eq!(expected(copy, &["world.csv"]), Some(("other", alone)), "{copy}");

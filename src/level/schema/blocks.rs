@@ -159,7 +159,8 @@ fn pace(row: &MoverRow, record: &RowCells, reader: &mut RowReader) -> Option<Mov
 pub fn switch(record: &RowCells, reader: &mut RowReader) -> Option<Switch> {
     let SwitchRow { x, y, width, height, works, weight, by, stays } = record.read(reader)?;
     if weight.is_some() && by != Presser::Any {
-        let found = tr!("{by} beside a weight", by = quoted(record.text("by")?));
+        let by = quoted(record.text("by")?);
+        let found = tr!("{by} beside a weight", by);
         reader.problems.push(record.problem("by", found, tr("nothing or any: a plate is pressed by whatever weighs on it")));
         return None;
     }
