@@ -7,5 +7,6 @@ mod pack;
 mod players;
 mod results;
 mod scores;
+mod spreadsheets;
 #[path = "../support/mod.rs"]
 mod support;
