@@ -32,7 +32,7 @@ pub fn partner(game: &Game, facts: &BodyFacts, row: &FactRow) -> Option<Partner>
             does = tr(does(shown)),
             whom = by_whom(game, facts.body, &row.causes)
         ),
-        tr!("with {force}", force = quantity(&back, &[], 0)),
+        tr!("with {force}", force = quantity(&back, 0)),
     ];
     let bodies = row.causes.iter().filter_map(|cause| match cause {
         Source::Body(body) => Some(*body),

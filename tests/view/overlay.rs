@@ -95,7 +95,7 @@ fn in_flight_the_lines_add_up_to_the_resultant_and_are_the_worlds_own_numbers() 
 
 /// The value of a line's text: a vector in brackets with y upwards, in a unit with a prefix; and half of its last digit.
 fn read(row: &FactRow) -> (DVec2, f64) {
-    let text = quantity(row, &[], 9).replace('−', "-");
+    let text = quantity(row, 9).replace('−', "-");
     let (numbers, unit) = text.trim_start_matches('(').split_once(')').expect("a bracket closes");
     let one = power_of(unit.trim().strip_suffix(row.unit).expect("the row's unit"));
     let (x, y, decimals) = numbers_in(numbers);
@@ -165,7 +165,7 @@ fn an_impact_is_told_for_half_a_second() {
     let mut game = game(level);
     let lines = |game: &Game, body: u32| -> Vec<String> {
         let told = facts(game, BodyId(body)).rows.into_iter().skip_while(|row| row.shown != Some(ArrowKind::Impact));
-        told.map(|row| format!("{} {}", row.label(), quantity(&row, &[], 6))).collect()
+        told.map(|row| format!("{} {}", row.label(), quantity(&row, 6))).collect()
     };
     while game.world().impulses().iter().all(|impulse| impulse.on(BodyId(1)).is_none()) {
         assert_eq!(lines(&game, 1), Vec::<String>::new());

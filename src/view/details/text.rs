@@ -4,7 +4,7 @@ use super::PADDING;
 use crate::draw::layout::{DETAILS, Frame, LINE, MONO_ADVANCE, Vec2};
 use crate::physics::{BodyId, DVec2};
 use crate::view::facts::{ArrowKind, BodyFacts, FactRow, Value};
-use crate::view::quantity::{number_width, quantity};
+use crate::view::quantity::quantities;
 
 /// The least width of a number in characters, so that boxes seldom change their width: "−0.123".
 const NUMBER_WIDTH: usize = 6;
@@ -36,10 +36,10 @@ pub struct BoxText {
 impl BoxText {
     /// `short`, without room: heading and resultant.
     pub fn new(facts: &BodyFacts, short: bool) -> Self {
-        let width = number_width(&facts.rows, NUMBER_WIDTH);
+        let values = quantities(&facts.rows, NUMBER_WIDTH);
         let line = |(row, told): (usize, &FactRow)| BoxLine {
             label: told.label(),
-            value: quantity(told, &facts.rows, width),
+            value: values[row].clone(),
             shown: told.shown,
             nothing: told.value == Value::Vector(DVec2::ZERO),
             row,
