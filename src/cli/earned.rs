@@ -43,7 +43,7 @@ fn judge_board(project: &Project, scores: &Scores, name: &str, (out, err): Outpu
         Ok(loaded) => scores.load_version(name, Fingerprint::of(&loaded.level)),
         Err(_) => scores.load(name).map(|loaded| (loaded, 0)),
     };
-    let (LoadedBoard { mut board, damage }, others) = match loaded {
+    let (LoadedBoard { board, damage }, others) = match loaded {
         Ok(loaded) => loaded,
         Err(error) => {
             writeln!(err, "{shown_name}: {}", shown(error))?;
@@ -57,7 +57,6 @@ fn judge_board(project: &Project, scores: &Scores, name: &str, (out, err): Outpu
         Ok(loaded) => {
             let mut judge = Judge::new(scores.clone(), Arc::new(loaded.level), &board);
             judge_all(&mut judge, &board, &shown_name, err)?;
-            board.rank_by(|name| judge.fails(name));
             board.rows().iter().filter_map(|row| judge.standing(&row.name).cloned()).collect()
         }
         Err(problem) => {

@@ -73,16 +73,6 @@ impl Board {
         RowOrigin::of(cell)
     }
 
-    /// Ranks the rows in four groups: with a flight that may hold; with a flight that does not; without a flight; without a flight
-    /// and refused at sight. In each group the highest score goes first, of equal ones the older.
-    pub fn rank_by(&mut self, fails: impl Fn(&Name) -> bool) {
-        let group = |index: usize| 2 * u8::from(self.origin(index).flight.is_none()) + u8::from(fails(&self.rows[index].name));
-        let groups: Vec<u8> = (0..self.rows.len()).map(group).collect();
-        let mut rows: Vec<(u8, BoardRow)> = groups.into_iter().zip(std::mem::take(&mut self.rows)).collect();
-        rows.sort_by_key(|(group, row)| (*group, Reverse(row.score)));
-        self.rows = rows.into_iter().map(|(_, row)| row).collect();
-    }
-
     /// The index among the columns behind `name` and `score`.
     fn column(&self, name: &str) -> Option<usize> {
         self.more_columns.iter().position(|column| column.trim().eq_ignore_ascii_case(name))

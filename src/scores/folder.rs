@@ -67,8 +67,8 @@ impl Scores {
         Ok(LoadedBoard { board, damage })
     }
 
-    /// As [`Scores::load`], for one version of the level: without the rows of other versions, with the kept rows of this one. Rows
-    /// without a flight stand last. The number counts the other versions with a board.
+    /// As [`Scores::load`], for one version of the level: without the rows of other versions, with the kept rows of this one. The
+    /// number counts the other versions with a board.
     pub fn load_version(&self, level: &str, version: impl Into<Fingerprint>) -> Result<(LoadedBoard, usize), ScoresError> {
         let version = version.into();
         let mut loaded = self.load(level)?;
@@ -78,7 +78,6 @@ impl Scores {
         others.sort_unstable();
         others.dedup();
         self.fetch_back(&mut loaded.board, level, version)?;
-        loaded.board.rank_by(|_| false);
         Ok((loaded, others.len()))
     }
 

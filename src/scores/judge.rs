@@ -33,7 +33,6 @@ pub struct Judge {
     /// By the hash of a flight's last state.
     ends: HashMap<u64, Name>,
     air: VecDeque<(Name, Box<Claim>)>,
-    failed: usize,
     ticks: u64,
 }
 
@@ -50,8 +49,7 @@ impl Judge {
             }
             rows.insert(row.name.clone(), Judged { standing, ..Judged::default() });
         }
-        let failed = rows.values().filter(|row: &&Judged| matches!(row.standing, Some(Standing::Doubtful(_)))).count();
-        Self { scores, level, rows, ends: HashMap::new(), air: VecDeque::new(), failed, ticks: 0 }
+        Self { scores, level, rows, ends: HashMap::new(), air: VecDeque::new(), ticks: 0 }
     }
 
     /// `None` until it is known.
@@ -61,10 +59,6 @@ impl Judge {
 
     pub fn fails(&self, name: &Name) -> bool {
         matches!(self.standing(name), Some(Standing::Doubtful(_)))
-    }
-
-    pub const fn failed(&self) -> usize {
-        self.failed
     }
 
     /// The time in the row's record, s, unless the row fails.
@@ -129,10 +123,7 @@ impl Judge {
         let Some(row) = self.rows.get_mut(name).filter(|row| row.standing.is_none()) else { return };
         match verdict {
             Ok(medals) => (row.standing, row.medals) = (Some(Standing::Proven), medals),
-            Err(doubt) => {
-                row.standing = Some(Standing::Doubtful(doubt));
-                self.failed += 1;
-            }
+            Err(doubt) => row.standing = Some(Standing::Doubtful(doubt)),
         }
     }
 
@@ -147,7 +138,6 @@ impl Judge {
             Some(other) => {
                 if let Some(row) = self.rows.get_mut(&other) {
                     (row.standing, row.medals) = (Some(Standing::Doubtful(Doubt::Twice(name.clone()))), Medals::default());
-                    self.failed += 1;
                 }
                 Ok(())
             }

@@ -135,8 +135,7 @@ impl Leaderboard {
 
     /// The same with a judge of the rows.
     #[must_use]
-    pub fn with_prover(mut self, mut prover: Prover) -> Self {
-        prover.rank(&mut self.board);
+    pub fn with_prover(mut self, prover: Prover) -> Self {
         self.prover = Some(prover);
         self.sort_in();
         self
@@ -158,15 +157,12 @@ impl Leaderboard {
         medals().unwrap_or_default()
     }
 
-    /// Puts each rival behind the rows that may hold and are worth as much.
+    /// Puts each rival behind the rows that are worth as much.
     fn sort_in(&mut self) {
         let rows = self.board.rows();
-        let fails = |row: &BoardRow| matches!(self.stands(row), Some(Standing::Doubtful(_)));
-        let holds = |row: usize| self.board.origin(row).flight.is_some() && !fails(&rows[row]);
         let mut lines: Vec<BoardLine> = (0..rows.len()).map(BoardLine::Row).collect();
         for (number, rival) in self.rivals.iter().enumerate().rev() {
-            let ahead = (0..rows.len()).take_while(|&row| holds(row) && rows[row].score >= rival.score).count();
-            lines.insert(ahead, BoardLine::Rival(number));
+            lines.insert(rows.partition_point(|row| row.score >= rival.score), BoardLine::Rival(number));
         }
         self.lines = lines;
     }
@@ -199,8 +195,8 @@ impl Leaderboard {
     /// Reads and flies a little of what proves the rows in view.
     fn prove(&mut self, frame_time: f64) {
         let view = self.rows_in_view();
-        if self.prover.as_mut().is_some_and(|prover| prover.update(&mut self.board, view, frame_time)) {
-            self.sort_in();
+        if let Some(prover) = &mut self.prover {
+            prover.update(&self.board, view, frame_time);
         }
     }
 

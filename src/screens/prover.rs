@@ -14,14 +14,12 @@ const SLOW_FRAME: f64 = 1.0 / 40.0;
 #[derive(Debug)]
 pub struct Prover {
     judge: Judge,
-    /// How many rows were known not to hold when the board was last ranked.
-    ranked: Option<usize>,
 }
 
 impl Prover {
     /// What is plain of the rows of that level's board.
     pub fn new(scores: Scores, level: Arc<Level>, board: &Board) -> Self {
-        Self { judge: Judge::new(scores, level, board), ranked: None }
+        Self { judge: Judge::new(scores, level, board) }
     }
 
     /// How the row of that name stands; `None` as long as that is not known.
@@ -39,24 +37,11 @@ impl Prover {
         self.judge.medals(name)
     }
 
-    /// Ranks the rows by what is known of them; whether more is known than when that was last done.
-    pub fn rank(&mut self, board: &mut Board) -> bool {
-        let news = self.ranked.replace(self.judge.failed()) != Some(self.judge.failed());
-        if news {
-            board.rank_by(|name| self.judge.fails(name));
-        }
-        news
-    }
-
-    /// One frame, in which those rows are in view; whether the board is ranked otherwise now.
-    pub fn update(&mut self, board: &mut Board, view: impl IntoIterator<Item = usize>, frame_time: f64) -> bool {
-        if frame_time <= 0.0 {
-            return false;
-        }
+    /// One frame, in which those rows are in view.
+    pub fn update(&mut self, board: &Board, view: impl IntoIterator<Item = usize>, frame_time: f64) {
         // To read a file is enough for a frame.
-        if self.judge.begin(board, view).is_none() {
+        if frame_time > 0.0 && self.judge.begin(board, view).is_none() {
             self.judge.fly(if frame_time > SLOW_FRAME { TICKS_A_SLOW_FRAME } else { TICKS_A_FRAME });
         }
-        self.rank(board)
     }
 }

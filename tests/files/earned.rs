@@ -238,13 +238,10 @@ fn what_the_rules_do_not_allow_is_told_at_sight() {
             None,
         ]
     );
-    // Rows without a flight rank behind rows with one, and last come the rows that no flight can earn.
-    let (mut board, judge) = (scores.load("1").unwrap().board, judged(&scores, level("1")));
-    board.rank_by(|name| judge.fails(name));
-    let ranked: Vec<&str> = board.rows().iter().map(|row| row.name.as_str()).collect();
-    assert_eq!(ranked, ["ann", "bob", "cid", "most", "eve", "huge", "much", "dan"]);
+    // Scores alone rank the rows, whatever is known of their flights.
     let (loaded, _) = scores.load_version("1", level_hash(&level("1"))).unwrap();
-    assert_eq!(loaded.board.rows()[0].name.as_str(), "ann", "also before any is flown");
+    assert!(loaded.board.rows().is_sorted_by_key(|row| std::cmp::Reverse(row.score)), "{:?}", loaded.board.rows());
+    assert_eq!(loaded.board.rows()[0].name.as_str(), "huge");
 }
 
 /// Of two rows with one flight the one that stands ahead keeps it, whichever is looked at first.
@@ -263,7 +260,7 @@ fn the_older_of_two_rows_with_one_flight_keeps_it() {
             judge.fly(10_000);
             let standings = ["ann", "bob"].map(|user| judge.standing(&name(user)).cloned());
             assert_eq!(standings, [Some(Standing::Proven), Some(Standing::Doubtful(Doubt::Twice(name("ann"))))]);
-            assert_eq!(judge.failed(), 1);
+            assert_eq!(board.rows().iter().filter(|row| judge.fails(&row.name)).count(), 1);
         }
     }
 }

@@ -181,14 +181,14 @@ fn a_saved_score_has_its_flight_and_a_tick_on_the_board() {
     let forged = text.replace(&format!("ann,{}", cells[1]), "ann,19999") + "old,20500\n";
     fs::write(sitting.folder.path().join("scores/0.csv"), forged).unwrap();
     sitting.press(Key::Escape).choose("Leaderboards").choose("0").wait(0.5);
-    assert!(matches!(sitting.leaderboard().standing(0), Some(Standing::Doubtful(_))));
-    assert_eq!(sitting.leaderboard().standing(1), Some(&Standing::Unproven));
-    assert_eq!(sitting.leaderboard().board().rows()[1].name.as_str(), "old", "it outranks no row that has a flight");
+    assert_eq!(sitting.leaderboard().standing(0), Some(&Standing::Unproven));
+    assert!(matches!(sitting.leaderboard().standing(1), Some(Standing::Doubtful(_))));
+    assert_eq!(sitting.leaderboard().board().rows()[0].name.as_str(), "old", "its score alone ranks it");
     assert!(sitting.shows("ann does not hold: the row says 19999 points"));
 }
 
 #[test]
-fn the_levels_own_flights_stand_on_its_board_among_those_that_hold() {
+fn the_levels_own_flights_stand_on_its_board_by_their_scores() {
     let mut sitting = sitting();
     save_as(&mut sitting, "ann", 0);
     let file = sitting.scores_file("0.csv").lines().nth(1).unwrap().split(',').nth(2).unwrap().to_owned();
@@ -209,8 +209,8 @@ fn the_levels_own_flights_stand_on_its_board_among_those_that_hold() {
     // From the column of names.
     let left = sitting.place("Name").x;
     let shown: Vec<String> = sitting.texts().into_iter().filter(|(_, at)| at.x == left).map(|(text, _)| text).skip(1).collect();
-    assert_eq!(shown, ["Gold", "ann", "Mark", "Careful", "bad", "old"]);
-    assert_eq!((sitting.leaderboard().medals(0).medal, sitting.row("bad")[2].as_str()), (Some(Medal::Bronze), "20800"));
+    assert_eq!(shown, ["old", "bad", "Gold", "ann", "Mark", "Careful"]);
+    assert_eq!((sitting.leaderboard().medals(2).medal, sitting.row("bad")[2].as_str()), (Some(Medal::Bronze), "20800"));
     // In the list of flights each says its time and score, once its record has been read.
     sitting.choose("Flights").wait(0.3);
     assert_eq!(sitting.at(), "flights");
