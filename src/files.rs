@@ -33,7 +33,7 @@ pub use kept::{Keeper, KeepingFault, PageFiles};
 pub use lock::{Lock, PATIENCE, pauses, share};
 pub use read::{Symlinks, is_passed_on, open};
 pub use rows::{BadCell, CsvColumn, CsvFile, CsvRow, CsvStruct, found_instead, place};
-pub use shipped::{AboveShipped, ship_at};
+pub use shipped::{AboveShipped, ship_at, ship_lessons_at};
 pub use staged::{Replacement, around, behind_links, sync_folder, target};
 pub use storage::{FileKind, Found, Manner, Storage};
 

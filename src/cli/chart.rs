@@ -123,7 +123,7 @@ fn peers(project: &Project) -> Result<Option<(String, String)>, CommandError> {
     if !path.exists() {
         return Ok(None);
     }
-    let (name, text) = (path.display().to_string(), read_text(&path, CHART)?);
+    let (name, text) = (path.display().to_string(), read_text(&path, &path, CHART)?);
     add_peers(&name, &text, &mut Vec::new()).map_err(CommandError::Refused)?;
     Ok(Some((name, text)))
 }

@@ -8,12 +8,12 @@ use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 
-/// `at_most` is in bytes (one of the sizes in [`crate::files`]).
+/// The text of the file `from`, which messages call `path`; `at_most` is in bytes (one of the sizes in [`crate::files`]).
 ///
 /// # Errors
 /// A file that cannot be read, is no regular one, too large, or no UTF-8.
-pub fn read_text(path: &Path, at_most: u64) -> Result<String, CommandError> {
-    let bytes = files::read(path, at_most).map_err(|error| refused(path, &error))?;
+pub fn read_text(path: &Path, from: &Path, at_most: u64) -> Result<String, CommandError> {
+    let bytes = files::read(from, at_most).map_err(|error| refused(path, &error))?;
     files::Encoding::text(&bytes).map_err(|line| {
         let (found, expected) = files::CellFault::NotUtf8.words();
         CommandError::Refused(files::found_instead(&format!("{}:{line}", path.display()), found, expected))
@@ -311,8 +311,8 @@ mod tests {
     fn text_that_is_none_is_refused_with_its_line() {
         let file = tempfile::NamedTempFile::new().unwrap();
         std::fs::write(file.path(), b"a\nb\n\xff\n").unwrap();
-        let Err(CommandError::Refused(problem)) = read_text(file.path(), 100) else { panic!("read") };
+        let Err(CommandError::Refused(problem)) = read_text(file.path(), file.path(), 100) else { panic!("read") };
         assert!(problem.contains(":3: found letters that are not UTF-8"), "{problem}");
-        assert!(read_text(file.path(), 5).is_err(), "six bytes");
+        assert!(read_text(file.path(), file.path(), 5).is_err(), "six bytes");
     }
 }

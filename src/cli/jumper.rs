@@ -1,6 +1,5 @@
 //! `resultant jumper`: a climb without a window.
 
-use super::files::read_text;
 use super::project::Project;
 use super::stop::{CommandError, Status};
 use crate::classics::jumper::inputs::{Climb, parse};
@@ -32,9 +31,9 @@ pub struct JumperArgs {
 
 /// Climbs until the inputs end or all players are out.
 /// Errors: inputs that are refused, with file and line.
-pub fn run(args: &JumperArgs, _: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
+pub fn run(args: &JumperArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let rows = match &args.inputs {
-        Some(path) => parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(CommandError::Refused)?,
+        Some(path) => parse(&path.display().to_string(), &project.read_text(path, INPUTS)?).map_err(CommandError::Refused)?,
         None => vec![Climb { ticks: TICKS_WITHOUT_INPUTS, keys: [JumpKeys::default(); 2] }],
     };
     let mut scene = JumperScene::new(args.seed, args.players == 2);

@@ -109,7 +109,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, CommandError> {
         Some(Subcommand::Pack(args)) => pack::pack(args, &project, out),
         Some(Subcommand::Unpack(args)) => pack::unpack(args, &project, out),
         Some(Subcommand::Verify(args)) => verify::run(args, &project, out),
-        Some(Subcommand::Code(args)) => code::run(args, out),
+        Some(Subcommand::Code(args)) => code::run(args, &project, out),
         Some(Subcommand::Stats(args)) => stats::run(args, &project, out),
         Some(Subcommand::Tiles(args)) => tiles::run(args, &project, out),
         Some(Subcommand::Jumper(args)) => jumper::run(args, &project, out),

@@ -4,7 +4,7 @@ use super::project::Project;
 use super::stop::{CommandError, Status};
 #[cfg(feature = "window")]
 use crate::{
-    cli::{files::read_text, stop::shown},
+    cli::stop::shown,
     files::INPUTS,
     game::Inputs,
     level,
@@ -26,16 +26,16 @@ pub struct PlayArgs {
 }
 
 /// Returns when the window is closed.
-/// Errors: a refused level or inputs; missing folders; no display.
+/// Errors: a refused level or inputs; a missing folder of levels; no display.
 #[cfg(feature = "window")]
 pub fn run(args: &PlayArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
-    for (what, folder) in [("levels", project.levels()), ("assets", project.assets())] {
-        if !crate::files::is_folder(&folder) {
-            let missing = folder.display();
-            return Err(CommandError::Refused(format!(
-                "there is no folder {missing}, which holds the game's {what}: say with --data DIR where assets/ and levels/ are"
-            )));
-        }
+    // A level that is named needs no others beside it.
+    if args.level.is_none() && !crate::files::is_folder(&project.levels()) {
+        let missing = project.levels();
+        return Err(CommandError::Refused(format!(
+            "there is no folder {}, which holds the game's levels: say with --data DIR where levels/ is",
+            missing.display()
+        )));
     }
     show(project, args.level.as_deref().map(|level| start(level, args.inputs.as_deref(), project)).transpose()?)
 }
@@ -66,13 +66,14 @@ fn start(level: &OsStr, inputs: Option<&Path>, project: &Project) -> Result<Star
             return Ok(Start::Test(folder, Arc::new(unfinished.level), problems));
         }
     };
-    let inputs =
-        inputs.map(|file| Inputs::parse(&file.display().to_string(), &read_text(file, INPUTS)?).map_err(CommandError::refused));
+    let inputs = inputs
+        .map(|file| Inputs::parse(&file.display().to_string(), &project.read_text(file, INPUTS)?).map_err(CommandError::refused));
     let attempt = Attempt { level: Arc::new(loaded.level), inputs: inputs.transpose()?.map(Arc::new), rivals: Vec::new() };
     Ok(Start::Play(folder, attempt))
 }
 
 #[cfg(not(feature = "window"))]
-pub fn run(_args: &PlayArgs, _project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
+pub fn run(args: &PlayArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
+    args.level.as_ref().map(|level| project.load_level(level)).transpose()?;
     Err(CommandError::Refused("this build of resultant has no window: see --help for what it does without one".into()))
 }

@@ -1,11 +1,12 @@
+use super::files::read_text;
 use super::stop::{CommandError, shown};
 use crate::files;
 use crate::level::{self, Level};
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-/// The folder that holds `scores/` and the player's own levels and flights. The shipped levels and assets are in it, or the built-in
-/// ones lie beneath it. The settings lie in it too, but where the system has another folder for them.
+/// The folder that holds `scores/` and the player's own levels and flights. The shipped levels, experiments and assets are in it, or the
+/// built-in ones lie beneath it. The settings lie in it too, but where the system has another folder for them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Project {
     root: PathBuf,
@@ -22,7 +23,7 @@ impl Project {
     pub fn find(data: Option<&Path>) -> Result<Self, CommandError> {
         if let Some(data) = data {
             return if data.is_dir() {
-                Ok(Self::at(data.to_path_buf()))
+                Ok(Self::above_lessons(data.to_path_buf()))
             } else {
                 Err(CommandError::Refused(format!("--data {}: there is no such folder", data.display())))
             };
@@ -32,7 +33,7 @@ impl Project {
         let above = working.iter().flat_map(|folder| folder.ancestors().skip(1).map(Path::to_path_buf));
         let mut places = [PathBuf::from(".")].into_iter().chain(above);
         if let (None, Some(root)) = (&portable, places.find(|folder| has_levels(folder))) {
-            return Ok(Self::at(root));
+            return Ok(Self::above_lessons(root));
         }
         let project = match (portable, users_folders()) {
             (Some(root), _) => Self::at(root),
@@ -41,6 +42,12 @@ impl Project {
         };
         files::ship_at(&project.root);
         Ok(project)
+    }
+
+    /// The levels of that folder; experiments and assets that it lacks are the built-in ones.
+    fn above_lessons(root: PathBuf) -> Self {
+        files::ship_lessons_at(&root);
+        Self::at(root)
     }
 
     fn at(root: PathBuf) -> Self {
@@ -96,19 +103,35 @@ impl Project {
         self.root.join("scores")
     }
 
-    /// A name under `levels/`, or any folder.
+    /// A name under `levels/`, any folder, or one below the root, such as `experiments/hooke`.
     pub fn level_folder(&self, level: impl AsRef<Path>) -> Result<PathBuf, CommandError> {
         let level = level.as_ref();
         let listed = self.levels().join(level);
-        // `.` and `..` are places, not names under levels/.
-        let is_name = level.components().all(|part| matches!(part, Component::Normal(_)));
-        if is_name && !level.as_os_str().is_empty() && files::is_folder(&listed) {
+        if is_name(level) && files::is_folder(&listed) {
             return Ok(listed);
         }
         if files::is_folder(level) {
             return Ok(level.to_path_buf());
         }
+        let below = self.root.join(level);
+        if is_name(level) && files::is_folder(&below) {
+            return Ok(below);
+        }
         Err(CommandError::Refused(format!("no level {level:?}: neither {} nor {level:?} is a folder", shown(listed.display()))))
+    }
+
+    /// A file that a command reads: as it is named, or below the root, such as `assets/tile_run/map.txt`.
+    pub fn input(&self, path: &Path) -> PathBuf {
+        let below = self.root.join(path);
+        if is_name(path) && !files::is_taken(path) && files::is_file(&below) { below } else { path.to_path_buf() }
+    }
+
+    /// Such a file's text. Messages name it as the user did.
+    ///
+    /// # Errors
+    /// As [`read_text`].
+    pub fn read_text(&self, path: &Path, at_most: u64) -> Result<String, CommandError> {
+        read_text(path, &self.input(path), at_most)
     }
 
     /// The folder of a record's level: right below `levels/`, because a record may come from a stranger.
@@ -138,6 +161,11 @@ impl Project {
             level::load(folder, &self.root).map_err(|problems| CommandError::Refused(level::listed(&problems).join("\n")))?;
         Ok(Arc::new(loaded.level))
     }
+}
+
+/// Whether it is a path below something: `.` and `..` are places.
+fn is_name(path: &Path) -> bool {
+    !path.as_os_str().is_empty() && path.components().all(|part| matches!(part, Component::Normal(_)))
 }
 
 /// Beside the program, this file makes the program's folder the place of all files.

@@ -1,6 +1,6 @@
 //! `resultant run`: plays a level without a window.
 
-use super::files::{OutputFile, Staged, read_text};
+use super::files::{OutputFile, Staged};
 use super::forces::Forces;
 use super::project::Project;
 use super::stop::{CommandError, Status};
@@ -78,12 +78,14 @@ fn parse_tick_rate(text: &str) -> Result<f64, String> {
 pub fn run(args: &RunArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let level = project.load_level(&args.level)?;
     let inputs = match &args.inputs {
-        Some(path) => Some(Inputs::parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(CommandError::refused)?),
+        Some(path) => {
+            Some(Inputs::parse(&path.display().to_string(), &project.read_text(path, INPUTS)?).map_err(CommandError::refused)?)
+        }
         None => None,
     };
     let last = last_tick(args, inputs.as_ref())?;
     let mut read = level_files(&project.level_folder(&args.level)?, &level);
-    read.extend(args.inputs.clone());
+    read.extend(args.inputs.iter().map(|path| project.input(path)));
     let mut game = Game::with_tick_rate(level, args.tick).map_err(CommandError::refused)?;
     let outputs =
         [("--telemetry", args.telemetry.as_deref()), ("--forces", args.forces.as_deref()), ("--record", args.record.as_deref())];

@@ -3,15 +3,15 @@
 use super::files::{CsvOutput, OutputFile, Staged};
 use super::project::Project;
 use super::stop::{CommandError, Readers, Status, shown};
-use crate::files;
+use crate::files::{self, FileKind};
 use crate::level;
-use crate::scores::{ExperimentTally, LevelTally, Tally, harmless};
+use crate::scores::{ExperimentTally, LevelTally, Tally, harmless, may_be_list};
 use serde::Serialize;
+use std::collections::HashSet;
+use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Folders within each other, at most.
-const DEPTH: u32 = 8;
 const CSV: &str = "kind,name,players,tries,successes,median_time,lost_to,guesses_right,guesses_wrong,readings_right,readings_wrong";
 
 #[derive(clap::Args, Debug)]
@@ -45,29 +45,35 @@ pub fn run(args: &StatsArgs, project: &Project, out: &mut dyn Write) -> Result<S
     let paths: Vec<PathBuf> =
         if args.paths.is_empty() { own.into_iter().filter(|path| files::is_folder(path)).collect() } else { args.paths.clone() };
     let mut err = Readers::of(io::stderr().lock());
-    let (mut tally, mut status, mut read) = (Tally::default(), Status::Done, Vec::new());
+    let (mut tally, mut lists, mut problems) = (Tally::default(), Lists::default(), Vec::new());
     for path in &paths {
-        let named = files::look(path).map_err(|error| CommandError::Refused(format!("{}: {error}", path.display())))?;
-        let lists = if named.kind == files::FileKind::Folder { below(path, DEPTH) } else { vec![path.clone()] };
-        for list in lists {
-            let shown_list = shown(list.display());
-            let problems = match files::read(&list, files::INPUTS) {
-                Ok(bytes) => tally.add(&shown_list, &bytes),
-                Err(error) => Some(vec![format!("{shown_list}: {error}")]),
-            };
-            // A folder may hold other tables.
-            let problems = problems.or_else(|| {
-                (list == *path)
-                    .then(|| vec![format!("{shown_list}:1: found another table, expected a list of attempts or of answers")])
-            });
-            for problem in problems.into_iter().flatten() {
-                writeln!(err, "{}", shown(problem))?;
-                status = Status::Wrong;
-            }
-            read.push(list);
+        files::look(path).map_err(|error| CommandError::Refused(format!("{}: {error}", path.display())))?;
+        lists.gather(path);
+    }
+    let named: HashSet<&PathBuf> = paths.iter().collect();
+    for list in &lists.found {
+        let shown_list = shown(list.display());
+        let faults = match files::read(list, files::INPUTS) {
+            Ok(bytes) => tally.add(&shown_list, &bytes).unwrap_or_else(|| {
+                let other = named.contains(list) || may_be_list(&bytes);
+                let words = || format!("{shown_list}:1: found another table, expected a list of attempts or of answers");
+                other.then(words).into_iter().collect()
+            }),
+            Err(error) => vec![format!("{shown_list}: {error}")],
+        };
+        if !faults.is_empty() {
+            lists.lacking.push(shown_list);
+            problems.extend(faults);
         }
     }
-    let [csv] = OutputFile::create_all([("--csv", args.csv.as_deref())], &read)?;
+    for problem in lists.problems.iter().chain(&problems) {
+        writeln!(err, "{}", shown(problem))?;
+    }
+    let [csv] = OutputFile::create_all([("--csv", args.csv.as_deref())], &lists.found)?;
+    let status = if lists.lacking.is_empty() { Status::Done } else { Status::Wrong };
+    if let (Status::Wrong, Some(path)) = (status, &args.csv) {
+        writeln!(err, "{}: these sums are not whole: they lack {}", shown(path.display()), lists.lacking.join(", "))?;
+    }
     let (levels, experiments) = (levels(&tally), &tally.experiments);
     print(&levels, experiments, out)?;
     if let Some(file) = csv {
@@ -76,21 +82,61 @@ pub fn run(args: &StatsArgs, project: &Project, out: &mut dyn Write) -> Result<S
     Ok(status)
 }
 
-/// All tables in a folder, and rows that wait beside one; links to folders are not followed.
-fn below(folder: &Path, depth: u32) -> Vec<PathBuf> {
-    let mut lists = Vec::new();
-    for name in files::text_names(folder).into_iter().filter(|name| !name.starts_with('.')) {
-        let path = folder.join(&name);
-        if files::is_folder(&path) {
-            if depth > 0 && !files::is_link(&path) {
-                lists.extend(below(&path, depth - 1));
+/// The lists of a command, each once, however it is reached.
+#[derive(Default)]
+struct Lists {
+    found: Vec<PathBuf>,
+    /// Files and folders without links.
+    seen: HashSet<PathBuf>,
+    /// Of what could not be looked into.
+    problems: Vec<String>,
+    /// What the sums lack, in whole or in part.
+    lacking: Vec<String>,
+}
+
+impl Lists {
+    /// Takes a list, or all in a folder at any depth, those that wait beside one among them. Hidden files and folders, whose names begin
+    /// with a point, are no pupil's.
+    fn gather(&mut self, from: &Path) {
+        let mut waiting = vec![from.to_path_buf()];
+        while let Some(path) = waiting.pop() {
+            let looked = files::look(&path).and_then(|found| Ok((found.kind, files::resolve(&path)?)));
+            let below = match looked {
+                Ok((_, ref resolved)) if !self.seen.insert(resolved.clone()) => continue,
+                Ok((FileKind::Folder, _)) => files::names(&path),
+                Ok(_) => {
+                    let name = path.file_name().unwrap_or_default().to_string_lossy().to_lowercase();
+                    if SPREADSHEETS.iter().any(|ending| name.ends_with(ending)) && path != from {
+                        self.lack(&path, "found a spreadsheet's own file, expected CSV: save it as CSV");
+                    } else if path == from || LISTS.iter().any(|ending| name.ends_with(ending)) || name.contains(".csv.waiting-") {
+                        self.found.push(path);
+                    }
+                    continue;
+                }
+                Err(error) => Err(error),
+            };
+            match below {
+                Ok(mut names) => {
+                    names.retain(|name| !name.as_encoded_bytes().starts_with(b"."));
+                    names.sort_unstable();
+                    waiting.extend(names.iter().rev().map(|name| path.join(name)));
+                }
+                Err(error) => self.lack(&path, error),
             }
-        } else if name.to_lowercase().ends_with(".csv") || name.contains(".csv.waiting-") {
-            lists.push(path);
         }
     }
-    lists
+
+    fn lack(&mut self, path: &Path, why: impl Display) {
+        let path = shown(path.display());
+        self.problems.push(format!("{path}: {why}"));
+        self.lacking.push(path);
+    }
 }
+
+/// Endings of tables as text. Spreadsheets save as any of them.
+const LISTS: [&str; 3] = [".csv", ".tsv", ".txt"];
+/// Endings of files that no reader of tables understands.
+const SPREADSHEETS: [&str; 4] = [".xlsx", ".xls", ".ods", ".numbers"];
 
 /// In the order of the list of levels.
 fn levels(tally: &Tally) -> Vec<(&String, &LevelTally)> {

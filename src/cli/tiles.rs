@@ -1,6 +1,5 @@
 //! `resultant tiles`: runs a list of commands through a map of tiles.
 
-use super::files::read_text;
 use super::project::Project;
 use super::stop::{CommandError, Status};
 use crate::classics::tile_run::{Command, InputError, Map, Runner};
@@ -25,9 +24,9 @@ pub struct TilesArgs {
 }
 
 /// Errors: a refused file, with file and line; nothing was run then.
-pub fn run(args: &TilesArgs, _: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
-    let map = read(&args.map, TILE_MAP, Map::parse)?;
-    let commands = read(&args.commands, TILE_COMMANDS, Command::parse_all)?;
+pub fn run(args: &TilesArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
+    let map = read(project, &args.map, TILE_MAP, Map::parse)?;
+    let commands = read(project, &args.commands, TILE_COMMANDS, Command::parse_all)?;
     let mut runner = Runner::new(&map);
     for (frame, &command) in commands.iter().enumerate() {
         runner.frame(&map, command);
@@ -40,8 +39,8 @@ pub fn run(args: &TilesArgs, _: &Project, out: &mut dyn Write) -> Result<Status,
     Ok(Status::Done)
 }
 
-fn read<T>(path: &Path, at_most: u64, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, CommandError> {
-    parse(&read_text(path, at_most)?).map_err(|error| CommandError::Refused(format!("{}:{error}", path.display())))
+fn read<T>(project: &Project, path: &Path, at_most: u64, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, CommandError> {
+    parse(&project.read_text(path, at_most)?).map_err(|error| CommandError::Refused(format!("{}:{error}", path.display())))
 }
 
 fn write_frame(out: &mut dyn Write, frame: usize, runner: &Runner) -> io::Result<()> {

@@ -1,7 +1,6 @@
 //! `resultant verify`: flies recorded runs again and compares where they lead.
 
 use super::earned;
-use super::files::read_text;
 use super::project::Project;
 use super::stop::{CommandError, Readers, Silence, Status, TICKS_A_LOOK, shown};
 use crate::files::{self, INPUTS};
@@ -87,12 +86,12 @@ fn fly(name: &str, replay: &Replay, level: Arc<Level>, err: &mut dyn Write) -> R
 }
 
 fn read(project: &Project, path: &std::path::Path) -> Result<(Replay, Arc<Level>), CommandError> {
-    let code = path.to_str().filter(|text| text.len() >= SHORTEST_CODE && !files::is_file(path));
+    let code = path.to_str().filter(|text| text.len() >= SHORTEST_CODE && !files::is_file(&project.input(path)));
     let replay = match code {
         Some(code) => {
             Replay::from_code(code).map_err(|problem| CommandError::Refused(format!("the code {}: {problem}", short(code))))?
         }
-        None => Replay::parse(&path.display().to_string(), &read_text(path, INPUTS)?).map_err(CommandError::refused)?,
+        None => Replay::parse(&path.display().to_string(), &project.read_text(path, INPUTS)?).map_err(CommandError::refused)?,
     };
     let named = |stop| match stop {
         CommandError::Refused(problem) => CommandError::Refused(format!("{}: {problem}", shown(path.display()))),

@@ -31,7 +31,7 @@ impl Storage for Disk {
     }
 
     fn names(&self, folder: &Path) -> io::Result<Vec<OsString>> {
-        Ok(fs::read_dir(folder)?.flatten().map(|entry| entry.file_name()).collect())
+        fs::read_dir(folder)?.map(|entry| Ok(entry?.file_name())).collect()
     }
 
     fn resolve(&self, path: &Path) -> io::Result<PathBuf> {

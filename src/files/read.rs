@@ -2,7 +2,7 @@
 
 use crate::words::tr;
 use std::fs::{self, File, Metadata, OpenOptions};
-use std::io::{self, Read};
+use std::io::{self, IsTerminal, Read};
 use std::path::Path;
 
 /// The meaning of a symbolic link.
@@ -17,7 +17,8 @@ pub enum Symlinks {
 
 /// As [`super::read_with`], on a disk.
 pub(super) fn read_file(path: &Path, at_most: u64, links: Symlinks) -> io::Result<Vec<u8>> {
-    let file = if is_passed_on(path) {
+    let file = if let Some(descriptor) = descriptor(path) {
+        judge_input(descriptor)?;
         File::open(path)?
     } else {
         let (file, found) = open(OpenOptions::new().read(true), path, links)?;
@@ -58,9 +59,47 @@ pub fn open(options: &OpenOptions, path: &Path, links: Symlinks) -> io::Result<(
 
 /// Whether the path leads to a file that this process was given open.
 pub fn is_passed_on(path: &Path) -> bool {
-    ["/dev/stdin", "/dev/stdout", "/dev/stderr"].iter().any(|passed| path == Path::new(passed))
-        || path.starts_with("/dev/fd")
-        || path.starts_with("/proc/self/fd")
+    descriptor(path).is_some()
+}
+
+/// The number of an open file of this process, where the path names one.
+fn descriptor(path: &Path) -> Option<i32> {
+    let standard = ["/dev/stdin", "/dev/stdout", "/dev/stderr"].iter().position(|passed| path == Path::new(passed));
+    let numbered = || {
+        let folder = path.parent()?;
+        let of_this_process = ["/dev/fd", "/proc/self/fd"].iter().any(|passed| folder == Path::new(passed));
+        path.file_name()?.to_str()?.parse().ok().filter(|number| of_this_process && *number >= 0)
+    };
+    standard.map(|number| number as i32).or_else(numbered)
+}
+
+/// Refuses what never ends for this process: its own outputs, and a pipe or terminal that it holds open for writing, too. Standard
+/// input may be a terminal, which a user ends.
+fn judge_input(descriptor: i32) -> io::Result<()> {
+    let of_a_terminal = || descriptor == 0 && io::stdin().is_terminal();
+    let regular = || fs::metadata(format!("/dev/fd/{descriptor}")).is_ok_and(|found| found.is_file());
+    let reads = match mode(descriptor) {
+        _ if OUTPUTS.contains(&descriptor) => false,
+        Some(WRITES) => false,
+        Some(BOTH) => regular() || of_a_terminal(),
+        _ => true,
+    };
+    let refusal =
+        || io::Error::new(io::ErrorKind::InvalidInput, tr("found an output of this program, expected a file or an input"));
+    if reads { Ok(()) } else { Err(refusal()) }
+}
+
+/// Standard output and standard error.
+const OUTPUTS: [i32; 2] = [1, 2];
+/// The access modes of open(2) beside reading.
+const WRITES: u32 = 1;
+const BOTH: u32 = 2;
+
+/// The access mode of an open file; `None` where the system does not say. There it opens no file again that is open for writing alone.
+fn mode(descriptor: i32) -> Option<u32> {
+    let info = fs::read_to_string(format!("/proc/self/fdinfo/{descriptor}")).ok()?;
+    let flags = info.lines().find_map(|line| line.strip_prefix("flags:"))?;
+    u32::from_str_radix(flags.trim(), 8).ok().map(|flags| flags & (WRITES | BOTH))
 }
 
 pub(super) fn judge(found: &Metadata) -> io::Result<()> {

@@ -21,6 +21,11 @@ pub fn ship_at(root: &Path) {
     let _ = ABOVE_SHIPPED.set(AboveShipped::new(Disk, root));
 }
 
+/// As [`ship_at`], with the experiments and the assets alone: the levels are those of the folder.
+pub fn ship_lessons_at(root: &Path) {
+    let _ = ABOVE_SHIPPED.set(AboveShipped { lessons: true, ..AboveShipped::new(Disk, root) });
+}
+
 #[cfg(not(all(browser, feature = "window")))]
 pub(super) fn desktop() -> &'static dyn Storage {
     ABOVE_SHIPPED.get().map_or(&Disk, |over| over as &dyn Storage)
@@ -33,7 +38,11 @@ pub struct AboveShipped<H> {
     root: PathBuf,
     /// `root` without links.
     resolved: PathBuf,
+    /// Only [`LESSONS`] lie beneath, and of them no folder that the home has.
+    lessons: bool,
 }
+
+const LESSONS: [&str; 2] = ["experiments", "assets"];
 
 enum ShippedItem {
     File(&'static [u8]),
@@ -43,7 +52,7 @@ enum ShippedItem {
 impl<H: Storage> AboveShipped<H> {
     pub fn new(home: H, root: &Path) -> Self {
         let resolved = home.resolve(root).unwrap_or_else(|_| root.to_path_buf());
-        Self { home, root: root.to_path_buf(), resolved }
+        Self { home, root: root.to_path_buf(), resolved, lessons: false }
     }
 
     pub const fn home(&self) -> &H {
@@ -64,8 +73,16 @@ impl<H: Storage> AboveShipped<H> {
         Some(parts.join("/"))
     }
 
+    /// Whether shipped files show at a path from the root.
+    fn shows(&self, path: &str) -> bool {
+        let mut parts = path.split('/');
+        let (first, second) = (parts.next().unwrap_or_default(), parts.next());
+        let hidden = |name| self.home.look(&self.root.join(first).join(name), Symlinks::Followed).is_ok();
+        !self.lessons || LESSONS.contains(&first) && !second.is_some_and(hidden)
+    }
+
     fn shipped(&self, path: &Path) -> Option<ShippedItem> {
-        let path = self.within(path)?;
+        let path = self.within(path).filter(|path| self.shows(path))?;
         let (first, folder) = from(&path);
         match SHIPPED.get(first) {
             Some((file, bytes)) if *file == path => Some(ShippedItem::File(bytes)),
@@ -85,7 +102,7 @@ impl<H: Storage> AboveShipped<H> {
             Err(error) if is_missing(&error) => match self.shipped(path) {
                 Some(item) => shipped(item),
                 // A user's folder below a file: what it lacks is simply not there.
-                None if error.kind() == io::ErrorKind::NotADirectory => Err(io::ErrorKind::NotFound.into()),
+                None if error.kind() == io::ErrorKind::NotADirectory && !self.lessons => Err(io::ErrorKind::NotFound.into()),
                 None => Err(error),
             },
             answer => answer,
@@ -136,7 +153,7 @@ impl<H: Storage> Storage for AboveShipped<H> {
             ShippedItem::Folder => Ok(Vec::new()),
         })?;
         let mut names: BTreeSet<OsString> = own.into_iter().collect();
-        if let Some(path) = self.within(folder) {
+        if let Some(path) = self.within(folder).filter(|path| self.shows(path)) {
             let (first, beginning) = from(&path);
             let below = SHIPPED[first..].iter().map_while(|(file, _)| file.strip_prefix(beginning.as_str()));
             names.extend(below.filter_map(|file| file.split('/').next()).map(OsString::from));

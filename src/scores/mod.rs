@@ -28,4 +28,4 @@ pub use origin::RowOrigin;
 pub(crate) use players::harmless;
 pub use players::{Deed, PlayerRecord, Players};
 pub use results::{ResultRow, Results};
-pub use tally::{ExperimentTally, LevelTally, Tally};
+pub use tally::{ExperimentTally, LevelTally, Tally, may_be_list};

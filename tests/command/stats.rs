@@ -100,3 +100,131 @@ fn rows_that_cannot_be_read_are_named_and_the_others_count() {
     let missing = data.resultant(&["stats", &data.arg("eve")]);
     assert!(missing.status == 2 && missing.err.contains("eve: "), "{missing:?}");
 }
+
+/// Nine folders and more within each other, in one of which a link leads back to the first.
+#[test]
+fn lists_count_at_any_depth_and_each_once() {
+    let data = class();
+    let deep = format!("class/{}ann.csv", "deeper/".repeat(40));
+    data.write(&deep, &fs::read_to_string(data.path("ann/scores/attempts.csv")).unwrap());
+    data.write("class/B\u{f6}b 7/Answers.CSV", &fs::read_to_string(data.path("ann/results/ann.csv")).unwrap());
+    data.write("class/.hidden/ann.csv", "not a list");
+    data.write("class/list.csv", "name,class\nann,7b\n");
+    data.write("class/notes.txt", "Ann has answered yes.\n");
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink(data.path("class"), data.path("class/deeper/again")).unwrap();
+        std::os::unix::fs::symlink(data.path("bob"), data.path("class/bob")).unwrap();
+    }
+    let sums = data.resultant(&["stats", &data.arg("class"), &data.arg("bob"), &data.arg("class")]);
+    assert_eq!((sums.status, sums.out.as_str(), sums.err.as_str()), (0, format!("{LEVELS}\n{EXPERIMENTS}").as_str(), ""));
+}
+
+/// Lists as no reader takes them, in a folder with a whole one.
+#[test]
+fn a_list_that_cannot_be_read_is_named_and_no_sums_pass_for_whole() {
+    let data = class();
+    let rows = "lift,2026-03-04T10:11:00Z,heavier,no,,,because";
+    let wide = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
+    let unread: [(&str, Vec<u8>); 6] = [
+        ("binary.csv", vec![0; 64]),
+        ("damaged.csv", [ANSWERS.as_bytes(), b"\xff\xfe,\xff\n\"open"].concat()),
+        ("headless.csv", format!("eve,{rows}\n").into_bytes()),
+        ("renamed.txt", format!("Spieler;Versuch;Zeit\neve;{}\n", rows.replace(',', ";")).into_bytes()),
+        ("wide.csv", [vec![0xFF, 0xFE], wide(&format!("eve\t{}", rows.replace(',', "\t")))].concat()),
+        ("table.xlsx", b"PK\x03\x04".to_vec()),
+    ];
+    for (name, bytes) in &unread {
+        fs::create_dir_all(data.path("class")).unwrap();
+        fs::write(data.path("class").join(name), bytes).unwrap();
+    }
+    fs::rename(data.path("ann"), data.path("class/ann")).unwrap();
+    let out = data.write("sums.csv", "the sums of last week\n");
+    let sums = data.resultant(&["stats", &data.arg("class"), "--csv", &out]);
+    assert_eq!(sums.status, 1, "{sums:?}");
+    assert!(sums.out.contains("hooke             1        1 "), "{sums:?}");
+    let said = sums.err.lines().find(|line| line.contains("these sums are not whole")).unwrap();
+    for (name, _) in &unread {
+        let named = |line: &str| line.contains(name) && !line.contains("not whole");
+        assert!(sums.err.lines().any(named) && said.contains(name), "{name}: {sums:?}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn what_leads_nowhere_or_is_no_file_is_named() {
+    use std::os::unix::fs::symlink;
+    let data = class();
+    fs::create_dir(data.path("class")).unwrap();
+    fs::rename(data.path("bob"), data.path("class/bob")).unwrap();
+    symlink("nowhere", data.path("class/Dan")).unwrap();
+    symlink("round.csv", data.path("class/round.csv")).unwrap();
+    symlink("/dev/zero", data.path("class/zero.csv")).unwrap();
+    assert!(std::process::Command::new("mkfifo").arg(data.path("class/pipe.csv")).status().unwrap().success());
+    let sums = data.resultant(&["stats", &data.arg("class")]);
+    assert!(sums.status == 1 && sums.out.contains("hooke             2        2 "), "{sums:?}");
+    let named: Vec<bool> = ["Dan: ", "round.csv: ", "zero.csv: ", "pipe.csv: "].map(|name| sums.err.contains(name)).to_vec();
+    assert_eq!((named, sums.err.lines().count()), (vec![true; 4], 4), "{sums:?}");
+}
+
+/// An error of the disk while a folder is listed.
+#[cfg(all(target_os = "linux", target_arch = "x86_64"))]
+#[test]
+fn a_folder_that_cannot_be_listed_is_named() {
+    use crate::run::traced::{Fault, run};
+    let data = class();
+    let stats = || {
+        let mut command = data.command(&["stats", &data.arg("ann")]);
+        command.stdout(std::process::Stdio::null()).stderr(fs::File::create(data.path("said")).unwrap());
+        command
+    };
+    let (calls, whole) = run(&mut stats(), None);
+    assert_eq!(whole.code(), Some(0));
+    let listings: Vec<usize> = (0..calls.len()).filter(|call| calls[*call] == libc::SYS_getdents64).collect();
+    let faults: Vec<usize> = listings
+        .into_iter()
+        .filter(|call| {
+            let (_, status) = run(&mut stats(), Some((*call, Fault::Error(libc::EIO))));
+            let said = fs::read_to_string(data.path("said")).unwrap();
+            assert!(status.code() == Some(0) || said.contains("ann") && said.contains("error"), "{status}, {said}");
+            status.code() == Some(1)
+        })
+        .collect();
+    // ann, ann/results and ann/scores, each with two calls.
+    assert_eq!(faults.len(), 6, "{faults:?}");
+}
+
+/// A command's own outputs never end while it reads them.
+#[cfg(unix)]
+#[test]
+fn no_command_reads_its_own_outputs() {
+    let data = class();
+    data.level("a", "", &[("player.csv", "1500,1500,100,500,1500\n")]);
+    let paths = ["/dev/stdout", "/dev/stderr", "/dev/fd/1", "/dev/fd/2", "/dev/tty", "/dev/zero"];
+    let of_linux = ["/proc/self/fd/1", "/proc/self/fd/2"];
+    for path in paths.into_iter().chain(of_linux.into_iter().filter(|_| cfg!(target_os = "linux"))) {
+        for line in [
+            vec!["stats", path],
+            vec!["verify", path],
+            vec!["code", path],
+            vec!["unpack", path],
+            vec!["run", "a", "--inputs", path],
+            vec!["jumper", "--inputs", path],
+            vec!["tiles", path, path],
+        ] {
+            let ran = data.resultant(&line);
+            assert!(ran.status > 0 && !ran.err.is_empty() && ran.out.lines().count() < 2, "{line:?}: {ran:?}");
+        }
+    }
+    // Inputs that are passed on are read.
+    let list = data.arg("bob/bob.csv");
+    for path in ["/dev/stdin", "/dev/fd/0"] {
+        let mut command = data.command(&["stats", path]);
+        let ran = crate::support::program::Ran::new(command.stdin(fs::File::open(&list).unwrap()));
+        assert!(ran.status == 0 && ran.out.contains("hooke"), "{path}: {ran:?}");
+    }
+    let program = env!("CARGO_BIN_EXE_resultant");
+    let piped = format!("'{program}' --data '{}' stats <(cat '{list}')", data.arg("."));
+    let ran = crate::support::program::Ran::new(std::process::Command::new("bash").args(["-c", &piped]));
+    assert!(ran.status == 0 && ran.out.contains("hooke"), "{ran:?}");
+}

@@ -7,7 +7,7 @@ mod records;
 mod scores;
 mod telemetry;
 #[cfg(all(target_os = "linux", target_arch = "x86_64"))]
-mod traced;
+pub mod traced;
 
 use crate::support::program::Data;
 use std::process::Stdio;
