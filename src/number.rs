@@ -68,18 +68,6 @@ pub fn is_plain(text: &str) -> bool {
         && digits.matches(['.', ',']).count() < 2
 }
 
-/// The first number in a text, with a decimal point or comma; a sign counts where it begins a word.
-pub fn first_in(text: &str) -> Option<f64> {
-    let numeral = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',');
-    let begin = text.find(|c: char| c.is_ascii_digit())?;
-    let rest = &text[begin..];
-    let end = rest.find(|c| !numeral(c)).unwrap_or(rest.len());
-    let size: f64 = rest[..end].trim_end_matches(['.', ',']).replace(',', ".").parse().ok()?;
-    let mut before = text[..begin].chars().rev();
-    let minus = matches!(before.next(), Some('-' | '−')) && before.next().is_none_or(char::is_whitespace);
-    Some(if minus { -size } else { size })
-}
-
 /// mm:ss.hh; minutes go on beyond 99.
 pub fn clock(seconds: f64) -> String {
     let hundredths = hundredths(seconds);
@@ -88,7 +76,7 @@ pub fn clock(seconds: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Shortest, clock, first_in, fixed};
+    use super::{Shortest, clock, fixed};
     use proptest::prelude::*;
     use proptest::test_runner::FileFailurePersistence;
 
@@ -105,22 +93,6 @@ mod tests {
             (f64::NEG_INFINITY, 1, "−inf"),
         ] {
             assert_eq!(fixed(value, decimals), text);
-        }
-    }
-
-    #[test]
-    fn a_number_is_found_in_words() {
-        for (text, number) in [
-            ("50", Some(50.0)),
-            ("about 49,8 N/m", Some(49.8)),
-            ("k=50.", Some(50.0)),
-            ("−0.5 and 7", Some(-0.5)),
-            ("10-20", Some(10.0)),
-            ("T = -3", Some(-3.0)),
-            ("1.2.3", None),
-            ("none", None),
-        ] {
-            assert_eq!(first_in(text), number, "{text}");
         }
     }
 

@@ -4,10 +4,10 @@ use super::folder_watch::FolderWatch;
 use super::lab::{Experiment, Shown};
 use crate::classics::tile_run::{Command, InputError, Map};
 use crate::files::{self, CHART, CsvFile, CsvRow, TILE_COMMANDS, TILE_MAP, read_text};
+use crate::instruments::reading::Wanted;
 use crate::lab::charts::Charts;
 use crate::lab::kept;
 use crate::level::{self, Landscape, Level};
-use crate::number;
 use crate::words::tr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -19,7 +19,7 @@ const TILE_RUN: &str = "assets/tile_run";
 const EXPERIMENTS: &str = "experiments";
 
 /// The columns of their list, the first of which are needed.
-const EXPERIMENT: [&str; 6] = ["folder", "question", "vary", "answer", "choices", "right"];
+const EXPERIMENT: [&str; 7] = ["folder", "question", "vary", "answer", "choices", "right", "readings"];
 const NEEDED: usize = 4;
 
 /// Where `resultant chart` writes, from the project's root.
@@ -139,15 +139,19 @@ impl Library {
             if row.fault().is_some() || !(NEEDED..=EXPERIMENT.len()).contains(&row.used()) {
                 return Err(row.row_problem(format_args!("{:?}", row.joined()), file.header()));
             }
-            let [folder_name, question, vary, answer, choices, right] = EXPERIMENT.map(|column| row.get(column).to_owned());
+            let [folder_name, question, vary, answer, choices, right, readings] =
+                EXPERIMENT.map(|column| row.get(column).to_owned());
             let choices: Vec<String> = choices.split('|').map(|choice| choice.trim().to_owned()).collect();
             let choices = if choices.len() > 1 { choices } else { Vec::new() };
-            let fits = right.is_empty() || if choices.is_empty() { number::is_plain(&right) } else { choices.contains(&right) };
-            if !fits {
+            let is_right = if choices.is_empty() { Wanted::new(&question, &right).is_some() } else { choices.contains(&right) };
+            if !right.is_empty() && !is_right {
                 return Err(row.bad_cell("right", tr("a number, one of the choices, or nothing")));
             }
             let title = level::title(&folder.join(&folder_name)).unwrap_or_else(|| folder_name.clone());
-            Ok(Experiment { folder: folder_name, question, vary, answer, choices, right, title })
+            let Some(readings) = Wanted::all(&readings) else {
+                return Err(row.bad_cell("readings", tr("quantities, as in \"height: 2.5 m|time: 1.4 s\"")));
+            };
+            Ok(Experiment { folder: folder_name, question, vary, answer, choices, right, readings, title })
         };
         file.rows(text.as_bytes()).filter(|row| !row.is_header(NEEDED)).map(experiment).collect()
     }

@@ -129,7 +129,9 @@ fn shown_by_files() -> BTreeSet<String> {
                 Some("texts.csv") => texts.extend(cells.skip(1).map(|(_, row)| row[3].to_owned())),
                 Some("experiments.csv") => texts.extend(cells.skip(1).flat_map(|(_, row)| {
                     let choices: Vec<String> = row[4].split('|').map(str::to_owned).collect();
-                    [[row[1].to_owned(), row[2].to_owned(), row[3].to_owned()].to_vec(), choices].concat()
+                    let wanted = row[6].split('|').filter_map(|part| part.rsplit_once(": "));
+                    let wanted = wanted.flat_map(|(what, _)| what.splitn(2, ", ").map(str::to_owned)).collect();
+                    [[row[1].to_owned(), row[2].to_owned(), row[3].to_owned()].to_vec(), choices, wanted].concat()
                 })),
                 _ => {}
             }

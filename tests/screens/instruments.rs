@@ -111,11 +111,12 @@ fn the_ruler_is_laid_taken_again_and_bound_to_bodies() {
     assert_eq!((reading.length, reading.parts), (5.0, DVec2::new(3.0, 4.0)));
     drag(&mut sitting, (5.1, 26.2), (2.0, 18.0));
     assert_eq!(read(&sitting).unwrap().parts, DVec2::new(0.0, 12.0), "its end was taken");
-    // An end on the ship goes with the ship.
-    let ship = sitting.flight().game().world().bodies()[0].position;
+    // An end on the ship goes with the ship, at its lower edge.
+    let ship = sitting.flight().game().world().bodies()[0].clone();
+    let (half, ship) = (ship.half.y, ship.position);
     drag(&mut sitting, (2.0, 18.0), (ship.x + 0.2, ship.y - 0.1));
     let before = read(&sitting).unwrap().parts;
-    assert_eq!(before, DVec2::new(ship.x - 2.0, 30.0 - ship.y));
+    assert_eq!(before, DVec2::new(ship.x - 2.0, 30.0 - (ship.y + half)));
     fly_for(&mut sitting, 20);
     let fallen = sitting.flight().game().world().bodies()[0].position.y - ship.y;
     assert!(fallen > 0.2);

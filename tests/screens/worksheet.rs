@@ -112,6 +112,39 @@ fn a_guess_is_chosen_where_there_are_choices() {
     assert!(results(&sitting).contains("Guest,free-fall,1970-01-01 00:00:00,100 kg,no,,,"), "{}", results(&sitting));
 }
 
+/// Each number is held against the quantities that the sheet names, in the player's words for numbers.
+#[test]
+fn readings_are_judged_quantity_by_quantity() {
+    let saved = |name: &str, guess: &str, readings: &str| {
+        let mut sitting = paused(name);
+        if sitting.labels().contains(&"Your guess") {
+            sitting.click("Your guess").write(guess);
+        } else {
+            sitting.click(guess);
+        }
+        sitting.click("Your readings").write(readings).click("Save");
+        let rows = results(&sitting);
+        let mut row = csv::ReaderBuilder::new().has_headers(false).from_reader(rows.lines().nth(1).unwrap().as_bytes());
+        row.records().next().unwrap().unwrap()[6].to_owned()
+    };
+    for (name, guess, readings, right) in [
+        ("bounce", "5", "8.1 4.9 2.5", "yes"),
+        ("bounce", "5", "e = 0.5: 2.5", "yes"),
+        ("bounce", "5", "8,10; 4,90; 2,45", "yes"),
+        ("bounce", "5", "8.6 5.4 3.0", "no"),
+        ("hooke", "40", "0,39 m", "yes"),
+        ("hooke", "40", "0.5 m", "no"),
+        ("terminal-velocity", "2", "t=1.2s v=11,8m/s", "yes"),
+        ("friction", "wood", "-19.6 N, 39.2 N, 60 N", "yes"),
+        ("friction", "wood", "2 m", "no"),
+        ("lift", "400", "", ""),
+    ] {
+        assert_eq!(saved(name, guess, readings), right, "{name}: {readings}");
+    }
+    let sitting = paused("bounce");
+    assert!(sitting.shows("height of the first bounce (m), energy that is left (%): e = 0.9"), "{:?}", sitting.texts());
+}
+
 #[test]
 fn letters_go_into_the_field_with_the_focus_and_elsewhere_are_keys() {
     let mut sitting = guessed();

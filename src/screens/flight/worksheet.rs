@@ -4,6 +4,7 @@
 use super::Flight;
 use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, GAP, GRID, PADDING, ROW_BUTTON, TEXT, Vec2};
+use crate::instruments::reading;
 use crate::scores::{Name, ResultRow};
 use crate::screens::lab::{Experiment, Paragraphs};
 use crate::screens::{Request, text_field::TextField};
@@ -84,8 +85,8 @@ impl Worksheet {
             player: Name::guest(),
             experiment: self.experiment.folder.clone(),
             time: String::new(),
-            guess_right: self.experiment.judge(&guess),
-            readings_right: self.experiment.judge(&readings),
+            guess_right: self.experiment.judge_guess(&guess),
+            readings_right: self.experiment.judge_readings(&readings),
             guess,
             readings,
             answer: self.experiment.answer.clone(),
@@ -110,15 +111,18 @@ impl Worksheet {
         pen.write(tr(&self.experiment.question), TEXT, theme::text());
         ui.group();
         let label = |words: &str, pen: &mut Paragraphs<'_>| {
-            pen.write(tr(words), TEXT, theme::quiet());
+            pen.write(words, TEXT, theme::quiet());
             let line = Area { min: pen.at - Vec2::new(0.0, GRID), size: Vec2::new(inner.size.x, LINE_HEIGHT) };
             pen.at.y += LINE_HEIGHT + GRID;
             line
         };
-        let line = label(GUESS, &mut pen);
+        let line = label(tr(GUESS), &mut pen);
         self.show_guess(ui, line);
         ui.group();
-        let line = label(READINGS, &mut pen);
+        let wanted = reading::named(&self.experiment.readings);
+        let words =
+            if wanted.is_empty() { tr(READINGS).to_owned() } else { tr!("Your readings of {quantities}", quantities = wanted) };
+        let line = label(&words, &mut pen);
         if ui.line(READINGS, line, &mut self.readings) == Some(FieldEvent::Changed) {
             self.told = Ok(String::new());
         }
@@ -142,7 +146,7 @@ impl Worksheet {
     fn show_guess(&mut self, ui: &mut Ui<'_>, line: Area) {
         let guess = self.guess.text();
         if self.answered {
-            let (judged, colour) = match self.experiment.judge(&guess) {
+            let (judged, colour) = match self.experiment.judge_guess(&guess) {
                 Some(true) => (tr(" · right"), theme::good()),
                 Some(false) => (tr(" · not so"), theme::text()),
                 None => ("", theme::text()),

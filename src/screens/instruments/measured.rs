@@ -4,7 +4,7 @@ use super::Tool;
 use super::dock;
 use super::figures::in_focus;
 use super::measure::Measures;
-use super::ruler::{End, RulerReading};
+use super::ruler::{End, RulerReading, points};
 use super::vectors::Vector;
 use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Colour, Style};
@@ -17,6 +17,7 @@ use crate::view::game_view::drawn_centre;
 use crate::view::hud::HudLayout;
 use crate::view::quantity::{QuantityScale, round_up, scalar};
 use crate::view::theme;
+use crate::words::tr;
 
 const DOT: f32 = 3.0;
 const WHOLE: f32 = 5.0;
@@ -175,11 +176,8 @@ impl Measures {
 
     fn draw_ruler(&self, (game, alpha): (&Game, f64), view: &Viewport, canvas: &Canvas) {
         let (Some(ends), Some(reading)) = (self.ruler.ends(), self.ruler.reading(game.world())) else { return };
-        let place = |end: End| match end {
-            End::Place(place) => place,
-            End::Body(body) => drawn_centre(game, body, alpha),
-        };
-        let [from, to] = ends.map(|end| view.point(place(end)));
+        let places = points(ends, game.world(), |body| drawn_centre(game, body, alpha));
+        let [from, to] = places.map(|place| view.point(place));
         let along = (to - from).normalize_or_zero();
         let (across, colour) = (along.perp(), theme::accent());
         canvas.line(from, to, 5.0, theme::ground().faded(0.7));
@@ -202,7 +200,7 @@ impl Measures {
         let area = canvas.frame().area().inset(MARGIN);
         let middle = (from.clamp(area.min, area.max()) + to.clamp(area.min, area.max())) / 2.0;
         let side = if across.y > 0.0 { -across } else { across };
-        let lines = reading_lines(&reading);
+        let lines = reading_lines(&reading, ends.iter().filter(|end| end.is_body()).count());
         let half = 0.5 * label_size(&lines, canvas);
         let beside = middle + side * ((half * side.abs()).element_sum() + GRID);
         label(&lines, beside - Vec2::new(half.x, 0.0), colour, canvas);
@@ -233,14 +231,17 @@ pub(super) const fn colour(vector: Vector) -> Colour {
     }
 }
 
-fn reading_lines(reading: &RulerReading) -> Vec<String> {
+/// `bodies` are the ends on bodies, whose point a line names.
+fn reading_lines(reading: &RulerReading, bodies: usize) -> Vec<String> {
     let RulerReading { length, parts, angle } = *reading;
     let angle = format!("{}°", fixed(angle, 1));
-    vec![
+    let mut lines = vec![
         format!("{}  {angle}", scalar(length, "m")),
         format!("Δx {}", scalar(parts.x, "m")),
         format!("Δy {}", scalar(parts.y, "m")),
-    ]
+    ];
+    lines.extend([None, Some(tr("lower edge")), Some(tr("centre to centre"))][bodies.min(2)].map(str::to_owned));
+    lines
 }
 
 fn draw_arrow(canvas: &Canvas, (from, to): (Vec2, Vec2), colour: Colour) {

@@ -1,11 +1,12 @@
 //! A ruler laid by mouse, from point to point; each end can be moved later. It lies in the level and stays when the camera moves. An
-//! end on a body's centre is bound to the body and goes with it.
+//! end on a body is bound to it and goes with it: it lies in the middle of the body's lower edge, from which heights and depths count. Between
+//! two bodies the ruler goes from centre to centre.
 
 use super::super::Input;
 use crate::draw::layout::Vec2;
 use crate::physics::{BodyId, DVec2, World};
 
-/// The range in which a click takes an end, or an end snaps to a body's centre, canvas units.
+/// The range in which a click takes an end, or an end snaps to a body, canvas units.
 const NEAR: f64 = 14.0;
 /// A shorter drag is a click for the flight, canvas units.
 const STARTS: f32 = 5.0;
@@ -74,7 +75,10 @@ impl Ruler {
         }
         let Some(place) = input.place.filter(|_| input.click && free) else { return Click::Others };
         let before = self.ends;
-        let taken = before.and_then(|ends| (0..2).find(|end| ends[*end].at(world).distance(place) <= near));
+        let taken = before.and_then(|ends| {
+            let points = points(ends, world, |body| world.body(body).position);
+            (0..2).find(|end| points[*end].distance(place) <= near)
+        });
         if taken.is_none() {
             self.ends = Some([end_at(place, world, near); 2]);
         }
@@ -88,18 +92,25 @@ impl Ruler {
     }
 
     pub fn reading(&self, world: &World) -> Option<RulerReading> {
-        self.ends().map(|[from, to]| RulerReading::of(from.at(world), to.at(world)))
+        let [from, to] = points(self.ends()?, world, |body| world.body(body).position);
+        Some(RulerReading::of(from, to))
     }
 }
 
 impl End {
-    /// m.
-    pub fn at(&self, world: &World) -> DVec2 {
-        match self {
-            Self::Place(place) => *place,
-            Self::Body(body) => world.body(*body).position,
-        }
+    pub const fn is_body(&self) -> bool {
+        matches!(self, Self::Body(_))
     }
+}
+
+/// Where the ends are, m, with the bodies' centres.
+pub fn points(ends: [End; 2], world: &World, centre: impl Fn(BodyId) -> DVec2) -> [DVec2; 2] {
+    let between_bodies = ends.iter().all(End::is_body);
+    ends.map(|end| match end {
+        End::Place(place) => place,
+        End::Body(body) if between_bodies => centre(body),
+        End::Body(body) => centre(body) + DVec2::new(0.0, world.body(body).half.y),
+    })
 }
 
 impl RulerReading {
@@ -109,9 +120,12 @@ impl RulerReading {
     }
 }
 
-/// An end at a place: on the nearest body whose centre is near.
+/// An end at a place: on the body whose line from its centre down to its lower edge is nearest, and near.
 fn end_at(place: DVec2, world: &World, near: f64) -> End {
-    let bodies = (0..).map(BodyId).zip(world.bodies()).map(|(id, body)| (id, body.position.distance(place)));
+    let bodies = (0..).map(BodyId).zip(world.bodies()).map(|(id, body)| {
+        let down = (place.y - body.position.y).clamp(0.0, body.half.y);
+        (id, (body.position + DVec2::new(0.0, down)).distance(place))
+    });
     let nearest = bodies.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, distance)| *distance <= near);
     nearest.map_or(End::Place(place), |(id, _)| End::Body(id))
 }

@@ -3,13 +3,13 @@
 use super::BACK;
 use crate::draw::layout::{Area, BUTTON_TEXT, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::number;
+use crate::instruments::reading::{self, Wanted};
 use crate::screens::{Key, Request};
 use crate::ui::{Touch, Ui, WidgetKind};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Experiment {
     pub folder: String,
     pub question: String,
@@ -17,22 +17,25 @@ pub struct Experiment {
     pub answer: String,
     /// The guesses to choose from; none: a guess is written.
     pub choices: Vec<String>,
-    /// The right choice, or a number; empty where neither is.
+    /// The right choice, or a number with its unit; empty where neither is.
     pub right: String,
+    /// The quantities that are to be found.
+    pub readings: Vec<Wanted>,
     pub title: String,
 }
 
-/// How far a number may be from the right one, as a share of that.
-const CLOSE: f64 = 0.05;
-
 impl Experiment {
-    /// Whether a guess or a reading is right; `None` where the experiment has no right one, or the text none that could be.
-    pub fn judge(&self, text: &str) -> Option<bool> {
+    /// Whether a guess is right; `None` where the experiment has no right one, or the text none that could be.
+    pub fn judge_guess(&self, text: &str) -> Option<bool> {
         if !self.choices.is_empty() {
             return self.choices.iter().any(|choice| choice == text).then(|| text == self.right);
         }
-        let right: f64 = self.right.parse().ok()?;
-        number::first_in(text).map(|number| (number - right).abs() <= CLOSE * right.abs())
+        reading::judge(text, &[Wanted::new(&self.question, &self.right)?])
+    }
+
+    /// The same of readings: where no quantities are named, they are a guess made after the flight.
+    pub fn judge_readings(&self, text: &str) -> Option<bool> {
+        if self.readings.is_empty() { self.judge_guess(text) } else { reading::judge(text, &self.readings) }
     }
 }
 
@@ -145,9 +148,10 @@ mod tests {
         let free = Experiment::default();
         let number = Experiment { right: "50".to_owned(), ..free.clone() };
         let choice = Experiment { choices: vec!["one".to_owned(), "both".to_owned()], right: "both".to_owned(), ..free.clone() };
-        assert_eq!(["", "50"].map(|text| free.judge(text)), [None; 2]);
-        let judged = ["52,4 N/m", "47.5", "47", "-50", "hard"].map(|text| number.judge(text));
+        assert_eq!(["", "50"].map(|text| free.judge_guess(text)), [None; 2]);
+        let judged = ["52,4 N/m", "47.5", "47", "-50", "hard"].map(|text| number.judge_guess(text));
         assert_eq!(judged, [Some(true), Some(true), Some(false), Some(false), None]);
-        assert_eq!(["both", "one", "50"].map(|text| choice.judge(text)), [Some(true), Some(false), None]);
+        assert_eq!(judged, ["52,4 N/m", "47.5", "47", "-50", "hard"].map(|text| number.judge_readings(text)));
+        assert_eq!(["both", "one", "50"].map(|text| choice.judge_guess(text)), [Some(true), Some(false), None]);
     }
 }

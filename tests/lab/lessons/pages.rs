@@ -72,6 +72,8 @@ fn every_number_in_the_words_of_a_sheet_is_one_of_its_level_or_of_its_figures() 
             }
             // The other angle of the same sine.
             "projectile" => known.push(180.0 - 60.0),
+            // A spring without a load, and half a ball.
+            "hooke" => known.push(3.0 + 0.5),
             _ => {}
         }
         let words = lesson.steps.iter().chain(&lesson.answer).chain(&lesson.teacher).chain([&lesson.question]);

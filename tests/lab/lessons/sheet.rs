@@ -16,9 +16,9 @@ pub fn text(name: &str) -> String {
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// Its parts.
+/// Its parts, without the figures, which the list of experiments has.
 pub fn lesson(text: &str) -> Lesson<'_> {
-    Lesson::read(text).unwrap_or_else(|problem| panic!("{problem} in {text}"))
+    Lesson::read(text, "").unwrap_or_else(|problem| panic!("{problem} in {text}"))
 }
 
 /// A suggestion: the change, and the rows of its figures, each with its answer.

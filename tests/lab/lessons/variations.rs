@@ -102,8 +102,8 @@ pub fn of(name: &str) -> Vec<Outcome> {
             |run| vec![run.until(5.0).push(1, 120.0), run.push(6, 20.0)],
         ],
         "lift" => vec![
-            |run| vec![figure("starting", "N", 40.0 * (G - 2.0), run.until(4.0).press(1, up))],
-            |run| vec![figure("starting", "N", 0.0, run.until(3.5).press(1, up))],
+            |run| vec![figure("starting, normal force", "N", 40.0 * (G - 2.0), run.until(4.0).press(1, up))],
+            |run| vec![figure("starting, normal force", "N", 0.0, run.until(3.5).press(1, up))],
             |run| {
                 run.until(1.0);
                 vec![

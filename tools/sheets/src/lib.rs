@@ -5,10 +5,11 @@
 mod text;
 mod words;
 
+use std::collections::HashMap;
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
-pub use text::Lesson;
+pub use text::{Lesson, figures};
 use text::{escaped, inline};
 use words::{LANGUAGES, SheetWords};
 
@@ -62,16 +63,33 @@ pub fn pages(root: &Path) -> Result<Vec<(String, String)>, String> {
     Ok(pages)
 }
 
+/// An experiment as the list has it.
+pub struct Listed {
+    pub folder: String,
+    /// Quantities and their exact answers, see [`figures`].
+    pub readings: String,
+}
+
+/// The experiments in the order of their sheets. Fails on a list that is missing or has another shape.
+pub fn listed(root: &Path) -> Result<Vec<Listed>, String> {
+    const LIST: &str = "experiments/experiments.csv";
+    let list = read(&root.join(LIST))?;
+    let reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(list.as_bytes());
+    let rows = reader.into_deserialize::<HashMap<String, String>>();
+    let listed =
+        |mut row: HashMap<String, String>| Some(Listed { folder: row.remove("folder")?, readings: row.remove("readings")? });
+    rows.map(|row| row.map_err(|error| format!("{LIST}: {error}")))
+        .map(|row| listed(row?).ok_or_else(|| format!("{LIST}: expected the columns folder and readings")))
+        .collect()
+}
+
 fn pages_in(words: &SheetWords, root: &Path, pages: &mut Vec<(String, String)>) -> Result<(), String> {
-    let list = read(&root.join("experiments/experiments.csv"))?;
-    let mut names = list.lines().filter(|line| !line.starts_with('#') && !line.is_empty());
-    names.next().filter(|head| head.starts_with("folder,")).ok_or("experiments.csv: expected the column folder first")?;
     let folder = words.folder();
     let mut links = String::new();
-    for name in names.filter_map(|line| line.split(',').next()) {
+    for Listed { folder: name, readings } in &listed(root)? {
         let file = format!("docs/lessons/{name}.md");
         let text = read(&root.join(&file))?;
-        let lesson = Lesson::read(&text).map_err(|problem| format!("{file}: {problem}"))?;
+        let lesson = Lesson::read(&text, readings).map_err(|problem| format!("{file}: {problem}"))?;
         let (title, answered) = (escaped(words.say(lesson.title)), words.say("answers"));
         let _ = writeln!(links, "<li><a href=\"{name}.html\">{title}</a> · <a href=\"{name}-answers.html\">{answered}</a></li>");
         pages.push((format!("{folder}{name}.html"), sheet(words, name, &lesson)));
@@ -165,13 +183,15 @@ const VARY: &str = "In flight: `I`, then *What if …* varies the level's gravit
     restitution and drag of the object that is followed (`N`). The table names changes of a copy of the level, in the editor or in its \
     files.";
 
-/// The table of what is found: two quantities a line, since a sheet is one page.
+/// The table of what is found, with units: two quantities a line, since a sheet is one page.
 fn found(words: &SheetWords, lesson: &Lesson) -> String {
     let head = format!("<th>{}</th><th class=\"empty\">{}</th>", escaped(words.say("quantity")), escaped(words.say("found")));
     let mut table = format!("<table class=\"tight\">\n<tr>{head}{head}</tr>\n");
-    let cell = |row: Option<&[&str; 2]>| {
-        format!("<td>{}</td><td></td>", row.map_or_else(String::new, |[what, _]| inline(words, &words.quantity(what))))
+    let wanted = |[what, exact]: &[&str; 2]| {
+        let unit = exact.split_once(' ').map_or_else(String::new, |(_, unit)| format!(" ({unit})"));
+        inline(words, &words.quantity(what)) + &escaped(&unit)
     };
+    let cell = |row: Option<&[&str; 2]>| format!("<td>{}</td><td></td>", row.map_or_else(String::new, wanted));
     for pair in lesson.figures.chunks(2) {
         let _ = writeln!(table, "<tr>{}{}</tr>", cell(pair.first()), cell(pair.get(1)));
     }

@@ -10,7 +10,7 @@ pub struct Lesson<'a> {
     pub steps: Vec<&'a str>,
     /// Paragraphs of its section "Exact answer".
     pub answer: Vec<&'a str>,
-    /// A quantity and its exact answer.
+    /// A quantity and its exact answer, with its unit.
     pub figures: Vec<[&'a str; 2]>,
     /// A change, a quantity, and its exact answer; an empty change is that of the row before.
     pub changes: Vec<[&'a str; 3]>,
@@ -19,8 +19,8 @@ pub struct Lesson<'a> {
 }
 
 impl<'a> Lesson<'a> {
-    /// The error names the missing part.
-    pub fn read(text: &'a str) -> Result<Self, String> {
+    /// `readings` is the experiment's cell of that name. The error names the missing part.
+    pub fn read(text: &'a str, readings: &'a str) -> Result<Self, String> {
         let mut sections = text.split("\n## ");
         let head = sections.next().unwrap_or_default();
         let sections: Vec<(&str, &str)> = sections.filter_map(|section| section.split_once('\n')).collect();
@@ -39,11 +39,18 @@ impl<'a> Lesson<'a> {
             question,
             steps,
             answer: paragraphs(section("Exact answer")?),
-            figures: table(section("Exact answer")?)?,
+            figures: figures(readings)?,
             changes: table(section("Vary")?)?,
             teacher: paragraphs(section("For the teacher")?),
         })
     }
+}
+
+/// Quantities with their exact answers, parted by `|`, as in `e = 0.5, height: 2.50 m`.
+pub fn figures(readings: &str) -> Result<Vec<[&str; 2]>, String> {
+    let parts = readings.split('|').filter(|part| !part.is_empty());
+    let figure = |part: &'_ str| format!("expected QUANTITY: VALUE in {part:?}");
+    parts.map(|part| part.rsplit_once(": ").map(<[&str; 2]>::from).ok_or_else(|| figure(part))).collect()
 }
 
 fn paragraphs(section: &str) -> Vec<&str> {
