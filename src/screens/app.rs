@@ -8,7 +8,7 @@ use super::library::{Library, Refusal};
 use super::loading::Loading;
 use super::pace;
 use super::worker::{Ticket, Worker};
-use super::{Clipboard, Editor, Flight, FolderWatch, Input, Key, Menu, MenuFacts, Pace, Picture, Request, Screen, Spectator};
+use super::{Clipboard, Editor, Flight, FolderWatch, Input, Key, Keys, Menu, MenuFacts, Pace, Picture, Request, Screen, Spectator};
 use crate::draw::Canvas;
 use crate::draw::layout::Frame;
 use crate::game::Outcome;
@@ -16,6 +16,7 @@ use crate::pack::Installed;
 use crate::scores::{Name, PATIENCE, Results, Scores};
 use crate::settings::Settings;
 use crate::settings::file::SettingsFile;
+use crate::ui::input::Stale;
 use crate::ui::{Memory, PassInput, Widget};
 use crate::words;
 use crate::words::tr;
@@ -52,6 +53,8 @@ pub struct App {
     pub(super) screen: Box<dyn Screen>,
     /// What its widgets remember.
     memory: Memory,
+    /// The keys that another screen or another window was given.
+    stale: Stale,
     /// What it has shown.
     canvas: Canvas,
     /// Physical pixels a logical one.
@@ -134,6 +137,7 @@ impl App {
             settings_problems,
             screen: menu(&journal, 0),
             memory: Memory::default(),
+            stale: Stale::default(),
             canvas: Canvas::new(Frame::default()),
             dpi: 1.0,
             library,
@@ -206,6 +210,7 @@ impl App {
         let frame_time = pace::passed(input.frame_time);
         let mut input = Input { settings: self.settings, clipboard: self.clipboard.clone(), frame_time, ..input.clone() };
         input.idle = self.pace.note(&input);
+        input.held = self.stale.sift(&input, if input.away { Keys::default() } else { input.held });
         input.pressed = input.pressed.without(Key::F11);
         if alt_enter {
             input.pressed = input.pressed.without(Key::Enter);
@@ -288,7 +293,7 @@ impl App {
         self.keep_sheet();
         self.asked.values().for_each(|ticket| self.worker.forget(*ticket));
         self.asked.clear();
-        (self.screen, self.memory, self.shown_for) = (next, Memory::default(), 0.0);
+        (self.screen, self.memory, self.stale, self.shown_for) = (next, Memory::default(), self.stale.all(), 0.0);
     }
 
     /// Takes new settings over, keeps them, and says where that failed.

@@ -169,7 +169,7 @@ impl Jumper {
 
 /// Who holds what: alone, either half of the keyboard will do.
 fn held(keys: Keys, two: bool) -> [JumpKeys; 2] {
-    let letters = JumpKeys { left: keys.has(Key::A), right: keys.has(Key::D), jump: keys.has(Key::W) };
+    let letters = JumpKeys { left: keys.has_place(Key::A), right: keys.has_place(Key::D), jump: keys.has_place(Key::W) };
     let arrows = JumpKeys { left: keys.has(Key::Left), right: keys.has(Key::Right), jump: keys.has(Key::Up) };
     if two {
         return [letters, arrows];

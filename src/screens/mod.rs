@@ -23,6 +23,8 @@ mod hover;
 mod instruments;
 mod journal;
 mod jumper;
+#[cfg(feature = "window")]
+mod keyboard;
 mod lab;
 mod leaderboard;
 mod level_select;

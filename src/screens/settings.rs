@@ -1,6 +1,6 @@
 //! The settings: a list of values at the left, the keys of the flight at the right. From the menu, and from the pause panel.
 
-use super::{Key, Request, Screen};
+use super::{Key, Keys, Request, Screen};
 use crate::draw::layout::{Area, DETAILS, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Colour, Style};
 use crate::settings::{Action, Item, Settings};
@@ -26,6 +26,8 @@ pub struct SettingsPanel {
     settings: Settings,
     /// The action and the place for which the next key is taken.
     taking: Option<(Action, usize)>,
+    /// Shift, Ctrl or Alt, which is taken where no other key follows before it goes up.
+    modifier: Option<Key>,
     /// What is wrong with the file of settings, a line each.
     problems: Vec<String>,
 }
@@ -33,7 +35,7 @@ pub struct SettingsPanel {
 impl SettingsPanel {
     /// The settings as they are, and what was wrong with their file.
     pub fn new(settings: Settings, problems: Vec<String>) -> Self {
-        Self { settings, taking: None, problems }
+        Self { settings, taking: None, modifier: None, problems }
     }
 
     fn show_values(&mut self, ui: &mut Ui<'_>, corner: Vec2) {
@@ -76,8 +78,10 @@ impl SettingsPanel {
         let keys = &self.settings.keys;
         match keys.of(action)[slot] {
             _ if self.taking == Some((action, slot)) => (tr("press a key").to_owned(), theme::accent()),
-            Some(key) if keys.conflict(action, key).is_some() => (key.label(), theme::bad()),
-            Some(key) => (key.label(), theme::text()),
+            Some(key) => {
+                let twice = keys.conflict(action, key).is_some();
+                (action.label_of(key), if twice { theme::bad() } else { theme::text() })
+            }
             None => (String::new(), theme::quiet()),
         }
     }
@@ -86,11 +90,19 @@ impl SettingsPanel {
     fn take_key(&mut self, ui: &mut Ui<'_>, action: Action, slot: usize) {
         ui.capture();
         let input = ui.input();
+        let modifiers = [Key::Shift, Key::Control, Key::Alt];
+        let others = modifiers.into_iter().fold(input.pressed, Keys::without);
+        let let_go = self.modifier.filter(|key| !input.held.has(*key));
+        // What is typed with a modifier goes before what the key types alone.
+        let typed = input.typed.chars().next().and_then(Key::typing).filter(|key| !action.is_by_place() && others.has(*key));
+        let key = typed.or_else(|| others.first(action.is_by_place())).or(let_go);
         if input.pressed(Key::Escape) || input.click {
-            self.taking = None;
-        } else if let Some(key) = Key::ALL.iter().copied().find(|key| input.pressed.has(*key) && !key.is_pad()) {
-            self.put_key(action, slot, Some(key));
-            self.taking = None;
+            (self.taking, self.modifier) = (None, None);
+        } else if key.is_some() {
+            self.put_key(action, slot, key);
+            (self.taking, self.modifier) = (None, None);
+        } else {
+            self.modifier = modifiers.into_iter().find(|key| input.pressed.has(*key)).or(self.modifier);
         }
     }
 
@@ -118,7 +130,7 @@ impl SettingsPanel {
         }
         for (action, key, other) in self.conflicts() {
             let [one, two] = [action, other].map(|action| tr(action.label()));
-            line(&tr!("{key} does two things: {one} and {two}.", key = key.label(), one, two), theme::bad());
+            line(&tr!("{key} does two things: {one} and {two}.", key = action.label_of(key), one, two), theme::bad());
         }
         for problem in self.problems.iter().take(3) {
             line(problem, theme::bad());

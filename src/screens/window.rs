@@ -1,24 +1,18 @@
 //! The window: macroquad's keys, mouse and clock become an [`Input`] a frame, and the screens are drawn.
 
 use super::host::{self, Instant};
+use super::keyboard::WindowKeys;
 use super::pad::Pads;
 use super::theatre::{self, Theatre};
-use super::{App, Attempt, Input, Key, Keyed, Keys, Picture, Places, Request, Worker, pace};
+use super::{App, Attempt, Input, Keys, Picture, Places, Request, Worker, pace};
 use crate::draw::Canvas;
 use crate::draw::layout::{DESIGN, Frame, Vec2};
 use crate::draw::pen::WindowPen;
 use crate::level::Level;
-use crate::settings::plain_keys;
 use crate::view::sound::Speaker;
 use crate::view::{art, theme};
 use crate::words::{self, Language};
-use macroquad::input::utils::{register_input_subscriber, repeat_all_miniquad_input};
-use macroquad::input::{
-    KeyCode, MouseButton, get_char_pressed, is_key_down, is_key_pressed, is_mouse_button_down, is_mouse_button_pressed,
-    mouse_position, mouse_wheel, utils,
-};
-use macroquad::miniquad::EventHandler;
-use macroquad::miniquad::KeyMods;
+use macroquad::input::{MouseButton, is_mouse_button_down, is_mouse_button_pressed, mouse_position, mouse_wheel};
 use macroquad::miniquad::conf::{Conf, Icon};
 use macroquad::window::{next_frame, set_fullscreen};
 use std::cell::RefCell;
@@ -31,23 +25,6 @@ use std::time::Duration;
 /// How often the window is tried to open, and the time after each: an X server turns programs away for a moment while it resets.
 const ATTEMPTS: u32 = 4;
 const BETWEEN_ATTEMPTS: Duration = Duration::from_millis(150);
-macro_rules! codes {
-    ($($key:ident)*) => { &[$((KeyCode::$key, Key::$key)),*] };
-}
-/// Which key of the keyboard is which of ours.
-const KEYS: &[(KeyCode, Key)] = plain_keys!(codes);
-/// Those of which there are several.
-const MORE_KEYS: [(KeyCode, Key); 8] = [
-    (KeyCode::Enter, Key::Enter),
-    (KeyCode::KpEnter, Key::Enter),
-    (KeyCode::LeftShift, Key::Shift),
-    (KeyCode::RightShift, Key::Shift),
-    (KeyCode::LeftControl, Key::Control),
-    (KeyCode::RightControl, Key::Control),
-    (KeyCode::LeftAlt, Key::Alt),
-    (KeyCode::RightAlt, Key::Alt),
-];
-
 /// What the window opens with.
 #[derive(Clone, Debug)]
 pub enum Start {
@@ -132,19 +109,16 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
         None => {}
     }
     let mut pads = Pads::new();
-    let mut focus = WindowFocus::new();
+    let mut keys = WindowKeys::new();
     let mut begun = Instant::now();
     let mut fullscreen = false;
-    let typist = utils::register_input_subscriber();
     loop {
         theme::wear(app.settings().palette);
         app.now = macroquad::miniquad::date::now();
         let text = app.screen().text_scale(app.settings(), canvas.frame().pixel);
         pen.begin(&mut canvas, text)?;
         app.dpi = canvas.dpi();
-        let mut typed = Typist::default();
-        utils::repeat_all_miniquad_input(&mut typed, typist);
-        let mut input = Input { away: focus.is_away(), ..read_input(&canvas, pads.read(), typed) };
+        let mut input = read_input(&canvas, pads.read(), keys.read());
         // What is pressed meanwhile comes with the next frame, which waits for nothing.
         let worked = begun.elapsed();
         host::pause(Duration::from_secs_f64(app.interval(&input)).saturating_sub(worked));
@@ -180,43 +154,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     }
 }
 
-/// What was typed since the last frame, in order.
-#[derive(Default)]
-struct Typist {
-    typed: String,
-    keyed: Vec<Keyed>,
-}
-
-impl EventHandler for Typist {
-    fn update(&mut self) {}
-
-    fn draw(&mut self) {}
-
-    fn char_event(&mut self, character: char, held: KeyMods, _repeat: bool) {
-        // Ctrl with Alt types letters on some keyboards.
-        if !(held.ctrl && !held.alt || held.logo || character.is_control()) {
-            self.typed.push(character);
-        }
-    }
-
-    fn key_down_event(&mut self, code: KeyCode, mods: KeyMods, repeat: bool) {
-        let key = KEYS.iter().chain(&MORE_KEYS).find(|(known, _)| *known == code);
-        if let (Some((_, key)), false) = (key, repeat) {
-            let modifiers = [(mods.shift, Key::Shift), (mods.ctrl || mods.logo, Key::Control), (mods.alt, Key::Alt)];
-            let held = modifiers.into_iter().filter(|(held, _)| *held).map(|(_, key)| key).collect();
-            self.keyed.push(Keyed { key: *key, after: self.typed.chars().count(), held });
-        }
-    }
-}
-
-fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys), Typist { typed, keyed }: Typist) -> Input {
-    // What was typed comes from the typist: macroquad's own list of it would grow without end.
-    while get_char_pressed().is_some() {}
-    let keys = |is: fn(KeyCode) -> bool| {
-        KEYS.iter().chain(&MORE_KEYS).filter(|(code, _)| is(*code)).map(|(_, key)| *key).collect::<Keys>()
-    };
-    // Ctrl and S count where both were released before the frame.
-    let modifiers = keyed.iter().fold(Keys::default(), |all, keyed| all | keyed.held);
+fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys), keys: Input) -> Input {
     Input {
         frame: *canvas.frame(),
         pointer: canvas.to_canvas(Vec2::from(mouse_position())),
@@ -226,43 +164,10 @@ fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys), Typist { t
         dragging: is_mouse_button_down(MouseButton::Right) || is_mouse_button_down(MouseButton::Middle),
         // Systems disagree by a factor of 120 on what a notch is; they agree on its sign.
         wheel: mouse_wheel().1.clamp(-1.0, 1.0),
-        pressed: keys(is_key_pressed) | pad_pressed,
-        held: keys(is_key_down) | modifiers | pad_held,
-        typed,
-        keyed,
+        pressed: keys.pressed | pad_pressed,
+        held: keys.held | pad_held,
         dropped: host::dropped(),
-        ..Input::default()
-    }
-}
-
-/// Whether the window has the keyboard, by what miniquad reports: on X11 that another window has it, elsewhere that it is hidden.
-struct WindowFocus {
-    subscriber: usize,
-    away: bool,
-}
-
-impl WindowFocus {
-    fn new() -> Self {
-        Self { subscriber: register_input_subscriber(), away: false }
-    }
-
-    fn is_away(&mut self) -> bool {
-        repeat_all_miniquad_input(self, self.subscriber);
-        self.away
-    }
-}
-
-impl EventHandler for WindowFocus {
-    fn update(&mut self) {}
-
-    fn draw(&mut self) {}
-
-    fn window_minimized_event(&mut self) {
-        self.away = true;
-    }
-
-    fn window_restored_event(&mut self) {
-        self.away = false;
+        ..keys
     }
 }
 

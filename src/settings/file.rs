@@ -2,8 +2,8 @@
 //! row. Saving changes only the rows that it sets: comments, rows of other players and refused rows stay.
 
 use super::item::Item;
-use super::keys::{Action, Key};
 use super::values::Settings;
+use super::{Action, Key};
 use crate::files::{
     self, CsvColumn, CsvFile, CsvRow, CsvStruct, Lock, PATIENCE, SETTINGS, Symlinks, csv_line, found_instead, place,
 };

@@ -1,5 +1,6 @@
-//! Keys, and what each of them does in flight.
+//! Keys and sets of them.
 
+use super::layout;
 use crate::words::tr;
 use std::fmt;
 
@@ -21,41 +22,106 @@ pub(crate) use plain_keys;
 
 macro_rules! keys {
     ($($plain:ident)*) => {
-        /// A key of the keyboard, or a button of a gamepad.
+        named_keys! {
+            $($plain)* Enter Shift Control Alt
+            PadUp PadDown PadLeft PadRight PadA PadB PadX PadY PadStart PadSelect PadL1 PadR1 PadL2 PadR2
+        }
+    };
+}
+
+macro_rules! named_keys {
+    ($($name:ident)*) => {
+        /// A key of the keyboard, or a button of a gamepad. `Enter` is also that of the number pad, `Shift`, `Control` and `Alt` are left or
+        /// right, `Equal` types `+` or `=`: on most keyboards they are one key.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        #[repr(u8)]
         #[allow(missing_docs)] // A key's name says which one it is.
         pub enum Key {
-            $($plain,)*
-            /// Also on the number pad.
-            Enter,
-            /// Left or right, as the two below.
-            Shift, Control, Alt,
-            PadUp, PadDown, PadLeft, PadRight, PadA, PadB, PadX, PadY, PadStart, PadSelect,
-            PadL1, PadR1, PadL2, PadR2,
+            $($name,)*
+            /// The key that types a character without a name here, in small letters: `ö`, `<`.
+            Sign(char),
+        }
+
+        enum Bit {
+            $($name,)*
         }
 
         impl Key {
-            pub const ALL: &[Self] = &[
-                $(Self::$plain,)*
-                Self::Enter, Self::Shift, Self::Control, Self::Alt,
-                Self::PadUp, Self::PadDown, Self::PadLeft, Self::PadRight, Self::PadA, Self::PadB, Self::PadX, Self::PadY,
-                Self::PadStart, Self::PadSelect, Self::PadL1, Self::PadR1, Self::PadL2, Self::PadR2,
-            ];
+            /// With a name.
+            pub const ALL: &[Self] = &[$(Self::$name),*];
+
+            /// Its bit in a set; a sign has none.
+            const fn bit(self) -> Option<u32> {
+                match self {
+                    $(Self::$name => Some(Bit::$name as u32),)*
+                    Self::Sign(_) => None,
+                }
+            }
         }
     };
 }
 plain_keys!(keys);
 
 impl Key {
-    /// In any case of the letters.
+    /// In any case of the letters, or by the character that it types.
     pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.iter().copied().find(|key| key.to_string().eq_ignore_ascii_case(name))
+        let typed = || name.chars().next().filter(|sign| sign.len_utf8() == name.len()).and_then(Self::typing);
+        Self::ALL.iter().copied().find(|key| key.to_string().eq_ignore_ascii_case(name)).or_else(typed)
     }
 
-    /// The sign on the key, or its name in the language of the screens.
+    /// The key that types a character, with or without Shift.
+    pub fn typing(sign: char) -> Option<Self> {
+        Some(match sign.to_lowercase().next().unwrap_or(sign) {
+            letter @ ('a'..='z' | '0'..='9') => {
+                let name = if letter.is_ascii_digit() { format!("Key{letter}") } else { letter.to_ascii_uppercase().to_string() };
+                return Self::ALL.iter().copied().find(|key| key.to_string() == name);
+            }
+            '=' | '+' => Self::Equal,
+            '-' | '−' => Self::Minus,
+            sign if sign.is_control() || sign.is_whitespace() => return None,
+            sign => Self::SIGNS.iter().find(|(_, known)| *known == sign).map_or(Self::Sign(sign), |(key, _)| *key),
+        })
+    }
+
+    /// The signs of the keys that are named after them.
+    const SIGNS: [(Self, char); 11] = [
+        (Self::Apostrophe, '\''),
+        (Self::Comma, ','),
+        (Self::Minus, '-'),
+        (Self::Period, '.'),
+        (Self::Slash, '/'),
+        (Self::Semicolon, ';'),
+        (Self::Equal, '='),
+        (Self::LeftBracket, '['),
+        (Self::RightBracket, ']'),
+        (Self::Backslash, '\\'),
+        (Self::GraveAccent, '`'),
+    ];
+
+    /// The sign that it types: no letter, digit or space.
+    pub(crate) fn typed(self) -> Option<char> {
+        match self {
+            Self::Equal => Some('+'),
+            Self::Sign(sign) => Some(sign),
+            key => Self::SIGNS.iter().find(|(known, _)| *known == key).map(|(_, sign)| *sign),
+        }
+    }
+
+    /// Whether its name is a letter's.
+    pub(crate) fn is_letter(self) -> bool {
+        self.to_string().len() == 1 && !matches!(self, Self::Sign(_))
+    }
+
+    /// The sign that the key types, or its name in the language of the screens.
     pub fn label(self) -> String {
-        tr(&self.sign()).to_owned()
+        match self {
+            Self::Equal => layout::plus().to_string(),
+            key => tr(&key.sign()).to_owned(),
+        }
+    }
+
+    /// The sign on the key at that place of the player's keyboard.
+    pub fn label_by_place(self) -> String {
+        layout::sign_at(self).map_or_else(|| tr(&self.sign()).to_owned(), on_key)
     }
 
     fn sign(self) -> String {
@@ -68,17 +134,7 @@ impl Key {
             Self::PageUp => "Page Up".into(),
             Self::PageDown => "Page Down".into(),
             Self::Control => "Ctrl".into(),
-            Self::Apostrophe => "'".into(),
-            Self::Comma => ",".into(),
-            Self::Minus => "-".into(),
-            Self::Period => ".".into(),
-            Self::Slash => "/".into(),
-            Self::Semicolon => ";".into(),
-            Self::Equal => "=".into(),
-            Self::LeftBracket => "[".into(),
-            Self::RightBracket => "]".into(),
-            Self::Backslash => "\\".into(),
-            Self::GraveAccent => "`".into(),
+            Self::Sign(sign) => on_key(sign),
             Self::KpAdd => "Num +".into(),
             Self::KpSubtract => "Num -".into(),
             Self::PadL1 => "left shoulder".into(),
@@ -86,6 +142,9 @@ impl Key {
             Self::PadL2 => "left trigger".into(),
             Self::PadR2 => "right trigger".into(),
             other => {
+                if let Some((_, sign)) = Self::SIGNS.iter().find(|(key, _)| *key == other) {
+                    return sign.to_string();
+                }
                 let name = other.to_string();
                 let of = |start: &str, words: &str| name.strip_prefix(start).map(|rest| format!("{words}{rest}"));
                 of("Key", "").or_else(|| of("Kp", "Num ")).or_else(|| of("Pad", "Pad ")).unwrap_or(name)
@@ -94,7 +153,7 @@ impl Key {
     }
 
     pub fn is_pad(self) -> bool {
-        self as u8 >= Self::PadUp as u8
+        self.bit() >= Self::PadUp.bit()
     }
 
     /// The gamepad's button with the same effect in menus.
@@ -116,34 +175,104 @@ impl Key {
 /// The name in the settings' file.
 impl fmt::Display for Key {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Debug::fmt(self, f)
+        match self {
+            Self::Sign(sign) => fmt::Display::fmt(sign, f),
+            key => fmt::Debug::fmt(key, f),
+        }
     }
 }
 
+/// As it stands on a key.
+fn on_key(sign: char) -> String {
+    let mut capital = sign.to_uppercase();
+    match (capital.next(), capital.next()) {
+        (Some(one), None) => one.to_string(),
+        _ => sign.to_string(),
+    }
+}
+
+/// The most keys of a set that have no name.
+const SIGNS: usize = 4;
+
+/// Keys by what they type in the player's layout, and by their places, named after the keys of the US layout there.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Keys(u128);
+pub struct Keys {
+    typed: u128,
+    places: u128,
+    /// Those without a name; `\0` where there is none.
+    signs: [char; SIGNS],
+}
+
+fn bit(key: Key) -> u128 {
+    key.bit().map_or(0, |bit| 1 << bit)
+}
 
 impl Keys {
-    pub const fn has(self, key: Key) -> bool {
-        self.0 & (1 << key as u32) != 0
+    /// Whether a key is among them by what it types.
+    pub fn has(self, key: Key) -> bool {
+        match key {
+            Key::Sign(sign) => self.signs.contains(&sign),
+            key => self.typed & bit(key) != 0,
+        }
     }
 
-    pub const fn is_empty(self) -> bool {
-        self.0 == 0
+    /// Whether a key is among them by its place.
+    pub fn has_place(self, key: Key) -> bool {
+        match key {
+            Key::Sign(_) => self.has(key),
+            key => self.places & bit(key) != 0,
+        }
     }
 
-    pub const fn add(&mut self, key: Key) {
-        self.0 |= 1 << key as u32;
+    pub fn is_empty(self) -> bool {
+        self == Self::default()
+    }
+
+    /// A key of the US layout.
+    pub fn add(&mut self, key: Key) {
+        self.add_typed(key);
+        self.add_place(key);
+    }
+
+    pub fn add_typed(&mut self, key: Key) {
+        self.typed |= bit(key);
+        if let (Key::Sign(sign), false) = (key, self.has(key))
+            && let Some(free) = self.signs.iter_mut().find(|known| **known == '\0')
+        {
+            *free = sign;
+        }
+    }
+
+    pub fn add_place(&mut self, key: Key) {
+        self.places |= bit(key);
     }
 
     #[must_use]
-    pub const fn less(self, others: Self) -> Self {
-        Self(self.0 & !others.0)
+    pub fn less(self, others: Self) -> Self {
+        let signs = self.signs.map(|sign| if others.signs.contains(&sign) { '\0' } else { sign });
+        Self { typed: self.typed & !others.typed, places: self.places & !others.places, signs }
     }
 
     #[must_use]
-    pub const fn without(self, key: Key) -> Self {
-        Self(self.0 & !(1 << key as u32))
+    pub fn without(self, key: Key) -> Self {
+        self.less([key].into_iter().collect())
+    }
+
+    /// Those that type neither a letter nor a space.
+    pub fn signs(self) -> impl Iterator<Item = Key> {
+        let named = Key::SIGNS.into_iter().map(|(key, _)| key).filter(move |key| self.has(*key));
+        named.chain(self.signs.into_iter().filter(|sign| *sign != '\0').map(Key::Sign))
+    }
+
+    /// Those with a name, by what they type.
+    pub fn named(self) -> impl Iterator<Item = Key> {
+        Key::ALL.iter().copied().filter(move |key| self.has(*key))
+    }
+
+    /// One of the keyboard: by its place, or by what it types, with a name if one has it.
+    pub fn first(self, by_place: bool) -> Option<Key> {
+        let named = Key::ALL.iter().copied().filter(|key| !key.is_pad());
+        named.chain(self.signs()).find(|key| if by_place { self.has_place(*key) } else { self.has(*key) })
     }
 }
 
@@ -151,7 +280,9 @@ impl std::ops::BitOr for Keys {
     type Output = Self;
 
     fn bitor(self, other: Self) -> Self {
-        Self(self.0 | other.0)
+        let mut both = Self { typed: self.typed | other.typed, places: self.places | other.places, ..self };
+        other.signs().for_each(|sign| both.add_typed(sign));
+        both
     }
 }
 
@@ -163,206 +294,46 @@ impl FromIterator<Key> for Keys {
     }
 }
 
-struct About {
-    setting: &'static str,
-    label: &'static str,
-    does: &'static str,
-    /// At first, up to two.
-    keys: &'static [Key],
-    pads: &'static [Key],
-}
-
-/// The list of actions: row in the settings' file, label, sentence in docs/playing.md, first keys and gamepad buttons.
-macro_rules! actions {
-    ($($name:ident $setting:literal $label:literal $does:literal [$($key:ident)*] [$($pad:ident)*];)*) => {
-        /// Of a key in flight.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        #[repr(u8)]
-        pub enum Action {
-            $(#[doc = $does] $name,)*
-        }
-
-        const ACTIONS: usize = [$($setting),*].len();
-
-        impl Action {
-            /// In the order of the settings.
-            pub const ALL: [Self; ACTIONS] = [$(Self::$name),*];
-        }
-
-        static ABOUT: [About; ACTIONS] = [
-            $(About { setting: $setting, label: $label, does: $does, keys: &[$(Key::$key),*], pads: &[$(Key::$pad),*] },)*
-        ];
-    };
-}
-
-actions! {
-    Thrust "key_thrust" "Thrust" "thrusts along the ship's nose" [Space W] [PadR2 PadA];
-    Reverse "key_reverse" "Reverse thrust" "thrusts backwards" [Shift S] [PadL2 PadB];
-    Left "key_left" "Turn left" "turns the ship anticlockwise" [Left A] [PadLeft];
-    Right "key_right" "Turn right" "turns the ship clockwise" [Right D] [PadRight];
-    Restart "key_restart" "Restart level" "restarts the level" [R] [PadY];
-    Rewind "key_rewind" "Rewind" "flies backwards while it is held; from there the flight goes on as practice" [Backspace] [PadL1];
-    Details "key_details" "Show forces" "opens and closes the details: the forces and impacts on everything" [Tab] [PadX PadSelect];
-    Hitboxes "key_hitboxes" "Hitboxes, costs" "shows hitboxes, frames a second and the cost of a tick" [F3] [];
-    Pause "key_pause" "Pause" "pauses; in menus Esc and B go back" [Escape P] [PadStart];
-    Fit "key_fit" "Fit the view" "fits everything that moves into the view; again: follows the ship" [F] [];
-    Map "key_map" "Whole map" "shows the whole level while it is held" [M] [PadR1];
-    Closer "key_closer" "Zoom in" "zooms in, as the wheel does; with Ctrl: longer arrows" [Equal KpAdd] [];
-    Wider "key_wider" "Zoom out" "zooms out; with Ctrl: shorter arrows" [Minus KpSubtract] [];
-    Next "key_next" "Next body" "shows the details of the next body" [N] [];
-    Freeze "key_freeze" "Freeze" "freezes the world, or lets it go on" [B] [];
-    TickOn "key_tick_on" "One tick on" "takes the frozen world one tick on" [Period] [];
-    TickBack "key_tick_back" "One tick back" "takes the frozen world one tick back" [Comma] [];
-    Slower "key_slower" "Slower" "slows the world down" [LeftBracket] [];
-    Faster "key_faster" "Faster" "speeds the world up" [RightBracket] [];
-    Instruments "key_instruments" "Instruments" "opens and closes the instruments" [I] [];
-}
-
-/// The actions that fly come first.
-const FLYING: usize = Action::Pause as usize + 1;
-
-impl Action {
-    /// The name in the settings' file.
-    pub const fn setting(self) -> &'static str {
-        self.about().setting
-    }
-
-    pub const fn label(self) -> &'static str {
-        self.about().label
-    }
-
-    /// A sentence without its subject, the key.
-    pub const fn does(self) -> &'static str {
-        self.about().does
-    }
-
-    /// Triggers thrust, the stick and the cross turn.
-    pub const fn pads(self) -> &'static [Key] {
-        self.about().pads
-    }
-
-    const fn flies(self) -> bool {
-        (self as usize) < FLYING
-    }
-
-    const fn about(self) -> &'static About {
-        &ABOUT[self as usize]
-    }
-}
-
-/// Up to two keys an action.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Bindings([[Option<Key>; 2]; ACTIONS]);
-
-impl Default for Bindings {
-    fn default() -> Self {
-        Self(Action::ALL.map(|action| [0, 1].map(|slot| action.about().keys.get(slot).copied())))
-    }
-}
-
-impl Bindings {
-    pub const fn of(&self, action: Action) -> [Option<Key>; 2] {
-        self.0[action as usize]
-    }
-
-    pub const fn set(&mut self, action: Action, keys: [Option<Key>; 2]) {
-        self.0[action as usize] = keys;
-    }
-
-    /// Whether one of these keys does it. Esc always pauses too, so that no player is locked in. A key that flies does nothing
-    /// else.
-    pub fn does(&self, action: Action, keys: Keys) -> bool {
-        let escapes = action == Action::Pause && keys.has(Key::Escape);
-        let own = self.of(action).into_iter().flatten().filter(|key| action.flies() || !self.flies(*key));
-        escapes || own.chain(action.pads().iter().copied()).any(|key| keys.has(key))
-    }
-
-    fn flies(&self, key: Key) -> bool {
-        self.0[..FLYING].iter().flatten().any(|known| *known == Some(key))
-    }
-
-    /// Another action of the same key.
-    pub fn conflict(&self, action: Action, key: Key) -> Option<Action> {
-        Action::ALL.into_iter().find(|other| *other != action && self.of(*other).contains(&Some(key)))
-    }
-
-    /// `Space or W`.
-    pub fn label(&self, action: Action) -> String {
-        let labels: Vec<String> = self.of(action).into_iter().flatten().map(Key::label).collect();
-        if labels.is_empty() { tr("no key").to_owned() } else { labels.join(&format!(" {} ", tr("or"))) }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn every_key_has_a_bit_and_a_name_of_its_own() {
-        assert!(Key::ALL.len() < 128);
+        assert!(Key::ALL.len() <= 128);
         for (i, key) in Key::ALL.iter().enumerate() {
-            assert_eq!(*key as usize, i, "{key} stands where its bit is");
+            assert_eq!(key.bit(), Some(i as u32), "{key} stands where its bit is");
             assert_eq!(Key::named(&key.to_string().to_lowercase()), Some(*key));
             assert!(!key.label().is_empty());
         }
     }
 
     #[test]
-    fn both_hands_fly_from_the_start() {
-        let bindings = Bindings::default();
-        let does = |action, key: Key| bindings.does(action, [key].into_iter().collect());
-        for (action, keys) in [
-            (Action::Thrust, [Key::Space, Key::W, Key::PadR2]),
-            (Action::Reverse, [Key::Shift, Key::S, Key::PadL2]),
-            (Action::Left, [Key::Left, Key::A, Key::PadLeft]),
-            (Action::Right, [Key::Right, Key::D, Key::PadRight]),
+    fn a_key_is_named_by_what_it_types() {
+        for (typed, key, label) in [
+            ("ö", Key::Sign('ö'), "Ö"),
+            ("É", Key::Sign('é'), "É"),
+            ("ß", Key::Sign('ß'), "ß"),
+            ("+", Key::Equal, "+"),
+            (".", Key::Period, "."),
+            ("#", Key::Sign('#'), "#"),
         ] {
-            for key in keys {
-                assert!(does(action, key), "{action:?} by {key}");
-                let others = Action::ALL.into_iter().filter(|other| does(*other, key)).count();
-                assert_eq!(others, 1, "{key} does one thing");
-            }
+            assert_eq!(Key::named(typed), Some(key));
+            assert_eq!(Key::named(&key.to_string()), Some(key));
+            assert_eq!(key.label(), label);
         }
+        assert_eq!([" ", "\u{8}", "öö", ""].map(Key::named), [None; 4]);
     }
 
     #[test]
-    fn a_key_that_flies_does_not_look_on_as_well() {
-        let mut bindings = Bindings::default();
-        let f = || [Key::F].into_iter().collect();
-        assert!(bindings.does(Action::Fit, f()));
-        bindings.set(Action::Thrust, [Some(Key::F), None]);
-        assert!(bindings.does(Action::Thrust, f()) && !bindings.does(Action::Fit, f()));
-        bindings.set(Action::Fit, [Some(Key::V), None]);
-        assert!(bindings.does(Action::Fit, [Key::V].into_iter().collect()));
-    }
-
-    /// `UPDATE_DOCS=1 cargo test --lib settings::keys` writes the table.
-    #[test]
-    fn the_page_about_playing_lists_every_key() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/playing.md");
-        let head = "| key | gamepad | does |\n|---|---|---|\n";
-        let row = |action: Action| {
-            let pads: Vec<String> = action.pads().iter().map(|pad| pad.label()).collect();
-            format!("| {} | {} | {} |\n", Bindings::default().label(action), pads.join(", "), action.does())
-        };
-        let table = head.to_owned() + &Action::ALL.map(row).concat();
-        let page = std::fs::read_to_string(path).unwrap().replace("\r\n", "\n");
-        if std::env::var_os("UPDATE_DOCS").is_some() {
-            let (before, rest) = page.split_once(head).unwrap();
-            let (_, after) = rest.split_once("| wheel |").unwrap();
-            return std::fs::write(path, format!("{before}{table}| wheel |{after}")).unwrap();
-        }
-        assert!(page.contains(&table), "docs/playing.md is stale; expected\n{table}");
-    }
-
-    #[test]
-    fn esc_always_pauses_and_conflicts_are_told() {
-        let mut bindings = Bindings::default();
-        bindings.set(Action::Pause, [None, None]);
-        assert!(bindings.does(Action::Pause, [Key::Escape].into_iter().collect()));
-        bindings.set(Action::Details, [Some(Key::W), None]);
-        assert_eq!(bindings.conflict(Action::Details, Key::W), Some(Action::Thrust));
-        assert_eq!(bindings.conflict(Action::Thrust, Key::Space), None);
-        assert_eq!(bindings.label(Action::Pause), "no key");
+    fn a_set_holds_signs_as_well() {
+        let (mut keys, other) = (Keys::default(), [Key::Sign('ß'), Key::Z].into_iter().collect());
+        keys.add_typed(Key::Sign('ö'));
+        keys.add_place(Key::Semicolon);
+        assert!(keys.has(Key::Sign('ö')) && keys.has_place(Key::Semicolon) && !keys.has(Key::Semicolon));
+        let both = keys | other;
+        assert!(both.has(Key::Sign('ß')) && both.has(Key::Z) && both.has_place(Key::Z) && both.less(other) == keys);
+        assert!(both.without(Key::Sign('ö')).without(Key::Semicolon) == other && keys.less(both).is_empty());
+        assert_eq!((keys.first(true), keys.first(false)), (Some(Key::Semicolon), Some(Key::Sign('ö'))));
     }
 }

@@ -1,13 +1,16 @@
 //! The player's settings: keys, volumes, picture and assists. [`Settings`] holds the values, [`Item`] is one of them in the list,
-//! [`mod@file`] is `settings.csv`.
+//! [`mod@file`] is `settings.csv`, [`layout`] is what the player's keyboard types.
 
+mod bindings;
 pub mod file;
 mod item;
 mod keys;
+pub mod layout;
 mod values;
 
+pub use bindings::{Action, Bindings};
 pub use item::Item;
 #[cfg(feature = "window")]
 pub(crate) use keys::plain_keys;
-pub use keys::{Action, Bindings, Key, Keys};
+pub use keys::{Key, Keys};
 pub use values::{Assists, Palette, Settings};

@@ -1,4 +1,4 @@
-use super::keys::Bindings;
+use super::Bindings;
 use crate::words::Language;
 
 /// Colours with a meaning.

@@ -183,17 +183,43 @@ fn has(keys: Keys, key: Key) -> bool {
     keys.has(key) || key.on_pad().is_some_and(|pad| keys.has(pad))
 }
 
+/// Keys that something else has been given: they count once they were released.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Stale {
+    keys: Keys,
+    /// In the last frame.
+    held: Keys,
+}
+
+impl Stale {
+    /// What is held now does not count.
+    pub fn all(self) -> Self {
+        Self { keys: self.keys | self.held, ..self }
+    }
+
+    /// Takes what is held in this frame, of which `given` is not given to others; returns what counts of it.
+    pub fn sift(&mut self, input: &Input, given: Keys) -> Keys {
+        let stale = self.keys | input.held.less(given);
+        // The keys of both.
+        self.keys = stale.less(stale.less(input.held)).less(input.pressed);
+        self.held = input.held;
+        given.less(self.keys)
+    }
+}
+
 /// Keeps presses until a tick takes them: a press shorter than a frame is not lost in a frame without a tick, and does not repeat
-/// in a frame with two.
+/// in a frame with two. What is held at its beginning counts once it was released.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct KeyLatch {
     held: Keys,
     pressed: Keys,
+    stale: Option<Stale>,
 }
 
 impl KeyLatch {
     pub fn frame(&mut self, input: &Input) {
-        self.held = input.held;
+        let stale = self.stale.get_or_insert(Stale { keys: input.held, held: input.held });
+        self.held = stale.sift(input, input.held);
         self.pressed = self.pressed | input.pressed;
     }
 

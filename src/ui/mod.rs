@@ -4,8 +4,10 @@
 //! A frame runs the function twice or more. The first pass acts: it sees presses, and its picture is dropped. The passes after it
 //! show: without presses and without time; the last one is the picture. Labels identify widgets; [`Memory`] keeps their state.
 
+mod compose;
 mod entry;
 pub mod input;
+pub mod keyboard;
 mod memory;
 pub mod scroll;
 mod slider;

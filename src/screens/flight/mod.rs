@@ -3,6 +3,7 @@
 mod attempt;
 mod ending;
 mod hints;
+mod modifiers;
 mod news;
 mod pause;
 mod pilot;
@@ -21,12 +22,13 @@ use super::instruments::{Instruments, Stage};
 use super::observer::Observer;
 use super::race::Race;
 use super::scene::GameScene;
-use super::{Input, Key, Motion, Request, Screen, SettingsPanel};
+use super::{Input, Key, Keys, Motion, Request, Screen, SettingsPanel};
 use crate::draw::layout::Frame;
 use crate::game::{Clock, Game, GameError, History, Medals, Outcome};
 use crate::level::Level;
 use crate::physics::{BodyId, DVec2};
 use crate::settings::{Action, Settings};
+use crate::ui::input::Stale;
 use crate::ui::{Spectator, Ui};
 use crate::view::Overlays;
 use crate::view::focus::Focus;
@@ -34,6 +36,7 @@ use crate::view::hud::HudShown;
 pub use attempt::{Attempt, Flown};
 use ending::{END_PAUSE, Lost};
 use hints::Hints;
+use modifiers::Modifiers;
 use news::News;
 use pilot::Pilot;
 use rewind::Rewind;
@@ -49,6 +52,9 @@ pub struct Flight {
     game: Game,
     clock: Clock,
     pilot: Pilot,
+    /// The keys that a panel or the attempt before was given.
+    stale: Stale,
+    modifiers: Modifiers,
     /// All flown ticks, which may go beyond the moment on the screen.
     history: History,
     /// The ghosts.
@@ -88,7 +94,9 @@ pub struct Flight {
 impl Screen for Flight {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         self.age_news(ui.input().frame_time);
-        let rest = self.show_instruments(ui);
+        let mut rest = self.show_instruments(ui);
+        let given = if self.pause.is_some() { Keys::default() } else { rest.held };
+        rest.held = self.stale.sift(ui.input(), given);
         let request = match &self.pilot {
             Pilot::Reel(_) => self.show_reel(ui, &rest),
             _ if self.pause.is_some() => None,
@@ -206,6 +214,8 @@ impl Flight {
             history: History::new(&game),
             game,
             pilot,
+            stale: Stale::default(),
+            modifiers: Modifiers::default(),
             race: None,
             pause: None,
             settings: None,
@@ -255,7 +265,7 @@ impl Flight {
             return if self.what_if.is_some() { self.end_what_if(input) } else { self.wait_for_score(input) };
         }
         if input.acts(Action::Pause) {
-            self.pilot.let_go();
+            self.let_go();
             self.pause = Some(pause::RESUME);
             return None;
         }

@@ -2,6 +2,7 @@
 
 use super::Flight;
 use super::attempt::Attempt;
+use super::modifiers::Modifiers;
 use super::viewer::Viewer;
 use crate::game::{Controls, Inputs, Latch, Outcome, Playback};
 use crate::screens::{Input, Spectator};
@@ -33,8 +34,7 @@ impl Pilot {
         }
     }
 
-    /// Forgets the keys that no tick has taken.
-    pub fn let_go(&mut self) {
+    fn let_go(&mut self) {
         if let Self::Hands(latch) = self {
             latch.clear();
         }
@@ -72,6 +72,7 @@ pub(super) fn steers(input: &Input) -> bool {
 impl Flight {
     /// Flies the ticks of a frame, unless the world stands still.
     pub(super) fn fly(&mut self, input: &Input, spectator: &mut dyn Spectator) {
+        let input = &self.modifiers.flying(input, self.game.is_idle());
         self.pilot.follow(held(input), pressed(input));
         let (assists, by_hand) = (input.settings.assists, self.is_by_hand());
         self.assisted |= by_hand && (assists.any() || self.observer.pace() != 1.0);
@@ -153,6 +154,12 @@ impl Flight {
             *playback = Inputs::clone(inputs).into_iter();
             playback.by_ref().take(tick as usize).for_each(drop);
         }
+    }
+
+    /// Forgets the keys that no tick has taken.
+    pub(super) fn let_go(&mut self) {
+        self.pilot.let_go();
+        self.modifiers = Modifiers::default();
     }
 
     /// Whether the player's keys fly.

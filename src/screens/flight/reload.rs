@@ -25,6 +25,7 @@ impl Flight {
             fresh.race = self.race.take().map(Race::again);
         }
         *self = Self {
+            stale: self.stale.all(),
             details: self.details,
             hitboxes: self.hitboxes,
             observer: self.observer,

@@ -29,7 +29,7 @@ impl Flight {
         let held = self.rewind.held.unwrap_or(0.0) + input.frame_time;
         self.rewind = Rewind { practice: true, held: Some(held) };
         self.assisted = true;
-        self.pilot.let_go();
+        self.let_go();
         self.clock.add(input.frame_time * (PACES[0] + GROWTH * held).min(PACES[1]));
         let back = std::iter::from_fn(|| self.clock.tick().then_some(())).count() as u64;
         if back > 0 {

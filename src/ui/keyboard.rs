@@ -1,0 +1,160 @@
+//! The keyboard: from single presses to the keys of a frame, without a window.
+
+use super::compose::Compose;
+pub use super::compose::alone;
+use super::input::{Input, Keyed};
+use crate::settings::{Key, Keys, layout};
+
+/// A key that goes down.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct KeyDown {
+    /// Whatever tells it from others until it goes up.
+    pub id: u32,
+    /// Named after the key of the US layout there.
+    pub place: Option<Key>,
+    /// What it types; a combining mark for a dead key.
+    pub typed: Option<char>,
+    /// What it types without Shift and the like.
+    pub plain: Option<char>,
+    /// The keyboard repeats it.
+    pub repeat: bool,
+    /// Of Shift, Control and Alt, the keys that are down.
+    pub held: Keys,
+}
+
+#[derive(Debug, Default)]
+pub struct Keyboard {
+    down: Vec<(u32, Keys)>,
+    /// Keys that were down as the window got the focus: they count once they were released.
+    stale: Vec<u32>,
+    pressed: Keys,
+    /// In the last frame.
+    held: Keys,
+    /// The modifiers of the presses: Ctrl and S count where both were released before the frame.
+    modifiers: Keys,
+    typed: String,
+    keyed: Vec<Keyed>,
+    compose: Compose,
+}
+
+impl Keyboard {
+    pub fn down(&mut self, key: KeyDown) {
+        if self.stale.contains(&key.id) {
+            return;
+        }
+        let key = if key.held.has(Key::Alt) { KeyDown { held: key.held.without(Key::Control), ..key } } else { key };
+        let known = self.down.iter().any(|(id, _)| *id == key.id);
+        if key.repeat && !known {
+            return;
+        }
+        if !known {
+            let keys = keys_of(&key);
+            self.down.push((key.id, keys));
+            self.pressed = self.pressed | keys;
+            self.modifiers = self.modifiers | key.held;
+            let after = self.typed.chars().count();
+            self.keyed.extend(keys.named().map(|one| Keyed { key: one, after, held: key.held }));
+        }
+        match key.typed {
+            Some(sign) if types(key.held) => self.compose(sign),
+            None if key.place.is_some_and(|place| !is_modifier(place)) => self.compose.clear(),
+            _ => {}
+        }
+    }
+
+    fn compose(&mut self, sign: char) {
+        let typed = self.compose.take(sign);
+        self.typed.extend(typed.chars().filter(|sign| !sign.is_control()));
+    }
+
+    /// A character comes by itself, after its key went down or before that.
+    pub fn typed(&mut self, sign: char, held: Keys) {
+        if types(held) {
+            self.compose(sign);
+        }
+    }
+
+    /// What the key that went down last has typed, where that is told after it.
+    pub fn typed_by_last(&mut self, sign: char) {
+        // Ctrl and a letter come as a control character.
+        let letter = sign as u32;
+        let sign = if (1..=26).contains(&letter) { char::from_u32(letter + 0x60).unwrap_or(sign) } else { sign };
+        let (Some((_, keys)), Some(key)) = (self.down.last_mut(), Key::typing(sign)) else { return };
+        if !keys.has(key) && !keys.named().any(|key| !layout::prints(key)) {
+            keys.add_typed(key);
+            self.pressed.add_typed(key);
+            let (after, held) = self.keyed.last().map_or((0, Keys::default()), |keyed| (keyed.after, keyed.held));
+            self.keyed.extend((!matches!(key, Key::Sign(_))).then_some(Keyed { key, after, held }));
+        }
+    }
+
+    pub fn up(&mut self, id: u32) {
+        self.down.retain(|(known, _)| *known != id);
+        self.stale.retain(|known| *known != id);
+    }
+
+    /// The window has lost the keyboard: whatever happens to the keys now is not told.
+    pub fn leave(&mut self) {
+        self.down.clear();
+        self.stale.clear();
+        self.compose.clear();
+    }
+
+    /// The window has the keyboard again, while these keys are down.
+    pub fn come_back(&mut self, down: impl IntoIterator<Item = u32>) {
+        self.leave();
+        self.stale.extend(down);
+    }
+
+    /// The keys since the last frame.
+    pub fn take(&mut self) -> Input {
+        let down = self.down.iter().fold(Keys::default(), |all, (_, keys)| all | *keys);
+        let known = std::mem::replace(&mut self.held, down) | self.pressed;
+        let modifiers = std::mem::take(&mut self.modifiers);
+        let held = down | modifiers.less(modifiers.less(known));
+        // Windows tells AltGr as both.
+        let held = if held.has(Key::Alt) { held.without(Key::Control) } else { held };
+        Input {
+            pressed: std::mem::take(&mut self.pressed),
+            held,
+            typed: std::mem::take(&mut self.typed),
+            keyed: std::mem::take(&mut self.keyed),
+            ..Input::default()
+        }
+    }
+}
+
+fn is_modifier(key: Key) -> bool {
+    matches!(key, Key::Shift | Key::Control | Key::Alt)
+}
+
+/// Whether characters are typed with these modifiers: Ctrl with Alt is AltGr.
+fn types(held: Keys) -> bool {
+    !held.has(Key::Control) || held.has(Key::Alt)
+}
+
+/// What a key counts as: its place, and what it types with the modifiers that are down and without. A letter key of a layout without
+/// Latin letters is that of its place.
+fn keys_of(key: &KeyDown) -> Keys {
+    let mut keys = Keys::default();
+    if let Some(place) = key.place.filter(|place| !layout::prints(*place)) {
+        keys.add(place);
+        return keys;
+    }
+    let signs = [key.typed, key.plain].into_iter().flatten().map(alone).filter_map(Key::typing);
+    signs.for_each(|sign| keys.add_typed(sign));
+    if let Some(place) = key.place {
+        keys.add_place(place);
+        if let Some(plain) = key.plain {
+            layout::note(place, alone(plain));
+        }
+        let foreign = keys.named().next().is_none() && key.plain.is_none_or(char::is_alphabetic);
+        if foreign && place.is_letter() {
+            keys.add_typed(place);
+        }
+    }
+    keys
+}
+
+#[cfg(test)]
+mod tests;
