@@ -20,7 +20,7 @@ const CRATES: [(&str, &str); 19] = [
     ("epaint_default_fonts and ttf-parser: typefaces", "MIT or Apache 2.0"),
     ("macroquad and miniquad: window, keys, drawing", "MIT or Apache 2.0"),
     ("gilrs: gamepads", "MIT or Apache 2.0"),
-    ("libloading: finds the sound system of Linux", "ISC"),
+    ("libloading: finds the sound system and the keyboard of Linux", "ISC"),
     ("cpal: sound on Windows and macOS", "Apache 2.0"),
     ("glam: vectors", "MIT or Apache 2.0"),
     ("serde: rows of files as structs", "MIT or Apache 2.0"),

@@ -304,10 +304,14 @@ mod drawing {
                 Vec2::new(right, 84.0),
                 Style::new(HEADING, theme::text()).mono().right().middle(),
             );
-            let keys: &[(&str, usize)] = if self.is_of_two() {
-                &[(tr("1: A D walk, W jumps"), 0), (tr("2: ← → walk, ↑ jumps"), 1)]
+            let [left, right_key, jump] = [Key::A, Key::D, Key::W].map(Key::label_by_place);
+            let keys = if self.is_of_two() {
+                [
+                    (tr!("1: {left} {right} walk, {jump} jumps", left, right = right_key, jump), 0),
+                    (tr("2: ← → walk, ↑ jumps").to_owned(), 1),
+                ]
             } else {
-                &[(tr("A D or ← → walk"), 0), (tr("W, ↑ or Space jumps"), 0)]
+                [(tr!("{left} {right} or ← → walk", left, right = right_key), 0), (tr!("{jump}, ↑ or Space jumps", jump), 0)]
             };
             for (line, (words, player)) in keys.iter().enumerate() {
                 let at = Vec2::new(right, 152.0 + 28.0 * line as f32);

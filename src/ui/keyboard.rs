@@ -14,6 +14,8 @@ pub struct KeyDown {
     pub place: Option<Key>,
     /// What it types; a combining mark for a dead key.
     pub typed: Option<char>,
+    /// What it types comes by itself.
+    pub silent: bool,
     /// What it types without Shift and the like.
     pub plain: Option<char>,
     /// The keyboard repeats it.
@@ -56,7 +58,7 @@ impl Keyboard {
             self.keyed.extend(keys.named().map(|one| Keyed { key: one, after, held: key.held }));
         }
         match key.typed {
-            Some(sign) if types(key.held) => self.compose(sign),
+            Some(sign) if types(key.held) && !key.silent => self.compose(sign),
             None if key.place.is_some_and(|place| !is_modifier(place)) => self.compose.clear(),
             _ => {}
         }
@@ -122,6 +124,25 @@ impl Keyboard {
             ..Input::default()
         }
     }
+}
+
+/// The place that a browser calls so: `KeyA`, `Digit1`, `BracketLeft`.
+pub fn place_of_code(code: &str) -> Option<Key> {
+    let named = match code {
+        "ArrowUp" | "ArrowDown" | "ArrowLeft" | "ArrowRight" => &code[5..],
+        "ShiftLeft" | "ShiftRight" => "Shift",
+        "ControlLeft" | "ControlRight" | "MetaLeft" | "MetaRight" => "Control",
+        "AltLeft" | "AltRight" => "Alt",
+        "BracketLeft" => "LeftBracket",
+        "BracketRight" => "RightBracket",
+        "Quote" => "Apostrophe",
+        "Backquote" => "GraveAccent",
+        "NumpadEnter" => "Enter",
+        _ => code.strip_prefix("Key").filter(|rest| rest.len() == 1).unwrap_or(code),
+    };
+    let numbered = |start: &str, name: &str| Some(format!("{name}{}", named.strip_prefix(start)?));
+    let name = numbered("Digit", "Key").or_else(|| numbered("Numpad", "Kp")).unwrap_or_else(|| named.to_owned());
+    Key::ALL.iter().copied().find(|key| key.to_string() == name)
 }
 
 fn is_modifier(key: Key) -> bool {

@@ -8,12 +8,14 @@
 mod clock;
 mod everything;
 mod keeper;
+mod keys;
 mod sound;
 mod verify;
 
 pub use clock::Instant;
 pub use everything::{delete, export, import, is_export};
 pub use keeper::storage;
+pub use keys::drain as drain_keys;
 pub use sound::Output;
 pub use verify::verify;
 
@@ -143,7 +145,7 @@ pub fn end_frame(rest: f64) {
 /// The script's version, so that a page with an old script says so.
 #[unsafe(no_mangle)]
 pub extern "C" fn resultant_crate_version() -> u32 {
-    3
+    4
 }
 
 #[unsafe(no_mangle)]

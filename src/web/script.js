@@ -141,6 +141,32 @@
   };
   for (const news of ["keydown", "keyup", "pointerdown", "pointerup", "wheel", "paste", "drop"]) window.addEventListener(news, () => { next = 0; }, true);
 
+  // Keys go by their places and by what they type; the loader knows places of the US layout alone. What a browser does with a key of its own is
+  // prevented where the game has the key: scrolling, going back, searching.
+  const OWN = /^(Space|Tab|Backspace|Arrow(Up|Down|Left|Right)|F([1-9]|1[01]))$/, SEARCH = ["'", "/"];
+  function takeKeys() {
+    const told = (call, code, ...rest) => {
+      const bytes = encoded(code), to = wasm_exports.resultant_room(bytes.length);
+      bytesAt(to, bytes.length).set(bytes);
+      wasm_exports[call](to, bytes.length, ...rest);
+    };
+    const sign = (key) => [...key].length === 1 ? key.codePointAt(0) : 0;
+    canvas.onkeydown = (event) => {
+      const { code, key, shiftKey, ctrlKey, metaKey, altKey, repeat } = event;
+      const third = altKey || event.getModifierState("AltGraph"), lock = event.getModifierState("CapsLock");
+      const prevents = OWN.test(code) || SEARCH.includes(key);
+      if (prevents || ctrlKey && code === "KeyS") event.preventDefault();
+      told("resultant_key_down", code, sign(key), shiftKey | (ctrlKey || metaKey) << 1 | third << 2 | repeat << 3 | lock << 4);
+      if (prevents && sign(key)) wasm_exports.resultant_key_types(sign(key));
+    };
+    canvas.onkeyup = ({ code }) => told("resultant_key_up", code);
+    canvas.onkeypress = ({ charCode, ctrlKey, metaKey, altKey }) => {
+      if (!(ctrlKey && !altKey || metaKey)) wasm_exports.resultant_key_types(charCode);
+    };
+    canvas.onblur = () => wasm_exports.resultant_keys_leave();
+    navigator.keyboard?.getLayoutMap?.().then((map) => map.forEach((key, code) => told("resultant_key_sign", code, sign(key)))).catch(() => {});
+  }
+
   const fit = () => resize(canvas, wasm_exports.resize);
   let ratio = devicePixelRatio;
   let link = location.hash.slice(1), lastLink = "";
@@ -148,7 +174,7 @@
 
   miniquad_add_plugin({
     name: "resultant",
-    version: 3,
+    version: 4,
     register_plugin: (imports) => {
       const loop = imports.env.run_animation_loop, setClipboard = imports.env.sapp_set_clipboard;
       const fullscreen = imports.env.sapp_set_fullscreen;
@@ -250,7 +276,7 @@
           window.addEventListener("paste", (event) => hand(event.clipboardData?.files ?? []), true);
           document.addEventListener("fullscreenchange", () => wasm_exports.resultant_fullscreen(document.fullscreenElement ? 1 : 0));
           canvas.oncontextmenu = (event) => event.preventDefault();
-          canvas.addEventListener("keydown", (event) => { if (event.code === "F11" || event.ctrlKey && event.code === "KeyS") event.preventDefault(); });
+          takeKeys();
           // The browser may change the canvas' size without a window's event: its zoom, another screen, fullscreen.
           new ResizeObserver(fit).observe(canvas);
           document.addEventListener("visibilitychange", () => {

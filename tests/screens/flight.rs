@@ -67,7 +67,7 @@ fn the_keys_are_those_of_the_controls() {
         let angle = sitting.fly("2").press(key).flight().game().ship().angle;
         assert!(angle * sign > 0.0, "{key:?} turned the ship to {angle}°");
     }
-    for (key, burning) in [(Key::Space, 1), (Key::Shift, -1)] {
+    for (key, burning) in [(Key::Space, 1), (Key::S, -1)] {
         let mut sitting = Sitting::new();
         sitting.fly("2").give(Input { held: [key].into_iter().collect(), ..Input::default() });
         assert_eq!(sitting.flight().game().ship().burning, burning, "{key:?}");

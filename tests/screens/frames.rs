@@ -125,7 +125,7 @@ fn by_ticks(level: &Level, script: &Script) -> Game {
     let mut held = Controls::default();
     let set = |controls: &mut Controls, key: Key, to: bool| match key {
         Key::Space => controls.thrust = to,
-        Key::Shift => controls.reverse = to,
+        Key::S => controls.reverse = to,
         Key::Left => controls.left = to,
         Key::Right => controls.right = to,
         other => panic!("{other:?} steers nothing"),
@@ -137,7 +137,8 @@ fn by_ticks(level: &Level, script: &Script) -> Game {
                 Edge::Down(key) => [&mut held, &mut first].into_iter().for_each(|controls| set(controls, key, true)),
                 Edge::Up(key) => [&mut held, &mut first].into_iter().for_each(|controls| set(controls, key, false)),
                 Edge::Tap(key) => set(&mut first, key, true),
-                Edge::Pause => {}
+                // What is held at a pause counts once it was released.
+                Edge::Pause => (held, first) = Default::default(),
             }
         }
         game.step(first);
@@ -155,7 +156,7 @@ fn script(seed: u64, slots: usize, pauses: bool) -> Script {
         if pauses && random.random_bool(0.2) {
             edges.push(Edge::Pause);
         }
-        for (key, often) in [(Key::Space, 0.5), (Key::Shift, 0.1), (Key::Left, 0.3), (Key::Right, 0.3)] {
+        for (key, often) in [(Key::Space, 0.5), (Key::S, 0.1), (Key::Left, 0.3), (Key::Right, 0.3)] {
             let is_held = held.contains(&key);
             if random.random_bool(if is_held { 0.5 } else { often }) {
                 edges.push(if is_held { Edge::Up(key) } else { Edge::Down(key) });

@@ -6,6 +6,7 @@ mod flight;
 mod flights;
 mod frames;
 mod instruments;
+mod keys;
 mod lab;
 mod languages;
 mod lesson;

@@ -25,6 +25,7 @@ const KEYS = {
   ArrowLeft: { key: "ArrowLeft", code: "ArrowLeft", number: 37 }, ArrowUp: { key: "ArrowUp", code: "ArrowUp", number: 38 },
   ArrowRight: { key: "ArrowRight", code: "ArrowRight", number: 39 }, ArrowDown: { key: "ArrowDown", code: "ArrowDown", number: 40 },
   F11: { key: "F11", code: "F11", number: 122 },
+  Tab: { key: "Tab", code: "Tab", number: 9 },
   Enter: { key: "Enter", code: "Enter", number: 13, text: "\r" }, Escape: { key: "Escape", code: "Escape", number: 27 },
 };
 // In the order of a record's columns.
@@ -99,6 +100,48 @@ try {
   await step(60);
   check(!await moves(), "a hidden page flies on");
   await picture("hidden");
+
+  // Keyboards of other layouts: + and − zoom as they are typed, the key at the place of W thrusts. Shift that types + starts nothing: all pictures
+  // at the same moment are the same.
+  const key = (code, text, modifiers = 0) => ({ key: text, code, number: 0, text, modifiers });
+  const shift = { key: "Shift", code: "ShiftLeft", number: 16, modifiers: 8 };
+  async function looksAfter(...chords) {
+    await begin("#play=1");
+    for (const chord of chords) {
+      for (const one of chord) { await browser.key("keyDown", one); await step(2); }
+      await step(10 - 2 * chord.length);
+      for (const one of chord.toReversed()) await browser.key("keyUp", one);
+      await step(2);
+    }
+    await step(30);
+    return looks();
+  }
+  const zooms = [];
+  for (const keys of [
+    [[key("Equal", "=")], [key("Minus", "-")], [key("Equal", "=")]],
+    [[shift, key("Equal", "+", 8)], [key("Minus", "-")], [shift, key("Equal", "+", 8)]],
+    [[key("BracketRight", "+")], [key("Slash", "-")], [key("BracketRight", "+")]],
+    [[shift, key("Equal", "+", 8)], [key("Digit6", "-")], [key("Equal", "=")]],
+  ]) zooms.push(await looksAfter(...keys));
+  await picture("zoomed");
+  const still = await looksAfter([], [], []);
+  check(zooms.every((zoomed) => zoomed === zooms[0]) && zooms[0] !== still, "+ and − are not those that are typed");
+  const thrusts = [await looksAfter([key("KeyW", "w")]), await looksAfter([key("KeyW", "z")])];
+  check(thrusts[0] === thrusts[1] && thrusts[0] !== await looksAfter([key("KeyZ", "w")]), "the place of W does not thrust");
+  console.log("zoom and thrust on keyboards of us, de and fr");
+
+  // Umlauts are set in the settings, and kept.
+  await begin();
+  await press("ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown", "Enter", "Tab", "Enter");
+  const tap = async (one) => { await browser.key("keyDown", one); await step(2); await browser.key("keyUp", one); await step(4); };
+  await tap(key("Semicolon", "ö"));
+  await press(...Array(10).fill("ArrowDown"), "Enter");
+  await tap(key("Semicolon", "ö"));
+  await picture("umlauts");
+  const set = await kept("settings.csv");
+  check(/^key_thrust,Semicolon W,$/m.test(set) && /^key_map,ö,$/m.test(set), `umlauts are not set: ${set}`);
+  await browser.ask("localStorage.clear()");
+  console.log("umlauts are set");
 
   // A link opens the level; the keys of a recorded flight fly it.
   await begin("#play=1");

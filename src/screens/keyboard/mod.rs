@@ -123,7 +123,8 @@ impl EventHandler for Events {
         }
         let place = KEYS.iter().chain(&MORE_KEYS).find(|(known, _)| *known == code).map(|(_, key)| *key);
         let (typed, repeat) = (self.before.take(), repeat && !BEFORE);
-        let key = KeyDown { id: code as u32, place, typed, plain: place.and_then(plain), repeat, held: modifiers(mods) };
+        let plain = place.and_then(plain);
+        let key = KeyDown { id: code as u32, place, typed, silent: false, plain, repeat, held: modifiers(mods) };
         self.keyboard.down(key);
         if code == KeyCode::Unknown {
             // Which of them goes up is not told.

@@ -234,7 +234,15 @@ impl System {
         };
         let modifiers = [(1, Key::Shift), (4, Key::Control), (64, Key::Control), (8, Key::Alt), (128, Key::Alt)];
         let held = modifiers.into_iter().filter(|(bit, _)| event.state & bit != 0).map(|(_, key)| key).collect::<Keys>();
-        keyboard.down(KeyDown { id: event.keycode, place, typed: self.character(keysym), plain, repeat: false, held });
+        keyboard.down(KeyDown {
+            id: event.keycode,
+            place,
+            typed: self.character(keysym),
+            plain,
+            silent: false,
+            repeat: false,
+            held,
+        });
     }
 
     fn keysym(&self, code: u8, group: c_int) -> c_ulong {

@@ -5,7 +5,7 @@ type Plain = (u32, Key, char);
 
 fn press(keyboard: &mut Keyboard, (id, place, plain): Plain, typed: char, held: &[Key]) {
     let held = held.iter().copied().collect();
-    keyboard.down(KeyDown { id, place: Some(place), typed: Some(typed), plain: Some(plain), repeat: false, held });
+    keyboard.down(KeyDown { id, place: Some(place), typed: Some(typed), plain: Some(plain), silent: false, repeat: false, held });
 }
 
 fn tap(keyboard: &mut Keyboard, key: Plain, typed: char, held: &[Key]) -> Input {
@@ -134,5 +134,27 @@ fn a_character_belongs_to_the_key_that_went_down_before_it() {
         assert!(
             input.pressed.has(key) && input.held.has(key) && input.keyed.iter().any(|keyed| keyed.key == key && keyed.held == held)
         );
+    }
+}
+
+#[test]
+fn the_places_of_a_browser_are_ours() {
+    for (code, key) in [
+        ("KeyA", Some(Key::A)),
+        ("Digit7", Some(Key::Key7)),
+        ("Numpad7", Some(Key::Kp7)),
+        ("NumpadAdd", Some(Key::KpAdd)),
+        ("NumpadEnter", Some(Key::Enter)),
+        ("ArrowLeft", Some(Key::Left)),
+        ("ShiftRight", Some(Key::Shift)),
+        ("Quote", Some(Key::Apostrophe)),
+        ("Slash", Some(Key::Slash)),
+        ("BracketRight", Some(Key::RightBracket)),
+        ("F11", Some(Key::F11)),
+        ("PageUp", Some(Key::PageUp)),
+        ("IntlBackslash", None),
+        ("", None),
+    ] {
+        assert_eq!(place_of_code(code), key, "{code}");
     }
 }

@@ -1,7 +1,7 @@
 //! The sound libraries of a Linux system, found at run time: PulseAudio's simple interface (which PipeWire offers as well), else
 //! ALSA's. Without either, or without a device, there is silence.
 //!
-//! This is the game's only unsafe code. It rests on: the types below are those of `pulse/simple.h` (PulseAudio's API 12) and
+//! Its unsafe code rests on: the types below are those of `pulse/simple.h` (PulseAudio's API 12) and
 //! `alsa/asoundlib.h` (libasound 2), compatible since 2007 and 2004, as the names `.so.0` and `.so.2` promise; a loaded library
 //! stays, so that its functions never vanish; and a device is used by the one thread that opened it.
 #![allow(unsafe_code)]

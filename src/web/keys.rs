@@ -1,0 +1,88 @@
+//! The page's keyboard: a key's place is its code, and the browser composes what it types.
+
+use crate::settings::{Key, Keys, layout};
+use crate::ui::keyboard::{KeyDown, Keyboard, place_of_code};
+use std::cell::RefCell;
+
+thread_local! {
+    static TOLD: RefCell<Vec<Told>> = const { RefCell::new(Vec::new()) };
+}
+
+enum Told {
+    /// What it types, and the modifiers: bits of Shift, Control, Alt or AltGr, then of a repetition and of Caps Lock.
+    Down(String, Option<char>, u32),
+    Up(String),
+    Types(char),
+    Sign(String, char),
+    Leave,
+}
+
+/// Hands over what the page has told.
+pub fn drain(keyboard: &mut Keyboard) {
+    for told in TOLD.take() {
+        match told {
+            Told::Down(code, typed, bits) => {
+                let place = place_of_code(&code);
+                let held: Keys = [Key::Shift, Key::Control, Key::Alt]
+                    .into_iter()
+                    .enumerate()
+                    .filter(|(i, _)| bits >> i & 1 != 0)
+                    .map(|(_, key)| key)
+                    .collect();
+                let plain = if bits & 0b1_0111 == 0 { typed } else { place.and_then(layout::sign_at) };
+                keyboard.down(KeyDown { id: id(&code), place, typed, silent: true, plain, repeat: bits & 8 != 0, held });
+            }
+            Told::Up(code) => keyboard.up(id(&code)),
+            Told::Types(sign) => keyboard.typed(sign, Keys::default()),
+            Told::Sign(code, sign) => place_of_code(&code).into_iter().for_each(|place| layout::note(place, sign)),
+            Told::Leave => keyboard.leave(),
+        }
+    }
+}
+
+/// A number for a code: FNV-1a.
+fn id(code: &str) -> u32 {
+    code.bytes().fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+}
+
+fn tell(told: Told) {
+    TOLD.with_borrow_mut(|all| all.push(told));
+}
+
+/// A code that the script hands over.
+fn text(at: *mut u8, length: usize) -> String {
+    // SAFETY: it was made by `resultant_room` with that length, and is handed over.
+    let bytes = unsafe { Box::from_raw(std::ptr::slice_from_raw_parts_mut(at, length)) };
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+fn character(sign: u32) -> Option<char> {
+    char::from_u32(sign).filter(|sign| *sign != '\0')
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn resultant_key_down(code: *mut u8, length: usize, sign: u32, bits: u32) {
+    tell(Told::Down(text(code, length), character(sign), bits));
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn resultant_key_up(code: *mut u8, length: usize) {
+    tell(Told::Up(text(code, length)));
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn resultant_key_types(sign: u32) {
+    character(sign).into_iter().for_each(|sign| tell(Told::Types(sign)));
+}
+
+/// What a key types alone.
+#[unsafe(no_mangle)]
+extern "C" fn resultant_key_sign(code: *mut u8, length: usize, sign: u32) {
+    let code = text(code, length);
+    character(sign).into_iter().for_each(|sign| tell(Told::Sign(code.clone(), sign)));
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn resultant_keys_leave() {
+    tell(Told::Leave);
+}
