@@ -213,6 +213,7 @@ mod drawing {
     use crate::classics::jumper::tower::WIDTH;
     use crate::draw::layout::{Area, HEADING, PADDING, TEXT, Vec2};
     use crate::draw::{Canvas, Colour, Style};
+    use crate::settings::Key;
     use crate::view::{theme, widgets};
     use crate::words::tr;
 
