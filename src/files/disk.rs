@@ -58,6 +58,10 @@ impl Storage for Disk {
         staged::create(path, bytes)
     }
 
+    fn put(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        File::create_new(path)?.write_all(bytes)
+    }
+
     fn append(&self, path: &Path, header: &[u8], lines: &[u8]) -> io::Result<bool> {
         let is_new = fs::symlink_metadata(path).is_err();
         let mut file = open_for_lines(path)?;

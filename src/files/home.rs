@@ -170,7 +170,7 @@ pub fn copy(from: &Path, to: &Path) -> io::Result<()> {
 /// Writes a new file of a folder that is being filled, and the folders between the two.
 pub fn put(path: &Path, bytes: &[u8]) -> io::Result<()> {
     make_folder(super::around(path))?;
-    create(path, bytes)
+    home().put(path, bytes)
 }
 
 /// As [`Storage::remove`].

@@ -129,6 +129,10 @@ impl<K: Keeper> Storage for PageFiles<K> {
         Ok(self.0.set(&key(path)?, bytes)?)
     }
 
+    fn put(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        self.create(path, bytes)
+    }
+
     fn append(&self, path: &Path, header: &[u8], lines: &[u8]) -> io::Result<bool> {
         let key = key(path)?;
         let mut bytes = self.0.get(&key)?.unwrap_or_default();

@@ -185,6 +185,10 @@ impl<H: Storage> Storage for AboveShipped<H> {
         self.home.create(path, bytes)
     }
 
+    fn put(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        self.home.put(path, bytes)
+    }
+
     fn append(&self, path: &Path, header: &[u8], lines: &[u8]) -> io::Result<bool> {
         self.home.append(path, header, lines)
     }

@@ -127,12 +127,33 @@ pub(super) fn create_folder(path: &Path, fill: &mut dyn FnMut(&Path) -> io::Resu
     });
     let (begun, _lock) = begun.unwrap_or_else(|| Err(io::ErrorKind::ResourceBusy.into()))?;
     fill(begun.path())?;
-    let folders = fs::read_dir(begun.path())?.flatten().map(|entry| entry.path()).filter(|path| path.is_dir());
-    folders.chain([begun.path().to_owned()]).for_each(|folder| sync_folder(&folder));
+    sync_below(begun.path())?;
     fs::rename(begun.path(), path)?;
     // Nothing is left to remove.
     drop(begun.keep());
     sync_folder(around);
+    Ok(())
+}
+
+/// Makes all files and folders below a folder, and their names in it, outlast a power cut. One call for the whole file system waits for the
+/// disk once, and not once a file: it writes all that was written before it, and reports what failed.
+#[cfg(target_os = "linux")]
+fn sync_below(folder: &Path) -> io::Result<()> {
+    Ok(rustix::fs::syncfs(File::open(folder)?)?)
+}
+
+#[cfg(not(target_os = "linux"))]
+fn sync_below(folder: &Path) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            sync_below(&path)?;
+        } else {
+            // Windows flushes only what may be written.
+            OpenOptions::new().read(true).write(cfg!(windows)).open(&path)?.sync_all()?;
+        }
+    }
+    sync_folder(folder);
     Ok(())
 }
 

@@ -64,6 +64,9 @@ pub trait Storage: Sync {
     /// [`io::ErrorKind::AlreadyExists`]; the home's. Nothing is left behind then.
     fn create(&self, path: &Path, bytes: &[u8]) -> io::Result<()>;
 
+    /// Writes a new file of a folder that [`Storage::create_folder`] fills, which makes it durable with all others.
+    fn put(&self, path: &Path, bytes: &[u8]) -> io::Result<()>;
+
     /// Adds lines at a file's end, whole or not at all: behind `header` in an empty or missing file, else on a line of their own.
     /// `false`, and nothing is written, where the file does not begin with `header`.
     fn append(&self, path: &Path, header: &[u8], lines: &[u8]) -> io::Result<bool>;

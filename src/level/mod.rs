@@ -41,7 +41,7 @@ pub(crate) use folder::by_number_then_name;
 pub(crate) use folder::fixture;
 pub use folder::{is_shipped, landscape, list, load, load_unfinished, title};
 pub use image::read_picture;
-pub use name::{NameFault, is_device, judge_name};
+pub use name::{NameFault, is_device, is_hidden, judge_name};
 pub use problem::{Problem, listed};
 pub use read::{Loaded, read, read_unfinished};
 pub use schema::FILES;

@@ -4,7 +4,7 @@ use super::archive::read;
 use super::package::{LARGEST, MOST_FILES, Package, check, listed};
 use super::path;
 use crate::files;
-use crate::level::{BACKGROUND, FILES, scaffold};
+use crate::level::{self, BACKGROUND, FILES, scaffold};
 use crate::words::tr;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -54,13 +54,15 @@ pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool
             error
         )]
     };
+    let mut problems = Vec::new();
     for number in 1..=MOST_NAMES {
         let name = if number > 1 { format!("{}-{number}", package.name) } else { package.name.clone() };
         let folder = levels.join(&name);
         let folder = match scaffold::taken(levels, &name) {
             Some(other) => levels.join(other),
-            None => match files::create_folder(&folder, |begun| fill(package, begun)) {
+            None => match files::create_folder(&folder, |begun| fill(package, begun, project, &mut problems)) {
                 Ok(()) => return Ok(Installed::New(folder)),
+                Err(_) if !problems.is_empty() => return Err(problems),
                 Err(error) if error.kind() != io::ErrorKind::AlreadyExists || !files::is_taken(&folder) => {
                     return Err(refused(&error));
                 }
@@ -83,11 +85,15 @@ pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool
     )])
 }
 
-fn fill(package: &Package, folder: &Path) -> io::Result<()> {
+/// Writes the files, and loads the level from them: a folder there may have the name of a table or a picture.
+fn fill(package: &Package, folder: &Path, project: &Path, problems: &mut Vec<String>) -> io::Result<()> {
     for (path, bytes) in &package.files {
         files::put(&folder.join(path), bytes)?;
     }
-    Ok(())
+    level::load(folder, project).map(drop).map_err(|refused| {
+        *problems = level::listed(&refused);
+        io::ErrorKind::InvalidData.into()
+    })
 }
 
 /// The files of a folder that the package lacks. The error is a difference that makes another level, in words.

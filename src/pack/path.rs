@@ -1,6 +1,6 @@
 //! Paths in an archive that stay in their folder on every system, and name the same file there.
 
-use crate::level::{NameFault, is_device, judge_name};
+use crate::level::{NameFault, is_device, is_hidden, judge_name};
 use crate::words::tr;
 use unicode_normalization::UnicodeNormalization;
 
@@ -8,7 +8,7 @@ use unicode_normalization::UnicodeNormalization;
 const LONGEST: usize = 120;
 pub(super) const DEEPEST: usize = 8;
 /// Windows allows them in no name.
-const FORBIDDEN: &str = "\\:*?\"<>|";
+const FORBIDDEN: &str = ":*?\"<>|";
 
 /// The parts of an entry's path: at least one, each a plain name. `None` for hidden files and macOS's notes about files. The error
 /// is the fault of the path.
@@ -41,8 +41,10 @@ fn fault(part: &str) -> Option<&'static str> {
         "" => Some(tr("an empty part")),
         "." | ".." => Some(tr("a part that leads elsewhere")),
         _ if part.len() > LONGEST => Some(tr("a part that is too long")),
+        _ if part.contains('\\') => Some(tr("a backslash, where a ZIP archive has / between folders")),
+        _ if part.chars().any(is_hidden) => Some(tr("an invisible character")),
         _ if part.chars().any(|c| c.is_control() || FORBIDDEN.contains(c)) => Some(tr("a character that no name has everywhere")),
-        _ if part.ends_with([' ', '.']) || part.starts_with(' ') => {
+        _ if part.ends_with(|c: char| c == '.' || c.is_whitespace()) || part.starts_with(char::is_whitespace) => {
             Some(tr("a part that begins or ends with a space or a full stop"))
         }
         _ if is_device(part) => Some(tr("a part that is a device")),
@@ -63,7 +65,7 @@ pub(super) fn judge_folder(name: &str) -> Result<(), String> {
     let refused =
         |expected: String| Err(tr!("found the level name {name}, expected {expected}", name = format_args!("{name:?}"), expected));
     match judge_name(name) {
-        Err(fault @ (NameFault::Board(_) | NameFault::Device)) => refused(fault.expected()),
+        Err(fault @ (NameFault::Board(_) | NameFault::Device | NameFault::Hidden(_))) => refused(fault.expected()),
         // New levels need a word; an old one only must not lead elsewhere.
         _ if fault(name).is_some() || name.starts_with('.') || name.contains('/') => refused(NameFault::NoWord.expected()),
         _ => Ok(()),
@@ -97,6 +99,10 @@ mod tests {
             "a/b.",
             "a/b ",
             "a/ b",
+            "a/b\u{a0}",
+            "a/tab\u{202e}vsc.csv",
+            "a/\u{200b}.csv",
+            "a\u{2067}/b.csv",
             "a/\u{1b}[2J",
             "a/\0",
             "",
@@ -137,6 +143,10 @@ mod tests {
         for good in ["1", "tower", "a level", "höhle-2", "v1.2"] {
             assert_eq!(judge_folder(good), Ok(()), "{good}");
         }
+        assert_eq!(
+            judge_folder("to\u{202e}wer").unwrap_err(),
+            "found the level name \"to\\u{202e}wer\", expected a name without the invisible character U+202E"
+        );
         for bad in ["", ".", "..", "a/b", "a\\b", "con", "LPT1", "jumper", "Players", ".hidden", "a.", "C:"] {
             assert!(judge_folder(bad).is_err(), "{bad:?}");
         }

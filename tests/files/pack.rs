@@ -147,6 +147,8 @@ fn what_could_do_harm_is_refused_with_its_name() {
         ("beside the level's folder", &["u/x.csv", "x.csv"]),
         ("expected one level", &["u/player.csv"]),
         ("a device", &["t/con .txt", "t/CONIN$.txt", "t/com1 .csv"]),
+        ("an invisible character", &["t/vsc.\u{202e}txt", "t/\u{200b}.txt", "t/\u{3164}/x.png", "t/\u{2066}a\u{2069}.csv"]),
+        ("a backslash", &["t\\x.csv"]),
     ] {
         added.iter().for_each(|name| says(&with(&[(name, b"x")]), words));
     }
@@ -156,6 +158,7 @@ fn what_could_do_harm_is_refused_with_its_name() {
         ("no player.csv", &[]),
         ("another name", &["jumper/player.csv"]),
         ("another name", &["attempts/player.csv"]),
+        ("an invisible character", &["to\u{202e}wer/player.csv"]),
     ] {
         says(&archive(&whole.iter().map(|name| (*name, &b"x"[..])).collect::<Vec<_>>()), words);
     }
@@ -346,6 +349,19 @@ fn nothing_is_written_that_does_not_load_and_nothing_over_what_is_there() {
     assert!(wrong.starts_with("world.csv:2: column \"width\": found \"wide\""), "{wrong}");
     assert!(refused(&package(&[("t/flights/a.replay.csv", b"nothing")])).contains("flights/a.replay.csv:1"));
     assert!(refused(&package(&[("t/background.png", b"nothing")])).contains("background.png"));
+    // Folders named like a table, the background, or a picture that the project has as well.
+    let shown = b"x,y,image\n300,10,assets/sails.png\n";
+    fs::create_dir(folder.path().join("assets")).unwrap();
+    fs::copy(fixtures().join("levels/15/sails.png"), folder.path().join("assets/sails.png")).unwrap();
+    for (table, entries) in [
+        ("fluids.csv", &[("t/fluids.csv/x.csv", &b"x\n1\n"[..])][..]),
+        ("background.png", &[("t/background.png/x.png", b"x")]),
+        ("decoration.csv", &[("t/decoration.csv", shown), ("t/assets/sails.png/x.png", b"x")]),
+    ] {
+        let told = refused(&package(entries));
+        assert!(told.starts_with(table) && told.contains("found a folder, expected a file"), "{told}");
+    }
+    fs::remove_dir_all(folder.path().join("assets")).unwrap();
     assert!(tree(folder.path()).keys().all(|path| *path == levels), "{:?}", tree(folder.path()).keys());
     // Installed once; then it is there already; another one of that name is not written over it.
     let (first, second) = (package(&[]), package(&[("t/notes.txt", b"two")]));

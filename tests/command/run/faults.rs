@@ -12,7 +12,7 @@ use std::process::Stdio;
 type Files = BTreeMap<String, Vec<u8>>;
 
 /// Calls that change the disk, or wait for it: a kill before any other call comes to the same as before one of these.
-const CHANGES: [i64; 22] = [
+const CHANGES: [i64; 23] = [
     libc::SYS_open,
     libc::SYS_openat,
     libc::SYS_write,
@@ -23,6 +23,7 @@ const CHANGES: [i64; 22] = [
     libc::SYS_ftruncate,
     libc::SYS_fsync,
     libc::SYS_fdatasync,
+    libc::SYS_syncfs,
     libc::SYS_fchmod,
     libc::SYS_fchown,
     libc::SYS_mkdir,
@@ -135,4 +136,19 @@ fn a_level_is_packed_unpacked_and_made_whole_or_not_at_all() {
     assert_eq!(data.resultant(&["pack", "goal", "--out", data.path("packed.zip").to_str().unwrap()]).status, 0);
     every_call(&data, &["pack", "goal", "--out", "again.zip"], &["again.zip"]);
     every_call(&data, &["unpack", "packed.zip", "--as", "other"], &["levels/other"]);
+}
+
+/// Many small files wait for the disk as often as one does.
+#[test]
+fn a_folder_waits_for_the_disk_once_and_not_once_a_file() {
+    let data = data();
+    (0..40).for_each(|i| drop(data.write(&format!("levels/goal/note-{i}.txt"), "small")));
+    assert_eq!(data.resultant(&["pack", "goal", "--out", data.path("packed.zip").to_str().unwrap()]).status, 0);
+    let mut command = data.command(&["unpack", "packed.zip", "--as", "other"]);
+    command.current_dir(data.path(".")).stdout(Stdio::null());
+    let (calls, status) = run(&mut command, None);
+    let waits = [libc::SYS_fsync, libc::SYS_fdatasync, libc::SYS_syncfs];
+    let waited = calls.iter().filter(|call| waits.contains(call)).count();
+    assert!(status.success() && (1..=3).contains(&waited), "{waited} times");
+    assert_eq!(read(&data, "levels/other/note-39.txt"), "small");
 }
