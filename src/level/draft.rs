@@ -77,6 +77,17 @@ impl Draft {
         }
     }
 
+    /// Whether something may carry, throw or pull a body to any place that it fits in, with any speed: movers, belts and links.
+    pub fn is_driven(&self) -> bool {
+        let belts = self.world.iter().any(|solid| solid.item.belt != 0.0);
+        belts || !self.movers.is_empty() || !self.links.is_empty()
+    }
+
+    /// Whether something besides may drive a body: streams, gravity zones and liquids.
+    pub fn has_currents(&self) -> bool {
+        !self.streams.is_empty() || !self.fields.is_empty() || !self.fluids.is_empty()
+    }
+
     /// Whether there is a ship, or none is needed.
     pub const fn may_start(&self) -> bool {
         self.player.is_some() || self.settings.experiment

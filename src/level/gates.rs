@@ -119,12 +119,11 @@ fn presses(draft: &Draft, switch: &Switch, ship: CentredBox, (ships, objects): (
         || others.any(|object| objects.gets_to((object.item.position, object.item.size * 0.5), &switch.bounds))
 }
 
-/// Plates that take more than the sum of all weights, the ship's thrust and the winds near by, downwards. The force of a mover or a belt
-/// has no such bound.
+/// Plates that take more than the sum of all weights, the ship's thrust and the winds near by, downwards. The force of a mover, a belt or
+/// a link has no such bound.
 fn plates(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
-    let driven = draft.world.iter().any(|solid| solid.item.belt != 0.0) || !draft.movers.is_empty();
     let plates = draft.switches.iter().filter_map(|switch| Some((switch, switch.item.weight?)));
-    if driven {
+    if draft.is_driven() {
         return Vec::new();
     }
     // Bodies that touch each other reach no further than all of them in a row.

@@ -146,20 +146,16 @@ fn outside(name: &str, body: &FromRow<Aabb>, draft: &Draft) -> Option<Problem> {
     Some(body.problem(column, found, tr!("all of it between 0 and {size} pixels, the level's {side}", size, side)))
 }
 
-/// The objects that the ship cannot reach from its start. A link may pull an object out through rock.
+/// The objects that the ship cannot reach from its start. A link acts through rock.
 pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
     let bodies = draft.objects.iter().map(|object| (object.item.position, object.item.size * 0.5)).collect::<Vec<_>>();
-    let unreached = space.unreached((player.position, SHIP_HALF), &bodies);
     let expected = tr("a route for the ship, or for an object that it can push");
-    let linked = |i: &usize| {
-        let name = draft.objects[*i].item.name.as_deref();
+    let linked = |i: usize| {
+        let name = draft.objects[i].item.name.as_deref();
         name.is_some() && draft.links.iter().any(|link| link.item.ends.iter().any(|end| end.object() == name))
     };
-    unreached
-        .into_iter()
-        .filter(|i| !linked(i))
-        .map(|i| draft.objects[i].problem("x", tr("an object that no one can reach"), expected))
-        .collect()
+    let unreached = space.unreached((player.position, SHIP_HALF), &bodies, linked);
+    unreached.into_iter().map(|i| draft.objects[i].problem("x", tr("an object that no one can reach"), expected)).collect()
 }
 
 /// The space without rock, in a level of that size in metres.

@@ -33,11 +33,13 @@ pub(super) fn warn(draft: &Draft, player: &FromRow<ShipStart>, space: &FreeSpace
     let power = Power { draft, ship: &player.item, settings };
     let mut warnings = Vec::new();
     let weight = player.item.mass * settings.gravity;
-    if player.item.thrust < weight && !power.is_lifted() {
+    let climbs = if power.is_lifted() { None } else { Climbs::new(player.item.position, space) };
+    let up = |climbs: &Climbs| power.pads().any(|pad| climbs.to(&pad.item.bounds).is_some_and(|climb| climb > NEAR));
+    if player.item.thrust < weight && !power.may_rise() && climbs.as_ref().is_some_and(up) {
         let found = tr!("{thrust} N, less than the ship's weight of {weight} N", thrust = player.item.thrust, weight);
         warnings.push(player.problem("thrust", found, tr("more than that, as nothing in the level lifts the ship")));
     }
-    let needed = power.fuel_needed(space);
+    let needed = climbs.and_then(|climbs| power.fuel_needed(&climbs, space));
     let pods: f64 = draft.pods.iter().map(|pod| pod.item.fuel).sum();
     if let Some((needed, line)) = needed.filter(|(needed, _)| player.item.fuel + pods < *needed) {
         let found = format!("{} {}", player.item.fuel, tr("fuel units"));
@@ -65,7 +67,18 @@ impl Power<'_> {
         let winds = draft.streams.iter().map(|stream| stream.item.force.y);
         let up = winds.chain(draft.fields.iter().map(|field| field.item.strength.y)).any(|y| y < 0.0);
         let springy = draft.world.iter().any(|solid| solid.item.material.restitution > 0.0);
-        up || springy || !draft.fluids.is_empty() || !draft.movers.is_empty() || self.belt() > 0.0
+        up || springy || !draft.fluids.is_empty() || draft.is_driven()
+    }
+
+    /// Whether some body may rise although no engine bears its weight: without bounces none rises faster than one did before.
+    fn may_rise(&self) -> bool {
+        let draft = self.draft;
+        let bounces = |restitution: f64, material: Material| restitution.max(material.restitution) > 0.0;
+        let rises = |object: &Object| object.velocity.y < 0.0 || bounces(object.restitution, object.material);
+        let bodies = draft.objects.iter().any(|object| rises(&object.item));
+        let ship = self.ship.velocity.y < 0.0 || bounces(self.ship.restitution, self.ship.material);
+        // A door that closes puts a body out of itself.
+        self.is_lifted() || bodies || ship || !draft.doors.is_empty()
     }
 
     /// Whether something in the level may drive the ship to any side.
@@ -80,13 +93,10 @@ impl Power<'_> {
     }
 
     /// The fuel units that the costliest objective takes at least, and its line; `None` where no bound is known.
-    fn fuel_needed(&self, space: &FreeSpace) -> Option<(f64, usize)> {
+    fn fuel_needed(&self, climbs: &Climbs, space: &FreeSpace) -> Option<(f64, usize)> {
         if self.is_helped() || self.settings.gravity <= 0.0 || self.settings.gravity_x != 0.0 || self.ship.thrust == 0.0 {
             return None;
         }
-        let pads: Vec<&FromRow<Objective>> =
-            self.draft.objectives.iter().filter(|placed| placed.item.kind == ObjectiveKind::Player).collect();
-        let climbs = Climbs::new(self.ship.position, space)?;
         let others: f64 = self.draft.objects.iter().map(|object| self.energy_of(&object.item, space)).sum();
         let begun = 0.5 * self.ship.velocity.length_squared() + others / self.ship.mass;
         let depth = climbs.depth;
@@ -98,7 +108,7 @@ impl Power<'_> {
         let ship = Aabb::around(self.ship.position, SHIP_HALF);
         let aside = |bounds: &Aabb| bounds.gap(&ship).x;
         let mut needed = Vec::new();
-        for pad in pads {
+        for pad in self.pads() {
             let missing = speed(climbs.to(&pad.item.bounds)?) - first;
             // The last tick with fuel burns to its end.
             let seconds = (missing * self.ship.mass / self.ship.thrust - 1.0 / TICK_RATE).max(0.0);
@@ -111,6 +121,10 @@ impl Power<'_> {
         }
         let most = needed.into_iter().reduce(|most, next| if most.0 < next.0 { next } else { most });
         most.map(|(seconds, line)| (seconds * BURN_RATE, line))
+    }
+
+    fn pads(&self) -> impl Iterator<Item = &FromRow<Objective>> {
+        self.draft.objectives.iter().filter(|placed| placed.item.kind == ObjectiveKind::Player)
     }
 
     /// The energy that an object can pass on, J: its own, and, where it bounces, that of its fall.
@@ -277,7 +291,7 @@ impl Power<'_> {
     fn falls(&self) -> Option<Vec<f64>> {
         let draft = self.draft;
         let thrown = self.ship.velocity != DVec2::ZERO || draft.objects.iter().any(|object| object.item.velocity != DVec2::ZERO);
-        if thrown || self.settings.gravity < 0.0 || self.settings.gravity_x != 0.0 {
+        if thrown || !draft.links.is_empty() || self.settings.gravity < 0.0 || self.settings.gravity_x != 0.0 {
             return None;
         }
         let zones = draft.streams.iter().map(|stream| stream.item.zone).chain(draft.fields.iter().map(|field| field.item.zone));

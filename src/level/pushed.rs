@@ -1,5 +1,5 @@
-//! Warnings of keys below a step to their objective. A key rises when the ship, or a body that the ship lifts, gets below it, when a zone or
-//! a mover lifts it, when the ship carries it by friction, or by a hop from a hit. Where none of the first three is possible, a key slides,
+//! Warnings of keys below a step to their objective. A key rises when the ship, or a body that the ship lifts, gets below it, when a zone,
+//! a mover or a link lifts it, when the ship carries it by friction, or by a hop from a hit. Where none of the first three is possible, a key slides,
 //! falls and hops. A key that falls may bounce back to its old height.
 
 use super::draft::Draft;
@@ -18,13 +18,11 @@ const MOST_OBJECTS: usize = 500;
 /// The objectives for keys to which no key gets that fits.
 pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
     let wanted: Vec<_> = draft.objectives.iter().filter(|placed| placed.item.kind == ObjectiveKind::Physics).collect();
-    let lifts = !draft.movers.is_empty() || !draft.streams.is_empty() || !draft.fields.is_empty() || !draft.fluids.is_empty();
-    let belts = draft.world.iter().any(|solid| solid.item.belt != 0.0);
     let settings = &draft.settings;
     let sideways = settings.gravity <= 0.0 || settings.gravity_x != 0.0;
     let own = draft.objects.iter().any(|object| object.item.weightless || object.item.velocity != DVec2::ZERO);
     let large = draft.objects.len() > MOST_OBJECTS;
-    if wanted.is_empty() || lifts || belts || sideways || own || large {
+    if wanted.is_empty() || draft.is_driven() || draft.has_currents() || sideways || own || large {
         return Vec::new();
     }
     let lifted = draft.objects.iter().any(|object| {

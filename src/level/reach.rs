@@ -83,8 +83,9 @@ impl FreeSpace {
         Self::new(self.level, solids, self.slack, self.work.clone())
     }
 
-    /// The indices of the bodies that neither the ship reaches nor a body that it pushes; none where the level is too large to say.
-    pub fn unreached(&self, ship: CentredBox, bodies: &[CentredBox]) -> Vec<usize> {
+    /// The indices of the bodies that neither the ship reaches nor a body that it pushes or that is `moved` otherwise; none where the level is
+    /// too large to say.
+    pub fn unreached(&self, ship: CentredBox, bodies: &[CentredBox], moved: impl Fn(usize) -> bool) -> Vec<usize> {
         let mut halves = vec![ship.1];
         for (_, half) in bodies {
             if halves.len() <= MOST_SIZES && !halves.contains(half) {
@@ -108,7 +109,9 @@ impl FreeSpace {
                 waiting.entry(part).or_default().push(i);
             }
         }
-        let mut reached: Vec<FreePart> = part_of(&ship).into_iter().collect();
+        let others = bodies.iter().enumerate().filter(|(i, _)| moved(*i)).filter_map(|(_, body)| part_of(body));
+        let mut reached: Vec<FreePart> = part_of(&ship).into_iter().chain(others).collect();
+        reached.iter().for_each(|part| drop(waiting.remove(part)));
         while let Some((grid, part)) = reached.pop() {
             let Some(from) = self.counts(&grids[grid], part) else { return Vec::new() };
             let mut touched = Vec::new();
@@ -368,28 +371,28 @@ mod tests {
     fn a_closed_wall_separates_and_a_gap_of_exactly_the_ships_size_does_not() {
         let ship = body(10.0, 50.0, 1.0);
         let objects = [body(20.0, 20.0, 0.5), body(80.0, 20.0, 0.5)];
-        assert_eq!(space(&[wall(0.0)]).unreached(ship, &objects), [1]);
-        assert!(space(&[wall(2.0)]).unreached(ship, &objects).is_empty());
-        assert!(space(&[]).unreached(ship, &objects).is_empty());
+        assert_eq!(space(&[wall(0.0)]).unreached(ship, &objects, |_| false), [1]);
+        assert!(space(&[wall(2.0)]).unreached(ship, &objects, |_| false).is_empty());
+        assert!(space(&[]).unreached(ship, &objects, |_| false).is_empty());
     }
 
     #[test]
     fn what_can_come_out_or_be_touched_through_a_gap_is_reached() {
         let ship = body(10.0, 50.0, 1.0);
         // Too narrow for the ship, wide enough for the object.
-        assert!(space(&[wall(1.5)]).unreached(ship, &[body(80.0, 20.0, 0.5)]).is_empty());
+        assert!(space(&[wall(1.5)]).unreached(ship, &[body(80.0, 20.0, 0.5)], |_| false).is_empty());
         // Too narrow for both, and the wall is thick.
-        assert_eq!(space(&[wall(1.5)]).unreached(ship, &[body(80.0, 20.0, 0.8)]), [0]);
+        assert_eq!(space(&[wall(1.5)]).unreached(ship, &[body(80.0, 20.0, 0.8)], |_| false), [0]);
         // A smaller object can be pushed through and reaches the large one.
         let objects = [body(80.0, 20.0, 0.8), body(20.0, 20.0, 0.7)];
-        assert!(space(&[wall(1.5)]).unreached(ship, &objects).is_empty());
+        assert!(space(&[wall(1.5)]).unreached(ship, &objects, |_| false).is_empty());
     }
 
     #[test]
     fn a_chamber_made_of_many_blocks_is_closed_where_they_only_touch() {
         let chamber = [[40.0, 40.0, 20.0, 1.0], [40.0, 59.0, 20.0, 1.0], [40.0, 41.0, 1.0, 18.0], [59.0, 41.0, 1.0, 18.0]];
         let objects = [body(50.0, 50.0, 0.5), body(50.0, 39.5, 0.5)];
-        assert_eq!(space(&chamber).unreached(body(10.0, 10.0, 1.0), &objects), [0]);
-        assert_eq!(space(&chamber).unreached(body(50.0, 55.0, 1.0), &objects), [1]);
+        assert_eq!(space(&chamber).unreached(body(10.0, 10.0, 1.0), &objects, |_| false), [0]);
+        assert_eq!(space(&chamber).unreached(body(50.0, 55.0, 1.0), &objects, |_| false), [1]);
     }
 }

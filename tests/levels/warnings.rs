@@ -136,6 +136,62 @@ fn a_key_below_a_step_is_warned_about_unless_something_lifts_it() {
     assert_eq!(step(160.0, &[("world.csv", "60,420,200,20\n"), ledge]), "");
 }
 
+/// Levels that win themselves, or with a rope from the ship. Each draws its alarms without the link.
+#[test]
+fn whatever_a_link_carries_draws_no_alarm() {
+    let key = "PHYS,900,700,60,10\nOBJECT,400,850,box:40x40,75,120,220,190,0.2,0.5,,,,,k\n";
+    let own: [(&'static str, &str); 5] = [
+        ("world.csv", "700,710,500,160\n"),
+        ("objectives.csv", key),
+        ("switches.csv", "200,860,60,10,gate,5000\n"),
+        ("doors.csv", "500,0,20,100,gate\n"),
+        ("constants.csv", "gold,0.1\nmark_pushes,0\n"),
+    ];
+    let alone = warned(&own);
+    for alarm in ["\"y\": found an objective up a step", "\"weight\"", "0.1 s for gold", "found 0 pushes"] {
+        assert!(alone.contains(alarm), "{alarm}: {alone}");
+    }
+    let weak = &[("player.csv", "60,844.5,100,0,900\n")];
+    let to_ship = ["rope,ship,600 50,,5000,100,,,,-1\n", "spring,ship,600 50,100,200,10\n", "magnet,ship,900 100,,,,5000\n"];
+    let to_key = ["rope,k,500 100,,5000,100,,,,-1\n", "rope,ship,k,300,5000,100\n", "magnet,ship,k,,,,5000,touch\n"];
+    for link in to_ship.into_iter().chain(to_key) {
+        let links = ("links.csv", link);
+        assert_eq!(warned(&[&own[..], &[links]].concat()), "", "{link}");
+        if to_ship.contains(&link) {
+            assert_eq!(warned_with(weak, &[links]), "", "{link}");
+        }
+    }
+    assert!(warned_with(weak, &[]).contains("\"thrust\""));
+}
+
+/// A goal that a falling or sliding ship gets to needs no engine that lifts it, and a body that bounces or is thrown may lift it.
+#[test]
+fn an_engine_below_the_weight_is_enough_for_what_lies_below_or_beside() {
+    let told = |player: &str, goal: &str, more: &[(&'static str, &str)]| {
+        warned_with(&[("player.csv", player), ("objectives.csv", goal)], more)
+    };
+    let weak = "60,400,100,500,900\n";
+    let (below, beside, above) = ("PLAYER,60,860,10,10\n", "PLAYER,1190,400,10,10\n", "PLAYER,1190,0,10,10\n");
+    assert_eq!(told(weak, below, &[]), "");
+    assert!(!told(weak, beside, &[]).contains("thrust"));
+    assert!(told(weak, above, &[]).contains("thrust"));
+    let thrown = ("objects.csv", "400,850,box:40x40,75,1,FALSE,0,-9,-9\n");
+    for lift in [thrown, ("objects.csv", "400,850,box:40x40,75,1,FALSE,0.5\n"), ("doors.csv", "500,0,20,870,gate\n")] {
+        assert!(!told(weak, above, &[lift]).contains("thrust"), "{lift:?}");
+    }
+    assert!(!told("60,400,100,500,900,TRUE,0,-20\n", above, &[]).contains("thrust"));
+}
+
+/// A body that a link pulls reaches others where nobody gets to.
+#[test]
+fn what_a_linked_body_pushes_is_reached() {
+    let chamber = "400,400,200,10\n400,590,200,10\n400,400,10,200\n590,400,10,200\n";
+    let objects = "460,560,box:20x20,5,1,FALSE,0,,,,,a\n520,560,box:20x20,5,1,FALSE,0,,,,,b\n";
+    let own = [("world.csv", chamber), ("objects.csv", objects)];
+    assert_eq!(warned(&own).matches("an object that no one can reach").count(), 2);
+    assert_eq!(warned(&[own[0], own[1], ("links.csv", "magnet,ship,a,,,,50\n")]), "");
+}
+
 #[test]
 fn medals_that_nobody_can_earn_are_warned_about() {
     let with = |constants: &str| warned(&[("constants.csv", constants)]);
