@@ -13,7 +13,7 @@ use crate::draw::Canvas;
 use crate::draw::layout::Frame;
 use crate::game::Outcome;
 use crate::pack::Installed;
-use crate::scores::{Name, PATIENCE, Results, Scores};
+use crate::scores::{Name, PATIENCE, ResultRow, Results, Scores};
 use crate::settings::Settings;
 use crate::settings::file::SettingsFile;
 use crate::ui::input::Stale;
@@ -73,7 +73,7 @@ pub struct App {
     /// The level that was last chosen: where the keyboard is when the list comes back.
     pub(super) last_level: Option<String>,
     pub(super) settings: Settings,
-    settings_file: SettingsFile,
+    pub(super) settings_file: SettingsFile,
     /// What is wrong with the settings' file, a line each.
     pub(super) settings_problems: Vec<String>,
     /// How many menus there have been: each has other balls.
@@ -84,6 +84,10 @@ pub struct App {
     pub(super) sheets: BTreeMap<String, Worksheet>,
     /// An answer to an experiment that another program keeps from being saved.
     pub(super) waiting_answer: Option<WaitingAnswer>,
+    /// Answers whose files cannot be written.
+    pub(super) unsaved_answers: Vec<ResultRow>,
+    /// The score that was on the screen before and can still be saved, in words.
+    pub(super) unsaved_score: Option<String>,
     /// The files of the level that is flown.
     pub(super) watch: Option<FolderWatch>,
     /// The editor, while what is edited is flown.
@@ -107,10 +111,13 @@ pub struct App {
     pub(super) installed: Option<Result<Installed, Refusal>>,
 }
 
-/// The window may be closed without a word to the game.
+/// The program may end without a question.
 impl Drop for App {
     fn drop(&mut self) {
-        self.close();
+        for problem in self.write_all() {
+            // The window is gone, and nothing can be done about a standard error that is closed.
+            let _ = writeln!(io::stderr(), "{problem}");
+        }
     }
 }
 
@@ -153,6 +160,8 @@ impl App {
             waiting: None,
             sheets: BTreeMap::new(),
             waiting_answer: None,
+            unsaved_answers: Vec::new(),
+            unsaved_score: None,
             watch: None,
             editing: None,
             behind: None,
@@ -187,11 +196,13 @@ impl App {
             input.dropped.first().filter(|path| self.editing.is_none() && self.screen.takes(path)).cloned().map(Request::Open)
         });
         match asked {
-            Some(Request::Quit) => {
-                self.close();
-                return false;
+            Some(Request::QuitAnyway) => return false,
+            Some(Request::Quit) if self.may_close() => return false,
+            Some(Request::Quit) => {}
+            Some(request) => {
+                self.note_score(&request);
+                self.grant(request, spectator);
             }
-            Some(request) => self.grant(request, spectator),
             None => self.save_what_waits(input.frame_time),
         }
         self.fill_in_view();
@@ -337,18 +348,6 @@ impl App {
         (self.settings, self.settings_problems) = self.settings_file.load(whose(self.journal.current()));
         words::speak(self.settings.spoken());
         self.settings_problems.extend(closed.err().map(|error| error.to_string()));
-    }
-
-    /// Writes down what waits, at the end of the sitting.
-    fn close(&mut self) {
-        self.keep_sheet();
-        let (journal, settings) = (self.journal.close(PATIENCE), self.settings_file.close(PATIENCE));
-        let answers = self.close_answers();
-        let problems = [journal.err().map(|error| error.to_string()), settings.err().map(|error| error.to_string()), answers.err()];
-        for problem in problems.into_iter().flatten() {
-            // The window is gone, and nothing can be done about a standard error that is closed.
-            let _ = writeln!(io::stderr(), "{problem}");
-        }
     }
 
     /// Takes note of the attempt on the screen, once, when it has ended. Who watches a recording has flown nothing.

@@ -4,8 +4,8 @@ use super::Attempt;
 use super::journal::{damage_text, rescue_text};
 use super::leaderboard::subject;
 use super::{
-    App, Classic, Flown, Fresh, Gain, Leaderboard, Onward, Prover, Purpose, Request, SaveScore, Scoring, Screen, Visit, footage,
-    jumper,
+    App, Classic, Closing, Flown, Fresh, Gain, Leaderboard, Onward, Prover, Purpose, Request, SaveScore, Scoring, Screen, Visit,
+    footage, jumper,
 };
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::{Fingerprint, RunResult};
@@ -62,6 +62,9 @@ impl App {
 
     /// Tries again to save the score that waits, if the player still does; no frame is spent on waiting.
     pub(super) fn save_what_waits(&mut self, frame_time: f64) {
+        if self.screen.is::<Closing>() {
+            return;
+        }
         let text = self.screen.get::<SaveScore>().map(SaveScore::text);
         let still = |waiting: &WaitingScore| text.as_deref() == Some(waiting.name.as_str());
         let Some(mut waiting) = self.waiting.take().filter(still) else { return };
@@ -94,6 +97,7 @@ impl App {
         if name != *self.journal.current() {
             self.choose(name.clone(), true);
         }
+        self.unsaved_score = None;
         let fresh = Fresh { name, remark };
         Ok(self.judged(&gain.board, Leaderboard::new(gain.subject, board, Some(fresh), damage, gain.onward)))
     }

@@ -28,5 +28,5 @@ pub fn dropped() -> Vec<PathBuf> {
 /// Before a frame. A desktop asks for nothing.
 pub const fn begin_frame(_: &mut App, _: &mut Input, _: &mut dyn Spectator) {}
 
-/// After a frame is drawn. A desktop waits before the next one.
-pub const fn end_frame(_: f64) {}
+/// After a frame is drawn. A desktop waits before the next one, and asks when the window is closed.
+pub const fn end_frame(_: f64, _: bool) {}

@@ -242,7 +242,7 @@ impl App {
     /// The reason, in words.
     pub(super) fn make(&mut self, make: &Make) -> Result<(), String> {
         let levels = self.library.levels().to_path_buf();
-        let (Make::New(name) | Make::Copy(_, name) | Make::Rename(_, name)) = make;
+        let (Make::New(name) | Make::Copy(_, name) | Make::CopyOf(_, name) | Make::Rename(_, name)) = make;
         scaffold::judge(&levels, name)?;
         if let Make::Rename(from, _) = make
             && level::is_shipped(&levels.join(from))
@@ -252,6 +252,7 @@ impl App {
         let made = match make {
             Make::New(_) => scaffold::make(&levels, name, &scaffold::BARE),
             Make::Copy(from, _) => scaffold::copy(&levels.join(from), &levels, name),
+            Make::CopyOf(folder, _) => scaffold::copy(folder, &levels, name),
             Make::Rename(from, _) => scaffold::rename(&levels, from, name),
         };
         made.map_err(|error| error.to_string())?;

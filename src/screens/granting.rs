@@ -65,7 +65,11 @@ impl App {
             Request::PageData => Box::new(super::page_data::PageData::default()),
             // Its errand leads to its level.
             Request::Daily => Box::new(self.level_select(Purpose::Play)),
-            Request::Quit => return None,
+            Request::Stay => {
+                self.stay();
+                return None;
+            }
+            Request::Quit | Request::QuitAnyway => return None,
             Request::Flights(_)
             | Request::Watch(..)
             | Request::Race(..)

@@ -32,9 +32,15 @@ impl App {
 
     /// Keeps the sheet of the flight on the screen, and saves what it has that is not saved.
     pub(super) fn keep_sheet(&mut self) {
-        let Some(mut sheet) = self.screen.get_mut::<Flight>().and_then(Flight::take_sheet) else { return };
-        let unsaved = sheet.take_unsaved();
-        self.sheets.insert(sheet.folder().to_owned(), sheet);
+        self.hand_in_sheet();
+        if let Some(sheet) = self.screen.get_mut::<Flight>().and_then(Flight::take_sheet) {
+            self.sheets.insert(sheet.folder().to_owned(), sheet);
+        }
+    }
+
+    /// Saves what the sheet on the screen has that is not saved.
+    pub(super) fn hand_in_sheet(&mut self) {
+        let unsaved = self.screen.get_mut::<Flight>().and_then(Flight::take_unsaved);
         unsaved.into_iter().for_each(|row| self.hand_in(row));
     }
 
@@ -42,7 +48,7 @@ impl App {
     pub(super) fn hand_in(&mut self, row: ResultRow) {
         if let Some(waiting) = self.waiting_answer.take() {
             let told = self.put_answer_by(&waiting.row);
-            self.tell_of_answer(&waiting.row, told);
+            self.tell_of_answer(waiting.row, told);
         }
         let row = ResultRow { player: self.journal.current().clone(), time: time_of(self.now), ..row };
         self.save_answer(WaitingAnswer { row, since: 0.0 });
@@ -75,14 +81,18 @@ impl App {
             Err(ScoresError::Busy(_)) => self.put_answer_by(&row),
             Err(error) => Err(error.to_string()),
         };
-        self.tell_of_answer(&row, told);
+        self.tell_of_answer(row, told);
     }
 
-    /// Says on the sheet what became of its answer.
-    fn tell_of_answer(&mut self, row: &ResultRow, told: Result<String, String>) {
+    /// Says on the sheet what became of its answer; one that is not saved waits for the end of the sitting.
+    fn tell_of_answer(&mut self, row: ResultRow, told: Result<String, String>) {
+        self.unsaved_answers.retain(|other| (&other.player, &other.experiment) != (&row.player, &row.experiment));
         let shown = self.screen.get_mut::<Flight>().and_then(|flight| flight.sheet_of(&row.experiment));
         if let Some(sheet) = shown.or_else(|| self.sheets.get_mut(&row.experiment)) {
-            sheet.tell(told);
+            sheet.tell(told.clone());
+        }
+        if told.is_err() {
+            self.unsaved_answers.push(row);
         }
     }
 
@@ -94,8 +104,24 @@ impl App {
         self.results.put_by(row).map(|()| waits()).map_err(|error| error.to_string())
     }
 
-    /// Puts the answer that waits by, at the end of a sitting.
-    pub(super) fn close_answers(&mut self) -> Result<(), String> {
-        self.waiting_answer.take().map_or(Ok(()), |waiting| self.put_answer_by(&waiting.row).map(drop))
+    /// Puts the answer that waits by, at the end of a sitting, and tries once more to save the others; those that are lost, a line each.
+    pub(super) fn close_answers(&mut self) -> Vec<String> {
+        if let Some(WaitingAnswer { row, .. }) = self.waiting_answer.take() {
+            let told = self.put_answer_by(&row);
+            self.tell_of_answer(row, told);
+        }
+        let mut losses = Vec::new();
+        self.unsaved_answers.retain(|row| match self.results.append_within(Duration::ZERO, row) {
+            Ok(_) => false,
+            Err(error) => {
+                losses.push(tr!("the answer to {experiment}: {error}", experiment = row.experiment, error));
+                true
+            }
+        });
+        losses
+    }
+
+    pub(super) fn has_unsaved_answers(&self) -> bool {
+        self.waiting_answer.is_some() || !self.unsaved_answers.is_empty()
     }
 }

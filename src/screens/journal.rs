@@ -169,18 +169,23 @@ impl Journal {
     /// Writes down what still waits, at the end of a sitting; or puts it by for the next one, where another program is still writing.
     ///
     /// # Errors
-    /// Why neither can be done.
+    /// Why neither can be done; it still waits then.
     pub fn close(&mut self, patience: Duration) -> Result<(), ScoresError> {
         if self.is_written() {
             return Ok(());
         }
         match self.write(patience) {
-            Err(ScoresError::Busy(_)) => self.scores.put_by(&std::mem::take(&mut self.deeds), std::mem::take(&mut self.attempts)),
+            Err(ScoresError::Busy(_)) => {
+                self.scores.put_by(&self.deeds, self.attempts.iter().cloned())?;
+                self.deeds.clear();
+                self.attempts.clear();
+                Ok(())
+            }
             written => written,
         }
     }
 
-    fn is_written(&self) -> bool {
+    pub(super) fn is_written(&self) -> bool {
         self.deeds.is_empty() && self.attempts.is_empty()
     }
 

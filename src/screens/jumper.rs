@@ -1,5 +1,6 @@
 //! The jumper in the window: how many climb, the climb, and what it came to.
 
+use super::closing::unsaved_points;
 use super::input::KeyLatch;
 use super::leaderboard::Onward;
 use super::{Classic, Gain, Input, Key, Keys, Motion, Noise, Request, Screen};
@@ -199,6 +200,11 @@ impl Screen for Jumper {
 
     fn tune(&self) -> Option<&str> {
         Some("jumper")
+    }
+
+    fn unsaved(&self) -> Option<String> {
+        let saves = self.panel.as_ref().is_some_and(|panel| panel.labels.contains(&SAVE));
+        saves.then(|| unsaved_points(self.scene.score(), tr(SUBJECT)))
     }
 
     fn noises(&self) -> Vec<Noise> {

@@ -63,7 +63,7 @@ pub struct LevelSelect {
 #[derive(Clone, Debug)]
 enum Asked {
     New,
-    Copy(PathBuf),
+    Copy(String),
     /// The same, of a level that comes with the game and was to be edited itself.
     OwnCopy(PathBuf),
     Rename(String),
@@ -254,7 +254,8 @@ impl LevelSelect {
             }
             Reply::Text(name) => Some(Request::Make(match asked.clone() {
                 Asked::New => Make::New(name),
-                Asked::Copy(from) | Asked::OwnCopy(from) => Make::Copy(from, name),
+                Asked::Copy(from) => Make::Copy(from, name),
+                Asked::OwnCopy(folder) => Make::CopyOf(folder, name),
                 Asked::Rename(from) => Make::Rename(from, name),
             })),
         }
@@ -268,7 +269,7 @@ impl LevelSelect {
         let name = self.entries[index].name.clone();
         match (self.purpose, self.pick.take()) {
             (_, Some(PickFor::Copy)) => {
-                self.ask(tr!("What is the copy of {name} called?", name), &format!("{name}-copy"), Asked::Copy(name.into()));
+                self.ask(tr!("What is the copy of {name} called?", name), &format!("{name}-copy"), Asked::Copy(name));
                 None
             }
             (_, Some(PickFor::Rename)) => {

@@ -184,7 +184,7 @@ impl App {
                 let screen = self.level_select(Purpose::Edit);
                 self.show(Box::new(screen));
             }
-            Make::New(name) | Make::Copy(_, name) => self.grant(Request::Edit(name.clone()), spectator),
+            Make::New(name) | Make::Copy(_, name) | Make::CopyOf(_, name) => self.grant(Request::Edit(name.clone()), spectator),
         }
     }
 }

@@ -8,6 +8,7 @@ mod app;
 mod balls;
 mod boards;
 mod classics;
+mod closing;
 mod credits;
 #[cfg(all(feature = "window", not(browser)))]
 mod desktop;
@@ -75,6 +76,7 @@ pub use crate::ui::scroll::Bar;
 use crate::ui::{input, scroll, text_field};
 pub use app::{App, Places};
 pub use classics::{Classic, Classics};
+pub use closing::Closing;
 pub use credits::Credits;
 pub use editor::Editor;
 pub use flight::{Attempt, Flight, Flown};
@@ -128,8 +130,10 @@ use std::sync::Arc;
 pub enum Make {
     /// A new level of that name.
     New(String),
-    /// A copy of the level in that folder, below that of the levels or anywhere, of that name.
-    Copy(PathBuf, String),
+    /// A copy of the first, named like the second.
+    Copy(String, String),
+    /// A copy of the level in that folder, of that name.
+    CopyOf(PathBuf, String),
     /// The first, named like the second.
     Rename(String, String),
 }
@@ -214,6 +218,10 @@ pub enum Request {
     /// What a browser keeps for the page.
     #[cfg(all(feature = "window", browser))]
     PageData,
-    /// The end.
+    /// The end, unless something would be lost.
     Quit,
+    /// The end, whatever is lost.
+    QuitAnyway,
+    /// No end: the screen behind the question.
+    Stay,
 }

@@ -42,7 +42,8 @@ pub fn begin_frame(app: &mut App, input: &mut Input, spectator: &mut dyn Spectat
     }
 }
 
-/// After a frame is drawn; the least time until the next one, s.
-pub fn end_frame(rest: f64) {
+/// After a frame is drawn; the least time until the next one, s, and whether something is lost where the page is left now.
+pub fn end_frame(rest: f64, at_risk: bool) {
+    web::set_at_risk(at_risk);
     web::end_frame(rest);
 }

@@ -36,6 +36,11 @@ impl Problems {
 
     /// Shows the panel above all else; whether it is to be closed.
     pub fn show(&self, ui: &mut Ui<'_>) -> bool {
+        self.answer(ui, &["Close"]).is_some() || ui.key(Key::Escape)
+    }
+
+    /// Shows the panel above all else, with these buttons; the one that is pressed.
+    pub fn answer(&self, ui: &mut Ui<'_>, answers: &[&'static str]) -> Option<&'static str> {
         let frame = ui.frame();
         let (height, widest) = (frame.text_height(DETAILS), frame.size - 2.0 * MARGIN);
         let columns = ((widest.x - ASIDE) / (height * MONO_ADVANCE)).floor().max(1.0) as usize;
@@ -56,7 +61,6 @@ impl Problems {
             let at = panel.min + Vec2::new(LEFT, HEAD + row as f32 * height * LINE);
             ui.text(words, at, Style::new(DETAILS, colour).mono());
         }
-        let close = Vec2::new(panel.centre().x, panel.max().y - PADDING - ROW_BUTTON.y / 2.0);
-        ui.button("Close", Area::around(close, ROW_BUTTON)) || ui.key(Key::Escape)
+        ui.buttons(frame.row(answers.len(), panel.max().y - PADDING - ROW_BUTTON.y), answers)
     }
 }

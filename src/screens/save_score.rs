@@ -1,11 +1,11 @@
 //! A name for a score, where the player has none yet, or where saving takes a second try.
 
+use super::closing::unsaved_points;
 use super::leaderboard::Onward;
 use super::name_field::{NameEntry, NameField};
 use super::{Flown, Request, Screen};
 use crate::scores::Name;
 use crate::ui::Ui;
-use crate::words::tr;
 use std::path::Path;
 use std::rc::Rc;
 
@@ -53,7 +53,7 @@ impl SaveScore {
 impl Screen for SaveScore {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         ui.page("Save score", ui.frame().size.y * 0.2);
-        let score = tr!("{points} points in {subject}", points = self.gain.points, subject = self.gain.subject);
+        let score = unsaved_points(self.gain.points, &self.gain.subject);
         Some(match self.field.show(ui, (&score, "Save"))? {
             NameEntry::Name(name) => Request::Submit(self.gain.clone(), name),
             NameEntry::Back => (*self.gain.back).clone(),
@@ -62,6 +62,10 @@ impl Screen for SaveScore {
 
     fn tune(&self) -> Option<&str> {
         None
+    }
+
+    fn unsaved(&self) -> Option<String> {
+        Some(unsaved_points(self.gain.points, &self.gain.subject))
     }
 
     fn takes(&self, _: &Path) -> bool {

@@ -1,5 +1,6 @@
 //! What an attempt came to, part by part.
 
+use super::closing::unsaved_points;
 use super::leaderboard::{Onward, subject};
 use super::{Attempt, Flown, Gain, Input, Key, Noise, Request, Screen, Visit};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, ROW_BUTTON, TEXT, Vec2};
@@ -80,10 +81,13 @@ impl Scoring {
         &self.result
     }
 
-    /// The buttons. Only a flight by hand and without help can be saved.
+    /// Only a flight by hand and without help can be saved.
+    fn saves(&self) -> bool {
+        self.result.score.total > 0 && self.attempt.inputs.is_none() && !self.result.assisted
+    }
+
     fn labels(&self) -> Vec<&'static str> {
-        let saves = self.result.score.total > 0 && self.attempt.inputs.is_none() && !self.result.assisted;
-        let all = [(AGAIN, true), (NEXT, self.next.is_some()), (SAVE, saves), (FLIGHTS, true), (MENU, true)];
+        let all = [(AGAIN, true), (NEXT, self.next.is_some()), (SAVE, self.saves()), (FLIGHTS, true), (MENU, true)];
         all.into_iter().filter(|(_, there)| *there).map(|(label, _)| label).collect()
     }
 
@@ -290,6 +294,11 @@ impl Screen for Scoring {
             FLIGHTS => self.visit(self.again()),
             _ => Request::Menu,
         })
+    }
+
+    fn unsaved(&self) -> Option<String> {
+        let subject = || subject(&self.result.level, &self.attempt.level.title);
+        self.saves().then(|| unsaved_points(self.result.score.total, &subject()))
     }
 
     fn noises(&self) -> Vec<Noise> {

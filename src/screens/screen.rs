@@ -37,6 +37,11 @@ pub trait Screen: Any + fmt::Debug {
         true
     }
 
+    /// The score on it that only the player can save, in words: it is lost with the window.
+    fn unsaved(&self) -> Option<String> {
+        None
+    }
+
     /// How large its words are, in a window with `pixel` canvas units a pixel; 1 as designed.
     fn text_scale(&self, _settings: &Settings, _pixel: f32) -> f32 {
         1.0

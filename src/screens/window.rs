@@ -12,7 +12,9 @@ use crate::level::Level;
 use crate::view::sound::Speaker;
 use crate::view::{art, theme};
 use crate::words::{self, Language};
-use macroquad::input::{MouseButton, is_mouse_button_down, is_mouse_button_pressed, mouse_position, mouse_wheel};
+use macroquad::input::{
+    MouseButton, is_mouse_button_down, is_mouse_button_pressed, is_quit_requested, mouse_position, mouse_wheel, prevent_quit,
+};
 use macroquad::miniquad::conf::{Conf, Icon};
 use macroquad::window::{next_frame, set_fullscreen};
 use std::cell::RefCell;
@@ -112,6 +114,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     let mut keys = WindowKeys::new();
     let mut begun = Instant::now();
     let mut fullscreen = false;
+    prevent_quit();
     loop {
         theme::wear(app.settings().palette);
         app.now = macroquad::miniquad::date::now();
@@ -126,6 +129,9 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
         begun += passed;
         input.frame_time = pace::passed(passed.as_secs_f64());
         input.waited = (passed - worked).as_secs_f64();
+        if is_quit_requested() && app.may_close() {
+            return Ok(());
+        }
         host::begin_frame(&mut app, &mut input, &mut theatre);
         (input.pointed, input.place) = theatre.pointed(app.screen(), &input);
         if !app.update(&input, &mut theatre) {
@@ -149,7 +155,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
         }
         theatre.set_volumes(app.settings());
         theatre.sound(app.screen(), input.answer.get());
-        host::end_frame(app.interval(&input.without_edges()));
+        host::end_frame(app.interval(&input.without_edges()), app.is_at_risk());
         next_frame().await;
     }
 }

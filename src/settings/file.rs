@@ -223,9 +223,17 @@ impl SettingsFile {
         problems
     }
 
-    /// Writes waiting settings, before others take their place or the program ends.
+    /// Writes waiting settings, before others take their place or the program ends; after an error they still wait.
     pub fn close(&mut self, patience: Duration) -> io::Result<()> {
-        self.unsaved.take().map_or(Ok(()), |Unsaved { player, settings, .. }| self.save(&player, &settings, patience))
+        let Some(Unsaved { player, settings, .. }) = &self.unsaved else { return Ok(()) };
+        self.save(player, settings, patience)?;
+        self.unsaved = None;
+        Ok(())
+    }
+
+    /// Whether settings wait for a write.
+    pub fn waits(&self) -> bool {
+        self.unsaved.is_some()
     }
 
     /// Replaces the file, whole.

@@ -30,6 +30,7 @@ pub const PAD_LEVELS: usize = 17 + 2;
 thread_local! {
     static FILES: RefCell<Vec<PathBuf>> = const { RefCell::new(Vec::new()) };
     static HIDDEN: Cell<bool> = const { Cell::new(false) };
+    static AT_RISK: Cell<bool> = const { Cell::new(false) };
     static FULLSCREEN: Cell<Option<bool>> = const { Cell::new(None) };
 }
 
@@ -136,6 +137,11 @@ pub fn fullscreen() -> Option<bool> {
     FULLSCREEN.take()
 }
 
+/// Whether the browser asks before it leaves the page.
+pub fn set_at_risk(at_risk: bool) {
+    AT_RISK.set(at_risk);
+}
+
 /// A frame is drawn; the least time until the next one, s.
 pub fn end_frame(rest: f64) {
     // SAFETY: it takes a number.
@@ -151,6 +157,12 @@ pub extern "C" fn resultant_crate_version() -> u32 {
 #[unsafe(no_mangle)]
 extern "C" fn resultant_hidden() {
     HIDDEN.set(true);
+}
+
+/// 1 where something is lost with the page.
+#[unsafe(no_mangle)]
+extern "C" fn resultant_at_risk() -> i32 {
+    i32::from(AT_RISK.get())
 }
 
 #[unsafe(no_mangle)]

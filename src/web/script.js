@@ -279,6 +279,9 @@
           takeKeys();
           // The browser may change the canvas' size without a window's event: its zoom, another screen, fullscreen.
           new ResizeObserver(fit).observe(canvas);
+          window.addEventListener("beforeunload", (event) => {
+            if (wasm_exports.resultant_at_risk()) event.preventDefault();
+          });
           document.addEventListener("visibilitychange", () => {
             if (document.visibilityState === "visible") return void sound?.resume();
             wasm_exports.resultant_hidden();

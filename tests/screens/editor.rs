@@ -6,13 +6,13 @@ use resultant::draw::{Contour, Shape};
 use resultant::level;
 use resultant::level::document::{Kind, Place, RowId, Table};
 use resultant::physics::DVec2;
-use resultant::screens::{Input, Key, Request};
+use resultant::screens::{App, Input, Key, Places, Request};
 use resultant::view::theme;
 use std::fs;
 use std::path::PathBuf;
 
 /// An editor of level 2: a room of 800 × 600 pixels with the ship and a pad in a corner.
-fn open() -> Sitting {
+pub fn open() -> Sitting {
     let mut sitting = Sitting::new();
     sitting.choose("Level Select").choose("Edit").choose("2").rest();
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2"));
@@ -68,7 +68,7 @@ fn tool(sitting: &mut Sitting, kind: Kind) {
     assert!(is_picked(sitting, kind.name()) && !is_picked(sitting, "Select"));
 }
 
-fn draw(sitting: &mut Sitting, kind: Kind, from: (f64, f64), to: (f64, f64)) -> RowId {
+pub fn draw(sitting: &mut Sitting, kind: Kind, from: (f64, f64), to: (f64, f64)) -> RowId {
     tool(sitting, kind);
     drag(sitting, from, to);
     assert!(is_picked(sitting, "Select"));
@@ -370,6 +370,23 @@ fn what_comes_with_the_game_is_edited_as_a_copy() {
     let folder = file(&sitting, "");
     sitting.app.begin(&folder, Request::EditOriginal("2".to_owned()), &mut ());
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2"));
+}
+
+/// As in a checkout, where the data folder is `.`, and in a browser's page.
+#[cfg(unix)]
+#[test]
+fn a_copy_is_made_with_a_relative_data_folder() {
+    let mut sitting = Sitting::with(|root| fs::write(root.join("levels/shipped.csv"), "folder\n2\n").unwrap());
+    let up = std::env::current_dir().unwrap().components().skip(1).map(|_| "../").collect::<String>();
+    let root = std::path::PathBuf::from(up).join(sitting.folder.path().strip_prefix("/").unwrap());
+    let places = Places { levels: root.join("levels"), scores: root.join("scores"), settings: root.join("settings.csv"), root };
+    sitting.app = App::new(places);
+    sitting.app.begin(&sitting.folder.path().join("levels/2"), Request::Edit("2".to_owned()), &mut ());
+    assert_eq!(sitting.rest().field(), "2-copy");
+    assert_eq!(sitting.press(Key::Enter).rest().editor().name(), "2-copy");
+    // One of the author's own, from the list.
+    sitting.press(Key::Escape).choose("Copy").choose("2-copy").press(Key::Enter).rest();
+    assert_eq!(sitting.editor().name(), "2-copy-copy");
 }
 
 #[test]

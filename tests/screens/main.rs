@@ -1,6 +1,7 @@
 //! The screens without a window: every path between them by mouse and by keyboard, one action a press.
 
 mod classics;
+mod closing;
 mod editor;
 mod flight;
 mod flights;

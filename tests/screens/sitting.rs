@@ -3,8 +3,8 @@
 use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::draw::{Colour, Contour, Shape};
 use resultant::screens::{
-    App, Classics, Credits, Editor, Flight, Flights, GameScene, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Pi,
-    Places, PlayerList, Purpose, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Worker,
+    App, Classics, Closing, Credits, Editor, Flight, Flights, GameScene, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu,
+    Pi, Places, PlayerList, Purpose, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Worker,
 };
 use resultant::ui::WidgetKind;
 use resultant::view::theme;
@@ -261,6 +261,7 @@ impl Sitting {
         }
         let known = [
             (screen.is::<Menu>(), "menu"),
+            (screen.is::<Closing>(), "closing"),
             (screen.is::<SettingsPanel>(), "settings"),
             (screen.is::<Editor>(), "editor"),
             (screen.is::<Flights>(), "flights"),

@@ -47,6 +47,8 @@ export class Browser {
     const { method, params } = message;
     if (method === "Runtime.consoleAPICalled") this.console.push(params.args.map((arg) => arg.value ?? arg.description).join(" "));
     if (method === "Runtime.exceptionThrown") this.console.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
+    // The page's question before it is left.
+    if (method === "Page.javascriptDialogOpening") this.send("Page.handleJavaScriptDialog", { accept: true }).catch(() => {});
     this.listeners.filter((listener) => listener.method === method).forEach((listener) => listener.heard(params));
   }
 

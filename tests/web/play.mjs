@@ -160,6 +160,8 @@ try {
   for (const name of held) await browser.key("keyUp", KEYS[name]);
   await step(60);
   await picture("scoring");
+  const asks = () => browser.ask("{ const left = new Event('beforeunload', { cancelable: true }); window.dispatchEvent(left); left.defaultPrevented }");
+  check(await asks(), "the page is left without a question although a score is not saved");
   const attempt = (await kept("scores/attempts.csv"))?.trim().split("\n").pop().trim();
   check(/^1,Guest,completed,/.test(attempt ?? ""), `level 1 is not completed: ${attempt}`);
   console.log("level 1 is flown by keys:", attempt);
@@ -167,6 +169,7 @@ try {
   // Its score is saved, and is there when the page is loaded again.
   await press("ArrowRight", "Enter", ...USER, "Enter");
   await picture("saved");
+  check(!await asks(), "the page asks although all is saved");
   const board = await kept("scores/1.csv");
   // After the first goal slow motion moves the later keys, so the score is not that of the record: the flight that is kept with it says it.
   const [, points, file] = new RegExp(`^${USER},([0-9]+),([^,]+),`, "m").exec(board ?? "") ?? [];
@@ -265,7 +268,18 @@ try {
   await browser.ask("Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }");
   await press("ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown", "Enter", "ArrowRight");
   await picture("full-storage");
+  check(await asks(), "the page is left without a question although nothing can be written");
   check(await kept("scores/1.csv") === board, "the board is another one");
+
+  // A copy of a level that comes with the game, from its pause: Edit Level is the last button.
+  await begin("#play=1");
+  await press("Escape", ...Array(6).fill("ArrowDown"), "Enter");
+  await picture("name-of-the-copy");
+  await press("Enter");
+  await step(30);
+  await picture("copy");
+  check(await kept("levels/1-copy/player.csv"), "no copy is made");
+  console.log("a level is copied in the page");
 
   // A link to an experiment and one to a page of the lab; foreign and damaged ones say what is wrong.
   for (const [name, link] of [

@@ -76,8 +76,10 @@ pub struct Editor {
     level: Option<Arc<Level>>,
     /// The version of the document that was checked, and the time until the next check, s.
     checked: (Option<u64>, f64),
-    /// The version that is kept beside the files, and its age, s.
+    /// The version that was to be kept beside the files, and its age, s.
     kept: (u64, f64),
+    /// Whether that could be done.
+    keeps: bool,
     watch: FolderWatch,
     ask: Option<Ask>,
     /// The last remark, and how long it stays, s.
@@ -177,6 +179,7 @@ impl Editor {
             name: folder.name(),
             watch: FolderWatch::new(folder.path().to_path_buf(), Vec::new()),
             kept: (document.version(), 0.0),
+            keeps: true,
             ask: kept.map(Ask::Restore),
             remark: None,
             offered: folder.pictures(),
@@ -235,12 +238,11 @@ impl Editor {
             self.take_over();
         }
         self.kept.1 += frame_time;
-        let asked = matches!(self.ask, Some(Ask::Restore(_)));
-        if self.kept.0 != self.document.version() && !asked && (self.drag.is_none() || self.kept.1 > KEEP_EVERY) {
-            self.kept = (self.document.version(), 0.0);
-            if let Err(error) = self.folder.keep(&self.document) {
-                self.say(tr!("The edits cannot be kept beside the files: {error}", error));
-            }
+        if self.kept.0 != self.document.version()
+            && (self.drag.is_none() || self.kept.1 > KEEP_EVERY)
+            && let Err(problem) = self.keep()
+        {
+            self.say(problem);
         }
         if self.checked.0 != Some(self.document.version()) && self.drag.is_none() {
             self.checked.1 -= frame_time;
@@ -248,6 +250,24 @@ impl Editor {
                 self.check();
             }
         }
+    }
+
+    /// Keeps unsaved edits beside the files, for the next time that the level is edited.
+    /// Errors: why they would be lost, in words.
+    pub(in crate::screens) fn keep(&mut self) -> Result<(), String> {
+        if matches!(self.ask, Some(Ask::Restore(_))) {
+            // Those that were found lie there, and nothing is edited yet.
+            return Ok(());
+        }
+        self.kept = (self.document.version(), 0.0);
+        let kept = self.folder.keep(&self.document);
+        self.keeps = kept.is_ok();
+        kept.map_err(|error| tr!("The edits cannot be kept beside the files: {error}", error))
+    }
+
+    /// Whether no edit is lost when the program ends now.
+    pub(in crate::screens) fn is_kept(&self) -> bool {
+        !self.is_unsaved() || self.keeps && self.kept.0 == self.document.version()
     }
 
     /// Takes over files that another program has written, or asks where both have changed one.

@@ -5,6 +5,8 @@ use super::attempt::Flown;
 use super::pilot::steers;
 use crate::game::{GameEvent, History, Outcome, RunResult};
 use crate::number::clock;
+use crate::screens::closing::unsaved_points;
+use crate::screens::leaderboard::subject;
 use crate::screens::{Input, Key, Request};
 use crate::words::tr;
 use std::rc::Rc;
@@ -74,6 +76,14 @@ impl Flight {
 
     fn result(&self) -> RunResult {
         RunResult { assisted: self.assisted, ..self.game.result() }
+    }
+
+    /// The points of a flight that has just been completed and counts, in words.
+    pub(super) fn unsaved_score(&self) -> Option<String> {
+        let (level, result) = (self.game.level(), self.result());
+        let counts = self.game.outcome() == Outcome::Completed && self.is_by_hand() && !self.test && self.what_if.is_none();
+        let saves = counts && !result.assisted && result.score.total > 0;
+        saves.then(|| unsaved_points(result.score.total, &subject(&level.name, &level.title)))
     }
 
     /// Whether a fresh attempt follows by itself: this one was flown by hand, for its own sake, and lost.

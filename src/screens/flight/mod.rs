@@ -118,6 +118,10 @@ impl Screen for Flight {
         Some(&self.game.level().name)
     }
 
+    fn unsaved(&self) -> Option<String> {
+        self.unsaved_score()
+    }
+
     fn takes(&self, path: &Path) -> bool {
         self.is_watched() || self.pause.is_some() || is_of_level(path)
     }

@@ -2,6 +2,7 @@
 
 use super::{Flight, Worksheet, worksheet};
 use crate::draw::layout::{Area, GAP, HEADING, PADDING, Vec2, WIDE_BUTTON};
+use crate::game::Outcome;
 use crate::screens::{Input, Key, Purpose, Request, Screen, SettingsPanel};
 use crate::settings::Action;
 use crate::ui::Ui;
@@ -26,6 +27,14 @@ impl Flight {
     pub(super) fn switch_overlays(&mut self, input: &Input) {
         self.details ^= input.acts(Action::Details);
         self.hitboxes ^= input.acts(Action::Hitboxes);
+    }
+
+    /// Pauses a flight that is under way.
+    pub(in crate::screens) fn halt(&mut self) {
+        if self.game.outcome() == Outcome::Running && !self.is_watched() && self.pause.is_none() {
+            self.pilot.let_go();
+            self.pause = Some(RESUME);
+        }
     }
 
     /// The panel, where it is open.

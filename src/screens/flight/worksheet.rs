@@ -45,6 +45,15 @@ impl Flight {
         self.sheet.take().map(|sheet| *sheet)
     }
 
+    /// As [`Worksheet::take_unsaved`], of its sheet.
+    pub(in crate::screens) fn take_unsaved(&mut self) -> Option<ResultRow> {
+        self.sheet.as_mut()?.take_unsaved()
+    }
+
+    pub(in crate::screens) fn has_unsaved_sheet(&self) -> bool {
+        self.sheet.as_ref().is_some_and(|sheet| sheet.is_unsaved())
+    }
+
     /// The sheet, where it is that experiment's.
     pub(in crate::screens) fn sheet_of(&mut self, folder: &str) -> Option<&mut Worksheet> {
         self.sheet.as_deref_mut().filter(|sheet| sheet.folder() == folder)
@@ -75,10 +84,10 @@ impl Worksheet {
 
     /// What is written and not saved yet; it counts as saved from now on.
     pub(in crate::screens) fn take_unsaved(&mut self) -> Option<ResultRow> {
-        let written = self.written();
-        if written.iter().all(String::is_empty) || self.saved.as_ref() == Some(&written) {
+        if !self.is_unsaved() {
             return None;
         }
+        let written = self.written();
         self.saved = Some(written.clone());
         let [guess, readings] = written;
         Some(ResultRow {
@@ -91,6 +100,11 @@ impl Worksheet {
             readings,
             answer: self.experiment.answer.clone(),
         })
+    }
+
+    fn is_unsaved(&self) -> bool {
+        let written = self.written();
+        !written.iter().all(String::is_empty) && self.saved.as_ref() != Some(&written)
     }
 
     /// The guess and the readings.
