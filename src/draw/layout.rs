@@ -14,7 +14,6 @@ pub const TEXT: f32 = 18.0;
 pub const BUTTON_TEXT: f32 = 24.0;
 pub const HEADING: f32 = 40.0;
 pub const TITLE: f32 = 84.0;
-/// The pen prepares the glyphs of these sizes before it draws.
 pub const TEXT_SIZES: [f32; 5] = [DETAILS, TEXT, BUTTON_TEXT, HEADING, TITLE];
 /// From one line of text to the next, in heights of the text.
 pub const LINE: f32 = 1.35;

@@ -5,6 +5,8 @@
 pub mod canvas;
 pub mod colour;
 mod dashes;
+#[cfg(feature = "window")]
+mod glyphs;
 pub mod layout;
 #[cfg(feature = "window")]
 pub mod pen;

@@ -3,42 +3,28 @@
 
 use super::canvas::Canvas;
 use super::colour::Colour;
-use super::layout::{Frame, TEXT_SIZES, TITLE, Vec2};
+use super::glyphs::Glyphs;
+use super::layout::{Frame, Vec2};
 use super::quads::Quad;
 use super::shape::{Image, Shape};
 use super::soft::Soft;
-use super::text::{self, Typeface};
-use macroquad::camera::{Camera2D, set_camera, set_default_camera};
+use super::text;
+use macroquad::camera::{Camera2D, set_camera};
 use macroquad::color::{Color, WHITE};
 use macroquad::material::{Material, MaterialParams, gl_use_default_material, gl_use_material, load_material};
 use macroquad::math::Rect;
 use macroquad::miniquad::ShaderSource;
 use macroquad::models::{Mesh, Vertex, draw_mesh};
 use macroquad::shapes::{draw_line, draw_rectangle, draw_rectangle_lines};
-use macroquad::text::{Font, TextParams, draw_text_ex, load_ttf_font_from_bytes};
 use macroquad::texture::{DrawTextureParams, FilterMode, Image as Pixels, Texture2D, draw_texture_ex};
 use macroquad::window::{clear_background, screen_dpi_scale, screen_height, screen_width};
-use std::cmp::Reverse;
 use std::sync::Arc;
 
-/// The signs beyond printable ASCII that the game writes.
-const SIGNS: &str = "′½₀₁₂₃₄√ωλτ−×·÷°±≈≤≥∞→←↑↓‹›–—…µμρπΔ‘’“”„«»£ßäöüÄÖÜàâæçèéêëîïôùûœÀÂÇÈÉÊÎÔŒ⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
-/// All that is written in the size of the title: by the menu, and by the digits of π.
-const TITLE_SIGNS: &str = "0123456789Resultant";
-/// The side of a fresh atlas (pixels), the largest that is asked for at once, and the room around a glyph there.
-const ATLAS: f32 = 512.0;
-const LARGEST_ATLAS: f32 = 4096.0;
-const AROUND_GLYPH: f32 = 4.0;
-/// A glyph's row in an atlas, and the thickness of a dash, in heights of the text.
-const ROW: f32 = 1.1;
-const DASH: f32 = 0.1;
 /// The most quadrangles of one draw call: the library keeps room for 5000 indices.
-const MOST_QUADS: usize = 800;
+pub(super) const MOST_QUADS: usize = 800;
 
 pub struct WindowPen {
-    fonts: Fonts,
-    /// Those of the size before: two screens may set their words in two sizes by turns.
-    fonts_before: Option<Fonts>,
+    glyphs: Glyphs,
     soft: Soft,
     mesh: Mesh,
     sheet: Texture2D,
@@ -57,8 +43,7 @@ impl WindowPen {
         let sheet = Texture2D::from_rgba8(side, side, sheet);
         sheet.set_filter(FilterMode::Linear);
         Ok(Self {
-            fonts: Fonts::load(TEXT_SIZES.map(|size| size as u16))?,
-            fonts_before: None,
+            glyphs: Glyphs::new()?,
             soft: Soft::default(),
             mesh: Mesh { vertices: Vec::new(), indices: Vec::new(), texture: None },
             sheet,
@@ -68,18 +53,11 @@ impl WindowPen {
         })
     }
 
-    /// Lays a canvas out for the window's present size, with words `text` times as large as usual. Fails on a typeface that cannot
-    /// be read.
-    pub fn begin(&mut self, canvas: &mut Canvas, text: f32) -> Result<(), String> {
+    /// Lays a canvas out for the window's present size, with words `text` times as large as usual.
+    pub fn begin(&mut self, canvas: &mut Canvas, text: f32) {
         let dpi = screen_dpi_scale();
         canvas.begin(Frame::of_window(Vec2::new(screen_width(), screen_height()) * dpi).with_text(text), dpi);
-        let sizes = TEXT_SIZES.map(|size| canvas.glyph_height(size) as u16);
-        if self.fonts.sizes != sizes {
-            let before = self.fonts_before.take().filter(|fonts| fonts.sizes == sizes);
-            let fonts = before.map_or_else(|| Fonts::load(sizes), Ok)?;
-            self.fonts_before = Some(std::mem::replace(&mut self.fonts, fonts));
-        }
-        Ok(())
+        self.glyphs.begin();
     }
 
     pub fn play(&mut self, canvas: &Canvas, ground: Colour) {
@@ -89,12 +67,8 @@ impl WindowPen {
         let shapes = canvas.shapes();
         for layer in shapes.split(|shape| matches!(shape, Shape::Layer)) {
             layer.iter().for_each(|shape| self.draw(shape, canvas));
-            let mut words = layer.iter().filter(|shape| matches!(shape, Shape::Text { .. })).peekable();
-            if words.peek().is_some() {
-                set_default_camera();
-                words.for_each(|shape| self.write(shape, canvas));
-                use_canvas_units(canvas);
-            }
+            layer.iter().for_each(|shape| self.write(shape, canvas));
+            self.glyphs.draw();
         }
         // Files that only this pen holds are no longer drawn.
         drop(shapes);
@@ -154,16 +128,13 @@ impl WindowPen {
         draw_mesh(&self.mesh);
     }
 
-    fn write(&self, shape: &Shape, canvas: &Canvas) {
+    fn write(&mut self, shape: &Shape, canvas: &Canvas) {
         let Shape::Text { text, at, style } = shape else { return };
-        let (size, height, pixel) = (canvas.font_size(style.size), canvas.glyph_height(style.size), canvas.frame().pixel);
+        let (height, pixel) = (canvas.glyph_height(style.size), canvas.frame().pixel);
         let mut from = canvas.baseline(text, *at, *style);
         for (run, face) in text::runs(text, style.face) {
-            let at = (from / pixel).round() / canvas.dpi();
+            self.glyphs.write((run, face), height as u16, (from / pixel).round(), (pixel, style.colour.into()));
             from.x += text::run_width(run, face, height) * pixel;
-            let font = Some(self.fonts.get(face));
-            let params = TextParams { font, font_size: size, color: style.colour.into(), ..TextParams::default() };
-            draw_text_ex(run, at.x, at.y, params);
         }
     }
 
@@ -243,72 +214,4 @@ impl From<Colour> for Color {
     fn from(colour: Colour) -> Self {
         Self::new(colour.r, colour.g, colour.b, colour.a)
     }
-}
-
-/// The faces with the glyphs that have been made ready. Glyphs are made ready between frames: an atlas that grows while a frame is being
-/// drawn leaves black boxes behind. The glyphs of a window's size have an atlas of their own.
-struct Fonts {
-    sans: Font,
-    mono: Font,
-    /// Heights of glyphs, physical pixels, in the order of [`TEXT_SIZES`].
-    sizes: [u16; TEXT_SIZES.len()],
-}
-
-impl Fonts {
-    fn load(sizes: [u16; TEXT_SIZES.len()]) -> Result<Self, String> {
-        let mut fonts = Self { sans: font(Typeface::Sans)?, mono: font(Typeface::Mono)?, sizes };
-        let all: String = (' '..='~').chain(SIGNS.chars()).collect();
-        // The tallest glyphs first: a row of an atlas is as high as its tallest glyph.
-        let mut lines: Vec<(&str, u16)> =
-            TEXT_SIZES.iter().zip(sizes).map(|(size, height)| (if *size == TITLE { TITLE_SIGNS } else { &all }, height)).collect();
-        lines.sort_unstable_by_key(|(_, height)| Reverse(*height));
-        for (font, face) in [(&mut fonts.sans, Typeface::Sans), (&mut fonts.mono, Typeface::Mono)] {
-            grow(font, face, atlas_side(&lines, face));
-            for (signs, height) in &lines {
-                font.populate_font_cache(&signs.chars().collect::<Vec<_>>(), *height);
-            }
-        }
-        Ok(fonts)
-    }
-
-    const fn get(&self, face: Typeface) -> &Font {
-        match face {
-            Typeface::Sans => &self.sans,
-            Typeface::Mono => &self.mono,
-        }
-    }
-}
-
-/// The side of an atlas (a power of two, pixels) with room for lines of signs of some heights, and for a tenth more.
-fn atlas_side(lines: &[(&str, u16)], face: Typeface) -> f32 {
-    let height = |side: f32| -> f32 {
-        let rows = lines.iter().map(|(signs, height)| {
-            let height = f32::from(*height);
-            let length = text::run_width(signs, face, height) + AROUND_GLYPH * signs.chars().count() as f32;
-            ((length / side).ceil() + 1.0) * (ROW * height + AROUND_GLYPH)
-        });
-        rows.sum::<f32>() + DASH * side
-    };
-    let mut side = ATLAS;
-    while side < LARGEST_ATLAS && height(side) > 0.9 * side {
-        side *= 2.0;
-    }
-    side
-}
-
-/// Lets an empty atlas grow to its side at once, by a dash of that length. An atlas that grows later is copied glyph by glyph in any
-/// order, wastes the most of its rows, and grows again: to 4096 or 8192 pixels a side.
-fn grow(font: &mut Font, face: Typeface, side: f32) {
-    if side > ATLAS {
-        let dash = 0.8 * side / text::run_width("—", face, 1.0);
-        font.populate_font_cache(&['—'], dash as u16);
-    }
-}
-
-fn font(face: Typeface) -> Result<Font, String> {
-    let (name, bytes) = face.file();
-    let mut font = load_ttf_font_from_bytes(bytes).map_err(|error| format!("the typeface {name} cannot be read: {error}"))?;
-    // Glyphs are drawn at the size at which they were made: the nearest sample keeps them sharp between pixels.
-    font.set_filter(FilterMode::Nearest);
-    Ok(font)
 }

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Typeface {
     /// For words: Ubuntu Light.
     #[default]

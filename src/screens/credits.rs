@@ -16,8 +16,9 @@ const FONTS: [(&str, &str); 2] = [
     ("Hack, a typeface: C. Simpkins, DejaVu, Bitstream", "MIT; Bitstream Vera"),
 ];
 /// Crates, by their names before the colon, and their licences.
-const CRATES: [(&str, &str); 19] = [
+const CRATES: [(&str, &str); 20] = [
     ("epaint_default_fonts and ttf-parser: typefaces", "MIT or Apache 2.0"),
+    ("fontdue: the glyphs of the typefaces", "MIT, Apache 2.0 or Zlib"),
     ("macroquad and miniquad: window, keys, drawing", "MIT or Apache 2.0"),
     ("gilrs: gamepads", "MIT or Apache 2.0"),
     ("libloading: finds the sound system and the keyboard of Linux", "ISC"),

@@ -3,9 +3,14 @@
 use super::{App, Input, Spectator};
 use macroquad::input::get_dropped_files;
 use std::path::PathBuf;
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 
 pub use std::time::Instant;
+
+/// Since 1970, s; 0 before that.
+pub fn now() -> f64 {
+    SystemTime::UNIX_EPOCH.elapsed().unwrap_or_default().as_secs_f64()
+}
 
 pub fn pause(time: Duration) {
     std::thread::sleep(time);

@@ -57,6 +57,8 @@ mod scoring;
 mod screen;
 mod settings;
 #[cfg(feature = "window")]
+#[cfg(all(feature = "window", target_os = "linux", target_pointer_width = "64"))]
+mod system_date;
 mod theatre;
 mod tile_run;
 mod visits;

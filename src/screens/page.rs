@@ -9,6 +9,7 @@ use std::time::Duration;
 pub use crate::web::Instant;
 
 pub use crate::web::language;
+pub use macroquad::miniquad::date::now;
 
 /// The browser asks for a frame when it needs one.
 pub const fn pause(_: Duration) {}

@@ -43,6 +43,8 @@ pub enum Start {
 /// # Errors
 /// There is no display, or what the window needs cannot be had; in words.
 pub fn open(places: Places, start: Option<Start>) -> Result<(), String> {
+    #[cfg(all(target_os = "linux", target_pointer_width = "64"))]
+    super::system_date::keep();
     // None until the window is there, then how the sitting ended.
     let ended: Rc<RefCell<Option<Result<(), String>>>> = Rc::default();
     // miniquad panics where it finds no display. Until the window is there that panic is caught and told in words; from then on
@@ -117,16 +119,18 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     prevent_quit();
     loop {
         theme::wear(app.settings().palette);
-        app.now = macroquad::miniquad::date::now();
+        app.now = host::now();
         let text = app.screen().text_scale(app.settings(), canvas.frame().pixel);
-        pen.begin(&mut canvas, text)?;
+        pen.begin(&mut canvas, text);
         app.dpi = canvas.dpi();
         let mut input = read_input(&canvas, pads.read(), keys.read());
         // What is pressed meanwhile comes with the next frame, which waits for nothing.
         let worked = begun.elapsed();
         host::pause(Duration::from_secs_f64(app.interval(&input)).saturating_sub(worked));
-        let passed = begun.elapsed();
-        begun += passed;
+        let now = Instant::now();
+        let passed = now - begun;
+        // A clock that was set back goes on from there.
+        begun = now;
         input.frame_time = pace::passed(passed.as_secs_f64());
         input.waited = (passed - worked).as_secs_f64();
         if is_quit_requested() && app.may_close() {

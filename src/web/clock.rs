@@ -1,7 +1,7 @@
 //! The page's clock.
 
 use super::resultant_now;
-use std::ops::{AddAssign, Sub};
+use std::ops::Sub;
 use std::time::Duration;
 
 /// As [`std::time::Instant`], which a page does not have.
@@ -17,12 +17,6 @@ impl Instant {
 
     pub fn elapsed(&self) -> Duration {
         Self::now().0.saturating_sub(self.0)
-    }
-}
-
-impl AddAssign<Duration> for Instant {
-    fn add_assign(&mut self, passed: Duration) {
-        self.0 += passed;
     }
 }
 

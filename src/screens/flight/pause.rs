@@ -32,7 +32,7 @@ impl Flight {
     /// Pauses a flight that is under way.
     pub(in crate::screens) fn halt(&mut self) {
         if self.game.outcome() == Outcome::Running && !self.is_watched() && self.pause.is_none() {
-            self.pilot.let_go();
+            self.let_go();
             self.pause = Some(RESUME);
         }
     }
