@@ -31,6 +31,8 @@ pub use home::{
 #[cfg(any(browser, test))]
 pub use kept::{Keeper, KeepingFault, PageFiles};
 pub use lock::{Lock, PATIENCE, pauses, share};
+#[cfg(browser)]
+pub use read::too_large;
 pub use read::{Symlinks, is_passed_on, open};
 pub use rows::{BadCell, CsvColumn, CsvFile, CsvRow, CsvStruct, found_instead, place};
 pub use shipped::{AboveShipped, ship_at, ship_lessons_at};

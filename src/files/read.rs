@@ -112,7 +112,7 @@ pub(super) fn judge(found: &Metadata) -> io::Result<()> {
     Err(io::Error::new(kind, other))
 }
 
-pub(super) fn too_large(bytes: Option<u64>, at_most: u64) -> io::Error {
+pub fn too_large(bytes: Option<u64>, at_most: u64) -> io::Error {
     let found = bytes.map_or(tr("more").to_owned(), |count| tr!("{count} bytes", count));
     io::Error::new(io::ErrorKind::FileTooLarge, tr!("found {found}, expected at most {most} bytes", found, most = at_most))
 }

@@ -19,6 +19,8 @@ pub use keys::drain as drain_keys;
 pub use sound::Output;
 pub use verify::verify;
 
+use crate::words::tr;
+use crate::{files, pack};
 use std::cell::{Cell, RefCell};
 use std::path::PathBuf;
 
@@ -165,22 +167,51 @@ extern "C" fn resultant_at_risk() -> i32 {
     i32::from(AT_RISK.get())
 }
 
+/// The browser has taken the graphics away, with all textures and shaders: the page has to be loaded again.
+#[unsafe(no_mangle)]
+extern "C" fn resultant_graphics_lost() {
+    HIDDEN.set(true);
+    say(
+        PageWord::Stopped,
+        tr("The browser has taken the graphics away. Click here, or load the page again, to play on; what was saved is kept."),
+    );
+}
+
 #[unsafe(no_mangle)]
 extern "C" fn resultant_fullscreen(fills: i32) {
     FULLSCREEN.set(Some(fills != 0));
 }
 
-/// Room for bytes that the script hands over to [`resultant_dropped`].
+/// Room for bytes that the script hands over.
 #[unsafe(no_mangle)]
 extern "C" fn resultant_room(length: usize) -> *mut u8 {
     Box::leak(vec![0; length].into_boxed_slice()).as_mut_ptr()
 }
 
+/// # Safety
+/// [`resultant_room`] made it with that length, and it is handed over once.
+unsafe fn handed_over(at: *mut u8, length: usize) -> Vec<u8> {
+    // SAFETY: as said above.
+    unsafe { Box::from_raw(std::ptr::slice_from_raw_parts_mut(at, length)) }.into_vec()
+}
+
+/// Whether a file of that name and size, bytes, is too large to be handed over. The page then says so.
+#[unsafe(no_mangle)]
+extern "C" fn resultant_refuses(name: *mut u8, length: usize, size: f64) -> bool {
+    // SAFETY: the script hands over what it has just filled.
+    let name = unsafe { handed_over(name, length) };
+    let refuses = size > pack::LARGEST as f64;
+    if refuses {
+        let problem = files::too_large(Some(size as u64), pack::LARGEST);
+        say(PageWord::Notice, &format!("{}: {problem}", String::from_utf8_lossy(&name)));
+    }
+    refuses
+}
+
 #[unsafe(no_mangle)]
 extern "C" fn resultant_dropped(name: *mut u8, name_length: usize, bytes: *mut u8, length: usize) {
-    // SAFETY: both were made by `resultant_room` with these lengths, and are handed over.
-    let [name, bytes] = [(name, name_length), (bytes, length)]
-        .map(|(at, length)| unsafe { Box::from_raw(std::ptr::slice_from_raw_parts_mut(at, length)) }.into_vec());
+    // SAFETY: the script hands over what it has just filled.
+    let (name, bytes) = unsafe { (handed_over(name, name_length), handed_over(bytes, length)) };
     let name = String::from_utf8_lossy(&name).replace(['/', '\\'], "_");
     let path = format!("{DROPPED}/{name}");
     keeper::hold(path.clone(), bytes);

@@ -1,4 +1,4 @@
-// The page's half of src/web: storage, sound, gamepads, clipboard, links and files. macroquad's loader stands before it in one file.
+// The page's half of src/web: storage, sound, gamepads, clipboard, links and files. miniquad's loader stands before it in one file.
 "use strict";
 (function () {
   const PREFIX = "resultant/";
@@ -97,7 +97,7 @@
     return from ? new Float32Array(wasm_memory.buffer, from, 2 * FRAMES).slice() : new Float32Array(2 * FRAMES);
   }
   async function beginSound() {
-    if (sound) { if (sound.state === "suspended") sound.resume(); return; }
+    if (sound) { if (sound.state === "suspended" && graphics) sound.resume(); return; }
     if (!wasm_exports || !window.AudioContext) return;
     sound = new AudioContext({ latencyHint: "interactive" });
     wasm_exports.resultant_sound_begins(sound.sampleRate);
@@ -124,19 +124,23 @@
 
   // Files that are dropped, chosen or pasted as files.
   async function hand(files) {
+    const put = (data) => { const to = wasm_exports.resultant_room(data.length); bytesAt(to, data.length).set(data); return to; };
     for (const file of files) {
-      const [name, bytes] = [encoded(file.name), new Uint8Array(await file.arrayBuffer())];
-      const put = (data) => { const to = wasm_exports.resultant_room(data.length); bytesAt(to, data.length).set(data); return to; };
-      const [nameTo, bytesTo] = [put(name), put(bytes)];
-      wasm_exports.resultant_dropped(nameTo, name.length, bytesTo, bytes.length);
+      const name = encoded(file.name);
+      if (wasm_exports.resultant_refuses(put(name), name.length, file.size)) continue;
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      wasm_exports.resultant_dropped(put(name), name.length, put(bytes), bytes.length);
     }
   }
 
   // A screen where nothing is flown names the time until its next frame, s; a press, the wheel or a file does not wait for it.
-  let begun = 0, next = 0;
+  const OPENED = Date.now() - performance.now();
+  let begun = 0, next = 0, graphics = true;
   const frame = animation;
   animation = (now) => {
-    if (now < next) animation_frame_timeout = window.requestAnimationFrame(animation);
+    if (!graphics) return;
+    // Also where the clock was set back.
+    if (begun <= now && now < next) animation_frame_timeout = window.requestAnimationFrame(animation);
     else { begun = now; frame(); }
   };
   for (const news of ["keydown", "keyup", "pointerdown", "pointerup", "wheel", "paste", "drop"]) window.addEventListener(news, () => { next = 0; }, true);
@@ -166,6 +170,13 @@
     canvas.onblur = () => wasm_exports.resultant_keys_leave();
     navigator.keyboard?.getLayoutMap?.().then((map) => map.forEach((key, code) => told("resultant_key_sign", code, sign(key)))).catch(() => {});
   }
+  // A browser may take the graphics away, with all textures and shaders, for which macroquad has no way to make them again.
+  canvas.addEventListener("webglcontextlost", () => {
+    graphics = false;
+    sound?.suspend();
+    wasm_exports.resultant_graphics_lost();
+    at("words").onclick = () => location.reload();
+  });
 
   const fit = () => resize(canvas, wasm_exports.resize);
   let ratio = devicePixelRatio;
@@ -180,6 +191,8 @@
       const fullscreen = imports.env.sapp_set_fullscreen;
       Object.assign(imports.env, {
         resultant_now: () => performance.now(),
+        // macroquad makes up for all time that passes here, 60 steps a second: a date that jumps by years would take it seconds.
+        now: () => (OPENED + performance.now()) / 1000,
         resultant_take: (to) => bytesAt(to, answer.length).set(answer),
         resultant_get: (key, length) => {
           const name = textAt(key, length);
@@ -292,6 +305,14 @@
       });
     },
   });
+
+  // Only a program that is served as one is compiled while it comes; not every server knows its kind.
+  const streaming = WebAssembly.compileStreaming?.bind(WebAssembly);
+  if (streaming) WebAssembly.compileStreaming = async (coming) => {
+    const came = await coming;
+    if (!came.ok) throw new Error(`${came.url}: ${came.status} ${came.statusText}`);
+    return came.headers.get("content-type") === "application/wasm" ? streaming(came) : WebAssembly.compile(await came.arrayBuffer());
+  };
 
   const failed = (event) => {
     const reason = String(event.message ?? event.reason ?? "");

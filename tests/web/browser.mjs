@@ -12,12 +12,12 @@ const FLAGS = [
   "--hide-scrollbars", "--autoplay-policy=no-user-gesture-required",
 ];
 
-/** Serves a folder on a free port of this machine alone. */
-export async function serve(folder) {
+/** Serves a folder on a free port of this machine alone. Without their kinds all files are bytes. */
+export async function serve(folder, kinds = KINDS) {
   const server = createServer((request, response) => {
     const file = join(folder, new URL(request.url, "http://x").pathname.replace(/\/$/, "/index.html"));
     if (!file.startsWith(folder) || !existsSync(file) || !statSync(file).isFile()) return void response.writeHead(404).end();
-    response.writeHead(200, { "content-type": KINDS[extname(file)] ?? "application/octet-stream" });
+    response.writeHead(200, { "content-type": kinds[extname(file)] ?? "application/octet-stream" });
     createReadStream(file).pipe(response);
   });
   await new Promise((done) => server.listen(0, "127.0.0.1", done));

@@ -34,11 +34,13 @@ const check = (holds, words) => { if (!holds) throw new Error(words); };
 
 const browser = new Browser();
 const server = await serve(join(root, "target/web"));
+const plain = await serve(join(root, "target/web"), { ".html": "text/html" });
 try {
   mkdirSync(out, { recursive: true });
   await browser.open();
   const kept = (file) => browser.ask(`localStorage.getItem(${JSON.stringify(`resultant/${file}`)})`);
   const step = (frames = 1) => browser.ask(`step(${frames})`);
+  const looks = async () => (await browser.send("Page.captureScreenshot")).data;
   const picture = (name) => browser.picture(join(out, `${name}.png`));
   async function begin(link = "") {
     await browser.go("about:blank");
@@ -56,6 +58,25 @@ try {
       await step(8);
     }
   }
+
+  // A server that knows of no programs serves the page as well, and the console has no word.
+  await browser.go(plain.address);
+  await browser.until("window.resultantReady");
+  check(browser.console.length === 0, `the console says: ${browser.console.join("\n")}`);
+
+  // A lost context is named in the player's language.
+  await browser.ask(`localStorage.setItem("resultant/settings.csv", ${JSON.stringify("tsetting,value,player\nlanguage,de,\n")})`);
+  await browser.go("about:blank");
+  await browser.go(plain.address);
+  await browser.until("window.resultantReady");
+  await browser.ask("gl.getExtension('WEBGL_lose_context').loseContext()");
+  await browser.until("/Grafik weggenommen/.test(document.getElementById('words').innerText)", 10);
+  await picture("lost-context");
+  const fresh = browser.loaded();
+  await browser.ask("localStorage.removeItem('resultant/settings.csv'), document.getElementById('words').click()");
+  await fresh;
+  await browser.until("window.resultantReady && document.getElementById('words').hidden");
+  console.log("a lost context is named, and a click begins again");
 
   // By the browser's own clock: a menu that nobody touches draws at most 30 frames a second.
   await browser.go(server.address);
@@ -89,7 +110,6 @@ try {
 
   // A page that is hidden pauses its flight: from then on no picture differs.
   await begin("#play=1");
-  const looks = async () => (await browser.send("Page.captureScreenshot")).data;
   const moves = async () => { const before = await looks(); await step(20); return before !== await looks(); };
   await browser.key("keyDown", KEYS.ArrowRight);
   await step(2);
@@ -238,6 +258,13 @@ try {
   await begin();
   await browser.ask(`${drop("'no archive'", "wrong.zip")}.then(() => step(30))`);
   await picture("wrong-zip");
+  // One that is too large is refused before a byte of it is read.
+  await browser.ask(`{ const large = new File(["large"], "large.zip");
+    Object.defineProperty(large, "size", { value: 1.8e9 });
+    large.arrayBuffer = () => { window.copied = true; };
+    ondrop({ preventDefault() {}, dataTransfer: { files: [large] } }); }`);
+  const refused = await browser.ask("document.getElementById('notice').textContent");
+  check(/large.zip.*1800000000/.test(refused) && !await browser.ask("window.copied"), `a large file: ${refused}`);
 
   // A gamepad's first button presses.
   await begin();
@@ -311,5 +338,6 @@ try {
   process.exitCode = 1;
 } finally {
   server.close();
+  plain.close();
   await browser.close();
 }

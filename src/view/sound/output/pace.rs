@@ -31,7 +31,7 @@ pub fn keep_pace(block: f64, mut write: impl FnMut() -> bool, now: impl Fn() -> 
 impl SamplePace {
     /// The pause after a block of that length that took so long to compute and to write (both s).
     fn after(&mut self, block: f64, taken: f64) -> Duration {
-        self.lead = ((self.lead + block - taken) * (1.0 - FORGETS)).max(0.0);
+        self.lead = ((self.lead + block - taken.max(0.0)) * (1.0 - FORGETS)).max(0.0);
         if self.lead < AHEAD {
             return Duration::ZERO;
         }
