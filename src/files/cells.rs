@@ -208,7 +208,7 @@ impl CsvRows {
         let at = self.base + self.reader.byte();
         if self.by_line {
             // The reader would take a quote to the end of the text.
-            self.reader = Pooled::new(self.dialect.delimiter, self.text[begin..begin + limit].as_bytes());
+            self.reader = Pooled::new(self.dialect.delimiter, &self.text.as_bytes()[begin..begin + limit]);
             self.base = begin;
         } else if !self.text.get(at..begin).is_some_and(|between| between.bytes().all(|byte| matches!(byte, b'\n' | b'\r'))) {
             self.reader.seek(begin - self.base);

@@ -106,7 +106,7 @@ impl EditedFile {
     /// The line of a row, from 1, and the line after its last.
     pub fn lines(&self, row: usize) -> Option<(usize, usize)> {
         let row = self.rows().get(row)?;
-        let text = self.text[row.span.clone()].as_bytes();
+        let text = &self.text.as_bytes()[row.span.clone()];
         let ends =
             text.iter().enumerate().filter(|(i, byte)| **byte == b'\n' || (**byte == b'\r' && text.get(i + 1) != Some(&b'\n')));
         Some((row.line, row.line + ends.count().max(1)))
