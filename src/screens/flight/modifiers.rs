@@ -15,7 +15,8 @@ enum State {
     Up,
     /// It went down that long ago, s.
     Waits(f64),
-    Flies,
+    /// It has waited that long, s.
+    Flies(f64),
     /// It is up again, and flies on for what it has waited, s.
     Ends(f64),
     Types,
@@ -36,7 +37,7 @@ impl Modifiers {
             let wait = if at_start { WAIT_AT_START } else { WAIT };
             let (pressed, held) = (input.pressed.has(key), input.held.has(key));
             *state = state.after(pressed, held, typed, input.frame_time, wait);
-            let flies = matches!(state, State::Flies | State::Ends(_));
+            let flies = matches!(state, State::Flies(_) | State::Ends(_));
             flying.held = if flies { flying.held | [key].into_iter().collect() } else { flying.held.without(key) };
             flying.pressed = flying.pressed.without(key);
         }
@@ -46,7 +47,7 @@ impl Modifiers {
 
 impl State {
     fn after(self, pressed: bool, held: bool, typed: bool, passed: f64, wait: f64) -> Self {
-        let waits = |since: f64| if since >= wait { Self::Flies } else { Self::Waits(since) };
+        let waits = |since: f64| if since >= wait { Self::Flies(since) } else { Self::Waits(since) };
         match self {
             Self::Up | Self::Ends(_) | Self::Types if pressed && typed => Self::Types,
             Self::Up | Self::Ends(_) | Self::Types if pressed && held => waits(0.0),
@@ -54,8 +55,8 @@ impl State {
             Self::Waits(_) if typed => Self::Types,
             Self::Waits(since) if held => waits(since + passed),
             Self::Waits(since) => Self::Ends(since + passed),
-            Self::Flies if held => Self::Flies,
-            Self::Flies => Self::Ends(wait),
+            Self::Flies(_) if held => self,
+            Self::Flies(waited) => Self::Ends(waited),
             Self::Ends(left) if left > passed => Self::Ends(left - passed),
             Self::Types if held => Self::Types,
             // Held from before: nobody has seen it go down.
