@@ -249,8 +249,9 @@ impl Keys {
 
     #[must_use]
     pub fn less(self, others: Self) -> Self {
-        let signs = self.signs.map(|sign| if others.signs.contains(&sign) { '\0' } else { sign });
-        Self { typed: self.typed & !others.typed, places: self.places & !others.places, signs }
+        let mut rest = Self { typed: self.typed & !others.typed, places: self.places & !others.places, ..Self::default() };
+        self.signs().filter(|key| key.bit().is_none() && !others.has(*key)).for_each(|key| rest.add_typed(key));
+        rest
     }
 
     #[must_use]

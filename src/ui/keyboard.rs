@@ -77,7 +77,7 @@ impl Keyboard {
     }
 
     /// What the key that went down last has typed, where that is told after it.
-    pub fn typed_by_last(&mut self, sign: char) {
+    pub fn typed_by_last(&mut self, sign: char, held: Keys) {
         // Ctrl and a letter come as a control character.
         let letter = sign as u32;
         let sign = if (1..=26).contains(&letter) { char::from_u32(letter + 0x60).unwrap_or(sign) } else { sign };
@@ -85,7 +85,7 @@ impl Keyboard {
         if !keys.has(key) && !keys.named().any(|key| !layout::prints(key)) {
             keys.add_typed(key);
             self.pressed.add_typed(key);
-            let (after, held) = self.keyed.last().map_or((0, Keys::default()), |keyed| (keyed.after, keyed.held));
+            let after = self.typed.chars().count();
             self.keyed.extend((!matches!(key, Key::Sign(_))).then_some(Keyed { key, after, held }));
         }
     }

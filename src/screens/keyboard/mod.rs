@@ -112,7 +112,7 @@ impl EventHandler for Events {
         if BEFORE {
             self.before = Some(character);
         } else {
-            self.keyboard.typed_by_last(character);
+            self.keyboard.typed_by_last(character, modifiers(held));
             self.keyboard.typed(character, modifiers(held));
         }
     }
