@@ -24,7 +24,7 @@ impl Sitting {
 
     /// Frames with these keys down.
     fn hold(&mut self, held: &[Key], frames: usize) -> &mut Self {
-        (0..frames).for_each(|_| drop(self.press_keys(&[], held)));
+        (0..frames).for_each(|_| _ = self.press_keys(&[], held));
         self
     }
 
@@ -68,7 +68,7 @@ fn a_key_that_is_held_at_a_loss_flies_the_next_attempt_once_it_was_released() {
 fn what_is_held_at_a_restart_a_pause_or_as_the_focus_goes_counts_once_it_was_released() {
     let space = &[Key::Space];
     type Part = fn(&mut Sitting);
-    let restart: Part = |sitting| drop(sitting.press_keys(&[Key::R], &[Key::R, Key::Space]));
+    let restart: Part = |sitting| _ = sitting.press_keys(&[Key::R], &[Key::R, Key::Space]);
     let pause: Part = |sitting| {
         sitting.press_keys(&[Key::Escape], &[Key::Escape, Key::Space]);
         sitting.hold(&[Key::Space], 3).press_keys(&[Key::Escape], &[Key::Escape, Key::Space]);
@@ -79,7 +79,7 @@ fn what_is_held_at_a_restart_a_pause_or_as_the_focus_goes_counts_once_it_was_rel
         sitting.hold(&[Key::Space], 3).press_keys(&[Key::PadA], &[Key::PadA, Key::Space]);
         sitting.hold(&[Key::PadA, Key::Space], 3);
     };
-    let focus: Part = |sitting| drop(sitting.give(Input { away: true, held: keys(&[Key::Space]), ..Input::default() }));
+    let focus: Part = |sitting| _ = sitting.give(Input { away: true, held: keys(&[Key::Space]), ..Input::default() });
     for (what, part) in [("restart", restart), ("pause", pause), ("resume", resume), ("focus", focus)] {
         let mut sitting = flying();
         sitting.press_keys(space, space).hold(space, 5);
