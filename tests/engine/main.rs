@@ -13,6 +13,7 @@ mod exact;
 mod forces;
 mod freezes;
 mod golden;
+mod instants;
 mod links;
 mod liquids;
 mod media_in_a_tick;

@@ -23,7 +23,15 @@ impl Network {
         }
     }
 
-    pub(super) fn linked_nodes(&mut self) -> impl Iterator<Item = &mut NetworkNode> {
+    /// The way back: a tie that slips on the ground is asked for its direction, so the ground moves again, too.
+    pub(super) fn leave_frame(&mut self, frame: f64) {
+        if frame != 0.0 {
+            self.linked_nodes().for_each(|node| node.acceleration += frame);
+            self.links.iter_mut().for_each(|link| link.ground = frame);
+        }
+    }
+
+    fn linked_nodes(&mut self) -> impl Iterator<Item = &mut NetworkNode> {
         self.nodes.iter_mut().zip(&self.linked).filter(|(_, linked)| **linked).map(|(node, _)| node)
     }
 

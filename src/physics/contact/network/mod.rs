@@ -142,9 +142,7 @@ impl Network {
             self.settle_block(next);
             next += 1;
         }
-        if frame != 0.0 {
-            self.linked_nodes().for_each(|node| node.acceleration += frame);
-        }
+        self.leave_frame(frame);
     }
 
     fn slot(&self, end: u32) -> usize {
