@@ -218,7 +218,8 @@ fn end_of_slide(motion: &Polynomial, slides: f64, skin: f64, end: f64) -> Option
         }
         2.0 * speed / (braking + discriminant.sqrt())
     };
-    (t > 0.0 && t < end).then_some(t)
+    // The time of the slowest slides underflows to 0: they end now. That of one that speeds up underflows to −0.
+    (t.is_sign_positive() && t < end).then_some(t)
 }
 
 #[cfg(test)]
@@ -230,6 +231,8 @@ mod tests {
         assert_eq!(end_of_slide(&Polynomial([0.0, 6.0, -1.5, 0.0]), 1.0, 0.0, 3.0), Some(2.0));
         assert_eq!(end_of_slide(&Polynomial([0.0, -6.0, 1.5, 0.0]), -1.0, 0.0, 3.0), Some(2.0));
         assert_eq!(end_of_slide(&Polynomial([0.0, 6.0, 1.5, 0.0]), 1.0, 0.0, 3.0), None);
+        assert_eq!(end_of_slide(&Polynomial([0.0, 1e-320, -2.0, 0.0]), 1.0, 0.0, 3.0), Some(0.0));
+        assert_eq!(end_of_slide(&Polynomial([0.0, 1e-320, 2.0, 0.0]), 1.0, 0.0, 3.0), None);
         // On a belt that runs along with 2 m/s it ends there.
         assert_eq!(end_of_slide(&Polynomial([0.0, 6.0, -1.5, 0.0]), 1.0, -2.0, 3.0), Some(4.0 / 3.0));
         // 4 − 5t + t² has its first root at 1.

@@ -1,6 +1,6 @@
 //! Impacts at one instant and of one speed, solved together by conjugate gradients (`docs/physics.md`, Ties; Hestenes and Stiefel 1952).
 
-use crate::physics::data::{Contact, EQUAL_SPEED, on_axis, refill};
+use crate::physics::data::{Contact, EQUAL_SPEED, SPEED_ROUNDING, on_axis, refill};
 use crate::physics::exact::events::{Events, Scene, Tie};
 use glam::DVec2;
 
@@ -147,6 +147,16 @@ impl Events {
                 let mass = self.items[item].body.mass;
                 self.speeds[item] += given * (sign / mass);
             }
+        }
+        self.stop_exactly(&contact, relative);
+    }
+
+    /// Where friction has stopped a slide over a surface, up to the rounding of the slide that `was` (m/s), nothing is left of it: that would slide on.
+    fn stop_exactly(&mut self, contact: &Contact, was: f64) {
+        let ((body, surface), slides) = (contact.ends(), self.sliding(contact));
+        if !self.is_body(surface) && slides.abs() <= SPEED_ROUNDING * was.abs() {
+            let side = if body == contact.lo { 1.0 } else { -1.0 };
+            self.speeds[body as usize][1 - contact.axis] += side * slides;
         }
     }
 }
