@@ -5,7 +5,7 @@
 
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::surface::Sides;
-use crate::physics::data::tuning::SLOP;
+use crate::physics::data::tuning::{SLOP, SPEED_TOLERANCE};
 use glam::DVec2;
 
 /// x(t) = c₀ + c₁t + c₂t² + c₃t³, m, for each axis.
@@ -174,6 +174,14 @@ impl Stretch {
     }
 }
 
+/// How far boxes that met along both axes at one instant overlap along the `other` one at least, m, when they have gone the slop deep along an axis on
+/// which they move with `closing` m/s: half as far as they must, however that time is rounded. So the faster axis is the one that is hit. What slides
+/// along a face does not close in on it, and never meets it so.
+fn least_at_a_corner(closing: f64, other: &Polynomial, t: f64) -> f64 {
+    let closes = -other.at(t).signum() * other.slope(t);
+    if closes > SPEED_TOLERANCE { 0.5 * SLOP * (closes / closing.abs()).min(1.0) } else { f64::INFINITY }
+}
+
 /// The first time in (0, end] at which boxes whose halves sum to `reach` meet, and the axis; `motion` is that of the second relative to the first,
 /// `sides` are the solid ones of the second. Boxes that touch meet again only after they have parted.
 pub(crate) fn time_of_impact(motion: &Cubic, reach: DVec2, end: f64, sides: Sides) -> Option<(f64, usize)> {
@@ -195,7 +203,7 @@ pub(crate) fn time_of_impact(motion: &Cubic, reach: DVec2, end: f64, sides: Side
                     break;
                 }
                 let overlap = reach[1 - axis] - other.at(t).abs();
-                if overlap > SLOP || (depth > 0.0 && overlap >= SLOP) {
+                if overlap > SLOP || depth > 0.0 && overlap >= least_at_a_corner(path.path.slope(t), other, t) {
                     first = Some((t, axis));
                     break;
                 }
@@ -254,6 +262,20 @@ mod tests {
     fn a_corner_met_exactly_is_a_hit() {
         let hit = time_of_impact(&straight(DVec2::new(-2.0, -2.0), DVec2::new(1.0, 1.0)), DVec2::splat(1.0), 2.0, Sides::ALL);
         assert!((hit.unwrap().0 - 1.0).abs() < 1e-8);
+        for (at, v) in [(12.5, 16.0), (11.0, 64.0), (7.3, 9.1)] {
+            let hit = time_of_impact(&straight(DVec2::splat(-at), DVec2::splat(v)), DVec2::splat(1.0), 4.0, Sides::ALL);
+            assert!((hit.unwrap().0 - (at - 1.0) / v).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_corner_is_met_along_the_faster_axis() {
+        for (v, axis) in
+            [(DVec2::new(3.0, 1.0), 0), (DVec2::new(1.0, 3.0), 1), (DVec2::new(-900.0, 1.0), 0), (DVec2::new(-1.0, -40.0), 1)]
+        {
+            let hit = time_of_impact(&straight(-DVec2::splat(1.0) * v.signum() - v, v), DVec2::splat(1.0), 2.0, Sides::ALL);
+            assert!(hit.is_some_and(|(t, of)| (t - 1.0).abs() < 1e-8 && of == axis), "{v}: {hit:?}");
+        }
     }
 
     #[test]

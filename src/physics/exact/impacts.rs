@@ -2,7 +2,7 @@
 
 use crate::physics::contact::axis::Parts;
 use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES};
-use crate::physics::data::{Aabb, BodyId, Contact, Hit, Impulse, Obstacle, Part, called, on_axis};
+use crate::physics::data::{Aabb, BodyId, Contact, EQUAL_SPEED, Hit, Impulse, Obstacle, Part, SLOP, called, on_axis};
 use crate::physics::exact::events::{Events, Scene, Tie};
 use glam::DVec2;
 
@@ -13,7 +13,8 @@ impl Events {
             return true;
         }
         while let Some((index, speed, e)) = self.next_impact(scene) {
-            if e == 0.0 {
+            let corner = self.closing_at_a_corner(&self.touching[index], speed).is_some();
+            if e == 0.0 && !corner {
                 self.stop_together(scene);
                 break;
             }
@@ -184,8 +185,9 @@ impl Events {
         let change = (1.0 + e) * speed;
         let relative = self.sliding(&contact);
         // Friction changes the sliding by at most μ_k times the change along the normal, and stops it at most.
-        let rub = -relative.signum() * (contact.kinetic_friction * change).min(relative.abs());
-        self.note(&contact, on_axis(axis, reduced * change, if relative == 0.0 { 0.0 } else { reduced * rub }), speed);
+        let rubs = -relative.signum() * (contact.kinetic_friction * change).min(relative.abs());
+        let rub = self.closing_at_a_corner(&contact, speed).map_or(rubs, |closing| -(1.0 + e) * closing);
+        self.note(&contact, on_axis(axis, reduced * change, if rub == 0.0 { 0.0 } else { reduced * rub }), speed);
         let surface = [contact.lo, contact.hi].into_iter().find(|&item| !self.is_body(item));
         for (item, share, sign) in [(contact.lo, lo_share, -1.0), (contact.hi, hi_share, 1.0)] {
             if !self.is_body(item) {
@@ -198,13 +200,24 @@ impl Events {
                 Some(ground) => velocity[axis] = ground + sign * e * speed,
                 None => velocity[axis] += sign * share * change,
             }
-            if relative != 0.0 {
+            if rub != 0.0 {
                 velocity[1 - axis] += sign * share * rub;
             }
         }
         if surface.is_none_or(|surface| self.stands(surface)) {
             self.pass_over_bounces(scene, &contact, e * speed, e);
         }
+    }
+
+    /// The velocity of `hi` relative to `lo` along the other axis, m/s, where two corners have met that close along both axes alike: neither face is hit
+    /// before the other, so both are, and nothing slides.
+    fn closing_at_a_corner(&self, contact: &Contact, speed: f64) -> Option<f64> {
+        let (lo, hi, along) = (contact.lo as usize, contact.hi as usize, 1 - contact.axis);
+        let apart = (self.places[hi] - self.places[lo])[along];
+        let reach = (self.items[lo].body.half + self.items[hi].body.half)[along];
+        let closing = (self.speeds[hi] - self.speeds[lo])[along];
+        let alike = (-closing * apart.signum() - speed).abs() <= EQUAL_SPEED * speed;
+        (reach - apart.abs() <= 2.0 * SLOP && alike).then_some(closing)
     }
 
     fn note_plastic(&mut self, contact: &Contact) {
