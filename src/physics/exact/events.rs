@@ -87,6 +87,8 @@ pub(crate) struct Events {
     pub(super) concerned: Vec<u32>,
     pub(super) is_concerned: Vec<bool>,
     pub(super) is_placed: Vec<bool>,
+    /// Of each item: whether it has been struck in the present round of impacts.
+    pub(super) struck: Vec<bool>,
     /// Contacts of the items concerned, and copies of them for trial solves.
     pub(super) trial: Vec<Contact>,
     pub(super) asked: Vec<Contact>,
@@ -145,7 +147,7 @@ impl Events {
         self.masses.extend(self.items[..self.movable].iter().map(|item| DVec2::splat(item.body.mass)));
         refill(&mut self.nexts, all, Next::NEVER);
         refill(&mut self.ways, all, 0);
-        for flags in [&mut self.is_concerned, &mut self.is_placed] {
+        for flags in [&mut self.is_concerned, &mut self.is_placed, &mut self.struck] {
             refill(flags, all, false);
         }
         self.begun.clear();

@@ -1,4 +1,5 @@
-//! Impacts, one after the other, the fastest first, until nothing approaches (`docs/physics.md`, Impacts and their order).
+//! Impacts in rounds, the fastest first, until nothing approaches (`docs/physics.md`, Impacts and their order). All hits of an instant come before
+//! those that they bring about: in a round no body is struck twice, but by hits that tie.
 
 use crate::physics::contact::axis::Parts;
 use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES};
@@ -12,7 +13,13 @@ impl Events {
         if self.bounces && self.squeezes(scene) {
             return true;
         }
+        self.struck.fill(false);
         while let Some((index, speed, e)) = self.next_impact(scene) {
+            if self.is_struck(&self.touching[index]) {
+                // Nothing else approaches: the next round begins.
+                self.struck.fill(false);
+                continue;
+            }
             let corner = self.closing_at_a_corner(&self.touching[index], speed).is_some();
             if e == 0.0 && !corner {
                 self.stop_together(scene);
@@ -30,6 +37,11 @@ impl Events {
             }
         }
         true
+    }
+
+    /// Whether an impact of this round has changed the speed of one of the bodies of a contact.
+    pub(crate) fn is_struck(&self, contact: &Contact) -> bool {
+        contact.pair().into_iter().any(|item| self.is_body(item) && self.struck[item as usize])
     }
 
     /// Stops the surfaces that squeeze bodies before anything bounces: in a gap that closes it would bounce without end.
@@ -134,9 +146,10 @@ impl Events {
         }
     }
 
-    /// The next pair: its index, closing speed and restitution. Bouncing pairs first, the fastest of them.
+    /// The next pair: its index, closing speed and restitution. Bouncing pairs first, of them those not struck in this
+    /// round, and of these the fastest.
     fn next_impact(&self, scene: &Scene) -> Option<(usize, f64, f64)> {
-        let mut best: Option<(usize, f64, f64)> = None;
+        let mut best = None;
         for (index, contact) in self.touching.iter().enumerate() {
             let speed = self.approach(contact);
             let rounding = self.speed_rounding(contact)[contact.axis];
@@ -145,15 +158,15 @@ impl Events {
             }
             let e = if self.bounces { self.restitution(scene, contact, speed) } else { 0.0 };
             // A bounce needs a closed gap, or it would lose energy; what only comes to rest may do so within the slop.
-            if e > 0.0 && !contact.closed {
+            if e > 0.0 && !self.is_shut(contact, speed) {
                 continue;
             }
-            let better = best.is_none_or(|(_, fastest, of)| (e > 0.0, speed) > (of > 0.0, fastest));
-            if better {
-                best = Some((index, speed, e));
+            let rank = (e > 0.0, !self.is_struck(contact), speed);
+            if best.is_none_or(|(first, _)| rank > first) {
+                best = Some((rank, (index, speed, e)));
             }
         }
-        best
+        best.map(|(_, next)| next)
     }
 
     /// Restitution of a pair at a closing speed: 0 where the bounce ends.
@@ -168,6 +181,7 @@ impl Events {
     pub(crate) fn count_hit(&mut self, contact: &Contact) {
         let ends = [contact.lo, contact.hi].map(|item| item as usize);
         ends.iter().for_each(|item| self.items[*item].hits += 1);
+        ends.iter().for_each(|item| self.struck[*item] = true);
         let fewest = ends.map(|item| self.items[item].hits).into_iter().min();
         self.guards.bounces_ended += u64::from(fewest == Some(MOST_BOUNCES + 1));
     }
@@ -217,7 +231,7 @@ impl Events {
         let reach = (self.items[lo].body.half + self.items[hi].body.half)[along];
         let closing = (self.speeds[hi] - self.speeds[lo])[along];
         let alike = (-closing * apart.signum() - speed).abs() <= EQUAL_SPEED * speed;
-        (reach - apart.abs() <= 2.0 * SLOP && alike).then_some(closing)
+        (speed > 0.0 && reach - apart.abs() <= 2.0 * SLOP && alike).then_some(closing)
     }
 
     fn note_plastic(&mut self, contact: &Contact) {

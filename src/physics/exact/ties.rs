@@ -29,7 +29,7 @@ impl Events {
     fn tie(&self, scene: &Scene, index: usize, speed: f64) -> Option<Tie> {
         let contact = &self.touching[index];
         let approach = self.approach(contact);
-        if (approach - speed).abs() > EQUAL_SPEED * speed || !(contact.closed || self.closes_now(contact, speed)) {
+        if (approach - speed).abs() > EQUAL_SPEED * speed || self.is_struck(contact) || !self.is_shut(contact, speed) {
             return None;
         }
         let e = self.restitution(scene, contact, approach);
@@ -37,13 +37,13 @@ impl Events {
         (e > 0.0).then_some(Tie { index, e, target, impulse: 0.0, left: 0.0, direction: 0.0, change: 0.0 })
     }
 
-    fn closes_now(&self, contact: &Contact, speed: f64) -> bool {
+    /// Whether the gap of a pair that approaches with that speed is closed, or closes within 1e-12 s or 16 roundings of the coordinates.
+    pub(crate) fn is_shut(&self, contact: &Contact, speed: f64) -> bool {
         let [a, b] = [contact.lo, contact.hi].map(|item| item as usize);
         let reach = self.items[a].body.half + self.items[b].body.half;
         let gap = (self.places[b] - self.places[a] - reach)[contact.axis];
         let size = (self.places[a].abs() + self.places[b].abs() + reach)[contact.axis];
-        // It closes within 1e-12 s, or 16 roundings of the coordinates.
-        gap <= speed * 1e-12 + 16.0 * f64::EPSILON * size
+        contact.closed || gap <= speed * 1e-12 + 16.0 * f64::EPSILON * size
     }
 
     pub(crate) fn resolve_ties(&mut self, scene: &Scene, speed: f64) {

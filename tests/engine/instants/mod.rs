@@ -1,6 +1,7 @@
 //! What happens within a tick is right at its instant, whatever the tick: each kind of scene against exact answers, in random cases.
 
 mod corners;
+mod cradles;
 mod movers;
 mod tiles;
 
