@@ -1,68 +1,61 @@
-//! Shift, Ctrl and Alt fly, and they type signs: on a US keyboard `+` is Shift and `=`.
+//! Shift, Ctrl and Alt fly, and they type signs: on a US keyboard `+` is Shift and `=`. A modifier flies at once. Where a sign is typed with it
+//! soon after it went down, it has typed: what it has flown is taken back, and it flies no more until it goes down again.
 
-use crate::screens::{Input, Key};
+use crate::screens::{Input, Key, Keys};
 use crate::settings::Action;
 
 const MODIFIERS: [Key; 3] = [Key::Shift, Key::Control, Key::Alt];
-/// The time in which a sign follows the modifier that it is typed with, s: in flight, and before an attempt has begun, where no time is lost.
-const WAIT: f64 = 0.12;
-const WAIT_AT_START: f64 = 0.4;
+/// The time in which a sign follows the modifier that it is typed with, s.
+pub(super) const SOON: f64 = 0.5;
 
-/// What a modifier that flies does: it flies a moment later, as long as it is held, unless a sign is typed with it in that moment.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default)]
 enum State {
     #[default]
     Up,
-    /// It went down that long ago, s.
-    Waits(f64),
-    /// It has waited that long, s.
-    Flies(f64),
-    /// It is up again, and flies on for what it has waited, s.
-    Ends(f64),
+    /// From that tick on.
+    Flies(u64),
     Types,
+}
+
+/// Modifiers that have flown since a tick, and typed.
+pub(super) struct Mistaken {
+    pub since: u64,
+    pub keys: Keys,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Modifiers([State; MODIFIERS.len()]);
 
 impl Modifiers {
-    /// The input by which a frame is flown; `at_start`: of an attempt that has not begun.
-    pub fn flying(&mut self, input: &Input, at_start: bool) -> Input {
+    /// The input by which a frame is flown after `now` ticks, and what was flown by mistake, of which `soon` ticks at most are taken back.
+    pub fn flying(&mut self, input: &Input, now: u64, soon: u64) -> (Input, Option<Mistaken>) {
         let mut flying = input.clone();
+        let mut mistaken: Option<Mistaken> = None;
         let typed = types(input);
         for (key, state) in MODIFIERS.into_iter().zip(&mut self.0) {
             if key == Key::Shift && !input.settings.keys.needs_shift() {
                 continue;
             }
-            let wait = if at_start { WAIT_AT_START } else { WAIT };
             let (pressed, held) = (input.pressed.has(key), input.held.has(key));
-            *state = state.after(pressed, held, typed, input.frame_time, wait);
-            let flies = matches!(state, State::Flies(_) | State::Ends(_));
-            flying.held = if flies { flying.held | [key].into_iter().collect() } else { flying.held.without(key) };
-            flying.pressed = flying.pressed.without(key);
+            *state = match *state {
+                _ if pressed && typed => State::Types,
+                State::Flies(since) if held && typed && now.saturating_sub(since) <= soon => {
+                    let before = mistaken.take().unwrap_or(Mistaken { since, keys: Keys::default() });
+                    let keys = before.keys | [key].into_iter().collect();
+                    mistaken = Some(Mistaken { since: before.since.min(since), keys });
+                    State::Types
+                }
+                State::Types if held && !pressed => State::Types,
+                State::Flies(since) if held && !pressed => State::Flies(since),
+                _ if pressed || held => State::Flies(now),
+                _ => State::Up,
+            };
+            if matches!(state, State::Types) {
+                flying.held = flying.held.without(key);
+                flying.pressed = flying.pressed.without(key);
+            }
         }
-        flying
-    }
-}
-
-impl State {
-    fn after(self, pressed: bool, held: bool, typed: bool, passed: f64, wait: f64) -> Self {
-        let waits = |since: f64| if since >= wait { Self::Flies(since) } else { Self::Waits(since) };
-        match self {
-            Self::Up | Self::Ends(_) | Self::Types if pressed && typed => Self::Types,
-            Self::Up | Self::Ends(_) | Self::Types if pressed && held => waits(0.0),
-            Self::Up | Self::Ends(_) | Self::Types if pressed => Self::Ends(0.0),
-            Self::Waits(_) if typed => Self::Types,
-            Self::Waits(since) if held => waits(since + passed),
-            Self::Waits(since) => Self::Ends(since + passed),
-            Self::Flies(_) if held => self,
-            Self::Flies(waited) => Self::Ends(waited),
-            Self::Ends(left) if left > passed => Self::Ends(left - passed),
-            Self::Types if held => Self::Types,
-            // Held from before: nobody has seen it go down.
-            Self::Up if held => waits(0.0),
-            _ => Self::Up,
-        }
+        (flying, mistaken)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::Flight;
 use super::attempt::Attempt;
-use super::modifiers::Modifiers;
+use super::modifiers::{Mistaken, Modifiers, SOON};
 use super::viewer::Viewer;
 use crate::game::{Controls, Inputs, Latch, Outcome, Playback};
 use crate::screens::{Input, Spectator};
@@ -72,7 +72,11 @@ pub(super) fn steers(input: &Input) -> bool {
 impl Flight {
     /// Flies the ticks of a frame, unless the world stands still.
     pub(super) fn fly(&mut self, input: &Input, spectator: &mut dyn Spectator) {
-        let input = &self.modifiers.flying(input, self.game.is_idle());
+        let soon = (SOON * self.game.tick_rate()) as u64;
+        let (input, mistaken) = &self.modifiers.flying(input, self.game.ticks(), soon);
+        if let Some(mistaken) = mistaken {
+            self.take_back(mistaken, input, spectator);
+        }
         self.pilot.follow(held(input), pressed(input));
         let (assists, by_hand) = (input.settings.assists, self.is_by_hand());
         self.assisted |= by_hand && (assists.any() || self.observer.pace() != 1.0);
@@ -90,9 +94,41 @@ impl Flight {
         }
     }
 
+    /// Flies some ticks again without what modifiers have steered that were there to type a sign.
+    fn take_back(&mut self, mistaken: &Mistaken, input: &Input, spectator: &mut dyn Spectator) {
+        let [typing, flying] = [Input { held: mistaken.keys, ..input.clone() }, input.clone()].map(|input| held(&input));
+        let steered = |flown: bool, typing: bool, flying: bool| flown && (!typing || flying);
+        let meant = |flown: Controls| Controls {
+            thrust: steered(flown.thrust, typing.thrust, flying.thrust),
+            reverse: steered(flown.reverse, typing.reverse, flying.reverse),
+            left: steered(flown.left, typing.left, flying.left),
+            right: steered(flown.right, typing.right, flying.right),
+        };
+        let begins = self.history.start().ticks();
+        let flown: Vec<Controls> = self.history.inputs().after(mistaken.since.saturating_sub(begins)).collect();
+        let by_hand = self.is_by_hand() && !self.observer.frozen() && self.game.ticks() == self.history.ticks();
+        if !by_hand || flown.iter().all(|controls| meant(*controls) == *controls) {
+            return;
+        }
+        self.show_moment(mistaken.since, spectator);
+        self.leave_what_came_after();
+        if let Some(race) = &mut self.race {
+            race.back_to(&self.game);
+        }
+        for controls in flown {
+            if self.game.outcome() == Outcome::Running {
+                self.fly_tick(meant(controls), spectator);
+            }
+        }
+    }
+
     /// A tick beyond the end of the history.
     fn tick(&mut self, spectator: &mut dyn Spectator) {
         let controls = self.pilot.take();
+        self.fly_tick(controls, spectator);
+    }
+
+    fn fly_tick(&mut self, controls: Controls, spectator: &mut dyn Spectator) {
         spectator.before_tick();
         self.game.step(controls);
         self.history.note(&self.game, controls);
