@@ -5,7 +5,7 @@ use super::canvas::Canvas;
 use super::colour::Colour;
 use super::glyphs::Glyphs;
 use super::layout::{Frame, Vec2};
-use super::quads::Quad;
+use super::quads::{MOST_QUADS, Quad};
 use super::shape::{Image, Shape};
 use super::soft::Soft;
 use super::text;
@@ -19,9 +19,6 @@ use macroquad::shapes::{draw_line, draw_rectangle, draw_rectangle_lines};
 use macroquad::texture::{DrawTextureParams, FilterMode, Image as Pixels, Texture2D, draw_texture_ex};
 use macroquad::window::{clear_background, screen_dpi_scale, screen_height, screen_width};
 use std::sync::Arc;
-
-/// The most quadrangles of one draw call: the library keeps room for 5000 indices.
-pub(super) const MOST_QUADS: usize = 800;
 
 pub struct WindowPen {
     glyphs: Glyphs,

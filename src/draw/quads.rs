@@ -3,6 +3,10 @@
 use super::colour::Colour;
 use super::layout::Vec2;
 
+/// The most quadrangles of one draw call: macroquad keeps room for 5000 indices.
+#[cfg(feature = "window")]
+pub(super) const MOST_QUADS: usize = 800;
+
 /// The corners stand in order round.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quad {

@@ -1,38 +1,12 @@
 //! Links as their rows have them: the names of their ends become bodies.
 
-use super::numbers::PixelScale;
 use super::placed::FromRow;
+use super::schema::values::LinkRowEnd;
 use super::types::{LevelLink, Object};
-use crate::physics::{BodyId, DVec2, LinkDef, LinkEnd, LinkLaw};
-use serde::Deserialize;
+use crate::physics::{BodyId, LinkDef, LinkEnd, LinkLaw};
 
 /// The most links of a level: a stiff one takes some 10 µs a tick.
 pub(super) const MOST_LINKS: usize = 256;
-
-/// An end of a row of links.csv.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(try_from = "String")]
-pub(super) enum LinkRowEnd {
-    Ship,
-    /// By name.
-    Object(String),
-    /// Pixels in a row, m in a level.
-    Place(DVec2),
-}
-
-impl LinkRowEnd {
-    pub fn in_metres(self, scale: PixelScale) -> Self {
-        if let Self::Place(place) = self { Self::Place(scale.place(place)) } else { self }
-    }
-
-    /// The name of its object.
-    pub fn object(&self) -> Option<&str> {
-        match self {
-            Self::Object(name) => Some(name),
-            Self::Ship | Self::Place(_) => None,
-        }
-    }
-}
 
 /// A link whose ends are names.
 #[derive(Clone, Debug)]

@@ -56,9 +56,9 @@ mod scene;
 mod scoring;
 mod screen;
 mod settings;
-#[cfg(feature = "window")]
 #[cfg(all(feature = "window", target_os = "linux", target_pointer_width = "64"))]
 mod system_date;
+#[cfg(feature = "window")]
 mod theatre;
 mod tile_run;
 mod visits;

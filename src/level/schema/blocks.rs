@@ -2,14 +2,14 @@
 
 use super::facts::{Column, Count, FileSchema, Holds, RowSchema};
 use super::record::{RowCells, RowReader};
-use super::typed::{MATERIAL, Row as _, WayPoints, Word, by_word, is_name, number, one_of, rows};
+use super::typed::{MATERIAL, Row as _, Word, by_word, number, one_of, rows};
+use super::values::{WayPoints, Works};
 use crate::level::numbers::{self, MIN_SIZE};
 use crate::level::problem::quoted;
 use crate::level::route::{self, MoverPace, RouteShape};
-use crate::level::types::{Mover, Presser, Route, Solid, Switch, SwitchStay, Work};
+use crate::level::types::{Mover, Presser, Route, Solid, Switch, SwitchStay};
 use crate::physics::{DVec2, Material, Sides};
 use crate::words::tr;
-use serde::Deserialize;
 
 pub static WORLD: FileSchema = FileSchema {
     name: "world.csv",
@@ -47,8 +47,6 @@ pub static SWITCH: RowSchema = RowSchema::new(&SWITCHES, "Switch", SwitchRow::CO
     .fresh(&[("by", "ship"), ("stays", "held")])
     .size(60.0, 60.0)
     .counted(&[Count::if_any("switch", "switches", |level| level.switches.len())]);
-
-const MOST_WORKS: usize = 50;
 
 const ONE_WAY: Column = one_of::<Sides>("the one side from which it is solid; with none it is solid all around").or("");
 const BELT: Column = number(numbers::BELT, "speed of its skin, clockwise: the upper side runs to the right").or("0");
@@ -165,20 +163,4 @@ pub fn switch(record: &RowCells, reader: &mut RowReader) -> Option<Switch> {
         return None;
     }
     Some(Switch { bounds: reader.scale.bounds([x, y, width, height]), works: works.0, weight, by, latch: stays })
-}
-
-/// `lift !fan`.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(try_from = "String")]
-pub(in crate::level) struct Works(pub Vec<Work>);
-
-impl TryFrom<String> for Works {
-    type Error = String;
-
-    fn try_from(text: String) -> Result<Self, String> {
-        let work = |word: &str| Work { name: word.trim_start_matches('!').to_owned(), inverted: word.starts_with('!') };
-        let works: Vec<Work> = text.split_whitespace().map(work).collect();
-        let good = (1..=MOST_WORKS).contains(&works.len()) && works.iter().all(|work| is_name(&work.name));
-        if good { Ok(Self(works)) } else { Err(tr("names with spaces between them, such as: gate !fan").into()) }
-    }
 }

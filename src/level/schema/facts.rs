@@ -1,8 +1,6 @@
 //! The facts of a file, of a kind of row and of a column, for the loader, the editor, `new`, `check` and the documentation.
 
-use super::blocks::Works;
-use super::ties::LinkRowEnd;
-use super::typed::{WayPoints, is_name};
+use super::values::{LinkRowEnd, WayPoints, Works, is_name};
 use crate::files::{Dialect, truth};
 use crate::level::nearest::meant;
 use crate::level::numbers::{self, NumberRange, PixelScale, power};

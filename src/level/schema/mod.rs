@@ -1,5 +1,5 @@
-//! One schema of a level. `facts` are the types of the tables, `typed` the columns with the types of their values, `record` the cells of a
-//! row. `settings`, `bodies`, `blocks`, `zones` and `ties` hold the tables, their rows and the things that the rows become; `kinds` lists them.
+//! One schema of a level. `facts` are the types of the tables, `typed` the columns with the types of their values, `values` what a
+//! cell may hold beside numbers and words, `record` the cells of a row. `settings`, `bodies`, `blocks`, `zones` and `ties` hold the tables, their rows and the things that the rows become; `kinds` lists them.
 //! `written` makes the rows of a new level and the tables of the documentation.
 
 pub(super) mod blocks;
@@ -10,6 +10,7 @@ pub(super) mod record;
 pub(super) mod settings;
 pub(super) mod ties;
 mod typed;
+pub(super) mod values;
 mod written;
 pub(super) mod zones;
 

@@ -2,10 +2,10 @@
 
 use super::facts::{Column, Count, FileSchema, Holds, RowSchema};
 use super::record::{RowCells, RowReader};
-use super::typed::{Row as _, Word, by_word, is_name, number, one_of, place, rows};
+use super::typed::{Row as _, Word, by_word, number, one_of, rows};
+use super::values::LinkRowEnd;
 use crate::level::numbers::{self};
 use crate::level::problem::quoted;
-pub(super) use crate::level::unbound::LinkRowEnd;
 use crate::level::unbound::UnboundLink;
 use crate::physics::{LinkLaw, Magnet, Spring};
 use crate::words::tr;
@@ -46,20 +46,6 @@ pub(in crate::level) enum LinkBegin {
 impl Word for LinkBegin {
     fn words() -> Vec<(&'static str, Self)> {
         vec![("", Self::Start), ("touch", Self::Touch)]
-    }
-}
-
-/// Pixels.
-impl TryFrom<String> for LinkRowEnd {
-    type Error = String;
-
-    fn try_from(text: String) -> Result<Self, String> {
-        match (place(&text)?, text.as_str()) {
-            (Some(place), _) => Ok(Self::Place(place)),
-            (None, name) if name.eq_ignore_ascii_case("ship") => Ok(Self::Ship),
-            (None, name) if is_name(name) => Ok(Self::Object(text)),
-            _ => Err(tr("ship, the name of an object, or a place such as 600 300: x and y in pixels").to_owned()),
-        }
     }
 }
 

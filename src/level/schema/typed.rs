@@ -2,8 +2,7 @@
 
 use super::facts::{Column, Holds};
 use crate::level::numbers::{self, NumberRange};
-use crate::physics::{DVec2, Material, Sides};
-use crate::words::tr;
+use crate::physics::{Material, Sides};
 use serde::Deserialize;
 use serde::de::{DeserializeOwned, Deserializer, Error};
 
@@ -119,43 +118,6 @@ impl Word for Sides {
             ("right", Self { right: true, ..none }),
         ]
     }
-}
-
-const MOST_STOPS: usize = 50;
-
-/// `600 300; 600 100`: top left corners, pixels.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(try_from = "String")]
-pub(in crate::level) struct WayPoints(pub Vec<DVec2>);
-
-impl TryFrom<String> for WayPoints {
-    type Error = String;
-
-    fn try_from(text: String) -> Result<Self, String> {
-        let expected = || tr("way points such as 600 300; 600 100: x and y in pixels, a semicolon between them").to_owned();
-        let points: Vec<&str> = text.split(';').map(str::trim).filter(|point| !point.is_empty()).collect();
-        if points.is_empty() {
-            return Err(expected());
-        }
-        if points.len() > MOST_STOPS {
-            return Err(tr!("at most {most} way points", most = MOST_STOPS));
-        }
-        points.iter().map(|point| place(point)?.ok_or_else(expected)).collect::<Result<_, _>>().map(Self)
-    }
-}
-
-/// `600 300`, pixels; `None` where those are not two words.
-pub(super) fn place(text: &str) -> Result<Option<DVec2>, String> {
-    match text.split_whitespace().collect::<Vec<_>>()[..] {
-        [x, y] => Ok(Some(DVec2::new(numbers::number(x)?, numbers::number(y)?))),
-        _ => Ok(None),
-    }
-}
-
-pub(super) fn is_name(text: &str) -> bool {
-    text.chars().count() <= 40
-        && text.chars().next().is_some_and(char::is_alphabetic)
-        && text.chars().all(|c| c.is_alphanumeric() || matches!(c, '-' | '_'))
 }
 
 pub(super) const X: Column = Column::new(Holds::Position, "left edge");

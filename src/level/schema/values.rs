@@ -1,0 +1,99 @@
+//! Values of cells that are more than a number or a word, as serde reads them: names, what a switch works, way points, ends of links.
+
+use crate::level::numbers::{self, PixelScale};
+use crate::level::types::Work;
+use crate::physics::DVec2;
+use crate::words::tr;
+use serde::Deserialize;
+
+const MOST_WORKS: usize = 50;
+const MOST_STOPS: usize = 50;
+
+/// `600 300; 600 100`: top left corners, pixels.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(try_from = "String")]
+pub(in crate::level) struct WayPoints(pub Vec<DVec2>);
+
+impl TryFrom<String> for WayPoints {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        let expected = || tr("way points such as 600 300; 600 100: x and y in pixels, a semicolon between them").to_owned();
+        let points: Vec<&str> = text.split(';').map(str::trim).filter(|point| !point.is_empty()).collect();
+        if points.is_empty() {
+            return Err(expected());
+        }
+        if points.len() > MOST_STOPS {
+            return Err(tr!("at most {most} way points", most = MOST_STOPS));
+        }
+        points.iter().map(|point| place(point)?.ok_or_else(expected)).collect::<Result<_, _>>().map(Self)
+    }
+}
+
+/// `600 300`, pixels; `None` where those are not two words.
+fn place(text: &str) -> Result<Option<DVec2>, String> {
+    match text.split_whitespace().collect::<Vec<_>>()[..] {
+        [x, y] => Ok(Some(DVec2::new(numbers::number(x)?, numbers::number(y)?))),
+        _ => Ok(None),
+    }
+}
+
+pub(super) fn is_name(text: &str) -> bool {
+    text.chars().count() <= 40
+        && text.chars().next().is_some_and(char::is_alphabetic)
+        && text.chars().all(|c| c.is_alphanumeric() || matches!(c, '-' | '_'))
+}
+
+/// `lift !fan`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(try_from = "String")]
+pub(in crate::level) struct Works(pub Vec<Work>);
+
+impl TryFrom<String> for Works {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        let work = |word: &str| Work { name: word.trim_start_matches('!').to_owned(), inverted: word.starts_with('!') };
+        let works: Vec<Work> = text.split_whitespace().map(work).collect();
+        let good = (1..=MOST_WORKS).contains(&works.len()) && works.iter().all(|work| is_name(&work.name));
+        if good { Ok(Self(works)) } else { Err(tr("names with spaces between them, such as: gate !fan").into()) }
+    }
+}
+
+/// An end of a row of links.csv.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(try_from = "String")]
+pub(in crate::level) enum LinkRowEnd {
+    Ship,
+    /// By name.
+    Object(String),
+    /// Pixels in a row, m in a level.
+    Place(DVec2),
+}
+
+impl LinkRowEnd {
+    pub fn in_metres(self, scale: PixelScale) -> Self {
+        if let Self::Place(place) = self { Self::Place(scale.place(place)) } else { self }
+    }
+
+    /// The name of its object.
+    pub fn object(&self) -> Option<&str> {
+        match self {
+            Self::Object(name) => Some(name),
+            Self::Ship | Self::Place(_) => None,
+        }
+    }
+}
+
+impl TryFrom<String> for LinkRowEnd {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        match (place(&text)?, text.as_str()) {
+            (Some(place), _) => Ok(Self::Place(place)),
+            (None, name) if name.eq_ignore_ascii_case("ship") => Ok(Self::Ship),
+            (None, name) if is_name(name) => Ok(Self::Object(text)),
+            _ => Err(tr("ship, the name of an object, or a place such as 600 300: x and y in pixels").to_owned()),
+        }
+    }
+}
