@@ -12,13 +12,14 @@
 //! In a gas or a heap the crowd step is cheaper from about 50 bodies on; the count of events makes sure of it for fewer.
 
 use crate::physics::crowd::CrowdImpact;
-use crate::physics::crowd::bodies::Origin;
+use crate::physics::crowd::bodies::{Frame, Origin};
 use crate::physics::crowd::dense::{CrowdEnd, StepSize};
 use crate::physics::data::{Body, NONE, Part, called};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{ExactEnd, Scene};
 use crate::physics::flight::liquid::flow_through;
 use crate::physics::flight::steps::Course;
+use crate::physics::forces::ForceKind;
 use crate::physics::guards::Guards;
 use crate::physics::scratch::{Scratch, Stop};
 use crate::physics::space::Space;
@@ -263,16 +264,24 @@ impl Space {
     /// The crowd step of an island. Where a surface would squeeze a body it stands for this step, and the island is solved again.
     fn solve_crowd(&mut self, k: usize, (dt, round): (f64, usize), tick: &mut Tick<'_>) -> CrowdEnd {
         let Self { motions, islands, crowd, sleep, impacts, .. } = self;
-        let (island, state, down) = (islands.get(k), tick.state, self.down);
+        let state = tick.state;
+        let usual = Frame { swapped: false, down: self.down };
+        let (frame, gravity) = match pull_of_fields(state, islands.get(k).members) {
+            Some(pull) => (Frame::of(pull), pull.abs().max_element()),
+            None => (usual, state.media.gravity.abs()),
+        };
+        let height = |i: u32| frame.turn(state.bodies[i as usize].position).y;
+        let island = if frame == usual { islands.get(k) } else { islands.turn(k, height) };
         let last = round >= MOST_CROWD_GROWTHS;
-        let size = StepSize { dt, rest_speed: state.rest_speed, gravity: state.media.gravity.abs(), last };
+        let size = StepSize { dt, rest_speed: state.rest_speed, gravity, last };
         crowd.dense.report.on = tick.lists(island.members.len());
         for _ in 0..=self.moving.len() {
-            let from = Origin { bodies: &state.bodies, surfaces: &state.surfaces, motions, down, bounces: tick.scene.plan.bounces };
+            let from =
+                Origin { bodies: &state.bodies, surfaces: &state.surfaces, motions, frame, bounces: tick.scene.plan.bounces };
             if crowd.step(from, island, size) == CrowdEnd::Grown {
                 for &k in &crowd.dense.grown {
                     let i = crowd.bodies.ids[k as usize];
-                    motions.swept[i as usize] = crowd.bodies.swept(k as usize, down);
+                    motions.swept[i as usize] = crowd.bodies.swept(k as usize, frame);
                     self.grown.push(i);
                 }
                 return CrowdEnd::Grown;
@@ -289,7 +298,7 @@ impl Space {
             }
         }
         for (k, i) in island.members.iter().enumerate() {
-            motions.bodies[*i as usize].end = crowd.bodies.end(k, down);
+            motions.bodies[*i as usize].end = crowd.bodies.end(k, frame);
         }
         // What falls asleep is read later: its contacts are listed now.
         let may_sleep = tick.scene.plan.direct && tick.leaves_for_good(island.members.len());
@@ -301,9 +310,9 @@ impl Space {
         }
         for &(a, b, axis, speed) in &crowd.dense.hits {
             let [a, b] = [a, b].map(|k| crowd.bodies.ids[k as usize]);
-            impacts.push(CrowdImpact { a, b, axis, speed, solved: motions.bodies[a as usize].solved });
+            impacts.push(CrowdImpact { a, b, axis: frame.axis(axis), speed, solved: motions.bodies[a as usize].solved });
         }
-        crowd.finish(down, |i| motions.bodies[i as usize].solved);
+        crowd.finish(frame, |i| motions.bodies[i as usize].solved);
         CrowdEnd::Done
     }
 
@@ -330,4 +339,13 @@ impl Space {
         grown.clear();
         self.rouse_reached();
     }
+}
+
+/// How strongly gravity and fields pull at these bodies on average, m/s²; none where no field does. Forces of engines and of streams turn no heap.
+fn pull_of_fields(state: &State, members: &[u32]) -> Option<DVec2> {
+    let field = |i: &u32| state.forces[*i as usize].total(ForceKind::Weight);
+    let bodies = || members.iter().map(|i| &state.bodies[*i as usize]);
+    let force = || bodies().map(|body| state.media.weight(body)).chain(members.iter().map(field)).sum::<DVec2>();
+    let pulled = members.iter().any(|i| field(i) != DVec2::ZERO);
+    pulled.then(|| force() / bodies().map(|body| body.mass).sum::<f64>()).filter(|pull| *pull != DVec2::ZERO)
 }

@@ -14,7 +14,7 @@ pub(crate) struct Origin<'a> {
     pub bodies: &'a [Body],
     pub surfaces: &'a [Surface],
     pub motions: &'a Motions,
-    pub down: f64,
+    pub frame: Frame,
     pub bounces: bool,
 }
 
@@ -115,12 +115,12 @@ impl Bodies {
         self.alike = self.all().iter().all(|body| friction(body) == friction(&self.things[0]));
     }
 
-    pub fn end(&self, k: usize, down: f64) -> Pose {
-        (turned(self[k].to, down), turned(self[k].end, down))
+    pub fn end(&self, k: usize, frame: Frame) -> Pose {
+        (frame.turn(self[k].to), frame.turn(self[k].end))
     }
 
-    pub fn swept(&self, k: usize, down: f64) -> Aabb {
-        turned_box(self[k].swept, down)
+    pub fn swept(&self, k: usize, frame: Frame) -> Aabb {
+        frame.turn_box(self[k].swept)
     }
 
     /// The number of bodies; surfaces count on from here.
@@ -182,55 +182,95 @@ impl Bodies {
 
 impl Member {
     fn body(source: Origin<'_>, i: usize) -> Self {
-        let Origin { bodies, motions, down, .. } = source;
+        let Origin { bodies, motions, frame, .. } = source;
         let (body, motion) = (&bodies[i], &motions.bodies[i]);
-        let (before, flown) = (turned(body.velocity, down), turned(motion.free.0, down));
+        let (before, flown) = (frame.turn(body.velocity), frame.turn(motion.free.0));
         Self {
-            from: turned(body.position, down),
+            from: frame.turn(body.position),
             to: flown,
-            half: body.half,
+            half: frame.turn(body.half).abs(),
             before,
             was: before,
-            free: turned(motion.free.1, down),
+            free: frame.turn(motion.free.1),
             flown,
-            pull: turned(motion.pull, down),
+            pull: frame.turn(motion.pull),
             mass: body.mass,
             traits: body.coefficients(),
-            swept: turned_box(motions.swept[i], down),
+            swept: frame.turn_box(motions.swept[i]),
             guided: motion.guided.then_some(0.5 * motion.free.1.length_squared()),
-            drag: motions.drags[i],
+            drag: frame.turn_drag(motions.drags[i]),
             ..Self::default()
         }
     }
 
     fn surface(source: Origin<'_>, s: usize) -> Self {
-        let Origin { surfaces, motions, down, .. } = source;
+        let Origin { surfaces, motions, frame, .. } = source;
         let SurfaceMotion { from, to, half, mean, end, was, belt, .. } = motions.surfaces[s];
-        let (mean, end, sides) = (turned(mean, down), turned(end, down), surfaces[s].def.sides);
+        let (mean, end) = (frame.turn(mean), frame.turn(end));
         Self {
-            from: turned(from, down),
-            to: turned(to, down),
-            half,
+            from: frame.turn(from),
+            to: frame.turn(to),
+            half: frame.turn(half).abs(),
             before: mean,
-            was: turned(was, down),
+            was: frame.turn(was),
             free: end,
             end,
             mean,
             mass: f64::INFINITY,
             traits: surfaces[s].material.coefficients(),
-            belt: belt * down,
-            sides: if down < 0.0 { Sides { top: sides.bottom, bottom: sides.top, ..sides } } else { sides },
+            belt: belt * frame.hand(),
+            sides: frame.turn_sides(surfaces[s].def.sides),
             ..Self::default()
         }
     }
 }
 
-/// A vector in a world whose gravity points the other way, if `down` is −1.
-fn turned(of: DVec2, down: f64) -> DVec2 {
-    DVec2::new(of.x, of.y * down)
+/// How an island is turned so that what pulls at it points to larger y.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Frame {
+    /// Whether it is pulled along x, so that the axes change places.
+    pub swapped: bool,
+    /// −1 if it is pulled to smaller coordinates, else 1.
+    pub down: f64,
 }
 
-fn turned_box(of: Aabb, down: f64) -> Aabb {
-    let (a, b) = (turned(of.min, down), turned(of.max, down));
-    Aabb::new(a.min(b), a.max(b))
+impl Frame {
+    /// The larger component of the pull points down.
+    pub fn of(pull: DVec2) -> Self {
+        let swapped = pull.x.abs() > pull.y.abs();
+        Self { swapped, down: if pull[usize::from(!swapped)] < 0.0 { -1.0 } else { 1.0 } }
+    }
+
+    pub fn axis(self, axis: usize) -> usize {
+        if self.swapped { 1 - axis } else { axis }
+    }
+
+    /// Into the frame, and out of it again.
+    pub fn turn(self, of: DVec2) -> DVec2 {
+        if self.swapped { DVec2::new(of.y, of.x) * self.down } else { DVec2::new(of.x, of.y * self.down) }
+    }
+
+    /// −1 where what turns clockwise turns the other way in it.
+    fn hand(self) -> f64 {
+        if self.swapped { -1.0 } else { self.down }
+    }
+
+    fn turn_box(self, of: Aabb) -> Aabb {
+        let (a, b) = (self.turn(of.min), self.turn(of.max));
+        Aabb::new(a.min(b), a.max(b))
+    }
+
+    fn turn_drag(self, of: Drag) -> Drag {
+        if self.swapped { Drag { tall: of.wide, wide: of.tall, ..of } } else { of }
+    }
+
+    fn turn_sides(self, of: Sides) -> Sides {
+        let Sides { left, right, top, bottom } = of;
+        match (self.swapped, self.down < 0.0) {
+            (false, false) => of,
+            (false, true) => Sides { top: bottom, bottom: top, ..of },
+            (true, false) => Sides { left: top, right: bottom, top: left, bottom: right },
+            (true, true) => Sides { left: bottom, right: top, top: right, bottom: left },
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! The stages of a crowd step of one island. The step leaves places and velocities in [`Bodies`].
 
-use crate::physics::crowd::bodies::{Bodies, Group, Origin};
+use crate::physics::crowd::bodies::{Bodies, Frame, Group, Origin};
 use crate::physics::crowd::clusters::Clusters;
 use crate::physics::crowd::contacts::Contacts;
 use crate::physics::crowd::cross::{Cross, Pushes};
@@ -62,11 +62,11 @@ impl Crowd {
         dense.step(bodies, Group { island, local }, size)
     }
 
-    pub fn finish(&mut self, down: f64, solved: impl Fn(u32) -> u32) {
+    pub fn finish(&mut self, frame: Frame, solved: impl Fn(u32) -> u32) {
         let Self { bodies, dense, .. } = self;
         let known = dense.report.list.len();
         if dense.report.on {
-            dense.record(bodies, down);
+            dense.record(bodies, frame);
         }
         for contact in &mut dense.report.list[known..] {
             (contact.a, contact.b) = (bodies.ids[contact.a as usize], bodies.ids[contact.b as usize]);

@@ -1,14 +1,15 @@
 //! Records the contacts of an island that a crowd step has solved.
 
-use crate::physics::crowd::bodies::Bodies;
+use crate::physics::crowd::bodies::{Bodies, Frame};
 use crate::physics::crowd::dense::Dense;
 use crate::physics::crowd::impulses::{ContactImpulse, Edge, Record};
 use crate::physics::crowd::report::Report;
 use crate::physics::crowd::{ACROSS, ALONG};
+use crate::physics::data::on_axis;
 use glam::DVec2;
 
 impl Dense {
-    pub fn record(&mut self, bodies: &Bodies, down: f64) {
+    pub fn record(&mut self, bodies: &Bodies, frame: Frame) {
         let mut report = std::mem::take(&mut self.report);
         report.records.clear();
         self.record_along(bodies, &mut report);
@@ -16,7 +17,7 @@ impl Dense {
         let touch = self.contacts.tolerances.touch;
         for record in &report.records {
             if record.normal != 0.0 || record.friction != 0.0 {
-                report.list.push(listed(bodies, record, touch, down));
+                report.list.push(listed(bodies, record, touch, frame));
             }
         }
         self.report = report;
@@ -82,7 +83,7 @@ impl Dense {
     }
 }
 
-fn listed(bodies: &Bodies, record: &Record, touch: f64, down: f64) -> ContactImpulse {
+fn listed(bodies: &Bodies, record: &Record, touch: f64, frame: Frame) -> ContactImpulse {
     let n = bodies.len();
     let Record { mut a, mut b, axis, mut normal, mut friction } = *record;
     if a as usize >= n {
@@ -95,7 +96,7 @@ fn listed(bodies: &Bodies, record: &Record, touch: f64, down: f64) -> ContactImp
     let (from, to) = ((first.to - first.half).max(second.to - second.half), (first.to + first.half).min(second.to + second.half));
     let mut point = DVec2::ZERO;
     (point[axis], point[far]) = (first.to[axis] + side * first.half[axis], 0.5 * (from[far] + to[far]));
-    let (along, other) = if axis == ALONG { (down, 1.0) } else { (1.0, down) };
-    let (normal, friction) = (normal * along, friction * other);
-    ContactImpulse { a, b, axis, normal, friction, point: point * DVec2::new(1.0, down), impact: gap > touch || closes, solved: 0 }
+    let (vector, axis) = (frame.turn(on_axis(axis, normal, friction)), frame.axis(axis));
+    let (normal, friction, point) = (vector[axis], vector[1 - axis], frame.turn(point));
+    ContactImpulse { a, b, axis, normal, friction, point, impact: gap > touch || closes, solved: 0 }
 }

@@ -174,9 +174,8 @@ impl Stretch {
     }
 }
 
-/// How far boxes that met along both axes at one instant overlap along the `other` one at least, m, when they have gone the slop deep along an axis on
-/// which they move with `closing` m/s: half as far as they must, however that time is rounded. So the faster axis is the one that is hit. What slides
-/// along a face does not close in on it, and never meets it so.
+/// How far boxes that met along both axes at once overlap along the `other` one at least, m, when they are the slop deep along an axis on which they
+/// move with `closing` m/s: half as far as they must, however the time is rounded. So the faster axis is hit. What slides along a face never meets it.
 fn least_at_a_corner(closing: f64, other: &Polynomial, t: f64) -> f64 {
     let closes = -other.at(t).signum() * other.slope(t);
     if closes > SPEED_TOLERANCE { 0.5 * SLOP * (closes / closing.abs()).min(1.0) } else { f64::INFINITY }

@@ -57,6 +57,45 @@ pub(crate) struct Islands {
     links: Vec<(u32, u32)>,
     /// By surface that moves: a body that it may touch.
     carried: Vec<u32>,
+    turned: Turned,
+}
+
+/// An island in the order of other heights.
+#[derive(Clone, Debug, Default)]
+struct Turned {
+    members: Vec<u32>,
+    /// Of each body: its place among the members.
+    place: Vec<u32>,
+    ranges: Vec<(u32, u32)>,
+    others: Vec<u32>,
+    /// Each pair that may touch, the upper one first.
+    pairs: Vec<(u32, u32)>,
+}
+
+impl Turned {
+    fn set(&mut self, of: Island<'_>, height: impl Fn(u32) -> f64) {
+        let Self { members, place, ranges, others, pairs } = self;
+        let n = of.ranges.len() as u32;
+        members.clear();
+        members.extend_from_slice(of.members);
+        members.sort_unstable_by(|a, b| height(*b).total_cmp(&height(*a)).then(a.cmp(b)));
+        place.resize(of.ranges.len(), 0);
+        (0..).zip(&*members).for_each(|(k, i)| place[*i as usize] = k);
+        let order = |j: u32| if j < n { place[j as usize] } else { j };
+        pairs.clear();
+        for &i in of.members {
+            let lower_last = |j: &u32| if *j < n && order(*j) > order(i) { (*j, i) } else { (i, *j) };
+            pairs.extend(of.near(i).iter().map(lower_last));
+        }
+        pairs.sort_unstable_by_key(|(i, j)| (order(*i), order(*j)));
+        refill(ranges, of.ranges.len(), (0, 0));
+        others.clear();
+        for group in pairs.chunk_by(|a, b| a.0 == b.0) {
+            let from = others.len() as u32;
+            others.extend(group.iter().map(|(_, j)| *j));
+            ranges[group[0].0 as usize] = (from, others.len() as u32);
+        }
+    }
 }
 
 impl Islands {
@@ -111,6 +150,15 @@ impl Islands {
     pub fn get(&self, island: usize) -> Island<'_> {
         let (from, to) = (self.begins[island] as usize, self.begins[island + 1] as usize);
         Island { members: &self.members[from..to], ranges: &self.ranges, others: &self.others }
+    }
+
+    /// The island in the order of these heights, the largest first.
+    pub fn turn(&mut self, island: usize, height: impl Fn(u32) -> f64) -> Island<'_> {
+        let mut turned = std::mem::take(&mut self.turned);
+        turned.set(self.get(island), height);
+        self.turned = turned;
+        let Turned { members, ranges, others, .. } = &self.turned;
+        Island { members, ranges, others }
     }
 
     pub fn sort(&mut self, bodies: &[Body], down: f64) {

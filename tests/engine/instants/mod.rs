@@ -2,6 +2,7 @@
 
 mod corners;
 mod cradles;
+mod heaps;
 mod movers;
 mod tiles;
 
