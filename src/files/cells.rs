@@ -362,7 +362,7 @@ mod tests {
         let latin = rows(b"# \xe9\n1,caf\xe9", true);
         assert_eq!((latin[0].cells[0].fault, latin[0].cells[1].fault), (None, Some(CellFault::NotUtf8)));
         assert_eq!(rows("caf\u{fffd}".as_bytes(), true)[0].cells[0].fault, None);
-        assert_eq!(rows(b"x\0,\01\0\n\0", true)[0].cells[0].fault, Some(CellFault::Utf16));
+        assert_eq!(rows(b"x\0,\x001\0\n\0", true)[0].cells[0].fault, Some(CellFault::Utf16));
         assert_eq!(rows(b"sep=|\n1|2", true)[0].cells[0].fault, Some(CellFault::Separator));
     }
 

@@ -18,7 +18,7 @@ const FONTS: [(&str, &str); 2] = [
 /// Crates, by their names before the colon, and their licences.
 const CRATES: [(&str, &str); 20] = [
     ("epaint_default_fonts and ttf-parser: typefaces", "MIT or Apache 2.0"),
-    ("fontdue: the glyphs of the typefaces", "MIT, Apache 2.0 or Zlib"),
+    ("fontdue: the glyphs of the typefaces", "MIT or Apache 2.0"),
     ("macroquad and miniquad: window, keys, drawing", "MIT or Apache 2.0"),
     ("gilrs: gamepads", "MIT or Apache 2.0"),
     ("libloading: finds the sound system and the keyboard of Linux", "ISC"),
@@ -35,7 +35,7 @@ const CRATES: [(&str, &str); 20] = [
     ("zip: levels as one file", "MIT"),
     ("tempfile: files that are written whole", "MIT or Apache 2.0"),
     ("directories: where each system keeps a user's files", "MIT or Apache 2.0"),
-    ("libc: how each system opens a file", "MIT or Apache 2.0"),
+    ("libc and rustix: how each system opens and keeps a file", "MIT or Apache 2.0"),
     ("cpu-time: a clock", "MIT or Apache 2.0"),
 ];
 /// The longest line of the licence, characters.

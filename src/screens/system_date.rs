@@ -1,4 +1,4 @@
-//! The system's date, as this program's code is told it: it goes on evenly, whatever the system's clock is set to meanwhile. At the end of each
+//! The system's date for this program: it goes on evenly, whatever the system's clock is set to meanwhile. At the end of each
 //! frame macroquad's scene makes up for all time since the last one at 60 steps a second of the date, and no setting turns that off: a clock
 //! that is set ahead by a year costs 6 s, one before 1970 ends the program. So the date is that of the first call and the time since. What the
 //! game writes is off by as much as the clock was set since it began.
@@ -75,17 +75,22 @@ const fn nanoseconds(time: timespec) -> i64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::time::SystemTime;
 
     #[test]
-    fn the_date_is_the_systems_and_goes_on() {
-        let mut time = timespec { tv_sec: 0, tv_nsec: 0 };
+    fn the_program_asks_this_function_which_knows_the_systems_date() {
+        assert!(libc::clock_gettime as ClockGettime as usize == clock_gettime as ClockGettime as usize);
+        let mut dates = [timespec { tv_sec: 0, tv_nsec: 0 }; 3];
         // SAFETY: there is room.
-        let told = unsafe { system().unwrap()(CLOCK_REALTIME, &raw mut time) };
-        let date = SystemTime::UNIX_EPOCH.elapsed().unwrap().as_secs();
-        assert!(told == 0 && date.abs_diff(time.tv_sec as u64) < 100);
-        assert!(OFFSET.load(Ordering::Relaxed) != UNKNOWN, "the program asks this function");
-        assert!(SystemTime::UNIX_EPOCH.elapsed().unwrap().as_secs() >= date);
+        let told = unsafe {
+            let [before, date, after] = &mut dates;
+            let system = system().unwrap();
+            [system(CLOCK_REALTIME, before), clock_gettime(CLOCK_REALTIME, date), system(CLOCK_REALTIME, after)]
+        };
+        let [before, date, after] = dates.map(nanoseconds);
+        assert!(told == [0; 3] && before - NANO < date && date < after + NANO, "{before} {date} {after}");
+        // SAFETY: there is room.
+        let told = unsafe { clock_gettime(CLOCK_REALTIME, &raw mut dates[0]) };
+        assert!(told == 0 && nanoseconds(dates[0]) >= date, "it never goes back");
     }
 
     #[test]

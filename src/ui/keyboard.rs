@@ -76,7 +76,7 @@ impl Keyboard {
         }
     }
 
-    /// What the key that went down last has typed, where that is told after it.
+    /// What the key that went down last has typed, where the system tells it later.
     pub fn typed_by_last(&mut self, sign: char, held: Keys) {
         // Ctrl and a letter come as a control character.
         let letter = sign as u32;

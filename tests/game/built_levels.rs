@@ -195,7 +195,7 @@ fn is_asked(seed: u64, files: &[(&'static str, String)], key: &str, (thrust, idl
         let seconds = (game.ticks() - first as u64) as f64 / game.tick_rate();
         set(&mut memory, "constants.csv", format!("{constants}silver,{seconds}\ngold,{seconds}\nmark_fuel,{left}\n"));
     }
-    if seed % 2 == 0 {
+    if seed.is_multiple_of(2) {
         set(&mut memory, "player.csv", format!("60,844.5,100,{},{thrust}\n", burnt + 1e-6));
     }
     let loaded = match level::read("built", &memory) {

@@ -231,8 +231,8 @@ mod tests {
         assert_eq!(end_of_slide(&Polynomial([0.0, 6.0, -1.5, 0.0]), 1.0, 0.0, 3.0), Some(2.0));
         assert_eq!(end_of_slide(&Polynomial([0.0, -6.0, 1.5, 0.0]), -1.0, 0.0, 3.0), Some(2.0));
         assert_eq!(end_of_slide(&Polynomial([0.0, 6.0, 1.5, 0.0]), 1.0, 0.0, 3.0), None);
-        assert_eq!(end_of_slide(&Polynomial([0.0, 1e-320, -2.0, 0.0]), 1.0, 0.0, 3.0), Some(0.0));
-        assert_eq!(end_of_slide(&Polynomial([0.0, 1e-320, 2.0, 0.0]), 1.0, 0.0, 3.0), None);
+        assert_eq!(end_of_slide(&Polynomial([0.0, 5e-324, -2.0, 0.0]), 1.0, 0.0, 3.0), Some(0.0));
+        assert_eq!(end_of_slide(&Polynomial([0.0, 5e-324, 2.0, 0.0]), 1.0, 0.0, 3.0), None);
         // On a belt that runs along with 2 m/s it ends there.
         assert_eq!(end_of_slide(&Polynomial([0.0, 6.0, -1.5, 0.0]), 1.0, -2.0, 3.0), Some(4.0 / 3.0));
         // 4 − 5t + t² has its first root at 1.

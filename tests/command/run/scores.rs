@@ -43,7 +43,7 @@ fn boards_are_proven_and_what_does_not_hold_is_named() {
     assert_eq!((forged.status, forged.out.as_str()), (1, "1: 1 proven, 1 not\n2: 1 proven\n"));
     assert_eq!(
         forged.err,
-        "1: rank 2, ann, 29999 points: does not hold: 29999 points are more than the 21000 that the rules allow\n"
+        "1: rank 1, ann, 29999 points: does not hold: 29999 points are more than the 21000 that the rules allow\n"
     );
 }
 
@@ -70,11 +70,11 @@ fn a_flight_under_another_name_an_emptied_row_and_an_old_hash_are_told() {
     );
     let lines: Vec<&str> = told.err.lines().collect();
     assert!(
-        lines[0].ends_with("rank 2, bob, 18222 points: does not hold: its flight stands under the name ann, too"),
+        lines[0].ends_with("rank 3, bob, 18222 points: does not hold: its flight stands under the name ann, too"),
         "{}",
         told.err
     );
-    assert!(lines[1].ends_with("rank 3, cid, 18222 points: does not hold: its flight was saved by ann"), "{}", told.err);
+    assert!(lines[1].ends_with("rank 4, cid, 18222 points: does not hold: its flight was saved by ann"), "{}", told.err);
     assert!(lines[2].contains("rank 5, dan, 18222 points: does not hold: the row says how it was flown"), "{}", told.err);
     // A row that carries the old hash of the level says so.
     let level = level::load(&data.path("levels/1"), &data.path(".")).unwrap().level;
