@@ -39,6 +39,7 @@ try {
   mkdirSync(out, { recursive: true });
   await browser.open();
   const kept = (file) => browser.ask(`localStorage.getItem(${JSON.stringify(`resultant/${file}`)})`);
+  const keepSettings = (rows) => browser.ask(`localStorage.setItem("resultant/settings.csv", ${JSON.stringify(`tsetting,value,player\n${rows}`)})`);
   const step = (frames = 1) => browser.ask(`step(${frames})`);
   const looks = async () => (await browser.send("Page.captureScreenshot")).data;
   const picture = (name) => browser.picture(join(out, `${name}.png`));
@@ -65,7 +66,7 @@ try {
   check(browser.console.length === 0, `the console says: ${browser.console.join("\n")}`);
 
   // A lost context is named in the player's language.
-  await browser.ask(`localStorage.setItem("resultant/settings.csv", ${JSON.stringify("tsetting,value,player\nlanguage,de,\n")})`);
+  await keepSettings("language,de,\n");
   await browser.go("about:blank");
   await browser.go(plain.address);
   await browser.until("window.resultantReady");
@@ -122,7 +123,8 @@ try {
   await picture("hidden");
 
   // Keyboards of other layouts: + and − zoom as they are typed, the key at the place of W thrusts. Shift that types + starts nothing: all pictures
-  // at the same moment are the same.
+  // at the same moment, without particles, are the same.
+  await keepSettings("particles,0,\n");
   const key = (code, text, modifiers = 0) => ({ key: text, code, number: 0, text, modifiers });
   const shift = { key: "Shift", code: "ShiftLeft", number: 16, modifiers: 8 };
   async function looksAfter(...chords) {
@@ -148,6 +150,7 @@ try {
   check(zooms.every((zoomed) => zoomed === zooms[0]) && zooms[0] !== still, "+ and − are not those that are typed");
   const thrusts = [await looksAfter([key("KeyW", "w")]), await looksAfter([key("KeyW", "z")])];
   check(thrusts[0] === thrusts[1] && thrusts[0] !== await looksAfter([key("KeyZ", "w")]), "the place of W does not thrust");
+  await browser.ask("localStorage.clear()");
   console.log("zoom and thrust on keyboards of us, de and fr");
 
   // Umlauts are set in the settings, and kept.
