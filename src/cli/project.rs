@@ -129,7 +129,7 @@ impl Project {
     /// Such a file's text. Messages name it as the user did.
     ///
     /// # Errors
-    /// As [`read_text`].
+    /// It cannot be read, is no regular one, too large, or no UTF-8.
     pub fn read_text(&self, path: &Path, at_most: u64) -> Result<String, CommandError> {
         read_text(path, &self.input(path), at_most)
     }

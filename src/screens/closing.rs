@@ -67,7 +67,7 @@ impl App {
         [edits, journal, settings].into_iter().flatten().chain(self.close_answers()).collect()
     }
 
-    /// As [`App::write_all`], without a try: whether something is not written yet.
+    /// Whether something is not written yet. Nothing is tried.
     pub fn is_at_risk(&self) -> bool {
         let editor = self.editing.as_deref().or_else(|| self.screen.get::<Editor>());
         let sheet = self.screen.get::<Flight>().is_some_and(Flight::has_unsaved_sheet);
