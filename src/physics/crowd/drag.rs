@@ -20,6 +20,8 @@ impl Resistance {
     }
 
     pub fn along(&mut self, bodies: &mut Bodies, of: &[u32], dt: f64) {
+        // For the rounds of friction as well.
+        self.saved.reserve(4 * of.len());
         for &i in of {
             let i = i as usize;
             let stands = bodies[i].before.y == 0.0 && bodies[i].end.y == 0.0 && bodies[i].mean.y == 0.0;

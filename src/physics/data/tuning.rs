@@ -73,12 +73,16 @@ pub(crate) const WAVES: f64 = 0.15;
 /// in a narrow gap lose speed.
 pub(crate) const MOST_BOUNCES: u32 = 128;
 
-/// Bounces of a body on something immovable in one tick, after which the rest of the series is summed in closed form.
-pub(crate) const ZENO_HITS: u32 = 6;
+/// s. Bounces that take no longer go on as one train. Longer: other things come near more trains, and end them; shorter: more bounces are events of
+/// their own, which at a long tick use up the budget of their island.
+pub(crate) const SHORT_BOUNCE: f64 = 1.0 / 256.0;
 
-/// Rate × time up to which a medium leaves a bounce a parabola, so that bounces can be passed over in closed form. Larger: drag passes
-/// for gravity, and what is light is given back speed that it has lost.
-pub(crate) const CALM_REACH: f64 = 0.01;
+/// Hits still to come of something without loss between two others, from which on they are one train. More: they use up the budget of events of
+/// their island; fewer: what ends as soon is no event less.
+pub(crate) const MANY_HITS: f64 = 16.0;
+
+/// Relative change of the pull within one train, at most, in media. Larger: its mean stands for a force that is another one; smaller: shorter trains.
+pub(crate) const STEADY: f64 = 0.02;
 
 /// m/s. Slower hits are not reported as events.
 pub(crate) const REPORT_SPEED: f64 = 0.01;

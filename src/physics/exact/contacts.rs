@@ -13,6 +13,7 @@ impl Events {
         while next < self.concerned.len() {
             let i = self.concerned[next];
             next += 1;
+            self.end_train(scene, i as usize);
             self.locate(scene, i as usize);
             // What it was in contact with until now has to know even if that is over.
             for slot in self.incident.slots(i as usize) {

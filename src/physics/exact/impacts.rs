@@ -5,6 +5,7 @@ use crate::physics::contact::axis::Parts;
 use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES};
 use crate::physics::data::{Aabb, BodyId, Contact, EQUAL_SPEED, Hit, Impulse, Obstacle, Part, SLOP, called, on_axis};
 use crate::physics::exact::events::{Events, Scene, Tie};
+use crate::physics::exact::item::Item;
 use glam::DVec2;
 
 impl Events {
@@ -175,7 +176,10 @@ impl Events {
         let (lo, hi) = (&self.items[contact.lo as usize], &self.items[contact.hi as usize]);
         let e = lo.body.coefficients().with(hi.body.coefficients(), false).restitution;
         let slow = e < 1.0 && (e * speed < scene.rest_speed || speed <= MICRO_SPEED);
-        if slow || lo.hits.min(hi.hits) > MOST_BOUNCES { 0.0 } else { e.min(1.0) }
+        // What neither loses anything nor is squeezed ends of itself.
+        let stands = |surface: &Item| surface.is_still() && surface.stops_at.is_infinite();
+        let ends = || e < 1.0 || speed <= MICRO_SPEED || !self.items[self.movable..].iter().all(stands);
+        if slow || lo.hits.min(hi.hits) > MOST_BOUNCES && ends() { 0.0 } else { e.min(1.0) }
     }
 
     pub(crate) fn count_hit(&mut self, contact: &Contact) {
@@ -218,9 +222,7 @@ impl Events {
                 velocity[1 - axis] += sign * share * rub;
             }
         }
-        if surface.is_none_or(|surface| self.stands(surface)) {
-            self.pass_over_bounces(scene, &contact, e * speed, e);
-        }
+        self.begin_train(scene, &contact, e * speed, e);
     }
 
     /// The velocity of `hi` relative to `lo` along the other axis, m/s, where two corners have met that close along both axes alike: neither face is hit

@@ -1,6 +1,7 @@
 //! Items: the bodies of an island and the surfaces near them, each on a path of its own.
 
 use crate::physics::data::{Aabb, Body, BodyDef, Cubic, Pose, STRAY, Sides, Surface, on_axis, parabola};
+use crate::physics::exact::train::Train;
 use crate::physics::flight::liquid::{flow, flow_while};
 use crate::physics::forces::{Law, Media};
 use glam::DVec2;
@@ -13,6 +14,8 @@ pub(crate) enum Travel {
     Flow,
     /// Over one surface, through media.
     Slide,
+    /// Bounce after bounce.
+    Train,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -42,21 +45,19 @@ pub(crate) enum EventKind {
     Stop { other: u32 },
     /// Its contact with another item ends, because they no longer face each other.
     Edge { other: u32 },
-    /// Its contact with another item begins: both are flush, and face each other from now on.
+    /// Its contact with another item begins: both are flush, and face each other from now on. Or one comes near the train of the other.
     Begin { other: u32 },
     /// It crosses the border of a stream.
     Border,
     /// Its path is foreseen up to here.
     Renew,
-    /// It leaves the item on which its bounces have been passed over.
-    Resume,
 }
 
 impl EventKind {
     pub fn other(self) -> Option<u32> {
         match self {
             Self::Hit { other, .. } | Self::Stop { other } | Self::Edge { other } | Self::Begin { other } => Some(other),
-            Self::Nothing | Self::Border | Self::Renew | Self::Resume => None,
+            Self::Nothing | Self::Border | Self::Renew => None,
         }
     }
 }
@@ -78,15 +79,6 @@ impl Next {
             *self = Self { at, kind, foreseen_on: 0 };
         }
     }
-}
-
-/// The end of bounces that are passed over: at that time (s) the body leaves the `other` item along `axis` with that `speed`, m/s.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Resume {
-    pub at: f64,
-    pub axis: usize,
-    pub speed: f64,
-    pub other: u32,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -116,7 +108,7 @@ pub(crate) struct Item {
     /// The end of its flow or slide, with `since` and `until` as they were then.
     pub end: Option<(f64, f64, Pose)>,
     pub searched: Aabb,
-    pub(crate) resume: Option<Resume>,
+    pub train: Option<Train>,
     pub hits: u32,
     /// How often in this tick it was taken to stay where it parted by a rounding.
     pub clung: u32,
@@ -161,6 +153,7 @@ impl Item {
             Travel::Flow | Travel::Slide if self.is_end(at) => self.end.map_or(start, |(.., end)| end),
             Travel::Flow => flow(media, &self.body, &self.law, t),
             Travel::Slide => self.slide_on(media, t),
+            Travel::Train => self.train.map_or(start, |train| train.pose(start, t, at)),
         }
     }
 
@@ -193,7 +186,7 @@ impl Item {
         let t = self.until - self.since;
         self.end = None;
         match self.motion {
-            Travel::Still => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
+            Travel::Still | Travel::Train => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
             Travel::Flow if t > 0.0 => self.foresee_flow(media),
             Travel::Slide if t > 0.0 => {
                 let (end_x, end_v) = self.pose(media, self.until);

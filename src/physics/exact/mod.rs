@@ -18,6 +18,8 @@ pub(crate) mod poses;
 pub(crate) mod predict;
 pub(crate) mod ties;
 pub(crate) mod track;
+pub(crate) mod train;
+pub(crate) mod wedge;
 
 use crate::physics::data::{Aabb, EVENTS_OF_A_BODY, MOST_BORDERS, Part, Pose, called};
 pub(crate) use crate::physics::exact::events::{Events, ExactEnd, Scene};
@@ -59,8 +61,11 @@ impl Events {
             }
         }
         self.now = scene.tick;
-        self.stop_here(scene);
         self.items.iter_mut().for_each(|item| item.known = true);
+        self.is_placed.fill(false);
+        (0..self.movable).for_each(|i| self.end_train(scene, i));
+        self.release();
+        self.stop_here(scene);
         self.follow_surfaces();
         self.follow_links();
         self.settle(scene);
@@ -198,7 +203,6 @@ impl Events {
                 self.concern(other);
                 self.stop_slide(scene, i as u32, other);
             }
-            EventKind::Resume => self.resume(scene, i),
         }
         self.look(scene);
         self.release();

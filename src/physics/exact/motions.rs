@@ -56,10 +56,6 @@ impl Events {
         for _ in self.movable..=self.items.len() {
             self.halted = false;
             self.collect(scene);
-            // Something else happens to these pairs: bounces that are passed over end.
-            for k in 0..self.concerned.len() {
-                self.resume(scene, self.concerned[k] as usize);
-            }
             if !self.resolve_impacts(scene) {
                 self.hits.truncate(known);
                 return false;
@@ -171,6 +167,7 @@ impl Events {
             let item = &mut self.items[i];
             (item.mean, item.until, item.slide) = (self.solved[i], scene.tick, slide);
             item.motion = match first {
+                _ if item.train.is_some() => Travel::Train,
                 _ if at_rest => Travel::Still,
                 Some(_) if slide.is_some() => Travel::Slide,
                 None if in_media => Travel::Flow,
@@ -179,6 +176,9 @@ impl Events {
             coupled |= first.is_some() && in_media && item.motion == Travel::Parabola;
             if matches!(item.motion, Travel::Flow | Travel::Slide) {
                 item.until = end_of_a_cubic(scene, item);
+            }
+            if let Some(train) = &item.train {
+                item.until = train.until;
             }
         }
         if coupled && left > 0.0 {

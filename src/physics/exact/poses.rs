@@ -26,6 +26,11 @@ impl Events {
                 self.concern(self.contacts[index].other(item));
             }
         }
+        for body in 0..self.movable as u32 {
+            if self.items[body as usize].train.is_some_and(|train| train.members.contains(&item)) {
+                self.concern(body);
+            }
+        }
     }
 
     /// The contacts of an item as they were indexed last.

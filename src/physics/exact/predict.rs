@@ -51,9 +51,6 @@ impl Events {
         if item.until < scene.tick {
             next.or_earlier(item.until, EventKind::Renew);
         }
-        if let Some(resume) = item.resume {
-            next.or_earlier(resume.at, EventKind::Resume);
-        }
         next
     }
 
@@ -82,6 +79,12 @@ impl Events {
         let mut next = Next::NEVER;
         let end = mine.until.min(other.until).min(self.nexts[j].at).min(before) - now;
         if mine.is_still() && other.is_still() || end <= 0.0 {
+            return next;
+        }
+        if let Some(of) = [i, j].into_iter().find(|k| self.items[*k].train.is_some()) {
+            if let Some(t) = self.comes_near(of, if of == i { j } else { i }, end) {
+                next.or_earlier(now + t, EventKind::Begin { other: j as u32 });
+            }
             return next;
         }
         // Bodies that press on each other have met already.
@@ -114,6 +117,19 @@ impl Events {
             }
         }
         next
+    }
+
+    /// When an item enters the box in which the train of another one stays.
+    fn comes_near(&self, of: usize, item: usize, end: f64) -> Option<f64> {
+        let (train, track) = (self.items[of].train.as_ref()?, &self.tracks[item]);
+        if track.is_still() || train.members.contains(&(item as u32)) {
+            return None;
+        }
+        let (lane, way) = (self.lanes[of], track.way_from(self.now));
+        let motion = Cubic::parabola(lane.centre(), DVec2::ZERO, DVec2::ZERO).relative(&way);
+        let reach = lane.size() * 0.5 + track.half;
+        let inside = self.items[item].train.is_some() || (reach - motion.c[0].abs()).min_element() >= 0.0;
+        if inside { Some(0.0) } else { time_of_impact(&motion, reach, end, Sides::ALL).map(|(t, _)| t) }
     }
 
     fn next_contact_change(&self, i: u32, contact: &Contact, next: &mut Next) {

@@ -67,7 +67,7 @@ impl Events {
         };
         if !ties.is_empty() && ties.iter().all(on_ground) {
             let (contact, e) = (self.touching[ties[0].index], ties[0].e);
-            self.pass_over_bounces(scene, &contact, e * speed, e);
+            self.begin_train(scene, &contact, e * speed, e);
         }
         self.ties = ties;
     }

@@ -22,7 +22,7 @@ impl Track {
     pub fn new(item: &Item, way: Cubic) -> Self {
         let Item { since, until, motion, .. } = *item;
         let (half, t) = (item.body.half, until - since);
-        let swept = way.swept(half, t);
+        let swept = item.train.map_or_else(|| way.swept(half, t), |train| train.way);
         // Places on a path are off by less than 64 roundings of the largest coordinate and 1e-6 m.
         let rounding = swept.min.abs().max(swept.max.abs()) * (64.0 * f64::EPSILON) + 1e-6;
         Self { since, until, motion, half, way, swept, rounding }

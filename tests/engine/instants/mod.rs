@@ -5,6 +5,7 @@ mod cradles;
 mod heaps;
 mod movers;
 mod tiles;
+mod trains;
 
 use crate::support::{Ask, Random, area};
 use proptest::prelude::*;

@@ -1,0 +1,157 @@
+//! The end of bouncing: a train of bounces goes on, ends and is listed as if every bounce were taken one by one, whatever the tick.
+
+use super::*;
+use resultant::physics::{Body, BodyId, Guards};
+
+const PULL: f64 = 15.0;
+const RATES: [f64; 5] = [30.0, 60.0, 120.0, 240.0, 480.0];
+
+fn rough(friction: f64) -> Material {
+    Material { static_friction: friction, kinetic_friction: friction, ..Material::STEEL }
+}
+
+/// A throw over a floor whose top is 0: a body of a metre.
+#[derive(Clone, Copy, Debug)]
+struct Throw {
+    height: f64,
+    speed: DVec2,
+    mass: f64,
+    e: f64,
+    friction: f64,
+}
+
+impl Throw {
+    fn random(random: &mut Random) -> Self {
+        Self {
+            height: random.between(0.0, 2.0),
+            speed: v(random.between(-9.0, 9.0), random.between(-3.0, 3.0)),
+            mass: random.decades(-1.0, 2.0),
+            e: random.pick(&[0.02, 0.3, 0.5, 0.7, 0.9, 0.97]),
+            friction: random.pick(&[0.0, 0.02, 0.1, 0.4, 0.65, 1.0]),
+        }
+    }
+
+    fn world(&self) -> World {
+        let floor = SurfaceDef::fixed(area(-300.0, 0.0, 300.0, 1.0), rough(self.friction));
+        let Self { height, speed, mass, e, .. } = *self;
+        let body = BodyDef { position: v(0.0, -0.5 - height), velocity: speed, mass, restitution: e, ..BodyDef::default() };
+        World::new(WorldDef { gravity: PULL, ..without_air(vec![floor], vec![body]) }).unwrap()
+    }
+
+    /// The place, height and velocities at a time, bounce by bounce.
+    fn at(&self, time: f64) -> [f64; 4] {
+        let (mut x, mut along, mut left) = (0.0, self.speed.x, time);
+        let (mut height, mut up) = (self.height, -self.speed.y);
+        loop {
+            let flight = (up + (up * up + 2.0 * PULL * height).sqrt()) / PULL;
+            if flight > left {
+                return [x + along * left, height + up * left - 0.5 * PULL * left * left, along, up - PULL * left];
+            }
+            (x, left) = (x + along * flight, left - flight);
+            let hits = PULL * flight - up;
+            let rub = (self.friction * (1.0 + self.e) * hits).min(along.abs());
+            (height, up, along) = (0.0, self.e * hits, along - rub * along.signum());
+            if up < 1e-13 {
+                let stops = along.abs() / (self.friction * PULL);
+                let slides = left.min(stops);
+                let slower = along - along.signum() * self.friction * PULL * slides;
+                let slower = if left >= stops { 0.0 } else { slower };
+                return [x + 0.5 * (along + slower) * slides, 0.0, slower, 0.0];
+            }
+        }
+    }
+}
+
+fn found(world: &World) -> [f64; 4] {
+    let (place, speed) = (world.at(0), world.speed(0));
+    [place.x, -0.5 - place.y, speed.x, -speed.y]
+}
+
+/// What the lists of a tick leave over of a body's change of momentum under its weight alone, N·s.
+fn unlisted(world: &World, id: BodyId, before: DVec2, dt: f64) -> f64 {
+    let Body { mass, velocity, .. } = *world.body(id);
+    let given: DVec2 = world.impulses().iter().filter_map(|hit| hit.on(id)).map(|(given, _)| given).sum();
+    ((velocity - before - v(0.0, PULL * dt)) * mass - given).length()
+}
+
+fn in_contact(world: &World, id: BodyId) -> bool {
+    world.forces(id).forces().len() > 1
+}
+
+proptest! {
+    #![proptest_config(cases(60))]
+
+    #[test]
+    fn a_thrown_crate_stops_where_its_bounces_say(seed in any::<u64>(), hz in prop::sample::select(RATES.to_vec())) {
+        let throw = Throw::random(&mut Random(seed));
+        let mut world = throw.world();
+        let id = BodyId(0);
+        for tick in 1..=(6.0 * hz) as u32 {
+            let (before, lay) = (world.speed(0), in_contact(&world, id));
+            world.step(1.0 / hz);
+            let (found, exact) = (found(&world), throw.at(f64::from(tick) / hz));
+            let off = [0, 1].map(|k| (found[k] - exact[k]).abs());
+            prop_assert!(off[0].max(off[1]) <= 1e-9, "{:?}, tick {}: {:?}, not {:?}", throw, tick, found, exact);
+            prop_assert!((found[2] - exact[2]).abs() <= 1e-9 && (exact[2] != 0.0 || found[2] == 0.0), "tick {}: {:?}, not {:?}", tick, found, exact);
+            for hit in world.impulses() {
+                prop_assert!(hit.vector.y <= 0.0 && hit.vector.x.abs() <= throw.friction * -hit.vector.y * (1.0 + 1e-9), "tick {}: {:?}", tick, hit);
+            }
+            if !lay && !in_contact(&world, id) {
+                let left = unlisted(&world, id, before, 1.0 / hz);
+                prop_assert!(left <= 1e-9 * throw.mass, "{:?}, tick {}: {} N·s", throw, tick, left);
+            }
+        }
+        prop_assert_eq!(world.guards().bounces_ended, 0);
+    }
+
+    /// One goes to and fro between a wall and a heavy one that comes: up to 31 415 hits.
+    #[test]
+    fn what_is_between_a_wall_and_something_heavy_bounces_without_loss(
+        seed in any::<u64>(),
+        power in 0.0..8.0f64,
+        hz in prop::sample::select(RATES.to_vec()),
+    ) {
+        let random = &mut Random(seed);
+        let (mass, ratio, side) = (random.decades(-2.0, 0.0), 10f64.powf(power), random.pick(&[-1.0, 1.0]));
+        let (near, gap, comes) = (random.between(0.0, 2.0), random.between(0.2, 2.0), random.between(0.3, 3.0));
+        let at = |x: f64, mass: f64, speed: f64| BodyDef {
+            position: v(side * x, 0.0), velocity: v(side * speed, 0.0), mass, restitution: 1.0, ..BodyDef::default()
+        };
+        let wall = SurfaceDef::fixed(if side > 0.0 { area(-1.0, -9.0, 0.0, 9.0) } else { area(0.0, -9.0, 1.0, 9.0) }, Material::ICE);
+        let rows = vec![at(near + 0.5, mass, 0.0), at(near + gap + 1.5, mass * ratio, -comes)];
+        let mut world = World::new(in_space(vec![wall], rows)).unwrap();
+        // Places less the widths: the light one at `x`, the heavy one at `y`.
+        let (mut x, mut y, mut u, mut w, mut now) = (near, near + gap, 0.0, -comes, 0.0);
+        let mut hits = 0;
+        for tick in 1..=(4.0 * hz) as u32 {
+            world.step(1.0 / hz);
+            let end = f64::from(tick) / hz;
+            loop {
+                let to_wall = if u < 0.0 { x / -u } else { f64::INFINITY };
+                let to_other = if u > w { (y - x).max(0.0) / (u - w) } else { f64::INFINITY };
+                let next = to_wall.min(to_other).min(end - now);
+                (x, y, now) = (x + u * next, y + w * next, now + next);
+                if to_wall.min(to_other) > next {
+                    break;
+                }
+                hits += 1;
+                if to_wall <= to_other {
+                    (x, u) = (0.0, -u);
+                } else {
+                    let part = 2.0 * (u - w) / (1.0 + ratio);
+                    (u, w, x) = (u - ratio * part, w + part, y);
+                }
+            }
+            now = end;
+            let [light, heavy] = [0, 1].map(|i| side * world.speed(i).x);
+            prop_assert!((heavy - w).abs() <= 1e-6, "ratio {}, tick {} at {} Hz, {} hits: {} m/s, not {} m/s", ratio, tick, hz, hits, heavy, w);
+            let energy = 0.5 * mass * (light * light + ratio * heavy * heavy);
+            prop_assert!((energy / (0.5 * mass * ratio * comes * comes) - 1.0).abs() <= 1e-9, "ratio {}, tick {}: {} J", ratio, tick, energy);
+            prop_assert!((side * world.at(1).x - 1.5 - y).abs() <= 1e-6);
+        }
+        let Guards { bounces_ended, budgets_used_up, .. } = *world.guards();
+        prop_assert_eq!((bounces_ended, budgets_used_up), (0, 0));
+        let [light, heavy] = [0, 1].map(|i| side * world.speed(i).x);
+        prop_assert!((light - u).abs() <= 1e-4 && (heavy - w).abs() <= 1e-6, "{} and {} m/s, not {} and {}", light, heavy, u, w);
+    }
+}
