@@ -81,9 +81,6 @@ pub(crate) const SHORT_BOUNCE: f64 = 1.0 / 256.0;
 /// their island; fewer: what ends as soon is no event less.
 pub(crate) const MANY_HITS: f64 = 16.0;
 
-/// Relative change of the pull within one train, at most, in media. Larger: its mean stands for a force that is another one; smaller: shorter trains.
-pub(crate) const STEADY: f64 = 0.02;
-
 /// m/s. Slower hits are not reported as events.
 pub(crate) const REPORT_SPEED: f64 = 0.01;
 

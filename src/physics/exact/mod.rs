@@ -5,7 +5,6 @@
 //! impacts are resolved (`impacts`), contacts and accelerations follow (`motions`), and the next events are sought (`predict`). Events are
 //! counted: the crowd step takes the tick of an island in which too many happen.
 
-pub(crate) mod bounces;
 pub(crate) mod contacts;
 pub(crate) mod end;
 pub(crate) mod events;
@@ -19,6 +18,7 @@ pub(crate) mod predict;
 pub(crate) mod ties;
 pub(crate) mod track;
 pub(crate) mod train;
+pub(crate) mod trains;
 pub(crate) mod wedge;
 
 use crate::physics::data::{Aabb, EVENTS_OF_A_BODY, MOST_BORDERS, Part, Pose, called};

@@ -82,8 +82,9 @@ impl Events {
             return next;
         }
         if let Some(of) = [i, j].into_iter().find(|k| self.items[*k].train.is_some()) {
-            if let Some(t) = self.comes_near(of, if of == i { j } else { i }, end) {
-                next.or_earlier(now + t, EventKind::Begin { other: j as u32 });
+            let (with, members) = (if of == i { j } else { i }, self.items[of].train.map_or([i as u32; 3], |train| train.members));
+            if !self.tracks[with].is_still() && !members.contains(&(with as u32)) {
+                next.or_earlier(now, EventKind::Begin { other: j as u32 });
             }
             return next;
         }
@@ -117,19 +118,6 @@ impl Events {
             }
         }
         next
-    }
-
-    /// When an item enters the box in which the train of another one stays.
-    fn comes_near(&self, of: usize, item: usize, end: f64) -> Option<f64> {
-        let (train, track) = (self.items[of].train.as_ref()?, &self.tracks[item]);
-        if track.is_still() || train.members.contains(&(item as u32)) {
-            return None;
-        }
-        let (lane, way) = (self.lanes[of], track.way_from(self.now));
-        let motion = Cubic::parabola(lane.centre(), DVec2::ZERO, DVec2::ZERO).relative(&way);
-        let reach = lane.size() * 0.5 + track.half;
-        let inside = self.items[item].train.is_some() || (reach - motion.c[0].abs()).min_element() >= 0.0;
-        if inside { Some(0.0) } else { time_of_impact(&motion, reach, end, Sides::ALL).map(|(t, _)| t) }
     }
 
     fn next_contact_change(&self, i: u32, contact: &Contact, next: &mut Next) {

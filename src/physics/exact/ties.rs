@@ -61,12 +61,7 @@ impl Events {
         for k in 0..ties.len() {
             self.rebound(&ties, k, speed);
         }
-        let on_ground = |tie: &Tie| {
-            let (body, surface) = self.touching[tie.index].ends();
-            !self.is_body(surface) && self.stands(surface) && self.touching[ties[0].index].has(body)
-        };
-        if !ties.is_empty() && ties.iter().all(on_ground) {
-            let (contact, e) = (self.touching[ties[0].index], ties[0].e);
+        if let Some((contact, e)) = ties.first().map(|tie| (self.touching[tie.index], tie.e)) {
             self.begin_train(scene, &contact, e * speed, e);
         }
         self.ties = ties;
