@@ -175,7 +175,7 @@ impl Events {
         called(Part::Bounces);
         let (lo, hi) = (&self.items[contact.lo as usize], &self.items[contact.hi as usize]);
         let e = lo.body.coefficients().with(hi.body.coefficients(), false).restitution;
-        let slow = e < 1.0 && (e * speed < scene.rest_speed || speed <= MICRO_SPEED);
+        let slow = e < 1.0 && (e * speed < scene.rest_speed || e * speed <= MICRO_SPEED);
         // What neither loses anything nor is squeezed ends of itself.
         let stands = |surface: &Item| surface.is_still() && surface.stops_at.is_infinite();
         let ends = || e < 1.0 || speed <= MICRO_SPEED || !self.items[self.movable..].iter().all(stands);
@@ -237,7 +237,9 @@ impl Events {
     }
 
     fn note_plastic(&mut self, contact: &Contact) {
-        if contact.normal != 0.0 || contact.friction != 0.0 {
+        // A surface pulls nothing: what clings to it does so for a flight that would end within a rounding.
+        let pulls = contact.normal < 0.0 && !self.is_body(contact.ends().1);
+        if !pulls && (contact.normal != 0.0 || contact.friction != 0.0) {
             let before = |item: u32| self.before[item as usize][contact.axis];
             let closing = (before(contact.lo) - before(contact.hi)).max(0.0);
             self.note(contact, on_axis(contact.axis, contact.normal, contact.friction), closing);

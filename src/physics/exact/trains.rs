@@ -24,12 +24,11 @@ impl Events {
         let together = self.speeds[of[0]] - on_axis(axis, side * speed, slides) * mine;
         // Accelerations without bounces, and the rates of drag and lift, `t` seconds later, after a way and with a speed along.
         let forces = |k: usize, t: f64, carried: DVec2, way: f64, slides: f64| {
-            let (item, turned) = (&self.items[of[k]], |along: f64| on_axis(axis, 0.0, along * parts[k]));
-            let (place, velocity) =
-                (self.places[of[k]] + (together + carried * (0.5 * t)) * t + turned(way), together + carried * t + turned(slides));
+            let (item, [way, slides]) = (&self.items[of[k]], [way, slides].map(|along| on_axis(axis, 0.0, along * parts[k])));
+            let place = self.places[of[k]] + (together + carried * (0.5 * t)) * t + way;
+            let velocity = together + carried * t + slides;
             let answer = scene.media.stiffness(&item.body, &item.law, place, velocity);
-            let pull = scene.media.acceleration(&item.body, &item.law, place, velocity);
-            (pull, answer.drag[axis] * parts[k].abs(), answer.lift)
+            (scene.media.acceleration(&item.body, &item.law, place, velocity), answer.drag[axis] * parts[k].abs(), answer.lift)
         };
         let calm = of.iter().all(|i| self.items[*i].law.is_constant());
         let begun = [0, 1].map(|k| forces(k, 0.0, DVec2::ZERO, 0.0, slides));
@@ -99,13 +98,14 @@ impl Events {
 
     /// Whether nothing is near a body in a train but other members, and surfaces that go on in one plane with its own, and are like it.
     fn is_clear(&self, scene: &Scene, i: usize, train: &Train) -> bool {
-        let (item, way, ground, axis) = (&self.items[i], &train.way, train.members[1] as usize, train.axis);
+        let (item, way, axis) = (&self.items[i], &train.way, train.axis);
+        let ground = train.members.into_iter().filter(|member| *member != NONE).fold(0, u32::max) as usize;
         let face = |j: usize| self.items[j].body.position[axis] + train.side * self.items[j].body.half[axis];
-        let like = |j: usize| (self.items[j].body.coefficients(), self.items[j].belt, self.items[j].surface, Sides::ALL);
+        let like =
+            |j: usize| (self.items[j].body.coefficients(), self.items[j].belt, self.items[j].surface, self.tracks[j].is_still());
         let goes_on = |j: usize| {
-            let of = &self.items[j];
-            let alike = like(ground) == (of.body.coefficients(), of.belt, of.surface, of.sides);
-            of.surface && alike && self.tracks[j].is_still() && (face(j) - face(ground)).abs() <= SLOP
+            let alike = like(ground) == like(j) && self.items[j].surface && self.items[j].sides == Sides::ALL;
+            alike && self.tracks[j].is_still() && (face(j) - face(ground)).abs() <= SLOP
         };
         let near = |j: usize| self.lanes[j].touches(way, 0.0) && !train.members.contains(&(j as u32)) && !goes_on(j);
         let stays = |stream: &u32| {
@@ -148,11 +148,8 @@ impl Events {
         let way = ends.into_iter().fold(Aabb::NOWHERE, |way, end| way.union(&Aabb::around(end, half)));
         let from = |t: f64| Aabb::around(self.places[of[1]] + self.speed(wall) * t, self.items[of[1]].body.half);
         let mut between = way.union(&from(0.0)).union(&from(t));
-        if side > 0.0 {
-            between.max[axis] -= 2.0 * half[axis]
-        } else {
-            between.min[axis] += 2.0 * half[axis]
-        }
+        let edge = if side > 0.0 { &mut between.max } else { &mut between.min };
+        edge[axis] -= side * 2.0 * half[axis];
         let trains = [train(0, way), train(1, between)];
         if (0..2).all(|k| self.is_clear(scene, of[k], &trains[k])) {
             self.concern(far);

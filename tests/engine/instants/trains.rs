@@ -1,7 +1,7 @@
 //! The end of bouncing: a train of bounces goes on, ends and is listed as if every bounce were taken one by one, whatever the tick.
 
 use super::*;
-use resultant::physics::{Body, BodyId, Guards};
+use resultant::physics::{Body, BodyId, Guards, Obstacle};
 
 const PULL: f64 = 15.0;
 const RATES: [f64; 5] = [30.0, 60.0, 120.0, 240.0, 480.0];
@@ -102,6 +102,74 @@ proptest! {
             }
         }
         prop_assert_eq!(world.guards().bounces_ended, 0);
+    }
+
+    /// Three of them on each other and on the floor: what changes a momentum is listed, until one of them lies down.
+    #[test]
+    fn lists_of_three_that_bounce_add_up(seed in any::<u64>(), hz in prop::sample::select(RATES.to_vec())) {
+        let random = &mut Random(seed);
+        let body = |k: i32| BodyDef {
+            position: v(0.0, -1.0 - 1.3 * f64::from(k)), mass: random.decades(-1.0, 2.0), restitution: random.between(0.1, 1.0),
+            velocity: v(0.0, random.between(-2.0, 2.0)), ..BodyDef::default()
+        };
+        let floor = SurfaceDef::fixed(area(-300.0, 0.0, 300.0, 1.0), rough(0.4));
+        let bodies: Vec<_> = (0..3).map(body).collect();
+        let mut world = World::new(WorldDef { gravity: PULL, ..without_air(vec![floor], bodies) }).unwrap();
+        let mut lay = [false; 3];
+        for tick in 1..=(2.0 * hz) as u32 {
+            let before = [0, 1, 2].map(|i| world.speed(i));
+            world.step(1.0 / hz);
+            for hit in world.impulses() {
+                let (mass, on_floor) = (world.body(hit.a).mass, matches!(hit.b, Obstacle::Surface(_)));
+                prop_assert!(!on_floor || hit.vector.y <= 0.0, "tick {}: {:?} pulls", tick, hit);
+                let least = hit.vector.length() < 1e-4 * mass;
+                lay = lay.map(|lies| lies || least);
+            }
+            for (i, speed) in before.into_iter().enumerate() {
+                let id = BodyId(i as u32);
+                lay[i] |= in_contact(&world, id) || lay.contains(&true);
+                let left = unlisted(&world, id, speed, 1.0 / hz);
+                prop_assert!(lay[i] || left <= 1e-9 * world.body(id).mass, "tick {}, body {}: {} N·s", tick, i, left);
+            }
+        }
+    }
+
+    /// A crate in space that is driven against another one, and bounces on it: after each bounce the gap and the speeds are those of one bounce after the other.
+    #[test]
+    fn a_pair_that_a_drive_presses_together_bounces_like_one_on_the_ground(
+        seed in any::<u64>(),
+        e in prop::sample::select(vec![0.5, 0.9, 1.0]),
+        hz in prop::sample::select(RATES.to_vec()),
+    ) {
+        let random = &mut Random(seed);
+        let masses = [random.decades(-1.0, 1.0), random.decades(-1.0, 1.0)];
+        let (drive, gap, apart) = (random.between(5.0, 30.0), random.between(0.0, 0.02), random.between(0.0, 0.05));
+        let at = |x: f64, k: usize, speed: f64| BodyDef {
+            position: v(x, 0.0), velocity: v(speed, 0.0), mass: masses[k], restitution: e, ..BodyDef::default()
+        };
+        let mut world = World::new(in_space(vec![], vec![at(0.0, 0, 0.0), at(1.0 + gap, 1, apart)])).unwrap();
+        world.drive(0, drive, 0.0);
+        let pull = drive / masses[0];
+        for tick in 1..=hz as u32 {
+            world.step(1.0 / hz);
+            let time = f64::from(tick) / hz;
+            let (mut height, mut up, mut left) = (gap, apart, time);
+            let exact = loop {
+                let flight = (up + (up * up + 2.0 * pull * height).sqrt()) / pull;
+                if flight > left {
+                    break height + up * left - 0.5 * pull * left * left;
+                }
+                (height, up, left) = (0.0, e * (pull * flight - up), left - flight);
+                if up < 1e-13 {
+                    break 0.0;
+                }
+            };
+            let found = world.at(1).x - world.at(0).x - 1.0;
+            prop_assert!((found - exact).abs() <= 1e-9, "{:?} kg, tick {}: {} m, not {} m", masses, tick, found, exact);
+            let (momentum, whole) = (masses[0] * world.speed(0).x + masses[1] * world.speed(1).x, drive * time + masses[1] * apart);
+            prop_assert!((momentum - whole).abs() <= 1e-9, "tick {}: {} N·s, not {} N·s", tick, momentum, whole);
+        }
+        prop_assert_eq!((world.guards().bounces_ended, world.guards().budgets_used_up), (0, 0));
     }
 
     /// One goes to and fro between a wall and a heavy one that comes: up to 31 415 hits.
