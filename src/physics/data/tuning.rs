@@ -90,8 +90,8 @@ pub(crate) const FRICTION_ROUNDS: u32 = 24;
 /// m. Thickness of the level's edges. No speed gets through: impacts are found along the whole path.
 pub(crate) const EDGE_THICKNESS: f64 = 100.0;
 
-/// Rate × time of a bounce of two bodies up to which drag only takes a little off each. Larger: what it takes is off by more than a tenth;
-/// smaller: a light body that bounces in front of something heavy does so a hundred times before its bounces are passed over.
+/// Rate × time of a bounce up to which drag only takes a little off it, and the relative change of the pull within one train. Larger: what it takes
+/// is off by more than a tenth; smaller: a light body that bounces in front of something heavy does so a hundred times before a train begins.
 pub(crate) const DAMPED_REACH: f64 = 0.1;
 
 /// Events of an island in a tick, for each of its bodies and for 32 more; an event counts once, and once for each body that it concerns.
