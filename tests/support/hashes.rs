@@ -9,7 +9,7 @@ const GOLDEN: [(&str, u64); 6] = [
     ("crowd", 0xa5e0_cf1a_b6ca_5cb9),
     ("liquid", 0x1103_dc83_511a_574f),
     ("stream", 0x782a_1628_a6dc_b825),
-    ("moving surfaces", 0x8ae2f1f48952831b),
+    ("moving surfaces", 0x61b8420e8dfe65f9),
     ("moving surfaces, dense", 0x5e68023e3f5d1e3c),
 ];
 
