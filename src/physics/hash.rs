@@ -98,7 +98,11 @@ mod tests {
         let plan = Plan { dense: true, ..Plan::of(&def) };
         let mut world = World::with_plan(def, plan).unwrap();
         world.set_drive(BodyId(0), DVec2::new(30.0, 0.0));
-        (0..60).for_each(|_| world.step(1.0 / 120.0));
+        for _ in 0..60 {
+            world.step(1.0 / 120.0);
+            // Asks the next step for contacts.
+            world.forces(BodyId(0));
+        }
         world
     }
 

@@ -109,6 +109,10 @@ impl Tick<'_> {
         if island.is_alone() && of.motions.bodies[island.members[0] as usize].roughly {
             return self.fly(of);
         }
+        if self.state.links.all.is_empty() && self.leaves_for_good(count) {
+            self.guards.dense_ticks += 1;
+            return Verdict::Left;
+        }
         self.scratch.members.clear();
         self.scratch.surfaces.clear();
         self.scratch.members.extend_from_slice(island.members);
@@ -155,7 +159,7 @@ impl Tick<'_> {
 
     /// Whether a crowd step lists the contacts of an island of this many bodies.
     fn lists(&self, members: usize) -> bool {
-        self.lists || members <= ALWAYS_LISTED
+        self.lists || (members <= ALWAYS_LISTED && !self.scene.plan.dense)
     }
 
     /// Whether an island of this many bodies is a crowd: then it falls asleep as the crowd step leaves it.
@@ -197,7 +201,7 @@ impl Space {
         let mut again = false;
         loop {
             self.islands.sort(&tick.state.bodies, self.down);
-            self.islands.find(&self.motions, &self.broad_phase, &self.moving);
+            self.islands.find(&self.motions, &self.broad_phase, &self.moving, self.down);
             let minds = |tick: &Tick<'_>| self.sleep.looked_at.iter().any(|body| tick.minds(&self.motions, *body as usize));
             if !again && self.islands.are_alone() && (tick.bare || !minds(tick)) {
                 return self.let_sleepers_stay(&tick.state.bodies);

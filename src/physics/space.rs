@@ -4,6 +4,7 @@ use crate::physics::crowd::CrowdImpact;
 use crate::physics::crowd::dense::Crowd;
 use crate::physics::data::{Aabb, Body, Pose};
 use crate::physics::state::State;
+use crate::physics::store::broad_phase::cells_per_metre;
 use crate::physics::store::{BroadPhase, Islands, Motions, Sleep};
 use glam::DVec2;
 
@@ -27,11 +28,12 @@ impl Space {
     pub fn new(state: &State) -> Self {
         let (n, surfaces) = (state.bodies.len(), state.surfaces.len());
         let motions = Motions::new(&state.bodies, &state.surfaces, &state.media);
+        let cells_per_metre = cells_per_metre(&state.bodies);
         let mut space = Self {
             broad_phase: BroadPhase::new(&state.bodies, &motions),
-            islands: Islands::new(n, surfaces),
+            islands: Islands::new(n, surfaces, cells_per_metre),
             crowd: Crowd::new(n, n + surfaces),
-            sleep: Sleep::new(n),
+            sleep: Sleep::new(n, cells_per_metre),
             moving: Vec::new(),
             impacts: Vec::with_capacity(n),
             grown: Vec::with_capacity(n),
@@ -39,15 +41,20 @@ impl Space {
             last_dt: 0.0,
             motions,
         };
-        (0..n).for_each(|i| space.set_force(state, i, state.forces[i].push()));
+        for i in 0..n {
+            space.set_force(state, i, state.forces[i].push());
+        }
         space
     }
 
     /// Sets the force on a body besides weight and drag, N. A change wakes its island.
-    pub fn set_force(&mut self, state: &State, i: usize, force: DVec2) {
-        if self.motions.set_force(i, (&state.bodies[i], &state.media), force) {
+    /// Returns whether it does.
+    pub fn set_force(&mut self, state: &State, i: usize, force: DVec2) -> bool {
+        let changes = self.motions.set_force(i, (&state.bodies[i], &state.media), force);
+        if changes {
             self.sleep.wake(i);
         }
+        changes
     }
 
     pub fn begin_step(&mut self) {
@@ -92,41 +99,34 @@ impl Space {
         self.motions.before[body]
     }
 
-    /// Finds the flights, swept boxes and neighbours of bodies that are awake, and of sleepers that these may reach.
+    /// Finds the flights, swept boxes and surfaces near bodies that are awake, and of sleepers that these may reach.
     pub(crate) fn fly(&mut self, bodies: &[Body], dt: f64) {
         let Self { motions, broad_phase, sleep, moving, .. } = self;
         // Sleepers have the free flight of a step of the same length.
         if dt == self.last_dt && sleep.sleepers > 0 {
-            sleep.set_aside();
+            sleep.set_aside(&motions.swept);
         } else if !sleep.looks_at_all() {
             sleep.rouse_all();
         }
         motions.fly(bodies, &sleep.looked_at, dt);
         broad_phase.update(bodies, motions, &sleep.looked_at, dt);
         // Sleepers near moving surfaces are looked at, set aside or not: no bit may depend on that.
-        let n = bodies.len();
         for surface in moving.iter().map(|surface| *surface as usize) {
-            for i in 0..if motions.surfaces[surface].carries() && !sleep.looks_at_all() { n } else { 0 } {
-                if motions.swept[i].meets(&motions.swept[n + surface]) && sleep.rouse(i) {
-                    motions.fall_freely(i);
-                }
+            if motions.surfaces[surface].carries() && !sleep.looks_at_all() {
+                let swept = motions.swept[motions.len() + surface];
+                sleep.reach(&swept, |j| motions.fall_freely(j));
             }
         }
         self.rouse_reached();
     }
 
     pub(crate) fn rouse_reached(&mut self) {
-        let Self { sleep, motions, broad_phase, islands, .. } = self;
-        let n = motions.len();
+        let Self { sleep, motions, islands, .. } = self;
         let mut next = 0;
         while next < sleep.looked_at.len() && !sleep.looks_at_all() {
-            let i = sleep.looked_at[next] as usize;
+            let swept = motions.swept[sleep.looked_at[next] as usize];
             next += 1;
-            for j in broad_phase.near(i).iter().map(|j| *j as usize).filter(|j| *j < n) {
-                if motions.swept[i].meets(&motions.swept[j]) && sleep.rouse(j) {
-                    motions.fall_freely(j);
-                }
-            }
+            sleep.reach(&swept, |j| motions.fall_freely(j));
         }
         islands.look_at(&sleep.looked_at);
     }

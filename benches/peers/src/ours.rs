@@ -15,8 +15,8 @@ fn material(spec: &Spec) -> Material {
     Material { name: "", static_friction: spec.friction, kinetic_friction: spec.friction, restitution: 0.0 }
 }
 
-/// [`World`]. It skips ticks while nothing moves and nothing is changed; where nothing may sleep, a drive that comes and goes and is
-/// too small to change a bit keeps it awake then, which costs it more than it would to be awake.
+/// [`World`]. It skips ticks while nothing moves and nothing is changed; where nothing may sleep, a drive that comes and goes, and that
+/// friction holds, makes it solve all contacts in every step.
 pub struct Scenes {
     world: World,
     restless: bool,
@@ -26,8 +26,8 @@ pub struct Scenes {
 
 /// The viscosity of water, Pa·s.
 const WATER: f64 = 1e-3;
-/// Downwards, N: far less than the last bit of any weight.
-const NUDGE: f64 = 1e-100;
+/// Sideways, N: it changes the acceleration without contacts, and friction holds it.
+const NUDGE: f64 = 1e-3;
 
 impl Engine for Scenes {
     const NAME: &'static str = "Resultant";
@@ -83,7 +83,7 @@ impl Engine for Scenes {
         if self.restless && self.world.bodies().iter().all(|body| body.velocity == DVec2::ZERO) {
             self.nudged = !self.nudged;
             let nudge = if self.nudged { NUDGE } else { 0.0 };
-            self.world.set_drive(BodyId(0), DVec2::new(self.force, nudge));
+            self.world.set_drive(BodyId(0), DVec2::new(self.force + nudge, 0.0));
         }
         self.world.step(dt);
     }

@@ -5,6 +5,7 @@
 
 use crate::physics::data::{Aabb, Body, NONE, first, refill};
 use crate::physics::store::broad_phase::BroadPhase;
+use crate::physics::store::columns::Columns;
 use crate::physics::store::motions::Motions;
 
 /// After more moves a body, insertion gives up and all is sorted: the same order.
@@ -49,9 +50,10 @@ pub(crate) struct Islands {
     island_of_root: Vec<u32>,
     ranges: Vec<(u32, u32)>,
     others: Vec<u32>,
+    columns: Columns,
     /// The boxes from which the islands were found last: while these stay, so do they.
     swept: Vec<Aabb>,
-    revision: u64,
+    is_known: bool,
     same_order: bool,
     /// Bodies that share an island wherever they are.
     links: Vec<(u32, u32)>,
@@ -99,13 +101,14 @@ impl Turned {
 }
 
 impl Islands {
-    pub fn new(count: usize, surfaces: usize) -> Self {
+    pub fn new(count: usize, surfaces: usize, cells_per_metre: f64) -> Self {
         Self {
             place: vec![0; count + surfaces],
             parent: (0..count as u32).collect(),
             island_of_root: vec![NONE; count],
             ranges: vec![(0, 0); count],
             others: Vec::with_capacity(4 * count),
+            columns: Columns::new(count, cells_per_metre),
             ..Self::default()
         }
     }
@@ -125,7 +128,7 @@ impl Islands {
     }
 
     pub fn forget(&mut self) {
-        self.revision = 0;
+        self.is_known = false;
     }
 
     pub fn are_alone(&self) -> bool {
@@ -162,7 +165,7 @@ impl Islands {
     }
 
     pub fn sort(&mut self, bodies: &[Body], down: f64) {
-        self.same_order = self.put_in_order(bodies, down) == 0 && self.revision != 0;
+        self.same_order = self.put_in_order(bodies, down) == 0 && self.is_known;
         if !self.same_order {
             for (k, i) in self.order.iter().enumerate() {
                 self.place[*i as usize] = k as u32;
@@ -170,14 +173,15 @@ impl Islands {
         }
     }
 
-    pub fn find(&mut self, motions: &Motions, broad_phase: &BroadPhase, moving: &[u32]) {
-        if self.same_order && self.revision == broad_phase.revision && moving.is_empty() && self.sweep_the_same(motions) {
+    pub fn find(&mut self, motions: &Motions, broad_phase: &BroadPhase, moving: &[u32], down: f64) {
+        if self.same_order && moving.is_empty() && self.sweep_the_same(motions) {
             return;
         }
-        self.revision = broad_phase.revision;
+        self.is_known = true;
         self.swept.clear();
         self.swept.extend(self.order.iter().map(|i| motions.swept[*i as usize]));
-        self.join(motions, broad_phase, moving);
+        self.columns.begin(&self.heights, &self.swept, down);
+        self.join(motions, broad_phase, moving, down);
         self.gather();
     }
 
@@ -213,24 +217,25 @@ impl Islands {
         moves
     }
 
-    fn join(&mut self, motions: &Motions, broad_phase: &BroadPhase, moving: &[u32]) {
-        let Self { order, place, parent, ranges, others, links, carried, .. } = self;
+    fn join(&mut self, motions: &Motions, broad_phase: &BroadPhase, moving: &[u32], down: f64) {
+        let Self { order, place, parent, ranges, others, links, carried, columns, swept, .. } = self;
         let n = motions.len();
         others.clear();
         refill(carried, moving.len(), NONE);
         order.iter().for_each(|i| parent[*i as usize] = *i);
         for (k, &i) in order.iter().enumerate() {
-            let (from, mine) = (others.len(), motions.swept[i as usize]);
+            let (from, mine) = (others.len(), swept[k]);
             let mut root = i as usize;
-            // The lower one of a pair is listed under the upper one. Without a branch: most are apart.
-            let near = broad_phase.near(i as usize);
-            others.resize(from + near.len(), 0);
-            let mut end = from;
-            for &j in near {
-                others[end] = j;
-                end += usize::from((place[j as usize] <= k as u32) & mine.meets(&motions.swept[j as usize]));
+            // The lower one of a pair is listed under the upper one.
+            columns.pass(k, swept, down, others);
+            others[from..].sort_unstable();
+            for other in &mut others[from..] {
+                *other = order[*other as usize];
+                join_with(parent, &mut root, *other as usize);
             }
-            others.truncate(end);
+            let bodies = others.len();
+            let near = broad_phase.near(i as usize).iter().map(|surface| n + *surface as usize);
+            others.extend(near.filter(|j| place[*j] != NONE && mine.meets(&motions.swept[*j])).map(|j| j as u32));
             for (first, &surface) in carried.iter_mut().zip(moving) {
                 let j = n + surface as usize;
                 if !mine.meets(&motions.swept[j]) {
@@ -244,10 +249,8 @@ impl Islands {
                     join_with(parent, &mut root, *first as usize);
                 }
             }
-            let list = &mut others[from..];
-            list.sort_unstable_by_key(|j| if (*j as usize) < n { place[*j as usize] } else { *j });
-            for j in list.iter().map(|j| *j as usize).filter(|j| *j < n) {
-                join_with(parent, &mut root, j);
+            if !moving.is_empty() {
+                others[bodies..].sort_unstable();
             }
             parent[i as usize] = root as u32;
             ranges[i as usize] = (from as u32, others.len() as u32);

@@ -1,4 +1,6 @@
 pub(crate) mod broad_phase;
+pub(crate) mod columns;
+pub(crate) mod grid;
 pub(crate) mod islands;
 pub(crate) mod motions;
 pub(crate) mod sleep;

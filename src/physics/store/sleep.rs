@@ -3,7 +3,9 @@
 //! A body that has slept through a whole step is set aside until something wakes it, or a swept box reaches its own (`rouse`). Its box and free
 //! flight of the step before still hold, so no bit depends on that.
 
+use crate::physics::data::Aabb;
 use crate::physics::data::body::Body;
+use crate::physics::store::grid::Grid;
 use crate::physics::store::islands::Island;
 use crate::physics::store::motions::Motions;
 use glam::DVec2;
@@ -11,21 +13,32 @@ use glam::DVec2;
 /// No body is set aside while more than this part of them has to be looked at: their neighbours are looked up one by one.
 const MOST_LOOKED_AT: f64 = 0.25;
 
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(crate) struct Sleep {
     pub asleep: Vec<bool>,
     pub sleepers: usize,
     /// The bodies that a step looks at; the others are `aside`.
     pub looked_at: Vec<u32>,
     aside: Vec<bool>,
+    /// What the bodies set aside sweep.
+    boxes: Grid,
+    reached: Vec<u32>,
     /// The last step has left its island asleep.
     undisturbed: Vec<bool>,
 }
 
 impl Sleep {
-    pub fn new(count: usize) -> Self {
+    pub fn new(count: usize, cells_per_metre: f64) -> Self {
         let no = || vec![false; count];
-        Self { asleep: no(), aside: no(), undisturbed: no(), looked_at: (0..count as u32).collect(), ..Self::default() }
+        Self {
+            asleep: no(),
+            sleepers: 0,
+            looked_at: (0..count as u32).collect(),
+            aside: no(),
+            boxes: Grid::new(count, cells_per_metre),
+            reached: Vec::with_capacity(count),
+            undisturbed: no(),
+        }
     }
 
     pub fn wake(&mut self, body: usize) {
@@ -46,15 +59,28 @@ impl Sleep {
         self.undisturbed[body] = false;
         let aside = std::mem::replace(&mut self.aside[body], false);
         if aside {
+            self.boxes.leave(body);
             self.looked_at.push(body as u32);
         }
         aside
+    }
+
+    /// Makes a step look at the bodies set aside whose boxes meet these bounds, and calls `each` for them.
+    pub(crate) fn reach(&mut self, bounds: &Aabb, mut each: impl FnMut(usize)) {
+        let mut reached = std::mem::take(&mut self.reached);
+        self.boxes.find(bounds, &mut reached);
+        for body in reached.drain(..) {
+            self.rouse(body as usize);
+            each(body as usize);
+        }
+        self.reached = reached;
     }
 
     pub(crate) fn rouse_all(&mut self) {
         self.undisturbed.fill(false);
         if self.looked_at.len() < self.aside.len() {
             self.aside.fill(false);
+            self.boxes.clear();
             self.looked_at.clear();
             self.looked_at.extend(0..self.aside.len() as u32);
         }
@@ -65,15 +91,18 @@ impl Sleep {
     }
 
     /// Sets the bodies aside that slept through the step before, if few enough are left.
-    pub(crate) fn set_aside(&mut self) {
-        let Self { looked_at, undisturbed, aside, asleep, .. } = self;
+    pub(crate) fn set_aside(&mut self, swept: &[Aabb]) {
+        let Self { looked_at, undisturbed, aside, asleep, boxes, .. } = self;
         let sleeps = |body: u32| asleep[body as usize] && undisturbed[body as usize];
         let left = looked_at.iter().filter(|body| !sleeps(**body)).count();
         if left as f64 > MOST_LOOKED_AT * aside.len() as f64 {
             return self.rouse_all();
         }
         looked_at.retain(|&body| {
-            aside[body as usize] = sleeps(body);
+            if sleeps(body) {
+                aside[body as usize] = true;
+                boxes.enter(body as usize, swept[body as usize]);
+            }
             !aside[body as usize]
         });
     }

@@ -1,0 +1,115 @@
+//! Pairs of bodies whose boxes meet, found anew in each step: a body looks, in the columns that its box covers, at the bodies below it.
+
+use crate::physics::data::{Aabb, NONE, refill};
+use crate::physics::store::grid::cell;
+
+/// A wider box is tested against all.
+const MOST_COLUMNS: i64 = 64;
+/// Up to this many boxes all are tested against all.
+const FEW: usize = 12;
+
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    place: u32,
+    /// The entry below it in its column.
+    below: u32,
+}
+
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Columns {
+    /// Columns a metre.
+    per_metre: f64,
+    /// The highest entry of each column; several columns may share one.
+    heads: Vec<u32>,
+    entries: Vec<Entry>,
+    /// Places of boxes that cover too many columns.
+    wide: Vec<u32>,
+    /// By place: the first column, and how far down the centre is, m.
+    begins: Vec<(i64, f64)>,
+    /// How far up from its centre any box reaches, m.
+    reach: f64,
+}
+
+impl Columns {
+    pub fn new(count: usize, per_metre: f64) -> Self {
+        Self { per_metre, entries: Vec::with_capacity(8 * count), begins: Vec::with_capacity(count), ..Self::default() }
+    }
+
+    /// Begins with boxes that stand bottom-up, each with how far down its centre is, m.
+    pub fn begin(&mut self, depths: &[(f64, u32)], boxes: &[Aabb], down: f64) {
+        refill(&mut self.heads, (2 * boxes.len()).next_power_of_two().max(2 * MOST_COLUMNS as usize), NONE);
+        self.entries.clear();
+        self.wide.clear();
+        self.begins.clear();
+        self.begins.extend(depths.iter().zip(boxes).map(|((depth, _), of)| (cell(of.min.x, self.per_metre), *depth)));
+        let up = |(&(_, depth), of): (&(i64, f64), &Aabb)| depth - if down > 0.0 { of.min.y } else { -of.max.y };
+        self.reach = self.begins.iter().zip(boxes).map(up).fold(0.0, f64::max);
+    }
+
+    /// Enters the box at place `k`, and adds the places below `k` whose boxes meet it, each once.
+    #[inline(always)]
+    pub fn pass(&mut self, k: usize, boxes: &[Aabb], down: f64, into: &mut Vec<u32>) {
+        let mine = &boxes[k];
+        let (first, last) = (self.begins[k].0, cell(mine.max.x, self.per_metre));
+        let meets = |place: &u32| mine.meets(&boxes[*place as usize]);
+        if boxes.len() <= FEW || last - first >= MOST_COLUMNS {
+            self.wide.push(k as u32);
+            return into.extend((0..k as u32).filter(meets));
+        }
+        into.extend(self.wide.iter().copied().filter(meets));
+        let lowest = (if down > 0.0 { mine.max.y } else { -mine.min.y }) + self.reach;
+        let mask = self.heads.len() - 1;
+        for column in first..=last {
+            let head = &mut self.heads[column as usize & mask];
+            let mut at = *head;
+            while let Some(&Entry { place, below }) = self.entries.get(at as usize) {
+                let (begins, depth) = self.begins[place as usize];
+                if depth > lowest {
+                    break;
+                }
+                // A pair is found in the first column that both cover.
+                if begins.max(first) == column && meets(&place) {
+                    into.push(place);
+                }
+                at = below;
+            }
+            self.entries.push(Entry { place: k as u32, below: *head });
+            *head = self.entries.len() as u32 - 1;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::Random;
+    use glam::DVec2;
+
+    /// The pairs are those of all against all, each once, giants and boxes far away included.
+    #[test]
+    fn finds_the_pairs_that_brute_force_finds() {
+        let mut random = Random(1);
+        let mut columns = Columns::new(300, 1.25);
+        for (round, down) in [1.0, -1.0, 1.0, -1.0].into_iter().enumerate() {
+            let n = [300, 300, 12, 40][round];
+            let mut boxes: Vec<Aabb> = Vec::new();
+            for k in 0..n {
+                let size = if k % 50 == 0 { 6.0 } else { 0.4 };
+                let far = if k % 7 == 0 { 1e7 } else { 0.0 };
+                let centre = DVec2::new(far + 20.0 * random.unit(), 20.0 * random.unit());
+                let half = DVec2::new(size * (0.2 + random.unit()), size * (0.2 + random.unit()));
+                boxes.push(Aabb::around(centre, if k == 5 { half * DVec2::new(1e6, 1.0) } else { half }));
+            }
+            boxes.sort_by(|a, b| (b.centre().y * down).total_cmp(&(a.centre().y * down)));
+            let depths: Vec<(f64, u32)> = (0..).zip(&boxes).map(|(k, of)| (of.centre().y * down, k)).collect();
+            columns.begin(&depths, &boxes, down);
+            for k in 0..n {
+                let mut found = Vec::new();
+                columns.pass(k, &boxes, down, &mut found);
+                found.sort_unstable();
+                let meet: Vec<u32> = (0..k as u32).filter(|j| boxes[k].meets(&boxes[*j as usize])).collect();
+                assert_eq!(found, meet, "{n} boxes, place {k}");
+            }
+        }
+    }
+}
