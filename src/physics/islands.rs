@@ -189,6 +189,8 @@ impl Space {
         self.impacts.clear();
         self.crowd.dense.report.list.clear();
         self.fly(&tick.state.bodies, dt);
+        // After a step of another length nobody is known to rest.
+        self.crowd.settled.step += if dt == self.last_dt { 1 } else { 2 };
         self.last_dt = dt;
         self.solve_islands(dt, tick);
         for surface in &self.moving {
@@ -301,12 +303,20 @@ impl Space {
                 motions.surfaces[surface as usize].stand();
             }
         }
-        for (k, i) in island.members.iter().enumerate() {
-            motions.bodies[*i as usize].end = crowd.bodies.end(k, frame);
+        for i in island.members.iter().map(|i| *i as usize) {
+            motions.bodies[i].end = (state.bodies[i].position, DVec2::ZERO);
+        }
+        for k in 0..crowd.bodies.len() {
+            motions.bodies[crowd.bodies.ids[k] as usize].end = crowd.bodies.end(k, frame);
         }
         // What falls asleep is read later: its contacts are listed now.
         let may_sleep = tick.scene.plan.direct && tick.leaves_for_good(island.members.len());
-        crowd.dense.report.on |= sleep.finish(&state.bodies, motions, (island, may_sleep));
+        let sleeps = sleep.finish(&state.bodies, motions, (island, may_sleep));
+        let listed = std::mem::replace(&mut crowd.dense.report.on, tick.lists(island.members.len()) || sleeps);
+        if sleeps && !listed && crowd.bodies.len() < island.members.len() {
+            let from = Origin { bodies: &state.bodies, surfaces: &state.surfaces, motions, frame, bounces: tick.scene.plan.bounces };
+            crowd.step(from, island, size);
+        }
         for i in island.members {
             let motion = &mut motions.bodies[*i as usize];
             (motion.method, motion.leader, motion.known) = (Method::Crowd, island.members[0], false);

@@ -125,6 +125,7 @@ impl World {
     pub(crate) fn disturb(&mut self, body: u32) {
         let i = body as usize;
         self.state.known[i] = false;
+        self.space.crowd.settled.forget(i);
         self.space.sleep.wake(i);
     }
 

@@ -3,6 +3,7 @@
 //! A step gathers them from the world's state, works on them alone, and leaves their ends in them: neighbours in a pile are neighbours in memory.
 
 use crate::physics::crowd::ACROSS;
+use crate::physics::crowd::settled::Settled;
 use crate::physics::data::{Aabb, Body, Coefficients, Pose, Sides, Surface};
 use crate::physics::forces::air::Drag;
 use crate::physics::store::{Island, MARGIN, Motions, SurfaceMotion};
@@ -62,6 +63,8 @@ pub(crate) struct Member {
     pub guided: Option<f64>,
     pub drag: Drag,
     pub sides: Sides,
+    /// Whether it is a body that the step takes for ground.
+    pub settled: bool,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -74,6 +77,9 @@ pub(crate) struct Bodies {
     pub bounces: bool,
     pub alike: bool,
     pub airy: bool,
+    /// The number of bodies of the whole island, and the largest coordinate that settled ones sweep, m.
+    pub whole: usize,
+    pub settled_largest: f64,
 }
 
 impl Index<usize> for Bodies {
@@ -94,25 +100,30 @@ impl IndexMut<usize> for Bodies {
 
 impl Bodies {
     pub fn new(all: usize) -> Self {
-        Self { things: Vec::with_capacity(all), ids: Vec::with_capacity(all), ..Self::default() }
+        Self { things: Vec::with_capacity(all), ids: Vec::with_capacity(8 * all), ..Self::default() }
     }
 
-    pub fn gather(&mut self, from: Origin<'_>, island: Island<'_>) {
+    /// Gathers a part of an island of `whole` members; settled ones near it stand behind the bodies, with the surfaces.
+    pub fn gather(&mut self, from: Origin<'_>, island: Island<'_>, whole: usize, settled: &Settled) {
         let (n, all) = (island.members.len(), from.motions.len());
         self.ids.clear();
         self.ids.extend_from_slice(island.members);
-        self.ids.extend(island.surfaces(all).map(|surface| all as u32 + surface));
+        let near = island.members.iter().flat_map(|i| island.near(*i).iter().copied());
+        self.ids.extend(near.filter(|j| *j as usize >= all || settled.is_settled(*j)));
         self.ids[n..].sort_unstable();
         self.ids.dedup();
         (self.count, self.bounces, self.airy) = (n, from.bounces, from.motions.airy);
+        (self.whole, self.settled_largest) = (whole, settled.largest());
         self.things.clear();
         self.things.extend(self.ids[..n].iter().map(|i| Member::body(from, *i as usize)));
-        self.things.extend(self.ids[n..].iter().map(|i| Member::surface(from, *i as usize - all)));
+        self.things.extend(self.ids[n..].iter().map(|i| match (*i as usize).checked_sub(all) {
+            Some(surface) => Member::surface(from, surface),
+            None => Member { mass: f64::INFINITY, settled: true, ..Member::body(from, *i as usize) },
+        }));
         if !from.bounces {
             self.things.iter_mut().for_each(|thing| thing.traits.restitution = 0.0);
         }
-        let friction = |thing: &Member| (thing.traits.static_friction, thing.traits.kinetic_friction);
-        self.alike = self.all().iter().all(|body| friction(body) == friction(&self.things[0]));
+        self.alike = self.all().iter().all(|body| body.traits.rubs_like(&self.things[0].traits));
     }
 
     pub fn end(&self, k: usize, frame: Frame) -> Pose {
@@ -129,6 +140,18 @@ impl Bodies {
         self.count
     }
 
+    /// Whether it is a body of the world, settled or not.
+    #[inline(always)]
+    pub fn is_body(&self, k: usize) -> bool {
+        k < self.count || self.things[k].settled
+    }
+
+    /// Whether a surface holds less than the bodies, if these are alike.
+    pub fn is_slippery(&self, j: usize) -> bool {
+        let first = self[0].traits;
+        !self.is_body(j) && self[j].traits.static_friction < first.static_friction.max(first.kinetic_friction)
+    }
+
     pub fn all(&self) -> &[Member] {
         &self.things[..self.count]
     }
@@ -140,7 +163,7 @@ impl Bodies {
 
     #[inline(always)]
     pub fn coefficients(&self, i: usize, j: usize) -> Coefficients {
-        self[i].traits.with(self[j].traits, j >= self.len())
+        self[i].traits.with(self[j].traits, !self.is_body(j))
     }
 
     /// The velocity of a skin, besides that of its surface, on the side towards larger or smaller coordinates, m/s; 0 of a body.
@@ -176,7 +199,12 @@ impl Bodies {
     }
 
     pub fn fall_freely(&mut self) {
-        self.things[..self.count].iter_mut().for_each(|body| body.to = body.flown);
+        self.things.iter_mut().filter(|thing| thing.mass.is_finite() || thing.settled).for_each(|body| body.to = body.flown);
+    }
+
+    /// Contacts are found as if settled bodies fell freely, too; then they stand.
+    pub fn hold_settled(&mut self) {
+        self.things[self.count..].iter_mut().filter(|thing| thing.settled).for_each(|thing| thing.to = thing.from);
     }
 }
 

@@ -2,11 +2,11 @@
 
 use crate::physics::crowd::bodies::{Bodies, Group};
 use crate::physics::crowd::{ACROSS, ALONG};
-use crate::physics::data::{Aabb, Sides};
+use crate::physics::data::Sides;
 use glam::DVec2;
 
 /// m. Larger: visible gaps; smaller: rounding turns contacts into overlaps.
-const TOUCH: f64 = 1e-9;
+pub(crate) const TOUCH: f64 = 1e-9;
 const TOUCH_ROUNDINGS: f64 = 16.0;
 /// Smaller overlaps are left alone, m, so that rest is not moved by rounding; and in roundings of the largest coordinate.
 const HAIR: f64 = 1e-12;
@@ -23,13 +23,7 @@ pub(crate) struct Tolerances {
 
 impl Tolerances {
     pub fn of(bodies: &Bodies) -> Self {
-        // Edge by edge, so that no comparison waits for another.
-        let greater = |a: f64, b: f64| if a > b { a } else { b };
-        let most = bodies.all().iter().fold([0.0; 4], |most: [f64; 4], body| {
-            let Aabb { min, max } = body.swept;
-            [greater(-min.x, most[0]), greater(max.x, most[1]), greater(-min.y, most[2]), greater(max.y, most[3])]
-        });
-        let largest = most.into_iter().fold(0.0, greater);
+        let largest = bodies.all().iter().map(|body| body.swept.largest()).fold(bodies.settled_largest, f64::max);
         let rounding = largest * f64::EPSILON;
         Self { touch: TOUCH + TOUCH_ROUNDINGS * rounding, hair: HAIR + HAIR_ROUNDINGS * rounding }
     }
@@ -100,7 +94,7 @@ impl Contacts {
         self.ranges.resize(bodies.len(), [0; 2]);
     }
 
-    pub fn find(&mut self, bodies: &Bodies, group: Group<'_>, dt: f64) {
+    pub fn find(&mut self, bodies: &mut Bodies, group: Group<'_>, dt: f64) {
         self.clear(bodies);
         let per_second = 1.0 / dt;
         for i in 0..bodies.len() {
@@ -110,19 +104,20 @@ impl Contacts {
             }
             self.ranges[i] = [begin, self.stacks.len() as u32];
         }
+        bodies.hold_settled();
     }
 
     /// The number of pairs that are level with faces, were expected to come over them and do not, where that holds a body along both axes in the
     /// air. Found again, their contacts are those of any corner.
     pub fn miss(&mut self, bodies: &Bodies) -> usize {
-        let (known, touch, n) = (self.missed.len(), self.tolerances.touch, bodies.len());
+        let (known, touch) = (self.missed.len(), self.tolerances.touch);
         let misses = |contact: &&CrowdContact, axis: usize| {
             let (a, b) = (&bodies[contact.first as usize], &bodies[contact.second as usize]);
             contact.level && contact.live && (a.to[axis] - b.to[axis]).abs() - a.half[axis] - b.half[axis] > touch
         };
         let along = || self.stacks.iter().chain(&self.ceilings).filter(|c| misses(c, ACROSS));
         let across = || self.sides.iter().filter(|c| misses(c, ALONG));
-        let holds = |c: &CrowdContact, i: u32| (i as usize) < n && (c.first == i || c.second == i);
+        let holds = |c: &CrowdContact, i: u32| bodies.is_body(i as usize) && (c.first == i || c.second == i);
         let both = |a: &CrowdContact, b: &CrowdContact| holds(b, a.first) || holds(b, a.second);
         let mut missed = std::mem::take(&mut self.missed);
         missed.extend(along().filter(|a| across().any(|b| both(a, b))).map(|c| (c.first, c.second)));

@@ -34,6 +34,8 @@ pub(crate) struct Pushes {
     before: Vec<f64>,
     pushed: Vec<bool>,
     told: Vec<bool>,
+    /// Settled bodies that the row of a pushed one touches.
+    pub reached: Vec<u32>,
     pub hits: Vec<(u32, u32)>,
     pub resistance: Resistance,
     /// Pairs side by side, and the impulses that parted them in the end.
@@ -43,6 +45,7 @@ pub(crate) struct Pushes {
 impl Pushes {
     pub fn begin(&mut self, n: usize) {
         self.resistance.saved.clear();
+        self.reached.clear();
         for list in [&mut self.given, &mut self.before] {
             list.resize(n, 0.0);
         }
@@ -213,7 +216,8 @@ impl Cross<'_> {
 
     /// Wakes standing bodies that are about to be hit from the side, and the row that touches them. Returns whether there are any.
     fn stir(&mut self, bodies: &Bodies) -> bool {
-        let (n, pushed, friction) = (bodies.len(), &mut self.pushes.pushed, &*self.friction);
+        let Pushes { pushed, reached, .. } = &mut *self.pushes;
+        let (n, friction) = (bodies.len(), &*self.friction);
         let slack = self.contacts.tolerances.hair / self.dt;
         let mut any = false;
         loop {
@@ -221,7 +225,9 @@ impl Cross<'_> {
             for side in self.contacts.sides.iter().filter(|side| side.live) {
                 let (a, b) = (side.first as usize, side.second as usize);
                 let closes = bodies[a].mean.x > bodies[b].mean.x + side.bound + slack;
-                if closes || (side.bound == 0.0 && a < n && b < n && pushed[a] != pushed[b]) {
+                let is_pushed = |i: usize| pushed.get(i).is_some_and(|pushed| *pushed);
+                if closes || (side.bound == 0.0 && is_pushed(a) != is_pushed(b) && bodies.is_body(a) && bodies.is_body(b)) {
+                    reached.extend([a, b].into_iter().filter(|i| *i >= n && bodies.is_body(*i)).map(|i| i as u32));
                     for i in [a, b] {
                         let sleeps = i < n && !pushed[i] && !friction.is_awake[i];
                         if sleeps {

@@ -9,6 +9,7 @@ use crate::physics::crowd::gravity::{Along, Anchors};
 use crate::physics::crowd::place;
 use crate::physics::crowd::report::Report;
 use crate::physics::crowd::restitution::Bounces;
+use crate::physics::crowd::settled::Settled;
 use crate::physics::crowd::walls::Walls;
 use crate::physics::crowd::{ACROSS, ALONG};
 use crate::physics::data::tuning::MANY;
@@ -44,6 +45,7 @@ pub(crate) enum CrowdEnd {
 pub(crate) struct Crowd {
     pub bodies: Bodies,
     pub dense: Dense,
+    pub settled: Settled,
     local: Vec<u32>,
 }
 
@@ -51,15 +53,30 @@ impl Crowd {
     pub fn new(n: usize, all: usize) -> Self {
         let mut dense = Dense::default();
         dense.begin(n, all);
-        Self { bodies: Bodies::new(all), dense, local: vec![0; all] }
+        Self { bodies: Bodies::new(all), dense, settled: Settled::new(n), local: vec![0; all] }
     }
 
     pub fn step(&mut self, from: Origin<'_>, island: Island<'_>, size: StepSize) -> CrowdEnd {
-        let Self { bodies, dense, local } = self;
-        bodies.gather(from, island);
-        (0..).zip(&bodies.ids).for_each(|(k, id)| local[*id as usize] = k);
-        dense.begin(bodies.len(), bodies.things.len());
-        dense.step(bodies, Group { island, local }, size)
+        let Self { bodies, dense, settled, local } = self;
+        settled.begin(from, island, dense.report.on);
+        loop {
+            let part = settled.part_of(island);
+            bodies.gather(from, part, island.members.len(), settled);
+            (0..).zip(&bodies.ids).for_each(|(k, id)| local[*id as usize] = k);
+            dense.begin(bodies.len(), bodies.things.len());
+            if dense.step(bodies, Group { island: part, local }, size) == CrowdEnd::Grown {
+                // With all members it might not have grown.
+                if settled.give_up() {
+                    continue;
+                }
+                return CrowdEnd::Grown;
+            }
+            if !settled.wake(from, island, bodies, dense) {
+                break;
+            }
+        }
+        settled.note(from.motions, island, bodies, dense);
+        CrowdEnd::Done
     }
 
     pub fn finish(&mut self, frame: Frame, solved: impl Fn(u32) -> u32) {
@@ -116,6 +133,7 @@ impl Dense {
         self.anchors.bounces = Bounces { dt: size.dt, rest_speed: size.rest_speed };
         self.anchors.impact = (IMPACT * size.gravity * size.dt).max(SMALLEST);
         self.report.sides.clear();
+        self.pushes.parting.clear();
         self.contacts.missed.clear();
         self.contacts.find(bodies, group, size.dt);
         let mut inside = true;
@@ -157,6 +175,13 @@ impl Dense {
         CrowdEnd::Done
     }
 
+    /// Whom the step has pushed across gravity, or moved apart: each end of those pairs.
+    pub fn pushed(&self) -> impl Iterator<Item = u32> {
+        let pressed = self.report.sides.iter().chain(&self.pushes.parting).filter(|edge| edge.impulse > 0.0);
+        let ends = pressed.chain(&self.clusters.edges).flat_map(|edge| [edge.a, edge.b]);
+        ends.chain(self.pushes.reached.iter().copied())
+    }
+
     pub fn take_guards(&mut self) -> Guards {
         self.guards.friction_unsettled += std::mem::take(&mut self.friction.relaxed);
         std::mem::take(&mut self.guards)
@@ -180,7 +205,7 @@ impl Dense {
     }
 
     fn solve_across(&mut self, bodies: &mut Bodies, dt: f64) {
-        let many = self.anchors.any_bounces && bodies.len() > MANY;
+        let many = self.anchors.any_bounces && bodies.whole > MANY;
         let Self { contacts, anchors, walls, friction, clusters, pushes, report, guards, .. } = self;
         let held_up = &walls.held_up;
         let mut cross = Cross { contacts, anchors, friction, clusters, pushes, held_up, report, dt, many };

@@ -21,6 +21,7 @@ pub(crate) mod place;
 pub(crate) mod record;
 pub(crate) mod report;
 pub(crate) mod restitution;
+pub(crate) mod settled;
 pub(crate) mod walls;
 
 /// Axes: left and right; up and down.

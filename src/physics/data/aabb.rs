@@ -35,6 +35,11 @@ impl Aabb {
         self.max - self.min
     }
 
+    /// The largest absolute coordinate, m.
+    pub(crate) fn largest(&self) -> f64 {
+        self.min.abs().max(self.max.abs()).max_element()
+    }
+
     /// The gap to another box along each axis, m: negative where they overlap along it.
     pub fn gap(&self, other: &Self) -> DVec2 {
         (other.min - self.max).max(self.min - other.max)

@@ -8,6 +8,11 @@ pub(crate) struct Coefficients {
 }
 
 impl Coefficients {
+    /// Whether both have the same friction.
+    pub fn rubs_like(&self, other: &Self) -> bool {
+        self.static_friction == other.static_friction && self.kinetic_friction == other.kinetic_friction
+    }
+
     /// Those of a body in contact with a body or a surface: the larger restitution; the surface's friction, or the smaller of two bodies'.
     pub fn with(self, other: Self, is_surface: bool) -> Self {
         let friction = |mine: f64, other: f64| if is_surface { other } else { mine.min(other) };

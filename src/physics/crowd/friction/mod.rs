@@ -109,15 +109,13 @@ impl Friction {
     pub fn wake(&mut self, bodies: &Bodies, contacts: &Contacts, given: &[f64], pushed: &[bool]) {
         self.awake.clear();
         let n = bodies.len();
-        let first = bodies[0].traits;
         for i in 0..bodies.len() {
             let under = &contacts.stacks[contacts.under(i)];
             let stirs = |j: usize| {
-                if j < n {
-                    return self.is_awake[j];
+                if bodies.is_body(j) {
+                    return j < n && self.is_awake[j];
                 }
-                let slippery = bodies[j].traits.static_friction < first.static_friction.max(first.kinetic_friction);
-                bodies[j].end.x != 0.0 || bodies[j].belt != 0.0 || slippery
+                bodies[j].end.x != 0.0 || bodies[j].belt != 0.0 || bodies.is_slippery(j)
             };
             let awake = !bodies.alike
                 || given[i] != 0.0
