@@ -29,6 +29,8 @@ use glam::DVec2;
 
 /// Islands of more bodies are dense. More: a heap that settles costs more than a millisecond a tick; fewer: gases are less exact.
 const MOST_BY_EVENTS: usize = 64;
+/// Smaller islands at rest are solved from scratch when a force on them changes: equal supports share alike. Larger: columns cost more.
+const MANY_AT_REST: usize = 9;
 /// Worlds of more bodies list no contact forces before their first tick.
 pub(crate) const MOST_AT_FIRST: usize = 1024;
 /// How often an island may grow before the crowd step takes it, which can keep bodies within what was looked for.
@@ -117,6 +119,9 @@ impl Tick<'_> {
         self.scratch.surfaces.clear();
         self.scratch.members.extend_from_slice(island.members);
         self.scratch.surfaces.extend(island.surfaces(of.motions.len()));
+        if self.rests(of) && self.scratch.stand(self.state, of.motions) {
+            return Verdict::Taken { rests: true };
+        }
         if let Some(verdict) = self.leave_linked(of) {
             return verdict;
         }
@@ -155,6 +160,23 @@ impl Tick<'_> {
                 Verdict::Left
             }
         }
+    }
+
+    /// Whether all of an island rested in the tick before, on what stands, and only constant forces act on it.
+    fn rests(&self, of: &Members<'_>) -> bool {
+        let Self { state, scene, scratch, .. } = self;
+        let island = of.island;
+        let rests = |i: &u32| {
+            let body = &state.bodies[*i as usize];
+            body.velocity == DVec2::ZERO && body.acceleration == DVec2::ZERO
+        };
+        let carries = |surface: &u32| of.motions.surfaces[*surface as usize].carries();
+        (MANY_AT_REST..=MOST_BY_EVENTS).contains(&island.members.len())
+            && scene.plan.direct
+            && !(scene.plan.streams || scene.plan.liquids)
+            && state.links.all.is_empty()
+            && island.members.iter().all(rests)
+            && !scratch.surfaces.iter().any(carries)
     }
 
     /// Whether a crowd step lists the contacts of an island of this many bodies.

@@ -1,0 +1,152 @@
+//! A group of bodies at rest on which other forces act than before: whether its contacts can take up the change, beginning with the forces that
+//! they had. What is left over goes along shortest paths of contacts that have room for it to something that stands (Edmonds and Karp 1972), so
+//! that no network is solved again where nothing moves.
+
+use crate::physics::data::{Contact, FORCE_TOLERANCE, Incidence, NONE, on_axis, refill};
+use glam::DVec2;
+
+/// Where a search began.
+const START: u32 = u32::MAX - 1;
+
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Standing {
+    /// The contacts, between members by their places; what stands has the number of members, or more.
+    pub contacts: Vec<Contact>,
+    /// The force on each member without contacts, and what is left of it, N.
+    pub forces: Vec<DVec2>,
+    left: Vec<DVec2>,
+    incident: Incidence,
+    /// By member: the contact by which a search came there.
+    came_by: Vec<u32>,
+    queue: Vec<u32>,
+}
+
+impl Standing {
+    pub fn clear(&mut self) {
+        self.contacts.clear();
+        self.forces.clear();
+    }
+
+    /// Whether all can rest. Their contacts have the forces that hold them then.
+    pub fn holds(&mut self) -> bool {
+        let n = self.forces.len();
+        self.left.clone_from(&self.forces);
+        for contact in &self.contacts {
+            let force = on_axis(contact.axis, contact.normal, contact.friction);
+            for (item, sign) in [(contact.lo, -1.0), (contact.hi, 1.0)] {
+                if let Some(left) = self.left.get_mut(item as usize) {
+                    *left += sign * force;
+                }
+            }
+        }
+        let ends = |contact: &Contact| [contact.lo.min(n as u32), contact.hi.min(n as u32)];
+        self.incident.index(n + 1, self.contacts.iter().map(ends));
+        for axis in [1, 0] {
+            let most = self.forces.iter().fold(0.0, |most: f64, force| most.max(force[axis].abs()));
+            for i in 0..n {
+                while self.left[i][axis].abs() > FORCE_TOLERANCE * most {
+                    if !self.pass_on(i, axis) {
+                        return false;
+                    }
+                }
+            }
+        }
+        // A push that has become weaker may hold less friction.
+        let grips = |contact: &Contact| contact.friction.abs() <= contact.static_friction * contact.normal;
+        self.contacts.iter().all(grips)
+    }
+
+    /// How much a contact can pass on from a member in the direction of `sign`, N.
+    fn room(&self, contact: &Contact, from: u32, axis: usize, sign: f64) -> f64 {
+        // Forces of contacts are those of `lo` on `hi`.
+        let onwards = (contact.lo == from) == (sign > 0.0);
+        if contact.axis == axis {
+            return if onwards { f64::INFINITY } else { contact.normal };
+        }
+        let limit = contact.static_friction * contact.normal;
+        (if onwards { limit - contact.friction } else { limit + contact.friction }).max(0.0)
+    }
+
+    /// Hands what is left at a member on along the nearest way to something that stands, as far as that has room. Returns whether there is one.
+    fn pass_on(&mut self, from: usize, axis: usize) -> bool {
+        let n = self.forces.len();
+        let sign = self.left[from][axis].signum();
+        refill(&mut self.came_by, n, NONE);
+        self.came_by[from] = START;
+        self.queue.clear();
+        self.queue.push(from as u32);
+        let mut next = 0;
+        let reached = 'search: loop {
+            let Some(&i) = self.queue.get(next) else { return false };
+            next += 1;
+            for &index in self.incident.of(i as usize) {
+                let contact = &self.contacts[index as usize];
+                let other = contact.other(i);
+                if self.room(contact, i, axis, sign) <= 0.0 {
+                    continue;
+                }
+                match self.came_by.get_mut(other as usize) {
+                    None => break 'search (i, index),
+                    Some(came_by) if *came_by == NONE => {
+                        *came_by = index;
+                        self.queue.push(other);
+                    }
+                    Some(_) => {}
+                }
+            }
+        };
+        let mut amount = self.left[from][axis].abs();
+        let (mut at, mut index) = reached;
+        loop {
+            amount = amount.min(self.room(&self.contacts[index as usize], at, axis, sign));
+            index = self.came_by[at as usize];
+            if index == START {
+                break;
+            }
+            at = self.contacts[index as usize].other(at);
+        }
+        let (mut at, mut index) = reached;
+        loop {
+            let contact = &mut self.contacts[index as usize];
+            *contact.along(axis) += if contact.lo == at { sign * amount } else { -sign * amount };
+            index = self.came_by[at as usize];
+            if index == START {
+                break;
+            }
+            at = self.contacts[index as usize].other(at);
+        }
+        self.left[from][axis] -= sign * amount;
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Three crates of 10 N on each other; the lowest stands on ground.
+    fn column(friction: f64) -> Standing {
+        let contact = |k: u32| Contact { static_friction: friction, normal: 30.0 - 10.0 * f64::from(k), ..Contact::between(k, [3, 0, 1][k as usize], 1) };
+        Standing { contacts: (0..3).map(contact).collect(), forces: vec![DVec2::new(0.0, 10.0); 3], ..Standing::default() }
+    }
+
+    #[test]
+    fn friction_takes_a_push_at_the_top_down_to_the_ground() {
+        let mut standing = column(0.5);
+        standing.forces[2].x = 4.0;
+        assert!(standing.holds());
+        assert!(standing.contacts.iter().all(|contact| contact.friction == 4.0));
+        standing.forces[2].x = 6.0;
+        assert!(!standing.holds());
+    }
+
+    #[test]
+    fn more_weight_presses_all_the_way_down_and_a_lifted_crate_does_not_rest() {
+        let mut standing = column(0.5);
+        standing.forces[2].y = 15.0;
+        assert!(standing.holds());
+        assert_eq!(standing.contacts.iter().map(|contact| contact.normal).collect::<Vec<_>>(), [35.0, 25.0, 15.0]);
+        standing.forces[2].y = -1.0;
+        assert!(!standing.holds());
+    }
+}
