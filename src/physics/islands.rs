@@ -336,7 +336,8 @@ impl Space {
         let sleeps = sleep.finish(&state.bodies, motions, (island, may_sleep));
         let listed = std::mem::replace(&mut crowd.dense.report.on, tick.lists(island.members.len()) || sleeps);
         if sleeps && !listed && crowd.bodies.len() < island.members.len() {
-            let from = Origin { bodies: &state.bodies, surfaces: &state.surfaces, motions, frame, bounces: tick.scene.plan.bounces };
+            let from =
+                Origin { bodies: &state.bodies, surfaces: &state.surfaces, motions, frame, bounces: tick.scene.plan.bounces };
             crowd.step(from, island, size);
         }
         for i in island.members {

@@ -182,7 +182,9 @@ impl Scratch {
             return false;
         }
         let leader = members.iter().copied().min().unwrap_or(NONE);
-        contacts.extend(known().zip(&standing.contacts).map(|(known, solved)| (leader, Contact { lo: known.lo, hi: known.hi, ..*solved })));
+        contacts.extend(
+            known().zip(&standing.contacts).map(|(known, solved)| (leader, Contact { lo: known.lo, hi: known.hi, ..*solved })),
+        );
         for i in members.iter().map(|i| *i as usize) {
             let motion = &mut motions.bodies[i];
             motion.end = (state.bodies[i].position, DVec2::ZERO);

@@ -126,7 +126,11 @@ mod tests {
 
     /// Three crates of 10 N on each other; the lowest stands on ground.
     fn column(friction: f64) -> Standing {
-        let contact = |k: u32| Contact { static_friction: friction, normal: 30.0 - 10.0 * f64::from(k), ..Contact::between(k, [3, 0, 1][k as usize], 1) };
+        let contact = |k: u32| Contact {
+            static_friction: friction,
+            normal: 30.0 - 10.0 * f64::from(k),
+            ..Contact::between(k, [3, 0, 1][k as usize], 1)
+        };
         Standing { contacts: (0..3).map(contact).collect(), forces: vec![DVec2::new(0.0, 10.0); 3], ..Standing::default() }
     }
 

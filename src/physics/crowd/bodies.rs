@@ -3,7 +3,6 @@
 //! A step gathers them from the world's state, works on them alone, and leaves their ends in them: neighbours in a pile are neighbours in memory.
 
 use crate::physics::crowd::ACROSS;
-use crate::physics::crowd::settled::Settled;
 use crate::physics::data::{Aabb, Body, Coefficients, Pose, Sides, Surface};
 use crate::physics::forces::air::Drag;
 use crate::physics::store::{Island, MARGIN, Motions, SurfaceMotion};
@@ -103,17 +102,18 @@ impl Bodies {
         Self { things: Vec::with_capacity(all), ids: Vec::with_capacity(8 * all), ..Self::default() }
     }
 
-    /// Gathers a part of an island of `whole` members; settled ones near it stand behind the bodies, with the surfaces.
-    pub fn gather(&mut self, from: Origin<'_>, island: Island<'_>, whole: usize, settled: &Settled) {
+    /// Gathers a part of an island; settled members near it stand behind the bodies, with the surfaces. `whole` is the number of all members, and
+    /// the largest coordinate that settled ones sweep, m.
+    pub fn gather(&mut self, from: Origin<'_>, island: Island<'_>, whole: (usize, f64), is_settled: impl Fn(u32) -> bool) {
         let (n, all) = (island.members.len(), from.motions.len());
         self.ids.clear();
         self.ids.extend_from_slice(island.members);
         let near = island.members.iter().flat_map(|i| island.near(*i).iter().copied());
-        self.ids.extend(near.filter(|j| *j as usize >= all || settled.is_settled(*j)));
+        self.ids.extend(near.filter(|j| *j as usize >= all || is_settled(*j)));
         self.ids[n..].sort_unstable();
         self.ids.dedup();
         (self.count, self.bounces, self.airy) = (n, from.bounces, from.motions.airy);
-        (self.whole, self.settled_largest) = (whole, settled.largest());
+        (self.whole, self.settled_largest) = whole;
         self.things.clear();
         self.things.extend(self.ids[..n].iter().map(|i| Member::body(from, *i as usize)));
         self.things.extend(self.ids[n..].iter().map(|i| match (*i as usize).checked_sub(all) {

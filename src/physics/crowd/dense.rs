@@ -1,6 +1,6 @@
 //! The stages of a crowd step of one island. The step leaves places and velocities in [`Bodies`].
 
-use crate::physics::crowd::bodies::{Bodies, Frame, Group, Origin};
+use crate::physics::crowd::bodies::{Bodies, Group};
 use crate::physics::crowd::clusters::Clusters;
 use crate::physics::crowd::contacts::Contacts;
 use crate::physics::crowd::cross::{Cross, Pushes};
@@ -9,12 +9,10 @@ use crate::physics::crowd::gravity::{Along, Anchors};
 use crate::physics::crowd::place;
 use crate::physics::crowd::report::Report;
 use crate::physics::crowd::restitution::Bounces;
-use crate::physics::crowd::settled::Settled;
 use crate::physics::crowd::walls::Walls;
 use crate::physics::crowd::{ACROSS, ALONG};
 use crate::physics::data::tuning::MANY;
 use crate::physics::guards::Guards;
-use crate::physics::store::islands::Island;
 use glam::DVec2;
 
 /// Solutions again for pairs that were expected to pass and did not. More: slower; fewer: more is put back.
@@ -41,57 +39,6 @@ pub(crate) enum CrowdEnd {
     Grown,
 }
 
-#[derive(Clone, Debug)]
-pub(crate) struct Crowd {
-    pub bodies: Bodies,
-    pub dense: Dense,
-    pub settled: Settled,
-    local: Vec<u32>,
-}
-
-impl Crowd {
-    pub fn new(n: usize, all: usize) -> Self {
-        let mut dense = Dense::default();
-        dense.begin(n, all);
-        Self { bodies: Bodies::new(all), dense, settled: Settled::new(n), local: vec![0; all] }
-    }
-
-    pub fn step(&mut self, from: Origin<'_>, island: Island<'_>, size: StepSize) -> CrowdEnd {
-        let Self { bodies, dense, settled, local } = self;
-        settled.begin(from, island, dense.report.on);
-        loop {
-            let part = settled.part_of(island);
-            bodies.gather(from, part, island.members.len(), settled);
-            (0..).zip(&bodies.ids).for_each(|(k, id)| local[*id as usize] = k);
-            dense.begin(bodies.len(), bodies.things.len());
-            if dense.step(bodies, Group { island: part, local }, size) == CrowdEnd::Grown {
-                // With all members it might not have grown.
-                if settled.give_up() {
-                    continue;
-                }
-                return CrowdEnd::Grown;
-            }
-            if !settled.wake(from, island, bodies, dense) {
-                break;
-            }
-        }
-        settled.note(from.motions, island, bodies, dense);
-        CrowdEnd::Done
-    }
-
-    pub fn finish(&mut self, frame: Frame, solved: impl Fn(u32) -> u32) {
-        let Self { bodies, dense, .. } = self;
-        let known = dense.report.list.len();
-        if dense.report.on {
-            dense.record(bodies, frame);
-        }
-        for contact in &mut dense.report.list[known..] {
-            (contact.a, contact.b) = (bodies.ids[contact.a as usize], bodies.ids[contact.b as usize]);
-            contact.solved = solved(contact.a);
-        }
-    }
-}
-
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Dense {
     pub contacts: Contacts,
@@ -115,7 +62,7 @@ pub(crate) struct Dense {
 }
 
 impl Dense {
-    fn begin(&mut self, n: usize, all: usize) {
+    pub fn begin(&mut self, n: usize, all: usize) {
         self.anchors.begin(n, all);
         self.friction.begin(all);
         self.walls.begin(n);
@@ -128,7 +75,7 @@ impl Dense {
         self.squeezed.clear();
     }
 
-    fn step(&mut self, bodies: &mut Bodies, group: Group<'_>, size: StepSize) -> CrowdEnd {
+    pub fn step(&mut self, bodies: &mut Bodies, group: Group<'_>, size: StepSize) -> CrowdEnd {
         self.dt = size.dt;
         self.anchors.bounces = Bounces { dt: size.dt, rest_speed: size.rest_speed };
         self.anchors.impact = (IMPACT * size.gravity * size.dt).max(SMALLEST);

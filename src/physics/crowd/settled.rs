@@ -235,7 +235,8 @@ mod tests {
             for tick in 0..500 {
                 // Something that rests is driven now and then.
                 if tick % 60 == 0 && tick > 200 {
-                    let (body, force) = (BodyId((tick % 40) as u32), DVec2::new(60.0 * (random.unit() - 0.5), -40.0 * random.unit()));
+                    let (body, force) =
+                        (BodyId((tick % 40) as u32), DVec2::new(60.0 * (random.unit() - 0.5), -40.0 * random.unit()));
                     [&mut world, &mut whole].map(|of| of.set_drive(body, force));
                 }
                 [&mut world, &mut whole].map(|of| of.step(1.0 / 60.0));
