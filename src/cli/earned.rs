@@ -3,7 +3,7 @@
 use super::project::Project;
 use super::stop::{CommandError, Readers, Silence, Status, TICKS_A_LOOK, shown};
 use crate::classics::jumper::scene::LEADERBOARD;
-use crate::game::Fingerprint;
+use crate::game::level_hash;
 use crate::level;
 use crate::scores::{Board, Doubt, Judge, LoadedBoard, Scores, Standing};
 use std::io::{self, Write};
@@ -40,7 +40,7 @@ fn judge_board(project: &Project, scores: &Scores, name: &str, (out, err): Outpu
     let level = level.map_err(|problems| problems.first().map(ToString::to_string).unwrap_or_default());
     let shown_name = shown(name);
     let loaded = match &level {
-        Ok(loaded) => scores.load_version(name, Fingerprint::of(&loaded.level)),
+        Ok(loaded) => scores.load_version(name, level_hash(&loaded.level)),
         Err(_) => scores.load(name).map(|loaded| (loaded, 0)),
     };
     let (LoadedBoard { board, damage }, others) = match loaded {
@@ -66,10 +66,6 @@ fn judge_board(project: &Project, scores: &Scores, name: &str, (out, err): Outpu
         }
     };
     let holds = report(&board, &standings, &shown_name, (&mut *out, &mut *err))?;
-    let old = (0..board.rows().len()).filter(|&row| board.origin(row).version.is_some_and(|version| version.is_old())).count();
-    if old > 0 {
-        write!(out, "; {old} with the old 64-bit hash of the level")?;
-    }
     if others > 0 {
         write!(out, "; {others} boards of other versions of the level aside")?;
     }

@@ -54,31 +54,13 @@ impl Project {
         Self { settings_folder: root.clone(), root, homeless: false }
     }
 
-    /// Makes the folder, and takes over the scores and settings that an older version kept elsewhere, once. The lines say so, and
-    /// where it failed; the older files stay where they are.
+    /// Makes the folder. A line says where that failed, or where the system names none.
     pub fn settle(&self) -> Vec<String> {
-        self.settle_from(program_folder().as_deref())
-    }
-
-    fn settle_from(&self, program: Option<&Path>) -> Vec<String> {
-        let mut lines = Vec::new();
-        if self.homeless {
-            lines.push("the system names no home folder: all is kept in the working folder".to_owned());
-        }
-        if let Err(error) = files::make_folder(&self.root) {
-            lines.push(format!("{}: {error}; nothing is kept until that folder can be made", self.root.display()));
-        }
-        let beside = program.filter(|folder| has_levels(folder));
-        lines.extend(beside.and_then(|folder| {
-            take_over(&folder.join("scores"), &self.scores(), |old, new| {
-                files::create_folder(new, |folder: &Path| copy_all(old, folder, DEPTH))
-            })
-        }));
-        let older = [Some(self.root.as_path()), beside].into_iter().flatten().map(|folder| folder.join(SETTINGS));
-        if let Some(older) = older.into_iter().find(|path| files::is_file(path)) {
-            lines.extend(take_over(&older, &self.settings_folder.join(SETTINGS), files::copy));
-        }
-        lines
+        let homeless = "the system names no home folder: all is kept in the working folder";
+        let unmade = files::make_folder(&self.root)
+            .err()
+            .map(|error| format!("{}: {error}; nothing is kept until that folder can be made", self.root.display()));
+        self.homeless.then(|| homeless.to_owned()).into_iter().chain(unmade).collect()
     }
 
     /// The folder of `settings.csv`.
@@ -170,9 +152,6 @@ fn is_name(path: &Path) -> bool {
 
 /// Beside the program, this file makes the program's folder the place of all files.
 const PORTABLE: &str = "portable";
-const SETTINGS: &str = "settings.csv";
-/// Folders within each other in a folder of scores, at most.
-const DEPTH: u32 = 8;
 
 fn program_folder() -> Option<PathBuf> {
     std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf))
@@ -197,35 +176,6 @@ fn users_folders() -> Option<[PathBuf; 2]> {
     None
 }
 
-/// Copies a file or folder to its new place, unless something is there, and says so or why not.
-fn take_over(old: &Path, new: &Path, copy: impl FnOnce(&Path, &Path) -> std::io::Result<()>) -> Option<String> {
-    if files::look(old).is_err() || files::is_taken(new) {
-        return None;
-    }
-    let (from, to) = (old.display(), new.display());
-    Some(match copy(old, new) {
-        Ok(()) => format!("took over {from}: it is in {to} now"),
-        Err(error) => format!("{from} was not taken over to {to}: {error}"),
-    })
-}
-
-/// Copies files and folders; links stay behind.
-fn copy_all(from: &Path, to: &Path, depth: u32) -> std::io::Result<()> {
-    for name in files::names(from)? {
-        let (old, new) = (from.join(&name), to.join(&name));
-        if files::is_link(&old) {
-            continue;
-        }
-        if files::is_file(&old) {
-            files::copy(&old, &new)?;
-        } else if files::is_folder(&old) && depth > 0 {
-            files::make_folder(&new)?;
-            copy_all(&old, &new, depth - 1)?;
-        }
-    }
-    Ok(())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -240,29 +190,6 @@ mod tests {
         assert!(!has_levels(data.path()), "another program's levels");
         std::fs::write(levels.join("7/player.csv"), "").unwrap();
         assert!(has_levels(data.path()));
-    }
-
-    #[test]
-    fn older_scores_and_settings_are_taken_over_once() {
-        let (program, home) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
-        let project = Project { settings_folder: home.path().join("config"), ..Project::at(home.path().join("share/resultant")) };
-        let settle = || project.settle_from(Some(program.path()));
-        assert!(settle().is_empty(), "no levels beside it");
-        std::fs::create_dir_all(program.path().join("levels")).unwrap();
-        std::fs::write(program.path().join("levels/shipped.csv"), "").unwrap();
-        std::fs::create_dir_all(program.path().join("scores/flights/1")).unwrap();
-        std::fs::write(program.path().join("scores/1.csv"), "name,score\nann,5\n").unwrap();
-        std::fs::write(program.path().join("scores/flights/1/ann.replay.csv"), "x").unwrap();
-        std::fs::write(program.path().join("settings.csv"), "setting,value,player\nshake,0,\n").unwrap();
-        let lines = settle();
-        assert!(lines.len() == 2 && lines.iter().all(|line| line.starts_with("took over ")), "{lines:?}");
-        assert!(std::fs::read_to_string(home.path().join("config/settings.csv")).unwrap().contains("shake,0"));
-        let scores = project.scores();
-        assert_eq!(std::fs::read_to_string(scores.join("1.csv")).unwrap(), "name,score\nann,5\n");
-        assert!(scores.join("flights/1/ann.replay.csv").is_file() && program.path().join("scores/1.csv").is_file());
-        std::fs::write(scores.join("1.csv"), "name,score\nann,6\n").unwrap();
-        assert!(settle().is_empty(), "once");
-        assert_eq!(std::fs::read_to_string(scores.join("1.csv")).unwrap(), "name,score\nann,6\n");
     }
 
     #[test]

@@ -48,16 +48,11 @@ pub fn run(args: &VerifyArgs, project: &Project, out: &mut dyn Write) -> Result<
         match fly(&name, &replay, level, &mut err)? {
             Ok(()) => {
                 let player = replay.player.map(|player| format!("; saved by {}", shown(player))).unwrap_or_default();
-                let version = match replay.level_hash {
-                    Some(hash) if hash.is_old() => "; carries the old 64-bit hash of the level",
-                    Some(_) => "",
-                    None => "; the record does not say which level of that name",
-                };
                 write!(out, "{name}: ok, score {}, hash {:016x}", replay.score, replay.hash)?;
-                writeln!(out, "; level {}, {} ticks{player}{version}", shown(replay.level), replay.inputs.ticks())?;
+                writeln!(out, "; level {}, {} ticks{player}", shown(replay.level), replay.inputs.ticks())?;
             }
             Err(mismatch) => {
-                let by = replay.program.filter(|program| program != PROGRAM);
+                let by = Some(replay.program).filter(|program| program != PROGRAM);
                 let by = by.map(|program| format!("; recorded by {}, this is {PROGRAM}", shown(program))).unwrap_or_default();
                 writeln!(err, "{name}: {mismatch}{by}")?;
                 status = Status::Wrong;

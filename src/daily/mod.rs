@@ -156,7 +156,7 @@ mod tests {
             let date = Date::of_days(days);
             let daily = Daily::of(date).unwrap();
             assert!(level::judge_name(&daily.level.name).is_ok());
-            assert_eq!(daily.proof.outcome, Some(Outcome::Completed));
+            assert_eq!(daily.proof.outcome, Outcome::Completed);
             assert!(daily.proof.verify(Arc::clone(&daily.level), |_| {}).unwrap().is_ok(), "{date}");
             assert!(daily.proof.code().is_ok(), "{date}");
             let again = Daily::of(date).unwrap();

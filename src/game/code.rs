@@ -17,7 +17,7 @@ use super::controls::Controls;
 use super::event::Outcome;
 use super::fingerprint::LevelHash;
 use super::inputs::Inputs;
-use super::replay::{PROGRAM, Replay};
+use super::replay::Replay;
 use crate::words::tr;
 use base64::Engine;
 use base64::prelude::BASE64_URL_SAFE_NO_PAD;
@@ -33,26 +33,23 @@ const OUTCOMES: [Outcome; 3] = [Outcome::Running, Outcome::Completed, Outcome::F
 
 impl Replay {
     /// Errors: the flight has too many changes of keys for 1500 characters, lasts too long, has another tick rate than the
-    /// game or lacks what a code has to say.
+    /// game
     pub fn code(&self) -> Result<String, String> {
-        let (Some(LevelHash::Sha256(level)), Some(outcome), Some(time)) = (self.level_hash, self.outcome, self.time) else {
-            return Err(tr("found a record without its level's hash, its end or its time, expected one of this version").to_owned());
-        };
         if self.tick_rate != TICK_RATE {
             return Err(tr!("found {rate} ticks a second, expected the game's {usual}", rate = self.tick_rate, usual = TICK_RATE));
         }
         lasts(self.inputs.ticks())?;
         let mut bytes = vec![VERSION];
-        bytes.extend(level);
+        bytes.extend(self.level_hash.0);
         let player = self.player.as_deref().unwrap_or_default();
-        for text in [&self.level, player, self.program.as_deref().unwrap_or(PROGRAM)] {
+        for text in [&self.level, player, &self.program] {
             let length = u8::try_from(text.len())
                 .map_err(|_| tr!("found a name of {count} bytes, expected at most 255", count = text.len()))?;
             bytes.push(length);
             bytes.extend(text.as_bytes());
         }
-        bytes.extend(OUTCOMES.iter().position(|known| *known == outcome).map(|index| index as u8));
-        bytes.extend(time.to_le_bytes());
+        bytes.extend(OUTCOMES.iter().position(|known| *known == self.outcome).map(|index| index as u8));
+        bytes.extend(self.time.to_le_bytes());
         bytes.extend(self.score.to_le_bytes());
         bytes.extend(self.hash.to_le_bytes());
         for (controls, ticks) in self.inputs.rows() {
@@ -124,13 +121,13 @@ struct Rest<'a>(&'a [u8]);
 
 impl Rest<'_> {
     fn replay(mut self) -> Option<Replay> {
-        let level_hash = Some(LevelHash::Sha256(self.take()?));
+        let level_hash = LevelHash(self.take()?);
         let [level, player, program] = [self.text()?, self.text()?, self.text()?];
         let [outcome] = self.take()?;
-        let outcome = Some(*OUTCOMES.get(usize::from(outcome))?);
-        let time = Some(f64::from_le_bytes(self.take()?)).filter(|time| time.is_finite() && *time >= 0.0);
+        let outcome = *OUTCOMES.get(usize::from(outcome))?;
+        let time = f64::from_le_bytes(self.take()?);
         let (score, hash) = (i64::from_le_bytes(self.take()?), u64::from_le_bytes(self.take()?));
-        time?;
+        (time.is_finite() && time >= 0.0).then_some(())?;
         let mut inputs = Inputs::default();
         while !self.0.is_empty() {
             let (controls, ticks) = self.row()?;
@@ -138,7 +135,7 @@ impl Rest<'_> {
         }
         let given = |text: String| Some(text).filter(|text| !text.is_empty());
         let level = given(level)?;
-        let (player, program, seconds) = (given(player), given(program), Vec::new());
+        let (player, seconds) = (given(player), Vec::new());
         Some(Replay { program, player, level, level_hash, tick_rate: TICK_RATE, outcome, time, score, hash, seconds, inputs })
     }
 
@@ -183,13 +180,13 @@ mod tests {
             inputs.hold(Controls { thrust: held(0), reverse: held(1), left: held(2), right: held(3) }, ticks);
         }
         Replay {
-            program: Some(PROGRAM.to_owned()),
+            program: "resultant 1.0.0".to_owned(),
             player: Some("Zoë".to_owned()),
             level: "7".to_owned(),
-            level_hash: Some(LevelHash::Sha256([7; 32])),
+            level_hash: LevelHash([7; 32]),
             tick_rate: TICK_RATE,
-            outcome: Some(Outcome::Completed),
-            time: Some(12.25),
+            outcome: Outcome::Completed,
+            time: 12.25,
             score: -3,
             hash: u64::MAX - 5,
             seconds: Vec::new(),
@@ -229,7 +226,5 @@ mod tests {
         assert!(problem(&"A".repeat(3000)).starts_with("found 3000 characters"));
         assert!(flight(vec![(0, MOST_TICKS + 1)]).code().unwrap_err().contains("ticks"));
         assert!(flight([(1, 90), (2, 90)].repeat(600)).code().unwrap_err().contains("keep it as a file"));
-        let old = Replay { level_hash: None, ..flight(vec![(1, 9)]) };
-        assert!(old.code().unwrap_err().contains("level's hash"));
     }
 }

@@ -1,8 +1,7 @@
 //! The hash of a level: of all that a flight and its score depend on. SHA-256, so that nobody can make another level with the same
 //! hash. The encoding is unambiguous: numbers are 8 bytes, lists and texts begin with their length, an optional part with a byte
-//! for its presence. Older records and boards carry 64 bits of FNV-1a instead; one walk over the level computes both.
+//! for its presence.
 
-use super::hash::Fnv1a;
 use super::notes::hex;
 use crate::level::{
     AirStream, Fluid, GravityZone, Level, LevelLink, Mover, Object, Objective, Pod, SHIP_DRAG, ShipStart, Solid, Switch, Work,
@@ -17,20 +16,12 @@ const ENCODING: &str = "resultant level 1";
 /// Hex digits of a hash in a message.
 const SHORT: usize = 16;
 
+/// SHA-256, 64 hex digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum LevelHash {
-    /// SHA-256, 64 hex digits.
-    Sha256([u8; 32]),
-    /// 64 bits of FNV-1a, 16 hex digits, in older files: they tell versions of a level apart, but a forger can match them.
-    Fnv64(u64),
-}
+pub struct LevelHash(pub [u8; 32]);
 
 impl LevelHash {
-    pub const EXPECTED: &str = "64 hex digits, or the 16 of an older file";
-
-    pub const fn is_old(self) -> bool {
-        matches!(self, Self::Fnv64(_))
-    }
+    pub const EXPECTED: &str = "64 hex digits";
 
     pub fn short(self) -> String {
         self.to_string().chars().take(SHORT).collect()
@@ -39,10 +30,7 @@ impl LevelHash {
 
 impl fmt::Display for LevelHash {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Sha256(bytes) => bytes.iter().try_for_each(|byte| write!(f, "{byte:02x}")),
-            Self::Fnv64(bits) => write!(f, "{bits:016x}"),
-        }
+        self.0.iter().try_for_each(|byte| write!(f, "{byte:02x}"))
     }
 }
 
@@ -51,48 +39,17 @@ impl FromStr for LevelHash {
 
     fn from_str(text: &str) -> Result<Self, ()> {
         if text.len() != 64 || !text.is_ascii() {
-            return hex(text).map(Self::Fnv64).ok_or(());
+            return Err(());
         }
         let mut bytes = [0; 32];
         for (bytes, digits) in bytes.chunks_mut(8).zip([0, 16, 32, 48]) {
             bytes.copy_from_slice(&hex(&text[digits..digits + 16]).ok_or(())?.to_be_bytes());
         }
-        Ok(Self::Sha256(bytes))
+        Ok(Self(bytes))
     }
 }
 
-/// Both hashes of one level, of which a file carries either.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Fingerprint {
-    hash: LevelHash,
-    old: Option<LevelHash>,
-}
-
-impl From<LevelHash> for Fingerprint {
-    fn from(hash: LevelHash) -> Self {
-        Self { hash, old: None }
-    }
-}
-
-impl Fingerprint {
-    pub const fn hash(self) -> LevelHash {
-        self.hash
-    }
-
-    /// The hashes that a file may carry, the new one first.
-    pub fn hashes(self) -> impl Iterator<Item = LevelHash> {
-        [self.hash].into_iter().chain(self.old)
-    }
-
-    pub fn is(self, hash: LevelHash) -> bool {
-        self.hashes().any(|own| own == hash)
-    }
-
-    /// The hash of the same kind as `other`, where it is known.
-    pub fn beside(self, other: LevelHash) -> LevelHash {
-        self.old.filter(|_| other.is_old()).unwrap_or(self.hash)
-    }
-
+impl LevelHash {
     /// Names, texts and looks of the level are left out, and so is the form of its files: two levels with the same hash fly alike.
     /// A new field of a level has to be named here, on one side or the other.
     pub fn of(level: &Level) -> Self {
@@ -130,59 +87,52 @@ impl Fingerprint {
             pods,
             links,
         } = level;
-        let mut hash = Hash { sha256: Sha256::new(), old: Fnv1a::new() };
+        let mut hash = Hash { sha256: Sha256::new() };
         hash.text(ENCODING);
         hash.vectors(&[*size]);
         hash.numbers(&[*gravity, *air_density, *optimal_time, *rest_speed]);
         hash.player(player);
-        hash.given("friction", *friction != 1.0, |hash| hash.numbers(&[*friction]));
-        hash.given("gravity_x", *gravity_x != 0.0, |hash| hash.numbers(&[*gravity_x]));
+        hash.given(*friction != 1.0, |hash| hash.numbers(&[*friction]));
+        hash.given(*gravity_x != 0.0, |hash| hash.numbers(&[*gravity_x]));
         hash.each(world, Hash::solid);
         hash.each(objects, Hash::object);
         hash.each(objectives, Hash::objective);
-        hash.given("keys", objectives.iter().any(|objective| objective.colour.is_some()), |hash| {
+        hash.given(objectives.iter().any(|objective| objective.colour.is_some()), |hash| {
             objects.iter().filter_map(|object| object.key).for_each(|key| hash.colour(key));
         });
         hash.each(obstacles, Hash::area);
         hash.each(streams, Hash::stream);
         hash.each(fluids, Hash::fluid);
-        hash.list("movers", movers, Hash::mover);
-        hash.list("doors", doors, Hash::solid);
-        hash.list("switches", switches, Hash::switch);
-        hash.list("fields", fields, Hash::field);
-        hash.list("pods", pods, Hash::pod);
+        hash.list(movers, Hash::mover);
+        hash.list(doors, Hash::solid);
+        hash.list(switches, Hash::switch);
+        hash.list(fields, Hash::field);
+        hash.list(pods, Hash::pod);
         // Levels without links keep the hash that they had before there were any.
         if !links.is_empty() {
-            hash.list("links", links, Hash::link);
+            hash.list(links, Hash::link);
         }
-        Self { hash: LevelHash::Sha256(hash.sha256.finalize().into()), old: Some(LevelHash::Fnv64(hash.old.finish())) }
+        Self(hash.sha256.finalize().into())
     }
 }
 
 pub fn level_hash(level: &Level) -> LevelHash {
-    Fingerprint::of(level).hash
+    LevelHash::of(level)
 }
 
 struct Hash {
     sha256: Sha256,
-    old: Fnv1a,
 }
 
 impl Hash {
     fn word(&mut self, word: u64) {
         self.sha256.update(word.to_le_bytes());
-        self.old.write(word);
     }
 
-    /// Adds a text with its length to the new hash alone.
+    /// Adds a text with its length.
     fn text(&mut self, text: &str) {
         self.sha256.update((text.len() as u64).to_le_bytes());
         self.sha256.update(text);
-    }
-
-    /// Adds a text to the old hash: a word a byte, without a length.
-    fn old_text(&mut self, text: &str) {
-        text.bytes().for_each(|byte| self.old.write(u64::from(byte)));
     }
 
     fn numbers(&mut self, numbers: &[f64]) {
@@ -197,11 +147,10 @@ impl Hash {
         self.vectors(&[*min, *max]);
     }
 
-    /// Adds an optional part. The old hash has nothing for a missing one, and the name for a given one.
-    fn given(&mut self, name: &str, given: bool, write: impl FnOnce(&mut Self)) {
+    /// Adds an optional part.
+    fn given(&mut self, given: bool, write: impl FnOnce(&mut Self)) {
         self.sha256.update([u8::from(given)]);
         if given {
-            self.old_text(name);
             write(self);
         }
     }
@@ -216,16 +165,16 @@ impl Hash {
     }
 
     /// Adds an optional list.
-    fn list<T>(&mut self, name: &str, things: &[T], write: impl Fn(&mut Self, &T)) {
-        self.given(name, !things.is_empty(), |hash| hash.each(things, write));
+    fn list<T>(&mut self, things: &[T], write: impl Fn(&mut Self, &T)) {
+        self.given(!things.is_empty(), |hash| hash.each(things, write));
     }
 
     fn objective(&mut self, Objective { kind, bounds, hold, order, colour }: &Objective) {
         self.word(*kind as u64);
         self.area(bounds);
-        self.given("hold", *hold != 0.0, |hash| hash.numbers(&[*hold]));
-        self.given("order", order.is_some(), |hash| hash.word(u64::from(order.unwrap_or_default())));
-        self.given("colour", colour.is_some(), |hash| hash.colour(colour.unwrap_or_default()));
+        self.given(*hold != 0.0, |hash| hash.numbers(&[*hold]));
+        self.given(order.is_some(), |hash| hash.word(u64::from(order.unwrap_or_default())));
+        self.given(colour.is_some(), |hash| hash.colour(colour.unwrap_or_default()));
     }
 
     fn stream(&mut self, AirStream { source, zone, force, name }: &AirStream) {
@@ -255,26 +204,25 @@ impl Hash {
         self.word(u64::from(body.0));
         match to {
             LinkEnd::Body(body) => self.word(u64::from(body.0)),
-            LinkEnd::Place(place) => self.given("place", true, |hash| hash.vectors(&[*place])),
+            LinkEnd::Place(place) => self.given(true, |hash| hash.vectors(&[*place])),
         }
         self.word(law.kind() as u64);
         self.numbers(&law.numbers());
         [as_found, hook].into_iter().for_each(|flag| self.word(u64::from(*flag)));
-        self.given("breaks", breaks.is_some(), |hash| hash.numbers(&[breaks.unwrap_or_default()]));
+        self.given(breaks.is_some(), |hash| hash.numbers(&[breaks.unwrap_or_default()]));
         self.numbers(&[*rate]);
         self.name(name.as_deref());
     }
 
     fn material(&mut self, Material { name: _, static_friction, kinetic_friction, restitution }: &Material) {
         self.numbers(&[*static_friction, *kinetic_friction]);
-        self.given("bounces", *restitution != 0.0, |hash| hash.numbers(&[*restitution]));
+        self.given(*restitution != 0.0, |hash| hash.numbers(&[*restitution]));
     }
 
     /// The name by which switches find a part.
     fn name(&mut self, name: Option<&str>) {
-        self.given("name", name.is_some(), |hash| {
+        self.given(name.is_some(), |hash| {
             hash.text(name.unwrap_or_default());
-            hash.old_text(name.unwrap_or_default());
         });
     }
 
@@ -282,11 +230,11 @@ impl Hash {
         let Sides { left, right, top, bottom } = *sides;
         self.area(bounds);
         self.material(material);
-        self.given("sides", *sides != Sides::ALL, |hash| {
+        self.given(*sides != Sides::ALL, |hash| {
             [left, right, top, bottom].into_iter().for_each(|solid| hash.word(u64::from(solid)));
         });
-        self.given("belt", *belt != 0.0, |hash| hash.numbers(&[*belt]));
-        self.given("breaks", breaks.is_some(), |hash| hash.numbers(&[breaks.unwrap_or_default()]));
+        self.given(*belt != 0.0, |hash| hash.numbers(&[*belt]));
+        self.given(breaks.is_some(), |hash| hash.numbers(&[breaks.unwrap_or_default()]));
         self.name(name.as_deref());
     }
 
@@ -306,7 +254,7 @@ impl Hash {
             hash.name(Some(name));
             hash.word(u64::from(*inverted));
         });
-        self.given("weight", weight.is_some(), |hash| hash.numbers(&[weight.unwrap_or_default()]));
+        self.given(weight.is_some(), |hash| hash.numbers(&[weight.unwrap_or_default()]));
         self.word(*by as u64);
         self.word(*latch as u64);
     }
@@ -317,8 +265,8 @@ impl Hash {
         self.numbers(&[*angle, *mass, *fuel, *thrust]);
         self.material(material);
         self.word(u64::from(*feels_air));
-        self.given("drag", *drag != SHIP_DRAG, |hash| hash.numbers(&[*drag]));
-        self.given("bounces", *restitution != 0.0, |hash| hash.numbers(&[*restitution]));
+        self.given(*drag != SHIP_DRAG, |hash| hash.numbers(&[*drag]));
+        self.given(*restitution != 0.0, |hash| hash.numbers(&[*restitution]));
     }
 
     fn object(&mut self, object: &Object) {
@@ -329,7 +277,7 @@ impl Hash {
         self.material(material);
         self.word(u64::from(*circular));
         self.word(u64::from(key.is_some()));
-        self.given("weightless", *weightless, |_| {});
+        self.given(*weightless, |_| {});
     }
 }
 
@@ -338,32 +286,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn hashes_of_both_kinds_read_back_and_nothing_else_is_one() {
-        let new = LevelHash::Sha256(std::array::from_fn(|at| at as u8 * 7));
-        let old = LevelHash::Fnv64(0x1f);
-        assert_eq!((new.to_string().len(), old.to_string().as_str()), (64, "000000000000001f"));
-        for hash in [new, old] {
-            assert_eq!(hash.to_string().parse(), Ok(hash));
-        }
-        for text in ["", "1f", "00000000000000zz", &new.to_string()[1..], &format!("{new}0"), &"é".repeat(32), "+00000000000001f"]
-        {
+    fn a_hash_reads_back_and_nothing_else_is_one() {
+        let hash = LevelHash(std::array::from_fn(|at| at as u8 * 7));
+        assert_eq!(hash.to_string().parse(), Ok(hash));
+        for text in ["", "000000000000001f", &hash.to_string()[1..], &format!("{hash}0"), &"é".repeat(32)] {
             assert_eq!(text.parse::<LevelHash>(), Err(()), "{text}");
         }
-    }
-
-    #[test]
-    fn either_hash_is_of_the_level() {
-        let (hash, old) = (LevelHash::Sha256([1; 32]), LevelHash::Fnv64(1));
-        let both = Fingerprint { hash, old: Some(old) };
-        assert!(both.is(hash) && both.is(old) && !both.is(LevelHash::Fnv64(2)));
-        assert_eq!((both.beside(LevelHash::Fnv64(2)), both.beside(LevelHash::Sha256([2; 32]))), (old, hash));
-        assert!(!Fingerprint::from(hash).is(old));
     }
 
     /// SHA-256 of "abc" (FIPS 180-4).
     #[test]
     fn sha_256_is_the_one_of_the_standard() {
-        let digest = LevelHash::Sha256(Sha256::digest("abc").into());
+        let digest = LevelHash(Sha256::digest("abc").into());
         assert_eq!(digest.to_string(), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     }
 }

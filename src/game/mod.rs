@@ -40,7 +40,7 @@ pub use clock::{Clock, TICK_RATE, TICK_RATES, TICKS_A_FRAME};
 pub use controls::Controls;
 pub use death::Death;
 pub use event::{GameError, GameEvent, Outcome};
-pub use fingerprint::{Fingerprint, LevelHash, level_hash};
+pub use fingerprint::{LevelHash, level_hash};
 pub use history::{History, Reel, Tape, Unflown};
 pub use impacts::{DAMAGING_SPEED, DUST_SPEED, Felt, READABLE};
 pub use inputs::{BadFile, HEADER, Inputs, MOST_TICKS, Playback};

@@ -2,7 +2,7 @@
 
 use super::attempt::Game;
 use super::event::{GameError, Outcome};
-use super::fingerprint::Fingerprint;
+use super::fingerprint::level_hash;
 use super::inputs::Playback;
 use super::replay::{Mismatch, Replay, ended_second, thousandths};
 use crate::level::Level;
@@ -20,9 +20,9 @@ impl Proof {
     /// Errors: as [`Game::with_tick_rate`]; within, the level's hash differs from the record's, or the record's keys go on beyond
     /// its own time.
     pub fn new(replay: Arc<Replay>, level: Arc<Level>) -> Result<Result<Self, Mismatch>, GameError> {
-        let here = Fingerprint::of(&level);
-        if let Some(recorded) = replay.level_hash.filter(|&recorded| !here.is(recorded)) {
-            return Ok(Err(Mismatch::Level(recorded, here.beside(recorded))));
+        let here = level_hash(&level);
+        if replay.level_hash != here {
+            return Ok(Err(Mismatch::Level(replay.level_hash, here)));
         }
         if let Some(mismatch) = replay.runs_on() {
             return Ok(Err(mismatch));
@@ -54,8 +54,8 @@ impl Proof {
         if (score, hash) != (recorded.score, recorded.hash) {
             return Err(Mismatch::End { score: (recorded.score, score), hash: (recorded.hash, hash) });
         }
-        let times = (recorded.time.map(thousandths), thousandths(result.time));
-        if recorded.outcome.is_some_and(|recorded| recorded != outcome) || times.0.is_some_and(|recorded| recorded != times.1) {
+        let times = (thousandths(recorded.time), thousandths(result.time));
+        if recorded.outcome != outcome || times.0 != times.1 {
             return Err(Mismatch::Result { outcome: (recorded.outcome, outcome), time: times });
         }
         Ok(())

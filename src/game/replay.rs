@@ -2,7 +2,7 @@
 //! inputs do.
 //!
 //! ```text
-//! # program: resultant 0.1.0
+//! # program: resultant 1.0.0
 //! # player: ann
 //! # level: 1
 //! # level_hash: 0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef
@@ -17,8 +17,7 @@
 //! ```
 //!
 //! `hash` is of the last state, `hash 1` of the state after the first second, and so on: they show in which second a flight
-//! departs. A record of a saved score has `player`. Older records lack program, level's hash, outcome, time and the hashes of the
-//! seconds, or have a level's hash of 16 digits; a record without one flies in the level of its name.
+//! departs. A record of a saved score has `player`.
 
 use super::attempt::Game;
 use super::clock::TICK_RATES;
@@ -32,20 +31,19 @@ use std::fmt;
 
 pub const PROGRAM: &str = concat!("resultant ", env!("CARGO_PKG_VERSION"));
 
-/// Optional parts are missing in older records.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Replay {
-    pub program: Option<String>,
+    pub program: String,
     /// The name under which the score was saved, if it was.
     pub player: Option<String>,
     /// The level's folder name.
     pub level: String,
-    pub level_hash: Option<LevelHash>,
+    pub level_hash: LevelHash,
     /// Ticks a second.
     pub tick_rate: f64,
-    pub outcome: Option<Outcome>,
+    pub outcome: Outcome,
     /// s.
-    pub time: Option<f64>,
+    pub time: f64,
     pub score: i64,
     /// The hash of the last state.
     pub hash: u64,
@@ -65,10 +63,9 @@ pub enum Mismatch {
     Second(usize, u64, u64),
     /// The same state, but another end than the written one.
     Result {
-        /// `None` where the record does not say.
-        outcome: (Option<Outcome>, Outcome),
-        /// Thousandths of a second; `None` where the record does not say.
-        time: (Option<u64>, u64),
+        outcome: (Outcome, Outcome),
+        /// Thousandths of a second.
+        time: (u64, u64),
     },
     End {
         score: (i64, i64),
@@ -92,10 +89,13 @@ impl fmt::Display for Mismatch {
             }
             Self::Result { outcome, time } => {
                 let seconds = |thousandths: u64| thousandths as f64 / 1000.0;
-                let recorded = outcome.0.map_or(tr("nothing"), Outcome::shown);
-                let at = time.0.map(|time| tr!(" at {time} s", time = seconds(time))).unwrap_or_default();
-                let (flown, time) = (outcome.1.shown(), seconds(time.1));
-                tr!("recorded {recorded}{at}, flown {flown} at {time} s", recorded, at, flown, time)
+                tr!(
+                    "recorded {recorded} at {then} s, flown {flown} at {time} s",
+                    recorded = outcome.0.shown(),
+                    then = seconds(time.0),
+                    flown = outcome.1.shown(),
+                    time = seconds(time.1)
+                )
             }
             Self::End { score, hash } => tr!(
                 "recorded score {old} and hash {old_hash}, flown score {new} and hash {new_hash}",
@@ -137,13 +137,13 @@ impl Recorder {
     pub fn finish(self, game: &Game) -> Replay {
         let result = game.result();
         Replay {
-            program: Some(PROGRAM.to_owned()),
+            program: PROGRAM.to_owned(),
             player: None,
             level: game.level().name.clone(),
-            level_hash: Some(level_hash(game.level())),
+            level_hash: level_hash(game.level()),
             tick_rate: game.tick_rate(),
-            outcome: Some(result.outcome),
-            time: Some(result.time),
+            outcome: result.outcome,
+            time: result.time,
             score: result.score.total,
             hash: game.hash(),
             seconds: self.seconds,
@@ -169,22 +169,32 @@ impl Replay {
     /// Errors: as [`Inputs::parse`]; a `# name: value` line that is missing or unreadable.
     pub fn parse(file: &str, text: &str) -> Result<Self, BadFile> {
         let mut notes = ReplayNotes::of(file, text);
-        let program = notes.find_any("program", tr("a program's name and version"), |text| Some(text.to_owned()));
+        let program = notes.find("program", tr("a program's name and version"), |text| Some(text.to_owned()));
         let player = notes.find_any("player", tr("a player's name"), plain);
         let level = notes.find("level", tr("a level's name"), plain);
-        let level_hash = notes.find_any("level_hash", tr(LevelHash::EXPECTED), |text| text.parse().ok());
+        let level_hash = notes.find("level_hash", tr(LevelHash::EXPECTED), |text| text.parse().ok());
         let within = |rate: &f64| TICK_RATES.contains(rate);
         let tick_rate = notes.find("tick_rate", tr("1 to 1000000 ticks a second"), |text| text.parse().ok().filter(within));
-        let outcome = notes.find_any("outcome", tr("completed, failed or running"), Outcome::named);
+        let outcome = notes.find("outcome", tr("completed, failed or running"), Outcome::named);
         let passed = |time: &f64| time.is_finite() && *time >= 0.0;
-        let time = notes.find_any("time", tr("seconds, 0 or more"), |text| text.parse().ok().filter(passed));
+        let time = notes.find("time", tr("seconds, 0 or more"), |text| text.parse().ok().filter(passed));
         let score = notes.find("score", tr("points"), |text| text.parse().ok());
         let hash = notes.find("hash", tr("16 hex digits"), hex);
         let seconds = notes.seconds();
         let mut problems = notes.problems;
         let inputs = Inputs::parse(file, text).map_err(|BadFile(found)| problems.extend(found)).ok();
-        match (level, tick_rate, score, hash, inputs) {
-            (Some(level), Some(tick_rate), Some(score), Some(hash), Some(inputs)) if problems.is_empty() => {
+        match (program, level, level_hash, tick_rate, outcome, time, score, hash, inputs) {
+            (
+                Some(program),
+                Some(level),
+                Some(level_hash),
+                Some(tick_rate),
+                Some(outcome),
+                Some(time),
+                Some(score),
+                Some(hash),
+                Some(inputs),
+            ) if problems.is_empty() => {
                 Ok(Self { program, player, level, level_hash, tick_rate, outcome, time, score, hash, seconds, inputs })
             }
             _ => Err(BadFile(problems)),
@@ -193,7 +203,7 @@ impl Replay {
 
     /// The mismatch of keys that go on beyond the record's own time, which needs no flight. That time begins with the first key.
     pub fn runs_on(&self) -> Option<Mismatch> {
-        let (ended, ticks) = (self.time? * self.tick_rate, self.inputs.ticks());
+        let (ended, ticks) = (self.time * self.tick_rate, self.inputs.ticks());
         let ended = ended.round() as u64;
         (ticks - self.inputs.idle().unwrap_or(0) > ended).then_some(Mismatch::RunsOn(ended, ticks))
     }
@@ -202,15 +212,12 @@ impl Replay {
 impl fmt::Display for Replay {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { program, player, level, level_hash, tick_rate, outcome, time, score, hash, seconds, inputs } = self;
-        let mut note = |name, value: Option<String>| value.map_or(Ok(()), |value| writeln!(f, "# {name}: {value}"));
-        note("program", program.clone())?;
-        note("player", player.as_deref().map(written))?;
-        note("level", Some(written(level)))?;
-        note("level_hash", level_hash.map(|hash| hash.to_string()))?;
-        note("tick_rate", Some(tick_rate.to_string()))?;
-        note("outcome", outcome.map(|outcome| outcome.name().to_owned()))?;
-        note("time", time.map(|time| time.to_string()))?;
-        write!(f, "# score: {score}\n# hash: {hash:016x}\n")?;
+        writeln!(f, "# program: {program}")?;
+        if let Some(player) = player {
+            writeln!(f, "# player: {}", written(player))?;
+        }
+        writeln!(f, "# level: {}\n# level_hash: {level_hash}\n# tick_rate: {tick_rate}", written(level))?;
+        writeln!(f, "# outcome: {}\n# time: {time}\n# score: {score}\n# hash: {hash:016x}", outcome.name())?;
         for (second, hash) in (1..).zip(seconds) {
             writeln!(f, "# hash {second}: {hash:016x}")?;
         }
@@ -227,30 +234,18 @@ mod tests {
         let mut inputs = Inputs::default();
         inputs.record(Controls { thrust: true, ..Controls::default() });
         Replay {
-            program: Some(PROGRAM.into()),
+            program: PROGRAM.into(),
             player: Some("ann".into()),
             level: "up: and away".into(),
-            level_hash: Some(LevelHash::Sha256([0x1f; 32])),
+            level_hash: LevelHash([0x1f; 32]),
             tick_rate: 59.94,
-            outcome: Some(Outcome::Completed),
-            time: Some(5.25),
+            outcome: Outcome::Completed,
+            time: 5.25,
             score: 17_342,
             hash: 0xabc,
             seconds: vec![1, 2],
             inputs,
         }
-    }
-
-    #[test]
-    fn a_record_from_before_levels_had_hashes_is_read() {
-        let old = Replay { program: None, player: None, level_hash: None, outcome: None, time: None, seconds: vec![], ..replay() };
-        let text = old.to_string();
-        assert!(text.starts_with("# level: up: and away\n# tick_rate: 59.94\n# score: 17342\n"), "{text}");
-        assert_eq!(Replay::parse("run.csv", &text), Ok(old));
-        let bad = Replay::parse("run.csv", &text.replace("# score", "# level_hash: 12\n# score")).unwrap_err();
-        assert_eq!(bad.0, [r#"run.csv:3: "level_hash": found "12", expected 64 hex digits, or the 16 of an older file"#]);
-        let old = Replay { level_hash: Some(LevelHash::Fnv64(0x1f)), ..replay() };
-        assert_eq!(Replay::parse("run.csv", &old.to_string()), Ok(old), "the 64 bits of an older record stay what they are");
     }
 
     #[test]
@@ -307,15 +302,19 @@ mod tests {
 
     #[test]
     fn every_problem_is_told_with_its_place() {
-        let text = "# score: lots\n# tick_rate: 0\n# hash: abc\nticks,thrust,reverse,left,right\n0,0,0,0,0\n";
+        let text = "# score: lots\n# tick_rate: 0\n# level_hash: 12\n# hash: abc\nticks,thrust,reverse,left,right\n0,0,0,0,0\n";
         assert_eq!(
             Replay::parse("run.csv", text).unwrap_err().0,
             [
+                r##"run.csv:1: "program": found no line "# program: …", expected a program's name and version"##,
                 r##"run.csv:1: "level": found no line "# level: …", expected a level's name"##,
+                r#"run.csv:3: "level_hash": found "12", expected 64 hex digits"#,
                 r#"run.csv:2: "tick_rate": found "0", expected 1 to 1000000 ticks a second"#,
+                r##"run.csv:1: "outcome": found no line "# outcome: …", expected completed, failed or running"##,
+                r##"run.csv:1: "time": found no line "# time: …", expected seconds, 0 or more"##,
                 r#"run.csv:1: "score": found "lots", expected points"#,
-                r#"run.csv:3: "hash": found "abc", expected 16 hex digits"#,
-                r#"run.csv:5: column "ticks": found "0", expected a whole number from 1 to 1000000000"#,
+                r#"run.csv:4: "hash": found "abc", expected 16 hex digits"#,
+                r#"run.csv:6: column "ticks": found "0", expected a whole number from 1 to 1000000000"#,
             ]
         );
     }

@@ -42,14 +42,14 @@ fn fly(folder: &Path, name: &str, level: &Arc<Level>, left: &mut u64) -> Result<
         (format!("{ticks} ticks, too many to be flown here"), "flights of two hours together, or `resultant verify`")
     })?;
     let recorded = replay.level_hash;
-    // Without the hash any version of the level flies: the first second that departs says more.
-    let flown = Replay { level_hash: None, ..replay };
+    // With the level's own hash any version of the level flies: the first second that departs says more.
+    let flown = Replay { level_hash: level_hash(level), ..replay };
     let mut last: Option<RunResult> = None;
     let note = |game: &Game| last = Some(game.result());
     let again = "a flight recorded in the level as it is";
     match flown.verify(level.clone(), note).map_err(|error| (error.to_string(), again))? {
         Err(mismatch) => return Err((format!("a flight that no longer holds: {mismatch}"), again)),
-        Ok(()) if recorded.is_some_and(|recorded| recorded != level_hash(level)) => {
+        Ok(()) if recorded != flown.level_hash => {
             return Err(("a flight of another version of the level, though it leads where it did".to_owned(), again));
         }
         Ok(()) => {}

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use super::error::ScoresError;
 use super::name::Name;
 use super::origin::RowOrigin;
-use crate::game::{Fingerprint, LevelHash};
+use crate::game::LevelHash;
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BoardRow {
@@ -112,8 +112,8 @@ impl Board {
     }
 
     /// Takes out the rows of other versions of the level. A row without a version stays.
-    pub(super) fn take_other_versions(&mut self, version: Fingerprint) -> BTreeMap<LevelHash, Self> {
-        let other = |row| self.origin(row).version.filter(|&other| !version.is(other));
+    pub(super) fn take_other_versions(&mut self, version: LevelHash) -> BTreeMap<LevelHash, Self> {
+        let other = |row| self.origin(row).version.filter(|&other| version != other);
         let others: Vec<Option<LevelHash>> = (0..self.rows.len()).map(other).collect();
         let mut taken: BTreeMap<LevelHash, Self> = BTreeMap::new();
         for (row, other) in std::mem::take(&mut self.rows).into_iter().zip(others) {

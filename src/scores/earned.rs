@@ -4,7 +4,7 @@
 use super::board::BoardRow;
 use super::name::Name;
 use super::origin::RowOrigin;
-use crate::game::{Fingerprint, LevelHash, MOST_SECONDS, Medals, Mismatch, Outcome, PROGRAM, Proof, Replay, ScoreParts, TICK_RATE};
+use crate::game::{LevelHash, MOST_SECONDS, Medals, Mismatch, Outcome, PROGRAM, Proof, Replay, ScoreParts, TICK_RATE, level_hash};
 use crate::level::Level;
 use crate::words::tr;
 use std::fmt;
@@ -16,7 +16,7 @@ const LONGEST: u64 = MOST_SECONDS as u64 * TICK_RATE as u64;
 #[derive(Clone, Debug, PartialEq)]
 pub enum Standing {
     Proven,
-    /// Without a flight: older than flights are, or written by hand.
+    /// Without a flight: written by hand.
     Unproven,
     Doubtful(Doubt),
 }
@@ -24,7 +24,7 @@ pub enum Standing {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Doubt {
     Emptied,
-    /// Score, most by the rules, and the record's time (s) where there is one.
+    /// Score, most by the rules, and the record's time (s) where it has been read.
     TooMuch(i64, i64, Option<f64>),
     /// The same flight stands under this name, too.
     Twice(Name),
@@ -32,8 +32,6 @@ pub enum Doubt {
     Player(String),
     /// The flight's file has this fault.
     Unreadable(String),
-    /// The record names no level.
-    NoLevel,
     /// The row's version of the level, then the flight's.
     Version(LevelHash, LevelHash),
     /// The row's score, then the flight's.
@@ -63,7 +61,6 @@ impl fmt::Display for Doubt {
             Self::Twice(name) => tr!("its flight stands under the name {name}, too", name),
             Self::Player(player) => tr!("its flight was saved by {player}", player),
             Self::Unreadable(problem) => problem.clone(),
-            Self::NoLevel => tr("its flight does not say in which level it was flown").to_owned(),
             Self::Version(row, flight) => {
                 let (row, flight) = (row.short(), flight.short());
                 tr!("the row is of version {row}… of the level, its flight of version {flight}…", row, flight)
@@ -106,14 +103,13 @@ pub(super) struct Claim {
 impl Claim {
     /// The flight at its start, or a doubt that needs no flight.
     pub fn new(row: &BoardRow, origin: &RowOrigin, flight: Replay, level: Arc<Level>) -> Result<Self, Doubt> {
-        let flown_in = flight.level_hash.ok_or(Doubt::NoLevel)?;
-        let here = Fingerprint::of(&level);
-        if let Some(version) = origin.version.filter(|&version| version != flown_in && !(here.is(version) && here.is(flown_in))) {
+        let (flown_in, here) = (flight.level_hash, level_hash(&level));
+        if let Some(version) = origin.version.filter(|&version| version != flown_in) {
             return Err(Doubt::Version(version, flown_in));
         }
-        let program = flight.program.clone().filter(|program| program != PROGRAM);
-        if !here.is(flown_in) {
-            return Err(Doubt::Flown(Mismatch::Level(flown_in, here.beside(flown_in)), program));
+        let program = Some(flight.program.clone()).filter(|program| program != PROGRAM);
+        if here != flown_in {
+            return Err(Doubt::Flown(Mismatch::Level(flown_in, here), program));
         }
         if flight.tick_rate != TICK_RATE {
             return Err(Doubt::Rate(flight.tick_rate));
@@ -124,11 +120,9 @@ impl Claim {
         if flight.score != row.score {
             return Err(Doubt::Score(row.score, flight.score));
         }
-        if let Some(time) = flight.time {
-            let most = ScoreParts::most(time, level.optimal_time);
-            if row.score > most {
-                return Err(Doubt::TooMuch(row.score, most, Some(time)));
-            }
+        let most = ScoreParts::most(flight.time, level.optimal_time);
+        if row.score > most {
+            return Err(Doubt::TooMuch(row.score, most, Some(flight.time)));
         }
         if let Some(mismatch) = flight.runs_on() {
             return Err(Doubt::Flown(mismatch, program));

@@ -13,7 +13,7 @@ use super::origin::RowOrigin;
 use super::players::{self, Deed, Players};
 use super::table;
 use crate::files::{self, PATIENCE};
-use crate::game::{Fingerprint, LevelHash, Replay};
+use crate::game::{LevelHash, Replay};
 
 const PLAYERS: &str = "players.csv";
 const ATTEMPTS: &str = "attempts.csv";
@@ -41,7 +41,7 @@ pub struct Score<'a> {
     /// The proof of the row.
     pub flight: Option<&'a Replay>,
     /// The level's version, where it holds more than the flight's hash.
-    pub version: Option<Fingerprint>,
+    pub version: Option<LevelHash>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -69,12 +69,11 @@ impl Scores {
 
     /// As [`Scores::load`], for one version of the level: without the rows of other versions, with the kept rows of this one. The
     /// number counts the other versions with a board.
-    pub fn load_version(&self, level: &str, version: impl Into<Fingerprint>) -> Result<(LoadedBoard, usize), ScoresError> {
-        let version = version.into();
+    pub fn load_version(&self, level: &str, version: LevelHash) -> Result<(LoadedBoard, usize), ScoresError> {
         let mut loaded = self.load(level)?;
         let mut others = self.versions_aside(level);
         others.extend(loaded.board.take_other_versions(version).into_keys());
-        others.retain(|&other| !version.is(other));
+        others.retain(|&other| version != other);
         others.sort_unstable();
         others.dedup();
         self.fetch_back(&mut loaded.board, level, version)?;
@@ -94,7 +93,7 @@ impl Scores {
     pub fn save_within(&self, patience: Duration, level: &str, score: Score<'_>) -> Result<Saved, ScoresError> {
         let path = self.path(level)?;
         let Score { name, points, flight, version } = score;
-        let version = version.or_else(|| Some(flight?.level_hash?.into()));
+        let version = version.or_else(|| Some(flight?.level_hash));
         if points < 1 {
             return Err(ScoresError::NoScore);
         }
@@ -150,7 +149,7 @@ impl Scores {
     }
 
     /// Moves rows of other versions to their boards. They are on disk there before they leave this one.
-    fn put_aside(&self, board: &mut Board, level: &str, version: Fingerprint, patience: Duration) -> Result<(), ScoresError> {
+    fn put_aside(&self, board: &mut Board, level: &str, version: LevelHash, patience: Duration) -> Result<(), ScoresError> {
         for (other, rows) in board.take_other_versions(version) {
             let folder = self.folder.join(ASIDE);
             files::make_shared_folder(&folder).map_err(ScoresError::file("create the folder", &folder))?;
@@ -164,12 +163,10 @@ impl Scores {
     }
 
     /// Returns the rows that were kept aside while the level was another version.
-    fn fetch_back(&self, board: &mut Board, level: &str, version: Fingerprint) -> Result<(), ScoresError> {
-        for hash in version.hashes() {
-            let path = self.aside(level, hash);
-            if let Some(bytes) = disk::read_if_there(&path)? {
-                board.merge(&table::read(&path, &bytes).0);
-            }
+    fn fetch_back(&self, board: &mut Board, level: &str, version: LevelHash) -> Result<(), ScoresError> {
+        let path = self.aside(level, version);
+        if let Some(bytes) = disk::read_if_there(&path)? {
+            board.merge(&table::read(&path, &bytes).0);
         }
         Ok(())
     }

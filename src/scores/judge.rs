@@ -89,7 +89,7 @@ impl Judge {
         let index = rows.into_iter().find(|&row| open(&board.rows()[row].name))?;
         let (row, origin) = (&board.rows()[index], board.origin(index));
         let flight = self.scores.flight(&self.level.name, &origin).unwrap_or(Err(Doubt::Emptied.to_string()));
-        let (end, time) = flight.as_ref().map(|flight| (flight.hash, flight.time)).unwrap_or_default();
+        let (end, time) = flight.as_ref().map(|flight| (flight.hash, Some(flight.time))).unwrap_or_default();
         let claim = flight.map_err(Doubt::Unreadable).and_then(|flight| Claim::new(row, &origin, flight, self.level.clone()));
         if let Some(judged) = self.rows.get_mut(&row.name) {
             (judged.time, judged.flies) = (time, true);

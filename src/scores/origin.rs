@@ -1,4 +1,4 @@
-//! The origin of a leaderboard's row: flight, version of the level, program. Older rows have none.
+//! The origin of a leaderboard's row: flight, version of the level, program.
 
 use crate::game::{LevelHash, Replay};
 use crate::words::tr;
@@ -20,7 +20,7 @@ pub struct RowOrigin {
 impl RowOrigin {
     pub(super) fn of_flight(user: &str, replay: &Replay) -> Self {
         let file = format!("{user}-{}-{:016x}{ENDING}", replay.score, replay.hash);
-        Self { flight: Some(file), version: replay.level_hash, program: replay.program.clone() }
+        Self { flight: Some(file), version: Some(replay.level_hash), program: Some(replay.program.clone()) }
     }
 
     /// A cell that cannot be read counts as empty.

@@ -9,8 +9,7 @@
 //! ```
 //!
 //! A row without a level names a player; a row with one has the best time without help, if there is any, and the prizes. Prizes
-//! stay, whatever the level asks for later. Older files have the first three columns, and their medals are bronze. The player
-//! chosen last comes first. A row that cannot be read becomes a line of damage and spoils no other.
+//! stay, whatever the level asks for later. The player chosen last comes first. A row that cannot be read becomes a line of damage and spoils no other.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -24,8 +23,6 @@ use crate::words::tr;
 use serde::Deserialize;
 
 const FILE: CsvFile<'_> = CsvFile { name: "", columns: &["player", "level", "time", "medal", "mark"], comments: false };
-/// The columns of files from before medals.
-const OLD_COLUMNS: usize = 3;
 
 /// A level that a player has done; a row without a level names a player.
 #[derive(Deserialize)]
@@ -190,7 +187,7 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> (Players, Vec<String>) {
     for (index, row) in FILE.rows_of::<DoneRow>(bytes).enumerate() {
         match row.fault() {
             Some(fault) => damage.fault(row.line, fault),
-            None if index == 0 && row.is_header(OLD_COLUMNS) => {}
+            None if index == 0 && row.is_header(FILE.columns.len()) => {}
             None => take(&mut players, &row, &mut damage),
         }
     }
@@ -329,7 +326,7 @@ mod tests {
 
     #[test]
     fn what_editors_do_to_a_file_is_no_damage() {
-        let (written, damage) = reading("\u{feff}player,level,time\r\n\r\n ann , 1 , 7 \r\nbob\r\n");
+        let (written, damage) = reading("\u{feff}player,level,time,medal,mark\r\n\r\n ann , 1 , 7 \r\nbob\r\n");
         assert_eq!((written.as_str(), damage.len()), ("player,level,time,medal,mark\nann,,,,\nann,1,7.000,bronze,\nbob,,,,\n", 0));
         let (written, damage) = reading("player,level,time,medal,mark,\r\nann,1,7,Gold,true,\r\nann,2,,,\r\n");
         assert_eq!(written, "player,level,time,medal,mark\nann,,,,\nann,1,7.000,gold,TRUE\nann,2,,bronze,\n");
@@ -357,7 +354,7 @@ mod tests {
             ),
             ("\"bob,1,5", "players.csv:3: a quote that is never closed, expected a closing quote"),
         ] {
-            let (written, damage) = reading(&format!("player,level,time\nann,1,7\n{line}\ncid,2,8\n"));
+            let (written, damage) = reading(&format!("player,level,time,medal,mark\nann,1,7\n{line}\ncid,2,8\n"));
             assert_eq!(damage, [report], "{line}");
             assert!(written.contains("ann,1,7.000,bronze,\n") && written.contains("cid,2,8.000,bronze,\n"), "{written}");
         }

@@ -8,7 +8,7 @@ use super::{
     footage, jumper,
 };
 use crate::classics::jumper::scene::LEADERBOARD;
-use crate::game::{Fingerprint, RunResult};
+use crate::game::{RunResult, level_hash};
 use crate::scores::{LoadedBoard, Name, PATIENCE, Placement, Saved, Score, ScoresError};
 use crate::words::tr;
 use std::rc::Rc;
@@ -79,7 +79,7 @@ impl App {
     fn save(&mut self, waiting: WaitingScore) -> Result<Box<dyn Screen>, String> {
         let WaitingScore { gain, name, since } = waiting;
         let flight = gain.flown.as_ref().map(|flown| &flown.replay);
-        let version = gain.flown.as_ref().map(|flown| Fingerprint::of(&flown.level));
+        let version = gain.flown.as_ref().map(|flown| level_hash(&flown.level));
         let score = Score { name: &name, points: gain.points, flight, version };
         let Saved { board, placement, rescue } = match self.scores.save_within(Duration::ZERO, &gain.board, score) {
             Ok(saved) => saved,
@@ -121,7 +121,7 @@ impl App {
         let title = level.as_ref().map_or(name, |level| &level.title);
         // Of a level that does not load nobody can say which version it is.
         let shown = match &level {
-            Some(level) => self.scores.load_version(name, Fingerprint::of(level)),
+            Some(level) => self.scores.load_version(name, level_hash(level)),
             None => self.scores.load(name).map(|loaded| (loaded, 0)),
         };
         let back = Request::Leaderboard(name.to_owned());

@@ -106,7 +106,7 @@ impl Flights {
         self.read[index] = true;
         let candidate = &mut self.candidates[index];
         if let Some(replay) = read(&self.visit, &candidate.source) {
-            (candidate.time, candidate.score) = (replay.time, candidate.score.or(Some(replay.score)));
+            (candidate.time, candidate.score) = (Some(replay.time), candidate.score.or(Some(replay.score)));
         }
     }
 

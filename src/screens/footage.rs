@@ -4,7 +4,7 @@ use super::flights::{FlightCandidate, FlightSource, Visit};
 use super::leaderboard::BoardRival;
 use super::new_file::NewFile;
 use crate::files::{self, INPUTS, LEVEL_TABLE, read_text};
-use crate::game::{Fingerprint, Outcome, Reel, Replay};
+use crate::game::{LevelHash, Outcome, Reel, Replay, level_hash};
 use crate::level::Level;
 use crate::scores::{Board, Name, Scores};
 use crate::words::tr;
@@ -28,7 +28,7 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
         name: tr("This flight").to_owned(),
         about: tr("just flown").to_owned(),
         score: Some(flown.replay.score),
-        time: flown.replay.time,
+        time: Some(flown.replay.time),
         source: FlightSource::Flown,
     });
     let own = OWN.iter().filter_map(|(file, name, about)| {
@@ -64,25 +64,25 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
 
 /// The level's own flights as rivals on its board: those that were flown in this version of it. None is so long as to need more than a table.
 pub fn rivals(folder: &Path, level: &Level) -> Vec<BoardRival> {
-    let here = Fingerprint::of(level);
+    let here = level_hash(level);
     let rival = |(file, name, _): &(&str, &'static str, &str)| {
         let replay = own(folder, file, here)?;
-        Some(BoardRival { name, score: replay.score, time: replay.time })
+        Some(BoardRival { name, score: replay.score, time: Some(replay.time) })
     };
     OWN.iter().filter_map(rival).collect()
 }
 
 /// The level's own flight for gold, from its start.
 pub fn gold(folder: &Path, level: Arc<Level>) -> Option<Reel> {
-    let replay = own(folder, OWN[0].0, Fingerprint::of(&level))?;
+    let replay = own(folder, OWN[0].0, level_hash(&level))?;
     Reel::new(level, &replay.inputs, replay.tick_rate).ok()
 }
 
 /// One of the level's own flights, where it was completed in this version of it.
-fn own(folder: &Path, file: &str, here: Fingerprint) -> Option<Replay> {
+fn own(folder: &Path, file: &str, here: LevelHash) -> Option<Replay> {
     let text = read_text(&folder.join(FLIGHTS).join(format!("{file}{ENDING}")), LEVEL_TABLE).ok()?;
-    let replay = Replay::parse(file, &text).ok().filter(|replay| replay.level_hash.is_some_and(|hash| here.is(hash)))?;
-    (replay.outcome == Some(Outcome::Completed)).then_some(replay)
+    let replay = Replay::parse(file, &text).ok().filter(|replay| replay.level_hash == here)?;
+    (replay.outcome == Outcome::Completed).then_some(replay)
 }
 
 /// The record of one of them, which was flown in that level.
@@ -91,11 +91,10 @@ fn own(folder: &Path, file: &str, here: Fingerprint) -> Option<Replay> {
 /// It cannot be read, or it was flown in another level, in words.
 pub fn record(visit: &Visit, candidate: &FlightCandidate, scores: &Scores, level: &Level) -> Result<Replay, String> {
     let replay = read(visit, &candidate.source, scores)?;
-    let here = Fingerprint::of(level);
-    match replay.level_hash.filter(|&flown| !here.is(flown)) {
-        Some(_) => Err(tr!("{name}: flown in another version of the level, or in another level.", name = candidate.name)),
-        None => Ok(replay),
+    if replay.level_hash == level_hash(level) {
+        return Ok(replay);
     }
+    Err(tr!("{name}: flown in another version of the level, or in another level.", name = candidate.name))
 }
 
 /// The record of a flight as it lies there, in whatever level it was flown.

@@ -336,5 +336,5 @@ fn version(origin: &RowOrigin) -> String {
     let short: String = number.chars().take(8).collect();
     let Some(version) = origin.version else { return short };
     let digits: String = version.to_string().chars().take(4).collect();
-    format!("{short} · {digits}{}", if version.is_old() { tr(", 64-bit") } else { "" })
+    format!("{short} · {digits}")
 }

@@ -4,7 +4,7 @@ use super::footage;
 use super::leaderboard::subject;
 use super::{App, Attempt, Flight, FlightCandidate, FlightSource, Flights, Purpose, Request, Rival, Screen, Spectator, Visit};
 use crate::daily::is_daily;
-use crate::game::{Fingerprint, Outcome, Reel, Replay, TICK_RATE};
+use crate::game::{Outcome, Reel, Replay, TICK_RATE, level_hash};
 use crate::level::Level;
 use crate::scores::{Board, Name, Score};
 use crate::words::tr;
@@ -50,7 +50,7 @@ impl App {
             Ok(level) => level,
             Err(refusal) => return self.refused(Purpose::Play, &visit.level, refusal),
         };
-        let (board, problem) = match self.scores.load_version(&visit.level, Fingerprint::of(&level)) {
+        let (board, problem) = match self.scores.load_version(&visit.level, level_hash(&level)) {
             Ok((loaded, _)) => (loaded.board, None),
             Err(error) => (Board::default(), Some(error.to_string())),
         };
@@ -134,7 +134,7 @@ impl App {
         }
         let name = replay.player.clone().unwrap_or_else(|| tr("Somebody").to_owned());
         let about = tr("by its code, proven").to_owned();
-        let (score, time) = (Some(replay.score), replay.time);
+        let (score, time) = (Some(replay.score), Some(replay.time));
         let candidate = FlightCandidate { name, about, score, time, source: FlightSource::Code(code) };
         let level = self.level_of(visit, &candidate)?;
         let flown = replay.verify(level.clone(), |_| {}).map_err(|error| error.to_string())?;
@@ -142,10 +142,10 @@ impl App {
         let mut words = tr!("Proven: {name}", name = candidate.name);
         // The board of a day takes codes: its rows come from many computers.
         if is_daily(&visit.level)
-            && replay.outcome == Some(Outcome::Completed)
+            && replay.outcome == Outcome::Completed
             && let Ok(name) = Name::new(&candidate.name)
         {
-            let version = Some(Fingerprint::of(&level));
+            let version = Some(level_hash(&level));
             let score = Score { name: &name, points: replay.score, flight: Some(&replay), version };
             self.scores.save_within(Duration::ZERO, &visit.level, score).map_err(|error| error.to_string())?;
             words += tr(", on the board");

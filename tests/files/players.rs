@@ -58,7 +58,7 @@ fn deeds_of_two_games_are_merged() {
 #[test]
 fn a_damaged_file_of_players_is_kept_aside_and_no_sound_row_is_lost() {
     let fixture = empty();
-    let damaged = "player,level,time\r\nann,1,7\r\n=cmd|' /C calc'!A0,1,5\r\n\"bob,1,5\r\ncid,2,8\r\n";
+    let damaged = "player,level,time,medal,mark\r\nann,1,7\r\n=cmd|' /C calc'!A0,1,5\r\n\"bob,1,5\r\ncid,2,8\r\n";
     fs::write(fixture.file("players.csv"), damaged).unwrap();
     let (players, damage) = fixture.scores().players().unwrap();
     assert_eq!((players.all().len(), damage.len()), (2, 2));

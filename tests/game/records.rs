@@ -115,7 +115,7 @@ fn no_two_levels_have_one_encoding() {
         named(&[], 2),
     ];
     for (index, hash) in hashes.iter().enumerate() {
-        assert!(!hash.is_old() && hash.to_string().len() == 64);
+        assert!(hash.to_string().len() == 64);
         assert!(!hashes[..index].contains(hash), "{index}");
     }
 }

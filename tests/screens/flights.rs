@@ -11,6 +11,9 @@ use resultant::screens::{Gap, Input, Key, MOST_RIVALS, Spectator, Split};
 use std::fs;
 use std::path::Path;
 
+/// In a record, the hash of another level.
+const OTHER_LEVEL: &str = "# level_hash: 0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef";
+
 /// A sitting with a level "up" that is done by thrusting for about a second.
 fn sitting() -> Sitting {
     Sitting::with(|root| level(root, "0", "PLAYER,380,60,40,40\n", ""))
@@ -174,7 +177,7 @@ fn a_saved_score_has_its_flight_and_a_tick_on_the_board() {
     assert_eq!(text.lines().next(), Some("name,score,flight,version,program"));
     let flight = sitting.scores_file(&format!("flights/0/{}", cells[2]));
     let replay = Replay::parse("flight", &flight).unwrap();
-    assert_eq!((replay.score.to_string(), replay.outcome), (cells[1].to_owned(), Some(Outcome::Completed)));
+    assert_eq!((replay.score.to_string(), replay.outcome), (cells[1].to_owned(), Outcome::Completed));
     assert_eq!((replay.player.as_deref(), replay.level.as_str()), (Some("ann"), "0"));
     assert!(sitting.row("ann").contains(&clock(replay.inputs.ticks() as f64 / 120.0)), "{:?}", sitting.row("ann"));
     // A row that is forged with an editor does not hold; one without a flight is left alone.
@@ -201,7 +204,7 @@ fn the_levels_own_flights_stand_on_its_board_by_their_scores() {
         fs::write(own.join(format!("{name}.replay.csv")), text).unwrap();
     }
     // One of another version of the level is no rival.
-    let other = ann.lines().map(|line| if line.starts_with("# level_hash") { "# level_hash: 0123456789abcdef" } else { line });
+    let other = ann.lines().map(|line| if line.starts_with("# level_hash") { OTHER_LEVEL } else { line });
     fs::write(own.join("silver.replay.csv"), other.collect::<Vec<_>>().join("\n")).unwrap();
     let board = sitting.scores_file("0.csv");
     fs::write(sitting.folder.path().join("scores/0.csv"), board + "old,20900\nbad,20800,none.replay.csv,,\n").unwrap();
@@ -235,7 +238,7 @@ fn one_or_several_are_raced_and_the_gaps_are_right() {
     assert_eq!(sitting.flight().race().unwrap().all().len(), 1);
     let board = sitting.scores_file("0.csv");
     let file = board.lines().nth(1).unwrap().split(',').nth(2).unwrap().to_owned();
-    let ann = Replay::parse("ann", &sitting.scores_file(&format!("flights/0/{file}"))).unwrap().time.unwrap();
+    let ann = Replay::parse("ann", &sitting.scores_file(&format!("flights/0/{file}"))).unwrap().time;
     // The start of the race is that of the ghost, which waits there for the clock, however long no key is pressed.
     sitting.wait(1.0);
     let start = sitting.flight().game().level().player.position;
@@ -315,7 +318,7 @@ fn a_flight_is_kept_as_a_file_and_says_where() {
     let path = sitting.flights().message().unwrap().strip_prefix("Kept as ").unwrap().to_owned();
     assert!(sitting.warning().is_none());
     let replay = Replay::parse("kept", &fs::read_to_string(&path).unwrap()).unwrap();
-    assert_eq!((replay.level.as_str(), replay.outcome), ("0", Some(Outcome::Completed)));
+    assert_eq!((replay.level.as_str(), replay.outcome), ("0", Outcome::Completed));
     // Once is enough; another flight of that name gets another file.
     sitting.press(Key::Enter);
     assert_eq!(sitting.flights().message().unwrap(), format!("Kept as {path}"));

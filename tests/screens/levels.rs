@@ -108,8 +108,7 @@ fn medals_are_in_the_scoring_on_the_card_and_on_the_board() {
         let constants = "width,800\nheight,600\noptimal_time,10\nsilver,5\ngold,0.001\nmark_hits,0\n";
         fs::write(root.join("levels/1/constants.csv"), constants).unwrap();
         fs::create_dir_all(root.join("scores")).unwrap();
-        // A best time from before there were medals.
-        fs::write(root.join("scores/players.csv"), "player,level,time\nann,,\nann,1,4\n").unwrap();
+        fs::write(root.join("scores/players.csv"), "player,level,time,medal,mark\nann,,\nann,1,4\n").unwrap();
     });
     let silver = Medals { medal: Some(Medal::Silver), mark: false };
     sitting.press_all(&[Key::Down, Key::Enter]);

@@ -68,7 +68,7 @@ fn nobody_is_called_guest_and_names_follow_the_rules() {
 #[test]
 fn a_long_list_of_players_scrolls_with_the_highlight() {
     let rows: String = (10..30).map(|i| format!("user{i},,\n")).collect();
-    let mut sitting = with_scores("players.csv", &format!("player,level,time\n{rows}"));
+    let mut sitting = with_scores("players.csv", &format!("player,level,time,medal,mark\n{rows}"));
     sitting.click("Player");
     // The players in view, by their numbers, and the focus.
     let shown = |sitting: &Sitting| {
@@ -156,7 +156,7 @@ fn a_window_that_is_closed_while_another_game_writes_loses_no_attempt() {
 
 #[test]
 fn a_damaged_file_of_players_is_told_kept_aside_and_costs_nobody_anything() {
-    let damaged = "player,level,time\nann,1,7.5\nann,2,fast\nbob,,\n";
+    let damaged = "player,level,time,medal,mark\nann,1,7.5\nann,2,fast\nbob,,\n";
     let mut sitting = with_scores("players.csv", damaged);
     assert_eq!(sitting.app.player().as_str(), "ann");
     assert!(sitting.rest().shows("players.csv:3: column \"time\""));

@@ -108,8 +108,8 @@ pub fn fly_again(level: &Arc<Level>, options: &Options) -> Result<(), String> {
 
 /// What differs between a record and the flight by its keys now, in words.
 fn changes(before: &Replay, after: &Replay) -> String {
-    let outcome = |replay: &Replay| replay.outcome.map_or("unknown", Outcome::name);
-    let time = |replay: &Replay| replay.time.map_or_else(|| "unknown".to_owned(), |time| format!("{time:.3} s"));
+    let outcome = |replay: &Replay| replay.outcome.name();
+    let time = |replay: &Replay| format!("{:.3} s", replay.time);
     let figures = [
         ("outcome", outcome(before).to_owned(), outcome(after).to_owned()),
         ("time", time(before), time(after)),
