@@ -3,9 +3,8 @@
 use super::project::Project;
 use super::stop::{CommandError, Readers, Silence, Status, TICKS_A_LOOK, shown};
 use crate::classics::jumper::scene::LEADERBOARD;
-use crate::game::level_hash;
 use crate::level;
-use crate::scores::{Board, Doubt, Judge, LoadedBoard, Scores, Standing};
+use crate::scores::{LoadedBoard, Name, Scores, Standing, judge};
 use std::io::{self, Write};
 use std::sync::Arc;
 
@@ -36,14 +35,8 @@ pub fn run(project: &Project, out: &mut dyn Write) -> Result<Status, CommandErro
 
 /// The answer says whether all rows hold.
 fn judge_board(project: &Project, scores: &Scores, name: &str, (out, err): Outputs<'_>) -> Result<bool, CommandError> {
-    let level = level::load(&project.levels().join(name), project.root());
-    let level = level.map_err(|problems| problems.first().map(ToString::to_string).unwrap_or_default());
     let shown_name = shown(name);
-    let loaded = match &level {
-        Ok(loaded) => scores.load_version(name, level_hash(&loaded.level)),
-        Err(_) => scores.load(name).map(|loaded| (loaded, 0)),
-    };
-    let (LoadedBoard { board, damage }, others) = match loaded {
+    let LoadedBoard { board, damage } = match scores.load(name) {
         Ok(loaded) => loaded,
         Err(error) => {
             writeln!(err, "{shown_name}: {}", shown(error))?;
@@ -53,64 +46,41 @@ fn judge_board(project: &Project, scores: &Scores, name: &str, (out, err): Outpu
     for damage in &damage {
         writeln!(err, "{}", shown(damage))?;
     }
-    let standings: Vec<Standing> = match level {
-        Ok(loaded) => {
-            let mut judge = Judge::new(scores.clone(), Arc::new(loaded.level), &board);
-            judge_all(&mut judge, &board, &shown_name, err)?;
-            board.rows().iter().filter_map(|row| judge.standing(&row.name).cloned()).collect()
+    let level = level::load(&project.levels().join(name), project.root());
+    let level = level
+        .map(|loaded| Arc::new(loaded.level))
+        .map_err(|problems| problems.first().map(ToString::to_string).unwrap_or_default());
+    let (mut silence, mut ticks) = (Silence::new(), 0_u64);
+    let standings = judge(scores, name, level, &board, |row| {
+        ticks += 1;
+        if ticks.is_multiple_of(TICKS_A_LOOK) && silence.is_over() {
+            // A closed standard error does not stop the judgement.
+            let _ = writeln!(err, "{shown_name}: {row} of {} rows judged, {ticks} ticks flown", board.rows().len());
         }
-        Err(problem) => {
-            let standing =
-                |row| board.origin(row).flight.map_or(Standing::Unproven, |_| Standing::Doubtful(Doubt::Level(problem.clone())));
-            (0..board.rows().len()).map(standing).collect()
-        }
-    };
-    let holds = report(&board, &standings, &shown_name, (&mut *out, &mut *err))?;
-    if others > 0 {
-        write!(out, "; {others} boards of other versions of the level aside")?;
-    }
-    writeln!(out)?;
-    Ok(holds && damage.is_empty())
-}
-
-/// The counts of a board's rows go to `out`, each row that fails to `err`. The answer says whether all rows hold.
-fn report(board: &Board, standings: &[Standing], name: &str, (out, err): Outputs<'_>) -> io::Result<bool> {
-    let (mut proven, mut unproven, mut doubtful) = (0, 0, 0);
-    for (index, (row, standing)) in board.rows().iter().zip(standings).enumerate() {
+    });
+    let (mut proven, mut unproven, mut copies, mut doubtful) = (0, 0, 0, 0);
+    for (index, (row, standing)) in board.rows().iter().zip(&standings).enumerate() {
+        let place = format!("{shown_name}: rank {}, {}, {} points", index + 1, row.name, row.score);
         match standing {
             Standing::Proven => proven += 1,
             Standing::Unproven => unproven += 1,
+            Standing::Copies(others) => {
+                copies += 1;
+                let others: Vec<&str> = others.iter().map(Name::as_str).collect();
+                writeln!(err, "{place}: the same keys as the flight of {}", others.join(", "))?;
+            }
             Standing::Doubtful(doubt) => {
                 doubtful += 1;
-                let doubt = shown(doubt);
-                writeln!(err, "{name}: rank {}, {}, {} points: does not hold: {doubt}", index + 1, row.name, row.score)?;
+                writeln!(err, "{place}: does not hold: {}", shown(doubt))?;
             }
         }
     }
-    write!(out, "{name}: {proven} proven")?;
-    if unproven > 0 {
-        write!(out, ", {unproven} unproven")?;
-    }
-    if doubtful > 0 {
-        write!(out, ", {doubtful} not")?;
-    }
-    Ok(doubtful == 0)
-}
-
-/// Flies all flights of a board, and reports the progress from time to time.
-fn judge_all(judge: &mut Judge, board: &Board, name: &str, err: &mut dyn Write) -> Result<(), CommandError> {
-    let (mut silence, mut next) = (Silence::new(), 0);
-    loop {
-        while let Some(row) = judge.begin(board, next..board.rows().len()) {
-            next = row + 1;
-        }
-        if !judge.flies() {
-            return Ok(());
-        }
-        judge.fly(TICKS_A_LOOK);
-        if silence.is_over() {
-            let judged = board.rows().iter().filter(|row| judge.standing(&row.name).is_some()).count();
-            writeln!(err, "{name}: {judged} of {} rows judged, {} ticks flown", board.rows().len(), judge.ticks())?;
+    write!(out, "{shown_name}: {proven} proven")?;
+    for (count, word) in [(unproven, "unproven"), (copies, "with the keys of another"), (doubtful, "not")] {
+        if count > 0 {
+            write!(out, ", {count} {word}")?;
         }
     }
+    writeln!(out)?;
+    Ok(copies == 0 && doubtful == 0 && damage.is_empty())
 }

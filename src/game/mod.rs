@@ -49,7 +49,6 @@ pub use mechanisms::Mechanisms;
 pub use medals::{Goal, Medal, Medals, Prize, goals, words};
 pub use names::{body_title, obstacle_name, plain_name, source_name};
 pub use notes::MOST_SECONDS;
-pub use proof::Proof;
 pub use pushes::APART;
 pub use replay::{Mismatch, PROGRAM, Recorder, Replay};
 pub use score::{RunResult, ScoreParts};

@@ -1,12 +1,13 @@
 //! The order of a leaderboard, without files.
 
 use std::cmp::Reverse;
-use std::collections::BTreeMap;
 
 use super::error::ScoresError;
 use super::name::Name;
-use super::origin::RowOrigin;
-use crate::game::LevelHash;
+
+/// Columns, in the order in which a save adds them: of the flight, its time (s) and its file.
+const TIME: &str = "time";
+const FLIGHT: &str = "flight";
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BoardRow {
@@ -68,9 +69,19 @@ impl Board {
         &self.more_columns
     }
 
-    pub fn origin(&self, row: usize) -> RowOrigin {
-        let cell = |column: &str| Some(self.rows.get(row)?.more.get(self.column(column)?)?.trim()).filter(|cell| !cell.is_empty());
-        RowOrigin::of(cell)
+    /// The time of the row's flight as the row says it, s.
+    pub fn time(&self, row: usize) -> Option<f64> {
+        let time = self.cell(row, TIME)?.replace(',', ".").parse().ok()?;
+        Some(time).filter(|time: &f64| time.is_finite() && *time >= 0.0)
+    }
+
+    /// The file of the row's flight, in the level's folder of flights.
+    pub fn flight(&self, row: usize) -> Option<&str> {
+        self.cell(row, FLIGHT)
+    }
+
+    fn cell(&self, row: usize, column: &str) -> Option<&str> {
+        Some(self.rows.get(row)?.more.get(self.column(column)?)?.trim()).filter(|cell| !cell.is_empty())
     }
 
     /// The index among the columns behind `name` and `score`.
@@ -78,14 +89,11 @@ impl Board {
         self.more_columns.iter().position(|column| column.trim().eq_ignore_ascii_case(name))
     }
 
-    /// Writes the origin of a user's row into columns of its own, behind all others.
-    pub(super) fn set_origin(&mut self, name: &Name, origin: &RowOrigin) {
-        self.set_cells(name, &origin.cells().map(|(column, cell)| (column.to_owned(), cell)));
-    }
-
-    fn set_cells(&mut self, name: &Name, cells: &[(String, String)]) {
+    /// Writes the time (s) and the file of a user's flight into columns of their own, behind all others; empty cells for a row without one.
+    pub(super) fn set_flight(&mut self, name: &Name, flight: Option<(f64, String)>) {
         let Some(index) = self.rows.iter().position(|row| row.name == *name) else { return };
-        for (column, cell) in cells {
+        let (time, file) = flight.map(|(time, file)| (format!("{time:.3}"), file)).unwrap_or_default();
+        for (column, cell) in [(TIME, time), (FLIGHT, file)] {
             if cell.is_empty() && self.column(column).is_none() {
                 continue;
             }
@@ -93,43 +101,12 @@ impl Board {
                 // Cells behind the last named column belong to the author of the file.
                 let widest = self.rows.iter().map(|row| row.more.len()).max().unwrap_or(0);
                 self.more_columns.resize(self.more_columns.len().max(widest), String::new());
-                self.more_columns.push(column.clone());
+                self.more_columns.push(column.to_owned());
                 self.more_columns.len() - 1
             });
             let more = &mut self.rows[index].more;
             more.resize(more.len().max(at + 1), String::new());
-            more[at].clone_from(cell);
-        }
-    }
-
-    /// The further cells of a row by their columns' names; a cell without a name gets a number.
-    fn named_cells(&self, row: usize) -> Vec<(String, String)> {
-        let named = |(index, cell): (usize, &String)| {
-            let name = self.more_columns.get(index).filter(|name| !name.trim().is_empty());
-            (name.map_or_else(|| format!("column {}", index + 3), Clone::clone), cell.clone())
-        };
-        self.rows[row].more.iter().enumerate().map(named).collect()
-    }
-
-    /// Takes out the rows of other versions of the level. A row without a version stays.
-    pub(super) fn take_other_versions(&mut self, version: LevelHash) -> BTreeMap<LevelHash, Self> {
-        let other = |row| self.origin(row).version.filter(|&other| version != other);
-        let others: Vec<Option<LevelHash>> = (0..self.rows.len()).map(other).collect();
-        let mut taken: BTreeMap<LevelHash, Self> = BTreeMap::new();
-        for (row, other) in std::mem::take(&mut self.rows).into_iter().zip(others) {
-            let empty = || Self::new(self.more_columns.clone(), Vec::new());
-            other.map_or(&mut self.rows, |other| &mut taken.entry(other).or_insert_with(empty).rows).push(row);
-        }
-        taken
-    }
-
-    /// Adds the rows of another board that are their users' best.
-    pub(super) fn merge(&mut self, other: &Self) {
-        for (index, BoardRow { name, score, .. }) in other.rows.iter().enumerate() {
-            if let Ok(Placement::New { .. } | Placement::Raised { .. }) = self.place(name, *score) {
-                self.set_origin(name, &RowOrigin::default());
-                self.set_cells(name, &other.named_cells(index));
-            }
+            more[at] = cell;
         }
     }
 

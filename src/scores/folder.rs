@@ -1,5 +1,4 @@
-//! The folder of the scores files: a leaderboard a level with the flights of its rows, the boards of other versions, the players'
-//! records, and a line an attempt.
+//! The folder of the scores files: a leaderboard a level with the flights of its rows, the players' records, and a line an attempt.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -9,18 +8,17 @@ use super::board::{Board, Placement};
 use super::disk::{self, Rescue, ScoresChange};
 use super::error::ScoresError;
 use super::name::Name;
-use super::origin::RowOrigin;
 use super::players::{self, Deed, Players};
 use super::table;
 use crate::files::{self, PATIENCE};
-use crate::game::{LevelHash, Replay};
+use crate::game::Replay;
+use crate::words::tr;
 
 const PLAYERS: &str = "players.csv";
 const ATTEMPTS: &str = "attempts.csv";
 /// Each level has a folder in it.
 const FLIGHTS: &str = "flights";
-/// For boards of other versions of the levels.
-const ASIDE: &str = "aside";
+const ENDING: &str = ".replay.csv";
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Scores {
@@ -40,8 +38,6 @@ pub struct Score<'a> {
     pub points: i64,
     /// The proof of the row.
     pub flight: Option<&'a Replay>,
-    /// The level's version, where it holds more than the flight's hash.
-    pub version: Option<LevelHash>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -67,66 +63,53 @@ impl Scores {
         Ok(LoadedBoard { board, damage })
     }
 
-    /// As [`Scores::load`], for one version of the level: without the rows of other versions, with the kept rows of this one. The
-    /// number counts the other versions with a board.
-    pub fn load_version(&self, level: &str, version: LevelHash) -> Result<(LoadedBoard, usize), ScoresError> {
-        let mut loaded = self.load(level)?;
-        let mut others = self.versions_aside(level);
-        others.extend(loaded.board.take_other_versions(version).into_keys());
-        others.retain(|&other| version != other);
-        others.sort_unstable();
-        others.dedup();
-        self.fetch_back(&mut loaded.board, level, version)?;
-        Ok((loaded, others.len()))
-    }
-
     /// Saves a score; the file is on disk, whole, when this returns. It waits up to [`PATIENCE`] for another process. A damaged
     /// file is kept as `<level>.csv.damaged-N`.
     /// Errors: a score below 1; a level name that cannot name a file; a read-only file; a board that is too large; a lock that
     /// another process keeps ([`ScoresError::Busy`]: a later try may succeed); the system's. The old file is untouched then.
     pub fn save(&self, level: &str, name: &Name, score: i64) -> Result<Saved, ScoresError> {
-        self.save_within(PATIENCE, level, Score { name, points: score, flight: None, version: None })
+        self.save_within(PATIENCE, level, Score { name, points: score, flight: None })
     }
 
-    /// As [`Scores::save`], with a flight, which is on disk before the row that names it; without patience it returns at once. Rows
-    /// of other versions of the level than the flight's move to boards of their own.
+    /// As [`Scores::save`], with a flight, which is on disk before the row that names it; without patience it returns at once.
     pub fn save_within(&self, patience: Duration, level: &str, score: Score<'_>) -> Result<Saved, ScoresError> {
         let path = self.path(level)?;
-        let Score { name, points, flight, version } = score;
-        let version = version.or_else(|| Some(flight?.level_hash));
+        let Score { name, points, flight } = score;
         if points < 1 {
             return Err(ScoresError::NoScore);
         }
         let ((board, placement), rescue) = disk::update(&self.folder, path, patience, |path, old| {
             let (mut board, damage) = table::read(path, old);
-            if let Some(version) = version {
-                self.put_aside(&mut board, level, version, patience)?;
-                self.fetch_back(&mut board, level, version)?;
-            }
             let placement = board.place(name, points)?;
             if !matches!(placement, Placement::Kept { .. }) {
-                let origin = flight.map(|flight| RowOrigin::of_flight(name.as_str(), flight)).unwrap_or_default();
-                if let (Some(file), Some(flight)) = (&origin.flight, flight) {
-                    let flight = Replay { player: Some(name.to_string()), ..flight.clone() };
-                    disk::write_within(&self.folder, &[FLIGHTS, level], file, flight.to_string().as_bytes())?;
-                }
-                board.set_origin(name, &origin);
+                let kept = flight.map(|flight| {
+                    let file = format!("{name}-{}-{:016x}{ENDING}", flight.score, flight.hash);
+                    let record = Replay { player: Some(name.to_string()), ..flight.clone() }.to_string();
+                    disk::write_within(&self.folder, &[FLIGHTS, level], &file, record.as_bytes())?;
+                    Ok((flight.time, file))
+                });
+                board.set_flight(name, kept.transpose()?);
             }
             Ok(ScoresChange { bytes: table::write(&board), damage, taken_up: Vec::new(), outcome: (board, placement) })
         })?;
         Ok(Saved { board, placement, rescue })
     }
 
-    /// `None` where the row names no flight; the error is the fault of its name or file.
-    pub fn flight(&self, level: &str, origin: &RowOrigin) -> Option<Result<Replay, String>> {
-        let read = |file: &str| {
-            self.path(level).map_err(|error| error.to_string())?;
-            let path = self.folder.join(FLIGHTS).join(level).join(file);
-            let named = path.display().to_string();
-            let text = files::read_text(&path, files::INPUTS).map_err(|error| format!("{named}: {error}"))?;
-            Replay::parse(&named, &text).map_err(|problems| problems.to_string())
-        };
-        Some(origin.file()?.and_then(read))
+    /// The record of a row's flight, by the file that the row names: a plain name, which leads into no other folder. The error is the
+    /// fault of its name or file.
+    pub fn flight(&self, level: &str, file: &str) -> Result<Replay, String> {
+        let plain = file.ends_with(ENDING)
+            && !file.starts_with('.')
+            && file.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.'));
+        if !plain {
+            let (name, example) = (format_args!("{file:?}"), format!("ann-17342-0123456789abcdef{ENDING}"));
+            return Err(tr!("found the flight {name}, expected a file's name such as {example}", name, example));
+        }
+        self.path(level).map_err(|error| error.to_string())?;
+        let path = self.folder.join(FLIGHTS).join(level).join(file);
+        let named = path.display().to_string();
+        let text = files::read_text(&path, files::INPUTS).map_err(|error| format!("{named}: {error}"))?;
+        Replay::parse(&named, &text).map_err(|problems| problems.to_string())
     }
 
     /// The names of all leaderboards' files: levels and other games.
@@ -136,39 +119,6 @@ impl Scores {
         let mut boards: Vec<String> = names.filter_map(board).filter(|level| self.path(level).is_ok()).collect();
         boards.sort_unstable();
         boards
-    }
-
-    fn aside(&self, level: &str, version: LevelHash) -> PathBuf {
-        self.folder.join(ASIDE).join(format!("{level}.{version}.csv"))
-    }
-
-    fn versions_aside(&self, level: &str) -> Vec<LevelHash> {
-        let names = files::text_names(&self.folder.join(ASIDE)).into_iter();
-        let version = |name: String| name.strip_prefix(level)?.strip_prefix('.')?.strip_suffix(".csv")?.parse().ok();
-        names.filter_map(version).collect()
-    }
-
-    /// Moves rows of other versions to their boards. They are on disk there before they leave this one.
-    fn put_aside(&self, board: &mut Board, level: &str, version: LevelHash, patience: Duration) -> Result<(), ScoresError> {
-        for (other, rows) in board.take_other_versions(version) {
-            let folder = self.folder.join(ASIDE);
-            files::make_shared_folder(&folder).map_err(ScoresError::file("create the folder", &folder))?;
-            disk::update(&folder, self.aside(level, other), patience, |path, old| {
-                let (mut aside, damage) = table::read(path, old);
-                aside.merge(&rows);
-                Ok(ScoresChange { bytes: table::write(&aside), damage, taken_up: Vec::new(), outcome: () })
-            })?;
-        }
-        Ok(())
-    }
-
-    /// Returns the rows that were kept aside while the level was another version.
-    fn fetch_back(&self, board: &mut Board, level: &str, version: LevelHash) -> Result<(), ScoresError> {
-        let path = self.aside(level, version);
-        if let Some(bytes) = disk::read_if_there(&path)? {
-            board.merge(&table::read(&path, &bytes).0);
-        }
-        Ok(())
     }
 
     /// The players, and the unreadable places. Without a file there are no players.

@@ -1,147 +1,158 @@
-//! Judges the rows of a board: at sight where that is enough, else by flights in turn, so that no long one delays the others.
+//! Whether the rows of a leaderboard are earned: each flight is flown again in the level as it is and has to come to the row's score.
+//! Checks without a flight come first.
 
-use super::board::Board;
-use super::earned::{Claim, Doubt, Standing, at_sight};
+use super::board::{Board, BoardRow};
 use super::folder::Scores;
 use super::name::Name;
-use crate::game::Medals;
+use crate::game::{Inputs, MOST_SECONDS, Mismatch, Outcome, PROGRAM, Replay, ScoreParts, TICK_RATE, level_hash};
 use crate::level::Level;
-use std::collections::{HashMap, VecDeque};
+use std::collections::HashMap;
+use std::fmt;
 use std::sync::Arc;
 
-/// Flights at once.
-pub const IN_TURN: usize = 10;
-/// Ticks of a flight until the next one's turn.
-pub const TURN: u64 = 30;
+/// Ticks: an hour, in which a record has a hash for each second.
+const LONGEST: u64 = MOST_SECONDS as u64 * TICK_RATE as u64;
 
-#[derive(Debug, Default)]
-struct Judged {
-    /// `None` until it is known.
-    standing: Option<Standing>,
-    /// The record's, s.
-    time: Option<f64>,
-    /// None before the proof.
-    medals: Medals,
-    flies: bool,
+#[derive(Clone, Debug, PartialEq)]
+pub enum Standing {
+    Proven,
+    /// Without a flight: written by hand.
+    Unproven,
+    /// The flight holds, and its keys are those of these rows' flights: nothing tells who flew it.
+    Copies(Vec<Name>),
+    Doubtful(Doubt),
 }
 
-#[derive(Debug)]
-pub struct Judge {
-    scores: Scores,
-    level: Arc<Level>,
-    rows: HashMap<Name, Judged>,
-    /// By the hash of a flight's last state.
-    ends: HashMap<u64, Name>,
-    air: VecDeque<(Name, Box<Claim>)>,
-    ticks: u64,
+#[derive(Clone, Debug, PartialEq)]
+pub enum Doubt {
+    /// Score, most by the rules, and the record's time (s) where it has been read.
+    TooMuch(i64, i64, Option<f64>),
+    /// The record has another player's name, or none.
+    Player(Option<String>),
+    /// The flight's file has this fault.
+    Unreadable(String),
+    /// The row's score, then the flight's.
+    Score(i64, i64),
+    /// The flight ends so.
+    Unfinished(Outcome),
+    /// Not the game's tick rate, Hz.
+    Rate(f64),
+    /// Ticks.
+    TooLong(u64),
+    /// Hashes in the record, one a whole second, and the expected number.
+    Seconds(usize, usize),
+    /// With the record's program, if it is another one.
+    Flown(Mismatch, Option<String>),
+    /// The level does not load, for this reason.
+    Level(String),
 }
 
-impl Judge {
-    /// Judges at sight. The flights follow with [`Judge::begin`] and [`Judge::fly`].
-    pub fn new(scores: Scores, level: Arc<Level>, board: &Board) -> Self {
-        let (mut rows, mut files) = (HashMap::new(), HashMap::new());
-        for (index, row) in board.rows().iter().enumerate() {
-            let origin = board.origin(index);
-            let mut standing = at_sight(row, &origin, &level);
-            if let (None, Some(file)) = (&standing, origin.flight) {
-                let first = files.entry(file).or_insert_with(|| row.name.clone());
-                standing = (*first != row.name).then(|| Standing::Doubtful(Doubt::Twice(first.clone())));
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooMuch(score, most, None) => write!(f, "{score} points are more than the {most} that the rules allow"),
+            Self::TooMuch(score, most, Some(time)) => {
+                write!(f, "{score} points are more than the {most} that the rules allow in {time} s")
             }
-            rows.insert(row.name.clone(), Judged { standing, ..Judged::default() });
-        }
-        Self { scores, level, rows, ends: HashMap::new(), air: VecDeque::new(), ticks: 0 }
-    }
-
-    /// `None` until it is known.
-    pub fn standing(&self, name: &Name) -> Option<&Standing> {
-        self.rows.get(name)?.standing.as_ref()
-    }
-
-    pub fn fails(&self, name: &Name) -> bool {
-        matches!(self.standing(name), Some(Standing::Doubtful(_)))
-    }
-
-    /// The time in the row's record, s, unless the row fails.
-    pub fn time(&self, name: &Name) -> Option<f64> {
-        self.rows.get(name)?.time.filter(|_| !self.fails(name))
-    }
-
-    /// None before the proof.
-    pub fn medals(&self, name: &Name) -> Medals {
-        self.rows.get(name).map(|row| row.medals).unwrap_or_default()
-    }
-
-    pub const fn ticks(&self) -> u64 {
-        self.ticks
-    }
-
-    pub fn flies(&self) -> bool {
-        !self.air.is_empty()
-    }
-
-    /// Reads the flight of the first of these rows that is neither judged nor in flight, if fewer than [`IN_TURN`] are; the answer
-    /// is that row.
-    pub fn begin(&mut self, board: &Board, rows: impl IntoIterator<Item = usize>) -> Option<usize> {
-        if self.air.len() >= IN_TURN {
-            return None;
-        }
-        let open = |name: &Name| self.rows.get(name).is_some_and(|row| row.standing.is_none() && !row.flies);
-        let index = rows.into_iter().find(|&row| open(&board.rows()[row].name))?;
-        let (row, origin) = (&board.rows()[index], board.origin(index));
-        let flight = self.scores.flight(&self.level.name, &origin).unwrap_or(Err(Doubt::Emptied.to_string()));
-        let (end, time) = flight.as_ref().map(|flight| (flight.hash, Some(flight.time))).unwrap_or_default();
-        let claim = flight.map_err(Doubt::Unreadable).and_then(|flight| Claim::new(row, &origin, flight, self.level.clone()));
-        if let Some(judged) = self.rows.get_mut(&row.name) {
-            (judged.time, judged.flies) = (time, true);
-        }
-        match claim.and_then(|claim| self.is_the_only_one(board, &row.name, end).map(|()| claim)) {
-            Ok(claim) => self.air.push_back((row.name.clone(), Box::new(claim))),
-            Err(doubt) => self.conclude(&row.name, Err(doubt)),
-        }
-        Some(index)
-    }
-
-    /// Flies `ticks` ticks in all, the flights in turn.
-    pub fn fly(&mut self, mut ticks: u64) {
-        while ticks > 0 {
-            let Some((name, mut claim)) = self.air.pop_front() else { return };
-            let turn = TURN.min(ticks);
-            let verdict = (0..turn).find_map(|_| {
-                (ticks, self.ticks) = (ticks - 1, self.ticks + 1);
-                claim.step()
-            });
-            match verdict {
-                Some(verdict) => self.conclude(&name, verdict),
-                // An older row turned out to have the same flight.
-                None if self.fails(&name) => {}
-                None => self.air.push_back((name, claim)),
+            Self::Player(Some(player)) => write!(f, "its flight was saved by {player}"),
+            Self::Player(None) => f.write_str("its flight names no player"),
+            Self::Unreadable(problem) => f.write_str(problem),
+            Self::Score(row, flight) => write!(f, "the row says {row} points, its flight {flight}"),
+            Self::Unfinished(outcome) => write!(f, "its flight is {}, not completed", outcome.name()),
+            Self::Rate(rate) => write!(f, "it was flown at {rate} ticks a second, expected {TICK_RATE}"),
+            Self::TooLong(ticks) => write!(f, "its flight has {ticks} ticks, expected at most {LONGEST}, which is an hour"),
+            Self::Seconds(found, expected) => write!(f, "its flight has the hashes of {found} seconds, expected {expected}"),
+            Self::Flown(mismatch, program) => {
+                write!(f, "{mismatch}")?;
+                program.as_ref().map_or(Ok(()), |program| write!(f, "; recorded by {program}, this is {PROGRAM}"))
             }
+            Self::Level(problem) => write!(f, "the level cannot be flown: {problem}"),
         }
     }
+}
 
-    fn conclude(&mut self, name: &Name, verdict: Result<Medals, Doubt>) {
-        let Some(row) = self.rows.get_mut(name).filter(|row| row.standing.is_none()) else { return };
-        match verdict {
-            Ok(medals) => (row.standing, row.medals) = (Some(Standing::Proven), medals),
-            Err(doubt) => row.standing = Some(Standing::Doubtful(doubt)),
+/// How each row of a level's board stands; the error says why the level does not load. `watch` is called after each tick, with the
+/// row's index.
+pub fn judge(
+    scores: &Scores,
+    name: &str,
+    level: Result<Arc<Level>, String>,
+    board: &Board,
+    mut watch: impl FnMut(usize),
+) -> Vec<Standing> {
+    let mut flights: HashMap<String, Vec<usize>> = HashMap::new();
+    let mut standings = Vec::new();
+    for (index, row) in board.rows().iter().enumerate() {
+        let proven = board.flight(index).map(|file| {
+            let level = level.clone().map_err(Doubt::Level)?;
+            let flight = scores.flight(name, file).map_err(Doubt::Unreadable)?;
+            prove(row, &flight, level, || watch(index))?;
+            Ok(flight.inputs)
+        });
+        standings.push(match proven {
+            None => too_much(row, &level).map_or(Standing::Unproven, Standing::Doubtful),
+            Some(Err(doubt)) => Standing::Doubtful(doubt),
+            Some(Ok(inputs)) => {
+                flights.entry(from_first_key(&inputs)).or_default().push(index);
+                Standing::Proven
+            }
+        });
+    }
+    for rows in flights.into_values().filter(|rows| rows.len() > 1) {
+        for &row in &rows {
+            let others = rows.iter().filter(|other| **other != row).map(|other| board.rows()[*other].name.clone());
+            standings[row] = Standing::Copies(others.collect());
         }
     }
+    standings
+}
 
-    /// Refuses the second of two rows whose flights end alike: the older row, which stands ahead, may keep the flight.
-    fn is_the_only_one(&mut self, board: &Board, name: &Name, end: u64) -> Result<(), Doubt> {
-        match self.ends.insert(end, name.clone()) {
-            Some(other) if self.fails(&other) => Ok(()),
-            Some(other) if board.rank(&other) < board.rank(name) => {
-                self.ends.insert(end, other.clone());
-                Err(Doubt::Twice(other))
-            }
-            Some(other) => {
-                if let Some(row) = self.rows.get_mut(&other) {
-                    (row.standing, row.medals) = (Some(Standing::Doubtful(Doubt::Twice(name.clone()))), Medals::default());
-                }
-                Ok(())
-            }
-            None => Ok(()),
-        }
+/// The keys of a flight as text, however its rows are parted and however long it waited for the first one.
+fn from_first_key(inputs: &Inputs) -> String {
+    let mut keys = Inputs::default();
+    inputs.after(inputs.idle().unwrap_or(0)).for_each(|controls| keys.record(controls));
+    keys.to_string()
+}
+
+fn too_much(row: &BoardRow, level: &Result<Arc<Level>, String>) -> Option<Doubt> {
+    let most = ScoreParts::most(0.0, level.as_ref().ok()?.optimal_time);
+    (row.score > most).then_some(Doubt::TooMuch(row.score, most, None))
+}
+
+/// A forged flight costs no more ticks than its honest part: the first second that departs ends the judgement.
+fn prove(row: &BoardRow, flight: &Replay, level: Arc<Level>, mut watch: impl FnMut()) -> Result<(), Doubt> {
+    let program = || Some(flight.program.clone()).filter(|program| program != PROGRAM);
+    let (flown_in, here) = (flight.level_hash, level_hash(&level));
+    if flown_in != here {
+        return Err(Doubt::Flown(Mismatch::Level(flown_in, here), program()));
     }
+    if flight.tick_rate != TICK_RATE {
+        return Err(Doubt::Rate(flight.tick_rate));
+    }
+    if flight.player.as_deref() != Some(row.name.as_str()) {
+        return Err(Doubt::Player(flight.player.clone()));
+    }
+    if flight.score != row.score {
+        return Err(Doubt::Score(row.score, flight.score));
+    }
+    if flight.outcome != Outcome::Completed {
+        return Err(Doubt::Unfinished(flight.outcome));
+    }
+    let most = ScoreParts::most(flight.time, level.optimal_time);
+    if row.score > most {
+        return Err(Doubt::TooMuch(row.score, most, Some(flight.time)));
+    }
+    if let Some(mismatch) = flight.runs_on() {
+        return Err(Doubt::Flown(mismatch, program()));
+    }
+    let ticks = flight.inputs.ticks();
+    if ticks > LONGEST {
+        return Err(Doubt::TooLong(ticks));
+    }
+    let seconds = (ticks as f64 / TICK_RATE) as usize;
+    if flight.seconds.len() != seconds {
+        return Err(Doubt::Seconds(flight.seconds.len(), seconds));
+    }
+    let flown = flight.verify(level, |_| watch()).map_err(|error| Doubt::Level(error.to_string()))?;
+    flown.map_err(|mismatch| Doubt::Flown(mismatch, program()))
 }

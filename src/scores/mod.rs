@@ -1,15 +1,13 @@
 //! User names, leaderboards, players' records, and their files. [`Name`] has the rules of a name, [`Board`] the order of rows,
-//! [`Judge`] their proof, [`Players`] the levels done. Only `disk` reads, locks and replaces files.
+//! [`judge`] their proof, [`Players`] the levels done. Only `disk` reads, locks and replaces files.
 
 mod attempts;
 mod board;
 mod disk;
-mod earned;
 mod error;
 mod folder;
 mod judge;
 mod name;
-mod origin;
 mod players;
 mod results;
 pub mod table;
@@ -19,12 +17,10 @@ pub use crate::files::PATIENCE;
 pub use attempts::AttemptRow;
 pub use board::{Board, BoardRow, Placement};
 pub use disk::Rescue;
-pub use earned::{Doubt, Standing};
 pub use error::ScoresError;
 pub use folder::{LoadedBoard, Saved, Score, Scores};
-pub use judge::{IN_TURN, Judge, TURN};
+pub use judge::{Doubt, Standing, judge};
 pub use name::{NAME_MAX, NAME_TYPING_MAX, Name, NameError};
-pub use origin::RowOrigin;
 pub(crate) use players::harmless;
 pub use players::{Deed, PlayerRecord, Players};
 pub use results::{ResultRow, Results};

@@ -4,11 +4,11 @@ use super::Attempt;
 use super::journal::{damage_text, rescue_text};
 use super::leaderboard::subject;
 use super::{
-    App, Classic, Closing, Flown, Fresh, Gain, Leaderboard, Onward, Prover, Purpose, Request, SaveScore, Scoring, Screen, Visit,
-    footage, jumper,
+    App, Classic, Closing, Flown, Fresh, Gain, Leaderboard, Onward, Purpose, Request, SaveScore, Scoring, Screen, Visit, footage,
+    jumper,
 };
 use crate::classics::jumper::scene::LEADERBOARD;
-use crate::game::{RunResult, level_hash};
+use crate::game::RunResult;
 use crate::scores::{LoadedBoard, Name, PATIENCE, Placement, Saved, Score, ScoresError};
 use crate::words::tr;
 use std::rc::Rc;
@@ -79,8 +79,7 @@ impl App {
     fn save(&mut self, waiting: WaitingScore) -> Result<Box<dyn Screen>, String> {
         let WaitingScore { gain, name, since } = waiting;
         let flight = gain.flown.as_ref().map(|flown| &flown.replay);
-        let version = gain.flown.as_ref().map(|flown| level_hash(&flown.level));
-        let score = Score { name: &name, points: gain.points, flight, version };
+        let score = Score { name: &name, points: gain.points, flight };
         let Saved { board, placement, rescue } = match self.scores.save_within(Duration::ZERO, &gain.board, score) {
             Ok(saved) => saved,
             Err(ScoresError::Busy(_)) if since < PATIENCE.as_secs_f64() => {
@@ -99,54 +98,53 @@ impl App {
         }
         self.unsaved_score = None;
         let fresh = Fresh { name, remark };
-        Ok(self.judged(&gain.board, Leaderboard::new(gain.subject, board, Some(fresh), damage, gain.onward)))
+        Ok(self.with_rivals(&gain.board, Leaderboard::new(gain.subject, board, Some(fresh), damage, gain.onward)))
     }
 
-    /// A board with a judge of its rows and the level's own flights, where the level loads.
-    fn judged(&self, name: &str, screen: Leaderboard) -> Box<dyn Screen> {
-        let Ok(level) = self.library.load(name) else { return Box::new(screen) };
-        let rivals = footage::rivals(&self.library.folder(name), &level);
-        let prover = Prover::new(self.scores.clone(), level, screen.board());
-        Box::new(screen.with_prover(prover).with_rivals(rivals))
+    /// A level's board with the level's own flights, where the level loads.
+    fn with_rivals(&self, name: &str, screen: Leaderboard) -> Box<dyn Screen> {
+        if name == LEADERBOARD {
+            return Box::new(screen);
+        }
+        let level = self.library.load(name).ok();
+        let rivals = level.map(|level| footage::rivals(&self.library.folder(name), &level)).unwrap_or_default();
+        Box::new(screen.of_level(name, rivals))
     }
 
     pub(super) fn leaderboard(&mut self, name: &str) -> Box<dyn Screen> {
         if name == LEADERBOARD {
             let onward = vec![Onward { label: "Back", to: Request::Classic(Classic::Jumper) }];
-            let shown = self.scores.load(name).map(|loaded| (loaded, 0));
+            let shown = self.scores.load(name);
             return self.board(tr(jumper::SUBJECT).to_owned(), name, shown, onward);
         }
         self.last_level = Some(name.to_owned());
         let level = self.library.load(name).ok();
         let title = level.as_ref().map_or(name, |level| &level.title);
-        // Of a level that does not load nobody can say which version it is.
-        let shown = match &level {
-            Some(level) => self.scores.load_version(name, level_hash(level)),
-            None => self.scores.load(name).map(|loaded| (loaded, 0)),
-        };
+        let shown = self.scores.load(name);
         let back = Request::Leaderboard(name.to_owned());
-        let flights =
-            Onward { label: "Flights", to: Request::Flights(Visit { level: name.to_owned(), flown: None, back: Box::new(back) }) };
+        let flights = Onward {
+            label: "Flights",
+            to: Request::Flights(Visit { level: name.to_owned(), flown: None, chosen: None, back: Box::new(back) }),
+        };
         let back = Onward { label: "Back", to: Request::LevelSelect(Purpose::Leaderboard) };
-        let is_empty = shown.as_ref().is_ok_and(|(loaded, _)| loaded.board.rows().is_empty());
+        let is_empty = shown.as_ref().is_ok_and(|loaded| loaded.board.rows().is_empty());
         let play = (is_empty && level.is_some()).then(|| Onward { label: "Play", to: Request::Play(name.to_owned()) });
         let onward = play.into_iter().chain(level.iter().map(|_| flights.clone())).chain([back]).collect();
         self.board(subject(name, title), name, shown, onward)
     }
 
-    /// A board with its buttons, and how many other versions of the level have boards of their own; or the list of levels, where it cannot
-    /// be read.
+    /// A board with its buttons; or the list of levels, where it cannot be read.
     fn board(
         &mut self,
         subject: String,
         name: &str,
-        shown: Result<(LoadedBoard, usize), ScoresError>,
+        shown: Result<LoadedBoard, ScoresError>,
         onward: Vec<Onward>,
     ) -> Box<dyn Screen> {
         match shown {
-            Ok((LoadedBoard { board, damage }, others)) => {
+            Ok(LoadedBoard { board, damage }) => {
                 let damage = (!damage.is_empty()).then(|| damage_text(&damage));
-                self.judged(name, Leaderboard::new(subject, board, None, damage, onward).with_other_versions(others))
+                self.with_rivals(name, Leaderboard::new(subject, board, None, damage, onward))
             }
             Err(error) => {
                 let mut screen = self.level_select(Purpose::Leaderboard);

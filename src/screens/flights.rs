@@ -8,7 +8,6 @@ use crate::draw::Style;
 use crate::draw::layout::{Area, TEXT, Vec2};
 use crate::game::Replay;
 use crate::number::clock;
-use crate::scores::RowOrigin;
 use crate::settings::Action;
 use crate::ui::input::Stroke;
 use crate::ui::{Turning, Ui};
@@ -43,6 +42,8 @@ pub struct Visit {
     pub level: String,
     /// What was just flown there.
     pub flown: Option<Rc<Flown>>,
+    /// The file of the board's flight that is looked for.
+    pub chosen: Option<String>,
     /// Where Back leads.
     pub back: Box<Request>,
 }
@@ -54,8 +55,8 @@ pub enum FlightSource {
     Flown,
     /// In a file of the level.
     Level(PathBuf),
-    /// A row of the board leads to it.
-    Row(RowOrigin),
+    /// A row of the board names its file.
+    Row(String),
     /// A code that a player pasted.
     Code(String),
 }
@@ -96,7 +97,9 @@ impl Flights {
     /// The flights of a level, by its title.
     pub fn new(visit: Visit, subject: String, candidates: Vec<FlightCandidate>) -> Self {
         let read = vec![false; candidates.len()];
-        Self { visit, subject, read, candidates, marked: Vec::new(), chosen: 0, shown: 0..PAGE, message: None }
+        let wanted = |candidate: &FlightCandidate| matches!(&candidate.source, FlightSource::Row(file) if Some(file) == visit.chosen.as_ref());
+        let chosen = candidates.iter().position(wanted).unwrap_or(0);
+        Self { visit, subject, read, candidates, marked: Vec::new(), chosen, shown: 0..PAGE, message: None }
     }
 
     /// Reads the record of one flight in view that has not been read yet, for its time and score. A record that cannot be read says so

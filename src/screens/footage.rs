@@ -44,18 +44,15 @@ pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) ->
     let mut rows: Vec<FlightCandidate> = Vec::new();
     let mut best = None;
     for (index, row) in board.rows().iter().enumerate() {
-        let origin = board.origin(index);
-        if origin.flight.is_none() {
-            continue;
-        }
+        let Some(file) = board.flight(index) else { continue };
         let yours = row.name == *player;
         let about = if yours { tr!("your best, rank {rank}", rank = index + 1) } else { tr!("rank {rank}", rank = index + 1) };
         let candidate = FlightCandidate {
             name: row.name.to_string(),
             about,
             score: Some(row.score),
-            time: None,
-            source: FlightSource::Row(origin),
+            time: board.time(index),
+            source: FlightSource::Row(file.to_owned()),
         };
         if yours { best = Some(candidate) } else { rows.push(candidate) }
     }
@@ -110,9 +107,7 @@ pub fn read(visit: &Visit, source: &FlightSource, scores: &Scores) -> Result<Rep
             Replay::parse(&named, &text).map_err(|problems| problems.0.first().cloned().unwrap_or_default())?
         }
         FlightSource::Code(code) => Replay::from_code(code)?,
-        FlightSource::Row(origin) => {
-            scores.flight(&visit.level, origin).ok_or(tr("the row names no flight"))?.map_err(|problems| first_line(&problems))?
-        }
+        FlightSource::Row(file) => scores.flight(&visit.level, file).map_err(|problems| first_line(&problems))?,
     })
 }
 

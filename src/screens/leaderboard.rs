@@ -1,13 +1,12 @@
 //! The best of one level.
 
 use super::scroll::bar_beside;
-use super::{Key, Prover, Request, Screen};
+use super::{Key, Request, Screen, Visit};
 use crate::draw::layout::{Area, DETAILS, HEADING, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
-use crate::game::{Medal, Medals, Prize};
-use crate::level::Awards;
+use crate::game::{Medal, Prize};
 use crate::number::clock;
-use crate::scores::{Board, BoardRow, Name, RowOrigin, Standing};
+use crate::scores::{Board, Name};
 use crate::ui::{Turning, Ui};
 use crate::view::{medals, theme, widgets};
 use crate::words::tr;
@@ -25,12 +24,11 @@ const HEAD: f32 = 48.0;
 const TOP: f32 = 120.0;
 /// From the panel down to the buttons.
 const FOOT: f32 = 44.0;
-/// Where the columns stand, from the panel's left edge: rank (its right end), name, time and score (their right ends), the program and the
-/// version of the level, and whether it is proven (its middle).
-const COLUMNS: [f32; 6] = [80.0, 112.0, 484.0, 624.0, 652.0, 912.0];
-/// Where the medals stand, from the panel's left edge, and how large they are.
-const MEDALS: f32 = 316.0;
-const RADIUS: f32 = 12.0;
+/// Where the columns stand, from the panel's left edge: rank (its right end), name, what is said of a rival, time and score (their right ends).
+const COLUMNS: [f32; 5] = [80.0, 128.0, 356.0, 664.0, 880.0];
+/// Where the mark of a kept flight stands, and the half of its height.
+const MARK: f32 = 106.0;
+const MARK_SIZE: f32 = 8.0;
 /// The most digits of a score that stand in their column at the usual size.
 const DIGITS: usize = 11;
 
@@ -88,8 +86,8 @@ pub struct Leaderboard {
     lines: Vec<BoardLine>,
     /// The lines that were in view in the last frame.
     shown: Range<usize>,
-    /// Judges the rows; the jumper's board has no judge.
-    prover: Option<Prover>,
+    /// The level that it is of; `None` for the jumper.
+    level: Option<String>,
     /// The row that was just saved.
     saved: Option<Name>,
     /// What is wrong with the scores file.
@@ -105,38 +103,16 @@ impl Leaderboard {
     pub fn new(subject: String, board: Board, fresh: Option<Fresh>, damage: Option<String>, onward: Vec<Onward>) -> Self {
         let (saved, remark) = fresh.map(|fresh| (fresh.name, fresh.remark)).unzip();
         let (rivals, lines, shown, remark) = (Vec::new(), Vec::new(), 0..PAGE, remark.flatten());
-        let mut screen = Self { subject, board, rivals, lines, shown, prover: None, saved, damage, remark, onward };
+        let mut screen = Self { subject, board, rivals, lines, shown, level: None, saved, damage, remark, onward };
         screen.sort_in();
         screen
     }
 
-    /// The same with the level's own flights.
+    /// The same as a level's board, with the level's own flights.
     #[must_use]
-    pub fn with_rivals(mut self, mut rivals: Vec<BoardRival>) -> Self {
+    pub fn of_level(mut self, level: &str, mut rivals: Vec<BoardRival>) -> Self {
         rivals.sort_by_key(|rival| std::cmp::Reverse(rival.score));
-        self.rivals = rivals;
-        self.sort_in();
-        self
-    }
-
-    /// The same with a remark about other versions of the level that have boards of their own.
-    #[must_use]
-    pub fn with_other_versions(mut self, others: usize) -> Self {
-        if others > 0 {
-            let boards = if others == 1 {
-                "Of other versions of this level one board is kept in scores/aside."
-            } else {
-                "Of other versions of this level boards are kept in scores/aside."
-            };
-            self.remark = Some(tr(boards).to_owned());
-        }
-        self
-    }
-
-    /// The same with a judge of the rows.
-    #[must_use]
-    pub fn with_prover(mut self, prover: Prover) -> Self {
-        self.prover = Some(prover);
+        (self.level, self.rivals) = (Some(level.to_owned()), rivals);
         self.sort_in();
         self
     }
@@ -144,17 +120,6 @@ impl Leaderboard {
     /// All rows.
     pub fn board(&self) -> &Board {
         &self.board
-    }
-
-    /// How a row stands, as far as that is known.
-    pub fn standing(&self, row: usize) -> Option<&Standing> {
-        self.stands(self.board.rows().get(row)?)
-    }
-
-    /// The medals that the flight of a row has earned, once it is proven.
-    pub fn medals(&self, row: usize) -> Medals {
-        let medals = || Some(self.prover.as_ref()?.medals(&self.board.rows().get(row)?.name));
-        medals().unwrap_or_default()
     }
 
     /// Puts each rival behind the rows that are worth as much.
@@ -171,33 +136,9 @@ impl Leaderboard {
         self.lines.get(self.shown.clone()).unwrap_or_default()
     }
 
-    fn rows_in_view(&self) -> Vec<usize> {
-        self.in_view().iter().filter_map(|line| if let BoardLine::Row(row) = line { Some(*row) } else { None }).collect()
-    }
-
-    fn stands(&self, row: &BoardRow) -> Option<&Standing> {
-        self.prover.as_ref()?.standing(&row.name)
-    }
-
     /// The index of the row just saved.
     fn saved(&self) -> Option<usize> {
         self.board.rank(self.saved.as_ref()?).map(|rank| rank - 1)
-    }
-
-    /// What is wrong with the first row in view that does not hold.
-    fn doubt(&self) -> Option<String> {
-        self.rows_in_view().into_iter().map(|row| &self.board.rows()[row]).find_map(|row| match self.stands(row)? {
-            Standing::Doubtful(doubt) => Some(tr!("{name} does not hold: {doubt}.", name = row.name, doubt)),
-            Standing::Proven | Standing::Unproven => None,
-        })
-    }
-
-    /// Reads and flies a little of what proves the rows in view.
-    fn prove(&mut self, frame_time: f64) {
-        let view = self.rows_in_view();
-        if let Some(prover) = &mut self.prover {
-            prover.update(&self.board, view, frame_time);
-        }
     }
 
     fn show_lines(&mut self, ui: &mut Ui<'_>, panel: Area) {
@@ -223,15 +164,11 @@ impl Leaderboard {
                     let (rival, number) = (&self.rivals[number], quiet.mono().right());
                     let column = |i: usize| top + Vec2::new(COLUMNS[i], ROW / 2.0);
                     ui.text(tr(rival.name), column(1), quiet);
-                    ui.text(&rival.time.map_or("–".to_owned(), clock), column(2), number);
-                    ui.text(&rival.score.to_string(), column(3), number);
-                    ui.text(tr("level's own"), column(5), quiet.centred());
+                    ui.text(tr("level's own"), column(2), quiet);
+                    ui.text(&rival.time.map_or("–".to_owned(), clock), column(3), number);
+                    ui.text(&rival.score.to_string(), column(4), number);
                 }
             }
-        }
-        if let Some(doubt) = self.doubt() {
-            let at = Vec2::new(panel.centre().x, panel.max().y + 22.0);
-            widgets::fitted(ui.canvas(), &doubt, at, ui.frame().size.x - 300.0, &[TEXT, DETAILS], theme::bad());
         }
         if self.lines.len() > PAGE {
             let text =
@@ -245,11 +182,9 @@ impl Leaderboard {
         let quiet = Style::new(TEXT, theme::quiet()).middle();
         ui.text(tr("Rank"), column(0), quiet.right());
         ui.text(tr("Name"), column(1), quiet);
-        ui.text(tr("Score"), column(3), quiet.right());
-        if self.prover.is_some() {
-            ui.text(tr("Time"), column(2), quiet.right());
-            ui.text(tr("Version"), column(4), quiet);
-            ui.text(tr("Proven"), column(5), quiet.centred());
+        ui.text(tr("Score"), column(4), quiet.right());
+        if self.level.is_some() {
+            ui.text(tr("Time"), column(3), quiet.right());
         }
     }
 
@@ -265,30 +200,38 @@ impl Leaderboard {
         canvas.text(row.name.as_str(), column(1), style);
         let score = row.score.to_string();
         let size = if score.len() > DIGITS { DETAILS } else { TEXT };
-        canvas.text(&score, column(3), Style { size, ..style }.right());
-        let Some(prover) = &self.prover else { return };
-        let first = Vec2::new(area.min.x + MEDALS, area.centre().y);
-        medals::draw_earned(canvas, self.medals(index), &Awards::default(), first, RADIUS);
-        let standing = prover.standing(&row.name);
-        match (prover.time(&row.name), standing) {
-            (Some(time), _) => canvas.text(&clock(time), column(2), style.right()),
-            // A score that no flight has may be as wide as both columns.
-            (None, Some(Standing::Doubtful(_))) => {}
-            (None, _) => canvas.text("–", column(2), quiet.right()),
+        canvas.text(&score, column(4), Style { size, ..style }.right());
+        if self.board.flight(index).is_some() {
+            play_mark(canvas, Vec2::new(area.min.x + MARK, area.centre().y));
         }
-        canvas.text(&version(&self.board.origin(index)), column(4), Style { size: DETAILS, ..quiet }.mono());
-        match standing {
-            Some(Standing::Proven) => widgets::tick(canvas, column(5), 8.0, theme::good()),
-            Some(Standing::Doubtful(_)) => widgets::cross(canvas, column(5), 8.0, theme::bad()),
-            Some(Standing::Unproven) => canvas.text(tr("unproven"), column(5), quiet.centred()),
-            None => canvas.text("…", column(5), quiet.centred()),
+        match self.board.time(index) {
+            _ if self.level.is_none() => {}
+            Some(time) => canvas.text(&clock(time), column(3), style.right()),
+            None => canvas.text("–", column(3), quiet.right()),
         }
     }
+
+    /// A click on a row whose flight is kept leads to the flights of the level, where it can be watched and raced.
+    fn clicked(&self, ui: &Ui<'_>, panel: Area) -> Option<Request> {
+        let pointer = ui.input().pointer;
+        let within = ui.input().click && pointer.x > panel.min.x && pointer.x < panel.min.x + COLUMNS[4];
+        let line = (pointer.y - panel.min.y - HEAD) / ROW;
+        let line = (within && line >= 0.0).then(|| self.in_view().get(line as usize))?;
+        let BoardLine::Row(row) = *line? else { return None };
+        let (level, chosen) = (self.level.clone()?, self.board.flight(row)?.to_owned());
+        let back = Box::new(Request::Leaderboard(level.clone()));
+        Some(Request::Flights(Visit { level, flown: None, chosen: Some(chosen), back }))
+    }
+}
+
+/// The sign of a flight that can be played.
+fn play_mark(canvas: &Canvas, middle: Vec2) {
+    let corner = |x: f32, y: f32| middle + Vec2::new(x, y) * MARK_SIZE;
+    canvas.triangle([corner(-0.7, -1.0), corner(-0.7, 1.0), corner(1.0, 0.0)], theme::accent());
 }
 
 impl Screen for Leaderboard {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
-        self.prove(ui.input().worked());
         let size = ui.frame().size;
         let corner = Vec2::new((size.x - WIDTH) / 2.0, TOP + (size.y - 720.0) / 2.0);
         let panel = Area { min: corner, size: Vec2::new(WIDTH, HEAD + PAGE as f32 * ROW + 16.0) };
@@ -303,6 +246,9 @@ impl Screen for Leaderboard {
         self.show_lines(ui, panel);
         let labels: Vec<&str> = self.onward.iter().map(|next| next.label).collect();
         let pressed = ui.row(panel.max().y + FOOT, &labels);
+        if let Some(flights) = self.clicked(ui, panel) {
+            return Some(flights);
+        }
         if ui.key(Key::Escape) {
             return self.onward.last().map(|next| next.to.clone());
         }
@@ -327,14 +273,4 @@ fn show_empty(ui: &Ui<'_>, panel: Area) {
     ui.fitted(tr("No scores yet"), middle + Vec2::new(0.0, 32.0), &[HEADING], theme::text());
     let how = tr("Fly it and save your score: the first row is yours.");
     ui.fitted(how, middle + Vec2::new(0.0, 84.0), &[TEXT], theme::quiet());
-}
-
-/// The program with which a row was flown, and the first digits of the level's hash.
-fn version(origin: &RowOrigin) -> String {
-    let program = origin.program.as_deref().unwrap_or_default();
-    let number = program.rsplit(' ').next().unwrap_or_default();
-    let short: String = number.chars().take(8).collect();
-    let Some(version) = origin.version else { return short };
-    let digits: String = version.to_string().chars().take(4).collect();
-    format!("{short} · {digits}")
 }

@@ -189,7 +189,7 @@ impl LevelSelect {
         let LevelEntry { name, level, .. } = &self.entries[index];
         let back = Box::new(Request::LevelSelect(self.purpose));
         let loads = level.as_ref().is_some_and(Result::is_ok) && self.purpose != Purpose::Edit;
-        loads.then(|| Request::Flights(Visit { level: name.clone(), flown: None, back }))
+        loads.then(|| Request::Flights(Visit { level: name.clone(), flown: None, chosen: None, back }))
     }
 
     /// Esc: out of what was begun last.

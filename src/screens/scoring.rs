@@ -129,7 +129,7 @@ impl Scoring {
     }
 
     fn visit(&self, back: Request) -> Request {
-        Request::Flights(Visit { level: self.result.level.clone(), flown: self.flown.clone(), back: Box::new(back) })
+        Request::Flights(Visit { level: self.result.level.clone(), flown: self.flown.clone(), chosen: None, back: Box::new(back) })
     }
 
     /// The score, and where the leaderboard leads on once it is saved.

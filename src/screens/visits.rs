@@ -4,7 +4,7 @@ use super::footage;
 use super::leaderboard::subject;
 use super::{App, Attempt, Flight, FlightCandidate, FlightSource, Flights, Purpose, Request, Rival, Screen, Spectator, Visit};
 use crate::daily::is_daily;
-use crate::game::{Outcome, Reel, Replay, TICK_RATE, level_hash};
+use crate::game::{Outcome, Reel, Replay, TICK_RATE};
 use crate::level::Level;
 use crate::scores::{Board, Name, Score};
 use crate::words::tr;
@@ -50,8 +50,8 @@ impl App {
             Ok(level) => level,
             Err(refusal) => return self.refused(Purpose::Play, &visit.level, refusal),
         };
-        let (board, problem) = match self.scores.load_version(&visit.level, level_hash(&level)) {
-            Ok((loaded, _)) => (loaded.board, None),
+        let (board, problem) = match self.scores.load(&visit.level) {
+            Ok(loaded) => (loaded.board, None),
             Err(error) => (Board::default(), Some(error.to_string())),
         };
         let folder = self.places.levels.join(&visit.level);
@@ -137,7 +137,7 @@ impl App {
         let (score, time) = (Some(replay.score), Some(replay.time));
         let candidate = FlightCandidate { name, about, score, time, source: FlightSource::Code(code) };
         let level = self.level_of(visit, &candidate)?;
-        let flown = replay.verify(level.clone(), |_| {}).map_err(|error| error.to_string())?;
+        let flown = replay.verify(level, |_| {}).map_err(|error| error.to_string())?;
         flown.map_err(|mismatch| tr!("This flight does not hold: {mismatch}", mismatch))?;
         let mut words = tr!("Proven: {name}", name = candidate.name);
         // The board of a day takes codes: its rows come from many computers.
@@ -145,8 +145,7 @@ impl App {
             && replay.outcome == Outcome::Completed
             && let Ok(name) = Name::new(&candidate.name)
         {
-            let version = Some(level_hash(&level));
-            let score = Score { name: &name, points: replay.score, flight: Some(&replay), version };
+            let score = Score { name: &name, points: replay.score, flight: Some(&replay) };
             self.scores.save_within(Duration::ZERO, &visit.level, score).map_err(|error| error.to_string())?;
             words += tr(", on the board");
         }

@@ -112,12 +112,6 @@ pub fn tick(canvas: &Canvas, middle: Vec2, size: f32, colour: Colour) {
     canvas.line(at(-0.25, 0.7), at(0.95, -0.7), 3.0, colour);
 }
 
-pub fn cross(canvas: &Canvas, middle: Vec2, size: f32, colour: Colour) {
-    let reach = Vec2::splat(0.8 * size);
-    canvas.line(middle - reach, middle + reach, 3.0, colour);
-    canvas.line(middle + reach * Vec2::new(-1.0, 1.0), middle + reach * Vec2::new(1.0, -1.0), 3.0, colour);
-}
-
 pub fn scroll_bar(canvas: &Canvas, track: Area, handle: Area, held: bool) {
     canvas.rounded(track, track.size.x / 2.0, theme::ground());
     canvas.rounded(handle, handle.size.x / 2.0, if held { theme::accent() } else { theme::solid_top() });

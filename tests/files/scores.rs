@@ -231,7 +231,7 @@ fn a_lock_that_is_held_is_waited_for_and_then_told() {
     assert_eq!(error.to_string(), format!("{}: {told}", place.display()));
     assert_eq!(fixture.text("1.csv"), "name,score\nann,30\n");
     let (bob, before) = (name("bob"), pauses());
-    let score = || Score { name: &bob, points: 40, flight: None, version: None };
+    let score = || Score { name: &bob, points: 40, flight: None };
     assert!(matches!(fixture.scores().save_within(Duration::ZERO, "1", score()), Err(ScoresError::Busy(_))));
     assert_eq!(pauses(), before, "without patience there is one look");
 
@@ -336,7 +336,7 @@ const WORKER: &str = "scores::saving_process";
 fn saving_process() {
     work(|scores: &Scores, prefix, number| {
         let user = name(&format!("{prefix}-{number}"));
-        let score = Score { name: &user, points: i64::from(number), flight: None, version: None };
+        let score = Score { name: &user, points: i64::from(number), flight: None };
         scores.save_within(UNTIL_ITS_TURN, "1", score).unwrap();
     });
 }

@@ -3,10 +3,9 @@
 use crate::sitting::{HERE, Sitting, level, says};
 use crate::support::shipped::fixtures;
 use resultant::draw::layout::Vec2;
-use resultant::game::{Game, Medal, Outcome, Replay};
+use resultant::game::{Game, Outcome, Replay};
 use resultant::number::{clock, hundredths};
 use resultant::pack;
-use resultant::scores::Standing;
 use resultant::screens::{Gap, Input, Key, MOST_RIVALS, Spectator, Split};
 use std::fs;
 use std::path::Path;
@@ -167,34 +166,34 @@ fn jumps_are_told_and_single_ticks_are_seen() {
 }
 
 #[test]
-fn a_saved_score_has_its_flight_and_a_tick_on_the_board() {
+fn a_saved_score_has_its_flight_and_its_row_leads_to_it() {
     let mut sitting = sitting();
     save_as(&mut sitting, "ann", 0);
-    sitting.wait(0.5);
-    assert_eq!(sitting.leaderboard().standing(0), Some(&Standing::Proven));
     let text = sitting.scores_file("0.csv");
     let cells: Vec<&str> = text.lines().nth(1).unwrap().split(',').collect();
-    assert_eq!(text.lines().next(), Some("name,score,flight,version,program"));
-    let flight = sitting.scores_file(&format!("flights/0/{}", cells[2]));
+    assert_eq!(text.lines().next(), Some("name,score,time,flight"));
+    let flight = sitting.scores_file(&format!("flights/0/{}", cells[3]));
     let replay = Replay::parse("flight", &flight).unwrap();
     assert_eq!((replay.score.to_string(), replay.outcome), (cells[1].to_owned(), Outcome::Completed));
     assert_eq!((replay.player.as_deref(), replay.level.as_str()), (Some("ann"), "0"));
     assert!(sitting.row("ann").contains(&clock(replay.inputs.ticks() as f64 / 120.0)), "{:?}", sitting.row("ann"));
-    // A row that is forged with an editor does not hold; one without a flight is left alone.
-    let forged = text.replace(&format!("ann,{}", cells[1]), "ann,19999") + "old,20500\n";
-    fs::write(sitting.folder.path().join("scores/0.csv"), forged).unwrap();
-    sitting.press(Key::Escape).choose("Leaderboards").choose("0").wait(0.5);
-    assert_eq!(sitting.leaderboard().standing(0), Some(&Standing::Unproven));
-    assert!(matches!(sitting.leaderboard().standing(1), Some(Standing::Doubtful(_))));
+    // A better score of another player, without a flight: its row leads nowhere.
+    fs::write(sitting.folder.path().join("scores/0.csv"), text.clone() + "old,20500\nbob,1,9.5,bob.replay.csv\n").unwrap();
+    sitting.press(Key::Escape).choose("Leaderboards").choose("0");
     assert_eq!(sitting.leaderboard().board().rows()[0].name.as_str(), "old", "its score alone ranks it");
-    assert!(sitting.shows("ann does not hold: the row says 19999 points"));
+    assert_eq!((sitting.row("old")[2].as_str(), sitting.row("bob")[2].as_str()), ("–", "00:09.50"));
+    let old = sitting.place("old");
+    assert_eq!(sitting.click_at(old).at(), "leaderboard");
+    let bob = sitting.place("bob");
+    assert_eq!(sitting.click_at(bob).at(), "flights");
+    assert_eq!(sitting.rest().picked(), Some(sitting.place("bob").y));
 }
 
 #[test]
 fn the_levels_own_flights_stand_on_its_board_by_their_scores() {
     let mut sitting = sitting();
     save_as(&mut sitting, "ann", 0);
-    let file = sitting.scores_file("0.csv").lines().nth(1).unwrap().split(',').nth(2).unwrap().to_owned();
+    let file = sitting.scores_file("0.csv").lines().nth(1).unwrap().split(',').nth(3).unwrap().to_owned();
     let ann = sitting.scores_file(&format!("flights/0/{file}"));
     let score = Replay::parse("ann", &ann).unwrap().score;
     let own = sitting.folder.path().join("levels/0/flights");
@@ -207,13 +206,13 @@ fn the_levels_own_flights_stand_on_its_board_by_their_scores() {
     let other = ann.lines().map(|line| if line.starts_with("# level_hash") { OTHER_LEVEL } else { line });
     fs::write(own.join("silver.replay.csv"), other.collect::<Vec<_>>().join("\n")).unwrap();
     let board = sitting.scores_file("0.csv");
-    fs::write(sitting.folder.path().join("scores/0.csv"), board + "old,20900\nbad,20800,none.replay.csv,,\n").unwrap();
+    fs::write(sitting.folder.path().join("scores/0.csv"), board + "old,20900\nbad,20800,,none.replay.csv\n").unwrap();
     sitting.press(Key::Escape).choose("Leaderboards").choose("0").wait(0.5);
     // From the column of names.
     let left = sitting.place("Name").x;
     let shown: Vec<String> = sitting.texts().into_iter().filter(|(_, at)| at.x == left).map(|(text, _)| text).skip(1).collect();
     assert_eq!(shown, ["old", "bad", "Gold", "ann", "Mark", "Careful"]);
-    assert_eq!((sitting.leaderboard().medals(2).medal, sitting.row("bad")[2].as_str()), (Some(Medal::Bronze), "20800"));
+    assert_eq!(sitting.row("Gold")[1..3], ["level's own".to_owned(), sitting.row("ann")[2].clone()]);
     // In the list of flights each says its time and score, once its record has been read.
     sitting.choose("Flights").wait(0.3);
     assert_eq!(sitting.at(), "flights");
@@ -237,7 +236,7 @@ fn one_or_several_are_raced_and_the_gaps_are_right() {
     assert_eq!(sitting.at(), "flight");
     assert_eq!(sitting.flight().race().unwrap().all().len(), 1);
     let board = sitting.scores_file("0.csv");
-    let file = board.lines().nth(1).unwrap().split(',').nth(2).unwrap().to_owned();
+    let file = board.lines().nth(1).unwrap().split(',').nth(3).unwrap().to_owned();
     let ann = Replay::parse("ann", &sitting.scores_file(&format!("flights/0/{file}"))).unwrap().time;
     // The start of the race is that of the ghost, which waits there for the clock, however long no key is pressed.
     sitting.wait(1.0);
@@ -277,8 +276,8 @@ fn several_are_marked_by_keys_and_by_mouse_up_to_a_limit() {
     let gold = fs::read_to_string(fixtures().join("levels/1/flights/gold.replay.csv")).unwrap();
     let scores = sitting.folder.path().join("scores");
     fs::create_dir_all(scores.join("flights/1")).unwrap();
-    let rows: String = (0..14).map(|i| format!("user{i},{},x{i}.replay.csv,,\n", 900 - i)).collect();
-    fs::write(scores.join("1.csv"), format!("name,score,flight,version,program\n{rows}")).unwrap();
+    let rows: String = (0..14).map(|i| format!("user{i},{},,x{i}.replay.csv\n", 900 - i)).collect();
+    fs::write(scores.join("1.csv"), format!("name,score,time,flight\n{rows}")).unwrap();
     fs::write(scores.join("flights/1/x0.replay.csv"), &gold).unwrap();
     sitting.choose("Level Select");
     let card = sitting.area("1").centre();

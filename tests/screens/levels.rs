@@ -103,7 +103,7 @@ fn a_card_shows_the_level_and_what_the_player_has_reached_there() {
 }
 
 #[test]
-fn medals_are_in_the_scoring_on_the_card_and_on_the_board() {
+fn medals_are_in_the_scoring_and_on_the_card() {
     let mut sitting = Sitting::with(|root| {
         let constants = "width,800\nheight,600\noptimal_time,10\nsilver,5\ngold,0.001\nmark_hits,0\n";
         fs::write(root.join("levels/1/constants.csv"), constants).unwrap();
@@ -118,10 +118,7 @@ fn medals_are_in_the_scoring_on_the_card_and_on_the_board() {
     assert_eq!(row.iter().map(|missing| missing == "earned").collect::<Vec<_>>(), [true, true, false, true], "{row:?}");
     assert!(row[2].ends_with("s too slow"));
 
-    let silver_and_mark = Medals { mark: true, ..silver };
     sitting.choose("Save Score");
-    assert_eq!(sitting.leaderboard().medals(0), Medals::default(), "not before they are proven");
-    assert_eq!(sitting.wait(0.2).leaderboard().medals(0), silver_and_mark);
     assert!(sitting.scores_file("players.csv").starts_with("player,level,time,medal,mark\nann,,,,\nann,1,0.0"));
     assert!(sitting.scores_file("players.csv").contains(",silver,TRUE\n"), "{}", sitting.scores_file("players.csv"));
 }

@@ -81,7 +81,7 @@ fn play_opens_the_first_level_that_loads_once_it_is_found() {
 #[test]
 fn every_screen_that_needs_a_level_waits_for_it() {
     let mut sitting = by_hand();
-    let visit = resultant::screens::Visit { level: "2".into(), flown: None, back: Box::new(Request::Menu) };
+    let visit = resultant::screens::Visit { level: "2".into(), flown: None, chosen: None, back: Box::new(Request::Menu) };
     for (request, at) in [
         (Request::Edit("2".into()), "editor"),
         (Request::Leaderboard("2".into()), "leaderboard"),
