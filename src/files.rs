@@ -1,7 +1,7 @@
 //! Reading, locking and writing files, whatever their content and their home: [`Storage`] is the one trait in front of a disk and of a
 //! browser's storage, and the shipped levels lie beneath either. **Reading** takes only regular files up to their kind's size, a
 //! hundred times its known need: a pipe may never end, and gigabytes would fill the memory. [`Lock`] keeps two programs from
-//! changing one file at once. **Writing** makes a file or folder whole or not at all.
+//! changing one file at once. **Writing** makes a file or folder whole or not at all; [`update`] is the one way to change a file that other programs may change.
 
 mod cells;
 mod dialect;
@@ -15,6 +15,7 @@ pub(crate) mod memory;
 mod pool;
 mod read;
 mod rows;
+mod save;
 mod shipped;
 mod staged;
 mod storage;
@@ -24,17 +25,18 @@ pub use cells::{Cell, CellFault, CsvRows, SpannedRow, csv_line, rows as csv_rows
 pub use dialect::{Dialect, Encoding, separators, truth, whole};
 pub use disk::Disk;
 pub use home::{
-    append, copy, create, create_folder, create_numbered, is_file, is_folder, is_link, is_read_only, is_taken, look, make_folder,
+    copy, create, create_folder, create_numbered, is_file, is_folder, is_link, is_read_only, is_taken, look, make_folder,
     make_shared_folder, names, put, read, read_if_there, read_text, read_with, remove, rename, replace, replace_with, resolve,
-    text_if_there, text_names,
+    text, text_if_there, text_names,
 };
 #[cfg(any(browser, test))]
 pub use kept::{Keeper, KeepingFault, PageFiles};
-pub use lock::{Lock, PATIENCE, pauses, share};
+pub use lock::{Lock, PATIENCE, share};
 #[cfg(browser)]
 pub use read::too_large;
 pub use read::{Symlinks, is_passed_on, open};
 pub use rows::{BadCell, CsvColumn, CsvFile, CsvRow, CsvStruct, found_instead, place};
+pub use save::{SaveError, update, write};
 pub use shipped::{AboveShipped, ship_at, ship_lessons_at};
 pub use staged::{Replacement, around, behind_links, sync_folder, target};
 pub use storage::{FileKind, Found, Manner, Storage};
@@ -54,19 +56,3 @@ pub const INPUTS: u64 = 16 << 20;
 pub const TILE_MAP: u64 = 1 << 20;
 /// Some 100 000.
 pub const TILE_COMMANDS: u64 = 1 << 20;
-
-/// Whether a file's first bytes are none or that line, also with a byte-order mark or another line end from an editor.
-fn begins(first: &[u8], header: &[u8]) -> bool {
-    let [first, header] = [first, header].map(|text| text.strip_prefix("\u{feff}".as_bytes()).unwrap_or(text));
-    first.is_empty() || first.starts_with(header.trim_ascii_end())
-}
-
-/// The bytes that add lines to a file: behind the header in an empty one, else on a line of their own behind its last byte.
-fn joined(is_empty: bool, last: u8, header: &[u8], lines: &[u8]) -> Vec<u8> {
-    let before: &[u8] = match last {
-        _ if is_empty => header,
-        b'\n' => b"",
-        _ => b"\r\n",
-    };
-    [before, lines].concat()
-}

@@ -95,7 +95,7 @@ struct Lists {
 }
 
 impl Lists {
-    /// Takes a list, or all in a folder at any depth, those that wait beside one among them. Hidden files and folders, whose names begin
+    /// Takes a list, or all in a folder at any depth. Hidden files and folders, whose names begin
     /// with a point, are no pupil's.
     fn gather(&mut self, from: &Path) {
         let mut waiting = vec![from.to_path_buf()];
@@ -110,7 +110,7 @@ impl Lists {
                     let name = path.file_name().unwrap_or_default().to_string_lossy().to_lowercase();
                     if SPREADSHEETS.iter().any(|ending| name.ends_with(ending)) && path != from {
                         self.lack(&path, "found a spreadsheet's own file, expected CSV: save it as CSV");
-                    } else if path == from || LISTS.iter().any(|ending| name.ends_with(ending)) || name.contains(".csv.waiting-") {
+                    } else if path == from || LISTS.iter().any(|ending| name.ends_with(ending)) {
                         self.found.push(path);
                     }
                     continue;

@@ -1,12 +1,12 @@
 //! Files on a disk.
 
 use super::lock::Lock;
-use super::read::{Symlinks, judge, open, read_file};
+use super::read::{Symlinks, read_file};
 use super::staged::{self, Replacement, around};
 use super::storage::{FileKind, Found, Manner, Storage};
 use std::ffi::OsString;
-use std::fs::{self, File, Metadata, OpenOptions};
-use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::fs::{self, File, Metadata};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -62,20 +62,6 @@ impl Storage for Disk {
         File::create_new(path)?.write_all(bytes)
     }
 
-    fn append(&self, path: &Path, header: &[u8], lines: &[u8]) -> io::Result<bool> {
-        let is_new = fs::symlink_metadata(path).is_err();
-        let mut file = open_for_lines(path)?;
-        if !begins_with(&mut file, header)? {
-            return Ok(false);
-        }
-        add(&mut file, header, lines)?;
-        if is_new {
-            super::share(around(path), &file, false)?;
-            staged::sync_folder(around(path));
-        }
-        Ok(true)
-    }
-
     fn make_folder(&self, path: &Path) -> io::Result<()> {
         fs::create_dir_all(path)
     }
@@ -121,37 +107,4 @@ fn changed(found: &Metadata) -> u64 {
 #[cfg(not(unix))]
 fn changed(_: &Metadata) -> u64 {
     0
-}
-
-fn open_for_lines(path: &Path) -> io::Result<File> {
-    let mut options = OpenOptions::new();
-    options.read(true).append(true);
-    match open(&options, path, Symlinks::Followed) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => options.create_new(true).open(path),
-        opened => opened.and_then(|(file, found)| judge(&found).map(|()| file)),
-    }
-}
-
-/// Whether a file is empty or begins with that line.
-fn begins_with(file: &mut File, header: &[u8]) -> io::Result<bool> {
-    let mut first = Vec::new();
-    file.take(header.len() as u64 + 3).read_to_end(&mut first)?;
-    Ok(super::begins(&first, header))
-}
-
-/// Writes the lines: behind the header in an empty file, on a line of their own after any editor; or nothing at all.
-fn add(file: &mut File, header: &[u8], lines: &[u8]) -> io::Result<()> {
-    let length = file.metadata()?.len();
-    let mut last = [b'\n'];
-    if length > 0 {
-        file.seek(SeekFrom::End(-1))?;
-        file.read_exact(&mut last)?;
-    }
-    let bytes = super::joined(length == 0, last[0], header, lines);
-    file.write_all(&bytes).inspect_err(|_| {
-        // Cuts the bytes of a full disk off. If that fails, the next line still stands on its own.
-        let _ = file.set_len(length);
-    })?;
-    // A line that is reported as written outlasts a power cut.
-    file.sync_data()
 }

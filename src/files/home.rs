@@ -85,7 +85,12 @@ pub fn read_with(path: &Path, at_most: u64, links: Symlinks) -> io::Result<Vec<u
 
 /// As [`read`]; bytes that are no text are an error. A byte-order mark tells UTF-16.
 pub fn read_text(path: &Path, at_most: u64) -> io::Result<String> {
-    Encoding::text(&read(path, at_most)?).map_err(|line| {
+    text(&read(path, at_most)?)
+}
+
+/// Bytes as text; a byte-order mark tells UTF-16. Bytes that are no text are an error.
+pub fn text(bytes: &[u8]) -> io::Result<String> {
+    Encoding::text(bytes).map_err(|line| {
         let (found, expected) = CellFault::NotUtf8.words();
         let problem = tr!("found {found} in line {line}, expected {expected}", found, line, expected);
         io::Error::new(io::ErrorKind::InvalidData, problem)
@@ -136,11 +141,6 @@ pub fn create_numbered(path: &Path, bytes: &[u8]) -> io::Result<PathBuf> {
         }
     }
     Err(io::ErrorKind::AlreadyExists.into())
-}
-
-/// As [`Storage::append`].
-pub fn append(path: &Path, header: &[u8], lines: &[u8]) -> io::Result<bool> {
-    home().append(path, header, lines)
 }
 
 /// As [`Storage::make_folder`].

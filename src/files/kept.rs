@@ -3,7 +3,6 @@
 use super::lock::Lock;
 use super::read::{Symlinks, too_large};
 use super::storage::{FileKind, Found, Manner, Storage};
-use super::{begins, joined};
 use crate::words::tr;
 use std::collections::BTreeSet;
 use std::ffi::OsString;
@@ -11,9 +10,6 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::time::Duration;
-
-/// The most bytes of a file of lines, such as the attempts, some 3000: the oldest lines go, because a page has some 5 MB in all.
-const MOST_LINES: usize = 128 << 10;
 
 /// The reason why a value is not kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -133,24 +129,6 @@ impl<K: Keeper> Storage for PageFiles<K> {
         self.create(path, bytes)
     }
 
-    fn append(&self, path: &Path, header: &[u8], lines: &[u8]) -> io::Result<bool> {
-        let key = key(path)?;
-        let mut bytes = self.0.get(&key)?.unwrap_or_default();
-        if !begins(&bytes, header) {
-            return Ok(false);
-        }
-        let more = joined(bytes.is_empty(), bytes.last().copied().unwrap_or(b'\n'), header, lines);
-        bytes.extend(more);
-        if bytes.len() > MOST_LINES {
-            let first = bytes.iter().position(|byte| *byte == b'\n').map_or(0, |end| end + 1);
-            let surplus = bytes.len() - MOST_LINES + first;
-            let whole = bytes[surplus..].iter().position(|byte| *byte == b'\n').map_or(bytes.len(), |end| surplus + end + 1);
-            bytes.drain(first..whole);
-        }
-        self.0.set(&key, &bytes)?;
-        Ok(true)
-    }
-
     fn make_folder(&self, _: &Path) -> io::Result<()> {
         Ok(())
     }
@@ -242,18 +220,5 @@ mod tests {
         kept.remove(Path::new("levels/c/flights/x.replay.csv")).unwrap();
         assert_eq!(kept.names(Path::new("levels")).unwrap(), ["b"]);
         assert_eq!(kept.create(Path::new("levels/b"), b"").unwrap_err().kind(), io::ErrorKind::AlreadyExists);
-    }
-
-    #[test]
-    fn the_oldest_lines_make_room_for_new_ones() {
-        let kept = little(1 << 20);
-        let path = Path::new("attempts.csv");
-        for number in 0..3000 {
-            assert!(kept.append(path, b"header\r\n", format!("{number:060}\r\n").as_bytes()).unwrap());
-        }
-        let text = text(&kept, "attempts.csv").unwrap();
-        assert!(text.len() <= MOST_LINES && text.len() > MOST_LINES - 200, "{}", text.len());
-        assert!(text.starts_with("header\r\n0") && text.ends_with("2999\r\n") && text.lines().skip(1).all(|line| line.len() == 60));
-        assert!(!kept.append(path, b"other\r\n", b"x\r\n").unwrap());
     }
 }

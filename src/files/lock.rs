@@ -3,9 +3,8 @@
 
 use super::read::{Symlinks, open};
 use super::staged::around;
-use std::cell::Cell;
 use std::fs::{File, OpenOptions, TryLockError};
-use std::io;
+use std::io::{self, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -16,26 +15,24 @@ pub const PATIENCE: Duration = Duration::from_secs(2);
 /// would come too late.
 const PAUSE: Duration = Duration::from_millis(1);
 
-thread_local! {
-    static PAUSES: Cell<u32> = const { Cell::new(0) };
-}
-
-/// Pauses of this thread for a held lock so far: a frame never pauses.
-pub fn pauses() -> u32 {
-    PAUSES.get()
-}
-
 /// Held until the value is dropped.
 #[derive(Debug)]
 pub struct Lock {
-    _held: Option<File>,
+    held: Option<File>,
 }
 
 impl Lock {
     /// The lock of a home without other programs.
     #[cfg(any(browser, test))]
     pub const fn of_nothing() -> Self {
-        Self { _held: None }
+        Self { held: None }
+    }
+
+    /// Writes into the locked file who holds it.
+    pub fn sign(&self, who: &str) -> io::Result<()> {
+        let Some(mut file) = self.held.as_ref() else { return Ok(()) };
+        file.set_len(0)?;
+        file.write_all(who.as_bytes())
     }
 
     /// As [`Lock::wait`], on a disk.
@@ -44,11 +41,10 @@ impl Lock {
         let begun = Instant::now();
         loop {
             match file.try_lock() {
-                Ok(()) if is_at(&file, path) => return Ok(Self { _held: Some(file) }),
+                Ok(()) if is_at(&file, path) => return Ok(Self { held: Some(file) }),
                 // The holder before has removed the file.
                 Ok(()) => file = open_lock(path)?,
                 Err(TryLockError::WouldBlock) if begun.elapsed() < patience => {
-                    PAUSES.set(PAUSES.get().wrapping_add(1));
                     std::thread::sleep(PAUSE);
                 }
                 Err(TryLockError::WouldBlock) => return Err(io::ErrorKind::WouldBlock.into()),

@@ -189,10 +189,6 @@ impl<H: Storage> Storage for AboveShipped<H> {
         self.home.put(path, bytes)
     }
 
-    fn append(&self, path: &Path, header: &[u8], lines: &[u8]) -> io::Result<bool> {
-        self.home.append(path, header, lines)
-    }
-
     fn make_folder(&self, path: &Path) -> io::Result<()> {
         self.home.make_folder(path)
     }

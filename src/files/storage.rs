@@ -67,10 +67,6 @@ pub trait Storage: Sync {
     /// Writes a new file of a folder that [`Storage::create_folder`] fills, which makes it durable with all others.
     fn put(&self, path: &Path, bytes: &[u8]) -> io::Result<()>;
 
-    /// Adds lines at a file's end, whole or not at all: behind `header` in an empty or missing file, else on a line of their own.
-    /// `false`, and nothing is written, where the file does not begin with `header`.
-    fn append(&self, path: &Path, header: &[u8], lines: &[u8]) -> io::Result<bool>;
-
     /// Makes a folder with those around it. One that is there stays.
     fn make_folder(&self, path: &Path) -> io::Result<()>;
 

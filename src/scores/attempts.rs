@@ -1,10 +1,13 @@
-//! The list of attempts: a line for each finished one, for spreadsheets and people. The game only adds to it. RFC 4180, CRLF,
+//! The list of attempts: a line for each finished one, for spreadsheets and people. The game only adds to it, and reads none of its rows. RFC 4180, CRLF,
 //! UTF-8.
 
 use serde::{Serialize, Serializer};
 
+use super::error::ScoresError;
 use super::name::Name;
 use super::players::harmless;
+use crate::files;
+use std::path::Path;
 
 pub(super) const HEADER: &str = "level,player,result,time,fuel,hits,cause,assisted\r\n";
 
@@ -27,6 +30,37 @@ pub struct AttemptRow {
     #[serde(serialize_with = "as_text")]
     pub cause: String,
     pub assisted: bool,
+}
+
+/// The most bytes of a list. A page has some 5 MB in all, and the oldest lines go there.
+const MOST: usize = if cfg!(browser) { 128 << 10 } else { files::INPUTS as usize };
+
+/// Adds lines to a list that begins with that header, or makes one. A last line without an end gets one.
+pub(super) fn append(path: &Path, header: &str, lines: &str) -> Result<(), ScoresError> {
+    if lines.is_empty() {
+        return Ok(());
+    }
+    files::update(path, MOST as u64, |old| {
+        let plain = |text: &'_ [u8]| text.strip_prefix("\u{feff}".as_bytes()).unwrap_or(text).to_vec();
+        if !old.is_empty() && !plain(old).starts_with(plain(header.as_bytes()).trim_ascii_end()) {
+            return Err(ScoresError::Foreign(path.to_owned()));
+        }
+        let before = if old.is_empty() { header.as_bytes() } else { old };
+        let end: &[u8] = if before.ends_with(b"\n") { b"" } else { b"\r\n" };
+        let new = [before, end, lines.as_bytes()].concat();
+        Ok((if cfg!(browser) { newest(new) } else { new }, ()))
+    })
+}
+
+/// The header and the newest lines, as many as there is room for.
+fn newest(mut list: Vec<u8>) -> Vec<u8> {
+    if list.len() > MOST {
+        let first = list.iter().position(|byte| *byte == b'\n').map_or(0, |end| end + 1);
+        let surplus = list.len() - MOST + first;
+        let whole = list[surplus..].iter().position(|byte| *byte == b'\n').map_or(list.len(), |end| surplus + end + 1);
+        list.drain(first..whole);
+    }
+    list
 }
 
 /// A row with its line end.

@@ -1,8 +1,7 @@
 use std::fmt::{self, Display};
-use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::files::{BadCell, CellFault, place};
+use crate::files::{BadCell, CellFault, SaveError, place};
 use crate::words::tr;
 
 /// The most places in a report.
@@ -55,26 +54,25 @@ pub enum ScoresError {
     NoScore,
     /// It cannot name a file.
     LevelName(String),
-    /// The file is marked read-only.
-    ReadOnly(PathBuf),
-    /// Another process holds this lock file for too long; a later try may succeed.
-    Busy(PathBuf),
-    /// A link leads to it, and it is no list of such rows.
+    /// These places of the file cannot be read, and would be lost.
+    Damaged(Vec<String>),
+    /// It is no list of such rows.
     Foreign(PathBuf),
-    /// With one more row the file would be too large.
-    Full(PathBuf),
-    File {
-        /// As in "cannot …".
-        attempt: &'static str,
-        path: PathBuf,
-        source: io::Error,
-    },
+    Save(SaveError),
 }
 
-impl ScoresError {
-    /// For `map_err`.
-    pub(super) fn file(attempt: &'static str, path: &Path) -> impl FnOnce(io::Error) -> Self {
-        move |source| Self::File { attempt, path: path.to_owned(), source }
+impl From<SaveError> for ScoresError {
+    fn from(error: SaveError) -> Self {
+        Self::Save(error)
+    }
+}
+
+/// What is wrong with a scores file, in one line.
+pub fn damage_text(damage: &[String]) -> String {
+    match damage {
+        [] => String::new(),
+        [one] => format!("{one}."),
+        [first, rest @ ..] => tr!("{first} (and {count} more).", first, count = rest.len()),
     }
 }
 
@@ -86,24 +84,14 @@ impl fmt::Display for ScoresError {
                 "the level's name {name} cannot name a scores file, expected a name without / \\ : and control characters, other than players and attempts",
                 name = format_args!("{name:?}")
             ),
-            Self::ReadOnly(path) => {
-                tr!("{path}: the file is read-only, expected one that may be replaced", path = path.display())
+            Self::Damaged(damage) => {
+                tr!("{damage} Nothing was saved: mend the file, and try again.", damage = damage_text(damage))
             }
-            Self::Busy(path) => tr!(
-                "{path}: another program is saving there and does not come to an end; nothing was saved, try again",
-                path = path.display()
-            ),
             Self::Foreign(path) => tr!(
-                "{path}: a link leads to this file, which holds other lines, expected a list of such rows",
+                "{path}: this file holds other lines, expected a list of such rows; nothing was saved",
                 path = path.display()
             ),
-            Self::Full(path) => {
-                let most = crate::files::SCORES;
-                tr!("{path}: the file is full, expected one that stays below {most} bytes", path = path.display(), most)
-            }
-            Self::File { attempt, path, source } => {
-                tr!("{path}: cannot {attempt}: {source}", path = path.display(), attempt = tr(attempt), source)
-            }
+            Self::Save(error) => error.to_string(),
         })
     }
 }

@@ -1,16 +1,14 @@
 //! The folder of the scores files: a leaderboard a level with the flights of its rows, the players' records, and a line an attempt.
 
-use std::path::PathBuf;
-use std::time::Duration;
+use std::path::{Path, PathBuf};
 
 use super::attempts::{self, AttemptRow};
 use super::board::{Board, Placement};
-use super::disk::{self, Rescue, ScoresChange};
 use super::error::ScoresError;
 use super::name::Name;
 use super::players::{self, Deed, Players};
 use super::table;
-use crate::files::{self, PATIENCE};
+use crate::files::{self, SaveError};
 use crate::game::Replay;
 use crate::words::tr;
 
@@ -45,8 +43,6 @@ pub struct Saved {
     /// As on disk.
     pub board: Board,
     pub placement: Placement,
-    /// `Some` for a damaged file.
-    pub rescue: Option<Rescue>,
 }
 
 impl Scores {
@@ -59,40 +55,47 @@ impl Scores {
     /// Errors: a level name that cannot name a file; a file that cannot be read at all.
     pub fn load(&self, level: &str) -> Result<LoadedBoard, ScoresError> {
         let path = self.path(level)?;
-        let (board, damage) = table::read(&path, &disk::read_if_there(&path)?.unwrap_or_default());
+        let (board, damage) = table::read(&path, &bytes(&path)?);
         Ok(LoadedBoard { board, damage })
     }
 
-    /// Saves a score; the file is on disk, whole, when this returns. It waits up to [`PATIENCE`] for another process. A damaged
-    /// file is kept as `<level>.csv.damaged-N`.
-    /// Errors: a score below 1; a level name that cannot name a file; a read-only file; a board that is too large; a lock that
-    /// another process keeps ([`ScoresError::Busy`]: a later try may succeed); the system's. The old file is untouched then.
-    pub fn save(&self, level: &str, name: &Name, score: i64) -> Result<Saved, ScoresError> {
-        self.save_within(PATIENCE, level, Score { name, points: score, flight: None })
+    /// As [`Scores::save_with_flight`], of a score that no flight proves.
+    pub fn save(&self, level: &str, name: &Name, points: i64) -> Result<Saved, ScoresError> {
+        self.save_with_flight(level, Score { name, points, flight: None })
     }
 
-    /// As [`Scores::save`], with a flight, which is on disk before the row that names it; without patience it returns at once.
-    pub fn save_within(&self, patience: Duration, level: &str, score: Score<'_>) -> Result<Saved, ScoresError> {
+    /// Saves a score; the file is on disk, whole, when this returns, and the flight before the row that names it.
+    /// Errors: a score below 1; a level name that cannot name a file; a board with places that cannot be read; see [`SaveError`]. The old
+    /// file is untouched then.
+    pub fn save_with_flight(&self, level: &str, score: Score<'_>) -> Result<Saved, ScoresError> {
         let path = self.path(level)?;
         let Score { name, points, flight } = score;
         if points < 1 {
             return Err(ScoresError::NoScore);
         }
-        let ((board, placement), rescue) = disk::update(&self.folder, path, patience, |path, old| {
-            let (mut board, damage) = table::read(path, old);
+        files::update(&path, files::SCORES, |old| {
+            let mut board = sound(table::read(&path, old))?;
             let placement = board.place(name, points)?;
             if !matches!(placement, Placement::Kept { .. }) {
-                let kept = flight.map(|flight| {
-                    let file = format!("{name}-{}-{:016x}{ENDING}", flight.score, flight.hash);
-                    let record = Replay { player: Some(name.to_string()), ..flight.clone() }.to_string();
-                    disk::write_within(&self.folder, &[FLIGHTS, level], &file, record.as_bytes())?;
-                    Ok((flight.time, file))
-                });
+                let kept = flight.map(|flight| Ok::<_, SaveError>((flight.time, self.keep_flight(level, name, flight)?)));
                 board.set_flight(name, kept.transpose()?);
             }
-            Ok(ScoresChange { bytes: table::write(&board), damage, taken_up: Vec::new(), outcome: (board, placement) })
-        })?;
-        Ok(Saved { board, placement, rescue })
+            let text = table::write(&board);
+            Ok((text.into_bytes(), Saved { board, placement }))
+        })
+    }
+
+    /// Writes the record of a row's flight; the answer is its file. The caller holds the board's lock.
+    fn keep_flight(&self, level: &str, name: &Name, flight: &Replay) -> Result<String, SaveError> {
+        let file = format!("{name}-{}-{:016x}{ENDING}", flight.score, flight.hash);
+        let mut folder = self.folder.clone();
+        for part in [FLIGHTS, level] {
+            folder.push(part);
+            files::make_shared_folder(&folder).map_err(SaveError::file("create the folder", &folder))?;
+        }
+        let record = Replay { player: Some(name.to_string()), ..flight.clone() };
+        files::write(&folder.join(&file), record.to_string().as_bytes())?;
+        Ok(file)
     }
 
     /// The record of a row's flight, by the file that the row names: a plain name, which leads into no other folder. The error is the
@@ -125,56 +128,23 @@ impl Scores {
     /// Errors: a file that cannot be read at all.
     pub fn players(&self) -> Result<(Players, Vec<String>), ScoresError> {
         let path = self.folder.join(PLAYERS);
-        Ok(players::read(&path, &disk::read_if_there(&path)?.unwrap_or_default()))
+        Ok(players::read(&path, &bytes(&path)?))
     }
 
     /// Saves deeds; rows that other processes have written meanwhile stay. The answer is what is on disk, whole.
-    pub fn record_within(&self, patience: Duration, deeds: &[Deed]) -> Result<(Players, Option<Rescue>), ScoresError> {
-        disk::update(&self.folder, self.folder.join(PLAYERS), patience, |path, old| {
-            let (mut players, damage) = players::read(path, old);
-            let mut taken_up = Vec::new();
-            for (path, bytes) in disk::waiting(path) {
-                let (waiting, damage) = players::read(&path, &bytes);
-                players.merge(waiting);
-                // A damaged file stays for people to look at.
-                if damage.is_empty() {
-                    taken_up.push(path);
-                }
-            }
+    pub fn record(&self, deeds: &[Deed]) -> Result<Players, ScoresError> {
+        let path = self.folder.join(PLAYERS);
+        files::update(&path, files::SCORES, |old| {
+            let mut players = sound(players::read(&path, old))?;
             deeds.iter().for_each(|deed| players.apply(deed));
-            Ok(ScoresChange { bytes: players::write(&players), damage, taken_up, outcome: players })
+            Ok((players::write(&players).into_bytes(), players))
         })
     }
 
-    /// Adds an attempt. A file that is no list of attempts is renamed; the answer is its new path.
-    pub fn append_within(&self, patience: Duration, attempt: &AttemptRow) -> Result<Option<PathBuf>, ScoresError> {
-        disk::append(&self.folder, self.folder.join(ATTEMPTS), patience, (attempts::HEADER, &attempts::line(attempt)))
-    }
-
-    /// Puts deeds and attempts aside while another program holds the locks: the next sitting takes them up.
-    pub fn put_by(&self, deeds: &[Deed], attempts: impl IntoIterator<Item = AttemptRow>) -> Result<(), ScoresError> {
-        let mut players = Players::default();
-        deeds.iter().for_each(|deed| players.apply(deed));
-        if !players.all().is_empty() {
-            disk::put_by(&self.folder, self.folder.join(PLAYERS), &players::write(&players))?;
-        }
-        let lines: String = attempts.into_iter().map(|attempt| attempts::line(&attempt)).collect();
-        if lines.is_empty() {
-            return Ok(());
-        }
-        disk::put_by(&self.folder, self.folder.join(ATTEMPTS), &(attempts::HEADER.to_owned() + &lines))
-    }
-
-    /// Takes up what earlier sittings have put aside; after an error it stays there.
-    pub fn take_up(&self, patience: Duration) -> Result<(), ScoresError> {
-        let (players, attempts) = (self.folder.join(PLAYERS), self.folder.join(ATTEMPTS));
-        if !disk::waiting(&players).is_empty() {
-            self.record_within(patience, &[])?;
-        }
-        if !disk::waiting(&attempts).is_empty() {
-            disk::append(&self.folder, attempts, patience, (attempts::HEADER, ""))?;
-        }
-        Ok(())
+    /// Adds attempts.
+    pub fn append(&self, attempts: &[AttemptRow]) -> Result<(), ScoresError> {
+        let lines: String = attempts.iter().map(attempts::line).collect();
+        attempts::append(&self.folder.join(ATTEMPTS), attempts::HEADER, &lines)
     }
 
     /// The file of a level whose name stays in the folder on every system and is no other file's.
@@ -187,4 +157,14 @@ impl Scores {
         }
         Ok(self.folder.join(file))
     }
+}
+
+fn bytes(path: &Path) -> Result<Vec<u8>, ScoresError> {
+    let read = files::read_if_there(path, files::SCORES).map_err(SaveError::file("read the file", path))?;
+    Ok(read.unwrap_or_default())
+}
+
+/// A file with places that cannot be read is not replaced.
+fn sound<T>((rows, damage): (T, Vec<String>)) -> Result<T, ScoresError> {
+    if damage.is_empty() { Ok(rows) } else { Err(ScoresError::Damaged(damage)) }
 }

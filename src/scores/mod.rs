@@ -1,9 +1,8 @@
 //! User names, leaderboards, players' records, and their files. [`Name`] has the rules of a name, [`Board`] the order of rows,
-//! [`judge`] their proof, [`Players`] the levels done. Only `disk` reads, locks and replaces files.
+//! [`judge`] their proof, [`Players`] the levels done. Files are saved by [`crate::files::update`] alone.
 
 mod attempts;
 mod board;
-mod disk;
 mod error;
 mod folder;
 mod judge;
@@ -13,11 +12,9 @@ mod results;
 pub mod table;
 mod tally;
 
-pub use crate::files::PATIENCE;
 pub use attempts::AttemptRow;
 pub use board::{Board, BoardRow, Placement};
-pub use disk::Rescue;
-pub use error::ScoresError;
+pub use error::{ScoresError, damage_text};
 pub use folder::{LoadedBoard, Saved, Score, Scores};
 pub use judge::{Doubt, Standing, judge};
 pub use name::{NAME_MAX, NAME_TYPING_MAX, Name, NameError};

@@ -158,14 +158,6 @@ impl Players {
         }
     }
 
-    /// The order of the players stays.
-    pub(super) fn merge(&mut self, others: Self) {
-        for PlayerRecord { name, done } in others.players {
-            let player = self.player(&name);
-            done.into_iter().for_each(|(level, done)| player.complete(&level, done));
-        }
-    }
-
     fn player(&mut self, name: &Name) -> &mut PlayerRecord {
         let index = self.index(name);
         &mut self.players[index]

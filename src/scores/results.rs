@@ -2,12 +2,10 @@
 //! CRLF, UTF-8 behind a byte-order mark, without which Excel takes it for another encoding.
 
 use std::path::PathBuf;
-use std::time::Duration;
 
 use serde::{Serialize, Serializer};
 
 use super::attempts::{self, as_text};
-use super::disk;
 use super::error::ScoresError;
 use super::name::Name;
 use super::players::harmless;
@@ -55,15 +53,10 @@ impl Results {
         self.folder.join(format!("{player}{more}.csv"))
     }
 
-    /// Adds an answer. A file that is no list of answers is renamed; the answer is its new path.
-    /// Errors: as of a file of scores; a link to a file that is no list of answers.
-    pub fn append_within(&self, patience: Duration, row: &ResultRow) -> Result<Option<PathBuf>, ScoresError> {
-        disk::append(&self.folder, self.file(&row.player), patience, (HEADER, &attempts::line(row)))
-    }
-
-    /// Puts an answer aside while another program holds the lock: the next answer takes it up.
-    pub fn put_by(&self, row: &ResultRow) -> Result<(), ScoresError> {
-        disk::put_by(&self.folder, self.file(&row.player), &(HEADER.to_owned() + &attempts::line(row)))
+    /// Adds an answer.
+    /// Errors: a file that is no list of answers; see [`crate::files::SaveError`].
+    pub fn append(&self, row: &ResultRow) -> Result<(), ScoresError> {
+        attempts::append(&self.file(&row.player), HEADER, &attempts::line(row))
     }
 }
 

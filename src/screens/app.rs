@@ -1,8 +1,6 @@
 //! A sitting: the screen that is shown, what outlasts it, and how a frame goes.
 
-use super::boards::WaitingScore;
 use super::flight::Worksheet;
-use super::hand_in::WaitingAnswer;
 use super::journal::Journal;
 use super::library::{Library, Refusal};
 use super::loading::Loading;
@@ -13,7 +11,7 @@ use crate::draw::Canvas;
 use crate::draw::layout::Frame;
 use crate::game::Outcome;
 use crate::pack::Installed;
-use crate::scores::{Name, PATIENCE, ResultRow, Results, Scores};
+use crate::scores::{Name, ResultRow, Results, Scores};
 use crate::settings::Settings;
 use crate::settings::file::SettingsFile;
 use crate::ui::input::Stale;
@@ -78,13 +76,9 @@ pub struct App {
     pub(super) settings_problems: Vec<String>,
     /// How many menus there have been: each has other balls.
     pub(super) menus: u64,
-    /// A score that another program keeps from being saved.
-    pub(super) waiting: Option<WaitingScore>,
     /// The sheets of experiments as they were left, by folder.
     pub(super) sheets: BTreeMap<String, Worksheet>,
-    /// An answer to an experiment that another program keeps from being saved.
-    pub(super) waiting_answer: Option<WaitingAnswer>,
-    /// Answers whose files cannot be written.
+    /// Answers to experiments whose files cannot be written.
     pub(super) unsaved_answers: Vec<ResultRow>,
     /// The score that was on the screen before and can still be saved, in words.
     pub(super) unsaved_score: Option<String>,
@@ -157,9 +151,7 @@ impl App {
             losses: BTreeMap::new(),
             last_level: None,
             menus: 0,
-            waiting: None,
             sheets: BTreeMap::new(),
-            waiting_answer: None,
             unsaved_answers: Vec::new(),
             unsaved_score: None,
             watch: None,
@@ -187,9 +179,6 @@ impl App {
         let waiting = self.wait_for_loading(input);
         let input = waiting.as_ref().unwrap_or(input);
         self.shown_for += input.frame_time;
-        self.journal.update(input.frame_time);
-        self.save_settings(input.frame_time);
-        self.save_waiting_answer(input.frame_time);
         let asked = self.act(input, spectator);
         self.note_end();
         let asked = asked.or_else(|| {
@@ -203,7 +192,7 @@ impl App {
                 self.note_score(&request);
                 self.grant(request, spectator);
             }
-            None => self.save_what_waits(input.frame_time),
+            None => {}
         }
         self.fill_in_view();
         self.take_what_is_brought(spectator);
@@ -311,20 +300,7 @@ impl App {
     pub(super) fn set(&mut self, settings: Settings) {
         self.settings = settings;
         words::speak(settings.spoken());
-        self.settings_file.set(whose(self.journal.current()), &settings);
-        self.save_settings(0.0);
-        self.tell_of_settings();
-    }
-
-    /// Tries to write down what was set, and says what is wrong with its file once that is known.
-    fn save_settings(&mut self, frame_time: f64) {
-        if let Some(problems) = self.settings_file.update(frame_time) {
-            self.settings_problems = problems;
-            self.tell_of_settings();
-        }
-    }
-
-    fn tell_of_settings(&mut self) {
+        self.settings_problems = self.settings_file.set(whose(self.journal.current()), &settings);
         self.screen.tell_of_settings(&self.settings, &self.settings_problems);
     }
 
@@ -343,7 +319,7 @@ impl App {
     pub(super) fn choose(&mut self, name: Name, named: bool) {
         self.keep_sheet();
         self.sheets.clear();
-        let closed = self.settings_file.close(PATIENCE);
+        let closed = self.settings_file.close();
         self.journal.choose(name, named);
         (self.settings, self.settings_problems) = self.settings_file.load(whose(self.journal.current()));
         words::speak(self.settings.spoken());

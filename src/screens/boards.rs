@@ -1,30 +1,15 @@
 //! Scores: saved under a name, and shown on their boards.
 
 use super::Attempt;
-use super::journal::{damage_text, rescue_text};
 use super::leaderboard::subject;
 use super::{
-    App, Classic, Closing, Flown, Fresh, Gain, Leaderboard, Onward, Purpose, Request, SaveScore, Scoring, Screen, Visit, footage,
-    jumper,
+    App, Classic, Flown, Fresh, Gain, Leaderboard, Onward, Purpose, Request, SaveScore, Scoring, Screen, Visit, footage, jumper,
 };
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::game::RunResult;
-use crate::scores::{LoadedBoard, Name, PATIENCE, Placement, Saved, Score, ScoresError};
+use crate::scores::{LoadedBoard, Name, Placement, Saved, Score, ScoresError, damage_text};
 use crate::words::tr;
 use std::rc::Rc;
-use std::time::Duration;
-
-/// What is shown while another program is saving.
-const WAITING: &str = "Another game is saving there: waiting for it …";
-
-/// A score to be saved as soon as another program lets go of the board.
-#[derive(Debug)]
-pub(super) struct WaitingScore {
-    gain: Gain,
-    name: Name,
-    /// s.
-    since: f64,
-}
 
 impl App {
     pub(super) fn scoring(&mut self, attempt: Attempt, result: RunResult, flown: Option<Rc<Flown>>) -> Box<dyn Screen> {
@@ -55,40 +40,11 @@ impl App {
         }
     }
 
-    /// Saves a score under that name; the leaderboard then, or why it cannot be saved or has to wait.
+    /// Saves a score under that name; the leaderboard then, or why it cannot be saved.
     pub(super) fn submit(&mut self, gain: Gain, name: Name) -> Result<Box<dyn Screen>, String> {
-        self.save(WaitingScore { gain, name, since: 0.0 })
-    }
-
-    /// Tries again to save the score that waits, if the player still does; no frame is spent on waiting.
-    pub(super) fn save_what_waits(&mut self, frame_time: f64) {
-        if self.screen.is::<Closing>() {
-            return;
-        }
-        let text = self.screen.get::<SaveScore>().map(SaveScore::text);
-        let still = |waiting: &WaitingScore| text.as_deref() == Some(waiting.name.as_str());
-        let Some(mut waiting) = self.waiting.take().filter(still) else { return };
-        waiting.since += frame_time;
-        match self.save(waiting) {
-            Ok(saved) => self.show(saved),
-            Err(reason) => self.refuse(reason),
-        }
-    }
-
-    /// Saves a score; the leaderboard then, or why that failed or has to wait.
-    fn save(&mut self, waiting: WaitingScore) -> Result<Box<dyn Screen>, String> {
-        let WaitingScore { gain, name, since } = waiting;
         let flight = gain.flown.as_ref().map(|flown| &flown.replay);
         let score = Score { name: &name, points: gain.points, flight };
-        let Saved { board, placement, rescue } = match self.scores.save_within(Duration::ZERO, &gain.board, score) {
-            Ok(saved) => saved,
-            Err(ScoresError::Busy(_)) if since < PATIENCE.as_secs_f64() => {
-                self.waiting = Some(WaitingScore { gain, name, since });
-                return Err(tr(WAITING).to_owned());
-            }
-            Err(error) => return Err(error.to_string()),
-        };
-        let damage = rescue.map(|rescue| rescue_text(&rescue));
+        let Saved { board, placement } = self.scores.save_with_flight(&gain.board, score).map_err(|error| error.to_string())?;
         let remark = match placement {
             Placement::Kept { best, .. } => Some(tr!("Your best of {best} points stays.", best)),
             Placement::New { .. } | Placement::Raised { .. } => None,
@@ -98,7 +54,7 @@ impl App {
         }
         self.unsaved_score = None;
         let fresh = Fresh { name, remark };
-        Ok(self.with_rivals(&gain.board, Leaderboard::new(gain.subject, board, Some(fresh), damage, gain.onward)))
+        Ok(self.with_rivals(&gain.board, Leaderboard::new(gain.subject, board, Some(fresh), None, gain.onward)))
     }
 
     /// A level's board with the level's own flights, where the level loads.

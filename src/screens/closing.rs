@@ -1,17 +1,20 @@
 //! The question before the window closes while something is neither saved nor kept: what would be lost, and whether to stay.
 
 use super::{App, Editor, Flight, Key, Problems, Request, Screen};
-use crate::scores::PATIENCE;
 use crate::ui::Ui;
 use crate::view::widgets;
 use crate::words::tr;
 
-/// The first one loses nothing: Enter presses it, and Esc does the same.
-const ANSWERS: [&str; 2] = ["Stay here", "Close anyway"];
+/// Loses nothing: Enter presses it, and Esc does the same.
+const STAY: &str = "Stay here";
+const AGAIN: &str = "Try again";
+const ANYWAY: &str = "Close anyway";
 
 #[derive(Debug)]
 pub struct Closing {
     losses: Problems,
+    /// Whether something of that could not be written.
+    failed: bool,
     /// The screen that waits.
     behind: Option<Box<dyn Screen>>,
 }
@@ -19,11 +22,12 @@ pub struct Closing {
 impl Screen for Closing {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         widgets::graph_paper(ui.canvas());
-        let answer = self.losses.answer(ui, &ANSWERS);
-        if ui.key(Key::Escape) || answer == Some(ANSWERS[0]) {
+        let answers = if self.failed { &[STAY, AGAIN, ANYWAY][..] } else { &[STAY, ANYWAY] };
+        let answer = self.losses.answer(ui, answers);
+        if ui.key(Key::Escape) || answer == Some(STAY) {
             return Some(Request::Stay);
         }
-        answer.map(|_| Request::QuitAnyway)
+        answer.map(|answer| if answer == AGAIN { Request::Quit } else { Request::QuitAnyway })
     }
 
     fn tune(&self) -> Option<&str> {
@@ -34,17 +38,16 @@ impl Screen for Closing {
 impl App {
     /// Whether the window may close at once: everything is saved, or kept for the next time. Else the screen asks.
     pub fn may_close(&mut self) -> bool {
-        if self.screen.is::<Closing>() {
-            return false;
-        }
+        self.stay();
         let mut losses = self.write_all();
+        let failed = !losses.is_empty();
         losses.extend(self.score_at_risk());
         if losses.is_empty() {
             return true;
         }
         let behind = std::mem::replace(&mut self.screen, Box::new(()));
         let losses = Problems::new(tr("This is not saved, and would be lost").to_owned(), losses);
-        self.show(Box::new(Closing { losses, behind: Some(behind) }));
+        self.show(Box::new(Closing { losses, failed, behind: Some(behind) }));
         false
     }
 
@@ -62,8 +65,8 @@ impl App {
         self.hand_in_sheet();
         let editor = self.editing.as_deref_mut().or_else(|| self.screen.get_mut::<Editor>());
         let edits = editor.and_then(|editor| editor.keep().err());
-        let journal = self.journal.close(PATIENCE).err().map(|error| error.to_string());
-        let settings = self.settings_file.close(PATIENCE).err().map(|error| error.to_string());
+        let journal = self.journal.close().err().map(|error| error.to_string());
+        let settings = self.settings_file.close().err().map(|error| error.to_string());
         [edits, journal, settings].into_iter().flatten().chain(self.close_answers()).collect()
     }
 
@@ -75,7 +78,7 @@ impl App {
             || sheet
             || !self.journal.is_written()
             || self.settings_file.waits()
-            || self.has_unsaved_answers()
+            || !self.unsaved_answers.is_empty()
             || self.score_at_risk().is_some()
     }
 

@@ -1,14 +1,9 @@
-//! Who plays, and what they have done: known at once, and on disk as soon as that can be, without holding up a frame.
+//! Who plays, and what they have done: known at once, and on disk as soon as that can be.
 
 use crate::game::{Game, Medals, Outcome, RunResult};
 use crate::number::{clock, hundredths};
-use crate::scores::{AttemptRow, Deed, Name, PATIENCE, PlayerRecord, Players, Rescue, Scores, ScoresError};
+use crate::scores::{AttemptRow, Deed, Name, PlayerRecord, Players, Scores, ScoresError, damage_text};
 use crate::words::tr;
-use std::collections::VecDeque;
-use std::time::Duration;
-
-/// From a write that failed to the next try, s.
-const RETRY: f64 = 2.0;
 
 /// What a lost attempt brings.
 const LOST: &str = "A lost attempt scores 0 and cannot be saved.";
@@ -21,13 +16,9 @@ pub struct Journal {
     current: Name,
     /// What is not on disk yet.
     deeds: Vec<Deed>,
-    attempts: VecDeque<AttemptRow>,
+    attempts: Vec<AttemptRow>,
     /// The deeds of this sitting before the player had a name.
     by_guest: Vec<Deed>,
-    /// How long another program has kept it from being written, s.
-    waited: f64,
-    /// Until the next try, s.
-    pause: f64,
     trouble: Option<String>,
 }
 
@@ -39,14 +30,10 @@ impl Journal {
             players: Players::default(),
             current: Name::guest(),
             deeds: Vec::new(),
-            attempts: VecDeque::new(),
+            attempts: Vec::new(),
             by_guest: Vec::new(),
-            waited: 0.0,
-            pause: 0.0,
             trouble: None,
         };
-        // What cannot be taken up now is taken up with the next write.
-        let _ = journal.scores.take_up(Duration::ZERO);
         journal.read();
         if let Some(player) = journal.players.all().first() {
             journal.current = player.name().clone();
@@ -106,13 +93,13 @@ impl Journal {
             }
         }
         self.current = name;
-        self.update(0.0);
+        self.save();
     }
 
     /// Takes note of an attempt that has ended. The answer says what it brought the player, or why it cannot be written down.
     pub fn note(&mut self, game: &Game, assisted: bool) -> String {
         let (level, time, player) = (game.level().name.clone(), game.time(), self.current.clone());
-        self.attempts.push_back(AttemptRow {
+        self.attempts.push(AttemptRow {
             level: level.clone(),
             player: player.clone(),
             result: game.outcome().name(),
@@ -141,7 +128,7 @@ impl Journal {
                 Some(before) => tr!("{player}: {time}, your best time is {best}.", player, time = shown, best = clock(before)),
             };
         }
-        self.update(0.0);
+        self.save();
         self.trouble.clone().unwrap_or(brought)
     }
 
@@ -150,74 +137,26 @@ impl Journal {
         self.deeds.push(deed);
     }
 
-    /// Tries to write down what waits; one frame has passed.
-    pub fn update(&mut self, frame_time: f64) {
-        self.pause -= frame_time;
-        if self.is_written() || self.pause > 0.0 {
-            return;
-        }
-        match self.write(Duration::ZERO) {
-            Ok(()) => self.waited = 0.0,
-            Err(ScoresError::Busy(_)) if self.waited < PATIENCE.as_secs_f64() => self.waited += frame_time,
-            Err(error) => {
-                self.trouble = Some(error.to_string());
-                self.pause = RETRY;
-            }
-        }
+    /// Writes down what waits. What cannot be written waits for the next deed or the end of the sitting.
+    fn save(&mut self) {
+        self.trouble = self.close().err().map(|error| error.to_string());
     }
 
-    /// Writes down what still waits, at the end of a sitting; or puts it by for the next one, where another program is still writing.
+    /// Writes down what waits.
     ///
     /// # Errors
-    /// Why neither can be done; it still waits then.
-    pub fn close(&mut self, patience: Duration) -> Result<(), ScoresError> {
-        if self.is_written() {
-            return Ok(());
+    /// Why it cannot be; it still waits then.
+    pub fn close(&mut self) -> Result<(), ScoresError> {
+        if !self.deeds.is_empty() {
+            self.players = self.scores.record(&self.deeds)?;
+            self.deeds.clear();
         }
-        match self.write(patience) {
-            Err(ScoresError::Busy(_)) => {
-                self.scores.put_by(&self.deeds, self.attempts.iter().cloned())?;
-                self.deeds.clear();
-                self.attempts.clear();
-                Ok(())
-            }
-            written => written,
-        }
+        self.scores.append(&self.attempts)?;
+        self.attempts.clear();
+        Ok(())
     }
 
     pub(super) fn is_written(&self) -> bool {
         self.deeds.is_empty() && self.attempts.is_empty()
     }
-
-    fn write(&mut self, patience: Duration) -> Result<(), ScoresError> {
-        let mut remark = None;
-        if !self.deeds.is_empty() {
-            let (players, rescue) = self.scores.record_within(patience, &self.deeds)?;
-            self.deeds.clear();
-            self.players = players;
-            remark = rescue.map(|rescue| rescue_text(&rescue));
-        }
-        while let Some(attempt) = self.attempts.front() {
-            if let Some(kept) = self.scores.append_within(patience, attempt)? {
-                remark = Some(tr!("attempts.csv did not begin with its columns: it was kept as {path}.", path = kept.display()));
-            }
-            self.attempts.pop_front();
-        }
-        self.trouble = remark;
-        Ok(())
-    }
-}
-
-/// What is wrong with a scores file, in one line.
-pub fn damage_text(damage: &[String]) -> String {
-    match damage {
-        [] => String::new(),
-        [one] => format!("{one}."),
-        [first, rest @ ..] => tr!("{first} (and {count} more).", first, count = rest.len()),
-    }
-}
-
-/// What became of a damaged scores file, in one line.
-pub fn rescue_text(rescue: &Rescue) -> String {
-    tr!("{damage} The damaged file was kept as {file}.", damage = damage_text(&rescue.damage), file = rescue.kept.display())
 }

@@ -67,11 +67,6 @@ impl NameField {
     pub fn refuse(&mut self, error: String) {
         self.error = Some(error);
     }
-
-    /// What is in the field.
-    pub fn text(&self) -> String {
-        self.field.text()
-    }
 }
 
 fn judge(text: &str) -> Result<Name, String> {

@@ -31,22 +31,20 @@ pub struct Gain {
 pub struct SaveScore {
     gain: Gain,
     field: NameField,
+    /// Whether it could not be saved.
+    failed: bool,
 }
 
 impl SaveScore {
     /// The field for that score, with the player's name.
     pub fn new(gain: Gain, name: Option<&Name>) -> Self {
-        Self { gain, field: NameField::new(name.map_or("", Name::as_str)) }
+        Self { gain, field: NameField::new(name.map_or("", Name::as_str)), failed: false }
     }
 
     /// Shows why the score could not be saved.
     pub fn refuse(&mut self, error: String) {
         self.field.refuse(error);
-    }
-
-    /// What is in the field.
-    pub fn text(&self) -> String {
-        self.field.text()
+        self.failed = true;
     }
 }
 
@@ -54,7 +52,7 @@ impl Screen for SaveScore {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         ui.page("Save score", ui.frame().size.y * 0.2);
         let score = unsaved_points(self.gain.points, &self.gain.subject);
-        Some(match self.field.show(ui, (&score, "Save"))? {
+        Some(match self.field.show(ui, (&score, if self.failed { "Try again" } else { "Save" }))? {
             NameEntry::Name(name) => Request::Submit(self.gain.clone(), name),
             NameEntry::Back => (*self.gain.back).clone(),
         })

@@ -161,14 +161,16 @@ impl Screen for SettingsPanel {
         ui.group();
         self.show_keys(ui, keys);
         self.show_hints(ui, values + Vec2::new(0.0, Item::ALL.len() as f32 * VALUES.y + 12.0));
-        let pressed = ui.row(size.y - ROW_BUTTON.y - 32.0, &["Defaults", "Back"]);
+        // A press of the first one saves once more what could not be saved.
+        let labels = if self.problems.is_empty() { &["Defaults", "Back"][..] } else { &["Try again", "Defaults", "Back"] };
+        let pressed = ui.row(size.y - ROW_BUTTON.y - 32.0, labels);
         if leaves || pressed == Some("Back") {
             return Some(Request::Menu);
         }
         if pressed == Some("Defaults") {
             self.settings = Settings::default();
         }
-        (self.settings != before).then_some(Request::Set(self.settings))
+        (self.settings != before || pressed == Some("Try again")).then_some(Request::Set(self.settings))
     }
 
     fn tell_of_settings(&mut self, settings: &Settings, problems: &[String]) {

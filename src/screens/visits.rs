@@ -9,7 +9,6 @@ use crate::level::Level;
 use crate::scores::{Board, Name, Score};
 use crate::words::tr;
 use std::sync::Arc;
-use std::time::Duration;
 
 impl App {
     /// Grants a request about recorded flights; `None`: the screen stays.
@@ -146,7 +145,7 @@ impl App {
             && let Ok(name) = Name::new(&candidate.name)
         {
             let score = Score { name: &name, points: replay.score, flight: Some(&replay) };
-            self.scores.save_within(Duration::ZERO, &visit.level, score).map_err(|error| error.to_string())?;
+            self.scores.save_with_flight(&visit.level, score).map_err(|error| error.to_string())?;
             words += tr(", on the board");
         }
         if let Some(screen) = self.screen.get_mut::<Flights>() {

@@ -4,14 +4,10 @@
 use super::item::Item;
 use super::values::Settings;
 use super::{Action, Key};
-use crate::files::{
-    self, CsvColumn, CsvFile, CsvRow, CsvStruct, Lock, PATIENCE, SETTINGS, Symlinks, csv_line, found_instead, place,
-};
+use crate::files::{self, CsvColumn, CsvFile, CsvRow, CsvStruct, SETTINGS, SaveError, csv_line, found_instead, place};
 use crate::words::tr;
 use serde::Deserialize;
-use std::io;
 use std::path::PathBuf;
-use std::time::Duration;
 
 /// A row may lack the player.
 const LEAST_CELLS: usize = 2;
@@ -161,25 +157,11 @@ fn merged(text: &str, player: &str, settings: &Settings) -> String {
     header + &lines + &fresh.collect::<String>()
 }
 
-/// From a failed write to the next try, s.
-const RETRY: f64 = 2.0;
-
-/// With the settings that wait for a write.
+/// With the settings that wait for a write, and whose they are.
 #[derive(Debug)]
 pub struct SettingsFile {
     path: PathBuf,
-    unsaved: Option<Unsaved>,
-}
-
-/// Not on disk yet.
-#[derive(Debug)]
-struct Unsaved {
-    player: String,
-    settings: Settings,
-    /// Behind another program's lock, s.
-    waited: f64,
-    /// Until the next try, s.
-    pause: f64,
+    unsaved: Option<(String, Settings)>,
 }
 
 impl SettingsFile {
@@ -197,36 +179,19 @@ impl SettingsFile {
         }
     }
 
-    /// [`SettingsFile::update`] writes them.
-    pub fn set(&mut self, player: &str, settings: &Settings) {
-        self.unsaved = Some(Unsaved { player: player.to_owned(), settings: *settings, waited: 0.0, pause: 0.0 });
-    }
-
-    /// Tries once a frame to write, without a pause. `Some` with the file's faults after a write or a final failure.
-    pub fn update(&mut self, frame_time: f64) -> Option<Vec<String>> {
-        let mut unsaved = self.unsaved.take()?;
-        unsaved.pause -= frame_time;
-        let tried = (unsaved.pause <= 0.0).then(|| self.save(&unsaved.player, &unsaved.settings, Duration::ZERO));
-        let problems = match tried {
-            Some(Ok(())) => return Some(self.load(&unsaved.player).1),
-            Some(Err(error)) if error.kind() == io::ErrorKind::WouldBlock && unsaved.waited < PATIENCE.as_secs_f64() => {
-                unsaved.waited += frame_time;
-                None
-            }
-            Some(Err(error)) => {
-                unsaved.pause = RETRY;
-                Some(vec![error.to_string()])
-            }
-            None => None,
-        };
-        self.unsaved = Some(unsaved);
-        problems
+    /// Writes the settings. The answer is the file's faults, or why it cannot be written: they wait then for the next call.
+    pub fn set(&mut self, player: &str, settings: &Settings) -> Vec<String> {
+        self.unsaved = Some((player.to_owned(), *settings));
+        match self.close() {
+            Ok(()) => self.load(player).1,
+            Err(error) => vec![error.to_string()],
+        }
     }
 
     /// Writes waiting settings, before others take their place or the program ends; after an error they still wait.
-    pub fn close(&mut self, patience: Duration) -> io::Result<()> {
-        let Some(Unsaved { player, settings, .. }) = &self.unsaved else { return Ok(()) };
-        self.save(player, settings, patience)?;
+    pub fn close(&mut self) -> Result<(), SaveError> {
+        let Some((player, settings)) = &self.unsaved else { return Ok(()) };
+        self.save(player, settings)?;
         self.unsaved = None;
         Ok(())
     }
@@ -236,26 +201,12 @@ impl SettingsFile {
         self.unsaved.is_some()
     }
 
-    /// Replaces the file, whole.
-    /// Errors: the system's, with the path; [`io::ErrorKind::WouldBlock`] where another program holds the lock longer than
-    /// `patience`. The old file is untouched then.
-    pub fn save(&self, player: &str, settings: &Settings, patience: Duration) -> io::Result<()> {
-        self.replace(player, settings, patience).map_err(|error| {
-            let why = match error.kind() {
-                io::ErrorKind::WouldBlock => tr("another program is writing there and does not come to an end").to_owned(),
-                _ => error.to_string(),
-            };
-            io::Error::new(error.kind(), tr!("{path}: {why}; the settings are not saved", path = self.path.display(), why))
+    /// Replaces the file, whole; rows of other players that another game has written meanwhile stay.
+    pub fn save(&self, player: &str, settings: &Settings) -> Result<(), SaveError> {
+        files::update(&self.path, SETTINGS, |old| {
+            let text = files::text(old).map_err(SaveError::file("read the file", &self.path))?;
+            Ok((merged(&text, player, settings).into_bytes(), ()))
         })
-    }
-
-    fn replace(&self, player: &str, settings: &Settings, patience: Duration) -> io::Result<()> {
-        files::make_folder(files::around(&self.path))?;
-        let path = files::behind_links(&self.path)?;
-        // Neither of two games that save at once loses the other's rows.
-        let _lock = Lock::wait(&path.with_file_name(".settings.csv.lock"), patience)?;
-        let text = files::text_if_there(&path, SETTINGS)?.unwrap_or_default();
-        files::replace(&path, merged(&text, player, settings).as_bytes(), Symlinks::Followed)
     }
 }
 
@@ -273,17 +224,17 @@ mod tests {
         settings.assists.speed = 70;
         settings.keys.set(Action::Thrust, [None, Some(Key::GraveAccent)]);
         settings.keys.set(Action::Hitboxes, [None, None]);
-        file.save("ann", &settings, PATIENCE).unwrap();
+        file.save("ann", &settings).unwrap();
         let mut read = settings;
         // Keys move up into the first free place.
         read.keys.set(Action::Thrust, [Some(Key::GraveAccent), None]);
         assert_eq!(file.load("ann"), (read, vec![]));
         read.assists.speed = 100;
         assert_eq!(file.load("bob"), (read, vec![]), "volume and keys are the machine's, help is the player's");
-        file.save("bob", &Settings::default(), PATIENCE).unwrap();
+        file.save("bob", &Settings::default()).unwrap();
         assert_eq!(file.load("ann").0, Settings { assists: settings.assists, ..Settings::default() });
         let rows = fs::read_to_string(folder.path().join("settings.csv")).unwrap().lines().count();
-        file.save("bob", &Settings::default(), PATIENCE).unwrap();
+        file.save("bob", &Settings::default()).unwrap();
         assert_eq!(fs::read_to_string(folder.path().join("settings.csv")).unwrap().lines().count(), rows, "nothing piles up");
     }
 
@@ -308,28 +259,17 @@ mod tests {
         assert_eq!(read(&merged, "").0.master, 0);
     }
 
-    /// Counts frames: no time passes.
     #[test]
-    fn a_lock_that_is_held_holds_up_no_frame_and_is_reported_after_two_seconds() {
+    fn what_cannot_be_saved_says_why_and_waits_for_the_next_try() {
         let folder = tempfile::tempdir().unwrap();
         let mut file = SettingsFile::new(folder.path().join("settings.csv"));
-        assert_eq!(file.update(0.0), None, "nothing waits");
-        let held = Lock::wait(&folder.path().join(".settings.csv.lock"), Duration::ZERO).unwrap();
-        file.set("", &Settings { music: 1, ..Settings::default() });
-        let said: Vec<_> = (0..5).map(|_| file.update(0.5)).collect();
-        assert_eq!(said[..4], [const { None }; 4]);
-        let problems = said[4].clone().unwrap();
-        assert!(
-            problems[0].ends_with(
-                "settings.csv: another program is writing there and does not come to an end; the settings are not saved"
-            )
-        );
+        let held = files::Lock::wait(&folder.path().join(".settings.csv.lock"), std::time::Duration::ZERO).unwrap();
+        let problems = file.set("", &Settings { music: 1, ..Settings::default() });
+        assert!(problems[0].ends_with("nothing was saved, try again"), "{problems:?}");
+        assert!(file.waits());
         drop(held);
-        assert_eq!(file.update(RETRY - 0.5), None, "the next try is after a pause");
-        assert_eq!((file.update(1.0), file.load("").0.music), (Some(vec![]), 1));
-        file.set("", &Settings { music: 2, ..Settings::default() });
-        file.close(PATIENCE).unwrap();
-        assert_eq!(file.load("").0.music, 2);
+        file.close().unwrap();
+        assert_eq!((file.load("").0.music, file.waits()), (1, false));
     }
 
     #[cfg(unix)]
@@ -342,21 +282,21 @@ mod tests {
         fs::write(path("mine/all.csv"), "# mine\n").unwrap();
         symlink("mine/all.csv", path("settings.csv")).unwrap();
         let file = SettingsFile::new(path("settings.csv"));
-        file.save("", &Settings::default(), PATIENCE).unwrap();
+        file.save("", &Settings::default()).unwrap();
         let text = fs::read_to_string(path("mine/all.csv")).unwrap();
         assert!(path("settings.csv").is_symlink() && text.contains("# mine\n") && text.lines().count() > 10, "{text}");
 
         let mut permissions = fs::metadata(path("mine/all.csv")).unwrap().permissions();
         permissions.set_readonly(true);
         fs::set_permissions(path("mine/all.csv"), permissions).unwrap();
-        let error = file.save("", &Settings { music: 3, ..Settings::default() }, PATIENCE).unwrap_err();
-        assert!(error.to_string().ends_with("settings.csv: the file is read-only; the settings are not saved"), "{error}");
+        let error = file.save("", &Settings { music: 3, ..Settings::default() }).unwrap_err();
+        assert!(error.to_string().ends_with("all.csv: the file is read-only, expected one that may be replaced"), "{error}");
         assert_eq!(fs::read_to_string(path("mine/all.csv")).unwrap(), text);
 
         let lock = path("mine/.settings.csv.lock");
         fs::remove_file(&lock).unwrap();
         assert!(std::process::Command::new("mkfifo").arg(&lock).status().unwrap().success());
-        let error = file.save("", &Settings::default(), PATIENCE).unwrap_err();
+        let error = file.save("", &Settings::default()).unwrap_err();
         assert!(error.to_string().contains("found a pipe or a device, expected a regular file"), "{error}");
     }
 
@@ -365,7 +305,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = SettingsFile::new(folder.path().join("settings.csv"));
         fs::create_dir(folder.path().join("settings.csv")).unwrap();
-        assert!(file.save("", &Settings::default(), PATIENCE).unwrap_err().to_string().contains("settings.csv"));
+        assert!(file.save("", &Settings::default()).unwrap_err().to_string().contains("settings.csv"));
         assert_eq!(file.load("").1.len(), 1);
     }
 
@@ -381,7 +321,7 @@ mod tests {
             assert_eq!(file.load("ann"), (settings, vec![]), "{}", saved.form);
             let mut changed = settings;
             changed.music = 80;
-            file.save("bob", &changed, PATIENCE).unwrap();
+            file.save("bob", &changed).unwrap();
             let bob = file.load("bob");
             assert_eq!((bob.0.music, bob.1), (80, vec![]), "{}", saved.form);
             assert!(!file.load("ann").0.timer, "{}: the row of ann stays", saved.form);

@@ -4,12 +4,12 @@
 use super::fixture::{Fixture, name};
 use crate::support::shipped::{fixture as level, record};
 use resultant::game::{Controls, Game, Mismatch, Outcome, Recorder, Replay, level_hash};
-use resultant::scores::{Doubt, PATIENCE, Placement, Score, Scores, Standing, judge};
+use resultant::scores::{Doubt, Placement, Score, Scores, Standing, judge};
 use std::fs;
 
 fn save(scores: &Scores, user: &str, flight: &Replay) -> Placement {
     let score = Score { name: &name(user), points: flight.score, flight: Some(flight) };
-    scores.save_within(PATIENCE, "1", score).unwrap().placement
+    scores.save_with_flight("1", score).unwrap().placement
 }
 
 /// How the rows of the board of level 1 stand, and the number of ticks that were flown.
@@ -236,6 +236,6 @@ fn a_flight_that_cannot_be_kept_saves_no_row() {
     let fixture = Fixture::with("flights", "in the way");
     let gold = record("1", "gold");
     let score = Score { name: &name("ann"), points: gold.score, flight: Some(&gold) };
-    assert!(fixture.scores().save_within(PATIENCE, "1", score).is_err());
+    assert!(fixture.scores().save_with_flight("1", score).is_err());
     assert!(!fixture.file("1.csv").exists());
 }

@@ -1,14 +1,22 @@
 //! A scores folder of a test's own, and processes that write into it.
 
-use resultant::scores::{Name, Scores};
+use resultant::files::SaveError;
+use resultant::scores::{Name, Scores, ScoresError};
 use std::fs;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
-/// How long a process waits for its turn, also where other programs keep every core busy.
-pub const UNTIL_ITS_TURN: Duration = Duration::from_secs(600);
+/// Tries again as long as another process is saving there, also where other programs keep every core busy.
+pub fn until_its_turn(mut save: impl FnMut() -> Result<(), ScoresError>) {
+    loop {
+        match save() {
+            Err(ScoresError::Save(SaveError::Busy(_))) => {}
+            saved => return saved.unwrap(),
+        }
+    }
+}
 
 /// A project folder, removed with the test. Its scores folder need not be there.
 pub struct Fixture {

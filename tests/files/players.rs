@@ -1,13 +1,13 @@
 //! The files of players and of attempts on disk, also when files are damaged, writes fail, many processes write at once, or one is killed
 //! in the middle.
 
-use super::fixture::{Fixture, UNTIL_ITS_TURN, Worker, confirmed, kill_within, make_read_only, name, work};
+use super::fixture::{Fixture, Worker, confirmed, kill_within, make_read_only, name, until_its_turn, work};
+use resultant::files::SaveError;
 use resultant::game::Medals;
-use resultant::scores::{AttemptRow, Deed, PATIENCE, ScoresError};
+use resultant::scores::{AttemptRow, Deed, ScoresError};
 use std::fs;
 #[cfg(unix)]
 use std::process::Command;
-use std::time::Duration;
 
 fn empty() -> Fixture {
     let fixture = Fixture::new();
@@ -41,13 +41,12 @@ const HEADER: &str = "level,player,result,time,fuel,hits,cause,assisted\r\n";
 const ROW: &str = "1,ann,failed,1.250,0.500,1,obstacle 2,false\r\n";
 
 #[test]
-fn deeds_of_two_games_are_merged() {
+fn deeds_of_two_games_stand_in_one_file() {
     let fixture = empty();
     let (one, two) = (fixture.scores(), fixture.scores());
-    one.record_within(PATIENCE, &[Deed::Chosen(name("ann")), done("ann", "1", 9.0)]).unwrap();
-    two.record_within(PATIENCE, &[Deed::Chosen(name("bob")), done("ann", "1", 8.0), done("bob", "2", 5.0)]).unwrap();
-    let (players, rescue) = one.record_within(PATIENCE, &[done("ann", "1", 8.5), done("ann", "3", 1.0)]).unwrap();
-    assert_eq!(rescue, None);
+    one.record(&[Deed::Chosen(name("ann")), done("ann", "1", 9.0)]).unwrap();
+    two.record(&[Deed::Chosen(name("bob")), done("ann", "1", 8.0), done("bob", "2", 5.0)]).unwrap();
+    let players = one.record(&[done("ann", "1", 8.5), done("ann", "3", 1.0)]).unwrap();
     let expected =
         "player,level,time,medal,mark\nbob,,,,\nbob,2,5.000,bronze,\nann,,,,\nann,1,8.000,bronze,\nann,3,1.000,bronze,\n";
     assert_eq!(fixture.text("players.csv"), expected);
@@ -56,18 +55,15 @@ fn deeds_of_two_games_are_merged() {
 }
 
 #[test]
-fn a_damaged_file_of_players_is_kept_aside_and_no_sound_row_is_lost() {
+fn a_damaged_file_of_players_is_reported_and_stays() {
     let fixture = empty();
     let damaged = "player,level,time,medal,mark\r\nann,1,7\r\n=cmd|' /C calc'!A0,1,5\r\n\"bob,1,5\r\ncid,2,8\r\n";
     fs::write(fixture.file("players.csv"), damaged).unwrap();
     let (players, damage) = fixture.scores().players().unwrap();
     assert_eq!((players.all().len(), damage.len()), (2, 2));
     assert!(damage[0].contains("players.csv:3: ") && damage[1].contains("players.csv:4: "), "{damage:?}");
-    let (_, rescue) = fixture.scores().record_within(PATIENCE, &[done("dan", "1", 1.0)]).unwrap();
-    assert_eq!(fs::read_to_string(rescue.unwrap().kept).unwrap(), damaged);
-    assert!(
-        fixture.text("players.csv").contains("ann,1,7.000,bronze,\ncid,,,,\ncid,2,8.000,bronze,\ndan,,,,\ndan,1,1.000,bronze,\n")
-    );
+    assert!(matches!(fixture.scores().record(&[done("dan", "1", 1.0)]), Err(ScoresError::Damaged(found)) if found == damage));
+    assert_eq!(fixture.text("players.csv"), damaged);
 }
 
 #[test]
@@ -84,20 +80,18 @@ fn lines_are_added_whole_whatever_an_editor_left() {
         if let Some(before) = before {
             fs::write(fixture.file("attempts.csv"), before).unwrap();
         }
-        assert_eq!(fixture.scores().append_within(PATIENCE, &attempt("ann", "1")).unwrap(), None);
+        fixture.scores().append(&[attempt("ann", "1")]).unwrap();
         assert_eq!(fixture.text("attempts.csv"), after);
     }
 }
 
 #[test]
-fn a_file_that_is_no_list_of_attempts_is_kept_aside() {
+fn a_file_that_is_no_list_of_attempts_is_left_alone() {
     let fixture = empty();
-    for (number, other) in ["level;player\n1;ann\n", "x"].into_iter().enumerate() {
+    for other in ["level;player\n1;ann\n", "x"] {
         fs::write(fixture.file("attempts.csv"), other).unwrap();
-        let kept = fixture.scores().append_within(PATIENCE, &attempt("ann", "1")).unwrap().unwrap();
-        assert_eq!(kept, fixture.file(&format!("attempts.csv.damaged-{}", number + 1)));
-        assert_eq!(fs::read_to_string(kept).unwrap(), other);
-        assert_eq!(fixture.text("attempts.csv"), format!("{HEADER}{ROW}"));
+        assert!(matches!(fixture.scores().append(&[attempt("ann", "1")]), Err(ScoresError::Foreign(_))));
+        assert_eq!(fixture.text("attempts.csv"), other);
     }
 }
 
@@ -106,7 +100,7 @@ fn what_a_spreadsheet_reads_is_what_was_flown() {
     let fixture = empty();
     let levels = ["1", "Höhle, \"tief\"", "=cmd|' /C calc'!A0", "two\nlines"];
     for level in levels {
-        fixture.scores().append_within(PATIENCE, &attempt("ann", level)).unwrap();
+        fixture.scores().append(&[attempt("ann", level)]).unwrap();
     }
     let mut reader = csv::Reader::from_path(fixture.file("attempts.csv")).unwrap();
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
@@ -122,18 +116,18 @@ fn read_only_files_and_what_is_no_file_are_left_alone() {
         make_read_only(&fixture.file(file));
     }
     let deeds = [done("ann", "1", 1.0)];
-    assert!(matches!(fixture.scores().record_within(PATIENCE, &deeds), Err(ScoresError::ReadOnly(_))));
-    assert!(matches!(fixture.scores().append_within(PATIENCE, &attempt("ann", "1")), Err(ScoresError::ReadOnly(_))));
+    assert!(matches!(fixture.scores().record(&deeds), Err(ScoresError::Save(SaveError::ReadOnly(_)))));
+    assert!(matches!(fixture.scores().append(&[attempt("ann", "1")]), Err(ScoresError::Save(SaveError::ReadOnly(_)))));
     assert_eq!((fixture.text("players.csv"), fixture.text("attempts.csv")), (String::new(), String::new()));
 
     let fixture = empty();
     for file in ["players.csv", "attempts.csv"] {
         fs::create_dir(fixture.file(file)).unwrap();
     }
-    let error = fixture.scores().record_within(PATIENCE, &deeds).unwrap_err();
-    assert!(error.to_string().contains("players.csv: cannot read the scores: found a folder"), "{error}");
-    let error = fixture.scores().append_within(PATIENCE, &attempt("ann", "1")).unwrap_err();
-    assert!(error.to_string().contains("attempts.csv: cannot add a line: found a folder"), "{error}");
+    let error = fixture.scores().record(&deeds).unwrap_err();
+    assert!(error.to_string().contains("players.csv: cannot read the file: found a folder"), "{error}");
+    let error = fixture.scores().append(&[attempt("ann", "1")]).unwrap_err();
+    assert!(error.to_string().contains("attempts.csv: cannot read the file: found a folder"), "{error}");
 }
 
 #[cfg(unix)]
@@ -141,13 +135,13 @@ fn read_only_files_and_what_is_no_file_are_left_alone() {
 fn pipes_are_not_written_to_and_links_are_followed() {
     let fixture = empty();
     assert!(Command::new("mkfifo").arg(fixture.file("attempts.csv")).status().unwrap().success());
-    assert!(fixture.scores().append_within(PATIENCE, &attempt("ann", "1")).is_err());
+    assert!(fixture.scores().append(&[attempt("ann", "1")]).is_err());
     fs::remove_file(fixture.file("attempts.csv")).unwrap();
     fs::create_dir(fixture.root.path().join("elsewhere")).unwrap();
     let target = fixture.root.path().join("elsewhere/all.csv");
     fs::write(&target, "").unwrap();
     std::os::unix::fs::symlink(&target, fixture.file("attempts.csv")).unwrap();
-    fixture.scores().append_within(PATIENCE, &attempt("ann", "1")).unwrap();
+    fixture.scores().append(&[attempt("ann", "1")]).unwrap();
     assert_eq!(fs::read_to_string(target).unwrap(), format!("{HEADER}{ROW}"));
 }
 
@@ -156,35 +150,9 @@ fn a_lock_that_is_held_is_told() {
     let fixture = empty();
     let held = [".players.csv.lock", ".attempts.csv.lock"].map(|file| fs::File::create(fixture.file(file)).unwrap());
     held.iter().for_each(|file| file.lock().unwrap());
-    let (scores, none) = (fixture.scores(), Duration::ZERO);
-    assert!(matches!(scores.record_within(none, &[done("ann", "1", 1.0)]), Err(ScoresError::Busy(_))));
-    assert!(matches!(scores.append_within(none, &attempt("ann", "1")), Err(ScoresError::Busy(_))));
-}
-
-/// A sitting that ends while another program holds the locks puts its rows by: the next sitting takes them up, once, with other rows between.
-#[test]
-fn what_was_put_by_is_taken_up_once() {
-    let fixture = empty();
-    let deeds = [Deed::Chosen(name("ann")), done("ann", "1", 7.0)];
-    let scores = fixture.scores();
-    scores.put_by(&deeds, [attempt("ann", "1"), attempt("ann", "2")]).unwrap();
-    scores.put_by(&[done("ann", "1", 8.0)], [attempt("bob", "1")]).unwrap();
-    assert_eq!(
-        names(&fixture),
-        ["attempts.csv.waiting-1", "attempts.csv.waiting-2", "players.csv.waiting-1", "players.csv.waiting-2"]
-    );
-    let held = fs::File::create(fixture.file(".players.csv.lock")).unwrap();
-    held.lock().unwrap();
-    assert!(matches!(scores.take_up(Duration::ZERO), Err(ScoresError::Busy(_))));
-    assert_eq!(names(&fixture).len(), 4);
-    drop(held);
-    scores.record_within(PATIENCE, &[Deed::Chosen(name("cid"))]).unwrap();
-    scores.take_up(PATIENCE).unwrap();
-    scores.take_up(PATIENCE).unwrap();
-    assert_eq!(names(&fixture), ["attempts.csv", "players.csv"]);
-    let two = ROW.replacen("1,ann", "2,ann", 1);
-    assert_eq!(fixture.text("attempts.csv"), format!("{HEADER}{ROW}{two}{}", ROW.replacen("1,ann", "1,bob", 1)));
-    assert_eq!(fixture.text("players.csv"), "player,level,time,medal,mark\ncid,,,,\nann,,,,\nann,1,7.000,bronze,\n");
+    let busy = |saved: Result<(), ScoresError>| matches!(saved, Err(ScoresError::Save(SaveError::Busy(_))));
+    assert!(busy(fixture.scores().record(&[done("ann", "1", 1.0)]).map(drop)));
+    assert!(busy(fixture.scores().append(&[attempt("ann", "1")])));
 }
 
 #[test]
@@ -202,8 +170,8 @@ const WORKER: &str = "players::writing_process";
 #[ignore = "the body of a worker, which other tests start"]
 fn writing_process() {
     work(|scores, player, level| {
-        scores.record_within(UNTIL_ITS_TURN, &[done(player, &level.to_string(), 1.0)]).unwrap();
-        scores.append_within(UNTIL_ITS_TURN, &attempt(player, &level.to_string())).unwrap();
+        until_its_turn(|| scores.record(&[done(player, &level.to_string(), 1.0)]).map(drop));
+        until_its_turn(|| scores.append(&[attempt(player, &level.to_string())]));
     });
 }
 

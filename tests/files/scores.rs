@@ -1,9 +1,9 @@
 //! Scores on disk: the folder after a save, also when files are damaged, writes fail, many processes save at once, or one is killed in
 //! the middle.
 
-use super::fixture::{Fixture, UNTIL_ITS_TURN, Worker, confirmed, kill_within, make_read_only, name, work};
-use resultant::files::{self, pauses};
-use resultant::scores::{PATIENCE, Placement, Score, Scores, ScoresError};
+use super::fixture::{Fixture, Worker, confirmed, kill_within, make_read_only, name, until_its_turn, work};
+use resultant::files::{self, SaveError};
+use resultant::scores::{Placement, Scores, ScoresError};
 use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::time::Duration;
@@ -21,7 +21,7 @@ fn the_first_save_makes_the_folder_and_the_file() {
     assert!(fixture.scores().load("1").unwrap().board.rows().is_empty(), "a missing file is an empty board");
     assert!(!fixture.folder().exists(), "looking changes nothing");
     let saved = fixture.scores().save("1", &name("ann"), 10_000).unwrap();
-    assert_eq!((saved.placement, saved.rescue), (Placement::New { rank: 1 }, None));
+    assert_eq!(saved.placement, Placement::New { rank: 1 });
     assert_eq!(fixture.text("1.csv"), "name,score\nann,10000\n");
     assert_eq!(fixture.names(), [".1.csv.lock", "1.csv"]);
     assert_eq!(fixture.scores().load("1").unwrap().board, saved.board);
@@ -60,13 +60,12 @@ fn a_file_without_header_or_order_is_read_and_comes_back_with_both() {
     let before = fixture.scores().load("1").unwrap();
     assert_eq!(before.board.rows().iter().map(|row| row.name.as_str()).collect::<Vec<_>>(), ["ann", "cid", "bob"]);
     assert_eq!(fixture.text("1.csv"), "bob,20\nann,30\ncid,30\n", "looking changes nothing");
-    let saved = fixture.scores().save("1", &name("dan"), 25).unwrap();
-    assert_eq!(saved.rescue, None, "that is no damage");
+    fixture.scores().save("1", &name("dan"), 25).unwrap();
     assert_eq!(fixture.text("1.csv"), "name,score\nann,30\ncid,30\ndan,25\nbob,20\n");
 }
 
 #[test]
-fn a_damaged_file_is_reported_and_kept_aside_and_no_sound_row_is_lost() {
+fn a_damaged_file_is_reported_and_stays_until_it_is_mended() {
     let damaged = "name,score\nann,30\n=HYPERLINK(1),99999\nbob,2O\ncid,10\n";
     let fixture = with(damaged);
     let path = fixture.file("1.csv");
@@ -81,38 +80,18 @@ fn a_damaged_file_is_reported_and_kept_aside_and_no_sound_row_is_lost() {
     assert_eq!(loaded.damage.iter().map(ToString::to_string).collect::<Vec<_>>(), reports);
     assert_eq!((fixture.text("1.csv").as_str(), fixture.names()), (damaged, vec!["1.csv".to_owned()]), "looking changes nothing");
 
-    let rescue = fixture.scores().save("1", &name("dan"), 20).unwrap().rescue.unwrap();
-    assert_eq!(rescue.damage, loaded.damage);
-    assert_eq!(rescue.kept, fixture.file("1.csv.damaged-1"));
-    assert_eq!(fixture.text("1.csv.damaged-1"), damaged);
-    assert_eq!(fixture.text("1.csv"), "name,score\nann,30\ndan,20\ncid,10\n");
+    let error = fixture.scores().save("1", &name("dan"), 20).unwrap_err();
+    let words = format!("{} (and 1 more). Nothing was saved: mend the file, and try again.", reports[0]);
+    assert_eq!(error.to_string(), words);
+    assert_eq!(fixture.text("1.csv"), damaged, "neither does a save");
+    fs::write(&path, damaged.replace("=HYPERLINK(1)", "dan").replace("2O", "20")).unwrap();
+    fixture.scores().save("1", &name("eve"), 5).unwrap();
+    assert_eq!(fixture.text("1.csv"), "name,score\ndan,99999\nann,30\nbob,20\ncid,10\neve,5\n");
 
-    assert_eq!(fixture.scores().save("1", &name("eve"), 5).unwrap().rescue, None, "the fresh file is sound");
-    fs::write(&path, "nonsense").unwrap();
-    let rescue = fixture.scores().save("1", &name("fay"), 7).unwrap().rescue.unwrap();
-    assert_eq!(rescue.kept, fixture.file("1.csv.damaged-2"));
-    assert_eq!(fixture.text("1.csv.damaged-1"), damaged, "an earlier copy is never written over");
-    assert_eq!(fixture.text("1.csv.damaged-2"), "nonsense");
-    assert_eq!(fixture.text("1.csv"), "name,score\nfay,7\n");
-}
-
-#[test]
-fn bytes_that_are_no_text_are_kept_to_the_last_one() {
-    let fixture = with("");
-    let damaged = b"ann,30\nb\xFF\xFEb,20\n\0\0\0";
-    fs::write(fixture.file("1.csv"), damaged).unwrap();
-    let rescue = fixture.scores().save("1", &name("dan"), 40).unwrap().rescue.unwrap();
-    assert_eq!(fs::read(rescue.kept).unwrap(), damaged);
-    assert_eq!(fixture.text("1.csv"), "name,score\ndan,40\nann,30\n");
-}
-
-#[test]
-fn a_damaged_file_is_kept_aside_even_when_the_score_changes_nothing() {
-    let fixture = with("ann,30\nbob\n");
-    let saved = fixture.scores().save("1", &name("ann"), 10).unwrap();
-    assert_eq!(saved.placement, Placement::Kept { rank: 1, best: 30 });
-    assert_eq!(fs::read_to_string(saved.rescue.unwrap().kept).unwrap(), "ann,30\nbob\n");
-    assert_eq!(fixture.text("1.csv"), "name,score\nann,30\n");
+    let bytes = b"ann,30\nb\xFF\xFEb,20\n\0\0\0";
+    fs::write(&path, bytes).unwrap();
+    assert!(matches!(fixture.scores().save("1", &name("dan"), 40), Err(ScoresError::Damaged(_))));
+    assert_eq!(fs::read(&path).unwrap(), bytes);
 }
 
 #[test]
@@ -129,19 +108,18 @@ fn a_read_only_file_is_left_alone() {
 
 #[test]
 fn whatever_the_system_refuses_is_an_error_with_its_place_and_leaves_the_old_file_whole() {
-    let text = "name,score\nann,30\nbroken\n";
+    let text = "name,score\nann,30\n";
     let fixture = with(text);
     fs::create_dir(fixture.file(".1.csv.lock")).unwrap();
     let error = fixture.scores().save("1", &name("bob"), 40).unwrap_err();
     let place = format!("{}: cannot lock the file: found a folder", fixture.file(".1.csv.lock").display());
     assert!(error.to_string().starts_with(&place), "{error}");
     assert_eq!(fixture.text("1.csv"), text);
-    assert!(!fixture.names().iter().any(|name| name.contains("damaged")), "no copy without a save");
 
     let fixture = Fixture::new();
     fs::create_dir_all(fixture.file("1.csv")).unwrap();
     let error = fixture.scores().save("1", &name("bob"), 40).unwrap_err();
-    assert!(error.to_string().contains("1.csv: cannot read the scores: "), "{error}");
+    assert!(error.to_string().contains("1.csv: cannot read the file: "), "{error}");
 
     let fixture = Fixture::new();
     fs::write(fixture.folder(), "a file where the folder should be").unwrap();
@@ -153,11 +131,11 @@ fn whatever_the_system_refuses_is_an_error_with_its_place_and_leaves_the_old_fil
 #[cfg(unix)]
 #[test]
 fn a_full_disk_loses_nothing_and_leaves_no_litter() {
-    let text = "name,score\nann,30\nbroken\n";
+    let text = "name,score\nann,30\n";
     let fixture = with(text);
     let saved = Worker::through("trap '' XFSZ; ulimit -f 0; exec \"$@\"", WORKER, &fixture.folder()).output();
     let said = String::from_utf8_lossy(&[saved.stdout, saved.stderr].concat()).into_owned();
-    assert!(!saved.status.success() && said.contains("write the new scores"), "{said}");
+    assert!(!saved.status.success() && said.contains("write the file"), "{said}");
     assert_eq!(fixture.text("1.csv"), text);
     assert_eq!(fixture.names(), [".1.csv.lock", "1.csv"]);
     fixture.scores().save("1", &name("bob"), 40).unwrap();
@@ -173,7 +151,7 @@ fn no_link_that_somebody_laid_is_written_through() {
     fs::write(&mine, "mine").unwrap();
     std::os::unix::fs::symlink(&mine, fixture.file(".resultant-aB3dE6gH.new")).unwrap();
     fixture.scores().save("1", &name("bob"), 40).unwrap();
-    fixture.scores().record_within(PATIENCE, &[resultant::scores::Deed::Chosen(name("bob"))]).unwrap();
+    fixture.scores().record(&[resultant::scores::Deed::Chosen(name("bob"))]).unwrap();
     std::os::unix::fs::symlink(&mine, fixture.file(".2.csv.lock")).unwrap();
     let error = fixture.scores().save("2", &name("bob"), 40).unwrap_err();
     assert!(error.to_string().ends_with(".2.csv.lock: cannot lock the file: found a link, expected a regular file"), "{error}");
@@ -220,27 +198,19 @@ fn a_lock_that_is_held_is_waited_for_and_then_told() {
     let held = File::create(fixture.file(".1.csv.lock")).unwrap();
     held.lock().unwrap();
 
-    let before = pauses();
     let error = fixture.scores().save("1", &name("bob"), 40).unwrap_err();
-    // Pauses of a millisecond or more.
-    let waited = pauses() - before;
-    assert!((1..=PATIENCE.as_millis()).contains(&waited.into()), "{waited}");
-    assert!(matches!(error, ScoresError::Busy(_)));
+    assert!(matches!(error, ScoresError::Save(SaveError::Busy(_))));
     let place = fixture.file(".1.csv.lock");
     let told = "another program is saving there and does not come to an end; nothing was saved, try again";
     assert_eq!(error.to_string(), format!("{}: {told}", place.display()));
     assert_eq!(fixture.text("1.csv"), "name,score\nann,30\n");
-    let (bob, before) = (name("bob"), pauses());
-    let score = || Score { name: &bob, points: 40, flight: None };
-    assert!(matches!(fixture.scores().save_within(Duration::ZERO, "1", score()), Err(ScoresError::Busy(_))));
-    assert_eq!(pauses(), before, "without patience there is one look");
 
     // It is let go while the next save waits.
     let released = std::thread::spawn(move || {
         std::thread::sleep(Duration::from_millis(200));
         drop(held);
     });
-    fixture.scores().save_within(UNTIL_ITS_TURN, "1", score()).unwrap();
+    until_its_turn(|| fixture.scores().save("1", &name("bob"), 40).map(drop));
     released.join().unwrap();
     assert_eq!(fixture.text("1.csv"), "name,score\nbob,40\nann,30\n");
 }
@@ -273,7 +243,7 @@ fn what_is_no_file_is_refused_at_once() {
         let error = fixture.scores().save(level, &name("bob"), 40).unwrap_err();
         assert!(error.to_string().contains("expected a regular file"), "{error}");
     }
-    assert!(fixture.scores().load("2").unwrap_err().to_string().contains("2.csv: cannot read the scores: found a pipe"));
+    assert!(fixture.scores().load("2").unwrap_err().to_string().contains("2.csv: cannot read the file: found a pipe"));
     std::os::unix::fs::symlink("/dev/zero", fixture.file("4.csv")).unwrap();
     assert!(fixture.scores().load("4").unwrap_err().to_string().contains("expected a regular file"));
 }
@@ -296,7 +266,7 @@ fn a_board_that_is_too_large_is_neither_read_nor_written() {
     assert!(full.len() > files::SCORES as usize - 30);
     assert!(fixture.scores().load("1").is_ok());
     let error = fixture.scores().save("1", &name("one-row-too-man"), 1_000_000_000_000).unwrap_err();
-    assert!(matches!(error, ScoresError::Full(_)), "{error}");
+    assert!(matches!(error, ScoresError::Save(SaveError::Full(..))), "{error}");
     assert_eq!(fixture.text("1.csv"), full);
 
     fs::write(fixture.file("2.csv"), full + &" ".repeat(100)).unwrap();
@@ -336,8 +306,7 @@ const WORKER: &str = "scores::saving_process";
 fn saving_process() {
     work(|scores: &Scores, prefix, number| {
         let user = name(&format!("{prefix}-{number}"));
-        let score = Score { name: &user, points: i64::from(number), flight: None };
-        scores.save_within(UNTIL_ITS_TURN, "1", score).unwrap();
+        until_its_turn(|| scores.save("1", &user, i64::from(number)).map(drop));
     });
 }
 

@@ -12,7 +12,7 @@ use std::fs;
 
 /// Calls whose words are looked up.
 const CALLS: [&str; 9] =
-    ["tr(", "tr!(", "ui.page(", "ui.button(", "ui.buttons(", "ui.row(", "ui.column(", "ui.choice(", "ScoresError::file("];
+    ["tr(", "tr!(", "ui.page(", "ui.button(", "ui.buttons(", "ui.row(", "ui.column(", "ui.choice(", "SaveError::file("];
 
 /// The string literals of a source, without its tests: where each begins and ends, and its text.
 fn literals(source: &str) -> Vec<(usize, usize, String)> {

@@ -1,5 +1,5 @@
 //! No test reads a clock: its result must not depend on the load of the machine. Work is counted instead: units of the engine's work,
-//! pauses for a lock, allocations, samples, lines.
+//! allocations, samples, lines.
 
 use super::sources::{files, root};
 use std::fs;

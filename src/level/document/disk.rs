@@ -1,8 +1,8 @@
 //! The only part of the document that knows the disk. Each file is replaced whole; `.autosave` in the level's folder holds all edits from
 //! before the first replacement until after the last. Whenever the program ends, each file is the old one or the new one, and no edit is
-//! lost. The loader and `check` pass over hidden names. Each editor of a level has an `.autosave` of its own.
+//! lost. The loader and `check` pass over hidden names.
 
-use super::desk::EditorDesk;
+use super::editor_lock::EditorLock;
 use super::kept::{self, Kept};
 use super::model::Document;
 use crate::files::{self, Manner, Symlinks};
@@ -20,6 +20,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+/// The file of unsaved edits.
+const KEPT: &str = ".autosave";
 /// The folder of the pictures that levels share.
 const ASSETS: &str = "assets";
 /// The depth of its folders that are searched.
@@ -33,7 +35,8 @@ pub struct LevelFolder {
     project: PathBuf,
     /// The files' bytes when they were opened or saved last, by [`Table`].
     known: Vec<Option<Vec<u8>>>,
-    desk: Arc<EditorDesk>,
+    /// Of an editor.
+    _lock: Option<Arc<EditorLock>>,
 }
 
 /// The side whose files stay where another program has written into files that are edited here.
@@ -80,15 +83,17 @@ impl LevelFolder {
     /// Images are looked up in `folder`, then under `project`. A level that the loader refuses can be opened.
     /// Errors: an unreadable file, in words.
     pub fn open(folder: &Path, project: &Path) -> Result<Opened, String> {
-        Self::open_at(folder, project, EditorDesk::alone)
+        Self::open_with(folder, project, None)
     }
 
-    /// As [`LevelFolder::open`], for an editor, which keeps its edits apart from the level's other editors.
+    /// As [`LevelFolder::open`], for an editor, which is the only one of the level.
+    /// Errors: another editor has the level open, by its user and process.
     pub fn open_to_edit(folder: &Path, project: &Path) -> Result<Opened, String> {
-        Self::open_at(folder, project, EditorDesk::take)
+        let lock = if files::is_folder(folder) { EditorLock::take(folder)? } else { None };
+        Self::open_with(folder, project, lock)
     }
 
-    fn open_at(folder: &Path, project: &Path, desk: fn(&Path) -> EditorDesk) -> Result<Opened, String> {
+    fn open_with(folder: &Path, project: &Path, lock: Option<EditorLock>) -> Result<Opened, String> {
         if !files::is_folder(folder) {
             return Err(tr!("there is no folder {path}", path = folder.display()));
         }
@@ -97,20 +102,15 @@ impl LevelFolder {
             known.push(read_table(folder, *table).map_err(|error| format!("{}: {error}", table.file()))?);
         }
         let mut document = Document::new(|table| known[table.index()].clone());
-        let desk = desk(folder);
-        let kept = files::read_with(&desk.kept, kept::MOST, Symlinks::Never).ok();
+        let kept = files::read_with(&folder.join(KEPT), kept::MOST, Symlinks::Never).ok();
         let kept = kept.and_then(|bytes| kept::parse(&bytes)).filter(|kept| kept.0 != known);
-        let folder = Self { folder: folder.to_path_buf(), project: project.to_path_buf(), known, desk: Arc::new(desk) };
+        let folder = Self { folder: folder.to_path_buf(), project: project.to_path_buf(), known, _lock: lock.map(Arc::new) };
         folder.measure(&mut document);
         Ok(Opened { document, folder, kept })
     }
 
     pub fn path(&self) -> &Path {
         &self.folder
-    }
-
-    pub fn is_shared(&self) -> bool {
-        self.desk.shared
     }
 
     pub fn name(&self) -> String {
@@ -258,12 +258,12 @@ impl LevelFolder {
 
     pub fn forget(&self) {
         // There may be none.
-        let _ = files::remove(&self.desk.kept);
+        let _ = files::remove(&self.folder.join(KEPT));
     }
 
     fn write_kept(&self, document: &Document, durable: bool) -> io::Result<()> {
         let manner = Manner { links: Symlinks::Never, durable, shared: false };
-        files::replace_with(&self.desk.kept, &kept::encoded(document), manner)
+        files::replace_with(&self.folder.join(KEPT), &kept::encoded(document), manner)
     }
 }
 

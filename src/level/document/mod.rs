@@ -3,8 +3,8 @@
 //! The loader alone judges a document: it reads it from memory ([`Document::over`]).
 
 mod change;
-mod desk;
 mod disk;
+mod editor_lock;
 mod edits;
 mod history;
 mod kept;

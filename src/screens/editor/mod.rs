@@ -175,7 +175,7 @@ impl Editor {
     /// Errors: a file that cannot be read, in words.
     pub fn open(folder: &Path, root: &Path) -> Result<Self, String> {
         let Opened { document, folder, kept } = LevelFolder::open_to_edit(folder, root)?;
-        let mut editor = Self {
+        let editor = Self {
             name: folder.name(),
             watch: FolderWatch::new(folder.path().to_path_buf(), Vec::new()),
             kept: (document.version(), 0.0),
@@ -204,9 +204,6 @@ impl Editor {
             pointer: Vec2::ZERO,
             figures: false,
         };
-        if editor.folder.is_shared() {
-            editor.say(tr("Another editor has this level open: what it saves is taken over here."));
-        }
         Ok(editor)
     }
 

@@ -200,8 +200,9 @@ impl Worksheet {
             return None;
         }
         let row = self.take_unsaved();
-        let told = if row.is_some() { "Another program writes there: waiting for it …" } else { "This is saved already." };
-        self.told = Ok(tr(told).to_owned());
+        if row.is_none() {
+            self.told = Ok(tr("This is saved already.").to_owned());
+        }
         row.map(Request::HandIn)
     }
 }

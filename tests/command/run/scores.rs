@@ -3,7 +3,7 @@
 use crate::support::program::{Data, Ran, resultant};
 use crate::support::shipped::{copy_fixture, fixtures, record as flight};
 use resultant::game::Replay;
-use resultant::scores::{Name, PATIENCE, Score, Scores};
+use resultant::scores::{Name, Score, Scores};
 use std::fs;
 
 /// A data folder with two levels, and a board of level 1 with ann's flight for gold.
@@ -18,7 +18,7 @@ fn data() -> Data {
 fn save(data: &Data, level: &str, user: &str, flight: &Replay) {
     let name = Name::new(user).unwrap();
     let score = Score { name: &name, points: flight.score, flight: Some(flight) };
-    Scores::new(data.path("scores")).save_within(PATIENCE, level, score).unwrap();
+    Scores::new(data.path("scores")).save_with_flight(level, score).unwrap();
 }
 
 #[test]
