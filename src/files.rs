@@ -32,13 +32,13 @@ pub use home::{
 #[cfg(any(browser, test))]
 pub use kept::{Keeper, KeepingFault, PageFiles};
 pub use lock::{Lock, PATIENCE, share};
+pub use read::Symlinks;
 #[cfg(browser)]
 pub use read::too_large;
-pub use read::{Symlinks, is_passed_on, open};
 pub use rows::{BadCell, CsvColumn, CsvFile, CsvRow, CsvStruct, found_instead, place};
 pub use save::{SaveError, update, write};
 pub use shipped::{AboveShipped, ship_at, ship_lessons_at};
-pub use staged::{Replacement, around, behind_links, sync_folder, target};
+pub use staged::{Replacement, around, behind_links, sync_folder};
 pub use storage::{FileKind, Found, Manner, Storage};
 
 /// Some 8000 objects or 20 000 solids. Each object is compared with each solid: files four times as large would take seconds.

@@ -1,11 +1,10 @@
-//! Input and output files of subcommands. New content goes into a file without a name, so that a stopped program leaves nothing
-//! behind; the complete content takes its target's place in one step.
+//! Input and output files of subcommands. New content goes into a hidden file beside its target, and takes the target's place in one step
+//! once it is complete.
 
 use super::stop::CommandError;
 use crate::files::{self, Replacement, Symlinks};
 use serde::Serialize;
-use std::fs::{File, Metadata, OpenOptions};
-use std::io::{self, BufWriter, Seek, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 /// The text of the file `from`, which messages call `path`; `at_most` is in bytes (one of the sizes in [`crate::files`]).
@@ -48,15 +47,40 @@ fn plain(error: csv::Error) -> io::Error {
     }
 }
 
-/// Standard output, and a file that the caller has passed on open (`/dev/fd/3`), are written to directly.
+/// The names of standard output.
+const STANDARD: [&str; 2] = ["-", "/dev/stdout"];
+
 pub struct OutputFile {
     path: PathBuf,
-    writer: BufWriter<File>,
-    /// Whether the content is collected without a name, to be staged beside its target.
-    collected: bool,
+    writer: BufWriter<OutputTarget>,
 }
 
-/// A complete file beside its target.
+enum OutputTarget {
+    File(Box<Replacement>),
+    /// Written to directly.
+    Standard(io::Stdout),
+}
+
+impl OutputTarget {
+    fn writer(&mut self) -> &mut dyn Write {
+        match self {
+            Self::File(file) => file,
+            Self::Standard(out) => out,
+        }
+    }
+}
+
+impl Write for OutputTarget {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.writer().write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.writer().flush()
+    }
+}
+
+/// A complete file beside its target; nothing of standard output.
 pub struct Staged {
     path: PathBuf,
     fresh: Option<Replacement>,
@@ -64,12 +88,15 @@ pub struct Staged {
 
 impl OutputFile {
     /// # Errors
-    /// A folder that cannot be written, or a read-only file there; nothing has been written then.
+    /// A folder that cannot be written, a read-only file there, or no regular one; nothing has been written then.
     pub fn create(path: &Path) -> Result<Self, CommandError> {
-        let passed_on = passed_on(path);
-        let collected = passed_on.is_none();
-        let file = passed_on.unwrap_or_else(|| collect(path)).map_err(|error| refused(path, &error))?;
-        Ok(Self { path: path.to_path_buf(), writer: BufWriter::new(file), collected })
+        let target = if is_standard(path) {
+            OutputTarget::Standard(io::stdout())
+        } else {
+            let begun = Replacement::begin(path, Symlinks::Followed).map_err(|error| refused(path, &error))?;
+            OutputTarget::File(Box::new(begun))
+        };
+        Ok(Self { path: path.to_path_buf(), writer: BufWriter::new(target) })
     }
 
     /// Creates the wanted output files, each by its argument's name. `inputs` are the files that the subcommand reads.
@@ -85,7 +112,7 @@ impl OutputFile {
         let mut files = [const { None }; N];
         for (argument, path) in outputs.iter().filter_map(|(argument, path)| Some((argument, (*path)?))) {
             let file = resolved(path);
-            if let Some((_, why)) = taken.iter().find(|(other, _)| *other == file && !files::is_passed_on(path)) {
+            if let Some((_, why)) = taken.iter().find(|(other, _)| *other == file && !is_standard(path)) {
                 return Err(CommandError::Refused(format!("{argument} {}: {why}, expected another", path.display())));
             }
             taken.push((file, format!("{argument} is written to this file")));
@@ -98,15 +125,11 @@ impl OutputFile {
 
     /// Writes the content to the disk, beside the target.
     pub fn stage(self) -> Result<Staged, CommandError> {
-        let Self { path, writer, collected } = self;
-        let stage = |mut file: File| {
-            let mut fresh = Replacement::begin(&path, Symlinks::Followed)?;
-            file.rewind()?;
-            io::copy(&mut file, fresh.file())?;
-            fresh.seal().map(|()| fresh)
-        };
-        let written = writer.into_inner().map_err(io::IntoInnerError::into_error);
-        let staged = written.and_then(|file| collected.then(|| stage(file)).transpose());
+        let Self { path, writer } = self;
+        let staged = writer.into_inner().map_err(io::IntoInnerError::into_error).and_then(|target| match target {
+            OutputTarget::File(mut file) => file.seal().map(|()| Some(*file)),
+            OutputTarget::Standard(mut out) => out.flush().map(|()| None),
+        });
         let fresh = staged.map_err(|error| CommandError::Output(named(&path, &error)))?;
         Ok(Staged { path, fresh })
     }
@@ -122,38 +145,8 @@ impl Staged {
     }
 }
 
-/// A file without a name in the target's folder.
-fn collect(path: &Path) -> io::Result<File> {
-    let (target, found) = files::target(path, Symlinks::Followed)?;
-    if found.is_some() {
-        // A file that this user may not write to is not replaced either.
-        one_name(&files::open(OpenOptions::new().write(true), &target, Symlinks::Never)?.1)?;
-    }
-    tempfile::tempfile_in(files::around(&target)).map_err(|error| {
-        let why = format!("{error}: the file is written beside its place first, and its folder takes no new file");
-        io::Error::new(error.kind(), why)
-    })
-}
-
-/// Refuses a file with further names (hard links): they would lead to the old content.
-fn one_name(found: &Metadata) -> io::Result<()> {
-    #[cfg(unix)]
-    let names = std::os::unix::fs::MetadataExt::nlink(found);
-    #[cfg(not(unix))]
-    let names = u64::from(found.is_file());
-    let why = || format!("the file has {names} names (hard links), which cannot all get the new content at once, expected one");
-    if names > 1 { Err(io::Error::new(io::ErrorKind::InvalidInput, why())) } else { Ok(()) }
-}
-
-/// The file that the caller has passed on open. Standard output is this process' own: two files that write to one target would
-/// overwrite each other.
-fn passed_on(path: &Path) -> Option<io::Result<File>> {
-    #[cfg(unix)]
-    if ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].iter().any(|output| path == Path::new(output)) {
-        use std::os::fd::AsFd;
-        return Some(io::stdout().as_fd().try_clone_to_owned().map(File::from));
-    }
-    files::is_passed_on(path).then(|| OpenOptions::new().write(true).open(path))
+fn is_standard(path: &Path) -> bool {
+    STANDARD.iter().any(|name| path == Path::new(name))
 }
 
 /// Without links; the file need not exist yet.
@@ -205,12 +198,11 @@ mod tests {
             file.flush().unwrap();
             file
         };
-        let begun = unfinished();
-        assert_eq!(names(folder.path()), 0, "whatever stops the program now leaves nothing behind");
-        drop(begun);
+        drop(unfinished());
+        assert_eq!(names(folder.path()), 0);
         fs::write(&path, "old").unwrap();
         let begun = unfinished();
-        assert_eq!((fs::read_to_string(&path).unwrap().as_str(), names(folder.path())), ("old", 1));
+        assert_eq!(fs::read_to_string(&path).unwrap(), "old");
         drop(begun);
         assert_eq!(fs::read_to_string(&path).unwrap(), "old");
         for text in ["new and longer", "shorter", ""] {
@@ -221,7 +213,7 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn modes_and_links_are_kept_and_a_file_with_two_names_is_refused() {
+    fn modes_and_links_are_kept() {
         use std::os::unix::fs::{PermissionsExt, symlink};
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);
@@ -233,11 +225,6 @@ mod tests {
         assert!(fs::symlink_metadata(path("soft")).unwrap().is_symlink());
         assert_eq!(fs::metadata(path("out.csv")).unwrap().permissions().mode() & 0o777, 0o640);
         assert_eq!(names(folder.path()), 2);
-        fs::hard_link(path("out.csv"), path("hard")).unwrap();
-        for name in ["out.csv", "hard", "soft"] {
-            let Err(CommandError::Refused(problem)) = OutputFile::create(&path(name)) else { panic!("begun") };
-            assert!(problem.contains("the file has 2 names (hard links)"), "{problem}");
-        }
     }
 
     #[cfg(unix)]
@@ -284,7 +271,6 @@ mod tests {
         let path = |name: &str| folder.path().join(name);
         fs::create_dir(path("below")).unwrap();
         fs::write(path("in"), "read").unwrap();
-        fs::hard_link(path("in"), path("in-too")).unwrap();
         let refusal = |a: &str, b: &str| {
             let (a, b) = (path(a), path(b));
             let created = OutputFile::create_all([("--a", Some(a.as_path())), ("--b", Some(&b)), ("--c", None)], &[path("in")]);
@@ -302,7 +288,6 @@ mod tests {
             );
         }
         assert!(refusal("one", "in").unwrap_err().ends_with("this file is read by the same command, expected another"));
-        assert!(!cfg!(unix) || refusal("one", "in-too").unwrap_err().contains("the file has 2 names (hard links)"));
         assert_eq!(fs::read_to_string(path("in")).unwrap(), "read");
         assert!(!path("one").exists());
     }

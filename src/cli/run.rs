@@ -32,6 +32,7 @@ const WHOLE_TICK: f64 = 1e-6;
     gravity, engine, air, stream N, fluid N, world N (the Nth row of hazards.csv, fluids.csv, world.csv), hazard N (the source block of \
     stream N), edge left, right, top or bottom, or object N (as in the telemetry; 0 is the ship). Rows of the kind impact tell what \
     an impact since the tick before passed on, in N·s.\n\n\
+    The output - is standard output.\n\n\
     An inputs file is a CSV with the header ticks,thrust,reverse,left,right; each row holds its keys (0 or 1) for that many \
     ticks. After the last row nothing is pressed."
 )]

@@ -35,7 +35,7 @@ pub(super) fn read_file(path: &Path, at_most: u64, links: Symlinks) -> io::Resul
 
 /// Opens an existing regular file only: a pipe waits for its other end, and a device may act on being opened.
 /// Errors: no regular file; the system's.
-pub fn open(options: &OpenOptions, path: &Path, links: Symlinks) -> io::Result<(File, Metadata)> {
+pub(super) fn open(options: &OpenOptions, path: &Path, links: Symlinks) -> io::Result<(File, Metadata)> {
     judge(&match links {
         Symlinks::Followed => fs::metadata(path)?,
         Symlinks::Never => fs::symlink_metadata(path)?,
@@ -55,11 +55,6 @@ pub fn open(options: &OpenOptions, path: &Path, links: Symlinks) -> io::Result<(
     let found = file.metadata()?;
     judge(&found)?;
     Ok((file, found))
-}
-
-/// Whether the path leads to a file that this process was given open.
-pub fn is_passed_on(path: &Path) -> bool {
-    descriptor(path).is_some()
 }
 
 /// The number of an open file of this process, where the path names one.

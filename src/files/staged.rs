@@ -93,6 +93,16 @@ impl Replacement {
     }
 }
 
+impl Write for Replacement {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.staged.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.staged.flush()
+    }
+}
+
 /// Makes a file where there is none, on the disk when this returns.
 /// Errors: [`io::ErrorKind::AlreadyExists`]; the system's. Nothing is left behind then.
 pub(super) fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
@@ -190,7 +200,7 @@ pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
 
 /// The file whose place new content for `path` takes, and the old file there.
 /// Errors: a read-only file; no regular file; a link without a target; the system's.
-pub fn target(path: &Path, links: Symlinks) -> io::Result<(PathBuf, Option<Metadata>)> {
+fn target(path: &Path, links: Symlinks) -> io::Result<(PathBuf, Option<Metadata>)> {
     let target = if links == Symlinks::Followed { behind_links(path)? } else { path.to_path_buf() };
     let found = match fs::symlink_metadata(&target) {
         // A pipe or link in that place is replaced, too: a rename does not open it.
