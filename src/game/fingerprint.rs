@@ -1,18 +1,18 @@
-//! The hash of a level: of all that a flight and its score depend on. SHA-256, so that nobody can make another level with the same
-//! hash. The encoding is unambiguous: numbers are 8 bytes, lists and texts begin with their length, an optional part with a byte
-//! for its presence.
+//! The identity of a level: the SHA-256 of the rows of the files that decide a flight and its score, as `csv` and serde write them, so that
+//! nobody can make another level with the same one. Names, texts and looks are left out, and so is the form of the files: two levels with the
+//! same hash fly alike. A new field of a level has to be named here, on one side or the other.
 
 use super::notes::hex;
 use crate::level::{
-    AirStream, Fluid, GravityZone, Level, LevelLink, Mover, Object, Objective, Pod, SHIP_DRAG, ShipStart, Solid, Switch, Work,
+    AirStream, Fluid, GravityZone, Level, LevelLink, Mover, Object, Objective, Pod, ShipStart, Solid, Switch, Work,
 };
-use crate::physics::{Aabb, DVec2, Leg, LinkDef, LinkEnd, Material, Path, Sides};
+use crate::physics::{Aabb, DVec2, LinkDef, LinkEnd, Material, Sides};
+use csv::{Writer, WriterBuilder};
+use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::fmt;
 use std::str::FromStr;
 
-/// The beginning of the hashed bytes. A change of the encoding needs another number.
-const ENCODING: &str = "resultant level 1";
 /// Hex digits of a hash in a message.
 const SHORT: usize = 16;
 
@@ -49,236 +49,123 @@ impl FromStr for LevelHash {
     }
 }
 
-impl LevelHash {
-    /// Names, texts and looks of the level are left out, and so is the form of its files: two levels with the same hash fly alike.
-    /// A new field of a level has to be named here, on one side or the other.
-    pub fn of(level: &Level) -> Self {
-        let Level {
-            name: _,
-            title: _,
-            metre: _,
-            texts: _,
-            hints: _,
-            background: _,
-            // Prizes follow from a result at any time.
-            awards: _,
-            landscape: _,
-            decoration: _,
-            // Shown and scored, without an effect on the flight.
-            experiment: _,
-            size,
-            gravity,
-            gravity_x,
-            air_density,
-            optimal_time,
-            rest_speed,
-            friction,
-            player,
-            world,
-            movers,
-            doors,
-            switches,
-            objects,
-            objectives,
-            obstacles,
-            streams,
-            fluids,
-            fields,
-            pods,
-            links,
-        } = level;
-        let mut hash = Hash { sha256: Sha256::new() };
-        hash.text(ENCODING);
-        hash.vectors(&[*size]);
-        hash.numbers(&[*gravity, *air_density, *optimal_time, *rest_speed]);
-        hash.player(player);
-        hash.given(*friction != 1.0, |hash| hash.numbers(&[*friction]));
-        hash.given(*gravity_x != 0.0, |hash| hash.numbers(&[*gravity_x]));
-        hash.each(world, Hash::solid);
-        hash.each(objects, Hash::object);
-        hash.each(objectives, Hash::objective);
-        hash.given(objectives.iter().any(|objective| objective.colour.is_some()), |hash| {
-            objects.iter().filter_map(|object| object.key).for_each(|key| hash.colour(key));
-        });
-        hash.each(obstacles, Hash::area);
-        hash.each(streams, Hash::stream);
-        hash.each(fluids, Hash::fluid);
-        hash.list(movers, Hash::mover);
-        hash.list(doors, Hash::solid);
-        hash.list(switches, Hash::switch);
-        hash.list(fields, Hash::field);
-        hash.list(pods, Hash::pod);
-        // Levels without links keep the hash that they had before there were any.
-        if !links.is_empty() {
-            hash.list(links, Hash::link);
-        }
-        Self(hash.sha256.finalize().into())
-    }
-}
-
 pub fn level_hash(level: &Level) -> LevelHash {
-    LevelHash::of(level)
+    LevelHash(Sha256::digest(rows(level)).into())
 }
 
-struct Hash {
-    sha256: Sha256,
+struct Rows(Writer<Vec<u8>>);
+
+impl Rows {
+    /// The cells of a thing, behind the word for its file.
+    fn add(&mut self, file: &str, cells: impl Serialize) {
+        // Memory takes all writes, and all cells are numbers, words or flags.
+        let written = self.0.serialize((file, cells));
+        debug_assert!(written.is_ok(), "{file}: {written:?}");
+    }
 }
 
-impl Hash {
-    fn word(&mut self, word: u64) {
-        self.sha256.update(word.to_le_bytes());
+fn rows(level: &Level) -> Vec<u8> {
+    let Level {
+        name: _,
+        title: _,
+        metre: _,
+        texts: _,
+        hints: _,
+        background: _,
+        landscape: _,
+        decoration: _,
+        // Prizes follow from a result at any time.
+        awards: _,
+        // Shown and scored, without an effect on the flight.
+        experiment: _,
+        size,
+        gravity,
+        gravity_x,
+        air_density,
+        optimal_time,
+        rest_speed,
+        friction,
+        player,
+        world,
+        movers,
+        doors,
+        switches,
+        objects,
+        objectives,
+        obstacles,
+        streams,
+        fluids,
+        fields,
+        pods,
+        links,
+    } = level;
+    let mut rows = Rows(WriterBuilder::new().has_headers(false).flexible(true).from_writer(Vec::new()));
+    rows.add("constants", (vector(size), gravity, gravity_x, air_density, optimal_time, rest_speed, friction));
+    let ShipStart { position, velocity, angle, mass, fuel, thrust, feels_air, material, drag, restitution } = player;
+    let tank = (mass, fuel, thrust, feels_air, drag, restitution);
+    rows.add("player", (vector(position), vector(velocity), angle, tank, surface(material)));
+    world.iter().for_each(|wall| rows.add("world", solid(wall)));
+    // A path holds the mover's stops and route.
+    for Mover { solid: moved, stops: _, route: _, path } in movers {
+        let legs: Vec<_> = path.legs.iter().map(|leg| (leg.duration, vector(&leg.velocity), vector(&leg.acceleration))).collect();
+        rows.add("movers", (solid(moved), path.repeats, legs));
     }
-
-    /// Adds a text with its length.
-    fn text(&mut self, text: &str) {
-        self.sha256.update((text.len() as u64).to_le_bytes());
-        self.sha256.update(text);
+    doors.iter().for_each(|door| rows.add("doors", solid(door)));
+    for Switch { bounds, works, weight, by, latch } in switches {
+        let works: Vec<_> = works.iter().map(|Work { name, inverted }| (name, inverted)).collect();
+        rows.add("switches", (area(bounds), weight, *by as u8, *latch as u8, works));
     }
-
-    fn numbers(&mut self, numbers: &[f64]) {
-        numbers.iter().for_each(|number| self.word(number.to_bits()));
+    // What colour a key has matters where an objective asks for one.
+    let coloured = objectives.iter().any(|objective| objective.colour.is_some());
+    for Object { position, velocity, size, mass, drag, restitution, circular, look: _, key, material, weightless, name: _ } in
+        objects
+    {
+        let place = (vector(position), vector(velocity), vector(size));
+        let key = (key.is_some(), key.filter(|_| coloured));
+        rows.add("objects", (place, mass, drag, restitution, circular, surface(material), weightless, key));
     }
-
-    fn vectors(&mut self, vectors: &[DVec2]) {
-        vectors.iter().for_each(|vector| self.numbers(&[vector.x, vector.y]));
+    for Objective { kind, bounds, hold, order, colour } in objectives {
+        rows.add("objectives", (*kind as u8, area(bounds), hold, order, colour));
     }
-
-    fn area(&mut self, Aabb { min, max }: &Aabb) {
-        self.vectors(&[*min, *max]);
+    obstacles.iter().for_each(|bounds| rows.add("obstacles", area(bounds)));
+    for AirStream { source, zone, force, name } in streams {
+        rows.add("hazards", (area(source), area(zone), vector(force), name));
     }
-
-    /// Adds an optional part.
-    fn given(&mut self, given: bool, write: impl FnOnce(&mut Self)) {
-        self.sha256.update([u8::from(given)]);
-        if given {
-            write(self);
-        }
+    for Fluid { zone, density, viscosity, colour: _ } in fluids {
+        rows.add("fluids", (area(zone), density, viscosity));
     }
-
-    fn colour(&mut self, colour: [u8; 3]) {
-        colour.into_iter().for_each(|channel| self.word(u64::from(channel)));
+    for GravityZone { zone, strength } in fields {
+        rows.add("gravity", (area(zone), vector(strength)));
     }
-
-    fn each<T>(&mut self, things: &[T], write: impl Fn(&mut Self, &T)) {
-        self.word(things.len() as u64);
-        things.iter().for_each(|thing| write(self, thing));
+    for Pod { bounds, fuel } in pods {
+        rows.add("pods", (area(bounds), fuel));
     }
-
-    /// Adds an optional list.
-    fn list<T>(&mut self, things: &[T], write: impl Fn(&mut Self, &T)) {
-        self.given(!things.is_empty(), |hash| hash.each(things, write));
-    }
-
-    fn objective(&mut self, Objective { kind, bounds, hold, order, colour }: &Objective) {
-        self.word(*kind as u64);
-        self.area(bounds);
-        self.given(*hold != 0.0, |hash| hash.numbers(&[*hold]));
-        self.given(order.is_some(), |hash| hash.word(u64::from(order.unwrap_or_default())));
-        self.given(colour.is_some(), |hash| hash.colour(colour.unwrap_or_default()));
-    }
-
-    fn stream(&mut self, AirStream { source, zone, force, name }: &AirStream) {
-        self.area(source);
-        self.area(zone);
-        self.vectors(&[*force]);
-        self.name(name.as_deref());
-    }
-
-    fn fluid(&mut self, Fluid { zone, density, viscosity, colour: _ }: &Fluid) {
-        self.area(zone);
-        self.numbers(&[*density, *viscosity]);
-    }
-
-    fn field(&mut self, GravityZone { zone, strength }: &GravityZone) {
-        self.area(zone);
-        self.vectors(&[*strength]);
-    }
-
-    fn pod(&mut self, Pod { bounds, fuel }: &Pod) {
-        self.area(bounds);
-        self.numbers(&[*fuel]);
-    }
-
-    fn link(&mut self, LevelLink { def, name }: &LevelLink) {
+    for LevelLink { def, name } in links {
         let LinkDef { body, to, law, as_found, hook, breaks, rate } = def;
-        self.word(u64::from(body.0));
-        match to {
-            LinkEnd::Body(body) => self.word(u64::from(body.0)),
-            LinkEnd::Place(place) => self.given(true, |hash| hash.vectors(&[*place])),
-        }
-        self.word(law.kind() as u64);
-        self.numbers(&law.numbers());
-        [as_found, hook].into_iter().for_each(|flag| self.word(u64::from(*flag)));
-        self.given(breaks.is_some(), |hash| hash.numbers(&[breaks.unwrap_or_default()]));
-        self.numbers(&[*rate]);
-        self.name(name.as_deref());
+        let to = match to {
+            LinkEnd::Body(body) => ("body", [f64::from(body.0), 0.0]),
+            LinkEnd::Place(place) => ("place", vector(place)),
+        };
+        rows.add("links", (body.0, to, as_found, hook, breaks, rate, name, law.kind() as u8, law.numbers()));
     }
+    rows.0.into_inner().unwrap_or_default()
+}
 
-    fn material(&mut self, Material { name: _, static_friction, kinetic_friction, restitution }: &Material) {
-        self.numbers(&[*static_friction, *kinetic_friction]);
-        self.given(*restitution != 0.0, |hash| hash.numbers(&[*restitution]));
-    }
+fn vector(vector: &DVec2) -> [f64; 2] {
+    [vector.x, vector.y]
+}
 
-    /// The name by which switches find a part.
-    fn name(&mut self, name: Option<&str>) {
-        self.given(name.is_some(), |hash| {
-            hash.text(name.unwrap_or_default());
-        });
-    }
+fn area(Aabb { min, max }: &Aabb) -> [f64; 4] {
+    [min.x, min.y, max.x, max.y]
+}
 
-    fn solid(&mut self, Solid { bounds, material, sides, belt, breaks, name }: &Solid) {
-        let Sides { left, right, top, bottom } = *sides;
-        self.area(bounds);
-        self.material(material);
-        self.given(*sides != Sides::ALL, |hash| {
-            [left, right, top, bottom].into_iter().for_each(|solid| hash.word(u64::from(solid)));
-        });
-        self.given(*belt != 0.0, |hash| hash.numbers(&[*belt]));
-        self.given(breaks.is_some(), |hash| hash.numbers(&[breaks.unwrap_or_default()]));
-        self.name(name.as_deref());
-    }
+fn surface(Material { name: _, static_friction, kinetic_friction, restitution }: &Material) -> [f64; 3] {
+    [*static_friction, *kinetic_friction, *restitution]
+}
 
-    /// A path holds the mover's stops and route.
-    fn mover(&mut self, Mover { solid, stops: _, route: _, path: Path { legs, repeats } }: &Mover) {
-        self.solid(solid);
-        self.each(legs, |hash, Leg { duration, velocity, acceleration }| {
-            hash.numbers(&[*duration]);
-            hash.vectors(&[*velocity, *acceleration]);
-        });
-        self.word(u64::from(*repeats));
-    }
-
-    fn switch(&mut self, Switch { bounds, works, weight, by, latch }: &Switch) {
-        self.area(bounds);
-        self.each(works, |hash, Work { name, inverted }| {
-            hash.name(Some(name));
-            hash.word(u64::from(*inverted));
-        });
-        self.given(weight.is_some(), |hash| hash.numbers(&[weight.unwrap_or_default()]));
-        self.word(*by as u64);
-        self.word(*latch as u64);
-    }
-
-    fn player(&mut self, player: &ShipStart) {
-        let ShipStart { position, velocity, angle, mass, fuel, thrust, feels_air, material, drag, restitution } = player;
-        self.vectors(&[*position, *velocity]);
-        self.numbers(&[*angle, *mass, *fuel, *thrust]);
-        self.material(material);
-        self.word(u64::from(*feels_air));
-        self.given(*drag != SHIP_DRAG, |hash| hash.numbers(&[*drag]));
-        self.given(*restitution != 0.0, |hash| hash.numbers(&[*restitution]));
-    }
-
-    fn object(&mut self, object: &Object) {
-        let Object { position, velocity, size, mass, drag, restitution, circular, look: _, key, material, weightless, name: _ } =
-            object;
-        self.vectors(&[*position, *velocity, *size]);
-        self.numbers(&[*mass, *drag, *restitution]);
-        self.material(material);
-        self.word(u64::from(*circular));
-        self.word(u64::from(key.is_some()));
-        self.given(*weightless, |_| {});
-    }
+fn solid(Solid { bounds, material, sides, belt, breaks, name }: &Solid) -> impl Serialize {
+    let Sides { left, right, top, bottom } = *sides;
+    (area(bounds), surface(material), [left, right, top, bottom], *belt, *breaks, name.clone())
 }
 
 #[cfg(test)]
@@ -299,5 +186,13 @@ mod tests {
     fn sha_256_is_the_one_of_the_standard() {
         let digest = LevelHash(Sha256::digest("abc").into());
         assert_eq!(digest.to_string(), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    }
+
+    #[test]
+    fn rows_are_as_csv_writes_them() {
+        let mut rows = Rows(WriterBuilder::new().has_headers(false).flexible(true).from_writer(Vec::new()));
+        rows.add("world", ([1.0, 0.5], (true, None::<f64>, Some([1_u8, 2])), Some("a, b"), vec![("x", 0.1 + 0.2)]));
+        let text = String::from_utf8(rows.0.into_inner().unwrap()).unwrap();
+        assert_eq!(text, "world,1.0,0.5,true,,1,2,\"a, b\",x,0.30000000000000004\n");
     }
 }
