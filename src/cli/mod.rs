@@ -4,7 +4,6 @@
 mod chart;
 mod check;
 mod code;
-mod earned;
 mod edit;
 mod files;
 mod forces;
@@ -20,6 +19,7 @@ mod stop;
 mod telemetry;
 mod tiles;
 mod verify;
+mod verify_scores;
 
 pub use project::Project;
 pub use stop::{CommandError, Status};

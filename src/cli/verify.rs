@@ -1,8 +1,8 @@
 //! `resultant verify`: flies recorded runs again and compares where they lead.
 
-use super::earned;
 use super::project::Project;
 use super::stop::{CommandError, Readers, Silence, Status, TICKS_A_LOOK, shown};
+use super::verify_scores;
 use crate::files::{self, INPUTS};
 use crate::game::{Mismatch, PROGRAM, Replay};
 use crate::level::Level;
@@ -27,7 +27,7 @@ pub struct VerifyArgs {
 /// Errors: a replay that cannot be read, or whose level is refused; none is flown then.
 pub fn run(args: &VerifyArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     if args.scores {
-        return earned::run(project, out);
+        return verify_scores::run(project, out);
     }
     let (mut replays, mut problems) = (Vec::new(), Vec::new());
     for path in &args.replays {

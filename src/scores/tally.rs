@@ -103,30 +103,24 @@ impl Tally {
     }
 }
 
-/// Whether a file that [`Tally::add`] does not read may be a list of attempts or of answers all the same: it has most words of a header, or
-/// rows as such lists have them, whatever parts and encodes them, or it is no text.
+/// Whether a file that [`Tally::add`] does not read may be a list of attempts or of answers all the same: it has most names of a header, in
+/// any order, or rows as such lists have them, or it is no text.
 pub fn may_be_list(bytes: &[u8]) -> bool {
     let wide = [[0xFF, 0xFE], [0xFE, 0xFF]].iter().any(|mark| bytes.starts_with(mark));
-    if bytes.contains(&0) && !wide {
-        return true;
-    }
-    let text = String::from_utf8_lossy(bytes).replace('\0', "");
-    let lines = text.lines().filter(|line| !line.trim().is_empty()).take(LOOKED_AT);
-    lines.map(str::to_lowercase).any(|line| {
-        let words: HashSet<&str> = line.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
-        let has = |any: &[&str]| any.iter().any(|word| words.contains(word));
-        let names = |header: &str| {
-            let columns = header.trim_start_matches('\u{feff}').trim_end().split(',');
-            2 * columns.clone().filter(|column| words.contains(column)).count() > columns.count()
-        };
-        let attempt = has(&["completed", "failed"]) && has(&["true", "false", "wahr", "falsch", "vrai", "faux"]);
-        let dated = line.matches(':').count() > 1 && words.iter().any(|word| word.len() == 4 && word.starts_with("20"));
-        let answer = has(&["yes", "no"]) && dated;
-        [attempts::HEADER, results::HEADER].into_iter().any(names) || attempt || answer
+    bytes.contains(&0) && !wide || is_like::<AttemptCells>(bytes) || is_like::<AnswerCells>(bytes)
+}
+
+fn is_like<T: CsvStruct>(bytes: &[u8]) -> bool {
+    let columns: Vec<&str> = T::COLUMNS.iter().map(|column| column.name).collect();
+    let named = |row: &CsvRow<'_>, name: &&&str| row.cells.iter().any(|cell| cell.text.trim().eq_ignore_ascii_case(name));
+    let mut rows = CsvFile { name: "", columns: &columns, comments: false }.rows_of::<T>(bytes).take(LOOKED_AT);
+    rows.any(|row| {
+        let is_row = row.cells.len() == columns.len() && row.read::<T>().is_ok();
+        is_row || 2 * columns.iter().filter(|name| named(&row, name)).count() > columns.len()
     })
 }
 
-/// Lines in which a header and rows are looked for.
+/// Rows in which a header and those of a list are looked for.
 const LOOKED_AT: usize = 5;
 
 /// A row of the list of attempts.

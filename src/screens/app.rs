@@ -186,8 +186,13 @@ impl App {
         });
         match asked {
             Some(Request::QuitAnyway) => return false,
-            Some(Request::Quit) if self.may_close() => return false,
-            Some(Request::Quit) => {}
+            Some(Request::Quit) => {
+                // The question of what would be lost may have been answered by another try.
+                self.stay();
+                if self.may_close() {
+                    return false;
+                }
+            }
             Some(request) => {
                 self.note_score(&request);
                 self.grant(request, spectator);

@@ -38,7 +38,9 @@ impl Screen for Closing {
 impl App {
     /// Whether the window may close at once: everything is saved, or kept for the next time. Else the screen asks.
     pub fn may_close(&mut self) -> bool {
-        self.stay();
+        if self.screen.is::<Closing>() {
+            return false;
+        }
         let mut losses = self.write_all();
         let failed = !losses.is_empty();
         losses.extend(self.score_at_risk());

@@ -1,7 +1,7 @@
 //! Files that players share: leaderboards, players, levels in one file, and how much work a file may cause.
 
-mod earned;
 mod fixture;
+mod judged_boards;
 mod limits;
 mod pack;
 mod players;

@@ -175,14 +175,14 @@ fn what_cannot_be_saved_is_told_and_stays_on_the_sheet() {
     // A file of another kind is left alone.
     fs::write(file(&sitting, "Guest.csv"), "my own notes\n").unwrap();
     sitting.click("Your guess").write("1").click("Save");
-    assert!(sitting.warning().unwrap().contains("holds other lines"), "{:?}", sitting.warning());
+    assert!(sitting.warning().unwrap().contains("Guest.csv: this file"), "{:?}", sitting.warning());
     assert_eq!(results(&sitting), "my own notes\n");
     // Nor does one that another program holds take the answer; another press saves it.
     fs::remove_file(file(&sitting, "Guest.csv")).unwrap();
     let held = fs::File::create(file(&sitting, ".Guest.csv.lock")).unwrap();
     held.lock().unwrap();
     sitting.click("Save");
-    assert!(sitting.warning().unwrap().contains("nothing was saved, try again") && results(&sitting).is_empty());
+    assert!(sitting.warning().unwrap().contains(".Guest.csv.lock: another") && results(&sitting).is_empty());
     drop(held);
     assert!(sitting.click("Save").shows("Saved in ") && results(&sitting).lines().count() == 2);
 }
