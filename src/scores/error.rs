@@ -85,7 +85,7 @@ impl fmt::Display for ScoresError {
                 name = format_args!("{name:?}")
             ),
             Self::Damaged(damage) => {
-                tr!("{damage} Nothing was saved: mend the file, and try again.", damage = damage_text(damage))
+                tr!("Nothing was saved; mend the file and try again: {damage}", damage = damage_text(damage))
             }
             Self::Foreign(path) => tr!(
                 "{path}: this file holds other lines, expected a list of such rows; nothing was saved",

@@ -293,7 +293,7 @@ mod tests {
         assert!(error.to_string().ends_with("all.csv: the file is read-only, expected one that may be replaced"), "{error}");
         assert_eq!(fs::read_to_string(path("mine/all.csv")).unwrap(), text);
 
-        let lock = path("mine/.settings.csv.lock");
+        let lock = path("mine/.all.csv.lock");
         fs::remove_file(&lock).unwrap();
         assert!(std::process::Command::new("mkfifo").arg(&lock).status().unwrap().success());
         let error = file.save("", &Settings::default()).unwrap_err();

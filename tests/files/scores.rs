@@ -81,7 +81,7 @@ fn a_damaged_file_is_reported_and_stays_until_it_is_mended() {
     assert_eq!((fixture.text("1.csv").as_str(), fixture.names()), (damaged, vec!["1.csv".to_owned()]), "looking changes nothing");
 
     let error = fixture.scores().save("1", &name("dan"), 20).unwrap_err();
-    let words = format!("{} (and 1 more). Nothing was saved: mend the file, and try again.", reports[0]);
+    let words = format!("Nothing was saved; mend the file and try again: {} (and 1 more).", reports[0]);
     assert_eq!(error.to_string(), words);
     assert_eq!(fixture.text("1.csv"), damaged, "neither does a save");
     fs::write(&path, damaged.replace("=HYPERLINK(1)", "dan").replace("2O", "20")).unwrap();

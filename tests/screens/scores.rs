@@ -152,7 +152,7 @@ fn the_row_just_saved_is_in_view_and_highlighted() {
     let mut sitting = with_scores("1.csv", &board(40).replace("20000", "30000"));
     sitting.reach_save_score().write("zoe").press(Key::Enter);
     let (row, names) = (sitting.row("zoe"), sitting.texts().iter().filter(|(text, _)| text.starts_with("user")).count());
-    assert_eq!((sitting.picked().expect("a row is highlighted"), names), (sitting.place("zoe").y, 10), "{row:?}");
+    assert_eq!((sitting.picked().expect("a row is highlighted"), names), (sitting.place("zoe").y, 9), "{row:?}");
 }
 
 #[test]
