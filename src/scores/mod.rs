@@ -1,5 +1,5 @@
 //! User names, leaderboards, players' records, and their files. [`Name`] has the rules of a name, [`Board`] the order of rows,
-//! [`judge`] their proof, [`Players`] the levels done. Files are saved by [`crate::files::update`] alone.
+//! [`judge()`] their proof, [`Players`] the levels done. Files are saved by [`crate::files::update`] alone.
 
 mod attempts;
 mod board;

@@ -316,6 +316,7 @@ impl App {
 
     pub(super) fn menu(&mut self) -> Box<dyn Screen> {
         self.menus += 1;
+        self.journal.try_again();
         self.ask_for_next();
         menu(&self.journal, self.menus)
     }

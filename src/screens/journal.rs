@@ -137,7 +137,14 @@ impl Journal {
         self.deeds.push(deed);
     }
 
-    /// Writes down what waits. What cannot be written waits for the next deed or the end of the sitting.
+    /// Tries once more to write down what waits.
+    pub fn try_again(&mut self) {
+        if !self.is_written() {
+            self.save();
+        }
+    }
+
+    /// Writes down what waits. What cannot be written waits for the next deed, the menu or the end of the sitting.
     fn save(&mut self) {
         self.trouble = self.close().err().map(|error| error.to_string());
     }

@@ -177,6 +177,11 @@ impl Screen for Menu {
         let (player, corner) = self.show_player(ui);
         let credits = Area { min: frame.size - CORNER - ROW_BUTTON, size: ROW_BUTTON };
         let credited = ui.button("Credits", credits);
+        let again = Area { min: credits.min - Vec2::new(0.0, ROW_BUTTON.y + PADDING), size: ROW_BUTTON };
+        // The menu that opens then has tried once more to save what waits.
+        if self.facts.trouble.is_some() && ui.button("Try again", again) {
+            return Some(Request::Menu);
+        }
         self.lines = self.show_next(ui, column[0]).into_iter().chain([self.show_foot(ui)]).collect();
         self.lines.push(Self::show_title(ui));
         // Balls bounce off all that is drawn, and the ship flies around it.
