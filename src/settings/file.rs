@@ -272,34 +272,6 @@ mod tests {
         assert_eq!((file.load("").0.music, file.waits()), (1, false));
     }
 
-    #[cfg(unix)]
-    #[test]
-    fn links_are_followed_and_neither_pipes_nor_read_only_files_are_touched() {
-        use std::os::unix::fs::symlink;
-        let folder = tempfile::tempdir().unwrap();
-        let path = |name: &str| folder.path().join(name);
-        fs::create_dir(path("mine")).unwrap();
-        fs::write(path("mine/all.csv"), "# mine\n").unwrap();
-        symlink("mine/all.csv", path("settings.csv")).unwrap();
-        let file = SettingsFile::new(path("settings.csv"));
-        file.save("", &Settings::default()).unwrap();
-        let text = fs::read_to_string(path("mine/all.csv")).unwrap();
-        assert!(path("settings.csv").is_symlink() && text.contains("# mine\n") && text.lines().count() > 10, "{text}");
-
-        let mut permissions = fs::metadata(path("mine/all.csv")).unwrap().permissions();
-        permissions.set_readonly(true);
-        fs::set_permissions(path("mine/all.csv"), permissions).unwrap();
-        let error = file.save("", &Settings { music: 3, ..Settings::default() }).unwrap_err();
-        assert!(error.to_string().ends_with("all.csv: the file is read-only, expected one that may be replaced"), "{error}");
-        assert_eq!(fs::read_to_string(path("mine/all.csv")).unwrap(), text);
-
-        let lock = path("mine/.all.csv.lock");
-        fs::remove_file(&lock).unwrap();
-        assert!(std::process::Command::new("mkfifo").arg(&lock).status().unwrap().success());
-        let error = file.save("", &Settings::default()).unwrap_err();
-        assert!(error.to_string().contains("found a pipe or a device, expected a regular file"), "{error}");
-    }
-
     #[test]
     fn a_file_that_cannot_be_written_is_told_and_stays() {
         let folder = tempfile::tempdir().unwrap();

@@ -76,7 +76,7 @@ pub fn make_read_only(path: &Path) {
 }
 
 /// The scores folder that a worker writes to, the user it writes for, and how many rows it writes.
-pub const FOLDER: &str = "RESULTANT_TEST_FOLDER";
+const FOLDER: &str = "RESULTANT_TEST_FOLDER";
 const USER: &str = "RESULTANT_TEST_USER";
 const ROWS: &str = "RESULTANT_TEST_ROWS";
 /// A worker prints this before each row that is safely written.

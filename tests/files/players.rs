@@ -1,13 +1,9 @@
-//! The files of players and of attempts on disk, also when files are damaged, writes fail, many processes write at once, or one is killed
-//! in the middle.
+//! The files of players and of attempts on disk, also when they are damaged, or a process is killed in the middle.
 
-use super::fixture::{Fixture, Worker, confirmed, kill_within, make_read_only, name, until_its_turn, work};
-use resultant::files::SaveError;
+use super::fixture::{Fixture, Worker, kill_within, name, until_its_turn, work};
 use resultant::game::Medals;
 use resultant::scores::{AttemptRow, Deed, ScoresError};
 use std::fs;
-#[cfg(unix)]
-use std::process::Command;
 
 fn empty() -> Fixture {
     let fixture = Fixture::new();
@@ -109,53 +105,6 @@ fn what_a_spreadsheet_reads_is_what_was_flown() {
 }
 
 #[test]
-fn read_only_files_and_what_is_no_file_are_left_alone() {
-    let fixture = empty();
-    for file in ["players.csv", "attempts.csv"] {
-        fs::write(fixture.file(file), "").unwrap();
-        make_read_only(&fixture.file(file));
-    }
-    let deeds = [done("ann", "1", 1.0)];
-    assert!(matches!(fixture.scores().record(&deeds), Err(ScoresError::Save(SaveError::ReadOnly(_)))));
-    assert!(matches!(fixture.scores().append(&[attempt("ann", "1")]), Err(ScoresError::Save(SaveError::ReadOnly(_)))));
-    assert_eq!((fixture.text("players.csv"), fixture.text("attempts.csv")), (String::new(), String::new()));
-
-    let fixture = empty();
-    for file in ["players.csv", "attempts.csv"] {
-        fs::create_dir(fixture.file(file)).unwrap();
-    }
-    let error = fixture.scores().record(&deeds).unwrap_err();
-    assert!(error.to_string().contains("players.csv: cannot read the file: found a folder"), "{error}");
-    let error = fixture.scores().append(&[attempt("ann", "1")]).unwrap_err();
-    assert!(error.to_string().contains("attempts.csv: cannot read the file: found a folder"), "{error}");
-}
-
-#[cfg(unix)]
-#[test]
-fn pipes_are_not_written_to_and_links_are_followed() {
-    let fixture = empty();
-    assert!(Command::new("mkfifo").arg(fixture.file("attempts.csv")).status().unwrap().success());
-    assert!(fixture.scores().append(&[attempt("ann", "1")]).is_err());
-    fs::remove_file(fixture.file("attempts.csv")).unwrap();
-    fs::create_dir(fixture.root.path().join("elsewhere")).unwrap();
-    let target = fixture.root.path().join("elsewhere/all.csv");
-    fs::write(&target, "").unwrap();
-    std::os::unix::fs::symlink(&target, fixture.file("attempts.csv")).unwrap();
-    fixture.scores().append(&[attempt("ann", "1")]).unwrap();
-    assert_eq!(fs::read_to_string(target).unwrap(), format!("{HEADER}{ROW}"));
-}
-
-#[test]
-fn a_lock_that_is_held_is_told() {
-    let fixture = empty();
-    let held = [".players.csv.lock", ".attempts.csv.lock"].map(|file| fs::File::create(fixture.file(file)).unwrap());
-    held.iter().for_each(|file| file.lock().unwrap());
-    let busy = |saved: Result<(), ScoresError>| matches!(saved, Err(ScoresError::Save(SaveError::Busy(_))));
-    assert!(busy(fixture.scores().record(&[done("ann", "1", 1.0)]).map(drop)));
-    assert!(busy(fixture.scores().append(&[attempt("ann", "1")])));
-}
-
-#[test]
 fn no_board_takes_the_place_of_another_file() {
     let fixture = empty();
     for board in ["players", "Players", "ATTEMPTS"] {
@@ -173,22 +122,6 @@ fn writing_process() {
         until_its_turn(|| scores.record(&[done(player, &level.to_string(), 1.0)]).map(drop));
         until_its_turn(|| scores.append(&[attempt(player, &level.to_string())]));
     });
-}
-
-#[test]
-fn processes_that_write_at_once_lose_nothing() {
-    const LEVELS: u32 = 15;
-    let fixture = empty();
-    let users = ["ann", "bob", "cid", "dan"];
-    let mut workers = users.map(|player| Worker::start(WORKER, &fixture.folder(), player, LEVELS));
-    assert!(workers.iter_mut().all(|worker| confirmed(worker).count() == LEVELS as usize));
-    assert!(workers.iter_mut().all(|worker| worker.wait().unwrap().success()));
-    let (players, damage) = fixture.scores().players().unwrap();
-    assert_eq!(damage, [""; 0]);
-    assert!(users.iter().all(|player| players.get(&name(player)).unwrap().done() == LEVELS as usize));
-    let text = fixture.text("attempts.csv");
-    assert!(text.starts_with(HEADER) && text.lines().count() == 1 + users.len() * LEVELS as usize);
-    assert_eq!(names(&fixture), ["attempts.csv", "players.csv"]);
 }
 
 #[test]
