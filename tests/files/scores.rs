@@ -288,17 +288,6 @@ fn a_file_shared_with_a_group_stays_shared() {
     assert!(!given || std::os::unix::fs::MetadataExt::gid(&found) == 12_345);
 }
 
-/// Leftovers go, and the lock of a killed process is gone with it.
-#[test]
-fn leftovers_of_a_killed_process_are_no_obstacle() {
-    let fixture = with("name,score\nann,30\n");
-    fs::write(fixture.file(".resultant-aB3dE6gH.new"), "name,sco").unwrap();
-    fs::write(fixture.file(".1.csv.lock"), "").unwrap();
-    fixture.scores().save("1", &name("bob"), 40).unwrap();
-    assert_eq!(fixture.text("1.csv"), "name,score\nbob,40\nann,30\n");
-    assert_eq!(fixture.names(), [".1.csv.lock", "1.csv"]);
-}
-
 const WORKER: &str = "scores::saving_process";
 
 #[test]

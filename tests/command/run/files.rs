@@ -3,16 +3,12 @@
 use super::{COLUMNS, HEADER, data, read};
 use crate::support::program::{Data, Ran, resultant};
 #[cfg(unix)]
-use std::{
-    process::{Command, Stdio},
-    time::Duration,
-};
+use std::process::{Command, Stdio};
 
-/// The names in the data folder, but for what a killed program has staged.
+/// The names in the data folder.
 fn names(data: &Data) -> Vec<String> {
     let mut names: Vec<String> =
         std::fs::read_dir(data.path(".")).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.retain(|name| !name.starts_with(".resultant-"));
     names.sort();
     names
 }
@@ -97,31 +93,6 @@ fn a_path_need_not_be_text() {
     assert!(std::fs::read_to_string(odd(b"\xfe.csv")).unwrap().starts_with(COLUMNS));
     let ran = Ran::new(resultant().arg("check").arg(odd(b"g\xf6al")));
     assert_eq!(ran.status, 0, "{}", ran.err);
-}
-
-#[cfg(unix)]
-#[test]
-fn a_signal_leaves_every_file_as_it_was() {
-    let data = data();
-    let old = data.write("old.csv", "old");
-    let files = ["--telemetry", &old, "--record", &data.arg("new.csv")];
-    for signal in ["-TERM", "-INT", "-KILL"] {
-        let mut child = data.command(&["run", "flight", "--seconds", "100000"]);
-        let mut child = child.args(files).stdout(Stdio::null()).spawn().unwrap();
-        std::thread::sleep(Duration::from_millis(300));
-        assert!(child.try_wait().unwrap().is_none(), "it is over already");
-        assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
-        // A shell starts background jobs with -INT ignored, and so do their children.
-        for _ in 0..400 {
-            if child.try_wait().unwrap().is_some() {
-                break;
-            }
-            std::thread::sleep(Duration::from_millis(5));
-        }
-        let _ = child.kill();
-        child.wait().unwrap();
-        assert_eq!((names(&data), read(&data, "old.csv").as_str()), (vec!["levels".into(), "old.csv".into()], "old"), "{signal}");
-    }
 }
 
 /// Neither writes over the other.

@@ -53,26 +53,6 @@ fn a_run_is_handed_on_as_a_code() {
 }
 
 #[test]
-fn a_run_that_was_tampered_with_is_found_out() {
-    let (data, path) = recorded();
-    let good = read(&data, "run.csv");
-    assert_eq!(data.resultant(&["verify", &path]).status, 0);
-    for (from, to, why) in [
-        ("score: 20983", "score: 20984", "recorded score 2098"),
-        ("2,0,0,0,0", "1,1,0,0,0", "recorded score 2098"),
-        ("tick_rate: 120", "tick_rate: 60", "it ends after 1 ticks, but its keys go on for 2"),
-        ("2,0,0,0,0", "1000000000,0,0,0,0", "it ends after 2 ticks, but its keys go on for 1000000000"),
-        ("time: 0.016666666666666666", "time: 8333333", "it ends after 2 ticks, but its keys go on for 3"),
-    ] {
-        let changed = good.replace(from, to);
-        data.write("run.csv", &if from.starts_with("time") { changed + "1,0,0,0,0\n" } else { changed });
-        let ran = data.resultant(&["verify", &path]);
-        assert_eq!((ran.status, ran.out.as_str()), (1, ""), "{to}");
-        assert!(ran.err.contains(&format!("run.csv: {why}")), "{to}: {}", ran.err);
-    }
-}
-
-#[test]
 fn it_is_told_in_which_second_a_flight_departs_and_how_it_should_have_ended() {
     let data = data();
     let inputs = data.write("in.csv", &format!("{HEADER}\n150,1,0,0,0\n150,0,0,0,0\n100,1,0,1,0\n"));
