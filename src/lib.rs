@@ -28,7 +28,6 @@ pub mod autopilot;
 mod built_in;
 pub mod classics;
 pub mod cli;
-pub mod daily;
 pub mod draw;
 pub mod files;
 pub mod game;

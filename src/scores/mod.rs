@@ -20,5 +20,5 @@ pub use judge::{Doubt, Standing, judge};
 pub use name::{NAME_MAX, NAME_TYPING_MAX, Name, NameError};
 pub(crate) use players::harmless;
 pub use players::{Deed, PlayerRecord, Players};
-pub use results::{ResultRow, Results};
+pub use results::{ResultRow, Results, time_of};
 pub use tally::{ExperimentTally, LevelTally, Tally, may_be_list};

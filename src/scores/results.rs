@@ -35,6 +35,27 @@ pub struct ResultRow {
     pub answer: String,
 }
 
+/// `seconds` since 1970-01-01, 0 UTC, to the second: `2026-11-24 15:58:21`.
+pub fn time_of(seconds: f64) -> String {
+    let seconds = seconds.max(0.0) as u64;
+    let (year, month, day) = civil(seconds / 86_400);
+    let of_day = seconds % 86_400;
+    format!("{year:04}-{month:02}-{day:02} {:02}:{:02}:{:02}", of_day / 3600, of_day / 60 % 60, of_day % 60)
+}
+
+/// Year, month and day of the Gregorian calendar, after Howard Hinnant, "chrono-Compatible Low-Level Date Algorithms".
+const fn civil(since_1970: u64) -> (u64, u64, u64) {
+    // Years begin in March: the leap day is their last one.
+    let days = since_1970 + 719_468;
+    let (era, day) = (days / 146_097, days % 146_097);
+    let year = (day - day / 1460 + day / 36_524 - day / 146_096) / 365;
+    let of_year = day - (365 * year + year / 4 - year / 100);
+    let month = (5 * of_year + 2) / 153;
+    let of_month = of_year - (153 * month + 2) / 5 + 1;
+    let january = (month + 2) % 12 + 1;
+    (year + era * 400 + (january <= 2) as u64, january, of_month)
+}
+
 /// The folder of these files.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Results {
@@ -101,6 +122,15 @@ mod tests {
         ] {
             (row.guess, row.readings) = (guess.to_owned(), guess.to_owned());
             assert_eq!(attempts::line(&row), format!("ann,hooke,2026-11-24 15:58:21,{cell},,{cell},,F = k·s\r\n"));
+        }
+    }
+
+    #[test]
+    fn days_are_those_of_the_calendar() {
+        for (days, date) in
+            [(0, "1970-01-01"), (59, "1970-03-01"), (11_016, "2000-02-29"), (11_017, "2000-03-01"), (20_781, "2026-11-24")]
+        {
+            assert_eq!(time_of(86_400.0 * f64::from(days) + 86_399.9), format!("{date} 23:59:59"));
         }
     }
 

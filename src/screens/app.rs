@@ -90,7 +90,7 @@ pub struct App {
     pub(super) behind: Option<(Box<Flight>, PathBuf)>,
     /// What is copied to be pasted.
     pub clipboard: Clipboard,
-    /// Since 1970-01-01, 0 UTC, s: the day of the daily flight, and the time of an answer.
+    /// Since 1970-01-01, 0 UTC, s: the time of an answer.
     pub now: f64,
     /// What reads levels.
     pub(super) worker: Worker,

@@ -63,8 +63,6 @@ impl App {
             Request::Open(path) => self.open(&path, spectator),
             #[cfg(all(feature = "window", browser))]
             Request::PageData => Box::new(super::page_data::PageData::default()),
-            // Its errand leads to its level.
-            Request::Daily => Box::new(self.level_select(Purpose::Play)),
             Request::Stay => {
                 self.stay();
                 return None;

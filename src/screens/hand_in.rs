@@ -3,8 +3,7 @@
 
 use super::flight::Worksheet;
 use super::{App, Flight, new_file};
-use crate::daily::time_of;
-use crate::scores::ResultRow;
+use crate::scores::{ResultRow, time_of};
 use crate::words::tr;
 
 impl App {

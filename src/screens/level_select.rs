@@ -346,7 +346,7 @@ impl LevelSelect {
     fn show_foot(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         let frame = ui.frame();
         let labels: &[&str] = match self.purpose {
-            Purpose::Play => &["Back", "Edit", "Daily Flight"],
+            Purpose::Play => &["Back", "Edit"],
             Purpose::Edit => &["Back", "New", "Copy", "Rename"],
             Purpose::Leaderboard => &["Back"],
         };
@@ -367,7 +367,6 @@ impl LevelSelect {
         match pressed {
             Some("Back") => return self.go_back(ui),
             Some("Edit") => return Some(Request::LevelSelect(Purpose::Edit)),
-            Some("Daily Flight") => return Some(Request::Daily),
             Some("New") => self.ask(tr("What is the new level called?").to_owned(), "", Asked::New),
             Some("Copy") => self.pick = Some(PickFor::Copy),
             Some("Rename") => self.pick = Some(PickFor::Rename),

@@ -3,7 +3,6 @@
 use super::worker::{Brought, Errand, Ticket, Worker};
 use super::{App, Flight, FlightSource, Input, Key, Make, Menu, Purpose, Request, Spectator};
 use crate::classics::jumper::scene::LEADERBOARD;
-use crate::daily::Date;
 use crate::level;
 use crate::words::tr;
 
@@ -35,10 +34,6 @@ impl App {
             Request::Play(name) => {
                 self.library.close();
                 Some(of_level(self, name))
-            }
-            Request::Daily => {
-                let (today, levels) = (Date::of_seconds(self.now), self.library.levels().to_path_buf());
-                Some((Errand::Daily(today, levels), tr("the flight of the day, which the autopilot proves").to_owned()))
             }
             Request::Restart => {
                 let name = self.screen.get::<Flight>()?.attempt().level.name.clone();
@@ -111,20 +106,12 @@ impl App {
                 }
                 // Nobody waits for it any more.
                 (_, None) => {}
-                (Brought::Daily(made), Some(_)) => match made {
-                    Ok(name) => self.grant(Request::Play(name), spectator),
-                    Err(problem) => {
-                        let mut screen = self.level_select(Purpose::Play);
-                        screen.show(tr("There is no flight of the day").to_owned(), vec![problem]);
-                        self.show(Box::new(screen));
-                    }
-                },
                 (brought, Some(loading)) => {
                     match brought {
                         Brought::Level(folder, level) => self.library.prepare(folder, level),
                         Brought::Editor(editor) => self.opened = Some(editor),
                         Brought::Installed(installed) => self.installed = Some(installed),
-                        Brought::Card(_) | Brought::List(_) | Brought::First(..) | Brought::Daily(_) => {}
+                        Brought::Card(_) | Brought::List(_) | Brought::First(..) => {}
                     }
                     self.enter(loading.request, spectator);
                     self.library.forget_prepared();

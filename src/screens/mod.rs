@@ -181,8 +181,6 @@ pub enum Request {
     CopyCode(Visit, FlightCandidate),
     /// A flight's code, to be proven and listed.
     PasteCode(Visit, String),
-    /// The flight of the day.
-    Daily,
     /// A score is to be saved under the player's name.
     SaveScore(Gain),
     /// It is saved under that name.

@@ -3,10 +3,9 @@
 use super::footage;
 use super::leaderboard::subject;
 use super::{App, Attempt, Flight, FlightCandidate, FlightSource, Flights, Purpose, Request, Rival, Screen, Spectator, Visit};
-use crate::daily::is_daily;
-use crate::game::{Outcome, Reel, Replay, TICK_RATE};
+use crate::game::{Reel, Replay, TICK_RATE};
 use crate::level::Level;
-use crate::scores::{Board, Name, Score};
+use crate::scores::Board;
 use crate::words::tr;
 use std::sync::Arc;
 
@@ -138,16 +137,7 @@ impl App {
         let level = self.level_of(visit, &candidate)?;
         let flown = replay.verify(level, |_| {}).map_err(|error| error.to_string())?;
         flown.map_err(|mismatch| tr!("This flight does not hold: {mismatch}", mismatch))?;
-        let mut words = tr!("Proven: {name}", name = candidate.name);
-        // The board of a day takes codes: its rows come from many computers.
-        if is_daily(&visit.level)
-            && replay.outcome == Outcome::Completed
-            && let Ok(name) = Name::new(&candidate.name)
-        {
-            let score = Score { name: &name, points: replay.score, flight: Some(&replay) };
-            self.scores.save_with_flight(&visit.level, score).map_err(|error| error.to_string())?;
-            words += tr(", on the board");
-        }
+        let words = tr!("Proven: {name}", name = candidate.name);
         if let Some(screen) = self.screen.get_mut::<Flights>() {
             screen.add(candidate);
         }

@@ -4,7 +4,6 @@
 use super::folder_watch::Stamp;
 use super::library::Refusal;
 use super::{Editor, Miniature, footage};
-use crate::daily::{Daily, Date};
 use crate::game::Reel;
 use crate::level::{self, Awards, Level};
 use crate::pack::{self, Installed};
@@ -35,8 +34,6 @@ pub enum Errand {
     },
     /// The names of the levels in a folder.
     List(PathBuf),
-    /// The level of a date, proven and made in a folder of levels.
-    Daily(Date, PathBuf),
     /// The first of these levels that loads; and of the level in the last folder, if any, its flight for gold.
     First(Vec<PathBuf>, PathBuf, Option<PathBuf>),
 }
@@ -65,8 +62,6 @@ pub enum Brought {
     Installed(Result<Installed, Refusal>),
     /// Of [`Errand::List`].
     List(Vec<String>),
-    /// Of [`Errand::Daily`]: the level's name.
-    Daily(Result<String, String>),
     /// Of [`Errand::First`]: name and title, and the flight.
     First(Option<(String, String)>, Option<Box<Reel>>),
 }
@@ -89,7 +84,6 @@ impl Errand {
             }
             Self::Editor(folder, root) => Brought::Editor(Editor::open(&folder, &root).map(Box::new)),
             Self::Install { archive, levels, root } => Brought::Installed(pack::install_file(&archive, &levels, &root)),
-            Self::Daily(date, levels) => Brought::Daily(Daily::install(date, &levels)),
             Self::List(levels) => Brought::List(level::list(&levels)),
             Self::First(folders, root, shown) => {
                 let first = folders.iter().find_map(|folder| {
@@ -104,7 +98,7 @@ impl Errand {
 
     /// Whether a player waits for it.
     const fn is_urgent(&self) -> bool {
-        matches!(self, Self::Level(..) | Self::Editor(..) | Self::Install { .. } | Self::Daily(..))
+        matches!(self, Self::Level(..) | Self::Editor(..) | Self::Install { .. })
     }
 }
 
