@@ -24,7 +24,6 @@
 // Two places need it, view/sound/output/system.rs and web/, and say why.
 #![deny(unsafe_code)]
 
-pub mod autopilot;
 mod built_in;
 pub mod classics;
 pub mod cli;

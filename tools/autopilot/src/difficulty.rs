@@ -2,11 +2,14 @@
 //! places wrongly and presses keys early or late.
 
 use crate::flight::Aim;
+use crate::judgement::Judgement;
 use crate::make::{Options, write};
+use crate::pilot::Autopilot;
+use crate::plan::FlightPlan;
+use crate::sight::Sight;
 use crate::{plan_file, plan_of};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
-use resultant::autopilot::{Autopilot, FlightPlan, Judgement, Sight};
 use resultant::game::{Controls, Game, Outcome};
 use resultant::level::Level;
 use std::collections::VecDeque;

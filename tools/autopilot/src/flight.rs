@@ -1,6 +1,8 @@
 //! One flight of a level: by the pilot, or again by the keys that it held; and what the flight is worth.
 
-use resultant::autopilot::{Autopilot, FlightPlan, Sight, StepKind};
+use crate::pilot::Autopilot;
+use crate::plan::{FlightPlan, StepKind};
+use crate::sight::Sight;
 use resultant::game::{Controls, Game, Inputs, Medals, Outcome, RunResult, SHIP, TICK_RATE};
 use resultant::level::{Level, Mark, ObjectiveKind, SHIP_HALF};
 use resultant::physics::{Aabb, DVec2, Event, Guards, Obstacle};

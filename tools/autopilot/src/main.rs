@@ -6,14 +6,18 @@
 mod adversary;
 mod difficulty;
 mod flight;
+mod judgement;
 mod make;
+mod pilot;
+mod plan;
 #[path = "../../../tests/support/random.rs"]
 #[allow(dead_code)]
 mod random;
+mod sight;
 mod speed;
 
 use make::Options;
-use resultant::autopilot::FlightPlan;
+use plan::FlightPlan;
 use resultant::level::{self, Level};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

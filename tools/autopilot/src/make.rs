@@ -1,10 +1,12 @@
 //! Making a level's flights: by their plans as they stand, or where those no longer do by a bounded search over their numbers.
 
 use crate::flight::{Aim, CHANGES, Flight, again, bears};
+use crate::pilot::Autopilot;
+use crate::plan::FlightPlan;
+use crate::sight::Sight;
 use crate::{plan_file, plan_of, project};
 use rand::SeedableRng;
 use rand_pcg::Pcg32;
-use resultant::autopilot::{Autopilot, FlightPlan, Sight};
 use resultant::game::{Controls, Game, Inputs, Outcome, Recorder, Replay, SHIP};
 use resultant::level::Level;
 use std::path::{Path, PathBuf};

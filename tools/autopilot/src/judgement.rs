@@ -1,6 +1,6 @@
 //! How a person misjudges: other errors at each step.
 
-use crate::physics::DVec2;
+use resultant::physics::DVec2;
 use rand::RngExt;
 use rand_pcg::Pcg32;
 
@@ -12,8 +12,8 @@ pub struct Judgement {
     pub speeds: f64,
     pub random: Pcg32,
     /// The present errors: of places, m, and a factor of speeds.
-    pub(super) off: DVec2,
-    pub(super) speed: f64,
+    pub off: DVec2,
+    pub speed: f64,
 }
 
 impl Judgement {
@@ -21,7 +21,7 @@ impl Judgement {
         Self { places, speeds, random, off: DVec2::ZERO, speed: 1.0 }
     }
 
-    pub(super) fn misjudge(&mut self) {
+    pub fn misjudge(&mut self) {
         let mut one = || (0..4).map(|_| self.random.random_range(-1.0..1.0)).sum::<f64>() * 0.866;
         let (x, y, speed) = (one(), one(), one());
         (self.off, self.speed) = (DVec2::new(x, y) * self.places, 1.0 + self.speeds * speed);

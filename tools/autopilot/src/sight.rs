@@ -1,7 +1,7 @@
 //! What the pilot takes the game to be: as it is, or as a person imagines it who saw it a while ago.
 
-use crate::game::{Game, SHIP};
-use crate::physics::{Body, BodyId, DVec2};
+use resultant::game::{Game, SHIP};
+use resultant::physics::{Body, BodyId, DVec2};
 
 /// What is seen.
 #[derive(Clone, Copy, Debug)]

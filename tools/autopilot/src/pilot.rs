@@ -4,11 +4,11 @@
 //! an acceleration, and what all other forces do is taken off it. What is left is the engine's part: the nose is turned that way, and
 //! the engine burns for such a share of the beats as its part along the nose asks for.
 
-use super::judgement::Judgement;
-use super::plan::{FlightPlan, PlanStep, StepKind};
-use super::sight::Sight;
-use crate::game::{Controls, ROTATION_RATE, SHIP};
-use crate::physics::{BodyId, DVec2, Force, ForceKind, Source};
+use crate::judgement::Judgement;
+use crate::plan::{FlightPlan, PlanStep, StepKind};
+use crate::sight::Sight;
+use resultant::game::{Controls, ROTATION_RATE, SHIP};
+use resultant::physics::{BodyId, DVec2, Force, ForceKind, Source};
 
 /// The share of the engine's acceleration that the wanted one has upwards at least: falling is left to gravity, the nose stays up.
 const UPRIGHT: f64 = 0.25;
@@ -267,7 +267,7 @@ impl<'a> Autopilot<'a> {
                 let down = (step.y / sight.game.level().metre - self.from.y).signum();
                 (step.seconds > 0.0 && waited()) || (step.y > 0.0 && (sight.position.y - to.y) * down >= 0.0)
             }
-            StepKind::Stop => velocity.dot(crate::game::nose(sight.angle)) <= speed,
+            StepKind::Stop => velocity.dot(resultant::game::nose(sight.angle)) <= speed,
             StepKind::Hold | StepKind::Hover | StepKind::Burn => waited(),
             StepKind::Again | StepKind::Unless => sight.body(BodyId(step.object)).position.distance(to) <= tolerance,
             StepKind::Wait => {
@@ -369,7 +369,7 @@ impl<'a> Autopilot<'a> {
         self.turn_to(sight, lean.clamp(-settings.tilt, settings.tilt), settings.beat);
 
         let angle = sight.angle + f64::from(self.turn) * degrees_a_tick(sight);
-        let along = engine.dot(crate::game::nose(angle)) / full;
+        let along = engine.dot(resultant::game::nose(angle)) / full;
         self.owed = (self.owed + along.clamp(-settings.reverse, 1.0)).clamp(-1.5, 1.5);
         (self.thrust, self.reverse) = (self.owed >= 0.5, self.owed <= -0.5);
         self.owed -= f64::from(i8::from(self.thrust) - i8::from(self.reverse));
