@@ -34,6 +34,11 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
+/// Ticks in seconds, to the millisecond: "1.350".
+pub fn seconds(ticks: u64, rate: f64) -> String {
+    fixed(ticks as f64 / rate, 3)
+}
+
 /// FNV-1a, 32 bits.
 pub fn hash(text: &str) -> u32 {
     text.bytes().fold(0x811C_9DC5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))

@@ -13,7 +13,6 @@ pub mod numerals;
 pub mod quantity;
 pub mod reading;
 pub mod series;
-pub mod stop_clock;
 pub mod track;
 pub mod trail;
 pub mod unit;

@@ -236,6 +236,11 @@ impl Quantity {
         }
     }
 
+    /// Whether the area under a curve of it says anything: that under a place does not.
+    pub const fn has_area(self) -> bool {
+        !matches!(self, Self::Time | Self::X | Self::Y)
+    }
+
     /// Whether it jumps at an impact, so that a curve of it breaks there. A place never jumps.
     pub const fn jumps(self) -> bool {
         !matches!(self, Self::Time | Self::X | Self::Y | Self::Potential)

@@ -3,7 +3,7 @@
 
 use super::{Input, Key};
 use crate::game::Game;
-use crate::instruments::stop_clock::seconds;
+use crate::number::seconds;
 use crate::settings::{Action, Bindings};
 use crate::view::focus::Focus;
 use crate::words::tr;
@@ -147,7 +147,7 @@ impl Observer {
             .map(|action| self.keys.label(action));
         match (self.frozen, pace == 1.0) {
             (true, _) => {
-                let at = seconds(ticks.cast_signed(), rate);
+                let at = seconds(ticks, rate);
                 Some(tr!("Frozen at {at} s: [{freeze}] goes on, [{on}] a tick on, [{back}] a tick back", at, freeze, on, back))
             }
             (false, false) => Some(tr!("{how} as fast: {slower} slower, {faster} faster", how, slower, faster)),

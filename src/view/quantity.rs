@@ -11,7 +11,7 @@ const PREFIXES: [(f64, &str); 6] = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""
 const MASSES: [(f64, &str); 6] = [(1e9, "Mt"), (1e6, "kt"), (1e3, "t"), (1.0, "kg"), (1e-3, "g"), (1e-6, "mg")];
 /// Units: a smaller number is rounding.
 pub const NOTHING: f64 = 1e-9;
-/// The unit without a prefix serves down to this part of it: 0.5 m/s reads better than 500 mm/s.
+/// The unit without a prefix serves down to this part of it: 0.5 N reads better than 500 mN.
 const PLAIN_FROM: f64 = 0.1;
 /// A number from this share of the next power of ten on counts as that.
 const ROUNDS_UP: f64 = 0.9995;
@@ -28,14 +28,19 @@ pub struct QuantityScale {
 impl QuantityScale {
     /// `largest` is the largest number of the quantity.
     pub fn of(largest: f64, unit: &str) -> Self {
-        let scales = if unit == "kg" { MASSES } else { PREFIXES };
+        let scales: &[(f64, &str)] = match unit {
+            "kg" => &MASSES,
+            // School writes slow motions as 0.05 m/s.
+            "m/s" | "m/s²" => &PREFIXES[..4],
+            _ => &PREFIXES,
+        };
         let size = largest.abs();
         let fits = |(one, _): &&(f64, &str)| size >= one * if *one == 1.0 { PLAIN_FROM } else { 1.0 } * ROUNDS_UP;
         let smallest = scales[scales.len() - 1];
         let (one, name) = if size < NOTHING { (1.0, scales[3].1) } else { *scales.iter().find(fits).unwrap_or(&smallest) };
         let unit = if unit == "kg" { name.to_owned() } else { format!("{name}{unit}") };
         let parts = size / one;
-        let decimals = decimals(parts).min(3);
+        let decimals = decimals(parts).min(if smallest.0 == 1.0 { 6 } else { 3 });
         if parts < 1000.0 * ROUNDS_UP { Self { one: Some(one), decimals, unit } } else { Self { one: None, decimals, unit } }
     }
 
@@ -194,7 +199,10 @@ mod tests {
             (1500.0, "N", "1.50 kN"),
             (-731.25, "N", "−731 N"),
             (0.5, "m/s", "0.500 m/s"),
-            (0.05, "m/s", "50.0 mm/s"),
+            (0.05, "m/s", "0.0500 m/s"),
+            (2e-5, "m/s²", "0.000020 m/s²"),
+            (1500.0, "m/s", "1.50 km/s"),
+            (0.05, "N", "50.0 mN"),
             (9.81, "m/s²", "9.81 m/s²"),
             (-0.0, "N", "0 N"),
             (1e-12, "N", "0 N"),
@@ -241,7 +249,7 @@ mod tests {
         let row = |x: f64, unit| FactRow::plain("", Value::Vector(DVec2::new(x, 0.0)), unit);
         let rows = [row(1520.0, "N"), row(20.0, "N"), row(-0.004, "N"), row(0.05, "m/s"), row(0.0, "N")];
         let texts = quantities(&rows, 0).into_iter().map(|text| text.replace(' ', "")).collect::<Vec<_>>();
-        assert_eq!(texts, ["(1.52,0)kN", "(0.0200,0)kN", "(0.0000,0)kN", "(50.0,0)mm/s", "(0,0)kN"]);
+        assert_eq!(texts, ["(1.52,0)kN", "(0.0200,0)kN", "(0.0000,0)kN", "(0.0500,0)m/s", "(0,0)kN"]);
         assert_eq!(rows.each_ref().map(|row| reads_as_nothing(row, &rows)), [false, false, true, false, true]);
     }
 

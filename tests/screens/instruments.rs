@@ -64,35 +64,6 @@ fn ticks(sitting: &Sitting) -> u64 {
 }
 
 #[test]
-fn the_stop_clock_runs_in_the_time_of_the_game_and_goes_back_with_it() {
-    let mut sitting = measuring(&[Instrument::StopClock]);
-    let read = |sitting: &Sitting| sitting.flight().instruments().measures().clock().ticks(ticks(sitting));
-    let start = ticks(&sitting);
-    sitting.click("Start");
-    sitting.wait(1.0);
-    assert_eq!((read(&sitting), ticks(&sitting)), (0, start), "the world stands still, and so does the clock");
-    fly_for(&mut sitting, 30);
-    let flown = (ticks(&sitting) - start).cast_signed();
-    assert!(flown > 50);
-    assert_eq!(read(&sitting), flown);
-    sitting.click("Lap");
-    sitting.press(Key::Comma).press(Key::Comma).press(Key::Period);
-    assert_eq!(read(&sitting), flown - 1);
-    sitting.click("Stop");
-    sitting.press(Key::Comma);
-    assert_eq!(read(&sitting), flown - 1, "it is stopped");
-    let laps: Vec<_> = sitting.flight().instruments().measures().clock().laps().collect();
-    assert_eq!(laps, [(1, flown)]);
-    // A flight that goes on from here has another future: the lap is gone.
-    fly_for(&mut sitting, 1);
-    assert_eq!(sitting.flight().instruments().measures().clock().laps().count(), 0);
-    sitting.click("Reset");
-    assert_eq!(read(&sitting), 0);
-    sitting.press(Key::R);
-    assert_eq!(*sitting.flight().instruments().measures().clock(), Default::default(), "another flight, another clock");
-}
-
-#[test]
 fn the_ruler_is_laid_taken_again_and_bound_to_bodies() {
     let mut sitting = measuring(&[Instrument::Ruler]);
     let to = |sitting: &mut Sitting, (x, y): (f64, f64), click: bool, holding: bool| {
@@ -273,7 +244,7 @@ fn in_a_small_window_one_large_panel_is_open_above_the_line_about_the_time() {
     sitting.frame = Frame::of_window(Vec2::new(900.0, 500.0));
     sitting.wait(0.5).press(Key::I);
     sitting.click("Plot").press(Key::B).rest();
-    let tools = [Instrument::StopClock, Instrument::Figures, Instrument::Vary];
+    let tools = [Instrument::Figures, Instrument::Vary];
     for tool in tools {
         sitting.click(tool.name()).rest();
         let instruments = sitting.flight().instruments();
@@ -286,5 +257,5 @@ fn in_a_small_window_one_large_panel_is_open_above_the_line_about_the_time() {
     sitting.frame = Frame::default();
     sitting.rest();
     sitting.click(Instrument::Figures.name());
-    assert!(tools[1..].iter().all(|tool| sitting.flight().instruments().uses(*tool)), "where there is room they stand together");
+    assert!(tools.iter().all(|tool| sitting.flight().instruments().uses(*tool)), "where there is room they stand together");
 }

@@ -149,7 +149,7 @@ fn flight(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
     visit(sitting.press(Key::Tab).wait(0.3), "forces");
     visit(sitting.press(Key::B).rest(), "frozen");
     sitting.press(Key::B).press(Key::I);
-    for tool in ["Centre of mass", "Trails", "v and a", "Ruler", "Stop clock", "Energy, work"] {
+    for tool in ["Centre of mass", "Trails", "v and a", "Ruler", "Energy, work"] {
         sitting.click(tool);
     }
     visit(sitting.wait(0.3), "instruments");

@@ -100,6 +100,7 @@ fn it_opens_along_the_motion_and_the_area_under_v_is_the_way() {
     assert!(sitting.flight().game().world().body(BodyId(1)).velocity.x == 0.0 && moved > 12.0, "it was stopped: {moved}");
     let area = plot(&sitting).readings()[1].numbers[2].0.unwrap();
     assert!((area - moved).abs() <= 1e-12 * moved, "{area} m for {moved} m");
+    assert_eq!(plot(&sitting).readings()[0].numbers[2].0, None, "the area under a place says nothing");
 }
 
 /// Two compared objects have a column of both; a column of all is there only while no object is followed, without the idle ship.

@@ -1,7 +1,7 @@
 //! The rail stands away from the middle, where the ship is. Panels stand below it, and beside it where there is too little room.
 
 use super::Tool;
-use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, TEXT, Vec2, text_room};
+use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2, text_room};
 use crate::view::hud::HudLayout;
 use crate::words::tr;
 
@@ -61,10 +61,6 @@ pub fn row(frame: &Frame, from: Vec2, words: &[&str]) -> Vec<Area> {
     words.iter().map(button).collect()
 }
 
-pub fn large(frame: &Frame) -> f32 {
-    frame.text_height(TEXT) * LINE
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -73,7 +69,7 @@ mod tests {
     fn panels_keep_apart_and_above_the_fuel() {
         for (w, h, text) in [(1280.0, 720.0, 1.0), (900.0, 500.0, 1.0), (900.0, 500.0, 1.5)] {
             let frame = Frame::of_window(Vec2::new(w, h)).with_text(text);
-            let rail: Vec<Area> = (0..8).map(|i| Area::new(16.0, 110.0 + 34.0 * i as f32, 150.0, 30.0)).collect();
+            let rail: Vec<Area> = (0..7).map(|i| Area::new(16.0, 110.0 + 34.0 * i as f32, 150.0, 30.0)).collect();
             let sizes = [Vec2::new(200.0, 50.0), Vec2::new(240.0, 100.0), Vec2::new(360.0, 400.0)];
             let areas = dock(foot(&frame, 0.0), &rail, &sizes);
             let all: Vec<Area> = rail.iter().chain(&areas).copied().collect();

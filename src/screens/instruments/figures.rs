@@ -5,8 +5,8 @@ use crate::draw::Colour;
 use crate::game::{Game, History, body_title};
 use crate::instruments::energy::{EnergyState, ground};
 use crate::instruments::ledger::{Account, MOST_BODIES, WorkLedger};
-use crate::instruments::stop_clock::seconds;
 use crate::level::Level;
+use crate::number::seconds;
 use crate::physics::{BodyId, DVec2, ForceKind, Impulse};
 use crate::screens::Input;
 use crate::view::focus::Focus;
@@ -241,7 +241,7 @@ impl Figures {
 
     fn from(&self, history: &History, game: &Game) -> String {
         let tick = self.base.as_ref().map_or(history.start().ticks(), |base| base.tick);
-        seconds(tick.cast_signed(), game.tick_rate())
+        seconds(tick, game.tick_rate())
     }
 }
 

@@ -1,4 +1,4 @@
-//! The instruments at the left: trails, vectors, the ruler, the stop clock, the table of momentum, energy and work. They have the
+//! The instruments at the left: trails, vectors, the ruler, the table of momentum, energy and work. They have the
 //! pointer before the flight.
 
 use super::dock::{self, dock};
@@ -8,15 +8,11 @@ use super::vectors::Scales;
 use super::{Stage, Tool};
 use crate::draw::layout::{Area, Frame, GRID, Vec2};
 use crate::game::Game;
-use crate::instruments::stop_clock::{MOST_LAPS, StopClock};
 use crate::instruments::trail::Trail;
 use crate::physics::BodyId;
 use crate::screens::Input;
 use crate::ui::Ui;
 use crate::view::focus::Focus;
-
-/// The words on the stop clock's buttons while it stands still.
-pub const CLOCK_WORDS: [&str; 3] = ["Start", "Lap", "Reset"];
 
 /// Ticks of reading in a frame, at most.
 const AHEAD: u64 = 600;
@@ -38,7 +34,6 @@ pub struct Measures {
     pub(super) trail: Trail,
     pub(super) scales: Scales,
     pub(super) ruler: Ruler,
-    pub(super) clock: StopClock,
     pub(super) figures: Figures,
     /// The tools in use.
     pub(super) used: [bool; Tool::ALL.len()],
@@ -64,10 +59,8 @@ impl Measures {
         self.frame = input.frame;
         self.drag(input, ui.has_widget_at(input.pointer));
         for (tool, area) in self.panels.clone() {
-            match tool {
-                Tool::StopClock => self.show_clock(ui, area, stage.game),
-                Tool::Figures => self.show_table(ui, area, stage.game),
-                _ => {}
+            if tool == Tool::Figures {
+                self.show_table(ui, area, stage.game);
             }
         }
         let free = !covered && input.frame.area().contains(input.pointer);
@@ -100,7 +93,7 @@ impl Measures {
             self.figures.update(stage);
         }
         self.foot = dock::foot(&self.frame, stage.sign);
-        let shown: Vec<(Tool, Vec2)> = [Tool::Vectors, Tool::StopClock, Tool::Figures]
+        let shown: Vec<(Tool, Vec2)> = [Tool::Vectors, Tool::Figures]
             .into_iter()
             .filter(|tool| self.uses(*tool))
             .map(|tool| (tool, self.size(tool, &self.frame)))
@@ -138,7 +131,7 @@ impl Measures {
         Self { dragged: self.dragged, ..Self::default() }
     }
 
-    /// The flight starts again in another level: the ruler and the stop clock stay.
+    /// The flight starts again in another level: the ruler stays.
     pub fn flown_again(&mut self) {
         (self.trail, self.figures) = (Trail::default(), self.figures.flown_again());
     }
@@ -146,7 +139,6 @@ impl Measures {
     /// The flight was left at that tick and goes on otherwise.
     pub fn back_to(&mut self, tick: u64) {
         self.trail.back_to(tick);
-        self.clock.back_to(tick);
         self.figures.back_to(tick);
     }
 
@@ -160,10 +152,6 @@ impl Measures {
 
     pub const fn ruler(&self) -> &Ruler {
         &self.ruler
-    }
-
-    pub const fn clock(&self) -> &StopClock {
-        &self.clock
     }
 
     pub const fn table(&self) -> &Table {
@@ -194,11 +182,6 @@ impl Measures {
         let line = dock::line(frame);
         let inside = match tool {
             Tool::Vectors => Vec2::new(dock::width(frame, 25), 2.0 * line),
-            Tool::StopClock => {
-                let laps = self.clock.laps().count().min(MOST_LAPS) as f32;
-                let buttons = dock::row(frame, Vec2::ZERO, &CLOCK_WORDS).last().map_or(0.0, |last| last.max().x);
-                Vec2::new(buttons, dock::large(frame) + (laps + 1.0) * line + 2.0 * GRID)
-            }
             _ => {
                 let (names, values) = self.columns();
                 let table = self.figures.table();

@@ -38,7 +38,6 @@ pub enum Tool {
     Trails,
     Vectors,
     Ruler,
-    StopClock,
     Figures,
     /// Curves of two objects.
     Plot,
@@ -48,8 +47,7 @@ pub enum Tool {
 
 impl Tool {
     /// From the top.
-    pub const ALL: [Self; 8] =
-        [Self::Centre, Self::Trails, Self::Vectors, Self::Ruler, Self::StopClock, Self::Figures, Self::Plot, Self::Vary];
+    pub const ALL: [Self; 7] = [Self::Centre, Self::Trails, Self::Vectors, Self::Ruler, Self::Figures, Self::Plot, Self::Vary];
 
     /// The words on its button.
     pub const fn name(self) -> &'static str {
@@ -58,7 +56,6 @@ impl Tool {
             Self::Trails => "Trails",
             Self::Vectors => "v and a",
             Self::Ruler => "Ruler",
-            Self::StopClock => "Stop clock",
             Self::Figures => "Energy, work",
             Self::Plot => "Plot",
             Self::Vary => "What if …",
@@ -151,7 +148,7 @@ impl Instruments {
 
     /// On a narrow canvas, opens one large panel in the place of another.
     fn open_or_close(&mut self, tool: Tool, room: &Frame) {
-        const LARGE: [Tool; 3] = [Tool::StopClock, Tool::Figures, Tool::Vary];
+        const LARGE: [Tool; 2] = [Tool::Figures, Tool::Vary];
         let narrow = room.size.x < NARROW * room.text_height(DETAILS);
         if narrow && !self.used[tool as usize] && LARGE.contains(&tool) {
             LARGE.iter().for_each(|other| self.used[*other as usize] = false);

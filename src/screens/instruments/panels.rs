@@ -1,15 +1,14 @@
-//! The panels at the left: the scales of the arrows, the stop clock, the table.
+//! The panels at the left: the scales of the arrows, the table.
 
 use super::Tool;
 use super::dock;
 use super::figures::{EnergyBar, FigureLine, Subject, in_focus};
-use super::measure::{CLOCK_WORDS, Measures, TABLE_WORDS};
+use super::measure::{Measures, TABLE_WORDS};
 use super::measured::colour;
 use super::vectors::Vector;
-use crate::draw::layout::{Area, DETAILS, GRID, TEXT, Vec2};
+use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::Game;
-use crate::instruments::stop_clock::seconds;
 use crate::ui::Ui;
 use crate::view::camera::Viewport;
 use crate::view::quantity::scalar;
@@ -37,35 +36,8 @@ impl Measures {
         }
     }
 
-    pub(super) fn show_clock(&mut self, ui: &mut Ui<'_>, area: Area, game: &Game) {
-        let now = game.ticks();
-        let [start, lap, reset] = CLOCK_WORDS;
-        let words = [if self.clock.runs() { "Stop" } else { start }, lap, reset];
-        match self.buttons(ui, area, &CLOCK_WORDS, &words) {
-            Some("Lap") => self.clock.lap(now),
-            Some("Reset") => self.clock.reset(now),
-            Some(_) => self.clock.start_or_stop(now),
-            None => {}
-        }
-        let (rate, ticks, canvas) = (game.tick_rate(), self.clock.ticks(now), ui.canvas());
-        let (at, line) = (area.min + GRID, dock::line(&self.frame));
-        let colour = if self.clock.runs() { theme::accent() } else { theme::text() };
-        canvas.text(&format!("{} s", seconds(ticks, rate)), at, Style::new(TEXT, colour).mono());
-        let count = tr!("{ticks} ticks", ticks).replace('-', "−");
-        let right = Vec2::new(area.max().x - GRID, at.y + 0.5 * (dock::large(&self.frame) - line));
-        canvas.text(&count, right, Style::new(DETAILS, theme::quiet()).mono().right());
-        for (i, (lap, read)) in self.clock.laps().enumerate() {
-            let below = Vec2::new(0.0, dock::large(&self.frame) + i as f32 * line);
-            canvas.text(
-                &tr!("Lap {lap} {time} s", lap, time = format_args!("{:>10}", seconds(read, rate))),
-                at + below,
-                Style::new(DETAILS, theme::text()).mono(),
-            );
-        }
-    }
-
     pub(super) fn show_table(&mut self, ui: &mut Ui<'_>, area: Area, game: &Game) {
-        match self.buttons(ui, area, &TABLE_WORDS, &TABLE_WORDS) {
+        match self.buttons(ui, area) {
             Some("From now") => self.figures.count_from(Some(game.ticks())),
             Some("From start") => self.figures.count_from(None),
             Some(_) => self.figures.set_zero(game.world().body(in_focus(&self.focus, game)[0]).position.y),
@@ -95,15 +67,14 @@ impl Measures {
         draw_bars(canvas, bars, (first, pitch), &column);
     }
 
-    /// A row of buttons at a panel's foot, each as wide as the word in `widest` needs.
-    fn buttons<'l>(&self, ui: &mut Ui<'_>, panel: Area, widest: &[&str], words: &[&'l str]) -> Option<&'l str> {
+    /// The row of buttons at the table's foot.
+    fn buttons(&self, ui: &mut Ui<'_>, panel: Area) -> Option<&'static str> {
         let foot = Vec2::new(panel.min.x + GRID, panel.max().y - 2.0 * GRID - dock::line(&self.frame));
         let style = Style::new(DETAILS, theme::text()).centred();
-        let places = dock::row(&self.frame, foot, widest);
         let mut pressed = None;
-        for (area, words) in places.into_iter().zip(words) {
+        for (area, words) in dock::row(&self.frame, foot, &TABLE_WORDS).into_iter().zip(TABLE_WORDS) {
             if ui.small_button((words, tr(words)), area, style) {
-                pressed = Some(*words);
+                pressed = Some(words);
             }
         }
         pressed

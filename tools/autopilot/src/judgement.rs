@@ -1,8 +1,8 @@
 //! How a person misjudges: other errors at each step.
 
-use resultant::physics::DVec2;
 use rand::RngExt;
 use rand_pcg::Pcg32;
+use resultant::physics::DVec2;
 
 /// The errors of a pilot who sees like a person.
 #[derive(Clone, Debug)]

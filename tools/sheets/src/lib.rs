@@ -29,7 +29,7 @@ pub const KEYS: [(&[&str], &str); 12] = [
     (&["[", "]"], "slower, faster"),
     (&["+", "−"], "zoom; or the wheel"),
     (&["F"], "everything that moves in view"),
-    (&["I"], "instruments: plot, ruler, clock, energy, what if"),
+    (&["I"], "instruments: plot, ruler, energy, what if"),
     (&["R"], "back to its start"),
     (&["Esc"], "pause: your sheet, and back to the experiments"),
 ];

@@ -220,14 +220,23 @@ impl Plot {
         }
     }
 
-    /// Between the selected curve and 0.
+    /// The ends of its stretch, and what lies between the selected curve and 0.
     fn draw_area(&self, scale: &Scale, lane: &ChartLane, canvas: &Canvas) {
         let Some((number, line, track)) = self.shown().find(|(number, ..)| *number == self.selected) else { return };
         if !lane.curves.contains(&number) {
             return;
         }
-        let colour = Colour::hex(look::of(number, line.up).colour).faded(SHADE);
         let (from, to) = self.stretch(track);
+        if self.span.is_some() && self.across == Quantity::Time {
+            for place in [from, to] {
+                let x = scale.at((track.time(place), 0.0)).x;
+                canvas.hairline(Vec2::new(x, scale.area.min.y), Vec2::new(x, scale.area.max().y), theme::text());
+            }
+        }
+        if !line.up.has_area() {
+            return;
+        }
+        let colour = Colour::hex(look::of(number, line.up).colour).faded(SHADE);
         let within = track.places(self.window());
         let stretch = from.max(within.start)..(to + 1).min(within.end);
         let zero = scale.at((0.0, 0.0)).y.clamp(scale.area.min.y, scale.area.max().y);
@@ -248,13 +257,6 @@ impl Plot {
             }
         }
         canvas.quads(quads);
-        if self.span.is_some() && self.across == Quantity::Time {
-            for place in [from, to] {
-                let x = scale.at((track.time(place), 0.0)).x;
-                let top = Vec2::new(x, scale.area.min.y);
-                canvas.hairline(top, Vec2::new(x, scale.area.max().y), theme::text());
-            }
-        }
     }
 
     fn draw_impacts(&self, scale: &Scale, canvas: &Canvas) {

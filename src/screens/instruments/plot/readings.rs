@@ -22,7 +22,10 @@ impl Plot {
             let place = track.map(|track| track.place(self.now)).filter(|place| *place < line.now.len());
             let value = place.and_then(|place| line.now.point(place)).map(|(_, y)| y);
             let slope = track.zip(place).and_then(|(track, place)| line.now.slope(track, place));
-            let area = track.map(|track| (track, self.stretch(track))).map(|(track, (from, to))| line.now.area(track, from, to));
+            let area = track.filter(|_| line.up.has_area()).map(|track| {
+                let (from, to) = self.stretch(track);
+                line.now.area(track, from, to)
+            });
             let unit = line.up.unit();
             CurveReading {
                 name: format!("{} {}", self.name(line.whose), line.up.symbol()),
