@@ -21,7 +21,7 @@
 //! - [`words`]: the languages of the screens.
 //! - [`number`]: how results print numbers, and every screen a time. [`files`]: reading with a limit, locks, and writing whole or not at all.
 
-// Two places need it, view/sound/output/system.rs and web/, and say why.
+// Those who need it say why: the system's libraries, its date and the page.
 #![deny(unsafe_code)]
 
 mod built_in;
@@ -48,6 +48,8 @@ pub mod settings;
 #[cfg(test)]
 #[path = "../tests/support/spreadsheets.rs"]
 mod spreadsheets;
+#[cfg(all(target_os = "linux", feature = "window"))]
+mod system_library;
 pub mod ui;
 pub mod view;
 #[cfg(all(browser, feature = "window"))]

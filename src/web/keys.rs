@@ -1,5 +1,7 @@
 //! The page's keyboard: a key's place is its code, and the browser composes what it types.
 
+use super::handed_over;
+use crate::number::hash;
 use crate::settings::{Key, Keys, layout};
 use crate::ui::keyboard::{KeyDown, Keyboard, place_of_code};
 use std::cell::RefCell;
@@ -30,19 +32,14 @@ pub fn drain(keyboard: &mut Keyboard) {
                     .map(|(_, key)| key)
                     .collect();
                 let plain = if bits & 0b1_0111 == 0 { typed } else { place.and_then(layout::sign_at) };
-                keyboard.down(KeyDown { id: id(&code), place, typed, silent: true, plain, repeat: bits & 8 != 0, held });
+                keyboard.down(KeyDown { id: hash(&code), place, typed, silent: true, plain, repeat: bits & 8 != 0, held });
             }
-            Told::Up(code) => keyboard.up(id(&code)),
+            Told::Up(code) => keyboard.up(hash(&code)),
             Told::Types(sign) => keyboard.typed(sign, Keys::default()),
             Told::Sign(code, sign) => place_of_code(&code).into_iter().for_each(|place| layout::note(place, sign)),
             Told::Leave => keyboard.leave(),
         }
     }
-}
-
-/// A number for a code: FNV-1a.
-fn id(code: &str) -> u32 {
-    code.bytes().fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
 }
 
 fn tell(told: Told) {
@@ -51,9 +48,8 @@ fn tell(told: Told) {
 
 /// A code that the script hands over.
 fn text(at: *mut u8, length: usize) -> String {
-    // SAFETY: it was made by `resultant_room` with that length, and is handed over.
-    let bytes = unsafe { Box::from_raw(std::ptr::slice_from_raw_parts_mut(at, length)) };
-    String::from_utf8_lossy(&bytes).into_owned()
+    // SAFETY: the script hands over what it has just filled.
+    String::from_utf8_lossy(&unsafe { handed_over(at, length) }).into_owned()
 }
 
 fn character(sign: u32) -> Option<char> {

@@ -11,6 +11,8 @@
   let answer = new Uint8Array();
   const answers = (bytes) => { answer = bytes; return bytes.length; };
   const encoded = (text) => new TextEncoder().encode(text);
+  /** Hands bytes over to the program; returns where they are and how many. */
+  const handed = (bytes) => { const to = wasm_exports.resultant_room(bytes.length); bytesAt(to, bytes.length).set(bytes); return [to, bytes.length]; };
 
   function tell(words) { at("notice").textContent = words + "  ×"; at("notice").hidden = false; }
   function stop(words) {
@@ -124,12 +126,11 @@
 
   // Files that are dropped, chosen or pasted as files.
   async function hand(files) {
-    const put = (data) => { const to = wasm_exports.resultant_room(data.length); bytesAt(to, data.length).set(data); return to; };
     for (const file of files) {
       const name = encoded(file.name);
-      if (wasm_exports.resultant_refuses(put(name), name.length, file.size)) continue;
+      if (wasm_exports.resultant_refuses(...handed(name), file.size)) continue;
       const bytes = new Uint8Array(await file.arrayBuffer());
-      wasm_exports.resultant_dropped(put(name), name.length, put(bytes), bytes.length);
+      wasm_exports.resultant_dropped(...handed(name), ...handed(bytes));
     }
   }
 
@@ -149,11 +150,7 @@
   // prevented where the game has the key: scrolling, going back, searching.
   const OWN = /^(Space|Tab|Backspace|Arrow(Up|Down|Left|Right)|F([1-9]|1[01]))$/, SEARCH = ["'", "/"];
   function takeKeys() {
-    const told = (call, code, ...rest) => {
-      const bytes = encoded(code), to = wasm_exports.resultant_room(bytes.length);
-      bytesAt(to, bytes.length).set(bytes);
-      wasm_exports[call](to, bytes.length, ...rest);
-    };
+    const told = (call, code, ...rest) => wasm_exports[call](...handed(encoded(code)), ...rest);
     const sign = (key) => [...key].length === 1 ? key.codePointAt(0) : 0;
     canvas.onkeydown = (event) => {
       const { code, key, shiftKey, ctrlKey, metaKey, altKey, repeat } = event;

@@ -7,10 +7,10 @@
 #![allow(unsafe_code)]
 
 use crate::settings::{Key, Keys, layout};
+use crate::system_library::{function, library};
 use crate::ui::keyboard::{KeyDown, Keyboard, alone};
-use libloading::Library;
 use std::collections::VecDeque;
-use std::ffi::{CStr, c_char, c_int, c_long, c_uchar, c_uint, c_ulong, c_void};
+use std::ffi::{c_char, c_int, c_long, c_uchar, c_uint, c_ulong, c_void};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 /// Kinds of events.
@@ -333,17 +333,4 @@ fn named(keysym: c_ulong) -> Option<Key> {
         0xffe9 | 0xffea | 0xfe03 | 0xff7e => Key::Alt,
         _ => return None,
     })
-}
-
-/// It stays loaded until the program ends.
-fn library(name: &str) -> Option<&'static Library> {
-    // SAFETY: miniquad has loaded it before.
-    Some(Box::leak(Box::new(unsafe { Library::new(name) }.ok()?)))
-}
-
-/// # Safety
-/// `F` must be the type of a function pointer that fits what the library has under that name.
-unsafe fn function<F: Copy>(library: &'static Library, name: &CStr) -> Option<F> {
-    // SAFETY: as the caller promises; the pointer is copied out, and the library stays.
-    unsafe { library.get::<F>(name) }.ok().map(|symbol| *symbol)
 }

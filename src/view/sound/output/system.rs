@@ -2,12 +2,12 @@
 //! ALSA's. Without either, or without a device, there is silence.
 //!
 //! Its unsafe code rests on: the types below are those of `pulse/simple.h` (PulseAudio's API 12) and
-//! `alsa/asoundlib.h` (libasound 2), compatible since 2007 and 2004, as the names `.so.0` and `.so.2` promise; a loaded library
-//! stays, so that its functions never vanish; and a device is used by the one thread that opened it.
+//! `alsa/asoundlib.h` (libasound 2), compatible since 2007 and 2004, as the names `.so.0` and `.so.2` promise; and a
+//! device is used by the one thread that opened it.
 #![allow(unsafe_code)]
 
-use libloading::Library;
-use std::ffi::{CStr, c_char, c_int, c_long, c_uint, c_ulong, c_void};
+use crate::system_library::{function, library};
+use std::ffi::{c_char, c_int, c_long, c_uint, c_ulong, c_void};
 use std::ptr::{self, NonNull};
 use std::sync::OnceLock;
 
@@ -72,20 +72,6 @@ impl Drop for Device {
             },
         }
     }
-}
-
-/// It stays loaded until the program ends.
-fn library(name: &str) -> Option<&'static Library> {
-    // SAFETY: loading runs the library's own initialisers; these are the system's sound libraries, which any program may load.
-    let library = unsafe { Library::new(name) }.ok()?;
-    Some(Box::leak(Box::new(library)))
-}
-
-/// # Safety
-/// `F` must be the type of a function pointer that fits what the library has under that name.
-unsafe fn function<F: Copy>(library: &'static Library, name: &CStr) -> Option<F> {
-    // SAFETY: as the caller promises; the pointer is copied out, and the library stays.
-    unsafe { library.get::<F>(name) }.ok().map(|symbol| *symbol)
 }
 
 /// `pa_sample_spec`
