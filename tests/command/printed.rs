@@ -18,7 +18,7 @@ fn texts(path: &Path, found: &mut Vec<String>) {
         let mut below: Vec<PathBuf> = fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path()).collect();
         below.sort();
         below.iter().for_each(|path| texts(path, found));
-    } else if path.extension().is_some_and(|ending| ending == "md" || ending == "html") {
+    } else if path.extension().is_some_and(|ending| ending == "md") {
         found.push(fs::read_to_string(path).unwrap());
     }
 }
@@ -27,6 +27,7 @@ fn texts(path: &Path, found: &mut Vec<String>) {
 fn commands() -> BTreeSet<String> {
     let mut all = Vec::new();
     DOCUMENTS.iter().for_each(|path| texts(&project().join(path), &mut all));
+    all.extend(sheets::pages(project()).unwrap().into_iter().map(|(_, page)| page));
     let mut found = BTreeSet::new();
     for text in &all {
         let spans =

@@ -13,7 +13,7 @@ pub use text::{Lesson, figures};
 use text::{escaped, inline};
 use words::{LANGUAGES, SheetWords};
 
-/// The folder of the sheets in the project.
+/// The folder of the sheets in the project, and in what players get.
 pub const FOLDER: &str = "docs/sheets";
 /// The list of all sheets.
 const INDEX: &str = "index.html";
@@ -119,9 +119,9 @@ pub fn is_key(name: &str) -> bool {
     KEYS.iter().any(|(keys, _)| keys.contains(&name))
 }
 
-/// Writes every sheet into the project's folder; returns their number.
-pub fn write(root: &Path) -> Result<usize, String> {
-    let (pages, folder) = (pages(root)?, root.join(FOLDER));
+/// Writes every sheet into a folder; returns their number.
+pub fn write(root: &Path, folder: &Path) -> Result<usize, String> {
+    let pages = pages(root)?;
     let failed = |error: std::io::Error| format!("{}: {error}", folder.display());
     for (name, text) in &pages {
         let file = folder.join(name);

@@ -1,12 +1,14 @@
-//! `cargo run -p sheets` writes docs/sheets from docs/lessons.
+//! `cargo run -p sheets` writes `docs/sheets` from `docs/lessons`; with a folder behind `--`, the sheets go there.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    match sheets::write(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")) {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let folder = std::env::args_os().nth(1).map_or_else(|| root.join(sheets::FOLDER), PathBuf::from);
+    match sheets::write(&root, &folder) {
         Ok(count) => {
-            println!("docs/sheets: {count} files");
+            println!("{}: {count} files", folder.display());
             ExitCode::SUCCESS
         }
         Err(problem) => {
