@@ -2,8 +2,9 @@
 
 use super::project::Project;
 use super::stop::{CommandError, Readers, Status, shown};
+use crate::game::DryRun;
 use crate::level::schema::{Count, Kind};
-use crate::level::{self, Level, Loaded};
+use crate::level::{self, Level, Loaded, Problem};
 use crate::pack;
 use crate::physics::World;
 use std::ffi::{OsStr, OsString};
@@ -46,6 +47,7 @@ fn check(args: &CheckArgs, project: &Project, out: &mut dyn Write, err: &mut dyn
             Ok((mut loaded, world)) => {
                 let level = Arc::new(loaded.level.clone());
                 loaded.warnings.extend(pack::stale(&folder, &level));
+                loaded.warnings.extend(dry_run(&level));
                 describe(&name, &loaded, &world, out, err)?;
             }
             Err((problems, lines)) => {
@@ -59,6 +61,19 @@ fn check(args: &CheckArgs, project: &Project, out: &mut dyn Write, err: &mut dyn
         writeln!(out, "{} levels: {} ok, {refused} refused", names.len(), names.len() - refused)?;
     }
     Ok(status)
+}
+
+/// A level that needs no pilot, or leaves none a chance.
+fn dry_run(level: &Arc<Level>) -> Option<Problem> {
+    let (found, expected) = match DryRun::of(level).ok()? {
+        DryRun::Waits => return None,
+        DryRun::Won(time) => (format!("a level that is won after {time:.2} s without a key"), "something to do"),
+        DryRun::Lost(time, by) => {
+            (format!("a level that is lost after {time:.2} s without a key: {by}"), "a start that waits for the pilot")
+        }
+        DryRun::Stuck => ("a ship that no key moves".to_owned(), "a start from which the engine moves it"),
+    };
+    Some(Problem { file: "player.csv".to_owned(), line: 0, column: String::new(), found, expected: expected.to_owned() })
 }
 
 /// A level's name as on the command line; for a place such as `.`, the name of its folder.

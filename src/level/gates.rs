@@ -1,5 +1,5 @@
-//! Warnings of doors that no body can open, pads behind red, plates that are too heavy. A doubtful route counts as possible: a body gets
-//! anywhere in its own free space, and one-way and fragile blocks and movers are no obstacles.
+//! Warnings of doors that no body can open and of pads behind red. A doubtful route counts as possible: a body gets anywhere in its own
+//! free space, and one-way and fragile blocks and movers are no obstacles.
 
 use super::draft::Draft;
 use super::problem::Problem;
@@ -15,7 +15,7 @@ pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<
         return Vec::new();
     }
     let ship = (player.position, SHIP_HALF);
-    let red = || draft.obstacles.iter().map(|red| red.item);
+    let red = || red(draft);
     let off_red = space.with(red());
     let gates = Gates::new(draft);
     let (pressed, open) = gates.play(ship, space);
@@ -52,8 +52,15 @@ pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<
             warnings.push(placed.problem("x", tr("an objective behind a door that nothing opens"), expected));
         }
     }
-    warnings.extend(plates(draft, player, space));
     warnings
+}
+
+/// How much narrower than its box the ship is for red at any angle, m: the square in the largest circle inside its body.
+const NARROWER: f64 = SHIP_HALF.x - 0.45;
+
+/// Where the ship touches red at every angle, for the ship's box.
+fn red(draft: &Draft) -> impl Iterator<Item = Aabb> {
+    draft.obstacles.iter().map(|red| Aabb { min: red.item.min + NARROWER, max: red.item.max - NARROWER })
 }
 
 struct Gates<'a> {
@@ -92,7 +99,7 @@ impl<'a> Gates<'a> {
         loop {
             let open = self.open(&pressed);
             let free = space.with(self.closed(&open));
-            let off_red = free.with(self.draft.obstacles.iter().map(|red| red.item));
+            let off_red = free.with(red(self.draft));
             let mut news = false;
             for (index, switch) in self.draft.switches.iter().enumerate() {
                 if !pressed[index] && presses(self.draft, &switch.item, ship, (&off_red, &free)) {
@@ -117,46 +124,4 @@ fn presses(draft: &Draft, switch: &Switch, ship: CentredBox, (ships, objects): (
     let mut others = draft.objects.iter().filter(|object| counts(object.item.key.is_some()));
     by_ship && ships.gets_to(ship, &switch.bounds)
         || others.any(|object| objects.gets_to((object.item.position, object.item.size * 0.5), &switch.bounds))
-}
-
-/// Plates that take more than the sum of all weights, the ship's thrust and the winds near by, downwards. The force of a mover, a belt or
-/// a link has no such bound.
-fn plates(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
-    let plates = draft.switches.iter().filter_map(|switch| Some((switch, switch.item.weight?)));
-    if draft.is_driven() {
-        return Vec::new();
-    }
-    // Bodies that touch each other reach no further than all of them in a row.
-    let sizes = draft.objects.iter().map(|object| object.item.size.max_element());
-    let reach = 2.0 * SHIP_HALF.x + sizes.sum::<f64>();
-    let near = |plate: &Aabb| Aabb::new(plate.min - reach, plate.max + reach);
-    let bodies: Vec<(CentredBox, f64, bool)> = std::iter::once(((player.position, SHIP_HALF), player.mass, false))
-        .chain(draft.objects.iter().map(|object| {
-            let object = &object.item;
-            ((object.position, object.size * 0.5), object.mass, object.weightless)
-        }))
-        .collect();
-    let fields: f64 = draft.fields.iter().map(|field| field.item.strength.y.max(0.0)).sum();
-    let pull = draft.settings.gravity.max(0.0) + fields;
-    let mut warnings = Vec::new();
-    for (plate, weight) in plates {
-        let near = near(&plate.item.bounds);
-        let there = bodies.iter().filter(|(body, ..)| space.gets_to(*body, &near));
-        let (mut most, mut count) = (player.thrust, 0.0);
-        for (_, mass, weightless) in there {
-            most += if *weightless { 0.0 } else { mass * pull };
-            count += 1.0;
-        }
-        let winds = draft.streams.iter().filter(|stream| stream.item.zone.touches(&near, 0.0));
-        most += count * winds.map(|stream| stream.item.force.y.max(0.0)).sum::<f64>();
-        if most <= weight {
-            let found = tr!(
-                "{weight} N, with {most} N of weight, thrust and wind in all to press it",
-                weight,
-                most = format_args!("{most:.0}")
-            );
-            warnings.push(plate.problem("weight", found, tr("less than that")));
-        }
-    }
-    warnings
 }

@@ -1,5 +1,5 @@
 //! Level folders: CSV text becomes a valid [`Level`], or the list of all its [`Problem`]s. `table` finds the columns of cells, the rows of `schema` become things of `draft`, and `read` makes the level. `names`, `links`, `strength`, `placement`, `reach` and `winnable`
-//! refuse levels; `gates`, `pushed`, `power` and `words` warn. Only `folder`, `scaffold` and `document` know the disk.
+//! refuse levels; `gates`, `strength` and `words` warn. Only `folder`, `scaffold` and `document` know the disk.
 
 mod box_tree;
 pub mod document;
@@ -14,9 +14,7 @@ mod nearest;
 mod numbers;
 mod placed;
 mod placement;
-mod power;
 mod problem;
-mod pushed;
 mod reach;
 mod read;
 mod reader;

@@ -10,7 +10,7 @@ use super::schema::settings::{LevelSettings, SETTING, settings};
 use super::schema::{FILES, Table};
 use super::source::{BACKGROUND, Files};
 use super::types::Level;
-use super::{gates, links, placement, power, pushed, strength, winnable, words};
+use super::{gates, links, placement, strength, winnable, words};
 use crate::physics::DVec2;
 use crate::words::tr;
 use std::io;
@@ -57,8 +57,7 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
         warnings.extend(winnable::same_turns(&draft));
         warnings.extend(placement::warn(&draft, &player.item, &space));
         warnings.extend(gates::warn(&draft, &player.item, &space));
-        warnings.extend(pushed::warn(&draft, &player.item, &space));
-        warnings.extend(power::warn(&draft, player, &space));
+        warnings.extend(strength::warn(&draft, player));
     }
     Ok(Loaded { level: draft.level(name, background, size), warnings, dialects })
 }

@@ -32,7 +32,9 @@ pub fn texts(output: &Output) -> (i32, String, String) {
 fn check_prints_what_a_good_level_holds() {
     let (code, out, err) = texts(&resultant(&fixtures(), &["check", "good_original"]));
     let lines: Vec<&str> = out.lines().collect();
-    assert_eq!((code, err.as_str(), lines.len()), (0, "", 3), "{out}");
+    let won =
+        "good_original: warning: player.csv: found a level that is won after 0.63 s without a key, expected something to do\n";
+    assert_eq!((code, err.as_str(), lines.len()), (0, won, 3), "{out}");
     assert_eq!(lines[0], "good_original: ok");
     let counts =
         "1 solid, 1 object, 1 key object, 0 player objectives, 1 physics objective, 1 death box, 2 air streams, 0 liquids, 0 texts";
@@ -148,6 +150,50 @@ fn flights_that_no_longer_hold_are_warned_about() {
             assert!(err.contains(&told), "{err}");
         }
     }
+}
+
+/// A medal that no flight of the folder earns.
+#[test]
+fn medals_beyond_all_flights_are_warned_about() {
+    let project = tempfile::tempdir().unwrap();
+    copy_fixture("1", project.path());
+    let flights = project.path().join("levels/1/flights");
+    std::fs::remove_file(flights.join("mark.replay.csv")).unwrap();
+    std::fs::remove_file(flights.join("gold.replay.csv")).unwrap();
+    let (code, _, err) = ran(project.path(), &["check", "1"]);
+    let gold = "1: warning: constants.csv: found a medal (within 5.5 s) that no flight in flights/ earns, expected ";
+    assert!(code == 0 && err.contains(gold), "{err}");
+}
+
+/// A level is played for a minute without a key.
+#[test]
+fn a_level_that_needs_no_pilot_or_leaves_none_a_chance_is_warned_about() {
+    let project = project(&["tower"]);
+    let folder = project.path().join("levels/tower");
+    let checked = |files: &[(&str, &str)]| {
+        std::fs::read_dir(&folder).unwrap().for_each(|file| std::fs::remove_file(file.unwrap().path()).unwrap());
+        let room = [("constants.csv", "name,value\nwidth,1200\nheight,900\n"), ("world.csv", "x,y,width,height\n0,870,1200,30\n")];
+        for (name, text) in room.iter().chain(files) {
+            std::fs::write(folder.join(name), text).unwrap();
+        }
+        let (code, _, err) = ran(project.path(), &["check", "tower"]);
+        assert_eq!(code, 0, "{err}");
+        err
+    };
+    let player = ("player.csv", "x,y,mass,fuel,thrust\n100,500,100,500,2000\n");
+    let pad = |row: &str| format!("kind,x,y,width,height\n{row}\n");
+    let (far, below) = (pad("PLAYER,1100,100,60,10"), pad("PLAYER,70,860,60,10"));
+    assert_eq!(checked(&[player, ("objectives.csv", &far)]), "");
+    let won = checked(&[player, ("objectives.csv", &below)]);
+    assert!(won.starts_with("tower: warning: player.csv: found a level that is won after 1."), "{won}");
+    let red = ("obstacles.csv", "x,y,width,height\n70,860,60,10\n");
+    let lost = checked(&[player, ("objectives.csv", &far), red]);
+    assert!(lost.contains("found a level that is lost after 1.") && lost.contains("without a key: obstacle 1, expected"), "{lost}");
+    // A cage of the ship's size, and a key that is its own way to its goal.
+    let cage = "x,y,width,height\n0,870,1200,30\n40,464.5,34.5,71\n125.5,464.5,34.5,71\n74.5,440,51,34.5\n74.5,525.5,51,34.5\n";
+    let key = "PHYS,1100,860,60,10\nOBJECT,600,850,box:40x40,75,120,220,190,0,0.5\n";
+    let stuck = checked(&[player, ("world.csv", cage), ("objectives.csv", key)]);
+    assert!(stuck.contains("player.csv: found a ship that no key moves, expected "), "{stuck}");
 }
 
 #[test]
