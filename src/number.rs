@@ -1,4 +1,4 @@
-//! Numbers and flight times as results, exports and the screen print them.
+//! Numbers, quantities and flight times as results, exports and the screen print them.
 
 use crate::physics::DVec2;
 use serde::{Serialize, Serializer};
@@ -32,6 +32,125 @@ pub fn fixed(value: f64, decimals: usize) -> String {
         Some(size) => format!("−{size}"),
         None => plain,
     }
+}
+
+/// Without the zeros behind a decimal point.
+pub fn trimmed(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
+/// A power of ten, as 10⁻³.
+pub fn power(exponent: i32) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raised =
+        exponent.to_string().bytes().map(|c| if c == b'-' { '⁻' } else { RAISED[usize::from(c - b'0')] }).collect::<String>();
+    format!("10{raised}")
+}
+
+/// Three digits at most, with a power of ten where zeros would fill it up.
+pub fn short(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
+        return "∞".to_owned();
+    }
+    if (1e-3..1e5).contains(&value.abs()) {
+        let digits = (2 - value.abs().log10().floor() as i32).clamp(0, 6) as usize;
+        let mut text = trimmed(&fixed(value, digits)).to_owned();
+        if value.abs() >= 1e4 {
+            text.insert(text.len() - 3, ' ');
+        }
+        return text;
+    }
+    let text = format!("{value:.1e}");
+    let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    format!("{}·{}", digits.replace('-', "−"), power(exponent.parse().unwrap_or(0)))
+}
+
+/// A step as people write it: 1/120 s where it is one part of a second.
+pub fn step(seconds: f64) -> String {
+    let parts = 1.0 / seconds;
+    if parts.is_finite() && parts >= 2.0 && (parts / parts.round() - 1.0).abs() < 1e-9 {
+        return format!("1/{} s", short(parts.round()));
+    }
+    format!("{} s", short(seconds))
+}
+
+/// From the largest.
+pub const PREFIXES: [(f64, &str); 6] = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ")];
+/// Masses have a prefix already, and larger ones names of their own.
+const MASSES: [(f64, &str); 6] = [(1e9, "Mt"), (1e6, "kt"), (1e3, "t"), (1.0, "kg"), (1e-3, "g"), (1e-6, "mg")];
+/// Units: a smaller number is rounding.
+pub const NOTHING: f64 = 1e-9;
+/// The unit without a prefix serves down to this part of it: 0.5 N reads better than 500 mN.
+const PLAIN_FROM: f64 = 0.1;
+/// A number from this share of the next power of ten on counts as that.
+const ROUNDS_UP: f64 = 0.9995;
+
+/// The format of a quantity's numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct QuantityScale {
+    /// The size of one written unit in plain units; none beyond all prefixes.
+    pub one: Option<f64>,
+    pub decimals: usize,
+    unit: String,
+}
+
+impl QuantityScale {
+    /// `largest` is the largest number of the quantity.
+    pub fn of(largest: f64, unit: &str) -> Self {
+        let scales: &[(f64, &str)] = match unit {
+            "kg" => &MASSES,
+            // School writes slow motions as 0.05 m/s.
+            "m/s" | "m/s²" => &PREFIXES[..4],
+            _ => &PREFIXES,
+        };
+        let size = largest.abs();
+        let fits = |(one, _): &&(f64, &str)| size >= one * if *one == 1.0 { PLAIN_FROM } else { 1.0 } * ROUNDS_UP;
+        let smallest = scales[scales.len() - 1];
+        let (one, name) = if size < NOTHING { (1.0, scales[3].1) } else { *scales.iter().find(fits).unwrap_or(&smallest) };
+        let unit = if unit == "kg" { name.to_owned() } else { format!("{name}{unit}") };
+        let parts = size / one;
+        let decimals = decimals(parts).min(if smallest.0 == 1.0 { 6 } else { 3 });
+        if parts < 1000.0 * ROUNDS_UP { Self { one: Some(one), decimals, unit } } else { Self { one: None, decimals, unit } }
+    }
+
+    /// The same unit for numbers of which this is the largest: three digits of their own, with up to two more places.
+    #[must_use]
+    pub fn finer(&self, largest: f64) -> Self {
+        let own = self.one.filter(|_| largest.abs() >= NOTHING).map_or(self.decimals, |one| decimals(largest.abs() / one));
+        Self { decimals: own.clamp(self.decimals, self.decimals + 2), ..self.clone() }
+    }
+
+    /// Without its unit.
+    pub fn number(&self, value: f64) -> String {
+        if value.abs() < NOTHING {
+            return "0".to_owned();
+        }
+        let Some(one) = self.one else { return short(value / PREFIXES[0].0) };
+        fixed(value / one, self.decimals)
+    }
+
+    /// With its prefix.
+    pub fn unit(&self) -> &str {
+        &self.unit
+    }
+}
+
+/// Decimal places that show three digits of a number of units.
+fn decimals(parts: f64) -> usize {
+    let (mut places, mut least) = (0, 100.0 * ROUNDS_UP);
+    while parts < least && places < 9 {
+        (places, least) = (places + 1, least / 10.0);
+    }
+    places
+}
+
+/// As in "1.50 kN".
+pub fn scalar(value: f64, unit: &str) -> String {
+    let scale = QuantityScale::of(value, unit);
+    format!("{} {}", scale.number(value), scale.unit())
 }
 
 /// Ticks in seconds, to the millisecond: "1.350".
@@ -81,7 +200,7 @@ pub fn clock(seconds: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Shortest, clock, fixed};
+    use super::*;
     use proptest::prelude::*;
     use proptest::test_runner::FileFailurePersistence;
 
@@ -116,6 +235,56 @@ mod tests {
             (f64::from_bits(1), "5e-324"),
         ] {
             assert_eq!(Shortest(number).to_string(), text);
+        }
+    }
+
+    #[test]
+    fn three_digits_say_most_numbers() {
+        let cases = [
+            (1.0 / 300.0, "0.00333"),
+            (1e-9, "1.0·10⁻⁹"),
+            (1234.5, "1234"),
+            (12_345.6, "12 346"),
+            (0.5, "0.5"),
+            (36.04, "36"),
+            (0.0, "0"),
+            (1e6, "1.0·10⁶"),
+        ];
+        for (value, text) in cases {
+            assert_eq!(short(value), text);
+        }
+        assert_eq!((power(-12), power(2), power(0)), ("10⁻¹²".to_owned(), "10²".to_owned(), "10⁰".to_owned()));
+        assert_eq!(
+            (step(1.0 / 120.0), step(0.1), step(1e-4)),
+            ("1/120 s".to_owned(), "1/10 s".to_owned(), "1/10 000 s".to_owned())
+        );
+    }
+
+    #[test]
+    fn three_digits_and_a_prefix_say_any_number() {
+        for (value, unit, text) in [
+            (1500.0, "N", "1.50 kN"),
+            (-731.25, "N", "−731 N"),
+            (0.5, "m/s", "0.500 m/s"),
+            (0.05, "m/s", "0.0500 m/s"),
+            (2e-5, "m/s²", "0.000020 m/s²"),
+            (1500.0, "m/s", "1.50 km/s"),
+            (0.05, "N", "50.0 mN"),
+            (9.81, "m/s²", "9.81 m/s²"),
+            (-0.0, "N", "0 N"),
+            (1e-12, "N", "0 N"),
+            (2e-7, "N", "0.200 µN"),
+            (999.4, "N", "999 N"),
+            (999.6, "N", "1.00 kN"),
+            (0.09996, "N", "0.100 N"),
+            (99.96, "N", "100 N"),
+            (100.0, "kg", "100 kg"),
+            (1500.0, "kg", "1.50 t"),
+            (0.05, "kg", "50.0 g"),
+            (4.2e7, "N·s", "42.0 MN·s"),
+            (-3e20, "N", "−3.0·10¹¹ GN"),
+        ] {
+            assert_eq!(scalar(value, unit), text);
         }
     }
 

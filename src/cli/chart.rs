@@ -4,15 +4,16 @@
 use super::files::{OutputFile, Staged, read_text};
 use super::project::Project;
 use super::stop::{CommandError, Status};
+use crate::draw::chart::look::CurveOrigin;
 use crate::files::{self, CHART};
 use crate::lab::charts::{Charts, MeasuredWith};
 use crate::lab::course::{CoursePoint, OverTime};
-use crate::lab::curve::{CurveOrigin, MethodCurve, WorkPoint};
+use crate::lab::curve::{MethodCurve, WorkPoint};
+use crate::lab::drawing::paper;
 use crate::lab::measured::Measured;
 use crate::lab::peers::add_peers;
 use crate::lab::report::{shipped_csv, summary};
 use crate::lab::{LabScene, SceneMethod, scenes, stability, stability_diagram, stress};
-use crate::view::paper;
 use std::hint::black_box;
 use std::io::Write;
 use std::path::{Path, PathBuf};

@@ -3,6 +3,7 @@
 //! Sizes and places are in [`layout`]; the widths of words, from the typefaces themselves, in [`text`].
 
 pub mod canvas;
+pub mod chart;
 pub mod colour;
 mod dashes;
 #[cfg(feature = "window")]

@@ -5,7 +5,7 @@ use super::curve::Curve;
 use super::quantity::Quantity;
 use super::series::{Extremes, around};
 use super::unit::Unit;
-use crate::lab::linear::Linear;
+use crate::draw::chart::axes::Linear;
 use std::ops::Range;
 
 /// s.

@@ -6,9 +6,10 @@ use super::fit::Fit;
 use super::look;
 use super::quantity::Quantity;
 use super::track::BodyTrack;
+use crate::draw::chart::axes::Linear;
+use crate::draw::chart::look::{CurveLook, Marker};
+use crate::draw::chart::{Piece, Sheet, Strip};
 use crate::files::csv_line;
-use crate::lab::linear::Linear;
-use crate::lab::look::{CurveLook, Marker};
 use crate::number::Shortest;
 
 /// Labels of an upright axis over the whole height, about.
@@ -63,36 +64,6 @@ pub fn csv(curves: &[Exported]) -> String {
     };
     let rows = track.into_iter().flat_map(|track| (0..track.len()).map(move |place| (track, place)));
     csv_line(head) + &rows.map(row).collect::<String>()
-}
-
-/// A picture of curves above one axis: a strip for each kind of number, one above the other.
-pub struct Sheet {
-    pub across: Linear,
-    /// The quantity to the right, with its unit.
-    pub across_name: String,
-    /// From the top.
-    pub strips: Vec<Strip>,
-    pub legend: Vec<(String, CurveLook)>,
-    /// Lines below the legend.
-    pub notes: Vec<String>,
-}
-
-pub struct Strip {
-    /// With its unit.
-    pub name: String,
-    /// Values upwards, each with its part of the height.
-    pub named: Vec<(f64, String)>,
-    /// Values to the right with an upright line.
-    pub marks: Vec<f64>,
-    pub curves: Vec<Piece>,
-}
-
-pub struct Piece {
-    pub look: CurveLook,
-    /// Values to the right, and parts of the height.
-    pub points: Vec<(f64, f64)>,
-    /// The point with the curve's marker, if any has it.
-    pub marker: Option<usize>,
 }
 
 pub fn sheet(window: TimeWindow, curves: &[Exported]) -> Sheet {

@@ -2,8 +2,7 @@
 
 use super::quantity::Quantity;
 use super::unit::Unit;
-use crate::lab::axes;
-use crate::number::fixed;
+use crate::number::{fixed, short};
 use crate::words::tr;
 
 /// Points of a search for a frequency, at most.
@@ -136,14 +135,14 @@ impl Fit {
                 format!("{sine}; {} {}", tr("period"), figure(std::f64::consts::TAU / self.rate, x_unit)).replace("+ −", "− ")
             }
         };
-        format!("{y} = {law}; {} {}", tr("residual"), with_unit(&axes::number(self.residual), y_unit))
+        format!("{y} = {law}; {} {}", tr("residual"), with_unit(&short(self.residual), y_unit))
     }
 }
 
 /// With five digits.
 fn digits(value: f64) -> String {
     match value.abs() {
-        size if size != 0.0 && !(1e-4..1e6).contains(&size) => axes::number(value),
+        size if size != 0.0 && !(1e-4..1e6).contains(&size) => short(value),
         size => fixed(value, (4 - size.max(1e-4).log10().floor() as i32).clamp(0, 8) as usize),
     }
 }

@@ -1,8 +1,7 @@
 //! Up to four curves of a flight differ by colour, dash and marker. A force has the colour that it has everywhere.
 
 use super::quantity::Quantity;
-use crate::lab::curve::CurveOrigin;
-use crate::lab::look::CurveLook;
+use crate::draw::chart::look::{CurveLook, CurveOrigin};
 use crate::physics::ForceKind;
 
 pub const RESULTANT: u32 = 0xFFFFFF;

@@ -1,5 +1,7 @@
 //! A method's curve: the numbers of its runs, and the order that they show.
 
+use crate::draw::chart::look::CurveOrigin;
+
 /// One run of a method at one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorkPoint {
@@ -29,14 +31,6 @@ const ALIKE: f64 = 0.25;
 pub const NUMBERS: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 /// More curves than this neither an eye nor a legend copes with.
 pub const MOST_CURVES: usize = 64;
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CurveOrigin {
-    Lab,
-    Shipped,
-    /// From the file that `benches/peers` wrote.
-    Peer,
-}
 
 /// A method's points, from the coarsest step or in the order of their times.
 #[derive(Clone, Debug, PartialEq)]

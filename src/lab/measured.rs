@@ -1,7 +1,8 @@
 //! The numbers behind a scene's diagrams.
 
 use super::course::OverTime;
-use super::curve::{CurveOrigin, MethodCurve, WorkPoint};
+use super::curve::{MethodCurve, WorkPoint};
+use crate::draw::chart::look::CurveOrigin;
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {

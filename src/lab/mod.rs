@@ -11,16 +11,14 @@
 //! - [`reference`](mod@reference): answers that have no closed form, found finely and in two ways.
 //! - [`measured`], [`curve`], [`course`]: the numbers behind a diagram. [`charts`]: all numbers of one run, as CSV and back; [`kept`]:
 //!   the run that comes with the game; [`peers`]: other engines' points.
-//! - [`axes`], [`linear`], [`timeline`], [`look`]: parts of a diagram, on paper and on the screen. [`report`]: the summary.
+//! - [`timeline`], [`drawing`]: diagrams, on paper and on the screen. [`report`]: the summary.
 
-pub mod axes;
 pub mod charts;
 pub mod contract;
 pub mod course;
 pub mod curve;
+pub mod drawing;
 pub mod kept;
-pub mod linear;
-pub mod look;
 pub mod measured;
 pub mod methods;
 pub mod peers;

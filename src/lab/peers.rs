@@ -3,9 +3,10 @@
 //! diagrams of their own.
 
 use super::TOLERANCE;
-use super::curve::{CurveOrigin, MOST_CURVES, NUMBERS, WorkPoint, curve_of};
+use super::curve::{MOST_CURVES, NUMBERS, WorkPoint, curve_of};
 use super::measured::Measured;
 use super::rows::{above_zero, error, rows};
+use crate::draw::chart::look::CurveOrigin;
 
 /// The columns of the file that `benches/peers` writes.
 pub const PEERS_HEAD: [&str; 10] = ["scene", "engine", "version", "settings", "step", "work", "error", "overlap", "speed", "times"];

@@ -1,12 +1,13 @@
 //! The findings of a run in writing: a page with all tables and diagrams, and the cheapest method of each scene.
 
-use super::axes::{number, step};
 use super::charts::Charts;
-use super::curve::{CurveOrigin, MethodCurve, WorkPoint};
+use super::curve::{MethodCurve, WorkPoint};
 use super::measured::Measured;
 use super::rows::{shortest, table};
 use super::stability::{Region, SHIPPED, SHIPPED_LIMITS, limit};
 use super::stability_diagram::{SVG, TITLE};
+use crate::draw::chart::look::CurveOrigin;
+use crate::number::{short, step};
 use std::fmt::Write;
 
 /// The shipped engine's cost in a scene, beside the cheapest there.
@@ -126,17 +127,17 @@ fn verdicts(text: &mut String, diagrams: &[Measured]) {
     text.push_str("cheapest as exact as shipped | ns | shipped costs |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
     for verdict in &all {
         let Measured { title, name, .. } = verdict.measured;
-        let (error, work) = (number(verdict.shipped.error), number(verdict.shipped.work));
+        let (error, work) = (short(verdict.shipped.error), short(verdict.shipped.work));
         let stretched =
-            verdict.stretched.map_or("–".to_owned(), |point| format!("{} at {}", number(point.work), step(point.step)));
+            verdict.stretched.map_or("–".to_owned(), |point| format!("{} at {}", short(point.work), step(point.step)));
         let named = |(curve, point): (&MethodCurve, WorkPoint)| format!("{} at {}", curve.name, step(point.step));
         let none = if verdict.measured.alike { "none" } else { "–" };
         let cheapest = verdict.cheapest.map_or(format!("{none} | – | – | –"), |best| {
-            let (error, work) = (number(best.1.error), number(best.1.work));
-            format!("{} | {error} | {work} | × {}", named(best), number(verdict.ratio(best.1)))
+            let (error, work) = (short(best.1.error), short(best.1.work));
+            format!("{} | {error} | {work} | × {}", named(best), short(verdict.ratio(best.1)))
         });
         let as_exact = verdict.as_exact.map_or("– | – | –".to_owned(), |best| {
-            format!("{} | {} | × {}", named(best), number(best.1.work), number(verdict.ratio(best.1)))
+            format!("{} | {} | × {}", named(best), short(best.1.work), short(verdict.ratio(best.1)))
         });
         let _ = writeln!(text, "| [{title}](#{name}) | {error} | {work} | {stretched} | {cheapest} | {as_exact} |");
     }
@@ -154,11 +155,11 @@ fn pi_table(text: &mut String, measured: &Measured) {
         let Some(step) = points.clone().next().map(|point| step(point.step)) else { break };
         let last_right = points.by_ref().take_while(|point| point.error == 0.0).enumerate().last();
         let _ = match last_right {
-            Some((n, point)) => writeln!(text, "| {step} | {n} | {} |", number(point.work)),
+            Some((n, point)) => writeln!(text, "| {step} | {n} | {} |", short(point.work)),
             None => writeln!(text, "| {step} | none | – |"),
         };
     }
     if let Some((curve, Some(point))) = measured.shipped().map(|(curve, mut points)| (curve, points.next())) {
-        let _ = writeln!(text, "| {}: at any | all | {} |", curve.name, number(point.work));
+        let _ = writeln!(text, "| {}: at any | all | {} |", curve.name, short(point.work));
     }
 }

@@ -1,9 +1,8 @@
 //! How the regions of stability look, and their edges as CSV, with their limits on the rays of a swing and of drag alone.
 
-use super::curve::CurveOrigin;
-use super::look::CurveLook;
 use super::rows::{shortest, table};
 use super::stability::Region;
+use crate::draw::chart::look::{CurveLook, CurveOrigin};
 
 pub const SVG: &str = "stability.svg";
 pub const TITLE: &str = "Where methods are stable: the plane of z = h·λ";

@@ -2,8 +2,9 @@
 //! moment lies at parts of the axes, 0 … 1, so that paper and screen draw the same.
 
 use super::TOLERANCE;
-use super::axes::{Decades, LEAST_ERROR, number};
 use super::course::{CoursePoint, OverTime};
+use crate::draw::chart::axes::{Decades, LEAST_ERROR};
+use crate::number::short;
 
 /// The range of energies on the axis, in parts of the exact one. A method beyond it has gained or lost all there is.
 const ENERGIES: (f64, f64) = (0.0, 2.0);
@@ -50,7 +51,7 @@ impl Timeline {
 
 /// An energy as a label: the largest stands for all beyond it.
 pub fn energy_name(energy: f64) -> String {
-    if energy >= ENERGIES.1 { format!("≥ {}", number(ENERGIES.1)) } else { number(energy) }
+    if energy >= ENERGIES.1 { format!("≥ {}", short(ENERGIES.1)) } else { short(energy) }
 }
 
 /// An error clamped to the axis: rounding at the lower edge, blown-up runs at the upper one.
@@ -58,23 +59,11 @@ fn shown(error: f64) -> f64 {
     error.clamp(LEAST_ERROR, 1e4)
 }
 
-/// Round numbers from `from` to `to`, about `about` of them: 1, 2 or 5 times a power of ten apart.
-pub fn round_numbers(from: f64, to: f64, about: usize) -> Vec<f64> {
-    let rough = (to - from) / about.max(1) as f64;
-    if !rough.is_finite() || rough <= 0.0 {
-        return Vec::new();
-    }
-    let power = libm::exp10(rough.log10().floor());
-    let apart = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power).into_iter().find(|apart| *apart >= rough * 0.999).unwrap_or(rough);
-    let first = (from / apart - 1e-9).ceil() as i64;
-    let last = (to / apart + 1e-9).floor() as i64;
-    (first..=last).map(|i| i as f64 * apart).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lab::curve::{CurveOrigin, MethodCurve};
+    use crate::draw::chart::look::CurveOrigin;
+    use crate::lab::curve::MethodCurve;
 
     #[test]
     fn moments_lie_between_the_axes_whatever_they_are() {
@@ -93,17 +82,5 @@ mod tests {
         assert_eq!(at[0].0, (0.25, 0.0));
         assert_eq!((at[2].0.1, at[3].0.1, at[2].1.1, at[3].1.1), (1.0, 1.0, 1.0, 1.0));
         assert!((at[1].1.1 - 0.51 / 1.01).abs() < 1e-12);
-    }
-
-    #[test]
-    fn round_numbers_are_round() {
-        assert_eq!(round_numbers(0.0, 60.0, 6), [0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0]);
-        let near = |found: Vec<f64>, wanted: &[f64]| {
-            assert_eq!(found.len(), wanted.len(), "{found:?}");
-            assert!(found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-12), "{found:?}");
-        };
-        near(round_numbers(0.99, 1.01, 4), &[0.99, 0.995, 1.0, 1.005, 1.01]);
-        assert_eq!(round_numbers(-3.0, 3.0, 3), [-2.0, 0.0, 2.0]);
-        assert!(round_numbers(1.0, 1.0, 3).is_empty() && round_numbers(0.0, f64::INFINITY, 3).is_empty());
     }
 }

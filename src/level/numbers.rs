@@ -148,7 +148,6 @@ fn short(value: f64) -> String {
 
 /// A limit as it is printed: from a thousand on, and below a tenth, as a power of ten.
 pub(super) fn power(value: f64) -> String {
-    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let size = value.abs();
     let sign = if value < 0.0 { "−" } else { "" };
     if size == 0.0 || (0.1..1e3).contains(&size) {
@@ -156,8 +155,8 @@ pub(super) fn power(value: f64) -> String {
     }
     let scientific = format!("{size:e}");
     let (digits, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-    let raised: String = exponent.chars().map(|c| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize])).collect();
-    if digits == "1" { format!("{sign}10{raised}") } else { format!("{sign}{digits}·10{raised}") }
+    let raised = crate::number::power(exponent.parse().unwrap_or(0));
+    if digits == "1" { format!("{sign}{raised}") } else { format!("{sign}{digits}·{raised}") }
 }
 
 /// The author's pixels against metres.

@@ -7,6 +7,7 @@ use super::problem::{MOST_PROBLEMS, Problem, at_most};
 use super::reach::{FreeSpace, SearchWork};
 use super::types::{Fluid, SHIP_HALF, ShipStart, Solid};
 use super::wiring::{SwitchesByName, Worked};
+use crate::number::{fixed, trimmed};
 use crate::physics::domain::{LIQUIDS_OVERLAP, MOST_LIQUIDS, MOST_ZONES};
 use crate::physics::{Aabb, DVec2, Sides};
 use crate::words::tr;
@@ -126,9 +127,7 @@ fn depth(body: &Aabb, other: &Aabb, metre: f64) -> (&'static str, String, &'stat
     let pixels = metres * metre;
     // Four digits.
     let decimals = (3 - pixels.log10().floor() as i32).clamp(0, 9) as usize;
-    let text = format!("{pixels:.decimals$}");
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text };
-    (column, text, side)
+    (column, trimmed(&fixed(pixels, decimals)).to_owned(), side)
 }
 
 /// The problem of a body that reaches out of the level, if it does.

@@ -120,6 +120,7 @@ mod drawing {
     use crate::classics::pi::mass_ratio;
     use crate::draw::layout::{Area, BUTTON_TEXT, MONO_ADVANCE, TEXT, TITLE, Vec2};
     use crate::draw::{Canvas, Colour, Style};
+    use crate::number;
     use crate::view::{theme, widgets};
     use crate::words::tr;
 
@@ -220,12 +221,7 @@ mod drawing {
     fn power(exponent: u32) -> String {
         match exponent {
             0..=4 => 10_u64.pow(exponent).to_string(),
-            _ => {
-                let raised = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-                let digits = exponent.to_string();
-                let digits = digits.bytes().map(|digit| raised[usize::from(digit - b'0')]);
-                std::iter::once('1').chain(std::iter::once('0')).chain(digits).collect()
-            }
+            _ => number::power(exponent.cast_signed()),
         }
     }
 

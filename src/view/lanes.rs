@@ -1,10 +1,10 @@
 //! Lanes: curves above one axis to the right, each lane with its own numbers upwards.
 
-use super::diagram::{WORDS, dashed, marker, stroke};
 use super::{theme, widgets};
+use crate::draw::chart::Sheet;
+use crate::draw::chart::look::{WORDS, dashed, marker, stroke};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::instruments::export::Sheet;
 use crate::words::tr;
 
 /// About how many values to the right have numbers.
@@ -20,7 +20,7 @@ const BETWEEN: f32 = 60.0;
 /// Dashes of a line at a value, canvas units drawn and left out.
 const MARK_DASH: (u32, u32) = (2, 5);
 
-pub(super) struct LaneAxes<'a> {
+pub struct LaneAxes<'a> {
     /// Between the axes.
     pub area: Area,
     /// The upward quantity, with its unit.

@@ -1,10 +1,6 @@
 //! Drawing only: reads the game and changes nothing in it. The screens decide, in [`crate::screens`]. A [`crate::draw::Canvas`]
 //! records the shapes; nothing but sound needs a system.
 
-pub mod lanes;
-pub mod plot;
-pub mod terrain;
-
 pub mod arrows;
 pub mod art;
 pub mod barriers;
@@ -12,7 +8,6 @@ pub mod boxes;
 pub mod camera;
 pub mod decoration;
 pub mod details;
-pub mod diagram;
 pub mod emitters;
 pub mod facts;
 pub mod feedback;
@@ -21,6 +16,7 @@ pub mod free_body;
 pub mod game_view;
 pub mod hitboxes;
 pub mod hud;
+pub mod lanes;
 pub mod links;
 pub mod mechanisms;
 pub mod medals;
@@ -28,18 +24,16 @@ pub mod names;
 pub mod paper;
 pub mod particles;
 pub mod partner;
-pub mod picture;
 pub mod pictures;
-pub mod plane;
 pub mod quantity;
 pub mod scale;
 pub mod sky;
 #[cfg(feature = "window")]
 pub mod sound;
 mod stirred;
+pub mod terrain;
 pub mod theme;
 pub mod things;
-pub mod timeline;
 pub mod touchdown;
 pub mod widgets;
 pub mod world;

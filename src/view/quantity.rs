@@ -1,85 +1,7 @@
-//! Quantities for players: three significant digits, a unit with a prefix, a true minus sign, and y upwards as in school. The
-//! engine and the level's files count y downwards.
+//! Rows of quantities for players, y upwards as in school: the engine and the level's files count y downwards.
 
 use super::facts::{ArrowKind, FactRow, Value};
-use crate::lab::axes;
-use crate::number::fixed;
-
-/// From the largest.
-const PREFIXES: [(f64, &str); 6] = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ")];
-/// Masses have a prefix already, and larger ones names of their own.
-const MASSES: [(f64, &str); 6] = [(1e9, "Mt"), (1e6, "kt"), (1e3, "t"), (1.0, "kg"), (1e-3, "g"), (1e-6, "mg")];
-/// Units: a smaller number is rounding.
-pub const NOTHING: f64 = 1e-9;
-/// The unit without a prefix serves down to this part of it: 0.5 N reads better than 500 mN.
-const PLAIN_FROM: f64 = 0.1;
-/// A number from this share of the next power of ten on counts as that.
-const ROUNDS_UP: f64 = 0.9995;
-
-/// The format of a quantity's numbers.
-#[derive(Clone, Debug, PartialEq)]
-pub struct QuantityScale {
-    /// The size of one written unit in plain units; none beyond all prefixes.
-    one: Option<f64>,
-    decimals: usize,
-    unit: String,
-}
-
-impl QuantityScale {
-    /// `largest` is the largest number of the quantity.
-    pub fn of(largest: f64, unit: &str) -> Self {
-        let scales: &[(f64, &str)] = match unit {
-            "kg" => &MASSES,
-            // School writes slow motions as 0.05 m/s.
-            "m/s" | "m/s²" => &PREFIXES[..4],
-            _ => &PREFIXES,
-        };
-        let size = largest.abs();
-        let fits = |(one, _): &&(f64, &str)| size >= one * if *one == 1.0 { PLAIN_FROM } else { 1.0 } * ROUNDS_UP;
-        let smallest = scales[scales.len() - 1];
-        let (one, name) = if size < NOTHING { (1.0, scales[3].1) } else { *scales.iter().find(fits).unwrap_or(&smallest) };
-        let unit = if unit == "kg" { name.to_owned() } else { format!("{name}{unit}") };
-        let parts = size / one;
-        let decimals = decimals(parts).min(if smallest.0 == 1.0 { 6 } else { 3 });
-        if parts < 1000.0 * ROUNDS_UP { Self { one: Some(one), decimals, unit } } else { Self { one: None, decimals, unit } }
-    }
-
-    /// The same unit for numbers of which this is the largest: three digits of their own, with up to two more places.
-    #[must_use]
-    pub fn finer(&self, largest: f64) -> Self {
-        let own = self.one.filter(|_| largest.abs() >= NOTHING).map_or(self.decimals, |one| decimals(largest.abs() / one));
-        Self { decimals: own.clamp(self.decimals, self.decimals + 2), ..self.clone() }
-    }
-
-    /// Without its unit.
-    pub fn number(&self, value: f64) -> String {
-        if value.abs() < NOTHING {
-            return "0".to_owned();
-        }
-        let Some(one) = self.one else { return axes::number(value / PREFIXES[0].0) };
-        fixed(value / one, self.decimals)
-    }
-
-    /// With its prefix.
-    pub fn unit(&self) -> &str {
-        &self.unit
-    }
-}
-
-/// Decimal places that show three digits of a number of units.
-fn decimals(parts: f64) -> usize {
-    let (mut places, mut least) = (0, 100.0 * ROUNDS_UP);
-    while parts < least && places < 9 {
-        (places, least) = (places + 1, least / 10.0);
-    }
-    places
-}
-
-/// As in "1.50 kN".
-pub fn scalar(value: f64, unit: &str) -> String {
-    let scale = QuantityScale::of(value, unit);
-    format!("{} {}", scale.number(value), scale.unit())
-}
+use crate::number::{NOTHING, QuantityScale, fixed};
 
 /// The next number from …, 0.1, 0.2, 0.5, 1, 2, 5, 10, …: the value of one square of the graph paper where arrows are to scale.
 pub fn round_up(value: f64) -> f64 {
@@ -190,36 +112,9 @@ fn rounded_to(sum: f64, parts: &[(f64, bool)]) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::PREFIXES;
     use crate::physics::{DVec2, ForceKind};
     use proptest::prelude::*;
-
-    #[test]
-    fn three_digits_and_a_prefix_say_any_number() {
-        for (value, unit, text) in [
-            (1500.0, "N", "1.50 kN"),
-            (-731.25, "N", "−731 N"),
-            (0.5, "m/s", "0.500 m/s"),
-            (0.05, "m/s", "0.0500 m/s"),
-            (2e-5, "m/s²", "0.000020 m/s²"),
-            (1500.0, "m/s", "1.50 km/s"),
-            (0.05, "N", "50.0 mN"),
-            (9.81, "m/s²", "9.81 m/s²"),
-            (-0.0, "N", "0 N"),
-            (1e-12, "N", "0 N"),
-            (2e-7, "N", "0.200 µN"),
-            (999.4, "N", "999 N"),
-            (999.6, "N", "1.00 kN"),
-            (0.09996, "N", "0.100 N"),
-            (99.96, "N", "100 N"),
-            (100.0, "kg", "100 kg"),
-            (1500.0, "kg", "1.50 t"),
-            (0.05, "kg", "50.0 g"),
-            (4.2e7, "N·s", "42.0 MN·s"),
-            (-3e20, "N", "−3.0·10¹¹ GN"),
-        ] {
-            assert_eq!(scalar(value, unit), text);
-        }
-    }
 
     #[test]
     fn round_numbers_are_one_two_five() {

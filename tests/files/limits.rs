@@ -4,10 +4,10 @@
 use crate::support::Memory;
 use cpu_time::ThreadTime;
 use resultant::lab::charts::Charts;
+use resultant::lab::drawing::paper;
 use resultant::lab::{kept, peers, report};
 use resultant::level;
 use resultant::scores::table;
-use resultant::view::paper;
 use resultant::{files, game};
 use std::hint::black_box;
 use std::path::Path;

@@ -5,10 +5,11 @@
 mod read;
 
 use super::course::{CoursePoint, OverTime};
-use super::curve::{CurveOrigin, WorkPoint};
+use super::curve::WorkPoint;
 use super::measured::Measured;
 use super::rows::{shortest, table};
 use super::stress::Survival;
+use crate::draw::chart::look::CurveOrigin;
 
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct MeasuredWith {

@@ -2,9 +2,10 @@ use super::{
     COURSES_HEAD, Charts, LATER, MOST_SCENES, MeasuredWith, POINTS_HEAD, SCENES, SCENES_HEAD, SETTING, SETTING_HEAD, STRESS,
     STRESS_HEAD, courses_file, origin_word, points_file,
 };
+use crate::draw::chart::look::CurveOrigin;
 use crate::files::CsvRow;
 use crate::lab::course::{CoursePoint, OverTime};
-use crate::lab::curve::{CurveOrigin, MOST_CURVES, MethodCurve, WorkPoint, curve_of};
+use crate::lab::curve::{MOST_CURVES, MethodCurve, WorkPoint, curve_of};
 use crate::lab::measured::Measured;
 use crate::lab::report::PI;
 use crate::lab::rows::{above_zero, error, rows};

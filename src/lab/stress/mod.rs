@@ -10,8 +10,8 @@ pub mod standing;
 
 use picture::FailurePicture;
 
-use super::axes::number;
 use super::contract::Entrant;
+use crate::number::short;
 use std::collections::HashMap;
 
 /// s. The tick of the figures that physics engines are usually compared at.
@@ -34,7 +34,7 @@ pub struct Survival {
 impl Survival {
     /// For people: ≥ where nothing larger was tried.
     pub fn shown(&self) -> String {
-        format!("{}{}", if self.largest >= self.tried { "≥ " } else { "" }, number(self.largest))
+        format!("{}{}", if self.largest >= self.tried { "≥ " } else { "" }, short(self.largest))
     }
 }
 

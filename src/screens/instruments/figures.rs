@@ -6,11 +6,10 @@ use crate::game::{Game, History, body_title};
 use crate::instruments::energy::{EnergyState, ground};
 use crate::instruments::ledger::{Account, MOST_BODIES, WorkLedger};
 use crate::level::Level;
-use crate::number::seconds;
+use crate::number::{QuantityScale, scalar, seconds};
 use crate::physics::{BodyId, DVec2, ForceKind, Impulse};
 use crate::screens::Input;
 use crate::view::focus::Focus;
-use crate::view::quantity::{QuantityScale, scalar};
 use crate::view::theme;
 use crate::words::tr;
 

@@ -11,11 +11,12 @@ use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, SHIP};
 use crate::instruments::trail::{DOTS_A_SECOND, LASTS};
 use crate::number::fixed;
+use crate::number::{QuantityScale, scalar};
 use crate::physics::{BodyId, DVec2, ForceKind};
 use crate::view::camera::Viewport;
 use crate::view::game_view::drawn_centre;
 use crate::view::hud::HudLayout;
-use crate::view::quantity::{QuantityScale, round_up, scalar};
+use crate::view::quantity::round_up;
 use crate::view::theme;
 use crate::words::tr;
 

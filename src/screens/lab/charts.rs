@@ -4,15 +4,16 @@ use super::legend::{LegendPick, METHOD, panel};
 use super::{BACK, Shown};
 use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
-use crate::lab::axes::{number, step};
 use crate::lab::course::OverTime;
+use crate::lab::drawing::diagram::{self, Picked, with_unit};
+use crate::lab::drawing::plot::DiagramPlaces;
+use crate::lab::drawing::timeline;
 use crate::lab::measured::Measured;
 use crate::lab::methods::rules;
+use crate::number::{short, step};
 use crate::screens::{Key, Request};
 use crate::ui::Ui;
-use crate::view::diagram::{self, Picked, with_unit};
-use crate::view::plot::DiagramPlaces;
-use crate::view::{theme, timeline, widgets};
+use crate::view::{theme, widgets};
 use crate::words::tr;
 
 #[derive(Debug)]
@@ -128,16 +129,16 @@ impl ChartsPage {
         let mut words = tr!(
             "As shipped: error {error}, {time} ns.",
             error = with_unit(shipped.error, tr(&measured.error)),
-            time = number(shipped.work)
+            time = short(shipped.work)
         );
         if let Some((curve, point)) = measured.cheapest() {
             let costs = shipped.work / point.work;
             let cheapest =
-                tr!("{method} at {step}, {time} ns", method = tr(&curve.name), step = step(point.step), time = number(point.work));
+                tr!("{method} at {step}, {time} ns", method = tr(&curve.name), step = step(point.step), time = short(point.work));
             words += &tr!(
                 "  Cheapest within the tolerance: {cheapest}; the shipped point costs {factor} times that.",
                 cheapest,
-                factor = number(costs)
+                factor = short(costs)
             );
         }
         Some(words)

@@ -3,12 +3,12 @@
 use super::BACK;
 use super::legend::{LegendPick, METHOD, panel};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
+use crate::lab::drawing::plane::{self, Plane};
 use crate::lab::methods::rules;
 use crate::lab::stability::{Region, regions};
 use crate::lab::stability_diagram::TITLE;
 use crate::screens::{Key, Request};
 use crate::ui::Ui;
-use crate::view::plane::{self, Plane};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 

@@ -3,13 +3,14 @@
 use super::BACK;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::axes::number;
+use crate::lab::drawing::picture;
 use crate::lab::stress::picture::FailurePicture;
 use crate::lab::stress::{self, Survival};
+use crate::number::short;
 use crate::screens::Request;
 use crate::screens::scroll::bar_beside;
 use crate::ui::{Turning, Ui};
-use crate::view::{picture, theme, widgets};
+use crate::view::{theme, widgets};
 use crate::words::tr;
 use std::collections::HashMap;
 
@@ -143,7 +144,7 @@ impl SurvivalPage {
         picture::large(canvas, stage, drawn, line_colour(row));
         let survives = row.largest >= row.tried;
         let (words, colour) = if survives { (tr("It still holds at"), theme::good()) } else { (tr("It fails at"), theme::bad()) };
-        let words = format!("{words} {}", number(drawn.value));
+        let words = format!("{words} {}", short(drawn.value));
         let foot = stage.max().y;
         widgets::fitted(canvas, &words, Vec2::new(middle, foot + 24.0), widest, &[TEXT], colour);
         widgets::fitted(canvas, tr(&row.parameter), Vec2::new(middle, foot + 48.0), widest, &[TEXT, DETAILS], theme::quiet());

@@ -4,8 +4,8 @@
 use super::{Details, Looking, PADDING};
 use crate::draw::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, Vec2, wrapped};
 use crate::game::Game;
+use crate::number::scalar;
 use crate::view::boxes::{self, BoxWish};
-use crate::view::quantity::scalar;
 use crate::view::scale::ArrowScale;
 use crate::words::tr;
 

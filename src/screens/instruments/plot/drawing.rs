@@ -2,6 +2,8 @@
 
 use super::places::{READINGS, SAMPLE};
 use super::{Plot, PlotPlaces};
+use crate::draw::chart::axes::Linear;
+use crate::draw::chart::look::{CurveLook, marker, stroke};
 use crate::draw::layout::{Area, DETAILS, GRID, MONO_ADVANCE, Vec2};
 use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::instruments::chart::{Chart, ChartLane};
@@ -10,10 +12,8 @@ use crate::instruments::fit::Fit;
 use crate::instruments::look;
 use crate::instruments::quantity::Quantity;
 use crate::instruments::track::BodyTrack;
-use crate::lab::linear::Linear;
-use crate::lab::look::CurveLook;
-use crate::view::diagram::{marker, stroke};
-use crate::view::{quantity, theme, widgets};
+use crate::number::scalar;
+use crate::view::{theme, widgets};
 use crate::words::tr;
 use std::ops::Range;
 
@@ -116,7 +116,7 @@ impl Plot {
             let (mut column, mut free) = (area.min.x + GRID / 2.0, area.min.x);
             for ((number, unit), (name, width)) in reading.numbers.into_iter().zip(names) {
                 let x = column.max(free);
-                let words = number.map_or_else(|| "–".to_owned(), |number| quantity::scalar(number, &unit.name()));
+                let words = number.map_or_else(|| "–".to_owned(), |number| scalar(number, &unit.name()));
                 canvas.text(name, Vec2::new(x, y), Style { colour: theme::quiet(), ..style });
                 canvas.text(words.trim_end(), Vec2::new(x + width, y), style);
                 free = x + width + canvas.width(words.trim_end(), style) + GRID;

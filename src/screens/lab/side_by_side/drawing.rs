@@ -1,9 +1,10 @@
 use super::{Half, SideBySide, panels};
+use crate::draw::chart::axes::{Decades, LEAST_ERROR};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
-use crate::lab::axes::{Decades, LEAST_ERROR, number, power};
 use crate::lab::methods::rules;
+use crate::number::{power, short};
 use crate::physics::{Aabb, DVec2};
 use crate::view::{theme, widgets};
 use crate::words::tr;
@@ -45,7 +46,7 @@ impl SideBySide {
         let words = tr("the exact answer   above: the errors so far, green: a tenth of a pixel");
         canvas.text(words, Vec2::new(ghost.max().x + 10.0, row.centre().y), quiet);
         let speed = self.exhibit().speed;
-        let pace = if speed < 1.0 { tr!("   {speed} times slower", speed = number(1.0 / speed)) } else { String::new() };
+        let pace = if speed < 1.0 { tr!("   {speed} times slower", speed = short(1.0 / speed)) } else { String::new() };
         let end = if self.is_over() { tr("   the end") } else { "" };
         let words = tr!("time {time} s{pace}{end}", time = format_args!("{:6.3}", self.time()), pace, end);
         canvas.text(&words, Vec2::new(row.max().x, row.centre().y), quiet.mono().right());
@@ -127,7 +128,7 @@ fn metres(error: f64) -> String {
         0.0 => "0 m".to_owned(),
         _ if !error.is_finite() => "∞ m".to_owned(),
         _ if error >= PLAIN => format!("{error:.3} m"),
-        _ => format!("{} m", number(error)),
+        _ => format!("{} m", short(error)),
     }
 }
 

@@ -5,9 +5,9 @@ mod drawing;
 use super::BACK;
 use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, TEXT, Vec2};
-use crate::lab::axes;
 use crate::lab::course::worst;
 use crate::lab::side_by_side::{BoxMotion, Exhibit, STEPS, USUAL_STEP, error, exhibits};
+use crate::number;
 use crate::physics::{Aabb, DVec2};
 use crate::screens::{Key, Request};
 use crate::ui::{Ui, WidgetKind};
@@ -146,7 +146,7 @@ impl SideBySide {
 
     fn show_tools(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         let pause = if self.paused { "Go on" } else { "Pause" };
-        let step = tr!("Step {step}", step = axes::step(self.step()));
+        let step = tr!("Step {step}", step = number::step(self.step()));
         let tools = [
             BACK,
             ("Restart", Key::R, "R"),

@@ -1,24 +1,23 @@
 //! A work–precision diagram: on the screen with one curve or point picked out, and on the paper of `resultant chart`.
 
 use super::plot::DiagramPlaces;
-use super::{theme, widgets};
+use crate::draw::chart::axes::{Decades, LEAST_ERROR};
+use crate::draw::chart::look::{
+    CurveLook, CurveOrigin, FRAME, Marker, RING, SAMPLE, TOLERANCE_DASH, WORDS, dashed, marker, sample, stroke,
+};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
-use crate::lab::axes::{Decades, LEAST_ERROR, number, power, step};
-use crate::lab::curve::{CurveOrigin, MethodCurve, WorkPoint};
-use crate::lab::look::{CurveLook, FRAME, Marker, RING, TOLERANCE_DASH};
+use crate::lab::curve::{MethodCurve, WorkPoint};
 use crate::lab::measured::Measured;
+use crate::number::{power, short, step};
+use crate::view::{theme, widgets};
 use crate::words::tr;
 
 /// The most powers of ten that an axis names.
 const NAMED: i32 = 9;
 /// The opacity of a curve while another is picked out.
 const QUIETED: f32 = 0.2;
-/// From a legend line's left end to its words.
-pub(super) const WORDS: f32 = 52.0;
-/// Length of the sample of a curve in the legend.
-const SAMPLE: f32 = 40.0;
 /// Between two orders, canvas units.
 const ORDERS_APART: f32 = 4.0;
 
@@ -120,25 +119,6 @@ fn axes(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
     canvas.text(tr(&measured.work), Vec2::new(area.centre().x, end.y + 44.0), words.centred());
 }
 
-pub fn stroke(canvas: &Canvas, line: &[Vec2], look: &CurveLook, colour: Colour) {
-    let width = look.width as f32;
-    match look.dash {
-        None => line.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], width, colour)),
-        Some(dash) => dashed(canvas, line, dash, width, colour),
-    }
-}
-
-pub(super) fn dashed(canvas: &Canvas, line: &[Vec2], (on, off): (u32, u32), width: f32, colour: Colour) {
-    canvas.dashed(line, &[on as f32, off as f32], width, colour);
-}
-
-pub fn marker(canvas: &Canvas, at: Vec2, shape: Marker, colour: Colour) {
-    for piece in shape.pieces() {
-        let corners: Vec<Vec2> = piece.into_iter().map(|corner| at + Vec2::from(corner)).collect();
-        canvas.convex(&corners, colour);
-    }
-}
-
 fn frame(canvas: &Canvas, at: Vec2) {
     canvas.rounded_edge(Area::around(at, Vec2::splat(2.0 * FRAME + 2.0)), 0.0, 2.0, theme::good());
 }
@@ -148,13 +128,6 @@ fn line_of(plot: &DiagramPlaces, line: usize) -> (Area, Vec2, Vec2) {
     let area = plot.legend(line);
     let y = area.centre().y;
     (area, Vec2::new(area.min.x + SAMPLE / 2.0, y), Vec2::new(area.min.x + WORDS, y))
-}
-
-/// A curve's sample at the left end of its legend line.
-pub(super) fn sample(canvas: &Canvas, line: Area, look: &CurveLook, colour: Colour) {
-    let [from, middle, to] = [0.0, SAMPLE / 2.0, SAMPLE].map(|right| Vec2::new(line.min.x + right, line.centre().y));
-    stroke(canvas, &[from, to], look, colour);
-    marker(canvas, middle, look.marker, colour);
 }
 
 /// A name without the version of what it names: the last word before the first comma.
@@ -211,7 +184,7 @@ fn legend_of_marks(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
     let tolerance = if measured.tolerance == TOLERANCE {
         tr("a tenth of a pixel, 1/300 m").to_owned()
     } else {
-        tr!("tolerance {tolerance}", tolerance = number(measured.tolerance))
+        tr!("tolerance {tolerance}", tolerance = short(measured.tolerance))
     };
     let sample = |area: Area, middle: Vec2| {
         let ends = [Vec2::new(area.min.x, middle.y), Vec2::new(area.min.x + SAMPLE, middle.y)];
@@ -275,5 +248,5 @@ fn tip(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, (curve, index
 /// A number with the unit at the end of an axis' name, as in "error of position, m".
 pub fn with_unit(value: f64, axis: &str) -> String {
     let unit = axis.rsplit_once(", ").and_then(|(_, unit)| unit.split_whitespace().next()).unwrap_or_default();
-    format!("{} {unit}", number(value)).trim_end().to_owned()
+    format!("{} {unit}", short(value)).trim_end().to_owned()
 }

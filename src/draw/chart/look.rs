@@ -1,13 +1,21 @@
-//! Methods differ by colour, dash and marker, on paper and on the screen.
+//! Curves differ by colour, dash and marker, on paper and on the screen; and how they are drawn.
 
-use super::curve::CurveOrigin;
+use crate::draw::layout::{Area, Vec2};
+use crate::draw::{Canvas, Colour};
+
+/// Whose curve it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CurveOrigin {
+    Lab,
+    Shipped,
+    /// From the file that `benches/peers` wrote.
+    Peer,
+}
 
 /// Words, and other engines.
 pub const TEXT: u32 = 0xE6EBF2;
 /// The shipped engine: the game's accent.
 pub const SHIPPED: u32 = 0xFF9F1C;
-/// The tolerance, and the cheapest within it.
-pub const GOOD: u32 = 0x4CC38A;
 /// All common kinds of colour vision tell these apart (M. Okabe, K. Ito, "Color Universal Design", 2008); lightened for a dark
 /// ground.
 const COLOURS: [u32; 8] = [0x56B4E9, 0xB79CED, 0xF0E442, 0xD55E00, 0x1FB88F, 0xCC79A7, 0xDCE6F5, 0xA3A847];
@@ -19,6 +27,11 @@ pub const TOLERANCE_DASH: (u32, u32) = (2, 4);
 pub const RING: f32 = 11.0;
 /// Pixels. Half the side of the square around the cheapest one.
 pub const FRAME: f32 = 10.0;
+
+/// From a legend line's left end to its words.
+pub const WORDS: f32 = 52.0;
+/// Length of the sample of a curve in the legend.
+pub const SAMPLE: f32 = 40.0;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CurveLook {
@@ -97,4 +110,30 @@ fn star(radius: f32) -> Vec<Outline> {
     };
     let inner = |fifth: f32| at(fifth, radius * INNER);
     (0..5).map(|i| i as f32).map(|tip| vec![at(tip, radius), inner(tip + 1.5), inner(tip - 1.5)]).collect()
+}
+
+pub fn stroke(canvas: &Canvas, line: &[Vec2], look: &CurveLook, colour: Colour) {
+    let width = look.width as f32;
+    match look.dash {
+        None => line.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], width, colour)),
+        Some(dash) => dashed(canvas, line, dash, width, colour),
+    }
+}
+
+pub fn dashed(canvas: &Canvas, line: &[Vec2], (on, off): (u32, u32), width: f32, colour: Colour) {
+    canvas.dashed(line, &[on as f32, off as f32], width, colour);
+}
+
+pub fn marker(canvas: &Canvas, at: Vec2, shape: Marker, colour: Colour) {
+    for piece in shape.pieces() {
+        let corners: Vec<Vec2> = piece.into_iter().map(|corner| at + Vec2::from(corner)).collect();
+        canvas.convex(&corners, colour);
+    }
+}
+
+/// A curve's sample at the left end of its legend line.
+pub fn sample(canvas: &Canvas, line: Area, look: &CurveLook, colour: Colour) {
+    let [from, middle, to] = [0.0, SAMPLE / 2.0, SAMPLE].map(|right| Vec2::new(line.min.x + right, line.centre().y));
+    stroke(canvas, &[from, to], look, colour);
+    marker(canvas, middle, look.marker, colour);
 }

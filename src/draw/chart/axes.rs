@@ -1,11 +1,10 @@
-//! A linear axis: from which number to which, where a value lies on it, and which round numbers are named.
+//! Axes: from which number to which, where a value lies, and which numbers are named; linear, and logarithmic in whole decades.
 
-use super::axes::number;
-use super::timeline::round_numbers;
-use crate::number::fixed;
+use crate::number::{fixed, short};
+use std::ops::Range;
 
 /// Beyond these sizes numbers are written with powers of ten, each for itself, where two digits tell them apart.
-const PLAIN: std::ops::Range<f64> = 1e-4..1e6;
+const PLAIN: Range<f64> = 1e-4..1e6;
 /// The parts of its span that labels may take before the axis ends beyond them.
 const MARGIN: f64 = 0.06;
 /// An axis names at most this many more numbers than it is asked for, so that there are two.
@@ -62,9 +61,59 @@ impl Linear {
         let written = |value: f64| match plain {
             _ if value.abs() < 1e-6 * apart => "0".to_owned(),
             true => fixed(value, decimals),
-            false => number(value),
+            false => short(value),
         };
         numbers.into_iter().map(|value| (value, written(value))).collect()
+    }
+}
+
+/// Round numbers from `from` to `to`, about `about` of them: 1, 2 or 5 times a power of ten apart.
+pub fn round_numbers(from: f64, to: f64, about: usize) -> Vec<f64> {
+    let rough = (to - from) / about.max(1) as f64;
+    if !rough.is_finite() || rough <= 0.0 {
+        return Vec::new();
+    }
+    let power = libm::exp10(rough.log10().floor());
+    let apart = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power).into_iter().find(|apart| *apart >= rough * 0.999).unwrap_or(rough);
+    let first = (from / apart - 1e-9).ceil() as i64;
+    let last = (to / apart + 1e-9).floor() as i64;
+    (first..=last).map(|i| i as f64 * apart).collect()
+}
+
+/// Smaller errors are drawn on the lower edge: they are rounding of numbers about 1.
+pub const LEAST_ERROR: f64 = 1e-16;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Decades {
+    pub from: i32,
+    pub to: i32,
+}
+
+impl Decades {
+    /// The fewest decades around all values, which are above 0; a single one without values.
+    pub fn around(values: impl Iterator<Item = f64>) -> Self {
+        let (least, most) =
+            values.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), value| (least.min(value), most.max(value)));
+        if least > most {
+            return Self { from: 0, to: 1 };
+        }
+        let (from, to) = (least.log10().floor() as i32, most.log10().ceil() as i32);
+        Self { from, to: to.max(from + 1) }
+    }
+
+    pub fn range(&self) -> Range<f64> {
+        10f64.powi(self.from)..10f64.powi(self.to)
+    }
+
+    /// 0 … 1; values beyond an end are drawn at it.
+    pub fn part(&self, value: f64) -> f64 {
+        ((value.log10() - f64::from(self.from)) / f64::from(self.to - self.from)).clamp(0.0, 1.0)
+    }
+
+    /// The powers with a label, at most about `most` of them, evenly spaced and 0 among them where it is within.
+    pub fn named(&self, most: i32) -> impl Iterator<Item = i32> {
+        let every = ((self.to - self.from + most - 1) / most.max(1)).max(1);
+        (self.from..=self.to).filter(move |power| power % every == 0)
     }
 }
 
@@ -75,6 +124,18 @@ mod tests {
 
     fn names(from: f64, to: f64, about: usize) -> Vec<String> {
         Linear { from, to }.named(about).into_iter().map(|(_, name)| name).collect()
+    }
+
+    #[test]
+    fn round_numbers_are_round() {
+        assert_eq!(round_numbers(0.0, 60.0, 6), [0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0]);
+        let near = |found: Vec<f64>, wanted: &[f64]| {
+            assert_eq!(found.len(), wanted.len(), "{found:?}");
+            assert!(found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-12), "{found:?}");
+        };
+        near(round_numbers(0.99, 1.01, 4), &[0.99, 0.995, 1.0, 1.005, 1.01]);
+        assert_eq!(round_numbers(-3.0, 3.0, 3), [-2.0, 0.0, 2.0]);
+        assert!(round_numbers(1.0, 1.0, 3).is_empty() && round_numbers(0.0, f64::INFINITY, 3).is_empty());
     }
 
     #[test]
@@ -105,6 +166,19 @@ mod tests {
             let names = names(from, to, 1);
             assert!((2..=4).contains(&names.len()), "{from} to {to}: {names:?}");
         }
+    }
+
+    #[test]
+    fn decades_hold_all_values_and_name_evenly() {
+        let decades = Decades::around([3.0, 0.02, 450.0].into_iter());
+        assert_eq!(decades, Decades { from: -2, to: 3 });
+        assert_eq!((decades.part(0.01), decades.part(1000.0), decades.part(1e9)), (0.0, 1.0, 1.0));
+        assert!((decades.part(1.0) - 0.4).abs() < 1e-12);
+        assert_eq!(decades.named(10).collect::<Vec<_>>(), [-2, -1, 0, 1, 2, 3]);
+        assert_eq!(Decades { from: -16, to: 1 }.named(9).collect::<Vec<_>>(), [-16, -14, -12, -10, -8, -6, -4, -2, 0]);
+        assert_eq!(Decades::around([100.0].into_iter()), Decades { from: 2, to: 3 });
+        assert_eq!(Decades::around(std::iter::empty()), Decades { from: 0, to: 1 });
+        assert_eq!(Decades::around([f64::MIN_POSITIVE, f64::MAX].into_iter()).named(10).count(), 9);
     }
 
     proptest! {

@@ -56,12 +56,13 @@ pub use drawing::draw;
 
 mod drawing {
     use super::{LINE, Plane};
+    use crate::draw::chart::look::{CurveLook, WORDS, marker, sample, stroke};
     use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
     use crate::draw::{Canvas, Colour, Style};
-    use crate::lab::look::CurveLook;
+    use crate::lab::drawing::diagram::shade;
     use crate::lab::stability::{CELLS, Complex, IMAGINARY, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
     use crate::lab::stability_diagram::{look, shipped_look};
-    use crate::view::diagram::{WORDS, marker, sample, shade, stroke};
+    use crate::number::fixed;
     use crate::view::{theme, widgets};
     use crate::words::tr;
 
@@ -138,7 +139,7 @@ mod drawing {
         for re in REAL.0.ceil() as i32..=REAL.1.floor() as i32 {
             let foot = plane.at((f64::from(re), 0.0));
             canvas.hairline(foot, Vec2::new(foot.x, area.min.y), theme::panel_edge());
-            canvas.text(&re.to_string().replace('-', "−"), foot + Vec2::new(0.0, 16.0), quiet.centred());
+            canvas.text(&fixed(f64::from(re), 0), foot + Vec2::new(0.0, 16.0), quiet.centred());
         }
         for im in 0..=IMAGINARY.1.floor() as i32 {
             let left = plane.at((REAL.0, f64::from(im)));

@@ -1,18 +1,19 @@
 //! A scene over time: the error of every method above, the kept energy below. The picture of `resultant chart`, with one method
 //! picked out.
 
-use super::diagram::{dashed, legend_of_curves, shade, stroke};
-use super::lanes::LaneAxes;
+use super::diagram::{legend_of_curves, shade};
 use super::plot::DiagramPlaces;
-use super::{theme, widgets};
+use crate::draw::chart::axes::round_numbers;
+use crate::draw::chart::look::{CurveLook, TOLERANCE_DASH, dashed, stroke};
 use crate::draw::layout::{Area, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
-use crate::lab::axes::{number, power};
 use crate::lab::course::{CoursePoint, OverTime};
-use crate::lab::look::{CurveLook, TOLERANCE_DASH};
 use crate::lab::measured::Measured;
-use crate::lab::timeline::{Timeline, energy_name, round_numbers};
+use crate::lab::timeline::{Timeline, energy_name};
+use crate::number::{power, short, step};
+use crate::view::lanes::LaneAxes;
+use crate::view::{theme, widgets};
 use crate::words::tr;
 
 /// The error's share of the height, where there is an energy, too.
@@ -32,7 +33,7 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, (measured, over_time): (&Meas
     let decades = axes.error;
     let errors = decades.named(NAMED as i32).map(|exponent| (decades.part(10f64.powi(exponent)), power(exponent)));
     let errors: Vec<_> = errors.collect();
-    let times: Vec<_> = round_numbers(0.0, axes.end, NAMED).into_iter().map(|time| (time / axes.end, number(time))).collect();
+    let times: Vec<_> = round_numbers(0.0, axes.end, NAMED).into_iter().map(|time| (time / axes.end, short(time))).collect();
     let area = Area { min: whole.min, size: Vec2::new(whole.size.x, height) };
     let upper = LaneAxes { area, name: "error, m", named: &errors };
     upper.draw(canvas, &times);
@@ -63,6 +64,6 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, (measured, over_time): (&Meas
         }
     }
     let foot = lower.map_or(upper.area, |lower| lower.area);
-    let words = tr!("time, s (step {step})", step = crate::lab::axes::step(over_time.step));
+    let words = tr!("time, s (step {step})", step = step(over_time.step));
     canvas.text(&words, Vec2::new(foot.centre().x, foot.max().y + 34.0), Style::new(TEXT, theme::text()).middle().centred());
 }

@@ -1,10 +1,10 @@
 //! The picture of a method's failure: small, beside its line of a table, or large, with its axes.
 
-use super::{theme, widgets};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::axes::number;
 use crate::lab::stress::picture::{FailurePicture, Polyline};
+use crate::number::short;
+use crate::view::{theme, widgets};
 use crate::words::tr;
 
 /// Above and below a large picture's plot: the names of its axes and their ends.
@@ -28,11 +28,11 @@ pub fn large(canvas: &Canvas, area: Area, picture: &FailurePicture, colour: Colo
     let quiet = Style::new(DETAILS, theme::quiet()).middle();
     let up = widgets::cut(canvas, tr(picture.up), plot.size.x, words);
     canvas.text(&up, Vec2::new(plot.min.x, plot.min.y - 32.0), words);
-    let span = tr!("from {least} to {most}", least = number(least), most = number(most));
+    let span = tr!("from {least} to {most}", least = short(least), most = short(most));
     canvas.text(&span, Vec2::new(plot.min.x, plot.min.y - 10.0), quiet);
     let foot = plot.max().y + 14.0;
-    canvas.text(&number(from), Vec2::new(plot.min.x, foot), quiet);
-    canvas.text(&number(to), Vec2::new(plot.max().x, foot), quiet.right());
+    canvas.text(&short(from), Vec2::new(plot.min.x, foot), quiet);
+    canvas.text(&short(to), Vec2::new(plot.max().x, foot), quiet.right());
     canvas.text(tr(picture.across), Vec2::new(plot.centre().x, foot + 4.0), words.centred());
 }
 

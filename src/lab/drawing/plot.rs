@@ -1,7 +1,7 @@
 //! Places of a work–precision diagram on the canvas: plot, legend, points. Plain arithmetic; `diagram` draws it.
 
+use crate::draw::chart::axes::{Decades, LEAST_ERROR};
 use crate::draw::layout::{Area, Vec2};
-use crate::lab::axes::Axes;
 use crate::lab::curve::WorkPoint;
 use crate::lab::measured::Measured;
 
@@ -21,6 +21,30 @@ const LINE: f32 = 26.0;
 const NOTES: usize = 8;
 /// The pointer picks a point up to this far away.
 const NEAR: f32 = 12.0;
+
+/// The two logarithmic axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Axes {
+    pub work: Decades,
+    pub error: Decades,
+}
+
+impl Axes {
+    pub fn of(measured: &Measured) -> Self {
+        let points = || measured.curves.iter().flat_map(|curve| &curve.points);
+        let errors = points().filter(|point| !point.blew_up()).map(|point| point.error.max(LEAST_ERROR));
+        Self {
+            work: Decades::around(points().map(|point| point.work).filter(|work| *work > 0.0)),
+            error: Decades::around(errors.chain([measured.tolerance])),
+        }
+    }
+
+    /// The parts of the axes to the right and upwards. A run that blew up is at the upper edge, one without error at the lower.
+    pub fn place(&self, point: &WorkPoint) -> (f64, f64) {
+        let up = if point.blew_up() { 1.0 } else { self.error.part(point.error.max(LEAST_ERROR)) };
+        (self.work.part(point.work), up)
+    }
+}
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DiagramPlaces {
@@ -72,7 +96,8 @@ impl DiagramPlaces {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lab::curve::{CurveOrigin, MethodCurve};
+    use crate::draw::chart::look::CurveOrigin;
+    use crate::lab::curve::MethodCurve;
 
     #[test]
     fn a_point_is_found_where_it_is_drawn() {
