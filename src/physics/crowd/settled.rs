@@ -237,9 +237,9 @@ mod tests {
                 if tick % 60 == 0 && tick > 200 {
                     let (body, force) =
                         (BodyId((tick % 40) as u32), DVec2::new(60.0 * (random.unit() - 0.5), -40.0 * random.unit()));
-                    [&mut world, &mut whole].map(|of| of.set_drive(body, force));
+                    [&mut world, &mut whole].into_iter().for_each(|of| of.set_drive(body, force));
                 }
-                [&mut world, &mut whole].map(|of| of.step(1.0 / 60.0));
+                [&mut world, &mut whole].into_iter().for_each(|of| of.step(1.0 / 60.0));
                 let pose = |of: &World, i: usize| (of.bodies()[i].position.to_array(), of.bodies()[i].velocity.to_array());
                 for i in 0..world.bodies().len() {
                     assert_eq!(pose(&world, i), pose(&whole, i), "round {round}, tick {tick}, body {i}");

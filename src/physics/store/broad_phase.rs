@@ -72,9 +72,7 @@ mod tests {
     use super::*;
     use crate::physics::data::material::Material;
     use crate::physics::data::surface::{Surface, SurfaceDef};
-    use crate::physics::data::{BodyDef, WorldDef};
     use crate::physics::forces::media::Media;
-    use crate::physics::store::columns::Columns;
     use crate::random::Random;
 
     fn random_boxes(n: usize, random: &mut Random) -> Vec<(DVec2, DVec2)> {
