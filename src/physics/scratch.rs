@@ -2,7 +2,7 @@
 
 #[cfg(all(feature = "validate", debug_assertions))]
 use crate::physics::checks::Checks;
-use crate::physics::contact::standing::Standing;
+use crate::physics::contact::resting::RestingGroup;
 use crate::physics::data::{Aabb, Contact, Hit, NONE, Pose, SLOP};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Events, Scene};
@@ -58,7 +58,7 @@ pub(crate) struct Scratch {
     pub whole: Records,
     pub begun: Vec<Pose>,
     pub flown: Vec<u32>,
-    pub standing: Standing,
+    pub resting: RestingGroup,
 }
 
 impl Scratch {
@@ -162,28 +162,28 @@ impl Scratch {
     /// Whether `members` that rest in contact with each other and with what stands can stay so under the forces of now.
     pub fn stand(&mut self, state: &State, motions: &mut Motions) -> bool {
         self.index(state);
-        let Self { standing, local, members, starts, contacts, .. } = self;
+        let Self { resting, local, members, starts, contacts, .. } = self;
         let n = state.bodies.len();
         local.resize(n + state.surfaces.len(), NONE);
-        standing.clear();
+        resting.clear();
         for (k, &i) in members.iter().enumerate() {
             local[i as usize] = k as u32;
-            standing.forces.push(state.bodies[i as usize].mass * motions.bodies[i as usize].pull);
+            resting.forces.push(state.bodies[i as usize].mass * motions.bodies[i as usize].pull);
         }
         let known = || members.iter().flat_map(|i| &state.contacts[starts[*i as usize] as usize..starts[*i as usize + 1] as usize]);
         let place = |item: u32| if (item as usize) < n { local[item as usize] } else { item };
-        standing.contacts.extend(known().map(|contact| Contact { lo: place(contact.lo), hi: place(contact.hi), ..*contact }));
+        resting.contacts.extend(known().map(|contact| Contact { lo: place(contact.lo), hi: place(contact.hi), ..*contact }));
         members.iter().for_each(|i| local[*i as usize] = NONE);
         let stands = |contact: &Contact| {
             let surface = (contact.ends().1 as usize).checked_sub(n).map(|s| &state.surfaces[s]);
             contact.slides == 0.0 && contact.lasts && surface.is_none_or(|surface| surface.present)
         };
-        if !known().all(stands) || !standing.holds() {
+        if !known().all(stands) || !resting.holds() {
             return false;
         }
         let leader = members.iter().copied().min().unwrap_or(NONE);
         contacts.extend(
-            known().zip(&standing.contacts).map(|(known, solved)| (leader, Contact { lo: known.lo, hi: known.hi, ..*solved })),
+            known().zip(&resting.contacts).map(|(known, solved)| (leader, Contact { lo: known.lo, hi: known.hi, ..*solved })),
         );
         for i in members.iter().map(|i| *i as usize) {
             let motion = &mut motions.bodies[i];

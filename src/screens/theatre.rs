@@ -8,7 +8,7 @@ use crate::game::{Game, Outcome};
 use crate::level;
 use crate::physics::{BodyId, DVec2};
 use crate::settings::Settings;
-use crate::view::sound::{Ambience, Arrangement, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
+use crate::sound::{Ambience, Arrangement, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::view::{GameView, Overlays, theme, widgets};
 use crate::words::tr;
 

@@ -9,7 +9,7 @@ use crate::draw::Canvas;
 use crate::draw::layout::{DESIGN, Frame, Vec2};
 use crate::draw::pen::WindowPen;
 use crate::level::Level;
-use crate::view::sound::Speaker;
+use crate::sound::Speaker;
 use crate::view::{art, theme};
 use crate::words::{self, Language};
 use macroquad::input::{

@@ -29,7 +29,6 @@ pub mod quantity;
 pub mod scale;
 pub mod sky;
 #[cfg(feature = "window")]
-pub mod sound;
 mod stirred;
 pub mod terrain;
 pub mod theme;

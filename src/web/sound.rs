@@ -1,7 +1,7 @@
 //! Output in a page: an audio worklet of the script asks for a block when it needs one. A browser lets sound begin with the player's first
 //! press.
 
-use crate::view::sound::{Feed, Mixer};
+use crate::sound::{Feed, Mixer};
 use std::cell::RefCell;
 
 /// The most frames a block.

@@ -23,7 +23,7 @@ fn a_warm_step_allocates_nothing() {
 #[cfg(feature = "window")]
 #[test]
 fn the_mixer_allocates_nothing() {
-    use resultant::view::sound::{Ambience, Cue, Mixer, Sound, desk};
+    use resultant::sound::{Ambience, Cue, Mixer, Sound, desk};
     let (desk, feed) = desk();
     let mut mixer = Mixer::new(48_000, feed);
     let mut samples = [0.0; 960];

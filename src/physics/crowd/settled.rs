@@ -17,7 +17,7 @@ const MOST: u32 = 6;
 
 /// What a member is to a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-enum Rest {
+enum MemberRest {
     #[default]
     Moves,
     /// Something may act on it, and on what touches it.
@@ -29,7 +29,7 @@ enum Rest {
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Settled {
-    rests: Vec<Rest>,
+    rests: Vec<MemberRest>,
     /// The step in which a body was found to rest last, and its acceleration without contacts then, m/s².
     found: Vec<(u64, DVec2)>,
     active: Vec<u32>,
@@ -45,7 +45,7 @@ pub(crate) struct Settled {
 
 impl Settled {
     pub fn new(n: usize) -> Self {
-        let (rests, found) = (vec![Rest::Moves; n], vec![(0, DVec2::ZERO); n]);
+        let (rests, found) = (vec![MemberRest::Moves; n], vec![(0, DVec2::ZERO); n]);
         Self { rests, found, active: Vec::with_capacity(n), step: 2, ..Self::default() }
     }
 
@@ -60,7 +60,7 @@ impl Settled {
     }
 
     pub fn is_settled(&self, item: u32) -> bool {
-        self.any && self.rests.get(item as usize) == Some(&Rest::Settled)
+        self.any && self.rests.get(item as usize) == Some(&MemberRest::Settled)
     }
 
     /// Chooses the members of an island that are looked at.
@@ -76,7 +76,7 @@ impl Settled {
         for at in members.iter().map(|i| *i as usize) {
             let (body, motion) = (&from.bodies[at], &from.motions.bodies[at]);
             let settled = found[at].0 + 1 == *step && found[at].1 == motion.pull && !motion.guided && body.velocity == DVec2::ZERO;
-            rests[at] = if settled { Rest::Settled } else { Rest::Moves };
+            rests[at] = if settled { MemberRest::Settled } else { MemberRest::Moves };
             known += usize::from(settled);
             alike &= first.rubs_like(&body.coefficients());
         }
@@ -85,8 +85,8 @@ impl Settled {
             return;
         }
         self.largest = members.iter().map(|i| from.motions.swept[*i as usize].largest()).fold(0.0, f64::max);
-        for i in members.iter().map(|i| *i as usize).filter(|i| self.rests[*i] == Rest::Settled) {
-            // Rest on what carries is another in each step.
+        for i in members.iter().map(|i| *i as usize).filter(|i| self.rests[*i] == MemberRest::Settled) {
+            // MemberRest on what carries is another in each step.
             let carried = |j: &u32| (*j as usize).checked_sub(self.rests.len()).is_some_and(|s| from.motions.surfaces[s].carries());
             if island.near(i as u32).iter().any(carried) {
                 return;
@@ -94,7 +94,9 @@ impl Settled {
         }
         for &i in members {
             for &j in island.near(i) {
-                if self.rests[i as usize] == Rest::Moves && self.rests.get(j as usize).is_some_and(|rest| *rest > Rest::Woken) {
+                if self.rests[i as usize] == MemberRest::Moves
+                    && self.rests.get(j as usize).is_some_and(|rest| *rest > MemberRest::Woken)
+                {
                     self.rests[j as usize] = beside(from, i as usize, j as usize).min(self.rests[j as usize]);
                 }
             }
@@ -108,18 +110,18 @@ impl Settled {
         for &i in island.members {
             let at = i as usize;
             let mut rest = self.rests[at];
-            if rest > Rest::Woken {
+            if rest > MemberRest::Woken {
                 for j in island.near(i).iter().map(|j| *j as usize) {
                     rest = match self.rests.get(j) {
-                        Some(Rest::Moves) => rest.min(beside(from, j, at)),
-                        Some(Rest::Woken) if touch(from.bodies, at, j) => Rest::Woken,
-                        Some(Rest::Woken) => rest.min(Rest::Relied),
-                        Some(Rest::Relied | Rest::Settled) | None => rest,
+                        Some(MemberRest::Moves) => rest.min(beside(from, j, at)),
+                        Some(MemberRest::Woken) if touch(from.bodies, at, j) => MemberRest::Woken,
+                        Some(MemberRest::Woken) => rest.min(MemberRest::Relied),
+                        Some(MemberRest::Relied | MemberRest::Settled) | None => rest,
                     };
                 }
                 self.rests[at] = rest;
             }
-            if rest != Rest::Settled {
+            if rest != MemberRest::Settled {
                 self.active.push(i);
             }
         }
@@ -144,13 +146,13 @@ impl Settled {
         let n = bodies.len();
         let mut stirred = false;
         for k in dense.pushed().map(|k| k as usize).filter(|k| *k >= n && bodies.is_body(*k)) {
-            (self.rests[bodies.ids[k] as usize], stirred) = (Rest::Woken, true);
+            (self.rests[bodies.ids[k] as usize], stirred) = (MemberRest::Woken, true);
         }
         for k in 0..n {
             let rest = &mut self.rests[bodies.ids[k] as usize];
             let moved = || bodies[k].to != bodies[k].from || bodies[k].end != DVec2::ZERO || dense.friction.is_awake[k];
-            if *rest == Rest::Relied && moved() {
-                (*rest, stirred) = (Rest::Woken, true);
+            if *rest == MemberRest::Relied && moved() {
+                (*rest, stirred) = (MemberRest::Woken, true);
             }
         }
         if stirred {
@@ -177,19 +179,19 @@ impl Settled {
             let settled = still && !slippery && anchors.rests[k] && !hangs && !dense.friction.is_awake[k];
             found[id] = (if settled { *step } else { 0 }, motions.bodies[id].pull);
         }
-        for i in island.members.iter().map(|i| *i as usize).filter(|i| *any && rests[*i] == Rest::Settled) {
+        for i in island.members.iter().map(|i| *i as usize).filter(|i| *any && rests[*i] == MemberRest::Settled) {
             found[i].0 = *step;
         }
     }
 }
 
 /// What one that rests is because of a mover near it: woken if it comes within touch.
-fn beside(from: Origin<'_>, mover: usize, other: usize) -> Rest {
+fn beside(from: Origin<'_>, mover: usize, other: usize) -> MemberRest {
     let (a, b, end) = (&from.bodies[mover], &from.bodies[other], from.motions.bodies[mover].free.0);
     let reach = a.half + b.half + 2.0 * TOUCH;
     let (start, end) = (a.position - b.position, end - b.position);
     let comes = start.min(end).cmple(reach).all() && start.max(end).cmpge(-reach).all();
-    if comes { Rest::Woken } else { Rest::Relied }
+    if comes { MemberRest::Woken } else { MemberRest::Relied }
 }
 
 fn touch(bodies: &[Body], i: usize, j: usize) -> bool {

@@ -18,13 +18,13 @@ pub(crate) struct Train {
     pub way: Aabb,
     /// Its acceleration without bounces, m/s².
     pub pull: DVec2,
-    pub kind: Kind,
+    pub kind: TrainKind,
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Kind {
+pub(crate) enum TrainKind {
     /// A part of how the first moves relative to the second; both are carried with a velocity and an acceleration.
-    Bounces(Bounces, f64, [DVec2; 2]),
+    Bounces(BounceSeries, f64, [DVec2; 2]),
     /// That member of a row.
     Wedge(Wedge, usize),
 }
@@ -33,12 +33,12 @@ impl Train {
     /// At a time, s from the tick's start, `t` seconds after the pose in which it began.
     pub fn pose(&self, (place, speed): Pose, t: f64, at: f64) -> Pose {
         match self.kind {
-            Kind::Bounces(of, part, [v, a]) => {
+            TrainKind::Bounces(of, part, [v, a]) => {
                 let [way, moves] =
                     of.at(t, self.over && at >= self.until).map(|[up, along]| on_axis(self.axis, self.side * up, along));
                 (place + (v + a * (0.5 * t)) * t + way * part, v + a * t + moves * part)
             }
-            Kind::Wedge(of, member) => {
+            TrainKind::Wedge(of, member) => {
                 let ([way, moves], across) = (of.at(t)[member], speed[1 - self.axis]);
                 (place + on_axis(self.axis, self.side * way, across * t), on_axis(self.axis, self.side * moves, across))
             }
@@ -49,7 +49,7 @@ impl Train {
 /// From a rebound on, m/s and m/s²: up with `rises` against a pull that `falls`, along with `slides` and `pulled` by a force. A bounce keeps `e` of
 /// its speed w, takes 2w/falls, rubs μ(1 + e)·w off the slide, and with drag of the rate c = `damping` (1/s) is back slower by (2c/3falls)·w².
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Bounces {
+pub(crate) struct BounceSeries {
     pub e: f64,
     pub friction: f64,
     pub rises: f64,
@@ -59,7 +59,7 @@ pub(crate) struct Bounces {
     pub damping: f64,
 }
 
-impl Bounces {
+impl BounceSeries {
     /// Duration of the first, s.
     pub fn first(&self) -> f64 {
         2.0 * self.rises / self.falls

@@ -4,7 +4,7 @@
 use crate::physics::data::{Aabb, Contact, Cubic, DAMPED_REACH, MANY_HITS, NONE, SHORT_BOUNCE, SLOP, Sides, on_axis};
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::motions::SHORTEST;
-use crate::physics::exact::train::{Bounces, Kind, Train};
+use crate::physics::exact::train::{BounceSeries, Train, TrainKind};
 use crate::physics::exact::wedge::Wedge;
 use crate::physics::forces::zones;
 use glam::DVec2;
@@ -35,7 +35,7 @@ impl Events {
         let damping = if calm { 0.0 } else { begun[0].1 + begun[1].1 };
         let bounces = |pull: DVec2| {
             let (falls, pulled) = (-side * pull[axis], pull[along]);
-            Bounces { e, friction: contact.kinetic_friction, rises: speed, falls, slides, pulled, damping }
+            BounceSeries { e, friction: contact.kinetic_friction, rises: speed, falls, slides, pulled, damping }
         };
         let mut pulls = begun.map(|of| of.0);
         if calm && e == 1.0 && !joined && pulls[0] == DVec2::ZERO {
@@ -78,7 +78,7 @@ impl Events {
                 let swept = Cubic::parabola(self.places[of[k]], carried[0], carried[1]).swept(self.items[of[k]].body.half, lasts);
                 let (slid, reach) = (on_axis(axis, 0.0, slid * parts[k]), on_axis(axis, height, hop) * parts[k].abs());
                 let way = swept.union(&Aabb::new(swept.min + slid, swept.max + slid));
-                let (way, kind) = (Aabb::new(way.min - reach, way.max + reach), Kind::Bounces(bounce, parts[k], carried));
+                let (way, kind) = (Aabb::new(way.min - reach, way.max + reach), TrainKind::Bounces(bounce, parts[k], carried));
                 Train { members: [pair[0], pair[1], NONE], axis, side, until: self.now + lasts, over, way, pull: pulls[k], kind }
             });
             let faces = apart.abs().max((apart + slid + drift * lasts).abs()) + hop < reach;
@@ -139,7 +139,7 @@ impl Events {
         }
         let until = scene.tick.min(self.items[wall as usize].until);
         let train = |k: usize, way: Aabb| {
-            let kind = Kind::Wedge(wedge, k);
+            let kind = TrainKind::Wedge(wedge, k);
             Train { members: [far, middle, wall], axis, side, until, over: false, way, pull: DVec2::ZERO, kind }
         };
         // The other one is driven away alone; the one in between stays on this side of it.
@@ -171,8 +171,8 @@ impl Events {
             }
         }
         let lists = match kind {
-            Kind::Bounces(..) => [(1, 0, given[0]), (1, 0, DVec2::ZERO)],
-            Kind::Wedge(..) => [(1, 0, given[0]), (2, 1, given[0] + given[1])],
+            TrainKind::Bounces(..) => [(1, 0, given[0]), (1, 0, DVec2::ZERO)],
+            TrainKind::Wedge(..) => [(1, 0, given[0]), (2, 1, given[0] + given[1])],
         };
         for (by, on, given) in lists {
             let (lo, hi) = if side > 0.0 { (members[by], members[on]) } else { (members[on], members[by]) };

@@ -3,7 +3,7 @@
 //! Each body owns a *fat box* (Box2D's fat AABBs); the list of surfaces whose boxes overlap it holds while the body stays inside.
 
 use crate::physics::data::{Aabb, Body};
-use crate::physics::store::grid::Grid;
+use crate::physics::store::grid::CellGrid;
 use crate::physics::store::motions::{MARGIN, Motions};
 use glam::DVec2;
 
@@ -18,7 +18,7 @@ const ROOM: usize = 16;
 
 #[derive(Clone, Debug)]
 pub(crate) struct BroadPhase {
-    surfaces: Grid,
+    surfaces: CellGrid,
     /// The fat box of each body, and the surfaces that meet it, by their numbers.
     boxes: Vec<Aabb>,
     near: Vec<Vec<u32>>,
@@ -36,7 +36,7 @@ fn mean_half(bodies: &[Body]) -> f64 {
 
 impl BroadPhase {
     pub fn new(bodies: &[Body], motions: &Motions) -> Self {
-        let mut surfaces = Grid::new(motions.surfaces.len(), cells_per_metre(bodies));
+        let mut surfaces = CellGrid::new(motions.surfaces.len(), cells_per_metre(bodies));
         for (s, of) in motions.surfaces.iter().enumerate() {
             surfaces.enter(s, Aabb::around(of.from, of.half + MARGIN));
         }

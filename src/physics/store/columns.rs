@@ -9,7 +9,7 @@ const MOST_COLUMNS: i64 = 64;
 const FEW: usize = 12;
 
 #[derive(Clone, Copy, Debug)]
-struct Entry {
+struct ColumnEntry {
     place: u32,
     /// The entry below it in its column.
     below: u32,
@@ -21,7 +21,7 @@ pub(crate) struct Columns {
     per_metre: f64,
     /// The highest entry of each column; several columns may share one.
     heads: Vec<u32>,
-    entries: Vec<Entry>,
+    entries: Vec<ColumnEntry>,
     /// Places of boxes that cover too many columns.
     wide: Vec<u32>,
     /// By place: the first column, and how far down the centre is, m.
@@ -62,7 +62,7 @@ impl Columns {
         for column in first..=last {
             let head = &mut self.heads[column as usize & mask];
             let mut at = *head;
-            while let Some(&Entry { place, below }) = self.entries.get(at as usize) {
+            while let Some(&ColumnEntry { place, below }) = self.entries.get(at as usize) {
                 let (begins, depth) = self.begins[place as usize];
                 if depth > lowest {
                     break;
@@ -73,7 +73,7 @@ impl Columns {
                 }
                 at = below;
             }
-            self.entries.push(Entry { place: k as u32, below: *head });
+            self.entries.push(ColumnEntry { place: k as u32, below: *head });
             *head = self.entries.len() as u32 - 1;
         }
     }

@@ -8,18 +8,18 @@ const MOST_CELLS: i64 = 4096;
 const FEW: usize = 32;
 
 #[derive(Clone, Copy, Debug)]
-struct Entry {
+struct GridEntry {
     item: u32,
     next: u32,
 }
 
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Grid {
+pub(crate) struct CellGrid {
     boxes: Vec<Aabb>,
     /// Cells a metre.
     per_metre: f64,
     heads: Vec<u32>,
-    entries: Vec<Entry>,
+    entries: Vec<GridEntry>,
     unused: Vec<u32>,
     large: Vec<u32>,
     /// By item: the search that has found it last.
@@ -27,7 +27,7 @@ pub(crate) struct Grid {
     search: u32,
 }
 
-impl Grid {
+impl CellGrid {
     /// An empty grid with room for this many boxes.
     pub fn new(count: usize, per_metre: f64) -> Self {
         Self {
@@ -54,7 +54,7 @@ impl Grid {
             return self.large.push(item as u32);
         };
         for head in cells.all(self.heads.len()) {
-            let entry = Entry { item: item as u32, next: self.heads[head] };
+            let entry = GridEntry { item: item as u32, next: self.heads[head] };
             let at = self.unused.pop().unwrap_or(self.entries.len() as u32);
             match self.entries.get_mut(at as usize) {
                 Some(unused) => *unused = entry,
@@ -71,7 +71,7 @@ impl Grid {
         };
         for head in cells.all(self.heads.len()) {
             let (mut at, mut before) = (self.heads[head], NONE);
-            while let Some(&Entry { item: other, next }) = self.entries.get(at as usize) {
+            while let Some(&GridEntry { item: other, next }) = self.entries.get(at as usize) {
                 if other as usize == item {
                     match self.entries.get_mut(before as usize) {
                         Some(entry) => entry.next = next,

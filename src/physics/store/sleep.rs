@@ -5,7 +5,7 @@
 
 use crate::physics::data::Aabb;
 use crate::physics::data::body::Body;
-use crate::physics::store::grid::Grid;
+use crate::physics::store::grid::CellGrid;
 use crate::physics::store::islands::Island;
 use crate::physics::store::motions::Motions;
 use glam::DVec2;
@@ -21,7 +21,7 @@ pub(crate) struct Sleep {
     pub looked_at: Vec<u32>,
     aside: Vec<bool>,
     /// What the bodies set aside sweep.
-    boxes: Grid,
+    boxes: CellGrid,
     reached: Vec<u32>,
     /// The last step has left its island asleep.
     undisturbed: Vec<bool>,
@@ -35,7 +35,7 @@ impl Sleep {
             sleepers: 0,
             looked_at: (0..count as u32).collect(),
             aside: no(),
-            boxes: Grid::new(count, cells_per_metre),
+            boxes: CellGrid::new(count, cells_per_metre),
             reached: Vec::with_capacity(count),
             undisturbed: no(),
         }

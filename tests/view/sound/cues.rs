@@ -1,7 +1,7 @@
 //! Sounds that are played once.
 
 use super::hearing::{ALONE, Heard, Listener, RATE};
-use resultant::view::sound::{Ambience, Cue, Sound, Stuff, Volumes};
+use resultant::sound::{Ambience, Cue, Sound, Stuff, Volumes};
 
 fn heard(cue: Cue) -> Heard {
     Listener::new().hear_cue(cue, 1.0)

@@ -2,7 +2,7 @@
 //! not there. The configuration is read from the environment, so the game plays in a process of its own: this test, started again.
 
 use super::hearing::Heard;
-use resultant::view::sound::{Ambience, Cue, Sound, Speaker};
+use resultant::sound::{Ambience, Cue, Sound, Speaker};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::time::Duration;

@@ -5,7 +5,7 @@ use crate::support::Memory;
 use crate::support::shipped::{fixture, record};
 use resultant::game::{Controls, Game};
 use resultant::level;
-use resultant::view::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, desk, tune};
+use resultant::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, desk, tune};
 use std::sync::Arc;
 
 fn game(files: &[(&'static str, &'static str)]) -> Game {
@@ -39,7 +39,7 @@ fn the_recorded_flight_is_heard_from_its_engine_to_its_success() {
     let mut game = Game::new(fixture("1")).unwrap();
     let (desk, feed) = desk();
     let (mut speaker, mut ear) = (Speaker::at(desk), Ear::default());
-    let mut mixer = resultant::view::sound::Mixer::new(RATE, feed);
+    let mut mixer = resultant::sound::Mixer::new(RATE, feed);
     let (mut cues, mut power, mut count) = (Vec::new(), 0.0, 0);
     let mut tick = [0.0; 2 * RATE as usize / 120];
     for controls in record("1", "careful").inputs {

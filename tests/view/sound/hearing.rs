@@ -1,6 +1,6 @@
 //! A listener: plays for a while and measures.
 
-use resultant::view::sound::{Ambience, Cue, Mixer, Sound, SoundDesk, Volumes, desk};
+use resultant::sound::{Ambience, Cue, Mixer, Sound, SoundDesk, Volumes, desk};
 use std::f64::consts::TAU;
 
 /// Samples a second.

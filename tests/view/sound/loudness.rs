@@ -3,7 +3,7 @@
 use super::hearing::{FULL, Heard, Listener, RATE};
 use crate::support::shipped::{fixture, record};
 use resultant::game::Game;
-use resultant::view::sound::{Ambience, Cue, Ear, Mixer, Sound, Speaker, Volumes, desk, tune};
+use resultant::sound::{Ambience, Cue, Ear, Mixer, Sound, Speaker, Volumes, desk, tune};
 use std::f64::consts::PI;
 
 /// Levels with winds, knocks, a mill, a thick liquid, a landing.

@@ -1,7 +1,7 @@
 //! The music: quiet, of each level its own, and none where it is switched off.
 
 use super::hearing::{ALONE, Heard, Listener};
-use resultant::view::sound::{Ambience, Arrangement, Volumes, WORLDS};
+use resultant::sound::{Ambience, Arrangement, Volumes, WORLDS};
 
 fn heard(tune: u32, seconds: f64) -> Heard {
     let mut listener = Listener::new();

@@ -1,7 +1,7 @@
 //! Lasting sounds: engine, wind, liquid.
 
 use super::hearing::{Heard, Listener};
-use resultant::view::sound::{Ambience, Cue};
+use resultant::sound::{Ambience, Cue};
 
 const NOTHING: Ambience = Ambience { engine: 0.0, wind: 0.0, liquid: 0.0, motion: 0.0 };
 
@@ -63,7 +63,7 @@ fn a_liquid_muffles_everything_but_music() {
         let mut listener = Listener::new();
         let around = Ambience { liquid, ..NOTHING };
         listener.hear(1.0, around);
-        listener.desk.play(resultant::view::sound::Sound::new(Cue::Met, 1.0));
+        listener.desk.play(resultant::sound::Sound::new(Cue::Met, 1.0));
         listener.hear(0.6, around).at(1760.0)
     };
     let (dry, wet) = (knock(0.0), knock(1.0));

@@ -177,7 +177,7 @@ impl<const N: usize> Choir<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::sound::Cue;
+    use crate::sound::Cue;
 
     #[test]
     fn a_full_choir_gives_up_the_voice_nearest_its_end() {

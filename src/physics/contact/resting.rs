@@ -9,7 +9,7 @@ use glam::DVec2;
 const START: u32 = u32::MAX - 1;
 
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Standing {
+pub(crate) struct RestingGroup {
     /// The contacts, between members by their places; what stands has the number of members, or more.
     pub contacts: Vec<Contact>,
     /// The force on each member without contacts, and what is left of it, N.
@@ -21,7 +21,7 @@ pub(crate) struct Standing {
     queue: Vec<u32>,
 }
 
-impl Standing {
+impl RestingGroup {
     pub fn clear(&mut self) {
         self.contacts.clear();
         self.forces.clear();
@@ -125,32 +125,32 @@ mod tests {
     use super::*;
 
     /// Three crates of 10 N on each other; the lowest stands on ground.
-    fn column(friction: f64) -> Standing {
+    fn column(friction: f64) -> RestingGroup {
         let contact = |k: u32| Contact {
             static_friction: friction,
             normal: 30.0 - 10.0 * f64::from(k),
             ..Contact::between(k, [3, 0, 1][k as usize], 1)
         };
-        Standing { contacts: (0..3).map(contact).collect(), forces: vec![DVec2::new(0.0, 10.0); 3], ..Standing::default() }
+        RestingGroup { contacts: (0..3).map(contact).collect(), forces: vec![DVec2::new(0.0, 10.0); 3], ..RestingGroup::default() }
     }
 
     #[test]
     fn friction_takes_a_push_at_the_top_down_to_the_ground() {
-        let mut standing = column(0.5);
-        standing.forces[2].x = 4.0;
-        assert!(standing.holds());
-        assert!(standing.contacts.iter().all(|contact| contact.friction == 4.0));
-        standing.forces[2].x = 6.0;
-        assert!(!standing.holds());
+        let mut resting = column(0.5);
+        resting.forces[2].x = 4.0;
+        assert!(resting.holds());
+        assert!(resting.contacts.iter().all(|contact| contact.friction == 4.0));
+        resting.forces[2].x = 6.0;
+        assert!(!resting.holds());
     }
 
     #[test]
     fn more_weight_presses_all_the_way_down_and_a_lifted_crate_does_not_rest() {
-        let mut standing = column(0.5);
-        standing.forces[2].y = 15.0;
-        assert!(standing.holds());
-        assert_eq!(standing.contacts.iter().map(|contact| contact.normal).collect::<Vec<_>>(), [35.0, 25.0, 15.0]);
-        standing.forces[2].y = -1.0;
-        assert!(!standing.holds());
+        let mut resting = column(0.5);
+        resting.forces[2].y = 15.0;
+        assert!(resting.holds());
+        assert_eq!(resting.contacts.iter().map(|contact| contact.normal).collect::<Vec<_>>(), [35.0, 25.0, 15.0]);
+        resting.forces[2].y = -1.0;
+        assert!(!resting.holds());
     }
 }

@@ -1,7 +1,7 @@
 //! Output on Windows and macOS: the system asks for samples on its own thread.
 
 use super::why::Why;
-use crate::view::sound::{Feed, Mixer};
+use crate::sound::{Feed, Mixer};
 use cpal::traits::{DeviceTrait, HostTrait, StreamTrait};
 use cpal::{ErrorKind, SampleFormat, StreamConfig};
 use std::sync::Arc;

@@ -3,7 +3,7 @@
 use super::pace::keep_pace;
 use super::system::{CHANNELS, Device, LATENCY, Libraries, RATE};
 use super::why::Why;
-use crate::view::sound::{Feed, Mixer};
+use crate::sound::{Feed, Mixer};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 

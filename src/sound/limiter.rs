@@ -83,7 +83,7 @@ impl Limiter {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::sound::filter::WhiteNoise;
+    use crate::sound::filter::WhiteNoise;
     use std::f32::consts::TAU;
 
     const RATE: f32 = 48_000.0;

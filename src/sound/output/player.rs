@@ -5,7 +5,7 @@ use super::cpal::play;
 #[cfg(target_os = "linux")]
 use super::linux::play;
 use super::why::Why;
-use crate::view::sound::Feed;
+use crate::sound::Feed;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::JoinHandle;

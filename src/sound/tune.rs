@@ -107,7 +107,7 @@ impl Tune {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::sound::ensemble::WORLDS;
+    use crate::sound::ensemble::WORLDS;
 
     /// By turns of each world.
     fn tune(number: u32) -> Tune {
