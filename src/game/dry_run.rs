@@ -8,8 +8,10 @@ use super::ship::SHIP;
 use crate::level::Level;
 use std::sync::Arc;
 
-/// s.
+/// s; less for many bodies, so that a large level takes no longer.
 const LONGEST: f64 = 60.0;
+/// Ticks of a body.
+const MOST_WORK: f64 = 1e6;
 /// How long each key is held after that, s.
 const HELD: f64 = 5.0;
 /// m.
@@ -34,13 +36,15 @@ impl DryRun {
         if !level.ship_plays() {
             return Ok(Self::Waits);
         }
-        while game.outcome() == Outcome::Running && game.elapsed() < LONGEST {
+        let longest = LONGEST.min(MOST_WORK / (TICK_RATE * game.world().bodies().len() as f64));
+        while game.outcome() == Outcome::Running && game.elapsed() < longest {
             game.step(Controls::default());
         }
         Ok(match game.outcome() {
             Outcome::Completed => Self::Won(game.elapsed()),
             Outcome::Failed => Self::Lost(game.elapsed(), game.killed_by().map_or_else(String::new, |death| death.name(level))),
-            Outcome::Running if obeys(&game) => Self::Waits,
+            // What moves on may set the ship free.
+            Outcome::Running if longest < LONGEST || !level.movers.is_empty() || obeys(&game) => Self::Waits,
             Outcome::Running => Self::Stuck,
         })
     }

@@ -164,7 +164,7 @@ impl Tick<'_> {
 
     /// Whether all of an island rested in the tick before, on what stands, and only constant forces act on it.
     fn rests(&self, of: &Members<'_>) -> bool {
-        let Self { state, scene, scratch, .. } = self;
+        let Self { state, scratch, .. } = self;
         let island = of.island;
         let rests = |i: &u32| {
             let body = &state.bodies[*i as usize];
@@ -172,8 +172,8 @@ impl Tick<'_> {
         };
         let carries = |surface: &u32| of.motions.surfaces[*surface as usize].carries();
         (MANY_AT_REST..=MOST_BY_EVENTS).contains(&island.members.len())
-            && scene.plan.direct
-            && !(scene.plan.streams || scene.plan.liquids)
+            && state.media.streams.is_empty()
+            && state.media.fluids.is_empty()
             && state.links.all.is_empty()
             && island.members.iter().all(rests)
             && !scratch.surfaces.iter().any(carries)

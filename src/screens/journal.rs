@@ -154,12 +154,18 @@ impl Journal {
     /// # Errors
     /// Why it cannot be; it still waits then.
     pub fn close(&mut self) -> Result<(), ScoresError> {
-        if !self.deeds.is_empty() {
-            self.players = self.scores.record(&self.deeds)?;
-            self.deeds.clear();
+        // A list that cannot be written holds up no other.
+        let deeds = if self.deeds.is_empty() { Ok(()) } else { self.record_deeds() };
+        let attempts = self.scores.append(&self.attempts);
+        if attempts.is_ok() {
+            self.attempts.clear();
         }
-        self.scores.append(&self.attempts)?;
-        self.attempts.clear();
+        deeds.and(attempts)
+    }
+
+    fn record_deeds(&mut self) -> Result<(), ScoresError> {
+        self.players = self.scores.record(&self.deeds)?;
+        self.deeds.clear();
         Ok(())
     }
 

@@ -161,13 +161,13 @@ fn merged(text: &str, player: &str, settings: &Settings) -> String {
 #[derive(Debug)]
 pub struct SettingsFile {
     path: PathBuf,
-    unsaved: Option<(String, Settings)>,
+    unsaved: Vec<(String, Settings)>,
 }
 
 impl SettingsFile {
     /// The file need not exist yet.
     pub fn new(path: impl Into<PathBuf>) -> Self {
-        Self { path: path.into(), unsaved: None }
+        Self { path: path.into(), unsaved: Vec::new() }
     }
 
     /// The settings for a player (`""` for the rows of everyone), and the file's faults, a line each. Without a file they are the
@@ -181,7 +181,8 @@ impl SettingsFile {
 
     /// Writes the settings. The answer is the file's faults, or why it cannot be written: they wait then for the next call.
     pub fn set(&mut self, player: &str, settings: &Settings) -> Vec<String> {
-        self.unsaved = Some((player.to_owned(), *settings));
+        self.unsaved.retain(|(of, _)| of != player);
+        self.unsaved.push((player.to_owned(), *settings));
         match self.close() {
             Ok(()) => self.load(player).1,
             Err(error) => vec![error.to_string()],
@@ -190,15 +191,16 @@ impl SettingsFile {
 
     /// Writes waiting settings, before others take their place or the program ends; after an error they still wait.
     pub fn close(&mut self) -> Result<(), SaveError> {
-        let Some((player, settings)) = &self.unsaved else { return Ok(()) };
-        self.save(player, settings)?;
-        self.unsaved = None;
+        while let Some((player, settings)) = self.unsaved.last() {
+            self.save(player, settings)?;
+            self.unsaved.pop();
+        }
         Ok(())
     }
 
     /// Whether settings wait for a write.
     pub fn waits(&self) -> bool {
-        self.unsaved.is_some()
+        !self.unsaved.is_empty()
     }
 
     /// Replaces the file, whole; rows of other players that another game has written meanwhile stay.

@@ -84,10 +84,18 @@ impl Events {
             let faces = apart.abs().max((apart + slid + drift * lasts).abs()) + hop < reach;
             let clear = |k: usize| !self.is_body(pair[k]) || self.is_clear(scene, of[k], &trains[k]);
             if steady && faces && clear(0) && clear(1) {
-                return [0, 1].into_iter().for_each(|k| self.items[of[k]].train = self.is_body(pair[k]).then_some(trains[k]));
+                for k in 0..1 + usize::from(joined) {
+                    self.set_train(of[k], trains[k]);
+                }
+                return;
             }
             most = 0.5 * lasts;
         }
+    }
+
+    fn set_train(&mut self, i: usize, train: Train) {
+        let (place, speed, item) = (self.places[i], self.speeds[i], &mut self.items[i]);
+        (item.body.position, item.body.velocity, item.since, item.train) = (place, speed, self.now, Some(train));
     }
 
     /// Whether nothing but constant forces, media and steady motion act on an item while it bounces.
@@ -153,7 +161,7 @@ impl Events {
         let trains = [train(0, way), train(1, between)];
         if (0..2).all(|k| self.is_clear(scene, of[k], &trains[k])) {
             self.concern(far);
-            (0..2).for_each(|k| self.items[of[k]].train = Some(trains[k]));
+            (0..2).for_each(|k| self.set_train(of[k], trains[k]));
         }
     }
 

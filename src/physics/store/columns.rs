@@ -1,10 +1,10 @@
-//! Pairs of bodies whose boxes meet, found anew in each step: a body looks, in the columns that its box covers, at the bodies below it.
+//! Pairs of bodies whose boxes meet, found in each step: a body looks, in the columns that its box covers, at the bodies below it.
 
 use crate::physics::data::{Aabb, NONE, refill};
 use crate::physics::store::grid::cell;
 
-/// A wider box is tested against all.
-const MOST_COLUMNS: i64 = 64;
+/// A box that is wider or taller by so many columns is tested against all.
+const MOST_COLUMNS: f64 = 64.0;
 /// Up to this many boxes all are tested against all.
 const FEW: usize = 12;
 
@@ -32,7 +32,13 @@ pub(crate) struct Columns {
 
 impl Columns {
     pub fn new(count: usize, per_metre: f64) -> Self {
-        Self { per_metre, entries: Vec::with_capacity(8 * count), begins: Vec::with_capacity(count), ..Self::default() }
+        Self {
+            per_metre,
+            entries: Vec::with_capacity(8 * count),
+            wide: Vec::with_capacity(count),
+            begins: Vec::with_capacity(count),
+            ..Self::default()
+        }
     }
 
     /// Begins with boxes that stand bottom-up, each with how far down its centre is, m.
@@ -43,7 +49,13 @@ impl Columns {
         self.begins.clear();
         self.begins.extend(depths.iter().zip(boxes).map(|((depth, _), of)| (cell(of.min.x, self.per_metre), *depth)));
         let up = |(&(_, depth), of): (&(i64, f64), &Aabb)| depth - if down > 0.0 { of.min.y } else { -of.max.y };
-        self.reach = self.begins.iter().zip(boxes).map(up).fold(0.0, f64::max);
+        let narrow = |of: &(_, &Aabb)| !self.is_wide(of.1);
+        self.reach = self.begins.iter().zip(boxes).filter(narrow).map(up).fold(0.0, f64::max);
+    }
+
+    /// Whether a box is tested against all: it is wide, or so tall that others would have to look far down for it.
+    fn is_wide(&self, of: &Aabb) -> bool {
+        of.size().max_element() * self.per_metre >= MOST_COLUMNS
     }
 
     /// Enters the box at place `k`, and adds the places below `k` whose boxes meet it, each once.
@@ -52,7 +64,7 @@ impl Columns {
         let mine = &boxes[k];
         let (first, last) = (self.begins[k].0, cell(mine.max.x, self.per_metre));
         let meets = |place: &u32| mine.meets(&boxes[*place as usize]);
-        if boxes.len() <= FEW || last - first >= MOST_COLUMNS {
+        if boxes.len() <= FEW || self.is_wide(mine) {
             self.wide.push(k as u32);
             return into.extend((0..k as u32).filter(meets));
         }

@@ -35,6 +35,8 @@ impl CellGrid {
             per_metre,
             heads: vec![NONE; (4 * count).next_power_of_two().max(64)],
             entries: Vec::with_capacity(8 * count),
+            unused: Vec::with_capacity(8 * count),
+            large: Vec::with_capacity(count),
             found: vec![0; count],
             ..Self::default()
         }

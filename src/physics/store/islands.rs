@@ -39,7 +39,7 @@ impl<'a> Island<'a> {
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Islands {
-    /// The bodies that a step looks at, bottom-up, and the place of each among them; surfaces that stand have place 0, all others none.
+    /// The bodies that a step looks at, bottom-up. They and surfaces that stand have place 0, all others none.
     order: Vec<u32>,
     heights: Vec<(f64, u32)>,
     place: Vec<u32>,
@@ -166,11 +166,6 @@ impl Islands {
 
     pub fn sort(&mut self, bodies: &[Body], down: f64) {
         self.same_order = self.put_in_order(bodies, down) == 0 && self.is_known;
-        if !self.same_order {
-            for (k, i) in self.order.iter().enumerate() {
-                self.place[*i as usize] = k as u32;
-            }
-        }
     }
 
     pub fn find(&mut self, motions: &Motions, broad_phase: &BroadPhase, moving: &[u32], down: f64) {

@@ -140,10 +140,8 @@ impl Sleep {
     pub(crate) fn note(&mut self, island: Island<'_>, sleeps: bool) {
         for &i in island.members {
             if sleeps {
-                if !std::mem::replace(&mut self.asleep[i as usize], true) {
-                    self.undisturbed[i as usize] = false;
-                    self.sleepers += 1;
-                }
+                self.undisturbed[i as usize] = false;
+                self.sleepers += usize::from(!std::mem::replace(&mut self.asleep[i as usize], true));
             } else if self.sleepers > 0 {
                 self.wake(i as usize);
             }
