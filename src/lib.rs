@@ -16,7 +16,7 @@
 //! - [`draw`]: a frame as a list of shapes, and the pens that play it.
 //! - [`ui`]: widgets without a window: they are laid out and recorded, and answer mouse, keys and gamepad by their labels.
 //! - [`screens`]: the screens as a state machine, one file a screen; it is tested without a window.
-//! - [`view`]: drawing only: it reads the game and changes nothing in it. [`sound`]: what it sounds like, and the mixer.
+//! - [`view`]: drawing only: it reads the game and changes nothing in it. `sound`, with the window: what it sounds like, and the mixer.
 //! - [`cli`]: one file a subcommand.
 //! - [`words`]: the languages of the screens.
 //! - [`number`]: how results print numbers, and every screen a time. [`files`]: reading with a limit, locks, and writing whole or not at all.
@@ -44,6 +44,7 @@ mod random;
 pub mod scores;
 pub mod screens;
 pub mod settings;
+#[cfg(feature = "window")]
 pub mod sound;
 /// Forms of a table for unit tests: those of the tests in `tests/`.
 #[cfg(test)]

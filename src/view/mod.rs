@@ -1,5 +1,5 @@
 //! Drawing only: reads the game and changes nothing in it. The screens decide, in [`crate::screens`]. A [`crate::draw::Canvas`]
-//! records the shapes; nothing but sound needs a system.
+//! records the shapes.
 
 pub mod arrows;
 pub mod art;
@@ -28,7 +28,6 @@ pub mod pictures;
 pub mod quantity;
 pub mod scale;
 pub mod sky;
-#[cfg(feature = "window")]
 mod stirred;
 pub mod terrain;
 pub mod theme;
