@@ -3,7 +3,7 @@
 use crate::physics::data::{Aabb, NONE, refill};
 use crate::physics::store::grid::cell;
 
-/// A box that is wider or taller by so many columns is tested against all.
+/// A box that covers more columns, or is as tall, is tested against all.
 const MOST_COLUMNS: f64 = 64.0;
 /// Up to this many boxes all are tested against all.
 const FEW: usize = 12;
