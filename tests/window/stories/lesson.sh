@@ -9,7 +9,7 @@ press b
 for _ in $(seq 33); do press period; done
 expect lesson-frozen shows "$accent" 20 85 60 15 0.1
 press i
-click 5.5 41.1 # Plot, on the rail
+click 5.5 36.7 # Plot, on the rail
 # The first ball is followed from the start.
 blue='#7FA7FF' pink='#F28DB2' # height and velocity
 expect lesson-plot shows "$blue" 38 72 61 25 0.05
