@@ -60,7 +60,7 @@ press Right
 expect done-chosen differs done 0.1
 press Return
 expect leaderboard shows "$yellow" 22 24 56 8 0.1 # the best row
-grep -q "^$user,[0-9]*,$user-" "$data/scores/0.csv" || fail "$user is not in 0.csv: $(cat "$data/scores/0.csv")"
+grep -q "^$user,[0-9]*,[0-9.]*,$user-" "$data/scores/0.csv" || fail "$user is not in 0.csv: $(cat "$data/scores/0.csv")"
 grep -q "^0,$user,completed," "$data/scores/attempts.csv" || fail "the attempt is not in attempts.csv"
 grep -q "^$user,0,0" "$data/scores/players.csv" || fail "what was done is not in players.csv"
 press Return
