@@ -195,7 +195,7 @@ try {
   check(!await asks(), "the page asks although all is saved");
   const board = await kept("scores/1.csv");
   // After the first goal slow motion moves the later keys, so the score is not that of the record: the flight that is kept with it says it.
-  const [, points, file] = new RegExp(`^${USER},([0-9]+),[0-9.]+,([^,]+)$`, "m").exec(board ?? "") ?? [];
+  const [, points, file] = new RegExp(`^${USER},([0-9]+),[0-9.]+,([^,\r\n]+)$`, "m").exec(board ?? "") ?? [];
   const flown = await browser.ask(`Object.entries(localStorage).find(([name]) => name.endsWith(${JSON.stringify(`/${file}`)}))?.[1]`);
   check(/^# outcome: completed$/m.test(flown ?? "") && flown.includes(`# score: ${points}\n`), `the flight of ${points} points is not saved: ${board}`);
   await begin();
