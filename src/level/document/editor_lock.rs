@@ -26,8 +26,10 @@ impl EditorLock {
         match Lock::wait(&path, Duration::ZERO) {
             Ok(lock) => {
                 let user = ["USER", "USERNAME"].iter().find_map(|name| env::var(name).ok()).unwrap_or_default();
+                // A page has no number, and to ask for one ends it.
+                let who = if cfg!(target_family = "wasm") { user } else { format!("{user} ({})", process::id()) };
                 // Without it the refusal names nobody.
-                let _ = lock.sign(&format!("{user} ({})", process::id()));
+                let _ = lock.sign(&who);
                 Ok(Some(Self { _lock: lock, path }))
             }
             Err(error) if error.kind() == io::ErrorKind::WouldBlock => {
