@@ -225,7 +225,7 @@ impl Space {
         let mut again = false;
         loop {
             self.islands.sort(&tick.state.bodies, self.down);
-            self.islands.find(&self.motions, &self.broad_phase, &self.moving, self.down);
+            self.islands.find(&self.motions, &self.broad_phase, &self.moving);
             let minds = |tick: &Tick<'_>| self.sleep.looked_at.iter().any(|body| tick.minds(&self.motions, *body as usize));
             if !again && self.islands.are_alone() && (tick.bare || !minds(tick)) {
                 return self.let_sleepers_stay(&tick.state.bodies);
@@ -334,8 +334,8 @@ impl Space {
         // What falls asleep is read later: its contacts are listed now.
         let may_sleep = tick.scene.plan.direct && tick.leaves_for_good(island.members.len());
         let sleeps = sleep.finish(&state.bodies, motions, (island, may_sleep));
-        let listed = std::mem::replace(&mut crowd.dense.report.on, tick.lists(island.members.len()) || sleeps);
-        if sleeps && !listed && crowd.bodies.len() < island.members.len() {
+        crowd.dense.report.on |= sleeps;
+        if sleeps && crowd.bodies.len() < island.members.len() {
             let from =
                 Origin { bodies: &state.bodies, surfaces: &state.surfaces, motions, frame, bounces: tick.scene.plan.bounces };
             crowd.step(from, island, size);

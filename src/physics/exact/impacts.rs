@@ -237,13 +237,27 @@ impl Events {
     }
 
     fn note_plastic(&mut self, contact: &Contact) {
-        // A surface pulls nothing: what clings to it does so for a flight that would end within a rounding.
+        // A surface pulls nothing: what keeps a body that clings to it is taken off what it has pushed in this tick.
         let pulls = contact.normal < 0.0 && !self.is_body(contact.ends().1);
-        if !pulls && (contact.normal != 0.0 || contact.friction != 0.0) {
-            let before = |item: u32| self.before[item as usize][contact.axis];
-            let closing = (before(contact.lo) - before(contact.hi)).max(0.0);
-            self.note(contact, on_axis(contact.axis, contact.normal, contact.friction), closing);
+        if contact.normal == 0.0 && contact.friction == 0.0 || pulls && self.take_off(contact) {
+            return;
         }
+        let before = |item: u32| self.before[item as usize][contact.axis];
+        let closing = (before(contact.lo) - before(contact.hi)).max(0.0);
+        self.note(contact, on_axis(contact.axis, contact.normal, contact.friction), closing);
+    }
+
+    /// Takes the pull of a surface off its last push in this tick on the same body. Returns whether there is one as large.
+    fn take_off(&mut self, contact: &Contact) -> bool {
+        let (body, surface) = contact.ends();
+        let sign = if body == contact.lo { -1.0 } else { 1.0 };
+        let [a, b] = [body, surface].map(|item| self.items[item as usize].id);
+        let pushes = |hit: &&mut Hit| {
+            let of = hit.impulse.a == BodyId(a) && hit.impulse.b == Obstacle::Surface(b);
+            of && hit.normal[contact.axis] == sign && sign * hit.impulse.vector[contact.axis] >= -contact.normal
+        };
+        let push = self.hits.iter_mut().rev().find(pushes);
+        push.map(|hit| hit.impulse.vector[contact.axis] += sign * contact.normal).is_some()
     }
 
     pub(crate) fn note(&mut self, contact: &Contact, impulse: DVec2, speed: f64) {

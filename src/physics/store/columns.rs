@@ -26,8 +26,10 @@ pub(crate) struct Columns {
     wide: Vec<u32>,
     /// By place: the first column, and how far down the centre is, m.
     begins: Vec<(i64, f64)>,
-    /// How far up from its centre any box reaches, m.
+    /// How far up from its centre any box reaches that is not wide, m.
     reach: f64,
+    /// −1 if gravity points to smaller y, else 1.
+    pub down: f64,
 }
 
 impl Columns {
@@ -42,13 +44,13 @@ impl Columns {
     }
 
     /// Begins with boxes that stand bottom-up, each with how far down its centre is, m.
-    pub fn begin(&mut self, depths: &[(f64, u32)], boxes: &[Aabb], down: f64) {
+    pub fn begin(&mut self, depths: &[(f64, u32)], boxes: &[Aabb]) {
         refill(&mut self.heads, (2 * boxes.len()).next_power_of_two().max(2 * MOST_COLUMNS as usize), NONE);
         self.entries.clear();
         self.wide.clear();
         self.begins.clear();
         self.begins.extend(depths.iter().zip(boxes).map(|((depth, _), of)| (cell(of.min.x, self.per_metre), *depth)));
-        let up = |(&(_, depth), of): (&(i64, f64), &Aabb)| depth - if down > 0.0 { of.min.y } else { -of.max.y };
+        let up = |(&(_, depth), of): (&(i64, f64), &Aabb)| depth - if self.down > 0.0 { of.min.y } else { -of.max.y };
         let narrow = |of: &(_, &Aabb)| !self.is_wide(of.1);
         self.reach = self.begins.iter().zip(boxes).filter(narrow).map(up).fold(0.0, f64::max);
     }
@@ -60,7 +62,7 @@ impl Columns {
 
     /// Enters the box at place `k`, and adds the places below `k` whose boxes meet it, each once.
     #[inline(always)]
-    pub fn pass(&mut self, k: usize, boxes: &[Aabb], down: f64, into: &mut Vec<u32>) {
+    pub fn pass(&mut self, k: usize, boxes: &[Aabb], into: &mut Vec<u32>) {
         let mine = &boxes[k];
         let (first, last) = (self.begins[k].0, cell(mine.max.x, self.per_metre));
         let meets = |place: &u32| mine.meets(&boxes[*place as usize]);
@@ -69,7 +71,7 @@ impl Columns {
             return into.extend((0..k as u32).filter(meets));
         }
         into.extend(self.wide.iter().copied().filter(meets));
-        let lowest = (if down > 0.0 { mine.max.y } else { -mine.min.y }) + self.reach;
+        let lowest = (if self.down > 0.0 { mine.max.y } else { -mine.min.y }) + self.reach;
         let mask = self.heads.len() - 1;
         for column in first..=last {
             let head = &mut self.heads[column as usize & mask];
@@ -114,10 +116,11 @@ mod tests {
             }
             boxes.sort_by(|a, b| (b.centre().y * down).total_cmp(&(a.centre().y * down)));
             let depths: Vec<(f64, u32)> = (0..).zip(&boxes).map(|(k, of)| (of.centre().y * down, k)).collect();
-            columns.begin(&depths, &boxes, down);
+            columns.down = down;
+            columns.begin(&depths, &boxes);
             for k in 0..n {
                 let mut found = Vec::new();
-                columns.pass(k, &boxes, down, &mut found);
+                columns.pass(k, &boxes, &mut found);
                 found.sort_unstable();
                 let meet: Vec<u32> = (0..k as u32).filter(|j| boxes[k].meets(&boxes[*j as usize])).collect();
                 assert_eq!(found, meet, "{n} boxes, place {k}");

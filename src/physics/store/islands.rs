@@ -39,10 +39,10 @@ impl<'a> Island<'a> {
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Islands {
-    /// The bodies that a step looks at, bottom-up. They and surfaces that stand have place 0, all others none.
+    /// The bodies that a step looks at, bottom-up, and their heights. They and surfaces that stand are listed, all others not.
     order: Vec<u32>,
     heights: Vec<(f64, u32)>,
-    place: Vec<u32>,
+    is_listed: Vec<bool>,
     parent: Vec<u32>,
     /// Bodies island by island, and where each island begins, and one more.
     members: Vec<u32>,
@@ -103,7 +103,7 @@ impl Turned {
 impl Islands {
     pub fn new(count: usize, surfaces: usize, cells_per_metre: f64) -> Self {
         Self {
-            place: vec![0; count + surfaces],
+            is_listed: vec![true; count + surfaces],
             parent: (0..count as u32).collect(),
             island_of_root: vec![NONE; count],
             ranges: vec![(0, 0); count],
@@ -114,7 +114,7 @@ impl Islands {
     }
 
     pub fn set_moving(&mut self, j: usize) {
-        self.place[j] = NONE;
+        self.is_listed[j] = false;
         self.forget();
     }
 
@@ -136,13 +136,13 @@ impl Islands {
     }
 
     pub fn look_at(&mut self, bodies: &[u32]) {
-        if self.order.len() == bodies.len() && bodies.iter().all(|i| self.place[*i as usize] != NONE) {
+        if self.order.len() == bodies.len() && bodies.iter().all(|i| self.is_listed[*i as usize]) {
             return;
         }
-        self.order.iter().for_each(|i| self.place[*i as usize] = NONE);
+        self.order.iter().for_each(|i| self.is_listed[*i as usize] = false);
         self.order.clear();
         self.order.extend_from_slice(bodies);
-        self.order.iter().for_each(|i| self.place[*i as usize] = 0);
+        self.order.iter().for_each(|i| self.is_listed[*i as usize] = true);
         self.forget();
     }
 
@@ -164,19 +164,21 @@ impl Islands {
         Island { members, ranges, others }
     }
 
+    /// Puts the bodies in order, bottom-up; `down` is −1 if gravity points to smaller y, else 1.
     pub fn sort(&mut self, bodies: &[Body], down: f64) {
+        self.columns.down = down;
         self.same_order = self.put_in_order(bodies, down) == 0 && self.is_known;
     }
 
-    pub fn find(&mut self, motions: &Motions, broad_phase: &BroadPhase, moving: &[u32], down: f64) {
+    pub fn find(&mut self, motions: &Motions, broad_phase: &BroadPhase, moving: &[u32]) {
         if self.same_order && moving.is_empty() && self.sweep_the_same(motions) {
             return;
         }
         self.is_known = true;
         self.swept.clear();
         self.swept.extend(self.order.iter().map(|i| motions.swept[*i as usize]));
-        self.columns.begin(&self.heights, &self.swept, down);
-        self.join(motions, broad_phase, moving, down);
+        self.columns.begin(&self.heights, &self.swept);
+        self.join(motions, broad_phase, moving);
         self.gather();
     }
 
@@ -212,8 +214,8 @@ impl Islands {
         moves
     }
 
-    fn join(&mut self, motions: &Motions, broad_phase: &BroadPhase, moving: &[u32], down: f64) {
-        let Self { order, place, parent, ranges, others, links, carried, columns, swept, .. } = self;
+    fn join(&mut self, motions: &Motions, broad_phase: &BroadPhase, moving: &[u32]) {
+        let Self { order, is_listed, parent, ranges, others, links, carried, columns, swept, .. } = self;
         let n = motions.len();
         others.clear();
         refill(carried, moving.len(), NONE);
@@ -222,7 +224,7 @@ impl Islands {
             let (from, mine) = (others.len(), swept[k]);
             let mut root = i as usize;
             // The lower one of a pair is listed under the upper one.
-            columns.pass(k, swept, down, others);
+            columns.pass(k, swept, others);
             others[from..].sort_unstable();
             for other in &mut others[from..] {
                 *other = order[*other as usize];
@@ -230,7 +232,7 @@ impl Islands {
             }
             let bodies = others.len();
             let near = broad_phase.near(i as usize).iter().map(|surface| n + *surface as usize);
-            others.extend(near.filter(|j| place[*j] != NONE && mine.meets(&motions.swept[*j])).map(|j| j as u32));
+            others.extend(near.filter(|j| is_listed[*j] && mine.meets(&motions.swept[*j])).map(|j| j as u32));
             for (first, &surface) in carried.iter_mut().zip(moving) {
                 let j = n + surface as usize;
                 if !mine.meets(&motions.swept[j]) {

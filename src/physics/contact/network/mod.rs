@@ -48,6 +48,11 @@ impl NetworkEdge {
     fn other(&self, end: u32) -> u32 {
         if self.lo == end { self.hi } else { self.lo }
     }
+
+    /// What it gives to one of its ends, N.
+    fn gives(&self, end: u32) -> f64 {
+        if self.lo == end { -self.flow } else { self.flow }
+    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -145,6 +150,25 @@ impl Network {
         self.leave_frame(frame);
     }
 
+    /// Whether all can stay at rest on ground that stands, beginning with the flow of each link: the links take up what is left over.
+    pub fn holds(&mut self) -> bool {
+        self.index_links();
+        self.find_components();
+        (0..self.blocks.len()).all(|index| {
+            let Range { start, end } = self.blocks[index];
+            let mut block = Block { begin: start as usize, end: end as usize, ground: Some(0.0), largest: 0.0 };
+            for at in block.begin..block.end {
+                let i = self.order[at];
+                let force = self.nodes[i as usize].force;
+                let given: f64 = self.links_of(i).map(|slot| self.links[self.incident.list[slot] as usize].gives(i)).sum();
+                block.largest = block.largest.max(force.abs());
+                self.notes[i as usize].excess = force + given;
+            }
+            self.route(block);
+            self.order[block.begin..block.end].iter().all(|i| self.notes[*i as usize].excess.abs() <= block.tolerance())
+        })
+    }
+
     fn slot(&self, end: u32) -> usize {
         if end == GROUND { self.nodes.len() } else { end as usize }
     }
@@ -235,8 +259,7 @@ impl Network {
             let i = self.queue[k];
             let node = self.nodes[i as usize];
             let links = || self.links_of(i).map(|slot| self.incident.list[slot]).filter(|link| !self.links[*link as usize].cut);
-            let gets = |link: &NetworkEdge| if link.lo == i { -link.flow } else { link.flow };
-            let gotten: f64 = links().map(|link| gets(&self.links[link as usize])).sum();
+            let gotten: f64 = links().map(|link| self.links[link as usize].gives(i)).sum();
             let left = node.force - node.mass * node.acceleration + gotten;
             if left.abs() <= own(&node) * FORCE_TOLERANCE {
                 continue;
