@@ -63,7 +63,7 @@ fn a_warm_tick_of_a_world_allocates_nothing() {
                 world.step(1.0 / 120.0);
             }
         };
-        tick(&mut world, 1200);
+        tick(&mut world, 2400);
         let before = allocations();
         tick(&mut world, 600);
         assert_eq!(allocations(), before, "{bodies} bodies");

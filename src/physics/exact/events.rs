@@ -2,6 +2,7 @@
 
 use crate::physics::contact::reactions::Reactions;
 use crate::physics::data::{Aabb, Contact, Cubic, Hit, Incidence, Plan, Pose, Surface, refill};
+use crate::physics::exact::coupled::CoupledStep;
 use crate::physics::exact::item::{Item, Next};
 use crate::physics::exact::track::Track;
 use crate::physics::forces::{Link, Media, ZoneList};
@@ -97,6 +98,8 @@ pub(crate) struct Events {
     /// For the implicit step of what is in contact: of each item concerned, and the mean accelerations of all.
     pub(super) implicit: Vec<Implicit>,
     pub(super) means: Vec<DVec2>,
+    /// Of each item concerned: its step through media.
+    pub(super) coupled: Vec<CoupledStep>,
 }
 
 /// How the forces of media on a body answer to its own motion within an implicit step.
@@ -150,6 +153,8 @@ impl Events {
         for flags in [&mut self.is_concerned, &mut self.is_placed, &mut self.struck] {
             refill(flags, all, false);
         }
+        self.coupled.clear();
+        self.coupled.reserve(self.movable);
         self.begun.clear();
         self.begun.extend(self.items.iter().map(|item| item.body.position));
         let stands = |item: &Item| Track::new(item, Cubic::parabola(item.body.position, DVec2::ZERO, DVec2::ZERO));

@@ -14,6 +14,8 @@ pub(crate) enum Travel {
     Flow,
     /// Over one surface, through media.
     Slide,
+    /// In contact, through media: on its `course`.
+    Coupled,
     /// Bounce after bounce.
     Train,
 }
@@ -105,6 +107,8 @@ pub(crate) struct Item {
     /// Of its parabola, m/s²: where media act on what is in contact, the mean one.
     pub mean: DVec2,
     pub slide: Option<Slide>,
+    /// From `since` on.
+    pub course: Cubic,
     /// The end of its flow or slide, with `since` and `until` as they were then.
     pub end: Option<(f64, f64, Pose)>,
     pub searched: Aabb,
@@ -150,6 +154,7 @@ impl Item {
             _ if t == 0.0 => start,
             Travel::Still => start,
             Travel::Parabola => parabola(start, self.mean, t),
+            Travel::Coupled => self.course.pose(t),
             Travel::Flow | Travel::Slide if self.is_end(at) => self.end.map_or(start, |(.., end)| end),
             Travel::Flow => flow(media, &self.body, &self.law, t),
             Travel::Slide => self.slide_on(media, t),
@@ -187,6 +192,7 @@ impl Item {
         self.end = None;
         match self.motion {
             Travel::Still | Travel::Train => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
+            Travel::Coupled => self.course,
             Travel::Flow if t > 0.0 => self.foresee_flow(media),
             Travel::Slide if t > 0.0 => {
                 let (end_x, end_v) = self.pose(media, self.until);

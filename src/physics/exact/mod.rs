@@ -6,6 +6,7 @@
 //! counted: the crowd step takes the tick of an island in which too many happen.
 
 pub(crate) mod contacts;
+pub(crate) mod coupled;
 pub(crate) mod end;
 pub(crate) mod events;
 pub(crate) mod grounds;

@@ -181,30 +181,34 @@ impl Events {
                 item.until = train.until;
             }
         }
-        if coupled && left > 0.0 {
-            let mut h = self.up_to_a_kink(scene, self.while_slides_last(left));
-            self.take_mean_accelerations(scene, h);
-            // The path of a step depends on its length: trials find the length that ends at a kink or a turn.
-            for _ in 0..KINK_TRIALS {
-                let sooner = self.up_to_a_kink(scene, h).min(self.up_to_a_turn(scene, h));
-                if sooner >= h {
-                    break;
-                }
-                h = sooner;
-                self.take_mean_accelerations(scene, h);
-            }
-            for k in 0..self.concerned.len() {
-                let item = &mut self.items[self.concerned[k] as usize];
-                if item.motion == Travel::Parabola {
-                    item.until = item.until.min(self.now + h);
-                }
-            }
+        if coupled && left > 0.0 && !self.fly_coupled(scene, left) {
+            self.fly_implicitly(scene, left);
         }
         self.contacts.append(&mut self.trial);
     }
 
+    fn fly_implicitly(&mut self, scene: &Scene, left: f64) {
+        let mut h = self.up_to_a_kink(scene, self.while_slides_last(left));
+        self.take_mean_accelerations(scene, h);
+        // The path of a step depends on its length: trials find the length that ends at a kink or a turn.
+        for _ in 0..KINK_TRIALS {
+            let sooner = self.up_to_a_kink(scene, h).min(self.up_to_a_turn(scene, h));
+            if sooner >= h {
+                break;
+            }
+            h = sooner;
+            self.take_mean_accelerations(scene, h);
+        }
+        for k in 0..self.concerned.len() {
+            let item = &mut self.items[self.concerned[k] as usize];
+            if item.motion == Travel::Parabola {
+                item.until = item.until.min(self.now + h);
+            }
+        }
+    }
+
     /// How long a mean acceleration may be taken, of `left` seconds: a quarter longer than the first slide lasts, so that its end is found.
-    fn while_slides_last(&self, left: f64) -> f64 {
+    pub(crate) fn while_slides_last(&self, left: f64) -> f64 {
         let rate = |item: u32, along: usize| self.solved[item as usize][along];
         let ends = self.trial.iter().filter(|contact| contact.slides != 0.0).map(|contact| {
             let along = 1 - contact.axis;
@@ -315,7 +319,7 @@ impl Events {
         self.implicit.iter().zip(&self.concerned).map(change).fold(0.0, f64::max)
     }
 
-    fn solve_means(&mut self) {
+    pub(crate) fn solve_means(&mut self) {
         self.means.clone_from(&self.free);
         self.asked.clone_from(&self.trial);
         let parts = Parts { masses: &self.masses, free: &self.free };
@@ -325,9 +329,11 @@ impl Events {
     pub(crate) fn renew(&mut self, scene: &Scene, i: usize) {
         let (position, velocity) = self.items[i].pose(scene.media, self.now);
         let item = &mut self.items[i];
+        let time = self.now - item.since;
         (item.body.position, item.body.velocity, item.since) = (position, velocity, self.now);
         item.end = None;
-        if i < self.movable {
+        item.course = item.course.from(time);
+        if i < self.movable && item.motion != Travel::Coupled {
             item.until = end_of_a_cubic(scene, item);
         }
         self.foresee(scene, i);

@@ -4,7 +4,7 @@ use crate::physics::data::{
     Aabb, Contact, Cubic, MICRO_SPEED, MOST_BORDERS, Polynomial, SLOP, SPEED_TOLERANCE, Sides, earliest, time_of_impact,
 };
 use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::item::{EventKind, Next};
+use crate::physics::exact::item::{EventKind, Next, Travel};
 use crate::physics::forces::zones;
 use glam::DVec2;
 
@@ -88,8 +88,8 @@ impl Events {
             }
             return next;
         }
-        // Bodies that press on each other have met already.
-        if self.pressing.contains(&(j as u32)) {
+        // Bodies that press on each other have met already; in media they may part, and meet again.
+        if mine.motion != Travel::Coupled && self.pressing.contains(&(j as u32)) {
             return next;
         }
         let from_there = other.way_from(now);

@@ -174,7 +174,7 @@ struct Step {
 }
 
 #[inline(always)]
-fn sum(of: &[DVec2; 7], weights: &[f64]) -> DVec2 {
+pub(crate) fn sum(of: &[DVec2; 7], weights: &[f64]) -> DVec2 {
     let mut sum = of[0] * weights[0];
     for (of, weight) in of.iter().zip(weights).skip(1) {
         if *weight != 0.0 {
