@@ -244,6 +244,10 @@ impl Tick<'_> {
         };
         flown.clear();
         flown.extend(scratch.members.iter().filter(|id| apart(**id)));
+        // Where one of them comes near something all go from event to event.
+        if scratch.members.iter().any(|id| scratch.linked(*id).is_some() && !flown.contains(id)) {
+            flown.clear();
+        }
         for &id in &flown {
             let motion = &mut of.motions.bodies[id as usize];
             motion.end = scratch.linked(id).map_or(motion.free, |member| member.pose);

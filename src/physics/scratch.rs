@@ -7,6 +7,7 @@ use crate::physics::data::{Aabb, Contact, Hit, NONE, Pose, SLOP};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Events, Scene};
 use crate::physics::flight::linked::{Linked, Pull};
+use crate::physics::forces::Link;
 use crate::physics::state::{Records, State};
 use crate::physics::store::motions::{Method, Motions};
 use glam::DVec2;
@@ -53,6 +54,8 @@ pub(crate) struct Scratch {
     /// The links of the group that flies, and all that have broken in this tick.
     pub pulls: Vec<Pull>,
     pub snapped: Vec<u32>,
+    /// Whether links have broken whose bodies went from event to event.
+    pub tried: Vec<(u32, bool)>,
     pub pairs: Vec<(u32, u32)>,
     /// Of a tick that goes in parts, else empty: its records so far, and the poses from which it began.
     pub whole: Records,
@@ -91,7 +94,7 @@ impl Scratch {
     pub fn gather(&mut self, state: &State, scene: &Scene, searched: impl Fn(u32) -> Aabb) {
         let n = state.bodies.len();
         self.index(state);
-        let Self { events, local, members, surfaces, stops, starts, linked, .. } = self;
+        let Self { events, local, members, surfaces, stops, starts, snapped, .. } = self;
         events.clear();
         members.sort_unstable();
         surfaces.sort_unstable();
@@ -106,30 +109,25 @@ impl Scratch {
             events.items.push(Item::body(body, &state.bodies[i], state.forces[i].push_of_no_zone(), searched, state.known[i]));
         }
         events.movable = members.len();
-        let flies = |id: u32| linked.binary_search_by_key(&id, |member| member.id).is_ok();
-        for link in state.links.all.iter().filter(|link| link.acts()) {
+        // Those that have broken on the way that touches nothing may hold on another.
+        let holds = |number: u32, link: &Link| link.acts() || link.broken && snapped.contains(&number);
+        for (number, link) in (0..).zip(&state.links.all).filter(|(number, link)| holds(*number, link)) {
+            let link = Link { broken: false, ..*link };
             if !link.def.ends().any(|end| members.binary_search(&end.0).is_ok()) {
                 continue;
             }
-            events.links.push(*link);
-            // A group that slept as the tick began has not flown.
-            for end in link.def.ends().map(|end| end.0).filter(|end| !flies(*end)) {
+            events.links.push(link);
+            events.link_numbers.push(number);
+            let begun = link.sooner(scene.tick, scene.tick);
+            for end in link.def.ends().map(|end| end.0) {
                 match members.binary_search(&end) {
                     Ok(at) => {
-                        events.items[at].link += link.on(end, |id| state.pose_of(id));
-                        events.items[at].known = false;
+                        let item = &mut events.items[at];
+                        item.link += begun.on(end, |id| state.pose_of(id));
+                        (item.linked, item.known) = (true, false);
                     }
                     Err(_) => events.ends.push((end, state.pose_of(end))),
                 }
-            }
-        }
-        for member in &*linked {
-            match members.binary_search(&member.id) {
-                Ok(at) => {
-                    let item = &mut events.items[at];
-                    (item.link, item.flown, item.known) = (member.mean, (!member.touches).then_some(member.pose), false);
-                }
-                Err(_) => events.ends.push((member.id, member.pose)),
             }
         }
         for &s in &*surfaces {
@@ -204,7 +202,7 @@ impl Scratch {
 
     pub fn scatter(&mut self, state: &State, motions: &mut Motions) {
         self.take_contacts(state);
-        let Self { events, happened, stops, crushed, members, .. } = self;
+        let Self { events, happened, stops, crushed, members, tried, .. } = self;
         let leader = members[0];
         let Events { items, movable, .. } = events;
         for item in &items[..*movable] {
@@ -213,6 +211,7 @@ impl Scratch {
             (motion.method, motion.leader) = (Method::Events, leader);
             (motion.acceleration, motion.known) = (item.solved + DVec2::ZERO, item.known);
         }
+        tried.extend(events.link_numbers.iter().zip(&events.links).map(|(number, link)| (*number, link.broken)));
         for &hit in &events.hits {
             happened.push((leader, happened.len() as u32, hit));
         }

@@ -83,6 +83,13 @@ impl World {
         let scene = Scene::of(state, plan, dt);
         let bare = !plan.media() && scratch.linked.is_empty();
         space.step_with(dt, &mut Tick { state, scene, guards, scratch, lists, bare });
+        for (number, broken) in scratch.tried.drain(..) {
+            let link = &mut state.links.all[number as usize];
+            if std::mem::replace(&mut link.broken, broken) != broken {
+                scratch.snapped.retain(|of| *of != number);
+                scratch.snapped.extend(Some(number).filter(|_| broken));
+            }
+        }
         records.guards.add(&space.crowd.dense.take_guards());
         records.guards.flows_cut_short += state.media.take_ended_early();
     }

@@ -15,6 +15,7 @@ impl Events {
             next += 1;
             self.end_train(scene, i as usize);
             self.locate(scene, i as usize);
+            self.concern_linked(i);
             // What it was in contact with until now has to know even if that is over.
             for slot in self.incident.slots(i as usize) {
                 self.concern(self.contacts[self.incident.list[slot] as usize].other(i));

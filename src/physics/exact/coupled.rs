@@ -5,23 +5,37 @@ use crate::physics::data::{Body, Contact, Cubic, EVENTS_OF_A_BODY, FLIGHT_TOLERA
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::{Item, Travel};
 use crate::physics::exact::motions::SHORTEST;
-use crate::physics::flight::steps::{ERROR, STAGES, sum};
+use crate::physics::forces::Link;
+use crate::physics::flight::steps::{ERROR, STAGES, TIMES, step_factor, sum};
 use glam::DVec2;
 
-/// Steps up to an event. More: what an implicit step takes for less; fewer: implicit steps, of second order, take bodies that are not that stiff.
-const MOST_STEPS: u32 = 8;
+/// Trials for the instant at which a contact begins to part or to slip. Fewer: a contact slips late, and a stick-slip drifts.
+const TRIALS: u32 = 24;
 
-/// Trials for the length of a step that ends at an event. Fewer: a contact slips or parts late.
-const TRIALS: u32 = 8;
+/// The shortest step to a kink, in parts of a tick. Longer: energy is gained where a rope becomes taut; shorter: roundings make many steps.
+const LEAST: f64 = SHORTEST * SHORTEST * SHORTEST;
+
+/// A path of fifth degree from a time on, s from the tick's start.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Quintic {
+    since: f64,
+    c: [DVec2; 6],
+}
+
+impl Quintic {
+    pub fn pose(&self, at: f64) -> Pose {
+        let (t, c) = (at - self.since, &self.c);
+        let place = c[0] + (c[1] + (c[2] + (c[3] + (c[4] + c[5] * t) * t) * t) * t) * t;
+        (place, c[1] + (2.0 * c[2] + (3.0 * c[3] + (4.0 * c[4] + 5.0 * c[5] * t) * t) * t) * t)
+    }
+}
 
 /// An item's part of a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CoupledStep {
     start: Pose,
-    /// How far it gets from there: bodies that move as one have the same bits of it, whatever their places. And how fast it is then.
+    /// How far from there it is at the present stage, and how fast: bodies that move as one have the same bits, whatever their places.
     end: Pose,
-    /// How far it is at the present stage.
-    way: DVec2,
     /// Velocities and accelerations at the stages.
     speeds: [DVec2; 7],
     pulls: [DVec2; 7],
@@ -30,52 +44,55 @@ pub(crate) struct CoupledStep {
 }
 
 impl Events {
-    /// Gives the items concerned that are in contact cubics for `left` seconds, or up to an event. Returns false where they are too stiff for that.
+    /// Gives the items concerned that links or contacts join paths for `left` seconds, or up to an event. Returns false where they are too stiff for
+    /// that.
     pub(crate) fn fly_coupled(&mut self, scene: &Scene, left: f64) -> bool {
         let afloat = self.rests_afloat(scene);
         let budget = EVENTS_OF_A_BODY * (32 + self.movable as u64) / 2;
-        let cheap = |events: &Self| events.count + events.reactions.solved < budget;
-        let (mut h, mut count) = (self.while_slides_last(left), 1);
+        let longest = self.while_slides_last(left);
+        let (mut h, mut next, mut changes) = (longest.min(self.stride), f64::INFINITY, false);
         loop {
-            if !cheap(self) {
-                return false;
-            }
-            let error = self.step_coupled(scene, (h, count), afloat);
-            let kink = self.first_kink(h).max(scene.tick * SHORTEST * SHORTEST * SHORTEST);
+            let mut error = self.step_coupled(scene, h, afloat);
+            let kink = self.first_kink(scene, h).max(scene.tick * LEAST);
             if kink < h {
-                h = kink;
+                (h, next) = (kink, self.stride);
                 continue;
             }
-            if error <= FLIGHT_TOLERANCE {
+            changes = self.changes_on_the_way(h);
+            if changes && h > scene.tick * LEAST {
+                // The step ends just before that instant, and the next one just behind it.
+                let (mut holds, mut over) = (0.0, h);
+                for _ in 0..TRIALS {
+                    let middle = 0.5 * (holds + over);
+                    self.step_coupled(scene, middle, afloat);
+                    *(if self.changes_on_the_way(middle) { &mut over } else { &mut holds }) = middle;
+                }
+                (h, next) = if holds > 0.0 { (holds, over - holds) } else { (over, f64::INFINITY) };
+                error = self.step_coupled(scene, h, afloat);
+                changes = holds == 0.0;
+            }
+            let factor = step_factor((error / FLIGHT_TOLERANCE).sqrt().sqrt());
+            if error <= FLIGHT_TOLERANCE || changes {
+                next = next.min(if changes || h >= longest { f64::INFINITY } else { h * factor });
                 break;
             }
-            // The error of that many steps falls with their fourth power.
-            let more = f64::from(count) * (1.2 * libm::sqrt(libm::sqrt(error / FLIGHT_TOLERANCE))).max(1.5);
-            if more.is_nan() || more > f64::from(MOST_STEPS) {
+            h *= factor.min(0.5);
+            next = h;
+            if h < scene.tick * SHORTEST || self.count + self.reactions.solved > budget {
                 return false;
             }
-            count = more.ceil() as u32;
         }
-        let mut holds = 0.0;
-        if cheap(self) && self.changes_on_the_way(h) {
-            for _ in 0..TRIALS {
-                let middle = 0.5 * (holds + h);
-                self.step_coupled(scene, (middle, count), afloat);
-                *(if self.changes_on_the_way(middle) { &mut h } else { &mut holds }) = middle;
-            }
-            self.step_coupled(scene, (h, count), afloat);
-        }
+        self.stride = next;
         for (step, i) in self.coupled.iter().zip(&self.concerned) {
             let item = &mut self.items[*i as usize];
-            if !matches!(item.motion, Travel::Parabola | Travel::Still)
-                || item.motion == Travel::Still && step.end.1.length() <= SPEED_TOLERANCE
-            {
+            let rests = item.motion == Travel::Still && step.end.1.length() <= SPEED_TOLERANCE;
+            if !matches!(item.motion, Travel::Parabola | Travel::Still) {
                 continue;
             }
             item.until = item.until.min(self.now + h);
-            if step.bends {
+            if step.bends && !rests {
                 item.motion = Travel::Coupled;
-                item.course = step.course(h);
+                item.course = Quintic { since: self.now, c: step.course(h, changes) };
                 item.mean = (step.end.1 - step.start.1) / h;
             }
         }
@@ -109,57 +126,118 @@ impl Events {
         rests
     }
 
-    /// Takes that many steps through `h` seconds. Returns their error, m.
-    fn step_coupled(&mut self, scene: &Scene, (h, count): (f64, u32), afloat: bool) -> f64 {
+    /// Takes a step of `h` seconds. Returns its error, m.
+    fn step_coupled(&mut self, scene: &Scene, h: f64, afloat: bool) -> f64 {
         self.coupled.clear();
         for &i in &self.concerned {
             let Item { body: Body { position, velocity, .. }, .. } = self.items[i as usize];
             let (speeds, pulls) = ([velocity; 7], [self.solved[i as usize]; 7]);
             let (start, end) = ((position, velocity), (DVec2::ZERO, velocity));
-            self.coupled.push(CoupledStep { start, end, way: DVec2::ZERO, speeds, pulls, bends: false });
+            self.coupled.push(CoupledStep { start, end, speeds, pulls, bends: false });
         }
-        let (part, mut error) = (h / f64::from(count), 0.0);
-        for _ in 0..count {
-            for stage in 1..7 {
-                self.take_stage(scene, (stage, part), afloat);
+        for stage in 1..7 {
+            for step in &mut self.coupled {
+                let weights = STAGES[stage - 1];
+                step.end = (sum(&step.speeds, weights) * h, step.start.1 + sum(&step.pulls, weights) * h);
+                step.speeds[stage] = step.end.1;
             }
-            error += self.coupled.iter_mut().map(|step| step.finish(part)).fold(0.0, |most: f64, of| most.max(of));
+            self.pull_coupled(scene, h * TIMES[stage - 1]);
+            for (step, &i) in self.coupled.iter_mut().zip(&self.concerned) {
+                step.pulls[stage] = self.means[i as usize] * DVec2::new(1.0, if afloat { 0.0 } else { 1.0 });
+                step.bends |= step.pulls[stage] != self.solved[i as usize];
+            }
         }
-        error
+        let errors = self.coupled.iter().map(|step| step.error(h));
+        errors.fold(0.0, |most: f64, error| if error <= most { most } else { error })
     }
 
-    /// Where a stage is, and the accelerations with contacts there.
-    fn take_stage(&mut self, scene: &Scene, (stage, h): (usize, f64), afloat: bool) {
-        for (step, &i) in self.coupled.iter_mut().zip(&self.concerned) {
-            let weights = STAGES[stage - 1];
-            step.way = step.end.0 + sum(&step.speeds, weights) * h;
-            step.speeds[stage] = step.end.1 + sum(&step.pulls, weights) * h;
+    /// The accelerations with contacts where a stage is, `t` seconds from now.
+    fn pull_coupled(&mut self, scene: &Scene, t: f64) {
+        for (step, &i) in self.coupled.iter().zip(&self.concerned) {
             let item = &self.items[i as usize];
-            self.free[i as usize] = scene.media.acceleration(&item.body, &item.law, step.start.0 + step.way, step.speeds[stage]);
+            let mut pull = scene.media.acceleration(&item.body, &item.law, step.start.0 + step.end.0, step.end.1);
+            if item.linked {
+                pull += (self.links_on(scene, item.id, self.now + t, |k| self.coupled[k].stage()) - item.link) / item.body.mass;
+            }
+            self.free[i as usize] = pull;
         }
         self.solve_means();
-        for (step, &i) in self.coupled.iter_mut().zip(&self.concerned) {
-            step.pulls[stage] = self.means[i as usize] * DVec2::new(1.0, if afloat { 0.0 } else { 1.0 });
-            step.bends |= step.pulls[stage] != self.solved[i as usize];
+    }
+
+    /// The force of the links on a body, N, at a time (s from the tick's start), where items concerned have those poses.
+    pub(crate) fn links_on(&self, scene: &Scene, id: u32, at: f64, pose: impl Fn(usize) -> Pose) -> DVec2 {
+        let links = self.links.iter().filter(|link| link.acts_on(id));
+        links.map(|link| link.sooner(scene.tick - at, scene.tick).on(id, |id| self.pose_of(id, &pose))).sum()
+    }
+
+    /// Breaks the links that pull harder now than they bear, and takes the forces of the others on the items concerned.
+    pub(crate) fn renew_links(&mut self, scene: &Scene) {
+        let pose = |events: &Self, k: usize| {
+            let body = &events.items[events.concerned[k] as usize].body;
+            (body.position, body.velocity)
+        };
+        for at in 0..self.links.len() {
+            let Link { def, .. } = self.links[at];
+            let first = def.body.0;
+            let concerned = self.concerned.iter().any(|i| self.items[*i as usize].id == first);
+            if let Some(most) = def.breaks.filter(|_| concerned && self.links[at].acts()) {
+                let now = self.links[at].sooner(scene.tick - self.now, scene.tick);
+                self.links[at].broken = now.on(first, |id| self.pose_of(id, |k| pose(self, k))).length() > most;
+            }
+        }
+        for k in 0..self.concerned.len() {
+            let i = self.concerned[k] as usize;
+            if self.items[i].linked {
+                self.items[i].link = self.links_on(scene, self.items[i].id, self.now, |k| pose(self, k));
+            }
         }
     }
 
-    /// The first of the kinks where a body enters or leaves a liquid within `h` seconds, or those.
-    fn first_kink(&self, h: f64) -> f64 {
+    fn pose_of(&self, id: u32, pose: impl Fn(usize) -> Pose) -> Pose {
+        let item = |k: &u32| self.items[*k as usize].id;
+        self.concerned.iter().position(|k| item(k) == id).map_or_else(|| self.end_of(id), pose)
+    }
+
+    /// When within a step of `h` seconds a body enters or leaves a liquid, or the law of a link bends; `h` where nothing does.
+    fn first_kink(&self, scene: &Scene, h: f64) -> f64 {
         let of = self.coupled.iter().zip(&self.concerned);
-        let kinks = of.filter_map(|(step, i)| self.items[*i as usize].law.displaced.end_of(&step.course(h), h));
-        kinks.fold(h, f64::min)
+        let course = |step: &CoupledStep| {
+            let ((x, v), (way, w)) = (step.start, step.end);
+            Cubic::hermite(x, v, x + way, w, h)
+        };
+        let kinks = of.filter_map(|(step, i)| self.items[*i as usize].law.displaced.end_of(&course(step), h));
+        let mut first = kinks.fold(h, f64::min);
+        for link in self.links.iter().filter(|link| link.acts()) {
+            // Which law holds, and whether it is beyond what it bears.
+            let side = |t: f64| {
+                let path = |k: usize| Quintic { since: 0.0, c: self.coupled[k].course(h, false) }.pose(t);
+                let (apart, parting) = link.def.apart(|id| self.pose_of(id, path));
+                let law = link.sooner(scene.tick - self.now - t, scene.tick).law;
+                let above = law.border(apart, parting) > 0.0;
+                (above, link.def.breaks.is_some_and(|most| law.force(above, apart, parting).length() > most))
+            };
+            let before = side(0.0);
+            if side(first) != before {
+                let mut holds = 0.0;
+                for _ in 0..50 {
+                    let middle = 0.5 * (holds + first);
+                    *(if side(middle) == before { &mut holds } else { &mut first }) = middle;
+                }
+            }
+        }
+        first
     }
 
     /// Whether by the end of a step a contact that held at its begin parts or slips, and one that gave way holds.
     fn changes_on_the_way(&self, h: f64) -> bool {
         let most = self.coupled.iter().map(|step| step.pulls[6].abs().max_element()).fold(0.0, f64::max);
-        let least = (FORCE_TOLERANCE * most).max(1.0 * FLIGHT_TOLERANCE / (h * h));
+        // What parts does so more and more, what slips at once.
+        let [parting, slipping] = [h * h, h].map(|of| (FORCE_TOLERANCE * most).max(FLIGHT_TOLERANCE / of));
         let rate = |item: u32| if self.is_body(item) { self.means[item as usize] } else { self.free[item as usize] };
         let changes = |(before, after): (&Contact, &Contact)| {
             let gain = rate(after.hi) - rate(after.lo);
-            let parts = before.normal > 0.0 && after.normal == 0.0 && gain[after.axis] > least;
-            let slips = before.slides != after.slides && gain[1 - after.axis].abs() > least;
+            let parts = before.normal > 0.0 && after.normal == 0.0 && gain[after.axis] > parting;
+            let slips = before.slides != after.slides && gain[1 - after.axis].abs() > slipping;
             parts || slips
         };
         self.trial.iter().zip(&self.asked).any(changes)
@@ -167,17 +245,25 @@ impl Events {
 }
 
 impl CoupledStep {
-    fn course(&self, h: f64) -> Cubic {
-        let Self { start: (x, v), end: (way, w), .. } = *self;
-        let [_, speed, pull, change] = Cubic::hermite(DVec2::ZERO, v, way, w, h).c;
-        Cubic { c: [x, speed, pull, change] }
+    fn stage(&self) -> Pose {
+        (self.start.0 + self.end.0, self.end.1)
     }
 
-    /// Ends a step of `h` seconds where its last stage is. Returns its error, m.
-    fn finish(&mut self, h: f64) -> f64 {
-        self.end = (self.way, self.speeds[6]);
-        let error = (sum(&self.speeds, &ERROR) * h).abs().max((sum(&self.pulls, &ERROR) * (h * h)).abs()).max_element();
-        (self.speeds[0], self.pulls[0]) = (self.speeds[6], self.pulls[6]);
-        error
+    /// m.
+    fn error(&self, h: f64) -> f64 {
+        (sum(&self.speeds, &ERROR) * h).abs().max((sum(&self.pulls, &ERROR) * (h * h)).abs()).max_element()
+    }
+
+    /// The path through both ends of `h` seconds with the velocities and the accelerations there; a cubic where contacts change just before the end.
+    fn course(&self, h: f64, changes: bool) -> [DVec2; 6] {
+        let Self { start: (x, v), end: (way, w), pulls: [a, .., b], .. } = *self;
+        if changes {
+            let [_, speed, pull, change] = Cubic::hermite(DVec2::ZERO, v, way, w, h).c;
+            return [x, speed, pull, change, DVec2::ZERO, DVec2::ZERO];
+        }
+        let (p, q, r) = (way - (v + a * (0.5 * h)) * h, (w - v - a * h) * h, (b - a) * (0.5 * h * h));
+        let (third, h2) = (h * h * h, h * h);
+        let of = |p: DVec2| p / third;
+        [x, v, a * 0.5, of(10.0 * p - 4.0 * q + r), of(7.0 * q - 15.0 * p - 2.0 * r) / h, of(6.0 * p - 3.0 * q + r) / h2]
     }
 }

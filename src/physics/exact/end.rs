@@ -8,7 +8,7 @@ use crate::physics::forces::link::links_on;
 use glam::DVec2;
 
 impl Events {
-    fn end_of(&self, id: u32) -> Pose {
+    pub(crate) fn end_of(&self, id: u32) -> Pose {
         if let Ok(at) = self.items[..self.movable].binary_search_by_key(&id, |item| item.id) {
             return (self.places[at], self.speeds[at]);
         }
@@ -82,22 +82,6 @@ impl Events {
         let item = &self.items[i];
         pulled && scene.media.constant(&item.body, self.force_on(scene, i)) != item.law.constant
             || !scene.media.fluids.is_empty() && !item.law.displaced.near.contains(&item.body.bounds(), 0.0)
-    }
-
-    /// Linked bodies that touched nothing after all are where their flight led them, if there is room.
-    pub(crate) fn follow_links(&mut self) {
-        for at in 0..self.movable {
-            let item = &self.items[at];
-            let Some(there) = item.flown else { continue };
-            let (id, box_there) = (BodyId(item.id), Aabb::around(there.0, item.body.half));
-            let touched = self.contacts.iter().any(|contact| contact.has(at as u32))
-                || self.hits.iter().any(|hit| hit.impulse.on(id).is_some())
-                || (0..).zip(&self.items).any(|(k, item)| k != at && item.body.bounds().overlaps(&box_there, SLOP));
-            if !touched {
-                let body = &mut self.items[at].body;
-                (body.position, body.velocity) = there;
-            }
-        }
     }
 
     /// Gives all that rides on a moving surface its place and its speed exactly: over many ticks roundings would lead them apart.

@@ -53,8 +53,9 @@ pub(crate) struct Events {
     /// Of each item: the streams that it touches on its path, and maybe some near it.
     pub(super) borders: Vec<ZoneList>,
     pub streams: Vec<u32>,
-    /// The links of its bodies, and the poses of other ends of these at the tick's end.
+    /// The links of its bodies as the tick ends, and the poses of other ends of these, which stand or are on another island.
     pub links: Vec<Link>,
+    pub link_numbers: Vec<u32>,
     pub ends: Vec<(u32, Pose)>,
     pub(super) ties: Vec<Tie>,
     pub hits: Vec<Hit>,
@@ -98,8 +99,9 @@ pub(crate) struct Events {
     /// For the implicit step of what is in contact: of each item concerned, and the mean accelerations of all.
     pub(super) implicit: Vec<Implicit>,
     pub(super) means: Vec<DVec2>,
-    /// Of each item concerned: its step through media.
+    /// Of each item concerned: its part of a step of joined items; and how long the next may be, s.
     pub(super) coupled: Vec<CoupledStep>,
+    pub(super) stride: f64,
 }
 
 /// How the forces of media on a body answer to its own motion within an implicit step.
@@ -133,6 +135,7 @@ impl Events {
         self.contacts.clear();
         self.streams.clear();
         self.links.clear();
+        self.link_numbers.clear();
         self.ends.clear();
         self.hits.clear();
         self.squeezed.clear();
@@ -155,6 +158,7 @@ impl Events {
         }
         self.coupled.clear();
         self.coupled.reserve(self.movable);
+        self.stride = f64::INFINITY;
         self.begun.clear();
         self.begun.extend(self.items.iter().map(|item| item.body.position));
         let stands = |item: &Item| Track::new(item, Cubic::parabola(item.body.position, DVec2::ZERO, DVec2::ZERO));

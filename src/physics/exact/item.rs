@@ -1,6 +1,7 @@
 //! Items: the bodies of an island and the surfaces near them, each on a path of its own.
 
 use crate::physics::data::{Aabb, Body, BodyDef, Cubic, Pose, STRAY, Sides, Surface, on_axis, parabola};
+use crate::physics::exact::coupled::Quintic;
 use crate::physics::exact::train::Train;
 use crate::physics::flight::liquid::{flow, flow_while};
 use crate::physics::forces::{Law, Media};
@@ -92,10 +93,9 @@ pub(crate) struct Item {
     pub body: Body,
     /// The force of its engine, N.
     pub drive: DVec2,
-    /// The force of its links, N: the mean over the tick, and that at its end.
+    /// Whether links act on it, and their force at `since`, N.
+    pub linked: bool,
     pub link: DVec2,
-    /// Where its links let it fly by the tick's end, if it touches nothing.
-    pub flown: Option<Pose>,
     /// s, from the tick's start.
     pub since: f64,
     /// Its motion is foreseen up to here, s from the tick's start.
@@ -107,9 +107,8 @@ pub(crate) struct Item {
     /// Of its parabola, m/s²: where media act on what is in contact, the mean one.
     pub mean: DVec2,
     pub slide: Option<Slide>,
-    /// From `since` on.
-    pub course: Cubic,
-    /// The end of its flow or slide, with `since` and `until` as they were then.
+    pub course: Quintic,
+    /// The end of its flow, slide or course, with `since` and `until` as they were then.
     pub end: Option<(f64, f64, Pose)>,
     pub searched: Aabb,
     pub train: Option<Train>,
@@ -154,7 +153,7 @@ impl Item {
             _ if t == 0.0 => start,
             Travel::Still => start,
             Travel::Parabola => parabola(start, self.mean, t),
-            Travel::Coupled => self.course.pose(t),
+            Travel::Coupled => self.course.pose(at),
             Travel::Flow | Travel::Slide if self.is_end(at) => self.end.map_or(start, |(.., end)| end),
             Travel::Flow => flow(media, &self.body, &self.law, t),
             Travel::Slide => self.slide_on(media, t),
@@ -192,14 +191,13 @@ impl Item {
         self.end = None;
         match self.motion {
             Travel::Still | Travel::Train => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
-            Travel::Coupled => self.course,
             Travel::Flow if t > 0.0 => self.foresee_flow(media),
-            Travel::Slide if t > 0.0 => {
+            Travel::Slide | Travel::Coupled if t > 0.0 => {
                 let (end_x, end_v) = self.pose(media, self.until);
                 self.end = Some((self.since, self.until, (end_x, end_v)));
                 Cubic::hermite(x, v, end_x, end_v, t)
             }
-            Travel::Parabola | Travel::Flow | Travel::Slide => Cubic::parabola(x, v, self.mean),
+            Travel::Parabola | Travel::Flow | Travel::Slide | Travel::Coupled => Cubic::parabola(x, v, self.mean),
         }
     }
 

@@ -68,7 +68,6 @@ impl Events {
         self.release();
         self.stop_here(scene);
         self.follow_surfaces();
-        self.follow_links();
         self.settle(scene);
         ExactEnd::Done
     }

@@ -79,7 +79,10 @@ impl Events {
             (item.body.position, item.body.velocity, item.since) = (place, speed, self.now);
             item.end = None;
             item.disturbed = true;
-            self.renew_law(scene, i);
+        }
+        self.renew_links(scene);
+        for k in 0..self.concerned.len() {
+            self.renew_law(scene, self.concerned[k] as usize);
         }
         self.find_contacts(scene);
         self.solve_concerned(scene);
@@ -155,25 +158,26 @@ impl Events {
         let left = scene.tick - self.now;
         self.take_contacts_of_concerned();
         self.incident.index(self.items.len(), self.trial.iter().map(Contact::pair));
-        let mut coupled = false;
+        let (mut coupled, winds) = (false, self.links.iter().any(|link| link.growth(scene.tick) != 0.0));
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
-            let in_media = !self.items[i].law.is_constant();
+            let (in_media, linked) = (!self.items[i].law.is_constant(), self.items[i].linked);
             let touching = self.incident.of(i);
             let first = touching.first().map(|index| self.trial[*index as usize]);
             let more = touching.len() > 1;
             let at_rest = self.speeds[i] == DVec2::ZERO && self.solved[i] == DVec2::ZERO;
-            let slide = first.filter(|_| in_media && !more && !at_rest).and_then(|contact| self.slide_of(i, &contact));
+            let slide = first.filter(|_| in_media && !linked && !more && !at_rest).and_then(|contact| self.slide_of(i, &contact));
             let item = &mut self.items[i];
             (item.mean, item.until, item.slide) = (self.solved[i], scene.tick, slide);
             item.motion = match first {
                 _ if item.train.is_some() => Travel::Train,
                 _ if at_rest => Travel::Still,
                 Some(_) if slide.is_some() => Travel::Slide,
-                None if in_media => Travel::Flow,
+                None if in_media && !linked => Travel::Flow,
                 Some(_) | None => Travel::Parabola,
             };
-            coupled |= first.is_some() && in_media && item.motion == Travel::Parabola;
+            coupled |= (linked || first.is_some() && in_media) && item.motion == Travel::Parabola;
+            coupled |= linked && winds;
             if matches!(item.motion, Travel::Flow | Travel::Slide) {
                 item.until = end_of_a_cubic(scene, item);
             }
@@ -329,10 +333,8 @@ impl Events {
     pub(crate) fn renew(&mut self, scene: &Scene, i: usize) {
         let (position, velocity) = self.items[i].pose(scene.media, self.now);
         let item = &mut self.items[i];
-        let time = self.now - item.since;
         (item.body.position, item.body.velocity, item.since) = (position, velocity, self.now);
         item.end = None;
-        item.course = item.course.from(time);
         if i < self.movable && item.motion != Travel::Coupled {
             item.until = end_of_a_cubic(scene, item);
         }

@@ -2,6 +2,7 @@
 
 use crate::physics::data::{Contact, SLOP, SPEED_ROUNDING, Sides};
 use crate::physics::exact::events::{Events, Scene};
+use crate::physics::exact::item::Item;
 use glam::DVec2;
 
 impl Events {
@@ -29,6 +30,19 @@ impl Events {
         for body in 0..self.movable as u32 {
             if self.items[body as usize].train.is_some_and(|train| train.members.contains(&item)) {
                 self.concern(body);
+            }
+        }
+    }
+
+    /// Concerns the other ends of the links of a body.
+    pub(crate) fn concern_linked(&mut self, body: u32) {
+        let Item { id, linked, .. } = self.items[body as usize];
+        for at in 0..if linked { self.links.len() } else { 0 } {
+            let def = self.links[at].def;
+            for end in def.ends().filter(|end| def.has(id) && end.0 != id) {
+                if let Ok(other) = self.items[..self.movable].binary_search_by_key(&end.0, |item| item.id) {
+                    self.concern(other as u32);
+                }
             }
         }
     }

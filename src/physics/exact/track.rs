@@ -38,7 +38,7 @@ impl Track {
 
     /// Whether its cubic is its motion.
     pub fn is_exact(&self) -> bool {
-        matches!(self.motion, Travel::Still | Travel::Parabola | Travel::Coupled)
+        matches!(self.motion, Travel::Still | Travel::Parabola)
     }
 
     pub fn way_from(&self, at: f64) -> Cubic {

@@ -140,6 +140,13 @@ impl Link {
         }
     }
 
+    /// As it was `time` seconds before the end of a tick of `dt` seconds.
+    pub(crate) fn sooner(&self, time: f64, dt: f64) -> Self {
+        let growth = self.growth(dt);
+        let law = self.law.length().filter(|_| growth != 0.0).map(|length| self.law.of_length(length - growth * time));
+        Self { law: law.unwrap_or(self.law), ..*self }
+    }
+
     /// The force on one of its bodies, N.
     pub(crate) fn on(&self, body: u32, pose_of: impl Fn(u32) -> Pose) -> DVec2 {
         let (apart, parting) = self.def.apart(pose_of);

@@ -1,11 +1,13 @@
 //! Energy: kinetic and potential energy of an island rise in no tick by more than the work of drive, streams, fields and buoyancy.
 //!
-//! Links give what their mean force over the tick does on a body that touches something. Not asked: islands in which links alone lead a body,
-//! near surfaces that move, where a body crosses the border of a stream within the tick, and liquids under a gravity that points up.
+//! Springs and ropes give what they held, and what winches do. Not asked: islands in which links alone lead a body, magnets, near surfaces that
+//! move, where a body crosses the border of a stream within the tick, and liquids under a gravity that points up.
 
 use crate::physics::checks::{Ledger, Thing, rounding};
-use crate::physics::data::{Aabb, MICRO_SPEED, SLOP, refill};
+use crate::physics::data::{Aabb, LinkLaw, MICRO_SPEED, SLOP, refill};
+use crate::physics::forces::Link;
 use crate::physics::forces::zones::{feels, stays};
+use crate::physics::state::Event;
 use crate::physics::world::World;
 use glam::DVec2;
 
@@ -50,6 +52,7 @@ impl World {
                 EXACT
             });
         }
+        self.account_links(ledgers);
         let more = |of: &Ledger| of.gained - of.given - of.rounding - of.slack * (of.scale + of.push);
         match (0..).zip(&*ledgers).find(|(_, of)| !of.open && more(of) > 0.0) {
             Some((leader, of)) => Err(format!(
@@ -102,10 +105,7 @@ impl World {
         }
         let linked = self.scratch.linked(thing.id);
         ledger.open |= linked.is_some_and(|member| member.pose == (body.position, body.velocity));
-        // A group that slept as the tick began has not flown: its links pull as they did then.
-        let pulled_then = || self.state.links.on(thing.id, |id| self.space.previous(id as usize));
-        let pulled = linked.map_or_else(pulled_then, |member| member.mean);
-        let mut force = self.state.forces[i].push_of_no_zone() + pulled + DVec2::new(0.0, body.mass * media.gravity_on(body));
+        let mut force = self.state.forces[i].push_of_no_zone() + DVec2::new(0.0, body.mass * media.gravity_on(body));
         let mut size = force.length();
         for index in media.streams_at(near, BORDER).iter() {
             let stream = &media.streams[index as usize];
@@ -128,6 +128,35 @@ impl World {
         let most = size + bears;
         ledger.push += 0.5 * most * most * self.records.dt * self.records.dt / body.mass;
         ledger.rounding += most * rounding(&thing.swept) + body.mass * MICRO_SPEED * MICRO_SPEED;
+    }
+
+    /// Adds what links have given their islands.
+    fn account_links(&self, ledgers: &mut [Ledger]) {
+        let dt = self.records.dt;
+        for (number, link) in (0..).zip(&self.state.links.all) {
+            let snapped = self.records.events.contains(&Event::Snapped { link: number });
+            let first = link.def.body.0;
+            if !link.acts() && !snapped {
+                continue;
+            }
+            let ledger = &mut ledgers[self.space.motions.island_of(first).unwrap_or(first) as usize];
+            ledger.open |= matches!(link.law, LinkLaw::Magnet(_));
+            let before = link.sooner(dt, dt);
+            let [from, to] = [self.length_of(link, true), self.length_of(link, false)];
+            let held = before.law.energy(from);
+            let holds = if snapped { 0.0 } else { link.law.energy(to) };
+            // What a winch does is its way times no more than the greater one of its forces.
+            let force = |length: f64| link.law.rates()[0] * (length - link.law.length().unwrap_or(length)).abs();
+            let wound = link.growth(dt).abs() * dt * (force(from).max(force(to)) + link.law.rates()[0] * link.growth(dt).abs() * dt);
+            ledger.given += held - holds + wound;
+            ledger.scale += held + holds + wound;
+        }
+    }
+
+    /// The distance of the ends of a link, as the tick began or now, m.
+    fn length_of(&self, link: &Link, before: bool) -> f64 {
+        let pose = |id: u32| if before { self.space.previous(id as usize) } else { self.state.pose_of(id) };
+        link.def.apart(pose).0.length()
     }
 
     /// The most that buoyancy can have given a body on its way, J, and its largest force, N.

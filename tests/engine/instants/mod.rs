@@ -3,6 +3,7 @@
 mod corners;
 mod cradles;
 mod heaps;
+mod linked;
 mod media;
 mod movers;
 mod tiles;
