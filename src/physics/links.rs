@@ -1,5 +1,5 @@
-//! Links in a world. A linked body that touches something takes the mean force of its links over the tick as a constant one: its place is off by a
-//! part (ω·dt)²/12 of the force's own path. A world with stiff links takes a tick in parts: [`crate::physics::forces::Links::parts`].
+//! Links in a world. Linked bodies near nothing fly together; near anything they go from event to event ([`crate::physics::exact`]). A world with stiff
+//! links takes a tick in parts: [`crate::physics::forces::Links::parts`].
 
 use crate::physics::data::domain::DefError;
 use crate::physics::data::{Aabb, BodyId, Contact, LinkDef, LinkEnd, Obstacle, Pose, SLOP, on_axis};
@@ -184,9 +184,7 @@ impl State {
             sum + on_axis(contact.axis, contact.normal, contact.friction) * sign
         };
         let law = self.media.law(body, contacts().fold(push, borne), dt);
-        let mut linked = Linked::new(body, id, held, law);
-        linked.touches = contacts().next().is_some();
-        linked
+        Linked::new(body, id, held, law)
     }
 
     pub(crate) fn pose_of(&self, id: u32) -> Pose {

@@ -39,12 +39,6 @@ impl Cubic {
         Self { c: [x + (v + (a + j * t) * t) * t, v + (2.0 * a + 3.0 * j * t) * t, a + 3.0 * j * t, j] }
     }
 
-    /// Place and velocity on it at a time.
-    pub fn pose(&self, t: f64) -> (DVec2, DVec2) {
-        let [x, v, a, j] = self.c;
-        (x + (v + (a + j * t) * t) * t, v + (2.0 * a + 3.0 * j * t) * t)
-    }
-
     pub fn relative(&self, other: &Self) -> Self {
         Self { c: [0, 1, 2, 3].map(|i| other.c[i] - self.c[i]) }
     }

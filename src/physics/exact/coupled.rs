@@ -5,15 +5,22 @@ use crate::physics::data::{Body, Contact, Cubic, EVENTS_OF_A_BODY, FLIGHT_TOLERA
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::{Item, Travel};
 use crate::physics::exact::motions::SHORTEST;
-use crate::physics::forces::Link;
 use crate::physics::flight::steps::{ERROR, STAGES, TIMES, step_factor, sum};
+use crate::physics::forces::Link;
 use glam::DVec2;
 
 /// Trials for the instant at which a contact begins to part or to slip. Fewer: a contact slips late, and a stick-slip drifts.
 const TRIALS: u32 = 24;
 
+/// Items concerned up to which that instant is sought. More: it takes longer than all else in a heap that falls apart.
+const MOST_SOUGHT: usize = 8;
+
 /// The shortest step to a kink, in parts of a tick. Longer: energy is gained where a rope becomes taut; shorter: roundings make many steps.
 const LEAST: f64 = SHORTEST * SHORTEST * SHORTEST;
+
+/// m. Error of a step, at most, without and with links. Larger: bodies that part for less than a step get into each other, and what swings on a crate
+/// at rest is off by 1e-9 m after a second.
+const MOST_ERROR: [f64; 2] = [1e-10, 1e-11];
 
 /// A path of fifth degree from a time on, s from the tick's start.
 #[derive(Clone, Copy, Debug, Default)]
@@ -45,44 +52,14 @@ pub(crate) struct CoupledStep {
 
 impl Events {
     /// Gives the items concerned that links or contacts join paths for `left` seconds, or up to an event. Returns false where they are too stiff for
-    /// that.
+    /// that, or half of the budget of events is used up.
     pub(crate) fn fly_coupled(&mut self, scene: &Scene, left: f64) -> bool {
         let afloat = self.rests_afloat(scene);
-        let budget = EVENTS_OF_A_BODY * (32 + self.movable as u64) / 2;
-        let longest = self.while_slides_last(left);
-        let (mut h, mut next, mut changes) = (longest.min(self.stride), f64::INFINITY, false);
-        loop {
-            let mut error = self.step_coupled(scene, h, afloat);
-            let kink = self.first_kink(scene, h).max(scene.tick * LEAST);
-            if kink < h {
-                (h, next) = (kink, self.stride);
-                continue;
-            }
-            changes = self.changes_on_the_way(h);
-            if changes && h > scene.tick * LEAST {
-                // The step ends just before that instant, and the next one just behind it.
-                let (mut holds, mut over) = (0.0, h);
-                for _ in 0..TRIALS {
-                    let middle = 0.5 * (holds + over);
-                    self.step_coupled(scene, middle, afloat);
-                    *(if self.changes_on_the_way(middle) { &mut over } else { &mut holds }) = middle;
-                }
-                (h, next) = if holds > 0.0 { (holds, over - holds) } else { (over, f64::INFINITY) };
-                error = self.step_coupled(scene, h, afloat);
-                changes = holds == 0.0;
-            }
-            let factor = step_factor((error / FLIGHT_TOLERANCE).sqrt().sqrt());
-            if error <= FLIGHT_TOLERANCE || changes {
-                next = next.min(if changes || h >= longest { f64::INFINITY } else { h * factor });
-                break;
-            }
-            h *= factor.min(0.5);
-            next = h;
-            if h < scene.tick * SHORTEST || self.count + self.reactions.solved > budget {
-                return false;
-            }
-        }
-        self.stride = next;
+        let found = self.find_step(scene, self.while_slides_last(left), afloat);
+        let Some((h, changes)) = found else {
+            self.guards.flows_cut_short += u64::from(!self.links.is_empty());
+            return false;
+        };
         for (step, i) in self.coupled.iter().zip(&self.concerned) {
             let item = &mut self.items[*i as usize];
             let rests = item.motion == Travel::Still && step.end.1.length() <= SPEED_TOLERANCE;
@@ -97,6 +74,59 @@ impl Events {
             }
         }
         true
+    }
+
+    /// Takes a step whose error is small enough, of `longest` seconds at most. Returns its length, and whether contacts change just before its end.
+    fn find_step(&mut self, scene: &Scene, longest: f64, afloat: bool) -> Option<(f64, bool)> {
+        let budget = EVENTS_OF_A_BODY * (32 + self.movable as u64) / 2;
+        let tolerance = MOST_ERROR[usize::from(!self.links.is_empty())];
+        let least = scene.tick * LEAST;
+        let mut h = longest.min(self.stride).min(std::mem::replace(&mut self.sliver, f64::INFINITY));
+        while self.count + self.reactions.solved <= budget {
+            let solved = self.reactions.solved;
+            let error = self.step_coupled(scene, h, afloat);
+            if !self.links.is_empty() {
+                // A part of a stiff tick takes some twenty steps: each counts as an event.
+                (self.reactions.solved, self.count) = (solved, self.count + self.concerned.len() as u64);
+            }
+            let kink = self.first_kink(scene, h);
+            if kink < h && h > least {
+                h = kink.max(least);
+                continue;
+            }
+            let changes = self.concerned.len() <= MOST_SOUGHT && self.changes_on_the_way(h);
+            if changes && h > least {
+                let solved = self.reactions.solved;
+                let (holds, over) = self.find_change(scene, h, afloat);
+                self.reactions.solved = solved;
+                // The step ends just before that instant, and the next one just behind it.
+                (h, self.sliver) = if holds > least { (holds, over - holds) } else { (least, f64::INFINITY) };
+                continue;
+            }
+            if error <= tolerance || h <= least {
+                if h > least && h < longest {
+                    self.stride = h * step_factor((error / tolerance).sqrt().sqrt());
+                }
+                return Some((h, changes));
+            }
+            h *= step_factor((error / tolerance).sqrt().sqrt()).min(0.5);
+            (self.stride, self.sliver) = (h, f64::INFINITY);
+            if h < scene.tick * SHORTEST {
+                return None;
+            }
+        }
+        None
+    }
+
+    /// The last of the times, s, up to which contacts hold, and the first at which they do not.
+    fn find_change(&mut self, scene: &Scene, h: f64, afloat: bool) -> (f64, f64) {
+        let (mut holds, mut over) = (0.0, h);
+        for _ in 0..TRIALS {
+            let middle = 0.5 * (holds + over);
+            self.step_coupled(scene, middle, afloat);
+            *(if self.changes_on_the_way(middle) { &mut over } else { &mut holds }) = middle;
+        }
+        (holds, over)
     }
 
     /// Whether what floats in contact bobs by less than the rounding of its forces. It is at rest along gravity then.

@@ -102,6 +102,8 @@ pub(crate) struct Events {
     /// Of each item concerned: its part of a step of joined items; and how long the next may be, s.
     pub(super) coupled: Vec<CoupledStep>,
     pub(super) stride: f64,
+    /// How long the next one is where contacts change at once, s; else infinite.
+    pub(super) sliver: f64,
 }
 
 /// How the forces of media on a body answer to its own motion within an implicit step.
@@ -158,7 +160,7 @@ impl Events {
         }
         self.coupled.clear();
         self.coupled.reserve(self.movable);
-        self.stride = f64::INFINITY;
+        (self.stride, self.sliver) = (f64::INFINITY, f64::INFINITY);
         self.begun.clear();
         self.begun.extend(self.items.iter().map(|item| item.body.position));
         let stands = |item: &Item| Track::new(item, Cubic::parabola(item.body.position, DVec2::ZERO, DVec2::ZERO));

@@ -28,8 +28,6 @@ pub(crate) struct Linked {
     pub rests: bool,
     /// The force, N, and the speed, m/s, that count as none where it hangs.
     pub least: (f64, f64),
-    /// It touches something as the tick begins.
-    pub touches: bool,
     pub law: Law,
     pub pose: Pose,
     /// The mean force of its links over the tick, N.
@@ -57,7 +55,6 @@ impl Linked {
             held,
             rests: false,
             least: (0.0, 0.0),
-            touches: false,
             law,
             pose,
             mean: DVec2::ZERO,

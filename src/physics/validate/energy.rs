@@ -14,6 +14,9 @@ use glam::DVec2;
 /// m. How far from where a stream ends a body may still feel it.
 const BORDER: f64 = 4.0 * SLOP;
 
+/// m. How far a stiff link may be off after the steps of a tick.
+const OFF: f64 = 1e-10;
+
 /// Of the energies and works of an island, the part that it may gain. Flights and impacts: their rounding, and the error of flights through
 /// liquids. Smaller: `FLIGHT_TOLERANCE` shows.
 const EXACT: f64 = 1e-9;
@@ -147,9 +150,11 @@ impl World {
             let holds = if snapped { 0.0 } else { link.law.energy(to) };
             // What a winch does is its way times no more than the greater one of its forces.
             let force = |length: f64| link.law.rates()[0] * (length - link.law.length().unwrap_or(length)).abs();
-            let wound = link.growth(dt).abs() * dt * (force(from).max(force(to)) + link.law.rates()[0] * link.growth(dt).abs() * dt);
+            let wound =
+                link.growth(dt).abs() * dt * (force(from).max(force(to)) + link.law.rates()[0] * link.growth(dt).abs() * dt);
             ledger.given += held - holds + wound;
             ledger.scale += held + holds + wound;
+            ledger.rounding += force(from).max(force(to)) * OFF;
         }
     }
 

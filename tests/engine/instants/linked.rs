@@ -34,11 +34,11 @@ fn a_ball_that_bounces_on_a_spring_keeps_its_energy() {
     };
     for rate in RATES {
         let ball = BodyDef { position: v(0.0, -1.5), ..crate_on(rough(0.0, 0.0), 0.0, 1.0, 1.0) };
-        let mut world = world(PULL, rough(0.0, 0.0), vec![ball], &[LinkDef::new(BodyId(0), LinkEnd::Place(place), spring(length, stiffness))]);
+        let mut world =
+            world(PULL, rough(0.0, 0.0), vec![ball], &[LinkDef::new(BodyId(0), LinkEnd::Place(place), spring(length, stiffness))]);
         let begun = energy(&world);
         world.steps((30.0 * rate) as u32, 1.0 / rate);
         let off = (energy(&world) / begun - 1.0).abs();
-        println!("ball {rate} {off:e}");
         assert!(off < 1e-6, "{rate} Hz: {off:e}");
     }
 }
@@ -46,7 +46,11 @@ fn a_ball_that_bounces_on_a_spring_keeps_its_energy() {
 #[test]
 fn linked_bodies_that_collide_keep_energy_and_momentum() {
     for (m1, m2) in [(1.0, 1.0), (1.0, 7.0), (30.0, 0.5)] {
-        let body = |x: f64, mass: f64, speed: DVec2| BodyDef { position: v(x, -50.0), velocity: speed, ..crate_on(rough(0.0, 0.0), x, mass, 1.0) };
+        let body = |x: f64, mass: f64, speed: DVec2| BodyDef {
+            position: v(x, -50.0),
+            velocity: speed,
+            ..crate_on(rough(0.0, 0.0), x, mass, 1.0)
+        };
         let energy = |world: &World| {
             let stretch = world.at(0).distance(world.at(1)) - 0.4;
             let of = |i: usize| 0.5 * world.bodies()[i].mass * world.speed(i).length_squared();
@@ -54,12 +58,12 @@ fn linked_bodies_that_collide_keep_energy_and_momentum() {
         };
         for rate in RATES {
             let bodies = vec![body(0.0, m1, v(0.1, 0.0)), body(2.5, m2, v(0.2, 0.01))];
-            let mut world = world(0.0, Material::STEEL, bodies, &[LinkDef::new(BodyId(0), LinkEnd::Body(BodyId(1)), spring(0.4, 60.0))]);
+            let mut world =
+                world(0.0, Material::STEEL, bodies, &[LinkDef::new(BodyId(0), LinkEnd::Body(BodyId(1)), spring(0.4, 60.0))]);
             let begun = energy(&world);
             world.steps((30.0 * rate) as u32, 1.0 / rate);
             let off = (energy(&world) / begun - 1.0).abs();
             let momentum = world.speed(0) * m1 + world.speed(1) * m2 - v(0.1 * m1 + 0.2 * m2, 0.01 * m2);
-            println!("pair {m1} {m2} {rate} {off:e} {:e}", momentum.length());
             assert!(off < 1e-6 && momentum.length() < 1e-9, "{m1}, {m2} kg at {rate} Hz: {off:e}, {momentum}");
         }
     }
@@ -77,12 +81,12 @@ fn stick_and_slip_are_where_the_formula_says() {
     let (way, period) = (speed * angle / omega + 2.0 * further, angle / omega + 2.0 * further / speed);
     let place = v(30.0, -0.5);
     for rate in RATES {
-        let link = LinkDef { as_found: true, rate: -speed, ..LinkDef::new(BodyId(0), LinkEnd::Place(place), spring(1.0, stiffness)) };
+        let link =
+            LinkDef { as_found: true, rate: -speed, ..LinkDef::new(BodyId(0), LinkEnd::Place(place), spring(1.0, stiffness)) };
         let mut world = world(PULL, rough(0.6, 0.4), vec![crate_on(rough(0.6, 0.4), 0.0, mass, 0.0)], &[link]);
         let time = held / speed + 8.0 * period - further / speed;
         world.steps((time * rate).round() as u32, 1.0 / rate);
         let off = (world.at(0).x - 8.0 * way).abs();
-        println!("stick {rate} {off:e} {}", world.speed(0));
         assert!(off < 1e-6 && world.speed(0) == DVec2::ZERO, "{rate} Hz: {off:e} m, {}", world.speed(0));
     }
 }
@@ -101,7 +105,6 @@ fn a_spring_that_slides_stops_where_the_formula_says() {
         let mut world = world(PULL, rough(0.3, 0.2), vec![crate_on(rough(0.3, 0.2), 2.0, mass, 0.0)], &[link]);
         world.steps((15.0 * rate) as u32, 1.0 / rate);
         let off = (world.at(0).x - end).abs();
-        println!("slide {rate} {off:e} {}", world.speed(0));
         assert!(off < 1e-7 && world.speed(0) == DVec2::ZERO, "{rate} Hz: {off:e} m, {}", world.speed(0));
     }
 }
@@ -125,14 +128,19 @@ fn a_rope_that_becomes_taut_starts_a_crate_at_once() {
         (x, v1, y, v2) = (x + b.0 * h, v1 + b.1 * h, y + b.2 * h, v2 + b.3 * h);
     }
     for rate in RATES {
-        let flying = BodyDef { position: v(1.0, -0.5), velocity: v(speed, 0.0), weightless: true, half: DVec2::splat(0.1), ..crate_on(Material::STEEL, 0.0, light, 0.0) };
+        let flying = BodyDef {
+            position: v(1.0, -0.5),
+            velocity: v(speed, 0.0),
+            weightless: true,
+            half: DVec2::splat(0.1),
+            ..crate_on(Material::STEEL, 0.0, light, 0.0)
+        };
         let flying = BodyDef { position: v(1.0, -0.5), ..flying };
         let rope = LinkLaw::Rope(Spring { length: 3.0, stiffness, damping: 0.0 });
         let link = LinkDef::new(BodyId(0), LinkEnd::Body(BodyId(1)), rope);
         let mut world = world(PULL, rough(0.5, 0.5), vec![crate_on(rough(0.5, 0.5), 0.0, heavy, 0.0), flying], &[link]);
         world.steps((seconds * rate).round() as u32, 1.0 / rate);
         let off = (world.at(0).x - x).abs().max((world.at(1).x - y).abs());
-        println!("rope {rate} {off:e} {x} {y} {v1} {v2}");
         assert!(off < 1e-6, "{rate} Hz: {off:e} m");
     }
 }
