@@ -52,6 +52,30 @@ impl Cubic {
     }
 }
 
+/// A path of fifth degree from a time on, s from the tick's start.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Quintic {
+    since: f64,
+    c: [DVec2; 6],
+}
+
+impl Quintic {
+    /// From a place (m) with a velocity and an acceleration by a `way` to others `h` seconds later.
+    pub fn through(since: f64, [x, v, a]: [DVec2; 3], [way, w, b]: [DVec2; 3], h: f64) -> Self {
+        let (p, q, r) = (way - (v + a * (0.5 * h)) * h, (w - v - a * h) * h, (b - a) * (0.5 * h * h));
+        let third = h * h * h;
+        let of = |sum: DVec2| sum / third;
+        let last = of(6.0 * p - 3.0 * q + r) / (h * h);
+        Self { since, c: [x, v, a * 0.5, of(10.0 * p - 4.0 * q + r), of(7.0 * q - 15.0 * p - 2.0 * r) / h, last] }
+    }
+
+    pub fn pose(&self, at: f64) -> (DVec2, DVec2) {
+        let (t, c) = (at - self.since, &self.c);
+        let place = c[0] + (c[1] + (c[2] + (c[3] + (c[4] + c[5] * t) * t) * t) * t) * t;
+        (place, c[1] + (2.0 * c[2] + (3.0 * c[3] + (4.0 * c[4] + 5.0 * c[5] * t) * t) * t) * t)
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Polynomial(pub [f64; 4]);
 

@@ -16,7 +16,7 @@ pub(crate) use aabb::Aabb;
 pub(crate) use body::{Body, BodyDef, BodyId, Pose, on_axis, parabola};
 pub(crate) use contact::Contact;
 pub(crate) use def::{FieldDef, FluidDef, StreamDef, WorldDef};
-pub(crate) use impact_time::{Cubic, Polynomial, earliest, time_of_impact};
+pub(crate) use impact_time::{Cubic, Polynomial, Quintic, earliest, time_of_impact};
 pub(crate) use impulse::{Hit, Impulse, Obstacle};
 pub(crate) use link::{LinkDef, LinkEnd, LinkLaw, Magnet, Spring};
 pub(crate) use lists::{Incidence, NONE, first, refill};

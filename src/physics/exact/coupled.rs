@@ -5,7 +5,8 @@ use crate::physics::data::{Body, Contact, Cubic, EVENTS_OF_A_BODY, FLIGHT_TOLERA
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::{Item, Travel};
 use crate::physics::exact::motions::SHORTEST;
-use crate::physics::flight::steps::{ERROR, STAGES, TIMES, step_factor, sum};
+use crate::physics::exact::stages::CoupledStep;
+use crate::physics::flight::steps::{STAGES, TIMES, step_factor, sum};
 use crate::physics::forces::Link;
 use glam::DVec2;
 
@@ -21,34 +22,6 @@ const LEAST: f64 = SHORTEST * SHORTEST * SHORTEST;
 /// m. Error of a step, at most, without and with links. Larger: bodies that part for less than a step get into each other, and what swings on a crate
 /// at rest is off by 1e-9 m after a second.
 const MOST_ERROR: [f64; 2] = [1e-10, 1e-11];
-
-/// A path of fifth degree from a time on, s from the tick's start.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Quintic {
-    since: f64,
-    c: [DVec2; 6],
-}
-
-impl Quintic {
-    pub fn pose(&self, at: f64) -> Pose {
-        let (t, c) = (at - self.since, &self.c);
-        let place = c[0] + (c[1] + (c[2] + (c[3] + (c[4] + c[5] * t) * t) * t) * t) * t;
-        (place, c[1] + (2.0 * c[2] + (3.0 * c[3] + (4.0 * c[4] + 5.0 * c[5] * t) * t) * t) * t)
-    }
-}
-
-/// An item's part of a step.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct CoupledStep {
-    start: Pose,
-    /// How far from there it is at the present stage, and how fast: bodies that move as one have the same bits, whatever their places.
-    end: Pose,
-    /// Velocities and accelerations at the stages.
-    speeds: [DVec2; 7],
-    pulls: [DVec2; 7],
-    /// Whether an acceleration differs from the first.
-    bends: bool,
-}
 
 impl Events {
     /// Gives the items concerned that links or contacts join paths for `left` seconds, or up to an event. Returns false where they are too stiff for
@@ -69,7 +42,7 @@ impl Events {
             item.until = item.until.min(self.now + h);
             if step.bends && !rests {
                 item.motion = Travel::Coupled;
-                item.course = Quintic { since: self.now, c: step.course(h, changes) };
+                item.course = step.course(self.now, h, changes);
                 item.mean = (step.end.1 - step.start.1) / h;
             }
         }
@@ -78,23 +51,24 @@ impl Events {
 
     /// Takes a step whose error is small enough, of `longest` seconds at most. Returns its length, and whether contacts change just before its end.
     fn find_step(&mut self, scene: &Scene, longest: f64, afloat: bool) -> Option<(f64, bool)> {
-        let budget = EVENTS_OF_A_BODY * (32 + self.movable as u64) / 2;
-        let tolerance = MOST_ERROR[usize::from(!self.links.is_empty())];
+        let linked = !self.links.is_empty();
+        let budget = EVENTS_OF_A_BODY * (32 + self.movable as u64) / if linked { 1 } else { 2 };
+        let tolerance = MOST_ERROR[usize::from(linked)];
         let least = scene.tick * LEAST;
         let mut h = longest.min(self.stride).min(std::mem::replace(&mut self.sliver, f64::INFINITY));
         while self.count + self.reactions.solved <= budget {
             let solved = self.reactions.solved;
             let error = self.step_coupled(scene, h, afloat);
-            if !self.links.is_empty() {
+            if linked {
                 // A part of a stiff tick takes some twenty steps: each counts as an event.
-                (self.reactions.solved, self.count) = (solved, self.count + self.concerned.len() as u64);
+                (self.reactions.solved, self.count) = (solved, self.count + 1);
             }
             let kink = self.first_kink(scene, h);
             if kink < h && h > least {
                 h = kink.max(least);
                 continue;
             }
-            let changes = self.concerned.len() <= MOST_SOUGHT && self.changes_on_the_way(h);
+            let changes = self.concerned.len() <= MOST_SOUGHT && self.changed;
             if changes && h > least {
                 let solved = self.reactions.solved;
                 let (holds, over) = self.find_change(scene, h, afloat);
@@ -124,7 +98,7 @@ impl Events {
         for _ in 0..TRIALS {
             let middle = 0.5 * (holds + over);
             self.step_coupled(scene, middle, afloat);
-            *(if self.changes_on_the_way(middle) { &mut over } else { &mut holds }) = middle;
+            *(if self.changed { &mut over } else { &mut holds }) = middle;
         }
         (holds, over)
     }
@@ -159,6 +133,7 @@ impl Events {
     /// Takes a step of `h` seconds. Returns its error, m.
     fn step_coupled(&mut self, scene: &Scene, h: f64, afloat: bool) -> f64 {
         self.coupled.clear();
+        self.changed = false;
         for &i in &self.concerned {
             let Item { body: Body { position, velocity, .. }, .. } = self.items[i as usize];
             let (speeds, pulls) = ([velocity; 7], [self.solved[i as usize]; 7]);
@@ -172,6 +147,7 @@ impl Events {
                 step.speeds[stage] = step.end.1;
             }
             self.pull_coupled(scene, h * TIMES[stage - 1]);
+            self.changed |= self.contacts_change(h);
             for (step, &i) in self.coupled.iter_mut().zip(&self.concerned) {
                 step.pulls[stage] = self.means[i as usize] * DVec2::new(1.0, if afloat { 0.0 } else { 1.0 });
                 step.bends |= step.pulls[stage] != self.solved[i as usize];
@@ -240,7 +216,7 @@ impl Events {
         for link in self.links.iter().filter(|link| link.acts()) {
             // Which law holds, and whether it is beyond what it bears.
             let side = |t: f64| {
-                let path = |k: usize| Quintic { since: 0.0, c: self.coupled[k].course(h, false) }.pose(t);
+                let path = |k: usize| self.coupled[k].course(0.0, h, false).pose(t);
                 let (apart, parting) = link.def.apart(|id| self.pose_of(id, path));
                 let law = link.sooner(scene.tick - self.now - t, scene.tick).law;
                 let above = law.border(apart, parting) > 0.0;
@@ -258,9 +234,9 @@ impl Events {
         first
     }
 
-    /// Whether by the end of a step a contact that held at its begin parts or slips, and one that gave way holds.
-    fn changes_on_the_way(&self, h: f64) -> bool {
-        let most = self.coupled.iter().map(|step| step.pulls[6].abs().max_element()).fold(0.0, f64::max);
+    /// Whether at a stage of a step of `h` seconds a contact parts or slips that held at its begin, or holds that gave way.
+    fn contacts_change(&self, h: f64) -> bool {
+        let most = self.concerned.iter().map(|i| self.means[*i as usize].abs().max_element()).fold(0.0, f64::max);
         // What parts does so more and more, what slips at once.
         let [parting, slipping] = [h * h, h].map(|of| (FORCE_TOLERANCE * most).max(FLIGHT_TOLERANCE / of));
         let rate = |item: u32| if self.is_body(item) { self.means[item as usize] } else { self.free[item as usize] };
@@ -271,29 +247,5 @@ impl Events {
             parts || slips
         };
         self.trial.iter().zip(&self.asked).any(changes)
-    }
-}
-
-impl CoupledStep {
-    fn stage(&self) -> Pose {
-        (self.start.0 + self.end.0, self.end.1)
-    }
-
-    /// m.
-    fn error(&self, h: f64) -> f64 {
-        (sum(&self.speeds, &ERROR) * h).abs().max((sum(&self.pulls, &ERROR) * (h * h)).abs()).max_element()
-    }
-
-    /// The path through both ends of `h` seconds with the velocities and the accelerations there; a cubic where contacts change just before the end.
-    fn course(&self, h: f64, changes: bool) -> [DVec2; 6] {
-        let Self { start: (x, v), end: (way, w), pulls: [a, .., b], .. } = *self;
-        if changes {
-            let [_, speed, pull, change] = Cubic::hermite(DVec2::ZERO, v, way, w, h).c;
-            return [x, speed, pull, change, DVec2::ZERO, DVec2::ZERO];
-        }
-        let (p, q, r) = (way - (v + a * (0.5 * h)) * h, (w - v - a * h) * h, (b - a) * (0.5 * h * h));
-        let (third, h2) = (h * h * h, h * h);
-        let of = |p: DVec2| p / third;
-        [x, v, a * 0.5, of(10.0 * p - 4.0 * q + r), of(7.0 * q - 15.0 * p - 2.0 * r) / h, of(6.0 * p - 3.0 * q + r) / h2]
     }
 }

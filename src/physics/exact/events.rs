@@ -2,8 +2,8 @@
 
 use crate::physics::contact::reactions::Reactions;
 use crate::physics::data::{Aabb, Contact, Cubic, Hit, Incidence, Plan, Pose, Surface, refill};
-use crate::physics::exact::coupled::CoupledStep;
 use crate::physics::exact::item::{Item, Next};
+use crate::physics::exact::stages::CoupledStep;
 use crate::physics::exact::track::Track;
 use crate::physics::forces::{Link, Media, ZoneList};
 use crate::physics::guards::Guards;
@@ -102,6 +102,8 @@ pub(crate) struct Events {
     /// Of each item concerned: its part of a step of joined items; and how long the next may be, s.
     pub(super) coupled: Vec<CoupledStep>,
     pub(super) stride: f64,
+    /// Whether contacts have changed at one of its stages.
+    pub(super) changed: bool,
     /// How long the next one is where contacts change at once, s; else infinite.
     pub(super) sliver: f64,
 }

@@ -1,7 +1,6 @@
 //! Items: the bodies of an island and the surfaces near them, each on a path of its own.
 
-use crate::physics::data::{Aabb, Body, BodyDef, Cubic, Pose, STRAY, Sides, Surface, on_axis, parabola};
-use crate::physics::exact::coupled::Quintic;
+use crate::physics::data::{Aabb, Body, BodyDef, Cubic, Pose, Quintic, STRAY, Sides, Surface, on_axis, parabola};
 use crate::physics::exact::train::Train;
 use crate::physics::flight::liquid::{flow, flow_while};
 use crate::physics::forces::{Law, Media};
