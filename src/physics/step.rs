@@ -216,7 +216,7 @@ impl World {
     fn commit_bodies(&mut self) {
         let Self { state, plan, space, records, .. } = self;
         let State { bodies, known, media, forces, .. } = state;
-        let bare = !plan.media();
+        let (bare, in_air) = (!plan.media(), media.fluids.is_empty() && !plan.streams);
         let methods = &mut records.methods;
         methods.asleep = space.sleep.sleepers as u32;
         for i in space.sleep.looked_at.iter().map(|i| *i as usize) {
@@ -242,6 +242,7 @@ impl World {
                 // A body at rest is held by contacts that were not listed.
                 Method::Crowd if !motion.listed && motion.end == (before.0, DVec2::ZERO) => DVec2::ZERO,
                 _ if bare => motion.pull,
+                _ if in_air => motion.pull + DVec2::ZERO - body.velocity * space.motions.drags[i].rate(body.velocity),
                 _ => media.acceleration_under(body, forces[i].push()),
             };
         }

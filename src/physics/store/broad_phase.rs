@@ -51,6 +51,9 @@ impl BroadPhase {
 
     /// Gives those of the bodies new boxes that sweep more than theirs.
     pub fn update(&mut self, bodies: &[Body], motions: &Motions, of: &[u32], dt: f64) {
+        if motions.surfaces.is_empty() {
+            return;
+        }
         for i in of.iter().map(|i| *i as usize) {
             let swept = motions.swept[i];
             if !self.boxes[i].contains(&swept, 0.0) {

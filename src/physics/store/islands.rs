@@ -179,7 +179,13 @@ impl Islands {
         self.swept.extend(self.order.iter().map(|i| motions.swept[*i as usize]));
         self.columns.begin(&self.heights, &self.swept);
         self.join(motions, broad_phase, moving);
-        self.gather();
+        if self.are_alone() {
+            self.members.clone_from(&self.order);
+            self.begins.clear();
+            self.begins.extend(0..=self.order.len() as u32);
+        } else {
+            self.gather();
+        }
     }
 
     fn sweep_the_same(&self, motions: &Motions) -> bool {
@@ -190,21 +196,23 @@ impl Islands {
     fn put_in_order(&mut self, bodies: &[Body], down: f64) -> usize {
         let Self { order, heights, .. } = self;
         heights.clear();
-        heights.extend(order.iter().map(|i| (bodies[*i as usize].position.y * down, *i)));
-        let above = |a: &(f64, u32), b: &(f64, u32)| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1));
+        heights.extend(order.iter().map(|i| (bodies[*i as usize].position.y * down + 0.0, *i)));
+        let above = |a: &(f64, u32), b: &(f64, u32)| a.0 > b.0 || (a.0 == b.0 && a.1 < b.1);
         let most = MOST_MOVES * order.len();
         let mut moves = 0;
         for i in 1..heights.len() {
             let moved = heights[i];
             let mut at = i;
-            while at > 0 && above(&moved, &heights[at - 1]).is_lt() {
+            while at > 0 && above(&moved, &heights[at - 1]) {
                 heights[at] = heights[at - 1];
                 at -= 1;
             }
-            heights[at] = moved;
-            moves += i - at;
+            if at < i {
+                heights[at] = moved;
+                moves += i - at;
+            }
             if moves > most {
-                heights.sort_unstable_by(above);
+                heights.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
                 break;
             }
         }
@@ -215,7 +223,7 @@ impl Islands {
     }
 
     fn join(&mut self, motions: &Motions, broad_phase: &BroadPhase, moving: &[u32]) {
-        let Self { order, is_listed, parent, ranges, others, links, carried, columns, swept, .. } = self;
+        let Self { order, is_listed, parent, ranges, others, carried, columns, swept, .. } = self;
         let n = motions.len();
         others.clear();
         refill(carried, moving.len(), NONE);
@@ -252,6 +260,10 @@ impl Islands {
             parent[i as usize] = root as u32;
             ranges[i as usize] = (from as u32, others.len() as u32);
         }
+    }
+
+    fn gather(&mut self) {
+        let Self { order, parent, links, members, begins, island_of_root, .. } = self;
         for (a, b) in links.iter() {
             let (a, b) = (first(parent, *a as usize), first(parent, *b as usize));
             parent[a.max(b)] = a.min(b) as u32;
@@ -259,10 +271,6 @@ impl Islands {
         for &i in &*order {
             parent[i as usize] = first(parent, i as usize) as u32;
         }
-    }
-
-    fn gather(&mut self) {
-        let Self { order, parent, members, begins, island_of_root, .. } = self;
         begins.clear();
         order.iter().for_each(|i| island_of_root[parent[*i as usize] as usize] = NONE);
         // Counts the members of each island, sums up, and fills from the last to the first.
