@@ -14,6 +14,7 @@
 use crate::physics::crowd::CrowdImpact;
 use crate::physics::crowd::bodies::{Frame, Origin};
 use crate::physics::crowd::dense::{CrowdEnd, StepSize};
+use crate::physics::data::tuning::MANY;
 use crate::physics::data::{Body, NONE, Part, called};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{ExactEnd, Scene};
@@ -35,8 +36,6 @@ const MANY_AT_REST: usize = 9;
 pub(crate) const MOST_AT_FIRST: usize = 1024;
 /// How often an island may grow before the crowd step takes it, which can keep bodies within what was looked for.
 const MOST_GROWTHS: usize = 3;
-/// Contacts of a crowd are listed if forces were asked for in the last tick, or if it has no more bodies than this.
-const ALWAYS_LISTED: usize = 256;
 /// How often a crowd may grow in one tick. Fewer: bodies are kept within what was looked for.
 const MOST_CROWD_GROWTHS: usize = 4;
 
@@ -179,9 +178,9 @@ impl Tick<'_> {
             && !scratch.surfaces.iter().any(carries)
     }
 
-    /// Whether a crowd step lists the contacts of an island of this many bodies.
+    /// Whether a crowd step lists the contacts of an island of this many bodies: always if they are not many, else if forces were asked for.
     fn lists(&self, members: usize) -> bool {
-        self.lists || (members <= ALWAYS_LISTED && !self.scene.plan.dense)
+        self.lists || (members <= MANY && !self.scene.plan.dense)
     }
 
     /// Whether an island of this many bodies is a crowd: then it falls asleep as the crowd step leaves it.

@@ -3,29 +3,24 @@
 //! Friction of the stacks ([`crate::physics::crowd::friction`]) and merging with riders and ground friction ([`crate::physics::crowd::clusters`])
 //! in turns (`docs/physics.md`, The crowd step, 3); contacts left after [`ROUNDS`], and islands in which all that drives, merge without friction.
 
-use crate::physics::crowd::ACROSS;
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{ClusterMotion, Clusters, Node, Pool};
 use crate::physics::crowd::contacts::{Contacts, CrowdContact};
 use crate::physics::crowd::drag::Resistance;
 use crate::physics::crowd::friction::{Friction, Grip};
-use crate::physics::crowd::gravity::Anchors;
+use crate::physics::crowd::gravity::{Anchors, SLACK};
 use crate::physics::crowd::impulses::Edge;
 use crate::physics::crowd::report::Report;
+use crate::physics::crowd::{ACROSS, ROUNDING};
 use crate::physics::guards::Guards;
 
-/// Rounds of friction and merging. Fewer: riders of pushed bodies follow a step late.
+/// Rounds of friction and merging, one in an island of many. Fewer: riders of pushed bodies follow a step late.
 const ROUNDS: usize = 3;
-const ROUNDS_OF_MANY: usize = 1;
 /// A pushed body that is faster by this part than it was and than its cluster: friction that did not come has driven it, and the pushes are
 /// dropped. Smaller: rounding drops pushes; larger: friction drives bodies.
 const DRIVEN: f64 = 1e-9;
-/// Speeds below this are rounding, m/s.
-const STILL: f64 = 1e-12;
 /// Fewer: a light body that heavy ones drag against a third keeps a part of its speed.
 const SWEEPS: usize = 32;
-/// Relative to the velocities. Smaller: rounding is swept.
-const CLOSING: f64 = 1e-12;
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pushes {
@@ -114,7 +109,7 @@ impl Cross<'_> {
             self.slide(bodies);
         }
         (0..bodies.len()).for_each(|i| self.pushes.before[i] = bodies[i].end.x);
-        for _ in 0..if self.many { ROUNDS_OF_MANY } else { ROUNDS } {
+        for _ in 0..if self.many { 1 } else { ROUNDS } {
             if self.stir(bodies) {
                 self.rub(bodies);
             }
@@ -141,7 +136,7 @@ impl Cross<'_> {
         let mut joined = self.clusters.joined.iter().map(|i| *i as usize).filter(|i| *i < bodies.len());
         joined.any(|i| {
             let allowed = self.pushes.before[i].abs().max(self.clusters.velocity(i).abs());
-            bodies[i].end.x.abs() > allowed * (1.0 + DRIVEN) + STILL
+            bodies[i].end.x.abs() > allowed * (1.0 + DRIVEN) + SLACK
         })
     }
 
@@ -256,7 +251,7 @@ impl Cross<'_> {
         };
         let closes = |bodies: &Bodies, side: &CrowdContact| {
             let (u, v) = (bodies[side.first as usize].end.x, bodies[side.second as usize].end.x);
-            u - v > CLOSING * (u.abs() + v.abs()) + STILL
+            u - v > ROUNDING * (u.abs() + v.abs()) + SLACK
         };
         if !self.contacts.sides.iter().any(|side| closes(bodies, side) && touches(bodies, side)) {
             return true;
@@ -279,7 +274,7 @@ impl Cross<'_> {
                 fastest = fastest.max(bodies[a].end.x.abs()).max(bodies[b].end.x.abs());
             }
             most = most.max(self.friction.sweep(bodies));
-            settled = most <= CLOSING * fastest + STILL;
+            settled = most <= ROUNDING * fastest + SLACK;
             if settled {
                 break;
             }

@@ -11,7 +11,7 @@ use crate::physics::crowd::impulses::Edge;
 use crate::physics::crowd::restitution::Bounces;
 use crate::physics::data::lists::{NONE, refill};
 
-/// Relative velocities along gravity below this count as none when loads are found, m/s. Larger: slow touches rub.
+/// Relative velocities below this are rounding, and count as none when loads are found, m/s. Larger: slow touches rub.
 pub(crate) const SLACK: f64 = 1e-12;
 
 #[derive(Clone, Debug, Default)]

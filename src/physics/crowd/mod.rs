@@ -29,7 +29,8 @@ pub(crate) mod walls;
 pub(crate) const ACROSS: usize = 0;
 pub(crate) const ALONG: usize = 1;
 
-/// The rounding of sums of many impulses, and of the energy that these give, as a part of themselves. Smaller: rounding slows what it should not.
+/// The rounding of velocities, of sums of many impulses, and of the energy that these give, as a part of themselves. Smaller: rounding slows what
+/// it should not.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,8 +7,6 @@ use crate::physics::store::grid::CellGrid;
 use crate::physics::store::motions::{MARGIN, Motions};
 use glam::DVec2;
 
-/// Skin of a fat box as a part of the mean half extent. Larger: more surfaces to test; smaller: more new boxes.
-const SKIN: f64 = 1.0;
 /// Steps ahead for which a fat box is made. More: more surfaces to test; fewer: more new boxes.
 const HORIZON: f64 = 8.0;
 /// Cells are this many times wider than the mean body.
@@ -22,6 +20,7 @@ pub(crate) struct BroadPhase {
     /// The fat box of each body, and the surfaces that meet it, by their numbers.
     boxes: Vec<Aabb>,
     near: Vec<Vec<u32>>,
+    /// Of a fat box, m. Larger: more surfaces to test; smaller: more new boxes.
     skin: f64,
 }
 
@@ -41,7 +40,7 @@ impl BroadPhase {
             surfaces.enter(s, Aabb::around(of.from, of.half + MARGIN));
         }
         let near = bodies.iter().map(|_| Vec::with_capacity(ROOM)).collect();
-        Self { surfaces, boxes: vec![Aabb::NOWHERE; bodies.len()], near, skin: SKIN * mean_half(bodies) }
+        Self { surfaces, boxes: vec![Aabb::NOWHERE; bodies.len()], near, skin: mean_half(bodies) }
     }
 
     /// Surfaces near a body where they were first, in the order of their numbers.
