@@ -233,10 +233,10 @@ impl Network {
             return;
         }
         let elsewhere = block.ground.is_some_and(|ground| self.part_with_other_grounds(block, ground));
-        self.reset_flows(block);
         if !elsewhere && (self.passes(block, true) || self.passes(block, false)) {
             return self.settle_light(block);
         }
+        self.reset_flows(block);
         if elsewhere {
             self.pull_by_other_grounds(block, acceleration);
         }

@@ -4,8 +4,9 @@ use crate::physics::contact::network::{Block, Carries, GROUND, Network, NetworkE
 
 impl Network {
     /// Every body hands its excess on to the bodies (or the ground) that it presses against, in equal shares, once it has got all of its own
-    /// (Kahn's order). Returns whether that settles the block: no contact would have to pull. Else the flows are as they were.
+    /// (Kahn's order). Returns whether that settles the block: no contact would have to pull.
     pub(super) fn passes(&mut self, block: Block, upwards: bool) -> bool {
+        self.reset_flows(block);
         let tolerance = block.tolerance();
         let sign = if upwards { 1.0 } else { -1.0 };
         let presses = |link: &NetworkEdge, i: u32| {
@@ -21,22 +22,9 @@ impl Network {
             });
             self.notes[i as usize].waits_for = bearing.count() as u32;
             if self.notes[i as usize].waits_for == 0 {
-                if sign * self.notes[i as usize].excess < -tolerance {
-                    return false;
-                }
                 self.queue.push(i);
             }
         }
-        let settles = self.hand_on(block, sign, presses);
-        if !settles {
-            self.reset_flows(block);
-        }
-        settles
-    }
-
-    /// Takes the bodies as they come to the queue.
-    fn hand_on(&mut self, block: Block, sign: f64, presses: impl Fn(&NetworkEdge, u32) -> bool) -> bool {
-        let tolerance = block.tolerance();
         let mut next = 0;
         while next < self.queue.len() {
             let i = self.queue[next];
