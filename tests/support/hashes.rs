@@ -5,11 +5,11 @@ use super::measure::bits;
 use resultant::physics::World;
 
 const GOLDEN: [(&str, u64); 6] = [
-    ("yard", 0xd5e3_a6c0_6de7_4c21),
-    ("crowd", 0xa5e0_cf1a_b6ca_5cb9),
-    ("liquid", 0x1103_dc83_511a_574f),
-    ("stream", 0x782a_1628_a6dc_b825),
-    ("moving surfaces", 0x61b8420e8dfe65f9),
+    ("yard", 0xfe52_b099_e2ff_9a0e),
+    ("crowd", 0x813e_878b_539e_61aa),
+    ("liquid", 0xaa29_6943_084d_86e8),
+    ("stream", 0x16e8_14e9_109e_a52f),
+    ("moving surfaces", 0x8b4a_3064_b0ed_664f),
     ("moving surfaces, dense", 0x5e68023e3f5d1e3c),
 ];
 
