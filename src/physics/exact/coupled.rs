@@ -1,12 +1,12 @@
-//! What is in contact in media and moves: Runge–Kutta steps of fifth order ([`crate::physics::flight::steps`]) with a contact solve at each stage, so
-//! that bodies that press on each other fly as one. A step ends where a liquid begins or ends, or where a contact begins to part or to slip.
+//! What links join, or contacts in media, and moves: Runge–Kutta steps of fifth order ([`crate::physics::flight::steps`]) with a contact solve at each
+//! stage, so that bodies that press on each other fly as one. A step ends where a liquid begins or ends, where a link bends or breaks, or where a
+//! contact begins to part or to slip.
 
-use crate::physics::data::{Body, Contact, Cubic, EVENTS_OF_A_BODY, FLIGHT_TOLERANCE, FORCE_TOLERANCE, Pose, SPEED_TOLERANCE};
+use crate::physics::data::{Contact, Cubic, EVENTS_OF_A_BODY, FLIGHT_TOLERANCE, FORCE_TOLERANCE, Pose, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::{Item, Travel};
 use crate::physics::exact::motions::SHORTEST;
-use crate::physics::exact::stages::CoupledStep;
-use crate::physics::flight::steps::{STAGES, TIMES, step_factor, sum};
+use crate::physics::flight::steps::{CoupledStep, TIMES, step_factor};
 use crate::physics::forces::Link;
 use glam::DVec2;
 
@@ -135,25 +135,18 @@ impl Events {
         self.coupled.clear();
         self.changed = false;
         for &i in &self.concerned {
-            let Item { body: Body { position, velocity, .. }, .. } = self.items[i as usize];
-            let (speeds, pulls) = ([velocity; 7], [self.solved[i as usize]; 7]);
-            let (start, end) = ((position, velocity), (DVec2::ZERO, velocity));
-            self.coupled.push(CoupledStep { start, end, speeds, pulls, bends: false });
+            let body = &self.items[i as usize].body;
+            self.coupled.push(CoupledStep::new((body.position, body.velocity), self.solved[i as usize]));
         }
         for stage in 1..7 {
-            for step in &mut self.coupled {
-                let weights = STAGES[stage - 1];
-                step.end = (sum(&step.speeds, weights) * h, step.start.1 + sum(&step.pulls, weights) * h);
-                step.speeds[stage] = step.end.1;
-            }
+            self.coupled.iter_mut().for_each(|step| step.end = step.stages.at(stage, h));
             self.pull_coupled(scene, h * TIMES[stage - 1]);
             self.changed |= self.contacts_change(h);
             for (step, &i) in self.coupled.iter_mut().zip(&self.concerned) {
-                step.pulls[stage] = self.means[i as usize] * DVec2::new(1.0, if afloat { 0.0 } else { 1.0 });
-                step.bends |= step.pulls[stage] != self.solved[i as usize];
+                step.take(stage, self.means[i as usize] * DVec2::new(1.0, if afloat { 0.0 } else { 1.0 }));
             }
         }
-        let errors = self.coupled.iter().map(|step| step.error(h));
+        let errors = self.coupled.iter().map(|step| step.stages.error(h));
         errors.fold(0.0, |most: f64, error| if error <= most { most } else { error })
     }
 
@@ -163,7 +156,7 @@ impl Events {
             let item = &self.items[i as usize];
             let mut pull = scene.media.acceleration(&item.body, &item.law, step.start.0 + step.end.0, step.end.1);
             if item.linked {
-                pull += (self.links_on(scene, item.id, self.now + t, |k| self.coupled[k].stage()) - item.link) / item.body.mass;
+                pull += (self.links_on(scene, item.id, self.now + t, |k| self.coupled[k].pose()) - item.link) / item.body.mass;
             }
             self.free[i as usize] = pull;
         }

@@ -3,8 +3,8 @@
 use crate::physics::contact::reactions::Reactions;
 use crate::physics::data::{Aabb, Contact, Cubic, Hit, Incidence, Plan, Pose, Surface, refill};
 use crate::physics::exact::item::{Item, Next};
-use crate::physics::exact::stages::CoupledStep;
 use crate::physics::exact::track::Track;
+use crate::physics::flight::steps::CoupledStep;
 use crate::physics::forces::{Link, Media, ZoneList};
 use crate::physics::guards::Guards;
 use crate::physics::state::State;

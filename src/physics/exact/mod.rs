@@ -16,7 +16,6 @@ pub(crate) mod meeting;
 pub(crate) mod motions;
 pub(crate) mod poses;
 pub(crate) mod predict;
-pub(crate) mod stages;
 pub(crate) mod ties;
 pub(crate) mod track;
 pub(crate) mod train;

@@ -5,7 +5,7 @@
 //! corner at 0). Small turns are passed over: a corner `τ` seconds from the end of a step of `h` seconds is worth about k·a²·τ³·h, with k the drag
 //! per m and a the acceleration.
 
-use crate::physics::data::{Cubic, FLIGHT_TOLERANCE, Pose, earliest};
+use crate::physics::data::{Cubic, FLIGHT_TOLERANCE, Pose, Quintic, earliest};
 use crate::physics::flight::implicit;
 use crate::physics::forces::liquid::{Bath, Regime, Slopes};
 use glam::DVec2;
@@ -132,21 +132,20 @@ impl Steps<'_> {
             let (end, error) = implicit::step(self.regime, self.constant, slopes, (x, v), h);
             return Step { end, pull: self.regime.pull(self.constant, end.0, end.1), error };
         }
-        let (mut speeds, mut pulls) = ([v; 7], [pull; 7]);
-        self.stage::<1>(&mut speeds, &mut pulls, x, h);
-        self.stage::<2>(&mut speeds, &mut pulls, x, h);
-        self.stage::<3>(&mut speeds, &mut pulls, x, h);
-        self.stage::<4>(&mut speeds, &mut pulls, x, h);
-        self.stage::<5>(&mut speeds, &mut pulls, x, h);
-        let end = self.stage::<6>(&mut speeds, &mut pulls, x, h);
-        let error = (sum(&speeds, &ERROR) * h).abs().max((sum(&pulls, &ERROR) * (h * h)).abs());
-        Step { end: (end, speeds[6]), pull: pulls[6], error: error.max_element() }
+        let mut stages = Stages::new(v, pull);
+        self.stage::<1>(&mut stages, x, h);
+        self.stage::<2>(&mut stages, x, h);
+        self.stage::<3>(&mut stages, x, h);
+        self.stage::<4>(&mut stages, x, h);
+        self.stage::<5>(&mut stages, x, h);
+        let end = self.stage::<6>(&mut stages, x, h);
+        Step { end, pull: stages.last_pull(), error: stages.error(h) }
     }
-    fn stage<const N: usize>(&self, speeds: &mut [DVec2; 7], pulls: &mut [DVec2; 7], x: DVec2, h: f64) -> DVec2 {
-        let weights = STAGES[N - 1];
-        let (at, speed) = (x + sum(speeds, weights) * h, speeds[0] + sum(pulls, weights) * h);
-        (speeds[N], pulls[N]) = (speed, self.regime.pull(self.constant, at, speed));
-        at
+
+    fn stage<const N: usize>(&self, stages: &mut Stages, x: DVec2, h: f64) -> Pose {
+        let (way, speed) = stages.at(N, h);
+        stages.take(N, speed, self.regime.pull(self.constant, x + way, speed));
+        (x + way, speed)
     }
 }
 
@@ -173,8 +172,80 @@ struct Step {
     error: f64,
 }
 
+/// Velocities and accelerations at the stages of a step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stages {
+    speeds: [DVec2; 7],
+    pulls: [DVec2; 7],
+}
+
+impl Stages {
+    pub fn new(speed: DVec2, pull: DVec2) -> Self {
+        Self { speeds: [speed; 7], pulls: [pull; 7] }
+    }
+
+    /// How far from its begin a stage of a step of `h` seconds is, and how fast.
+    #[inline(always)]
+    pub fn at(&self, stage: usize, h: f64) -> Pose {
+        let weights = STAGES[stage - 1];
+        (sum(&self.speeds, weights) * h, self.speeds[0] + sum(&self.pulls, weights) * h)
+    }
+
+    #[inline(always)]
+    pub fn take(&mut self, stage: usize, speed: DVec2, pull: DVec2) {
+        (self.speeds[stage], self.pulls[stage]) = (speed, pull);
+    }
+
+    pub fn first_pull(&self) -> DVec2 {
+        self.pulls[0]
+    }
+
+    pub fn last_pull(&self) -> DVec2 {
+        self.pulls[6]
+    }
+
+    /// m.
+    #[inline(always)]
+    pub fn error(&self, h: f64) -> f64 {
+        (sum(&self.speeds, &ERROR) * h).abs().max((sum(&self.pulls, &ERROR) * (h * h)).abs()).max_element()
+    }
+}
+
+/// A body's part of a step of several.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CoupledStep {
+    pub start: Pose,
+    /// How far from there it is at the present stage, and how fast: bodies that move as one have the same bits, whatever their places.
+    pub end: Pose,
+    pub stages: Stages,
+    /// Whether an acceleration differs from the first.
+    pub bends: bool,
+}
+
+impl CoupledStep {
+    pub fn new(start: Pose, pull: DVec2) -> Self {
+        Self { start, end: (DVec2::ZERO, start.1), stages: Stages::new(start.1, pull), bends: false }
+    }
+
+    pub fn take(&mut self, stage: usize, pull: DVec2) {
+        self.stages.take(stage, self.end.1, pull);
+        self.bends |= pull != self.stages.first_pull();
+    }
+
+    pub fn pose(&self) -> Pose {
+        (self.start.0 + self.end.0, self.end.1)
+    }
+
+    /// The path through both ends of `h` seconds, from a time on, with the accelerations there; a cubic where contacts change just before the end.
+    pub fn course(&self, since: f64, h: f64, changes: bool) -> Quintic {
+        let Self { start: (x, v), end: (way, w), stages, .. } = *self;
+        let b = if changes { (6.0 * way / h - 2.0 * v - 4.0 * w) / -h } else { stages.last_pull() };
+        Quintic::through(since, [x, v, stages.first_pull()], [way, w, b], h)
+    }
+}
+
 #[inline(always)]
-pub(crate) fn sum(of: &[DVec2; 7], weights: &[f64]) -> DVec2 {
+fn sum(of: &[DVec2; 7], weights: &[f64]) -> DVec2 {
     let mut sum = of[0] * weights[0];
     for (of, weight) in of.iter().zip(weights).skip(1) {
         if *weight != 0.0 {
