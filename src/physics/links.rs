@@ -94,8 +94,10 @@ impl World {
         }
         self.scratch.linked.sort_unstable_by_key(|member| member.id);
         self.space.islands.link(&self.scratch.pairs);
-        for link in &mut self.state.links.all {
-            let growth = link.growth(dt);
+        for (number, link) in (0..).zip(&mut self.state.links.all) {
+            // One that has broken on the way that touches nothing may hold on another.
+            let broken = link.broken && !self.scratch.snapped.contains(&number);
+            let growth = Link { broken, ..*link }.growth(dt);
             link.law = link.law.length().map_or(link.law, |length| link.law.of_length(length + growth * dt));
         }
     }

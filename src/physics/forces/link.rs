@@ -135,7 +135,7 @@ impl Link {
     /// The growth of its length in a tick of `dt` seconds, m/s: no length ends below 0.
     pub(crate) fn growth(&self, dt: f64) -> f64 {
         match self.law.length() {
-            Some(length) if self.winds && self.on && self.begun => self.def.rate.max(-length / dt),
+            Some(length) if self.winds && self.acts() => self.def.rate.max(-length / dt),
             _ => 0.0,
         }
     }
