@@ -1,23 +1,26 @@
 //! A sitting: the screen that is shown, what outlasts it, and how a frame goes.
 
-use super::flight::Worksheet;
-use super::journal::Journal;
-use super::library::{Library, Refusal};
-use super::loading::Loading;
-use super::pace;
-use super::worker::{Ticket, Worker};
-use super::{Clipboard, Editor, Flight, FolderWatch, Input, Key, Keys, Menu, MenuFacts, Pace, Picture, Request, Screen, Spectator};
 use crate::draw::Canvas;
 use crate::draw::layout::Frame;
 use crate::game::Outcome;
+use crate::level::document::Opened;
 use crate::pack::Installed;
 use crate::scores::{Name, ResultRow, Results, Scores};
-use crate::settings::Settings;
+use crate::screens::editor::Editor;
+use crate::screens::flight::{Flight, Worksheet};
+use crate::screens::loading::Loading;
+use crate::screens::menu::{Menu, MenuFacts};
+use crate::screens::screen::{Request, Screen};
+use crate::session::folder_watch::FolderWatch;
+use crate::session::journal::Journal;
+use crate::session::library::{Library, Refusal};
+use crate::session::worker::{Ticket, Worker};
 use crate::settings::file::SettingsFile;
-use crate::ui::input::Stale;
-use crate::ui::{Memory, PassInput, Widget};
-use crate::words;
-use crate::words::tr;
+use crate::settings::{Key, Keys, Settings};
+use crate::ui::input::{Clipboard, Input, Stale};
+use crate::ui::pace::{self, Pace, Picture};
+use crate::ui::{Memory, PassInput, Spectator, Widget};
+use crate::words::{self, tr};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -56,7 +59,7 @@ pub struct App {
     /// What it has shown.
     canvas: Canvas,
     /// Physical pixels a logical one.
-    pub(super) dpi: f32,
+    pub dpi: f32,
     /// How long the screen has been there, s.
     shown_for: f64,
     pace: Pace,
@@ -101,7 +104,7 @@ pub struct App {
     /// The cards and the list that it is asked for, by the levels' names; the list has none.
     pub(super) asked: BTreeMap<String, Ticket>,
     /// What it has brought for the screen that is to open.
-    pub(super) opened: Option<Result<Box<Editor>, String>>,
+    pub(super) opened: Option<Result<Box<Opened>, String>>,
     pub(super) installed: Option<Result<Installed, Refusal>>,
 }
 

@@ -1,7 +1,12 @@
 //! The question before the window closes while something is neither saved nor kept: what would be lost, and whether to stay.
 
-use super::{App, Editor, Flight, Key, Problems, Request, Screen};
+use crate::screens::App;
+use crate::screens::editor::Editor;
+use crate::screens::flight::Flight;
+use crate::screens::screen::{Request, Screen};
+use crate::settings::Key;
 use crate::ui::Ui;
+use crate::ui::problems::Problems;
 use crate::view::widgets;
 use crate::words::tr;
 
@@ -104,9 +109,4 @@ impl App {
         );
         self.unsaved_score = if stays { self.score_at_risk() } else { None };
     }
-}
-
-/// A score that is lost with the window.
-pub(super) fn unsaved_points(points: i64, subject: &str) -> String {
-    tr!("{points} points in {subject}", points, subject)
 }

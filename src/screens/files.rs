@@ -1,15 +1,23 @@
 //! Levels' files while the app runs: it reads them again when they change, opens files that are dropped on the window, and makes, names and
 //! edits levels.
 
-use super::level_select::LevelEntry;
-use super::library::Refusal;
-use super::worker::{Card, Errand, Ticket};
-use super::{App, Attempt, Editor, Flight, Flights, LevelSelect, Make, Purpose, Request, Screen, Spectator, Stamp, footage};
 use crate::files;
 use crate::game::level_hash;
 use crate::instruments::vary::Variation;
 use crate::level::document::{LevelFolder, Opened};
 use crate::level::{self, Awards, Level, Problem, scaffold};
+use crate::screens::App;
+use crate::screens::boards::flights::Flights;
+use crate::screens::editor::Editor;
+use crate::screens::flight::Flight;
+use crate::screens::levels::{LevelEntry, LevelSelect};
+use crate::screens::screen::{Make, Purpose, Request, Screen};
+use crate::session::attempt::Attempt;
+use crate::session::folder_watch::Stamp;
+use crate::session::library::Refusal;
+use crate::session::recordings;
+use crate::session::worker::{Card, Errand, Ticket};
+use crate::ui::Spectator;
 use crate::words::tr;
 use std::any::Any;
 use std::collections::btree_map::Entry as Slot;
@@ -142,7 +150,7 @@ impl App {
     pub(super) fn fill_in_view(&mut self) {
         if let Some(screen) = self.screen.get_mut::<Flights>() {
             // One file is enough for a frame.
-            screen.look_one_up(|visit, source| footage::read(visit, source, &self.scores).ok());
+            screen.look_one_up(|visit, source| recordings::read(visit, source, &self.scores).ok());
         }
         let Some(screen) = self.screen.get_mut::<LevelSelect>() else { return };
         screen.learn_titles(|name| self.library.title(name));
@@ -226,8 +234,8 @@ impl App {
     pub(super) fn edit(&mut self, name: &str) -> Box<dyn Screen> {
         self.last_level = Some(name.to_owned());
         let opened = self.opened.take();
-        match opened.unwrap_or_else(|| Editor::open(&self.library.folder(name), self.library.root()).map(Box::new)) {
-            Ok(editor) => editor,
+        match opened.unwrap_or_else(|| LevelFolder::open_to_edit(&self.library.folder(name), self.library.root()).map(Box::new)) {
+            Ok(opened) => Box::new(Editor::new(*opened)),
             Err(problem) => {
                 let mut screen = self.level_select(Purpose::Edit);
                 screen.show(tr!("Level {name} cannot be edited", name), vec![problem]);

@@ -1,13 +1,22 @@
 //! The one place where screens change: every [`Request`] is granted here, and what can fail in granting it lands on a screen that
 //! says why.
 
-use super::library::Refusal;
-use super::{
-    App, Attempt, Classic, Classics, Credits, Flight, Jumper, Lab, LevelSelect, Pi, PlayerList, Purpose, Request, Screen,
-    SettingsPanel, Spectator, TileRun,
-};
-use crate::files;
 use crate::pack::{self, Installed};
+use crate::screens::App;
+use crate::screens::classics::Classics;
+use crate::screens::classics::jumper::Jumper;
+use crate::screens::classics::pi::Pi;
+use crate::screens::classics::tile_run::TileRun;
+use crate::screens::flight::Flight;
+use crate::screens::lab::Lab;
+use crate::screens::levels::LevelSelect;
+use crate::screens::menu::credits::Credits;
+use crate::screens::players::PlayerList;
+use crate::screens::screen::{Classic, Purpose, Request, Screen};
+use crate::screens::settings::SettingsPanel;
+use crate::session::attempt::Attempt;
+use crate::session::library::{Refusal, is_of_level};
+use crate::ui::Spectator;
 use crate::words::tr;
 use std::path::Path;
 
@@ -175,10 +184,4 @@ impl App {
             Classic::Pi => Box::new(Pi::default()),
         }
     }
-}
-
-/// Whether that is a folder, or a file as levels have them.
-pub(super) fn is_of_level(path: &Path) -> bool {
-    files::is_folder(path)
-        || path.extension().is_some_and(|ending| ["csv", "png"].iter().any(|own| ending.eq_ignore_ascii_case(own)))
 }

@@ -1,9 +1,10 @@
 //! Answers to experiments: each goes to the player's file in `results/`, and its sheet says so, or why not. A browser also hands the file
 //! to the pupil who presses Save. A sheet outlasts its flight, and what is written on it is saved when the flight is left.
 
-use super::flight::Worksheet;
-use super::{App, Flight, new_file};
 use crate::scores::{ResultRow, time_of};
+use crate::screens::App;
+use crate::screens::flight::{Flight, Worksheet};
+use crate::session::new_file;
 use crate::words::tr;
 
 impl App {

@@ -1,12 +1,12 @@
 //! Links into the game, as a page's address has them behind `#`: `play=experiments/friction&follow=Box+1&details=1`, `play=2`,
 //! `lab=stress-tests`.
 
-use super::lab::PAGES;
-use super::{App, Flight, Lab, Page, Purpose, Request, Spectator};
 use crate::files;
 use crate::game::body_title;
 use crate::level::judge_name;
 use crate::physics::BodyId;
+use crate::screens::{App, Flight, Lab, PAGES, Page, Purpose, Request};
+use crate::ui::Spectator;
 use crate::words::tr;
 
 /// A link with more characters is none of this game's.

@@ -1,9 +1,17 @@
 //! Requests that wait for the worker: what a screen needs is read beside it, and it opens when that is there.
 
-use super::worker::{Brought, Errand, Ticket, Worker};
-use super::{App, Flight, FlightSource, Input, Key, Make, Menu, Purpose, Request, Spectator};
 use crate::classics::jumper::scene::LEADERBOARD;
 use crate::level;
+use crate::screens::App;
+use crate::screens::flight::Flight;
+use crate::screens::menu::Menu;
+use crate::screens::screen::{Make, Purpose, Request};
+use crate::session::library::is_of_level;
+use crate::session::recordings::FlightSource;
+use crate::session::worker::{Brought, Errand, Ticket, Worker};
+use crate::settings::Key;
+use crate::ui::Spectator;
+use crate::ui::input::Input;
 use crate::words::tr;
 
 /// A level in words.
@@ -58,7 +66,7 @@ impl App {
                 let name = self.library.open(&self.library.experiment(name))?;
                 Some(of_level(self, &name))
             }
-            Request::Open(path) if super::granting::is_of_level(path) => {
+            Request::Open(path) if is_of_level(path) => {
                 let name = self.library.open(path)?;
                 Some(of_level(self, &name))
             }

@@ -1,11 +1,15 @@
 //! Recorded flights: listed, watched, raced and kept.
 
-use super::footage;
-use super::leaderboard::subject;
-use super::{App, Attempt, Flight, FlightCandidate, FlightSource, Flights, Purpose, Request, Rival, Screen, Spectator, Visit};
 use crate::game::{Reel, Replay, TICK_RATE};
 use crate::level::Level;
-use crate::scores::Board;
+use crate::scores::{Board, subject};
+use crate::screens::App;
+use crate::screens::boards::flights::Flights;
+use crate::screens::flight::Flight;
+use crate::screens::screen::{Purpose, Request, Screen};
+use crate::session::attempt::{Attempt, Rival};
+use crate::session::recordings::{self, FlightCandidate, FlightSource, Visit};
+use crate::ui::Spectator;
 use crate::words::tr;
 use std::sync::Arc;
 
@@ -53,7 +57,7 @@ impl App {
             Err(error) => (Board::default(), Some(error.to_string())),
         };
         let folder = self.places.levels.join(&visit.level);
-        let candidates = footage::candidates(&visit, &folder, &board, self.journal.current());
+        let candidates = recordings::candidates(&visit, &folder, &board, self.journal.current());
         let mut screen = Flights::new(visit, subject(&level.name, &level.title), candidates);
         if let Some(problem) = problem {
             screen.tell(problem, true);
@@ -76,7 +80,7 @@ impl App {
         let reel = match (&candidate.source, &visit.flown) {
             (FlightSource::Flown, Some(flown)) => Reel::flown(flown.history.clone()),
             _ => {
-                let replay = footage::record(&visit, candidate, &self.scores, &level)?;
+                let replay = recordings::record(&visit, candidate, &self.scores, &level)?;
                 Reel::new(level, &replay.inputs, replay.tick_rate).map_err(|error| error.to_string())?
             }
         };
@@ -87,7 +91,7 @@ impl App {
     fn race(&self, visit: &Visit, candidates: &[FlightCandidate]) -> Result<Attempt, String> {
         let level = self.library.load(&visit.level).map_err(|refusal| refusal.into_iter().next().unwrap_or_default())?;
         let rival = |candidate: &FlightCandidate| {
-            let replay = footage::record(visit, candidate, &self.scores, &level)?;
+            let replay = recordings::record(visit, candidate, &self.scores, &level)?;
             if replay.tick_rate != TICK_RATE {
                 return Err(tr!(
                     "{name}: flown at {rate} ticks a second, the game has {here}.",
@@ -105,14 +109,14 @@ impl App {
     /// Keeps a flight as a file, and says where.
     fn keep(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<String, String> {
         let (_, replay) = self.named_record(visit, candidate)?;
-        let path = footage::keep(&self.places.root.join("flights"), &visit.level, &candidate.name, &replay)?;
+        let path = recordings::keep(&self.places.root.join("flights"), &visit.level, &candidate.name, &replay)?;
         Ok(tr!("Kept as {path}", path = path.display()))
     }
 
     /// A record with the player's name where it was just flown, and its level.
     fn named_record(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<(Arc<Level>, Replay), String> {
         let level = self.level_of(visit, candidate)?;
-        let mut replay = footage::record(visit, candidate, &self.scores, &level)?;
+        let mut replay = recordings::record(visit, candidate, &self.scores, &level)?;
         let player = self.journal.current();
         if candidate.source == FlightSource::Flown && !player.is_guest() {
             replay.player = Some(player.to_string());

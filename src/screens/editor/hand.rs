@@ -5,7 +5,8 @@ use super::{Editor, EditorTool};
 use crate::draw::layout::Vec2;
 use crate::level::document::{Document, Kind, Place, RowId, SetCell, number, way_text};
 use crate::physics::DVec2;
-use crate::screens::{Input, Key};
+use crate::settings::Key;
+use crate::ui::input::Input;
 use crate::words::tr;
 
 /// How near to a handle the pointer has to be, canvas units.

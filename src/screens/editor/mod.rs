@@ -16,17 +16,18 @@ mod problem_list;
 mod snap;
 mod view;
 
-use super::folder_watch::FolderWatch;
-use super::input::Repeat;
-use super::scroll::Scroll;
-use super::{Input, Motion, Request, Screen};
 use crate::draw::layout::{Area, Frame, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::level::document::{Document, Kind, LevelFolder, Opened, Place, RowId, SetCell, Table};
 use crate::level::{Level, Problem};
 use crate::physics::DVec2;
+use crate::screens::screen::{Request, Screen};
+use crate::session::folder_watch::FolderWatch;
 use crate::settings::Settings;
 use crate::ui::Ui;
+use crate::ui::input::{Input, Repeat};
+use crate::ui::pace::Motion;
+use crate::ui::scroll::Scroll;
 use crate::view::widgets;
 use crate::words::tr;
 use ask::Ask;
@@ -174,8 +175,12 @@ impl Editor {
     /// Opens the level in that folder; images are looked up there, then under `root`.
     /// Errors: a file that cannot be read, in words.
     pub fn open(folder: &Path, root: &Path) -> Result<Self, String> {
-        let Opened { document, folder, kept } = LevelFolder::open_to_edit(folder, root)?;
-        let editor = Self {
+        LevelFolder::open_to_edit(folder, root).map(Self::new)
+    }
+
+    /// The editor of a level whose files are open.
+    pub fn new(Opened { document, folder, kept }: Opened) -> Self {
+        Self {
             name: folder.name(),
             watch: FolderWatch::new(folder.path().to_path_buf(), Vec::new()),
             kept: (document.version(), 0.0),
@@ -203,8 +208,7 @@ impl Editor {
             sheets: RefCell::default(),
             pointer: Vec2::ZERO,
             figures: false,
-        };
-        Ok(editor)
+        }
     }
 
     /// Takes over the window's size, the document's rows and the level that is fitted into view.

@@ -1,13 +1,14 @@
 //! The end of an attempt: its score, or the next attempt.
 
 use super::Flight;
-use super::attempt::Flown;
 use super::pilot::steers;
 use crate::game::{GameEvent, History, Outcome, RunResult};
 use crate::number::clock;
-use crate::screens::closing::unsaved_points;
-use crate::screens::leaderboard::subject;
-use crate::screens::{Input, Key, Request};
+use crate::scores::{subject, unsaved_points};
+use crate::screens::screen::Request;
+use crate::session::attempt::Flown;
+use crate::settings::Key;
+use crate::ui::input::Input;
 use crate::words::tr;
 use std::rc::Rc;
 

@@ -1,12 +1,15 @@
 //! The game screen: an attempt at a level, flown by hand, by recorded inputs, or watched from a reel.
 
-mod attempt;
+mod ahead;
 mod ending;
 mod hints;
+pub mod instruments;
 mod modifiers;
 mod news;
+pub mod observer;
 mod pause;
 mod pilot;
+pub mod race;
 mod reel;
 mod reload;
 mod rewind;
@@ -16,24 +19,27 @@ mod what_if;
 mod what_if_drawing;
 mod worksheet;
 
-use super::ahead::Ahead;
-use super::granting::is_of_level;
-use super::instruments::{Instruments, Stage};
-use super::observer::Observer;
-use super::race::Race;
-use super::scene::GameScene;
-use super::{Input, Key, Keys, Motion, Request, Screen, SettingsPanel};
+use crate::draw::Canvas;
 use crate::draw::layout::Frame;
 use crate::game::{Clock, Game, GameError, History, Medals, Outcome};
 use crate::level::Level;
 use crate::physics::{BodyId, DVec2};
-use crate::settings::{Action, Settings};
-use crate::ui::input::Stale;
+use crate::screens::flight::ahead::Ahead;
+use crate::screens::flight::instruments::{Instruments, Stage};
+use crate::screens::flight::observer::Observer;
+use crate::screens::flight::race::Race;
+use crate::screens::screen::{AboveGame, GameScene, Request, Screen};
+use crate::screens::settings::SettingsPanel;
+use crate::session::attempt::Attempt;
+use crate::session::library::is_of_level;
+use crate::settings::{Action, Key, Keys, Settings};
+use crate::ui::input::{Input, Stale};
+use crate::ui::pace::Motion;
 use crate::ui::{Spectator, Ui};
 use crate::view::Overlays;
+use crate::view::camera::Viewport;
 use crate::view::focus::Focus;
-use crate::view::hud::HudShown;
-pub use attempt::{Attempt, Flown};
+use crate::view::hud::{Aside, HudShown};
 use ending::{END_PAUSE, Lost};
 use hints::Hints;
 use modifiers::Modifiers;
@@ -161,10 +167,23 @@ impl Screen for Flight {
             paused: self.pause.is_some(),
             quiet: false,
             ghosts: self.ghosts(),
-            race,
             panels: self.panels(frame),
-            instruments: &self.instruments,
+            above: self,
         })
+    }
+}
+
+impl AboveGame for Flight {
+    fn draw_in_level(&self, alpha: f64, view: &Viewport, canvas: &Canvas) {
+        if self.instruments.is_open() {
+            self.instruments.draw_in_level((&self.game, alpha), view, canvas);
+        }
+    }
+
+    fn draw_beside_timer(&self, aside: &Aside, canvas: &Canvas) {
+        if let Some(race) = self.race() {
+            race.draw(&self.game, aside, canvas);
+        }
     }
 }
 

@@ -3,9 +3,11 @@
 use super::{Flight, Worksheet, worksheet};
 use crate::draw::layout::{Area, GAP, HEADING, PADDING, Vec2, WIDE_BUTTON};
 use crate::game::Outcome;
-use crate::screens::{Input, Key, Purpose, Request, Screen, SettingsPanel};
-use crate::settings::Action;
+use crate::screens::screen::{Purpose, Request, Screen};
+use crate::screens::settings::SettingsPanel;
+use crate::settings::{Action, Key};
 use crate::ui::Ui;
+use crate::ui::input::Input;
 use crate::view::{theme, widgets};
 use crate::words::tr;
 

@@ -1,12 +1,13 @@
 //! The source of a flight's controls, and the moment of it that is shown.
 
 use super::Flight;
-use super::attempt::Attempt;
 use super::modifiers::{Mistaken, Modifiers, SOON};
 use super::viewer::Viewer;
 use crate::game::{Controls, Inputs, Latch, Outcome, Playback};
-use crate::screens::{Input, Spectator};
+use crate::session::attempt::Attempt;
 use crate::settings::Action;
+use crate::ui::Spectator;
+use crate::ui::input::Input;
 
 #[derive(Debug)]
 pub(super) enum Pilot {

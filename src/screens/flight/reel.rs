@@ -2,18 +2,19 @@
 //! flown again to the wanted moment.
 
 use super::Flight;
-use super::attempt::Attempt;
 use super::pilot::Pilot;
 use super::viewer::Viewer;
 use crate::draw::layout::{Area, Frame, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Clock, Outcome, Reel};
 use crate::number::clock;
-use crate::screens::ahead::Ahead;
-use crate::screens::observer::Observer;
-use crate::screens::{GameScene, Input, Key, Request, Screen, Spectator};
-use crate::settings::Action;
-use crate::ui::{Ui, WidgetKind};
+use crate::screens::flight::ahead::Ahead;
+use crate::screens::flight::observer::Observer;
+use crate::screens::screen::{GameScene, Request, Screen};
+use crate::session::attempt::Attempt;
+use crate::settings::{Action, Key};
+use crate::ui::input::Input;
+use crate::ui::{Spectator, Ui, WidgetKind};
 use crate::view::hud::HudShown;
 use crate::view::{Overlays, theme, widgets};
 use crate::words::tr;

@@ -1,13 +1,13 @@
 //! A level that begins again, or whose files change while it is flown.
 
 use super::Flight;
-use super::attempt::Attempt;
 use super::ending::NOTICE;
 use super::news::News;
 use crate::game::{GameError, History, Outcome, level_hash};
 use crate::level::Level;
-use crate::screens::Spectator;
-use crate::screens::race::Race;
+use crate::screens::flight::race::Race;
+use crate::session::attempt::Attempt;
+use crate::ui::Spectator;
 use std::sync::Arc;
 
 impl Flight {

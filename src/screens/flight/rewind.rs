@@ -1,8 +1,9 @@
 //! Rewinding: while its key is held the flight runs backwards, up to its start. From there it goes on as practice: not ranked, not proven.
 
 use super::Flight;
-use crate::screens::{Input, Spectator};
 use crate::settings::Action;
+use crate::ui::Spectator;
+use crate::ui::input::Input;
 use crate::words::tr;
 use std::sync::Arc;
 

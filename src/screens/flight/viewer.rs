@@ -1,8 +1,8 @@
 //! The viewer's part of a watched flight.
 
 use crate::game::Unflown;
-use crate::screens::Request;
-use crate::screens::ahead::Ahead;
+use crate::screens::flight::ahead::Ahead;
+use crate::screens::screen::Request;
 
 #[derive(Debug)]
 pub(super) struct Viewer {

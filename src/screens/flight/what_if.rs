@@ -1,13 +1,15 @@
 //! "What if": the level with other numbers, flown again by the same controls or on from where it is, beside the run before as a ghost. Nothing
 //! of it counts: only a fresh attempt at the level as it is does.
 
-use super::END_PAUSE;
-use super::Flight;
+use super::{END_PAUSE, Flight};
 use crate::game::{Again, Controls, Game, History, Outcome, Tape};
 use crate::instruments::vary::Variation;
 use crate::level::Level;
-use crate::screens::instruments::vary::{Varied, VaryFrom, VaryWish};
-use crate::screens::{Input, Key, Request, Spectator};
+use crate::screens::flight::instruments::vary::{Varied, VaryFrom, VaryWish};
+use crate::screens::screen::Request;
+use crate::settings::Key;
+use crate::ui::Spectator;
+use crate::ui::input::Input;
 use crate::words::tr;
 use std::sync::Arc;
 

@@ -5,7 +5,7 @@ use crate::draw::layout::{Area, DETAILS, GRID, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{GhostPose, SHIP, body_title, object_body};
 use crate::physics::{BodyId, DVec2};
-use crate::screens::instruments::vary::written;
+use crate::screens::flight::instruments::vary::written;
 use crate::view::game_view::drawn_centre;
 use crate::view::hud::HudLayout;
 use crate::view::{GhostShip, theme, widgets};

@@ -1,7 +1,7 @@
 //! A work–precision diagram a scene. The player picks out a method or reads a point.
 
+use super::BACK;
 use super::legend::{LegendPick, METHOD, panel};
-use super::{BACK, Shown};
 use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::lab::course::OverTime;
@@ -11,7 +11,9 @@ use crate::lab::drawing::timeline;
 use crate::lab::measured::Measured;
 use crate::lab::methods::rules;
 use crate::number::{short, step};
-use crate::screens::{Key, Request};
+use crate::screens::screen::Request;
+use crate::session::library::Shown;
+use crate::settings::Key;
 use crate::ui::Ui;
 use crate::view::{theme, widgets};
 use crate::words::tr;

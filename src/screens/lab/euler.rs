@@ -5,7 +5,7 @@ use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::methods::motion::{MotionLaw, MotionStep, PointState, explicit_euler, semi_implicit_euler};
 use crate::physics::DVec2;
-use crate::screens::Request;
+use crate::screens::screen::Request;
 use crate::ui::Ui;
 use crate::view::{theme, widgets};
 use crate::words::tr;
