@@ -7,13 +7,15 @@ use crate::game::{Game, RunResult};
 use crate::instruments::vary::Variation;
 use crate::level::Level;
 use crate::scores::{Name, ResultRow};
+use crate::session::Session;
 use crate::session::attempt::{Attempt, Flown};
 use crate::session::new_file::NewFile;
 use crate::session::recordings::{FlightCandidate, Visit};
+use crate::session::worker::{Brought, Ticket};
 use crate::settings::Settings;
-use crate::ui::Ui;
 use crate::ui::input::Input;
 use crate::ui::pace::Motion;
+use crate::ui::{Spectator, Ui};
 use crate::view::camera::Viewport;
 use crate::view::hud::Aside;
 use crate::view::{GhostShip, Overlays};
@@ -64,8 +66,54 @@ pub trait Screen: Any + fmt::Debug {
     /// Takes over the settings that hold now, and the problems of their file, a line each.
     fn tell_of_settings(&mut self, _settings: &Settings, _problems: &[String]) {}
 
-    /// Takes over what became of a curve that was to be kept as a file.
-    fn report_export(&mut self, _told: Result<PathBuf, String>) {}
+    /// Where [`Request::Pop`] leads from it where nothing is below.
+    fn parent(&self) -> Destination {
+        Destination::Menu
+    }
+
+    /// The level that is read before that is done, by its name.
+    fn reads(&self, _effect: &Effect, _session: &Session) -> Option<String> {
+        None
+    }
+
+    /// Does what it has asked for; a request that follows from that.
+    fn carry_out(&mut self, _effect: Effect, _session: &mut Session, _spectator: &mut dyn Spectator) -> Option<Request> {
+        None
+    }
+
+    /// Shows why what it has asked for cannot be had.
+    fn refuse(&mut self, _reason: String) {}
+
+    /// Looks at files, before a frame.
+    fn look(&mut self, _frame_time: f64, _session: &mut Session) {}
+
+    /// Gives the session what has happened in a frame, and takes what it needs for the next one.
+    fn attend(&mut self, _session: &mut Session) {}
+
+    /// Takes what the worker has read for it.
+    fn receive(&mut self, _ticket: Ticket, _brought: Brought, _session: &mut Session, _spectator: &mut dyn Spectator) {}
+
+    /// The game pauses.
+    fn halt(&mut self) {}
+
+    /// Another screen is shown from now on.
+    fn leave(&mut self, _session: &mut Session) {}
+
+    /// It is shown again, after `above`.
+    fn come_back(&mut self, _above: &dyn Screen, _session: &mut Session, _spectator: &mut dyn Spectator) {}
+
+    /// Writes down what waits in it.
+    ///
+    /// # Errors
+    /// Why that cannot be, in words.
+    fn write_down(&mut self, _session: &mut Session) -> Result<(), String> {
+        Ok(())
+    }
+
+    /// Whether something in it is not written yet. Nothing is tried.
+    fn is_at_risk(&self) -> bool {
+        false
+    }
 
     /// The game on it, in a canvas of that frame: the window's view draws it below the widgets.
     fn scene(&self, _frame: &Frame) -> Option<GameScene<'_>> {
@@ -87,13 +135,6 @@ impl dyn Screen {
     /// The screen, where it is of that type.
     pub fn get_mut<T: Screen>(&mut self) -> Option<&mut T> {
         (self as &mut dyn Any).downcast_mut()
-    }
-}
-
-/// The empty screen: it stands where another one is taken away.
-impl Screen for () {
-    fn show(&mut self, _: &mut Ui<'_>) -> Option<Request> {
-        None
     }
 }
 
@@ -194,8 +235,6 @@ pub struct Gain {
     pub points: i64,
     /// How they were flown, where that is known.
     pub flown: Option<Rc<Flown>>,
-    /// Where Back leads.
-    pub back: Box<Request>,
     /// Where the leaderboard leads once it is saved.
     pub onward: Vec<Onward>,
 }
@@ -222,88 +261,122 @@ pub enum Make {
     Rename(String, String),
 }
 
-/// What a screen asks for: the next screen, with what it needs.
+/// What a screen asks for.
 #[derive(Clone, Debug)]
 pub enum Request {
-    /// The main menu.
+    /// A screen above this one, which comes back with [`Request::Pop`].
+    Push(Destination),
+    /// A screen in the place of this one.
+    Replace(Destination),
+    /// A screen in the place of all.
+    Reset(Destination),
+    /// The screen below, or where this one belongs if it is the lowest.
+    Pop,
+    /// Something that the session does for the screen, which stays.
+    Do(Effect),
+    /// The end, unless something would be lost.
+    Quit,
+    /// The end, whatever is lost.
+    QuitAnyway,
+}
+
+/// A screen, with what it needs.
+#[derive(Clone, Debug)]
+pub enum Destination {
     Menu,
-    /// The list of levels.
-    LevelSelect(Purpose),
-    /// The level of that name, read afresh.
+    Levels(Purpose),
+    /// The level of that name, read again.
     Play(String),
-    /// The attempt on the screen, from its start, in the level as its files are now.
-    Restart,
-    /// The level of that name, to be edited; one that comes with the game as a copy.
-    Edit(String),
-    /// The level of that name itself, to be edited.
-    EditOriginal(String),
-    /// The end of editing: the flight that it began from, or the list of levels.
-    LeaveEditor,
-    /// A level is to be made, and edited; or renamed.
-    Make(Make),
-    /// The level that is flown is to be saved as it is varied, under that name, or any where that is empty.
-    SaveVaried(Variation, String),
-    /// The level that is edited is to be flown as it is in memory, with the problems that it has left, a line each.
-    TestFly(Arc<Level>, Vec<String>),
-    /// The editor again, with how the flight of what is edited ended, in words.
-    BackToEditor(String),
-    /// Another attempt at a level that is there.
-    Attempt(Attempt),
-    /// An attempt has ended, with the flight where it was flown by hand.
-    Score(Attempt, RunResult, Option<Rc<Flown>>),
+    /// An attempt at a level that is there.
+    Fly(Attempt),
+    /// A level as the editor below has it in memory, or as much of a level's files as loads, with the problems that are left, a line each.
+    TryOut {
+        level: Arc<Level>,
+        problems: Vec<String>,
+        in_memory: bool,
+    },
+    /// The editor of the level of that name; of one that comes with the game a copy is made first, unless the original is wanted.
+    Edit {
+        name: String,
+        original: bool,
+    },
+    Score(Box<Finished>),
+    /// The name for a score, and why that score could not be saved under the player's.
+    SaveScore(Gain, Option<String>),
+    /// The leaderboard of a level, by its name, or of the jumper.
+    Board(String),
+    /// The leaderboard with a score that was just saved.
+    Saved(Gain, Fresh),
     /// The flights of a level.
     Flights(Visit),
     /// One of them is watched.
     Watch(Visit, FlightCandidate),
     /// Some of them are raced.
     Race(Visit, Vec<FlightCandidate>),
-    /// A curve is to be kept as a file; the screen stays.
-    Export(NewFile),
-    /// One of them is kept as a file.
-    Keep(Visit, FlightCandidate),
-    /// The code of one of them is to be copied.
-    CopyCode(Visit, FlightCandidate),
-    /// A flight's code, to be proven and listed.
-    PasteCode(Visit, String),
-    /// A score is to be saved under the player's name.
-    SaveScore(Gain),
-    /// It is saved under that name.
-    Submit(Gain, Name),
-    /// The leaderboard of the level of that name, or that of the jumper.
-    Leaderboard(String),
-    /// The list of players.
     Players,
-    /// Somebody plays from now on; whether they have just said their name.
-    Choose(Name, bool),
-    /// Who and what the game is made of.
     Credits,
-    /// The settings.
     Settings,
-    /// They are to be these from now on; the screen stays.
-    Set(Settings),
     /// The list of classics, with the keyboard on the one that was left.
     Classics(Option<Classic>),
-    /// Charts, stress tests, two methods side by side, experiments.
-    Lab,
-    /// The list of experiments, at the one that was left.
-    Experiments(String),
-    /// The experiment of that folder.
-    Experiment(String),
-    /// An answer to it is to be saved, of the present player; the screen stays.
-    HandIn(ResultRow),
     /// One of them, from its beginning.
     Classic(Classic),
     /// A climb that has ended.
     Climbed(Box<JumperScene>),
+    /// The Lab, with the list of experiments at the one that was left.
+    Lab(Option<String>),
+    /// The experiment of that folder.
+    Experiment(String),
     /// A file that was dropped on the window.
-    Open(PathBuf),
+    Dropped(PathBuf),
+    /// Where a link into the game leads.
+    Link(String),
     /// What a browser keeps for the page.
     #[cfg(all(feature = "window", browser))]
     PageData,
-    /// The end, unless something would be lost.
-    Quit,
-    /// The end, whatever is lost.
-    QuitAnyway,
-    /// No end: the screen behind the question.
-    Stay,
+}
+
+/// What the session does for a screen.
+#[derive(Clone, Debug)]
+pub enum Effect {
+    /// Begins the attempt again, in the level as its files are now.
+    Restart,
+    /// Makes or renames a level.
+    Make(Make),
+    /// Saves the level that is flown as it is varied, under that name, or any where that is empty.
+    SaveVaried(Variation, String),
+    /// Keeps a curve as a file.
+    Export(NewFile),
+    /// Saves an answer of the player to an experiment.
+    HandIn(ResultRow),
+    /// Saves a score under that name, or the player's.
+    SaveScore(Gain, Option<Name>),
+    /// Keeps a flight as a file.
+    Keep(FlightCandidate),
+    /// Copies a flight's code.
+    CopyCode(FlightCandidate),
+    /// Proves a flight by its code, and lists it.
+    PasteCode(String),
+    /// Somebody plays from now on; whether they have just said their name.
+    Choose(Name, bool),
+    Set(Settings),
+}
+
+/// An attempt that has ended.
+#[derive(Clone, Debug)]
+pub struct Finished {
+    pub attempt: Attempt,
+    pub result: RunResult,
+    /// The flight, where it was flown by hand.
+    pub flown: Option<Rc<Flown>>,
+    /// What it brought the player, in words.
+    pub remark: String,
+}
+
+/// A score that was just saved.
+#[derive(Clone, Debug)]
+pub struct Fresh {
+    /// Whose.
+    pub name: Name,
+    /// What became of it, where that is not plain to see.
+    pub remark: Option<String>,
 }

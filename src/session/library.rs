@@ -25,6 +25,11 @@ const NEEDED: usize = 4;
 /// Where `resultant chart` writes, from the project's root.
 const CHARTS: &str = "charts";
 
+/// A level in words.
+pub fn named(name: &str) -> String {
+    tr!("level {name}", name)
+}
+
 /// Why a level cannot be played: a line a problem.
 pub type Refusal = Vec<String>;
 

@@ -1,11 +1,11 @@
 //! Recorded flights on disk, as the screens list them, read them and keep them.
 
 use crate::files::{self, INPUTS, LEVEL_TABLE, read_text};
-use crate::game::{LevelHash, Outcome, Reel, Replay, level_hash};
+use crate::game::{LevelHash, Outcome, Reel, Replay, TICK_RATE, level_hash};
 use crate::level::Level;
 use crate::scores::{Board, Name, Scores};
-use crate::screens::Request;
-use crate::session::attempt::Flown;
+use crate::session::Session;
+use crate::session::attempt::{Attempt, Flown, Rival};
 use crate::session::new_file::NewFile;
 use crate::words::tr;
 use std::path::{Path, PathBuf};
@@ -21,8 +21,6 @@ pub struct Visit {
     pub flown: Option<Rc<Flown>>,
     /// The file of the board's flight that is looked for.
     pub chosen: Option<String>,
-    /// Where Back leads.
-    pub back: Box<Request>,
 }
 
 /// Where a flight is.
@@ -176,4 +174,98 @@ pub fn keep(folder: &Path, level: &str, whose: &str, replay: &Replay) -> Result<
     let whose: String = whose.to_lowercase().chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
     let stem = format!("{level}-{whose}-{}", replay.score);
     NewFile { stem, ending: ENDING, text: replay.to_string(), what: tr("the flight"), same_up_to: INPUTS }.write(folder)
+}
+
+impl Session {
+    /// The level of a flight that is looked at.
+    fn level_of(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<Arc<Level>, String> {
+        match (&candidate.source, &visit.flown) {
+            // As it was then.
+            (FlightSource::Flown, Some(flown)) => Ok(flown.level.clone()),
+            _ => self.library.load(&visit.level).map_err(|refusal| refusal.into_iter().next().unwrap_or_default()),
+        }
+    }
+
+    /// A flight that is to be watched, and its title.
+    ///
+    /// # Errors
+    /// It cannot be read, or was flown in another level, in words; so of all that follow.
+    pub fn reel(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<(String, Reel), String> {
+        let level = self.level_of(visit, candidate)?;
+        let title = format!("{} · {}", tr(&level.title), candidate.name);
+        let reel = match (&candidate.source, &visit.flown) {
+            (FlightSource::Flown, Some(flown)) => Reel::flown(flown.history.clone()),
+            _ => {
+                let replay = record(visit, candidate, &self.scores, &level)?;
+                Reel::new(level, &replay.inputs, replay.tick_rate).map_err(|error| error.to_string())?
+            }
+        };
+        Ok((title, reel))
+    }
+
+    /// A flight by hand against those.
+    pub fn race(&self, visit: &Visit, candidates: &[FlightCandidate]) -> Result<Attempt, String> {
+        let level = self.library.load(&visit.level).map_err(|refusal| refusal.into_iter().next().unwrap_or_default())?;
+        let rival = |candidate: &FlightCandidate| {
+            let replay = record(visit, candidate, &self.scores, &level)?;
+            if replay.tick_rate != TICK_RATE {
+                return Err(tr!(
+                    "{name}: flown at {rate} ticks a second, the game has {here}.",
+                    name = candidate.name,
+                    rate = replay.tick_rate,
+                    here = TICK_RATE
+                ));
+            }
+            Ok(Rival { name: candidate.name.clone(), inputs: Arc::new(replay.inputs) })
+        };
+        let rivals = candidates.iter().map(rival).collect::<Result<_, String>>()?;
+        Ok(Attempt { rivals, ..Attempt::by_hand(level) })
+    }
+
+    /// Keeps a flight as a file, and says where.
+    pub fn keep_flight(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<String, String> {
+        let replay = self.named_record(visit, candidate)?;
+        let path = keep(&self.places.root.join("flights"), &visit.level, &candidate.name, &replay)?;
+        Ok(tr!("Kept as {path}", path = path.display()))
+    }
+
+    /// Copies a flight's code, and says how long it is.
+    pub fn copy_code(&mut self, visit: &Visit, candidate: &FlightCandidate) -> Result<String, String> {
+        let replay = self.named_record(visit, candidate)?;
+        let code = replay.code()?;
+        let words = tr!("Copied: {count} characters", count = code.len());
+        self.clipboard.keep(code);
+        Ok(words)
+    }
+
+    /// A record, with the player's name where it was just flown.
+    fn named_record(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<Replay, String> {
+        let level = self.level_of(visit, candidate)?;
+        let mut replay = record(visit, candidate, &self.scores, &level)?;
+        let player = self.journal.current();
+        if candidate.source == FlightSource::Flown && !player.is_guest() {
+            replay.player = Some(player.to_string());
+        }
+        Ok(replay)
+    }
+
+    /// The flight of a code, where it holds. Its length is bounded: two seconds at most.
+    pub fn prove_code(&self, visit: &Visit, code: String) -> Result<FlightCandidate, String> {
+        let replay = Replay::from_code(&code).map_err(|problem| tr!("No code of a flight: {problem}", problem))?;
+        if replay.level != visit.level {
+            return Err(tr!(
+                "This flight is of level {level}, here are those of level {here}.",
+                level = replay.level,
+                here = visit.level
+            ));
+        }
+        let name = replay.player.clone().unwrap_or_else(|| tr("Somebody").to_owned());
+        let about = tr("by its code, proven").to_owned();
+        let (score, time) = (Some(replay.score), Some(replay.time));
+        let candidate = FlightCandidate { name, about, score, time, source: FlightSource::Code(code) };
+        let level = self.level_of(visit, &candidate)?;
+        let flown = replay.verify(level, |_| {}).map_err(|error| error.to_string())?;
+        flown.map_err(|mismatch| tr!("This flight does not hold: {mismatch}", mismatch))?;
+        Ok(candidate)
+    }
 }

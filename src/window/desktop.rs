@@ -1,6 +1,6 @@
 //! What the window's loop asks of a desktop; a browser's page answers the same in `page`.
 
-use crate::screens::App;
+use crate::screens::Stack;
 use crate::ui::Spectator;
 use crate::ui::input::Input;
 use macroquad::input::get_dropped_files;
@@ -33,7 +33,7 @@ pub fn dropped() -> Vec<PathBuf> {
 }
 
 /// Before a frame. A desktop asks for nothing.
-pub const fn begin_frame(_: &mut App, _: &mut Input, _: &mut dyn Spectator) {}
+pub const fn begin_frame(_: &mut Stack, _: &mut Input, _: &mut dyn Spectator) {}
 
 /// After a frame is drawn. A desktop waits before the next one, and asks when the window is closed.
 pub const fn end_frame(_: f64, _: bool) {}

@@ -19,7 +19,7 @@ use crate::draw::Canvas;
 use crate::draw::layout::{DESIGN, Frame, Vec2};
 use crate::draw::pen::WindowPen;
 use crate::level::Level;
-use crate::screens::{App, Places, Request};
+use crate::screens::{Destination, Places, Stack};
 use crate::session::attempt::Attempt;
 use crate::session::worker::Worker;
 use crate::settings::Keys;
@@ -123,13 +123,15 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     let mut pen = WindowPen::new(&art::sheet())?;
     let mut canvas = Canvas::new(Frame::default());
     let mut spectator = WindowSpectator::new(Speaker::new());
-    let mut app = App::with_worker(places, Worker::beside());
-    app.clipboard.of_system = true;
+    let mut stack = Stack::with_worker(places, Worker::beside());
+    stack.session.clipboard.of_system = true;
     match start {
-        Some(Start::Play(folder, attempt)) => app.begin(&folder, Request::Attempt(attempt), &mut spectator),
-        Some(Start::Test(folder, level, problems)) => app.begin(&folder, Request::TestFly(level, problems), &mut spectator),
-        Some(Start::Edit(folder, name, false)) => app.begin(&folder, Request::Edit(name), &mut spectator),
-        Some(Start::Edit(folder, name, true)) => app.begin(&folder, Request::EditOriginal(name), &mut spectator),
+        Some(Start::Play(folder, attempt)) => stack.begin(&folder, Destination::Fly(attempt), &mut spectator),
+        Some(Start::Test(folder, level, problems)) => {
+            stack.begin(&folder, Destination::TryOut { level, problems, in_memory: false }, &mut spectator)
+        }
+        Some(Start::Edit(folder, name, false)) => stack.begin(&folder, Destination::Edit { name, original: false }, &mut spectator),
+        Some(Start::Edit(folder, name, true)) => stack.begin(&folder, Destination::Edit { name, original: true }, &mut spectator),
         None => {}
     }
     let mut pads = Pads::new();
@@ -138,48 +140,48 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     let mut fullscreen = false;
     prevent_quit();
     loop {
-        theme::wear(app.settings().palette);
-        app.now = host::now();
-        let text = app.screen().text_scale(app.settings(), canvas.frame().pixel);
+        theme::wear(stack.settings().palette);
+        stack.session.now = host::now();
+        let text = stack.screen().text_scale(stack.settings(), canvas.frame().pixel);
         pen.begin(&mut canvas, text);
-        app.dpi = canvas.dpi();
+        stack.dpi = canvas.dpi();
         let mut input = read_input(&canvas, pads.read(), keys.read());
         // What is pressed meanwhile comes with the next frame, which waits for nothing.
         let worked = begun.elapsed();
-        host::pause(Duration::from_secs_f64(app.interval(&input)).saturating_sub(worked));
+        host::pause(Duration::from_secs_f64(stack.interval(&input)).saturating_sub(worked));
         let now = Instant::now();
         let passed = now - begun;
         // A clock that was set back goes on from there.
         begun = now;
         input.frame_time = pace::passed(passed.as_secs_f64());
         input.waited = (passed - worked).as_secs_f64();
-        if is_quit_requested() && app.may_close() {
+        if is_quit_requested() && stack.may_close() {
             return Ok(());
         }
-        host::begin_frame(&mut app, &mut input, &mut spectator);
-        (input.pointed, input.place) = spectator.pointed(app.screen(), &input);
-        if !app.update(&input, &mut spectator) {
+        host::begin_frame(&mut stack, &mut input, &mut spectator);
+        (input.pointed, input.place) = spectator.pointed(stack.screen(), &input);
+        if !stack.update(&input, &mut spectator) {
             return Ok(());
         }
-        if app.settings().fullscreen != fullscreen {
-            fullscreen = app.settings().fullscreen;
+        if stack.settings().fullscreen != fullscreen {
+            fullscreen = stack.settings().fullscreen;
             set_fullscreen(fullscreen);
         }
         spectator.note_frame(input.frame_time);
-        if app.picture() != Picture::Again || !pen.show_kept(&canvas) {
-            spectator::draw(&app, &mut spectator, input.frame_time, &mut canvas);
+        if stack.picture() != Picture::Again || !pen.show_kept(&canvas) {
+            spectator::draw(&stack, &mut spectator, input.frame_time, &mut canvas);
             let ground = if theme::is_light() { theme::ground().on_white() } else { theme::ground() };
             if theme::is_light() {
                 canvas.put_on_white();
             }
             pen.play(&canvas, ground);
-            if app.picture() == Picture::Kept {
+            if stack.picture() == Picture::Kept {
                 pen.keep(&canvas);
             }
         }
-        spectator.set_volumes(app.settings());
-        spectator.sound(app.screen(), input.answer.get());
-        host::end_frame(app.interval(&input.without_edges()), app.is_at_risk());
+        spectator.set_volumes(stack.settings());
+        spectator.sound(stack.screen(), input.answer.get());
+        host::end_frame(stack.interval(&input.without_edges()), stack.is_at_risk());
         next_frame().await;
     }
 }

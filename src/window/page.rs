@@ -1,6 +1,6 @@
 //! What the window's loop asks of a browser's page; a desktop answers the same in `desktop`.
 
-use crate::screens::{App, Flight};
+use crate::screens::{Destination, Flight, Request, Stack};
 use crate::settings::{Key, Settings};
 use crate::ui::Spectator;
 use crate::ui::input::Input;
@@ -30,18 +30,18 @@ pub fn dropped() -> Vec<PathBuf> {
 }
 
 /// Before a frame: a page that was hidden pauses its flight, and a new link is followed.
-pub fn begin_frame(app: &mut App, input: &mut Input, spectator: &mut dyn Spectator) {
-    let flown = app.screen().get::<Flight>().is_some_and(|flight| flight.is_by_hand() && !flight.is_test());
-    if web::was_hidden() && flown && app.screen().scene(&input.frame).is_some_and(|scene| !scene.paused) {
+pub fn begin_frame(stack: &mut Stack, input: &mut Input, spectator: &mut dyn Spectator) {
+    let flown = stack.screen().get::<Flight>().is_some_and(|flight| flight.is_by_hand() && !flight.is_test());
+    if web::was_hidden() && flown && stack.screen().scene(&input.frame).is_some_and(|scene| !scene.paused) {
         input.pressed.add(Key::Escape);
     }
     // The browser's own Esc leaves the full screen, and a page enters it by a press alone.
-    if let Some(fullscreen) = web::fullscreen().filter(|fullscreen| *fullscreen != app.settings().fullscreen) {
-        app.set(Settings { fullscreen, ..*app.settings() });
+    if let Some(fullscreen) = web::fullscreen().filter(|fullscreen| *fullscreen != stack.settings().fullscreen) {
+        stack.set(Settings { fullscreen, ..*stack.settings() });
     }
     let link = web::link();
     if !link.is_empty() {
-        app.follow_link(&link, spectator);
+        stack.grant(Request::Reset(Destination::Link(link)), spectator);
     }
 }
 

@@ -5,7 +5,7 @@ use crate::draw::layout::{Area, BUTTON_TEXT, TEXT, Vec2};
 use crate::game::{Game, Outcome};
 use crate::level;
 use crate::physics::{BodyId, DVec2};
-use crate::screens::{App, GameScene, Noise, Screen};
+use crate::screens::{GameScene, Noise, Screen, Stack};
 use crate::settings::Settings;
 use crate::sound::{Ambience, Arrangement, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::ui::input::{ButtonAnswer, Input};
@@ -21,18 +21,18 @@ const COST_WEIGHT: f64 = 0.02;
 const FRAME_WEIGHT: f64 = 0.1;
 
 /// Draws the screen: its game, and its widgets above that.
-pub fn draw(app: &App, spectator: &mut WindowSpectator, frame_time: f64, canvas: &mut Canvas) {
-    if let Some(scene) = app.screen().scene(canvas.frame()) {
-        spectator.draw_scene(scene, *app.settings(), frame_time, canvas);
+pub fn draw(stack: &Stack, spectator: &mut WindowSpectator, frame_time: f64, canvas: &mut Canvas) {
+    if let Some(scene) = stack.screen().scene(canvas.frame()) {
+        spectator.draw_scene(scene, *stack.settings(), frame_time, canvas);
         canvas.end_layer();
-    } else if app.screen().tune().is_some() {
+    } else if stack.screen().tune().is_some() {
         spectator.how = Arrangement::default();
     }
-    canvas.add_all(app.canvas());
-    if let Some(what) = app.loading() {
+    canvas.add_all(stack.canvas());
+    if let Some(what) = stack.loading() {
         draw_loading(what, canvas);
     }
-    let veil = app.veil();
+    let veil = stack.veil();
     if veil > 0.0 {
         widgets::curtain(canvas, veil as f32);
     }

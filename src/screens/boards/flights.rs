@@ -3,15 +3,17 @@
 
 use crate::draw::Style;
 use crate::draw::layout::{Area, TEXT, Vec2};
-use crate::game::Replay;
+use crate::level::Level;
 use crate::number::clock;
+use crate::scores::{Board, subject};
 use crate::screens::flight::race::MOST_RIVALS;
-use crate::screens::screen::{Request, Screen};
-use crate::session::recordings::{FlightCandidate, FlightSource, Visit};
+use crate::screens::screen::{Destination, Effect, Request, Screen};
+use crate::session::Session;
+use crate::session::recordings::{self, FlightCandidate, FlightSource, Visit};
 use crate::settings::{Action, Key};
 use crate::ui::input::Stroke;
 use crate::ui::scroll::bar_beside;
-use crate::ui::{Turning, Ui};
+use crate::ui::{Spectator, Turning, Ui};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 use std::ops::Range;
@@ -52,23 +54,28 @@ pub struct Flights {
 }
 
 impl Flights {
+    /// The flights of a level.
+    pub fn open(visit: Visit, level: &Level, session: &mut Session) -> Self {
+        session.last_level = Some(visit.level.clone());
+        let (board, problem) = match session.scores.load(&visit.level) {
+            Ok(loaded) => (loaded.board, None),
+            Err(error) => (Board::default(), Some(error.to_string())),
+        };
+        let folder = session.places.levels.join(&visit.level);
+        let candidates = recordings::candidates(&visit, &folder, &board, session.journal.current());
+        let mut screen = Self::new(visit, subject(&level.name, &level.title), candidates);
+        if let Some(problem) = problem {
+            screen.refuse(problem);
+        }
+        screen
+    }
+
     /// The flights of a level, by its title.
     pub fn new(visit: Visit, subject: String, candidates: Vec<FlightCandidate>) -> Self {
         let read = vec![false; candidates.len()];
         let wanted = |candidate: &FlightCandidate| matches!(&candidate.source, FlightSource::Row(file) if Some(file) == visit.chosen.as_ref());
         let chosen = candidates.iter().position(wanted).unwrap_or(0);
         Self { visit, subject, read, candidates, marked: Vec::new(), chosen, shown: 0..PAGE, message: None }
-    }
-
-    /// Reads the record of one flight in view that has not been read yet, for its time and score. A record that cannot be read says so
-    /// when it is asked for.
-    pub fn look_one_up(&mut self, read: impl FnOnce(&Visit, &FlightSource) -> Option<Replay>) {
-        let Some(index) = self.shown.clone().find(|&index| self.read.get(index) == Some(&false)) else { return };
-        self.read[index] = true;
-        let candidate = &mut self.candidates[index];
-        if let Some(replay) = read(&self.visit, &candidate.source) {
-            (candidate.time, candidate.score) = (Some(replay.time), candidate.score.or(Some(replay.score)));
-        }
     }
 
     /// All flights.
@@ -81,11 +88,6 @@ impl Flights {
         let one = [self.chosen];
         let all = if self.marked.is_empty() { &one[..] } else { &self.marked };
         all.iter().filter_map(|index| self.candidates.get(*index)).cloned().collect()
-    }
-
-    /// Says what became of something that was asked for.
-    pub fn tell(&mut self, words: String, bad: bool) {
-        self.message = Some((words, bad));
     }
 
     /// What became of it.
@@ -107,7 +109,7 @@ impl Flights {
         if let Some(at) = self.marked.iter().position(|marked| *marked == index) {
             self.marked.remove(at);
         } else if self.marked.len() == MOST_RIVALS {
-            self.tell(tr!("At most {count} at a time can be raced.", count = MOST_RIVALS), true);
+            self.refuse(tr!("At most {count} at a time can be raced.", count = MOST_RIVALS));
         } else if index < self.candidates.len() {
             self.marked.push(index);
         }
@@ -202,19 +204,61 @@ impl Screen for Flights {
         ui.fitted(words, Vec2::new(size.x / 2.0, panel.min.y - 24.0), &[TEXT], colour);
         let pressed = ui.row(panel.max().y + FOOT, &["Watch", "Race", "Keep as File", "Copy Code", "Paste Code", "Back"]);
         if ui.key(Key::Escape) || pressed == Some("Back") {
-            return Some((*self.visit.back).clone());
+            return Some(Request::Pop);
         }
         let pastes = |stroke: &Stroke| matches!(stroke, Stroke::Key(Key::V, held) if held.has(Key::Control));
         if pressed == Some("Paste Code") || ui.input().strokes(&[Key::V]).iter().any(pastes) {
             let code = ui.input().clipboard.text();
-            return Some(Request::PasteCode(self.visit.clone(), code.trim().to_owned()));
+            return Some(Request::Do(Effect::PasteCode(code.trim().to_owned())));
         }
         let chosen = self.candidates.get(self.chosen)?.clone();
-        match pressed? {
-            "Copy Code" => Some(Request::CopyCode(self.visit.clone(), chosen)),
-            "Watch" => Some(Request::Watch(self.visit.clone(), chosen)),
-            "Race" => Some(Request::Race(self.visit.clone(), self.rivals())),
-            _ => Some(Request::Keep(self.visit.clone(), chosen)),
+        Some(match pressed? {
+            "Copy Code" => Request::Do(Effect::CopyCode(chosen)),
+            "Watch" => Request::Push(Destination::Watch(self.visit.clone(), chosen)),
+            "Race" => Request::Reset(Destination::Race(self.visit.clone(), self.rivals())),
+            _ => Request::Do(Effect::Keep(chosen)),
+        })
+    }
+
+    fn reads(&self, effect: &Effect, _: &Session) -> Option<String> {
+        match effect {
+            // What was just flown is there.
+            Effect::Keep(candidate) | Effect::CopyCode(candidate) if candidate.source == FlightSource::Flown => None,
+            Effect::Keep(_) | Effect::CopyCode(_) | Effect::PasteCode(_) => Some(self.visit.level.clone()),
+            _ => None,
+        }
+    }
+
+    fn carry_out(&mut self, effect: Effect, session: &mut Session, _: &mut dyn Spectator) -> Option<Request> {
+        let done = match effect {
+            Effect::Keep(candidate) => session.keep_flight(&self.visit, &candidate),
+            Effect::CopyCode(candidate) => session.copy_code(&self.visit, &candidate),
+            Effect::PasteCode(code) => session.prove_code(&self.visit, code).map(|candidate| {
+                let words = tr!("Proven: {name}", name = candidate.name);
+                self.add(candidate);
+                words
+            }),
+            _ => return None,
+        };
+        match done {
+            Ok(words) => self.message = Some((words, false)),
+            Err(problem) => self.refuse(problem),
+        }
+        None
+    }
+
+    fn refuse(&mut self, reason: String) {
+        self.message = Some((reason, true));
+    }
+
+    /// Reads the record of one flight in view that has not been read yet, for its time and score: one file is enough for a frame. A record
+    /// that cannot be read says so when it is asked for.
+    fn attend(&mut self, session: &mut Session) {
+        let Some(index) = self.shown.clone().find(|&index| self.read.get(index) == Some(&false)) else { return };
+        self.read[index] = true;
+        let candidate = &mut self.candidates[index];
+        if let Ok(replay) = recordings::read(&self.visit, &candidate.source, &session.scores) {
+            (candidate.time, candidate.score) = (Some(replay.time), candidate.score.or(Some(replay.score)));
         }
     }
 

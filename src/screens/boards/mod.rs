@@ -2,13 +2,16 @@
 
 pub mod flights;
 
+use crate::classics::jumper::scene::LEADERBOARD;
 use crate::draw::layout::{Area, DETAILS, HEADING, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Medal, Prize};
 use crate::number::clock;
-use crate::scores::{Board, Name};
-use crate::screens::screen::{Onward, Request, Screen};
-use crate::session::recordings::{BoardRival, Visit};
+use crate::scores::{Board, LoadedBoard, Name, damage_text, subject};
+use crate::screens::classics::jumper;
+use crate::screens::screen::{Classic, Destination, Fresh, Gain, Onward, Purpose, Request, Screen};
+use crate::session::Session;
+use crate::session::recordings::{self, BoardRival, Visit};
 use crate::settings::Key;
 use crate::ui::scroll::bar_beside;
 use crate::ui::{Turning, Ui};
@@ -35,15 +38,6 @@ const MARK: f32 = 106.0;
 const MARK_SIZE: f32 = 8.0;
 /// The most digits of a score that stand in their column at the usual size.
 const DIGITS: usize = 11;
-
-/// A score that was just saved.
-#[derive(Debug)]
-pub struct Fresh {
-    /// Whose.
-    pub name: Name,
-    /// What became of it, where that is not plain to see.
-    pub remark: Option<String>,
-}
 
 /// A line of the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -198,9 +192,57 @@ impl Leaderboard {
         let line = (within && line >= 0.0).then(|| self.in_view().get(line as usize))?;
         let BoardLine::Row(row) = *line? else { return None };
         let (level, chosen) = (self.level.clone()?, self.board.flight(row)?.to_owned());
-        let back = Box::new(Request::Leaderboard(level.clone()));
-        Some(Request::Flights(Visit { level, flown: None, chosen: Some(chosen), back }))
+        Some(Request::Push(Destination::Flights(Visit { level, flown: None, chosen: Some(chosen) })))
     }
+}
+
+/// The board of a level, by its name, or of the jumper.
+///
+/// # Errors
+/// What it is of, and why it cannot be read.
+pub fn open(name: &str, session: &mut Session) -> Result<Leaderboard, (String, String)> {
+    let back = Onward { label: "Back", to: Request::Pop };
+    if name == LEADERBOARD {
+        return read(name, tr(jumper::SUBJECT).to_owned(), (None, vec![back]), session);
+    }
+    session.last_level = Some(name.to_owned());
+    let level = session.library.load(name).ok();
+    let title = level.as_ref().map_or(name, |level| &level.title);
+    let visit = Visit { level: name.to_owned(), flown: None, chosen: None };
+    let flights = Onward { label: "Flights", to: Request::Push(Destination::Flights(visit)) };
+    let is_empty = session.scores.load(name).is_ok_and(|loaded| loaded.board.rows().is_empty());
+    let play = || Onward { label: "Play", to: Request::Reset(Destination::Play(name.to_owned())) };
+    let play = (is_empty && level.is_some()).then(play);
+    let onward = play.into_iter().chain(level.iter().map(|_| flights.clone())).chain([back]).collect();
+    read(name, subject(name, title), (None, onward), session)
+}
+
+/// The board with a score that was just saved.
+///
+/// # Errors
+/// What it is of, and why it cannot be read.
+pub fn open_saved(gain: Gain, fresh: Fresh, session: &Session) -> Result<Leaderboard, (String, String)> {
+    read(&gain.board, gain.subject, (Some(fresh), gain.onward), session)
+}
+
+fn read(
+    name: &str,
+    subject: String,
+    (fresh, onward): (Option<Fresh>, Vec<Onward>),
+    session: &Session,
+) -> Result<Leaderboard, (String, String)> {
+    let LoadedBoard { board, damage } = match session.scores.load(name) {
+        Ok(loaded) => loaded,
+        Err(error) => return Err((subject, error.to_string())),
+    };
+    let damage = (!damage.is_empty()).then(|| damage_text(&damage));
+    let screen = Leaderboard::new(subject, board, fresh, damage, onward);
+    if name == LEADERBOARD {
+        return Ok(screen);
+    }
+    let level = session.library.load(name).ok();
+    let rivals = level.map(|level| recordings::rivals(&session.library.folder(name), &level)).unwrap_or_default();
+    Ok(screen.of_level(name, rivals))
 }
 
 /// The sign of a flight that can be played.
@@ -232,6 +274,10 @@ impl Screen for Leaderboard {
             return self.onward.last().map(|next| next.to.clone());
         }
         self.onward.iter().find(|next| Some(next.label) == pressed).map(|next| next.to.clone())
+    }
+
+    fn parent(&self) -> Destination {
+        if self.level.is_some() { Destination::Levels(Purpose::Leaderboard) } else { Destination::Classic(Classic::Jumper) }
     }
 
     fn tune(&self) -> Option<&str> {

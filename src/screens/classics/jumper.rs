@@ -5,11 +5,13 @@ use crate::classics::jumper::scene::{JumpKeys, JumperScene, LEADERBOARD};
 use crate::draw::layout::{Area, BUTTON_TEXT, GAP, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
 use crate::game::{Clock, TICK_RATE};
 use crate::scores::unsaved_points;
-use crate::screens::screen::{Classic, Gain, Noise, Onward, Request, Screen};
+use crate::screens::scoring::save_score;
+use crate::screens::screen::{Classic, Destination, Effect, Gain, Noise, Onward, Request, Screen};
+use crate::session::Session;
 use crate::settings::{Key, Keys};
-use crate::ui::Ui;
 use crate::ui::input::{Input, KeyLatch};
 use crate::ui::pace::Motion;
+use crate::ui::{Spectator, Ui};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
@@ -91,7 +93,7 @@ impl Jumper {
         while self.clock.tick() {
             self.tick();
         }
-        self.scene.is_over().then(|| Request::Climbed(Box::new(self.scene.clone())))
+        self.scene.is_over().then(|| Request::Reset(Destination::Climbed(Box::new(self.scene.clone()))))
     }
 
     /// The climb.
@@ -149,9 +151,9 @@ impl Jumper {
                 self.panel = None;
                 self.latch = KeyLatch::default();
             }
-            SAVE => return Some(Request::SaveScore(self.gain())),
-            BOARD => return Some(Request::Leaderboard(LEADERBOARD.to_owned())),
-            _ => return Some(Request::Classics(Some(Classic::Jumper))),
+            SAVE => return Some(Request::Do(Effect::SaveScore(self.gain(), None))),
+            BOARD => return Some(Request::Reset(Destination::Board(LEADERBOARD.to_owned()))),
+            _ => return Some(Request::Pop),
         }
         None
     }
@@ -162,8 +164,7 @@ impl Jumper {
             subject: tr(SUBJECT).to_owned(),
             points: self.scene.score(),
             flown: None,
-            back: Box::new(Request::Climbed(Box::new(self.scene.clone()))),
-            onward: vec![Onward { label: BACK, to: Request::Classic(Classic::Jumper) }],
+            onward: vec![Onward { label: BACK, to: Request::Pop }],
         }
     }
 }
@@ -192,6 +193,14 @@ impl Screen for Jumper {
         }
         self.draw(ui.canvas());
         if self.panel.is_some() { self.show_panel(ui) } else { self.go_on(ui) }
+    }
+
+    fn carry_out(&mut self, effect: Effect, session: &mut Session, _: &mut dyn Spectator) -> Option<Request> {
+        save_score::save_as_player(effect, session)
+    }
+
+    fn parent(&self) -> Destination {
+        Destination::Classics(Some(Classic::Jumper))
     }
 
     fn motion(&self, _: &Input) -> Motion {

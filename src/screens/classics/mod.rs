@@ -5,7 +5,7 @@ pub mod pi;
 pub mod tile_run;
 
 use crate::draw::layout::{TEXT, Vec2};
-use crate::screens::screen::{Classic, Request, Screen};
+use crate::screens::screen::{Classic, Destination, Request, Screen};
 use crate::settings::Key;
 use crate::ui::Ui;
 use crate::view::theme;
@@ -46,10 +46,10 @@ impl Screen for Classics {
         let (words_of, colour) = self.problem.as_ref().map_or((about, theme::quiet()), |problem| (problem, theme::bad()));
         ui.fitted(words_of, Vec2::new(ui.frame().size.x / 2.0, words), &[TEXT], colour);
         if ui.key(Key::Escape) {
-            return Some(Request::Menu);
+            return Some(Request::Pop);
         }
         let pressed = pressed?;
         let classic = ALL.iter().find(|(_, label, _)| *label == pressed);
-        Some(classic.map_or(Request::Menu, |(classic, ..)| Request::Classic(*classic)))
+        Some(classic.map_or(Request::Pop, |(classic, ..)| Request::Reset(Destination::Classic(*classic))))
     }
 }

@@ -1,7 +1,7 @@
 //! π from collisions in the window.
 
 use crate::classics::pi::{Blocks, MAX_N};
-use crate::screens::screen::{Classic, Noise, Request, Screen};
+use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
 use crate::settings::Key;
 use crate::ui::Ui;
 use crate::ui::input::Input;
@@ -93,7 +93,7 @@ impl Screen for Pi {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         self.draw(ui.canvas());
         match ui.tools(&TOOLS) {
-            Some("Back") => return Some(Request::Classics(Some(Classic::Pi))),
+            Some("Back") => return Some(Request::Pop),
             Some("Restart") => self.restart(self.n),
             Some("N − 1") if self.n > 0 => self.restart(self.n - 1),
             Some("N + 1") if self.n < MAX_N => self.restart(self.n + 1),
@@ -103,6 +103,10 @@ impl Screen for Pi {
         }
         self.advance(ui.input().frame_time);
         None
+    }
+
+    fn parent(&self) -> Destination {
+        Destination::Classics(Some(Classic::Pi))
     }
 
     fn motion(&self, _: &Input) -> Motion {

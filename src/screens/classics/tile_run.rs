@@ -2,7 +2,7 @@
 
 use crate::classics::tile_run::{Command, MAX_FALL, Map, Runner};
 use crate::game::Clock;
-use crate::screens::screen::{Classic, Noise, Request, Screen};
+use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
 use crate::settings::{Key, Keys};
 use crate::ui::Ui;
 use crate::ui::input::{Input, KeyLatch};
@@ -143,7 +143,7 @@ impl Screen for TileRun {
             ("Step", Key::Right, "→"),
         ];
         match ui.tools(if self.watching { &tools } else { &tools[..3] }) {
-            Some("Back") => return Some(Request::Classics(Some(Classic::TileRun))),
+            Some("Back") => return Some(Request::Pop),
             Some("Restart") => self.restart(self.watching),
             Some("Step") => {
                 self.paused = true;
@@ -155,6 +155,10 @@ impl Screen for TileRun {
         }
         self.go_on(ui.input());
         None
+    }
+
+    fn parent(&self) -> Destination {
+        Destination::Classics(Some(Classic::TileRun))
     }
 
     fn motion(&self, _: &Input) -> Motion {

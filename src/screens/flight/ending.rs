@@ -5,7 +5,8 @@ use super::pilot::steers;
 use crate::game::{GameEvent, History, Outcome, RunResult};
 use crate::number::clock;
 use crate::scores::{subject, unsaved_points};
-use crate::screens::screen::Request;
+use crate::screens::screen::{Destination, Effect, Finished, Request};
+use crate::session::Session;
 use crate::session::attempt::Flown;
 use crate::settings::Key;
 use crate::ui::input::Input;
@@ -30,6 +31,8 @@ const BETWEEN_SLOW: u64 = 240;
 pub(super) struct Lost {
     result: RunResult,
     flown: Option<Rc<Flown>>,
+    /// What it brought the player, in words.
+    remark: Option<String>,
     /// Age of its notice, s.
     since: f64,
 }
@@ -51,13 +54,13 @@ impl Flight {
         if self.flies_on() && passed(LOSS_PAUSE) && !leads_on {
             // A level whose files have changed is read first: meanwhile nothing is asked for again.
             self.ended -= END_PAUSE;
-            return Some(Request::Restart);
+            return Some(Request::Do(Effect::Restart));
         }
         let over = passed(END_PAUSE) || leads_on;
         if self.test {
-            return over.then(|| Request::BackToEditor(self.told()));
+            return over.then_some(Request::Pop);
         }
-        over.then(|| Request::Score(self.attempt.clone(), self.result(), self.flown(self.history.clone())))
+        over.then(|| self.score(self.result(), self.flown(self.history.clone()), self.remark.clone()))
     }
 
     /// Takes up the goals of the last tick.
@@ -73,6 +76,25 @@ impl Flight {
         let ends = self.game.outcome() == Outcome::Completed && self.ended < SLOW_TICKS as f64 / (SLOW * self.game.tick_rate());
         let slow = ends || self.game.outcome() == Outcome::Running && self.game.ticks() < self.slow_until;
         if slow && !self.is_watched() { SLOW } else { 1.0 }
+    }
+
+    fn score(&self, result: RunResult, flown: Option<Rc<Flown>>, remark: Option<String>) -> Request {
+        let remark = remark.unwrap_or_default();
+        Request::Replace(Destination::Score(Box::new(Finished { attempt: self.attempt.clone(), result, flown, remark })))
+    }
+
+    /// Gives the player what an attempt has brought, once, when it has ended. Who watches a recording has flown nothing.
+    pub(super) fn note_end(&mut self, session: &mut Session) {
+        let level = self.game.level().name.clone();
+        self.hints.note_losses(session.losses.get(&level).copied().unwrap_or_default());
+        if self.test || self.is_watched() {
+            return;
+        }
+        if self.what_if.is_some() || self.game.outcome() == Outcome::Running {
+            self.remark = None;
+        } else if self.remark.is_none() {
+            self.remark = Some(session.note_end(&self.game, self.is_by_hand(), self.assisted));
+        }
     }
 
     fn result(&self) -> RunResult {
@@ -95,7 +117,7 @@ impl Flight {
     /// The notice of this attempt, which was lost; its history goes along.
     pub(super) fn take_lost(&mut self) -> Box<Lost> {
         let history = std::mem::replace(&mut self.history, History::new(&self.game));
-        Box::new(Lost { result: self.result(), flown: self.flown(history), since: 0.0 })
+        Box::new(Lost { result: self.result(), flown: self.flown(history), remark: self.remark.take(), since: 0.0 })
     }
 
     /// The flight with that history, where it was flown by hand and without help: with help no replay repeats it.
@@ -109,7 +131,8 @@ impl Flight {
         let lost = self.lost.as_mut().filter(|_| self.game.outcome() == Outcome::Running)?;
         lost.since += input.frame_time;
         if (input.pressed.has(Key::Enter) || input.pressed.has(Key::PadSelect)) && !steers(input) {
-            return Some(Request::Score(self.attempt.clone(), lost.result.clone(), lost.flown.clone()));
+            let (result, flown, remark) = (lost.result.clone(), lost.flown.clone(), lost.remark.clone());
+            return Some(self.score(result, flown, remark));
         }
         if lost.since > NOTICE {
             self.lost = None;

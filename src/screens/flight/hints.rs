@@ -19,11 +19,13 @@ pub(super) struct Hints {
     given: usize,
 }
 
-impl Flight {
-    pub(in crate::screens) const fn tell_of_losses(&mut self, losses: u32) {
-        self.hints.losses = losses;
+impl Hints {
+    pub const fn note_losses(&mut self, losses: u32) {
+        self.losses = losses;
     }
+}
 
+impl Flight {
     /// Whether a restart now counts as a loss.
     pub(in crate::screens) fn is_given_up(&self) -> bool {
         let counts = self.is_by_hand() && !self.test && self.what_if.is_none();

@@ -28,10 +28,14 @@ use crate::screens::flight::ahead::Ahead;
 use crate::screens::flight::instruments::{Instruments, Stage};
 use crate::screens::flight::observer::Observer;
 use crate::screens::flight::race::Race;
-use crate::screens::screen::{AboveGame, GameScene, Request, Screen};
+use crate::screens::screen::{AboveGame, Destination, Effect, GameScene, Request, Screen};
 use crate::screens::settings::SettingsPanel;
+use crate::session::Session;
+use crate::session::answers::Worksheet;
 use crate::session::attempt::Attempt;
+use crate::session::folder_watch::FolderWatch;
 use crate::session::library::is_of_level;
+use crate::session::worker::{Brought, Ticket};
 use crate::settings::{Action, Key, Keys, Settings};
 use crate::ui::input::{Input, Stale};
 use crate::ui::pace::Motion;
@@ -46,10 +50,9 @@ use modifiers::Modifiers;
 use news::News;
 use pilot::Pilot;
 use rewind::Rewind;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use what_if::WhatIf;
-pub(super) use worksheet::Worksheet;
 
 #[derive(Debug)]
 pub struct Flight {
@@ -85,6 +88,14 @@ pub struct Flight {
     ahead: Ahead,
     /// Whether the flight tries out an edited level: it does not count.
     test: bool,
+    /// Whether that level is in memory only.
+    in_memory: bool,
+    /// The level's files.
+    watch: Option<FolderWatch>,
+    /// The level, while it is read again.
+    reading: Option<Ticket>,
+    /// What the attempt, which has ended, brought the player, in words.
+    remark: Option<String>,
     /// The state of the level's files, while it is shown.
     news: Option<News>,
     /// The attempt before, while the loss of it is shown.
@@ -143,8 +154,81 @@ impl Screen for Flight {
         }
     }
 
-    fn report_export(&mut self, told: Result<PathBuf, String>) {
-        self.instruments.report_export(told);
+    fn parent(&self) -> Destination {
+        let name = self.attempt.level.name.clone();
+        if self.test { Destination::Edit { name, original: true } } else { Destination::Menu }
+    }
+
+    fn reads(&self, effect: &Effect, session: &Session) -> Option<String> {
+        let name = &self.attempt.level.name;
+        (matches!(effect, Effect::Restart) && self.reads_again(session)).then(|| name.clone())
+    }
+
+    fn carry_out(&mut self, effect: Effect, session: &mut Session, spectator: &mut dyn Spectator) -> Option<Request> {
+        match effect {
+            Effect::Restart => self.restart_as_on_disk(session, spectator),
+            Effect::Export(file) => self.instruments.report_export(file.write(&session.places.root.join("exports"))),
+            Effect::HandIn(row) => self.hand_in(row, session),
+            Effect::SaveVaried(variation, name) => {
+                let saved = self.save_varied(&variation, &name, session);
+                let bad = saved.is_err();
+                self.instruments.vary_mut().tell(saved.unwrap_or_else(|reason| reason), bad);
+            }
+            _ => {}
+        }
+        None
+    }
+
+    fn look(&mut self, frame_time: f64, session: &mut Session) {
+        self.look_at_files(frame_time, session);
+    }
+
+    fn attend(&mut self, session: &mut Session) {
+        self.note_end(session);
+    }
+
+    fn receive(&mut self, ticket: Ticket, brought: Brought, session: &mut Session, spectator: &mut dyn Spectator) {
+        if let Brought::Level(folder, level) = brought
+            && self.reading.take_if(|reading| *reading == ticket).is_some()
+        {
+            self.take_over_from_disk(&folder, level, session, spectator);
+        }
+    }
+
+    /// Pauses a flight that is under way.
+    fn halt(&mut self) {
+        if self.game.outcome() == Outcome::Running && !self.is_watched() && self.pause.is_none() {
+            self.let_go();
+            self.pause = Some(pause::RESUME);
+        }
+    }
+
+    fn leave(&mut self, session: &mut Session) {
+        // An answer that cannot be written waits in the session.
+        let _ = self.write_down(session);
+        if let Some(sheet) = self.sheet.take() {
+            session.answers.sheets.insert(sheet.folder().to_owned(), *sheet);
+        }
+    }
+
+    fn come_back(&mut self, _: &dyn Screen, session: &mut Session, spectator: &mut dyn Spectator) {
+        if let Some(watch) = &self.watch {
+            session.library.open(watch.folder());
+        }
+        session.last_level = Some(self.attempt.level.name.clone());
+        spectator.begins(&self.game);
+        self.take_sheet(session);
+    }
+
+    fn write_down(&mut self, session: &mut Session) -> Result<(), String> {
+        if let Some(row) = self.sheet.as_mut().and_then(|sheet| sheet.take_unsaved()) {
+            self.hand_in(row, session);
+        }
+        Ok(())
+    }
+
+    fn is_at_risk(&self) -> bool {
+        self.sheet.as_ref().is_some_and(|sheet| sheet.is_unsaved())
     }
 
     fn scene(&self, frame: &Frame) -> Option<GameScene<'_>> {
@@ -214,13 +298,30 @@ impl Flight {
         Ok(flight)
     }
 
-    /// An attempt that tries out an edited level: Esc and F5 lead back to the editor, and so does its end.
+    /// An attempt at its start, whose level's files are watched.
     ///
     /// # Errors
-    /// As [`Flight::new`].
-    pub(super) fn test(level: Arc<Level>, left: Vec<String>, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
+    /// The level makes no world; so of all that follow.
+    pub fn open(attempt: Attempt, session: &mut Session, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
+        session.last_level = Some(attempt.level.name.clone());
+        let watch = Some(session.library.watch(&attempt.level));
+        let mut flight = Self { watch, ..Self::new(attempt, spectator)? };
+        flight.tell_of_settings(&session.settings, &session.settings_problems);
+        flight.take_sheet(session);
+        Ok(flight)
+    }
+
+    /// An attempt that tries out an edited level, in memory only or as its files are: Esc and F5 lead back to the editor, and so does its end.
+    pub(super) fn test(
+        (level, in_memory): (Arc<Level>, bool),
+        left: Vec<String>,
+        session: &Session,
+        spectator: &mut dyn Spectator,
+    ) -> Result<Self, GameError> {
         let news = (!left.is_empty()).then_some(News::Unfinished(left));
-        Ok(Self { test: true, news, ..Self::new(Attempt::by_hand(level), spectator)? })
+        let mut flight = Self { test: true, in_memory, news, ..Self::new(Attempt::by_hand(level), spectator)? };
+        flight.tell_of_settings(&session.settings, &[]);
+        Ok(flight)
     }
 
     /// An experiment that is flown by hand stands still at its start: a pupil looks and guesses before anything moves.
@@ -252,6 +353,10 @@ impl Flight {
             what_if: None,
             ahead: Ahead::within(what_if::AGAIN),
             test: false,
+            in_memory: false,
+            watch: None,
+            reading: None,
+            remark: None,
             news: None,
             lost: None,
             hints: Hints::default(),
@@ -264,13 +369,13 @@ impl Flight {
     /// A frame of an attempt without a pause.
     fn go_on(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
         if self.test && (input.pressed(Key::F5) || input.pressed(Key::Escape) || input.acts(Action::Pause)) {
-            return Some(Request::BackToEditor(self.told()));
+            return Some(Request::Pop);
         }
         if let Some(request) = self.follow_lost(input).or_else(|| self.serve_instruments(spectator)) {
             return Some(request);
         }
         if input.acts(Action::Restart) {
-            return Some(Request::Restart);
+            return Some(Request::Do(Effect::Restart));
         }
         self.switch_overlays(input);
         if self.update_what_if(input.worked(), spectator) {
@@ -328,13 +433,13 @@ impl Flight {
     /// Fulfils the wishes of the instruments.
     fn serve_instruments(&mut self, spectator: &mut dyn Spectator) -> Option<Request> {
         let wish = self.instruments.vary_mut().take_wish();
-        if let Some(request) = wish.and_then(|wish| self.grant(wish, spectator)) {
+        if let Some(request) = wish.and_then(|wish| self.fulfil(wish, spectator)) {
             return Some(request);
         }
         if let Some(tick) = self.instruments.take_seek() {
             self.seek(tick, spectator);
         }
-        self.instruments.take_export().map(Request::Export)
+        self.instruments.take_export().map(|file| Request::Do(Effect::Export(file)))
     }
 
     pub(super) fn attempt(&self) -> &Attempt {

@@ -2,8 +2,7 @@
 
 use super::{Flight, Worksheet, worksheet};
 use crate::draw::layout::{Area, GAP, HEADING, PADDING, Vec2, WIDE_BUTTON};
-use crate::game::Outcome;
-use crate::screens::screen::{Purpose, Request, Screen};
+use crate::screens::screen::{Destination, Effect, Purpose, Request, Screen};
 use crate::screens::settings::SettingsPanel;
 use crate::settings::{Action, Key};
 use crate::ui::Ui;
@@ -29,14 +28,6 @@ impl Flight {
     pub(super) fn switch_overlays(&mut self, input: &Input) {
         self.details ^= input.acts(Action::Details);
         self.hitboxes ^= input.acts(Action::Hitboxes);
-    }
-
-    /// Pauses a flight that is under way.
-    pub(in crate::screens) fn halt(&mut self) {
-        if self.game.outcome() == Outcome::Running && !self.is_watched() && self.pause.is_none() {
-            self.let_go();
-            self.pause = Some(RESUME);
-        }
     }
 
     /// The panel, where it is open.
@@ -82,15 +73,18 @@ impl Flight {
         match pressed? {
             RESUME => self.pause = None,
             HINT => self.give_hint(),
-            RESTART => return Some(Request::Restart),
+            RESTART => return Some(Request::Do(Effect::Restart)),
             SETTINGS => {
                 let panel = SettingsPanel::new(ui.input().settings, self.settings_problems.clone());
                 self.settings = Some(Box::new(panel));
             }
-            LEVEL_SELECT => return Some(Request::LevelSelect(Purpose::Play)),
-            MENU => return Some(Request::Menu),
-            EDIT => return Some(Request::Edit(self.attempt.level.name.clone())),
-            _ => return Some(Request::Experiments(self.attempt.level.name.clone())),
+            LEVEL_SELECT => return Some(Request::Reset(Destination::Levels(Purpose::Play))),
+            MENU => return Some(Request::Reset(Destination::Menu)),
+            EDIT => {
+                let name = self.attempt.level.name.clone();
+                return Some(Request::Push(Destination::Edit { name, original: false }));
+            }
+            _ => return Some(Request::Reset(Destination::Lab(Some(self.attempt.level.name.clone())))),
         }
         None
     }
@@ -98,7 +92,7 @@ impl Flight {
     fn show_settings(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         ui.layer(1.0);
         match self.settings.as_mut()?.show(ui)? {
-            Request::Menu => {
+            Request::Pop => {
                 self.settings = None;
                 None
             }

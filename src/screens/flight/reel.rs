@@ -47,12 +47,12 @@ const TIME_LINE: &str = "Time line";
 
 impl Flight {
     /// A recorded flight from its start.
-    pub(in crate::screens) fn watch(title: String, reel: Reel, back: Request, spectator: &mut dyn Spectator) -> Self {
+    pub(in crate::screens) fn watch(title: String, reel: Reel, spectator: &mut dyn Spectator) -> Self {
         let Reel { history, unflown } = reel;
         let game = history.at(0);
         let attempt = Attempt::by_hand(game.shared_level().clone());
         spectator.begins(&game);
-        let viewer = Viewer { title, back, unflown, ahead: Ahead::default(), dragged: false };
+        let viewer = Viewer { title, unflown, ahead: Ahead::default(), dragged: false };
         Self { history, observer: Observer::with_paces(&PACES), ..Self::at_start(attempt, game, Pilot::Reel(Box::new(viewer))) }
     }
 
@@ -129,10 +129,7 @@ impl Flight {
         ];
         let now = self.game.ticks();
         match ui.tools(&tools)? {
-            BACK => {
-                let Pilot::Reel(viewer) = &self.pilot else { return None };
-                return Some(viewer.back.clone());
-            }
+            BACK => return Some(Request::Pop),
             STEP_BACK => self.seek(now.saturating_sub(1), ui.spectator),
             STEP_ON => self.seek(now + 1, ui.spectator),
             SLOWER => self.observer.slow_down(),

@@ -2,13 +2,10 @@
 
 use crate::game::Unflown;
 use crate::screens::flight::ahead::Ahead;
-use crate::screens::screen::Request;
 
 #[derive(Debug)]
 pub(super) struct Viewer {
     pub title: String,
-    /// The request of the button that leads back.
-    pub back: Request,
     /// The inputs that the history lacks.
     pub unflown: Option<Unflown>,
     /// Ticks to fly of them in a frame.

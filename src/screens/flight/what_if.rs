@@ -6,7 +6,7 @@ use crate::game::{Again, Controls, Game, History, Outcome, Tape};
 use crate::instruments::vary::Variation;
 use crate::level::Level;
 use crate::screens::flight::instruments::vary::{Varied, VaryFrom, VaryWish};
-use crate::screens::screen::Request;
+use crate::screens::screen::{Effect, Request};
 use crate::settings::Key;
 use crate::ui::Spectator;
 use crate::ui::input::Input;
@@ -103,7 +103,7 @@ impl Flight {
     }
 
     /// Does what the panel asks for.
-    pub(super) fn grant(&mut self, wish: VaryWish, spectator: &mut dyn Spectator) -> Option<Request> {
+    pub(super) fn fulfil(&mut self, wish: VaryWish, spectator: &mut dyn Spectator) -> Option<Request> {
         match wish {
             VaryWish::Vary(variation, from, goes_on) => {
                 if let Err(words) = self.vary(variation, from, goes_on) {
@@ -114,14 +114,8 @@ impl Flight {
                 None
             }
             VaryWish::Restore => Some(self.restore()),
-            VaryWish::Save(name) => Some(Request::SaveVaried(self.variation()?.clone(), name)),
+            VaryWish::Save(name) => Some(Request::Do(Effect::SaveVaried(self.variation()?.clone(), name))),
         }
-    }
-
-    /// Says what became of a level that was to be saved.
-    pub(in crate::screens) fn tell_of_saving(&mut self, saved: Result<String, String>) {
-        let bad = saved.is_err();
-        self.instruments.vary_mut().tell(saved.unwrap_or_else(|reason| reason), bad);
     }
 
     /// The level as it is, from its start: a fresh attempt. Until that has begun what is shown counts no more than before.
@@ -129,7 +123,7 @@ impl Flight {
         if let Some(what_if) = &mut self.what_if {
             what_if.variation = Variation::default();
         }
-        Request::Restart
+        Request::Do(Effect::Restart)
     }
 
     /// Varies the level from there on.

@@ -63,7 +63,7 @@ impl ChartsPage {
         let other = if self.over_time().is_some() { "At the end" } else { "Over time" };
         let tools = [BACK, ("Previous", Key::Left, "←"), ("Next", Key::Right, "→"), METHOD, (other, Key::Space, "Space")];
         match ui.tools(&tools[..if followed { 5 } else { 4 }]) {
-            Some("Back") => return Some(Request::Menu),
+            Some("Back") => return Some(Request::Pop),
             Some("Previous") => self.turn_to(self.scene + scenes.saturating_sub(1)),
             Some("Next") => self.turn_to(self.scene + 1),
             Some("Method") => self.legend.go(1, curves),

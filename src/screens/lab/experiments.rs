@@ -3,7 +3,7 @@
 use super::BACK;
 use crate::draw::layout::{Area, BUTTON_TEXT, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::screens::screen::Request;
+use crate::screens::screen::{Destination, Request};
 use crate::session::experiment::Experiment;
 use crate::settings::Key;
 use crate::ui::{Touch, Ui, WidgetKind};
@@ -41,7 +41,7 @@ impl ExperimentsPage {
         let flies = self.show_list(ui, body);
         let tool = ui.tools(&[BACK, ("Fly it", Key::Enter, "Enter")]);
         if tool == Some("Back") {
-            return Some(Request::Menu);
+            return Some(Request::Pop);
         }
         let left = body.size.x * LIST + BETWEEN;
         let panel = Area::new(body.min.x + left, body.min.y, body.size.x - left, body.size.y);
@@ -52,7 +52,7 @@ impl ExperimentsPage {
             return None;
         };
         draw_description(ui.canvas(), panel, chosen);
-        (flies || tool == Some("Fly it")).then(|| Request::Experiment(chosen.folder.clone()))
+        (flies || tool == Some("Fly it")).then(|| Request::Reset(Destination::Experiment(chosen.folder.clone())))
     }
 
     /// Whether the chosen experiment is flown: a click on another line chooses it first.

@@ -43,6 +43,6 @@ impl StabilityPage {
         for (words, down) in words.iter().zip([18.0, 42.0]) {
             widgets::fitted(ui.canvas(), tr(words), at(plane.panel.max().y + down), widest, &[TEXT, DETAILS], theme::text());
         }
-        (tool == Some("Back")).then_some(Request::Menu)
+        (tool == Some("Back")).then_some(Request::Pop)
     }
 }

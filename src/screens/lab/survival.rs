@@ -59,7 +59,7 @@ impl SurvivalPage {
     }
 
     pub(super) fn show(&mut self, ui: &mut Ui<'_>, body: Area) -> Option<Request> {
-        let request = ui.tools(&[BACK]).map(|_| Request::Menu);
+        let request = ui.tools(&[BACK]).map(|_| Request::Pop);
         let (table, large) = panels(body);
         let quiet = Style::new(TEXT, theme::quiet()).middle().centred();
         let words =

@@ -4,14 +4,15 @@
 use crate::draw::Style;
 use crate::draw::layout::{ROW_BUTTON, TEXT, Vec2};
 use crate::level::Landscape;
-use crate::screens::screen::{Make, Purpose, Request, Screen};
+use crate::screens::screen::{Destination, Effect, Make, Purpose, Request, Screen};
+use crate::session::Session;
 use crate::session::library::Refusal;
 use crate::session::recordings::Visit;
+use crate::session::worker::{Brought, Ticket};
 use crate::settings::{Action, Key};
-use crate::ui::input::Stroke;
 use crate::ui::problems::Problems;
-use crate::ui::prompt::{Prompt, Reply};
-use crate::ui::{Ui, WidgetKind};
+use crate::ui::prompt::Prompt;
+use crate::ui::{Spectator, Ui, WidgetKind};
 use crate::view::theme;
 use crate::words::tr;
 use places::{FOOT, FOOT_BUTTON, HEAD, SIDE, from_left, from_right};
@@ -21,6 +22,7 @@ use std::path::PathBuf;
 
 mod card;
 mod entry;
+mod files;
 mod places;
 mod shelves;
 
@@ -59,6 +61,8 @@ pub struct LevelSelect {
     prompt: Option<Box<(Prompt, Asked)>>,
     /// Until the next look at files, s.
     look: f64,
+    /// What the worker is asked for, by the levels' names; the list has none.
+    asked: BTreeMap<String, Ticket>,
 }
 
 /// What a name is asked for.
@@ -87,6 +91,7 @@ impl LevelSelect {
             pick: None,
             prompt: None,
             look: LOOK_EVERY,
+            asked: BTreeMap::new(),
         };
         screen.renew(names, world);
         screen
@@ -103,11 +108,11 @@ impl LevelSelect {
     /// Shows why a level does not load.
     pub fn show_problems(&mut self, name: &str, refusal: Refusal) {
         self.turn_to_level(name);
-        self.show(tr!("Level {name} does not load", name), refusal);
+        self.show_panel(tr!("Level {name} does not load", name), refusal);
     }
 
     /// Shows a panel above the list.
-    pub fn show(&mut self, heading: String, problems: Vec<String>) {
+    pub fn show_panel(&mut self, heading: String, problems: Vec<String>) {
         self.problems = Some(Problems::new(heading, problems));
     }
 
@@ -116,13 +121,6 @@ impl LevelSelect {
         let prompt = Prompt::new(tr!("What is your copy of {name} called?", name), free)
             .with_note(tr!("{name} comes with the game and stays as it is.", name));
         self.prompt = Some(Box::new((prompt, Asked::OwnCopy(folder))));
-    }
-
-    /// Says why a name will not do.
-    pub fn refuse(&mut self, reason: String) {
-        if let Some(asked) = &mut self.prompt {
-            asked.0.refuse(reason);
-        }
     }
 
     /// The entries in view.
@@ -189,9 +187,8 @@ impl LevelSelect {
     /// The flights of the level at that place in the list, where it loads.
     fn visit(&self, index: usize) -> Option<Request> {
         let LevelEntry { name, level, .. } = &self.entries[index];
-        let back = Box::new(Request::LevelSelect(self.purpose));
         let loads = level.as_ref().is_some_and(Result::is_ok) && self.purpose != Purpose::Edit;
-        loads.then(|| Request::Flights(Visit { level: name.clone(), flown: None, chosen: None, back }))
+        loads.then(|| Request::Push(Destination::Flights(Visit { level: name.clone(), flown: None, chosen: None })))
     }
 
     /// Esc: out of what was begun last.
@@ -204,67 +201,7 @@ impl LevelSelect {
         if self.pick.take().is_some() {
             return None;
         }
-        match self.purpose {
-            Purpose::Edit => Some(Request::LevelSelect(Purpose::Play)),
-            Purpose::Play | Purpose::Leaderboard => Some(Request::Menu),
-        }
-    }
-
-    /// Letters are what is to be found; whether there were any.
-    fn type_in(&mut self, ui: &mut Ui<'_>) -> bool {
-        let before = self.find.clone();
-        for stroke in if ui.is_live() { ui.input().strokes(&[]) } else { Vec::new() } {
-            if let Stroke::Letter(letter) = stroke
-                && !letter.is_control()
-                && self.find.chars().count() < MOST_LETTERS
-            {
-                self.find.push(letter);
-            }
-        }
-        self.find = self.find.trim_start().to_owned();
-        let letters = self.find.chars().count().saturating_sub(ui.strokes(&[Key::Backspace]).len());
-        self.find = self.find.chars().take(letters).collect();
-        let changed = self.find != before;
-        if changed {
-            self.search_again(ui);
-        }
-        changed
-    }
-
-    fn search_again(&mut self, ui: &mut Ui<'_>) {
-        self.page = 0;
-        self.start = None;
-        ui.focus(None);
-        self.search();
-    }
-
-    fn search(&mut self) {
-        let letters = self.find.trim().to_lowercase();
-        self.found = (0..self.entries.len()).filter(|index| self.entries[*index].has(&letters)).collect();
-        let worlds: Vec<Option<Landscape>> = self.found.iter().map(|index| self.entries[*index].world).collect();
-        self.pages = shelves::pages(&worlds);
-        self.page = self.page.min(self.pages.len().saturating_sub(1));
-    }
-
-    fn show_prompt(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
-        let (prompt, asked) = &mut **self.prompt.as_mut()?;
-        match prompt.show(ui)? {
-            Reply::Cancel => {
-                let leaves = matches!(asked, Asked::OwnCopy(_));
-                self.prompt = None;
-                leaves.then_some(Request::LeaveEditor)
-            }
-            Reply::Text(name) => Some(Request::Make(match asked.clone() {
-                Asked::New => Make::New(name),
-                Asked::Copy(from) => Make::Copy(from, name),
-                Asked::OwnCopy(folder) => Make::CopyOf(folder, name),
-                Asked::Rename(from) => Make::Rename(from, name),
-            })),
-        }
-    }
-
-    fn ask(&mut self, heading: String, text: &str, asked: Asked) {
-        self.prompt = Some(Box::new((Prompt::new(heading, text), asked)));
+        Some(Request::Pop)
     }
 
     fn choose(&mut self, index: usize) -> Option<Request> {
@@ -279,9 +216,9 @@ impl LevelSelect {
                 None
             }
             // Whether it loads is found out afresh: it may have been mended since.
-            (Purpose::Play, None) => Some(Request::Play(name)),
-            (Purpose::Leaderboard, None) => Some(Request::Leaderboard(name)),
-            (Purpose::Edit, None) => Some(Request::Edit(name)),
+            (Purpose::Play, None) => Some(Request::Reset(Destination::Play(name))),
+            (Purpose::Leaderboard, None) => Some(Request::Reset(Destination::Board(name))),
+            (Purpose::Edit, None) => Some(Request::Reset(Destination::Edit { name, original: false })),
         }
     }
 
@@ -368,7 +305,7 @@ impl LevelSelect {
         }
         match pressed {
             Some("Back") => return self.go_back(ui),
-            Some("Edit") => return Some(Request::LevelSelect(Purpose::Edit)),
+            Some("Edit") => return Some(Request::Reset(Destination::Levels(Purpose::Edit))),
             Some("New") => self.ask(tr("What is the new level called?").to_owned(), "", Asked::New),
             Some("Copy") => self.pick = Some(PickFor::Copy),
             Some("Rename") => self.pick = Some(PickFor::Rename),
@@ -393,5 +330,58 @@ impl Screen for LevelSelect {
             self.problems = None;
         }
         request
+    }
+
+    fn parent(&self) -> Destination {
+        match (self.purpose, &self.prompt) {
+            (_, Some(asked)) if matches!(asked.1, Asked::OwnCopy(_)) => Destination::Levels(Purpose::Edit),
+            (Purpose::Edit, _) => Destination::Levels(Purpose::Play),
+            (Purpose::Play | Purpose::Leaderboard, _) => Destination::Menu,
+        }
+    }
+
+    fn carry_out(&mut self, effect: Effect, session: &mut Session, _: &mut dyn Spectator) -> Option<Request> {
+        let Effect::Make(make) = effect else { return None };
+        match files::make(&make, session) {
+            Ok(()) => Some(match make {
+                Make::Rename(..) => Request::Reset(Destination::Levels(Purpose::Edit)),
+                Make::New(name) | Make::Copy(_, name) | Make::CopyOf(_, name) => {
+                    Request::Replace(Destination::Edit { name, original: false })
+                }
+            }),
+            Err(reason) => {
+                self.refuse(reason);
+                None
+            }
+        }
+    }
+
+    fn refuse(&mut self, reason: String) {
+        if let Some(asked) = &mut self.prompt {
+            asked.0.refuse(reason);
+        }
+    }
+
+    fn look(&mut self, frame_time: f64, session: &mut Session) {
+        self.look_at_files(frame_time, session);
+    }
+
+    fn attend(&mut self, session: &mut Session) {
+        self.ask_for_cards(session);
+    }
+
+    fn receive(&mut self, ticket: Ticket, brought: Brought, session: &mut Session, _: &mut dyn Spectator) {
+        match brought {
+            Brought::Card(card) => self.take_card(ticket, *card, session),
+            Brought::List(names) => {
+                self.asked.remove("");
+                self.renew(names, |name| session.library.landscape(name));
+            }
+            _ => {}
+        }
+    }
+
+    fn leave(&mut self, session: &mut Session) {
+        std::mem::take(&mut self.asked).values().for_each(|ticket| session.worker.forget(*ticket));
     }
 }

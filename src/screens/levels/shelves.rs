@@ -2,10 +2,14 @@
 
 use super::entry::LevelEntry;
 use super::places::{HEAD, SIDE, cards, room};
+use super::{LevelSelect, MOST_LETTERS};
 use crate::draw::layout::{Area, BUTTON_TEXT, Frame, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Medal, Prize};
 use crate::level::Landscape;
+use crate::settings::Key;
+use crate::ui::Ui;
+use crate::ui::input::Stroke;
 use crate::view::sky::WorldPalette;
 use crate::view::{medals, theme};
 use crate::words::tr;
@@ -71,6 +75,44 @@ pub(super) fn draw_heading(canvas: &Canvas, area: Area, levels: &[&LevelEntry]) 
         right -= canvas.width(&format!("{earned}"), style) + 18.0;
         medals::draw(canvas, Prize::Medal(medal), true, Vec2::new(right, middle), 9.0);
         right -= 30.0;
+    }
+}
+
+impl LevelSelect {
+    /// Letters are what is to be found; whether there were any.
+    pub(super) fn type_in(&mut self, ui: &mut Ui<'_>) -> bool {
+        let before = self.find.clone();
+        for stroke in if ui.is_live() { ui.input().strokes(&[]) } else { Vec::new() } {
+            if let Stroke::Letter(letter) = stroke
+                && !letter.is_control()
+                && self.find.chars().count() < MOST_LETTERS
+            {
+                self.find.push(letter);
+            }
+        }
+        self.find = self.find.trim_start().to_owned();
+        let letters = self.find.chars().count().saturating_sub(ui.strokes(&[Key::Backspace]).len());
+        self.find = self.find.chars().take(letters).collect();
+        let changed = self.find != before;
+        if changed {
+            self.search_again(ui);
+        }
+        changed
+    }
+
+    pub(super) fn search_again(&mut self, ui: &mut Ui<'_>) {
+        self.page = 0;
+        self.start = None;
+        ui.focus(None);
+        self.search();
+    }
+
+    pub(super) fn search(&mut self) {
+        let letters = self.find.trim().to_lowercase();
+        self.found = (0..self.entries.len()).filter(|index| self.entries[*index].has(&letters)).collect();
+        let worlds: Vec<Option<Landscape>> = self.found.iter().map(|index| self.entries[*index].world).collect();
+        self.pages = pages(&worlds);
+        self.page = self.page.min(self.pages.len().saturating_sub(1));
     }
 }
 

@@ -97,7 +97,7 @@ impl Screen for Credits {
             }
         }
         let back = ui.row(panel.max().y + (MARGIN.y - ROW_BUTTON.y + GAP) / 2.0, &["Back"]);
-        (back.is_some() || ui.key(Key::Escape)).then_some(Request::Menu)
+        (back.is_some() || ui.key(Key::Escape)).then_some(Request::Pop)
     }
 }
 

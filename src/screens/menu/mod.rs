@@ -1,8 +1,10 @@
 //! The main menu: who plays, where the ship hovers over the buttons, and a little game: a right click drops a ball.
 
 mod balls;
+pub mod closing;
 pub mod credits;
 mod hover;
+pub mod link;
 
 use crate::draw::layout::{Area, BUTTON_TEXT, Frame, GRID, PADDING, ROW_BUTTON, TEXT, TITLE, Vec2, words_box, words_width};
 use crate::draw::{Canvas, Colour, Style};
@@ -10,11 +12,13 @@ use crate::physics::{DVec2, ForceKind};
 use crate::scores::Name;
 use crate::screens::flight::Flight;
 use crate::screens::menu::balls::{Balls, METRE};
-use crate::screens::screen::{GameScene, Purpose, Request, Screen};
+use crate::screens::screen::{Destination, GameScene, Purpose, Request, Screen};
+use crate::session::Session;
+use crate::session::worker::{Brought, Errand, Ticket};
 use crate::settings::Key;
 use crate::ui::input::Input;
 use crate::ui::pace::{self, Motion};
-use crate::ui::{Ui, WidgetKind};
+use crate::ui::{Spectator, Ui, WidgetKind};
 use crate::view::camera::{CanvasWindow, Viewport};
 use crate::view::{arrows, theme, things, widgets};
 use crate::words::tr;
@@ -73,19 +77,25 @@ pub struct Menu {
 }
 
 impl Menu {
+    /// The menu for the present player; the worker brings the level that Play opens.
+    pub fn open(session: &mut Session) -> Self {
+        session.menus += 1;
+        session.journal.try_again();
+        let names = session.library.names();
+        let (open, done): (Vec<&String>, Vec<&String>) =
+            names.iter().partition(|name| session.journal.medals(name).medal.is_none());
+        // Of a level that is not done a flight for gold would tell too much; but the first one has to begin somehow.
+        let shown = done.get(session.menus as usize % done.len().max(1)).or(open.first());
+        let shown = shown.map(|name| session.library.folder(name));
+        let folders = open.into_iter().chain(done).map(|name| session.library.folder(name)).collect();
+        session.worker.ask(Errand::First(folders, session.library.root().to_path_buf(), shown));
+        let (player, trouble) = (session.journal.current().clone(), session.journal.trouble().map(str::to_owned));
+        Self::new(MenuFacts { next: None, player, trouble }, session.menus)
+    }
+
     /// The menu. How balls fly follows from `seed` and from when they are dropped.
     pub fn new(facts: MenuFacts, seed: u64) -> Self {
         Self { facts, balls: Balls::new(seed), behind: None, lines: Vec::new() }
-    }
-
-    /// Takes over which level Play opens.
-    pub fn tell_next(&mut self, next: Option<(String, String)>) {
-        self.facts.next = next;
-    }
-
-    /// Lets a recorded flight play behind the buttons, over and over.
-    pub(super) fn show_behind(&mut self, flight: Flight) {
-        self.behind = Some(Box::new(flight));
     }
 
     /// Whether ship and balls hold still: nobody has touched anything for long, or the player is elsewhere.
@@ -187,7 +197,7 @@ impl Screen for Menu {
         let again = Area { min: credits.min - Vec2::new(0.0, ROW_BUTTON.y + PADDING), size: ROW_BUTTON };
         // The menu that opens then has tried once more to save what waits.
         if self.facts.trouble.is_some() && ui.button("Try again", again) {
-            return Some(Request::Menu);
+            return Some(Request::Reset(Destination::Menu));
         }
         self.lines = self.show_next(ui, column[0]).into_iter().chain([self.show_foot(ui)]).collect();
         self.lines.push(Self::show_title(ui));
@@ -201,26 +211,33 @@ impl Screen for Menu {
         self.balls.draw(ui.canvas());
         self.draw_ship(ui.canvas(), &frame);
         if player {
-            return Some(Request::Players);
+            return Some(Request::Reset(Destination::Players));
         }
         if credited {
-            return Some(Request::Credits);
+            return Some(Request::Reset(Destination::Credits));
         }
         // Quit is a button, so that no one leaves by one key too many.
-        Some(match pressed.filter(|_| !ui.key(Key::Escape))? {
+        Some(Request::Reset(match pressed.filter(|_| !ui.key(Key::Escape))? {
             "Play" => match &self.facts.next {
-                Some((name, _)) => Request::Play(name.clone()),
-                None => Request::LevelSelect(Purpose::Play),
+                Some((name, _)) => Destination::Play(name.clone()),
+                None => Destination::Levels(Purpose::Play),
             },
-            "Level Select" => Request::LevelSelect(Purpose::Play),
-            "Leaderboards" => Request::LevelSelect(Purpose::Leaderboard),
-            "Classics" => Request::Classics(None),
-            "Lab" => Request::Lab,
-            "Settings" => Request::Settings,
+            "Level Select" => Destination::Levels(Purpose::Play),
+            "Leaderboards" => Destination::Levels(Purpose::Leaderboard),
+            "Classics" => Destination::Classics(None),
+            "Lab" => Destination::Lab(None),
+            "Settings" => Destination::Settings,
             #[cfg(all(feature = "window", browser))]
-            LAST => Request::PageData,
-            _ => Request::Quit,
-        })
+            LAST => Destination::PageData,
+            _ => return Some(Request::Quit),
+        }))
+    }
+
+    fn receive(&mut self, _: Ticket, brought: Brought, _: &mut Session, spectator: &mut dyn Spectator) {
+        if let Brought::First(next, gold) = brought {
+            self.facts.next = next;
+            self.behind = gold.map(|gold| Box::new(Flight::watch(String::new(), *gold, spectator)));
+        }
     }
 
     fn scene(&self, frame: &Frame) -> Option<GameScene<'_>> {

@@ -3,7 +3,8 @@
 use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, GAP, PADDING, TEXT, Vec2};
 use crate::scores::{Name, PlayerRecord, Players};
-use crate::screens::screen::{Request, Screen};
+use crate::screens::screen::{Effect, Request, Screen};
+use crate::session::Session;
 use crate::settings::Key;
 use crate::ui::name_field::{NameEntry, NameField};
 use crate::ui::scroll::bar_beside;
@@ -43,6 +44,13 @@ pub struct PlayerList {
 }
 
 impl PlayerList {
+    /// With what others have written meanwhile.
+    pub fn open(session: &mut Session) -> Self {
+        session.journal.read();
+        let trouble = session.journal.trouble().map(str::to_owned);
+        Self::new(session.journal.players(), session.journal.current(), trouble)
+    }
+
     /// The players that are known, and the one who plays now. Without any there is only the field.
     pub fn new(known: &Players, current: &Name, trouble: Option<String>) -> Self {
         let candidate = |player: &PlayerRecord| Candidate { name: player.name().clone(), done: player.done() };
@@ -55,8 +63,8 @@ impl PlayerList {
     fn show_field(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         ui.page("New player", ui.frame().size.y * 0.2);
         match self.field.as_mut()?.show(ui, (tr("What you complete is kept under this name."), "Done"))? {
-            NameEntry::Name(name) => return Some(Request::Choose(name, true)),
-            NameEntry::Back if self.candidates.is_empty() => return Some(Request::Menu),
+            NameEntry::Name(name) => return Some(Request::Do(Effect::Choose(name, true))),
+            NameEntry::Back if self.candidates.is_empty() => return Some(Request::Pop),
             NameEntry::Back => self.field = None,
         }
         ui.focus(Some(NEW));
@@ -104,12 +112,12 @@ impl Screen for PlayerList {
         let chosen = self.show_rows(ui, list);
         let pressed = ui.row(list.max().y + 2.0 * GAP, &[NEW, "Back"]);
         if let Some(index) = chosen {
-            return Some(Request::Choose(self.candidates[index].name.clone(), false));
+            return Some(Request::Do(Effect::Choose(self.candidates[index].name.clone(), false)));
         }
         if pressed == Some(NEW) {
             self.field = Some(NameField::new(""));
             ui.focus(None);
         }
-        (ui.key(Key::Escape) || pressed == Some("Back")).then_some(Request::Menu)
+        (ui.key(Key::Escape) || pressed == Some("Back")).then_some(Request::Pop)
     }
 }

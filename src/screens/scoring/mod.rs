@@ -7,12 +7,13 @@ use crate::draw::{Colour, Style};
 use crate::game::{Outcome, RunResult, goals};
 use crate::number::{clock, whole_hundredths};
 use crate::scores::{subject, unsaved_points};
-use crate::screens::screen::{Gain, Noise, Onward, Request, Screen};
+use crate::screens::screen::{Destination, Effect, Finished, Gain, Noise, Onward, Request, Screen};
+use crate::session::Session;
 use crate::session::attempt::{Attempt, Flown};
 use crate::session::recordings::Visit;
 use crate::settings::{Action, Key};
-use crate::ui::Ui;
 use crate::ui::input::Input;
+use crate::ui::{Spectator, Ui};
 use crate::view::{medals, theme, widgets};
 use crate::words::tr;
 use std::rc::Rc;
@@ -69,15 +70,10 @@ pub struct Scoring {
 }
 
 impl Scoring {
-    /// The screen for that result; `next` is the level after this one, and `remark` says what it brought.
-    pub fn new(attempt: Attempt, result: RunResult, flown: Option<Rc<Flown>>, next: Option<String>, remark: String) -> Self {
-        Self { attempt, result, next, remark, shown: 0.0, stamped: false, released: false, best: None, flown }
-    }
-
-    /// With the player's best time in the level, s.
-    #[must_use]
-    pub fn with_best(self, best: Option<f64>) -> Self {
-        Self { best, ..self }
+    pub fn open(Finished { attempt, result, flown, remark }: Finished, session: &Session) -> Self {
+        let next = session.library.after(&result.level);
+        let best = session.journal.best(&result.level);
+        Self { attempt, result, next, remark, shown: 0.0, stamped: false, released: false, best, flown }
     }
 
     /// What the attempt came to.
@@ -127,27 +123,24 @@ impl Scoring {
         (points as f64 * (1.0 - (1.0 - part).powi(3))).round() as i64
     }
 
-    /// This screen once more.
-    fn again(&self) -> Request {
-        Request::Score(self.attempt.clone(), self.result.clone(), self.flown.clone())
+    fn flights(&self) -> Request {
+        Request::Push(Destination::Flights(Visit { level: self.result.level.clone(), flown: self.flown.clone(), chosen: None }))
     }
 
-    fn visit(&self, back: Request) -> Request {
-        Request::Flights(Visit { level: self.result.level.clone(), flown: self.flown.clone(), chosen: None, back: Box::new(back) })
+    fn again(&self) -> Request {
+        Request::Reset(Destination::Fly(self.attempt.clone()))
     }
 
     /// The score, and where the leaderboard leads on once it is saved.
     fn gain(&self) -> Gain {
-        let next = self.next.clone().map(|next| Onward { label: NEXT, to: Request::Play(next) });
+        let next = self.next.clone().map(|next| Onward { label: NEXT, to: Request::Reset(Destination::Play(next)) });
         // What is saved can be watched and raced from its row.
-        let board = Request::Leaderboard(self.result.level.clone());
-        let more = [(AGAIN, Request::Attempt(self.attempt.clone())), (FLIGHTS, self.visit(board)), (MENU, Request::Menu)];
+        let more = [(AGAIN, self.again()), (FLIGHTS, self.flights()), (MENU, Request::Reset(Destination::Menu))];
         Gain {
             board: self.result.level.clone(),
             subject: subject(&self.result.level, &self.attempt.level.title),
             points: self.result.score.total,
             flown: self.flown.clone(),
-            back: Box::new(self.again()),
             onward: next.into_iter().chain(more.map(|(label, to)| Onward { label, to })).collect(),
         }
     }
@@ -286,23 +279,27 @@ impl Screen for Scoring {
             );
         }
         if ui.key(Key::Escape) {
-            return Some(Request::Menu);
+            return Some(Request::Reset(Destination::Menu));
         }
         if ui.acts(Action::Restart) {
-            return Some(Request::Attempt(self.attempt.clone()));
+            return Some(self.again());
         }
         Some(match pressed? {
-            AGAIN => Request::Attempt(self.attempt.clone()),
-            NEXT => Request::Play(self.next.clone()?),
-            SAVE => Request::SaveScore(self.gain()),
-            FLIGHTS => self.visit(self.again()),
-            _ => Request::Menu,
+            AGAIN => self.again(),
+            NEXT => Request::Reset(Destination::Play(self.next.clone()?)),
+            SAVE => Request::Do(Effect::SaveScore(self.gain(), None)),
+            FLIGHTS => self.flights(),
+            _ => Request::Reset(Destination::Menu),
         })
     }
 
     fn unsaved(&self) -> Option<String> {
         let subject = || subject(&self.result.level, &self.attempt.level.title);
         self.saves().then(|| unsaved_points(self.result.score.total, &subject()))
+    }
+
+    fn carry_out(&mut self, effect: Effect, session: &mut Session, _: &mut dyn Spectator) -> Option<Request> {
+        save_score::save_as_player(effect, session)
     }
 
     fn noises(&self) -> Vec<Noise> {

@@ -5,7 +5,7 @@ pub mod page_data;
 
 use crate::draw::layout::{Area, DETAILS, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Colour, Style};
-use crate::screens::screen::{Request, Screen};
+use crate::screens::screen::{Effect, Request, Screen};
 use crate::settings::{Action, Item, Key, Keys, Settings};
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
@@ -152,7 +152,7 @@ impl SettingsPanel {
 }
 
 impl Screen for SettingsPanel {
-    /// [`Request::Set`] after a change, [`Request::Menu`] to leave.
+    /// [`Effect::Set`] after a change, [`Request::Pop`] to leave.
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         let (before, size) = (self.settings, ui.frame().size);
         let values = Vec2::new((size.x - VALUES.x - KEYS.x - BETWEEN) / 2.0, TOP);
@@ -168,12 +168,12 @@ impl Screen for SettingsPanel {
         let labels = if self.problems.is_empty() { &["Defaults", "Back"][..] } else { &["Try again", "Defaults", "Back"] };
         let pressed = ui.row(size.y - ROW_BUTTON.y - 32.0, labels);
         if leaves || pressed == Some("Back") {
-            return Some(Request::Menu);
+            return Some(Request::Pop);
         }
         if pressed == Some("Defaults") {
             self.settings = Settings::default();
         }
-        (self.settings != before || pressed == Some("Try again")).then_some(Request::Set(self.settings))
+        (self.settings != before || pressed == Some("Try again")).then_some(Request::Do(Effect::Set(self.settings)))
     }
 
     fn tell_of_settings(&mut self, settings: &Settings, problems: &[String]) {

@@ -37,7 +37,7 @@ impl Screen for PageData {
         ui.text(&self.told, middle + Vec2::new(0.0, 240.0), told);
         let pressed = ui.row(ui.frame().size.y - 88.0, &["Export", "Import", DELETE, "Back"]);
         if ui.key(Key::Escape) {
-            return Some(Request::Menu);
+            return Some(Request::Pop);
         }
         match pressed? {
             "Export" => self.told = web::export(),
@@ -47,7 +47,7 @@ impl Screen for PageData {
                 tr("Press again to delete all scores, flights, levels and settings of this page.").clone_into(&mut self.told);
                 self.warned = true;
             }
-            _ => return Some(Request::Menu),
+            _ => return Some(Request::Pop),
         }
         None
     }

@@ -158,7 +158,7 @@ impl SideBySide {
             ("Next", Key::Down, "↓"),
         ];
         match ui.tools(&tools)? {
-            "Back" => return Some(Request::Menu),
+            "Back" => return Some(Request::Pop),
             "Restart" => self.restart([0, 0]),
             "Pause" | "Go on" => self.paused = !self.paused,
             "One step" => self.single_step(),

@@ -2,11 +2,8 @@
 //! `lab=stress-tests`.
 
 use crate::files;
-use crate::game::body_title;
 use crate::level::judge_name;
-use crate::physics::BodyId;
-use crate::screens::{App, Flight, Lab, PAGES, Page, Purpose, Request};
-use crate::ui::Spectator;
+use crate::screens::screen::{PAGES, Page};
 use crate::words::tr;
 
 /// A link with more characters is none of this game's.
@@ -57,7 +54,7 @@ impl PageLink {
     }
 }
 
-fn bad(part: &str, value: &str, expected: &str) -> String {
+pub fn bad(part: &str, value: &str, expected: &str) -> String {
     files::found_instead(part, format_args!("{value:?}"), expected)
 }
 
@@ -95,58 +92,9 @@ fn decoded(text: &str) -> Option<String> {
     String::from_utf8(bytes).ok().filter(|text| !text.chars().any(char::is_control))
 }
 
-impl App {
-    /// Opens the target of a link, or the list of levels with the link's fault.
-    pub fn follow_link(&mut self, text: &str, spectator: &mut dyn Spectator) {
-        if let Err(problem) = PageLink::parse(text).and_then(|link| self.open_link(link, spectator)) {
-            let mut screen = self.level_select(Purpose::Play);
-            screen.show(tr("This link cannot be followed").to_owned(), vec![problem]);
-            self.show(Box::new(screen));
-        }
-    }
-
-    fn open_link(&mut self, link: PageLink, spectator: &mut dyn Spectator) -> Result<(), String> {
-        let there = |folder: &std::path::Path, name: &str| match files::is_folder(folder) {
-            true => Ok(()),
-            false => Err(bad("play", name, tr("a level that is there"))),
-        };
-        match link.target {
-            LinkTarget::Lab(page) => {
-                self.grant(Request::Lab, spectator);
-                if let Some(lab) = self.screen.get_mut::<Lab>() {
-                    lab.turn_to(page);
-                }
-                return Ok(());
-            }
-            LinkTarget::Level(name) => {
-                self.library.close();
-                there(&self.library.folder(&name), &name)?;
-                self.grant(Request::Play(name), spectator);
-            }
-            LinkTarget::Experiment(name) => {
-                there(&self.library.experiment(&name), &name)?;
-                self.grant(Request::Experiment(name), spectator);
-            }
-        }
-        let Some(flight) = self.screen.get_mut::<Flight>() else { return Ok(()) };
-        let level = flight.game().level();
-        let mut bodies = (0..flight.game().world().bodies().len() as u32).map(BodyId);
-        let of_title = |title: &String| {
-            let found = bodies.find(|body| body_title(level, *body).eq_ignore_ascii_case(title));
-            found.ok_or_else(|| bad("follow", title, tr("the title of a body of this level")))
-        };
-        let body = link.follow.as_ref().map(of_title).transpose()?;
-        flight.show_as(body, link.details);
-        Ok(())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::draw::layout::Frame;
-    use crate::screens::{LevelSelect, Places};
-    use std::path::Path;
 
     #[test]
     fn a_link_is_read_as_an_address_has_it() {
@@ -177,26 +125,6 @@ mod tests {
         ] {
             let refused = PageLink::parse(link).unwrap_err();
             assert!(refused.contains(problem), "{link}: {refused}");
-        }
-    }
-
-    #[test]
-    fn a_link_opens_its_target_or_says_why_not() {
-        let (root, scores) = (Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf(), tempfile::tempdir().unwrap());
-        let (own, settings) = (scores.path().to_path_buf(), scores.path().join("settings.csv"));
-        let mut app = App::new(Places { levels: root.join("levels"), root, scores: own, settings });
-        app.follow_link("play=experiments/friction&follow=box+1&details=0", &mut ());
-        let flight = app.screen().get::<Flight>().unwrap();
-        assert_eq!(flight.game().level().name, "friction");
-        assert!(!app.screen().scene(&Frame::default()).unwrap().overlays.details);
-        assert_eq!(flight.observer().focus().followed(), Some(BodyId(1)));
-        app.follow_link("play=1", &mut ());
-        assert_eq!(app.screen().get::<Flight>().unwrap().game().level().name, "1");
-        app.follow_link("lab=stress-tests", &mut ());
-        assert_eq!(app.screen().get::<Lab>().unwrap().page(), Page::Survival);
-        for link in ["play=nowhere", "play=experiments/nowhere", "nonsense"] {
-            app.follow_link(link, &mut ());
-            assert!(app.screen().is::<LevelSelect>(), "{link}");
         }
     }
 }
