@@ -45,6 +45,16 @@ pub enum PointerDrag {
 }
 
 impl Editor {
+    pub(super) fn put(&mut self, kind: Kind, place: Place) {
+        match self.document.put(kind, place) {
+            Ok(row) => {
+                self.selection = row.into_iter().collect();
+                self.tool = EditorTool::Select;
+            }
+            Err(refusal) => self.say(refusal),
+        }
+    }
+
     /// The handles of the selection, and where they are, pixels: one thing alone has some.
     pub fn handles(&self) -> Vec<(Handle, DVec2)> {
         let [row] = self.selection[..] else { return Vec::new() };

@@ -322,16 +322,6 @@ impl Editor {
         }
     }
 
-    fn put(&mut self, kind: Kind, place: Place) {
-        match self.document.put(kind, place) {
-            Ok(row) => {
-                self.selection = row.into_iter().collect();
-                self.tool = EditorTool::Select;
-            }
-            Err(refusal) => self.say(refusal),
-        }
-    }
-
     fn shift_selection(&mut self, by: DVec2) {
         if by == DVec2::ZERO {
             return;

@@ -1,6 +1,7 @@
 //! The observer of a flight stops the world, takes it a tick on or back, slows it down or speeds it up, and picks out the bodies that the
 //! details are about.
 
+use super::instruments::Instruments;
 use crate::game::Game;
 use crate::number::seconds;
 use crate::settings::{Action, Bindings, Key};
@@ -17,6 +18,15 @@ const KEY_ZOOM: i8 = 2;
 /// 1 for more, −1 for less, 0 for neither.
 fn more_or_less(input: &Input) -> i8 {
     i8::from(input.acts(Action::Closer)) - i8::from(input.acts(Action::Wider))
+}
+
+/// What is seen of a flight beside its game: the observer, the overlays, the instruments.
+#[derive(Debug, Default)]
+pub(super) struct Observation {
+    pub observer: Observer,
+    pub details: bool,
+    pub hitboxes: bool,
+    pub instruments: Instruments,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
