@@ -1,8 +1,9 @@
 //! The screens that are open, the topmost of which is shown: how a frame goes, and the one place where requests are granted.
 
+use super::destinations::{open, reading};
+use super::menu;
 use super::menu::closing::Closing;
 use super::screen::{Destination, Effect, Request, Screen};
-use super::{menu, open, reading};
 use crate::draw::Canvas;
 use crate::draw::layout::Frame;
 use crate::scores::Name;
