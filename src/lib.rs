@@ -15,7 +15,8 @@
 //! - [`lab`]: accuracy against speed: scenes with exact answers, methods, stress tests, charts.
 //! - [`draw`]: a frame as a list of shapes, and the pens that play it.
 //! - [`ui`]: widgets without a window: they are laid out and recorded, and answer mouse, keys and gamepad by their labels.
-//! - [`screens`]: the screens as a state machine, one file a screen; it is tested without a window.
+//! - [`session`]: what outlasts a screen: who plays, levels and the worker that reads them, recorded flights.
+//! - [`screens`]: folders of screens by what a person does; tested without a window, which is in `window`.
 //! - [`view`]: drawing only: it reads the game and changes nothing in it. `sound`, with the window: what it sounds like, and the mixer.
 //! - [`cli`]: one file a subcommand.
 //! - [`words`]: the languages of the screens.
@@ -43,6 +44,7 @@ pub mod physics;
 mod random;
 pub mod scores;
 pub mod screens;
+pub mod session;
 pub mod settings;
 #[cfg(feature = "window")]
 pub mod sound;
@@ -56,4 +58,6 @@ pub mod ui;
 pub mod view;
 #[cfg(all(browser, feature = "window"))]
 mod web;
+#[cfg(feature = "window")]
+pub mod window;
 pub mod words;

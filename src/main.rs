@@ -8,5 +8,5 @@ fn main() -> std::process::ExitCode {
 /// A page has no command line.
 #[cfg(all(target_arch = "wasm32", target_os = "unknown"))]
 fn main() {
-    resultant::screens::open_page();
+    resultant::window::open_page();
 }

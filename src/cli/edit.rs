@@ -18,7 +18,8 @@ pub struct EditArgs {
 /// Errors: no such level; no display.
 #[cfg(feature = "window")]
 pub fn run(args: &EditArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
-    use crate::screens::{Editor, Start};
+    use crate::screens::Editor;
+    use crate::window::Start;
     let folder = project.level_folder(&args.level)?;
     // A level that does not open is refused before a window opens.
     let name = Editor::open(&folder, project.root()).map_err(CommandError::Refused)?.name().to_owned();

@@ -8,7 +8,9 @@ use crate::{
     files::INPUTS,
     game::Inputs,
     level,
-    screens::{Attempt, Places, Start, open},
+    screens::Places,
+    session::attempt::Attempt,
+    window::{Start, open},
 };
 use std::ffi::OsString;
 use std::io::Write;

@@ -22,3 +22,15 @@ pub(crate) use players::harmless;
 pub use players::{Deed, PlayerRecord, Players};
 pub use results::{ResultRow, Results, time_of};
 pub use tally::{ExperimentTally, LevelTally, Tally, may_be_list};
+
+use crate::words::tr;
+
+/// The subject of a level's leaderboard in words: the level's title, where it has one.
+pub fn subject(level: &str, title: &str) -> String {
+    if level == title { tr!("level {level}", level) } else { tr(title).to_owned() }
+}
+
+/// A score that is lost with the window.
+pub fn unsaved_points(points: i64, subject: &str) -> String {
+    tr!("{points} points in {subject}", points, subject)
+}

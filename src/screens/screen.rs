@@ -1,13 +1,29 @@
 //! What a screen is.
 
-use super::scene::GameScene;
-use super::{Input, Motion, Noise, Request};
-use crate::draw::layout::Frame;
+use crate::classics::jumper::scene::JumperScene;
+use crate::draw::Canvas;
+use crate::draw::layout::{Area, Frame};
+use crate::game::{Game, RunResult};
+use crate::instruments::vary::Variation;
+use crate::level::Level;
+use crate::scores::{Name, ResultRow};
+use crate::session::Session;
+use crate::session::attempt::{Attempt, Flown};
+use crate::session::new_file::NewFile;
+use crate::session::recordings::{FlightCandidate, Visit};
+use crate::session::worker::{Brought, Ticket};
 use crate::settings::Settings;
-use crate::ui::Ui;
+use crate::ui::input::Input;
+use crate::ui::pace::Motion;
+use crate::ui::{Spectator, Ui};
+use crate::view::camera::Viewport;
+use crate::view::hud::Aside;
+use crate::view::{GhostShip, Overlays};
 use std::any::Any;
 use std::fmt;
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
+use std::sync::Arc;
 
 /// The tune of the menus.
 const MENU_TUNE: &str = "0";
@@ -50,8 +66,54 @@ pub trait Screen: Any + fmt::Debug {
     /// Takes over the settings that hold now, and the problems of their file, a line each.
     fn tell_of_settings(&mut self, _settings: &Settings, _problems: &[String]) {}
 
-    /// Takes over what became of a curve that was to be kept as a file.
-    fn report_export(&mut self, _told: Result<PathBuf, String>) {}
+    /// Where [`Request::Pop`] leads from it where nothing is below.
+    fn parent(&self) -> Destination {
+        Destination::Menu
+    }
+
+    /// The level that is read before that is done, by its name.
+    fn reads(&self, _effect: &Effect, _session: &Session) -> Option<String> {
+        None
+    }
+
+    /// Does what it has asked for; a request that follows from that.
+    fn carry_out(&mut self, _effect: Effect, _session: &mut Session, _spectator: &mut dyn Spectator) -> Option<Request> {
+        None
+    }
+
+    /// Shows why what it has asked for cannot be had.
+    fn refuse(&mut self, _reason: String) {}
+
+    /// Looks at files, before a frame.
+    fn look(&mut self, _frame_time: f64, _session: &mut Session) {}
+
+    /// Gives the session what has happened in a frame, and takes what it needs for the next one.
+    fn attend(&mut self, _session: &mut Session) {}
+
+    /// Takes what the worker has read for it.
+    fn receive(&mut self, _ticket: Ticket, _brought: Brought, _session: &mut Session, _spectator: &mut dyn Spectator) {}
+
+    /// The game pauses.
+    fn halt(&mut self) {}
+
+    /// Another screen is shown from now on.
+    fn leave(&mut self, _session: &mut Session) {}
+
+    /// It is shown again, after `above`.
+    fn come_back(&mut self, _above: &dyn Screen, _session: &mut Session, _spectator: &mut dyn Spectator) {}
+
+    /// Writes down what waits in it.
+    ///
+    /// # Errors
+    /// Why that cannot be, in words.
+    fn write_down(&mut self, _session: &mut Session) -> Result<(), String> {
+        Ok(())
+    }
+
+    /// Whether something in it is not written yet. Nothing is tried.
+    fn is_at_risk(&self) -> bool {
+        false
+    }
 
     /// The game on it, in a canvas of that frame: the window's view draws it below the widgets.
     fn scene(&self, _frame: &Frame) -> Option<GameScene<'_>> {
@@ -76,9 +138,245 @@ impl dyn Screen {
     }
 }
 
-/// The empty screen: it stands where another one is taken away.
-impl Screen for () {
-    fn show(&mut self, _: &mut Ui<'_>) -> Option<Request> {
-        None
-    }
+/// What a screen draws between its game and its widgets.
+pub trait AboveGame {
+    /// In the level, between the last two ticks by `alpha`, 0 … 1.
+    fn draw_in_level(&self, alpha: f64, view: &Viewport, canvas: &Canvas);
+
+    /// In the strip beside the timer.
+    fn draw_beside_timer(&self, aside: &Aside, canvas: &Canvas);
+}
+
+/// What the window's view needs of a screen that shows a game.
+pub struct GameScene<'a> {
+    pub game: &'a Game,
+    /// Between the last two ticks, 0 … 1.
+    pub alpha: f64,
+    /// The part of the canvas for the game.
+    pub room: Frame,
+    /// Without the settings.
+    pub overlays: Overlays,
+    /// Factor on the time of the view; 0 where the world stands still.
+    pub speed: f64,
+    /// Whether the view stands still too.
+    pub paused: bool,
+    /// Whether it is seen and not heard.
+    pub quiet: bool,
+    pub ghosts: Vec<GhostShip>,
+    /// The places above the game: they cover it.
+    pub panels: Vec<Area>,
+    pub above: &'a dyn AboveGame,
+}
+
+/// Something that was heard in a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Noise {
+    /// Somebody jumped.
+    Jump,
+    /// Somebody landed, this hard: 0 … 1.
+    Landing(f64),
+    /// Two ran into each other.
+    Bump,
+    /// Two blocks collided, however often.
+    Collision,
+}
+
+/// What a level is chosen for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// To play it.
+    Play,
+    /// To see its leaderboard.
+    Leaderboard,
+    /// To edit it.
+    Edit,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Page {
+    Charts,
+    Stability,
+    Survival,
+    SideBySide,
+    Euler,
+    #[default]
+    Experiments,
+}
+
+/// In the order of their tabs.
+pub const PAGES: [(Page, &str); 6] = [
+    (Page::Charts, "Charts"),
+    (Page::Stability, "Stability"),
+    (Page::Survival, "Stress tests"),
+    (Page::SideBySide, "Side by side"),
+    (Page::Euler, "Why Euler gains"),
+    (Page::Experiments, "Experiments"),
+];
+
+/// One of the classics.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Classic {
+    /// A run through a map of tiles.
+    TileRun,
+    /// A climb.
+    Jumper,
+    /// π from collisions.
+    Pi,
+}
+
+/// What is to be saved.
+#[derive(Clone, Debug)]
+pub struct Gain {
+    /// The leaderboard: that of a level, by its name, or that of the jumper.
+    pub board: String,
+    /// What it is of, in words.
+    pub subject: String,
+    /// The score.
+    pub points: i64,
+    /// How they were flown, where that is known.
+    pub flown: Option<Rc<Flown>>,
+    /// Where the leaderboard leads once it is saved.
+    pub onward: Vec<Onward>,
+}
+
+/// A button, and where it leads.
+#[derive(Clone, Debug)]
+pub struct Onward {
+    /// The words on it.
+    pub label: &'static str,
+    /// Where it leads.
+    pub to: Request,
+}
+
+/// A folder that is to be made or named.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Make {
+    /// A new level of that name.
+    New(String),
+    /// A copy of the first, named like the second.
+    Copy(String, String),
+    /// A copy of the level in that folder, of that name.
+    CopyOf(PathBuf, String),
+    /// The first, named like the second.
+    Rename(String, String),
+}
+
+/// What a screen asks for.
+#[derive(Clone, Debug)]
+pub enum Request {
+    /// A screen above this one, which comes back with [`Request::Pop`].
+    Push(Destination),
+    /// A screen in the place of this one.
+    Replace(Destination),
+    /// A screen in the place of all.
+    Reset(Destination),
+    /// The screen below, or where this one belongs if it is the lowest.
+    Pop,
+    /// Something that the session does for the screen, which stays.
+    Do(Effect),
+    /// The end, unless something would be lost.
+    Quit,
+    /// The end, whatever is lost.
+    QuitAnyway,
+}
+
+/// A screen, with what it needs.
+#[derive(Clone, Debug)]
+pub enum Destination {
+    Menu,
+    Levels(Purpose),
+    /// The level of that name, read again.
+    Play(String),
+    /// An attempt at a level that is there.
+    Fly(Attempt),
+    /// A level as the editor below has it in memory, or as much of a level's files as loads, with the problems that are left, a line each.
+    TryOut {
+        level: Arc<Level>,
+        problems: Vec<String>,
+        in_memory: bool,
+    },
+    /// The editor of the level of that name; of one that comes with the game a copy is made first, unless the original is wanted.
+    Edit {
+        name: String,
+        original: bool,
+    },
+    Score(Box<Finished>),
+    /// The name for a score, and why that score could not be saved under the player's.
+    SaveScore(Gain, Option<String>),
+    /// The leaderboard of a level, by its name, or of the jumper.
+    Board(String),
+    /// The leaderboard with a score that was just saved.
+    Saved(Gain, Fresh),
+    /// The flights of a level.
+    Flights(Visit),
+    /// One of them is watched.
+    Watch(Visit, FlightCandidate),
+    /// Some of them are raced.
+    Race(Visit, Vec<FlightCandidate>),
+    Players,
+    Credits,
+    Settings,
+    /// The list of classics, with the keyboard on the one that was left.
+    Classics(Option<Classic>),
+    /// One of them, from its beginning.
+    Classic(Classic),
+    /// A climb that has ended.
+    Climbed(Box<JumperScene>),
+    /// The Lab, with the list of experiments at the one that was left.
+    Lab(Option<String>),
+    /// The experiment of that folder.
+    Experiment(String),
+    /// A file that was dropped on the window.
+    Dropped(PathBuf),
+    /// Where a link into the game leads.
+    Link(String),
+    /// What a browser keeps for the page.
+    #[cfg(all(feature = "window", browser))]
+    PageData,
+}
+
+/// What the session does for a screen.
+#[derive(Clone, Debug)]
+pub enum Effect {
+    /// Begins the attempt again, in the level as its files are now.
+    Restart,
+    /// Makes or renames a level.
+    Make(Make),
+    /// Saves the level that is flown as it is varied, under that name, or any where that is empty.
+    SaveVaried(Variation, String),
+    /// Keeps a curve as a file.
+    Export(NewFile),
+    /// Saves an answer of the player to an experiment.
+    HandIn(ResultRow),
+    /// Saves a score under that name, or the player's.
+    SaveScore(Gain, Option<Name>),
+    /// Keeps a flight as a file.
+    Keep(FlightCandidate),
+    /// Copies a flight's code.
+    CopyCode(FlightCandidate),
+    /// Proves a flight by its code, and lists it.
+    PasteCode(String),
+    /// Somebody plays from now on; whether they have just said their name.
+    Choose(Name, bool),
+    Set(Settings),
+}
+
+/// An attempt that has ended.
+#[derive(Clone, Debug)]
+pub struct Finished {
+    pub attempt: Attempt,
+    pub result: RunResult,
+    /// The flight, where it was flown by hand.
+    pub flown: Option<Rc<Flown>>,
+    /// What it brought the player, in words.
+    pub remark: String,
+}
+
+/// A score that was just saved.
+#[derive(Clone, Debug)]
+pub struct Fresh {
+    /// Whose.
+    pub name: Name,
+    /// What became of it, where that is not plain to see.
+    pub remark: Option<String>,
 }

@@ -1,8 +1,9 @@
 //! Widgets: buttons alone, in rows and columns, on a tool bar; values to choose; lines of text; lists that scroll.
 
+use super::Ui;
+use super::input::Input;
 use super::memory::WidgetKind;
 use super::text_field::TextField;
-use super::{Ui, input::Input};
 use crate::draw::layout::{Area, BUTTON_TEXT, GRID, HEADING, MARGIN, PADDING, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Align, Canvas, Colour, Style};
 use crate::settings::{Key, Keys};

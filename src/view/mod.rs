@@ -20,6 +20,7 @@ pub mod lanes;
 pub mod links;
 pub mod mechanisms;
 pub mod medals;
+pub mod miniature;
 pub mod names;
 pub mod paper;
 pub mod particles;

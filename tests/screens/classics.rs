@@ -3,7 +3,7 @@
 use crate::sitting::Sitting;
 use resultant::classics::jumper::scene::{JumpKeys, JumperScene};
 use resultant::classics::pi::Blocks;
-use resultant::screens::{Classic, Input, Jumper, Key, Keys, Noise, Pi, Request, TileRun};
+use resultant::screens::{Classic, Destination, Input, Jumper, Key, Keys, Noise, Pi, Request, TileRun};
 use std::path::Path;
 
 /// A frame of the screen, s.
@@ -76,17 +76,17 @@ fn each_is_reached_and_left_by_mouse() {
 
 #[test]
 fn a_bad_map_is_told_on_the_list() {
-    let mut sitting = at(Request::Classics(None));
+    let mut sitting = at(Request::Reset(Destination::Classics(None)));
     std::fs::write(sitting.folder.path().join("assets/tile_run/map.txt"), "s\n#x").unwrap();
     sitting.press(Key::Enter);
     assert!(sitting.shows("map.txt:2: column 2: found 'x'"));
     std::fs::remove_file(sitting.folder.path().join("assets/tile_run/commands.txt")).unwrap();
-    sitting.app.grant(Request::Classics(None), &mut ());
+    sitting.app.grant(Request::Reset(Destination::Classics(None)), &mut ());
     assert_eq!(sitting.rest().press(Key::Enter).at(), "classics");
 }
 
 fn tile_run() -> Sitting {
-    at(Request::Classic(Classic::TileRun))
+    at(Request::Reset(Destination::Classic(Classic::TileRun)))
 }
 
 fn run_of(sitting: &Sitting) -> &TileRun {
@@ -138,7 +138,7 @@ fn a_jump_and_a_landing_are_heard_once_each() {
 
 #[test]
 fn climbers_are_heard_when_they_jump_land_and_bump() {
-    let mut sitting = at(Request::Classic(Classic::Jumper));
+    let mut sitting = at(Request::Reset(Destination::Classic(Classic::Jumper)));
     sitting.click("Two Players");
     let mut heard = |input: Input, count: usize| {
         let mut all = Vec::new();
@@ -204,7 +204,7 @@ fn jumper(sitting: &Sitting) -> &Jumper {
 #[test]
 fn one_or_two_climb_with_their_keys() {
     for (button, players) in [("One Player", 1), ("Two Players", 2)] {
-        let mut sitting = at(Request::Classic(Classic::Jumper));
+        let mut sitting = at(Request::Reset(Destination::Classic(Classic::Jumper)));
         assert_eq!(sitting.labels(), ["One Player", "Two Players", "Leaderboard", "Back"]);
         sitting.click(button);
         assert_eq!((sitting.labels().len(), jumper(&sitting).scene().players().count()), (0, players));
@@ -221,7 +221,7 @@ fn one_or_two_climb_with_their_keys() {
 
 #[test]
 fn a_climb_stands_still_while_it_is_paused() {
-    let mut sitting = at(Request::Classic(Classic::Jumper));
+    let mut sitting = at(Request::Reset(Destination::Classic(Classic::Jumper)));
     sitting.click("One Player").give(hold(&[])).press(Key::Escape);
     let ticks = jumper(&sitting).scene().ticks();
     assert_eq!(sitting.labels(), ["Resume", "Climb Again", "Back"]);
@@ -239,7 +239,7 @@ fn a_climb_is_saved_on_the_jumpers_leaderboard() {
     let scene = ended();
     let score = scene.score();
     assert!(score > 0, "the test's climb came to nothing");
-    let mut sitting = at(Request::Climbed(Box::new(scene)));
+    let mut sitting = at(Request::Reset(Destination::Climbed(Box::new(scene))));
     assert_eq!(sitting.labels(), ["Climb Again", "Save Score", "Leaderboard", "Back"]);
     sitting.click("Save Score");
     assert_eq!(sitting.at(), "save score");
@@ -258,7 +258,7 @@ fn a_climb_is_saved_on_the_jumpers_leaderboard() {
 
 #[test]
 fn a_climb_that_came_to_nothing_cannot_be_saved() {
-    let mut sitting = at(Request::Climbed(Box::new(JumperScene::new(1, true))));
+    let mut sitting = at(Request::Reset(Destination::Climbed(Box::new(JumperScene::new(1, true)))));
     assert_eq!(sitting.labels(), ["Climb Again", "Leaderboard", "Back"]);
     sitting.click("Climb Again");
     assert_eq!(jumper(&sitting).scene().players().count(), 2, "again as many");
@@ -271,7 +271,7 @@ fn run(sitting: &mut Sitting, frame_time: f64, seconds: f64) {
 }
 
 fn pi() -> Sitting {
-    at(Request::Classic(Classic::Pi))
+    at(Request::Reset(Destination::Classic(Classic::Pi)))
 }
 
 fn blocks_of(sitting: &Sitting) -> &Pi {

@@ -6,7 +6,7 @@ use resultant::draw::{Contour, Shape};
 use resultant::level;
 use resultant::level::document::{Kind, Place, RowId, Table};
 use resultant::physics::DVec2;
-use resultant::screens::{App, Input, Key, Places, Request};
+use resultant::screens::{Destination, Input, Key, Places, Stack};
 use resultant::view::theme;
 use std::fs;
 use std::path::PathBuf;
@@ -368,7 +368,7 @@ fn what_comes_with_the_game_is_edited_as_a_copy() {
     assert!(sitting.shows("comes with the game"));
     // A developer edits the original.
     let folder = file(&sitting, "");
-    sitting.app.begin(&folder, Request::EditOriginal("2".to_owned()), &mut ());
+    sitting.app.begin(&folder, Destination::Edit { name: "2".to_owned(), original: true }, &mut ());
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2"));
 }
 
@@ -380,8 +380,12 @@ fn a_copy_is_made_with_a_relative_data_folder() {
     let up = std::env::current_dir().unwrap().components().skip(1).map(|_| "../").collect::<String>();
     let root = std::path::PathBuf::from(up).join(sitting.folder.path().strip_prefix("/").unwrap());
     let places = Places { levels: root.join("levels"), scores: root.join("scores"), settings: root.join("settings.csv"), root };
-    sitting.app = App::new(places);
-    sitting.app.begin(&sitting.folder.path().join("levels/2"), Request::Edit("2".to_owned()), &mut ());
+    sitting.app = Stack::new(places);
+    sitting.app.begin(
+        &sitting.folder.path().join("levels/2"),
+        Destination::Edit { name: "2".to_owned(), original: false },
+        &mut (),
+    );
     assert_eq!(sitting.rest().field(), "2-copy");
     assert_eq!(sitting.press(Key::Enter).rest().editor().name(), "2-copy");
     // One of the author's own, from the list.

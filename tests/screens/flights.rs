@@ -335,7 +335,7 @@ fn a_flight_goes_from_one_game_to_another_as_a_code() {
     fly_up(&mut one, 0);
     one.choose("Flights").choose("Copy Code");
     assert!(one.flights().message().unwrap().starts_with("Copied: "), "{:?}", one.flights().message());
-    let code = one.app.clipboard.text();
+    let code = one.app.session.clipboard.text();
 
     let mut other = sitting();
     other.fly("0");
@@ -343,7 +343,7 @@ fn a_flight_goes_from_one_game_to_another_as_a_code() {
     other.choose("Flights");
     let count = other.flights().candidates().len();
     let mut paste = |text: &str| {
-        other.app.clipboard.keep(text.to_owned());
+        other.app.session.clipboard.keep(text.to_owned());
         other.choose("Paste Code");
         (other.flights().message().unwrap().to_owned(), other.flights().candidates().len() - count)
     };

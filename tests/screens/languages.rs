@@ -4,7 +4,7 @@
 use crate::sitting::Sitting;
 use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::draw::{Shape, Style, Typeface};
-use resultant::screens::{App, Key, Places};
+use resultant::screens::{Key, Places, Stack};
 use resultant::words::{Language, rows, speak, tr};
 use std::collections::BTreeSet;
 use std::fs;
@@ -43,7 +43,7 @@ fn shipped(settings: &str) -> Sitting {
     let (folder, root) = (tempfile::tempdir().unwrap(), Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf());
     fs::write(folder.path().join("settings.csv"), settings).unwrap();
     let settings = folder.path().join("settings.csv");
-    let app = App::new(Places { levels: root.join("levels"), scores: folder.path().join("scores"), settings, root });
+    let app = Stack::new(Places { levels: root.join("levels"), scores: folder.path().join("scores"), settings, root });
     let mut sitting = Sitting { app, frame: Frame::default(), folder, open: true };
     sitting.rest();
     sitting

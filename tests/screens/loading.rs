@@ -1,7 +1,7 @@
 //! Levels that are read beside the screens: no frame waits for one.
 
 use crate::sitting::{FAR_AWAY, Sitting, level};
-use resultant::screens::{Key, Purpose, Request};
+use resultant::screens::{Destination, Key, Purpose, Request};
 use std::fs;
 
 fn by_hand() -> Sitting {
@@ -11,7 +11,7 @@ fn by_hand() -> Sitting {
 #[test]
 fn a_level_opens_once_it_is_read_and_the_frames_until_then_go_on() {
     let mut sitting = by_hand();
-    sitting.app.grant(Request::Play("2".into()), &mut ());
+    sitting.app.grant(Request::Reset(Destination::Play("2".into())), &mut ());
     for _ in 0..100 {
         assert_eq!(sitting.rest().at(), "menu", "nothing is read by the frames themselves");
     }
@@ -26,7 +26,7 @@ fn a_level_opens_once_it_is_read_and_the_frames_until_then_go_on() {
 #[test]
 fn nothing_is_told_of_what_loads_within_a_moment() {
     let mut sitting = by_hand();
-    sitting.app.grant(Request::Play("2".into()), &mut ());
+    sitting.app.grant(Request::Reset(Destination::Play("2".into())), &mut ());
     sitting.wait(0.2);
     assert!(sitting.app.is_loading() && sitting.app.loading().is_none());
     assert!(sitting.wait(0.2).app.loading().is_some());
@@ -35,14 +35,14 @@ fn nothing_is_told_of_what_loads_within_a_moment() {
 #[test]
 fn esc_takes_back_what_loads_and_nothing_of_it_comes_later() {
     let mut sitting = by_hand();
-    sitting.app.grant(Request::Play("2".into()), &mut ());
+    sitting.app.grant(Request::Reset(Destination::Play("2".into())), &mut ());
     sitting.rest().press(Key::Escape);
     assert!(!sitting.app.is_loading());
     sitting.work(10);
     assert_eq!(sitting.at(), "menu");
     // Another request takes the place of one that waits.
-    sitting.app.grant(Request::Play("2".into()), &mut ());
-    sitting.app.grant(Request::Play("10".into()), &mut ());
+    sitting.app.grant(Request::Reset(Destination::Play("2".into())), &mut ());
+    sitting.app.grant(Request::Reset(Destination::Play("10".into())), &mut ());
     sitting.work(10);
     assert_eq!(sitting.flown(), "10");
 }
@@ -51,7 +51,7 @@ fn esc_takes_back_what_loads_and_nothing_of_it_comes_later() {
 fn cards_appear_one_after_the_other_and_a_level_that_is_chosen_goes_before_them() {
     let mut sitting = by_hand();
     sitting.work(10);
-    sitting.app.grant(Request::LevelSelect(Purpose::Play), &mut ());
+    sitting.app.grant(Request::Reset(Destination::Levels(Purpose::Play)), &mut ());
     let known = |sitting: &Sitting| sitting.level_select().entries().iter().filter(|entry| entry.level.is_some()).count();
     sitting.rest();
     for count in 0..3 {
@@ -81,12 +81,12 @@ fn play_opens_the_first_level_that_loads_once_it_is_found() {
 #[test]
 fn every_screen_that_needs_a_level_waits_for_it() {
     let mut sitting = by_hand();
-    let visit = resultant::screens::Visit { level: "2".into(), flown: None, chosen: None, back: Box::new(Request::Menu) };
+    let visit = resultant::screens::Visit { level: "2".into(), flown: None, chosen: None };
     for (request, at) in [
-        (Request::Edit("2".into()), "editor"),
-        (Request::Leaderboard("2".into()), "leaderboard"),
-        (Request::Flights(visit), "flights"),
-        (Request::Play("broken".into()), "problems"),
+        (Request::Reset(Destination::Edit { name: "2".into(), original: false }), "editor"),
+        (Request::Reset(Destination::Board("2".into())), "leaderboard"),
+        (Request::Reset(Destination::Flights(visit)), "flights"),
+        (Request::Reset(Destination::Play("broken".into())), "problems"),
     ] {
         sitting.work(20);
         let before = sitting.at();
@@ -97,7 +97,7 @@ fn every_screen_that_needs_a_level_waits_for_it() {
     }
     // Again, and the files of a flight, too.
     sitting.press(Key::Escape);
-    sitting.app.grant(Request::Play("2".into()), &mut ());
+    sitting.app.grant(Request::Reset(Destination::Play("2".into())), &mut ());
     sitting.work(20);
     let flown = |sitting: &Sitting| sitting.flight().game().ticks();
     sitting.wait(0.3);
@@ -128,7 +128,7 @@ fn levels_that_come_and_go_while_the_list_is_open_are_listed() {
 fn after_a_loss_the_level_is_asked_for_once_and_comes_back() {
     let mut sitting = by_hand();
     sitting.work(10);
-    sitting.app.grant(Request::Play("3".into()), &mut ());
+    sitting.app.grant(Request::Reset(Destination::Play("3".into())), &mut ());
     sitting.work(10);
     assert_eq!(sitting.at(), "flight");
     assert_eq!(sitting.wait(0.6).work(10), 1, "one errand, however many frames it takes");

@@ -3,7 +3,7 @@
 use crate::sitting::{HERE, Sitting, board, hold, level, with_scores};
 use resultant::draw::layout::Vec2;
 use resultant::scores::Scores;
-use resultant::screens::{Attempt, Input, Key, Request};
+use resultant::screens::{Attempt, Destination, Input, Key, Request};
 use resultant::view::theme;
 use std::fs;
 use std::path::Path;
@@ -17,7 +17,7 @@ fn save_and_next_are_there_only_when_they_may_be_used() {
     let mut sitting = Sitting::new();
     let flown = sitting.fly("1").flight().game().level().clone();
     let recording = Attempt { level: Arc::new(flown), inputs: Some(Arc::default()), rivals: Vec::new() };
-    sitting.app.grant(Request::Attempt(recording), &mut ());
+    sitting.app.grant(Request::Reset(Destination::Fly(recording)), &mut ());
     assert_eq!(sitting.wait(1.5).labels(), without_save, "nor one that was watched");
     assert!(sitting.scoring().result().score.total > 0 && sitting.shows("recording"), "{:?}", sitting.texts());
 

@@ -3,8 +3,8 @@
 use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::draw::{Colour, Contour, Shape};
 use resultant::screens::{
-    App, Classics, Closing, Credits, Editor, Flight, Flights, GameScene, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu,
-    Pi, Places, PlayerList, Purpose, SaveScore, Scoring, Screen, SettingsPanel, Spectator, TileRun, Worker,
+    Classics, Closing, Credits, Editor, Flight, Flights, GameScene, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Pi,
+    Places, PlayerList, Purpose, SaveScore, Scoring, Screen, SettingsPanel, Spectator, Stack, TileRun, Worker,
 };
 use resultant::ui::WidgetKind;
 use resultant::view::theme;
@@ -14,7 +14,7 @@ use std::path::Path;
 /// A sitting with levels of its own: `1` is completed by its first tick, `2` lasts, `3` is lost by its first tick, `10` lasts too,
 /// `broken` does not load.
 pub struct Sitting {
-    pub app: App,
+    pub app: Stack,
     pub frame: Frame,
     pub folder: tempfile::TempDir,
     pub open: bool,
@@ -51,26 +51,26 @@ impl Sitting {
         level(folder.path(), "10", FAR_AWAY, "");
         level(folder.path(), "broken", FAR_AWAY, "380,280,wide,40\n");
         prepare(folder.path());
-        let mut sitting = Self { app: App::new(places(&folder)), frame: Frame::default(), folder, open: true };
+        let mut sitting = Self { app: Stack::new(places(&folder)), frame: Frame::default(), folder, open: true };
         sitting.rest();
         sitting
     }
 
     /// One in which levels are read when the test says so.
     pub fn by_hand(mut self) -> Self {
-        self.app = App::with_worker(places(&self.folder), Worker::by_hand());
+        self.app = Stack::with_worker(places(&self.folder), Worker::by_hand());
         self.rest();
         self
     }
 
     /// Lets the worker do up to `errands` errands, a frame each; returns how many it did.
     pub fn work(&mut self, errands: usize) -> usize {
-        (0..errands).take_while(|_| self.app.worker().step().then(|| self.rest()).is_some()).count()
+        (0..errands).take_while(|_| self.app.session.worker.step().then(|| self.rest()).is_some()).count()
     }
 
     /// The game is closed and opened again.
     pub fn reopen(&mut self) -> &mut Self {
-        self.app = App::new(places(&self.folder));
+        self.app = Stack::new(places(&self.folder));
         self.rest()
     }
 

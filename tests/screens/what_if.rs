@@ -6,7 +6,7 @@ use resultant::draw::{Contour, Shape};
 use resultant::game::{Outcome, SHIP};
 use resultant::level::{self, Parameter};
 use resultant::physics::DVec2;
-use resultant::screens::{Attempt, Input, Instrument, Key, Request, Rival};
+use resultant::screens::{Attempt, Destination, Input, Instrument, Key, Request, Rival};
 use resultant::ui::WidgetKind;
 use resultant::view::theme;
 use std::fs;
@@ -353,7 +353,7 @@ fn neither_recordings_nor_rivals_nor_assists_make_it_count() {
         let mut sitting = Sitting::new();
         let inputs = recorded.then(Arc::default);
         let rivals = vec![Rival { name: "ann".into(), inputs: Arc::default() }];
-        sitting.app.grant(Request::Attempt(Attempt { level: flown.clone(), inputs, rivals }), &mut ());
+        sitting.app.grant(Request::Reset(Destination::Fly(Attempt { level: flown.clone(), inputs, rivals })), &mut ());
         sitting.rest();
         assert!(sitting.flight().race().is_some());
         open(&mut sitting);

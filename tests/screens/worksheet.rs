@@ -4,7 +4,7 @@ use crate::lesson::experiment;
 use crate::sitting::Sitting;
 use resultant::draw::layout::{Frame, Vec2};
 use resultant::scores::Name;
-use resultant::screens::{Input, Key, Request};
+use resultant::screens::{Destination, Effect, Input, Key, Request};
 use std::fs;
 use std::path::PathBuf;
 
@@ -53,7 +53,7 @@ fn the_answer_follows_a_guess_and_goes_with_it_to_the_pupils_file() {
     sitting.write("49,5 N/m").click("Answer");
     assert!(sitting.shows("F = k·s") && sitting.shows("40 · not so"));
     assert!(!sitting.labels().contains(&"Your guess"), "it stays as it was");
-    sitting.app.now = 1_800_000_000.0;
+    sitting.app.session.now = 1_800_000_000.0;
     sitting.click("Save");
     let row = "Guest,hooke,2027-01-15 08:00:00,40,no,\"49,5 N/m\",yes,\
                \"F = k·s, with k = 50 N/m: m·g/k at rest, twice that at the lowest\"\r\n";
@@ -82,19 +82,19 @@ fn a_sheet_outlasts_its_flight_and_is_saved_once_when_that_is_left() {
     assert!(sitting.at() == "pause" && sitting.shows("40") && sitting.shows("Saved in "));
     sitting.click("Answer").click("Main Menu");
     assert_eq!(rows(&sitting).len(), 1, "nothing has changed");
-    sitting.app.grant(Request::Experiment("hooke".into()), &mut ());
+    sitting.app.grant(Request::Reset(Destination::Experiment("hooke".into())), &mut ());
     sitting.rest().press(Key::Escape);
     assert!(sitting.shows("F = k·s") && !sitting.labels().contains(&"Your guess"), "the answer and its guess are there");
     sitting.click("Your readings").write("50 N/m").click("Edit Level").press(Key::Escape);
     assert!(matches!(&rows(&sitting)[..], [_, row] if row.contains(",40,no,50 N/m,yes,")), "{:?}", rows(&sitting));
-    sitting.app.grant(Request::Experiment("hooke".into()), &mut ());
+    sitting.app.grant(Request::Reset(Destination::Experiment("hooke".into())), &mut ());
     sitting.rest().press(Key::Escape).click("Your readings").write("50 or more").reopen();
     assert!(rows(&sitting).len() == 3 && rows(&sitting)[2].contains(",50 or more,yes,"), "at the end: {:?}", rows(&sitting));
     // The next pupil has a sheet of their own.
-    sitting.app.grant(Request::Experiment("hooke".into()), &mut ());
+    sitting.app.grant(Request::Reset(Destination::Experiment("hooke".into())), &mut ());
     sitting.rest().press(Key::Escape).click("Your guess").write("4711");
-    sitting.app.grant(Request::Choose(Name::new("ann").unwrap(), false), &mut ());
-    sitting.app.grant(Request::Experiment("hooke".into()), &mut ());
+    sitting.app.grant(Request::Do(Effect::Choose(Name::new("ann").unwrap(), false)), &mut ());
+    sitting.app.grant(Request::Reset(Destination::Experiment("hooke".into())), &mut ());
     sitting.rest().press(Key::Escape);
     assert!(!sitting.shows("4711") && rows(&sitting).len() == 4 && !file(&sitting, "ann.csv").exists());
 }

@@ -6,9 +6,12 @@ use super::paint::{colour, edge};
 use super::{Editor, EditorPass, EditorTool, snap};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
+use crate::level::Level;
 use crate::level::document::{Document, Kind, RowId, SaveError, Table};
 use crate::physics::DVec2;
-use crate::screens::{Input, Key, Request};
+use crate::screens::screen::{Destination, Request};
+use crate::settings::Key;
+use crate::ui::input::Input;
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
 use crate::words::tr;
@@ -209,13 +212,13 @@ impl Editor {
             self.check();
         }
         if let Some(level) = &self.level {
-            return Some(Request::TestFly(level.clone(), Vec::new()));
+            return Some(try_out(level.clone(), Vec::new()));
         }
         match self.folder.unfinished(&self.document) {
             Ok(loaded) => {
                 let refused = self.problems.iter().filter(|(_, refused)| *refused);
                 let left = refused.map(|(problem, _)| problem.to_string()).collect();
-                return Some(Request::TestFly(Arc::new(loaded.level), left));
+                return Some(try_out(Arc::new(loaded.level), left));
             }
             Err(problems) => {
                 let first = problems.first().map(ToString::to_string).unwrap_or_default();
@@ -225,13 +228,9 @@ impl Editor {
         None
     }
 
-    pub fn tell_of_flight(&mut self, how: String) {
-        self.say(how);
-    }
-
     pub(super) fn leave(&self) -> Request {
         self.folder.forget();
-        Request::LeaveEditor
+        Request::Pop
     }
 
     /// Writes the files; whether that could be done.
@@ -253,4 +252,8 @@ impl Editor {
             }
         }
     }
+}
+
+fn try_out(level: Arc<Level>, problems: Vec<String>) -> Request {
+    Request::Push(Destination::TryOut { level, problems, in_memory: true })
 }

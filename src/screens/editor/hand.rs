@@ -5,7 +5,8 @@ use super::{Editor, EditorTool};
 use crate::draw::layout::Vec2;
 use crate::level::document::{Document, Kind, Place, RowId, SetCell, number, way_text};
 use crate::physics::DVec2;
-use crate::screens::{Input, Key};
+use crate::settings::Key;
+use crate::ui::input::Input;
 use crate::words::tr;
 
 /// How near to a handle the pointer has to be, canvas units.
@@ -44,6 +45,16 @@ pub enum PointerDrag {
 }
 
 impl Editor {
+    pub(super) fn put(&mut self, kind: Kind, place: Place) {
+        match self.document.put(kind, place) {
+            Ok(row) => {
+                self.selection = row.into_iter().collect();
+                self.tool = EditorTool::Select;
+            }
+            Err(refusal) => self.say(refusal),
+        }
+    }
+
     /// The handles of the selection, and where they are, pixels: one thing alone has some.
     pub fn handles(&self) -> Vec<(Handle, DVec2)> {
         let [row] = self.selection[..] else { return Vec::new() };

@@ -16,17 +16,21 @@ mod problem_list;
 mod snap;
 mod view;
 
-use super::folder_watch::FolderWatch;
-use super::input::Repeat;
-use super::scroll::Scroll;
-use super::{Input, Motion, Request, Screen};
 use crate::draw::layout::{Area, Frame, Vec2};
 use crate::draw::{Canvas, Style};
-use crate::level::document::{Document, Kind, LevelFolder, Opened, Place, RowId, SetCell, Table};
+use crate::level::document::{Document, Kind, LevelFolder, Opened, Place, RowId, SetCell};
 use crate::level::{Level, Problem};
 use crate::physics::DVec2;
+use crate::screens::flight::Flight;
+use crate::screens::screen::{Destination, Purpose, Request, Screen};
+use crate::session::Session;
+use crate::session::folder_watch::FolderWatch;
+use crate::session::worker::Brought;
 use crate::settings::Settings;
-use crate::ui::Ui;
+use crate::ui::input::{Input, Repeat};
+use crate::ui::pace::Motion;
+use crate::ui::scroll::Scroll;
+use crate::ui::{Spectator, Ui};
 use crate::view::widgets;
 use crate::words::tr;
 use ask::Ask;
@@ -156,6 +160,28 @@ impl Screen for Editor {
         pass.request.or(self.show_ask(ui))
     }
 
+    fn parent(&self) -> Destination {
+        Destination::Levels(Purpose::Edit)
+    }
+
+    fn refuse(&mut self, reason: String) {
+        self.say(reason);
+    }
+
+    fn come_back(&mut self, above: &dyn Screen, _: &mut Session, _: &mut dyn Spectator) {
+        if let Some(how) = above.get::<Flight>().map(Flight::told).filter(|how| !how.is_empty()) {
+            self.say(how);
+        }
+    }
+
+    fn write_down(&mut self, _: &mut Session) -> Result<(), String> {
+        self.keep()
+    }
+
+    fn is_at_risk(&self) -> bool {
+        !self.is_kept()
+    }
+
     fn motion(&self, input: &Input) -> Motion {
         if input.holding || input.dragging { Motion::Full } else { Motion::Still }
     }
@@ -171,11 +197,27 @@ impl Screen for Editor {
 }
 
 impl Editor {
+    /// The editor of a level, by its name.
+    ///
+    /// # Errors
+    /// A file that cannot be read, in words.
+    pub fn take_up(name: &str, session: &mut Session) -> Result<Self, String> {
+        session.last_level = Some(name.to_owned());
+        match session.brought.take() {
+            Some(Brought::Editor(opened)) => opened.map(|opened| Self::new(*opened)),
+            _ => Self::open(&session.library.folder(name), session.library.root()),
+        }
+    }
+
     /// Opens the level in that folder; images are looked up there, then under `root`.
     /// Errors: a file that cannot be read, in words.
     pub fn open(folder: &Path, root: &Path) -> Result<Self, String> {
-        let Opened { document, folder, kept } = LevelFolder::open_to_edit(folder, root)?;
-        let editor = Self {
+        LevelFolder::open_to_edit(folder, root).map(Self::new)
+    }
+
+    /// The editor of a level whose files are open.
+    pub fn new(Opened { document, folder, kept }: Opened) -> Self {
+        Self {
             name: folder.name(),
             watch: FolderWatch::new(folder.path().to_path_buf(), Vec::new()),
             kept: (document.version(), 0.0),
@@ -203,8 +245,7 @@ impl Editor {
             sheets: RefCell::default(),
             pointer: Vec2::ZERO,
             figures: false,
-        };
-        Ok(editor)
+        }
     }
 
     /// Takes over the window's size, the document's rows and the level that is fitted into view.
@@ -278,30 +319,6 @@ impl Editor {
             self.ask = Some(Ask::Theirs(both));
         } else if taken {
             self.say(tr("Another program has changed the files: they were read again."));
-        }
-    }
-
-    /// Takes over the loader's level and problems.
-    fn check(&mut self) {
-        if !self.document.unknown_pictures().is_empty() {
-            self.folder.measure(&mut self.document);
-        }
-        (self.level, self.problems) = match self.folder.check(&self.document) {
-            Ok(loaded) => (Some(Arc::new(loaded.level)), loaded.warnings.into_iter().map(|warning| (warning, false)).collect()),
-            Err(problems) => (None, problems.into_iter().map(|problem| (problem, true)).collect()),
-        };
-        let row = |problem: &Problem| self.document.row_at(Table::of_file(&problem.file)?, problem.line);
-        self.about = self.problems.iter().map(|(problem, _)| row(problem)).collect();
-        self.checked = (Some(self.document.version()), CHECK_AFTER);
-    }
-
-    fn put(&mut self, kind: Kind, place: Place) {
-        match self.document.put(kind, place) {
-            Ok(row) => {
-                self.selection = row.into_iter().collect();
-                self.tool = EditorTool::Select;
-            }
-            Err(refusal) => self.say(refusal),
         }
     }
 

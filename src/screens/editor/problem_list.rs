@@ -1,17 +1,33 @@
 //! The pane below the picture: the pointer's place, the last remark, and the problems, a line each.
 
 use super::layout::{INSIDE, PROBLEM_LINES};
-use super::{Editor, EditorPass};
+use super::{CHECK_AFTER, Editor, EditorPass};
 use crate::draw::layout::{Area, DETAILS, Vec2, wrapped};
 use crate::draw::{Canvas, Style};
 use crate::level::Problem;
 use crate::level::document::{Kind, RowId, Table};
-use crate::screens::{Input, Keys};
+use crate::settings::Keys;
+use crate::ui::input::Input;
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
 use crate::words::tr;
+use std::sync::Arc;
 
 impl Editor {
+    /// Takes over the loader's level and problems.
+    pub(super) fn check(&mut self) {
+        if !self.document.unknown_pictures().is_empty() {
+            self.folder.measure(&mut self.document);
+        }
+        (self.level, self.problems) = match self.folder.check(&self.document) {
+            Ok(loaded) => (Some(Arc::new(loaded.level)), loaded.warnings.into_iter().map(|warning| (warning, false)).collect()),
+            Err(problems) => (None, problems.into_iter().map(|problem| (problem, true)).collect()),
+        };
+        let row = |problem: &Problem| self.document.row_at(Table::of_file(&problem.file)?, problem.line);
+        self.about = self.problems.iter().map(|(problem, _)| row(problem)).collect();
+        self.checked = (Some(self.document.version()), CHECK_AFTER);
+    }
+
     pub(super) fn show_problems(&mut self, ui: &mut Ui<'_>, pass: &mut EditorPass) {
         let (canvas, pointed) = (ui.canvas(), self.panes.bottom.contains(self.pointer));
         let lines = self.problems.len().min(PROBLEM_LINES);

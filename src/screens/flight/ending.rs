@@ -1,13 +1,15 @@
 //! The end of an attempt: its score, or the next attempt.
 
 use super::Flight;
-use super::attempt::Flown;
 use super::pilot::steers;
 use crate::game::{GameEvent, History, Outcome, RunResult};
 use crate::number::clock;
-use crate::screens::closing::unsaved_points;
-use crate::screens::leaderboard::subject;
-use crate::screens::{Input, Key, Request};
+use crate::scores::{subject, unsaved_points};
+use crate::screens::screen::{Destination, Effect, Finished, Request};
+use crate::session::Session;
+use crate::session::attempt::Flown;
+use crate::settings::Key;
+use crate::ui::input::Input;
 use crate::words::tr;
 use std::rc::Rc;
 
@@ -29,6 +31,8 @@ const BETWEEN_SLOW: u64 = 240;
 pub(super) struct Lost {
     result: RunResult,
     flown: Option<Rc<Flown>>,
+    /// What it brought the player, in words.
+    remark: Option<String>,
     /// Age of its notice, s.
     since: f64,
 }
@@ -42,83 +46,105 @@ impl Lost {
 impl Flight {
     /// The attempt has ended: its score comes after a while, or at once on Esc or Enter. A lost one goes over into the next.
     pub(super) fn wait_for_score(&mut self, input: &Input) -> Option<Request> {
-        self.ended += input.frame_time;
+        self.run.ended += input.frame_time;
         // A flight that is plotted stays.
-        let passed = |pause: f64| self.ended >= pause && !self.instruments.stays();
+        let passed = |pause: f64| self.run.ended >= pause && !self.seen.instruments.stays();
         // A button that steers is still held by the flight that has just ended.
-        let leads_on = (input.pressed(Key::Escape) || input.pressed(Key::Enter)) && (self.ended >= END_PAUSE || !steers(input));
+        let leads_on = (input.pressed(Key::Escape) || input.pressed(Key::Enter)) && (self.run.ended >= END_PAUSE || !steers(input));
         if self.flies_on() && passed(LOSS_PAUSE) && !leads_on {
             // A level whose files have changed is read first: meanwhile nothing is asked for again.
-            self.ended -= END_PAUSE;
-            return Some(Request::Restart);
+            self.run.ended -= END_PAUSE;
+            return Some(Request::Do(Effect::Restart));
         }
         let over = passed(END_PAUSE) || leads_on;
-        if self.test {
-            return over.then(|| Request::BackToEditor(self.told()));
+        if self.open.test {
+            return over.then_some(Request::Pop);
         }
-        over.then(|| Request::Score(self.attempt.clone(), self.result(), self.flown(self.history.clone())))
+        over.then(|| self.score(self.result(), self.flown(self.run.history.clone()), self.run.remark.clone()))
     }
 
     /// Takes up the goals of the last tick.
     pub(super) fn slow_down_for_goals(&mut self) {
-        let met = self.game.events().iter().any(|event| matches!(event, GameEvent::ObjectiveMet(_)));
-        if met && (self.slow_until == 0 || self.game.ticks() > self.slow_until + BETWEEN_SLOW) {
-            self.slow_until = self.game.ticks() + SLOW_TICKS;
+        let met = self.run.game.events().iter().any(|event| matches!(event, GameEvent::ObjectiveMet(_)));
+        if met && (self.run.slow_until == 0 || self.run.game.ticks() > self.run.slow_until + BETWEEN_SLOW) {
+            self.run.slow_until = self.run.game.ticks() + SLOW_TICKS;
         }
     }
 
     /// The factor on the time of the picture.
     pub(super) fn slowness(&self) -> f64 {
-        let ends = self.game.outcome() == Outcome::Completed && self.ended < SLOW_TICKS as f64 / (SLOW * self.game.tick_rate());
-        let slow = ends || self.game.outcome() == Outcome::Running && self.game.ticks() < self.slow_until;
+        let ends = self.run.game.outcome() == Outcome::Completed
+            && self.run.ended < SLOW_TICKS as f64 / (SLOW * self.run.game.tick_rate());
+        let slow = ends || self.run.game.outcome() == Outcome::Running && self.run.game.ticks() < self.run.slow_until;
         if slow && !self.is_watched() { SLOW } else { 1.0 }
     }
 
+    fn score(&self, result: RunResult, flown: Option<Rc<Flown>>, remark: Option<String>) -> Request {
+        let remark = remark.unwrap_or_default();
+        Request::Replace(Destination::Score(Box::new(Finished { attempt: self.run.attempt.clone(), result, flown, remark })))
+    }
+
+    /// Gives the player what an attempt has brought, once, when it has ended. Who watches a recording has flown nothing.
+    pub(super) fn note_end(&mut self, session: &mut Session) {
+        let level = self.run.game.level().name.clone();
+        self.open.hints.note_losses(session.losses.get(&level).copied().unwrap_or_default());
+        if self.open.test || self.is_watched() {
+            return;
+        }
+        if self.run.what_if.is_some() || self.run.game.outcome() == Outcome::Running {
+            self.run.remark = None;
+        } else if self.run.remark.is_none() {
+            self.run.remark = Some(session.note_end(&self.run.game, self.is_by_hand(), self.run.assisted));
+        }
+    }
+
     fn result(&self) -> RunResult {
-        RunResult { assisted: self.assisted, ..self.game.result() }
+        RunResult { assisted: self.run.assisted, ..self.run.game.result() }
     }
 
     /// The points of a flight that has just been completed and counts, in words.
     pub(super) fn unsaved_score(&self) -> Option<String> {
-        let (level, result) = (self.game.level(), self.result());
-        let counts = self.game.outcome() == Outcome::Completed && self.is_by_hand() && !self.test && self.what_if.is_none();
+        let (level, result) = (self.run.game.level(), self.result());
+        let counts =
+            self.run.game.outcome() == Outcome::Completed && self.is_by_hand() && !self.open.test && self.run.what_if.is_none();
         let saves = counts && !result.assisted && result.score.total > 0;
         saves.then(|| unsaved_points(result.score.total, &subject(&level.name, &level.title)))
     }
 
     /// Whether a fresh attempt follows by itself: this one was flown by hand, for its own sake, and lost.
     pub(super) fn flies_on(&self) -> bool {
-        self.game.outcome() == Outcome::Failed && self.is_by_hand() && !self.test && self.what_if.is_none()
+        self.run.game.outcome() == Outcome::Failed && self.is_by_hand() && !self.open.test && self.run.what_if.is_none()
     }
 
     /// The notice of this attempt, which was lost; its history goes along.
     pub(super) fn take_lost(&mut self) -> Box<Lost> {
-        let history = std::mem::replace(&mut self.history, History::new(&self.game));
-        Box::new(Lost { result: self.result(), flown: self.flown(history), since: 0.0 })
+        let history = std::mem::replace(&mut self.run.history, History::new(&self.run.game));
+        Box::new(Lost { result: self.result(), flown: self.flown(history), remark: self.run.remark.take(), since: 0.0 })
     }
 
     /// The flight with that history, where it was flown by hand and without help: with help no replay repeats it.
     fn flown(&self, history: History) -> Option<Rc<Flown>> {
-        let kept = || Rc::new(Flown { level: self.attempt.level.clone(), replay: history.record(&self.game), history });
-        (self.is_by_hand() && !self.assisted).then(kept)
+        let kept = || Rc::new(Flown { level: self.run.attempt.level.clone(), replay: history.record(&self.run.game), history });
+        (self.is_by_hand() && !self.run.assisted).then(kept)
     }
 
     /// A frame of the notice that the attempt before was lost: Enter leads to its score.
     pub(super) fn follow_lost(&mut self, input: &Input) -> Option<Request> {
-        let lost = self.lost.as_mut().filter(|_| self.game.outcome() == Outcome::Running)?;
+        let lost = self.run.lost.as_mut().filter(|_| self.run.game.outcome() == Outcome::Running)?;
         lost.since += input.frame_time;
         if (input.pressed.has(Key::Enter) || input.pressed.has(Key::PadSelect)) && !steers(input) {
-            return Some(Request::Score(self.attempt.clone(), lost.result.clone(), lost.flown.clone()));
+            let (result, flown, remark) = (lost.result.clone(), lost.flown.clone(), lost.remark.clone());
+            return Some(self.score(result, flown, remark));
         }
         if lost.since > NOTICE {
-            self.lost = None;
+            self.run.lost = None;
         }
         None
     }
 
     /// The cause of the loss of the attempt before, in words, while its notice is shown.
     pub fn lost(&self) -> Option<&str> {
-        self.lost.as_ref()?.result.death
+        self.run.lost.as_ref()?.result.death
     }
 
     /// The end of the flight in words; empty while it runs.

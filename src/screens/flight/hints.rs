@@ -19,29 +19,31 @@ pub(super) struct Hints {
     given: usize,
 }
 
-impl Flight {
-    pub(in crate::screens) const fn tell_of_losses(&mut self, losses: u32) {
-        self.hints.losses = losses;
+impl Hints {
+    pub const fn note_losses(&mut self, losses: u32) {
+        self.losses = losses;
     }
+}
 
+impl Flight {
     /// Whether a restart now counts as a loss.
     pub(in crate::screens) fn is_given_up(&self) -> bool {
-        let counts = self.is_by_hand() && !self.test && self.what_if.is_none();
-        counts && self.game.outcome() == Outcome::Running && !self.game.is_idle() && self.game.time() >= GIVEN_UP
+        let counts = self.is_by_hand() && !self.open.test && self.run.what_if.is_none();
+        counts && self.run.game.outcome() == Outcome::Running && !self.run.game.is_idle() && self.run.game.time() >= GIVEN_UP
     }
 
     /// Whether a hint is left to be given.
     pub(super) fn offers_hint(&self) -> bool {
-        self.hints.losses >= LOSSES && self.hints.given < self.attempt.level.hints.len()
+        self.open.hints.losses >= LOSSES && self.open.hints.given < self.run.attempt.level.hints.len()
     }
 
     pub(super) const fn give_hint(&mut self) {
-        self.hints.given += 1;
+        self.open.hints.given += 1;
     }
 
     /// The hints that were given, above the pause panel whose top is at `foot`.
     pub(super) fn show_hints(&self, ui: &Ui<'_>, foot: f32) {
-        let given: Vec<&String> = self.attempt.level.hints.iter().take(self.hints.given).collect();
+        let given: Vec<&String> = self.run.attempt.level.hints.iter().take(self.open.hints.given).collect();
         if given.is_empty() {
             return;
         }

@@ -1,105 +1,71 @@
 //! The game screen: an attempt at a level, flown by hand, by recorded inputs, or watched from a reel.
 
-mod attempt;
+mod ahead;
 mod ending;
 mod hints;
+pub mod instruments;
 mod modifiers;
 mod news;
+pub mod observer;
+mod open;
 mod pause;
 mod pilot;
+pub mod race;
 mod reel;
 mod reload;
 mod rewind;
+mod run;
 mod signs;
 mod viewer;
 mod what_if;
 mod what_if_drawing;
 mod worksheet;
 
-use super::ahead::Ahead;
-use super::granting::is_of_level;
-use super::instruments::{Instruments, Stage};
-use super::observer::Observer;
-use super::race::Race;
-use super::scene::GameScene;
-use super::{Input, Key, Keys, Motion, Request, Screen, SettingsPanel};
+use crate::draw::Canvas;
 use crate::draw::layout::Frame;
-use crate::game::{Clock, Game, GameError, History, Medals, Outcome};
-use crate::level::Level;
+use crate::game::{Game, GameError, History, Medals, Outcome};
 use crate::physics::{BodyId, DVec2};
-use crate::settings::{Action, Settings};
-use crate::ui::input::Stale;
+use crate::screens::flight::instruments::{Instruments, Stage};
+use crate::screens::flight::observer::Observer;
+use crate::screens::flight::race::Race;
+use crate::screens::screen::{AboveGame, Destination, Effect, GameScene, Request, Screen};
+use crate::session::Session;
+use crate::session::answers::Worksheet;
+use crate::session::attempt::Attempt;
+use crate::session::library::is_of_level;
+use crate::session::worker::{Brought, Ticket};
+use crate::settings::{Action, Key, Keys, Settings};
+use crate::ui::input::Input;
+use crate::ui::pace::Motion;
 use crate::ui::{Spectator, Ui};
 use crate::view::Overlays;
+use crate::view::camera::Viewport;
 use crate::view::focus::Focus;
-use crate::view::hud::HudShown;
-pub use attempt::{Attempt, Flown};
-use ending::{END_PAUSE, Lost};
-use hints::Hints;
-use modifiers::Modifiers;
-use news::News;
-use pilot::Pilot;
-use rewind::Rewind;
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use what_if::WhatIf;
-pub(super) use worksheet::Worksheet;
+use crate::view::hud::{Aside, HudShown};
+use ending::END_PAUSE;
+use observer::Observation;
+use open::Open;
+use pilot::{Controller, Pilot};
+use run::Run;
+use std::path::Path;
 
 #[derive(Debug)]
 pub struct Flight {
-    attempt: Attempt,
-    /// At the moment on the screen.
-    game: Game,
-    clock: Clock,
+    run: Run,
     pilot: Pilot,
-    /// The keys that a panel or the attempt before was given.
-    stale: Stale,
-    modifiers: Modifiers,
-    /// All flown ticks, which may go beyond the moment on the screen.
-    history: History,
-    /// The ghosts.
-    race: Option<Race>,
-    /// The label of the pause panel's last button, while the panel is open.
-    pause: Option<&'static str>,
-    /// The settings, while they are open above it.
-    settings: Option<Box<SettingsPanel>>,
-    /// The problems of their file.
-    settings_problems: Vec<String>,
-    /// Whether the player has had help.
-    assisted: bool,
-    /// Time since the end of the attempt, s.
-    ended: f64,
-    details: bool,
-    hitboxes: bool,
-    observer: Observer,
-    instruments: Instruments,
-    /// The varied level; its flight does not count.
-    what_if: Option<Box<WhatIf>>,
-    /// Ticks to fly again in a frame.
-    ahead: Ahead,
-    /// Whether the flight tries out an edited level: it does not count.
-    test: bool,
-    /// The state of the level's files, while it is shown.
-    news: Option<News>,
-    /// The attempt before, while the loss of it is shown.
-    lost: Option<Box<Lost>>,
-    hints: Hints,
-    /// Of an experiment that is listed.
-    sheet: Option<Box<Worksheet>>,
-    rewind: Rewind,
-    /// Up to this tick the flight is shown in slow motion: a goal has been met.
-    slow_until: u64,
+    seen: Observation,
+    open: Open,
 }
 
 impl Screen for Flight {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         self.age_news(ui.input().frame_time);
         let mut rest = self.show_instruments(ui);
-        let given = if self.pause.is_some() { Keys::default() } else { rest.held };
-        rest.held = self.stale.sift(ui.input(), given);
-        let request = match &self.pilot {
-            Pilot::Reel(_) => self.show_reel(ui, &rest),
-            _ if self.pause.is_some() => None,
+        let given = if self.open.pause.is_some() { Keys::default() } else { rest.held };
+        rest.held = self.pilot.stale.sift(ui.input(), given);
+        let request = match &self.pilot.source {
+            Controller::Reel(_) => self.show_reel(ui, &rest),
+            _ if self.open.pause.is_some() => None,
             _ => self.go_on(&rest, ui.spectator),
         };
         self.read_instruments(&ui.frame());
@@ -110,12 +76,12 @@ impl Screen for Flight {
     }
 
     fn motion(&self, _: &Input) -> Motion {
-        let moves = self.pause.is_none() && (!self.observer.frozen() || self.is_flown_again());
+        let moves = self.open.pause.is_none() && (!self.seen.observer.frozen() || self.is_flown_again());
         if moves { Motion::Full } else { Motion::Still }
     }
 
     fn tune(&self) -> Option<&str> {
-        Some(&self.game.level().name)
+        Some(&self.run.game.level().name)
     }
 
     fn unsaved(&self) -> Option<String> {
@@ -123,57 +89,144 @@ impl Screen for Flight {
     }
 
     fn takes(&self, path: &Path) -> bool {
-        self.is_watched() || self.pause.is_some() || is_of_level(path)
+        self.is_watched() || self.open.pause.is_some() || is_of_level(path)
     }
 
     fn text_scale(&self, settings: &Settings, _: f32) -> f32 {
-        if self.pause.is_none() { f32::from(settings.scale) / 100.0 } else { 1.0 }
+        if self.open.pause.is_none() { f32::from(settings.scale) / 100.0 } else { 1.0 }
     }
 
     fn tell_of_settings(&mut self, settings: &Settings, problems: &[String]) {
-        self.settings_problems = problems.to_vec();
-        if let Some(panel) = &mut self.settings {
+        self.open.settings_problems = problems.to_vec();
+        if let Some(panel) = &mut self.open.settings {
             panel.tell_of_settings(settings, problems);
         }
     }
 
-    fn report_export(&mut self, told: Result<PathBuf, String>) {
-        self.instruments.report_export(told);
+    fn parent(&self) -> Destination {
+        let name = self.run.attempt.level.name.clone();
+        if self.open.test { Destination::Edit { name, original: true } } else { Destination::Menu }
+    }
+
+    fn reads(&self, effect: &Effect, session: &Session) -> Option<String> {
+        let name = &self.run.attempt.level.name;
+        (matches!(effect, Effect::Restart) && self.reads_again(session)).then(|| name.clone())
+    }
+
+    fn carry_out(&mut self, effect: Effect, session: &mut Session, spectator: &mut dyn Spectator) -> Option<Request> {
+        match effect {
+            Effect::Restart => self.restart_as_on_disk(session, spectator),
+            Effect::Export(file) => self.seen.instruments.report_export(file.write(&session.places.root.join("exports"))),
+            Effect::HandIn(row) => self.hand_in(row, session),
+            Effect::SaveVaried(variation, name) => {
+                let saved = self.save_varied(&variation, &name, session);
+                let bad = saved.is_err();
+                self.seen.instruments.vary_mut().tell(saved.unwrap_or_else(|reason| reason), bad);
+            }
+            _ => {}
+        }
+        None
+    }
+
+    fn look(&mut self, frame_time: f64, session: &mut Session) {
+        self.look_at_files(frame_time, session);
+    }
+
+    fn attend(&mut self, session: &mut Session) {
+        self.note_end(session);
+    }
+
+    fn receive(&mut self, ticket: Ticket, brought: Brought, session: &mut Session, spectator: &mut dyn Spectator) {
+        if let Brought::Level(folder, level) = brought
+            && self.open.reading.take_if(|reading| *reading == ticket).is_some()
+        {
+            self.take_over_from_disk(&folder, level, session, spectator);
+        }
+    }
+
+    /// Pauses a flight that is under way.
+    fn halt(&mut self) {
+        if self.run.game.outcome() == Outcome::Running && !self.is_watched() && self.open.pause.is_none() {
+            self.let_go();
+            self.open.pause = Some(pause::RESUME);
+        }
+    }
+
+    fn leave(&mut self, session: &mut Session) {
+        // An answer that cannot be written waits in the session.
+        let _ = self.write_down(session);
+        if let Some(sheet) = self.open.sheet.take() {
+            session.answers.sheets.insert(sheet.folder().to_owned(), *sheet);
+        }
+    }
+
+    fn come_back(&mut self, _: &dyn Screen, session: &mut Session, spectator: &mut dyn Spectator) {
+        if let Some(watch) = &self.open.watch {
+            session.library.open(watch.folder());
+        }
+        session.last_level = Some(self.run.attempt.level.name.clone());
+        spectator.begins(&self.run.game);
+        self.take_sheet(session);
+    }
+
+    fn write_down(&mut self, session: &mut Session) -> Result<(), String> {
+        if let Some(row) = self.open.sheet.as_mut().and_then(|sheet| sheet.take_unsaved()) {
+            self.hand_in(row, session);
+        }
+        Ok(())
+    }
+
+    fn is_at_risk(&self) -> bool {
+        self.open.sheet.as_ref().is_some_and(|sheet| sheet.is_unsaved())
     }
 
     fn scene(&self, frame: &Frame) -> Option<GameScene<'_>> {
-        let (level, above) = (self.game.level(), self.above_controls(frame));
+        let (level, above) = (self.run.game.level(), self.above_controls(frame));
         let race = self.race();
         let status = level.ship_plays();
-        let medal = status && !self.is_watched() && !self.assisted && Medals::has_clock(&level.awards);
+        let medal = status && !self.is_watched() && !self.run.assisted && Medals::has_clock(&level.awards);
         let rivals = race.map_or(0, |race| race.all().len());
         let shown = HudShown { status, fuel: status && level.player.has_engine(), rivals, medal };
-        let focus = *self.observer.focus();
+        let focus = *self.seen.observer.focus();
         // Nobody is selected without details and instruments.
-        let focus = if self.details || self.instruments.is_open() { focus } else { focus.on_nobody() };
-        let (details, hitboxes, watched, map) = (self.details, self.hitboxes, self.is_watched(), self.observer.shows_map());
+        let focus = if self.seen.details || self.seen.instruments.is_open() { focus } else { focus.on_nobody() };
+        let (details, hitboxes, watched, map) =
+            (self.seen.details, self.seen.hitboxes, self.is_watched(), self.seen.observer.shows_map());
         Some(GameScene {
-            game: &self.game,
+            game: &self.run.game,
             alpha: self.alpha(),
-            room: self.instruments.room(&above),
+            room: self.seen.instruments.room(&above),
             overlays: Overlays { settings: Settings::default(), details, shown, focus, hitboxes, watched, map },
-            speed: if self.pause.is_some() { 0.0 } else { self.observer.speed() * self.slowness() },
-            paused: self.pause.is_some(),
+            speed: if self.open.pause.is_some() { 0.0 } else { self.seen.observer.speed() * self.slowness() },
+            paused: self.open.pause.is_some(),
             quiet: false,
             ghosts: self.ghosts(),
-            race,
             panels: self.panels(frame),
-            instruments: &self.instruments,
+            above: self,
         })
+    }
+}
+
+impl AboveGame for Flight {
+    fn draw_in_level(&self, alpha: f64, view: &Viewport, canvas: &Canvas) {
+        if self.seen.instruments.is_open() {
+            self.seen.instruments.draw_in_level((&self.run.game, alpha), view, canvas);
+        }
+    }
+
+    fn draw_beside_timer(&self, aside: &Aside, canvas: &Canvas) {
+        if let Some(race) = self.race() {
+            race.draw(&self.run.game, aside, canvas);
+        }
     }
 }
 
 impl Flight {
     /// Shows the details of a body, of all where that is `None`, or hides them.
     pub(super) fn show_as(&mut self, body: Option<BodyId>, details: Option<bool>) {
-        self.details = details.unwrap_or(self.details || body.is_some());
+        self.seen.details = details.unwrap_or(self.seen.details || body.is_some());
         if let Some(body) = body {
-            self.observer.look_at(Focus::fitted_on(body));
+            self.seen.observer.look_at(Focus::fitted_on(body));
         }
     }
 
@@ -185,73 +238,43 @@ impl Flight {
         let game = Game::new(attempt.level.clone())?;
         let race = Race::new(&attempt.level, &attempt.rivals)?;
         spectator.begins(&game);
-        let pilot = Pilot::of(&attempt);
-        let mut flight = Self { race, ..Self::at_start(attempt, game, pilot) };
-        if !flight.game.level().ship_plays() {
-            flight.details = true;
-            flight.observer.look_at(Focus::fitted_on(first_mover(&flight.game)));
+        let source = Controller::of(&attempt);
+        let mut flight = Self::at_start(attempt, game, source);
+        flight.run.race = race;
+        if !flight.run.game.level().ship_plays() {
+            flight.seen.details = true;
+            flight.seen.observer.look_at(Focus::fitted_on(first_mover(&flight.run.game)));
             flight.wait_for_a_guess();
         }
         Ok(flight)
     }
 
-    /// An attempt that tries out an edited level: Esc and F5 lead back to the editor, and so does its end.
-    ///
-    /// # Errors
-    /// As [`Flight::new`].
-    pub(super) fn test(level: Arc<Level>, left: Vec<String>, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
-        let news = (!left.is_empty()).then_some(News::Unfinished(left));
-        Ok(Self { test: true, news, ..Self::new(Attempt::by_hand(level), spectator)? })
-    }
-
     /// An experiment that is flown by hand stands still at its start: a pupil looks and guesses before anything moves.
     pub(super) fn wait_for_a_guess(&mut self) {
-        if self.is_by_hand() && !self.game.level().ship_plays() {
-            self.observer.freeze();
+        if self.is_by_hand() && !self.run.game.level().ship_plays() {
+            self.seen.observer.freeze();
         }
     }
 
-    fn at_start(attempt: Attempt, game: Game, pilot: Pilot) -> Self {
+    fn at_start(attempt: Attempt, game: Game, source: Controller) -> Self {
         Self {
-            attempt,
-            clock: Clock::new(game.tick_rate()),
-            history: History::new(&game),
-            game,
-            pilot,
-            stale: Stale::default(),
-            modifiers: Modifiers::default(),
-            race: None,
-            pause: None,
-            settings: None,
-            settings_problems: Vec::new(),
-            assisted: false,
-            ended: 0.0,
-            details: false,
-            hitboxes: false,
-            observer: Observer::default(),
-            instruments: Instruments::default(),
-            what_if: None,
-            ahead: Ahead::within(what_if::AGAIN),
-            test: false,
-            news: None,
-            lost: None,
-            hints: Hints::default(),
-            sheet: None,
-            rewind: Rewind::default(),
-            slow_until: 0,
+            pilot: Pilot::new(source, game.tick_rate()),
+            run: Run::new(attempt, game),
+            seen: Observation::default(),
+            open: Open::default(),
         }
     }
 
     /// A frame of an attempt without a pause.
     fn go_on(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
-        if self.test && (input.pressed(Key::F5) || input.pressed(Key::Escape) || input.acts(Action::Pause)) {
-            return Some(Request::BackToEditor(self.told()));
+        if self.open.test && (input.pressed(Key::F5) || input.pressed(Key::Escape) || input.acts(Action::Pause)) {
+            return Some(Request::Pop);
         }
         if let Some(request) = self.follow_lost(input).or_else(|| self.serve_instruments(spectator)) {
             return Some(request);
         }
         if input.acts(Action::Restart) {
-            return Some(Request::Restart);
+            return Some(Request::Do(Effect::Restart));
         }
         self.switch_overlays(input);
         if self.update_what_if(input.worked(), spectator) {
@@ -260,17 +283,17 @@ impl Flight {
         if self.rewind(input, spectator) {
             return None;
         }
-        let looked_at = self.details || self.instruments.is_open();
-        match self.observer.update(input, &self.game, looked_at) {
+        let looked_at = self.seen.details || self.seen.instruments.is_open();
+        match self.seen.observer.update(input, &self.run.game, looked_at) {
             0 => {}
             ticks => self.step(ticks, input, spectator),
         }
-        if self.game.outcome() != Outcome::Running && !self.observer.frozen() {
-            return if self.what_if.is_some() { self.end_what_if(input) } else { self.wait_for_score(input) };
+        if self.run.game.outcome() != Outcome::Running && !self.seen.observer.frozen() {
+            return if self.run.what_if.is_some() { self.end_what_if(input) } else { self.wait_for_score(input) };
         }
         if input.acts(Action::Pause) {
             self.let_go();
-            self.pause = Some(pause::RESUME);
+            self.open.pause = Some(pause::RESUME);
             return None;
         }
         self.fly(input, spectator);
@@ -280,11 +303,11 @@ impl Flight {
     /// As the instruments see it in that frame.
     fn stage(&self, frame: &Frame) -> Stage<'_> {
         Stage {
-            game: &self.game,
-            history: &self.history,
-            focus: self.observer.focus(),
+            game: &self.run.game,
+            history: &self.run.history,
+            focus: self.seen.observer.focus(),
             varied: (!self.is_watched()).then(|| self.varied()),
-            seekable: self.is_watched() || self.observer.frozen() || self.game.outcome() != Outcome::Running,
+            seekable: self.is_watched() || self.seen.observer.frozen() || self.run.game.outcome() != Outcome::Running,
             before: self.before(),
             sign: if self.is_watched() { 0.0 } else { self.time_room(frame) },
         }
@@ -292,71 +315,71 @@ impl Flight {
 
     /// Shows the instruments; returns the input that remains for the flight.
     fn show_instruments(&mut self, ui: &mut Ui<'_>) -> Input {
-        let mut instruments = std::mem::take(&mut self.instruments);
+        let mut instruments = std::mem::take(&mut self.seen.instruments);
         let whole = ui.frame();
         let rest = instruments.show(ui, self.above_controls(&whole), &self.stage(&whole));
-        self.instruments = instruments;
+        self.seen.instruments = instruments;
         Input { frame: whole, ..rest }
     }
 
     /// Reads the moment on the screen, at the end of its frame.
     fn read_instruments(&mut self, frame: &Frame) {
-        let mut instruments = std::mem::take(&mut self.instruments);
+        let mut instruments = std::mem::take(&mut self.seen.instruments);
         instruments.read(&self.stage(frame));
-        self.instruments = instruments;
+        self.seen.instruments = instruments;
     }
 
     /// Fulfils the wishes of the instruments.
     fn serve_instruments(&mut self, spectator: &mut dyn Spectator) -> Option<Request> {
-        let wish = self.instruments.vary_mut().take_wish();
-        if let Some(request) = wish.and_then(|wish| self.grant(wish, spectator)) {
+        let wish = self.seen.instruments.vary_mut().take_wish();
+        if let Some(request) = wish.and_then(|wish| self.fulfil(wish, spectator)) {
             return Some(request);
         }
-        if let Some(tick) = self.instruments.take_seek() {
+        if let Some(tick) = self.seen.instruments.take_seek() {
             self.seek(tick, spectator);
         }
-        self.instruments.take_export().map(Request::Export)
+        self.seen.instruments.take_export().map(|file| Request::Do(Effect::Export(file)))
     }
 
     pub(super) fn attempt(&self) -> &Attempt {
-        &self.attempt
+        &self.run.attempt
     }
 
     /// Whether the flight tries out an edited level.
     pub fn is_test(&self) -> bool {
-        self.test
+        self.open.test
     }
 
     pub const fn observer(&self) -> &Observer {
-        &self.observer
+        &self.seen.observer
     }
 
     pub const fn instruments(&self) -> &Instruments {
-        &self.instruments
+        &self.seen.instruments
     }
 
     /// The ghosts, if there are any: they were flown in the level as it is.
     pub fn race(&self) -> Option<&Race> {
-        self.race.as_ref().filter(|_| self.what_if.is_none())
+        self.run.race.as_ref().filter(|_| self.run.what_if.is_none())
     }
 
     pub const fn history(&self) -> &History {
-        &self.history
+        &self.run.history
     }
 
     /// Whether the player has had help.
     pub fn is_assisted(&self) -> bool {
-        self.assisted
+        self.run.assisted
     }
 
     /// At the moment on the screen.
     pub fn game(&self) -> &Game {
-        &self.game
+        &self.run.game
     }
 
     /// The place of the picture between the last two ticks, 0 … 1.
     fn alpha(&self) -> f64 {
-        if self.observer.frozen() || self.rewind.held.is_some() { 1.0 } else { self.clock.alpha() }
+        if self.seen.observer.frozen() || self.pilot.rewind.held.is_some() { 1.0 } else { self.pilot.clock.alpha() }
     }
 }
 

@@ -1,8 +1,8 @@
 //! Shift, Ctrl and Alt fly, and they type signs: on a US keyboard `+` is Shift and `=`. A modifier flies at once. Where a sign is typed with it
 //! soon after it went down, it has typed: what it has flown is taken back, and it flies no more until it goes down again.
 
-use crate::screens::{Input, Key, Keys};
-use crate::settings::Action;
+use crate::settings::{Action, Key, Keys};
+use crate::ui::input::Input;
 
 const MODIFIERS: [Key; 3] = [Key::Shift, Key::Control, Key::Alt];
 /// The time in which a sign follows the modifier that it is typed with, s.

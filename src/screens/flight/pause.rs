@@ -2,10 +2,11 @@
 
 use super::{Flight, Worksheet, worksheet};
 use crate::draw::layout::{Area, GAP, HEADING, PADDING, Vec2, WIDE_BUTTON};
-use crate::game::Outcome;
-use crate::screens::{Input, Key, Purpose, Request, Screen, SettingsPanel};
-use crate::settings::Action;
+use crate::screens::screen::{Destination, Effect, Purpose, Request, Screen};
+use crate::screens::settings::SettingsPanel;
+use crate::settings::{Action, Key};
 use crate::ui::Ui;
+use crate::ui::input::Input;
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
@@ -25,28 +26,20 @@ const TOP: f32 = 152.0;
 impl Flight {
     /// Switches the overlays by their keys.
     pub(super) fn switch_overlays(&mut self, input: &Input) {
-        self.details ^= input.acts(Action::Details);
-        self.hitboxes ^= input.acts(Action::Hitboxes);
-    }
-
-    /// Pauses a flight that is under way.
-    pub(in crate::screens) fn halt(&mut self) {
-        if self.game.outcome() == Outcome::Running && !self.is_watched() && self.pause.is_none() {
-            self.let_go();
-            self.pause = Some(RESUME);
-        }
+        self.seen.details ^= input.acts(Action::Details);
+        self.seen.hitboxes ^= input.acts(Action::Hitboxes);
     }
 
     /// The panel, where it is open.
     pub(super) fn show_pause(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
-        let chosen = self.pause?;
+        let chosen = self.open.pause?;
         ui.layer(0.45);
-        let list = if self.attempt.level.experiment { EXPERIMENTS } else { LEVEL_SELECT };
+        let list = if self.run.attempt.level.experiment { EXPERIMENTS } else { LEVEL_SELECT };
         let mut labels = vec![RESUME, RESTART, SETTINGS, list, MENU, EDIT];
         if self.offers_hint() {
             labels.insert(2, HINT);
         }
-        let aside = if self.sheet.is_some() { Vec2::new((worksheet::WIDTH + GAP) / 2.0, 0.0) } else { Vec2::ZERO };
+        let aside = if self.open.sheet.is_some() { Vec2::new((worksheet::WIDTH + GAP) / 2.0, 0.0) } else { Vec2::ZERO };
         let middle = ui.frame().size / 2.0 - aside;
         let mut places = ui.frame().column(labels.len(), middle.y - TOP);
         places.iter_mut().for_each(|place| place.min -= aside);
@@ -60,44 +53,47 @@ impl Flight {
         ui.start_at(chosen);
         let pressed = ui.buttons(places, &labels);
         let place = Area::new(panel.max().x + GAP, top, worksheet::WIDTH, panel.size.y);
-        let answer = self.sheet.as_mut().and_then(|sheet| sheet.show(ui, place));
-        if self.settings.is_some() {
+        let answer = self.open.sheet.as_mut().and_then(|sheet| sheet.show(ui, place));
+        if self.open.settings.is_some() {
             return self.show_settings(ui);
         }
         // Tab walks the sheet, and its fields take all letters.
-        if ui.is_live() && self.sheet.is_none() {
+        if ui.is_live() && self.open.sheet.is_none() {
             self.switch_overlays(ui.input());
         }
-        let typed = self.sheet.is_some() && Worksheet::is_typed_into(ui);
+        let typed = self.open.sheet.is_some() && Worksheet::is_typed_into(ui);
         if ui.acts(Action::Pause) && !typed || ui.key(Key::Escape) {
-            self.pause = None;
+            self.open.pause = None;
             return None;
         }
         if answer.is_some() {
             return answer;
         }
-        self.pause = Some(pressed?);
+        self.open.pause = Some(pressed?);
         match pressed? {
-            RESUME => self.pause = None,
+            RESUME => self.open.pause = None,
             HINT => self.give_hint(),
-            RESTART => return Some(Request::Restart),
+            RESTART => return Some(Request::Do(Effect::Restart)),
             SETTINGS => {
-                let panel = SettingsPanel::new(ui.input().settings, self.settings_problems.clone());
-                self.settings = Some(Box::new(panel));
+                let panel = SettingsPanel::new(ui.input().settings, self.open.settings_problems.clone());
+                self.open.settings = Some(Box::new(panel));
             }
-            LEVEL_SELECT => return Some(Request::LevelSelect(Purpose::Play)),
-            MENU => return Some(Request::Menu),
-            EDIT => return Some(Request::Edit(self.attempt.level.name.clone())),
-            _ => return Some(Request::Experiments(self.attempt.level.name.clone())),
+            LEVEL_SELECT => return Some(Request::Reset(Destination::Levels(Purpose::Play))),
+            MENU => return Some(Request::Reset(Destination::Menu)),
+            EDIT => {
+                let name = self.run.attempt.level.name.clone();
+                return Some(Request::Push(Destination::Edit { name, original: false }));
+            }
+            _ => return Some(Request::Reset(Destination::Lab(Some(self.run.attempt.level.name.clone())))),
         }
         None
     }
 
     fn show_settings(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         ui.layer(1.0);
-        match self.settings.as_mut()?.show(ui)? {
-            Request::Menu => {
-                self.settings = None;
+        match self.open.settings.as_mut()?.show(ui)? {
+            Request::Pop => {
+                self.open.settings = None;
                 None
             }
             request => Some(request),

@@ -1,15 +1,45 @@
 //! The source of a flight's controls, and the moment of it that is shown.
 
 use super::Flight;
-use super::attempt::Attempt;
+use super::ahead::Ahead;
 use super::modifiers::{Mistaken, Modifiers, SOON};
+use super::rewind::Rewind;
 use super::viewer::Viewer;
-use crate::game::{Controls, Inputs, Latch, Outcome, Playback};
-use crate::screens::{Input, Spectator};
+use super::what_if::AGAIN;
+use crate::game::{Clock, Controls, Inputs, Latch, Outcome, Playback};
+use crate::session::attempt::Attempt;
 use crate::settings::Action;
+use crate::ui::Spectator;
+use crate::ui::input::{Input, Stale};
+
+/// Where the controls of a flight come from, and how its time goes on.
+#[derive(Debug)]
+pub(super) struct Pilot {
+    pub source: Controller,
+    pub clock: Clock,
+    /// The keys that a panel or the attempt before was given.
+    pub stale: Stale,
+    pub modifiers: Modifiers,
+    pub rewind: Rewind,
+    /// Ticks to fly again in a frame.
+    pub ahead: Ahead,
+}
+
+impl Pilot {
+    pub fn new(source: Controller, tick_rate: f64) -> Self {
+        Self {
+            source,
+            clock: Clock::new(tick_rate),
+            stale: Stale::default(),
+            modifiers: Modifiers::default(),
+            rewind: Rewind::default(),
+            ahead: Ahead::within(AGAIN),
+        }
+    }
+}
 
 #[derive(Debug)]
-pub(super) enum Pilot {
+pub(super) enum Controller {
     /// The player's keys.
     Hands(Latch),
     /// The rest of recorded inputs.
@@ -18,7 +48,7 @@ pub(super) enum Pilot {
     Reel(Box<Viewer>),
 }
 
-impl Pilot {
+impl Controller {
     /// At the start of an attempt.
     pub fn of(attempt: &Attempt) -> Self {
         match &attempt.inputs {
@@ -72,25 +102,25 @@ pub(super) fn steers(input: &Input) -> bool {
 impl Flight {
     /// Flies the ticks of a frame, unless the world stands still.
     pub(super) fn fly(&mut self, input: &Input, spectator: &mut dyn Spectator) {
-        let soon = (SOON * self.game.tick_rate()) as u64;
-        let (input, mistaken) = &self.modifiers.flying(input, self.game.ticks(), soon);
+        let soon = (SOON * self.run.game.tick_rate()) as u64;
+        let (input, mistaken) = &self.pilot.modifiers.flying(input, self.run.game.ticks(), soon);
         if let Some(mistaken) = mistaken {
             self.take_back(mistaken, input, spectator);
         }
-        self.pilot.follow(held(input), pressed(input));
+        self.pilot.source.follow(held(input), pressed(input));
         let (assists, by_hand) = (input.settings.assists, self.is_by_hand());
-        self.assisted |= by_hand && (assists.any() || self.observer.pace() != 1.0);
-        if self.observer.frozen() {
+        self.run.assisted |= by_hand && (assists.any() || self.seen.observer.pace() != 1.0);
+        if self.seen.observer.frozen() {
             return;
         }
         self.leave_what_came_after();
-        self.game.set_lasting_fuel(assists.lasting_fuel && by_hand);
-        self.clock.add(input.frame_time * f64::from(assists.speed) / 100.0 * self.observer.speed() * self.slowness());
-        while self.game.outcome() == Outcome::Running && self.clock.tick() {
+        self.run.game.set_lasting_fuel(assists.lasting_fuel && by_hand);
+        self.pilot.clock.add(input.frame_time * f64::from(assists.speed) / 100.0 * self.seen.observer.speed() * self.slowness());
+        while self.run.game.outcome() == Outcome::Running && self.pilot.clock.tick() {
             self.tick(spectator);
         }
-        if let Some(race) = &mut self.race {
-            race.update(&self.game, input.worked());
+        if let Some(race) = &mut self.run.race {
+            race.update(&self.run.game, input.worked());
         }
     }
 
@@ -104,19 +134,19 @@ impl Flight {
             left: steered(flown.left, typing.left, flying.left),
             right: steered(flown.right, typing.right, flying.right),
         };
-        let begins = self.history.start().ticks();
-        let flown: Vec<Controls> = self.history.inputs().after(mistaken.since.saturating_sub(begins)).collect();
-        let by_hand = self.is_by_hand() && !self.observer.frozen() && self.game.ticks() == self.history.ticks();
+        let begins = self.run.history.start().ticks();
+        let flown: Vec<Controls> = self.run.history.inputs().after(mistaken.since.saturating_sub(begins)).collect();
+        let by_hand = self.is_by_hand() && !self.seen.observer.frozen() && self.run.game.ticks() == self.run.history.ticks();
         if !by_hand || flown.iter().all(|controls| meant(*controls) == *controls) {
             return;
         }
         self.show_moment(mistaken.since, spectator);
         self.leave_what_came_after();
-        if let Some(race) = &mut self.race {
-            race.back_to(&self.game);
+        if let Some(race) = &mut self.run.race {
+            race.back_to(&self.run.game);
         }
         for controls in flown {
-            if self.game.outcome() == Outcome::Running {
+            if self.run.game.outcome() == Outcome::Running {
                 self.fly_tick(meant(controls), spectator);
             }
         }
@@ -124,69 +154,69 @@ impl Flight {
 
     /// A tick beyond the end of the history.
     fn tick(&mut self, spectator: &mut dyn Spectator) {
-        let controls = self.pilot.take();
+        let controls = self.pilot.source.take();
         self.fly_tick(controls, spectator);
     }
 
     fn fly_tick(&mut self, controls: Controls, spectator: &mut dyn Spectator) {
         spectator.before_tick();
-        self.game.step(controls);
-        self.history.note(&self.game, controls);
+        self.run.game.step(controls);
+        self.run.history.note(&self.run.game, controls);
         self.slow_down_for_goals();
         self.after_tick_of_what_if(controls);
-        if let Some(race) = &mut self.race {
-            race.after_tick(&self.game);
+        if let Some(race) = &mut self.run.race {
+            race.after_tick(&self.run.game);
         }
-        spectator.after_tick(&self.game);
+        spectator.after_tick(&self.run.game);
     }
 
     /// Takes a frozen world some ticks on, or back where `ticks` is negative: through its history, and beyond the end of that by the keys.
     pub(super) fn step(&mut self, ticks: i64, input: &Input, spectator: &mut dyn Spectator) {
-        self.assisted |= self.is_by_hand();
-        let wanted = self.game.ticks().saturating_add_signed(ticks);
-        if wanted <= self.history.ticks() {
+        self.run.assisted |= self.is_by_hand();
+        let wanted = self.run.game.ticks().saturating_add_signed(ticks);
+        if wanted <= self.run.history.ticks() {
             self.show_moment(wanted, spectator);
-        } else if self.game.outcome() == Outcome::Running {
-            self.pilot.follow(held(input), Controls::default());
+        } else if self.run.game.outcome() == Outcome::Running {
+            self.pilot.source.follow(held(input), Controls::default());
             self.tick(spectator);
         }
     }
 
     /// Freezes the world at another moment of its history.
     pub(super) fn seek(&mut self, tick: u64, spectator: &mut dyn Spectator) {
-        self.observer.freeze();
-        self.assisted |= self.is_by_hand();
+        self.seen.observer.freeze();
+        self.run.assisted |= self.is_by_hand();
         self.show_moment(tick, spectator);
     }
 
     /// Shows the game after `tick` ticks, or the nearest moment of its history.
     pub(super) fn show_moment(&mut self, tick: u64, spectator: &mut dyn Spectator) {
-        let before = self.game.ticks();
+        let before = self.run.game.ticks();
         spectator.before_tick();
-        self.history.seek(&mut self.game, tick);
+        self.run.history.seek(&mut self.run.game, tick);
         self.show_before(false);
-        if self.game.ticks() == before + 1 {
-            spectator.after_tick(&self.game);
-        } else if self.game.ticks() != before {
-            spectator.jumped(&self.game);
+        if self.run.game.ticks() == before + 1 {
+            spectator.after_tick(&self.run.game);
+        } else if self.run.game.ticks() != before {
+            spectator.jumped(&self.run.game);
         }
     }
 
     /// Drops the history after the moment on the screen: the flight goes on otherwise from there.
     pub(super) fn leave_what_came_after(&mut self) {
-        let now = self.game.ticks();
-        if now < self.history.ticks() {
-            self.history = self.history.until(now);
+        let now = self.run.game.ticks();
+        if now < self.run.history.ticks() {
+            self.run.history = self.run.history.until(now);
             self.show_before(true);
-            self.instruments.back_to(&self.history, now);
-            (self.ended, self.slow_until) = (0.0, 0);
+            self.seen.instruments.back_to(&self.run.history, now);
+            (self.run.ended, self.run.slow_until) = (0.0, 0);
             self.play_on_from(now);
         }
     }
 
     /// Recorded inputs, if there are any, go on from that tick.
     pub(super) fn play_on_from(&mut self, tick: u64) {
-        if let (Pilot::Inputs(playback), Some(inputs)) = (&mut self.pilot, &self.attempt.inputs) {
+        if let (Controller::Inputs(playback), Some(inputs)) = (&mut self.pilot.source, &self.run.attempt.inputs) {
             *playback = Inputs::clone(inputs).into_iter();
             playback.by_ref().take(tick as usize).for_each(drop);
         }
@@ -194,17 +224,17 @@ impl Flight {
 
     /// Forgets the keys that no tick has taken.
     pub(super) fn let_go(&mut self) {
-        self.pilot.let_go();
-        self.modifiers = Modifiers::default();
+        self.pilot.source.let_go();
+        self.pilot.modifiers = Modifiers::default();
     }
 
     /// Whether the player's keys fly.
     pub fn is_by_hand(&self) -> bool {
-        matches!(self.pilot, Pilot::Hands(_))
+        matches!(self.pilot.source, Controller::Hands(_))
     }
 
     /// Whether a reel is shown.
     pub const fn is_watched(&self) -> bool {
-        matches!(self.pilot, Pilot::Reel(_))
+        matches!(self.pilot.source, Controller::Reel(_))
     }
 }

@@ -2,18 +2,19 @@
 //! flown again to the wanted moment.
 
 use super::Flight;
-use super::attempt::Attempt;
-use super::pilot::Pilot;
+use super::pilot::Controller;
 use super::viewer::Viewer;
 use crate::draw::layout::{Area, Frame, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Clock, Outcome, Reel};
 use crate::number::clock;
-use crate::screens::ahead::Ahead;
-use crate::screens::observer::Observer;
-use crate::screens::{GameScene, Input, Key, Request, Screen, Spectator};
-use crate::settings::Action;
-use crate::ui::{Ui, WidgetKind};
+use crate::screens::flight::ahead::Ahead;
+use crate::screens::flight::observer::Observer;
+use crate::screens::screen::{GameScene, Request, Screen};
+use crate::session::attempt::Attempt;
+use crate::settings::{Action, Key};
+use crate::ui::input::Input;
+use crate::ui::{Spectator, Ui, WidgetKind};
 use crate::view::hud::HudShown;
 use crate::view::{Overlays, theme, widgets};
 use crate::words::tr;
@@ -46,13 +47,16 @@ const TIME_LINE: &str = "Time line";
 
 impl Flight {
     /// A recorded flight from its start.
-    pub(in crate::screens) fn watch(title: String, reel: Reel, back: Request, spectator: &mut dyn Spectator) -> Self {
+    pub(in crate::screens) fn watch(title: String, reel: Reel, spectator: &mut dyn Spectator) -> Self {
         let Reel { history, unflown } = reel;
         let game = history.at(0);
         let attempt = Attempt::by_hand(game.shared_level().clone());
         spectator.begins(&game);
-        let viewer = Viewer { title, back, unflown, ahead: Ahead::default(), dragged: false };
-        Self { history, observer: Observer::with_paces(&PACES), ..Self::at_start(attempt, game, Pilot::Reel(Box::new(viewer))) }
+        let viewer = Viewer { title, unflown, ahead: Ahead::default(), dragged: false };
+        let mut flight = Self::at_start(attempt, game, Controller::Reel(Box::new(viewer)));
+        flight.run.history = history;
+        flight.seen.observer = Observer::with_paces(&PACES);
+        flight
     }
 
     /// The part of the canvas above the controls of a reel.
@@ -69,10 +73,10 @@ impl Flight {
         self.fly_ahead(input.worked());
         self.follow_keys(ui);
         let line = time_line(&ui.frame());
-        self.observer.zoom(input);
+        self.seen.observer.zoom(input);
         // Clicks on the controls pick no body.
-        if (self.details || self.instruments.is_open()) && input.pointer.y < line.min.y {
-            self.observer.look(input, &self.game);
+        if (self.seen.details || self.seen.instruments.is_open()) && input.pointer.y < line.min.y {
+            self.seen.observer.look(input, &self.run.game);
         }
         self.draw_foot(ui.canvas(), line);
         self.drag(ui, line);
@@ -83,16 +87,16 @@ impl Flight {
 
     /// Flies the record ahead of the moment on the screen, so that every moment can be shown.
     fn fly_ahead(&mut self, frame_time: f64) {
-        let Pilot::Reel(viewer) = &mut self.pilot else { return };
+        let Controller::Reel(viewer) = &mut self.pilot.source else { return };
         if frame_time > 0.0 {
             let ticks = viewer.ahead.ticks(frame_time);
-            viewer.unflown.take_if(|unflown| !unflown.fly(&mut self.history, ticks));
+            viewer.unflown.take_if(|unflown| !unflown.fly(&mut self.run.history, ticks));
         }
     }
 
     /// Keys without a button, and keys that repeat.
     fn follow_keys(&mut self, ui: &mut Ui<'_>) {
-        let (input, second) = (ui.input(), (PAGE * self.game.tick_rate()).round() as i64);
+        let (input, second) = (ui.input(), (PAGE * self.run.game.tick_rate()).round() as i64);
         for key in ui.strokes(&[Key::Left, Key::Right, Key::PageUp, Key::PageDown]) {
             let ticks = match key {
                 Key::Left => -1,
@@ -100,7 +104,7 @@ impl Flight {
                 Key::PageUp => -second,
                 _ => second,
             };
-            self.seek(self.game.ticks().saturating_add_signed(ticks), ui.spectator);
+            self.seek(self.run.game.ticks().saturating_add_signed(ticks), ui.spectator);
         }
         if input.pressed(Key::Enter) {
             self.play_or_pause(ui.spectator);
@@ -116,7 +120,7 @@ impl Flight {
     }
 
     fn show_tools(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
-        let play = if self.observer.frozen() { PLAY } else { PAUSE };
+        let play = if self.seen.observer.frozen() { PLAY } else { PAUSE };
         let tools = [
             (BACK, Key::Escape, "Esc"),
             (play, Key::Space, "Space"),
@@ -126,26 +130,23 @@ impl Flight {
             (FASTER, Key::Up, "↑"),
             (FORCES, Key::Tab, "Tab"),
         ];
-        let now = self.game.ticks();
+        let now = self.run.game.ticks();
         match ui.tools(&tools)? {
-            BACK => {
-                let Pilot::Reel(viewer) = &self.pilot else { return None };
-                return Some(viewer.back.clone());
-            }
+            BACK => return Some(Request::Pop),
             STEP_BACK => self.seek(now.saturating_sub(1), ui.spectator),
             STEP_ON => self.seek(now + 1, ui.spectator),
-            SLOWER => self.observer.slow_down(),
-            FASTER => self.observer.speed_up(),
-            FORCES => self.details ^= true,
+            SLOWER => self.seen.observer.slow_down(),
+            FASTER => self.seen.observer.speed_up(),
+            FORCES => self.seen.details ^= true,
             _ => self.play_or_pause(ui.spectator),
         }
         None
     }
 
     fn play_or_pause(&mut self, spectator: &mut dyn Spectator) {
-        self.observer.freeze_or_go_on();
-        self.clock = Clock::new(self.game.tick_rate());
-        if !self.observer.frozen() && self.is_at_end() {
+        self.seen.observer.freeze_or_go_on();
+        self.pilot.clock = Clock::new(self.run.game.tick_rate());
+        if !self.seen.observer.frozen() && self.is_at_end() {
             self.show_moment(0, spectator);
         }
     }
@@ -154,11 +155,11 @@ impl Flight {
     pub(in crate::screens) fn play_behind(&mut self, frame_time: f64) {
         self.fly_ahead(frame_time);
         self.play(frame_time, &mut ());
-        if self.observer.frozen() {
-            self.ended += frame_time;
+        if self.seen.observer.frozen() {
+            self.run.ended += frame_time;
         }
-        if self.ended > REST {
-            self.ended = 0.0;
+        if self.run.ended > REST {
+            self.run.ended = 0.0;
             self.play_or_pause(&mut ());
         }
     }
@@ -171,47 +172,47 @@ impl Flight {
     }
 
     fn is_at_end(&self) -> bool {
-        let Pilot::Reel(viewer) = &self.pilot else { return self.game.outcome() != Outcome::Running };
-        viewer.unflown.is_none() && self.game.ticks() >= self.history.ticks()
+        let Controller::Reel(viewer) = &self.pilot.source else { return self.run.game.outcome() != Outcome::Running };
+        viewer.unflown.is_none() && self.run.game.ticks() >= self.run.history.ticks()
     }
 
     fn play(&mut self, frame_time: f64, spectator: &mut dyn Spectator) {
-        if self.observer.frozen() || matches!(&self.pilot, Pilot::Reel(viewer) if viewer.dragged) {
+        if self.seen.observer.frozen() || matches!(&self.pilot.source, Controller::Reel(viewer) if viewer.dragged) {
             return;
         }
-        let tick = 1.0 / self.game.tick_rate();
-        let mut left = frame_time.min(LONGEST_FRAME) * self.observer.pace();
+        let tick = 1.0 / self.run.game.tick_rate();
+        let mut left = frame_time.min(LONGEST_FRAME) * self.seen.observer.pace();
         // A frame of the fastest pace has more ticks than the clock takes at once.
         while left > 0.0 {
-            self.clock.add(left.min(tick));
+            self.pilot.clock.add(left.min(tick));
             left -= tick;
-            if self.clock.tick() {
-                self.show_moment(self.game.ticks() + 1, spectator);
+            if self.pilot.clock.tick() {
+                self.show_moment(self.run.game.ticks() + 1, spectator);
             }
         }
         if self.is_at_end() {
-            self.observer.freeze();
+            self.seen.observer.freeze();
         }
     }
 
     /// The pointer on the time line.
     fn drag(&mut self, ui: &mut Ui<'_>, line: Area) {
         let (input, touch) = (ui.input(), ui.touch(TIME_LINE, line.inset(-NEAR), WidgetKind::Tool));
-        let Pilot::Reel(viewer) = &mut self.pilot else { return };
+        let Controller::Reel(viewer) = &mut self.pilot.source else { return };
         viewer.dragged = touch.pressed || viewer.dragged && input.holding;
         if viewer.dragged {
             let part = ((input.pointer.x - line.min.x) / line.size.x).clamp(0.0, 1.0);
-            self.show_moment((f64::from(part) * self.history.ticks() as f64).round() as u64, ui.spectator);
+            self.show_moment((f64::from(part) * self.run.history.ticks() as f64).round() as u64, ui.spectator);
         }
     }
 
     /// The ground of the controls, the time line, and the words on the flight.
     fn draw_foot(&self, canvas: &Canvas, line: Area) {
-        let Pilot::Reel(viewer) = &self.pilot else { return };
+        let Controller::Reel(viewer) = &self.pilot.source else { return };
         let (size, top) = (canvas.size(), canvas.size().y - FOOT);
         canvas.rounded(Area::new(0.0, top, size.x, FOOT), 0.0, theme::panel());
         canvas.line(Vec2::new(0.0, top), Vec2::new(size.x, top), 2.0, theme::panel_edge());
-        let (tick, known) = (self.game.ticks(), self.history.ticks());
+        let (tick, known) = (self.run.game.ticks(), self.run.history.ticks());
         let part = if known > 0 { tick as f32 / known as f32 } else { 0.0 };
         let y = line.centre().y;
         canvas.rounded(line, 6.0, theme::ground());
@@ -219,11 +220,11 @@ impl Flight {
         canvas.disc(Vec2::new(line.min.x + line.size.x * part, y), 10.0, theme::text());
         let number = Style::new(TEXT, theme::text()).mono().middle();
         // The clock of the flight starts with its first key.
-        let idle = self.history.inputs().idle().unwrap_or(0);
-        let time = |tick: u64| clock(tick.saturating_sub(idle) as f64 / self.game.tick_rate());
+        let idle = self.run.history.inputs().idle().unwrap_or(0);
+        let time = |tick: u64| clock(tick.saturating_sub(idle) as f64 / self.run.game.tick_rate());
         canvas.text(&format!("{} / {}", time(tick), time(known)), Vec2::new(24.0, y), number);
-        let pace = written(self.observer.pace());
-        let pace = if self.observer.frozen() { tr!("paused · {pace}", pace) } else { pace };
+        let pace = written(self.seen.observer.pace());
+        let pace = if self.seen.observer.frozen() { tr!("paused · {pace}", pace) } else { pace };
         canvas.text(&pace, Vec2::new(size.x - 24.0, y), number.right());
         widgets::fitted(canvas, &viewer.title, Vec2::new(size.x / 2.0, top + 20.0), size.x - 64.0, &[TEXT], theme::quiet());
     }

@@ -1,14 +1,11 @@
 //! The viewer's part of a watched flight.
 
 use crate::game::Unflown;
-use crate::screens::Request;
-use crate::screens::ahead::Ahead;
+use crate::screens::flight::ahead::Ahead;
 
 #[derive(Debug)]
 pub(super) struct Viewer {
     pub title: String,
-    /// The request of the button that leads back.
-    pub back: Request,
     /// The inputs that the history lacks.
     pub unflown: Option<Unflown>,
     /// Ticks to fly of them in a frame.

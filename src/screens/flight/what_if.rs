@@ -1,13 +1,15 @@
 //! "What if": the level with other numbers, flown again by the same controls or on from where it is, beside the run before as a ghost. Nothing
 //! of it counts: only a fresh attempt at the level as it is does.
 
-use super::END_PAUSE;
-use super::Flight;
+use super::{END_PAUSE, Flight};
 use crate::game::{Again, Controls, Game, History, Outcome, Tape};
 use crate::instruments::vary::Variation;
 use crate::level::Level;
-use crate::screens::instruments::vary::{Varied, VaryFrom, VaryWish};
-use crate::screens::{Input, Key, Request, Spectator};
+use crate::screens::flight::instruments::vary::{Varied, VaryFrom, VaryWish};
+use crate::screens::screen::{Effect, Request};
+use crate::settings::Key;
+use crate::ui::Spectator;
+use crate::ui::input::Input;
 use crate::words::tr;
 use std::sync::Arc;
 
@@ -74,60 +76,54 @@ impl Flight {
     /// The level that can be varied, and how it is.
     pub(super) fn varied(&self) -> Varied<'_> {
         Varied {
-            level: &self.attempt.level,
+            level: &self.run.attempt.level,
             variation: self.variation(),
-            progress: self.what_if.as_ref().and_then(|what_if| Some(what_if.again.as_ref()?.progress())),
+            progress: self.run.what_if.as_ref().and_then(|what_if| Some(what_if.again.as_ref()?.progress())),
         }
     }
 
     /// The level as it is in its files, whatever is varied of it.
     pub fn attempt_level(&self) -> &Level {
-        &self.attempt.level
+        &self.run.attempt.level
     }
 
     /// What is varied; none while the level is flown as it is. It may be empty: then all was taken back, but what was flown counts no more.
     pub fn variation(&self) -> Option<&Variation> {
-        self.what_if.as_ref().map(|what_if| &what_if.variation)
+        self.run.what_if.as_ref().map(|what_if| &what_if.variation)
     }
 
     /// The run before the last change, where the level is varied.
     pub fn before(&self) -> Option<&History> {
-        self.what_if.as_ref().map(|what_if| &what_if.before.history)
+        self.run.what_if.as_ref().map(|what_if| &what_if.before.history)
     }
 
     /// The game of that run at the moment that is shown, or where it ended before.
     pub fn game_before(&self) -> Option<&Game> {
-        self.what_if.as_ref().map(|what_if| &*what_if.before.game)
+        self.run.what_if.as_ref().map(|what_if| &*what_if.before.game)
     }
 
     /// Does what the panel asks for.
-    pub(super) fn grant(&mut self, wish: VaryWish, spectator: &mut dyn Spectator) -> Option<Request> {
+    pub(super) fn fulfil(&mut self, wish: VaryWish, spectator: &mut dyn Spectator) -> Option<Request> {
         match wish {
             VaryWish::Vary(variation, from, goes_on) => {
                 if let Err(words) = self.vary(variation, from, goes_on) {
-                    self.instruments.vary_mut().tell(words, true);
+                    self.seen.instruments.vary_mut().tell(words, true);
                 }
-                let ticks = self.ahead.ticks(0.0);
+                let ticks = self.pilot.ahead.ticks(0.0);
                 self.fly_again(ticks, spectator);
                 None
             }
             VaryWish::Restore => Some(self.restore()),
-            VaryWish::Save(name) => Some(Request::SaveVaried(self.variation()?.clone(), name)),
+            VaryWish::Save(name) => Some(Request::Do(Effect::SaveVaried(self.variation()?.clone(), name))),
         }
-    }
-
-    /// Says what became of a level that was to be saved.
-    pub(in crate::screens) fn tell_of_saving(&mut self, saved: Result<String, String>) {
-        let bad = saved.is_err();
-        self.instruments.vary_mut().tell(saved.unwrap_or_else(|reason| reason), bad);
     }
 
     /// The level as it is, from its start: a fresh attempt. Until that has begun what is shown counts no more than before.
     fn restore(&mut self) -> Request {
-        if let Some(what_if) = &mut self.what_if {
+        if let Some(what_if) = &mut self.run.what_if {
             what_if.variation = Variation::default();
         }
-        Request::Restart
+        Request::Do(Effect::Restart)
     }
 
     /// Varies the level from there on.
@@ -138,18 +134,18 @@ impl Flight {
         let expected = |problems: Vec<crate::level::Problem>| {
             problems.first().map_or_else(String::new, |problem| tr!("Expected {expected}.", expected = problem.expected))
         };
-        let level = Arc::new(variation.apply(&self.attempt.level).map_err(expected)?);
+        let level = Arc::new(variation.apply(&self.run.attempt.level).map_err(expected)?);
         self.leave_what_came_after();
-        let running = self.game.outcome() == Outcome::Running;
-        let (tape, moment) = match self.what_if.take() {
-            Some(what_if) if !running && what_if.moment > self.game.ticks() => {
+        let running = self.run.game.outcome() == Outcome::Running;
+        let (tape, moment) = match self.run.what_if.take() {
+            Some(what_if) if !running && what_if.moment > self.run.game.ticks() => {
                 let kept = (what_if.tape.clone(), what_if.moment);
-                self.what_if = Some(what_if);
+                self.run.what_if = Some(what_if);
                 kept
             }
             what_if => {
-                self.what_if = what_if;
-                (self.history.tape(), self.game.ticks())
+                self.run.what_if = what_if;
+                (self.run.history.tape(), self.run.game.ticks())
             }
         };
         let again = match from {
@@ -157,26 +153,26 @@ impl Flight {
             VaryFrom::Now if !running => return Err(tr("This run has ended: a change holds from its start.").to_owned()),
             VaryFrom::Now => None,
         };
-        let before = match self.what_if.take() {
+        let before = match self.run.what_if.take() {
             Some(what_if) if goes_on => what_if.before,
-            _ => Before::new(&self.history, &self.game),
+            _ => Before::new(&self.run.history, &self.run.game),
         };
         if again.is_none() {
             // What was accepted above is accepted by the engine.
-            self.history.go_on_in(&mut self.game, level).map_err(|error| error.to_string())?;
+            self.run.history.go_on_in(&mut self.run.game, level).map_err(|error| error.to_string())?;
         }
-        self.assisted = true;
-        self.what_if = Some(Box::new(WhatIf { variation, before, tape, moment, again }));
+        self.run.assisted = true;
+        self.run.what_if = Some(Box::new(WhatIf { variation, before, tape, moment, again }));
         // There is another run before.
-        self.instruments.flown_again();
+        self.seen.instruments.flown_again();
         Ok(())
     }
 
     /// One frame of a level that is varied: whether it is still being flown again.
     pub(super) fn update_what_if(&mut self, frame_time: f64, spectator: &mut dyn Spectator) -> bool {
-        let Some(what_if) = &self.what_if else { return false };
+        let Some(what_if) = &self.run.what_if else { return false };
         if what_if.again.is_some() && frame_time > 0.0 {
-            let ticks = self.ahead.ticks(frame_time);
+            let ticks = self.pilot.ahead.ticks(frame_time);
             self.fly_again(ticks, spectator);
         }
         self.is_flown_again()
@@ -184,35 +180,35 @@ impl Flight {
 
     /// Whether a varied level is being flown again up to the moment that was shown.
     pub fn is_flown_again(&self) -> bool {
-        self.what_if.as_ref().is_some_and(|what_if| what_if.again.is_some())
+        self.run.what_if.as_ref().is_some_and(|what_if| what_if.again.is_some())
     }
 
     /// Flies on what is flown again, and shows it once it is where it was to be.
     fn fly_again(&mut self, ticks: u64, spectator: &mut dyn Spectator) {
-        let Some(what_if) = &mut self.what_if else { return };
+        let Some(what_if) = &mut self.run.what_if else { return };
         if !what_if.again.as_mut().is_some_and(|again| again.fly(ticks)) {
             return;
         }
         let Some(again) = what_if.again.take() else { return };
-        (self.game, self.history) = again.done();
-        what_if.before.show(self.game.ticks());
-        self.ended = 0.0;
-        self.play_on_from(self.game.ticks());
-        self.instruments.flown_again();
-        spectator.jumped(&self.game);
+        (self.run.game, self.run.history) = again.done();
+        what_if.before.show(self.run.game.ticks());
+        self.run.ended = 0.0;
+        self.play_on_from(self.run.game.ticks());
+        self.seen.instruments.flown_again();
+        spectator.jumped(&self.run.game);
     }
 
     /// The run before goes along.
     pub(super) fn after_tick_of_what_if(&mut self, controls: Controls) {
-        if let Some(what_if) = &mut self.what_if {
-            what_if.before.after_tick(&self.game, controls);
+        if let Some(what_if) = &mut self.run.what_if {
+            what_if.before.after_tick(&self.run.game, controls);
         }
     }
 
     /// The game has been brought to another moment of its history; whether it goes on otherwise from there.
     pub(super) fn show_before(&mut self, goes_on_otherwise: bool) {
-        let tick = self.game.ticks();
-        match &mut self.what_if {
+        let tick = self.run.game.ticks();
+        match &mut self.run.what_if {
             Some(what_if) if goes_on_otherwise => what_if.before.back_to(tick),
             Some(what_if) => what_if.before.show(tick),
             None => {}
@@ -221,14 +217,14 @@ impl Flight {
 
     /// A run that counts for nothing has ended: Esc or Enter lead back to the level as it is.
     pub(super) fn end_what_if(&mut self, input: &Input) -> Option<Request> {
-        self.ended += input.frame_time;
+        self.run.ended += input.frame_time;
         let left = input.pressed(Key::Escape) || input.pressed(Key::Enter);
         left.then(|| self.restore())
     }
 
     /// Whether it is said that the run has ended, and what leads on.
     pub(super) fn tells_of_the_end(&self) -> bool {
-        self.what_if.is_some() && self.game.outcome() != Outcome::Running && self.ended >= END_PAUSE
+        self.run.what_if.is_some() && self.run.game.outcome() != Outcome::Running && self.run.ended >= END_PAUSE
     }
 
     /// Begins a level again with the numbers that it was varied by: from the start, beside the run before where the level is the same.
@@ -240,14 +236,14 @@ impl Flight {
             return Ok(());
         }
         let gone = tr("The level has changed: it is flown as it is now.");
-        let level = Arc::new(varied.variation.apply(&self.attempt.level).map_err(|_| gone)?);
+        let level = Arc::new(varied.variation.apply(&self.run.attempt.level).map_err(|_| gone)?);
         let game = Game::new(level).map_err(|error| error.to_string())?;
-        let mut before = if same { varied.before } else { Before::new(&self.history, &self.game) };
+        let mut before = if same { varied.before } else { Before::new(&self.run.history, &self.run.game) };
         before.show(0);
         before.known = before.history.ticks();
-        (self.history, self.game, self.assisted) = (History::new(&game), game, true);
-        let (tape, moment) = (self.history.tape(), 0);
-        self.what_if = Some(Box::new(WhatIf { before, tape, moment, again: None, ..*varied }));
+        (self.run.history, self.run.game, self.run.assisted) = (History::new(&game), game, true);
+        let (tape, moment) = (self.run.history.tape(), 0);
+        self.run.what_if = Some(Box::new(WhatIf { before, tape, moment, again: None, ..*varied }));
         Ok(())
     }
 }

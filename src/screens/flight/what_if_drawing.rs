@@ -5,7 +5,7 @@ use crate::draw::layout::{Area, DETAILS, GRID, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{GhostPose, SHIP, body_title, object_body};
 use crate::physics::{BodyId, DVec2};
-use crate::screens::instruments::vary::written;
+use crate::screens::flight::instruments::vary::written;
 use crate::view::game_view::drawn_centre;
 use crate::view::hud::HudLayout;
 use crate::view::{GhostShip, theme, widgets};
@@ -19,17 +19,17 @@ const AS_TURNED: f64 = 0.01;
 impl Flight {
     /// Those who are not there: who flies along, or the run before the last change.
     pub fn ghosts(&self) -> Vec<GhostShip> {
-        let race = self.race().map(|race| race.poses(&self.game, self.alpha()));
+        let race = self.race().map(|race| race.poses(&self.run.game, self.alpha()));
         race.into_iter().flatten().chain(self.ghost_before()).collect()
     }
 
     fn ghost_before(&self) -> Option<GhostShip> {
         let (before, alpha) = (self.game_before()?, self.alpha());
         let elsewhere = |id: BodyId| {
-            Some(drawn_centre(before, id, alpha)).filter(|then| then.distance(drawn_centre(&self.game, id, alpha)) > SAME)
+            Some(drawn_centre(before, id, alpha)).filter(|then| then.distance(drawn_centre(&self.run.game, id, alpha)) > SAME)
         };
         let angle = before.ship().angle;
-        let turned = (angle - self.game.ship().angle).abs() > AS_TURNED;
+        let turned = (angle - self.run.game.ship().angle).abs() > AS_TURNED;
         let centre: Option<DVec2> = elsewhere(SHIP).or_else(|| turned.then(|| drawn_centre(before, SHIP, alpha)));
         let object = |i: usize| Some((i, elsewhere(object_body(i))?));
         Some(GhostShip {
@@ -43,10 +43,10 @@ impl Flight {
     fn what_if_words(&self) -> Option<String> {
         let variation = self.variation()?;
         let change = |(parameter, value): (crate::level::Parameter, f64)| {
-            let usual = parameter.of(&self.attempt.level)?;
+            let usual = parameter.of(&self.run.attempt.level)?;
             let name = tr(parameter.name()).trim_end_matches(" ×").to_lowercase();
             let body = parameter.body().filter(|body| *body > 0).map(|body| BodyId(body as u32));
-            let of = body.map_or_else(String::new, |body| body_title(&self.attempt.level, body) + ": ");
+            let of = body.map_or_else(String::new, |body| body_title(&self.run.attempt.level, body) + ": ");
             Some(tr!(
                 "{name} {value} (was {usual})",
                 name = of + &name,
@@ -67,7 +67,7 @@ impl Flight {
         let Some(words) = self.what_if_words() else { return };
         canvas.end_layer();
         let hud = HudLayout::new(canvas.frame()).status;
-        let panel = self.instruments.vary_area().map_or(canvas.size().x, |area| area.min.x);
+        let panel = self.seen.instruments.vary_area().map_or(canvas.size().x, |area| area.min.x);
         let left = hud.max().x + GRID;
         let style = Style::new(DETAILS, theme::accent());
         let room = panel - left - GRID - 2.0 * PADDING;
@@ -79,7 +79,7 @@ impl Flight {
         for (i, text) in lines.iter().enumerate() {
             canvas.text(text, area.min + Vec2::new(PADDING, PADDING / 2.0 + i as f32 * line), style);
         }
-        if self.tells_of_the_end() && self.pause.is_none() {
+        if self.tells_of_the_end() && self.open.pause.is_none() {
             let words = tr!("{told} A “what if” counts for nothing: R flies it again, Esc the level as it is.", told = self.told());
             let style = Style::new(TEXT, theme::text()).centred().middle();
             let width = (canvas.width(&words, style) + 2.0 * PADDING).min(canvas.size().x - 2.0 * PADDING);

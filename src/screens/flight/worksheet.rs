@@ -1,13 +1,13 @@
 //! The sheet of an experiment beside the pause panel: its question, the pupil's guess and readings, and the answer, once a guess is
 //! there.
 
-use super::Flight;
 use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, GAP, GRID, PADDING, ROW_BUTTON, TEXT, Vec2};
 use crate::instruments::reading;
-use crate::scores::{Name, ResultRow};
-use crate::screens::lab::{Experiment, Paragraphs};
-use crate::screens::{Request, text_field::TextField};
+use crate::screens::lab::Paragraphs;
+use crate::screens::screen::{Effect, Request};
+use crate::session::answers::{MOST_LETTERS, Worksheet};
+use crate::ui::text_field::TextField;
 use crate::ui::{FieldEvent, Ui};
 use crate::view::{theme, widgets};
 use crate::words::tr;
@@ -19,99 +19,8 @@ const ANSWER: &str = "Answer";
 const SAVE: &str = "Save";
 const NO_GUESS: &str = "Make a guess first.";
 const LINE_HEIGHT: f32 = 44.0;
-/// The most characters of a guess, and of readings.
-const MOST: (usize, usize) = (80, 240);
-
-#[derive(Debug)]
-pub struct Worksheet {
-    experiment: Experiment,
-    guess: TextField,
-    readings: TextField,
-    /// Whether the answer is shown: the guess stays as it is then.
-    answered: bool,
-    /// What was saved last.
-    saved: Option<[String; 2]>,
-    /// The outcome of the last press; an error is a problem.
-    told: Result<String, String>,
-}
-
-impl Flight {
-    /// An experiment has its question.
-    pub(in crate::screens) fn give_sheet(&mut self, sheet: Worksheet) {
-        self.sheet = Some(Box::new(sheet));
-    }
-
-    pub(in crate::screens) fn take_sheet(&mut self) -> Option<Worksheet> {
-        self.sheet.take().map(|sheet| *sheet)
-    }
-
-    /// As [`Worksheet::take_unsaved`], of its sheet.
-    pub(in crate::screens) fn take_unsaved(&mut self) -> Option<ResultRow> {
-        self.sheet.as_mut()?.take_unsaved()
-    }
-
-    pub(in crate::screens) fn has_unsaved_sheet(&self) -> bool {
-        self.sheet.as_ref().is_some_and(|sheet| sheet.is_unsaved())
-    }
-
-    /// The sheet, where it is that experiment's.
-    pub(in crate::screens) fn sheet_of(&mut self, folder: &str) -> Option<&mut Worksheet> {
-        self.sheet.as_deref_mut().filter(|sheet| sheet.folder() == folder)
-    }
-}
 
 impl Worksheet {
-    pub(in crate::screens) fn new(experiment: Experiment) -> Self {
-        Self {
-            experiment,
-            guess: TextField::new("", MOST.0),
-            readings: TextField::new("", MOST.1),
-            answered: false,
-            saved: None,
-            told: Ok(String::new()),
-        }
-    }
-
-    pub(in crate::screens) fn folder(&self) -> &str {
-        &self.experiment.folder
-    }
-
-    /// What became of the answer that was to be saved.
-    pub(in crate::screens) fn tell(&mut self, told: Result<String, String>) {
-        self.saved = self.saved.take().filter(|_| told.is_ok());
-        self.told = told;
-    }
-
-    /// What is written and not saved yet; it counts as saved from now on.
-    pub(in crate::screens) fn take_unsaved(&mut self) -> Option<ResultRow> {
-        if !self.is_unsaved() {
-            return None;
-        }
-        let written = self.written();
-        self.saved = Some(written.clone());
-        let [guess, readings] = written;
-        Some(ResultRow {
-            player: Name::guest(),
-            experiment: self.experiment.folder.clone(),
-            time: String::new(),
-            guess_right: self.experiment.judge_guess(&guess),
-            readings_right: self.experiment.judge_readings(&readings),
-            guess,
-            readings,
-            answer: self.experiment.answer.clone(),
-        })
-    }
-
-    fn is_unsaved(&self) -> bool {
-        let written = self.written();
-        !written.iter().all(String::is_empty) && self.saved.as_ref() != Some(&written)
-    }
-
-    /// The guess and the readings.
-    fn written(&self) -> [String; 2] {
-        [&self.guess, &self.readings].map(|field| field.text().trim().to_owned())
-    }
-
     /// Whether letters go into one of its fields.
     pub(super) fn is_typed_into(ui: &Ui<'_>) -> bool {
         ui.has_focus(GUESS) || ui.has_focus(READINGS)
@@ -184,7 +93,7 @@ impl Worksheet {
             let area = Area { min, size: Vec2::new(pitch - GRID, line.size.y) };
             let colour = if *choice == guess { theme::accent() } else { theme::text() };
             if ui.small_button((choice, tr(choice)), area, Style::new(TEXT, colour).centred()) {
-                (self.guess, self.told) = (TextField::new(choice, MOST.0), Ok(String::new()));
+                (self.guess, self.told) = (TextField::new(choice, MOST_LETTERS.0), Ok(String::new()));
             }
         }
     }
@@ -203,6 +112,6 @@ impl Worksheet {
         if row.is_none() {
             self.told = Ok(tr("This is saved already.").to_owned());
         }
-        row.map(Request::HandIn)
+        row.map(|row| Request::Do(Effect::HandIn(row)))
     }
 }

@@ -1,7 +1,7 @@
 //! A work–precision diagram a scene. The player picks out a method or reads a point.
 
+use super::BACK;
 use super::legend::{LegendPick, METHOD, panel};
-use super::{BACK, Shown};
 use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::lab::course::OverTime;
@@ -11,7 +11,9 @@ use crate::lab::drawing::timeline;
 use crate::lab::measured::Measured;
 use crate::lab::methods::rules;
 use crate::number::{short, step};
-use crate::screens::{Key, Request};
+use crate::screens::screen::Request;
+use crate::session::library::Shown;
+use crate::settings::Key;
 use crate::ui::Ui;
 use crate::view::{theme, widgets};
 use crate::words::tr;
@@ -61,7 +63,7 @@ impl ChartsPage {
         let other = if self.over_time().is_some() { "At the end" } else { "Over time" };
         let tools = [BACK, ("Previous", Key::Left, "←"), ("Next", Key::Right, "→"), METHOD, (other, Key::Space, "Space")];
         match ui.tools(&tools[..if followed { 5 } else { 4 }]) {
-            Some("Back") => return Some(Request::Menu),
+            Some("Back") => return Some(Request::Pop),
             Some("Previous") => self.turn_to(self.scene + scenes.saturating_sub(1)),
             Some("Next") => self.turn_to(self.scene + 1),
             Some("Method") => self.legend.go(1, curves),

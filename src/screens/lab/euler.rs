@@ -5,7 +5,7 @@ use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::methods::motion::{MotionLaw, MotionStep, PointState, explicit_euler, semi_implicit_euler};
 use crate::physics::DVec2;
-use crate::screens::Request;
+use crate::screens::screen::Request;
 use crate::ui::Ui;
 use crate::view::{theme, widgets};
 use crate::words::tr;
@@ -51,7 +51,7 @@ pub(super) fn show(ui: &mut Ui<'_>, body: Area) -> Option<Request> {
         canvas.text(tr(name), middle + Vec2::new(48.0, 0.0), Style::new(TEXT, theme::text()).middle());
         at.y += canvas.line_height(TEXT);
     }
-    (tool == Some("Back")).then_some(Request::Menu)
+    (tool == Some("Back")).then_some(Request::Pop)
 }
 
 /// The places of a swing with ω = 1 after each step of [`TURN`], from (1, 0) on.

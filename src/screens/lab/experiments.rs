@@ -3,41 +3,12 @@
 use super::BACK;
 use crate::draw::layout::{Area, BUTTON_TEXT, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::instruments::reading::{self, Wanted};
-use crate::screens::{Key, Request};
+use crate::screens::screen::{Destination, Request};
+use crate::session::experiment::Experiment;
+use crate::settings::Key;
 use crate::ui::{Touch, Ui, WidgetKind};
 use crate::view::{theme, widgets};
 use crate::words::tr;
-
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Experiment {
-    pub folder: String,
-    pub question: String,
-    pub vary: String,
-    pub answer: String,
-    /// The guesses to choose from; none: a guess is written.
-    pub choices: Vec<String>,
-    /// The right choice, or a number with its unit; empty where neither is.
-    pub right: String,
-    /// The quantities that are to be found.
-    pub readings: Vec<Wanted>,
-    pub title: String,
-}
-
-impl Experiment {
-    /// Whether a guess is right; `None` where the experiment has no right one, or the text none that could be.
-    pub fn judge_guess(&self, text: &str) -> Option<bool> {
-        if !self.choices.is_empty() {
-            return self.choices.iter().any(|choice| choice == text).then(|| text == self.right);
-        }
-        reading::judge(text, &[Wanted::new(&self.question, &self.right)?])
-    }
-
-    /// The same of readings: where no quantities are named, they are a guess made after the flight.
-    pub fn judge_readings(&self, text: &str) -> Option<bool> {
-        if self.readings.is_empty() { self.judge_guess(text) } else { reading::judge(text, &self.readings) }
-    }
-}
 
 /// Height of a line of the list, at most, and the room below the line.
 const LINE: f32 = 44.0;
@@ -70,7 +41,7 @@ impl ExperimentsPage {
         let flies = self.show_list(ui, body);
         let tool = ui.tools(&[BACK, ("Fly it", Key::Enter, "Enter")]);
         if tool == Some("Back") {
-            return Some(Request::Menu);
+            return Some(Request::Pop);
         }
         let left = body.size.x * LIST + BETWEEN;
         let panel = Area::new(body.min.x + left, body.min.y, body.size.x - left, body.size.y);
@@ -81,7 +52,7 @@ impl ExperimentsPage {
             return None;
         };
         draw_description(ui.canvas(), panel, chosen);
-        (flies || tool == Some("Fly it")).then(|| Request::Experiment(chosen.folder.clone()))
+        (flies || tool == Some("Fly it")).then(|| Request::Reset(Destination::Experiment(chosen.folder.clone())))
     }
 
     /// Whether the chosen experiment is flown: a click on another line chooses it first.

@@ -1,7 +1,7 @@
 //! A chart of several curves, one of which the player picks out: by keys, or by its line in the legend.
 
 use crate::draw::layout::Area;
-use crate::screens::Key;
+use crate::settings::Key;
 use crate::ui::{Ui, WidgetKind};
 
 /// Height of a page's title, and of its words below the chart.

@@ -7,7 +7,8 @@ use crate::lab::drawing::plane::{self, Plane};
 use crate::lab::methods::rules;
 use crate::lab::stability::{Region, regions};
 use crate::lab::stability_diagram::TITLE;
-use crate::screens::{Key, Request};
+use crate::screens::screen::Request;
+use crate::settings::Key;
 use crate::ui::Ui;
 use crate::view::{theme, widgets};
 use crate::words::tr;
@@ -42,6 +43,6 @@ impl StabilityPage {
         for (words, down) in words.iter().zip([18.0, 42.0]) {
             widgets::fitted(ui.canvas(), tr(words), at(plane.panel.max().y + down), widest, &[TEXT, DETAILS], theme::text());
         }
-        (tool == Some("Back")).then_some(Request::Menu)
+        (tool == Some("Back")).then_some(Request::Pop)
     }
 }

@@ -7,8 +7,8 @@ use crate::lab::drawing::picture;
 use crate::lab::stress::picture::FailurePicture;
 use crate::lab::stress::{self, Survival};
 use crate::number::short;
-use crate::screens::Request;
-use crate::screens::scroll::bar_beside;
+use crate::screens::screen::Request;
+use crate::ui::scroll::bar_beside;
 use crate::ui::{Turning, Ui};
 use crate::view::{theme, widgets};
 use crate::words::tr;
@@ -59,7 +59,7 @@ impl SurvivalPage {
     }
 
     pub(super) fn show(&mut self, ui: &mut Ui<'_>, body: Area) -> Option<Request> {
-        let request = ui.tools(&[BACK]).map(|_| Request::Menu);
+        let request = ui.tools(&[BACK]).map(|_| Request::Pop);
         let (table, large) = panels(body);
         let quiet = Style::new(TEXT, theme::quiet()).middle().centred();
         let words =

@@ -9,7 +9,8 @@ use crate::lab::course::worst;
 use crate::lab::side_by_side::{BoxMotion, Exhibit, STEPS, USUAL_STEP, error, exhibits};
 use crate::number;
 use crate::physics::{Aabb, DVec2};
-use crate::screens::{Key, Request};
+use crate::screens::screen::Request;
+use crate::settings::Key;
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
 use crate::words::tr;
@@ -157,7 +158,7 @@ impl SideBySide {
             ("Next", Key::Down, "↓"),
         ];
         match ui.tools(&tools)? {
-            "Back" => return Some(Request::Menu),
+            "Back" => return Some(Request::Pop),
             "Restart" => self.restart([0, 0]),
             "Pause" | "Go on" => self.paused = !self.paused,
             "One step" => self.single_step(),

@@ -1,0 +1,108 @@
+//! The panels at the left: the scales of the arrows, the table.
+
+use super::figures::{EnergyBar, FigureLine, Subject, in_focus};
+use super::measure::{Measures, TABLE_WORDS};
+use super::measured::colour;
+use super::vectors::Vector;
+use super::{Tool, dock};
+use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
+use crate::draw::{Canvas, Colour, Style};
+use crate::game::Game;
+use crate::number::scalar;
+use crate::ui::Ui;
+use crate::view::camera::Viewport;
+use crate::view::{theme, widgets};
+use crate::words::tr;
+
+impl Measures {
+    /// Draws the ground of each panel, and the scales, which depend on the view.
+    pub(super) fn draw_grounds(&self, scene: (&Game, f64), (view, canvas): (&Viewport, &Canvas)) {
+        for (tool, area) in self.panels.iter().copied() {
+            widgets::panel(canvas, area);
+            if tool == Tool::Vectors {
+                self.draw_scales(scene, area, (view, canvas));
+            }
+        }
+    }
+
+    fn draw_scales(&self, scene: (&Game, f64), area: Area, (view, canvas): (&Viewport, &Canvas)) {
+        for (i, vector) in Vector::ALL.into_iter().enumerate() {
+            let a_metre = scalar(self.fitting(vector, scene, view, canvas), vector.unit());
+            let words = tr!("{sign}: one square = {a_metre}", sign = vector.sign(), a_metre);
+            let at = area.min + GRID + Vec2::new(0.0, i as f32 * dock::line(canvas.frame()));
+            canvas.text(&words, at, Style::new(DETAILS, colour(vector)).mono());
+        }
+    }
+
+    pub(super) fn show_table(&mut self, ui: &mut Ui<'_>, area: Area, game: &Game) {
+        match self.buttons(ui, area) {
+            Some("From now") => self.figures.count_from(Some(game.ticks())),
+            Some("From start") => self.figures.count_from(None),
+            Some(_) => self.figures.set_zero(game.world().body(in_focus(&self.focus, game)[0]).position.y),
+            None => {}
+        }
+        let (canvas, frame, table) = (ui.canvas(), &self.frame, self.table());
+        let (names, values) = self.columns();
+        let right = |column: usize| Vec2::new(dock::width(frame, names + values * (column + 1)), 0.0);
+        let (pitch, bars) = self.table_rows();
+        let at = |row: usize| area.min + GRID + Vec2::new(0.0, row as f32 * pitch);
+        for (column, name) in table.columns.iter().enumerate() {
+            canvas.text(name, at(0) + right(column), Style::new(DETAILS, theme::accent()).mono().right());
+        }
+        for (row, line) in table.lines.iter().enumerate() {
+            canvas.text(&line.name, at(row + 1), Style::new(DETAILS, line_colour(line)).mono());
+            for (column, value) in line.values.iter().enumerate() {
+                canvas.text(value, at(row + 1) + right(column), Style::new(DETAILS, theme::text()).mono().right());
+            }
+            if line.subject == Subject::Sum {
+                let left = at(row + 1) - Vec2::new(0.0, 1.5);
+                canvas.hairline(left, left + right(table.columns.len() - 1), theme::quiet());
+            }
+        }
+        let first = at(table.lines.len() + 1) + Vec2::new(0.0, 0.5 * GRID);
+        let bars = if bars { &table.bars[..] } else { &[] };
+        let column = |i: usize| (dock::width(frame, names + values * i), dock::width(frame, values - 1));
+        draw_bars(canvas, bars, (first, pitch), &column);
+    }
+
+    /// The row of buttons at the table's foot.
+    fn buttons(&self, ui: &mut Ui<'_>, panel: Area) -> Option<&'static str> {
+        let foot = Vec2::new(panel.min.x + GRID, panel.max().y - 2.0 * GRID - dock::line(&self.frame));
+        let style = Style::new(DETAILS, theme::text()).centred();
+        let mut pressed = None;
+        for (area, words) in dock::row(&self.frame, foot, &TABLE_WORDS).into_iter().zip(TABLE_WORDS) {
+            if ui.small_button((words, tr(words)), area, style) {
+                pressed = Some(words);
+            }
+        }
+        pressed
+    }
+}
+
+/// A line a kind of energy from `first` on, a bar in each column, all to one scale; `column` says where a column begins and how wide it is.
+fn draw_bars(canvas: &Canvas, bars: &[EnergyBar], (first, line): (Vec2, f32), column: &dyn Fn(usize) -> (f32, f32)) {
+    let all = || bars.iter().flat_map(|bar| &bar.values).copied();
+    let (least, most) = (all().fold(0.0, f64::min), all().fold(0.0, f64::max));
+    let span = (most - least).max(f64::MIN_POSITIVE);
+    let zero = (-least / span) as f32;
+    for (row, bar) in bars.iter().enumerate() {
+        let at = first + Vec2::new(0.0, row as f32 * line);
+        canvas.text(bar.name, at, Style::new(DETAILS, bar.colour).mono());
+        for (i, value) in bar.values.iter().enumerate() {
+            let (left, width) = column(i);
+            let ends = [zero, zero + (value / span) as f32].map(|part| at.x + left + part * width);
+            let bar_at = Area::new(ends[0].min(ends[1]), at.y + 0.15 * line, (ends[1] - ends[0]).abs(), 0.7 * line);
+            canvas.rounded(bar_at, 0.0, bar.colour);
+            canvas.hairline(Vec2::new(ends[0], at.y), Vec2::new(ends[0], at.y + line), theme::text());
+        }
+    }
+}
+
+fn line_colour(line: &FigureLine) -> Colour {
+    match line.subject {
+        Subject::Quantity | Subject::Sum => theme::text(),
+        Subject::Words => theme::quiet(),
+        Subject::Force(kind) => theme::force(kind),
+        Subject::Impact => theme::IMPACT,
+    }
+}

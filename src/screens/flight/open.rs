@@ -1,0 +1,69 @@
+//! What is open over a flight: its panels and notices, and the level's files.
+
+use super::Flight;
+use super::hints::Hints;
+use super::news::News;
+use crate::game::GameError;
+use crate::level::Level;
+use crate::screens::screen::Screen;
+use crate::screens::settings::SettingsPanel;
+use crate::session::Session;
+use crate::session::answers::Worksheet;
+use crate::session::attempt::Attempt;
+use crate::session::folder_watch::FolderWatch;
+use crate::session::worker::Ticket;
+use crate::ui::Spectator;
+use std::sync::Arc;
+
+#[derive(Debug, Default)]
+pub(super) struct Open {
+    /// The label of the pause panel's last button, while the panel is open.
+    pub pause: Option<&'static str>,
+    /// The settings, while they are open above it.
+    pub settings: Option<Box<SettingsPanel>>,
+    /// The problems of their file.
+    pub settings_problems: Vec<String>,
+    /// The state of the level's files, while it is shown.
+    pub news: Option<News>,
+    pub hints: Hints,
+    /// Of an experiment that is listed.
+    pub sheet: Option<Box<Worksheet>>,
+    /// Whether the flight tries out an edited level: it does not count.
+    pub test: bool,
+    /// Whether that level is in memory only.
+    pub in_memory: bool,
+    /// The level's files.
+    pub watch: Option<FolderWatch>,
+    /// The level, while it is read again.
+    pub reading: Option<Ticket>,
+}
+
+impl Flight {
+    /// An attempt at its start, whose level's files are watched.
+    ///
+    /// # Errors
+    /// The level makes no world; so of all that follow.
+    pub fn open(attempt: Attempt, session: &mut Session, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
+        session.last_level = Some(attempt.level.name.clone());
+        let watch = Some(session.library.watch(&attempt.level));
+        let mut flight = Self::new(attempt, spectator)?;
+        flight.open.watch = watch;
+        flight.tell_of_settings(&session.settings, &session.settings_problems);
+        flight.take_sheet(session);
+        Ok(flight)
+    }
+
+    /// An attempt that tries out an edited level, in memory only or as its files are: Esc and F5 lead back to the editor, and so does its end.
+    pub(in crate::screens) fn test(
+        (level, in_memory): (Arc<Level>, bool),
+        left: Vec<String>,
+        session: &Session,
+        spectator: &mut dyn Spectator,
+    ) -> Result<Self, GameError> {
+        let news = (!left.is_empty()).then_some(News::Unfinished(left));
+        let mut flight = Self::new(Attempt::by_hand(level), spectator)?;
+        flight.open = Open { test: true, in_memory, news, ..flight.open };
+        flight.tell_of_settings(&session.settings, &[]);
+        Ok(flight)
+    }
+}

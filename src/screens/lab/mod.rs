@@ -1,0 +1,135 @@
+//! The Lab on six pages: accuracy against speed, regions of stability, stress tests, two methods side by side, why explicit Euler gains
+//! energy, experiments. It shows the
+//! results of a run of `resultant chart`, and measures nothing itself.
+
+mod charts;
+mod euler;
+mod experiments;
+mod legend;
+mod side_by_side;
+mod stability;
+mod survival;
+
+use crate::screens::screen::{PAGES, Page};
+use crate::session::experiment::Experiment;
+use crate::session::library::Shown;
+pub(super) use experiments::Paragraphs;
+pub use side_by_side::{Half, SideBySide};
+
+use crate::draw::Style;
+use crate::draw::layout::{Area, Frame, GAP, TEXT, Vec2};
+use crate::lab::charts::Charts;
+use crate::screens::screen::{Request, Screen};
+use crate::settings::Key;
+use crate::ui::input::Input;
+use crate::ui::pace::Motion;
+use crate::ui::{Ui, WidgetKind};
+use crate::view::{theme, widgets};
+use crate::words::tr;
+use charts::ChartsPage;
+use experiments::ExperimentsPage;
+use stability::StabilityPage;
+use survival::SurvivalPage;
+
+/// The first tool of each page.
+const BACK: (&str, Key, &str) = ("Back", Key::Escape, "Esc");
+const TAB: Vec2 = Vec2::new(176.0, 40.0);
+const TABS_AT: f32 = 16.0;
+/// From a page to the canvas' top, foot and sides.
+const TOP: f32 = 72.0;
+const FOOT: f32 = 88.0;
+const MARGIN: f32 = 24.0;
+
+#[derive(Debug)]
+pub struct Lab {
+    page: Page,
+    charts: ChartsPage,
+    stability: StabilityPage,
+    survival: SurvivalPage,
+    side_by_side: SideBySide,
+    experiments: ExperimentsPage,
+}
+
+impl Lab {
+    /// Opens at its experiments, at the one `left` if there is one.
+    pub fn new(shown: Shown, experiments: Result<Vec<Experiment>, String>, left: Option<&str>) -> Self {
+        let survival = SurvivalPage::new(&shown.charts.stress);
+        Self {
+            page: Page::default(),
+            experiments: ExperimentsPage::new(experiments, left),
+            charts: ChartsPage::new(shown),
+            stability: StabilityPage::default(),
+            survival,
+            side_by_side: SideBySide::default(),
+        }
+    }
+
+    pub(super) const fn turn_to(&mut self, page: Page) {
+        self.page = page;
+    }
+
+    pub fn page(&self) -> Page {
+        self.page
+    }
+
+    pub fn charts(&self) -> &Charts {
+        &self.charts.shown.charts
+    }
+
+    pub fn side_by_side(&self) -> &SideBySide {
+        &self.side_by_side
+    }
+
+    fn show_tabs(&mut self, ui: &mut Ui<'_>) {
+        let pitch = TAB.x + GAP;
+        let left = (ui.frame().size.x - (PAGES.len() as f32 * pitch - GAP)) / 2.0;
+        let mut end = left;
+        for (i, (page, label)) in PAGES.into_iter().enumerate() {
+            let area = Area { min: Vec2::new(left + i as f32 * pitch, TABS_AT), size: TAB };
+            let touch = ui.touch(label, area, WidgetKind::Tool);
+            if touch.pressed {
+                self.page = page;
+            }
+            let open = page == self.page;
+            widgets::button_box(ui.canvas(), area, touch.hover, false);
+            let colour = if open { theme::accent() } else { theme::quiet() };
+            ui.text(tr(label), area.centre(), Style::new(TEXT, colour).centred().middle());
+            if open {
+                let line = Area::new(area.min.x + 16.0, area.max().y - 6.0, area.size.x - 32.0, 2.0);
+                ui.canvas().rounded(line, 1.0, theme::accent());
+            }
+            end = area.max().x;
+        }
+        ui.text(tr("Tab"), Vec2::new(end + 16.0, TABS_AT + TAB.y / 2.0), Style::new(TEXT, theme::accent()).mono().middle());
+        if ui.key(Key::Tab) {
+            let open = PAGES.iter().position(|(page, _)| *page == self.page).unwrap_or(0);
+            self.page = PAGES[(open + 1) % PAGES.len()].0;
+        }
+    }
+}
+
+/// The room of a page, between tabs and tools.
+fn body(frame: &Frame) -> Area {
+    Area::new(MARGIN, TOP, frame.size.x - 2.0 * MARGIN, frame.size.y - TOP - FOOT)
+}
+
+impl Screen for Lab {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        widgets::graph_paper(ui.canvas());
+        self.show_tabs(ui);
+        let area = body(&ui.frame());
+        match self.page {
+            Page::Charts => self.charts.show(ui, area),
+            Page::Stability => self.stability.show(ui, area),
+            Page::Survival => self.survival.show(ui, area),
+            Page::SideBySide => self.side_by_side.show(ui, area),
+            Page::Euler => euler::show(ui, area),
+            Page::Experiments => self.experiments.show(ui, area),
+        }
+    }
+
+    fn motion(&self, _: &Input) -> Motion {
+        let moves = self.page == Page::SideBySide && !self.side_by_side.is_paused();
+        if moves { Motion::Full } else { Motion::Still }
+    }
+}

@@ -1,0 +1,387 @@
+//! A page of cards, one a level, used three times: to choose what to play, whose leaderboard to see, and what to edit. Only the levels in
+//! view are loaded, and again when their files change; typing finds those with such a name or title.
+
+use crate::draw::Style;
+use crate::draw::layout::{ROW_BUTTON, TEXT, Vec2};
+use crate::level::Landscape;
+use crate::screens::screen::{Destination, Effect, Make, Purpose, Request, Screen};
+use crate::session::Session;
+use crate::session::library::Refusal;
+use crate::session::recordings::Visit;
+use crate::session::worker::{Brought, Ticket};
+use crate::settings::{Action, Key};
+use crate::ui::problems::Problems;
+use crate::ui::prompt::Prompt;
+use crate::ui::{Spectator, Ui, WidgetKind};
+use crate::view::theme;
+use crate::words::tr;
+use places::{FOOT, FOOT_BUTTON, HEAD, SIDE, from_left, from_right};
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::path::PathBuf;
+
+mod card;
+mod entry;
+mod files;
+mod places;
+mod shelves;
+
+pub use entry::LevelEntry;
+
+/// What a level is to be chosen for, besides the list's own purpose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum PickFor {
+    Copy,
+    Rename,
+}
+
+/// How many titles are looked for in a frame while something is to be found: a few milliseconds' worth.
+const TITLES_A_FRAME: usize = 100;
+/// From one look at the files in view to the next, s.
+const LOOK_EVERY: f64 = 0.5;
+/// The most letters to find something by.
+const MOST_LETTERS: usize = 40;
+
+/// The grid of levels.
+#[derive(Debug)]
+pub struct LevelSelect {
+    purpose: Purpose,
+    entries: Vec<LevelEntry>,
+    /// What is to be found, and which entries that finds.
+    find: String,
+    found: Vec<usize>,
+    /// The levels found, page by page and shelf by shelf.
+    pages: Vec<Vec<Range<usize>>>,
+    page: usize,
+    /// The level that has the focus when the page opens, and the one that has it now.
+    start: Option<String>,
+    focused: Option<String>,
+    problems: Option<Problems>,
+    pick: Option<PickFor>,
+    prompt: Option<Box<(Prompt, Asked)>>,
+    /// Until the next look at files, s.
+    look: f64,
+    /// What the worker is asked for, by the levels' names; the list has none.
+    asked: BTreeMap<String, Ticket>,
+}
+
+/// What a name is asked for.
+#[derive(Clone, Debug)]
+enum Asked {
+    New,
+    Copy(String),
+    /// The same, of a level that comes with the game and was to be edited itself.
+    OwnCopy(PathBuf),
+    Rename(String),
+}
+
+impl LevelSelect {
+    /// The list of those levels for that purpose; `world` is that of a level by its name.
+    pub fn new(purpose: Purpose, names: Vec<String>, world: impl Fn(&str) -> Option<Landscape>) -> Self {
+        let mut screen = Self {
+            purpose,
+            found: Vec::new(),
+            entries: Vec::new(),
+            pages: Vec::new(),
+            find: String::new(),
+            page: 0,
+            start: None,
+            focused: None,
+            problems: None,
+            pick: None,
+            prompt: None,
+            look: LOOK_EVERY,
+            asked: BTreeMap::new(),
+        };
+        screen.renew(names, world);
+        screen
+    }
+
+    /// Opens the page of a level, which has the focus then.
+    pub fn turn_to_level(&mut self, name: &str) {
+        if let Some(index) = self.found.iter().position(|index| self.entries[*index].name == name) {
+            self.page = self.pages.iter().position(|page| page.iter().any(|shelf| shelf.contains(&index))).unwrap_or(0);
+            self.start = Some(name.to_owned());
+        }
+    }
+
+    /// Shows why a level does not load.
+    pub fn show_problems(&mut self, name: &str, refusal: Refusal) {
+        self.turn_to_level(name);
+        self.show_panel(tr!("Level {name} does not load", name), refusal);
+    }
+
+    /// Shows a panel above the list.
+    pub fn show_panel(&mut self, heading: String, problems: Vec<String>) {
+        self.problems = Some(Problems::new(heading, problems));
+    }
+
+    /// Asks what a copy of a level that comes with the game is called.
+    pub fn ask_for_copy(&mut self, name: &str, folder: PathBuf, free: &str) {
+        let prompt = Prompt::new(tr!("What is your copy of {name} called?", name), free)
+            .with_note(tr!("{name} comes with the game and stays as it is.", name));
+        self.prompt = Some(Box::new((prompt, Asked::OwnCopy(folder))));
+    }
+
+    /// The entries in view.
+    pub fn in_view(&self) -> Vec<usize> {
+        let shelves = self.pages.get(self.page).map_or(&[][..], Vec::as_slice);
+        shelves.iter().flat_map(|shelf| &self.found[shelf.clone()]).copied().collect()
+    }
+
+    /// Whether it is time to look whether files have changed.
+    pub fn looks(&mut self, frame_time: f64) -> bool {
+        self.look -= frame_time;
+        let due = self.look <= 0.0;
+        if due {
+            self.look = LOOK_EVERY;
+        }
+        due
+    }
+
+    /// Takes over what is known of a level now.
+    pub fn tell(&mut self, index: usize, entry: LevelEntry) {
+        self.entries[index] = LevelEntry { world: self.entries[index].world, ..entry };
+    }
+
+    /// Shows those levels instead; what is known of a level stays, and so does the focus on its card.
+    pub fn renew(&mut self, names: Vec<String>, world: impl Fn(&str) -> Option<Landscape>) {
+        if !names.is_empty() && names.iter().eq(self.entries.iter().map(|entry| &entry.name)) {
+            return;
+        }
+        let mut known: BTreeMap<String, LevelEntry> = self.entries.drain(..).map(|entry| (entry.name.clone(), entry)).collect();
+        let entry = |name: String| known.remove(&name).unwrap_or_else(|| LevelEntry::new(name.clone(), world(&name)));
+        self.entries = names.into_iter().map(entry).collect();
+        self.search();
+        if let Some(name) = self.focused.clone() {
+            self.turn_to_level(&name);
+        }
+    }
+
+    /// Looks for some of the titles that are not known yet, while something is to be found.
+    pub fn learn_titles(&mut self, title: impl Fn(&str) -> String) {
+        if self.find.is_empty() {
+            return;
+        }
+        let unknown = self.entries.iter_mut().filter(|entry| entry.title.is_none()).take(TITLES_A_FRAME);
+        let mut learnt = false;
+        for entry in unknown {
+            entry.title = Some(title(&entry.name));
+            learnt = true;
+        }
+        if learnt {
+            self.search();
+        }
+    }
+
+    /// What it is used for.
+    pub fn purpose(&self) -> Purpose {
+        self.purpose
+    }
+
+    /// All levels, in order.
+    pub fn entries(&self) -> &[LevelEntry] {
+        &self.entries
+    }
+
+    /// The flights of the level at that place in the list, where it loads.
+    fn visit(&self, index: usize) -> Option<Request> {
+        let LevelEntry { name, level, .. } = &self.entries[index];
+        let loads = level.as_ref().is_some_and(Result::is_ok) && self.purpose != Purpose::Edit;
+        loads.then(|| Request::Push(Destination::Flights(Visit { level: name.clone(), flown: None, chosen: None })))
+    }
+
+    /// Esc: out of what was begun last.
+    fn go_back(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        if !self.find.is_empty() {
+            self.find.clear();
+            self.search_again(ui);
+            return None;
+        }
+        if self.pick.take().is_some() {
+            return None;
+        }
+        Some(Request::Pop)
+    }
+
+    fn choose(&mut self, index: usize) -> Option<Request> {
+        let name = self.entries[index].name.clone();
+        match (self.purpose, self.pick.take()) {
+            (_, Some(PickFor::Copy)) => {
+                self.ask(tr!("What is the copy of {name} called?", name), &format!("{name}-copy"), Asked::Copy(name));
+                None
+            }
+            (_, Some(PickFor::Rename)) => {
+                self.ask(tr!("What is {name} called from now on?", name), &name.clone(), Asked::Rename(name));
+                None
+            }
+            // Whether it loads is found out afresh: it may have been mended since.
+            (Purpose::Play, None) => Some(Request::Reset(Destination::Play(name))),
+            (Purpose::Leaderboard, None) => Some(Request::Reset(Destination::Board(name))),
+            (Purpose::Edit, None) => Some(Request::Reset(Destination::Edit { name, original: false })),
+        }
+    }
+
+    fn turn_to(&mut self, page: usize, ui: &mut Ui<'_>) {
+        if page < self.pages.len() && page != self.page {
+            self.page = page;
+            self.start = None;
+            ui.focus(None);
+        }
+    }
+
+    fn show_heading(&self, ui: &Ui<'_>) {
+        let heading = match (self.purpose, self.pick) {
+            (_, Some(PickFor::Copy)) => tr("Which level is to be copied?"),
+            (_, Some(PickFor::Rename)) => tr("Which level is to be renamed?"),
+            (Purpose::Play, None) => tr("Choose a level"),
+            (Purpose::Leaderboard, None) => tr("Whose leaderboard?"),
+            (Purpose::Edit, None) => tr("Edit a level"),
+        };
+        ui.page(heading, HEAD / 2.0);
+        let (found, colour) = match self.find.as_str() {
+            "" => (tr("type to find one").to_owned(), theme::quiet()),
+            find => (tr!("find: {find}_", find), theme::accent()),
+        };
+        ui.text(&found, Vec2::new(ui.frame().size.x - SIDE, HEAD / 2.0), Style::new(TEXT, colour).middle().right());
+        let nothing = match (self.entries.is_empty(), self.found.is_empty()) {
+            (true, _) => tr("There are no levels here yet."),
+            (false, true) => tr("No level has such a name or title."),
+            (false, false) => "",
+        };
+        ui.fitted(nothing, ui.frame().size / 2.0, &[TEXT], theme::quiet());
+    }
+
+    /// The cards of the page. Enter and a click choose a level; a right click, or the key of details on it, leads to its flights.
+    fn show_cards(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        let mut request = None;
+        self.focused = None;
+        let page = self.pages.get(self.page).map_or(&[][..], Vec::as_slice);
+        let has_worlds = self.found.iter().any(|index| self.entries[*index].world.is_some());
+        let (cards, headings) = shelves::places(page, has_worlds, &ui.frame());
+        for (shelf, area) in page.iter().zip(headings) {
+            let levels: Vec<&LevelEntry> = self.found[shelf.clone()].iter().map(|index| &self.entries[*index]).collect();
+            shelves::draw_heading(ui.canvas(), area, &levels);
+        }
+        for (index, area) in self.in_view().into_iter().zip(cards) {
+            let entry = &self.entries[index];
+            let touch = ui.touch(&entry.name, area, WidgetKind::Button);
+            card::draw(ui.canvas(), area, entry, touch);
+            if touch.focus {
+                self.focused = Some(entry.name.clone());
+            }
+            let under = ui.is_live() && ui.input().right_click && area.contains(ui.input().pointer);
+            if under || touch.focus && ui.acts(Action::Details) {
+                request = request.or_else(|| self.visit(index));
+            }
+            if touch.pressed {
+                return self.choose(index);
+            }
+        }
+        request
+    }
+
+    /// The buttons at the foot.
+    fn show_foot(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        let frame = ui.frame();
+        let labels: &[&str] = match self.purpose {
+            Purpose::Play => &["Back", "Edit"],
+            Purpose::Edit => &["Back", "New", "Copy", "Rename"],
+            Purpose::Leaderboard => &["Back"],
+        };
+        let areas = (0..labels.len()).map(|i| from_left(i as f32, &frame)).collect();
+        let pressed = ui.buttons(areas, labels);
+        let mut turned = None;
+        if self.pages.len() > 1 {
+            turned = ui.buttons(vec![from_right(1.0, &frame), from_right(0.0, &frame)], &["Previous", "Next"]);
+            let at = Vec2::new(frame.size.x - SIDE - 2.0 * FOOT_BUTTON.x - 100.0, frame.size.y - FOOT - ROW_BUTTON.y / 2.0);
+            let page = tr!("Page {page} of {pages}", page = self.page + 1, pages = self.pages.len());
+            ui.text(&page, at, Style::new(TEXT, theme::quiet()).centred().middle());
+        }
+        if turned == Some("Next") || ui.key(Key::PageDown) {
+            self.turn_to(self.page + 1, ui);
+        } else if turned == Some("Previous") || ui.key(Key::PageUp) {
+            self.turn_to(self.page.saturating_sub(1), ui);
+        }
+        match pressed {
+            Some("Back") => return self.go_back(ui),
+            Some("Edit") => return Some(Request::Reset(Destination::Levels(Purpose::Edit))),
+            Some("New") => self.ask(tr("What is the new level called?").to_owned(), "", Asked::New),
+            Some("Copy") => self.pick = Some(PickFor::Copy),
+            Some("Rename") => self.pick = Some(PickFor::Rename),
+            _ => {}
+        }
+        None
+    }
+}
+
+impl Screen for LevelSelect {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        let typed = self.type_in(ui);
+        let mut request = if ui.key(Key::Escape) { self.go_back(ui) } else { None };
+        if let Some(name) = &self.start {
+            ui.start_at(name);
+        }
+        self.show_heading(ui);
+        request = request.or(self.show_cards(ui).filter(|_| !typed));
+        request = request.or(self.show_foot(ui));
+        request = request.or(self.show_prompt(ui));
+        if self.problems.as_ref().is_some_and(|problems| problems.show(ui)) {
+            self.problems = None;
+        }
+        request
+    }
+
+    fn parent(&self) -> Destination {
+        match (self.purpose, &self.prompt) {
+            (_, Some(asked)) if matches!(asked.1, Asked::OwnCopy(_)) => Destination::Levels(Purpose::Edit),
+            (Purpose::Edit, _) => Destination::Levels(Purpose::Play),
+            (Purpose::Play | Purpose::Leaderboard, _) => Destination::Menu,
+        }
+    }
+
+    fn carry_out(&mut self, effect: Effect, session: &mut Session, _: &mut dyn Spectator) -> Option<Request> {
+        let Effect::Make(make) = effect else { return None };
+        match files::make(&make, session) {
+            Ok(()) => Some(match make {
+                Make::Rename(..) => Request::Reset(Destination::Levels(Purpose::Edit)),
+                Make::New(name) | Make::Copy(_, name) | Make::CopyOf(_, name) => {
+                    Request::Replace(Destination::Edit { name, original: false })
+                }
+            }),
+            Err(reason) => {
+                self.refuse(reason);
+                None
+            }
+        }
+    }
+
+    fn refuse(&mut self, reason: String) {
+        if let Some(asked) = &mut self.prompt {
+            asked.0.refuse(reason);
+        }
+    }
+
+    fn look(&mut self, frame_time: f64, session: &mut Session) {
+        self.look_at_files(frame_time, session);
+    }
+
+    fn attend(&mut self, session: &mut Session) {
+        self.ask_for_cards(session);
+    }
+
+    fn receive(&mut self, ticket: Ticket, brought: Brought, session: &mut Session, _: &mut dyn Spectator) {
+        match brought {
+            Brought::Card(card) => self.take_card(ticket, *card, session),
+            Brought::List(names) => {
+                self.asked.remove("");
+                self.renew(names, |name| session.library.landscape(name));
+            }
+            _ => {}
+        }
+    }
+
+    fn leave(&mut self, session: &mut Session) {
+        std::mem::take(&mut self.asked).values().for_each(|ticket| session.worker.forget(*ticket));
+    }
+}

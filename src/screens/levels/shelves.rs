@@ -1,0 +1,154 @@
+//! The pages of the list: a shelf a world, two of them a page; levels without a world alone fill a page of one grid.
+
+use super::entry::LevelEntry;
+use super::places::{HEAD, SIDE, cards, room};
+use super::{LevelSelect, MOST_LETTERS};
+use crate::draw::layout::{Area, BUTTON_TEXT, Frame, TEXT, Vec2};
+use crate::draw::{Canvas, Style};
+use crate::game::{Medal, Prize};
+use crate::level::Landscape;
+use crate::settings::Key;
+use crate::ui::Ui;
+use crate::ui::input::Stroke;
+use crate::view::sky::WorldPalette;
+use crate::view::{medals, theme};
+use crate::words::tr;
+use std::ops::Range;
+
+/// Levels a page without worlds.
+pub(super) const PAGE: usize = 15;
+/// Levels a shelf, and shelves a page.
+const ACROSS: usize = 6;
+const SHELVES: usize = 2;
+/// Between two cards of a shelf, and the height of a shelf's heading.
+const BETWEEN: f32 = 16.0;
+const HEADING_ROOM: f32 = 34.0;
+
+/// The pages of levels in those worlds, each of ranges of levels that stand on a shelf together.
+pub(super) fn pages(worlds: &[Option<Landscape>]) -> Vec<Vec<Range<usize>>> {
+    let ranges = |step: usize, all: Range<usize>| {
+        let end = all.end;
+        all.step_by(step).map(move |first| first..(first + step).min(end))
+    };
+    if worlds.iter().all(Option::is_none) {
+        return ranges(PAGE, 0..worlds.len()).map(|page| vec![page]).collect();
+    }
+    let mut first = 0;
+    let runs = worlds.chunk_by(|a, b| a == b).map(|run| {
+        first += run.len();
+        first - run.len()..first
+    });
+    let shelves: Vec<Range<usize>> = runs.flat_map(|run| ranges(ACROSS, run)).collect();
+    shelves.chunks(SHELVES).map(<[_]>::to_vec).collect()
+}
+
+/// The places of a page's cards, shelf by shelf, and of the shelves' headings.
+pub(super) fn places(page: &[Range<usize>], has_worlds: bool, frame: &Frame) -> (Vec<Area>, Vec<Area>) {
+    if !has_worlds {
+        return (cards(page.iter().map(Range::len).sum(), frame), Vec::new());
+    }
+    let room = room(frame);
+    let height = room.size.y / SHELVES as f32;
+    let size = Vec2::new((room.size.x + BETWEEN) / ACROSS as f32 - BETWEEN, height - HEADING_ROOM - BETWEEN / 2.0);
+    let top = |shelf: usize| HEAD + shelf as f32 * (height + BETWEEN / 2.0);
+    let on_shelf = |(shelf, levels): (usize, &Range<usize>)| {
+        let place = move |i: usize| Area { min: Vec2::new(SIDE + i as f32 * (size.x + BETWEEN), top(shelf) + HEADING_ROOM), size };
+        (0..levels.len()).map(place).collect::<Vec<_>>()
+    };
+    let headings =
+        (0..page.len()).map(|shelf| Area { min: Vec2::new(SIDE, top(shelf)), size: Vec2::new(room.size.x, HEADING_ROOM) });
+    (page.iter().enumerate().flat_map(on_shelf).collect(), headings.collect())
+}
+
+/// A world's name in its colour, and the sums of its medals.
+pub(super) fn draw_heading(canvas: &Canvas, area: Area, levels: &[&LevelEntry]) {
+    let Some(world) = levels.first().map(|level| level.world) else { return };
+    let (title, colour) =
+        world.map_or((tr("Your levels"), theme::quiet()), |world| (tr(world.title()), WorldPalette::of(world).ink));
+    let middle = area.centre().y;
+    canvas.text(title, Vec2::new(area.min.x, middle), Style::new(BUTTON_TEXT, colour).middle());
+    let mut right = area.max().x;
+    for medal in [Medal::Bronze, Medal::Silver, Medal::Gold] {
+        let earned = levels.iter().filter(|level| level.medals.medal == Some(medal)).count();
+        let style = Style::new(TEXT, theme::text()).mono().middle().right();
+        canvas.text(&format!("{earned}"), Vec2::new(right, middle), style);
+        right -= canvas.width(&format!("{earned}"), style) + 18.0;
+        medals::draw(canvas, Prize::Medal(medal), true, Vec2::new(right, middle), 9.0);
+        right -= 30.0;
+    }
+}
+
+impl LevelSelect {
+    /// Letters are what is to be found; whether there were any.
+    pub(super) fn type_in(&mut self, ui: &mut Ui<'_>) -> bool {
+        let before = self.find.clone();
+        for stroke in if ui.is_live() { ui.input().strokes(&[]) } else { Vec::new() } {
+            if let Stroke::Letter(letter) = stroke
+                && !letter.is_control()
+                && self.find.chars().count() < MOST_LETTERS
+            {
+                self.find.push(letter);
+            }
+        }
+        self.find = self.find.trim_start().to_owned();
+        let letters = self.find.chars().count().saturating_sub(ui.strokes(&[Key::Backspace]).len());
+        self.find = self.find.chars().take(letters).collect();
+        let changed = self.find != before;
+        if changed {
+            self.search_again(ui);
+        }
+        changed
+    }
+
+    pub(super) fn search_again(&mut self, ui: &mut Ui<'_>) {
+        self.page = 0;
+        self.start = None;
+        ui.focus(None);
+        self.search();
+    }
+
+    pub(super) fn search(&mut self) {
+        let letters = self.find.trim().to_lowercase();
+        self.found = (0..self.entries.len()).filter(|index| self.entries[*index].has(&letters)).collect();
+        let worlds: Vec<Option<Landscape>> = self.found.iter().map(|index| self.entries[*index].world).collect();
+        self.pages = pages(&worlds);
+        self.page = self.page.min(self.pages.len().saturating_sub(1));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shelf_holds_one_world_and_a_page_two_shelves() {
+        let (launch, quarry) = (Some(Landscape::Launch), Some(Landscape::Quarry));
+        let lengths = |worlds: &[Option<Landscape>]| {
+            pages(worlds).iter().map(|page| page.iter().map(Range::len).collect()).collect::<Vec<Vec<usize>>>()
+        };
+        assert_eq!(lengths(&[None; 16]), [[15], [1]]);
+        assert_eq!(pages(&[[launch; 6], [quarry; 6]].concat()), [[0..6, 6..12]]);
+        assert_eq!(lengths(&[launch, quarry, quarry, None]), [vec![1, 2], vec![1]]);
+        assert_eq!(lengths(&[launch; 7]), [[6, 1]]);
+        assert!(pages(&[]).is_empty());
+    }
+
+    #[test]
+    fn cards_and_headings_stand_apart_inside_the_window() {
+        for (width, height) in [(1280.0, 720.0), (900.0, 500.0), (1920.0, 1080.0), (600.0, 1000.0)] {
+            let frame = Frame::of_window(Vec2::new(width, height));
+            let (cards, headings) = places(&[0..6, 6..12], true, &frame);
+            let all: Vec<Area> = cards.iter().chain(&headings).copied().collect();
+            for (i, card) in all.iter().enumerate() {
+                assert!(card.min.x >= SIDE - 0.1 && card.max().x <= frame.size.x - SIDE + 0.1, "{card:?}");
+                assert!(card.max().y <= room(&frame).max().y + 0.1, "{card:?}");
+                assert!(card.size.y >= HEADING_ROOM, "{card:?}");
+                let apart = |other: &Area| {
+                    let (a, b) = (card.max().min(other.max()), card.min.max(other.min));
+                    a.x <= b.x + 0.1 || a.y <= b.y + 0.1
+                };
+                assert!(all[i + 1..].iter().all(apart), "{card:?}");
+            }
+        }
+    }
+}

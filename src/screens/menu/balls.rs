@@ -1,0 +1,189 @@
+//! What flies in the menu: the ship, which hovers by its own engine, and balls. The game's own engine under weak gravity, without air, on
+//! steel.
+
+use crate::game::{Clock, SHIP, TICK_RATE};
+use crate::screens::menu::hover::{self, Hover};
+use crate::ui::input::Input;
+
+use crate::draw::layout::{Area, Frame, Vec2};
+use crate::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg32;
+
+/// Canvas units a metre.
+pub const METRE: f32 = 30.0;
+/// Half a ball's width, m.
+const RADIUS: f64 = 0.45;
+/// kg.
+const MASS: f64 = 10.0;
+/// Coefficient of restitution: lively, yet coming to rest.
+const BOUNCE: f64 = 0.8;
+/// The fastest a ball starts along each axis, m/s.
+const FASTEST: f64 = 8.0;
+/// The most balls; the oldest makes room. More would cover the menu.
+const MOST: usize = 24;
+/// How far around the pointer a free place is looked for, in ball widths.
+const SEARCH: i32 = 6;
+
+/// The ship, the balls and what they bounce off.
+#[derive(Debug)]
+pub struct Balls {
+    /// `None` until the first frame has told what there is.
+    world: Option<World>,
+    obstacles: Vec<Area>,
+    frame: Frame,
+    clock: Clock,
+    /// How long there have been balls, s. When a ball was dropped says how it flies: no two sittings are alike.
+    time: f64,
+    seed: u64,
+    hover: Hover,
+}
+
+impl Balls {
+    /// No balls yet.
+    pub fn new(seed: u64) -> Self {
+        Self {
+            world: None,
+            obstacles: Vec::new(),
+            frame: Frame::default(),
+            clock: Clock::new(TICK_RATE),
+            time: 0.0,
+            seed,
+            hover: Hover::default(),
+        }
+    }
+
+    /// One frame; a right click drops a ball.
+    pub fn update(&mut self, input: &Input, obstacles: &[Area]) {
+        self.time += input.frame_time;
+        if self.world.is_none() || self.frame.size != input.frame.size || self.obstacles != obstacles {
+            self.frame = input.frame;
+            self.obstacles = obstacles.to_vec();
+            self.rebuild(0);
+        }
+        if input.right_click {
+            if self.count() >= MOST {
+                self.rebuild(1);
+            }
+            let mut random = Pcg32::seed_from_u64(self.time.to_bits() ^ self.seed);
+            let velocity = DVec2::new(random.random_range(-FASTEST..FASTEST), random.random_range(-FASTEST..FASTEST));
+            self.add(metres(input.pointer), velocity);
+        }
+        self.clock.add(input.frame_time);
+        while self.clock.tick() {
+            if let Some(world) = &mut self.world {
+                let drive = self.hover.drive(world.body(SHIP));
+                world.set_drive(SHIP, drive);
+                world.step(1.0 / TICK_RATE);
+            }
+        }
+    }
+
+    fn count(&self) -> usize {
+        self.world.as_ref().map_or(0, |world| world.bodies().len() - 1)
+    }
+
+    /// The ship's centre (m, with the metres of the canvas), its angle (degrees) and how its engine burns (1 or 0), between the last two ticks.
+    pub fn ship(&self) -> Option<(DVec2, f64, f64)> {
+        let (world, alpha) = (self.world.as_ref()?, self.clock.alpha());
+        let centre = world.previous_position(SHIP).lerp(world.body(SHIP).position, alpha);
+        Some((centre, self.hover.angle(alpha), self.hover.burning()))
+    }
+
+    /// The balls' boxes on the canvas, between the last two ticks.
+    pub fn areas(&self) -> impl Iterator<Item = Area> + '_ {
+        let alpha = self.clock.alpha();
+        self.world.iter().flat_map(move |world| {
+            world.bodies().iter().enumerate().skip(1).map(move |(i, body)| {
+                let before = world.previous_position(BodyId(i as u32));
+                let centre = before.lerp(body.position, alpha) * f64::from(METRE);
+                Area::around(centre.as_vec2(), Vec2::splat(2.0 * RADIUS as f32 * METRE))
+            })
+        })
+    }
+
+    /// A world of the window as it is now, with all balls but the `without` oldest ones.
+    fn rebuild(&mut self, without: usize) {
+        let balls = self.world.iter().flat_map(|world| world.bodies().iter().skip(1 + without));
+        let kept: Vec<_> = balls.map(|ball| (ball.position, ball.velocity)).collect();
+        let ship = self.world.as_ref().map(|world| (world.body(SHIP).position, world.body(SHIP).velocity));
+        let solid = |area: &Area| SurfaceDef::fixed(in_metres(area), Material::STEEL);
+        let def = WorldDef {
+            gravity: hover::GRAVITY,
+            air_density: 0.0,
+            bounds: Some(in_metres(&self.frame.area())),
+            surfaces: self.obstacles.iter().map(solid).collect(),
+            bodies: vec![self.hover.settle(&self.obstacles.iter().map(in_metres).collect::<Vec<_>>(), ship)],
+            ..WorldDef::default()
+        };
+        // The numbers are the program's own and in range; should the engine refuse them, the menu has no balls.
+        self.world = World::new(def).ok();
+        for (position, velocity) in kept {
+            self.add(position, velocity);
+        }
+    }
+
+    fn add(&mut self, at: DVec2, velocity: DVec2) {
+        let Some(position) = self.free_place(at) else { return };
+        let def = BodyDef {
+            position,
+            velocity,
+            half: DVec2::splat(RADIUS),
+            mass: MASS,
+            drag: 0.0,
+            round: true,
+            restitution: BOUNCE,
+            material: Material::STEEL,
+            feels_air: false,
+            ..BodyDef::default()
+        };
+        if let Some(world) = &mut self.world {
+            // As above: a refusal costs a ball.
+            let _ = world.add_body(def);
+        }
+    }
+
+    /// The free place nearest to a point, as far as one is near.
+    fn free_place(&self, at: DVec2) -> Option<DVec2> {
+        let world = self.world.as_ref()?;
+        let room = in_metres(&self.frame.area());
+        let half = DVec2::splat(RADIUS);
+        let free = |place: &DVec2| {
+            let ball = Aabb::around(*place, half);
+            room.contains(&ball, 0.0)
+                && !self.obstacles.iter().any(|area| ball.overlaps(&in_metres(area), 0.0))
+                && !world.bodies().iter().any(|body| ball.overlaps(&Aabb::around(body.position, body.half), 0.0))
+        };
+        let at = at.clamp(room.min + half, room.max - half);
+        let around = (-SEARCH..=SEARCH).flat_map(|y| (-SEARCH..=SEARCH).map(move |x| DVec2::new(f64::from(x), f64::from(y))));
+        let places = around.map(|step| at + step * RADIUS).filter(free);
+        places.min_by(|a, b| a.distance_squared(at).total_cmp(&b.distance_squared(at)))
+    }
+}
+
+fn metres(point: Vec2) -> DVec2 {
+    (point / METRE).as_dvec2()
+}
+
+fn in_metres(area: &Area) -> Aabb {
+    Aabb::new(metres(area.min), metres(area.max()))
+}
+
+mod drawing {
+    use super::Balls;
+    use crate::draw::Canvas;
+    use crate::draw::layout::Vec2;
+    use crate::view::theme;
+
+    impl Balls {
+        /// Draws the balls.
+        pub fn draw(&self, canvas: &Canvas) {
+            for (i, area) in self.areas().enumerate() {
+                let (centre, radius) = (area.centre(), area.size.x / 2.0);
+                let colour = [theme::player_objective(), theme::physics_objective(), theme::good(), theme::accent()][i % 4];
+                canvas.disc(centre, radius, colour);
+                canvas.disc(centre - Vec2::splat(radius * 0.3), radius * 0.22, theme::text().faded(0.7));
+            }
+        }
+    }
+}

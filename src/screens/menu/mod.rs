@@ -1,0 +1,250 @@
+//! The main menu: who plays, where the ship hovers over the buttons, and a little game: a right click drops a ball.
+
+mod balls;
+pub mod closing;
+pub mod credits;
+mod hover;
+pub mod link;
+
+use crate::draw::layout::{Area, BUTTON_TEXT, Frame, GRID, PADDING, ROW_BUTTON, TEXT, TITLE, Vec2, words_box, words_width};
+use crate::draw::{Canvas, Colour, Style};
+use crate::physics::{DVec2, ForceKind};
+use crate::scores::Name;
+use crate::screens::flight::Flight;
+use crate::screens::menu::balls::{Balls, METRE};
+use crate::screens::screen::{Destination, GameScene, Purpose, Request, Screen};
+use crate::session::Session;
+use crate::session::worker::{Brought, Errand, Ticket};
+use crate::settings::Key;
+use crate::ui::input::Input;
+use crate::ui::pace::{self, Motion};
+use crate::ui::{Spectator, Ui, WidgetKind};
+use crate::view::camera::{CanvasWindow, Viewport};
+use crate::view::{arrows, theme, things, widgets};
+use crate::words::tr;
+
+/// The words on the buttons of the column, from top to bottom.
+const LABELS: [&str; 7] = ["Play", "Level Select", "Leaderboards", "Classics", "Lab", "Settings", LAST];
+/// A page has no end of its own.
+const LAST: &str = if cfg!(all(feature = "window", browser)) { "Your data" } else { "Quit" };
+/// From the canvas' top to the middle of the title's capitals, of the canvas' height.
+const TITLE_AT: f32 = 0.115;
+/// What the title says, and the height of its letters, which reach below no line, in heights of its text.
+const NAME: &str = "Resultant";
+const TITLE_HEIGHT: f32 = 0.74;
+/// What the foot says where nothing is wrong, the middle of its line from the canvas' foot, and its room beside the buttons there.
+const HINT: &str = "Right click to drop a ball";
+const FOOT: f32 = 32.0;
+const BESIDE_FOOT: f32 = 640.0;
+/// From the canvas' top to the first button, of the canvas' height.
+const BUTTONS_AT: f32 = 0.3;
+/// Opacity of the ground between the flight behind the buttons and all that is above it.
+const VEIL: f32 = 0.7;
+/// From the canvas' edges to the buttons in its lower corners.
+const CORNER: f32 = 24.0;
+/// The button that says who plays.
+const PLAYER_BUTTON: Vec2 = Vec2::new(288.0, 48.0);
+/// The arrows around the title, whose sum is the one beneath it: what each is, and how far it leads on, of the title's width and of its
+/// height (upwards).
+const ADDENDS: [(ForceKind, Vec2); 5] = [
+    (ForceKind::Drive, Vec2::new(-0.1, 1.1)),
+    (ForceKind::Wind, Vec2::new(0.34, 0.5)),
+    (ForceKind::Reaction, Vec2::new(0.32, 0.1)),
+    (ForceKind::AirResistance, Vec2::new(0.38, -0.45)),
+    (ForceKind::Weight, Vec2::new(0.06, -1.25)),
+];
+
+/// What the menu says.
+#[derive(Clone, Debug)]
+pub struct MenuFacts {
+    /// The level that Play opens, by name and title: the first one that the player has not done; `None` until it is found.
+    pub next: Option<(String, String)>,
+    /// Who plays.
+    pub player: Name,
+    /// What is wrong with the players' files.
+    pub trouble: Option<String>,
+}
+
+/// The main menu.
+#[derive(Debug)]
+pub struct Menu {
+    facts: MenuFacts,
+    balls: Balls,
+    /// The flight that plays behind the buttons.
+    behind: Option<Box<Flight>>,
+    /// The boxes of the lines of words beside the buttons, the title's last.
+    lines: Vec<Area>,
+}
+
+impl Menu {
+    /// The menu for the present player; the worker brings the level that Play opens.
+    pub fn open(session: &mut Session) -> Self {
+        session.menus += 1;
+        session.journal.try_again();
+        let names = session.library.names();
+        let (open, done): (Vec<&String>, Vec<&String>) =
+            names.iter().partition(|name| session.journal.medals(name).medal.is_none());
+        // Of a level that is not done a flight for gold would tell too much; but the first one has to begin somehow.
+        let shown = done.get(session.menus as usize % done.len().max(1)).or(open.first());
+        let shown = shown.map(|name| session.library.folder(name));
+        let folders = open.into_iter().chain(done).map(|name| session.library.folder(name)).collect();
+        session.worker.ask(Errand::First(folders, session.library.root().to_path_buf(), shown));
+        let (player, trouble) = (session.journal.current().clone(), session.journal.trouble().map(str::to_owned));
+        Self::new(MenuFacts { next: None, player, trouble }, session.menus)
+    }
+
+    /// The menu. How balls fly follows from `seed` and from when they are dropped.
+    pub fn new(facts: MenuFacts, seed: u64) -> Self {
+        Self { facts, balls: Balls::new(seed), behind: None, lines: Vec::new() }
+    }
+
+    /// Whether ship and balls hold still: nobody has touched anything for long, or the player is elsewhere.
+    fn rests(&self, input: &Input) -> bool {
+        input.away || input.idle >= pace::REST
+    }
+
+    /// The boxes of the lines of words that are drawn beside the buttons: those of the level that Play opens, once that is found, of the foot
+    /// and of the title.
+    pub fn lines(&self) -> &[Area] {
+        &self.lines
+    }
+
+    /// The boxes of the balls, as they are drawn.
+    pub fn balls(&self) -> Vec<Area> {
+        self.balls.areas().collect()
+    }
+
+    /// The ship's centre (canvas units), its angle (degrees) and how its engine burns (0 … 1), as they are drawn.
+    pub fn ship(&self) -> Option<(Vec2, f64, f64)> {
+        let (centre, angle, burning) = self.balls.ship()?;
+        Some(((centre * f64::from(METRE)).as_vec2(), angle, burning))
+    }
+
+    /// The name, and the arrows that add up to the one beneath it.
+    fn show_title(ui: &Ui<'_>) -> Area {
+        let (canvas, frame) = (ui.canvas(), ui.frame());
+        let size = Vec2::new(words_width(NAME, TITLE), TITLE_HEIGHT * TITLE);
+        let area = Area::around(Vec2::new(frame.size.x / 2.0, (frame.size.y * TITLE_AT).round()), size);
+        let size = area.size + Vec2::new(2.0 * PADDING, 0.0);
+        let start = Vec2::new(area.min.x - PADDING, area.max().y + 6.0);
+        let end = start + Vec2::new(size.x, 0.0);
+        let mut tail = start;
+        for (kind, step) in ADDENDS {
+            let tip = tail + Vec2::new(step.x, -step.y) * size;
+            arrows::draw_one(canvas, (tail, tip), arrows::ArrowKind::Force(kind), 0.9);
+            tail = tip;
+        }
+        canvas.end_layer();
+        arrows::draw_one(canvas, (start, end), arrows::ArrowKind::Resultant, 1.0);
+        canvas.text(NAME, area.centre(), Style::new(TITLE, theme::accent()).centred().middle());
+        canvas.end_layer();
+        area
+    }
+
+    /// The title of the level that Play opens, beside that button.
+    fn show_next(&self, ui: &Ui<'_>, play: Area) -> Option<Area> {
+        let (_, title) = self.facts.next.as_ref()?;
+        let from = Vec2::new(play.max().x + 2.0 * PADDING, play.centre().y);
+        ui.text(tr(title), from, Style::new(TEXT, theme::quiet()).middle());
+        Some(words_box(tr(title), ui.frame().text_height(TEXT), from))
+    }
+
+    fn show_foot(&self, ui: &Ui<'_>) -> Area {
+        let (size, height) = (ui.frame().size, ui.frame().text_height(TEXT));
+        let (words, colour) = self.facts.trouble.as_deref().map_or((tr(HINT), theme::quiet()), |trouble| (trouble, theme::bad()));
+        let (middle, widest) = (Vec2::new(size.x / 2.0, size.y - FOOT), size.x - BESIDE_FOOT);
+        widgets::fitted(ui.canvas(), words, middle, widest, &[TEXT], colour);
+        let mut area = words_box(words, height, middle);
+        area.size.x = area.size.x.min(widest);
+        area.min.x = middle.x - area.size.x / 2.0;
+        area
+    }
+
+    /// The button that says who plays; whether it was pressed.
+    fn show_player(&self, ui: &mut Ui<'_>) -> (bool, Area) {
+        let area = Area { min: Vec2::new(CORNER, ui.frame().size.y - CORNER - PLAYER_BUTTON.y), size: PLAYER_BUTTON };
+        let touch = ui.touch("Player", area, WidgetKind::Button);
+        widgets::button_box(ui.canvas(), area, touch.hover, touch.focus);
+        let y = area.centre().y;
+        ui.text(tr("Player"), Vec2::new(area.min.x + PADDING, y), Style::new(TEXT, theme::quiet()).middle());
+        let name = Style::new(BUTTON_TEXT, theme::text()).mono().middle();
+        ui.text(self.facts.player.as_str(), Vec2::new(area.max().x - PADDING, y), name.right());
+        (touch.pressed, area)
+    }
+
+    fn draw_ship(&self, canvas: &Canvas, frame: &Frame) {
+        let Some((centre, angle, burning)) = self.balls.ship() else { return };
+        let window = CanvasWindow { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
+        let metre = f64::from(METRE);
+        let view = Viewport::new(DVec2::ZERO, DVec2::ZERO, window.size / metre, metre, window);
+        let pose = things::ShipPose { centre, angle, squash: 0.0, light: Colour::WHITE, room: f64::INFINITY };
+        things::draw_ship(&pose, (burning, 1.0), 0.5, &view, canvas);
+    }
+}
+
+impl Screen for Menu {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        let frame = ui.frame();
+        match &self.behind {
+            Some(_) => ui.canvas().rectangle(frame.area(), theme::ground().faded(VEIL)),
+            None => widgets::graph_paper(ui.canvas()),
+        }
+        let column = frame.column(LABELS.len(), (frame.size.y * BUTTONS_AT / GRID).round() * GRID);
+        let pressed = ui.buttons(column.clone(), &LABELS);
+        let (player, corner) = self.show_player(ui);
+        let credits = Area { min: frame.size - CORNER - ROW_BUTTON, size: ROW_BUTTON };
+        let credited = ui.button("Credits", credits);
+        let again = Area { min: credits.min - Vec2::new(0.0, ROW_BUTTON.y + PADDING), size: ROW_BUTTON };
+        // The menu that opens then has tried once more to save what waits.
+        if self.facts.trouble.is_some() && ui.button("Try again", again) {
+            return Some(Request::Reset(Destination::Menu));
+        }
+        self.lines = self.show_next(ui, column[0]).into_iter().chain([self.show_foot(ui)]).collect();
+        self.lines.push(Self::show_title(ui));
+        // Balls bounce off all that is drawn, and the ship flies around it.
+        let drawn: Vec<Area> = column.into_iter().chain([corner, credits]).chain(self.lines.iter().copied()).collect();
+        let frame_time = if self.rests(ui.input()) { 0.0 } else { ui.input().frame_time };
+        if let Some(flight) = &mut self.behind {
+            flight.play_behind(frame_time);
+        }
+        self.balls.update(&Input { frame_time, ..ui.input().clone() }, &drawn);
+        self.balls.draw(ui.canvas());
+        self.draw_ship(ui.canvas(), &frame);
+        if player {
+            return Some(Request::Reset(Destination::Players));
+        }
+        if credited {
+            return Some(Request::Reset(Destination::Credits));
+        }
+        // Quit is a button, so that no one leaves by one key too many.
+        Some(Request::Reset(match pressed.filter(|_| !ui.key(Key::Escape))? {
+            "Play" => match &self.facts.next {
+                Some((name, _)) => Destination::Play(name.clone()),
+                None => Destination::Levels(Purpose::Play),
+            },
+            "Level Select" => Destination::Levels(Purpose::Play),
+            "Leaderboards" => Destination::Levels(Purpose::Leaderboard),
+            "Classics" => Destination::Classics(None),
+            "Lab" => Destination::Lab(None),
+            "Settings" => Destination::Settings,
+            #[cfg(all(feature = "window", browser))]
+            LAST => Destination::PageData,
+            _ => return Some(Request::Quit),
+        }))
+    }
+
+    fn receive(&mut self, _: Ticket, brought: Brought, _: &mut Session, spectator: &mut dyn Spectator) {
+        if let Brought::First(next, gold) = brought {
+            self.facts.next = next;
+            self.behind = gold.map(|gold| Box::new(Flight::watch(String::new(), *gold, spectator)));
+        }
+    }
+
+    fn scene(&self, frame: &Frame) -> Option<GameScene<'_>> {
+        self.behind.as_ref()?.scene_behind(frame)
+    }
+
+    fn motion(&self, input: &Input) -> Motion {
+        if self.rests(input) { Motion::Still } else { Motion::Easy }
+    }
+}

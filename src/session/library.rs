@@ -1,0 +1,222 @@
+//! The levels on disk, as the screens list them, the tile run's map and commands, and the charts that were measured here.
+
+use crate::classics::tile_run::{Command, InputError, Map};
+use crate::files::{self, CHART, CsvFile, CsvRow, TILE_COMMANDS, TILE_MAP, read_text};
+use crate::instruments::reading::Wanted;
+use crate::lab::charts::Charts;
+use crate::lab::kept;
+use crate::level::{self, Landscape, Level};
+use crate::session::experiment::Experiment;
+use crate::session::folder_watch::FolderWatch;
+use crate::words::tr;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Where the tile run's `map.txt` and `commands.txt` are, from the project's root.
+const TILE_RUN: &str = "assets/tile_run";
+
+/// Where the experiments are, from the project's root.
+const EXPERIMENTS: &str = "experiments";
+
+/// The columns of their list, the first of which are needed.
+const EXPERIMENT: [&str; 7] = ["folder", "question", "vary", "answer", "choices", "right", "readings"];
+const NEEDED: usize = 4;
+
+/// Where `resultant chart` writes, from the project's root.
+const CHARTS: &str = "charts";
+
+/// A level in words.
+pub fn named(name: &str) -> String {
+    tr!("level {name}", name)
+}
+
+/// Why a level cannot be played: a line a problem.
+pub type Refusal = Vec<String>;
+
+/// A run of `resultant chart`.
+#[derive(Clone, Debug, Default)]
+pub struct Shown {
+    /// Empty where no run could be read.
+    pub charts: Charts,
+    /// Whether it came with the game.
+    pub kept: bool,
+    /// The reason why it is not the player's own run.
+    pub problem: Option<String>,
+}
+
+/// The folder of levels and the folder that their image paths start from.
+#[derive(Clone, Debug)]
+pub struct Library {
+    root: PathBuf,
+    levels: PathBuf,
+    /// A level's folder that is not one of `levels`, while that level is played or edited.
+    outside: Option<PathBuf>,
+    /// The level of a folder as the worker has read it, for the screen that opens.
+    prepared: Option<(PathBuf, Result<Arc<Level>, Refusal>)>,
+}
+
+impl Library {
+    /// The levels in `levels`, with images under `root`.
+    pub fn new(root: impl Into<PathBuf>, levels: impl Into<PathBuf>) -> Self {
+        Self { root: root.into(), levels: levels.into(), outside: None, prepared: None }
+    }
+
+    /// The names of all levels, those named by a number first and in numeric order. A folder that cannot be read holds none.
+    pub fn names(&self) -> Vec<String> {
+        level::list(&self.levels)
+    }
+
+    /// The level after that one in the list.
+    pub fn after(&self, name: &str) -> Option<String> {
+        self.names().into_iter().skip_while(|other| other != name).nth(1)
+    }
+
+    /// The project's folder.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// The folder of levels.
+    pub fn levels(&self) -> &Path {
+        &self.levels
+    }
+
+    /// The folder of a level.
+    pub fn folder(&self, name: &str) -> PathBuf {
+        let outside = self.outside.iter().find(|folder| folder.file_name().is_some_and(|own| own.to_string_lossy() == name));
+        outside.cloned().unwrap_or_else(|| self.levels.join(name))
+    }
+
+    /// Lets a folder outside of `levels` be the level of its name, until the next call; the name. A file stands for its folder.
+    pub fn open(&mut self, path: &Path) -> Option<String> {
+        let folder = files::resolve(if files::is_folder(path) { path } else { path.parent()? }).ok()?;
+        let name = folder.file_name()?.to_string_lossy().into_owned();
+        let listed = files::resolve(&self.levels.join(&name)).is_ok_and(|listed| listed == folder);
+        self.outside = (!listed).then_some(folder);
+        Some(name)
+    }
+
+    /// Every name means a level in `levels` again.
+    pub fn close(&mut self) {
+        self.outside = None;
+    }
+
+    /// A level's title, without loading it; its name where it has none.
+    pub fn title(&self, name: &str) -> String {
+        level::title(&self.levels.join(name)).unwrap_or_else(|| name.to_owned())
+    }
+
+    /// The world of a level that comes with the game.
+    pub fn landscape(&self, name: &str) -> Option<Landscape> {
+        level::landscape(&self.levels.join(name))
+    }
+
+    /// What a level's folder and its pictures look like from the outside.
+    pub fn watch(&self, level: &Level) -> FolderWatch {
+        let folder = self.folder(&level.name);
+        FolderWatch::new(folder, level.pictures().cloned().collect())
+    }
+
+    /// Holds the level of a folder ready, so that [`Library::load`] reads no file.
+    pub fn prepare(&mut self, folder: PathBuf, level: Result<Arc<Level>, Refusal>) {
+        self.prepared = Some((folder, level));
+    }
+
+    /// Every level is read again.
+    pub fn forget_prepared(&mut self) {
+        self.prepared = None;
+    }
+
+    /// Reads a level.
+    ///
+    /// # Errors
+    /// All its problems, a line each.
+    pub fn load(&self, name: &str) -> Result<Arc<Level>, Refusal> {
+        let folder = self.folder(name);
+        if let Some((_, level)) = self.prepared.as_ref().filter(|(known, _)| *known == folder) {
+            return level.clone();
+        }
+        match level::load(&folder, &self.root) {
+            Ok(loaded) => Ok(Arc::new(loaded.level)),
+            Err(problems) => Err(level::listed(&problems)),
+        }
+    }
+
+    /// The experiments, as `experiments/experiments.csv` lists them.
+    ///
+    /// # Errors
+    /// The list is missing or damaged.
+    pub fn experiments(&self) -> Result<Vec<Experiment>, String> {
+        let folder = self.root.join(EXPERIMENTS);
+        let list = format!("{EXPERIMENTS}/experiments.csv");
+        let text = read_text(&folder.join("experiments.csv"), files::LEVEL_TABLE).map_err(|error| format!("{list}: {error}"))?;
+        let file = CsvFile { name: &list, columns: &EXPERIMENT, comments: true };
+        let experiment = |row: CsvRow<'_>| {
+            if row.fault().is_some() || !(NEEDED..=EXPERIMENT.len()).contains(&row.used()) {
+                return Err(row.row_problem(format_args!("{:?}", row.joined()), file.header()));
+            }
+            let [folder_name, question, vary, answer, choices, right, readings] =
+                EXPERIMENT.map(|column| row.get(column).to_owned());
+            let choices: Vec<String> = choices.split('|').map(|choice| choice.trim().to_owned()).collect();
+            let choices = if choices.len() > 1 { choices } else { Vec::new() };
+            let is_right = if choices.is_empty() { Wanted::new(&question, &right).is_some() } else { choices.contains(&right) };
+            if !right.is_empty() && !is_right {
+                return Err(row.bad_cell("right", tr("a number, one of the choices, or nothing")));
+            }
+            let title = level::title(&folder.join(&folder_name)).unwrap_or_else(|| folder_name.clone());
+            let Some(readings) = Wanted::all(&readings) else {
+                return Err(row.bad_cell("readings", tr("quantities, as in \"height: 2.5 m|time: 1.4 s\"")));
+            };
+            Ok(Experiment { folder: folder_name, question, vary, answer, choices, right, readings, title })
+        };
+        file.rows(text.as_bytes()).filter(|row| !row.is_header(NEEDED)).map(experiment).collect()
+    }
+
+    /// The folder of an experiment.
+    pub fn experiment(&self, name: &str) -> PathBuf {
+        self.root.join(EXPERIMENTS).join(name)
+    }
+
+    /// The map of the tile run and the commands to watch, from `assets/tile_run/`.
+    ///
+    /// # Errors
+    /// The first problem, with file and line.
+    pub fn tile_run(&self) -> Result<(Map, Vec<Command>), String> {
+        let folder = self.root.join(TILE_RUN);
+        Ok((
+            read(folder.join("map.txt"), TILE_MAP, Map::parse)?,
+            read(folder.join("commands.txt"), TILE_COMMANDS, Command::parse_all)?,
+        ))
+    }
+
+    /// The charts in `charts/`, where the last `resultant chart` wrote them; where there are none, or they cannot be read, those that
+    /// came with the game.
+    pub fn charts(&self) -> Shown {
+        let folder = self.root.join(CHARTS);
+        let problem = match files::look(&folder).is_ok().then(|| Charts::read(|file| text(&folder, file))) {
+            Some(Ok(charts)) => return Shown { charts, kept: false, problem: None },
+            Some(Err(problem)) => Some(tr!("{folder}/{problem}. These came with the game.", folder = CHARTS, problem)),
+            None => None,
+        };
+        match kept::charts() {
+            Ok(charts) => Shown { charts, kept: true, problem },
+            Err(problem) => Shown { charts: Charts::default(), kept: true, problem: Some(problem) },
+        }
+    }
+}
+
+fn read<T>(path: PathBuf, at_most: u64, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, String> {
+    let text = read_text(&path, at_most).map_err(|error| format!("{}: {error}", path.display()))?;
+    parse(&text).map_err(|error| format!("{}:{error}", path.display()))
+}
+
+/// The text of one file of charts in a folder.
+fn text(folder: &Path, file: &str) -> Result<String, String> {
+    read_text(&folder.join(file), CHART).map_err(|error| format!("{file}: {error}"))
+}
+
+/// Whether that is a folder, or a file as levels have them.
+pub fn is_of_level(path: &Path) -> bool {
+    files::is_folder(path)
+        || path.extension().is_some_and(|ending| ["csv", "png"].iter().any(|own| ending.eq_ignore_ascii_case(own)))
+}

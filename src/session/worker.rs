@@ -1,0 +1,290 @@
+//! The worker beside the screens: it reads and judges levels, one errand after the other, so that no frame waits for a disk or a large
+//! level. A test steps it by hand.
+
+use crate::game::Reel;
+use crate::level::document::{LevelFolder, Opened};
+use crate::level::{self, Awards, Level};
+use crate::pack::{self, Installed};
+use crate::session::folder_watch::Stamp;
+use crate::session::library::Refusal;
+use crate::session::recordings;
+use crate::view::miniature::Miniature;
+use crate::words::{self, Language};
+use std::collections::VecDeque;
+use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread;
+
+/// What is to be read, with all that it takes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Errand {
+    /// The level in a folder; images are looked up there, then under the second folder, the project's.
+    Level(PathBuf, PathBuf),
+    /// What the card of that level shows.
+    Card(PathBuf, PathBuf),
+    /// The files of the level in a folder, to be edited.
+    Editor(PathBuf, PathBuf),
+    /// An archive is to be installed.
+    Install {
+        /// The archive.
+        archive: PathBuf,
+        /// The folder of levels.
+        levels: PathBuf,
+        /// The project's.
+        root: PathBuf,
+    },
+    /// The names of the levels in a folder.
+    List(PathBuf),
+    /// The first of these levels that loads; and of the level in the last folder, if any, its flight for gold.
+    First(Vec<PathBuf>, PathBuf, Option<PathBuf>),
+}
+
+/// What a card shows of a level.
+#[derive(Clone, Debug)]
+pub struct Card {
+    /// The level's folder.
+    pub folder: PathBuf,
+    /// What that looked like before it was read: what is written meanwhile is seen at the next look.
+    pub stamp: Stamp,
+    /// Title, medals and picture, or why it does not load.
+    pub level: Result<(String, Awards, Miniature), Refusal>,
+}
+
+/// What has come of an errand.
+#[derive(Debug)]
+pub enum Brought {
+    /// Of [`Errand::Level`], with its folder.
+    Level(PathBuf, Result<Arc<Level>, Refusal>),
+    /// Of [`Errand::Card`].
+    Card(Box<Card>),
+    /// Of [`Errand::Editor`].
+    Editor(Result<Box<Opened>, String>),
+    /// Of [`Errand::Install`].
+    Installed(Result<Installed, Refusal>),
+    /// Of [`Errand::List`].
+    List(Vec<String>),
+    /// Of [`Errand::First`]: name and title, and the flight.
+    First(Option<(String, String)>, Option<Box<Reel>>),
+}
+
+impl Errand {
+    fn run(self) -> Brought {
+        let load = |folder: &PathBuf, root: &PathBuf| match level::load(folder, root) {
+            Ok(loaded) => Ok(Arc::new(loaded.level)),
+            Err(problems) => Err(level::listed(&problems)),
+        };
+        match self {
+            Self::Level(folder, root) => {
+                let level = load(&folder, &root);
+                Brought::Level(folder, level)
+            }
+            Self::Card(folder, root) => {
+                let stamp = Stamp::of(&folder, &[]);
+                let level = load(&folder, &root).map(|level| (level.title.clone(), level.awards, Miniature::of(&level)));
+                Brought::Card(Box::new(Card { folder, stamp, level }))
+            }
+            Self::Editor(folder, root) => Brought::Editor(LevelFolder::open_to_edit(&folder, &root).map(Box::new)),
+            Self::Install { archive, levels, root } => Brought::Installed(pack::install_file(&archive, &levels, &root)),
+            Self::List(levels) => Brought::List(level::list(&levels)),
+            Self::First(folders, root, shown) => {
+                let first = folders.iter().find_map(|folder| {
+                    let level = load(folder, &root).ok()?;
+                    Some((level.name.clone(), level.title.clone()))
+                });
+                let gold = shown.and_then(|folder| recordings::gold(&folder, load(&folder, &root).ok()?));
+                Brought::First(first, gold.map(Box::new))
+            }
+        }
+    }
+
+    /// Whether a player waits for it.
+    const fn is_urgent(&self) -> bool {
+        matches!(self, Self::Level(..) | Self::Editor(..) | Self::Install { .. })
+    }
+}
+
+/// By which an errand is known.
+pub type Ticket = u64;
+
+/// Errands that wait, and what has come of others.
+#[derive(Debug)]
+pub struct Worker {
+    last: Ticket,
+    at: At,
+}
+
+/// Where errands are done.
+#[derive(Debug)]
+enum At {
+    /// On the screen's thread: the given number of errands, or without a number each as it is asked for.
+    Here(VecDeque<(Ticket, Errand)>, Option<usize>),
+    /// On a thread of their own.
+    Beside(Arc<Desk>, Receiver<(Ticket, Brought)>),
+}
+
+/// What the thread waits for.
+#[derive(Debug, Default)]
+struct Desk {
+    waiting: Mutex<Waiting>,
+    news: Condvar,
+}
+
+#[derive(Debug, Default)]
+struct Waiting {
+    errands: VecDeque<(Ticket, Errand)>,
+    /// Of the screen that asked last.
+    language: Language,
+    closed: bool,
+}
+
+impl Desk {
+    /// No errand panics while it holds the lock: what is behind it is whole.
+    fn lock(&self) -> MutexGuard<'_, Waiting> {
+        self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The next errand; `None` once there is nobody who asks.
+    fn next(&self) -> Option<(Ticket, Errand)> {
+        let mut waiting = self.lock();
+        loop {
+            if waiting.closed {
+                return None;
+            }
+            if let Some(next) = waiting.errands.pop_front() {
+                words::speak(waiting.language);
+                return Some(next);
+            }
+            waiting = self.news.wait(waiting).unwrap_or_else(PoisonError::into_inner);
+        }
+    }
+}
+
+impl Worker {
+    /// One that does everything at once, on the screen's thread.
+    pub const fn here() -> Self {
+        Self { last: 0, at: At::Here(VecDeque::new(), None) }
+    }
+
+    /// One that does nothing but what [`Worker::step`] lets it do.
+    pub const fn by_hand() -> Self {
+        Self { last: 0, at: At::Here(VecDeque::new(), Some(0)) }
+    }
+
+    /// One on a thread of its own; on the screen's where there is none, as in a browser.
+    pub fn beside() -> Self {
+        let desk = Arc::new(Desk::default());
+        let (send, receive) = channel();
+        let own = desk.clone();
+        let begun = thread::Builder::new().name("worker".to_owned()).spawn(move || work(&own, &send));
+        match begun {
+            Ok(_) => Self { last: 0, at: At::Beside(desk, receive) },
+            Err(_) => Self::here(),
+        }
+    }
+
+    /// Asks for something; what a player waits for goes first.
+    pub fn ask(&mut self, errand: Errand) -> Ticket {
+        self.last += 1;
+        let (urgent, next) = (errand.is_urgent(), (self.last, errand));
+        let put =
+            |errands: &mut VecDeque<(Ticket, Errand)>| if urgent { errands.push_front(next) } else { errands.push_back(next) };
+        match &mut self.at {
+            At::Here(errands, _) => put(errands),
+            At::Beside(desk, _) => {
+                let mut waiting = desk.lock();
+                waiting.language = words::spoken();
+                put(&mut waiting.errands);
+                desk.news.notify_one();
+            }
+        }
+        self.last
+    }
+
+    /// Forgets an errand that has not been begun.
+    pub fn forget(&mut self, ticket: Ticket) {
+        let keep = |errands: &mut VecDeque<(Ticket, Errand)>| errands.retain(|(other, _)| *other != ticket);
+        match &mut self.at {
+            At::Here(errands, _) => keep(errands),
+            At::Beside(desk, _) => keep(&mut desk.lock().errands),
+        }
+    }
+
+    /// What has come of the next errand, where that is known.
+    pub fn bring(&mut self) -> Option<(Ticket, Brought)> {
+        match &mut self.at {
+            At::Here(errands, left) => {
+                if let Some(left) = left {
+                    *left = left.checked_sub(1)?;
+                }
+                let (ticket, errand) = errands.pop_front()?;
+                Some((ticket, errand.run()))
+            }
+            At::Beside(_, brought) => brought.try_recv().ok(),
+        }
+    }
+
+    /// Lets a worker that goes by hand do its next errand; whether there is one.
+    pub fn step(&mut self) -> bool {
+        let At::Here(errands, Some(left)) = &mut self.at else { return false };
+        let more = *left < errands.len();
+        *left += usize::from(more);
+        more
+    }
+}
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        if let At::Beside(desk, _) = &self.at {
+            desk.lock().closed = true;
+            desk.news.notify_one();
+        }
+    }
+}
+
+/// Does errands until nobody asks any more.
+fn work(desk: &Desk, to: &Sender<(Ticket, Brought)>) {
+    while let Some((ticket, errand)) = desk.next() {
+        if to.send((ticket, errand.run())).is_err() {
+            return;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::Duration;
+
+    fn list(name: &str) -> Errand {
+        Errand::List(PathBuf::from(name))
+    }
+
+    #[test]
+    fn what_a_player_waits_for_goes_first_and_what_is_forgotten_is_not_done() {
+        let mut worker = Worker::by_hand();
+        let (first, second) = (worker.ask(list("a")), worker.ask(list("b")));
+        let level = worker.ask(Errand::Level(PathBuf::from("nowhere"), PathBuf::from("nowhere")));
+        assert!(worker.bring().is_none(), "nothing is done by itself");
+        assert!(worker.step());
+        assert!(matches!(worker.bring(), Some((ticket, Brought::Level(_, Err(_)))) if ticket == level));
+        worker.forget(first);
+        assert!(worker.step() && !worker.step(), "one is left");
+        assert!(matches!(worker.bring(), Some((ticket, Brought::List(_))) if ticket == second));
+        assert!(worker.bring().is_none());
+    }
+
+    #[test]
+    fn a_thread_of_its_own_brings_the_same_and_ends_with_the_worker() {
+        let mut worker = Worker::beside();
+        let tickets = [worker.ask(list("a")), worker.ask(list("b"))];
+        let At::Beside(desk, brought) = &worker.at else { panic!("the system gives no thread") };
+        let first = [brought.recv(), brought.recv()].map(|brought| brought.map(|(ticket, _)| ticket));
+        assert_eq!(first, tickets.map(Ok));
+        let desk = desk.clone();
+        drop(worker);
+        // Woken or not, it finds that nobody asks.
+        assert!(desk.next().is_none());
+        assert_eq!(desk.news.wait_timeout(desk.lock(), Duration::ZERO).map(|(waiting, _)| waiting.closed).ok(), Some(true));
+    }
+}

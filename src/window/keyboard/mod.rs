@@ -1,0 +1,151 @@
+//! The window's keyboard. X11 and a browser tell each press with its place and what it types; elsewhere a key is what miniquad takes it for,
+//! and its character comes by itself.
+
+#[cfg(windows)]
+mod windows;
+#[cfg(target_os = "linux")]
+mod x11;
+
+use crate::settings::{Key, Keys, layout, plain_keys};
+use crate::ui::input::Input;
+use crate::ui::keyboard::{KeyDown, Keyboard};
+use macroquad::input::utils::{register_input_subscriber, repeat_all_miniquad_input};
+use macroquad::input::{KeyCode, get_char_pressed};
+use macroquad::miniquad::{EventHandler, KeyMods};
+
+macro_rules! codes {
+    ($($key:ident)*) => { &[$((KeyCode::$key, Key::$key)),*] };
+}
+/// Which key of the keyboard is which of ours.
+const KEYS: &[(KeyCode, Key)] = plain_keys!(codes);
+/// Those of which there are several.
+const MORE_KEYS: [(KeyCode, Key); 8] = [
+    (KeyCode::Enter, Key::Enter),
+    (KeyCode::KpEnter, Key::Enter),
+    (KeyCode::LeftShift, Key::Shift),
+    (KeyCode::RightShift, Key::Shift),
+    (KeyCode::LeftControl, Key::Control),
+    (KeyCode::RightControl, Key::Control),
+    (KeyCode::LeftAlt, Key::Alt),
+    (KeyCode::RightAlt, Key::Alt),
+];
+/// Whether miniquad tells a character before the key that types it, and marks a press as repeated that was let go elsewhere.
+const BEFORE: bool = cfg!(target_os = "linux");
+
+/// The keyboard, and whether the window has it, by what miniquad reports: on X11 that another window has it, elsewhere that it is hidden.
+pub struct WindowKeys {
+    subscriber: usize,
+    events: Events,
+    #[cfg(target_os = "linux")]
+    x11: Option<x11::System>,
+}
+
+#[derive(Default)]
+struct Events {
+    keyboard: Keyboard,
+    away: bool,
+    /// Another part tells the keys.
+    told: bool,
+    /// A character whose key follows.
+    before: Option<char>,
+}
+
+impl WindowKeys {
+    /// Once the window is there.
+    pub fn new() -> Self {
+        #[cfg(target_os = "linux")]
+        let x11 = x11::System::new();
+        #[cfg(target_os = "linux")]
+        let told = x11.is_some();
+        #[cfg(not(target_os = "linux"))]
+        let told = cfg!(browser);
+        #[cfg(windows)]
+        for (_, place) in layout::PRINTING {
+            windows::plain(place).into_iter().for_each(|sign| layout::note(place, sign));
+        }
+        Self {
+            subscriber: register_input_subscriber(),
+            events: Events { told, ..Events::default() },
+            #[cfg(target_os = "linux")]
+            x11,
+        }
+    }
+
+    /// The keys since the last frame, and whether another window has them.
+    pub fn read(&mut self) -> Input {
+        // macroquad's own list of what was typed would grow without end.
+        while get_char_pressed().is_some() {}
+        repeat_all_miniquad_input(&mut self.events, self.subscriber);
+        #[cfg(target_os = "linux")]
+        if let Some(x11) = &mut self.x11 {
+            x11.drain(&mut self.events.keyboard);
+        }
+        #[cfg(browser)]
+        crate::web::drain_keys(&mut self.events.keyboard);
+        Input { away: self.events.away, ..self.events.keyboard.take() }
+    }
+}
+
+fn modifiers(mods: KeyMods) -> Keys {
+    let modifiers = [(mods.shift, Key::Shift), (mods.ctrl || mods.logo, Key::Control), (mods.alt, Key::Alt)];
+    modifiers.into_iter().filter(|(held, _)| *held).map(|(_, key)| key).collect()
+}
+
+/// What Windows says that the key at that place types alone; elsewhere what it has typed.
+fn plain(place: Key) -> Option<char> {
+    #[cfg(windows)]
+    let told = windows::plain(place);
+    #[cfg(not(windows))]
+    let told = None;
+    told.or_else(|| layout::sign_at(place))
+}
+
+impl EventHandler for Events {
+    fn update(&mut self) {}
+
+    fn draw(&mut self) {}
+
+    fn char_event(&mut self, character: char, held: KeyMods, _repeat: bool) {
+        if self.told {
+            return;
+        }
+        if BEFORE {
+            self.before = Some(character);
+        } else {
+            self.keyboard.typed_by_last(character, modifiers(held));
+            self.keyboard.typed(character, modifiers(held));
+        }
+    }
+
+    fn key_down_event(&mut self, code: KeyCode, mods: KeyMods, repeat: bool) {
+        if self.told {
+            return;
+        }
+        let place = KEYS.iter().chain(&MORE_KEYS).find(|(known, _)| *known == code).map(|(_, key)| *key);
+        let (typed, repeat) = (self.before.take(), repeat && !BEFORE);
+        let plain = place.and_then(plain);
+        let key = KeyDown { id: code as u32, place, typed, silent: false, plain, repeat, held: modifiers(mods) };
+        self.keyboard.down(key);
+        if code == KeyCode::Unknown {
+            // Which of them goes up is not told.
+            self.keyboard.up(key.id);
+        }
+    }
+
+    fn key_up_event(&mut self, code: KeyCode, _: KeyMods) {
+        if !self.told {
+            self.keyboard.up(code as u32);
+        }
+    }
+
+    fn window_minimized_event(&mut self) {
+        self.away = true;
+        if !self.told {
+            self.keyboard.leave();
+        }
+    }
+
+    fn window_restored_event(&mut self) {
+        self.away = false;
+    }
+}

@@ -1,0 +1,52 @@
+//! What the window's loop asks of a browser's page; a desktop answers the same in `desktop`.
+
+use crate::screens::{Destination, Flight, Request, Stack};
+use crate::settings::{Key, Settings};
+use crate::ui::Spectator;
+use crate::ui::input::Input;
+use crate::web;
+use std::path::PathBuf;
+use std::time::Duration;
+
+pub use crate::web::Instant;
+
+pub use crate::web::language;
+pub use macroquad::miniquad::date::now;
+
+/// The browser asks for a frame when it needs one.
+pub const fn pause(_: Duration) {}
+
+/// The files that were dropped or chosen since the last frame. One with everything of a page is taken over at once.
+pub fn dropped() -> Vec<PathBuf> {
+    let mut dropped = web::dropped();
+    dropped.retain(|path| {
+        let everything = web::is_export(path);
+        if everything {
+            web::import(path);
+        }
+        !everything
+    });
+    dropped
+}
+
+/// Before a frame: a page that was hidden pauses its flight, and a new link is followed.
+pub fn begin_frame(stack: &mut Stack, input: &mut Input, spectator: &mut dyn Spectator) {
+    let flown = stack.screen().get::<Flight>().is_some_and(|flight| flight.is_by_hand() && !flight.is_test());
+    if web::was_hidden() && flown && stack.screen().scene(&input.frame).is_some_and(|scene| !scene.paused) {
+        input.pressed.add(Key::Escape);
+    }
+    // The browser's own Esc leaves the full screen, and a page enters it by a press alone.
+    if let Some(fullscreen) = web::fullscreen().filter(|fullscreen| *fullscreen != stack.settings().fullscreen) {
+        stack.set(Settings { fullscreen, ..*stack.settings() });
+    }
+    let link = web::link();
+    if !link.is_empty() {
+        stack.grant(Request::Reset(Destination::Link(link)), spectator);
+    }
+}
+
+/// After a frame is drawn; the least time until the next one, s, and whether something is lost where the page is left now.
+pub fn end_frame(rest: f64, at_risk: bool) {
+    web::set_at_risk(at_risk);
+    web::end_frame(rest);
+}
