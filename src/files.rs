@@ -9,6 +9,7 @@ mod disk;
 mod home;
 #[cfg(any(browser, test))]
 mod kept;
+#[allow(clippy::disallowed_methods)] // a lock is waited for
 mod lock;
 #[cfg(test)]
 pub(crate) mod memory;

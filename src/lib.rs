@@ -22,9 +22,6 @@
 //! - [`words`]: the languages of the screens.
 //! - [`number`]: how results print numbers, and every screen a time. [`files`]: reading with a limit, locks, and writing whole or not at all.
 
-// Those who need it say why: the system's libraries, its date and the page.
-#![deny(unsafe_code)]
-
 mod built_in;
 pub mod classics;
 pub mod cli;
@@ -47,6 +44,7 @@ pub mod screens;
 pub mod session;
 pub mod settings;
 #[cfg(feature = "window")]
+#[allow(clippy::disallowed_methods)] // the device is waited for
 pub mod sound;
 /// Forms of a table for unit tests: those of the tests in `tests/`.
 #[cfg(test)]
@@ -59,5 +57,6 @@ pub mod view;
 #[cfg(all(browser, feature = "window"))]
 mod web;
 #[cfg(feature = "window")]
+#[allow(clippy::disallowed_methods)] // frames are timed
 pub mod window;
 pub mod words;

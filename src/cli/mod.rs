@@ -1,6 +1,7 @@
 //! The command line: one file a subcommand, and [`Project`], which finds the game's folders. Standard output gets results, standard
 //! error problems. Results go to the writer argument, never to `println!`, which panics on a closed pipe.
 
+#[allow(clippy::disallowed_methods)] // it measures
 mod chart;
 mod check;
 mod code;
@@ -10,11 +11,13 @@ mod forces;
 mod jumper;
 mod new;
 mod pack;
+#[allow(clippy::disallowed_methods)] // it measures
 mod pi;
 mod play;
 mod project;
 mod run;
 mod stats;
+#[allow(clippy::disallowed_methods)] // a long flight reports from time to time
 mod stop;
 mod telemetry;
 mod tiles;

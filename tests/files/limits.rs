@@ -20,6 +20,7 @@ const MEASURED: usize = 16 << 20;
 
 /// The answer of `read`, and the assertion that it cost few passes over the text. The clock counts this thread's time on the processor,
 /// which goes on only while the thread runs.
+#[allow(clippy::disallowed_methods)] // two measures of one thread's own time are compared
 fn quick<T>(what: &str, text: &str, read: impl FnOnce() -> T) -> T {
     let begun = ThreadTime::now();
     let answer = read();

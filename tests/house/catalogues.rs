@@ -2,6 +2,7 @@
 //! places, and no row is of no use.
 
 use super::sources::{files, root};
+use proc_macro2::{Group, TokenStream, TokenTree};
 use resultant::game::Outcome;
 use resultant::level::schema::{Kind, SETTINGS};
 use resultant::physics::{ForceKind, Guards, Methods};
@@ -9,75 +10,37 @@ use resultant::settings::{Action, Item, Key};
 use resultant::words::{Language, rows};
 use std::collections::BTreeSet;
 use std::fs;
+use syn::Lit;
 
-/// Calls whose words are looked up.
+/// What stands before the brackets of a call whose words are looked up.
 const CALLS: [&str; 9] =
-    ["tr(", "tr!(", "ui.page(", "ui.button(", "ui.buttons(", "ui.row(", "ui.column(", "ui.choice(", "SaveError::file("];
+    ["tr", "tr !", "ui . page", "ui . button", "ui . buttons", "ui . row", "ui . column", "ui . choice", "SaveError : : file"];
 
-/// The string literals of a source, without its tests: where each begins and ends, and its text.
-fn literals(source: &str) -> Vec<(usize, usize, String)> {
-    let bytes = source.as_bytes();
-    let (mut found, mut at) = (Vec::new(), 0);
-    while at < bytes.len() {
-        let rest = &source[at..];
-        if rest.starts_with("//") {
-            at += rest.find('\n').unwrap_or(rest.len());
-        } else if rest.starts_with("r\"") || rest.starts_with("r#\"") {
-            let end = if rest.starts_with("r\"") { "\"" } else { "\"#" };
-            at += 3 + rest[3..].find(end).map_or(0, |length| length + end.len());
-        } else if rest.starts_with("'\\") {
-            at += 3 + rest[3..].find('\'').map_or(0, |length| length + 1);
-        } else if rest.starts_with('\'') && rest.chars().nth(2) == Some('\'') {
-            at += 2 + rest.chars().nth(1).map_or(0, char::len_utf8);
-        } else if rest.starts_with('"') {
-            let mut end = 1;
-            while end < rest.len() && !rest[end..].starts_with('"') {
-                end += if rest[end..].starts_with('\\') { 2 } else { rest[end..].chars().next().map_or(1, char::len_utf8) };
-            }
-            found.push((at, at + end + 1, unescaped(&rest[1..end])));
-            at += end + 1;
-        } else {
-            at += rest.chars().next().map_or(1, char::len_utf8);
-        }
-    }
-    found
-}
-
-fn unescaped(literal: &str) -> String {
-    let (mut text, mut letters) = (String::new(), literal.chars());
-    while let Some(letter) = letters.next() {
-        match (letter, if letter == '\\' { letters.next() } else { None }) {
-            ('\\', Some('\n')) => letters = letters.as_str().trim_start().chars(),
-            ('\\', Some('n')) => text.push('\n'),
-            ('\\', Some(other)) => text.push(other),
-            _ => text.push(letter),
-        }
-    }
-    text
+/// The string literals of a source, without its documentation.
+fn literals(tokens: TokenStream) -> Vec<String> {
+    let is_doc = |group: &Group| group.stream().into_iter().next().is_some_and(|first| first.to_string() == "doc");
+    let of = |token| match token {
+        TokenTree::Group(group) if !is_doc(&group) => literals(group.stream()),
+        TokenTree::Literal(literal) => match Lit::new(literal) {
+            Lit::Str(text) => vec![text.value()],
+            _ => vec![],
+        },
+        _ => vec![],
+    };
+    tokens.into_iter().flat_map(of).collect()
 }
 
 /// The literals that stand inside the brackets of one of the calls.
-fn looked_up(source: &str) -> BTreeSet<String> {
-    let all = literals(source);
-    let mut found = BTreeSet::new();
-    for (call, name) in CALLS.iter().flat_map(|name| source.match_indices(name)) {
-        let before = source[..call].chars().next_back();
-        if before.is_some_and(|letter| letter.is_alphanumeric() || letter == '_') || source[..call].ends_with("fn ") {
-            continue;
-        }
-        let (mut depth, mut at) = (0, call + name.len() - 1);
-        while at < source.len() {
-            if let Some((_, end, text)) = all.iter().find(|(from, ..)| *from == at) {
-                found.insert(text.clone());
-                at = *end;
-                continue;
-            }
-            let letter = source[at..].chars().next().unwrap_or(' ');
-            depth += i32::from("([{".contains(letter)) - i32::from(")]}".contains(letter));
-            at += letter.len_utf8();
-            if depth == 0 {
-                break;
-            }
+fn looked_up(tokens: TokenStream) -> BTreeSet<String> {
+    let (mut found, mut before) = (BTreeSet::new(), String::new());
+    for token in tokens {
+        if let TokenTree::Group(group) = &token {
+            let is_call = |call: &&str| before.ends_with(&format!(" {call}")) && !before.ends_with(&format!(" fn {call}"));
+            found.extend(if CALLS.iter().any(is_call) { literals(group.stream()) } else { vec![] });
+            found.extend(looked_up(group.stream()));
+            before.clear();
+        } else {
+            before = format!("{before} {token}");
         }
     }
     found
@@ -94,16 +57,11 @@ fn has_words(text: &str) -> bool {
     letters.split(' ').any(|word| word.chars().count() > 1)
 }
 
-fn sources() -> Vec<String> {
-    let mut all = Vec::new();
-    for path in files(&root().join("src"), &["rs"]) {
-        let text = fs::read_to_string(&path).unwrap();
-        let end = text.find("#[cfg(test)]\nmod tests {").unwrap_or(text.len());
-        if !path.ends_with("tests.rs") {
-            all.push(text[..end].to_owned());
-        }
-    }
-    all
+/// The sources without their tests.
+fn sources() -> Vec<TokenStream> {
+    let paths = files(&root().join("src"), &["rs"]).into_iter().filter(|path| !path.ends_with("tests.rs"));
+    let texts = paths.map(|path| fs::read_to_string(path).unwrap());
+    texts.map(|text| text.split("#[cfg(test)]\nmod tests {").next().unwrap().parse().expect("it is Rust")).collect()
 }
 
 /// The texts of shipped files that a screen shows: titles, hints and words of levels and experiments.
@@ -161,8 +119,7 @@ fn catalogues() -> [(Language, Vec<(String, String)>); 2] {
 
 #[test]
 fn every_text_stands_in_every_catalogue() {
-    let mut wanted: BTreeSet<String> =
-        sources().iter().flat_map(|source| looked_up(source)).filter(|text| has_words(text)).collect();
+    let mut wanted: BTreeSet<String> = sources().into_iter().flat_map(looked_up).filter(|text| has_words(text)).collect();
     wanted.extend(shown_by_files());
     wanted.extend(shown_by_engine());
     wanted.extend([Outcome::Running, Outcome::Completed, Outcome::Failed].map(|outcome| outcome.name().to_owned()));
@@ -187,7 +144,7 @@ fn every_text_stands_in_every_catalogue() {
 
 #[test]
 fn every_row_is_of_use_and_keeps_its_places() {
-    let mut known: BTreeSet<String> = sources().iter().flat_map(|source| literals(source)).map(|(.., text)| text).collect();
+    let mut known: BTreeSet<String> = sources().into_iter().flat_map(literals).collect();
     known.extend(shown_by_files());
     known.extend(shown_by_engine());
     known.extend(Key::ALL.iter().map(|key| key.label()));

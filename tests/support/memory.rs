@@ -26,6 +26,7 @@ pub fn most_held<T>(during: impl FnOnce() -> T) -> (isize, T) {
     (MOST.get() - before, done)
 }
 
+#[allow(unsafe_code)]
 // SAFETY: every call is handed on to the system's allocator unchanged.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {

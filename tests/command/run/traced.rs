@@ -1,5 +1,7 @@
 //! The program under `ptrace`: its system calls, one after the other, each of which can fail or be the last.
 
+#![allow(unsafe_code)]
+
 use std::os::unix::process::{CommandExt, ExitStatusExt};
 use std::process::{Command, ExitStatus};
 
