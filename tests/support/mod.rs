@@ -1,12 +1,15 @@
-//! Shared by the test programs: random numbers, builders of scenes and levels, and measures.
+//! Shared by the test programs: random numbers, builders of scenes and levels, and measures. Random levels, slow scenes and the adversary
+//! are those of the tools.
 #![allow(dead_code, unused_imports)] // Each test takes what it needs.
 
+#[path = "../../tools/autopilot/src/adversary/mod.rs"]
 pub mod adversary;
 mod ask;
 mod build;
 pub mod dense;
 pub mod hashes;
 pub mod lanes;
+#[path = "../../tools/fuzz_levels/src/levels.rs"]
 mod levels;
 mod measure;
 pub mod memory;
@@ -15,6 +18,7 @@ mod random;
 pub mod rooms;
 pub mod scenes;
 pub mod shipped;
+#[path = "../../tools/fuzz_levels/src/slow.rs"]
 pub mod slow;
 pub mod strategies;
 pub mod turned;

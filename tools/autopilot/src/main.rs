@@ -1,8 +1,6 @@
 //! Flies levels by plans of way points, closed loop on the real game, and records what it did; measures how difficult a level is, and
 //! looks for what its author did not mean. README.md has the commands and the format of a plan.
 
-#[path = "../../../tests/support/adversary/mod.rs"]
-#[allow(dead_code)] // The tests' own, of which not all is needed.
 mod adversary;
 mod difficulty;
 mod flight;

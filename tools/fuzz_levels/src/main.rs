@@ -6,7 +6,6 @@
 //! `… -- summary levels.jsonl …`: what those logs hold together. `… -- show SEED`: the texts of one level, and what becomes of it.
 //! `… -- worst [part of a name]`: the mean and the longest tick of scenes made to be slow.
 
-#[path = "../../../tests/support/levels.rs"]
 mod levels;
 mod log;
 #[path = "../../../tests/support/memory.rs"]
@@ -15,7 +14,6 @@ mod memory;
 mod play;
 #[path = "../../../tests/support/random.rs"]
 mod random;
-#[path = "../../../tests/support/slow.rs"]
 mod slow;
 mod summary;
 mod worst;
