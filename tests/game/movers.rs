@@ -1,6 +1,6 @@
 //! Blocks that move, carry, push and crush; belts, one-way platforms and trampolines: from a level's files to their effects.
 
-use crate::support::written::{begun, refused, wait, written};
+use crate::support::written::{begun, wait, written};
 use resultant::game::{Game, GameEvent, Outcome, SHIP, source_name};
 use resultant::physics::{BodyId, DVec2, ForceKind};
 
@@ -133,46 +133,4 @@ fn a_trampoline_bounces_a_crowd_as_well() {
     assert!((fastest_up - 0.9 * 280f64.sqrt()).abs() < 0.1, "{fastest_up}");
     assert!(dense > 0, "they are one island");
     assert_eq!(game.world().body(SHIP).position, DVec2::new(2.0, 28.15));
-}
-
-#[test]
-fn what_is_wrong_with_a_mover_is_said() {
-    let rows = [
-        (
-            "600,840,120,30,600 540",
-            "movers.csv:1: column \"speed\": found neither a speed nor a period, expected one of the two: speed in m/s, or period in s",
-        ),
-        (
-            "600,840,120,30,600 540,3,9",
-            "movers.csv:1: column \"speed\": found a speed and a period, expected one of the two: speed in m/s, or period in s",
-        ),
-        (
-            "600,840,120,30,\"600,540\",3",
-            "movers.csv:1: column \"way_points\": found \"600,540\", expected way points such as 600 300; 600 100: x and y in pixels, a semicolon between them",
-        ),
-        (
-            "600,840,120,30,600 840;600 540,3",
-            "movers.csv:1: column \"way_points\": found \"600 840;600 540\", with a way point where the block is already, expected each way point apart from the one before (the first, from x and y)",
-        ),
-        (
-            "600,840,120,30,600 540,,1,0.5,0.5",
-            "movers.csv:1: column \"period\": found \"1\", expected at least 3.002 s, which its waits and easings take",
-        ),
-        ("600,840,120,30,600 540,3,,0.0001", "movers.csv:1: column \"wait\": found \"0.0001\", expected 0, or at least 0.001 s"),
-        (
-            "600,840,120,30,600 540,3,,,,arround",
-            "movers.csv:1: column \"route\": found \"arround\", expected one of back, round, once; is \"round\" meant?",
-        ),
-        (
-            "600,840,120,30,600 540,3,,,,,,up",
-            "movers.csv:1: column \"one_way\": found \"up\", expected one of top, bottom, left, right",
-        ),
-        (
-            "600,840,120,30,600 -60,3",
-            "movers.csv:1: column \"way_points\": found way point 1 of the mover outside the level, expected all of it between 0 and 900 pixels, the level's height",
-        ),
-    ];
-    for (row, problem) in rows {
-        assert_eq!(refused(&[("movers.csv", row)]), [problem], "{row}");
-    }
 }

@@ -1,7 +1,7 @@
 //! Switches and the parts that they work, fragile blocks, pods, weightless objects, gravity by level and by zone, winds that solids shade:
 //! from a level's files to their effects.
 
-use crate::support::written::{begun, refused, texts, wait, written};
+use crate::support::written::{begun, wait, written};
 use resultant::game::{BURN_RATE, Controls, Game, GameEvent, Recorder, SHIP, level_hash, source_name};
 use resultant::level::{SurfaceOf, Worked};
 use resultant::physics::{BodyId, DVec2, ForceKind};
@@ -111,11 +111,6 @@ fn a_thing_of_two_names_is_on_while_a_switch_of_each_is() {
     assert_eq!(open(&game), [false, false, true, false], "a name that no switch works does not count");
     wait(&mut game, 2.0);
     assert_eq!(open(&game), [true, false, true, false]);
-    let names = "a name of letters, digits, - and _ that begins with a letter";
-    for name in ["left&", "&", "left& right", "a&b&c&d&e&f&g&h&i"] {
-        let found = refused(&[("doors.csv", &format!("600,600,30,270,{name}\n"))]);
-        assert_eq!(found, [format!("doors.csv:1: column \"name\": found \"{name}\", expected {names}")]);
-    }
 }
 
 #[test]
@@ -266,13 +261,6 @@ fn gravity_to_the_side_makes_a_floor_of_the_wall() {
     let weights = forces.forces().iter().filter(|force| force.kind == ForceKind::Weight);
     assert!(weights.clone().all(|force| source_name(game.level(), force.source) == "gravity"));
     assert_eq!(weights.map(|force| force.vector).sum::<DVec2>(), DVec2::new(36.0, 30.0));
-    let liquid = refused(&[("constants.csv", "gravity_x,12\n"), ("fluids.csv", "0,800,300,60,1000,1\n")]);
-    assert_eq!(
-        liquid,
-        [
-            "fluids.csv:1: column \"x\": found a liquid beside gravity to the side, expected no fluids.csv where constants.csv gives a gravity_x: the surface of a liquid is level"
-        ]
-    );
 }
 
 #[test]
@@ -294,54 +282,6 @@ fn a_wind_is_shaded_where_it_is_told_to() {
         let zone = &level.streams[0].zone;
         assert!((zone.size().y - reach / 30.0).abs() < 1e-9, "{shaded}: {zone:?}");
     }
-    let blocked = refused(&[("hazards.csv", "300,500,60,30,0,-300,0,-900,TRUE\n"), ("world.csv", "330,440,90,60\n")]);
-    assert_eq!(
-        blocked,
-        ["hazards.csv:1: column \"shaded\": found TRUE, with a solid right before the source block, expected free space before it"]
-    );
-}
-
-#[test]
-fn what_is_wrong_with_switches_and_names_is_said() {
-    let cases: [(&[(&'static str, &str)], &str); 7] = [
-        (
-            &[("switches.csv", "0,0,9,9,gate\n")],
-            "switches.csv:1: column \"works\": found \"gate\", expected the name of a mover, door, stream, belt or link; none has one",
-        ),
-        (
-            &[GATE, ("switches.csv", "0,0,9,9,gaet\n")],
-            "switches.csv:1: column \"works\": found \"gaet\", expected the name of a mover, door, stream, belt or link: gate; is \"gate\" meant?",
-        ),
-        (
-            &[GATE, ("switches.csv", "0,0,9,9,\"gate,fan\"\n")],
-            "switches.csv:1: column \"works\": found \"gate,fan\", expected names with spaces between them, such as: gate !fan",
-        ),
-        (
-            &[GATE, ("switches.csv", "0,0,9,9,gate,5,ship\n")],
-            "switches.csv:1: column \"by\": found \"ship\" beside a weight, expected nothing or any: a plate is pressed by whatever weighs on it",
-        ),
-        (
-            &[GATE, ("switches.csv", "0,0,9,9,gate,-1\n")],
-            "switches.csv:1: column \"weight\": found \"-1\", expected a number above 0 N",
-        ),
-        (
-            &[("doors.csv", "0,0,9,9\n")],
-            "doors.csv:1: column \"name\": found 4 cells in the row, expected 5 to 6: x,y,width,height,name,[material]",
-        ),
-        (
-            &[("doors.csv", "0,0,9,9,2nd gate\n")],
-            "doors.csv:1: column \"name\": found \"2nd gate\", expected a name of letters, digits, - and _ that begins with a letter",
-        ),
-    ];
-    for (files, problem) in cases {
-        assert_eq!(refused(files), [problem]);
-    }
-    let loaded = resultant::level::read("room", &texts(&[GATE])).unwrap();
-    let warnings: Vec<String> = loaded.warnings.iter().map(ToString::to_string).collect();
-    assert_eq!(
-        warnings,
-        ["doors.csv:1: column \"name\": found \"gate\", which no switch works, expected a row of switches.csv that works it"]
-    );
 }
 
 /// A rope that a switch lets go, a winch that a switch works, and a hook that takes hold of a key.
@@ -384,37 +324,4 @@ fn switches_work_links_by_name() {
     ];
     let hashes = all.map(hash);
     assert!((1..all.len()).all(|i| !hashes[..i].contains(&hashes[i])));
-}
-
-#[test]
-fn links_that_cannot_be_are_refused() {
-    let objects = (
-        "objects.csv",
-        "x,y,image,mass,drag,circular,restitution,name\n600,300,box:30x30,10,0,FALSE,0,load\n900,300,box:30x30,10,0,FALSE,0,twin\n300,300,box:30x30,10,0,FALSE,0,twin\n",
-    );
-    for (row, said) in [
-        ("rope,load,lod,,9", "\"b\": found \"lod\", expected ship, the name of an object, or a place x y; is \"load\" meant?"),
-        ("rope,twin,ship,,9", "\"a\": found \"twin\", expected the name of one object; 2 have that one"),
-        ("rope,1 2,3 4,,9", "\"b\": found a second place, expected a body at one end at least"),
-        ("rope,load,load,,9", "\"b\": found the same body as at the other end, expected another body, or a place"),
-        ("rope,load,ship", "\"stiffness\": found nothing, expected a stiffness in N/m"),
-        ("magnet,load,ship", "\"strength\": found nothing, expected a strength in N·m²"),
-        ("magnet,load,ship,,9,,9", "\"stiffness\": found \"9\", expected nothing: a magnet has none"),
-        ("rope,load,ship,,9,,9", "\"strength\": found \"9\", expected nothing: only a magnet has one"),
-        (
-            "rope,load,ship,,1e9",
-            "\"stiffness\": found 1000000000 N/m on 10 kg, all links up to this one, expected at most 100000000 N/m",
-        ),
-        ("magnet,load,ship,,,,1e9", "\"strength\": found "),
-        ("chain,load,ship,,9", "\"kind\": found \"chain\", expected one of spring, rope, magnet"),
-        ("rope,load,1 x,,9", "\"b\": found \"1 x\", expected a number such as 12.5"),
-        ("rope,load,ship,-1,9", "\"length\": found \"-1\", expected a number of 0 or more pixels"),
-    ] {
-        let told = refused(&[objects, ("links.csv", &format!("{row}\n"))]);
-        let start = format!("links.csv:1: column {said}");
-        assert!(told.len() == 1 && told[0].starts_with(&start), "{row}: {told:?}, not {start}");
-    }
-    let ship = objects.1.replace("load", "Ship");
-    let told = refused(&[("objects.csv", &ship)]);
-    assert!(told[0].contains("other than ship"), "{told:?}");
 }

@@ -2,7 +2,7 @@
 
 use super::Memory;
 use resultant::game::{Controls, Game};
-use resultant::level::{self, Level, Problem};
+use resultant::level::{self, Level};
 use std::sync::Arc;
 
 /// 40 m × 30 m, 10 N/kg, no air, a floor of 1 m; the ship (100 kg, 2000 N) stands at the left.
@@ -36,11 +36,6 @@ pub fn kept(text: &'static str) -> Vec<Kept> {
         (seed.parse().unwrap(), ticks.parse().unwrap(), parts.map(|file| file.split_once('\n').unwrap()).collect())
     };
     text.split("=== ").skip(1).map(level).collect()
-}
-
-/// The problems of such a level.
-pub fn refused(files: &[(&'static str, &str)]) -> Vec<String> {
-    level::read("room", &texts(files)).unwrap_err().iter().map(Problem::to_string).collect()
 }
 
 /// Such a level.
