@@ -1,12 +1,13 @@
 //! The lab: its methods against known figures, its scenes against the shipped engine, and `resultant chart`.
 
 use crate::support::program::{Ran, resultant};
+use crate::support::shipped::names;
 use resultant::lab::charts::Charts;
 use resultant::lab::methods::flow::rise_and_fall;
 use resultant::lab::methods::motion::{MotionLaw, MotionStep, PointState, follow, rk4, semi_implicit_euler, strang};
 use resultant::lab::stress::TESTS;
 use resultant::lab::stress::picture::FailurePicture;
-use resultant::lab::{LabScene, reference, scenes};
+use resultant::lab::{LabScene, kept, reference, scenes};
 use resultant::physics::DVec2;
 use std::path::Path;
 
@@ -147,11 +148,18 @@ fn methods_of_first_order_need_thousands_of_steps_a_second() {
     }
 }
 
+/// And each method survives what the table that comes with the game says.
 #[test]
 fn in_every_stress_test_the_shipped_engine_survives_all_that_is_tried() {
+    let kept = kept::charts().unwrap().stress;
     for test in TESTS {
         let test = test();
         let rows = test.rows();
+        let known: Vec<_> = kept.iter().filter(|row| row.test == test.name).collect();
+        assert_eq!(known.len(), rows.len(), "{rows:#?}");
+        for (known, row) in known.into_iter().zip(&rows) {
+            assert!(known.method == row.method && (known.largest - row.largest).abs() <= 2e-3 * row.largest, "{known:?} {row:?}");
+        }
         for row in &rows {
             let picture = test.picture(&row.method, row.largest);
             // A refused command never runs.
@@ -172,13 +180,6 @@ fn in_every_stress_test_the_shipped_engine_survives_all_that_is_tried() {
 fn chart(out: &Path) -> (i32, String, String) {
     let ran = Ran::new(resultant().args(["chart", "--quick", "--out"]).arg(out));
     (ran.status, ran.out, ran.err)
-}
-
-fn files(folder: &Path) -> Vec<String> {
-    let mut names: Vec<String> =
-        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    names
 }
 
 #[test]
@@ -220,7 +221,7 @@ fn chart_writes_diagrams_tables_and_a_summary() {
         assert!(summary.contains(&format!("| {} at ", curve.name)));
     }
     // The output names every file, and no other file is there.
-    assert_eq!(told.lines().count(), files(&out).len());
+    assert_eq!(told.lines().count(), names(&out).len());
     assert!(told.lines().all(|line| Path::new(line).is_file()));
 }
 
@@ -239,5 +240,5 @@ fn chart_says_where_it_cannot_write() {
         assert!(!problem.contains("stress"), "it was measured all the same: {problem}");
     }
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "kept");
-    assert_eq!(files(&occupied), ["pi.svg"]);
+    assert_eq!(names(&occupied), ["pi.svg"]);
 }

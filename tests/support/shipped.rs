@@ -2,7 +2,7 @@
 
 use resultant::game::Replay;
 use resultant::level::{self, Level};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -63,15 +63,24 @@ fn flights_from(root: &Path, name: &str) -> BTreeMap<String, Replay> {
     files.map(|entry| flight(entry.unwrap().path())).collect()
 }
 
+/// The names in a folder, in order.
+pub fn names(folder: &Path) -> Vec<String> {
+    let names = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    names.collect::<BTreeSet<_>>().into_iter().collect()
+}
+
+/// Copies a folder with all below it.
+pub fn copy(from: &Path, to: &Path) {
+    std::fs::create_dir_all(to).unwrap();
+    for entry in std::fs::read_dir(from).unwrap().map(Result::unwrap) {
+        let to = to.join(entry.file_name());
+        if entry.path().is_dir() { copy(&entry.path(), &to) } else { _ = std::fs::copy(entry.path(), to).unwrap() }
+    }
+}
+
 /// Copies a fixture with its flights into another project.
 pub fn copy_fixture(name: &str, root: &Path) {
-    let level = Path::new("levels").join(name);
-    for folder in [level.join("flights"), level] {
-        std::fs::create_dir_all(root.join(&folder)).unwrap();
-        for entry in std::fs::read_dir(fixtures().join(&folder)).unwrap().flatten().filter(|entry| entry.path().is_file()) {
-            std::fs::copy(entry.path(), root.join(&folder).join(entry.file_name())).unwrap();
-        }
-    }
+    copy(&fixtures().join("levels").join(name), &root.join("levels").join(name));
 }
 
 /// A flight of a fixture by its name.

@@ -1,9 +1,9 @@
 //! The details overlay tells the truth: its boxes agree with the world, on every tick.
 
-use super::onlook::{centres, numbers_in, power_of};
+use super::onlook::centres;
 use crate::support::rooms::{area, crate_at, room};
 use resultant::draw::layout::{Frame, Vec2};
-use resultant::game::{Controls, Game, READABLE, SHIP};
+use resultant::game::{Controls, Game, SHIP};
 use resultant::level::Level;
 use resultant::physics::{BodyId, DVec2, ForceKind};
 use resultant::view::camera::{CanvasWindow, Viewport};
@@ -91,68 +91,6 @@ fn in_flight_the_lines_add_up_to_the_resultant_and_are_the_worlds_own_numbers() 
             assert_eq!(vector(&facts, kind.shown()), forces.total(kind), "tick {tick}");
         }
     }
-}
-
-/// The value of a line's text: a vector in brackets with y upwards, in a unit with a prefix; and half of its last digit.
-fn read(row: &FactRow) -> (DVec2, f64) {
-    let text = quantity(row, 9).replace('−', "-");
-    let (numbers, unit) = text.trim_start_matches('(').split_once(')').expect("a bracket closes");
-    let one = power_of(unit.trim().strip_suffix(row.unit).expect("the row's unit"));
-    let (x, y, decimals) = numbers_in(numbers);
-    (DVec2::new(x, -y) * one, 0.5 * one * 0.1f64.powi(decimals) * 2.0_f64.sqrt() + 1e-9)
-}
-
-/// The sum of the lines of one sort as their text has it, and the largest error of rounding.
-fn sum_of(facts: &BodyFacts, sort: impl Fn(ArrowKind) -> bool) -> (DVec2, f64) {
-    let rows = facts.rows.iter().filter(|row| row.shown.is_some_and(&sort)).map(read);
-    rows.fold((DVec2::ZERO, 0.0), |(sum, rounding), (vector, half)| (sum + vector, rounding + half))
-}
-
-/// The forces add up to the resultant, on every tick; and the impacts to the change of momentum, without weight, in the half second in
-/// which they can be read.
-#[test]
-fn the_text_adds_up_with_the_impacts() {
-    let mut level = room();
-    level.gravity = 15.0;
-    (level.player.position, level.player.velocity) = (DVec2::new(40.0, 60.0), DVec2::new(6.0, -3.0));
-    let bouncing = |x: f64, speed: f64, restitution: f64| {
-        let mut object = crate_at(DVec2::new(x, 98.0), DVec2::new(speed, 0.0), None);
-        object.restitution = restitution;
-        object
-    };
-    level.objects = vec![bouncing(60.0, 7.0, 1.0), bouncing(70.0, -9.0, 0.9), bouncing(20.0, 3.0, 1.0), bouncing(80.0, -8.0, 0.6)];
-    let bodies = level.objects.len() + 1;
-    let mut game = game(level);
-    let (dt, window) = (1.0 / game.tick_rate(), (READABLE * game.tick_rate()) as usize + 1);
-    let mut given: Vec<Vec<DVec2>> = vec![Vec::new(); bodies];
-    // The Reaction gives momentum to bodies that lie or slide, too.
-    let mut held = vec![0; bodies];
-    let (mut told, mut most) = (0, 0);
-    for tick in 1..=480 {
-        let before: Vec<DVec2> = game.world().bodies().iter().map(|body| body.velocity).collect();
-        game.step(Controls::default());
-        for (i, given) in given.iter_mut().enumerate() {
-            let (id, body) = (BodyId(i as u32), &game.world().bodies()[i]);
-            given.push((body.velocity - before[i] - DVec2::new(0.0, 15.0 * dt)) * body.mass);
-            let facts = facts(&game, id);
-            let (forces, rounding) = sum_of(&facts, |shown| matches!(shown, ArrowKind::Force(_)));
-            let (resultant, half) = sum_of(&facts, |shown| shown == ArrowKind::Resultant);
-            let off = (forces - resultant).length();
-            assert!(off <= rounding + half, "tick {tick}, {}: {forces} N, not {resultant} N", facts.title);
-            let (impacts, rounding) = sum_of(&facts, |shown| shown == ArrowKind::Impact);
-            if facts.rows.iter().any(|row| row.shown == Some(ArrowKind::Force(ForceKind::Reaction))) {
-                held[i] = tick;
-            }
-            if held[i] > 0 && tick - held[i] < window {
-                continue;
-            }
-            let last: DVec2 = given[given.len().saturating_sub(window)..].iter().sum();
-            assert!((impacts - last).length() <= rounding, "tick {tick}, {}: {impacts} N·s, not {last} N·s", facts.title);
-            let lines = facts.rows.iter().filter(|row| row.shown == Some(ArrowKind::Impact)).count();
-            (told, most) = (told + lines, most.max(lines));
-        }
-    }
-    assert!(told > 500 && most >= 2, "{told} lines, at most {most} in a box");
 }
 
 /// By name, size and source; no longer, and no shorter for a pause.
