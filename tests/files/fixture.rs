@@ -1,5 +1,6 @@
 //! A scores folder of a test's own, and processes that write into it.
 
+use crate::support::shipped::names;
 use resultant::files::SaveError;
 use resultant::scores::{Name, Scores, ScoresError};
 use std::fs;
@@ -58,10 +59,7 @@ impl Fixture {
     }
 
     pub fn names(&self) -> Vec<String> {
-        let names = fs::read_dir(self.folder()).unwrap();
-        let mut names: Vec<_> = names.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-        names.sort();
-        names
+        names(&self.folder())
     }
 }
 
@@ -82,7 +80,7 @@ const ROWS: &str = "RESULTANT_TEST_ROWS";
 /// A worker prints this before each row that is safely written.
 const WRITTEN: &str = "written ";
 
-/// This test program, to be started again with nothing but the ignored test `worker` of that path.
+/// This test program, to be started again with nothing but the test `worker`, which works there by [`in_a_worker`].
 pub struct Worker {
     command: Command,
 }
@@ -97,7 +95,7 @@ impl Worker {
     }
 
     fn of(mut command: Command, worker: &str, folder: &Path, user: &str, rows: u32) -> Self {
-        command.args(["--exact", worker, "--ignored", "--nocapture", "--test-threads=1"]);
+        command.args(["--exact", worker, "--nocapture", "--test-threads=1"]);
         command.env(FOLDER, folder).env(USER, user).env(ROWS, rows.to_string());
         Self { command }
     }
@@ -113,16 +111,18 @@ impl Worker {
     }
 }
 
-/// The body of a worker: writes row after row and confirms each.
-pub fn work(mut write: impl FnMut(&Scores, &str, u32)) {
-    let told = |key| std::env::var(key).expect("started by a test");
-    let (scores, user, rows) = (Scores::new(told(FOLDER)), told(USER), told(ROWS).parse().unwrap());
-    for row in 1..=rows {
+/// In a worker: writes row after row, confirms each, and ends the process.
+pub fn in_a_worker(mut write: impl FnMut(&Scores, &str, u32)) {
+    let told = |key| std::env::var(key).ok();
+    let (Some(folder), Some(user), Some(rows)) = (told(FOLDER), told(USER), told(ROWS)) else { return };
+    let scores = Scores::new(folder);
+    for row in 1..=rows.parse().unwrap() {
         write(&scores, &user, row);
         let mut out = std::io::stdout().lock();
         writeln!(out, "\n{WRITTEN}{row}").unwrap();
         out.flush().unwrap();
     }
+    std::process::exit(0);
 }
 
 pub fn confirmed(worker: &mut Child) -> impl Iterator<Item = u32> + use<> {

@@ -1,6 +1,6 @@
 //! The files of players and of attempts on disk, also when they are damaged, or a process is killed in the middle.
 
-use super::fixture::{Fixture, Worker, kill_within, name, until_its_turn, work};
+use super::fixture::{Fixture, Worker, in_a_worker, kill_within, name, until_its_turn};
 use resultant::game::Medals;
 use resultant::scores::{AttemptRow, Deed, ScoresError};
 use std::fs;
@@ -113,19 +113,14 @@ fn no_board_takes_the_place_of_another_file() {
     assert_eq!(names(&fixture), [""; 0]);
 }
 
-const WORKER: &str = "players::writing_process";
-
-#[test]
-#[ignore = "the body of a worker, which other tests start"]
-fn writing_process() {
-    work(|scores, player, level| {
-        until_its_turn(|| scores.record(&[done(player, &level.to_string(), 1.0)]).map(drop));
-        until_its_turn(|| scores.append(&[attempt(player, &level.to_string())]));
-    });
-}
+const WORKER: &str = "players::a_kill_at_any_moment_loses_nothing_that_was_confirmed";
 
 #[test]
 fn a_kill_at_any_moment_loses_nothing_that_was_confirmed() {
+    in_a_worker(|scores, player, level| {
+        until_its_turn(|| scores.record(&[done(player, &level.to_string(), 1.0)]).map(drop));
+        until_its_turn(|| scores.append(&[attempt(player, &level.to_string())]));
+    });
     const ROUNDS: u64 = 20;
     let fixture = empty();
     for round in 0..ROUNDS {

@@ -1,9 +1,9 @@
 //! Scores on disk: the folder after a save, also when files are damaged, writes fail, many processes save at once, or one is killed in
 //! the middle.
 
-use super::fixture::{Fixture, Worker, confirmed, kill_within, make_read_only, name, until_its_turn, work};
+use super::fixture::{Fixture, Worker, confirmed, in_a_worker, kill_within, make_read_only, name, until_its_turn};
 use resultant::files::{self, SaveError};
-use resultant::scores::{Placement, Scores, ScoresError};
+use resultant::scores::{Placement, ScoresError};
 use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::time::Duration;
@@ -288,19 +288,14 @@ fn a_file_shared_with_a_group_stays_shared() {
     assert!(!given || std::os::unix::fs::MetadataExt::gid(&found) == 12_345);
 }
 
-const WORKER: &str = "scores::saving_process";
-
-#[test]
-#[ignore = "the body of a worker, which other tests start"]
-fn saving_process() {
-    work(|scores: &Scores, prefix, number| {
-        let user = name(&format!("{prefix}-{number}"));
-        until_its_turn(|| scores.save("1", &user, i64::from(number)).map(drop));
-    });
-}
+const WORKER: &str = "scores::processes_that_save_at_once_lose_nothing";
 
 #[test]
 fn processes_that_save_at_once_lose_nothing() {
+    in_a_worker(|scores, prefix, number| {
+        let user = name(&format!("{prefix}-{number}"));
+        until_its_turn(|| scores.save("1", &user, i64::from(number)).map(drop));
+    });
     const PROCESSES: u32 = 6;
     const SAVES: u32 = 25;
     let fixture = Fixture::new();

@@ -1,19 +1,16 @@
 //! `resultant check` and `resultant new`.
 
-use crate::support::shipped::copy_fixture;
+use crate::support::program::{Ran, resultant};
+use crate::support::shipped::{copy_fixture, names};
 use crate::{fixtures, good, lines};
 use resultant::level;
 use resultant::physics::World;
 use std::path::Path;
-use std::process::{Command, Output};
-
-pub fn resultant(data: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_resultant")).args(arguments).arg("--data").arg(data).output().unwrap()
-}
+use std::process::Command;
 
 /// Runs the program: exit status, standard output and standard error.
 pub fn ran(data: &Path, arguments: &[&str]) -> (i32, String, String) {
-    texts(&resultant(data, arguments))
+    texts(resultant().args(arguments).arg("--data").arg(data))
 }
 
 /// A project with these levels, as `new` makes them.
@@ -23,14 +20,14 @@ pub fn project(levels: &[&str]) -> tempfile::TempDir {
     project
 }
 
-pub fn texts(output: &Output) -> (i32, String, String) {
-    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
-    (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
+fn texts(command: &mut Command) -> (i32, String, String) {
+    let Ran { status, out, err } = Ran::new(command);
+    (status, out, err)
 }
 
 #[test]
 fn check_prints_what_a_good_level_holds() {
-    let (code, out, err) = texts(&resultant(&fixtures(), &["check", "good_original"]));
+    let (code, out, err) = ran(&fixtures(), &["check", "good_original"]);
     let lines: Vec<&str> = out.lines().collect();
     let won =
         "good_original: warning: player.csv: found a level that is won after 0.63 s without a key, expected something to do\n";
@@ -45,43 +42,43 @@ fn check_prints_what_a_good_level_holds() {
 
 #[test]
 fn check_prints_problems_and_warnings_on_standard_error() {
-    let (code, out, err) = texts(&resultant(&fixtures(), &["check", "fuel_thrust_negative", "warn_unknown_constant"]));
+    let (code, out, err) = ran(&fixtures(), &["check", "fuel_thrust_negative", "warn_unknown_constant"]);
     assert_eq!(code, 1);
     assert!(out.starts_with("warn_unknown_constant: ok\n"), "{out}");
     let err: Vec<&str> = err.lines().collect();
     assert_eq!(err[0], "fuel_thrust_negative: refused, 2 problems");
     assert_eq!(err[1], r#"player.csv:2: column "fuel": found "-1", expected a number of 0 or more fuel units"#);
     assert!(err[3].starts_with(r#"warn_unknown_constant: warning: constants.csv:4: column "name": "#), "{err:?}");
-    assert_eq!(texts(&resultant(&fixtures(), &["check", "warn_unknown_constant"])).0, 0);
+    assert_eq!(ran(&fixtures(), &["check", "warn_unknown_constant"]).0, 0);
 }
 
 #[test]
 fn check_takes_folders_and_all_levels_and_refuses_what_is_not_there() {
     let folder = fixtures().join("levels/good_touching");
-    let (code, out, _) = texts(&resultant(&fixtures(), &["check", folder.to_str().unwrap()]));
+    let (code, out, _) = ran(&fixtures(), &["check", folder.to_str().unwrap()]);
     assert_eq!((code, out.lines().next()), (0, Some(format!("{}: ok", folder.display()).as_str())));
 
-    let (code, out, err) = texts(&resultant(&fixtures(), &["check"]));
+    let (code, out, err) = ran(&fixtures(), &["check"]);
     assert_eq!(code, 1);
     assert!(out.contains("good_original: ok\n") && err.contains("player_none: refused, 1 problem\n"));
 
-    let (code, out, err) = texts(&resultant(&fixtures(), &["check", "good_original", "nowhere"]));
+    let (code, out, err) = ran(&fixtures(), &["check", "good_original", "nowhere"]);
     assert_eq!((code, out.as_str()), (2, ""), "nothing is checked: {err}");
     assert!(err.contains("nowhere"), "{err}");
-    assert_eq!(texts(&resultant(tempfile::tempdir().unwrap().path(), &["check"])).0, 2);
+    assert_eq!(ran(tempfile::tempdir().unwrap().path(), &["check"]).0, 2);
 }
 
 #[test]
 fn new_makes_a_level_that_loads_and_touches_no_other() {
     let project = tempfile::tempdir().unwrap();
     let folder = project.path().join("levels").join("my-level");
-    let (code, out, err) = texts(&resultant(project.path(), &["new", "my-level"]));
+    let (code, out, err) = ran(project.path(), &["new", "my-level"]);
     assert_eq!((code, out, err.as_str()), (0, format!("{}\n", folder.display()), ""));
     let loaded = level::load(&folder, project.path()).unwrap();
     assert_eq!((loaded.level.title.as_str(), lines(&loaded.warnings)), ("my-level", String::new()));
 
     std::fs::write(folder.join("player.csv"), "mine").unwrap();
-    assert_eq!(texts(&resultant(project.path(), &["new", "my-level"])).0, 2);
+    assert_eq!(ran(project.path(), &["new", "my-level"]).0, 2);
     assert_eq!(std::fs::read_to_string(folder.join("player.csv")).unwrap(), "mine");
     for name in ["../evil", "a/b", "", "."] {
         let (code, out, err) = ran(project.path(), &["new", name]);
@@ -108,7 +105,7 @@ fn check_of_a_place_is_of_the_folder_that_it_is() {
     let project = project(&["tower"]);
     let within = |place: &str, folder: &str| {
         let at = project.path().join(folder);
-        texts(&Command::new(env!("CARGO_BIN_EXE_resultant")).args(["check", place]).current_dir(at).output().unwrap())
+        texts(resultant().args(["check", place]).current_dir(at))
     };
     for (place, folder) in
         [(".", "levels/tower"), ("../tower", "levels/tower"), ("tower", "levels/tower"), ("..", "levels/tower/flights")]
@@ -143,7 +140,7 @@ fn flights_that_no_longer_hold_are_warned_about() {
     edit("constants.csv", "gravity,10", "gravity,10.01");
     let packed = project.path().join("1.zip");
     for arguments in [&["check", "1"][..], &["pack", "1", "--out", packed.to_str().unwrap()]] {
-        let (code, _, err) = texts(&resultant(project.path(), arguments));
+        let (code, _, err) = ran(project.path(), arguments);
         assert_eq!(code, 0, "{err}");
         for flight in ["careful", "gold", "mark"] {
             let told = format!("warning: flights/{flight}.replay.csv: found a flight that no longer holds: departs in second 1: ");
@@ -201,10 +198,10 @@ fn a_thousand_equal_problems_are_summed_up() {
     let project = project(&["tower"]);
     let rows: String = (0..900).map(|i| format!("{i},0,1,1,Cheese\n")).collect();
     std::fs::write(project.path().join("levels/tower/world.csv"), rows).unwrap();
-    let (code, out, err) = texts(&resultant(project.path(), &["check", "tower"]));
+    let (code, out, err) = ran(project.path(), &["check", "tower"]);
     assert_eq!((code, out.as_str(), err.lines().count()), (1, "", 5), "{err}");
     assert!(err.starts_with("tower: refused, 900 problems\n") && err.contains("in 897 more rows, the last in line 900\n"), "{err}");
-    assert_eq!(texts(&resultant(project.path(), &["run", "tower"])).2.lines().count(), 4);
+    assert_eq!(ran(project.path(), &["run", "tower"]).2.lines().count(), 4);
 }
 
 #[test]
@@ -237,13 +234,11 @@ fn new_makes_a_folder_whole_or_not_at_all() {
         assert!(err.contains("cannot make "), "{err}");
     }
     assert_eq!(std::fs::read_dir(levels.join("empty")).unwrap().count(), 0);
-    let mut names: Vec<_> = std::fs::read_dir(&levels).unwrap().map(|entry| entry.unwrap().file_name()).collect();
-    names.sort();
-    assert_eq!(names, ["empty", "file"], "nothing is left of what was begun");
+    assert_eq!(names(&levels), ["empty", "file"], "nothing is left of what was begun");
     // A kill in the middle leaves a hidden folder that is no level.
     std::fs::create_dir(levels.join(".resultant-Ab3dE6gH.new")).unwrap();
     assert_eq!(level::list(&levels), ["empty"]);
-    assert_eq!(texts(&resultant(project.path(), &["new", "whole"])).0, 0);
+    assert_eq!(ran(project.path(), &["new", "whole"]).0, 0);
     assert!(!levels.join(".resultant-Ab3dE6gH.new").exists() || cfg!(windows), "the next one sweeps it away");
     assert_eq!(std::fs::read_dir(levels.join("whole")).unwrap().count(), 14);
 }
@@ -252,7 +247,7 @@ fn new_makes_a_folder_whole_or_not_at_all() {
 fn no_half_folder_is_ever_seen() {
     let project = tempfile::tempdir().unwrap();
     let root = project.path().to_owned();
-    let maker = std::thread::spawn(move || (0..20).all(|i| texts(&resultant(&root, &["new", &format!("l{i}")])).0 == 0));
+    let maker = std::thread::spawn(move || (0..20).all(|i| ran(&root, &["new", &format!("l{i}")]).0 == 0));
     while !maker.is_finished() {
         for name in level::list(&project.path().join("levels")) {
             let files = std::fs::read_dir(project.path().join("levels").join(&name)).unwrap().count();
@@ -279,7 +274,7 @@ fn a_folder_with_the_name_of_another_leaderboard_is_refused_and_a_device_warned_
     let aux = "aux: warning: folder:1: column \"name\": found a level folder named \"aux\", expected another name, as Windows takes \
                that one for a device\n";
     assert!(err.contains(aux), "{err}");
-    let (code, out, err) = texts(&resultant(project.path(), &["run", "Jumper"]));
+    let (code, out, err) = ran(project.path(), &["run", "Jumper"]);
     assert_eq!((code, out.as_str(), err.as_str()), (2, "", jumper));
 }
 
@@ -294,7 +289,7 @@ fn check_leaves_the_terminal_as_it_is() {
     assert_eq!(code, 1);
     assert!(out.starts_with("\\u{1b}[2Jgood\\n1: ok\\r\\u{9b}31m: ok\n"), "{out}");
     assert!(err.contains("\\u{1b}]0;bad\\u{7}: refused, "), "{err}");
-    let (_, _, lost) = texts(&resultant(project.path(), &["check", "\u{1b}[2Jlost"]));
+    let (_, _, lost) = ran(project.path(), &["check", "\u{1b}[2Jlost"]);
     for text in [out, err, lost] {
         assert!(!text.chars().any(|c| c.is_control() && c != '\n'), "{text:?}");
     }

@@ -1,17 +1,13 @@
 //! The classics' screens without a window: the ways to them and back by mouse and keyboard, and their games.
 
-use crate::sitting::Sitting;
+use crate::sitting::{Sitting, keys};
+use crate::support::shipped::{copy, project};
 use resultant::classics::jumper::scene::{JumpKeys, JumperScene};
 use resultant::classics::pi::Blocks;
 use resultant::screens::{Classic, Destination, Input, Jumper, Key, Keys, Noise, Pi, Request, TileRun};
-use std::path::Path;
 
 /// A frame of the screen, s.
 const FRAME: f64 = 1.0 / 60.0;
-
-fn keys(keys: &[Key]) -> Keys {
-    keys.iter().copied().collect()
-}
 
 /// A frame in which these keys are held, the last of them just pressed.
 fn press(held: &[Key]) -> Input {
@@ -26,12 +22,7 @@ fn hold(held: &[Key]) -> Input {
 /// A sitting with the shipped files of the tile run.
 fn sitting() -> Sitting {
     Sitting::with(|root| {
-        let tile_run = root.join("assets/tile_run");
-        std::fs::create_dir_all(&tile_run).unwrap();
-        for name in ["map.txt", "commands.txt"] {
-            let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/tile_run").join(name);
-            std::fs::copy(shipped, tile_run.join(name)).unwrap();
-        }
+        copy(&project().join("assets/tile_run"), &root.join("assets/tile_run"));
     })
 }
 

@@ -110,7 +110,7 @@ fn an_authors_round_trip_by_mouse() {
     assert_eq!(sitting.warning(), None);
 
     assert_eq!(sitting.press(Key::F5).at(), "test flight");
-    assert_eq!(sitting.flight().game().level().movers.len(), 1);
+    assert_eq!(sitting.game().level().movers.len(), 1);
     assert_eq!(level::load(&file(&sitting, ""), sitting.folder.path()).unwrap().level.movers.len(), 0, "nothing is saved yet");
     assert_eq!(sitting.wait(0.3).press(Key::F5).at(), "editor");
     control(&mut sitting, Key::S);
@@ -270,7 +270,7 @@ fn a_ship_and_a_size_are_enough_to_fly() {
     assert_eq!(sitting.at(), "test flight");
     assert!(sitting.shows("Flown as far as it goes. What is left:") && sitting.shows("nowhere.png"));
     assert!(sitting.texts().iter().filter(|(line, _)| line.contains(".csv")).count() >= 5, "{:?}", sitting.texts());
-    let level = sitting.flight().game().level().clone();
+    let level = sitting.game().level().clone();
     assert_eq!((level.objectives.len(), level.objects.len(), level.decoration.len(), level.switches.len()), (0, 0, 0, 1));
     sitting.wait(1.0);
     assert!(sitting.at() == "test flight", "nothing is completed where nothing is asked for");
@@ -295,7 +295,7 @@ fn words_have_a_colour_of_their_own() {
     write_into(&mut sitting, "b", "40");
     assert_eq!(sitting.editor().document().number(row, "b"), Some(40.0));
     sitting.press(Key::F5);
-    assert_eq!(sitting.flight().game().level().texts[0].colour, Some([20, 30, 40]));
+    assert_eq!(sitting.game().level().texts[0].colour, Some([20, 30, 40]));
 }
 
 #[test]
@@ -397,7 +397,7 @@ fn a_copy_is_made_with_a_relative_data_folder() {
 fn editing_that_begins_in_a_pause_ends_in_it() {
     let mut sitting = Sitting::new();
     sitting.fly("2").wait(1.0).press(Key::Escape);
-    let ticks = sitting.flight().game().ticks();
+    let ticks = sitting.ticks();
     let edit = "Edit Level";
     sitting.click(edit).rest();
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2"));
@@ -407,10 +407,10 @@ fn editing_that_begins_in_a_pause_ends_in_it() {
     sitting.press(Key::F5);
     control(&mut sitting, Key::S);
     sitting.press_all(&[Key::Escape, Key::Escape]);
-    assert_eq!((sitting.at(), sitting.flight().game().ticks()), ("pause", ticks));
+    assert_eq!((sitting.at(), sitting.ticks()), ("pause", ticks));
     // It goes on in the level as it was saved.
     sitting.wait(0.5).press(Key::Escape).wait(0.2);
-    assert_eq!((sitting.at(), sitting.flight().game().level().world.len()), ("flight", 1));
+    assert_eq!((sitting.at(), sitting.game().level().world.len()), ("flight", 1));
     // An experiment's copy, too, is made without leaving it.
     let shipped = |root: &std::path::Path| fs::write(root.join("levels/shipped.csv"), "folder\n2\n").unwrap();
     let mut sitting = Sitting::with(shipped);
@@ -420,7 +420,7 @@ fn editing_that_begins_in_a_pause_ends_in_it() {
     sitting.click(edit).press(Key::Enter).rest();
     assert_eq!(sitting.editor().name(), "2-copy");
     assert_eq!(sitting.press(Key::Escape).at(), "pause");
-    assert_eq!(sitting.flight().game().level().name, "2");
+    assert_eq!(sitting.game().level().name, "2");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::sitting::{FAR_AWAY, Sitting, enter, level};
 use resultant::game::Outcome;
-use resultant::screens::{Input, Key, Keys, Spectator};
+use resultant::screens::{Input, Key, Spectator};
 use std::fs;
 use std::path::Path;
 
@@ -17,7 +17,7 @@ fn the_pause_panel_does_what_it_says_by_mouse_and_by_keyboard() {
     ] {
         let mut sitting = Sitting::new();
         assert_eq!(sitting.fly("2").wait(0.5).press(Key::Escape).at(), "pause");
-        let ticks = sitting.flight().game().ticks();
+        let ticks = sitting.ticks();
         assert!(ticks > 50);
         assert_eq!(sitting.wait(0.5).flight().game().ticks(), ticks, "time stands still");
         assert_eq!(sitting.click(button).at(), screen);
@@ -25,9 +25,9 @@ fn the_pause_panel_does_what_it_says_by_mouse_and_by_keyboard() {
         let mut sitting = Sitting::new();
         assert_eq!(sitting.fly("2").wait(0.5).press(Key::Escape).choose(button).at(), screen);
         if button == "Resume" {
-            assert!(sitting.flight().game().ticks() >= ticks, "resumed");
+            assert!(sitting.ticks() >= ticks, "resumed");
         } else if button == "Restart" {
-            assert!(sitting.flight().game().ticks() < 10, "restarted");
+            assert!(sitting.ticks() < 10, "restarted");
         }
     }
     assert_eq!(Sitting::new().fly("2").press(Key::Escape).press(Key::Escape).at(), "flight", "Esc resumes");
@@ -41,7 +41,7 @@ fn keys_of_the_game_act_once_a_press() {
     assert_eq!(overlays(sitting.press(Key::Tab)), (true, false));
     assert_eq!(overlays(sitting.press(Key::F3)), (true, true));
     sitting.wait(0.5).press(Key::R);
-    assert!(sitting.flight().game().ticks() < 10, "restarted");
+    assert!(sitting.ticks() < 10, "restarted");
     assert_eq!(overlays(&sitting), (true, true), "a restart keeps the overlays");
     assert_eq!(overlays(sitting.press(Key::Escape).press(Key::Tab)), (false, true), "also while paused");
 }
@@ -50,12 +50,12 @@ fn keys_of_the_game_act_once_a_press() {
 fn a_press_shorter_than_a_frame_reaches_the_ship_once() {
     let mut sitting = Sitting::new();
     sitting.fly("2");
-    let full = sitting.flight().game().ship().fuel;
+    let full = sitting.game().ship().fuel;
     // Frames without a tick first: the press waits for one.
     sitting.give(Input { pressed: [Key::Space].into_iter().collect(), frame_time: 1e-9, ..Input::default() });
-    assert_eq!(sitting.flight().game().ship().fuel, full);
+    assert_eq!(sitting.game().ship().fuel, full);
     sitting.rest();
-    let after_one = sitting.flight().game().ship().fuel;
+    let after_one = sitting.game().ship().fuel;
     assert!(after_one < full, "the press was lost");
     assert_eq!(sitting.wait(0.2).flight().game().ship().fuel, after_one, "the press was repeated");
 }
@@ -69,8 +69,8 @@ fn the_keys_are_those_of_the_controls() {
     }
     for (key, burning) in [(Key::Space, 1), (Key::S, -1)] {
         let mut sitting = Sitting::new();
-        sitting.fly("2").give(Input { held: [key].into_iter().collect(), ..Input::default() });
-        assert_eq!(sitting.flight().game().ship().burning, burning, "{key:?}");
+        sitting.fly("2").hold(&[key], 1);
+        assert_eq!(sitting.game().ship().burning, burning, "{key:?}");
     }
 }
 
@@ -119,7 +119,7 @@ fn from_death_to_flying_again_it_is_one_key_also_on_the_screen_that_follows() {
     let mut sitting = Sitting::new();
     sitting.fly("3").wait(0.1);
     assert_eq!(sitting.press(Key::R).at(), "flight");
-    assert!(sitting.flight().game().ticks() <= 2, "a fresh attempt at once");
+    assert!(sitting.ticks() <= 2, "a fresh attempt at once");
     sitting.press(Key::Enter);
     assert_eq!(sitting.at(), "scoring");
     assert!(sitting.shows("Touched a red box"), "{:?}", sitting.texts());
@@ -136,22 +136,14 @@ fn with_red_above(root: &Path) {
 fn after_a_death_the_level_flies_within_half_a_second_and_keys_that_are_held_wait() {
     let mut sitting = Sitting::with(with_red_above);
     sitting.fly("2");
-    let hold = |sitting: &mut Sitting| {
-        sitting.give(Input { held: [Key::Space].into_iter().collect(), ..Input::default() });
-    };
-    let lost = |sitting: &Sitting| sitting.flight().game().outcome() == Outcome::Failed;
-    for _ in 0..120 {
-        if !lost(&sitting) {
-            hold(&mut sitting);
-        }
-    }
-    assert!(lost(&sitting));
+    let lost = |sitting: &Sitting| sitting.game().outcome() == Outcome::Failed;
+    sitting.hold_until(&[Key::Space], lost);
     let frames = (1..=60).find(|_| {
-        hold(&mut sitting);
-        !lost(&sitting) && sitting.flight().game().ticks() > 0
+        sitting.hold(&[Key::Space], 1);
+        !lost(&sitting) && sitting.ticks() > 0
     });
     assert!(frames.is_some_and(|frames| frames < 30), "flies again after {frames:?} frames of 1/60 s");
-    assert_eq!(sitting.flight().game().ship().burning, 0, "thrust is held from before");
+    assert_eq!(sitting.game().ship().burning, 0, "thrust is held from before");
     assert!(sitting.flight().lost().is_some_and(|death| death.contains("Touched a red box")), "{:?}", sitting.flight().lost());
     // The details of the attempt are one key away, with its own figures and flight.
     sitting.press(Key::Enter);
@@ -160,7 +152,7 @@ fn after_a_death_the_level_flies_within_half_a_second_and_keys_that_are_held_wai
     assert!(sitting.scoring().result().time > 0.2 && sitting.shows("Touched a red box"));
     assert_eq!(sitting.scores_file("attempts.csv").lines().filter(|line| line.contains(",failed,")).count(), 1);
     sitting.wait(0.5).choose("Flights").choose("Watch").wait(0.2);
-    assert_eq!(sitting.flight().game().level().name, "2");
+    assert_eq!(sitting.game().level().name, "2");
     assert!(sitting.flight().history().ticks() > 24, "{}", sitting.flight().history().ticks());
 }
 
@@ -168,34 +160,19 @@ fn after_a_death_the_level_flies_within_half_a_second_and_keys_that_are_held_wai
 fn what_is_told_of_a_death_goes_by_itself_and_enter_flies_on_then() {
     let mut sitting = Sitting::with(with_red_above);
     sitting.fly("2");
-    for _ in 0..90 {
-        sitting.give(Input { held: [Key::Space].into_iter().collect(), ..Input::default() });
-        if sitting.flight().lost().is_some() {
-            break;
-        }
-    }
-    assert!(sitting.flight().lost().is_some());
+    sitting.hold_until(&[Key::Space], |sitting| sitting.flight().lost().is_some());
     assert!(sitting.wait(6.0).flight().lost().is_none());
     assert_eq!(sitting.press(Key::Enter).at(), "flight");
 }
 
 #[test]
 fn keys_of_the_flight_move_nothing_on_the_page_that_follows() {
-    let steer = |sitting: &mut Sitting, pressed: bool| {
-        let left = [Key::Left].into_iter().collect();
-        let none = Keys::default();
-        sitting.give(Input { held: left, pressed: if pressed { left } else { none }, ..Input::default() });
-    };
+    let left = &[Key::Left];
     let mut sitting = Sitting::new();
-    sitting.fly("1");
-    while sitting.at() == "flight" {
-        steer(&mut sitting, false);
-    }
+    sitting.fly("1").hold_until(left, |sitting| sitting.at() != "flight");
     let focus = sitting.focused().to_owned();
     // Pressed once more, and held for longer than the page has a guard: it is the hand of the flight still.
-    steer(&mut sitting, true);
-    (0..60).for_each(|_| steer(&mut sitting, false));
-    steer(&mut sitting, true);
+    sitting.press_keys(left, left).hold(left, 60).press_keys(left, left);
     assert_eq!(sitting.focused(), focus);
     sitting.rest().press(Key::Left);
     assert_ne!(sitting.focused(), focus, "once it was let go, it chooses");
@@ -223,39 +200,29 @@ fn the_pause_panel_gives_a_level_s_hints_one_at_a_time_after_three_losses() {
     assert!(sitting.shows("The pad is to the left."), "what was given stays readable");
 }
 
-fn keys(keys: &[Key]) -> Input {
-    Input { held: keys.iter().copied().collect(), ..Input::default() }
-}
-
-fn hold(sitting: &mut Sitting, key: Key, seconds: f64) {
-    for _ in 0..(seconds * 60.0) as u32 {
-        sitting.give(keys(&[key]));
-    }
-}
-
 #[test]
 fn backspace_flies_backwards_and_the_flight_goes_on_from_there_as_practice() {
     for rewinds in [Key::Backspace, Key::PadL1] {
         let mut sitting = Sitting::new();
         sitting.fly("2");
-        hold(&mut sitting, Key::Space, 0.5);
-        let early = (sitting.flight().game().ticks(), sitting.flight().history().clone());
-        hold(&mut sitting, Key::Right, 0.5);
+        sitting.hold(&[Key::Space], 30);
+        let early = (sitting.ticks(), sitting.flight().history().clone());
+        sitting.hold(&[Key::Right], 30);
         assert!(!sitting.flight().is_assisted());
-        let late = sitting.flight().game().ticks();
-        hold(&mut sitting, rewinds, 0.25);
+        let late = sitting.ticks();
+        sitting.hold(&[rewinds], 15);
         assert!(sitting.shows("Rewinding"), "{:?}", sitting.texts());
-        let back = sitting.flight().game().ticks();
+        let back = sitting.ticks();
         assert!(back < late - 20, "{back} of {late}");
-        hold(&mut sitting, rewinds, 0.3);
-        let now = sitting.flight().game().ticks();
+        sitting.hold(&[rewinds], 18);
+        let now = sitting.ticks();
         assert!(now < back);
-        assert_eq!(sitting.flight().game().hash(), early.1.at(now.min(early.0)).hash(), "the state is the one that was flown");
+        assert_eq!(sitting.game().hash(), early.1.at(now.min(early.0)).hash(), "the state is the one that was flown");
         sitting.wait(0.2);
-        assert!(sitting.flight().game().ticks() > now && sitting.flight().history().ticks() == sitting.flight().game().ticks());
+        assert!(sitting.ticks() > now && sitting.flight().history().ticks() == sitting.ticks());
         assert!(sitting.flight().is_assisted() && sitting.shows("Practice"), "{:?}", sitting.texts());
-        hold(&mut sitting, rewinds, 3.0);
-        assert_eq!(sitting.flight().game().ticks(), 0, "up to its start");
+        sitting.hold(&[rewinds], 180);
+        assert_eq!(sitting.ticks(), 0, "up to its start");
         sitting.press(Key::R).wait(0.1);
         assert!(!sitting.flight().is_assisted() && !sitting.shows("Practice"), "a fresh flight counts");
     }
@@ -268,7 +235,7 @@ fn a_rewound_flight_is_done_with_help_and_cannot_be_saved() {
         fs::write(root.join("levels/1/world.csv"), "x,y,width,height\n0,325.5,800,20\n").unwrap();
     });
     sitting.fly("1").wait(0.5);
-    hold(&mut sitting, Key::Backspace, 0.2);
+    sitting.hold(&[Key::Backspace], 12);
     sitting.wait(3.5);
     assert_eq!(sitting.at(), "scoring");
     assert!(sitting.shows("with help") && !sitting.labels().contains(&"Save Score"), "{:?}", sitting.texts());
@@ -278,19 +245,13 @@ fn a_rewound_flight_is_done_with_help_and_cannot_be_saved() {
 fn backspace_takes_back_a_loss() {
     let mut sitting = Sitting::with(with_red_above);
     sitting.fly("2");
-    let lost = |sitting: &Sitting| sitting.flight().game().outcome() == Outcome::Failed;
-    for _ in 0..600 {
-        sitting.give(keys(&[Key::Space]));
-        if lost(&sitting) {
-            break;
-        }
-    }
-    assert!(lost(&sitting));
-    let end = sitting.flight().game().ticks();
+    let lost = |sitting: &Sitting| sitting.game().outcome() == Outcome::Failed;
+    sitting.hold_until(&[Key::Space], lost);
+    let end = sitting.ticks();
     sitting.wait(0.5);
-    assert!(sitting.flight().game().ticks() < end && !lost(&sitting), "the level is back");
-    hold(&mut sitting, Key::Backspace, 0.1);
-    let ticks = sitting.flight().game().ticks();
+    assert!(sitting.ticks() < end && !lost(&sitting), "the level is back");
+    sitting.hold(&[Key::Backspace], 6);
+    let ticks = sitting.ticks();
     assert!(ticks < end && ticks + 40 > end, "{ticks} of {end}");
     assert_eq!(sitting.wait(0.05).flight().game().outcome(), Outcome::Running);
 }
@@ -299,7 +260,7 @@ fn backspace_takes_back_a_loss() {
 fn m_shows_the_whole_level_while_it_is_held() {
     let mut sitting = Sitting::new();
     sitting.fly("2");
-    hold(&mut sitting, Key::M, 0.1);
+    sitting.hold(&[Key::M], 6);
     assert!(sitting.scene().overlays.map);
     assert!(!sitting.rest().scene().overlays.map);
 }
@@ -310,13 +271,13 @@ fn a_goal_that_is_met_slows_the_picture_down_and_changes_no_tick() {
     let mut sitting = Sitting::with(|root| level(root, "2", in_turn, ""));
     sitting.fly("2").rest();
     assert!(sitting.scene().speed < 1.0);
-    let begun = sitting.flight().game().ticks();
+    let begun = sitting.ticks();
     sitting.wait(0.3);
-    let slow = sitting.flight().game().ticks() - begun;
+    let slow = sitting.ticks() - begun;
     assert!((8..24).contains(&slow), "{slow} ticks in 0.3 s");
     sitting.wait(0.5);
     assert_eq!(sitting.scene().speed, 1.0);
-    let (game, history) = (sitting.flight().game(), sitting.flight().history());
+    let (game, history) = (sitting.game(), sitting.flight().history());
     let mut again = resultant::game::Game::new(game.shared_level().clone()).unwrap();
     history.inputs().after(0).for_each(|controls| again.step(controls));
     assert_eq!(again.hash(), game.hash());

@@ -20,24 +20,8 @@ fn sitting() -> Sitting {
 
 /// Flies "up" to its end and waits for the score, until its keys count. Two keys that cancel each other start the clock; after the delay, in
 /// frames, the ship thrusts.
-fn fly_up(sitting: &mut Sitting, delay: u32) {
-    for _ in 0..delay {
-        sitting.give(Input { held: [Key::Left, Key::Right].into_iter().collect(), ..Input::default() });
-    }
-    for _ in 0..600 {
-        let held = [Key::Space].into_iter().collect();
-        sitting.give(Input { held, ..Input::default() });
-        if sitting.at() != "flight" {
-            sitting.wait(0.5);
-            return;
-        }
-    }
-    panic!("it was not completed");
-}
-
-/// The tick on the screen.
-fn tick(sitting: &Sitting) -> u64 {
-    sitting.flight().game().ticks()
+fn fly_up(sitting: &mut Sitting, delay: usize) {
+    sitting.hold(&[Key::Left, Key::Right], delay).hold_until(&[Key::Space], |sitting| sitting.at() != "flight").wait(0.5);
 }
 
 /// Whether a flight that is watched stands still.
@@ -46,7 +30,7 @@ fn stands(sitting: &Sitting) -> bool {
 }
 
 /// From the menu over a flight of "up" to the board on which it is saved.
-fn save_as(sitting: &mut Sitting, name: &str, delay: u32) {
+fn save_as(sitting: &mut Sitting, name: &str, delay: usize) {
     sitting.fly("0");
     fly_up(sitting, delay);
     sitting.choose("Save Score");
@@ -63,20 +47,20 @@ fn a_flight_is_watched_from_its_score_bit_for_bit() {
     fly_up(&mut sitting, 0);
     assert_eq!(sitting.at(), "scoring");
     sitting.choose("Flights").choose("Watch");
-    assert_eq!((sitting.at(), tick(&sitting)), ("watch", 0));
+    assert_eq!((sitting.at(), sitting.ticks()), ("watch", 0));
     sitting.wait(3.0);
-    assert!(stands(&sitting) && sitting.flight().game().outcome() == Outcome::Completed);
-    let (known, end) = (sitting.flight().history().ticks(), sitting.flight().game().hash());
-    assert_eq!(tick(&sitting), known);
+    assert!(stands(&sitting) && sitting.game().outcome() == Outcome::Completed);
+    let (known, end) = (sitting.flight().history().ticks(), sitting.game().hash());
+    assert_eq!(sitting.ticks(), known);
     // A step back and on leads to the same bits.
     sitting.press_all(&[Key::Left, Key::Left]);
-    assert_eq!(tick(&sitting), known - 2);
+    assert_eq!(sitting.ticks(), known - 2);
     sitting.press_all(&[Key::Right, Key::Right]);
-    assert_eq!((tick(&sitting), sitting.flight().game().hash()), (known, end));
+    assert_eq!((sitting.ticks(), sitting.game().hash()), (known, end));
     sitting.press(Key::Home);
-    assert_eq!(tick(&sitting), 0);
+    assert_eq!(sitting.ticks(), 0);
     sitting.press(Key::PageDown);
-    assert_eq!(tick(&sitting), 120.min(known));
+    assert_eq!(sitting.ticks(), 120.min(known));
     sitting.press(Key::Escape);
     assert_eq!(sitting.at(), "flights");
     assert_eq!(sitting.press(Key::Escape).at(), "scoring");
@@ -113,15 +97,15 @@ fn what_is_watched_is_slowed_down_hurried_and_dragged() {
     fly_up(&mut sitting, 60);
     sitting.choose("Flights").choose("Watch").press_all(&[Key::Down, Key::Down, Key::Down]);
     assert_eq!(sitting.flight().observer().pace(), 0.125);
-    let from = tick(&sitting);
+    let from = sitting.ticks();
     sitting.wait(1.0);
-    assert!((14..=16).contains(&(tick(&sitting) - from)), "an eighth of 120 ticks");
+    assert!((14..=16).contains(&(sitting.ticks() - from)), "an eighth of 120 ticks");
     sitting.press_all(&[Key::Up; 9]);
     assert_eq!(sitting.flight().observer().pace(), 8.0);
     sitting.press(Key::Home);
-    let from = tick(&sitting);
+    let from = sitting.ticks();
     sitting.wait(0.1);
-    assert!((90..=120).contains(&(tick(&sitting) - from)), "eight times 12 ticks");
+    assert!((90..=120).contains(&(sitting.ticks() - from)), "eight times 12 ticks");
     sitting.press(Key::Space);
     assert!(stands(&sitting));
     // The pointer takes the line of time to its middle, and to either end.
@@ -133,7 +117,7 @@ fn what_is_watched_is_slowed_down_hurried_and_dragged() {
             sitting.give(hold(true));
         }
         sitting.give(hold(false));
-        assert!(tick(&sitting).abs_diff(wanted) <= 1, "{part}: {}", tick(&sitting));
+        assert!(sitting.ticks().abs_diff(wanted) <= 1, "{part}: {}", sitting.ticks());
     }
     assert!(stands(&sitting), "letting go changes nothing of that");
     // By mouse: Play, and Back.
@@ -240,28 +224,23 @@ fn one_or_several_are_raced_and_the_gaps_are_right() {
     let ann = Replay::parse("ann", &sitting.scores_file(&format!("flights/0/{file}"))).unwrap().time;
     // The start of the race is that of the ghost, which waits there for the clock, however long no key is pressed.
     sitting.wait(1.0);
-    let start = sitting.flight().game().level().player.position;
-    let ghost = sitting.flight().race().unwrap().ghosts(sitting.flight().game(), 1.0).next().unwrap().1;
+    let start = sitting.game().level().player.position;
+    let ghost = sitting.flight().race().unwrap().ghosts(sitting.game(), 1.0).next().unwrap().1;
     assert_eq!(ghost.centre, start);
-    for _ in 0..600 {
-        sitting.give(Input { held: [Key::Space].into_iter().collect(), ..Input::default() });
-        if sitting.flight().game().outcome() == Outcome::Completed {
-            break;
-        }
-    }
+    sitting.hold_until(&[Key::Space], |sitting| sitting.game().outcome() == Outcome::Completed);
     let race = sitting.flight().race().unwrap();
     let split = race.splits()[0];
-    assert_eq!(split, Split { objective: 0, tick: sitting.flight().game().ticks_on_clock() });
+    assert_eq!(split, Split { objective: 0, tick: sitting.game().ticks_on_clock() });
     sitting.rest();
     let race = sitting.flight().race().unwrap();
     let Gap::Seconds(gap) = race.gap(&race.all()[0], split) else { panic!("{:?}", race.gap(&race.all()[0], split)) };
     // In the hundredths in which both times are shown, however long each has waited for its first key.
     let shown = |time: f64| hundredths(time) as f64;
-    let apart = (shown(sitting.flight().game().time()) - shown(ann)) / 100.0;
+    let apart = (shown(sitting.game().time()) - shown(ann)) / 100.0;
     assert!((gap - apart).abs() < 1e-12, "{gap} s, not {apart} s behind a flight of {ann} s");
     assert!(gap < -0.4 && race.gap(&race.all()[0], split).words().starts_with('−'));
     // On the way to the goal the lead was that of the places: here those of the goal.
-    let lead = race.lead(&race.all()[0], sitting.flight().game());
+    let lead = race.lead(&race.all()[0], sitting.game());
     assert!(matches!(lead, Some(Gap::Seconds(lead)) if (lead - gap).abs() < 0.2), "{lead:?} and {gap} s");
     // The score leads to the same race again.
     sitting.wait(2.0);
@@ -366,7 +345,7 @@ fn a_lost_flight_can_be_watched_and_one_with_help_is_not_recorded() {
     let mut sitting = Sitting::new();
     sitting.lose();
     sitting.choose("Flights").choose("Watch").wait(0.2);
-    assert_eq!(sitting.flight().game().outcome(), Outcome::Failed);
+    assert_eq!(sitting.game().outcome(), Outcome::Failed);
 
     let mut sitting = Sitting::with(|root| {
         level(root, "4", HERE, "");
@@ -389,7 +368,7 @@ fn a_gamepad_reaches_all_of_it() {
     sitting.press_all(&[Key::PadA, Key::PadRight, Key::PadRight, Key::PadUp, Key::PadX]);
     assert!(stands(&sitting) && sitting.scene().overlays.details && sitting.flight().observer().pace() == 2.0);
     sitting.press_all(&[Key::PadY, Key::PadR1]);
-    assert_eq!(tick(&sitting), 120.min(sitting.flight().history().ticks()));
+    assert_eq!(sitting.ticks(), 120.min(sitting.flight().history().ticks()));
     assert_eq!(sitting.press(Key::PadB).at(), "flights");
     assert_eq!(sitting.press_all(&[Key::PadRight, Key::PadA]).at(), "flight");
 }
@@ -415,7 +394,7 @@ fn a_level_that_is_dropped_on_the_window_is_installed_and_chosen() {
     assert_eq!(sitting.at(), "problems");
     assert_eq!(sitting.line("Installed"), "Installed: tower");
     sitting.press(Key::Enter).press(Key::Enter);
-    assert_eq!((sitting.at(), sitting.flight().game().level().name.as_str()), ("flight", "tower"));
+    assert_eq!((sitting.at(), sitting.game().level().name.as_str()), ("flight", "tower"));
     drop(&mut sitting, &second);
     assert_eq!(sitting.at(), "flight", "nobody who flies is interrupted");
     sitting.wait(1.5).press(Key::Escape);

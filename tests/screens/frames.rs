@@ -5,6 +5,7 @@
 //! acts from that frame's end on. So flights agree if their frames all end at the instants at which keys change, here every [`SLOT`].
 //! In between they differ: a frame of 24 a second is five ticks, and a key that changes within acts at its end.
 
+use crate::sitting::keys;
 use crate::support::hashes::assert_golden;
 use crate::support::rooms::{area, crate_at, yard};
 use rand::{RngExt, SeedableRng};
@@ -113,10 +114,6 @@ fn fly(level: &Level, script: &Script, frames: Frames<'_>) -> Game {
     }
     assert_eq!(screening.flight.game().ticks(), TICKS * script.len() as u64, "the same time is the same ticks");
     screening.flight.game().clone()
-}
-
-fn keys(keys: &[Key]) -> Keys {
-    keys.iter().copied().collect()
 }
 
 /// The same tick by tick, without a screen, a clock and frames.

@@ -59,10 +59,6 @@ fn fly_for(sitting: &mut Sitting, frames: u32) {
     sitting.press(Key::B).rest();
 }
 
-fn ticks(sitting: &Sitting) -> u64 {
-    sitting.flight().game().ticks()
-}
-
 #[test]
 fn the_ruler_is_laid_taken_again_and_bound_to_bodies() {
     let mut sitting = measuring(&[Instrument::Ruler]);
@@ -75,7 +71,7 @@ fn the_ruler_is_laid_taken_again_and_bound_to_bodies() {
         to(sitting, towards, false, true);
         to(sitting, towards, false, false);
     };
-    let read = |sitting: &Sitting| sitting.flight().instruments().measures().ruler().reading(sitting.flight().game().world());
+    let read = |sitting: &Sitting| sitting.flight().instruments().measures().ruler().reading(sitting.game().world());
     assert_eq!(read(&sitting), None);
     drag(&mut sitting, (2.0, 30.0), (5.0, 26.0));
     let reading = read(&sitting).unwrap();
@@ -83,13 +79,13 @@ fn the_ruler_is_laid_taken_again_and_bound_to_bodies() {
     drag(&mut sitting, (5.1, 26.2), (2.0, 18.0));
     assert_eq!(read(&sitting).unwrap().parts, DVec2::new(0.0, 12.0), "its end was taken");
     // An end on the ship goes with the ship, at its lower edge.
-    let ship = sitting.flight().game().world().bodies()[0].clone();
+    let ship = sitting.game().world().bodies()[0].clone();
     let (half, ship) = (ship.half.y, ship.position);
     drag(&mut sitting, (2.0, 18.0), (ship.x + 0.2, ship.y - 0.1));
     let before = read(&sitting).unwrap().parts;
     assert_eq!(before, DVec2::new(ship.x - 2.0, 30.0 - (ship.y + half)));
     fly_for(&mut sitting, 20);
-    let fallen = sitting.flight().game().world().bodies()[0].position.y - ship.y;
+    let fallen = sitting.game().world().bodies()[0].position.y - ship.y;
     assert!(fallen > 0.2);
     assert!((before.y - read(&sitting).unwrap().parts.y - fallen).abs() < 1e-12);
     // A click without a drag moves no ruler, and is the flight's.
@@ -117,7 +113,7 @@ fn the_table_obeys_the_law_of_work_and_energy_as_it_is_written() {
         table.lines.iter().find(|line| line.name == name).unwrap_or_else(|| panic!("{name}: {table:?}")).values.clone()
     };
     let (start, ship) =
-        (sitting.flight().history().start().world().bodies()[0].position, sitting.flight().game().world().bodies()[0].clone());
+        (sitting.flight().history().start().world().bodies()[0].position, sitting.game().world().bodies()[0].clone());
     let fallen = ship.position.y - start.y;
     let told = |sitting: &Sitting, name: &str, value: f64, unit: &str| {
         let [written] = &text(sitting, name)[..] else { panic!("{name}: one column") };
@@ -140,7 +136,7 @@ fn the_table_obeys_the_law_of_work_and_energy_as_it_is_written() {
     sitting.click("From now");
     assert_eq!(text(&sitting, "= kinetic gained"), ["0 J"]);
     sitting.press(Key::Comma);
-    let back = ship.position.y - sitting.flight().game().world().bodies()[0].position.y;
+    let back = ship.position.y - sitting.game().world().bodies()[0].position.y;
     told(&sitting, "Weight", -1000.0 * back, "J");
     sitting.click("From start");
     told(&sitting, "Weight", 1000.0 * (fallen - back), "J");
@@ -152,7 +148,7 @@ fn trails_are_right_at_every_moment_gone_to() {
     fly_for(&mut sitting, 40);
     for key in [Key::Comma, Key::Comma, Key::Period] {
         sitting.press(key);
-        let (flight, now) = (sitting.flight(), ticks(&sitting));
+        let (flight, now) = (sitting.flight(), sitting.ticks());
         let dots: Vec<_> = flight.instruments().measures().trail().dots(now, 120.0).collect();
         assert_eq!(dots.len() as u64, now / 12 + 1);
         for dots in dots {
@@ -197,13 +193,13 @@ fn energy_bars_count_what_a_bounce_loses_and_their_zero_moves() {
     let whole = 2.0 * 9.81 * 10.0;
     let lost = (1.0 - 0.81) * whole;
     assert!((at_first[2].1 - lost).abs() < 1e-9 * whole, "{at_first:?} for {lost} J");
-    let level = sitting.flight().game().level().clone();
+    let level = sitting.game().level().clone();
     let sum = at_first.iter().map(|(_, value)| value).sum::<f64>();
     let began = sitting.flight().history().start().world().bodies()[1].position.y;
     assert!((sum - 2.0 * 9.81 * (level.size.y - began)).abs() < 1e-9 * sum, "all that there was in the beginning");
     // Zero where the ball is now.
     sitting.click("Zero here").rest();
-    let ball = sitting.flight().game().world().bodies()[1].clone();
+    let ball = sitting.game().world().bodies()[1].clone();
     let here = bars(&sitting);
     assert!(here[1].1.abs() < 1e-9 && here[0] == at_first[0] && here[2] == at_first[2], "{here:?}");
     assert!(sitting.shows("above the bottom"));

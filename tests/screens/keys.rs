@@ -1,13 +1,9 @@
 //! Which keys count in a flight and when; keys of other layouts than that of the tests.
 
-use crate::sitting::{FAR_AWAY, Sitting, level};
+use crate::sitting::{FAR_AWAY, Sitting, keys, level};
 use resultant::screens::{Input, Key, Keys};
 use resultant::settings::{Action, layout};
 use std::fs;
-
-fn keys(keys: &[Key]) -> Keys {
-    keys.iter().copied().collect()
-}
 
 /// A key of another layout: where it is, and what it types.
 fn foreign(place: Key, typed: Key) -> Keys {
@@ -18,16 +14,6 @@ fn foreign(place: Key, typed: Key) -> Keys {
 }
 
 impl Sitting {
-    fn press_keys(&mut self, pressed: &[Key], held: &[Key]) -> &mut Self {
-        self.give(Input { pressed: keys(pressed), held: keys(held), ..Input::default() })
-    }
-
-    /// Frames with these keys down.
-    fn hold(&mut self, held: &[Key], frames: usize) -> &mut Self {
-        (0..frames).for_each(|_| _ = self.press_keys(&[], held));
-        self
-    }
-
     fn burning(&self) -> i8 {
         self.flight().game().ship().burning
     }
@@ -52,12 +38,7 @@ fn a_key_that_is_held_at_a_loss_flies_the_next_attempt_once_it_was_released() {
     let mut sitting = Sitting::with(|root| level(root, "0", FAR_AWAY, "300,200,200,20\n300,400,200,20\n"));
     sitting.fly("0").press_keys(&[Key::Space], &[Key::Space]);
     let losses = |sitting: &Sitting| sitting.flight().lost().is_some();
-    for _ in 0..600 {
-        if losses(sitting.hold(&[Key::Space], 1)) {
-            break;
-        }
-    }
-    assert!(losses(&sitting), "the ship is lost");
+    sitting.hold_until(&[Key::Space], losses);
     sitting.hold(&[Key::Space], 30);
     assert!(!sitting.has_begun() && sitting.burning() == 0 && losses(&sitting), "the next attempt waits, and the notice is there");
     sitting.rest().press_keys(&[Key::Space], &[Key::Space]).hold(&[Key::Space], 3);
@@ -112,13 +93,13 @@ fn zooming_burns_no_fuel_and_starts_no_clock() {
         if begun {
             sitting.press_keys(&[Key::Left], &[Key::Left]).rest();
         }
-        let fuel = sitting.flight().game().ship().fuel;
+        let fuel = sitting.game().ship().fuel;
         sitting.press_keys(&[Key::Shift], &[Key::Shift]).hold(&[Key::Shift], frames);
         for _ in 0..2 {
             sitting.press_keys(&[Key::Equal], &[Key::Shift, Key::Equal]).hold(&[Key::Shift], 30);
         }
         sitting.wait(1.0);
-        assert_eq!(sitting.flight().game().ship().fuel, fuel, "Shift {frames} frames before +");
+        assert_eq!(sitting.game().ship().fuel, fuel, "Shift {frames} frames before +");
         assert_eq!(sitting.has_begun(), begun);
         assert!(sitting.flight().observer().focus().zoom() > 1.9);
     }
@@ -133,7 +114,7 @@ fn zooming_burns_no_fuel_and_starts_no_clock() {
 fn what_is_taken_back_was_never_flown() {
     let mut sitting = flying();
     sitting.press_keys(&[Key::Space], &[Key::Space]).hold(&[Key::Space], 30);
-    let before = sitting.flight().game().ticks();
+    let before = sitting.ticks();
     sitting.press_keys(&[Key::Shift], &[Key::Shift]).hold(&[Key::Shift], 12);
     assert_eq!(sitting.burning(), -1);
     sitting.press_keys(&[Key::Equal], &[Key::Shift, Key::Equal]).rest();
@@ -141,7 +122,7 @@ fn what_is_taken_back_was_never_flown() {
     assert_eq!(flight.history().at(u64::MAX).hash(), flight.game().hash());
     assert!(flight.history().inputs().clone().into_iter().all(|controls| !controls.reverse));
     assert!(flight.game().ticks() > before + 24, "time goes on");
-    assert!(!sitting.flight().game().is_idle());
+    assert!(!sitting.game().is_idle());
 }
 
 #[test]

@@ -2,6 +2,7 @@
 //! with damaged charts.
 
 use crate::sitting::Sitting;
+use crate::support::shipped::{copy, project};
 use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::draw::{Contour, Shape};
 use resultant::game::{Outcome, SHIP};
@@ -422,19 +423,7 @@ fn error_and_energy_over_time_are_shown_of_what_was_followed() {
 
 /// Those that come with the game.
 fn experiments(root: &Path) {
-    let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments");
-    for entry in fs::read_dir(&from).unwrap().map(Result::unwrap) {
-        let to = root.join("experiments").join(entry.file_name());
-        if entry.path().is_dir() {
-            fs::create_dir_all(&to).unwrap();
-            for file in fs::read_dir(entry.path()).unwrap().map(Result::unwrap) {
-                fs::copy(file.path(), to.join(file.file_name())).unwrap();
-            }
-        } else {
-            fs::create_dir_all(root.join("experiments")).unwrap();
-            fs::copy(entry.path(), to).unwrap();
-        }
-    }
+    copy(&project().join("experiments"), &root.join("experiments"));
 }
 
 #[test]
@@ -452,13 +441,13 @@ fn an_experiment_is_guessed_flown_and_of_no_account() {
     assert!(sitting.focused() == title && sitting.shows("docs/sheets/force-mass-acceleration.html"));
     sitting.click_at(third);
     assert!(sitting.scene().overlays.details, "what acts is what it is about");
-    assert_eq!(sitting.flight().game().level().name, "force-mass-acceleration");
+    assert_eq!(sitting.game().level().name, "force-mass-acceleration");
     // No ship plays a part: nothing ends, and no key flies.
-    let before = sitting.flight().game().ship().clone();
+    let before = sitting.game().ship().clone();
     let held = [Key::Space, Key::Right].into_iter().collect();
     sitting.give(Input { pressed: held, held, ..Input::default() });
     sitting.give(Input { held, frame_time: 0.2, ..Input::default() });
-    let game = sitting.flight().game();
+    let game = sitting.game();
     assert!(game.outcome() == Outcome::Running && game.level().objectives.is_empty() && game.ship().fuel == 0.0);
     assert!(!game.level().bounds().overlaps(&game.world().body(SHIP).bounds(), 0.0) && before.burning == game.ship().burning);
 }

@@ -1,6 +1,7 @@
 //! A lesson as it is played: time is stopped, a ball picked out, its velocity plotted, the curve taken along, and g read off the file.
 
 use crate::sitting::Sitting;
+use crate::support::shipped::{copy, names, project};
 use crate::what_if::type_in;
 use resultant::level::Parameter;
 use resultant::screens::{Instrument, Key, Lab, Page};
@@ -14,7 +15,7 @@ const G: f64 = 9.81;
 /// In the experiment of free fall, from the menu on.
 pub fn free_fall() -> Sitting {
     let sitting = experiment("free-fall");
-    assert_eq!(sitting.flight().game().level().title, "Free fall");
+    assert_eq!(sitting.game().level().title, "Free fall");
     sitting
 }
 
@@ -28,23 +29,15 @@ pub fn experiment(name: &str) -> Sitting {
 /// In an experiment as it opens, from the menu on.
 fn opened(name: &str) -> Sitting {
     let mut sitting = Sitting::with(|root| {
-        let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments");
-        let folder = root.join("experiments").join(name);
-        fs::create_dir_all(&folder).unwrap();
+        let from = project().join("experiments");
+        copy(&from.join(name), &root.join("experiments").join(name));
         let list = fs::read_to_string(from.join("experiments.csv")).unwrap();
         let row = format!("{name},");
         let wanted: Vec<&str> = list.lines().filter(|line| line.starts_with("folder") || line.starts_with(&row)).collect();
         fs::write(root.join("experiments/experiments.csv"), wanted.join("\n")).unwrap();
-        for entry in fs::read_dir(from.join(name)).unwrap() {
-            let entry = entry.unwrap();
-            fs::copy(entry.path(), folder.join(entry.file_name())).unwrap();
-        }
     });
     sitting.choose("Lab");
-    loop {
-        if sitting.screen::<Lab>().page() == Page::Experiments {
-            break;
-        }
+    while sitting.screen::<Lab>().page() != Page::Experiments {
         sitting.press(Key::Tab);
     }
     sitting.press(Key::Enter);
@@ -98,12 +91,12 @@ fn an_experiment_waits_for_its_pupil_to_guess_and_does_so_again_after_a_restart(
     let mut sitting = opened("free-fall");
     for _ in 0..2 {
         sitting.wait(1.0);
-        assert_eq!(sitting.flight().game().ticks(), 0);
+        assert_eq!(sitting.ticks(), 0);
         assert_eq!(sitting.line(" starts the experiment"), "[B] starts the experiment · [Esc or P] your sheet");
         sitting.press(Key::Escape).press(Key::Escape);
-        assert_eq!(sitting.flight().game().ticks(), 0, "the sheet starts nothing");
+        assert_eq!(sitting.ticks(), 0, "the sheet starts nothing");
         sitting.press(Key::B).wait(0.5);
-        assert!(sitting.flight().game().ticks() > 50 && !sitting.shows("starts the experiment"));
+        assert!(sitting.ticks() > 50 && !sitting.shows("starts the experiment"));
         sitting.press(Key::R);
     }
 }
@@ -138,7 +131,7 @@ fn an_experiment_opens_on_what_moves_and_leads_back_to_the_list() {
 fn with_another_mass_the_slope_in_the_file_is_still_g() {
     let mut sitting = free_fall();
     sitting.wait(0.5).press(Key::B).press_all(&[Key::Period; 20]);
-    let now = sitting.flight().game().ticks();
+    let now = sitting.ticks();
     open_plot(&mut sitting);
     sitting.wait(0.1);
     let light = taken_along(&mut sitting);
@@ -162,7 +155,7 @@ fn a_played_lesson_ends_with_g_in_a_file() {
     let mut sitting = free_fall();
     // Stop time in the fall, and take it on by single ticks.
     sitting.wait(0.5).press(Key::B).press_all(&[Key::Period; 20]);
-    let now = sitting.flight().game().ticks();
+    let now = sitting.ticks();
     assert!(now > 70);
     open_plot(&mut sitting);
     // The masses of the three balls; the first one is followed from the start.
@@ -205,11 +198,7 @@ fn a_played_lesson_ends_with_g_in_a_file() {
     }
     assert!(slopes.iter().all(|g| (g - slopes[0]).abs() <= 1e-12 * G), "all fall alike: {slopes:?}");
     // Three tables and three pictures, each under a name of its own.
-    let mut names: Vec<String> = fs::read_dir(sitting.folder.path().join("exports"))
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .collect();
-    names.sort();
+    let names = names(&sitting.folder.path().join("exports"));
     let base = "free-fall-y-v_y";
     let expected = ["-2.csv", "-2.svg", "-3.csv", "-3.svg", ".csv", ".svg"].map(|ending| format!("{base}{ending}"));
     assert_eq!(names, expected);

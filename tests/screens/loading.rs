@@ -99,12 +99,12 @@ fn every_screen_that_needs_a_level_waits_for_it() {
     sitting.press(Key::Escape);
     sitting.app.grant(Request::Reset(Destination::Play("2".into())), &mut ());
     sitting.work(20);
-    let flown = |sitting: &Sitting| sitting.flight().game().ticks();
+    let flown = |sitting: &Sitting| sitting.ticks();
     sitting.wait(0.3);
     fs::write(sitting.folder.path().join("levels/2/world.csv"), "0,580,800,20\n").unwrap();
     sitting.wait(0.5);
-    assert!(sitting.flight().game().level().world.is_empty() && flown(&sitting) > 80, "it flies on meanwhile");
-    assert_eq!((sitting.work(1), sitting.flight().game().level().world.len()), (1, 1));
+    assert!(sitting.game().level().world.is_empty() && flown(&sitting) > 80, "it flies on meanwhile");
+    assert_eq!((sitting.work(1), sitting.game().level().world.len()), (1, 1));
     let ticks = flown(&sitting);
     assert!(flown(sitting.press(Key::R)) >= ticks && sitting.app.is_loading());
     sitting.work(1);

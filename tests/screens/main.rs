@@ -59,19 +59,9 @@ fn every_back_button_goes_back_by_mouse() {
 #[test]
 fn every_screen_is_whole_in_every_window() {
     for (width, height) in [(900.0, 500.0), (1280.0, 720.0), (1920.0, 1080.0), (600.0, 1000.0), (3000.0, 500.0)] {
-        let frame = Frame::of_window(Vec2::new(width, height));
         let mut sitting = Sitting::new();
-        sitting.frame = frame;
-        let whole = |sitting: &mut Sitting| {
-            let areas = sitting.rest().areas();
-            for (i, area) in areas.iter().enumerate() {
-                assert!(area.min.min_element() >= 0.0 && area.max().cmple(frame.size).all(), "{} {area:?}", sitting.at());
-                for other in &areas[i + 1..] {
-                    let apart = area.max().cmple(other.min).any() || other.max().cmple(area.min).any();
-                    assert!(apart, "{}: {area:?} and {other:?} overlap", sitting.at());
-                }
-            }
-        };
+        sitting.frame = Frame::of_window(Vec2::new(width, height));
+        let whole = Sitting::assert_whole;
         whole(&mut sitting);
         whole(sitting.choose("Level Select"));
         whole(sitting.choose("2").press(Key::Escape));

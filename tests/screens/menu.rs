@@ -1,6 +1,7 @@
 //! The menu: its buttons, its balls, and what Play opens.
 
 use crate::sitting::{Sitting, board, enter};
+use crate::support::shipped::{copy, project};
 use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::screens::{Input, Key};
 use std::fs;
@@ -35,9 +36,7 @@ fn every_button_of_the_menu_leads_where_it_says_by_mouse_and_by_keyboard() {
 fn one_press_is_one_action_however_long_it_is_held() {
     let mut sitting = Sitting::new();
     sitting.press(Key::Down).give(enter());
-    for _ in 0..60 {
-        sitting.give(Input { held: [Key::Enter].into_iter().collect(), ..Input::default() });
-    }
+    sitting.hold(&[Key::Enter], 60);
     assert_eq!(sitting.at(), "level select", "Enter held does not choose a level as well");
 
     let mut sitting = Sitting::new();
@@ -49,7 +48,7 @@ fn one_press_is_one_action_however_long_it_is_held() {
     assert_eq!(sitting.at(), "level select");
 
     let mut sitting = Sitting::new();
-    sitting.give(Input { held: [Key::Down].into_iter().collect(), ..Input::default() }).wait(1.0);
+    sitting.hold(&[Key::Down], 1).wait(1.0);
     assert_eq!(sitting.focused(), "Play", "no press edge, no movement");
 }
 
@@ -195,18 +194,7 @@ fn play_opens_the_first_level_that_the_player_has_not_done() {
 
 #[test]
 fn a_flight_for_gold_plays_behind_the_buttons_over_and_over() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("levels/1");
-    let mut sitting = Sitting::with(|folder| {
-        let level = folder.join("levels/1");
-        fs::create_dir_all(level.join("flights")).unwrap();
-        for part in ["", "flights"] {
-            for file in fs::read_dir(root.join(part)).unwrap().map(|file| file.unwrap()) {
-                if file.path().is_file() {
-                    fs::copy(file.path(), level.join(part).join(file.file_name())).unwrap();
-                }
-            }
-        }
-    });
+    let mut sitting = Sitting::with(|folder| copy(&project().join("levels/1"), &folder.join("levels/1")));
     sitting.wait(1.0);
     let (ticks, shown) = (sitting.scene().game.ticks(), sitting.scene().overlays.shown.status);
     assert!(ticks > 60 && !shown, "{ticks}");

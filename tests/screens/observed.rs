@@ -17,30 +17,26 @@ fn flying() -> Sitting {
     sitting
 }
 
-fn ticks(sitting: &Sitting) -> u64 {
-    sitting.flight().game().ticks()
-}
-
 #[test]
 fn a_frozen_world_stands_and_goes_on_and_back_by_single_ticks_bit_for_bit() {
     let mut sitting = flying();
     sitting.wait(0.5).press(Key::B);
-    let (frozen, hash) = (ticks(&sitting), sitting.flight().game().hash());
+    let (frozen, hash) = (sitting.ticks(), sitting.game().hash());
     assert!(frozen > 0 && sitting.flight().observer().frozen() && !sitting.flight().is_assisted());
     sitting.wait(1.0);
-    assert_eq!(ticks(&sitting), frozen, "nothing moves");
+    assert_eq!(sitting.ticks(), frozen, "nothing moves");
     sitting.press_all(&[Key::Comma; 5]);
-    assert_eq!(ticks(&sitting), frozen - 5);
+    assert_eq!(sitting.ticks(), frozen - 5);
     sitting.press_all(&[Key::Period; 5]);
-    assert_eq!((ticks(&sitting), sitting.flight().game().hash()), (frozen, hash));
+    assert_eq!((sitting.ticks(), sitting.game().hash()), (frozen, hash));
     // Beyond what was flown the keys fly.
     let held = [Key::Space, Key::Period].into_iter().collect();
     sitting.give(Input { held, pressed: [Key::Period].into_iter().collect(), ..Input::default() });
-    assert_eq!(ticks(&sitting), frozen + 1);
-    assert!(sitting.flight().game().ship().burning > 0, "the tick was made with thrust");
+    assert_eq!(sitting.ticks(), frozen + 1);
+    assert!(sitting.game().ship().burning > 0, "the tick was made with thrust");
     // Back to before the start is nowhere.
     sitting.press_all(&[Key::Comma; 200]);
-    assert_eq!(ticks(&sitting), 0);
+    assert_eq!(sitting.ticks(), 0);
     assert!(sitting.flight().is_assisted(), "taking time back is help");
 }
 
@@ -48,12 +44,12 @@ fn a_frozen_world_stands_and_goes_on_and_back_by_single_ticks_bit_for_bit() {
 fn who_goes_on_from_an_earlier_moment_has_not_flown_what_came_after() {
     let mut sitting = flying();
     sitting.wait(0.5).press(Key::B).press_all(&[Key::Comma; 20]);
-    let earlier = ticks(&sitting);
+    let earlier = sitting.ticks();
     assert_eq!(sitting.flight().history().ticks(), earlier + 20);
     sitting.press(Key::B);
     let history = sitting.flight().history();
-    assert!(history.ticks() < earlier + 20 && history.ticks() == ticks(&sitting));
-    assert_eq!(history.at(history.ticks()).hash(), sitting.flight().game().hash());
+    assert!(history.ticks() < earlier + 20 && history.ticks() == sitting.ticks());
+    assert_eq!(history.at(history.ticks()).hash(), sitting.game().hash());
 }
 
 #[test]
@@ -61,9 +57,9 @@ fn time_is_slowed_down_to_a_hundredth_and_hurried_up_to_eight_times() {
     let mut sitting = flying();
     assert_eq!((OBSERVED_PACES[0], OBSERVED_PACES[OBSERVED_PACES.len() - 1]), (0.01, 8.0));
     let in_a_second = |sitting: &mut Sitting| {
-        let before = ticks(sitting);
+        let before = sitting.ticks();
         sitting.wait(1.0);
-        ticks(sitting) - before
+        sitting.ticks() - before
     };
     assert!(in_a_second(&mut sitting).abs_diff(TICK_RATE as u64) <= 1);
     sitting.press_all(&[Key::LeftBracket; 20]);

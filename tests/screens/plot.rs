@@ -18,10 +18,6 @@ fn plot(sitting: &Sitting) -> &Plot {
     sitting.flight().instruments().plot()
 }
 
-fn ticks(sitting: &Sitting) -> u64 {
-    sitting.flight().game().ticks()
-}
-
 /// The plot's reading of a curve at the moment on the screen.
 fn value(sitting: &Sitting, number: usize) -> Option<f64> {
     plot(sitting).readings()[number].numbers[0].0
@@ -51,7 +47,7 @@ fn what_is_asked_for_late_is_there_from_the_first_tick() {
     sitting.click("CSV");
     sitting.rest();
     let table = columns(&written(&sitting), &["tick", "Ball 1 E_kin (J)", "Ball 1 E_mech (J)"]);
-    assert_eq!((table[0].len() as u64, table[0][0], table[1][0]), (ticks(&sitting) + 1, 0.0, 0.0));
+    assert_eq!((table[0].len() as u64, table[0][0], table[1][0]), (sitting.ticks() + 1, 0.0, 0.0));
     assert!(table[2].iter().all(|energy| (energy - table[2][0]).abs() <= 1e-9 * energy), "it falls freely");
 }
 
@@ -65,21 +61,21 @@ fn a_click_in_the_plot_leads_to_its_moment_where_the_world_stands_still() {
     let at = |sitting: &Sitting, tick| plot(sitting).at(0, tick).unwrap();
     let place = at(&sitting, 20);
     sitting.click_at(place);
-    assert!(ticks(&sitting) > 60, "what runs goes on");
+    assert!(sitting.ticks() > 60, "what runs goes on");
     sitting.press(Key::B).wait(0.1);
     let end = sitting.flight().history().ticks();
     for tick in [41, 3, end, 20] {
         let place = at(&sitting, tick);
         sitting.click_at(place);
-        assert_eq!(ticks(&sitting), tick);
-        let speed = sitting.flight().game().world().body(BodyId(1)).velocity.y;
+        assert_eq!(sitting.ticks(), tick);
+        let speed = sitting.game().world().body(BodyId(1)).velocity.y;
         assert_eq!(value(&sitting, 1), Some(0.0 - speed), "up counts");
     }
     assert_eq!(sitting.flight().observer().focus().followed(), followed, "the clicks were the plot's");
     assert!(sitting.flight().is_assisted() && sitting.flight().history().ticks() == end);
     // From there it is flown otherwise, and the curve follows.
     sitting.press(Key::B).wait(0.1).press(Key::B).wait(0.1);
-    let tick = ticks(&sitting);
+    let tick = sitting.ticks();
     assert!(tick < end && sitting.flight().history().ticks() == tick);
     sitting.click("CSV");
     sitting.rest();
@@ -96,8 +92,8 @@ fn it_opens_along_the_motion_and_the_area_under_v_is_the_way() {
     sitting.wait(3.5).press(Key::B).wait(0.1);
     let history = sitting.flight().history();
     let place = |game: &Game| game.world().body(BodyId(1)).position.x;
-    let moved = place(sitting.flight().game()) - place(&history.at(0));
-    assert!(sitting.flight().game().world().body(BodyId(1)).velocity.x == 0.0 && moved > 12.0, "it was stopped: {moved}");
+    let moved = place(sitting.game()) - place(&history.at(0));
+    assert!(sitting.game().world().body(BodyId(1)).velocity.x == 0.0 && moved > 12.0, "it was stopped: {moved}");
     let area = plot(&sitting).readings()[1].numbers[2].0.unwrap();
     assert!((area - moved).abs() <= 1e-12 * moved, "{area} m for {moved} m");
     assert_eq!(plot(&sitting).readings()[0].numbers[2].0, None, "the area under a place says nothing");
@@ -171,14 +167,14 @@ fn one_quantity_over_another_has_its_area_and_its_cursor() {
     sitting.click("Curve 2: v_y");
     sitting.click("F_y");
     let [_, _, (work, unit)] = plot(&sitting).readings()[1].numbers;
-    let ball = sitting.flight().game().world().body(BodyId(1)).clone();
+    let ball = sitting.game().world().body(BodyId(1)).clone();
     let kinetic = 0.5 * ball.mass * ball.velocity.length_squared();
     // Before the first tick nothing acted yet: the trapezoid of that tick is half as high.
     assert!((work.unwrap() - kinetic).abs() <= 1e-3 * kinetic, "{work:?} {kinetic}");
     assert_eq!(unit.name(), "J");
     let place = plot(&sitting).at(1, 90).unwrap();
     sitting.click_at(place);
-    assert_eq!(ticks(&sitting), 90);
+    assert_eq!(sitting.ticks(), 90);
 }
 
 #[test]
@@ -187,12 +183,12 @@ fn the_wheel_shows_less_of_the_flight_and_shift_marks_a_stretch() {
     let at = |sitting: &Sitting, tick| plot(sitting).at(1, tick).unwrap();
     let (from, to) = (at(&sitting, 30), at(&sitting, 90));
     let shift = [Key::Shift].into_iter().collect();
-    let now = ticks(&sitting);
+    let now = sitting.ticks();
     sitting.give(Input { pointer: from, click: true, holding: true, held: shift, ..Input::default() });
     sitting.give(Input { pointer: to, holding: true, held: shift, ..Input::default() }).rest();
     let area = plot(&sitting).readings()[1].numbers[2].0.unwrap();
     let fallen = 0.5 * 9.81 * (0.75_f64.powi(2) - 0.25_f64.powi(2));
-    assert!((area + fallen).abs() <= 1e-9 * fallen && ticks(&sitting) == now, "{area} {fallen}");
+    assert!((area + fallen).abs() <= 1e-9 * fallen && sitting.ticks() == now, "{area} {fallen}");
     assert!(!sitting.labels().contains(&"Whole flight"));
     for _ in 0..5 {
         sitting.give(Input { pointer: from, wheel: 1.0, ..Input::default() });
@@ -230,16 +226,13 @@ fn a_flight_that_has_ended_stays_to_be_looked_at_while_it_is_plotted() {
 fn a_watched_flight_is_plotted_and_gone_through() {
     let mut sitting = Sitting::with(|root| level(root, "0", "PLAYER,380,60,40,40\n", ""));
     sitting.fly("0");
-    while sitting.at() == "flight" {
-        sitting.give(Input { held: [Key::Space].into_iter().collect(), ..Input::default() });
-    }
-    sitting.wait(0.5);
+    sitting.hold_until(&[Key::Space], |sitting| sitting.at() != "flight").wait(0.5);
     sitting.choose("Flights").choose("Watch").press(Key::I);
     sitting.click("Plot").wait(0.3);
     assert!(sitting.labels().contains(&"Pause"));
     let place = sitting.flight().instruments().plot().at(1, 25).unwrap();
     sitting.click_at(place);
-    assert!(sitting.labels().contains(&"Play") && sitting.flight().game().ticks() == 25, "{}", sitting.flight().game().ticks());
+    assert!(sitting.labels().contains(&"Play") && sitting.ticks() == 25, "{}", sitting.ticks());
 }
 
 /// A flight of the fixture 1: `thrust` ticks with thrust, then without.
@@ -358,7 +351,7 @@ fn a_spring_fits_a_sine_with_the_square_root_of_k_over_m() {
     }
     open_plot(&mut sitting);
     sitting.wait(0.1);
-    let mass = sitting.flight().game().world().bodies()[0].mass;
+    let mass = sitting.game().world().bodies()[0].mass;
     fitted(&mut sitting, "none", "line");
     fitted(&mut sitting, "line", "parabola");
     let sine = fitted(&mut sitting, "parabola", "sine");

@@ -13,18 +13,18 @@ fn file(sitting: &Sitting, name: &str) -> PathBuf {
 }
 
 fn solids(sitting: &Sitting) -> usize {
-    sitting.flight().game().level().world.len()
+    sitting.game().level().world.len()
 }
 
 #[test]
 fn a_saved_file_is_there_within_half_a_second_and_the_flight_goes_on_where_it_was() {
     let mut sitting = Sitting::new();
     sitting.fly("2").wait(0.3);
-    let before = sitting.flight().game().clone();
+    let before = sitting.game().clone();
     fs::write(file(&sitting, "world.csv"), "0,580,800,20\n").unwrap();
     let frames = (0..60).find(|_| solids(sitting.rest()) == 1).expect("it is read");
     assert!(frames <= 28, "{frames} frames of a 60th of a second");
-    let game = sitting.flight().game();
+    let game = sitting.game();
     let fallen = game.world().body(resultant::game::SHIP).position - before.world().body(resultant::game::SHIP).position;
     assert!(fallen.length() < 4.0 && fallen.y > 0.0, "{fallen}");
     assert!(game.ticks() > before.ticks() && game.fuel() == before.fuel());
@@ -32,7 +32,7 @@ fn a_saved_file_is_there_within_half_a_second_and_the_flight_goes_on_where_it_wa
     assert!(sitting.flight().is_assisted(), "what was flown in two levels is no score");
     // R begins again, in the new one.
     sitting.press(Key::R);
-    assert_eq!((sitting.flight().game().level().player.position, solids(&sitting)), (DVec2::new(400.0, 300.0) / 30.0, 1));
+    assert_eq!((sitting.game().level().player.position, solids(&sitting)), (DVec2::new(400.0, 300.0) / 30.0, 1));
     assert!(!sitting.flight().is_assisted() && !sitting.shows("Read again"));
 }
 
@@ -44,7 +44,7 @@ fn where_the_ship_has_no_room_the_level_begins_again() {
     fs::write(file(&sitting, "world.csv"), "200,200,600,400\n").unwrap();
     sitting.wait(0.4);
     assert!(sitting.shows("Read again, from its start."));
-    assert!((sitting.flight().game().world().body(resultant::game::SHIP).position.x - 100.0 / 30.0).abs() < 0.1);
+    assert!((sitting.game().world().body(resultant::game::SHIP).position.x - 100.0 / 30.0).abs() < 0.1);
 }
 
 #[test]
@@ -57,12 +57,12 @@ fn a_broken_edit_is_reported_above_the_flight_until_it_is_mended() {
     assert!(sitting.shows(BROKEN));
     let problem = "objectives.csv:1: column \"y\": found \"ten\"";
     assert!(sitting.texts().iter().any(|(line, _)| line.starts_with(problem)), "{:?}", sitting.texts());
-    let ticks = sitting.flight().game().ticks();
+    let ticks = sitting.ticks();
     sitting.wait(0.2);
-    assert!(sitting.flight().game().ticks() > ticks && sitting.shows(BROKEN));
+    assert!(sitting.ticks() > ticks && sitting.shows(BROKEN));
     // R begins the loaded level again, and the message stays.
     sitting.press(Key::R);
-    assert!(sitting.flight().game().ticks() < 5 && sitting.shows(BROKEN));
+    assert!(sitting.ticks() < 5 && sitting.shows(BROKEN));
     fs::write(file(&sitting, "objectives.csv"), sound).unwrap();
     sitting.wait(0.4);
     assert!(!sitting.shows(BROKEN));

@@ -59,7 +59,7 @@ fn a_key_that_was_set_flies_and_the_old_one_does_not() {
         sitting.fly("3");
         let held = [key].into_iter().collect();
         sitting.give(Input { held, ..Input::default() }).give(Input { held, ..Input::default() });
-        sitting.flight().game().ship().burning
+        sitting.game().ship().burning
     };
     assert_eq!([Key::T, Key::W, Key::Space, Key::PadR2].map(burning), [1, 1, 0, 1]);
 }

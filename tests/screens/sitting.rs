@@ -2,9 +2,10 @@
 
 use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::draw::{Colour, Contour, Shape};
+use resultant::game::Game;
 use resultant::screens::{
-    Classics, Closing, Credits, Editor, Flight, Flights, GameScene, Input, Jumper, Key, Lab, Leaderboard, LevelSelect, Menu, Pi,
-    Places, PlayerList, Purpose, SaveScore, Scoring, Screen, SettingsPanel, Spectator, Stack, TileRun, Worker,
+    Classics, Closing, Credits, Editor, Flight, Flights, GameScene, Input, Jumper, Key, Keys, Lab, Leaderboard, LevelSelect, Menu,
+    Pi, Places, PlayerList, Purpose, SaveScore, Scoring, Screen, SettingsPanel, Spectator, Stack, TileRun, Worker,
 };
 use resultant::ui::WidgetKind;
 use resultant::view::theme;
@@ -97,21 +98,33 @@ impl Sitting {
     }
 
     pub fn wait(&mut self, seconds: f64) -> &mut Self {
-        for _ in 0..(seconds * 60.0).ceil() as u32 {
-            self.rest();
-        }
-        self
+        self.hold(&[], (seconds * 60.0).ceil() as usize)
     }
 
     pub fn press(&mut self, key: Key) -> &mut Self {
-        let keys = [key].into_iter().collect();
-        self.give(Input { pressed: keys, held: keys, ..Input::default() })
+        self.press_keys(&[key], &[key])
     }
 
     pub fn press_all(&mut self, keys: &[Key]) -> &mut Self {
-        for key in keys {
-            self.press(*key);
-        }
+        keys.iter().for_each(|key| _ = self.press(*key));
+        self
+    }
+
+    /// A frame in which keys go down, and these are down.
+    pub fn press_keys(&mut self, pressed: &[Key], held: &[Key]) -> &mut Self {
+        self.give(Input { pressed: keys(pressed), held: keys(held), ..Input::default() })
+    }
+
+    /// Frames with these keys down.
+    pub fn hold(&mut self, held: &[Key], frames: usize) -> &mut Self {
+        (0..frames).for_each(|_| _ = self.press_keys(&[], held));
+        self
+    }
+
+    /// Frames with these keys down until something is so, which it must be soon.
+    #[track_caller]
+    pub fn hold_until(&mut self, held: &[Key], done: impl Fn(&Self) -> bool) -> &mut Self {
+        assert!((0..600).any(|_| done(self.hold(held, 1))), "it does not come to that");
         self
     }
 
@@ -160,6 +173,20 @@ impl Sitting {
     /// Where all buttons are.
     pub fn areas(&self) -> Vec<Area> {
         self.app.widgets().iter().map(|widget| widget.area).collect()
+    }
+
+    /// All buttons are in the window, and apart.
+    #[track_caller]
+    pub fn assert_whole(&mut self) {
+        let (areas, frame) = (self.rest().areas(), self.frame);
+        for (i, area) in areas.iter().enumerate() {
+            let at = format!("{} in {}: {area:?}", self.at(), frame.size);
+            assert!(area.min.min_element() >= 0.0 && area.max().cmple(frame.size).all(), "{at} leaves it");
+            for other in &areas[i + 1..] {
+                let apart = area.max().cmple(other.min + 0.01).any() || other.max().cmple(area.min + 0.01).any();
+                assert!(apart, "{at} and {other:?} overlap");
+            }
+        }
     }
 
     pub fn labels(&self) -> Vec<&str> {
@@ -294,6 +321,15 @@ impl Sitting {
         self.screen()
     }
 
+    /// The game that is flown.
+    pub fn game(&self) -> &Game {
+        self.flight().game()
+    }
+
+    pub fn ticks(&self) -> u64 {
+        self.game().ticks()
+    }
+
     pub fn scoring(&self) -> &Scoring {
         self.screen()
     }
@@ -322,7 +358,7 @@ impl Sitting {
 
     /// The level that is flown.
     pub fn flown(&self) -> &str {
-        &self.flight().game().level().name
+        &self.game().level().name
     }
 
     /// From the menu to the field for a new player, and back to the menu as that player.
@@ -395,6 +431,10 @@ pub fn board(rows: usize) -> String {
     format!("name,score\n{rows}")
 }
 
+pub fn keys(keys: &[Key]) -> Keys {
+    keys.iter().copied().collect()
+}
+
 pub fn enter() -> Input {
-    Input { pressed: [Key::Enter].into_iter().collect(), held: [Key::Enter].into_iter().collect(), ..Input::default() }
+    Input { pressed: keys(&[Key::Enter]), held: keys(&[Key::Enter]), ..Input::default() }
 }

@@ -200,11 +200,7 @@ fn the_sheet_is_whole_in_every_window() {
                 sitting.click("all at once");
             }
             sitting.click("Answer").click("Save");
-            let areas = sitting.areas();
-            for (i, area) in areas.iter().enumerate() {
-                assert!(area.min.min_element() >= 0.0 && area.max().cmple(sitting.frame.size).all(), "{area:?}");
-                assert!(area.covers_none(&areas[i + 1..]), "{area:?}");
-            }
+            sitting.assert_whole();
             let foot = sitting.texts().iter().filter(|(text, _)| !text.is_empty()).map(|(_, at)| at.y).fold(0.0, f32::max);
             assert!(foot < sitting.frame.size.y - 8.0, "{name}, {width}: {foot}");
         }

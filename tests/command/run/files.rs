@@ -1,17 +1,10 @@
 //! Files that are written over, and files that are read.
 
 use super::{COLUMNS, HEADER, data, read};
-use crate::support::program::{Data, Ran, resultant};
+use crate::support::program::{Ran, resultant};
+use crate::support::shipped::names;
 #[cfg(unix)]
 use std::process::{Command, Stdio};
-
-/// The names in the data folder.
-fn names(data: &Data) -> Vec<String> {
-    let mut names: Vec<String> =
-        std::fs::read_dir(data.path(".")).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    names
-}
 
 #[test]
 fn a_file_that_is_read_only_or_needed_otherwise_is_not_written_to() {
@@ -34,7 +27,7 @@ fn a_file_that_is_read_only_or_needed_otherwise_is_not_written_to() {
         let ran = data.resultant(&[&["run", "flight", "--inputs", &inputs], &args[..]].concat());
         assert_eq!((ran.status, ran.out.as_str()), (2, ""), "{args:?}");
         assert!(ran.err.contains(message), "{args:?}: {}", ran.err);
-        assert_eq!(names(&data), ["in.csv", "kept.csv", "levels"], "{args:?}");
+        assert_eq!(names(&data.path(".")), ["in.csv", "kept.csv", "levels"], "{args:?}");
     }
     assert_eq!(read(&data, "kept.csv"), "kept");
     assert_eq!(read(&data, "in.csv"), format!("{HEADER}\n3,1,0,0,0\n"));
@@ -73,7 +66,7 @@ fn a_full_disk_is_told_and_changes_nothing() {
         assert_eq!(ran.status, 2, "{}", ran.err);
         assert!(ran.err.starts_with("cannot write the results: "), "{}", ran.err);
         assert_eq!(ran.err.contains("old.csv: "), to.is_empty(), "{}", ran.err);
-        assert_eq!((names(&data), read(&data, "old.csv").as_str()), (vec!["levels".into(), "old.csv".into()], "old"));
+        assert_eq!((names(&data.path(".")), read(&data, "old.csv").as_str()), (vec!["levels".into(), "old.csv".into()], "old"));
     }
 }
 

@@ -1,6 +1,7 @@
 //! Opening, saving, and the copies that are kept when the program ends.
 
 use super::{all_bytes, folders};
+use crate::support::shipped::names;
 use resultant::level;
 use resultant::level::document::{KeptSide, Kind, LevelFolder, Place, SaveError, SetCell, Table};
 use resultant::physics::DVec2;
@@ -20,13 +21,6 @@ fn level() -> tempfile::TempDir {
     fs::write(folder.path().join("objectives.csv"), "PLAYER,900,600,80,10\n").unwrap();
     fs::write(folder.path().join("world.csv"), "0,680,1280,40").unwrap();
     folder
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let mut names: Vec<String> =
-        fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    names
 }
 
 #[test]
@@ -209,15 +203,13 @@ fn neither_a_link_nor_a_pipe_in_a_strangers_folder_does_harm() {
     std::os::unix::fs::symlink("/dev/zero", path(".autosave")).unwrap();
     assert!(LevelFolder::open(folder.path(), folder.path()).unwrap().kept.is_none());
 }
+const KILLED: &str = "document::disk::a_kill_leaves_each_file_old_or_new_and_the_edits_are_offered";
 /// The editing process prints this, and the number that is kept.
 const EDITED: &str = "edited ";
 
-/// In a process of its own, to be killed: edits two files so that both hold one number, keeps, and saves, without end.
-#[test]
-#[ignore = "runs for ever: the test below starts and kills it"]
-fn edits_without_end() {
-    let folder = std::env::var("LEVEL_TO_EDIT").unwrap();
-    let mut opened = LevelFolder::open(Path::new(&folder), Path::new(&folder)).unwrap();
+/// Edits two files so that both hold one number, keeps, and saves, without end.
+fn edit_until_killed(folder: &Path) {
+    let mut opened = LevelFolder::open(folder, folder).unwrap();
     for number in 0_u64.. {
         let set =
             |table: Table, column| SetCell { row: opened.document.rows(table).next().unwrap(), column, text: number.to_string() };
@@ -233,6 +225,10 @@ fn edits_without_end() {
 
 #[test]
 fn a_kill_leaves_each_file_old_or_new_and_the_edits_are_offered() {
+    // In a process that this test starts.
+    if let Some(folder) = std::env::var_os("LEVEL_TO_EDIT") {
+        edit_until_killed(Path::new(&folder));
+    }
     let folder = level();
     // Long enough that a write of half of it would be seen.
     let floor = "0,680,1280,40\n".to_owned() + &"# a comment that makes the file long\n".repeat(3000);
@@ -240,7 +236,7 @@ fn a_kill_leaves_each_file_old_or_new_and_the_edits_are_offered() {
     let mut offered = 0;
     for round in 0..25 {
         let mut editor = Command::new(std::env::current_exe().unwrap())
-            .args(["--exact", "document::disk::edits_without_end", "--ignored", "--nocapture"])
+            .args(["--exact", KILLED, "--nocapture"])
             .env("LEVEL_TO_EDIT", folder.path())
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
