@@ -170,17 +170,11 @@ fn momentum_comes_from_impulses(def: WorldDef, rate: f64) -> Result<(), TestCase
 
 #[test]
 fn rooms_that_once_broke_a_law_keep_it() {
-    let rooms = [
-        include!("../../fixtures/found/surfaces_random_1.rs"),
-        include!("../../fixtures/found/surfaces_random_2.rs"),
-        include!("../../fixtures/found/surfaces_random_4.rs"),
-        include!("../../fixtures/found/surfaces_random_5.rs"),
-        include!("../../fixtures/found/surfaces_random_6.rs"),
-    ];
+    let rooms = include!("../../fixtures/found/moving_rooms.rs");
     for (i, (def, rate, far)) in rooms.into_iter().enumerate() {
         keeps_every_law(def, rate, far).unwrap_or_else(|fault| panic!("room {i}: {fault}"));
     }
-    let (def, rate) = include!("../../fixtures/found/surfaces_random_3.rs");
+    let (def, rate) = include!("../../fixtures/found/weightless_room.rs");
     momentum_comes_from_impulses(def, rate).unwrap();
 }
 

@@ -154,30 +154,17 @@ fn keeps_its_momentum(bodies: Vec<BodyDef>, part: f64) -> Result<(), TestCaseErr
 /// Rooms that proptest once found; in the last two a crowd is hit from the side.
 #[test]
 fn rooms_that_once_broke_a_law_keep_it() {
-    let rooms: [WorldDef; 4] = [
-        include!("../../fixtures/found/random_scenes_1.rs"),
-        include!("../../fixtures/found/random_scenes_2.rs"),
-        include!("../../fixtures/found/random_scenes_3.rs"),
-        include!("../../fixtures/found/random_scenes_4.rs"),
-    ];
+    let rooms: [WorldDef; 4] = include!("../../fixtures/found/rooms.rs");
     for (i, def) in (1..).zip(rooms) {
         keeps_every_law(def, 600).and_then(|world| is_seldom_busy(&world)).unwrap_or_else(|fault| panic!("room {i}: {fault}"));
     }
-    let scenes = [
-        include!("../../fixtures/found/wild_scenes_1.rs"),
-        include!("../../fixtures/found/wild_scenes_3.rs"),
-        include!("../../fixtures/found/wild_scenes_4.rs"),
-        include!("../../fixtures/found/wild_scenes_5.rs"),
-        include!("../../fixtures/found/wild_scenes_6.rs"),
-        include!("../../fixtures/found/wild_scenes_7.rs"),
-        include!("../../fixtures/found/wild_scenes_8.rs"),
-    ];
+    let scenes = include!("../../fixtures/found/wild_rooms.rs");
     for (i, (bodies, surfaces, air, weightless)) in scenes.into_iter().enumerate() {
         keeps_every_law(wild(bodies, surfaces, air, weightless), 600).unwrap_or_else(|fault| panic!("scene {i}: {fault}"));
     }
-    let (bodies, surfaces, force) = include!("../../fixtures/found/wild_scenes_2.rs");
+    let (bodies, surfaces, force) = include!("../../fixtures/found/driven.rs");
     wild_is_driven(bodies, surfaces, force).unwrap();
-    let (def, force, zone, density, viscosity) = include!("../../fixtures/found/random_scenes_5.rs");
+    let (def, force, zone, density, viscosity) = include!("../../fixtures/found/zones.rs");
     zones_leave_it_sound(def, force, zone, (density, viscosity)).unwrap();
 }
 
