@@ -1,23 +1,10 @@
 //! One level, whatever spreadsheet saved its files.
 
 use crate::spreadsheets::saved;
+use crate::support::Memory;
 use resultant::level::document::{Document, NewRow, RowId, SetCell};
 use resultant::level::schema::{Kind, Table};
-use resultant::level::{self, Files, Level, Problem};
-use std::collections::BTreeMap;
-use std::io;
-
-struct Memory(BTreeMap<&'static str, Vec<u8>>);
-
-impl Files for Memory {
-    fn level_file(&self, name: &str) -> io::Result<Vec<u8>> {
-        self.0.get(name).cloned().ok_or_else(|| io::ErrorKind::NotFound.into())
-    }
-
-    fn project_file(&self, _: &str) -> io::Result<Vec<u8>> {
-        Err(io::ErrorKind::NotFound.into())
-    }
-}
+use resultant::level::{self, Level, Problem};
 
 /// Every table of a level, with a header.
 const PLAIN: [(&str, &str); 17] = [
@@ -50,7 +37,7 @@ const PLAIN: [(&str, &str); 17] = [
 ];
 
 fn read(files: &[(&'static str, Vec<u8>)]) -> Result<Level, Vec<Problem>> {
-    level::read("l", &Memory(files.iter().cloned().collect())).map(|loaded| loaded.level)
+    level::read("l", &Memory(files.to_vec())).map(|loaded| loaded.level)
 }
 
 /// Whether a cell is a number, or several, which a spreadsheet does not touch.
@@ -81,8 +68,8 @@ fn every_file_of_every_spreadsheet_is_the_same_level() {
 
 #[test]
 fn numbers_and_truths_of_other_languages_are_read() {
-    let mut files: BTreeMap<&'static str, Vec<u8>> = PLAIN.into_iter().map(|(name, text)| (name, text.into())).collect();
-    let plain = level::read("l", &Memory(files.clone())).unwrap();
+    let mut files = PLAIN;
+    let plain = level::read("l", &Memory(files.to_vec())).unwrap();
     assert!(plain.dialects.is_empty());
     for (name, text) in [
         ("player.csv", "x;y;mass;fuel;thrust;air;vx\n150,5;600,0;100;500;2\u{202f}500;WAHR;\u{2212}0,25\n"),
@@ -96,9 +83,9 @@ fn numbers_and_truths_of_other_languages_are_read() {
             "PLAYER;1000;420;100;10;1,5;1,0\nPHYS;300;670;100;10;0;2.0\nOBJECT;400;600;ball:40x40;75;181,0;49;201;0,5;0,1\n",
         ),
     ] {
-        files.insert(name, text.into());
+        files.iter_mut().find(|(file, _)| *file == name).unwrap().1 = text;
     }
-    let read = level::read("l", &Memory(files)).unwrap();
+    let read = level::read("l", &Memory(files.to_vec())).unwrap();
     assert_eq!(read.level, plain.level);
     assert_eq!(
         read.dialects,

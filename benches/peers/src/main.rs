@@ -49,6 +49,7 @@ struct Row {
     speed: f64,
 }
 
+#[allow(clippy::disallowed_methods)] // it measures
 fn measure<E: Engine>(scene: &Scene, spec: &Spec, step: f64) -> Option<Row> {
     let steps = (scene.seconds / step).round() as usize;
     let mut engine = E::new(spec)?;

@@ -12,6 +12,7 @@ mod plan;
 #[allow(dead_code)]
 mod random;
 mod sight;
+#[allow(clippy::disallowed_methods)] // it measures
 mod speed;
 
 use make::Options;

@@ -8,12 +8,12 @@ use std::fmt::Write;
 use std::io;
 
 /// A level's files in memory.
-pub struct Memory(pub Vec<(&'static str, String)>);
+pub struct Memory<T = String>(pub Vec<(&'static str, T)>);
 
-impl Files for Memory {
+impl<T: AsRef<[u8]>> Files for Memory<T> {
     fn level_file(&self, name: &str) -> io::Result<Vec<u8>> {
         let file = self.0.iter().find(|(file, _)| *file == name);
-        file.map(|(_, text)| text.clone().into_bytes()).ok_or_else(|| io::ErrorKind::NotFound.into())
+        file.map(|(_, bytes)| bytes.as_ref().to_vec()).ok_or_else(|| io::ErrorKind::NotFound.into())
     }
 
     fn project_file(&self, _: &str) -> io::Result<Vec<u8>> {

@@ -11,11 +11,13 @@ mod log;
 #[path = "../../../tests/support/memory.rs"]
 #[allow(dead_code)] // How often is asked elsewhere.
 mod memory;
+#[allow(clippy::disallowed_methods)] // it measures
 mod play;
 #[path = "../../../tests/support/random.rs"]
 mod random;
 mod slow;
 mod summary;
+#[allow(clippy::disallowed_methods)] // it measures
 mod worst;
 
 use clap::Parser;
