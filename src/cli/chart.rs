@@ -3,17 +3,17 @@
 
 use super::files::{OutputFile, Staged, read_text};
 use super::project::Project;
-use super::stop::{CommandError, Status};
+use super::{CommandError, Status};
 use crate::draw::chart::look::CurveOrigin;
 use crate::files::{self, CHART};
 use crate::lab::charts::{Charts, MeasuredWith};
-use crate::lab::course::{CoursePoint, OverTime};
+use crate::lab::curve::Measured;
+use crate::lab::curve::{CoursePoint, OverTime};
 use crate::lab::curve::{MethodCurve, WorkPoint};
-use crate::lab::drawing::paper;
-use crate::lab::measured::Measured;
-use crate::lab::peers::add_peers;
+use crate::lab::drawing::picture;
+use crate::lab::kept::add_peers;
 use crate::lab::report::{shipped_csv, summary};
-use crate::lab::{LabScene, SceneMethod, scenes, stability, stability_diagram, stress};
+use crate::lab::{LabScene, SceneMethod, scenes, stability, stress};
 use std::hint::black_box;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -107,12 +107,12 @@ pub fn run(args: &ChartArgs, project: &Project, out: &mut dyn Write) -> Result<S
 fn all_files(charts: &Charts) -> Vec<(String, String)> {
     let mut files = charts.files();
     for measured in &charts.diagrams {
-        files.push((format!("{}.svg", measured.name), paper::measured(measured)));
-        files.extend(paper::over_time(measured).map(|drawn| (format!("{}-over-time.svg", measured.name), drawn)));
+        files.push((format!("{}.svg", measured.name), picture::measured(measured)));
+        files.extend(picture::over_time(measured).map(|drawn| (format!("{}-over-time.svg", measured.name), drawn)));
     }
     let regions = stability::regions();
-    files.push((stability_diagram::SVG.to_owned(), paper::stability(&regions)));
-    files.extend(stability_diagram::csv(&regions).map(|(name, text)| (name.to_owned(), text)));
+    files.push((stability::SVG.to_owned(), picture::stability(&regions)));
+    files.extend(stability::csv(&regions).map(|(name, text)| (name.to_owned(), text)));
     files.push(("shipped.csv".to_owned(), shipped_csv(&charts.diagrams)));
     files.push(("summary.md".to_owned(), summary(charts, &regions)));
     files

@@ -1,7 +1,7 @@
 //! Input and output files of subcommands. New content goes into a hidden file beside its target, and takes the target's place in one step
 //! once it is complete.
 
-use super::stop::CommandError;
+use super::CommandError;
 use crate::files::{self, Replacement, Symlinks};
 use serde::Serialize;
 use std::io::{self, BufWriter, Write};

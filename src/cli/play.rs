@@ -1,17 +1,21 @@
 //! `resultant` and `resultant play LEVEL`: opens the game.
 
 use super::project::Project;
-use super::stop::{CommandError, Status};
+use super::{CommandError, Status};
 #[cfg(feature = "window")]
-use crate::{
-    cli::stop::shown,
-    files::INPUTS,
-    game::Inputs,
-    level,
-    screens::Places,
-    session::attempt::Attempt,
-    window::{Start, open},
-};
+use crate::cli::shown;
+#[cfg(feature = "window")]
+use crate::files::INPUTS;
+#[cfg(feature = "window")]
+use crate::game::Inputs;
+#[cfg(feature = "window")]
+use crate::level;
+#[cfg(feature = "window")]
+use crate::screens::Places;
+#[cfg(feature = "window")]
+use crate::session::attempt::Attempt;
+#[cfg(feature = "window")]
+use crate::window::{Start, open};
 use std::ffi::OsString;
 use std::io::Write;
 use std::path::PathBuf;

@@ -1,5 +1,5 @@
 use super::files::read_text;
-use super::stop::{CommandError, shown};
+use super::{CommandError, shown};
 use crate::files;
 use crate::level::{self, Level};
 use std::path::{Component, Path, PathBuf};

@@ -1,14 +1,18 @@
 //! `resultant run`: plays a level without a window.
+//!
+//! The telemetry file: state and forces of each object, tick by tick.
+//!
+//! The file of forces: each force and impact of each tick, with its source and its point.
 
-use super::files::{OutputFile, Staged};
-use super::forces::Forces;
+use super::files::{CsvOutput, OutputFile, Staged};
 use super::project::Project;
-use super::stop::{CommandError, Status};
-use super::telemetry::Telemetry;
+use super::{CommandError, Status};
 use crate::files::INPUTS;
-use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Recorder, SHIP, TICK_RATE};
-use crate::level::{FILES, Level};
-use crate::number::Shortest;
+use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Recorder, SHIP, TICK_RATE, obstacle_name, source_name};
+use crate::level::{FILES, Level, Object};
+use crate::number::{Pair, Shortest, pair};
+use crate::physics::{BodyId, DVec2, ForceKind, Impulse, Obstacle, World};
+use serde::Serialize;
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::ops::RangeInclusive;
@@ -183,5 +187,147 @@ fn print(game: &Game, out: &mut dyn Write) -> io::Result<()> {
     match game.killed_by() {
         Some(death) => writeln!(out, "killed_by={}", death.name(game.level())),
         None => Ok(()),
+    }
+}
+
+pub fn header() -> String {
+    let forces = ForceKind::ALL.map(|kind| format!("{0}_x,{0}_y,", column(kind))).concat();
+    format!("tick,time,object,kind,x,y,vx,vy,ax,ay,angle,fuel,resultant_x,resultant_y,{forces}impulse_x,impulse_y")
+}
+
+/// Metres, m/s, m/s², N, degrees; an object has angle and fuel 0. A row describes its own instant, with the engine's drive of the
+/// tick before it; only the impulse (N·s) sums all impacts since the row before.
+#[derive(Serialize)]
+struct BodyRow {
+    tick: u64,
+    time: Shortest,
+    object: u32,
+    kind: &'static str,
+    position: Pair,
+    velocity: Pair,
+    acceleration: Pair,
+    angle: Shortest,
+    fuel: Shortest,
+    resultant: Pair,
+    forces: [Pair; ForceKind::ALL.len()],
+    impulse: Pair,
+}
+
+pub struct Telemetry<W: Write>(CsvOutput<W>);
+
+impl<W: Write> Telemetry<W> {
+    pub fn new(out: W) -> io::Result<Self> {
+        Ok(Self(CsvOutput::new(out, &header())?))
+    }
+
+    /// A row an object: the ship, then the objects in the level's order.
+    pub fn write_tick(&mut self, game: &Game) -> io::Result<()> {
+        let (ship, impulses) = (game.ship(), impulses(game.world()));
+        self.0.row(&row(game, (SHIP, impulses[0]), "ship", (ship.angle, ship.fuel)))?;
+        for ((body, object), impulse) in (1..).zip(&game.level().objects).zip(&impulses[1..]) {
+            self.0.row(&row(game, (BodyId(body), *impulse), kind(object), (0.0, 0.0)))?;
+        }
+        Ok(())
+    }
+
+    pub fn into_inner(self) -> io::Result<W> {
+        self.0.into_inner()
+    }
+}
+
+/// N·s: the sum of the last tick's impacts on each body.
+fn impulses(world: &World) -> Vec<DVec2> {
+    let mut sums = vec![DVec2::ZERO; world.bodies().len()];
+    for impulse in world.impulses() {
+        sums[impulse.a.index()] += impulse.vector;
+        if let Obstacle::Body(b) = impulse.b {
+            sums[b.index()] -= impulse.vector;
+        }
+    }
+    sums
+}
+
+/// A kind of force in the names of columns and rows.
+pub fn column(kind: ForceKind) -> String {
+    kind.name().to_lowercase().replace(' ', "_")
+}
+
+fn kind(object: &Object) -> &'static str {
+    if object.key.is_some() { "key" } else { "object" }
+}
+
+fn row(game: &Game, (id, impulse): (BodyId, DVec2), kind: &'static str, (angle, fuel): (f64, f64)) -> BodyRow {
+    let (body, forces) = (game.world().body(id), game.world().forces(id));
+    BodyRow {
+        tick: game.ticks(),
+        time: Shortest(game.elapsed()),
+        object: id.0,
+        kind,
+        position: pair(body.position),
+        velocity: pair(body.velocity),
+        acceleration: pair(body.acceleration),
+        angle: Shortest(angle),
+        fuel: Shortest(fuel),
+        resultant: pair(forces.resultant()),
+        forces: ForceKind::ALL.map(|kind| pair(forces.total(kind))),
+        impulse: pair(impulse),
+    }
+}
+
+pub const HEADER: &str = "tick,time,object,kind,by,x,y,point_x,point_y";
+/// The kind of an impact, whose vector is an impulse, N·s.
+const IMPACT: &str = "impact";
+
+/// Objects have the telemetry's numbers; N (an impact: N·s) and metres.
+#[derive(Serialize)]
+struct ForceRow<'a> {
+    tick: u64,
+    time: Shortest,
+    object: u32,
+    kind: &'a str,
+    by: &'a str,
+    vector: Pair,
+    point: Pair,
+}
+
+pub struct Forces<W: Write>(CsvOutput<W>);
+
+impl<W: Write> Forces<W> {
+    pub fn new(out: W) -> io::Result<Self> {
+        Ok(Self(CsvOutput::new(out, HEADER)?))
+    }
+
+    /// For each object of the current tick, the forces at this instant and then the impacts since the tick before, in time order.
+    pub fn write_tick(&mut self, game: &Game) -> io::Result<()> {
+        let (world, level) = (game.world(), game.level());
+        for id in (0..world.bodies().len() as u32).map(BodyId) {
+            for force in world.forces(id).forces() {
+                let names = (column(force.kind), source_name(level, force.source));
+                self.write_row(game, id, (&names.0, &names.1), (force.vector, force.point))?;
+            }
+            let felt = |impulse: &Impulse| Some((impulse.on(id)?, impulse.point));
+            for ((vector, by), point) in world.impulses().iter().filter_map(felt) {
+                self.write_row(game, id, (IMPACT, &obstacle_name(level, by)), (vector, point))?;
+            }
+        }
+        Ok(())
+    }
+
+    pub fn into_inner(self) -> io::Result<W> {
+        self.0.into_inner()
+    }
+
+    fn write_row(&mut self, game: &Game, id: BodyId, (kind, by): (&str, &str), (vector, point): (DVec2, DVec2)) -> io::Result<()> {
+        // Adding zero turns −0 into 0.
+        let vector = pair(vector + DVec2::ZERO);
+        self.0.row(&ForceRow {
+            tick: game.ticks(),
+            time: Shortest(game.elapsed()),
+            object: id.0,
+            kind,
+            by,
+            vector,
+            point: pair(point),
+        })
     }
 }

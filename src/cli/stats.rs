@@ -2,7 +2,7 @@
 
 use super::files::{CsvOutput, OutputFile, Staged};
 use super::project::Project;
-use super::stop::{CommandError, Readers, Status, shown};
+use super::{CommandError, Readers, Status, shown};
 use crate::files::{self, FileKind};
 use crate::level;
 use crate::scores::{ExperimentTally, LevelTally, Tally, harmless, may_be_list};

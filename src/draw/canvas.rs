@@ -1,9 +1,9 @@
 //! The canvas: every drawing goes through it. It records shapes in canvas units and needs no window.
 
-use super::colour::Colour;
-use super::dashes::dashes;
 use super::layout::{Area, Frame, LINE, Vec2};
-use super::quads::Quads;
+use super::shape::Colour;
+use super::shape::Quads;
+use super::shape::dashes;
 use super::shape::{Align, Contour, Image, Shape, Style};
 use super::text;
 use std::cell::{Ref, RefCell};

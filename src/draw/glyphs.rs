@@ -1,7 +1,7 @@
 //! The glyphs of the words on the screen. They lie on square pages; a glyph is put there when it is first written and stays where it is, so
 //! that nothing is copied, and the memory depends on what is written alone.
 
-use super::quads::MOST_QUADS;
+use super::shape::MOST_QUADS;
 use super::text::{self, Typeface};
 use glam::Vec2;
 use macroquad::color::Color;

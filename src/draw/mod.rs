@@ -4,21 +4,18 @@
 
 pub mod canvas;
 pub mod chart;
-pub mod colour;
-mod dashes;
 #[cfg(feature = "window")]
 mod glyphs;
 pub mod layout;
 #[cfg(feature = "window")]
 pub mod pen;
-pub mod quads;
 pub mod shape;
 pub mod soft;
 pub mod svg;
 pub mod text;
 
 pub use canvas::Canvas;
-pub use colour::Colour;
-pub use quads::{Quad, Quads};
+pub use shape::Colour;
 pub use shape::{Align, Contour, Image, Shape, Style};
+pub use shape::{Quad, Quads};
 pub use text::Typeface;

@@ -2,11 +2,11 @@
 //! each change between shapes and text costs a draw call.
 
 use super::canvas::Canvas;
-use super::colour::Colour;
 use super::glyphs::Glyphs;
 use super::layout::{Frame, Vec2};
-use super::quads::{MOST_QUADS, Quad};
+use super::shape::Colour;
 use super::shape::{Image, Shape};
+use super::shape::{MOST_QUADS, Quad};
 use super::soft::Soft;
 use super::text;
 use macroquad::camera::{Camera2D, set_camera};

@@ -1,8 +1,8 @@
 //! Soft edges: one physical pixel fades out around each shape, so that nothing is jagged without multisampling. Outlines become
 //! triangles here, without a window.
 
-use super::colour::Colour;
 use super::layout::{Area, Vec2};
+use super::shape::Colour;
 use super::shape::Contour;
 use std::f32::consts::{FRAC_PI_2, TAU};
 

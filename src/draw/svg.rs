@@ -2,8 +2,8 @@
 //! out, for no chart has one.
 
 use super::canvas::Canvas;
-use super::colour::Colour;
 use super::layout::{Area, Vec2};
+use super::shape::Colour;
 use super::shape::{Align, Contour, Shape, Style};
 use super::text::Typeface;
 use std::fmt::Write;

@@ -5,7 +5,6 @@
 
 mod cells;
 mod dialect;
-mod disk;
 mod home;
 #[cfg(any(browser, test))]
 mod kept;
@@ -13,7 +12,6 @@ mod kept;
 mod lock;
 #[cfg(test)]
 pub(crate) mod memory;
-mod pool;
 mod read;
 mod rows;
 mod save;
@@ -24,7 +22,6 @@ mod storage;
 pub use crate::built_in::SHIPPED;
 pub use cells::{Cell, CellFault, CsvRows, SpannedRow, csv_line, rows as csv_rows};
 pub use dialect::{Dialect, Encoding, separators, truth, whole};
-pub use disk::Disk;
 pub use home::{
     copy, create, create_folder, create_numbered, is_file, is_folder, is_link, is_read_only, is_taken, look, make_folder,
     make_shared_folder, names, put, read, read_if_there, read_text, read_with, remove, rename, replace, replace_with, resolve,
@@ -40,6 +37,7 @@ pub use rows::{BadCell, CsvColumn, CsvFile, CsvRow, CsvStruct, found_instead, pl
 pub use save::{SaveError, update, write};
 pub use shipped::{AboveShipped, ship_at, ship_lessons_at};
 pub use staged::{Replacement, around, behind_links, sync_folder};
+pub use storage::Disk;
 pub use storage::{FileKind, Found, Manner, Storage};
 
 /// Some 8000 objects or 20 000 solids. Each object is compared with each solid: files four times as large would take seconds.

@@ -1,9 +1,9 @@
 //! The levels, experiments and assets that are built in, and a home above them: a file of the home hides a shipped one of its path,
 //! and a shipped one can be neither removed nor renamed.
 
-use super::disk::Disk;
 use super::lock::Lock;
 use super::read::{Symlinks, too_large};
+use super::storage::Disk;
 use super::storage::{FileKind, Found, Manner, Storage};
 use crate::built_in::SHIPPED;
 use crate::words::tr;

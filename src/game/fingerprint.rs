@@ -168,6 +168,26 @@ fn solid(Solid { bounds, material, sides, belt, breaks, name }: &Solid) -> impl 
     (area(bounds), surface(material), [left, right, top, bottom], *belt, *breaks, name.clone())
 }
 
+/// FNV-1a, 64 bits (Fowler, Noll, Vo): the same on every machine and in every version of this program; not for secrets.
+pub struct Fnv1a(u64);
+
+impl Fnv1a {
+    pub const fn new() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+
+    /// Takes in the eight bytes, the least significant one first.
+    pub fn write(&mut self, word: u64) {
+        for byte in word.to_le_bytes() {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    }
+
+    pub const fn finish(&self) -> u64 {
+        self.0
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -194,5 +214,13 @@ mod tests {
         rows.add("world", ([1.0, 0.5], (true, None::<f64>, Some([1_u8, 2])), Some("a, b"), vec![("x", 0.1 + 0.2)]));
         let text = String::from_utf8(rows.0.into_inner().unwrap()).unwrap();
         assert_eq!(text, "world,1.0,0.5,true,,1,2,\"a, b\",x,0.30000000000000004\n");
+    }
+
+    #[test]
+    fn agrees_with_an_independent_computation() {
+        assert_eq!(Fnv1a::new().finish(), 0xcbf2_9ce4_8422_2325);
+        let mut hash = Fnv1a::new();
+        hash.write(u64::from_le_bytes(*b"resultan"));
+        assert_eq!(hash.finish(), 0xa849_dace_30d6_5343);
     }
 }

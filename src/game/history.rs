@@ -3,7 +3,7 @@
 //! from a copy to a tick grows with the whole flight's length only.
 
 use super::attempt::Game;
-use super::controls::Controls;
+use super::clock::Controls;
 use super::event::{GameError, Outcome};
 use super::inputs::{Inputs, Playback};
 use super::replay::{Recorder, Replay};

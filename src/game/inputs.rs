@@ -9,7 +9,7 @@
 //! Each row holds its keys (0 or 1) for that many ticks; after the last row nothing is pressed. Blank lines and lines that start
 //! with `#` are skipped; CRLF, a byte-order mark and spaces around a cell are accepted.
 
-use super::controls::Controls;
+use super::clock::Controls;
 use crate::files::{BadCell, CsvColumn, CsvFile, CsvRow, CsvStruct, Dialect, found_instead, place, whole};
 use crate::words::tr;
 use csv::WriterBuilder;

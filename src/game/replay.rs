@@ -20,8 +20,8 @@
 //! departs. A record of a saved score has `player`.
 
 use super::attempt::Game;
+use super::clock::Controls;
 use super::clock::TICK_RATES;
-use super::controls::Controls;
 use super::event::Outcome;
 use super::fingerprint::{LevelHash, level_hash};
 use super::inputs::{BadFile, Inputs};

@@ -1,6 +1,11 @@
 //! The score of an attempt.
+//!
+//! The prizes of a completed flight: bronze for its end, silver and gold for its time, and the level's own mark.
 
 use super::event::Outcome;
+use crate::level::{Awards, Mark};
+use crate::number::{hundredths, whole_hundredths};
+use crate::words::tr;
 
 const BASE: i64 = 10_000;
 /// The most for time, and the loss of a flight twice as slow as the level's author.
@@ -12,7 +17,7 @@ const COLLISION: i64 = -500;
 /// The least of a success.
 const LEAST: i64 = 1;
 /// A term that lacks less than this to the next point gets it, points: 0.9 s of 1 s would bring 999 points, because a tenth is no
-/// binary number. Far below the worth of a tick, far above rounding.
+/// binary number. Far below the worth of a tick, far above rounding. So are a speed, m/s, over its limit and a share of the fuel below it.
 const ROUNDING: f64 = 1e-9;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -87,9 +92,152 @@ pub struct RunResult {
     pub score: ScoreParts,
 }
 
+/// The better one is greater.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Medal {
+    Bronze,
+    Silver,
+    Gold,
+}
+
+impl Medal {
+    pub const ALL: [Self; 3] = [Self::Bronze, Self::Silver, Self::Gold];
+
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Bronze => "Bronze",
+            Self::Silver => "Silver",
+            Self::Gold => "Gold",
+        }
+    }
+
+    /// The medal for a completed flight of that time, s; bronze without a time, as for a flight with help.
+    pub fn for_time(awards: &Awards, time: Option<f64>) -> Self {
+        let within = |limit: Option<f64>| limit.zip(time).is_some_and(|(limit, time)| hundredths(time) <= whole_hundredths(limit));
+        match (within(awards.gold), within(awards.silver)) {
+            (true, _) => Self::Gold,
+            (false, true) => Self::Silver,
+            (false, false) => Self::Bronze,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Medals {
+    pub medal: Option<Medal>,
+    pub mark: bool,
+}
+
+impl Medals {
+    /// Whether a level has medals for time.
+    pub const fn has_clock(awards: &Awards) -> bool {
+        awards.gold.is_some() || awards.silver.is_some()
+    }
+
+    /// The best medal that a flight of that time so far can still earn, and its time left, s; bronze has all the time.
+    pub fn within_reach(awards: &Awards, time: f64) -> (Medal, Option<f64>) {
+        let best = Medal::for_time(awards, Some(time));
+        let limit = match best {
+            Medal::Gold => awards.gold,
+            Medal::Silver => awards.silver,
+            Medal::Bronze => None,
+        };
+        (best, limit.map(|limit| (limit - time).max(0.0)))
+    }
+
+    /// A flight with help earns bronze alone.
+    pub fn of(awards: &Awards, result: &RunResult) -> Self {
+        if result.outcome != Outcome::Completed {
+            return Self::default();
+        }
+        let medal = Medal::for_time(awards, (!result.assisted).then_some(result.time));
+        Self { medal: Some(medal), mark: !result.assisted && awards.mark.is_some_and(|mark| lacks(mark, result).is_none()) }
+    }
+
+    /// Adds the medal for the best time, by the limits of the level as it stands now: the flight may be older than they are.
+    #[must_use]
+    pub fn with_best(self, awards: &Awards, time: Option<f64>) -> Self {
+        Self { medal: self.medal.map(|medal| medal.max(Medal::for_time(awards, time))), ..self }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Prize {
+    Medal(Medal),
+    Mark,
+}
+
+/// A prize, its condition, and the part that a flight lacks for it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Goal {
+    pub prize: Prize,
+    pub asks: String,
+    /// `None` where the prize is earned.
+    pub missing: Option<String>,
+}
+
+pub fn goals(awards: &Awards, result: &RunResult) -> Vec<Goal> {
+    let completed = result.outcome == Outcome::Completed;
+    let unless = |lacks: Option<String>| match (completed, result.assisted) {
+        (false, _) => Some(tr("not completed").to_owned()),
+        (true, true) => Some(tr("not with help").to_owned()),
+        (true, false) => lacks,
+    };
+    let bronze = (!completed).then(|| tr("not completed").to_owned());
+    let timed = |medal, limit: f64| {
+        let late = hundredths(result.time).saturating_sub(whole_hundredths(limit));
+        let lacks = (late > 0).then(|| tr!("{time} s too slow", time = format_args!("{}.{:02}", late / 100, late % 100)));
+        Goal { prize: Prize::Medal(medal), asks: tr!("within {limit} s", limit), missing: unless(lacks) }
+    };
+    let mark = |mark| Goal { prize: Prize::Mark, asks: words(mark), missing: unless(lacks(mark, result)) };
+    [Goal { prize: Prize::Medal(Medal::Bronze), asks: tr("level complete").to_owned(), missing: bronze }]
+        .into_iter()
+        .chain(awards.silver.map(|limit| timed(Medal::Silver, limit)))
+        .chain(awards.gold.map(|limit| timed(Medal::Gold, limit)))
+        .chain(awards.mark.map(mark))
+        .collect()
+}
+
+pub fn words(mark: Mark) -> String {
+    match mark {
+        Mark::Hits(0) => tr("no damaging hit").to_owned(),
+        Mark::Hits(most) => tr!("at most {most}", most = counted_hits(most)),
+        Mark::Fuel(least) => tr!("{least} % fuel left", least),
+        Mark::Pushes(0) => tr("no object pushed").to_owned(),
+        Mark::Pushes(most) => tr!("at most {most}", most = count_pushes(most)),
+        Mark::Speed(most) => tr!("never above {most} m/s", most),
+    }
+}
+
+fn lacks(mark: Mark, result: &RunResult) -> Option<String> {
+    match mark {
+        Mark::Hits(most) => (result.collisions > most).then(|| counted_hits(result.collisions)),
+        Mark::Fuel(least) => {
+            let left = result.fuel * 100.0;
+            (left < least - ROUNDING)
+                .then(|| tr!("{percent} % left", percent = format_args!("{:.1}", (left * 10.0).floor() / 10.0)))
+        }
+        Mark::Pushes(most) => (result.pushes > most).then(|| count_pushes(result.pushes)),
+        Mark::Speed(most) => {
+            (result.top_speed > most + ROUNDING).then(|| format!("{:.1} m/s", (result.top_speed * 10.0).ceil() / 10.0))
+        }
+    }
+}
+
+fn counted_hits(n: u32) -> String {
+    if n == 1 { tr("1 damaging hit").to_owned() } else { tr!("{count} damaging hits", count = n) }
+}
+
+fn count_pushes(n: u32) -> String {
+    if n == 1 { tr("1 push").to_owned() } else { tr!("{count} pushes", count = n) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::game::ScoreParts;
+    use crate::number::clock;
 
     fn total(time: f64, optimal_time: f64, fuel: f64, collisions: u32) -> i64 {
         ScoreParts::completed(time, optimal_time, fuel, collisions).total
@@ -145,5 +293,103 @@ mod tests {
         assert_eq!(total(10.0, 10.0, 0.0, 20), 1);
         assert_eq!(total(10.0, 10.0, 0.0, u32::MAX), 1);
         assert_eq!(total(20.0, 10.0, 0.001, 0), 2);
+    }
+
+    const AWARDS: Awards = Awards { silver: Some(9.0), gold: Some(7.5), mark: Some(Mark::Fuel(60.0)) };
+
+    fn flight(time: f64, fuel: f64) -> RunResult {
+        RunResult {
+            level: String::new(),
+            outcome: Outcome::Completed,
+            time,
+            optimal_time: 60.0,
+            objectives_met: 1,
+            objectives_all: 1,
+            collisions: 2,
+            pushes: 1,
+            fuel,
+            fuel_used: 0.0,
+            distance: 0.0,
+            top_speed: 12.34,
+            peak_resultant: 0.0,
+            assisted: false,
+            death: None,
+            score: ScoreParts::default(),
+        }
+    }
+
+    #[test]
+    fn what_a_flight_earns() {
+        let of = |result: RunResult| Medals::of(&AWARDS, &result);
+        let medals = |medal, mark| Medals { medal: Some(medal), mark };
+        assert_eq!(of(flight(7.5, 0.6)), medals(Medal::Gold, true));
+        assert_eq!(of(flight(7.6, 0.599)), medals(Medal::Silver, false));
+        assert_eq!(of(flight(9.1, 1.0)), medals(Medal::Bronze, true));
+        assert_eq!(of(RunResult { assisted: true, ..flight(1.0, 1.0) }), medals(Medal::Bronze, false));
+        assert_eq!(of(RunResult { outcome: Outcome::Failed, ..flight(1.0, 1.0) }), Medals::default());
+        assert_eq!(Medals::of(&Awards::default(), &flight(1.0, 1.0)), medals(Medal::Bronze, false), "bronze alone");
+    }
+
+    #[test]
+    fn a_shown_time_and_what_it_lacks_add_up_to_the_limit() {
+        // 661 ticks are 5.5083 s, which the screen shows as 00:05.51.
+        let awards = Awards { gold: Some(5.5), ..Awards::default() };
+        let missing = |ticks: f64| goals(&awards, &flight(ticks / 120.0, 1.0)).remove(1).missing;
+        assert_eq!(missing(660.0), None);
+        assert_eq!((missing(661.0).as_deref(), clock(661.0 / 120.0)), (Some("0.01 s too slow"), "00:05.51".to_owned()));
+        assert_eq!((missing(814.0).as_deref(), clock(814.0 / 120.0)), (Some("1.29 s too slow"), "00:06.79".to_owned()));
+        assert_eq!(Medal::for_time(&awards, Some(661.0 / 120.0)), Medal::Bronze);
+        // A time shown as 00:05.51 is not within 5.505 s.
+        let odd = Awards { gold: Some(5.505), ..Awards::default() };
+        assert_eq!([5.5, 5.503].map(|time| Medal::for_time(&odd, Some(time))), [Medal::Gold, Medal::Bronze]);
+    }
+
+    #[test]
+    fn the_medal_clock_runs_from_gold_to_silver_to_bronze() {
+        let at = |time: f64| Medals::within_reach(&AWARDS, time);
+        assert_eq!(
+            [at(0.0), at(7.5), at(8.0), at(10.0)].map(|(medal, _)| medal),
+            [Medal::Gold, Medal::Gold, Medal::Silver, Medal::Bronze]
+        );
+        assert_eq!([at(0.5).1, at(7.5).1, at(8.0).1, at(10.0).1], [Some(7.0), Some(0.0), Some(1.0), None]);
+    }
+
+    #[test]
+    fn an_old_best_time_is_worth_what_it_would_be_now() {
+        let bronze = Medals { medal: Some(Medal::Bronze), mark: false };
+        assert_eq!(bronze.with_best(&AWARDS, Some(8.0)).medal, Some(Medal::Silver));
+        assert_eq!(bronze.with_best(&AWARDS, None), bronze);
+        assert_eq!(Medals::default().with_best(&AWARDS, None), Medals::default());
+    }
+
+    #[test]
+    fn each_line_says_what_is_asked_for_and_what_is_missing() {
+        let lines = |awards: &Awards, result: &RunResult| {
+            goals(awards, result).into_iter().map(|goal| (goal.asks, goal.missing.unwrap_or_default())).collect::<Vec<_>>()
+        };
+        let line = |asks: &str, missing: &str| (asks.to_owned(), missing.to_owned());
+        assert_eq!(
+            lines(&AWARDS, &flight(8.0, 0.4567)),
+            [
+                line("level complete", ""),
+                line("within 9 s", ""),
+                line("within 7.5 s", "0.50 s too slow"),
+                line("60 % fuel left", "45.6 % left")
+            ]
+        );
+        for (mark, asks, missing) in [
+            (Mark::Hits(0), "no damaging hit", "2 damaging hits"),
+            (Mark::Hits(1), "at most 1 damaging hit", "2 damaging hits"),
+            (Mark::Hits(2), "at most 2 damaging hits", ""),
+            (Mark::Pushes(0), "no object pushed", "1 push"),
+            (Mark::Pushes(2), "at most 2 pushes", ""),
+            (Mark::Speed(12.0), "never above 12 m/s", "12.4 m/s"),
+        ] {
+            let awards = Awards { mark: Some(mark), ..Awards::default() };
+            assert_eq!(lines(&awards, &flight(8.0, 1.0))[1..], [line(asks, missing)]);
+            assert_eq!(Medals::of(&awards, &flight(8.0, 1.0)).mark, missing.is_empty());
+        }
+        let lost = RunResult { outcome: Outcome::Failed, ..flight(8.0, 1.0) };
+        assert!(goals(&AWARDS, &lost).iter().all(|goal| goal.missing.as_deref() == Some("not completed")));
     }
 }

@@ -1,6 +1,6 @@
 //! The ship's engine and its rotation under the keys.
 
-use super::controls::Controls;
+use super::clock::Controls;
 pub use crate::level::BURN_RATE;
 use crate::level::ShipStart;
 pub use crate::level::nose;

@@ -10,7 +10,7 @@
 //!    where a slide ends, did so at one point of the path, for all of them the one that makes the sum right. Where there are none the rest
 //!    goes to the forces that changed, by |(F₁ − F₀)·Δr|; so drag alone is exact.
 
-use super::companion::Companion;
+use super::track::Companion;
 use crate::game::{Game, History};
 use crate::level::SurfaceOf;
 use crate::physics::{BodyId, DVec2, ForceKind, Source};

@@ -3,7 +3,7 @@
 //! Tenths are exact instants of the game's time: a tick of their own where the rate is a multiple of ten, and else a point between two ticks,
 //! on the parabola through both with the velocity of the later one.
 
-use super::companion::Companion;
+use super::track::Companion;
 use crate::game::{Game, History};
 use crate::physics::{BodyId, DVec2};
 use std::collections::VecDeque;

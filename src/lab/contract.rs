@@ -1,8 +1,16 @@
 //! The one contract of the lab. A [`Model`] is a motion that can be stepped: by methods by hand, and by the shipped engine in a world that
 //! holds the same. Scenes, stress tests and side by side run each method of a model through [`Model::end`] or
 //! [`Model::running`], and differ only in their questions to the states.
+//!
+//! A scene: a question with an exact answer, and the methods that are to answer it.
+//!
+//! Worlds of the shipped engine for the lab's models, with the game's defaults.
 
-use crate::physics::World;
+use super::TOLERANCE;
+use super::curve::CoursePoint;
+use super::methods::impact::LineBlock;
+use super::methods::motion::{MotionLaw, PointState};
+use crate::physics::{Aabb, BodyDef, DVec2, FluidDef, Material, SurfaceDef, World, WorldDef};
 
 /// The name of the shipped engine in legends and tables.
 pub const SHIPPED: &str = "shipped engine";
@@ -143,4 +151,116 @@ impl<M: Model> Running<M> {
         }
         Some((time, &self.state))
     }
+}
+
+/// The ladder of steps, s. The game's tick is among them.
+pub(super) const LADDER: [f64; 7] = [1.0 / 15.0, 1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0, 1.0 / 480.0, 1.0 / 960.0];
+
+pub(super) const WORK: &str = "CPU time for a simulated second and body, ns";
+
+pub struct LabScene {
+    pub name: &'static str,
+    pub title: String,
+    /// With its unit, for the axis.
+    pub error: &'static str,
+    /// In the error's unit: the largest error that no eye sees.
+    pub tolerance: f64,
+    /// With its unit, for the axis.
+    pub work: &'static str,
+    /// Work is divided by this: simulated seconds × bodies.
+    pub share: f64,
+    /// Steps to try, s, from the coarsest.
+    pub steps: Vec<f64>,
+    /// The step at which the game ships, s.
+    pub shipped_step: f64,
+    /// Whether all methods answer the same question, so that the cheapest right one can be named.
+    pub alike: bool,
+    /// A note for the reader of the diagram, or empty.
+    pub note: &'static str,
+    /// The shipped engine is the last.
+    pub methods: Vec<SceneMethod>,
+}
+
+/// A method in a scene: a step (s) gives the error of the whole scene, and its course.
+pub type SceneMethod = Entrant<f64, Vec<CoursePoint>>;
+
+impl LabScene {
+    /// A scene of `seconds` and `bodies` on the usual ladder, whose error is a distance.
+    pub(super) fn new(name: &'static str, title: impl Into<String>, seconds: f64, bodies: usize) -> Self {
+        Self {
+            name,
+            title: title.into(),
+            error: "error of position at the end, m",
+            tolerance: TOLERANCE,
+            work: WORK,
+            share: seconds * bodies as f64,
+            steps: LADDER.to_vec(),
+            shipped_step: 1.0 / crate::game::TICK_RATE,
+            alike: true,
+            note: "",
+            methods: Vec::new(),
+        }
+    }
+}
+
+impl std::fmt::Debug for LabScene {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let methods: Vec<_> = self.methods.iter().map(|method| &method.name).collect();
+        f.debug_struct("Scene").field("name", &self.name).field("methods", &methods).finish_non_exhaustive()
+    }
+}
+
+/// A floor whose top is at y = 0.
+pub(super) fn floor() -> SurfaceDef {
+    SurfaceDef::fixed(Aabb::new(DVec2::new(-1e4, 0.0), DVec2::new(1e4, 1.0)), Material::ASPHALT)
+}
+
+/// Bodies above that floor, without air.
+pub(super) fn on_floor(gravity: f64, rest_speed: f64, bodies: Vec<BodyDef>) -> WorldDef {
+    WorldDef { gravity, rest_speed, air_density: 0.0, bodies, surfaces: vec![floor()], ..WorldDef::default() }
+}
+
+/// A box of 1 m whose lower side is at height `y` above the floor.
+pub(super) fn crate_at(x: f64, y: f64, mass: f64) -> BodyDef {
+    BodyDef { position: DVec2::new(x, -0.5 - y), mass, ..BodyDef::default() }
+}
+
+/// A world with one body that obeys `law`, which pulls downwards only. The body is round, since the law's drag does not depend on the
+/// direction. Uniform wind is another frame of reference: in it the air stands still.
+pub(super) fn in_air(law: &MotionLaw, start: PointState) -> WorldDef {
+    let body = BodyDef { position: start.x, velocity: start.v - law.wind, drag: 2.0 * law.drag, round: true, ..BodyDef::default() };
+    WorldDef { gravity: law.constant.y, air_density: 1.0, bodies: vec![body], ..WorldDef::default() }
+}
+
+/// A world with one box of 1 m in a liquid of that density (kg/m³), so thick that it slows the box of `mass` kg by `viscous` of its
+/// velocity a second: Stokes' 3π·η·d/m with d = 1 m.
+pub(super) fn in_liquid(viscous: f64, density: f64, mass: f64, gravity: f64, start: PointState) -> WorldDef {
+    let zone = Aabb::around(start.x, DVec2::splat(1e4));
+    let fluid = FluidDef { zone, density, viscosity: viscous * mass / (3.0 * std::f64::consts::PI) };
+    let body = BodyDef { position: start.x, velocity: start.v, mass, drag: 0.0, ..BodyDef::default() };
+    WorldDef { gravity, air_density: 0.0, bodies: vec![body], fluids: vec![fluid], ..WorldDef::default() }
+}
+
+/// A world with one body on a wide and deep liquid whose surface is at y = 0.
+pub(super) fn on_water(gravity: f64, density: f64, body: BodyDef) -> WorldDef {
+    let zone = Aabb::new(DVec2::new(-1e3, 0.0), DVec2::new(1e3, 1e3));
+    let fluid = FluidDef { zone, density, viscosity: 0.0 };
+    WorldDef { gravity, air_density: 0.0, bodies: vec![body], fluids: vec![fluid], ..WorldDef::default() }
+}
+
+/// A line of blocks without gravity and air; a block of infinite mass is a wall.
+pub(super) fn line(blocks: &[LineBlock], e: f64) -> WorldDef {
+    let movable = blocks.iter().filter(|block| block.mass.is_finite());
+    let bodies = movable.map(|block| BodyDef {
+        position: DVec2::new(block.x, 0.0),
+        velocity: DVec2::new(block.v, 0.0),
+        half: DVec2::new(block.half, 0.5),
+        mass: block.mass,
+        restitution: e,
+        ..BodyDef::default()
+    });
+    let walls = blocks.iter().filter(|block| block.mass.is_infinite());
+    let surfaces = walls
+        .map(|block| SurfaceDef::fixed(Aabb::around(DVec2::new(block.x, 0.0), DVec2::new(block.half, 100.0)), Material::STEEL));
+    WorldDef { gravity: 0.0, air_density: 0.0, bodies: bodies.collect(), surfaces: surfaces.collect(), ..WorldDef::default() }
 }

@@ -1,4 +1,9 @@
 //! A method's curve: the numbers of its runs, and the order that they show.
+//!
+//! The course of a method while a scene runs: its error and its energy over time, which a final error hides. A method that gains
+//! energy slowly, one whose clock is wrong, and one that is merely coarse may end equally far from the truth.
+//!
+//! The numbers behind a scene's diagrams.
 
 use crate::draw::chart::look::CurveOrigin;
 
@@ -76,6 +81,125 @@ impl MethodCurve {
     }
 }
 
+/// Moments of a course, at most. More would be closer together than the pixels of a diagram.
+const MOMENTS: usize = 150;
+
+/// A method at a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CoursePoint {
+    /// Since the start, s.
+    pub time: f64,
+    /// The largest distance from the truth since the moment before, m; not finite where the method blew up.
+    pub error: f64,
+    /// Energy over the exact one, where the scene keeps it.
+    pub energy: Option<f64>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct OverTime {
+    /// s.
+    pub step: f64,
+    pub courses: Vec<MethodCurve<CoursePoint>>,
+}
+
+impl OverTime {
+    pub fn has_energy(&self) -> bool {
+        self.courses.iter().flat_map(|course| &course.points).any(|moment| moment.energy.is_some())
+    }
+}
+
+/// The largest of some errors of 0 or more; not a number where one is not, or where there are none.
+pub fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
+    let larger = |worst: f64, error: f64| if worst.is_nan() || error <= worst { worst } else { error };
+    errors.into_iter().reduce(larger).unwrap_or(f64::NAN)
+}
+
+/// Thinned out, evenly spaced; the last moment stays. Each takes the largest error since the one before, and the energy furthest from
+/// 1.
+pub fn sampled(moments: impl Iterator<Item = CoursePoint>) -> Vec<CoursePoint> {
+    let all: Vec<CoursePoint> = moments.collect();
+    let every = all.len().div_ceil(MOMENTS).max(1);
+    let together = |some: &[CoursePoint]| {
+        let last = some.last()?;
+        let error = worst(some.iter().map(|moment| moment.error));
+        let off = |energy: &f64| (energy - 1.0).abs();
+        let energy = some.iter().filter_map(|moment| moment.energy).max_by(|a, b| off(a).total_cmp(&off(b)));
+        Some(CoursePoint { time: last.time, error, energy })
+    };
+    all.chunks(every).filter_map(together).collect()
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    pub name: String,
+    pub title: String,
+    /// With its unit.
+    pub error: String,
+    /// With its unit.
+    pub work: String,
+    pub tolerance: f64,
+    /// s.
+    pub shipped_step: f64,
+    pub alike: bool,
+    /// A note for the reader, or empty.
+    pub note: String,
+    pub curves: Vec<MethodCurve>,
+    /// Empty where no method was followed.
+    pub over_time: Option<OverTime>,
+}
+
+impl Measured {
+    #[cfg(test)]
+    pub(crate) fn of_curves(curves: Vec<MethodCurve>) -> Self {
+        Self {
+            name: "n".into(),
+            title: "A title".into(),
+            error: "error, m".into(),
+            work: "work, ns".into(),
+            tolerance: 1e-3,
+            shipped_step: 0.01,
+            alike: true,
+            note: String::new(),
+            curves,
+            over_time: None,
+        }
+    }
+
+    /// The curve of the shipped engine, if the scene has one, and its points at the step at which the game ships.
+    pub fn shipped(&self) -> Option<(&MethodCurve, impl Iterator<Item = WorkPoint>)> {
+        let curve = self.curves.iter().find(|curve| curve.origin == CurveOrigin::Shipped)?;
+        let step = self.shipped_step;
+        Some((curve, curve.points.iter().copied().filter(move |point| (point.step / step - 1.0).abs() < SAME_STEP)))
+    }
+
+    pub fn shipped_point(&self) -> Option<WorkPoint> {
+        self.shipped()?.1.next()
+    }
+
+    /// The cheapest point with an error of at most `error`, where all methods answer the same question.
+    pub fn cheapest_within(&self, error: f64) -> Option<(&MethodCurve, WorkPoint)> {
+        if !self.alike {
+            return None;
+        }
+        let points = self.curves.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, *point)));
+        points.filter(|(_, point)| point.error <= error).min_by(|(_, a), (_, b)| a.work.total_cmp(&b.work))
+    }
+
+    pub fn cheapest(&self) -> Option<(&MethodCurve, WorkPoint)> {
+        self.cheapest_within(self.tolerance)
+    }
+
+    /// The cheapest point that is as exact as the shipped one.
+    pub fn cheapest_as_exact(&self) -> Option<(&MethodCurve, WorkPoint)> {
+        self.cheapest_within(self.shipped_point()?.error.max(EXACT))
+    }
+}
+
+/// Relative: steps that differ by less are the same one.
+const SAME_STEP: f64 = 1e-6;
+/// Errors up to this are none but rounding: which of two is smaller says nothing.
+const EXACT: f64 = 1e-9;
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -98,5 +222,18 @@ mod tests {
         assert_eq!(curve(&[0.1, 0.05]).order(), None, "a single slope is no fit");
         assert_eq!(curve(&[0.1, 0.1, 0.1]).order(), None);
         assert_eq!(curve(&[f64::NAN, f64::INFINITY, 0.0]).order(), None);
+    }
+
+    #[test]
+    fn few_moments_stand_for_many_and_forgive_nothing() {
+        let wild = |i: usize| if i == 777 { 9.0 } else { 0.5 };
+        let many = (1..=1000).map(|i| CoursePoint { time: i as f64, error: wild(i), energy: Some(1.0 - wild(i)) });
+        let few = sampled(many);
+        assert!(few.len() <= MOMENTS && few.last().unwrap().time == 1000.0);
+        let worst = few.iter().find(|moment| moment.error == 9.0).unwrap();
+        assert!(worst.time >= 777.0 && worst.time < 790.0 && worst.energy == Some(-8.0));
+        let nothing = sampled([1.0, f64::NAN, 2.0].into_iter().map(|error| CoursePoint { time: 0.0, error, energy: None }));
+        assert!(nothing.len() == 3 && nothing[1].error.is_nan());
+        assert!(sampled(std::iter::empty()).is_empty());
     }
 }

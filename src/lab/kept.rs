@@ -1,7 +1,15 @@
 //! The charts that come with the game, as its authors measured them: the files of `docs/charts`. The game shows them where
 //! `resultant chart` has not been run.
+//!
+//! Other engines' points, from the file that `benches/peers` wrote: the same scenes, measured on one machine in one run. A scene of
+//! the lab gets their points into its diagram, a curve for each version and setting. Scenes that no method by hand could run make
+//! diagrams of their own.
 
+use super::TOLERANCE;
 use super::charts::Charts;
+use super::curve::{MOST_CURVES, Measured, NUMBERS, WorkPoint, curve_of};
+use super::rows::{above_zero, error, rows};
+use crate::draw::chart::look::CurveOrigin;
 
 macro_rules! kept {
     ($($name:literal),* $(,)?) => {
@@ -58,6 +66,126 @@ pub fn charts() -> Result<Charts, String> {
     })
 }
 
+/// The columns of the file that `benches/peers` writes.
+pub const PEERS_HEAD: [&str; 10] = ["scene", "engine", "version", "settings", "step", "work", "error", "overlap", "speed", "times"];
+/// The name of this engine in that file.
+pub const OURS: &str = "Resultant";
+/// The ending of scenes in which resting bodies may sleep, as they always may in the lab.
+const SLEEP: &str = "-sleep";
+
+/// A diagram for engines only; its scenes bear its name, or its name and a size.
+struct Family {
+    scenes: &'static str,
+    name: &'static str,
+    title: &'static str,
+    error: &'static str,
+    tolerance: f64,
+    /// Whether the diagram has a point a size, with work a body and step.
+    sizes: bool,
+}
+
+const OVERLAP: &str = "worst overlap at any step, m";
+
+const FAMILIES: [Family; 9] = [
+    Family::of_sizes("pile", "piles", "Piles of 100, 1000 and 5000 boxes raining into a pit, 10 s", OVERLAP),
+    Family::of_sizes("masses", "piles-of-masses", "Boxes of 0.5 to 50 kg raining into a pit, 10 s", OVERLAP),
+    Family::of_sizes("restitutions", "piles-that-bounce", "Boxes of mixed restitutions raining into a pit, 10 s", OVERLAP),
+    Family::of_sizes("settled", "settled", "Settled piles that may sleep, 10 s", "largest movement, m"),
+    Family::of_sizes("flight", "flights", "Free flight of many bodies, 5 s", "worst error of position at the end, m"),
+    Family::of_sizes(
+        "flight-drag",
+        "flights-with-drag",
+        "Flight of many bodies with drag, 5 s",
+        "worst error of position at the end, m",
+    ),
+    Family {
+        // A tenth of a pixel of the fourth apex, 20 m · 0.5⁸.
+        tolerance: TOLERANCE / 0.078_125,
+        ..Family::single("bounce-fourth", "The fourth bounce at restitution 0.5, from 20 m", "relative error of its height")
+    },
+    Family::single("column-100", "A column of 100 equal blocks, 10 s", "largest movement of a body at rest, m"),
+    Family::single("wall-10-km-s", "A box of 0.2 m at 10 km/s against a wall of 5 cm", "error of position at the end, m"),
+];
+
+impl Family {
+    const fn single(name: &'static str, title: &'static str, error: &'static str) -> Self {
+        Self { scenes: name, name, title, error, tolerance: TOLERANCE, sizes: false }
+    }
+
+    const fn of_sizes(scenes: &'static str, name: &'static str, title: &'static str, error: &'static str) -> Self {
+        Self { scenes, name, title, error, tolerance: TOLERANCE, sizes: true }
+    }
+
+    fn has(&self, scene: &str) -> bool {
+        let size = |rest: &str| rest.strip_prefix('-').is_some_and(|size| size.parse::<u32>().is_ok());
+        if self.sizes { scene.strip_prefix(self.scenes).is_some_and(size) } else { scene == self.scenes }
+    }
+
+    fn diagram(&self, step: f64) -> Measured {
+        let work = if self.sizes { "CPU time for a body and step, ns (a point a size)" } else { super::contract::WORK };
+        Measured {
+            name: self.name.to_owned(),
+            title: self.title.to_owned(),
+            error: self.error.to_owned(),
+            work: work.to_owned(),
+            tolerance: self.tolerance,
+            // Of sizes, the only one there is; else the step at which the game ships.
+            shipped_step: if self.sizes { step } else { 1.0 / crate::game::TICK_RATE },
+            alike: !self.sizes,
+            note: String::new(),
+            over_time: None,
+            curves: Vec::new(),
+        }
+    }
+}
+
+/// Adds the peers' points to the diagrams of their scenes, and diagrams for the scenes of engines only; leaves out all other scenes.
+/// `file` names the text.
+///
+/// # Errors
+/// File and line of the first row that cannot be read.
+pub fn add_peers(file: &str, text: &str, diagrams: &mut Vec<Measured>) -> Result<(), String> {
+    let mut families = FAMILIES.map(|family| (family, None::<Measured>));
+    for row in rows(file, text, &PEERS_HEAD)? {
+        let (scene, ours) = (row.get("scene"), row.get("engine") == OURS);
+        let (step, work, error) = (above_zero(&row, "step")?, above_zero(&row, "work")?, error(&row)?);
+        let (scene, sleeps) = match scene.strip_suffix(SLEEP) {
+            // The lab measures this engine with sleep.
+            Some(_) if ours => continue,
+            Some(scene) => (scene, true),
+            None => (scene, false),
+        };
+        let engine = curve_name(row.get("engine"), row.get("version"), row.get("settings"), sleeps);
+        let origin = if ours { CurveOrigin::Shipped } else { CurveOrigin::Peer };
+        let (measured, work) = if let Some(measured) = diagrams.iter_mut().find(|measured| measured.name == scene) {
+            // In the scenes of the lab the shipped engine is measured here and now.
+            if ours {
+                continue;
+            }
+            (measured, work)
+        } else if let Some((family, measured)) = families.iter_mut().find(|(family, _)| family.has(scene)) {
+            let work = if family.sizes { (work * step).clamp(*NUMBERS.start(), *NUMBERS.end()) } else { work };
+            (measured.get_or_insert_with(|| family.diagram(step)), work)
+        } else {
+            continue;
+        };
+        let too_many = || row.bad_cell("engine", format_args!("at most {MOST_CURVES} curves in a diagram"));
+        let curve = curve_of(&mut measured.curves, &engine, origin).ok_or_else(too_many)?;
+        curve.points.push(WorkPoint { step, work, error });
+    }
+    diagrams.extend(families.into_iter().filter_map(|(_, measured)| measured));
+    Ok(())
+}
+
+/// The legend of a curve: the engine with its version and settings; ours needs neither.
+fn curve_name(engine: &str, version: &str, settings: &str, sleeps: bool) -> String {
+    if engine == OURS {
+        return engine.to_owned();
+    }
+    let settings = [settings, if sleeps { "with sleep" } else { "" }].into_iter().filter(|words| !words.is_empty());
+    settings.fold(format!("{engine} {version}"), |name, words| format!("{name}, {words}"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -76,5 +204,72 @@ mod tests {
         let listed: Vec<&str> = FILES[3..].iter().map(|(name, _)| name.trim_end_matches(".csv")).collect();
         assert_eq!(listed, kept, "docs/charts/scenes.csv names other files than are listed here");
         assert!(!charts.stress.is_empty());
+    }
+
+    /// A file of such rows, each without its end from the error on.
+    fn file(rows: &[&str]) -> String {
+        let rows = rows.iter().map(|row| format!("{row},0,0,1\n"));
+        std::iter::once(format!("{}\n", PEERS_HEAD.join(","))).chain(rows).collect()
+    }
+
+    #[test]
+    fn peers_are_added_to_their_scenes_and_the_rest_make_their_own() {
+        let mut diagrams = vec![Measured { name: "fall".into(), ..FAMILIES[0].diagram(0.01) }];
+        let text = file(&[
+            "fall,other,1.2,\"4 parts, soft\",0.01,100,0.5",
+            "fall,other,1.2,\"4 parts, soft\",0.005,200,0.25",
+            "fall,other,1.2,\"32 parts, stiff\",0.01,800,0.1",
+            "fall-sleep,other,1.2,\"4 parts, soft\",0.01,50,0.5",
+            "fall,Resultant,0.1.0,,0.01,10,0",
+            "pile-100,other,1.2,,0.5,10,0.1",
+            "pile-100,Resultant,0.1.0,,0.5,1,0",
+            "pile-1000,Resultant,0.1.0,,0.5,2,0",
+            "column-100,other,1.2,,0.01,7,0",
+            "column-100,Resultant,0.1.0,,0.01,9,0",
+            "column-100,Resultant,0.1.0,,8.333333333333333e-3,8,0",
+            "unheard-of,other,1.2,,0.01,7,0",
+            "flight-drag-1000,other,1.2,,0.5,8,NaN",
+        ]);
+        add_peers("results.csv", &text, &mut diagrams).unwrap();
+        let names: Vec<&str> = diagrams.iter().map(|measured| measured.name.as_str()).collect();
+        assert_eq!(names, ["fall", "piles", "flights-with-drag", "column-100"]);
+        let curves =
+            |i: usize| diagrams[i].curves.iter().map(|curve| (curve.name.as_str(), curve.points.clone())).collect::<Vec<_>>();
+        let point = |step, work, error| WorkPoint { step, work, error };
+        assert_eq!(
+            curves(0),
+            [
+                ("other 1.2, 4 parts, soft", vec![point(0.01, 100.0, 0.5), point(0.005, 200.0, 0.25)]),
+                ("other 1.2, 32 parts, stiff", vec![point(0.01, 800.0, 0.1)]),
+                ("other 1.2, 4 parts, soft, with sleep", vec![point(0.01, 50.0, 0.5)])
+            ]
+        );
+        assert_eq!(
+            curves(1),
+            [("other 1.2", vec![point(0.5, 5.0, 0.1)]), (OURS, vec![point(0.5, 0.5, 0.0), point(0.5, 1.0, 0.0)])]
+        );
+        let (_, shipped) = diagrams[1].shipped().unwrap();
+        assert_eq!(shipped.count(), 2, "every size is shipped");
+        assert_eq!(diagrams[3].shipped_point().map(|point| point.work), Some(8.0), "the point at the game's own step");
+    }
+
+    #[test]
+    fn numbers_that_cannot_be_are_refused_by_line_and_column() {
+        let above_zero = "a number above 0, from 1e-100 to 1e100";
+        for (row, column, found, expected) in [
+            ("fall,other,1,,0,1,0", "step", "0", above_zero),
+            ("fall,other,1,,0.1,1.8e308,0", "work", "1.8e308", above_zero),
+            ("fall,other,1,,0.1,NaN,0", "work", "NaN", above_zero),
+            ("fall,other,1,,0.1,many,0", "work", "many", above_zero),
+            ("fall,other,1,,0.1,1,-1", "error", "-1", "an error of 0 or more, inf or NaN"),
+            ("fall,other,1,,inf,1,0", "step", "inf", above_zero),
+        ] {
+            let problem = add_peers("results.csv", &file(&[row]), &mut Vec::new()).unwrap_err();
+            assert_eq!(problem, format!("results.csv:2: column \"{column}\": found \"{found}\", expected {expected}"));
+        }
+        let head = PEERS_HEAD.join(",");
+        let problem = add_peers("results.csv", "scene,engine,step,work,error\n", &mut Vec::new()).unwrap_err();
+        assert_eq!(problem, format!("results.csv:1: found \"scene,engine,step,work,error\", expected the head {head}"));
+        assert!(add_peers("results.csv", "", &mut Vec::new()).unwrap_err().starts_with("results.csv: found nothing"));
     }
 }

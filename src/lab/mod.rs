@@ -15,26 +15,20 @@
 
 pub mod charts;
 pub mod contract;
-pub mod course;
 pub mod curve;
 pub mod drawing;
 pub mod kept;
-pub mod measured;
 pub mod methods;
-pub mod peers;
 pub mod reference;
 pub mod report;
 mod rows;
-mod scene;
 pub mod scenes;
-mod shipped;
 pub mod side_by_side;
 pub mod stability;
-pub mod stability_diagram;
 pub mod stress;
 pub mod timeline;
 
-pub use scene::{LabScene, SceneMethod};
+pub use contract::{LabScene, SceneMethod};
 
 /// m. A tenth of a pixel at the default scale of 30 pixels a metre: an error that no one can see.
 pub const TOLERANCE: f64 = 1.0 / 300.0;

@@ -1,11 +1,11 @@
 //! The findings of a run in writing: a page with all tables and diagrams, and the cheapest method of each scene.
 
 use super::charts::Charts;
+use super::curve::Measured;
 use super::curve::{MethodCurve, WorkPoint};
-use super::measured::Measured;
 use super::rows::{shortest, table};
 use super::stability::{Region, SHIPPED, SHIPPED_LIMITS, limit};
-use super::stability_diagram::{SVG, TITLE};
+use super::stability::{SVG, TITLE};
 use crate::draw::chart::look::CurveOrigin;
 use crate::number::{short, step};
 use std::fmt::Write;

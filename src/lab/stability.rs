@@ -8,11 +8,16 @@
 //! Games meet two rays: a swing lies at iω·h, and drag alone, v′ = −v/τ, at −h/τ. Near its terminal velocity v_t a fall with
 //! quadratic drag has 1/τ = 2·g/v_t, so that z = −2 there is what the stress tests call g·h/v_t = 1. Drag alone has one eigenvalue, not a
 //! pair: how far each method goes on that ray is asked of it by itself.
+//!
+//! How the regions of stability look, and their edges as CSV, with their limits on the rays of a swing and of drag alone.
 
+pub use super::contract::SHIPPED;
 use super::methods::motion::{ADAPTIVE, METHODS, MotionLaw, MotionStep, PointState, third_order};
+use super::rows::{shortest, table};
 use super::scenes::flight::LIGHT;
 use super::scenes::oscillator;
 use super::stress::{G, TICK, largest_to};
+use crate::draw::chart::look::{CurveLook, CurveOrigin};
 use crate::physics::DVec2;
 use crate::words::tr;
 use std::collections::HashMap;
@@ -98,7 +103,6 @@ impl Region {
     }
 }
 
-pub use super::contract::SHIPPED;
 /// A region without limits on the rays.
 pub const SHIPPED_LIMITS: [f64; 2] = [FAR; 2];
 
@@ -169,6 +173,31 @@ fn edge(f: impl Fn(Complex) -> f64) -> Vec<Vec<Complex>> {
         }
     }
     lines
+}
+
+pub const SVG: &str = "stability.svg";
+pub const TITLE: &str = "Where methods are stable: the plane of z = h·λ";
+
+pub fn look(index: usize) -> CurveLook {
+    CurveLook::of(index, CurveOrigin::Lab)
+}
+
+pub fn shipped_look() -> CurveLook {
+    CurveLook::of(0, CurveOrigin::Shipped)
+}
+
+/// Two files: the edges, point by point, and the limits on the two rays.
+pub fn csv(regions: &[Region]) -> [(&'static str, String); 2] {
+    let points = regions.iter().flat_map(|region| {
+        region.edge.iter().enumerate().flat_map(move |(piece, line)| {
+            line.iter().map(move |(re, im)| vec![region.name.to_owned(), piece.to_string(), shortest(*re), shortest(*im)])
+        })
+    });
+    let limits = regions.iter().map(|region| vec![region.name.to_owned(), shortest(region.drag), shortest(region.swing)]);
+    [
+        ("stability.csv", table(&["method", "piece", "re", "im"], points)),
+        ("stability-limits.csv", table(&["method", "drag_alone", "swing"], limits)),
+    ]
 }
 
 #[cfg(test)]
@@ -254,5 +283,21 @@ mod tests {
         let arc = edge(|(re, im)| f64::hypot(re + 2.0, im) - 1.0);
         assert!(arc.len() == 1 && arc[0].iter().all(|(re, im)| (f64::hypot(re + 2.0, *im) - 1.0).abs() < 0.01));
         assert!(edge(|_| 1.0).is_empty() && edge(|_| f64::NAN).is_empty());
+    }
+
+    #[test]
+    fn the_files_name_every_method_and_hold_every_edge() {
+        let regions = regions();
+        let [(_, edges), (_, limits)] = csv(&regions);
+        for region in &regions {
+            assert!(limits.contains(&format!("\n{},", quoted(region.name))), "{}", region.name);
+            let points = edges.lines().filter(|line| line.starts_with(&format!("{},", quoted(region.name)))).count();
+            assert_eq!(points, region.edge.iter().map(Vec::len).sum::<usize>());
+            assert!(points > 50, "{}", region.name);
+        }
+    }
+
+    fn quoted(name: &str) -> String {
+        if name.contains(',') { format!("\"{name}\"") } else { name.to_owned() }
     }
 }

@@ -2,8 +2,8 @@
 //! moment lies at parts of the axes, 0 … 1, so that paper and screen draw the same.
 
 use super::TOLERANCE;
-use super::course::{CoursePoint, OverTime};
-use crate::draw::chart::axes::{Decades, LEAST_ERROR};
+use super::curve::{CoursePoint, OverTime};
+use crate::draw::chart::{Decades, LEAST_ERROR};
 use crate::number::short;
 
 /// The range of energies on the axis, in parts of the exact one. A method beyond it has gained or lost all there is.

@@ -1,12 +1,12 @@
 //! The things of a level's files, row by row, before the checks of the whole level.
 
+use super::image;
 use super::numbers::PixelScale;
 use super::placed::FromRow;
 use super::problem::Problem;
 use super::reader::LevelReader;
 use super::schema::settings::LevelSettings;
-use super::schema::{Table, blocks, bodies, ties, zones};
-use super::shade;
+use super::schema::{Table, blocks, bodies, zones};
 use super::source::BACKGROUND;
 use super::types::{
     AirStream, Decoration, Fluid, GravityZone, Level, Mover, Object, Objective, ObjectiveKind, Pod, ShipStart, Solid, Switch, Text,
@@ -70,7 +70,7 @@ impl Draft {
             fluids: reader.things(Table::Fluids, zones::fluid),
             fields: reader.things(Table::Gravity, zones::gravity_zone),
             pods: reader.things(Table::Pods, zones::pod),
-            links: reader.things(Table::Links, ties::link),
+            links: reader.things(Table::Links, blocks::link),
             decoration: reader.things(Table::Decoration, zones::decoration),
             texts: reader.things(Table::Texts, zones::text),
             hints: zones::hints(&reader.table(Table::Hints).records, &mut reader.rows),
@@ -214,7 +214,7 @@ fn streams(reader: &mut LevelReader, world: &[FromRow<Solid>]) -> Vec<FromRow<Ai
             break;
         }
         if shaded {
-            match shade::shaded(&stream, world.iter().map(|solid| solid.item.bounds)) {
+            match image::shaded(&stream, world.iter().map(|solid| solid.item.bounds)) {
                 Some(zone) => stream.zone = zone,
                 None => {
                     let found = tr("TRUE, with a solid right before the source block");

@@ -10,7 +10,7 @@ use super::wiring::{SwitchesByName, Wire, Worked};
 use crate::physics::Aabb;
 use crate::words::tr;
 
-pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
+pub(super) fn warn_of_gates(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
     if draft.switches.is_empty() && draft.doors.is_empty() && draft.obstacles.is_empty() {
         return Vec::new();
     }

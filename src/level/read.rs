@@ -10,7 +10,7 @@ use super::schema::settings::{LevelSettings, SETTING, settings};
 use super::schema::{FILES, Table};
 use super::source::{BACKGROUND, Files};
 use super::types::Level;
-use super::{gates, links, placement, strength, winnable, words};
+use super::{gates, links, placement, winnable};
 use crate::physics::DVec2;
 use crate::words::tr;
 use std::io;
@@ -38,7 +38,7 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
     let refused = |problems: Vec<Problem>| Err(in_order(problems.into_iter().chain(unused_sizes).collect()));
     problems.extend(names::check(&draft));
     problems.extend(links::check(&draft));
-    problems.extend(strength::check(&draft));
+    problems.extend(winnable::check_strength(&draft));
     problems.extend(placement::check_zones(&draft));
     problems.extend(placement::check(&draft, work));
     // A level without a readable player or size has a problem already.
@@ -47,7 +47,7 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
     };
     let size = size / draft.scale.metre;
     warnings.extend(names::warn(&draft));
-    warnings.extend(words::warn(&draft, size));
+    warnings.extend(winnable::warn_of_texts(&draft, size));
     if let Some(player) = &draft.player {
         let space = placement::space(&draft, size, work.clone());
         let problems = winnable::check(&draft, &player.item, &space);
@@ -56,8 +56,8 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
         }
         warnings.extend(winnable::same_turns(&draft));
         warnings.extend(placement::warn(&draft, &player.item, &space));
-        warnings.extend(gates::warn(&draft, &player.item, &space));
-        warnings.extend(strength::warn(&draft, player));
+        warnings.extend(gates::warn_of_gates(&draft, &player.item, &space));
+        warnings.extend(winnable::warn_of_strength(&draft, player));
     }
     Ok(Loaded { level: draft.level(name, background, size), warnings, dialects })
 }
@@ -68,7 +68,7 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
 pub fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
     let Gathered { background, mut draft, dialects, mut problems, mut warnings, .. } = gather(files, true);
     problems.extend(names::check(&draft));
-    let mut misplaced = strength::check(&draft);
+    let mut misplaced = winnable::check_strength(&draft);
     misplaced.extend(placement::check_zones(&draft));
     misplaced.extend(placement::check(&draft, &SearchWork::default()));
     draft.leave_out(&misplaced);

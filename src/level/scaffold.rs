@@ -1,7 +1,7 @@
 //! New folders for levels: made, copied, renamed. A folder has a hidden name, which no list of levels shows, until it is whole.
 
 use super::document::{Document, Table};
-use super::name::judge_name;
+use super::folder::judge_name;
 use super::problem::quoted;
 use super::schema::sample;
 use crate::files::{self, FileKind, create_folder, put};

@@ -5,8 +5,8 @@ use super::links::{self, TooMuch};
 use super::numbers::{self as q, NumberRange};
 use super::problem::Problem;
 use super::schema::{Kind, Table};
-use super::strength;
 use super::types::{Level, Object, SHIP_HALF};
+use super::winnable;
 use crate::physics::BodyId;
 use crate::words::tr;
 
@@ -181,7 +181,7 @@ pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<
     }
     let changed = |parameter: &Parameter| changes.iter().any(|(changed, _)| changed == parameter);
     let (thrust, mass) = (varied.player.thrust, varied.player.mass);
-    if let Some(expected) = strength::judge(thrust, mass) {
+    if let Some(expected) = winnable::judge(thrust, mass) {
         let parameter = if changed(&Parameter::Thrust) { Parameter::Thrust } else { Parameter::Mass(0) };
         refuse(parameter, tr!("{thrust} N on a ship of {mass} kg", thrust, mass), expected);
     }
@@ -189,7 +189,7 @@ pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<
     let strongest = varied.streams.iter().map(|stream| stream.force.abs().max_element()).fold(0.0, f64::max);
     if let Err(expected) = q::FORCE.judge(strongest) {
         refuse(Parameter::Wind, format!("{strongest} N"), expected);
-    } else if let Some(expected) = strength::judge(strongest, lightest) {
+    } else if let Some(expected) = winnable::judge(strongest, lightest) {
         refuse(Parameter::Wind, tr!("{force} N on {mass} kg", force = strongest, mass = lightest), expected);
     }
     let body = |body: BodyId| match body.index().checked_sub(1) {

@@ -3,10 +3,8 @@
 //! [`install`] writes it whole or not at all, over nothing.
 
 mod archive;
-mod cost;
 #[cfg(any(browser, test))]
 mod everything;
-mod flights;
 mod install;
 mod package;
 mod path;
@@ -14,6 +12,6 @@ mod path;
 pub use archive::{read, write};
 #[cfg(any(browser, test))]
 pub use everything::{export, import, is_export};
-pub use flights::stale;
 pub use install::{Installed, install, install_file};
+pub use package::stale;
 pub use package::{LARGEST, MEMORY, MOST_FILES, Package, UNPACKED, check, gather};

@@ -1,13 +1,20 @@
 //! A level's files in memory.
+//!
+//! The flights in a level's folder are flown again in the level as it is.
+//!
+//! The memory of a packed level, before it is unpacked: by the sizes in the archive, to which reading holds it, and by its
+//! pictures' heads.
 
 use super::path;
-use crate::files;
-use crate::game::Replay;
-use crate::level::{self, FILES, Files, Loaded};
+use crate::files::{self, read_text};
+use crate::game::{Game, Goal, Medal, Prize, Replay, RunResult, goals, level_hash};
+use crate::level::{self, FILES, Files, Level, Loaded, Problem};
 use crate::words::tr;
 use std::collections::BTreeMap;
+use std::fmt::Display;
 use std::io;
 use std::path::Path;
+use std::sync::Arc;
 
 /// The largest archive, bytes.
 pub const LARGEST: u64 = 64 << 20;
@@ -128,5 +135,185 @@ impl Files for PackedFiles<'_> {
 
     fn names(&self) -> Vec<String> {
         self.package.files.keys().filter(|path| !path.contains('/')).cloned().collect()
+    }
+}
+
+/// The most ticks of all flights of a level together: two hours. The rest is not flown.
+const MOST_TICKS: u64 = 1_000_000;
+/// The files of the flights that prove a level's medals.
+const PROVE: [(&str, Prize); 3] =
+    [("careful", Prize::Medal(Medal::Bronze)), ("gold", Prize::Medal(Medal::Gold)), ("mark", Prize::Mark)];
+
+/// The flights that end elsewhere than they say, or do not earn the medal of their name; where all hold, the medals that none of them earns.
+pub fn stale(folder: &Path, level: &Arc<Level>) -> Vec<Problem> {
+    let names = listed(&folder.join(FLIGHTS)).unwrap_or_default();
+    let mut left = MOST_TICKS;
+    let problem = |name: &str, (found, expected): (String, &str)| Problem {
+        file: format!("{FLIGHTS}{name}"),
+        line: 0,
+        column: String::new(),
+        found,
+        expected: expected.to_owned(),
+    };
+    let mut flown = Vec::new();
+    let mut problems = Vec::new();
+    for name in names.iter().filter(|name| name.ends_with(FLIGHT)) {
+        match fly(&folder.join(FLIGHTS), name, level, &mut left) {
+            Ok(reached) => flown.push(reached),
+            Err(fault) => problems.push(problem(name, fault)),
+        }
+    }
+    if problems.is_empty() { beyond(&flown) } else { problems }
+}
+
+/// The medals that no flight earns, of the goals that each flight has reached.
+fn beyond(flown: &[Vec<Goal>]) -> Vec<Problem> {
+    let Some(first) = flown.first() else { return Vec::new() };
+    let missed = first.iter().filter(|goal| {
+        let same = flown.iter().flatten().filter(|other| other.prize == goal.prize);
+        same.into_iter().all(|other| other.missing.is_some())
+    });
+    let problem = |goal: &Goal| Problem {
+        file: "constants.csv".to_owned(),
+        line: 0,
+        column: String::new(),
+        found: format!("a medal ({}) that no flight in {FLIGHTS} earns", goal.asks),
+        expected: "a flight that does, or a goal in reach of them".to_owned(),
+    };
+    missed.map(problem).collect()
+}
+
+fn unreadable(why: &dyn Display) -> String {
+    format!("a file that cannot be read ({why})")
+}
+
+fn fly(folder: &Path, name: &str, level: &Arc<Level>, left: &mut u64) -> Result<Vec<Goal>, (String, &'static str)> {
+    let readable = "a flight that can be read";
+    let text = read_text(&folder.join(name), files::INPUTS).map_err(|error| (unreadable(&error), readable))?;
+    let replay = Replay::parse(name, &text).map_err(|bad| (unreadable(&bad.0.into_iter().next().unwrap_or_default()), readable))?;
+    let ticks = replay.inputs.ticks();
+    *left = left.checked_sub(ticks).ok_or_else(|| {
+        (format!("{ticks} ticks, too many to be flown here"), "flights of two hours together, or `resultant verify`")
+    })?;
+    let recorded = replay.level_hash;
+    // With the level's own hash any version of the level flies: the first second that departs says more.
+    let flown = Replay { level_hash: level_hash(level), ..replay };
+    let mut last: Option<RunResult> = None;
+    let note = |game: &Game| last = Some(game.result());
+    let again = "a flight recorded in the level as it is";
+    match flown.verify(level.clone(), note).map_err(|error| (error.to_string(), again))? {
+        Err(mismatch) => return Err((format!("a flight that no longer holds: {mismatch}"), again)),
+        Ok(()) if recorded != flown.level_hash => {
+            return Err(("a flight of another version of the level, though it leads where it did".to_owned(), again));
+        }
+        Ok(()) => {}
+    }
+    let stem = name.trim_end_matches(FLIGHT);
+    let proves = PROVE.iter().find(|(file, _)| *file == stem).map(|(_, prize)| *prize);
+    let goals = last.map(|result| goals(&level.awards, &result)).unwrap_or_default();
+    let missed = goals
+        .iter()
+        .find(|goal| Some(goal.prize) == proves)
+        .and_then(|goal| goal.missing.clone().map(|lacks| (goal.asks.clone(), lacks)));
+    match missed {
+        Some((asks, lacks)) => {
+            Err((format!("a flight that does not earn what it is named by ({asks}): {lacks}"), "a flight that does"))
+        }
+        None => Ok(goals),
+    }
+}
+
+/// Bytes of memory a byte of a table, for reading, checks and building: `/usr/bin/time` shows 29 for tables of solids and objects
+/// at their limits.
+const TABLE: u64 = 32;
+/// Bytes of memory a byte of a flight, with some room. Only one flight is in memory at a time.
+const EACH_FLIGHT: u64 = 6;
+/// Bytes a pixel: unpacked, as a texture and as a graphics driver's copy, 4 bytes each; or at 16 bits a channel while it is
+/// unpacked.
+const PIXEL: u64 = 12;
+const DEEP_PIXEL: u64 = 8;
+/// A PNG's first bytes; then length and name of its head, width and height.
+const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
+const SIDES: usize = 16;
+
+#[derive(Debug, Default)]
+pub(super) struct Cost {
+    /// The archive and its unpacked files.
+    files: u64,
+    tables: u64,
+    largest_flight: u64,
+    pixels: u64,
+    most_pixels: u64,
+}
+
+impl Cost {
+    /// Bytes of a file that tell its cost.
+    pub const HEAD: u64 = 24;
+
+    /// Bytes.
+    pub fn of_archive(packed: u64) -> Self {
+        Self { files: packed, ..Self::default() }
+    }
+
+    /// `head` is the beginning of the file.
+    pub fn add(&mut self, path: &str, size: u64, head: &[u8]) {
+        self.files = self.files.saturating_add(size);
+        if path.to_lowercase().ends_with(FLIGHT) {
+            self.largest_flight = self.largest_flight.max(size);
+        } else if path.rsplit('/').next().is_some_and(|name| FILES.contains(&name)) {
+            // The size of a larger one refuses it.
+            self.tables += size.min(files::LEVEL_TABLE);
+        }
+        if let Some(pixels) = pixels(head) {
+            self.pixels = self.pixels.saturating_add(pixels);
+            self.most_pixels = self.most_pixels.max(pixels);
+        }
+    }
+
+    pub fn bytes(&self) -> u64 {
+        let Self { files, tables, largest_flight, pixels, most_pixels } = *self;
+        let pictures = pixels.saturating_mul(PIXEL).saturating_add(most_pixels.saturating_mul(DEEP_PIXEL));
+        files.saturating_add(tables * TABLE).saturating_add(largest_flight.saturating_mul(EACH_FLIGHT)).saturating_add(pictures)
+    }
+}
+
+/// The pixels of a PNG with that head.
+fn pixels(head: &[u8]) -> Option<u64> {
+    let side = |at: usize| Some(u64::from(u32::from_be_bytes(*head.get(at..)?.first_chunk()?)));
+    if head.starts_with(SIGNATURE) { Some(side(SIDES)?.saturating_mul(side(SIDES + 4)?)) } else { None }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn head(width: u32, height: u32) -> Vec<u8> {
+        [SIGNATURE, b"\0\0\0\x0dIHDR", &width.to_be_bytes(), &height.to_be_bytes()].concat()
+    }
+
+    #[test]
+    fn each_kind_of_file_costs_what_it_becomes() {
+        let one = |path: &str, size: u64, head: &[u8]| {
+            let mut cost = Cost::default();
+            cost.add(path, size, head);
+            cost.bytes()
+        };
+        assert_eq!(one("t/notes.txt", 100, b""), 100);
+        assert_eq!(one("t/world.csv", 100, b""), 100 + 100 * TABLE);
+        assert_eq!(one("t/flights/a.replay.csv", 100, b""), 100 + 100 * EACH_FLIGHT);
+        assert_eq!(one("t/a.png", 100, &head(1000, 500)), 100 + 500_000 * (PIXEL + DEEP_PIXEL));
+        assert_eq!(one("t/a.png", 100, &head(u32::MAX, u32::MAX)), u64::MAX);
+        assert_eq!((one("t/a.png", 9, b"no picture"), one("t/a.png", 9, SIGNATURE)), (9, 9));
+    }
+
+    #[test]
+    fn of_several_flights_and_pictures_one_at_a_time_is_read() {
+        let mut cost = Cost::of_archive(1000);
+        for path in ["t/flights/a.replay.csv", "t/flights/b.replay.csv"] {
+            cost.add(path, 10, b"");
+        }
+        cost.add("t/a.png", 1, &head(10, 10));
+        cost.add("t/b.png", 1, &head(20, 10));
+        assert_eq!(cost.bytes(), 1000 + 20 + 10 * EACH_FLIGHT + 2 + 300 * PIXEL + 200 * DEEP_PIXEL);
     }
 }

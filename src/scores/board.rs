@@ -1,9 +1,17 @@
 //! The order of a leaderboard, without files.
+//!
+//! The text of a scores file: `name,score` and any columns behind, to a [`Board`] and back. It reads such a file from people and
+//! spreadsheets: without header, in any order, with blank lines, CRLF, a byte-order mark or spaces. Any other row becomes a line of
+//! damage and spoils no other.
 
+use super::name::{DamageReport, Name, ScoresError};
+use crate::files::{CsvColumn, CsvFile, CsvRow, CsvStruct, csv_line, whole};
+use crate::words::tr;
+use serde::Deserialize;
 use std::cmp::Reverse;
-
-use super::error::ScoresError;
-use super::name::Name;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use std::path::Path;
 
 /// Columns, in the order in which a save adds them: of the flight, its time (s) and its file.
 const TIME: &str = "time";
@@ -135,9 +143,104 @@ impl Board {
     }
 }
 
+const FILE: CsvFile<'_> = CsvFile { name: "", columns: &["name", "score"], comments: false };
+
+#[derive(Deserialize)]
+struct ScoreRow {
+    name: Name,
+    score: i64,
+}
+
+impl CsvStruct for ScoreRow {
+    const COLUMNS: &'static [CsvColumn] = &[
+        CsvColumn { name: "name", plain: |_, text| Name::cell(text) },
+        CsvColumn {
+            name: "score",
+            plain: |dialect, text| {
+                let number = dialect.number(text);
+                let digits = whole(&number);
+                let good = digits.bytes().all(|byte| byte.is_ascii_digit()) && digits.parse().is_ok_and(|score: i64| score >= 1);
+                if good { Ok(digits.to_owned().into()) } else { Err(tr("a whole number of 1 or more, digits only").into()) }
+            },
+        },
+    ];
+}
+
+/// The board, and a message for each unreadable place, which names `path`.
+pub fn read(path: &Path, bytes: &[u8]) -> (Board, Vec<String>) {
+    let mut reading =
+        BoardReading { more_columns: Vec::new(), rows: Vec::new(), lines: HashMap::new(), damage: DamageReport::of(path) };
+    for (index, row) in FILE.rows_of::<ScoreRow>(bytes).enumerate() {
+        reading.take(&row, index == 0);
+    }
+    (Board::new(reading.more_columns, reading.rows), reading.damage.into_all())
+}
+
+/// With a header, sorted, LF.
+pub fn write(board: &Board) -> String {
+    let line = |first: [&str; 2], more: &[String]| csv_line(first.into_iter().chain(more.iter().map(String::as_str)));
+    let rows = board.rows().iter().map(|row| line([row.name.as_str(), &row.score.to_string()], &row.more));
+    line(["name", "score"], board.more_columns()) + &rows.collect::<String>()
+}
+
+struct BoardReading<'a> {
+    more_columns: Vec<String>,
+    rows: Vec<BoardRow>,
+    /// By name, the index in `rows` and the line.
+    lines: HashMap<Name, (usize, usize)>,
+    damage: DamageReport<'a>,
+}
+
+impl BoardReading<'_> {
+    /// The `first` row may be the header.
+    fn take(&mut self, row: &CsvRow<'_>, first: bool) {
+        let line = row.line;
+        if let Some(fault) = row.fault() {
+            return self.damage.fault(line, fault);
+        }
+        if row.cells.len() < FILE.columns.len() {
+            return self.damage.add(
+                line,
+                None,
+                tr("1 cell"),
+                tr!("at least {least}: {header}", least = FILE.columns.len(), header = FILE.header()),
+            );
+        }
+        let more: Vec<String> = row.cells.iter().skip(FILE.columns.len()).map(|cell| cell.text.clone()).collect();
+        // Both names count: a user may be called "name".
+        if first && row.is_header(FILE.columns.len()) {
+            self.more_columns = more;
+            return;
+        }
+        match row.read() {
+            Ok(ScoreRow { name, score }) => self.row(line, BoardRow { name, score, more }),
+            Err(wrong) => self.damage.cells(line, wrong),
+        }
+    }
+
+    fn row(&mut self, line: usize, row: BoardRow) {
+        match self.lines.entry(row.name.clone()) {
+            Entry::Vacant(place) => {
+                place.insert((self.rows.len(), line));
+                self.rows.push(row);
+            }
+            Entry::Occupied(place) => {
+                let (index, earlier) = *place.get();
+                let found = tr!("{name} again, after line {earlier}", name = format_args!("\"{}\"", row.name), earlier);
+                if row.score > self.rows[index].score {
+                    self.rows[index] = row;
+                }
+                self.damage.add(line, Some("name"), found, tr("one row a user: the higher score counts"));
+            }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scores::name::MOST_DAMAGE;
+    use crate::spreadsheets::saved;
 
     fn name(text: &str) -> Name {
         Name::new(text).unwrap()
@@ -200,5 +303,159 @@ mod tests {
         board.rows[1].more = vec!["7b".to_owned()];
         board.place(&name("b"), 30).unwrap();
         assert_eq!(board.rows()[0], BoardRow { name: name("b"), score: 30, more: vec!["7b".to_owned()] });
+    }
+
+    fn reading(bytes: impl AsRef<[u8]>) -> (Vec<String>, Vec<String>) {
+        let (board, damage) = read(Path::new("1.csv"), bytes.as_ref());
+        let rows = board.rows().iter().map(|row| {
+            let more: String = row.more.iter().map(|cell| format!(",{cell}")).collect();
+            format!("{},{}{more}", row.name, row.score)
+        });
+        (rows.collect(), damage)
+    }
+
+    fn sound(bytes: impl AsRef<[u8]>) -> Vec<String> {
+        let (rows, damage) = reading(bytes);
+        assert_eq!(damage, [""; 0]);
+        rows
+    }
+
+    #[test]
+    fn a_header_is_read_and_may_be_missing() {
+        assert_eq!(sound("name,score\nann,30\nbob,20\n"), ["ann,30", "bob,20"]);
+        assert_eq!(sound("Name, Score\nann,30\n"), ["ann,30"]);
+        assert_eq!(sound("ann,30\nbob,20\n"), ["ann,30", "bob,20"]);
+        assert_eq!(sound("name,30\nbob,20\n"), ["name,30", "bob,20"], "a user may be called name");
+        assert_eq!(sound(""), [""; 0]);
+        assert_eq!(sound("name,score\n"), [""; 0]);
+    }
+
+    #[test]
+    fn what_editors_do_to_a_file_is_no_damage() {
+        assert_eq!(sound("\u{feff}name,score\r\nann,30\r\n\r\nbob,20"), ["ann,30", "bob,20"]);
+        assert_eq!(sound("\n  \n ann , 30 \n\"bob\",\"20\"\n\n"), ["ann,30", "bob,20"]);
+        assert_eq!(sound("ann,30\rbob,20\r"), ["ann,30", "bob,20"]);
+        assert_eq!(sound("bob,20\nann,30\ncid,20\n"), ["ann,30", "bob,20", "cid,20"], "sorted, equal ones as they stand");
+    }
+
+    #[test]
+    fn further_columns_come_back_byte_for_byte() {
+        let text = "name,score,class,note\nann,30,7b,\"said \"\"hi\"\",\nthen left\"\nbob,20\ncid,10, 7a ,,5\" tall\n";
+        let (board, damage) = read(Path::new("1.csv"), text.as_bytes());
+        assert!(damage.is_empty());
+        assert_eq!(board.more_columns(), ["class", "note"]);
+        assert_eq!(board.rows()[0].more, ["7b", "said \"hi\",\nthen left"]);
+        assert_eq!(board.rows()[2].more, [" 7a ", "", "5\" tall"]);
+        let written = write(&board);
+        assert_eq!(read(Path::new("1.csv"), written.as_bytes()).0, board);
+        assert_eq!(
+            written,
+            "name,score,class,note\nann,30,7b,\"said \"\"hi\"\",\nthen left\"\nbob,20\ncid,10, 7a ,,\"5\"\" tall\"\n"
+        );
+    }
+
+    #[test]
+    fn a_damaged_row_is_reported_with_its_place_and_spoils_no_other() {
+        for (line, report) in [
+            ("bob", "1.csv:3: 1 cell, expected at least 2: name,score"),
+            ("bob,", "1.csv:3: column \"score\": \"\", expected a whole number of 1 or more, digits only"),
+            ("bob,0", "1.csv:3: column \"score\": \"0\", expected a whole number of 1 or more, digits only"),
+            ("bob,-5", "1.csv:3: column \"score\": \"-5\", expected a whole number of 1 or more, digits only"),
+            ("bob,+5", "1.csv:3: column \"score\": \"+5\", expected a whole number of 1 or more, digits only"),
+            ("bob,12.5", "1.csv:3: column \"score\": \"12.5\", expected a whole number of 1 or more, digits only"),
+            ("bob,nan", "1.csv:3: column \"score\": \"nan\", expected a whole number of 1 or more, digits only"),
+            (
+                "bob,9223372036854775808",
+                "1.csv:3: column \"score\": \"9223372036854775808\", expected a whole number of 1 or more, digits only",
+            ),
+            (
+                "1bob,5",
+                "1.csv:3: column \"name\": \"1bob\", expected a user name: The name must start with a letter (a–z, A–Z), not with “1”.",
+            ),
+            (",5", "1.csv:3: column \"name\": \"\", expected a user name: The name is empty: type 1 to 15 characters."),
+            ("ann,5", "1.csv:3: column \"name\": \"ann\" again, after line 2, expected one row a user: the higher score counts"),
+            ("\"bob,5", "1.csv:3: a quote that is never closed, expected a closing quote"),
+            ("bob,5,\"x", "1.csv:3: a quote that is never closed, expected a closing quote"),
+        ] {
+            let (rows, damage) = reading(format!("name,score\nann,30\n{line}\ncid,20\n"));
+            assert_eq!(damage, [report], "{line}");
+            assert_eq!(rows, ["ann,30", "cid,20"], "{line}");
+        }
+    }
+
+    #[test]
+    fn cells_that_a_spreadsheet_would_run_are_no_names() {
+        for cell in ["=1+1", "+bob", "-bob", "@bob"] {
+            let (rows, damage) = reading(format!("{cell},10\nann,5\n"));
+            assert_eq!((rows.len(), damage.len()), (1, 1), "{cell}");
+        }
+    }
+
+    #[test]
+    fn both_cells_of_a_row_can_be_damaged() {
+        let (rows, damage) = reading("# hello, world\n");
+        assert_eq!((rows.len(), damage.len()), (0, 2));
+    }
+
+    #[test]
+    fn the_better_one_of_two_rows_with_one_name_counts() {
+        let (rows, damage) = reading("ann,10\nbob,20\nann,30\n");
+        assert_eq!(rows, ["ann,30", "bob,20"]);
+        assert_eq!(damage.len(), 1);
+    }
+
+    #[test]
+    fn bytes_that_are_no_text_spoil_their_own_line_only() {
+        let (rows, damage) = reading(b"ann,30\nb\xFFb,20\ncid,10\n\0\0\0\0");
+        assert_eq!(rows, ["ann,30", "cid,10"]);
+        assert_eq!(
+            damage,
+            [
+                "1.csv:2: letters that are not UTF-8, expected a file saved as UTF-8 (Excel: Save As, CSV UTF-8; LibreOffice: Save As, Text CSV, character set UTF-8)",
+                "1.csv:4: 1 cell, expected at least 2: name,score"
+            ]
+        );
+    }
+
+    #[test]
+    fn a_record_behind_an_unclosed_quotation_mark_may_not_span_lines_either() {
+        // Each of these lines ends within quotes, wherever it begins.
+        let (rows, damage) = reading("\"\"x\",\"\n\"\"x\",\"\nann,30\nbob,20\n");
+        assert_eq!(rows, ["ann,30", "bob,20"]);
+        assert_eq!(damage.len(), 2, "{damage:?}");
+        assert!(damage.iter().all(|damage| damage.contains("never closed")), "{damage:?}");
+    }
+
+    #[test]
+    fn no_more_damage_is_told_than_anyone_reads() {
+        let (rows, damage) = reading("ann\n".repeat(2 * MOST_DAMAGE) + "bob,20\n");
+        assert_eq!((rows, damage.len()), (vec!["bob,20".to_owned()], MOST_DAMAGE + 1));
+        assert_eq!(
+            damage[MOST_DAMAGE],
+            "1.csv:1001: one more place that cannot be read, expected at most 1000 in a file; from here on they are not listed"
+        );
+    }
+
+    #[test]
+    fn lines_are_counted_as_an_editor_counts_them() {
+        let (_, damage) = reading("\u{feff}name,score\r\n\r\nann,30,\"two\r\nlines\"\r\n\r\nbad\r\n");
+        assert_eq!(damage, ["1.csv:6: 1 cell, expected at least 2: name,score"]);
+    }
+
+    #[test]
+    fn a_board_is_the_same_whatever_spreadsheet_saved_it() {
+        let plain = "name,score,class\nann,13087,\"7b, left\"\nbob,20,\"8; a\"\n";
+        let (board, _) = read(Path::new("1.csv"), plain.as_bytes());
+        for text in [plain, plain.split_once('\n').unwrap().1] {
+            for saved in saved(text, |_| false) {
+                let (found, damage) = read(Path::new("1.csv"), &saved.bytes);
+                assert_eq!((found.rows().len(), damage), (2, Vec::new()), "{}", saved.form);
+                let filled = |rows: &[BoardRow]| {
+                    rows.iter().map(|row| (row.name.clone(), row.score, row.more[0].trim().to_owned())).collect::<Vec<_>>()
+                };
+                assert_eq!(filled(found.rows()), filled(board.rows()), "{}", saved.form);
+            }
+        }
+        assert_eq!(sound("name;score\r\nann;13087,0\r\nbob;20.0\r\n"), ["ann,13087", "bob,20"]);
     }
 }

@@ -1,16 +1,16 @@
 //! The folder of the scores files: a leaderboard a level with the flights of its rows, the players' records, and a line an attempt.
+//!
+//! The list of attempts: a line for each finished one, for spreadsheets and people. The game only adds to it, and reads none of its rows. RFC 4180, CRLF,
+//! UTF-8.
 
-use std::path::{Path, PathBuf};
-
-use super::attempts::{self, AttemptRow};
-use super::board::{Board, Placement};
-use super::error::ScoresError;
-use super::name::Name;
-use super::players::{self, Deed, Players};
-use super::table;
+use super::board::{self, Board, Placement};
+use super::name::{Name, ScoresError};
+use super::players::{self, Deed, Players, harmless};
 use crate::files::{self, SaveError};
 use crate::game::Replay;
 use crate::words::tr;
+use serde::{Serialize, Serializer};
+use std::path::{Path, PathBuf};
 
 const PLAYERS: &str = "players.csv";
 const ATTEMPTS: &str = "attempts.csv";
@@ -55,7 +55,7 @@ impl Scores {
     /// Errors: a level name that cannot name a file; a file that cannot be read at all.
     pub fn load(&self, level: &str) -> Result<LoadedBoard, ScoresError> {
         let path = self.path(level)?;
-        let (board, damage) = table::read(&path, &bytes(&path)?);
+        let (board, damage) = board::read(&path, &bytes(&path)?);
         Ok(LoadedBoard { board, damage })
     }
 
@@ -74,13 +74,13 @@ impl Scores {
             return Err(ScoresError::NoScore);
         }
         files::update(&path, files::SCORES, |old| {
-            let mut board = sound(table::read(&path, old))?;
+            let mut board = sound(board::read(&path, old))?;
             let placement = board.place(name, points)?;
             if !matches!(placement, Placement::Kept { .. }) {
                 let kept = flight.map(|flight| Ok::<_, SaveError>((flight.time, self.keep_flight(level, name, flight)?)));
                 board.set_flight(name, kept.transpose()?);
             }
-            let text = table::write(&board);
+            let text = board::write(&board);
             Ok((text.into_bytes(), Saved { board, placement }))
         })
     }
@@ -143,8 +143,8 @@ impl Scores {
 
     /// Adds attempts.
     pub fn append(&self, attempts: &[AttemptRow]) -> Result<(), ScoresError> {
-        let lines: String = attempts.iter().map(attempts::line).collect();
-        attempts::append(&self.folder.join(ATTEMPTS), attempts::HEADER, &lines)
+        let lines: String = attempts.iter().map(line).collect();
+        append(&self.folder.join(ATTEMPTS), HEADER, &lines)
     }
 
     /// The file of a level whose name stays in the folder on every system and is no other file's.
@@ -167,4 +167,118 @@ fn bytes(path: &Path) -> Result<Vec<u8>, ScoresError> {
 /// A file with places that cannot be read is not replaced.
 fn sound<T>((rows, damage): (T, Vec<String>)) -> Result<T, ScoresError> {
     if damage.is_empty() { Ok(rows) } else { Err(ScoresError::Damaged(damage)) }
+}
+
+pub(super) const HEADER: &str = "level,player,result,time,fuel,hits,cause,assisted\r\n";
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AttemptRow {
+    #[serde(serialize_with = "as_text")]
+    pub level: String,
+    pub player: Name,
+    /// `completed` or `failed`.
+    pub result: &'static str,
+    /// s.
+    #[serde(serialize_with = "as_thousandths")]
+    pub time: f64,
+    /// The fraction of the fuel left, 0 … 1.
+    #[serde(serialize_with = "as_thousandths")]
+    pub fuel: f64,
+    /// Damaging ones.
+    pub hits: u32,
+    /// As `resultant run` names it; empty without a loss.
+    #[serde(serialize_with = "as_text")]
+    pub cause: String,
+    pub assisted: bool,
+}
+
+/// The most bytes of a list. A page has some 5 MB in all, and the oldest lines go there.
+const MOST: usize = if cfg!(browser) { 128 << 10 } else { files::INPUTS as usize };
+
+/// Adds lines to a list that begins with that header, or makes one. A last line without an end gets one.
+pub(super) fn append(path: &Path, header: &str, lines: &str) -> Result<(), ScoresError> {
+    if lines.is_empty() {
+        return Ok(());
+    }
+    files::update(path, MOST as u64, |old| {
+        let plain = |text: &'_ [u8]| text.strip_prefix("\u{feff}".as_bytes()).unwrap_or(text).to_vec();
+        if !old.is_empty() && !plain(old).starts_with(plain(header.as_bytes()).trim_ascii_end()) {
+            return Err(ScoresError::Foreign(path.to_owned()));
+        }
+        let before = if old.is_empty() { header.as_bytes() } else { old };
+        let end: &[u8] = if before.ends_with(b"\n") { b"" } else { b"\r\n" };
+        let new = [before, end, lines.as_bytes()].concat();
+        Ok((if cfg!(browser) { newest(new) } else { new }, ()))
+    })
+}
+
+/// The header and the newest lines, as many as there is room for.
+fn newest(mut list: Vec<u8>) -> Vec<u8> {
+    if list.len() > MOST {
+        let first = list.iter().position(|byte| *byte == b'\n').map_or(0, |end| end + 1);
+        let surplus = list.len() - MOST + first;
+        let whole = list[surplus..].iter().position(|byte| *byte == b'\n').map_or(list.len(), |end| surplus + end + 1);
+        list.drain(first..whole);
+    }
+    list
+}
+
+/// A row with its line end.
+pub(super) fn line(row: &impl Serialize) -> String {
+    let mut writer = csv::WriterBuilder::new().terminator(csv::Terminator::CRLF).has_headers(false).from_writer(Vec::new());
+    // Memory takes all writes, and the cells are text.
+    drop(writer.serialize(row));
+    writer.into_inner().ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default()
+}
+
+/// Text that no spreadsheet reads as a formula.
+pub(super) fn as_text<S: Serializer>(text: &str, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(&harmless(text))
+}
+
+/// Three decimals, which differ between any two ticks.
+fn as_thousandths<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
+    to.collect_str(&format_args!("{value:.3}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_opens_in_a_spreadsheet() {
+        let mut row = AttemptRow {
+            level: "Höhle, \"tief\"".to_owned(),
+            player: Name::new("ann").unwrap(),
+            result: "completed",
+            time: 5.483_333,
+            fuel: 0.85,
+            hits: 2,
+            cause: String::new(),
+            assisted: false,
+        };
+        assert_eq!(line(&row), "\"Höhle, \"\"tief\"\"\",ann,completed,5.483,0.850,2,,false\r\n");
+        for level in ["=cmd|' /C calc'!A0", "+1", "-1", "@SUM(A1)", "\t=1"] {
+            row.level = level.to_owned();
+            assert!(line(&row).trim_start_matches('"').starts_with('\''), "{}", line(&row));
+        }
+    }
+
+    #[test]
+    fn the_header_names_the_columns_of_a_line() {
+        let row = AttemptRow {
+            level: "1".to_owned(),
+            player: Name::guest(),
+            result: "failed",
+            time: 1.0,
+            fuel: 1.0,
+            hits: 0,
+            cause: "obstacle 2".to_owned(),
+            assisted: true,
+        };
+        let mut writer = csv::WriterBuilder::new().terminator(csv::Terminator::CRLF).from_writer(Vec::new());
+        writer.serialize(&row).unwrap();
+        let text = String::from_utf8(writer.into_inner().unwrap()).unwrap();
+        assert_eq!(text, format!("{HEADER}1,Guest,failed,1.000,1.000,0,obstacle 2,true\r\n"));
+    }
 }

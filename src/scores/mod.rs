@@ -1,23 +1,20 @@
 //! User names, leaderboards, players' records, and their files. [`Name`] has the rules of a name, [`Board`] the order of rows,
 //! [`judge()`] their proof, [`Players`] the levels done. Files are saved by [`crate::files::update`] alone.
 
-mod attempts;
-mod board;
-mod error;
+pub mod board;
 mod folder;
 mod judge;
 mod name;
 mod players;
 mod results;
-pub mod table;
 mod tally;
 
-pub use attempts::AttemptRow;
 pub use board::{Board, BoardRow, Placement};
-pub use error::{ScoresError, damage_text};
+pub use folder::AttemptRow;
 pub use folder::{LoadedBoard, Saved, Score, Scores};
 pub use judge::{Doubt, Standing, judge};
 pub use name::{NAME_MAX, NAME_TYPING_MAX, Name, NameError};
+pub use name::{ScoresError, damage_text};
 pub(crate) use players::harmless;
 pub use players::{Deed, PlayerRecord, Players};
 pub use results::{ResultRow, Results, time_of};

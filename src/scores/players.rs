@@ -15,7 +15,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::error::DamageReport;
+use super::name::DamageReport;
 use super::name::Name;
 use crate::files::{CsvColumn, CsvFile, CsvRow, CsvStruct, csv_line, truth};
 use crate::game::{Medal, Medals};

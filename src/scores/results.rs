@@ -5,9 +5,9 @@ use std::path::PathBuf;
 
 use serde::{Serialize, Serializer};
 
-use super::attempts::{self, as_text};
-use super::error::ScoresError;
+use super::folder::{self, as_text};
 use super::name::Name;
+use super::name::ScoresError;
 use super::players::harmless;
 use crate::level;
 use crate::number;
@@ -77,7 +77,7 @@ impl Results {
     /// Adds an answer.
     /// Errors: a file that is no list of answers; see [`crate::files::SaveError`].
     pub fn append(&self, row: &ResultRow) -> Result<(), ScoresError> {
-        attempts::append(&self.file(&row.player), HEADER, &attempts::line(row))
+        folder::append(&self.file(&row.player), HEADER, &folder::line(row))
     }
 }
 
@@ -107,7 +107,7 @@ mod tests {
             answer: "F = k·s".to_owned(),
         };
         let expected = "ann,hooke,2026-11-24 15:58:21,\"-5,25\",no,\"48 N, \"\"soft\"\"; 50 N\",yes,F = k·s\r\n";
-        assert_eq!(attempts::line(&row), expected);
+        assert_eq!(folder::line(&row), expected);
         (row.guess_right, row.readings_right) = (None, None);
         for (guess, cell) in [
             ("=1+1", "'=1+1"),
@@ -121,7 +121,7 @@ mod tests {
             ("", ""),
         ] {
             (row.guess, row.readings) = (guess.to_owned(), guess.to_owned());
-            assert_eq!(attempts::line(&row), format!("ann,hooke,2026-11-24 15:58:21,{cell},,{cell},,F = k·s\r\n"));
+            assert_eq!(folder::line(&row), format!("ann,hooke,2026-11-24 15:58:21,{cell},,{cell},,F = k·s\r\n"));
         }
     }
 

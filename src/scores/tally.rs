@@ -1,6 +1,6 @@
 //! Sums over lists of attempts and of answers to experiments, from any number of files.
 
-use super::attempts;
+use super::folder;
 use super::name::Name;
 use super::players::unharmed;
 use super::results;
@@ -52,7 +52,7 @@ impl Tally {
     /// Adds a file. The answer is a message for each row that cannot be read; `None`: the file begins as neither list does.
     pub fn add(&mut self, name: &str, bytes: &[u8]) -> Option<Vec<String>> {
         type Reader = fn(&mut Tally, &CsvRow<'_>) -> Result<(), String>;
-        let lists: [(&str, Reader); 2] = [(attempts::HEADER, Self::add_attempt), (results::HEADER, Self::add_answer)];
+        let lists: [(&str, Reader); 2] = [(folder::HEADER, Self::add_attempt), (results::HEADER, Self::add_answer)];
         for (header, read) in lists {
             let columns: Vec<&str> = header.trim_start_matches('\u{feff}').trim_end().split(',').collect();
             let mut rows = CsvFile { name, columns: &columns, comments: false }.rows(bytes);

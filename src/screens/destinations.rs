@@ -20,7 +20,7 @@ use super::screen::{Classic, Destination, Purpose, Screen};
 #[cfg(all(feature = "window", browser))]
 use super::settings;
 use super::settings::SettingsPanel;
-use crate::classics::jumper::scene::LEADERBOARD;
+use crate::classics::jumper::LEADERBOARD;
 use crate::files;
 use crate::game::body_title;
 use crate::level;

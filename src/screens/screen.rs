@@ -1,6 +1,6 @@
 //! What a screen is.
 
-use crate::classics::jumper::scene::JumperScene;
+use crate::classics::jumper::JumperScene;
 use crate::draw::Canvas;
 use crate::draw::layout::{Area, Frame};
 use crate::game::{Game, RunResult};
@@ -9,7 +9,7 @@ use crate::level::Level;
 use crate::scores::{Name, ResultRow};
 use crate::session::Session;
 use crate::session::attempt::{Attempt, Flown};
-use crate::session::new_file::NewFile;
+use crate::session::library::NewFile;
 use crate::session::recordings::{FlightCandidate, Visit};
 use crate::session::worker::{Brought, Ticket};
 use crate::settings::Settings;

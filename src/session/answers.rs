@@ -1,8 +1,8 @@
 //! Answers to experiments: each goes to the player's file in `results/`, and its sheet says so, or why not. A browser also hands the file
 //! to the pupil who presses Save. A sheet outlasts its flight, and what is written on it is saved when the flight is left.
 
-use super::experiment::Experiment;
-use super::new_file;
+use super::attempt::Experiment;
+use super::library;
 use crate::scores::{Name, ResultRow, Results, time_of};
 use crate::ui::text_field::TextField;
 use crate::words::tr;
@@ -36,7 +36,7 @@ impl Answers {
         self.unsaved.retain(|other| (&other.player, &other.experiment) != (&row.player, &row.experiment));
         match self.results.append(&row) {
             Ok(()) => {
-                new_file::hand_out(&file);
+                library::hand_out(&file);
                 Ok(tr!("Saved in {place}.", place = file.display()))
             }
             Err(error) => {

@@ -3,11 +3,9 @@
 
 pub mod answers;
 pub mod attempt;
-pub mod experiment;
 pub mod folder_watch;
 pub mod journal;
 pub mod library;
-pub mod new_file;
 pub mod recordings;
 pub mod worker;
 

@@ -6,7 +6,7 @@ use crate::level::Level;
 use crate::scores::{Board, Name, Scores};
 use crate::session::Session;
 use crate::session::attempt::{Attempt, Flown, Rival};
-use crate::session::new_file::NewFile;
+use crate::session::library::NewFile;
 use crate::words::tr;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;

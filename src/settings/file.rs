@@ -2,7 +2,7 @@
 //! row. Saving changes only the rows that it sets: comments, rows of other players and refused rows stay.
 
 use super::item::Item;
-use super::values::Settings;
+use super::item::Settings;
 use super::{Action, Key};
 use crate::files::{self, CsvColumn, CsvFile, CsvRow, CsvStruct, SETTINGS, SaveError, csv_line, found_instead, place};
 use crate::words::tr;

@@ -6,11 +6,10 @@ pub mod file;
 mod item;
 mod keys;
 pub mod layout;
-mod values;
 
 pub use bindings::{Action, Bindings};
 pub use item::Item;
+pub use item::{Assists, Palette, Settings};
 #[cfg(feature = "window")]
 pub(crate) use keys::plain_keys;
 pub use keys::{Key, Keys};
-pub use values::{Assists, Palette, Settings};

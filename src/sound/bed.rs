@@ -1,7 +1,7 @@
 //! The continuous sounds: the engine, the wind, the liquid around the ship. Noise, filtered by the strength of each.
 
+use super::cue::Recipe;
 use super::filter::{BandPass, Glide, LowPass, WhiteNoise};
-use super::recipe::Recipe;
 use super::voice::Voice;
 use super::{Ambience, Cue};
 use std::f32::consts::TAU;

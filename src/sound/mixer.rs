@@ -1,11 +1,13 @@
 //! The sum of all sounds: stereo samples from the desk's state.
+//!
+//! Keeps loud samples below a ceiling. Samples below it pass unchanged, with a short delay: the limiter sees them in advance and
+//! has turned down in time.
 
 use super::bed::Bed;
-use super::ensemble::Arrangement;
+use super::cue::Recipe;
 use super::filter::{Glide, LowPass, WhiteNoise};
-use super::limiter::Limiter;
 use super::music::Music;
-use super::recipe::Recipe;
+use super::tune::Arrangement;
 use super::voice::{Choir, Voice};
 use super::{Ambience, Feed, Volumes};
 
@@ -130,5 +132,148 @@ impl Mixer {
         for filter in self.water.as_flattened_mut() {
             filter.set(self.rate, corner.min(0.4 * self.rate));
         }
+    }
+}
+
+/// The largest sample: −1.4 dBFS, so that the curve between samples stays below −1 dBFS.
+const CEILING: f32 = 0.85;
+/// Its look-ahead, s: the time in which it turns down. A jump would be heard as a crack; 2 ms are shorter than the ear can tell
+/// from one.
+const AHEAD: f32 = 0.002;
+/// Time constant of its release, s: longer than five periods of the deepest tone, 46 Hz, which it would distort otherwise, and
+/// shorter than the decay of a crash, after which the engine would be heard to swell.
+const RELEASE: f32 = 0.12;
+/// A gain from here on counts as 1.
+const NEARLY: f32 = 0.9995;
+
+/// Both sides have the same gain, so that no sound moves from side to side.
+#[derive(Debug)]
+pub struct Limiter {
+    /// Rings of the delayed samples, of the gain that each needs, and of the target gain at its arrival.
+    samples: Vec<[f32; 2]>,
+    needed: Vec<f32>,
+    aims: Vec<f32>,
+    at: usize,
+    /// The target gain, and the samples for which it is held.
+    aim: f32,
+    held: usize,
+    /// The number of consecutive targets of 1.
+    open: usize,
+    /// Of the targets in the ring; `f64` keeps its rounding inaudible.
+    sum: f64,
+    /// The part of the difference to 1 that is left after a sample.
+    keeps: f32,
+}
+
+impl Limiter {
+    /// `rate` is samples a second.
+    pub fn new(rate: f32) -> Self {
+        let ahead = (AHEAD * rate).ceil().max(1.0) as usize;
+        Self {
+            samples: vec![[0.0; 2]; ahead],
+            needed: vec![1.0; ahead],
+            aims: vec![1.0; ahead],
+            at: 0,
+            aim: 1.0,
+            held: 0,
+            open: ahead,
+            sum: ahead as f64,
+            keeps: (-1.0 / (RELEASE * rate)).exp(),
+        }
+    }
+
+    /// The delayed sample, left and right. Its gain is the mean of the targets since its arrival, and none of them exceeds its
+    /// need: so it ends below the ceiling.
+    pub fn next(&mut self, sample: [f32; 2]) -> [f32; 2] {
+        let ahead = self.samples.len();
+        let peak = sample[0].abs().max(sample[1].abs());
+        let needs = if peak > CEILING { CEILING / peak } else { 1.0 };
+        let heard = std::mem::replace(&mut self.samples[self.at], sample);
+        self.needed[self.at] = needs;
+        let gain = if self.open >= ahead { 1.0 } else { (self.sum / ahead as f64) as f32 };
+        self.take_aim(needs);
+        self.sum += f64::from(self.aim) - f64::from(std::mem::replace(&mut self.aims[self.at], self.aim));
+        self.open = if self.aim == 1.0 { self.open + 1 } else { 0 };
+        if self.open >= ahead {
+            self.sum = ahead as f64;
+        }
+        self.at = (self.at + 1) % ahead;
+        heard.map(|side| gain * side)
+    }
+
+    fn take_aim(&mut self, needs: f32) {
+        if needs <= self.aim && needs < 1.0 {
+            (self.aim, self.held) = (needs, self.samples.len());
+        } else if self.held > 0 {
+            self.held -= 1;
+        } else if self.aim < 1.0 {
+            let released = 1.0 - (1.0 - self.aim) * self.keeps;
+            let released = if released > NEARLY { 1.0 } else { released };
+            self.aim = self.needed.iter().fold(released, |least, needed| least.min(*needed));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sound::filter::WhiteNoise;
+    use std::f32::consts::TAU;
+
+    const RATE: f32 = 48_000.0;
+
+    fn limited(samples: impl IntoIterator<Item = [f32; 2]>) -> Vec<[f32; 2]> {
+        let mut limiter = Limiter::new(RATE);
+        let ahead = limiter.samples.len();
+        let silence = std::iter::repeat_n([0.0; 2], ahead);
+        samples.into_iter().chain(silence).map(|sample| limiter.next(sample)).skip(ahead).collect()
+    }
+
+    #[test]
+    fn what_is_below_the_ceiling_passes_to_the_bit() {
+        let mut noise = WhiteNoise::new(3);
+        let quiet: Vec<[f32; 2]> = (0..48_000).map(|_| [CEILING * noise.next(), CEILING * noise.next()]).collect();
+        assert!(limited(quiet.clone()) == quiet);
+    }
+
+    #[test]
+    fn nothing_passes_the_ceiling_however_loud_and_however_sudden() {
+        let mut noise = WhiteNoise::new(5);
+        let mut wild = Vec::new();
+        for i in 0..200_000 {
+            // Single samples, bursts of every length and strength, on one side or both.
+            let strength = noise.between(0.0, 1.0).powi(8) * 30.0;
+            let length = noise.between(1.0, 300.0) as usize * usize::from(i % 97 == 0) + usize::from(i % 13 == 0);
+            for _ in 0..length.min(300) {
+                wild.push([strength * noise.next(), 0.3 * strength * noise.next()]);
+            }
+            wild.push([0.0; 2]);
+        }
+        let heard = limited(wild.iter().copied());
+        let most = heard.as_flattened().iter().fold(0.0_f32, |most, sample| most.max(sample.abs()));
+        assert!(most <= CEILING * 1.000_01, "{most}");
+        // The limiter turns down no further than necessary: long quiet passages are unchanged.
+        let quiet = limited((0..96_000).map(|i| if i < 4800 { [9.0; 2] } else { [0.1; 2] }));
+        assert_eq!(quiet[95_000], [0.1; 2]);
+    }
+
+    #[test]
+    fn it_turns_down_within_its_sight_and_up_within_a_few_tenths_of_a_second_and_never_jumps() {
+        // A tone below the ceiling, a tenth of a second of one four times as loud, the first again; the test reads the gain at
+        // every sample.
+        let tone = |i: usize| 0.7 * (TAU * 1000.0 * i as f32 / RATE + 0.4).sin();
+        let loud = 24_000..28_800;
+        let samples: Vec<[f32; 2]> = (0..72_000).map(|i| [if loud.contains(&i) { 4.0 } else { 1.0 } * tone(i); 2]).collect();
+        let heard = limited(samples.iter().copied());
+        let clear = |i: &usize| samples[*i][0].abs() > 0.05;
+        let gains: Vec<(usize, f32)> = (0..72_000).filter(clear).map(|i| (i, heard[i][0] / samples[i][0])).collect();
+        let at = |from: usize, to: usize| gains.iter().filter(move |(i, _)| (from..to).contains(i)).map(|(_, gain)| *gain);
+        assert!(at(0, 23_900).all(|gain| gain == 1.0), "nothing is turned down before it must be");
+        assert!(at(24_100, 28_800).all(|gain| gain < 0.31), "the whole of the loud tone is turned down, and evenly");
+        assert!(at(24_100, 28_800).all(|gain| gain > 0.29));
+        assert!(at(28_800 + 96, 28_800 + 2400).all(|gain| gain < 0.7), "it does not come back with a jump");
+        assert!(at(28_800 + 24_000, 72_000).all(|gain| gain > 0.98), "nor does it stay away");
+        let steps = gains.windows(2).map(|pair| (pair[1].1 - pair[0].1).abs() / (pair[1].0 - pair[0].0) as f32);
+        assert!(steps.fold(0.0, f32::max) < 0.012, "by less than a tenth of a decibel a sample");
     }
 }

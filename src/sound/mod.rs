@@ -7,24 +7,20 @@
 mod bed;
 mod cue;
 mod desk;
-mod ensemble;
 mod filter;
 mod heard;
-mod limiter;
 mod mixer;
 mod music;
 mod output;
-mod recipe;
-mod speaker;
 mod tune;
 mod voice;
 
 pub use cue::{Cue, Stuff};
+pub use desk::Speaker;
 pub use desk::{Feed, SoundDesk, desk};
-pub use ensemble::{Arrangement, WORLDS};
 pub use heard::{Ambience, Ear, Sound, tune};
 pub use mixer::Mixer;
-pub use speaker::Speaker;
+pub use tune::{Arrangement, WORLDS};
 
 /// Loudness of each part; values clamp to 0 … 1, and NaN is silence.
 #[derive(Clone, Copy, Debug, PartialEq)]

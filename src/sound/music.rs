@@ -1,10 +1,10 @@
 //! Plays a [`Tune`]: soft chords that swell, a plucked melody, and an echo that goes from side to side; with speed a bass and a brush come in,
 //! with goals broken chords.
 
-use super::ensemble::{Arrangement, Ensemble};
+use super::cue::{Recipe, Tone};
 use super::filter::{Glide, LowPass, WhiteNoise};
-use super::recipe::{Recipe, Tone};
 use super::tune::Tune;
+use super::tune::{Arrangement, Ensemble};
 use super::voice::{Choir, Voice};
 
 /// Time constant of a tune's fade when another replaces it, s.

@@ -1,7 +1,7 @@
 //! Plays a [`Recipe`], sample by sample. Nothing is allocated: a fixed number of voices is used again and again.
 
+use super::cue::{BURSTS, Burst, Recipe, TONES, Tone};
 use super::filter::{BandPass, WhiteNoise};
-use super::recipe::{BURSTS, Burst, Recipe, TONES, Tone};
 use std::f32::consts::TAU;
 
 /// Samples between two updates of the pitches.

@@ -1,8 +1,11 @@
 //! The memory of a screen's widgets from frame to frame: the focus, the highlight under the pointer, the position of each list.
+//!
+//! Listeners of the game.
 
 use super::input::{ButtonAnswer, Input, Repeat};
 use super::scroll::Scroll;
 use crate::draw::layout::{Area, Vec2};
+use crate::game::Game;
 use crate::settings::{Key, Keys};
 use std::collections::BTreeMap;
 
@@ -247,3 +250,22 @@ impl Memory {
         candidates.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(widget, _)| widget.label.clone())
     }
 }
+
+/// Watches attempts tick by tick: particles, sound, the cost of a tick. It changes nothing in them.
+pub trait Spectator {
+    fn begins(&mut self, _game: &Game) {}
+    /// Before each tick.
+    fn before_tick(&mut self) {}
+    /// After each tick, whose events are in the game.
+    fn after_tick(&mut self, _game: &Game) {}
+    /// The game has jumped to another moment.
+    fn jumped(&mut self, _game: &Game) {}
+    /// The attempt goes on in a level that was edited meanwhile.
+    fn goes_on(&mut self, _game: &Game) {}
+    /// Frames a second of the window; 0 without one.
+    fn frames(&self) -> f64 {
+        0.0
+    }
+}
+
+impl Spectator for () {}

@@ -4,26 +4,20 @@
 //! A frame runs the function twice or more. The first pass acts: it sees presses, and its picture is dropped. The passes after it
 //! show: without presses and without time; the last one is the picture. Labels identify widgets; [`Memory`] keeps their state.
 
-mod compose;
 mod entry;
 pub mod input;
 pub mod keyboard;
 mod memory;
-pub mod name_field;
 pub mod pace;
-pub mod problems;
 pub mod prompt;
 pub mod scroll;
-mod slider;
-mod spectator;
 pub mod text_field;
-mod tip;
 mod widgets;
 
 pub use entry::{EntryEvent, EntryField};
+pub use entry::{SliderMove, SliderShown};
+pub use memory::Spectator;
 pub use memory::{Memory, Widget, WidgetKind};
-pub use slider::{SliderMove, SliderShown};
-pub use spectator::Spectator;
 pub use widgets::{FieldEvent, Rows, Touch, Turning};
 
 use crate::draw::Canvas;

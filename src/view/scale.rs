@@ -1,11 +1,226 @@
+//! Free-body arrows: colour, dash and head of each kind of force, and the drawing of arrows and labels.
+//!
 //! The length of arrows: a round number of newtons a square, for which the longest arrow of the shown bodies fits. It shrinks at
 //! once when an arrow would no longer fit or the view is zoomed, and grows back after a delay: arrows with an unsteady scale could
 //! not be compared.
 
+pub use super::facts::ArrowKind;
+use super::facts::round_up;
 use super::focus::Focus;
-use super::quantity::round_up;
+use super::theme;
+use crate::draw::layout::{Area, DETAILS, Vec2};
+use crate::draw::{Canvas, Colour, Style};
 use crate::game::{DAMAGING_SPEED, Game, SHIP};
-use crate::physics::BodyId;
+use crate::physics::{BodyId, ForceKind};
+use crate::words::tr;
+
+/// Width of a force's arrow and of the resultant's, canvas units.
+const WIDTH: f32 = 2.6;
+const RESULTANT_WIDTH: f32 = 6.0;
+/// Length of a head, canvas units; half its breadth is the same times [`HEAD_SPREAD`].
+const HEAD: f32 = 11.0;
+/// Half the breadth of a head as a part of its length.
+pub const HEAD_SPREAD: f32 = 0.45;
+/// Scale of the resultant's head, and distance of the second head of two behind the first as a part of its length.
+const RESULTANT_HEAD: f32 = 1.6;
+const SECOND_HEAD: f32 = 0.75;
+/// The mark of an arrow that is not to scale: half the length of its two strokes, and between them, canvas units.
+const BREAK: f32 = 4.5;
+const BREAK_GAP: f32 = 3.5;
+/// Opacity of an arrow while others are lit.
+const DIMMED: f32 = 0.35;
+
+/// The head at an arrow's tip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Head {
+    Filled,
+    Open,
+    Double,
+    Diamond,
+    Bar,
+    Disc,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arrow {
+    /// The body that the force acts on.
+    pub body: BodyId,
+    /// The line of the body's box that states it.
+    pub row: usize,
+    /// The force or impact.
+    pub shown: ArrowKind,
+    /// The body's centre, if there is room.
+    pub from: Vec2,
+    pub to: Vec2,
+    /// Whether its length is by the scale; otherwise it bears a mark.
+    pub to_scale: bool,
+}
+
+impl Arrow {
+    pub fn name(&self) -> &'static str {
+        self.shown.name()
+    }
+
+    pub fn length(&self) -> f32 {
+        (self.to - self.from).length()
+    }
+
+    /// The bounding box.
+    pub fn area(&self) -> Area {
+        let min = self.from.min(self.to) - 4.0;
+        Area { min, size: self.from.max(self.to) + 4.0 - min }
+    }
+
+    /// Distance of a point.
+    pub fn distance(&self, point: Vec2) -> f32 {
+        let way = self.to - self.from;
+        let part = ((point - self.from).dot(way) / way.length_squared().max(1.0)).clamp(0.0, 1.0);
+        point.distance(self.from + way * part)
+    }
+}
+
+/// The length of an arrow's whole head along it, and of one of its triangles, canvas units.
+pub const fn head_length(shown: ArrowKind) -> Vec2 {
+    let one = if matches!(shown, ArrowKind::Resultant) { HEAD * RESULTANT_HEAD } else { HEAD };
+    let heads = if matches!(style(shown).0, Head::Double) { 1.0 + SECOND_HEAD } else { 1.0 };
+    Vec2::new(one * heads, one)
+}
+
+/// The colour of a force or impact.
+pub const fn colour(shown: ArrowKind) -> Colour {
+    match shown {
+        ArrowKind::Resultant => theme::RESULTANT,
+        ArrowKind::Force(kind) => theme::force(kind),
+        ArrowKind::Impact => theme::IMPACT,
+    }
+}
+
+/// The opacity of an arrow: full where none is lit.
+pub fn seen(lit: bool, any: bool) -> f32 {
+    if lit || !any { 1.0 } else { DIMMED }
+}
+
+/// Draws arrows, without their labels; `lit` picks arrows out.
+pub fn draw(arrows: &[Arrow], lit: impl Fn(&Arrow) -> bool, canvas: &Canvas) {
+    let any = arrows.iter().any(&lit);
+    for arrow in arrows {
+        let lit = lit(arrow);
+        if lit {
+            canvas.line(arrow.from, arrow.to, 3.5 * WIDTH, colour(arrow.shown).faded(0.35));
+        }
+        draw_arrow(canvas, arrow, seen(lit, any));
+        if !arrow.to_scale {
+            draw_break(canvas, arrow, seen(lit, any));
+        }
+    }
+}
+
+/// Two strokes across the shaft of an arrow that is not to scale.
+fn draw_break(canvas: &Canvas, arrow: &Arrow, alpha: f32) {
+    let along = (arrow.to - arrow.from).normalize_or_zero();
+    let shaft = (arrow.length() - head_length(arrow.shown).x).max(0.0);
+    let middle = arrow.from + along * (shaft - BREAK).max(shaft * 0.5);
+    let stroke = (along.perp() + along * 0.6) * BREAK;
+    let half = if arrow.shown == ArrowKind::Resultant { 1.5 } else { 1.0 };
+    canvas.line(middle - along * BREAK_GAP * 0.5, middle + along * BREAK_GAP * 0.5, RESULTANT_WIDTH + 2.0, theme::ground());
+    for side in [-0.5, 0.5] {
+        let at = middle + along * (BREAK_GAP * side);
+        canvas.line(at - stroke * half, at + stroke * half, 1.6, colour(arrow.shown).faded(alpha));
+    }
+}
+
+fn draw_arrow(canvas: &Canvas, arrow: &Arrow, alpha: f32) {
+    let resultant = arrow.shown == ArrowKind::Resultant;
+    let width = if resultant { RESULTANT_WIDTH } else { WIDTH };
+    let ((head, dash), colour) = (style(arrow.shown), colour(arrow.shown).faded(alpha));
+    let along = (arrow.to - arrow.from).normalize_or_zero();
+    let tip_length = head_length(arrow.shown).y.min(arrow.length());
+    let neck = arrow.to - along * tip_length * 0.8;
+    canvas.line(arrow.from, neck, width + 2.0, theme::ground().faded(0.55 * alpha));
+    canvas.dashed(&[arrow.from, neck], dash, width, colour);
+    draw_head(canvas, head, arrow.to, along, tip_length, width, colour);
+}
+
+/// A single arrow from tail to tip; `alpha` (0 … 1) is its opacity.
+pub fn draw_one(canvas: &Canvas, (from, to): (Vec2, Vec2), shown: ArrowKind, alpha: f32) {
+    draw_arrow(canvas, &Arrow { body: SHIP, row: 0, shown, from, to, to_scale: true }, alpha);
+}
+
+/// Tells kinds of force apart without colour: no two share head and dash. Dashes are lengths drawn and left out in turn.
+const fn style(shown: ArrowKind) -> (Head, &'static [f32]) {
+    let kind = match shown {
+        ArrowKind::Resultant => return (Head::Filled, &[]),
+        ArrowKind::Impact => return (Head::Double, &[2.5, 3.0]),
+        ArrowKind::Force(kind) => kind,
+    };
+    match kind {
+        ForceKind::Weight => (Head::Filled, &[]),
+        ForceKind::Drive => (Head::Double, &[]),
+        ForceKind::Reaction => (Head::Open, &[]),
+        ForceKind::Friction => (Head::Filled, &[5.0, 4.0]),
+        ForceKind::AirResistance => (Head::Open, &[10.0, 5.0]),
+        ForceKind::Wind => (Head::Diamond, &[10.0, 5.0]),
+        ForceKind::Buoyancy => (Head::Disc, &[]),
+        ForceKind::ViscousDrag => (Head::Disc, &[9.0, 4.0, 2.5, 4.0]),
+        ForceKind::Push => (Head::Bar, &[]),
+        ForceKind::Spring => (Head::Bar, &[9.0, 4.0, 2.5, 4.0]),
+        ForceKind::Tension => (Head::Bar, &[10.0, 5.0]),
+        ForceKind::Magnetic => (Head::Diamond, &[]),
+    }
+}
+
+fn draw_head(canvas: &Canvas, head: Head, tip: Vec2, along: Vec2, length: f32, width: f32, colour: Colour) {
+    let side = along.perp() * length * HEAD_SPREAD;
+    let triangle = |tip: Vec2| {
+        let base = tip - along * length;
+        canvas.convex(&[tip, base + side, base - side], colour);
+    };
+    match head {
+        Head::Filled => triangle(tip),
+        Head::Double => {
+            triangle(tip);
+            triangle(tip - along * length * SECOND_HEAD);
+        }
+        Head::Open => {
+            let base = tip - along * length;
+            canvas.line(base, tip, width, colour);
+            canvas.line(base + side, tip, width, colour);
+            canvas.line(base - side, tip, width, colour);
+        }
+        Head::Diamond => {
+            let middle = tip - along * length * 0.5;
+            canvas.convex(&[tip, middle + side, tip - along * length, middle - side], colour);
+        }
+        Head::Bar => {
+            canvas.line(tip - along * length, tip, width, colour);
+            canvas.line(tip + side * 1.3, tip - side * 1.3, width * 1.4, colour);
+        }
+        Head::Disc => {
+            canvas.line(tip - along * length, tip - along * length * 0.5, width, colour);
+            canvas.disc(tip - along * length * 0.4, length * 0.4, colour);
+        }
+    }
+}
+
+/// The place of an arrow's label.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Label {
+    /// Index of the arrow.
+    pub arrow: usize,
+    pub area: Area,
+}
+
+/// The labels, on a dark ground so that they can be read over anything; `lit` as for the arrows.
+pub fn draw_labels(arrows: &[Arrow], labels: &[Label], lit: impl Fn(&Arrow) -> bool, canvas: &Canvas) {
+    let any = arrows.iter().any(&lit);
+    for label in labels {
+        let arrow = &arrows[label.arrow];
+        let seen = seen(lit(arrow), any);
+        canvas.rounded(label.area, 3.0, theme::ground().faded(0.85 * seen));
+        let style = Style::new(DETAILS, colour(arrow.shown).faded(seen)).centred().middle();
+        canvas.text(tr(arrow.name()), label.area.centre(), style);
+    }
+}
 
 /// The length of a body's usual force, canvas units: its weight, half of the ship's thrust, or the force that stops a damaging
 /// speed.
@@ -128,6 +343,25 @@ impl ScaleStep {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn no_two_kinds_share_head_and_dash() {
+        let all: Vec<ArrowKind> = ForceKind::ALL.into_iter().map(ArrowKind::Force).chain([ArrowKind::Impact]).collect();
+        for (i, a) in all.iter().enumerate() {
+            for b in &all[i + 1..] {
+                assert_ne!(style(*a), style(*b), "{a:?} and {b:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_point_is_as_far_from_an_arrow_as_from_its_nearest_point() {
+        let (from, to) = (Vec2::new(10.0, 10.0), Vec2::new(110.0, 10.0));
+        let arrow = Arrow { body: SHIP, row: 0, shown: ArrowKind::Resultant, from, to, to_scale: true };
+        for (x, y, far) in [(50.0, 10.0, 0.0), (50.0, 17.0, 7.0), (113.0, 14.0, 5.0), (7.0, 6.0, 5.0)] {
+            assert_eq!(arrow.distance(Vec2::new(x, y)), far);
+        }
+    }
 
     #[test]
     fn arrows_grow_shorter_at_once_and_longer_after_a_while() {

@@ -1,7 +1,7 @@
 //! The palette: a physicist's notebook at night. Each colour has one meaning; sizes are in [`crate::draw::layout`].
 
 use crate::draw::Colour;
-use crate::instruments::look;
+use crate::instruments::chart;
 use crate::physics::ForceKind;
 use crate::settings::Palette;
 use std::sync::atomic::{AtomicU8, Ordering};
@@ -174,7 +174,7 @@ pub fn physics_objective() -> Colour {
     colours().physics_objective
 }
 
-pub const RESULTANT: Colour = Colour::hex(look::RESULTANT);
+pub const RESULTANT: Colour = Colour::hex(chart::RESULTANT);
 
 /// Velocity and acceleration.
 pub const VELOCITY: Colour = Colour::hex(0x2EE6D6);
@@ -185,7 +185,7 @@ pub const ACCELERATION: Colour = Colour::hex(0xFF8FB1);
 pub const IMPACT: Colour = Colour::hex(0xAE62FF);
 
 pub const fn force(kind: ForceKind) -> Colour {
-    Colour::hex(look::force(kind))
+    Colour::hex(chart::force(kind))
 }
 
 #[cfg(test)]

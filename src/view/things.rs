@@ -1,4 +1,9 @@
 //! Objects and the ship with its flame: nothing that moves looks like the static world.
+//!
+//! Landings: the ship's legs give way under it, and a gentle one is praised.
+//!
+//! The wreck of a lost ship: pieces that fly, fall and bounce by the engine's own laws, in a world of their own: the game does not
+//! change.
 
 use super::art::{self, Tile};
 use super::camera::Viewport;
@@ -7,9 +12,10 @@ use super::theme;
 use super::zones::diamond;
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::game::GhostPose;
-use crate::level::{Look, Object, SHIP_HALF};
-use crate::physics::{Aabb, DVec2};
+use crate::game::{Game, GhostPose, SHIP};
+use crate::level::{Level, Look, Object, SHIP_HALF};
+use crate::physics::{Aabb, BodyDef, BodyId, DVec2, Event, ForceKind, Obstacle, World, WorldDef};
+use std::f64::consts::PI;
 
 /// Plain movable objects: brighter than everything at rest.
 const PLAIN: Colour = Colour::hex(0xB9C6DA);
@@ -176,4 +182,210 @@ pub fn ellipse(area: Area) -> Vec<Vec2> {
     const SIDES: usize = 40;
     let turn = |i: usize| Vec2::from_angle(std::f32::consts::TAU * i as f32 / SIDES as f32);
     (0..SIDES).map(|i| area.centre() + turn(i) * area.size / 2.0).collect()
+}
+
+/// The least flight before a landing, s: a box that tips to rest is no landing.
+const FLOWN: f64 = 0.4;
+/// A slower landing is gentle, m/s.
+pub const GENTLE: f64 = 2.0;
+/// Time in which the legs straighten, s; the speed that presses them down fully, m/s; and that depth, of the height.
+const SPRING: f64 = 0.22;
+const FULL: f64 = 8.0;
+const DEPTH: f64 = 0.14;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Landing {
+    /// m.
+    pub point: DVec2,
+    /// m/s.
+    pub speed: f64,
+}
+
+/// Whether the ship flies, and the compression of its legs.
+#[derive(Clone, Debug, Default)]
+pub struct Touchdown {
+    /// Ticks since the last touch.
+    flown: u64,
+    /// The last landing's speed (m/s) and age (s).
+    last: Option<(f64, f64)>,
+}
+
+impl Touchdown {
+    /// Takes up a tick; returns its landing.
+    pub fn after_tick(&mut self, game: &Game) -> Option<Landing> {
+        let flown = self.flown as f64 / game.tick_rate();
+        let landing = landing(game.world().events()).filter(|_| flown >= FLOWN);
+        let touches = landing.is_some() || touches(game);
+        self.flown = if touches { 0 } else { self.flown + 1 };
+        if let Some(landing) = landing {
+            self.last = Some((landing.speed, 0.0));
+        }
+        landing
+    }
+
+    pub fn advance(&mut self, frame_time: f64) {
+        self.last = self.last.map(|(speed, age)| (speed, age + frame_time)).filter(|(_, age)| *age < SPRING);
+    }
+
+    /// Compression of the ship as a part of its height, 0 … 0.14.
+    pub fn squash(&self) -> f64 {
+        self.last.map_or(0.0, |(speed, age)| {
+            let t = age / SPRING;
+            DEPTH * (speed / FULL).min(1.0) * (PI * t.sqrt()).sin()
+        })
+    }
+}
+
+/// Whether a body or surface touches the ship.
+fn touches(game: &Game) -> bool {
+    let forces = game.world().forces(SHIP);
+    forces.forces().iter().any(|force| matches!(force.kind, ForceKind::Reaction | ForceKind::Push))
+}
+
+/// The hardest hit of the ship from above in a tick with these events.
+fn landing(events: &[Event]) -> Option<Landing> {
+    let hits = events.iter().filter_map(|event| match *event {
+        Event::Impact { a, b, point, speed, normal } => {
+            // The normal points away from the hit body: up, where the ship is `a`.
+            let up = if a == SHIP {
+                -normal.y
+            } else if b == Obstacle::Body(SHIP) {
+                normal.y
+            } else {
+                0.0
+            };
+            (up > 0.5).then_some(Landing { point, speed })
+        }
+        Event::Crushed { .. } | Event::Snapped { .. } | Event::Hooked { .. } => None,
+    });
+    hits.max_by(|a, b| a.speed.total_cmp(&b.speed))
+}
+
+/// Pause before the ship breaks, s.
+const HIT_STOP: f64 = 0.09;
+/// Pieces along each axis.
+const PIECES: u32 = 3;
+/// The share of its cell that a piece fills: pieces do not begin in each other.
+const FILLED: f64 = 0.9;
+/// Speed of the pieces away from the ship's middle, m/s a metre, and the share of the ship's speed that they keep.
+const BURST: f64 = 6.0;
+const KEPT: f64 = 0.6;
+/// s; and the most ticks a frame: after a hitch pieces may skip time, but must not freeze the game.
+const TICK: f64 = 1.0 / 120.0;
+const MOST_TICKS: u32 = 8;
+
+pub struct Wreck {
+    world: World,
+    /// Since the ship was lost, s.
+    age: f64,
+    /// Time not yet simulated, s.
+    left: f64,
+}
+
+impl Wreck {
+    /// The pieces of a game's ship; `None` where there is no room for them.
+    pub fn new(game: &Game, ship: BodyId) -> Option<Self> {
+        let body = game.world().body(ship);
+        let world = World::new(definition(game.level(), body.position, body.velocity)).ok()?;
+        Some(Self { world, age: 0.0, left: 0.0 })
+    }
+
+    pub fn advance(&mut self, frame_time: f64) {
+        self.age += frame_time;
+        if self.is_whole() {
+            return;
+        }
+        self.left = (self.left + frame_time).min(f64::from(MOST_TICKS) * TICK);
+        while self.left >= TICK {
+            self.left -= TICK;
+            self.world.step(TICK);
+        }
+    }
+
+    /// Whether the ship has not broken yet.
+    pub fn is_whole(&self) -> bool {
+        self.age < HIT_STOP
+    }
+
+    pub fn draw(&self, view: &Viewport, canvas: &Canvas) {
+        for (i, body) in self.world.bodies().iter().enumerate() {
+            let area = view.rect(&body.bounds());
+            canvas.rectangle(area, colour(i as u32));
+            canvas.rectangle_edge(area, 1.0, theme::ground());
+        }
+    }
+}
+
+/// The hull is white, the belly slate, the trim orange.
+fn colour(piece: u32) -> Colour {
+    match (piece % PIECES, piece / PIECES) {
+        (1, 0) => theme::accent(),
+        (_, 0) => Colour::WHITE,
+        (1, 1) => Colour::hex(0x6FB7E8),
+        (_, 1) => Colour::hex(0xE6EBF2),
+        _ => theme::solid_top(),
+    }
+}
+
+/// The level with pieces for bodies.
+fn definition(level: &Level, centre: DVec2, velocity: DVec2) -> WorldDef {
+    let cell = SHIP_HALF * 2.0 / f64::from(PIECES);
+    let piece = |i: u32| {
+        let place = DVec2::new(f64::from(i % PIECES), f64::from(i / PIECES)) - 0.5 * f64::from(PIECES - 1);
+        let from_middle = place * cell;
+        BodyDef {
+            position: centre + from_middle,
+            // Each a little differently, so that the wreck has no symmetry.
+            velocity: velocity * KEPT + from_middle * BURST * (1.0 + 0.25 * f64::from(i * 5 % 7)),
+            half: cell * 0.5 * FILLED,
+            mass: level.player.mass / f64::from(PIECES * PIECES),
+            restitution: 0.4,
+            ..BodyDef::default()
+        }
+    };
+    WorldDef { bodies: (0..PIECES * PIECES).map(piece).collect(), links: Vec::new(), ..level.world_def() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::BodyId;
+
+    fn hit(a: u32, b: Obstacle, normal: DVec2) -> Event {
+        Event::Impact { a: BodyId(a), b, point: DVec2::ZERO, normal, speed: 3.0 }
+    }
+
+    #[test]
+    fn a_landing_is_what_hits_the_ship_from_below() {
+        let floor = Obstacle::Surface(0);
+        assert_eq!(landing(&[hit(0, floor, DVec2::NEG_Y)]).map(|landing| landing.speed), Some(3.0));
+        assert!(landing(&[hit(0, floor, DVec2::Y), hit(0, floor, DVec2::X), hit(1, floor, DVec2::NEG_Y)]).is_none());
+        assert!(landing(&[hit(1, Obstacle::Body(SHIP), DVec2::Y)]).is_some(), "it lands on a crate");
+    }
+
+    #[test]
+    fn the_legs_straighten_again() {
+        let mut touchdown = Touchdown { flown: 0, last: Some((100.0, 0.0)) };
+        let mut deepest: f64 = 0.0;
+        for _ in 0..30 {
+            touchdown.advance(0.01);
+            deepest = deepest.max(touchdown.squash());
+        }
+        assert!(deepest > 0.05 && deepest <= DEPTH);
+        assert_eq!(touchdown.squash(), 0.0);
+    }
+
+    #[test]
+    fn the_pieces_take_the_ships_mass_fall_and_come_to_rest_inside_the_level() {
+        let level = crate::level::fixture();
+        let mut world = World::new(definition(&level, level.player.position, DVec2::new(4.0, -9.0))).unwrap();
+        let mass: f64 = world.bodies().iter().map(|body| body.mass).sum();
+        assert!((mass - level.player.mass).abs() < 1e-9);
+        for _ in 0..1200 {
+            world.step(TICK);
+        }
+        for body in world.bodies() {
+            assert!(body.velocity.length() < 0.1 && level.bounds().contains(&body.bounds(), 1e-6), "{body:?}");
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use crate::support::program::{Ran, resultant};
 use glam::DVec3;
 use resultant::classics::jumper::engine::{CuboidFace, CuboidHit, Dynamic};
-use resultant::classics::jumper::scene::{JumpKeys, JumperScene, LEADERBOARD, PLAYER_SIZE, VISIBLE};
+use resultant::classics::jumper::{JumpKeys, JumperScene, LEADERBOARD, PLAYER_SIZE, VISIBLE};
 use resultant::game::TICK_RATE;
 
 const NOTHING: JumpKeys = JumpKeys { left: false, right: false, jump: false };

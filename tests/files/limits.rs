@@ -4,10 +4,10 @@
 use crate::support::Memory;
 use cpu_time::ThreadTime;
 use resultant::lab::charts::Charts;
-use resultant::lab::drawing::paper;
-use resultant::lab::{kept, peers, report};
+use resultant::lab::drawing::picture;
+use resultant::lab::{kept, report};
 use resultant::level;
-use resultant::scores::table;
+use resultant::scores::board;
 use resultant::{files, game};
 use std::hint::black_box;
 use std::path::Path;
@@ -45,10 +45,10 @@ fn scores() {
     // The last one leaves each line end within quotes, whether the line begins so or not.
     for row in ["\"", "\"\n", "\"\"\"\n", ",\"", "a\n", "a,1\n", "\n", ",", "\"\",", "\"\r", "\"a\"b\"\n", "\"\"x\",\"\n"] {
         let text = filled(row, files::SCORES);
-        quick(&format!("{row:?}"), &text, || table::read(Path::new("1.csv"), text.as_bytes()));
+        quick(&format!("{row:?}"), &text, || board::read(Path::new("1.csv"), text.as_bytes()));
     }
     let users: String = (0..25_000).map(|i| format!("user{i},{}\n", i + 1)).collect();
-    let (board, damage) = quick("users", &users, || table::read(Path::new("1.csv"), users.as_bytes()));
+    let (board, damage) = quick("users", &users, || board::read(Path::new("1.csv"), users.as_bytes()));
     assert_eq!((board.rows().len(), damage.len()), (25_000, 0));
 }
 
@@ -130,17 +130,17 @@ fn numbers_beyond_all_axes_are_refused() {
         let told = charts("fall.csv", &format!("method,origin,step,work,error\n{row}\n")).unwrap_err();
         assert!(told.ends_with("expected a number above 0, from 1e-100 to 1e100"), "{told}");
     }
-    let head = peers::PEERS_HEAD.join(",");
+    let head = kept::PEERS_HEAD.join(",");
     let text = format!("{head}\nfall,other,1,,0.1,1.8e308,0.1,0,0,1\n");
-    let told = peers::add_peers("results.csv", &text, &mut Vec::new()).unwrap_err();
+    let told = kept::add_peers("results.csv", &text, &mut Vec::new()).unwrap_err();
     assert!(told.ends_with("expected a number above 0, from 1e-100 to 1e100"), "{told}");
     // At the ends of the accepted range everything is drawn, with few marks.
     let mut diagrams = Vec::new();
     let far = ["other,1,,1e-100,1e-100,0.1", "another,1,,1e100,1e100,1e308", "third,1,,1,1,1e-308"];
     let far: String = far.into_iter().map(|row| format!("pile-100,{row},0,0,1\n")).collect();
-    peers::add_peers("results.csv", &format!("{head}\n{far}"), &mut diagrams).unwrap();
+    kept::add_peers("results.csv", &format!("{head}\n{far}"), &mut diagrams).unwrap();
     let charts = Charts { diagrams, ..Charts::default() };
-    let svg = paper::measured(&charts.diagrams[0]);
+    let svg = picture::measured(&charts.diagrams[0]);
     assert!(svg.len() < 100_000 && !svg.contains("NaN") && !svg.contains("inf"), "{}", svg.len());
     assert!(report::summary(&charts, &[]).len() < 100_000);
 }

@@ -3,12 +3,14 @@
 
 use resultant::lab::TOLERANCE;
 use resultant::lab::contract::By;
+use resultant::lab::methods::chain::sweeps_needed;
 use resultant::lab::methods::motion::{MotionStep, exact_decay, explicit_euler, rk4, semi_implicit_euler_f32, strang};
-use resultant::lab::methods::{bounce, chain::sweeps_needed, friction, impact};
+use resultant::lab::methods::motion::{by_sign, clamped};
+use resultant::lab::methods::{bounce, impact};
 use resultant::lab::scenes::bouncing as bounces;
 use resultant::lab::scenes::stacks::{ContactChain, SOLVERS};
 use resultant::lab::stress::motion::{FallOutcome, fall};
-use resultant::lab::stress::{G, TICK, bouncing, contacts, robustness, standing};
+use resultant::lab::stress::{G, TICK, bouncing, robustness, standing};
 
 /// Explicit Euler oscillates above z = 1 and diverges from 1.47. RK4 leaves even a fall that has already settled above 1.39, and diverges at
 /// 2.06. Splittings settle, but beside the terminal velocity.
@@ -66,10 +68,10 @@ fn coulomb_stop() {
     let distance = 100.0 / (2.0 * bouncing::SLIDING.brake());
     for h in [1.0 / 30.0, TICK, 1.0 / 120.0] {
         // By sign: never at rest, within ±μgh.
-        let (_, v) = bouncing::slide(By::Hand(friction::by_sign), h);
+        let (_, v) = bouncing::slide(By::Hand(by_sign), h);
         assert!(v != 0.0 && v.abs() <= bouncing::SLIDING.brake() * h, "{v}");
         // Clamped: dead, but short by v₀h/2.
-        let (x, v) = bouncing::slide(By::Hand(friction::clamped), h);
+        let (x, v) = bouncing::slide(By::Hand(clamped), h);
         assert!(v == 0.0 && ((distance - x) / (5.0 * h) - 1.0).abs() < 0.01, "{x}");
         let (x, v) = bouncing::slide(By::Engine, h);
         assert!(v == 0.0 && (x - distance).abs() < 1e-9, "{x}");
@@ -104,7 +106,7 @@ fn a_minute_of_perfect_bouncing() {
 
 #[test]
 fn simultaneous_impacts() {
-    let found = contacts::cradle(By::Hand(impact::at_once), 3);
+    let found = standing::cradle(By::Hand(impact::at_once), 3);
     for (found, exact) in found.iter().zip([-1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0]) {
         assert!((found - exact).abs() < 1e-12);
     }
@@ -113,7 +115,7 @@ fn simultaneous_impacts() {
     for n in [3, 5, 10] {
         let mut pattern = vec![0.0; n];
         pattern[n - 1] = 1.0;
-        assert_eq!(contacts::cradle(By::Engine, n), pattern);
+        assert_eq!(standing::cradle(By::Engine, n), pattern);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::sitting::{Sitting, keys};
 use crate::support::shipped::{copy, project};
-use resultant::classics::jumper::scene::{JumpKeys, JumperScene};
+use resultant::classics::jumper::{JumpKeys, JumperScene};
 use resultant::classics::pi::Blocks;
 use resultant::screens::{Classic, Destination, Input, Jumper, Key, Keys, Noise, Pi, Request, TileRun};
 

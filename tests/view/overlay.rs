@@ -8,9 +8,9 @@ use resultant::level::Level;
 use resultant::physics::{BodyId, DVec2, ForceKind};
 use resultant::view::camera::{CanvasWindow, Viewport};
 use resultant::view::details::{Details, Looking, PlacedBox};
+use resultant::view::facts::quantity;
 use resultant::view::facts::{ArrowKind, BodyFacts, FactRow, Value, facts};
 use resultant::view::focus::Focus;
-use resultant::view::quantity::quantity;
 use std::sync::Arc;
 
 /// The ship and a crate of 10 kg at rest on the floor of the room, at g = 15 N/kg.

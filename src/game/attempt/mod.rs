@@ -2,18 +2,18 @@
 
 mod carried;
 
+use super::clock::Controls;
 use super::clock::{TICK_RATE, TICK_RATES};
-use super::controls::Controls;
-use super::death::{Death, crushed};
+use super::event::{Death, crushed};
 use super::event::{GameError, GameEvent, Outcome};
-use super::hash::Fnv1a;
+use super::fingerprint::Fnv1a;
+use super::impacts::{APART, PushCount};
 use super::impacts::{DUST_SPEED, Felt, Impacts, READABLE, damaging_hit};
+use super::impacts::{SHIP_BOX, TOUCH};
 use super::mechanisms::Mechanisms;
-use super::objectives::Objectives;
-use super::pushes::{APART, PushCount};
+use super::mechanisms::Objectives;
 use super::score::{RunResult, ScoreParts};
 use super::ship::{SHIP, Ship, stands};
-use super::touch::{SHIP_BOX, TOUCH};
 use crate::level::{Level, SHIP_HALF, ship_body, sweep_touches};
 use crate::physics::{Aabb, BodyId, DVec2, Event, World};
 use std::sync::Arc;

@@ -4,9 +4,9 @@
 
 mod read;
 
-use super::course::{CoursePoint, OverTime};
+use super::curve::Measured;
 use super::curve::WorkPoint;
-use super::measured::Measured;
+use super::curve::{CoursePoint, OverTime};
 use super::rows::{shortest, table};
 use super::stress::Survival;
 use crate::draw::chart::look::CurveOrigin;

@@ -4,9 +4,9 @@ use super::{
 };
 use crate::draw::chart::look::CurveOrigin;
 use crate::files::CsvRow;
-use crate::lab::course::{CoursePoint, OverTime};
+use crate::lab::curve::Measured;
+use crate::lab::curve::{CoursePoint, OverTime};
 use crate::lab::curve::{MOST_CURVES, MethodCurve, WorkPoint, curve_of};
-use crate::lab::measured::Measured;
 use crate::lab::report::PI;
 use crate::lab::rows::{above_zero, error, rows};
 use crate::lab::stress::Survival;

@@ -1,9 +1,17 @@
 //! The picture of a method's failure: small, beside its line of a table, or large, with its axes.
+//!
+//! The Lab's charts on sheets of SVG.
 
+use super::diagram::{self, DiagramPlaces};
+use super::plane::{self, Plane};
+use super::timeline;
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
+use crate::lab::curve::Measured;
+use crate::lab::stability::{Region, TITLE};
 use crate::lab::stress::picture::{FailurePicture, Polyline};
-use crate::number::short;
+use crate::number::{short, step};
+use crate::view::lanes::sheet;
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
@@ -57,4 +65,87 @@ fn lines(canvas: &Canvas, area: Area, picture: &FailurePicture, (colour, width):
     };
     stroke(&picture.exact, theme::good(), 1.0);
     stroke(&picture.found, colour, width);
+}
+
+/// Height of the words below a sheet's drawing, px.
+const FOOT: f32 = 60.0;
+
+/// A scene of the Lab: work to the right, error upwards.
+pub fn measured(measured: &Measured) -> String {
+    sheet(tr(&measured.title), 0.0, |canvas, panel| {
+        let plot = DiagramPlaces::of(panel, measured);
+        diagram::draw(canvas, &plot, measured, diagram::Picked::default());
+        let quiet = Style::new(DETAILS, theme::quiet()).middle().right();
+        canvas.text(tr(&measured.note), Vec2::new(plot.area.max().x, plot.area.min.y - 22.0), quiet);
+    })
+}
+
+/// A scene of the Lab over time; `None` without a recording.
+pub fn over_time(measured: &Measured) -> Option<String> {
+    let over_time = measured.over_time.as_ref()?;
+    let title = tr!("{title}: over time, step {step}", title = tr(&measured.title), step = step(over_time.step));
+    Some(sheet(&title, 0.0, |canvas, panel| {
+        timeline::draw(canvas, &DiagramPlaces::of(panel, measured), (measured, over_time), None);
+    }))
+}
+
+/// The stability regions of methods.
+pub fn stability(regions: &[Region]) -> String {
+    sheet(tr(TITLE), FOOT, |canvas, panel| {
+        plane::draw(canvas, &Plane::of(panel), regions, None);
+        for (words, down) in plane::WORDS.iter().zip([18.0, 42.0]) {
+            let middle = Vec2::new(panel.centre().x, panel.max().y + down);
+            widgets::fitted(canvas, tr(words), middle, panel.size.x, &[TEXT, DETAILS], theme::text());
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::draw::chart::look::CurveOrigin;
+    use crate::lab::curve::{CoursePoint, MethodCurve, OverTime, WorkPoint};
+    use crate::lab::stability::regions;
+
+    fn assert_words(drawn: &str, words: &[&str]) {
+        assert!(words.iter().all(|word| drawn.contains(word)), "{words:?} in {drawn}");
+        assert!(!drawn.contains("NaN") && !drawn.contains("inf"));
+    }
+
+    fn wild() -> MethodCurve {
+        let point = |step, work, error| WorkPoint { step, work, error };
+        MethodCurve {
+            name: "wild".to_owned(),
+            origin: CurveOrigin::Lab,
+            points: vec![point(0.1, 10.0, f64::NAN), point(0.01, 100.0, 1e-2)],
+        }
+    }
+
+    #[test]
+    fn a_diagram_has_its_words_as_text_and_no_bad_numbers() {
+        let ours = vec![WorkPoint { step: 0.01, work: 50.0, error: 0.0 }];
+        let ours = MethodCurve { name: "ours".to_owned(), origin: CurveOrigin::Shipped, points: ours };
+        let drawn = measured(&Measured::of_curves(vec![wild(), ours]));
+        assert_words(&drawn, &["A title", "error, m", "work, ns", "wild", "ours", "as shipped", "blew up", "tolerance"]);
+    }
+
+    #[test]
+    fn what_blew_up_over_time_is_drawn_without_bad_numbers() {
+        let moment = |time, error, energy| CoursePoint { time, error, energy: Some(energy) };
+        let moments = vec![moment(1.0, 0.0, 1.0), moment(2.0, f64::NAN, f64::INFINITY), moment(3.0, 1e300, f64::NAN)];
+        let course = MethodCurve { name: "wild".into(), origin: CurveOrigin::Lab, points: moments };
+        let followed = Some(OverTime { step: 1.0 / 60.0, courses: vec![course] });
+        let mut measured = Measured { over_time: followed, ..Measured::of_curves(vec![wild()]) };
+        let drawn = over_time(&measured).expect("it was followed");
+        assert_words(&drawn, &["A title: over time, step 1/60 s", "error, m", "energy", "wild", "time, s"]);
+        measured.over_time = None;
+        assert!(over_time(&measured).is_none());
+    }
+
+    #[test]
+    fn the_plane_names_every_method() {
+        let regions = regions();
+        let names: Vec<&str> = regions.iter().map(|region| region.name).collect();
+        assert_words(&stability(&regions), &names);
+    }
 }

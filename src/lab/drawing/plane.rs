@@ -61,7 +61,7 @@ mod drawing {
     use crate::draw::{Canvas, Colour, Style};
     use crate::lab::drawing::diagram::shade;
     use crate::lab::stability::{CELLS, Complex, IMAGINARY, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
-    use crate::lab::stability_diagram::{look, shipped_look};
+    use crate::lab::stability::{look, shipped_look};
     use crate::number::fixed;
     use crate::view::{theme, widgets};
     use crate::words::tr;

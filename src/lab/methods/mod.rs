@@ -4,8 +4,6 @@
 
 pub mod bounce;
 pub mod chain;
-pub mod flow;
-pub mod friction;
 pub mod impact;
 pub mod motion;
 pub mod rules;

@@ -1,9 +1,9 @@
 //! Bouncing on a floor from H = 1 m. Exact, with t₀ = √(2H/g): the n-th apex at H·e^(2n), all bounces over at t₀(1+e)/(1−e).
 
 use crate::lab::contract::{By, Model};
-use crate::lab::course::{CoursePoint, sampled, worst};
+use crate::lab::curve::{CoursePoint, sampled, worst};
 use crate::lab::methods::bounce::{Ball, Bounce, energy, every_tick, exact, reflect, snap, swept, verlet_snap};
-use crate::lab::{LabScene, SceneMethod, shipped};
+use crate::lab::{LabScene, SceneMethod, contract};
 use crate::physics::{BodyDef, BodyId, World};
 
 /// N/kg.
@@ -54,8 +54,8 @@ impl Model for BouncingBall {
     }
 
     fn world(&self) -> Option<World> {
-        let body = BodyDef { restitution: self.e, ..shipped::crate_at(0.0, self.height, 1.0) };
-        World::new(shipped::on_floor(G, self.rest_speed, vec![body])).ok()
+        let body = BodyDef { restitution: self.e, ..contract::crate_at(0.0, self.height, 1.0) };
+        World::new(contract::on_floor(G, self.rest_speed, vec![body])).ok()
     }
 
     fn read(&self, world: &World, _: f64, ball: &mut Ball) {

@@ -3,7 +3,7 @@
 
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::impact::{ImpactStep, LineBlock, at_once, discrete, exact, swept};
-use crate::lab::{LabScene, SceneMethod, shipped};
+use crate::lab::{LabScene, SceneMethod, contract};
 use crate::physics::{BodyDef, DVec2, World};
 
 /// s.
@@ -71,7 +71,7 @@ impl Model for BlockLine {
     }
 
     fn world(&self) -> Option<World> {
-        let mut def = shipped::line(&self.blocks, 1.0);
+        let mut def = contract::line(&self.blocks, 1.0);
         let resting = |i: usize| BodyDef { position: DVec2::new(i as f64, 10.0), ..BodyDef::default() };
         def.bodies.extend((0..self.crowd).map(resting));
         World::new(def).ok()

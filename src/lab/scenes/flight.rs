@@ -2,9 +2,9 @@
 //! the wind, and a gust on a light body, which have no closed form (see [`crate::lab::reference`]).
 
 use crate::lab::contract::{By, Model};
-use crate::lab::methods::flow::{drag_alone, in_liquid, rise_and_fall};
 use crate::lab::methods::motion::{METHODS, MotionLaw, MotionStep, PointState, exact_fall};
-use crate::lab::{LabScene, SceneMethod, reference, shipped};
+use crate::lab::methods::motion::{drag_alone, in_liquid, rise_and_fall};
+use crate::lab::{LabScene, SceneMethod, contract, reference};
 use crate::physics::{BodyId, DVec2, World, WorldDef};
 
 /// N/kg.
@@ -29,7 +29,7 @@ pub struct FlyingBody {
 
 impl FlyingBody {
     pub fn in_air(law: MotionLaw, start: PointState) -> Self {
-        Self { law, start, def: shipped::in_air(&law, start), origin: DVec2::ZERO }
+        Self { law, start, def: contract::in_air(&law, start), origin: DVec2::ZERO }
     }
 
     pub(in crate::lab) fn in_world(law: MotionLaw, start: PointState, def: WorldDef, origin: DVec2) -> Self {
@@ -117,7 +117,7 @@ pub fn liquid() -> LabScene {
     let (mass, density, viscous) = (1500.0, 1000.0, 0.5);
     let law = MotionLaw { constant: DVec2::new(0.0, G * (1.0 - density / mass)), viscous, ..MotionLaw::default() };
     let start = PointState { x: DVec2::ZERO, v: DVec2::new(2.0, -3.0) };
-    let body = FlyingBody::in_world(law, start, shipped::in_liquid(viscous, density, mass, G, start), DVec2::ZERO);
+    let body = FlyingBody::in_world(law, start, contract::in_liquid(viscous, density, mass, G, start), DVec2::ZERO);
     with_flow("liquid", "Sinking through a thick liquid (linear drag, buoyancy), 10 s", body, in_liquid)
 }
 

@@ -3,9 +3,9 @@
 
 use super::flight::FlyingBody;
 use crate::lab::contract::{By, Model};
-use crate::lab::course::{CoursePoint, sampled, worst};
+use crate::lab::curve::{CoursePoint, sampled, worst};
 use crate::lab::methods::motion::{INTEGRATORS, MotionLaw, MotionStep, PointState};
-use crate::lab::{LabScene, SceneMethod, shipped};
+use crate::lab::{LabScene, SceneMethod, contract};
 use crate::physics::{BodyDef, DVec2};
 
 /// N/kg.
@@ -59,7 +59,7 @@ pub fn afloat(stiffness: f64, mass: f64, swing: f64) -> FlyingBody {
     let (law, start) = (MotionLaw { spring: stiffness, ..MotionLaw::default() }, DVec2::new(0.0, swing));
     let rest = DVec2::new(0.0, -0.5 + mass / DENSITY);
     let body = BodyDef { position: rest + start, mass, drag: 0.0, ..BodyDef::default() };
-    FlyingBody::in_world(law, PointState { x: start, v: DVec2::ZERO }, shipped::on_water(G, DENSITY, body), rest)
+    FlyingBody::in_world(law, PointState { x: start, v: DVec2::ZERO }, contract::on_water(G, DENSITY, body), rest)
 }
 
 fn swinging() -> FlyingBody {

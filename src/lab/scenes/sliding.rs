@@ -1,8 +1,8 @@
 //! Sliding to a stop on a floor. Exact: d = v₀²/2μg.
 
 use crate::lab::contract::Model;
-use crate::lab::methods::friction::{SlideStep, Slider, by_sign, clamped, exact};
-use crate::lab::{LabScene, SceneMethod, shipped};
+use crate::lab::methods::motion::{SlideStep, Slider, by_sign, clamped, exact};
+use crate::lab::{LabScene, SceneMethod, contract};
 use crate::physics::{BodyDef, BodyId, DVec2, Material, World};
 
 /// N/kg.
@@ -51,8 +51,8 @@ impl Model for SlidingBox {
     }
 
     fn world(&self) -> Option<World> {
-        let body = BodyDef { velocity: DVec2::new(SPEED, 0.0), ..shipped::crate_at(0.0, 0.0, 1.0) };
-        World::new(shipped::on_floor(self.gravity, 1.0, vec![body])).ok()
+        let body = BodyDef { velocity: DVec2::new(SPEED, 0.0), ..contract::crate_at(0.0, 0.0, 1.0) };
+        World::new(contract::on_floor(self.gravity, 1.0, vec![body])).ok()
     }
 
     fn read(&self, world: &World, _: f64, slider: &mut Slider) {

@@ -2,9 +2,9 @@
 //! the row accelerates with F/Σm − μg, all of it alike.
 
 use crate::lab::contract::{By, Model};
-use crate::lab::course::worst;
+use crate::lab::curve::worst;
 use crate::lab::methods::chain::{Chain, Solver};
-use crate::lab::{LabScene, SceneMethod, shipped};
+use crate::lab::{LabScene, SceneMethod, contract};
 use crate::physics::{BodyDef, BodyId, DVec2, Material, World};
 
 /// N/kg.
@@ -85,13 +85,13 @@ impl Model for ContactChain {
 
     fn world(&self) -> Option<World> {
         if self.standing {
-            let bodies = self.masses.iter().enumerate().map(|(i, &mass)| shipped::crate_at(0.0, i as f64, mass));
-            return World::new(shipped::on_floor(G, 1.0, bodies.collect())).ok();
+            let bodies = self.masses.iter().enumerate().map(|(i, &mass)| contract::crate_at(0.0, i as f64, mass));
+            return World::new(contract::on_floor(G, 1.0, bodies.collect())).ok();
         }
         let n = self.masses.len();
         let velocity = DVec2::new(ROW_START, 0.0);
-        let row = (0..n).map(|i| BodyDef { velocity, ..shipped::crate_at(i as f64, 0.0, 1.0) });
-        let mut world = World::new(shipped::on_floor(G, 1.0, row.collect())).ok()?;
+        let row = (0..n).map(|i| BodyDef { velocity, ..contract::crate_at(i as f64, 0.0, 1.0) });
+        let mut world = World::new(contract::on_floor(G, 1.0, row.collect())).ok()?;
         world.set_drive(BodyId(0), DVec2::new(push(n), 0.0));
         Some(world)
     }

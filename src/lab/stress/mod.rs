@@ -2,7 +2,6 @@
 //! whether a method survives, so that tests can call it for single values.
 
 pub mod bouncing;
-pub mod contacts;
 pub mod motion;
 pub mod picture;
 pub mod robustness;
@@ -142,16 +141,16 @@ pub const TESTS: [fn() -> StressTest; 19] = [
     motion::pendulum,
     motion::gust_reversal,
     motion::gust_blow_up,
-    contacts::tunnelling,
-    contacts::tunnelling_of_bodies,
+    standing::tunnelling,
+    standing::tunnelling_of_bodies,
     standing::heavy_on_light,
     standing::columns,
     bouncing::resting_jitter,
     bouncing::coulomb_stop,
     bouncing::zeno,
     bouncing::minute_of_bounces,
-    contacts::simultaneous_impacts,
-    contacts::simultaneous_impacts_in_a_crowd,
+    standing::simultaneous_impacts,
+    standing::simultaneous_impacts_in_a_crowd,
     robustness::far_from_the_origin,
     robustness::hitch,
     robustness::nonsense,

@@ -6,7 +6,7 @@ use crate::game::{Clock, TICK_RATE};
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::motion::{MotionLaw, MotionStep, PointState, semi_implicit_euler, semi_implicit_euler_f32};
 use crate::lab::scenes::flight::FlyingBody;
-use crate::lab::{TOLERANCE, shipped};
+use crate::lab::{TOLERANCE, contract};
 use crate::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
 
 /// s.
@@ -76,7 +76,7 @@ pub fn ticks_without_cap(frame: f64) -> Hitch {
 }
 
 fn box_over_floor() -> WorldDef {
-    let mut def = shipped::on_floor(G, 1.0, vec![shipped::crate_at(0.0, DROP, 1.0)]);
+    let mut def = contract::on_floor(G, 1.0, vec![contract::crate_at(0.0, DROP, 1.0)]);
     let bounds = Aabb::new(DVec2::new(-10.0, 0.0), DVec2::new(10.0, FLOOR));
     def.surfaces = vec![SurfaceDef::fixed(bounds, Material::ASPHALT)];
     def
@@ -183,7 +183,7 @@ pub fn naive_takes(body: &BodyDef) -> bool {
 
 /// Whether the shipped engine refuses it.
 pub fn shipped_refuses(body: &BodyDef) -> bool {
-    World::new(shipped::on_floor(G, 1.0, vec![body.clone()])).is_err()
+    World::new(contract::on_floor(G, 1.0, vec![body.clone()])).is_err()
 }
 
 pub fn nonsense() -> StressTest {

@@ -1,11 +1,12 @@
 //! The only part of the document that knows the disk. Each file is replaced whole; `.autosave` in the level's folder holds all edits from
 //! before the first replacement until after the last. Whenever the program ends, each file is the old one or the new one, and no edit is
 //! lost. The loader and `check` pass over hidden names.
+//!
+//! One editor of a level at a time.
 
-use super::editor_lock::EditorLock;
-use super::kept::{self, Kept};
 use super::model::Document;
-use crate::files::{self, Manner, Symlinks};
+use super::model::{self, Kept};
+use crate::files::{self, Lock, Manner, Symlinks};
 use crate::level::folder::{LevelDisk, load_from};
 use crate::level::image::png_size;
 use crate::level::problem::Problem;
@@ -15,10 +16,10 @@ use crate::level::source::{BACKGROUND, Files};
 use crate::physics::DVec2;
 use crate::words::tr;
 use std::collections::BTreeMap;
-use std::fmt;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Duration;
+use std::{env, fmt, io, process};
 
 /// The file of unsaved edits.
 const KEPT: &str = ".autosave";
@@ -102,8 +103,8 @@ impl LevelFolder {
             known.push(read_table(folder, *table).map_err(|error| format!("{}: {error}", table.file()))?);
         }
         let mut document = Document::new(|table| known[table.index()].clone());
-        let kept = files::read_with(&folder.join(KEPT), kept::MOST, Symlinks::Never).ok();
-        let kept = kept.and_then(|bytes| kept::parse(&bytes)).filter(|kept| kept.0 != known);
+        let kept = files::read_with(&folder.join(KEPT), model::MOST, Symlinks::Never).ok();
+        let kept = kept.and_then(|bytes| model::parse(&bytes)).filter(|kept| kept.0 != known);
         let folder = Self { folder: folder.to_path_buf(), project: project.to_path_buf(), known, _lock: lock.map(Arc::new) };
         folder.measure(&mut document);
         Ok(Opened { document, folder, kept })
@@ -263,7 +264,7 @@ impl LevelFolder {
 
     fn write_kept(&self, document: &Document, durable: bool) -> io::Result<()> {
         let manner = Manner { links: Symlinks::Never, durable, shared: false };
-        files::replace_with(&self.folder.join(KEPT), &kept::encoded(document), manner)
+        files::replace_with(&self.folder.join(KEPT), &model::encoded(document), manner)
     }
 }
 
@@ -282,4 +283,45 @@ fn pictures_in(folder: &Path, before: &str, depth: u32) -> Vec<String> {
         }
     }
     names
+}
+
+/// Bytes of a holder's name that are read.
+const MOST: u64 = 200;
+
+/// Held until the editor ends. The system frees it when the process ends.
+#[derive(Debug)]
+pub(super) struct EditorLock {
+    _lock: Lock,
+    path: PathBuf,
+}
+
+impl EditorLock {
+    /// `None` in a folder that takes no lock, such as a read-only one.
+    /// Errors: another editor has the level, by its user and process, in words.
+    pub fn take(folder: &Path) -> Result<Option<Self>, String> {
+        let path = folder.join(".autosave.lock");
+        match Lock::wait(&path, Duration::ZERO) {
+            Ok(lock) => {
+                let user = ["USER", "USERNAME"].iter().find_map(|name| env::var(name).ok()).unwrap_or_default();
+                // A page has no number, and to ask for one ends it.
+                let who = if cfg!(target_family = "wasm") { user } else { format!("{user} ({})", process::id()) };
+                // Without it the refusal names nobody.
+                let _ = lock.sign(&who);
+                Ok(Some(Self { _lock: lock, path }))
+            }
+            Err(error) if error.kind() == io::ErrorKind::WouldBlock => {
+                let bytes = files::read_with(&path, MOST, Symlinks::Never).unwrap_or_default();
+                let who: String = String::from_utf8_lossy(&bytes).chars().filter(|letter| !letter.is_control()).collect();
+                Err(tr!("another editor has this level open: {who}. Close it there, and try again.", who))
+            }
+            Err(_) => Ok(None),
+        }
+    }
+}
+
+impl Drop for EditorLock {
+    fn drop(&mut self) {
+        // The next editor takes over a file that stays.
+        let _ = files::remove(&self.path);
+    }
 }

@@ -1,9 +1,9 @@
 //! Operations on rows: to change cells, to add, move, double and take out rows. Each can be undone.
 
-use super::link_ends::place_text;
 use super::model::{Document, NewRow, RowId, SetCell};
 use super::places::{FINEST, Place, number, parsed, shape, shape_text, way_text};
 use super::sheet::{Added, CellEdit};
+use super::wires::place_text;
 use crate::level::schema::Kind;
 use crate::physics::DVec2;
 

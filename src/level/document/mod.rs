@@ -4,11 +4,8 @@
 
 mod change;
 mod disk;
-mod editor_lock;
 mod edits;
 mod history;
-mod kept;
-mod link_ends;
 mod model;
 mod places;
 mod sheet;
@@ -16,7 +13,7 @@ mod wires;
 
 pub use super::schema::{Column, Kind, SETTINGS, Table};
 pub use disk::{KeptSide, LevelFolder, Opened, SaveError};
-pub use kept::Kept;
+pub use model::Kept;
 pub use model::{Document, NewRow, RowId, SetCell};
 pub use places::{Place, number, way_text};
 pub use wires::Wiring;

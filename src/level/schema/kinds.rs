@@ -1,7 +1,7 @@
 //! The files of a level and the kinds of their rows, as enums: a list of the schemas.
 
 use super::facts::{Column, FileSchema, RowSchema};
-use super::{blocks, bodies, settings, ties, zones};
+use super::{blocks, bodies, settings, zones};
 use crate::level::source::BACKGROUND;
 
 macro_rules! files {
@@ -54,7 +54,7 @@ files! {
     Movers blocks::MOVERS { Mover blocks::MOVER }
     Doors blocks::DOORS { Door blocks::DOOR }
     Switches blocks::SWITCHES { Switch blocks::SWITCH }
-    Links ties::LINKS { Link ties::LINK }
+    Links blocks::LINKS { Link blocks::LINK }
     Gravity zones::GRAVITY { Gravity zones::GRAVITY_ZONE }
     Pods zones::PODS { Pod zones::POD }
     Decoration zones::DECORATION { Picture zones::PICTURE }

@@ -8,7 +8,6 @@ mod facts;
 mod kinds;
 pub(super) mod record;
 pub(super) mod settings;
-pub(super) mod ties;
 mod typed;
 pub(super) mod values;
 mod written;

@@ -2,7 +2,7 @@
 
 pub mod flights;
 
-use crate::classics::jumper::scene::LEADERBOARD;
+use crate::classics::jumper::LEADERBOARD;
 use crate::draw::layout::{Area, DETAILS, HEADING, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Medal, Prize};
@@ -15,7 +15,7 @@ use crate::session::recordings::{self, BoardRival, Visit};
 use crate::settings::Key;
 use crate::ui::scroll::bar_beside;
 use crate::ui::{Turning, Ui};
-use crate::view::{medals, theme, widgets};
+use crate::view::{theme, widgets};
 use crate::words::tr;
 use std::ops::Range;
 
@@ -293,7 +293,7 @@ fn show_empty(ui: &Ui<'_>, panel: Area) {
     let podium = [(Medal::Silver, -1.0, 1.0), (Medal::Gold, 0.0, 0.0), (Medal::Bronze, 1.0, 1.6)];
     for (medal, aside, down) in podium {
         let at = middle + Vec2::new(aside, down) * STEP - Vec2::new(0.0, 96.0);
-        medals::draw(ui.canvas(), Prize::Medal(medal), true, at, LARGE);
+        widgets::draw(ui.canvas(), Prize::Medal(medal), true, at, LARGE);
     }
     ui.fitted(tr("No scores yet"), middle + Vec2::new(0.0, 32.0), &[HEADING], theme::text());
     let how = tr("Fly it and save your score: the first row is yours.");

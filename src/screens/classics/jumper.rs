@@ -1,7 +1,7 @@
 //! The jumper in the window: how many climb, the climb, and what it came to.
 
 use crate::classics::jumper::engine::CuboidHit;
-use crate::classics::jumper::scene::{JumpKeys, JumperScene, LEADERBOARD};
+use crate::classics::jumper::{JumpKeys, JumperScene, LEADERBOARD};
 use crate::draw::layout::{Area, BUTTON_TEXT, GAP, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
 use crate::game::{Clock, TICK_RATE};
 use crate::scores::unsaved_points;
@@ -224,8 +224,8 @@ impl Screen for Jumper {
 mod drawing {
     use super::Jumper;
     use crate::classics::jumper::engine::{Cuboid, StaticKind};
-    use crate::classics::jumper::scene::{PLAYER_SIZE, VISIBLE};
     use crate::classics::jumper::tower::WIDTH;
+    use crate::classics::jumper::{PLAYER_SIZE, VISIBLE};
     use crate::draw::layout::{Area, HEADING, PADDING, TEXT, Vec2};
     use crate::draw::{Canvas, Colour, Style};
     use crate::settings::Key;

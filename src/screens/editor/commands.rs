@@ -2,8 +2,8 @@
 
 use super::ask::Ask;
 use super::layout::INSIDE;
-use super::paint::{colour, edge};
-use super::{Editor, EditorPass, EditorTool, snap};
+use super::picture::{colour, edge};
+use super::{Editor, EditorPass, EditorTool, view};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::level::Level;
@@ -172,7 +172,7 @@ impl Editor {
             "Undo" => self.turn_back(Document::undo),
             "Redo" => self.turn_back(Document::redo),
             "Copy" => {
-                let by = DVec2::splat(snap::GRID * 2.0);
+                let by = DVec2::splat(view::GRID * 2.0);
                 match self.document.duplicate(&self.selection, by) {
                     Ok(rows) if !rows.is_empty() => self.selection = rows,
                     Ok(_) => {}

@@ -1,6 +1,6 @@
 //! The pointer in the picture: it selects, moves, sizes, draws, and drags way points, streams' ends and wires.
 
-use super::snap::Snap;
+use super::view::Snap;
 use super::{Editor, EditorTool};
 use crate::draw::layout::Vec2;
 use crate::level::document::{Document, Kind, Place, RowId, SetCell, number, way_text};

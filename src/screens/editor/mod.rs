@@ -7,13 +7,10 @@ mod ask;
 mod commands;
 mod hand;
 mod layout;
-mod map;
 mod overlay;
-mod paint;
 mod panel;
 mod picture;
 mod problem_list;
-mod snap;
 mod view;
 
 use crate::draw::layout::{Area, Frame, Vec2};
@@ -92,7 +89,7 @@ pub struct Editor {
     /// The view that shows all of the level, and the canvas in which it does, until another one is chosen.
     fitted: Option<(EditorView, Frame)>,
     /// Emptied when a file may have changed.
-    sheets: RefCell<paint::Sheets>,
+    sheets: RefCell<picture::Sheets>,
     /// The pictures in the level's folder and the game's, as cells name them.
     offered: Vec<String>,
     /// Canvas units.

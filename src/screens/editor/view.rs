@@ -1,4 +1,6 @@
 //! The part of the level in view, and its scale.
+//!
+//! A point or a rectangle is moved onto the edges of other things near by, else onto the grid, else onto whole pixels.
 
 use crate::draw::layout::{Area, Vec2};
 use crate::level::document::Place;
@@ -81,6 +83,66 @@ impl EditorView {
     }
 }
 
+/// The grid, pixels.
+pub const GRID: f64 = 10.0;
+
+#[derive(Clone, Debug, Default)]
+pub struct Snap {
+    /// Off: whole pixels only.
+    pub on: bool,
+    /// An edge further away than this is none, pixels.
+    pub reach: f64,
+    /// The edges of other things along x and y, whole pixels.
+    pub edges: [Vec<f64>; 2],
+}
+
+impl Snap {
+    /// Snaps to these things' edges.
+    pub fn new(on: bool, reach: f64, others: impl Iterator<Item = Place>) -> Self {
+        let mut edges = [Vec::new(), Vec::new()];
+        for place in others.take(if on { usize::MAX } else { 0 }) {
+            // On whole pixels, outside of the thing: a snapped rectangle does not reach into it.
+            let (min, max) = (place.min.floor(), place.max().ceil());
+            edges[0].extend([min.x, max.x]);
+            edges[1].extend([min.y, max.y]);
+        }
+        Self { on, reach, edges }
+    }
+
+    /// From a value along an axis to the snapped one, pixels.
+    fn offset(&self, axis: usize, value: f64) -> f64 {
+        if !self.on {
+            return value.round() - value;
+        }
+        let near = self.edges[axis].iter().map(|edge| edge - value).filter(|offset| offset.abs() <= self.reach);
+        near.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or_else(|| (value / GRID).round() * GRID - value)
+    }
+
+    pub fn point(&self, point: DVec2) -> DVec2 {
+        point + DVec2::new(self.offset(0, point.x), self.offset(1, point.y))
+    }
+
+    /// Moves a rectangle by the one of its edges that is nearest to an edge of the others, else by its corner. The point that its cells
+    /// name, the corner or the middle, is a whole pixel then.
+    pub fn moved(&self, place: Place, by_centre: bool) -> Place {
+        let along = |axis: usize| {
+            let (near, far) = (place.min[axis], place.max()[axis]);
+            let named = if by_centre { 0.5 * (near + far) } else { near };
+            if !self.on {
+                return named.round() - named;
+            }
+            let meets = |edge: &f64| [(edge - near, 1.0), (edge - far, -1.0)];
+            let edges = self.edges[axis].iter().flat_map(meets).filter(|(offset, _)| offset.abs() <= self.reach);
+            match edges.min_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs())) {
+                // Rounded away from the other thing.
+                Some((offset, away)) => ((named + offset) * away).ceil() * away - named,
+                None => (named / GRID).round() * GRID - named,
+            }
+        };
+        Place { min: place.min + DVec2::new(along(0), along(1)), ..place }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -107,5 +169,31 @@ mod tests {
             let seen = view.visible();
             assert!(seen.contains(place.min) && seen.contains(place.max()));
         }
+    }
+
+    #[test]
+    fn edges_go_before_the_grid_and_the_grid_before_pixels() {
+        let other = Place { min: DVec2::new(103.0, 7.0), size: DVec2::new(50.0, 20.0) };
+        let snap = Snap::new(true, 4.0, [other].into_iter());
+        assert_eq!(snap.point(DVec2::new(105.4, 88.2)), DVec2::new(103.0, 90.0));
+        // Its right edge meets the other's left one.
+        let moved = snap.moved(Place { min: DVec2::new(71.6, 46.0), size: DVec2::new(30.0, 10.0) }, false);
+        assert_eq!(moved.min, DVec2::new(73.0, 50.0));
+        let off = Snap::new(false, 4.0, [other].into_iter());
+        assert_eq!(off.point(DVec2::new(105.4, 88.2)), DVec2::new(105.0, 88.0));
+    }
+
+    #[test]
+    fn snapped_points_are_whole_pixels_also_beside_the_ship() {
+        let ship = Place { min: DVec2::new(124.5, 100.0), size: DVec2::splat(51.0) };
+        let snap = Snap::new(true, 4.0, [ship].into_iter());
+        assert_eq!(snap.point(DVec2::new(174.0, 43.0)), DVec2::new(176.0, 40.0), "its edge is at 175.5");
+        let block = snap.moved(Place { min: DVec2::new(94.0, 40.0), size: DVec2::new(30.0, 10.0) }, false);
+        assert_eq!(block.min, DVec2::new(94.0, 40.0));
+        // A ship is placed by its middle; its right edge meets the left one of the other.
+        let other = snap.moved(Place { min: DVec2::new(72.0, 40.0), ..ship }, true);
+        assert_eq!(other.centre().x, 98.0);
+        assert!(other.max().x <= 124.0);
+        assert_eq!(Snap::default().moved(Place { min: DVec2::new(72.0, 40.2), ..ship }, true).centre(), DVec2::new(98.0, 66.0));
     }
 }

@@ -2,10 +2,8 @@
 
 mod ahead;
 mod ending;
-mod hints;
 pub mod instruments;
 mod modifiers;
-mod news;
 pub mod observer;
 mod open;
 mod pause;
@@ -16,9 +14,7 @@ mod reload;
 mod rewind;
 mod run;
 mod signs;
-mod viewer;
 mod what_if;
-mod what_if_drawing;
 mod worksheet;
 
 use crate::draw::Canvas;

@@ -1,9 +1,12 @@
 //! What is open over a flight: its panels and notices, and the level's files.
+//!
+//! The viewer's part of a watched flight.
 
 use super::Flight;
-use super::hints::Hints;
-use super::news::News;
-use crate::game::GameError;
+use super::ahead::Ahead;
+use super::signs::Hints;
+use super::signs::News;
+use crate::game::{GameError, Unflown};
 use crate::level::Level;
 use crate::screens::screen::Screen;
 use crate::screens::settings::SettingsPanel;
@@ -66,4 +69,15 @@ impl Flight {
         flight.tell_of_settings(&session.settings, &[]);
         Ok(flight)
     }
+}
+
+#[derive(Debug)]
+pub(super) struct Viewer {
+    pub title: String,
+    /// The inputs that the history lacks.
+    pub unflown: Option<Unflown>,
+    /// Ticks to fly of them in a frame.
+    pub ahead: Ahead,
+    /// Whether the pointer holds the time line.
+    pub dragged: bool,
 }

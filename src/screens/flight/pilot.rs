@@ -3,8 +3,8 @@
 use super::Flight;
 use super::ahead::Ahead;
 use super::modifiers::{Mistaken, Modifiers, SOON};
+use super::open::Viewer;
 use super::rewind::Rewind;
-use super::viewer::Viewer;
 use super::what_if::AGAIN;
 use crate::game::{Clock, Controls, Inputs, Latch, Outcome, Playback};
 use crate::session::attempt::Attempt;

@@ -2,10 +2,10 @@
 
 use super::Flight;
 use super::ending::NOTICE;
-use super::news::News;
 use super::open::Open;
 use super::pilot::Pilot;
 use super::run::Run;
+use super::signs::News;
 use crate::files;
 use crate::game::{GameError, History, Outcome, level_hash};
 use crate::instruments::vary::Variation;

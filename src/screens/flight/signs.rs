@@ -1,10 +1,15 @@
 //! Signs above a flight: the pace of its time, a test flight, the loss of the attempt before, a varied level, changed files.
+//!
+//! The notice of a level whose files have changed since they were read.
+//!
+//! Hints of a level: one at a time, on demand, for a player who has lost it a few times.
 
 use super::Flight;
-use crate::draw::layout::{Area, Frame, GRID, PADDING, TEXT, Vec2, text_room};
+use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, PADDING, TEXT, Vec2, text_room, wrapped};
 use crate::draw::{Canvas, Style};
 use crate::game::Outcome;
 use crate::settings::Action;
+use crate::ui::Ui;
 use crate::view::hud::HudLayout;
 use crate::view::{theme, widgets};
 use crate::words::tr;
@@ -100,6 +105,115 @@ impl Flight {
             canvas.end_layer();
             widgets::panel_in(canvas, area, fill, theme::panel_edge());
             canvas.text(&words, area.centre(), Style::new(TEXT, theme::accent()).middle().centred());
+        }
+    }
+}
+
+/// The state of a level's files while the level is flown.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum News {
+    /// They were read again: age of the notice, s, and whether the flight goes on where it was.
+    Changed(f64, bool),
+    /// They do not load; a line a problem.
+    Broken(Vec<String>),
+    /// They are edited, and flown as far as they go; a line a problem.
+    Unfinished(Vec<String>),
+}
+
+/// The most problems in the notice.
+const LISTED: usize = 6;
+/// Width of the box with time and speed, which stands at the left.
+const BESIDE: f32 = 290.0;
+/// Width of a notice without problems.
+const NARROW: f32 = 560.0;
+
+impl News {
+    /// The place of the notice at the canvas' top, and the lines of its problems.
+    pub fn layout(&self, frame: &Frame) -> (Area, Vec<String>) {
+        let problems: &[String] = match self {
+            Self::Changed(..) => &[],
+            Self::Unfinished(problems) | Self::Broken(problems) => problems,
+        };
+        // The box grows with the text.
+        let left = 16.0 + BESIDE * frame.text.max(1.0);
+        let room = frame.size.x - left - PADDING;
+        let width = if problems.is_empty() { room.min(NARROW) } else { room };
+        let columns = ((width - 2.0 * PADDING) / (frame.text_height(DETAILS) * MONO_ADVANCE)) as usize;
+        let mut lines: Vec<String> = problems.iter().take(LISTED).flat_map(|problem| wrapped(problem, columns, 4)).collect();
+        let more = problems.len().saturating_sub(LISTED);
+        if more > 0 {
+            lines.push(tr!("and {more} more", more));
+        }
+        let [text, line] = [TEXT, DETAILS].map(|size| frame.text_height(size) * LINE);
+        (Area::new(left, PADDING, width, text + 1.5 * PADDING + lines.len() as f32 * line), lines)
+    }
+
+    pub fn draw(&self, canvas: &Canvas) {
+        let (words, colour) = match self {
+            Self::Changed(_, true) => (tr("Read again: you fly on in it, with help. R restarts it."), theme::good()),
+            Self::Changed(_, false) => (tr("Read again, from its start."), theme::good()),
+            Self::Unfinished(_) => (tr("Flown as far as it goes. What is left:"), theme::accent()),
+            Self::Broken(_) => (tr("The files do not load now: you fly on in what was there."), theme::bad()),
+        };
+        let (panel, lines) = self.layout(canvas.frame());
+        canvas.end_layer();
+        widgets::panel_in(canvas, panel, theme::panel().faded(0.95), colour);
+        let top = panel.min + Vec2::new(PADDING, 0.75 * PADDING);
+        canvas.text(words, top, Style::new(TEXT, colour));
+        for (i, words) in lines.iter().enumerate() {
+            let at = top + Vec2::new(0.0, canvas.line_height(TEXT) + i as f32 * canvas.line_height(DETAILS));
+            canvas.text(words, at, Style::new(DETAILS, theme::text()).mono());
+        }
+    }
+}
+
+/// Losses of a level before its hints are offered.
+const LOSSES: u32 = 3;
+/// A restart after this time on the clock, s, is a loss too: a level without hazards has no other.
+const GIVEN_UP: f64 = 10.0;
+
+/// The losses of the level in this sitting, and the number of hints given since its flights began.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Hints {
+    losses: u32,
+    given: usize,
+}
+
+impl Hints {
+    pub const fn note_losses(&mut self, losses: u32) {
+        self.losses = losses;
+    }
+}
+
+impl Flight {
+    /// Whether a restart now counts as a loss.
+    pub(in crate::screens) fn is_given_up(&self) -> bool {
+        let counts = self.is_by_hand() && !self.open.test && self.run.what_if.is_none();
+        counts && self.run.game.outcome() == Outcome::Running && !self.run.game.is_idle() && self.run.game.time() >= GIVEN_UP
+    }
+
+    /// Whether a hint is left to be given.
+    pub(super) fn offers_hint(&self) -> bool {
+        self.open.hints.losses >= LOSSES && self.open.hints.given < self.run.attempt.level.hints.len()
+    }
+
+    pub(super) const fn give_hint(&mut self) {
+        self.open.hints.given += 1;
+    }
+
+    /// The hints that were given, above the pause panel whose top is at `foot`.
+    pub(super) fn show_hints(&self, ui: &Ui<'_>, foot: f32) {
+        let given: Vec<&String> = self.run.attempt.level.hints.iter().take(self.open.hints.given).collect();
+        if given.is_empty() {
+            return;
+        }
+        let (frame, line) = (ui.frame(), ui.frame().text_height(TEXT) * LINE);
+        let size = Vec2::new((frame.size.x - 2.0 * PADDING).min(960.0), given.len() as f32 * line + PADDING);
+        let top = (foot - PADDING - size.y).max(PADDING);
+        ui.panel(Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size });
+        for (i, hint) in given.into_iter().enumerate() {
+            let middle = Vec2::new(frame.size.x / 2.0, top + 0.5 * PADDING + (i as f32 + 0.5) * line);
+            ui.fitted(tr(hint), middle, &[TEXT, DETAILS], theme::accent());
         }
     }
 }

@@ -1,20 +1,19 @@
 //! A work–precision diagram a scene. The player picks out a method or reads a point.
+//!
+//! A chart of several curves, one of which the player picks out: by keys, or by its line in the legend.
 
 use super::BACK;
-use super::legend::{LegendPick, METHOD, panel};
 use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
-use crate::lab::course::OverTime;
-use crate::lab::drawing::diagram::{self, Picked, with_unit};
-use crate::lab::drawing::plot::DiagramPlaces;
+use crate::lab::curve::{Measured, OverTime};
+use crate::lab::drawing::diagram::{self, DiagramPlaces, Picked, with_unit};
 use crate::lab::drawing::timeline;
-use crate::lab::measured::Measured;
 use crate::lab::methods::rules;
 use crate::number::{short, step};
 use crate::screens::screen::Request;
 use crate::session::library::Shown;
 use crate::settings::Key;
-use crate::ui::Ui;
+use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
@@ -164,4 +163,47 @@ impl ChartsPage {
             whose
         )
     }
+}
+
+/// Height of a page's title, and of its words below the chart.
+pub(super) const TITLE: f32 = 40.0;
+pub(super) const WORDS: f32 = 56.0;
+
+/// The tool that picks out the next curve.
+pub(super) const METHOD: (&str, Key, &str) = ("Method", Key::Down, "↓");
+
+#[derive(Debug, Default)]
+pub(super) struct LegendPick {
+    picked: Option<usize>,
+}
+
+impl LegendPick {
+    pub fn clear(&mut self) {
+        self.picked = None;
+    }
+
+    /// Goes `by` curves on, of `count`: from the last one to none, and on to the first one.
+    pub fn go(&mut self, by: isize, count: usize) {
+        let place = self.picked.map_or(0, |picked| picked as isize + 1);
+        self.picked = usize::try_from((place + by).rem_euclid(count as isize + 1) - 1).ok();
+    }
+
+    /// Shows the legend's lines; a click picks one out for good, or not any more. Returns the curve under the pointer, or else the
+    /// picked one.
+    pub fn show<'l>(&mut self, ui: &mut Ui<'_>, lines: impl Iterator<Item = (&'l str, Area)>) -> Option<usize> {
+        let mut pointed = None;
+        for (line, (name, area)) in lines.enumerate() {
+            let touch = ui.touch(name, area, WidgetKind::Tool);
+            if touch.pressed {
+                self.picked = if self.picked == Some(line) { None } else { Some(line) };
+            }
+            pointed = pointed.or(touch.hover.then_some(line));
+        }
+        pointed.or(self.picked)
+    }
+}
+
+/// The room of a page's chart.
+pub(super) fn panel(body: Area) -> Area {
+    Area::new(body.min.x, body.min.y + TITLE, body.size.x, body.size.y - TITLE - WORDS)
 }

@@ -5,13 +5,12 @@
 mod charts;
 mod euler;
 mod experiments;
-mod legend;
 mod side_by_side;
 mod stability;
 mod survival;
 
 use crate::screens::screen::{PAGES, Page};
-use crate::session::experiment::Experiment;
+use crate::session::attempt::Experiment;
 use crate::session::library::Shown;
 pub(super) use experiments::Paragraphs;
 pub use side_by_side::{Half, SideBySide};

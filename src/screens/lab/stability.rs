@@ -1,12 +1,12 @@
 //! The methods' regions of stability in the complex plane of z = h·λ. The player picks out one of them.
 
 use super::BACK;
-use super::legend::{LegendPick, METHOD, panel};
+use super::charts::{LegendPick, METHOD, panel};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::lab::drawing::plane::{self, Plane};
 use crate::lab::methods::rules;
+use crate::lab::stability::TITLE;
 use crate::lab::stability::{Region, regions};
-use crate::lab::stability_diagram::TITLE;
 use crate::screens::screen::Request;
 use crate::settings::Key;
 use crate::ui::Ui;

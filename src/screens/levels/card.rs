@@ -1,12 +1,18 @@
 //! A level's card.
+//!
+//! A level in the list: what is known of it without opening it.
 
-use super::LevelEntry;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
+use crate::game::Medals;
+use crate::level::{Awards, Landscape};
 use crate::number::clock;
+use crate::session::folder_watch::Stamp;
+use crate::session::library::Refusal;
 use crate::ui::Touch;
+use crate::view::miniature::Miniature;
 use crate::view::terrain::Tint;
-use crate::view::{medals, theme, widgets};
+use crate::view::{theme, widgets};
 use crate::words::tr;
 
 /// From a card's edge to what is on it.
@@ -47,10 +53,10 @@ pub(super) fn draw(canvas: &Canvas, area: Area, entry: &LevelEntry, touch: Touch
                     let time = entry.best.map_or(tr("with help").to_owned(), clock);
                     let width = canvas.width(&time, style);
                     // The medals go before the time, and all of it stands in the middle.
-                    let room = 28.0 * medals::offered(&entry.awards) as f32;
+                    let room = 28.0 * widgets::offered(&entry.awards) as f32;
                     let left = at.x - (room + width) / 2.0;
                     canvas.text(&time, Vec2::new(left + room + 2.0, at.y), style);
-                    medals::draw_earned(canvas, entry.medals, &entry.awards, Vec2::new(left + 11.0, at.y), 11.0);
+                    widgets::draw_earned(canvas, entry.medals, &entry.awards, Vec2::new(left + 11.0, at.y), 11.0);
                 }
                 None => fitted(tr("not done yet"), 1.95, &[TEXT, DETAILS], theme::quiet()),
             }
@@ -63,5 +69,48 @@ pub(super) fn draw(canvas: &Canvas, area: Area, entry: &LevelEntry, touch: Touch
             canvas.rounded(Area::around(corner, Vec2::new(4.0, 12.0)), 2.0, theme::bad());
             canvas.disc(corner + Vec2::new(0.0, 11.0), 2.5, theme::bad());
         }
+    }
+}
+
+/// A level in the list.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LevelEntry {
+    /// Its folder's name.
+    pub name: String,
+    /// Its world, where it comes with the game.
+    pub world: Option<Landscape>,
+    /// Its title and what it looks like, or why it does not load; `None` until it has been in view.
+    pub level: Option<Result<(String, Miniature), Refusal>>,
+    /// What its folder looked like then.
+    pub stamp: Stamp,
+    /// Its title, as far as it has been looked for.
+    pub title: Option<String>,
+    /// The player's best time without help, s; `None` where there is none.
+    pub best: Option<f64>,
+    /// What its medals ask for.
+    pub awards: Awards,
+    /// The medals that it has brought the player.
+    pub medals: Medals,
+}
+
+impl LevelEntry {
+    /// A level of which nothing but its name and world is known.
+    pub fn new(name: String, world: Option<Landscape>) -> Self {
+        Self {
+            name,
+            world,
+            level: None,
+            stamp: Stamp::default(),
+            title: None,
+            best: None,
+            awards: Awards::default(),
+            medals: Medals::default(),
+        }
+    }
+
+    /// Whether its name or title has these letters in it, which are small.
+    pub(super) fn has(&self, letters: &str) -> bool {
+        let has = |text: &str| text.to_lowercase().contains(letters);
+        has(&self.name) || self.title.as_deref().is_some_and(|title| has(title) || has(tr(title)))
     }
 }

@@ -1,6 +1,6 @@
 //! The files behind the list of levels: how it opens, what it asks the worker for, and levels that are made, named and installed.
 
-use super::entry::LevelEntry;
+use super::card::LevelEntry;
 use super::{Asked, LevelSelect};
 use crate::level::{self, Awards, scaffold};
 use crate::pack::{self, Installed};

@@ -10,7 +10,7 @@ use crate::session::library::Refusal;
 use crate::session::recordings::Visit;
 use crate::session::worker::{Brought, Ticket};
 use crate::settings::{Action, Key};
-use crate::ui::problems::Problems;
+use crate::ui::prompt::Problems;
 use crate::ui::prompt::Prompt;
 use crate::ui::{Spectator, Ui, WidgetKind};
 use crate::view::theme;
@@ -21,12 +21,11 @@ use std::ops::Range;
 use std::path::PathBuf;
 
 mod card;
-mod entry;
 mod files;
 mod places;
 mod shelves;
 
-pub use entry::LevelEntry;
+pub use card::LevelEntry;
 
 /// What a level is to be chosen for, besides the list's own purpose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

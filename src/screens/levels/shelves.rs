@@ -1,6 +1,6 @@
 //! The pages of the list: a shelf a world, two of them a page; levels without a world alone fill a page of one grid.
 
-use super::entry::LevelEntry;
+use super::card::LevelEntry;
 use super::places::{HEAD, SIDE, cards, room};
 use super::{LevelSelect, MOST_LETTERS};
 use crate::draw::layout::{Area, BUTTON_TEXT, Frame, TEXT, Vec2};
@@ -11,7 +11,7 @@ use crate::settings::Key;
 use crate::ui::Ui;
 use crate::ui::input::Stroke;
 use crate::view::sky::WorldPalette;
-use crate::view::{medals, theme};
+use crate::view::{theme, widgets};
 use crate::words::tr;
 use std::ops::Range;
 
@@ -73,7 +73,7 @@ pub(super) fn draw_heading(canvas: &Canvas, area: Area, levels: &[&LevelEntry]) 
         let style = Style::new(TEXT, theme::text()).mono().middle().right();
         canvas.text(&format!("{earned}"), Vec2::new(right, middle), style);
         right -= canvas.width(&format!("{earned}"), style) + 18.0;
-        medals::draw(canvas, Prize::Medal(medal), true, Vec2::new(right, middle), 9.0);
+        widgets::draw(canvas, Prize::Medal(medal), true, Vec2::new(right, middle), 9.0);
         right -= 30.0;
     }
 }

@@ -3,7 +3,7 @@
 use crate::screens::screen::{Request, Screen};
 use crate::settings::Key;
 use crate::ui::Ui;
-use crate::ui::problems::Problems;
+use crate::ui::prompt::Problems;
 use crate::view::widgets;
 use crate::words::tr;
 use std::path::Path;

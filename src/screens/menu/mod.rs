@@ -20,7 +20,7 @@ use crate::ui::input::Input;
 use crate::ui::pace::{self, Motion};
 use crate::ui::{Spectator, Ui, WidgetKind};
 use crate::view::camera::{CanvasWindow, Viewport};
-use crate::view::{arrows, theme, things, widgets};
+use crate::view::{scale, theme, things, widgets};
 use crate::words::tr;
 
 /// The words on the buttons of the column, from top to bottom.
@@ -131,11 +131,11 @@ impl Menu {
         let mut tail = start;
         for (kind, step) in ADDENDS {
             let tip = tail + Vec2::new(step.x, -step.y) * size;
-            arrows::draw_one(canvas, (tail, tip), arrows::ArrowKind::Force(kind), 0.9);
+            scale::draw_one(canvas, (tail, tip), scale::ArrowKind::Force(kind), 0.9);
             tail = tip;
         }
         canvas.end_layer();
-        arrows::draw_one(canvas, (start, end), arrows::ArrowKind::Resultant, 1.0);
+        scale::draw_one(canvas, (start, end), scale::ArrowKind::Resultant, 1.0);
         canvas.text(NAME, area.centre(), Style::new(TITLE, theme::accent()).centred().middle());
         canvas.end_layer();
         area

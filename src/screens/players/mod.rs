@@ -6,7 +6,7 @@ use crate::scores::{Name, PlayerRecord, Players};
 use crate::screens::screen::{Effect, Request, Screen};
 use crate::session::Session;
 use crate::settings::Key;
-use crate::ui::name_field::{NameEntry, NameField};
+use crate::ui::prompt::{NameEntry, NameField};
 use crate::ui::scroll::bar_beside;
 use crate::ui::{Rows, Ui};
 use crate::view::{theme, widgets};

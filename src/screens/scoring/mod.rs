@@ -14,7 +14,7 @@ use crate::session::recordings::Visit;
 use crate::settings::{Action, Key};
 use crate::ui::input::Input;
 use crate::ui::{Spectator, Ui};
-use crate::view::{medals, theme, widgets};
+use crate::view::{theme, widgets};
 use crate::words::tr;
 use std::rc::Rc;
 
@@ -201,11 +201,11 @@ impl Scoring {
             let stamp = if goal.missing.is_none() { self.stamp(earned) / STAMPS[2] } else { -1.0 };
             earned += usize::from(goal.missing.is_none());
             if stamp < 1.0 {
-                medals::draw(ui.canvas(), goal.prize, false, middle, RADIUS);
+                widgets::draw(ui.canvas(), goal.prize, false, middle, RADIUS);
             }
             if stamp >= 0.0 {
                 let size = 1.0 + LARGER * (1.0 - stamp.min(1.0)).powi(2);
-                medals::draw(ui.canvas(), goal.prize, true, middle, RADIUS * size as f32);
+                widgets::draw(ui.canvas(), goal.prize, true, middle, RADIUS * size as f32);
             }
             let room = wide - 2.0 * RADIUS - 32.0;
             let line = |text: &str, below: f32, colour| {

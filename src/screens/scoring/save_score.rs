@@ -3,7 +3,7 @@
 use crate::scores::{Name, unsaved_points};
 use crate::screens::screen::{Destination, Effect, Fresh, Gain, Request, Screen};
 use crate::session::Session;
-use crate::ui::name_field::{NameEntry, NameField};
+use crate::ui::prompt::{NameEntry, NameField};
 use crate::ui::{Spectator, Ui};
 use std::path::Path;
 

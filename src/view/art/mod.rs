@@ -1,18 +1,20 @@
 //! The art: the game paints its own pictures onto one sheet, so that they go to the graphics card in one batch. The pictures of a
 //! level's author (sprites, a background) are in [`super::pictures`].
+//!
+//! The ship's picture: a compact lander, nose up, painted in unit coordinates (−1 … 1 across its 1.7 m box). All of it lies in the
+//! circle that touches the box from inside: the box does not turn with the ship, and nothing drawn may leave it at any angle.
+//!
+//! Small pictures that the canvas tints: soft discs and glows, the flame, the hatching of death boxes.
 
-mod materials;
 mod paint;
-mod shapes;
-mod ship;
 
+use super::camera::Viewport;
 use crate::draw::layout::Area;
 use crate::draw::{Canvas, Colour, Image};
 use crate::level::SHIP_PIXELS;
 use crate::physics::{Aabb, DVec2, Material};
-use crate::view::camera::Viewport;
-use materials::TILE_METRES;
 use paint::Pixels;
+use paint::TILE_METRES;
 use std::sync::LazyLock;
 
 /// Width and height of the sheet, pixels.
@@ -50,7 +52,7 @@ impl Tile {
             Self::Glow => (128, 128),
             Self::Flame => (64, 128),
             Self::Hatching => (192, 192),
-            Self::Material(_) => (materials::SIZE, materials::SIZE),
+            Self::Material(_) => (paint::SIZE, paint::SIZE),
         }
     }
 
@@ -60,11 +62,11 @@ impl Tile {
         match self {
             Self::Ship => ship.clone(),
             Self::SmallShip => ship.halved(),
-            Self::Disc => shapes::disc(width),
-            Self::Glow => shapes::glow(width),
-            Self::Flame => shapes::flame(width, height),
-            Self::Hatching => shapes::hatching(width),
-            Self::Material(name) => materials::pattern(name),
+            Self::Disc => disc(width),
+            Self::Glow => glow(width),
+            Self::Flame => flame(width, height),
+            Self::Hatching => hatching(width),
+            Self::Material(name) => paint::pattern(name),
         }
     }
 }
@@ -90,7 +92,7 @@ static PLACES: LazyLock<Vec<(Tile, Area)>> = LazyLock::new(|| {
 /// RGBA, painted at each call.
 pub fn sheet() -> Vec<u8> {
     let mut sheet = Pixels::new(SHEET, SHEET, [255; 3]);
-    let ship = ship::ship(SHIP);
+    let ship = ship(SHIP);
     for (tile, area) in PLACES.iter() {
         let tiles = matches!(tile, Tile::Hatching | Tile::Material(_));
         sheet.place(&tile.paint(&ship), (area.min.x as usize, area.min.y as usize), GUTTER, tiles);
@@ -146,7 +148,7 @@ pub fn halo(canvas: &Canvas, around: Area, reach: f32, tint: Colour) {
 
 /// The ship as a picture of `side` pixels a side, RGBA: for the window's icon.
 pub fn icon(side: usize) -> Vec<u8> {
-    ship::ship(2 * side).halved().into_bytes()
+    ship(2 * side).halved().into_bytes()
 }
 
 /// Cuts a box at the lines where a pattern begins again.
@@ -170,9 +172,120 @@ fn pieces(bounds: &Aabb) -> Vec<Aabb> {
     pieces
 }
 
+const SHELL: [u8; 3] = [0xF4, 0xF6, 0xFA];
+const SHELL_SHADE: [u8; 3] = [0xB4, 0xBF, 0xD0];
+const BELLY: [u8; 3] = [0x5A, 0x68, 0x80];
+const BELLY_SHADE: [u8; 3] = [0x3C, 0x48, 0x5C];
+const TRIM: [u8; 3] = [0xFF, 0x9F, 0x1C];
+const OUTLINE: [u8; 3] = [0x1B, 0x22, 0x30];
+const GLASS: [u8; 3] = [0x2B, 0x6C, 0xB8];
+const GLINT: [u8; 3] = [0xBF, 0xE3, 0xFF];
+
+/// Width of the dark line round the hull.
+const RIM: f32 = 0.04;
+/// Where the shell ends and the belly begins.
+const WAIST: f32 = 0.30;
+
+/// `size` is width and height, pixels.
+pub fn ship(size: usize) -> Pixels {
+    let mut p = Pixels::new(size, size, OUTLINE);
+    // Fins: they give the tail its width and tell it from the nose.
+    p.fill(|x, y| fin(x.abs(), y, 0.0), |_, _| OUTLINE);
+    p.fill(|x, y| fin(x.abs(), y, RIM), |x, _| if x > 0.0 { [0xE0, 0x86, 0x10] } else { TRIM });
+    // The nozzle, wider at its mouth.
+    p.fill(|x, y| nozzle(x, y, 0.0), |_, _| OUTLINE);
+    p.fill(|x, y| nozzle(x, y, RIM), |x, _| mix([0x8A, 0x97, 0xAD], BELLY_SHADE, x * 2.0 + 0.5));
+    // The hull: belly below the waist, shell above, a trim band between, an orange tip on the nose.
+    p.fill(|x, y| hull(x, y, 0.0), |_, _| OUTLINE);
+    p.fill(|x, y| hull(x, y, RIM) && y > WAIST, |x, _| mix(BELLY, BELLY_SHADE, x * 0.8 + 0.4));
+    p.fill(|x, y| hull(x, y, RIM) && y <= WAIST, |x, _| mix(SHELL, SHELL_SHADE, x * 1.1 - 0.05));
+    p.fill(|x, y| hull(x, y, RIM) && (WAIST - 0.06..WAIST + 0.08).contains(&y), |_, _| TRIM);
+    p.fill(|x, y| hull(x, y, RIM) && y < -0.62, |x, _| mix(TRIM, [0xD9, 0x7A, 0x08], x * 2.0 + 0.3));
+    // The window.
+    p.fill(|x, y| round(x, y + 0.17, 0.315), |_, _| OUTLINE);
+    p.fill(|x, y| round(x, y + 0.17, 0.26), |x, y| mix(GLASS, [0x14, 0x33, 0x66], (x + y + 0.17) * 1.6 + 0.5));
+    p.fill(|x, y| round(x + 0.09, y + 0.27, 0.075), |_, _| GLINT);
+    p
+}
+
+fn round(x: f32, y: f32, radius: f32) -> bool {
+    x * x + y * y < radius * radius
+}
+
+/// An egg with its narrow end up, from the tip of the nose to above the nozzle.
+fn hull(x: f32, y: f32, inset: f32) -> bool {
+    let upper = y < 0.16;
+    let (height, power, blunt) = if upper { (1.13 - inset * 1.6, 2.2, 0.64) } else { (0.66 - inset, 2.6, 0.5) };
+    let along = (y - 0.16).abs() / height;
+    along < 1.0 && x.abs() < (0.76 - inset) * (1.0 - along.powf(power)).powf(blunt)
+}
+
+fn nozzle(x: f32, y: f32, inset: f32) -> bool {
+    (0.70..0.955 - inset).contains(&y) && x.abs() < 0.15 + (y - 0.70) * 0.2 - inset
+}
+
+/// The right fin, a swept quadrilateral.
+fn fin(x: f32, y: f32, inset: f32) -> bool {
+    let corners = [(0.50, -0.06), (0.89, 0.36), (0.72, 0.64), (0.30, 0.74)];
+    (0..4).all(|i| {
+        let ((ax, ay), (bx, by)) = (corners[i], corners[(i + 1) % 4]);
+        let (dx, dy) = (bx - ax, by - ay);
+        (dx * (y - ay) - dy * (x - ax)) / dx.hypot(dy) > inset
+    })
+}
+
+fn mix(a: [u8; 3], b: [u8; 3], t: f32) -> [u8; 3] {
+    let t = t.clamp(0.0, 1.0);
+    std::array::from_fn(|i| (f32::from(a[i]) * (1.0 - t) + f32::from(b[i]) * t).round() as u8)
+}
+
+/// A white disc with a soft edge, for particles.
+pub fn disc(size: usize) -> Pixels {
+    radial(size, |r| (1.0 - r).clamp(0.0, 0.25) * 4.0)
+}
+
+/// A white light that falls off smoothly to nothing at the rim.
+pub fn glow(size: usize) -> Pixels {
+    radial(size, |r| (1.0 - r).max(0.0).powi(2))
+}
+
+/// Maps the distance from the middle (1 at the rim) to alpha.
+fn radial(size: usize, alpha: impl Fn(f32) -> f32) -> Pixels {
+    Pixels::of(size, size, |x, y| {
+        let from = |p: usize| (p as f32 + 0.5) / size as f32 * 2.0 - 1.0;
+        [255, 255, 255, (alpha(from(x).hypot(from(y))) * 255.0).round() as u8]
+    })
+}
+
+/// The engine's flame, its root at the top: white hot in the middle, orange at the rim, gone at the end.
+pub fn flame(width: usize, height: usize) -> Pixels {
+    Pixels::of(width, height, |x, y| {
+        let (u, v) = ((x as f32 + 0.5) / width as f32 * 2.0 - 1.0, (y as f32 + 0.5) / height as f32);
+        let half = 0.55 * (1.0 - v).powf(0.7) * (0.75 + 1.6 * v * (1.0 - v));
+        let inside = 1.0 - u.abs() / half.max(1e-3);
+        let alpha = (inside * 2.5).clamp(0.0, 1.0) * (1.0 - v).powf(0.6);
+        let hot = (inside * 1.5 - v * 0.9).clamp(0.0, 1.0);
+        [255, (150.0 + 100.0 * hot) as u8, (28.0 + 200.0 * hot * hot) as u8, (alpha * 255.0) as u8]
+    })
+}
+
+/// Slanting red stripes with dark ones between; tiles.
+pub fn hatching(size: usize) -> Pixels {
+    Pixels::of(size, size, |x, y| {
+        let period = size / 8;
+        let across = (x + y) % period;
+        // The stripe's two edges are blended over a pixel.
+        let edge = (across.min(period / 2).min(period - across) as f32).min(1.0);
+        let inside = if across < period / 2 { 0.5 + 0.5 * edge } else { 0.5 - 0.5 * edge };
+        let mix = |dark: f32, bright: f32| (dark + (bright - dark) * inside) as u8;
+        [mix(70.0, 226.0), mix(16.0, 60.0), mix(26.0, 68.0), 255]
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::physics::DVec2;
 
     #[test]
     fn pieces_cover_the_box_and_none_crosses_a_pattern_line() {
@@ -188,7 +301,7 @@ mod tests {
 
     #[test]
     fn every_picture_has_its_own_place_on_the_sheet() {
-        let ship = ship::ship(SHIP);
+        let ship = ship(SHIP);
         for (i, (tile, area)) in PLACES.iter().enumerate() {
             assert!(area.min.min_element() > 0.0 && area.max().max_element() < SHEET as f32, "{tile:?}: {area:?}");
             assert!(PLACES[..i].iter().all(|(_, other)| area.gap(other) >= 2.0 * GUTTER as f32), "{tile:?}: {area:?}");
@@ -218,5 +331,77 @@ mod tests {
         let mut kept = vec![0; picture.output_buffer_size().unwrap()];
         picture.next_frame(&mut kept).unwrap();
         assert!(kept == drawn, "platform/linux/resultant.png is stale");
+    }
+
+    /// How far the picture reaches along both axes when it is turned, in halves of its box: to the far corners of every pixel that shows
+    /// anything, and half a pixel more, over which filtering spreads it.
+    fn reaches(picture: &Pixels, degrees: f32) -> [f32; 4] {
+        let size = picture.size().0;
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let mut reaches = [0.0_f32; 4];
+        for y in 0..size {
+            for x in (0..size).filter(|&x| picture.at(x, y)[3] > 0) {
+                for (dx, dy) in [(-0.5, -0.5), (1.5, -0.5), (-0.5, 1.5), (1.5, 1.5)] {
+                    let place = |pixel: usize, by: f32| (pixel as f32 + by) / size as f32 * 2.0 - 1.0;
+                    let (u, v) = (place(x, dx), place(y, dy));
+                    let (across, down) = (u * cos - v * sin, u * sin + v * cos);
+                    for (reach, far) in reaches.iter_mut().zip([-across, across, -down, down]) {
+                        *reach = reach.max(far);
+                    }
+                }
+            }
+        }
+        reaches
+    }
+
+    #[test]
+    fn nothing_drawn_of_the_ship_leaves_its_box_at_any_angle_and_it_fills_it_well() {
+        let pixels = super::SHIP;
+        for picture in [ship(pixels), ship(pixels).halved()] {
+            for degrees in (0..360).step_by(5) {
+                for reach in reaches(&picture, degrees as f32) {
+                    assert!((0.75..=1.0).contains(&reach), "at {degrees}° it reaches {reach} of half its box");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_red_kills_is_what_is_drawn_within_half_a_pixel() {
+        use crate::level::{SHIP_BODY, SHIP_HALF, SHIP_PIXELS};
+        const HALF_A_PIXEL: f64 = 0.5;
+        let picture = ship(super::SHIP);
+        let size = picture.size().0;
+        // Pixels of the box that is 51 of them wide, from its centre.
+        let pixels = |i: usize| ((i as f64 + 0.5) / size as f64 - 0.5) * SHIP_PIXELS;
+        let drawn: Vec<DVec2> = (0..size * size)
+            .filter(|i| picture.at(i % size, i / size)[3] > 127)
+            .map(|i| DVec2::new(pixels(i % size), pixels(i / size)))
+            .collect();
+        let body = SHIP_BODY.map(|corner| corner / SHIP_HALF.x * (SHIP_PIXELS / 2.0));
+        for (i, from) in body.iter().enumerate() {
+            let to = body[(i + 1) % body.len()];
+            let outward = (*from - to).perp().normalize();
+            let reach = drawn.iter().map(|pixel| outward.dot(*pixel)).fold(f64::NEG_INFINITY, f64::max);
+            let off = reach - outward.dot(*from);
+            assert!(off.abs() <= HALF_A_PIXEL, "side {i}: the picture reaches {off} pixels beyond it");
+            let turn = (to - *from).perp_dot(body[(i + 2) % body.len()] - to);
+            assert!(turn > 0.0, "corner {i} is not convex");
+            let nearest = drawn.iter().map(|pixel| pixel.distance(*from)).fold(f64::INFINITY, f64::min);
+            assert!(nearest <= HALF_A_PIXEL, "corner {i}: the picture is {nearest} pixels away");
+            assert!(from.length() <= SHIP_PIXELS / 2.0, "corner {i} leaves the box when it turns");
+        }
+    }
+
+    #[test]
+    fn the_nose_differs_from_the_tail_and_left_mirrors_right() {
+        let picture = ship(102);
+        for y in 0..102 {
+            for x in 0..51 {
+                assert_eq!(picture.at(x, y)[3], picture.at(101 - x, y)[3]);
+            }
+        }
+        let wide = |y: usize| (0..102).filter(|&x| picture.at(x, y)[3] > 127).count();
+        assert!(wide(8) + 20 < wide(80), "nose {} px, tail {} px", wide(8), wide(80));
     }
 }

@@ -1,4 +1,6 @@
 //! A small painter of pictures in memory: shapes with smooth edges and textures from a function of the place.
+//!
+//! The materials as square patterns that tile, and the two movable plain shapes: all slate, each with a texture of its own.
 
 /// Samples a pixel and axis that measure how much of it a shape covers.
 const SAMPLES: usize = 2;
@@ -106,9 +108,132 @@ pub fn noise(x: usize, y: usize, seed: u32) -> f32 {
     (h ^ (h >> 15)) as f32 / u32::MAX as f32
 }
 
+/// Metres that a pattern covers before it repeats.
+pub const TILE_METRES: f64 = 4.0;
+/// Width and height of a pattern, pixels: 48 a metre.
+pub const SIZE: usize = 192;
+
+type Rgb = [f32; 3];
+
+/// The pattern of a material's name; asphalt for a name without a pattern.
+pub fn pattern(material: &str) -> Pixels {
+    match material {
+        "Steel" => steel(),
+        "Ice" => ice(),
+        "Rubber" => rubber(),
+        "Wood" => wood(),
+        "Glass" => glass(),
+        "Trampoline" => trampoline(),
+        _ => asphalt(),
+    }
+}
+
+fn painted(colour: impl Fn(usize, usize) -> Rgb) -> Pixels {
+    Pixels::of(SIZE, SIZE, |x, y| {
+        let [r, g, b] = colour(x, y).map(|c| c.round().clamp(0.0, 255.0) as u8);
+        [r, g, b, 255]
+    })
+}
+
+fn light(colour: Rgb, by: f32) -> Rgb {
+    colour.map(|c| c + by)
+}
+
+/// Speckles of three sizes, light and dark.
+fn asphalt() -> Pixels {
+    painted(|x, y| {
+        let speckle = |cell: usize, seed: u32, share: f32, by: f32| {
+            let (cx, cy) = (x / cell, y / cell);
+            let n = noise(cx, cy, seed);
+            let (dx, dy) = ((x % cell) as f32 + 0.5 - cell as f32 * 0.5, (y % cell) as f32 + 0.5 - cell as f32 * 0.5);
+            if n < share && dx * dx + dy * dy < (cell * cell) as f32 * 0.12 { by * (0.5 + noise(cx, cy, seed + 7)) } else { 0.0 }
+        };
+        let grain = (noise(x / 2, y / 2, 1) - 0.5) * 5.0;
+        light([58.0, 68.0, 86.0], grain + speckle(8, 2, 0.20, 18.0) + speckle(6, 3, 0.18, -16.0) + speckle(12, 4, 0.10, 13.0))
+    })
+}
+
+/// Brushed along, in plates of two metres with a rivet in each corner.
+fn steel() -> Pixels {
+    painted(|x, y| {
+        let plate = SIZE / 2;
+        let (px, py) = (x % plate, y % plate);
+        let brush = (noise(x / 24, y, 11) - 0.5) * 9.0 + (noise(x / 7, y, 12) - 0.5) * 5.0;
+        let seam = if px == 0 || py == 0 {
+            -26.0
+        } else if px == 1 || py == 1 {
+            14.0
+        } else {
+            0.0
+        };
+        let near = |p: usize| p.min(plate - p) as f32 - 11.0;
+        let (dx, dy) = (near(px), near(py));
+        let rivet = match dx.hypot(dy) {
+            d if d < 4.2 => 30.0 - 6.0 * (d - 1.0).max(0.0) - if (px > plate / 2) ^ (dx < 0.0) { 6.0 } else { 0.0 },
+            d if d < 5.6 => -20.0,
+            _ => 0.0,
+        };
+        light([72.0, 86.0, 106.0], brush + seam + rivet)
+    })
+}
+
+/// Pale, with slanting glints.
+fn ice() -> Pixels {
+    painted(|x, y| {
+        let slant = (x + SIZE - y) % SIZE;
+        let glint = match slant % 64 {
+            0..=3 => 30.0,
+            9..=10 => 22.0,
+            _ => 0.0,
+        } * if noise(slant / 64, (x + y) % SIZE / 48, 21) > 0.45 { 1.0 } else { 0.0 };
+        let cloud = (noise(x / 16, y / 16, 22) - 0.5) * 6.0;
+        light([128.0, 163.0, 188.0], cloud + glint)
+    })
+}
+
+/// Dark, with chevrons.
+fn rubber() -> Pixels {
+    painted(|x, y| {
+        let fold = (x % 48).abs_diff(24);
+        let chevron = if (y + 48 - fold) % 24 < 8 { 15.0 } else { 0.0 };
+        light([34.0, 38.0, 47.0], chevron + (noise(x, y, 31) - 0.5) * 3.0)
+    })
+}
+
+/// A warm mat with a zigzag of springs.
+fn trampoline() -> Pixels {
+    painted(|x, y| {
+        let fold = (x % 32).abs_diff(16);
+        let spring = if (y + 32 - fold) % 32 < 5 { 46.0 } else { 0.0 };
+        light([92.0, 58.0, 84.0], spring + (noise(x / 2, y / 2, 51) - 0.5) * 5.0)
+    })
+}
+
+/// Planks half a metre high with grain along them, their joints staggered.
+fn wood() -> Pixels {
+    painted(|x, y| {
+        let plank = y / 24;
+        let (py, joint) = (y % 24, (x + (noise(plank, 0, 41) * SIZE as f32) as usize) % SIZE);
+        let bow = (std::f32::consts::TAU * (x as f32 / SIZE as f32 + noise(plank, 1, 42))).sin() * 2.2;
+        let grain = (noise(plank, ((py as f32 + bow) * 0.45).max(0.0) as usize, 43) - 0.5) * 17.0;
+        let seam = if py == 0 || joint < 2 { -24.0 } else { (noise(plank, 2, 44) - 0.5) * 9.0 };
+        light([101.0, 81.0, 66.0], grain + seam)
+    })
+}
+
+/// Thin and bright: mostly clear, with streaks of light; the bright edge is drawn by the world.
+fn glass() -> Pixels {
+    Pixels::of(SIZE, SIZE, |x, y| match (x + y) % 96 {
+        0..=11 => [220, 240, 255, 92],
+        18..=21 => [220, 240, 255, 72],
+        _ => [150, 200, 226, 46],
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::physics::Material;
 
     #[test]
     fn a_shape_covers_its_inside_and_leaves_a_smooth_edge() {
@@ -133,5 +258,34 @@ mod tests {
         assert_eq!((sheet.at(1, 3)[0], sheet.at(2, 3)[0], sheet.at(5, 3)[0], sheet.at(6, 3)[0]), (3, 0, 3, 0));
         sheet.place(&tile, (2, 2), 1, false);
         assert_eq!((sheet.at(1, 3)[0], sheet.at(6, 3)[0]), (0, 3));
+    }
+
+    /// Mean brightness and its spread: a material has to differ from every other one clearly in at least one of the two, or in hue.
+    #[test]
+    fn no_two_materials_look_the_same() {
+        let facts = |name: &str| {
+            let picture = pattern(name);
+            let pixels: Vec<[f32; 4]> = (0..SIZE * SIZE).map(|i| picture.at(i % SIZE, i / SIZE).map(f32::from)).collect();
+            let mean = |c: usize| pixels.iter().map(|p| p[c]).sum::<f32>() / pixels.len() as f32;
+            [mean(0), mean(1), mean(2), mean(3)]
+        };
+        let all: Vec<_> = Material::ALL.iter().map(|m| (m.name, facts(m.name))).collect();
+        for (i, (a, fa)) in all.iter().enumerate() {
+            for (b, fb) in &all[i + 1..] {
+                let apart: f32 = fa.iter().zip(fb).map(|(x, y)| (x - y).abs()).sum();
+                assert!(apart > 25.0, "{a} and {b} are only {apart} apart");
+            }
+        }
+    }
+
+    #[test]
+    fn patterns_tile_without_a_step() {
+        for material in Material::ALL.iter().filter(|m| m.name == "Glass" || m.name == "Rubber") {
+            let picture = pattern(material.name);
+            // Both repeat with a period that divides the tile: column 0 continues the last one as column 96 continues 95.
+            let step =
+                |a: usize, b: usize| (0..SIZE).map(|y| u32::from(picture.at(a, y)[0].abs_diff(picture.at(b, y)[0]))).sum::<u32>();
+            assert!(step(SIZE - 1, 0) <= step(95, 96) + 400, "{}", material.name);
+        }
     }
 }

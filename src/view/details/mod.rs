@@ -1,29 +1,24 @@
 //! The details overlay: a box for each body in view, tied to it by a thin line, the free-body arrows with their labels, and a
 //! legend with the arrows' scale. The pointer lights a line and its partner of the third law. This file lays out; `drawing` draws.
+//!
+//! The text of a box, letter by letter: the drawing shows it, and the tests read it.
 
 mod drawing;
-mod legend;
-mod text;
 
-pub use legend::LegendNote;
-pub use text::{BoxLine, BoxText};
-
-use super::arrows::Label;
 use super::boxes::{self, BoxWish};
 use super::camera::Viewport;
-use super::facts::facts;
-use super::focus::Focus;
+use super::facts::{ArrowKind, BodyFacts, FactRow, Value, facts, quantities};
+use super::focus::{Focus, answer, partner};
 use super::free_body::{Arranged, ArrowSubject, Ground, head_area, place_labels, reaches};
-use super::hud::{landmarks, velocity_tip};
-use super::partner::{answer, partner};
-use super::scale::Steady;
-use super::{mechanisms, names};
-use crate::draw::layout::{Area, DETAILS, Frame, GRID, MONO_ADVANCE, Vec2};
+use super::hud::{HudLayout, landmarks, velocity_tip};
+use super::scale::{Label, Steady};
+use super::{mechanisms, world};
+use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
 use crate::game::{Game, SHIP};
 use crate::level::Text;
 use crate::physics::{Aabb, BodyId, DVec2, Source};
-use crate::view::hud::HudLayout;
 use crate::words::tr;
+pub use drawing::LegendNote;
 
 /// Inside a box's edge, canvas units: above and below less than in a panel, for boxes can be many.
 const PADDING: Vec2 = Vec2::new(1.5 * GRID, 0.75 * GRID);
@@ -128,7 +123,7 @@ impl Details {
         taken.extend(words());
         self.labels = place_labels(&self.arranged.arrows, text * 1.1, width, frame.area(), &taken);
         taken.extend(self.labels.iter().map(|label| label.area));
-        self.names = names::place(names::told(game, view), text, frame.area(), &mut taken);
+        self.names = world::place(world::told(game, view), text, frame.area(), &mut taken);
         self.place_tip(looking.pointer, frame, &taken);
     }
 
@@ -288,4 +283,64 @@ fn bounds(game: &Game, looking: &Looking, id: BodyId) -> Aabb {
 fn words_area(text: &Text, view: &Viewport) -> Area {
     let letters = tr(&text.text).chars().count() as f32;
     Area { min: view.point(text.position), size: Vec2::new(letters * WORDS_ADVANCE, 1.0) * view.length(text.size) }
+}
+
+/// The least width of a number in characters, so that boxes seldom change their width: "−0.123".
+const NUMBER_WIDTH: usize = 6;
+/// Characters of the longest unit that is usual.
+const UNIT_WIDTH: usize = 4;
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct BoxLine {
+    /// The quantity, and the body that exerts it.
+    pub label: String,
+    /// Number and unit.
+    pub value: String,
+    /// The force or impact, where the line has a colour.
+    pub shown: Option<ArrowKind>,
+    /// Whether the value is zero as written.
+    pub nothing: bool,
+    /// Index among the body's facts.
+    pub row: usize,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct BoxText {
+    /// The body of the box.
+    pub body: BodyId,
+    pub title: String,
+    pub lines: Vec<BoxLine>,
+}
+
+impl BoxText {
+    /// `short`, without room: heading and resultant.
+    pub fn new(facts: &BodyFacts, short: bool) -> Self {
+        let values = quantities(&facts.rows, NUMBER_WIDTH);
+        let line = |(row, told): (usize, &FactRow)| BoxLine {
+            label: told.label(),
+            value: values[row].clone(),
+            shown: told.shown,
+            nothing: told.value == Value::Vector(DVec2::ZERO),
+            row,
+        };
+        let told = |row: &(usize, &FactRow)| !short || row.1.shown == Some(ArrowKind::Resultant);
+        let lines = facts.rows.iter().enumerate().filter(told).map(line).collect();
+        Self { body: facts.body, title: facts.title.clone(), lines }
+    }
+
+    /// The column at which the numbers begin, characters from the names.
+    pub fn column(&self) -> usize {
+        self.lines.iter().map(|line| line.label.chars().count() + 1).max().unwrap_or(0)
+    }
+
+    /// Its longest line, or the longest usual one, by the number of its lines.
+    pub fn size(&self, frame: &Frame) -> Vec2 {
+        let text = frame.text_height(DETAILS);
+        // Brackets, comma and spaces stand between and around the numbers and their unit.
+        let usual = 2 * NUMBER_WIDTH + 5 + UNIT_WIDTH;
+        let values = self.lines.iter().map(|line| line.value.trim_end().chars().count()).fold(usual, usize::max);
+        let characters = (self.column() + values).max(self.title.chars().count());
+        let lines = self.lines.len() + 1;
+        Vec2::new(characters as f32 * MONO_ADVANCE * text, lines as f32 * text * LINE) + 2.0 * PADDING
+    }
 }

@@ -8,7 +8,7 @@ use crate::physics::{Aabb, DVec2};
 use crate::view::camera::Viewport;
 use crate::view::emitters::objective_colour;
 use crate::view::things::{Brushes, ShipPose};
-use crate::view::{decoration, hitboxes, hud, links, mechanisms, theme, things, world, zones};
+use crate::view::{hitboxes, hud, mechanisms, theme, things, world, zones};
 
 /// Reach (m) and strength on the rock of the light of the engine, an objective, a death box and a key object.
 const ENGINE_REACH: f64 = 8.0;
@@ -58,7 +58,7 @@ impl GameView {
         let ship = (drawn_centre(game, SHIP, alpha), angle(game, alpha));
         let flicker = 0.5 + 0.5 * (time * 71.0).sin() * (time * 43.0).cos();
         world::draw_ground(level, self.terrain.tint(), &self.pictures, (view, canvas), time);
-        decoration::draw(level, false, &self.pictures, (view, canvas));
+        world::draw_decoration(level, false, &self.pictures, (view, canvas));
         mechanisms::draw_fields(level, view, canvas, time);
         zones::draw_streams(game, view, canvas, time);
         // Below everything that could be in them: see [`zones::draw_fluids`].
@@ -68,7 +68,7 @@ impl GameView {
         // Solids hide smoke and dust.
         self.particles.draw(view, canvas);
         self.terrain.draw(view, canvas);
-        decoration::draw_on_rock(level, &self.terrain, &self.pictures, (view, canvas));
+        world::draw_on_rock(level, &self.terrain, &self.pictures, (view, canvas));
         self.draw_lights(game, alpha, flicker, (view, canvas));
         zones::draw_sources(level, view, canvas);
         mechanisms::draw(game, alpha, view, canvas, time);
@@ -76,7 +76,7 @@ impl GameView {
         world::draw_texts(level, view, canvas);
         // Bodies hide the words on walls, pads and plates.
         canvas.end_layer();
-        links::draw(game, |id| drawn_centre(game, id, alpha), (view, canvas), time);
+        world::draw_links(game, |id| drawn_centre(game, id, alpha), (view, canvas), time);
         let brushes = Brushes { pictures: &self.pictures, view, canvas };
         for (object, id) in level.objects.iter().zip(ids(game).skip(1)) {
             let at = drawn_centre(game, id, alpha);
@@ -85,7 +85,7 @@ impl GameView {
         self.draw_ghosts(game, ship.0, brushes);
         self.draw_ship(level, ship, flicker, (view, canvas));
         zones::draw_holds(game, ship.0, view, canvas);
-        decoration::draw(level, true, &self.pictures, (view, canvas));
+        world::draw_decoration(level, true, &self.pictures, (view, canvas));
         self.feedback.draw_in_level(view, canvas);
     }
 

@@ -2,19 +2,19 @@
 
 mod drawing;
 
-use super::barriers::Barriers;
+use super::camera::StirredObjects;
 use super::camera::{Camera, CanvasWindow, Viewport};
 use super::details::{Details, Looking};
 use super::emitters::{Emitters, dust, objective_colour};
 use super::feedback::Feedback;
 use super::focus::Focus;
 use super::hud::{Hud, HudScene, HudShown};
+use super::particles::Barriers;
 use super::particles::Particles;
 use super::pictures::Pictures;
-use super::stirred::StirredObjects;
 use super::terrain::Terrain;
-use super::touchdown::{GENTLE, Touchdown};
-use super::wreck::Wreck;
+use super::things::Wreck;
+use super::things::{GENTLE, Touchdown};
 use super::{hitboxes, mechanisms, theme, world};
 use crate::draw::layout::{Area, Frame, Vec2};
 use crate::game::{Game, GameEvent, GhostPose, Outcome, SHIP};

@@ -1,12 +1,10 @@
 //! The head-up display: time, met objectives, speed, fuel, arrows to targets outside of the view; and the ship's velocity.
 
 mod aside;
-mod layout;
-mod pointers;
 
+pub use aside::HudLayout;
 pub use aside::{Aside, HudPart, HudShown};
-pub use layout::HudLayout;
-pub use pointers::{Pointer, PointerTarget, in_view, targets};
+pub use aside::{Pointer, PointerTarget, in_view, targets};
 
 use super::art::{self, Tile};
 use super::camera::Viewport;
@@ -90,7 +88,7 @@ impl Hud {
             let objects = (1..scene.centres.len()).map(|index| view.exact(&body(scene, index)));
             let clear: Vec<Area> =
                 others.into_iter().chain(words).chain(objects).filter(|area| area.gap(&frame.area()) < 0.0).collect();
-            self.pointers = pointers::place(game, scene.centres, &taken, &clear, view, frame);
+            self.pointers = aside::place(game, scene.centres, &taken, &clear, view, frame);
         }
     }
 
@@ -169,7 +167,7 @@ fn stranded(scene: &HudScene, ship: Area, others: &[Area]) -> (String, Area) {
 fn draw_pointer(pointer: &Pointer, game: &Game, canvas: &Canvas) {
     let level = game.level();
     let panel = pointer.panel();
-    let sign = Area::around(Vec2::new(panel.min.x + GRID + pointers::SIGN / 2.0, panel.centre().y), Vec2::splat(pointers::SIGN));
+    let sign = Area::around(Vec2::new(panel.min.x + GRID + aside::SIGN / 2.0, panel.centre().y), Vec2::splat(aside::SIGN));
     let middle = sign.centre();
     let colour = match pointer.target {
         PointerTarget::Objective(index) => objective_colour(game, index),
@@ -178,8 +176,8 @@ fn draw_pointer(pointer: &Pointer, game: &Game, canvas: &Canvas) {
     // The head stands on the box's edge, where the line from the middle to the target leaves it: slim, or its tip would be a
     // corner.
     let reach = panel.stretch(panel.centre(), pointer.along, panel.size.length()).map_or(0.0, |(_, leaves)| leaves);
-    let (tip, across) = (panel.centre() + pointer.along * (reach + pointers::HEAD), pointer.along.perp() * (0.4 * pointers::HEAD));
-    let root = tip - pointer.along * (1.5 * pointers::HEAD);
+    let (tip, across) = (panel.centre() + pointer.along * (reach + aside::HEAD), pointer.along.perp() * (0.4 * aside::HEAD));
+    let root = tip - pointer.along * (1.5 * aside::HEAD);
     canvas.convex(&[tip, root + across, root - across], colour);
     panel_in(canvas, panel, theme::panel().faded(HIDES), colour);
     match pointer.target {

@@ -1,17 +1,15 @@
 //! The solid world: one silhouette with a drafted edge, made once a level, in metres and without a window ([`silhouette`],
 //! [`drafting`], [`light`]); [`Terrain`] draws the part in view.
 
-mod corners;
 pub mod drafting;
 pub mod light;
 pub mod silhouette;
 mod sweep;
 
 mod paint;
-mod tint;
 
+pub use light::Tint;
 pub use paint::{Lamp, Terrain, material_edge};
-pub use tint::Tint;
 
 use crate::level::Level;
 use crate::physics::{Aabb, DVec2, Material};

@@ -1,7 +1,7 @@
 //! Draws the terrain: the mass, its materials, the drafting, its edge, and the light on it.
 
-use super::corners::{self, RockCorner};
 use super::drafting::{self, Dimension, Grain, HatchStroke};
+use super::light::{self, RockCorner};
 use super::light::{Lit, cast};
 use super::silhouette::{Corner, RockEdge, Silhouette};
 use super::{ROCK, Tint, kind, mass, parts};
@@ -85,7 +85,7 @@ impl Terrain {
             tint: Tint::of(level.landscape, &level.name),
             lit: lamps.take(MOST_LAMPS).map(|(bounds, reach)| cast(mass.edges(), &bounds, reach, &opaque)).collect(),
             opaque,
-            corners: if sky.is_some() { corners::corners(mass.edges(), level) } else { Vec::new() },
+            corners: if sky.is_some() { light::corners(mass.edges(), level) } else { Vec::new() },
             sky,
             mass,
             over_picture,
@@ -111,7 +111,7 @@ impl Terrain {
         if let Some([top, bottom]) = self.sky {
             let mut quads = Quads::default();
             let behind = |at: Vec2| top.mixed(bottom, (at.y / view.size().y).clamp(0.0, 1.0));
-            corners::draw(&self.corners, view, &mut quads, behind, |inward| self.rim(ROCK, inward));
+            light::draw(&self.corners, view, &mut quads, behind, |inward| self.rim(ROCK, inward));
             canvas.quads(quads);
         }
     }

@@ -12,9 +12,9 @@ use crate::instruments::trail::{DOTS_A_SECOND, LASTS};
 use crate::number::{QuantityScale, fixed, scalar};
 use crate::physics::{BodyId, DVec2, ForceKind};
 use crate::view::camera::Viewport;
+use crate::view::facts::round_up;
 use crate::view::game_view::drawn_centre;
 use crate::view::hud::HudLayout;
-use crate::view::quantity::round_up;
 use crate::view::theme;
 use crate::words::tr;
 

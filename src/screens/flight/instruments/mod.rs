@@ -15,7 +15,7 @@ mod vectors;
 use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, Frame, Vec2};
 use crate::game::{Game, History};
-use crate::session::new_file::NewFile;
+use crate::session::library::NewFile;
 use crate::settings::Action;
 use crate::ui::Ui;
 use crate::ui::input::Input;

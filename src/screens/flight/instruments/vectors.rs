@@ -2,7 +2,7 @@
 //! too long, and after a while where all are too short to be seen, so that a passage through zero does not change it.
 
 use crate::physics::{BodyId, DVec2, World};
-use crate::view::quantity::round_up;
+use crate::view::facts::round_up;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Vector {

@@ -1,5 +1,5 @@
 use super::{Half, SideBySide, panels};
-use crate::draw::chart::axes::{Decades, LEAST_ERROR};
+use crate::draw::chart::{Decades, LEAST_ERROR};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;

@@ -5,7 +5,7 @@ mod drawing;
 use super::BACK;
 use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, TEXT, Vec2};
-use crate::lab::course::worst;
+use crate::lab::curve::worst;
 use crate::lab::side_by_side::{BoxMotion, Exhibit, STEPS, USUAL_STEP, error, exhibits};
 use crate::number;
 use crate::physics::{Aabb, DVec2};

@@ -1,7 +1,14 @@
 //! The quantities to plot: a row a family, x, y and size beside each other; motion on the left, forces on the right.
+//!
+//! One of the two plotted objects: its track in this flight, and in the flight before.
+//!
+//! Each curve's value and slope at the world's moment, and the area below it.
 
-use crate::instruments::quantity::{Quantity, VectorPart};
-use crate::physics::ForceKind;
+use super::{Plot, READINGS};
+use crate::game::History;
+use crate::instruments::quantity::{Quantity, Unit, VectorPart};
+use crate::instruments::track::BodyTrack;
+use crate::physics::{BodyId, ForceKind};
 
 /// A family's name and its quantities.
 pub type Row = (&'static str, Vec<Quantity>);
@@ -35,6 +42,107 @@ pub fn label(quantity: Quantity) -> String {
         Quantity::Force(_, VectorPart::Y) => "F_y".to_owned(),
         Quantity::Force(_, VectorPart::Size) => "|F|".to_owned(),
         other => other.symbol(),
+    }
+}
+
+#[derive(Clone, Debug, Default)]
+pub(super) struct PlotObject {
+    /// The body that stays, whichever body is followed.
+    pub kept: Option<BodyId>,
+    now: Option<BodyTrack>,
+    before: Option<BodyTrack>,
+}
+
+/// Reads on, at most `most` ticks; another body's track from its start.
+fn read(read: &mut Option<BodyTrack>, body: Option<BodyId>, history: Option<&History>, most: u64) {
+    let wanted = body.zip(history);
+    if read.as_ref().map(BodyTrack::body) != wanted.map(|(body, _)| body) {
+        // A flight of another level may lack the body.
+        let there = |(body, history): &(BodyId, &History)| body.index() < history.at(0).world().bodies().len();
+        *read = wanted.filter(there).map(|(body, _)| BodyTrack::new(body));
+    }
+    if let (Some(track), Some(history)) = (read, history) {
+        if !track.is_empty() && track.tick_of(track.len() - 1) > history.ticks() {
+            track.back_to(history, history.ticks());
+        }
+        track.read(history, most);
+    }
+}
+
+impl PlotObject {
+    /// Reads the flight first, and with the remaining ticks the one before.
+    pub fn read(&mut self, body: Option<BodyId>, history: &History, before: Option<&History>, most: u64) {
+        read(&mut self.now, body, Some(history), most);
+        read(&mut self.before, body, before, most);
+    }
+
+    /// As far as it is read.
+    pub fn track(&self) -> Option<&BodyTrack> {
+        self.now.as_ref().filter(|track| !track.is_empty())
+    }
+
+    pub fn before(&self) -> Option<&BodyTrack> {
+        self.before.as_ref().filter(|track| !track.is_empty())
+    }
+
+    pub fn has_all_of(&self, history: &History) -> bool {
+        self.track().is_none_or(|track| track.tick_of(track.len() - 1) >= history.ticks())
+    }
+
+    /// The flight was left at that tick; the run before may also differ beyond its own end.
+    pub fn back_to(&mut self, history: &History, tick: u64) {
+        if let Some(track) = &mut self.now {
+            track.back_to(history, tick);
+        }
+        self.before = None;
+    }
+
+    pub fn forget(&mut self) {
+        (self.now, self.before) = (None, None);
+    }
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct CurveReading {
+    /// Object and quantity: `Ball 2 v_y`.
+    pub name: String,
+    /// Value, slope and area, as far as they are known, each with its unit.
+    pub numbers: [(Option<f64>, Unit); READINGS],
+}
+
+impl Plot {
+    /// In the curves' order.
+    pub fn readings(&self) -> Vec<CurveReading> {
+        let (across, reading) =
+            (self.across.unit(), |number: Option<f64>, unit| (number.filter(|number| number.is_finite()), unit));
+        let line = |line: &super::PlotLine| {
+            let track = self.objects[line.whose].track();
+            let place = track.map(|track| track.place(self.now)).filter(|place| *place < line.now.len());
+            let value = place.and_then(|place| line.now.point(place)).map(|(_, y)| y);
+            let slope = track.zip(place).and_then(|(track, place)| line.now.slope(track, place));
+            let area = track.filter(|_| line.up.has_area()).map(|track| {
+                let (from, to) = self.stretch(track);
+                line.now.area(track, from, to)
+            });
+            let unit = line.up.unit();
+            CurveReading {
+                name: format!("{} {}", self.name(line.whose), line.up.symbol()),
+                numbers: [reading(value, unit), reading(slope, unit.per(across)), reading(area, unit.times(across))],
+            }
+        };
+        self.lines.iter().map(line).collect()
+    }
+
+    /// The places of the area: between the two marks, or from the start to the moment on the screen.
+    pub(super) fn stretch(&self, track: &crate::instruments::track::BodyTrack) -> (usize, usize) {
+        match self.span {
+            Some((from, to)) => (track.place(from), track.place(to)),
+            None => (0, track.place(self.now)),
+        }
+    }
+
+    pub const fn across(&self) -> Quantity {
+        self.across
     }
 }
 

@@ -1,15 +1,15 @@
 //! The plot: buttons and readings on the left, the lanes with their curves on the right, a line of words at the foot.
 
-use super::places::{READINGS, SAMPLE};
+use super::hand::{READINGS, SAMPLE};
 use super::{Plot, PlotPlaces};
-use crate::draw::chart::axes::Linear;
+use crate::draw::chart::Linear;
 use crate::draw::chart::look::{CurveLook, marker, stroke};
 use crate::draw::layout::{Area, DETAILS, GRID, MONO_ADVANCE, Vec2};
 use crate::draw::{Canvas, Colour, Quads, Style};
+use crate::instruments::chart;
 use crate::instruments::chart::{Chart, ChartLane};
 use crate::instruments::curve::Curve;
 use crate::instruments::fit::Fit;
-use crate::instruments::look;
 use crate::instruments::quantity::Quantity;
 use crate::instruments::track::BodyTrack;
 use crate::number::scalar;
@@ -101,7 +101,7 @@ impl Plot {
             if i == self.selected {
                 canvas.rounded(area.inset(-1.0), 4.0, theme::panel_hover());
             }
-            let look = look::of(i, self.lines[i].up);
+            let look = chart::curve_look(i, self.lines[i].up);
             let colour = Colour::hex(look.colour);
             let middle = Vec2::new(area.min.x, area.min.y + line / 2.0 + 2.0);
             stroke(canvas, &[middle, middle + Vec2::new(SAMPLE, 0.0)], &look, colour);
@@ -187,7 +187,7 @@ impl Plot {
     fn draw_curve(&self, number: usize, scale: &Scale, canvas: &Canvas) {
         let line = &self.lines[number];
         let object = &self.objects[line.whose];
-        let look = look::of(number, line.up);
+        let look = chart::curve_look(number, line.up);
         let colour = Colour::hex(look.colour);
         let window = self.window();
         if let Some(track) = object.before() {
@@ -236,7 +236,7 @@ impl Plot {
         if !line.up.has_area() {
             return;
         }
-        let colour = Colour::hex(look::of(number, line.up).colour).faded(SHADE);
+        let colour = Colour::hex(chart::curve_look(number, line.up).colour).faded(SHADE);
         let within = track.places(self.window());
         let stretch = from.max(within.start)..(to + 1).min(within.end);
         let zero = scale.at((0.0, 0.0)).y.clamp(scale.area.min.y, scale.area.max().y);
@@ -303,7 +303,7 @@ impl Plot {
             if !scale.area.inset(-1.0).contains(at) {
                 continue;
             }
-            let look = look::of(number, line.up);
+            let look = chart::curve_look(number, line.up);
             let colour = Colour::hex(look.colour);
             if let (true, Some(slope)) = (number == self.selected, line.now.slope(track, place(track))) {
                 let size = scale.area.size;

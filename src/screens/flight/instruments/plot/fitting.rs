@@ -1,10 +1,19 @@
 //! A law through the selected curve, over the stretch whose area is shown.
+//!
+//! The curves as files.
 
 use super::Plot;
+use super::panel::Format;
+use crate::files::INPUTS;
+use crate::game::Game;
+use crate::instruments::chart::{self, Exported};
 use crate::instruments::curve::Curve;
 use crate::instruments::fit::{Fit, FitLaw};
 use crate::instruments::quantity::Quantity;
 use crate::physics::BodyId;
+use crate::session::library::NewFile;
+use crate::view::lanes;
+use crate::words::tr;
 
 /// A fit with all that it depends on.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,4 +58,29 @@ impl Plot {
 
 fn points(curve: &Curve, (from, to): (usize, usize)) -> Vec<(f64, f64)> {
     (from..=to).map_while(|place| curve.point(place)).collect()
+}
+
+impl Plot {
+    pub(super) fn make_file(&mut self, format: Format, game: &Game) {
+        let curves: Vec<Exported> = self
+            .shown()
+            .map(|(number, line, track)| Exported {
+                body: self.name(line.whose),
+                curve: &line.now,
+                track,
+                number,
+                fit: self.fit().filter(|_| number == self.selected),
+            })
+            .collect();
+        if curves.is_empty() {
+            self.message = Some((tr("There is no curve to be exported.").to_owned(), true));
+            return;
+        }
+        let (text, ending) = match format {
+            Format::Csv => (chart::csv(&curves), ".csv"),
+            Format::Svg => (lanes::curves(&game.level().title, &chart::sheet(self.window(), &curves)), ".svg"),
+        };
+        let stem = chart::stem(&self.level, &curves);
+        self.export = Some(NewFile { stem, ending, text, what: tr("the curves"), same_up_to: INPUTS });
+    }
 }

@@ -1,7 +1,9 @@
 //! The pointer in the plot: it takes the world to another moment, marks a stretch, and with the wheel shows more or less of the flight.
+//!
+//! The plot's panel is a band at the canvas' foot, with the flight above it, so that it covers nothing of that.
 
-use super::{Plot, PlotPlaces, SHORTEST};
-use crate::draw::layout::Vec2;
+use super::{Plot, SHORTEST};
+use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2, text_room};
 use crate::instruments::chart::Chart;
 use crate::instruments::quantity::Quantity;
 use crate::settings::Key;
@@ -107,4 +109,98 @@ impl Plot {
         let (right, up) = (chart.axis.part(x) as f32, chart.lanes[lane].axis.part(y) as f32);
         Some(Vec2::new(area.min.x + area.size.x * right, area.max().y - area.size.y * up))
     }
+}
+
+/// Part of the canvas' height.
+const LARGE: f32 = 0.6;
+/// A curve each.
+pub const MOST_LINES: usize = 4;
+/// Characters of a reading: its name, a number with three digits, its sign and its unit.
+const READING: usize = 18;
+/// Value, slope, area.
+pub const READINGS: usize = 3;
+const GAP: f32 = 4.0;
+pub const SAMPLE: f32 = 36.0;
+const NUMBER: f32 = 7.0;
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlotPlaces {
+    pub panel: Area,
+    /// The curves' lines: each a sample with its buttons, and its readings below.
+    pub lines: Vec<Area>,
+    pub plot: Area,
+    pub foot: Area,
+    head: Area,
+    text: f32,
+}
+
+impl PlotPlaces {
+    pub fn new(frame: &Frame, large: bool) -> Self {
+        let text = frame.text_height(DETAILS);
+        let line = text * LINE;
+        let button = line + GAP;
+        let curve = button + line + GAP;
+        let least = button + MOST_LINES as f32 * curve + line + 3.0 * GRID;
+        let height = if large { least.max(LARGE * frame.size.y) } else { least };
+        let panel = Area::new(0.0, frame.size.y - height, frame.size.x, height);
+        let inside = Area { min: panel.min + GRID, size: panel.size - 2.0 * GRID };
+        let head = Area { size: Vec2::new(inside.size.x, button), ..inside };
+        let left = ((READINGS * READING) as f32 * MONO_ADVANCE * text).min(0.5 * inside.size.x);
+        let first = head.max().y + GRID / 2.0;
+        let lines = (0..MOST_LINES).map(|i| Area::new(inside.min.x, first + i as f32 * curve, left, curve)).collect();
+        let foot = Area::new(inside.min.x, inside.max().y - line, inside.size.x, line);
+        let from = inside.min.x + left + NUMBER * MONO_ADVANCE * text + 2.0 * GRID;
+        // The name of a lane stands at its upper edge, the numbers of the time below the lowest one.
+        let plot = Area::new(from, first + GRID / 2.0, inside.max().x - GRID - from, foot.min.y - line - first - GRID / 2.0);
+        Self { panel, lines, plot, foot, head, text }
+    }
+
+    /// Of equal height.
+    pub fn lanes(&self, count: usize) -> Vec<Area> {
+        let pitch = (self.plot.size.y + GRID) / count.max(1) as f32;
+        let lane = |i: usize| Area::new(self.plot.min.x, self.plot.min.y + i as f32 * pitch, self.plot.size.x, pitch - GRID);
+        (0..count).map(lane).collect()
+    }
+
+    pub fn head(&self, words: &[String]) -> Vec<Area> {
+        row(self.head, self.text, words)
+    }
+
+    /// Right of its sample.
+    pub fn line(&self, line: usize, words: &[String]) -> Vec<Area> {
+        let Area { min, size } = self.lines[line];
+        let beside = Vec2::new(SAMPLE + GRID, 0.0);
+        row(Area { min: min + beside, size: Vec2::new(size.x - beside.x, self.head.size.y) }, self.text, words)
+    }
+
+    /// A list above the panel's foot, in columns of rows: its panel, and its cells by row and column; the first column has `wide`
+    /// characters, the others as few as a symbol has.
+    pub fn picker(&self, blocks: &[usize], wide: usize, columns: usize) -> (Area, Vec<Vec<Vec<Area>>>) {
+        const SYMBOL: usize = 9;
+        let pitch = Vec2::new(text_room(&"m".repeat(SYMBOL), self.text).x, self.head.size.y);
+        let name = text_room(&"m".repeat(wide), self.text).x;
+        let block = name + columns as f32 * pitch.x + 2.0 * GRID;
+        let rows = blocks.iter().copied().max().unwrap_or(0);
+        let size = Vec2::new(blocks.len() as f32 * block + GRID, rows as f32 * (pitch.y + GAP) + 2.0 * GRID);
+        let corner = Vec2::new((self.panel.max().x - size.x - GRID).min(self.lines[0].max().x), self.foot.min.y - size.y);
+        let cell = |b: usize, r: usize, c: usize| {
+            let x = b as f32 * block + GRID + if c == 0 { 0.0 } else { name + (c - 1) as f32 * pitch.x };
+            let size = Vec2::new(if c == 0 { name } else { pitch.x - GAP }, pitch.y);
+            Area { min: corner + Vec2::new(x, GRID + r as f32 * (pitch.y + GAP)), size }
+        };
+        let places = |(b, rows): (usize, &usize)| (0..*rows).map(|r| (0..=columns).map(|c| cell(b, r, c)).collect()).collect();
+        (Area { min: corner, size }, blocks.iter().enumerate().map(places).collect())
+    }
+}
+
+/// Each as wide as its words.
+fn row(room: Area, text: f32, words: &[String]) -> Vec<Area> {
+    let mut x = room.min.x;
+    let mut button = |words: &String| {
+        let width = text_room(words, text).x + GRID;
+        let area = Area::new(x, room.min.y, width, room.size.y);
+        x += width + GAP;
+        area
+    };
+    words.iter().map(&mut button).collect()
 }

@@ -5,11 +5,7 @@ mod choices;
 mod drawing;
 mod fitting;
 mod hand;
-mod object;
 mod panel;
-mod places;
-mod readings;
-mod taken_along;
 
 use super::Stage;
 use crate::draw::layout::{Area, Frame, Vec2};
@@ -21,16 +17,16 @@ use crate::instruments::quantity::{Quantity, VectorPart};
 use crate::instruments::track::BodyTrack;
 use crate::physics::{BodyId, DVec2};
 use crate::screens::flight::ahead::Ahead;
-use crate::session::new_file::NewFile;
+use crate::session::library::NewFile;
 use crate::ui::Ui;
 use crate::ui::input::Input;
 use crate::words::tr;
+use choices::PlotObject;
 use fitting::Fitted;
 use hand::Hand;
-use object::PlotObject;
+pub use hand::PlotPlaces;
+use hand::{MOST_LINES, READINGS};
 use panel::{Format, Pick};
-pub use places::PlotPlaces;
-use places::{MOST_LINES, READINGS};
 use std::path::PathBuf;
 
 /// s.

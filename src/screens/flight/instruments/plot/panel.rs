@@ -1,8 +1,8 @@
 //! The buttons of the panel: their effects, their places, and the lists to choose from.
 
+use super::choices::PlotObject;
 use super::choices::{self, choices};
-use super::object::PlotObject;
-use super::places::{MOST_LINES, PlotPlaces};
+use super::hand::{MOST_LINES, PlotPlaces};
 use super::{Plot, PlotLine, along};
 use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, Vec2};
