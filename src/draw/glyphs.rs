@@ -1,4 +1,4 @@
-//! The glyphs of the words on the screen. They lie on square pages; a glyph is put there when it is first written and stays where it is, so
+//! The glyphs of the words on the screen. They lie on square atlases; a glyph is put there when it is first written and stays where it is, so
 //! that nothing is copied, and the memory depends on what is written alone.
 
 use super::shape::MOST_QUADS;
@@ -20,7 +20,7 @@ pub struct Glyphs {
     faces: [fontdue::Font; 2],
     /// By sign, face and height in physical pixels.
     known: HashMap<(char, Typeface, u16), Glyph>,
-    pages: Vec<Page>,
+    atlases: Vec<Atlas>,
 }
 
 #[derive(Clone, Copy)]
@@ -33,7 +33,7 @@ struct Glyph {
     from: Vec2,
 }
 
-struct Page {
+struct Atlas {
     room: Room,
     /// What is to be drawn from this page, and the page.
     mesh: Mesh,
@@ -42,14 +42,14 @@ struct Page {
 impl Glyphs {
     /// Fails on a typeface that cannot be read.
     pub fn new() -> Result<Self, String> {
-        Ok(Self { faces: [face(Typeface::Sans)?, face(Typeface::Mono)?], known: HashMap::new(), pages: Vec::new() })
+        Ok(Self { faces: [face(Typeface::Sans)?, face(Typeface::Mono)?], known: HashMap::new(), atlases: Vec::new() })
     }
 
     /// Begins a frame.
     pub fn begin(&mut self) {
-        if self.pages.len() > MOST_PAGES {
+        if self.atlases.len() > MOST_PAGES {
             self.known.clear();
-            self.pages.clear();
+            self.atlases.clear();
         }
     }
 
@@ -59,8 +59,8 @@ impl Glyphs {
             let glyph = *self
                 .known
                 .entry((sign, face, height))
-                .or_insert_with(|| make(&self.faces[face as usize], sign, height, &mut self.pages));
-            if let Some(page) = self.pages.get_mut(glyph.page) {
+                .or_insert_with(|| make(&self.faces[face as usize], sign, height, &mut self.atlases));
+            if let Some(page) = self.atlases.get_mut(glyph.page) {
                 page.add(&glyph, at, (pixel, colour));
             }
             at.x += text::run_width(sign.encode_utf8(&mut [0; 4]), face, f32::from(height));
@@ -69,24 +69,24 @@ impl Glyphs {
 
     /// Draws what was written.
     pub fn draw(&mut self) {
-        self.pages.iter_mut().for_each(Page::draw);
+        self.atlases.iter_mut().for_each(Atlas::draw);
     }
 }
 
 /// Draws a glyph on the last page with room for it, or on a new one.
-fn make(face: &fontdue::Font, sign: char, height: u16, pages: &mut Vec<Page>) -> Glyph {
+fn make(face: &fontdue::Font, sign: char, height: u16, atlases: &mut Vec<Atlas>) -> Glyph {
     let (metrics, coverage) = face.rasterize(sign, f32::from(height));
     let [wide, high] = [metrics.width, metrics.height].map(|side| side.min(usize::from(u16::MAX)) as u16);
-    let place = pages.iter_mut().enumerate().find_map(|(index, page)| Some((index, page.room.place(wide, high)?)));
+    let place = atlases.iter_mut().enumerate().find_map(|(index, page)| Some((index, page.room.place(wide, high)?)));
     let (page, [x, y]) = place.unwrap_or_else(|| {
-        pages.push(Page::new(SIDE.max(wide.saturating_add(GAP)).max(high.saturating_add(GAP))));
-        let index = pages.len() - 1;
-        (index, pages[index].room.place(wide, high).unwrap_or_default())
+        atlases.push(Atlas::new(SIDE.max(wide.saturating_add(GAP)).max(high.saturating_add(GAP))));
+        let index = atlases.len() - 1;
+        (index, atlases[index].room.place(wide, high).unwrap_or_default())
     });
     if wide > 0 && high > 0 {
         let bytes = coverage.iter().flat_map(|coverage| [255, 255, 255, *coverage]).collect();
         let image = Image { bytes, width: wide, height: high };
-        let texture = pages[page].mesh.texture.as_ref();
+        let texture = atlases[page].mesh.texture.as_ref();
         texture.into_iter().for_each(|texture| texture.update_part(&image, x.into(), y.into(), wide.into(), high.into()));
     }
     let size = Vec2::new(wide.into(), high.into());
@@ -94,7 +94,7 @@ fn make(face: &fontdue::Font, sign: char, height: u16, pages: &mut Vec<Page>) ->
     Glyph { page, at: Vec2::new(x.into(), y.into()), size, from }
 }
 
-impl Page {
+impl Atlas {
     fn new(side: u16) -> Self {
         let texture = Texture2D::from_rgba8(side, side, &vec![0; 4 * usize::from(side) * usize::from(side)]);
         // Glyphs are drawn at the size at which they were made: the nearest sample keeps them sharp between pixels.

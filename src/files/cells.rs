@@ -83,7 +83,7 @@ pub struct CsvRows {
     /// Some bytes were no text.
     broken: bool,
     comments: bool,
-    reader: Pooled,
+    reader: PooledReader,
     /// Bytes of the text before those of the reader.
     base: usize,
     record: StringRecord,
@@ -169,7 +169,7 @@ impl Iterator for CsvRows {
 
 impl CsvRows {
     fn new(text: String, dialect: Dialect, comments: bool, at: usize) -> Self {
-        let (reader, record) = (Pooled::new(dialect.delimiter, text.as_bytes()), StringRecord::new());
+        let (reader, record) = (PooledReader::new(dialect.delimiter, text.as_bytes()), StringRecord::new());
         Self { dialect, text, fault: None, broken: false, comments, reader, base: 0, record, at, line: 1, by_line: false }
     }
 
@@ -211,7 +211,7 @@ impl CsvRows {
         let at = self.base + self.reader.byte();
         if self.by_line {
             // The reader would take a quote to the end of the text.
-            self.reader = Pooled::new(self.dialect.delimiter, &self.text.as_bytes()[begin..begin + limit]);
+            self.reader = PooledReader::new(self.dialect.delimiter, &self.text.as_bytes()[begin..begin + limit]);
             self.base = begin;
         } else if !self.text.get(at..begin).is_some_and(|between| between.bytes().all(|byte| matches!(byte, b'\n' | b'\r'))) {
             self.reader.seek(begin - self.base);
@@ -330,13 +330,13 @@ thread_local! {
     static KEPT: RefCell<Vec<(u8, MemoryReader)>> = const { RefCell::new(Vec::new()) };
 }
 
-pub(super) struct Pooled {
+pub(super) struct PooledReader {
     delimiter: u8,
     /// `None` only once it is dropped.
     reader: Option<MemoryReader>,
 }
 
-impl Pooled {
+impl PooledReader {
     pub fn new(delimiter: u8, text: &[u8]) -> Self {
         let kept = KEPT.with_borrow_mut(|kept| {
             let index = kept.iter().position(|(of, _)| *of == delimiter)?;
@@ -368,7 +368,7 @@ impl Pooled {
     }
 }
 
-impl Drop for Pooled {
+impl Drop for PooledReader {
     fn drop(&mut self) {
         let Some(mut reader) = self.reader.take() else { return };
         *reader.get_mut() = Cursor::default();

@@ -166,8 +166,8 @@ impl CsvRow<'_> {
 
     /// As messages, a line each.
     pub fn problems(&self, wrong: Vec<BadCell>) -> String {
-        let told = wrong.into_iter().map(|BadCell { column, found, expected }| self.problem(column, found, expected));
-        told.collect::<Vec<_>>().join("\n")
+        let problems = wrong.into_iter().map(|BadCell { column, found, expected }| self.problem(column, found, expected));
+        problems.collect::<Vec<_>>().join("\n")
     }
 
     /// 0 or 1; the error is [`CsvRow::problem`].

@@ -53,9 +53,9 @@ pub fn level_hash(level: &Level) -> LevelHash {
     LevelHash(Sha256::digest(rows(level)).into())
 }
 
-struct Rows(Writer<Vec<u8>>);
+struct HashedRows(Writer<Vec<u8>>);
 
-impl Rows {
+impl HashedRows {
     /// The cells of a thing, behind the word for its file.
     fn add(&mut self, file: &str, cells: impl Serialize) {
         // Memory takes all writes, and all cells are numbers, words or flags.
@@ -99,7 +99,7 @@ fn rows(level: &Level) -> Vec<u8> {
         pods,
         links,
     } = level;
-    let mut rows = Rows(WriterBuilder::new().has_headers(false).flexible(true).from_writer(Vec::new()));
+    let mut rows = HashedRows(WriterBuilder::new().has_headers(false).flexible(true).from_writer(Vec::new()));
     rows.add("constants", (vector(size), gravity, gravity_x, air_density, optimal_time, rest_speed, friction));
     let ShipStart { position, velocity, angle, mass, fuel, thrust, feels_air, material, drag, restitution } = player;
     let tank = (mass, fuel, thrust, feels_air, drag, restitution);
@@ -210,7 +210,7 @@ mod tests {
 
     #[test]
     fn rows_are_as_csv_writes_them() {
-        let mut rows = Rows(WriterBuilder::new().has_headers(false).flexible(true).from_writer(Vec::new()));
+        let mut rows = HashedRows(WriterBuilder::new().has_headers(false).flexible(true).from_writer(Vec::new()));
         rows.add("world", ([1.0, 0.5], (true, None::<f64>, Some([1_u8, 2])), Some("a, b"), vec![("x", 0.1 + 0.2)]));
         let text = String::from_utf8(rows.0.into_inner().unwrap()).unwrap();
         assert_eq!(text, "world,1.0,0.5,true,,1,2,\"a, b\",x,0.30000000000000004\n");

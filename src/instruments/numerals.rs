@@ -4,7 +4,7 @@ use std::ops::Range;
 
 /// Where two ways of reading digits are possible.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Style {
+pub struct NumeralStyle {
     /// `2 943` is one number.
     joined: bool,
     /// `1,234,567` is one number, not three.
@@ -121,7 +121,7 @@ const SYMBOLS: [(&str, &[&str]); 13] = [
 const THIN: [char; 4] = ['\u{a0}', '\u{202f}', '\u{2009}', '\u{2007}'];
 const MINUS: [char; 6] = ['-', '−', '‐', '‑', '–', '﹣'];
 
-impl Style {
+impl NumeralStyle {
     pub const ALL: [Self; 8] = {
         let mut all = [Self { joined: false, grouped: false, paired: false }; 8];
         let mut i = 0;
@@ -164,7 +164,7 @@ impl Numeral {
 }
 
 /// All numbers in a text. Digits that belong to a word, as in `h1`, are none.
-pub fn numerals(text: &str, style: Style) -> Vec<Numeral> {
+pub fn numerals(text: &str, style: NumeralStyle) -> Vec<Numeral> {
     let mut found: Vec<Numeral> = Vec::new();
     let (mut at, mut ordinal) = (0, 1.0);
     while let Some(start) = text[at..].find(|c: char| c.is_ascii_digit()).map(|digit| at + digit) {
@@ -204,7 +204,7 @@ pub fn numerals(text: &str, style: Style) -> Vec<Numeral> {
 }
 
 /// The bytes of a number, with its marks; a mark is followed by a digit.
-fn length(text: &str, style: Style) -> usize {
+fn length(text: &str, style: NumeralStyle) -> usize {
     let digit_at = |at: usize| text[at..].starts_with(|c: char| c.is_ascii_digit());
     let three = |at: usize| {
         let digits = text[at..].bytes().take_while(u8::is_ascii_digit).count();
@@ -229,7 +229,7 @@ fn length(text: &str, style: Style) -> usize {
 }
 
 /// The numbers of digits with marks among them, each with all that it may be.
-fn values(digits: &str, style: Style) -> Vec<Vec<f64>> {
+fn values(digits: &str, style: NumeralStyle) -> Vec<Vec<f64>> {
     let plain: String = digits.chars().filter(|c| c.is_ascii_digit() || matches!(c, '.' | ',')).collect();
     let marks: Vec<char> = plain.chars().filter(|c| !c.is_ascii_digit()).collect();
     let number = |text: &str| -> Vec<f64> { text.replace(',', ".").parse().into_iter().collect() };

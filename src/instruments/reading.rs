@@ -1,7 +1,7 @@
 //! Readings as pupils write them: numbers with either decimal mark, among units, labels and words, held against the quantities that a
 //! sheet wants. docs/teaching.md has the rules.
 
-use super::numerals::{Numeral, Style, numerals};
+use super::numerals::{Numeral, NumeralStyle, numerals};
 use crate::words::tr;
 use std::ops::Range;
 
@@ -25,7 +25,7 @@ pub struct Wanted {
 
 /// What stands in a reading, in order.
 #[derive(Clone, Debug)]
-enum Part {
+enum LinePart {
     /// It names some of the wanted quantities, by their indices.
     Label(Vec<usize>),
     Reading(Numeral),
@@ -34,7 +34,7 @@ enum Part {
 impl Wanted {
     /// A value with its unit, and the text that says of what, whose numbers may be repeated.
     pub fn new(what: &str, value: &str) -> Option<Self> {
-        let plain = Style::default();
+        let plain = NumeralStyle::default();
         let [Numeral { values, .. }] = &numerals(value, plain)[..] else { return None };
         let number = value.find(' ').map_or(value, |end| &value[..end]);
         let unit = value[number.len()..].trim().to_owned();
@@ -106,7 +106,7 @@ pub fn named(wanted: &[Wanted]) -> String {
 
 /// Whether a reading is right: each number that can be one of the wanted quantities is, and there is one. `None` without any number.
 pub fn judge(text: &str, wanted: &[Wanted]) -> Option<bool> {
-    let found = Style::ALL.map(|style| numerals(text, style));
+    let found = NumeralStyle::ALL.map(|style| numerals(text, style));
     if found.iter().all(Vec::is_empty) || wanted.is_empty() {
         return None;
     }
@@ -122,32 +122,32 @@ fn is_right(text: &str, numbers: &[Numeral], wanted: &[Wanted]) -> bool {
         let next = numbers.get(i + 1).filter(|next| !next.is_label());
         if !names.is_empty() {
             right |= number.unit.is_some() && number.symbol.is_none() && is_reading(number);
-            parts.push((number.at.clone(), Part::Label(names)));
+            parts.push((number.at.clone(), LinePart::Label(names)));
         } else if number.in_formula
             || number.is_label() && next.is_some()
             || number.could_repeat(wanted.iter().flat_map(|q| &q.conditions))
         {
             right |= is_reading(number);
         } else if wanted.iter().any(|quantity| quantity.takes(number)) {
-            parts.push((number.at.clone(), Part::Reading(number.clone())));
+            parts.push((number.at.clone(), LinePart::Reading(number.clone())));
         }
     }
     parts.sort_by_key(|(at, _)| at.start);
-    let mut parts: Vec<Part> = parts.into_iter().map(|(_, part)| part).collect();
+    let mut parts: Vec<LinePart> = parts.into_iter().map(|(_, part)| part).collect();
     // A label stands before its readings, or behind each.
-    if matches!(parts.first(), Some(Part::Reading(_))) {
+    if matches!(parts.first(), Some(LinePart::Reading(_))) {
         parts.reverse();
     }
-    let readings = parts.iter().filter(|part| matches!(part, Part::Reading(_))).count();
+    let readings = parts.iter().filter(|part| matches!(part, LinePart::Reading(_))).count();
     (right || readings > 0) && agree(&parts, wanted)
 }
 
 /// Whether each reading is one of the quantities that the labels before it name; as many readings as there are such quantities.
-fn agree(parts: &[Part], wanted: &[Wanted]) -> bool {
+fn agree(parts: &[LinePart], wanted: &[Wanted]) -> bool {
     let (mut named, mut left, mut run): (Vec<usize>, usize, bool) = (Vec::new(), 0, false);
     for part in parts {
         match part {
-            Part::Label(names) => {
+            LinePart::Label(names) => {
                 let both: Vec<usize> = named.iter().copied().filter(|quantity| names.contains(quantity)).collect();
                 named = match (run, both.is_empty()) {
                     (true, true) => [named.as_slice(), names].concat(),
@@ -156,7 +156,7 @@ fn agree(parts: &[Part], wanted: &[Wanted]) -> bool {
                 };
                 (left, run) = (named.len(), true);
             }
-            Part::Reading(number) => {
+            LinePart::Reading(number) => {
                 let own: Vec<usize> =
                     named.iter().copied().filter(|quantity| left > 0 && wanted[*quantity].takes(number)).collect();
                 let fits = |quantity: &Wanted| quantity.is(number);
@@ -173,7 +173,7 @@ fn agree(parts: &[Part], wanted: &[Wanted]) -> bool {
 }
 
 /// Where a reading says in words, without a number, what some quantities are of.
-fn phrases(text: &str, wanted: &[Wanted]) -> Vec<(Range<usize>, Part)> {
+fn phrases(text: &str, wanted: &[Wanted]) -> Vec<(Range<usize>, LinePart)> {
     let lower = text.to_lowercase();
     let mut found: Vec<(Range<usize>, Vec<usize>)> = Vec::new();
     for (i, quantity) in wanted.iter().enumerate() {
@@ -193,7 +193,7 @@ fn phrases(text: &str, wanted: &[Wanted]) -> Vec<(Range<usize>, Part)> {
             }
         }
     }
-    found.into_iter().map(|(at, names)| (at, Part::Label(names))).collect()
+    found.into_iter().map(|(at, names)| (at, LinePart::Label(names))).collect()
 }
 
 #[cfg(test)]

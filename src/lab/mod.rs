@@ -7,10 +7,10 @@
 //! - [`scenes`]: models and their exact answers, one file a family.
 //! - [`stress`]: where methods fail: the largest value that each survives.
 //! - [`side_by_side`]: two methods on a scene, to be watched.
-//! - [`stability`]: where methods are stable, on the complex plane; [`stability_diagram`]: as CSV.
+//! - [`stability`]: where methods are stable, on the complex plane, and as CSV.
 //! - [`reference`](mod@reference): answers that have no closed form, found finely and in two ways.
-//! - [`measured`], [`curve`], [`course`]: the numbers behind a diagram. [`charts`]: all numbers of one run, as CSV and back; [`kept`]:
-//!   the run that comes with the game; [`peers`]: other engines' points.
+//! - [`curve`]: the numbers behind a diagram. [`charts`]: all numbers of one run, as CSV and back; [`kept`]: the run that comes with the
+//!   game, and other engines' points.
 //! - [`timeline`], [`drawing`]: diagrams, on paper and on the screen. [`report`]: the summary.
 
 pub mod charts;

@@ -207,9 +207,9 @@ mod tests {
             assert_eq!(expected(file, &[]), Some(("alike", format!("the name {meant:?}"))), "{file}");
         }
         let names = ["gold.csv", "a.replay.csv", ".hidden.csv", "notes.txt", "b.replay.csv.txt"].map(str::to_owned);
-        let told: Vec<String> = misnamed_flights(&names).iter().map(ToString::to_string).collect();
+        let problems: Vec<String> = misnamed_flights(&names).iter().map(ToString::to_string).collect();
         assert_eq!(
-            told,
+            problems,
             [
                 "flights/gold.csv: found a file that is no flight by its name, expected a name such as \"gold.replay.csv\"",
                 "flights/b.replay.csv.txt: found a file that is no flight by its name, expected a name such as \"b.replay.csv\"",

@@ -268,15 +268,15 @@ mod tests {
         let floors = full(|i| format!("{},99990,1,1\n", i % 90000));
         let streams = full(|i| format!("{},5,9,9,0,90,0,1,TRUE\n", 20 * i));
         let (shaded, _) = level(&[("world.csv", floors), ("hazards.csv", streams)]);
-        let told = shaded.unwrap_err().iter().map(ToString::to_string).collect::<String>();
-        assert!(told.contains("one more shaded stream beside ") && told.contains("are at most 4000000"), "{told}");
+        let problems = shaded.unwrap_err().iter().map(ToString::to_string).collect::<String>();
+        assert!(problems.contains("one more shaded stream beside ") && problems.contains("are at most 4000000"), "{problems}");
         let doors = full(|i| format!("{},5,9,9,gate\n", 20 * i));
         let switches = full(|i| format!("{},55,9,9,gate\n", 20 * i));
         let (wired, _) = level(&[("doors.csv", doors), ("switches.csv", switches)]);
-        let told = wired.unwrap_err().iter().map(ToString::to_string).collect::<String>();
+        let problems = wired.unwrap_err().iter().map(ToString::to_string).collect::<String>();
         assert!(
-            told.starts_with("switches.csv:1: column \"works\": found ") && told.ends_with("at most 100000 in a level"),
-            "{told}"
+            problems.starts_with("switches.csv:1: column \"works\": found ") && problems.ends_with("at most 100000 in a level"),
+            "{problems}"
         );
     }
 }

@@ -16,7 +16,7 @@ const MOST_COLUMNS: usize = 200;
 type RowKinds = &'static [&'static RowSchema];
 
 /// The columns of a row's cells; `None` for a cell whose column is not known.
-pub(super) type Columns = Vec<Option<&'static Column>>;
+pub(super) type HeaderColumns = Vec<Option<&'static Column>>;
 
 #[derive(Debug, Default)]
 pub(super) struct TableRows {
@@ -31,7 +31,7 @@ pub(super) struct TableRows {
 #[derive(Clone, Debug)]
 pub(super) struct HeaderPlan {
     /// The columns of all rows; none where each row has those of its kind.
-    pub columns: Columns,
+    pub columns: HeaderColumns,
     /// How many rows at the beginning name columns.
     pub headers: usize,
 }
@@ -103,7 +103,7 @@ fn moved(kinds: RowKinds, header: &SpannedRow) -> Option<&'static RowSchema> {
     strays.map(|(_, cell)| cell).find_map(|cell| kinds.iter().find(|schema| schema.find(&cell.text).is_some())).copied()
 }
 
-pub(super) fn all_columns(schema: &'static RowSchema) -> Columns {
+pub(super) fn all_columns(schema: &'static RowSchema) -> HeaderColumns {
     schema.columns.iter().map(Some).collect()
 }
 
@@ -156,9 +156,9 @@ fn is_foreign_header(schema: &RowSchema, row: &SpannedRow) -> bool {
 }
 
 /// The columns in the order of the header; `None` for one that is not known.
-fn header(schema: &'static RowSchema, row: &SpannedRow, cells: &[Cell], problems: &mut Vec<Problem>) -> Columns {
-    let mut columns = Columns::new();
-    let has = |columns: &Columns, column: &Column| columns.iter().flatten().any(|known| known.name == column.name);
+fn header(schema: &'static RowSchema, row: &SpannedRow, cells: &[Cell], problems: &mut Vec<Problem>) -> HeaderColumns {
+    let mut columns = HeaderColumns::new();
+    let has = |columns: &HeaderColumns, column: &Column| columns.iter().flatten().any(|known| known.name == column.name);
     for cell in cells {
         let known = schema.find(&cell.text);
         let mut report = |found: &str, expected: String| {
@@ -188,7 +188,7 @@ fn suits(kinds: RowKinds, dialect: Dialect, rows: &[SpannedRow]) -> i64 {
         let columns = match schema_of(kinds, row.cells[0].text.trim()) {
             Some(schema) if kinds.len() > 1 => all_columns(schema),
             Some(_) => plan.columns.clone(),
-            None => Columns::new(),
+            None => HeaderColumns::new(),
         };
         let cells = row.cells.iter().enumerate().filter(|(_, cell)| !cell.is_empty());
         let good = cells.map(|(i, cell)| is_good(columns.get(i).copied().flatten(), dialect, row, cell));
@@ -237,7 +237,7 @@ fn wrong_separator(schema: &RowSchema, dialect: Dialect, row: &SpannedRow) -> Op
 fn record(
     schema: &'static RowSchema,
     dialect: Dialect,
-    columns: &Columns,
+    columns: &HeaderColumns,
     row: &SpannedRow,
     problems: &mut Vec<Problem>,
 ) -> Option<RowCells> {
@@ -281,7 +281,7 @@ fn cell_count(n: usize) -> String {
     if n == 1 { tr("1 cell in the row").to_owned() } else { tr!("{count} cells in the row", count = n) }
 }
 
-fn cells_wanted(columns: &Columns) -> String {
+fn cells_wanted(columns: &HeaderColumns) -> String {
     let most = columns.len();
     let least = columns.iter().rposition(|column| column.is_some_and(|column| column.required)).map_or(0, |last| last + 1);
     let count = if least == most { most.to_string() } else { tr!("{least} to {most}", least, most) };

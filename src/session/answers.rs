@@ -75,7 +75,7 @@ pub struct Worksheet {
     /// What was saved last.
     pub saved: Option<[String; 2]>,
     /// The outcome of the last press; an error is a problem.
-    pub told: Result<String, String>,
+    pub message: Result<String, String>,
 }
 
 impl Worksheet {
@@ -86,7 +86,7 @@ impl Worksheet {
             readings: TextField::new("", MOST_LETTERS.1),
             answered: false,
             saved: None,
-            told: Ok(String::new()),
+            message: Ok(String::new()),
         }
     }
 
@@ -95,9 +95,9 @@ impl Worksheet {
     }
 
     /// What became of the answer that was to be saved.
-    pub fn tell(&mut self, told: Result<String, String>) {
-        self.saved = self.saved.take().filter(|_| told.is_ok());
-        self.told = told;
+    pub fn set_message(&mut self, message: Result<String, String>) {
+        self.saved = self.saved.take().filter(|_| message.is_ok());
+        self.message = message;
     }
 
     /// What is written and not saved yet; it counts as saved from now on.

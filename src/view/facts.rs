@@ -108,16 +108,16 @@ pub fn facts(game: &Game, id: BodyId) -> BodyFacts {
     rows.push(FactRow::plain("Mass", Value::Scalar(body.mass), "kg"));
     rows.push(FactRow::plain("Velocity", Value::Vector(body.velocity), "m/s"));
     let strongest = forces.forces().iter().map(|force| force.vector.length()).fold(0.0, f64::max);
-    let told = |vector: DVec2, strongest: f64| if vector.length() < BALANCED * strongest { DVec2::ZERO } else { vector };
-    rows.push(FactRow::plain("Acceleration", Value::Vector(told(body.acceleration, strongest / body.mass)), "m/s²"));
+    let balanced = |vector: DVec2, strongest: f64| if vector.length() < BALANCED * strongest { DVec2::ZERO } else { vector };
+    rows.push(FactRow::plain("Acceleration", Value::Vector(balanced(body.acceleration, strongest / body.mass)), "m/s²"));
     let line = |shown: ArrowKind, vector, unit| FactRow {
         shown: Some(shown),
         ..FactRow::plain(shown.name(), Value::Vector(vector), unit)
     };
-    rows.push(line(ArrowKind::Resultant, told(forces.resultant(), strongest), "N"));
+    rows.push(line(ArrowKind::Resultant, balanced(forces.resultant(), strongest), "N"));
     let exerted = |row: FactRow, causes: Vec<Source>| FactRow { by: by_whom(game, id, &causes), causes, ..row };
-    let told = by_name(&forces).into_iter();
-    rows.extend(told.map(|told| exerted(line(ArrowKind::Force(told.kind), told.vector, "N"), told.by)));
+    let named = by_name(&forces).into_iter();
+    rows.extend(named.map(|force| exerted(line(ArrowKind::Force(force.kind), force.vector, "N"), force.by)));
     let impacts = impacts(game, id);
     rows.extend(impacts.each.iter().map(|(impulse, by)| exerted(line(ArrowKind::Impact, *impulse, IMPULSE_UNIT), vec![*by])));
     if impacts.others.0 > 0 {
@@ -133,7 +133,7 @@ pub fn facts(game: &Game, id: BodyId) -> BodyFacts {
 
 /// The impacts on a body: the largest ones, each with its source, and the number of the others with their sum (N·s).
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct ImpactsTold {
+pub struct ListedImpacts {
     /// The largest first.
     pub each: Vec<(DVec2, Source)>,
     /// Number and sum of all others.
@@ -141,21 +141,21 @@ pub struct ImpactsTold {
 }
 
 /// The impacts that can still be read.
-pub fn impacts(game: &Game, id: BodyId) -> ImpactsTold {
-    let mut told = ImpactsTold::default();
+pub fn impacts(game: &Game, id: BodyId) -> ListedImpacts {
+    let mut listed = ListedImpacts::default();
     let least = SMALLEST_IMPACT * game.world().body(id).mass;
     for felt in game.impacts(id) {
-        if told.each.len() < IMPACTS && felt.impulse.length() >= least {
-            told.each.push((felt.impulse, source(felt.by)));
+        if listed.each.len() < IMPACTS && felt.impulse.length() >= least {
+            listed.each.push((felt.impulse, source(felt.by)));
         } else {
-            told.others.0 += 1;
-            told.others.1 += felt.impulse;
+            listed.others.0 += 1;
+            listed.others.1 += felt.impulse;
         }
     }
-    if told.others.1.length() < least {
-        told.others.0 = 0;
+    if listed.others.1.length() < least {
+        listed.others.0 = 0;
     }
-    told
+    listed
 }
 
 const fn source(obstacle: Obstacle) -> Source {
@@ -195,7 +195,7 @@ pub fn by_whom(game: &Game, on: BodyId, causes: &[Source]) -> String {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub struct Told {
+pub struct NamedForce {
     pub kind: ForceKind,
     /// Sum, N.
     pub vector: DVec2,
@@ -205,19 +205,19 @@ pub struct Told {
 
 /// The forces by name, in the usual order. Forces of one name that point the same way (the reactions of two floor tiles) are one;
 /// those of one name that oppose each other stay apart, for their sum would hide the pressure.
-pub fn by_name(forces: &ForceManager) -> Vec<Told> {
-    let mut named: Vec<Told> = Vec::new();
+pub fn by_name(forces: &ForceManager) -> Vec<NamedForce> {
+    let mut named: Vec<NamedForce> = Vec::new();
     for kind in ForceKind::ALL {
         let first = named.len();
         for force in forces.forces().iter().filter(|force| force.kind == kind) {
-            match named[first..].iter_mut().find(|told| same_way(told.vector, force.vector)) {
-                Some(told) => {
-                    told.vector += force.vector;
-                    if !told.by.contains(&force.source) {
-                        told.by.push(force.source);
+            match named[first..].iter_mut().find(|named| same_way(named.vector, force.vector)) {
+                Some(named) => {
+                    named.vector += force.vector;
+                    if !named.by.contains(&force.source) {
+                        named.by.push(force.source);
                     }
                 }
-                None => named.push(Told { kind, vector: force.vector, by: vec![force.source] }),
+                None => named.push(NamedForce { kind, vector: force.vector, by: vec![force.source] }),
             }
         }
     }

@@ -76,7 +76,7 @@ impl Ground<'_> {
 }
 
 /// The force or impact of a line with an arrow, and its vector. A line whose value is written as zero beside the others has none.
-pub fn told(row: &FactRow, beside: &[FactRow]) -> Option<(ArrowKind, DVec2)> {
+pub fn arrow_of(row: &FactRow, beside: &[FactRow]) -> Option<(ArrowKind, DVec2)> {
     let exerted = row.exerted();
     match (row.shown, row.value) {
         (Some(ArrowKind::Resultant), Value::Vector(vector)) => Some((ArrowKind::Resultant, vector)),
@@ -90,7 +90,7 @@ pub fn reaches(subjects: &[ArrowSubject], ground: &Ground) -> [Vec<Reach>; 2] {
     let mut found = [Vec::new(), Vec::new()];
     for subject in subjects {
         let from = ground.start(&subject.object);
-        for (shown, vector) in subject.facts.rows.iter().filter_map(|row| told(row, &subject.facts.rows)) {
+        for (shown, vector) in subject.facts.rows.iter().filter_map(|row| arrow_of(row, &subject.facts.rows)) {
             let room = ground.room(from, vector.normalize_or_zero().as_vec2());
             found[usize::from(shown.is_impact())].push((vector.length(), room));
         }
@@ -147,7 +147,7 @@ impl Arranged {
 /// The lines of a body that have arrows, with these in metres of the level.
 fn told_rows(facts: &BodyFacts, scale: &ArrowScale) -> Vec<(usize, ArrowKind, DVec2)> {
     let one = |shown: ArrowKind| if shown.is_impact() { scale.newton_seconds } else { scale.newtons };
-    let rows = facts.rows.iter().enumerate().filter_map(|(row, told_of)| Some((row, told(told_of, &facts.rows)?)));
+    let rows = facts.rows.iter().enumerate().filter_map(|(row, fact)| Some((row, arrow_of(fact, &facts.rows)?)));
     rows.map(|(row, (shown, vector))| (row, shown, vector / one(shown))).collect()
 }
 

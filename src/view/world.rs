@@ -113,12 +113,12 @@ pub fn draw_on_rock(level: &Level, terrain: &Terrain, pictures: &Pictures, (view
 const AROUND: Vec2 = Vec2::new(5.0, 2.0);
 
 /// The names of all mechanisms in view with their areas, in the words of the details and of the switches.
-pub fn told(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
+pub fn in_view(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
     let level = game.level();
-    let mut told: Vec<(String, Area)> = Vec::new();
+    let mut named: Vec<(String, Area)> = Vec::new();
     let mut write_name = |words: &str, bounds: &Aabb| {
         if bounds.touches(&view.visible(), 0.0) {
-            told.push((words.to_owned(), view.rect(bounds)));
+            named.push((words.to_owned(), view.rect(bounds)));
         }
     };
     let called = |of: SurfaceOf, name: Option<&str>| {
@@ -156,13 +156,13 @@ pub fn told(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
     for (index, pod) in level.pods.iter().enumerate().filter(|(index, _)| !game.mechanisms().is_taken(*index)) {
         write_name(&tr!("pod {number}: {fuel} fuel", number = index + 1, fuel = format_args!("{:.0}", pod.fuel)), &pod.bounds);
     }
-    told
+    named
 }
 
 /// Gives each name a free place beside its mechanism, if there is one, and adds it to `taken`. `text` is the height of letters.
-pub fn place(told: Vec<(String, Area)>, text: f32, window: Area, taken: &mut Vec<Area>) -> Vec<(String, Area)> {
+pub fn place(named: Vec<(String, Area)>, text: f32, window: Area, taken: &mut Vec<Area>) -> Vec<(String, Area)> {
     let mut placed = Vec::new();
-    for (name, of) in told {
+    for (name, of) in named {
         let size = Vec2::new(name.chars().count() as f32 * MONO_ADVANCE, 1.0) * text + 2.0 * AROUND;
         let (middle, out) = (of.centre(), (of.size + size) * 0.5 + 4.0);
         let ways = [-Vec2::Y, Vec2::Y, Vec2::X, -Vec2::X, Vec2::ZERO];

@@ -7,10 +7,10 @@ use crate::ui::keyboard::{KeyDown, Keyboard, place_of_code};
 use std::cell::RefCell;
 
 thread_local! {
-    static TOLD: RefCell<Vec<Told>> = const { RefCell::new(Vec::new()) };
+    static QUEUE: RefCell<Vec<KeyMessage>> = const { RefCell::new(Vec::new()) };
 }
 
-enum Told {
+enum KeyMessage {
     /// What it types, and the modifiers: bits of Shift, Control, Alt or AltGr, then of a repetition and of Caps Lock.
     Down(String, Option<char>, u32),
     Up(String),
@@ -19,11 +19,11 @@ enum Told {
     Leave,
 }
 
-/// Hands over what the page has told.
+/// Hands over the messages of the page.
 pub fn drain(keyboard: &mut Keyboard) {
-    for told in TOLD.take() {
-        match told {
-            Told::Down(code, typed, bits) => {
+    for message in QUEUE.take() {
+        match message {
+            KeyMessage::Down(code, typed, bits) => {
                 let place = place_of_code(&code);
                 let held: Keys = [Key::Shift, Key::Control, Key::Alt]
                     .into_iter()
@@ -34,16 +34,16 @@ pub fn drain(keyboard: &mut Keyboard) {
                 let plain = if bits & 0b1_0111 == 0 { typed } else { place.and_then(layout::sign_at) };
                 keyboard.down(KeyDown { id: hash(&code), place, typed, silent: true, plain, repeat: bits & 8 != 0, held });
             }
-            Told::Up(code) => keyboard.up(hash(&code)),
-            Told::Types(sign) => keyboard.typed(sign, Keys::default()),
-            Told::Sign(code, sign) => place_of_code(&code).into_iter().for_each(|place| layout::note(place, sign)),
-            Told::Leave => keyboard.leave(),
+            KeyMessage::Up(code) => keyboard.up(hash(&code)),
+            KeyMessage::Types(sign) => keyboard.typed(sign, Keys::default()),
+            KeyMessage::Sign(code, sign) => place_of_code(&code).into_iter().for_each(|place| layout::note(place, sign)),
+            KeyMessage::Leave => keyboard.leave(),
         }
     }
 }
 
-fn tell(told: Told) {
-    TOLD.with_borrow_mut(|all| all.push(told));
+fn queue(message: KeyMessage) {
+    QUEUE.with_borrow_mut(|all| all.push(message));
 }
 
 /// A code that the script hands over.
@@ -58,27 +58,27 @@ fn character(sign: u32) -> Option<char> {
 
 #[unsafe(no_mangle)]
 extern "C" fn resultant_key_down(code: *mut u8, length: usize, sign: u32, bits: u32) {
-    tell(Told::Down(text(code, length), character(sign), bits));
+    queue(KeyMessage::Down(text(code, length), character(sign), bits));
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn resultant_key_up(code: *mut u8, length: usize) {
-    tell(Told::Up(text(code, length)));
+    queue(KeyMessage::Up(text(code, length)));
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn resultant_key_types(sign: u32) {
-    character(sign).into_iter().for_each(|sign| tell(Told::Types(sign)));
+    character(sign).into_iter().for_each(|sign| queue(KeyMessage::Types(sign)));
 }
 
 /// What a key types alone.
 #[unsafe(no_mangle)]
 extern "C" fn resultant_key_sign(code: *mut u8, length: usize, sign: u32) {
     let code = text(code, length);
-    character(sign).into_iter().for_each(|sign| tell(Told::Sign(code.clone(), sign)));
+    character(sign).into_iter().for_each(|sign| queue(KeyMessage::Sign(code.clone(), sign)));
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn resultant_keys_leave() {
-    tell(Told::Leave);
+    queue(KeyMessage::Leave);
 }

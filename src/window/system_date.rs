@@ -81,16 +81,16 @@ mod tests {
         assert!(libc::clock_gettime as ClockGettime as usize == clock_gettime as ClockGettime as usize);
         let mut dates = [timespec { tv_sec: 0, tv_nsec: 0 }; 3];
         // SAFETY: there is room.
-        let told = unsafe {
+        let status = unsafe {
             let [before, date, after] = &mut dates;
             let system = system().unwrap();
             [system(CLOCK_REALTIME, before), clock_gettime(CLOCK_REALTIME, date), system(CLOCK_REALTIME, after)]
         };
         let [before, date, after] = dates.map(nanoseconds);
-        assert!(told == [0; 3] && before - NANO < date && date < after + NANO, "{before} {date} {after}");
+        assert!(status == [0; 3] && before - NANO < date && date < after + NANO, "{before} {date} {after}");
         // SAFETY: there is room.
-        let told = unsafe { clock_gettime(CLOCK_REALTIME, &raw mut dates[0]) };
-        assert!(told == 0 && nanoseconds(dates[0]) >= date, "it never goes back");
+        let status = unsafe { clock_gettime(CLOCK_REALTIME, &raw mut dates[0]) };
+        assert!(status == 0 && nanoseconds(dates[0]) >= date, "it never goes back");
     }
 
     #[test]

@@ -11,7 +11,7 @@ use resultant::view::camera::{Camera, Viewport};
 use resultant::view::details::{Details, Looking};
 use resultant::view::facts::{FactRow, facts};
 use resultant::view::focus::Focus;
-use resultant::view::free_body::{head_area, told};
+use resultant::view::free_body::{arrow_of, head_area};
 use resultant::view::game_view::moving;
 use resultant::view::hud::HudLayout;
 use std::sync::Arc;
@@ -122,7 +122,7 @@ impl Onlooker {
             assert!(inside(arrow.from) && inside(arrow.to), "{}: {arrow:?} leaves the window", what());
             assert!(arrow.length() >= LEAST, "{}: {arrow:?} is nearly nothing", what());
             let rows = facts(game, arrow.body).rows;
-            let (_, vector) = told(&rows[arrow.row], &rows).expect("an arrow has a row");
+            let (_, vector) = arrow_of(&rows[arrow.row], &rows).expect("an arrow has a row");
             let ways = (arrow.to - arrow.from).normalize().dot(vector.normalize().as_vec2());
             assert!(ways > 0.999, "{}: {arrow:?} does not point along {vector}", what());
             if arrow.to_scale {
@@ -137,8 +137,8 @@ impl Onlooker {
             let visible = view.visible();
             let in_view = (game.lead().index()..centres.len())
                 .filter(|&i| Aabb::around(centres[i], game.world().bodies()[i].half).touches(&visible, 0.0));
-            let told_of = |rows: &[FactRow]| rows.iter().filter(|row| told(row, rows).is_some()).count();
-            let forces: usize = in_view.map(|i| told_of(&facts(game, BodyId(i as u32)).rows)).sum();
+            let arrows_of = |rows: &[FactRow]| rows.iter().filter(|row| arrow_of(row, rows).is_some()).count();
+            let forces: usize = in_view.map(|i| arrows_of(&facts(game, BodyId(i as u32)).rows)).sum();
             assert_eq!(arranged.arrows.len() + arranged.left_out, forces, "{}", what());
         }
         let off = arranged.arrows.iter().filter(|arrow| !arrow.to_scale).count();
@@ -157,7 +157,7 @@ impl Onlooker {
         let usual = game.level().fluids.is_empty();
         for arrow in self.details.arranged.arrows.iter().filter(|arrow| usual && !arrow.shown.is_impact()) {
             let facts = facts(game, arrow.body);
-            let (_, vector) = told(&facts.rows[arrow.row], &facts.rows).expect("an arrow has a row");
+            let (_, vector) = arrow_of(&facts.rows[arrow.row], &facts.rows).expect("an arrow has a row");
             let of_scale = USUAL.contains(&vector.length());
             seen.usual += usize::from(of_scale);
             assert!(!of_scale || arrow.to_scale, "{}: {} of {}, {vector} N, is not to scale", what(), arrow.name(), facts.title);

@@ -4,10 +4,8 @@
 //!
 //! - [`engine`]: cuboids that fall, land, stop at walls and bounce off each other; knows no player and no tower.
 //! - [`tower`]: the platforms, the same for the same seed.
-//! - [`scene`]: players, keys, jumps, the rising view, the score.
-//! - [`inputs`]: keys in a file.
 //!
-//! The climb: one or two players with their keys, the view that rises with the higher one, and the score.
+//! Here is the climb: one or two players with their keys, the view that rises with the higher one, and the score.
 //!
 //! Recorded keys of a climb: held keys and their number of ticks, as a CSV file that people can write.
 //!

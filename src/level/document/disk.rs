@@ -58,7 +58,7 @@ pub struct Opened {
 }
 
 #[derive(Debug)]
-pub enum SaveError {
+pub enum LevelSaveError {
     /// Another program has written these files: no file was written.
     Changed(Vec<Table>),
     /// The edits cannot even be kept beside the files: no file was written.
@@ -67,7 +67,7 @@ pub enum SaveError {
     File(String, io::Error),
 }
 
-impl fmt::Display for SaveError {
+impl fmt::Display for LevelSaveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Changed(tables) => {
@@ -224,22 +224,22 @@ impl LevelFolder {
     }
 
     /// Writes every file that has changed.
-    /// Errors: see [`SaveError`]; no edit is lost.
-    pub fn save(&mut self, document: &Document) -> Result<(), SaveError> {
+    /// Errors: see [`LevelSaveError`]; no edit is lost.
+    pub fn save(&mut self, document: &Document) -> Result<(), LevelSaveError> {
         let changed: Vec<Table> = Table::ALL.iter().copied().filter(|table| self.is_edited(*table, document)).collect();
         let theirs: Vec<Table> =
             self.changed().into_iter().filter(|(table, _)| changed.contains(table)).map(|(table, _)| table).collect();
         if !theirs.is_empty() {
-            return Err(SaveError::Changed(theirs));
+            return Err(LevelSaveError::Changed(theirs));
         }
-        self.write_kept(document, true).map_err(SaveError::NotKept)?;
+        self.write_kept(document, true).map_err(LevelSaveError::NotKept)?;
         for table in changed {
             let path = self.folder.join(table.file());
             let written = match document.bytes(table) {
                 Some(bytes) => files::replace(&path, bytes, Symlinks::Followed),
                 None => files::remove(&path),
             };
-            written.map_err(|error| SaveError::File(table.file().to_owned(), error))?;
+            written.map_err(|error| LevelSaveError::File(table.file().to_owned(), error))?;
             self.known[table.index()] = document.bytes(table).map(<[u8]>::to_vec);
         }
         files::sync_folder(&self.folder);

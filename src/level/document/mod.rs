@@ -12,7 +12,7 @@ mod sheet;
 mod wires;
 
 pub use super::schema::{Column, Kind, SETTINGS, Table};
-pub use disk::{KeptSide, LevelFolder, Opened, SaveError};
+pub use disk::{KeptSide, LevelFolder, LevelSaveError, Opened};
 pub use model::Kept;
 pub use model::{Document, NewRow, RowId, SetCell};
 pub use places::{Place, number, way_text};

@@ -3,7 +3,7 @@
 
 use crate::files::{Cell, CellFault, Dialect, SpannedRow};
 use crate::level::schema::{Column, RowSchema, Table};
-use crate::level::table::{self, Columns, HeaderPlan, all_columns};
+use crate::level::table::{self, HeaderColumns, HeaderPlan, all_columns};
 use crate::words::tr;
 use std::ops::Range;
 
@@ -85,7 +85,7 @@ impl EditedFile {
         self.plan.as_ref().map_or(&[], |plan| &self.rows[plan.headers.min(self.rows.len())..])
     }
 
-    fn columns(&self, row: usize) -> Columns {
+    fn columns(&self, row: usize) -> HeaderColumns {
         if !self.is_by_kind() {
             return self.plan.as_ref().map_or_else(Vec::new, |plan| plan.columns.clone());
         }
@@ -163,7 +163,7 @@ impl EditedFile {
         self.spliced(splices)
     }
 
-    fn widen(&self, columns: &mut Columns, edits: &[CellEdit]) -> Result<Option<Splice>, String> {
+    fn widen(&self, columns: &mut HeaderColumns, edits: &[CellEdit]) -> Result<Option<Splice>, String> {
         let headers = self.plan.as_ref().map_or(0, |plan| plan.headers);
         let header = self.rows.first().filter(|_| headers > 0);
         let Some(last) = columns.len().checked_sub(1).and_then(|last| header?.cells.get(last)) else { return Ok(None) };
@@ -215,7 +215,7 @@ impl EditedFile {
             new = new + &names.join(&self.dialect.sign().to_string()) + ending;
         }
         for (schema, cells) in added {
-            let own: Columns = if by_kind { all_columns(schema) } else { shared.clone() };
+            let own: HeaderColumns = if by_kind { all_columns(schema) } else { shared.clone() };
             new = new + &self.line(&own, cells) + ending;
         }
         splices.push((self.text.len()..self.text.len(), new));

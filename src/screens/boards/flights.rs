@@ -199,8 +199,8 @@ impl Screen for Flights {
         }
         self.show_rows(ui, panel);
         let hint = (tr("↑ ↓ choose, Space marks who is raced"), theme::quiet());
-        let told = |(words, bad)| (words, if bad { theme::bad() } else { theme::good() });
-        let (words, colour) = self.message.as_ref().map_or(hint, |(words, bad)| told((words.as_str(), *bad)));
+        let coloured = |(words, bad)| (words, if bad { theme::bad() } else { theme::good() });
+        let (words, colour) = self.message.as_ref().map_or(hint, |(words, bad)| coloured((words.as_str(), *bad)));
         ui.fitted(words, Vec2::new(size.x / 2.0, panel.min.y - 24.0), &[TEXT], colour);
         let pressed = ui.row(panel.max().y + FOOT, &["Watch", "Race", "Keep as File", "Copy Code", "Paste Code", "Back"]);
         if ui.key(Key::Escape) || pressed == Some("Back") {

@@ -7,7 +7,7 @@ use super::{Editor, EditorPass, EditorTool, view};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::level::Level;
-use crate::level::document::{Document, Kind, RowId, SaveError, Table};
+use crate::level::document::{Document, Kind, LevelSaveError, RowId, Table};
 use crate::physics::DVec2;
 use crate::screens::screen::{Destination, Request};
 use crate::settings::Key;
@@ -242,7 +242,7 @@ impl Editor {
                 self.say(tr("Saved."));
                 true
             }
-            Err(SaveError::Changed(tables)) => {
+            Err(LevelSaveError::Changed(tables)) => {
                 self.ask = Some(Ask::Theirs(tables));
                 false
             }

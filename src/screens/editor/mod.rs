@@ -166,7 +166,7 @@ impl Screen for Editor {
     }
 
     fn come_back(&mut self, above: &dyn Screen, _: &mut Session, _: &mut dyn Spectator) {
-        if let Some(how) = above.get::<Flight>().map(Flight::told).filter(|how| !how.is_empty()) {
+        if let Some(how) = above.get::<Flight>().map(Flight::end_words).filter(|how| !how.is_empty()) {
             self.say(how);
         }
     }

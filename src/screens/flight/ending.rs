@@ -148,7 +148,7 @@ impl Flight {
     }
 
     /// The end of the flight in words; empty while it runs.
-    pub(in crate::screens) fn told(&self) -> String {
+    pub(in crate::screens) fn end_words(&self) -> String {
         let game = self.game();
         match game.outcome() {
             Outcome::Running => String::new(),

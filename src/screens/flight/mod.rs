@@ -117,7 +117,7 @@ impl Screen for Flight {
             Effect::SaveVaried(variation, name) => {
                 let saved = self.save_varied(&variation, &name, session);
                 let bad = saved.is_err();
-                self.seen.instruments.vary_mut().tell(saved.unwrap_or_else(|reason| reason), bad);
+                self.seen.instruments.vary_mut().set_message(saved.unwrap_or_else(|reason| reason), bad);
             }
             _ => {}
         }

@@ -9,7 +9,7 @@ const MODIFIERS: [Key; 3] = [Key::Shift, Key::Control, Key::Alt];
 pub(super) const SOON: f64 = 0.5;
 
 #[derive(Clone, Copy, Debug, Default)]
-enum State {
+enum ModifierState {
     #[default]
     Up,
     /// From that tick on.
@@ -24,7 +24,7 @@ pub(super) struct Mistaken {
 }
 
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Modifiers([State; MODIFIERS.len()]);
+pub(super) struct Modifiers([ModifierState; MODIFIERS.len()]);
 
 impl Modifiers {
     /// The input by which a frame is flown after `now` ticks, and what was flown by mistake, of which `soon` ticks at most are taken back.
@@ -38,19 +38,19 @@ impl Modifiers {
             }
             let (pressed, held) = (input.pressed.has(key), input.held.has(key));
             *state = match *state {
-                _ if pressed && typed => State::Types,
-                State::Flies(since) if held && typed && now.saturating_sub(since) <= soon => {
+                _ if pressed && typed => ModifierState::Types,
+                ModifierState::Flies(since) if held && typed && now.saturating_sub(since) <= soon => {
                     let before = mistaken.take().unwrap_or(Mistaken { since, keys: Keys::default() });
                     let keys = before.keys | [key].into_iter().collect();
                     mistaken = Some(Mistaken { since: before.since.min(since), keys });
-                    State::Types
+                    ModifierState::Types
                 }
-                State::Types if held && !pressed => State::Types,
-                State::Flies(since) if held && !pressed => State::Flies(since),
-                _ if pressed || held => State::Flies(now),
-                _ => State::Up,
+                ModifierState::Types if held && !pressed => ModifierState::Types,
+                ModifierState::Flies(since) if held && !pressed => ModifierState::Flies(since),
+                _ if pressed || held => ModifierState::Flies(now),
+                _ => ModifierState::Up,
             };
-            if matches!(state, State::Types) {
+            if matches!(state, ModifierState::Types) {
                 flying.held = flying.held.without(key);
                 flying.pressed = flying.pressed.without(key);
             }

@@ -187,8 +187,8 @@ mod drawing {
                     Some(Gap::Seconds(_) | Gap::Never) => theme::good(),
                     Some(Gap::Unknown) | None => theme::quiet(),
                 };
-                let told = gap.map_or_else(|| "–".to_owned(), Gap::words);
-                hud::draw_column(column, (&ghost.name, &told), colour, aside, canvas);
+                let gap_words = gap.map_or_else(|| "–".to_owned(), Gap::words);
+                hud::draw_column(column, (&ghost.name, &gap_words), colour, aside, canvas);
             }
         }
     }

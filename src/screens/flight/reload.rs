@@ -98,9 +98,9 @@ impl Flight {
 
     /// Saves an answer, and says on the sheet what became of it.
     pub(super) fn hand_in(&mut self, row: ResultRow, session: &mut Session) {
-        let told = session.answers.hand_in(row, session.journal.current(), session.now);
+        let saved = session.answers.hand_in(row, session.journal.current(), session.now);
         if let Some(sheet) = &mut self.open.sheet {
-            sheet.tell(told);
+            sheet.set_message(saved);
         }
     }
 
@@ -149,7 +149,7 @@ impl Flight {
         self.run = Run { lost, ..fresh.run };
         self.wait_for_a_guess();
         if let Some(Err(words)) = varied.map(|varied| self.begin_varied(varied, same)) {
-            self.seen.instruments.vary_mut().tell(words, true);
+            self.seen.instruments.vary_mut().set_message(words, true);
         }
         Ok(())
     }

@@ -115,7 +115,7 @@ impl Flight {
         match wish {
             VaryWish::Vary(variation, from, goes_on) => {
                 if let Err(words) = self.vary(variation, from, goes_on) {
-                    self.seen.instruments.vary_mut().tell(words, true);
+                    self.seen.instruments.vary_mut().set_message(words, true);
                 }
                 let ticks = self.pilot.ahead.ticks(0.0);
                 self.fly_again(ticks, spectator);
@@ -325,7 +325,8 @@ impl Flight {
             canvas.text(text, area.min + Vec2::new(PADDING, PADDING / 2.0 + i as f32 * line), style);
         }
         if self.tells_of_the_end() && self.open.pause.is_none() {
-            let words = tr!("{told} A “what if” counts for nothing: R flies it again, Esc the level as it is.", told = self.told());
+            let words =
+                tr!("{end} A “what if” counts for nothing: R flies it again, Esc the level as it is.", end = self.end_words());
             let style = Style::new(TEXT, theme::text()).centred().middle();
             let width = (canvas.width(&words, style) + 2.0 * PADDING).min(canvas.size().x - 2.0 * PADDING);
             let size = Vec2::new(width, canvas.line_height(TEXT) + PADDING);

@@ -47,7 +47,7 @@ impl Worksheet {
             if wanted.is_empty() { tr(READINGS).to_owned() } else { tr!("Your readings of {quantities}", quantities = wanted) };
         let line = label(&words, &mut pen);
         if ui.line(READINGS, line, &mut self.readings) == Some(FieldEvent::Changed) {
-            self.told = Ok(String::new());
+            self.message = Ok(String::new());
         }
         ui.group();
         let size = Vec2::new(ROW_BUTTON.x, LINE_HEIGHT);
@@ -57,7 +57,7 @@ impl Worksheet {
         if self.answered {
             pen.write(tr(&self.experiment.answer), TEXT, theme::good());
         }
-        let (words, colour) = match &self.told {
+        let (words, colour) = match &self.message {
             Ok(words) => (words, theme::quiet()),
             Err(problem) => (problem, theme::bad()),
         };
@@ -82,7 +82,7 @@ impl Worksheet {
         if choices.is_empty() {
             match ui.line(GUESS, line, &mut self.guess) {
                 Some(FieldEvent::Entered) => ui.focus(Some(READINGS)),
-                Some(FieldEvent::Changed) => self.told = Ok(String::new()),
+                Some(FieldEvent::Changed) => self.message = Ok(String::new()),
                 None => {}
             }
             return;
@@ -93,24 +93,24 @@ impl Worksheet {
             let area = Area { min, size: Vec2::new(pitch - GRID, line.size.y) };
             let colour = if *choice == guess { theme::accent() } else { theme::text() };
             if ui.small_button((choice, tr(choice)), area, Style::new(TEXT, colour).centred()) {
-                (self.guess, self.told) = (TextField::new(choice, MOST_LETTERS.0), Ok(String::new()));
+                (self.guess, self.message) = (TextField::new(choice, MOST_LETTERS.0), Ok(String::new()));
             }
         }
     }
 
     fn act(&mut self, pressed: &str) -> Option<Request> {
         if self.written()[0].is_empty() {
-            self.told = Err(tr(NO_GUESS).to_owned());
+            self.message = Err(tr(NO_GUESS).to_owned());
             return None;
         }
-        self.told = Ok(String::new());
+        self.message = Ok(String::new());
         if pressed == ANSWER {
             self.answered = true;
             return None;
         }
         let row = self.take_unsaved();
         if row.is_none() {
-            self.told = Ok(tr("This is saved already.").to_owned());
+            self.message = Ok(tr("This is saved already.").to_owned());
         }
         row.map(|row| Request::Do(Effect::HandIn(row)))
     }

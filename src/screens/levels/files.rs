@@ -113,7 +113,7 @@ impl LevelSelect {
         let medals = session.journal.medals(&name).with_best(&awards, best);
         let title = level.as_ref().ok().map(|(title, ..)| title.clone());
         let level = Some(level.map(|(title, _, miniature)| (title, miniature)));
-        self.tell(index, LevelEntry { level, stamp, title, best, awards, medals, ..LevelEntry::new(name, None) });
+        self.set_entry(index, LevelEntry { level, stamp, title, best, awards, medals, ..LevelEntry::new(name, None) });
     }
 }
 

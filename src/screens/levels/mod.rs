@@ -139,7 +139,7 @@ impl LevelSelect {
     }
 
     /// Takes over what is known of a level now.
-    pub fn tell(&mut self, index: usize, entry: LevelEntry) {
+    pub fn set_entry(&mut self, index: usize, entry: LevelEntry) {
         self.entries[index] = LevelEntry { world: self.entries[index].world, ..entry };
     }
 

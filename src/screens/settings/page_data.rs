@@ -21,7 +21,7 @@ const DELETE: &str = "Delete all";
 
 #[derive(Debug, Default)]
 pub struct PageData {
-    told: String,
+    message: String,
     /// Whether the next press deletes everything.
     warned: bool,
 }
@@ -33,18 +33,18 @@ impl Screen for PageData {
         for (line, number) in LINES.map(tr).into_iter().zip(0_u8..) {
             ui.fitted(line, middle + Vec2::new(0.0, 40.0 * f32::from(number)), &[TEXT], theme::text());
         }
-        let told = Style::new(TEXT, theme::accent()).centred().middle();
-        ui.text(&self.told, middle + Vec2::new(0.0, 240.0), told);
+        let style = Style::new(TEXT, theme::accent()).centred().middle();
+        ui.text(&self.message, middle + Vec2::new(0.0, 240.0), style);
         let pressed = ui.row(ui.frame().size.y - 88.0, &["Export", "Import", DELETE, "Back"]);
         if ui.key(Key::Escape) {
             return Some(Request::Pop);
         }
         match pressed? {
-            "Export" => self.told = web::export(),
+            "Export" => self.message = web::export(),
             "Import" => web::choose_file(),
             DELETE if self.warned => web::delete(),
             DELETE => {
-                tr("Press again to delete all scores, flights, levels and settings of this page.").clone_into(&mut self.told);
+                tr("Press again to delete all scores, flights, levels and settings of this page.").clone_into(&mut self.message);
                 self.warned = true;
             }
             _ => return Some(Request::Pop),

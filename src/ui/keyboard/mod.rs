@@ -237,7 +237,7 @@ impl Compose {
 }
 
 #[cfg(test)]
-mod tests {
+mod dead_keys {
     use super::*;
 
     #[test]

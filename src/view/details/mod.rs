@@ -99,7 +99,7 @@ impl Details {
         let (away, places) = self.light(game, &subjects, pointed, subject);
         self.lit_places = places.iter().map(|bounds| view.exact(bounds)).collect();
         subjects.extend(away.into_iter().filter(|away| away.object.gap(&frame.area()) < 0.0));
-        let told = &subjects[..shown.len()];
+        let boxed = &subjects[..shown.len()];
 
         let never = self.never(game, looking, view, frame);
         let panels: Vec<Area> = HudLayout::shown(frame, game).into_iter().chain(covered.iter().copied()).collect();
@@ -116,14 +116,14 @@ impl Details {
         let kept_clear: Vec<Area> = objects.chain(self.arranged.arrows.iter().map(|arrow| arrow.area())).chain(words()).collect();
         self.place_legend(game, (&scale, looking), frame, (&taken, &kept_clear));
         taken.extend(self.legend.area);
-        self.place_boxes(told, frame, &taken, &kept_clear);
+        self.place_boxes(boxed, frame, &taken, &kept_clear);
         taken.extend(self.boxes.iter().map(|placed| placed.area));
         let text = frame.text_height(DETAILS);
         let width = |name: &str| tr(name).chars().count() as f32 * MONO_ADVANCE * text;
         taken.extend(words());
         self.labels = place_labels(&self.arranged.arrows, text * 1.1, width, frame.area(), &taken);
         taken.extend(self.labels.iter().map(|label| label.area));
-        self.names = world::place(world::told(game, view), text, frame.area(), &mut taken);
+        self.names = world::place(world::in_view(game, view), text, frame.area(), &mut taken);
         self.place_tip(looking.pointer, frame, &taken);
     }
 
@@ -145,11 +145,11 @@ impl Details {
     /// partners; a ship that plays no part has none, unless it is followed.
     fn shown(&self, game: &Game, looking: &Looking, view: &Viewport) -> Vec<BodyId> {
         let (centres, visible, focus) = (looking.centres, view.visible(), looking.focus);
-        let told = |id: &BodyId| match focus.followed() {
+        let in_play = |id: &BodyId| match focus.followed() {
             Some(_) => focus.shows(*id) || self.partners.1.contains(id),
             None => *id != SHIP || game.level().ship_plays(),
         };
-        let ids = (0..centres.len() as u32).map(BodyId).filter(told);
+        let ids = (0..centres.len() as u32).map(BodyId).filter(in_play);
         let mut shown: Vec<BodyId> = ids.filter(|&id| bounds(game, looking, id).touches(&visible, 0.0)).collect();
         let lead = centres[focus.followed().filter(|id| id.index() < centres.len()).unwrap_or(game.lead()).index()];
         let from_lead = |id: &BodyId| centres[id.index()].distance_squared(lead);
@@ -192,13 +192,13 @@ impl Details {
     fn light(
         &mut self,
         game: &Game,
-        told: &[ArrowSubject],
+        subjects: &[ArrowSubject],
         pointed: Option<(BodyId, usize)>,
         subject: impl Fn(BodyId) -> ArrowSubject,
     ) -> (Vec<ArrowSubject>, Vec<Aabb>) {
         (self.tip, self.lit) = (None, Vec::new());
         let mut away = Vec::new();
-        let of = |body: BodyId| told.iter().map(|told| &told.facts).find(|facts| facts.body == body);
+        let of = |body: BodyId| subjects.iter().map(|subject| &subject.facts).find(|facts| facts.body == body);
         let Some((own, row)) = pointed.and_then(|(body, row)| Some((of(body)?, row))) else {
             return (away, Vec::new());
         };
@@ -225,28 +225,28 @@ impl Details {
 
     /// The boxes and their places: as many full ones as fit, for the first bodies, and short ones for the rest. The search begins
     /// at the number of full ones of the frame before, for it seldom changes.
-    fn place_boxes(&mut self, told: &[ArrowSubject], frame: &Frame, taken: &[Area], kept_clear: &[Area]) {
+    fn place_boxes(&mut self, subjects: &[ArrowSubject], frame: &Frame, taken: &[Area], kept_clear: &[Area]) {
         let texts: Vec<[BoxText; 2]> =
-            told.iter().map(|told| [false, true].map(|short| BoxText::new(&told.facts, short))).collect();
+            subjects.iter().map(|subject| [false, true].map(|short| BoxText::new(&subject.facts, short))).collect();
         let sizes: Vec<[Vec2; 2]> = texts.iter().map(|texts| [0, 1].map(|short| texts[short].size(frame))).collect();
         let try_full = |full: usize| {
-            let wish = |(i, told): (usize, &ArrowSubject)| BoxWish {
-                object: told.object,
+            let wish = |(i, subject): (usize, &ArrowSubject)| BoxWish {
+                object: subject.object,
                 size: sizes[i][usize::from(i >= full)],
-                before: self.before[told.facts.body.index()],
+                before: self.before[subject.facts.body.index()],
             };
-            let wishes: Vec<BoxWish> = told.iter().enumerate().map(wish).collect();
+            let wishes: Vec<BoxWish> = subjects.iter().enumerate().map(wish).collect();
             boxes::place(&wishes, frame.area(), taken, kept_clear)
         };
         let fits = |places: &[Option<Area>]| places.iter().all(Option::is_some);
-        let mut full = self.full.unwrap_or(told.len()).clamp(1, told.len().max(1));
+        let mut full = self.full.unwrap_or(subjects.len()).clamp(1, subjects.len().max(1));
         let mut best = try_full(full);
         // Half as many at a time: a crowd that comes into view must not take a frame.
         while !fits(&best) && full > 1 {
             full = full * 2 / 3;
             best = try_full(full);
         }
-        if fits(&best) && full < told.len() {
+        if fits(&best) && full < subjects.len() {
             let more = try_full(full + 1);
             if fits(&more) {
                 (full, best) = (full + 1, more);
@@ -256,7 +256,7 @@ impl Details {
         self.left_out = best.iter().filter(|place| place.is_none()).count();
         self.before.fill(None);
         self.boxes.clear();
-        for (i, ((place, [long, short]), ArrowSubject { facts, object })) in best.into_iter().zip(texts).zip(told).enumerate() {
+        for (i, ((place, [long, short]), ArrowSubject { facts, object })) in best.into_iter().zip(texts).zip(subjects).enumerate() {
             if let Some(area) = place {
                 self.before[facts.body.index()] = Some(area.min - object.centre());
                 self.boxes.push(PlacedBox { text: if i < full { long } else { short }, area, object: object.centre() });
@@ -316,15 +316,15 @@ impl BoxText {
     /// `short`, without room: heading and resultant.
     pub fn new(facts: &BodyFacts, short: bool) -> Self {
         let values = quantities(&facts.rows, NUMBER_WIDTH);
-        let line = |(row, told): (usize, &FactRow)| BoxLine {
-            label: told.label(),
+        let line = |(row, fact): (usize, &FactRow)| BoxLine {
+            label: fact.label(),
             value: values[row].clone(),
-            shown: told.shown,
-            nothing: told.value == Value::Vector(DVec2::ZERO),
+            shown: fact.shown,
+            nothing: fact.value == Value::Vector(DVec2::ZERO),
             row,
         };
-        let told = |row: &(usize, &FactRow)| !short || row.1.shown == Some(ArrowKind::Resultant);
-        let lines = facts.rows.iter().enumerate().filter(told).map(line).collect();
+        let kept = |row: &(usize, &FactRow)| !short || row.1.shown == Some(ArrowKind::Resultant);
+        let lines = facts.rows.iter().enumerate().filter(kept).map(line).collect();
         Self { body: facts.body, title: facts.title.clone(), lines }
     }
 

@@ -102,8 +102,8 @@ impl Hud {
         self.stranded.as_ref().map(|(_, area)| *area)
     }
 
-    /// All but the strip of a race; `told` says whether the first level's hint with the keys is there.
-    pub fn draw(&self, game: &Game, settings: &Settings, told: bool, canvas: &Canvas) {
+    /// All but the strip of a race; `hint_shown` says whether the first level's hint with the keys is there.
+    pub fn draw(&self, game: &Game, settings: &Settings, hint_shown: bool, canvas: &Canvas) {
         for pointer in &self.pointers {
             draw_pointer(pointer, game, canvas);
         }
@@ -125,7 +125,7 @@ impl Hud {
             let level = &game.level().player;
             let share = if level.fuel > 0.0 { (game.ship().fuel / level.fuel).clamp(0.0, 1.0) } else { 0.0 };
             let fuel = tr!("Fuel {fuel} units", fuel = fixed(game.ship().fuel, 0));
-            let words = hint(game, settings).filter(|_| told).map_or(fuel.clone(), |hint| format!("{fuel}    {hint}"));
+            let words = hint(game, settings).filter(|_| hint_shown).map_or(fuel.clone(), |hint| format!("{fuel}    {hint}"));
             draw_fuel(share as f32, &words, bar, self.aside.of(HudPart::Fuel), canvas);
         }
     }

@@ -35,17 +35,17 @@ const BEFORE: bool = cfg!(target_os = "linux");
 /// The keyboard, and whether the window has it, by what miniquad reports: on X11 that another window has it, elsewhere that it is hidden.
 pub struct WindowKeys {
     subscriber: usize,
-    events: Events,
+    events: KeyEvents,
     #[cfg(target_os = "linux")]
     x11: Option<x11::System>,
 }
 
 #[derive(Default)]
-struct Events {
+struct KeyEvents {
     keyboard: Keyboard,
     away: bool,
-    /// Another part tells the keys.
-    told: bool,
+    /// X11 or the page hands in the keys.
+    handed_in: bool,
     /// A character whose key follows.
     before: Option<char>,
 }
@@ -56,16 +56,16 @@ impl WindowKeys {
         #[cfg(target_os = "linux")]
         let x11 = x11::System::new();
         #[cfg(target_os = "linux")]
-        let told = x11.is_some();
+        let handed_in = x11.is_some();
         #[cfg(not(target_os = "linux"))]
-        let told = cfg!(browser);
+        let handed_in = cfg!(browser);
         #[cfg(windows)]
         for (_, place) in layout::PRINTING {
             windows::plain(place).into_iter().for_each(|sign| layout::note(place, sign));
         }
         Self {
             subscriber: register_input_subscriber(),
-            events: Events { told, ..Events::default() },
+            events: KeyEvents { handed_in, ..KeyEvents::default() },
             #[cfg(target_os = "linux")]
             x11,
         }
@@ -94,19 +94,19 @@ fn modifiers(mods: KeyMods) -> Keys {
 /// What Windows says that the key at that place types alone; elsewhere what it has typed.
 fn plain(place: Key) -> Option<char> {
     #[cfg(windows)]
-    let told = windows::plain(place);
+    let plain = windows::plain(place);
     #[cfg(not(windows))]
-    let told = None;
-    told.or_else(|| layout::sign_at(place))
+    let plain = None;
+    plain.or_else(|| layout::sign_at(place))
 }
 
-impl EventHandler for Events {
+impl EventHandler for KeyEvents {
     fn update(&mut self) {}
 
     fn draw(&mut self) {}
 
     fn char_event(&mut self, character: char, held: KeyMods, _repeat: bool) {
-        if self.told {
+        if self.handed_in {
             return;
         }
         if BEFORE {
@@ -118,7 +118,7 @@ impl EventHandler for Events {
     }
 
     fn key_down_event(&mut self, code: KeyCode, mods: KeyMods, repeat: bool) {
-        if self.told {
+        if self.handed_in {
             return;
         }
         let place = KEYS.iter().chain(&MORE_KEYS).find(|(known, _)| *known == code).map(|(_, key)| *key);
@@ -133,14 +133,14 @@ impl EventHandler for Events {
     }
 
     fn key_up_event(&mut self, code: KeyCode, _: KeyMods) {
-        if !self.told {
+        if !self.handed_in {
             self.keyboard.up(code as u32);
         }
     }
 
     fn window_minimized_event(&mut self) {
         self.away = true;
-        if !self.told {
+        if !self.handed_in {
             self.keyboard.leave();
         }
     }

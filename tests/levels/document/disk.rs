@@ -3,7 +3,7 @@
 use super::{all_bytes, folders};
 use crate::support::shipped::names;
 use resultant::level;
-use resultant::level::document::{KeptSide, Kind, LevelFolder, Place, SaveError, SetCell, Table};
+use resultant::level::document::{KeptSide, Kind, LevelFolder, LevelSaveError, Place, SetCell, Table};
 use resultant::physics::DVec2;
 use std::fs;
 use std::io::{BufRead, BufReader};
@@ -85,7 +85,7 @@ fn what_another_program_wrote_is_taken_over_or_told_but_never_written_over() {
     opened.document.put(Kind::Solid, BLOCK).unwrap();
     fs::write(path("world.csv"), "0,600,1280,120\n").unwrap();
     assert_eq!(opened.folder.take_over(&mut opened.document), (false, vec![Table::World]));
-    let Err(SaveError::Changed(tables)) = opened.folder.save(&opened.document) else { panic!("saved") };
+    let Err(LevelSaveError::Changed(tables)) = opened.folder.save(&opened.document) else { panic!("saved") };
     assert_eq!((tables, fs::read_to_string(path("world.csv")).unwrap().as_str()), (vec![Table::World], "0,600,1280,120\n"));
     // Either of the two; the other one is beside it, and one undo away.
     let (mine, theirs) = ("0,680,1280,40\n10,10,50,20\n", "0,600,1280,120\n");
@@ -125,7 +125,7 @@ fn what_cannot_even_be_kept_is_said_to_be_so() {
     // Nothing can be put in the place of a folder.
     fs::create_dir_all(folder.path().join(".autosave/taken")).unwrap();
     let error = opened.folder.save(&opened.document).unwrap_err();
-    assert!(matches!(error, SaveError::NotKept(_)), "{error:?}");
+    assert!(matches!(error, LevelSaveError::NotKept(_)), "{error:?}");
     assert!(error.to_string().starts_with("Neither saved nor kept"), "{error}");
 }
 
@@ -171,7 +171,7 @@ fn a_file_keeps_its_mode_and_a_link_stays_one() {
     // A read-only file is refused, and nothing is lost.
     fs::set_permissions(&target, fs::Permissions::from_mode(0o440)).unwrap();
     opened.document.put(Kind::Solid, BLOCK).unwrap();
-    assert!(matches!(opened.folder.save(&opened.document), Err(SaveError::File(file, _)) if file == "world.csv"));
+    assert!(matches!(opened.folder.save(&opened.document), Err(LevelSaveError::File(file, _)) if file == "world.csv"));
     assert!(LevelFolder::open(folder.path(), folder.path()).unwrap().kept.is_some());
 }
 

@@ -11,12 +11,12 @@ use crate::instruments::track::BodyTrack;
 use crate::physics::{BodyId, ForceKind};
 
 /// A family's name and its quantities.
-pub type Row = (&'static str, Vec<Quantity>);
+pub type ChoiceRow = (&'static str, Vec<Quantity>);
 pub const MOST_OF_A_ROW: usize = 3;
 pub const NAME: usize = 14;
 
 /// In two blocks; of the forces only those that have acted.
-pub fn choices(time: bool, acted: impl Fn(ForceKind) -> bool) -> [Vec<Row>; 2] {
+pub fn choices(time: bool, acted: impl Fn(ForceKind) -> bool) -> [Vec<ChoiceRow>; 2] {
     let parts = |of: &dyn Fn(VectorPart) -> Quantity| VectorPart::ALL.map(of).to_vec();
     let row = |quantities: Vec<Quantity>| (quantities[0].family(), quantities);
     let mut motion = Vec::new();

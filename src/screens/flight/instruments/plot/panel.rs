@@ -127,7 +127,7 @@ impl Plot {
         chosen
     }
 
-    fn choices(&self, pick: Pick) -> [Vec<choices::Row>; 2] {
+    fn choices(&self, pick: Pick) -> [Vec<choices::ChoiceRow>; 2] {
         let tracks = || self.objects.iter().filter_map(PlotObject::track);
         choices(pick == Pick::Across, |kind| tracks().any(|track| track.felt(kind)))
     }

@@ -113,7 +113,7 @@ impl Vary {
         self.wish.take()
     }
 
-    pub fn tell(&mut self, words: String, bad: bool) {
+    pub fn set_message(&mut self, words: String, bad: bool) {
         self.message = Some((words, bad));
     }
 
@@ -177,7 +177,7 @@ impl Vary {
                 }
             }
             EntryEvent::Taken(label, text) => match line(&label).map(|line| (line, line.parameter.parse(&text))) {
-                Some((_, Err(expected))) => self.tell(tr!("Expected {expected}.", expected), true),
+                Some((_, Err(expected))) => self.set_message(tr!("Expected {expected}.", expected), true),
                 Some((line, Ok(value))) => {
                     self.entry.close();
                     self.ask(line, value, varied, false);
