@@ -9,6 +9,7 @@ use crate::physics::data::{Cubic, FLIGHT_TOLERANCE, Pose, Quintic, earliest};
 use crate::physics::flight::implicit;
 use crate::physics::forces::liquid::{Bath, Regime, Slopes};
 use glam::DVec2;
+use std::ops::{Add, AddAssign, Mul};
 
 pub(crate) struct Course {
     pub end: Pose,
@@ -132,21 +133,39 @@ impl Steps<'_> {
             let (end, error) = implicit::step(self.regime, self.constant, slopes, (x, v), h);
             return Step { end, pull: self.regime.pull(self.constant, end.0, end.1), error };
         }
-        let mut stages = Stages::new(v, pull);
-        self.stage::<1>(&mut stages, x, h);
-        self.stage::<2>(&mut stages, x, h);
-        self.stage::<3>(&mut stages, x, h);
-        self.stage::<4>(&mut stages, x, h);
-        self.stage::<5>(&mut stages, x, h);
-        let end = self.stage::<6>(&mut stages, x, h);
-        Step { end, pull: stages.last_pull(), error: stages.error(h) }
+        if v.x == 0.0
+            && self.constant.x == 0.0
+            && let Some(law) = self.regime.pull_along(self.constant.y, x.x)
+        {
+            let ((y, v), last, error) = pair((x.y, v.y), pull.y, h, law);
+            return Step {
+                end: (DVec2::new(x.x, y), DVec2::new(0.0, v)),
+                pull: DVec2::new(0.0, last),
+                error: error[0].abs().max(error[1].abs()),
+            };
+        }
+        let (end, pull, [way, speed]) = pair((x, v), pull, h, |x, v| self.regime.pull(self.constant, x, v));
+        Step { end, pull, error: way.abs().max(speed.abs()).max_element() }
     }
+}
 
-    fn stage<const N: usize>(&self, stages: &mut Stages, x: DVec2, h: f64) -> Pose {
-        let (way, speed) = stages.at(N, h);
-        stages.take(N, speed, self.regime.pull(self.constant, x + way, speed));
-        (x + way, speed)
+/// One step of the pair from place and speed with the acceleration there: its end, the acceleration there, and the error of both, m.
+#[inline(always)]
+fn pair<T>((x, v): (T, T), pull: T, h: f64, law: impl Fn(T, T) -> T) -> ((T, T), T, [T; 2])
+where
+    T: Copy + Add<Output = T> + AddAssign + Mul<f64, Output = T>,
+{
+    let (mut speeds, mut pulls, mut at) = ([v; 7], [pull; 7], x);
+    // Written out, so that the weights are known where they multiply.
+    macro_rules! stages {
+        ($($stage:literal)*) => {$({
+            at = x + sum(&speeds, STAGES[$stage]) * h;
+            let speed = v + sum(&pulls, STAGES[$stage]) * h;
+            (speeds[$stage + 1], pulls[$stage + 1]) = (speed, law(at, speed));
+        })*};
     }
+    stages!(0 1 2 3 4 5);
+    ((at, speeds[6]), pulls[6], [sum(&speeds, &ERROR) * h, sum(&pulls, &ERROR) * (h * h)])
 }
 
 /// Where a component of the velocity changes its sign: drag there per m, acceleration along it, and the speed along the other axis.
@@ -245,7 +264,7 @@ impl CoupledStep {
 }
 
 #[inline(always)]
-fn sum(of: &[DVec2; 7], weights: &[f64]) -> DVec2 {
+fn sum<T: Copy + AddAssign + Mul<f64, Output = T>>(of: &[T; 7], weights: &[f64]) -> T {
     let mut sum = of[0] * weights[0];
     for (of, weight) in of.iter().zip(weights).skip(1) {
         if *weight != 0.0 {
@@ -270,9 +289,12 @@ pub(crate) const TIMES: [f64; 6] = [0.2, 0.3, 0.8, 8.0 / 9.0, 1.0, 1.0];
 pub(crate) const ERROR: [f64; 7] =
     [71.0 / 57_600.0, 0.0, -71.0 / 16_695.0, 71.0 / 1920.0, -17_253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
 
-/// The factor for the next step, given a root of the error as a part of the error allowed: the fourth one stands for the fifth.
-pub(crate) fn step_factor(root: f64) -> f64 {
-    let factor = 0.75 / root;
+/// The factor for the next step, given the error as a part of the error allowed: a fourth root stands for the fifth.
+pub(crate) fn step_factor(part: f64) -> f64 {
+    if part < 1.0 / 257.0 {
+        return 3.0;
+    }
+    let factor = 0.75 / part.sqrt().sqrt();
     // A step whose error is no number is too long.
     if factor >= 0.05 { factor.min(3.0) } else { 0.05 }
 }

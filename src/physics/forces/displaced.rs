@@ -68,12 +68,24 @@ impl Bilinear {
         Self(self.0.map(|part| factor * part))
     }
     pub fn at(&self, apart: DVec2) -> f64 {
+        self.along(apart.x).at(apart.y)
+    }
+    pub fn along(&self, x: f64) -> Linear {
         let [a, b, c, d] = self.0;
-        ((a + b * apart.x) + (c + d * apart.x) * apart.y).max(0.0)
+        Linear(a + b * x, c + d * x)
     }
     pub fn slope(&self, apart: DVec2) -> DVec2 {
         let [_, b, c, d] = self.0;
         if self.at(apart) > 0.0 { DVec2::new(b + d * apart.y, c + d * apart.x) } else { DVec2::ZERO }
+    }
+}
+
+/// A [`Bilinear`] along a vertical.
+pub(crate) struct Linear(f64, f64);
+
+impl Linear {
+    pub fn at(&self, y: f64) -> f64 {
+        (self.0 + self.1 * y).max(0.0)
     }
 }
 
@@ -97,22 +109,28 @@ impl Cut {
     fn depth(&self, apart: DVec2) -> f64 {
         (self.extent.length.y + self.extent.slope.y * apart.y).max(0.0)
     }
-    fn under(&self, apart: DVec2) -> f64 {
-        (self.under + self.sinks * apart.y).clamp(0.0, 1.0)
+    fn under(&self, y: f64) -> f64 {
+        (self.under + self.sinks * y).clamp(0.0, 1.0)
     }
 
-    /// The damping of its waves per C_d, 1/s.
+    /// The damping of its waves per C_d along a vertical, 1/s.
+    pub fn waves_along(&self, x: f64) -> impl Fn(f64) -> f64 {
+        let (cut, width) = (*self, self.width(DVec2::new(x, 0.0)));
+        let (mass, swing) = (cut.density * width, 4.0 * WAVES * (cut.pull * width).sqrt());
+        move |y| {
+            let under = cut.under(y);
+            let ratio = mass * cut.depth(DVec2::new(x, y));
+            let fourth = (under * under) * (under * under);
+            swing * (ratio / (1.0 + ratio)) * (1.0 - fourth * fourth)
+        }
+    }
     pub fn waves(&self, apart: DVec2) -> f64 {
-        let (width, under) = (self.width(apart), self.under(apart));
-        let ratio = self.density * width * self.depth(apart);
-        let fourth = (under * under) * (under * under);
-        let swing = (self.pull * width).sqrt();
-        (4.0 * WAVES * swing) * (ratio / (1.0 + ratio)) * (1.0 - fourth * fourth)
+        self.waves_along(apart.x)(apart.y)
     }
 
     /// How the damping of its waves per C_d changes with the place, 1/(m·s).
     pub fn slope_of_waves(&self, apart: DVec2) -> DVec2 {
-        let (width, deep, under) = (self.width(apart), self.depth(apart), self.under(apart));
+        let (width, deep, under) = (self.width(apart), self.depth(apart), self.under(apart.y));
         if width == 0.0 || deep == 0.0 || under == 0.0 || under == 1.0 {
             return DVec2::ZERO;
         }
@@ -238,6 +256,11 @@ impl Displaced {
             let pull = density * media.gravity.abs();
             Cut { density, pull, extent, under: 1.0 - emerged * per_height, sinks, sunk: !leaves }
         })
+    }
+
+    /// The surface that cuts the body, if it is the only one.
+    pub fn only_cut(&self) -> Option<&Cut> {
+        self.cut.as_ref().filter(|_| self.more.is_empty())
     }
 
     pub fn is_same_around(&self) -> bool {

@@ -128,6 +128,20 @@ impl<'a> Regime<'a> {
         DVec2::new(constant.x - v.x * drag, (constant.y - self.lift * wet) - v.y * (drag + self.damping(apart)))
     }
 
+    /// The vertical part of [`Regime::pull`] at a height with a velocity along it, at `x` in a surface that is the only one there.
+    pub fn pull_along(&self, constant: f64, x: f64) -> Option<impl Fn(f64, f64) -> f64> {
+        let (displaced, apart) = (&*self.displaced, self.displaced.apart(DVec2::new(x, 0.0)));
+        let waves = displaced.only_cut()?.waves_along(apart.x);
+        let forms = [displaced.density, displaced.fraction, displaced.linear].map(|form| form.along(apart.x));
+        Some(move |y: f64, v: f64| {
+            let y = displaced.apart(DVec2::new(x, y)).y;
+            let [wet, inside, linear] = [0, 1, 2].map(|k| forms[k].at(y));
+            let dry = if self.air == 0.0 { 0.0 } else { self.air * dry(inside, self.sure) };
+            let drag = (wet + dry) * self.drag.rate(DVec2::new(0.0, v)) + linear;
+            (constant - self.lift * wet) - v * (drag + self.body.drag * waves(y))
+        })
+    }
+
     /// How [`Regime::pull`] changes around `x` and `v`.
     pub fn slopes(&self, x: DVec2, v: DVec2) -> Slopes {
         let (displaced, apart) = (&self.displaced, self.displaced.apart(x));
