@@ -7,8 +7,10 @@
 
 use crate::physics::data::{Cubic, FLIGHT_TOLERANCE, Pose, Quintic, earliest};
 use crate::physics::flight::implicit;
-use crate::physics::forces::liquid::{Bath, Regime, Slopes};
+use crate::physics::forces::displaced::Displaced;
+use crate::physics::forces::liquid::{Bath, Regime, Slopes, Vertical};
 use glam::DVec2;
+use std::array::from_fn;
 use std::ops::{Add, AddAssign, Mul};
 
 pub(crate) struct Course {
@@ -34,10 +36,7 @@ pub(crate) struct Steps<'a> {
 
 impl Steps<'_> {
     /// The length of the first step in a law of that `rate`, 1/s: the error is about 1e-4·a·ω³·h⁵; a fourth root errs on the side of caution.
-    pub fn first(&self, v: DVec2, rate: f64, left: f64) -> f64 {
-        if rate * left < 0.25 {
-            return left;
-        }
+    pub fn first(&self, v: DVec2, rate: f64) -> f64 {
         let pull = self.bath.acceleration(self.constant, v).length();
         (FLIGHT_TOLERANCE * (rate * rate) / (1e-4 * pull)).sqrt().sqrt() / rate
     }
@@ -133,16 +132,9 @@ impl Steps<'_> {
             let (end, error) = implicit::step(self.regime, self.constant, slopes, (x, v), h);
             return Step { end, pull: self.regime.pull(self.constant, end.0, end.1), error };
         }
-        if v.x == 0.0
-            && self.constant.x == 0.0
-            && let Some(law) = self.regime.pull_along(self.constant.y, x.x)
-        {
-            let ((y, v), last, error) = pair((x.y, v.y), pull.y, h, law);
-            return Step {
-                end: (DVec2::new(x.x, y), DVec2::new(0.0, v)),
-                pull: DVec2::new(0.0, last),
-                error: error[0].abs().max(error[1].abs()),
-            };
+        if let Some(law) = self.regime.vertical(self.constant, x, v) {
+            let ((y, v), last, [way, speed]) = pair((x.y, v.y), pull.y, h, |y, v| law.pull(y, v));
+            return Step::along(x.x, (y, v), last, way.abs().max(speed.abs()));
         }
         let (end, pull, [way, speed]) = pair((x, v), pull, h, |x, v| self.regime.pull(self.constant, x, v));
         Step { end, pull, error: way.abs().max(speed.abs()).max_element() }
@@ -155,7 +147,8 @@ fn pair<T>((x, v): (T, T), pull: T, h: f64, law: impl Fn(T, T) -> T) -> ((T, T),
 where
     T: Copy + Add<Output = T> + AddAssign + Mul<f64, Output = T>,
 {
-    let (mut speeds, mut pulls, mut at) = ([v; 7], [pull; 7], x);
+    let (mut speeds, mut pulls) = ([v; 7], [pull; 7]);
+    let mut at;
     // Written out, so that the weights are known where they multiply.
     macro_rules! stages {
         ($($stage:literal)*) => {$({
@@ -185,10 +178,80 @@ impl Turn {
     }
 }
 
-struct Step {
-    end: Pose,
-    pull: DVec2,
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Step {
+    pub end: Pose,
+    pub pull: DVec2,
     error: f64,
+}
+
+impl Step {
+    /// Of a body that keeps to the vertical at `x`.
+    fn along(x: f64, (y, v): (f64, f64), pull: f64, error: f64) -> Self {
+        Self { end: (DVec2::new(x, y), DVec2::new(0.0, v)), pull: DVec2::new(0.0, pull), error }
+    }
+}
+
+/// A body that bobs straight up and down, by its law, and the speed (m/s) below which it may be at rest.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Bob {
+    pub x: DVec2,
+    pub v: f64,
+    pub pull: f64,
+    pub slow: f64,
+    pub law: Vertical,
+}
+
+impl Bob {
+    /// Whether [`Steps::take`] would leave a step of `h` seconds as it is: no turn, no kink, a small error.
+    pub fn is_done_by(&self, &Step { end: (end, w), error, .. }: &Step, displaced: &Displaced, h: f64) -> bool {
+        let Self { x, v, pull, slow, .. } = *self;
+        let (third, at) = (h / 3.0, |way: f64| DVec2::new(x.x, x.y + way));
+        v * (v + pull * h) > 0.0
+            && v * w.y > 0.0
+            && w.y.abs() > slow
+            && error <= FLIGHT_TOLERANCE
+            && displaced.holds_along([at(v * (0.5 * h)), at((v + pull * (0.5 * h)) * h), at(v * third), end - w * third, end])
+    }
+}
+
+/// How many bodies bob side by side: while one waits for a result, the others go on. More: their numbers leave the registers.
+pub(crate) const LANES: usize = 4;
+
+#[derive(Clone, Copy)]
+struct Lanes([f64; LANES]);
+
+impl Add for Lanes {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self(from_fn(|k| self.0[k] + other.0[k]))
+    }
+}
+
+impl AddAssign for Lanes {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl Mul<f64> for Lanes {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, factor: f64) -> Self {
+        Self(self.0.map(|part| part * factor))
+    }
+}
+
+/// A step of `h` seconds of each of them.
+pub(crate) fn bob_side_by_side(of: &[Bob; LANES], h: f64) -> [Step; LANES] {
+    let law = |y: Lanes, v: Lanes| Lanes(from_fn(|k| of[k].law.pull(y.0[k], v.0[k])));
+    let lanes = |part: fn(&Bob) -> f64| Lanes(from_fn(|k| part(&of[k])));
+    let ((y, v), last, [way, speed]) = pair((lanes(|bob| bob.x.y), lanes(|bob| bob.v)), lanes(|bob| bob.pull), h, law);
+    from_fn(|k| Step::along(of[k].x.x, (y.0[k], v.0[k]), last.0[k], way.0[k].abs().max(speed.0[k].abs())))
 }
 
 /// Velocities and accelerations at the stages of a step.
@@ -266,9 +329,10 @@ impl CoupledStep {
 #[inline(always)]
 fn sum<T: Copy + AddAssign + Mul<f64, Output = T>>(of: &[T; 7], weights: &[f64]) -> T {
     let mut sum = of[0] * weights[0];
-    for (of, weight) in of.iter().zip(weights).skip(1) {
-        if *weight != 0.0 {
-            sum += *of * *weight;
+    // By number: the compiler writes it out.
+    for k in 1..weights.len() {
+        if weights[k] != 0.0 {
+            sum += of[k] * weights[k];
         }
     }
     sum

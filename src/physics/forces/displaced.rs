@@ -80,12 +80,39 @@ impl Bilinear {
     }
 }
 
+/// One instruction, as `max` is not: that minds what is no number.
+fn positive(x: f64) -> f64 {
+    if x > 0.0 { x } else { 0.0 }
+}
+
 /// A [`Bilinear`] along a vertical.
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Linear(f64, f64);
 
 impl Linear {
+    #[inline(always)]
     pub fn at(&self, y: f64) -> f64 {
-        (self.0 + self.1 * y).max(0.0)
+        positive(self.0 + self.1 * y)
+    }
+}
+
+/// The waves of a surface along a vertical.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Waves {
+    mass: f64,
+    swing: f64,
+    depth: Linear,
+    under: Linear,
+}
+
+impl Waves {
+    /// Their damping per C_d, 1/s.
+    #[inline(always)]
+    pub fn at(&self, y: f64) -> f64 {
+        let under = self.under.at(y).min(1.0);
+        let ratio = self.mass * self.depth.at(y);
+        let fourth = (under * under) * (under * under);
+        self.swing * (ratio / (1.0 + ratio)) * (1.0 - fourth * fourth)
     }
 }
 
@@ -104,33 +131,24 @@ pub(crate) struct Cut {
 
 impl Cut {
     fn width(&self, apart: DVec2) -> f64 {
-        (self.extent.length.x + self.extent.slope.x * apart.x).max(0.0)
+        positive(self.extent.length.x + self.extent.slope.x * apart.x)
     }
     fn depth(&self, apart: DVec2) -> f64 {
-        (self.extent.length.y + self.extent.slope.y * apart.y).max(0.0)
-    }
-    fn under(&self, y: f64) -> f64 {
-        (self.under + self.sinks * y).clamp(0.0, 1.0)
+        positive(self.extent.length.y + self.extent.slope.y * apart.y)
     }
 
-    /// The damping of its waves per C_d along a vertical, 1/s.
-    pub fn waves_along(&self, x: f64) -> impl Fn(f64) -> f64 {
-        let (cut, width) = (*self, self.width(DVec2::new(x, 0.0)));
-        let (mass, swing) = (cut.density * width, 4.0 * WAVES * (cut.pull * width).sqrt());
-        move |y| {
-            let under = cut.under(y);
-            let ratio = mass * cut.depth(DVec2::new(x, y));
-            let fourth = (under * under) * (under * under);
-            swing * (ratio / (1.0 + ratio)) * (1.0 - fourth * fourth)
-        }
+    pub fn waves_along(&self, x: f64) -> Waves {
+        let width = self.width(DVec2::new(x, 0.0));
+        let (mass, swing) = (self.density * width, 4.0 * WAVES * (self.pull * width).sqrt());
+        Waves { mass, swing, depth: Linear(self.extent.length.y, self.extent.slope.y), under: Linear(self.under, self.sinks) }
     }
     pub fn waves(&self, apart: DVec2) -> f64 {
-        self.waves_along(apart.x)(apart.y)
+        self.waves_along(apart.x).at(apart.y)
     }
 
     /// How the damping of its waves per C_d changes with the place, 1/(m·s).
     pub fn slope_of_waves(&self, apart: DVec2) -> DVec2 {
-        let (width, deep, under) = (self.width(apart), self.depth(apart), self.under(apart.y));
+        let (width, deep, under) = (self.width(apart), self.depth(apart), Linear(self.under, self.sinks).at(apart.y).min(1.0));
         if width == 0.0 || deep == 0.0 || under == 0.0 || under == 1.0 {
             return DVec2::ZERO;
         }
@@ -157,8 +175,9 @@ pub(crate) struct Displaced {
     /// The forms go by the distance from `centre`, m; they were asked for at `within`.
     centre: DVec2,
     within: DVec2,
-    /// The centres of the body between kinks, where the forms hold, if they hold anywhere.
+    /// The centres of the body between kinks, where the forms hold, if they hold anywhere; and wherever it is near these liquids.
     places: Option<Aabb>,
+    kinks: Aabb,
     sliver: DVec2,
     /// The fraction inside, the density of liquids around the whole, kg/m³, and Stokes' drag, 1/s.
     pub fraction: Bilinear,
@@ -170,9 +189,17 @@ pub(crate) struct Displaced {
 }
 
 impl Displaced {
-    /// Of the liquids that touch a box, not asked for anywhere yet.
-    pub fn within(media: &Media, near: Aabb) -> Self {
-        Self { near, liquids: media.liquids_at(&near), ..Self::default() }
+    /// Looks for liquids in a box around a body at `x`. Forms that hold there stay: they are the same to the bit.
+    pub fn look(&mut self, media: &Media, body: &Body, near: Aabb, x: DVec2) {
+        let (liquids, known) = (media.liquids_at(&near), self.places.is_some());
+        self.near = near;
+        if known && self.liquids == liquids && self.kinks.contains(&Aabb::around(x, sliver(body, x)), 0.0) {
+            return self.bound(body, x);
+        }
+        (self.liquids, self.places) = (liquids, None);
+        if !liquids.is_empty() {
+            self.renew(media, body, x);
+        }
     }
 
     pub fn follow(&mut self, media: &Media, body: &Body, x: DVec2) {
@@ -183,6 +210,13 @@ impl Displaced {
         self.renew(media, body, x);
     }
 
+    /// Bounds the places at which the forms hold by the box in which the liquids are known.
+    fn bound(&mut self, body: &Body, x: DVec2) {
+        let (Aabb { min, max }, kinks) = (self.near, self.kinks);
+        self.sliver = sliver(body, x);
+        self.places = Some(Aabb::new((min + body.half).max(kinks.min), (max - body.half).min(kinks.max)));
+    }
+
     pub fn alone(&self, liquid: u32) -> Self {
         Self { near: self.near, liquids: ZoneList::of(std::iter::once(liquid)), ..Self::default() }
     }
@@ -190,9 +224,7 @@ impl Displaced {
     fn renew(&mut self, media: &Media, body: &Body, x: DVec2) {
         let (near, liquids) = (self.near, self.liquids);
         let half = body.half;
-        // Beyond a kink by the rounding of a place: smaller, it would lie before the kink.
-        let sliver = 1e-12 + 16.0 * f64::EPSILON * (x.abs() + half);
-        let mut places = Aabb::new(near.min + half, near.max - half);
+        let mut kinks = Aabb::new(DVec2::NEG_INFINITY, DVec2::INFINITY);
         // Origin a corner of the box of places, so that the forms are the same to the bit from anywhere in it.
         let mut corner = DVec2::NEG_INFINITY;
         for index in liquids.iter() {
@@ -200,13 +232,14 @@ impl Displaced {
             if let Some(sides) = Outer::of(body, fluid, x) {
                 let (low, high) = sides.places(body, fluid);
                 corner = corner.max(low);
-                places = Aabb::new(places.min.max(low), places.max.min(high));
+                kinks = Aabb::new(kinks.min.max(low), kinks.max.min(high));
             } else {
-                keep_from(&mut places, body, fluid, x);
+                keep_from(&mut kinks, body, fluid, x);
             }
         }
         let centre = if corner.is_finite() { corner } else { x };
-        *self = Self { liquids, near, centre, within: x, places: Some(places), sliver, ..Self::default() };
+        *self = Self { liquids, near, centre, within: x, kinks, ..Self::default() };
+        self.bound(body, x);
         liquids.iter().for_each(|index| self.add(media, body, index));
         let per_area = 1.0 / (4.0 * half.x * half.y);
         let stokes = STOKES * (half.x + half.y) / body.mass * per_area;
@@ -299,6 +332,11 @@ impl Displaced {
         };
         earliest(end(0), end(1))
     }
+}
+
+/// How far beyond a kink a place is by its rounding, m: less far, it would lie before the kink.
+fn sliver(body: &Body, x: DVec2) -> DVec2 {
+    1e-12 + 16.0 * f64::EPSILON * (x.abs() + body.half)
 }
 
 fn keep_from(places: &mut Aabb, body: &Body, fluid: &FluidDef, x: DVec2) {
