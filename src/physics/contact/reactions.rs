@@ -19,6 +19,8 @@ pub(crate) struct Reactions {
     /// The push of each contact one and two rounds ago, N.
     pressed: Vec<f64>,
     pressed_before: Vec<f64>,
+    /// Of the last solution along each axis and each contact: its push, and which way it slid.
+    solutions: [Vec<(f64, f64)>; 2],
     pub unsettled: u64,
     /// Bodies that rounds have solved so far, each as often as rounds have.
     pub solved: u64,
@@ -106,6 +108,7 @@ impl Reactions {
             (contact.normal, contact.gave_way) = (0.0, false);
         }
         self.pressed.clear();
+        self.solutions.iter_mut().for_each(Vec::clear);
         for round in 0..FRICTION_ROUNDS {
             std::mem::swap(&mut self.pressed, &mut self.pressed_before);
             self.pressed.clear();
@@ -143,11 +146,29 @@ impl Reactions {
             if self.is_idle(axis, contacts, parts) {
                 self.joined.body_of.iter().for_each(|body| out[*body as usize][axis] = 0.0);
                 contacts.iter_mut().for_each(|contact| *contact.along(axis) = 0.0);
+                self.solutions[axis].clear();
+                continue;
+            }
+            if self.is_solved(axis, contacts) {
                 continue;
             }
             self.joined.solve_axis(axis, contacts, parts, Question::Forces);
             self.joined.give(axis, out);
+            let solution = &mut self.solutions[axis];
+            solution.clear();
+            solution.extend(contacts.iter().map(|contact| (contact.normal, contact.slides)));
         }
+    }
+
+    /// Whether the last solution along an axis holds: it depends on the pushes along the other, and on what slides. The contacts have it then.
+    fn is_solved(&self, axis: usize, contacts: &mut [Contact]) -> bool {
+        let solution = &self.solutions[axis];
+        let alike = |(contact, known): (&Contact, &(f64, f64))| contact.axis == axis || (contact.normal, contact.slides) == *known;
+        let holds = solution.len() == contacts.len() && contacts.iter().zip(solution).all(alike);
+        if holds {
+            contacts.iter_mut().zip(solution).for_each(|(contact, known)| contact.normal = known.0);
+        }
+        holds
     }
 
     fn is_idle(&self, axis: usize, contacts: &[Contact], parts: &Parts) -> bool {

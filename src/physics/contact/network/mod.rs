@@ -45,6 +45,11 @@ impl NetworkEdge {
         }
     }
 
+    /// Whether it hands loads on from this end.
+    fn hands_on(&self, end: u32, upwards: bool) -> bool {
+        !self.cut && self.carries == Carries::Push && (if upwards { self.lo } else { self.hi }) == end
+    }
+
     fn other(&self, end: u32) -> u32 {
         if self.lo == end { self.hi } else { self.lo }
     }
@@ -73,6 +78,9 @@ pub(crate) struct Network {
     pub squeezed: Vec<u32>,
     /// The links of each node; the last node is the ground.
     incident: Incidence,
+    /// What its links join, whatever they carry; the ends of all links, by which it is known again.
+    joined: Components,
+    ends: Vec<[u32; 2]>,
     order: Vec<u32>,
     blocks: Vec<Range<u32>>,
     /// What is noted about each node; the last one is the ground.
@@ -84,6 +92,13 @@ pub(crate) struct Network {
     linked: Vec<bool>,
     /// Links of the present block to ground that moves otherwise than that it is held against.
     aside: Vec<u32>,
+}
+
+/// Nodes, block by block, and where each block begins and ends.
+#[derive(Clone, Debug, Default)]
+struct Components {
+    order: Vec<u32>,
+    blocks: Vec<Range<u32>>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -140,8 +155,7 @@ impl Network {
         }
         let frame = self.common_frame();
         self.enter_frame(frame);
-        self.index_links();
-        self.find_components();
+        self.find_blocks();
         let mut next = 0;
         while next < self.blocks.len() {
             self.settle_block(next);
@@ -152,8 +166,7 @@ impl Network {
 
     /// Whether all can stay at rest on ground that stands, beginning with the flow of each link: the links take up what is left over.
     pub fn holds(&mut self) -> bool {
-        self.index_links();
-        self.find_components();
+        self.find_blocks();
         (0..self.blocks.len()).all(|index| {
             let Range { start, end } = self.blocks[index];
             let mut block = Block { begin: start as usize, end: end as usize, ground: Some(0.0), largest: 0.0 };
@@ -173,41 +186,51 @@ impl Network {
         if end == GROUND { self.nodes.len() } else { end as usize }
     }
 
-    fn index_links(&mut self) {
-        let n = self.nodes.len();
-        // The number of the ground is the largest.
-        self.incident.index(n + 1, self.links.iter().map(|link| [link.lo.min(n as u32), link.hi.min(n as u32)]));
-        refill(&mut self.notes, n + 1, Note { excess: 0.0, block: NONE, waits_for: 0, came_by: NONE, side: Side::Same });
-    }
-
     fn links_of(&self, node: u32) -> Range<usize> {
         self.incident.slots(self.slot(node))
     }
 
+    fn find_blocks(&mut self) {
+        let n = self.nodes.len();
+        refill(&mut self.notes, n + 1, Note { excess: 0.0, block: NONE, waits_for: 0, came_by: NONE, side: Side::Same });
+        let ends = self.links.iter().map(|link| [link.lo, link.hi]);
+        if self.joined.order.len() != n || !self.ends.iter().copied().eq(ends.clone()) {
+            self.ends.clear();
+            self.ends.extend(ends);
+            // The number of the ground is the largest.
+            self.incident.index(n + 1, self.ends.iter().map(|ends| ends.map(|end| end.min(n as u32))));
+            self.find_components();
+        }
+        self.order.clone_from(&self.joined.order);
+        self.blocks.clone_from(&self.joined.blocks);
+        for (number, block) in (0..).zip(&self.blocks) {
+            self.order[block.start as usize..block.end as usize].iter().for_each(|i| self.notes[*i as usize].block = number);
+        }
+    }
+
     fn find_components(&mut self) {
-        self.order.clear();
-        self.blocks.clear();
+        let Components { order, blocks } = &mut self.joined;
+        order.clear();
+        blocks.clear();
         for root in 0..self.nodes.len() as u32 {
-            if self.notes[root as usize].block != NONE {
-                continue;
-            }
-            let block = self.blocks.len() as u32;
-            let begin = self.order.len();
-            self.notes[root as usize].block = block;
-            self.order.push(root);
+            let begin = order.len();
+            let mut join = |node: u32, order: &mut Vec<u32>| {
+                if node != GROUND && std::mem::replace(&mut self.notes[node as usize].block, 0) == NONE {
+                    order.push(node);
+                }
+            };
+            join(root, order);
             let mut at = begin;
-            while at < self.order.len() {
-                let node = self.order[at];
+            while at < order.len() {
+                let node = order[at];
                 at += 1;
-                for slot in self.links_of(node) {
-                    let other = self.links[self.incident.list[slot] as usize].other(node);
-                    if other != GROUND && self.notes[other as usize].block == NONE {
-                        self.notes[other as usize].block = block;
-                        self.order.push(other);
-                    }
+                for index in self.incident.of(node as usize) {
+                    join(self.links[*index as usize].other(node), order);
                 }
             }
-            self.blocks.push(begin as u32..self.order.len() as u32);
+            if begin < order.len() {
+                blocks.push(begin as u32..order.len() as u32);
+            }
         }
     }
 
@@ -233,10 +256,15 @@ impl Network {
             return;
         }
         let elsewhere = block.ground.is_some_and(|ground| self.part_with_other_grounds(block, ground));
-        if !elsewhere && (self.passes(block, true) || self.passes(block, false)) {
-            return self.settle_light(block);
-        }
         self.reset_flows(block);
+        for upwards in [true, false] {
+            if !elsewhere && self.may_pass(block, upwards) {
+                if self.passes(block, upwards) {
+                    return self.settle_light(block);
+                }
+                self.reset_flows(block);
+            }
+        }
         if elsewhere {
             self.pull_by_other_grounds(block, acceleration);
         }
