@@ -167,6 +167,7 @@ impl Scratch {
         let n = state.bodies.len();
         local.resize(n + state.surfaces.len(), NONE);
         resting.clear();
+        members.sort_unstable();
         for (k, &i) in members.iter().enumerate() {
             local[i as usize] = k as u32;
             resting.forces.push(state.bodies[i as usize].mass * motions.bodies[i as usize].pull);
@@ -182,7 +183,7 @@ impl Scratch {
         if !known().all(stands) || !resting.holds() {
             return false;
         }
-        let leader = members.iter().copied().min().unwrap_or(NONE);
+        let leader = members.first().copied().unwrap_or(NONE);
         contacts.extend(
             known().zip(&resting.contacts).map(|(known, solved)| (leader, Contact { lo: known.lo, hi: known.hi, ..*solved })),
         );

@@ -105,7 +105,7 @@ impl Reactions {
             out[body as usize] = parts.free[body as usize];
         }
         for contact in contacts.iter_mut() {
-            (contact.normal, contact.gave_way) = (0.0, false);
+            contact.gave_way = false;
         }
         self.pressed.clear();
         self.solutions.iter_mut().for_each(Vec::clear);
@@ -117,12 +117,13 @@ impl Reactions {
             if round + 1 < FRICTION_ROUNDS && hold_back(contacts, parts, out) {
                 continue;
             }
-            // The pressure on a wall matters only where a body slides on it or hangs on it.
+            // The pressure on a wall matters only where a body moves along it, or hangs on it by more than that holds.
             let rubs = |contact: &Contact| {
                 let moves = || contact.slides != 0.0 || gain(contact, parts, out) != 0.0;
-                contact.axis == 0 && (contact.friction != 0.0 || contact.normal > 0.0 && moves())
+                let hangs = contact.friction.abs() > contact.static_friction * contact.normal;
+                hangs || (contact.friction != 0.0 || contact.normal > 0.0) && moves()
             };
-            if self.presses_alike(contacts, f64::EPSILON, 0.0) || !contacts.iter().any(rubs) {
+            if self.presses_alike(contacts, f64::EPSILON, 0.0, rubs) {
                 return Some(round + 1);
             }
             if round % 3 == 2 && round + 1 < FRICTION_ROUNDS {
@@ -131,13 +132,14 @@ impl Reactions {
         }
         // A pressure that changes by 1e-10 of itself has settled: more would exceed Coulomb's law, less would be rounding.
         let most = contacts.iter().fold(0.0, |most: f64, contact| most.max(contact.normal));
-        self.presses_alike(contacts, 1e-10, FORCE_TOLERANCE * most).then_some(FRICTION_ROUNDS)
+        self.presses_alike(contacts, 1e-10, FORCE_TOLERANCE * most, |_| true).then_some(FRICTION_ROUNDS)
     }
 
-    /// Whether no pressure across has changed in the last round by more than a part of itself and a force, N.
-    fn presses_alike(&self, contacts: &[Contact], part: f64, force: f64) -> bool {
+    /// Whether no pressure across that matters has changed in the last round by more than a part of itself and a force, N.
+    fn presses_alike(&self, contacts: &[Contact], part: f64, force: f64, matters: impl Fn(&Contact) -> bool) -> bool {
         let alike = |contact: &Contact, before: f64| (contact.normal - before).abs() <= part * contact.normal + force;
-        contacts.iter().zip(&self.pressed).all(|(contact, before)| contact.axis == 1 || alike(contact, *before))
+        let settled = |(contact, before): (&Contact, &f64)| contact.axis == 1 || alike(contact, *before) || !matters(contact);
+        contacts.iter().zip(&self.pressed).all(settled)
     }
 
     fn solve_axes(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {

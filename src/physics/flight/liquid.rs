@@ -6,12 +6,9 @@
 
 use crate::physics::data::{BOBBING_REACH, Body, Cubic, HEAVY_REACH, Pose, TERMINAL_TOLERANCE};
 use crate::physics::flight::air::fly_through;
-use crate::physics::flight::steps::{Bob, Course, LANES, Step, Steps, bob_side_by_side};
+use crate::physics::flight::steps::{Bob, Course, Step, Steps, bob_side_by_side};
 use crate::physics::forces::{Bath, Law, Media, Regime};
 use glam::DVec2;
-
-/// Rate × time up to which the first step is all of the time. Larger: more steps are tried in vain; smaller: more are cut short.
-const NO_TRIAL: f64 = 0.25;
 
 #[derive(Clone)]
 struct Swimmer<'a> {
@@ -67,13 +64,13 @@ pub(crate) fn flow_side_by_side(
     t: f64,
     mut out: impl FnMut(u32, Course),
 ) {
-    for of in of.chunks(LANES) {
+    for of in of.chunks(4) {
         let of = of.iter().map(|i| (*i, &bodies[*i as usize], &laws[*i as usize]));
-        let (mut bobs, mut any) = ([Bob::default(); LANES], false);
+        let (mut bobs, mut any) = ([Bob::default(); 4], false);
         for (bob, (_, body, law)) in bobs.iter_mut().zip(of.clone()) {
             any |= Swimmer::begin(media, body, law).bobs(t, bob);
         }
-        let steps = if any { bob_side_by_side(&bobs, t) } else { [Step::default(); LANES] };
+        let steps = if any { bob_side_by_side(&bobs, t) } else { [Step::default(); 4] };
         for ((bob, step), (i, body, law)) in bobs.iter().zip(steps).zip(of) {
             if bob.is_done_by(&step, &law.displaced, t) {
                 out(i, Course { end: step.end, time: t, next: t, pull: Some(step.pull) });
@@ -102,7 +99,7 @@ impl<'a> Swimmer<'a> {
         let bath = self.regime.bath(x);
         let drag = rate_of_drag(&bath, DVec2::new(constant.x, constant.y - bath.lift), v);
         let bobs = bath.stiffness.sqrt();
-        if (drag + bobs) * t >= NO_TRIAL {
+        if !is_slow(drag + bobs, t) {
             return false;
         }
         let slow = 16.0 * bath.rounding(constant, body, x.y) / bobs;
@@ -258,7 +255,7 @@ impl<'a> Swimmer<'a> {
                 let steps = Steps { regime, bath, constant, slopes, rough: if self.law.rough { 1e-3 } else { 0.0 } };
                 let longest = match h.is_finite() {
                     _ if implicit => h.min(left),
-                    false if rate * left < NO_TRIAL => left,
+                    false if is_slow(rate, left) => left,
                     // The stability of an explicit step ends at a rate × time of 3.3 where it is damped.
                     known => {
                         let first = if known { h } else { steps.first(pose.1, rate) };
@@ -286,6 +283,11 @@ fn take_exact(regime: &Regime, pose: Pose, mut h: f64, flow: impl Fn(f64) -> Pos
         }
     }
     Course { time: h, end, next: f64::INFINITY, pull: None }
+}
+
+/// Whether one step may resolve a law of that rate, 1/s, for `t` seconds.
+fn is_slow(rate: f64, t: f64) -> bool {
+    rate * t < 0.25
 }
 
 /// The rate of quadratic drag, 1/s: at once it may be as fast as at its terminal velocity.

@@ -215,11 +215,9 @@ impl Bob {
     }
 }
 
-/// How many bodies bob side by side: while one waits for a result, the others go on. More: their numbers leave the registers.
-pub(crate) const LANES: usize = 4;
-
+/// Numbers of bodies that bob side by side.
 #[derive(Clone, Copy)]
-struct Lanes([f64; LANES]);
+struct Lanes([f64; 4]);
 
 impl Add for Lanes {
     type Output = Self;
@@ -246,8 +244,9 @@ impl Mul<f64> for Lanes {
     }
 }
 
-/// A step of `h` seconds of each of them.
-pub(crate) fn bob_side_by_side(of: &[Bob; LANES], h: f64) -> [Step; LANES] {
+/// A step of `h` seconds of each of them: while one waits for a result, the others go on.
+#[inline(always)]
+pub(crate) fn bob_side_by_side(of: &[Bob; 4], h: f64) -> [Step; 4] {
     let law = |y: Lanes, v: Lanes| Lanes(from_fn(|k| of[k].law.pull(y.0[k], v.0[k])));
     let lanes = |part: fn(&Bob) -> f64| Lanes(from_fn(|k| part(&of[k])));
     let ((y, v), last, [way, speed]) = pair((lanes(|bob| bob.x.y), lanes(|bob| bob.v)), lanes(|bob| bob.pull), h, law);
@@ -353,12 +352,9 @@ pub(crate) const TIMES: [f64; 6] = [0.2, 0.3, 0.8, 8.0 / 9.0, 1.0, 1.0];
 pub(crate) const ERROR: [f64; 7] =
     [71.0 / 57_600.0, 0.0, -71.0 / 16_695.0, 71.0 / 1920.0, -17_253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
 
-/// The factor for the next step, given the error as a part of the error allowed: a fourth root stands for the fifth.
-pub(crate) fn step_factor(part: f64) -> f64 {
-    if part < 1.0 / 257.0 {
-        return 3.0;
-    }
-    let factor = 0.75 / part.sqrt().sqrt();
+/// The factor for the next step, given a root of the error as a part of the error allowed: the fourth one stands for the fifth.
+pub(crate) fn step_factor(root: f64) -> f64 {
+    let factor = 0.75 / root;
     // A step whose error is no number is too long.
     if factor >= 0.05 { factor.min(3.0) } else { 0.05 }
 }
