@@ -175,8 +175,9 @@ pub(crate) struct Displaced {
     /// The forms go by the distance from `centre`, m; they were asked for at `within`.
     centre: DVec2,
     within: DVec2,
-    /// The centres of the body between kinks, where the forms hold, if they hold anywhere; and wherever it is near these liquids.
+    /// The centres of the body between kinks, where the forms hold, if they hold anywhere.
     places: Option<Aabb>,
+    /// The same without the bounds of `near`.
     kinks: Aabb,
     sliver: DVec2,
     /// The fraction inside, the density of liquids around the whole, kg/m³, and Stokes' drag, 1/s.
