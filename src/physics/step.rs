@@ -380,6 +380,9 @@ impl State {
 /// Sorts contacts by their ends, and makes one of those at the same face: the crowd step lists push and friction apart. The key is total: how a
 /// sort treats equals depends on their number in the world.
 fn put_in_order(contacts: &mut Vec<Contact>) {
+    if contacts.is_sorted_by(|a, b| (a.ends(), a.axis) < (b.ends(), b.axis)) {
+        return;
+    }
     contacts.sort_unstable_by(|a, b| {
         let face = (a.ends(), a.axis).cmp(&(b.ends(), b.axis));
         face.then(b.normal.total_cmp(&a.normal)).then(a.friction.total_cmp(&b.friction)).then(a.lo.cmp(&b.lo))
