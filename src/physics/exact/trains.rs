@@ -188,7 +188,7 @@ impl Events {
             // Less is the rounding of a flight without a bounce.
             if side * given[axis] > 1e-12 * body.mass * (1.0 + body.velocity.length()) {
                 let contact = self.contact_along(lo, hi, axis);
-                self.note(&contact, given * side, 0.0);
+                self.note(&contact, given * side, Some(0.0));
             }
         }
     }

@@ -78,7 +78,7 @@ fn in_contact(world: &World, id: BodyId) -> bool {
     world.forces(id).forces().len() > 1
 }
 
-/// Three crates on each other and on the floor: what changes a momentum is listed, until one of them lies down. Returns the first that is not, if one is.
+/// Three crates on each other and on the floor: what changes the momentum of one that touches nothing as a tick ends is listed. Returns the first that is not, if one is.
 fn unlisted_of_three(random: &mut Random, hz: f64) -> Option<(u32, f64)> {
     let body = |k: i32| BodyDef {
         position: v(0.0, -1.0 - 1.3 * f64::from(k)),
@@ -97,11 +97,7 @@ fn unlisted_of_three(random: &mut Random, hz: f64) -> Option<(u32, f64)> {
             let on_floor = matches!(hit.b, Obstacle::Surface(_));
             assert!(!on_floor || hit.vector.y <= 0.0, "{hz} Hz, tick {tick}: {hit:?} pulls");
         }
-        let grazes = world.impulses().iter().any(|hit| hit.vector.length() < 1e-4 * world.body(hit.a).mass);
-        if grazes || (0..3).any(|i| in_contact(&world, BodyId(i))) {
-            return None;
-        }
-        for (i, speed) in (0..).zip(before) {
+        for (i, speed) in (0..).zip(before).filter(|(i, _)| !in_contact(&world, BodyId(*i))) {
             let left = unlisted(&world, BodyId(i), speed, 1.0 / hz);
             if left > 1e-9 * world.body(BodyId(i)).mass {
                 return Some((tick, left));
@@ -111,18 +107,22 @@ fn unlisted_of_three(random: &mut Random, hz: f64) -> Option<(u32, f64)> {
     None
 }
 
-/// A contact that begins and ends within one tick is in no row: 7 of these 500 flights of three seeds have one, by measurement.
 #[test]
-fn lists_of_three_that_bounce_add_up() {
+fn lists_of_three_that_bounce_add_up_with_what_ends_within_a_tick() {
     let found: Vec<_> = (0..100)
         .flat_map(|seed| RATES.map(|hz| unlisted_of_three(&mut Random(seed), hz).map(|of| (seed, hz, of))))
         .flatten()
         .collect();
-    assert!(found.len() <= 7, "{found:?}");
+    assert!(found.is_empty(), "{found:?}");
 }
 
 proptest! {
     #![proptest_config(cases(60))]
+
+    #[test]
+    fn lists_of_any_three_that_bounce_add_up(seed in any::<u64>(), hz in prop::sample::select(RATES.to_vec())) {
+        prop_assert_eq!(unlisted_of_three(&mut Random(seed), hz), None);
+    }
 
     #[test]
     fn a_thrown_crate_stops_where_its_bounces_say(seed in any::<u64>(), hz in prop::sample::select(RATES.to_vec())) {
