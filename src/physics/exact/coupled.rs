@@ -2,7 +2,7 @@
 //! stage, so that bodies that press on each other fly as one. A step ends where a liquid begins or ends, where a link bends or breaks, or where a
 //! contact begins to part or to slip.
 
-use crate::physics::data::{Contact, Cubic, EVENTS_OF_A_BODY, FLIGHT_TOLERANCE, FORCE_TOLERANCE, Pose, SPEED_TOLERANCE};
+use crate::physics::data::{Contact, Cubic, EVENTS_OF_A_BODY, FORCE_TOLERANCE, LONGEST_SHORT, Pose, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::{Item, Travel};
 use crate::physics::exact::motions::SHORTEST;
@@ -53,16 +53,14 @@ impl Events {
     fn find_step(&mut self, scene: &Scene, longest: f64, afloat: bool) -> Option<(f64, bool)> {
         let linked = !self.links.is_empty();
         let budget = EVENTS_OF_A_BODY * (32 + self.movable as u64) / if linked { 1 } else { 2 };
-        let tolerance = MOST_ERROR[usize::from(linked)];
+        let tolerance = self.most_error();
         let least = scene.tick * LEAST;
         let mut h = longest.min(self.stride).min(std::mem::replace(&mut self.sliver, f64::INFINITY));
         while self.count + self.reactions.solved <= budget {
             let solved = self.reactions.solved;
             let error = self.step_coupled(scene, h, afloat);
-            if linked {
-                // A part of a stiff tick takes some twenty steps: each counts as an event.
-                (self.reactions.solved, self.count) = (solved, self.count + 1);
-            }
+            // A part of a stiff tick takes some twenty steps: each counts as one event for eight bodies.
+            (self.reactions.solved, self.count) = (solved, self.count + 1 + self.concerned.len() as u64 / 8);
             let kink = self.first_kink(scene, h);
             if kink < h && h > least {
                 h = kink.max(least);
@@ -85,11 +83,15 @@ impl Events {
             }
             h *= step_factor((error / tolerance).sqrt().sqrt()).min(0.5);
             (self.stride, self.sliver) = (h, f64::INFINITY);
-            if h < scene.tick * SHORTEST {
+            if h < LONGEST_SHORT.min(scene.tick * SHORTEST) {
                 return None;
             }
         }
         None
+    }
+
+    fn most_error(&self) -> f64 {
+        MOST_ERROR[usize::from(!self.links.is_empty())]
     }
 
     /// The last of the times, s, up to which contacts hold, and the first at which they do not.
@@ -231,7 +233,7 @@ impl Events {
     fn contacts_change(&self, h: f64) -> bool {
         let most = self.concerned.iter().map(|i| self.means[*i as usize].abs().max_element()).fold(0.0, f64::max);
         // What parts does so more and more, what slips at once.
-        let [parting, slipping] = [h * h, h].map(|of| (FORCE_TOLERANCE * most).max(FLIGHT_TOLERANCE / of));
+        let [parting, slipping] = [h * h, h].map(|of| (FORCE_TOLERANCE * most).max(self.most_error() / of));
         let rate = |item: u32| if self.is_body(item) { self.means[item as usize] } else { self.free[item as usize] };
         let changes = |(before, after): (&Contact, &Contact)| {
             let gain = rate(after.hi) - rate(after.lo);
