@@ -138,7 +138,7 @@ impl Events {
     }
 
     /// Acceleration without contacts now, m/s².
-    fn pull(&self, scene: &Scene, item: u32) -> DVec2 {
+    pub(crate) fn pull(&self, scene: &Scene, item: u32) -> DVec2 {
         let of = &self.items[item as usize];
         if self.is_body(item) {
             scene.media.acceleration(&of.body, &of.law, self.places[item as usize], self.speeds[item as usize])

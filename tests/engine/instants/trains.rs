@@ -235,4 +235,32 @@ proptest! {
         let [light, heavy] = [0, 1].map(|i| side * world.speed(i).x);
         prop_assert!((light - u).abs() <= 1e-4 && (heavy - w).abs() <= 1e-6, "{} and {} m/s, not {} and {}", light, heavy, u, w);
     }
+
+    /// A light one between the floor and a heavy one that falls on it: whatever the tick, and without loss.
+    #[test]
+    fn what_is_under_something_heavy_that_falls_bounces_without_loss(
+        seed in any::<u64>(),
+        power in 0.0..6.0f64,
+        hz in prop::sample::select(RATES.to_vec()),
+    ) {
+        let random = &mut Random(seed);
+        let at = |height: f64, mass: f64| BodyDef { position: v(0.0, -0.5 - height), mass, restitution: 1.0, ..BodyDef::default() };
+        let (low, gap, mass) = (random.between(0.0, 0.5), random.between(0.5, 2.0), random.decades(-2.0, 0.0));
+        let bodies = vec![at(low, mass), at(low + 1.0 + gap, mass * 10f64.powf(power))];
+        let floor = || SurfaceDef::fixed(area(-9.0, 0.0, 9.0, 1.0), Material::ICE);
+        let [mut world, mut fine] =
+            [0, 1].map(|_| World::new(WorldDef { gravity: PULL, ..without_air(vec![floor()], bodies.clone()) }).unwrap());
+        let energy = |world: &World| -> f64 {
+            world.bodies().iter().map(|body| body.mass * (0.5 * body.velocity.y * body.velocity.y - PULL * body.position.y)).sum()
+        };
+        let begun = energy(&world);
+        for tick in 1..=hz as u32 {
+            world.step(1.0 / hz);
+            fine.steps(8, 0.125 / hz);
+            prop_assert!((energy(&world) / begun - 1.0).abs() <= 1e-9, "tick {}: {} J", tick, energy(&world) - begun);
+            prop_assert!((world.at(1).y - fine.at(1).y).abs() <= 1e-6, "tick {}: {} m", tick, world.at(1).y - fine.at(1).y);
+        }
+        let Guards { bounces_ended, budgets_used_up, .. } = *world.guards();
+        prop_assert_eq!((bounces_ended, budgets_used_up), (0, 0));
+    }
 }
