@@ -13,9 +13,6 @@ use glam::DVec2;
 /// Trials for the instant at which a contact begins to part or to slip. Fewer: a contact slips late, and a stick-slip drifts.
 const TRIALS: u32 = 24;
 
-/// Items concerned up to which that instant is sought. More: it takes longer than all else in a heap that falls apart.
-const MOST_SOUGHT: usize = 8;
-
 /// The shortest step to a kink, in parts of a tick. Longer: energy is gained where a rope becomes taut; shorter: roundings make many steps.
 const LEAST: f64 = SHORTEST * SHORTEST * SHORTEST;
 
@@ -66,8 +63,10 @@ impl Events {
                 h = kink.max(least);
                 continue;
             }
-            let changes = self.concerned.len() <= MOST_SOUGHT && self.changed;
+            let changes = self.changed;
             if changes && h > least {
+                // In a heap that falls apart the search takes longer than all else.
+                self.count += u64::from(TRIALS) * (self.concerned.len() as u64 / 8);
                 let solved = self.reactions.solved;
                 let (holds, over) = self.find_change(scene, h, afloat);
                 self.reactions.solved = solved;
