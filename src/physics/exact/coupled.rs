@@ -50,7 +50,7 @@ impl Events {
     fn find_step(&mut self, scene: &Scene, longest: f64, afloat: bool) -> Option<(f64, bool)> {
         let linked = !self.links.is_empty();
         let budget = EVENTS_OF_A_BODY * (32 + self.movable as u64) / if linked { 1 } else { 2 };
-        let tolerance = self.most_error();
+        let tolerance = MOST_ERROR[usize::from(linked)];
         let least = scene.tick * LEAST;
         let mut h = longest.min(self.stride).min(std::mem::replace(&mut self.sliver, f64::INFINITY));
         while self.count + self.reactions.solved <= budget {
@@ -87,10 +87,6 @@ impl Events {
             }
         }
         None
-    }
-
-    fn most_error(&self) -> f64 {
-        MOST_ERROR[usize::from(!self.links.is_empty())]
     }
 
     /// The last of the times, s, up to which contacts hold, and the first at which they do not.
@@ -232,7 +228,8 @@ impl Events {
     fn contacts_change(&self, h: f64) -> bool {
         let most = self.concerned.iter().map(|i| self.means[*i as usize].abs().max_element()).fold(0.0, f64::max);
         // What parts does so more and more, what slips at once.
-        let [parting, slipping] = [h * h, h].map(|of| (FORCE_TOLERANCE * most).max(self.most_error() / of));
+        let error = MOST_ERROR[usize::from(!self.links.is_empty())];
+        let [parting, slipping] = [h * h, h].map(|of| (FORCE_TOLERANCE * most).max(error / of));
         let rate = |item: u32| if self.is_body(item) { self.means[item as usize] } else { self.free[item as usize] };
         let changes = |(before, after): (&Contact, &Contact)| {
             let gain = rate(after.hi) - rate(after.lo);

@@ -66,9 +66,7 @@ impl Events {
         self.is_placed.fill(false);
         (0..self.movable).for_each(|i| self.end_train(scene, i));
         self.release();
-        if scene.plan.media() {
-            self.pass_on(true);
-        }
+        self.pass_on(true);
         self.stop_here(scene);
         self.follow_surfaces();
         self.settle(scene);

@@ -125,8 +125,7 @@ impl Events {
         !(0..self.items.len()).any(near) && self.streams.iter().all(stays)
     }
 
-    /// Lets a body that has just left a wall go to and fro between that and the next body, if nothing else acts but the same `pull` (m/s²) on both.
-    /// Returns whether it does.
+    /// Lets a body that has just left a wall go to and fro between that and the next, if one `pull` (m/s²) acts on both. Returns whether it does.
     fn begin_wedge(&mut self, scene: &Scene, contact: &Contact, side: f64, pull: DVec2) -> bool {
         let (axis, (middle, wall)) = (contact.axis, contact.ends());
         let ahead = |j: u32| {
@@ -145,8 +144,8 @@ impl Events {
         let falls = self.pull(scene, far) == pull && !self.contacts.iter().any(|contact| contact.has(far));
         let free = law.is_constant() && falls && self.may_bounce(far) && self.items[of[0]].train.is_none();
         let [masses, speeds] = [of.map(|i| self.items[i].body.mass), of.map(|i| side * self.speeds[i][axis])];
-        let ways = [-self.depth_of(&next).min(0.0), 0.0];
-        let wedge = Wedge { wall: side * self.speed(wall)[axis], masses, ways, speeds, pull: side * pull[axis] };
+        let gap = -self.depth_of(&next).min(0.0);
+        let wedge = Wedge { wall: side * self.speed(wall)[axis], masses, gap, speeds, pull: side * pull[axis] };
         let until = scene.tick.min(self.items[wall as usize].until);
         if slides || !free || self.restitution(scene, &next, 1.0) < 1.0 || wedge.hits(until - self.now) < MANY_HITS {
             return false;
@@ -157,11 +156,9 @@ impl Events {
         };
         // The other one stays between the wall and its highest place, the one in between on this side of it.
         let (start, half, t) = ((self.places[of[0]], self.speeds[of[0]]), self.items[of[0]].body.half, until - self.now);
-        let least = wedge.wall.min(0.0) * t;
-        let ends = [least, wedge.highest(t)].map(|way| start.0 + on_axis(axis, side * (way - ways[0]), 0.0));
-        let across = on_axis(axis, 0.0, start.1[1 - axis] * t);
-        let ends = ends.into_iter().flat_map(|end| [end, end + across]);
-        let way = ends.fold(Aabb::NOWHERE, |way, end| way.union(&Aabb::around(end, half)));
+        let end = |(way, t): (f64, f64)| start.0 + on_axis(axis, side * (way - gap), start.1[1 - axis] * t);
+        let ends = [(wedge.wall.min(0.0) * t, 0.0), (wedge.highest(t), t)].map(end);
+        let way = ends.into_iter().fold(Aabb::NOWHERE, |way, end| way.union(&Aabb::around(end, half)));
         let from = |t: f64| Aabb::around(self.places[of[1]] + self.speed(wall) * t, self.items[of[1]].body.half);
         let mut between = way.union(&from(0.0)).union(&from(t));
         let edge = if side > 0.0 { &mut between.max } else { &mut between.min };
