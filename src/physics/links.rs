@@ -206,7 +206,7 @@ impl Scratch {
         let items = &self.events.items[..self.events.movable];
         let hang = || items.iter().filter_map(|item| of_item(item.id));
         let least = hang().map(|member| member.least).reduce(|a, b| (a.0.min(b.0), a.1.min(b.1)));
-        let Some((force, speed)) = least.filter(|_| self.events.hits.is_empty()) else { return };
+        let Some((force, speed)) = least.filter(|_| !self.events.hits.iter().any(|hit| hit.impulse.impact)) else { return };
         let stands = |item: &Item| {
             let before = state.bodies[item.id as usize].velocity;
             let flies = self.linked(item.id).is_some_and(|member| !member.rests);

@@ -262,7 +262,7 @@ impl World {
         for &ContactImpulse { a, b, axis, normal, friction, point, impact, .. } in listed() {
             let vector = on_axis(axis, normal, friction);
             if impact {
-                let impulse = Impulse { a: BodyId(a), b: state.obstacle(b), vector, point, at: dt };
+                let impulse = Impulse { a: BodyId(a), b: state.obstacle(b), vector, point, at: dt, impact: true };
                 let at = |item: u32| state.bodies.get(item as usize).map_or(point, |body| body.position);
                 let hit = Hit { impulse, normal: on_axis(axis, normal.signum(), 0.0), speed: 0.0, places: [at(a), at(b)] };
                 scratch.happened.push((NONE, scratch.happened.len() as u32, hit));

@@ -1,7 +1,7 @@
 //! One axis of a group of contacts: a [`Network`] with a link for each push along the axis and for each friction that sticks.
 
 use crate::physics::contact::network::{Carries, GROUND, Network, NetworkNode};
-use crate::physics::data::{Contact, LIGHT, SPEED_TOLERANCE, refill};
+use crate::physics::data::{Contact, LIGHT, MICRO_SPEED, SPEED_TOLERANCE, refill};
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,7 +56,9 @@ impl Joined {
         for contact in contacts {
             let skin = if contact.axis == stopped.axis { contact.skin } else { 0.0 };
             let speed = |item: u32| rate(parts, item, axis, skin);
-            let alike = (speed(contact.hi) - speed(contact.lo)).abs() <= SPEED_TOLERANCE;
+            // What parts as slowly across its face clings: alone it would be pulled back, and make the slide begin again, less and less without end.
+            let rounding = if contact.axis == axis { MICRO_SPEED } else { SPEED_TOLERANCE };
+            let alike = (speed(contact.hi) - speed(contact.lo)).abs() <= rounding;
             if alike || contact.is_of(stopped.lo, stopped.hi) {
                 let ends = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
                 network.link(ends.0, ends.1, Carries::UpTo(f64::INFINITY), ground(contact, parts, axis, skin));

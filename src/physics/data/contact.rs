@@ -26,6 +26,8 @@ pub(crate) struct Contact {
     pub normal: f64,
     /// Friction of `lo` on `hi` along the other axis, N (N·s).
     pub friction: f64,
+    /// What both have passed on in this tick, up to the last event, N·s.
+    pub passed: [f64; 2],
 }
 
 impl Contact {

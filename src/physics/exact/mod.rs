@@ -66,6 +66,7 @@ impl Events {
         self.is_placed.fill(false);
         (0..self.movable).for_each(|i| self.end_train(scene, i));
         self.release();
+        self.pass_on(true);
         self.stop_here(scene);
         self.follow_surfaces();
         self.settle(scene);
