@@ -166,16 +166,16 @@ impl Bodies {
         self[i].traits.with(self[j].traits, !self.is_body(j))
     }
 
-    /// The velocity of a skin, besides that of its surface, on the side towards larger or smaller coordinates, m/s; 0 of a body.
-    pub fn skin(&self, j: usize, axis: usize, larger: bool) -> f64 {
+    /// The velocity of a belt, besides that of its surface, on the side towards larger or smaller coordinates, m/s; 0 of a body.
+    pub fn belt_velocity(&self, j: usize, axis: usize, larger: bool) -> f64 {
         if (axis == ACROSS) == larger { self[j].belt } else { -self[j].belt }
     }
 
-    /// Whether body i had the velocity along an axis that the skin of `j` has, or, of a surface, had in the step before: it rides on it.
+    /// Whether body i had the velocity along an axis that the belt of `j` has, or, of a surface, had in the step before: it rides on it.
     #[inline(always)]
-    pub fn rides(&self, i: usize, j: usize, axis: usize, skin: f64) -> bool {
+    pub fn rides(&self, i: usize, j: usize, axis: usize, belt_velocity: f64) -> bool {
         let (mine, its) = (self[i].before[axis], &self[j]);
-        mine == its.before[axis] + skin || mine == its.was[axis] + skin
+        mine == its.before[axis] + belt_velocity || mine == its.was[axis] + belt_velocity
     }
 
     pub fn moves(&self, j: usize) -> bool {

@@ -71,11 +71,11 @@ impl Cross<'_> {
             self.friction.rest(bodies.len());
             return;
         }
-        let settled = self.rub_and_push(bodies);
+        let settled = self.solve_friction_and_pushes(bodies);
         // Friction and pushes that answer each other round by round may drive.
         let gained = self.friction.gains(bodies, 0..bodies.len(), |i| bodies[i].free.x);
         if settled && !gained {
-            guards.friction_unsettled += u64::from(!self.polish(bodies));
+            guards.friction_unsettled += u64::from(!self.part_closing(bodies));
             return;
         }
         guards.friction_unsettled += 1;
@@ -83,7 +83,7 @@ impl Cross<'_> {
             self.reset(bodies);
         }
         if self.merge(bodies, false) {
-            self.hand_over(bodies, false);
+            self.pass_impulses(bodies, false);
         }
     }
 
@@ -101,8 +101,8 @@ impl Cross<'_> {
         moves
     }
 
-    fn rub_and_push(&mut self, bodies: &mut Bodies) -> bool {
-        self.rub(bodies);
+    fn solve_friction_and_pushes(&mut self, bodies: &mut Bodies) -> bool {
+        self.solve_friction(bodies);
         // Drag again, with the velocities that friction leaves, and friction with that drag.
         let Pushes { given, resistance, .. } = &mut *self.pushes;
         if bodies.airy && resistance.across(bodies, &self.friction.gripped, given, self.dt) {
@@ -110,13 +110,13 @@ impl Cross<'_> {
         }
         (0..bodies.len()).for_each(|i| self.pushes.before[i] = bodies[i].end.x);
         for _ in 0..if self.many { 1 } else { ROUNDS } {
-            if self.stir(bodies) {
-                self.rub(bodies);
+            if self.wake_pushed(bodies) {
+                self.solve_friction(bodies);
             }
             if !self.merge(bodies, true) {
                 return true;
             }
-            if self.hand_over(bodies, true) {
+            if self.pass_impulses(bodies, true) {
                 self.slide(bodies);
             }
             if !self.many && self.drives(bodies) {
@@ -129,7 +129,7 @@ impl Cross<'_> {
 
     fn reset(&mut self, bodies: &mut Bodies) {
         self.begin(bodies);
-        self.rub(bodies);
+        self.solve_friction(bodies);
     }
 
     fn drives(&self, bodies: &Bodies) -> bool {
@@ -145,7 +145,7 @@ impl Cross<'_> {
         self.friction.spread_ways(bodies, &self.pushes.told, self.dt);
     }
 
-    fn rub(&mut self, bodies: &mut Bodies) {
+    fn solve_friction(&mut self, bodies: &mut Bodies) {
         let Pushes { given, pushed, resistance, .. } = &mut *self.pushes;
         self.friction.wake(bodies, self.contacts, given, pushed);
         self.friction.touch(bodies, self.contacts, self.dt);
@@ -185,7 +185,7 @@ impl Cross<'_> {
         pooled.any
     }
 
-    fn hand_over(&mut self, bodies: &mut Bodies, rubs: bool) -> bool {
+    fn pass_impulses(&mut self, bodies: &mut Bodies, rubs: bool) -> bool {
         let Self { clusters, friction, pushes, report, dt, .. } = self;
         let (n, mut any) = (bodies.len(), false);
         for i in clusters.joined.iter().map(|i| *i as usize) {
@@ -203,14 +203,14 @@ impl Cross<'_> {
                 continue;
             }
             any = true;
-            friction.tell(i, velocity != 0.0);
+            friction.free_pushed(i, velocity != 0.0);
         }
         report.drain_sides(clusters, n);
         any
     }
 
     /// Wakes standing bodies that are about to be hit from the side, and the row that touches them. Returns whether there are any.
-    fn stir(&mut self, bodies: &Bodies) -> bool {
+    fn wake_pushed(&mut self, bodies: &Bodies) -> bool {
         let Pushes { pushed, reached, .. } = &mut *self.pushes;
         let (n, friction) = (bodies.len(), &*self.friction);
         let slack = self.contacts.tolerances.hair / self.dt;
@@ -239,7 +239,7 @@ impl Cross<'_> {
     }
 
     /// Parts pairs side by side that still close, in turns with the friction under them. Returns whether nothing closes any more.
-    pub(crate) fn polish(&mut self, bodies: &mut Bodies) -> bool {
+    pub(crate) fn part_closing(&mut self, bodies: &mut Bodies) -> bool {
         let (n, slack) = (bodies.len(), self.contacts.tolerances.hair / self.dt);
         let side_bounces = |bodies: &Bodies, side: &CrowdContact| self.anchors.bounces.of(bodies, side, ACROSS).is_some();
         let Pushes { parting, .. } = &mut *self.pushes;
@@ -297,7 +297,8 @@ fn node(bodies: &Bodies, friction: &Friction, i: usize, (told, dt, rubs): (bool,
     }
     let riders = friction.riders[i];
     let tight = &friction.tight[friction.under(i)];
-    let moves = |t: &crate::physics::crowd::friction::Tight| bodies[t.below as usize].end.x != 0.0 || t.skin != 0.0;
+    let moves =
+        |t: &crate::physics::crowd::friction::FrictionContact| bodies[t.below as usize].end.x != 0.0 || t.belt_velocity != 0.0;
     if tight.is_empty() || tight.iter().any(moves) {
         return Some(Node::free(riders.mass, bodies[i].before.x, velocity, mean));
     }
@@ -306,8 +307,8 @@ fn node(bodies: &Bodies, friction: &Friction, i: usize, (told, dt, rubs): (bool,
         if t.grip != Grip::Stick {
             node.momentum -= t.impulse;
         }
-        node.static_limit += t.held;
-        node.kinetic_limit += t.dragged;
+        node.static_limit += t.static_limit;
+        node.kinetic_limit += t.kinetic_limit;
     }
     // Its way without friction: that of flight; or such that friction takes it where a cluster has.
     let (free, of) = if told { (mean, velocity) } else { ((bodies[i].to.x - bodies[i].from.x) / dt, bodies[i].free.x) };

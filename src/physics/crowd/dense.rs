@@ -87,7 +87,7 @@ impl Dense {
         for look in 0..=LOOKS {
             self.solve_along(bodies, size.dt);
             self.solve_across(bodies, size.dt);
-            self.rub(bodies, size.dt);
+            self.solve_walls(bodies, size.dt);
             inside = place::advance(bodies, &self.anchors.lands, size.dt);
             if !inside && !size.last {
                 return self.grow(bodies);
@@ -141,7 +141,7 @@ impl Dense {
         report.drain_along(bodies, anchors);
     }
 
-    fn rub(&mut self, bodies: &mut Bodies, dt: f64) {
+    fn solve_walls(&mut self, bodies: &mut Bodies, dt: f64) {
         let Self { contacts, anchors, clusters, walls, report, .. } = self;
         let mut along = Along { contacts, anchors, clusters, dt };
         if walls.solve(bodies, &mut along, &report.sides) {

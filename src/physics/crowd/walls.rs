@@ -15,11 +15,11 @@ const SWEEPS: usize = 8;
 struct WallContact {
     body: u32,
     wall: u32,
-    /// Velocity of the wall's skin along gravity, m/s.
-    skin: f64,
+    /// Velocity of the wall's surface along gravity, m/s.
+    surface_velocity: f64,
     /// The largest impulses of friction, N·s.
-    held: f64,
-    dragged: f64,
+    static_limit: f64,
+    kinetic_limit: f64,
     /// Whether the wall does not give way: it stands or hangs.
     firm: bool,
     /// Whether the body hangs, and whether the wall is a body that does.
@@ -133,10 +133,11 @@ impl Walls {
                     return true;
                 }
                 let hangs = |i: u32| anchors.hung.get(i as usize).is_some_and(|hung| hung.is_some());
-                let moves = bodies[grip.body as usize].end.y != grip.skin && !(hangs(grip.body) && hangs(grip.wall) && !known);
+                let moves =
+                    bodies[grip.body as usize].end.y != grip.surface_velocity && !(hangs(grip.body) && hangs(grip.wall) && !known);
                 grips.extend(moves.then_some(grip));
                 if moves && grip.hangs {
-                    anchors.hung[grip.body as usize] = Some(grip.skin);
+                    anchors.hung[grip.body as usize] = Some(grip.surface_velocity);
                 }
                 false
             });
@@ -158,9 +159,9 @@ impl Walls {
             let (body, wall) = (grip.body as usize, grip.wall as usize);
             let falls = grip.on_hung && anchors.hung[wall].is_none();
             // Nothing hangs on two that move apart.
-            grip.hangs &= !falls && anchors.hung[body].is_none_or(|skin| skin == grip.skin);
+            grip.hangs &= !falls && anchors.hung[body].is_none_or(|surface_velocity| surface_velocity == grip.surface_velocity);
             if grip.hangs {
-                (anchors.hung[body], anchors.any_hung) = (Some(grip.skin), true);
+                (anchors.hung[body], anchors.any_hung) = (Some(grip.surface_velocity), true);
             } else if grip.impulse == 0.0 && !falls {
                 self.slow(bodies, k);
             }
@@ -168,25 +169,25 @@ impl Walls {
     }
 
     fn slow(&mut self, bodies: &mut Bodies, k: usize) {
-        let WallContact { body, wall, skin, held, dragged, firm, .. } = self.grips[k];
+        let WallContact { body, wall, surface_velocity, static_limit, kinetic_limit, firm, .. } = self.grips[k];
         let (i, j) = (body as usize, wall as usize);
         let mass = if firm { bodies[i].mass } else { 1.0 / (1.0 / bodies[i].mass + 1.0 / bodies[j].mass) };
         let way = (bodies[i].to.y - bodies[i].from.y) / self.dt;
         let [before, after, mean] = match firm {
-            true => [bodies[i].before.y - skin, bodies[i].free.y - skin, way - skin],
+            true => [bodies[i].before.y - surface_velocity, bodies[i].free.y - surface_velocity, way - surface_velocity],
             false => {
                 [bodies[i].before.y - bodies[j].before.y, bodies[i].end.y - bodies[j].end.y, bodies[i].mean.y - bodies[j].mean.y]
             }
         };
-        let static_limit = if !firm && before == 0.0 { held } else { 0.0 };
-        let left = Node { static_limit, kinetic_limit: dragged, ..Node::free(mass, before, after, mean) }.motion();
+        let static_limit = if !firm && before == 0.0 { static_limit } else { 0.0 };
+        let left = Node { static_limit, kinetic_limit, ..Node::free(mass, before, after, mean) }.motion();
         let impulse = mass * (left.velocity - after);
         // What stops a pair is spread over the step: other contacts may have changed how fast they are within it.
         let on_average = if firm { mass * (left.mean - mean) } else { 0.5 * impulse };
         self.give(bodies, body, [impulse, on_average]);
         self.give(bodies, wall, [-impulse, -on_average]);
         if firm && left.velocity == 0.0 {
-            bodies[i].free.y = skin;
+            bodies[i].free.y = surface_velocity;
         }
         self.grips[k].impulse = impulse;
     }
@@ -204,7 +205,7 @@ impl Walls {
         }
     }
 
-    /// Finds the hanging bodies that cannot be held. Returns whether there is any.
+    /// Finds the hanging bodies that cannot be static_limit. Returns whether there is any.
     fn slip(&mut self, bodies: &Bodies, along: &Along<'_>) -> bool {
         for forces in [&mut self.borne, &mut self.holds] {
             forces.fill(0.0);
@@ -212,7 +213,7 @@ impl Walls {
         self.load(bodies, along);
         let Self { grips, holds, loads, borne, .. } = self;
         let hanging = || grips.iter().filter(|grip| grip.hangs);
-        hanging().for_each(|grip| holds[grip.body as usize] += grip.held);
+        hanging().for_each(|grip| holds[grip.body as usize] += grip.static_limit);
         let mut bears = false;
         // Who hangs on another comes after it.
         for grip in hanging().rev().filter(|grip| (grip.wall as usize) < bodies.len()) {
@@ -249,21 +250,31 @@ impl WallContact {
         let hung = |i: usize| anchors.hung.get(i).copied().flatten();
         // The wall is what stands, or what hangs already.
         let (i, j) = if b >= n || (!stands(a) && (stands(b) || hung(a).is_none())) { (a, b) } else { (b, a) };
-        let belt = bodies.skin(j, ACROSS, i == b);
-        let skin = hung(j).unwrap_or(if j < n { bodies[j].end.y } else { bodies[j].mean.y }) + belt;
-        let falls = !stands(i) && bodies[i].end.y > skin;
+        let belt = bodies.belt_velocity(j, ACROSS, i == b);
+        let surface_velocity = hung(j).unwrap_or(if j < n { bodies[j].end.y } else { bodies[j].mean.y }) + belt;
+        let falls = !stands(i) && bodies[i].end.y > surface_velocity;
         // The ground bears what presses down on it; what is drawn up is light or heavy.
         let on_firm = j >= n || (stands(j) && falls);
         let on_hung = !on_firm && hung(j).is_some() && hung(i).is_none();
         let hangs = (on_firm || (on_hung && falls)) && bodies.rides(i, j, ALONG, belt);
         let of = bodies.coefficients(i, j);
-        let (held, dragged) = (edge.impulse * of.static_friction, edge.impulse * of.kinetic_friction);
-        Self { body: i as u32, wall: j as u32, skin, held, dragged, hangs, on_hung, firm: on_firm || on_hung, impulse: 0.0 }
+        let (static_limit, kinetic_limit) = (edge.impulse * of.static_friction, edge.impulse * of.kinetic_friction);
+        Self {
+            body: i as u32,
+            wall: j as u32,
+            surface_velocity,
+            static_limit,
+            kinetic_limit,
+            hangs,
+            on_hung,
+            firm: on_firm || on_hung,
+            impulse: 0.0,
+        }
     }
 
     /// What this takes of the load of a body that all on which it hangs take together, N·s.
     fn share(&self, loads: &[f64], holds: &[f64]) -> f64 {
         let (load, all) = (loads[self.body as usize], holds[self.body as usize]);
-        if all > 0.0 { load * (self.held / all) } else { load }
+        if all > 0.0 { load * (self.static_limit / all) } else { load }
     }
 }

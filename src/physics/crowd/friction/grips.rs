@@ -6,7 +6,7 @@
 
 use crate::physics::crowd::ROUNDING;
 use crate::physics::crowd::bodies::Bodies;
-use crate::physics::crowd::friction::{Friction, Grip, Riders, Tight};
+use crate::physics::crowd::friction::{Friction, FrictionContact, Grip, Riders};
 use crate::physics::data::tuning::MANY;
 
 /// The most rounds of the active set. Fewer: contacts at their limit slide or stick a step late.
@@ -32,7 +32,7 @@ impl Friction {
         if !self.is_awake[i] || !self.is_gripped[i] {
             return false;
         }
-        let rubs = self.tight[self.under(i)].iter().filter(|tight| tight.held > 0.0);
+        let rubs = self.tight[self.under(i)].iter().filter(|tight| tight.static_limit > 0.0);
         rubs.map(|tight| tight.load).sum::<f64>() > bodies[i].mass * (bodies[i].free.y - bodies[i].end.y).abs() * (1.0 + ROUNDING)
     }
 
@@ -41,8 +41,8 @@ impl Friction {
     pub fn solve(&mut self, bodies: &mut Bodies, given: &[f64]) {
         for i in self.gripped.iter().map(|i| *i as usize) {
             for tight in &mut self.tight[self.start[i] as usize..self.end[i] as usize] {
-                let sliding = bodies[i].before.x - bodies[tight.below as usize].was.x - tight.skin;
-                let lasts = !tight.stood && bodies[i].mass * sliding.abs() > tight.dragged;
+                let sliding = bodies[i].before.x - bodies[tight.below as usize].was.x - tight.belt_velocity;
+                let lasts = !tight.stood && bodies[i].mass * sliding.abs() > tight.kinetic_limit;
                 tight.grip = if lasts { Grip::Slip(-sliding.signum()) } else { Grip::Stick };
                 tight.sense = 1.0;
             }
@@ -87,7 +87,7 @@ impl Friction {
         for i in self.gripped.iter().map(|i| *i as usize) {
             for tight in &mut self.tight[self.start[i] as usize..self.end[i] as usize] {
                 let below = tight.below as usize;
-                (tight.grip, tight.impulse) = (Grip::Stick, part * tight.impulse.clamp(-tight.held, tight.held));
+                (tight.grip, tight.impulse) = (Grip::Stick, part * tight.impulse.clamp(-tight.static_limit, tight.static_limit));
                 bodies[i].end.x += tight.impulse / bodies[i].mass;
                 self.riders[below].momentum -= tight.impulse;
                 if below < bodies.len() && self.is_awake[below] {
@@ -107,8 +107,8 @@ impl Friction {
                 let below = tight.below as usize;
                 let share = |i: usize, moves: bool| if moves { 1.0 / bodies[i].mass } else { 0.0 };
                 let (mine, other) = (share(i, true), share(below, below < n && self.is_awake[below]));
-                let wanted = tight.impulse - (bodies[i].end.x - bodies[below].end.x - tight.skin) / (mine + other);
-                let more = wanted.clamp(-tight.held, tight.held) - tight.impulse;
+                let wanted = tight.impulse - (bodies[i].end.x - bodies[below].end.x - tight.belt_velocity) / (mine + other);
+                let more = wanted.clamp(-tight.static_limit, tight.static_limit) - tight.impulse;
                 tight.impulse += more;
                 bodies[i].end.x += more * mine;
                 bodies[below].end.x -= more * other;
@@ -131,20 +131,20 @@ impl Friction {
         }
         for i in self.gripped.iter().rev().map(|i| *i as usize) {
             let under = self.under(i);
-            let mut held = 0.0;
+            let mut static_limit = 0.0;
             for tight in &mut self.tight[under.clone()] {
                 match tight.grip {
                     Grip::Slip(sign) => {
-                        tight.impulse = sign * tight.dragged * tight.sense;
+                        tight.impulse = sign * tight.kinetic_limit * tight.sense;
                         self.riders[i].momentum += tight.impulse;
                         self.riders[tight.below as usize].momentum -= tight.impulse;
                     }
-                    Grip::Stick => held += tight.held,
+                    Grip::Stick => static_limit += tight.static_limit,
                 }
             }
             let mine = self.riders[i];
-            for tight in self.tight[under].iter().filter(|tight| tight.grip == Grip::Stick && tight.held > 0.0) {
-                let (part, below) = (tight.held / held, &mut self.riders[tight.below as usize]);
+            for tight in self.tight[under].iter().filter(|tight| tight.grip == Grip::Stick && tight.static_limit > 0.0) {
+                let (part, below) = (tight.static_limit / static_limit, &mut self.riders[tight.below as usize]);
                 below.momentum += part * mine.momentum;
                 below.began += part * mine.began;
                 below.mass += part * mine.mass;
@@ -159,35 +159,35 @@ impl Friction {
             let i = self.gripped[k] as usize;
             let (under, mine) = (self.under(i), self.riders[i]);
             // The strongest support that it sticks to, and the limits of all of them.
-            let (mut best, mut held, mut holds) = (None::<&Tight>, 0.0, 0.0);
-            for tight in self.tight[under.clone()].iter().filter(|tight| tight.grip == Grip::Stick && tight.held > 0.0) {
-                (held, holds) = (held + tight.held, holds + tight.holds);
-                if best.is_none_or(|best| tight.held > best.held) {
+            let (mut best, mut static_limit, mut holds) = (None::<&FrictionContact>, 0.0, 0.0);
+            for tight in self.tight[under.clone()].iter().filter(|tight| tight.grip == Grip::Stick && tight.static_limit > 0.0) {
+                (static_limit, holds) = (static_limit + tight.static_limit, holds + tight.holds);
+                if best.is_none_or(|best| tight.static_limit > best.static_limit) {
                     best = Some(tight);
                 }
             }
-            let Some(&Tight { below, skin, stood, .. }) = best else {
+            let Some(&FrictionContact { below, belt_velocity, stood, .. }) = best else {
                 bodies[i].end.x = mine.momentum / mine.mass;
                 for tight in &mut self.tight[under] {
-                    let slip = bodies[i].end.x - bodies[tight.below as usize].end.x - tight.skin;
+                    let slip = bodies[i].end.x - bodies[tight.below as usize].end.x - tight.belt_velocity;
                     if matches!(tight.grip, Grip::Slip(sign) if slip * sign > 0.0) {
                         (tight.grip, changed) = (Grip::Stick, true);
                     }
                 }
                 continue;
             };
-            let target = bodies[below as usize].end.x + skin;
+            let target = bodies[below as usize].end.x + belt_velocity;
             let impulse = mine.mass * target - mine.momentum;
             bodies[i].end.x = target;
             // Static friction holds a slide that has ended within the step.
-            let first = mine.began - mine.mass * (bodies[below as usize].was.x + skin);
-            let ends = !stood && (impulse.abs() <= held || first * impulse > 0.0);
-            let (holds, needs) = if ends { (holds, impulse + first) } else { (held, impulse) };
+            let first = mine.began - mine.mass * (bodies[below as usize].was.x + belt_velocity);
+            let ends = !stood && (impulse.abs() <= static_limit || first * impulse > 0.0);
+            let (holds, needs) = if ends { (holds, impulse + first) } else { (static_limit, impulse) };
             // Or it slides back, for what is left of the step.
-            let sense = if ends { 1.0 - 2.0 * first.abs() / (needs.abs() + held) } else { 1.0 };
-            for tight in self.tight[under].iter_mut().filter(|tight| tight.grip == Grip::Stick && tight.held > 0.0) {
-                let other = bodies[tight.below as usize].end.x + tight.skin;
-                tight.impulse = impulse * (tight.held / held);
+            let sense = if ends { 1.0 - 2.0 * first.abs() / (needs.abs() + static_limit) } else { 1.0 };
+            for tight in self.tight[under].iter_mut().filter(|tight| tight.grip == Grip::Stick && tight.static_limit > 0.0) {
+                let other = bodies[tight.below as usize].end.x + tight.belt_velocity;
+                tight.impulse = impulse * (tight.static_limit / static_limit);
                 if other != target {
                     (tight.grip, changed) = (Grip::Slip((other - target).signum()), true);
                 } else if needs.abs() > holds * (1.0 + ROUNDING) {

@@ -4,7 +4,7 @@
 //!
 //! Only bodies that move, are pushed, or stand on such take part. A standing body holds all that slides on it, since its own limit is at least
 //! theirs together, if no surface is more slippery than the bodies and all bodies are alike. A moving surface or belt carries with the velocity of
-//! its skin.
+//! its belt.
 
 pub(crate) mod grips;
 
@@ -23,14 +23,14 @@ pub(crate) enum Grip {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Tight {
+pub(crate) struct FrictionContact {
     pub below: u32,
     pub grip: Grip,
     /// Impulse along the normal, N·s.
     pub load: f64,
     /// Largest impulses of friction, N·s.
-    pub held: f64,
-    pub dragged: f64,
+    pub static_limit: f64,
+    pub kinetic_limit: f64,
     /// Friction's impulse on the upper body, N·s.
     pub impulse: f64,
     stood: bool,
@@ -39,15 +39,16 @@ pub(crate) struct Tight {
     /// The part of the largest impulse that acts on a slide: less than 1 where it turned round within the step.
     sense: f64,
     above: bool,
-    /// Velocity of the skin besides that of what it belongs to, m/s.
-    pub skin: f64,
+    /// Velocity of the belt besides that of what it belongs to, m/s.
+    pub belt_velocity: f64,
 }
 
-impl Tight {
+impl FrictionContact {
     /// Sets its load, N·s, of which it returns a part: its limits so far are coefficients.
     fn press(&mut self, impulse: f64, restitution: f64) {
         let rubs = impulse * (1.0 + restitution);
-        (self.load, self.held, self.holds, self.dragged) = (impulse, self.held * rubs, self.holds * rubs, self.dragged * rubs);
+        (self.load, self.static_limit, self.holds, self.kinetic_limit) =
+            (impulse, self.static_limit * rubs, self.holds * rubs, self.kinetic_limit * rubs);
     }
 }
 
@@ -64,7 +65,7 @@ pub(crate) struct Friction {
     /// Tight contacts of body i: `tight[start[i]..end[i]]`.
     start: Vec<u32>,
     end: Vec<u32>,
-    pub tight: Vec<Tight>,
+    pub tight: Vec<FrictionContact>,
     pub riders: Vec<Riders>,
     loads: Vec<f64>,
     awake: Vec<u32>,
@@ -162,13 +163,25 @@ impl Friction {
             return;
         }
         let below = if above { contact.first } else { contact.second };
-        let (of, skin) = (bodies.coefficients(i, below as usize), bodies.skin(below as usize, ALONG, above));
-        let stood = bodies.rides(i, below as usize, ACROSS, skin);
-        let (dragged, holds) = (of.kinetic_friction, of.static_friction);
+        let (of, belt_velocity) = (bodies.coefficients(i, below as usize), bodies.belt_velocity(below as usize, ALONG, above));
+        let stood = bodies.rides(i, below as usize, ACROSS, belt_velocity);
+        let (kinetic_limit, holds) = (of.kinetic_friction, of.static_friction);
         // Kinetic friction stops a slide; static friction holds a body that stands.
-        let held = if stood { holds } else { dragged };
+        let static_limit = if stood { holds } else { kinetic_limit };
         let (grip, load, sense, impulse) = (Grip::Stick, 0.0, 1.0, 0.0);
-        self.tight.push(Tight { below, grip, load, held, dragged, impulse, stood, holds, sense, above, skin });
+        self.tight.push(FrictionContact {
+            below,
+            grip,
+            load,
+            static_limit,
+            kinetic_limit,
+            impulse,
+            stood,
+            holds,
+            sense,
+            above,
+            belt_velocity,
+        });
     }
 
     /// Adds up the loads top-down, N·s. A bounce with restitution e rubs with 1 + e times the impulse that stops it.
@@ -185,7 +198,7 @@ impl Friction {
                 continue;
             }
             let load = self.loads[i] + bodies[i].mass * (bodies[i].free.y - bodies[i].end.y);
-            let bears = |tight: &Tight| tight.above == (load < 0.0);
+            let bears = |tight: &FrictionContact| tight.above == (load < 0.0);
             let share = load.abs() / self.tight[under.clone()].iter().filter(|t| bears(t)).count() as f64;
             for tight in &mut self.tight[under] {
                 let share = if bears(tight) { share } else { 0.0 };
@@ -224,10 +237,10 @@ impl Friction {
             }
             let free = (bodies[i].to.x - bodies[i].from.x) / dt;
             let mut mean = free + 0.5 * (bodies[i].end.x - bodies[i].free.x);
-            let strongest = self.tight[self.under(i)].iter().reduce(|a, b| if b.held > a.held { b } else { a });
+            let strongest = self.tight[self.under(i)].iter().reduce(|a, b| if b.static_limit > a.static_limit { b } else { a });
             if let Some(tight) = strongest {
                 let below = tight.below as usize;
-                let (belt, began) = (tight.skin, bodies[below].was.x);
+                let (belt, began) = (tight.belt_velocity, bodies[below].was.x);
                 if tight.sense != 1.0 && tight.grip != Grip::Stick {
                     let part = 0.5 * (1.0 - tight.sense);
                     let turns = began + part * (bodies[below].end.x - began) + belt;
@@ -236,8 +249,8 @@ impl Friction {
                     let carried = bodies[below].mean.x + belt;
                     let sliding = bodies[i].before.x - began - belt;
                     let gained = bodies[i].free.x - bodies[i].before.x - (bodies[below].end.x - began);
-                    let dragged: f64 = self.tight[self.under(i)].iter().map(|t| t.dragged).sum();
-                    let until = time_to_stop(sliding, gained, dragged / self.riders[i].mass);
+                    let kinetic_limit: f64 = self.tight[self.under(i)].iter().map(|t| t.kinetic_limit).sum();
+                    let until = time_to_stop(sliding, gained, kinetic_limit / self.riders[i].mass);
                     mean = carried + if tight.stood { 0.0 } else { 0.5 * sliding * until };
                 }
             }
@@ -246,12 +259,12 @@ impl Friction {
     }
 
     /// Neighbours have set the velocity of a body: only kinetic friction acts where they push it along.
-    pub fn tell(&mut self, i: usize, slides: bool) {
+    pub fn free_pushed(&mut self, i: usize, slides: bool) {
         let under = self.under(i);
         for tight in &mut self.tight[under] {
             tight.stood = true;
             if slides {
-                (tight.held, tight.holds) = (tight.dragged, tight.dragged);
+                (tight.static_limit, tight.holds) = (tight.kinetic_limit, tight.kinetic_limit);
             }
         }
     }
