@@ -1,6 +1,6 @@
 //! Output on Windows and macOS: the system asks for samples on its own thread.
 
-use super::Why;
+use super::why::Why;
 use crate::sound::{Feed, Mixer};
 use cpal::traits::{DeviceTrait, HostTrait, StreamTrait};
 use cpal::{ErrorKind, SampleFormat, StreamConfig};

@@ -1,8 +1,8 @@
 //! Output on Linux: the thread computes and writes block after block; the device holds it until there is room.
 
-use super::Why;
-use super::keep_pace;
+use super::pace::keep_pace;
 use super::system::{CHANNELS, Device, LATENCY, Libraries, RATE};
+use super::why::Why;
 use crate::sound::{Feed, Mixer};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};

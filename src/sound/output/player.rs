@@ -1,10 +1,10 @@
 //! The thread that plays, and looks for a device again where there is none.
 
-use super::Why;
 #[cfg(any(windows, target_os = "macos"))]
 use super::cpal::play;
 #[cfg(target_os = "linux")]
 use super::linux::play;
+use super::why::Why;
 use crate::sound::Feed;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
