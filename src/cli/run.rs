@@ -213,7 +213,7 @@ struct BodyRow {
     impulse: Pair,
 }
 
-pub struct Telemetry<W: Write>(CsvOutput<W>);
+struct Telemetry<W: Write>(CsvOutput<W>);
 
 impl<W: Write> Telemetry<W> {
     pub fn new(out: W) -> io::Result<Self> {

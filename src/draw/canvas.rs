@@ -1,10 +1,7 @@
 //! The canvas: every drawing goes through it. It records shapes in canvas units and needs no window.
 
 use super::layout::{Area, Frame, LINE, Vec2};
-use super::shape::Colour;
-use super::shape::Quads;
-use super::shape::dashes;
-use super::shape::{Align, Contour, Image, Shape, Style};
+use super::shape::{Align, Colour, Contour, Image, Quads, Shape, Style, dashes};
 use super::text;
 use std::cell::{Ref, RefCell};
 use std::collections::HashMap;

@@ -4,9 +4,7 @@
 use super::canvas::Canvas;
 use super::glyphs::Glyphs;
 use super::layout::{Frame, Vec2};
-use super::shape::Colour;
-use super::shape::{Image, Shape};
-use super::shape::{MOST_QUADS, Quad};
+use super::shape::{Colour, Image, MOST_QUADS, Quad, Shape};
 use super::soft::Soft;
 use super::text;
 use macroquad::camera::{Camera2D, set_camera};

@@ -2,8 +2,7 @@
 //! triangles here, without a window.
 
 use super::layout::{Area, Vec2};
-use super::shape::Colour;
-use super::shape::Contour;
+use super::shape::{Colour, Contour};
 use std::f32::consts::{FRAC_PI_2, TAU};
 
 /// How far, in physical pixels, a curve may stray from the true one.

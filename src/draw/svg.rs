@@ -3,8 +3,7 @@
 
 use super::canvas::Canvas;
 use super::layout::{Area, Vec2};
-use super::shape::Colour;
-use super::shape::{Align, Contour, Shape, Style};
+use super::shape::{Align, Colour, Contour, Shape, Style};
 use super::text::Typeface;
 use std::fmt::Write;
 

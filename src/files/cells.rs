@@ -330,7 +330,7 @@ thread_local! {
     static KEPT: RefCell<Vec<(u8, MemoryReader)>> = const { RefCell::new(Vec::new()) };
 }
 
-pub(super) struct PooledReader {
+struct PooledReader {
     delimiter: u8,
     /// `None` only once it is dropped.
     reader: Option<MemoryReader>,

@@ -3,8 +3,7 @@
 
 use super::lock::Lock;
 use super::read::{Symlinks, too_large};
-use super::storage::Disk;
-use super::storage::{FileKind, Found, Manner, Storage};
+use super::storage::{Disk, FileKind, Found, Manner, Storage};
 use crate::built_in::SHIPPED;
 use crate::words::tr;
 use std::collections::BTreeSet;

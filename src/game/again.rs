@@ -4,8 +4,7 @@
 //! What becomes of a level in which nobody presses a key.
 
 use super::attempt::Game;
-use super::clock::Controls;
-use super::clock::TICK_RATE;
+use super::clock::{Controls, TICK_RATE};
 use super::event::{GameError, Outcome};
 use super::history::{History, Tape, lasts};
 use super::inputs::Playback;

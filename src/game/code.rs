@@ -12,8 +12,7 @@
 //!
 //! The hashes of the seconds are left out: a proof compares the last state alone.
 
-use super::clock::Controls;
-use super::clock::TICK_RATE;
+use super::clock::{Controls, TICK_RATE};
 use super::event::Outcome;
 use super::fingerprint::LevelHash;
 use super::inputs::Inputs;

@@ -20,8 +20,7 @@
 //! departs. A record of a saved score has `player`.
 
 use super::attempt::Game;
-use super::clock::Controls;
-use super::clock::TICK_RATES;
+use super::clock::{Controls, TICK_RATES};
 use super::event::Outcome;
 use super::fingerprint::{LevelHash, level_hash};
 use super::inputs::{BadFile, Inputs};

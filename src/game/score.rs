@@ -113,7 +113,7 @@ impl Medal {
     }
 
     /// The medal for a completed flight of that time, s; bronze without a time, as for a flight with help.
-    pub fn for_time(awards: &Awards, time: Option<f64>) -> Self {
+    fn for_time(awards: &Awards, time: Option<f64>) -> Self {
         let within = |limit: Option<f64>| limit.zip(time).is_some_and(|(limit, time)| hundredths(time) <= whole_hundredths(limit));
         match (within(awards.gold), within(awards.silver)) {
             (true, _) => Self::Gold,

@@ -5,15 +5,12 @@
 //!
 //! Curves for a file: a table with every tick and every digit, and the sheet of a picture. Neither knows a disk.
 
-use super::curve::Curve;
-use super::curve::{Extremes, around};
+use super::curve::{Curve, Extremes, around};
 use super::fit::Fit;
-use super::quantity::Quantity;
-use super::quantity::Unit;
+use super::quantity::{Quantity, Unit};
 use super::track::BodyTrack;
-use crate::draw::chart::Linear;
 use crate::draw::chart::look::{CurveLook, CurveOrigin, Marker};
-use crate::draw::chart::{Piece, Sheet, Strip};
+use crate::draw::chart::{Linear, Piece, Sheet, Strip};
 use crate::files::csv_line;
 use crate::number::Shortest;
 use crate::physics::ForceKind;

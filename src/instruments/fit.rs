@@ -1,7 +1,6 @@
 //! A law through a stretch of a curve by least squares: a line, a parabola or a sine, with its figures and what it leaves over.
 
-use super::quantity::Quantity;
-use super::quantity::Unit;
+use super::quantity::{Quantity, Unit};
 use crate::number::{fixed, short};
 use crate::words::tr;
 

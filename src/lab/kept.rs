@@ -69,7 +69,7 @@ pub fn charts() -> Result<Charts, String> {
 /// The columns of the file that `benches/peers` writes.
 pub const PEERS_HEAD: [&str; 10] = ["scene", "engine", "version", "settings", "step", "work", "error", "overlap", "speed", "times"];
 /// The name of this engine in that file.
-pub const OURS: &str = "Resultant";
+const OURS: &str = "Resultant";
 /// The ending of scenes in which resting bodies may sleep, as they always may in the lab.
 const SLEEP: &str = "-sleep";
 

@@ -1,11 +1,9 @@
 //! The findings of a run in writing: a page with all tables and diagrams, and the cheapest method of each scene.
 
 use super::charts::Charts;
-use super::curve::Measured;
-use super::curve::{MethodCurve, WorkPoint};
+use super::curve::{Measured, MethodCurve, WorkPoint};
 use super::rows::{shortest, table};
-use super::stability::{Region, SHIPPED, SHIPPED_LIMITS, limit};
-use super::stability::{SVG, TITLE};
+use super::stability::{Region, SHIPPED, SHIPPED_LIMITS, SVG, TITLE, limit};
 use crate::draw::chart::look::CurveOrigin;
 use crate::number::{short, step};
 use std::fmt::Write;

@@ -1,7 +1,6 @@
 //! A package as a `.zip`, and back. Limits hold for the unpacked bytes, not for the sizes that an archive names.
 
-use super::package::Cost;
-use super::package::{LARGEST, MEMORY, MOST_FILES, Package, UNPACKED, limit};
+use super::package::{Cost, LARGEST, MEMORY, MOST_FILES, Package, UNPACKED, limit};
 use super::path;
 use crate::words::tr;
 use std::collections::{BTreeMap, BTreeSet};

@@ -15,8 +15,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::name::DamageReport;
-use super::name::Name;
+use super::name::{DamageReport, Name};
 use crate::files::{CsvColumn, CsvFile, CsvRow, CsvStruct, csv_line, truth};
 use crate::game::{Medal, Medals};
 use crate::words::tr;

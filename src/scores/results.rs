@@ -6,11 +6,9 @@ use std::path::PathBuf;
 use serde::{Serialize, Serializer};
 
 use super::folder::{self, as_text};
-use super::name::Name;
-use super::name::ScoresError;
+use super::name::{Name, ScoresError};
 use super::players::harmless;
-use crate::level;
-use crate::number;
+use crate::{level, number};
 
 pub(super) const HEADER: &str = "\u{feff}player,experiment,time,guess,guess_right,readings,readings_right,answer\r\n";
 

@@ -1,9 +1,8 @@
 //! Sums over lists of attempts and of answers to experiments, from any number of files.
 
-use super::folder;
 use super::name::Name;
 use super::players::unharmed;
-use super::results;
+use super::{folder, results};
 use crate::files::{CsvColumn, CsvFile, CsvRow, CsvStruct, truth};
 use serde::Deserialize;
 use std::borrow::Cow;

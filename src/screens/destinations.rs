@@ -21,9 +21,7 @@ use super::screen::{Classic, Destination, Purpose, Screen};
 use super::settings;
 use super::settings::SettingsPanel;
 use crate::classics::jumper::LEADERBOARD;
-use crate::files;
 use crate::game::body_title;
-use crate::level;
 use crate::physics::BodyId;
 use crate::session::Session;
 use crate::session::attempt::Attempt;
@@ -32,6 +30,7 @@ use crate::session::recordings::FlightSource;
 use crate::session::worker::Errand;
 use crate::ui::Spectator;
 use crate::words::tr;
+use crate::{files, level};
 use std::path::Path;
 
 /// What is to be read before a place opens, with its name in words.

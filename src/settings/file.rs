@@ -1,8 +1,7 @@
 //! `settings.csv`: a row a setting, `setting,value,player`. A row without a player holds for everyone. Reading reports each refused
 //! row. Saving changes only the rows that it sets: comments, rows of other players and refused rows stay.
 
-use super::item::Item;
-use super::item::Settings;
+use super::item::{Item, Settings};
 use super::{Action, Key};
 use crate::files::{self, CsvColumn, CsvFile, CsvRow, CsvStruct, SETTINGS, SaveError, csv_line, found_instead, place};
 use crate::words::tr;

@@ -148,7 +148,7 @@ const NEARLY: f32 = 0.9995;
 
 /// Both sides have the same gain, so that no sound moves from side to side.
 #[derive(Debug)]
-pub struct Limiter {
+struct Limiter {
     /// Rings of the delayed samples, of the gain that each needs, and of the target gain at its arrival.
     samples: Vec<[f32; 2]>,
     needed: Vec<f32>,

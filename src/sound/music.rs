@@ -3,8 +3,7 @@
 
 use super::cue::{Recipe, Tone};
 use super::filter::{Glide, LowPass, WhiteNoise};
-use super::tune::Tune;
-use super::tune::{Arrangement, Ensemble};
+use super::tune::{Arrangement, Ensemble, Tune};
 use super::voice::{Choir, Voice};
 
 /// Time constant of a tune's fade when another replaces it, s.

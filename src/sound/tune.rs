@@ -8,7 +8,7 @@ use rand_pcg::Pcg32;
 
 /// Eighths a bar and bars a section.
 pub const BAR: u32 = 8;
-pub const SECTION: u32 = 8;
+const SECTION: u32 = 8;
 /// The roots, Hz: from G₂ to E₃.
 const ROOTS: [f32; 6] = [98.0, 110.0, 123.47, 130.81, 146.83, 164.81];
 /// The lowest and highest degree of the melody.

@@ -195,7 +195,7 @@ pub fn by_whom(game: &Game, on: BodyId, causes: &[Source]) -> String {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub struct NamedForce {
+struct NamedForce {
     pub kind: ForceKind,
     /// Sum, N.
     pub vector: DVec2,
@@ -205,7 +205,7 @@ pub struct NamedForce {
 
 /// The forces by name, in the usual order. Forces of one name that point the same way (the reactions of two floor tiles) are one;
 /// those of one name that oppose each other stay apart, for their sum would hide the pressure.
-pub fn by_name(forces: &ForceManager) -> Vec<NamedForce> {
+fn by_name(forces: &ForceManager) -> Vec<NamedForce> {
     let mut named: Vec<NamedForce> = Vec::new();
     for kind in ForceKind::ALL {
         let first = named.len();

@@ -2,10 +2,8 @@
 //! another one, the ship, a hazard, a goal or the head-up display moves aside, along its line of action, or, at last, off its
 //! scale, which is marked. A force too small to be seen is as long as its head needs.
 
-use super::facts::reads_as_nothing;
-use super::facts::{ArrowKind, BodyFacts, FactRow, Value};
-use super::scale::{Arrow, HEAD_SPREAD, Label, head_length};
-use super::scale::{ArrowScale, Reach};
+use super::facts::{ArrowKind, BodyFacts, FactRow, Value, reads_as_nothing};
+use super::scale::{Arrow, ArrowScale, HEAD_SPREAD, Label, Reach, head_length};
 use crate::draw::layout::{Area, Vec2};
 use crate::game::SHIP;
 use crate::physics::{BodyId, DVec2};

@@ -6,9 +6,8 @@ use cpu_time::ThreadTime;
 use resultant::lab::charts::Charts;
 use resultant::lab::drawing::picture;
 use resultant::lab::{kept, report};
-use resultant::level;
 use resultant::scores::board;
-use resultant::{files, game};
+use resultant::{files, game, level};
 use std::hint::black_box;
 use std::path::Path;
 

@@ -3,8 +3,7 @@
 use crate::support::program::{Ran, resultant};
 use crate::support::shipped::names;
 use resultant::lab::charts::Charts;
-use resultant::lab::methods::motion::rise_and_fall;
-use resultant::lab::methods::motion::{MotionLaw, MotionStep, PointState, follow, rk4, semi_implicit_euler, strang};
+use resultant::lab::methods::motion::{MotionLaw, MotionStep, PointState, follow, rise_and_fall, rk4, semi_implicit_euler, strang};
 use resultant::lab::stress::TESTS;
 use resultant::lab::stress::picture::FailurePicture;
 use resultant::lab::{LabScene, kept, reference, scenes};

@@ -8,8 +8,7 @@ use resultant::level::Level;
 use resultant::physics::{BodyId, DVec2, ForceKind};
 use resultant::view::camera::{CanvasWindow, Viewport};
 use resultant::view::details::{Details, Looking, PlacedBox};
-use resultant::view::facts::quantity;
-use resultant::view::facts::{ArrowKind, BodyFacts, FactRow, Value, facts};
+use resultant::view::facts::{ArrowKind, BodyFacts, FactRow, Value, facts, quantity};
 use resultant::view::focus::Focus;
 use std::sync::Arc;
 

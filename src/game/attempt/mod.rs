@@ -2,16 +2,11 @@
 
 mod carried;
 
-use super::clock::Controls;
-use super::clock::{TICK_RATE, TICK_RATES};
-use super::event::{Death, crushed};
-use super::event::{GameError, GameEvent, Outcome};
+use super::clock::{Controls, TICK_RATE, TICK_RATES};
+use super::event::{Death, GameError, GameEvent, Outcome, crushed};
 use super::fingerprint::Fnv1a;
-use super::impacts::{APART, PushCount};
-use super::impacts::{DUST_SPEED, Felt, Impacts, READABLE, damaging_hit};
-use super::impacts::{SHIP_BOX, TOUCH};
-use super::mechanisms::Mechanisms;
-use super::mechanisms::Objectives;
+use super::impacts::{APART, DUST_SPEED, Felt, Impacts, PushCount, READABLE, SHIP_BOX, TOUCH, damaging_hit};
+use super::mechanisms::{Mechanisms, Objectives};
 use super::score::{RunResult, ScoreParts};
 use super::ship::{SHIP, Ship, stands};
 use crate::level::{Level, SHIP_HALF, ship_body, sweep_touches};

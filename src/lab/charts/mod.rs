@@ -4,9 +4,7 @@
 
 mod read;
 
-use super::curve::Measured;
-use super::curve::WorkPoint;
-use super::curve::{CoursePoint, OverTime};
+use super::curve::{CoursePoint, Measured, OverTime, WorkPoint};
 use super::rows::{shortest, table};
 use super::stress::Survival;
 use crate::draw::chart::look::CurveOrigin;

@@ -4,9 +4,7 @@ use super::{
 };
 use crate::draw::chart::look::CurveOrigin;
 use crate::files::CsvRow;
-use crate::lab::curve::Measured;
-use crate::lab::curve::{CoursePoint, OverTime};
-use crate::lab::curve::{MOST_CURVES, MethodCurve, WorkPoint, curve_of};
+use crate::lab::curve::{CoursePoint, MOST_CURVES, Measured, MethodCurve, OverTime, WorkPoint, curve_of};
 use crate::lab::report::PI;
 use crate::lab::rows::{above_zero, error, rows};
 use crate::lab::stress::Survival;

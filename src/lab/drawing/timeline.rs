@@ -1,15 +1,13 @@
 //! A scene over time: the error of every method above, the kept energy below. The picture of `resultant chart`, with one method
 //! picked out.
 
-use super::diagram::DiagramPlaces;
-use super::diagram::{legend_of_curves, shade};
+use super::diagram::{DiagramPlaces, legend_of_curves, shade};
 use crate::draw::chart::look::{CurveLook, TOLERANCE_DASH, dashed, stroke};
 use crate::draw::chart::round_numbers;
 use crate::draw::layout::{Area, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
-use crate::lab::curve::Measured;
-use crate::lab::curve::{CoursePoint, OverTime};
+use crate::lab::curve::{CoursePoint, Measured, OverTime};
 use crate::lab::timeline::{Timeline, energy_name};
 use crate::number::{power, short, step};
 use crate::view::lanes::LaneAxes;

@@ -2,8 +2,7 @@
 //! the wind, and a gust on a light body, which have no closed form (see [`crate::lab::reference`]).
 
 use crate::lab::contract::{By, Model};
-use crate::lab::methods::motion::{METHODS, MotionLaw, MotionStep, PointState, exact_fall};
-use crate::lab::methods::motion::{drag_alone, in_liquid, rise_and_fall};
+use crate::lab::methods::motion::{METHODS, MotionLaw, MotionStep, PointState, drag_alone, exact_fall, in_liquid, rise_and_fall};
 use crate::lab::{LabScene, SceneMethod, contract, reference};
 use crate::physics::{BodyId, DVec2, World, WorldDef};
 

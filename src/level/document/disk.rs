@@ -4,8 +4,7 @@
 //!
 //! One editor of a level at a time.
 
-use super::model::Document;
-use super::model::{self, Kept};
+use super::model::{self, Document, Kept};
 use crate::files::{self, Lock, Manner, Symlinks};
 use crate::level::folder::{LevelDisk, load_from};
 use crate::level::image::png_size;
@@ -290,7 +289,7 @@ const MOST: u64 = 200;
 
 /// Held until the editor ends. The system frees it when the process ends.
 #[derive(Debug)]
-pub(super) struct EditorLock {
+struct EditorLock {
     _lock: Lock,
     path: PathBuf,
 }

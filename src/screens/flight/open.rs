@@ -4,8 +4,7 @@
 
 use super::Flight;
 use super::ahead::Ahead;
-use super::signs::Hints;
-use super::signs::News;
+use super::signs::{Hints, News};
 use crate::game::{GameError, Unflown};
 use crate::level::Level;
 use crate::screens::screen::Screen;

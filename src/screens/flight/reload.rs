@@ -183,7 +183,7 @@ impl Flight {
     }
 
     /// Shows why the level's files do not load any more; the flight goes on.
-    pub(super) fn tell_of_problems(&mut self, problems: Vec<String>) {
+    fn tell_of_problems(&mut self, problems: Vec<String>) {
         self.open.news = Some(News::Broken(problems));
     }
 

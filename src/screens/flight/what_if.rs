@@ -231,7 +231,7 @@ impl Flight {
     }
 
     /// Whether it is said that the run has ended, and what leads on.
-    pub(super) fn tells_of_the_end(&self) -> bool {
+    fn tells_of_the_end(&self) -> bool {
         self.run.what_if.is_some() && self.run.game.outcome() != Outcome::Running && self.run.ended >= END_PAUSE
     }
 

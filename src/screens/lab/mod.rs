@@ -9,7 +9,7 @@ mod side_by_side;
 mod stability;
 mod survival;
 
-use crate::screens::screen::{PAGES, Page};
+use crate::screens::screen::{PAGES, Page, Request, Screen};
 use crate::session::attempt::Experiment;
 use crate::session::library::Shown;
 pub(super) use experiments::Paragraphs;
@@ -18,7 +18,6 @@ pub use side_by_side::{Half, SideBySide};
 use crate::draw::Style;
 use crate::draw::layout::{Area, Frame, GAP, TEXT, Vec2};
 use crate::lab::charts::Charts;
-use crate::screens::screen::{Request, Screen};
 use crate::settings::Key;
 use crate::ui::input::Input;
 use crate::ui::pace::Motion;

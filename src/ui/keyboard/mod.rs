@@ -212,7 +212,7 @@ fn is_mark(sign: char) -> bool {
 
 /// The mark that waits.
 #[derive(Debug, Default)]
-pub struct Compose(Option<char>);
+struct Compose(Option<char>);
 
 impl Compose {
     /// What a character, or a combining mark for a dead key, types. What makes no letter together is typed one after the other.

@@ -13,8 +13,7 @@ use crate::draw::layout::Area;
 use crate::draw::{Canvas, Colour, Image};
 use crate::level::SHIP_PIXELS;
 use crate::physics::{Aabb, DVec2, Material};
-use paint::Pixels;
-use paint::TILE_METRES;
+use paint::{Pixels, TILE_METRES};
 use std::sync::LazyLock;
 
 /// Width and height of the sheet, pixels.

@@ -2,19 +2,16 @@
 
 mod drawing;
 
-use super::camera::StirredObjects;
-use super::camera::{Camera, CanvasWindow, Viewport};
+use super::camera::{Camera, CanvasWindow, StirredObjects, Viewport};
 use super::details::{Details, Looking};
 use super::emitters::{Emitters, dust, objective_colour};
 use super::feedback::Feedback;
 use super::focus::Focus;
 use super::hud::{Hud, HudScene, HudShown};
-use super::particles::Barriers;
-use super::particles::Particles;
+use super::particles::{Barriers, Particles};
 use super::pictures::Pictures;
 use super::terrain::Terrain;
-use super::things::Wreck;
-use super::things::{GENTLE, Touchdown};
+use super::things::{GENTLE, Touchdown, Wreck};
 use super::{hitboxes, mechanisms, theme, world};
 use crate::draw::layout::{Area, Frame, Vec2};
 use crate::game::{Game, GameEvent, GhostPose, Outcome, SHIP};

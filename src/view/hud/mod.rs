@@ -339,7 +339,7 @@ fn draw_fuel(share: f32, words: &str, area: Area, aside: f32, canvas: &Canvas) {
 }
 
 /// From yellow-orange when full to red when empty.
-pub fn fuel_colour(share: f32) -> Colour {
+fn fuel_colour(share: f32) -> Colour {
     FUEL_EMPTY.mixed(FUEL_FULL, share.clamp(0.0, 1.0))
 }
 

@@ -1,8 +1,7 @@
 //! Draws the terrain: the mass, its materials, the drafting, its edge, and the light on it.
 
 use super::drafting::{self, Dimension, Grain, HatchStroke};
-use super::light::{self, RockCorner};
-use super::light::{Lit, cast};
+use super::light::{self, Lit, RockCorner, cast};
 use super::silhouette::{Corner, RockEdge, Silhouette};
 use super::{ROCK, Tint, kind, mass, parts};
 use crate::draw::layout::{Area, DETAILS, Vec2};

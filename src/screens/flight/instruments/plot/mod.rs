@@ -23,9 +23,8 @@ use crate::ui::input::Input;
 use crate::words::tr;
 use choices::PlotObject;
 use fitting::Fitted;
-use hand::Hand;
 pub use hand::PlotPlaces;
-use hand::{MOST_LINES, READINGS};
+use hand::{Hand, MOST_LINES, READINGS};
 use panel::{Format, Pick};
 use std::path::PathBuf;
 

@@ -1,7 +1,6 @@
 //! The buttons of the panel: their effects, their places, and the lists to choose from.
 
-use super::choices::PlotObject;
-use super::choices::{self, choices};
+use super::choices::{self, PlotObject, choices};
 use super::hand::{MOST_LINES, PlotPlaces};
 use super::{Plot, PlotLine, along};
 use crate::draw::Style;
