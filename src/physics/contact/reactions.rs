@@ -105,7 +105,7 @@ impl Reactions {
             out[body as usize] = parts.free[body as usize];
         }
         for contact in contacts.iter_mut() {
-            contact.gave_way = false;
+            (contact.begun, contact.gave_way) = (contact.normal, false);
         }
         self.pressed.clear();
         self.solutions.iter_mut().for_each(Vec::clear);
