@@ -1,20 +1,22 @@
 //! What an attempt came to, part by part.
 
-pub mod save_score;
-
-use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, ROW_BUTTON, TEXT, Vec2};
-use crate::draw::{Colour, Style};
-use crate::game::{Outcome, RunResult, goals};
-use crate::number::{clock, whole_hundredths};
-use crate::scores::{subject, unsaved_points};
-use crate::screens::screen::{Destination, Effect, Finished, Gain, Noise, Onward, Request, Screen};
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, GRID, HEADING, ROW_BUTTON, TEXT, TITLE, Vec2};
+use crate::draw::{Canvas, Colour, Style};
+use crate::game::{Game, GhostTrack, Inputs, Outcome, RunResult, goals};
+use crate::number::{clock, fixed, hundredths, whole_hundredths};
+use crate::scores::Name;
+use crate::screens::players::PlayerList;
+use crate::screens::screen::{AboveGame, Destination, Finished, GameScene, Noise, Purpose, Request, Screen};
 use crate::session::Session;
 use crate::session::attempt::{Attempt, Flown};
-use crate::session::recordings::Visit;
+use crate::session::recordings::{self, FlightCandidate, Visit};
 use crate::settings::{Action, Key};
 use crate::ui::input::Input;
-use crate::ui::{Spectator, Ui};
-use crate::view::{theme, widgets};
+use crate::ui::pace::Motion;
+use crate::ui::{Spectator, Ui, WidgetKind};
+use crate::view::camera::Viewport;
+use crate::view::hud::Aside;
+use crate::view::{Overlays, theme, widgets};
 use crate::words::tr;
 use std::rc::Rc;
 
@@ -25,29 +27,38 @@ const STEERING: [Action; 4] = [Action::Thrust, Action::Reverse, Action::Left, Ac
 /// The keys of menus that may steer, too.
 const MENU_KEYS: [Key; 5] = [Key::Left, Key::Right, Key::Up, Key::Down, Key::Enter];
 /// The words on the buttons.
-const AGAIN: &str = "Try Again";
-const NEXT: &str = "Next Level";
+const NEXT: &str = "Next";
+const AGAIN: &str = "Again";
+const WATCH: &str = "Watch";
+const BOARD: &str = "Board";
+/// A guest's score waits for a name.
 const SAVE: &str = "Save Score";
-const FLIGHTS: &str = "Flights";
-const MENU: &str = "Main Menu";
 
-/// The panel of the parts and where its columns stand, from its left edge; from row to row.
-const PANEL: Vec2 = Vec2::new(880.0, 248.0);
-const COLUMNS: [f32; 3] = [24.0, 320.0, 344.0];
-const ROW: f32 = 44.0;
-/// From one panel to the next.
-const BETWEEN: f32 = 10.0;
-/// The panels of the medals and of the figures, and from row to row of the latter.
-const MEDALS: f32 = 68.0;
-const FIGURES: f32 = 96.0;
-const FIGURE: f32 = 40.0;
+/// The column of the result at the right: its width, and from it to the canvas' edges and to the scene.
+const WIDTH: f32 = 360.0;
+const EDGE: f32 = 40.0;
+/// The middles of its lines from the canvas' top: the world, the level's title, the time, the first goal, the first part of the score and the
+/// remark; and from row to row.
+const LINES: [f32; 6] = [40.0, 76.0, 144.0, 212.0, 340.0, 532.0];
+const ROW: f32 = 32.0;
+/// The buttons: the one where most go on, and those below it.
+const MAIN: f32 = 580.0;
+const SMALL: f32 = 36.0;
 /// A medal's radius.
-const RADIUS: f32 = 18.0;
+const RADIUS: f32 = 14.0;
+/// Two flights are known this much further in a frame, ticks: a millisecond or two.
+const TICKS_A_FRAME: u64 = 120;
+/// Width of a path, and a rival's dashes, canvas units; ticks from one corner of a path to the next.
+const PATH: f32 = 3.0;
+const DASHES: [f32; 2] = [6.0, 5.0];
+const CORNER: usize = 6;
 /// Points count up within this time, s; earned medals are stamped from the first time on, one after the other, each within the last one, and
 /// begin that much larger.
 const COUNT: f64 = 0.45;
 const STAMPS: [f64; 3] = [0.3, 0.16, 0.14];
 const LARGER: f64 = 1.6;
+/// By then the view has opened and all medals are there, s.
+const OPENS: f64 = 2.0;
 
 /// The scoring screen.
 #[derive(Debug)]
@@ -58,6 +69,9 @@ pub struct Scoring {
     next: Option<String>,
     /// What it brought the player, or why it brought nothing; in words.
     remark: String,
+    /// Whether the score waits for a name, and which one it got.
+    nameless: bool,
+    saved_for: Option<Name>,
     /// For how long the page has been there, s, and whether no key that steers has been held at a moment since.
     shown: f64,
     /// Whether a medal was stamped in the last frame.
@@ -67,13 +81,25 @@ pub struct Scoring {
     best: Option<f64>,
     /// The flight, where it was flown by hand.
     flown: Option<Rc<Flown>>,
+    /// The level as the flight has left it.
+    end: Box<Game>,
+    /// The path of the flight, then that of the best rival, with whose it is.
+    paths: Vec<(String, GhostTrack)>,
 }
 
 impl Scoring {
-    pub fn open(Finished { attempt, result, flown, remark }: Finished, session: &Session) -> Self {
+    pub fn open(Finished { attempt, result, flown, remark, end }: Finished, session: &Session) -> Self {
         let next = session.library.after(&result.level);
         let best = session.journal.best(&result.level);
-        Self { attempt, result, next, remark, shown: 0.0, stamped: false, released: false, best, flown }
+        let nameless = session.nameless().any(|(board, _)| board == result.level);
+        let own = flown.iter().map(|flown| (tr("you").to_owned(), flown.replay.inputs.clone()));
+        let raced = attempt.rivals.first().map(|rival| (rival.name.clone(), (*rival.inputs).clone()));
+        let gold = || recordings::for_gold(&session.library.folder(&result.level), &attempt.level);
+        let rival = raced.or_else(|| Some((tr("Gold").to_owned(), gold()?.inputs)));
+        let path = |(whose, inputs): (String, Inputs)| Some((whose, GhostTrack::new(attempt.level.clone(), &inputs).ok()?));
+        let paths = own.chain(rival).filter_map(path).collect();
+        let (shown, stamped, released) = (0.0, false, false);
+        Self { attempt, result, next, remark, nameless, saved_for: None, shown, stamped, released, best, flown, end, paths }
     }
 
     /// What the attempt came to.
@@ -81,13 +107,13 @@ impl Scoring {
         &self.result
     }
 
-    /// Only a flight by hand and without help can be saved.
-    fn saves(&self) -> bool {
-        self.result.score.total > 0 && self.attempt.inputs.is_none() && !self.result.assisted
-    }
-
+    /// Where most go on first: to the next level after a success, to another try after a failure.
     fn labels(&self) -> Vec<&'static str> {
-        let all = [(AGAIN, true), (NEXT, self.next.is_some()), (SAVE, self.saves()), (FLIGHTS, true), (MENU, true)];
+        let (next, watch) = (self.next.is_some(), self.flown.is_some());
+        let mut all = [(NEXT, next), (AGAIN, true), (WATCH, watch), (BOARD, true), (SAVE, self.nameless)];
+        if self.result.outcome != Outcome::Completed {
+            all.swap(0, 1);
+        }
         all.into_iter().filter(|(_, there)| *there).map(|(label, _)| label).collect()
     }
 
@@ -123,26 +149,14 @@ impl Scoring {
         (points as f64 * (1.0 - (1.0 - part).powi(3))).round() as i64
     }
 
-    fn flights(&self) -> Request {
-        Request::Push(Destination::Flights(Visit { level: self.result.level.clone(), flown: self.flown.clone(), chosen: None }))
-    }
-
     fn again(&self) -> Request {
         Request::Reset(Destination::Fly(self.attempt.clone()))
     }
 
-    /// The score, and where the leaderboard leads on once it is saved.
-    fn gain(&self) -> Gain {
-        let next = self.next.clone().map(|next| Onward { label: NEXT, to: Request::Reset(Destination::Play(next)) });
-        // What is saved can be watched and raced from its row.
-        let more = [(AGAIN, self.again()), (FLIGHTS, self.flights()), (MENU, Request::Reset(Destination::Menu))];
-        Gain {
-            board: self.result.level.clone(),
-            subject: subject(&self.result.level, &self.attempt.level.title),
-            points: self.result.score.total,
-            flown: self.flown.clone(),
-            onward: next.into_iter().chain(more.map(|(label, to)| Onward { label, to })).collect(),
-        }
+    /// Where the level was chosen.
+    fn list(&self) -> Destination {
+        let level = &self.attempt.level;
+        if level.experiment { Destination::Lab(Some(level.name.clone())) } else { Destination::Levels(Purpose::Play) }
     }
 
     /// The times that the flight's own is measured against; a level without medals for time has its optimal time.
@@ -168,36 +182,33 @@ impl Scoring {
         ]
     }
 
-    fn show_parts(&self, ui: &Ui<'_>, panel: Area) {
-        ui.panel(panel);
-        let quiet = Style::new(TEXT, theme::quiet()).middle();
-        let [label, value, beside] = COLUMNS.map(|column| panel.min.x + column);
-        let right = panel.max().x - 24.0;
-        let mut y = panel.min.y + 34.0;
+    fn show_parts(&self, ui: &Ui<'_>, left: f32) {
+        let right = left + WIDTH;
+        let mut y = LINES[4];
         for (i, (words, reached, measure, points)) in self.parts().into_iter().enumerate() {
             let lost = i == 0 && self.result.outcome != Outcome::Completed;
             let style = Style::new(TEXT, if lost { theme::bad() } else { effect(points) }).middle();
-            ui.text(words, Vec2::new(label, y), style);
-            ui.text(&reached, Vec2::new(value, y), style.mono().right());
-            ui.text(&measure, Vec2::new(beside, y), quiet);
-            ui.text(&signed(self.counted(points)), Vec2::new(right, y), style.mono().right());
-            y += ROW;
+            let number = style.mono().right();
+            ui.text(words, Vec2::new(left, y), style);
+            ui.text(&signed(self.counted(points)), Vec2::new(right, y), number);
+            let reached_at = right - ui.canvas().width("+00000", number) - GRID;
+            ui.text(&reached, Vec2::new(reached_at, y), number);
+            if !measure.is_empty() {
+                y += 0.6 * ROW;
+                ui.text(&measure, Vec2::new(left, y), Style::new(DETAILS, theme::quiet()).middle());
+            }
+            y += 0.85 * ROW;
         }
-        ui.canvas().line(Vec2::new(label, y - 20.0), Vec2::new(right, y - 20.0), 1.0, theme::panel_edge());
         let total = Style::new(BUTTON_TEXT, theme::text()).middle();
-        ui.text(tr("Score"), Vec2::new(label, y + 8.0), total);
-        ui.text(&self.counted(self.result.score.total).to_string(), Vec2::new(right, y + 8.0), total.mono().right());
+        ui.text(tr("Score"), Vec2::new(left, y), total);
+        ui.text(&self.counted(self.result.score.total).to_string(), Vec2::new(right, y), total.mono().right());
     }
 
-    /// What the level offers, side by side: what each goal asks for, and whether it is earned or what is missing.
-    fn show_goals(&self, ui: &Ui<'_>, panel: Area) {
-        ui.panel(panel);
-        let goals = goals(&self.attempt.level.awards, &self.result);
-        let wide = panel.size.x / goals.len().max(1) as f32;
+    /// What the level offers: what each goal asks for, and whether it is earned or what is missing. Earned medals slam in.
+    fn show_goals(&self, ui: &Ui<'_>, left: f32) {
         let mut earned = 0;
-        for (i, goal) in goals.iter().enumerate() {
-            let at = Vec2::new(panel.min.x + i as f32 * wide + 16.0, panel.centre().y);
-            let middle = at + Vec2::new(RADIUS, 0.0);
+        for (i, goal) in goals(&self.attempt.level.awards, &self.result).iter().enumerate() {
+            let middle = Vec2::new(left + RADIUS, LINES[3] + i as f32 * ROW);
             let stamp = if goal.missing.is_none() { self.stamp(earned) / STAMPS[2] } else { -1.0 };
             earned += usize::from(goal.missing.is_none());
             if stamp < 1.0 {
@@ -207,23 +218,15 @@ impl Scoring {
                 let size = 1.0 + LARGER * (1.0 - stamp.min(1.0)).powi(2);
                 widgets::draw(ui.canvas(), goal.prize, true, middle, RADIUS * size as f32);
             }
-            let room = wide - 2.0 * RADIUS - 32.0;
-            let line = |text: &str, below: f32, colour| {
-                let style = Style::new(TEXT, colour).middle();
-                let size = if ui.canvas().width(text, style) > room { DETAILS } else { TEXT };
-                ui.text(text, at + Vec2::new(2.0 * RADIUS + 12.0, below), Style { size, ..style });
-            };
-            line(&goal.asks, -13.0, theme::text());
-            match &goal.missing {
-                None => line(tr("earned"), 13.0, theme::good()),
-                Some(missing) => line(missing, 13.0, theme::quiet()),
-            }
+            ui.text(&goal.asks, middle + Vec2::new(RADIUS + GRID, 0.0), Style::new(TEXT, theme::text()).middle());
+            let (words, colour) =
+                goal.missing.as_deref().map_or((tr("earned"), theme::good()), |missing| (missing, theme::quiet()));
+            ui.text(words, Vec2::new(left + WIDTH, middle.y), Style::new(DETAILS, colour).middle().right());
         }
     }
 
-    /// How efficient the solution was.
-    fn show_figures(&self, ui: &Ui<'_>, panel: Area) {
-        ui.panel(panel);
+    /// At the foot of the scene: whose the paths are, and how efficient the solution was.
+    fn show_figures(&self, ui: &Ui<'_>) {
         let result = &self.result;
         let figures = [
             (tr("Fuel used"), result.fuel_used, tr("units")),
@@ -231,55 +234,117 @@ impl Scoring {
             (tr("Top speed"), result.top_speed, "m/s"),
             (tr("Peak resultant force"), result.peak_resultant, "N"),
         ];
-        let quiet = Style::new(TEXT, theme::quiet()).middle();
-        for (i, (label, value, unit)) in figures.into_iter().enumerate() {
-            let left = panel.min.x + 24.0 + (i % 2) as f32 * PANEL.x / 2.0;
-            let y = panel.min.y + 28.0 + (i / 2) as f32 * FIGURE;
-            ui.text(label, Vec2::new(left, y), quiet);
-            let number = Style::new(TEXT, theme::text()).mono().middle().right();
-            ui.text(&format!("{value:.1}"), Vec2::new(left + 312.0, y), number);
-            ui.text(unit, Vec2::new(left + 324.0, y), quiet);
+        let words = figures.map(|(label, value, unit)| format!("{label} {} {unit}", fixed(value, 1))).join(" · ");
+        let mut at = Vec2::new(EDGE, ui.frame().size.y - EDGE);
+        ui.text(&words, at, Style::new(DETAILS, theme::quiet()).middle());
+        at.y -= ROW;
+        for (i, (whose, _)) in self.paths.iter().enumerate() {
+            let colour = self.colour(i);
+            ui.canvas().dashed(
+                &[at, at + Vec2::new(32.0, 0.0)],
+                if colour == theme::accent() { &[64.0, 0.0] } else { &DASHES },
+                PATH,
+                colour,
+            );
+            let style = Style::new(DETAILS, colour).middle();
+            ui.text(whose, at + Vec2::new(40.0, 0.0), style);
+            at.x += 64.0 + ui.canvas().width(whose, style);
         }
     }
+
+    /// The colour of a path.
+    fn colour(&self, path: usize) -> Colour {
+        if path == 0 && self.flown.is_some() { theme::accent() } else { theme::text().faded(0.7) }
+    }
+
+    /// What came of the flight, from the top of the column down.
+    fn show_column(&self, ui: &mut Ui<'_>, left: f32) {
+        let level = &self.attempt.level;
+        let completed = self.result.outcome == Outcome::Completed;
+        let line = |i: usize| Vec2::new(left, LINES[i]);
+        let (words, colour) = if completed { (tr("Level complete"), theme::good()) } else { (tr("Attempt lost"), theme::bad()) };
+        ui.text(words, line(0), Style::new(TEXT, colour).middle());
+        let title = if level.title == level.name { tr!("Level {level}", level = level.name) } else { tr(&level.title).to_owned() };
+        let style = Style::new(HEADING, theme::text()).middle();
+        ui.text(&widgets::cut(ui.canvas(), &title, WIDTH, style), line(1), style);
+        let hundredths = hundredths(self.result.time);
+        let (words, time) =
+            (format!("{}.{:02}", hundredths / 100, hundredths % 100), Style::new(TITLE, theme::text()).mono().middle());
+        let time = if ui.canvas().width(&words, time) > WIDTH - HEADING { Style { size: HEADING, ..time } } else { time };
+        ui.text(&words, line(2), time);
+        let behind = Vec2::new(ui.canvas().width(&words, time) + GRID, 0.0);
+        ui.text("s", line(2) + behind, Style::new(BUTTON_TEXT, theme::quiet()).middle());
+        self.show_goals(ui, left);
+        self.show_parts(ui, left);
+        let saved = self.saved_for.as_ref().map(|player| tr!("Saved for {player}.", player));
+        let remark = saved.unwrap_or_else(|| self.remark.clone());
+        let quiet = Style::new(DETAILS, theme::quiet()).middle();
+        for (i, words) in widgets::lines(ui.canvas(), &remark, WIDTH, quiet).iter().take(3).enumerate() {
+            ui.text(words, line(5) + Vec2::new(0.0, i as f32 * ui.canvas().line_height(DETAILS)), quiet);
+        }
+    }
+
+    /// The button where most go on, and the others below it; the label of the pressed one.
+    fn show_buttons(&self, ui: &mut Ui<'_>, left: f32) -> Option<&'static str> {
+        let labels = self.labels();
+        let main = Area::new(left, MAIN, WIDTH, ROW_BUTTON.y);
+        let touch = ui.touch(labels[0], main, WidgetKind::Button);
+        ui.canvas().rounded(main, GRID, if touch.hover { theme::accent() } else { theme::accent().faded(0.9) });
+        if touch.focus {
+            widgets::focus_ring(ui.canvas(), main.inset(-3.0));
+        }
+        // As in flight: this key flies again.
+        let again = ui.input().settings.keys.label(Action::Restart);
+        let named = |label: &str| if label == AGAIN { format!("{again}  {}", tr(label)) } else { tr(label).to_owned() };
+        let style = Style::new(BUTTON_TEXT, theme::ground()).middle();
+        ui.text(&named(labels[0]), Vec2::new(left + 2.0 * GRID, main.centre().y), style);
+        let mut pressed = touch.pressed.then_some(labels[0]);
+        let (mut at, third) = (main.min + Vec2::new(0.0, main.size.y + 0.75 * GRID), (WIDTH - 2.0 * GRID) / 3.0);
+        for label in &labels[1..] {
+            let wide = if *label == SAVE { WIDTH } else { third };
+            if at.x + wide > left + WIDTH + 1.0 || *label == SAVE {
+                at = Vec2::new(left, at.y + SMALL + GRID / 2.0);
+            }
+            let area = Area { min: at, size: Vec2::new(wide, SMALL) };
+            if ui.small_button((label, &named(label)), area, Style::new(TEXT, theme::text()).centred()) {
+                pressed = Some(label);
+            }
+            at.x += wide + GRID;
+        }
+        pressed
+    }
+}
+
+impl AboveGame for Scoring {
+    fn draw_in_level(&self, _: f64, view: &Viewport, canvas: &Canvas) {
+        for (i, (_, track)) in self.paths.iter().enumerate().rev() {
+            let ticks = (0..=track.ticks()).step_by(CORNER).chain([track.ticks()]);
+            let corners: Vec<Vec2> = ticks.map(|tick| view.point(track.pose(tick, 1.0).centre)).collect();
+            let colour = self.colour(i);
+            if colour == theme::accent() {
+                corners.windows(2).for_each(|ends| canvas.line(ends[0], ends[1], PATH, colour));
+            } else {
+                canvas.dashed(&corners, &DASHES, PATH - 1.0, colour);
+            }
+        }
+    }
+
+    fn draw_beside_timer(&self, _: &Aside, _: &Canvas) {}
 }
 
 impl Screen for Scoring {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         self.guard(ui);
+        let ticks = if ui.input().frame_time > 0.0 { TICKS_A_FRAME } else { 0 };
+        self.paths.iter_mut().for_each(|(_, track)| track.fly(ticks));
         let size = ui.frame().size;
-        let middle = size.x / 2.0;
-        let completed = self.result.outcome == Outcome::Completed;
-        widgets::graph_paper(ui.canvas());
-        let (heading, colour) = if completed { (tr("Level complete"), theme::good()) } else { (tr("Attempt lost"), theme::bad()) };
-        ui.fitted(heading, Vec2::new(middle, 44.0), &[HEADING], colour);
-        let level = &self.attempt.level;
-        let title = if level.title == level.name { tr!("Level {level}", level = level.name) } else { tr(&level.title).to_owned() };
-        ui.fitted(&title, Vec2::new(middle, 88.0), &[TEXT], theme::quiet());
-        let top = ((size.y - 720.0) / 2.0).max(0.0) + 116.0;
-        let parts = Area::new(middle - PANEL.x / 2.0, top, PANEL.x, PANEL.y);
-        let below = |area: Area, height| Area::new(area.min.x, area.max().y + BETWEEN, PANEL.x, height);
-        let offers = below(parts, MEDALS);
-        let figures = below(offers, FIGURES);
-        self.show_parts(ui, parts);
-        self.show_goals(ui, offers);
-        self.show_figures(ui, figures);
-        ui.fitted(&self.remark, Vec2::new(middle, figures.max().y + 30.0), &[TEXT], theme::quiet());
-        let labels = self.labels();
-        // Where most go on: to the next level after a success, to another try after a failure.
-        ui.start_at(if completed { labels[1] } else { AGAIN });
-        let top = size.y - ROW_BUTTON.y - 40.0;
-        let pressed = ui.row(top, &labels);
-        if let Some(again) = ui.frame().row(labels.len(), top).first() {
-            // As in flight: this key flies again.
-            let at = Vec2::new(again.min.x + 16.0, again.centre().y);
-            ui.text(
-                &ui.input().settings.keys.label(Action::Restart),
-                at,
-                Style::new(TEXT, theme::accent()).mono().middle().centred(),
-            );
-        }
+        let left = size.x - WIDTH - EDGE;
+        ui.canvas().rectangle(Area::new(left - EDGE, 0.0, WIDTH + 2.0 * EDGE, size.y), theme::ground());
+        self.show_figures(ui);
+        self.show_column(ui, left);
+        let pressed = self.show_buttons(ui, left);
         if ui.key(Key::Escape) {
-            return Some(Request::Reset(Destination::Menu));
+            return Some(Request::Reset(self.list()));
         }
         if ui.acts(Action::Restart) {
             return Some(self.again());
@@ -287,19 +352,49 @@ impl Screen for Scoring {
         Some(match pressed? {
             AGAIN => self.again(),
             NEXT => Request::Reset(Destination::Play(self.next.clone()?)),
-            SAVE => Request::Do(Effect::SaveScore(self.gain(), None)),
-            FLIGHTS => self.flights(),
-            _ => Request::Reset(Destination::Menu),
+            SAVE => Request::Push(Destination::Players),
+            pressed => {
+                let visit = Visit { flown: self.flown.clone(), ..Visit::of(&self.result.level) };
+                match &self.flown {
+                    Some(flown) if pressed == WATCH => Request::Push(Destination::Watch(visit, FlightCandidate::just_flown(flown))),
+                    _ => Request::Push(Destination::Board(visit)),
+                }
+            }
         })
     }
 
-    fn unsaved(&self) -> Option<String> {
-        let subject = || subject(&self.result.level, &self.attempt.level.title);
-        self.saves().then(|| unsaved_points(self.result.score.total, &subject()))
+    fn come_back(&mut self, above: &dyn Screen, session: &mut Session, spectator: &mut dyn Spectator) {
+        spectator.begins(&self.end);
+        self.nameless = session.nameless().any(|(board, _)| board == self.result.level);
+        if above.is::<PlayerList>() && !self.nameless {
+            match session.write_scores().into_iter().next() {
+                Some(problem) => self.remark = problem,
+                None => self.saved_for = Some(session.journal.current().clone()),
+            }
+        }
     }
 
-    fn carry_out(&mut self, effect: Effect, session: &mut Session, _: &mut dyn Spectator) -> Option<Request> {
-        save_score::save_as_player(effect, session)
+    fn scene(&self, frame: &Frame) -> Option<GameScene<'_>> {
+        let room = Frame { size: frame.size - Vec2::new(WIDTH + 2.0 * EDGE, 0.0), ..*frame };
+        Some(GameScene {
+            game: &self.end,
+            alpha: 1.0,
+            room,
+            overlays: Overlays { map: true, watched: true, ..Overlays::default() },
+            // What the end has set going comes to its end.
+            speed: 1.0,
+            paused: false,
+            quiet: true,
+            ghosts: Vec::new(),
+            panels: Vec::new(),
+            above: self,
+        })
+    }
+
+    /// Medals come, paths grow, the view opens.
+    fn motion(&self, _: &Input) -> Motion {
+        let grows = self.paths.iter().any(|(_, track)| !track.is_whole());
+        if self.shown < OPENS || grows { Motion::Full } else { Motion::Still }
     }
 
     fn noises(&self) -> Vec<Noise> {
