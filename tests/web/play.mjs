@@ -161,7 +161,7 @@ try {
   const tap = async (one) => { await browser.key("keyDown", one); await step(2); await browser.key("keyUp", one); await step(4); };
   await tap(key("Semicolon", "ö"));
   // All keys, then that of the map.
-  await press(...Array(8).fill("ArrowDown"), "Enter", "ArrowDown", "ArrowDown", "Enter");
+  await press(...Array(8).fill("ArrowDown"), "Enter", "ArrowDown", "ArrowDown", "ArrowDown", "Enter");
   await tap(key("Semicolon", "ö"));
   await picture("umlauts");
   const set = await kept("settings.csv");

@@ -47,7 +47,7 @@ click $(column_button 4) # More
 click $(column_button 3)
 expect keyboards-settings differs keyboards-settings-menu 5
 press Tab Return 47
-press Down Down Down Down Down Down Down Down Return Down Down Return 47 # All keys, then the map
+press Down Down Down Down Down Down Down Down Return Down Down Down Return 47 # All keys, then the map
 press Down Return plus
 press Down Return 20
 expect keyboards-set differs keyboards-settings 0.1
