@@ -70,16 +70,14 @@ impl World {
         }
     }
 
-    /// Flies all linked groups that are awake as if they touched nothing, but for bodies that contacts hold.
+    /// Flies all linked groups, unless all bodies sleep, as if they touched nothing, but for bodies that contacts hold.
     pub(crate) fn fly_linked(&mut self, dt: f64) {
         self.scratch.linked.clear();
         self.scratch.pairs.clear();
-        for g in 0..self.state.links.groups.len() {
+        // What is awake may reach a group that sleeps, and its links fly from the start of a tick.
+        let flies = !self.space.sleep.all_asleep() || self.winds(dt);
+        for g in 0..if flies { self.state.links.groups.len() } else { 0 } {
             let group = self.state.links.groups[g].0..self.state.links.groups[g].1;
-            let asleep = |body: &u32| self.space.sleep.asleep[*body as usize];
-            if self.state.links.members[group.clone()].iter().all(asleep) && !self.winds(dt) {
-                continue;
-            }
             let from = self.scratch.linked.len();
             for k in group.clone() {
                 let body = self.state.links.members[k];
