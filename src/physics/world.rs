@@ -76,6 +76,12 @@ impl World {
         Ok(world)
     }
 
+    /// Goes on by another plan, as [`World::with_plan`] would have begun.
+    pub const fn set_plan(&mut self, plan: Plan) {
+        self.state.media.airy = plan.air;
+        self.plan = plan;
+    }
+
     /// Adds a body while the world runs (the menu's balls).
     ///
     /// # Errors
