@@ -94,15 +94,14 @@ pub fn run(args: &ChartArgs, project: &Project, out: &mut dyn Write) -> Result<S
         return Err(refused("found a file, expected a folder or the name of a new one".to_owned()));
     }
     let mut charts = Charts { setting: setting(args.quick), ..Charts::default() };
-    if args.check || args.draw || args.resume || !args.scenes.is_empty() {
-        if dir.join(SETTING).exists() || args.check || args.draw {
-            let text = |name: &str| files::read_text(&dir.join(name), CHART).map_err(|error| format!("{name}: {error}"));
-            let before = Charts::read(text).map_err(refused)?;
-            if before.setting != charts.setting && !args.draw && !args.check {
-                return Err(refused(format!("found points of {:?}, expected {:?} as here", before.setting, charts.setting)));
-            }
-            charts = before;
+    let goes_on = args.resume || !args.scenes.is_empty();
+    if args.check || args.draw || goes_on && dir.join(SETTING).exists() {
+        let text = |name: &str| files::read_text(&dir.join(name), CHART).map_err(|error| format!("{name}: {error}"));
+        let before = Charts::read(text).map_err(refused)?;
+        if before.setting != charts.setting && !args.draw && !args.check {
+            return Err(refused(format!("found points of {:?}, expected {:?} as here", before.setting, charts.setting)));
         }
+        charts = before;
     }
     if args.check {
         charts.stale().iter().try_for_each(|name| writeln!(out, "{name}: measured with another build than {SOURCES}"))?;

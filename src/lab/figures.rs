@@ -167,7 +167,8 @@ pub fn measured(charts: &Charts) -> String {
     let versions: BTreeSet<&str> = ours.map(|curve| curve.version.as_str()).collect();
     let versions = versions.into_iter().map(|version| format!("`{version}`")).collect::<Vec<_>>().join(", ");
     let runs = if setting.quick { "few runs a point (`--quick`)" } else { "medians of several runs" };
-    let stale = charts.stale().join(", ");
-    let stale = if stale.is_empty() { stale } else { format!(" **Measured with another build than this one: {stale}.**") };
+    let names = charts.stale();
+    let some = if names.len() > charts.diagrams.len() { String::new() } else { format!(": {}", names.join(", ")) };
+    let stale = if names.is_empty() { String::new() } else { format!(" **Measured with another build than this one{some}.**") };
     format!("Measured on {}, {} build, {runs}; sources of the engine: {versions}.{stale}", setting.machine, setting.profile)
 }

@@ -57,7 +57,7 @@ impl Saving {
     }
 }
 
-/// What is run: a game under keys, or a world, for so many ticks.
+/// What is run: a game under keys, or a world, for a number of ticks.
 #[derive(Clone, Debug)]
 pub enum Trial {
     Game(Box<Game>, Vec<Controls>),

@@ -150,9 +150,9 @@ fn the_table_of_pi_wants_a_row_a_step() {
     let ragged = "N = 0,lab,v,0.1,1,0,0\nN = 0,lab,v,0.01,1,0,0\nN = 1,lab,v,0.1,1,0,0\n";
     let told = charts("pi.csv", &format!("{head}{ragged}")).unwrap_err();
     assert_eq!(told, "pi.csv: found other steps at \"N = 1\" than at \"N = 0\", expected the same");
-    let other_steps = "N = 0,lab,v,0.1,1,0,0\nN = 1,lab,0.2,1,0\n";
+    let other_steps = "N = 0,lab,v,0.1,1,0,0\nN = 1,lab,v,0.2,1,0,0\n";
     assert!(charts("pi.csv", &format!("{head}{other_steps}")).is_err());
-    let even = charts("pi.csv", &format!("{head}N = 0,lab,v,0.1,1,0,0\nN = 1,lab,0.1,2,1\n")).unwrap();
+    let even = charts("pi.csv", &format!("{head}N = 0,lab,v,0.1,1,0,0\nN = 1,lab,v,0.1,2,0,1\n")).unwrap();
     assert!(report::summary(&even, &[]).contains("| 1/10 s | 0 | 1 |"));
     // Also where charts do not come from files.
     let mut ragged = even;

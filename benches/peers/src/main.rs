@@ -30,7 +30,7 @@ const QUICK_BODIES: usize = 2000;
 /// Short scenes are run several times over until they take so long, s: the clock's own time must not count.
 const LONG_ENOUGH: f64 = 5e-3;
 
-/// One engine on one scene: what its row begins with, what it ends with, and its time for so many runs, s.
+/// One engine on one scene: what its row begins with, what it ends with, and its time for a number of runs, s.
 struct Contender<'a> {
     words: String,
     numbers: [f64; 3],
