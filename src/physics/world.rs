@@ -49,6 +49,9 @@ impl World {
         if !plan.liquids {
             def.fluids.clear();
         }
+        if !plan.links {
+            def.links.clear();
+        }
         let mut media = Media::new(def.gravity, def.air_density, (&def.streams, &def.fields), def.fluids);
         media.airy = plan.air;
         let n = def.bodies.len();
