@@ -2,7 +2,7 @@
 //! links takes a tick in parts: [`crate::physics::forces::Links::parts`].
 
 use crate::physics::data::domain::DefError;
-use crate::physics::data::{Aabb, BodyId, Contact, LinkDef, LinkEnd, Obstacle, Pose, SLOP, on_axis};
+use crate::physics::data::{Aabb, BodyId, Contact, LinkDef, LinkEnd, Obstacle, Part, Pose, SLOP, called, on_axis};
 use crate::physics::exact::item::{Item, Travel};
 use crate::physics::flight::linked::{Linked, LinkedBodies, little};
 use crate::physics::forces::link::Link;
@@ -23,6 +23,7 @@ impl World {
         let number = self.state.links.all.len();
         let link = Link::new(def, &self.state.bodies, &self.state.links.all)?;
         self.state.links.all.push(link);
+        self.plan.links = true;
         self.relink(number);
         Ok(number)
     }
@@ -72,6 +73,7 @@ impl World {
 
     /// Flies all linked groups, unless all bodies sleep, as if they touched nothing, but for bodies that contacts hold.
     pub(crate) fn fly_linked(&mut self, dt: f64) {
+        called(Part::Links);
         self.scratch.linked.clear();
         self.scratch.pairs.clear();
         // What is awake may reach a group that sleeps, and its links fly from the start of a tick.

@@ -3,7 +3,7 @@
 use crate::physics::crowd::CrowdImpact;
 use crate::physics::crowd::impulses::ContactImpulse;
 use crate::physics::data::{
-    Aabb, BALANCED, Body, BodyId, Coefficients, Contact, Hit, Impulse, NONE, Obstacle, REPORT_SPEED, SLOP, on_axis,
+    Aabb, BALANCED, Body, BodyId, Coefficients, Contact, Hit, Impulse, NONE, Obstacle, Part, REPORT_SPEED, SLOP, called, on_axis,
 };
 use crate::physics::exact::Scene;
 use crate::physics::islands::{MOST_AT_FIRST, Tick};
@@ -25,7 +25,7 @@ impl World {
         self.scratch.begun.clear();
         self.records.since = 0.0;
         self.records.flows_cut_short = self.records.guards.flows_cut_short;
-        match self.state.links.parts(dt) {
+        match if self.plan.links { self.state.links.parts(dt) } else { 1 } {
             1 => self.advance(dt),
             parts => self.advance_in_parts(dt / f64::from(parts), parts),
         }
@@ -61,8 +61,12 @@ impl World {
         self.records.dt = dt;
         self.bring_back_surfaces();
         self.space.begin_step();
-        self.move_surfaces(dt);
-        self.fly_linked(dt);
+        if self.plan.moving {
+            self.move_surfaces(dt);
+        }
+        if self.plan.links {
+            self.fly_linked(dt);
+        }
         self.records.methods = Methods { asleep: n as u32, ..Methods::default() };
         if self.space.is_stirred() {
             self.say_what_acts(dt);
@@ -70,8 +74,12 @@ impl World {
             self.commit(dt);
         }
         self.record();
-        self.tend_links();
-        self.go_on_paths(dt);
+        if self.plan.links {
+            self.tend_links();
+        }
+        if self.plan.moving {
+            self.go_on_paths(dt);
+        }
         #[cfg(all(feature = "validate", debug_assertions))]
         self.assert_valid();
     }
@@ -170,6 +178,7 @@ impl World {
 
     /// Leads surfaces along their paths, and wakes all bodies that one may touch within the next `dt` seconds.
     fn move_surfaces(&mut self, dt: f64) {
+        called(Part::Moving);
         for k in 0..self.on_paths.len() {
             let s = self.on_paths[k] as usize;
             let surface = &self.state.surfaces[s];

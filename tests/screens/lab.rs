@@ -15,6 +15,7 @@ use resultant::lab::side_by_side::exhibits;
 use resultant::lab::stability::regions;
 use resultant::lab::stress::Survival;
 use resultant::number::step;
+use resultant::physics::SOURCES;
 use resultant::screens::{Input, Key, Lab, PAGES, Page};
 use resultant::ui::scroll::BAR_WIDTH;
 use resultant::view::theme;
@@ -145,7 +146,7 @@ fn the_arrows_go_through_all_scenes_and_round() {
     assert_eq!(name(sitting.press(Key::End)), kept[scenes - 1]);
     assert_eq!(name(sitting.click("Next")), kept[0]);
     assert_eq!(name(sitting.click("Previous")), kept[scenes - 1]);
-    assert!(sitting.press(Key::Home).line("Measured on").contains("commit"));
+    assert!(sitting.press(Key::Home).line("Measured on").contains("build"));
     assert!(sitting.shows("As shipped: error "));
 }
 
@@ -475,8 +476,14 @@ fn the_last_run_of_chart_is_shown_where_there_is_one() {
     let mut charts = kept::charts().unwrap();
     charts.setting.machine = "a machine of my own".into();
     charts.diagrams.truncate(2);
-    let sitting = lab_with(|root| write(root, &charts, None));
+    for curve in &mut charts.diagrams[0].curves {
+        curve.version = SOURCES.to_owned();
+    }
+    charts.diagrams[1].curves[0].version = "another".to_owned();
+    let mut sitting = lab_with(|root| write(root, &charts, None));
     assert_eq!(sitting.warning(), None);
+    let stale = "; measured with another build than this one.";
+    assert!(!sitting.line("Measured on").contains(stale) && sitting.press(Key::Right).line("Measured on").contains(stale));
     assert!(same(lab(&sitting).charts(), &charts));
     assert!(sitting.shows("a machine of my own") && !sitting.shows("Came with the game"));
     let sitting = lab_with(|_| {});
@@ -490,7 +497,7 @@ fn damaged_charts_are_told_and_the_shipped_ones_shown() {
     for (file, text, problem) in [
         (
             "fall.csv",
-            Some("method,origin,step,work,error\nRK4,lab,1,fast,0\n"),
+            Some("method,origin,version,step,work,spread,error\nRK4,lab,v,1,fast,0,0\n"),
             "charts/fall.csv:2: column \"work\": found \"fast\"",
         ),
         ("fall.csv", None, "charts/fall.csv: "),

@@ -66,9 +66,10 @@ impl Model for FlyingBody {
 
 /// A scene of `seconds` that ends at `exact` (m).
 fn scene(name: &'static str, title: &str, seconds: f64, body: FlyingBody, exact: DVec2, flow: Option<MotionStep>) -> LabScene {
+    let world = body.world();
     let methods = METHODS.into_iter().chain(flow.map(|flow| ("exact flow", flow)));
     let methods = SceneMethod::all(methods, move |by, h| body.error(by, seconds, h, exact));
-    LabScene { methods, ..LabScene::new(name, title, seconds, 1) }
+    LabScene { methods, world, ..LabScene::new(name, title, seconds, 1) }
 }
 
 fn with_flow(name: &'static str, title: &str, body: FlyingBody, flow: MotionStep) -> LabScene {

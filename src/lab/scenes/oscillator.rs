@@ -85,7 +85,7 @@ fn moments(by: By<MotionStep>, seconds: f64, h: f64) -> Vec<CoursePoint> {
 pub fn swing() -> LabScene {
     let title = "A floating box swings without drag (ω = √(ρgA/m)), 10 s";
     let methods = SceneMethod::all(INTEGRATORS.iter().copied(), error_at_end);
-    LabScene { methods, ..LabScene::new("oscillator", title, SECONDS, 1) }
+    LabScene { methods, world: swinging().world(), ..LabScene::new("oscillator", title, SECONDS, 1) }
 }
 
 pub fn energy_kept() -> LabScene {
@@ -96,6 +96,7 @@ pub fn energy_kept() -> LabScene {
         error: "worst error of the energy at any time, parts of 1",
         tolerance: SEEN,
         steps: STEPS.to_vec(),
+        world: swinging().world(),
         methods: SceneMethod::all_showing(INTEGRATORS.iter().copied(), error, course),
         ..LabScene::new("oscillator-energy", "The energy of a floating box in 1000 swings without drag", seconds, 1)
     }

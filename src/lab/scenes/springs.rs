@@ -2,6 +2,7 @@
 //! methods stay, and the engine is exact.
 
 use super::flight::FlyingBody;
+use crate::lab::contract::Model;
 use crate::lab::methods::motion::{INTEGRATORS, MotionLaw, PointState};
 use crate::lab::{LabScene, SceneMethod, reference};
 use crate::physics::{BodyDef, BodyId, DVec2, LinkDef, LinkEnd, LinkLaw, Spring, WorldDef};
@@ -39,9 +40,10 @@ fn on_spring(law: MotionLaw, start: PointState) -> FlyingBody {
 const SECONDS: f64 = 10.0;
 
 fn scene(name: &'static str, title: &str, body: FlyingBody, exact: DVec2) -> LabScene {
+    let world = body.world();
     let methods = SceneMethod::all(INTEGRATORS.iter().copied(), move |by, h| body.error(by, SECONDS, h, exact));
     let note = "Order p: half the step divides the error by 2 to the power of p.";
-    LabScene { methods, note, ..LabScene::new(name, title, SECONDS, 1) }
+    LabScene { methods, world, note, ..LabScene::new(name, title, SECONDS, 1) }
 }
 
 /// From 2 m to the side: x = 2·cos ωt.

@@ -110,8 +110,8 @@ fn push(n: usize) -> f64 {
 }
 
 fn standing(name: &'static str, title: String, masses: Vec<f64>) -> LabScene {
-    let scene = LabScene::new(name, title, SECONDS, masses.len());
     let column = ContactChain::standing(masses);
+    let scene = LabScene { world: column.world(), ..LabScene::new(name, title, SECONDS, column.masses.len()) };
     let methods = SceneMethod::all(SOLVERS, move |by, h| column.sag(by, SECONDS, h));
     LabScene { error: "largest movement of a body at rest, m", methods, ..scene }
 }
@@ -126,7 +126,8 @@ pub fn heavy_on_light() -> LabScene {
 
 pub fn pushed_row() -> LabScene {
     let (seconds, row) = (1.0, ContactChain::pushed(ROW));
+    let world = row.world();
     let methods = SceneMethod::all(SOLVERS, move |by, h| row.row_error(by, seconds, h));
     let scene = LabScene::new("pushed-row", format!("A row of {ROW} blocks pushed along a floor, 1 s"), seconds, ROW);
-    LabScene { error: "worst error of a position, m", methods, ..scene }
+    LabScene { error: "worst error of a position, m", methods, world, ..scene }
 }

@@ -69,7 +69,8 @@ impl Meeting {
 fn scene(name: &'static str, title: &str, meeting: Meeting) -> LabScene {
     let methods = SceneMethod::all(METHODS, move |by, h| meeting.worst_error(by, h));
     let error = "worst error of position 0.25 s after the impact, m";
-    LabScene { error, methods, ..LabScene::new(name, title, 0.5 * PHASES as f64, 1) }
+    let world = meeting.after(0.25).world();
+    LabScene { error, methods, world, ..LabScene::new(name, title, 0.5 * PHASES as f64, 1) }
 }
 
 /// A wall of 10 cm.
