@@ -24,7 +24,7 @@ fn scene(count: u32) -> WorldDef {
         bounds: Some(zone(0.0, -20.0, 16.0, 29.0)),
         surfaces: vec![SurfaceDef {
             path: Path::shuttle(DVec2::new(1.0, 0.0), 1.0, 0.5, 0.0),
-            ..SurfaceDef::fixed(zone(3.0, 6.0, 4.0, 0.5), Material::STEEL)
+            ..SurfaceDef::fixed(zone(3.0, -8.0, 4.0, 0.5), Material::STEEL)
         }],
         links: vec![LinkDef::new(BodyId(1), LinkEnd::Place(DVec2::new(3.0, 5.0)), LinkLaw::Spring(spring))],
         streams: vec![StreamDef { zone: zone(1.0, 3.0, 5.0, 3.0), force: DVec2::new(300.0, -200.0) }],
