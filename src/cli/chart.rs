@@ -90,7 +90,7 @@ pub fn run(args: &ChartArgs, project: &Project, out: &mut dyn Write) -> Result<S
 
     let profile = if cfg!(debug_assertions) { "debug" } else { "release" }.to_owned();
     let setting = MeasuredWith { machine: machine(), commit: commit(project.root()), profile, quick: args.quick };
-    let charts = Charts { setting, diagrams, stress: survivals };
+    let charts = Charts { setting, diagrams, stress: survivals, savings: Vec::new() };
     let files = all_files(&charts);
     let staged = stage(&args.out, &files)?;
     for (name, _) in &files {

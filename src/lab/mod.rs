@@ -11,6 +11,7 @@
 //! - [`reference`](mod@reference): answers that have no closed form, found finely and in two ways.
 //! - [`curve`]: the numbers behind a diagram. [`charts`]: all numbers of one run, as CSV and back; [`kept`]: the run that comes with the
 //!   game, and other engines' points.
+//! - [`savings`]: what modelling less saves.
 //! - [`timeline`], [`drawing`]: diagrams, on paper and on the screen. [`report`]: the summary.
 
 pub mod charts;
@@ -22,6 +23,7 @@ pub mod methods;
 pub mod reference;
 pub mod report;
 mod rows;
+pub mod savings;
 pub mod scenes;
 pub mod side_by_side;
 pub mod stability;

@@ -6,6 +6,7 @@ mod read;
 
 use super::curve::{CoursePoint, Measured, OverTime, WorkPoint};
 use super::rows::{shortest, table};
+use super::savings::Saving;
 use super::stress::Survival;
 use crate::draw::chart::look::CurveOrigin;
 
@@ -26,6 +27,8 @@ pub struct Charts {
     pub diagrams: Vec<Measured>,
     /// Rows of one test stand together.
     pub stress: Vec<Survival>,
+    /// The largest first; none where they were not measured.
+    pub savings: Vec<Saving>,
 }
 
 pub const SETTING: &str = "setting.csv";
@@ -137,7 +140,12 @@ mod tests {
         };
         let setting = MeasuredWith { machine: "a, b".into(), commit: None, profile: "release".into(), quick: true };
         let other = Measured { name: "b".into(), curves: Vec::new(), alike: false, ..measured.clone() };
-        Charts { setting, diagrams: vec![measured, other], stress: vec![survival("one", 36.04, false), survival("one", 1e6, true)] }
+        Charts {
+            setting,
+            diagrams: vec![measured, other],
+            stress: vec![survival("one", 36.04, false), survival("one", 1e6, true)],
+            savings: Vec::new(),
+        }
     }
 
     fn read(files: &HashMap<String, String>) -> Result<Charts, String> {

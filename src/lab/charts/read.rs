@@ -7,6 +7,7 @@ use crate::files::CsvRow;
 use crate::lab::curve::{CoursePoint, MOST_CURVES, Measured, MethodCurve, OverTime, WorkPoint, curve_of};
 use crate::lab::report::PI;
 use crate::lab::rows::{above_zero, error, rows};
+use crate::lab::savings::{SAVINGS, Saving};
 use crate::lab::stress::Survival;
 
 /// The words of a switch, for a message.
@@ -36,7 +37,8 @@ impl Charts {
         }
         let stress = rows(STRESS, &file(STRESS)?, &STRESS_HEAD)?;
         let stress = stress.iter().map(survival).collect::<Result<Vec<_>, _>>()?;
-        Ok(Self { setting, diagrams, stress })
+        let savings = file(SAVINGS).map_or_else(|_| Ok(Vec::new()), |text| Saving::read(&text))?;
+        Ok(Self { setting, diagrams, stress, savings })
     }
 }
 
