@@ -82,15 +82,17 @@ impl Lab {
         &self.side_by_side
     }
 
-    fn lead(&mut self, onwards: Option<Onwards>) {
-        match onwards {
-            Some(Onwards::Chart(name)) => {
+    fn lead(&mut self, onwards: Option<Onwards>) -> Option<Request> {
+        match onwards? {
+            Onwards::Back => return Some(Request::Pop),
+            Onwards::Chart(name) => {
                 self.charts.open(name);
                 self.page = Page::Charts;
             }
-            Some(Onwards::Stability) => self.page = Page::Stability,
-            Some(Onwards::Savings) | None => {}
+            Onwards::Stability => self.page = Page::Stability,
+            Onwards::Savings => {}
         }
+        None
     }
 
     fn show_tabs(&mut self, ui: &mut Ui<'_>) {
@@ -132,13 +134,10 @@ impl Screen for Lab {
         self.show_tabs(ui);
         let area = body(&ui.frame());
         match self.page {
-            Page::Overview => match self.overview.show(ui, area, (&self.charts.shown.charts, self.stability.regions())) {
-                Ok(onwards) => {
-                    self.lead(onwards);
-                    None
-                }
-                Err(request) => Some(request),
-            },
+            Page::Overview => {
+                let onwards = self.overview.show(ui, area, (&self.charts.shown.charts, self.stability.regions()));
+                self.lead(onwards)
+            }
             Page::Charts => self.charts.show(ui, area),
             Page::Stability => self.stability.show(ui, area),
             Page::Survival => self.survival.show(ui, area),

@@ -6,13 +6,12 @@ use crate::lab::charts::Charts;
 use crate::lab::curve::Measured;
 use crate::lab::drawing::overview;
 use crate::lab::stability::Region;
-use crate::screens::screen::Request;
 use crate::ui::{Ui, WidgetKind};
 use crate::view::theme;
 use crate::view::widgets;
 use crate::words::tr;
 
-/// Where a picture leads.
+/// Where the page leads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Onwards {
     /// To the charts, at the diagram of that name.
@@ -20,6 +19,8 @@ pub(super) enum Onwards {
     Stability,
     /// To the picture of the savings alone, and back.
     Savings,
+    /// Out of the Lab.
+    Back,
 }
 
 const ERRORS: &str = "projectile";
@@ -51,26 +52,21 @@ pub(super) struct OverviewPage {
 }
 
 impl OverviewPage {
-    pub fn show(
-        &mut self,
-        ui: &mut Ui<'_>,
-        body: Area,
-        (charts, regions): (&Charts, &[Region]),
-    ) -> Result<Option<Onwards>, Request> {
+    pub fn show(&mut self, ui: &mut Ui<'_>, body: Area, (charts, regions): (&Charts, &[Region])) -> Option<Onwards> {
         if ui.tools(&[BACK]).is_some() {
-            return if std::mem::take(&mut self.savings) { Ok(None) } else { Err(Request::Pop) };
+            return if std::mem::take(&mut self.savings) { None } else { Some(Onwards::Back) };
         }
         if self.savings {
             let (title, sentence, _) = PICTURES[2];
             ui.panel(body);
             head(ui, body, title, sentence);
             overview::savings(ui.canvas(), inside(body), &charts.savings);
-            return Ok(None);
+            return None;
         }
         let diagram = |name: &str| charts.diagrams.iter().find(|measured| measured.name == name);
         let has = |onwards: Onwards| match onwards {
             Onwards::Chart(name) => diagram(name).is_some_and(|measured: &Measured| !measured.curves.is_empty()),
-            Onwards::Stability => true,
+            Onwards::Stability | Onwards::Back => true,
             Onwards::Savings => !charts.savings.is_empty(),
         };
         let shown: Vec<_> = PICTURES.into_iter().filter(|(_, _, onwards)| has(*onwards)).collect();
@@ -90,6 +86,7 @@ impl OverviewPage {
                 }
                 Onwards::Stability => overview::plane(ui.canvas(), inside(area), regions),
                 Onwards::Savings => overview::savings(ui.canvas(), inside(area), &charts.savings),
+                Onwards::Back => {}
             }
             if touch.focus {
                 widgets::focus_ring(ui.canvas(), area);
@@ -97,7 +94,7 @@ impl OverviewPage {
             chosen = chosen.or(touch.pressed.then_some(*onwards));
         }
         self.savings = chosen == Some(Onwards::Savings);
-        Ok(chosen)
+        chosen
     }
 }
 
