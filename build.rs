@@ -1,5 +1,5 @@
 //! Lists the levels, experiments and assets of the repository as Rust, so that the program has them built in (`src/built_in.rs`),
-//! and names the browser's target `browser`.
+//! names the browser's target `browser`, and the engine's sources by a hash of their lines.
 
 use std::env;
 use std::fmt::Write;
@@ -20,6 +20,14 @@ fn main() {
     for folder in SHIPPED {
         list(Path::new(&root), folder, &mut files);
     }
+    let (mut sources, mut hash) = (Vec::new(), 0xcbf2_9ce4_8422_2325_u64); // FNV-1a
+    list(Path::new(&root), "src/physics", &mut sources);
+    for file in sources.iter().filter(|file| file.ends_with(".rs") && !file.ends_with("tests.rs")) {
+        let text = fs::read_to_string(Path::new(&root).join(file)).expect("sources are text");
+        let code = text.lines().map(str::trim).filter(|line| !line.starts_with("//"));
+        hash = code.flat_map(str::bytes).fold(hash, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3));
+    }
+    println!("cargo::rustc-env=PHYSICS_SOURCES={hash:016x}");
     let mut list = String::from("&[\n");
     for file in files {
         writeln!(list, "    ({file:?}, include_bytes!(concat!(env!(\"CARGO_MANIFEST_DIR\"), {:?}))),", format!("/{file}"))

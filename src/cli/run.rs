@@ -277,6 +277,8 @@ fn row(game: &Game, (id, impulse): (BodyId, DVec2), kind: &'static str, (angle, 
 pub const HEADER: &str = "tick,time,object,kind,by,x,y,point_x,point_y";
 /// The kind of an impact, whose vector is an impulse, N·s.
 const IMPACT: &str = "impact";
+/// And that of what a contact had passed on in the tick in which it ended.
+const ENDED: &str = "ended_contact";
 
 /// Objects have the telemetry's numbers; N (an impact: N·s) and metres.
 #[derive(Serialize)]
@@ -305,9 +307,9 @@ impl<W: Write> Forces<W> {
                 let names = (column(force.kind), source_name(level, force.source));
                 self.write_row(game, id, (&names.0, &names.1), (force.vector, force.point))?;
             }
-            let felt = |impulse: &Impulse| Some((impulse.on(id)?, impulse.point));
-            for ((vector, by), point) in world.impulses().iter().filter_map(felt) {
-                self.write_row(game, id, (IMPACT, &obstacle_name(level, by)), (vector, point))?;
+            let felt = |impulse: &Impulse| Some((impulse.on(id)?, impulse.point, if impulse.impact { IMPACT } else { ENDED }));
+            for ((vector, by), point, kind) in world.impulses().iter().filter_map(felt) {
+                self.write_row(game, id, (kind, &obstacle_name(level, by)), (vector, point))?;
             }
         }
         Ok(())

@@ -78,6 +78,7 @@ fn rows(level: &Level) -> Vec<u8> {
         awards: _,
         // Shown and scored, without an effect on the flight.
         experiment: _,
+        overview: _,
         size,
         gravity,
         gravity_x,

@@ -43,10 +43,8 @@ impl Impacts {
         while self.kept.front().is_some_and(|(at, _)| at + ticks < tick) {
             self.kept.pop_front();
         }
-        let last = &impulses[impulses.len().saturating_sub(MOST)..];
-        let over = (self.kept.len() + last.len()).saturating_sub(MOST);
-        self.kept.drain(..over);
-        self.kept.extend(last.iter().map(|impulse| (tick, *impulse)));
+        self.kept.extend(impulses.iter().filter(|impulse| impulse.impact).map(|impulse| (tick, *impulse)));
+        self.kept.drain(..self.kept.len().saturating_sub(MOST));
     }
 
     /// The impacts on a body, the largest first; all impacts of one body or surface in one tick are one.
@@ -139,7 +137,7 @@ mod tests {
     use proptest::test_runner::FileFailurePersistence;
 
     fn impulse(a: u32, b: Obstacle, x: f64) -> Impulse {
-        Impulse { a: BodyId(a), b, vector: DVec2::new(x, 0.0), point: DVec2::ZERO, at: 0.0 }
+        Impulse { a: BodyId(a), b, vector: DVec2::new(x, 0.0), point: DVec2::ZERO, at: 0.0, impact: true }
     }
 
     #[test]

@@ -65,7 +65,8 @@ impl Mechanisms {
         for &index in &self.fragile {
             let breaks = level.world[index].breaks.filter(|_| !self.broken[index]);
             let surface = Obstacle::Surface(index as u32);
-            let hit = |least: f64| world.impulses().iter().any(|impulse| impulse.b == surface && impulse.vector.length() > least);
+            let hits = || world.impulses().iter().filter(|impulse| impulse.impact && impulse.b == surface);
+            let hit = |least: f64| hits().any(|impulse| impulse.vector.length() > least);
             if breaks.is_some_and(hit) {
                 self.broken[index] = true;
                 world.set_present(index, false);

@@ -226,7 +226,7 @@ impl BodyTick<'_> {
 
     /// Whether impacts changed its momentum by more than the rounding that a ride on a lift brings.
     fn is_hit(&self) -> bool {
-        let impulses = self.game.world().impulses().iter().filter_map(|impulse| impulse.on(self.id));
+        let impulses = self.game.world().impulses().iter().filter(|hit| hit.impact).filter_map(|hit| hit.on(self.id));
         let passed_on: f64 = impulses.map(|(impulse, _)| impulse.length()).sum();
         let speeds = self.before.velocity.length() + self.after.velocity.length();
         passed_on > ROUNDING * self.game.world().body(self.id).mass * speeds

@@ -184,7 +184,8 @@ impl BodyTrack {
                 forces.push(force);
             }
         }
-        let felt: DVec2 = game.world().impulses().iter().filter_map(|impulse| Some(impulse.on(self.body)?.0)).sum();
+        let felt: DVec2 =
+            game.world().impulses().iter().filter(|hit| hit.impact).filter_map(|hit| Some(hit.on(self.body)?.0)).sum();
         if place > 0 && felt != DVec2::ZERO {
             self.impulses.resize(place, DVec2::ZERO);
             self.impulses.push(upwards(felt));

@@ -179,6 +179,8 @@ pub struct LabScene {
     pub note: &'static str,
     /// The shipped engine is the last.
     pub methods: Vec<SceneMethod>,
+    /// The shipped engine's world at the start, for what its plan saves; none where none runs.
+    pub world: Option<World>,
 }
 
 /// A method in a scene: a step (s) gives the error of the whole scene, and its course.
@@ -199,6 +201,7 @@ impl LabScene {
             alike: true,
             note: "",
             methods: Vec::new(),
+            world: None,
         }
     }
 }

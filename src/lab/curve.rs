@@ -8,16 +8,26 @@
 use super::methods::motion::{ADAPTIVE, tolerance};
 use crate::draw::chart::look::CurveOrigin;
 use crate::number::{short, step};
+use crate::physics::SOURCES;
 
 /// One run of a method at one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorkPoint {
     /// s.
     pub step: f64,
-    /// CPU time in the diagram's unit, ns.
+    /// CPU time in the diagram's unit, ns: the median of the runs.
     pub work: f64,
+    /// The distance between the quartiles of the runs, in parts of the median.
+    pub spread: f64,
     /// In the diagram's unit; not finite where the method blew up.
     pub error: f64,
+}
+
+/// The median of the times of runs, one at least, and the distance of their quartiles in parts of it.
+pub fn median_and_spread(times: &mut [f64]) -> (f64, f64) {
+    times.sort_by(f64::total_cmp);
+    let (median, quarter) = (times[times.len() / 2], times.len() / 4);
+    (median, (times[times.len() - 1 - quarter] - times[quarter]) / median)
 }
 
 impl WorkPoint {
@@ -39,11 +49,16 @@ pub const NUMBERS: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 /// More curves than this neither an eye nor a legend copes with.
 pub const MOST_CURVES: usize = 64;
 
+/// What the Lab and its charts say of what is stale.
+pub const ANOTHER_BUILD: &str = "measured with another build than this one";
+
 /// A method's points, from the coarsest step or in the order of their times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MethodCurve<P = WorkPoint> {
     pub name: String,
     pub origin: CurveOrigin,
+    /// With which it was measured: of a peer its version, else the engine's [`SOURCES`]; empty over time.
+    pub version: String,
     pub points: Vec<P>,
 }
 
@@ -59,7 +74,7 @@ pub(super) fn curve_of<'a, P>(
         return None;
     }
     if known.is_none() {
-        curves.push(MethodCurve { name: name.to_owned(), origin, points: Vec::new() });
+        curves.push(MethodCurve { name: name.to_owned(), origin, version: String::new(), points: Vec::new() });
     }
     Some(&mut curves[index])
 }
@@ -170,6 +185,11 @@ impl Measured {
         }
     }
 
+    /// Whether another build than this one was measured.
+    pub fn is_stale(&self) -> bool {
+        self.curves.iter().any(|curve| curve.origin != CurveOrigin::Peer && curve.version != SOURCES)
+    }
+
     /// The curve of the shipped engine, if the scene has one, and its points at the step at which the game ships.
     pub fn shipped(&self) -> Option<(&MethodCurve, impl Iterator<Item = WorkPoint>)> {
         let curve = self.curves.iter().find(|curve| curve.origin == CurveOrigin::Shipped)?;
@@ -212,14 +232,21 @@ mod tests {
     use super::*;
 
     #[test]
+    fn half_of_the_runs_are_within_the_spread() {
+        assert_eq!(median_and_spread(&mut [7.0]), (7.0, 0.0));
+        assert_eq!(median_and_spread(&mut [90.0, 11.0, 10.0, 8.0, 9.0]), (10.0, 0.2));
+    }
+
+    #[test]
     fn an_order_is_read_where_there_is_one() {
         let curve = |errors: &[f64]| MethodCurve {
             name: String::new(),
             origin: CurveOrigin::Lab,
+            version: String::new(),
             points: errors
                 .iter()
                 .enumerate()
-                .map(|(i, error)| WorkPoint { step: 0.5f64.powi(i as i32), work: 1.0, error: *error })
+                .map(|(i, error)| WorkPoint { step: 0.5f64.powi(i as i32), work: 1.0, spread: 0.0, error: *error })
                 .collect(),
         };
         // The first is no error of the method any more, the last two are rounding.

@@ -8,8 +8,9 @@
 use super::TOLERANCE;
 use super::charts::Charts;
 use super::curve::{MOST_CURVES, Measured, NUMBERS, WorkPoint, curve_of};
-use super::rows::{above_zero, error, rows};
+use super::rows::{not_negative, rows, work_point};
 use crate::draw::chart::look::CurveOrigin;
+use crate::files::CsvRow;
 
 macro_rules! kept {
     ($($name:literal),* $(,)?) => {
@@ -17,10 +18,11 @@ macro_rules! kept {
     };
 }
 
-const FILES: [(&str, &str); 37] = kept![
+const FILES: [(&str, &str); 38] = kept![
     "setting",
     "scenes",
     "stress",
+    "savings",
     "fall",
     "fall-with-drag",
     "rise-with-drag",
@@ -66,10 +68,77 @@ pub fn charts() -> Result<Charts, String> {
     })
 }
 
-/// The columns of the file that `benches/peers` writes.
-pub const PEERS_HEAD: [&str; 10] = ["scene", "engine", "version", "settings", "step", "work", "error", "overlap", "speed", "times"];
+/// The file that `benches/peers` writes beside the charts, and its columns.
+pub const PEERS: &str = "peers.csv";
+pub const PEERS_HEAD: [&str; 10] =
+    ["scene", "engine", "version", "settings", "step", "work", "spread", "error", "overlap", "speed"];
+
+/// One engine on one scene. Work is CPU time for a simulated second and body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeerRow {
+    pub scene: String,
+    pub engine: String,
+    /// Of the engine; of this one [`crate::physics::SOURCES`].
+    pub version: String,
+    pub settings: String,
+    pub point: WorkPoint,
+    /// The deepest overlap after any step, m.
+    pub overlap: f64,
+}
+
+impl PeerRow {
+    pub fn ours(&self) -> bool {
+        self.engine == OURS
+    }
+}
+
+/// Whether `benches/peers` runs a scene of that name.
+pub fn is_of_peers(scene: &str) -> bool {
+    const OTHERS: [&str; 18] = [
+        "fall",
+        "slide",
+        "bounce-perfect",
+        "bounce-apexes",
+        "head-on",
+        "cradle",
+        "column",
+        "column-100",
+        "heavy-on-light",
+        "pushed-row",
+        "settled-100",
+        "settled-1000",
+        "settled-5000",
+        "islands-200",
+        "tower-hit",
+        "afloat-64",
+        "asleep-1000",
+        "lift",
+    ];
+    let scene = scene.strip_suffix(SLEEP).unwrap_or(scene);
+    OTHERS.contains(&scene) || FAMILIES.iter().any(|family| family.has(scene))
+}
+
+/// `file` names the text.
+///
+/// # Errors
+/// File and line of the first row that cannot be read.
+pub fn peer_rows(file: &str, text: &str) -> Result<Vec<PeerRow>, String> {
+    let row = |row: CsvRow<'_>| {
+        let word = |column| row.get(column).to_owned();
+        Ok(PeerRow {
+            scene: word("scene"),
+            engine: word("engine"),
+            version: word("version"),
+            settings: word("settings"),
+            point: work_point(&row)?,
+            overlap: not_negative(&row, "overlap")?,
+        })
+    };
+    rows(file, text, &PEERS_HEAD)?.into_iter().map(row).collect()
+}
+
 /// The name of this engine in that file.
-const OURS: &str = "Resultant";
+pub const OURS: &str = "Resultant";
 /// The ending of scenes in which resting bodies may sleep, as they always may in the lab.
 const SLEEP: &str = "-sleep";
 
@@ -143,38 +212,36 @@ impl Family {
 }
 
 /// Adds the peers' points to the diagrams of their scenes, and diagrams for the scenes of engines only; leaves out all other scenes.
-/// `file` names the text.
 ///
 /// # Errors
-/// File and line of the first row that cannot be read.
-pub fn add_peers(file: &str, text: &str, diagrams: &mut Vec<Measured>) -> Result<(), String> {
+/// More curves in a diagram than [`MOST_CURVES`].
+pub fn add_peers(peers: &[PeerRow], diagrams: &mut Vec<Measured>) -> Result<(), String> {
     let mut families = FAMILIES.map(|family| (family, None::<Measured>));
-    for row in rows(file, text, &PEERS_HEAD)? {
-        let (scene, ours) = (row.get("scene"), row.get("engine") == OURS);
-        let (step, work, error) = (above_zero(&row, "step")?, above_zero(&row, "work")?, error(&row)?);
+    for row in peers {
+        let PeerRow { scene, point, .. } = row;
         let (scene, sleeps) = match scene.strip_suffix(SLEEP) {
             // The lab measures this engine with sleep.
-            Some(_) if ours => continue,
+            Some(_) if row.ours() => continue,
             Some(scene) => (scene, true),
-            None => (scene, false),
+            None => (scene.as_str(), false),
         };
-        let engine = curve_name(row.get("engine"), row.get("version"), row.get("settings"), sleeps);
-        let origin = if ours { CurveOrigin::Shipped } else { CurveOrigin::Peer };
         let (measured, work) = if let Some(measured) = diagrams.iter_mut().find(|measured| measured.name == scene) {
             // In the scenes of the lab the shipped engine is measured here and now.
-            if ours {
+            if row.ours() {
                 continue;
             }
-            (measured, work)
+            (measured, point.work)
         } else if let Some((family, measured)) = families.iter_mut().find(|(family, _)| family.has(scene)) {
-            let work = if family.sizes { (work * step).clamp(*NUMBERS.start(), *NUMBERS.end()) } else { work };
-            (measured.get_or_insert_with(|| family.diagram(step)), work)
+            let each = (point.work * point.step).clamp(*NUMBERS.start(), *NUMBERS.end());
+            (measured.get_or_insert_with(|| family.diagram(point.step)), if family.sizes { each } else { point.work })
         } else {
             continue;
         };
-        let too_many = || row.bad_cell("engine", format_args!("at most {MOST_CURVES} curves in a diagram"));
-        let curve = curve_of(&mut measured.curves, &engine, origin).ok_or_else(too_many)?;
-        curve.points.push(WorkPoint { step, work, error });
+        let origin = if row.ours() { CurveOrigin::Shipped } else { CurveOrigin::Peer };
+        let too_many = || format!("{PEERS}: {scene}: found an engine more, expected at most {MOST_CURVES} curves in a diagram");
+        let curve = curve_of(&mut measured.curves, &curve_name(row, sleeps), origin).ok_or_else(too_many)?;
+        curve.version.clone_from(&row.version);
+        curve.points.push(WorkPoint { work, ..*point });
     }
     diagrams.extend(families.into_iter().filter_map(|(_, measured)| measured));
     Ok(())
@@ -182,14 +249,15 @@ pub fn add_peers(file: &str, text: &str, diagrams: &mut Vec<Measured>) -> Result
 
 /// The legend of a curve: the engine with its version and settings, of which a frequency is the stiffness of contacts; ours needs
 /// neither.
-fn curve_name(engine: &str, version: &str, settings: &str, sleeps: bool) -> String {
-    if engine == OURS {
-        return engine.to_owned();
+fn curve_name(row: &PeerRow, sleeps: bool) -> String {
+    if row.ours() {
+        return row.engine.clone();
     }
-    let stiff = settings.split(", ").map(|part| if part.ends_with(" Hz") { format!("stiffness {part}") } else { part.to_owned() });
+    let stiff =
+        row.settings.split(", ").map(|part| if part.ends_with(" Hz") { format!("stiffness {part}") } else { part.to_owned() });
     let settings = stiff.collect::<Vec<_>>().join(", ");
     let settings = [settings.as_str(), if sleeps { "with sleep" } else { "" }].into_iter().filter(|words| !words.is_empty());
-    settings.fold(format!("{engine} {version}"), |name, words| format!("{name}, {words}"))
+    settings.fold(format!("{} {}", row.engine, row.version), |name, words| format!("{name}, {words}"))
 }
 
 #[cfg(test)]
@@ -207,14 +275,14 @@ mod tests {
         let followed = charts.diagrams.iter().filter(|measured| measured.over_time.is_some());
         let kept: Vec<String> =
             kept.iter().map(|name| (*name).to_owned()).chain(followed.map(|m| format!("{}-over-time", m.name))).collect();
-        let listed: Vec<&str> = FILES[3..].iter().map(|(name, _)| name.trim_end_matches(".csv")).collect();
+        let listed: Vec<&str> = FILES[4..].iter().map(|(name, _)| name.trim_end_matches(".csv")).collect();
         assert_eq!(listed, kept, "docs/charts/scenes.csv names other files than are listed here");
         assert!(!charts.stress.is_empty());
     }
 
     /// A file of such rows, each without its end from the error on.
     fn file(rows: &[&str]) -> String {
-        let rows = rows.iter().map(|row| format!("{row},0,0,1\n"));
+        let rows = rows.iter().map(|row| format!("{row},0,0\n"));
         std::iter::once(format!("{}\n", PEERS_HEAD.join(","))).chain(rows).collect()
     }
 
@@ -222,26 +290,26 @@ mod tests {
     fn peers_are_added_to_their_scenes_and_the_rest_make_their_own() {
         let mut diagrams = vec![Measured { name: "fall".into(), ..FAMILIES[0].diagram(0.01) }];
         let text = file(&[
-            "fall,other,1.2,\"4 parts, soft\",0.01,100,0.5",
-            "fall,other,1.2,\"4 parts, soft\",0.005,200,0.25",
-            "fall,other,1.2,\"32 parts, stiff\",0.01,800,0.1",
-            "fall-sleep,other,1.2,\"4 parts, soft\",0.01,50,0.5",
-            "fall,Resultant,0.1.0,,0.01,10,0",
-            "pile-100,other,1.2,,0.5,10,0.1",
-            "pile-100,Resultant,0.1.0,,0.5,1,0",
-            "pile-1000,Resultant,0.1.0,,0.5,2,0",
-            "wall-10-km-s,other,1.2,\"4 parts, 30 Hz\",0.01,7,0",
-            "wall-10-km-s,Resultant,0.1.0,,0.01,9,0",
-            "wall-10-km-s,Resultant,0.1.0,,8.333333333333333e-3,8,0",
-            "unheard-of,other,1.2,,0.01,7,0",
-            "flight-drag-1000,other,1.2,,0.5,8,NaN",
+            "fall,other,1.2,\"4 parts, soft\",0.01,100,0,0.5",
+            "fall,other,1.2,\"4 parts, soft\",0.005,200,0,0.25",
+            "fall,other,1.2,\"32 parts, stiff\",0.01,800,0,0.1",
+            "fall-sleep,other,1.2,\"4 parts, soft\",0.01,50,0,0.5",
+            "fall,Resultant,0.1.0,,0.01,10,0,0",
+            "pile-100,other,1.2,,0.5,10,0,0.1",
+            "pile-100,Resultant,0.1.0,,0.5,1,0,0",
+            "pile-1000,Resultant,0.1.0,,0.5,2,0,0",
+            "wall-10-km-s,other,1.2,\"4 parts, 30 Hz\",0.01,7,0,0",
+            "wall-10-km-s,Resultant,0.1.0,,0.01,9,0,0",
+            "wall-10-km-s,Resultant,0.1.0,,8.333333333333333e-3,8,0,0",
+            "unheard-of,other,1.2,,0.01,7,0,0",
+            "flight-drag-1000,other,1.2,,0.5,8,0,NaN",
         ]);
-        add_peers("results.csv", &text, &mut diagrams).unwrap();
+        add_peers(&peer_rows(PEERS, &text).unwrap(), &mut diagrams).unwrap();
         let names: Vec<&str> = diagrams.iter().map(|measured| measured.name.as_str()).collect();
         assert_eq!(names, ["fall", "piles", "flights-with-drag", "wall-10-km-s"]);
         let curves =
             |i: usize| diagrams[i].curves.iter().map(|curve| (curve.name.as_str(), curve.points.clone())).collect::<Vec<_>>();
-        let point = |step, work, error| WorkPoint { step, work, error };
+        let point = |step, work, error| WorkPoint { step, work, spread: 0.0, error };
         assert_eq!(
             curves(0),
             [
@@ -264,19 +332,19 @@ mod tests {
     fn numbers_that_cannot_be_are_refused_by_line_and_column() {
         let above_zero = "a number above 0, from 1e-100 to 1e100";
         for (row, column, found, expected) in [
-            ("fall,other,1,,0,1,0", "step", "0", above_zero),
-            ("fall,other,1,,0.1,1.8e308,0", "work", "1.8e308", above_zero),
-            ("fall,other,1,,0.1,NaN,0", "work", "NaN", above_zero),
-            ("fall,other,1,,0.1,many,0", "work", "many", above_zero),
-            ("fall,other,1,,0.1,1,-1", "error", "-1", "an error of 0 or more, inf or NaN"),
-            ("fall,other,1,,inf,1,0", "step", "inf", above_zero),
+            ("fall,other,1,,0,1,0,0", "step", "0", above_zero),
+            ("fall,other,1,,0.1,1.8e308,0,0", "work", "1.8e308", above_zero),
+            ("fall,other,1,,0.1,NaN,0,0", "work", "NaN", above_zero),
+            ("fall,other,1,,0.1,many,0,0", "work", "many", above_zero),
+            ("fall,other,1,,0.1,1,0,-1", "error", "-1", "an error of 0 or more, inf or NaN"),
+            ("fall,other,1,,inf,1,0,0", "step", "inf", above_zero),
         ] {
-            let problem = add_peers("results.csv", &file(&[row]), &mut Vec::new()).unwrap_err();
-            assert_eq!(problem, format!("results.csv:2: column \"{column}\": found \"{found}\", expected {expected}"));
+            let problem = peer_rows(PEERS, &file(&[row])).unwrap_err();
+            assert_eq!(problem, format!("peers.csv:2: column \"{column}\": found \"{found}\", expected {expected}"));
         }
         let head = PEERS_HEAD.join(",");
-        let problem = add_peers("results.csv", "scene,engine,step,work,error\n", &mut Vec::new()).unwrap_err();
-        assert_eq!(problem, format!("results.csv:1: found \"scene,engine,step,work,error\", expected the head {head}"));
-        assert!(add_peers("results.csv", "", &mut Vec::new()).unwrap_err().starts_with("results.csv: found nothing"));
+        let problem = peer_rows(PEERS, "scene,engine,step,work,error\n").unwrap_err();
+        assert_eq!(problem, format!("peers.csv:1: found \"scene,engine,step,work,error\", expected the head {head}"));
+        assert!(peer_rows(PEERS, "").unwrap_err().starts_with("peers.csv: found nothing"));
     }
 }

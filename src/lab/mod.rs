@@ -11,13 +11,14 @@
 //! - [`reference`](mod@reference): answers that have no closed form, found finely and in two ways.
 //! - [`curve`]: the numbers behind a diagram. [`charts`]: all numbers of one run, as CSV and back; [`kept`]: the run that comes with the
 //!   game, and other engines' points.
-//! - [`savings`]: what modelling less saves.
+//! - [`savings`]: what each plan leaves out, and what that saves. [`figures`]: what the pages say of all that was measured.
 //! - [`timeline`], [`drawing`]: diagrams, on paper and on the screen. [`report`]: the summary.
 
 pub mod charts;
 pub mod contract;
 pub mod curve;
 pub mod drawing;
+pub mod figures;
 pub mod kept;
 pub mod methods;
 pub mod reference;

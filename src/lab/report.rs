@@ -2,7 +2,9 @@
 
 use super::charts::Charts;
 use super::curve::{ALIKE, EXACT, Measured, MethodCurve, WorkPoint};
+use super::figures::measured;
 use super::rows::{shortest, table};
+use super::savings::{self, Saving, TITLE as SAVINGS};
 use super::stability::{Region, SHIPPED, SHIPPED_LIMITS, SVG, TITLE, limit};
 use crate::draw::chart::look::CurveOrigin;
 use crate::number::{short, step};
@@ -40,7 +42,7 @@ pub fn shipped_csv(diagrams: &[Measured]) -> String {
         &["as_exact", "as_exact_step", "as_exact_error", "as_exact_work", "shipped_costs_times_as_exact"],
     ];
     let rows = diagrams.iter().filter_map(SceneVerdict::of).map(|verdict| {
-        let WorkPoint { step, work, error } = verdict.shipped;
+        let WorkPoint { step, work, error, .. } = verdict.shipped;
         let best = |best: Option<(&MethodCurve, WorkPoint)>| match best {
             None => vec![String::new(); 5],
             Some((curve, point)) => {
@@ -56,16 +58,12 @@ pub fn shipped_csv(diagrams: &[Measured]) -> String {
 }
 
 pub fn summary(charts: &Charts, regions: &[Region]) -> String {
-    let Charts { setting, diagrams, stress, .. } = charts;
-    let mut text = "# Accuracy against speed\n\n".to_owned();
-    let commit = setting.commit.as_deref().unwrap_or("unknown");
-    let runs = if setting.quick { "few runs a point (--quick)" } else { "medians of several runs" };
+    let Charts { diagrams, stress, savings, .. } = charts;
     // Writing to a string never fails.
-    let _ = writeln!(text, "Machine: {}. Commit: {commit}. Build: {}; one thread, {runs}.\n", setting.machine, setting.profile);
+    let mut text = format!("# Accuracy against speed\n\n{}\n\n", measured(charts));
     text.push_str(
         "Each point is a method at a step: CPU time of its thread to the right, error upwards, so lower left is better. The dotted \
-         green line is an error that nobody sees. Methods that lose are shown too. Points of other engines, and the piles, are those \
-         of the last run of `benches/peers`.\n\n",
+         green line is an error that nobody sees. Methods that lose are shown too.\n\n",
     );
     verdicts(&mut text, diagrams);
     if let Some(measured) = diagrams.iter().find(|measured| measured.name == PI) {
@@ -82,6 +80,7 @@ pub fn summary(charts: &Charts, regions: &[Region]) -> String {
             if row.shipped { (format!("**{}**", row.method), format!("**{largest}**")) } else { (row.method.clone(), largest) };
         let _ = writeln!(text, "| {} | {} | {method} | {largest} |", row.test, row.parameter);
     }
+    savings_table(&mut text, savings);
     text.push_str("\n## Diagrams\n");
     for measured in diagrams {
         let name = &measured.name;
@@ -101,6 +100,22 @@ fn stability_table(text: &mut String, regions: &[Region]) {
     }
     let [drag, swing] = SHIPPED_LIMITS.map(limit);
     let _ = writeln!(text, "| **{SHIPPED}** | **{drag}** | **{swing}** |");
+}
+
+fn savings_table(text: &mut String, savings: &[Saving]) {
+    let _ = writeln!(text, "\n## {SAVINGS}\n\n![{SAVINGS}](savings.svg)\n\n{}\n", savings::sentence(savings).unwrap_or_default());
+    text.push_str(
+        "| of | name | runs | left out | ns a tick | with every part | times | same bits |\n|---|---|---|---|---|---|---|---|\n",
+    );
+    for row in savings {
+        let Saving { of, scene, parts, left_out, planned, everything, same_bits, .. } = row;
+        let (own, all, times) = (short(planned.0), short(everything.0), short(row.times()));
+        let _ = writeln!(
+            text,
+            "| {of} | {scene} | {parts} | {left_out} | {own} | {all} | × {times} | {} |",
+            if *same_bits { "yes" } else { "**no**" }
+        );
+    }
 }
 
 fn verdicts(text: &mut String, diagrams: &[Measured]) {

@@ -1,7 +1,7 @@
 //! Rows of numbers and words under a head, as CSV and back. Numbers are in the shortest form that reads back as the same f64. A
 //! refusal names file, line and column.
 
-use super::curve::NUMBERS;
+use super::curve::{NUMBERS, WorkPoint};
 use crate::files::{CsvFile, CsvRow, csv_line};
 
 /// The most rows of a file below its head. With more points a diagram takes longer to draw than a frame lasts.
@@ -29,6 +29,21 @@ pub(super) fn above_zero(row: &CsvRow<'_>, column: &str) -> Result<f64, String> 
 /// Anything else.
 pub(super) fn error(row: &CsvRow<'_>) -> Result<f64, String> {
     row.parse("error", "an error of 0 or more, inf or NaN", |error: &f64| error.is_nan() || *error >= 0.0)
+}
+
+/// # Errors
+/// A number that is none.
+pub(super) fn not_negative(row: &CsvRow<'_>, column: &str) -> Result<f64, String> {
+    row.parse(column, "a number of 0 or more", |value: &f64| value.is_finite() && *value >= 0.0)
+}
+
+/// The columns of a measured point.
+///
+/// # Errors
+/// The first number that cannot be.
+pub(super) fn work_point(row: &CsvRow<'_>) -> Result<WorkPoint, String> {
+    let (step, work) = (above_zero(row, "step")?, above_zero(row, "work")?);
+    Ok(WorkPoint { step, work, spread: not_negative(row, "spread")?, error: error(row)? })
 }
 
 /// The rows of a file below its head.

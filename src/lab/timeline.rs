@@ -74,8 +74,10 @@ mod tests {
             moment(3.0, f64::INFINITY, Some(1e300)),
             moment(4.0, f64::NAN, Some(f64::NAN)),
         ];
-        let over_time =
-            OverTime { step: 0.1, courses: vec![MethodCurve { name: "a".into(), origin: CurveOrigin::Lab, points: moments }] };
+        let over_time = OverTime {
+            step: 0.1,
+            courses: vec![MethodCurve { name: "a".into(), origin: CurveOrigin::Lab, version: String::new(), points: moments }],
+        };
         let axes = Timeline::of(&over_time);
         assert_eq!((axes.end, axes.energy), (4.0, Some((0.99, 2.0))));
         let at: Vec<_> = over_time.courses[0].points.iter().map(|m| (axes.error_at(m), axes.energy_at(m).unwrap())).collect();

@@ -110,6 +110,7 @@ impl Draft {
             experiment: settings.experiment,
             awards: settings.awards,
             landscape: settings.landscape,
+            overview: settings.overview,
             player: self.player.map_or(ShipStart::PARKED, |ship| ship.item),
             world: items(self.world),
             movers: items(self.movers),

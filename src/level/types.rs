@@ -39,6 +39,8 @@ pub struct Level {
     pub friction: f64,
     /// The level shows a law: the ship plays no part, and no flight is scored.
     pub experiment: bool,
+    /// All of it is in view until the first key.
+    pub overview: bool,
     pub awards: Awards,
     /// The colours, the sky and the music; without one the level lies on plain paper.
     pub landscape: Option<Landscape>,

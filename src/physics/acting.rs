@@ -3,8 +3,9 @@
 
 use crate::physics::data::{Aabb, Pose, SLOP, refill};
 use crate::physics::exact::Scene;
-use crate::physics::flight::liquid::flow_through;
+use crate::physics::flight::liquid::{flow, flow_side_by_side};
 use crate::physics::flight::steps::Course;
+use crate::physics::forces::Law;
 use crate::physics::scratch::Scratch;
 use crate::physics::state::State;
 use crate::physics::store::motions::Guide;
@@ -22,6 +23,10 @@ impl World {
         let mut awake = std::mem::take(&mut scratch.awake);
         awake.clear();
         awake.extend(space.sleep.looked_at.iter().filter(|body| !space.sleep.asleep[**body as usize]));
+        if plan.liquids || plan.streams {
+            scratch.laws.resize(state.bodies.len(), Law::default());
+        }
+        scratch.swimming.clear();
         let touches = &mut scratch.touches;
         refill(touches, state.bodies.len() + state.surfaces.len(), false);
         for contact in &state.contacts {
@@ -45,20 +50,27 @@ impl World {
                 let end = (body.position + a * (0.5 * dt * dt), a * dt);
                 space.motions.guided.push((i as u32, Guide { end, floats, ..Guide::default() }));
             } else if plan.liquids || at_a_border {
-                let mut law = state.media.law(body, force, dt);
-                if !at_a_border && !law.is_near_liquid() {
-                    continue;
+                let law = &mut scratch.laws[i];
+                state.media.renew(law, body, force, dt);
+                if !at_a_border && law.is_near_liquid() {
+                    // An island finds the end of a body that touches something.
+                    law.rough = scratch.touches[i];
+                    scratch.swimming.push(i as u32);
+                } else if at_a_border {
+                    law.rough = false;
+                    let mut end = flow(&state.media, body, law, dt);
+                    if state.media.crosses_border(body, end, dt) {
+                        end = fly(state, scratch, &Scene::of(state, plan, dt), i);
+                    }
+                    space.motions.guided.push((i as u32, Guide { end, ..Guide::default() }));
                 }
-                // An island finds the end of a body that touches something.
-                law.rough = !at_a_border && scratch.touches[i];
-                let Course { mut end, pull, .. } = flow_through(&state.media, body, &law, dt);
-                if at_a_border && state.media.crosses_border(body, end, dt) {
-                    end = fly(state, scratch, &Scene::of(state, plan, dt), i);
-                }
-                let pull = pull.filter(|_| !at_a_border);
-                space.motions.guided.push((i as u32, Guide { end, pull, roughly: law.rough, ..Guide::default() }));
             }
         }
+        let Scratch { swimming, laws, .. } = &**scratch;
+        flow_side_by_side(&state.media, swimming, (&state.bodies, laws), dt, |i, Course { end, pull, .. }| {
+            let roughly = laws[i as usize].rough;
+            space.motions.guided.push((i, Guide { end, pull, roughly, ..Guide::default() }));
+        });
         scratch.awake = awake;
     }
 

@@ -100,7 +100,7 @@ impl Tick<'_> {
         motions.bodies[body].floats
             || motions.bodies[body].roughly
             || self.scratch.linked(body as u32).is_some()
-            || (self.scene.plan.liquids && self.scratch.touches.get(body).is_some_and(|touches| *touches))
+            || (!self.scene.media.fluids.is_empty() && self.scratch.touches.get(body).is_some_and(|touches| *touches))
     }
 
     /// Takes an island, or leaves it. `round` is how often it has grown in this step.

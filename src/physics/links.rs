@@ -2,7 +2,7 @@
 //! links takes a tick in parts: [`crate::physics::forces::Links::parts`].
 
 use crate::physics::data::domain::DefError;
-use crate::physics::data::{Aabb, BodyId, Contact, LinkDef, LinkEnd, Obstacle, Pose, SLOP, on_axis};
+use crate::physics::data::{Aabb, BodyId, Contact, LinkDef, LinkEnd, Obstacle, Part, Pose, SLOP, called, on_axis};
 use crate::physics::exact::item::{Item, Travel};
 use crate::physics::flight::linked::{Linked, LinkedBodies, little};
 use crate::physics::forces::link::Link;
@@ -23,6 +23,7 @@ impl World {
         let number = self.state.links.all.len();
         let link = Link::new(def, &self.state.bodies, &self.state.links.all)?;
         self.state.links.all.push(link);
+        self.plan.links = true;
         self.relink(number);
         Ok(number)
     }
@@ -70,16 +71,15 @@ impl World {
         }
     }
 
-    /// Flies all linked groups that are awake as if they touched nothing, but for bodies that contacts hold.
+    /// Flies all linked groups, unless all bodies sleep, as if they touched nothing, but for bodies that contacts hold.
     pub(crate) fn fly_linked(&mut self, dt: f64) {
+        called(Part::Links);
         self.scratch.linked.clear();
         self.scratch.pairs.clear();
-        for g in 0..self.state.links.groups.len() {
+        // What is awake may reach a group that sleeps, and its links fly from the start of a tick.
+        let flies = !self.space.sleep.all_asleep() || self.winds(dt);
+        for g in 0..if flies { self.state.links.groups.len() } else { 0 } {
             let group = self.state.links.groups[g].0..self.state.links.groups[g].1;
-            let asleep = |body: &u32| self.space.sleep.asleep[*body as usize];
-            if self.state.links.members[group.clone()].iter().all(asleep) && !self.winds(dt) {
-                continue;
-            }
             let from = self.scratch.linked.len();
             for k in group.clone() {
                 let body = self.state.links.members[k];
@@ -206,7 +206,7 @@ impl Scratch {
         let items = &self.events.items[..self.events.movable];
         let hang = || items.iter().filter_map(|item| of_item(item.id));
         let least = hang().map(|member| member.least).reduce(|a, b| (a.0.min(b.0), a.1.min(b.1)));
-        let Some((force, speed)) = least.filter(|_| self.events.hits.is_empty()) else { return };
+        let Some((force, speed)) = least.filter(|_| !self.events.hits.iter().any(|hit| hit.impulse.impact)) else { return };
         let stands = |item: &Item| {
             let before = state.bodies[item.id as usize].velocity;
             let flies = self.linked(item.id).is_some_and(|member| !member.rests);

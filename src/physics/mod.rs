@@ -42,6 +42,9 @@ mod tests;
 pub(crate) mod validate;
 pub(crate) mod world;
 
+/// Names the engine's sources: what was measured with others is stale.
+pub const SOURCES: &str = env!("PHYSICS_SOURCES");
+
 pub use data::aabb::Aabb;
 pub use data::body::{Body, BodyDef, BodyId};
 pub use data::def::{FieldDef, FluidDef, StreamDef, WorldDef};
@@ -50,7 +53,7 @@ pub use data::domain::DefError;
 pub use data::impulse::{Impulse, Obstacle};
 pub use data::link::*;
 pub use data::material::Material;
-pub use data::plan::Plan;
+pub use data::plan::{OPTIONAL, Plan};
 pub use data::surface::{Leg, Path, PathPoint, Sides, Surface, SurfaceDef};
 pub use forces::kind::{ForceKind, Source};
 pub use forces::link::Link;

@@ -7,7 +7,7 @@ use crate::physics::data::{Aabb, Contact, Hit, NONE, Pose, SLOP};
 use crate::physics::exact::item::Item;
 use crate::physics::exact::{Events, Scene};
 use crate::physics::flight::linked::{Linked, Pull};
-use crate::physics::forces::Link;
+use crate::physics::forces::{Law, Link};
 use crate::physics::state::{Records, State};
 use crate::physics::store::motions::{Method, Motions};
 use glam::DVec2;
@@ -42,6 +42,9 @@ pub(crate) struct Scratch {
     local: Vec<u32>,
     /// Whether each body and surface begins the tick in contact with something, where there are liquids or streams.
     pub touches: Vec<bool>,
+    /// The law of each body near a liquid by the tick before, and the bodies that go by it now.
+    pub laws: Vec<Law>,
+    pub swimming: Vec<u32>,
     /// Of the present island: its bodies, and the surfaces near it.
     pub members: Vec<u32>,
     pub surfaces: Vec<u32>,
@@ -148,7 +151,7 @@ impl Scratch {
             for contact in &state.contacts[of_body] {
                 let (lo, hi) = (local[contact.lo as usize], local[contact.hi as usize]);
                 if lo != NONE && hi != NONE {
-                    events.contacts.push(Contact { lo, hi, ..*contact });
+                    events.contacts.push(Contact { lo, hi, passed: [0.0; 2], ..*contact });
                 }
             }
         }
@@ -164,6 +167,7 @@ impl Scratch {
         let n = state.bodies.len();
         local.resize(n + state.surfaces.len(), NONE);
         resting.clear();
+        members.sort_unstable();
         for (k, &i) in members.iter().enumerate() {
             local[i as usize] = k as u32;
             resting.forces.push(state.bodies[i as usize].mass * motions.bodies[i as usize].pull);
@@ -179,7 +183,7 @@ impl Scratch {
         if !known().all(stands) || !resting.holds() {
             return false;
         }
-        let leader = members.iter().copied().min().unwrap_or(NONE);
+        let leader = members.first().copied().unwrap_or(NONE);
         contacts.extend(
             known().zip(&resting.contacts).map(|(known, solved)| (leader, Contact { lo: known.lo, hi: known.hi, ..*solved })),
         );

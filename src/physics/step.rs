@@ -3,7 +3,7 @@
 use crate::physics::crowd::CrowdImpact;
 use crate::physics::crowd::impulses::ContactImpulse;
 use crate::physics::data::{
-    Aabb, BALANCED, Body, BodyId, Coefficients, Contact, Hit, Impulse, NONE, Obstacle, REPORT_SPEED, SLOP, on_axis,
+    Aabb, BALANCED, Body, BodyId, Coefficients, Contact, Hit, Impulse, NONE, Obstacle, Part, REPORT_SPEED, SLOP, called, on_axis,
 };
 use crate::physics::exact::Scene;
 use crate::physics::islands::{MOST_AT_FIRST, Tick};
@@ -25,7 +25,7 @@ impl World {
         self.scratch.begun.clear();
         self.records.since = 0.0;
         self.records.flows_cut_short = self.records.guards.flows_cut_short;
-        match self.state.links.parts(dt) {
+        match if self.plan.links { self.state.links.parts(dt) } else { 1 } {
             1 => self.advance(dt),
             parts => self.advance_in_parts(dt / f64::from(parts), parts),
         }
@@ -61,8 +61,12 @@ impl World {
         self.records.dt = dt;
         self.bring_back_surfaces();
         self.space.begin_step();
-        self.move_surfaces(dt);
-        self.fly_linked(dt);
+        if self.plan.moving {
+            self.move_surfaces(dt);
+        }
+        if self.plan.links {
+            self.fly_linked(dt);
+        }
         self.records.methods = Methods { asleep: n as u32, ..Methods::default() };
         if self.space.is_stirred() {
             self.say_what_acts(dt);
@@ -70,8 +74,12 @@ impl World {
             self.commit(dt);
         }
         self.record();
-        self.tend_links();
-        self.go_on_paths(dt);
+        if self.plan.links {
+            self.tend_links();
+        }
+        if self.plan.moving {
+            self.go_on_paths(dt);
+        }
         #[cfg(all(feature = "validate", debug_assertions))]
         self.assert_valid();
     }
@@ -170,6 +178,7 @@ impl World {
 
     /// Leads surfaces along their paths, and wakes all bodies that one may touch within the next `dt` seconds.
     fn move_surfaces(&mut self, dt: f64) {
+        called(Part::Moving);
         for k in 0..self.on_paths.len() {
             let s = self.on_paths[k] as usize;
             let surface = &self.state.surfaces[s];
@@ -262,7 +271,7 @@ impl World {
         for &ContactImpulse { a, b, axis, normal, friction, point, impact, .. } in listed() {
             let vector = on_axis(axis, normal, friction);
             if impact {
-                let impulse = Impulse { a: BodyId(a), b: state.obstacle(b), vector, point, at: dt };
+                let impulse = Impulse { a: BodyId(a), b: state.obstacle(b), vector, point, at: dt, impact: true };
                 let at = |item: u32| state.bodies.get(item as usize).map_or(point, |body| body.position);
                 let hit = Hit { impulse, normal: on_axis(axis, normal.signum(), 0.0), speed: 0.0, places: [at(a), at(b)] };
                 scratch.happened.push((NONE, scratch.happened.len() as u32, hit));
@@ -380,6 +389,9 @@ impl State {
 /// Sorts contacts by their ends, and makes one of those at the same face: the crowd step lists push and friction apart. The key is total: how a
 /// sort treats equals depends on their number in the world.
 fn put_in_order(contacts: &mut Vec<Contact>) {
+    if contacts.is_sorted_by(|a, b| (a.ends(), a.axis) < (b.ends(), b.axis)) {
+        return;
+    }
     contacts.sort_unstable_by(|a, b| {
         let face = (a.ends(), a.axis).cmp(&(b.ends(), b.axis));
         face.then(b.normal.total_cmp(&a.normal)).then(a.friction.total_cmp(&b.friction)).then(a.lo.cmp(&b.lo))

@@ -3,15 +3,17 @@
 use crate::physics::data::aabb::Aabb;
 use crate::physics::data::body::{BodyDef, BodyId};
 use crate::physics::data::def::{FieldDef, FluidDef, StreamDef, WorldDef};
+use crate::physics::data::link::{LinkDef, LinkEnd, LinkLaw, Spring};
 use crate::physics::data::material::Material;
-use crate::physics::data::plan::{CALLS, Part, Plan};
-use crate::physics::data::surface::SurfaceDef;
+use crate::physics::data::plan::{CALLS, OPTIONAL, Part, Plan};
+use crate::physics::data::surface::{Path, SurfaceDef};
 use crate::physics::world::World;
 use glam::DVec2;
 
 /// Bodies that fall, float, bounce and are blown about in a room, `count` of them.
 fn scene(count: u32) -> WorldDef {
     let zone = |x: f64, y: f64, w: f64, h: f64| Aabb::new(DVec2::new(x, y), DVec2::new(x + w, y + h));
+    let spring = Spring { length: 1.0, stiffness: 200.0, damping: 0.0 };
     let body = |i: u32| BodyDef {
         position: DVec2::new(2.0 + 1.3 * f64::from(i % 9), 8.5 - 1.1 * f64::from(i / 9)),
         mass: 300.0 + 100.0 * f64::from(i % 7),
@@ -20,7 +22,11 @@ fn scene(count: u32) -> WorldDef {
     };
     WorldDef {
         bounds: Some(zone(0.0, -20.0, 16.0, 29.0)),
-        surfaces: vec![SurfaceDef::fixed(zone(3.0, 6.0, 4.0, 0.5), Material::STEEL)],
+        surfaces: vec![SurfaceDef {
+            path: Path::shuttle(DVec2::new(1.0, 0.0), 1.0, 0.5, 0.0),
+            ..SurfaceDef::fixed(zone(3.0, 6.0, 4.0, 0.5), Material::STEEL)
+        }],
+        links: vec![LinkDef::new(BodyId(1), LinkEnd::Place(DVec2::new(3.0, 5.0)), LinkLaw::Spring(spring))],
         streams: vec![StreamDef { zone: zone(1.0, 3.0, 5.0, 3.0), force: DVec2::new(300.0, -200.0) }],
         fields: vec![FieldDef { zone: zone(9.0, 3.0, 5.0, 3.0), strength: DVec2::new(3.0, -2.0) }],
         fluids: vec![FluidDef { zone: zone(0.0, 7.0, 16.0, 2.0), density: 900.0, viscosity: 0.5 }],
@@ -30,7 +36,7 @@ fn scene(count: u32) -> WorldDef {
 }
 
 /// The calls of each part in two seconds, with what is shown besides.
-fn calls(plan: Plan, count: u32) -> [u64; 6] {
+fn calls(plan: Plan, count: u32) -> [u64; 8] {
     CALLS.with(|calls| calls.iter().for_each(|calls| calls.set(0)));
     let mut world = World::with_plan(scene(count), plan).unwrap();
     for tick in 0..240 {
@@ -48,10 +54,12 @@ fn a_part_that_is_left_out_is_never_called() {
         let whole = Plan::of(&scene(count));
         let all = calls(whole.clone(), count);
         assert!(all.iter().all(|calls| *calls > 0), "{count} bodies: {all:?}");
-        let without: [(Part, Plan); 6] = [
+        let without: [(Part, Plan); 8] = [
             (Part::Air, Plan { air: false, ..whole.clone() }),
             (Part::Streams, Plan { streams: false, ..whole.clone() }),
             (Part::Liquids, Plan { liquids: false, ..whole.clone() }),
+            (Part::Links, Plan { links: false, ..whole.clone() }),
+            (Part::Moving, Plan { moving: false, ..whole.clone() }),
             (Part::Bounces, Plan { bounces: false, ..whole.clone() }),
             (Part::Direct, Plan { direct: false, ..whole.clone() }),
             (Part::Exact, Plan { dense: true, ..whole }),
@@ -66,14 +74,12 @@ fn a_part_that_is_left_out_is_never_called() {
 fn each_flag_has_its_words() {
     let bare = Plan { dense: true, ..Plan::default() };
     let parts = |plan: &Plan| plan.parts().len();
-    for plan in [
-        Plan { air: true, ..bare.clone() },
-        Plan { streams: true, ..bare.clone() },
-        Plan { liquids: true, ..bare.clone() },
-        Plan { bounces: true, ..bare.clone() },
-        Plan { direct: true, ..bare.clone() },
-    ] {
+    for (_, part) in OPTIONAL.iter().chain(&[("", (|plan| &mut plan.direct) as fn(&mut Plan) -> &mut bool)]) {
+        let mut plan = bare.clone();
+        *part(&mut plan) = true;
         assert_eq!(parts(&plan), parts(&bare) + 1, "{plan:?}");
     }
+    assert!(!Plan { links: true, ..bare.clone() }.parts().contains(&"motion: exact parabolas"));
+    assert!(bare.left_out().len() == OPTIONAL.len() && Plan::EVERYTHING.left_out().is_empty());
     assert_eq!(parts(&Plan { dense: false, ..bare.clone() }), parts(&bare));
 }

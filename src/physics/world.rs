@@ -49,6 +49,9 @@ impl World {
         if !plan.liquids {
             def.fluids.clear();
         }
+        if !plan.links {
+            def.links.clear();
+        }
         let mut media = Media::new(def.gravity, def.air_density, (&def.streams, &def.fields), def.fluids);
         media.airy = plan.air;
         let n = def.bodies.len();
@@ -74,6 +77,12 @@ impl World {
         def.links.into_iter().try_for_each(|link| world.link(link).map(drop))?;
         world.begin();
         Ok(world)
+    }
+
+    /// Goes on by another plan, as [`World::with_plan`] would have begun.
+    pub const fn set_plan(&mut self, plan: Plan) {
+        self.state.media.airy = plan.air;
+        self.plan = plan;
     }
 
     /// Adds a body while the world runs (the menu's balls).

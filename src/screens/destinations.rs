@@ -15,7 +15,6 @@ use super::menu::credits::Credits;
 use super::menu::link::{LinkTarget, PageLink, bad};
 use super::players::PlayerList;
 use super::scoring::Scoring;
-use super::scoring::save_score::SaveScore;
 use super::screen::{Classic, Destination, Purpose, Screen};
 #[cfg(all(feature = "window", browser))]
 use super::settings;
@@ -48,7 +47,7 @@ pub(super) fn reading(place: &Destination, session: &mut Session) -> Option<(Err
         // What was just flown is there.
         Destination::Watch(_, candidate) if candidate.source == FlightSource::Flown => return None,
         Destination::Flights(visit) | Destination::Race(visit, _) | Destination::Watch(visit, _) => visit.level.clone(),
-        Destination::Board(name) if name != LEADERBOARD => name.clone(),
+        Destination::Board(visit) if visit.level != LEADERBOARD => visit.level.clone(),
         Destination::Experiment(name) => session.library.open(&session.library.experiment(name))?,
         Destination::Dropped(path) if is_of_level(path) => session.library.open(path)?,
         Destination::Dropped(path) => {
@@ -89,12 +88,7 @@ pub(super) fn open(place: Destination, session: &mut Session, spectator: &mut dy
             }
         },
         Destination::Score(finished) => Box::new(Scoring::open(*finished, session)),
-        Destination::SaveScore(gain, problem) => Box::new(SaveScore::open(gain, problem, session)),
-        Destination::Board(name) => match boards::open(&name, session) {
-            Ok(board) => Box::new(board),
-            Err(unread) => unread_board(unread, session),
-        },
-        Destination::Saved(gain, fresh) => match boards::open_saved(gain, fresh, session) {
+        Destination::Board(visit) => match boards::open(visit, session) {
             Ok(board) => Box::new(board),
             Err(unread) => unread_board(unread, session),
         },
@@ -117,7 +111,7 @@ pub(super) fn open(place: Destination, session: &mut Session, spectator: &mut dy
         },
         Destination::Classic(Classic::Jumper) => Box::new(Jumper::default()),
         Destination::Classic(Classic::Pi) => Box::new(Pi::default()),
-        Destination::Climbed(scene) => Box::new(Jumper::ended(*scene)),
+        Destination::Climbed(scene) => Box::new(Jumper::ended(*scene, session)),
         Destination::Lab(left) => Box::new(Lab::new(session.library.charts(), session.library.experiments(), left.as_deref())),
         Destination::Experiment(name) => fly_folder(&session.library.experiment(&name), session, spectator),
         Destination::Dropped(path) if is_of_level(&path) => fly_folder(&path, session, spectator),

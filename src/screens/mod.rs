@@ -53,10 +53,8 @@ pub use menu::link::{LinkTarget, PageLink};
 pub use menu::{Menu, MenuFacts};
 pub use players::PlayerList;
 pub use scoring::Scoring;
-pub use scoring::save_score::SaveScore;
 pub use screen::{
-    AboveGame, Classic, Destination, Effect, Finished, Fresh, Gain, GameScene, Make, Noise, Onward, PAGES, Page, Purpose, Request,
-    Screen,
+    AboveGame, Classic, Destination, Effect, Finished, GameScene, Make, Noise, Onward, PAGES, Page, Purpose, Request, Screen,
 };
 pub use settings::SettingsPanel;
 pub use stack::Stack;

@@ -53,11 +53,6 @@ pub trait Screen: Any + fmt::Debug {
         true
     }
 
-    /// The score on it that only the player can save, in words: it is lost with the window.
-    fn unsaved(&self) -> Option<String> {
-        None
-    }
-
     /// How large its words are, in a window with `pixel` canvas units a pixel; 1 as designed.
     fn text_scale(&self, _settings: &Settings, _pixel: f32) -> f32 {
         1.0
@@ -79,6 +74,11 @@ pub trait Screen: Any + fmt::Debug {
     /// Does what it has asked for; a request that follows from that.
     fn carry_out(&mut self, _effect: Effect, _session: &mut Session, _spectator: &mut dyn Spectator) -> Option<Request> {
         None
+    }
+
+    /// Whether the game of the screen below is seen behind it.
+    fn lies_over(&self) -> bool {
+        false
     }
 
     /// Shows why what it has asked for cannot be had.
@@ -226,21 +226,6 @@ pub enum Classic {
     Pi,
 }
 
-/// What is to be saved.
-#[derive(Clone, Debug)]
-pub struct Gain {
-    /// The leaderboard: that of a level, by its name, or that of the jumper.
-    pub board: String,
-    /// What it is of, in words.
-    pub subject: String,
-    /// The score.
-    pub points: i64,
-    /// How they were flown, where that is known.
-    pub flown: Option<Rc<Flown>>,
-    /// Where the leaderboard leads once it is saved.
-    pub onward: Vec<Onward>,
-}
-
 /// A button, and where it leads.
 #[derive(Clone, Debug)]
 pub struct Onward {
@@ -303,12 +288,8 @@ pub enum Destination {
         original: bool,
     },
     Score(Box<Finished>),
-    /// The name for a score, and why that score could not be saved under the player's.
-    SaveScore(Gain, Option<String>),
     /// The leaderboard of a level, by its name, or of the jumper.
-    Board(String),
-    /// The leaderboard with a score that was just saved.
-    Saved(Gain, Fresh),
+    Board(Visit),
     /// The flights of a level.
     Flights(Visit),
     /// One of them is watched.
@@ -350,8 +331,6 @@ pub enum Effect {
     Export(NewFile),
     /// Saves an answer of the player to an experiment.
     HandIn(ResultRow),
-    /// Saves a score under that name, or the player's.
-    SaveScore(Gain, Option<Name>),
     /// Keeps a flight as a file.
     Keep(FlightCandidate),
     /// Copies a flight's code.
@@ -372,13 +351,6 @@ pub struct Finished {
     pub flown: Option<Rc<Flown>>,
     /// What it brought the player, in words.
     pub remark: String,
-}
-
-/// A score that was just saved.
-#[derive(Clone, Debug)]
-pub struct Fresh {
-    /// Whose.
-    pub name: Name,
-    /// What became of it, where that is not plain to see.
-    pub remark: Option<String>,
+    /// The level as it has left it.
+    pub end: Box<Game>,
 }

@@ -3,7 +3,7 @@
 use super::destinations::{open, reading};
 use super::menu;
 use super::menu::closing::Closing;
-use super::screen::{Destination, Effect, Request, Screen};
+use super::screen::{Destination, Effect, GameScene, Request, Screen};
 use crate::draw::Canvas;
 use crate::draw::layout::Frame;
 use crate::scores::Name;
@@ -149,6 +149,7 @@ impl Stack {
 
     /// The passes that show the screen as it is now, with the focus where it belongs.
     fn show_frame(&mut self, input: &Input, spectator: &mut dyn Spectator) {
+        let input = &Input { over: self.game_below(&input.frame).is_some(), ..input.clone() };
         for _ in 0..MOST_PASSES {
             self.canvas.begin(input.frame, self.dpi);
             let stage = PassInput { input, canvas: &self.canvas, spectator: &mut *spectator, time: self.shown_for };
@@ -168,6 +169,16 @@ impl Stack {
     /// What is on the screen.
     pub fn screen(&self) -> &dyn Screen {
         &*self.top
+    }
+
+    /// The game on it or behind it.
+    pub fn scene(&self, frame: &Frame) -> Option<GameScene<'_>> {
+        self.top.scene(frame).or_else(|| self.game_below(frame))
+    }
+
+    fn game_below(&self, frame: &Frame) -> Option<GameScene<'_>> {
+        let below = self.below.last().filter(|_| self.top.lies_over())?;
+        below.scene(frame)
     }
 
     /// The widgets of the last frame: those of the topmost layer.
@@ -290,7 +301,7 @@ impl Stack {
                 // What is written on a sheet is the player's before.
                 self.top.leave(&mut self.session);
                 self.session.choose(name, named);
-                self.grant(Request::Reset(Destination::Menu), spectator);
+                self.grant(Request::Pop, spectator);
             }
             Request::Do(effect) => {
                 if let Some(request) = self.top.carry_out(effect, &mut self.session, spectator) {
@@ -364,7 +375,7 @@ impl Stack {
         }
         let mut losses = self.write_all();
         let failed = !losses.is_empty();
-        losses.extend(self.all().find_map(Screen::unsaved));
+        losses.extend(self.session.nameless().map(|(_, points)| points));
         if losses.is_empty() {
             return true;
         }
@@ -392,6 +403,6 @@ impl Stack {
 
     /// Whether something is not written yet. Nothing is tried.
     pub fn is_at_risk(&self) -> bool {
-        self.all().any(|screen| screen.is_at_risk() || screen.unsaved().is_some()) || !self.session.is_written()
+        self.all().any(|screen| screen.is_at_risk()) || !self.session.is_written()
     }
 }

@@ -10,7 +10,7 @@ pub mod recordings;
 pub mod worker;
 
 use crate::game::{Game, Outcome};
-use crate::scores::{Name, Placement, Results, Saved, Score, Scores};
+use crate::scores::{Name, Placement, Results, Saved, Score, Scores, unsaved_points};
 use crate::settings::Settings;
 use crate::settings::file::SettingsFile;
 use crate::ui::input::Clipboard;
@@ -21,10 +21,23 @@ use journal::Journal;
 use library::Library;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use std::rc::Rc;
 use worker::{Brought, Errand, Worker};
 
 /// What is said of a flight that was watched.
 const RECORDING: &str = "A recording: what was not flown by hand is not saved.";
+
+/// A score on its way to its leaderboard.
+#[derive(Clone, Debug)]
+pub struct Gain {
+    /// The leaderboard: that of a level, by its name, or that of the jumper.
+    pub board: String,
+    /// What it is of, in words.
+    pub subject: String,
+    pub points: i64,
+    /// How they were flown, where that is known.
+    pub flown: Option<Rc<Flown>>,
+}
 
 /// Where the game's files are.
 #[derive(Clone, Debug)]
@@ -50,6 +63,8 @@ pub struct Session {
     pub scores: Scores,
     /// Who plays, and what they have done.
     pub journal: Journal,
+    /// The best scores that no leaderboard has yet, and whose they are: a guest's wait for a name, the others for a file that can be written.
+    unsaved: Vec<(Name, Gain)>,
     pub answers: Answers,
     pub settings: Settings,
     pub settings_file: SettingsFile,
@@ -59,6 +74,8 @@ pub struct Session {
     pub losses: BTreeMap<String, u32>,
     /// The level that was last chosen: where the keyboard is when the list comes back.
     pub last_level: Option<String>,
+    /// The level that was flown last: it needs no introduction.
+    pub last_flown: Option<String>,
     /// How many menus there have been: each has other balls.
     pub menus: u64,
     /// What is copied to be pasted.
@@ -85,11 +102,13 @@ impl Session {
             brought: None,
             scores,
             journal,
+            unsaved: Vec::new(),
             settings,
             settings_file,
             settings_problems,
             losses: BTreeMap::new(),
             last_level: None,
+            last_flown: None,
             menus: 0,
             clipboard: Clipboard::default(),
             now: 0.0,
@@ -107,7 +126,13 @@ impl Session {
     pub fn choose(&mut self, name: Name, named: bool) {
         self.answers.sheets.clear();
         let closed = self.settings_file.close();
+        if named && self.journal.current().is_guest() {
+            let nameless = self.unsaved.iter_mut().filter(|(whose, _)| whose.is_guest());
+            nameless.for_each(|(whose, _)| whose.clone_from(&name));
+        }
         self.journal.choose(name, named);
+        // What cannot be written yet waits for the menu.
+        let _ = self.write_scores();
         (self.settings, self.settings_problems) = self.settings_file.load(whose(self.journal.current()));
         words::speak(self.settings.spoken());
         self.settings_problems.extend(closed.err().map(|error| error.to_string()));
@@ -144,33 +169,60 @@ impl Session {
         *self.losses.entry(level.to_owned()).or_default() += 1;
     }
 
-    /// Saves a score under a name, who plays from then on; what is to be said of it besides its row.
+    /// Saves a score under the player's name; what is to be said of it. What cannot be saved, or is a guest's, waits.
     ///
     /// # Errors
-    /// Why it cannot be saved, in words.
-    pub fn save_score(&mut self, board: &str, points: i64, flown: Option<&Flown>, name: &Name) -> Result<Option<String>, String> {
-        let score = Score { name, points, flight: flown.map(|flown| &flown.replay) };
-        let Saved { placement, .. } = self.scores.save_with_flight(board, score).map_err(|error| error.to_string())?;
-        if *name != *self.journal.current() {
-            self.choose(name.clone(), true);
+    /// Why it cannot be saved yet, in words.
+    pub fn save(&mut self, gain: Gain) -> Result<Option<String>, String> {
+        let name = self.journal.current().clone();
+        let saved = if name.is_guest() { Ok(None) } else { write_score(&self.scores, &name, &gain) };
+        if saved.is_ok() && !name.is_guest() {
+            return saved;
         }
-        Ok(match placement {
-            Placement::Kept { best, .. } => Some(tr!("Your best of {best} points stays.", best)),
-            Placement::New { .. } | Placement::Raised { .. } => None,
-        })
+        let same = |(whose, other): &&(Name, Gain)| *whose == name && other.board == gain.board;
+        if self.unsaved.iter().find(same).is_none_or(|(_, best)| best.points < gain.points) {
+            self.unsaved.retain(|other| !same(&other));
+            self.unsaved.push((name, gain));
+        }
+        saved
+    }
+
+    /// Tries once more to save the scores that wait; why each still does.
+    pub fn write_scores(&mut self) -> Vec<String> {
+        let (mut problems, scores) = (Vec::new(), &self.scores);
+        self.unsaved.retain(|(name, gain)| {
+            name.is_guest() || write_score(scores, name, gain).map_err(|problem| problems.push(problem)).is_err()
+        });
+        problems
+    }
+
+    /// The points of a guest, in words: they are lost with the window.
+    pub fn nameless(&self) -> impl Iterator<Item = (&str, String)> {
+        let guests = self.unsaved.iter().filter(|(name, _)| name.is_guest());
+        guests.map(|(_, gain)| (&*gain.board, unsaved_points(gain.points, &gain.subject)))
     }
 
     /// Writes down what waits, as far as that can be done; the rest in words, a line each.
     pub fn write_all(&mut self) -> Vec<String> {
         let journal = self.journal.close().err().map(|error| error.to_string());
         let settings = self.settings_file.close().err().map(|error| error.to_string());
-        journal.into_iter().chain(settings).chain(self.answers.close()).collect()
+        journal.into_iter().chain(settings).chain(self.write_scores()).chain(self.answers.close()).collect()
     }
 
     /// Whether all is written. Nothing is tried.
     pub fn is_written(&self) -> bool {
-        self.journal.is_written() && !self.settings_file.waits() && self.answers.is_written()
+        self.unsaved.is_empty() && self.journal.is_written() && !self.settings_file.waits() && self.answers.is_written()
     }
+}
+
+/// What is to be said of a score that is saved besides its row.
+fn write_score(scores: &Scores, name: &Name, gain: &Gain) -> Result<Option<String>, String> {
+    let score = Score { name, points: gain.points, flight: gain.flown.as_ref().map(|flown| &flown.replay) };
+    let Saved { placement, .. } = scores.save_with_flight(&gain.board, score).map_err(|error| error.to_string())?;
+    Ok(match placement {
+        Placement::Kept { best, .. } => Some(tr!("Your best of {best} points stays.", best)),
+        Placement::New { .. } | Placement::Raised { .. } => None,
+    })
 }
 
 /// Whose settings of play hold while this one plays: a guest has none of their own.

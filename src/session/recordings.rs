@@ -23,6 +23,12 @@ pub struct Visit {
     pub chosen: Option<String>,
 }
 
+impl Visit {
+    pub fn of(level: &str) -> Self {
+        Self { level: level.to_owned(), flown: None, chosen: None }
+    }
+}
+
 /// Where a flight is.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FlightSource {
@@ -51,6 +57,18 @@ pub struct FlightCandidate {
     pub source: FlightSource,
 }
 
+impl FlightCandidate {
+    pub fn just_flown(flown: &Flown) -> Self {
+        Self {
+            name: tr("This flight").to_owned(),
+            about: tr("just flown").to_owned(),
+            score: Some(flown.replay.score),
+            time: Some(flown.replay.time),
+            source: FlightSource::Flown,
+        }
+    }
+}
+
 /// A flight of the level's own, which stands among the rows without a rank.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BoardRival {
@@ -75,13 +93,7 @@ const ENDING: &str = ".replay.csv";
 
 /// The flights of a level: what was just flown, the player's best, the level's own in its folder, and the rest of the board.
 pub fn candidates(visit: &Visit, folder: &Path, board: &Board, player: &Name) -> Vec<FlightCandidate> {
-    let flown = visit.flown.as_ref().map(|flown| FlightCandidate {
-        name: tr("This flight").to_owned(),
-        about: tr("just flown").to_owned(),
-        score: Some(flown.replay.score),
-        time: Some(flown.replay.time),
-        source: FlightSource::Flown,
-    });
+    let flown = visit.flown.as_deref().map(FlightCandidate::just_flown);
     let own = OWN.iter().filter_map(|(file, name, about)| {
         let path = folder.join(FLIGHTS).join(format!("{file}{ENDING}"));
         files::is_file(&path).then(|| FlightCandidate {
@@ -122,8 +134,12 @@ pub fn rivals(folder: &Path, level: &Level) -> Vec<BoardRival> {
 
 /// The level's own flight for gold, from its start.
 pub fn gold(folder: &Path, level: Arc<Level>) -> Option<Reel> {
-    let replay = own(folder, OWN[0].0, level_hash(&level))?;
+    let replay = for_gold(folder, &level)?;
     Reel::new(level, &replay.inputs, replay.tick_rate).ok()
+}
+
+pub fn for_gold(folder: &Path, level: &Level) -> Option<Replay> {
+    own(folder, OWN[0].0, level_hash(level))
 }
 
 /// One of the level's own flights, where it was completed in this version of it.

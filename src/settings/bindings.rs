@@ -43,8 +43,9 @@ actions! {
     Restart "key_restart" "Restart level" "restarts the level" [R] [PadY];
     Rewind "key_rewind" "Rewind" "flies backwards while it is held; from there the flight goes on as practice" [Backspace] [PadL1];
     Details "key_details" "Show forces" "opens and closes the details: the forces and impacts on everything" [Tab] [PadX PadSelect];
-    Hitboxes "key_hitboxes" "Hitboxes, costs" "shows hitboxes, frames a second and the cost of a tick" [F3] [];
     Pause "key_pause" "Pause" "pauses; in menus Esc and B go back" [Escape P] [PadStart];
+    Hint "key_hint" "Hint" "gives a hint, once one is offered" [H] [];
+    Hitboxes "key_hitboxes" "Hitboxes, costs" "shows hitboxes, frames a second and the cost of a tick" [F3] [];
     Fit "key_fit" "Fit the view" "fits everything that moves into the view; again: follows the ship" [F] [];
     Map "key_map" "Whole map" "shows the whole level while it is held" [M] [PadR1];
     Closer "key_closer" "Zoom in" "zooms in, as the wheel does; with Ctrl: longer arrows" [Equal KpAdd] [];
@@ -59,7 +60,7 @@ actions! {
 }
 
 /// The actions that fly come first.
-const FLYING: usize = Action::Pause as usize + 1;
+pub const FLYING: usize = Action::Pause as usize + 1;
 
 impl Action {
     /// The name in the settings' file.

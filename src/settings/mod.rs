@@ -7,7 +7,7 @@ mod item;
 mod keys;
 pub mod layout;
 
-pub use bindings::{Action, Bindings};
+pub use bindings::{Action, Bindings, FLYING};
 pub use item::Item;
 pub use item::{Assists, Palette, Settings};
 #[cfg(feature = "window")]

@@ -64,6 +64,8 @@ impl Clipboard {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Input {
     pub frame: Frame,
+    /// Whether a game is seen behind the screen.
+    pub over: bool,
     /// Since the last frame, s.
     pub frame_time: f64,
     /// The share of the frame time that the window has waited on purpose, s.

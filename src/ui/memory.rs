@@ -86,6 +86,8 @@ pub(super) struct PassShown {
     pub captured: bool,
     /// The widget that has the focus by default.
     pub start: Option<String>,
+    /// From the ends of a column arrows go on at its other end.
+    pub wraps: bool,
 }
 
 #[derive(Debug, Default)]
@@ -247,7 +249,12 @@ impl Memory {
         };
         let able = self.shown.widgets.iter().filter(|widget| widget.kind.has_focus());
         let candidates = able.filter_map(|widget| Some((widget, distance(widget)?)));
-        candidates.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(widget, _)| widget.label.clone())
+        let next = candidates.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(widget, _)| widget);
+        let behind = |widget: &Widget| (from - widget.area.centre()).dot(direction);
+        let straight = |widget: &&Widget| (widget.area.centre() - from).perp_dot(direction).abs() < 1.0;
+        let able = self.shown.widgets.iter().filter(|widget| self.shown.wraps && widget.kind.has_focus());
+        let end = || able.filter(straight).max_by(|a, b| behind(a).total_cmp(&behind(b)));
+        next.or_else(end).map(|widget| widget.label.clone())
     }
 }
 

@@ -127,6 +127,11 @@ impl<'a> Ui<'a> {
         self.shown.claimed = self.shown.claimed | keys.into_iter().collect::<Keys>();
     }
 
+    /// From the ends of a column arrows go on at its other end.
+    pub fn wrap(&mut self) {
+        self.shown.wraps = true;
+    }
+
     /// No widget answers in the next frame: all its input is the screen's own.
     pub fn capture(&mut self) {
         self.shown.captured = true;

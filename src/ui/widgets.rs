@@ -11,6 +11,8 @@ use crate::view::{theme, widgets as paint};
 use crate::words::tr;
 use std::ops::Range;
 
+/// Opacity of the dusk over a game.
+const DUSK: f32 = 0.75;
 /// Width of a choice's value, at its right.
 const VALUE_WIDTH: f32 = 200.0;
 
@@ -70,9 +72,13 @@ impl Turning {
 }
 
 impl Ui<'_> {
-    /// The paper of the notebook, and a heading with its capitals around `y`.
+    /// The paper of the notebook, or dusk over the game behind, and a heading with its capitals around `y`.
     pub fn page(&self, heading: &str, y: f32) {
-        paint::graph_paper(self.canvas());
+        if self.input().over {
+            paint::curtain(self.canvas(), DUSK);
+        } else {
+            paint::graph_paper(self.canvas());
+        }
         self.fitted(tr(heading), Vec2::new(self.frame().size.x / 2.0, y), &[HEADING, BUTTON_TEXT], theme::text());
     }
 

@@ -6,11 +6,10 @@ use super::camera::Viewport;
 use super::particles::{Particle, ParticleLook, Particles};
 use super::terrain::material_edge;
 use super::theme;
-use crate::draw::layout::{Area, DETAILS, Vec2};
-use crate::draw::{Canvas, Colour, Style};
+use crate::draw::layout::{Area, Vec2};
+use crate::draw::{Canvas, Colour};
 use crate::game::Game;
 use crate::level::{Level, Mover, Route, Solid, SurfaceOf, Worked};
-use crate::number::fixed;
 use crate::physics::{Aabb, DVec2, ForceKind, Material, Sides};
 
 /// The body of movers and doors: bluer and lighter than any rock.
@@ -141,17 +140,8 @@ pub fn draw(game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas, time: f64
         let surface = &game.world().surfaces()[level.surface_index(SurfaceOf::Door(index))];
         draw_door(door, surface.present, view, canvas);
     }
-    for (index, switch) in level.switches.iter().enumerate() {
-        if let Some(weight) = switch.weight {
-            let area = view.rect(&switch.bounds);
-            draw_plate(area, lamp_colour(game, index), game.mechanisms().is_pressed(index), canvas);
-            let style = Style::new(DETAILS, theme::text()).mono().centred().middle();
-            let (words, at) = (format!("> {} N", fixed(weight, 0)), Vec2::new(area.centre().x, area.max().y + 13.0));
-            // On a ground of its own: edges and hatching of the rock lie behind it.
-            let sign = Area::around(at, Vec2::new(canvas.width(&words, style) + 8.0, canvas.line_height(DETAILS)));
-            canvas.rounded(sign, 3.0, theme::ground().faded(0.8));
-            canvas.text(&words, at, style);
-        }
+    for (index, switch) in level.switches.iter().enumerate().filter(|(_, switch)| switch.weight.is_some()) {
+        draw_plate(view.rect(&switch.bounds), lamp_colour(game, index), game.mechanisms().is_pressed(index), canvas);
     }
 }
 

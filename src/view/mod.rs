@@ -13,6 +13,7 @@ pub mod free_body;
 pub mod game_view;
 pub mod hitboxes;
 pub mod hud;
+pub mod labels;
 pub mod lanes;
 pub mod mechanisms;
 pub mod miniature;

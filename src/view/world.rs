@@ -13,7 +13,7 @@ use super::pictures::Pictures;
 use super::terrain::{Terrain, Tint};
 use super::things::ellipse;
 use super::{sky, theme};
-use crate::draw::layout::{Area, DETAILS, MONO_ADVANCE, Vec2, nearest_size, text_room};
+use crate::draw::layout::{Area, DETAILS, MONO_ADVANCE, Vec2, text_room};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, plain_name};
 use crate::level::{Level, Look, SurfaceOf, Text};
@@ -60,15 +60,6 @@ fn paper_lines(view: &Viewport, canvas: &Canvas, heavy: bool, colour: Colour) {
     for y in lines(from.y, to.y) {
         let at = view.rect(&Aabb::around(DVec2::new(0.0, y as f64), DVec2::ZERO)).min.y;
         canvas.rectangle(Area::new(shown.min.x, at - (width * 0.5).floor(), shown.size.x, width), colour);
-    }
-}
-
-/// The level's words, each in the size of type nearest to the author's.
-pub fn draw_texts(level: &Level, view: &Viewport, canvas: &Canvas) {
-    for text in &level.texts {
-        let size = nearest_size(view.length(text.size));
-        let colour = text.colour.map_or_else(theme::text, Colour::of);
-        canvas.text(tr(&text.text), view.point(text.position), Style::new(size, colour));
     }
 }
 

@@ -3,16 +3,14 @@
 use super::art::{self, Tile};
 use super::camera::Viewport;
 use super::emitters::objective_colour;
+use super::labels::{self, Label, LabelOf};
 use super::theme;
-use crate::draw::layout::{Area, DETAILS, Vec2};
+use crate::draw::layout::{Area, DETAILS, Vec2, nearest_size};
 use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::game::Game;
 use crate::level::{Fluid, Level, ObjectiveKind, Solid};
 use crate::physics::{Aabb, DVec2};
-use crate::words::tr;
 
-/// From an objective's edge to its label, canvas units.
-const LABEL_GAP: f32 = 14.0;
 /// Radii of the rings of hold times: round an objective's icon, canvas units; and round a held body, m.
 const ICON_RING: f32 = 14.0;
 const HOLD_RING: f64 = 1.45;
@@ -29,7 +27,7 @@ const ON_IT: f64 = 1e-6;
 const CHEVRON_STEP: f64 = 2.0;
 const CHEVRON_SPEED: f64 = 2.5;
 
-/// The objective blocks with their labels: the ship's with its outline, the key object's with a diamond, a met one with a tick.
+/// The objective blocks.
 pub fn draw_objectives(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
     for (index, objective) in game.level().objectives.iter().enumerate() {
         if !objective.bounds.touches(&view.visible(), 2.0) {
@@ -43,36 +41,55 @@ pub fn draw_objectives(game: &Game, view: &Viewport, canvas: &Canvas, time: f64)
         canvas.rectangle(area, theme::ground());
         canvas.rectangle(area, colour.faded(0.30));
         canvas.rectangle_edge(area, 2.0, colour);
-        let label = label_place(area, view);
-        let name = match objective.kind {
-            ObjectiveKind::Player => tr("Ship"),
-            ObjectiveKind::Physics => tr("Key"),
-        };
-        let name = objective.order.map_or(name.to_owned(), |turn| format!("{turn}. {name}"));
+    }
+}
+
+/// The words in the level: the author's in the size of type nearest to theirs; beside an objective its sign: the ship's with its outline, the
+/// key object's with a diamond, a met one with a tick.
+pub fn draw_labels(game: &Game, labels: &[Label], view: &Viewport, canvas: &Canvas) {
+    let level = game.level();
+    for Label { of, words, area } in labels {
         let style = Style::new(DETAILS, theme::text()).middle();
-        let icon = if objective.hold > 0.0 { 28.0 } else { 16.0 };
-        let left = label.x - (icon + 6.0 + canvas.width(&name, style)) / 2.0;
-        let middle = Vec2::new(left + icon / 2.0, label.y);
-        if game.met()[index] {
-            canvas.line(middle + Vec2::new(-6.0, 0.0), middle + Vec2::new(-1.0, 5.0), 3.0, colour);
-            canvas.line(middle + Vec2::new(-1.5, 5.0), middle + Vec2::new(7.0, -5.0), 3.0, colour);
-        } else {
-            match objective.kind {
-                ObjectiveKind::Player => art::draw(canvas, Tile::Ship, Area::around(middle, Vec2::splat(20.0)), 0.0, Colour::WHITE),
-                ObjectiveKind::Physics => match objective.colour {
-                    Some(key) => {
-                        diamond(canvas, middle, 9.0, colour);
-                        diamond(canvas, middle, 6.5, Colour::of(key));
-                    }
-                    None => diamond(canvas, middle, 7.0, colour),
-                },
+        match *of {
+            LabelOf::Text(index) => {
+                let text = &level.texts[index];
+                let colour = text.colour.map_or_else(theme::text, Colour::of);
+                canvas.text(words, area.min, Style::new(nearest_size(view.length(text.size)), colour));
             }
-            if objective.hold > 0.0 {
-                ring(canvas, (middle, ICON_RING), 1.0, colour.faded(0.35));
-                ring(canvas, (middle, ICON_RING), game.held(index) as f32, theme::good());
+            LabelOf::Objective(index) => {
+                let icon = labels::sign(&level.objectives[index]);
+                draw_sign(game, index, Vec2::new(area.min.x + icon / 2.0, area.centre().y), canvas);
+                canvas.text(words, Vec2::new(area.min.x + icon + labels::BESIDE_SIGN, area.centre().y), style);
+            }
+            LabelOf::Plate(_) => {
+                // On a ground of its own: edges and hatching of the rock lie behind it.
+                canvas.rounded(*area, 3.0, theme::ground().faded(0.8));
+                canvas.text(words, area.centre(), style.mono().centred());
             }
         }
-        canvas.text(&name, Vec2::new(left + icon + 6.0, label.y), style);
+    }
+}
+
+fn draw_sign(game: &Game, index: usize, middle: Vec2, canvas: &Canvas) {
+    let (objective, colour) = (&game.level().objectives[index], objective_colour(game, index));
+    if game.met()[index] {
+        canvas.line(middle + Vec2::new(-6.0, 0.0), middle + Vec2::new(-1.0, 5.0), 3.0, colour);
+        canvas.line(middle + Vec2::new(-1.5, 5.0), middle + Vec2::new(7.0, -5.0), 3.0, colour);
+        return;
+    }
+    match objective.kind {
+        ObjectiveKind::Player => art::draw(canvas, Tile::Ship, Area::around(middle, Vec2::splat(20.0)), 0.0, Colour::WHITE),
+        ObjectiveKind::Physics => match objective.colour {
+            Some(key) => {
+                diamond(canvas, middle, 9.0, colour);
+                diamond(canvas, middle, 6.5, Colour::of(key));
+            }
+            None => diamond(canvas, middle, 7.0, colour),
+        },
+    }
+    if objective.hold > 0.0 {
+        ring(canvas, (middle, ICON_RING), 1.0, colour.faded(0.35));
+        ring(canvas, (middle, ICON_RING), game.held(index) as f32, theme::good());
     }
 }
 
@@ -103,18 +120,6 @@ pub(super) fn ring(canvas: &Canvas, (centre, radius): (Vec2, f32), part: f32, co
     for side in 0..(part * SIDES as f32).ceil() as usize {
         canvas.line(at(side), at(side + 1), 3.0, colour);
     }
-}
-
-/// In the block where it has the room, else above it, or below at the top of the window.
-fn label_place(area: Area, view: &Viewport) -> Vec2 {
-    let centre = area.centre();
-    let above = area.min.y - LABEL_GAP;
-    let y = match () {
-        () if area.size.x >= 72.0 && area.size.y >= 28.0 => centre.y,
-        () if above > LABEL_GAP => above,
-        () => area.max().y + LABEL_GAP,
-    };
-    Vec2::new(centre.x.clamp(36.0, (view.size().x - 36.0).max(36.0)), y)
 }
 
 /// The sign of key objects.

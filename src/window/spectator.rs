@@ -22,7 +22,7 @@ const FRAME_WEIGHT: f64 = 0.1;
 
 /// Draws the screen: its game, and its widgets above that.
 pub fn draw(stack: &Stack, spectator: &mut WindowSpectator, frame_time: f64, canvas: &mut Canvas) {
-    if let Some(scene) = stack.screen().scene(canvas.frame()) {
+    if let Some(scene) = stack.scene(canvas.frame()) {
         spectator.draw_scene(scene, *stack.settings(), frame_time, canvas);
         canvas.end_layer();
     } else if stack.screen().tune().is_some() {

@@ -106,10 +106,10 @@ fn charts(name: &str, text: &str) -> Result<Charts, String> {
 
 #[test]
 fn chart_files() {
-    const POINTS: &str = "method,origin,step,work,error\n";
-    let methods: String = (0..1000).map(|i| format!("m{i},lab,0.1,5,0.1\n")).collect();
+    const POINTS: &str = "method,origin,version,step,work,spread,error\n";
+    let methods: String = (0..1000).map(|i| format!("m{i},lab,v,0.1,5,0,0.1\n")).collect();
     for (rows, told) in [
-        (filled("m,lab,0.1,5,0.1\n", files::CHART), "fall.csv:2002: found a row more, expected at most 2000 below the head"),
+        (filled("m,lab,v,0.1,5,0,0.1\n", files::CHART), "fall.csv:2002: found a row more, expected at most 2000 below the head"),
         (methods, "fall.csv:66: column \"method\": found \"m64\", expected at most 64 methods"),
     ] {
         let text = format!("{POINTS}{rows}");
@@ -125,19 +125,19 @@ fn chart_files() {
 
 #[test]
 fn numbers_beyond_all_axes_are_refused() {
-    for row in ["a,lab,0.1,1.7e308,0.1", "a,lab,1e-320,1,0.1", "a,lab,1.7e308,1,1e308"] {
-        let told = charts("fall.csv", &format!("method,origin,step,work,error\n{row}\n")).unwrap_err();
+    for row in ["a,lab,v,0.1,1.7e308,0,0.1", "a,lab,v,1e-320,1,0,0.1", "a,lab,v,1.7e308,1,0,1e308"] {
+        let told = charts("fall.csv", &format!("method,origin,version,step,work,spread,error\n{row}\n")).unwrap_err();
         assert!(told.ends_with("expected a number above 0, from 1e-100 to 1e100"), "{told}");
     }
     let head = kept::PEERS_HEAD.join(",");
-    let text = format!("{head}\nfall,other,1,,0.1,1.8e308,0.1,0,0,1\n");
-    let told = kept::add_peers("results.csv", &text, &mut Vec::new()).unwrap_err();
+    let text = format!("{head}\nfall,other,1,,0.1,1.8e308,0,0.1,0,0\n");
+    let told = kept::peer_rows(kept::PEERS, &text).unwrap_err();
     assert!(told.ends_with("expected a number above 0, from 1e-100 to 1e100"), "{told}");
     // At the ends of the accepted range everything is drawn, with few marks.
     let mut diagrams = Vec::new();
-    let far = ["other,1,,1e-100,1e-100,0.1", "another,1,,1e100,1e100,1e308", "third,1,,1,1,1e-308"];
-    let far: String = far.into_iter().map(|row| format!("pile-100,{row},0,0,1\n")).collect();
-    kept::add_peers("results.csv", &format!("{head}\n{far}"), &mut diagrams).unwrap();
+    let far = ["other,1,,1e-100,1e-100,0,0.1", "another,1,,1e100,1e100,0,1e308", "third,1,,1,1,0,1e-308"];
+    let far: String = far.into_iter().map(|row| format!("pile-100,{row},0,0\n")).collect();
+    kept::add_peers(&kept::peer_rows(kept::PEERS, &format!("{head}\n{far}")).unwrap(), &mut diagrams).unwrap();
     let charts = Charts { diagrams, ..Charts::default() };
     let svg = picture::measured(&charts.diagrams[0]);
     assert!(svg.len() < 100_000 && !svg.contains("NaN") && !svg.contains("inf"), "{}", svg.len());
@@ -146,19 +146,19 @@ fn numbers_beyond_all_axes_are_refused() {
 
 #[test]
 fn the_table_of_pi_wants_a_row_a_step() {
-    let head = "method,origin,step,work,error\n";
-    let ragged = "N = 0,lab,0.1,1,0\nN = 0,lab,0.01,1,0\nN = 1,lab,0.1,1,0\n";
+    let head = "method,origin,version,step,work,spread,error\n";
+    let ragged = "N = 0,lab,v,0.1,1,0,0\nN = 0,lab,v,0.01,1,0,0\nN = 1,lab,v,0.1,1,0,0\n";
     let told = charts("pi.csv", &format!("{head}{ragged}")).unwrap_err();
     assert_eq!(told, "pi.csv: found other steps at \"N = 1\" than at \"N = 0\", expected the same");
-    let other_steps = "N = 0,lab,0.1,1,0\nN = 1,lab,0.2,1,0\n";
+    let other_steps = "N = 0,lab,v,0.1,1,0,0\nN = 1,lab,v,0.2,1,0,0\n";
     assert!(charts("pi.csv", &format!("{head}{other_steps}")).is_err());
-    let even = charts("pi.csv", &format!("{head}N = 0,lab,0.1,1,0\nN = 1,lab,0.1,2,1\n")).unwrap();
+    let even = charts("pi.csv", &format!("{head}N = 0,lab,v,0.1,1,0,0\nN = 1,lab,v,0.1,2,0,1\n")).unwrap();
     assert!(report::summary(&even, &[]).contains("| 1/10 s | 0 | 1 |"));
     // Also where charts do not come from files.
     let mut ragged = even;
     let pi = ragged.diagrams.iter_mut().find(|measured| measured.name == report::PI).unwrap();
     pi.curves[1].points.clear();
     assert!(report::summary(&ragged, &[]).contains("| 1/10 s | 0 | 1 |"));
-    let text = filled("N = 0,lab,0.1,1,0\n", 100);
+    let text = filled("N = 0,lab,v,0.1,1,0,0\n", 100);
     assert!(charts("pi.csv", &format!("{head}{text}")).is_ok());
 }

@@ -1,13 +1,15 @@
 //! The lab: its methods against known figures, its scenes against the shipped engine, and `resultant chart`.
 
 use crate::support::program::{Ran, resultant};
-use crate::support::shipped::names;
+use crate::support::shipped::{names, project};
 use resultant::lab::charts::Charts;
+use resultant::lab::figures::{Figures, PAGES};
+use resultant::lab::kept::{PEERS, peer_rows};
 use resultant::lab::methods::motion::{MotionLaw, MotionStep, PointState, follow, rise_and_fall, rk4, semi_implicit_euler, strang};
 use resultant::lab::stress::TESTS;
 use resultant::lab::stress::picture::FailurePicture;
 use resultant::lab::{LabScene, kept, reference, scenes};
-use resultant::physics::DVec2;
+use resultant::physics::{DVec2, SOURCES};
 use std::path::Path;
 
 fn scene(name: &str) -> LabScene {
@@ -203,9 +205,9 @@ fn in_every_stress_test_the_shipped_engine_survives_all_that_is_tried() {
     }
 }
 
-/// Runs `resultant chart --quick`: exit status, standard output and standard error.
-fn chart(out: &Path) -> (i32, String, String) {
-    let ran = Ran::new(resultant().args(["chart", "--quick", "--out"]).arg(out));
+/// Runs `resultant chart --quick --no-peers`: exit status, standard output and standard error.
+fn chart(out: &Path, more: &[&str]) -> (i32, String, String) {
+    let ran = Ran::new(resultant().args(["chart", "--quick", "--no-peers", "--out"]).arg(out).args(more));
     (ran.status, ran.out, ran.err)
 }
 
@@ -213,11 +215,11 @@ fn chart(out: &Path) -> (i32, String, String) {
 fn chart_writes_diagrams_tables_and_a_summary() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("new/charts");
-    let (status, told, progress) = chart(&out);
+    let (status, told, progress) = chart(&out, &[]);
     assert_eq!(status, 0, "{progress}");
     let text = |name: &str| std::fs::read_to_string(out.join(name)).unwrap();
     let summary = text("summary.md");
-    assert!(summary.contains("Machine: ") && summary.contains("Commit: "));
+    assert!(summary.contains("Measured on ") && summary.contains(SOURCES) && !summary.contains("another build"));
     for scene in scenes::all() {
         assert!(progress.contains(&scene.title), "no progress shown for {}", scene.name);
         assert!(summary.contains(&format!("({}.svg)", scene.name)));
@@ -234,9 +236,8 @@ fn chart_writes_diagrams_tables_and_a_summary() {
     }
     assert!(summary.contains("(stability.svg)") && summary.contains("| RK4 | 2.79 | 2.83 |"), "{summary}");
     // The game reads the measured charts.
-    let read = |name: &str| std::fs::read_to_string(out.join(name)).map_err(|error| error.to_string());
-    let charts = Charts::read(read).unwrap();
-    assert!(charts.diagrams.iter().any(|measured| measured.name == "piles"));
+    let charts = Charts::read(|name| Ok(text(name))).unwrap();
+    assert!(charts.savings.len() > 60 && charts.savings.iter().all(|row| row.same_bits), "{:?}", charts.savings);
     for (name, written) in charts.files() {
         assert_eq!(written, text(&name));
     }
@@ -251,6 +252,20 @@ fn chart_writes_diagrams_tables_and_a_summary() {
     // The output names every file, and no other file is there.
     assert_eq!(told.lines().count(), names(&out).len());
     assert!(told.lines().all(|line| Path::new(line).is_file()));
+
+    // What is there of this build is left as it is; what is not is named, and measured where that is asked for.
+    assert_eq!(chart(&out, &["--check"]).0, 0);
+    let (before, stale) = (text("fall.csv"), text("fall.csv").replace(SOURCES, "0123456789abcdef"));
+    let count = scenes::all().len();
+    assert!(!chart(&out, &["--resume"]).2.contains(&format!("/{count} ")));
+    assert_eq!(text("fall.csv"), before);
+    std::fs::write(out.join("fall.csv"), &stale).unwrap();
+    assert_eq!(chart(&out, &["--check"]).1, format!("fall: measured with another build than {SOURCES}\n"));
+    assert_eq!(chart(&out, &["--draw"]).0, 0);
+    assert!(text("fall.csv") == stale && text("summary.md").contains("another build than this one: fall.**"));
+    let (status, _, progress) = chart(&out, &["fall"]);
+    assert!(status == 0 && progress.matches(&format!("/{count} ")).count() == 1 && text("fall.csv").contains(SOURCES));
+    assert_eq!(chart(&out, &["fell"]).0, 2);
 }
 
 /// Obstacles are found before anything is measured, and nothing is left half written.
@@ -262,11 +277,34 @@ fn chart_says_where_it_cannot_write() {
     let occupied = folder.path().join("occupied");
     std::fs::create_dir_all(occupied.join("pi.svg")).unwrap();
     for (out, named) in [(&file, &file), (&file.join("below"), &file.join("below")), (&occupied, &occupied.join("pi.svg"))] {
-        let (status, told, problem) = chart(out);
+        let (status, told, problem) = chart(out, &[]);
         assert_eq!((status, told.as_str()), (2, ""));
         assert!(problem.contains(&named.display().to_string()), "{problem}");
         assert!(!problem.contains("stress"), "it was measured all the same: {problem}");
     }
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "kept");
     assert_eq!(names(&occupied), ["pi.svg"]);
+}
+
+/// Whether this is the build that was measured is for the page to say, and for `tools/package` to judge.
+#[test]
+fn the_pages_say_what_the_charts_say() {
+    let read = |path: &str| std::fs::read_to_string(project().join(path)).unwrap();
+    let charts = Charts::read(|name| Ok(read(&format!("docs/charts/{name}")))).unwrap();
+    let peers = peer_rows(PEERS, &read(&format!("docs/charts/{PEERS}"))).unwrap();
+    let unjudged = |text: &str| {
+        let mut parts = text.split(" **Measured with another build");
+        let first = parts.next().unwrap().to_owned();
+        parts.fold(first, |text, part| text + part.split_once(".**").unwrap().1)
+    };
+    for page in PAGES {
+        let text = read(page);
+        let filled = Figures { charts: &charts, peers: &peers }.fill(&text).unwrap();
+        assert!(unjudged(&text) == unjudged(&filled), "{page}: run `resultant chart --draw --out docs/charts`");
+        assert!(text.contains("<!-- chart:"), "{page}");
+    }
+    let none = Figures { charts: &Charts::default(), peers: &[] };
+    assert_eq!(none.fill("no mark").unwrap(), "no mark");
+    assert!(none.fill("<!-- chart:column --><!-- end -->").unwrap_err().contains("no such figure"));
+    assert!(none.fill("<!-- chart:measured -->").unwrap_err().contains("no end of the mark"));
 }

@@ -45,7 +45,7 @@ fn edits_that_are_kept_close_and_come_back() {
     let mut sitting = edited(|_| {});
     closes(&mut sitting);
     sitting.reopen();
-    sitting.choose("Level Select").choose("Edit").choose("2").rest();
+    sitting.choose("Editor").choose("2").rest();
     assert!(sitting.shows("There are edits that were not saved."));
     closes(&mut sitting);
     assert!(sitting.click("Have them back").editor().is_unsaved());
@@ -75,30 +75,22 @@ fn edits_that_cannot_be_kept_are_asked_about_also_while_they_are_flown() {
 }
 
 #[test]
-fn a_score_that_can_still_be_saved_is_asked_about() {
-    let mut sitting = Sitting::new();
-    sitting.complete();
-    asks(&mut sitting, "points in");
-    assert_eq!(sitting.press(Key::Enter).rest().at(), "scoring");
-    sitting.choose("Flights").rest();
-    assert_eq!(sitting.at(), "flights");
-    asks(&mut sitting, "points in");
-    assert_eq!(sitting.press(Key::Escape).rest().at(), "flights");
-    sitting.press(Key::Escape).wait(0.6);
-    sitting.choose("Save Score").rest();
-    asks(&mut sitting, "points in");
-    sitting.press(Key::Escape).rest();
-    sitting.write("ann").press(Key::Enter).rest();
-    assert_eq!(sitting.at(), "leaderboard");
-    closes(&mut sitting);
-    // Before the page of the score is there, and once it was left for good.
+fn a_guests_scores_are_asked_about_until_they_have_a_name() {
     let mut sitting = Sitting::new();
     sitting.fly("1").wait(0.2);
     assert_eq!(sitting.at(), "flight");
     asks(&mut sitting, "points in");
     sitting.press(Key::Escape).wait(2.0);
     assert_eq!(sitting.at(), "scoring");
-    sitting.choose("Main Menu");
+    asks(&mut sitting, "points in");
+    assert_eq!(sitting.press(Key::Enter).rest().at(), "scoring");
+    sitting.home();
+    asks(&mut sitting, "points in");
+    assert_eq!(sitting.press(Key::Escape).rest().at(), "menu");
+    sitting.become_new("ann");
+    assert!(sitting.scores_file("1.csv").contains("\nann,"), "what ann has flown without a name");
+    closes(&mut sitting);
+    sitting.complete();
     closes(&mut sitting);
 }
 
@@ -116,7 +108,7 @@ fn what_was_done_and_set_is_asked_about_where_it_cannot_be_written() {
     assert!(sitting.app.may_close());
     closes(&mut sitting);
     assert!(fs::read_to_string(sitting.folder.path().join("settings.csv")).unwrap().contains("fullscreen,on"));
-    sitting.complete().choose("Main Menu").rest();
+    sitting.complete().home().rest();
     asks(&mut sitting, "scores");
     // The menu's own way out asks, too.
     assert_eq!(sitting.click(STAY).rest().at(), "menu");
@@ -124,7 +116,8 @@ fn what_was_done_and_set_is_asked_about_where_it_cannot_be_written() {
     assert_eq!((sitting.at(), sitting.open), ("closing", true));
     sitting.click(STAY).rest();
     fs::remove_file(sitting.folder.path().join("scores")).unwrap();
-    sitting.choose("Quit");
+    // Whose points they are is still to be said.
+    sitting.choose("Quit").rest().choose(ANYWAY);
     assert!(!sitting.open && sitting.scores_file("attempts.csv").lines().count() == 2, "{}", sitting.scores_file("attempts.csv"));
 }
 

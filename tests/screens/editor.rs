@@ -14,7 +14,7 @@ use std::path::PathBuf;
 /// An editor of level 2: a room of 800 × 600 pixels with the ship and a pad in a corner.
 pub fn open() -> Sitting {
     let mut sitting = Sitting::new();
-    sitting.choose("Level Select").choose("Edit").choose("2").rest();
+    sitting.choose("Editor").choose("2").rest();
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2"));
     sitting
 }
@@ -343,7 +343,7 @@ fn what_comes_with_the_game_is_edited_as_a_copy() {
     let shipped = |root: &std::path::Path| fs::write(root.join("levels/shipped.csv"), "# ours\nfolder\n2\n").unwrap();
     let mut sitting = Sitting::with(shipped);
     let before = fs::read(file(&sitting, "player.csv")).unwrap();
-    sitting.choose("Level Select").choose("Edit").choose("2").rest();
+    sitting.choose("Editor").choose("2").rest();
     assert_eq!(sitting.at(), "levels to edit");
     assert!(sitting.shows("What is your copy of 2 called?") && sitting.shows("2 comes with the game and stays as it is."));
     assert_eq!(sitting.field(), "2-copy");
@@ -451,7 +451,7 @@ fn leaving_asks_and_a_crash_loses_nothing() {
     assert!(file(&sitting, ".autosave").exists());
     // The program ends here.
     sitting.reopen();
-    sitting.choose("Level Select").choose("Edit").choose("2").rest();
+    sitting.choose("Editor").choose("2").rest();
     assert_eq!(rows(&sitting, Table::World), 0);
     sitting.click("Have them back").rest();
     assert_eq!(rows(&sitting, Table::World), 1, "had back");

@@ -151,7 +151,7 @@ fn after_a_death_the_level_flies_within_half_a_second_and_keys_that_are_held_wai
     assert_eq!((sitting.scoring().result().outcome, sitting.scoring().result().score.total), (Outcome::Failed, 0));
     assert!(sitting.scoring().result().time > 0.2 && sitting.shows("Touched a red box"));
     assert_eq!(sitting.scores_file("attempts.csv").lines().filter(|line| line.contains(",failed,")).count(), 1);
-    sitting.wait(0.5).choose("Flights").choose("Watch").wait(0.2);
+    sitting.wait(0.5).choose("Watch").wait(0.2);
     assert_eq!(sitting.game().level().name, "2");
     assert!(sitting.flight().history().ticks() > 24, "{}", sitting.flight().history().ticks());
 }
@@ -167,14 +167,14 @@ fn what_is_told_of_a_death_goes_by_itself_and_enter_flies_on_then() {
 
 #[test]
 fn keys_of_the_flight_move_nothing_on_the_page_that_follows() {
-    let left = &[Key::Left];
+    let right = &[Key::Right];
     let mut sitting = Sitting::new();
-    sitting.fly("1").hold_until(left, |sitting| sitting.at() != "flight");
+    sitting.fly("1").hold_until(right, |sitting| sitting.at() != "flight");
     let focus = sitting.focused().to_owned();
     // Pressed once more, and held for longer than the page has a guard: it is the hand of the flight still.
-    sitting.press_keys(left, left).hold(left, 60).press_keys(left, left);
+    sitting.press_keys(right, right).hold(right, 60).press_keys(right, right);
     assert_eq!(sitting.focused(), focus);
-    sitting.rest().press(Key::Left);
+    sitting.rest().press(Key::Right);
     assert_ne!(sitting.focused(), focus, "once it was let go, it chooses");
 }
 
@@ -189,7 +189,7 @@ fn the_pause_panel_gives_a_level_s_hints_one_at_a_time_after_three_losses() {
     }
     assert!(!offered(sitting.press(Key::Escape)), "two losses are not enough: {:?}", sitting.labels());
     sitting.press(Key::Escape).wait(0.1).press(Key::R);
-    assert!(sitting.shows("Esc: hint"), "{:?}", sitting.texts());
+    assert!(sitting.shows("H: a hint"), "{:?}", sitting.texts());
     assert!(offered(sitting.press(Key::Escape)));
     assert!(!sitting.shows("Red kills"), "on demand");
     sitting.choose("Hint");
@@ -198,6 +198,63 @@ fn the_pause_panel_gives_a_level_s_hints_one_at_a_time_after_three_losses() {
     assert!(sitting.shows("The pad is to the left.") && !offered(&sitting), "there are no more");
     sitting.choose("Resume").press(Key::Escape);
     assert!(sitting.shows("The pad is to the left."), "what was given stays readable");
+}
+
+#[test]
+fn a_hint_is_offered_after_three_restarts_of_any_length_or_ninety_seconds_and_its_key_gives_it() {
+    let with_hint = || Sitting::with(|root| fs::write(root.join("levels/2/hints.csv"), "text\nThe pad is up there.\n").unwrap());
+    let offers = |sitting: &Sitting| sitting.shows("H: a hint");
+    let mut sitting = with_hint();
+    sitting.fly("2");
+    for _ in 0..3 {
+        assert!(!offers(sitting.press(Key::H)) && sitting.at() == "flight");
+        sitting.hold(&[Key::Space], 6).press(Key::R);
+    }
+    assert!(offers(sitting.rest()) && !sitting.shows("up there"));
+    assert_eq!(sitting.press(Key::H).at(), "pause");
+    assert!(sitting.shows("The pad is up there."));
+    assert!(!offers(sitting.press(Key::Escape)), "there are no more");
+    let mut sitting = with_hint();
+    assert!(!offers(sitting.fly("2").wait(80.0)));
+    assert!(offers(sitting.wait(11.0)));
+}
+
+#[test]
+fn a_level_introduces_itself_once_and_any_key_ends_that() {
+    let words = "any key starts the flight";
+    let mut sitting = Sitting::new();
+    sitting.fly("2").wait(0.5);
+    assert!(sitting.shows("Level 2") && sitting.shows(words), "{:?}", sitting.texts());
+    assert!(sitting.scene().overlays.map && !sitting.scene().overlays.shown.status && sitting.game().is_idle());
+    sitting.hold(&[Key::Space], 2).press(Key::Space);
+    assert!(!sitting.shows(words) && !sitting.scene().overlays.map && sitting.scene().overlays.shown.status);
+    assert!(sitting.game().ship().fuel < 500.0, "the key has flown");
+    assert!(!sitting.press(Key::R).shows(words), "not again");
+    let mut sitting = Sitting::new();
+    sitting.fly("2").wait(2.1);
+    assert!(!sitting.shows(words) && !sitting.scene().overlays.map, "it ends by itself");
+}
+
+#[test]
+fn an_overview_lasts_until_the_first_key() {
+    let mut sitting = Sitting::with(|root| {
+        fs::write(root.join("levels/2/constants.csv"), "width,800\nheight,600\noverview,1\n").unwrap();
+    });
+    sitting.fly("2").wait(5.0);
+    assert!(sitting.scene().overlays.map && sitting.scene().overlays.shown.status);
+    assert!(!sitting.hold(&[Key::Space], 3).scene().overlays.map);
+}
+
+#[test]
+fn who_has_not_completed_a_level_sees_no_clock_of_medals() {
+    let timed = "width,800\nheight,600\nsilver,5\ngold,3\n";
+    let mut sitting = Sitting::with(|root| {
+        ["1", "2"].iter().for_each(|level| fs::write(root.join(format!("levels/{level}/constants.csv")), timed).unwrap());
+    });
+    sitting.fly("2").press(Key::Left);
+    assert!(!sitting.scene().overlays.shown.medal);
+    sitting.press(Key::Escape).choose("Main Menu").complete().home().fly("1").press(Key::Left);
+    assert!(sitting.scene().overlays.shown.medal);
 }
 
 #[test]
@@ -259,7 +316,7 @@ fn backspace_takes_back_a_loss() {
 #[test]
 fn m_shows_the_whole_level_while_it_is_held() {
     let mut sitting = Sitting::new();
-    sitting.fly("2");
+    sitting.fly("2").press(Key::Left);
     sitting.hold(&[Key::M], 6);
     assert!(sitting.scene().overlays.map);
     assert!(!sitting.rest().scene().overlays.map);

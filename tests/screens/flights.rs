@@ -33,11 +33,10 @@ fn stands(sitting: &Sitting) -> bool {
 fn save_as(sitting: &mut Sitting, name: &str, delay: usize) {
     sitting.fly("0");
     fly_up(sitting, delay);
-    sitting.choose("Save Score");
-    if sitting.at() == "save score" {
-        sitting.write(name).press(Key::Enter);
+    if sitting.labels().contains(&"Save Score") {
+        sitting.choose("Save Score").write(name).press(Key::Enter).wait(0.6);
     }
-    assert_eq!(sitting.at(), "leaderboard");
+    sitting.choose("Board");
 }
 
 #[test]
@@ -46,7 +45,7 @@ fn a_flight_is_watched_from_its_score_bit_for_bit() {
     sitting.fly("0");
     fly_up(&mut sitting, 0);
     assert_eq!(sitting.at(), "scoring");
-    sitting.choose("Flights").choose("Watch");
+    sitting.choose("Watch");
     assert_eq!((sitting.at(), sitting.ticks()), ("watch", 0));
     sitting.wait(3.0);
     assert!(stands(&sitting) && sitting.game().outcome() == Outcome::Completed);
@@ -61,8 +60,6 @@ fn a_flight_is_watched_from_its_score_bit_for_bit() {
     assert_eq!(sitting.ticks(), 0);
     sitting.press(Key::PageDown);
     assert_eq!(sitting.ticks(), 120.min(known));
-    sitting.press(Key::Escape);
-    assert_eq!(sitting.at(), "flights");
     assert_eq!(sitting.press(Key::Escape).at(), "scoring");
 }
 
@@ -72,7 +69,7 @@ fn what_is_watched_is_measured_as_it_was_flown() {
     let mut sitting = sitting();
     sitting.fly("0");
     fly_up(&mut sitting, 0);
-    sitting.choose("Flights").choose("Watch").press(Key::I);
+    sitting.choose("Watch").press(Key::I);
     sitting.click("Trails").click("Energy, work");
     sitting.wait(3.0);
     for key in [Key::Left, Key::Home, Key::Right, Key::End, Key::PageUp, Key::Right] {
@@ -95,7 +92,7 @@ fn what_is_watched_is_slowed_down_hurried_and_dragged() {
     let mut sitting = sitting();
     sitting.fly("0");
     fly_up(&mut sitting, 60);
-    sitting.choose("Flights").choose("Watch").press_all(&[Key::Down, Key::Down, Key::Down]);
+    sitting.choose("Watch").press_all(&[Key::Down, Key::Down, Key::Down]);
     assert_eq!(sitting.flight().observer().pace(), 0.125);
     let from = sitting.ticks();
     sitting.wait(1.0);
@@ -123,7 +120,7 @@ fn what_is_watched_is_slowed_down_hurried_and_dragged() {
     // By mouse: Play, and Back.
     sitting.rest().click("Play");
     assert!(!stands(&sitting));
-    assert_eq!(sitting.click("Back").at(), "flights");
+    assert_eq!(sitting.click("Back").at(), "scoring");
 }
 
 #[test]
@@ -141,7 +138,7 @@ fn jumps_are_told_and_single_ticks_are_seen() {
     let mut sitting = sitting();
     sitting.fly("0");
     fly_up(&mut sitting, 0);
-    sitting.choose("Flights").choose("Watch").press(Key::Space).press(Key::Home);
+    sitting.choose("Watch").press(Key::Space).press(Key::Home);
     let mut told = Told::default();
     for key in [Key::Right, Key::Right, Key::Left, Key::PageDown] {
         sitting.give_to(Input { pressed: [key].into_iter().collect(), ..Input::default() }, &mut told);
@@ -163,7 +160,7 @@ fn a_saved_score_has_its_flight_and_its_row_leads_to_it() {
     assert!(sitting.row("ann").contains(&clock(replay.inputs.ticks() as f64 / 120.0)), "{:?}", sitting.row("ann"));
     // A better score of another player, without a flight: its row leads nowhere.
     fs::write(sitting.folder.path().join("scores/0.csv"), text.clone() + "old,20500\nbob,1,9.5,bob.replay.csv\n").unwrap();
-    sitting.press(Key::Escape).choose("Leaderboards").choose("0");
+    sitting.home().choose("Boards").choose("0");
     assert_eq!(sitting.leaderboard().board().rows()[0].name.as_str(), "old", "its score alone ranks it");
     assert_eq!((sitting.row("old")[2].as_str(), sitting.row("bob")[2].as_str()), ("–", "00:09.50"));
     let old = sitting.place("old");
@@ -191,7 +188,7 @@ fn the_levels_own_flights_stand_on_its_board_by_their_scores() {
     fs::write(own.join("silver.replay.csv"), other.collect::<Vec<_>>().join("\n")).unwrap();
     let board = sitting.scores_file("0.csv");
     fs::write(sitting.folder.path().join("scores/0.csv"), board + "old,20900\nbad,20800,,none.replay.csv\n").unwrap();
-    sitting.press(Key::Escape).choose("Leaderboards").choose("0").wait(0.5);
+    sitting.home().choose("Boards").choose("0").wait(0.5);
     // From the column of names.
     let left = sitting.place("Name").x;
     let shown: Vec<String> = sitting.texts().into_iter().filter(|(_, at)| at.x == left).map(|(text, _)| text).skip(1).collect();
@@ -208,9 +205,9 @@ fn the_levels_own_flights_stand_on_its_board_by_their_scores() {
 fn one_or_several_are_raced_and_the_gaps_are_right() {
     let mut sitting = sitting();
     save_as(&mut sitting, "ann", 30);
-    sitting.press(Key::Escape);
+    sitting.home();
     // From the list of levels: Tab, the best is first, Race.
-    sitting.choose("Level Select").press(Key::Tab);
+    sitting.choose("Levels").press(Key::Tab);
     assert_eq!(sitting.at(), "flights");
     assert_eq!(
         sitting.flights().candidates().iter().map(|flight| flight.about.as_str()).collect::<Vec<_>>(),
@@ -244,7 +241,7 @@ fn one_or_several_are_raced_and_the_gaps_are_right() {
     assert!(matches!(lead, Some(Gap::Seconds(lead)) if (lead - gap).abs() < 0.2), "{lead:?} and {gap} s");
     // The score leads to the same race again.
     sitting.wait(2.0);
-    assert_eq!(sitting.choose("Try Again").flight().race().unwrap().all().len(), 1);
+    assert_eq!(sitting.choose("Again").flight().race().unwrap().all().len(), 1);
     // R begins it again.
     assert_eq!(sitting.wait(0.2).press(Key::R).flight().race().unwrap().splits(), []);
 }
@@ -258,7 +255,7 @@ fn several_are_marked_by_keys_and_by_mouse_up_to_a_limit() {
     let rows: String = (0..14).map(|i| format!("user{i},{},,x{i}.replay.csv\n", 900 - i)).collect();
     fs::write(scores.join("1.csv"), format!("name,score,time,flight\n{rows}")).unwrap();
     fs::write(scores.join("flights/1/x0.replay.csv"), &gold).unwrap();
-    sitting.choose("Level Select");
+    sitting.choose("Levels");
     let card = sitting.area("1").centre();
     sitting.give(Input { pointer: card, right_click: true, ..Input::default() });
     assert_eq!(sitting.at(), "flights");
@@ -292,7 +289,7 @@ fn a_flight_is_kept_as_a_file_and_says_where() {
     let mut sitting = sitting();
     sitting.fly("0");
     fly_up(&mut sitting, 0);
-    sitting.choose("Flights").choose("Keep as File");
+    sitting.choose("Board").choose("Flights").choose("Keep as File");
     let path = sitting.flights().message().unwrap().strip_prefix("Kept as ").unwrap().to_owned();
     assert!(sitting.warning().is_none());
     let replay = Replay::parse("kept", &fs::read_to_string(&path).unwrap()).unwrap();
@@ -312,14 +309,14 @@ fn a_flight_goes_from_one_game_to_another_as_a_code() {
     let mut one = sitting();
     one.fly("0");
     fly_up(&mut one, 0);
-    one.choose("Flights").choose("Copy Code");
+    one.choose("Board").choose("Flights").choose("Copy Code");
     assert!(one.flights().message().unwrap().starts_with("Copied: "), "{:?}", one.flights().message());
     let code = one.app.session.clipboard.text();
 
     let mut other = sitting();
     other.fly("0");
     fly_up(&mut other, 30);
-    other.choose("Flights");
+    other.choose("Board").choose("Flights");
     let count = other.flights().candidates().len();
     let mut paste = |text: &str| {
         other.app.session.clipboard.keep(text.to_owned());
@@ -344,7 +341,7 @@ fn a_flight_goes_from_one_game_to_another_as_a_code() {
 fn a_lost_flight_can_be_watched_and_one_with_help_is_not_recorded() {
     let mut sitting = Sitting::new();
     sitting.lose();
-    sitting.choose("Flights").choose("Watch").wait(0.2);
+    sitting.choose("Watch").wait(0.2);
     assert_eq!(sitting.game().outcome(), Outcome::Failed);
 
     let mut sitting = Sitting::with(|root| {
@@ -352,14 +349,14 @@ fn a_lost_flight_can_be_watched_and_one_with_help_is_not_recorded() {
         fs::write(root.join("settings.csv"), "setting,value,player\nassist_fuel,on,\n").unwrap();
     });
     sitting.fly("1").wait(2.0);
-    assert!(sitting.choose("Flights").flights().candidates().is_empty());
+    assert!(sitting.choose("Board").choose("Flights").flights().candidates().is_empty());
 }
 
 #[test]
 fn a_gamepad_reaches_all_of_it() {
     let mut sitting = sitting();
     save_as(&mut sitting, "ann", 0);
-    sitting.press(Key::PadB).choose("Level Select").press(Key::PadX);
+    sitting.home().choose("Levels").press(Key::PadX);
     assert_eq!(sitting.at(), "flights");
     sitting.press(Key::PadX);
     assert_eq!(sitting.flights().rivals().len(), 1, "marked");

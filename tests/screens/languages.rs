@@ -81,19 +81,19 @@ fn tour(language: Language, frame: Frame, visit: &mut dyn FnMut(&mut Sitting, &s
 
 fn menus(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
     visit(sitting, "menu");
-    visit(sitting.choose("Level Select"), "level select");
+    visit(sitting.choose("Levels"), "level select");
     for _ in 0..4 {
         visit(sitting.press(Key::PageDown), "level select");
     }
     visit(sitting.write("zzz"), "level select, nothing found");
-    visit(sitting.press(Key::Escape).choose("Edit"), "levels to edit");
+    visit(sitting.home().choose("Editor"), "levels to edit");
     visit(sitting.choose("New"), "a new level");
     sitting.press(Key::Escape);
     visit(sitting.choose("Copy"), "a copy");
     visit(sitting.press(Key::Escape).choose("Rename"), "another name");
-    visit(sitting.press_all(&[Key::Escape, Key::Escape, Key::Escape]).choose("Leaderboards"), "leaderboards");
+    visit(sitting.press_all(&[Key::Escape, Key::Escape, Key::Escape]).choose("Boards"), "leaderboards");
     visit(sitting.choose("1"), "an empty board");
-    visit(sitting.press_all(&[Key::Escape, Key::Escape]).choose("Player"), "new player or players");
+    visit(sitting.press_all(&[Key::Escape, Key::Escape]).choose("Players"), "new player or players");
     visit(sitting.write("1x").press(Key::Enter), "a name that is refused");
     visit(sitting.press(Key::Escape).press(Key::Escape).choose("Settings"), "settings");
     visit(sitting.press_all(&[Key::Tab, Key::Enter]), "a key to press");
@@ -158,7 +158,7 @@ fn flight(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
     visit(sitting.press(Key::I).press(Key::Escape), "pause");
     visit(sitting.choose("Settings"), "settings in flight");
     visit(sitting.press(Key::Escape).choose("Level Select").press(Key::PageDown), "level select");
-    sitting.press(Key::Escape).choose("Level Select").press(Key::Tab);
+    sitting.press(Key::Escape).choose("Levels").press(Key::Tab);
     visit(sitting.rest(), "flights");
     visit(sitting.choose("Watch").wait(0.3), "watching");
     visit(sitting.press(Key::Tab).wait(1.0), "watching, with forces");
@@ -169,19 +169,21 @@ fn flight(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
 fn scores(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
     visit(sitting.complete(), "a score");
     visit(sitting.choose("Save Score"), "a name for it");
-    visit(sitting.write("ann").press(Key::Enter).wait(0.3), "its board");
-    sitting.press(Key::Escape);
+    visit(sitting.write("ann").press(Key::Enter).wait(0.6), "a score with a name");
+    visit(sitting.choose("Board"), "its board");
+    sitting.home();
     visit(sitting.fly("3").wait(0.1), "a loss");
     visit(sitting.press(Key::Enter).wait(0.5), "a lost attempt");
-    visit(sitting.choose("Flights").rest(), "no flights");
-    sitting.press_all(&[Key::Escape, Key::Escape]);
-    visit(sitting.choose("Player"), "players");
-    visit(sitting.press(Key::Escape).choose("Level Select").choose("broken"), "problems");
+    visit(sitting.choose("Board").rest(), "a board");
+    visit(sitting.choose("Flights").rest(), "flights");
+    sitting.home();
+    visit(sitting.choose("Players"), "players");
+    visit(sitting.press(Key::Escape).choose("Levels").choose("broken"), "problems");
     sitting.press_all(&[Key::Escape, Key::Escape]);
 }
 
 fn editor(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
-    visit(sitting.choose("Level Select").choose("Edit").choose("2").rest(), "editor");
+    visit(sitting.choose("Editor").choose("2").rest(), "editor");
     visit(sitting.press_all(&[Key::Control]).click("Switch").rest(), "editor");
     let ship = sitting.editor().point(resultant::physics::DVec2::new(400.0, 300.0));
     visit(sitting.click("Select").click_at(ship), "editor, the ship");
@@ -293,6 +295,6 @@ fn a_language_holds_at_once_and_after_the_game_was_closed() {
     assert!(sitting.shows("Deutsch") && sitting.shows("Einstellungen"));
     assert!(sitting.reopen().shows("Spielen"));
     assert_eq!(tr("Play"), "Spielen");
-    sitting.choose("Settings").click("Defaults").press(Key::Escape);
+    sitting.choose("Settings").click("Defaults").home();
     assert!(sitting.shows("Play"));
 }

@@ -1,7 +1,7 @@
 //! Levels that are read beside the screens: no frame waits for one.
 
 use crate::sitting::{FAR_AWAY, Sitting, level};
-use resultant::screens::{Destination, Key, Purpose, Request};
+use resultant::screens::{Destination, Key, Purpose, Request, Visit};
 use std::fs;
 
 fn by_hand() -> Sitting {
@@ -84,7 +84,7 @@ fn every_screen_that_needs_a_level_waits_for_it() {
     let visit = resultant::screens::Visit { level: "2".into(), flown: None, chosen: None };
     for (request, at) in [
         (Request::Reset(Destination::Edit { name: "2".into(), original: false }), "editor"),
-        (Request::Reset(Destination::Board("2".into())), "leaderboard"),
+        (Request::Reset(Destination::Board(Visit::of("2"))), "leaderboard"),
         (Request::Reset(Destination::Flights(visit)), "flights"),
         (Request::Reset(Destination::Play("broken".into())), "problems"),
     ] {
@@ -114,7 +114,7 @@ fn every_screen_that_needs_a_level_waits_for_it() {
 #[test]
 fn levels_that_come_and_go_while_the_list_is_open_are_listed() {
     let mut sitting = Sitting::new();
-    sitting.choose("Level Select").press(Key::Right).rest();
+    sitting.choose("Levels").press(Key::Right).rest();
     level(sitting.folder.path(), "0", FAR_AWAY, "");
     fs::remove_dir_all(sitting.folder.path().join("levels/3")).unwrap();
     sitting.wait(0.6);

@@ -35,24 +35,25 @@ use sitting::Sitting;
 fn esc_goes_back_everywhere() {
     let esc = |sitting: &mut Sitting| sitting.press(Key::Escape).at();
     assert_eq!(esc(&mut Sitting::new()), "menu", "the menu is where Esc ends");
-    for button in ["Level Select", "Leaderboards", "Classics", "Lab", "Settings", "Player", "Credits"] {
+    for button in ["Levels", "Boards", "Classics", "Lab", "Editor", "Settings", "Players", "Credits"] {
         assert_eq!(esc(Sitting::new().choose(button)), "menu");
     }
-    assert_eq!(esc(Sitting::new().become_new("ann").choose("Player")), "menu");
-    assert_eq!(esc(Sitting::new().become_new("ann").choose("Player").choose("New Player")), "players");
-    assert_eq!(esc(Sitting::new().choose("Level Select").choose("broken")), "level select");
+    assert_eq!(esc(Sitting::new().choose("More")), "menu");
+    assert_eq!(esc(Sitting::new().become_new("ann").choose("Players")), "menu");
+    assert_eq!(esc(Sitting::new().become_new("ann").choose("Players").choose("New Player")), "players");
+    assert_eq!(esc(Sitting::new().choose("Levels").choose("broken")), "level select");
     assert_eq!(esc(Sitting::new().fly("2")), "pause");
     assert_eq!(esc(Sitting::new().fly("2").press(Key::Escape)), "flight");
-    assert_eq!(esc(Sitting::new().complete()), "menu");
-    assert_eq!(esc(Sitting::new().reach_save_score()), "scoring");
-    assert_eq!(esc(Sitting::new().reach_save_score().write("ann").press(Key::Enter)), "menu");
-    assert_eq!(esc(Sitting::new().choose("Leaderboards").choose("1")), "leaderboards");
+    assert_eq!(esc(Sitting::new().complete()), "level select");
+    assert_eq!(esc(Sitting::new().complete().choose("Save Score")), "scoring");
+    assert_eq!(esc(Sitting::new().save_as("ann")), "scoring");
+    assert_eq!(esc(Sitting::new().choose("Boards").choose("1")), "leaderboards");
 }
 
 #[test]
 fn every_back_button_goes_back_by_mouse() {
-    assert_eq!(Sitting::new().click("Level Select").click("Back").at(), "menu");
-    assert_eq!(Sitting::new().click("Leaderboards").click("1").click("Back").at(), "leaderboards");
+    assert_eq!(Sitting::new().click("Levels").click("Back").at(), "menu");
+    assert_eq!(Sitting::new().click("Boards").click("1").click("Back").at(), "leaderboards");
     assert_eq!(Sitting::new().click("Classics").click("Back").at(), "menu");
 }
 
@@ -63,16 +64,17 @@ fn every_screen_is_whole_in_every_window() {
         sitting.frame = Frame::of_window(Vec2::new(width, height));
         let whole = Sitting::assert_whole;
         whole(&mut sitting);
-        whole(sitting.choose("Level Select"));
+        whole(sitting.choose("Levels"));
         whole(sitting.choose("2").press(Key::Escape));
         whole(sitting.choose("Settings"));
         whole(sitting.press(Key::Escape).choose("Main Menu").complete());
         whole(sitting.choose("Save Score"));
-        whole(sitting.write("ann").press(Key::Enter));
-        whole(sitting.press(Key::Escape).choose("Classics"));
+        whole(sitting.write("ann").press(Key::Enter).wait(0.6));
+        whole(sitting.choose("Board"));
+        whole(sitting.home().choose("Classics"));
         whole(sitting.press(Key::Escape).choose("Settings"));
         whole(sitting.press(Key::Escape).choose("Credits"));
-        whole(sitting.press(Key::Escape).choose("Player"));
+        whole(sitting.press(Key::Escape).choose("Players"));
         whole(sitting.choose("New Player"));
     }
 }

@@ -11,12 +11,13 @@ use std::path::Path;
 fn every_button_of_the_menu_leads_where_it_says_by_mouse_and_by_keyboard() {
     for (button, screen) in [
         ("Play", "flight"),
-        ("Level Select", "level select"),
-        ("Leaderboards", "leaderboards"),
+        ("Levels", "level select"),
+        ("Boards", "leaderboards"),
+        ("Editor", "levels to edit"),
         ("Classics", "classics"),
         ("Lab", "lab"),
         ("Settings", "settings"),
-        ("Player", "new player"),
+        ("Players", "new player"),
         ("Credits", "credits"),
     ] {
         assert_eq!(Sitting::new().click(button).at(), screen);
@@ -26,10 +27,21 @@ fn every_button_of_the_menu_leads_where_it_says_by_mouse_and_by_keyboard() {
     let quit = sitting.area("Quit").centre();
     assert!(!sitting.give(Input { pointer: quit, click: true, ..Input::default() }).open);
     let mut sitting = Sitting::new();
-    assert_eq!(sitting.press_all(&[Key::Down; 6]).focused(), "Quit");
+    assert_eq!(sitting.press(Key::Up).focused(), "Quit", "the column goes round");
     assert!(!sitting.give(enter()).open);
-    let stop = "below the column is the player, and there the arrows stop";
-    assert_eq!(Sitting::new().press_all(&[Key::Down; 9]).focused(), "Player", "{stop}");
+    assert_eq!(Sitting::new().press_all(&[Key::Down; 6]).focused(), "Play");
+}
+
+#[test]
+fn the_menu_remembers_what_was_chosen() {
+    for button in ["Boards", "Players", "Settings", "Lab"] {
+        let mut sitting = Sitting::new();
+        assert_eq!(sitting.choose(button).press(Key::Escape).focused(), button);
+    }
+    let mut sitting = Sitting::new();
+    sitting.click("More");
+    assert_eq!(sitting.focused(), "Lab");
+    assert_eq!(sitting.press(Key::Escape).focused(), "More");
 }
 
 #[test]
@@ -40,7 +52,7 @@ fn one_press_is_one_action_however_long_it_is_held() {
     assert_eq!(sitting.at(), "level select", "Enter held does not choose a level as well");
 
     let mut sitting = Sitting::new();
-    let pointer = sitting.area("Level Select").centre();
+    let pointer = sitting.area("Levels").centre();
     sitting.give(Input { pointer, click: true, holding: true, ..Input::default() });
     for _ in 0..60 {
         sitting.give(Input { pointer, holding: true, ..Input::default() });
@@ -55,14 +67,14 @@ fn one_press_is_one_action_however_long_it_is_held() {
 #[test]
 fn pointer_and_keyboard_move_one_highlight() {
     let mut sitting = Sitting::new();
-    let third = sitting.area("Leaderboards").centre();
+    let third = sitting.area("Boards").centre();
     sitting.press(Key::Down).point_at(third);
     let highlight = |sitting: &Sitting| (sitting.app.hovered().map(str::to_owned), sitting.focused().to_owned());
-    assert_eq!(highlight(&sitting), (Some("Leaderboards".into()), "Leaderboards".into()));
+    assert_eq!(highlight(&sitting), (Some("Boards".into()), "Boards".into()));
     sitting.give(Input { pointer: third, pressed: [Key::Down].into_iter().collect(), ..Input::default() });
-    assert_eq!(highlight(&sitting), (None, "Classics".into()));
+    assert_eq!(highlight(&sitting), (None, "Players".into()));
     sitting.point_at(third);
-    assert_eq!(highlight(&sitting), (None, "Classics".into()), "a pointer that rests takes nothing");
+    assert_eq!(highlight(&sitting), (None, "Players".into()), "a pointer that rests takes nothing");
     assert_eq!(sitting.at(), "menu");
 }
 
@@ -86,7 +98,7 @@ fn a_right_click_in_the_menu_drops_a_ball_that_stays_in_the_window() {
         sitting.wait(1.0);
         let (balls, frame) = (sitting.menu().balls(), sitting.frame);
         let areas: Vec<Area> = sitting.areas().into_iter().chain(sitting.menu().lines().iter().copied()).collect();
-        assert_eq!(sitting.menu().lines().len(), 3, "the level's title, the hint and the game's");
+        assert_eq!(sitting.menu().lines().len(), 4, "the level's title, who plays, the hint and the game's");
         assert!(balls.len() > 10, "{} balls", balls.len());
         for (i, ball) in balls.iter().enumerate() {
             let inside = ball.min.cmpge(Vec2::splat(-0.1)).all() && ball.max().cmple(frame.size + 0.1).all();
@@ -106,7 +118,7 @@ fn balls_bounce_off_every_word_and_every_button() {
         sitting.frame = Frame::of_window(size);
         sitting.rest();
         let drawn: Vec<Area> = sitting.areas().into_iter().chain(sitting.menu().lines().iter().copied()).collect();
-        assert_eq!(drawn.len(), 9 + 3, "buttons; the level's title, the hint and the game's");
+        assert_eq!(drawn.len(), 6 + 4, "buttons; the level's title, who plays, the hint and the game's");
         for area in drawn {
             let (above, beside) = (Vec2::new(area.centre().x, area.min.y - 16.0), Vec2::new(area.min.x - 16.0, area.centre().y));
             let mut dropped = 0;
@@ -176,8 +188,7 @@ fn balls_fly_differently_in_each_sitting() {
 fn play_opens_the_first_level_that_the_player_has_not_done() {
     let mut sitting = Sitting::new();
     assert_eq!(sitting.choose("Play").flown(), "1");
-    sitting.wait(1.5).press(Key::Escape);
-    assert_eq!(sitting.at(), "menu");
+    sitting.wait(1.5).home();
     assert!(sitting.row("Play").contains(&"2".to_owned()), "{:?}", sitting.row("Play"));
     assert_eq!(sitting.choose("Play").flown(), "2", "1 was completed, though no score was saved");
     sitting.reopen();
@@ -208,5 +219,5 @@ fn a_flight_for_gold_plays_behind_the_buttons_over_and_over() {
         latest = now;
     }
     assert!(sitting.scene().game.ticks() < latest, "it begins again");
-    assert_eq!(sitting.choose("Level Select").at(), "level select");
+    assert_eq!(sitting.choose("Levels").at(), "level select");
 }

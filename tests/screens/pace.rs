@@ -39,7 +39,7 @@ fn a_clock_that_jumps_hides_no_screen_and_ends_nothing() {
 #[test]
 fn flights_have_every_frame_and_menus_thirty_a_second_at_most() {
     let mut sitting = Sitting::new();
-    for button in ["Level Select", "Leaderboards", "Classics", "Lab", "Settings", "Credits"] {
+    for button in ["Levels", "Boards", "Classics", "Lab", "Settings", "Credits"] {
         assert_eq!(interval(sitting.choose(button)), 1.0 / 30.0, "{}", sitting.at());
         sitting.press(Key::Escape);
     }

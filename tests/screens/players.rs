@@ -8,7 +8,7 @@ use std::fs;
 
 /// How many levels of the list are done.
 fn done(sitting: &mut Sitting) -> usize {
-    sitting.choose("Level Select").rest();
+    sitting.choose("Levels").rest();
     let done = sitting.level_select().entries().iter().filter(|entry| entry.medals.medal == Some(Medal::Bronze)).count();
     sitting.press(Key::Escape);
     done
@@ -18,14 +18,14 @@ fn done(sitting: &mut Sitting) -> usize {
 fn what_a_player_has_done_follows_the_player() {
     let mut sitting = Sitting::new();
     assert_eq!(sitting.become_new("ann").app.player().as_str(), "ann");
-    sitting.complete().press(Key::Escape);
+    sitting.complete().home();
     assert_eq!(done(&mut sitting), 1);
     sitting.become_new("bob");
     assert_eq!(done(&mut sitting), 0, "what ann did is not bob's");
     assert!(sitting.row("Play").contains(&"1".to_owned()), "the level that Play opens");
     sitting.reopen();
     assert_eq!(sitting.app.player().as_str(), "bob", "who was chosen last plays on");
-    sitting.choose("Player");
+    sitting.choose("Players");
     assert_eq!((sitting.labels(), sitting.focused()), (vec!["ann", "bob", "New Player", "Back"], "bob"));
     assert_eq!(sitting.choose("ann").at(), "menu");
     assert_eq!(sitting.app.player().as_str(), "ann");
@@ -38,7 +38,7 @@ fn what_a_player_has_done_follows_the_player() {
 fn without_a_name_one_may_fly_and_keeps_what_was_done_once_it_is_said() {
     let mut sitting = Sitting::new();
     assert!(sitting.app.player().is_guest());
-    sitting.complete().press(Key::Escape);
+    sitting.complete().home();
     assert_eq!(done(&mut sitting), 1);
     assert!(sitting.scores_file("players.csv").contains("Guest,1,"), "not lost, whatever happens next");
     sitting.become_new("ann");
@@ -46,9 +46,9 @@ fn without_a_name_one_may_fly_and_keeps_what_was_done_once_it_is_said() {
     sitting.become_new("bob");
     assert_eq!(done(&mut sitting), 0, "bob has not");
     sitting.reopen();
-    sitting.choose("Player");
+    sitting.choose("Players");
     assert_eq!(sitting.choose("Guest").app.player().as_str(), "Guest");
-    sitting.choose("Player");
+    sitting.choose("Players");
     sitting.choose("bob");
     assert_eq!(done(&mut sitting), 0, "to choose somebody from the list gives them nothing");
 }
@@ -56,7 +56,7 @@ fn without_a_name_one_may_fly_and_keeps_what_was_done_once_it_is_said() {
 #[test]
 fn nobody_is_called_guest_and_names_follow_the_rules() {
     let mut sitting = Sitting::new();
-    sitting.click("Player").write("guest").press(Key::Enter);
+    sitting.click("Players").write("guest").press(Key::Enter);
     assert_eq!(sitting.at(), "new player");
     assert!(sitting.shows("no name yet"));
     sitting.press_all(&[Key::Backspace; 5]).write("1bob").press(Key::Enter);
@@ -69,7 +69,7 @@ fn nobody_is_called_guest_and_names_follow_the_rules() {
 fn a_long_list_of_players_scrolls_with_the_highlight() {
     let rows: String = (10..30).map(|i| format!("user{i},,\n")).collect();
     let mut sitting = with_scores("players.csv", &format!("player,level,time,medal,mark\n{rows}"));
-    sitting.click("Player");
+    sitting.click("Players");
     // The players in view, by their numbers, and the focus.
     let shown = |sitting: &Sitting| {
         let texts = sitting.texts();
@@ -82,15 +82,15 @@ fn a_long_list_of_players_scrolls_with_the_highlight() {
     sitting.press_all(&[Key::Up; 8]);
     assert_eq!(shown(&sitting), (4, 11, "user14".into()));
     assert_eq!(sitting.press(Key::Enter).app.player().as_str(), "user14");
-    sitting.click("Player").press_all(&[Key::Down; 40]);
+    sitting.click("Players").press_all(&[Key::Down; 40]);
     assert_eq!(shown(&sitting), (13, 20, "New Player".into()), "below the list are the buttons");
 }
 
 #[test]
 fn every_attempt_that_ends_is_written_down() {
     let mut sitting = Sitting::new();
-    sitting.become_new("ann").complete().press(Key::Escape).fly("3").wait(0.1).press(Key::R).wait(0.1);
-    sitting.press(Key::Enter).press(Key::Escape);
+    sitting.become_new("ann").complete().home().fly("3").wait(0.1).press(Key::R).wait(0.1);
+    sitting.press(Key::Enter).home();
     sitting.fly("2").wait(0.5).press(Key::R).press_all(&[Key::Escape, Key::Escape]);
     let text = sitting.scores_file("attempts.csv");
     let lines: Vec<&str> = text.split("\r\n").collect();
@@ -107,7 +107,7 @@ fn what_cannot_be_written_is_told_and_written_later() {
     let mut sitting = Sitting::with(|root| fs::write(root.join("scores"), "a file, no folder").unwrap());
     sitting.complete();
     assert!(sitting.shows("cannot create the folder"), "{:?}", sitting.texts());
-    sitting.press(Key::Escape);
+    sitting.home();
     assert_eq!(done(&mut sitting), 1, "it counts all the same");
     assert!(sitting.shows("cannot create the folder"));
     fs::remove_file(sitting.folder.path().join("scores")).unwrap();
@@ -122,13 +122,13 @@ fn a_file_that_another_game_holds_is_written_with_the_next_deed_at_the_latest_at
     let mut sitting = Sitting::with(|root| fs::create_dir(root.join("scores")).unwrap());
     let held = hold(&sitting, "players.csv");
     sitting.complete();
-    assert!(sitting.shows("another program is saving there") && sitting.scores_file("players.csv").is_empty());
+    assert!(sitting.shows(".players.csv.lock") && sitting.scores_file("players.csv").is_empty());
     drop(held);
-    sitting.press(Key::Escape).become_new("ann");
+    sitting.home().become_new("ann");
     assert!(sitting.scores_file("players.csv").contains("Guest,1,") && sitting.scores_file("attempts.csv").lines().count() == 2);
 
     let held = hold(&sitting, "attempts.csv");
-    sitting.complete().press(Key::Escape);
+    sitting.complete().home();
     let click = |sitting: &mut Sitting, label: &str| {
         let pointer = sitting.area(label).centre();
         sitting.give(Input { pointer, click: true, ..Input::default() });
@@ -159,7 +159,7 @@ fn a_damaged_file_of_players_is_told_and_costs_nobody_anything() {
 #[test]
 fn a_level_that_shares_a_name_with_the_players_file_is_refused() {
     let mut sitting = Sitting::with(|root| level(root, "Players", crate::sitting::FAR_AWAY, ""));
-    sitting.choose("Level Select").rest();
+    sitting.choose("Levels").rest();
     let entry = sitting.level_select().entries().iter().find(|entry| entry.name == "Players").unwrap();
     assert!(entry.level.as_ref().unwrap().as_ref().is_err_and(|problems| problems[0].contains("players.csv")), "{entry:?}");
 }

@@ -227,7 +227,7 @@ fn a_watched_flight_is_plotted_and_gone_through() {
     let mut sitting = Sitting::with(|root| level(root, "0", "PLAYER,380,60,40,40\n", ""));
     sitting.fly("0");
     sitting.hold_until(&[Key::Space], |sitting| sitting.at() != "flight").wait(0.5);
-    sitting.choose("Flights").choose("Watch").press(Key::I);
+    sitting.choose("Watch").press(Key::I);
     sitting.click("Plot").wait(0.3);
     assert!(sitting.labels().contains(&"Pause"));
     let place = sitting.flight().instruments().plot().at(1, 25).unwrap();

@@ -5,7 +5,7 @@ use resultant::draw::{Colour, Contour, Shape};
 use resultant::game::Game;
 use resultant::screens::{
     Classics, Closing, Credits, Editor, Flight, Flights, GameScene, Input, Jumper, Key, Keys, Lab, Leaderboard, LevelSelect, Menu,
-    Pi, Places, PlayerList, Purpose, SaveScore, Scoring, Screen, SettingsPanel, Spectator, Stack, TileRun, Worker,
+    Pi, Places, PlayerList, Purpose, Scoring, Screen, SettingsPanel, Spectator, Stack, TileRun, Worker,
 };
 use resultant::ui::WidgetKind;
 use resultant::view::theme;
@@ -140,13 +140,24 @@ impl Sitting {
         self.point_at(pointer).give(Input { pointer, click: true, holding: true, ..Input::default() }).point_at(pointer)
     }
 
+    /// In the menu the column with that button is shown.
+    fn turn_to(&mut self, label: &str) {
+        if self.at() == "menu" && !self.labels().contains(&label) {
+            let other = if self.labels().contains(&"More") { "More" } else { "Back" };
+            let at = self.area(other).centre();
+            self.click_at(at);
+        }
+    }
+
     pub fn click(&mut self, label: &str) -> &mut Self {
+        self.turn_to(label);
         let at = self.area(label).centre();
         self.click_at(at)
     }
 
     /// Presses a button by arrows and Enter.
     pub fn choose(&mut self, label: &str) -> &mut Self {
+        self.turn_to(label);
         for _ in 0..20 {
             let (area, focus) = (self.area(label), self.area(self.focused()));
             if focus == area {
@@ -293,7 +304,6 @@ impl Sitting {
             (screen.is::<Editor>(), "editor"),
             (screen.is::<Flights>(), "flights"),
             (screen.is::<Scoring>(), "scoring"),
-            (screen.is::<SaveScore>(), "save score"),
             (screen.is::<Leaderboard>(), "leaderboard"),
             (screen.is::<Credits>(), "credits"),
             (screen.is::<Classics>(), "classics"),
@@ -363,7 +373,7 @@ impl Sitting {
 
     /// From the menu to the field for a new player, and back to the menu as that player.
     pub fn become_new(&mut self, name: &str) -> &mut Self {
-        self.click("Player");
+        self.click("Players");
         if self.at() == "players" {
             self.choose("New Player");
         }
@@ -372,9 +382,16 @@ impl Sitting {
         self
     }
 
+    /// Back to the menu.
+    pub fn home(&mut self) -> &mut Self {
+        (0..5).for_each(|_| _ = self.press(Key::Escape));
+        assert_eq!(self.at(), "menu");
+        self
+    }
+
     /// From the menu into a level, by its name.
     pub fn fly(&mut self, level: &str) -> &mut Self {
-        self.choose("Level Select").choose(level)
+        self.choose("Levels").choose(level)
     }
 
     /// From the menu to the score of level 3, which is lost.
@@ -391,9 +408,9 @@ impl Sitting {
         self
     }
 
-    /// From the menu to the field for the name.
-    pub fn reach_save_score(&mut self) -> &mut Self {
-        self.complete().choose("Save Score")
+    /// From the menu to the board of level 1, with a score that has just been saved for that player.
+    pub fn save_as(&mut self, name: &str) -> &mut Self {
+        self.complete().choose("Save Score").write(name).press(Key::Enter).wait(0.6).choose("Board")
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::onlook::{WINDOWS, centres, kept_free, on_canvas, pixels, window};
 use crate::support::shipped::{experiment, flights, levels, load};
-use resultant::draw::layout::{Area, Frame, Vec2, nearest_size, text_room};
+use resultant::draw::layout::{Area, Frame, LINE, Vec2, nearest_size, words_width};
 use resultant::game::{Controls, Game, Outcome, SHIP};
 use resultant::level::{Level, ObjectiveKind};
 use resultant::physics::{Aabb, BodyId};
@@ -31,7 +31,10 @@ fn shown(level: &Level, view: &Viewport, frame: &Frame) -> Vec<(String, Area)> {
     let named = |name| move |bounds: &Aabb| (format!("{name} at {}", bounds.min * level.metre), on_canvas(bounds, view));
     let texts = level.texts.iter().map(|text| {
         let height = frame.text_height(nearest_size(view.length(text.size)));
-        (text.text.clone(), Area { min: view.point(text.position), size: text_room(&text.text, height) })
+        (
+            text.text.clone(),
+            Area { min: view.point(text.position), size: Vec2::new(words_width(&text.text, height), LINE * height) },
+        )
     });
     let objectives = level.objectives.iter().map(|objective| named("the goal")(&objective.bounds));
     let obstacles = level.obstacles.iter().map(named("the death box"));
@@ -94,6 +97,8 @@ struct Seen {
     looks: usize,
     aside: usize,
     arrows: usize,
+    /// Arrows without a place.
+    missing: usize,
 }
 
 fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, what: &str) {
@@ -120,14 +125,14 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
         assert!(inside, "{}: {pointer:?} leaves the window", what());
         assert!(area.covers_none(&others) && area.covers_none(&homes) && area.gap(&ship) >= 0.0, "{}: {pointer:?}", what());
     }
-    // An open goal is in view or has an arrow, and nothing else has one.
+    // What is open and out of view may have an arrow, three of it at most, and nothing else.
     let level = game.level();
     let has = |target: PointerTarget| hud.pointers.iter().find(|pointer| pointer.target == target);
     let centre = game.world().body(SHIP).position;
     let mut wanted = 0;
     let mut ask = |target: PointerTarget, bounds: Aabb| {
         let (seen, pointer) = (in_view(&view.exact(&bounds), frame), has(target));
-        assert_eq!(pointer.is_none(), seen, "{}: {target:?}", what());
+        assert!(pointer.is_none() || !seen, "{}: {target:?}", what());
         wanted += usize::from(!seen);
         if let Some(pointer) = pointer {
             let metres = bounds.centre().distance(centre);
@@ -153,7 +158,8 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
             }
         }
     }
-    assert_eq!(hud.pointers.len(), wanted, "{}: {:?}", what(), hud.pointers);
+    assert!(hud.pointers.len() <= wanted.min(3), "{}: {:?}", what(), hud.pointers);
+    seen.missing += wanted.min(3) - hud.pointers.len();
 }
 
 fn fly(level: &Arc<Level>, inputs: impl Iterator<Item = Controls>, seen: &mut Seen, what: &str) {
@@ -183,7 +189,7 @@ fn along_every_recorded_flight_the_display_steps_aside_and_points_to_what_is_out
         }
     }
 
-    assert!(seen.looks > 10_000 && seen.arrows > seen.looks / 2, "{seen:?}");
+    assert!(seen.looks > 10_000 && seen.arrows > seen.looks / 2 && seen.missing < seen.arrows / 20, "{seen:?}");
     assert!(seen.aside > 0 && seen.aside < seen.looks / 2, "{seen:?}: it is away more than it is there");
 }
 

@@ -3,6 +3,7 @@
 mod camera;
 mod goals;
 mod hud;
+mod labels;
 mod onlook;
 mod overlay;
 mod overlay_places;

@@ -66,6 +66,9 @@ impl Onlooker {
             self.check_fit(game, &view, seen, &what);
         }
         let details = &self.details;
+        let lead = focus.followed().unwrap_or(game.lead());
+        let own = details.boxes.iter().any(|placed| placed.text.body == lead);
+        assert!(own || frame.text > 1.0 || !game.level().ship_plays(), "{}: the ship's own box has no place", what());
         seen.looks += 1;
         seen.labels += details.labels.len();
         seen.boxes += details.boxes.len();

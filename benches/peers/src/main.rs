@@ -1,9 +1,8 @@
 //! The same scenes on Resultant, Rapier (f32 and f64) and Box2D, one thread, rotation off; `README.md` says what each scene is, and with
-//! which steps and settings it is run. Prints a table and what falls short of the aims, and writes `results.csv`, from which `resultant
-//! chart` takes its peers' points.
+//! which steps and settings it is run. `resultant chart` runs this program: `peers FILE [--quick] [--resume] [--check] [SCENE…]` puts the
+//! rows of the scenes, or of all, into FILE, scene by scene. Sleep is off in all engines but for the scenes that are about it.
 //!
-//! Run it with `cargo run --release` in this folder; names of scenes after `--` choose those, whose rows are then replaced. Sleep is off
-//! in all engines but for the scenes that are about it.
+//! The engines take turns, so that what slows the machine for a while slows all of them.
 
 mod box2d;
 mod crowds;
@@ -16,49 +15,38 @@ mod watch;
 
 use cpu_time::ThreadTime;
 use engine::{Engine, Spec};
+use resultant::lab::curve::median_and_spread;
+use resultant::lab::kept::{PEERS_HEAD, PeerRow, peer_rows};
 use scenes::{STEP, Scene};
-use std::fmt::Write as _;
-use std::path::Path;
-use std::time::Duration;
+use std::fs;
+use std::path::{Path, PathBuf};
 use watch::{Run, Watched};
 
-/// Runs of a scene, of which the median counts.
-const RUNS: usize = 5;
-/// Short scenes are run several times over until they take so long: the clock's own time must not count.
-const LONG_ENOUGH: Duration = Duration::from_millis(5);
-/// How many times faster, and how many times more accurate, Resultant shall be.
-const FASTER: f64 = 4.0;
-const BETTER: f64 = 100.0;
+/// Rounds in which each engine runs once: the least, the most, and s within which more than the least are made.
+const ROUNDS: (f64, f64, f64) = (2.0, 5.0, 4.0);
+const QUICK_ROUNDS: (f64, f64, f64) = (1.0, 3.0, 0.2);
+/// With --quick larger scenes are left out.
+const QUICK_BODIES: usize = 2000;
+/// Short scenes are run several times over until they take so long, s: the clock's own time must not count.
+const LONG_ENOUGH: f64 = 5e-3;
 
-/// The columns of `results.csv`.
-const HEAD: &str = "scene,engine,version,settings,step,work,error,overlap,speed,times";
-
-/// One engine on one scene.
-struct Row {
-    engine: &'static str,
-    version: String,
-    settings: String,
-    /// s.
-    step: f64,
-    /// CPU time for a simulated second and body, ns.
-    work: f64,
-    error: f64,
-    /// The deepest overlap of any two things after any step, m.
-    overlap: f64,
-    /// The speed of the fastest body at the end, m/s.
-    speed: f64,
+/// One engine on one scene: what its row begins with, what it ends with, and its time for a number of runs, s.
+struct Contender<'a> {
+    words: String,
+    numbers: [f64; 3],
+    time: std::boxed::Box<dyn FnMut(usize) -> f64 + 'a>,
 }
 
 #[allow(clippy::disallowed_methods)] // it measures
-fn measure<E: Engine>(scene: &Scene, spec: &Spec, step: f64) -> Option<Row> {
+fn contender<'a, E: Engine + 'a>(scene: &Scene, spec: &'a Spec, step: f64) -> Option<Contender<'a>> {
     let steps = (scene.seconds / step).round() as usize;
     let mut engine = E::new(spec)?;
     let settled = scene.settle > 0.0;
     (0..(scene.settle / step).round() as usize).for_each(|_| engine.step(step));
     let mut watched = Watched::new(&mut engine, spec);
     let error = (scene.error)(&mut watched, spec, steps, step);
-    let (overlap, speed) = (watched.overlap(), watched.speed());
-    let mut time = |repeats: usize| {
+    let numbers = [error, watched.overlap(), watched.speed()];
+    let time = move |repeats: usize| {
         // What has settled is as good after a run as before it.
         let mut fresh: Vec<E> = if settled { Vec::new() } else { (0..repeats).filter_map(|_| E::new(spec)).collect() };
         let started = ThreadTime::now();
@@ -70,103 +58,92 @@ fn measure<E: Engine>(scene: &Scene, spec: &Spec, step: f64) -> Option<Row> {
         }
         started.elapsed().as_secs_f64() / repeats as f64
     };
-    let repeats = (LONG_ENOUGH.as_secs_f64() / time(1)).ceil().clamp(1.0, 100.0) as usize;
-    let mut times: Vec<f64> = (0..RUNS).map(|_| time(repeats)).collect();
-    times.sort_by(f64::total_cmp);
-    let work = times[RUNS / 2] * 1e9 / (scene.seconds * spec.bodies.len() as f64);
-    Some(Row { engine: E::NAME, version: E::version(), settings: E::settings(spec.stiff), step, work, error, overlap, speed })
+    let words = format!("{},{},{},\"{}\"", scene.name, E::NAME, E::version(), E::settings(spec.stiff));
+    Some(Contender { words, numbers, time: std::boxed::Box::new(time) })
 }
 
-/// All engines on a scene at a step, Resultant first; those that can be made stiff so, too, where that is asked for.
-fn run(scene: &Scene, step: f64) -> Vec<Row> {
-    let spec = &scene.spec;
-    let ours = if scene.pile { measure::<ours::Crowds>(scene, spec, step) } else { measure::<ours::Scenes>(scene, spec, step) };
-    let mut rows = vec![
+/// All engines on a scene at a step, Resultant first; those that can be made stiff so, too, where that is asked for. The rows of the file.
+fn measure(scene: &Scene, step: f64, quick: bool) -> Vec<String> {
+    let (spec, stiff) = (&scene.spec, Spec { stiff: true, ..scene.spec.clone() });
+    let ours = if scene.pile { contender::<ours::Crowds>(scene, spec, step) } else { contender::<ours::Scenes>(scene, spec, step) };
+    let mut all = vec![
         ours,
-        measure::<rapier::single::Rapier>(scene, spec, step),
-        measure::<rapier::double::Rapier>(scene, spec, step),
-        measure::<box2d::Box2d>(scene, spec, step),
+        contender::<rapier::single::Rapier>(scene, spec, step),
+        contender::<rapier::double::Rapier>(scene, spec, step),
+        contender::<box2d::Box2d>(scene, spec, step),
     ];
     if scene.stiffly {
-        let stiff = Spec { stiff: true, ..spec.clone() };
-        rows.push(measure::<rapier::double::Rapier>(scene, &stiff, step));
-        rows.push(measure::<box2d::Box2d>(scene, &stiff, step));
+        all.push(contender::<rapier::double::Rapier>(scene, &stiff, step));
+        all.push(contender::<box2d::Box2d>(scene, &stiff, step));
     }
-    rows.into_iter().flatten().collect()
-}
-
-/// What of the aims a peer's row shows not to be reached.
-fn shortfall(scene: &Scene, ours: &Row, peer: &Row, text: &mut String) {
-    let (faster, better) = (peer.work / ours.work, peer.error / ours.error);
-    if faster < FASTER {
-        let _ = writeln!(text, "{}: {faster:.1} times as fast as {}, {}", scene.name, peer.engine, peer.settings);
-    }
-    // Two errors of nothing are alike.
-    if better < BETTER {
-        let _ = writeln!(text, "{}: {better:.1} times as accurate as {}, {}", scene.name, peer.engine, peer.settings);
-    }
-}
-
-/// The rows of `results.csv`, as far as they are of that form.
-fn kept(path: &Path) -> Vec<String> {
-    let text = std::fs::read_to_string(path).unwrap_or_default();
-    let lines = text.strip_prefix(HEAD).unwrap_or_default().lines();
-    lines.filter(|line| !line.is_empty()).map(str::to_owned).collect()
-}
-
-/// Prints the rows of one scene and step, and gives them as lines of `results.csv`.
-fn tell(scene: &Scene, rows: &[Row]) -> String {
-    let n = scene.spec.bodies.len() as f64;
-    let mut lines = String::new();
-    for row in rows {
-        let times = row.work / rows[0].work;
-        let each = row.work * row.step;
-        println!(
-            "{:<21} {:<11} {:<22} {:>6.0} {:>12.1} {:>12.0} {:>8.1} {:>9.1e} {:>11.1e} {:>9.1e}  {}",
-            scene.name,
-            row.engine,
-            row.settings,
-            1.0 / row.step,
-            each,
-            each * n,
-            times,
-            row.error,
-            row.overlap,
-            row.speed,
-            scene.what
-        );
-        let numbers = [row.step, row.work, row.error, row.overlap, row.speed, times];
-        let numbers = numbers.map(|number| format!("{number:e}")).join(",");
-        let _ = writeln!(lines, "{},{},{},\"{}\",{numbers}", scene.name, row.engine, row.version, row.settings);
-    }
-    lines
-}
-
-fn main() -> std::io::Result<()> {
-    let chosen: Vec<String> = std::env::args().skip(1).collect();
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("results.csv");
-    let before = kept(&path);
-    let mut csv = format!("{HEAD}\n");
-    let mut short = String::new();
-    println!(
-        "{:<21} {:<11} {:<22} {:>6} {:>12} {:>12} {:>8} {:>9} {:>11} {:>9}  error is",
-        "scene", "engine", "settings", "steps", "ns/body/step", "ns/step", "× ours", "error", "overlap, m", "end, m/s"
-    );
-    for scene in exact::scenes().into_iter().chain(crowds::scenes()) {
-        if !chosen.is_empty() && !chosen.iter().any(|name| name == scene.name) {
-            let mine = |line: &&String| line.split(',').next() == Some(scene.name);
-            before.iter().filter(mine).for_each(|line| csv.extend([line.as_str(), "\n"]));
-            continue;
-        }
-        for &step in scene.steps {
-            let rows = run(&scene, step);
-            csv += &tell(&scene, &rows);
-            for peer in rows.iter().skip(1).filter(|_| step == STEP) {
-                shortfall(&scene, &rows[0], peer, &mut short);
-            }
+    let mut all: Vec<Contender<'_>> = all.into_iter().flatten().collect();
+    let first: Vec<f64> = all.iter_mut().map(|contender| (contender.time)(1)).collect();
+    let (least, most, within) = if quick { QUICK_ROUNDS } else { ROUNDS };
+    let mut times = vec![Vec::new(); all.len()];
+    for _ in 0..(within / first.iter().sum::<f64>()).clamp(least, most) as usize {
+        for ((contender, times), first) in all.iter_mut().zip(&mut times).zip(&first) {
+            times.push((contender.time)((LONG_ENOUGH / first).ceil().clamp(1.0, 100.0) as usize));
         }
     }
-    let short = if short.is_empty() { "nothing\n" } else { &short };
-    print!("\nShort of {FASTER} times as fast and {BETTER} times as accurate at 60 steps a second:\n{short}");
-    std::fs::write(path, csv)
+    let row = |(contender, times): (&Contender<'_>, &mut Vec<f64>)| {
+        let (time, spread) = median_and_spread(times);
+        let work = time * 1e9 / (scene.seconds * spec.bodies.len() as f64);
+        let numbers: Vec<String> =
+            [step, work, spread].iter().chain(&contender.numbers).map(|number| format!("{number:e}")).collect();
+        format!("{},{}\n", contender.words, numbers.join(","))
+    };
+    all.iter().zip(&mut times).map(row).collect()
+}
+
+/// Whether a row is of what is built in here.
+fn is_present(row: &PeerRow) -> bool {
+    let engines = [
+        (ours::Scenes::NAME, ours::Scenes::version()),
+        (rapier::single::Rapier::NAME, rapier::single::Rapier::version()),
+        (rapier::double::Rapier::NAME, rapier::double::Rapier::version()),
+        (box2d::Box2d::NAME, box2d::Box2d::version()),
+    ];
+    engines.iter().any(|(name, version)| row.engine == *name && row.version == *version)
+}
+
+fn write(file: &Path, rows: &[(&str, Vec<String>)]) -> std::io::Result<()> {
+    let text = rows.iter().flat_map(|(_, lines)| lines).fold(PEERS_HEAD.join(",") + "\n", |text, line| text + line);
+    let part: PathBuf = file.with_extension("part");
+    fs::write(&part, text)?;
+    fs::rename(part, file)
+}
+
+fn main() -> Result<(), String> {
+    let (flags, words): (Vec<String>, Vec<String>) = std::env::args().skip(1).partition(|word| word.starts_with("--"));
+    let flag = |name: &str| flags.iter().any(|flag| flag == name);
+    let (quick, resume, check) = (flag("--quick"), flag("--resume"), flag("--check"));
+    let (file, chosen) = words.split_first().ok_or("found no file, expected peers FILE [--quick] [--resume] [--check] [SCENE…]")?;
+    let text = fs::read_to_string(file).unwrap_or_default();
+    let known = peer_rows(file, &text).unwrap_or_default();
+    let scenes: Vec<Scene> = exact::scenes().into_iter().chain(crowds::scenes()).collect();
+    let of = |name: &str| known.iter().zip(text.lines().skip(1)).filter(|(row, _)| row.scene == name).collect::<Vec<_>>();
+    let mut rows: Vec<(&str, Vec<String>)> =
+        scenes.iter().map(|scene| (scene.name, of(scene.name).iter().map(|(_, line)| format!("{line}\n")).collect())).collect();
+    let stale = |name: &str| of(name).is_empty() || !of(name).iter().all(|(row, _)| is_present(row));
+    if check {
+        let stale: Vec<&str> = scenes.iter().map(|scene| scene.name).filter(|name| stale(name)).collect();
+        return if stale.is_empty() {
+            Ok(())
+        } else {
+            Err(format!("measured with other engines than these: {}", stale.join(", ")))
+        };
+    }
+    let wanted = |scene: &Scene| {
+        (chosen.is_empty() || chosen.iter().any(|name| name == scene.name))
+            && !(resume && !stale(scene.name))
+            && !(quick && scene.spec.bodies.len() > QUICK_BODIES)
+    };
+    let count = scenes.iter().filter(|scene| wanted(scene)).count();
+    for (number, (index, scene)) in scenes.iter().enumerate().filter(|(_, scene)| wanted(scene)).enumerate() {
+        eprintln!("engines {}/{count} {}: {}", number + 1, scene.name, scene.what);
+        let steps = scene.steps.iter().filter(|step| !quick || **step >= 1.0 / 120.0);
+        rows[index].1 = steps.flat_map(|step| measure(scene, *step, quick)).collect();
+        write(Path::new(file), &rows).map_err(|error| format!("{file}: {error}"))?;
+    }
+    Ok(())
 }

@@ -1,7 +1,7 @@
 //! Resultant: the usual choice of methods for small scenes, the crowd step alone for crowds.
 
-use crate::engine::{Engine, Spec, V, version};
-use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, Material, Path, Plan, SurfaceDef, World, WorldDef};
+use crate::engine::{Engine, Spec, V};
+use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, FluidDef, Material, Path, Plan, SOURCES, SurfaceDef, World, WorldDef};
 
 fn vector((x, y): V) -> DVec2 {
     DVec2::new(x, y)
@@ -34,7 +34,7 @@ impl Engine for Scenes {
     const QUADRATIC: bool = true;
 
     fn version() -> String {
-        version("resultant")
+        SOURCES.to_owned()
     }
 
     fn settings(_: bool) -> String {
@@ -107,7 +107,7 @@ impl Engine for Crowds {
     const QUADRATIC: bool = true;
 
     fn version() -> String {
-        version("resultant")
+        SOURCES.to_owned()
     }
 
     fn settings(_: bool) -> String {

@@ -8,7 +8,7 @@ use crate::draw::{Canvas, Colour};
 pub enum CurveOrigin {
     Lab,
     Shipped,
-    /// From the file that `benches/peers` wrote.
+    /// As `benches/peers` measured it.
     Peer,
 }
 

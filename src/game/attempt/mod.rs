@@ -10,7 +10,7 @@ use super::mechanisms::{Mechanisms, Objectives};
 use super::score::{RunResult, ScoreParts};
 use super::ship::{SHIP, Ship, stands};
 use crate::level::{Level, SHIP_HALF, ship_body, sweep_touches};
-use crate::physics::{Aabb, BodyId, DVec2, Event, World};
+use crate::physics::{Aabb, BodyId, DVec2, Event, Plan, World};
 use std::sync::Arc;
 
 #[derive(Clone, Debug, PartialEq)]
@@ -82,6 +82,10 @@ impl Game {
         };
         game.remember_impacts();
         Ok(game)
+    }
+
+    pub const fn set_plan(&mut self, plan: Plan) {
+        self.world.set_plan(plan);
     }
 
     pub const fn set_lasting_fuel(&mut self, lasts: bool) {

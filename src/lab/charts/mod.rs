@@ -6,15 +6,15 @@ mod read;
 
 use super::curve::{CoursePoint, Measured, OverTime, WorkPoint};
 use super::rows::{shortest, table};
-use super::savings::Saving;
+use super::savings::{self, Saving};
 use super::stress::Survival;
 use crate::draw::chart::look::CurveOrigin;
+use crate::physics::SOURCES;
 
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct MeasuredWith {
     /// Kind of processor and system; no names of machines.
     pub machine: String,
-    pub commit: Option<String>,
     pub profile: String,
     /// The run made fewer repetitions.
     pub quick: bool,
@@ -27,7 +27,6 @@ pub struct Charts {
     pub diagrams: Vec<Measured>,
     /// Rows of one test stand together.
     pub stress: Vec<Survival>,
-    /// The largest first; none where they were not measured.
     pub savings: Vec<Saving>,
 }
 
@@ -36,16 +35,22 @@ const LATER: &str = "a time of 0 or more, s, later than the one before";
 pub const SCENES: &str = "scenes.csv";
 pub const STRESS: &str = "stress.csv";
 const MOST_SCENES: usize = 64;
-const SETTING_HEAD: [&str; 4] = ["machine", "commit", "profile", "quick"];
+const SETTING_HEAD: [&str; 3] = ["machine", "profile", "quick"];
 const SCENES_HEAD: [&str; 9] = ["scene", "title", "error", "work", "tolerance", "shipped_step", "alike", "note", "over_time"];
 const COURSES_HEAD: [&str; 5] = ["method", "origin", "time", "error", "energy"];
-const POINTS_HEAD: [&str; 5] = ["method", "origin", "step", "work", "error"];
+const POINTS_HEAD: [&str; 7] = ["method", "origin", "version", "step", "work", "spread", "error"];
 const STRESS_HEAD: [&str; 6] = ["test", "parameter", "method", "largest", "tried", "shipped"];
 
 impl Charts {
+    /// What was measured with another build than this one.
+    pub fn stale(&self) -> Vec<&str> {
+        let diagrams = self.diagrams.iter().filter(|measured| measured.is_stale()).map(|measured| measured.name.as_str());
+        diagrams.chain(self.savings.iter().any(|saving| saving.version != SOURCES).then_some(savings::FILE)).collect()
+    }
+
     pub fn files(&self) -> Vec<(String, String)> {
-        let MeasuredWith { machine, commit, profile, quick } = &self.setting;
-        let setting = [machine.clone(), commit.clone().unwrap_or_default(), profile.clone(), quick.to_string()];
+        let MeasuredWith { machine, profile, quick } = &self.setting;
+        let setting = [machine.clone(), profile.clone(), quick.to_string()];
         let scenes = self.diagrams.iter().map(|m| {
             let words = [&m.name, &m.title, &m.error, &m.work].map(String::clone);
             let over_time = m.over_time.as_ref().map_or_else(String::new, |over_time| shortest(over_time.step));
@@ -60,6 +65,7 @@ impl Charts {
             (SETTING.to_owned(), table(&SETTING_HEAD, [setting.to_vec()])),
             (SCENES.to_owned(), table(&SCENES_HEAD, scenes)),
             (STRESS.to_owned(), table(&STRESS_HEAD, stress)),
+            (savings::FILE.to_owned(), savings::csv(&self.savings)),
         ];
         files.extend(self.diagrams.iter().map(|measured| (points_file(&measured.name), points(measured))));
         let followed =
@@ -92,8 +98,8 @@ fn courses(over_time: &OverTime) -> String {
 fn points(measured: &Measured) -> String {
     let rows = measured.curves.iter().flat_map(|curve| {
         let row = |point: &WorkPoint| {
-            let numbers = [point.step, point.work, point.error].map(shortest);
-            [curve.name.clone(), origin_word(curve.origin).to_owned()].into_iter().chain(numbers).collect()
+            let numbers = [point.step, point.work, point.spread, point.error].map(shortest);
+            [curve.name.clone(), origin_word(curve.origin).to_owned(), curve.version.clone()].into_iter().chain(numbers).collect()
         };
         curve.points.iter().map(row)
     });
@@ -115,8 +121,8 @@ mod tests {
     use std::collections::HashMap;
 
     fn some() -> Charts {
-        let point = |step, work, error| WorkPoint { step, work, error };
-        let curve = |name: &str, origin, points| MethodCurve { name: name.into(), origin, points };
+        let point = |step, work, error| WorkPoint { step, work, spread: 0.0, error };
+        let curve = |name: &str, origin, points| MethodCurve { name: name.into(), origin, version: "1.0".into(), points };
         let measured = Measured {
             name: "a-scene".into(),
             title: "Ten bounces, \"exact\"".into(),
@@ -138,7 +144,7 @@ mod tests {
             tried: 1e6,
             shipped,
         };
-        let setting = MeasuredWith { machine: "a, b".into(), commit: None, profile: "release".into(), quick: true };
+        let setting = MeasuredWith { machine: "a, b".into(), profile: "release".into(), quick: true };
         let other = Measured { name: "b".into(), curves: Vec::new(), alike: false, ..measured.clone() };
         Charts {
             setting,
@@ -165,15 +171,15 @@ mod tests {
 
     #[test]
     fn damage_is_told_by_file_and_line() {
-        let points = "method,origin,step,work,error\n";
+        let points = "method,origin,version,step,work,spread,error\n";
         for (file, text, problem) in [
             ("setting.csv", None, "setting.csv: not found"),
             ("a-scene.csv", None, "a-scene.csv: not found"),
-            ("setting.csv", Some(""), "setting.csv: found nothing, expected the head machine,commit,profile,quick"),
-            ("setting.csv", Some("machine,commit,profile,quick\n"), "setting.csv: expected a row below the head, found none"),
+            ("setting.csv", Some(""), "setting.csv: found nothing, expected the head machine,profile,quick"),
+            ("setting.csv", Some("machine,profile,quick\n"), "setting.csv: expected a row below the head, found none"),
             (
                 "setting.csv",
-                Some("machine,commit,profile,quick\na,b,c,maybe\n"),
+                Some("machine,profile,quick\na,c,maybe\n"),
                 "setting.csv:2: column \"quick\": found \"maybe\", expected true or false",
             ),
             (
@@ -193,27 +199,27 @@ mod tests {
             ),
             (
                 "a-scene.csv",
-                Some(&format!("{points}\r\n\r\na,lab,1,2,0\r\na,lab,1\r\n")),
-                "a-scene.csv:5: found 3 cells, expected 5: method,origin,step,work,error",
+                Some(&format!("{points}\r\n\r\na,lab,v,1,2,0,0\r\na,lab,1\r\n")),
+                "a-scene.csv:5: found 3 cells, expected 7: method,origin,version,step,work,spread,error",
             ),
             (
                 "a-scene.csv",
-                Some(&format!("{points}a,us,1,2,0\n")),
+                Some(&format!("{points}a,us,v,1,2,0,0\n")),
                 "a-scene.csv:2: column \"origin\": found \"us\", expected lab, shipped or peer",
             ),
             (
                 "a-scene.csv",
-                Some(&format!("{points}a,lab,1,NaN,0\n")),
+                Some(&format!("{points}a,lab,v,1,NaN,0,0\n")),
                 "a-scene.csv:2: column \"work\": found \"NaN\", expected a number above 0, from 1e-100 to 1e100",
             ),
             (
                 "a-scene.csv",
-                Some(&format!("{points}a,lab,0,2,0\n")),
+                Some(&format!("{points}a,lab,v,0,2,0,0\n")),
                 "a-scene.csv:2: column \"step\": found \"0\", expected a number above 0, from 1e-100 to 1e100",
             ),
             (
                 "a-scene.csv",
-                Some(&format!("{points}a,lab,1,2,-1\n")),
+                Some(&format!("{points}a,lab,v,1,2,0,-1\n")),
                 "a-scene.csv:2: column \"error\": found \"-1\", expected an error of 0 or more, inf or NaN",
             ),
         ] {
@@ -231,9 +237,9 @@ mod tests {
         for text in [
             "\0",
             "\"",
-            "method,origin,step,work,error\n\"",
+            "method,origin,version,step,work,spread,error\n\"",
             ",,,,\n,,,,",
-            "method,origin,step,work,error\na,lab,1e-320,1e308,1e308",
+            "method,origin,version,step,work,spread,error\na,lab,v,1e-320,1e308,0,1e308",
         ] {
             let mut files: HashMap<String, String> = some().files().into_iter().collect();
             for name in ["setting.csv", "scenes.csv", "stress.csv", "a-scene.csv"] {

@@ -4,10 +4,10 @@ use super::{
 };
 use crate::draw::chart::look::CurveOrigin;
 use crate::files::CsvRow;
-use crate::lab::curve::{CoursePoint, MOST_CURVES, Measured, MethodCurve, OverTime, WorkPoint, curve_of};
+use crate::lab::curve::{CoursePoint, MOST_CURVES, Measured, MethodCurve, OverTime, curve_of};
 use crate::lab::report::PI;
-use crate::lab::rows::{above_zero, error, rows};
-use crate::lab::savings::{SAVINGS, Saving};
+use crate::lab::rows::{above_zero, error, not_negative, rows, work_point};
+use crate::lab::savings;
 use crate::lab::stress::Survival;
 
 /// The words of a switch, for a message.
@@ -23,7 +23,6 @@ impl Charts {
         let Some(row) = setting.first() else { return Err(format!("{SETTING}: expected a row below the head, found none")) };
         let setting = MeasuredWith {
             machine: row.get("machine").to_owned(),
-            commit: Some(row.get("commit").to_owned()).filter(|commit| !commit.is_empty()),
             profile: row.get("profile").to_owned(),
             quick: row.parse("quick", FLAG, |_| true)?,
         };
@@ -37,7 +36,7 @@ impl Charts {
         }
         let stress = rows(STRESS, &file(STRESS)?, &STRESS_HEAD)?;
         let stress = stress.iter().map(survival).collect::<Result<Vec<_>, _>>()?;
-        let savings = file(SAVINGS).map_or_else(|_| Ok(Vec::new()), |text| Saving::read(&text))?;
+        let savings = savings::read(&file(savings::FILE)?)?;
         Ok(Self { setting, diagrams, stress, savings })
     }
 }
@@ -52,8 +51,9 @@ fn diagram(row: &CsvRow<'_>, file: &impl Fn(&str) -> Result<String, String>) -> 
     let mut curves: Vec<MethodCurve> = Vec::new();
     for row in rows(&points_file, &file(&points_file)?, &POINTS_HEAD)? {
         let (origin, method) = (origin(&row)?, row.get("method"));
-        let point = WorkPoint { step: above_zero(&row, "step")?, work: above_zero(&row, "work")?, error: error(&row)? };
+        let point = work_point(&row)?;
         let curve = curve_of(&mut curves, method, origin).ok_or_else(|| too_many(&row))?;
+        curve.version = row.get("version").to_owned();
         curve.points.push(point);
     }
     if name == PI {
@@ -116,14 +116,13 @@ fn check_steps(file: &str, curves: &[MethodCurve]) -> Result<(), String> {
 }
 
 fn survival(row: &CsvRow<'_>) -> Result<Survival, String> {
-    let number = |column| row.parse(column, "a number of 0 or more", |value: &f64| value.is_finite() && *value >= 0.0);
     let word = |column| row.get(column).to_owned();
     Ok(Survival {
         test: word("test"),
         parameter: word("parameter"),
         method: word("method"),
-        largest: number("largest")?,
-        tried: number("tried")?,
+        largest: not_negative(row, "largest")?,
+        tried: not_negative(row, "tried")?,
         shipped: row.parse("shipped", FLAG, |_| true)?,
     })
 }

@@ -369,10 +369,11 @@ mod tests {
 
     #[test]
     fn a_point_is_found_where_it_is_drawn() {
-        let point = |work, error| WorkPoint { step: 0.1, work, error };
+        let point = |work, error| WorkPoint { step: 0.1, work, spread: 0.0, error };
         let curve = MethodCurve {
             name: "a".into(),
             origin: CurveOrigin::Lab,
+            version: String::new(),
             points: vec![point(10.0, 1.0), point(1e3, 1e-6), point(1e3, f64::NAN)],
         };
         let measured = Measured::of_curves(vec![curve]);

@@ -7,7 +7,7 @@ use crate::draw::chart::look::{CurveOrigin, Marker, TOLERANCE_DASH, dashed, mark
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::curve::{Measured, MethodCurve};
-use crate::lab::savings::Saving;
+use crate::lab::savings::{LEVEL, Saving};
 use crate::lab::stability::{self, Region, SHIPPED, SHIPPED_LIMITS, limit};
 use crate::number::{power, short};
 use crate::view::{theme, widgets};
@@ -147,21 +147,24 @@ pub fn plane(canvas: &Canvas, area: Area, regions: &[Region]) {
     row(at, tr(SHIPPED), &limit(SHIPPED_LIMITS[1]), theme::accent());
 }
 
-/// Bars of the time with everything, and within them as the scene runs; as many rows as there is room for.
+/// Bars of the time with every part, and within them as it runs; the largest saving first, as many rows as there is room for.
 pub fn savings(canvas: &Canvas, area: Area, savings: &[Saving]) {
-    let longest = savings.iter().map(|row| row.everything).fold(0.0, f64::max);
     let bars = Area::new(area.min.x + NAMES, area.min.y, (area.size.x - NAMES - FACTORS).max(1.0), area.size.y - ROW);
-    let rows = (bars.size.y / ROW) as usize;
-    for (i, row) in savings.iter().take(rows).enumerate() {
+    let mut shown: Vec<&Saving> = savings.iter().collect();
+    shown.sort_by(|a, b| b.times().total_cmp(&a.times()));
+    shown.truncate((bars.size.y / ROW) as usize);
+    let longest = shown.iter().map(|row| row.everything.0).fold(0.0, f64::max);
+    for (i, row) in shown.into_iter().enumerate() {
         let y = bars.min.y + (i as f32 + 0.5) * ROW;
         let bar = |ns: f64, colour| {
             canvas.rounded(Area::new(bars.min.x, y - 7.0, bars.size.x * (ns / longest) as f32, 14.0), 2.0, colour)
         };
-        bar(row.everything, theme::solid());
-        bar(row.work, if row.same_bits { theme::accent() } else { theme::bad() });
+        bar(row.everything.0, theme::solid());
+        bar(row.planned.0, if row.same_bits { theme::accent() } else { theme::bad() });
         let style = Style::new(DETAILS, theme::text()).middle();
-        canvas.text(&widgets::cut(canvas, tr(&row.scene), NAMES - 12.0, style), Vec2::new(area.min.x, y), style);
-        canvas.text(&format!("× {}", short(row.factor())), Vec2::new(area.max().x, y), style.mono().right());
+        let name = if row.of == LEVEL { tr!("Level {level}", level = row.scene) } else { row.scene.clone() };
+        canvas.text(&widgets::cut(canvas, &name, NAMES - 12.0, style), Vec2::new(area.min.x, y), style);
+        canvas.text(&format!("× {}", short(row.times())), Vec2::new(area.max().x, y), style.mono().right());
     }
     let foot = Vec2::new(area.centre().x, area.max().y - ROW / 2.0);
     let words = tr("ns a tick: bright as it runs, dim with everything");

@@ -5,12 +5,15 @@
 use super::diagram::{self, DiagramPlaces};
 use super::plane::{self, Plane};
 use super::timeline;
+use crate::draw::chart::Decades;
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::curve::Measured;
+use crate::lab::curve::{ANOTHER_BUILD, Measured};
+use crate::lab::savings::{Saving, TITLE as TITLE_OF_SAVINGS};
 use crate::lab::stability::{Region, TITLE};
 use crate::lab::stress::picture::{FailurePicture, Polyline};
-use crate::number::{short, step};
+use crate::number::{power, short, step};
+use crate::physics::SOURCES;
 use crate::view::lanes::sheet;
 use crate::view::{theme, widgets};
 use crate::words::tr;
@@ -76,7 +79,8 @@ pub fn measured(measured: &Measured) -> String {
         let plot = DiagramPlaces::of(panel, measured);
         diagram::draw(canvas, &plot, measured, diagram::Picked::default());
         let quiet = Style::new(DETAILS, theme::quiet()).middle().right();
-        canvas.text(tr(&measured.note), Vec2::new(plot.area.max().x, plot.area.min.y - 22.0), quiet);
+        let note = if measured.is_stale() { ANOTHER_BUILD } else { &measured.note };
+        canvas.text(tr(note), Vec2::new(plot.area.max().x, plot.area.min.y - 22.0), quiet);
     })
 }
 
@@ -100,6 +104,48 @@ pub fn stability(regions: &[Region]) -> String {
     })
 }
 
+/// What each level, experiment and scene takes a tick, and what it would take with every part: bars from the one to the other.
+pub fn savings(rows: &[Saving]) -> String {
+    const NAME: f32 = 130.0;
+    const FACTOR: f32 = 60.0;
+    sheet(tr(TITLE_OF_SAVINGS), FOOT, |canvas, panel| {
+        let decades = Decades::around(rows.iter().flat_map(|row| [row.planned.0, row.everything.0]));
+        let kinds = rows.chunk_by(|a, b| a.of == b.of);
+        let (count, most) = kinds.clone().fold((1, 1), |(count, most), kind| (count + 1, most.max(kind.len() + 1)));
+        let (width, pitch) = (panel.size.x / (count - 1).max(1) as f32, panel.size.y / most as f32);
+        for (column, kind) in kinds.enumerate() {
+            let left = panel.min.x + column as f32 * width;
+            for (line, row) in kind.iter().enumerate() {
+                let y = panel.min.y + (line as f32 + 0.5) * pitch;
+                let style = |colour| Style::new(DETAILS.min(pitch), colour).middle();
+                let bar = Area::new(left + NAME, y - 0.35 * pitch, width - NAME - FACTOR, 0.7 * pitch);
+                let [own, all] = [row.planned.0, row.everything.0].map(|time| decades.part(time) as f32 * bar.size.x);
+                canvas.rounded(Area::new(bar.min.x, bar.min.y, own.max(1.0), bar.size.y), 0.0, theme::accent());
+                canvas.rounded(Area::new(bar.min.x + own, bar.min.y, (all - own).max(0.0), bar.size.y), 0.0, theme::solid());
+                canvas.text(&row.scene, Vec2::new(bar.min.x - 8.0, y), style(theme::text()).right());
+                canvas.text(
+                    &format!("× {}", short(row.times())),
+                    Vec2::new(bar.min.x + own.max(all) + 6.0, y),
+                    style(theme::quiet()),
+                );
+            }
+            for exponent in decades.named(6) {
+                let x = left + NAME + decades.part(10f64.powi(exponent)) as f32 * (width - NAME - FACTOR);
+                canvas.text(
+                    &format!("{} ns", power(exponent)),
+                    Vec2::new(x, panel.max().y),
+                    Style::new(DETAILS, theme::quiet()).centred(),
+                );
+            }
+        }
+        let stale = rows.iter().any(|row| row.version != SOURCES);
+        let words = "Bright: as it runs. Dim: what every part would add. Left levels, middle experiments, right scenes of the Lab; logarithmic.";
+        let middle = Vec2::new(panel.centre().x, panel.max().y + 42.0);
+        let words = tr(if stale { ANOTHER_BUILD } else { words });
+        widgets::fitted(canvas, words, middle, panel.size.x, &[TEXT, DETAILS], theme::text());
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -113,18 +159,19 @@ mod tests {
     }
 
     fn wild() -> MethodCurve {
-        let point = |step, work, error| WorkPoint { step, work, error };
+        let point = |step, work, error| WorkPoint { step, work, spread: 0.0, error };
         MethodCurve {
             name: "wild".to_owned(),
             origin: CurveOrigin::Lab,
+            version: String::new(),
             points: vec![point(0.1, 10.0, f64::NAN), point(0.01, 100.0, 1e-2)],
         }
     }
 
     #[test]
     fn a_diagram_has_its_words_as_text_and_no_bad_numbers() {
-        let ours = vec![WorkPoint { step: 0.01, work: 50.0, error: 0.0 }];
-        let ours = MethodCurve { name: "ours".to_owned(), origin: CurveOrigin::Shipped, points: ours };
+        let ours = vec![WorkPoint { step: 0.01, work: 50.0, spread: 0.0, error: 0.0 }];
+        let ours = MethodCurve { name: "ours".to_owned(), origin: CurveOrigin::Shipped, version: String::new(), points: ours };
         let drawn = measured(&Measured::of_curves(vec![wild(), ours]));
         assert_words(&drawn, &["A title", "error, m", "work, ns", "wild", "ours", "as shipped", "blew up", "tolerance"]);
     }
@@ -133,7 +180,7 @@ mod tests {
     fn what_blew_up_over_time_is_drawn_without_bad_numbers() {
         let moment = |time, error, energy| CoursePoint { time, error, energy: Some(energy) };
         let moments = vec![moment(1.0, 0.0, 1.0), moment(2.0, f64::NAN, f64::INFINITY), moment(3.0, 1e300, f64::NAN)];
-        let course = MethodCurve { name: "wild".into(), origin: CurveOrigin::Lab, points: moments };
+        let course = MethodCurve { name: "wild".into(), origin: CurveOrigin::Lab, version: String::new(), points: moments };
         let followed = Some(OverTime { step: 1.0 / 60.0, courses: vec![course] });
         let mut measured = Measured { over_time: followed, ..Measured::of_curves(vec![wild()]) };
         let drawn = over_time(&measured).expect("it was followed");

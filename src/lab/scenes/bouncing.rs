@@ -140,6 +140,7 @@ pub fn perfect() -> LabScene {
     let course = move |by, h| sampled(ball.running(by, h).each(PERFECT_SECONDS, moment));
     LabScene {
         error: "worst error of the place at any time, m",
+        world: ball.world(),
         methods: SceneMethod::all_showing(METHODS, worst, course),
         ..LabScene::new("bounce-perfect", "Perfect bouncing (e = 1) for 60 s", PERFECT_SECONDS, 1)
     }
@@ -158,5 +159,5 @@ pub fn apexes() -> LabScene {
     let ball = BouncingBall::of(LOSSY);
     let methods = SceneMethod::all(METHODS, move |by, h| apexes_error(&apex_heights(ball.path(by, LOSSY_SECONDS, h))));
     let scene = LabScene::new("bounce-apexes", "Ten bounces at restitution 0.9", LOSSY_SECONDS, 1);
-    LabScene { error: "worst error of the first ten apexes, m", methods, ..scene }
+    LabScene { error: "worst error of the first ten apexes, m", methods, world: ball.world(), ..scene }
 }

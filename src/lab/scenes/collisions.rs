@@ -87,7 +87,7 @@ impl Model for BlockLine {
 }
 
 fn scene(name: &'static str, title: &str, line: BlockLine, places: Vec<f64>) -> LabScene {
-    let scene = LabScene::new(name, title, SECONDS, places.len());
+    let scene = LabScene { world: line.world(), ..LabScene::new(name, title, SECONDS, places.len()) };
     let methods = SceneMethod::all(METHODS, move |by, h| {
         let error = |blocks: Vec<LineBlock>| blocks.iter().zip(&places).map(|(block, x)| (block.x - x).abs()).fold(0.0, f64::max);
         line.end(by, SECONDS, h).map_or(f64::NAN, error)

@@ -80,10 +80,11 @@ pub(super) fn over_tolerances(mut methods: Vec<SceneMethod>, body: &FlyingBody, 
 
 /// A scene of `seconds` that ends at `exact` (m).
 fn scene(name: &'static str, title: &str, seconds: f64, body: FlyingBody, exact: DVec2, flow: Option<MotionStep>) -> LabScene {
+    let world = body.world();
     let methods = METHODS.into_iter().chain(flow.map(|flow| ("exact flow", flow)));
     let known = body.clone();
     let methods = SceneMethod::all(methods, move |by, h| known.error(by, seconds, h, exact));
-    LabScene { methods: over_tolerances(methods, &body, seconds, exact), ..LabScene::new(name, title, seconds, 1) }
+    LabScene { methods: over_tolerances(methods, &body, seconds, exact), world, ..LabScene::new(name, title, seconds, 1) }
 }
 
 fn with_flow(name: &'static str, title: &str, body: FlyingBody, flow: MotionStep) -> LabScene {

@@ -86,7 +86,7 @@ pub fn swing() -> LabScene {
     let title = "A floating box swings without drag (ω = √(ρgA/m)), 10 s";
     let methods = SceneMethod::all(INTEGRATORS.iter().copied(), error_at_end);
     let methods = over_tolerances(methods, &swinging(), SECONDS, DVec2::new(0.0, place_at(SECONDS)));
-    LabScene { methods, ..LabScene::new("oscillator", title, SECONDS, 1) }
+    LabScene { methods, world: swinging().world(), ..LabScene::new("oscillator", title, SECONDS, 1) }
 }
 
 pub fn energy_kept() -> LabScene {
@@ -98,6 +98,7 @@ pub fn energy_kept() -> LabScene {
         error: "worst error of the energy at any time, parts of 1",
         tolerance: SEEN,
         steps: STEPS.to_vec(),
+        world: swinging().world(),
         methods: SceneMethod::all_showing(fixed, error, course),
         ..LabScene::new("oscillator-energy", "The energy of a floating box in 1000 swings without drag", seconds, 1)
     }

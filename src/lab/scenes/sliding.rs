@@ -66,5 +66,5 @@ pub fn to_a_stop() -> LabScene {
     let sliding = SlidingBox { gravity: G };
     let error = move |by, h| sliding.end(by, SECONDS, h).map_or(f64::NAN, |(x, _)| (x - sliding.stop()).abs());
     let methods = SceneMethod::all(METHODS, error);
-    LabScene { methods, ..LabScene::new("slide", "Sliding 5.13 m to a stop, 10 s", SECONDS, 1) }
+    LabScene { methods, world: sliding.world(), ..LabScene::new("slide", "Sliding 5.13 m to a stop, 10 s", SECONDS, 1) }
 }

@@ -68,7 +68,7 @@ pub fn pendulum_swing() -> LabScene {
     let known = body.clone();
     let methods = SceneMethod::all(INTEGRATORS.iter().copied(), move |by, h| known.error(by, SECONDS, h, exact));
     let methods = over_tolerances(methods, &body, SECONDS, exact);
-    LabScene { methods, ..LabScene::new("pendulum", "A pendulum on a stiff spring, 10 s", SECONDS, 1) }
+    LabScene { methods, world: body.world(), ..LabScene::new("pendulum", "A pendulum on a stiff spring, 10 s", SECONDS, 1) }
 }
 
 /// λ² + 1000·λ + 1000 = 0: what is left of 1 m fades within a second, and the velocity within a thousandth of one.
@@ -101,7 +101,7 @@ pub fn shock_absorber() -> LabScene {
     };
     let methods = over_tolerances(SceneMethod::all_showing(METHODS, error, course), &body, seconds, exact);
     let note = "Stiff: it fades within a second, but the damper within a thousandth of one, which bounds explicit steps.";
-    LabScene { methods, note, ..LabScene::new("shock-absorber", "A stiff, damped spring, 2 s", seconds, 1) }
+    LabScene { methods, world: body.world(), note, ..LabScene::new("shock-absorber", "A stiff, damped spring, 2 s", seconds, 1) }
 }
 
 /// Some eight times round, with the energy on the way.
@@ -122,7 +122,11 @@ pub fn orbit() -> LabScene {
     };
     let methods = SceneMethod::all_showing(INTEGRATORS.iter().copied(), error, course);
     let methods = over_tolerances(methods, &body, SECONDS, exact);
-    LabScene { methods, ..LabScene::new("orbit", "Two bodies on a spring go round each other, 10 s", SECONDS, 2) }
+    LabScene {
+        methods,
+        world: body.world(),
+        ..LabScene::new("orbit", "Two bodies on a spring go round each other, 10 s", SECONDS, 2)
+    }
 }
 
 /// ½v² + ½s·(|x| − L)² − A·x, J/kg; zero is its least.

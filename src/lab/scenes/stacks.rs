@@ -157,7 +157,7 @@ fn push(n: usize) -> f64 {
 }
 
 fn standing(name: &'static str, title: String, column: ContactChain) -> LabScene {
-    let scene = LabScene::new(name, title, SECONDS, column.masses.len());
+    let scene = LabScene { world: column.world(), ..LabScene::new(name, title, SECONDS, column.masses.len()) };
     let solvers = SOLVERS.into_iter().filter(|(_, solver)| column.pull == 0.0 || *solver != Solver::Direct);
     let methods = SceneMethod::all(solvers.collect::<Vec<_>>(), move |by, h| column.sag(by, SECONDS, h));
     LabScene { error: "largest movement of a body at rest, m", methods, ..scene }
@@ -178,17 +178,18 @@ pub fn friction_tower() -> LabScene {
 
 pub fn time_to_rest() -> LabScene {
     let pile = ContactChain::dropped(TOWER);
-    let exact = pile.rests_after();
+    let (world, exact) = (pile.world(), pile.rests_after());
     let methods = SceneMethod::all(SOLVERS, move |by, h| (pile.found_at_rest(by, SECONDS, h) - exact).abs());
     let title = format!("A pile of {TOWER} falling blocks comes to rest");
     let note = "At rest: no block is faster than 1 mm/s from then on. Upper edge: never within 10 s.";
     let scene = LabScene::new("rest-time", title, SECONDS, TOWER);
-    LabScene { error: "error of the time of rest, s", tolerance: super::super::stress::TICK, note, methods, ..scene }
+    LabScene { error: "error of the time of rest, s", tolerance: super::super::stress::TICK, note, methods, world, ..scene }
 }
 
 pub fn pushed_row() -> LabScene {
     let (seconds, row) = (1.0, ContactChain::pushed(ROW));
+    let world = row.world();
     let methods = SceneMethod::all(SOLVERS, move |by, h| row.row_error(by, seconds, h));
     let scene = LabScene::new("pushed-row", format!("A row of {ROW} blocks pushed along a floor, 1 s"), seconds, ROW);
-    LabScene { error: "worst error of a position, m", methods, ..scene }
+    LabScene { error: "worst error of a position, m", methods, world, ..scene }
 }

@@ -72,5 +72,5 @@ pub fn thin_wall() -> LabScene {
     let methods = SceneMethod::all(METHODS, move |by, h| wall.worst_error(by, h));
     let (error, title) =
         ("worst error of position 0.25 s after the impact, m", "A box of 0.5 m at 100 m/s against a wall of 0.1 m");
-    LabScene { error, methods, ..LabScene::new("thin-wall", title, 0.5 * PHASES as f64, 1) }
+    LabScene { error, methods, world: wall.after(0.25).world(), ..LabScene::new("thin-wall", title, 0.5 * PHASES as f64, 1) }
 }

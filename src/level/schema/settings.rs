@@ -15,7 +15,7 @@ pub static CONSTANTS: FileSchema = FileSchema {
     help: "The settings of the level. width and height are needed where there is no background.png; silver and gold and one mark \
            (mark_hits, mark_fuel, mark_pushes or mark_speed) are what the level's medals ask for.",
     sample: "title,{name}\ngravity,15\ngravity_x,0\nair_density,1.2041\noptimal_time,60\nmetre,30\nrest_speed,0\nfriction,1\n\
-             experiment,0\nworld,quarry\nsilver,30\ngold,15\nmark_hits,0\nwidth,1280\nheight,720\n",
+             experiment,0\noverview,0\nworld,quarry\nsilver,30\ngold,15\nmark_hits,0\nwidth,1280\nheight,720\n",
 };
 pub static SETTING: RowSchema = RowSchema::new(&CONSTANTS, "Setting", SettingRow::COLUMNS);
 
@@ -50,6 +50,7 @@ rows! {
             number(numbers::REST_SPEED, "a slower rebound is none; with 0 a body bounces until its series of bounces ends").or("0"),
         friction: f64 = number(numbers::FRICTION, "factor of all coefficients of friction").or("1"),
         experiment: f64 = number(numbers::YES, "1: the level shows a law, the ship plays no part and nothing is scored").or("0"),
+        overview: f64 = number(numbers::YES, "1: the whole level is in view until the first key").or("0"),
         world: Option<Landscape> = one_of::<Landscape>("the world whose colours, sky and music it has").maybe(),
         silver: Option<f64> = TIME,
         gold: Option<f64> = TIME,
@@ -73,6 +74,7 @@ pub(in crate::level) struct LevelSettings {
     pub rest_speed: f64,
     pub friction: f64,
     pub experiment: bool,
+    pub overview: bool,
     pub awards: Awards,
     pub landscape: Option<Landscape>,
     pub width: Option<f64>,
@@ -97,6 +99,7 @@ pub(in crate::level) fn settings(rows: Vec<RowCells>, reader: &mut RowReader, wa
         rest_speed: row.rest_speed,
         friction: row.friction,
         experiment: row.experiment == 1.0,
+        overview: row.overview == 1.0,
         awards,
         landscape: row.world,
         width: row.width,

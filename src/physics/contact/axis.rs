@@ -1,7 +1,7 @@
 //! One axis of a group of contacts: a [`Network`] with a link for each push along the axis and for each friction that sticks.
 
 use crate::physics::contact::network::{Carries, GROUND, Network, NetworkNode};
-use crate::physics::data::{Contact, LIGHT, SPEED_TOLERANCE, refill};
+use crate::physics::data::{Contact, LIGHT, MICRO_SPEED, SPEED_TOLERANCE, refill};
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +23,8 @@ pub(crate) struct Parts<'a> {
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Joined {
-    network: Network,
+    /// Along either axis.
+    networks: [Network; 2],
     /// The node of each item; `GROUND` for bodies without contacts and for surfaces.
     node_of: Vec<u32>,
     pub(super) body_of: Vec<u32>,
@@ -51,16 +52,19 @@ impl Joined {
         let axis = 1 - stopped.axis;
         self.number(contacts, parts);
         self.set_nodes(axis, parts, 0.0);
+        let network = &mut self.networks[axis];
         for contact in contacts {
             let skin = if contact.axis == stopped.axis { contact.skin } else { 0.0 };
             let speed = |item: u32| rate(parts, item, axis, skin);
-            let alike = (speed(contact.hi) - speed(contact.lo)).abs() <= SPEED_TOLERANCE;
+            // What parts as slowly across its face clings: alone it would be pulled back, and make the slide begin again, less and less without end.
+            let rounding = if contact.axis == axis { MICRO_SPEED } else { SPEED_TOLERANCE };
+            let alike = (speed(contact.hi) - speed(contact.lo)).abs() <= rounding;
             if alike || contact.is_of(stopped.lo, stopped.hi) {
                 let ends = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
-                self.network.link(ends.0, ends.1, Carries::UpTo(f64::INFINITY), ground(contact, parts, axis, skin));
+                network.link(ends.0, ends.1, Carries::UpTo(f64::INFINITY), ground(contact, parts, axis, skin));
             }
         }
-        self.network.solve();
+        network.solve();
         self.give(axis, velocities);
     }
 
@@ -75,10 +79,11 @@ impl Joined {
                     self.contact_of.push(index as u32);
                 }
             }
-            self.network.solve();
-            self.network.nodes.iter_mut().for_each(|node| node.acceleration += frame);
+            let network = &mut self.networks[axis];
+            network.solve();
+            network.nodes.iter_mut().for_each(|node| node.acceleration += frame);
             self.squeezed.truncate(known);
-            self.squeezed.extend(self.network.squeezed.iter().map(|&node| (self.body_of[node as usize], axis)));
+            self.squeezed.extend(network.squeezed.iter().map(|&node| (self.body_of[node as usize], axis)));
             if !self.read(axis, contacts, question) {
                 return;
             }
@@ -87,16 +92,17 @@ impl Joined {
 
     /// Fills the network with the bodies, in a frame that accelerates along the axis, m/s².
     fn set_nodes(&mut self, axis: usize, parts: &Parts, frame: f64) {
-        self.network.clear();
+        let network = &mut self.networks[axis];
+        network.clear();
         for &body in &self.body_of {
             let mass = parts.masses[body as usize][axis];
             let force = mass * (parts.free[body as usize][axis] - frame);
-            self.network.nodes.push(NetworkNode { mass, force, acceleration: 0.0 });
+            network.nodes.push(NetworkNode { mass, force, acceleration: 0.0 });
         }
     }
 
     pub(super) fn give(&self, axis: usize, to: &mut [DVec2]) {
-        for (node, &body) in self.network.nodes.iter().zip(&self.body_of) {
+        for (node, &body) in self.networks[axis].nodes.iter().zip(&self.body_of) {
             to[body as usize][axis] = node.acceleration;
         }
     }
@@ -120,10 +126,11 @@ impl Joined {
     /// Adds the push of a contact along an axis, or its friction. Returns whether that needs a link.
     fn link(&mut self, axis: usize, contact: &mut Contact, parts: &Parts, question: Question) -> bool {
         let (lo, hi) = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
+        let network = &mut self.networks[axis];
         if contact.axis == axis {
             let both_ways = question == Question::Impulses && contact.clings;
             let carries = if both_ways { Carries::UpTo(f64::INFINITY) } else { Carries::Push };
-            self.network.link(lo, hi, carries, ground(contact, parts, axis, 0.0));
+            network.link(lo, hi, carries, ground(contact, parts, axis, 0.0));
             return true;
         }
         contact.friction = 0.0;
@@ -135,7 +142,7 @@ impl Joined {
             contact.friction = -contact.slides * kinetic;
             for (end, sign) in [(lo, -1.0), (hi, 1.0)] {
                 if end != GROUND {
-                    self.network.nodes[end as usize].force += sign * contact.friction;
+                    network.nodes[end as usize].force += sign * contact.friction;
                 }
             }
             return false;
@@ -144,14 +151,14 @@ impl Joined {
             Question::Forces => (contact.static_friction * contact.normal, 0.0),
             Question::Impulses => (kinetic, contact.skin),
         };
-        self.network.link(lo, hi, Carries::UpTo(limit), ground(contact, parts, axis, skin));
+        network.link(lo, hi, Carries::UpTo(limit), ground(contact, parts, axis, skin));
         true
     }
 
     /// Takes the flows over into the contacts. Returns whether static friction gave way, so that the axis has to be solved again.
     fn read(&self, axis: usize, contacts: &mut [Contact], question: Question) -> bool {
         let mut gave_way = false;
-        for (link, &index) in self.network.links.iter().zip(&self.contact_of) {
+        for (link, &index) in self.networks[axis].links.iter().zip(&self.contact_of) {
             let contact = &mut contacts[index as usize];
             if contact.axis == axis {
                 // Contacts that cling may be held back by next to nothing: an impulse, too.
@@ -161,7 +168,7 @@ impl Joined {
             }
             contact.friction = link.flow;
             if question == Question::Forces && link.cut {
-                let of = |node: u32| self.network.nodes.get(node as usize).map_or(link.ground, |node| node.acceleration);
+                let of = |node: u32| self.networks[axis].nodes.get(node as usize).map_or(link.ground, |node| node.acceleration);
                 let slip = of(link.hi) - of(link.lo);
                 if slip != 0.0 {
                     (contact.slides, contact.gave_way) = (slip.signum(), true);

@@ -19,6 +19,8 @@ pub(crate) struct Reactions {
     /// The push of each contact one and two rounds ago, N.
     pressed: Vec<f64>,
     pressed_before: Vec<f64>,
+    /// Of the last solution along each axis and each contact: its push, and which way it slid.
+    solutions: [Vec<(f64, f64)>; 2],
     pub unsettled: u64,
     /// Bodies that rounds have solved so far, each as often as rounds have.
     pub solved: u64,
@@ -103,9 +105,10 @@ impl Reactions {
             out[body as usize] = parts.free[body as usize];
         }
         for contact in contacts.iter_mut() {
-            (contact.normal, contact.gave_way) = (0.0, false);
+            (contact.begun, contact.gave_way) = (contact.normal, false);
         }
         self.pressed.clear();
+        self.solutions.iter_mut().for_each(Vec::clear);
         for round in 0..FRICTION_ROUNDS {
             std::mem::swap(&mut self.pressed, &mut self.pressed_before);
             self.pressed.clear();
@@ -114,12 +117,13 @@ impl Reactions {
             if round + 1 < FRICTION_ROUNDS && hold_back(contacts, parts, out) {
                 continue;
             }
-            // The pressure on a wall matters only where a body slides on it or hangs on it.
+            // The pressure on a wall matters only where a body moves along it, or hangs on it by more than that holds.
             let rubs = |contact: &Contact| {
                 let moves = || contact.slides != 0.0 || gain(contact, parts, out) != 0.0;
-                contact.axis == 0 && (contact.friction != 0.0 || contact.normal > 0.0 && moves())
+                let hangs = contact.friction.abs() > contact.static_friction * contact.normal;
+                hangs || (contact.friction != 0.0 || contact.normal > 0.0) && moves()
             };
-            if self.presses_alike(contacts, f64::EPSILON, 0.0) || !contacts.iter().any(rubs) {
+            if self.presses_alike(contacts, f64::EPSILON, 0.0, rubs) {
                 return Some(round + 1);
             }
             if round % 3 == 2 && round + 1 < FRICTION_ROUNDS {
@@ -128,13 +132,14 @@ impl Reactions {
         }
         // A pressure that changes by 1e-10 of itself has settled: more would exceed Coulomb's law, less would be rounding.
         let most = contacts.iter().fold(0.0, |most: f64, contact| most.max(contact.normal));
-        self.presses_alike(contacts, 1e-10, FORCE_TOLERANCE * most).then_some(FRICTION_ROUNDS)
+        self.presses_alike(contacts, 1e-10, FORCE_TOLERANCE * most, |_| true).then_some(FRICTION_ROUNDS)
     }
 
-    /// Whether no pressure across has changed in the last round by more than a part of itself and a force, N.
-    fn presses_alike(&self, contacts: &[Contact], part: f64, force: f64) -> bool {
+    /// Whether no pressure across that matters has changed in the last round by more than a part of itself and a force, N.
+    fn presses_alike(&self, contacts: &[Contact], part: f64, force: f64, matters: impl Fn(&Contact) -> bool) -> bool {
         let alike = |contact: &Contact, before: f64| (contact.normal - before).abs() <= part * contact.normal + force;
-        contacts.iter().zip(&self.pressed).all(|(contact, before)| contact.axis == 1 || alike(contact, *before))
+        let settled = |(contact, before): (&Contact, &f64)| contact.axis == 1 || alike(contact, *before) || !matters(contact);
+        contacts.iter().zip(&self.pressed).all(settled)
     }
 
     fn solve_axes(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
@@ -143,11 +148,29 @@ impl Reactions {
             if self.is_idle(axis, contacts, parts) {
                 self.joined.body_of.iter().for_each(|body| out[*body as usize][axis] = 0.0);
                 contacts.iter_mut().for_each(|contact| *contact.along(axis) = 0.0);
+                self.solutions[axis].clear();
+                continue;
+            }
+            if self.is_solved(axis, contacts) {
                 continue;
             }
             self.joined.solve_axis(axis, contacts, parts, Question::Forces);
             self.joined.give(axis, out);
+            let solution = &mut self.solutions[axis];
+            solution.clear();
+            solution.extend(contacts.iter().map(|contact| (contact.normal, contact.slides)));
         }
+    }
+
+    /// Whether the last solution along an axis holds: it depends on the pushes along the other, and on what slides. The contacts have it then.
+    fn is_solved(&self, axis: usize, contacts: &mut [Contact]) -> bool {
+        let solution = &self.solutions[axis];
+        let alike = |(contact, known): (&Contact, &(f64, f64))| contact.axis == axis || (contact.normal, contact.slides) == *known;
+        let holds = solution.len() == contacts.len() && contacts.iter().zip(solution).all(alike);
+        if holds {
+            contacts.iter_mut().zip(solution).for_each(|(contact, known)| contact.normal = known.0);
+        }
+        holds
     }
 
     fn is_idle(&self, axis: usize, contacts: &[Contact], parts: &Parts) -> bool {

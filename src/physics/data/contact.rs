@@ -24,8 +24,12 @@ pub(crate) struct Contact {
     pub gave_way: bool,
     /// Push of `lo` on `hi` along the axis, N, ≥ 0 (N·s in an impact).
     pub normal: f64,
+    /// The push that the last solve for forces began with, N: who solves the same again begins with it and ends at the same bits.
+    pub begun: f64,
     /// Friction of `lo` on `hi` along the other axis, N (N·s).
     pub friction: f64,
+    /// What both have passed on in this tick, up to the last event, N·s.
+    pub passed: [f64; 2],
 }
 
 impl Contact {

@@ -12,7 +12,8 @@ pub enum Obstacle {
     Body(BodyId),
 }
 
-/// What one impact passed on: to `a` the impulse, and to `b`, if that is a body, the opposite. Shown by the name "Impact".
+/// What one impact passed on: to `a` the impulse, and to `b`, if that is a body, the opposite. Shown by the name "Impact". Or what a contact that has
+/// ended within the tick had passed on in it: no list of forces has that.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impulse {
     /// The body that felt it.
@@ -25,6 +26,8 @@ pub struct Impulse {
     pub point: DVec2,
     /// When in the tick it was, s from the tick's start.
     pub at: f64,
+    /// Whether it is an impact.
+    pub impact: bool,
 }
 
 impl Impulse {

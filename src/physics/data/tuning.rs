@@ -77,8 +77,8 @@ pub(crate) const MOST_BOUNCES: u32 = 128;
 /// their own, which at a long tick use up the budget of their island.
 pub(crate) const SHORT_BOUNCE: f64 = 1.0 / 256.0;
 
-/// Hits still to come of something without loss between two others, from which on they are one train. More: they use up the budget of events of
-/// their island; fewer: what ends as soon is no event less.
+/// Hits still to come in a tick of something without loss between two others, from which on they are one train. More: they use up the budget of
+/// events of their island; fewer: what ends as soon is no event less.
 pub(crate) const MANY_HITS: f64 = 16.0;
 
 /// m/s. Slower hits are not reported as events.

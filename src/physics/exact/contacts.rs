@@ -1,7 +1,7 @@
 //! Contacts at an event: they begin, last and end, and the two are brought exactly together.
 
 use crate::physics::contact::axis::Parts;
-use crate::physics::data::{Aabb, Contact, MAX_CLINGS, MICRO_SPEED, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
+use crate::physics::data::{Aabb, Contact, MAX_CLINGS, MICRO_SPEED, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE, on_axis};
 use crate::physics::exact::events::{Events, Scene};
 
 impl Events {
@@ -65,6 +65,31 @@ impl Events {
         contact
     }
 
+    /// Adds to what the contacts of items concerned, or all, have passed on in this tick.
+    pub(crate) fn pass_on(&mut self, all: bool) {
+        for contact in &mut self.contacts {
+            let body = contact.ends().0 as usize;
+            if (all || self.is_concerned[body]) && contact.normal > 0.0 {
+                let t = self.now - self.items[body].since;
+                let [normal, friction] = contact.passed;
+                contact.passed = [normal + contact.normal * t, friction + contact.friction * t];
+            }
+        }
+    }
+
+    /// Lists what those of the `trial` contacts that have `ended` or press no more have passed on in this tick.
+    pub(crate) fn list_ends(&mut self, scene: &Scene, ended: bool) {
+        for index in 0..self.trial.len() {
+            let contact = self.trial[index];
+            let [normal, friction] = contact.passed;
+            if normal > 0.0 && (ended || contact.normal == 0.0) {
+                self.trial[index].passed = [0.0; 2];
+                self.locate(scene, contact.ends().1 as usize);
+                self.note(&contact, on_axis(contact.axis, normal, friction), None);
+            }
+        }
+    }
+
     /// Keeps the touching pairs as contacts that neither part nor approach. The pair that has just `met` may touch along the other axis.
     pub(crate) fn find_contacts(&mut self, scene: &Scene) {
         self.take_contacts_of_concerned();
@@ -78,10 +103,19 @@ impl Events {
             }
             if self.stays(&contact) {
                 let slides = self.slides(&contact);
-                let fresh = Contact { closed: true, lasts: true, clings: false, ..contact };
+                let passed = self.passed_by(&contact);
+                let fresh = Contact { closed: true, lasts: true, clings: false, passed, ..contact };
                 self.contacts.push(Contact { slides, normal: 0.0, friction: 0.0, ..fresh });
             }
         }
+        self.list_ends(scene, true);
+    }
+
+    /// Takes what a contact has passed on before the present event.
+    fn passed_by(&mut self, contact: &Contact) -> [f64; 2] {
+        let known = self.trial.binary_search_by_key(&contact.ends(), Contact::ends);
+        let known = known.ok().map(|at| &mut self.trial[at]).filter(|known| (known.lo, known.axis) == (contact.lo, contact.axis));
+        known.map(|known| std::mem::take(&mut known.passed)).unwrap_or_default()
     }
 
     /// Whether the ends of a contact neither part nor approach, but for rounding.

@@ -2,7 +2,7 @@
 //! stage, so that bodies that press on each other fly as one. A step ends where a liquid begins or ends, where a link bends or breaks, or where a
 //! contact begins to part or to slip.
 
-use crate::physics::data::{Contact, Cubic, EVENTS_OF_A_BODY, FLIGHT_TOLERANCE, FORCE_TOLERANCE, Pose, SPEED_TOLERANCE};
+use crate::physics::data::{Contact, Cubic, EVENTS_OF_A_BODY, FORCE_TOLERANCE, LONGEST_SHORT, Pose, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::{Item, Travel};
 use crate::physics::exact::motions::SHORTEST;
@@ -12,9 +12,6 @@ use glam::DVec2;
 
 /// Trials for the instant at which a contact begins to part or to slip. Fewer: a contact slips late, and a stick-slip drifts.
 const TRIALS: u32 = 24;
-
-/// Items concerned up to which that instant is sought. More: it takes longer than all else in a heap that falls apart.
-const MOST_SOUGHT: usize = 8;
 
 /// The shortest step to a kink, in parts of a tick. Longer: energy is gained where a rope becomes taut; shorter: roundings make many steps.
 const LEAST: f64 = SHORTEST * SHORTEST * SHORTEST;
@@ -59,17 +56,17 @@ impl Events {
         while self.count + self.reactions.solved <= budget {
             let solved = self.reactions.solved;
             let error = self.step_coupled(scene, h, afloat);
-            if linked {
-                // A part of a stiff tick takes some twenty steps: each counts as an event.
-                (self.reactions.solved, self.count) = (solved, self.count + 1);
-            }
+            // A part of a stiff tick takes some twenty steps: each counts as one event for eight bodies.
+            (self.reactions.solved, self.count) = (solved, self.count + 1 + self.concerned.len() as u64 / 8);
             let kink = self.first_kink(scene, h);
             if kink < h && h > least {
                 h = kink.max(least);
                 continue;
             }
-            let changes = self.concerned.len() <= MOST_SOUGHT && self.changed;
+            let changes = self.changed;
             if changes && h > least {
+                // In a heap that falls apart the search takes longer than all else.
+                self.count += u64::from(TRIALS) * (self.concerned.len() as u64 / 8);
                 let solved = self.reactions.solved;
                 let (holds, over) = self.find_change(scene, h, afloat);
                 self.reactions.solved = solved;
@@ -85,7 +82,7 @@ impl Events {
             }
             h *= step_factor((error / tolerance).sqrt().sqrt()).min(0.5);
             (self.stride, self.sliver) = (h, f64::INFINITY);
-            if h < scene.tick * SHORTEST {
+            if h < LONGEST_SHORT.min(scene.tick * SHORTEST) {
                 return None;
             }
         }
@@ -231,7 +228,8 @@ impl Events {
     fn contacts_change(&self, h: f64) -> bool {
         let most = self.concerned.iter().map(|i| self.means[*i as usize].abs().max_element()).fold(0.0, f64::max);
         // What parts does so more and more, what slips at once.
-        let [parting, slipping] = [h * h, h].map(|of| (FORCE_TOLERANCE * most).max(FLIGHT_TOLERANCE / of));
+        let error = MOST_ERROR[usize::from(!self.links.is_empty())];
+        let [parting, slipping] = [h * h, h].map(|of| (FORCE_TOLERANCE * most).max(error / of));
         let rate = |item: u32| if self.is_body(item) { self.means[item as usize] } else { self.free[item as usize] };
         let changes = |(before, after): (&Contact, &Contact)| {
             let gain = rate(after.hi) - rate(after.lo);

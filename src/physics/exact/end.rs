@@ -21,7 +21,7 @@ impl Events {
         for i in 0..self.items.len() {
             self.locate(scene, i);
         }
-        self.end_contacts();
+        self.end_contacts(scene);
         for i in 0..self.movable {
             if self.has_another_law(scene, i) {
                 self.renew_law(scene, i);
@@ -51,13 +51,13 @@ impl Events {
     }
 
     /// Ends the contacts whose ends media have parted since their last event, and turns the slides that media have turned.
-    fn end_contacts(&mut self) {
+    fn end_contacts(&mut self, scene: &Scene) {
         for index in (0..self.contacts.len()).rev() {
             let contact = self.contacts[index];
             let slides = self.slides(&contact);
             let parts = !(self.stays(&contact) || self.rides(&contact));
             if parts {
-                self.contacts.remove(index);
+                self.trial.push(self.contacts.remove(index));
                 self.items[contact.lo as usize].known = false;
                 self.items[contact.hi as usize].known = false;
             } else if slides != 0.0 {
@@ -69,6 +69,8 @@ impl Events {
                 self.concern(contact.hi);
             }
         }
+        self.list_ends(scene, true);
+        self.trial.clear();
     }
 
     /// Whether another law acts on a body than on its last path: it crossed a border, its links pull otherwise, or other liquids are near.

@@ -138,7 +138,7 @@ impl Events {
     }
 
     /// Acceleration without contacts now, m/s².
-    fn pull(&self, scene: &Scene, item: u32) -> DVec2 {
+    pub(crate) fn pull(&self, scene: &Scene, item: u32) -> DVec2 {
         let of = &self.items[item as usize];
         if self.is_body(item) {
             scene.media.acceleration(&of.body, &of.law, self.places[item as usize], self.speeds[item as usize])
@@ -205,7 +205,7 @@ impl Events {
         // Friction changes the sliding by at most μ_k times the change along the normal, and stops it at most.
         let rubs = -relative.signum() * (contact.kinetic_friction * change).min(relative.abs());
         let rub = self.closing_at_a_corner(&contact, speed).map_or(rubs, |closing| -(1.0 + e) * closing);
-        self.note(&contact, on_axis(axis, reduced * change, if rub == 0.0 { 0.0 } else { reduced * rub }), speed);
+        self.note(&contact, on_axis(axis, reduced * change, if rub == 0.0 { 0.0 } else { reduced * rub }), Some(speed));
         let surface = [contact.lo, contact.hi].into_iter().find(|&item| !self.is_body(item));
         for (item, share, sign) in [(contact.lo, lo_share, -1.0), (contact.hi, hi_share, 1.0)] {
             if !self.is_body(item) {
@@ -244,7 +244,7 @@ impl Events {
         }
         let before = |item: u32| self.before[item as usize][contact.axis];
         let closing = (before(contact.lo) - before(contact.hi)).max(0.0);
-        self.note(contact, on_axis(contact.axis, contact.normal, contact.friction), closing);
+        self.note(contact, on_axis(contact.axis, contact.normal, contact.friction), Some(closing));
     }
 
     /// Takes the pull of a surface off its last push in this tick on the same body. Returns whether there is one as large.
@@ -254,13 +254,16 @@ impl Events {
         let [a, b] = [body, surface].map(|item| self.items[item as usize].id);
         let pushes = |hit: &&mut Hit| {
             let of = hit.impulse.a == BodyId(a) && hit.impulse.b == Obstacle::Surface(b);
-            of && hit.normal[contact.axis] == sign && sign * hit.impulse.vector[contact.axis] >= -contact.normal
+            of && hit.impulse.impact
+                && hit.normal[contact.axis] == sign
+                && sign * hit.impulse.vector[contact.axis] >= -contact.normal
         };
         let push = self.hits.iter_mut().rev().find(pushes);
         push.map(|hit| hit.impulse.vector[contact.axis] += sign * contact.normal).is_some()
     }
 
-    pub(crate) fn note(&mut self, contact: &Contact, impulse: DVec2, speed: f64) {
+    /// Lists an impulse: of an impact with its closing speed.
+    pub(crate) fn note(&mut self, contact: &Contact, impulse: DVec2, speed: Option<f64>) {
         let (first, second) = contact.ends();
         let sign = if first == contact.lo { -1.0 } else { 1.0 };
         let bounds = |item: u32| Aabb::around(self.places[item as usize], self.items[item as usize].body.half);
@@ -268,7 +271,8 @@ impl Events {
         let b = if other.surface { Obstacle::Surface(other.id) } else { Obstacle::Body(BodyId(other.id)) };
         let (a, point) = (BodyId(self.items[first as usize].id), bounds(first).shared_middle(&bounds(second)));
         let places = [first, second].map(|item| self.places[item as usize]);
-        let impulse = Impulse { a, b, vector: impulse * sign, point, at: self.now };
-        self.hits.push(Hit { impulse, normal: on_axis(contact.axis, sign, 0.0), speed, places });
+        let impulse = Impulse { a, b, vector: impulse * sign, point, at: self.now, impact: speed.is_some() };
+        let normal = on_axis(contact.axis, sign, 0.0);
+        self.hits.push(Hit { impulse, normal, speed: speed.unwrap_or(0.0), places });
     }
 }

@@ -22,7 +22,7 @@ pub(crate) mod train;
 pub(crate) mod trains;
 pub(crate) mod wedge;
 
-use crate::physics::data::{Aabb, EVENTS_OF_A_BODY, MOST_BORDERS, Part, Pose, called};
+use crate::physics::data::{Aabb, Contact, EVENTS_OF_A_BODY, MOST_BORDERS, Part, Pose, called};
 pub(crate) use crate::physics::exact::events::{Events, ExactEnd, Scene};
 use crate::physics::exact::item::{EventKind, Item, Next, Travel};
 use crate::physics::exact::motions::SHORTEST;
@@ -66,6 +66,7 @@ impl Events {
         self.is_placed.fill(false);
         (0..self.movable).for_each(|i| self.end_train(scene, i));
         self.release();
+        self.pass_on(true);
         self.stop_here(scene);
         self.follow_surfaces();
         self.settle(scene);
@@ -158,7 +159,12 @@ impl Events {
         }
         match scene.plan.direct {
             true => called(Part::Direct),
-            false => self.solve_concerned(scene),
+            false => {
+                let Self { contacts, is_concerned, .. } = self;
+                let again = |contact: &&mut Contact| contact.pair().iter().any(|item| is_concerned[*item as usize]);
+                contacts.iter_mut().filter(again).for_each(|contact| contact.normal = contact.begun);
+                self.solve_concerned(scene);
+            }
         }
         self.go_on(scene);
         self.release();

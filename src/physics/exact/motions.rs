@@ -72,6 +72,7 @@ impl Events {
     }
 
     fn settle_concerned(&mut self, scene: &Scene) {
+        self.pass_on(false);
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;
             let (place, speed) = (self.places[i], self.speeds[i]);
@@ -114,6 +115,7 @@ impl Events {
         let solved = std::mem::take(&mut self.trial);
         self.stop_surfaces(scene, &solved, |events, surface| events.free[surface as usize]);
         self.trial = solved;
+        self.list_ends(scene, false);
         self.contacts.append(&mut self.trial);
         for k in 0..self.concerned.len() {
             let i = self.concerned[k] as usize;

@@ -89,7 +89,8 @@ impl Events {
             return next;
         }
         // Bodies that press on each other have met already; in media they may part, and meet again.
-        if mine.motion != Travel::Coupled && self.pressing.contains(&(j as u32)) {
+        let press = self.pressing.contains(&(j as u32));
+        if mine.motion != Travel::Coupled && press {
             return next;
         }
         let from_there = other.way_from(now);
@@ -111,9 +112,11 @@ impl Events {
         if let Some((t, axis)) = at_once.or_else(|| time_of_impact(&motion, reach, end, sides)) {
             let path = motion.axis(axis);
             let side = path.at(t).signum();
-            // Such roundings of two places would sink into each other by less than 1e-11 m within a tick.
-            let gentle = -side * path.slope(t) <= SPEED_TOLERANCE && -side * path.curvature(t) <= 1e-6;
-            if !gentle {
+            // Such roundings of two places would sink into each other by less than 1e-11 m within a tick; the errors of a step of two that press by
+            // less than 1e-10 m until it ends.
+            let left = if press { mine.until.min(other.until) - now - t } else { f64::INFINITY };
+            let (slow, slight) = (SPEED_TOLERANCE.max(1e-10 / left), 1e-6_f64.max(1e-10 / (left * left)));
+            if -side * path.slope(t) > slow || -side * path.curvature(t) > slight {
                 next.or_earlier(now + t, EventKind::Hit { other: j as u32, axis, ascending: (side > 0.0) == (i < j) });
             }
         }

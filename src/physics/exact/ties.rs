@@ -135,7 +135,7 @@ impl Events {
         let parts = of(contact.lo).max(of(contact.hi)) as f64;
         let rub = (contact.kinetic_friction * impulse).min(relative.abs() * self.reduced(&contact) / parts);
         let given = on_axis(contact.axis, impulse, if relative == 0.0 { 0.0 } else { -relative.signum() * rub });
-        self.note(&contact, given, speed);
+        self.note(&contact, given, Some(speed));
         self.count_hit(&contact);
         for (item, sign) in [(contact.lo as usize, -1.0), (contact.hi as usize, 1.0)] {
             if item < self.movable {

@@ -20,6 +20,11 @@ impl Events {
         }
         let [mine, others] = self.shares(of[0], of[1]);
         let (parts, side) = ([mine, -others], if contact.hi == pair[0] { 1.0 } else { -1.0 });
+        let pull = self.pull(scene, pair[0]);
+        let wedge = e == 1.0 && !joined && pull[along] == 0.0 && self.items[of[0]].law.is_constant();
+        if wedge && self.begin_wedge(scene, contact, side, pull) {
+            return;
+        }
         let slides = side * self.sliding(contact);
         let together = self.speeds[of[0]] - on_axis(axis, side * speed, slides) * mine;
         // Accelerations without bounces, and the rates of drag and lift, `t` seconds later, after a way and with a speed along.
@@ -38,9 +43,6 @@ impl Events {
             BounceSeries { e, friction: contact.kinetic_friction, rises: speed, falls, slides, pulled, damping }
         };
         let mut pulls = begun.map(|of| of.0);
-        if calm && e == 1.0 && !joined && pulls[0] == DVec2::ZERO {
-            return self.begin_wedge(scene, contact, side);
-        }
         let first = bounces(pulls[0] - pulls[1]).first();
         if !(first > 0.0 && first <= SHORT_BOUNCE && (damping + (begun[0].2 + begun[1].2).sqrt()) * first <= DAMPED_REACH) {
             return;
@@ -123,8 +125,8 @@ impl Events {
         !(0..self.items.len()).any(near) && self.streams.iter().all(stays)
     }
 
-    /// Lets a body that has just left a wall go to and fro in closed form between that and the next body, if nothing else acts.
-    fn begin_wedge(&mut self, scene: &Scene, contact: &Contact, side: f64) {
+    /// Lets a body that has just left a wall go to and fro between that and the next, if one `pull` (m/s²) acts on both. Returns whether it does.
+    fn begin_wedge(&mut self, scene: &Scene, contact: &Contact, side: f64, pull: DVec2) -> bool {
         let (axis, (middle, wall)) = (contact.axis, contact.ends());
         let ahead = |j: u32| {
             let apart = (self.lanes[j as usize].centre() - self.places[middle as usize]) * side;
@@ -132,27 +134,30 @@ impl Events {
             (apart[1 - axis].abs() < reach[1 - axis] && apart[axis] > 0.0 && j != wall).then_some(apart[axis] - reach[axis])
         };
         let others = (0..self.items.len() as u32).filter(|j| *j != middle).filter_map(|j| Some((j, ahead(j)?)));
-        let Some((far, _)) = others.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(far, _)| self.is_body(*far)) else { return };
+        let Some((far, _)) = others.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(far, _)| self.is_body(*far)) else { return false };
         self.locate(scene, far as usize);
         let of = [far as usize, middle as usize];
         let (lo, hi) = if side > 0.0 { (middle, far) } else { (far, middle) };
         let next = self.contact_along(lo, hi, axis);
         let slides = [contact, &next].iter().any(|contact| contact.kinetic_friction > 0.0 && self.sliding(contact) != 0.0);
         let law = &self.items[of[0]].law;
-        let free = law.is_constant() && law.constant == DVec2::ZERO && self.may_bounce(far) && self.items[of[0]].train.is_none();
+        let falls = self.pull(scene, far) == pull && !self.contacts.iter().any(|contact| contact.has(far));
+        let free = law.is_constant() && falls && self.may_bounce(far) && self.items[of[0]].train.is_none();
         let [masses, speeds] = [of.map(|i| self.items[i].body.mass), of.map(|i| side * self.speeds[i][axis])];
-        let wedge = Wedge::new(side * self.speed(wall)[axis], masses, [-self.depth_of(&next).min(0.0), 0.0], speeds);
-        if slides || !free || self.restitution(scene, &next, 1.0) < 1.0 || wedge.hits() < MANY_HITS {
-            return;
-        }
+        let gap = -self.depth_of(&next).min(0.0);
+        let wedge = Wedge { wall: side * self.speed(wall)[axis], masses, gap, speeds, pull: side * pull[axis] };
         let until = scene.tick.min(self.items[wall as usize].until);
+        if slides || !free || self.restitution(scene, &next, 1.0) < 1.0 || wedge.hits(until - self.now) < MANY_HITS {
+            return false;
+        }
         let train = |k: usize, way: Aabb| {
             let kind = TrainKind::Wedge(wedge, k);
-            Train { members: [far, middle, wall], axis, side, until, over: false, way, pull: DVec2::ZERO, kind }
+            Train { members: [far, middle, wall], axis, side, until, over: false, way, pull, kind }
         };
-        // The other one is driven away alone; the one in between stays on this side of it.
+        // The other one stays between the wall and its highest place, the one in between on this side of it.
         let (start, half, t) = ((self.places[of[0]], self.speeds[of[0]]), self.items[of[0]].body.half, until - self.now);
-        let ends = [start.0, start.0 + start.1 * t, train(0, Aabb::NOWHERE).pose(start, t, until).0];
+        let end = |(way, t): (f64, f64)| start.0 + on_axis(axis, side * (way - gap), start.1[1 - axis] * t);
+        let ends = [(wedge.wall.min(0.0) * t, 0.0), (wedge.highest(t), t)].map(end);
         let way = ends.into_iter().fold(Aabb::NOWHERE, |way, end| way.union(&Aabb::around(end, half)));
         let from = |t: f64| Aabb::around(self.places[of[1]] + self.speed(wall) * t, self.items[of[1]].body.half);
         let mut between = way.union(&from(0.0)).union(&from(t));
@@ -162,7 +167,9 @@ impl Events {
         if (0..2).all(|k| self.is_clear(scene, of[k], &trains[k])) {
             self.concern(far);
             (0..2).for_each(|k| self.set_train(of[k], trains[k]));
+            return true;
         }
+        false
     }
 
     /// Ends the train of a body and of all that are in it, and lists what its bounces have passed on.
@@ -188,7 +195,7 @@ impl Events {
             // Less is the rounding of a flight without a bounce.
             if side * given[axis] > 1e-12 * body.mass * (1.0 + body.velocity.length()) {
                 let contact = self.contact_along(lo, hi, axis);
-                self.note(&contact, given * side, 0.0);
+                self.note(&contact, given * side, Some(0.0));
             }
         }
     }

@@ -6,14 +6,14 @@
 
 use crate::physics::data::{BOBBING_REACH, Body, Cubic, HEAVY_REACH, Pose, TERMINAL_TOLERANCE};
 use crate::physics::flight::air::fly_through;
-use crate::physics::flight::steps::{Course, Steps};
+use crate::physics::flight::steps::{Bob, Course, Step, Steps, bob_side_by_side};
 use crate::physics::forces::{Bath, Law, Media, Regime};
 use glam::DVec2;
 
 #[derive(Clone)]
 struct Swimmer<'a> {
     regime: Regime<'a>,
-    rough: bool,
+    law: &'a Law,
 }
 
 /// The media at a place, and the constant acceleration there, m/s².
@@ -35,8 +35,8 @@ enum FlightKind {
     Settled(DVec2),
     /// By flight through one medium all around, for this many seconds at once.
     Air(f64),
-    /// By steps: the sum of its rates, the rate of drag beyond that of bobbing, 1/s, and the longest explicit step, s.
-    Neither { rate: f64, most: f64, heavy: f64 },
+    /// By steps: the rates of drag and of bobbing, 1/s.
+    Neither { drag: f64, bobs: f64 },
 }
 
 pub(crate) fn flow(media: &Media, body: &Body, law: &Law, t: f64) -> Pose {
@@ -50,63 +50,113 @@ pub(crate) fn flow_through(media: &Media, body: &Body, law: &Law, t: f64) -> Cou
 /// The same up to the last step through a liquid for which `goes_on` holds at its time and end, or to the end of the first step.
 pub(crate) fn flow_while(media: &Media, body: &Body, law: &Law, t: f64, goes_on: impl FnMut(f64, Pose) -> bool) -> Course {
     if law.is_near_liquid() {
-        return swim(media, body, law, t, goes_on);
+        return Swimmer::begin(media, body, law).swim(t, goes_on);
     }
     let end = fly_through((body.position, body.velocity), law.constant, &law.air, t);
     Course { end, time: t, next: f64::INFINITY, pull: None }
 }
 
-/// The course of `body` under `law` for `t` seconds, or to the end of the last step (at least one) at which `goes_on` holds.
-fn swim(media: &Media, body: &Body, law: &Law, t: f64, mut goes_on: impl FnMut(f64, Pose) -> bool) -> Course {
-    let mut pose = (body.position, body.velocity);
-    let mut swimmer = Swimmer { regime: law.regime(media, body, pose.0), rough: law.rough };
-    let (mut left, mut h) = (t, if law.first > 0.0 { law.first } else { f64::INFINITY });
-    let (mut pull, mut bobs) = (None, true);
-    for _ in 0..swimmer.most_steps(pose, t) {
-        if left <= 0.0 {
-            break;
+/// The same of bodies near liquids. Those that bob straight up and down take their steps side by side, to the same bits.
+pub(crate) fn flow_side_by_side(
+    media: &Media,
+    of: &[u32],
+    (bodies, laws): (&[Body], &[Law]),
+    t: f64,
+    mut out: impl FnMut(u32, Course),
+) {
+    for of in of.chunks(4) {
+        let of = of.iter().map(|i| (*i, &bodies[*i as usize], &laws[*i as usize]));
+        let (mut bobs, mut any) = ([Bob::default(); 4], false);
+        for (bob, (_, body, law)) in bobs.iter_mut().zip(of.clone()) {
+            any |= Swimmer::begin(media, body, law).bobs(t, bob);
         }
-        swimmer.regime.follow(pose.0);
-        let place = swimmer.look(pose);
-        if place.floats && pose.1.x == 0.0 && place.constant.x == 0.0 {
-            return Course { end: pose, time: t, next: h, pull: None };
-        }
-        let taken = swimmer.take(&place, pose, h, left);
-        let (before, begun, last) = (pose, left, pull);
-        (pose, pull) = (taken.end, taken.pull);
-        bobs = true;
-        if place.floats {
-            (pose.0.y, pose.1.y) = (before.0.y, 0.0);
-        } else if swimmer.regime.displaced.holds(pose.0) {
-            // A body that moves faster than by 16 roundings is not at rest.
-            let rounding = place.bath.rounding(law.constant, body, before.0.y);
-            bobs = pose.1.y.abs() * place.bath.stiffness.sqrt() <= 16.0 * rounding;
-        } else {
-            pull = None;
-        }
-        left -= taken.time;
-        if !goes_on(t - left, pose) {
-            if begun < t {
-                (pose, left, pull) = (before, begun, last);
+        let steps = if any { bob_side_by_side(&bobs, t) } else { [Step::default(); 4] };
+        for ((bob, step), (i, body, law)) in bobs.iter().zip(steps).zip(of) {
+            if bob.is_done_by(&step, &law.displaced, t) {
+                out(i, Course { end: step.end, time: t, next: t, pull: Some(step.pull) });
+            } else {
+                out(i, Swimmer::begin(media, body, law).swim(t, |_, _| true));
             }
-            return Course { end: pose, time: t - left, next: h, pull };
         }
-        h = if left <= 0.0 && h.is_finite() { taken.next.max(h) } else { taken.next };
     }
-    if left > 0.0 {
-        if !law.rough {
-            media.end_early();
-        }
-        (pose, pull, bobs) = (swimmer.leap(pose, left), None, true);
-    }
-    if bobs {
-        swimmer.come_to_rest(&mut pose);
-    }
-    let pull = pull.filter(|_| pose.1.y != 0.0);
-    Course { end: pose, time: t, next: h, pull }
 }
 
-impl Swimmer<'_> {
+impl<'a> Swimmer<'a> {
+    #[inline(always)]
+    fn begin(media: &'a Media, body: &'a Body, law: &'a Law) -> Self {
+        Self { regime: law.regime(media, body, body.position), law }
+    }
+
+    fn pose(&self) -> Pose {
+        (self.regime.body.position, self.regime.body.velocity)
+    }
+
+    /// Sets its vertical motion in one surface, if it has one that one step of `t` seconds may resolve.
+    fn bobs(&self, t: f64, bob: &mut Bob) -> bool {
+        let (x, v) = self.pose();
+        let (constant, body) = (self.regime.constant, self.regime.body);
+        let Some(law) = self.regime.vertical(constant, x, v).filter(|_| v.y != 0.0 && !self.law.rough) else { return false };
+        let bath = self.regime.bath(x);
+        let drag = rate_of_drag(&bath, DVec2::new(constant.x, constant.y - bath.lift), v);
+        let bobs = bath.stiffness.sqrt();
+        if !is_slow(drag + bobs, t) {
+            return false;
+        }
+        let slow = 16.0 * bath.rounding(constant, body, x.y) / bobs;
+        *bob = Bob { x, v: v.y, pull: bath.acceleration(constant, v).y, slow, law };
+        true
+    }
+
+    /// Its course for `t` seconds, or to the end of the last step (at least one) at which `goes_on` holds.
+    fn swim(&mut self, t: f64, mut goes_on: impl FnMut(f64, Pose) -> bool) -> Course {
+        let (media, body, law) = (self.regime.media, self.regime.body, self.law);
+        let mut pose = self.pose();
+        let (mut left, mut h) = (t, if law.first > 0.0 { law.first } else { f64::INFINITY });
+        let (mut pull, mut bobs) = (None, true);
+        for _ in 0..self.most_steps(pose, t) {
+            if left <= 0.0 {
+                break;
+            }
+            self.regime.follow(pose.0);
+            let place = self.look(pose);
+            if place.floats && pose.1.x == 0.0 && place.constant.x == 0.0 {
+                return Course { end: pose, time: t, next: h, pull: None };
+            }
+            let taken = self.take(&place, pose, h, left);
+            let (before, begun, last) = (pose, left, pull);
+            (pose, pull) = (taken.end, taken.pull);
+            bobs = true;
+            if place.floats {
+                (pose.0.y, pose.1.y) = (before.0.y, 0.0);
+            } else if self.regime.displaced.holds(pose.0) {
+                // A body that moves faster than by 16 roundings is not at rest.
+                let rounding = place.bath.rounding(law.constant, body, before.0.y);
+                bobs = pose.1.y.abs() * place.bath.stiffness.sqrt() <= 16.0 * rounding;
+            } else {
+                pull = None;
+            }
+            left -= taken.time;
+            if !goes_on(t - left, pose) {
+                if begun < t {
+                    (pose, left, pull) = (before, begun, last);
+                }
+                return Course { end: pose, time: t - left, next: h, pull };
+            }
+            h = if left <= 0.0 && h.is_finite() { taken.next.max(h) } else { taken.next };
+        }
+        if left > 0.0 {
+            if !law.rough {
+                media.end_early();
+            }
+            (pose, pull, bobs) = (self.leap(pose, left), None, true);
+        }
+        if bobs {
+            self.come_to_rest(&mut pose);
+        }
+        let pull = pull.filter(|_| pose.1.y != 0.0);
+        Course { end: pose, time: t, next: h, pull }
+    }
+
     fn look(&self, (x, v): Pose) -> Surroundings {
         let (mut bath, mut constant) = (self.regime.bath(x), self.regime.constant);
         let floats = v.y == 0.0 && self.regime.balances(&bath, x, constant.y - bath.lift);
@@ -120,13 +170,13 @@ impl Swimmer<'_> {
     /// The most steps of `t` seconds; one implicit step ([`Swimmer::leap`]) leads through the rest. A rough course of a body that a liquid brings
     /// to the speed of its place long before the end is that one step.
     fn most_steps(&self, pose: Pose, t: f64) -> u32 {
-        if !self.rough {
+        if !self.law.rough {
             return 128;
         }
         let reach = match self.kind(&self.look(pose), pose.1) {
             FlightKind::Settled(_) => 0.0,
             FlightKind::Air(longest) => t / longest,
-            FlightKind::Neither { heavy, .. } => heavy * t,
+            FlightKind::Neither { drag, bobs } => (drag - bobs) * t,
         };
         if reach > 20.0 { 0 } else { 8 }
     }
@@ -148,7 +198,7 @@ impl Swimmer<'_> {
         let bath = self.regime.follow(x).bath(x);
         let across = (v.x + h * constant.x) / (1.0 + h * (bath.drag.rate(v) + bath.linear));
         let beside = x.x + h * across;
-        let tolerance = if self.rough { 1e-4 } else { 1e-13 };
+        let tolerance = if self.law.rough { 1e-4 } else { 1e-13 };
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         let (mut down, mut found) = (v.y, false);
         for trial in 0..100 {
@@ -185,16 +235,11 @@ impl Swimmer<'_> {
         if same_around && let Some(velocity) = settled(bath, free, v) {
             return FlightKind::Settled(velocity);
         }
-        let fastest = bath.drag.rate(v).max(bath.drag.rate(free).sqrt());
         if same_around && bath.linear == 0.0 {
-            return FlightKind::Air(BOBBING_REACH / fastest);
+            return FlightKind::Air(BOBBING_REACH / fastest(bath, free, v));
         }
-        // The greater eigenvalue of drag's linearisation is 2·s(v); at once it may be as fast as at its terminal velocity.
-        let drag = 2.0 * fastest + bath.linear + bath.waves;
-        let bobs = bath.stiffness.sqrt();
-        let heavy = drag - bobs;
-        // The stability of an explicit step ends at a rate × time of 3.3 where it is damped.
-        FlightKind::Neither { heavy, rate: drag + bobs, most: (BOBBING_REACH / bobs).min(2.5 / drag) }
+        let drag = rate_of_drag(bath, free, v);
+        FlightKind::Neither { drag, bobs: bath.stiffness.sqrt() }
     }
 
     /// One step of at most `h` of the `left` seconds.
@@ -203,13 +248,21 @@ impl Swimmer<'_> {
         match self.kind(place, pose.1) {
             FlightKind::Settled(velocity) => take_exact(regime, pose, left, |t| (pose.0 + velocity * t, velocity)),
             FlightKind::Air(longest) => take_exact(regime, pose, left.min(longest), |t| fly_through(pose, free, &bath.drag, t)),
-            FlightKind::Neither { rate, most, heavy } => {
+            FlightKind::Neither { drag, bobs } => {
+                let (rate, heavy) = (drag + bobs, drag - bobs);
                 let implicit = heavy * h.min(left) > HEAVY_REACH && is_even(bath.acceleration(constant, pose.1), pose.1, heavy);
                 let slopes = implicit.then(|| regime.slopes(pose.0, pose.1));
-                let steps = Steps { regime, bath, constant, slopes, rough: if self.rough { 1e-3 } else { 0.0 } };
-                let first = if implicit || h.is_finite() { h } else { steps.first(pose.1, rate, left) };
-                let most = if implicit { left } else { most.min(left) };
-                steps.take(pose, first.min(most), left).unwrap_or_else(|shortest| {
+                let steps = Steps { regime, bath, constant, slopes, rough: if self.law.rough { 1e-3 } else { 0.0 } };
+                let longest = match h.is_finite() {
+                    _ if implicit => h.min(left),
+                    false if is_slow(rate, left) => left,
+                    // The stability of an explicit step ends at a rate × time of 3.3 where it is damped.
+                    known => {
+                        let first = if known { h } else { steps.first(pose.1, rate) };
+                        first.min((BOBBING_REACH / bobs).min(2.5 / drag)).min(left)
+                    }
+                };
+                steps.take(pose, longest, left).unwrap_or_else(|shortest| {
                     let end = self.clone().leap(pose, shortest);
                     Course { time: shortest, end, next: shortest, pull: None }
                 })
@@ -230,6 +283,21 @@ fn take_exact(regime: &Regime, pose: Pose, mut h: f64, flow: impl Fn(f64) -> Pos
         }
     }
     Course { time: h, end, next: f64::INFINITY, pull: None }
+}
+
+/// Whether one step may resolve a law of that rate, 1/s, for `t` seconds.
+fn is_slow(rate: f64, t: f64) -> bool {
+    rate * t < 0.25
+}
+
+/// The rate of quadratic drag, 1/s: at once it may be as fast as at its terminal velocity.
+fn fastest(bath: &Bath, free: DVec2, v: DVec2) -> f64 {
+    bath.drag.rate(v).max(bath.drag.rate(free).sqrt())
+}
+
+/// The greater eigenvalue of drag's linearisation, 1/s: of the quadratic one 2·s(v).
+fn rate_of_drag(bath: &Bath, free: DVec2, v: DVec2) -> f64 {
+    2.0 * fastest(bath, free, v) + bath.linear + bath.waves
 }
 
 /// Whether a body accelerated by `pull` has come to the speed of its place but for a tenth, in a law of that rate, 1/s.
@@ -254,7 +322,6 @@ mod tests {
     use crate::physics::data::aabb::Aabb;
     use crate::physics::data::body::BodyDef;
     use crate::physics::data::def::{FluidDef, WorldDef};
-    use crate::physics::forces::displaced::Displaced;
     use glam::DVec2;
     use proptest::prelude::*;
     use proptest::test_runner::FileFailurePersistence;
@@ -274,9 +341,7 @@ mod tests {
         };
         world.check().ok()?;
         let body = Body::new(def);
-        let constant = DVec2::new(0.0, media.gravity) + drive / body.mass;
-        let displaced = Displaced::within(media, Aabb::around(DVec2::ZERO, DVec2::splat(1e30)));
-        let law = Law { constant, air: media.air(&body), displaced, ..Law::default() };
+        let law = media.law(&body, drive, 1e10);
         Some((body, law))
     }
 

@@ -7,8 +7,11 @@
 
 use crate::physics::data::{Cubic, FLIGHT_TOLERANCE, Pose, Quintic, earliest};
 use crate::physics::flight::implicit;
-use crate::physics::forces::liquid::{Bath, Regime, Slopes};
+use crate::physics::forces::displaced::Displaced;
+use crate::physics::forces::liquid::{Bath, Regime, Slopes, Vertical};
 use glam::DVec2;
+use std::array::from_fn;
+use std::ops::{Add, AddAssign, Mul};
 
 pub(crate) struct Course {
     pub end: Pose,
@@ -33,10 +36,7 @@ pub(crate) struct Steps<'a> {
 
 impl Steps<'_> {
     /// The length of the first step in a law of that `rate`, 1/s: the error is about 1e-4·a·ω³·h⁵; a fourth root errs on the side of caution.
-    pub fn first(&self, v: DVec2, rate: f64, left: f64) -> f64 {
-        if rate * left < 0.25 {
-            return left;
-        }
+    pub fn first(&self, v: DVec2, rate: f64) -> f64 {
         let pull = self.bath.acceleration(self.constant, v).length();
         (FLIGHT_TOLERANCE * (rate * rate) / (1e-4 * pull)).sqrt().sqrt() / rate
     }
@@ -132,21 +132,33 @@ impl Steps<'_> {
             let (end, error) = implicit::step(self.regime, self.constant, slopes, (x, v), h);
             return Step { end, pull: self.regime.pull(self.constant, end.0, end.1), error };
         }
-        let mut stages = Stages::new(v, pull);
-        self.stage::<1>(&mut stages, x, h);
-        self.stage::<2>(&mut stages, x, h);
-        self.stage::<3>(&mut stages, x, h);
-        self.stage::<4>(&mut stages, x, h);
-        self.stage::<5>(&mut stages, x, h);
-        let end = self.stage::<6>(&mut stages, x, h);
-        Step { end, pull: stages.last_pull(), error: stages.error(h) }
+        if let Some(law) = self.regime.vertical(self.constant, x, v) {
+            let ((y, v), last, [way, speed]) = pair((x.y, v.y), pull.y, h, |y, v| law.pull(y, v));
+            return Step::along(x.x, (y, v), last, way.abs().max(speed.abs()));
+        }
+        let (end, pull, [way, speed]) = pair((x, v), pull, h, |x, v| self.regime.pull(self.constant, x, v));
+        Step { end, pull, error: way.abs().max(speed.abs()).max_element() }
     }
+}
 
-    fn stage<const N: usize>(&self, stages: &mut Stages, x: DVec2, h: f64) -> Pose {
-        let (way, speed) = stages.at(N, h);
-        stages.take(N, speed, self.regime.pull(self.constant, x + way, speed));
-        (x + way, speed)
+/// One step of the pair from place and speed with the acceleration there: its end, the acceleration there, and the error of both, m.
+#[inline(always)]
+fn pair<T>((x, v): (T, T), pull: T, h: f64, law: impl Fn(T, T) -> T) -> ((T, T), T, [T; 2])
+where
+    T: Copy + Add<Output = T> + AddAssign + Mul<f64, Output = T>,
+{
+    let (mut speeds, mut pulls) = ([v; 7], [pull; 7]);
+    let mut at;
+    // Written out, so that the weights are known where they multiply.
+    macro_rules! stages {
+        ($($stage:literal)*) => {$({
+            at = x + sum(&speeds, STAGES[$stage]) * h;
+            let speed = v + sum(&pulls, STAGES[$stage]) * h;
+            (speeds[$stage + 1], pulls[$stage + 1]) = (speed, law(at, speed));
+        })*};
     }
+    stages!(0 1 2 3 4 5);
+    ((at, speeds[6]), pulls[6], [sum(&speeds, &ERROR) * h, sum(&pulls, &ERROR) * (h * h)])
 }
 
 /// Where a component of the velocity changes its sign: drag there per m, acceleration along it, and the speed along the other axis.
@@ -166,10 +178,79 @@ impl Turn {
     }
 }
 
-struct Step {
-    end: Pose,
-    pull: DVec2,
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Step {
+    pub end: Pose,
+    pub pull: DVec2,
     error: f64,
+}
+
+impl Step {
+    /// Of a body that keeps to the vertical at `x`.
+    fn along(x: f64, (y, v): (f64, f64), pull: f64, error: f64) -> Self {
+        Self { end: (DVec2::new(x, y), DVec2::new(0.0, v)), pull: DVec2::new(0.0, pull), error }
+    }
+}
+
+/// A body that bobs straight up and down, by its law, and the speed (m/s) below which it may be at rest.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Bob {
+    pub x: DVec2,
+    pub v: f64,
+    pub pull: f64,
+    pub slow: f64,
+    pub law: Vertical,
+}
+
+impl Bob {
+    /// Whether [`Steps::take`] would leave a step of `h` seconds as it is: no turn, no kink, a small error.
+    pub fn is_done_by(&self, &Step { end: (end, w), error, .. }: &Step, displaced: &Displaced, h: f64) -> bool {
+        let Self { x, v, pull, slow, .. } = *self;
+        let (third, at) = (h / 3.0, |way: f64| DVec2::new(x.x, x.y + way));
+        v * (v + pull * h) > 0.0
+            && v * w.y > 0.0
+            && w.y.abs() > slow
+            && error <= FLIGHT_TOLERANCE
+            && displaced.holds_along([at(v * (0.5 * h)), at((v + pull * (0.5 * h)) * h), at(v * third), end - w * third, end])
+    }
+}
+
+/// Numbers of bodies that bob side by side.
+#[derive(Clone, Copy)]
+struct Lanes([f64; 4]);
+
+impl Add for Lanes {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self(from_fn(|k| self.0[k] + other.0[k]))
+    }
+}
+
+impl AddAssign for Lanes {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl Mul<f64> for Lanes {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, factor: f64) -> Self {
+        Self(self.0.map(|part| part * factor))
+    }
+}
+
+/// A step of `h` seconds of each of them: while one waits for a result, the others go on.
+#[inline(always)]
+pub(crate) fn bob_side_by_side(of: &[Bob; 4], h: f64) -> [Step; 4] {
+    let law = |y: Lanes, v: Lanes| Lanes(from_fn(|k| of[k].law.pull(y.0[k], v.0[k])));
+    let lanes = |part: fn(&Bob) -> f64| Lanes(from_fn(|k| part(&of[k])));
+    let ((y, v), last, [way, speed]) = pair((lanes(|bob| bob.x.y), lanes(|bob| bob.v)), lanes(|bob| bob.pull), h, law);
+    from_fn(|k| Step::along(of[k].x.x, (y.0[k], v.0[k]), last.0[k], way.0[k].abs().max(speed.0[k].abs())))
 }
 
 /// Velocities and accelerations at the stages of a step.
@@ -245,11 +326,12 @@ impl CoupledStep {
 }
 
 #[inline(always)]
-fn sum(of: &[DVec2; 7], weights: &[f64]) -> DVec2 {
+fn sum<T: Copy + AddAssign + Mul<f64, Output = T>>(of: &[T; 7], weights: &[f64]) -> T {
     let mut sum = of[0] * weights[0];
-    for (of, weight) in of.iter().zip(weights).skip(1) {
-        if *weight != 0.0 {
-            sum += *of * *weight;
+    // By number: the compiler writes it out.
+    for k in 1..weights.len() {
+        if weights[k] != 0.0 {
+            sum += of[k] * weights[k];
         }
     }
     sum

@@ -68,12 +68,51 @@ impl Bilinear {
         Self(self.0.map(|part| factor * part))
     }
     pub fn at(&self, apart: DVec2) -> f64 {
+        self.along(apart.x).at(apart.y)
+    }
+    pub fn along(&self, x: f64) -> Linear {
         let [a, b, c, d] = self.0;
-        ((a + b * apart.x) + (c + d * apart.x) * apart.y).max(0.0)
+        Linear(a + b * x, c + d * x)
     }
     pub fn slope(&self, apart: DVec2) -> DVec2 {
         let [_, b, c, d] = self.0;
         if self.at(apart) > 0.0 { DVec2::new(b + d * apart.y, c + d * apart.x) } else { DVec2::ZERO }
+    }
+}
+
+/// One instruction, as `max` is not: that minds what is no number.
+fn positive(x: f64) -> f64 {
+    if x > 0.0 { x } else { 0.0 }
+}
+
+/// A [`Bilinear`] along a vertical.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Linear(f64, f64);
+
+impl Linear {
+    #[inline(always)]
+    pub fn at(&self, y: f64) -> f64 {
+        positive(self.0 + self.1 * y)
+    }
+}
+
+/// The waves of a surface along a vertical.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Waves {
+    mass: f64,
+    swing: f64,
+    depth: Linear,
+    under: Linear,
+}
+
+impl Waves {
+    /// Their damping per C_d, 1/s.
+    #[inline(always)]
+    pub fn at(&self, y: f64) -> f64 {
+        let under = self.under.at(y).min(1.0);
+        let ratio = self.mass * self.depth.at(y);
+        let fourth = (under * under) * (under * under);
+        self.swing * (ratio / (1.0 + ratio)) * (1.0 - fourth * fourth)
     }
 }
 
@@ -92,27 +131,24 @@ pub(crate) struct Cut {
 
 impl Cut {
     fn width(&self, apart: DVec2) -> f64 {
-        (self.extent.length.x + self.extent.slope.x * apart.x).max(0.0)
+        positive(self.extent.length.x + self.extent.slope.x * apart.x)
     }
     fn depth(&self, apart: DVec2) -> f64 {
-        (self.extent.length.y + self.extent.slope.y * apart.y).max(0.0)
-    }
-    fn under(&self, apart: DVec2) -> f64 {
-        (self.under + self.sinks * apart.y).clamp(0.0, 1.0)
+        positive(self.extent.length.y + self.extent.slope.y * apart.y)
     }
 
-    /// The damping of its waves per C_d, 1/s.
+    pub fn waves_along(&self, x: f64) -> Waves {
+        let width = self.width(DVec2::new(x, 0.0));
+        let (mass, swing) = (self.density * width, 4.0 * WAVES * (self.pull * width).sqrt());
+        Waves { mass, swing, depth: Linear(self.extent.length.y, self.extent.slope.y), under: Linear(self.under, self.sinks) }
+    }
     pub fn waves(&self, apart: DVec2) -> f64 {
-        let (width, under) = (self.width(apart), self.under(apart));
-        let ratio = self.density * width * self.depth(apart);
-        let fourth = (under * under) * (under * under);
-        let swing = (self.pull * width).sqrt();
-        (4.0 * WAVES * swing) * (ratio / (1.0 + ratio)) * (1.0 - fourth * fourth)
+        self.waves_along(apart.x).at(apart.y)
     }
 
     /// How the damping of its waves per C_d changes with the place, 1/(m·s).
     pub fn slope_of_waves(&self, apart: DVec2) -> DVec2 {
-        let (width, deep, under) = (self.width(apart), self.depth(apart), self.under(apart));
+        let (width, deep, under) = (self.width(apart), self.depth(apart), Linear(self.under, self.sinks).at(apart.y).min(1.0));
         if width == 0.0 || deep == 0.0 || under == 0.0 || under == 1.0 {
             return DVec2::ZERO;
         }
@@ -141,6 +177,8 @@ pub(crate) struct Displaced {
     within: DVec2,
     /// The centres of the body between kinks, where the forms hold, if they hold anywhere.
     places: Option<Aabb>,
+    /// The same without the bounds of `near`.
+    kinks: Aabb,
     sliver: DVec2,
     /// The fraction inside, the density of liquids around the whole, kg/m³, and Stokes' drag, 1/s.
     pub fraction: Bilinear,
@@ -152,9 +190,17 @@ pub(crate) struct Displaced {
 }
 
 impl Displaced {
-    /// Of the liquids that touch a box, not asked for anywhere yet.
-    pub fn within(media: &Media, near: Aabb) -> Self {
-        Self { near, liquids: media.liquids_at(&near), ..Self::default() }
+    /// Looks for liquids in a box around a body at `x`. Forms that hold there stay: they are the same to the bit.
+    pub fn look(&mut self, media: &Media, body: &Body, near: Aabb, x: DVec2) {
+        let (liquids, known) = (media.liquids_at(&near), self.places.is_some());
+        self.near = near;
+        if known && self.liquids == liquids && self.kinks.contains(&Aabb::around(x, sliver(body, x)), 0.0) {
+            return self.bound(body, x);
+        }
+        (self.liquids, self.places) = (liquids, None);
+        if !liquids.is_empty() {
+            self.renew(media, body, x);
+        }
     }
 
     pub fn follow(&mut self, media: &Media, body: &Body, x: DVec2) {
@@ -165,6 +211,13 @@ impl Displaced {
         self.renew(media, body, x);
     }
 
+    /// Bounds the places at which the forms hold by the box in which the liquids are known.
+    fn bound(&mut self, body: &Body, x: DVec2) {
+        let (Aabb { min, max }, kinks) = (self.near, self.kinks);
+        self.sliver = sliver(body, x);
+        self.places = Some(Aabb::new((min + body.half).max(kinks.min), (max - body.half).min(kinks.max)));
+    }
+
     pub fn alone(&self, liquid: u32) -> Self {
         Self { near: self.near, liquids: ZoneList::of(std::iter::once(liquid)), ..Self::default() }
     }
@@ -172,9 +225,7 @@ impl Displaced {
     fn renew(&mut self, media: &Media, body: &Body, x: DVec2) {
         let (near, liquids) = (self.near, self.liquids);
         let half = body.half;
-        // Beyond a kink by the rounding of a place: smaller, it would lie before the kink.
-        let sliver = 1e-12 + 16.0 * f64::EPSILON * (x.abs() + half);
-        let mut places = Aabb::new(near.min + half, near.max - half);
+        let mut kinks = Aabb::new(DVec2::NEG_INFINITY, DVec2::INFINITY);
         // Origin a corner of the box of places, so that the forms are the same to the bit from anywhere in it.
         let mut corner = DVec2::NEG_INFINITY;
         for index in liquids.iter() {
@@ -182,13 +233,14 @@ impl Displaced {
             if let Some(sides) = Outer::of(body, fluid, x) {
                 let (low, high) = sides.places(body, fluid);
                 corner = corner.max(low);
-                places = Aabb::new(places.min.max(low), places.max.min(high));
+                kinks = Aabb::new(kinks.min.max(low), kinks.max.min(high));
             } else {
-                keep_from(&mut places, body, fluid, x);
+                keep_from(&mut kinks, body, fluid, x);
             }
         }
         let centre = if corner.is_finite() { corner } else { x };
-        *self = Self { liquids, near, centre, within: x, places: Some(places), sliver, ..Self::default() };
+        *self = Self { liquids, near, centre, within: x, kinks, ..Self::default() };
+        self.bound(body, x);
         liquids.iter().for_each(|index| self.add(media, body, index));
         let per_area = 1.0 / (4.0 * half.x * half.y);
         let stokes = STOKES * (half.x + half.y) / body.mass * per_area;
@@ -240,6 +292,11 @@ impl Displaced {
         })
     }
 
+    /// The surface that cuts the body, if it is the only one.
+    pub fn only_cut(&self) -> Option<&Cut> {
+        self.cut.as_ref().filter(|_| self.more.is_empty())
+    }
+
     pub fn is_same_around(&self) -> bool {
         self.cut.is_none() && [self.fraction, self.density, self.linear].iter().all(|form| form.0[1..] == [0.0; 3])
     }
@@ -276,6 +333,11 @@ impl Displaced {
         };
         earliest(end(0), end(1))
     }
+}
+
+/// How far beyond a kink a place is by its rounding, m: less far, it would lie before the kink.
+fn sliver(body: &Body, x: DVec2) -> DVec2 {
+    1e-12 + 16.0 * f64::EPSILON * (x.abs() + body.half)
 }
 
 fn keep_from(places: &mut Aabb, body: &Body, fluid: &FluidDef, x: DVec2) {

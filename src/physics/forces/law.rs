@@ -30,6 +30,7 @@ impl Law {
         self.air.is_none() && !self.is_near_liquid()
     }
 
+    #[inline(always)]
     pub fn regime<'a>(&'a self, media: &'a Media, body: &'a Body, x: DVec2) -> Regime<'a> {
         let air = if self.air.is_none() { 0.0 } else { media.air_density };
         let mut regime = Regime::new(media, body, self.constant, air, &self.displaced);
@@ -60,10 +61,7 @@ impl Media {
         called(Part::Liquids);
         // Half its size besides: a body that others push may meet a liquid earlier.
         let (around, way) = (body.half * 1.5, (body.velocity.abs() + law.constant.abs() * t) * t);
-        law.displaced = Displaced::within(self, Aabb::around(body.position, around + way));
-        if law.is_near_liquid() {
-            law.displaced.follow(self, body, body.position);
-        }
+        law.displaced.look(self, body, Aabb::around(body.position, around + way), body.position);
     }
 
     /// Acceleration of a body at `x` with velocity `v` under `law`, m/s².
@@ -161,12 +159,7 @@ mod tests {
     }
 
     fn law(media: &Media, body: &Body) -> Law {
-        Law {
-            constant: DVec2::new(0.0, media.gravity),
-            air: media.air(body),
-            displaced: Displaced::within(media, Aabb::around(DVec2::ZERO, DVec2::splat(1e30))),
-            ..Law::default()
-        }
+        media.law(body, DVec2::ZERO, 1e10)
     }
 
     #[test]

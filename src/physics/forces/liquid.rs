@@ -9,7 +9,7 @@
 
 use crate::physics::data::body::Body;
 use crate::physics::forces::air::Drag;
-use crate::physics::forces::displaced::Displaced;
+use crate::physics::forces::displaced::{Displaced, Linear, Waves};
 use crate::physics::forces::media::Media;
 use glam::{DMat2, DVec2};
 use std::borrow::Cow;
@@ -86,6 +86,33 @@ pub(crate) struct Regime<'a> {
     sure: f64,
 }
 
+/// The vertical part of [`Regime::pull`] along a vertical.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Vertical {
+    constant: f64,
+    lift: f64,
+    air: f64,
+    sure: f64,
+    drag: f64,
+    centre: f64,
+    wet: Linear,
+    inside: Linear,
+    linear: Linear,
+    waves: Waves,
+    wavy: f64,
+}
+
+impl Vertical {
+    /// At a height with a velocity.
+    #[inline(always)]
+    pub fn pull(&self, y: f64, v: f64) -> f64 {
+        let y = y - self.centre;
+        let wet = self.wet.at(y);
+        let drag = (wet + self.air * dry(self.inside.at(y), self.sure)) * (self.drag * v.abs()) + self.linear.at(y);
+        (self.constant - self.lift * wet) - v * (drag + self.wavy * self.waves.at(y))
+    }
+}
+
 impl<'a> Regime<'a> {
     pub fn new(media: &'a Media, body: &'a Body, constant: DVec2, air: f64, displaced: &'a Displaced) -> Self {
         let displaced = Cow::Borrowed(displaced);
@@ -126,6 +153,19 @@ impl<'a> Regime<'a> {
         let (wet, dry) = self.densities(apart);
         let drag = (wet + dry) * self.drag.rate(v) + self.displaced.linear.at(apart);
         DVec2::new(constant.x - v.x * drag, (constant.y - self.lift * wet) - v.y * (drag + self.damping(apart)))
+    }
+
+    /// The law of what does not move across at `x`, in the only surface there.
+    pub fn vertical(&self, constant: DVec2, x: DVec2, v: DVec2) -> Option<Vertical> {
+        if v.x != 0.0 || constant.x != 0.0 {
+            return None;
+        }
+        let (displaced, apart) = (&*self.displaced, self.displaced.apart(x));
+        let waves = displaced.only_cut()?.waves_along(apart.x);
+        let [wet, inside, linear] = [displaced.density, displaced.fraction, displaced.linear].map(|form| form.along(apart.x));
+        let (drag, centre) = (self.drag.wide + self.drag.round, -displaced.apart(DVec2::ZERO).y);
+        let (constant, wavy) = (constant.y, self.body.drag);
+        Some(Vertical { constant, lift: self.lift, air: self.air, sure: self.sure, drag, centre, wet, inside, linear, waves, wavy })
     }
 
     /// How [`Regime::pull`] changes around `x` and `v`.

@@ -9,7 +9,7 @@ use crate::game::{Medal, Prize};
 use crate::number::clock;
 use crate::scores::{Board, LoadedBoard, Name, damage_text, subject};
 use crate::screens::classics::jumper;
-use crate::screens::screen::{Classic, Destination, Fresh, Gain, Onward, Purpose, Request, Screen};
+use crate::screens::screen::{Classic, Destination, Onward, Purpose, Request, Screen};
 use crate::session::Session;
 use crate::session::recordings::{self, BoardRival, Visit};
 use crate::settings::Key;
@@ -61,22 +61,19 @@ pub struct Leaderboard {
     shown: Range<usize>,
     /// The level that it is of; `None` for the jumper.
     level: Option<String>,
-    /// The row that was just saved.
-    saved: Option<Name>,
+    /// Whose row is picked out: that of who plays.
+    player: Name,
     /// What is wrong with the scores file.
     damage: Option<String>,
-    /// What became of the score, where it is not plain to see.
-    remark: Option<String>,
     /// Where its buttons lead; the last one is Back.
     onward: Vec<Onward>,
 }
 
 impl Leaderboard {
-    /// A board of that subject; `fresh` is what was just saved, and `onward` are its buttons, of which there is one at least.
-    pub fn new(subject: String, board: Board, fresh: Option<Fresh>, damage: Option<String>, onward: Vec<Onward>) -> Self {
-        let (saved, remark) = fresh.map(|fresh| (fresh.name, fresh.remark)).unzip();
-        let (rivals, lines, shown, remark) = (Vec::new(), Vec::new(), 0..PAGE, remark.flatten());
-        let mut screen = Self { subject, board, rivals, lines, shown, level: None, saved, damage, remark, onward };
+    /// A board of that subject, for who plays; `onward` are its buttons, of which there is one at least.
+    pub fn new(subject: String, board: Board, player: Name, damage: Option<String>, onward: Vec<Onward>) -> Self {
+        let (rivals, lines, shown) = (Vec::new(), Vec::new(), 0..PAGE);
+        let mut screen = Self { subject, board, rivals, lines, shown, level: None, player, damage, onward };
         screen.sort_in();
         screen
     }
@@ -109,15 +106,15 @@ impl Leaderboard {
         self.lines.get(self.shown.clone()).unwrap_or_default()
     }
 
-    /// The index of the row just saved.
-    fn saved(&self) -> Option<usize> {
-        self.board.rank(self.saved.as_ref()?).map(|rank| rank - 1)
+    /// The index of the player's row.
+    fn own(&self) -> Option<usize> {
+        self.board.rank(&self.player).map(|rank| rank - 1)
     }
 
     fn show_lines(&mut self, ui: &mut Ui<'_>, panel: Area) {
         let rows = panel.min.y + HEAD;
-        let saved = self.saved().and_then(|row| self.lines.iter().position(|line| *line == BoardLine::Row(row)));
-        if let (true, Some(line)) = (ui.opens(), saved) {
+        let own = self.own().and_then(|row| self.lines.iter().position(|line| *line == BoardLine::Row(row)));
+        if let (true, Some(line)) = (ui.opens(), own) {
             ui.reveal("board", line);
         }
         // Where Enter and Esc are all that the buttons need, all arrows turn pages.
@@ -163,7 +160,7 @@ impl Leaderboard {
 
     fn show_row(&self, canvas: &Canvas, index: usize, area: Area) {
         let row = &self.board.rows()[index];
-        if self.saved() == Some(index) {
+        if self.own() == Some(index) {
             widgets::picked_row(canvas, Area::new(area.min.x + 24.0, area.min.y + 2.0, area.size.x - 48.0, ROW - 4.0));
         }
         let colour = if index == 0 { theme::player_objective() } else { theme::text() };
@@ -196,53 +193,32 @@ impl Leaderboard {
     }
 }
 
-/// The board of a level, by its name, or of the jumper.
+/// The board of a level, with what was just flown there, or of the jumper.
 ///
 /// # Errors
 /// What it is of, and why it cannot be read.
-pub fn open(name: &str, session: &mut Session) -> Result<Leaderboard, (String, String)> {
-    let back = Onward { label: "Back", to: Request::Pop };
-    if name == LEADERBOARD {
-        return read(name, tr(jumper::SUBJECT).to_owned(), (None, vec![back]), session);
-    }
-    session.last_level = Some(name.to_owned());
-    let level = session.library.load(name).ok();
-    let title = level.as_ref().map_or(name, |level| &level.title);
-    let visit = Visit { level: name.to_owned(), flown: None, chosen: None };
-    let flights = Onward { label: "Flights", to: Request::Push(Destination::Flights(visit)) };
-    let is_empty = session.scores.load(name).is_ok_and(|loaded| loaded.board.rows().is_empty());
-    let play = || Onward { label: "Play", to: Request::Reset(Destination::Play(name.to_owned())) };
-    let play = (is_empty && level.is_some()).then(play);
-    let onward = play.into_iter().chain(level.iter().map(|_| flights.clone())).chain([back]).collect();
-    read(name, subject(name, title), (None, onward), session)
-}
-
-/// The board with a score that was just saved.
-///
-/// # Errors
-/// What it is of, and why it cannot be read.
-pub fn open_saved(gain: Gain, fresh: Fresh, session: &Session) -> Result<Leaderboard, (String, String)> {
-    read(&gain.board, gain.subject, (Some(fresh), gain.onward), session)
-}
-
-fn read(
-    name: &str,
-    subject: String,
-    (fresh, onward): (Option<Fresh>, Vec<Onward>),
-    session: &Session,
-) -> Result<Leaderboard, (String, String)> {
-    let LoadedBoard { board, damage } = match session.scores.load(name) {
+pub fn open(visit: Visit, session: &mut Session) -> Result<Leaderboard, (String, String)> {
+    let name = visit.level.clone();
+    let level = (name != LEADERBOARD).then(|| session.library.load(&name).ok()).flatten();
+    let title = level.as_ref().map_or(&name, |level| &level.title);
+    let of = if name == LEADERBOARD { tr(jumper::SUBJECT).to_owned() } else { subject(&name, title) };
+    let LoadedBoard { board, damage } = match session.scores.load(&name) {
         Ok(loaded) => loaded,
-        Err(error) => return Err((subject, error.to_string())),
+        Err(error) => return Err((of, error.to_string())),
     };
     let damage = (!damage.is_empty()).then(|| damage_text(&damage));
-    let screen = Leaderboard::new(subject, board, fresh, damage, onward);
+    let play = || Onward { label: "Play", to: Request::Reset(Destination::Play(name.clone())) };
+    let play = (board.rows().is_empty() && level.is_some() && visit.flown.is_none()).then(play);
+    let flights = level.iter().map(|_| Onward { label: "Flights", to: Request::Push(Destination::Flights(visit.clone())) });
+    let onward = play.into_iter().chain(flights).chain([Onward { label: "Back", to: Request::Pop }]).collect();
+    let player = session.journal.current().clone();
+    let screen = Leaderboard::new(of, board, player, damage, onward);
     if name == LEADERBOARD {
         return Ok(screen);
     }
-    let level = session.library.load(name).ok();
-    let rivals = level.map(|level| recordings::rivals(&session.library.folder(name), &level)).unwrap_or_default();
-    Ok(screen.of_level(name, rivals))
+    let rivals = level.map(|level| recordings::rivals(&session.library.folder(&name), &level)).unwrap_or_default();
+    session.last_level = Some(name.clone());
+    Ok(screen.of_level(&name, rivals))
 }
 
 /// The sign of a flight that can be played.
@@ -259,11 +235,7 @@ impl Screen for Leaderboard {
         ui.page(&tr!("Leaderboard of {subject}", subject = self.subject), panel.min.y - 64.0);
         ui.panel(panel);
         let message = Vec2::new(size.x / 2.0, panel.min.y - 24.0);
-        match (&self.damage, &self.remark) {
-            (Some(damage), _) => ui.fitted(damage, message, &[TEXT], theme::bad()),
-            (None, Some(remark)) => ui.fitted(remark, message, &[TEXT], theme::quiet()),
-            (None, None) => {}
-        }
+        ui.fitted(self.damage.as_deref().unwrap_or_default(), message, &[TEXT], theme::bad());
         self.show_lines(ui, panel);
         let labels: Vec<&str> = self.onward.iter().map(|next| next.label).collect();
         let pressed = ui.row(panel.max().y + FOOT, &labels);
@@ -274,6 +246,10 @@ impl Screen for Leaderboard {
             return self.onward.last().map(|next| next.to.clone());
         }
         self.onward.iter().find(|next| Some(next.label) == pressed).map(|next| next.to.clone())
+    }
+
+    fn lies_over(&self) -> bool {
+        true
     }
 
     fn parent(&self) -> Destination {

@@ -4,10 +4,9 @@ use crate::classics::jumper::engine::CuboidHit;
 use crate::classics::jumper::{JumpKeys, JumperScene, LEADERBOARD};
 use crate::draw::layout::{Area, BUTTON_TEXT, GAP, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
 use crate::game::{Clock, TICK_RATE};
-use crate::scores::unsaved_points;
-use crate::screens::scoring::save_score;
-use crate::screens::screen::{Classic, Destination, Effect, Gain, Noise, Onward, Request, Screen};
-use crate::session::Session;
+use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
+use crate::session::recordings::Visit;
+use crate::session::{Gain, Session};
 use crate::settings::{Key, Keys};
 use crate::ui::input::{Input, KeyLatch};
 use crate::ui::pace::Motion;
@@ -63,9 +62,14 @@ impl Default for Jumper {
 }
 
 impl Jumper {
-    /// A climb that has ended, and what may be done with it.
-    pub fn ended(scene: JumperScene) -> Self {
-        let save = (scene.score() > 0).then_some(SAVE);
+    /// A climb that has ended, saved for who plays, and what may be done with it.
+    pub fn ended(scene: JumperScene, session: &mut Session) -> Self {
+        let (board, subject, points) = (LEADERBOARD.to_owned(), tr(SUBJECT).to_owned(), scene.score());
+        if points > 0 {
+            // What cannot be saved waits.
+            let _ = session.save(Gain { board, subject, points, flown: None });
+        }
+        let save = session.nameless().any(|(board, _)| board == LEADERBOARD).then_some(SAVE);
         let labels = [AGAIN].into_iter().chain(save).chain([BOARD, BACK]).collect();
         Self::with_panel(scene, tr("The view has left you behind"), labels)
     }
@@ -151,21 +155,11 @@ impl Jumper {
                 self.panel = None;
                 self.latch = KeyLatch::default();
             }
-            SAVE => return Some(Request::Do(Effect::SaveScore(self.gain(), None))),
-            BOARD => return Some(Request::Reset(Destination::Board(LEADERBOARD.to_owned()))),
+            SAVE => return Some(Request::Push(Destination::Players)),
+            BOARD => return Some(Request::Reset(Destination::Board(Visit::of(LEADERBOARD)))),
             _ => return Some(Request::Pop),
         }
         None
-    }
-
-    fn gain(&self) -> Gain {
-        Gain {
-            board: LEADERBOARD.to_owned(),
-            subject: tr(SUBJECT).to_owned(),
-            points: self.scene.score(),
-            flown: None,
-            onward: vec![Onward { label: BACK, to: Request::Pop }],
-        }
     }
 }
 
@@ -195,8 +189,8 @@ impl Screen for Jumper {
         if self.panel.is_some() { self.show_panel(ui) } else { self.go_on(ui) }
     }
 
-    fn carry_out(&mut self, effect: Effect, session: &mut Session, _: &mut dyn Spectator) -> Option<Request> {
-        save_score::save_as_player(effect, session)
+    fn come_back(&mut self, _: &dyn Screen, session: &mut Session, _: &mut dyn Spectator) {
+        *self = Self::ended(self.scene.clone(), session);
     }
 
     fn parent(&self) -> Destination {
@@ -209,11 +203,6 @@ impl Screen for Jumper {
 
     fn tune(&self) -> Option<&str> {
         Some("jumper")
-    }
-
-    fn unsaved(&self) -> Option<String> {
-        let saves = self.panel.as_ref().is_some_and(|panel| panel.labels.contains(&SAVE));
-        saves.then(|| unsaved_points(self.scene.score(), tr(SUBJECT)))
     }
 
     fn noises(&self) -> Vec<Noise> {

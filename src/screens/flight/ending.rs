@@ -4,10 +4,10 @@ use super::Flight;
 use super::pilot::steers;
 use crate::game::{GameEvent, History, Outcome, RunResult};
 use crate::number::clock;
-use crate::scores::{subject, unsaved_points};
+use crate::scores::subject;
 use crate::screens::screen::{Destination, Effect, Finished, Request};
-use crate::session::Session;
 use crate::session::attempt::Flown;
+use crate::session::{Gain, Session};
 use crate::settings::Key;
 use crate::ui::input::Input;
 use crate::words::tr;
@@ -80,21 +80,27 @@ impl Flight {
     }
 
     fn score(&self, result: RunResult, flown: Option<Rc<Flown>>, remark: Option<String>) -> Request {
-        let remark = remark.unwrap_or_default();
-        Request::Replace(Destination::Score(Box::new(Finished { attempt: self.run.attempt.clone(), result, flown, remark })))
+        let (attempt, remark) = (self.run.attempt.clone(), remark.unwrap_or_default());
+        // Another attempt may have begun since.
+        let end = flown.as_ref().map_or_else(|| self.run.game.clone(), |flown| flown.history.at(flown.history.ticks()));
+        Request::Replace(Destination::Score(Box::new(Finished { attempt, result, flown, remark, end: Box::new(end) })))
     }
 
     /// Gives the player what an attempt has brought, once, when it has ended. Who watches a recording has flown nothing.
     pub(super) fn note_end(&mut self, session: &mut Session) {
         let level = self.run.game.level().name.clone();
-        self.open.hints.note_losses(session.losses.get(&level).copied().unwrap_or_default());
+        self.open.hints.losses = session.losses.get(&level).copied().unwrap_or_default();
+        self.open.done = session.journal.medals(&level).medal.is_some();
         if self.open.test || self.is_watched() {
             return;
         }
         if self.run.what_if.is_some() || self.run.game.outcome() == Outcome::Running {
             self.run.remark = None;
         } else if self.run.remark.is_none() {
-            self.run.remark = Some(session.note_end(&self.run.game, self.is_by_hand(), self.run.assisted));
+            let brought = session.note_end(&self.run.game, self.is_by_hand(), self.run.assisted);
+            let saved = self.gain().map_or(Ok(None), |gain| session.save(gain));
+            let both = |best: Option<String>| best.map_or(brought.clone(), |best| format!("{brought} {best}"));
+            self.run.remark = Some(saved.map_or_else(|problem| problem, both));
         }
     }
 
@@ -102,13 +108,13 @@ impl Flight {
         RunResult { assisted: self.run.assisted, ..self.run.game.result() }
     }
 
-    /// The points of a flight that has just been completed and counts, in words.
-    pub(super) fn unsaved_score(&self) -> Option<String> {
-        let (level, result) = (self.run.game.level(), self.result());
-        let counts =
-            self.run.game.outcome() == Outcome::Completed && self.is_by_hand() && !self.open.test && self.run.what_if.is_none();
-        let saves = counts && !result.assisted && result.score.total > 0;
-        saves.then(|| unsaved_points(result.score.total, &subject(&level.name, &level.title)))
+    /// What a flight that has just been completed brings, where it counts.
+    fn gain(&self) -> Option<Gain> {
+        let (level, points) = (self.run.game.level(), self.run.game.result().score.total);
+        let saves = self.run.game.outcome() == Outcome::Completed && points > 0;
+        let flown = if saves { self.flown(self.run.history.clone()) } else { None };
+        let (board, subject) = (level.name.clone(), subject(&level.name, &level.title));
+        flown.map(|flown| Gain { board, subject, points, flown: Some(flown) })
     }
 
     /// Whether a fresh attempt follows by itself: this one was flown by hand, for its own sake, and lost.

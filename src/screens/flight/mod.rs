@@ -3,6 +3,7 @@
 mod ahead;
 mod ending;
 pub mod instruments;
+mod intro;
 mod modifiers;
 pub mod observer;
 mod open;
@@ -56,6 +57,7 @@ pub struct Flight {
 impl Screen for Flight {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         self.age_news(ui.input().frame_time);
+        self.introduce(ui.input());
         let mut rest = self.show_instruments(ui);
         let given = if self.open.pause.is_some() { Keys::default() } else { rest.held };
         rest.held = self.pilot.stale.sift(ui.input(), given);
@@ -67,6 +69,7 @@ impl Screen for Flight {
         self.read_instruments(&ui.frame());
         if !self.is_watched() {
             self.draw_signs(ui.canvas());
+            self.draw_introduction(ui.canvas());
         }
         request.or_else(|| self.show_pause(ui))
     }
@@ -78,10 +81,6 @@ impl Screen for Flight {
 
     fn tune(&self) -> Option<&str> {
         Some(&self.run.game.level().name)
-    }
-
-    fn unsaved(&self) -> Option<String> {
-        self.unsaved_score()
     }
 
     fn takes(&self, path: &Path) -> bool {
@@ -179,15 +178,16 @@ impl Screen for Flight {
     fn scene(&self, frame: &Frame) -> Option<GameScene<'_>> {
         let (level, above) = (self.run.game.level(), self.above_controls(frame));
         let race = self.race();
-        let status = level.ship_plays();
-        let medal = status && !self.is_watched() && !self.run.assisted && Medals::has_clock(&level.awards);
+        let status = level.ship_plays() && self.open.introduced.is_none();
         let rivals = race.map_or(0, |race| race.all().len());
+        // Those who race have a clock, and who has not been there yet needs none.
+        let clock = self.open.done && rivals == 0 && !self.is_watched() && !self.run.assisted;
+        let medal = status && clock && Medals::has_clock(&level.awards);
         let shown = HudShown { status, fuel: status && level.player.has_engine(), rivals, medal };
         let focus = *self.seen.observer.focus();
         // Nobody is selected without details and instruments.
         let focus = if self.seen.details || self.seen.instruments.is_open() { focus } else { focus.on_nobody() };
-        let (details, hitboxes, watched, map) =
-            (self.seen.details, self.seen.hitboxes, self.is_watched(), self.seen.observer.shows_map());
+        let (details, hitboxes, watched, map) = (self.seen.details, self.seen.hitboxes, self.is_watched(), self.shows_all());
         Some(GameScene {
             game: &self.run.game,
             alpha: self.alpha(),
@@ -205,6 +205,7 @@ impl Screen for Flight {
 
 impl AboveGame for Flight {
     fn draw_in_level(&self, alpha: f64, view: &Viewport, canvas: &Canvas) {
+        self.draw_goals_in_order(view, canvas);
         if self.seen.instruments.is_open() {
             self.seen.instruments.draw_in_level((&self.run.game, alpha), view, canvas);
         }
@@ -287,7 +288,8 @@ impl Flight {
         if self.run.game.outcome() != Outcome::Running && !self.seen.observer.frozen() {
             return if self.run.what_if.is_some() { self.end_what_if(input) } else { self.wait_for_score(input) };
         }
-        if input.acts(Action::Pause) {
+        self.open.hints.time += input.worked();
+        if input.acts(Action::Pause) || input.acts(Action::Hint) && self.takes_hint() {
             self.let_go();
             self.open.pause = Some(pause::RESUME);
             return None;

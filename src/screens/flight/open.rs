@@ -28,6 +28,10 @@ pub(super) struct Open {
     /// The state of the level's files, while it is shown.
     pub news: Option<News>,
     pub hints: Hints,
+    /// Age of the introduction, while it is shown, s.
+    pub introduced: Option<f64>,
+    /// Whether the player has completed the level before.
+    pub done: bool,
     /// Of an experiment that is listed.
     pub sheet: Option<Box<Worksheet>>,
     /// Whether the flight tries out an edited level: it does not count.
@@ -46,10 +50,13 @@ impl Flight {
     /// # Errors
     /// The level makes no world; so of all that follow.
     pub fn open(attempt: Attempt, session: &mut Session, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
+        let comes = session.last_flown.replace(attempt.level.name.clone()).as_ref() != Some(&attempt.level.name);
+        let introduced =
+            (comes && attempt.level.ship_plays() && attempt.inputs.is_none() && attempt.rivals.is_empty()).then_some(0.0);
         session.last_level = Some(attempt.level.name.clone());
         let watch = Some(session.library.watch(&attempt.level));
         let mut flight = Self::new(attempt, spectator)?;
-        flight.open.watch = watch;
+        (flight.open.watch, flight.open.introduced) = (watch, introduced);
         flight.tell_of_settings(&session.settings, &session.settings_problems);
         flight.take_sheet(session);
         Ok(flight)

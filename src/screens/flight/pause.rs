@@ -69,6 +69,9 @@ impl Flight {
         if answer.is_some() {
             return answer;
         }
+        if ui.acts(Action::Restart) && !typed {
+            return Some(Request::Do(Effect::Restart));
+        }
         self.open.pause = Some(pressed?);
         match pressed? {
             RESUME => self.open.pause = None,

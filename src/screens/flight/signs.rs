@@ -2,7 +2,7 @@
 //!
 //! The notice of a level whose files have changed since they were read.
 //!
-//! Hints of a level: one at a time, on demand, for a player who has lost it a few times.
+//! Hints of a level: one at a time, on demand, for a player who has lost it a few times or stays in it for long.
 
 use super::Flight;
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, PADDING, TEXT, Vec2, text_room, wrapped};
@@ -65,8 +65,7 @@ impl Flight {
     /// The sign of the loss of the attempt before, below the row of the timer, away from the usual starts of ships.
     fn lost_sign(&self, frame: &Frame) -> Option<(String, Area)> {
         let death = self.lost().filter(|_| self.open.news.is_none())?;
-        let hint = if self.offers_hint() { tr(" · Esc: hint") } else { "" };
-        let words = tr!("{death} · Enter: the result{hint}", death, hint);
+        let words = tr!("{death} · Enter: the result", death);
         let size = sign_size(&words, frame);
         let top = HudLayout::new(frame).status.max().y + PADDING;
         Some((words, Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size }))
@@ -99,6 +98,7 @@ impl Flight {
         if self.open.pause.is_some() {
             return;
         }
+        self.draw_offer(canvas);
         let lost = self.lost_sign(canvas.frame()).map(|(words, area)| (words, area, theme::panel().faded(0.9)));
         let time = self.time_sign(canvas.frame()).map(|(words, area)| (words, area, theme::panel()));
         for (words, area, fill) in lost.into_iter().chain(time) {
@@ -167,38 +167,51 @@ impl News {
     }
 }
 
-/// Losses of a level before its hints are offered.
+/// Losses of a level, or time in it, s, before its hints are offered.
 const LOSSES: u32 = 3;
-/// A restart after this time on the clock, s, is a loss too: a level without hazards has no other.
-const GIVEN_UP: f64 = 10.0;
+const PATIENCE: f64 = 90.0;
 
-/// The losses of the level in this sitting, and the number of hints given since its flights began.
+/// The losses of the level in this sitting, the time (s) since its flights began, and the number of hints given.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Hints {
-    losses: u32,
+    pub losses: u32,
+    pub time: f64,
     given: usize,
 }
 
-impl Hints {
-    pub const fn note_losses(&mut self, losses: u32) {
-        self.losses = losses;
-    }
-}
-
 impl Flight {
-    /// Whether a restart now counts as a loss.
+    /// Whether a restart now counts as a loss: a level without hazards has no other.
     pub(in crate::screens) fn is_given_up(&self) -> bool {
         let counts = self.is_by_hand() && !self.open.test && self.run.what_if.is_none();
-        counts && self.run.game.outcome() == Outcome::Running && !self.run.game.is_idle() && self.run.game.time() >= GIVEN_UP
+        counts && self.run.game.outcome() == Outcome::Running && !self.run.game.is_idle()
     }
 
     /// Whether a hint is left to be given.
     pub(super) fn offers_hint(&self) -> bool {
-        self.open.hints.losses >= LOSSES && self.open.hints.given < self.run.attempt.level.hints.len()
+        let Hints { losses, time, given } = self.open.hints;
+        (losses >= LOSSES || time >= PATIENCE) && given < self.run.attempt.level.hints.len()
     }
 
     pub(super) const fn give_hint(&mut self) {
         self.open.hints.given += 1;
+    }
+
+    /// Whether the key of hints has something to show: it gives one that is left, above the pause panel.
+    pub(super) fn takes_hint(&mut self) -> bool {
+        if self.offers_hint() {
+            self.give_hint();
+        }
+        self.open.hints.given > 0
+    }
+
+    /// A quiet line in the corner while a hint is offered.
+    fn draw_offer(&self, canvas: &Canvas) {
+        if self.offers_hint() && !self.is_watched() {
+            let words = tr!("{key}: a hint", key = self.seen.observer.keys().label(Action::Hint));
+            let at = self.seen.instruments.room(canvas.frame()).size - PADDING;
+            let style = Style::new(TEXT, theme::quiet()).middle().right();
+            canvas.text(&words, at - Vec2::new(0.0, canvas.line_height(TEXT) / 2.0), style);
+        }
     }
 
     /// The hints that were given, above the pause panel whose top is at `foot`.

@@ -5,7 +5,7 @@
 use super::BACK;
 use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
-use crate::lab::curve::{Measured, OverTime};
+use crate::lab::curve::{ANOTHER_BUILD, Measured, OverTime};
 use crate::lab::drawing::diagram::{self, DiagramPlaces, Picked, with_unit};
 use crate::lab::drawing::timeline;
 use crate::lab::methods::rules;
@@ -159,7 +159,8 @@ impl ChartsPage {
 
     fn source(&self) -> String {
         let setting = &self.shown.charts.setting;
-        let commit = setting.commit.as_ref().map_or(String::new(), |commit| tr!(", commit {commit}", commit));
+        let stale = self.measured().is_some_and(Measured::is_stale);
+        let build = if stale { format!("; {}", tr(ANOTHER_BUILD)) } else { String::new() };
         let runs = if setting.quick { tr("few runs a point") } else { tr("medians") };
         let whose = if self.shown.kept {
             tr("Came with the game: run “resultant chart” to measure here.")
@@ -167,11 +168,11 @@ impl ChartsPage {
             tr("From the last run of “resultant chart” here.")
         };
         tr!(
-            "Measured on {machine}{commit}, {profile} build, {runs}. {whose}",
+            "Measured on {machine}, {profile} build, {runs}{build}. {whose}",
             machine = setting.machine,
-            commit,
             profile = setting.profile,
             runs,
+            build,
             whose
         )
     }

@@ -186,7 +186,7 @@ impl LevelSelect {
     fn visit(&self, index: usize) -> Option<Request> {
         let LevelEntry { name, level, .. } = &self.entries[index];
         let loads = level.as_ref().is_some_and(Result::is_ok) && self.purpose != Purpose::Edit;
-        loads.then(|| Request::Push(Destination::Flights(Visit { level: name.clone(), flown: None, chosen: None })))
+        loads.then(|| Request::Push(Destination::Flights(Visit::of(name))))
     }
 
     /// Esc: out of what was begun last.
@@ -215,7 +215,7 @@ impl LevelSelect {
             }
             // Whether it loads is found out afresh: it may have been mended since.
             (Purpose::Play, None) => Some(Request::Reset(Destination::Play(name))),
-            (Purpose::Leaderboard, None) => Some(Request::Reset(Destination::Board(name))),
+            (Purpose::Leaderboard, None) => Some(Request::Reset(Destination::Board(Visit::of(&name)))),
             (Purpose::Edit, None) => Some(Request::Reset(Destination::Edit { name, original: false })),
         }
     }
@@ -283,9 +283,8 @@ impl LevelSelect {
     fn show_foot(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         let frame = ui.frame();
         let labels: &[&str] = match self.purpose {
-            Purpose::Play => &["Back", "Edit"],
             Purpose::Edit => &["Back", "New", "Copy", "Rename"],
-            Purpose::Leaderboard => &["Back"],
+            Purpose::Play | Purpose::Leaderboard => &["Back"],
         };
         let areas = (0..labels.len()).map(|i| from_left(i as f32, &frame)).collect();
         let pressed = ui.buttons(areas, labels);
@@ -303,7 +302,6 @@ impl LevelSelect {
         }
         match pressed {
             Some("Back") => return self.go_back(ui),
-            Some("Edit") => return Some(Request::Reset(Destination::Levels(Purpose::Edit))),
             Some("New") => self.ask(tr("What is the new level called?").to_owned(), "", Asked::New),
             Some("Copy") => self.pick = Some(PickFor::Copy),
             Some("Rename") => self.pick = Some(PickFor::Rename),
@@ -333,8 +331,7 @@ impl Screen for LevelSelect {
     fn parent(&self) -> Destination {
         match (self.purpose, &self.prompt) {
             (_, Some(asked)) if matches!(asked.1, Asked::OwnCopy(_)) => Destination::Levels(Purpose::Edit),
-            (Purpose::Edit, _) => Destination::Levels(Purpose::Play),
-            (Purpose::Play | Purpose::Leaderboard, _) => Destination::Menu,
+            _ => Destination::Menu,
         }
     }
 

@@ -6,7 +6,7 @@ pub mod credits;
 mod hover;
 pub mod link;
 
-use crate::draw::layout::{Area, BUTTON_TEXT, Frame, GRID, PADDING, ROW_BUTTON, TEXT, TITLE, Vec2, words_box, words_width};
+use crate::draw::layout::{Area, Frame, GRID, PADDING, ROW_BUTTON, TEXT, TITLE, Vec2, words_box, words_width};
 use crate::draw::{Canvas, Colour, Style};
 use crate::physics::{DVec2, ForceKind};
 use crate::scores::Name;
@@ -18,13 +18,17 @@ use crate::session::worker::{Brought, Errand, Ticket};
 use crate::settings::Key;
 use crate::ui::input::Input;
 use crate::ui::pace::{self, Motion};
-use crate::ui::{Spectator, Ui, WidgetKind};
+use crate::ui::{Spectator, Ui};
 use crate::view::camera::{CanvasWindow, Viewport};
 use crate::view::{scale, theme, things, widgets};
 use crate::words::tr;
 
 /// The words on the buttons of the column, from top to bottom.
-const LABELS: [&str; 7] = ["Play", "Level Select", "Leaderboards", "Classics", "Lab", "Settings", LAST];
+const LABELS: [&str; 6] = ["Play", "Levels", "Boards", PLAYERS, MORE, LAST];
+const PLAYERS: &str = "Players";
+/// Leads to those of the second column.
+const MORE: &str = "More";
+const FURTHER: [&str; 6] = ["Lab", "Classics", "Editor", "Settings", "Credits", "Back"];
 /// A page has no end of its own.
 const LAST: &str = if cfg!(all(feature = "window", browser)) { "Your data" } else { "Quit" };
 /// From the canvas' top to the middle of the title's capitals, of the canvas' height.
@@ -40,10 +44,8 @@ const BESIDE_FOOT: f32 = 640.0;
 const BUTTONS_AT: f32 = 0.3;
 /// Opacity of the ground between the flight behind the buttons and all that is above it.
 const VEIL: f32 = 0.7;
-/// From the canvas' edges to the buttons in its lower corners.
+/// From the canvas' edges to the button in its lower right corner.
 const CORNER: f32 = 24.0;
-/// The button that says who plays.
-const PLAYER_BUTTON: Vec2 = Vec2::new(288.0, 48.0);
 /// The arrows around the title, whose sum is the one beneath it: what each is, and how far it leads on, of the title's width and of its
 /// height (upwards).
 const ADDENDS: [(ForceKind, Vec2); 5] = [
@@ -69,6 +71,10 @@ pub struct MenuFacts {
 #[derive(Debug)]
 pub struct Menu {
     facts: MenuFacts,
+    /// Whether the second column is shown.
+    more: bool,
+    /// The button that was pressed last.
+    chosen: &'static str,
     balls: Balls,
     /// The flight that plays behind the buttons.
     behind: Option<Box<Flight>>,
@@ -81,6 +87,7 @@ impl Menu {
     pub fn open(session: &mut Session) -> Self {
         session.menus += 1;
         session.journal.try_again();
+        let unsaved = session.write_scores().into_iter().next();
         let names = session.library.names();
         let (open, done): (Vec<&String>, Vec<&String>) =
             names.iter().partition(|name| session.journal.medals(name).medal.is_none());
@@ -89,13 +96,14 @@ impl Menu {
         let shown = shown.map(|name| session.library.folder(name));
         let folders = open.into_iter().chain(done).map(|name| session.library.folder(name)).collect();
         session.worker.ask(Errand::First(folders, session.library.root().to_path_buf(), shown));
-        let (player, trouble) = (session.journal.current().clone(), session.journal.trouble().map(str::to_owned));
+        let player = session.journal.current().clone();
+        let trouble = session.journal.trouble().map(str::to_owned).or(unsaved);
         Self::new(MenuFacts { next: None, player, trouble }, session.menus)
     }
 
     /// The menu. How balls fly follows from `seed` and from when they are dropped.
     pub fn new(facts: MenuFacts, seed: u64) -> Self {
-        Self { facts, balls: Balls::new(seed), behind: None, lines: Vec::new() }
+        Self { facts, more: false, chosen: LABELS[0], balls: Balls::new(seed), behind: None, lines: Vec::new() }
     }
 
     /// Whether ship and balls hold still: nobody has touched anything for long, or the player is elsewhere.
@@ -141,12 +149,20 @@ impl Menu {
         area
     }
 
-    /// The title of the level that Play opens, beside that button.
-    fn show_next(&self, ui: &Ui<'_>, play: Area) -> Option<Area> {
-        let (_, title) = self.facts.next.as_ref()?;
-        let from = Vec2::new(play.max().x + 2.0 * PADDING, play.centre().y);
-        ui.text(tr(title), from, Style::new(TEXT, theme::quiet()).middle());
-        Some(words_box(tr(title), ui.frame().text_height(TEXT), from))
+    /// The title of the level that Play opens, and who plays, beside their buttons.
+    fn show_beside(&self, ui: &Ui<'_>, column: &[Area]) -> Vec<Area> {
+        let words = LABELS.iter().zip(column).filter_map(|(label, button)| match *label {
+            _ if self.more => None,
+            "Play" => Some((tr(&self.facts.next.as_ref()?.1), button)),
+            PLAYERS => Some((self.facts.player.as_str(), button)),
+            _ => None,
+        });
+        let show = |(words, button): (&str, &Area)| {
+            let from = Vec2::new(button.max().x + 2.0 * PADDING, button.centre().y);
+            ui.text(words, from, Style::new(TEXT, theme::quiet()).middle());
+            words_box(words, ui.frame().text_height(TEXT), from)
+        };
+        words.map(show).collect()
     }
 
     fn show_foot(&self, ui: &Ui<'_>) -> Area {
@@ -158,18 +174,6 @@ impl Menu {
         area.size.x = area.size.x.min(widest);
         area.min.x = middle.x - area.size.x / 2.0;
         area
-    }
-
-    /// The button that says who plays; whether it was pressed.
-    fn show_player(&self, ui: &mut Ui<'_>) -> (bool, Area) {
-        let area = Area { min: Vec2::new(CORNER, ui.frame().size.y - CORNER - PLAYER_BUTTON.y), size: PLAYER_BUTTON };
-        let touch = ui.touch("Player", area, WidgetKind::Button);
-        widgets::button_box(ui.canvas(), area, touch.hover, touch.focus);
-        let y = area.centre().y;
-        ui.text(tr("Player"), Vec2::new(area.min.x + PADDING, y), Style::new(TEXT, theme::quiet()).middle());
-        let name = Style::new(BUTTON_TEXT, theme::text()).mono().middle();
-        ui.text(self.facts.player.as_str(), Vec2::new(area.max().x - PADDING, y), name.right());
-        (touch.pressed, area)
     }
 
     fn draw_ship(&self, canvas: &Canvas, frame: &Frame) {
@@ -189,20 +193,21 @@ impl Screen for Menu {
             Some(_) => ui.canvas().rectangle(frame.area(), theme::ground().faded(VEIL)),
             None => widgets::graph_paper(ui.canvas()),
         }
-        let column = frame.column(LABELS.len(), (frame.size.y * BUTTONS_AT / GRID).round() * GRID);
-        let pressed = ui.buttons(column.clone(), &LABELS);
-        let (player, corner) = self.show_player(ui);
-        let credits = Area { min: frame.size - CORNER - ROW_BUTTON, size: ROW_BUTTON };
-        let credited = ui.button("Credits", credits);
-        let again = Area { min: credits.min - Vec2::new(0.0, ROW_BUTTON.y + PADDING), size: ROW_BUTTON };
+        let labels = if self.more { FURTHER } else { LABELS };
+        let column = frame.column(labels.len(), (frame.size.y * BUTTONS_AT / GRID).round() * GRID);
+        ui.wrap();
+        ui.start_at(self.chosen);
+        let pressed = ui.buttons(column.clone(), &labels);
+        let again = Area { min: frame.size - CORNER - ROW_BUTTON, size: ROW_BUTTON };
         // The menu that opens then has tried once more to save what waits.
         if self.facts.trouble.is_some() && ui.button("Try again", again) {
             return Some(Request::Reset(Destination::Menu));
         }
-        self.lines = self.show_next(ui, column[0]).into_iter().chain([self.show_foot(ui)]).collect();
+        self.lines = self.show_beside(ui, &column);
+        self.lines.push(self.show_foot(ui));
         self.lines.push(Self::show_title(ui));
         // Balls bounce off all that is drawn, and the ship flies around it.
-        let drawn: Vec<Area> = column.into_iter().chain([corner, credits]).chain(self.lines.iter().copied()).collect();
+        let drawn: Vec<Area> = column.into_iter().chain(self.lines.iter().copied()).collect();
         let frame_time = if self.rests(ui.input()) { 0.0 } else { ui.input().frame_time };
         if let Some(flight) = &mut self.behind {
             flight.play_behind(frame_time);
@@ -210,20 +215,24 @@ impl Screen for Menu {
         self.balls.update(&Input { frame_time, ..ui.input().clone() }, &drawn);
         self.balls.draw(ui.canvas());
         self.draw_ship(ui.canvas(), &frame);
-        if player {
-            return Some(Request::Reset(Destination::Players));
-        }
-        if credited {
-            return Some(Request::Reset(Destination::Credits));
-        }
+        let pressed = if self.more && ui.key(Key::Escape) { Some("Back") } else { pressed.filter(|_| !ui.key(Key::Escape)) };
+        self.chosen = pressed.unwrap_or(self.chosen);
         // Quit is a button, so that no one leaves by one key too many.
-        Some(Request::Reset(match pressed.filter(|_| !ui.key(Key::Escape))? {
+        Some(Request::Push(match pressed? {
+            MORE | "Back" => {
+                (self.more, self.chosen) = (!self.more, if self.more { MORE } else { FURTHER[0] });
+                ui.focus(None);
+                return None;
+            }
             "Play" => match &self.facts.next {
-                Some((name, _)) => Destination::Play(name.clone()),
+                Some((name, _)) => return Some(Request::Reset(Destination::Play(name.clone()))),
                 None => Destination::Levels(Purpose::Play),
             },
-            "Level Select" => Destination::Levels(Purpose::Play),
-            "Leaderboards" => Destination::Levels(Purpose::Leaderboard),
+            "Levels" => Destination::Levels(Purpose::Play),
+            "Boards" => Destination::Levels(Purpose::Leaderboard),
+            PLAYERS => Destination::Players,
+            "Editor" => return Some(Request::Reset(Destination::Levels(Purpose::Edit))),
+            "Credits" => Destination::Credits,
             "Classics" => Destination::Classics(None),
             "Lab" => Destination::Lab(None),
             "Settings" => Destination::Settings,
@@ -238,6 +247,10 @@ impl Screen for Menu {
             self.facts.next = next;
             self.behind = gold.map(|gold| Box::new(Flight::watch(String::new(), *gold, spectator)));
         }
+    }
+
+    fn come_back(&mut self, _: &dyn Screen, session: &mut Session, _: &mut dyn Spectator) {
+        *self = Self { more: self.more, chosen: self.chosen, ..Self::open(session) };
     }
 
     fn scene(&self, frame: &Frame) -> Option<GameScene<'_>> {

@@ -32,6 +32,11 @@ struct Candidate {
     done: usize,
 }
 
+/// Whether nobody has a name yet.
+fn nameless(candidates: &[Candidate]) -> bool {
+    candidates.iter().all(|candidate| candidate.name.is_guest())
+}
+
 /// The list of players, or the field for a new one.
 #[derive(Debug)]
 pub struct PlayerList {
@@ -56,7 +61,7 @@ impl PlayerList {
         let candidate = |player: &PlayerRecord| Candidate { name: player.name().clone(), done: player.done() };
         let mut candidates: Vec<Candidate> = known.all().iter().map(candidate).collect();
         candidates.sort_by_key(|candidate| candidate.name.as_str().to_lowercase());
-        let field = candidates.is_empty().then(|| NameField::new(""));
+        let field = nameless(&candidates).then(|| NameField::new(""));
         Self { candidates, current: current.clone(), field, trouble }
     }
 
@@ -64,7 +69,7 @@ impl PlayerList {
         ui.page("New player", ui.frame().size.y * 0.2);
         match self.field.as_mut()?.show(ui, (tr("What you complete is kept under this name."), "Done"))? {
             NameEntry::Name(name) => return Some(Request::Do(Effect::Choose(name, true))),
-            NameEntry::Back if self.candidates.is_empty() => return Some(Request::Pop),
+            NameEntry::Back if nameless(&self.candidates) => return Some(Request::Pop),
             NameEntry::Back => self.field = None,
         }
         ui.focus(Some(NEW));
@@ -119,5 +124,9 @@ impl Screen for PlayerList {
             ui.focus(None);
         }
         (ui.key(Key::Escape) || pressed == Some("Back")).then_some(Request::Pop)
+    }
+
+    fn lies_over(&self) -> bool {
+        true
     }
 }

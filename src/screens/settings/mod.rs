@@ -6,20 +6,22 @@ pub mod page_data;
 use crate::draw::layout::{Area, DETAILS, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Colour, Style};
 use crate::screens::screen::{Effect, Request, Screen};
-use crate::settings::{Action, Item, Key, Keys, Settings};
+use crate::settings::{Action, FLYING, Item, Key, Keys, Settings};
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
 /// A row of the values and one of the keys, with the gap below it.
 const VALUES: Vec2 = Vec2::new(560.0, 32.0);
-const KEYS: Vec2 = Vec2::new(560.0, 27.0);
+const KEYS: Vec2 = Vec2::new(560.0, 26.0);
 /// Between the two lists.
 const BETWEEN: f32 = 40.0;
 /// From the canvas' top to the first row.
 const TOP: f32 = 92.0;
 /// How wide a key is.
 const KEY_WIDTH: f32 = 150.0;
+/// Shows the keys that do not fly, too.
+const ALL_KEYS: &str = "All keys";
 /// Keys a control.
 const SLOTS: usize = 2;
 
@@ -27,6 +29,8 @@ const SLOTS: usize = 2;
 #[derive(Debug)]
 pub struct SettingsPanel {
     settings: Settings,
+    /// Whether the keys of all actions are shown.
+    all: bool,
     /// The action and the place for which the next key is taken.
     taking: Option<(Action, usize)>,
     /// Shift, Ctrl or Alt, which is taken where no other key follows before it goes up.
@@ -38,7 +42,7 @@ pub struct SettingsPanel {
 impl SettingsPanel {
     /// The settings as they are, and what was wrong with their file.
     pub fn new(settings: Settings, problems: Vec<String>) -> Self {
-        Self { settings, taking: None, modifier: None, problems }
+        Self { settings, all: false, taking: None, modifier: None, problems }
     }
 
     fn show_values(&mut self, ui: &mut Ui<'_>, corner: Vec2) {
@@ -52,7 +56,8 @@ impl SettingsPanel {
 
     fn show_keys(&mut self, ui: &mut Ui<'_>, corner: Vec2) {
         let mut pressed = None;
-        for (row, action) in Action::ALL.into_iter().enumerate() {
+        let shown = if self.all { Action::ALL.len() } else { FLYING };
+        for (row, action) in Action::ALL.into_iter().take(shown).enumerate() {
             let area = Area::new(corner.x, corner.y + row as f32 * KEYS.y, KEYS.x, KEYS.y - 4.0);
             let label = Vec2::new(area.min.x, area.centre().y);
             ui.text(tr(action.label()), label, Style::new(TEXT, theme::quiet()).middle());
@@ -69,6 +74,12 @@ impl SettingsPanel {
                 }
                 pressed = pressed.or(touch.pressed.then_some((action, slot)));
             }
+        }
+        let more = Area::new(corner.x, corner.y + (FLYING as f32 + 0.5) * KEYS.y, KEYS.x, KEYS.y + 4.0);
+        let style = Style::new(TEXT, theme::text()).centred();
+        if !self.all && ui.small_button((ALL_KEYS, tr(ALL_KEYS)), more, style) {
+            self.all = true;
+            ui.focus(Some(&format!("{} 1", Action::ALL[FLYING].label())));
         }
         match self.taking {
             Some((action, slot)) => self.take_key(ui, action, slot),

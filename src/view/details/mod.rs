@@ -111,12 +111,13 @@ impl Details {
         let mut taken: Vec<Area> = panels;
         taken.extend(&never);
         taken.extend(self.arranged.arrows.iter().map(|arrow| head_area(arrow.from, arrow.to, arrow.shown)));
+        let firm = taken.clone();
         let words = || game.level().texts.iter().map(|text| words_area(text, view));
         let objects = Self::moving(game, looking, view);
         let kept_clear: Vec<Area> = objects.chain(self.arranged.arrows.iter().map(|arrow| arrow.area())).chain(words()).collect();
         self.place_legend(game, (&scale, looking), frame, (&taken, &kept_clear));
         taken.extend(self.legend.area);
-        self.place_boxes(boxed, frame, &taken, &kept_clear);
+        self.place_boxes(boxed, frame, (&taken, &firm), &kept_clear);
         taken.extend(self.boxes.iter().map(|placed| placed.area));
         let text = frame.text_height(DETAILS);
         let width = |name: &str| tr(name).chars().count() as f32 * MONO_ADVANCE * text;
@@ -224,8 +225,9 @@ impl Details {
     }
 
     /// The boxes and their places: as many full ones as fit, for the first bodies, and short ones for the rest. The search begins
-    /// at the number of full ones of the frame before, for it seldom changes.
-    fn place_boxes(&mut self, subjects: &[ArrowSubject], frame: &Frame, taken: &[Area], kept_clear: &[Area]) {
+    /// at the number of full ones of the frame before, for it seldom changes. The first body always has one, if need be in the place of
+    /// the legend, beside what is `firm`.
+    fn place_boxes(&mut self, subjects: &[ArrowSubject], frame: &Frame, (taken, firm): (&[Area], &[Area]), kept_clear: &[Area]) {
         let texts: Vec<[BoxText; 2]> =
             subjects.iter().map(|subject| [false, true].map(|short| BoxText::new(&subject.facts, short))).collect();
         let sizes: Vec<[Vec2; 2]> = texts.iter().map(|texts| [0, 1].map(|short| texts[short].size(frame))).collect();
@@ -252,7 +254,21 @@ impl Details {
                 (full, best) = (full + 1, more);
             }
         }
-        self.full = Some(full);
+        if let (Some(None), Some(first)) = (best.first(), subjects.first()) {
+            let alone = |short: usize, beside: &[Area]| {
+                let wish = BoxWish { object: first.object, size: sizes[0][short], before: self.before[first.facts.body.index()] };
+                boxes::place(&[wish], frame.area(), beside, &[])[0]
+            };
+            let area = alone(0, firm).or_else(|| alone(1, taken)).or_else(|| alone(1, firm));
+            self.legend.area.take_if(|legend| area.is_some_and(|area| area.gap(legend) < 0.0));
+            full = usize::from(area.is_some_and(|area| area.size == sizes[0][0]));
+            let beside: Vec<Area> = taken.iter().copied().chain(area).collect();
+            let wish =
+                |(subject, sizes): (&ArrowSubject, &[Vec2; 2])| BoxWish { object: subject.object, size: sizes[1], before: None };
+            let rest: Vec<BoxWish> = subjects.iter().zip(&sizes).skip(1).map(wish).collect();
+            best = [area].into_iter().chain(boxes::place(&rest, frame.area(), &beside, kept_clear)).collect();
+        }
+        self.full = Some(full.max(1));
         self.left_out = best.iter().filter(|place| place.is_none()).count();
         self.before.fill(None);
         self.boxes.clear();

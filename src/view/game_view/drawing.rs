@@ -1,6 +1,7 @@
 //! Draws the game: from the ground up, words after the shapes of their layer.
 
 use super::{GameView, Overlays, angle, drawn_centre, ids};
+use crate::draw::layout::Area;
 use crate::draw::{Canvas, Colour};
 use crate::game::{Game, SHIP, object_body};
 use crate::level::{Level, SHIP_HALF};
@@ -8,7 +9,7 @@ use crate::physics::{Aabb, DVec2};
 use crate::view::camera::Viewport;
 use crate::view::emitters::objective_colour;
 use crate::view::things::{Brushes, ShipPose};
-use crate::view::{hitboxes, hud, mechanisms, theme, things, world, zones};
+use crate::view::{hitboxes, hud, labels, mechanisms, theme, things, world, zones};
 
 /// Reach (m) and strength on the rock of the light of the engine, an objective, a death box and a key object.
 const ENGINE_REACH: f64 = 8.0;
@@ -67,13 +68,16 @@ impl GameView {
         mechanisms::draw_areas(game, view, canvas, time);
         // Solids hide smoke and dust.
         self.particles.draw(view, canvas);
-        self.terrain.draw(view, canvas);
+        let labels = labels::place(level, view, canvas.frame(), self.hud.aside.homes());
+        let taken: Vec<Area> =
+            labels.iter().map(|label| label.area).chain(labels::things(level, view)).chain(self.hud.aside.homes()).collect();
+        self.terrain.draw(view, canvas, &taken);
         world::draw_on_rock(level, &self.terrain, &self.pictures, (view, canvas));
         self.draw_lights(game, alpha, flicker, (view, canvas));
         zones::draw_sources(level, view, canvas);
         mechanisms::draw(game, alpha, view, canvas, time);
         zones::draw_obstacles(level, view, canvas, time);
-        world::draw_texts(level, view, canvas);
+        zones::draw_labels(game, &labels, view, canvas);
         // Bodies hide the words on walls, pads and plates.
         canvas.end_layer();
         world::draw_links(game, |id| drawn_centre(game, id, alpha), (view, canvas), time);

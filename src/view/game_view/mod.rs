@@ -2,7 +2,7 @@
 
 mod drawing;
 
-use super::camera::{Camera, CanvasWindow, StirredObjects, Viewport};
+use super::camera::{Camera, CanvasWindow, FIT_MARGIN, StirredObjects, Viewport};
 use super::details::{Details, Looking};
 use super::emitters::{Emitters, dust, objective_colour};
 use super::feedback::Feedback;
@@ -33,6 +33,8 @@ const BARRIERS: f64 = 2.0;
 pub struct GameView {
     pictures: Pictures,
     terrain: Terrain,
+    /// What a view of the whole level has in it, with a margin less, m.
+    rooms: Option<Aabb>,
     camera: Camera,
     /// The body that the view keeps in sight: the ship, unless another is followed.
     followed: BodyId,
@@ -98,6 +100,7 @@ impl GameView {
         let lamps = lamps.chain(level.obstacles.iter().map(|bounds| (*bounds, OBSTACLE_REACH)));
         let terrain = Terrain::new(level, lamps, &world::text_areas(level), over_picture);
         Self {
+            rooms: terrain.rooms().map(|rooms| shrunk(&rooms)),
             pictures,
             terrain,
             camera: Camera::new(game.world().body(game.lead()).position),
@@ -170,7 +173,8 @@ impl GameView {
             }
         }
         self.stirred.after_tick(game);
-        if let Some(landing) = self.touchdown.after_tick(game).filter(|landing| landing.speed < GENTLE) {
+        let slow = game.world().body(SHIP).velocity.length() < 2.0 * GENTLE;
+        if let Some(landing) = self.touchdown.after_tick(game).filter(|landing| slow && landing.speed < GENTLE) {
             self.feedback.float(landing.point, tr!("Gentle landing: {speed} m/s", speed = fixed(landing.speed, 1)), theme::good());
         }
     }
@@ -184,7 +188,7 @@ impl GameView {
         self.followed = followed;
         self.camera.follow(drawn_centre(game, followed, alpha), game.world().body(followed).velocity, frame_time);
         self.turn_camera(game, alpha, &overlays, frame, frame_time);
-        if game.outcome() == Outcome::Completed {
+        if game.outcome() == Outcome::Completed && !overlays.map {
             self.camera.close_in(frame_time);
         }
         let view = self.viewport(game, alpha, frame);
@@ -243,7 +247,7 @@ impl GameView {
         let body = game.world().body(overlays.followed(game));
         self.camera.follow(body.position, body.velocity, frame_time);
         self.turn_camera(game, 1.0, overlays, frame, frame_time);
-        if game.outcome() != Outcome::Completed {
+        if game.outcome() != Outcome::Completed || overlays.map {
             self.camera.open_up();
         }
     }
@@ -254,7 +258,7 @@ impl GameView {
         let room = frame.size.as_dvec2() / level.metre * FRAMED;
         let stirred = || self.stirred.framed(game, room, |id| drawn_centre(game, id, alpha));
         let (fit, zoom) = match () {
-            () if overlays.map => (Some(Aabb::new(DVec2::ZERO, level.size)), 1.0),
+            () if overlays.map => (self.rooms, 1.0),
             () if overlays.focus.fits() => (Some(moving(game, alpha)), overlays.focus.zoom()),
             () if self.followed == SHIP && game.outcome() == Outcome::Running => (stirred(), overlays.focus.zoom()),
             () => (None, overlays.focus.zoom()),
@@ -279,6 +283,12 @@ impl GameView {
         let kept = drawn_centre(game, self.followed, alpha);
         self.camera.viewport(kept, level.size, level.metre, window)
     }
+}
+
+/// A box to be fitted with a metre around it: the camera adds its own margin.
+fn shrunk(rooms: &Aabb) -> Aabb {
+    let half = rooms.size() * 0.5;
+    Aabb::around(rooms.centre(), (half - (FIT_MARGIN - 1.0)).max(half.min(DVec2::ONE)))
 }
 
 /// The box around the ship, where it plays a part, objects and movers, m.

@@ -167,11 +167,10 @@ pub const HEAD: f32 = 16.0;
 pub const SIGN: f32 = 18.0;
 /// From the window's edge to an arrow, canvas units.
 const MARGIN: f32 = GRID;
-/// The search's step along the edge, canvas units, and its number of rows, from the edge inwards.
+/// The search's step along the edge, canvas units.
 const STEP: f32 = GRID;
-const ROWS: usize = 4;
 /// The most arrows: more tell nothing.
-const MOST: usize = 12;
+const MOST: usize = 3;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PointerTarget {
@@ -272,17 +271,11 @@ fn best(ship: Vec2, aim: Vec2, size: Vec2, frame: &Frame, is_free: &dyn Fn(&Area
         }
     };
     consider(ideal);
-    for row in 0..ROWS {
-        let ring = Area { min: room.min + row as f32 * size.y, size: room.size - 2.0 * row as f32 * size.y };
-        if ring.size.min_element() < 0.0 {
-            break;
-        }
-        for (corner, side) in [(ring.min, Vec2::X), (ring.min, Vec2::Y), (ring.max(), Vec2::NEG_X), (ring.max(), Vec2::NEG_Y)] {
-            let length = (ring.size * side.abs()).element_sum();
-            // The places move with the ideal one, so that an arrow glides.
-            let phase = (ideal - corner).dot(side).rem_euclid(STEP);
-            (0..=(length / STEP) as usize).for_each(|i| consider(corner + side * (i as f32 * STEP + phase).min(length)));
-        }
+    for (corner, side) in [(room.min, Vec2::X), (room.min, Vec2::Y), (room.max(), Vec2::NEG_X), (room.max(), Vec2::NEG_Y)] {
+        let length = (room.size * side.abs()).element_sum();
+        // The places move with the ideal one, so that an arrow glides.
+        let phase = (ideal - corner).dot(side).rem_euclid(STEP);
+        (0..=(length / STEP) as usize).for_each(|i| consider(corner + side * (i as f32 * STEP + phase).min(length)));
     }
     found.map(|(_, area)| area)
 }

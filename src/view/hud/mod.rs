@@ -9,6 +9,7 @@ pub use aside::{Pointer, PointerTarget, in_view, targets};
 use super::art::{self, Tile};
 use super::camera::Viewport;
 use super::emitters::objective_colour;
+use super::labels;
 use super::theme;
 use super::widgets::{fitted, panel_in};
 use super::zones::{diamond, ring};
@@ -81,13 +82,10 @@ impl Hud {
             let mut taken: Vec<Area> = self.aside.homes().chain(scene.panels.iter().copied()).collect();
             taken.extend(self.stranded.iter().map(|(_, area)| *area));
             taken.push(ship);
-            let words = game.level().texts.iter().map(|text| {
-                let height = frame.text_height(crate::draw::layout::nearest_size(view.length(text.size)));
-                Area { min: view.point(text.position), size: text_room(tr(&text.text), height) }
-            });
+            let labels = labels::place(game.level(), view, frame, self.aside.homes()).into_iter().map(|label| label.area);
+            taken.extend(labels.chain(labels::things(game.level(), view)));
             let objects = (1..scene.centres.len()).map(|index| view.exact(&body(scene, index)));
-            let clear: Vec<Area> =
-                others.into_iter().chain(words).chain(objects).filter(|area| area.gap(&frame.area()) < 0.0).collect();
+            let clear: Vec<Area> = others.into_iter().chain(objects).filter(|area| area.gap(&frame.area()) < 0.0).collect();
             self.pointers = aside::place(game, scene.centres, &taken, &clear, view, frame);
         }
     }

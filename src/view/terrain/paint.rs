@@ -91,20 +91,25 @@ impl Terrain {
         }
     }
 
+    /// The box of the open space, m.
+    pub fn rooms(&self) -> Option<Aabb> {
+        self.mass.edges().iter().map(RockEdge::bounds).reduce(|all, edge| all.union(&edge))
+    }
+
     /// The colours of the level.
     pub const fn tint(&self) -> &Tint {
         &self.tint
     }
 
-    /// Draws the part in view. The words of dimensions lie on the layer's top.
-    pub fn draw(&self, view: &Viewport, canvas: &Canvas) {
+    /// Draws the part in view. The words of dimensions lie on the layer's top, beside those labels and that display.
+    pub fn draw(&self, view: &Viewport, canvas: &Canvas, taken: &[Area]) {
         self.draw_mass(view, canvas);
         let mut quads = Quads::default();
         self.draw_sheen(view, &mut quads);
         self.draw_grains(view, &mut quads);
         self.draw_hatching(view, canvas.frame().pixel, &mut quads);
         self.draw_crosses(view, canvas.frame().pixel, &mut quads);
-        self.draw_dimensions(view, canvas, &mut quads);
+        self.draw_dimensions(view, canvas, taken, &mut quads);
         canvas.quads(quads);
         self.draw_edges(view, canvas);
         if let Some([top, bottom]) = self.sky {
@@ -228,19 +233,23 @@ impl Terrain {
         }
     }
 
-    fn draw_dimensions(&self, view: &Viewport, canvas: &Canvas, quads: &mut Quads) {
+    fn draw_dimensions(&self, view: &Viewport, canvas: &Canvas, taken: &[Area], quads: &mut Quads) {
         let colour = self.tint.ink.faded(DIMENSION);
         let style = Style::new(DETAILS, self.tint.ink.faded(0.85)).mono().centred().middle();
         let (reach, arrow) = (canvas.frame().pixel.max(1.1), 9.0);
+        let mut taken = taken.to_vec();
         for (line, words) in self.dimensions.iter().filter(|(line, _)| line.bounds().touches(&view.visible(), 0.0)) {
             let (from, to, back) = (view.point(line.from), view.point(line.to), line.to_edge.normalize_or_zero().as_vec2());
             let way = (to - from).normalize_or_zero();
             let across = way.perp();
             let middle = (from + to) / 2.0;
             let gap = if way.x > 0.5 { canvas.width(words, style) / 2.0 + 8.0 } else { canvas.line_height(DETAILS) * 0.5 + 2.0 };
-            if (to - from).length() < 2.0 * (gap + arrow) {
-                continue; // In a far view the words have no room between the arrows.
+            let sign = Area::around(middle, Vec2::new(canvas.width(words, style), canvas.line_height(DETAILS)));
+            // In a far view the words have no room between the arrows.
+            if (to - from).length() < 2.0 * (gap + arrow) || !sign.covers_none(&taken) {
+                continue;
             }
+            taken.push(sign);
             quads.stroke([from, middle - way * gap], reach, [colour; 2]);
             quads.stroke([middle + way * gap, to], reach, [colour; 2]);
             for (tip, way) in [(from, way), (to, -way)] {

@@ -60,12 +60,16 @@ impl Flown {
     }
 
     pub fn forces(&self, tick: usize, object: usize) -> impl Iterator<Item = &Acting> {
-        self.acting[tick][object].iter().filter(|acting| acting.kind != "impact")
+        self.acting[tick][object].iter().filter(|acting| !is_impulse(acting))
     }
 
     pub fn impacts(&self, tick: usize, object: usize) -> impl Iterator<Item = &Acting> {
-        self.acting[tick][object].iter().filter(|acting| acting.kind == "impact")
+        self.acting[tick][object].iter().filter(|acting| is_impulse(acting))
     }
+}
+
+fn is_impulse(acting: &Acting) -> bool {
+    matches!(&*acting.kind, "impact" | "ended_contact")
 }
 
 /// Flies a level of a data folder and reads the files.

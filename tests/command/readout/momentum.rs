@@ -67,7 +67,7 @@ fn drag_and_buoyancy_change_the_momentum_by_their_integral() {
         for (tick, object) in flown.all().filter(|(tick, _)| *tick > 1) {
             all += 1;
             let [first, middle, last] = [2, 1, 0].map(|back| &flown.rows[tick - back][object]);
-            let contact = |acting: &Acting| matches!(&*acting.kind, "reaction" | "friction" | "push" | "impact");
+            let contact = |acting: &Acting| matches!(&*acting.kind, "reaction" | "friction" | "push" | "impact" | "ended_contact");
             let named = |a: &Acting, b: &Acting| a.kind == b.kind && a.by == b.by;
             let touched = [2, 1, 0].iter().any(|back| flown.acting[tick - back][object].iter().any(contact));
             let drive = ForceKind::Drive;

@@ -144,3 +144,23 @@ fn a_rope_that_becomes_taut_starts_a_crate_at_once() {
         assert!(off < 1e-6, "{rate} Hz: {off:e} m");
     }
 }
+
+/// Each of twelve crates begins to slip at an instant of its own.
+#[test]
+fn a_chain_of_springs_slips_alike_at_any_rate() {
+    for seed in 0..4 {
+        let random = &mut Random(seed);
+        let rough = rough(0.36, 0.3);
+        let mut bodies: Vec<_> = (0..12).map(|i| crate_on(rough, 1.5 * f64::from(i), random.decades(-0.3, 0.5), 0.0)).collect();
+        bodies[0].velocity.x = -random.between(1.0, 4.0);
+        let ends = |i: u32| (BodyId(i), LinkEnd::Body(BodyId(i - 1)));
+        let links: Vec<_> = (1..12).map(|i| LinkDef::new(ends(i).0, ends(i).1, spring(1.5, random.decades(1.5, 2.5)))).collect();
+        let [found, fine] = [30.0, 480.0].map(|rate| {
+            let mut world = world(PULL, rough, bodies.clone(), &links);
+            world.steps(rate as u32, 1.0 / rate);
+            world
+        });
+        let off = (0..12).map(|i| found.at(i).distance(fine.at(i))).fold(0.0, f64::max);
+        assert!(off < 1e-6, "{seed}: {off:e}");
+    }
+}

@@ -113,3 +113,22 @@ fn bodies_that_slide_through_air_in_contact_slide_as_one() {
         }
     }
 }
+
+/// At its apex nothing presses in it any more: all partings fall into one tick.
+#[test]
+fn a_stack_thrown_up_parts_alike_at_any_rate() {
+    for (k, masses) in [[65.0, 2.0, 0.5, 9.0], [50.0, 5.0, 0.4, 7.0], [20.0, 10.0, 5.0, 1.0]].into_iter().enumerate() {
+        let thrown = |(i, mass): (usize, f64)| {
+            let body = box_at(0.03 * i as f64, -3.0 - 0.6 * i as f64, v(0.4 + 0.05 * (i % 2) as f64, 0.3), mass, 1.0);
+            BodyDef { velocity: v(1.0, -2.0), ..body }
+        };
+        let bodies: Vec<_> = masses.into_iter().enumerate().map(thrown).collect();
+        let [found, fine] = [30.0, 240.0].map(|rate| {
+            let mut world = world(vec![], bodies.clone(), vec![]);
+            world.steps(rate as u32, 1.0 / rate);
+            world
+        });
+        let off = (0..4).map(|i| found.at(i).distance(fine.at(i))).fold(0.0, f64::max);
+        assert!(off < 1e-6, "{k}: {off:e}");
+    }
+}

@@ -78,7 +78,7 @@ fn in_contact(world: &World, id: BodyId) -> bool {
     world.forces(id).forces().len() > 1
 }
 
-/// Three crates on each other and on the floor: what changes a momentum is listed, until one of them lies down. Returns the first that is not, if one is.
+/// Three crates on each other and on the floor: what changes the momentum of one that touches nothing as a tick ends is listed. Returns the first that is not, if one is.
 fn unlisted_of_three(random: &mut Random, hz: f64) -> Option<(u32, f64)> {
     let body = |k: i32| BodyDef {
         position: v(0.0, -1.0 - 1.3 * f64::from(k)),
@@ -97,11 +97,7 @@ fn unlisted_of_three(random: &mut Random, hz: f64) -> Option<(u32, f64)> {
             let on_floor = matches!(hit.b, Obstacle::Surface(_));
             assert!(!on_floor || hit.vector.y <= 0.0, "{hz} Hz, tick {tick}: {hit:?} pulls");
         }
-        let grazes = world.impulses().iter().any(|hit| hit.vector.length() < 1e-4 * world.body(hit.a).mass);
-        if grazes || (0..3).any(|i| in_contact(&world, BodyId(i))) {
-            return None;
-        }
-        for (i, speed) in (0..).zip(before) {
+        for (i, speed) in (0..).zip(before).filter(|(i, _)| !in_contact(&world, BodyId(*i))) {
             let left = unlisted(&world, BodyId(i), speed, 1.0 / hz);
             if left > 1e-9 * world.body(BodyId(i)).mass {
                 return Some((tick, left));
@@ -111,18 +107,22 @@ fn unlisted_of_three(random: &mut Random, hz: f64) -> Option<(u32, f64)> {
     None
 }
 
-/// A contact that begins and ends within one tick is in no row: 7 of these 500 flights of three seeds have one, by measurement.
 #[test]
-fn lists_of_three_that_bounce_add_up() {
+fn lists_of_three_that_bounce_add_up_with_what_ends_within_a_tick() {
     let found: Vec<_> = (0..100)
         .flat_map(|seed| RATES.map(|hz| unlisted_of_three(&mut Random(seed), hz).map(|of| (seed, hz, of))))
         .flatten()
         .collect();
-    assert!(found.len() <= 7, "{found:?}");
+    assert!(found.is_empty(), "{found:?}");
 }
 
 proptest! {
     #![proptest_config(cases(60))]
+
+    #[test]
+    fn lists_of_any_three_that_bounce_add_up(seed in any::<u64>(), hz in prop::sample::select(RATES.to_vec())) {
+        prop_assert_eq!(unlisted_of_three(&mut Random(seed), hz), None);
+    }
 
     #[test]
     fn a_thrown_crate_stops_where_its_bounces_say(seed in any::<u64>(), hz in prop::sample::select(RATES.to_vec())) {
@@ -234,5 +234,33 @@ proptest! {
         prop_assert_eq!((bounces_ended, budgets_used_up), (0, 0));
         let [light, heavy] = [0, 1].map(|i| side * world.speed(i).x);
         prop_assert!((light - u).abs() <= 1e-4 && (heavy - w).abs() <= 1e-6, "{} and {} m/s, not {} and {}", light, heavy, u, w);
+    }
+
+    /// A light one between the floor and a heavy one that falls on it: whatever the tick, and without loss.
+    #[test]
+    fn what_is_under_something_heavy_that_falls_bounces_without_loss(
+        seed in any::<u64>(),
+        power in 0.0..6.0f64,
+        hz in prop::sample::select(RATES.to_vec()),
+    ) {
+        let random = &mut Random(seed);
+        let at = |height: f64, mass: f64| BodyDef { position: v(0.0, -0.5 - height), mass, restitution: 1.0, ..BodyDef::default() };
+        let (low, gap, mass) = (random.between(0.0, 0.5), random.between(0.5, 2.0), random.decades(-2.0, 0.0));
+        let bodies = vec![at(low, mass), at(low + 1.0 + gap, mass * 10f64.powf(power))];
+        let floor = || SurfaceDef::fixed(area(-9.0, 0.0, 9.0, 1.0), Material::ICE);
+        let [mut world, mut fine] =
+            [0, 1].map(|_| World::new(WorldDef { gravity: PULL, ..without_air(vec![floor()], bodies.clone()) }).unwrap());
+        let energy = |world: &World| -> f64 {
+            world.bodies().iter().map(|body| body.mass * (0.5 * body.velocity.y * body.velocity.y - PULL * body.position.y)).sum()
+        };
+        let begun = energy(&world);
+        for tick in 1..=hz as u32 {
+            world.step(1.0 / hz);
+            fine.steps(8, 0.125 / hz);
+            prop_assert!((energy(&world) / begun - 1.0).abs() <= 1e-9, "tick {}: {} J", tick, energy(&world) - begun);
+            prop_assert!((world.at(1).y - fine.at(1).y).abs() <= 1e-6, "tick {}: {} m", tick, world.at(1).y - fine.at(1).y);
+        }
+        let Guards { bounces_ended, budgets_used_up, .. } = *world.guards();
+        prop_assert_eq!((bounces_ended, budgets_used_up), (0, 0));
     }
 }

@@ -42,7 +42,7 @@ fn a_lift_that_starts_and_stops_at_once() {
         let mut world = world(vec![platform(path)], vec![block(0.0, 0.0, 2.0)]);
         let (mut hits, mut highest, mut landed) = (vec![], 0.0f64, 0.0);
         run(&mut world, 3.0, rate, |world, t| {
-            for impulse in world.impulses().iter().filter(|impulse| impulse.vector.length() > 1e-9) {
+            for impulse in world.impulses().iter().filter(|hit| hit.impact && hit.vector.length() > 1e-9) {
                 hits.push((impulse.vector.y, t - 1.0 / rate + impulse.at));
             }
             highest = highest.max(-position(world, 0).y);

@@ -2,7 +2,7 @@
 
 open_game
 expect classics-menu shows "$accent" 0 0 100 45 0.3
-press Down Down Down Return
+press Down Down Down Down Return Down Return
 expect classics differs classics-menu 3
 
 scenes=(tile-run jumper pi)
@@ -16,10 +16,11 @@ for index in 0 1 2; do
   press Escape
   expect classics-again resembles classics 3
 done
-press Escape
+press Escape Escape
 expect classics-menu-again resembles classics-menu 8
 
-click $(column_button 3)
+click $(column_button 4) # More
+click $(column_button 1)
 expect classics-by-mouse resembles classics 3
 for index in 0 1 2; do
   click $(classic_button "$index")
@@ -28,4 +29,5 @@ for index in 0 1 2; do
   expect classics-by-mouse resembles classics 3
 done
 click $(classic_button 3) # Back
+press Escape
 expect classics-menu-again resembles classics-menu 8

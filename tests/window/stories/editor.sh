@@ -12,10 +12,10 @@ draw() {
 }
 
 open_game
-press Down Return
-expect editor-select shows "$accent" 0 0 100 100 0.05
-click 23 93.3 # Edit
-expect editor-list differs editor-select 0.3
+expect editor-menu shows "$accent" 0 0 100 45 0.3
+click $(column_button 4) # More
+click $(column_button 2)
+expect editor-list differs editor-menu 3
 click 23 93.3 # New
 type_text my-lift
 press Return

@@ -14,12 +14,14 @@ hold 4 space
 expect flights-score hides "$accent" 1 95 16 5 5 # the fuel bar has gone: this is the score
 expect flights-score shows "$good" 0 0 100 100 0.02
 expect flights-score still
-press Right
+press Down Down Down
 expect flights-chosen differs flights-score 0.1
 press Return # Save Score
 sleep 0.5 # until the field for a name is there
 type_text ann
 press Return
+sleep 1 # until the keys of menus count
+press Down Right Right Return # Board
 expect flights-board shows "$yellow" 15 24 70 8 0.1
 expect flights-board shows "$accent" 18 24 6 8 0.3 # the mark: its flight is kept
 [ "$(cat "$data"/scores/flights/0/ann-*.replay.csv | grep -c '^# outcome: completed')" = 1 ] || fail "the flight was not kept"
@@ -27,7 +29,7 @@ expect flights-board shows "$accent" 18 24 6 8 0.3 # the mark: its flight is kep
 grep -qx '0: 1 proven' "$out/flights-verified.txt" || fail "the score is not proven"
 
 # Watch it: from the board over the list of flights. It stands still at its end; a second back is another picture, and the end is the same.
-press Right Right Return
+press Return
 expect flights-list differs flights-board 0.5
 press Return
 expect flights-watch shows "$accent" 0 80 100 20 0.1

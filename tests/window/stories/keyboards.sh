@@ -43,10 +43,11 @@ setxkbmap us
 open_game
 expect keyboards-settings-menu shows "$accent" 0 0 100 45 0.3
 setxkbmap de
-click $(column_button 5)
+click $(column_button 4) # More
+click $(column_button 3)
 expect keyboards-settings differs keyboards-settings-menu 5
 press Tab Return 47
-press Down Down Down Down Down Down Down Down Down Down Return 47
+press Down Down Down Down Down Down Down Down Return Down Down Down Return 47 # All keys, then the map
 press Down Return plus
 press Down Return 20
 expect keyboards-set differs keyboards-settings 0.1

@@ -3,7 +3,7 @@
 
 open_game
 expect lab-menu shows "$accent" 0 0 100 45 0.3
-press Down Down Down Down Return Tab # its overview, then its charts
+press Down Down Down Down Return Return Tab # its overview, then its charts
 expect lab-charts differs lab-menu 3
 expect lab-charts drawn
 expect lab-charts shows "$accent" 5 20 70 60 0.1 # the shipped engine's curve
@@ -42,12 +42,12 @@ for size in "900 500" "1280 720" "1920 1080"; do
   expect "lab-${width}x$height" shows "$accent" 5 20 70 60 0.05
 done
 resize 1280 720
-press Escape
+press Escape Escape
 expect lab-menu-again resembles lab-menu 8
 
 # Damaged charts are named, and those that came with the game are shown.
 mkdir "$data/charts"
 echo nonsense >"$data/charts/setting.csv"
-press Down Down Down Down Return Tab
+press Return Return Tab
 expect lab-damaged shows "$bad" 10 80 80 10 0.1
 close_game

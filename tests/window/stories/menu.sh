@@ -12,5 +12,5 @@ press Down Return
 expect menu-left differs menu-first 3
 press Escape
 expect menu-again resembles menu-first 8 # a flight plays behind the buttons
-press Down Down Down Down Down Down Return # Quit is the last one of the column
+press Up Up Return # over Play to Quit, the last one of the column
 closes_itself

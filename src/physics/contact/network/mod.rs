@@ -45,6 +45,11 @@ impl NetworkEdge {
         }
     }
 
+    /// Whether it hands loads on from this end.
+    fn hands_on(&self, end: u32, upwards: bool) -> bool {
+        !self.cut && self.carries == Carries::Push && (if upwards { self.lo } else { self.hi }) == end
+    }
+
     fn other(&self, end: u32) -> u32 {
         if self.lo == end { self.hi } else { self.lo }
     }
@@ -73,6 +78,12 @@ pub(crate) struct Network {
     pub squeezed: Vec<u32>,
     /// The links of each node; the last node is the ground.
     incident: Incidence,
+    /// What its links join, whatever they carry; the ends of all links, by which it is known again.
+    joined: Components,
+    ends: Vec<[u32; 2]>,
+    /// Its last question with these links, and the answer.
+    asked: (Vec<NetworkNode>, Vec<NetworkEdge>),
+    answer: (Vec<NetworkNode>, Vec<NetworkEdge>),
     order: Vec<u32>,
     blocks: Vec<Range<u32>>,
     /// What is noted about each node; the last one is the ground.
@@ -84,6 +95,13 @@ pub(crate) struct Network {
     linked: Vec<bool>,
     /// Links of the present block to ground that moves otherwise than that it is held against.
     aside: Vec<u32>,
+}
+
+/// Nodes, block by block, and where each block begins and ends.
+#[derive(Clone, Debug, Default)]
+struct Components {
+    order: Vec<u32>,
+    blocks: Vec<Range<u32>>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -140,20 +158,28 @@ impl Network {
         }
         let frame = self.common_frame();
         self.enter_frame(frame);
-        self.index_links();
-        self.find_components();
+        self.find_blocks();
+        self.repeat_answers(frame);
+        self.asked.0.clone_from(&self.nodes);
+        self.asked.1.clone_from(&self.links);
         let mut next = 0;
         while next < self.blocks.len() {
-            self.settle_block(next);
+            if !self.blocks[next].is_empty() {
+                self.settle_block(next);
+            }
             next += 1;
+        }
+        self.answer.0.clone_from(&self.nodes);
+        self.answer.1.clone_from(&self.links);
+        if frame != 0.0 || !self.squeezed.is_empty() {
+            self.answer.0.clear();
         }
         self.leave_frame(frame);
     }
 
     /// Whether all can stay at rest on ground that stands, beginning with the flow of each link: the links take up what is left over.
     pub fn holds(&mut self) -> bool {
-        self.index_links();
-        self.find_components();
+        self.find_blocks();
         (0..self.blocks.len()).all(|index| {
             let Range { start, end } = self.blocks[index];
             let mut block = Block { begin: start as usize, end: end as usize, ground: Some(0.0), largest: 0.0 };
@@ -173,41 +199,77 @@ impl Network {
         if end == GROUND { self.nodes.len() } else { end as usize }
     }
 
-    fn index_links(&mut self) {
-        let n = self.nodes.len();
-        // The number of the ground is the largest.
-        self.incident.index(n + 1, self.links.iter().map(|link| [link.lo.min(n as u32), link.hi.min(n as u32)]));
-        refill(&mut self.notes, n + 1, Note { excess: 0.0, block: NONE, waits_for: 0, came_by: NONE, side: Side::Same });
-    }
-
     fn links_of(&self, node: u32) -> Range<usize> {
         self.incident.slots(self.slot(node))
     }
 
-    fn find_components(&mut self) {
-        self.order.clear();
-        self.blocks.clear();
-        for root in 0..self.nodes.len() as u32 {
-            if self.notes[root as usize].block != NONE {
-                continue;
+    fn find_blocks(&mut self) {
+        let n = self.nodes.len();
+        refill(&mut self.notes, n + 1, Note { excess: 0.0, block: NONE, waits_for: 0, came_by: NONE, side: Side::Same });
+        let ends = self.links.iter().map(|link| [link.lo, link.hi]);
+        if self.joined.order.len() != n || !self.ends.iter().copied().eq(ends.clone()) {
+            self.ends.clear();
+            self.ends.extend(ends);
+            self.answer.0.clear();
+            // The number of the ground is the largest.
+            self.incident.index(n + 1, self.ends.iter().map(|ends| ends.map(|end| end.min(n as u32))));
+            self.find_components();
+        }
+        self.order.clone_from(&self.joined.order);
+        self.blocks.clone_from(&self.joined.blocks);
+        for (number, block) in (0..).zip(&self.blocks) {
+            self.order[block.start as usize..block.end as usize].iter().for_each(|i| self.notes[*i as usize].block = number);
+        }
+    }
+
+    /// Blocks of which nothing is asked that was not asked last have the same answer, and are none any more.
+    fn repeat_answers(&mut self, frame: f64) {
+        let Self { nodes, links, asked, answer, order, blocks, incident, .. } = self;
+        if frame != 0.0 || answer.0.len() != nodes.len() || answer.1.len() != links.len() {
+            return;
+        }
+        for block in blocks.iter_mut() {
+            let of = &order[block.start as usize..block.end as usize];
+            let links_of = |i: u32| incident.of(i as usize).iter().map(|index| *index as usize);
+            let same_node = |a: &NetworkNode, b: &NetworkNode| a.mass == b.mass && a.force.to_bits() == b.force.to_bits();
+            let same_link = |a: &NetworkEdge, b: &NetworkEdge| a.carries == b.carries && a.ground == b.ground;
+            let known = |&i: &u32| {
+                same_node(&nodes[i as usize], &asked.0[i as usize])
+                    && links_of(i).all(|index| same_link(&links[index], &asked.1[index]))
+            };
+            if of.iter().all(known) {
+                for &i in of {
+                    nodes[i as usize].acceleration = answer.0[i as usize].acceleration;
+                    links_of(i).for_each(|index| links[index] = answer.1[index]);
+                }
+                block.end = block.start;
             }
-            let block = self.blocks.len() as u32;
-            let begin = self.order.len();
-            self.notes[root as usize].block = block;
-            self.order.push(root);
+        }
+    }
+
+    fn find_components(&mut self) {
+        let Components { order, blocks } = &mut self.joined;
+        order.clear();
+        blocks.clear();
+        for root in 0..self.nodes.len() as u32 {
+            let begin = order.len();
+            let mut join = |node: u32, order: &mut Vec<u32>| {
+                if node != GROUND && std::mem::replace(&mut self.notes[node as usize].block, 0) == NONE {
+                    order.push(node);
+                }
+            };
+            join(root, order);
             let mut at = begin;
-            while at < self.order.len() {
-                let node = self.order[at];
+            while at < order.len() {
+                let node = order[at];
                 at += 1;
-                for slot in self.links_of(node) {
-                    let other = self.links[self.incident.list[slot] as usize].other(node);
-                    if other != GROUND && self.notes[other as usize].block == NONE {
-                        self.notes[other as usize].block = block;
-                        self.order.push(other);
-                    }
+                for index in self.incident.of(node as usize) {
+                    join(self.links[*index as usize].other(node), order);
                 }
             }
-            self.blocks.push(begin as u32..self.order.len() as u32);
+            if begin < order.len() {
+                blocks.push(begin as u32..order.len() as u32);
+            }
         }
     }
 
@@ -233,10 +295,15 @@ impl Network {
             return;
         }
         let elsewhere = block.ground.is_some_and(|ground| self.part_with_other_grounds(block, ground));
-        if !elsewhere && (self.passes(block, true) || self.passes(block, false)) {
-            return self.settle_light(block);
-        }
         self.reset_flows(block);
+        for upwards in [true, false] {
+            if !elsewhere && self.may_pass(block, upwards) {
+                if self.passes(block, upwards) {
+                    return self.settle_light(block);
+                }
+                self.reset_flows(block);
+            }
+        }
         if elsewhere {
             self.pull_by_other_grounds(block, acceleration);
         }

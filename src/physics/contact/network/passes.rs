@@ -1,17 +1,25 @@
 //! One pass of loads along the axis: a pile at rest and a pushed row settle in it; `routing` would come to the same.
 
-use crate::physics::contact::network::{Block, Carries, GROUND, Network, NetworkEdge};
+use crate::physics::contact::network::{Block, GROUND, Network, NetworkEdge};
 
 impl Network {
+    /// Whether nothing is pulled away from all that it presses against, or would have to be pulled along, by its own excess.
+    pub(super) fn may_pass(&self, block: Block, upwards: bool) -> bool {
+        let tolerance = block.tolerance();
+        self.order[block.begin..block.end].iter().all(|&i| {
+            let load = if upwards { self.notes[i as usize].excess } else { -self.notes[i as usize].excess };
+            let mut links = self.links_of(i).map(|slot| &self.links[self.incident.list[slot] as usize]);
+            let bears = |link: &NetworkEdge| link.other(i) != GROUND && link.hands_on(link.other(i), upwards);
+            load.abs() <= tolerance || links.any(|link| if load > 0.0 { link.hands_on(i, upwards) } else { bears(link) })
+        })
+    }
+
     /// Every body hands its excess on to the bodies (or the ground) that it presses against, in equal shares, once it has got all of its own
     /// (Kahn's order). Returns whether that settles the block: no contact would have to pull.
     pub(super) fn passes(&mut self, block: Block, upwards: bool) -> bool {
-        self.reset_flows(block);
         let tolerance = block.tolerance();
         let sign = if upwards { 1.0 } else { -1.0 };
-        let presses = |link: &NetworkEdge, i: u32| {
-            !link.cut && link.carries == Carries::Push && (if upwards { link.lo } else { link.hi }) == i
-        };
+        let presses = |link: &NetworkEdge, i: u32| link.hands_on(i, upwards);
         self.queue.clear();
         for at in block.begin..block.end {
             let i = self.order[at];

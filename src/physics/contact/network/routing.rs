@@ -50,9 +50,11 @@ impl Network {
     fn search(&mut self, block: Block, from: From) -> bool {
         let (ground, tolerance) = (self.nodes.len(), block.tolerance());
         self.queue.clear();
+        let mut lacks = false;
         for at in block.begin..block.end {
             let i = self.order[at];
             let note = &mut self.notes[i as usize];
+            lacks |= note.excess < -tolerance;
             let starts = match from {
                 From::Excess => note.excess > tolerance,
                 From::Ground => false,
@@ -62,49 +64,45 @@ impl Network {
             self.queue.extend(starts.then_some(i));
         }
         self.notes[ground].came_by = NONE;
-        if from == From::Ground {
+        if from == From::Ground && lacks {
             self.notes[ground].came_by = START;
             self.queue.push(GROUND);
         }
-        let number = self.notes[self.order[block.begin] as usize].block;
-        self.goals.clear();
-        let (mut next, mut nearer) = (0, self.queue.len());
-        while next < self.queue.len() {
+        let Self { incident, links, notes, queue, goals, order, .. } = self;
+        let number = notes[order[block.begin] as usize].block;
+        goals.clear();
+        let (mut next, mut nearer) = (0, queue.len());
+        while next < queue.len() {
             if next == nearer {
-                if !self.goals.is_empty() {
+                if !goals.is_empty() {
                     break;
                 }
-                nearer = self.queue.len();
+                nearer = queue.len();
             }
-            let node = self.queue[next];
+            let node = queue[next];
             next += 1;
-            for slot in self.links_of(node) {
-                let index = self.incident.list[slot];
-                let link = &self.links[index as usize];
+            for &index in incident.of((node as usize).min(ground)) {
+                let link = &links[index as usize];
                 let other = link.other(node);
-                let place = self.slot(other);
-                let room = link.room(if from == From::Lack { other } else { node });
-                if link.cut || room <= tolerance || self.notes[place].came_by != NONE {
+                let note = &mut notes[(other as usize).min(ground)];
+                if note.came_by != NONE || link.cut || link.room(if from == From::Lack { other } else { node }) <= tolerance {
                     continue;
                 }
                 if other == GROUND {
                     if block.ground.is_some() && from != From::Lack {
-                        self.goals.push((GROUND, index));
+                        goals.push((GROUND, index));
                     }
-                    continue;
-                }
-                if self.notes[place].block != number {
-                    continue;
-                }
-                self.notes[place].came_by = index;
-                if from != From::Lack && self.notes[place].excess < -tolerance {
-                    self.goals.push((other, index));
-                } else {
-                    self.queue.push(other);
+                } else if note.block == number {
+                    note.came_by = index;
+                    if from != From::Lack && note.excess < -tolerance {
+                        goals.push((other, index));
+                    } else {
+                        queue.push(other);
+                    }
                 }
             }
         }
-        !self.goals.is_empty()
+        !goals.is_empty()
     }
 
     fn augment_all(&mut self, block: Block) {
