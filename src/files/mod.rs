@@ -49,7 +49,7 @@ pub const SCORES: u64 = 512 << 10;
 /// Some hundred players.
 pub const SETTINGS: u64 = 64 << 10;
 /// Also of the peers' results.
-pub const CHART: u64 = 128 << 10;
+pub const CHART: u64 = 256 << 10;
 /// A flight of 3 hours with other keys at every tick.
 pub const INPUTS: u64 = 16 << 20;
 pub const TILE_MAP: u64 = 1 << 20;

@@ -5,7 +5,9 @@
 //!
 //! The numbers behind a scene's diagrams.
 
+use super::methods::motion::{ADAPTIVE, tolerance};
 use crate::draw::chart::look::CurveOrigin;
+use crate::number::{short, step};
 use crate::physics::SOURCES;
 
 /// One run of a method at one step.
@@ -40,7 +42,7 @@ const BLOWN_UP: f64 = 1e4;
 /// An order is read from errors in this range: below stands rounding, above the motion's own size.
 const FITTED: std::ops::RangeInclusive<f64> = 1e-11..=1.0;
 /// Slopes that differ by more are no order.
-const ALIKE: f64 = 0.25;
+const SLOPES: f64 = 0.25;
 
 /// Steps, work and tolerances: outside, a number is a slip, and logarithmic axes to it would have no end.
 pub const NUMBERS: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
@@ -78,21 +80,24 @@ pub(super) fn curve_of<'a, P>(
 }
 
 impl MethodCurve {
+    /// The step of a point, or the tolerance that it stands for, with its unit.
+    pub fn setting(&self, point: WorkPoint) -> String {
+        if self.name == ADAPTIVE { format!("{} m/s", short(tolerance(point.step))) } else { step(point.step) }
+    }
+
     /// The order of convergence p: halving the step divides the error by 2ᵖ. It is the median of the slopes between neighbouring steps,
     /// where the error is neither of the motion's own size nor rounding; nothing where these disagree, or are fewer than two.
     pub fn order(&self) -> Option<f64> {
+        if self.name == ADAPTIVE {
+            return None;
+        }
         let pairs = self.points.windows(2).filter(|pair| pair.iter().all(|point| FITTED.contains(&point.error)));
         let slope = |pair: &[WorkPoint]| (pair[0].error / pair[1].error).ln() / (pair[0].step / pair[1].step).ln();
         let mut slopes: Vec<f64> = pairs.map(slope).filter(|slope| slope.is_finite()).collect();
         slopes.sort_by(f64::total_cmp);
         let (least, most) = (slopes.first()?, slopes.last()?);
         let median = slopes[slopes.len() / 2];
-        (slopes.len() > 1 && most - least <= ALIKE && median >= 1.0 - ALIKE).then_some(median)
-    }
-
-    /// The point with the finest step that the order is read from.
-    pub fn finest_fitted(&self) -> Option<WorkPoint> {
-        self.points.iter().rev().copied().find(|point| FITTED.contains(&point.error))
+        (slopes.len() > 1 && most - least <= SLOPES && median >= 1.0 - SLOPES).then_some(median)
     }
 }
 
@@ -209,16 +214,18 @@ impl Measured {
         self.cheapest_within(self.tolerance)
     }
 
-    /// The cheapest point that is as exact as the shipped one.
+    /// The cheapest point that is as exact as the shipped one: within [`ALIKE`], or none but rounding.
     pub fn cheapest_as_exact(&self) -> Option<(&MethodCurve, WorkPoint)> {
-        self.cheapest_within(self.shipped_point()?.error.max(EXACT))
+        self.cheapest_within(ALIKE * self.shipped_point()?.error.max(EXACT / ALIKE))
     }
 }
 
 /// Relative: steps that differ by less are the same one.
 const SAME_STEP: f64 = 1e-6;
 /// Errors up to this are none but rounding: which of two is smaller says nothing.
-const EXACT: f64 = 1e-9;
+pub const EXACT: f64 = 1e-9;
+/// Errors within this factor are alike.
+pub const ALIKE: f64 = 10.0;
 
 #[cfg(test)]
 mod tests {

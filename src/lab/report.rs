@@ -1,7 +1,7 @@
 //! The findings of a run in writing: a page with all tables and diagrams, and the cheapest method of each scene.
 
 use super::charts::Charts;
-use super::curve::{Measured, MethodCurve, WorkPoint};
+use super::curve::{ALIKE, EXACT, Measured, MethodCurve, WorkPoint};
 use super::figures::measured;
 use super::rows::{shortest, table};
 use super::savings::{self, Saving, TITLE as SAVINGS};
@@ -130,7 +130,8 @@ fn verdicts(text: &mut String, diagrams: &[Measured]) {
     let _ = writeln!(
         text,
         "In {loses} of {scenes} scenes a bare loop by hand is the cheapest within the tolerance, and in {still} one that is as exact \
-         as the shipped engine is cheaper than it. Such a loop solves that one scene and knows the form of its answer. The shipped \
+         as the shipped engine is cheaper than it: as exact is an error of at most {ALIKE} times its own, and below {EXACT:e} all count \
+         as exact. Such a loop solves that one scene and knows the form of its answer. The shipped \
          engine is a general world, the same in all scenes: it looks for contacts, keeps every force by name, and ticks at the \
          game's own rate whatever the scene would bear.\n"
     );
@@ -143,7 +144,7 @@ fn verdicts(text: &mut String, diagrams: &[Measured]) {
         let (error, work) = (short(verdict.shipped.error), short(verdict.shipped.work));
         let stretched =
             verdict.stretched.map_or("–".to_owned(), |point| format!("{} at {}", short(point.work), step(point.step)));
-        let named = |(curve, point): (&MethodCurve, WorkPoint)| format!("{} at {}", curve.name, step(point.step));
+        let named = |(curve, point): (&MethodCurve, WorkPoint)| format!("{} at {}", curve.name, curve.setting(point));
         let none = if verdict.measured.alike { "none" } else { "–" };
         let cheapest = verdict.cheapest.map_or(format!("{none} | – | – | –"), |best| {
             let (error, work) = (short(best.1.error), short(best.1.work));

@@ -10,6 +10,8 @@ use std::fmt::Write;
 
 pub const FILE: &str = "savings.csv";
 pub const TITLE: &str = "No more than a scene needs: time a tick as it runs, and with every part";
+/// The kind of rows that are levels.
+pub const LEVEL: &str = "level";
 /// As many as [`OPTIONAL`] has parts, and one for direct answers.
 const PARTS: usize = OPTIONAL.len() + 1;
 const HEAD: [&str; 10 + PARTS] = [

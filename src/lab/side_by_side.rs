@@ -185,7 +185,7 @@ fn cradle() -> Exhibit {
     let places = move |t| (0..5).map(|block| known.cradle_place(block, t)).collect();
     Exhibit {
         view: area(-2.8, -3.6, 10.8, 3.6),
-        first: 2,
+        first: 3,
         seconds: 2.5,
         speed: 0.5,
         ..line("Newton's cradle of five blocks", blocks, places)

@@ -17,7 +17,6 @@ use super::rows::{shortest, table};
 use super::scenes::flight::LIGHT;
 use super::scenes::oscillator;
 use super::stress::{G, TICK, largest_to};
-use crate::draw::chart::look::{CurveLook, CurveOrigin};
 use crate::physics::DVec2;
 use crate::words::tr;
 use std::collections::HashMap;
@@ -39,7 +38,7 @@ const NEAR: f64 = 0.02;
 /// Relative precision of the limits.
 const FINE: f64 = 1e-6;
 /// The name of a part of the adaptive method's step.
-const PART: &str = "adaptive 3(2), one part";
+pub const PART: &str = "adaptive 3(2), one part";
 
 /// Real and imaginary part.
 pub type Complex = (f64, f64);
@@ -47,6 +46,8 @@ pub type Complex = (f64, f64);
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
     pub name: &'static str,
+    /// Whether a factor of z alone says what a step does; else the region is that of the damped oscillator only.
+    pub single: bool,
     /// In pieces.
     pub edge: Vec<Vec<Complex>>,
     /// In the middle of each cell, row by row from the real axis on.
@@ -65,16 +66,30 @@ pub fn regions() -> Vec<Region> {
 }
 
 /// The largest factor of an oscillation in a step at z = h·λ.
-pub fn growth(step: MotionStep, (re, im): Complex) -> f64 {
+pub fn growth(step: MotionStep, z: Complex) -> f64 {
+    let [a, b, c, d] = matrix(step, z);
+    let (half_trace, determinant) = (0.5 * (a + d), a * d - b * c);
+    let under_root = half_trace * half_trace - determinant;
+    if under_root < 0.0 { determinant.sqrt() } else { half_trace.abs() + under_root.sqrt() }
+}
+
+/// Whether the step's matrix is a function of the oscillator's own, (0, 1; −|λ|², 2·Re λ): p + q times that.
+fn has_single_z(step: MotionStep) -> bool {
+    let (re, im) = (-0.3, 0.7);
+    let [a, b, c, d] = matrix(step, (re, im));
+    let differs = |found: f64, wanted: f64| (found - wanted).abs() > ROUNDING;
+    !differs(c, -b * (re * re + im * im)) && !differs(d, a + 2.0 * re * b)
+}
+
+/// Of place and velocity, row by row.
+fn matrix(step: MotionStep, (re, im): Complex) -> [f64; 4] {
     let law = MotionLaw { viscous: -2.0 * re, spring: re * re + im * im, ..MotionLaw::default() };
     let taken = |x: f64, v: f64| {
         let end = step(&law, PointState { x: DVec2::new(x, 0.0), v: DVec2::new(v, 0.0) }, 1.0);
         (end.x.x, end.v.x)
     };
     let ((a, c), (b, d)) = (taken(1.0, 0.0), taken(0.0, 1.0));
-    let (half_trace, determinant) = (0.5 * (a + d), a * d - b * c);
-    let under_root = half_trace * half_trace - determinant;
-    if under_root < 0.0 { determinant.sqrt() } else { half_trace.abs() + under_root.sqrt() }
+    [a, b, c, d]
 }
 
 /// The factor of a velocity in a step of drag alone, at h/τ = `part`.
@@ -89,6 +104,7 @@ impl Region {
         let middle = |i: usize| place((i % CELLS.0) as f64 + 0.5, (i / CELLS.0) as f64 + 0.5);
         Self {
             name,
+            single: has_single_z(step),
             edge: edge(|z| growth(step, z) - 1.0 - ROUNDING),
             inside: (0..CELLS.0 * CELLS.1).map(|i| holds(growth(step, middle(i)))).collect(),
             drag: largest_to(FINE, (NEAR, FAR), |part| holds(growth_of_drag(step, part))),
@@ -178,14 +194,6 @@ fn edge(f: impl Fn(Complex) -> f64) -> Vec<Vec<Complex>> {
 pub const SVG: &str = "stability.svg";
 pub const TITLE: &str = "Where methods are stable: the plane of z = h·λ";
 
-pub fn look(index: usize) -> CurveLook {
-    CurveLook::of(index, CurveOrigin::Lab)
-}
-
-pub fn shipped_look() -> CurveLook {
-    CurveLook::of(0, CurveOrigin::Shipped)
-}
-
 /// Two files: the edges, point by point, and the limits on the two rays.
 pub fn csv(regions: &[Region]) -> [(&'static str, String); 2] {
     let points = regions.iter().flat_map(|region| {
@@ -246,6 +254,10 @@ mod tests {
             ("Heun", 2.0, 0.0),
             (PART, 2.512_745_33, 3f64.sqrt()),
             ("RK4", 2.785_293_56, 8f64.sqrt()),
+            ("Yoshida 4", FAR, 1.573_401_94),
+            ("implicit Euler", FAR, FAR),
+            ("implicit midpoint", FAR, FAR),
+            ("trapezoid", FAR, FAR),
             ("linearised drag", FAR, 2.0),
             ("exact drag (Lie)", FAR, 2.0),
             ("Strang", FAR, 2.0),
@@ -254,6 +266,15 @@ mod tests {
             let near = |found: f64, exact: f64| (found - exact).abs() <= 2e-6 * exact;
             assert!(near(found.drag, drag) && near(found.swing, swing), "{name}: {} {}", found.drag, found.swing);
         }
+    }
+
+    #[test]
+    fn splittings_and_their_kin_have_no_single_z() {
+        let without: Vec<&str> = regions().iter().filter(|region| !region.single).map(|region| region.name).collect();
+        assert_eq!(
+            without,
+            ["semi-implicit Euler", "velocity Verlet", "Yoshida 4", "linearised drag", "exact drag (Lie)", "Strang"]
+        );
     }
 
     #[test]

@@ -194,17 +194,19 @@ pub enum Purpose {
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Page {
+    #[default]
+    Overview,
     Charts,
     Stability,
     Survival,
     SideBySide,
     Euler,
-    #[default]
     Experiments,
 }
 
 /// In the order of their tabs.
-pub const PAGES: [(Page, &str); 6] = [
+pub const PAGES: [(Page, &str); 7] = [
+    (Page::Overview, "Overview"),
     (Page::Charts, "Charts"),
     (Page::Stability, "Stability"),
     (Page::Survival, "Stress tests"),

@@ -4,9 +4,8 @@
 use resultant::lab::TOLERANCE;
 use resultant::lab::contract::By;
 use resultant::lab::methods::chain::sweeps_needed;
-use resultant::lab::methods::motion::{
-    MotionStep, by_sign, clamped, exact_decay, explicit_euler, rk4, semi_implicit_euler_f32, strang,
-};
+use resultant::lab::methods::motion::{MotionStep, exact_decay, explicit_euler, rk4, semi_implicit_euler_f32, strang};
+use resultant::lab::methods::slide::{by_sign, clamped};
 use resultant::lab::methods::{bounce, impact};
 use resultant::lab::scenes::bouncing as bounces;
 use resultant::lab::scenes::stacks::{ContactChain, SOLVERS};

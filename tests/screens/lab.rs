@@ -11,10 +11,11 @@ use resultant::lab::curve::Measured;
 use resultant::lab::drawing::diagram::DiagramPlaces;
 use resultant::lab::drawing::plane::Plane;
 use resultant::lab::kept;
+use resultant::lab::savings::Saving;
 use resultant::lab::side_by_side::exhibits;
 use resultant::lab::stability::regions;
 use resultant::lab::stress::Survival;
-use resultant::number::step;
+use resultant::number::short;
 use resultant::physics::SOURCES;
 use resultant::screens::{Input, Key, Lab, PAGES, Page};
 use resultant::ui::scroll::BAR_WIDTH;
@@ -29,7 +30,7 @@ const SIZES: [(f32, f32); 5] = [(900.0, 500.0), (1280.0, 720.0), (1920.0, 1080.0
 fn lab_with(prepare: impl FnOnce(&Path)) -> Sitting {
     let mut sitting = Sitting::with(prepare);
     sitting.choose("Lab");
-    assert_eq!((sitting.at(), lab(&sitting).page()), ("lab", Page::Experiments));
+    assert_eq!((sitting.at(), lab(&sitting).page()), ("lab", Page::Overview));
     turn_to(&mut sitting, "Charts");
     sitting
 }
@@ -90,7 +91,7 @@ fn picked_curve(sitting: &Sitting) -> Option<usize> {
 
 #[test]
 fn the_pages_are_reached_by_key_and_by_mouse_and_left_by_esc_and_back() {
-    let mut sitting = lab_with(|_| {});
+    let mut sitting = lab_at(PAGES[0].1);
     for (page, _) in PAGES.into_iter().chain([PAGES[0]]) {
         assert_eq!(lab(&sitting).page(), page);
         sitting.press(Key::Tab);
@@ -100,6 +101,29 @@ fn the_pages_are_reached_by_key_and_by_mouse_and_left_by_esc_and_back() {
         assert_eq!(lab_at(label).press(Key::Escape).at(), "menu");
         assert_eq!(lab_at(label).click("Back").at(), "menu");
     }
+}
+
+/// Each picture of the first page leads on; the savings are there where they were measured, and fill the page.
+#[test]
+fn the_pictures_of_the_first_page_lead_on() {
+    let mut charts = kept::charts().unwrap();
+    let most = charts.savings.iter().map(Saving::times).fold(0.0, f64::max);
+    let mut sitting = lab_at("Overview");
+    assert_eq!(lab(sitting.click("Where methods break")).page(), Page::Stability);
+    for (title, name) in [("Error against time", "projectile"), ("Beside Box2D and Rapier", "piles")] {
+        turn_to(&mut sitting, "Overview");
+        assert_eq!(lab(sitting.click(title)).page(), Page::Charts);
+        assert_eq!(scene(&sitting).1.name, name);
+    }
+    turn_to(&mut sitting, "Overview");
+    assert!(sitting.shows(&format!("× {}", short(most))));
+    assert!(!sitting.click("What modelling less saves").shows("Where methods break"));
+    assert!(sitting.press(Key::Escape).shows("Where methods break"));
+    assert_eq!(sitting.press(Key::Escape).at(), "menu");
+    charts.savings.clear();
+    let mut sitting = lab_with(|root| write(root, &charts, None));
+    turn_to(&mut sitting, "Overview");
+    assert!(!sitting.shows("What modelling less saves") && sitting.shows("Where methods break"));
 }
 
 #[test]
@@ -121,7 +145,8 @@ fn nothing_lies_on_anything_else_in_any_window() {
                 assert!(inside(a, &frame), "{page:?} {width} × {height}: {a:?}");
                 for b in areas.iter().take(i) {
                     // Only a legend lies in its chart's panel.
-                    let legend = i >= areas.len() && inside(b, a) && matches!(page, Page::Charts | Page::Stability);
+                    let legend =
+                        i >= areas.len() && inside(b, a) && matches!(page, Page::Overview | Page::Charts | Page::Stability);
                     assert!(legend || apart(a, b), "{page:?} at {width} × {height}: {a:?} {b:?}");
                 }
             }
@@ -182,7 +207,11 @@ fn a_point_tells_what_it_is_when_it_is_pointed_at() {
             sitting.point_at(at);
             let told = measured.curves.iter().any(|curve| {
                 let here = curve.points.iter().filter(|other| plot.at(other).distance(at) < 1e-3);
-                here.into_iter().any(|other| sitting.shows(&format!("{}, step {}", curve.name, step(other.step))))
+                here.into_iter().any(|other| {
+                    ["step", "tolerance"]
+                        .iter()
+                        .any(|what| sitting.shows(&format!("{}, {what} {}", curve.name, curve.setting(*other))))
+                })
             });
             assert!(told, "{curve}: the words are of a point in the same place");
         }
@@ -210,10 +239,17 @@ fn stress_panels(sitting: &Sitting) -> [Area; 2] {
 fn in_view(sitting: &Sitting) -> Range<usize> {
     let [table, _] = stress_panels(sitting);
     let first_column = |at: &Vec2| at.x < table.min.x + 100.0 && table.contains(*at);
-    let names: Vec<String> = sitting.texts().into_iter().filter(|(_, at)| first_column(at)).map(|(name, _)| name).collect();
-    let lines = stress_lines();
-    let is =
-        |from: &usize| lines[*from..].iter().zip(&names).all(|((name, _), shown)| name.starts_with(shown.trim_end_matches('…')));
+    let last_column = |at: &Vec2| (at.x - table.max().x + 48.0).abs() < 1.0 && table.contains(*at);
+    let texts = |column: &dyn Fn(&Vec2) -> bool| -> Vec<String> {
+        sitting.texts().into_iter().filter(|(_, at)| column(at)).map(|(text, _)| text).collect()
+    };
+    let (names, values, lines) = (texts(&first_column), texts(&last_column), stress_lines());
+    // The tests of swings have the same methods one after the other; their values differ.
+    let is = |from: &usize| {
+        lines[*from..].iter().zip(names.iter().zip(&values)).all(|((name, row), (shown, value))| {
+            name.starts_with(shown.trim_end_matches('…')) && row.as_ref().is_none_or(|row| row.shown() == *value)
+        })
+    };
     let from = (0..=lines.len() - names.len()).find(is).expect("lines one after the other");
     from..from + names.len()
 }
@@ -283,7 +319,7 @@ fn a_region_of_stability_is_picked_out_by_key_and_by_its_line() {
     let mut sitting = lab_at("Stability");
     let regions = regions();
     let names: Vec<&str> = regions.iter().map(|region| region.name).collect();
-    assert!(names.contains(&"RK4") && names.contains(&"velocity Verlet") && names.len() == 10);
+    assert!(names.contains(&"RK4") && names.contains(&"velocity Verlet") && names.len() == 14);
     let picked = |sitting: &Sitting| picked(sitting, names.iter().copied());
     assert_eq!(picked(sitting.rest()), None);
     for method in 0..names.len() {
@@ -402,7 +438,7 @@ fn error_and_energy_over_time_are_shown_of_what_was_followed() {
     let mut sitting = lab_with(|_| {});
     let scenes = lab(&sitting).charts().diagrams.len();
     let words = "Each point is the worst since the one before.";
-    let mut followed = 0;
+    let (mut followed, mut energies) = (0, 0);
     for _ in 0..scenes {
         let measured = scene(&sitting).1;
         assert!(!sitting.shows(words) && !sitting.shows("At the end"));
@@ -414,12 +450,13 @@ fn error_and_energy_over_time_are_shown_of_what_was_followed() {
         );
         if let Some(shown) = measured.over_time {
             followed += 1;
-            assert!(shown.has_energy() && shown.courses.iter().any(|course| course.name == "shipped engine"));
+            assert!(shown.courses.iter().any(|course| course.name == "shipped engine"));
+            energies += usize::from(shown.has_energy());
             sitting.click("At the end");
         }
         sitting.press(Key::Right);
     }
-    assert_eq!(followed, 2);
+    assert_eq!((followed, energies), (4, 3));
 }
 
 /// Those that come with the game.

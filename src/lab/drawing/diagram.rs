@@ -2,15 +2,15 @@
 //!
 //! Places of a work–precision diagram on the canvas: plot, legend, points. Plain arithmetic; `diagram` draws it.
 
-use crate::draw::chart::look::{
-    CurveLook, CurveOrigin, FRAME, Marker, RING, SAMPLE, TOLERANCE_DASH, WORDS, dashed, marker, sample, stroke,
-};
+use super::look_of;
+use crate::draw::chart::look::{CurveOrigin, FRAME, Marker, RING, SAMPLE, TOLERANCE_DASH, WORDS, dashed, marker, sample, stroke};
 use crate::draw::chart::{Decades, LEAST_ERROR};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
 use crate::lab::curve::{Measured, MethodCurve, WorkPoint};
-use crate::number::{power, short, step};
+use crate::lab::methods::motion::ADAPTIVE;
+use crate::number::{power, short};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
@@ -18,8 +18,8 @@ use crate::words::tr;
 const NAMED: i32 = 9;
 /// The opacity of a curve while another is picked out.
 const QUIETED: f32 = 0.2;
-/// Between two orders, canvas units.
-const ORDERS_APART: f32 = 4.0;
+/// The longest base of the triangles of orders, canvas units.
+const SLOPE: f32 = 120.0;
 
 /// The selection of a diagram.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -36,17 +36,10 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, picked: 
     let tolerance = plot.upwards(plot.axes.error.part(measured.tolerance));
     let ends = [Vec2::new(plot.area.min.x, tolerance), Vec2::new(plot.area.max().x, tolerance)];
     dashed(canvas, &ends, TOLERANCE_DASH, 2.0, theme::good());
-    let mut orders: Vec<Area> = Vec::new();
+    slopes(canvas, plot, measured);
     for (index, curve) in measured.curves.iter().enumerate() {
-        let look = CurveLook::of(index, curve.origin);
+        let look = look_of(&curve.name, curve.origin, index);
         let colour = shade(Colour::hex(look.colour), picked.curve.is_none_or(|picked| picked == index));
-        if let Some((order, point)) = curve.order().zip(curve.finest_fitted()) {
-            let (words, style) = (format!("{order:.1}"), Style::new(DETAILS, colour));
-            let size = Vec2::new(canvas.width(&words, style), canvas.frame().text_height(DETAILS));
-            let place = free_place(plot.at(&point), size, &orders);
-            canvas.text(&words, place.min, style);
-            orders.push(place);
-        }
         let line: Vec<Vec2> = curve.points.iter().filter(|point| !point.blew_up()).map(|point| plot.at(point)).collect();
         stroke(canvas, &line, &look, colour);
         for point in &curve.points {
@@ -67,16 +60,31 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, picked: 
     }
 }
 
-/// The place of a curve's order: right of its point, or below the orders that stand there.
-fn free_place(point: Vec2, size: Vec2, taken: &[Area]) -> Area {
-    let mut place = Area { min: point + Vec2::new(10.0, -size.y), size };
-    while !place.inset(-ORDERS_APART).covers_none(taken) {
-        place.min.y += size.y;
+/// Triangles of the orders that curves show, on one base: ten times the work divides the error by 10 to the order.
+fn slopes(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
+    let orders = measured.curves.iter().filter_map(MethodCurve::order).map(|order| order.round() as i32);
+    let orders: std::collections::BTreeSet<i32> = orders.collect();
+    let (work, error) = (&plot.axes.work, &plot.axes.error);
+    let decade = Vec2::new(plot.area.size.x / (work.to - work.from) as f32, plot.area.size.y / (error.to - error.from) as f32);
+    let base = SLOPE.min(decade.x);
+    let (corner, quiet) = (Vec2::new(plot.area.min.x + 24.0, plot.area.max().y - 12.0), theme::quiet());
+    let Some(highest) = orders.last() else { return };
+    let up = |order: i32| corner - Vec2::new(0.0, order as f32 * decade.y * base / decade.x);
+    let end = corner + Vec2::new(base, 0.0);
+    canvas.line(corner, end, 1.0, quiet);
+    canvas.line(corner, up(*highest), 1.0, quiet);
+    let mut free = f32::INFINITY;
+    for order in orders {
+        let at = up(order);
+        canvas.line(at, end, 1.0, quiet);
+        if at.y <= free {
+            canvas.text(&order.to_string(), at - Vec2::new(6.0, 0.0), Style::new(DETAILS, quiet).middle().right());
+            free = at.y - canvas.frame().text_height(DETAILS);
+        }
     }
-    place
 }
 
-/// A curve's name, with its order where one is seen; a peer's name is long enough, and its order stands at the curve.
+/// A curve's name, with its order where one is seen; a peer's name is long enough.
 fn with_order(curve: &MethodCurve) -> String {
     let order = if curve.origin == CurveOrigin::Peer { None } else { curve.order() };
     order.map_or_else(
@@ -145,10 +153,14 @@ fn without_version(name: &str) -> String {
 fn names_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) -> (Vec<String>, f32) {
     let names: Vec<String> = measured.curves.iter().map(with_order).collect();
     let room = plot.legend(0).size.x - WORDS;
-    let fits = |size: f32| names.iter().all(|name| canvas.width(name, Style::new(size, theme::text())) <= room);
+    let low = |size: f32| canvas.frame().text_height(size) <= plot.pitch;
+    let fits = |size: f32| low(size) && names.iter().all(|name| canvas.width(name, Style::new(size, theme::text())) <= room);
     match [TEXT, DETAILS].into_iter().find(|size| fits(*size)) {
         Some(size) => (names, size),
-        None => (names.iter().map(|name| without_version(name)).collect(), DETAILS),
+        None => {
+            let fit = names.iter().all(|name| canvas.width(name, Style::new(DETAILS, theme::text())) <= room);
+            (if fit { names } else { names.iter().map(|name| without_version(name)).collect() }, DETAILS)
+        }
     }
 }
 
@@ -161,7 +173,7 @@ pub(super) fn legend_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: 
             canvas.rounded(area, 6.0, theme::panel_hover());
         }
         let whole = picked.is_none_or(|picked| picked == index);
-        let look = CurveLook::of(index, curve.origin);
+        let look = look_of(&curve.name, curve.origin, index);
         let colour = shade(Colour::hex(look.colour), whole);
         sample(canvas, area, &look, colour);
         let style = Style::new(size, shade(theme::text(), whole)).middle();
@@ -213,6 +225,12 @@ fn legend_of_marks(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
         canvas.convex(&[to + Vec2::new(-2.0, 2.0), to + Vec2::new(8.0, -1.0), to + Vec2::new(1.0, -8.0)], theme::quiet());
     };
     note(&better, tr("lower left is better"));
+    if measured.curves.iter().any(|curve| curve.name.contains("stiffness")) {
+        note(&|_, _| {}, tr("stiffness: of contacts, as a spring"));
+    }
+    if measured.curves.iter().any(|curve| curve.order().is_some()) {
+        note(&|_, _| {}, tr("triangles: slopes of orders"));
+    }
     note(&|_, _| {}, tr("Logarithmic: equal steps"));
     note(&|_, _| {}, tr("multiply; 10⁻³ is 0.001"));
 }
@@ -226,7 +244,11 @@ fn tip(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, (curve, index
         tr!("error {error}", error = with_unit(point.error, &measured.error))
     };
     let lines = [
-        tr!("{method}, step {step}", method = tr(&curve.name), step = step(point.step)),
+        if curve.name == ADAPTIVE {
+            tr!("{method}, tolerance {tolerance}", method = tr(&curve.name), tolerance = curve.setting(*point))
+        } else {
+            tr!("{method}, step {step}", method = tr(&curve.name), step = curve.setting(*point))
+        },
         format!("{}, {error}", with_unit(point.work, &measured.work)),
     ];
     let style = Style::new(TEXT, theme::text()).middle();
@@ -258,13 +280,13 @@ const TOP: f32 = 48.0;
 /// Below the plot: the work's powers of ten, and its name.
 const BOTTOM: f32 = 64.0;
 /// Width of the legend.
-const LEGEND: f32 = 340.0;
+const LEGEND: f32 = 392.0;
 /// Between the plot and the legend.
 const BETWEEN: f32 = 32.0;
 /// Line height of the legend, where there is room.
 const LINE: f32 = 26.0;
 /// Lines of the legend below the curves': tolerance, shipped, cheapest, the meaning of the edges, and a word on the axes.
-const NOTES: usize = 8;
+const NOTES: usize = 10;
 /// The pointer picks a point up to this far away.
 const NEAR: f32 = 12.0;
 

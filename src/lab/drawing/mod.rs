@@ -1,6 +1,22 @@
 //! The Lab's charts, on the screen and on paper.
 
 pub mod diagram;
+pub mod overview;
 pub mod picture;
 pub mod plane;
 pub mod timeline;
+
+use super::scenes::{bouncing, collisions, sliding, stacks};
+use super::stability::PART;
+use super::{methods::motion, methods::motion::METHODS};
+use crate::draw::chart::look::{CurveLook, CurveOrigin};
+
+/// A method has the same look in all charts; what is unknown here, that of its place.
+fn look_of(name: &str, origin: CurveOrigin, index: usize) -> CurveLook {
+    let name = if name == PART { motion::ADAPTIVE } else { name };
+    let motions = METHODS.iter().map(|(name, _)| *name).chain(["exact flow"]);
+    let contacts = sliding::METHODS.iter().map(|(name, _)| *name).chain(bouncing::METHODS.iter().map(|(name, _)| *name));
+    let solvers = collisions::METHODS.iter().map(|(name, _)| *name).chain(stacks::SOLVERS.iter().map(|(name, _)| *name));
+    let known = motions.chain(contacts).chain(solvers).position(|known| known == name);
+    CurveLook::of(known.unwrap_or(index), origin)
+}

@@ -1,18 +1,29 @@
 //! The complex plane of z = h·λ on the canvas with its legend, and the stability regions of methods in it.
 
 use crate::draw::layout::{Area, Vec2};
+use crate::lab::methods::motion::METHODS;
 use crate::lab::stability::{Complex, IMAGINARY, REAL};
 
 /// Margins of the plane in its panel, for values and names of the axes.
 const LEFT: f32 = 64.0;
 const TOP: f32 = 48.0;
 const BOTTOM: f32 = 60.0;
+/// Its widest part of an area where it has no legend.
+const MOST: f32 = 0.6;
 /// Width of the legend.
 const LEGEND: f32 = 400.0;
 /// Between the plane and the legend.
 const BETWEEN: f32 = 32.0;
-/// Line height of the legend.
+/// Line height of the legend, where there is room, and of the words below it.
 const LINE: f32 = 30.0;
+const SMALL_LINE: f32 = 20.0;
+/// The two limits, and the marks.
+const MARKS: [&str; 4] = [
+    "h/τ: drag alone, without a spring.",
+    "ω·h: a swing without drag.",
+    "Marks on the two rays: these limits.",
+    "* no single z: growth of the oscillator.",
+];
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
@@ -21,6 +32,8 @@ pub struct Plane {
     pub area: Area,
     /// Canvas units a unit of z.
     scale: f32,
+    /// Line height of the legend.
+    pitch: f32,
 }
 
 impl Plane {
@@ -31,7 +44,16 @@ impl Plane {
         let scale = (room.x / spans.x).min(room.y / spans.y);
         let size = spans * scale;
         let area = Area::new(panel.min.x + LEFT + (room.x - size.x) / 2.0, panel.min.y + TOP, size.x, size.y);
-        Self { panel, area, scale }
+        // Its head, the methods, the engine, and the words.
+        let room = panel.size.y - 32.0 - MARKS.len() as f32 * SMALL_LINE;
+        Self { panel, area, scale, pitch: LINE.min(room / (METHODS.len() + 2) as f32) }
+    }
+
+    /// As large as an area allows, at its left, without a legend.
+    pub fn within(panel: Area) -> Self {
+        let spans = Vec2::new((REAL.1 - REAL.0) as f32, (IMAGINARY.1 - IMAGINARY.0) as f32);
+        let scale = (panel.size.x * MOST / spans.x).min(panel.size.y / spans.y);
+        Self { panel, area: Area { min: panel.min, size: spans * scale }, scale, pitch: LINE }
     }
 
     /// A number on the canvas.
@@ -41,8 +63,8 @@ impl Plane {
 
     /// A line of the legend: its head, then the methods, then the shipped engine and the notes.
     pub fn legend(&self, line: usize) -> Area {
-        let top = self.panel.min.y + 16.0 + line as f32 * LINE;
-        Area::new(self.panel.max().x - LEGEND, top, LEGEND - 16.0, LINE)
+        let top = self.panel.min.y + 16.0 + line as f32 * self.pitch;
+        Area::new(self.panel.max().x - LEGEND, top, LEGEND - 16.0, self.pitch)
     }
 }
 
@@ -55,26 +77,21 @@ pub const WORDS: [&str; 2] = [
 pub use drawing::draw;
 
 mod drawing {
-    use super::{LINE, Plane};
-    use crate::draw::chart::look::{CurveLook, WORDS, marker, sample, stroke};
+    use super::{MARKS, Plane, SMALL_LINE};
+    use crate::draw::chart::look::{CurveLook, CurveOrigin, WORDS, marker, sample, stroke};
     use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
     use crate::draw::{Canvas, Colour, Style};
     use crate::lab::drawing::diagram::shade;
+    use crate::lab::drawing::look_of;
     use crate::lab::stability::{CELLS, Complex, IMAGINARY, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
-    use crate::lab::stability::{look, shipped_look};
     use crate::number::fixed;
     use crate::view::{theme, widgets};
     use crate::words::tr;
 
     /// From a legend line's right end to the two limits.
     const LIMITS: [f32; 2] = [84.0, 8.0];
-    /// The two limits, and their marks on the two rays.
-    const MARKS: [&str; 3] =
-        ["h/τ: drag alone, without a spring.", "ω·h: a swing without drag.", "Marks on the two rays: these limits."];
     /// From an example's point to its words.
     const BESIDE: f32 = 8.0;
-    /// Line height of these words.
-    const SMALL_LINE: f32 = 20.0;
 
     /// The plane, the edges of all regions, and all of the picked one.
     pub fn draw(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usize>) {
@@ -84,13 +101,13 @@ mod drawing {
             fill(canvas, plane, region);
         }
         axes(canvas, plane);
-        let engine = shipped_look();
+        let engine = look_of(SHIPPED, CurveOrigin::Shipped, 0);
         let rays: [[Complex; 2]; 2] = [[(REAL.0, 0.0), (0.0, 0.0)], [(0.0, 0.0), (0.0, IMAGINARY.1)]];
         for ray in rays {
             stroke(canvas, &ray.map(|z| plane.at(z)), &engine, theme::accent());
         }
         for (index, region) in regions.iter().enumerate() {
-            let look = look(index);
+            let look = look_of(region.name, CurveOrigin::Lab, index);
             let colour = shade(Colour::hex(look.colour), picked.is_none_or(|picked| picked == index));
             for line in &region.edge {
                 stroke(canvas, &line.iter().map(|z| plane.at(*z)).collect::<Vec<_>>(), &look, colour);
@@ -154,6 +171,7 @@ mod drawing {
 
     /// The methods by name, with their limits on the two rays.
     fn legend(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usize>) {
+        let engine = look_of(SHIPPED, CurveOrigin::Shipped, 0);
         let words = Style::new(TEXT, theme::text()).middle();
         let quiet = Style::new(TEXT, theme::quiet()).middle();
         let limits = |area: Area, texts: [&str; 2], style: Style| {
@@ -164,12 +182,12 @@ mod drawing {
         let head = plane.legend(0);
         canvas.text(tr("stable up to"), Vec2::new(head.min.x + WORDS, head.centre().y), quiet);
         limits(head, ["h/τ", "ω·h"], quiet);
-        let line = |line: usize, look: &CurveLook, (name, [drag, swing]): (&str, [f64; 2]), whole: bool| {
+        let line = |line: usize, look: &CurveLook, (name, [drag, swing]): (String, [f64; 2]), whole: bool| {
             let area = plane.legend(line);
             let (y, colour) = (area.centre().y, shade(Colour::hex(look.colour), whole));
             sample(canvas, area, look, colour);
             let style = if whole { words } else { quiet };
-            canvas.text(tr(name), Vec2::new(area.min.x + WORDS, y), style);
+            canvas.text(&name, Vec2::new(area.min.x + WORDS, y), style);
             limits(area, [&limit(drag), &limit(swing)], style);
         };
         for (index, region) in regions.iter().enumerate() {
@@ -177,10 +195,11 @@ mod drawing {
                 canvas.rounded(plane.legend(index + 1), 6.0, theme::panel_hover());
             }
             let whole = picked.is_none_or(|picked| picked == index);
-            line(index + 1, &look(index), (region.name, [region.drag, region.swing]), whole);
+            let name = format!("{}{}", tr(region.name), if region.single { "" } else { " *" });
+            line(index + 1, &look_of(region.name, CurveOrigin::Lab, index), (name, [region.drag, region.swing]), whole);
         }
-        line(regions.len() + 1, &shipped_look(), (SHIPPED, SHIPPED_LIMITS), true);
-        let first = plane.legend(regions.len() + 2).min + Vec2::new(WORDS, LINE / 2.0);
+        line(regions.len() + 1, &engine, (tr(SHIPPED).to_owned(), SHIPPED_LIMITS), true);
+        let first = plane.legend(regions.len() + 2).min + Vec2::new(WORDS, SMALL_LINE / 2.0);
         for (line, words) in MARKS.into_iter().enumerate() {
             let at = first + Vec2::new(0.0, line as f32 * SMALL_LINE);
             canvas.text(tr(words), at, Style::new(DETAILS, theme::quiet()).middle());

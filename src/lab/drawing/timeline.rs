@@ -2,6 +2,7 @@
 //! picked out.
 
 use super::diagram::{DiagramPlaces, legend_of_curves, shade};
+use super::look_of;
 use crate::draw::chart::look::{CurveLook, TOLERANCE_DASH, dashed, stroke};
 use crate::draw::chart::round_numbers;
 use crate::draw::layout::{Area, TEXT, Vec2};
@@ -52,7 +53,7 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, (measured, over_time): (&Meas
         else {
             continue;
         };
-        let look = CurveLook { width: 2, ..CurveLook::of(index, curve.origin) };
+        let look = CurveLook { width: 2, ..look_of(&curve.name, curve.origin, index) };
         let colour = shade(Colour::hex(look.colour), picked.is_none_or(|picked| picked == index));
         let line: Vec<Vec2> = course.points.iter().map(|moment| upper.area.part(axes.error_at(moment))).collect();
         stroke(canvas, &line, &look, colour);

@@ -1,13 +1,24 @@
 //! A chain of bodies in contact along one axis: columns, rows, something heavy on something light. The contact solvers of games act
 //! on velocities: body j+1 must not come nearer to body j than their gap allows within the step, `v[j+1] − v[j] ≥ −gap/h`, by impulses
 //! λ ≥ 0. Here they are solved by sequential impulses (projected Gauss–Seidel; E. Catto, "Iterative Dynamics with Temporal
-//! Coherence", GDC 2005), cold or warm-started or in substeps, and directly.
+//! Coherence", GDC 2005), cold or warm-started or in substeps, with soft contacts, as positions, and directly. Across the axis friction
+//! acts by the same impulses, within ±μ·λ.
+//!
+//! Soft contacts (E. Catto, "Solver2D", 2024, there "TGS soft"): a damped spring of a frequency takes overlaps back, and a second sweep
+//! without it takes back the velocity that it gave. Positions (XPBD; M. Macklin, M. Müller, N. Chentanez, "XPBD", Motion in Games 2016;
+//! M. Macklin et al., "Small Steps in Physics Simulation", SCA 2019): bodies are moved out of each other, and their velocities are what they have moved.
 //!
 //! Directly: with s_j = v_j + Σ gap/h it reads s non-decreasing with the least Σ m·(s − s_free)², a weighted isotonic regression; the
 //! pool-adjacent-violators method solves it in one pass (M. Ayer et al., Annals of Mathematical Statistics 26, 1955).
 
 /// The part of an overlap that a step of sequential impulses takes back (Baumgarte's method with a usual factor).
 const BAUMGARTE: f64 = 0.2;
+/// Hz and 1: the stiffness and the damping of soft contacts, as in that paper.
+const SOFT: (f64, f64) = (30.0, 10.0);
+/// The stiffness of soft contacts in substeps a period, at most: stiffer ones ring.
+const SOFTEST: f64 = 0.25;
+/// m/s. The fastest way out of an overlap of soft contacts.
+const OUTWARDS: f64 = 4.0;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Solver {
@@ -19,21 +30,41 @@ pub enum Solver {
     },
     /// Parts of a step, with one warm-started sweep each.
     Substeps(u32),
+    /// The same with soft contacts and a second sweep without.
+    Soft(u32),
+    /// Parts of a step that move bodies instead of pushing them (XPBD without compliance).
+    Positions(u32),
     /// Pool adjacent violators.
     Direct,
 }
 
 impl Solver {
     pub const fn parts(self) -> u32 {
-        if let Self::Substeps(parts) = self { parts } else { 1 }
+        if let Self::Substeps(parts) | Self::Soft(parts) | Self::Positions(parts) = self { parts } else { 1 }
+    }
+}
+
+/// The spring of a soft contact in a step of `h`: the part of an overlap that it takes back a second, how much of a rigid impulse it
+/// gives, and how much of the impulse so far it forgets. Rigid: Baumgarte's.
+#[derive(Clone, Copy)]
+struct Softness {
+    rate: f64,
+    mass: f64,
+    forgets: f64,
+    /// m/s. Below 0: the fastest way out.
+    fastest: f64,
+}
+
+impl Softness {
+    fn rigid(rate: f64) -> Self {
+        Self { rate, mass: 1.0, forgets: 0.0, fastest: f64::NEG_INFINITY }
     }
 
-    const fn sweeps(self) -> u32 {
-        match self {
-            Self::Sweeps { sweeps, .. } => sweeps,
-            Self::Substeps(_) => 1,
-            Self::Direct => 0,
-        }
+    fn soft(h: f64) -> Self {
+        let omega = std::f64::consts::TAU * SOFT.0.min(SOFTEST / h);
+        let damped = 2.0 * SOFT.1 + h * omega;
+        let stiff = h * omega * damped;
+        Self { rate: omega / damped, mass: stiff / (1.0 + stiff), forgets: 1.0 / (1.0 + stiff), fastest: -OUTWARDS }
     }
 }
 
@@ -48,6 +79,16 @@ pub struct Chain {
     pub inverse_masses: Vec<f64>,
     /// Impulses of the contacts (j, j+1) in the last step, N·s.
     pub impulses: Vec<f64>,
+    /// Across the axis, from each body's first place, m; then the velocities, and the frictions of the contacts.
+    pub across: Vec<f64>,
+    /// m/s.
+    pub slips: Vec<f64>,
+    /// N·s.
+    pub frictions: Vec<f64>,
+    /// μ. 0: nothing moves across.
+    pub friction: f64,
+    /// Of all movable bodies across the axis, m/s².
+    pub pull: f64,
 }
 
 impl Chain {
@@ -56,7 +97,18 @@ impl Chain {
         let anchor = anchored.then_some(0.0);
         let inverse_masses: Vec<f64> = anchor.into_iter().chain(masses.iter().map(|mass| 1.0 / mass)).collect();
         let n = inverse_masses.len();
-        Self { places: vec![0.0; n], velocities: vec![0.0; n], inverse_masses, impulses: vec![0.0; n - 1] }
+        let [bodies, contacts] = [n, n - 1].map(|length| vec![0.0; length]);
+        Self {
+            places: bodies.clone(),
+            velocities: bodies.clone(),
+            inverse_masses,
+            impulses: contacts.clone(),
+            across: bodies.clone(),
+            slips: bodies,
+            frictions: contacts,
+            friction: 0.0,
+            pull: 0.0,
+        }
     }
 
     /// One step under these accelerations (m/s², one a body).
@@ -66,18 +118,43 @@ impl Chain {
             for (v, a) in self.velocities.iter_mut().zip(accelerations) {
                 *v += a * h;
             }
+            for (v, inverse) in self.slips.iter_mut().zip(&self.inverse_masses) {
+                *v += if *inverse > 0.0 { self.pull * h } else { 0.0 };
+            }
             match solver {
                 Solver::Direct => self.solve_directly(h),
-                Solver::Sweeps { warm: false, .. } => self.impulses.fill(0.0),
-                Solver::Sweeps { warm: true, .. } | Solver::Substeps(_) => self.warm_start(),
+                Solver::Sweeps { sweeps, warm } => {
+                    if warm {
+                        self.warm_start();
+                    } else {
+                        self.impulses.fill(0.0);
+                        self.frictions.fill(0.0);
+                    }
+                    (0..sweeps).for_each(|_| self.sweep(h));
+                }
+                Solver::Substeps(_) => {
+                    self.warm_start();
+                    self.sweep(h);
+                }
+                Solver::Soft(_) => {
+                    self.warm_start();
+                    self.sweep_with(h, Softness::soft(h));
+                    self.advance(h);
+                    self.sweep_with(h, Softness::rigid(0.0));
+                    continue;
+                }
+                Solver::Positions(_) => {
+                    self.project(h);
+                    continue;
+                }
             }
-            for _ in 0..solver.sweeps() {
-                self.sweep(h);
-            }
-            for (x, v) in self.places.iter_mut().zip(&self.velocities) {
-                *x += v * h;
-            }
+            self.advance(h);
         }
+    }
+
+    fn advance(&mut self, h: f64) {
+        let along = self.places.iter_mut().zip(&self.velocities);
+        along.chain(self.across.iter_mut().zip(&self.slips)).for_each(|(x, v)| *x += v * h);
     }
 
     fn apply(&mut self, contact: usize, impulse: f64) {
@@ -85,23 +162,70 @@ impl Chain {
         self.velocities[contact + 1] += impulse * self.inverse_masses[contact + 1];
     }
 
+    fn apply_across(&mut self, contact: usize, impulse: f64) {
+        self.slips[contact] -= impulse * self.inverse_masses[contact];
+        self.slips[contact + 1] += impulse * self.inverse_masses[contact + 1];
+    }
+
     fn warm_start(&mut self) {
         for contact in 0..self.impulses.len() {
             self.apply(contact, self.impulses[contact]);
+            self.apply_across(contact, self.frictions[contact]);
         }
+    }
+
+    fn mass(&self, contact: usize) -> f64 {
+        1.0 / (self.inverse_masses[contact] + self.inverse_masses[contact + 1])
+    }
+
+    fn gap(&self, contact: usize) -> f64 {
+        self.places[contact + 1] - self.places[contact]
     }
 
     /// One sweep of sequential impulses over all contacts.
     pub fn sweep(&mut self, h: f64) {
+        self.sweep_with(h, Softness::rigid(BAUMGARTE / h));
+    }
+
+    fn sweep_with(&mut self, h: f64, Softness { rate, mass, forgets, fastest }: Softness) {
         for contact in 0..self.impulses.len() {
-            let gap = self.places[contact + 1] - self.places[contact];
-            let bias = if gap > 0.0 { gap } else { BAUMGARTE * gap } / h;
+            let gap = self.gap(contact);
+            // Bodies that are apart may come as near as they are.
+            let (bias, mass, forgets) = if gap > 0.0 { (gap / h, 1.0, 0.0) } else { ((rate * gap).max(fastest), mass, forgets) };
             let approach = self.velocities[contact + 1] - self.velocities[contact] + bias;
-            let mass = 1.0 / (self.inverse_masses[contact] + self.inverse_masses[contact + 1]);
-            let impulse = (self.impulses[contact] - approach * mass).max(0.0);
-            let change = impulse - self.impulses[contact];
+            let known = self.impulses[contact];
+            let impulse = (known - approach * mass * self.mass(contact) - known * forgets).max(0.0);
             self.impulses[contact] = impulse;
-            self.apply(contact, change);
+            self.apply(contact, impulse - known);
+            if self.friction > 0.0 {
+                let (slip, known, most) =
+                    (self.slips[contact + 1] - self.slips[contact], self.frictions[contact], self.friction * impulse);
+                let held = (known - slip * self.mass(contact)).clamp(-most, most);
+                self.frictions[contact] = held;
+                self.apply_across(contact, held - known);
+            }
+        }
+    }
+
+    /// Moves all bodies, then those that overlap out of each other, and those that slip back as far as friction reaches.
+    fn project(&mut self, h: f64) {
+        let before = (self.places.clone(), self.across.clone());
+        self.advance(h);
+        for contact in 0..self.impulses.len() {
+            let (mass, weights) = (self.mass(contact), [self.inverse_masses[contact], self.inverse_masses[contact + 1]]);
+            let push = (-self.gap(contact) * mass).max(0.0);
+            self.places[contact] -= push * weights[0];
+            self.places[contact + 1] += push * weights[1];
+            self.impulses[contact] = push / h;
+            let moved = |body: usize| self.across[body] - before.1[body];
+            let hold = ((moved(contact) - moved(contact + 1)) * mass).clamp(-self.friction * push, self.friction * push);
+            self.across[contact] -= hold * weights[0];
+            self.across[contact + 1] += hold * weights[1];
+        }
+        for (velocities, places, before) in
+            [(&mut self.velocities, &self.places, before.0), (&mut self.slips, &self.across, before.1)]
+        {
+            velocities.iter_mut().zip(places).zip(before).for_each(|((v, x), before)| *v = (x - before) / h);
         }
     }
 
@@ -198,6 +322,37 @@ mod tests {
         }
         for i in 0..3 {
             assert!((swept.impulses[i] - direct.impulses[i]).abs() < 1e-12, "{swept:?} {direct:?}");
+        }
+    }
+
+    /// At rest a soft contact is sunk in by as much as its spring needs: r·d per second against the impulse that it forgets.
+    #[test]
+    fn a_soft_contact_rests_where_its_spring_bears_the_weight() {
+        let (h, parts) = (1.0 / 60.0, 4);
+        let mut chain = Chain::new(&[2.0], true);
+        (0..600).for_each(|_| chain.step(&[0.0, -9.81], Solver::Soft(parts), h));
+        let part = h / f64::from(parts);
+        let Softness { rate, mass, forgets, .. } = Softness::soft(part);
+        // The weight's impulse j is what is left of it: j = j − mass·(v + r·d)·m − forgets·j, with v = −g·part before.
+        let sunk = 9.81 * part * forgets / (mass * rate);
+        assert!((chain.places[1] / -sunk - 1.0).abs() < 1e-6, "{} for {sunk}", chain.places[1]);
+        assert!((chain.impulses[0] / (2.0 * 9.81 * part) - 1.0).abs() < 1e-9);
+    }
+
+    /// Moved out, a body on the floor lies still and bears its weight; across, friction holds up to μ·λ and no further.
+    #[test]
+    fn positions_and_impulses_hold_up_to_the_limit_of_friction() {
+        for solver in [Solver::Positions(10), Solver::Soft(10), Solver::Sweeps { sweeps: 10, warm: true }] {
+            let run = |pull: f64| {
+                let mut chain = Chain { friction: 0.5, pull, ..Chain::new(&[3.0], true) };
+                (0..120).for_each(|_| chain.step(&[0.0, -10.0], solver, 1.0 / 60.0));
+                chain
+            };
+            let (held, slides) = (run(4.9), run(7.0));
+            assert!((held.impulses[0] * 60.0 * f64::from(solver.parts()) - 30.0).abs() < 0.2, "{solver:?}: {held:?}");
+            assert!(held.across[1].abs() < 5e-3 && held.slips[1].abs() < 1e-9, "{solver:?}: {held:?}");
+            // 2 m/s² are left of 7.
+            assert!((slides.slips[1] / 4.0 - 1.0).abs() < 0.02, "{solver:?}: {slides:?}");
         }
     }
 }

@@ -5,5 +5,7 @@
 pub mod bounce;
 pub mod chain;
 pub mod impact;
+pub mod implicit;
 pub mod motion;
 pub mod rules;
+pub mod slide;

@@ -3,14 +3,13 @@
 //! Nothing here but the adaptive method looks at errors: a step is taken as the textbook has it, also where it fails. Sources:
 //! E. Hairer, C. Lubich, G. Wanner, *Geometric Numerical Integration*, I.1 (Euler's methods, Verlet), II.5 (splitting); E. Hairer,
 //! S. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, II.1 (midpoint, Heun, RK4), II.4 (control of the step);
-//! P. Bogacki, L. F. Shampine, "A 3(2) pair of Runge–Kutta formulas", Applied Mathematics Letters 2 (1989) 321–325.
+//! P. Bogacki, L. F. Shampine, "A 3(2) pair of Runge–Kutta formulas", Applied Mathematics Letters 2 (1989) 321–325; H. Yoshida,
+//! "Construction of higher order symplectic integrators", Physics Letters A 150 (1990) 262–268. Implicit methods: [`super::implicit`].
 //!
 //! Exact flows of drag, where there are any: a rise and fall, drag alone, a thick liquid. Each takes a step of any length and can be
 //! cut anywhere. Derived in any text on mechanics; with g = A, v_t = √(g/k) and τ = g·t/v_t throughout.
-//!
-//! Sliding to a stop on a floor: one step of a velocity v (m/s) and a place x (m) under Coulomb friction of deceleration a = μ·g
-//! (m/s²), by the usual methods. Exact: the stop is at v₀²/2a after v₀/a.
 
+use super::implicit::{implicit_euler, implicit_midpoint, trapezoid};
 use crate::physics::DVec2;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -45,21 +44,25 @@ pub type MotionStep = fn(&MotionLaw, PointState, f64) -> PointState;
 pub const ADAPTIVE: &str = "adaptive 3(2)";
 
 /// Every method that steps a motion through drag, by the name that charts and tables show.
-pub const METHODS: [(&str, MotionStep); 10] = [
+pub const METHODS: [(&str, MotionStep); 14] = [
     ("explicit Euler", explicit_euler),
     ("semi-implicit Euler", semi_implicit_euler),
     ("velocity Verlet", velocity_verlet),
     ("midpoint", midpoint),
     ("Heun", heun),
     ("RK4", rk4),
+    ("Yoshida 4", yoshida),
+    ("implicit Euler", implicit_euler),
+    ("implicit midpoint", implicit_midpoint),
+    ("trapezoid", trapezoid),
     (ADAPTIVE, adaptive),
     ("linearised drag", linearised_drag),
     ("exact drag (Lie)", exact_decay),
     ("Strang", strang),
 ];
 
-/// The methods that treat drag as any other force.
-pub static INTEGRATORS: &[(&str, MotionStep)] = METHODS.split_at(7).0;
+/// The methods that differ where there is no drag.
+pub static INTEGRATORS: &[(&str, MotionStep)] = METHODS.split_at(11).0;
 
 impl MotionLaw {
     /// Acceleration at place `x` (m) and velocity `v` (m/s), m/s².
@@ -77,7 +80,7 @@ impl MotionLaw {
     }
 
     /// The point that leaves `from` and keeps the rates at `at` for `h` seconds.
-    fn along(&self, from: PointState, at: PointState, h: f64) -> PointState {
+    pub(super) fn along(&self, from: PointState, at: PointState, h: f64) -> PointState {
         PointState { x: from.x + at.v * h, v: from.v + self.acceleration(at) * h }
     }
 }
@@ -138,11 +141,21 @@ const SHORTEST: f64 = 1e-6;
 /// Bogacki and Shampine's pair of orders 3 and 2, which cuts each step into as many parts as keep the difference of the two within
 /// the allowed error a second. Its work follows the motion instead of the step.
 pub fn adaptive(law: &MotionLaw, point: PointState, h: f64) -> PointState {
+    adaptive_to(ALLOWED, law, point, h)
+}
+
+/// The tolerance, m/s, that stands for a step of a ladder: h³.
+pub fn tolerance(h: f64) -> f64 {
+    h * h * h
+}
+
+/// The same with another allowed error a second, m/s; a step may be a whole scene.
+pub fn adaptive_to(allowed: f64, law: &MotionLaw, point: PointState, h: f64) -> PointState {
     let (mut point, mut left, mut part) = (point, h, h);
     while left > 0.0 {
         part = part.min(left);
         let (end, error) = bogacki_shampine(law, point, part);
-        let allowed = ALLOWED * part;
+        let allowed = allowed * part;
         // The difference grows with the third power of the part, the allowed error with the first; 0.9 as in the textbook. A part
         // whose difference is not finite is cut by the largest factor.
         let fits = if error.is_finite() { 0.9 * (allowed / error.max(f64::MIN_POSITIVE)).sqrt() } else { 0.0 };
@@ -205,6 +218,15 @@ pub fn strang(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> Point
     PointState { x, v: after + law.pull(x) * (0.5 * h) }
 }
 
+/// The outer two of [`yoshida`]'s three parts, 1/(2 − ∛2); the middle one is 1 less two of these, below 0.
+const OUTER: f64 = 1.351_207_191_959_657_8;
+
+/// Three steps of [`strang`], the middle one backwards in time, so that their errors of third order cancel. Fourth order; symplectic
+/// without drag. Backwards drag speeds up: the middle part has no answer where it would from k·|u|·h = 1/1.7 on.
+pub fn yoshida(law: &MotionLaw, point: PointState, h: f64) -> PointState {
+    [OUTER, 1.0 - 2.0 * OUTER, OUTER].into_iter().fold(point, |point, part| strang(law, point, part * h))
+}
+
 /// The exact flow of a fall (A = (0, g) with g > 0, no wind, v = (0, v) with v ≥ 0):
 /// v = v_t·tanh(τ + artanh(v₀/v_t)), x = (v_t²/g)·ln(cosh τ + (v₀/v_t)·sinh τ), τ = g·t/v_t, in forms without overflow.
 pub fn exact_fall(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> PointState {
@@ -259,45 +281,11 @@ pub fn in_liquid(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> Po
     PointState { x: x + end * h + (v - end) * (passed / law.viscous), v: v + (end - v) * passed }
 }
 
-/// Place, m, and velocity, m/s.
-pub type Slider = (f64, f64);
-
-/// One step: slider, deceleration (m/s²), step (s).
-pub type SlideStep = fn(Slider, f64, f64) -> Slider;
-
-/// Friction against the sign of v, semi-implicit Euler: chatters for ever within ±a·h.
-pub fn by_sign((x, v): Slider, a: f64, h: f64) -> Slider {
-    let sign = if v > 0.0 {
-        1.0
-    } else if v < 0.0 {
-        -1.0
-    } else {
-        0.0
-    };
-    let v = v - sign * a * h;
-    (x + v * h, v)
-}
-
-/// Friction that takes at most all of v in a step: stops dead, but short by about v₀·h/2.
-pub fn clamped((x, v): Slider, a: f64, h: f64) -> Slider {
-    let v = v - v.clamp(-a * h, a * h);
-    (x + v * h, v)
-}
-
-/// The parabola up to the stop within the step.
-pub fn exact((x, v): Slider, a: f64, h: f64) -> Slider {
-    if v.abs() <= a * h {
-        return (x + v * v.abs() / (2.0 * a), 0.0);
-    }
-    let brake = -a.copysign(v);
-    (x + (v + 0.5 * brake * h) * h, v + brake * h)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const ORDERS: [(MotionStep, f64); 9] = [
+    const ORDERS: [(MotionStep, f64); 13] = [
         (explicit_euler, 1.0),
         (semi_implicit_euler, 1.0),
         (linearised_drag, 1.0),
@@ -307,6 +295,10 @@ mod tests {
         (heun, 2.0),
         (strang, 2.0),
         (rk4, 4.0),
+        (implicit_euler, 1.0),
+        (implicit_midpoint, 2.0),
+        (trapezoid, 2.0),
+        (yoshida, 4.0),
     ];
 
     /// Halving the step divides the error by 2^order.

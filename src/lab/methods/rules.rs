@@ -1,7 +1,7 @@
 //! The rule of each method by hand in one line, and a sentence on what it uses, for learners.
 
 /// The name of a method, its rule, and what it uses. A name that ends in … stands for all that begin so.
-const RULES: [(&str, &str, &str); 27] = [
+const RULES: [(&str, &str, &str); 34] = [
     (
         "explicit Euler",
         "x′ = x + h·v, v′ = v + h·a(x, v)",
@@ -20,6 +20,18 @@ const RULES: [(&str, &str, &str); 27] = [
     ("midpoint", "x′ = x + h·v½, v′ = v + h·a½", "It goes half a step by Euler and uses what holds there for all of the step."),
     ("Heun", "y′ = y + ½h·(f(y) + f(y + h·f(y)))", "It uses the mean of the rates at the start and where Euler would end."),
     ("RK4", "y′ = y + h/6·(k₁ + 2k₂ + 2k₃ + k₄)", "It uses four rates: at the start, twice in the middle, and at the end."),
+    (
+        "Yoshida 4",
+        "Verlet by w₁h, w₀h and w₁h: w₁ = 1/(2 − ∛2), w₀ = 1 − 2w₁",
+        "It takes three steps of second order, the middle one backwards: errors cancel.",
+    ),
+    (
+        "implicit Euler",
+        "v′ = v + h·a(x′, v′), x′ = x + h·v′",
+        "It uses what holds at the end of the step, and has to solve for it.",
+    ),
+    ("implicit midpoint", "y′ = y + h·f(½y + ½y′)", "It uses what holds halfway to its own end, and has to solve for that."),
+    ("trapezoid", "y′ = y + ½h·(f(y) + f(y′))", "It uses the mean of the rates at both ends, and has to solve for the later."),
     (
         "adaptive 3(2)…",
         "y′ = y + h·(2k₁ + 3k₂ + 4k₃)/9",
@@ -99,6 +111,21 @@ const RULES: [(&str, &str, &str); 27] = [
         "for each contact in turn: j = max(0, j − v/w)",
         "It corrects contact by contact: a tall or heavy pile needs many sweeps.",
     ),
+    (
+        "soft contacts, …",
+        "j = s·(j − (v + r·d)/w) where d < 0, move, then once with r = 0",
+        "A damped spring takes overlaps back, and a second sweep the speed that it gave.",
+    ),
+    (
+        "XPBD, …",
+        "x′ = x + h·v, moved out of each other, v′ = (x′ − x)/h",
+        "It moves bodies out of each other, and takes the way for the velocity.",
+    ),
+    (
+        "speculative contacts",
+        "v ≤ gap/h in each pair, move by h, then bounce",
+        "It slows down what would pass through, so that it just touches after the step.",
+    ),
     ("direct", "the loads of all contacts in one solution", "It solves all contacts of a row together."),
     (
         "time steps, N = …",
@@ -107,10 +134,57 @@ const RULES: [(&str, &str, &str); 27] = [
     ),
 ];
 
+const PRAXIS: &str = "E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.3";
+
+/// Where methods hold and where they fail, and a source. Names as above.
+const LIMITS: [(&str, &str, &str); 8] = [
+    (
+        "Yoshida 4",
+        "Holds: orbits and swings for ever, up to ω·h = 1.57. Fails: in fast drag, which drives while time runs backwards.",
+        "H. Yoshida, Physics Letters A 150 (1990)",
+    ),
+    ("implicit Euler", "Holds: the stiffest spring and damper, at any step. Fails: swings fade that should last.", PRAXIS),
+    (
+        "implicit midpoint",
+        "Holds: swings keep their height at any step. Fails: what is stiff changes its sign each step and hardly fades.",
+        PRAXIS,
+    ),
+    ("trapezoid", "Holds: never grows, at any step. Fails: what is stiff changes its sign each step and hardly fades.", PRAXIS),
+    (
+        "impulses, …",
+        "Holds: low piles of equal bodies, once warm. Fails: tall columns and heavy on light; from cold they sink in each step.",
+        "E. Catto, Iterative Dynamics with Temporal Coherence (2005)",
+    ),
+    (
+        "soft contacts, …",
+        "Holds: columns and towers stand, with few sweeps. Fails: they stand sunk in, and what is heavy crushes what is light.",
+        "E. Catto, Solver2D (2024)",
+    ),
+    (
+        "XPBD, …",
+        "Holds: columns and unequal masses, in small parts of a step. Fails: friction creeps, and no bounce comes by itself.",
+        "M. Macklin et al., XPBD (2016), Small Steps (2019)",
+    ),
+    (
+        "speculative contacts",
+        "Holds: nothing passes through, at any speed. Fails: a bounce is late, and a row that is hit flies off together.",
+        "E. Catto, Continuous Collision (2013)",
+    ),
+];
+
 /// The rule of a method and the sentence; `None` for engines of others.
 pub fn of(method: &str) -> Option<(&'static str, &'static str)> {
+    find(&RULES, method)
+}
+
+/// Where it holds and fails, and the source.
+pub fn limits(method: &str) -> Option<(&'static str, &'static str)> {
+    find(&LIMITS, method)
+}
+
+fn find(table: &[(&str, &'static str, &'static str)], method: &str) -> Option<(&'static str, &'static str)> {
     let is = |name: &str| name.strip_suffix('…').map_or(name == method, |begins| method.starts_with(begins));
-    RULES.iter().find(|(name, ..)| is(name)).map(|(_, rule, uses)| (*rule, *uses))
+    table.iter().find(|(name, ..)| is(name)).map(|(_, first, second)| (*first, *second))
 }
 
 #[cfg(test)]
@@ -127,7 +201,7 @@ mod tests {
         for name in &names {
             assert!(of(name).is_some(), "{name}");
         }
-        for (name, ..) in RULES {
+        for (name, ..) in RULES.iter().chain(&LIMITS) {
             let begins = name.trim_end_matches('…');
             assert!(names.iter().any(|known| known.starts_with(begins)), "{name}");
         }

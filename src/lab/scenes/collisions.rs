@@ -2,7 +2,7 @@
 //! one's velocity and all others stand still.
 
 use crate::lab::contract::{By, Model};
-use crate::lab::methods::impact::{ImpactStep, LineBlock, at_once, discrete, exact, swept};
+use crate::lab::methods::impact::{ImpactStep, LineBlock, at_once, discrete, exact, speculative, swept};
 use crate::lab::{LabScene, SceneMethod, contract};
 use crate::physics::{BodyDef, DVec2, World};
 
@@ -11,9 +11,10 @@ const SECONDS: f64 = 10.0;
 /// m/s. Of the first block of a cradle.
 pub const STRIKE: f64 = 3.0;
 
-pub const METHODS: [(&str, ImpactStep); 4] = [
+pub const METHODS: [(&str, ImpactStep); 5] = [
     ("overlap at tick ends", discrete),
     ("swept, rest of tick lost", swept),
+    ("speculative contacts", speculative),
     ("all contacts at once", at_once),
     ("exact times of impact", exact),
 ];

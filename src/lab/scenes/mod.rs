@@ -16,17 +16,16 @@ use super::LabScene;
 pub fn all() -> Vec<LabScene> {
     vec![
         flight::fall(),
-        flight::parabola(),
         flight::fall_with_drag(),
         flight::rise(),
-        flight::drag_without_weight(),
         flight::liquid(),
         flight::projectile(),
         flight::gust(),
         oscillator::swing(),
         oscillator::energy_kept(),
-        springs::swing(),
         springs::pendulum_swing(),
+        springs::shock_absorber(),
+        springs::orbit(),
         sliding::to_a_stop(),
         bouncing::perfect(),
         bouncing::apexes(),
@@ -35,8 +34,9 @@ pub fn all() -> Vec<LabScene> {
         stacks::column(),
         stacks::heavy_on_light(),
         stacks::pushed_row(),
+        stacks::friction_tower(),
+        stacks::time_to_rest(),
         tunnelling::thin_wall(),
-        tunnelling::bodies(),
         pi::digits(),
     ]
 }

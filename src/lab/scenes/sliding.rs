@@ -1,7 +1,7 @@
 //! Sliding to a stop on a floor. Exact: d = v₀²/2μg.
 
 use crate::lab::contract::Model;
-use crate::lab::methods::motion::{SlideStep, Slider, by_sign, clamped, exact};
+use crate::lab::methods::slide::{SlideStep, Slider, by_sign, clamped, exact};
 use crate::lab::{LabScene, SceneMethod, contract};
 use crate::physics::{BodyDef, BodyId, DVec2, Material, World};
 

@@ -11,18 +11,26 @@ use crate::physics::{BodyDef, BodyId, DVec2, Material, World};
 const G: f64 = 9.81;
 const COLUMN: usize = 20;
 const ROW: usize = 20;
+const TOWER: usize = 10;
+/// m. Between the blocks of a column that is dropped.
+const DROP: f64 = 0.05;
+/// m/s. Slower, a block rests.
+const RESTS: f64 = 1e-3;
 /// s.
 const SECONDS: f64 = 10.0;
 /// m/s².
 const ROW_ACCELERATION: f64 = 1.0;
 
 /// The solvers by hand, from the cheapest.
-pub const SOLVERS: [(&str, Solver); 6] = [
+pub const SOLVERS: [(&str, Solver); 9] = [
     ("impulses, 4 sweeps, warm", Solver::Sweeps { sweeps: 4, warm: true }),
     ("impulses, 20 sweeps, cold", Solver::Sweeps { sweeps: 20, warm: false }),
     ("impulses, 20 sweeps, warm", Solver::Sweeps { sweeps: 20, warm: true }),
     ("impulses, 4 substeps", Solver::Substeps(4)),
     ("impulses, 20 substeps", Solver::Substeps(20)),
+    ("soft contacts, 4 substeps", Solver::Soft(4)),
+    ("soft contacts, 20 substeps", Solver::Soft(20)),
+    ("XPBD, 20 substeps", Solver::Positions(20)),
     ("direct", Solver::Direct),
 ];
 
@@ -34,26 +42,54 @@ pub struct ContactChain {
     /// Of each body along the axis, m/s²; of an immovable floor first.
     accelerations: Vec<f64>,
     standing: bool,
+    /// m. Between the blocks at the start.
+    gap: f64,
+    /// m/s². Of all blocks across the axis.
+    pull: f64,
 }
 
 impl ContactChain {
     /// A column of these masses (kg).
     pub fn standing(masses: Vec<f64>) -> Self {
         let accelerations = std::iter::once(0.0).chain(masses.iter().map(|_| -G)).collect();
-        Self { masses, accelerations, standing: true }
+        Self { masses, accelerations, standing: true, gap: 0.0, pull: 0.0 }
+    }
+
+    /// A column of `n` blocks, each pushed sideways with half of what friction can bear.
+    pub fn tower(n: usize) -> Self {
+        Self { pull: 0.5 * Material::ASPHALT.static_friction * G, ..Self::standing(vec![1.0; n]) }
+    }
+
+    /// A column of `n` blocks with gaps below each.
+    pub fn dropped(n: usize) -> Self {
+        Self { gap: DROP, ..Self::standing(vec![1.0; n]) }
+    }
+
+    /// When the last block of a column without bounces lies, s: all fall alike, and the topmost falls through all gaps.
+    pub fn rests_after(&self) -> f64 {
+        (2.0 * self.gap * self.masses.len() as f64 / G).sqrt()
+    }
+
+    /// When it does, s: infinite where a block still moves after `seconds`.
+    pub fn found_at_rest(&self, by: By<Solver>, seconds: f64, h: f64) -> f64 {
+        let moves = |chain: &Chain| chain.velocities.iter().any(|v| v.is_nan() || v.abs() > RESTS);
+        let moving = self.running(by, h).each(seconds, |t, chain| (t, moves(chain)));
+        let last = moving.fold((0.0, 0.0), |(last, _), (t, moves)| (if moves { t } else { last }, t));
+        if last.0 < last.1 { last.0 } else { f64::INFINITY }
     }
 
     /// A row of `n` blocks that is pushed from behind. Every block slides from the first step on.
     fn pushed(n: usize) -> Self {
         let mut accelerations = vec![-Material::ASPHALT.kinetic_friction * G; n];
         accelerations[0] += push(n);
-        Self { masses: vec![1.0; n], accelerations, standing: false }
+        Self { masses: vec![1.0; n], accelerations, standing: false, gap: 0.0, pull: 0.0 }
     }
 
     /// The largest distance by which a body of a standing column ever leaves its place, m.
     pub fn sag(&self, by: By<Solver>, seconds: f64, h: f64) -> f64 {
         let size = |x: &f64| if x.is_finite() { x.abs() } else { f64::INFINITY };
-        worst(self.running(by, h).each(seconds, |_, chain| chain.places.iter().map(size).fold(0.0, f64::max)))
+        let moved = |chain: &Chain| chain.places.iter().chain(&chain.across).map(size).fold(0.0, f64::max);
+        worst(self.running(by, h).each(seconds, |_, chain| moved(chain)))
     }
 
     /// The worst error of a place in the pushed row, m.
@@ -76,7 +112,10 @@ impl Model for ContactChain {
     type Method = Solver;
 
     fn start(&self) -> Chain {
-        Chain::new(&self.masses, self.standing)
+        let chain = Chain::new(&self.masses, self.standing);
+        let places = (0..chain.places.len()).map(|i| i as f64 * self.gap).collect();
+        let friction = if self.pull > 0.0 { Material::ASPHALT.static_friction } else { 0.0 };
+        Chain { places, friction, pull: self.pull, ..chain }
     }
 
     fn step(&self, solver: Solver, chain: &mut Chain, h: f64) {
@@ -85,8 +124,13 @@ impl Model for ContactChain {
 
     fn world(&self) -> Option<World> {
         if self.standing {
-            let bodies = self.masses.iter().enumerate().map(|(i, &mass)| contract::crate_at(0.0, i as f64, mass));
-            return World::new(contract::on_floor(G, 1.0, bodies.collect())).ok();
+            let up = |i: usize| i as f64 + (i + 1) as f64 * self.gap;
+            let bodies = self.masses.iter().enumerate().map(|(i, &mass)| contract::crate_at(0.0, up(i), mass));
+            let mut world = World::new(contract::on_floor(G, 1.0, bodies.collect())).ok()?;
+            for (i, mass) in self.masses.iter().enumerate().filter(|_| self.pull > 0.0) {
+                world.set_drive(BodyId(i as u32), DVec2::new(mass * self.pull, 0.0));
+            }
+            return Some(world);
         }
         let n = self.masses.len();
         let velocity = DVec2::new(ROW_START, 0.0);
@@ -98,8 +142,11 @@ impl Model for ContactChain {
 
     fn read(&self, world: &World, _: f64, chain: &mut Chain) {
         let anchor = usize::from(self.standing);
-        for (i, (place, body)) in chain.places[anchor..].iter_mut().zip(world.bodies()).enumerate() {
-            *place = if self.standing { -(body.position.y + 0.5 + i as f64) } else { body.position.x - i as f64 };
+        for (i, body) in world.bodies().iter().enumerate() {
+            let (standing, x) = (self.standing, body.position.x);
+            chain.places[anchor + i] = if standing { -(body.position.y + 0.5 + i as f64) } else { x - i as f64 };
+            chain.velocities[anchor + i] = if standing { -body.velocity.y } else { body.velocity.x };
+            chain.across[anchor + i] = if standing { x } else { 0.0 };
         }
     }
 }
@@ -109,19 +156,34 @@ fn push(n: usize) -> f64 {
     n as f64 * (ROW_ACCELERATION + Material::ASPHALT.kinetic_friction * G)
 }
 
-fn standing(name: &'static str, title: String, masses: Vec<f64>) -> LabScene {
-    let column = ContactChain::standing(masses);
+fn standing(name: &'static str, title: String, column: ContactChain) -> LabScene {
     let scene = LabScene { world: column.world(), ..LabScene::new(name, title, SECONDS, column.masses.len()) };
-    let methods = SceneMethod::all(SOLVERS, move |by, h| column.sag(by, SECONDS, h));
+    let solvers = SOLVERS.into_iter().filter(|(_, solver)| column.pull == 0.0 || *solver != Solver::Direct);
+    let methods = SceneMethod::all(solvers.collect::<Vec<_>>(), move |by, h| column.sag(by, SECONDS, h));
     LabScene { error: "largest movement of a body at rest, m", methods, ..scene }
 }
 
 pub fn column() -> LabScene {
-    standing("column", format!("A column of {COLUMN} equal blocks, 10 s"), vec![1.0; COLUMN])
+    standing("column", format!("A column of {COLUMN} equal blocks, 10 s"), ContactChain::standing(vec![1.0; COLUMN]))
 }
 
 pub fn heavy_on_light() -> LabScene {
-    standing("heavy-on-light", "10 000 kg resting on 1 kg, 10 s".to_owned(), vec![1.0, 10_000.0])
+    standing("heavy-on-light", "10 000 kg resting on 1 kg, 10 s".to_owned(), ContactChain::standing(vec![1.0, 10_000.0]))
+}
+
+pub fn friction_tower() -> LabScene {
+    let title = format!("A tower of {TOWER} blocks, pushed sideways by half of what friction bears, 10 s");
+    standing("friction-tower", title, ContactChain::tower(TOWER))
+}
+
+pub fn time_to_rest() -> LabScene {
+    let pile = ContactChain::dropped(TOWER);
+    let (world, exact) = (pile.world(), pile.rests_after());
+    let methods = SceneMethod::all(SOLVERS, move |by, h| (pile.found_at_rest(by, SECONDS, h) - exact).abs());
+    let title = format!("A pile of {TOWER} falling blocks comes to rest");
+    let note = "At rest: no block is faster than 1 mm/s from then on. Upper edge: never within 10 s.";
+    let scene = LabScene::new("rest-time", title, SECONDS, TOWER);
+    LabScene { error: "error of the time of rest, s", tolerance: super::super::stress::TICK, note, methods, world, ..scene }
 }
 
 pub fn pushed_row() -> LabScene {

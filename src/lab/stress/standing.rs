@@ -20,9 +20,11 @@ pub const FORCE: f64 = 1e-9;
 const SWEPT_FORCE: f64 = 0.01;
 const SWEEPS: [u32; 4] = [10, 50, 500, 5000];
 /// The solvers that have 2 s to find the forces.
-const AT_REST: [(&str, Solver); 3] = [
+const AT_REST: [(&str, Solver); 5] = [
     ("impulses, 20 sweeps, warm, after 2 s", Solver::Sweeps { sweeps: 20, warm: true }),
     ("impulses, 20 substeps, after 2 s", Solver::Substeps(20)),
+    ("soft contacts, 4 substeps, after 2 s", Solver::Soft(4)),
+    ("XPBD, 20 substeps, after 2 s", Solver::Positions(20)),
     ("direct", Solver::Direct),
 ];
 /// s. Bodies rest for this time.

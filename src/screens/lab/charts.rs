@@ -9,7 +9,7 @@ use crate::lab::curve::{ANOTHER_BUILD, Measured, OverTime};
 use crate::lab::drawing::diagram::{self, DiagramPlaces, Picked, with_unit};
 use crate::lab::drawing::timeline;
 use crate::lab::methods::rules;
-use crate::number::{short, step};
+use crate::number::short;
 use crate::screens::screen::Request;
 use crate::session::library::Shown;
 use crate::settings::Key;
@@ -80,6 +80,12 @@ impl ChartsPage {
         None
     }
 
+    /// At the diagram of that name.
+    pub(super) fn open(&mut self, name: &str) {
+        let found = self.shown.charts.diagrams.iter().position(|measured| measured.name == name);
+        self.turn_to(found.unwrap_or(self.scene));
+    }
+
     fn turn_to(&mut self, scene: usize) {
         self.scene = scene.checked_rem(self.shown.charts.diagrams.len()).unwrap_or(0);
         self.legend.clear();
@@ -105,9 +111,11 @@ impl ChartsPage {
         widgets::fitted(canvas, tr(&measured.title), title, widest - 240.0, &[BUTTON_TEXT, TEXT], theme::text());
         let count = tr!("{number} of {count}", number = self.scene + 1, count = self.shown.charts.diagrams.len());
         ui.text(&count, Vec2::new(panel.max().x, title.y), Style::new(TEXT, theme::quiet()).mono().middle().right());
-        if let Some((rule, uses)) = curve.and_then(|curve| rules::of(&measured.curves[curve].name)) {
-            widgets::fitted(canvas, tr(rule), below(18.0), widest, &[TEXT, DETAILS], theme::text());
-            return widgets::fitted(canvas, tr(uses), below(42.0), widest, &[TEXT, DETAILS], theme::quiet());
+        if let Some(lines) = curve.and_then(|curve| about(&measured.curves[curve].name)) {
+            for (words, down) in lines.iter().zip([18.0, 42.0]) {
+                widgets::fitted(canvas, words, below(down), widest, &[TEXT, DETAILS], theme::text());
+            }
+            return;
         }
         if let Some(verdict) = self.verdict() {
             widgets::fitted(canvas, &verdict, below(18.0), widest, &[TEXT, DETAILS], theme::text());
@@ -134,8 +142,12 @@ impl ChartsPage {
         );
         if let Some((curve, point)) = measured.cheapest() {
             let costs = shipped.work / point.work;
-            let cheapest =
-                tr!("{method} at {step}, {time} ns", method = tr(&curve.name), step = step(point.step), time = short(point.work));
+            let cheapest = tr!(
+                "{method} at {step}, {time} ns",
+                method = tr(&curve.name),
+                step = curve.setting(point),
+                time = short(point.work)
+            );
             words += &tr!(
                 "  Cheapest within the tolerance: {cheapest}; the shipped point costs {factor} times that.",
                 cheapest,
@@ -164,6 +176,16 @@ impl ChartsPage {
             whose
         )
     }
+}
+
+/// Two lines on a method: its rule and what it uses, or, where more is known, both in one and where it holds and fails.
+pub(super) fn about(method: &str) -> Option<[String; 2]> {
+    let (rule, uses) = rules::of(method)?;
+    let (rule, uses) = (tr(rule), tr(uses));
+    Some(match rules::limits(method) {
+        Some((limits, source)) => [format!("{rule}   {uses}"), format!("{} ({source})", tr(limits))],
+        None => [rule.to_owned(), uses.to_owned()],
+    })
 }
 
 /// Height of a page's title, and of its words below the chart.

@@ -1,10 +1,11 @@
-//! The Lab on six pages: accuracy against speed, regions of stability, stress tests, two methods side by side, why explicit Euler gains
+//! The Lab on seven pages: an overview, accuracy against speed, regions of stability, stress tests, two methods side by side, why explicit Euler gains
 //! energy, experiments. It shows the
 //! results of a run of `resultant chart`, and measures nothing itself.
 
 mod charts;
 mod euler;
 mod experiments;
+mod overview;
 mod side_by_side;
 mod stability;
 mod survival;
@@ -16,7 +17,7 @@ pub(super) use experiments::Paragraphs;
 pub use side_by_side::{Half, SideBySide};
 
 use crate::draw::Style;
-use crate::draw::layout::{Area, Frame, GAP, TEXT, Vec2};
+use crate::draw::layout::{Area, DETAILS, Frame, GAP, TEXT, Vec2};
 use crate::lab::charts::Charts;
 use crate::settings::Key;
 use crate::ui::input::Input;
@@ -26,12 +27,13 @@ use crate::view::{theme, widgets};
 use crate::words::tr;
 use charts::ChartsPage;
 use experiments::ExperimentsPage;
+use overview::{Onwards, OverviewPage};
 use stability::StabilityPage;
 use survival::SurvivalPage;
 
 /// The first tool of each page.
 const BACK: (&str, Key, &str) = ("Back", Key::Escape, "Esc");
-const TAB: Vec2 = Vec2::new(176.0, 40.0);
+const TAB: Vec2 = Vec2::new(148.0, 40.0);
 const TABS_AT: f32 = 16.0;
 /// From a page to the canvas' top, foot and sides.
 const TOP: f32 = 72.0;
@@ -41,6 +43,7 @@ const MARGIN: f32 = 24.0;
 #[derive(Debug)]
 pub struct Lab {
     page: Page,
+    overview: OverviewPage,
     charts: ChartsPage,
     stability: StabilityPage,
     survival: SurvivalPage,
@@ -49,11 +52,12 @@ pub struct Lab {
 }
 
 impl Lab {
-    /// Opens at its experiments, at the one `left` if there is one.
+    /// Opens at its overview, or at the experiment that was `left`.
     pub fn new(shown: Shown, experiments: Result<Vec<Experiment>, String>, left: Option<&str>) -> Self {
         let survival = SurvivalPage::new(&shown.charts.stress);
         Self {
-            page: Page::default(),
+            page: if left.is_some() { Page::Experiments } else { Page::default() },
+            overview: OverviewPage::default(),
             experiments: ExperimentsPage::new(experiments, left),
             charts: ChartsPage::new(shown),
             stability: StabilityPage::default(),
@@ -78,6 +82,19 @@ impl Lab {
         &self.side_by_side
     }
 
+    fn lead(&mut self, onwards: Option<Onwards>) -> Option<Request> {
+        match onwards? {
+            Onwards::Back => return Some(Request::Pop),
+            Onwards::Chart(name) => {
+                self.charts.open(name);
+                self.page = Page::Charts;
+            }
+            Onwards::Stability => self.page = Page::Stability,
+            Onwards::Savings => {}
+        }
+        None
+    }
+
     fn show_tabs(&mut self, ui: &mut Ui<'_>) {
         let pitch = TAB.x + GAP;
         let left = (ui.frame().size.x - (PAGES.len() as f32 * pitch - GAP)) / 2.0;
@@ -91,7 +108,7 @@ impl Lab {
             let open = page == self.page;
             widgets::button_box(ui.canvas(), area, touch.hover, false);
             let colour = if open { theme::accent() } else { theme::quiet() };
-            ui.text(tr(label), area.centre(), Style::new(TEXT, colour).centred().middle());
+            widgets::fitted(ui.canvas(), tr(label), area.centre(), area.size.x - GAP, &[TEXT, DETAILS], colour);
             if open {
                 let line = Area::new(area.min.x + 16.0, area.max().y - 6.0, area.size.x - 32.0, 2.0);
                 ui.canvas().rounded(line, 1.0, theme::accent());
@@ -117,6 +134,10 @@ impl Screen for Lab {
         self.show_tabs(ui);
         let area = body(&ui.frame());
         match self.page {
+            Page::Overview => {
+                let onwards = self.overview.show(ui, area, (&self.charts.shown.charts, self.stability.regions()));
+                self.lead(onwards)
+            }
             Page::Charts => self.charts.show(ui, area),
             Page::Stability => self.stability.show(ui, area),
             Page::Survival => self.survival.show(ui, area),

@@ -3,7 +3,7 @@
 
 open_game
 expect lab-menu shows "$accent" 0 0 100 45 0.3
-press Down Down Down Down Return Return Tab # its experiments, then its charts
+press Down Down Down Down Return Return Tab # its overview, then its charts
 expect lab-charts differs lab-menu 3
 expect lab-charts drawn
 expect lab-charts shows "$accent" 5 20 70 60 0.1 # the shipped engine's curve
@@ -32,7 +32,7 @@ press Down
 sleep 2
 press space
 expect lab-throw differs lab-side 0.3
-click 16 5 # the tab of the charts
+click 24 5 # the tab of the charts
 expect lab-charts-by-mouse resembles lab-picked 3
 press Up # no method is picked out any more
 for size in "900 500" "1280 720" "1920 1080"; do

@@ -1,0 +1,123 @@
+//! The first page: four pictures, each of which leads on to its page.
+
+use super::BACK;
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, GAP, PADDING, TEXT, Vec2};
+use crate::lab::charts::Charts;
+use crate::lab::curve::Measured;
+use crate::lab::drawing::overview;
+use crate::lab::stability::Region;
+use crate::ui::{Ui, WidgetKind};
+use crate::view::theme;
+use crate::view::widgets;
+use crate::words::tr;
+
+/// Where the page leads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Onwards {
+    /// To the charts, at the diagram of that name.
+    Chart(&'static str),
+    Stability,
+    /// To the picture of the savings alone, and back.
+    Savings,
+    /// Out of the Lab.
+    Back,
+}
+
+const ERRORS: &str = "projectile";
+const PILES: &str = "piles";
+/// Height of a picture's title and of its sentence.
+const TITLE: f32 = 40.0;
+const SENTENCE: f32 = 24.0;
+
+/// Title, sentence, and what it leads to.
+const PICTURES: [(&str, &str, Onwards); 4] = [
+    (
+        "Error against time",
+        "A throw with drag and wind: a curve a method, a mark a step. Lower left is better.",
+        Onwards::Chart(ERRORS),
+    ),
+    ("Where methods break", "Inside its edge a method fades as the truth does; outside it grows without end.", Onwards::Stability),
+    ("What modelling less saves", "What a scene does not contain is not computed, and not a bit changes.", Onwards::Savings),
+    (
+        "Beside Box2D and Rapier",
+        "Piles of 100 to 5000 boxes: how deep they overlap, and how long a step takes.",
+        Onwards::Chart(PILES),
+    ),
+];
+
+#[derive(Debug, Default)]
+pub(super) struct OverviewPage {
+    /// The savings fill the page.
+    savings: bool,
+}
+
+impl OverviewPage {
+    pub fn show(&mut self, ui: &mut Ui<'_>, body: Area, (charts, regions): (&Charts, &[Region])) -> Option<Onwards> {
+        if ui.tools(&[BACK]).is_some() {
+            return if std::mem::take(&mut self.savings) { None } else { Some(Onwards::Back) };
+        }
+        if self.savings {
+            let (title, sentence, _) = PICTURES[2];
+            ui.panel(body);
+            head(ui, body, title, sentence);
+            overview::savings(ui.canvas(), inside(body), &charts.savings);
+            return None;
+        }
+        let diagram = |name: &str| charts.diagrams.iter().find(|measured| measured.name == name);
+        let has = |onwards: Onwards| match onwards {
+            Onwards::Chart(name) => diagram(name).is_some_and(|measured: &Measured| !measured.curves.is_empty()),
+            Onwards::Stability | Onwards::Back => true,
+            Onwards::Savings => !charts.savings.is_empty(),
+        };
+        let shown: Vec<_> = PICTURES.into_iter().filter(|(_, _, onwards)| has(*onwards)).collect();
+        let mut chosen = None;
+        for ((title, sentence, onwards), area) in shown.iter().zip(cards(body, shown.len())) {
+            let touch = ui.touch(title, area, WidgetKind::Button);
+            widgets::panel_in(
+                ui.canvas(),
+                area,
+                if touch.hover { theme::panel_hover() } else { theme::panel() },
+                theme::panel_edge(),
+            );
+            head(ui, area, title, sentence);
+            match *onwards {
+                Onwards::Chart(name) => {
+                    diagram(name).into_iter().for_each(|found| overview::diagram(ui.canvas(), inside(area), found))
+                }
+                Onwards::Stability => overview::plane(ui.canvas(), inside(area), regions),
+                Onwards::Savings => overview::savings(ui.canvas(), inside(area), &charts.savings),
+                Onwards::Back => {}
+            }
+            if touch.focus {
+                widgets::focus_ring(ui.canvas(), area);
+            }
+            chosen = chosen.or(touch.pressed.then_some(*onwards));
+        }
+        self.savings = chosen == Some(Onwards::Savings);
+        chosen
+    }
+}
+
+/// Two a row; the last of an odd number is as wide as two.
+fn cards(body: Area, count: usize) -> impl Iterator<Item = Area> {
+    let rows = count.div_ceil(2).max(1) as f32;
+    let size = Vec2::new((body.size.x - GAP) / 2.0, (body.size.y - GAP * (rows - 1.0)) / rows);
+    (0..count).map(move |i| {
+        let place = Vec2::new((i % 2) as f32, (i / 2) as f32) * (size + GAP);
+        let wide = i % 2 == 0 && i + 1 == count;
+        Area { min: body.min + place, size: if wide { Vec2::new(body.size.x, size.y) } else { size } }
+    })
+}
+
+fn head(ui: &Ui<'_>, area: Area, title: &str, sentence: &str) {
+    let widest = area.size.x - 2.0 * PADDING;
+    let at = |y: f32| Vec2::new(area.centre().x, area.min.y + y);
+    widgets::fitted(ui.canvas(), tr(title), at(TITLE / 2.0 + 2.0), widest, &[BUTTON_TEXT, TEXT], theme::text());
+    widgets::fitted(ui.canvas(), tr(sentence), at(TITLE + SENTENCE / 2.0 - 4.0), widest, &[DETAILS], theme::quiet());
+}
+
+/// The room of the picture in its card.
+fn inside(area: Area) -> Area {
+    let down = TITLE + SENTENCE;
+    Area::new(area.min.x + PADDING, area.min.y + down, area.size.x - 2.0 * PADDING, area.size.y - down - 8.0)
+}
