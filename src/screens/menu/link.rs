@@ -119,7 +119,7 @@ mod tests {
             ("play=%f", "expected letters"),
             ("play=%ff", "expected letters"),
             ("play=1&details=yes", "details: found \"yes\", expected 0 or 1"),
-            ("lab=kitchen", "lab: found \"kitchen\", expected charts, "),
+            ("lab=kitchen", "lab: found \"kitchen\", expected overview, "),
             ("utm_source=x&play=1", "found \"utm_source\", expected play"),
             (&"x".repeat(501), "found more than 500 characters"),
         ] {
