@@ -11,7 +11,7 @@ for palette in safe contrast; do
   printf 'setting,value,player\ncolours,%s,\nparticles,0,\n' "$palette" >"$data/settings.csv"
   open_game play colours
   expect "colours-$palette" drawn
-  sleep 1
+  sleep 4 # the introduction is over
   shot "colours-$palette"
   for sight in normal protan deutan tritan; do
     # Rock, the ship's goal, the keys' goal, a death box: its top edge, which has its own colour in full.
