@@ -1,4 +1,4 @@
-// Plays the page of target/web like a person would: level 1 by keys to success, the score saved, the page loaded again, the score there.
+// Plays the page of target/web like a person would: level 2 by keys to success, the score saved, the page loaded again, the score there.
 // The page's clock goes by hand, five ticks of the game a frame, so that the keys of a recorded flight fall on its ticks.
 import { mkdirSync, readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -170,9 +170,9 @@ try {
   console.log("umlauts are set");
 
   // A link opens the level; the keys of a recorded flight fly it.
-  await begin("#play=1");
+  await begin("#play=2");
   await picture("level-1");
-  const record = readFileSync(join(root, "levels/1/flights/careful.replay.csv"), "utf8");
+  const record = readFileSync(join(root, "levels/2/flights/careful.replay.csv"), "utf8");
   const held = new Set();
   for (const row of record.split("\n").filter((row) => /^[0-9]+,/.test(row))) {
     const [ticks, ...keys] = row.split(",").map(Number);
@@ -189,21 +189,21 @@ try {
   const asks = () => browser.ask("{ const left = new Event('beforeunload', { cancelable: true }); window.dispatchEvent(left); left.defaultPrevented }");
   check(await asks(), "the page is left without a question although a score is not saved");
   const attempt = (await kept("scores/attempts.csv"))?.trim().split("\n").pop().trim();
-  check(/^1,Guest,completed,/.test(attempt ?? ""), `level 1 is not completed: ${attempt}`);
-  console.log("level 1 is flown by keys:", attempt);
+  check(/^2,Guest,completed,/.test(attempt ?? ""), `level 2 is not completed: ${attempt}`);
+  console.log("level 2 is flown by keys:", attempt);
 
   // Its score is saved, and is there when the page is loaded again.
   await press("ArrowDown", "ArrowDown", "ArrowDown", "Enter", ...USER, "Enter");
   await picture("saved");
   check(!await asks(), "the page asks although all is saved");
-  const board = await kept("scores/1.csv");
+  const board = await kept("scores/2.csv");
   // After the first goal slow motion moves the later keys, so the score is not that of the record: the flight that is kept with it says it.
   const [, points, file] = new RegExp(`^${USER},([0-9]+),[0-9.]+,([^,\r\n]+)$`, "m").exec(board ?? "") ?? [];
   const flown = await browser.ask(`Object.entries(localStorage).find(([name]) => name.endsWith(${JSON.stringify(`/${file}`)}))?.[1]`);
   check(/^# outcome: completed$/m.test(flown ?? "") && flown.includes(`# score: ${points}\n`), `the flight of ${points} points is not saved: ${board}`);
   await begin();
-  check(await kept("scores/1.csv") === board, "the score is another one after loading");
-  await press("ArrowDown", "ArrowDown", "Enter", "Enter");
+  check(await kept("scores/2.csv") === board, "the score is another one after loading");
+  await press("ArrowDown", "ArrowDown", "Enter", "ArrowDown", "Enter");
   await picture("leaderboard");
   console.log("its score is kept:", board.trim().split("\n").pop().trim());
 
@@ -238,13 +238,13 @@ try {
   const archive = await browser.ask("given.arrayBuffer().then((bytes) => [...new Uint8Array(bytes)])");
   await browser.ask("localStorage.clear()");
   await begin();
-  check(await kept("scores/1.csv") === null, "the storage is not empty");
+  check(await kept("scores/2.csv") === null, "the storage is not empty");
   const again = browser.loaded();
   await browser.ask(`void ${drop(`new Uint8Array([${archive}])`, "resultant-data.zip")}.then(() => setTimeout(step, 0, 2))`);
   await again;
   await begin();
   await picture("imported");
-  check(await kept("scores/1.csv") === board, "the score has not come back");
+  check(await kept("scores/2.csv") === board, "the score has not come back");
   console.log("everything is exported and imported:", archive.length, "bytes");
 
   // A level that is dropped as a zip is installed, and one that is none says why.
@@ -289,12 +289,12 @@ try {
 
   // A damaged board is named, and stays as it is.
   const damaged = "tname,score\n\"Ann,12";
-  await browser.ask(`localStorage.setItem("resultant/scores/1.csv", ${JSON.stringify(damaged)})`);
+  await browser.ask(`localStorage.setItem("resultant/scores/2.csv", ${JSON.stringify(damaged)})`);
   await begin();
-  await press("ArrowDown", "ArrowDown", "Enter", "Enter");
+  await press("ArrowDown", "ArrowDown", "Enter", "ArrowDown", "Enter");
   await picture("damaged-board");
-  check(await kept("scores/1.csv") === damaged, "the damaged board is another one");
-  await browser.ask(`localStorage.setItem("resultant/scores/1.csv", ${JSON.stringify(board)})`);
+  check(await kept("scores/2.csv") === damaged, "the damaged board is another one");
+  await browser.ask(`localStorage.setItem("resultant/scores/2.csv", ${JSON.stringify(board)})`);
 
   // A full storage: the flight's attempt cannot be written, and the board stays.
   await begin();
@@ -302,7 +302,7 @@ try {
   await press(...SETTINGS, "ArrowRight");
   await picture("full-storage");
   check(await asks(), "the page is left without a question although nothing can be written");
-  check(await kept("scores/1.csv") === board, "the board is another one");
+  check(await kept("scores/2.csv") === board, "the board is another one");
 
   // A copy of a level that comes with the game, from its pause: Edit Level is the last button.
   await begin("#play=1");
