@@ -48,6 +48,38 @@ pub(crate) struct Ledger {
     pub open: bool,
     /// The part of all these energies that its steps may add.
     pub slack: f64,
+    /// The leader of the island that a link joins it to, whose ledger has both.
+    pub joined: Option<u32>,
+}
+
+impl Ledger {
+    fn add(&mut self, of: &Ledger) {
+        self.gained += of.gained;
+        self.given += of.given;
+        self.scale += of.scale;
+        self.rounding += of.rounding;
+        self.push += of.push;
+        self.open |= of.open;
+        self.slack = self.slack.max(of.slack);
+    }
+}
+
+/// The leader whose ledger has the island of `leader`.
+fn joined_to(ledgers: &[Ledger], mut leader: u32) -> u32 {
+    while let Some(next) = ledgers[leader as usize].joined {
+        leader = next;
+    }
+    leader
+}
+
+/// Makes one ledger of two, and says whose.
+pub(crate) fn join(ledgers: &mut [Ledger], a: u32, b: u32) -> u32 {
+    let (a, b) = (joined_to(ledgers, a), joined_to(ledgers, b));
+    if a != b {
+        let gone = std::mem::replace(&mut ledgers[b as usize], Ledger { joined: Some(a), ..Ledger::default() });
+        ledgers[a as usize].add(&gone);
+    }
+    a
 }
 
 #[derive(Clone, Debug, Default)]

@@ -1,9 +1,9 @@
 //! Energy: kinetic and potential energy of an island rise in no tick by more than the work of drive, streams, fields and buoyancy.
 //!
-//! Springs and ropes give what they held, and what winches do. Not asked: islands in which links alone lead a body, islands that a link joins (one
-//! gives what the other gains), magnets, near surfaces that move, where a body crosses the border of a stream within the tick, and liquids under a gravity that points up.
+//! Springs and ropes give what they held, and what winches do. Islands that links join have one ledger. Not asked: islands in
+//! which links alone lead a body, magnets, near surfaces that move, where a body crosses the border of a stream within the tick, and liquids under a gravity that points up.
 
-use crate::physics::checks::{Ledger, Thing, rounding};
+use crate::physics::checks::{Ledger, Thing, join, rounding};
 use crate::physics::data::{Aabb, BodyId, LinkLaw, MICRO_SPEED, SLOP, refill};
 use crate::physics::forces::Link;
 use crate::physics::forces::zones::{feels, stays};
@@ -143,11 +143,9 @@ impl World {
             }
             let leader = |body: BodyId| self.space.motions.island_of(body.0).unwrap_or(body.0);
             let first = leader(link.def.body);
-            let shared = link.def.other().is_none_or(|other| leader(other) == first);
-            for of in link.def.ends().map(leader) {
-                ledgers[of as usize].open |= !shared || matches!(link.law, LinkLaw::Magnet(_));
-            }
-            let ledger = &mut ledgers[first as usize];
+            let whole = join(ledgers, first, link.def.other().map_or(first, leader));
+            let ledger = &mut ledgers[whole as usize];
+            ledger.open |= matches!(link.law, LinkLaw::Magnet(_));
             let before = link.sooner(dt, dt);
             let [from, to] = [self.length_of(link, true), self.length_of(link, false)];
             let held = before.law.energy(from);
