@@ -11,10 +11,10 @@ use crate::game::{Controls, Game, Replay};
 use crate::lab::charts::{Charts, MeasuredWith, SETTING};
 use crate::lab::curve::{CoursePoint, Measured, MethodCurve, OverTime, WorkPoint, median_and_spread};
 use crate::lab::drawing::picture;
-use crate::lab::figures::{Figures, PAGES};
+use crate::lab::figures::{PAGES, PageFigures};
 use crate::lab::kept::{PEERS, PeerRow, add_peers, is_of_peers, peer_rows};
 use crate::lab::report::{shipped_csv, summary};
-use crate::lab::savings::{self, Saving, Trial};
+use crate::lab::savings::{self, Saving, TimedRun};
 use crate::lab::{LabScene, SceneMethod, scenes, stability, stress};
 use crate::level;
 use crate::physics::{Plan, SOURCES};
@@ -169,7 +169,7 @@ pub fn run(args: &ChartArgs, project: &Project, out: &mut dyn Write) -> Result<S
     }
     let own = project.root().join("docs/charts");
     if own.canonicalize().is_ok_and(|own| dir.canonicalize().is_ok_and(|dir| dir == own)) {
-        let figures = Figures { charts: &charts, peers: &peers };
+        let figures = PageFigures { charts: &charts, peers: &peers };
         for page in PAGES {
             let text = read_text(&project.root().join(page), Path::new(page), CHART)?;
             let filled = figures.fill(&text).map_err(|problem| CommandError::Refused(format!("{page}: {problem}")))?;
@@ -309,7 +309,7 @@ fn over_time(scene: &LabScene) -> Option<OverTime> {
 }
 
 /// Levels and experiments under the keys of their first flight, or none, and the scenes of the Lab.
-fn trials(project: &Project, scenes: Vec<LabScene>, ticks: usize) -> Vec<(&'static str, String, Trial)> {
+fn trials(project: &Project, scenes: Vec<LabScene>, ticks: usize) -> Vec<(&'static str, String, TimedRun)> {
     let mut trials = Vec::new();
     for (of, folder) in [(savings::LEVEL, project.levels()), ("experiment", project.root().join("experiments"))] {
         for name in level::list(&folder) {
@@ -317,11 +317,11 @@ fn trials(project: &Project, scenes: Vec<LabScene>, ticks: usize) -> Vec<(&'stat
             let Ok(game) = Game::new(Arc::new(loaded.level)) else { continue };
             let keys = first_flight(&folder.join(&name).join("flights"));
             let keys = keys.map_or_else(|| vec![Controls::default(); ticks], |flight| flight.inputs.after(0).take(ticks).collect());
-            trials.push((of, name, Trial::Game(Box::new(game), keys)));
+            trials.push((of, name, TimedRun::Game(Box::new(game), keys)));
         }
     }
     let worlds = scenes.into_iter().filter_map(|scene| Some((scene.name, scene.world?)));
-    trials.extend(worlds.map(|(name, world)| ("scene", name.to_owned(), Trial::World(Box::new(world), ticks))));
+    trials.extend(worlds.map(|(name, world)| ("scene", name.to_owned(), TimedRun::World(Box::new(world), ticks))));
     trials
 }
 
@@ -331,12 +331,12 @@ fn first_flight(folder: &Path) -> Option<Replay> {
     files.iter().find_map(|file| Replay::parse("", &files::read_text(file, files::INPUTS).ok()?).ok())
 }
 
-fn saving(of: &str, scene: String, trial: &Trial, quick: bool) -> Saving {
+fn saving(of: &str, scene: String, trial: &TimedRun, quick: bool) -> Saving {
     let (plan, plans) = (trial.world().plan(), trial.plans());
     let runs = plans.iter().flatten().map(|plan| {
         move |repeats: usize| {
-            let mut fresh: Vec<Trial> = (0..repeats).map(|_| trial.under(plan)).collect();
-            let run = |trial: &mut Trial| (0..trial.ticks()).for_each(|tick| trial.tick(tick));
+            let mut fresh: Vec<TimedRun> = (0..repeats).map(|_| trial.under(plan)).collect();
+            let run = |trial: &mut TimedRun| (0..trial.ticks()).for_each(|tick| trial.tick(tick));
             let mut next = fresh.iter_mut();
             timed(repeats, || next.next().into_iter().for_each(run))
         }

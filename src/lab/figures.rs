@@ -21,12 +21,12 @@ const USUAL: f64 = 1.0 / 60.0;
 const FINE: f64 = 1.0 / 480.0;
 
 #[derive(Clone, Copy, Debug)]
-pub struct Figures<'a> {
+pub struct PageFigures<'a> {
     pub charts: &'a Charts,
     pub peers: &'a [PeerRow],
 }
 
-impl Figures<'_> {
+impl PageFigures<'_> {
     /// The page with the present texts between its marks.
     ///
     /// # Errors

@@ -33,5 +33,7 @@ pub mod timeline;
 
 pub use contract::{LabScene, SceneMethod};
 
+/// s. The tick of the figures that physics engines are usually compared at.
+pub const TICK: f64 = 1.0 / 60.0;
 /// m. A tenth of a pixel at the default scale of 30 pixels a metre: an error that no one can see.
 pub const TOLERANCE: f64 = 1.0 / 300.0;

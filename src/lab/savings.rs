@@ -61,12 +61,12 @@ impl Saving {
 
 /// What is run: a game under keys, or a world, for a number of ticks.
 #[derive(Clone, Debug)]
-pub enum Trial {
+pub enum TimedRun {
     Game(Box<Game>, Vec<Controls>),
     World(Box<World>, usize),
 }
 
-impl Trial {
+impl TimedRun {
     pub fn world(&self) -> &World {
         match self {
             Self::Game(game, _) => game.world(),

@@ -4,7 +4,8 @@
 use super::contract::{By, Model, contenders};
 use super::methods::chain::Chain;
 use super::methods::impact::LineBlock;
-use super::methods::motion::{INTEGRATORS, METHODS, MotionStep, PointState};
+use super::methods::motion::{MotionStep, PointState};
+use super::methods::{INTEGRATORS, METHODS};
 use super::reference;
 use super::scenes::bouncing::{self, BouncingBall};
 use super::scenes::collisions::{self, BlockLine};

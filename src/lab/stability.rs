@@ -11,12 +11,14 @@
 //!
 //! How the regions of stability look, and their edges as CSV, with their limits on the rays of a swing and of drag alone.
 
+use super::TICK;
 pub use super::contract::SHIPPED;
-use super::methods::motion::{ADAPTIVE, METHODS, MotionLaw, MotionStep, PointState, third_order};
+use super::methods::METHODS;
+use super::methods::motion::{ADAPTIVE, MotionLaw, MotionStep, PointState, third_order};
 use super::rows::{shortest, table};
 use super::scenes::flight::LIGHT;
 use super::scenes::oscillator;
-use super::stress::{G, TICK, largest_to};
+use super::stress::{G, largest_to};
 use crate::physics::DVec2;
 use crate::words::tr;
 use std::collections::HashMap;

@@ -14,7 +14,7 @@
 //! | `exact` | the method of events: time of impact, impacts, ties, bounces, slides |
 //! | `crowd` | one step of an island of any size |
 //! | `store` | arrays of all bodies, broad phase, islands, sleep, the loop over islands |
-//! | `world`, `step`, `acting`, `changes`, `links`, `scratch`, `space` | the state, a tick, changes between ticks, buffers |
+//! | `world`, `step`, `commit`, `acting`, `changes`, `links`, `scratch`, `space` | the state, a tick, changes between ticks, buffers |
 //! | `validate`, `guards`, `hash` | laws that hold after every tick, counts of every cap, the bits of the state |
 //!
 //! Rotation, round contact shapes, compressible or moving liquids are not modelled.
@@ -22,6 +22,7 @@
 pub(crate) mod acting;
 pub(crate) mod changes;
 pub(crate) mod checks;
+pub(crate) mod commit;
 pub(crate) mod contact;
 pub(crate) mod crowd;
 pub(crate) mod data;

@@ -24,23 +24,23 @@ pub enum LabelOf {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub struct Label {
+pub struct LevelLabel {
     pub of: LabelOf,
     pub words: String,
     pub area: Area,
 }
 
 /// The labels in a view, beside those areas of the display.
-pub fn place(level: &Level, view: &Viewport, frame: &Frame, display: impl Iterator<Item = Area>) -> Vec<Label> {
+pub fn place(level: &Level, view: &Viewport, frame: &Frame, display: impl Iterator<Item = Area>) -> Vec<LevelLabel> {
     let goals: Vec<Area> = level.objectives.iter().map(|objective| view.rect(&objective.bounds)).collect();
     let mut taken: Vec<Area> = things(level, view).skip(goals.len()).chain(display).collect();
-    let mut labels: Vec<Label> = Vec::new();
+    let mut labels: Vec<LevelLabel> = Vec::new();
     let mut put = |of: LabelOf, words: String, places: &[Area], own: Option<usize>| {
         let others = || goals.iter().enumerate().filter(move |(goal, _)| Some(*goal) != own).map(|(_, area)| area);
         let free = |area: &&Area| taken.iter().chain(others()).all(|other| area.gap(other) >= 0.0);
         if let Some(area) = places.iter().find(free).copied() {
             taken.push(area);
-            labels.push(Label { of, words, area });
+            labels.push(LevelLabel { of, words, area });
         }
     };
     for (index, text) in level.texts.iter().enumerate() {

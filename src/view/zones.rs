@@ -3,7 +3,7 @@
 use super::art::{self, Tile};
 use super::camera::Viewport;
 use super::emitters::objective_colour;
-use super::labels::{self, Label, LabelOf};
+use super::labels::{self, LabelOf, LevelLabel};
 use super::theme;
 use crate::draw::layout::{Area, DETAILS, Vec2, nearest_size};
 use crate::draw::{Canvas, Colour, Quads, Style};
@@ -46,9 +46,9 @@ pub fn draw_objectives(game: &Game, view: &Viewport, canvas: &Canvas, time: f64)
 
 /// The words in the level: the author's in the size of type nearest to theirs; beside an objective its sign: the ship's with its outline, the
 /// key object's with a diamond, a met one with a tick.
-pub fn draw_labels(game: &Game, labels: &[Label], view: &Viewport, canvas: &Canvas) {
+pub fn draw_labels(game: &Game, labels: &[LevelLabel], view: &Viewport, canvas: &Canvas) {
     let level = game.level();
-    for Label { of, words, area } in labels {
+    for LevelLabel { of, words, area } in labels {
         let style = Style::new(DETAILS, theme::text()).middle();
         match *of {
             LabelOf::Text(index) => {

@@ -3,7 +3,7 @@
 use crate::support::program::{Ran, resultant};
 use crate::support::shipped::{names, project};
 use resultant::lab::charts::Charts;
-use resultant::lab::figures::{Figures, PAGES};
+use resultant::lab::figures::{PAGES, PageFigures};
 use resultant::lab::kept::{PEERS, peer_rows};
 use resultant::lab::methods::motion::{MotionLaw, MotionStep, PointState, follow, rise_and_fall, rk4, semi_implicit_euler, strang};
 use resultant::lab::stress::TESTS;
@@ -299,11 +299,11 @@ fn the_pages_say_what_the_charts_say() {
     };
     for page in PAGES {
         let text = read(page);
-        let filled = Figures { charts: &charts, peers: &peers }.fill(&text).unwrap();
+        let filled = PageFigures { charts: &charts, peers: &peers }.fill(&text).unwrap();
         assert!(unjudged(&text) == unjudged(&filled), "{page}: run `resultant chart --draw --out docs/charts`");
         assert!(text.contains("<!-- chart:"), "{page}");
     }
-    let none = Figures { charts: &Charts::default(), peers: &[] };
+    let none = PageFigures { charts: &Charts::default(), peers: &[] };
     assert_eq!(none.fill("no mark").unwrap(), "no mark");
     assert!(none.fill("<!-- chart:column --><!-- end -->").unwrap_err().contains("no such figure"));
     assert!(none.fill("<!-- chart:measured -->").unwrap_err().contains("no end of the mark"));

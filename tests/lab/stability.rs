@@ -1,6 +1,7 @@
 //! Where methods fail, beyond the table of stress tests: the naive method fails where theory or measurement says it does, and the shipped
 //! engine holds there and far beyond.
 
+use resultant::lab::TICK;
 use resultant::lab::TOLERANCE;
 use resultant::lab::contract::By;
 use resultant::lab::methods::chain::sweeps_needed;
@@ -10,7 +11,7 @@ use resultant::lab::methods::{bounce, impact};
 use resultant::lab::scenes::bouncing as bounces;
 use resultant::lab::scenes::stacks::{ContactChain, SOLVERS};
 use resultant::lab::stress::motion::{FallOutcome, fall};
-use resultant::lab::stress::{G, TICK, bouncing, robustness, standing};
+use resultant::lab::stress::{G, bouncing, robustness, standing};
 
 /// Explicit Euler oscillates above z = 1 and diverges from 1.47. RK4 leaves even a fall that has already settled above 1.39, and diverges at
 /// 2.06. Splittings settle, but beside the terminal velocity.

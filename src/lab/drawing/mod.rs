@@ -6,9 +6,10 @@ pub mod picture;
 pub mod plane;
 pub mod timeline;
 
+use super::methods::METHODS;
+use super::methods::motion;
 use super::scenes::{bouncing, collisions, sliding, stacks};
 use super::stability::PART;
-use super::{methods::motion, methods::motion::METHODS};
 use crate::draw::chart::look::{CurveLook, CurveOrigin};
 
 /// A method has the same look in all charts; what is unknown here, that of its place.

@@ -1,7 +1,7 @@
 //! The complex plane of z = h·λ on the canvas with its legend, and the stability regions of methods in it.
 
 use crate::draw::layout::{Area, Vec2};
-use crate::lab::methods::motion::METHODS;
+use crate::lab::methods::METHODS;
 use crate::lab::stability::{Complex, IMAGINARY, REAL};
 
 /// Margins of the plane in its panel, for values and names of the axes.

@@ -9,7 +9,6 @@
 //! Exact flows of drag, where there are any: a rise and fall, drag alone, a thick liquid. Each takes a step of any length and can be
 //! cut anywhere. Derived in any text on mechanics; with g = A, v_t = √(g/k) and τ = g·t/v_t throughout.
 
-use super::implicit::{implicit_euler, implicit_midpoint, trapezoid};
 use crate::physics::DVec2;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -42,27 +41,6 @@ pub type MotionStep = fn(&MotionLaw, PointState, f64) -> PointState;
 
 /// The name of the method that chooses its steps itself.
 pub const ADAPTIVE: &str = "adaptive 3(2)";
-
-/// Every method that steps a motion through drag, by the name that charts and tables show.
-pub const METHODS: [(&str, MotionStep); 14] = [
-    ("explicit Euler", explicit_euler),
-    ("semi-implicit Euler", semi_implicit_euler),
-    ("velocity Verlet", velocity_verlet),
-    ("midpoint", midpoint),
-    ("Heun", heun),
-    ("RK4", rk4),
-    ("Yoshida 4", yoshida),
-    ("implicit Euler", implicit_euler),
-    ("implicit midpoint", implicit_midpoint),
-    ("trapezoid", trapezoid),
-    (ADAPTIVE, adaptive),
-    ("linearised drag", linearised_drag),
-    ("exact drag (Lie)", exact_decay),
-    ("Strang", strang),
-];
-
-/// The methods that differ where there is no drag.
-pub static INTEGRATORS: &[(&str, MotionStep)] = METHODS.split_at(11).0;
 
 impl MotionLaw {
     /// Acceleration at place `x` (m) and velocity `v` (m/s), m/s².
@@ -284,6 +262,7 @@ pub fn in_liquid(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> Po
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lab::methods::implicit::{implicit_euler, implicit_midpoint, trapezoid};
 
     const ORDERS: [(MotionStep, f64); 13] = [
         (explicit_euler, 1.0),

@@ -2,8 +2,9 @@
 //! the wind, and a gust on a light body, which have no closed form (see [`crate::lab::reference`]).
 
 use crate::lab::contract::{By, Model};
+use crate::lab::methods::METHODS;
 use crate::lab::methods::motion::{
-    ADAPTIVE, METHODS, MotionLaw, MotionStep, PointState, adaptive_to, exact_fall, in_liquid, rise_and_fall, tolerance,
+    ADAPTIVE, MotionLaw, MotionStep, PointState, adaptive_to, exact_fall, in_liquid, rise_and_fall, tolerance,
 };
 use crate::lab::{LabScene, SceneMethod, contract, reference};
 use crate::physics::{BodyId, DVec2, World, WorldDef};

@@ -4,7 +4,8 @@
 use super::flight::{FlyingBody, over_tolerances};
 use crate::lab::contract::{By, Model};
 use crate::lab::curve::{CoursePoint, sampled, worst};
-use crate::lab::methods::motion::{ADAPTIVE, INTEGRATORS, MotionLaw, MotionStep, PointState};
+use crate::lab::methods::INTEGRATORS;
+use crate::lab::methods::motion::{ADAPTIVE, MotionLaw, MotionStep, PointState};
 use crate::lab::{LabScene, SceneMethod, contract};
 use crate::physics::{BodyDef, DVec2};
 

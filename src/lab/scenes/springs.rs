@@ -4,7 +4,8 @@
 use super::flight::{FlyingBody, over_tolerances};
 use crate::lab::contract::Model;
 use crate::lab::curve::{CoursePoint, sampled};
-use crate::lab::methods::motion::{INTEGRATORS, METHODS, MotionLaw, PointState};
+use crate::lab::methods::motion::{MotionLaw, PointState};
+use crate::lab::methods::{INTEGRATORS, METHODS};
 use crate::lab::{LabScene, SceneMethod, reference};
 use crate::physics::{BodyDef, BodyId, DVec2, LinkDef, LinkEnd, LinkLaw, Spring, WorldDef};
 

@@ -4,7 +4,7 @@
 use crate::lab::contract::{By, Model};
 use crate::lab::curve::worst;
 use crate::lab::methods::chain::{Chain, Solver};
-use crate::lab::{LabScene, SceneMethod, contract};
+use crate::lab::{LabScene, SceneMethod, TICK, contract};
 use crate::physics::{BodyDef, BodyId, DVec2, Material, World};
 
 /// N/kg.
@@ -183,7 +183,7 @@ pub fn time_to_rest() -> LabScene {
     let title = format!("A pile of {TOWER} falling blocks comes to rest");
     let note = "At rest: no block is faster than 1 mm/s from then on. Upper edge: never within 10 s.";
     let scene = LabScene::new("rest-time", title, SECONDS, TOWER);
-    LabScene { error: "error of the time of rest, s", tolerance: super::super::stress::TICK, note, methods, world, ..scene }
+    LabScene { error: "error of the time of rest, s", tolerance: TICK, note, methods, world, ..scene }
 }
 
 pub fn pushed_row() -> LabScene {

@@ -1,7 +1,8 @@
 //! Floors fail by jitter at rest, stops that are short or never come, bounces that end too early or never, energy from nothing.
 
 use super::picture::FailurePicture;
-use super::{G, StressTest, TICK, Trial};
+use super::{G, StressTest, Trial};
+use crate::lab::TICK;
 use crate::lab::TOLERANCE;
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::bounce::{Ball, Bounce, energy, event_loop, impact_times};

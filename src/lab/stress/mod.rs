@@ -13,8 +13,6 @@ use super::contract::Entrant;
 use crate::number::short;
 use std::collections::HashMap;
 
-/// s. The tick of the figures that physics engines are usually compared at.
-pub const TICK: f64 = 1.0 / 60.0;
 /// N/kg.
 pub const G: f64 = 9.81;
 

@@ -1,9 +1,11 @@
 //! Integrators fail where a body is so light that a step overshoots its terminal velocity, and where gusts turn it round.
 
 use super::picture::FailurePicture;
-use super::{G, StressTest, TICK, Trial};
+use super::{G, StressTest, Trial};
+use crate::lab::TICK;
 use crate::lab::contract::{By, Model};
-use crate::lab::methods::motion::{INTEGRATORS, METHODS, MotionLaw, MotionStep, PointState, exact_fall};
+use crate::lab::methods::motion::{MotionLaw, MotionStep, PointState, exact_fall};
+use crate::lab::methods::{INTEGRATORS, METHODS};
 use crate::lab::scenes::flight::FlyingBody;
 use crate::lab::scenes::{oscillator, springs};
 use crate::physics::DVec2;

@@ -1,8 +1,9 @@
 //! Programs fail far from the origin, after a hitch, and on nonsense.
 
 use super::picture::FailurePicture;
-use super::{G, StressTest, TICK, Trial};
+use super::{G, StressTest, Trial};
 use crate::game::{Clock, TICK_RATE};
+use crate::lab::TICK;
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::motion::{MotionLaw, MotionStep, PointState, semi_implicit_euler, semi_implicit_euler_f32};
 use crate::lab::scenes::flight::FlyingBody;

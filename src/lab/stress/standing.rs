@@ -3,7 +3,8 @@
 //! Methods of impact fail at thin obstacles and at many contacts at one instant.
 
 use super::picture::FailurePicture;
-use super::{G, StressTest, TICK, Trial};
+use super::{G, StressTest, Trial};
+use crate::lab::TICK;
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::chain::{Solver, sweeps_needed, swept_loads, weights, worst_load};
 use crate::lab::methods::impact::ImpactStep;

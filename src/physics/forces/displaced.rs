@@ -70,9 +70,9 @@ impl Bilinear {
     pub fn at(&self, apart: DVec2) -> f64 {
         self.along(apart.x).at(apart.y)
     }
-    pub fn along(&self, x: f64) -> Linear {
+    pub fn along(&self, x: f64) -> LinearLaw {
         let [a, b, c, d] = self.0;
-        Linear(a + b * x, c + d * x)
+        LinearLaw(a + b * x, c + d * x)
     }
     pub fn slope(&self, apart: DVec2) -> DVec2 {
         let [_, b, c, d] = self.0;
@@ -87,9 +87,9 @@ fn positive(x: f64) -> f64 {
 
 /// A [`Bilinear`] along a vertical.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Linear(f64, f64);
+pub(crate) struct LinearLaw(f64, f64);
 
-impl Linear {
+impl LinearLaw {
     #[inline(always)]
     pub fn at(&self, y: f64) -> f64 {
         positive(self.0 + self.1 * y)
@@ -101,8 +101,8 @@ impl Linear {
 pub(crate) struct Waves {
     mass: f64,
     swing: f64,
-    depth: Linear,
-    under: Linear,
+    depth: LinearLaw,
+    under: LinearLaw,
 }
 
 impl Waves {
@@ -140,7 +140,7 @@ impl Cut {
     pub fn waves_along(&self, x: f64) -> Waves {
         let width = self.width(DVec2::new(x, 0.0));
         let (mass, swing) = (self.density * width, 4.0 * WAVES * (self.pull * width).sqrt());
-        Waves { mass, swing, depth: Linear(self.extent.length.y, self.extent.slope.y), under: Linear(self.under, self.sinks) }
+        Waves { mass, swing, depth: LinearLaw(self.extent.length.y, self.extent.slope.y), under: LinearLaw(self.under, self.sinks) }
     }
     pub fn waves(&self, apart: DVec2) -> f64 {
         self.waves_along(apart.x).at(apart.y)
@@ -148,7 +148,7 @@ impl Cut {
 
     /// How the damping of its waves per C_d changes with the place, 1/(m·s).
     pub fn slope_of_waves(&self, apart: DVec2) -> DVec2 {
-        let (width, deep, under) = (self.width(apart), self.depth(apart), Linear(self.under, self.sinks).at(apart.y).min(1.0));
+        let (width, deep, under) = (self.width(apart), self.depth(apart), LinearLaw(self.under, self.sinks).at(apart.y).min(1.0));
         if width == 0.0 || deep == 0.0 || under == 0.0 || under == 1.0 {
             return DVec2::ZERO;
         }

@@ -9,7 +9,7 @@
 
 use crate::physics::data::body::Body;
 use crate::physics::forces::air::Drag;
-use crate::physics::forces::displaced::{Displaced, Linear, Waves};
+use crate::physics::forces::displaced::{Displaced, LinearLaw, Waves};
 use crate::physics::forces::media::Media;
 use glam::{DMat2, DVec2};
 use std::borrow::Cow;
@@ -95,9 +95,9 @@ pub(crate) struct Vertical {
     sure: f64,
     drag: f64,
     centre: f64,
-    wet: Linear,
-    inside: Linear,
-    linear: Linear,
+    wet: LinearLaw,
+    inside: LinearLaw,
+    linear: LinearLaw,
     waves: Waves,
     wavy: f64,
 }
