@@ -50,11 +50,11 @@ pub fn verify_flights(args: &VerifyArgs, project: &Project, out: &mut dyn Write)
     let mut status = Status::Done;
     let mut err = Readers::of(io::stderr().lock());
     for (name, replay, level) in replays {
-        match fly(&name, &replay, level, &mut err)? {
+        match fly(&name, &replay, level.clone(), &mut err)? {
             Ok(()) => {
                 let player = replay.player.map(|player| format!("; saved by {}", shown(player))).unwrap_or_default();
                 write!(out, "{name}: ok, score {}, hash {:016x}", replay.score, replay.hash)?;
-                writeln!(out, "; level {}, {} ticks{player}", shown(replay.level), replay.inputs.ticks())?;
+                writeln!(out, "; level {}, {} ticks{player}", shown(&level.name), replay.inputs.ticks())?;
             }
             Err(mismatch) => {
                 let by = Some(replay.program).filter(|program| program != PROGRAM);
@@ -97,7 +97,7 @@ fn read(project: &Project, path: &std::path::Path) -> Result<(Replay, Arc<Level>
         CommandError::Refused(problem) => CommandError::Refused(format!("{}: {problem}", shown(path.display()))),
         other => other,
     };
-    let level = project.recorded_level(&replay.level).and_then(|folder| project.load_folder(&folder)).map_err(named)?;
+    let level = project.flown_in(&replay).map_err(named)?;
     Ok((replay, level))
 }
 

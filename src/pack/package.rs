@@ -7,7 +7,7 @@
 
 use super::path;
 use crate::files::{self, read_text};
-use crate::game::{Game, Goal, Medal, Prize, Replay, RunResult, goals, level_hash};
+use crate::game::{Game, Goal, LevelHash, Medal, Prize, Replay, RunResult, goals, level_hash};
 use crate::level::{self, FILES, Files, Level, Loaded, Problem};
 use crate::words::tr;
 use std::collections::BTreeMap;
@@ -136,6 +136,12 @@ impl Files for PackedFiles<'_> {
     fn names(&self) -> Vec<String> {
         self.package.files.keys().filter(|path| !path.contains('/')).cloned().collect()
     }
+}
+
+/// The level with that hash in a folder of levels, whatever its name; the first of several.
+pub fn of_hash(hash: LevelHash, levels: &Path, project: &Path) -> Option<Arc<Level>> {
+    let load = |name: String| level::load(&levels.join(name), project).ok().map(|loaded| loaded.level);
+    level::list(levels).into_iter().filter_map(load).find(|level| level_hash(level) == hash).map(Arc::new)
 }
 
 /// The most ticks of all flights of a level together: two hours. The rest is not flown.
