@@ -104,7 +104,7 @@ pub(super) fn listed(folder: &Path) -> Result<Vec<String>, Vec<String>> {
 /// Whether a package is a level that loads, with readable flights. Pictures outside the package come from the project.
 /// Errors: every problem, a line each.
 pub fn check(package: &Package, project: &Path) -> Result<Loaded, Vec<String>> {
-    let loaded = level::read(&package.name, &PackedFiles { package, project });
+    let loaded = load(package, project);
     let mut problems = loaded.as_ref().err().map(|problems| level::listed(problems)).unwrap_or_default();
     for (path, bytes) in package.files.iter().filter(|(path, _)| path.starts_with(FLIGHTS)) {
         match str::from_utf8(bytes) {
@@ -116,6 +116,11 @@ pub fn check(package: &Package, project: &Path) -> Result<Loaded, Vec<String>> {
         Ok(loaded) if problems.is_empty() => Ok(loaded),
         _ => Err(problems),
     }
+}
+
+/// The level of a package. Pictures outside the package come from the project.
+pub fn load(package: &Package, project: &Path) -> Result<Loaded, Vec<Problem>> {
+    level::read(&package.name, &PackedFiles { package, project })
 }
 
 struct PackedFiles<'a> {
