@@ -51,6 +51,8 @@ enum Subcommand {
     Chart(chart::ChartArgs),
     /// Make a level folder that loads
     New(levels::NewArgs),
+    /// Make a flight the proof of a level's medal, with its time
+    Prove(levels::ProveArgs),
     /// Make a level of a map of the editor Tiled, .tmj or .tmx
     Import(import::ImportArgs),
     /// Make one file of a level, with its pictures and flights, to be handed on
@@ -102,6 +104,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, CommandError> {
         Some(Subcommand::Run(args)) => run::run(args, &project, out),
         Some(Subcommand::Chart(args)) => chart::run(args, &project, out),
         Some(Subcommand::New(args)) => levels::new_level(args, &project, out),
+        Some(Subcommand::Prove(args)) => levels::prove_level(args, &project, out),
         Some(Subcommand::Import(args)) => import::run(args, &project, out),
         Some(Subcommand::Pack(args)) => levels::pack_level(args, &project, out),
         Some(Subcommand::Unpack(args)) => levels::unpack_level(args, &project, out),

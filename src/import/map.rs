@@ -33,6 +33,7 @@ pub struct Tile {
     pub picture: Option<(PathBuf, DVec2)>,
 }
 
+#[derive(Default)]
 pub struct Reader {
     pub path: PathBuf,
     shown: String,
@@ -56,18 +57,7 @@ pub struct Within<'a> {
 
 impl Reader {
     pub fn new(path: &Path) -> Self {
-        Self {
-            path: path.to_owned(),
-            shown: path.display().to_string(),
-            rows: Vec::new(),
-            pictures: BTreeMap::new(),
-            problems: Vec::new(),
-            left: Vec::new(),
-            sources: Vec::new(),
-            copied: BTreeMap::new(),
-            tiles: BTreeMap::new(),
-            tile: DVec2::ONE,
-        }
+        Self { path: path.to_owned(), shown: path.display().to_string(), ..Self::default() }
     }
 
     pub fn read(&mut self) {

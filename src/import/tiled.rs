@@ -70,10 +70,10 @@ fn element(node: Node) -> Value {
                     map.extend(child.attribute(side).map(|value| (format!("image{side}"), value.into())));
                 }
             }
-            (_, Some(list)) => match map.entry(list).or_insert_with(|| Value::Array(Vec::new())) {
-                Value::Array(all) => all.push(element(child)),
-                _ => {}
-            },
+            (_, Some(list)) => {
+                let all = map.entry(list).or_insert_with(|| Value::Array(Vec::new()));
+                all.as_array_mut().into_iter().for_each(|all| all.push(element(child)));
+            }
             _ => _ = map.insert(name.to_owned(), element(child)),
         }
     }
