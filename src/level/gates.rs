@@ -197,6 +197,8 @@ impl<'a> Gates<'a> {
             passed: Vec::new(),
             shut: vec![true; self.valves.len()],
         };
+        // An object in its way keeps a door open.
+        let propped = |door: &Aabb| objects.iter().any(|body| self.space.gets_to((body.item.position, body.item.size * 0.5), door));
         // By something that can stay there, or with effect for ever.
         let mut lasting: Vec<bool> = switches.iter().map(|switch| switch.item.latch != SwitchStay::Held).collect();
         loop {
@@ -204,7 +206,8 @@ impl<'a> Gates<'a> {
                 wire.as_ref().is_some_and(|wire| self.together(&wire.by, room, (&state.pressed, &lasting), &mut MOST_WAYS.clone()))
             };
             let doors = || self.draft.doors.iter().zip(&self.wires);
-            let passed = doors().map(|(door, wire)| open(Some(beside(&door.item.bounds)), wire)).collect();
+            let room = |door: &Aabb| Some(beside(door)).filter(|_| !propped(door));
+            let passed = doors().map(|(door, wire)| open(room(&door.item.bounds), wire)).collect();
             (state.open, state.passed) = (doors().map(|(_, wire)| open(None, wire)).collect(), passed);
             let (ships, others) = self.spaces(&state);
             let mut news = false;

@@ -191,7 +191,7 @@ fn pictures_are_copied_where_they_are_png() {
         format!("{{\"type\":\"imagelayer\",\"name\":\"far\",\"image\":\"{file}\",\"offsetx\":50,\"offsety\":60,\"x\":0,\"y\":0}}")
     };
     let with = |layer: &str| {
-        let text = map(&[&things()[..], &[tile.clone()]].concat().join(",")).replacen("\"layers\"", &sets, 1);
+        let text = map(&[&things()[..], std::slice::from_ref(&tile)].concat().join(",")).replacen("\"layers\"", &sets, 1);
         text.replacen("{\"type\":\"tilelayer\"", &format!("{layer},{{\"type\":\"tilelayer\""), 1)
     };
     let ran = imported(&data, "cave.tmj", &with(&image("art/more/ball.png")));

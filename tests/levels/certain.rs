@@ -147,6 +147,8 @@ fn a_door_that_closes_before_the_ship_gets_there() {
     }
     let crate_ = ("objects.csv", "300,660,box:40x40,60,1,FALSE,0\n");
     silent(&[&held("100,670,100,10,gate,500\n")[..], &[crate_]].concat());
+    // One that lies on the door, or is pushed against it, may keep it open.
+    silent(&[&held("100,100,100,100,gate,,ship,held\n")[..], &[("objects.csv", "880,660,box:10x40,60,1,FALSE,0\n")]].concat());
     let both = gate("900,400,20,280,a&b\n");
     let apart = ("switches.csv", "100,100,100,100,a,,ship,held\n600,100,100,100,b,,ship,held\n");
     told(&[&both[..], &[apart]].concat(), place, "an objective behind a door that nothing opens");
