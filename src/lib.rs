@@ -18,7 +18,7 @@
 //! - [`session`]: what outlasts a screen: who plays, levels and the worker that reads them, recorded flights.
 //! - [`screens`]: folders of screens by what a person does; tested without a window, which is in `window`.
 //! - [`view`]: drawing only: it reads the game and changes nothing in it. `sound`, with the window: what it sounds like, and the mixer.
-//! - [`cli`]: one file a subcommand.
+//! - [`cli`]: one file a subcommand. [`import`]: maps of another editor as levels.
 //! - [`words`]: the languages of the screens.
 //! - [`number`]: how results print numbers, and every screen a time. [`files`]: reading with a limit, locks, and writing whole or not at all.
 
@@ -28,6 +28,7 @@ pub mod cli;
 pub mod draw;
 pub mod files;
 pub mod game;
+pub mod import;
 pub mod instruments;
 pub mod lab;
 pub mod level;

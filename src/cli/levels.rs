@@ -2,6 +2,8 @@
 //!
 //! `resultant new NAME` makes a level folder that loads, for an author to change.
 //!
+//! `resultant prove LEVEL REPLAY --as PRIZE`: makes a flight the proof of a medal.
+//!
 //! `resultant edit LEVEL`: opens the editor.
 //!
 //! `resultant pack` and `resultant unpack`: a level as one file, and back.
@@ -53,9 +55,12 @@ fn check(args: &CheckArgs, project: &Project, out: &mut dyn Write, err: &mut dyn
         match made {
             Ok((mut loaded, world)) => {
                 let level = Arc::new(loaded.level.clone());
-                loaded.warnings.extend(pack::stale(&folder, &level));
-                loaded.warnings.extend(dry_run(&level));
+                let (proven, stale) = pack::proven(&folder, &level);
+                loaded.warnings.extend(stale.into_iter().chain(dry_run(&level)));
                 describe(&name, &loaded, &world, out, err)?;
+                if !proven.is_empty() {
+                    writeln!(out, "  proven: {}", proven.join(", "))?;
+                }
             }
             Err((problems, lines)) => {
                 (status, refused) = (Status::Wrong, refused + 1);
@@ -141,6 +146,30 @@ pub fn new_level(args: &NewArgs, project: &Project, out: &mut dyn Write) -> Resu
 }
 
 #[derive(clap::Args, Debug)]
+pub struct ProveArgs {
+    /// A name under levels/, or a level's folder
+    level: OsString,
+    /// A recorded run, as `run --record` and the game write them, or its code
+    replay: PathBuf,
+    /// What it proves; for gold and silver its time becomes the medal's
+    #[arg(long = "as", value_name = "PRIZE", value_parser = pack::PROVE.map(|(name, _)| name))]
+    prize: String,
+}
+
+/// Errors: a flight that proves nothing there, or a level that comes with the game; nothing is written then.
+pub fn prove_level(args: &ProveArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
+    let folder = project.level_folder(&args.level)?;
+    if level::is_shipped(&folder) {
+        let found = format!("{}: found a level of the game, expected one of your own", shown(folder.display()));
+        return Err(CommandError::Refused(found));
+    }
+    let replay = super::verify::record(project, &args.replay)?;
+    let path = pack::prove(&folder, project.root(), &args.prize, replay).map_err(refused)?;
+    writeln!(out, "{}", shown(path.display()))?;
+    Ok(Status::Done)
+}
+
+#[derive(clap::Args, Debug)]
 pub struct EditArgs {
     /// A name under levels/, or a level's folder
     pub level: OsString,
@@ -206,7 +235,7 @@ pub fn pack_level(args: &PackArgs, project: &Project, out: &mut dyn Write) -> Re
         CommandError::Refused(format!("{}: {why}", shown(path.display())))
     })?;
     let loaded = pack::check(&package, project.root()).map_err(refused)?;
-    let stale = pack::stale(&folder, &Arc::new(loaded.level));
+    let (_, stale) = pack::proven(&folder, &Arc::new(loaded.level));
     for warning in level::listed(&loaded.warnings).into_iter().chain(level::listed(&stale)) {
         let _ = writeln!(io::stderr(), "warning: {}", shown(warning));
     }

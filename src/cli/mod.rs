@@ -8,6 +8,7 @@ mod chart;
 #[allow(clippy::disallowed_methods)] // it measures
 mod classics;
 mod files;
+mod import;
 mod levels;
 mod play;
 mod project;
@@ -50,6 +51,10 @@ enum Subcommand {
     Chart(chart::ChartArgs),
     /// Make a level folder that loads
     New(levels::NewArgs),
+    /// Make a flight the proof of a level's medal, with its time
+    Prove(levels::ProveArgs),
+    /// Make a level of a map of the editor Tiled, .tmj or .tmx
+    Import(import::ImportArgs),
     /// Make one file of a level, with its pictures and flights, to be handed on
     Pack(levels::PackArgs),
     /// Install the level of such a file under levels/
@@ -99,6 +104,8 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, CommandError> {
         Some(Subcommand::Run(args)) => run::run(args, &project, out),
         Some(Subcommand::Chart(args)) => chart::run(args, &project, out),
         Some(Subcommand::New(args)) => levels::new_level(args, &project, out),
+        Some(Subcommand::Prove(args)) => levels::prove_level(args, &project, out),
+        Some(Subcommand::Import(args)) => import::run(args, &project, out),
         Some(Subcommand::Pack(args)) => levels::pack_level(args, &project, out),
         Some(Subcommand::Unpack(args)) => levels::unpack_level(args, &project, out),
         Some(Subcommand::Verify(args)) => verify::verify_flights(args, &project, out),

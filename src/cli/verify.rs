@@ -12,7 +12,7 @@ use crate::game::{Mismatch, PROGRAM, Replay};
 use crate::level::{self, Level};
 use crate::scores::{LoadedBoard, Name, Scores, Standing, judge};
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Bytes: a shorter word is the name of a file.
@@ -50,11 +50,11 @@ pub fn verify_flights(args: &VerifyArgs, project: &Project, out: &mut dyn Write)
     let mut status = Status::Done;
     let mut err = Readers::of(io::stderr().lock());
     for (name, replay, level) in replays {
-        match fly(&name, &replay, level, &mut err)? {
+        match fly(&name, &replay, level.clone(), &mut err)? {
             Ok(()) => {
                 let player = replay.player.map(|player| format!("; saved by {}", shown(player))).unwrap_or_default();
                 write!(out, "{name}: ok, score {}, hash {:016x}", replay.score, replay.hash)?;
-                writeln!(out, "; level {}, {} ticks{player}", shown(replay.level), replay.inputs.ticks())?;
+                writeln!(out, "; level {}, {} ticks{player}", shown(&level.name), replay.inputs.ticks())?;
             }
             Err(mismatch) => {
                 let by = Some(replay.program).filter(|program| program != PROGRAM);
@@ -85,19 +85,24 @@ fn fly(name: &str, replay: &Replay, level: Arc<Level>, err: &mut dyn Write) -> R
     flown.map_err(|error| CommandError::Refused(format!("{name}: {error}")))
 }
 
-fn read(project: &Project, path: &std::path::Path) -> Result<(Replay, Arc<Level>), CommandError> {
+/// The flight of a file or of a code.
+pub fn record(project: &Project, path: &Path) -> Result<Replay, CommandError> {
     let code = path.to_str().filter(|text| text.len() >= SHORTEST_CODE && !files::is_file(&project.input(path)));
-    let replay = match code {
+    match code {
         Some(code) => {
-            Replay::from_code(code).map_err(|problem| CommandError::Refused(format!("the code {}: {problem}", short(code))))?
+            Replay::from_code(code).map_err(|problem| CommandError::Refused(format!("the code {}: {problem}", short(code))))
         }
-        None => Replay::parse(&path.display().to_string(), &project.read_text(path, INPUTS)?).map_err(CommandError::refused)?,
-    };
+        None => Replay::parse(&path.display().to_string(), &project.read_text(path, INPUTS)?).map_err(CommandError::refused),
+    }
+}
+
+fn read(project: &Project, path: &Path) -> Result<(Replay, Arc<Level>), CommandError> {
+    let replay = record(project, path)?;
     let named = |stop| match stop {
         CommandError::Refused(problem) => CommandError::Refused(format!("{}: {problem}", shown(path.display()))),
         other => other,
     };
-    let level = project.recorded_level(&replay.level).and_then(|folder| project.load_folder(&folder)).map_err(named)?;
+    let level = project.flown_in(&replay).map_err(named)?;
     Ok((replay, level))
 }
 
@@ -187,7 +192,7 @@ pub struct CodeArgs {
 /// Errors: a record that cannot be read, or that has no code.
 pub fn write_code(args: &CodeArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let name = args.replay.display().to_string();
-    let replay = Replay::parse(&name, &project.read_text(&args.replay, INPUTS)?).map_err(CommandError::refused)?;
+    let replay = record(project, &args.replay)?;
     let code = replay.code().map_err(|problem| CommandError::Refused(format!("{}: {problem}", shown(name))))?;
     writeln!(out, "{code}")?;
     Ok(Status::Done)

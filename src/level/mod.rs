@@ -1,7 +1,8 @@
 //! Level folders: CSV text becomes a valid [`Level`], or the list of all its [`Problem`]s. `table` finds the columns of cells, the rows of `schema` become things of `draft`, and `read` makes the level. `names`, `links`, `strength`, `placement`, `reach` and `winnable`
-//! refuse levels; `gates`, `strength` and `words` warn. Only `folder`, `scaffold` and `document` know the disk.
+//! refuse levels; `gates` and `certain` warn. Only `folder`, `scaffold` and `document` know the disk.
 
 mod box_tree;
+mod certain;
 pub mod document;
 mod draft;
 mod folder;

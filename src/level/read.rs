@@ -10,7 +10,7 @@ use super::schema::settings::{LevelSettings, SETTING, settings};
 use super::schema::{FILES, Table};
 use super::source::{BACKGROUND, Files};
 use super::types::Level;
-use super::{gates, links, placement, winnable};
+use super::{certain, gates, links, placement, winnable};
 use crate::physics::DVec2;
 use crate::words::tr;
 use std::io;
@@ -56,8 +56,9 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
         }
         warnings.extend(winnable::same_turns(&draft));
         warnings.extend(placement::warn(&draft, &player.item, &space));
-        warnings.extend(gates::warn_of_gates(&draft, &player.item, &space));
+        warnings.extend(gates::warn_of_gates(&draft, &player.item, &space, size));
         warnings.extend(winnable::warn_of_strength(&draft, player));
+        warnings.extend(certain::warn(&draft, player, &space, size));
     }
     Ok(Loaded { level: draft.level(name, background, size), warnings, dialects })
 }

@@ -6,14 +6,16 @@
 //! pictures' heads.
 
 use super::path;
-use crate::files::{self, read_text};
-use crate::game::{Game, Goal, Medal, Prize, Replay, RunResult, goals, level_hash};
+use crate::files::{self, Symlinks, read_text};
+use crate::game::{Game, Goal, LevelHash, Medal, Prize, Replay, RunResult, goals, level_hash};
+use crate::level::document::{LevelFolder, Opened};
 use crate::level::{self, FILES, Files, Level, Loaded, Problem};
+use crate::number::hundredths;
 use crate::words::tr;
 use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// The largest archive, bytes.
@@ -104,7 +106,7 @@ pub(super) fn listed(folder: &Path) -> Result<Vec<String>, Vec<String>> {
 /// Whether a package is a level that loads, with readable flights. Pictures outside the package come from the project.
 /// Errors: every problem, a line each.
 pub fn check(package: &Package, project: &Path) -> Result<Loaded, Vec<String>> {
-    let loaded = level::read(&package.name, &PackedFiles { package, project });
+    let loaded = load(package, project);
     let mut problems = loaded.as_ref().err().map(|problems| level::listed(problems)).unwrap_or_default();
     for (path, bytes) in package.files.iter().filter(|(path, _)| path.starts_with(FLIGHTS)) {
         match str::from_utf8(bytes) {
@@ -116,6 +118,11 @@ pub fn check(package: &Package, project: &Path) -> Result<Loaded, Vec<String>> {
         Ok(loaded) if problems.is_empty() => Ok(loaded),
         _ => Err(problems),
     }
+}
+
+/// The level of a package. Pictures outside the package come from the project.
+pub fn load(package: &Package, project: &Path) -> Result<Loaded, Vec<Problem>> {
+    level::read(&package.name, &PackedFiles { package, project })
 }
 
 struct PackedFiles<'a> {
@@ -138,14 +145,27 @@ impl Files for PackedFiles<'_> {
     }
 }
 
+/// The level with that hash in a folder of levels, whatever its name; the first of several.
+pub fn of_hash(hash: LevelHash, levels: &Path, project: &Path) -> Option<Arc<Level>> {
+    let load = |name: String| level::load(&levels.join(name), project).ok().map(|loaded| loaded.level);
+    level::list(levels).into_iter().filter_map(load).find(|level| level_hash(level) == hash).map(Arc::new)
+}
+
 /// The most ticks of all flights of a level together: two hours. The rest is not flown.
 const MOST_TICKS: u64 = 1_000_000;
 /// The files of the flights that prove a level's medals.
-const PROVE: [(&str, Prize); 3] =
-    [("careful", Prize::Medal(Medal::Bronze)), ("gold", Prize::Medal(Medal::Gold)), ("mark", Prize::Mark)];
+pub const PROVE: [(&str, Prize); 4] = [
+    ("careful", Prize::Medal(Medal::Bronze)),
+    ("silver", Prize::Medal(Medal::Silver)),
+    ("gold", Prize::Medal(Medal::Gold)),
+    ("mark", Prize::Mark),
+];
 
-/// The flights that end elsewhere than they say, or do not earn the medal of their name; where all hold, the medals that none of them earns.
-pub fn stale(folder: &Path, level: &Arc<Level>) -> Vec<Problem> {
+/// What the flights of a level prove by their names, in words.
+///
+/// Errors, which forbid nothing: the flights that end elsewhere than they say, or do not earn the medal of their name; where all hold, the
+/// medals that none of them earns.
+pub fn proven(folder: &Path, level: &Arc<Level>) -> (Vec<String>, Vec<Problem>) {
     let names = listed(&folder.join(FLIGHTS)).unwrap_or_default();
     let mut left = MOST_TICKS;
     let problem = |name: &str, (found, expected): (String, &str)| Problem {
@@ -155,15 +175,46 @@ pub fn stale(folder: &Path, level: &Arc<Level>) -> Vec<Problem> {
         found,
         expected: expected.to_owned(),
     };
-    let mut flown = Vec::new();
-    let mut problems = Vec::new();
+    let (mut flown, mut proven, mut problems) = (Vec::new(), Vec::new(), Vec::new());
     for name in names.iter().filter(|name| name.ends_with(FLIGHT)) {
         match fly(&folder.join(FLIGHTS), name, level, &mut left) {
-            Ok(reached) => flown.push(reached),
+            Ok((reached, proves)) => {
+                proven.extend(proves);
+                flown.push(reached);
+            }
             Err(fault) => problems.push(problem(name, fault)),
         }
     }
-    if problems.is_empty() { beyond(&flown) } else { problems }
+    if problems.is_empty() {
+        problems = beyond(&flown);
+    }
+    (proven, problems)
+}
+
+/// Makes a flight a proof of its level: writes it into the level's folder under that name of [`PROVE`], and where it is one of gold or silver
+/// the time that it took into constants.csv. The answer is the flight's file.
+/// Errors: every reason why it proves nothing there, a line each, and nothing was written; the disk's.
+pub fn prove(folder: &Path, project: &Path, stem: &str, replay: Replay) -> Result<PathBuf, Vec<String>> {
+    let one = |problem: String| vec![problem];
+    let Opened { mut document, folder: mut opened, .. } = LevelFolder::open_to_edit(folder, project).map_err(one)?;
+    if let Some(setting) = ["gold", "silver"].into_iter().find(|setting| *setting == stem) {
+        let time = hundredths(replay.time);
+        document.set_setting(setting, &format!("{}.{:02}", time / 100, time % 100), None).map_err(one)?;
+    }
+    let loaded = opened.check(&document).map_err(|problems| level::listed(&problems))?;
+    let level = Arc::new(loaded.level);
+    let replay = Replay { level: level.name.clone(), ..replay };
+    let path = folder.join(FLIGHTS).join(format!("{stem}{FLIGHT}"));
+    let text = replay.to_string();
+    match earn(stem, replay, &level).map_err(|(found, expected)| one(files::found_instead(stem, found, expected)))? {
+        (_, Some(_)) => {}
+        (_, None) => return Err(one(format!("{stem}: the level has no medal or mark of that name"))),
+    }
+    let refused = |error: io::Error| one(format!("{}: {error}", path.display()));
+    files::make_folder(&folder.join(FLIGHTS)).map_err(refused)?;
+    files::replace(&path, text.as_bytes(), Symlinks::Followed).map_err(refused)?;
+    opened.save(&document).map_err(|error| one(error.to_string()))?;
+    Ok(path)
 }
 
 /// The medals that no flight earns, of the goals that each flight has reached.
@@ -187,7 +238,10 @@ fn unreadable(why: &dyn Display) -> String {
     format!("a file that cannot be read ({why})")
 }
 
-fn fly(folder: &Path, name: &str, level: &Arc<Level>, left: &mut u64) -> Result<Vec<Goal>, (String, &'static str)> {
+/// The goals that a flight reaches, and in words what it proves by its name.
+type Reached = (Vec<Goal>, Option<String>);
+
+fn fly(folder: &Path, name: &str, level: &Arc<Level>, left: &mut u64) -> Result<Reached, (String, &'static str)> {
     let readable = "a flight that can be read";
     let text = read_text(&folder.join(name), files::INPUTS).map_err(|error| (unreadable(&error), readable))?;
     let replay = Replay::parse(name, &text).map_err(|bad| (unreadable(&bad.0.into_iter().next().unwrap_or_default()), readable))?;
@@ -195,6 +249,10 @@ fn fly(folder: &Path, name: &str, level: &Arc<Level>, left: &mut u64) -> Result<
     *left = left.checked_sub(ticks).ok_or_else(|| {
         (format!("{ticks} ticks, too many to be flown here"), "flights of two hours together, or `resultant verify`")
     })?;
+    earn(name.trim_end_matches(FLIGHT), replay, level)
+}
+
+fn earn(stem: &str, replay: Replay, level: &Arc<Level>) -> Result<Reached, (String, &'static str)> {
     let recorded = replay.level_hash;
     // With the level's own hash any version of the level flies: the first second that departs says more.
     let flown = Replay { level_hash: level_hash(level), ..replay };
@@ -208,19 +266,15 @@ fn fly(folder: &Path, name: &str, level: &Arc<Level>, left: &mut u64) -> Result<
         }
         Ok(()) => {}
     }
-    let stem = name.trim_end_matches(FLIGHT);
-    let proves = PROVE.iter().find(|(file, _)| *file == stem).map(|(_, prize)| *prize);
     let goals = last.map(|result| goals(&level.awards, &result)).unwrap_or_default();
-    let missed = goals
-        .iter()
-        .find(|goal| Some(goal.prize) == proves)
-        .and_then(|goal| goal.missing.clone().map(|lacks| (goal.asks.clone(), lacks)));
-    match missed {
-        Some((asks, lacks)) => {
-            Err((format!("a flight that does not earn what it is named by ({asks}): {lacks}"), "a flight that does"))
-        }
-        None => Ok(goals),
+    let prize = PROVE.iter().find(|(file, _)| *file == stem).map(|(_, prize)| *prize);
+    let Some(goal) = goals.iter().find(|goal| Some(goal.prize) == prize) else { return Ok((goals, None)) };
+    let Goal { asks, missing, .. } = goal;
+    if let Some(lacks) = missing {
+        return Err((format!("a flight that does not earn what it is named by ({asks}): {lacks}"), "a flight that does"));
     }
+    let proves = format!("{stem} ({asks})");
+    Ok((goals, Some(proves)))
 }
 
 /// Bytes of memory a byte of a table, for reading, checks and building: `/usr/bin/time` shows 29 for tables of solids and objects

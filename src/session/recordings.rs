@@ -3,6 +3,7 @@
 use crate::files::{self, INPUTS, LEVEL_TABLE, read_text};
 use crate::game::{LevelHash, Outcome, Reel, Replay, TICK_RATE, level_hash};
 use crate::level::Level;
+use crate::pack;
 use crate::scores::{Board, Name, Scores};
 use crate::session::Session;
 use crate::session::attempt::{Attempt, Flown, Rival};
@@ -268,18 +269,22 @@ impl Session {
     /// The flight of a code, where it holds. Its length is bounded: two seconds at most.
     pub fn prove_code(&self, visit: &Visit, code: String) -> Result<FlightCandidate, String> {
         let replay = Replay::from_code(&code).map_err(|problem| tr!("No code of a flight: {problem}", problem))?;
-        if replay.level != visit.level {
-            return Err(tr!(
-                "This flight is of level {level}, here are those of level {here}.",
-                level = replay.level,
-                here = visit.level
-            ));
-        }
         let name = replay.player.clone().unwrap_or_else(|| tr("Somebody").to_owned());
         let about = tr("by its code, proven").to_owned();
         let (score, time) = (Some(replay.score), Some(replay.time));
         let candidate = FlightCandidate { name, about, score, time, source: FlightSource::Code(code) };
         let level = self.level_of(visit, &candidate)?;
+        if level_hash(&level) != replay.level_hash {
+            let own = pack::of_hash(replay.level_hash, self.library.levels(), self.library.root());
+            let name = own.map_or_else(|| replay.level.clone(), |level| level.name.clone());
+            if name != visit.level {
+                return Err(tr!(
+                    "This flight is of level {level}, here are those of level {here}.",
+                    level = name,
+                    here = visit.level
+                ));
+            }
+        }
         let flown = replay.verify(level, |_| {}).map_err(|error| error.to_string())?;
         flown.map_err(|mismatch| tr!("This flight does not hold: {mismatch}", mismatch))?;
         Ok(candidate)

@@ -1,6 +1,7 @@
 //! The program as it is called from a shell.
 
 mod command_line;
+mod import;
 mod printed;
 mod readout;
 mod run;

@@ -162,6 +162,53 @@ fn medals_beyond_all_flights_are_warned_about() {
     assert!(code == 0 && err.contains(gold), "{err}");
 }
 
+#[test]
+fn a_flight_becomes_the_proof_of_a_medal_and_check_says_what_is_proven() {
+    let project = tempfile::tempdir().unwrap();
+    copy_fixture("1", project.path());
+    let folder = project.path().join("levels/1");
+    let read = |file: &str| std::fs::read_to_string(folder.join(file)).unwrap();
+    let flight = project.path().join("mine.csv");
+    std::fs::write(&flight, read("flights/careful.replay.csv").replace("# level: 1", "# level: another")).unwrap();
+    std::fs::remove_dir_all(folder.join("flights")).unwrap();
+    let proven = |replay: &str, prize: &str| ran(project.path(), &["prove", "1", replay, "--as", prize]);
+    assert!(!ran(project.path(), &["check", "1"]).1.contains("proven"));
+    let (code, out, err) = proven(flight.to_str().unwrap(), "gold");
+    assert!(code == 0 && out.ends_with("gold.replay.csv\n"), "{err}");
+    assert!(read("constants.csv").contains("gold,6.85\n") && read("constants.csv").starts_with("# Level 1: up"));
+    assert!(read("flights/gold.replay.csv").contains("# level: 1\n"));
+    let (_, out, err) = ran(project.path(), &["check", "1"]);
+    assert!(
+        out.contains("  proven: gold (within 6.85 s)\n") && err.contains("a medal (87 % fuel left) that no flight"),
+        "{out}{err}"
+    );
+    let code = ran(project.path(), &["code", flight.to_str().unwrap()]).1;
+    assert_eq!(proven(code.trim(), "careful").0, 0);
+    assert_eq!(proven(code.trim(), "silver").0, 0);
+    let (_, out, _) = ran(project.path(), &["check", "1"]);
+    assert!(out.contains("  proven: careful (level complete), gold (within 6.85 s), silver (within 6.85 s)\n"), "{out}");
+
+    // What proves nothing is refused, and nothing is written.
+    let before = (read("constants.csv"), read("flights/gold.replay.csv"));
+    let altered = project.path().join("altered.csv");
+    std::fs::write(&altered, read("flights/gold.replay.csv").replace("# time: 6.85", "# time: 6.1")).unwrap();
+    std::fs::write(folder.join("constants.csv"), before.0.replace("silver,6.85", "silver,6")).unwrap();
+    let late = proven(flight.to_str().unwrap(), "gold");
+    assert!(late.0 == 2 && late.2.contains("expected no longer than silver, which is 6 s"), "{}", late.2);
+    std::fs::write(folder.join("constants.csv"), &before.0).unwrap();
+    for (replay, prize, told) in [
+        (altered.to_str().unwrap(), "gold", "a flight that no longer holds"),
+        (flight.to_str().unwrap(), "mark", "a flight that does not earn what it is named by (87 % fuel left)"),
+        (flight.to_str().unwrap(), "bronze", "invalid value 'bronze'"),
+    ] {
+        let (code, out, err) = proven(replay, prize);
+        assert!(code == 2 && out.is_empty() && err.contains(told), "{told}: {err}");
+    }
+    assert_eq!((read("constants.csv"), read("flights/gold.replay.csv")), before);
+    std::fs::write(project.path().join("levels/shipped.csv"), "folder\n1\n").unwrap();
+    assert!(proven(flight.to_str().unwrap(), "gold").2.contains("found a level of the game"));
+}
+
 /// A level is played for a minute without a key.
 #[test]
 fn a_level_that_needs_no_pilot_or_leaves_none_a_chance_is_warned_about() {

@@ -4,6 +4,7 @@
 //! with exactly these lines, otherwise it loads, with exactly the lines of `warnings.txt` as its warnings (none without that file).
 
 mod anything;
+mod certain;
 mod check_and_new;
 mod dialects;
 mod document;

@@ -44,8 +44,9 @@ fn an_engine_below_the_weight_is_warned_about_where_nothing_else_lifts() {
 
 #[test]
 fn a_plate_that_nothing_presses_is_warned_about() {
-    let room =
-        |weight: f64| warned(&[("doors.csv", "500,0,20,870,gate\n"), ("switches.csv", &format!("200,860,60,10,gate,{weight}\n"))]);
+    let room = |weight: f64| {
+        warned(&[("doors.csv", "500,0,20,870,gate\n"), ("switches.csv", &format!("200,860,60,10,gate,{weight},,latched\n"))])
+    };
     let told = "switches.csv:1: column \"weight\": found 5000 N, with 3000 N of weight and thrust in all to press it";
     assert!(room(5000.0).starts_with(told), "{}", room(5000.0));
     assert!(room(3000.0).contains("weight") && room(2999.0).is_empty(), "{}", room(2999.0));
@@ -53,7 +54,7 @@ fn a_plate_that_nothing_presses_is_warned_about() {
     let doors = ("doors.csv", "500,0,20,870,gate\n");
     assert_eq!(warned(&[doors, crate_, ("switches.csv", "200,860,60,10,gate,5000\n")]), "", "the crate helps");
     let wind = ("hazards.csv", "180,600,100,20,0,250,0,4000\n");
-    assert_eq!(warned(&[doors, wind, ("switches.csv", "200,860,60,10,gate,5000\n")]), "", "the wind helps");
+    assert_eq!(warned(&[doors, wind, ("switches.csv", "200,860,60,10,gate,5000,,latched\n")]), "", "the wind helps");
 }
 
 #[test]
@@ -65,9 +66,12 @@ fn a_switch_behind_its_own_door_and_a_pad_behind_doors_that_nothing_opens_are_wa
     let pad = "objectives.csv:1: column \"x\": found an objective behind a door";
     assert!(behind.contains(told) && behind.contains(pad), "{behind}");
     // One door after the other.
-    assert_eq!(warned(&[("doors.csv", doors), ("switches.csv", "200,700,60,60,gate\n600,700,60,60,hall\n")]), "");
+    assert_eq!(
+        warned(&[("doors.csv", doors), ("switches.csv", "200,700,60,60,gate,,,latched\n600,700,60,60,hall,,,latched\n")]),
+        ""
+    );
     // A door that two switches open together.
-    let both = [("doors.csv", "500,0,20,870,a&b\n"), ("switches.csv", "200,700,60,60,a\n300,700,60,60,b\n")];
+    let both = [("doors.csv", "500,0,20,870,a&b\n"), ("switches.csv", "200,700,60,60,a,,,latched\n300,700,60,60,b,,,latched\n")];
     assert_eq!(warned(&both), "");
     let one = warned(&[both[0], ("switches.csv", "200,700,60,60,a\n600,700,60,60,b\n")]);
     assert!(one.contains("switches.csv:2: column \"x\": found a switch behind its own door") && one.contains(pad), "{one}");
@@ -77,7 +81,7 @@ fn a_switch_behind_its_own_door_and_a_pad_behind_doors_that_nothing_opens_are_wa
     let crossed = "900,700,60,60,gate\n600,700,60,60,hall\n";
     assert_eq!(warned(&[("doors.csv", doors), ("switches.csv", crossed)]).lines().count(), 3);
     // A door that is open until its switch is pressed, and a crate that presses a switch out of the ship's reach.
-    assert_eq!(warned(&[("doors.csv", doors), ("switches.csv", "600,700,60,60,!gate hall\n")]), "");
+    assert_eq!(warned(&[("doors.csv", doors), ("switches.csv", "600,700,60,60,!gate hall,,,latched\n")]), "");
     let crate_ = ("objects.csv", "600,850,box:40x40,50,1,FALSE,0\n");
     assert_eq!(warned(&[("doors.csv", doors), crate_, ("switches.csv", "600,700,60,60,gate hall\n")]), "");
 }

@@ -3,7 +3,7 @@
 use crate::sitting::{HERE, Sitting, level, says};
 use crate::support::shipped::fixtures;
 use resultant::draw::layout::Vec2;
-use resultant::game::{Game, Outcome, Replay};
+use resultant::game::{Game, LevelHash, Outcome, Replay};
 use resultant::number::{clock, hundredths};
 use resultant::pack;
 use resultant::screens::{Gap, Input, Key, MOST_RIVALS, Spectator, Split};
@@ -331,8 +331,11 @@ fn a_flight_goes_from_one_game_to_another_as_a_code() {
     let honest = Replay::from_code(&code).unwrap();
     let (words, more) = paste(&Replay { score: honest.score + 1, ..honest.clone() }.code().unwrap());
     assert!(words.starts_with("This flight does not hold: recorded score") && more == 1, "{words}");
-    let (words, _) = paste(&Replay { level: "7".to_owned(), ..honest }.code().unwrap());
+    let elsewhere = Replay { level: "7".to_owned(), level_hash: LevelHash([7; 32]), ..honest.clone() };
+    let (words, _) = paste(&elsewhere.code().unwrap());
     assert!(words.contains("of level 7"), "{words}");
+    // The sender's level may have another name.
+    assert_eq!(paste(&Replay { level: "7".to_owned(), ..honest }.code().unwrap()).0, "Proven: Somebody");
     other.choose("Race");
     assert_eq!(other.flight().race().unwrap().all().len(), 1);
 }

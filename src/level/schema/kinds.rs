@@ -27,7 +27,7 @@ macro_rules! files {
         }
 
         /// A kind of thing: the ship, a block, a setting of the level.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Kind { $($($kind),*),* }
 
         impl Kind {

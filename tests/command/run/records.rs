@@ -169,13 +169,41 @@ fn a_long_record_tells_how_far_it_has_come() {
     assert!(line.contains("run.csv: ") && line.ends_with(" of 1000000000 ticks flown\n"), "{line}");
 }
 
+/// The record with a hash that no level has.
+fn of_another_level(record: &str) -> String {
+    let hash = record.lines().find_map(|line| line.strip_prefix("# level_hash: ")).unwrap();
+    record.replace(hash, &"0".repeat(64))
+}
+
+/// The recipient of a flight may have its level under another name, and another level under that name.
+#[test]
+fn a_flight_and_its_code_find_their_level_by_its_hash() {
+    let (data, path) = recorded();
+    let path = path.as_str();
+    std::fs::rename(data.path("levels/goal"), data.path("levels/borrowed")).unwrap();
+    data.level("goal", "gravity,3\n", &[("player.csv", "60,845,100,500,2000\n"), ("objectives.csv", "PLAYER,2000,10,10,10\n")]);
+    data.write("levels/broken/player.csv", "none\n");
+    let code = data.resultant(&["code", path]).out.trim().to_owned();
+    for flight in [path, code.as_str()] {
+        let ran = data.resultant(&["verify", flight]);
+        assert!(ran.status == 0 && ran.out.contains("; level borrowed, "), "{}{}", ran.out, ran.err);
+    }
+    std::fs::remove_dir_all(data.path("levels/goal")).unwrap();
+    assert_eq!(data.resultant(&["verify", path, &code]).status, 0);
+    // Where no level has the hash, the name says which one is not the same, or not there.
+    let other = data.write("other.csv", &of_another_level(&read(&data, "run.csv")));
+    assert!(data.resultant(&["verify", &other]).err.contains("no level \"goal\""));
+    std::fs::rename(data.path("levels/borrowed"), data.path("levels/goal")).unwrap();
+    assert!(data.resultant(&["verify", &other]).err.contains("recorded in a level with the hash 0000000000000000"));
+}
+
 #[test]
 fn a_replay_that_cannot_be_flown_is_refused_before_any_is() {
     let (data, path) = recorded();
     let path = path.as_str();
     let good = read(&data, "run.csv");
     let inputs = data.write("in.csv", &format!("{HEADER}\n3,1,0,0,0\n"));
-    let lost = data.write("lost.csv", &good.replace("level: goal", "level: nowhere"));
+    let lost = data.write("lost.csv", &of_another_level(&good.replace("level: goal", "level: nowhere")));
     let away = data.write("away.csv", &good.replace("level: goal", "level: ../levels/goal"));
     for (bad, message) in [
         (&inputs, "in.csv:1: \"level_hash\": found no line"),
