@@ -85,6 +85,27 @@ fn a_cradle_hit_from_both_sides_sends_both_back() {
     hold(&row, &[-4.0, 0.0, 0.0, 0.0, 4.0].map(|speed| DVec2::new(speed, 0.0)), 0.5);
 }
 
+/// Two rows of boxes fall in air, the upper ones over the gaps of the lower ones, and bounce: what meets at one instant does so in any order of rows.
+#[test]
+fn a_mirrored_pile_that_bounces_in_air_stays_mirrored() {
+    let at = |x: f64, y: f64, mass: f64| boxed(DVec2::new(x, y), DVec2::splat(0.5), mass, DVec2::ZERO, 0.95);
+    let pile = [at(0.0, -0.9, 7.5), at(1.1, -0.9, 9.7), at(-1.1, -0.9, 9.7), at(0.55, -2.0, 5.6), at(-0.55, -2.0, 5.6)];
+    for order in orders(pile.len()) {
+        let row = |body: usize| order.iter().position(|of| *of == body).unwrap();
+        let bodies = order.iter().map(|i| pile[*i].clone()).collect();
+        let mut world = World::new(WorldDef { bodies, surfaces: vec![block(-9.0, 0.0, 9.0, 1.0)], ..WorldDef::default() }).unwrap();
+        for tick in 0..200 {
+            world.step(TICK);
+            for (right, left) in [(1, 2), (3, 4), (0, 0)] {
+                let ([a, b], [v, w]) =
+                    ([right, left].map(|body| world.at(row(body))), [right, left].map(|body| world.speed(row(body))));
+                let apart = (a - b * DVec2::new(-1.0, 1.0)).length().max((v - w * DVec2::new(-1.0, 1.0)).length());
+                assert!(apart < 1e-9, "{order:?}, tick {tick}: {right} and {left} are {apart} apart");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_corner_is_the_same_in_either_order_of_its_walls() {
     let walls = [block(-5.0, 3.0, 5.0, 4.0), block(3.0, -5.0, 4.0, 3.0)];

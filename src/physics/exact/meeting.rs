@@ -2,7 +2,7 @@
 
 use crate::physics::data::{Contact, SLOP, STRAY};
 use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::item::Next;
+use crate::physics::exact::item::{EventKind, Next};
 
 impl Events {
     /// Brings two items to the instant at which they meet, by Newton's method on the motions themselves, and closes the gap left. Returns false if
@@ -15,7 +15,8 @@ impl Events {
             let of_pair = |k: usize, next: &Next| next.kind.other().is_some_and(|other| contact.is_of(k as u32, other));
             let others = self.nexts.iter().enumerate().filter(|(k, next)| !of_pair(*k, next) && !self.is_void(next));
             let others = others.map(|(_, next)| next.at);
-            let end = others.fold(self.items[lo].until.min(self.items[hi].until).min(scene.tick), f64::min);
+            let last = self.items[lo].until.min(self.items[hi].until).min(scene.tick);
+            let end = others.fold(last, f64::min);
             // Four steps of Newton's method end at the rounding of the time.
             for _ in 0..4 {
                 let (a, b) = (self.items[lo].pose(scene.media, self.now), self.items[hi].pose(scene.media, self.now));
@@ -25,7 +26,7 @@ impl Events {
                 if closing <= 0.0 || next < begin || next == self.now {
                     break;
                 }
-                if next > end {
+                if next > end && !(gap <= SLOP && next <= last && self.all_meet_later(scene, contact, next)) {
                     return gap <= SLOP;
                 }
                 self.now = next;
@@ -34,6 +35,18 @@ impl Events {
         }
         self.close(scene, contact);
         true
+    }
+
+    /// Whether all that is foreseen before `at` are meetings that have not happened by then: what meets at one instant is foreseen in any order.
+    fn all_meet_later(&self, scene: &Scene, besides: &Contact, at: f64) -> bool {
+        self.nexts.iter().enumerate().all(|(k, next)| {
+            let EventKind::Hit { other, axis, ascending } = next.kind else { return next.at >= at };
+            let (lo, hi) = if ascending { (k, other as usize) } else { (other as usize, k) };
+            let reach = (self.items[lo].body.half + self.items[hi].body.half)[axis];
+            let place = |item: usize| self.items[item].pose(scene.media, at).0[axis];
+            let known = at <= self.items[lo].until.min(self.items[hi].until);
+            next.at >= at || besides.is_of(k as u32, other) || self.is_void(next) || known && place(hi) - place(lo) - reach >= -SLOP
+        })
     }
 
     /// Takes away the gap or overlap of two items that meet now, shared as their masses say; a surface gives way to nothing, and neither does a
