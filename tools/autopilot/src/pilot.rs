@@ -308,7 +308,8 @@ impl<'a> Autopilot<'a> {
             }
             StepKind::Lean if !over => {
                 self.turn_to(sight, step.x, PUSH_BEAT);
-                (self.thrust, self.owed) = (-velocity.y < speed, 0.0);
+                let along = if step.x.abs() > 90.0 { velocity.y } else { -velocity.y };
+                (self.thrust, self.owed) = (along < speed, 0.0);
             }
             StepKind::Push if !over => {
                 let way = (to.x - self.pushed_from).signum();

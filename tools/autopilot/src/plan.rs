@@ -228,7 +228,7 @@ impl FlightPlan {
                 }
                 StepKind::Hold | StepKind::Wait => vary(&mut step.seconds, 0.3, 0.05, 0.0),
                 StepKind::Lean => {
-                    vary(&mut step.x, 6.0, 1.0, -90.0);
+                    vary(&mut step.x, 6.0, 1.0, -180.0);
                     vary(&mut step.y, 20.0, 1.0, 0.0);
                     vary(&mut step.speed, 0.8, 0.1, -20.0);
                     if step.seconds > 0.0 {
