@@ -1,7 +1,7 @@
 //! The canvas: every drawing goes through it. It records shapes in canvas units and needs no window.
 
 use super::layout::{Area, Frame, LINE, Vec2};
-use super::shape::{Align, Colour, Contour, Image, Quads, Shape, Style, dashes};
+use super::shape::{Align, Colour, Contour, Image, Quad, Quads, Shape, Style, dashes};
 use super::text;
 use std::cell::{Ref, RefCell};
 use std::collections::HashMap;
@@ -52,7 +52,7 @@ impl Canvas {
                 | Shape::RectangleEdge { colour, .. } => turn(colour),
                 Shape::Quads(quads) => quads.0.iter_mut().flat_map(|quad| &mut quad.colours).for_each(&mut turn),
                 Shape::Text { style, .. } => turn(&mut style.colour),
-                Shape::Picture { .. } | Shape::Layer => {}
+                Shape::Picture { .. } | Shape::Textured { .. } | Shape::Layer => {}
             }
         }
     }
@@ -195,6 +195,13 @@ impl Canvas {
     pub fn quads(&self, quads: Quads) {
         if !quads.0.is_empty() {
             self.add(Shape::Quads(quads));
+        }
+    }
+
+    /// The places (0 … 1 along both axes) in the image stand beside each quadrangle.
+    pub fn textured(&self, image: &Image, quads: Vec<(Quad, [Vec2; 4])>) {
+        if !quads.is_empty() {
+            self.add(Shape::Textured { image: image.clone(), quads });
         }
     }
 

@@ -9,6 +9,7 @@ mod glyphs;
 pub mod layout;
 #[cfg(feature = "window")]
 pub mod pen;
+pub mod raster;
 pub mod shape;
 pub mod soft;
 pub mod svg;
@@ -16,6 +17,6 @@ pub mod text;
 
 pub use canvas::Canvas;
 pub use shape::Colour;
-pub use shape::{Align, Contour, Image, Shape, Style};
+pub use shape::{Align, Contour, Image, Painting, Shape, Style};
 pub use shape::{Quad, Quads};
 pub use text::Typeface;

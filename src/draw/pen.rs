@@ -4,7 +4,7 @@
 use super::canvas::Canvas;
 use super::glyphs::Glyphs;
 use super::layout::{Frame, Vec2};
-use super::shape::{Colour, Image, MOST_QUADS, Quad, Shape};
+use super::shape::{Colour, Image, MOST_QUADS, Painting, Quad, Shape};
 use super::soft::Soft;
 use super::text;
 use macroquad::camera::{Camera2D, set_camera};
@@ -25,6 +25,7 @@ pub struct WindowPen {
     sheet: Texture2D,
     /// The drawn files with their textures; `None`: the file is no picture.
     files: Vec<(Arc<[u8]>, Option<Texture2D>)>,
+    paintings: Vec<(Arc<Painting>, Texture2D)>,
     /// The picture that is shown again while nothing changes.
     kept: Option<Texture2D>,
     /// Draws the kept picture without its opacity, which is that of the last shape; `None` where no material is available.
@@ -43,6 +44,7 @@ impl WindowPen {
             mesh: Mesh { vertices: Vec::new(), indices: Vec::new(), texture: None },
             sheet,
             files: Vec::new(),
+            paintings: Vec::new(),
             kept: None,
             copying: copying(),
         })
@@ -68,6 +70,7 @@ impl WindowPen {
         // Files that only this pen holds are no longer drawn.
         drop(shapes);
         self.files.retain(|(bytes, _)| Arc::strong_count(bytes) > 1);
+        self.paintings.retain(|(painting, _)| Arc::strong_count(painting) > 1);
     }
 
     fn draw(&mut self, shape: &Shape, canvas: &Canvas) {
@@ -91,7 +94,14 @@ impl WindowPen {
             Shape::RectangleEdge { area, width, colour } => {
                 draw_rectangle_lines(area.min.x, area.min.y, area.size.x, area.size.y, 2.0 * width, (*colour).into());
             }
-            Shape::Quads(quads) => quads.0.chunks(MOST_QUADS).for_each(|quads| self.draw_quads(quads)),
+            Shape::Quads(quads) => {
+                quads.0.chunks(MOST_QUADS).for_each(|quads| self.draw_quads(quads.iter().map(|quad| (quad, &[Vec2::ZERO; 4]))));
+            }
+            Shape::Textured { image, quads } => {
+                self.mesh.texture = self.texture(image).cloned();
+                quads.chunks(MOST_QUADS).for_each(|quads| self.draw_quads(quads.iter().map(|(quad, places)| (quad, places))));
+                self.mesh.texture = None;
+            }
             Shape::Picture { image, part, area, turn, tint } => {
                 if let Some(texture) = self.texture(image) {
                     let (at, size) = (part.min * texture.size(), part.size * texture.size());
@@ -107,17 +117,18 @@ impl WindowPen {
 
     fn draw_soft(&mut self) {
         self.mesh.vertices.clear();
-        self.mesh.vertices.extend(self.soft.vertices.iter().map(vertex));
+        self.mesh.vertices.extend(self.soft.vertices.iter().map(|(at, colour)| vertex(*at, Vec2::ZERO, *colour)));
         self.mesh.indices.clone_from(&self.soft.indices);
         draw_mesh(&self.mesh);
     }
 
-    fn draw_quads(&mut self, quads: &[Quad]) {
+    /// With their places in the mesh's texture.
+    fn draw_quads<'a>(&mut self, quads: impl Iterator<Item = (&'a Quad, &'a [Vec2; 4])>) {
         self.mesh.vertices.clear();
         self.mesh.indices.clear();
-        for quad in quads {
+        for (quad, places) in quads {
             let first = self.mesh.vertices.len() as u16;
-            self.mesh.vertices.extend(quad.corners.into_iter().zip(quad.colours).map(|corner| vertex(&corner)));
+            self.mesh.vertices.extend((0..4).map(|i| vertex(quad.corners[i], places[i], quad.colours[i])));
             self.mesh.indices.extend([0, 1, 2, 0, 2, 3].map(|i| first + i));
         }
         draw_mesh(&self.mesh);
@@ -134,7 +145,11 @@ impl WindowPen {
     }
 
     fn texture(&mut self, image: &Image) -> Option<&Texture2D> {
-        let Image::File(file) = image else { return Some(&self.sheet) };
+        let file = match image {
+            Image::Sheet => return Some(&self.sheet),
+            Image::Painted(painting) => return Some(self.painted(painting)),
+            Image::File(file) => file,
+        };
         let known = self.files.iter().position(|(bytes, _)| Arc::ptr_eq(bytes, file));
         let index = known.unwrap_or_else(|| {
             let texture = Pixels::from_file_with_format(file, None).ok().map(|pixels| Texture2D::from_image(&pixels));
@@ -143,6 +158,17 @@ impl WindowPen {
             self.files.len() - 1
         });
         self.files[index].1.as_ref()
+    }
+
+    fn painted(&mut self, painting: &Arc<Painting>) -> &Texture2D {
+        let known = self.paintings.iter().position(|(known, _)| Arc::ptr_eq(known, painting));
+        let index = known.unwrap_or_else(|| {
+            let texture = Texture2D::from_rgba8(painting.width as u16, painting.height() as u16, &painting.bytes);
+            texture.set_filter(FilterMode::Linear);
+            self.paintings.push((painting.clone(), texture));
+            self.paintings.len() - 1
+        });
+        &self.paintings[index].1
     }
 
     /// Keeps this frame's picture for later frames.
@@ -181,8 +207,8 @@ fn use_canvas_units(canvas: &Canvas) {
     set_camera(&Camera2D { target: size / 2.0, zoom: Vec2::new(2.0, 2.0) / size, ..Camera2D::default() });
 }
 
-fn vertex((at, colour): &(Vec2, Colour)) -> Vertex {
-    Vertex::new(at.x, at.y, 0.0, 0.0, 0.0, (*colour).into())
+fn vertex(at: Vec2, place: Vec2, colour: Colour) -> Vertex {
+    Vertex::new(at.x, at.y, 0.0, place.x, place.y, colour.into())
 }
 
 /// Copies a texture's colours as they are.

@@ -8,6 +8,7 @@
 
 use super::layout::{Area, Vec2};
 use super::text::Typeface;
+use std::fmt;
 use std::sync::Arc;
 
 /// Lengths in canvas units, y down.
@@ -25,6 +26,8 @@ pub enum Shape {
     RectangleEdge { area: Area, width: f32, colour: Colour },
     /// Quadrangles without soft edges, whose colours run from corner to corner.
     Quads(Quads),
+    /// The same, whose colours multiply an image; its places (0 … 1 along both axes) at the corners of each.
+    Textured { image: Image, quads: Vec<(Quad, [Vec2; 4])> },
     /// It lies above all other shapes of its layer.
     Text { text: String, at: Vec2, style: Style },
     /// A part of an image (0 … 1 along both axes) stretched over an area, turned around the area's middle (radians, clockwise),
@@ -54,6 +57,29 @@ pub enum Image {
     Sheet,
     /// A PNG file. Two images are equal where their bytes are.
     File(Arc<[u8]>),
+    Painted(Arc<Painting>),
+}
+
+/// A picture that the game has painted.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Painting {
+    /// Pixels.
+    pub width: usize,
+    /// Straight RGBA, row by row from the top.
+    pub bytes: Vec<u8>,
+}
+
+impl Painting {
+    /// Pixels.
+    pub fn height(&self) -> usize {
+        self.bytes.len() / 4 / self.width.max(1)
+    }
+}
+
+impl fmt::Debug for Painting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Painting({} × {})", self.width, self.height())
+    }
 }
 
 /// The side of its point on which a text lies.

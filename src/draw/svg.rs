@@ -49,7 +49,7 @@ impl Paper<'_> {
             Shape::Quads(quads) => {
                 quads.0.iter().for_each(|quad| self.polygon(&quad.corners, &fill(quad.colours[0])));
             }
-            Shape::Hairline { .. } | Shape::Text { .. } | Shape::Picture { .. } | Shape::Layer => {}
+            Shape::Hairline { .. } | Shape::Text { .. } | Shape::Picture { .. } | Shape::Textured { .. } | Shape::Layer => {}
         }
     }
 

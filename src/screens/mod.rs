@@ -32,7 +32,6 @@ pub use crate::ui::prompt::Problems;
 pub use crate::ui::prompt::{NameEntry, NameField};
 pub use crate::ui::prompt::{Prompt, Reply};
 pub use crate::ui::scroll::Bar;
-pub use crate::view::miniature::{Miniature, MiniaturePart};
 pub use boards::Leaderboard;
 pub use boards::flights::Flights;
 pub use classics::Classics;

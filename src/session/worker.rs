@@ -1,6 +1,7 @@
 //! The worker beside the screens: it reads and judges levels, one errand after the other, so that no frame waits for a disk or a large
 //! level. A test steps it by hand.
 
+use crate::draw::Image;
 use crate::game::Reel;
 use crate::level::document::{LevelFolder, Opened};
 use crate::level::{self, Awards, Level};
@@ -8,7 +9,7 @@ use crate::pack::{self, Installed};
 use crate::session::folder_watch::Stamp;
 use crate::session::library::Refusal;
 use crate::session::recordings;
-use crate::view::miniature::Miniature;
+use crate::view::miniature;
 use crate::words::{self, Language};
 use std::collections::VecDeque;
 use std::path::PathBuf;
@@ -48,7 +49,7 @@ pub struct Card {
     /// What that looked like before it was read: what is written meanwhile is seen at the next look.
     pub stamp: Stamp,
     /// Title, medals and picture, or why it does not load.
-    pub level: Result<(String, Awards, Miniature), Refusal>,
+    pub level: Result<(String, Awards, Option<Image>), Refusal>,
 }
 
 /// What has come of an errand.
@@ -81,7 +82,7 @@ impl Errand {
             }
             Self::Card(folder, root) => {
                 let stamp = Stamp::of(&folder, &[]);
-                let level = load(&folder, &root).map(|level| (level.title.clone(), level.awards, Miniature::of(&level)));
+                let level = load(&folder, &root).map(|level| (level.title.clone(), level.awards, miniature::painting(&level)));
                 Brought::Card(Box::new(Card { folder, stamp, level }))
             }
             Self::Editor(folder, root) => Brought::Editor(LevelFolder::open_to_edit(&folder, &root).map(Box::new)),

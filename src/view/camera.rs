@@ -162,6 +162,13 @@ impl Viewport {
         usual.at(usual.scale, focus, ship)
     }
 
+    /// With a box (m) in its middle, as large as it fits.
+    pub fn of(bounds: &Aabb, level: DVec2, window: CanvasWindow) -> Self {
+        let scale = (window.size / bounds.size()).min_element();
+        let view = Self { scale, origin: DVec2::ZERO, level, beyond: 0.0, window };
+        Self { origin: view.snap(bounds.centre() * scale - window.size * 0.5), ..view }
+    }
+
     /// Magnified by `factor` around the ship (m), whose place stays but for the window's and the level's edges.
     pub fn closer(self, ship: DVec2, factor: f64) -> Self {
         let scale = self.scale * factor;

@@ -72,6 +72,11 @@ const HIGH_CONTRAST: Colours = Colours {
     ..SAFE
 };
 
+/// Below the colour of a goal, in every world, and the share of that colour at the plate's top and at its foot.
+const PLATE: Colour = Colour::hex(0x0A0D14);
+pub const PLATE_FILL: [f32; 2] = [0.10, 0.40];
+pub const HAZARD_EDGE: Colour = Colour::hex(0xFF7A7E);
+
 /// The present palette: the view's own state, which the player's setting sets once a frame.
 static WORN: AtomicU8 = AtomicU8::new(0);
 
@@ -100,6 +105,11 @@ pub fn is_light() -> bool {
 /// The background.
 pub fn ground() -> Colour {
     colours().ground
+}
+
+/// The plate of a goal.
+pub fn plate() -> Colour {
+    if is_plain() { colours().ground } else { PLATE }
 }
 
 pub fn panel() -> Colour {
@@ -191,8 +201,16 @@ pub const fn force(kind: ForceKind) -> Colour {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::level::Landscape;
+    use crate::draw::layout::{Area, Frame, Vec2};
+    use crate::draw::{Canvas, Painting, raster};
+    use crate::level::{self, Landscape, Level};
+    use crate::physics::Aabb;
+    use crate::view::camera::{CanvasWindow, Viewport};
+    use crate::view::pictures::Pictures;
     use crate::view::sky::WorldPalette;
+    use crate::view::terrain::{Terrain, kind};
+    use crate::view::{art, world};
+    use std::path::Path;
 
     /// Colour blindness on linear light, after Machado, Oliveira and Fernandes (2009), full strength: none, protan, deutan, tritan.
     const SIGHTS: [[[f64; 3]; 3]; 4] = [
@@ -261,13 +279,26 @@ mod tests {
         }
     }
 
+    /// The relative luminance of WCAG 2.
+    fn luminance(colour: Colour) -> f64 {
+        let part = |c: f32| if c <= 0.04045 { f64::from(c) / 12.92 } else { ((f64::from(c) + 0.055) / 1.055).powf(2.4) };
+        0.2126 * part(colour.r) + 0.7152 * part(colour.g) + 0.0722 * part(colour.b)
+    }
+
+    #[test]
+    fn goals_and_hazards_stand_out_on_their_plates() {
+        let contrast = |colour: Colour, ground: Colour| (luminance(colour) + 0.05) / (luminance(ground) + 0.05);
+        let on_plate = |colour: Colour| contrast(colour, PLATE.mixed(colour, PLATE_FILL[0]));
+        assert!(on_plate(STANDARD.player_objective) >= 8.8, "{}", on_plate(STANDARD.player_objective));
+        assert!(on_plate(STANDARD.physics_objective) >= 4.1, "{}", on_plate(STANDARD.physics_objective));
+        assert!(contrast(HAZARD_EDGE, PLATE) >= 6.3, "{}", contrast(HAZARD_EDGE, PLATE));
+        let words = PLATE.mixed(STANDARD.player_objective, PLATE_FILL[0].midpoint(PLATE_FILL[1]));
+        assert!(contrast(STANDARD.text, words) >= 4.5, "{}", contrast(STANDARD.text, words));
+    }
+
     /// The least contrast of words that are not small, and of drawings, is 3 to 1 (WCAG 2); of all words of weight 4.5.
     #[test]
     fn everything_is_dark_on_the_light_ground_of_a_projector() {
-        let luminance = |colour: Colour| {
-            let part = |c: f32| if c <= 0.04045 { f64::from(c) / 12.92 } else { ((f64::from(c) + 0.055) / 1.055).powf(2.4) };
-            0.2126 * part(colour.r) + 0.7152 * part(colour.g) + 0.0722 * part(colour.b)
-        };
         let forces = ForceKind::ALL.map(force).into_iter().chain([RESULTANT, VELOCITY, ACCELERATION, IMPACT]);
         let drawn = forces.chain([SAFE.good, SAFE.bad, SAFE.accent, SAFE.player_objective, SAFE.physics_objective]);
         for ground in [SAFE.ground, SAFE.panel].map(|ground| luminance(ground.on_white())) {
@@ -277,18 +308,84 @@ mod tests {
         }
     }
 
+    /// A goal's plate covers at least this share of what is behind it; on the bare sky some pairs would look alike.
+    const PLATE_COVER: f32 = 0.8;
+
     #[test]
-    fn what_carries_a_meaning_stands_out_in_every_world() {
+    fn what_carries_a_meaning_stands_out_on_a_plate_in_every_world() {
         let meanings = [SAFE.text, SAFE.good, SAFE.bad, SAFE.player_objective, SAFE.physics_objective, SAFE.accent];
         for landscape in Landscape::ALL {
-            let WorldPalette { sky: [top, bottom], layers: [far, near], rock, .. } = WorldPalette::of(landscape);
-            for ground in [top, bottom, far, near, rock] {
+            let WorldPalette { sky, layers, rock, .. } = WorldPalette::of(landscape);
+            for ground in sky.iter().map(|(_, tone)| *tone).chain(layers).chain(rock) {
                 for (kind, sight) in SIGHTS.iter().enumerate() {
                     for (i, colour) in meanings.iter().enumerate() {
-                        let apart = difference(lab(*colour, sight), lab(ground, sight));
+                        let apart = difference(lab(*colour, sight), lab(ground.mixed(PLATE, PLATE_COVER), sight));
                         assert!(apart >= 15.0, "{landscape:?}: colour {i} on {ground:?} with sight {kind}: {apart:.1}");
                     }
                 }
+            }
+        }
+    }
+
+    /// Width of the pictures, pixels.
+    const WIDTH: usize = 200;
+
+    /// The scenery of a level without goals and bodies: CIELAB of each pixel, and what it shows: air, rock, or a material.
+    fn scenery(name: &str) -> Vec<([f64; 3], Option<bool>)> {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let level: Level = level::load(&root.join("levels").join(name), root).unwrap().level;
+        let terrain = Terrain::new(&level, std::iter::empty(), &[], false);
+        let rooms = terrain.rooms().unwrap();
+        let canvas = Canvas::new(Frame::of_window(Vec2::new(1280.0, 720.0)));
+        let window = CanvasWindow { size: canvas.size().as_dvec2(), pixel: 1.0 };
+        let view = Viewport::of(&Aabb::new(rooms.min - 0.8, rooms.max + 0.8), level.size, window);
+        let pictures = Pictures::new(&level, &|_| None);
+        world::draw_ground(&level, &terrain, &pictures, (&view, &canvas), 3.0);
+        terrain.draw_shade(&view, &canvas);
+        terrain.draw(&view, &canvas, &[]);
+        let sheet = Painting { width: art::SHEET, bytes: art::sheet() };
+        let Painting { bytes, .. } = raster::paint(&canvas, WIDTH, Colour::hex(0), &sheet);
+        let air = terrain.air(&view);
+        let materials: Vec<Area> =
+            level.world.iter().filter(|solid| kind(solid.material.name) != 0).map(|solid| view.rect(&solid.bounds)).collect();
+        let pixel = |(i, part): (usize, &[u8])| {
+            let at = (Vec2::new((i % WIDTH) as f32, (i / WIDTH) as f32) + 0.5) * (canvas.size().x / WIDTH as f32);
+            let in_one = |areas: &[Area]| areas.iter().any(|area| area.contains(at));
+            let shows = if in_one(&materials) { None } else { Some(in_one(&air)) };
+            (lab(Colour::of([part[0], part[1], part[2]]), &SIGHTS[0]), shows)
+        };
+        bytes.chunks(4).enumerate().map(pixel).collect()
+    }
+
+    /// The mean and the 95th percentile.
+    fn spread(values: impl Iterator<Item = f64>) -> (f64, f64) {
+        let mut values: Vec<f64> = values.collect();
+        values.sort_by(f64::total_cmp);
+        (values.iter().sum::<f64>() / values.len() as f64, values[values.len() * 95 / 100])
+    }
+
+    /// What moves is lighter than CIE L* 67 and more vivid than a chroma of 50: scenery keeps well below both.
+    #[test]
+    fn scenery_is_dark_and_calm_and_two_worlds_are_told_apart_at_a_glance() {
+        let worlds = ["3", "7", "18", "22", "25"].map(|name| (name, scenery(name)));
+        for (name, pixels) in &worlds {
+            let of = |air: bool| pixels.iter().filter(move |(_, shows)| *shows == Some(air)).map(|(lab, _)| *lab);
+            let all = || of(true).chain(of(false));
+            let (mean, high) = spread(all().map(|lab| lab[0]));
+            let bright = all().filter(|lab| lab[0] > 60.0).count() as f64 / all().count() as f64;
+            assert!(
+                (9.0..30.0).contains(&mean) && high <= 52.0 && bright <= 0.03,
+                "level {name}: L* {mean:.1}, {high:.1}, {bright:.3}"
+            );
+            let (mean, high) = spread(of(false).map(|lab| lab[0]));
+            assert!((7.0..19.0).contains(&mean) && high <= 42.0, "rock of level {name}: L* {mean:.1}, {high:.1}");
+            let (mean, high) = spread(of(true).map(|lab| lab[1].hypot(lab[2])));
+            assert!((6.0..30.0).contains(&mean) && high <= 46.0, "air of level {name}: chroma {mean:.1}, {high:.1}");
+        }
+        for (i, (a, one)) in worlds.iter().enumerate() {
+            for (b, other) in &worlds[i + 1..] {
+                let apart = one.iter().zip(other).map(|(p, q)| difference(p.0, q.0)).sum::<f64>() / one.len() as f64;
+                assert!(apart >= 11.0, "levels {a} and {b} differ by {apart:.1}");
             }
         }
     }

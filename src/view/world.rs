@@ -10,7 +10,7 @@
 use super::camera::Viewport;
 use super::mechanisms::movers;
 use super::pictures::Pictures;
-use super::terrain::{Terrain, Tint};
+use super::terrain::Terrain;
 use super::things::ellipse;
 use super::{sky, theme};
 use crate::draw::layout::{Area, DETAILS, MONO_ADVANCE, Vec2, text_room};
@@ -29,13 +29,14 @@ const FINEST_PAPER: f64 = 8.0;
 const SNAPPED: f64 = 1.25;
 
 /// The background (the author's picture, or the sky of the level's world) and the graph paper: a fine line each metre, a heavy one each ten.
-pub fn draw_ground(level: &Level, tint: &Tint, pictures: &Pictures, (view, canvas): (&Viewport, &Canvas), time: f64) {
+pub fn draw_ground(level: &Level, terrain: &Terrain, pictures: &Pictures, (view, canvas): (&Viewport, &Canvas), time: f64) {
+    let tint = terrain.tint();
     let all = view.rect(&Aabb::new(DVec2::ZERO, level.size));
     let picture = level.background.as_ref().and_then(|path| pictures.get(path));
     if let Some(image) = picture {
         canvas.image(image, all, Colour::WHITE);
     } else if let Some(landscape) = level.landscape {
-        sky::draw(landscape, view, canvas, time);
+        sky::draw(landscape, (&terrain.air(view), terrain.floor(level)), (view, canvas), time);
     }
     let strength = if picture.is_some() { PAPER_OVER_PICTURE } else { 1.0 };
     let fine = view.scale() >= FINEST_PAPER;

@@ -4,7 +4,7 @@ use super::art::{self, Tile};
 use super::camera::Viewport;
 use super::emitters::objective_colour;
 use super::labels::{self, LabelOf, LevelLabel};
-use super::theme;
+use super::theme::{self, HAZARD_EDGE, PLATE_FILL};
 use crate::draw::layout::{Area, DETAILS, Vec2, nearest_size};
 use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::game::Game;
@@ -14,12 +14,23 @@ use crate::physics::{Aabb, DVec2};
 /// Radii of the rings of hold times: round an objective's icon, canvas units; and round a held body, m.
 const ICON_RING: f32 = 14.0;
 const HOLD_RING: f64 = 1.45;
+/// Height of the light over a goal, canvas units.
+const COLUMN: f32 = 110.0;
 /// Width and height of a wave on a liquid's surface, canvas units; the height is that of both waves together.
 const WAVE_LENGTH: f32 = 52.0;
 const WAVE_HEIGHT: f32 = 5.0;
-/// Opacity of a liquid at its surface and at its bottom, and the share of its colour on bodies in it.
-const SHALLOW: f32 = 0.36;
-const DEEP: f32 = 0.58;
+/// Opacity of a liquid at its surface, half way down and at its bottom, and the share of its colour on bodies in it.
+const SHALLOW: f32 = 0.50;
+const MIDDLE: f32 = 0.34;
+const DEEP: f32 = 0.50;
+/// Depth of the light below a liquid's surface, and its opacity; that of the line below the surface, canvas units.
+const BAND: f32 = 70.0;
+const BAND_LIGHT: f32 = 0.16;
+const UNDERLINE: f32 = 6.0;
+/// Depth of the net of light below a surface, m, its opacity, and the width of its meshes, canvas units.
+const CAUSTICS: f64 = 3.2;
+const CAUSTIC_LIGHT: f32 = 0.10;
+const MESH: f32 = 46.0;
 const STAIN: f32 = 0.5;
 /// A box nearer than this to a liquid's surface lies on it, m.
 const ON_IT: f64 = 1e-6;
@@ -38,10 +49,32 @@ pub fn draw_objectives(game: &Game, view: &Viewport, canvas: &Canvas, time: f64)
         let pulse = 0.5 + 0.5 * (time * 2.6).sin() as f32;
         art::halo(canvas, area, 26.0, colour.faded(0.28 + 0.14 * pulse));
         // No liquid or picture behind it may change its colour.
-        canvas.rectangle(area, theme::ground());
-        canvas.rectangle(area, colour.faded(0.30));
+        let (high, low) = (theme::plate().mixed(colour, PLATE_FILL[0]), theme::plate().mixed(colour, PLATE_FILL[1]));
+        let mut quads = column(area, COLUMN, colour.faded(0.16 + 0.08 * pulse));
+        quads.quad(area.corners(), [high, high, low, low]);
+        canvas.quads(quads);
         canvas.rectangle_edge(area, 2.0, colour);
     }
+}
+
+/// A column of light over a box: it fades upwards and to its sides.
+fn column(area: Area, height: f32, colour: Colour) -> Quads {
+    const STRIPS: u8 = 8;
+    let mut quads = Quads::default();
+    let at = |strip: u8| {
+        let across = f32::from(strip) / f32::from(STRIPS);
+        let side = 2.0 * across - 1.0;
+        (area.min.x + area.size.x * across, colour.faded((1.0 - side * side).powf(1.5)))
+    };
+    for strip in 0..STRIPS {
+        let ((left, a), (right, b)) = (at(strip), at(strip + 1));
+        let (foot, top) = (area.min.y, area.min.y - height);
+        quads.quad(
+            [Vec2::new(left, top), Vec2::new(right, top), Vec2::new(right, foot), Vec2::new(left, foot)],
+            [a.faded(0.0), b.faded(0.0), b, a],
+        );
+    }
+    quads
 }
 
 /// The words in the level: the author's in the size of type nearest to theirs; beside an objective its sign: the ship's with its outline, the
@@ -141,7 +174,9 @@ pub fn draw_obstacles(level: &Level, view: &Viewport, canvas: &Canvas, time: f64
     }
     for bounds in in_view() {
         let area = view.rect(bounds);
-        canvas.rectangle_edge(area, 2.0, Colour::hex(0xFF7A7E));
+        canvas.rectangle_edge(area.inset(-2.0), 2.0, theme::plate());
+        canvas.rectangle_edge(area, 2.0, HAZARD_EDGE);
+        canvas.rectangle_edge(area.inset(2.0), 2.0, theme::plate().faded(0.6));
     }
 }
 
@@ -214,10 +249,27 @@ pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
         let all = view.rect(&fluid.zone);
         let area = view.rect(&shown);
         let top = (all.min.y + WAVE_HEIGHT).max(area.min.y);
-        let thick = |y: f32| colour.faded(SHALLOW + (DEEP - SHALLOW) * ((y - all.min.y) / all.size.y.max(1.0)).clamp(0.0, 1.0));
+        let thick = |y: f32| {
+            let share = ((y - all.min.y) / all.size.y.max(1.0)).clamp(0.0, 1.0);
+            let (near, far) = if share < 0.5 { (SHALLOW, MIDDLE) } else { (MIDDLE, DEEP) };
+            colour.faded(near + (far - near) * (2.0 * share).fract())
+        };
         let (a, b) = (Vec2::new(area.min.x, top), Vec2::new(area.max().x, area.max().y));
         let mut quads = Quads::default();
-        quads.quad([a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)], [thick(a.y), thick(a.y), thick(b.y), thick(b.y)]);
+        let mut layer = |from: f32, to: f32, [high, low]: [Colour; 2]| {
+            if from < to {
+                quads.quad(
+                    [Vec2::new(a.x, from), Vec2::new(b.x, from), Vec2::new(b.x, to), Vec2::new(a.x, to)],
+                    [high, high, low, low],
+                );
+            }
+        };
+        let middle = all.centre().y.clamp(a.y, b.y);
+        layer(a.y, middle, [thick(a.y), thick(middle - 0.01)]);
+        layer(middle, b.y, [thick(middle + 0.01), thick(b.y - 0.01)]);
+        let lit = |y: f32| mixed(colour).faded(BAND_LIGHT * (1.0 - (y - all.min.y) / BAND).max(0.0));
+        let end = (all.min.y + BAND).clamp(a.y, b.y);
+        layer(a.y, end, [lit(a.y), lit(end)]);
         // Under rock or another liquid the surface is flat; elsewhere it has waves.
         let open = open_surface(&level.fluids, &level.world, index);
         let ends = [fluid.zone.min.x].into_iter().chain(open.iter().map(|span| span.1));
@@ -241,13 +293,7 @@ pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
                 surface(canvas, shown, all, colour, time);
             }
         }
-        for band in 0..2_u8 {
-            let depth = 18.0 + 26.0 * f32::from(band);
-            let y = all.min.y + depth + 3.0 * (time * 0.9 + f64::from(band) * 2.0).sin() as f32;
-            if y + 4.0 < area.max().y {
-                canvas.rectangle(Area::new(area.min.x, y, area.size.x, 2.0), Colour::WHITE.faded(0.06));
-            }
-        }
+        canvas.quads(caustics(all, area, view.length(CAUSTICS), (mixed(colour), time)));
     }
 }
 
@@ -283,6 +329,33 @@ pub fn in_liquid(fluids: &[Fluid], bounds: &Aabb) -> Colour {
     })
 }
 
+/// A net of light below a liquid's surface, fainter with depth. `all` is the liquid, `area` its part in view.
+fn caustics(all: Area, area: Area, depth: f32, (colour, time): (Colour, f64)) -> Quads {
+    const ROWS: u8 = 5;
+    let mut quads = Quads::default();
+    // Knots of the net wander about their places.
+    let knot = |k: i64, row: u8| {
+        let (sway, phase) = ((time * 0.7 + k as f64 * 2.4 + f64::from(row) * 1.7).sin() as f32, (k as f32 * 1.9).sin());
+        let share = f32::from(row) / f32::from(ROWS);
+        let x = all.min.x + (k as f32 + 0.5 * f32::from(row % 2) + 0.22 * sway + 0.2 * phase) * MESH;
+        Vec2::new(x, all.min.y + WAVE_HEIGHT + share * (0.5 + 0.5 * share) * depth + 3.0 * sway)
+    };
+    let clear = |at: Vec2| colour.faded(CAUSTIC_LIGHT * (1.0 - (at.y - all.min.y) / depth).clamp(0.0, 1.0));
+    let first = ((area.min.x - all.min.x) / MESH).floor() as i64 - 1;
+    for k in first..=first + (area.size.x / MESH) as i64 + 3 {
+        for row in 0..ROWS {
+            let from = knot(k, row);
+            for next in [0, 1] {
+                let to = knot(k + next - i64::from(row % 2 == 0), row + 1);
+                if [from, to].into_iter().all(|at| at.cmpge(area.min).all() && at.cmple(area.max()).all()) {
+                    quads.stroke([from, to], 2.2, [clear(from), clear(to)]);
+                }
+            }
+        }
+    }
+    quads
+}
+
 /// The top of a liquid: columns under a wave, and the bright line along it.
 fn surface(canvas: &Canvas, shown: (f32, f32), all: Area, colour: Colour, time: f64) {
     let level = all.min.y;
@@ -296,7 +369,10 @@ fn surface(canvas: &Canvas, shown: (f32, f32), all: Area, colour: Colour, time: 
     for edges in columns(shown, all.min.x) {
         let [a, b] = edges.map(|x| Vec2::new(x, height(x - all.min.x)));
         quads.quad([a, b, Vec2::new(b.x, bottom), Vec2::new(a.x, bottom)], [colour.faded(SHALLOW); 4]);
-        canvas.line(a, b, 2.0, mixed(colour).faded(0.85));
+        let under = mixed(colour).faded(0.22);
+        let below = Vec2::Y * UNDERLINE;
+        quads.quad([a, b, b + below, a + below], [under, under, under.faded(0.0), under.faded(0.0)]);
+        canvas.line(a, b, 2.2, mixed(colour).faded(0.85));
     }
     canvas.quads(quads);
 }

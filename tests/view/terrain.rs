@@ -3,7 +3,7 @@
 use crate::support::shipped::{fixture, levels, load};
 use proptest::prelude::*;
 use resultant::physics::{Aabb, DVec2};
-use resultant::view::terrain::drafting::{Dimension, crosses, dimensions, grains, hatching};
+use resultant::view::terrain::drafting::{Dimension, dimensions, hatching};
 use resultant::view::terrain::light::cast;
 use resultant::view::terrain::silhouette::{Corner, Silhouette};
 use resultant::view::terrain::{ROCK, kind, mass, parts};
@@ -104,16 +104,6 @@ proptest! {
                 // (No share leads to a corner of the grid, which belongs to all that touch it.) A stroke covers the ground as far ahead as it is long.
                 prop_assert_eq!(kind_at(&boxes, stroke.from + (stroke.to - stroke.from) * (share * 1.99)), Some(ROCK), "{:?}", stroke);
             }
-        }
-    }
-
-    #[test]
-    fn every_grain_lies_in_its_kind_near_the_edge(boxes in boxes()) {
-        let mass = Silhouette::new(&boxes);
-        for grain in grains(&mass, ROCK) {
-            prop_assert_eq!(kind_at(&boxes, grain.at), Some(ROCK));
-            let away = |bounds: Aabb| (grain.at - grain.at.clamp(bounds.min, bounds.max)).length();
-            prop_assert!(mass.edges().iter().any(|edge| away(edge.bounds()) < 0.5));
         }
     }
 
@@ -225,14 +215,6 @@ fn a_wall_shades_what_is_behind_it_and_glass_would_not() {
     // The floor under the lamp has all of its light.
     let under = cast(mass.edges(), &lamp, 6.0, &[floor, wall]);
     assert!(under.iter().any(|lit| lit.inward == DVec2::Y && lit.strength == [1.0, 1.0]));
-}
-
-#[test]
-fn crosses_stand_where_the_heavy_lines_would_meet_deep_in_rock() {
-    let mass = Silhouette::new(&[(area(0.0, 0.0, 40.0, 40.0), ROCK)]);
-    assert_eq!(crosses(&mass, ROCK, DVec2::splat(40.0), &[]).len(), 9);
-    assert_eq!(crosses(&mass, ROCK, DVec2::splat(40.0), &[area(9.0, 9.0, 2.0, 2.0)]).len(), 8);
-    assert!(crosses(&mass, ROCK, DVec2::splat(1e6), &[]).is_empty());
 }
 
 #[test]

@@ -3,15 +3,13 @@
 //! A level in the list: what is known of it without opening it.
 
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, TEXT, Vec2};
-use crate::draw::{Canvas, Style};
+use crate::draw::{Canvas, Colour, Image, Style};
 use crate::game::Medals;
 use crate::level::{Awards, Landscape};
 use crate::number::clock;
 use crate::session::folder_watch::Stamp;
 use crate::session::library::Refusal;
 use crate::ui::Touch;
-use crate::view::miniature::Miniature;
-use crate::view::terrain::Tint;
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
@@ -42,8 +40,14 @@ pub(super) fn draw(canvas: &Canvas, area: Area, entry: &LevelEntry, touch: Touch
             );
             fitted(tr("loading …"), 0.9, &[TEXT, DETAILS], theme::quiet());
         }
-        Some(Ok((title, miniature))) => {
-            miniature.draw(&Tint::of(miniature.landscape, &entry.name), canvas, picture);
+        Some(Ok((title, painting))) => {
+            if let Some(Image::Painted(painted)) = painting {
+                // As large as it fits.
+                let pixels = Vec2::new(painted.width as f32, painted.height() as f32);
+                let shown = Area::around(picture.centre(), pixels * (picture.size / pixels).min_element());
+                canvas.image(&Image::Painted(painted.clone()), shown, Colour::WHITE);
+                canvas.rectangle_edge(shown, 1.0, theme::panel_edge());
+            }
             let named = if *title == entry.name { title.clone() } else { format!("{} · {}", entry.name, tr(title)) };
             let sizes: &[f32] = if area.size.x > 400.0 { &[BUTTON_TEXT, TEXT, DETAILS] } else { &[TEXT, DETAILS] };
             fitted(&named, 0.9, sizes, theme::text());
@@ -80,7 +84,7 @@ pub struct LevelEntry {
     /// Its world, where it comes with the game.
     pub world: Option<Landscape>,
     /// Its title and what it looks like, or why it does not load; `None` until it has been in view.
-    pub level: Option<Result<(String, Miniature), Refusal>>,
+    pub level: Option<Result<(String, Option<Image>), Refusal>>,
     /// What its folder looked like then.
     pub stamp: Stamp,
     /// Its title, as far as it has been looked for.

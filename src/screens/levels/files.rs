@@ -112,7 +112,7 @@ impl LevelSelect {
         let awards = level.as_ref().map_or_else(|_| Awards::default(), |(_, awards, _)| *awards);
         let medals = session.journal.medals(&name).with_best(&awards, best);
         let title = level.as_ref().ok().map(|(title, ..)| title.clone());
-        let level = Some(level.map(|(title, _, miniature)| (title, miniature)));
+        let level = Some(level.map(|(title, _, painting)| (title, painting)));
         self.set_entry(index, LevelEntry { level, stamp, title, best, awards, medals, ..LevelEntry::new(name, None) });
     }
 }

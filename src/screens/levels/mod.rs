@@ -256,10 +256,13 @@ impl LevelSelect {
         self.focused = None;
         let page = self.pages.get(self.page).map_or(&[][..], Vec::as_slice);
         let has_worlds = self.found.iter().any(|index| self.entries[*index].world.is_some());
-        let (cards, headings) = shelves::places(page, has_worlds, &ui.frame());
-        for (shelf, area) in page.iter().zip(headings) {
-            let levels: Vec<&LevelEntry> = self.found[shelf.clone()].iter().map(|index| &self.entries[*index]).collect();
-            shelves::draw_heading(ui.canvas(), area, &levels);
+        let shown: Vec<&LevelEntry> = page.iter().flat_map(|shelf| &self.found[shelf.clone()]).map(|i| &self.entries[*i]).collect();
+        let world = |shelf: &Range<usize>| self.entries[self.found[shelf.start]].world;
+        let head = |i: usize| i == 0 || world(&page[i]) != world(&page[i - 1]);
+        let heads: Vec<bool> = if has_worlds { (0..page.len()).map(head).collect() } else { Vec::new() };
+        let (cards, headings) = shelves::places(page, &heads, &ui.frame());
+        for (levels, area) in shown.chunk_by(|a, b| a.world == b.world).zip(headings) {
+            shelves::draw_heading(ui.canvas(), area, levels);
         }
         for (index, area) in self.in_view().into_iter().zip(cards) {
             let entry = &self.entries[index];

@@ -17,12 +17,14 @@ use std::ops::Range;
 
 /// Levels a page without worlds.
 pub(super) const PAGE: usize = 15;
-/// Levels a shelf, and shelves a page.
-const ACROSS: usize = 6;
+/// Levels a shelf, and shelves a page: a world of six.
+const ACROSS: usize = 3;
 const SHELVES: usize = 2;
 /// Between two cards of a shelf, and the height of a shelf's heading.
 const BETWEEN: f32 = 16.0;
-const HEADING_ROOM: f32 = 34.0;
+const HEADING_ROOM: f32 = 42.0;
+/// Of that below the words: the frame of a selected card reaches into it.
+const ABOVE_CARDS: f32 = 10.0;
 
 /// The pages of levels in those worlds, each of ranges of levels that stand on a shelf together.
 pub(super) fn pages(worlds: &[Option<Landscape>]) -> Vec<Vec<Range<usize>>> {
@@ -42,22 +44,27 @@ pub(super) fn pages(worlds: &[Option<Landscape>]) -> Vec<Vec<Range<usize>>> {
     shelves.chunks(SHELVES).map(<[_]>::to_vec).collect()
 }
 
-/// The places of a page's cards, shelf by shelf, and of the shelves' headings.
-pub(super) fn places(page: &[Range<usize>], has_worlds: bool, frame: &Frame) -> (Vec<Area>, Vec<Area>) {
-    if !has_worlds {
+/// The places of a page's cards, shelf by shelf, and of the headings above those shelves whose `heads` say so; without any the cards
+/// fill a grid.
+pub(super) fn places(page: &[Range<usize>], heads: &[bool], frame: &Frame) -> (Vec<Area>, Vec<Area>) {
+    if heads.is_empty() {
         return (cards(page.iter().map(Range::len).sum(), frame), Vec::new());
     }
     let room = room(frame);
-    let height = room.size.y / SHELVES as f32;
-    let size = Vec2::new((room.size.x + BETWEEN) / ACROSS as f32 - BETWEEN, height - HEADING_ROOM - BETWEEN / 2.0);
-    let top = |shelf: usize| HEAD + shelf as f32 * (height + BETWEEN / 2.0);
-    let on_shelf = |(shelf, levels): (usize, &Range<usize>)| {
-        let place = move |i: usize| Area { min: Vec2::new(SIDE + i as f32 * (size.x + BETWEEN), top(shelf) + HEADING_ROOM), size };
-        (0..levels.len()).map(place).collect::<Vec<_>>()
-    };
-    let headings =
-        (0..page.len()).map(|shelf| Area { min: Vec2::new(SIDE, top(shelf)), size: Vec2::new(room.size.x, HEADING_ROOM) });
-    (page.iter().enumerate().flat_map(on_shelf).collect(), headings.collect())
+    let headings = heads.iter().filter(|has| **has).count() as f32 * HEADING_ROOM;
+    let height = (room.size.y - headings - (SHELVES as f32 - 1.0) * BETWEEN) / SHELVES as f32;
+    let size = Vec2::new((room.size.x + BETWEEN) / ACROSS as f32 - BETWEEN, height);
+    let (mut places, mut areas, mut top) = (Vec::new(), Vec::new(), HEAD);
+    for (shelf, has) in page.iter().zip(heads) {
+        if *has {
+            areas.push(Area { min: Vec2::new(SIDE, top), size: Vec2::new(room.size.x, HEADING_ROOM - ABOVE_CARDS) });
+            top += HEADING_ROOM;
+        }
+        let place = |i: usize| Area { min: Vec2::new(SIDE + i as f32 * (size.x + BETWEEN), top), size };
+        places.extend((0..shelf.len()).map(place));
+        top += height + BETWEEN;
+    }
+    (places, areas)
 }
 
 /// A world's name in its colour, and the sums of its medals.
@@ -127,9 +134,9 @@ mod tests {
             pages(worlds).iter().map(|page| page.iter().map(Range::len).collect()).collect::<Vec<Vec<usize>>>()
         };
         assert_eq!(lengths(&[None; 16]), [[15], [1]]);
-        assert_eq!(pages(&[[launch; 6], [quarry; 6]].concat()), [[0..6, 6..12]]);
+        assert_eq!(pages(&[[launch; 6], [quarry; 6]].concat()), [[0..3, 3..6], [6..9, 9..12]]);
         assert_eq!(lengths(&[launch, quarry, quarry, None]), [vec![1, 2], vec![1]]);
-        assert_eq!(lengths(&[launch; 7]), [[6, 1]]);
+        assert_eq!(lengths(&[launch; 4]), [[3, 1]]);
         assert!(pages(&[]).is_empty());
     }
 
@@ -137,17 +144,19 @@ mod tests {
     fn cards_and_headings_stand_apart_inside_the_window() {
         for (width, height) in [(1280.0, 720.0), (900.0, 500.0), (1920.0, 1080.0), (600.0, 1000.0)] {
             let frame = Frame::of_window(Vec2::new(width, height));
-            let (cards, headings) = places(&[0..6, 6..12], true, &frame);
-            let all: Vec<Area> = cards.iter().chain(&headings).copied().collect();
-            for (i, card) in all.iter().enumerate() {
-                assert!(card.min.x >= SIDE - 0.1 && card.max().x <= frame.size.x - SIDE + 0.1, "{card:?}");
-                assert!(card.max().y <= room(&frame).max().y + 0.1, "{card:?}");
-                assert!(card.size.y >= HEADING_ROOM, "{card:?}");
-                let apart = |other: &Area| {
-                    let (a, b) = (card.max().min(other.max()), card.min.max(other.min));
-                    a.x <= b.x + 0.1 || a.y <= b.y + 0.1
-                };
-                assert!(all[i + 1..].iter().all(apart), "{card:?}");
+            let all = [[true, false], [true, true]].map(|heads| places(&[0..3, 3..6], &heads, &frame));
+            let all: [Vec<Area>; 2] = all.map(|(cards, headings)| cards.into_iter().chain(headings).collect());
+            for all in &all {
+                for (i, card) in all.iter().enumerate() {
+                    assert!(card.min.x >= SIDE - 0.1 && card.max().x <= frame.size.x - SIDE + 0.1, "{card:?}");
+                    assert!(card.max().y <= room(&frame).max().y + 0.1, "{card:?}");
+                    assert!(card.size.y >= HEADING_ROOM - ABOVE_CARDS, "{card:?}");
+                    let apart = |other: &Area| {
+                        let (a, b) = (card.max().min(other.max()), card.min.max(other.min));
+                        a.x <= b.x + 0.1 || a.y <= b.y + 0.1
+                    };
+                    assert!(all[i + 1..].iter().all(apart), "{card:?}");
+                }
             }
         }
     }

@@ -7,17 +7,18 @@
 //! Small pictures that the canvas tints: soft discs and glows, the flame, the hatching of death boxes.
 
 mod paint;
+pub mod rock;
 
 use super::camera::Viewport;
-use crate::draw::layout::Area;
-use crate::draw::{Canvas, Colour, Image};
+use crate::draw::layout::{Area, Vec2};
+use crate::draw::{Canvas, Colour, Image, Painting, Quads};
 use crate::level::SHIP_PIXELS;
 use crate::physics::{Aabb, DVec2, Material};
 use paint::{Pixels, TILE_METRES};
 use std::sync::LazyLock;
 
 /// Width and height of the sheet, pixels.
-const SHEET: usize = 1024;
+pub const SHEET: usize = 1024;
 /// Pixels round each picture that filtering may read.
 const GUTTER: usize = 2;
 /// Width and height of the ship, pixels: four times the size at which it is usually drawn.
@@ -100,7 +101,7 @@ pub fn sheet() -> Vec<u8> {
 }
 
 /// The place of a picture on the sheet. A material without a picture looks like the first.
-fn place(tile: Tile) -> Area {
+pub(super) fn place(tile: Tile) -> Area {
     let found = PLACES.iter().find(|(known, _)| *known == tile).unwrap_or(&PLACES[0]).1;
     Area { min: found.min / SHEET as f32, size: found.size / SHEET as f32 }
 }
@@ -124,25 +125,36 @@ pub fn fill(canvas: &Canvas, tile: Tile, bounds: &Aabb, view: &Viewport, tint: C
     }
 }
 
-/// A glow around a box, reaching `reach` beyond each of its sides.
+/// A glow around a box, which reaches `reach` beyond each of its sides and falls to nothing there without a slope.
 pub fn halo(canvas: &Canvas, around: Area, reach: f32, tint: Colour) {
-    let glow = place(Tile::Glow);
-    // Along each axis: the picture's first half, its middle stretched along the box, its second half.
-    let stretches = |axis: usize| {
-        let (middle, half) = (glow.centre()[axis], glow.size[axis] / 2.0);
-        [
-            (around.min[axis] - reach, reach, glow.min[axis], half),
-            (around.min[axis], around.size[axis], middle, 0.0),
-            (around.max()[axis], reach, middle, half),
-        ]
+    const BANDS: u32 = 4;
+    const STEPS: u32 = 3;
+    let (middles, quarter) = (around.corners(), std::f32::consts::FRAC_PI_2);
+    // The sides and corners in order round, each by a point of the box and the way out of it.
+    let outline: Vec<(Vec2, Vec2)> = (0..4_u8)
+        .flat_map(|corner| {
+            let from = quarter * (f32::from(corner) + 2.0);
+            (0..=STEPS).map(move |step| (middles[corner as usize], Vec2::from_angle(from + quarter * step as f32 / STEPS as f32)))
+        })
+        .collect();
+    let light = |band: u32| {
+        let out = band as f32 / BANDS as f32;
+        (out * reach, tint.faded((1.0 - out * out).powi(3)))
     };
-    for (x, w, u, du) in stretches(0) {
-        for (y, h, v, dv) in stretches(1) {
-            if w > 0.0 && h > 0.0 {
-                canvas.picture(&Image::Sheet, Area::new(u, v, du, dv), Area::new(x, y, w, h), (0.0, tint));
-            }
+    let mut quads = Quads::default();
+    for (i, a) in outline.iter().enumerate() {
+        let b = outline[(i + 1) % outline.len()];
+        for band in 0..BANDS {
+            let ((near, bright), (far, dim)) = (light(band), light(band + 1));
+            quads.quad([a.0 + a.1 * near, b.0 + b.1 * near, b.0 + b.1 * far, a.0 + a.1 * far], [bright, bright, dim, dim]);
         }
     }
+    canvas.quads(quads);
+}
+
+/// A picture at half its size.
+pub fn halved(Painting { width, bytes }: Painting) -> Painting {
+    Painting { width: width / 2, bytes: Pixels::from_bytes(width, bytes).halved().into_bytes() }
 }
 
 /// The ship as a picture of `side` pixels a side, RGBA: for the window's icon.
@@ -245,7 +257,7 @@ pub fn disc(size: usize) -> Pixels {
 
 /// A white light that falls off smoothly to nothing at the rim.
 pub fn glow(size: usize) -> Pixels {
-    radial(size, |r| (1.0 - r).max(0.0).powi(2))
+    radial(size, |r| (1.0 - r * r).max(0.0).powi(3))
 }
 
 /// Maps the distance from the middle (1 at the rim) to alpha.

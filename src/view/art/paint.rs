@@ -26,6 +26,11 @@ impl Pixels {
         Self { width, height, bytes }
     }
 
+    /// Four bytes a pixel, `width` of them a row.
+    pub const fn from_bytes(width: usize, bytes: Vec<u8>) -> Self {
+        Self { width, height: bytes.len() / 4 / width, bytes }
+    }
+
     /// Pixels.
     #[cfg(test)]
     pub const fn size(&self) -> (usize, usize) {

@@ -6,7 +6,7 @@ use crate::draw::{Canvas, Colour};
 use crate::game::{Game, SHIP, object_body};
 use crate::level::{Level, SHIP_HALF};
 use crate::physics::{Aabb, DVec2};
-use crate::view::camera::Viewport;
+use crate::view::camera::{CanvasWindow, Viewport};
 use crate::view::emitters::objective_colour;
 use crate::view::things::{Brushes, ShipPose};
 use crate::view::{hitboxes, hud, labels, mechanisms, theme, things, world, zones};
@@ -23,6 +23,9 @@ const KEY_LIGHT: f32 = 0.6;
 
 /// The longest reach of the engine's flame from the ship's centre, m.
 const FLAME_REACH: f64 = 3.0;
+
+/// Round the rooms on a card, m.
+const ROUND: f64 = 0.8;
 
 /// A ghost nearer than this to the ship or to another ghost has no name, m.
 const NAMED_APART: f64 = 2.5;
@@ -54,16 +57,26 @@ impl GameView {
         canvas.end_layer();
     }
 
+    /// The rooms as large as they fit, at the start.
+    pub fn draw_rooms(&self, game: &Game, canvas: &Canvas) {
+        let (level, frame) = (game.level(), canvas.frame());
+        let rooms = self.terrain.rooms().unwrap_or(level.bounds());
+        let window = CanvasWindow { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
+        let view = Viewport::of(&Aabb::new(rooms.min - ROUND, rooms.max + ROUND), level.size, window);
+        self.draw_level(game, 1.0, &view, canvas);
+    }
+
     fn draw_level(&self, game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas) {
         let (level, time) = (game.level(), self.time);
         let ship = (drawn_centre(game, SHIP, alpha), angle(game, alpha));
         let flicker = 0.5 + 0.5 * (time * 71.0).sin() * (time * 43.0).cos();
-        world::draw_ground(level, self.terrain.tint(), &self.pictures, (view, canvas), time);
+        world::draw_ground(level, &self.terrain, &self.pictures, (view, canvas), time);
         world::draw_decoration(level, false, &self.pictures, (view, canvas));
         mechanisms::draw_fields(level, view, canvas, time);
         zones::draw_streams(game, view, canvas, time);
         // Below everything that could be in them: see [`zones::draw_fluids`].
         zones::draw_fluids(level, view, canvas, time);
+        self.terrain.draw_shade(view, canvas);
         zones::draw_objectives(game, view, canvas, time);
         mechanisms::draw_areas(game, view, canvas, time);
         // Solids hide smoke and dust.

@@ -1,12 +1,11 @@
-//! The drafting on the rock: hatching along its edge, dimension lines, crosses where the heavy lines of the paper would meet. Plain
-//! geometry in metres, y down.
+//! The drafting on the rock: hatching along its edge, and dimension lines. Plain geometry in metres, y down.
 
 use super::silhouette::{Corner, RockEdge, Silhouette};
 use crate::physics::{Aabb, DVec2};
 use std::collections::BTreeSet;
 
 /// Between two strokes, along an edge, m.
-const STEP: f64 = 0.6;
+const STEP: f64 = 0.9;
 /// The least length of a stroke, and the most that it is longer, m.
 const SHORTEST: f64 = 0.5;
 const LONGER: f64 = 0.9;
@@ -14,10 +13,6 @@ const LONGER: f64 = 0.9;
 const LEAST: f64 = 0.2;
 /// The most strokes of a level: in a very large one they stand further apart.
 const MOST_STROKES: f64 = 40_000.0;
-/// Spacing of grains along an edge and their greatest depth, m; the most grains of a level.
-const GRAIN_STEP: f64 = 0.3;
-const GRAIN_DEPTH: f64 = 0.42;
-const MOST_GRAINS: f64 = 80_000.0;
 /// The least and the greatest length with a dimension line, m: a shorter one has no room for its number, a longer one leaves the
 /// window.
 const MEASURED: (f64, f64) = (3.0, 36.0);
@@ -28,12 +23,6 @@ const ROOM: f64 = 0.6;
 const CELL: DVec2 = DVec2::new(14.0, 9.0);
 /// The most dimension lines of a level.
 const MOST_DIMENSIONS: usize = 400;
-/// Spacing of crosses, m: the heavy lines of the paper. A level with more than the most crosses has none.
-const CROSSES: f64 = 10.0;
-const MOST_CROSSES: f64 = 10_000.0;
-/// The least rock round a cross, m.
-const CROSS_ROOM: f64 = 1.5;
-
 /// A stroke of the hatching: opaque at its beginning on the edge, transparent at its end in the rock.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HatchStroke {
@@ -41,14 +30,6 @@ pub struct HatchStroke {
     pub from: DVec2,
     /// m.
     pub to: DVec2,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Grain {
-    /// m.
-    pub at: DVec2,
-    /// 0 … 1.
-    pub size: f64,
 }
 
 /// A dimension line in the rock, parallel to the measured edge.
@@ -101,24 +82,6 @@ pub fn hatching(mass: &Silhouette, kind: usize) -> Vec<HatchStroke> {
     strokes
 }
 
-/// The grain of stone along all edges of a kind, inside that kind and thinner with depth.
-pub fn grains(mass: &Silhouette, kind: usize) -> Vec<Grain> {
-    let edges = || mass.edges().iter().filter(move |edge| edge.kind == kind && edge.depth > GRAIN_DEPTH);
-    let step = GRAIN_STEP.max(edges().map(RockEdge::length).sum::<f64>() / MOST_GRAINS);
-    let mut grains = Vec::new();
-    for edge in edges() {
-        for i in 0..(edge.length() / step) as i64 {
-            let place = (edge.from + edge.to).element_sum() * 16.0;
-            let random = |salt: i64| chance(i * 3 + salt, edge.inward + DVec2::X * place);
-            let (along, deep) = ((i as f64 + random(0)) * step, 0.12 + (GRAIN_DEPTH - 0.12) * random(1) * random(1));
-            grains.push(Grain { at: edge.from + edge.along() * along + edge.inward * deep, size: random(2) });
-        }
-    }
-    // No grain lies in blocks of other kinds behind the edge.
-    grains.retain(|grain| mass.holds(&Aabb::around(grain.at, DVec2::splat(0.05)), kind));
-    grains
-}
-
 /// A hash from 0 to 1 of a line of the hatching on a side, the same on every run.
 pub fn chance(line: i64, side: DVec2) -> f64 {
     let side = (side.x * 3.0 + side.y) as i64;
@@ -149,25 +112,6 @@ pub fn dimensions(mass: &Silhouette, kind: usize, taken: &[Aabb]) -> Vec<Dimensi
             && cells.insert((cell.x as i64, cell.y as i64));
         if fits {
             found.push(line);
-        }
-    }
-    found
-}
-
-/// The crosses of the paper's heavy lines inside the rock of a level of that size (m), clear of `taken`.
-pub fn crosses(mass: &Silhouette, kind: usize, size: DVec2, taken: &[Aabb]) -> Vec<DVec2> {
-    let count = (size / CROSSES).floor();
-    if (count.x + 1.0) * (count.y + 1.0) > MOST_CROSSES {
-        return Vec::new();
-    }
-    let mut found = Vec::new();
-    for row in 0..=count.y as i64 {
-        for column in 0..=count.x as i64 {
-            let at = DVec2::new(column as f64, row as f64) * CROSSES;
-            let room = Aabb::around(at, DVec2::splat(CROSS_ROOM));
-            if mass.holds(&room, kind) && taken.iter().all(|other| !other.touches(&room, 0.0)) {
-                found.push(at);
-            }
         }
     }
     found

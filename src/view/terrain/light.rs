@@ -1,20 +1,14 @@
 //! Light on the edges of the rock: the lit stretches and their brightness. Plain geometry in metres, y down.
 //!
 //! The ink of a level: its rock and its paper share one tint, by which a player knows the level again.
-//!
-//! Rounded outer corners of rock, in the drawing alone: what collides is the box.
 
-use super::ROCK;
-use super::silhouette::{Corner, RockEdge};
-use crate::draw::layout::Vec2;
-use crate::draw::{Colour, Quads};
-use crate::level::{Landscape, Level};
+use super::silhouette::RockEdge;
+use crate::draw::Colour;
+use crate::level::Landscape;
 use crate::number::hash;
 use crate::physics::{Aabb, DVec2};
-use crate::view::camera::Viewport;
 use crate::view::sky::WorldPalette;
 use crate::view::theme;
-use std::f64::consts::FRAC_PI_2;
 
 /// Length of the pieces of a lit edge, m: between their ends the light changes evenly.
 const PIECE: f64 = 0.5;
@@ -116,9 +110,11 @@ const INKS: [Colour; 8] = [
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tint {
-    pub rock: Colour,
-    /// The rock on a map of the level, without edges.
-    pub map: Colour,
+    /// The rock at its edge, and deep inside.
+    pub lit: Colour,
+    pub deep: Colour,
+    /// The world whose face the rock has.
+    pub world: Option<Landscape>,
     /// The rock's edge in the light.
     pub edge: Colour,
     /// The light of the level's world on edges that face it, and the unit vector towards it, y down.
@@ -134,22 +130,23 @@ pub struct Tint {
 impl Tint {
     /// Of a level's world; without one by its name: numbered levels take the inks in turn, others a hash of the name.
     pub fn of(landscape: Option<Landscape>, name: &str) -> Self {
-        match landscape.map(WorldPalette::of) {
-            Some(palette) if !theme::is_plain() => Self::from_world(&palette),
+        match landscape {
+            Some(world) if !theme::is_plain() => Self::from_world(world),
             _ => Self::from_name(name),
         }
     }
 
-    fn from_world(palette: &WorldPalette) -> Self {
-        let WorldPalette { sky, ink, rock, rim, light, .. } = *palette;
+    fn from_world(world: Landscape) -> Self {
+        let WorldPalette { ink, rock: [lit, deep], rim, light, .. } = WorldPalette::of(world);
         Self {
-            rock,
-            map: sky[1].mixed(ink, 0.69),
+            lit,
+            deep,
+            world: Some(world),
             edge: ink.mixed(Colour::WHITE, 0.12),
             rim: Some((rim, light)),
             ink,
             fine: ink.faded(0.05),
-            heavy: ink.faded(0.11),
+            heavy: ink.faded(0.05),
         }
     }
 
@@ -160,76 +157,14 @@ impl Tint {
 
     fn from_ink(ink: Colour) -> Self {
         Self {
-            rock: theme::ground().mixed(ink, 0.17),
-            map: theme::ground().mixed(ink, 0.64),
+            lit: theme::ground().mixed(ink, if theme::is_plain() { 0.17 } else { 0.24 }),
+            deep: theme::ground().mixed(ink, if theme::is_plain() { 0.17 } else { 0.09 }),
+            world: None,
             edge: ink.mixed(Colour::WHITE, 0.12),
             rim: None,
             ink,
             fine: theme::ground().mixed(ink, 0.065),
             heavy: theme::ground().mixed(ink, 0.14),
-        }
-    }
-}
-
-/// m.
-const RADIUS: f64 = 0.25;
-const STEPS: u32 = 5;
-
-/// An outer corner of rock before open sky.
-#[derive(Clone, Copy, Debug)]
-pub struct RockCorner {
-    /// m.
-    at: DVec2,
-    /// The unit vector along the edge that ends here; the next one runs along `inward`.
-    along: DVec2,
-    inward: DVec2,
-}
-
-/// The corners with room for the radius on both edges. A corner in a liquid, a stream or a mechanism keeps its box's shape.
-pub fn corners(edges: &[RockEdge], level: &Level) -> Vec<RockCorner> {
-    let taken: Vec<Aabb> = (level.fluids.iter().map(|fluid| fluid.zone))
-        .chain(level.streams.iter().flat_map(|stream| [stream.zone, stream.source]))
-        .chain(level.doors.iter().map(|door| door.bounds))
-        .chain(level.movers.iter().map(|mover| mover.solid.bounds))
-        .chain(level.world.iter().filter(|solid| !solid.is_rock()).map(|solid| solid.bounds))
-        .chain(level.switches.iter().map(|switch| switch.bounds))
-        .chain(level.objectives.iter().map(|objective| objective.bounds))
-        .chain(level.obstacles.iter().copied())
-        .collect();
-    let long = |edge: &RockEdge| edge.kind == ROCK && edge.length() >= 2.0 * RADIUS && edge.depth >= RADIUS;
-    let rounded = edges.iter().filter(|edge| edge.corners[1] == Corner::Outer && long(edge)).filter(|edge| {
-        let goes_on = |next: &&RockEdge| next.from == edge.to && next.inward == -edge.along() && long(next);
-        edges.iter().any(|next| goes_on(&next))
-            && taken.iter().all(|other| !Aabb::around(edge.to, DVec2::ZERO).touches(other, RADIUS))
-    });
-    rounded.map(|edge| RockCorner { at: edge.to, along: edge.along(), inward: edge.inward }).collect()
-}
-
-/// Covers the tip of each corner in view with the colour of the sky behind it and draws the edge round it.
-pub fn draw(
-    corners: &[RockCorner],
-    view: &Viewport,
-    quads: &mut Quads,
-    sky: impl Fn(Vec2) -> Colour,
-    edge: impl Fn(DVec2) -> Colour,
-) {
-    let visible = view.visible();
-    for RockCorner { at, along, inward } in
-        corners.iter().filter(|corner| visible.contains(&Aabb::around(corner.at, DVec2::ZERO), 0.0))
-    {
-        let centre = *at + (*inward - *along) * RADIUS;
-        let out = |step: u32| {
-            let (sin, cos) = (f64::from(step) / f64::from(STEPS) * FRAC_PI_2).sin_cos();
-            *along * sin - *inward * cos
-        };
-        let tip = view.point(*at);
-        let behind = sky(tip);
-        for step in 0..STEPS {
-            let [a, b] = [step, step + 1].map(|step| view.point(centre + out(step) * RADIUS));
-            quads.triangle([tip, a, b], behind);
-            let colour = edge(-(out(step) + out(step + 1)) * 0.5);
-            let inner = [step, step + 1].map(|step| view.point(centre + out(step) * RADIUS) - out(step).as_vec2() * 2.5);
-            quads.quad([a, b, inner[1], inner[0]], [colour; 4]);
         }
     }
 }
@@ -246,7 +181,7 @@ mod tests {
         }
         assert_eq!(Tint::of(None, "9"), Tint::of(None, "1"));
         assert_eq!(Tint::of(None, "my-level"), Tint::of(None, "my-level"));
-        assert_eq!(Tint::of(None, "0").rock.a, 1.0);
+        assert_eq!(Tint::of(None, "0").deep.a, 1.0);
     }
 
     #[test]
@@ -261,12 +196,12 @@ mod tests {
             (a.max(b) + 0.05) / (a.min(b) + 0.05)
         };
         let plain = INKS.map(|ink| (Tint::from_ink(ink), theme::ground()));
-        let worlds = Landscape::ALL.map(WorldPalette::of);
-        let worlds = worlds.iter().flat_map(|palette| palette.sky.map(|sky| (Tint::from_world(palette), sky)));
+        let worlds = Landscape::ALL.iter().flat_map(|world| {
+            WorldPalette::of(*world).sky.iter().map(|(_, sky)| (Tint::from_world(*world), *sky)).collect::<Vec<_>>()
+        });
         for (tint, sky) in plain.into_iter().chain(worlds) {
-            assert!(contrast(theme::text(), tint.rock) > 7.0);
-            assert!(contrast(tint.map, sky) > 3.0, "a card");
-            assert!(contrast(tint.edge, sky) > 4.5 && contrast(tint.edge, tint.rock) > 3.0);
+            assert!(contrast(theme::text(), tint.lit) > 4.6);
+            assert!(contrast(tint.edge, sky) > 2.4 && contrast(tint.edge, tint.lit) > 3.0, "{:?}", tint.world);
         }
     }
 }

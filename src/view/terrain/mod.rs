@@ -3,6 +3,7 @@
 
 pub mod drafting;
 pub mod light;
+mod rock;
 pub mod silhouette;
 mod sweep;
 
@@ -23,7 +24,7 @@ pub fn kind(name: &str) -> usize {
 /// The kind of plain rock: Asphalt, also round every level.
 pub const ROCK: usize = 0;
 /// Thickness of the rock round a level, m.
-const RIM: f64 = 6.0;
+const RIM: f64 = 32.0;
 
 /// The solid world of a level with the rock round it, which is its edge, and with the sources of its streams, which are drawn over
 /// it: rock has no edge against them. Movers, doors, fragile and one-way blocks are left out. The far side of the outer rock has no

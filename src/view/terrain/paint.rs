@@ -1,38 +1,35 @@
 //! Draws the terrain: the mass, its materials, the drafting, its edge, and the light on it.
 
-use super::drafting::{self, Dimension, Grain, HatchStroke};
-use super::light::{self, Lit, RockCorner, cast};
+use super::drafting::{self, Dimension, HatchStroke};
+use super::light::{Lit, cast};
+use super::rock::RockMesh;
 use super::silhouette::{Corner, RockEdge, Silhouette};
-use super::{ROCK, Tint, kind, mass, parts};
+use super::{RIM, ROCK, Tint, kind, mass, parts};
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Quads, Style};
-use crate::level::Level;
+use crate::level::{Landscape, Level, SHIP_HALF};
 use crate::physics::{Aabb, DVec2, Material};
+use crate::view::art::rock::face_of;
 use crate::view::art::{self, Tile};
 use crate::view::camera::Viewport;
-use crate::view::sky::WorldPalette;
-use crate::view::theme;
+use crate::view::{sky, theme};
 
 /// Opacity of rock over an author's picture; materials are more opaque, so that they stay distinct.
 const ROCK_OVER_PICTURE: f32 = 0.45;
 const MATERIAL_OVER_PICTURE: f32 = 0.85;
-/// Depth of an edge's sheen in the rock, m, and its brightness on the edge.
-const SHEEN: f64 = 0.8;
-const SHEEN_LIGHT: f32 = 0.16;
 /// Depth of light from outside in the rock, m.
 const LIT_DEPTH: f64 = 1.2;
 /// Widths of an upward edge and of the others, canvas units.
-const TOP_WIDTH: f32 = 3.0;
-const SIDE_WIDTH: f32 = 2.0;
+const TOP_WIDTH: f32 = 2.6;
+const SIDE_WIDTH: f32 = 1.7;
 /// Opacities of the ink.
-const HATCHING: f32 = 0.5;
-const GRAIN: f32 = 0.42;
+const HATCHING: f32 = 0.24;
 const DIMENSION: f32 = 0.5;
-const CROSS: f32 = 0.30;
-/// Half a cross, m.
-const CROSS_REACH: f64 = 0.22;
-/// Margin of dimension lines and crosses to the level's edge, m.
+/// Margin of dimension lines to the level's edge, m.
 const BORDER: f64 = 0.5;
+/// The reach of a lamp in a ceiling, m, half the angle of its cone (rad), and its light.
+const CONE: (f64, f32) = (11.0, 0.36);
+const CONE_LIGHT: f32 = 0.26;
 /// The most fixed lights, whose light is computed once.
 const MOST_LAMPS: usize = 1000;
 
@@ -44,18 +41,18 @@ pub struct Terrain {
     /// The edges of each kind but plain rock.
     seams: Vec<RockEdge>,
     strokes: Vec<HatchStroke>,
-    grains: Vec<Grain>,
     dimensions: Vec<(Dimension, String)>,
-    crosses: Vec<DVec2>,
     tint: Tint,
     /// Boxes that cast shadows.
     opaque: Vec<Aabb>,
     /// The light of each lamp.
     lit: Vec<Vec<Lit>>,
     over_picture: bool,
-    corners: Vec<RockCorner>,
-    /// The tones of the sky behind rounded corners.
-    sky: Option<[Colour; 2]>,
+    /// The boxes without solid ground, or with glass alone, m.
+    open: Vec<Aabb>,
+    /// Places of lamps in the ceilings over pads, m.
+    ceiling_lamps: Vec<DVec2>,
+    rock: RockMesh,
 }
 
 impl Terrain {
@@ -73,19 +70,16 @@ impl Terrain {
             Silhouette::new(&pieces).edges().to_vec()
         });
         let dimensions = drafting::dimensions(&mass, ROCK, &taken);
-        let sky = level.landscape.filter(|_| !over_picture && !theme::is_plain()).map(|world| WorldPalette::of(world).sky);
-        let marked: Vec<Aabb> = taken.iter().copied().chain(dimensions.iter().map(Dimension::bounds)).collect();
         Self {
             seams: seams.collect(),
             strokes: drafting::hatching(&mass, ROCK),
-            grains: drafting::grains(&mass, ROCK),
-            crosses: drafting::crosses(&mass, ROCK, level.size, &marked),
             dimensions: dimensions.into_iter().map(|dimension| (dimension, metres(dimension.length()))).collect(),
             tint: Tint::of(level.landscape, &level.name),
             lit: lamps.take(MOST_LAMPS).map(|(bounds, reach)| cast(mass.edges(), &bounds, reach, &opaque)).collect(),
             opaque,
-            corners: if sky.is_some() { light::corners(mass.edges(), level) } else { Vec::new() },
-            sky,
+            open: mass.open(&level.bounds(), glass),
+            ceiling_lamps: ceiling_lamps(level, &mass),
+            rock: RockMesh::default(),
             mass,
             over_picture,
         }
@@ -105,18 +99,15 @@ impl Terrain {
     pub fn draw(&self, view: &Viewport, canvas: &Canvas, taken: &[Area]) {
         self.draw_mass(view, canvas);
         let mut quads = Quads::default();
-        self.draw_sheen(view, &mut quads);
-        self.draw_grains(view, &mut quads);
         self.draw_hatching(view, canvas.frame().pixel, &mut quads);
-        self.draw_crosses(view, canvas.frame().pixel, &mut quads);
         self.draw_dimensions(view, canvas, taken, &mut quads);
         canvas.quads(quads);
         self.draw_edges(view, canvas);
-        if let Some([top, bottom]) = self.sky {
-            let mut quads = Quads::default();
-            let behind = |at: Vec2| top.mixed(bottom, (at.y / view.size().y).clamp(0.0, 1.0));
-            light::draw(&self.corners, view, &mut quads, behind, |inward| self.rim(ROCK, inward));
-            canvas.quads(quads);
+        for lamp in self.ceiling_lamps.iter().filter(|_| !RockMesh::is_plain(view)) {
+            let (low, high) = (DVec2::new(-0.3, -0.14), DVec2::new(0.3, 0.0));
+            let body = view.rect(&Aabb::new(*lamp + low, *lamp + high));
+            art::halo(canvas, body, 16.0, sky::LAMP.faded(0.35));
+            canvas.rectangle(body, sky::LAMP);
         }
     }
 
@@ -126,7 +117,7 @@ impl Terrain {
         match self.tint.rim.filter(|_| kind == ROCK) {
             Some((rim, towards)) => {
                 let facing = -inward.dot(towards) as f32;
-                if facing > 0.0 { plain.mixed(rim, facing) } else { plain.mixed(self.tint.rock, 0.45 * -facing) }
+                if facing > 0.0 { plain.mixed(rim, facing) } else { plain.mixed(self.tint.deep, 0.45 * -facing) }
             }
             None => plain,
         }
@@ -154,24 +145,29 @@ impl Terrain {
 
     fn draw_mass(&self, view: &Viewport, canvas: &Canvas) {
         let visible = view.visible();
-        let (rock, material) = if self.over_picture {
-            (self.tint.rock.faded(ROCK_OVER_PICTURE), MATERIAL_OVER_PICTURE)
-        } else {
-            (self.tint.rock, 1.0)
-        };
-        let level = view.level();
-        let in_level = Aabb::new(level.min.max(visible.min), level.max.min(visible.max));
+        let (rock, material) = if self.over_picture { (ROCK_OVER_PICTURE, MATERIAL_OVER_PICTURE) } else { (1.0, 1.0) };
         // All of the rock, then all of the rest: a change between plain and painted shapes costs a draw call.
-        let in_view = || self.mass.pieces().filter(|(bounds, _)| bounds.overlaps(&in_level, 0.0));
-        for (bounds, _) in in_view().filter(|(_, kind)| *kind == ROCK) {
-            let area = view.rect(&Aabb::new(bounds.min.max(in_level.min), bounds.max.min(in_level.max)));
-            canvas.rectangle(area, rock);
+        let in_view = || self.mass.pieces().filter(|(bounds, _)| bounds.overlaps(&visible, 0.0));
+        if RockMesh::is_plain(view) {
+            for (bounds, _) in in_view().filter(|(_, kind)| *kind == ROCK) {
+                canvas.rectangle(view.rect(&bounds), self.tint.deep.mixed(self.tint.lit, 0.5).faded(rock));
+            }
+        } else {
+            let mut cells = self.rock.show(false, &self.mass, &self.open, &self.tint, view);
+            if self.over_picture {
+                cells.iter_mut().flat_map(|(quad, _)| &mut quad.colours).for_each(|colour| *colour = colour.faded(rock));
+            }
+            match self.tint.world {
+                Some(world) => canvas.textured(face_of(world), cells),
+                None => canvas.quads(Quads(cells.into_iter().map(|(quad, _)| quad).collect())),
+            }
         }
         for (bounds, kind) in in_view().filter(|(_, kind)| *kind != ROCK) {
             art::fill(canvas, Tile::Material(Material::ALL[kind].name), &bounds, view, Colour::WHITE.faded(material));
         }
-        // Beyond the edge of a level that is smaller than the window there is rock.
-        let (all, size) = (view.rect(&level), canvas.size());
+        // Beyond the rock round a level that is smaller than the window there is more of it.
+        let level = view.level();
+        let (all, size) = (view.rect(&Aabb::new(level.min - RIM, level.max + RIM)), canvas.size());
         let around = [
             Area::new(0.0, 0.0, size.x, all.min.y),
             Area::new(0.0, all.max().y, size.x, size.y - all.max().y),
@@ -179,7 +175,7 @@ impl Terrain {
             Area::new(all.max().x, all.min.y, size.x - all.max().x, all.size.y),
         ];
         for area in around.into_iter().filter(|area| area.size.x > 0.0 && area.size.y > 0.0) {
-            canvas.rectangle(area, self.tint.rock);
+            canvas.rectangle(area, self.tint.deep);
         }
         let width = canvas.frame().pixel.max(1.5);
         for edge in self.seams.iter().filter(|edge| edge.bounds().touches(&visible, 0.0)) {
@@ -187,18 +183,35 @@ impl Terrain {
         }
     }
 
+    /// The shade in the air along the rock: it lies on the sky and on liquids.
+    pub fn draw_shade(&self, view: &Viewport, canvas: &Canvas) {
+        if !self.over_picture && !RockMesh::is_plain(view) {
+            let cells = self.rock.show(true, &self.mass, &self.open, &self.tint, view);
+            canvas.quads(Quads(cells.into_iter().map(|(quad, _)| quad).collect()));
+            for lamp in &self.ceiling_lamps {
+                let spread = (view.length(CONE.0), CONE.1);
+                canvas.quads(sky::beam(view.point(*lamp), Vec2::Y, spread, sky::LAMP.faded(CONE_LIGHT)));
+            }
+        }
+    }
+
+    /// The height of the ground of the level's world, m: where the ship starts, or under water the lowest ground.
+    pub fn floor(&self, level: &Level) -> f64 {
+        let lowest = || self.open.iter().map(|bounds| bounds.max.y).fold(0.0, f64::max);
+        let dry = level.ship_plays() && level.landscape != Some(Landscape::Water);
+        if dry { level.player.position.y + SHIP_HALF.y } else { lowest() }
+    }
+
+    /// The parts of the window without solid ground, canvas units.
+    pub fn air(&self, view: &Viewport) -> Vec<Area> {
+        let visible = view.visible();
+        let shown = |bounds: &Aabb| view.rect(&Aabb::new(bounds.min.max(visible.min), bounds.max.min(visible.max)));
+        self.open.iter().filter(|bounds| bounds.overlaps(&visible, 0.0)).map(shown).collect()
+    }
+
     fn edges_in_view(&self, view: &Viewport) -> impl Iterator<Item = &RockEdge> {
         let visible = view.visible();
         self.mass.edges().iter().filter(move |edge| edge.bounds().touches(&visible, 0.2))
-    }
-
-    /// Light that falls off from the edge into the rock.
-    fn draw_sheen(&self, view: &Viewport, quads: &mut Quads) {
-        for edge in self.edges_in_view(view).filter(|edge| edge.kind == ROCK) {
-            let light = if edge.inward.y > 0.0 { 1.5 } else { 1.0 } * SHEEN_LIGHT;
-            let colour = self.rim(ROCK, edge.inward).faded(light);
-            quads.quad(band(edge, SHEEN.min(edge.depth * 0.5), view), [colour, colour, colour.faded(0.0), colour.faded(0.0)]);
-        }
     }
 
     fn draw_hatching(&self, view: &Viewport, pixel: f32, quads: &mut Quads) {
@@ -207,28 +220,6 @@ impl Terrain {
         for HatchStroke { from, to } in &self.strokes {
             if from.cmpge(visible.min - 1.5).all() && from.cmple(visible.max + 1.5).all() {
                 quads.stroke([view.point(*from), view.point(*to)], pixel.max(1.2), [colour, colour.faded(0.0)]);
-            }
-        }
-    }
-
-    fn draw_grains(&self, view: &Viewport, quads: &mut Quads) {
-        let visible = view.visible();
-        for Grain { at, size } in &self.grains {
-            if at.cmpge(visible.min).all() && at.cmple(visible.max).all() {
-                let half = 0.6 + 0.7 * *size as f32;
-                let (centre, colour) = (view.point(*at), self.tint.ink.faded(GRAIN * (0.4 + 0.6 * *size as f32)));
-                let corners = [Vec2::new(-half, -half), Vec2::new(half, -half), Vec2::new(half, half), Vec2::new(-half, half)];
-                quads.quad(corners.map(|corner| centre + corner), [colour; 4]);
-            }
-        }
-    }
-
-    fn draw_crosses(&self, view: &Viewport, pixel: f32, quads: &mut Quads) {
-        let colour = self.tint.ink.faded(CROSS);
-        for at in self.crosses.iter().filter(|at| Aabb::around(**at, DVec2::ONE).touches(&view.visible(), 0.0)) {
-            for arm in [DVec2::X, DVec2::Y] {
-                let ends = [view.point(*at - arm * CROSS_REACH), view.point(*at + arm * CROSS_REACH)];
-                quads.stroke(ends, pixel.max(1.2), [colour; 2]);
             }
         }
     }
@@ -274,6 +265,23 @@ impl Terrain {
             draw_side(edge, TOP_WIDTH, self.rim(edge.kind, edge.inward), (view, canvas));
         }
     }
+}
+
+/// Lamps in the rock over the start and the goals of a launch site: of its ceilings only those near enough to light them.
+fn ceiling_lamps(level: &Level, mass: &Silhouette) -> Vec<DVec2> {
+    if level.landscape != Some(Landscape::Launch) || theme::is_plain() {
+        return Vec::new();
+    }
+    let pads = level.objectives.iter().map(|goal| DVec2::new(goal.bounds.centre().x, goal.bounds.min.y));
+    let pads = pads.chain(level.ship_plays().then_some(level.player.position));
+    let over = |pad: DVec2| {
+        let ceilings = mass.edges().iter().filter(|edge| edge.kind == ROCK && edge.inward.y < 0.0 && edge.depth > 0.4);
+        let above =
+            ceilings.filter(|edge| edge.bounds().min.x < pad.x - 0.4 && edge.bounds().max.x > pad.x + 0.4 && edge.from.y < pad.y);
+        let height = above.map(|edge| edge.from.y).fold(f64::MIN, f64::max);
+        ((2.5..CONE.0).contains(&(pad.y - height))).then_some(DVec2::new(pad.x, height))
+    };
+    pads.filter_map(over).collect()
 }
 
 /// The outermost strips of a level of that size (m), without drafting: the window's edge cuts them off.
@@ -326,19 +334,6 @@ fn draw_side(edge: &RockEdge, width: f32, colour: Colour, (view, canvas): (&View
         )
     };
     canvas.rectangle(area, colour);
-}
-
-/// The corners of a band behind an edge, mitred where it meets others: its outer side, then its inner one.
-fn band(edge: &RockEdge, depth: f64, view: &Viewport) -> [Vec2; 4] {
-    let along = edge.along();
-    let mitre = |corner: Corner| match corner {
-        Corner::Outer => depth.min(edge.length() * 0.5),
-        Corner::Inner => -depth,
-        Corner::Straight => 0.0,
-    };
-    let inner = |end: DVec2, shift: f64| view.point(end + edge.inward * depth + along * shift);
-    let (a, b) = (mitre(edge.corners[0]), -mitre(edge.corners[1]));
-    [view.point(edge.from), view.point(edge.to), inner(edge.to, b), inner(edge.from, a)]
 }
 
 fn draw_lit(lit: &[Lit], colour: Colour, (view, canvas): (&Viewport, &Canvas)) {

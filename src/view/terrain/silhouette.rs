@@ -93,6 +93,32 @@ impl Silhouette {
         })
     }
 
+    /// The boxes of a space without the mass, or with that kind alone; those above each other of the same width are one.
+    pub fn open(&self, within: &Aabb, but: usize) -> Vec<Aabb> {
+        let mut open: Vec<Aabb> = Vec::new();
+        let mut above: Vec<usize> = Vec::new();
+        for row in &self.rows {
+            let (top, bottom) = (self.heights[row.top].max(within.min.y), self.heights[row.bottom].min(within.max.y));
+            let solid =
+                row.spans.iter().filter(|span| span.kind != but).map(|span| (self.columns[span.from], self.columns[span.to]));
+            let (mut from, mut here) = (within.min.x, Vec::new());
+            for (left, right) in solid.chain([(within.max.x, within.max.x)]) {
+                let free = Aabb::new(DVec2::new(from, top), DVec2::new(left.min(within.max.x), bottom));
+                if free.size().min_element() > TOUCH {
+                    let goes_on = |i: &usize| (open[*i].min.x, open[*i].max.x, open[*i].max.y) == (free.min.x, free.max.x, top);
+                    here.push(above.iter().copied().find(goes_on).unwrap_or(open.len()));
+                    match open.get_mut(here[here.len() - 1]) {
+                        Some(higher) => higher.max.y = bottom,
+                        None => open.push(free),
+                    }
+                }
+                from = from.max(right);
+            }
+            above = here;
+        }
+        open
+    }
+
     /// The closed loops round the mass: clockwise round solids, anticlockwise round holes (y down). Where two corners touch, each
     /// keeps its own loop.
     pub fn loops(&self) -> &[Vec<DVec2>] {

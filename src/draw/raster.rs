@@ -1,0 +1,145 @@
+//! The pen of memory: plays a canvas into a picture, without a window. Words are left out, and so are the pictures of files.
+
+use super::canvas::Canvas;
+use super::layout::{Area, Vec2};
+use super::shape::{Colour, Image, Painting, Quads, Shape};
+use super::soft::Soft;
+
+/// A corner of a triangle: its place in pixels, its place in a texture (0 … 1) and its colour.
+type RasterCorner = (Vec2, Vec2, Colour);
+
+/// A canvas as a picture with opaque pixels, `width` of them across. `sheet` is the image of the game's own pictures.
+pub fn paint(canvas: &Canvas, width: usize, ground: Colour, sheet: &Painting) -> Painting {
+    let size = canvas.size();
+    let scale = width as f32 / size.x;
+    let height = (size.y * scale).round() as usize;
+    let mut raster = Raster { width, height, scale, parts: [ground.r, ground.g, ground.b].repeat(width * height) };
+    let mut soft = Soft::default();
+    soft.begin(1.0 / scale);
+    for shape in canvas.shapes().iter() {
+        raster.draw(shape, sheet, &mut soft, canvas.frame().pixel);
+    }
+    let opaque = |part: &[f32]| [part[0], part[1], part[2], 1.0].map(|part| (part * 255.0).round() as u8);
+    Painting { width, bytes: raster.parts.chunks(3).flat_map(opaque).collect() }
+}
+
+struct Raster {
+    width: usize,
+    height: usize,
+    /// Pixels a canvas unit.
+    scale: f32,
+    /// Red, green and blue of each pixel.
+    parts: Vec<f32>,
+}
+
+impl Raster {
+    fn draw(&mut self, shape: &Shape, sheet: &Painting, soft: &mut Soft, pixel: f32) {
+        let unit = Area::new(0.0, 0.0, 1.0, 1.0).corners();
+        match shape {
+            Shape::Fill { outline, colour } => {
+                soft.fill(outline, *colour);
+                self.softly(soft);
+            }
+            Shape::Edge { outline, width, colour } => {
+                soft.edge(outline, *width, *colour);
+                self.softly(soft);
+            }
+            Shape::Rectangle { area, colour } => self.quad((area.corners(), unit, [*colour; 4]), None),
+            Shape::RectangleEdge { area, width, colour } => {
+                let (outer, inner) = (area.corners(), area.inset(*width).corners());
+                for (i, j) in [(0, 1), (1, 2), (2, 3), (3, 0)] {
+                    self.quad(([outer[i], outer[j], inner[j], inner[i]], unit, [*colour; 4]), None);
+                }
+            }
+            Shape::Hairline { from, to, colour } => {
+                let mut line = Quads::default();
+                line.stroke([*from, *to], pixel, [*colour; 2]);
+                line.0.iter().for_each(|quad| self.quad((quad.corners, unit, quad.colours), None));
+            }
+            Shape::Quads(quads) => quads.0.iter().for_each(|quad| self.quad((quad.corners, unit, quad.colours), None)),
+            Shape::Textured { image, quads } => {
+                let texture = texture(image, sheet);
+                quads.iter().for_each(|(quad, places)| self.quad((quad.corners, *places, quad.colours), texture));
+            }
+            Shape::Picture { image, part, area, turn, tint } => {
+                if let Some(texture) = texture(image, sheet) {
+                    let (middle, way) = (area.centre(), Vec2::from_angle(*turn));
+                    let corners = area.corners().map(|corner| middle + way.rotate(corner - middle));
+                    self.quad((corners, part.corners(), [*tint; 4]), Some(texture));
+                }
+            }
+            Shape::Text { .. } | Shape::Layer => {}
+        }
+    }
+
+    fn softly(&mut self, soft: &Soft) {
+        for three in soft.indices.chunks(3) {
+            let corners = std::array::from_fn(|i| {
+                let (at, colour) = soft.vertices[three[i] as usize];
+                (at * self.scale, Vec2::ZERO, colour)
+            });
+            self.triangle(corners, None);
+        }
+    }
+
+    fn quad(&mut self, (corners, places, colours): ([Vec2; 4], [Vec2; 4], [Colour; 4]), texture: Option<&Painting>) {
+        let [a, b, c, d] = std::array::from_fn(|i| (corners[i] * self.scale, places[i], colours[i]));
+        self.triangle([a, b, c], texture);
+        self.triangle([a, c, d], texture);
+    }
+
+    /// A pixel belongs to a triangle that its middle lies in.
+    fn triangle(&mut self, corners: [RasterCorner; 3], texture: Option<&Painting>) {
+        let [a, b, c] = corners.map(|corner| corner.0);
+        let twice = (b - a).perp_dot(c - a);
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+        let cut = |value: f32, most: usize| (value - 0.5).ceil().clamp(0.0, most as f32) as usize;
+        let (rows, columns) = (cut(low.y, self.height)..cut(high.y, self.height), cut(low.x, self.width)..cut(high.x, self.width));
+        if twice == 0.0 || columns.is_empty() {
+            return;
+        }
+        let mix = |of: &dyn Fn(&RasterCorner) -> f32, weights: [f32; 3]| {
+            of(&corners[0]) * weights[0] + of(&corners[1]) * weights[1] + of(&corners[2]) * weights[2]
+        };
+        for y in rows {
+            for x in columns.clone() {
+                let at = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
+                let (second, third) = ((at - a).perp_dot(c - a) / twice, (b - a).perp_dot(at - a) / twice);
+                let weights = [1.0 - second - third, second, third];
+                if weights.into_iter().any(|weight| weight < 0.0) {
+                    continue;
+                }
+                let mut colour = [
+                    mix(&|corner| corner.2.r, weights),
+                    mix(&|corner| corner.2.g, weights),
+                    mix(&|corner| corner.2.b, weights),
+                    mix(&|corner| corner.2.a, weights),
+                ];
+                if let Some(texture) = texture {
+                    let place = Vec2::new(mix(&|corner| corner.1.x, weights), mix(&|corner| corner.1.y, weights));
+                    let texel = texel(texture, place);
+                    (0..4).for_each(|i| colour[i] *= texel[i]);
+                }
+                let first = (y * self.width + x) * 3;
+                for (part, over) in self.parts[first..first + 3].iter_mut().zip(colour) {
+                    *part += (over - *part) * colour[3];
+                }
+            }
+        }
+    }
+}
+
+fn texture<'a>(image: &'a Image, sheet: &'a Painting) -> Option<&'a Painting> {
+    match image {
+        Image::Sheet => Some(sheet),
+        Image::Painted(painting) => Some(painting),
+        Image::File(_) => None,
+    }
+}
+
+/// The nearest texel.
+fn texel(texture: &Painting, place: Vec2) -> [f32; 4] {
+    let at = |share: f32, size: usize| ((share * size as f32) as usize).min(size.saturating_sub(1));
+    let first = (at(place.y, texture.height()) * texture.width + at(place.x, texture.width)) * 4;
+    [0, 1, 2, 3].map(|i| f32::from(texture.bytes.get(first + i).copied().unwrap_or_default()) / 255.0)
+}
