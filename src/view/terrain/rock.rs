@@ -36,12 +36,13 @@ const SHADE_WIDTH: f64 = 1.7;
 
 /// A box with the colours of its corners, in order round from the top left.
 type Cell = (Aabb, [Colour; 4]);
+/// By scale and place: the cells of the rock, and those of the air.
+type Pieces = BTreeMap<(usize, i64, i64), [Vec<Cell>; 2]>;
 
 /// The mesh of one level, as far as it has been in view.
 #[derive(Default)]
 pub struct RockMesh {
-    /// By scale and place: the cells of the rock, and those of the air.
-    pieces: RefCell<BTreeMap<(usize, i64, i64), [Vec<Cell>; 2]>>,
+    pieces: RefCell<Pieces>,
 }
 
 impl RockMesh {
