@@ -2,7 +2,7 @@
 
 use super::project::Project;
 use super::{CommandError, Status, shown};
-use crate::import::{self, Saved};
+use crate::import::{self, SourceFile};
 use crate::level;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -43,7 +43,7 @@ pub fn run(args: &ImportArgs, project: &Project, out: &mut dyn Write) -> Result<
             Err(problems) => _ = writeln!(io::stderr(), "{}", lines(&problems)),
             Ok(()) => out.flush()?,
         }
-        while sources.iter().all(Saved::is_last) {
+        while sources.iter().all(SourceFile::is_last) {
             std::thread::sleep(LOOK);
         }
     }
@@ -54,7 +54,7 @@ fn lines(problems: &[String]) -> String {
 }
 
 /// What became of it, and the files that were read.
-type Once = (Result<(), Vec<String>>, Vec<Saved>);
+type Once = (Result<(), Vec<String>>, Vec<SourceFile>);
 
 fn once(map: &Path, name: &str, project: &Project, out: &mut dyn Write) -> Result<Once, CommandError> {
     let imported = match import::read(map, name) {

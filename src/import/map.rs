@@ -1,6 +1,6 @@
 //! The layers of a map, one after the other, as rows of a level's tables.
 
-use super::Saved;
+use super::SourceFile;
 use super::tiled::{self, Properties, class, flag, list, number, properties, text};
 use crate::files;
 use crate::level::BACKGROUND;
@@ -16,17 +16,17 @@ pub const NUMBER: u32 = 0x0fff_ffff;
 const DEEPEST: usize = 32;
 const SOLID: &str = "solid";
 
-pub type Cells = BTreeMap<String, String>;
+pub type RowCells = BTreeMap<String, String>;
 
-pub struct Row {
+pub struct LevelRow {
     pub kind: Kind,
-    pub cells: Cells,
+    pub cells: RowCells,
     /// The file, layer and object.
     pub origin: String,
 }
 
 /// A tile of a set.
-pub struct Tile {
+pub struct MapTile {
     pub class: String,
     pub properties: Properties,
     /// Its own picture, with its size in pixels.
@@ -37,13 +37,13 @@ pub struct Tile {
 pub struct Reader {
     pub path: PathBuf,
     shown: String,
-    pub rows: Vec<Row>,
+    pub rows: Vec<LevelRow>,
     pub pictures: BTreeMap<String, Vec<u8>>,
     pub problems: Vec<String>,
     pub left: Vec<String>,
-    pub sources: Vec<Saved>,
+    pub sources: Vec<SourceFile>,
     copied: BTreeMap<PathBuf, String>,
-    pub tiles: BTreeMap<u32, Tile>,
+    pub tiles: BTreeMap<u32, MapTile>,
     /// Of the map's grid, pixels.
     tile: DVec2,
 }
@@ -90,7 +90,7 @@ impl Reader {
 
     /// A file of Tiled's, which a place of the map names.
     pub fn open(&mut self, path: &Path, place: &str) -> Option<Value> {
-        self.sources.push(Saved::now(path));
+        self.sources.push(SourceFile::now(path));
         let shown = path.display();
         let place = if place == self.shown { String::new() } else { format!("{place}: ") };
         let read = files::read_text(path, files::INPUTS).map_err(|error| error.to_string());
@@ -114,13 +114,13 @@ impl Reader {
             let image = text(tile, "image");
             let size = DVec2::new(side("imagewidth"), side("imageheight"));
             let picture = (!image.is_empty()).then(|| (self.beside(&base, image), size));
-            let tiles = Tile { class: class(tile).to_owned(), properties: properties(tile), picture };
+            let tiles = MapTile { class: class(tile).to_owned(), properties: properties(tile), picture };
             self.tiles.insert(first.saturating_add(side("id") as u32), tiles);
         }
     }
 
     fn settings(&mut self, map: &Value, size: DVec2) {
-        let mut all: Cells = properties(map).into_iter().map(|(name, (value, _))| (name, value)).collect();
+        let mut all: RowCells = properties(map).into_iter().map(|(name, (value, _))| (name, value)).collect();
         for (name, side) in [("width", size.x), ("height", size.y)] {
             all.entry(name.to_owned()).or_insert_with(|| side.to_string());
         }
@@ -129,7 +129,7 @@ impl Reader {
             if let Some(setting) = SETTINGS.iter().find(|setting| setting.name.eq_ignore_ascii_case(&name)) {
                 let cells =
                     [("name", setting.name), ("value", value.as_str())].map(|(column, cell)| (column.to_owned(), cell.to_owned()));
-                self.rows.push(Row { kind: Kind::Setting, cells: cells.into(), origin });
+                self.rows.push(LevelRow { kind: Kind::Setting, cells: cells.into(), origin });
             } else {
                 let names: Vec<&str> = SETTINGS.iter().map(|setting| setting.name).collect();
                 self.refuse(&origin, &format!("found no setting of a level, expected one of {}", names.join(", ")));
@@ -167,9 +167,9 @@ impl Reader {
         let Some(image) = self.picture(&path, origin) else { return };
         if image != BACKGROUND {
             let place = [("x", offset.x), ("y", offset.y)].map(|(column, value)| (column.to_owned(), value.to_string()));
-            let mut cells: Cells = place.into_iter().chain([("image".to_owned(), image)]).collect();
+            let mut cells: RowCells = place.into_iter().chain([("image".to_owned(), image)]).collect();
             self.fill(&mut cells, Kind::Picture.schema(), &properties(layer), origin);
-            self.rows.push(Row { kind: Kind::Picture, cells, origin: origin.clone() });
+            self.rows.push(LevelRow { kind: Kind::Picture, cells, origin: origin.clone() });
         }
     }
 
@@ -187,7 +187,7 @@ impl Reader {
         let names = (1..).map(|n: u32| if n == 1 { format!("{stem}.png") } else { format!("{stem}-{n}.png") });
         let taken = |name: &String| name != BACKGROUND && !self.pictures.contains_key(name);
         let name = self.copied.get(path).cloned().or_else(|| names.into_iter().find(taken))?;
-        self.sources.push(Saved::now(path));
+        self.sources.push(SourceFile::now(path));
         match files::read(path, files::PICTURE) {
             Ok(bytes) => _ = self.pictures.insert(name.clone(), bytes),
             Err(error) => self.refuse(origin, &format!("the picture {}: {error}", path.display())),
@@ -201,7 +201,7 @@ impl Reader {
         let mut own = properties(within.layer);
         let solid = own.remove(SOLID).is_some_and(|(value, _)| value == "true");
         let all = table(text(within.layer, "class")).or(solid.then_some(Table::World));
-        let mut areas: BTreeMap<(Kind, Cells), BTreeSet<(i64, i64)>> = BTreeMap::new();
+        let mut areas: BTreeMap<(Kind, RowCells), BTreeSet<(i64, i64)>> = BTreeMap::new();
         let gids = match tiled::tiles(within.layer) {
             Ok(gids) => gids,
             Err(problem) => return self.refuse(&within.origin, &problem),
@@ -223,7 +223,7 @@ impl Reader {
             self.left.push(format!("{}: left out, as neither it nor its tiles have the property solid", within.origin));
         }
         for ((kind, of_tile), cells) in areas {
-            let mut usual = Cells::new();
+            let mut usual = RowCells::new();
             self.fill(&mut usual, kind.schema(), &own, &within.origin);
             for [left, top, width, height] in merged(cells) {
                 let corner = within.offset + DVec2::new(left as f64, top as f64) * self.tile;
@@ -232,7 +232,7 @@ impl Reader {
                 let place = place.map(|(column, value)| (column.to_owned(), value.to_string()));
                 let row = usual.clone().into_iter().chain(of_tile.clone()).chain(place).collect();
                 let origin = format!("{}: tiles from {left},{top}", within.origin);
-                self.rows.push(Row { kind, cells: row, origin });
+                self.rows.push(LevelRow { kind, cells: row, origin });
             }
         }
     }

@@ -25,14 +25,14 @@ pub struct Imported {
     origins: BTreeMap<(&'static str, usize), String>,
     /// The layers that say nothing of a level, in words.
     pub left: Vec<String>,
-    pub sources: Vec<Saved>,
+    pub sources: Vec<SourceFile>,
 }
 
 /// A file that was read, and when it had been saved, with its size.
 #[derive(Clone, Debug)]
-pub struct Saved(PathBuf, Option<(SystemTime, u64)>);
+pub struct SourceFile(PathBuf, Option<(SystemTime, u64)>);
 
-impl Saved {
+impl SourceFile {
     fn now(path: &Path) -> Self {
         let file = std::fs::metadata(path).and_then(|file| Ok((file.modified()?, file.len())));
         Self(path.to_owned(), file.ok())
@@ -48,7 +48,7 @@ impl Saved {
 ///
 /// # Errors
 /// Every problem, a line each, with the layer and the object; and the files that were read.
-pub fn read(path: &Path, name: &str) -> Result<Imported, (Vec<String>, Vec<Saved>)> {
+pub fn read(path: &Path, name: &str) -> Result<Imported, (Vec<String>, Vec<SourceFile>)> {
     let mut reader = Reader::new(path);
     reader.read();
     let Reader { rows, pictures, problems, left, sources, .. } = reader;

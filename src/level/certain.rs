@@ -85,11 +85,11 @@ fn without_use(draft: &Draft, ship: &ShipStart, space: &FreeSpace) -> Vec<Proble
 fn unbreakable(bounds: &Bounds) -> Vec<Problem> {
     let fragile = bounds.draft.world.iter().filter_map(|block| Some((block, block.item.breaks?)));
     let Some(blow) = fragile.clone().next().and_then(|_| bounds.blow()) else { return Vec::new() };
-    let told = |(block, breaks): (&FromRow<_>, f64)| {
+    let warning = |(block, breaks): (&FromRow<_>, f64)| {
         let found = tr!("{breaks} N·s, with blows of at most {blow} N·s in this level", breaks, blow = blow.ceil());
         block.problem("breaks", found, tr("less than that"))
     };
-    fragile.filter(|(_, breaks)| *breaks > blow).map(told).collect()
+    fragile.filter(|(_, breaks)| *breaks > blow).map(warning).collect()
 }
 
 /// A pad for keys none of which moves that far, on the slipperiest ground of the level and with all that the other bodies can give.

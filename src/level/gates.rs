@@ -25,9 +25,9 @@ pub(super) fn warn_of_gates(draft: &Draft, player: &ShipStart, space: &FreeSpace
     let ship = (player.position, SHIP_HALF);
     let gates = Gates::new(draft, space, valves);
     let end = gates.play(ship);
-    let off_red = gates.spaces(&State::all_open(draft));
-    let past_doors = gates.spaces(&State { shut: end.shut.clone(), ..State::all_open(draft) });
-    let held = gates.spaces(&State { passed: end.open.clone(), ..end.clone() });
+    let off_red = gates.spaces(&GateState::all_open(draft));
+    let past_doors = gates.spaces(&GateState { shut: end.shut.clone(), ..GateState::all_open(draft) });
+    let held = gates.spaces(&GateState { passed: end.open.clone(), ..end.clone() });
     let last = gates.spaces(&end);
     let red_alone = tr("a route for the ship that keeps off the rows of obstacles.csv");
     let around = tr("a route to it along which nothing stops what comes from the start");
@@ -139,7 +139,7 @@ fn red(draft: &Draft) -> impl Iterator<Item = Aabb> {
 
 /// What is known of the level's gates, from less to more.
 #[derive(Clone)]
-struct State {
+struct GateState {
     pressed: Vec<bool>,
     /// The doors that are open at some time.
     open: Vec<bool>,
@@ -149,7 +149,7 @@ struct State {
     shut: Vec<bool>,
 }
 
-impl State {
+impl GateState {
     fn all_open(draft: &Draft) -> Self {
         let doors = vec![true; draft.doors.len()];
         Self { pressed: vec![true; draft.switches.len()], open: doors.clone(), passed: doors, shut: Vec::new() }
@@ -178,7 +178,7 @@ impl<'a> Gates<'a> {
     }
 
     /// Where the ship gets, off red, and where objects get.
-    fn spaces(&self, state: &State) -> (FreeSpace, FreeSpace) {
+    fn spaces(&self, state: &GateState) -> (FreeSpace, FreeSpace) {
         let closed = |open: &[bool], ship: bool| -> Vec<Aabb> {
             let doors = self.draft.doors.iter().zip(open).filter(|(_, open)| !**open).map(|(door, _)| door.item.bounds);
             let valves = self.valves.iter().zip(&state.shut).filter(|(valve, shut)| **shut && (ship || !valve.of_ship));
@@ -189,9 +189,9 @@ impl<'a> Gates<'a> {
     }
 
     /// From the switches in reach at the start, door after door.
-    fn play(&self, ship: CentredBox) -> State {
+    fn play(&self, ship: CentredBox) -> GateState {
         let Draft { switches, objects, .. } = self.draft;
-        let mut state = State {
+        let mut state = GateState {
             pressed: vec![false; switches.len()],
             open: Vec::new(),
             passed: Vec::new(),

@@ -35,9 +35,9 @@ const SHADE: f64 = 0.58;
 const SHADE_WIDTH: f64 = 1.7;
 
 /// A box with the colours of its corners, in order round from the top left.
-type Cell = (Aabb, [Colour; 4]);
+type RockCell = (Aabb, [Colour; 4]);
 /// By scale and place: the cells of the rock, and those of the air.
-type Pieces = BTreeMap<(usize, i64, i64), [Vec<Cell>; 2]>;
+type Pieces = BTreeMap<(usize, i64, i64), [Vec<RockCell>; 2]>;
 
 /// The mesh of one level, as far as it has been in view.
 #[derive(Default)]
@@ -75,7 +75,7 @@ impl RockMesh {
 }
 
 /// The cells of a piece: of the rock, and of the air.
-fn make(piece: &Aabb, mass: &Silhouette, open: &[Aabb], tint: &Tint, smallest: f64) -> [Vec<Cell>; 2] {
+fn make(piece: &Aabb, mass: &Silhouette, open: &[Aabb], tint: &Tint, smallest: f64) -> [Vec<RockCell>; 2] {
     let near = Aabb::new(piece.min - LIT - FALL, piece.max + LIT + FALL);
     let edges: Vec<&RockEdge> = mass.edges().iter().filter(|edge| edge.bounds().touches(&near, 0.0)).collect();
     let away = |edge: &RockEdge, at: DVec2| at.distance(at.clamp(edge.from.min(edge.to), edge.from.max(edge.to)));
@@ -116,7 +116,7 @@ fn corners(bounds: &Aabb) -> [DVec2; 4] {
 }
 
 /// Cuts a box in halves until the colours run evenly in each part.
-fn cut(bounds: &Aabb, light: &impl Fn(DVec2) -> Colour, smallest: f64, cells: &mut Vec<Cell>) {
+fn cut(bounds: &Aabb, light: &impl Fn(DVec2) -> Colour, smallest: f64, cells: &mut Vec<RockCell>) {
     let places = corners(bounds);
     let colours = places.map(light);
     let off = |i: usize, j: usize| {
