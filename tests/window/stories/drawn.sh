@@ -11,11 +11,11 @@ done
 printf '300,200,900,400,1,1,40,140,220\n' >"$data/levels/wet/fluids.csv"
 
 # Places are percent of the window: the goal with its yellow edge, the inside of the goal right of its label, the death box, the liquid.
-goal='36.5 40.5 18 18.5' inside='48 44 4 10' box='62.5 41.7 9.4 16.6' beside='56 45 5 10'
+goal='36.5 40.5 18 18.5' inside='51.5 49 1 2' box='62.5 41.7 9.4 16.6' beside='56 45 5 10'
 for place in dry wet; do
   open_game play "$place"
   expect "$place" shows "$yellow" $goal 3
-  expect "$place" shows '#544A27' $inside 80
+  expect "$place" shows '#4C4221' $inside 80
   expect "$place" shows '#E23C44' $box 25 # the bright stripes
   close_game
 done
