@@ -9,7 +9,7 @@ const GOLDEN: [(&str, u64); 6] = [
     ("crowd", 0xf14922b1ef5331a7),
     ("liquid", 0x3d34db8db9d41906),
     ("stream", 0x16e8_14e9_109e_a52f),
-    ("moving surfaces", 0x5f8f5356b1a00f2e),
+    ("moving surfaces", 0xa5f27891904096b6),
     ("moving surfaces, dense", 0x5e68023e3f5d1e3c),
 ];
 

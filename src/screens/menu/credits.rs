@@ -17,7 +17,7 @@ const FONTS: [(&str, &str); 2] = [
     ("Hack, a typeface: C. Simpkins, DejaVu, Bitstream", "MIT; Bitstream Vera"),
 ];
 /// Crates, by their names before the colon, and their licences.
-const CRATES: [(&str, &str); 20] = [
+const CRATES: [(&str, &str); 22] = [
     ("epaint_default_fonts and ttf-parser: typefaces", "MIT or Apache 2.0"),
     ("fontdue: the glyphs of the typefaces", "MIT or Apache 2.0"),
     ("macroquad and miniquad: window, keys, drawing", "MIT or Apache 2.0"),
@@ -34,6 +34,8 @@ const CRATES: [(&str, &str); 20] = [
     ("base64: flights as text", "MIT or Apache 2.0"),
     ("png: pictures", "MIT or Apache 2.0"),
     ("zip: levels as one file", "MIT"),
+    ("serde_json and roxmltree: maps of Tiled", "MIT or Apache 2.0"),
+    ("flate2: the tiles of maps", "MIT or Apache 2.0"),
     ("tempfile: files that are written whole", "MIT or Apache 2.0"),
     ("directories: where each system keeps a user's files", "MIT or Apache 2.0"),
     ("libc and rustix: how each system opens and keeps a file", "MIT or Apache 2.0"),
