@@ -63,6 +63,7 @@ pub fn read(path: &Path, name: &str) -> Result<Imported, (Vec<String>, Vec<Sourc
         let used = |column: &str| own.iter().any(|row| row.cells.contains_key(column));
         let header: Vec<&str> = columns.iter().filter(|column| column.required || used(column.name)).map(|it| it.name).collect();
         let mut text = if table.kinds().len() > 1 { String::new() } else { files::csv_line(&header) };
+        let mut line = text.lines().count() + 1;
         for row in own {
             let names: Vec<&str> = match table.kinds().len() {
                 1 => header.clone(),
@@ -73,8 +74,10 @@ pub fn read(path: &Path, name: &str) -> Result<Imported, (Vec<String>, Vec<Sourc
             while table.kinds().len() > 1 && cells.len() > least && cells.last() == Some(&"") {
                 cells.pop();
             }
-            origins.insert((table.file(), text.lines().count() + 1), row.origin.clone());
-            text += &files::csv_line(&cells);
+            origins.insert((table.file(), line), row.origin.clone());
+            let written = files::csv_line(&cells);
+            line += written.lines().count();
+            text += &written;
         }
         files.insert(table.file().to_owned(), text.into_bytes());
     }

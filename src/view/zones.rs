@@ -69,10 +69,7 @@ fn column(area: Area, height: f32, colour: Colour) -> Quads {
     for strip in 0..STRIPS {
         let ((left, a), (right, b)) = (at(strip), at(strip + 1));
         let (foot, top) = (area.min.y, area.min.y - height);
-        quads.quad(
-            [Vec2::new(left, top), Vec2::new(right, top), Vec2::new(right, foot), Vec2::new(left, foot)],
-            [a.faded(0.0), b.faded(0.0), b, a],
-        );
+        quads.quad(Area::new(left, top, right - left, foot - top).corners(), [a.faded(0.0), b.faded(0.0), b, a]);
     }
     quads
 }
@@ -251,22 +248,19 @@ pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
         let top = (all.min.y + WAVE_HEIGHT).max(area.min.y);
         let thick = |y: f32| {
             let share = ((y - all.min.y) / all.size.y.max(1.0)).clamp(0.0, 1.0);
-            let (near, far) = if share < 0.5 { (SHALLOW, MIDDLE) } else { (MIDDLE, DEEP) };
-            colour.faded(near + (far - near) * (2.0 * share).fract())
+            let end = if share < 0.5 { SHALLOW } else { DEEP };
+            colour.faded(MIDDLE + (end - MIDDLE) * (2.0 * share - 1.0).abs())
         };
         let (a, b) = (Vec2::new(area.min.x, top), Vec2::new(area.max().x, area.max().y));
         let mut quads = Quads::default();
         let mut layer = |from: f32, to: f32, [high, low]: [Colour; 2]| {
             if from < to {
-                quads.quad(
-                    [Vec2::new(a.x, from), Vec2::new(b.x, from), Vec2::new(b.x, to), Vec2::new(a.x, to)],
-                    [high, high, low, low],
-                );
+                quads.quad(Area::new(a.x, from, b.x - a.x, to - from).corners(), [high, high, low, low]);
             }
         };
         let middle = all.centre().y.clamp(a.y, b.y);
-        layer(a.y, middle, [thick(a.y), thick(middle - 0.01)]);
-        layer(middle, b.y, [thick(middle + 0.01), thick(b.y - 0.01)]);
+        layer(a.y, middle, [thick(a.y), thick(middle)]);
+        layer(middle, b.y, [thick(middle), thick(b.y)]);
         let lit = |y: f32| mixed(colour).faded(BAND_LIGHT * (1.0 - (y - all.min.y) / BAND).max(0.0));
         let end = (all.min.y + BAND).clamp(a.y, b.y);
         layer(a.y, end, [lit(a.y), lit(end)]);

@@ -31,7 +31,7 @@ impl Events {
                 }
                 self.now = next;
             }
-            self.bracket(scene, contact, reach);
+            self.bracket(scene, contact);
         }
         self.close(scene, contact);
         true
@@ -41,12 +41,17 @@ impl Events {
     fn all_meet_later(&self, scene: &Scene, besides: &Contact, at: f64) -> bool {
         self.nexts.iter().enumerate().all(|(k, next)| {
             let EventKind::Hit { other, axis, ascending } = next.kind else { return next.at >= at };
-            let (lo, hi) = if ascending { (k, other as usize) } else { (other as usize, k) };
-            let reach = (self.items[lo].body.half + self.items[hi].body.half)[axis];
-            let place = |item: usize| self.items[item].pose(scene.media, at).0[axis];
-            let known = at <= self.items[lo].until.min(self.items[hi].until);
-            next.at >= at || besides.is_of(k as u32, other) || self.is_void(next) || known && place(hi) - place(lo) - reach >= -SLOP
+            let (lo, hi) = if ascending { (k as u32, other) } else { (other, k as u32) };
+            let known = at <= self.items[lo as usize].until.min(self.items[hi as usize].until);
+            let apart = || self.gap_at(scene, &Contact::between(lo, hi, axis), at) >= -SLOP;
+            next.at >= at || besides.is_of(lo, hi) || self.is_void(next) || known && apart()
         })
+    }
+
+    /// The gap of two items along the axis of their contact at a time on their paths, m.
+    fn gap_at(&self, scene: &Scene, contact: &Contact, at: f64) -> f64 {
+        let place = |item: u32| self.items[item as usize].pose(scene.media, at).0[contact.axis];
+        place(contact.hi) - place(contact.lo) - self.reach_of(contact)
     }
 
     /// Takes away the gap or overlap of two items that meet now, shared as their masses say; a surface gives way to nothing, and neither does a
@@ -84,21 +89,16 @@ impl Events {
     }
 
     /// Where Newton's method has ended with the two in each other: halves the time since the last event until they are apart.
-    fn bracket(&mut self, scene: &Scene, contact: &Contact, reach: f64) {
-        let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
-        let gap = |events: &Self, at: f64| {
-            let place = |item: usize| events.items[item].pose(scene.media, at).0[axis];
-            place(hi) - place(lo) - reach
-        };
+    fn bracket(&mut self, scene: &Scene, contact: &Contact) {
         let mut apart = self.items.iter().map(|item| item.since).fold(0.0, f64::max);
-        if apart >= self.now || gap(self, self.now) >= -SLOP || gap(self, apart) < 0.0 {
+        if apart >= self.now || self.gap_at(scene, contact, self.now) >= -SLOP || self.gap_at(scene, contact, apart) < 0.0 {
             return;
         }
         let mut met = self.now;
         // 64 halvings leave nothing of any time.
         for _ in 0..64 {
             let middle = 0.5 * (apart + met);
-            let between = gap(self, middle);
+            let between = self.gap_at(scene, contact, middle);
             if between >= -SLOP {
                 apart = middle
             } else {
