@@ -63,6 +63,8 @@ pub enum GameEvent {
     Broke(usize),
     /// By index in `Level::pods`.
     Refuelled(usize),
+    /// By index in `Level::stars`.
+    StarTouched(usize),
     /// By index in `Level::links`: a force larger than it bears has broken it.
     Snapped(usize),
     /// By index in `Level::links`: its ends have touched, and it acts from now on.

@@ -76,6 +76,7 @@ fn rows(level: &Level) -> Vec<u8> {
         decoration: _,
         // Prizes follow from a result at any time.
         awards: _,
+        stars: _,
         // Shown and scored, without an effect on the flight.
         experiment: _,
         overview: _,

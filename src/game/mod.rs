@@ -24,6 +24,7 @@ mod replay;
 mod score;
 mod ship;
 mod track;
+mod tricks;
 
 pub use again::Again;
 pub use again::DryRun;

@@ -75,6 +75,11 @@ pub struct RunResult {
     pub collisions: u32,
     /// Touches of one object less than half a second apart are one.
     pub pushes: u32,
+    pub burns: u32,
+    /// Stars that nothing has touched.
+    pub stars_left: usize,
+    /// The shortest time within which as many objectives were met as the level's mark asks for, s; 0 where it asks for none.
+    pub together: f64,
     /// Fraction of the fuel left, 0 … 1; 0 where the level gives none.
     pub fuel: f64,
     /// Fuel units used.
@@ -207,6 +212,10 @@ pub fn words(mark: Mark) -> String {
         Mark::Pushes(0) => tr("no object pushed").to_owned(),
         Mark::Pushes(most) => tr!("at most {most}", most = count_pushes(most)),
         Mark::Speed(most) => tr!("never above {most} m/s", most),
+        Mark::Burns(0) => tr("without the engine").to_owned(),
+        Mark::Burns(most) => tr!("at most {most}", most = counted_burns(most)),
+        Mark::Together(count, within) => tr!("{count} goals within {within} s", count, within),
+        Mark::Stars => tr("every star touched").to_owned(),
     }
 }
 
@@ -222,6 +231,12 @@ fn lacks(mark: Mark, result: &RunResult) -> Option<String> {
         Mark::Speed(most) => {
             (result.top_speed > most + ROUNDING).then(|| format!("{:.1} m/s", (result.top_speed * 10.0).ceil() / 10.0))
         }
+        Mark::Burns(most) => (result.burns > most).then(|| counted_burns(result.burns)),
+        Mark::Together(_, within) => {
+            (result.together > within + ROUNDING).then(|| format!("{:.1} s", (result.together * 10.0).ceil() / 10.0))
+        }
+        Mark::Stars if result.stars_left == 1 => Some(tr("1 star left").to_owned()),
+        Mark::Stars => (result.stars_left > 0).then(|| tr!("{count} stars left", count = result.stars_left)),
     }
 }
 
@@ -231,6 +246,10 @@ fn counted_hits(n: u32) -> String {
 
 fn count_pushes(n: u32) -> String {
     if n == 1 { tr("1 push").to_owned() } else { tr!("{count} pushes", count = n) }
+}
+
+fn counted_burns(n: u32) -> String {
+    if n == 1 { tr("1 burn").to_owned() } else { tr!("{count} burns", count = n) }
 }
 
 #[cfg(test)]
@@ -307,6 +326,9 @@ mod tests {
             objectives_all: 1,
             collisions: 2,
             pushes: 1,
+            burns: 4,
+            stars_left: 2,
+            together: 8.37,
             fuel,
             fuel_used: 0.0,
             distance: 0.0,
@@ -384,6 +406,11 @@ mod tests {
             (Mark::Pushes(0), "no object pushed", "1 push"),
             (Mark::Pushes(2), "at most 2 pushes", ""),
             (Mark::Speed(12.0), "never above 12 m/s", "12.4 m/s"),
+            (Mark::Burns(3), "at most 3 burns", "4 burns"),
+            (Mark::Burns(4), "at most 4 burns", ""),
+            (Mark::Together(3, 8.0), "3 goals within 8 s", "8.4 s"),
+            (Mark::Together(3, 8.5), "3 goals within 8.5 s", ""),
+            (Mark::Stars, "every star touched", "2 stars left"),
         ] {
             let awards = Awards { mark: Some(mark), ..Awards::default() };
             assert_eq!(lines(&awards, &flight(8.0, 1.0))[1..], [line(asks, missing)]);

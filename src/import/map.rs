@@ -16,11 +16,11 @@ pub const NUMBER: u32 = 0x0fff_ffff;
 const DEEPEST: usize = 32;
 const SOLID: &str = "solid";
 
-pub type RowCells = BTreeMap<String, String>;
+pub type CellTexts = BTreeMap<String, String>;
 
 pub struct LevelRow {
     pub kind: Kind,
-    pub cells: RowCells,
+    pub cells: CellTexts,
     /// The file, layer and object.
     pub origin: String,
 }
@@ -120,7 +120,7 @@ impl Reader {
     }
 
     fn settings(&mut self, map: &Value, size: DVec2) {
-        let mut all: RowCells = properties(map).into_iter().map(|(name, (value, _))| (name, value)).collect();
+        let mut all: CellTexts = properties(map).into_iter().map(|(name, (value, _))| (name, value)).collect();
         for (name, side) in [("width", size.x), ("height", size.y)] {
             all.entry(name.to_owned()).or_insert_with(|| side.to_string());
         }
@@ -167,7 +167,7 @@ impl Reader {
         let Some(image) = self.picture(&path, origin) else { return };
         if image != BACKGROUND {
             let place = [("x", offset.x), ("y", offset.y)].map(|(column, value)| (column.to_owned(), value.to_string()));
-            let mut cells: RowCells = place.into_iter().chain([("image".to_owned(), image)]).collect();
+            let mut cells: CellTexts = place.into_iter().chain([("image".to_owned(), image)]).collect();
             self.fill(&mut cells, Kind::Picture.schema(), &properties(layer), origin);
             self.rows.push(LevelRow { kind: Kind::Picture, cells, origin: origin.clone() });
         }
@@ -201,7 +201,7 @@ impl Reader {
         let mut own = properties(within.layer);
         let solid = own.remove(SOLID).is_some_and(|(value, _)| value == "true");
         let all = table(text(within.layer, "class")).or(solid.then_some(Table::World));
-        let mut areas: BTreeMap<(Kind, RowCells), BTreeSet<(i64, i64)>> = BTreeMap::new();
+        let mut areas: BTreeMap<(Kind, CellTexts), BTreeSet<(i64, i64)>> = BTreeMap::new();
         let gids = match tiled::tiles(within.layer) {
             Ok(gids) => gids,
             Err(problem) => return self.refuse(&within.origin, &problem),
@@ -223,7 +223,7 @@ impl Reader {
             self.left.push(format!("{}: left out, as neither it nor its tiles have the property solid", within.origin));
         }
         for ((kind, of_tile), cells) in areas {
-            let mut usual = RowCells::new();
+            let mut usual = CellTexts::new();
             self.fill(&mut usual, kind.schema(), &own, &within.origin);
             for [left, top, width, height] in merged(cells) {
                 let corner = within.offset + DVec2::new(left as f64, top as f64) * self.tile;

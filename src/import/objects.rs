@@ -1,6 +1,6 @@
 //! The objects of a map as rows.
 
-use super::map::{LevelRow, NUMBER, Reader, RowCells, Within, stem, table};
+use super::map::{CellTexts, LevelRow, NUMBER, Reader, Within, stem, table};
 use super::tiled::{Properties, class, flag, list, number, properties, text};
 use crate::level::schema::{Column, Kind, RowSchema, Table};
 use crate::physics::DVec2;
@@ -57,7 +57,7 @@ impl Reader {
         // A tile stands on its place.
         let at = within.offset + DVec2::new(by("x"), by("y")) - if gid == 0 { DVec2::ZERO } else { DVec2::new(0.0, size.y) };
         let schema = kind.schema();
-        let mut cells = RowCells::new();
+        let mut cells = CellTexts::new();
         let has = |column: &str| schema.columns.iter().any(|own| own.name == column);
         if !schema.tag.is_empty() {
             cells.insert("kind".to_owned(), schema.tag.to_owned());
@@ -96,7 +96,7 @@ impl Reader {
     }
 
     /// What the shape of an object says beside its place and size: words, the ends of a link, the way of a mover.
-    fn shape(&mut self, (object, at, size): (&Value, DVec2, DVec2), kind: Kind, cells: &mut RowCells) {
+    fn shape(&mut self, (object, at, size): (&Value, DVec2, DVec2), kind: Kind, cells: &mut CellTexts) {
         let mut put = |column: &str, value: String| _ = cells.insert(column.to_owned(), value);
         if kind == Kind::Text {
             let words = object.get("text").unwrap_or(&Value::Null);
@@ -116,7 +116,7 @@ impl Reader {
     }
 
     /// The columns that custom properties give.
-    pub fn fill(&mut self, cells: &mut RowCells, schema: &RowSchema, own: &Properties, origin: &str) {
+    pub fn fill(&mut self, cells: &mut CellTexts, schema: &RowSchema, own: &Properties, origin: &str) {
         for (name, (value, of)) in own {
             let column = schema.columns.iter().find(|column| column.name.eq_ignore_ascii_case(name));
             match (column, channels(value).filter(|_| is_colour(name))) {

@@ -3,13 +3,14 @@
 use super::image;
 use super::numbers::PixelScale;
 use super::placed::FromRow;
-use super::problem::Problem;
+use super::problem::{Problem, at_most};
 use super::reader::LevelReader;
 use super::schema::settings::LevelSettings;
 use super::schema::{Table, blocks, bodies, zones};
 use super::source::BACKGROUND;
 use super::types::{
-    AirStream, Decoration, Fluid, GravityZone, Level, Mover, Object, Objective, ObjectiveKind, Pod, ShipStart, Solid, Switch, Text,
+    AirStream, Decoration, Fluid, GravityZone, Level, Mark, Mover, Object, Objective, ObjectiveKind, Pod, ShipStart, Solid, Star,
+    Switch, Text,
 };
 use super::unbound::{self, UnboundLink};
 use crate::physics::{Aabb, DVec2};
@@ -40,6 +41,7 @@ pub(super) struct Draft {
     pub fluids: Vec<FromRow<Fluid>>,
     pub fields: Vec<FromRow<GravityZone>>,
     pub pods: Vec<FromRow<Pod>>,
+    pub stars: Vec<FromRow<Star>>,
     pub links: Vec<FromRow<UnboundLink>>,
     pub decoration: Vec<FromRow<Decoration>>,
     pub texts: Vec<FromRow<Text>>,
@@ -54,6 +56,15 @@ impl Draft {
         let mut objects = reader.things(Table::Objects, bodies::object);
         let objectives = objectives(reader, settings.experiment, &mut objects);
         let streams = streams(reader, &world);
+        let mut settings = settings;
+        let stars = stars(reader, &mut settings);
+        if let Some(Mark::Together(count, _)) = settings.awards.mark.filter(|_| !objectives.is_empty())
+            && count as usize > objectives.len()
+        {
+            let found = tr!("{count} objectives of {all}", count, all = objectives.len());
+            let most = at_most(objectives.len());
+            reader.rows.problems.push(settings.given.problem("mark_together", found, most));
+        }
         Self {
             size,
             scale: reader.rows.scale,
@@ -70,6 +81,7 @@ impl Draft {
             fluids: reader.things(Table::Fluids, zones::fluid),
             fields: reader.things(Table::Gravity, zones::gravity_zone),
             pods: reader.things(Table::Pods, zones::pod),
+            stars,
             links: reader.things(Table::Links, blocks::link),
             decoration: reader.things(Table::Decoration, zones::decoration),
             texts: reader.things(Table::Texts, zones::text),
@@ -124,6 +136,7 @@ impl Draft {
             fluids: items(self.fluids),
             fields: items(self.fields),
             pods: items(self.pods),
+            stars: items(self.stars),
             decoration: items(self.decoration),
             texts: items(self.texts),
             hints: items(self.hints),
@@ -197,6 +210,18 @@ fn objectives(reader: &mut LevelReader, experiment: bool, objects: &mut Vec<From
         reader.rows.problems.push(record.problem("kind", tr("PHYS without any key object"), tr("at least one OBJECT row")));
     }
     objectives
+}
+
+/// A level with stars has them for its mark.
+fn stars(reader: &mut LevelReader, settings: &mut LevelSettings) -> Vec<FromRow<Star>> {
+    let stars = reader.things(Table::Stars, zones::star);
+    let Some(first) = stars.first() else { return stars };
+    if let Some(mark) = settings.marked.filter(|_| settings.awards.mark.is_some()) {
+        let found = tr!("a star beside {mark}", mark);
+        reader.rows.problems.push(first.problem("x", found, tr("one mark a level")));
+    }
+    settings.awards.mark = Some(Mark::Stars);
+    stars
 }
 
 /// A shaded stream ends at the first solid before it.

@@ -43,8 +43,8 @@ pub use ship_body::{SHIP_BODY, nose, ship_body, sweep_touches};
 pub use source::{BACKGROUND, Files};
 pub use types::{
     AirStream, Awards, BURN_RATE, Decoration, Fluid, GravityZone, Landscape, Level, LevelLink, Look, Mark, Mover, Object,
-    Objective, ObjectiveKind, Pod, Presser, Route, SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, ShipStart, Solid, Switch,
-    SwitchStay, TICK_RATE, Text, Work,
+    Objective, ObjectiveKind, Pod, Presser, Route, SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, ShipStart, Solid, Star,
+    StarTouch, Switch, SwitchStay, TICK_RATE, Text, Work,
 };
 pub use varied::{Parameter, varied};
 pub use wiring::{SurfaceOf, Wire, Worked};

@@ -57,6 +57,7 @@ pub struct Level {
     pub fluids: Vec<Fluid>,
     pub fields: Vec<GravityZone>,
     pub pods: Vec<Pod>,
+    pub stars: Vec<Star>,
     pub links: Vec<LevelLink>,
     pub decoration: Vec<Decoration>,
     pub texts: Vec<Text>,
@@ -374,4 +375,28 @@ pub enum Mark {
     Pushes(u32),
     /// The highest speed, m/s.
     Speed(f64),
+    /// The most burns.
+    Burns(u32),
+    /// A number of objectives, met within that time, s.
+    Together(u32, f64),
+    /// All stars of the level touched.
+    Stars,
+}
+
+/// A place that a body has to touch once for the level's mark.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Star {
+    pub bounds: Aabb,
+    pub by: StarTouch,
+}
+
+/// What touches a star.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum StarTouch {
+    #[default]
+    Ship,
+    /// A key object.
+    Key,
+    /// Any object, key objects too.
+    Object,
 }

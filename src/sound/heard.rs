@@ -88,7 +88,7 @@ impl Ear {
                 GameEvent::Broke(_) => hear(Sound::new(Cue::Knock(Stuff::Glass), 1.0)),
                 GameEvent::Snapped(_) => hear(Sound::new(Cue::Knock(Stuff::Rubber), 1.0)),
                 GameEvent::Hooked(_) => hear(Sound::new(Cue::Click, 1.0)),
-                GameEvent::Refuelled(_) => hear(Sound::new(Cue::Bubble, 1.0)),
+                GameEvent::Refuelled(_) | GameEvent::StarTouched(_) => hear(Sound::new(Cue::Bubble, 1.0)),
                 GameEvent::ObjectiveLost(_) => hear(Sound::new(Cue::Lost, 1.0)),
                 GameEvent::Completed => hear(Sound::new(Cue::Success, 1.0)),
                 GameEvent::Died => hear(Sound::new(Cue::Death, 1.0)),

@@ -9,7 +9,7 @@ use super::theme;
 use crate::draw::layout::{Area, Vec2};
 use crate::draw::{Canvas, Colour};
 use crate::game::Game;
-use crate::level::{Level, Mover, Route, Solid, SurfaceOf, Worked};
+use crate::level::{Level, Mover, Route, Solid, StarTouch, SurfaceOf, Worked};
 use crate::physics::{Aabb, DVec2, ForceKind, Material, Sides};
 
 /// The body of movers and doors: bluer and lighter than any rock.
@@ -93,6 +93,42 @@ pub fn draw_areas(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
         if !game.mechanisms().is_taken(index) && pod.bounds.touches(&visible, 1.0) {
             draw_pod(view.rect(&pod.bounds), canvas, time);
         }
+    }
+}
+
+/// The stars: dim until they are touched, then filled. A diamond in its middle says that a key has to touch it, a square any object.
+pub fn draw_stars(game: &Game, view: &Viewport, canvas: &Canvas) {
+    for (star, touched) in game.level().stars.iter().zip(game.stars()) {
+        if star.bounds.touches(&view.visible(), 1.0) {
+            draw_star(view.rect(&star.bounds), star.by, *touched, canvas);
+        }
+    }
+}
+
+fn draw_star(area: Area, by: StarTouch, touched: bool, canvas: &Canvas) {
+    let reach = area.size.min_element() * 0.5;
+    let tip = |part: usize| {
+        let far = if part % 2 == 0 { reach } else { reach * 0.42 };
+        area.centre() + Vec2::from_angle(part as f32 * std::f32::consts::PI / 5.0 - std::f32::consts::FRAC_PI_2) * far
+    };
+    let colour = theme::accent().faded(if touched { 0.9 } else { 0.45 });
+    for part in 0..10 {
+        let (from, to) = (tip(part), tip((part + 1) % 10));
+        if touched {
+            canvas.convex(&[area.centre(), from, to], colour);
+        } else {
+            canvas.line(from, to, 2.0, colour);
+        }
+    }
+    if touched {
+        return;
+    }
+    dashed_outline(canvas, area, colour.faded(0.3));
+    let (middle, size) = (area.centre(), reach * 0.26);
+    match by {
+        StarTouch::Ship => {}
+        StarTouch::Key => canvas.convex(&[Vec2::Y, Vec2::X, Vec2::NEG_Y, Vec2::NEG_X].map(|to| middle + to * size), colour),
+        StarTouch::Object => canvas.rectangle(Area::around(middle, Vec2::splat(size * 1.6)), colour),
     }
 }
 

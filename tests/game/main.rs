@@ -12,4 +12,5 @@ mod shipped_levels;
 #[path = "../support/mod.rs"]
 mod support;
 mod switches;
+mod tricks;
 mod work;

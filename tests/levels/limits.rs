@@ -56,15 +56,16 @@ fn with(column: &str, value: f64) -> Memory {
     Memory(files.into())
 }
 
-const AWARDS: [&str; 6] = ["silver", "gold", "mark_hits", "mark_fuel", "mark_pushes", "mark_speed"];
+const AWARDS: [&str; 7] = ["silver", "gold", "mark_hits", "mark_fuel", "mark_pushes", "mark_speed", "mark_burns"];
 
-const LIMITS: [Limit; 24] = [
+const LIMITS: [Limit; 25] = [
     ("silver", [1e-3, 1e9], [0.0009, 1.01e9]),
     ("gold", [1e-3, 1e9], [0.0009, 1.01e9]),
     ("mark_hits", [0.0, 1e6], [-1.0, 1_000_001.0]),
     ("mark_fuel", [0.0, 100.0], [-0.1, 100.1]),
     ("mark_pushes", [0.0, 1e6], [-1.0, 1_000_001.0]),
     ("mark_speed", [1e-3, 1e4], [0.0009, 10_001.0]),
+    ("mark_burns", [0.0, 1e6], [-1.0, 1_000_001.0]),
     ("gravity", [-1e3, 1e3], [-1001.0, 1001.0]),
     ("air_density", [0.0, 100.0], [-0.1, 100.1]),
     ("optimal_time", [1e-3, 1e9], [0.0009, 1.01e9]),

@@ -9,7 +9,8 @@ use super::impacts::{APART, DUST_SPEED, Felt, Impacts, PushCount, READABLE, SHIP
 use super::mechanisms::{Mechanisms, Objectives};
 use super::score::{RunResult, ScoreParts};
 use super::ship::{SHIP, Ship, stands};
-use crate::level::{Level, SHIP_HALF, ship_body, sweep_touches};
+use super::tricks::Tricks;
+use crate::level::{Level, Mark, SHIP_HALF, ship_body, sweep_touches};
 use crate::physics::{Aabb, BodyId, DVec2, Event, Plan, World};
 use std::sync::Arc;
 
@@ -37,6 +38,7 @@ pub struct Game {
     objectives: Objectives,
     pushes: PushCount,
     mechanisms: Mechanisms,
+    tricks: Tricks,
     flight: FlightFigures,
     events: Vec<GameEvent>,
     /// Impacts and squeezed bodies are for the screen: no rule reads them.
@@ -69,6 +71,7 @@ impl Game {
             objectives: Objectives::new(&level, &world, tick_rate),
             pushes: PushCount::new(level.objects.len()),
             mechanisms,
+            tricks: Tricks::new(&level),
             world,
             ship: Ship::new(&level.player),
             outcome: Outcome::Running,
@@ -122,6 +125,8 @@ impl Game {
         self.note_crushed();
         self.note_mechanisms();
         self.objectives.note(&self.level, &self.world, &mut self.events);
+        let at = (self.ticks, self.tick_rate);
+        self.tricks.note(&self.level, &self.world, at, self.ship.burning != 0, &mut self.events);
         self.judge();
     }
 
@@ -243,6 +248,11 @@ impl Game {
         &self.mechanisms
     }
 
+    /// By index in `Level::stars`.
+    pub fn stars(&self) -> &[bool] {
+        self.tricks.touched()
+    }
+
     pub fn ship(&self) -> &Ship {
         &self.ship
     }
@@ -322,6 +332,12 @@ impl Game {
             objectives_all: self.met().len(),
             collisions: self.flight.collisions,
             pushes: self.pushes.count(),
+            burns: self.tricks.burns(),
+            stars_left: self.stars().iter().filter(|&&touched| !touched).count(),
+            together: match self.level.awards.mark {
+                Some(Mark::Together(count, _)) => self.tricks.together(count, self.tick_rate),
+                _ => 0.0,
+            },
             fuel: self.fuel(),
             fuel_used: self.ship.fuel_used(),
             distance: self.flight.distance,
@@ -353,6 +369,7 @@ impl Game {
         }
         self.pushes.hash_state(&mut write);
         self.mechanisms.hash_state(&mut write);
+        self.tricks.hash_state(&self.level, &mut write);
         self.world.hash_state(&mut write);
         hash.finish()
     }

@@ -1,6 +1,6 @@
 //! The facts of a file, of a kind of row and of a column, for the loader, the editor, `new`, `check` and the documentation.
 
-use super::values::{LinkRowEnd, WayPoints, Works, is_name};
+use super::values::{LinkRowEnd, Together, WayPoints, Works, is_name};
 use crate::files::{Dialect, truth};
 use crate::level::nearest::meant;
 use crate::level::numbers::{self, NumberRange, PixelScale, power};
@@ -89,6 +89,8 @@ pub(in crate::level) enum Holds {
     },
     /// Pairs of coordinates, pixels.
     Points,
+    /// A number of objectives, and seconds.
+    Together,
     /// Text, described in a few words.
     Text(&'static str),
     /// Any text, also none.
@@ -143,6 +145,7 @@ impl Holds {
                 LinkRowEnd::Place(place) => inside(&[place]),
                 LinkRowEnd::Ship | LinkRowEnd::Object(_) => Ok(()),
             },
+            Self::Together => Together::try_from(text.to_owned()).map(drop),
             Self::Points => inside(&WayPoints::try_from(text.to_owned())?.0),
             Self::Text(_) => wanted(!text.is_empty(), "text"),
             Self::Picture { .. } | Self::Any(_) => Ok(()),
@@ -165,15 +168,15 @@ impl Holds {
         match self {
             Self::Flag if ["true", "false"].iter().any(|word| word.eq_ignore_ascii_case(text)) => text.into(),
             Self::Flag => truth(text).map_or(text, |truth| if truth { "TRUE" } else { "FALSE" }).into(),
-            Self::Points | Self::End => dialect.numbers(text),
+            Self::Points | Self::End | Self::Together => dialect.numbers(text),
             _ if self.has_numbers() => dialect.number(text),
             _ => text.into(),
         }
     }
 
     pub const fn has_numbers(&self) -> bool {
-        use Holds::{End, Length, Number, Points, Position, Reach, Size, Whole};
-        matches!(self, Position | Size | Length | Reach | Number(_) | Whole(..) | Points | End)
+        use Holds::{End, Length, Number, Points, Position, Reach, Size, Together, Whole};
+        matches!(self, Position | Size | Length | Reach | Number(_) | Whole(..) | Points | End | Together)
     }
 }
 
@@ -255,6 +258,7 @@ impl Column {
             Holds::End => tr("`ship`, the `name` of an object or key object, or a place `x y` in pixels").to_owned(),
             Holds::Picture { .. } => tr("a PNG's path, `box:40x40` or `ball:40x40`").to_owned(),
             Holds::Points => tr("`x y; x y; …` in pixels").to_owned(),
+            Holds::Together => tr("`n s`, such as `3 8`").to_owned(),
             Holds::Text(words) | Holds::Any(words) => tr(words).to_owned(),
         }
     }

@@ -57,6 +57,7 @@ files! {
     Links blocks::LINKS { Link blocks::LINK }
     Gravity zones::GRAVITY { Gravity zones::GRAVITY_ZONE }
     Pods zones::PODS { Pod zones::POD }
+    Stars zones::STARS { Star zones::STAR }
     Decoration zones::DECORATION { Picture zones::PICTURE }
     Fluids zones::FLUIDS { Fluid zones::FLUID }
     Texts zones::TEXTS { Text zones::TEXT }
@@ -94,7 +95,7 @@ impl Table {
 
 impl Kind {
     /// The kinds that can be added, in the order in which the editor offers them.
-    pub const ADDED: [Self; 16] = [
+    pub const ADDED: [Self; 17] = [
         Self::Solid,
         Self::Mover,
         Self::Door,
@@ -109,6 +110,7 @@ impl Kind {
         Self::Fluid,
         Self::Gravity,
         Self::Pod,
+        Self::Star,
         Self::Text,
         Self::Picture,
     ];

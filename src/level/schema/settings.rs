@@ -3,6 +3,7 @@
 use super::facts::{Column, FileSchema, Holds, RowSchema};
 use super::record::{RowCells, RowReader};
 use super::typed::{Row as _, Word, by_word, number, one_of, rows, words};
+use super::values::Together;
 use crate::files::Dialect;
 use crate::level::nearest::meant;
 use crate::level::numbers::{self, PixelScale};
@@ -13,7 +14,7 @@ use crate::words::tr;
 pub static CONSTANTS: FileSchema = FileSchema {
     name: "constants.csv",
     help: "The settings of the level. width and height are needed where there is no background.png; silver and gold and one mark \
-           (mark_hits, mark_fuel, mark_pushes or mark_speed) are what the level's medals ask for.",
+           (mark_hits, mark_fuel, mark_pushes, mark_speed, mark_burns, mark_together, or stars.csv) are what the level's medals ask for.",
     sample: "title,{name}\ngravity,15\ngravity_x,0\nair_density,1.2041\noptimal_time,60\nmetre,30\nrest_speed,0\nfriction,1\n\
              experiment,0\noverview,0\nworld,quarry\nsilver,30\ngold,15\nmark_hits,0\nwidth,1280\nheight,720\n",
 };
@@ -59,6 +60,12 @@ rows! {
         mark_pushes: Option<f64> =
             number(numbers::MARK_COUNT, "mark for no more pushes of objects by the ship than this; a whole number").maybe_filled(),
         mark_speed: Option<f64> = number(numbers::MARK_SPEED, "mark for no higher speed than this").maybe_filled(),
+        mark_burns: Option<f64> = number(
+            numbers::MARK_COUNT,
+            "mark for no more burns of the engine than this, each after at least 0.1 s without; a whole number",
+        )
+        .maybe_filled(),
+        mark_together: Option<Together> = Column::new(Holds::Together, "mark for so many objectives met within so many seconds").maybe_filled(),
     }
 }
 
@@ -76,6 +83,8 @@ pub(in crate::level) struct LevelSettings {
     pub experiment: bool,
     pub overview: bool,
     pub awards: Awards,
+    /// The setting that asks for the mark.
+    pub marked: Option<&'static str>,
     pub landscape: Option<Landscape>,
     pub width: Option<f64>,
     pub height: Option<f64>,
@@ -89,7 +98,7 @@ pub(in crate::level) fn settings(rows: Vec<RowCells>, reader: &mut RowReader, wa
     reader.scale = PixelScale { metre: metre.unwrap_or(PixelScale::USUAL.metre) };
     // In an unfinished level the usual number stands for a refused one.
     let row: SettingsRow = given.read_or_usual(reader).unwrap_or_default();
-    let awards = awards(&row, &given, reader);
+    let (awards, marked) = awards(&row, &given, reader);
     LevelSettings {
         title: row.title,
         gravity: row.gravity,
@@ -101,6 +110,7 @@ pub(in crate::level) fn settings(rows: Vec<RowCells>, reader: &mut RowReader, wa
         experiment: row.experiment == 1.0,
         overview: row.overview == 1.0,
         awards,
+        marked,
         landscape: row.world,
         width: row.width,
         height: row.height,
@@ -134,10 +144,14 @@ fn named(rows: Vec<RowCells>, reader: &mut RowReader, warnings: &mut Vec<Problem
 }
 
 /// Gold takes no longer than silver, and a level has one mark.
-fn awards(row: &SettingsRow, given: &RowCells, reader: &mut RowReader) -> Awards {
+fn awards(row: &SettingsRow, given: &RowCells, reader: &mut RowReader) -> (Awards, Option<&'static str>) {
     let (silver, gold) = (row.silver, row.gold);
-    let marks = [("mark_hits", row.mark_hits, Mark::Hits as fn(u32) -> Mark), ("mark_pushes", row.mark_pushes, Mark::Pushes)];
-    let mut marked: Vec<(&str, Mark)> = Vec::new();
+    let marks = [
+        ("mark_hits", row.mark_hits, Mark::Hits as fn(u32) -> Mark),
+        ("mark_pushes", row.mark_pushes, Mark::Pushes),
+        ("mark_burns", row.mark_burns, Mark::Burns),
+    ];
+    let mut marked: Vec<(&'static str, Mark)> = Vec::new();
     for (name, value, mark) in marks {
         match value {
             Some(value) if value.fract() != 0.0 => {
@@ -150,6 +164,7 @@ fn awards(row: &SettingsRow, given: &RowCells, reader: &mut RowReader) -> Awards
     }
     marked.extend(row.mark_fuel.map(|value| ("mark_fuel", Mark::Fuel(value))));
     marked.extend(row.mark_speed.map(|value| ("mark_speed", Mark::Speed(value))));
+    marked.extend(row.mark_together.map(|Together { count, within }| ("mark_together", Mark::Together(count, within))));
     marked.sort_by_key(|(name, _)| SETTINGS.iter().position(|setting| setting.name == *name));
     if let [(first, _), more @ ..] = &marked[..] {
         reader.problems.extend(more.iter().map(|(name, _)| {
@@ -168,5 +183,6 @@ fn awards(row: &SettingsRow, given: &RowCells, reader: &mut RowReader) -> Awards
         let expected = tr!("no longer than silver, which is {silver} s", silver);
         reader.problems.push(given.problem("gold", quoted(&gold.to_string()), expected));
     }
-    Awards { silver, gold, mark: marked.first().map(|(_, mark)| *mark) }
+    let (name, mark) = marked.first().copied().unzip();
+    (Awards { silver, gold, mark }, name)
 }

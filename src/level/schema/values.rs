@@ -38,6 +38,27 @@ fn place(text: &str) -> Result<Option<DVec2>, String> {
     }
 }
 
+/// `3 8`: so many objectives within so many seconds.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(try_from = "String")]
+pub(in crate::level) struct Together {
+    pub count: u32,
+    /// s.
+    pub within: f64,
+}
+
+impl TryFrom<String> for Together {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        let expected = || tr("a number of objectives from 2 on, and seconds, such as 3 8").to_owned();
+        let DVec2 { x: count, y: within } = place(&text)?.ok_or_else(expected)?;
+        let good = (2.0..=1e6).contains(&count) && count.fract() == 0.0 && numbers::MEDAL_TIME.judge(within).is_ok();
+        // Whole and at most a million, so the conversion is exact.
+        if good { Ok(Self { count: count as u32, within }) } else { Err(expected()) }
+    }
+}
+
 pub(super) fn is_name(text: &str) -> bool {
     text.chars().count() <= 40
         && text.chars().next().is_some_and(char::is_alphabetic)

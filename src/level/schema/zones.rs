@@ -7,7 +7,7 @@ use super::typed::{Row as _, Word, X, Y, boolean, by_word, channel, number, one_
 use crate::level::numbers::{self, corners};
 use crate::level::placed::FromRow;
 use crate::level::problem::{at_most, quoted};
-use crate::level::types::{AirStream, Decoration, Fluid, GravityZone, Pod, Text};
+use crate::level::types::{AirStream, Decoration, Fluid, GravityZone, Pod, Star, StarTouch, Text};
 use crate::physics::{Aabb, DVec2};
 use crate::words::tr;
 
@@ -77,6 +77,16 @@ pub static POD: RowSchema = RowSchema::new(&PODS, "Fuel pod", PodRow::COLUMNS)
     .size(30.0, 40.0)
     .counted(&[Count::if_any("pod", "pods", |level| level.pods.len())]);
 
+pub static STARS: FileSchema = FileSchema {
+    name: "stars.csv",
+    help: "Stars: a flight that touches all of them and completes the level earns its mark. They are in nobody's way.",
+    sample: "",
+};
+pub static STAR: RowSchema =
+    RowSchema::new(&STARS, "Star", StarRow::COLUMNS)
+        .size(30.0, 30.0)
+        .counted(&[Count::if_any("star", "stars", |level| level.stars.len())]);
+
 pub static DECORATION: FileSchema = FileSchema {
     name: "decoration.csv",
     help: "Pictures and plain shapes that nothing touches. One behind lies on rock, and below goals and hazards.",
@@ -93,11 +103,17 @@ pub(in crate::level) enum Layer {
     Front,
 }
 
-by_word!(Layer);
+by_word!(Layer, StarTouch);
 
 impl Word for Layer {
     fn words() -> Vec<(&'static str, Self)> {
         vec![("behind", Self::Behind), ("front", Self::Front)]
+    }
+}
+
+impl Word for StarTouch {
+    fn words() -> Vec<(&'static str, Self)> {
+        vec![("ship", Self::Ship), ("key", Self::Key), ("object", Self::Object)]
     }
 }
 
@@ -150,6 +166,11 @@ rows! {
     PodRow {
         rectangle,
         fuel: f64 = number(numbers::FUEL, "fuel in it; the ship takes as much as its tank holds"),
+    }
+
+    StarRow {
+        rectangle,
+        by: StarTouch = one_of::<StarTouch>("what has to touch it: the ship, a key object, or any object").or("ship"),
     }
 
     DecorationRow {
@@ -243,6 +264,11 @@ pub fn gravity_zone(record: &RowCells, reader: &mut RowReader) -> Option<Gravity
 pub fn pod(record: &RowCells, reader: &mut RowReader) -> Option<Pod> {
     let PodRow { x, y, width, height, fuel } = record.read(reader)?;
     Some(Pod { bounds: reader.scale.bounds([x, y, width, height]), fuel })
+}
+
+pub fn star(record: &RowCells, reader: &mut RowReader) -> Option<Star> {
+    let StarRow { x, y, width, height, by } = record.read(reader)?;
+    Some(Star { bounds: reader.scale.bounds([x, y, width, height]), by })
 }
 
 pub fn decoration(record: &RowCells, reader: &mut RowReader) -> Option<Decoration> {

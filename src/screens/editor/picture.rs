@@ -230,6 +230,7 @@ pub fn colour(kind: Kind) -> Colour {
         Kind::Fluid => of(70, 130, 190),
         Kind::Gravity => of(150, 110, 210),
         Kind::Pod => theme::good(),
+        Kind::Star => theme::accent(),
         Kind::Picture => of(140, 140, 140),
     }
 }

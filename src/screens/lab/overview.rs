@@ -2,6 +2,7 @@
 
 use super::BACK;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, GAP, PADDING, TEXT, Vec2};
+use crate::draw::text::Style;
 use crate::lab::charts::Charts;
 use crate::lab::curve::Measured;
 use crate::lab::drawing::overview;
@@ -25,9 +26,9 @@ pub(super) enum Onwards {
 
 const ERRORS: &str = "projectile";
 const PILES: &str = "piles";
-/// Height of a picture's title and of its sentence.
+/// Height of a picture's title, and of a line of its sentence, which may take two.
 const TITLE: f32 = 40.0;
-const SENTENCE: f32 = 24.0;
+const LINE: f32 = 18.0;
 
 /// Title, sentence, and what it leads to.
 const PICTURES: [(&str, &str, Onwards); 4] = [
@@ -113,11 +114,20 @@ fn head(ui: &Ui<'_>, area: Area, title: &str, sentence: &str) {
     let widest = area.size.x - 2.0 * PADDING;
     let at = |y: f32| Vec2::new(area.centre().x, area.min.y + y);
     widgets::fitted(ui.canvas(), tr(title), at(TITLE / 2.0 + 2.0), widest, &[BUTTON_TEXT, TEXT], theme::text());
-    widgets::fitted(ui.canvas(), tr(sentence), at(TITLE + SENTENCE / 2.0 - 4.0), widest, &[DETAILS], theme::quiet());
+    let (sentence, style) = (tr(sentence), Style::new(DETAILS, theme::quiet()));
+    // In two where it is too wide for one: cut at the space next to its middle.
+    let whole = ui.canvas().width(sentence, style) <= widest;
+    let spaces = sentence.match_indices(' ').map(|(space, _)| space);
+    let cut = spaces.filter(|_| !whole).min_by_key(|space| space.abs_diff(sentence.len() / 2));
+    let (first, second) = cut.map_or((sentence, ""), |space| sentence.split_at(space));
+    for (row, line) in [first, second.trim_start()].into_iter().enumerate() {
+        let y = TITLE + (row as f32 + 0.5) * LINE - 4.0;
+        widgets::fitted(ui.canvas(), line, at(y), widest, &[DETAILS], theme::quiet());
+    }
 }
 
 /// The room of the picture in its card.
 fn inside(area: Area) -> Area {
-    let down = TITLE + SENTENCE;
+    let down = TITLE + 2.0 * LINE;
     Area::new(area.min.x + PADDING, area.min.y + down, area.size.x - 2.0 * PADDING, area.size.y - down - 8.0)
 }

@@ -79,6 +79,7 @@ impl GameView {
         self.terrain.draw_shade(view, canvas);
         zones::draw_objectives(game, view, canvas, time);
         mechanisms::draw_areas(game, view, canvas, time);
+        mechanisms::draw_stars(game, view, canvas);
         // Solids hide smoke and dust.
         self.particles.draw(view, canvas);
         let labels = labels::place(level, view, canvas.frame(), self.hud.aside.homes());

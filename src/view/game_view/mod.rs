@@ -164,6 +164,9 @@ impl GameView {
                         theme::accent(),
                     );
                 }
+                GameEvent::StarTouched(index) => {
+                    self.feedback.ring(game.level().stars[*index].bounds.centre(), theme::accent());
+                }
                 GameEvent::Switched(index, true) => {
                     let switch = game.level().switches[*index].bounds.centre();
                     self.feedback.ring(switch, theme::text());

@@ -201,6 +201,9 @@ impl Flight {
             (Aim::Mark, Some(Mark::Fuel(_))) => clean + 1e4 * result.fuel - 10.0 * result.time,
             (Aim::Mark, Some(Mark::Pushes(_))) => clean - 1e3 * f64::from(result.pushes) - 10.0 * result.time,
             (Aim::Mark, Some(Mark::Speed(_))) => clean - 1e3 * result.top_speed - 10.0 * result.time,
+            (Aim::Mark, Some(Mark::Burns(_))) => clean - 1e3 * f64::from(result.burns) - 10.0 * result.time,
+            (Aim::Mark, Some(Mark::Together(..))) => clean - 1e3 * result.together - 10.0 * result.time,
+            (Aim::Mark, Some(Mark::Stars)) => clean - 1e4 * result.stars_left as f64 - 10.0 * result.time,
         }
     }
 
