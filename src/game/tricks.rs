@@ -3,7 +3,7 @@
 use super::event::GameEvent;
 use super::impacts::{SHIP_BOX, TOUCH};
 use super::ship::{SHIP, object_body};
-use crate::level::{Level, Mark, Star, StarTouch, sweep_touches};
+use crate::level::{Level, Star, StarTouch, sweep_touches};
 use crate::physics::{BodyId, DVec2, World};
 
 /// The engine is off for at least this time between two burns, s: shorter, and a key let go by mistake costs a burn; longer, and quick
@@ -61,16 +61,6 @@ impl Tricks {
                 self.touched[index] = true;
                 events.push(GameEvent::StarTouched(index));
             }
-        }
-    }
-
-    /// Feeds every bit of the state that the level's mark reads to `write`.
-    pub fn hash_state(&self, level: &Level, write: &mut impl FnMut(u64)) {
-        match level.awards.mark {
-            Some(Mark::Burns(_)) => [u64::from(self.burns), self.burnt].into_iter().for_each(write),
-            Some(Mark::Together(..)) => self.met.iter().for_each(|&tick| write(tick)),
-            Some(Mark::Stars) => self.touched.iter().for_each(|&touched| write(u64::from(touched))),
-            Some(Mark::Hits(_) | Mark::Fuel(_) | Mark::Pushes(_) | Mark::Speed(_)) | None => {}
         }
     }
 }

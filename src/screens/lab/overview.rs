@@ -1,8 +1,8 @@
 //! The first page: four pictures, each of which leads on to its page.
 
 use super::BACK;
+use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, GAP, PADDING, TEXT, Vec2};
-use crate::draw::text::Style;
 use crate::lab::charts::Charts;
 use crate::lab::curve::Measured;
 use crate::lab::drawing::overview;
