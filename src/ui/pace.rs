@@ -12,12 +12,14 @@ pub const EASY: f64 = 1.0 / 30.0;
 pub const AWAY: f64 = 0.1;
 /// A player who has done nothing for so long is taken to have left, s.
 pub const LEFT: f64 = 10.0;
+/// The same where a screen rests and the player has left, s: whatever is pressed ends it at once.
+pub const DOZE: f64 = 0.5;
 /// So long after the last input, and after the screen has changed, every frame is drawn, s: highlights, scrolling and fades come to
 /// their end within it.
 pub const LINGER: f64 = 1.0;
 /// A screen that rests is drawn this often all the same, s: a cursor blinks, a file has changed, another window has covered this one;
 /// and this often where the player has left.
-pub const BEATS: [f64; 2] = [0.5, 2.0];
+pub const BEATS: [f64; 2] = [0.5, 4.0];
 /// A menu that nobody touches comes to rest after this, s.
 pub const REST: f64 = 60.0;
 /// A new screen fades in over this, s.
@@ -73,6 +75,7 @@ impl Pace {
         match (motion, input.away) {
             _ if input.has_news() => 0.0,
             (Motion::Full, false) => 0.0,
+            (Motion::Still, _) if self.picture != Picture::Drawn && self.idle >= LEFT => DOZE,
             (Motion::Still, true) if self.picture != Picture::Drawn => AWAY,
             _ => EASY,
         }
@@ -161,7 +164,7 @@ mod tests {
         let beats = drawn(&mut pace, Motion::Still, 300);
         assert!((15..=21).contains(&beats), "{beats} in ten seconds");
         let beats = drawn(&mut pace, Motion::Still, 300);
-        assert!((4..=6).contains(&beats), "{beats} in ten seconds when the player has left");
+        assert!((2..=3).contains(&beats), "{beats} in ten seconds when the player has left");
         // The first frame of a rest is kept, and only what is kept is shown again.
         let mut pace = Pace::default();
         let mut before = Picture::Drawn;
@@ -210,8 +213,9 @@ mod tests {
         assert_eq!(pace.interval(Motion::Still, &away), EASY);
         drawn(&mut pace, Motion::Still, 100);
         assert_eq!(pace.interval(Motion::Still, &away), AWAY);
+        assert_eq!(pace.interval(Motion::Still, &input()), EASY);
         drawn(&mut pace, Motion::Still, 600);
-        assert_eq!(pace.interval(Motion::Still, &input()), EASY, "a key is felt at once, however long there was none");
+        assert_eq!(pace.interval(Motion::Still, &input()), DOZE);
         assert_eq!(pace.interval(Motion::Still, &press), 0.0);
     }
 }

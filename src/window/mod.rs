@@ -148,7 +148,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
         let mut input = read_input(&canvas, pads.read(), keys.read());
         // What is pressed meanwhile comes with the next frame, which waits for nothing.
         let worked = begun.elapsed();
-        host::pause(Duration::from_secs_f64(stack.interval(&input)).saturating_sub(worked));
+        keys.wait(Duration::from_secs_f64(stack.interval(&input)).saturating_sub(worked));
         let now = Instant::now();
         let passed = now - begun;
         // A clock that was set back goes on from there.

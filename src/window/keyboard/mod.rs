@@ -9,9 +9,13 @@ mod x11;
 use crate::settings::{Key, Keys, layout, plain_keys};
 use crate::ui::input::Input;
 use crate::ui::keyboard::{KeyDown, Keyboard};
+use crate::ui::pace;
 use macroquad::input::utils::{register_input_subscriber, repeat_all_miniquad_input};
 use macroquad::input::{KeyCode, get_char_pressed};
 use macroquad::miniquad::{EventHandler, KeyMods};
+use std::time::Duration;
+#[cfg(target_os = "linux")]
+use std::time::Instant;
 
 macro_rules! codes {
     ($($key:ident)*) => { &[$((KeyCode::$key, Key::$key)),*] };
@@ -31,6 +35,10 @@ const MORE_KEYS: [(KeyCode, Key); 8] = [
 ];
 /// Whether miniquad tells a character before the key that types it, and marks a press as repeated that was let go elsewhere.
 const BEFORE: bool = cfg!(target_os = "linux");
+
+/// How often a wait looks for news: nobody feels so much.
+#[cfg(target_os = "linux")]
+const SLICE: Duration = Duration::from_millis(8);
 
 /// The keyboard, and whether the window has it, by what miniquad reports: on X11 that another window has it, elsewhere that it is hidden.
 pub struct WindowKeys {
@@ -69,6 +77,23 @@ impl WindowKeys {
             #[cfg(target_os = "linux")]
             x11,
         }
+    }
+
+    /// Waits that long, or until something comes from the display; where no display tells, at most [`pace::EASY`].
+    pub fn wait(&self, time: Duration) {
+        #[cfg(target_os = "linux")]
+        if let Some(x11) = &self.x11 {
+            let until = Instant::now() + time;
+            while !x11.has_news() {
+                let left = until.saturating_duration_since(Instant::now());
+                if left.is_zero() {
+                    return;
+                }
+                super::host::pause(left.min(SLICE));
+            }
+            return;
+        }
+        super::host::pause(time.min(Duration::from_secs_f64(pace::EASY)));
     }
 
     /// The keys since the last frame, and whether another window has them.

@@ -93,6 +93,7 @@ struct Functions {
     attributes: unsafe extern "C" fn(*mut c_void, c_ulong, *mut WindowAttributes) -> c_int,
     select: unsafe extern "C" fn(*mut c_void, c_ulong, c_long) -> c_int,
     character: unsafe extern "C" fn(u32) -> u32,
+    pending: unsafe extern "C" fn(*mut c_void) -> c_int,
 }
 
 /// What the server has sent and nobody has taken.
@@ -148,6 +149,7 @@ impl System {
                 attributes: function(x11, c"XGetWindowAttributes")?,
                 select: function(x11, c"XSelectInput")?,
                 character: function(xkb, c"xkb_keysym_to_utf32")?,
+                pending: function(x11, c"XPending")?,
             };
             (current(), functions, set)
         };
@@ -163,6 +165,12 @@ impl System {
         let mut system = Self { display, functions, pc: true, group: 0, selected: false, focused: false };
         system.learn();
         Some(system)
+    }
+
+    /// Whether the server has sent something that nobody has read.
+    pub fn has_news(&self) -> bool {
+        // SAFETY: the display is open, and only reads what is there.
+        unsafe { (self.functions.pending)(self.display) != 0 }
     }
 
     /// Hands over what has come.
