@@ -38,9 +38,9 @@ fn level(blocks: usize, objects: usize) -> tempfile::TempDir {
 /// A frame of the editor: the pass that acts and the one that shows.
 fn frame(editor: &mut Editor, (memory, canvas): (&mut Memory, &mut Canvas), (pointer, click, holding): (Vec2, bool, bool)) {
     let input = Input { frame_time: 1.0 / 60.0, pointer, click, holding, ..Input::default() };
-    canvas.begin(input.frame, 1.0);
+    canvas.begin(input.frame, 1.0, false);
     memory.act(PassInput { input: &input, canvas, spectator: &mut (), time: 1.0 }, |ui| editor.show(ui));
-    canvas.begin(input.frame, 1.0);
+    canvas.begin(input.frame, 1.0, false);
     memory.show(PassInput { input: &input.without_edges(), canvas, spectator: &mut (), time: 1.0 }, |ui| editor.show(ui));
 }
 

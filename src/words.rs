@@ -4,6 +4,7 @@
 //! Templates have named places: `tr!("{count} levels in {name}", count = 3, name)`. Each language orders them as it likes.
 
 use crate::built_in::SHIPPED;
+use std::borrow::Cow;
 use std::cell::Cell;
 use std::collections::HashMap;
 use std::fmt::Display;
@@ -106,6 +107,23 @@ pub fn tr(text: &str) -> &str {
     found.unwrap_or(text)
 }
 
+/// The text with the decimal marks of the language of this thread: a comma in German and French. What has three parts, as a version, is no
+/// number.
+pub fn decimals(text: &str) -> Cow<'_, str> {
+    if !text.contains('.') || !matches!(spoken(), Language::German | Language::French) {
+        return Cow::Borrowed(text);
+    }
+    let digits = |c: char| c.is_ascii_digit();
+    let is_mark = |at: usize| {
+        let (before, behind) = (&text[..at], &text[at + 1..]);
+        let (whole, parts) = (before.trim_end_matches(digits), behind.trim_start_matches(digits));
+        let goes_on = |rest: &str| rest.strip_prefix('.').is_some_and(|rest| rest.starts_with(digits));
+        let began = whole.strip_suffix('.').is_some_and(|rest| rest.ends_with(digits));
+        whole.len() < before.len() && parts.len() < behind.len() && !began && !goes_on(parts)
+    };
+    Cow::Owned(text.char_indices().map(|(at, c)| if c == '.' && is_mark(at) { ',' } else { c }).collect())
+}
+
 /// A template with its places filled.
 pub fn filled(template: &str, places: &[(&str, &dyn Display)]) -> String {
     let mut text = String::new();
@@ -167,6 +185,16 @@ mod tests {
         speak(Language::Wide);
         assert_eq!(texts(), ["Ｐｌａｙ", "no such text"]);
         speak(Language::English);
+    }
+
+    #[test]
+    fn numbers_have_the_decimal_mark_of_the_language() {
+        let english = "e = 0.5, −1.25 kN, 2.0 m. 00:05.50 1.0.0 level.csv 1. 2. .5 5.";
+        let commas = "e = 0,5, −1,25 kN, 2,0 m. 00:05,50 1.0.0 level.csv 1. 2. .5 5.";
+        for (language, said) in [(Language::German, commas), (Language::French, commas), (Language::English, english)] {
+            speak(language);
+            assert_eq!(decimals(english), said);
+        }
     }
 
     #[test]

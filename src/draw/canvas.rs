@@ -3,6 +3,7 @@
 use super::layout::{Area, Frame, LINE, Vec2};
 use super::shape::{Align, Colour, Contour, Image, Quad, Quads, Shape, Style, dashes};
 use super::text;
+use crate::words::decimals;
 use std::cell::{Ref, RefCell};
 use std::collections::HashMap;
 
@@ -18,17 +19,19 @@ pub struct Canvas {
     window: Vec2,
     /// Physical pixels a logical one: a system reports the mouse, and text is set, in logical pixels.
     dpi: f32,
+    /// Whether numbers stay as they are written, as in a file.
+    as_written: bool,
     shapes: RefCell<Vec<Shape>>,
 }
 
 impl Canvas {
     pub const fn new(frame: Frame) -> Self {
-        Self { frame, window: frame.size, dpi: 1.0, shapes: RefCell::new(Vec::new()) }
+        Self { frame, window: frame.size, dpi: 1.0, as_written: false, shapes: RefCell::new(Vec::new()) }
     }
 
-    /// `dpi` is physical pixels a logical one.
-    pub fn begin(&mut self, frame: Frame, dpi: f32) {
-        (self.frame, self.window, self.dpi) = (frame, frame.size, dpi);
+    /// `dpi` is physical pixels a logical one; decimal marks stay `as_written` in files, for who edits those.
+    pub fn begin(&mut self, frame: Frame, dpi: f32, as_written: bool) {
+        (self.frame, self.window, self.dpi, self.as_written) = (frame, frame.size, dpi, as_written);
         self.clear();
     }
 
@@ -98,8 +101,14 @@ impl Canvas {
         self.add(Shape::Layer);
     }
 
-    /// Writes one line of text; `at` is the top of the line (or the middle of its capitals) at its left, middle or right end.
+    /// Writes one line of text, with the decimal marks of the language; `at` is the top of the line (or the middle of its capitals) at its
+    /// left, middle or right end.
     pub fn text(&self, text: &str, at: Vec2, style: Style) {
+        if self.as_written { self.typed(text, at, style) } else { self.typed(&decimals(text), at, style) }
+    }
+
+    /// The same as somebody has typed it.
+    pub fn typed(&self, text: &str, at: Vec2, style: Style) {
         if !text.is_empty() {
             self.add(Shape::Text { text: text.to_owned(), at, style });
         }
@@ -243,7 +252,7 @@ mod tests {
         assert_eq!(*canvas.shapes(), [words, Shape::Layer], "nothing is recorded that shows nothing");
         let from = canvas.baseline("words", Vec2::new(100.0, 20.0), style);
         assert_eq!(from.x + canvas.width("words", style), 100.0);
-        canvas.begin(Frame::default(), 2.0);
+        canvas.begin(Frame::default(), 2.0, false);
         assert!(canvas.shapes().is_empty());
         assert_eq!((canvas.font_size(TEXT), canvas.glyph_height(TEXT)), (9, 18.0));
     }

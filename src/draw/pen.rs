@@ -53,7 +53,7 @@ impl WindowPen {
     /// Lays a canvas out for the window's present size, with words `text` times as large as usual.
     pub fn begin(&mut self, canvas: &mut Canvas, text: f32) {
         let dpi = screen_dpi_scale();
-        canvas.begin(Frame::of_window(Vec2::new(screen_width(), screen_height()) * dpi).with_text(text), dpi);
+        canvas.begin(Frame::of_window(Vec2::new(screen_width(), screen_height()) * dpi).with_text(text), dpi, false);
         self.glyphs.begin();
     }
 

@@ -108,7 +108,7 @@ fn rows(level: &Level) -> Vec<u8> {
     rows.add("player", (vector(position), vector(velocity), angle, tank, surface(material)));
     world.iter().for_each(|wall| rows.add("world", solid(wall)));
     // A path holds the mover's stops and route.
-    for Mover { solid: moved, stops: _, route: _, path } in movers {
+    for Mover { solid: moved, stops: _, manner: _, path } in movers {
         let legs: Vec<_> = path.legs.iter().map(|leg| (leg.duration, vector(&leg.velocity), vector(&leg.acceleration))).collect();
         rows.add("movers", (solid(moved), path.repeats, legs));
     }

@@ -60,6 +60,8 @@ pub enum SliderTrack {
     Ratios(f64, f64),
     /// Ever finer towards 0, which is on it: a number grows with the square of the distance from there.
     Fine(f64, f64),
+    /// Whole numbers from 0 to this.
+    Choices(f64),
 }
 
 impl SliderTrack {
@@ -76,12 +78,23 @@ impl SliderTrack {
             Parameter::Wind => Self::Even(0.0, reach(5.0)),
             Parameter::Drag(_) | Parameter::Friction => Self::Even(0.0, reach(3.0)),
             Parameter::Restitution(_) => Self::Even(0.0, 1.0),
+            Parameter::PlaceX(_) | Parameter::PlaceY(_) | Parameter::From(_) | Parameter::To(_) | Parameter::Ease(_) => {
+                Self::Even(0.0, reach(10.0))
+            }
+            Parameter::Width(_) => Self::Ratios((usual / 10.0).max(least), (usual * 10.0).min(most)),
+            Parameter::Stiffness(_) | Parameter::Damping(_) | Parameter::Density(_) | Parameter::Speed(_) => {
+                Self::Fine(least, reach(20.0))
+            }
+            Parameter::Breaks(_) => Self::Ratios(0.1, most),
+            Parameter::Stream(_) => Self::Fine(-reach(100.0), reach(100.0)),
+            Parameter::Material(_) => Self::Choices(most),
         }
     }
 
     const fn ends(self) -> (f64, f64) {
         match self {
             Self::Even(low, high) | Self::Ratios(low, high) | Self::Fine(low, high) => (low, high),
+            Self::Choices(high) => (0.0, high),
         }
     }
 
@@ -96,6 +109,7 @@ impl SliderTrack {
                 let way = bent(low) + (bent(high) - bent(low)) * part;
                 way * way.abs()
             }
+            Self::Choices(_) => return (high * part).round(),
         };
         if !matches!(self, Self::Ratios(..)) && value.abs() <= NOTHING * (high - low) {
             return 0.0;
@@ -109,7 +123,7 @@ impl SliderTrack {
         let (low, high) = self.ends();
         let value = value.clamp(low, high);
         match self {
-            Self::Even(..) => (value - low) / (high - low),
+            Self::Even(..) | Self::Choices(_) => (value - low) / (high - low),
             Self::Ratios(..) => (value / low).ln() / (high / low).ln(),
             Self::Fine(..) => (bent(value) - bent(low)) / (bent(high) - bent(low)),
         }
@@ -120,6 +134,7 @@ impl SliderTrack {
         let finest = match self {
             Self::Even(low, high) | Self::Fine(low, high) => power(high - low) * NOTHING,
             Self::Ratios(..) => 0.0,
+            Self::Choices(high) => return (value + steps.signum()).clamp(0.0, high),
         };
         let unit = (power(value) * 0.1).max(finest);
         rounded(value + steps * unit).clamp(least, most)

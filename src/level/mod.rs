@@ -12,6 +12,7 @@ mod links;
 mod names;
 mod nearest;
 mod numbers;
+mod parameter;
 mod placed;
 mod placement;
 mod problem;
@@ -36,6 +37,7 @@ pub(crate) use folder::fixture;
 pub use folder::{NameFault, is_device, is_hidden, judge_name};
 pub use folder::{is_shipped, landscape, list, load, load_unfinished, title};
 pub use image::read_picture;
+pub use parameter::Parameter;
 pub use problem::{Problem, listed};
 pub use read::{Loaded, read, read_unfinished};
 pub use schema::FILES;
@@ -46,5 +48,6 @@ pub use types::{
     Objective, ObjectiveKind, Pod, Presser, Route, SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, ShipStart, Solid, Star,
     StarTouch, Switch, SwitchStay, TICK_RATE, Text, Work,
 };
-pub use varied::{Parameter, varied};
+pub use varied::varied;
 pub use wiring::{SurfaceOf, Wire, Worked};
+pub use world_def::{MoverPace, RouteShape};

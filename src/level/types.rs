@@ -1,5 +1,6 @@
 //! A level as the rest of the game knows it: in metres, checked, ready to play.
 
+use super::world_def::RouteShape;
 use crate::physics::{Aabb, DVec2, LinkDef, Material, Path, Sides};
 
 /// The ship's height, m: it fixes the scale.
@@ -174,7 +175,7 @@ pub struct Mover {
     pub solid: Solid,
     /// The stops of its centre, m, the start first.
     pub stops: Vec<DVec2>,
-    pub route: Route,
+    pub manner: RouteShape,
     pub path: Path,
 }
 

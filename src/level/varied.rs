@@ -1,169 +1,23 @@
-//! The numbers of a level that can be varied, each with the loader's limits and its cells.
+//! Levels with other numbers: judged by the loader's rules, and written into their files.
 
 use super::document::{Document, RowId, SetCell};
 use super::links::{self, TooMuch};
-use super::numbers::{self as q, NumberRange};
+use super::numbers as q;
+use super::parameter::Parameter;
 use super::problem::Problem;
 use super::schema::{Kind, Table};
-use super::types::{Level, Object, SHIP_HALF};
+use super::types::{Level, Mover, SHIP_HALF};
 use super::winnable;
-use crate::physics::BodyId;
+use crate::physics::{Aabb, BodyId, DVec2, Sides, WorldDef};
 use crate::words::tr;
-
-/// Bodies are counted as in the level's world: 0 is the ship, i + 1 is object i.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Parameter {
-    /// kg.
-    Mass(usize),
-    Drag(usize),
-    /// Coefficient, 0 … 1.
-    Restitution(usize),
-    /// At the start, m/s to the right.
-    VelocityX(usize),
-    /// At the start, m/s upwards.
-    VelocityY(usize),
-    /// N.
-    Thrust,
-    /// N/kg, downwards.
-    Gravity,
-    /// kg/m³.
-    Air,
-    /// Factor of all coefficients of friction.
-    Friction,
-    /// Factor of the forces of all air streams, 1 in the unvaried level.
-    Wind,
-}
-
-impl Parameter {
-    /// The parameters of a body of the level, and of the level.
-    pub fn all(level: &Level, body: usize) -> Vec<Self> {
-        let mut all = Vec::new();
-        if Self::Mass(body).of(level).is_some() {
-            all.push(Self::Mass(body));
-            all.extend((body == 0).then_some(Self::Thrust));
-            all.extend([Self::VelocityX, Self::VelocityY, Self::Restitution, Self::Drag].map(|of| of(body)));
-        }
-        all.extend([Self::Gravity, Self::Air, Self::Friction]);
-        all.extend((!level.streams.is_empty()).then_some(Self::Wind));
-        all
-    }
-
-    /// Its label, its accepted numbers and its column.
-    const fn facts(self) -> (&'static str, NumberRange, &'static str) {
-        match self {
-            Self::Mass(_) => ("Mass", q::MASS, "mass"),
-            Self::Drag(_) => ("Drag coefficient", q::DRAG, "drag"),
-            Self::Restitution(_) => ("Restitution", q::RESTITUTION, "restitution"),
-            Self::VelocityX(_) => ("Start velocity →", q::VELOCITY, "vx"),
-            Self::VelocityY(_) => ("Start velocity ↑", q::VELOCITY, "vy"),
-            Self::Thrust => ("Thrust", q::THRUST, "thrust"),
-            Self::Gravity => ("Gravity", q::GRAVITY, "gravity"),
-            Self::Air => ("Air density", q::AIR_DENSITY, "air_density"),
-            Self::Friction => ("All friction ×", q::FRICTION, "friction"),
-            Self::Wind => ("All wind ×", q::WIND, "force_x"),
-        }
-    }
-
-    pub const fn name(self) -> &'static str {
-        self.facts().0
-    }
-
-    /// Empty where it has none.
-    pub const fn unit(self) -> &'static str {
-        self.facts().1.unit
-    }
-
-    pub const fn body(self) -> Option<usize> {
-        match self {
-            Self::Mass(i) | Self::Drag(i) | Self::Restitution(i) | Self::VelocityX(i) | Self::VelocityY(i) => Some(i),
-            Self::Thrust => Some(0),
-            Self::Gravity | Self::Air | Self::Friction | Self::Wind => None,
-        }
-    }
-
-    /// Whether only a flight from its start shows its effect.
-    pub const fn is_of_the_start(self) -> bool {
-        matches!(self, Self::VelocityX(_) | Self::VelocityY(_))
-    }
-
-    /// The least and the most that it may be.
-    pub const fn limits(self) -> (f64, f64) {
-        let (_, range, _) = self.facts();
-        (range.low, range.high)
-    }
-
-    /// The number that a text holds, as in a level's file.
-    /// Errors: the number that is expected instead, in words.
-    pub fn parse(self, text: &str) -> Result<f64, String> {
-        // The game itself writes a true minus.
-        self.facts().1.parse(&text.trim().replace('−', "-"))
-    }
-
-    /// Its value; `None` where the level has no such body, as an experiment has no ship.
-    pub fn of(self, level: &Level) -> Option<f64> {
-        let (player, object) = (&level.player, |i: usize| level.objects.get(i - 1));
-        let of_ship = |value: f64| level.ship_plays().then_some(value);
-        let of = |i: usize, ship: f64, value: fn(&Object) -> f64| if i == 0 { of_ship(ship) } else { object(i).map(value) };
-        match self {
-            Self::Mass(i) => of(i, player.mass, |object| object.mass),
-            Self::Drag(i) => of(i, player.drag, |object| object.drag),
-            Self::Restitution(i) => of(i, player.restitution, |object| object.restitution),
-            Self::VelocityX(i) => of(i, player.velocity.x, |object| object.velocity.x),
-            // Adding zero turns a negative zero into zero.
-            Self::VelocityY(i) => of(i, player.velocity.y, |object| object.velocity.y).map(|down| 0.0 - down),
-            Self::Thrust => of_ship(player.thrust),
-            Self::Gravity => Some(level.gravity),
-            Self::Air => Some(level.air_density),
-            Self::Friction => Some(level.friction),
-            Self::Wind => Some(1.0),
-        }
-    }
-
-    fn put(self, level: &mut Level, value: f64) {
-        let (player, objects) = (&mut level.player, &mut level.objects);
-        macro_rules! field {
-            ($i:ident, $($field:ident).+, $value:expr) => {
-                match $i {
-                    0 => player.$($field).+ = $value,
-                    _ => objects[$i - 1].$($field).+ = $value,
-                }
-            };
-        }
-        match self {
-            Self::Mass(i) => field!(i, mass, value),
-            Self::Drag(i) => field!(i, drag, value),
-            Self::Restitution(i) => field!(i, restitution, value),
-            Self::VelocityX(i) => field!(i, velocity.x, value),
-            Self::VelocityY(i) => field!(i, velocity.y, 0.0 - value),
-            Self::Thrust => player.thrust = value,
-            Self::Gravity => level.gravity = value,
-            Self::Air => level.air_density = value,
-            Self::Friction => level.friction = value,
-            Self::Wind => level.streams.iter_mut().for_each(|stream| stream.force *= value),
-        }
-    }
-
-    /// Its file and its column.
-    fn place(self, level: &Level) -> (&'static str, &'static str) {
-        let is_key = |body: usize| level.objects.get(body - 1).is_some_and(|object| object.key.is_some());
-        let table = match self.body() {
-            None if self == Self::Wind => Table::Hazards,
-            None => Table::Constants,
-            Some(0) => Table::Player,
-            Some(body) if is_key(body) => Table::Objectives,
-            Some(_) => Table::Objects,
-        };
-        (table.file(), self.facts().2)
-    }
-}
 
 /// The level with other numbers, judged by the loader's rules.
 /// Errors: every number that is not accepted, by file and column, with line 0.
 pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<Problem>> {
     let mut problems = Vec::new();
     let mut refuse = |parameter: Parameter, found: String, expected: String| {
-        let (file, column) = parameter.place(level);
-        problems.push(Problem::new(file, 0, column, found, expected));
+        let (table, column) = parameter.place(level);
+        problems.push(Problem::new(table.file(), 0, column, found, expected));
     };
     let mut varied = level.clone();
     for (parameter, value) in changes {
@@ -175,9 +29,18 @@ pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<
             );
         } else if let Err(expected) = parameter.facts().1.judge(*value) {
             refuse(*parameter, value.to_string(), expected);
-        } else {
-            parameter.put(&mut varied, *value);
+        } else if let Err(expected) = parameter.put(&mut varied, *value) {
+            refuse(*parameter, value.to_string(), expected);
         }
+    }
+    if let Some((parameter, _)) = changes.iter().find(|(parameter, _)| parameter.moves())
+        && problems_of_places(&varied)
+    {
+        refuse(
+            *parameter,
+            tr("something outside of the level, or inside another one").to_owned(),
+            tr("a start in free space").to_owned(),
+        );
     }
     let changed = |parameter: &Parameter| changes.iter().any(|(changed, _)| changed == parameter);
     let (thrust, mass) = (varied.player.thrust, varied.player.mass);
@@ -205,32 +68,55 @@ pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<
     if problems.is_empty() { Ok(varied) } else { Err(problems) }
 }
 
+/// The most that things overlap at the start, m, as for the loader.
+const OVERLAP: f64 = 1e-6;
+
+/// Whether a body or a mover leaves the level, or a body starts in a solid or another body.
+fn problems_of_places(level: &Level) -> bool {
+    let WorldDef { surfaces, bodies, .. } = level.world_def();
+    let solids = surfaces.iter().filter(|surface| surface.present && surface.sides == Sides::ALL).map(|surface| surface.bounds);
+    let first = usize::from(!level.ship_plays());
+    let bodies: Vec<Aabb> = bodies[first..].iter().map(|body| Aabb::around(body.position, body.half)).collect();
+    let mut things: Vec<Aabb> = solids.collect();
+    let stops = |mover: &Mover| {
+        let half = mover.solid.bounds.size() * 0.5;
+        mover.stops.iter().map(move |stop| Aabb::around(*stop, half)).collect::<Vec<_>>()
+    };
+    let leaves = |thing: &Aabb| !level.bounds().contains(thing, OVERLAP);
+    let stands = |stops: &[DVec2]| stops.windows(2).any(|pair| pair[0].distance(pair[1]) < q::MIN_SIZE);
+    let inside = bodies.iter().any(|body| {
+        let inside = leaves(body) || things.iter().any(|other| other.overlaps(body, OVERLAP));
+        things.push(*body);
+        inside
+    });
+    inside || level.movers.iter().any(|mover| stands(&mover.stops) || stops(mover).iter().any(leaves))
+}
+
 impl Document {
     /// Writes the parameters of a varied level into the cells of its files.
     /// Errors: as [`Document::set`]; a body or stream without a row.
     pub fn vary(&mut self, varied: &Level, parameters: &[Parameter], gesture: Option<u64>) -> Result<(), String> {
         let mut cells = Vec::new();
         for parameter in parameters {
-            let (_, column) = parameter.place(varied);
-            let value = match parameter {
-                Parameter::Wind => {
-                    for (row, stream) in self.rows(Table::Hazards).zip(&varied.streams) {
-                        let cell = |column, force: f64| SetCell { row, column, text: force.to_string() };
-                        cells.extend([cell("force_x", stream.force.x), cell("force_y", stream.force.y)]);
-                    }
+            let (table, column) = parameter.place(varied);
+            if let Parameter::Wind | Parameter::Stream(_) = parameter {
+                let own = |(i, _): &(usize, _)| parameter.thing().is_none_or(|thing| thing == *i);
+                for (_, (row, stream)) in self.rows(Table::Hazards).zip(&varied.streams).enumerate().filter(own) {
+                    let cell = |column, force: f64| SetCell { row, column, text: force.to_string() };
+                    cells.extend([cell("force_x", stream.force.x), cell("force_y", stream.force.y)]);
+                }
+                continue;
+            }
+            let text = parameter.text(varied).ok_or(tr("there is no such object"))?;
+            let row = match (parameter.body(), parameter.thing()) {
+                (Some(body), _) => self.row_of(body),
+                (None, Some(thing)) => self.rows(table).nth(thing),
+                (None, None) => {
+                    self.set_setting(column, &text, gesture)?;
                     continue;
                 }
-                // The files count y downwards.
-                Parameter::VelocityY(_) => parameter.of(varied).map(|up| 0.0 - up),
-                _ => parameter.of(varied),
             };
-            let text = value.ok_or(tr("there is no such object"))?.to_string();
-            match parameter.body() {
-                None => self.set_setting(column, &text, gesture)?,
-                Some(body) => {
-                    cells.push(SetCell { row: self.row_of(body).ok_or(tr("there is no such row any more"))?, column, text })
-                }
-            }
+            cells.push(SetCell { row: row.ok_or(tr("there is no such row any more"))?, column, text });
         }
         self.set(&cells, gesture)
     }

@@ -115,16 +115,18 @@ impl Level {
 /// s. The shortest wait, easing or leg: the engine refuses shorter ones.
 pub(super) const SHORTEST: f64 = 1e-3;
 
+/// Either its speed or its time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum MoverPace {
+pub enum MoverPace {
     /// Between its easings, m/s.
     Speed(f64),
     /// For the whole route, waits included, s.
     Period(f64),
 }
 
-#[derive(Clone, Copy, Debug)]
-pub(super) struct RouteShape {
+/// How a mover goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RouteShape {
     pub route: Route,
     pub pace: MoverPace,
     /// At each stop, s.

@@ -1,6 +1,7 @@
 //! The screens that are open, the topmost of which is shown: how a frame goes, and the one place where requests are granted.
 
 use super::destinations::{open, reading};
+use super::editor::Editor;
 use super::menu;
 use super::menu::closing::Closing;
 use super::screen::{Destination, Effect, GameScene, Request, Screen};
@@ -142,7 +143,7 @@ impl Stack {
 
     /// The pass over the screen that acts.
     fn act(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
-        self.canvas.begin(input.frame, self.dpi);
+        self.canvas.begin(input.frame, self.dpi, self.top.is::<Editor>());
         let stage = PassInput { input, canvas: &self.canvas, spectator, time: self.shown_for };
         self.memory.act(stage, |ui| self.top.show(ui))
     }
@@ -151,7 +152,7 @@ impl Stack {
     fn show_frame(&mut self, input: &Input, spectator: &mut dyn Spectator) {
         let input = &Input { over: self.game_below(&input.frame).is_some(), ..input.clone() };
         for _ in 0..MOST_PASSES {
-            self.canvas.begin(input.frame, self.dpi);
+            self.canvas.begin(input.frame, self.dpi, self.top.is::<Editor>());
             let stage = PassInput { input, canvas: &self.canvas, spectator: &mut *spectator, time: self.shown_for };
             let nothing_more = self.memory.show(stage, |ui| self.top.show(ui));
             debug_assert!(nothing_more.is_none(), "nobody has asked for {nothing_more:?}");

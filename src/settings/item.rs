@@ -18,7 +18,7 @@ enum Values {
 
 const VOLUME: Values = Values::Percent { least: 0, most: 100, step: 10 };
 const HALVES: Values = Values::Percent { least: 0, most: 100, step: 50 };
-const SCALE: Values = Values::Percent { least: 80, most: 150, step: 10 };
+const SCALE: Values = Values::Percent { least: 80, most: 190, step: 10 };
 const SPEED: Values = Values::Percent { least: 50, most: 100, step: 10 };
 const SWITCH: Values = Values::Words(&["off", "on"]);
 const COLOURS: Values = Values::Words(&["standard", "safe", "contrast", "projector"]);
@@ -236,7 +236,7 @@ pub struct Settings {
     pub fullscreen: bool,
     /// `None`: the system's.
     pub language: Option<Language>,
-    /// Of words and panels: 80 … 150.
+    /// Of words and panels: 80 … 190, which makes all text of a flight 24 pixels high or higher at 1280 × 720.
     pub scale: u8,
     /// Of the screen at a hit: 0 … 100.
     pub shake: u8,
@@ -306,7 +306,7 @@ mod tests {
         let mut settings = Settings::default();
         for (item, text, expected) in [
             (Item::Music, "101", "a whole number of percents from 0 to 100"),
-            (Item::Scale, "79", "a whole number of percents from 80 to 150"),
+            (Item::Scale, "79", "a whole number of percents from 80 to 190"),
             (Item::Speed, "NaN", "a whole number of percents from 50 to 100"),
             (Item::Flash, "yes", "one of off, on"),
             (Item::Colours, "", "one of standard, safe, contrast, projector"),

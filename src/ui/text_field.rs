@@ -176,7 +176,7 @@ mod drawing {
             if time.is_some() && from < to {
                 canvas.rounded(bar(width(first, from), width(first, to)), 2.0, theme::solid());
             }
-            canvas.text(&self.text[first..last].iter().collect::<String>(), left, style);
+            canvas.typed(&self.text[first..last].iter().collect::<String>(), left, style);
             if time.is_some_and(|time| time.fract() < 0.5) {
                 let x = width(first, self.caret);
                 canvas.rounded(bar(x - 0.75, x + 0.75), 0.0, theme::accent());

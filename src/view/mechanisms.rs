@@ -184,7 +184,7 @@ pub fn draw(game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas, time: f64
 /// The track of a mover: dashed, with a tick at each stop.
 fn draw_track(mover: &Mover, view: &Viewport, canvas: &Canvas) {
     let colour = WORKS_EDGE.faded(0.55);
-    let closes = (mover.route == Route::Round).then(|| mover.stops[0]);
+    let closes = (mover.manner.route == Route::Round).then(|| mover.stops[0]);
     let stops: Vec<DVec2> = mover.stops.iter().copied().chain(closes).collect();
     for pair in stops.windows(2) {
         let [from, to] = [pair[0], pair[1]].map(|stop| view.point(stop));

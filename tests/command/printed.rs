@@ -27,7 +27,7 @@ fn texts(path: &Path, found: &mut Vec<String>) {
 fn commands() -> BTreeSet<String> {
     let mut all = Vec::new();
     DOCUMENTS.iter().for_each(|path| texts(&project().join(path), &mut all));
-    all.extend(sheets::pages(project()).unwrap().into_iter().map(|(_, page)| page));
+    all.extend(sheets::pages(project(), true).unwrap().into_iter().map(|(_, page)| page));
     let mut found = BTreeSet::new();
     for text in &all {
         let spans =

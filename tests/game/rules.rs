@@ -2,7 +2,7 @@
 
 use crate::support::rooms::{area, crate_at, objective, room};
 use resultant::game::{BURN_RATE, Controls, Game, GameError, GameEvent, Outcome, ROTATION_RATE, SHIP, TICK_RATE};
-use resultant::level::{Level, Mover, Objective, ObjectiveKind, Route, SHIP_BODY, Solid};
+use resultant::level::{Level, Mover, MoverPace, Objective, ObjectiveKind, Route, RouteShape, SHIP_BODY, Solid};
 use resultant::physics::{DVec2, Material, Path};
 use std::sync::Arc;
 
@@ -357,7 +357,8 @@ fn what_carries_the_ship_may_move() {
     let mut lift = leaning(30.0);
     let solid = lift.world.remove(0);
     let path = Path::steady(DVec2::new(0.0, -1.0));
-    lift.movers = vec![Mover { solid, path, stops: vec![], route: Route::Once }];
+    let manner = RouteShape { route: Route::Once, pace: MoverPace::Speed(1.0), wait: 0.0, ease: 0.0 };
+    lift.movers = vec![Mover { solid, path, stops: vec![], manner }];
     assert_eq!(righted(lift), 0.0, "a lift");
     let mut crates = leaning(30.0);
     crates.player.position.y -= 1.0;

@@ -122,7 +122,7 @@ fn what_there_is_to_build_with() {
     assert_eq!((glass.breaks, mat.material), (Some(120.5), Material::TRAMPOLINE));
     let mover = &level.movers[0];
     let stops = [(30.0, 415.0), (230.0, 415.0), (230.0, 315.0)].map(|(x, y)| DVec2::new(x, y) / 30.0);
-    assert_eq!((&mover.stops[..], mover.route), (&stops[..], Route::Round));
+    assert_eq!((&mover.stops[..], mover.manner.route), (&stops[..], Route::Round));
     assert_eq!((level.doors[0].name.as_deref(), level.doors[0].material), (Some("gate"), Material::STEEL));
     let work = |name: &str, inverted| Work { name: name.into(), inverted };
     let [plate, area] = &level.switches[..] else { panic!("{:?}", level.switches) };

@@ -27,7 +27,7 @@ pub fn experiment(name: &str) -> Sitting {
 }
 
 /// In an experiment as it opens, from the menu on.
-fn opened(name: &str) -> Sitting {
+pub fn opened(name: &str) -> Sitting {
     let mut sitting = Sitting::with(|root| {
         let from = project().join("experiments");
         copy(&from.join(name), &root.join("experiments").join(name));

@@ -1,5 +1,6 @@
 //! The screens without a window: every path between them by mouse and by keyboard, one action a press.
 
+mod by_hand;
 mod classics;
 mod closing;
 mod editor;
@@ -21,6 +22,8 @@ mod plot;
 mod reload;
 mod scores;
 mod settings;
+#[path = "../lab/lessons/sheet.rs"]
+mod sheet;
 mod sitting;
 #[path = "../support/mod.rs"]
 mod support;

@@ -29,7 +29,7 @@ fn open(sitting: &mut Sitting) {
 }
 
 /// The label of a number.
-fn number(parameter: Parameter) -> String {
+pub fn number(parameter: Parameter) -> String {
     format!("{}: number", parameter.name())
 }
 

@@ -138,12 +138,13 @@ pub fn mover(record: &RowCells, reader: &mut RowReader) -> Option<Mover> {
         reader.problems.push(record.problem("way_points", found, expected));
         return None;
     }
-    let path = world_def::path(&stops, RouteShape { route: row.route, pace, wait: row.wait, ease: row.ease }).map_err(|least| {
+    let manner = RouteShape { route: row.route, pace, wait: row.wait, ease: row.ease };
+    let path = world_def::path(&stops, manner).map_err(|least| {
         let found = quoted(record.text("period").unwrap_or_default());
         let expected = tr!("at least {least} s, which its waits and easings take", least = format_args!("{least:.3}"));
         reader.problems.push(record.problem("period", found, expected));
     });
-    Some(Mover { solid, stops, route: row.route, path: path.ok()? })
+    Some(Mover { solid, stops, manner, path: path.ok()? })
 }
 
 fn pace(row: &MoverRow, record: &RowCells, reader: &mut RowReader) -> Option<MoverPace> {

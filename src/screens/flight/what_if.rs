@@ -289,7 +289,7 @@ impl Flight {
         let variation = self.variation()?;
         let change = |(parameter, value): (crate::level::Parameter, f64)| {
             let usual = parameter.of(&self.run.attempt.level)?;
-            let name = tr(parameter.name()).trim_end_matches(" ×").to_lowercase();
+            let name = parameter.shown().trim_end_matches(" ×").to_lowercase();
             let body = parameter.body().filter(|body| *body > 0).map(|body| BodyId(body as u32));
             let of = body.map_or_else(String::new, |body| body_title(&self.run.attempt.level, body) + ": ");
             Some(tr!(

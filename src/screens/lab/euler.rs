@@ -12,7 +12,7 @@ use crate::words::tr;
 
 const TITLE: &str = "Why Euler gains energy";
 const SENTENCES: [&str; 3] = [
-    "A body on a spring goes round a circle, if its place x counts to the right and v/ω upwards: its energy is the square of the radius.",
+    "A body on a spring goes round a circle, if its place x counts to the right and v/ω upwards: its energy goes with the square of the radius.",
     "Explicit Euler goes straight on along the tangent and leaves the circle: each step multiplies the energy by 1 + (ω·h)², however small it is.",
     "Semi-implicit Euler moves by the new velocity, and its corners lie on an ellipse for ever; the engine turns by the angle ω·h and stays on the circle.",
 ];

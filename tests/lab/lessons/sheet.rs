@@ -71,15 +71,8 @@ pub fn level(name: &str, change: &str) -> Level {
 }
 
 impl Tables {
-    /// Makes a change that reads `COLUMN` VALUE (REMARK) in row N of `FILE`, … in every row of `FILE`, … in `constants.csv`, or
-    /// another row in `FILE`: `ROW`.
+    /// Makes a change that reads `COLUMN` VALUE (REMARK) in row N of `FILE`, … in every row of `FILE`, or … in `constants.csv`.
     fn edit(&mut self, part: &str) -> Option<()> {
-        if let Some(added) = part.strip_prefix("another row in ") {
-            let (file, row) = added.split_once(": ")?;
-            let text = self.0.get_mut(file.trim_matches('`'))?;
-            text.push_str(&format!("{}\n", row.trim_matches('`')));
-            return Some(());
-        }
         let (what, place) = part.rsplit_once(" in ")?;
         let (column, value) = what.strip_prefix('`')?.split_once("` ")?;
         let value = value.split_once(" (").map_or(value, |(value, _)| value);

@@ -1,5 +1,6 @@
 //! The figures of each change that a sheet suggests, exactly and by the game, in the order of the sheet.
 
+use super::ropes::{self, carts, circle};
 use super::springs::{let_go, period, stretch, swing};
 use super::{Figure, G, Run, figure, up};
 use resultant::physics::{DVec2, ForceKind};
@@ -99,17 +100,14 @@ pub fn of(name: &str) -> Vec<Outcome> {
             |run| vec![run.until(4.0).push(1, 200.0)],
             |run| vec![run.until(5.0).push(1, 180.0), run.push(5, 100.0)],
             |run| vec![run.until(5.0).push(1, 180.0), run.push(2, 80.0)],
-            |run| vec![run.until(5.0).push(1, 120.0), run.push(6, 20.0)],
+            |run| vec![run.until(5.0).push(1, 200.0), run.push(5, 40.0)],
         ],
         "lift" => vec![
             |run| vec![figure("starting, normal force", "N", 40.0 * (G - 2.0), run.until(4.0).press(1, up))],
             |run| vec![figure("starting, normal force", "N", 0.0, run.until(3.5).press(1, up))],
             |run| {
-                run.until(1.0);
-                vec![
-                    figure("lower crate, normal force by the lift", "N", 60.0 * G, run.press(1, up)),
-                    figure("lower crate, normal force by the upper one", "N", 20.0 * G, run.press(1, |force| -up(force))),
-                ]
+                let standing = figure("standing, normal force", "N", 40.0 * 1.62, run.until(1.0).press(1, up));
+                vec![standing, figure("starting, normal force", "N", 40.0 * (1.62 + 2.0), run.until(4.0).press(1, up))]
             },
         ],
         "projectile" => vec![
@@ -135,6 +133,24 @@ pub fn of(name: &str) -> Vec<Outcome> {
                 vec![period, figure("first ball, speed in the middle", "m/s", 0.5 * 10.0_f64.sqrt(), speed)]
             },
             |run| vec![period(run, 1, "first ball", [1.0, 10.0])],
+        ],
+        "pendulum" => vec![
+            |run| vec![ropes::period(run, 1, "first ball", 10.0, (3.0, 10.0, 1.62))],
+            |run| vec![ropes::period(run, 1, "first ball", 10.0, (3.0, 10.0, G))],
+            |run| vec![ropes::period(run, 1, "first ball", 10.0, (0.75, 10.0, G))],
+            |run| vec![ropes::period(run, 4, "30°", 25.5, (3.0, 30.0, G))],
+        ],
+        "circular-motion" => vec![
+            |run| vec![circle(run, 1, "first ball", [6.0, 6.0, 3.0])],
+            |run| vec![circle(run, 1, "first ball", [2.0, 9.0, 3.0])],
+            |run| vec![circle(run, 1, "first ball", [2.0, 6.0, 1.5])],
+            ropes::broken,
+        ],
+        "collision-lab" => vec![
+            |run| carts(run, ["2 kg", "1 kg"], [2.0, 1.0], [3.0, -3.0], 0.0),
+            |run| carts(run, ["2 kg", "1 kg"], [2.0, 1.0], [3.0, -3.0], 1.0),
+            |run| carts(run, ["first cart", "second cart"], [1.0, 1.0], [3.0, -3.0], 1.0).into_iter().take(2).collect(),
+            |run| carts(run, ["2 kg", "1 kg"], [2.0, 1.0], [3.0, 0.0], 0.5).into_iter().take(3).collect(),
         ],
         other => panic!("{other} has no variations"),
     }

@@ -2,6 +2,7 @@
 //! `docs/lessons`, the order is that of `experiments/experiments.csv`; the keys, which all sheets share, stand here. English pages lie in the
 //! folder itself, those of each other language in one of its own.
 
+mod by_hand;
 mod text;
 mod words;
 
@@ -9,7 +10,7 @@ use std::collections::HashMap;
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
-pub use text::{Lesson, figures};
+pub use text::{Lesson, Plan, figures};
 use text::{escaped, inline};
 use words::{LANGUAGES, SheetWords};
 
@@ -17,6 +18,9 @@ use words::{LANGUAGES, SheetWords};
 pub const FOLDER: &str = "docs/sheets";
 /// The list of all sheets.
 const INDEX: &str = "index.html";
+/// The list of all lessons, behind [`LISTED`].
+pub const LESSONS: &str = "docs/lessons/README.md";
+const LISTED: &str = "<!-- list -->\n";
 
 /// Keys of an experiment, and what they do.
 pub const KEYS: [(&[&str], &str); 12] = [
@@ -39,7 +43,7 @@ const STYLE: &str = "
 body { font: 10pt/1.32 'Liberation Sans', Arial, Helvetica, sans-serif; color: #111; background: #fff;
   max-width: 180mm; margin: 8mm auto; }
 h1 { font-size: 19pt; margin: 0 0 1mm; } h2 { font-size: 11.5pt; margin: 2.6mm 0 .8mm; border-bottom: 1px solid #888; }
-p, ol { margin: 1mm 0; } ol { padding-left: 6mm; } li { margin-bottom: .8mm; }
+p, ol, ul { margin: 1mm 0; } ol, ul { padding-left: 6mm; } li { margin-bottom: .8mm; }
 .question { font-size: 12.5pt; } .where, .small { color: #444; font-size: 9pt; }
 .fields { display: flex; gap: 8mm; margin: 0 0 2mm; color: #444; } .fields span { flex: 1; border-bottom: 1px solid #888; }
 .line { border-bottom: 1px dotted #888; height: 6.4mm; }
@@ -49,18 +53,56 @@ code { font: .94em 'Liberation Mono', Consolas, monospace; }
 table { border-collapse: collapse; width: 100%; margin: 1mm 0; }
 th, td { border: 1px solid #999; padding: .5mm 1.6mm; text-align: left; vertical-align: top; } th { background: #f1f3f6; }
 td.number { white-space: nowrap; } .empty { width: 22%; } .change { width: 40%; } tr { break-inside: avoid; }
-.tight { font-size: 8.8pt; line-height: 1.25; }
+.tight { font-size: 8.8pt; line-height: 1.25; } .plan th { width: 32mm; } .list td:nth-child(4) { width: 36%; }
 @media print { body { margin: 0; max-width: none; } a { color: inherit; text-decoration: none; } }
 ";
 
-/// Every sheet in every language: its file's name and its text. Fails on a lesson that is missing or has another shape, and on a language
-/// that lacks a text of a lesson or has one too many.
-pub fn pages(root: &Path) -> Result<Vec<(String, String)>, String> {
+/// Every sheet in every language: its file's name and its text; with links into the game where its page lies two folders above. Fails
+/// on a lesson that is missing or has another shape, and on a language that lacks a text of a lesson or has one too many.
+pub fn pages(root: &Path, linked: bool) -> Result<Vec<(String, String)>, String> {
     let mut pages = Vec::new();
     for (code, _) in LANGUAGES {
-        pages_in(&SheetWords::read(root, code)?, root, &mut pages)?;
+        pages_in(&SheetWords::read(root, code)?, root, linked, &mut pages)?;
     }
     Ok(pages)
+}
+
+/// The list of all lessons by topic, in Markdown, behind what it has in front of its mark.
+pub fn lessons(root: &Path) -> Result<String, String> {
+    let text = read(&root.join(LESSONS))?;
+    let (before, _) = text.split_once(LISTED).ok_or_else(|| format!("{LESSONS}: expected {LISTED:?}"))?;
+    let mut topics: Vec<(String, String)> = Vec::new();
+    for Listed { folder, readings } in &listed(root)? {
+        let (file, text) = lesson_text(root, folder)?;
+        let Lesson { title, plan, .. } = Lesson::read(&text, readings).map_err(|problem| format!("{file}: {problem}"))?;
+        let Plan { topic, age, minutes, needed, curricula: [england, ..] } = plan;
+        let row = format!("| [{title}]({folder}.md) | {age} | {minutes} | {needed} | {england} | `#play=experiments/{folder}` |\n");
+        topic_of(&mut topics, topic).push_str(&row);
+    }
+    let head = "| lesson | age | minutes | needed | curriculum | link |\n|---|---|---|---|---|---|\n";
+    let tables = topics.iter().map(|(topic, rows)| format!("\n## {topic}\n\n{head}{rows}"));
+    Ok(format!("{before}{LISTED}{}", tables.collect::<String>()))
+}
+
+/// Writes that list.
+pub fn write_lessons(root: &Path) -> Result<(), String> {
+    let text = lessons(root)?;
+    fs::write(root.join(LESSONS), text).map_err(|error| format!("{LESSONS}: {error}"))
+}
+
+/// What is collected below a topic; topics stay in the order of their first lessons.
+fn topic_of<'a>(topics: &'a mut Vec<(String, String)>, topic: &str) -> &'a mut String {
+    let at = topics.iter().position(|(name, _)| name == topic).unwrap_or_else(|| {
+        topics.push((topic.to_owned(), String::new()));
+        topics.len() - 1
+    });
+    &mut topics[at].1
+}
+
+fn lesson_text(root: &Path, folder: &str) -> Result<(String, String), String> {
+    let file = format!("docs/lessons/{folder}.md");
+    let text = read(&root.join(&file))?;
+    Ok((file, text))
 }
 
 /// An experiment as the list has it.
@@ -83,24 +125,48 @@ pub fn listed(root: &Path) -> Result<Vec<Listed>, String> {
         .collect()
 }
 
-fn pages_in(words: &SheetWords, root: &Path, pages: &mut Vec<(String, String)>) -> Result<(), String> {
+fn pages_in(words: &SheetWords, root: &Path, linked: bool, pages: &mut Vec<(String, String)>) -> Result<(), String> {
     let folder = words.folder();
-    let mut links = String::new();
+    let mut topics = Vec::new();
     for Listed { folder: name, readings } in &listed(root)? {
-        let file = format!("docs/lessons/{name}.md");
-        let text = read(&root.join(&file))?;
+        let (file, text) = lesson_text(root, name)?;
         let lesson = Lesson::read(&text, readings).map_err(|problem| format!("{file}: {problem}"))?;
+        let link = Some(opens(words, name)).filter(|_| linked).unwrap_or_default();
         let (title, answered) = (escaped(words.say(lesson.title)), words.say("answers"));
-        let _ = writeln!(links, "<li><a href=\"{name}.html\">{title}</a> · <a href=\"{name}-answers.html\">{answered}</a></li>");
-        pages.push((format!("{folder}{name}.html"), sheet(words, name, &lesson)));
-        pages.push((format!("{folder}{name}-answers.html"), answers(words, &lesson)));
+        let Plan { topic, age, minutes, needed, .. } = lesson.plan;
+        let row = format!(
+            "<tr><td><a href=\"{name}.html\">{title}</a> · <a href=\"{name}-answers.html\">{answered}</a></td><td class=\"number\">{age}</td>\
+             <td class=\"number\">{minutes}</td><td>{}</td>{}</tr>\n",
+            escaped(words.say(needed)),
+            if linked { format!("<td>{link}</td>") } else { String::new() },
+        );
+        topic_of(&mut topics, words.say(topic)).push_str(&row);
+        pages.push((
+            format!("{folder}{name}.html"),
+            sheet(words, root, name, &lesson, &link).map_err(|problem| format!("{file}: {problem}"))?,
+        ));
+        pages.push((format!("{folder}{name}-answers.html"), answers(words, &lesson, &link)?));
         words.complete(&file)?;
     }
     let (title, about) = (words.say("Experiments"), words.say("A page to print each, and one with its answers for the teacher."));
-    let body = format!("{}<h1>{title}</h1>\n<p>{about}</p>\n<ol>\n{links}</ol>\n", other_languages(words));
+    let head = ["experiment", "age", "minutes", "known before"].map(|cell| format!("<th>{}</th>", words.say(cell))).concat();
+    let tables = topics.iter().map(|(topic, rows)| {
+        format!(
+            "<h2>{}</h2>\n<table class=\"list\">\n<tr>{head}{}</tr>\n{rows}</table>\n",
+            escaped(topic),
+            if linked { "<th></th>" } else { "" }
+        )
+    });
+    let body = format!("{}<h1>{title}</h1>\n<p>{about}</p>\n{}", other_languages(words), tables.collect::<String>());
     pages.push((format!("{folder}{INDEX}"), document(words, title, &body)));
     words.complete(INDEX)?;
     words.used()
+}
+
+/// A link that opens an experiment in the game's page.
+fn opens(words: &SheetWords, name: &str) -> String {
+    let up = if words.folder().is_empty() { "" } else { "../" };
+    format!("<a href=\"{up}../../index.html#play=experiments/{name}\">{}</a>", escaped(words.say("open it here")))
 }
 
 /// A line with the index of each language.
@@ -121,7 +187,9 @@ pub fn is_key(name: &str) -> bool {
 
 /// Writes every sheet into a folder; returns their number.
 pub fn write(root: &Path, folder: &Path) -> Result<usize, String> {
-    let pages = pages(root)?;
+    // The folder of the game's page has the sheets in `docs/sheets`.
+    let page = folder.parent().and_then(Path::parent).map(|above| above.join("index.html"));
+    let pages = pages(root, page.is_some_and(|page| page.is_file()))?;
     let failed = |error: std::io::Error| format!("{}: {error}", folder.display());
     for (name, text) in &pages {
         let file = folder.join(name);
@@ -143,6 +211,7 @@ fn document(words: &SheetWords, title: &str, body: &str) -> String {
             .fold(body.to_owned(), |b, sign| b.replace(sign, &sign.replace(' ', "\u{a0}"))),
         _ => body.to_owned(),
     };
+    let body = words.decimals(&body);
     format!(
         "<!DOCTYPE html>\n<html lang=\"{code}\">\n<head>\n<meta charset=\"utf-8\">\n<title>{title}</title>\n<style>{STYLE}</style>\n\
          </head>\n<body>\n{body}</body>\n</html>\n"
@@ -150,7 +219,7 @@ fn document(words: &SheetWords, title: &str, body: &str) -> String {
 }
 
 /// The page of the class: the question, what to do and with which keys, and room for what is found.
-fn sheet(words: &SheetWords, name: &str, lesson: &Lesson) -> String {
+fn sheet(words: &SheetWords, root: &Path, name: &str, lesson: &Lesson, link: &str) -> Result<String, String> {
     let say = |text| escaped(words.say(text));
     let title = say(lesson.title);
     let mut body = format!("<h1>{title}</h1>\n");
@@ -158,7 +227,9 @@ fn sheet(words: &SheetWords, name: &str, lesson: &Lesson) -> String {
     let _ = writeln!(body, "<p class=\"fields\">{fields}</p>");
     let _ = writeln!(body, "<p class=\"question\">{}</p>", inline(words, words.say(lesson.question)));
     let menu = ["Menu", "Lab", "Experiments"].map(say).join(" → ");
-    let _ = writeln!(body, "<p class=\"where\">{menu} → {title}, {} <code>resultant play experiments/{name}</code></p>", say("or"));
+    let link = if link.is_empty() { String::new() } else { format!(" · {link}") };
+    let or = say("or");
+    let _ = writeln!(body, "<p class=\"where\">{menu} → {title}, {or} <code>resultant play experiments/{name}</code>{link}</p>");
     let (guess, steps) = (say("Your guess, and why"), say("Do"));
     let _ = write!(body, "<h2>{guess}</h2>\n{LINE}{LINE}<h2>{steps}</h2>\n<ol>\n");
     for step in &lesson.steps {
@@ -172,16 +243,16 @@ fn sheet(words: &SheetWords, name: &str, lesson: &Lesson) -> String {
     let _ = write!(body, "</div>\n<h2>{}</h2>\n{}", say("Found"), found(words, lesson));
     let _ = write!(body, "<p>{}</p>\n{LINE}<h2>{}</h2>\n", say("Why?"), say("Vary"));
     let _ = writeln!(body, "<p class=\"small\">{}</p>", inline(words, words.say(VARY)));
-    body += &changes(words, lesson, "found", |_| String::new());
-    document(words, words.say(lesson.title), &body)
+    let by_hand = |change: &str| by_hand::by_hand(words, root, name, change).map(|change| inline(words, &change));
+    body += &changes(words, lesson, "found", by_hand, |_| String::new())?;
+    Ok(document(words, words.say(lesson.title), &body))
 }
 
 /// A line to write on.
 const LINE: &str = "<div class=\"line\"></div>\n";
 
-const VARY: &str = "In flight: `I`, then *What if …* varies the level's gravity, air, friction and wind, and the mass, start velocity, \
-    restitution and drag of the object that is followed (`N`). The table names changes of a copy of the level, in the editor or in its \
-    files.";
+const VARY: &str = "In flight: `I`, then *What if …* makes each of these changes: for the object that is followed (`N`), or at *Level and things* \
+    for the rest. Heights are those above the lower edge of the level. The run before stays as a ghost.";
 
 /// The table of what is found, with units: two quantities a line, since a sheet is one page.
 fn found(words: &SheetWords, lesson: &Lesson) -> String {
@@ -198,8 +269,14 @@ fn found(words: &SheetWords, lesson: &Lesson) -> String {
     table + "</table>\n"
 }
 
-/// The table of changes; `answer` writes its last column.
-fn changes(words: &SheetWords, lesson: &Lesson, head: &str, answer: impl Fn(&str) -> String) -> String {
+/// The table of changes; `written` writes its first column, `answer` its last one.
+fn changes(
+    words: &SheetWords,
+    lesson: &Lesson,
+    head: &str,
+    written: impl Fn(&str) -> Result<String, String>,
+    answer: impl Fn(&str) -> String,
+) -> Result<String, String> {
     let [change, what, head] = ["change", "what then", head].map(|text| escaped(words.say(text)));
     let mut table = format!(
         "<table class=\"tight\">\n<tr><th class=\"change\">{change}</th><th>{what}</th><th class=\"empty\">{head}</th></tr>\n"
@@ -208,21 +285,36 @@ fn changes(words: &SheetWords, lesson: &Lesson, head: &str, answer: impl Fn(&str
         let rows = 1 + lesson.changes[i + 1..].iter().take_while(|[change, ..]| change.is_empty()).count();
         let change = match *change {
             "" => String::new(),
-            change => format!("<td rowspan=\"{rows}\">{}</td>", inline(words, &words.change(change))),
+            change => format!("<td rowspan=\"{rows}\">{}</td>", written(change)?),
         };
         let what = inline(words, &words.quantity(what));
         let _ = writeln!(table, "<tr>{change}<td>{what}</td><td class=\"number\">{}</td></tr>", answer(exact));
     }
-    table + "</table>\n"
+    Ok(table + "</table>\n")
+}
+
+/// The plan of a lesson, a line a fact.
+fn plan(words: &SheetWords, plan: &Plan, link: &str) -> String {
+    let own = LANGUAGES.iter().position(|(code, _)| *code == words.code).unwrap_or_default();
+    let facts = [
+        ("age", plan.age),
+        ("minutes", plan.minutes),
+        ("known before", words.say(plan.needed)),
+        ("needed", words.say("a computer for two, a sheet each")),
+        ("curriculum", plan.curricula[own]),
+    ];
+    let rows = facts.map(|(name, fact)| format!("<tr><th>{}</th><td>{}</td></tr>\n", escaped(words.say(name)), escaped(fact)));
+    format!("<table class=\"tight plan\">\n{}</table>\n<p class=\"small\">{link}</p>\n", rows.concat())
 }
 
 /// The teacher's page.
-fn answers(words: &SheetWords, lesson: &Lesson) -> String {
+fn answers(words: &SheetWords, lesson: &Lesson, link: &str) -> Result<String, String> {
     let say = |text| escaped(words.say(text));
     let title = words.say("{title}: answers").replace("{title}", words.say(lesson.title));
     let mut body = format!("<h1>{}</h1>\n", escaped(&title));
     let question = inline(words, words.say(lesson.question));
-    let _ = writeln!(body, "<p class=\"question\">{question}</p>\n<h2>{}</h2>", say("Exact answer"));
+    let _ = writeln!(body, "<p class=\"question\">{question}</p>");
+    let _ = writeln!(body, "{}<h2>{}</h2>", plan(words, &lesson.plan, link), say("Exact answer"));
     let paragraphs = |paragraphs: &[&str]| -> String {
         paragraphs.iter().map(|paragraph| format!("<p>{}</p>\n", inline(words, words.say(paragraph)))).collect()
     };
@@ -234,8 +326,12 @@ fn answers(words: &SheetWords, lesson: &Lesson) -> String {
         let _ = writeln!(body, "<tr><td>{what}</td><td class=\"number\">{}</td></tr>", inline(words, exact));
     }
     let _ = writeln!(body, "</table>\n<h2>{}</h2>", say("Vary"));
-    body += &changes(words, lesson, "exact answer", |exact| inline(words, exact));
+    let written = |change: &str| Ok(inline(words, &words.change(change)));
+    body += &changes(words, lesson, "exact answer", written, |exact| inline(words, exact))?;
+    let expected: String =
+        lesson.misconceptions.iter().map(|text| format!("<li>{}</li>\n", inline(words, words.say(text)))).collect();
+    let _ = writeln!(body, "<h2>{}</h2>\n<ul>\n{expected}</ul>", say("Misconceptions that pupils may have"));
     let _ = writeln!(body, "<h2>{}</h2>", say("For the teacher"));
     body += &paragraphs(&lesson.teacher);
-    document(words, &title, &body)
+    Ok(document(words, &title, &body))
 }

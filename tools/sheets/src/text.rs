@@ -6,6 +6,7 @@ use super::{SheetWords, is_key};
 pub struct Lesson<'a> {
     pub title: &'a str,
     pub question: &'a str,
+    pub plan: Plan<'a>,
     /// Its section "Do".
     pub steps: Vec<&'a str>,
     /// Paragraphs of its section "Exact answer".
@@ -14,8 +15,39 @@ pub struct Lesson<'a> {
     pub figures: Vec<[&'a str; 2]>,
     /// A change, a quantity, and its exact answer; an empty change is that of the row before.
     pub changes: Vec<[&'a str; 3]>,
+    /// What pupils may expect that is not so.
+    pub misconceptions: Vec<&'a str>,
     /// Paragraphs of its section "For the teacher".
     pub teacher: Vec<&'a str>,
+}
+
+/// What a teacher asks before a lesson.
+pub struct Plan<'a> {
+    pub topic: &'a str,
+    /// Years, as in `13–15`.
+    pub age: &'a str,
+    pub minutes: &'a str,
+    /// What pupils know before.
+    pub needed: &'a str,
+    /// A place in the curriculum of each of [`super::words::LANGUAGES`], in that language.
+    pub curricula: [&'a str; 3],
+}
+
+impl<'a> Plan<'a> {
+    fn read(section: &'a str) -> Result<Self, String> {
+        let rows = table::<2>(section)?;
+        let cell = |name: &str| {
+            let found = rows.iter().find(|[key, _]| *key == name).map(|[_, value]| *value);
+            found.ok_or_else(|| format!("expected a row {name} in \"## Plan\""))
+        };
+        Ok(Self {
+            topic: cell("topic")?,
+            age: cell("age")?,
+            minutes: cell("minutes")?,
+            needed: cell("needed")?,
+            curricula: [cell("England")?, cell("Deutschland")?, cell("France")?],
+        })
+    }
 }
 
 impl<'a> Lesson<'a> {
@@ -37,10 +69,12 @@ impl<'a> Lesson<'a> {
         Ok(Self {
             title,
             question,
+            plan: Plan::read(section("Plan")?)?,
             steps,
             answer: paragraphs(section("Exact answer")?),
             figures: figures(readings)?,
             changes: table(section("Vary")?)?,
+            misconceptions: section("Misconceptions")?.lines().filter_map(|line| line.strip_prefix("- ")).collect(),
             teacher: paragraphs(section("For the teacher")?),
         })
     }

@@ -56,15 +56,14 @@ impl SheetWords {
         text.split(", ").map(part).collect::<Vec<_>>().join(", ")
     }
 
-    /// A change of a level: its columns, values and files stay.
+    /// A change of a level: its columns, values and files stay as they are written there.
     pub fn change(&self, text: &str) -> String {
         let change = |change: &str| {
             let Some((setting, place)) = change.rsplit_once(" in ") else { return self.say(change).to_owned() };
-            let setting = match setting.split_once(" (") {
-                Some((value, note)) => format!("{value} ({})", self.say(note.trim_end_matches(')'))),
-                None if setting.starts_with('`') => setting.to_owned(),
-                None => self.say(setting).to_owned(),
-            };
+            let (setting, note) = setting.split_once(" (").map_or((setting, None), |(setting, note)| (setting, Some(note)));
+            let note = note.map_or_else(String::new, |note| format!(" ({})", self.quantity(note.trim_end_matches(')'))));
+            let (column, value) = setting.split_once("` ").unwrap_or((setting, ""));
+            let setting = format!("{column}` `{value}`{note}");
             let place = match place.split_once(" of ") {
                 Some(("every row", file)) => format!("{} {file}", self.say("in every row of")),
                 Some((row, file)) => format!("{} {} {} {file}", self.say("in row"), row.trim_start_matches("row "), self.say("of")),
@@ -73,6 +72,27 @@ impl SheetWords {
             format!("{setting} {place}")
         };
         text.split("; ").map(change).collect::<Vec<_>>().join("; ")
+    }
+
+    /// A page's text with the decimal marks of the language; what is code stays.
+    pub fn decimals(&self, body: &str) -> String {
+        if self.code == "en" {
+            return body.to_owned();
+        }
+        let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+        let commas = |text: &str| {
+            let mark = |(at, c): (usize, char)| {
+                let parts = digit(text[..at].chars().next_back()) && digit(text[at + c.len_utf8()..].chars().next());
+                if c == '.' && parts { ',' } else { c }
+            };
+            text.char_indices().map(mark).collect::<String>()
+        };
+        let mut parts = body.split("<code>");
+        let first = parts.next().map(commas).unwrap_or_default();
+        parts.fold(first, |page, part| {
+            let (code, text) = part.split_once("</code>").unwrap_or((part, ""));
+            format!("{page}<code>{code}</code>{}", commas(text))
+        })
     }
 
     /// Fails on a text of `file` that the catalogues lack.

@@ -66,6 +66,12 @@ impl Layout {
         Area::new(self.columns[0].0, self.panel.min.y + INSIDE, self.panel.size.x - 2.0 * INSIDE, self.line)
     }
 
+    /// At the right end of the heading: to the other lines.
+    pub fn page(&self) -> Area {
+        let (left, right) = (self.columns[2].0, self.columns[3].1);
+        inner(Area::new(left, self.heading().min.y, right - left, self.line))
+    }
+
     /// All of a line, across the panel.
     pub fn row(&self, line: usize) -> Area {
         Area::new(self.panel.min.x, self.top + line as f32 * self.line, self.panel.size.x, self.line)

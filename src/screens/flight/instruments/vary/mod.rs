@@ -13,7 +13,7 @@ use crate::number::scalar;
 use crate::physics::BodyId;
 use crate::ui::{EntryEvent, EntryField, SliderMove, SliderShown, Ui, WidgetKind};
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::words::{decimals, tr};
 use layout::Layout;
 
 /// The label of the field for the name of a level to save.
@@ -84,6 +84,8 @@ pub struct Vary {
     progress: Option<f64>,
     is_varied: bool,
     wish: Option<VaryWish>,
+    /// In an experiment, which has more lines: whether those of the level are shown, not those of the object; `None` elsewhere.
+    of_level: Option<bool>,
 }
 
 impl Vary {
@@ -141,7 +143,9 @@ impl Vary {
             let value = varied.variation.and_then(|variation| variation.get(parameter)).unwrap_or(usual);
             Some(VaryLine { parameter, usual, value, open: self.from == VaryFrom::Start || !parameter.is_of_the_start() })
         };
-        self.lines = Parameter::all(varied.level, body).into_iter().filter_map(line).collect();
+        self.of_level = varied.level.experiment.then_some(self.of_level == Some(true));
+        let shown = |parameter: &Parameter| self.of_level.is_none_or(|of_level| parameter.is_of_a_body() != of_level);
+        self.lines = Parameter::all(varied.level, body).into_iter().filter(shown).filter_map(line).collect();
     }
 
     /// Asks for a number, where it changes; `goes_on` says that it continues the change before.
@@ -173,7 +177,7 @@ impl Vary {
             EntryEvent::Stepped(label, steps) => {
                 if let Some(line) = line(&label) {
                     let value = self.step(line, steps, varied);
-                    self.entry.open(&label, &value.to_string());
+                    self.entry.open(&label, &typed(line.parameter, value));
                 }
             }
             EntryEvent::Taken(label, text) => match line(&label).map(|line| (line, line.parameter.parse(&text))) {
@@ -190,10 +194,19 @@ impl Vary {
         }
     }
 
-    fn show_heading(&self, ui: &Ui<'_>) {
+    fn show_heading(&mut self, ui: &mut Ui<'_>) {
         let heading = self.layout.heading();
         let at = |x: f32| Vec2::new(x, heading.centre().y);
         let style = Style::new(DETAILS, theme::accent()).middle();
+        if let Some(of_level) = self.of_level {
+            let what = if of_level { tr("level") } else { &self.title };
+            ui.text(&tr!("What if: {changes}", changes = what), at(heading.min.x), style);
+            if button(ui, if of_level { "Object" } else { "Level and things" }, self.layout.page(), (true, false)) {
+                self.of_level = Some(!of_level);
+                self.entry.close();
+            }
+            return;
+        }
         ui.text(&tr!("What if: {body} and level", body = self.title), at(heading.min.x), style);
         let hint = Style { colour: theme::quiet(), ..style };
         ui.text(tr("Tab, N: another object"), at(heading.max().x), hint.right());
@@ -204,16 +217,16 @@ impl Vary {
         let [name, slider, number, reset] = self.layout.cells(index);
         let colour = if line.open { theme::text() } else { theme::quiet() };
         let style = Style::new(DETAILS, if line.is_varied() { theme::accent() } else { colour }).middle();
-        let whole = tr(line.parameter.name());
-        let words = widgets::cut(ui.canvas(), whole, name.size.x, style);
+        let whole = line.parameter.shown();
+        let words = widgets::cut(ui.canvas(), &whole, name.size.x, style);
         ui.text(&words, Vec2::new(name.min.x, name.centre().y), style);
         if words != whole {
-            ui.tip(name, whole);
+            ui.tip(name, &whole);
         }
         let track = SliderTrack::of(line.parameter, line.usual);
         let knob = if line.is_varied() { theme::accent() } else { theme::text() };
         let shown = SliderShown { part: track.part(line.value), mark: track.part(line.usual), knob: line.open.then_some(knob) };
-        match ui.slider(line.parameter.name(), slider, &shown) {
+        match ui.slider(&line.parameter.name(), slider, &shown) {
             Some(SliderMove::To { part, goes_on }) => self.ask(line, track.value(part), varied, goes_on),
             Some(SliderMove::Step(steps)) => {
                 self.step(line, steps, varied);
@@ -227,7 +240,7 @@ impl Vary {
         let label = line.number_label();
         let words = written(line.parameter, line.value);
         if ui.entry(&label, number, (&words, Style::new(DETAILS, colour)), &mut self.entry) && line.open {
-            self.entry.open(&label, &line.value.to_string());
+            self.entry.open(&label, &typed(line.parameter, line.value));
         }
         if line.is_varied() {
             self.show_reset(ui, line, reset, varied);
@@ -301,8 +314,19 @@ fn button(ui: &mut Ui<'_>, label: &str, area: Area, (open, chosen): (bool, bool)
     touch.pressed
 }
 
+/// As one types it.
+fn typed(parameter: Parameter, value: f64) -> String {
+    parameter.choice(value).map_or_else(|| decimals(&value.to_string()).into_owned(), |choice| tr(choice).to_owned())
+}
+
 /// With its unit; a factor with its sign.
 pub fn written(parameter: Parameter, value: f64) -> String {
+    if let Some(choice) = parameter.choice(value) {
+        return tr(choice).to_owned();
+    }
+    if matches!(parameter, Parameter::Breaks(_)) && value >= parameter.limits().1 {
+        return tr("never").to_owned();
+    }
     let text = scalar(value, parameter.unit());
     match parameter {
         Parameter::Friction | Parameter::Wind => format!("× {}", text.trim()),
