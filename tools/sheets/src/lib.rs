@@ -19,9 +19,11 @@ pub const FOLDER: &str = "docs/sheets";
 const INDEX: &str = "index.html";
 
 /// Keys of an experiment, and what they do.
-pub const KEYS: [(&[&str], &str); 12] = [
+pub const KEYS: [(&[&str], &str); 14] = [
     (&["Enter"], "opens the experiment"),
     (&["Tab"], "details: forces and numbers"),
+    (&["K"], "the forces on one body, as in a textbook"),
+    (&["L"], "your sheet: prediction, readings, answer"),
     (&["N"], "the next object; or click one"),
     (&["Shift"], "and a click: compares a second object"),
     (&["B"], "starts it, stops time, lets it go on"),
@@ -31,7 +33,7 @@ pub const KEYS: [(&[&str], &str); 12] = [
     (&["F"], "everything that moves in view"),
     (&["I"], "instruments: plot, ruler, energy, what if"),
     (&["R"], "back to its start"),
-    (&["Esc"], "pause: your sheet, and back to the experiments"),
+    (&["Esc"], "pause, and back to the experiments"),
 ];
 
 const STYLE: &str = "
@@ -42,7 +44,7 @@ h1 { font-size: 19pt; margin: 0 0 1mm; } h2 { font-size: 11.5pt; margin: 2.6mm 0
 p, ol { margin: 1mm 0; } ol { padding-left: 6mm; } li { margin-bottom: .8mm; }
 .question { font-size: 12.5pt; } .where, .small { color: #444; font-size: 9pt; }
 .fields { display: flex; gap: 8mm; margin: 0 0 2mm; color: #444; } .fields span { flex: 1; border-bottom: 1px solid #888; }
-.line { border-bottom: 1px dotted #888; height: 6.4mm; }
+.line { border-bottom: 1px dotted #888; height: 6.4mm; } .predict { border-bottom: 1px dotted #888; display: inline-block; width: 60mm; text-align: right; }
 .keys { columns: 3; font-size: 8.5pt; margin: 1mm 0; padding: 1.5mm 2mm; background: #f1f3f6; } .keys div { break-inside: avoid; }
 kbd { font: bold .92em 'Liberation Mono', Consolas, monospace; border: 1px solid #777; border-radius: 2px; padding: 0 1mm; background: #fff; }
 code { font: .94em 'Liberation Mono', Consolas, monospace; }
@@ -63,9 +65,14 @@ pub fn pages(root: &Path) -> Result<Vec<(String, String)>, String> {
     Ok(pages)
 }
 
-/// An experiment as the list has it.
+/// An experiment as the list has it: what its screen asks, its page asks in the same words.
 pub struct Listed {
     pub folder: String,
+    pub question: String,
+    /// Predictions to choose from, parted by `|`.
+    pub choices: String,
+    /// The right prediction: a choice, or a number with its unit.
+    pub right: String,
     /// Quantities and their exact answers, see [`figures`].
     pub readings: String,
 }
@@ -76,23 +83,28 @@ pub fn listed(root: &Path) -> Result<Vec<Listed>, String> {
     let list = read(&root.join(LIST))?;
     let reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(list.as_bytes());
     let rows = reader.into_deserialize::<HashMap<String, String>>();
-    let listed =
-        |mut row: HashMap<String, String>| Some(Listed { folder: row.remove("folder")?, readings: row.remove("readings")? });
+    let listed = |mut row: HashMap<String, String>| {
+        let [folder, question, choices, right, readings] =
+            ["folder", "question", "choices", "right", "readings"].map(|column| row.remove(column));
+        Some(Listed { folder: folder?, question: question?, choices: choices?, right: right?, readings: readings? })
+    };
     rows.map(|row| row.map_err(|error| format!("{LIST}: {error}")))
-        .map(|row| listed(row?).ok_or_else(|| format!("{LIST}: expected the columns folder and readings")))
+        .map(|row| {
+            listed(row?).ok_or_else(|| format!("{LIST}: expected the columns folder, question, choices, right and readings"))
+        })
         .collect()
 }
 
 fn pages_in(words: &SheetWords, root: &Path, pages: &mut Vec<(String, String)>) -> Result<(), String> {
     let folder = words.folder();
     let mut links = String::new();
-    for Listed { folder: name, readings } in &listed(root)? {
+    for asked @ Listed { folder: name, readings, .. } in &listed(root)? {
         let file = format!("docs/lessons/{name}.md");
         let text = read(&root.join(&file))?;
         let lesson = Lesson::read(&text, readings).map_err(|problem| format!("{file}: {problem}"))?;
         let (title, answered) = (escaped(words.say(lesson.title)), words.say("answers"));
         let _ = writeln!(links, "<li><a href=\"{name}.html\">{title}</a> · <a href=\"{name}-answers.html\">{answered}</a></li>");
-        pages.push((format!("{folder}{name}.html"), sheet(words, name, &lesson)));
+        pages.push((format!("{folder}{name}.html"), sheet(words, asked, &lesson)));
         pages.push((format!("{folder}{name}-answers.html"), answers(words, &lesson)));
         words.complete(&file)?;
     }
@@ -150,7 +162,8 @@ fn document(words: &SheetWords, title: &str, body: &str) -> String {
 }
 
 /// The page of the class: the question, what to do and with which keys, and room for what is found.
-fn sheet(words: &SheetWords, name: &str, lesson: &Lesson) -> String {
+fn sheet(words: &SheetWords, asked: &Listed, lesson: &Lesson) -> String {
+    let name = &asked.folder;
     let say = |text| escaped(words.say(text));
     let title = say(lesson.title);
     let mut body = format!("<h1>{title}</h1>\n");
@@ -159,8 +172,7 @@ fn sheet(words: &SheetWords, name: &str, lesson: &Lesson) -> String {
     let _ = writeln!(body, "<p class=\"question\">{}</p>", inline(words, words.say(lesson.question)));
     let menu = ["Menu", "Lab", "Experiments"].map(say).join(" → ");
     let _ = writeln!(body, "<p class=\"where\">{menu} → {title}, {} <code>resultant play experiments/{name}</code></p>", say("or"));
-    let (guess, steps) = (say("Your guess, and why"), say("Do"));
-    let _ = write!(body, "<h2>{guess}</h2>\n{LINE}{LINE}<h2>{steps}</h2>\n<ol>\n");
+    let _ = write!(body, "{}<h2>{}</h2>\n<ol>\n", prediction(words, asked), say("Do"));
     for step in &lesson.steps {
         let _ = writeln!(body, "<li>{}</li>", inline(words, words.say(step)));
     }
@@ -174,6 +186,18 @@ fn sheet(words: &SheetWords, name: &str, lesson: &Lesson) -> String {
     let _ = writeln!(body, "<p class=\"small\">{}</p>", inline(words, words.say(VARY)));
     body += &changes(words, lesson, "found", |_| String::new());
     document(words, words.say(lesson.title), &body)
+}
+
+/// The question of the screen, with choices to tick or room for a number with its unit, and for the reason.
+fn prediction(words: &SheetWords, asked: &Listed) -> String {
+    let say = |text| escaped(words.say(text));
+    let unit = asked.right.split_once(' ').map_or("", |(_, unit)| unit);
+    let room = match asked.choices.split('|').collect::<Vec<_>>()[..] {
+        [_] | [] => format!("<span class=\"predict\">{}</span>", escaped(unit)),
+        ref choices => choices.iter().map(|choice| format!("☐ {} &emsp; ", escaped(&words.quantity(choice)))).collect(),
+    };
+    let question = inline(words, words.say(&asked.question));
+    format!("<h2>{}</h2>\n<p>{question}</p>\n<p>{room}</p>\n<p>{}</p>\n{LINE}", say("Your prediction"), say("Why?"))
 }
 
 /// A line to write on.
