@@ -12,7 +12,8 @@ use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-const CSV: &str = "kind,name,players,tries,successes,median_time,lost_to,guesses_right,guesses_wrong,readings_right,readings_wrong";
+const CSV: &str =
+    "kind,name,players,tries,successes,median_time,lost_to,predictions_right,predictions_wrong,readings_right,readings_wrong";
 
 #[derive(clap::Args, Debug)]
 pub struct StatsArgs {
@@ -171,11 +172,11 @@ fn print(levels: &[(&String, &LevelTally)], experiments: &Experiments, out: &mut
         tables.push(rows);
     }
     if !experiments.is_empty() {
-        let heading = ["experiment", "players", "answers", "guesses right", "wrong", "readings right", "wrong"];
+        let heading = ["experiment", "players", "answers", "predictions right", "wrong", "readings right", "wrong"];
         let mut rows = vec![heading.map(str::to_owned).to_vec()];
         rows.extend(experiments.iter().map(|(name, experiment)| {
-            let ([right, wrong], [read, misread]) = (experiment.guesses, experiment.readings);
-            let counts = [experiment.players.len(), experiment.answers, right, wrong, read, misread];
+            let ([right, wrong], [read, misread]) = (experiment.predictions, experiment.readings);
+            let counts = [experiment.players.len(), experiment.answers(), right, wrong, read, misread];
             std::iter::once(shown(name)).chain(counts.map(|count| count.to_string())).collect()
         }));
         tables.push(rows);
@@ -224,12 +225,12 @@ fn write_csv(levels: &[(&String, &LevelTally)], experiments: &Experiments, file:
         table.row(&sums)?;
     }
     for (name, experiment) in experiments {
-        let ([right, wrong], [read, misread]) = (experiment.guesses, experiment.readings);
+        let ([right, wrong], [read, misread]) = (experiment.predictions, experiment.readings);
         let sums = StatsRow {
             kind: "experiment",
             name: &harmless(name),
             players: experiment.players.len(),
-            tries: experiment.answers,
+            tries: experiment.answers(),
             judged: [right, wrong, read, misread].map(Some),
             ..StatsRow::default()
         };

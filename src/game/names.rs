@@ -34,13 +34,13 @@ const EARTH_WITHIN: f64 = 0.05;
 const WALLS: [&str; 4] = ["left edge", "right edge", "roof", "floor"];
 
 /// In a player's words: `Earth` (`planet` under another gravity), `exhaust` (the gas that leaves the engine pushes the ship),
-/// `air`, `wind N`, `liquid N`, `block N`, `mover N`, `floor` …; numbers as in [`source_name`].
+/// `air`, `fan N`, `liquid N`, `block N`, `mover N`, `floor` …; numbers as in [`source_name`].
 pub fn plain_name(level: &Level, source: Source) -> String {
     match source {
         Source::Gravity if (level.gravity - EARTH).abs() <= EARTH_WITHIN => tr("Earth").to_owned(),
         Source::Gravity => tr("planet").to_owned(),
         Source::Engine => tr("exhaust").to_owned(),
-        Source::Stream(index) => tr!("wind {number}", number = index + 1),
+        Source::Stream(index) => tr!("fan {number}", number = index + 1),
         Source::Fluid(index) => tr!("liquid {number}", number = index + 1),
         Source::Surface(index) => match level.surface(index as usize) {
             SurfaceOf::World(index) => tr!("block {number}", number = index + 1),

@@ -24,10 +24,6 @@ pub struct Numeral {
     pub symbol: Option<String>,
     /// The units in SI of what that sign usually means.
     pub meant: Option<&'static [&'static str]>,
-    /// The word before it, as `crate` in `crate 1`.
-    word: String,
-    /// Followed by a colon, a bracket or, as the next ordinal number, by a point.
-    labels: bool,
     /// Part of a sum that is worked out: `19.6/0.392 =`.
     pub in_formula: bool,
     /// Bytes of the text.
@@ -138,35 +134,12 @@ impl Numeral {
     pub fn dimension(unit: &str) -> Option<(&'static str, f64)> {
         UNITS.iter().find(|(name, ..)| *name == unit).map(|(_, dimension, factor)| (*dimension, *factor))
     }
-
-    /// Whether it stands before what it labels.
-    pub const fn is_label(&self) -> bool {
-        self.labels
-    }
-
-    fn equals(&self, other: &Self) -> bool {
-        self.values.iter().any(|value| other.values.first().is_some_and(|right| (value - right).abs() <= 1e-9 * right.abs()))
-    }
-
-    /// Whether it says again what a text has said, with the same unit, sign or word.
-    pub fn repeats(&self, said: &Self) -> bool {
-        let same_unit = self.unit.is_some() && self.unit == said.unit;
-        let same_symbol = self.symbol.is_some() && self.symbol == said.symbol;
-        let same_word = said.unit.is_none() && said.symbol.is_none() && !self.word.is_empty() && !said.word.is_empty();
-        let fits = self.unit.is_none() || same_unit;
-        self.equals(said) && fits && (same_unit || same_symbol || self.symbol.is_none() && (same_word || self.labels))
-    }
-
-    /// Whether it may say again what a text has said: the bare number.
-    pub fn could_repeat<'a>(&self, mut said: impl Iterator<Item = &'a Self>) -> bool {
-        self.unit.is_none() && self.symbol.is_none() && said.any(|said| self.equals(said))
-    }
 }
 
 /// All numbers in a text. Digits that belong to a word, as in `h1`, are none.
 pub fn numerals(text: &str, style: NumeralStyle) -> Vec<Numeral> {
     let mut found: Vec<Numeral> = Vec::new();
-    let (mut at, mut ordinal) = (0, 1.0);
+    let mut at = 0;
     while let Some(start) = text[at..].find(|c: char| c.is_ascii_digit()).map(|digit| at + digit) {
         let before = text[at..start].trim_end_matches(['.', ',']);
         let marked = start - at > before.len() && before.chars().next_back().is_none_or(|c| !c.is_alphanumeric());
@@ -187,13 +160,11 @@ pub fn numerals(text: &str, style: NumeralStyle) -> Vec<Numeral> {
             values.iter_mut().for_each(|value| *value *= sign * if i + 1 == count { power } else { 1.0 });
             let mut number = Numeral { values: std::mem::take(values), at: begin..behind, ..Numeral::default() };
             if i == 0 {
-                (number.symbol, number.word) = led_by(lead);
+                number.symbol = led_by(lead);
                 number.meant = number.symbol.as_deref().and_then(meaning);
             }
             if i + 1 == count {
                 number.unit = unit;
-                number.labels = unit.is_none() && labels(&text[behind..], number.values.first() == Some(&ordinal));
-                ordinal += f64::from(u8::from(number.labels));
             }
             found.push(number);
         }
@@ -322,30 +293,17 @@ fn is_negative(before: &str) -> bool {
         && before.next().is_none_or(|c| c.is_whitespace() || matches!(c, '=' | ':' | ';' | ',' | '(' | '[' | '|' | '~' | '≈'))
 }
 
-/// The sign before an equals sign at the end of a text, and the word at its end.
-fn led_by(lead: &str) -> (Option<String>, String) {
-    let lead = lead.trim_end_matches(MINUS).trim_end();
-    let word = |text: &str| {
-        let reversed: String = text.trim_end().chars().rev().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
-        reversed.chars().rev().collect::<String>()
-    };
-    match lead.strip_suffix(['=', '≈']) {
-        Some(before) => (Some(word(before)).filter(|symbol| !symbol.is_empty()), String::new()),
-        None => (None, word(lead)),
-    }
+/// The sign before an equals sign at the end of a text.
+fn led_by(lead: &str) -> Option<String> {
+    let before = lead.trim_end_matches(MINUS).trim_end().strip_suffix(['=', '≈'])?;
+    let reversed: String = before.trim_end().chars().rev().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+    Some(reversed.chars().rev().collect()).filter(|symbol: &String| !symbol.is_empty())
 }
 
 /// Of a sign with or without an index, as `v_1` and `h2`.
 fn meaning(symbol: &str) -> Option<&'static [&'static str]> {
     let first = symbol.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_' || ('₀'..='₉').contains(&c));
     SYMBOLS.iter().find(|(name, _)| *name == first).map(|(_, meant)| *meant)
-}
-
-/// Whether what follows a number makes it a label; `next` where it is the next ordinal number.
-fn labels(behind: &str, next: bool) -> bool {
-    let behind = behind.trim_start_matches(' ');
-    let point = behind.strip_prefix('.').is_some_and(|rest| rest.starts_with(char::is_whitespace) && !rest.trim().is_empty());
-    behind.starts_with([':', ')']) && !behind[1..].trim().is_empty() || next && point
 }
 
 /// Numbers with a sign of arithmetic between them, up to an equals sign, are worked out.

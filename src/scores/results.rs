@@ -1,5 +1,5 @@
-//! Answers to experiments: a file a player, a row an answer, for teachers and their spreadsheets. The game only adds rows. RFC 4180,
-//! CRLF, UTF-8 behind a byte-order mark, without which Excel takes it for another encoding.
+//! Answers to experiments: a file a player, a row a reading, the prediction in the first row that is handed in with it, for teachers and
+//! their spreadsheets. The game only adds rows. RFC 4180, CRLF, UTF-8 behind a byte-order mark, without which Excel takes it for another encoding.
 
 use std::path::PathBuf;
 
@@ -10,7 +10,8 @@ use super::name::{Name, ScoresError};
 use super::players::harmless;
 use crate::{level, number};
 
-pub(super) const HEADER: &str = "\u{feff}player,experiment,time,guess,guess_right,readings,readings_right,answer\r\n";
+pub(super) const HEADER: &str =
+    "\u{feff}player,experiment,time,prediction,predicted,prediction_right,quantity,reading,unit,tick,reading_right,answer\r\n";
 
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct ResultRow {
@@ -19,15 +20,24 @@ pub struct ResultRow {
     pub experiment: String,
     /// `2026-11-24 15:58:21`, UTC.
     pub time: String,
+    /// Empty where it is in a row before.
     #[serde(serialize_with = "as_number_or_text")]
-    pub guess: String,
+    pub prediction: String,
+    /// When it was made, as `time`.
+    pub predicted: String,
     /// `None` where nothing says what is right.
     #[serde(serialize_with = "as_verdict")]
-    pub guess_right: Option<bool>,
+    pub prediction_right: Option<bool>,
+    /// What was read, as the experiment's list names it; the unit that its cell asks for.
+    #[serde(serialize_with = "as_text")]
+    pub quantity: String,
     #[serde(serialize_with = "as_number_or_text")]
-    pub readings: String,
+    pub reading: String,
+    pub unit: String,
+    /// The moment of the flight that was shown then.
+    pub tick: Option<u64>,
     #[serde(serialize_with = "as_verdict")]
-    pub readings_right: Option<bool>,
+    pub reading_right: Option<bool>,
     /// The exact one, of the experiment.
     #[serde(serialize_with = "as_text")]
     pub answer: String,
@@ -72,10 +82,12 @@ impl Results {
         self.folder.join(format!("{player}{more}.csv"))
     }
 
-    /// Adds an answer.
+    /// Adds the rows of a player.
     /// Errors: a file that is no list of answers; see [`crate::files::SaveError`].
-    pub fn append(&self, row: &ResultRow) -> Result<(), ScoresError> {
-        folder::append(&self.file(&row.player), HEADER, &folder::line(row))
+    pub fn append(&self, rows: &[ResultRow]) -> Result<(), ScoresError> {
+        let Some(first) = rows.first() else { return Ok(()) };
+        let lines: String = rows.iter().map(folder::line).collect();
+        folder::append(&self.file(&first.player), HEADER, &lines)
     }
 }
 
@@ -93,21 +105,28 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_stay_numbers_and_no_guess_is_a_formula() {
+    fn numbers_stay_numbers_and_no_prediction_is_a_formula() {
         let mut row = ResultRow {
             player: Name::new("ann").unwrap(),
             experiment: "hooke".to_owned(),
             time: "2026-11-24 15:58:21".to_owned(),
-            guess: "-5,25".to_owned(),
-            guess_right: Some(false),
-            readings: "48 N, \"soft\"; 50 N".to_owned(),
-            readings_right: Some(true),
+            prediction: "-5,25".to_owned(),
+            predicted: "2026-11-24 15:50:00".to_owned(),
+            prediction_right: Some(false),
+            quantity: "soft spring, force".to_owned(),
+            reading: "48 N, \"soft\"; 50 N".to_owned(),
+            unit: "N/m".to_owned(),
+            tick: Some(240),
+            reading_right: Some(true),
             answer: "F = k·s".to_owned(),
         };
-        let expected = "ann,hooke,2026-11-24 15:58:21,\"-5,25\",no,\"48 N, \"\"soft\"\"; 50 N\",yes,F = k·s\r\n";
+        let start = "ann,hooke,2026-11-24 15:58:21";
+        let expected = format!(
+            "{start},\"-5,25\",2026-11-24 15:50:00,no,\"soft spring, force\",\"48 N, \"\"soft\"\"; 50 N\",N/m,240,yes,F = k·s\r\n"
+        );
         assert_eq!(folder::line(&row), expected);
-        (row.guess_right, row.readings_right) = (None, None);
-        for (guess, cell) in [
+        (row.prediction_right, row.reading_right, row.tick) = (None, None, None);
+        for (text, cell) in [
             ("=1+1", "'=1+1"),
             ("+5", "+5"),
             ("+5 N", "'+5 N"),
@@ -118,8 +137,9 @@ mod tests {
             ("-inf", "'-inf"),
             ("", ""),
         ] {
-            (row.guess, row.readings) = (guess.to_owned(), guess.to_owned());
-            assert_eq!(folder::line(&row), format!("ann,hooke,2026-11-24 15:58:21,{cell},,{cell},,F = k·s\r\n"));
+            (row.prediction, row.reading) = (text.to_owned(), text.to_owned());
+            let expected = format!("{start},{cell},2026-11-24 15:50:00,,\"soft spring, force\",{cell},N/m,,,F = k·s\r\n");
+            assert_eq!(folder::line(&row), expected);
         }
     }
 

@@ -22,9 +22,10 @@ pub struct LevelTally {
 #[derive(Clone, Debug, Default)]
 pub struct ExperimentTally {
     pub players: BTreeSet<Name>,
-    pub answers: usize,
+    /// By who handed in, and when: its rows are one.
+    answers: BTreeSet<(Name, String)>,
     /// Right and wrong ones; others are not judged.
-    pub guesses: [usize; 2],
+    pub predictions: [usize; 2],
     pub readings: [usize; 2],
 }
 
@@ -44,6 +45,12 @@ impl LevelTally {
         times.sort_unstable_by(f64::total_cmp);
         let (below, above) = (times.get(times.len().checked_sub(1)? / 2)?, times.get(times.len() / 2)?);
         Some((below + above) / 2.0)
+    }
+}
+
+impl ExperimentTally {
+    pub fn answers(&self) -> usize {
+        self.answers.len()
     }
 }
 
@@ -86,14 +93,14 @@ impl Tally {
     }
 
     fn add_answer(&mut self, row: &CsvRow<'_>) -> Result<(), String> {
-        let AnswerCells { player, experiment, guess_right, readings_right, .. } = cells(row)?;
+        let AnswerCells { player, experiment, time, prediction_right, reading_right, .. } = cells(row)?;
         if !self.seen.insert(row.joined()) {
             return Ok(());
         }
         let tally = self.experiments.entry(experiment).or_default();
-        tally.players.insert(player);
-        tally.answers += 1;
-        for (counts, judged) in [(&mut tally.guesses, guess_right), (&mut tally.readings, readings_right)] {
+        tally.players.insert(player.clone());
+        tally.answers.insert((player, time));
+        for (counts, judged) in [(&mut tally.predictions, prediction_right), (&mut tally.readings, reading_right)] {
             if let Some(right) = judged {
                 counts[usize::from(!right)] += 1;
             }
@@ -144,10 +151,14 @@ struct AnswerCells {
     player: Name,
     experiment: String,
     time: String,
-    guess: String,
-    guess_right: Option<bool>,
-    readings: String,
-    readings_right: Option<bool>,
+    prediction: String,
+    predicted: String,
+    prediction_right: Option<bool>,
+    quantity: String,
+    reading: String,
+    unit: String,
+    tick: String,
+    reading_right: Option<bool>,
     answer: String,
 }
 
@@ -179,10 +190,14 @@ impl CsvStruct for AnswerCells {
         CsvColumn { name: "player", plain: |_, text| Name::cell(text) },
         CsvColumn { name: "experiment", plain: |_, text| named(text) },
         CsvColumn { name: "time", plain: |_, text| Ok(text.into()) },
-        CsvColumn { name: "guess", plain: |_, text| Ok(text.into()) },
-        CsvColumn { name: "guess_right", plain: |_, text| verdict(text) },
-        CsvColumn { name: "readings", plain: |_, text| Ok(text.into()) },
-        CsvColumn { name: "readings_right", plain: |_, text| verdict(text) },
+        CsvColumn { name: "prediction", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "predicted", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "prediction_right", plain: |_, text| verdict(text) },
+        CsvColumn { name: "quantity", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "reading", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "unit", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "tick", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "reading_right", plain: |_, text| verdict(text) },
         CsvColumn { name: "answer", plain: |_, text| Ok(text.into()) },
     ];
 }
@@ -216,14 +231,15 @@ mod tests {
     #[test]
     fn lists_count_the_same_whatever_spreadsheet_saved_them() {
         let attempts = "level,player,result,time,fuel,hits,cause,assisted\n1,ann,completed,5.483,0.850,2,,false\n\"a; b\",bob,failed,1.5,1.000,0,obstacle 2,true\n";
-        let answers = "player,experiment,time,guess,guess_right,readings,readings_right,answer\nann,hooke,2026-11-24 15:58:21,0.5,no,\"3,9 m; 4\",yes,F = k\n";
+        let answers = "player,experiment,time,prediction,predicted,prediction_right,quantity,reading,unit,tick,reading_right,answer\n\
+                       ann,hooke,2026-11-24 15:58:21,0.5,2026-11-24 15:50:00,no,stretch,\"3,9 m; 4\",m,12,yes,F = k\n";
         let summed = |bytes: &[u8]| {
             let mut tally = Tally::default();
             let problems = tally.add("a.csv", bytes);
             let levels: Vec<_> =
                 tally.levels.iter().map(|(level, sums)| (level.clone(), sums.tries, sums.successes, sums.median())).collect();
             let answers: Vec<_> =
-                tally.experiments.iter().map(|(name, sums)| (name.clone(), sums.guesses, sums.readings)).collect();
+                tally.experiments.iter().map(|(name, sums)| (name.clone(), sums.predictions, sums.readings)).collect();
             (problems, levels, answers)
         };
         for plain in [attempts, answers] {

@@ -6,7 +6,7 @@ use crate::draw::layout::{Area, Frame};
 use crate::game::{Game, RunResult};
 use crate::instruments::vary::Variation;
 use crate::level::Level;
-use crate::scores::{Name, ResultRow};
+use crate::scores::Name;
 use crate::session::Session;
 use crate::session::attempt::{Attempt, Flown};
 use crate::session::library::NewFile;
@@ -329,8 +329,10 @@ pub enum Effect {
     SaveVaried(Variation, String),
     /// Keeps a curve as a file.
     Export(NewFile),
-    /// Saves an answer of the player to an experiment.
-    HandIn(ResultRow),
+    /// The player's prediction for an experiment stays as it is from now on.
+    Predict,
+    /// Saves the player's answers to an experiment.
+    HandIn,
     /// Keeps a flight as a file.
     Keep(FlightCandidate),
     /// Copies a flight's code.

@@ -4,12 +4,9 @@
 use super::attempt::Experiment;
 use super::library;
 use crate::scores::{Name, ResultRow, Results, time_of};
-use crate::ui::text_field::TextField;
+use crate::ui::EntryField;
 use crate::words::tr;
 use std::collections::BTreeMap;
-
-/// The most characters of a guess, and of readings.
-pub const MOST_LETTERS: (usize, usize) = (80, 240);
 
 /// The answers of this run of the game.
 #[derive(Debug)]
@@ -26,21 +23,22 @@ impl Answers {
         Self { results, sheets: BTreeMap::new(), unsaved: Vec::new() }
     }
 
-    /// Saves an answer of that player, given at that time, s; one that is not saved waits for the end. What became of it, in words.
+    /// Saves the rows of a sheet, handed in by that player at that time, s; what is not saved waits for the end. What became of it, in words.
     ///
     /// # Errors
     /// Why it is not saved.
-    pub fn hand_in(&mut self, row: ResultRow, player: &Name, now: f64) -> Result<String, String> {
-        let row = ResultRow { player: player.clone(), time: time_of(now), ..row };
-        let file = self.results.file(&row.player);
-        self.unsaved.retain(|other| (&other.player, &other.experiment) != (&row.player, &row.experiment));
-        match self.results.append(&row) {
+    pub fn hand_in(&mut self, rows: Vec<ResultRow>, player: &Name, now: f64) -> Result<String, String> {
+        let own = |row| ResultRow { player: player.clone(), time: time_of(now), ..row };
+        let rows: Vec<ResultRow> = rows.into_iter().map(own).collect();
+        self.unsaved.retain(|other| rows.iter().all(|row| (&other.player, &other.experiment) != (&row.player, &row.experiment)));
+        match self.results.append(&rows) {
             Ok(()) => {
+                let file = self.results.file(player);
                 library::hand_out(&file);
                 Ok(tr!("Saved in {place}.", place = file.display()))
             }
             Err(error) => {
-                self.unsaved.push(row);
+                self.unsaved.extend(rows);
                 Err(error.to_string())
             }
         }
@@ -49,7 +47,7 @@ impl Answers {
     /// Tries once more to save the answers that are not; those that are lost, a line each.
     pub fn close(&mut self) -> Vec<String> {
         let mut losses = Vec::new();
-        self.unsaved.retain(|row| match self.results.append(row) {
+        self.unsaved.retain(|row| match self.results.append(std::slice::from_ref(row)) {
             Ok(()) => false,
             Err(error) => {
                 losses.push(tr!("the answer to {experiment}: {error}", experiment = row.experiment, error));
@@ -64,28 +62,53 @@ impl Answers {
     }
 }
 
-/// The sheet of an experiment: the pupil's guess and readings.
+/// A cell of the sheet's table.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Reading {
+    pub text: String,
+    /// The moment of the flight on the screen when it was written.
+    pub tick: u64,
+}
+
+/// What is written on a sheet: the prediction, and the readings in the order of the experiment's quantities.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Written {
+    pub prediction: String,
+    pub readings: Vec<Reading>,
+}
+
+/// The sheet of an experiment.
 #[derive(Debug)]
 pub struct Worksheet {
     pub experiment: Experiment,
-    pub guess: TextField,
-    pub readings: TextField,
-    /// Whether the answer is shown: the guess stays as it is then.
+    /// Whether it stands beside the flight.
+    pub open: bool,
+    pub entry: EntryField,
+    pub written: Written,
+    /// When the prediction was made, s since 1970-01-01, 0 UTC: it stays from then on.
+    pub predicted: Option<f64>,
+    /// Whether the world has been let go: a prediction made after that is none.
+    pub begun: bool,
+    /// Whether the answer is shown: the readings stay as they are then.
     pub answered: bool,
-    /// What was saved last.
-    pub saved: Option<[String; 2]>,
+    /// What was saved last, and before that.
+    saved: [Written; 2],
     /// The outcome of the last press; an error is a problem.
     pub message: Result<String, String>,
 }
 
 impl Worksheet {
     pub fn new(experiment: Experiment) -> Self {
+        let blank = Written { prediction: String::new(), readings: vec![Reading::default(); experiment.readings.len()] };
         Self {
             experiment,
-            guess: TextField::new("", MOST_LETTERS.0),
-            readings: TextField::new("", MOST_LETTERS.1),
+            open: true,
+            entry: EntryField::default(),
+            saved: [blank.clone(), blank.clone()],
+            written: blank,
+            predicted: None,
+            begun: false,
             answered: false,
-            saved: None,
             message: Ok(String::new()),
         }
     }
@@ -94,39 +117,67 @@ impl Worksheet {
         &self.experiment.folder
     }
 
-    /// What became of the answer that was to be saved.
+    /// Whether a prediction can still be made or changed.
+    pub const fn predicts(&self) -> bool {
+        self.predicted.is_none() && !self.begun
+    }
+
+    /// The prediction stays as it is from that moment on, s.
+    pub fn fix_prediction(&mut self, now: f64) {
+        if self.predicts() && !self.written.prediction.is_empty() {
+            self.predicted = Some(now);
+        }
+    }
+
+    /// What became of the rows that were to be saved.
     pub fn set_message(&mut self, message: Result<String, String>) {
-        self.saved = self.saved.take().filter(|_| message.is_ok());
+        if message.is_err() {
+            self.saved[0] = self.saved[1].clone();
+        }
         self.message = message;
     }
 
-    /// What is written and not saved yet; it counts as saved from now on.
-    pub fn take_unsaved(&mut self) -> Option<ResultRow> {
-        if !self.is_unsaved() {
-            return None;
-        }
-        let written = self.written();
-        self.saved = Some(written.clone());
-        let [guess, readings] = written;
-        Some(ResultRow {
+    /// What is written and not saved yet, the prediction in the first row; it counts as saved from now on.
+    pub fn take_unsaved(&mut self) -> Vec<ResultRow> {
+        let row = |experiment: &Experiment| ResultRow {
             player: Name::guest(),
-            experiment: self.experiment.folder.clone(),
+            experiment: experiment.folder.clone(),
             time: String::new(),
-            guess_right: self.experiment.judge_guess(&guess),
-            readings_right: self.experiment.judge_readings(&readings),
-            guess,
-            readings,
-            answer: self.experiment.answer.clone(),
-        })
+            prediction: String::new(),
+            predicted: String::new(),
+            prediction_right: None,
+            quantity: String::new(),
+            reading: String::new(),
+            unit: String::new(),
+            tick: None,
+            reading_right: None,
+            answer: experiment.answer.clone(),
+        };
+        let wanted = self.experiment.readings.iter().zip(self.written.readings.iter().zip(&self.saved[0].readings));
+        let fresh = wanted.filter(|(_, (now, before))| now.text != before.text);
+        let mut rows: Vec<ResultRow> = fresh
+            .map(|(wanted, (now, _))| ResultRow {
+                quantity: wanted.what.clone(),
+                reading: now.text.clone(),
+                unit: wanted.unit.clone(),
+                tick: Some(now.tick),
+                reading_right: wanted.judge(&now.text),
+                ..row(&self.experiment)
+            })
+            .collect();
+        if self.written.prediction != self.saved[0].prediction {
+            if rows.is_empty() {
+                rows.push(row(&self.experiment));
+            }
+            rows[0].prediction = self.written.prediction.clone();
+            rows[0].predicted = self.predicted.map_or_else(String::new, time_of);
+            rows[0].prediction_right = self.experiment.judge_prediction(&self.written.prediction);
+        }
+        self.saved = [self.written.clone(), self.saved[0].clone()];
+        rows
     }
 
     pub fn is_unsaved(&self) -> bool {
-        let written = self.written();
-        !written.iter().all(String::is_empty) && self.saved.as_ref() != Some(&written)
-    }
-
-    /// The guess and the readings.
-    pub fn written(&self) -> [String; 2] {
-        [&self.guess, &self.readings].map(|field| field.text().trim().to_owned())
+        self.written != self.saved[0]
     }
 }

@@ -3,7 +3,7 @@
 //! An experiment of the Lab, as `experiments/experiments.csv` lists it.
 
 use crate::game::{History, Inputs, Replay};
-use crate::instruments::reading::{self, Wanted};
+use crate::instruments::reading::Wanted;
 use crate::level::Level;
 use std::sync::Arc;
 
@@ -48,7 +48,7 @@ pub struct Experiment {
     pub question: String,
     pub vary: String,
     pub answer: String,
-    /// The guesses to choose from; none: a guess is written.
+    /// The predictions to choose from; none: one is written.
     pub choices: Vec<String>,
     /// The right choice, or a number with its unit; empty where neither is.
     pub right: String,
@@ -58,16 +58,16 @@ pub struct Experiment {
 }
 
 impl Experiment {
-    /// Whether a guess is right; `None` where the experiment has no right one, or the text none that could be.
-    pub fn judge_guess(&self, text: &str) -> Option<bool> {
+    /// Whether a prediction is right; `None` where the experiment has no right one, or the text none that could be.
+    pub fn judge_prediction(&self, text: &str) -> Option<bool> {
         if !self.choices.is_empty() {
             return self.choices.iter().any(|choice| choice == text).then(|| text == self.right);
         }
-        reading::judge(text, &[Wanted::new(&self.question, &self.right)?])
+        self.predicted()?.judge(text)
     }
 
-    /// The same of readings: where no quantities are named, they are a guess made after the flight.
-    pub fn judge_readings(&self, text: &str) -> Option<bool> {
-        if self.readings.is_empty() { self.judge_guess(text) } else { reading::judge(text, &self.readings) }
+    /// The number that is to be predicted, where one is.
+    pub fn predicted(&self) -> Option<Wanted> {
+        if self.choices.is_empty() { Wanted::new(&self.question, &self.right) } else { None }
     }
 }

@@ -57,6 +57,8 @@ actions! {
     Slower "key_slower" "Slower" "slows the world down" [LeftBracket] [];
     Faster "key_faster" "Faster" "speeds the world up" [RightBracket] [];
     Instruments "key_instruments" "Instruments" "opens and closes the instruments" [I] [];
+    Picture "key_picture" "Free-body picture" "shows the forces on a body alone, as in a textbook, in place of the scene" [K] [];
+    Sheet "key_sheet" "Sheet" "opens and closes the sheet of an experiment" [L] [];
 }
 
 /// The actions that fly come first.

@@ -4,7 +4,7 @@
 
 use crate::game::{Game, SHIP, body_title, plain_name};
 use crate::number::{NOTHING, QuantityScale, fixed};
-use crate::physics::{BodyId, DVec2, ForceKind, ForceManager, Impulse, LinkEnd, Obstacle, Source};
+use crate::physics::{BodyId, DVec2, ForceKind, ForceManager, LinkEnd, Obstacle, Source};
 use crate::words::tr;
 
 /// Below this length (N) a force's direction is no more than rounding: the force stays by itself.
@@ -13,6 +13,9 @@ const SMALLEST_FORCE: f64 = 1e-9;
 const SAME_DIRECTION: f64 = 1e-6;
 /// A resultant below this part of the strongest force reads as none: a body that nears its terminal velocity.
 const BALANCED: f64 = 1e-7;
+
+/// Below this part of the largest force (impulse) a resultant has no arrow, and a force (impulse) none in its picture.
+pub const NO_PART: f64 = 1e-3;
 
 /// Impacts that together change a body's velocity by less (m/s) are left out: a body at rest has many of them.
 const SMALLEST_IMPACT: f64 = 1e-3;
@@ -38,7 +41,7 @@ impl ArrowKind {
         match self {
             Self::Resultant => "Resultant",
             Self::Force(kind) => kind.shown(),
-            Self::Impact => Impulse::NAME,
+            Self::Impact => "Impulse",
         }
     }
 }

@@ -2,7 +2,7 @@
 //! another one, the ship, a hazard, a goal or the head-up display moves aside, along its line of action, or, at last, off its
 //! scale, which is marked. A force too small to be seen is as long as its head needs.
 
-use super::facts::{ArrowKind, BodyFacts, FactRow, Value, reads_as_nothing};
+use super::facts::{ArrowKind, BodyFacts, FactRow, NO_PART, Value, reads_as_nothing};
 use super::scale::{Arrow, ArrowScale, HEAD_SPREAD, Label, Reach, head_length};
 use crate::draw::layout::{Area, Vec2};
 use crate::game::SHIP;
@@ -75,10 +75,13 @@ impl Ground<'_> {
 
 /// The force or impact of a line with an arrow, and its vector. A line whose value is written as zero beside the others has none.
 pub fn arrow_of(row: &FactRow, beside: &[FactRow]) -> Option<(ArrowKind, DVec2)> {
-    let exerted = row.exerted();
     match (row.shown, row.value) {
-        (Some(ArrowKind::Resultant), Value::Vector(vector)) => Some((ArrowKind::Resultant, vector)),
-        _ => exerted,
+        (Some(ArrowKind::Resultant), Value::Vector(vector)) => {
+            let forces = beside.iter().filter_map(FactRow::exerted).filter(|(shown, _)| !shown.is_impact());
+            let largest = forces.map(|(_, force)| force.length()).fold(0.0, f64::max);
+            Some((ArrowKind::Resultant, vector)).filter(|_| vector.length() >= NO_PART * largest)
+        }
+        _ => row.exerted(),
     }
     .filter(|_| !reads_as_nothing(row, beside))
 }

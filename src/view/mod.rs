@@ -22,6 +22,7 @@ pub mod pictures;
 pub mod scale;
 pub mod sky;
 pub mod terrain;
+pub mod textbook;
 pub mod theme;
 pub mod things;
 pub mod widgets;

@@ -36,9 +36,6 @@ enum Head {
     Filled,
     Open,
     Double,
-    Diamond,
-    Bar,
-    Disc,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -159,13 +156,13 @@ const fn style(shown: ArrowKind) -> (Head, &'static [f32]) {
         ForceKind::Reaction => (Head::Open, &[]),
         ForceKind::Friction => (Head::Filled, &[5.0, 4.0]),
         ForceKind::AirResistance => (Head::Open, &[10.0, 5.0]),
-        ForceKind::Wind => (Head::Diamond, &[10.0, 5.0]),
-        ForceKind::Buoyancy => (Head::Disc, &[]),
-        ForceKind::ViscousDrag => (Head::Disc, &[9.0, 4.0, 2.5, 4.0]),
-        ForceKind::Push => (Head::Bar, &[]),
-        ForceKind::Spring => (Head::Bar, &[9.0, 4.0, 2.5, 4.0]),
-        ForceKind::Tension => (Head::Bar, &[10.0, 5.0]),
-        ForceKind::Magnetic => (Head::Diamond, &[]),
+        ForceKind::Wind => (Head::Double, &[10.0, 5.0]),
+        ForceKind::Buoyancy => (Head::Double, &[5.0, 4.0]),
+        ForceKind::ViscousDrag => (Head::Open, &[9.0, 4.0, 2.5, 4.0]),
+        ForceKind::Push => (Head::Filled, &[10.0, 5.0]),
+        ForceKind::Spring => (Head::Filled, &[9.0, 4.0, 2.5, 4.0]),
+        ForceKind::Tension => (Head::Open, &[5.0, 4.0]),
+        ForceKind::Magnetic => (Head::Double, &[9.0, 4.0, 2.5, 4.0]),
     }
 }
 
@@ -186,18 +183,6 @@ fn draw_head(canvas: &Canvas, head: Head, tip: Vec2, along: Vec2, length: f32, w
             canvas.line(base, tip, width, colour);
             canvas.line(base + side, tip, width, colour);
             canvas.line(base - side, tip, width, colour);
-        }
-        Head::Diamond => {
-            let middle = tip - along * length * 0.5;
-            canvas.convex(&[tip, middle + side, tip - along * length, middle - side], colour);
-        }
-        Head::Bar => {
-            canvas.line(tip - along * length, tip, width, colour);
-            canvas.line(tip + side * 1.3, tip - side * 1.3, width * 1.4, colour);
-        }
-        Head::Disc => {
-            canvas.line(tip - along * length, tip - along * length * 0.5, width, colour);
-            canvas.disc(tip - along * length * 0.4, length * 0.4, colour);
         }
     }
 }
@@ -313,14 +298,14 @@ fn usual(game: &Game, focus: &Focus, shown: &[BodyId]) -> [f64; 2] {
 }
 
 #[derive(Clone, Debug, Default)]
-struct ScaleStep {
+pub(super) struct ScaleStep {
     now: Option<f64>,
     /// The tick since which a smaller value would do, and the largest wish since.
     loose: Option<(u64, f64)>,
 }
 
 impl ScaleStep {
-    fn update(&mut self, wanted: f64, tick: u64, patience: u64) -> f64 {
+    pub(super) fn update(&mut self, wanted: f64, tick: u64, patience: u64) -> f64 {
         let fitting = round_up(wanted);
         let now = match self.now {
             Some(now) if fitting < now => {

@@ -4,7 +4,8 @@ use crate::support::program::Data;
 use std::fs;
 
 const ATTEMPTS: &str = "level,player,result,time,fuel,hits,cause,assisted\r\n";
-const ANSWERS: &str = "\u{feff}player,experiment,time,guess,guess_right,readings,readings_right,answer\r\n";
+const ANSWERS: &str =
+    "\u{feff}player,experiment,time,prediction,predicted,prediction_right,quantity,reading,unit,tick,reading_right,answer\r\n";
 
 /// The files of two pupils, a folder each as a class hands them in.
 fn class() -> Data {
@@ -14,11 +15,18 @@ fn class() -> Data {
                10,ann,failed,3.000,0.5,1,obstacle 2,false\r\n";
     data.write("ann/scores/attempts.csv", &format!("{ATTEMPTS}{ann}"));
     data.write("ann/scores/2.csv", "name,score\nann,5\n");
-    let hooke = "ann,hooke,2026-11-24 15:58:21,40,no,50,yes,F = k·s\r\n";
-    data.write("ann/results/ann.csv", &format!("{ANSWERS}{hooke}ann,lift,2026-11-24 15:58:22,heavier,,,,N = m·(g + a)\r\n"));
+    let hooke = "ann,hooke,2026-11-24 15:58:21,40,2026-11-24 15:50:00,no,force,50,N/m,7,yes,F = k·s\r\n\
+                 ann,hooke,2026-11-24 15:58:21,,,,stretch,0.6,m,9,no,F = k·s\r\n";
+    data.write(
+        "ann/results/ann.csv",
+        &format!("{ANSWERS}{hooke}ann,lift,2026-11-24 15:58:22,heavier,2026-11-24 15:58:00,,,,,,,N = m·(g + a)\r\n"),
+    );
     data.write("bob/attempts.csv", &format!("{ATTEMPTS}2,bob,completed,8.000,0.5,0,,FALSE\n"));
     // A copy of ann's answers, and one more.
-    data.write("bob/bob.csv", &format!("{ANSWERS}{hooke}bob,hooke,2026-11-24 16:00:00,'=50,yes,80,no,F = k·s\r\n"));
+    data.write(
+        "bob/bob.csv",
+        &format!("{ANSWERS}{hooke}bob,hooke,2026-11-24 16:00:00,'=50,2026-11-24 15:59:00,yes,force,80,N/m,3,no,F = k·s\r\n"),
+    );
     data
 }
 
@@ -28,9 +36,9 @@ level  players  tries  successes   rate  median time  lost to
 10           1      3          0    0 %            –  obstacle 2 (2), sea 1 (1)
 ";
 const EXPERIMENTS: &str = "\
-experiment  players  answers  guesses right  wrong  readings right  wrong
-hooke             2        2              1      1               1      1
-lift              1        1              0      0               0      0
+experiment  players  answers  predictions right  wrong  readings right  wrong
+hooke             2        2                  1      1               1      2
+lift              1        1                  0      0               0      0
 ";
 
 #[test]
@@ -55,10 +63,10 @@ fn the_sums_go_to_a_file_too() {
     let sums = data.resultant(&["stats", &data.arg("ann"), &data.arg("bob"), "--csv", &out]);
     assert_eq!((sums.status, sums.err.as_str()), (0, ""));
     let expected = "\
-        kind,name,players,tries,successes,median_time,lost_to,guesses_right,guesses_wrong,readings_right,readings_wrong\n\
+        kind,name,players,tries,successes,median_time,lost_to,predictions_right,predictions_wrong,readings_right,readings_wrong\n\
         level,2,2,4,4,8.000,,,,,\n\
         level,10,1,3,0,,\"obstacle 2 (2), sea 1 (1)\",,,,\n\
-        experiment,hooke,2,2,,,,1,1,1,1\n\
+        experiment,hooke,2,2,,,,1,1,1,2\n\
         experiment,lift,1,1,,,,0,0,0,0\n";
     assert_eq!(fs::read_to_string(&out).unwrap(), expected);
     // A list that is read is not written over.
@@ -74,7 +82,8 @@ fn rows_that_cannot_be_read_are_named_and_the_others_count() {
                2,ann,failed,-1,0.5,0,,false\r\n2,ann,failed,9,0.5,0,,perhaps\r\n2,ann,failed,9,0.5,0,,false,more\r\n\
                2,cid,failed,9,0.5,0,,false\r\n2,ann,failed,9,0.5,0,\"open,false\r\n";
     let list = data.write("cid.csv", &format!("{ATTEMPTS}{bad}"));
-    let answers = data.write("dan.csv", &format!("{ANSWERS}dan,hooke,now,50,maybe,,,F\r\ndan,hooke,now,50,yes,,,F\r\n"));
+    let answers =
+        data.write("dan.csv", &format!("{ANSWERS}dan,hooke,now,50,now,maybe,,,,,,F\r\ndan,hooke,now,50,now,yes,,,,,,F\r\n"));
     let sums = data.resultant(&["stats", &list, &answers]);
     assert_eq!(sums.status, 1);
     let said: Vec<&str> = sums.err.lines().collect();
@@ -86,7 +95,7 @@ fn rows_that_cannot_be_read_are_named_and_the_others_count() {
         (4, "cid.csv:6: column \"assisted\": found \"perhaps\", expected true or false"),
         (5, "cid.csv:7: found 9 cells, expected 8 cells"),
         (6, "cid.csv:9: found a quote that is never closed"),
-        (7, "dan.csv:2: column \"guess_right\": found \"maybe\", expected yes or no"),
+        (7, "dan.csv:2: column \"prediction_right\": found \"maybe\", expected yes or no"),
     ] {
         assert!(said[line].contains(words), "{said:#?}");
     }
@@ -124,7 +133,7 @@ fn lists_count_at_any_depth_and_each_once() {
 #[test]
 fn a_list_that_cannot_be_read_is_named_and_no_sums_pass_for_whole() {
     let data = class();
-    let rows = "lift,2026-03-04T10:11:00Z,heavier,no,,,because";
+    let rows = "lift,2026-03-04T10:11:00Z,heavier,2026-03-04T10:10:00Z,no,,,,,,because";
     let wide = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
     let unread: [(&str, Vec<u8>); 6] = [
         ("binary.csv", vec![0; 64]),

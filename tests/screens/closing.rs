@@ -1,7 +1,7 @@
 //! The window is closed while something is neither saved nor kept: the game asks, and nothing is lost unless the player says so.
 
 use crate::editor;
-use crate::lesson::experiment;
+use crate::lesson::{opened, predict};
 use crate::sitting::Sitting;
 use resultant::level::document::Kind;
 use resultant::screens::Key;
@@ -123,8 +123,8 @@ fn what_was_done_and_set_is_asked_about_where_it_cannot_be_written() {
 
 #[test]
 fn an_answer_that_cannot_be_written_is_asked_about_and_is_written_once() {
-    let mut sitting = experiment("hooke");
-    sitting.press(Key::Escape).click("Your guess").write("40");
+    let mut sitting = opened("hooke");
+    predict(&mut sitting, "40");
     let folder = sitting.folder.path().join("results");
     fs::write(&folder, "a file").unwrap();
     asks(&mut sitting, "results");

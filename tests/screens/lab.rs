@@ -465,12 +465,12 @@ fn experiments(root: &Path) {
 }
 
 #[test]
-fn an_experiment_is_guessed_flown_and_of_no_account() {
+fn an_experiment_is_described_flown_and_of_no_account() {
     let mut sitting = lab_with(experiments);
     turn_to(&mut sitting, "Experiments");
     assert_eq!(sitting.focused(), "Free fall");
     sitting.press(Key::Space);
-    assert!(sitting.shows("The sheet is in the pause panel") && !sitting.shows("t = √(2h/g)"), "no answer before a guess");
+    assert!(sitting.shows("The sheet stands beside the flight") && !sitting.shows("t = √(2h/g)"), "the answer comes last");
     sitting.press(Key::Down);
     assert!(sitting.shows("docs/sheets/terminal-velocity.html"));
     // A click chooses, a second one flies.

@@ -138,10 +138,11 @@ fn lab(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
         sitting.press(Key::Down);
     }
     visit(sitting.press(Key::Enter).wait(0.3), "an experiment");
-    visit(sitting.press(Key::Escape), "its sheet");
+    visit(sitting.press(Key::Escape), "its pause");
     visit(sitting.choose("Back to experiments").press(Key::Up), "experiments");
-    visit(sitting.press(Key::Enter).wait(0.3).press(Key::Escape).click("Save"), "a sheet without a guess");
-    sitting.click("Main Menu");
+    visit(sitting.press(Key::Enter).wait(0.3).click("Save"), "a sheet without a prediction");
+    visit(sitting.press(Key::K), "a free-body picture");
+    sitting.press(Key::Escape).click("Main Menu");
 }
 
 fn flight(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {

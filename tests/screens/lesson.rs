@@ -19,11 +19,22 @@ pub fn free_fall() -> Sitting {
     sitting
 }
 
-/// In an experiment that has been started, from the menu on.
+/// In an experiment that has been started, its sheet closed, from the menu on.
 pub fn experiment(name: &str) -> Sitting {
     let mut sitting = opened(name);
-    sitting.press(Key::B);
+    predict(&mut sitting, "1");
+    sitting.press(Key::L).press(Key::B);
     sitting
+}
+
+/// Writes a prediction, or makes the first choice.
+pub fn predict(sitting: &mut Sitting, text: &str) {
+    if sitting.labels().contains(&"Your prediction") {
+        sitting.click("Your prediction").write(text).press(Key::Enter);
+    } else {
+        let choice = sitting.labels()[2].to_owned();
+        sitting.click(&choice);
+    }
 }
 
 /// In an experiment as it opens, from the menu on.
@@ -87,14 +98,20 @@ fn taken_along(sitting: &mut Sitting) -> Vec<Vec<f64>> {
 }
 
 #[test]
-fn an_experiment_waits_for_its_pupil_to_guess_and_does_so_again_after_a_restart() {
+fn an_experiment_waits_for_a_prediction_and_stands_still_again_after_a_restart() {
     let mut sitting = opened("free-fall");
+    assert_eq!(sitting.line(" starts the experiment"), "Predict, then [B] starts the experiment");
+    for key in [Key::B, Key::Period, Key::B] {
+        sitting.press(key).wait(0.2);
+        assert_eq!((sitting.ticks(), sitting.warning().as_deref()), (0, Some("Make a prediction first.")));
+    }
+    predict(&mut sitting, "");
     for _ in 0..2 {
         sitting.wait(1.0);
         assert_eq!(sitting.ticks(), 0);
-        assert_eq!(sitting.line(" starts the experiment"), "[B] starts the experiment · [Esc or P] your sheet");
+        assert_eq!(sitting.line(" starts the experiment"), "[B] starts the experiment");
         sitting.press(Key::Escape).press(Key::Escape);
-        assert_eq!(sitting.ticks(), 0, "the sheet starts nothing");
+        assert_eq!(sitting.ticks(), 0, "the pause starts nothing");
         sitting.press(Key::B).wait(0.5);
         assert!(sitting.ticks() > 50 && !sitting.shows("starts the experiment"));
         sitting.press(Key::R);

@@ -109,7 +109,7 @@ fn an_impact_is_told_for_half_a_second() {
         game.step(Controls::default());
     }
     // It has fallen by 1.5 m.
-    let told = ["Impact by floor (     0,   67.1) N·s"];
+    let told = ["Impulse by floor (     0,   67.1) N·s"];
     for _ in 0..=60 {
         assert_eq!(lines(&game, 1), told);
         game.step(Controls::default());

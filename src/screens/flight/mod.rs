@@ -27,7 +27,6 @@ use crate::screens::flight::observer::Observer;
 use crate::screens::flight::race::Race;
 use crate::screens::screen::{AboveGame, Destination, Effect, GameScene, Request, Screen};
 use crate::session::Session;
-use crate::session::answers::Worksheet;
 use crate::session::attempt::Attempt;
 use crate::session::library::is_of_level;
 use crate::session::worker::{Brought, Ticket};
@@ -59,6 +58,7 @@ impl Screen for Flight {
         self.age_news(ui.input().frame_time);
         self.introduce(ui.input());
         let mut rest = self.show_instruments(ui);
+        let asked = self.show_sheet(ui, &mut rest);
         let given = if self.open.pause.is_some() { Keys::default() } else { rest.held };
         rest.held = self.pilot.stale.sift(ui.input(), given);
         let request = match &self.pilot.source {
@@ -71,7 +71,7 @@ impl Screen for Flight {
             self.draw_signs(ui.canvas());
             self.draw_introduction(ui.canvas());
         }
-        request.or_else(|| self.show_pause(ui))
+        request.or(asked).or_else(|| self.show_pause(ui))
     }
 
     fn motion(&self, _: &Input) -> Motion {
@@ -112,7 +112,8 @@ impl Screen for Flight {
         match effect {
             Effect::Restart => self.restart_as_on_disk(session, spectator),
             Effect::Export(file) => self.seen.instruments.report_export(file.write(&session.places.root.join("exports"))),
-            Effect::HandIn(row) => self.hand_in(row, session),
+            Effect::HandIn => self.hand_in(session),
+            Effect::Predict => self.open.sheet.iter_mut().for_each(|sheet| sheet.fix_prediction(session.now)),
             Effect::SaveVaried(variation, name) => {
                 let saved = self.save_varied(&variation, &name, session);
                 let bad = saved.is_err();
@@ -165,9 +166,7 @@ impl Screen for Flight {
     }
 
     fn write_down(&mut self, session: &mut Session) -> Result<(), String> {
-        if let Some(row) = self.open.sheet.as_mut().and_then(|sheet| sheet.take_unsaved()) {
-            self.hand_in(row, session);
-        }
+        self.hand_in(session);
         Ok(())
     }
 
@@ -186,13 +185,14 @@ impl Screen for Flight {
         let shown = HudShown { status, fuel: status && level.player.has_engine(), rivals, medal };
         let focus = *self.seen.observer.focus();
         // Nobody is selected without details and instruments.
-        let focus = if self.seen.details || self.seen.instruments.is_open() { focus } else { focus.on_nobody() };
+        let focus = if self.is_looked_at() { focus } else { focus.on_nobody() };
         let (details, hitboxes, watched, map) = (self.seen.details, self.seen.hitboxes, self.is_watched(), self.shows_all());
+        let picture = self.seen.picture;
         Some(GameScene {
             game: &self.run.game,
             alpha: self.alpha(),
             room: self.seen.instruments.room(&above),
-            overlays: Overlays { settings: Settings::default(), details, shown, focus, hitboxes, watched, map },
+            overlays: Overlays { settings: Settings::default(), details, picture, shown, focus, hitboxes, watched, map },
             speed: if self.open.pause.is_some() { 0.0 } else { self.seen.observer.speed() * self.slowness() },
             paused: self.open.pause.is_some(),
             quiet: false,
@@ -205,9 +205,11 @@ impl Screen for Flight {
 
 impl AboveGame for Flight {
     fn draw_in_level(&self, alpha: f64, view: &Viewport, canvas: &Canvas) {
-        self.draw_goals_in_order(view, canvas);
+        if !self.seen.picture {
+            self.draw_goals_in_order(view, canvas);
+        }
         if self.seen.instruments.is_open() {
-            self.seen.instruments.draw_in_level((&self.run.game, alpha), view, canvas);
+            self.seen.instruments.draw_in_level((&self.run.game, alpha), !self.seen.picture, (view, canvas));
         }
     }
 
@@ -241,13 +243,13 @@ impl Flight {
         if !flight.run.game.level().ship_plays() {
             flight.seen.details = true;
             flight.seen.observer.look_at(Focus::fitted_on(first_mover(&flight.run.game)));
-            flight.wait_for_a_guess();
+            flight.wait_for_start();
         }
         Ok(flight)
     }
 
-    /// An experiment that is flown by hand stands still at its start: a pupil looks and guesses before anything moves.
-    pub(super) fn wait_for_a_guess(&mut self) {
+    /// An experiment that is flown by hand stands still at its start: a pupil looks and predicts before anything moves.
+    pub(super) fn wait_for_start(&mut self) {
         if self.is_by_hand() && !self.run.game.level().ship_plays() {
             self.seen.observer.freeze();
         }
@@ -280,8 +282,11 @@ impl Flight {
         if self.rewind(input, spectator) {
             return None;
         }
-        let looked_at = self.seen.details || self.seen.instruments.is_open();
+        let looked_at = self.is_looked_at();
         match self.seen.observer.update(input, &self.run.game, looked_at) {
+            ticks if self.waits_for_prediction() && (ticks > 0 || !self.seen.observer.frozen()) => {
+                return self.ask_for_prediction();
+            }
             0 => {}
             ticks => self.step(ticks, input, spectator),
         }
@@ -296,6 +301,11 @@ impl Flight {
         }
         self.fly(input, spectator);
         None
+    }
+
+    /// Whether a body can be picked out.
+    pub(super) const fn is_looked_at(&self) -> bool {
+        self.seen.details || self.seen.picture || self.seen.instruments.is_open()
     }
 
     /// As the instruments see it in that frame.

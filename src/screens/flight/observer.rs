@@ -25,6 +25,7 @@ fn more_or_less(input: &Input) -> i8 {
 pub(super) struct Observation {
     pub observer: Observer,
     pub details: bool,
+    pub picture: bool,
     pub hitboxes: bool,
     pub instruments: Instruments,
 }

@@ -1,10 +1,10 @@
 //! The pause panel, and the settings above it.
 
-use super::{Flight, Worksheet, worksheet};
-use crate::draw::layout::{Area, GAP, HEADING, PADDING, Vec2, WIDE_BUTTON};
+use super::Flight;
+use crate::draw::layout::{Area, HEADING, PADDING, Vec2, WIDE_BUTTON};
 use crate::screens::screen::{Destination, Effect, Purpose, Request, Screen};
 use crate::screens::settings::SettingsPanel;
-use crate::settings::{Action, Key};
+use crate::settings::Action;
 use crate::ui::Ui;
 use crate::ui::input::Input;
 use crate::view::{theme, widgets};
@@ -28,6 +28,10 @@ impl Flight {
     pub(super) fn switch_overlays(&mut self, input: &Input) {
         self.seen.details ^= input.acts(Action::Details);
         self.seen.hitboxes ^= input.acts(Action::Hitboxes);
+        self.seen.picture ^= input.acts(Action::Picture);
+        if input.acts(Action::Sheet) {
+            self.turn_sheet();
+        }
     }
 
     /// The panel, where it is open.
@@ -39,10 +43,8 @@ impl Flight {
         if self.offers_hint() {
             labels.insert(2, HINT);
         }
-        let aside = if self.open.sheet.is_some() { Vec2::new((worksheet::WIDTH + GAP) / 2.0, 0.0) } else { Vec2::ZERO };
-        let middle = ui.frame().size / 2.0 - aside;
-        let mut places = ui.frame().column(labels.len(), middle.y - TOP);
-        places.iter_mut().for_each(|place| place.min -= aside);
+        let middle = ui.frame().size / 2.0;
+        let places = ui.frame().column(labels.len(), middle.y - TOP);
         let (top, width) = (middle.y - TOP - HEADING - 2.5 * PADDING, WIDE_BUTTON.x + 4.0 * PADDING);
         let foot = places.last().map_or(middle.y, |last| last.max().y) + 1.5 * PADDING;
         let panel = Area::new(middle.x - width / 2.0, top, width, foot - top);
@@ -52,24 +54,17 @@ impl Flight {
         self.show_hints(ui, top);
         ui.start_at(chosen);
         let pressed = ui.buttons(places, &labels);
-        let place = Area::new(panel.max().x + GAP, top, worksheet::WIDTH, panel.size.y);
-        let answer = self.open.sheet.as_mut().and_then(|sheet| sheet.show(ui, place));
         if self.open.settings.is_some() {
             return self.show_settings(ui);
         }
-        // Tab walks the sheet, and its fields take all letters.
-        if ui.is_live() && self.open.sheet.is_none() {
+        if ui.is_live() {
             self.switch_overlays(ui.input());
         }
-        let typed = self.open.sheet.is_some() && Worksheet::is_typed_into(ui);
-        if ui.acts(Action::Pause) && !typed || ui.key(Key::Escape) {
+        if ui.acts(Action::Pause) {
             self.open.pause = None;
             return None;
         }
-        if answer.is_some() {
-            return answer;
-        }
-        if ui.acts(Action::Restart) && !typed {
+        if ui.acts(Action::Restart) {
             return Some(Request::Do(Effect::Restart));
         }
         self.open.pause = Some(pressed?);

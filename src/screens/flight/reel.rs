@@ -60,9 +60,9 @@ impl Flight {
     }
 
     /// The part of the canvas above the controls of a reel.
-    pub(super) const fn above_controls(&self, frame: &Frame) -> Frame {
+    pub(super) fn above_controls(&self, frame: &Frame) -> Frame {
         let foot = if self.is_watched() { FOOT } else { 0.0 };
-        Frame { size: Vec2::new(frame.size.x, frame.size.y - foot), ..*frame }
+        Frame { size: Vec2::new(frame.size.x - self.sheet_width(), frame.size.y - foot), ..*frame }
     }
 
     /// A frame of a reel, with the input that its instruments leave.
@@ -75,7 +75,7 @@ impl Flight {
         let line = time_line(&ui.frame());
         self.seen.observer.zoom(input);
         // Clicks on the controls pick no body.
-        if (self.seen.details || self.seen.instruments.is_open()) && input.pointer.y < line.min.y {
+        if self.is_looked_at() && input.pointer.y < line.min.y {
             self.seen.observer.look(input, &self.run.game);
         }
         self.draw_foot(ui.canvas(), line);

@@ -11,7 +11,6 @@ use crate::game::{GameError, History, Outcome, level_hash};
 use crate::instruments::vary::Variation;
 use crate::level::document::{LevelFolder, Opened};
 use crate::level::{Level, Problem, scaffold};
-use crate::scores::ResultRow;
 use crate::screens::flight::race::Race;
 use crate::session::Session;
 use crate::session::answers::Worksheet;
@@ -96,10 +95,11 @@ impl Flight {
         self.open.sheet = sheet.map(Box::new);
     }
 
-    /// Saves an answer, and says on the sheet what became of it.
-    pub(super) fn hand_in(&mut self, row: ResultRow, session: &mut Session) {
-        let saved = session.answers.hand_in(row, session.journal.current(), session.now);
-        if let Some(sheet) = &mut self.open.sheet {
+    /// Saves what is written on the sheet, and says there what became of it.
+    pub(super) fn hand_in(&mut self, session: &mut Session) {
+        if let Some(sheet) = self.open.sheet.as_mut().filter(|sheet| sheet.is_unsaved()) {
+            sheet.fix_prediction(session.now);
+            let saved = session.answers.hand_in(sheet.take_unsaved(), session.journal.current(), session.now);
             sheet.set_message(saved);
         }
     }
@@ -147,7 +147,7 @@ impl Flight {
         self.open = Open { pause: None, settings: None, news: None, reading: None, ..std::mem::take(&mut self.open) };
         self.pilot = Pilot { stale: self.pilot.stale.all(), ..fresh.pilot };
         self.run = Run { lost, ..fresh.run };
-        self.wait_for_a_guess();
+        self.wait_for_start();
         if let Some(Err(words)) = varied.map(|varied| self.begin_varied(varied, same)) {
             self.seen.instruments.vary_mut().set_message(words, true);
         }

@@ -32,17 +32,21 @@ impl Flight {
             .or_else(|| self.start_words())
             .or_else(|| self.seen.observer.words(self.run.game.ticks(), self.run.game.tick_rate()));
         let words = words.or_else(|| self.rewind_words(self.seen.observer.keys()))?;
-        let size = sign_size(&words, frame);
-        let top = self.seen.instruments.room(frame).size.y - self.time_room(frame);
-        Some((words, Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size }))
+        let mut size = sign_size(&words, frame);
+        let room = self.seen.instruments.room(&self.above_controls(frame)).size;
+        let top = room.y - self.time_room(frame);
+        size.x = size.x.min(room.x - 2.0 * GRID);
+        Some((words, Area { min: Vec2::new((room.x - size.x) / 2.0, top), size }))
     }
 
     /// Of an experiment that stands at its start.
     fn start_words(&self) -> Option<String> {
         let waits = self.seen.observer.frozen() && self.run.game.ticks() == 0 && !self.run.game.level().ship_plays();
-        let [freeze, pause] = [Action::Freeze, Action::Pause].map(|action| self.seen.observer.keys().label(action));
-        let sheet = || if self.open.sheet.is_some() { tr!(" · [{pause}] your sheet", pause) } else { String::new() };
-        waits.then(|| tr!("[{freeze}] starts the experiment", freeze) + &sheet())
+        let freeze = self.seen.observer.keys().label(Action::Freeze);
+        waits.then(|| match self.open.sheet.as_ref().is_some_and(|sheet| sheet.predicts() && sheet.written.prediction.is_empty()) {
+            true => tr!("Predict, then [{freeze}] starts the experiment", freeze),
+            false => tr!("[{freeze}] starts the experiment", freeze),
+        })
     }
 
     /// From the foot of the flight up to the top of that sign, whether there is one or not.
@@ -84,7 +88,8 @@ impl Flight {
         let status = HudLayout::new(frame).status;
         let width = frame.size.x - status.max().x;
         let varied = self.variation().map(|_| Area::new(status.max().x, status.min.y, width, status.size.y));
-        signs.chain(news).chain(lost).chain(varied).chain(instruments).collect()
+        let sheet = self.sheet_areas(frame);
+        signs.chain(news).chain(lost).chain(varied).chain(instruments).chain(sheet).collect()
     }
 
     pub(super) fn draw_signs(&self, canvas: &Canvas) {

@@ -1,59 +1,158 @@
-//! The sheet of an experiment beside the pause panel: its question, the pupil's guess and readings, and the answer, once a guess is
-//! there.
+//! The sheet of an experiment beside its flight: the question, a prediction, without which the world is not let go, a table with a cell a
+//! reading, and the answer last. Above the flight, buttons for the sheet and for the free-body picture.
 
+use super::Flight;
 use crate::draw::Style;
-use crate::draw::layout::{Area, BUTTON_TEXT, GAP, GRID, PADDING, ROW_BUTTON, TEXT, Vec2};
-use crate::instruments::reading;
+use crate::draw::layout::{Area, DETAILS, Frame, GRID, PADDING, TEXT, Vec2, text_room};
+use crate::instruments::reading::Wanted;
+use crate::number::is_plain;
 use crate::screens::lab::Paragraphs;
 use crate::screens::screen::{Effect, Request};
-use crate::session::answers::{MOST_LETTERS, Worksheet};
-use crate::ui::text_field::TextField;
-use crate::ui::{FieldEvent, Ui};
+use crate::session::answers::{Reading, Worksheet};
+use crate::settings::Action;
+use crate::ui::input::Input;
+use crate::ui::{EntryEvent, Ui};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
-pub(super) const WIDTH: f32 = 640.0;
-const GUESS: &str = "Your guess";
-const READINGS: &str = "Your readings";
+const WIDTH: f32 = 552.0;
+const PREDICTION: &str = "Your prediction";
 const ANSWER: &str = "Answer";
 const SAVE: &str = "Save";
-const NO_GUESS: &str = "Make a guess first.";
-const LINE_HEIGHT: f32 = 44.0;
+const NO_PREDICTION: &str = "Make a prediction first.";
+const UNSTARTED: &str = "Let the experiment go first.";
+const UNREAD: &str = "Write down a reading first: the answer comes last.";
+const FIELD: f32 = 38.0;
+/// The width of the table's columns but the first: reading, tick, verdict.
+const COLUMNS: [f32; 3] = [112.0, 64.0, 28.0];
+/// The pitch of the table's rows, in lines, and the lines that stay below them.
+const PITCH: std::ops::RangeInclusive<f32> = 1.0..=1.5;
+const BELOW: f32 = 8.0;
 
-impl Worksheet {
-    /// Whether letters go into one of its fields.
-    pub(super) fn is_typed_into(ui: &Ui<'_>) -> bool {
-        ui.has_focus(GUESS) || ui.has_focus(READINGS)
+impl Flight {
+    /// The buttons of an experiment, at the top left: a label, the words, and the place.
+    fn experiment_buttons(&self, frame: &Frame) -> Vec<(&'static str, String, Area)> {
+        if self.run.game.level().ship_plays() || self.is_watched() {
+            return Vec::new();
+        }
+        let sheet = self.open.sheet.as_ref().map(|_| (Action::Sheet, Action::Sheet.label()));
+        let mut left = 2.0 * GRID;
+        let button = |(action, label): (Action, &'static str)| {
+            let words = format!("{} [{}]", tr(label), self.seen.observer.keys().label(action));
+            let size = text_room(&words, frame.text_height(DETAILS)) + GRID;
+            let area = Area { min: Vec2::new(left, 2.0 * GRID), size };
+            left += size.x + GRID;
+            (label, words, area)
+        };
+        [(Action::Picture, Action::Picture.label())].into_iter().chain(sheet).map(button).collect()
     }
 
-    pub(super) fn show(&mut self, ui: &mut Ui<'_>, panel: Area) -> Option<Request> {
+    /// Their places, and the place of the sheet, where it is open.
+    pub(super) fn sheet_areas(&self, frame: &Frame) -> Vec<Area> {
+        let buttons = self.experiment_buttons(frame).into_iter().map(|(.., area)| area);
+        buttons.chain(self.sheet_area(frame)).collect()
+    }
+
+    fn sheet_area(&self, frame: &Frame) -> Option<Area> {
+        let size = Vec2::new(WIDTH, frame.size.y - 2.0 * GRID);
+        self.open
+            .sheet
+            .as_ref()
+            .filter(|sheet| sheet.open)
+            .map(|_| Area { min: Vec2::new(frame.size.x - WIDTH - GRID, GRID), size })
+    }
+
+    /// The width that the sheet takes of the canvas.
+    pub(super) fn sheet_width(&self) -> f32 {
+        if self.open.sheet.as_ref().is_some_and(|sheet| sheet.open) { WIDTH + 2.0 * GRID } else { 0.0 }
+    }
+
+    /// Shows both, and takes their part out of the input.
+    pub(super) fn show_sheet(&mut self, ui: &mut Ui<'_>, rest: &mut Input) -> Option<Request> {
+        let (frame, tick) = (ui.frame(), self.run.game.ticks());
+        let mut pressed = None;
+        let buttons = self.experiment_buttons(&frame);
+        ui.by_pointer(|ui| {
+            for (label, words, area) in &buttons {
+                let on = if *label == Action::Sheet.label() { self.sheet_width() > 0.0 } else { self.seen.picture };
+                let style = Style::new(DETAILS, if on { theme::accent() } else { theme::text() }).centred();
+                if ui.small_button((label, words), *area, style) {
+                    pressed = Some(*label);
+                }
+            }
+        });
+        match pressed {
+            Some(label) if label == Action::Sheet.label() => self.turn_sheet(),
+            Some(_) => self.seen.picture ^= true,
+            None => {}
+        }
+        let covered = self.sheet_areas(&frame).iter().any(|area| area.contains(ui.input().pointer));
+        // Nor does a click on the picture pick a body that lies behind it.
+        if covered || self.seen.picture {
+            (rest.click, rest.wheel) = (false, 0.0);
+        }
+        let place = self.sheet_area(&frame);
+        let sheet = self.open.sheet.as_mut()?;
+        sheet.begun |= tick > 0;
+        if sheet.entry.is_open() {
+            *rest = rest.without_keys();
+        }
+        let place = place?;
+        // Before the start the keys have no other work.
+        if sheet.predicts() { sheet.show(ui, place, tick) } else { ui.by_pointer(|ui| sheet.show(ui, place, tick)) }
+    }
+
+    pub(super) fn turn_sheet(&mut self) {
+        if let Some(sheet) = &mut self.open.sheet {
+            sheet.open ^= true;
+            sheet.entry.close();
+        }
+    }
+
+    /// Whether the world waits for a prediction.
+    pub(super) fn waits_for_prediction(&self) -> bool {
+        let predicts = self.open.sheet.as_ref().is_some_and(|sheet| sheet.predicts());
+        predicts && self.is_by_hand() && self.run.game.ticks() == 0
+    }
+
+    /// The world is to be let go: the prediction stays as it is from now on, or has to be made.
+    pub(super) fn ask_for_prediction(&mut self) -> Option<Request> {
+        let sheet = self.open.sheet.as_mut()?;
+        if !sheet.written.prediction.is_empty() {
+            return Some(Request::Do(Effect::Predict));
+        }
+        self.seen.observer.freeze();
+        sheet.open = true;
+        sheet.message = Err(tr(NO_PREDICTION).to_owned());
+        if sheet.experiment.choices.is_empty() {
+            sheet.entry.open(PREDICTION, "");
+        }
+        None
+    }
+}
+
+impl Worksheet {
+    fn show(&mut self, ui: &mut Ui<'_>, panel: Area, tick: u64) -> Option<Request> {
+        self.take_entry(ui, tick);
+        ui.canvas().rectangle(panel.inset(-GRID), theme::ground());
         ui.panel(panel);
-        let inner = panel.inset(1.5 * PADDING);
+        let inner = panel.inset(PADDING);
         let mut pen = Paragraphs { canvas: ui.canvas(), at: inner.min, width: inner.size.x };
-        pen.write(tr(&self.experiment.title), BUTTON_TEXT, theme::accent());
+        pen.write(tr(&self.experiment.title), TEXT, theme::accent());
         pen.write(tr(&self.experiment.question), TEXT, theme::text());
         ui.group();
-        let label = |words: &str, pen: &mut Paragraphs<'_>| {
-            pen.write(words, TEXT, theme::quiet());
-            let line = Area { min: pen.at - Vec2::new(0.0, GRID), size: Vec2::new(inner.size.x, LINE_HEIGHT) };
-            pen.at.y += LINE_HEIGHT + GRID;
-            line
-        };
-        let line = label(tr(GUESS), &mut pen);
-        self.show_guess(ui, line);
+        self.show_prediction(ui, &mut pen);
         ui.group();
-        let wanted = reading::named(&self.experiment.readings);
-        let words =
-            if wanted.is_empty() { tr(READINGS).to_owned() } else { tr!("Your readings of {quantities}", quantities = wanted) };
-        let line = label(&words, &mut pen);
-        if ui.line(READINGS, line, &mut self.readings) == Some(FieldEvent::Changed) {
-            self.message = Ok(String::new());
+        self.show_table(ui, &mut pen, (inner.max().y, tick));
+        ui.group();
+        let places = [0.0, 0.5].map(|part| Area::new(pen.at.x + part * inner.size.x, pen.at.y, 0.5 * inner.size.x - GRID, FIELD));
+        let mut pressed = None;
+        for (label, area) in [ANSWER, SAVE].into_iter().zip(places) {
+            if ui.small_button((label, tr(label)), area, Style::new(TEXT, theme::text()).centred()) {
+                pressed = Some(label);
+            }
         }
-        ui.group();
-        let size = Vec2::new(ROW_BUTTON.x, LINE_HEIGHT);
-        let places = [0.0, size.x + GAP].map(|right| Area { min: pen.at + Vec2::new(right, 0.0), size });
-        let pressed = ui.buttons(places.to_vec(), &[ANSWER, SAVE]);
-        pen.at.y += LINE_HEIGHT + PADDING;
+        pen.at.y += FIELD + GRID;
         if self.answered {
             pen.write(tr(&self.experiment.answer), TEXT, theme::good());
         }
@@ -61,57 +160,158 @@ impl Worksheet {
             Ok(words) => (words, theme::quiet()),
             Err(problem) => (problem, theme::bad()),
         };
-        pen.write(words, TEXT, colour);
+        pen.write(words, DETAILS, colour);
         self.act(pressed?)
     }
 
-    /// The choices beside each other, or a line to write on.
-    fn show_guess(&mut self, ui: &mut Ui<'_>, line: Area) {
-        let guess = self.guess.text();
-        if self.answered {
-            let (judged, colour) = match self.experiment.judge_guess(&guess) {
+    /// What has been typed into a cell or as the prediction.
+    fn take_entry(&mut self, ui: &mut Ui<'_>, tick: u64) {
+        let Some(EntryEvent::Taken(label, text)) = ui.entry_event(&mut self.entry) else { return };
+        self.entry.close();
+        self.message = Ok(String::new());
+        let text = text.trim().to_owned();
+        if label == PREDICTION {
+            self.written.prediction = text;
+        } else if let Some(cell) = self.experiment.readings.iter().position(|wanted| wanted.what == label)
+            && self.written.readings[cell].text != text
+        {
+            self.written.readings[cell] = Reading { text, tick };
+        }
+    }
+
+    /// The choices beside each other, or a line to write on; what was predicted, once the world has been let go.
+    fn show_prediction(&mut self, ui: &mut Ui<'_>, pen: &mut Paragraphs<'_>) {
+        let canvas = ui.canvas();
+        canvas.text(tr(PREDICTION), pen.at, Style::new(DETAILS, theme::quiet()));
+        pen.at.y += canvas.line_height(DETAILS);
+        let (whole, choices) = (Area { min: pen.at, size: Vec2::new(pen.width, FIELD) }, &self.experiment.choices);
+        let unit = self.experiment.predicted().map_or_else(String::new, |wanted| wanted.unit);
+        let (prediction, style) = (self.written.prediction.clone(), Style::new(TEXT, theme::text()).middle());
+        let left = Vec2::new(whole.min.x, whole.centre().y);
+        if !self.predicts() {
+            let verdict = self.experiment.judge_prediction(&prediction).filter(|_| self.answered);
+            let (judged, colour) = match verdict {
                 Some(true) => (tr(" · right"), theme::good()),
                 Some(false) => (tr(" · not so"), theme::text()),
                 None => ("", theme::text()),
             };
-            let style = Style::new(TEXT, colour).middle();
-            let guess = widgets::cut(ui.canvas(), &format!("{}{judged}", tr(&guess)), line.size.x, style);
-            return ui.text(&guess, Vec2::new(line.min.x, line.centre().y), style);
-        }
-        let choices = &self.experiment.choices;
-        if choices.is_empty() {
-            match ui.line(GUESS, line, &mut self.guess) {
-                Some(FieldEvent::Entered) => ui.focus(Some(READINGS)),
-                Some(FieldEvent::Changed) => self.message = Ok(String::new()),
-                None => {}
+            let none = if prediction.is_empty() { tr("none was made before the start") } else { "" };
+            let unit = if is_plain(&prediction) { format!(" {unit}") } else { String::new() };
+            let words = format!("{}{unit}{none}{judged}", tr(&prediction));
+            canvas.text(&widgets::cut(canvas, &words, pen.width, style), left, Style { colour, ..style });
+        } else if choices.is_empty() {
+            let area = Area { size: Vec2::new(0.5 * pen.width, FIELD), ..whole };
+            canvas.text(&unit, Vec2::new(area.max().x + GRID, left.y), style);
+            if ui.entry(PREDICTION, area, (&prediction, style), &mut self.entry) {
+                self.entry.open(PREDICTION, &prediction);
             }
+        } else {
+            let widest = choices.iter().map(|choice| canvas.width(tr(choice), style)).fold(0.0, f32::max) + 2.0 * GRID;
+            let columns = if widest * choices.len() as f32 <= pen.width - GRID * choices.len() as f32 { choices.len() } else { 2 };
+            let pitch = Vec2::new((pen.width + GRID) / columns as f32, FIELD + 0.5 * GRID);
+            for (i, choice) in choices.iter().enumerate() {
+                let min = pen.at + pitch * Vec2::new((i % columns) as f32, (i / columns) as f32);
+                let colour = if *choice == prediction { theme::accent() } else { theme::text() };
+                let area = Area { min, size: Vec2::new(pitch.x - GRID, FIELD) };
+                if ui.small_button((choice, tr(choice)), area, Style::new(TEXT, colour).centred()) {
+                    (self.written.prediction, self.message) = (choice.clone(), Ok(String::new()));
+                }
+                if *choice == prediction {
+                    canvas.rounded_edge(area.inset(3.0), GRID, 2.0, theme::accent());
+                }
+            }
+            pen.at.y += pitch.y * ((choices.len() - 1) / columns) as f32;
+        }
+        pen.at.y += FIELD + GRID;
+    }
+
+    /// A row a quantity, below a heading where several in turn are of one thing; `foot` is where the panel's room ends.
+    fn show_table(&mut self, ui: &mut Ui<'_>, pen: &mut Paragraphs<'_>, (foot, tick): (f32, u64)) {
+        let canvas = ui.canvas();
+        let rows = rows(&self.experiment.readings);
+        if rows.is_empty() {
             return;
         }
-        let pitch = (line.size.x + GRID) / choices.len() as f32;
-        for (i, choice) in choices.iter().enumerate() {
-            let min = line.min + Vec2::new(i as f32 * pitch, 0.0);
-            let area = Area { min, size: Vec2::new(pitch - GRID, line.size.y) };
-            let colour = if *choice == guess { theme::accent() } else { theme::text() };
-            if ui.small_button((choice, tr(choice)), area, Style::new(TEXT, colour).centred()) {
-                (self.guess, self.message) = (TextField::new(choice, MOST_LETTERS.0), Ok(String::new()));
+        let line = canvas.line_height(DETAILS);
+        let room = foot - pen.at.y - BELOW * line;
+        let pitch = (room / (rows.len() + 1) as f32).clamp(PITCH.start() * line, PITCH.end() * line);
+        let right = pen.at.x + pen.width;
+        let [cell, ticked, verdict] = [0, 1, 2].map(|column| right - COLUMNS[column..].iter().sum::<f32>());
+        let quiet = Style::new(DETAILS, theme::quiet()).middle();
+        let middle = |row: usize| pen.at.y + (row as f32 + 0.5) * pitch;
+        for (words, x) in [(tr("Quantity"), pen.at.x), (tr("Reading"), cell), (tr("Tick"), ticked + GRID)] {
+            canvas.text(words, Vec2::new(x, middle(0)), quiet);
+        }
+        for (row, (words, index)) in rows.iter().enumerate() {
+            let (y, indent) = (middle(row + 1), if words.starts_with(INDENT) { PADDING } else { 0.0 });
+            let style = if index.is_some() { Style::new(DETAILS, theme::text()).middle() } else { quiet };
+            let words = widgets::cut(canvas, words.trim_start(), cell - pen.at.x - indent - GRID, style);
+            canvas.text(&words, Vec2::new(pen.at.x + indent, y), style);
+            let Some(index) = *index else { continue };
+            let (wanted, Reading { text, tick: at }) = (&self.experiment.readings[index], self.written.readings[index].clone());
+            let area = Area::around(Vec2::new(cell + 0.5 * COLUMNS[0], y), Vec2::new(COLUMNS[0], pitch - 3.0));
+            if ui.entry(&wanted.what, area, (&text, Style::new(DETAILS, theme::text())), &mut self.entry) {
+                match (self.answered, self.begun || tick > 0) {
+                    (true, _) => self.message = Err(tr("The answer is shown: the readings stay as they are.").to_owned()),
+                    (false, false) => self.message = Err(tr(UNSTARTED).to_owned()),
+                    (false, true) => self.entry.open(&wanted.what, &text),
+                }
+            }
+            if !text.is_empty() {
+                canvas.text(&at.to_string(), Vec2::new(ticked + GRID, y), quiet.mono());
+            }
+            match wanted.judge(&text) {
+                Some(true) => widgets::tick(canvas, Vec2::new(verdict + 0.5 * COLUMNS[2], y), 7.0, theme::good()),
+                Some(false) => {
+                    canvas.text("×", Vec2::new(verdict + 0.5 * COLUMNS[2], y), Style::new(TEXT, theme::text()).middle().centred())
+                }
+                None => {}
             }
         }
+        pen.at.y = middle(rows.len()) + 0.5 * pitch + GRID;
     }
 
     fn act(&mut self, pressed: &str) -> Option<Request> {
-        if self.written()[0].is_empty() {
-            self.message = Err(tr(NO_GUESS).to_owned());
+        let blank = self.written.readings.iter().all(|reading| reading.text.is_empty());
+        let lacks = match pressed {
+            ANSWER if !self.begun => Some(UNSTARTED),
+            ANSWER if blank && !self.written.readings.is_empty() => Some(UNREAD),
+            SAVE if blank && self.written.prediction.is_empty() => Some(NO_PREDICTION),
+            _ => None,
+        };
+        self.message = lacks.map_or(Ok(String::new()), |words| Err(tr(words).to_owned()));
+        if lacks.is_some() {
             return None;
         }
-        self.message = Ok(String::new());
         if pressed == ANSWER {
             self.answered = true;
             return None;
         }
-        let row = self.take_unsaved();
-        if row.is_none() {
+        if !self.is_unsaved() {
             self.message = Ok(tr("This is saved already.").to_owned());
         }
-        row.map(|row| Request::Do(Effect::HandIn(row)))
+        self.is_unsaved().then_some(Request::Do(Effect::HandIn))
     }
+}
+
+const INDENT: char = ' ';
+
+/// The words of the table's rows, each with the index of its quantity: several in turn that are of one thing stand below its name.
+fn rows(wanted: &[Wanted]) -> Vec<(String, Option<usize>)> {
+    let of = |wanted: &Wanted| wanted.what.split_once(", ").map(|(of, _)| of.to_owned());
+    let mut rows = Vec::new();
+    for (i, one) in wanted.iter().enumerate() {
+        let same = |other: Option<&Wanted>| other.is_some_and(|other| of(other).is_some() && of(other) == of(one));
+        let (follows, leads) = (same(i.checked_sub(1).and_then(|before| wanted.get(before))), same(wanted.get(i + 1)));
+        let unit = if one.unit.is_empty() { String::new() } else { format!(" ({})", one.unit) };
+        let grouped = one.what.split_once(", ").filter(|_| follows || leads);
+        if let Some((of, _)) = grouped.filter(|_| !follows) {
+            rows.push((tr(of).to_owned(), None));
+        }
+        rows.push(match grouped {
+            Some((_, quantity)) => (format!("{INDENT}{}{unit}", tr(quantity)), Some(i)),
+            None => (format!("{}{unit}", one.name()), Some(i)),
+        });
+    }
+    rows
 }

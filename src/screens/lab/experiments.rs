@@ -86,7 +86,11 @@ fn draw_description(canvas: &Canvas, panel: Area, chosen: &Experiment) {
     pen.write(tr(&chosen.question), BUTTON_TEXT, theme::text());
     pen.write(tr("Numbers to vary, in the editor or in the files"), TEXT, theme::quiet());
     pen.write(tr(&chosen.vary), TEXT, theme::text());
-    pen.write(tr("The sheet is in the pause panel (Esc): make a guess, and it shows the answer."), TEXT, theme::quiet());
+    pen.write(
+        tr("The sheet stands beside the flight: make a prediction, let it go, read, and the answer comes last."),
+        TEXT,
+        theme::quiet(),
+    );
     pen.write(&tr!("A page to print: docs/sheets/{folder}.html", folder = chosen.folder), TEXT, theme::quiet());
 }
 
@@ -115,14 +119,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_guess_is_judged_by_a_choice_or_a_number() {
+    fn a_prediction_is_judged_by_a_choice_or_a_number() {
         let free = Experiment::default();
         let number = Experiment { right: "50".to_owned(), ..free.clone() };
         let choice = Experiment { choices: vec!["one".to_owned(), "both".to_owned()], right: "both".to_owned(), ..free.clone() };
-        assert_eq!(["", "50"].map(|text| free.judge_guess(text)), [None; 2]);
-        let judged = ["52,4 N/m", "47.5", "47", "-50", "hard"].map(|text| number.judge_guess(text));
+        assert_eq!(["", "50"].map(|text| free.judge_prediction(text)), [None; 2]);
+        let judged = ["52,4", "47.5", "47", "-50", "hard"].map(|text| number.judge_prediction(text));
         assert_eq!(judged, [Some(true), Some(true), Some(false), Some(false), None]);
-        assert_eq!(judged, ["52,4 N/m", "47.5", "47", "-50", "hard"].map(|text| number.judge_readings(text)));
-        assert_eq!(["both", "one", "50"].map(|text| choice.judge_guess(text)), [Some(true), Some(false), None]);
+        assert_eq!(["both", "one", "50"].map(|text| choice.judge_prediction(text)), [Some(true), Some(false), None]);
     }
 }

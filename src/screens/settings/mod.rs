@@ -13,7 +13,7 @@ use crate::words::tr;
 
 /// A row of the values and one of the keys, with the gap below it.
 const VALUES: Vec2 = Vec2::new(560.0, 32.0);
-const KEYS: Vec2 = Vec2::new(560.0, 26.0);
+const KEYS: Vec2 = Vec2::new(560.0, 24.0);
 /// Between the two lists.
 const BETWEEN: f32 = 40.0;
 /// From the canvas' top to the first row.

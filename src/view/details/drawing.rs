@@ -116,7 +116,7 @@ impl Details {
             lines.push(tr!("Arrows: 1 square = {force}", force = scalar(scale.newtons, "N")));
         }
         if has(true) {
-            lines.push(tr!("Impacts: 1 square = {impulse}", impulse = scalar(scale.newton_seconds, "N·s")));
+            lines.push(tr!("Impulses: 1 square = {impulse}", impulse = scalar(scale.newton_seconds, "N·s")));
         }
         if self.arranged.arrows.iter().any(|arrow| !arrow.to_scale) {
             lines.push(tr("Marked //: not to scale").to_owned());

@@ -35,6 +35,11 @@ impl GameView {
     pub fn draw(&self, game: &Game, alpha: f64, overlays: Overlays, figures: &str, canvas: &Canvas) {
         let shake = self.feedback.shake() * (f64::from(overlays.settings.shake) / 100.0);
         let view = self.viewport(game, alpha, canvas.frame()).shaken(shake);
+        if overlays.picture {
+            self.picture.draw(canvas);
+            self.hud.draw(game, &overlays.settings, !overlays.watched, canvas);
+            return canvas.end_layer();
+        }
         self.draw_level(game, alpha, &view, canvas);
         canvas.end_layer();
         if overlays.hitboxes {

@@ -7,10 +7,11 @@ use super::details::{Details, Looking};
 use super::emitters::{Emitters, dust, objective_colour};
 use super::feedback::Feedback;
 use super::focus::Focus;
-use super::hud::{Hud, HudScene, HudShown};
+use super::hud::{Hud, HudLayout, HudScene, HudShown};
 use super::particles::{Barriers, Particles};
 use super::pictures::Pictures;
 use super::terrain::Terrain;
+use super::textbook::BodyPicture;
 use super::things::{GENTLE, Touchdown, Wreck};
 use super::{hitboxes, mechanisms, theme, world};
 use crate::draw::layout::{Area, Frame, Vec2};
@@ -26,6 +27,8 @@ use std::path::Path;
 const GRAB: f32 = 12.0;
 /// The ship and what it has set in motion share a view of up to this many usual ones, each way, less the margin around them.
 const FRAMED: f64 = 1.3;
+/// What begins this near to the canvas' top, or ends twice as near to its foot, is a row along that edge, canvas units.
+const ROW: f32 = 32.0;
 /// Solids up to this far beyond the view stop particles, m.
 const BARRIERS: f64 = 2.0;
 
@@ -42,6 +45,7 @@ pub struct GameView {
     emitters: Emitters,
     feedback: Feedback,
     details: Details,
+    picture: BodyPicture,
     pub hud: Hud,
     /// Canvas units.
     pointer: Option<Vec2>,
@@ -72,6 +76,8 @@ pub struct Overlays {
     pub settings: Settings,
     /// Details boxes and free-body arrows (Tab).
     pub details: bool,
+    /// The forces on a body alone, in place of the level.
+    pub picture: bool,
     /// The visible parts of the head-up display.
     pub shown: HudShown,
     /// The subject of the details, the instruments and the camera.
@@ -109,6 +115,7 @@ impl GameView {
             emitters: Emitters::new(level),
             feedback: Feedback::default(),
             details: Details::default(),
+            picture: BodyPicture::default(),
             hud: Hud::default(),
             pointer: None,
             touchdown: Touchdown::default(),
@@ -211,7 +218,10 @@ impl GameView {
         let (shown, settings) = (overlays.shown, &overlays.settings);
         let scene = HudScene { game, centres: &centres, view: &view, frame, panels: &covered, shown, settings };
         self.hud.update(&scene, frame_time);
-        if overlays.details {
+        if overlays.picture {
+            let room = beside(&covered, shown.status.then(|| HudLayout::shown(frame, game)).into_iter().flatten(), frame);
+            self.picture.arrange(game, followed, room, frame);
+        } else if overlays.details {
             covered.extend(self.hud.pointers.iter().map(|pointer| pointer.area).chain(self.hud.stranded()).chain(self.hud.strip()));
             let looking = Looking {
                 centres: &centres,
@@ -286,6 +296,22 @@ impl GameView {
         let kept = drawn_centre(game, self.followed, alpha);
         self.camera.viewport(kept, level.size, level.metre, window)
     }
+}
+
+/// The part of the canvas between what stands along its edges: rails of buttons at the left, rows at the top and the foot.
+fn beside(panels: &[Area], display: impl Iterator<Item = Area>, frame: &Frame) -> Area {
+    let (mut low, mut high) = (Vec2::ZERO, frame.size);
+    for panel in panels.iter().copied().chain(display) {
+        let flat = panel.size.y < 0.3 * frame.size.y;
+        if flat && panel.min.y < ROW {
+            low.y = low.y.max(panel.max().y);
+        } else if flat && panel.max().y > frame.size.y - 2.0 * ROW {
+            high.y = high.y.min(panel.min.y);
+        } else if panel.max().x < 0.4 * frame.size.x {
+            low.x = low.x.max(panel.max().x);
+        }
+    }
+    Area { min: low, size: high - low }
 }
 
 /// A box to be fitted with a metre around it: the camera adds its own margin.

@@ -73,6 +73,11 @@ fn a_sheet_names_its_experiment_and_each_step_its_keys_but_no_answer() {
             assert!(named > 0, "{name}: which key? {step}");
         }
         let (_, page) = pages.iter().find(|(file, _)| *file == format!("{name}.html")).unwrap();
+        let asked = sheets::listed(&project()).unwrap().into_iter().find(|asked| asked.folder == name).unwrap();
+        let choices = asked.choices.split('|').filter(|choice| !choice.is_empty()).map(|choice| format!("☐ {choice}"));
+        for words in choices.chain([asked.question.clone()]) {
+            assert!(page.contains(&words), "{name}: the screen asks {words:?}");
+        }
         let answers = lesson.answer.iter().chain(&lesson.teacher);
         for said in answers.flat_map(|paragraph| paragraph.split(['`', '*', '<', '&'])).filter(|part| part.len() > 20) {
             assert!(!page.contains(said), "{name}: {said}");

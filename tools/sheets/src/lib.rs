@@ -23,9 +23,11 @@ pub const LESSONS: &str = "docs/lessons/README.md";
 const LISTED: &str = "<!-- list -->\n";
 
 /// Keys of an experiment, and what they do.
-pub const KEYS: [(&[&str], &str); 12] = [
+pub const KEYS: [(&[&str], &str); 14] = [
     (&["Enter"], "opens the experiment"),
     (&["Tab"], "details: forces and numbers"),
+    (&["K"], "the forces on one body, as in a textbook"),
+    (&["L"], "your sheet: prediction, readings, answer"),
     (&["N"], "the next object; or click one"),
     (&["Shift"], "and a click: compares a second object"),
     (&["B"], "starts it, stops time, lets it go on"),
@@ -35,7 +37,7 @@ pub const KEYS: [(&[&str], &str); 12] = [
     (&["F"], "everything that moves in view"),
     (&["I"], "instruments: plot, ruler, energy, what if"),
     (&["R"], "back to its start"),
-    (&["Esc"], "pause: your sheet, and back to the experiments"),
+    (&["Esc"], "pause, and back to the experiments"),
 ];
 
 const STYLE: &str = "
@@ -46,7 +48,7 @@ h1 { font-size: 19pt; margin: 0 0 1mm; } h2 { font-size: 11.5pt; margin: 2.6mm 0
 p, ol, ul { margin: 1mm 0; } ol, ul { padding-left: 6mm; } li { margin-bottom: .8mm; }
 .question { font-size: 12.5pt; } .where, .small { color: #444; font-size: 9pt; }
 .fields { display: flex; gap: 8mm; margin: 0 0 2mm; color: #444; } .fields span { flex: 1; border-bottom: 1px solid #888; }
-.line { border-bottom: 1px dotted #888; height: 6.4mm; }
+.line { border-bottom: 1px dotted #888; height: 6.4mm; } .predict { border-bottom: 1px dotted #888; display: inline-block; width: 60mm; text-align: right; }
 .keys { columns: 3; font-size: 8.5pt; margin: 1mm 0; padding: 1.5mm 2mm; background: #f1f3f6; } .keys div { break-inside: avoid; }
 kbd { font: bold .92em 'Liberation Mono', Consolas, monospace; border: 1px solid #777; border-radius: 2px; padding: 0 1mm; background: #fff; }
 code { font: .94em 'Liberation Mono', Consolas, monospace; }
@@ -72,7 +74,7 @@ pub fn lessons(root: &Path) -> Result<String, String> {
     let text = read(&root.join(LESSONS))?;
     let (before, _) = text.split_once(LISTED).ok_or_else(|| format!("{LESSONS}: expected {LISTED:?}"))?;
     let mut topics: Vec<(String, String)> = Vec::new();
-    for Listed { folder, readings } in &listed(root)? {
+    for Listed { folder, readings, .. } in &listed(root)? {
         let (file, text) = lesson_text(root, folder)?;
         let Lesson { title, plan, .. } = Lesson::read(&text, readings).map_err(|problem| format!("{file}: {problem}"))?;
         let Plan { topic, age, minutes, needed, curricula: [england, ..] } = plan;
@@ -105,9 +107,14 @@ fn lesson_text(root: &Path, folder: &str) -> Result<(String, String), String> {
     Ok((file, text))
 }
 
-/// An experiment as the list has it.
+/// An experiment as the list has it: what its screen asks, its page asks in the same words.
 pub struct Listed {
     pub folder: String,
+    pub question: String,
+    /// Predictions to choose from, parted by `|`.
+    pub choices: String,
+    /// The right prediction: a choice, or a number with its unit.
+    pub right: String,
     /// Quantities and their exact answers, see [`figures`].
     pub readings: String,
 }
@@ -118,17 +125,22 @@ pub fn listed(root: &Path) -> Result<Vec<Listed>, String> {
     let list = read(&root.join(LIST))?;
     let reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(list.as_bytes());
     let rows = reader.into_deserialize::<HashMap<String, String>>();
-    let listed =
-        |mut row: HashMap<String, String>| Some(Listed { folder: row.remove("folder")?, readings: row.remove("readings")? });
+    let listed = |mut row: HashMap<String, String>| {
+        let [folder, question, choices, right, readings] =
+            ["folder", "question", "choices", "right", "readings"].map(|column| row.remove(column));
+        Some(Listed { folder: folder?, question: question?, choices: choices?, right: right?, readings: readings? })
+    };
     rows.map(|row| row.map_err(|error| format!("{LIST}: {error}")))
-        .map(|row| listed(row?).ok_or_else(|| format!("{LIST}: expected the columns folder and readings")))
+        .map(|row| {
+            listed(row?).ok_or_else(|| format!("{LIST}: expected the columns folder, question, choices, right and readings"))
+        })
         .collect()
 }
 
 fn pages_in(words: &SheetWords, root: &Path, linked: bool, pages: &mut Vec<(String, String)>) -> Result<(), String> {
     let folder = words.folder();
     let mut topics = Vec::new();
-    for Listed { folder: name, readings } in &listed(root)? {
+    for asked @ Listed { folder: name, readings, .. } in &listed(root)? {
         let (file, text) = lesson_text(root, name)?;
         let lesson = Lesson::read(&text, readings).map_err(|problem| format!("{file}: {problem}"))?;
         let link = Some(opens(words, name)).filter(|_| linked).unwrap_or_default();
@@ -143,7 +155,7 @@ fn pages_in(words: &SheetWords, root: &Path, linked: bool, pages: &mut Vec<(Stri
         topic_of(&mut topics, words.say(topic)).push_str(&row);
         pages.push((
             format!("{folder}{name}.html"),
-            sheet(words, root, name, &lesson, &link).map_err(|problem| format!("{file}: {problem}"))?,
+            sheet(words, root, asked, &lesson, &link).map_err(|problem| format!("{file}: {problem}"))?,
         ));
         pages.push((format!("{folder}{name}-answers.html"), answers(words, &lesson, &link)?));
         words.complete(&file)?;
@@ -219,7 +231,8 @@ fn document(words: &SheetWords, title: &str, body: &str) -> String {
 }
 
 /// The page of the class: the question, what to do and with which keys, and room for what is found.
-fn sheet(words: &SheetWords, root: &Path, name: &str, lesson: &Lesson, link: &str) -> Result<String, String> {
+fn sheet(words: &SheetWords, root: &Path, asked: &Listed, lesson: &Lesson, link: &str) -> Result<String, String> {
+    let name = &asked.folder;
     let say = |text| escaped(words.say(text));
     let title = say(lesson.title);
     let mut body = format!("<h1>{title}</h1>\n");
@@ -230,8 +243,7 @@ fn sheet(words: &SheetWords, root: &Path, name: &str, lesson: &Lesson, link: &st
     let link = if link.is_empty() { String::new() } else { format!(" · {link}") };
     let or = say("or");
     let _ = writeln!(body, "<p class=\"where\">{menu} → {title}, {or} <code>resultant play experiments/{name}</code>{link}</p>");
-    let (guess, steps) = (say("Your guess, and why"), say("Do"));
-    let _ = write!(body, "<h2>{guess}</h2>\n{LINE}{LINE}<h2>{steps}</h2>\n<ol>\n");
+    let _ = write!(body, "{}<h2>{}</h2>\n<ol>\n", prediction(words, asked), say("Do"));
     for step in &lesson.steps {
         let _ = writeln!(body, "<li>{}</li>", inline(words, words.say(step)));
     }
@@ -246,6 +258,18 @@ fn sheet(words: &SheetWords, root: &Path, name: &str, lesson: &Lesson, link: &st
     let by_hand = |change: &str| by_hand::by_hand(words, root, name, change).map(|change| inline(words, &change));
     body += &changes(words, lesson, "found", by_hand, |_| String::new())?;
     Ok(document(words, words.say(lesson.title), &body))
+}
+
+/// The question of the screen, with choices to tick or room for a number with its unit, and for the reason.
+fn prediction(words: &SheetWords, asked: &Listed) -> String {
+    let say = |text| escaped(words.say(text));
+    let unit = asked.right.split_once(' ').map_or("", |(_, unit)| unit);
+    let room = match asked.choices.split('|').collect::<Vec<_>>()[..] {
+        [_] | [] => format!("<span class=\"predict\">{}</span>", escaped(unit)),
+        ref choices => choices.iter().map(|choice| format!("☐ {} &emsp; ", escaped(&words.quantity(choice)))).collect(),
+    };
+    let question = inline(words, words.say(&asked.question));
+    format!("<h2>{}</h2>\n<p>{question}</p>\n<p>{room}</p>\n<p>{}</p>\n{LINE}", say("Your prediction"), say("Why?"))
 }
 
 /// A line to write on.

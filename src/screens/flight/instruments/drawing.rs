@@ -12,10 +12,12 @@ use crate::words::tr;
 const MARK: f32 = 9.0;
 
 impl Instruments {
-    /// Draws the readings in the level, and the ground of the panels above it.
-    pub fn draw_in_level(&self, (game, alpha): (&Game, f64), view: &Viewport, canvas: &Canvas) {
-        self.measures.draw_in_level((game, alpha), (view, canvas));
-        if self.uses(Tool::Centre) {
+    /// Draws the readings in the level, where that is `seen`, and the ground of the panels above it.
+    pub fn draw_in_level(&self, (game, alpha): (&Game, f64), seen: bool, (view, canvas): (&Viewport, &Canvas)) {
+        if seen {
+            self.measures.draw_in_level((game, alpha), (view, canvas));
+        }
+        if seen && self.uses(Tool::Centre) {
             draw_centre((game, alpha), view, canvas);
         }
         if self.open {
