@@ -17,7 +17,7 @@ use cpu_time::ThreadTime;
 use engine::{Engine, Spec};
 use resultant::lab::curve::median_and_spread;
 use resultant::lab::kept::{PEERS_HEAD, PeerRow, peer_rows};
-use scenes::{STEP, Scene};
+use scenes::Scene;
 use std::fs;
 use std::path::{Path, PathBuf};
 use watch::{Run, Watched};
