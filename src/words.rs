@@ -107,10 +107,10 @@ pub fn tr(text: &str) -> &str {
     found.unwrap_or(text)
 }
 
-/// The text with the decimal marks of the language of this thread: a comma in German and French. What has three parts, as a version, is no
-/// number.
+/// The text with the decimal marks of the language of this thread: a comma in German and French, where a semicolon parts a pair in
+/// brackets. What has three parts, as a version, is no number.
 pub fn decimals(text: &str) -> Cow<'_, str> {
-    if !text.contains('.') || !matches!(spoken(), Language::German | Language::French) {
+    if !text.contains(['.', '(']) || !matches!(spoken(), Language::German | Language::French) {
         return Cow::Borrowed(text);
     }
     let digits = |c: char| c.is_ascii_digit();
@@ -121,7 +121,16 @@ pub fn decimals(text: &str) -> Cow<'_, str> {
         let began = whole.strip_suffix('.').is_some_and(|rest| rest.ends_with(digits));
         whole.len() < before.len() && parts.len() < behind.len() && !began && !goes_on(parts)
     };
-    Cow::Owned(text.char_indices().map(|(at, c)| if c == '.' && is_mark(at) { ',' } else { c }).collect())
+    let in_pair = |at: usize| {
+        let ends = text[..at].rfind('(').zip(text[at..].find(')'));
+        ends.is_some_and(|(from, to)| !text[from..at + to].contains(char::is_alphabetic))
+    };
+    let said = |(at, c)| match c {
+        '.' if is_mark(at) => ',',
+        ',' if in_pair(at) => ';',
+        _ => c,
+    };
+    Cow::Owned(text.char_indices().map(said).collect())
 }
 
 /// A template with its places filled.
@@ -189,8 +198,8 @@ mod tests {
 
     #[test]
     fn numbers_have_the_decimal_mark_of_the_language() {
-        let english = "e = 0.5, −1.25 kN, 2.0 m. 00:05.50 1.0.0 level.csv 1. 2. .5 5.";
-        let commas = "e = 0,5, −1,25 kN, 2,0 m. 00:05,50 1.0.0 level.csv 1. 2. .5 5.";
+        let english = "e = 0.5, (−1.25,  0) kN, 2.0 m. 00:05.50 1.0.0 (a, b.csv) 1. .5 5.";
+        let commas = "e = 0,5, (−1,25;  0) kN, 2,0 m. 00:05,50 1.0.0 (a, b.csv) 1. .5 5.";
         for (language, said) in [(Language::German, commas), (Language::French, commas), (Language::English, english)] {
             speak(language);
             assert_eq!(decimals(english), said);

@@ -50,10 +50,8 @@ pub(super) const DAMPING: NumberRange = NumberRange::new(0.0, 1e9, "N·s/m");
 pub(super) const STRENGTH: NumberRange = NumberRange::new(-1e9, 1e9, "N·m²");
 pub(super) const METRE: NumberRange = NumberRange::new(1e-3, 1e6, "pixels a metre");
 pub(super) const REST_SPEED: NumberRange = NumberRange { low: 0.0, ..NumberRange::of(domain::SPEED) };
-/// Of a body in its level, m.
 pub(super) const PLACE: NumberRange = NumberRange::new(0.0, MAX_DISTANCE, "m");
 pub(super) const SIZE: NumberRange = NumberRange::new(MIN_SIZE, MAX_DISTANCE, "m");
-/// A place in the list of materials.
 pub(super) const MATERIAL: NumberRange = NumberRange::new(0.0, Material::ALL.len() as f64 - 1.0, "");
 pub(super) const WIND: NumberRange = NumberRange::new(0.0, 1e3, "");
 /// A factor; with rubber its maximum makes a coefficient of 11.5, beyond any material.

@@ -127,8 +127,7 @@ impl Parameter {
     }
 
     fn numbered(self, name: &str) -> String {
-        let number = self.thing().map_or(0, |thing| thing + 1);
-        filled(name, &[("number", &number)])
+        filled(name, &[("number", &self.thing().map_or(0, |thing| thing + 1))])
     }
 
     /// Empty where it has none.
@@ -243,7 +242,6 @@ impl Parameter {
         }
     }
 
-    /// Errors: what is expected instead, in words.
     pub(super) fn put(self, level: &mut Level, value: f64) -> Result<(), String> {
         let (metre, high) = (level.metre, level.size.y);
         let in_metres = pixels(value, level) / metre;
@@ -287,7 +285,6 @@ impl Parameter {
                 let loaded = |corner: DVec2| DVec2::new(pixels(corner.x, level), pixels(corner.y, level)) / metre;
                 let corners: Vec<DVec2> = level.movers[i].corners().map(loaded).collect();
                 let Mover { solid: Solid { bounds, .. }, stops, .. } = &mut level.movers[i];
-                // As the loader does: each edge by itself.
                 (bounds.min.y, bounds.max.y) = (down, (pixels_down + height) / metre);
                 let half = bounds.size() * 0.5;
                 *stops = std::iter::once(bounds.min).chain(corners).map(|corner| corner + half).collect();

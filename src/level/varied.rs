@@ -97,7 +97,8 @@ impl Document {
     /// Errors: as [`Document::set`]; a body or stream without a row.
     pub fn vary(&mut self, varied: &Level, parameters: &[Parameter], gesture: Option<u64>) -> Result<(), String> {
         let mut cells = Vec::new();
-        for parameter in parameters {
+        let twice = |of: &&Parameter| matches!(of, Parameter::Stream(_)) && parameters.contains(&Parameter::Wind);
+        for parameter in parameters.iter().filter(|of| !twice(of)) {
             let (table, column) = parameter.place(varied);
             if let Parameter::Wind | Parameter::Stream(_) = parameter {
                 let own = |(i, _): &(usize, _)| parameter.thing().is_none_or(|thing| thing == *i);

@@ -15,6 +15,7 @@ use resultant::lab::savings::Saving;
 use resultant::lab::side_by_side::exhibits;
 use resultant::lab::stability::regions;
 use resultant::lab::stress::Survival;
+use resultant::level;
 use resultant::number::short;
 use resultant::physics::SOURCES;
 use resultant::screens::{Input, Key, Lab, PAGES, Page};
@@ -136,7 +137,8 @@ fn nothing_lies_on_anything_else_in_any_window() {
             sitting.rest();
             let areas = sitting.areas();
             if page == Page::Experiments {
-                assert_eq!(areas.len(), PAGES.len() + 2 + 14, "{:?}", sitting.labels());
+                let listed = level::list(&project().join("experiments")).len();
+                assert_eq!(areas.len(), PAGES.len() + 2 + listed, "{:?}", sitting.labels());
             }
             let apart = |a: &Area, b: &Area| a.max().cmple(b.min + 0.01).any() || b.max().cmple(a.min + 0.01).any();
             let inside = |a: &Area, b: &Area| a.min.cmpge(b.min).all() && a.max().cmple(b.max()).all();

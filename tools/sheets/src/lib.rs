@@ -18,7 +18,7 @@ use words::{LANGUAGES, SheetWords};
 pub const FOLDER: &str = "docs/sheets";
 /// The list of all sheets.
 const INDEX: &str = "index.html";
-/// The list of all lessons, behind [`LISTED`].
+/// The page that lists all lessons, behind a mark.
 pub const LESSONS: &str = "docs/lessons/README.md";
 const LISTED: &str = "<!-- list -->\n";
 

@@ -29,7 +29,7 @@ pub struct Plan<'a> {
     pub minutes: &'a str,
     /// What pupils know before.
     pub needed: &'a str,
-    /// A place in the curriculum of each of [`super::words::LANGUAGES`], in that language.
+    /// A place in the curricula of England, Germany and France, each in its language.
     pub curricula: [&'a str; 3],
 }
 
