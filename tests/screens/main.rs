@@ -3,6 +3,7 @@
 mod classics;
 mod closing;
 mod editor;
+mod editor_share;
 mod flight;
 mod flights;
 mod frames;
