@@ -294,6 +294,8 @@ pub enum Destination {
         level: Arc<Level>,
         problems: Vec<String>,
         in_memory: bool,
+        /// A stopped flight that goes on in it.
+        on: Option<Box<Game>>,
     },
     /// The editor of the level of that name; of one that comes with the game a copy is made first, unless the original is wanted.
     Edit {

@@ -3,7 +3,11 @@
 mod classics;
 mod closing;
 mod editor;
+mod editor_flights;
+mod editor_hand;
+mod editor_links;
 mod editor_share;
+mod editor_story;
 mod flight;
 mod flights;
 mod frames;
