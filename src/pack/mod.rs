@@ -13,4 +13,4 @@ pub use archive::{read, write};
 #[cfg(any(browser, test))]
 pub use everything::{export, import, is_export};
 pub use install::{Installed, install, install_file};
-pub use package::{LARGEST, MEMORY, MOST_FILES, PROVE, Package, UNPACKED, check, gather, load, of_hash, prove, proven};
+pub use package::{LARGEST, MEMORY, MOST_FILES, PROVE, Package, UNPACKED, check, gather, load, of_hash, prove, prove_in, proven};

@@ -8,7 +8,7 @@
 use super::path;
 use crate::files::{self, Symlinks, read_text};
 use crate::game::{Game, Goal, LevelHash, Medal, Prize, Replay, RunResult, goals, level_hash};
-use crate::level::document::{LevelFolder, Opened};
+use crate::level::document::{Document, LevelFolder, Opened};
 use crate::level::{self, FILES, Files, Level, Loaded, Problem};
 use crate::number::hundredths;
 use crate::words::tr;
@@ -195,8 +195,15 @@ pub fn proven(folder: &Path, level: &Arc<Level>) -> (Vec<String>, Vec<Problem>) 
 /// the time that it took into constants.csv. The answer is the flight's file.
 /// Errors: every reason why it proves nothing there, a line each, and nothing was written; the disk's.
 pub fn prove(folder: &Path, project: &Path, stem: &str, replay: Replay) -> Result<PathBuf, Vec<String>> {
+    let opened = LevelFolder::open_to_edit(folder, project).map_err(|problem| vec![problem])?;
+    let Opened { mut document, mut folder, .. } = opened;
+    prove_in((&mut folder, &mut document), stem, replay)
+}
+
+/// As [`prove`], of a level that is open to be edited: with the time all its edits are saved.
+pub fn prove_in((opened, edited): (&mut LevelFolder, &mut Document), stem: &str, replay: Replay) -> Result<PathBuf, Vec<String>> {
     let one = |problem: String| vec![problem];
-    let Opened { mut document, folder: mut opened, .. } = LevelFolder::open_to_edit(folder, project).map_err(one)?;
+    let mut document = edited.clone();
     if let Some(setting) = ["gold", "silver"].into_iter().find(|setting| *setting == stem) {
         let time = hundredths(replay.time);
         document.set_setting(setting, &format!("{}.{:02}", time / 100, time % 100), None).map_err(one)?;
@@ -204,16 +211,18 @@ pub fn prove(folder: &Path, project: &Path, stem: &str, replay: Replay) -> Resul
     let loaded = opened.check(&document).map_err(|problems| level::listed(&problems))?;
     let level = Arc::new(loaded.level);
     let replay = Replay { level: level.name.clone(), ..replay };
-    let path = folder.join(FLIGHTS).join(format!("{stem}{FLIGHT}"));
+    let flights = opened.path().join(FLIGHTS);
+    let path = flights.join(format!("{stem}{FLIGHT}"));
     let text = replay.to_string();
     match earn(stem, replay, &level).map_err(|(found, expected)| one(files::found_instead(stem, found, expected)))? {
         (_, Some(_)) => {}
         (_, None) => return Err(one(format!("{stem}: the level has no medal or mark of that name"))),
     }
     let refused = |error: io::Error| one(format!("{}: {error}", path.display()));
-    files::make_folder(&folder.join(FLIGHTS)).map_err(refused)?;
+    files::make_folder(&flights).map_err(refused)?;
     files::replace(&path, text.as_bytes(), Symlinks::Followed).map_err(refused)?;
     opened.save(&document).map_err(|error| one(error.to_string()))?;
+    *edited = document;
     Ok(path)
 }
 

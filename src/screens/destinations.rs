@@ -73,8 +73,8 @@ pub(super) fn open(place: Destination, session: &mut Session, spectator: &mut dy
             }
         }
         Destination::Fly(attempt) => fly(attempt, session, spectator),
-        Destination::TryOut { level, problems, in_memory } => {
-            let flight = Flight::test((level, in_memory), problems, session, spectator);
+        Destination::TryOut { level, problems, in_memory, on } => {
+            let flight = Flight::test((level, in_memory), (problems, on), session, spectator);
             Box::new(flight.map_err(|error| error.to_string())?)
         }
         Destination::Edit { name, original } if !original && level::is_shipped(&session.library.folder(&name)) => {

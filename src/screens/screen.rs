@@ -248,6 +248,19 @@ pub enum Make {
     Rename(String, String),
 }
 
+/// What an author does with a level in the list.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum OnLevel {
+    /// Makes one file of it.
+    Share(String),
+    /// Puts it into the bin.
+    Bin(String),
+    /// Takes the last one out of the bin.
+    TakeBack,
+    /// Shows its folder.
+    Folder(String),
+}
+
 /// What a screen asks for.
 #[derive(Clone, Debug)]
 pub enum Request {
@@ -281,6 +294,8 @@ pub enum Destination {
         level: Arc<Level>,
         problems: Vec<String>,
         in_memory: bool,
+        /// A stopped flight that goes on in it.
+        on: Option<Box<Game>>,
     },
     /// The editor of the level of that name; of one that comes with the game a copy is made first, unless the original is wanted.
     Edit {
@@ -325,6 +340,8 @@ pub enum Effect {
     Restart,
     /// Makes or renames a level.
     Make(Make),
+    /// Hands a level on, or puts it away.
+    OnLevel(OnLevel),
     /// Saves the level that is flown as it is varied, under that name, or any where that is empty.
     SaveVaried(Variation, String),
     /// Keeps a curve as a file.

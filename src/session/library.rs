@@ -247,7 +247,7 @@ pub struct NewFile {
     /// Its name from there on, with the full stop.
     pub ending: &'static str,
     /// All of it.
-    pub text: String,
+    pub bytes: Vec<u8>,
     /// What it is, for messages: "the flight".
     pub what: &'static str,
     /// One with these very bytes will do, where it is no larger than that.
@@ -270,10 +270,10 @@ impl NewFile {
         for number in 1..=MOST_OF_A_NAME {
             let count = if number > 1 { format!("-{number}") } else { String::new() };
             let path = folder.join(format!("{}{count}{}", self.stem, self.ending));
-            if read_text(&path, self.same_up_to).is_ok_and(|kept| kept == self.text) {
+            if files::read(&path, self.same_up_to).is_ok_and(|kept| kept == self.bytes) {
                 return Ok(path);
             }
-            match files::create(&path, self.text.as_bytes()) {
+            match files::create(&path, &self.bytes) {
                 Ok(()) => return Ok(path),
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
                 Err(error) => return Err(refused(&path, &error)),
@@ -286,7 +286,7 @@ impl NewFile {
     #[cfg(all(feature = "window", browser))]
     fn handed_out(&self, folder: &Path) -> Option<PathBuf> {
         let name = format!("{}{}", self.stem, self.ending);
-        crate::web::download(&name, self.text.as_bytes());
+        crate::web::download(&name, &self.bytes);
         Some(folder.join(name))
     }
 

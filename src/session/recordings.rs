@@ -190,7 +190,8 @@ fn first_line(text: &str) -> String {
 pub fn keep(folder: &Path, level: &str, whose: &str, replay: &Replay) -> Result<PathBuf, String> {
     let whose: String = whose.to_lowercase().chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
     let stem = format!("{level}-{whose}-{}", replay.score);
-    NewFile { stem, ending: ENDING, text: replay.to_string(), what: tr("the flight"), same_up_to: INPUTS }.write(folder)
+    NewFile { stem, ending: ENDING, bytes: replay.to_string().into_bytes(), what: tr("the flight"), same_up_to: INPUTS }
+        .write(folder)
 }
 
 impl Session {

@@ -50,6 +50,8 @@ pub struct Card {
     pub stamp: Stamp,
     /// Title, medals and picture, or why it does not load.
     pub level: Result<(String, Awards, Option<Image>), Refusal>,
+    /// The medals and the mark that its own flights prove, by their names; `None` where it comes with the game.
+    pub proven: Option<Vec<&'static str>>,
 }
 
 /// What has come of an errand.
@@ -82,8 +84,11 @@ impl Errand {
             }
             Self::Card(folder, root) => {
                 let stamp = Stamp::of(&folder, &[]);
-                let level = load(&folder, &root).map(|level| (level.title.clone(), level.awards, miniature::painting(&level)));
-                Brought::Card(Box::new(Card { folder, stamp, level }))
+                let level = load(&folder, &root);
+                let own = level.as_ref().ok().filter(|_| !level::is_shipped(&folder));
+                let proven = own.map(|level| recordings::rivals(&folder, level).into_iter().map(|rival| rival.name).collect());
+                let level = level.map(|level| (level.title.clone(), level.awards, miniature::painting(&level)));
+                Brought::Card(Box::new(Card { folder, stamp, level, proven }))
             }
             Self::Editor(folder, root) => Brought::Editor(LevelFolder::open_to_edit(&folder, &root).map(Box::new)),
             Self::Install { archive, levels, root } => Brought::Installed(pack::install_file(&archive, &levels, &root)),

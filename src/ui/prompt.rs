@@ -17,7 +17,7 @@ use crate::words::tr;
 /// Width and height of the panel.
 const PANEL: Vec2 = Vec2::new(640.0, 264.0);
 /// The most letters that the field takes.
-const MOST: usize = 60;
+const MOST: usize = 400;
 
 /// What came of a frame.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -128,7 +128,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     match start {
         Some(Start::Play(folder, attempt)) => stack.begin(&folder, Destination::Fly(attempt), &mut spectator),
         Some(Start::Test(folder, level, problems)) => {
-            stack.begin(&folder, Destination::TryOut { level, problems, in_memory: false }, &mut spectator)
+            stack.begin(&folder, Destination::TryOut { level, problems, in_memory: false, on: None }, &mut spectator)
         }
         Some(Start::Edit(folder, name, false)) => stack.begin(&folder, Destination::Edit { name, original: false }, &mut spectator),
         Some(Start::Edit(folder, name, true)) => stack.begin(&folder, Destination::Edit { name, original: true }, &mut spectator),

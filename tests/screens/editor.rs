@@ -19,29 +19,29 @@ pub fn open() -> Sitting {
     sitting
 }
 
-fn file(sitting: &Sitting, name: &str) -> PathBuf {
+pub fn file(sitting: &Sitting, name: &str) -> PathBuf {
     sitting.folder.path().join("levels/2").join(name)
 }
 
-fn text(sitting: &Sitting, table: Table) -> String {
+pub fn text(sitting: &Sitting, table: Table) -> String {
     String::from_utf8(sitting.editor().document().bytes(table).unwrap_or_default().to_vec()).unwrap()
 }
 
-fn cell<'a>(sitting: &'a Sitting, row: RowId, column: &str) -> Option<&'a str> {
+pub fn cell<'a>(sitting: &'a Sitting, row: RowId, column: &str) -> Option<&'a str> {
     sitting.editor().document().cell(row, column)
 }
 
-fn rows(sitting: &Sitting, table: Table) -> usize {
+pub fn rows(sitting: &Sitting, table: Table) -> usize {
     sitting.editor().document().rows(table).count()
 }
 
 #[track_caller]
-fn assert_ends(sitting: &Sitting, table: Table, end: &str) {
+pub fn assert_ends(sitting: &Sitting, table: Table, end: &str) {
     assert!(text(sitting, table).ends_with(end), "{}", text(sitting, table));
 }
 
 /// With the left button, in pixels of the picture.
-fn drag(sitting: &mut Sitting, from: (f64, f64), to: (f64, f64)) {
+pub fn drag(sitting: &mut Sitting, from: (f64, f64), to: (f64, f64)) {
     let point = |sitting: &Sitting, (x, y)| sitting.editor().point(DVec2::new(x, y));
     let from = point(sitting, from);
     sitting.point_at(from).give(Input { pointer: from, click: true, holding: true, ..Input::default() });
@@ -54,7 +54,7 @@ fn drag(sitting: &mut Sitting, from: (f64, f64), to: (f64, f64)) {
 }
 
 /// Whether the button of a tool is picked out.
-fn is_picked(sitting: &Sitting, tool: &str) -> bool {
+pub fn is_picked(sitting: &Sitting, tool: &str) -> bool {
     let at = sitting.area(tool);
     let shapes = sitting.app.canvas().shapes();
     shapes.iter().any(|shape| match shape {
@@ -71,17 +71,19 @@ fn tool(sitting: &mut Sitting, kind: Kind) {
 pub fn draw(sitting: &mut Sitting, kind: Kind, from: (f64, f64), to: (f64, f64)) -> RowId {
     tool(sitting, kind);
     drag(sitting, from, to);
+    assert!(is_picked(sitting, kind.name()), "a tool stays");
+    sitting.press(Key::Escape);
     assert!(is_picked(sitting, "Select"));
     let [row] = sitting.editor().selection()[..] else { panic!("{:?}", sitting.editor().selection()) };
     row
 }
 
-fn control(sitting: &mut Sitting, key: Key) {
+pub fn control(sitting: &mut Sitting, key: Key) {
     let held = [Key::Control, key].into_iter().collect();
     sitting.give(Input { pressed: [key].into_iter().collect(), held, ..Input::default() }).rest();
 }
 
-fn write_into(sitting: &mut Sitting, column: &str, text: &str) {
+pub fn write_into(sitting: &mut Sitting, column: &str, text: &str) {
     sitting.click(column).press(Key::End);
     (0..20).for_each(|_| _ = sitting.press(Key::Backspace));
     sitting.write(text).press(Key::Enter);
@@ -117,7 +119,7 @@ fn an_authors_round_trip_by_mouse() {
     assert!(!sitting.editor().is_unsaved());
     let loaded = level::load(&file(&sitting, ""), sitting.folder.path()).unwrap();
     assert_eq!((loaded.level.world.len(), loaded.level.movers.len(), loaded.level.switches.len()), (1, 1, 1));
-    assert_eq!(sitting.press(Key::Escape).press(Key::Escape).at(), "levels to edit");
+    assert_eq!(sitting.press_all(&[Key::Escape, Key::Escape, Key::Enter]).at(), "levels to edit");
 }
 
 #[test]
@@ -358,10 +360,10 @@ fn what_comes_with_the_game_is_edited_as_a_copy() {
     assert!(sitting.folder.path().join("levels/2-copy/world.csv").exists() && !file(&sitting, "world.csv").exists());
     assert_eq!(fs::read(file(&sitting, "player.csv")).unwrap(), before);
     // The copy is the author's own; one more gets another name; and the original keeps its own.
-    sitting.press(Key::Escape).press(Key::Escape).rest();
+    sitting.press_all(&[Key::Escape, Key::Escape, Key::Enter]).rest();
     sitting.choose("2-copy").rest();
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2-copy"));
-    sitting.press(Key::Escape).choose("2").rest();
+    sitting.press_all(&[Key::Escape, Key::Enter]).choose("2").rest();
     assert_eq!(sitting.field(), "2-copy-2");
     sitting.press(Key::Escape);
     sitting.choose("Rename").choose("2").write("x").press(Key::Enter);
@@ -389,7 +391,7 @@ fn a_copy_is_made_with_a_relative_data_folder() {
     assert_eq!(sitting.rest().field(), "2-copy");
     assert_eq!(sitting.press(Key::Enter).rest().editor().name(), "2-copy");
     // One of the author's own, from the list.
-    sitting.press(Key::Escape).choose("Copy").choose("2-copy").press(Key::Enter).rest();
+    sitting.press_all(&[Key::Escape, Key::Enter]).choose("Copy").choose("2-copy").press(Key::Enter).rest();
     assert_eq!(sitting.editor().name(), "2-copy-copy");
 }
 
@@ -406,7 +408,7 @@ fn editing_that_begins_in_a_pause_ends_in_it() {
     assert_eq!(sitting.at(), "test flight");
     sitting.press(Key::F5);
     control(&mut sitting, Key::S);
-    sitting.press_all(&[Key::Escape, Key::Escape]);
+    sitting.press_all(&[Key::Escape, Key::Escape, Key::Enter]);
     assert_eq!((sitting.at(), sitting.ticks()), ("pause", ticks));
     // It goes on in the level as it was saved.
     sitting.wait(0.5).press(Key::Escape).wait(0.2);
@@ -419,7 +421,7 @@ fn editing_that_begins_in_a_pause_ends_in_it() {
     assert_eq!(sitting.press(Key::Escape).at(), "pause");
     sitting.click(edit).press(Key::Enter).rest();
     assert_eq!(sitting.editor().name(), "2-copy");
-    assert_eq!(sitting.press(Key::Escape).at(), "pause");
+    assert_eq!(sitting.press_all(&[Key::Escape, Key::Enter]).at(), "pause");
     assert_eq!(sitting.game().level().name, "2");
 }
 
@@ -547,6 +549,7 @@ fn a_click_puts_things_down_by_the_point_that_their_cells_name() {
     tool(&mut sitting, Kind::Solid);
     drag(&mut sitting, (203.0, 298.0), (203.0, 298.0));
     assert_ends(&sitting, Table::World, "\n200,300,160,40\n");
+    sitting.press(Key::Escape);
     // Beside the ship, whose edge is at 425.5, and with the grid off: whole pixels.
     drag(&mut sitting, (280.0, 320.0), (508.0, 320.0));
     assert_eq!(sitting.editor().document().number(RowId { table: Table::World, row: 0 }, "x"), Some(426.0));

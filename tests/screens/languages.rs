@@ -190,8 +190,13 @@ fn editor(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
     visit(sitting.click("Select").click_at(ship), "editor, the ship");
     visit(sitting.click("Delete"), "editor, the ship stays");
     visit(sitting.click("Snap").click("Fly").wait(0.2), "a test flight");
+    visit(sitting.press(Key::Escape), "editor, a flight above the picture");
+    visit(sitting.press(Key::Escape), "editor, to be left");
+    visit(sitting.press(Key::Enter), "levels to edit");
+    visit(sitting.click("Delete").click("3").rest(), "a level in the bin");
+    visit(sitting.click("Share").click("2").rest(), "problems");
+    visit(sitting.press(Key::Escape).click("Import"), "a file to be imported");
     sitting.press(Key::Escape);
-    visit(sitting.press(Key::Escape).press(Key::Escape), "levels to edit");
 }
 
 /// Words that no catalogue holds: units, names, files and columns, licences.

@@ -187,12 +187,12 @@ fn levels_are_made_copied_and_renamed_in_the_game() {
     assert!(sitting.shows("of that name already"), "2 is there");
     sitting.write("x").press(Key::Enter);
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2x"));
-    assert_eq!(sitting.press(Key::Escape).at(), "levels to edit");
+    assert_eq!(sitting.press_all(&[Key::Escape, Key::Enter]).at(), "levels to edit");
 
     sitting.click("Copy").click("2").press(Key::Enter);
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2-copy"));
     assert_eq!(fs::read(levels.join("2-copy/player.csv")).unwrap(), fs::read(levels.join("2/player.csv")).unwrap());
-    sitting.press(Key::Escape);
+    sitting.press_all(&[Key::Escape, Key::Enter]);
     assert_eq!(sitting.level_names(), ["1", "2", "3", "10", "2-copy", "2x", "broken"]);
     sitting.click("Rename").click("2-copy").press(Key::End);
     (0..6).for_each(|_| _ = sitting.press(Key::Backspace));

@@ -1,9 +1,8 @@
 //! Operations on rows: to change cells, to add, move, double and take out rows. Each can be undone.
 
 use super::model::{Document, NewRow, RowId, SetCell};
-use super::places::{FINEST, Place, number, parsed, shape, shape_text, way_text};
+use super::places::{FINEST, Place, number, points, shape, shape_text, way_text};
 use super::sheet::{Added, CellEdit};
-use super::wires::place_text;
 use crate::level::schema::Kind;
 use crate::physics::DVec2;
 
@@ -30,6 +29,11 @@ impl Document {
 
     /// Adds rows below all others of their files, and makes missing files. Returns the new rows.
     pub fn add(&mut self, rows: &[NewRow]) -> Result<Vec<RowId>, String> {
+        self.add_in(rows, None)
+    }
+
+    /// As [`Document::add`]; operations of one gesture are undone together.
+    pub(super) fn add_in(&mut self, rows: &[NewRow], gesture: Option<u64>) -> Result<Vec<RowId>, String> {
         let (mut files, mut added) = (Vec::new(), Vec::new());
         for sheet in &self.sheets {
             let of_sheet: Vec<&NewRow> = rows.iter().filter(|row| row.kind.table() == sheet.table).collect();
@@ -41,7 +45,7 @@ impl Document {
             files.push((sheet.table, Some(sheet.append(&cells)?)));
             added.extend((first..first + cells.len()).map(|row| RowId { table: sheet.table, row }));
         }
-        self.apply(files, None);
+        self.apply(files, gesture);
         Ok(added)
     }
 
@@ -49,10 +53,6 @@ impl Document {
     pub fn put(&mut self, kind: Kind, place: Place) -> Result<Option<RowId>, String> {
         let mut cells: Vec<(&'static str, String)> =
             kind.schema().fresh.iter().map(|(column, text)| (*column, (*text).to_owned())).collect();
-        if kind == Kind::Link {
-            cells.push(("b", place_text(place.centre().round())));
-            return Ok(self.add(&[NewRow { kind, cells }])?.first().copied());
-        }
         let at = if kind.by_centre() { place.centre().round() } else { place.min };
         let mut size = place.size.max(DVec2::ONE);
         cells.extend([("x", number(at.x)), ("y", number(at.y))]);
@@ -74,22 +74,6 @@ impl Document {
             _ => {}
         }
         Ok(self.add(&[NewRow { kind, cells }])?.first().copied())
-    }
-
-    /// Copies rows, moved by `by` pixels. Returns the new rows.
-    pub fn duplicate(&mut self, rows: &[RowId], by: DVec2) -> Result<Vec<RowId>, String> {
-        let mut new = Vec::new();
-        for row in rows {
-            let Some(kind) = self.kind(*row).filter(|kind| !matches!(kind, Kind::Ship | Kind::Setting)) else { continue };
-            let moved = self.shifted(*row, by);
-            let text = |column: &'static str| {
-                let shifted = moved.iter().find(|cell| cell.column == column).map(|cell| cell.text.clone());
-                shifted.or_else(|| self.cell(*row, column).map(str::to_owned))
-            };
-            let cells = kind.schema().columns.iter().filter_map(|column| Some((column.name, text(column.name)?))).collect();
-            new.push(NewRow { kind, cells });
-        }
-        self.add(&new)
     }
 
     /// Takes rows out, with their lines.
@@ -114,11 +98,7 @@ impl Document {
             None if text.is_empty() => Ok(()),
             None => {
                 let cells = vec![("name", name.to_owned()), ("value", text.to_owned())];
-                self.add(&[NewRow { kind: Kind::Setting, cells }])?;
-                if let Some(change) = self.undo.last_mut() {
-                    change.gesture = gesture;
-                }
-                Ok(())
+                self.add_in(&[NewRow { kind: Kind::Setting, cells }], gesture).map(drop)
             }
         }
     }
@@ -180,13 +160,6 @@ impl Document {
 
     /// Pixels; none where they cannot be read.
     pub fn way_points(&self, row: RowId) -> Vec<DVec2> {
-        let text = self.cell(row, "way_points").unwrap_or_default();
-        let points = text.split(';').map(str::trim).filter(|point| !point.is_empty());
-        let point = |text: &str| {
-            let mut numbers = text.split_whitespace().map(parsed);
-            let point = DVec2::new(numbers.next()??, numbers.next()??);
-            numbers.next().is_none().then_some(point)
-        };
-        points.map(point).collect::<Option<_>>().unwrap_or_default()
+        points(self.cell(row, "way_points").unwrap_or_default()).unwrap_or_default()
     }
 }

@@ -3,16 +3,20 @@
 //! The loader alone judges a document: it reads it from memory ([`Document::over`]).
 
 mod change;
+mod clip;
 mod disk;
 mod edits;
 mod history;
+mod links;
 mod model;
 mod places;
 mod sheet;
 mod wires;
 
 pub use super::schema::{Column, Kind, SETTINGS, Table};
+pub use clip::Clip;
 pub use disk::{KeptSide, LevelFolder, LevelSaveError, Opened};
+pub use links::LinkForm;
 pub use model::Kept;
 pub use model::{Document, NewRow, RowId, SetCell};
 pub use places::{Place, number, way_text};

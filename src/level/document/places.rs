@@ -50,6 +50,20 @@ pub fn way_text(points: &[DVec2]) -> String {
     points.iter().map(|point| format!("{} {}", number(point.x), number(point.y))).collect::<Vec<_>>().join("; ")
 }
 
+/// `None` where they cannot be read.
+pub(super) fn points(text: &str) -> Option<Vec<DVec2>> {
+    let points = text.split(';').map(str::trim).filter(|point| !point.is_empty());
+    points.map(point).collect()
+}
+
+/// `600 300`.
+pub(super) fn point(text: &str) -> Option<DVec2> {
+    match text.split_whitespace().collect::<Vec<_>>()[..] {
+        [x, y] => Some(DVec2::new(parsed(x)?, parsed(y)?)),
+        _ => None,
+    }
+}
+
 /// Whether a plain shape is round, and its size.
 pub(super) fn shape(image: &str) -> Option<(bool, DVec2)> {
     let lower = image.to_ascii_lowercase();

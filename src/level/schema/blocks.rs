@@ -177,7 +177,7 @@ pub static LINKS: FileSchema = FileSchema {
     sample: "",
 };
 pub static LINK: RowSchema = RowSchema::new(&LINKS, "Link", LinkRow::COLUMNS)
-    .fresh(&[("kind", "rope"), ("a", "ship"), ("stiffness", "5000"), ("damping", "100")])
+    .fresh(&[("kind", "rope"), ("stiffness", "5000"), ("damping", "100")])
     .counted(&[Count::if_any("link", "links", |level| level.links.len())]);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -213,7 +213,7 @@ rows! {
         kind: LinkKind = one_of::<LinkKind>("its law").or("rope"),
         a: LinkRowEnd = Column::new(Holds::End, "its first end"),
         b: LinkRowEnd = Column::new(Holds::End, "its other end; one of the two is a body"),
-        length: Option<f64> = Column::new(Holds::Length, "the length ℓ₀ without a force; as the ends stand, where none is given").maybe(),
+        length: Option<f64> = Column::new(Holds::Length, "the length without a force; as the ends stand, where none is given").maybe(),
         stiffness: Option<f64> = number(numbers::STIFFNESS, "force k of a spring or rope for each metre that it is too long").maybe(),
         damping: Option<f64> = number(numbers::DAMPING, "force c of a spring or rope for each m/s at which its ends part").maybe(),
         strength: Option<f64> = number(numbers::STRENGTH, "force s of a magnet at 1 m; below 0 it pushes").maybe(),

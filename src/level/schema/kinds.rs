@@ -94,8 +94,8 @@ impl Table {
 }
 
 impl Kind {
-    /// The kinds that can be added, in the order in which the editor offers them.
-    pub const ADDED: [Self; 17] = [
+    /// The kinds that can be drawn as boxes, in the order in which the editor offers them.
+    pub const ADDED: [Self; 16] = [
         Self::Solid,
         Self::Mover,
         Self::Door,
@@ -104,7 +104,6 @@ impl Kind {
         Self::KeyPad,
         Self::Key,
         Self::Object,
-        Self::Link,
         Self::Deadly,
         Self::Stream,
         Self::Fluid,
@@ -138,7 +137,7 @@ mod tests {
 
     #[test]
     fn every_kind_is_offered_and_a_new_one_fills_columns_that_it_has() {
-        let not_added = [Kind::Setting, Kind::Ship, Kind::Hint];
+        let not_added = [Kind::Setting, Kind::Ship, Kind::Hint, Kind::Link];
         assert!(Kind::ALL.iter().all(|kind| Kind::ADDED.contains(kind) != not_added.contains(kind)));
         for kind in Kind::ADDED {
             let RowSchema { columns, fresh, .. } = kind.schema();

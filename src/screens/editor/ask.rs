@@ -3,6 +3,7 @@
 use super::Editor;
 use crate::draw::Style;
 use crate::draw::layout::{Area, GAP, LINE, PADDING, ROW_BUTTON, TEXT, Vec2, wrapped};
+use crate::game::Replay;
 use crate::level::document::{Kept, KeptSide, Table};
 use crate::screens::screen::Request;
 use crate::settings::Key;
@@ -18,10 +19,12 @@ const LETTER: f32 = 0.5;
 pub enum Ask {
     /// Edits were found that were not saved before the program ended.
     Restore(Kept),
-    /// The editor is left, and not all is saved.
-    Leave,
+    /// The editor is left, and whether something is not saved.
+    Leave(bool),
     /// Another program has changed these files, which were edited here, too.
     Theirs(Vec<Table>),
+    /// A test flight was completed; its end in words.
+    Prove(Box<Replay>, String),
 }
 
 impl Ask {
@@ -32,7 +35,9 @@ impl Ask {
                 tr("There are edits that were not saved.").into(),
                 tr("The game ended before they were; they can be had back.").into(),
             ],
-            Self::Leave => [tr("There are edits that are not saved.").into(), tr("What is to become of them?").into()],
+            Self::Prove(_, end) => [end.clone(), tr("What is this flight to prove? It is saved beside the level.").into()],
+            Self::Leave(false) => [tr("All is saved.").into(), tr("Back to where the editor was opened?").into()],
+            Self::Leave(true) => [tr("There are edits that are not saved.").into(), tr("What is to become of them?").into()],
             Self::Theirs(tables) => {
                 let files: Vec<&str> = tables.iter().map(|table| table.file()).collect();
                 let edited = if files.len() == 1 {
@@ -49,8 +54,10 @@ impl Ask {
     fn answers(&self) -> &'static [&'static str] {
         match self {
             Self::Restore(_) => &["Have them back", "Throw away"],
-            Self::Leave => &["Save", "Throw away", "Stay here"],
+            Self::Leave(false) => &["Leave", "Stay here"],
+            Self::Leave(true) => &["Save", "Throw away", "Stay here"],
             Self::Theirs(_) => &["Decide later", "Theirs", "Mine"],
+            Self::Prove(..) => &["Nothing", "Gold", "Silver", "Careful", "Mark"],
         }
     }
 
@@ -85,32 +92,15 @@ impl Editor {
         match (answer.and_then(|_| self.ask.take())?, answer?) {
             (Ask::Restore(kept), "Have them back") => self.document.restore(kept),
             (Ask::Restore(_), _) => self.folder.forget(),
-            (Ask::Leave, "Save") => return self.save().then(|| self.leave()),
-            (Ask::Leave, "Throw away") => return Some(self.leave()),
-            (Ask::Leave, _) => {}
+            (Ask::Leave(_), "Save") => return self.save().then(|| self.leave()),
+            (Ask::Leave(_), "Leave" | "Throw away") => return Some(self.leave()),
+            (Ask::Leave(_), _) => {}
             (Ask::Theirs(_), "Theirs") => self.settle(KeptSide::Theirs),
             (Ask::Theirs(_), "Mine") => self.settle(KeptSide::Mine),
+            (Ask::Prove(..), "Nothing") => {}
+            (Ask::Prove(replay, _), prize) => self.prove(*replay, prize),
             (Ask::Theirs(_), _) => self.say(tr("Both stay as they are until it is saved.")),
         }
         None
-    }
-
-    /// Lets one side's files stay, saves where that is this one, and says where the other side's are.
-    fn settle(&mut self, side: KeptSide) {
-        let settled = self.folder.settle(&mut self.document, side);
-        self.folder.measure(&mut self.document);
-        match settled {
-            Ok(copies) => {
-                if side == KeptSide::Theirs || self.save() {
-                    let left = if copies.is_empty() {
-                        String::new()
-                    } else {
-                        tr!(" The other is kept in {files}.", files = copies.join(", "))
-                    };
-                    self.say(format!("{}{left}", if side == KeptSide::Mine { tr("Saved.") } else { tr("Theirs it is.") }));
-                }
-            }
-            Err(problem) => self.say(tr!("Nothing was changed: no copy of the other can be kept: {problem}", problem)),
-        }
     }
 }

@@ -1,23 +1,21 @@
-//! The commands: the row of buttons above the picture, the tools beside it, and the keys that do the same.
+//! The commands: the row of buttons above the picture, and the keys that do the same.
 
 use super::ask::Ask;
 use super::layout::INSIDE;
-use super::picture::{colour, edge};
-use super::{Editor, EditorPass, EditorTool, view};
+use super::tools::EditorTool;
+use super::{Editor, EditorPass, view};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
-use crate::level::Level;
-use crate::level::document::{Document, Kind, LevelSaveError, RowId, Table};
+use crate::level::document::{Clip, Document, Kind, RowId, Table};
 use crate::physics::DVec2;
-use crate::screens::screen::{Destination, Request};
+use crate::screens::screen::Request;
 use crate::settings::Key;
 use crate::ui::input::Input;
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
 use crate::words::tr;
-use std::sync::Arc;
 
-const COMMANDS: [(&str, &str); 9] = [
+const COMMANDS: [(&str, &str); 11] = [
     ("Back", "Esc"),
     ("Save", "Ctrl S"),
     ("Undo", "Ctrl Z"),
@@ -27,8 +25,12 @@ const COMMANDS: [(&str, &str); 9] = [
     ("Snap", "G"),
     ("All", "F"),
     ("Fly", "F5"),
+    ("Fly here", "F6"),
+    ("Go on", "F7"),
 ];
 const AT_LEFT: usize = 8;
+/// Arrow keys within this time are undone together, s.
+const BURST: f64 = 1.0;
 
 impl Editor {
     pub(super) fn show_commands(&mut self, ui: &mut Ui<'_>, pass: &mut EditorPass) {
@@ -48,7 +50,7 @@ impl Editor {
     }
 
     fn draw_command(&self, canvas: &Canvas, (label, key): (&str, &str), area: Area, hover: bool) {
-        let on = label == "Snap" && self.snapping;
+        let on = label == "Snap" && self.snapping || label == "Fly here" && self.tool == EditorTool::Fly;
         let fill = if hover { theme::panel_hover() } else { theme::ground() };
         widgets::panel_in(canvas, area, fill, if on { theme::accent() } else { theme::panel_edge() });
         let can = match label {
@@ -56,6 +58,7 @@ impl Editor {
             "Redo" => self.document.history().1 > 0,
             "Copy" | "Delete" => !self.selection.is_empty(),
             "Save" => self.is_unsaved(),
+            "Go on" => self.is_stopped(),
             _ => true,
         };
         let colour = if can { theme::text() } else { theme::quiet() };
@@ -75,32 +78,6 @@ impl Editor {
         widgets::fitted(canvas, &name, middle, room, &[BUTTON_TEXT, TEXT, DETAILS], colour);
     }
 
-    pub(super) fn show_tools(&mut self, ui: &mut Ui<'_>, pass: &EditorPass) {
-        let canvas = ui.canvas();
-        canvas.rectangle(self.panes.left, theme::panel());
-        let tools = [EditorTool::Select].into_iter().chain(Kind::ADDED.map(EditorTool::Add));
-        for (tool, area) in tools.zip(self.panes.tools(Kind::ADDED.len() + 1)) {
-            let (label, colour) = match tool {
-                EditorTool::Select => ("Select", theme::text()),
-                EditorTool::Add(kind) => (kind.name(), colour(kind)),
-            };
-            let touch = ui.touch(label, area, WidgetKind::Tool);
-            if touch.pressed && pass.open {
-                self.tool = tool;
-            }
-            let ground = if touch.hover { theme::panel_hover() } else { theme::ground() };
-            widgets::panel_in(canvas, area, ground, if tool == self.tool { theme::accent() } else { theme::panel_edge() });
-            let mark = Area::around(Vec2::new(area.min.x + 16.0, area.centre().y), Vec2::new(14.0, 10.0));
-            if tool == EditorTool::Select {
-                edge(canvas, mark, 0.75, colour);
-            } else {
-                canvas.rectangle(mark, colour);
-            }
-            let at = Vec2::new(mark.max().x + INSIDE, area.centre().y);
-            canvas.text(tr(label), at, Style::new(DETAILS, theme::text()).middle());
-        }
-    }
-
     /// Keys, where the keyboard is in no field.
     pub(super) fn update_keys(&mut self, input: &Input, pass: &mut EditorPass) {
         self.figures ^= input.pressed(Key::F3);
@@ -113,19 +90,34 @@ impl Editor {
             () if with(Key::Y) => "Redo",
             () if with(Key::D) => "Copy",
             () if input.pressed(Key::F5) => "Fly",
+            () if input.pressed(Key::F6) => "Fly here",
+            () if input.pressed(Key::F7) => "Go on",
             () if self.panel.typing.is_some() => return,
+            () if self.arrange_by_key(input) => return pass.close(None),
+            () if with(Key::C) => return self.copy(input, false),
+            () if with(Key::X) => return self.copy(input, true),
+            () if with(Key::V) => return self.paste(input),
             () if input.pressed(Key::Delete) => "Delete",
-            () if input.pressed(Key::G) => "Snap",
-            () if input.pressed(Key::F) || input.pressed(Key::Home) => "All",
-            () if input.pressed(Key::Escape) && self.tool == EditorTool::Select && self.selection.is_empty() => "Back",
+            () if !control && input.pressed(Key::G) => "Snap",
+            () if !control && input.pressed(Key::F) || input.pressed(Key::Home) => "All",
+            () if input.pressed(Key::Escape) && self.tool == EditorTool::Select && self.selection.is_empty() => {
+                self.ask = Some(Ask::Leave(self.is_unsaved()));
+                return pass.close(None);
+            }
             () => "",
         };
         if !command.is_empty() {
             return pass.close(self.command(command));
         }
         if input.pressed(Key::Escape) {
+            if self.tool == EditorTool::Select {
+                self.selection.clear();
+            }
             self.tool = EditorTool::Select;
-            self.selection.clear();
+        }
+        if let Some(tool) = Self::tool_of_key(input).filter(|_| !control) {
+            self.take_tool(tool);
+            return pass.close(None);
         }
         if input.pressed(Key::Tab)
             && let Some(first) =
@@ -137,7 +129,7 @@ impl Editor {
             return pass.close(None);
         }
         if with(Key::A) {
-            self.selection = self.document.things().map(|(row, _)| row).collect();
+            self.selection = self.at_hand().map(|(row, _)| row).collect();
         }
         self.nudge(input);
     }
@@ -153,9 +145,12 @@ impl Editor {
         if self.selection.is_empty() {
             return self.view.pan((by * -60.0).as_vec2());
         }
-        if arrows.iter().any(|(key, _)| input.pressed(*key)) {
+        // Presses in quick succession are one act, unless another one came between.
+        if self.nudged > BURST || self.nudging != self.gesture {
             self.next_gesture();
+            self.nudging = self.gesture;
         }
+        self.nudged = 0.0;
         self.shift_selection(by * if input.held(Key::Shift) { 10.0 } else { 1.0 });
     }
 
@@ -166,14 +161,14 @@ impl Editor {
             self.panel.typing = None;
         }
         match command {
-            "Back" if self.folder.is_unsaved(&self.document) => self.ask = Some(Ask::Leave),
+            "Back" if self.is_unsaved() => self.ask = Some(Ask::Leave(true)),
             "Back" => return Some(self.leave()),
             "Save" => drop(self.save()),
             "Undo" => self.turn_back(Document::undo),
             "Redo" => self.turn_back(Document::redo),
             "Copy" => {
                 let by = DVec2::splat(view::GRID * 2.0);
-                match self.document.duplicate(&self.selection, by) {
+                match self.document.duplicate(&self.selection, by, None) {
                     Ok(rows) if !rows.is_empty() => self.selection = rows,
                     Ok(_) => {}
                     Err(refusal) => self.say(refusal),
@@ -185,13 +180,17 @@ impl Editor {
                 if rows.len() < self.selection.len() {
                     self.say(tr("A level has a ship: it stays."));
                 }
-                let done = self.document.remove(&rows);
-                self.say_if_refused(done);
+                self.renumber(|editor| {
+                    let done = editor.document.remove(&rows);
+                    editor.say_if_refused(done);
+                });
                 self.selection.clear();
             }
             "Snap" => self.snapping = !self.snapping,
             "All" => self.show_all(),
-            _ => return self.fly(),
+            "Fly here" => return self.fly_here(),
+            "Go on" => return self.go_on(),
+            _ => return self.fly(None),
         }
         None
     }
@@ -200,60 +199,38 @@ impl Editor {
     fn turn_back(&mut self, step: fn(&mut Document) -> bool) {
         let rows = |document: &Document| Table::ALL.iter().map(|table| document.rows(*table).count()).collect::<Vec<_>>();
         let before = rows(&self.document);
-        step(&mut self.document);
-        if rows(&self.document) != before {
-            self.selection.clear();
-        }
+        self.renumber(|editor| {
+            step(&mut editor.document);
+            if rows(&editor.document) != before {
+                editor.selection.clear();
+            }
+        });
     }
 
-    /// Flies the level as it is in memory, or as much of it as loads.
-    fn fly(&mut self) -> Option<Request> {
-        if self.checked.0 != Some(self.document.version()) {
-            self.check();
+    /// Keeps the selection in the clipboard, and takes it out of the level where it is cut.
+    fn copy(&mut self, input: &Input, cuts: bool) {
+        let (text, count) = self.document.copied(&self.selection);
+        if count == 0 {
+            return self.say(tr("Nothing is selected that can be copied."));
         }
-        if let Some(level) = &self.level {
-            return Some(try_out(level.clone(), Vec::new()));
+        input.clipboard.keep(text);
+        if cuts {
+            self.command("Delete");
         }
-        match self.folder.unfinished(&self.document) {
-            Ok(loaded) => {
-                let refused = self.problems.iter().filter(|(_, refused)| *refused);
-                let left = refused.map(|(problem, _)| problem.to_string()).collect();
-                return Some(try_out(Arc::new(loaded.level), left));
-            }
-            Err(problems) => {
-                let first = problems.first().map(ToString::to_string).unwrap_or_default();
-                self.say(tr!("It cannot be flown until this is mended: {first}", first));
-            }
-        }
-        None
+        self.say(tr!("{count} copied: Ctrl V puts them where the pointer is, here or in another level.", count));
     }
 
-    pub(super) fn leave(&self) -> Request {
-        self.folder.forget();
-        Request::Pop
-    }
-
-    /// Writes the files; whether that could be done.
-    pub(super) fn save(&mut self) -> bool {
-        match self.folder.save(&self.document) {
-            Ok(()) => {
-                self.watch.take();
-                self.kept.0 = self.document.version();
-                self.say(tr("Saved."));
-                true
-            }
-            Err(LevelSaveError::Changed(tables)) => {
-                self.ask = Some(Ask::Theirs(tables));
-                false
-            }
-            Err(error) => {
-                self.say(error.to_string());
-                false
-            }
+    /// Adds what is in the clipboard, with its middle where the pointer is.
+    fn paste(&mut self, input: &Input) {
+        let Some(Clip { rows, middle }) = Clip::parse(&input.clipboard.text()) else {
+            return self.say(tr("There is nothing to paste."));
+        };
+        self.next_gesture();
+        let inside = self.panes.middle.contains(input.pointer);
+        let at = if inside { self.view.pixels(input.pointer) } else { self.view.visible().centre() };
+        match self.document.insert(rows, (at - middle).round(), Some(self.gesture)) {
+            Ok(rows) => self.selection = rows,
+            Err(refusal) => self.say(refusal),
         }
     }
-}
-
-fn try_out(level: Arc<Level>, problems: Vec<String>) -> Request {
-    Request::Push(Destination::TryOut { level, problems, in_memory: true })
 }

@@ -1,33 +1,22 @@
-//! The pointer in the picture: it selects, moves, sizes, draws, and drags way points, streams' ends and wires.
+//! The pointer in the picture: it selects, moves, sizes, draws, and pulls links and handles.
 
+use super::Editor;
+use super::handles::Handle;
+use super::tools::EditorTool;
 use super::view::Snap;
-use super::{Editor, EditorTool};
 use crate::draw::layout::Vec2;
-use crate::level::document::{Document, Kind, Place, RowId, SetCell, number, way_text};
+use crate::level::document::{Kind, LinkForm, Place, RowId, Table};
 use crate::physics::DVec2;
 use crate::settings::Key;
 use crate::ui::input::Input;
 use crate::words::tr;
 
 /// How near to a handle the pointer has to be, canvas units.
-const GRAB: f32 = 9.0;
+pub(super) const GRAB: f32 = 9.0;
 /// A drag shorter than this is a click, canvas units.
 const CLICK: f32 = 4.0;
-/// From the middle of a thing to its handles, at least, canvas units: on a small thing they stand outside, and its middle moves it.
-const CLEAR: f32 = 2.0 * GRAB;
 /// How near an edge has to be to be snapped to, canvas units.
 const SNAP_REACH: f64 = 7.0;
-
-/// A point of a selected thing that can be dragged.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Handle {
-    /// A corner or side: which edges it moves, −1 … 1 along each axis.
-    Size(DVec2),
-    Way(usize),
-    MoreWay,
-    Reach,
-    Wire,
-}
 
 #[derive(Clone, Debug)]
 pub enum PointerDrag {
@@ -35,62 +24,41 @@ pub enum PointerDrag {
     Pan(Vec2),
     /// A frame that selects the things inside it, from that point; the rows selected before stay so.
     Frame(DVec2, Vec<RowId>),
-    /// The selected things; where the first of them was, and where it was grabbed.
-    Move { from: Place, grabbed: DVec2, begun: Vec2, moved: bool },
+    /// The selected things; where the first of them was, and where it was grabbed; whether copies of them are moved.
+    Move { from: Place, grabbed: DVec2, begun: Vec2, moved: bool, doubles: bool },
     /// A handle of a thing, which lay there: from the pointer to the point that the handle stands for, pixels; where the pointer was, and
     /// whether it has left the reach of a click.
     Handle { row: RowId, handle: Handle, from: Place, offset: DVec2, begun: Vec2, moved: bool },
-    /// A new thing, from that point.
-    Draw(Kind, DVec2),
+    /// A new thing, from that point, snapped and as it was pressed.
+    Draw(Kind, [DVec2; 2]),
+    /// A new link, from that point.
+    Link(LinkForm, DVec2),
 }
 
 impl Editor {
     pub(super) fn put(&mut self, kind: Kind, place: Place) {
         match self.document.put(kind, place) {
-            Ok(row) => {
-                self.selection = row.into_iter().collect();
-                self.tool = EditorTool::Select;
-            }
+            Ok(row) => self.selection = row.into_iter().collect(),
             Err(refusal) => self.say(refusal),
         }
-    }
-
-    /// The handles of the selection, and where they are, pixels: one thing alone has some.
-    pub fn handles(&self) -> Vec<(Handle, DVec2)> {
-        let [row] = self.selection[..] else { return Vec::new() };
-        let Some(place) = self.document.place(row) else { return Vec::new() };
-        let mut handles = Vec::new();
-        let clear = (place.size * 0.5).max(DVec2::splat(f64::from(CLEAR) / self.view.scale()));
-        if self.document.is_sizable(row) {
-            for side in SIDES {
-                handles.push((Handle::Size(side), place.centre() + side * clear));
-            }
-        }
-        match self.document.kind(row) {
-            Some(Kind::Mover) => {
-                let way = self.document.way_points(row);
-                let half = place.size * 0.5;
-                handles.extend(way.iter().enumerate().map(|(i, point)| (Handle::Way(i), *point + half)));
-                let last = way.last().copied().unwrap_or(place.min) + half;
-                handles.push((Handle::MoreWay, last + DVec2::new(26.0, 0.0) / self.view.scale()));
-            }
-            Some(Kind::Stream) => handles.push((Handle::Reach, stream_zone(&self.document, row, place).1)),
-            Some(Kind::Switch) => {
-                handles.push((Handle::Wire, place.centre() - DVec2::new(0.0, clear.y + 22.0 / self.view.scale())));
-            }
-            _ => {}
-        }
-        handles
     }
 
     /// The smallest thing at a point, pixels.
     fn thing_at(&self, at: DVec2) -> Option<RowId> {
         let slack = DVec2::splat(f64::from(CLICK) / self.view.scale());
-        let near = self
-            .document
-            .things()
-            .filter(|(_, place)| Place { min: place.min - slack, size: place.size + 2.0 * slack }.contains(at));
-        smallest(near)
+        let near =
+            self.at_hand().filter(|(_, place)| Place { min: place.min - slack, size: place.size + 2.0 * slack }.contains(at));
+        smallest(near).or_else(|| self.link_near(at, slack.x))
+    }
+
+    /// The link whose line passes a point this near, pixels.
+    fn link_near(&self, at: DVec2, slack: f64) -> Option<RowId> {
+        self.at_hand().map(|(row, _)| row).filter(|row| row.table == Table::Links).find(|row| {
+            self.document.link_ends(*row).is_some_and(|[a, b]| {
+                let share = ((at - a).dot(b - a) / a.distance_squared(b).max(1.0)).clamp(0.0, 1.0);
+                (a + (b - a) * share).distance(at) <= slack
+            })
+        })
     }
 
     fn snap(&self, input: &Input, without: &[RowId]) -> Snap {
@@ -98,7 +66,7 @@ impl Editor {
         let level = Place { min: DVec2::ZERO, size: self.document.size() };
         let others =
             self.document.things().filter(|(row, place)| !without.contains(row) && place.meets(&visible)).map(|(_, place)| place);
-        let on = self.snapping != input.held(Key::Alt);
+        let on = self.snapping != input.held(Key::Control);
         Snap::new(on, SNAP_REACH / self.view.scale(), others.chain([level]))
     }
 
@@ -124,10 +92,13 @@ impl Editor {
 
     fn take_hold(&mut self, input: &Input, at: DVec2) {
         self.next_gesture();
-        if let EditorTool::Add(kind) = self.tool {
-            let from = self.snap(input, &[]).point(at);
-            self.drag = Some(PointerDrag::Draw(kind, from));
-            return;
+        match self.tool {
+            EditorTool::Add(kind) => {
+                let from = self.snap(input, &[]).point(at);
+                return self.drag = Some(PointerDrag::Draw(kind, [from, at.round()]));
+            }
+            EditorTool::Link(form) => return self.drag = Some(PointerDrag::Link(form, at)),
+            EditorTool::Select | EditorTool::Fly => {}
         }
         let near = |point: DVec2| self.view.point(point).distance(input.pointer) <= GRAB;
         let handle = self.handles().into_iter().rev().find(|(_, point)| near(*point));
@@ -152,18 +123,19 @@ impl Editor {
         // A thing of several that are selected takes the others along.
         let under = self.selection.iter().find(|row| self.document.place(**row).is_some_and(|place| place.contains(at)));
         match (more, self.selection.iter().position(|known| *known == row)) {
-            (true, Some(known)) => {
-                let mut fewer = self.selection.clone();
-                fewer.remove(known);
-                self.selection = fewer;
-                return;
+            (true, Some(_)) => {
+                let known = std::mem::take(&mut self.selection);
+                self.select(&[row]);
+                let whole = std::mem::replace(&mut self.selection, known);
+                return self.selection.retain(|known| !whole.contains(known));
             }
-            (true, None) => self.selection.push(row),
-            (false, None) if under.is_none() || self.selection.len() == 1 => self.selection = vec![row],
+            (true, None) => self.select(&[self.selection.as_slice(), &[row]].concat()),
+            (false, None) if under.is_none() || self.selection.len() == 1 => self.select(&[row]),
             (false, _) => {}
         }
         if let Some(from) = self.selection.first().and_then(|row| self.document.place(*row)) {
-            self.drag = Some(PointerDrag::Move { from, grabbed: at, begun: input.pointer, moved: false });
+            let doubles = input.held(Key::Alt);
+            self.drag = Some(PointerDrag::Move { from, grabbed: at, begun: input.pointer, moved: false, doubles });
         }
     }
 
@@ -178,32 +150,40 @@ impl Editor {
             }
             PointerDrag::Frame(from, kept) => {
                 let frame = Place::between(from, at);
-                let within = self.document.things().filter(|(_, place)| frame.contains(place.min) && frame.contains(place.max()));
+                let within = self.at_hand().filter(|(_, place)| frame.contains(place.min) && frame.contains(place.max()));
                 let mut rows: Vec<RowId> = kept.iter().copied().chain(within.map(|(row, _)| row)).collect();
                 rows.sort_unstable();
                 rows.dedup();
-                self.selection = rows;
+                self.select(&rows);
                 self.drag = held.then_some(PointerDrag::Frame(from, kept));
             }
-            PointerDrag::Move { from, grabbed, begun, moved } => {
-                let moved = moved || input.pointer.distance(begun) > CLICK;
+            PointerDrag::Move { from, grabbed, begun, moved, doubles } => {
+                let begins = !moved && input.pointer.distance(begun) > CLICK;
+                let moved = moved || begins;
+                if begins && doubles {
+                    match self.document.duplicate(&self.selection, DVec2::ZERO, Some(self.gesture)) {
+                        Ok(rows) if !rows.is_empty() => self.selection = rows,
+                        Ok(_) => {}
+                        Err(refusal) => self.say(refusal),
+                    }
+                }
                 if moved {
                     let first = self.selection.first().copied();
                     let by_centre = first.and_then(|row| self.document.kind(row)).is_some_and(Kind::by_centre);
                     let to = Place { min: from.min + at - grabbed, ..from };
-                    let to = self.snap(input, &self.selection).moved(to, by_centre);
+                    let to = self.snap(input, &self.document.with_ends(&self.selection)).moved(to, by_centre);
                     let now = first.and_then(|row| self.document.place(row)).unwrap_or(from);
                     let by = to.min - now.min;
                     // Several move by whole pixels: each that lay on a whole pixel still does.
                     self.shift_selection(if self.selection.len() > 1 { by.round() } else { by });
                 }
-                self.drag = held.then_some(PointerDrag::Move { from, grabbed, begun, moved });
+                self.drag = held.then_some(PointerDrag::Move { from, grabbed, begun, moved, doubles });
             }
             PointerDrag::Handle { row, mut handle, from, offset, begun, moved } => {
                 let moved = moved || input.pointer.distance(begun) > CLICK;
-                if moved && handle == Handle::Wire {
+                if moved && handle.is_led() {
                     if !held {
-                        return self.end_wire(row, at);
+                        return self.end_led(row, handle, self.link_end(input, at));
                     }
                 } else if moved {
                     let at = self.snap(input, &[row]).point(at + offset);
@@ -213,13 +193,16 @@ impl Editor {
                 }
                 self.drag = held.then_some(PointerDrag::Handle { row, handle, from, offset, begun, moved });
             }
-            PointerDrag::Draw(kind, from) => {
+            PointerDrag::Draw(kind, [from, pressed]) => {
                 if held {
-                    self.drag = Some(PointerDrag::Draw(kind, from));
+                    self.drag = Some(PointerDrag::Draw(kind, [from, pressed]));
                     return;
                 }
                 let to = self.snap(input, &[]).point(at);
-                let mut place = Place::between(from, to);
+                // Both ends of a low pad may snap to one edge: then it begins where it was pressed.
+                let flat = (to - from).abs().cmplt(DVec2::ONE)
+                    & ((at - pressed).abs() * self.view.scale()).cmpge(DVec2::splat(f64::from(CLICK)));
+                let mut place = Place::between(DVec2::select(flat, pressed, from), to);
                 let drawn = place.size * self.view.scale();
                 if drawn.max_element() < f64::from(CLICK) * 2.0 {
                     // Put down with a click: by the point that its cells name.
@@ -228,97 +211,45 @@ impl Editor {
                 }
                 self.put(kind, place);
             }
+            PointerDrag::Link(form, from) => {
+                if held {
+                    return self.drag = Some(PointerDrag::Link(form, from));
+                }
+                match self.document.link(form, [from, at].map(|end| self.link_end(input, end)), self.gesture) {
+                    Ok(rows) => self.selection = rows,
+                    Err(refusal) => self.say(refusal),
+                }
+            }
         }
     }
 
-    fn end_wire(&mut self, row: RowId, at: DVec2) {
+    /// The end of a link at a point, pixels: in a body as it is, else snapped.
+    fn link_end(&self, input: &Input, at: DVec2) -> DVec2 {
+        if self.document.body_at(at).is_some() { at } else { self.snap(input, &[]).point(at) }
+    }
+
+    /// A handle that is led onto something is let go there.
+    fn end_led(&mut self, row: RowId, handle: Handle, at: DVec2) {
+        if let Handle::End(end) = handle {
+            match self.document.led(row, end, at) {
+                Ok(cells) => self.set(&cells),
+                Err(refusal) => self.say(refusal),
+            }
+            return;
+        }
         let near = self.document.things().filter(|(thing, place)| self.document.can_be_worked(*thing) && place.contains(at));
         match smallest(near) {
             Some(thing) => {
                 let cells = self.document.rewired(row, thing);
                 self.set(&cells);
             }
-            None => self.say(tr("A switch works movers, doors, air streams and blocks with a belt: pull its wire onto one.")),
-        }
-    }
-
-    /// The cells after a handle has been dragged there, and the handle that is dragged from then on.
-    fn handle_moved(&self, row: RowId, handle: Handle, from: Place, at: DVec2) -> (Handle, Vec<SetCell>) {
-        match handle {
-            Handle::Size(side) => {
-                let by_centre = self.document.kind(row).is_some_and(Kind::by_centre);
-                let along = |axis: usize| {
-                    let (near, far) = (from.min[axis], from.max()[axis]);
-                    let (fixed, away) = if side[axis] < 0.0 { (far, -1.0) } else { (near, 1.0) };
-                    let mut size = ((at[axis] - fixed) * away).max(1.0);
-                    if by_centre {
-                        // Its cells name its middle: that is to be a whole pixel.
-                        let half = ((fixed + 0.5 * size * away).round() - fixed) * away;
-                        size = 2.0 * if half < 0.5 { half + 1.0 } else { half };
-                    }
-                    match side[axis] {
-                        0.0 => (near, far),
-                        side if side < 0.0 => (far - size, far),
-                        _ => (near, near + size),
-                    }
-                };
-                let ((left, right), (top, bottom)) = (along(0), along(1));
-                let to = Place { min: DVec2::new(left, top), size: DVec2::new(right - left, bottom - top) };
-                (handle, self.document.placed(row, to))
+            None => {
+                self.say(tr("A switch works movers, doors, air streams, links and blocks with a belt: pull its wire onto one."))
             }
-            Handle::Way(index) => {
-                let mut way = self.document.way_points(row);
-                if let Some(point) = way.get_mut(index) {
-                    *point = at - (from.size * 0.5).floor();
-                }
-                (handle, vec![SetCell { row, column: "way_points", text: way_text(&way) }])
-            }
-            Handle::MoreWay => {
-                let mut way = self.document.way_points(row);
-                way.push(at - (from.size * 0.5).floor());
-                (Handle::Way(way.len() - 1), vec![SetCell { row, column: "way_points", text: way_text(&way) }])
-            }
-            Handle::Reach => {
-                let away = at - from.centre();
-                // The axis along which it is pulled further out of the source, in sizes of the source.
-                let across = away.x.abs() / from.size.x > away.y.abs() / from.size.y;
-                let beyond = |axis: usize| {
-                    if away[axis] < 0.0 { (at[axis] - from.min[axis]).min(-1.0) } else { (at[axis] - from.max()[axis]).max(1.0) }
-                };
-                let (wide, high) = if across { (beyond(0), 0.0) } else { (0.0, beyond(1)) };
-                let cell = |column, value| SetCell { row, column, text: number(value) };
-                (handle, vec![cell("stream_width", wide), cell("stream_height", high)])
-            }
-            Handle::Wire => (handle, Vec::new()),
         }
     }
 }
-
-/// Corners and sides, as in [`Handle::Size`].
-const SIDES: [DVec2; 8] = [
-    DVec2::new(-1.0, 0.0),
-    DVec2::new(1.0, 0.0),
-    DVec2::new(0.0, -1.0),
-    DVec2::new(0.0, 1.0),
-    DVec2::new(-1.0, -1.0),
-    DVec2::new(1.0, -1.0),
-    DVec2::new(-1.0, 1.0),
-    DVec2::new(1.0, 1.0),
-];
 
 fn smallest(things: impl Iterator<Item = (RowId, Place)>) -> Option<RowId> {
     things.min_by(|(_, a), (_, b)| a.size.element_product().total_cmp(&b.size.element_product())).map(|(row, _)| row)
-}
-
-/// The zone in which a stream blows, and the middle of its far end, pixels.
-pub fn stream_zone(document: &Document, row: RowId, place: Place) -> (Place, DVec2) {
-    let reach = DVec2::new(
-        document.number(row, "stream_width").unwrap_or_default(),
-        document.number(row, "stream_height").unwrap_or_default(),
-    );
-    let (centre, half) = (place.centre(), place.size * 0.5);
-    let side = reach.signum() * DVec2::new(f64::from(u8::from(reach.x != 0.0)), f64::from(u8::from(reach.y != 0.0)));
-    let end = centre + side * half + reach;
-    let across = DVec2::new(if reach.x == 0.0 { half.x } else { 0.0 }, if reach.y == 0.0 { half.y } else { 0.0 });
-    (Place::between(centre + side * half - across, end + across), end)
 }

@@ -1,24 +1,29 @@
 //! The editor: a level's files as a picture. Each act of the author becomes an operation on the [`Document`]; the problems are the loader's
-//! own list, read from memory. `layout` cuts the window into panes; `commands`, `panel`, `problem_list`, `map` and `ask` each show one of
-//! them; `picture` and `overlay` draw the level. `view` is the part of the level in view, `hand` follows the pointer there, `snap` finds edges
-//! and the grid.
+//! own list, read from memory. `layout` cuts the window into panes; `commands`, `tools`, `panel`, `problem_list` and `ask` each show one of
+//! them; `picture` and `overlay` draw the level. `view` is the part of the level in view and the
+//! edges that things snap to, `hand` follows the pointer there.
 
+mod arrange;
 mod ask;
 mod commands;
 mod hand;
+mod handles;
 mod layout;
+mod nature;
 mod overlay;
 mod panel;
 mod picture;
 mod problem_list;
+mod saving;
+mod test_flight;
+mod tools;
 mod view;
 
 use crate::draw::layout::{Area, Frame, Vec2};
 use crate::draw::{Canvas, Style};
-use crate::level::document::{Document, Kind, LevelFolder, Opened, Place, RowId, SetCell};
+use crate::level::document::{Document, LevelFolder, Opened, Place, RowId, SetCell};
 use crate::level::{Level, Problem};
 use crate::physics::DVec2;
-use crate::screens::flight::Flight;
 use crate::screens::screen::{Destination, Purpose, Request, Screen};
 use crate::session::Session;
 use crate::session::folder_watch::FolderWatch;
@@ -29,7 +34,7 @@ use crate::ui::pace::Motion;
 use crate::ui::scroll::Scroll;
 use crate::ui::{Spectator, Ui};
 use crate::view::widgets;
-use crate::words::tr;
+use arrange::Arrangement;
 use ask::Ask;
 use hand::PointerDrag;
 use layout::{PROBLEM_LINES, Panes};
@@ -37,6 +42,8 @@ use panel::CellPanel;
 use std::cell::RefCell;
 use std::path::Path;
 use std::sync::Arc;
+use test_flight::TestFlight;
+use tools::EditorTool;
 use view::EditorView;
 
 /// From an edit to its check, s: short enough to be live, long enough not to check each letter.
@@ -47,13 +54,6 @@ const LETTER: f64 = 0.05;
 /// From one time that unsaved edits are kept to the next during a drag, s.
 const KEEP_EVERY: f64 = 1.0;
 
-/// The work of a click in the picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum EditorTool {
-    Select,
-    Add(Kind),
-}
-
 #[derive(Debug)]
 pub struct Editor {
     document: Document,
@@ -63,6 +63,7 @@ pub struct Editor {
     panes: Panes,
     tool: EditorTool,
     selection: Vec<RowId>,
+    arranged: Arrangement,
     drag: Option<PointerDrag>,
     panel: CellPanel,
     snapping: bool,
@@ -86,6 +87,10 @@ pub struct Editor {
     /// The last remark, and how long it stays, s.
     remark: Option<(String, f64)>,
     repeat: Repeat,
+    /// Time since the arrow keys moved something, s.
+    nudged: f64,
+    /// The gesture of that.
+    nudging: u64,
     /// The view that shows all of the level, and the canvas in which it does, until another one is chosen.
     fitted: Option<(EditorView, Frame)>,
     /// Emptied when a file may have changed.
@@ -96,6 +101,7 @@ pub struct Editor {
     pointer: Vec2,
     /// Whether frames a second are shown.
     figures: bool,
+    flown: Option<TestFlight>,
 }
 
 struct EditorPass {
@@ -136,17 +142,20 @@ impl Screen for Editor {
         }
         if pass.draws {
             self.draw_picture(canvas);
+            self.draw_flown(canvas);
             canvas.end_layer();
             self.draw_selection(canvas);
             canvas.end_layer();
         }
         self.show_commands(ui, &mut pass);
-        self.show_tools(ui, &pass);
+        self.show_strip(ui, &mut pass);
+        self.show_tools(ui, &mut pass);
         self.show_problems(ui, &mut pass);
         self.show_map(ui, &mut pass);
         self.show_panel(ui, &mut pass);
-        if pass.open {
-            self.update_hand(input);
+        match pass.open.then(|| self.launch(input)).flatten() {
+            None if pass.open => self.update_hand(input),
+            launched => pass.request = launched.or(pass.request),
         }
         if self.drag.is_some() {
             ui.capture();
@@ -166,8 +175,8 @@ impl Screen for Editor {
     }
 
     fn come_back(&mut self, above: &dyn Screen, _: &mut Session, _: &mut dyn Spectator) {
-        if let Some(how) = above.get::<Flight>().map(Flight::end_words).filter(|how| !how.is_empty()) {
-            self.say(how);
+        if let Some(flight) = above.get() {
+            self.take_flight(flight);
         }
     }
 
@@ -228,6 +237,7 @@ impl Editor {
             panes: Panes::default(),
             tool: EditorTool::Select,
             selection: Vec::new(),
+            arranged: Arrangement::default(),
             drag: None,
             panel: CellPanel::default(),
             snapping: true,
@@ -238,10 +248,13 @@ impl Editor {
             level: None,
             checked: (None, 0.0),
             repeat: Repeat::default(),
+            nudged: f64::INFINITY,
+            nudging: 0,
             fitted: None,
             sheets: RefCell::default(),
             pointer: Vec2::ZERO,
             figures: false,
+            flown: None,
         }
     }
 
@@ -269,8 +282,9 @@ impl Editor {
             *left -= frame_time;
             self.remark = self.remark.take().filter(|(_, left)| *left > 0.0);
         }
+        self.nudged += frame_time;
         if self.watch.update(frame_time) {
-            self.take_over();
+            self.renumber(Self::take_over);
         }
         self.kept.1 += frame_time;
         if self.kept.0 != self.document.version()
@@ -287,43 +301,12 @@ impl Editor {
         }
     }
 
-    /// Keeps unsaved edits beside the files, for the next time that the level is edited.
-    /// Errors: why they would be lost, in words.
-    pub(in crate::screens) fn keep(&mut self) -> Result<(), String> {
-        if matches!(self.ask, Some(Ask::Restore(_))) {
-            // Those that were found lie there, and nothing is edited yet.
-            return Ok(());
-        }
-        self.kept = (self.document.version(), 0.0);
-        let kept = self.folder.keep(&self.document);
-        self.keeps = kept.is_ok();
-        kept.map_err(|error| tr!("The edits cannot be kept beside the files: {error}", error))
-    }
-
-    /// Whether no edit is lost when the program ends now.
-    pub(in crate::screens) fn is_kept(&self) -> bool {
-        !self.is_unsaved() || self.keeps && self.kept.0 == self.document.version()
-    }
-
-    /// Takes over files that another program has written, or asks where both have changed one.
-    fn take_over(&mut self) {
-        let (taken, both) = self.folder.take_over(&mut self.document);
-        self.folder.measure(&mut self.document);
-        self.offered = self.folder.pictures();
-        self.checked.0 = None;
-        self.sheets.take();
-        if !both.is_empty() {
-            self.ask = Some(Ask::Theirs(both));
-        } else if taken {
-            self.say(tr("Another program has changed the files: they were read again."));
-        }
-    }
-
     fn shift_selection(&mut self, by: DVec2) {
         if by == DVec2::ZERO {
             return;
         }
-        let cells: Vec<SetCell> = self.selection.iter().flat_map(|row| self.document.shifted(*row, by)).collect();
+        let moved = self.document.with_ends(&self.selection);
+        let cells: Vec<SetCell> = moved.iter().flat_map(|row| self.document.shifted(*row, by)).collect();
         self.set(&cells);
     }
 

@@ -2,12 +2,14 @@
 //!
 //! The level in small.
 
-use super::hand::{Handle, PointerDrag};
+use super::hand::PointerDrag;
+use super::handles::Handle;
 use super::picture::{colour, edge};
+use super::tools::draw_link;
 use super::{Editor, EditorPass};
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Style};
-use crate::level::document::{Kind, Place, number};
+use crate::level::document::{Kind, LinkForm, Place, number};
 use crate::physics::DVec2;
 use crate::ui::Ui;
 use crate::view::theme;
@@ -25,7 +27,7 @@ impl Editor {
                     canvas.rectangle(Area::around(at, Vec2::splat(8.0)), theme::accent());
                     canvas.rectangle(Area::around(at, Vec2::splat(5.0)), theme::ground());
                 }
-                Handle::Way(_) | Handle::Reach => canvas.disc(at, 6.0, theme::accent()),
+                Handle::Way(_) | Handle::Reach | Handle::End(_) => canvas.disc(at, 6.0, theme::accent()),
                 Handle::MoreWay => {
                     canvas.ring(at, 8.0, 1.5, theme::accent());
                     canvas.rectangle(Area::around(at, Vec2::new(9.0, 1.5)), theme::accent());
@@ -44,7 +46,7 @@ impl Editor {
                 canvas.rectangle(area, theme::accent().faded(0.1));
                 edge(canvas, area, 0.75, theme::accent());
             }
-            Some(PointerDrag::Draw(kind, from)) => {
+            Some(PointerDrag::Draw(kind, [from, _])) => {
                 let to = self.view.pixels(self.pointer).round();
                 let area = self.view.rect(&Place::between(*from, to));
                 canvas.rectangle(area, colour(*kind).faded(0.5));
@@ -58,12 +60,27 @@ impl Editor {
                     canvas.line(self.view.point(place.centre()), self.pointer, 2.0, colour(Kind::Switch));
                 }
             }
+            Some(PointerDrag::Handle { row, handle: Handle::End(end), .. }) => {
+                if let Some(ends) = self.document.link_ends(*row) {
+                    self.draw_pull(canvas, ends[1 - end], self.document.link_form(*row));
+                }
+            }
+            Some(PointerDrag::Link(form, from)) => self.draw_pull(canvas, *from, *form),
             Some(PointerDrag::Pan(_) | PointerDrag::Move { .. } | PointerDrag::Handle { .. }) | None => {}
         }
     }
 }
 
 impl Editor {
+    /// A link that is pulled to the pointer, and the body that it would join there.
+    fn draw_pull(&self, canvas: &Canvas, from: DVec2, form: LinkForm) {
+        let to = self.view.pixels(self.pointer);
+        for body in [from, to].into_iter().filter_map(|at| self.document.place(self.document.body_at(at)?)) {
+            edge(canvas, self.view.rect(&body).inset(-3.0), 2.0, colour(Kind::Link));
+        }
+        draw_link(canvas, [self.view.point(from), self.pointer], form, colour(Kind::Link));
+    }
+
     /// Canvas units a pixel of the picture, and the place of its corner.
     fn map(&self) -> (f32, Vec2) {
         let (area, size) = (self.panes.map, self.document.size().as_vec2());

@@ -2,6 +2,7 @@
 //! the files as it is typed.
 
 use super::layout::{BETWEEN, INSIDE, OFFERS};
+use super::nature::draw_material;
 use super::{Editor, EditorPass};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2, wrapped};
 use crate::draw::{Canvas, Style};
@@ -57,7 +58,8 @@ impl CellPanel {
         }
         self.fields = match self.kind {
             Some(kind) => {
-                let columns = kind.schema().columns.iter().filter(|column| column.name != "kind");
+                // The kind of a row of objectives.csv is its own, that of a link is a choice.
+                let columns = kind.schema().columns.iter().filter(|column| column.name != "kind" || kind == Kind::Link);
                 columns.map(|column| self.field(document, column)).collect()
             }
             None if rows.is_empty() => SETTINGS.iter().map(|column| setting(document, column)).collect(),
@@ -165,8 +167,13 @@ impl Editor {
                 Some(typing) => typing.field.draw(canvas, area, (DETAILS, INSIDE), Some(ui.time())),
                 None => draw_cell(canvas, field, area, pass),
             }
+            if name == "material" {
+                let text = field.text.as_deref().unwrap_or_default();
+                draw_material(canvas, area, if text.is_empty() { field.column.usual } else { text });
+            }
             under = under.or(area.contains(input.pointer).then_some(index));
         }
+        self.show_swatches(ui, pass);
         let (taken, below) = self.show_offers(ui, pass);
         self.draw_messages(canvas, below);
         if !pass.open {
@@ -179,7 +186,7 @@ impl Editor {
         let (gesture, clicked) = (self.gesture + 1, input.click || input.right_click);
         let write = if clicked { self.panel.click(under, input, gesture) } else { self.panel.type_in(input, gesture) };
         match write {
-            Some(CellWrite::Cells(cells, gesture)) => self.set_as(&cells, gesture),
+            Some(CellWrite::Cells(cells, gesture)) => self.set_as(&self.document.with_law(cells), gesture),
             Some(CellWrite::Setting(name, text, gesture)) => {
                 let done = self.document.set_setting(name, &text, Some(gesture));
                 self.say_if_refused(done);
@@ -211,7 +218,7 @@ impl Editor {
         let left = self.panes.right.min.x + INSIDE;
         let style = Style::new(DETAILS, if column.required { theme::text() } else { theme::quiet() });
         canvas.text(column.name, Vec2::new(left, area.centre().y), style.mono().middle());
-        if Area::new(left, area.min.y, area.min.x - left, area.size.y).contains(pass.pointer) {
+        if Area::new(left, area.min.y, area.max().x - left, area.size.y).contains(pass.pointer) && !typing {
             pass.tip = Some(column.in_words());
         }
         let edge = match typing {
@@ -224,7 +231,7 @@ impl Editor {
 
     /// The pictures of the level, where the selection shows one; the one that was pressed, and where they end.
     fn show_offers(&self, ui: &mut Ui<'_>, pass: &mut EditorPass) -> (Option<String>, f32) {
-        let (canvas, fields) = (ui.canvas(), self.panel.fields.len());
+        let (canvas, fields) = (ui.canvas(), self.fields());
         let shows = self.panel.fields.iter().any(|field| field.column.name == "image");
         if !shows || self.offered.is_empty() {
             return (None, self.panes.field(fields).min.y);

@@ -3,7 +3,9 @@
 //! Colours and marks that the editor's panes share.
 
 use super::Editor;
-use super::hand::stream_zone;
+use super::arrange::Layer;
+use super::handles::stream_zone;
+use super::tools::draw_link;
 use crate::draw::layout::{Area, Vec2};
 use crate::draw::{Canvas, Colour, Image, Style};
 use crate::level::document::{Kind, Place, RowId};
@@ -29,7 +31,9 @@ impl Editor {
             .things()
             .filter_map(|(row, place)| Some((row, self.document.kind(row)?, place)))
             .filter(|(row, kind, place)| {
-                place.meets(&visible) || *kind == Kind::Stream && stream_zone(&self.document, *row, *place).0.meets(&visible)
+                self.arranged.shows_kind(*kind)
+                    && (place.meets(&visible)
+                        || *kind == Kind::Stream && stream_zone(&self.document, *row, *place).0.meets(&visible))
             })
             .collect();
         // Zones below, solid blocks above them, movers on top.
@@ -47,7 +51,7 @@ impl Editor {
             self.draw_thing(canvas, *row, *kind, place);
         }
         edge(canvas, level, 1.0, theme::quiet());
-        for wire in self.document.wires() {
+        for wire in self.document.wires().into_iter().filter(|_| self.arranged.shows(Layer::Wires)) {
             if let (Some(from), Some(to)) = (self.document.place(wire.switch), self.document.place(wire.thing)) {
                 let colour = colour(Kind::Switch).faded(0.8);
                 let (a, b) = (self.view.point(from.centre()), self.view.point(to.centre()));
@@ -87,17 +91,20 @@ impl Editor {
                     area.inset(canvas.frame().pixel.max(1.0).min(area.size.min_element() * 0.25)),
                     material(cell("material")),
                 );
-                self.draw_one_way(canvas, area, cell("one_way"));
+                self.draw_nature(canvas, row, area);
             }
             Kind::Mover | Kind::Door => {
                 canvas.rectangle(area, own.faded(if kind == Kind::Door { 0.5 } else { 0.75 }));
                 edge(canvas, area, 1.5, own);
+                self.draw_nature(canvas, row, area);
                 self.draw_path(canvas, row, place);
             }
             Kind::Stream => {
                 let (zone, end) = stream_zone(&self.document, row, *place);
-                canvas.rectangle(self.view.rect(&zone), own.faded(0.12));
-                edge(canvas, self.view.rect(&zone), 0.5, own.faded(0.5));
+                if self.arranged.shows(Layer::Zones) {
+                    canvas.rectangle(self.view.rect(&zone), own.faded(0.12));
+                    edge(canvas, self.view.rect(&zone), 0.5, own.faded(0.5));
+                }
                 canvas.rectangle(area, theme::solid());
                 edge(canvas, area, 1.5, own);
                 let force = DVec2::new(
@@ -125,9 +132,9 @@ impl Editor {
             }
             Kind::Link => {
                 if let Some([a, b]) = self.document.link_ends(row) {
-                    canvas.line(self.view.point(a), self.view.point(b), 2.0, own.faded(0.9));
+                    draw_link(canvas, [a, b].map(|end| self.view.point(end)), self.document.link_form(row), own);
                 }
-                canvas.rectangle(area, own.faded(0.7));
+                canvas.disc(area.centre(), 4.0, own);
             }
             Kind::Object | Kind::Key => self.draw_object(canvas, (row, area), colour(Kind::Object)),
             Kind::Picture => self.draw_object(canvas, (row, area), theme::solid().faded(0.6)),
@@ -148,6 +155,7 @@ impl Editor {
                 }
             }
             _ => {
+                let own = self.given_colour(row).unwrap_or(own);
                 let plate = kind != Kind::Switch || !cell("weight").is_empty();
                 canvas.rectangle(area, own.faded(if plate { 0.7 } else { 0.25 }));
                 edge(canvas, area, 1.0, own);
@@ -155,7 +163,7 @@ impl Editor {
         }
     }
 
-    fn given_colour(&self, row: RowId) -> Option<Colour> {
+    pub(super) fn given_colour(&self, row: RowId) -> Option<Colour> {
         let [r, g, b] = ["r", "g", "b"].map(|name| self.document.number(row, name).map(|value| value as u8));
         Some(Colour::of([r?, g?, b?]))
     }
@@ -180,18 +188,6 @@ impl Editor {
     fn picture(&self, path: PathBuf) -> Option<Image> {
         let read = |path: &PathBuf| Some(Image::File(read_picture(path).ok()?.into()));
         self.sheets.borrow_mut().entry(path).or_insert_with_key(read).clone()
-    }
-
-    fn draw_one_way(&self, canvas: &Canvas, area: Area, side: &str) {
-        let (a, b) = (area.min, area.max());
-        let (from, to) = match side.to_ascii_lowercase().as_str() {
-            "top" => (a, Vec2::new(b.x, a.y)),
-            "bottom" => (Vec2::new(a.x, b.y), b),
-            "left" => (a, Vec2::new(a.x, b.y)),
-            "right" => (Vec2::new(b.x, a.y), b),
-            _ => return,
-        };
-        canvas.line(from, to, 3.0, theme::accent());
     }
 
     /// The path of a mover: lines between the middles of where it stops.

@@ -2,7 +2,8 @@
 
 use super::Flight;
 use super::pilot::steers;
-use crate::game::{GameEvent, History, Outcome, RunResult};
+use super::trail::Trail;
+use crate::game::{GameEvent, History, Outcome, Replay, RunResult};
 use crate::number::clock;
 use crate::scores::subject;
 use crate::screens::screen::{Destination, Effect, Finished, Request};
@@ -151,6 +152,16 @@ impl Flight {
     /// The cause of the loss of the attempt before, in words, while its notice is shown.
     pub fn lost(&self) -> Option<&str> {
         self.run.lost.as_ref()?.result.death
+    }
+
+    pub(in crate::screens) const fn trail(&self) -> &Trail {
+        &self.open.trail
+    }
+
+    /// The record of a flight that was completed by hand from its start, without help.
+    pub(in crate::screens) fn proof(&self) -> Option<Replay> {
+        let proves = self.run.game.outcome() == Outcome::Completed && self.run.what_if.is_none();
+        (proves && self.is_by_hand() && !self.run.assisted).then(|| self.run.history.record(&self.run.game))
     }
 
     /// The end of the flight in words; empty while it runs.

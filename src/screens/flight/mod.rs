@@ -15,6 +15,7 @@ mod reload;
 mod rewind;
 mod run;
 mod signs;
+pub mod trail;
 mod what_if;
 mod worksheet;
 

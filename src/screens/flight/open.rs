@@ -5,7 +5,8 @@
 use super::Flight;
 use super::ahead::Ahead;
 use super::signs::{Hints, News};
-use crate::game::{GameError, Unflown};
+use super::trail::Trail;
+use crate::game::{Game, GameError, History, Unflown};
 use crate::level::Level;
 use crate::screens::screen::Screen;
 use crate::screens::settings::SettingsPanel;
@@ -36,6 +37,8 @@ pub(super) struct Open {
     pub sheet: Option<Box<Worksheet>>,
     /// Whether the flight tries out an edited level: it does not count.
     pub test: bool,
+    /// Of a test.
+    pub trail: Trail,
     /// Whether that level is in memory only.
     pub in_memory: bool,
     /// The level's files.
@@ -62,16 +65,22 @@ impl Flight {
         Ok(flight)
     }
 
-    /// An attempt that tries out an edited level, in memory only or as its files are: Esc and F5 lead back to the editor, and so does its end.
+    /// An attempt that tries out an edited level, in memory only or as its files are, from its start or from where a flight was stopped: Esc
+    /// and F5 lead back to the editor, and so does its end.
     pub(in crate::screens) fn test(
         (level, in_memory): (Arc<Level>, bool),
-        left: Vec<String>,
+        (left, on): (Vec<String>, Option<Box<Game>>),
         session: &Session,
         spectator: &mut dyn Spectator,
     ) -> Result<Self, GameError> {
         let news = (!left.is_empty()).then_some(News::Unfinished(left));
         let mut flight = Self::new(Attempt::by_hand(level), spectator)?;
         flight.open = Open { test: true, in_memory, news, ..flight.open };
+        if let Some(game) = on {
+            flight.run.history = History::new(&game);
+            (flight.run.game, flight.run.assisted) = (*game, true);
+            spectator.goes_on(&flight.run.game);
+        }
         flight.tell_of_settings(&session.settings, &[]);
         Ok(flight)
     }

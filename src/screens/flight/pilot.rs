@@ -162,6 +162,9 @@ impl Flight {
         spectator.before_tick();
         self.run.game.step(controls);
         self.run.history.note(&self.run.game, controls);
+        if self.open.test {
+            self.open.trail.note(&self.run.game);
+        }
         self.slow_down_for_goals();
         self.after_tick_of_what_if(controls);
         if let Some(race) = &mut self.run.race {

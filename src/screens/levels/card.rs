@@ -19,7 +19,8 @@ const INSIDE: f32 = 12.0;
 const WORDS: f32 = 2.4;
 
 /// A level's picture, its name and title, and below them what the player has reached.
-pub(super) fn draw(canvas: &Canvas, area: Area, entry: &LevelEntry, touch: Touch) {
+/// Who edits sees what the level's own flights prove.
+pub(super) fn draw(canvas: &Canvas, area: Area, (entry, edits): (&LevelEntry, bool), touch: Touch) {
     widgets::button_box(canvas, area, touch.hover, touch.focus);
     let line = canvas.line_height(TEXT);
     let inner = area.inset(INSIDE);
@@ -51,8 +52,15 @@ pub(super) fn draw(canvas: &Canvas, area: Area, entry: &LevelEntry, touch: Touch
             let named = if *title == entry.name { title.clone() } else { format!("{} · {}", entry.name, tr(title)) };
             let sizes: &[f32] = if area.size.x > 400.0 { &[BUTTON_TEXT, TEXT, DETAILS] } else { &[TEXT, DETAILS] };
             fitted(&named, 0.9, sizes, theme::text());
-            match entry.medals.medal {
-                Some(_) => {
+            match (entry.medals.medal, &entry.proven) {
+                (_, Some(proven)) if edits => match proven[..] {
+                    [] => fitted(tr("no flight proves it yet"), 1.95, &[TEXT, DETAILS], theme::quiet()),
+                    _ => {
+                        let names: Vec<&str> = proven.iter().map(|name| tr(name)).collect();
+                        fitted(&tr!("proven: {names}", names = names.join(", ")), 1.95, &[TEXT, DETAILS], theme::good());
+                    }
+                },
+                (Some(_), _) => {
                     let (style, at) = (Style::new(TEXT, theme::text()).mono().middle(), middle(1.95));
                     let time = entry.best.map_or(tr("with help").to_owned(), clock);
                     let width = canvas.width(&time, style);
@@ -62,7 +70,7 @@ pub(super) fn draw(canvas: &Canvas, area: Area, entry: &LevelEntry, touch: Touch
                     canvas.text(&time, Vec2::new(left + room + 2.0, at.y), style);
                     widgets::draw_earned(canvas, entry.medals, &entry.awards, Vec2::new(left + 11.0, at.y), 11.0);
                 }
-                None => fitted(tr("not done yet"), 1.95, &[TEXT, DETAILS], theme::quiet()),
+                (None, _) => fitted(tr("not done yet"), 1.95, &[TEXT, DETAILS], theme::quiet()),
             }
         }
         Some(Err(_)) => {
@@ -95,6 +103,8 @@ pub struct LevelEntry {
     pub awards: Awards,
     /// The medals that it has brought the player.
     pub medals: Medals,
+    /// What its own flights prove, where it is not one of the game's.
+    pub proven: Option<Vec<&'static str>>,
 }
 
 impl LevelEntry {
@@ -109,6 +119,7 @@ impl LevelEntry {
             best: None,
             awards: Awards::default(),
             medals: Medals::default(),
+            proven: None,
         }
     }
 

@@ -4,7 +4,7 @@ use super::card::LevelEntry;
 use super::{Asked, LevelSelect};
 use crate::level::{self, Awards, scaffold};
 use crate::pack::{self, Installed};
-use crate::screens::screen::{Effect, Make, Purpose, Request};
+use crate::screens::screen::{Destination, Effect, Make, Purpose, Request};
 use crate::session::Session;
 use crate::session::folder_watch::Stamp;
 use crate::session::library::Refusal;
@@ -105,7 +105,7 @@ impl LevelSelect {
     /// Shows a level's card that the worker has brought.
     pub(super) fn take_card(&mut self, ticket: Ticket, card: Card, session: &Session) {
         self.asked.retain(|_, asked| *asked != ticket);
-        let Card { folder, stamp, level } = card;
+        let Card { folder, stamp, level, proven } = card;
         let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let Some(index) = self.entries().iter().position(|entry| entry.name == name) else { return };
         let best = session.journal.best(&name);
@@ -113,7 +113,7 @@ impl LevelSelect {
         let medals = session.journal.medals(&name).with_best(&awards, best);
         let title = level.as_ref().ok().map(|(title, ..)| title.clone());
         let level = Some(level.map(|(title, _, painting)| (title, painting)));
-        self.set_entry(index, LevelEntry { level, stamp, title, best, awards, medals, ..LevelEntry::new(name, None) });
+        self.set_entry(index, LevelEntry { level, stamp, title, best, awards, medals, proven, ..LevelEntry::new(name, None) });
     }
 }
 
@@ -128,8 +128,9 @@ impl LevelSelect {
                 self.prompt = None;
                 None
             }
+            Reply::Text(path) if matches!(asked, Asked::Import) => Some(Request::Reset(Destination::Dropped(path.into()))),
             Reply::Text(name) => Some(Request::Do(Effect::Make(match asked.clone() {
-                Asked::New => Make::New(name),
+                Asked::New | Asked::Import => Make::New(name),
                 Asked::Copy(from) => Make::Copy(from, name),
                 Asked::OwnCopy(folder) => Make::CopyOf(folder, name),
                 Asked::Rename(from) => Make::Rename(from, name),

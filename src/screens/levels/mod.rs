@@ -2,9 +2,9 @@
 //! view are loaded, and again when their files change; typing finds those with such a name or title.
 
 use crate::draw::Style;
-use crate::draw::layout::{ROW_BUTTON, TEXT, Vec2};
+use crate::draw::layout::{TEXT, Vec2};
 use crate::level::Landscape;
-use crate::screens::screen::{Destination, Effect, Make, Purpose, Request, Screen};
+use crate::screens::screen::{Destination, Effect, Make, OnLevel, Purpose, Request, Screen};
 use crate::session::Session;
 use crate::session::library::Refusal;
 use crate::session::recordings::Visit;
@@ -14,13 +14,14 @@ use crate::ui::prompt::{Problems, Prompt};
 use crate::ui::{Spectator, Ui, WidgetKind};
 use crate::view::theme;
 use crate::words::tr;
-use places::{FOOT, FOOT_BUTTON, HEAD, SIDE, from_left, from_right};
-use std::collections::BTreeMap;
+use places::{HEAD, SIDE};
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::path::PathBuf;
 
 mod card;
 mod files;
+mod foot;
 mod places;
 mod shelves;
 
@@ -31,6 +32,9 @@ pub use card::LevelEntry;
 enum PickFor {
     Copy,
     Rename,
+    Share,
+    Bin,
+    Folder,
 }
 
 /// How many titles are looked for in a frame while something is to be found: a few milliseconds' worth.
@@ -59,6 +63,8 @@ pub struct LevelSelect {
     prompt: Option<Box<(Prompt, Asked)>>,
     /// Until the next look at files, s.
     look: f64,
+    /// Levels that went to the bin, by their names, with the folders there, the last one last.
+    binned: Vec<(String, PathBuf)>,
     /// What the worker is asked for, by the levels' names; the list has none.
     asked: BTreeMap<String, Ticket>,
 }
@@ -71,6 +77,9 @@ enum Asked {
     /// The same, of a level that comes with the game and was to be edited itself.
     OwnCopy(PathBuf),
     Rename(String),
+    /// The path of a file with a level. A browser asks for that itself.
+    #[cfg_attr(all(feature = "window", browser), allow(dead_code))]
+    Import,
 }
 
 impl LevelSelect {
@@ -89,6 +98,7 @@ impl LevelSelect {
             pick: None,
             prompt: None,
             look: LOOK_EVERY,
+            binned: Vec::new(),
             asked: BTreeMap::new(),
         };
         screen.renew(names, world);
@@ -144,12 +154,18 @@ impl LevelSelect {
 
     /// Shows those levels instead; what is known of a level stays, and so does the focus on its card.
     pub fn renew(&mut self, names: Vec<String>, world: impl Fn(&str) -> Option<Landscape>) {
-        if !names.is_empty() && names.iter().eq(self.entries.iter().map(|entry| &entry.name)) {
+        let (new, old): (BTreeSet<&str>, BTreeSet<&str>) =
+            (names.iter().map(String::as_str).collect(), self.entries.iter().map(|entry| entry.name.as_str()).collect());
+        if !names.is_empty() && new == old {
             return;
         }
         let mut known: BTreeMap<String, LevelEntry> = self.entries.drain(..).map(|entry| (entry.name.clone(), entry)).collect();
         let entry = |name: String| known.remove(&name).unwrap_or_else(|| LevelEntry::new(name.clone(), world(&name)));
         self.entries = names.into_iter().map(entry).collect();
+        if self.purpose == Purpose::Edit {
+            // An author's own levels stand first.
+            self.entries.sort_by_key(|entry| entry.world.is_some());
+        }
         self.search();
         if let Some(name) = self.focused.clone() {
             self.turn_to_level(&name);
@@ -213,6 +229,9 @@ impl LevelSelect {
                 self.ask(tr!("What is {name} called from now on?", name), &name.clone(), Asked::Rename(name));
                 None
             }
+            (_, Some(PickFor::Share)) => Some(Request::Do(Effect::OnLevel(OnLevel::Share(name)))),
+            (_, Some(PickFor::Bin)) => Some(Request::Do(Effect::OnLevel(OnLevel::Bin(name)))),
+            (_, Some(PickFor::Folder)) => Some(Request::Do(Effect::OnLevel(OnLevel::Folder(name)))),
             // Whether it loads is found out afresh: it may have been mended since.
             (Purpose::Play, None) => Some(Request::Reset(Destination::Play(name))),
             (Purpose::Leaderboard, None) => Some(Request::Reset(Destination::Board(Visit::of(&name)))),
@@ -232,6 +251,9 @@ impl LevelSelect {
         let heading = match (self.purpose, self.pick) {
             (_, Some(PickFor::Copy)) => tr("Which level is to be copied?"),
             (_, Some(PickFor::Rename)) => tr("Which level is to be renamed?"),
+            (_, Some(PickFor::Share)) => tr("Which level is to be shared?"),
+            (_, Some(PickFor::Bin)) => tr("Which level is to be deleted?"),
+            (_, Some(PickFor::Folder)) => tr("Which level's folder?"),
             (Purpose::Play, None) => tr("Choose a level"),
             (Purpose::Leaderboard, None) => tr("Whose leaderboard?"),
             (Purpose::Edit, None) => tr("Edit a level"),
@@ -260,14 +282,14 @@ impl LevelSelect {
         let world = |shelf: &Range<usize>| self.entries[self.found[shelf.start]].world;
         let head = |i: usize| i == 0 || world(&page[i]) != world(&page[i - 1]);
         let heads: Vec<bool> = if has_worlds { (0..page.len()).map(head).collect() } else { Vec::new() };
-        let (cards, headings) = shelves::places(page, &heads, &ui.frame());
+        let (cards, headings) = shelves::places(page, &heads, &self.frame(&ui.frame()));
         for (levels, area) in shown.chunk_by(|a, b| a.world == b.world).zip(headings) {
             shelves::draw_heading(ui.canvas(), area, levels);
         }
         for (index, area) in self.in_view().into_iter().zip(cards) {
             let entry = &self.entries[index];
             let touch = ui.touch(&entry.name, area, WidgetKind::Button);
-            card::draw(ui.canvas(), area, entry, touch);
+            card::draw(ui.canvas(), area, (entry, self.purpose == Purpose::Edit), touch);
             if touch.focus {
                 self.focused = Some(entry.name.clone());
             }
@@ -280,37 +302,6 @@ impl LevelSelect {
             }
         }
         request
-    }
-
-    /// The buttons at the foot.
-    fn show_foot(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
-        let frame = ui.frame();
-        let labels: &[&str] = match self.purpose {
-            Purpose::Edit => &["Back", "New", "Copy", "Rename"],
-            Purpose::Play | Purpose::Leaderboard => &["Back"],
-        };
-        let areas = (0..labels.len()).map(|i| from_left(i as f32, &frame)).collect();
-        let pressed = ui.buttons(areas, labels);
-        let mut turned = None;
-        if self.pages.len() > 1 {
-            turned = ui.buttons(vec![from_right(1.0, &frame), from_right(0.0, &frame)], &["Previous", "Next"]);
-            let at = Vec2::new(frame.size.x - SIDE - 2.0 * FOOT_BUTTON.x - 100.0, frame.size.y - FOOT - ROW_BUTTON.y / 2.0);
-            let page = tr!("Page {page} of {pages}", page = self.page + 1, pages = self.pages.len());
-            ui.text(&page, at, Style::new(TEXT, theme::quiet()).centred().middle());
-        }
-        if turned == Some("Next") || ui.key(Key::PageDown) {
-            self.turn_to(self.page + 1, ui);
-        } else if turned == Some("Previous") || ui.key(Key::PageUp) {
-            self.turn_to(self.page.saturating_sub(1), ui);
-        }
-        match pressed {
-            Some("Back") => return self.go_back(ui),
-            Some("New") => self.ask(tr("What is the new level called?").to_owned(), "", Asked::New),
-            Some("Copy") => self.pick = Some(PickFor::Copy),
-            Some("Rename") => self.pick = Some(PickFor::Rename),
-            _ => {}
-        }
-        None
     }
 }
 
@@ -325,6 +316,9 @@ impl Screen for LevelSelect {
         request = request.or(self.show_cards(ui).filter(|_| !typed));
         request = request.or(self.show_foot(ui));
         request = request.or(self.show_prompt(ui));
+        if self.takes_back(ui) {
+            request = request.or(Some(Request::Do(Effect::OnLevel(OnLevel::TakeBack))));
+        }
         if self.problems.as_ref().is_some_and(|problems| problems.show(ui)) {
             self.problems = None;
         }
@@ -339,7 +333,14 @@ impl Screen for LevelSelect {
     }
 
     fn carry_out(&mut self, effect: Effect, session: &mut Session, _: &mut dyn Spectator) -> Option<Request> {
-        let Effect::Make(make) = effect else { return None };
+        let make = match effect {
+            Effect::Make(make) => make,
+            Effect::OnLevel(deed) => {
+                self.hand_on(&deed, session);
+                return None;
+            }
+            _ => return None,
+        };
         match files::make(&make, session) {
             Ok(()) => Some(match make {
                 Make::Rename(..) => Request::Reset(Destination::Levels(Purpose::Edit)),

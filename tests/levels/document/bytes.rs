@@ -191,7 +191,7 @@ fn keys_pads_and_objects_of_one_file_stay_in_order() {
     let mut document = of(Table::Objectives, "PLAYER,1,2,3,4");
     let place = Place { min: DVec2::ZERO, size: DVec2::new(40.0, 20.0) };
     let key = document.put(Kind::Key, place).unwrap().unwrap();
-    let copies = document.duplicate(&[row(Table::Objectives, 0), key], DVec2::new(10.0, 10.0)).unwrap();
+    let copies = document.duplicate(&[row(Table::Objectives, 0), key], DVec2::new(10.0, 10.0), None).unwrap();
     assert_eq!(copies.iter().map(|row| document.kind(*row)).collect::<Vec<_>>(), [Some(Kind::Pad), Some(Kind::Key)]);
     let lines = "PLAYER,1,2,3,4\nOBJECT,20,10,box:40x20,50,240,170,40,0.2,1.05\nPLAYER,11,12,3,4\nOBJECT,30,20,box:40x20,50,240,170,40,0.2,1.05\n";
     assert_eq!(text(&document, Table::Objectives), lines);
@@ -247,7 +247,7 @@ proptest! {
                 }
                 2 => drop(document.remove(&[row])),
                 3 => drop(document.put(if of_world { Kind::Solid } else { Kind::Key }, Place { min: DVec2::ZERO, size: DVec2::ONE })),
-                _ => drop(document.duplicate(&[row], DVec2::ONE)),
+                _ => drop(document.duplicate(&[row], DVec2::ONE, None)),
             }
             if document.version() != before {
                 states.push(all_bytes(&document));

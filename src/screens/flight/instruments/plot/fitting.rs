@@ -81,6 +81,6 @@ impl Plot {
             Format::Svg => (lanes::curves(&game.level().title, &chart::sheet(self.window(), &curves)), ".svg"),
         };
         let stem = chart::stem(&self.level, &curves);
-        self.export = Some(NewFile { stem, ending, text, what: tr("the curves"), same_up_to: INPUTS });
+        self.export = Some(NewFile { stem, ending, bytes: text.into_bytes(), what: tr("the curves"), same_up_to: INPUTS });
     }
 }

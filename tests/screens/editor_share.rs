@@ -1,0 +1,80 @@
+//! The author's list of levels: own ones first, shared as one file, imported, put into the bin and taken back.
+
+use crate::sitting::Sitting;
+use resultant::screens::Key;
+use std::fs;
+use std::path::Path;
+
+fn shipped(root: &Path) {
+    fs::write(root.join("levels/shipped.csv"), "folder\n1\n2\n").unwrap();
+    for level in ["1", "2"] {
+        let constants = root.join("levels").join(level).join("constants.csv");
+        let before = fs::read_to_string(&constants).unwrap_or_else(|_| "name,value\n".to_owned());
+        fs::write(constants, before + "world,launch\n").unwrap();
+    }
+}
+
+fn list() -> Sitting {
+    let mut sitting = Sitting::with(shipped);
+    sitting.choose("Editor").rest();
+    sitting
+}
+
+fn undo(sitting: &mut Sitting) {
+    sitting.press_keys(&[Key::Z], &[Key::Control, Key::Z]).rest();
+}
+
+#[test]
+fn an_authors_own_levels_stand_first() {
+    let mut sitting = list();
+    assert_eq!(sitting.level_names(), ["3", "10", "broken", "1", "2"]);
+    assert!(sitting.shows("Your levels"));
+    sitting.assert_whole();
+    sitting.home().choose("Levels").rest();
+    assert_eq!(sitting.level_names()[..2], ["1", "2"], "players begin with the game's");
+}
+
+#[test]
+fn a_level_is_one_file_that_another_game_takes_in() {
+    let mut sitting = list();
+    sitting.click("Share");
+    assert!(sitting.shows("Which level is to be shared?"));
+    sitting.click("10").rest();
+    let file = sitting.folder.path().join("exports/10.zip");
+    assert!(file.exists() && sitting.at() == "problems" && sitting.shows("10 is one file now"));
+    // One that does not load says why.
+    sitting.press(Key::Escape).click("Share").click("broken").rest();
+    assert!(sitting.at() == "problems" && sitting.shows("That cannot be done") && sitting.shows("obstacles.csv"));
+    // In another data folder, by its path.
+    let mut other = Sitting::with(|root| fs::remove_dir_all(root.join("levels/10")).unwrap());
+    other.choose("Editor").click("Import");
+    assert!(other.shows("Which file?"));
+    other.write(file.to_str().unwrap()).press(Key::Enter).rest();
+    assert!(other.shows("Installed: 10"), "{:?}", other.texts());
+    assert!(other.folder.path().join("levels/10/player.csv").exists());
+    other.press(Key::Escape).choose("10").rest();
+    assert_eq!(other.at(), "flight");
+}
+
+#[test]
+fn what_is_deleted_goes_to_the_bin_and_one_key_brings_it_back() {
+    let mut sitting = list();
+    let folder = sitting.folder.path().join("levels/10");
+    let before = fs::read(folder.join("player.csv")).unwrap();
+    sitting.click("Delete").click("10").rest();
+    assert!(!folder.exists() && sitting.shows("10 is in the bin: Ctrl Z brings it back."));
+    assert_eq!(sitting.level_names(), ["3", "broken", "1", "2"]);
+    assert_eq!(fs::read(sitting.folder.path().join("bin/10/player.csv")).unwrap(), before);
+    sitting.click("Delete").click("3").rest();
+    undo(&mut sitting);
+    undo(&mut sitting);
+    assert_eq!(sitting.level_names(), ["3", "10", "broken", "1", "2"]);
+    assert!(fs::read(folder.join("player.csv")).unwrap() == before && !sitting.shows("in the bin"));
+    // What comes with the game stays.
+    sitting.click("Delete").click("2").rest();
+    assert!(sitting.shows("2 comes with the game and stays as it is."));
+    assert!(sitting.folder.path().join("levels/2").exists());
+    // Esc takes the choice back.
+    sitting.press(Key::Escape).click("Delete").press(Key::Escape).click("10").rest();
+    assert_eq!(sitting.at(), "editor");
+}
