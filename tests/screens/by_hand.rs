@@ -79,7 +79,7 @@ fn numbers(level: &Level) -> Vec<f64> {
 #[test]
 fn every_suggested_change_can_be_made_in_the_window() {
     let mut made = 0;
-    for sheets::Listed { folder, .. } in sheets::listed(&project()).unwrap() {
+    for sheets::Listed { folder, .. } in sheets::listed(project()).unwrap() {
         let text = sheet::text(&folder);
         for suggested in sheet::variations(&text) {
             let mut sitting = opened(&folder);
