@@ -120,7 +120,7 @@ mod tests {
         );
         check("45.0 N", right, &["45", "−45 N"]);
         check("0 m/s²", right, &["0", "0 m/s²", "0.0"]);
-        check("−2.00 m/s", right, &["−2 m/s", "- 2.0", "-2"]);
+        check("−2.00 m/s", right, &["−2 m/s", "-2.0", "-2"]);
         check("2", right, &["2", "2,0", "about 2", "m = 3 kg: 2"]);
     }
 

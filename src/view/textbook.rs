@@ -8,7 +8,7 @@ use super::{theme, widgets};
 use crate::draw::layout::{Area, BUTTON_TEXT, Frame, GRID, LINE, PADDING, TEXT, Vec2, words_width};
 use crate::draw::{Canvas, Style};
 use crate::game::Game;
-use crate::number::{QuantityScale, scalar};
+use crate::number::scalar;
 use crate::physics::{BodyId, DVec2};
 use crate::words::tr;
 use std::f64::consts::TAU;
@@ -18,7 +18,7 @@ const SQUARE: f32 = 32.0;
 const BODY: f32 = 26.0;
 /// Between arrows side by side, and the least length of one, canvas units.
 const APART: f32 = 16.0;
-const LEAST: f32 = 20.0;
+const LEAST: f32 = 14.0;
 /// From a tip or a side to its tag, and from a tag to other arrows, canvas units.
 const BESIDE: f32 = 6.0;
 const CLEAR: f32 = 3.0;
@@ -58,10 +58,11 @@ impl NamedArrow {
             let size = vector.length();
             size > 0.0 && size >= NO_PART * largest(shown.is_impact())
         };
-        let mut named = all.iter().filter(counts).map(|(row, shown, vector)| {
-            let scale = QuantityScale::of(largest(shown.is_impact()), row.unit).finer(vector.length());
-            let value = format!("{} {}", scale.number(vector.length()), scale.unit());
-            Self { shown: *shown, vector: *vector, name: row.label(), value }
+        let mut named = all.iter().filter(counts).map(|(row, shown, vector)| Self {
+            shown: *shown,
+            vector: *vector,
+            name: row.label(),
+            value: scalar(vector.length(), row.unit),
         });
         let (resultant, forces): (Vec<Self>, Vec<Self>) = named.by_ref().partition(|named| named.shown == ArrowKind::Resultant);
         (forces, resultant.into_iter().next())
@@ -303,7 +304,9 @@ impl BodyPicture {
             if near.distance(tag.at) > TIED {
                 canvas.line(near, tag.at, 1.0, theme::quiet());
             }
-            canvas.rounded(tag.area, 3.0, theme::ground().faded(0.85));
+        }
+        for tag in &self.layout.tags {
+            canvas.rounded(tag.area, 3.0, theme::ground());
             for (i, words) in tag.lines.iter().enumerate() {
                 let colour = if i == 0 { scale::colour(tag.shown) } else { theme::text() };
                 let at = Vec2::new(tag.area.centre().x, tag.area.min.y + (i as f32 + 0.5) * canvas.line_height(TEXT));

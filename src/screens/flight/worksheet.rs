@@ -24,7 +24,7 @@ const UNSTARTED: &str = "Let the experiment go first.";
 const UNREAD: &str = "Write down a reading first: the answer comes last.";
 const FIELD: f32 = 38.0;
 /// The width of the table's columns but the first: reading, tick, verdict.
-const COLUMNS: [f32; 3] = [112.0, 64.0, 28.0];
+const COLUMNS: [f32; 3] = [104.0, 60.0, 28.0];
 /// The pitch of the table's rows, in lines, and the lines that stay below them.
 const PITCH: std::ops::RangeInclusive<f32> = 1.0..=1.5;
 const BELOW: f32 = 8.0;
@@ -228,7 +228,8 @@ impl Worksheet {
     /// A row a quantity, below a heading where several in turn are of one thing; `foot` is where the panel's room ends.
     fn show_table(&mut self, ui: &mut Ui<'_>, pen: &mut Paragraphs<'_>, (foot, tick): (f32, u64)) {
         let canvas = ui.canvas();
-        let rows = rows(&self.experiment.readings);
+        let widest = pen.width - COLUMNS.iter().sum::<f32>() - GRID;
+        let rows = rows(&self.experiment.readings, |words| canvas.width(words, Style::new(DETAILS, theme::text())) <= widest);
         if rows.is_empty() {
             return;
         }
@@ -296,21 +297,23 @@ impl Worksheet {
 
 const INDENT: char = ' ';
 
-/// The words of the table's rows, each with the index of its quantity: several in turn that are of one thing stand below its name.
-fn rows(wanted: &[Wanted]) -> Vec<(String, Option<usize>)> {
+/// The words of the table's rows, each with the index of its quantity: several in turn that are of one thing stand below its name, and so
+/// does one that does not fit into a line.
+fn rows(wanted: &[Wanted], fits: impl Fn(&str) -> bool) -> Vec<(String, Option<usize>)> {
     let of = |wanted: &Wanted| wanted.what.split_once(", ").map(|(of, _)| of.to_owned());
     let mut rows = Vec::new();
     for (i, one) in wanted.iter().enumerate() {
         let same = |other: Option<&Wanted>| other.is_some_and(|other| of(other).is_some() && of(other) == of(one));
         let (follows, leads) = (same(i.checked_sub(1).and_then(|before| wanted.get(before))), same(wanted.get(i + 1)));
         let unit = if one.unit.is_empty() { String::new() } else { format!(" ({})", one.unit) };
-        let grouped = one.what.split_once(", ").filter(|_| follows || leads);
+        let line = format!("{}{unit}", one.name());
+        let grouped = one.what.split_once(", ").filter(|_| follows || leads || !fits(&line));
         if let Some((of, _)) = grouped.filter(|_| !follows) {
             rows.push((tr(of).to_owned(), None));
         }
         rows.push(match grouped {
             Some((_, quantity)) => (format!("{INDENT}{}{unit}", tr(quantity)), Some(i)),
-            None => (format!("{}{unit}", one.name()), Some(i)),
+            None => (line, Some(i)),
         });
     }
     rows
