@@ -108,7 +108,7 @@ pub fn draw_stars(game: &Game, view: &Viewport, canvas: &Canvas) {
 fn draw_star(area: Area, by: StarTouch, touched: bool, canvas: &Canvas) {
     let reach = area.size.min_element() * 0.5;
     let tip = |part: usize| {
-        let far = if part % 2 == 0 { reach } else { reach * 0.42 };
+        let far = if part.is_multiple_of(2) { reach } else { reach * 0.42 };
         area.centre() + Vec2::from_angle(part as f32 * std::f32::consts::PI / 5.0 - std::f32::consts::FRAC_PI_2) * far
     };
     let colour = theme::accent().faded(if touched { 0.9 } else { 0.45 });

@@ -65,7 +65,7 @@ rows! {
             "mark for no more burns of the engine than this, each after at least 0.1 s without; a whole number",
         )
         .maybe_filled(),
-        mark_together: Option<Together> = Column::new(Holds::Together, "mark for so many objectives met within so many seconds").maybe_filled(),
+        mark_together: Option<Together> = Column::new(Holds::Together, "mark for that number of objectives met within that number of seconds").maybe_filled(),
     }
 }
 

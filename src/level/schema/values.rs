@@ -38,7 +38,7 @@ fn place(text: &str) -> Result<Option<DVec2>, String> {
     }
 }
 
-/// `3 8`: so many objectives within so many seconds.
+/// `3 8`: a number of objectives, met within that time, s.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(try_from = "String")]
 pub(in crate::level) struct Together {
