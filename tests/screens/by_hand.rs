@@ -106,7 +106,7 @@ fn every_suggested_change_can_be_made_in_the_window() {
                 );
             }
             assert!(
-                sitting.flight().before().is_some() && sitting.shows("What if: ") && sitting.shows("(was "),
+                sitting.flight().before().is_some() && sitting.shows("What if: ") && sitting.shows("(was"),
                 "{folder}: what changed"
             );
             made += 1;

@@ -85,9 +85,9 @@ impl Flight {
         let news = self.open.news.as_ref().map(|news| news.layout(frame).0);
         let lost = self.lost_sign(frame).map(|(_, area)| area);
         // The sign of a varied level stands beside the status, in as many lines as it needs.
+        let (corner, room) = self.what_if_room(frame);
         let status = HudLayout::new(frame).status;
-        let width = frame.size.x - status.max().x;
-        let varied = self.variation().map(|_| Area::new(status.max().x, status.min.y, width, status.size.y));
+        let varied = self.variation().map(|_| Area::new(corner.x, corner.y, room + 2.0 * PADDING, status.size.y));
         let sheet = self.sheet_areas(frame);
         signs.chain(news).chain(lost).chain(varied).chain(instruments).chain(sheet).collect()
     }

@@ -5,7 +5,7 @@
 
 use super::instruments::vary::{Varied, VaryFrom, VaryWish, written};
 use super::{END_PAUSE, Flight};
-use crate::draw::layout::{Area, DETAILS, GRID, PADDING, TEXT, Vec2};
+use crate::draw::layout::{Area, DETAILS, Frame, GRID, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Again, Controls, Game, GhostPose, History, Outcome, SHIP, Tape, body_title, object_body};
 use crate::instruments::vary::Variation;
@@ -79,6 +79,9 @@ impl Before {
         self.show(tick);
     }
 }
+
+/// A sign beside the panel is at least so wide.
+const NARROWEST: f32 = 200.0;
 
 impl Flight {
     /// The level that can be varied, and how it is.
@@ -307,19 +310,28 @@ impl Flight {
         })
     }
 
+    /// The sign's upper left corner and the room to its right: between the timer and the panel, or below that where no room is left.
+    pub(super) fn what_if_room(&self, frame: &Frame) -> (Vec2, f32) {
+        let (hud, end) = (HudLayout::new(frame).status, frame.size.x - self.sheet_width());
+        let corner = Vec2::new(hud.max().x + GRID, hud.min.y);
+        match self.seen.instruments.vary_area() {
+            Some(panel) if panel.min.x - corner.x < NARROWEST => {
+                (Vec2::new(panel.min.x, panel.max().y + GRID), panel.size.x - 2.0 * PADDING)
+            }
+            panel => (corner, panel.map_or(end, |panel| panel.min.x) - corner.x - GRID - 2.0 * PADDING),
+        }
+    }
+
     /// The sign, and what leads on once the run has ended.
     pub(super) fn draw_what_if(&self, canvas: &Canvas) {
         let Some(words) = self.what_if_words() else { return };
         canvas.end_layer();
-        let hud = HudLayout::new(canvas.frame()).status;
-        let panel = self.seen.instruments.vary_area().map_or(canvas.size().x, |area| area.min.x);
-        let left = hud.max().x + GRID;
         let style = Style::new(DETAILS, theme::accent());
-        let room = panel - left - GRID - 2.0 * PADDING;
+        let (corner, room) = self.what_if_room(canvas.frame());
         let lines = widgets::lines(canvas, &words, room, style);
         let line = canvas.line_height(DETAILS);
         let widest = lines.iter().map(|line| canvas.width(line, style)).fold(0.0, f32::max);
-        let area = Area::new(left, hud.min.y, widest + 2.0 * PADDING, lines.len() as f32 * line + PADDING);
+        let area = Area::new(corner.x, corner.y, widest + 2.0 * PADDING, lines.len() as f32 * line + PADDING);
         widgets::panel_in(canvas, area, theme::panel().faded(0.9), theme::accent());
         for (i, text) in lines.iter().enumerate() {
             canvas.text(text, area.min + Vec2::new(PADDING, PADDING / 2.0 + i as f32 * line), style);
