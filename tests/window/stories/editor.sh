@@ -7,7 +7,7 @@ level_point() { awk "BEGIN { s = 895.3 * 0.95 / 1280; printf \"%.3f %.3f\", (571
 
 # draw TOOL X Y TO_X TO_Y: a new thing between two points of the level; tools are counted from the top, Select is 0.
 draw() {
-  click 5.8 "$(awk "BEGIN { p = (664 - 8) / 17; if (p > 44) p = 44; print (56 + 4 + $1 * p + p / 2) / 7.2 }")"
+  click 5.8 "$(awk "BEGIN { p = (664 - 8) / 21; if (p > 44) p = 44; print (56 + 4 + $1 * p + p / 2) / 7.2 }")"
   drag $(level_point "$2" "$3") $(level_point "$4" "$5")
 }
 
@@ -24,7 +24,8 @@ expect editor-new differs editor-list 3
 draw 1 0 690 1280 720    # a floor
 draw 2 90 670 210 690    # a lift under the ship
 draw 4 100 380 200 660   # a switch, all the way that the lift goes
-# Its wire, from the handle above it onto the lift.
+# Its wire, from the handle above it onto the lift: with the tool that selects, for tools stay.
+press q
 read -r x y <<<"$(level_point 150 380)"
 drag "$x" "$(awk "BEGIN { print $y - 22 / 7.2 }")" $(level_point 195 680)
 draw 5 150 500 240 540   # a pad beside the way
