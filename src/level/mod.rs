@@ -19,6 +19,7 @@ mod problem;
 mod reach;
 mod read;
 mod reader;
+mod route;
 pub mod scaffold;
 pub mod schema;
 mod ship_body;
@@ -40,14 +41,14 @@ pub use image::read_picture;
 pub use parameter::Parameter;
 pub use problem::{Problem, listed};
 pub use read::{Loaded, read, read_unfinished};
+pub use route::{MoverPace, Route, RouteShape};
 pub use schema::FILES;
 pub use ship_body::{SHIP_BODY, nose, ship_body, sweep_touches};
 pub use source::{BACKGROUND, Files};
 pub use types::{
     AirStream, Awards, BURN_RATE, Decoration, Fluid, GravityZone, Landscape, Level, LevelLink, Look, Mark, Mover, Object,
-    Objective, ObjectiveKind, Pod, Presser, Route, SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, ShipStart, Solid, Star,
-    StarTouch, Switch, SwitchStay, TICK_RATE, Text, Work,
+    Objective, ObjectiveKind, Pod, Presser, SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, ShipStart, Solid, Star, StarTouch,
+    Switch, SwitchStay, TICK_RATE, Text, Work,
 };
 pub use varied::varied;
 pub use wiring::{SurfaceOf, Wire, Worked};
-pub use world_def::{MoverPace, RouteShape};

@@ -1,8 +1,8 @@
 //! The numbers that a level may hold, and the scale from pixels to metres. Physical ranges come from the engine's domain; `strength` has the
 //! limits of two cells together.
 
+use super::route::SHORTEST;
 use super::types::{SHIP_HEIGHT, SHIP_PIXELS};
-use super::world_def::SHORTEST;
 use crate::physics::domain::{self, Range};
 use crate::physics::{Aabb, DVec2, Material};
 use crate::words::tr;

@@ -1,9 +1,9 @@
 //! The numbers of a level that can be varied, each with the loader's limits and its cells.
 
 use super::numbers::{self as q, NumberRange};
+use super::route::{MoverPace, path};
 use super::schema::Table;
 use super::types::{Level, Look, Mover, Object, Solid};
-use super::world_def::{MoverPace, path};
 use crate::physics::{BodyId, DVec2, LinkEnd, LinkLaw, Material, Spring};
 use crate::words::{filled, tr};
 

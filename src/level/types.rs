@@ -1,6 +1,6 @@
 //! A level as the rest of the game knows it: in metres, checked, ready to play.
 
-use super::world_def::RouteShape;
+use super::route::RouteShape;
 use crate::physics::{Aabb, DVec2, LinkDef, Material, Path, Sides};
 
 /// The ship's height, m: it fixes the scale.
@@ -157,17 +157,6 @@ impl Solid {
     pub fn is_rock(&self) -> bool {
         self.sides == Sides::ALL && self.breaks.is_none()
     }
-}
-
-/// The motion of a mover at the end of its path.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Route {
-    /// It goes back through its way points, for ever.
-    Back,
-    /// It goes straight to its start and begins again, for ever.
-    Round,
-    /// It stays there.
-    Once,
 }
 
 #[derive(Clone, Debug, PartialEq)]

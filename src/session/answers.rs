@@ -72,7 +72,7 @@ pub struct Reading {
 
 /// What is written on a sheet: the prediction, and the readings in the order of the experiment's quantities.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Written {
+pub struct WrittenSheet {
     pub prediction: String,
     pub readings: Vec<Reading>,
 }
@@ -84,7 +84,7 @@ pub struct Worksheet {
     /// Whether it stands beside the flight.
     pub open: bool,
     pub entry: EntryField,
-    pub written: Written,
+    pub written: WrittenSheet,
     /// When the prediction was made, s since 1970-01-01, 0 UTC: it stays from then on.
     pub predicted: Option<f64>,
     /// Whether the world has been let go: a prediction made after that is none.
@@ -92,14 +92,14 @@ pub struct Worksheet {
     /// Whether the answer is shown: the readings stay as they are then.
     pub answered: bool,
     /// What was saved last, and before that.
-    saved: [Written; 2],
+    saved: [WrittenSheet; 2],
     /// The outcome of the last press; an error is a problem.
     pub message: Result<String, String>,
 }
 
 impl Worksheet {
     pub fn new(experiment: Experiment) -> Self {
-        let blank = Written { prediction: String::new(), readings: vec![Reading::default(); experiment.readings.len()] };
+        let blank = WrittenSheet { prediction: String::new(), readings: vec![Reading::default(); experiment.readings.len()] };
         Self {
             experiment,
             open: true,

@@ -8,9 +8,9 @@ use super::typed::{MATERIAL, Row as _, Word, by_word, number, one_of, rows};
 use super::values::{LinkRowEnd, WayPoints, Works};
 use crate::level::numbers::{self, MIN_SIZE};
 use crate::level::problem::quoted;
-use crate::level::types::{Mover, Presser, Route, Solid, Switch, SwitchStay};
+use crate::level::route::{MoverPace, Route, RouteShape, path};
+use crate::level::types::{Mover, Presser, Solid, Switch, SwitchStay};
 use crate::level::unbound::UnboundLink;
-use crate::level::world_def::{self, MoverPace, RouteShape};
 use crate::physics::{DVec2, LinkLaw, Magnet, Material, Sides, Spring};
 use crate::words::tr;
 
@@ -139,7 +139,7 @@ pub fn mover(record: &RowCells, reader: &mut RowReader) -> Option<Mover> {
         return None;
     }
     let manner = RouteShape { route: row.route, pace, wait: row.wait, ease: row.ease };
-    let path = world_def::path(&stops, manner).map_err(|least| {
+    let path = path(&stops, manner).map_err(|least| {
         let found = quoted(record.text("period").unwrap_or_default());
         let expected = tr!("at least {least} s, which its waits and easings take", least = format_args!("{least:.3}"));
         reader.problems.push(record.problem("period", found, expected));

@@ -18,7 +18,7 @@ const BUTTON: Vec2 = Vec2::new(26.0, 24.0);
 
 /// What can be hidden.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Layer {
+pub(super) enum PictureLayer {
     Wires,
     Words,
     Zones,
@@ -35,7 +35,7 @@ enum Act {
     Ungroup,
     Lock,
     Unlock,
-    Hide(Layer),
+    Hide(PictureLayer),
 }
 
 /// Each with its words, its key, and its picture: five rows of five dots.
@@ -52,33 +52,33 @@ const ACTS: [(Act, &str, &str, &str); 16] = [
     (Act::Ungroup, "Ungroup", "Ctrl Shift G", "##...##.........##...##.."),
     (Act::Lock, "Lock", "Ctrl L", ".###..#.#.#####.###.#####"),
     (Act::Unlock, "Unlock all", "Ctrl Shift L", "###..#.#....#####.###.###"),
-    (Act::Hide(Layer::Wires), "Hide wires", "F8", "...##...##..#..##...##..."),
-    (Act::Hide(Layer::Words), "Hide words", "F9", "#####..#....#....#....#.."),
-    (Act::Hide(Layer::Zones), "Hide zones", "F10", "#####.....#.#.#.....#####"),
-    (Act::Hide(Layer::Flight), "Hide the flight", "F12", "..#...#.#..#..#.#...##..."),
+    (Act::Hide(PictureLayer::Wires), "Hide wires", "F8", "...##...##..#..##...##..."),
+    (Act::Hide(PictureLayer::Words), "Hide words", "F9", "#####..#....#....#....#.."),
+    (Act::Hide(PictureLayer::Zones), "Hide zones", "F10", "#####.....#.#.#.....#####"),
+    (Act::Hide(PictureLayer::Flight), "Hide the flight", "F12", "..#...#.#..#..#.#...##..."),
 ];
 
 /// Things that belong together, things that stay where they are, and what is hidden.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Arrangement {
+pub(super) struct Arranged {
     groups: Vec<Vec<RowId>>,
     locked: Vec<RowId>,
-    hidden: Vec<Layer>,
+    hidden: Vec<PictureLayer>,
 }
 
 /// A row that may get another number, by its file and place.
 type Known = (Table, Option<Place>);
 
-impl Arrangement {
-    pub fn shows(&self, layer: Layer) -> bool {
+impl Arranged {
+    pub fn shows(&self, layer: PictureLayer) -> bool {
         !self.hidden.contains(&layer)
     }
 
     pub fn shows_kind(&self, kind: Kind) -> bool {
         match kind {
-            Kind::Link => self.shows(Layer::Wires),
-            Kind::Text => self.shows(Layer::Words),
-            Kind::Fluid | Kind::Gravity => self.shows(Layer::Zones),
+            Kind::Link => self.shows(PictureLayer::Wires),
+            Kind::Text => self.shows(PictureLayer::Words),
+            Kind::Fluid | Kind::Gravity => self.shows(PictureLayer::Zones),
             _ => true,
         }
     }

@@ -1,7 +1,7 @@
 //! The pointer in the picture: it selects, moves, sizes, draws, and pulls links and handles.
 
 use super::Editor;
-use super::handles::Handle;
+use super::handles::{GRAB, Handle};
 use super::tools::EditorTool;
 use super::view::Snap;
 use crate::draw::layout::Vec2;
@@ -11,8 +11,6 @@ use crate::settings::Key;
 use crate::ui::input::Input;
 use crate::words::tr;
 
-/// How near to a handle the pointer has to be, canvas units.
-pub(super) const GRAB: f32 = 9.0;
 /// A drag shorter than this is a click, canvas units.
 const CLICK: f32 = 4.0;
 /// How near an edge has to be to be snapped to, canvas units.

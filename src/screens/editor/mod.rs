@@ -34,7 +34,7 @@ use crate::ui::pace::Motion;
 use crate::ui::scroll::Scroll;
 use crate::ui::{Spectator, Ui};
 use crate::view::widgets;
-use arrange::Arrangement;
+use arrange::Arranged;
 use ask::Ask;
 use hand::PointerDrag;
 use layout::{PROBLEM_LINES, Panes};
@@ -63,7 +63,7 @@ pub struct Editor {
     panes: Panes,
     tool: EditorTool,
     selection: Vec<RowId>,
-    arranged: Arrangement,
+    arranged: Arranged,
     drag: Option<PointerDrag>,
     panel: CellPanel,
     snapping: bool,
@@ -237,7 +237,7 @@ impl Editor {
             panes: Panes::default(),
             tool: EditorTool::Select,
             selection: Vec::new(),
-            arranged: Arrangement::default(),
+            arranged: Arranged::default(),
             drag: None,
             panel: CellPanel::default(),
             snapping: true,

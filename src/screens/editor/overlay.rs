@@ -4,8 +4,7 @@
 
 use super::hand::PointerDrag;
 use super::handles::Handle;
-use super::picture::{colour, edge};
-use super::tools::draw_link;
+use super::picture::{colour, draw_link, edge};
 use super::{Editor, EditorPass};
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Style};

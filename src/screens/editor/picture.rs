@@ -3,12 +3,11 @@
 //! Colours and marks that the editor's panes share.
 
 use super::Editor;
-use super::arrange::Layer;
+use super::arrange::PictureLayer;
 use super::handles::stream_zone;
-use super::tools::draw_link;
 use crate::draw::layout::{Area, Vec2};
 use crate::draw::{Canvas, Colour, Image, Style};
-use crate::level::document::{Kind, Place, RowId};
+use crate::level::document::{Kind, LinkForm, Place, RowId};
 use crate::level::read_picture;
 use crate::physics::DVec2;
 use crate::view::theme;
@@ -51,7 +50,7 @@ impl Editor {
             self.draw_thing(canvas, *row, *kind, place);
         }
         edge(canvas, level, 1.0, theme::quiet());
-        for wire in self.document.wires().into_iter().filter(|_| self.arranged.shows(Layer::Wires)) {
+        for wire in self.document.wires().into_iter().filter(|_| self.arranged.shows(PictureLayer::Wires)) {
             if let (Some(from), Some(to)) = (self.document.place(wire.switch), self.document.place(wire.thing)) {
                 let colour = colour(Kind::Switch).faded(0.8);
                 let (a, b) = (self.view.point(from.centre()), self.view.point(to.centre()));
@@ -101,7 +100,7 @@ impl Editor {
             }
             Kind::Stream => {
                 let (zone, end) = stream_zone(&self.document, row, *place);
-                if self.arranged.shows(Layer::Zones) {
+                if self.arranged.shows(PictureLayer::Zones) {
                     canvas.rectangle(self.view.rect(&zone), own.faded(0.12));
                     edge(canvas, self.view.rect(&zone), 0.5, own.faded(0.5));
                 }
@@ -255,4 +254,25 @@ pub fn arrow(canvas: &Canvas, middle: Vec2, along: Vec2, colour: Colour) {
     canvas.line(tail, tip - along * 6.0, 2.0, colour);
     let side = Vec2::new(-along.y, along.x) * 5.0;
     canvas.convex(&[tip, tip - along * 9.0 + side, tip - along * 9.0 - side], colour);
+}
+
+/// A link between two points, by its kind.
+pub(super) fn draw_link(canvas: &Canvas, [from, to]: [Vec2; 2], form: LinkForm, own: Colour) {
+    match form {
+        LinkForm::Spring => {
+            let turns = ((to - from).length() / 7.0).clamp(3.0, 24.0) as usize;
+            let across = (to - from).perp().normalize_or_zero() * 4.0;
+            let point = |i: usize| {
+                let side = if i == 0 || i == turns { 0.0 } else { [1.0, -1.0][i % 2] };
+                from + (to - from) * (i as f32 / turns as f32) + across * side
+            };
+            (0..turns).for_each(|i| canvas.line(point(i), point(i + 1), 1.5, own));
+        }
+        LinkForm::Magnet => canvas.dashed(&[from, to], &[5.0, 4.0], 2.0, own),
+        LinkForm::Rope => canvas.line(from, to, 2.0, own),
+        LinkForm::Winch => {
+            canvas.line(from, to, 2.0, own);
+            canvas.ring(from, 4.0, 2.0, own);
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Test flights: from the start, from the pointer, and on from where one was stopped. What was flown last stays over the picture.
 
 use super::Editor;
-use super::arrange::Layer;
+use super::arrange::PictureLayer;
 use super::ask::Ask;
 use super::picture::edge;
 use super::tools::EditorTool;
@@ -13,7 +13,7 @@ use crate::level::document::{Document, Place, SetCell, Table, number};
 use crate::number::clock;
 use crate::physics::{Aabb, DVec2};
 use crate::screens::flight::Flight;
-use crate::screens::flight::trail::Trail;
+use crate::screens::flight::trail::FlownTrail;
 use crate::screens::screen::{Destination, Request};
 use crate::ui::input::Input;
 use crate::view::mechanisms::movers;
@@ -32,7 +32,7 @@ const RING_PER_SPEED: f32 = 0.5;
 pub(super) struct TestFlight {
     level: Arc<Level>,
     game: Box<Game>,
-    trail: Trail,
+    trail: FlownTrail,
 }
 
 /// A level, and the problems of what is left out of it.
@@ -122,7 +122,8 @@ impl Editor {
 
     /// The path, the impacts, and where everything was that has moved.
     pub(super) fn draw_flown(&self, canvas: &Canvas) {
-        let Some(TestFlight { level, game, trail }) = self.flown.as_ref().filter(|_| self.arranged.shows(Layer::Flight)) else {
+        let Some(TestFlight { level, game, trail }) = self.flown.as_ref().filter(|_| self.arranged.shows(PictureLayer::Flight))
+        else {
             return;
         };
         let point = |at: DVec2| self.view.point(at * level.metre);

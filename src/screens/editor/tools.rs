@@ -1,7 +1,7 @@
 //! The tools beside the picture: each stays until Esc or another one, and has a key.
 
 use super::layout::INSIDE;
-use super::picture::{colour, edge};
+use super::picture::{colour, draw_link, edge};
 use super::{Editor, EditorPass};
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Style};
@@ -78,27 +78,6 @@ impl EditorTool {
             Self::Select | Self::Fly => edge(canvas, mark, 0.75, own),
             Self::Add(_) => canvas.rectangle(mark, own),
             Self::Link(form) => draw_link(canvas, [from, to], form, own),
-        }
-    }
-}
-
-/// A link between two points, by its kind.
-pub(super) fn draw_link(canvas: &Canvas, [from, to]: [Vec2; 2], form: LinkForm, own: Colour) {
-    match form {
-        LinkForm::Spring => {
-            let turns = ((to - from).length() / 7.0).clamp(3.0, 24.0) as usize;
-            let across = (to - from).perp().normalize_or_zero() * 4.0;
-            let point = |i: usize| {
-                let side = if i == 0 || i == turns { 0.0 } else { [1.0, -1.0][i % 2] };
-                from + (to - from) * (i as f32 / turns as f32) + across * side
-            };
-            (0..turns).for_each(|i| canvas.line(point(i), point(i + 1), 1.5, own));
-        }
-        LinkForm::Magnet => canvas.dashed(&[from, to], &[5.0, 4.0], 2.0, own),
-        LinkForm::Rope => canvas.line(from, to, 2.0, own),
-        LinkForm::Winch => {
-            canvas.line(from, to, 2.0, own);
-            canvas.ring(from, 4.0, 2.0, own);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Flight;
 use super::pilot::steers;
-use super::trail::Trail;
+use super::trail::FlownTrail;
 use crate::game::{GameEvent, History, Outcome, Replay, RunResult};
 use crate::number::clock;
 use crate::scores::subject;
@@ -154,7 +154,7 @@ impl Flight {
         self.run.lost.as_ref()?.result.death
     }
 
-    pub(in crate::screens) const fn trail(&self) -> &Trail {
+    pub(in crate::screens) const fn trail(&self) -> &FlownTrail {
         &self.open.trail
     }
 

@@ -5,7 +5,7 @@
 use super::Flight;
 use super::ahead::Ahead;
 use super::signs::{Hints, News};
-use super::trail::Trail;
+use super::trail::FlownTrail;
 use crate::game::{Game, GameError, History, Unflown};
 use crate::level::Level;
 use crate::screens::screen::Screen;
@@ -38,7 +38,7 @@ pub(super) struct Open {
     /// Whether the flight tries out an edited level: it does not count.
     pub test: bool,
     /// Of a test.
-    pub trail: Trail,
+    pub trail: FlownTrail,
     /// Whether that level is in memory only.
     pub in_memory: bool,
     /// The level's files.

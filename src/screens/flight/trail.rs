@@ -9,7 +9,7 @@ const EVERY: u64 = 4;
 const MOST: usize = 500;
 
 #[derive(Clone, Debug, Default)]
-pub struct Trail {
+pub struct FlownTrail {
     path: Vec<(u64, DVec2)>,
     impacts: Vec<(u64, Bump)>,
 }
@@ -25,7 +25,7 @@ pub struct Bump {
     pub damages: bool,
 }
 
-impl Trail {
+impl FlownTrail {
     /// Takes up the tick just made. A flight that was taken back goes on from there.
     pub fn note(&mut self, game: &Game) {
         let now = game.ticks();
