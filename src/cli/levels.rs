@@ -1,6 +1,6 @@
 //! `resultant check [LEVEL…]`: loads levels, and says what is in them or everything that is wrong with them.
 //!
-//! `resultant new NAME` makes a level folder that loads, for an author to change.
+//! `resultant new NAME [--show]` makes a level folder that loads, for an author to change.
 //!
 //! `resultant prove LEVEL REPLAY --as PRIZE`: makes a flight the proof of a medal.
 //!
@@ -128,11 +128,14 @@ fn count(n: usize, one: &str, many: &str) -> String {
 pub struct NewArgs {
     /// The level's name: up to 40 letters, digits, - and _
     pub name: String,
+    /// A room that shows every table and column, not the few that a level needs
+    #[arg(long)]
+    show: bool,
 }
 
 /// Errors: a name that no level can have, an existing folder, or the disk's; nothing is left behind.
 pub fn new_level(args: &NewArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
-    let NewArgs { name } = args;
+    let NewArgs { name, show } = args;
     if let Err(fault) = level::judge_name(name) {
         return Err(CommandError::Refused(format!("a level cannot be named {name:?}: expected {}", fault.expected())));
     }
@@ -140,7 +143,11 @@ pub fn new_level(args: &NewArgs, project: &Project, out: &mut dyn Write) -> Resu
     let folder = levels.join(name);
     let cannot = |why: String| CommandError::Refused(format!("cannot make {}: {why}", folder.display()));
     level::scaffold::judge(&levels, name).map_err(cannot)?;
-    level::scaffold::make(&levels, name, &level::scaffold::files()).map_err(|error| cannot(error.to_string()))?;
+    let made = match show {
+        true => level::scaffold::make(&levels, name, &level::scaffold::show()),
+        false => level::scaffold::make(&levels, name, &level::scaffold::FIRST),
+    };
+    made.map_err(|error| cannot(error.to_string()))?;
     writeln!(out, "{}", folder.display())?;
     Ok(Status::Done)
 }

@@ -11,8 +11,16 @@ use std::path::Path;
 
 const MOST_NAMES: usize = 1000;
 
-/// The files of a new level: a room of 1280 × 720 pixels with a floor, a ledge and an objective on it.
-pub fn files() -> Vec<(&'static str, String)> {
+/// The files of a first level: a floor, a wall, and a pad behind it.
+pub const FIRST: [(&str, &str); 4] = [
+    BARE[0],
+    BARE[1],
+    ("world.csv", "x,y,width,height,material\n0,680,1280,40,Asphalt\n560,500,160,180,Wood\n"),
+    ("objectives.csv", "kind,x,y,width,height,hold\nPLAYER,1000,670,120,10,1\n"),
+];
+
+/// The files of a level that shows every table and column, but those of links, stars, hints and decoration.
+pub fn show() -> Vec<(&'static str, String)> {
     Table::ALL.iter().filter_map(|table| Some((table.file(), sample(*table)?))).collect()
 }
 

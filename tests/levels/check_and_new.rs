@@ -16,7 +16,7 @@ pub fn ran(data: &Path, arguments: &[&str]) -> (i32, String, String) {
 /// A project with these levels, as `new` makes them.
 pub fn project(levels: &[&str]) -> tempfile::TempDir {
     let project = tempfile::tempdir().unwrap();
-    levels.iter().for_each(|name| assert_eq!(ran(project.path(), &["new", name]).0, 0));
+    levels.iter().for_each(|name| assert_eq!(ran(project.path(), &["new", name, "--show"]).0, 0));
     project
 }
 
@@ -71,11 +71,15 @@ fn check_takes_folders_and_all_levels_and_refuses_what_is_not_there() {
 #[test]
 fn new_makes_a_level_that_loads_and_touches_no_other() {
     let project = tempfile::tempdir().unwrap();
-    let folder = project.path().join("levels").join("my-level");
-    let (code, out, err) = ran(project.path(), &["new", "my-level"]);
-    assert_eq!((code, out, err.as_str()), (0, format!("{}\n", folder.display()), ""));
-    let loaded = level::load(&folder, project.path()).unwrap();
-    assert_eq!((loaded.level.title.as_str(), lines(&loaded.warnings)), ("my-level", String::new()));
+    let folder = |name: &str| project.path().join("levels").join(name);
+    for (name, flags) in [("my-level", &[][..]), ("shown", &["--show"])] {
+        let (code, out, err) = ran(project.path(), &[&["new", name], flags].concat());
+        assert_eq!((code, out, err.as_str()), (0, format!("{}\n", folder(name).display()), ""));
+        let loaded = level::load(&folder(name), project.path()).unwrap();
+        assert_eq!((loaded.level.title.as_str(), lines(&loaded.warnings)), (name, String::new()));
+        assert_eq!(loaded.level.switches.is_empty(), flags.is_empty(), "{name}");
+    }
+    let folder = folder("my-level");
 
     std::fs::write(folder.join("player.csv"), "mine").unwrap();
     assert_eq!(ran(project.path(), &["new", "my-level"]).0, 2);
@@ -84,7 +88,7 @@ fn new_makes_a_level_that_loads_and_touches_no_other() {
         let (code, out, err) = ran(project.path(), &["new", name]);
         assert_eq!((code, out.as_str()), (2, ""), "{name:?}: {err}");
     }
-    assert_eq!(level::list(&project.path().join("levels")), ["my-level"]);
+    assert_eq!(level::list(&project.path().join("levels")), ["my-level", "shown"]);
 }
 
 #[test]
@@ -285,7 +289,7 @@ fn new_makes_a_folder_whole_or_not_at_all() {
     // A kill in the middle leaves a hidden folder that is no level.
     std::fs::create_dir(levels.join(".resultant-Ab3dE6gH.new")).unwrap();
     assert_eq!(level::list(&levels), ["empty"]);
-    assert_eq!(ran(project.path(), &["new", "whole"]).0, 0);
+    assert_eq!(ran(project.path(), &["new", "whole", "--show"]).0, 0);
     assert!(!levels.join(".resultant-Ab3dE6gH.new").exists() || cfg!(windows), "the next one sweeps it away");
     assert_eq!(std::fs::read_dir(levels.join("whole")).unwrap().count(), 14);
 }
@@ -294,7 +298,7 @@ fn new_makes_a_folder_whole_or_not_at_all() {
 fn no_half_folder_is_ever_seen() {
     let project = tempfile::tempdir().unwrap();
     let root = project.path().to_owned();
-    let maker = std::thread::spawn(move || (0..20).all(|i| ran(&root, &["new", &format!("l{i}")]).0 == 0));
+    let maker = std::thread::spawn(move || (0..20).all(|i| ran(&root, &["new", &format!("l{i}"), "--show"]).0 == 0));
     while !maker.is_finished() {
         for name in level::list(&project.path().join("levels")) {
             let files = std::fs::read_dir(project.path().join("levels").join(&name)).unwrap().count();
