@@ -6,8 +6,8 @@
 //! The number of times the ship has pushed objects, for a mark of few pushes.
 
 use super::ship::SHIP;
-use crate::level::SHIP_HALF;
-use crate::physics::{BodyId, DVec2, Event, ForceManager, Impulse, Obstacle, Source};
+use crate::level::{SHIP_HALF, sweep_touches};
+use crate::physics::{Aabb, BodyId, DVec2, Event, ForceManager, Impulse, Obstacle, Source, World};
 use std::collections::VecDeque;
 
 /// From this speed along the contact's normal a hit of the ship costs points, m/s.
@@ -76,6 +76,12 @@ pub(super) fn damaging_hit(events: &[Event]) -> Option<(DVec2, f64)> {
 /// Boxes closer than this touch, m. It covers the rounding from pixels to metres; a much larger gap would be visible.
 pub const TOUCH: f64 = 1e-9;
 
+/// Whether a body with these corners about its centre touched a box at any moment of the last tick, at whatever speed.
+pub(super) fn has_passed(world: &World, body: BodyId, corners: &[DVec2], target: &Aabb) -> bool {
+    let mut from = world.previous_position(body);
+    world.path(body).any(|to| sweep_touches(corners, std::mem::replace(&mut from, to), to, target, TOUCH))
+}
+
 /// About the ship's centre, clockwise.
 pub(super) const SHIP_BOX: [DVec2; 4] = [
     DVec2::new(-SHIP_HALF.x, -SHIP_HALF.y),
@@ -131,8 +137,7 @@ impl PushCount {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::level::{ship_body, sweep_touches};
-    use crate::physics::Aabb;
+    use crate::level::ship_body;
     use proptest::prelude::*;
     use proptest::test_runner::FileFailurePersistence;
 

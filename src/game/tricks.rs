@@ -1,9 +1,9 @@
 //! What marks for tricks ask for: burns, stars, and objectives met together.
 
 use super::event::GameEvent;
-use super::impacts::{SHIP_BOX, TOUCH};
+use super::impacts::{SHIP_BOX, has_passed};
 use super::ship::{SHIP, object_body};
-use crate::level::{Level, Star, StarTouch, sweep_touches};
+use crate::level::{Level, Star, StarTouch};
 use crate::physics::{BodyId, DVec2, World};
 
 /// The engine is off for at least this time between two burns, s: shorter, and a key let go by mistake costs a burn; longer, and quick
@@ -67,10 +67,7 @@ impl Tricks {
 
 /// Whether one of the bodies that count touched a star at any moment of the last tick.
 fn is_touched(star: &Star, level: &Level, world: &World) -> bool {
-    let passes = |body: BodyId, corners: &[DVec2]| {
-        let mut from = world.previous_position(body);
-        world.path(body).any(|to| sweep_touches(corners, std::mem::replace(&mut from, to), to, &star.bounds, TOUCH))
-    };
+    let passes = |body: BodyId, corners: &[DVec2]| has_passed(world, body, corners, &star.bounds);
     if star.by == StarTouch::Ship {
         return passes(SHIP, &SHIP_BOX);
     }

@@ -5,12 +5,12 @@ mod carried;
 use super::clock::{Controls, TICK_RATE, TICK_RATES};
 use super::event::{Death, GameError, GameEvent, Outcome, crushed};
 use super::fingerprint::Fnv1a;
-use super::impacts::{APART, DUST_SPEED, Felt, Impacts, PushCount, READABLE, SHIP_BOX, TOUCH, damaging_hit};
+use super::impacts::{APART, DUST_SPEED, Felt, Impacts, PushCount, READABLE, SHIP_BOX, TOUCH, damaging_hit, has_passed};
 use super::mechanisms::{Mechanisms, Objectives};
 use super::score::{RunResult, ScoreParts};
 use super::ship::{SHIP, Ship, stands};
 use super::tricks::Tricks;
-use crate::level::{Level, Mark, SHIP_HALF, ship_body, sweep_touches};
+use crate::level::{Level, Mark, SHIP_HALF, ship_body};
 use crate::physics::{Aabb, BodyId, DVec2, Event, Plan, World};
 use std::sync::Arc;
 
@@ -220,10 +220,8 @@ impl Game {
         places.fold(Aabb::around(self.world.previous_position(SHIP), SHIP_HALF), |all, place| all.union(&place))
     }
 
-    /// Whether a body with these corners about the ship's centre touched a box at any moment of the last tick, at whatever speed.
     fn has_touched(&self, corners: &[DVec2], target: &Aabb) -> bool {
-        let mut from = self.world.previous_position(SHIP);
-        self.world.path(SHIP).any(|to| sweep_touches(corners, std::mem::replace(&mut from, to), to, target, TOUCH))
+        has_passed(&self.world, SHIP, corners, target)
     }
 
     pub fn level(&self) -> &Level {

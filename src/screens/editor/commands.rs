@@ -166,14 +166,7 @@ impl Editor {
             "Save" => drop(self.save()),
             "Undo" => self.turn_back(Document::undo),
             "Redo" => self.turn_back(Document::redo),
-            "Copy" => {
-                let by = DVec2::splat(view::GRID * 2.0);
-                match self.document.duplicate(&self.selection, by, None) {
-                    Ok(rows) if !rows.is_empty() => self.selection = rows,
-                    Ok(_) => {}
-                    Err(refusal) => self.say(refusal),
-                }
-            }
+            "Copy" => self.double(DVec2::splat(view::GRID * 2.0), None),
             "Delete" => {
                 let rows: Vec<RowId> =
                     self.selection.iter().copied().filter(|row| self.document.kind(*row) != Some(Kind::Ship)).collect();
@@ -205,6 +198,15 @@ impl Editor {
                 editor.selection.clear();
             }
         });
+    }
+
+    /// Selects copies of the selection, this far from it.
+    pub(super) fn double(&mut self, by: DVec2, gesture: Option<u64>) {
+        match self.document.duplicate(&self.selection, by, gesture) {
+            Ok(rows) if !rows.is_empty() => self.selection = rows,
+            Ok(_) => {}
+            Err(refusal) => self.say(refusal),
+        }
     }
 
     /// Keeps the selection in the clipboard, and takes it out of the level where it is cut.

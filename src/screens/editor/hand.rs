@@ -159,11 +159,7 @@ impl Editor {
                 let begins = !moved && input.pointer.distance(begun) > CLICK;
                 let moved = moved || begins;
                 if begins && doubles {
-                    match self.document.duplicate(&self.selection, DVec2::ZERO, Some(self.gesture)) {
-                        Ok(rows) if !rows.is_empty() => self.selection = rows,
-                        Ok(_) => {}
-                        Err(refusal) => self.say(refusal),
-                    }
+                    self.double(DVec2::ZERO, Some(self.gesture));
                 }
                 if moved {
                     let first = self.selection.first().copied();

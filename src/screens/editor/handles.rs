@@ -4,9 +4,9 @@ use super::Editor;
 use crate::level::document::{Document, Kind, Place, RowId, SetCell, number, way_text};
 use crate::physics::DVec2;
 
-/// From the middle of a thing to its handles, at least, canvas units: on a small thing they stand outside, and its middle moves it.
 /// How near to a handle the pointer has to be, canvas units.
 pub(super) const GRAB: f32 = 9.0;
+/// From the middle of a thing to its handles, at least, canvas units: on a small thing they stand outside, and its middle moves it.
 const CLEAR: f32 = 2.0 * GRAB;
 /// A point of a selected thing that can be dragged.
 #[derive(Clone, Copy, Debug, PartialEq)]

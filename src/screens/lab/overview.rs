@@ -114,15 +114,9 @@ fn head(ui: &Ui<'_>, area: Area, title: &str, sentence: &str) {
     let widest = area.size.x - 2.0 * PADDING;
     let at = |y: f32| Vec2::new(area.centre().x, area.min.y + y);
     widgets::fitted(ui.canvas(), tr(title), at(TITLE / 2.0 + 2.0), widest, &[BUTTON_TEXT, TEXT], theme::text());
-    let (sentence, style) = (tr(sentence), Style::new(DETAILS, theme::quiet()));
-    // In two where it is too wide for one: cut at the space next to its middle.
-    let whole = ui.canvas().width(sentence, style) <= widest;
-    let spaces = sentence.match_indices(' ').map(|(space, _)| space);
-    let cut = spaces.filter(|_| !whole).min_by_key(|space| space.abs_diff(sentence.len() / 2));
-    let (first, second) = cut.map_or((sentence, ""), |space| sentence.split_at(space));
-    for (row, line) in [first, second.trim_start()].into_iter().enumerate() {
-        let y = TITLE + (row as f32 + 0.5) * LINE - 4.0;
-        widgets::fitted(ui.canvas(), line, at(y), widest, &[DETAILS], theme::quiet());
+    let style = Style::new(DETAILS, theme::quiet()).centred().middle();
+    for (row, line) in widgets::lines(ui.canvas(), tr(sentence), widest, style).iter().enumerate() {
+        ui.canvas().text(line, at(TITLE + (row as f32 + 0.5) * LINE - 4.0), style);
     }
 }
 
