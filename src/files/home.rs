@@ -2,9 +2,8 @@
 
 use super::cells::CellFault;
 use super::dialect::Encoding;
-use super::lock::Lock;
 use super::read::Symlinks;
-use super::storage::{FileKind, Found, Manner, Storage};
+use super::storage::{FileKind, Found, Lock, Manner, Storage};
 use crate::words::tr;
 use std::ffi::OsString;
 use std::io;

@@ -1,10 +1,9 @@
 //! Files as values under keys, as a browser keeps them for a page: a path is a key, and a folder is there while a file lies in it.
 
-use super::lock::Lock;
 use super::read::{Symlinks, too_large};
-use super::storage::{FileKind, Found, Manner, Storage};
+use super::storage::{FileKind, Found, Lock, Manner, Storage};
 use crate::words::tr;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsString;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io;
@@ -176,9 +175,53 @@ impl<K: Keeper> Storage for PageFiles<K> {
 }
 
 #[cfg(test)]
+pub use tests::MemoryStorage;
+
+#[cfg(test)]
 mod tests {
     use super::*;
-    use crate::files::memory::MemoryStorage;
+    use std::sync::{Mutex, MutexGuard, PoisonError};
+
+    /// A storage of limited room in memory.
+    pub struct MemoryStorage {
+        kept: Mutex<BTreeMap<String, Vec<u8>>>,
+        /// Bytes.
+        room: usize,
+    }
+
+    impl MemoryStorage {
+        pub fn with_room(room: usize) -> Self {
+            Self { kept: Mutex::default(), room }
+        }
+
+        fn kept(&self) -> MutexGuard<'_, BTreeMap<String, Vec<u8>>> {
+            self.kept.lock().unwrap_or_else(PoisonError::into_inner)
+        }
+    }
+
+    impl Keeper for MemoryStorage {
+        fn get(&self, key: &str) -> Result<Option<Vec<u8>>, KeepingFault> {
+            Ok(self.kept().get(key).cloned())
+        }
+
+        fn set(&self, key: &str, value: &[u8]) -> Result<(), KeepingFault> {
+            let mut kept = self.kept();
+            let others: usize = kept.iter().filter(|(other, _)| *other != key).map(|(_, value)| value.len()).sum();
+            if others + value.len() > self.room {
+                return Err(KeepingFault::Full);
+            }
+            kept.insert(key.to_owned(), value.to_vec());
+            Ok(())
+        }
+
+        fn remove(&self, key: &str) {
+            self.kept().remove(key);
+        }
+
+        fn keys(&self) -> Vec<String> {
+            self.kept().keys().cloned().collect()
+        }
+    }
 
     fn little(room: usize) -> PageFiles<MemoryStorage> {
         PageFiles(MemoryStorage::with_room(room))

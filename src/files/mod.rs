@@ -8,15 +8,12 @@ mod dialect;
 mod home;
 #[cfg(any(browser, test))]
 mod kept;
-#[allow(clippy::disallowed_methods)] // a lock is waited for
-mod lock;
-#[cfg(test)]
-pub(crate) mod memory;
 mod read;
 mod rows;
 mod save;
 mod shipped;
 mod staged;
+#[allow(clippy::disallowed_methods)] // a lock is waited for
 mod storage;
 
 pub use crate::built_in::SHIPPED;
@@ -27,9 +24,10 @@ pub use home::{
     make_shared_folder, names, put, read, read_if_there, read_text, read_with, remove, rename, replace, replace_with, resolve,
     text, text_if_there, text_names,
 };
+#[cfg(test)]
+pub use kept::MemoryStorage;
 #[cfg(any(browser, test))]
 pub use kept::{Keeper, KeepingFault, PageFiles};
-pub use lock::{Lock, PATIENCE, share};
 pub use read::Symlinks;
 #[cfg(browser)]
 pub use read::too_large;
@@ -37,8 +35,8 @@ pub use rows::{BadCell, CsvColumn, CsvFile, CsvRow, CsvStruct, found_instead, pl
 pub use save::{SaveError, update, write};
 pub use shipped::{AboveShipped, ship_at, ship_lessons_at};
 pub use staged::{Replacement, around, behind_links, sync_folder};
-pub use storage::Disk;
-pub use storage::{FileKind, Found, Manner, Storage};
+pub use storage::{Disk, FileKind, Found, Manner, Storage};
+pub use storage::{Lock, PATIENCE, share};
 
 /// Some 8000 objects or 20 000 solids. Each object is compared with each solid: files four times as large would take seconds.
 pub const LEVEL_TABLE: u64 = 256 << 10;

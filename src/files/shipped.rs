@@ -1,9 +1,8 @@
 //! The levels, experiments and assets that are built in, and a home above them: a file of the home hides a shipped one of its path,
 //! and a shipped one can be neither removed nor renamed.
 
-use super::lock::Lock;
 use super::read::{Symlinks, too_large};
-use super::storage::{Disk, FileKind, Found, Manner, Storage};
+use super::storage::{Disk, FileKind, Found, Lock, Manner, Storage};
 use crate::built_in::SHIPPED;
 use crate::words::tr;
 use std::collections::BTreeSet;

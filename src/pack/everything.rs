@@ -80,7 +80,7 @@ pub fn import<K: Keeper>(kept: &PageFiles<K>, bytes: &[u8]) -> Result<String, St
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::files::memory::MemoryStorage;
+    use crate::files::MemoryStorage;
 
     fn kept(files: &[(&str, &str)]) -> PageFiles<MemoryStorage> {
         let kept = PageFiles(MemoryStorage::with_room(1 << 20));
