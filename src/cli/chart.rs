@@ -5,15 +5,14 @@
 use super::files::{OutputFile, Staged, read_text};
 use super::project::Project;
 use super::{CommandError, Status};
-use crate::draw::chart::look::CurveOrigin;
+use crate::draw::chart::CurveOrigin;
 use crate::files::{self, CHART};
 use crate::game::{Controls, Game, Replay};
 use crate::lab::charts::{Charts, MeasuredWith, SETTING};
 use crate::lab::curve::{CoursePoint, Measured, MethodCurve, OverTime, WorkPoint, median_and_spread};
 use crate::lab::drawing::picture;
-use crate::lab::figures::{PAGES, PageFigures};
 use crate::lab::kept::{PEERS, PeerRow, add_peers, is_of_peers, peer_rows};
-use crate::lab::report::{shipped_csv, summary};
+use crate::lab::report::{PAGES, PageFigures, shipped_csv, summary};
 use crate::lab::savings::{self, Saving, TimedRun};
 use crate::lab::{LabScene, SceneMethod, scenes, stability, stress};
 use crate::level;

@@ -13,7 +13,7 @@ use crate::level;
 #[cfg(feature = "window")]
 use crate::screens::Places;
 #[cfg(feature = "window")]
-use crate::session::attempt::Attempt;
+use crate::session::library::Attempt;
 #[cfg(feature = "window")]
 use crate::window::{Start, open};
 use std::ffi::OsString;

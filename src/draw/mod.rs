@@ -16,7 +16,5 @@ pub mod svg;
 pub mod text;
 
 pub use canvas::Canvas;
-pub use shape::Colour;
-pub use shape::{Align, Contour, Image, Painting, Shape, Style};
-pub use shape::{Quad, Quads};
+pub use shape::{Align, Colour, Contour, Image, Painting, Quad, Quads, Shape, Style};
 pub use text::Typeface;

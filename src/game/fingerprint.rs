@@ -2,7 +2,6 @@
 //! nobody can make another level with the same one. Names, texts and looks are left out, and so is the form of the files: two levels with the
 //! same hash fly alike. A new field of a level has to be named here, on one side or the other.
 
-use super::notes::hex;
 use crate::level::{
     AirStream, Fluid, GravityZone, Level, LevelLink, Mover, Object, Objective, Pod, ShipStart, Solid, Switch, Work,
 };
@@ -188,6 +187,12 @@ impl Fnv1a {
     pub const fn finish(&self) -> u64 {
         self.0
     }
+}
+
+/// 16 digits.
+pub(super) fn hex(text: &str) -> Option<u64> {
+    let digits = text.len() == 16 && text.bytes().all(|byte| byte.is_ascii_hexdigit());
+    digits.then(|| u64::from_str_radix(text, 16).ok()).flatten()
 }
 
 #[cfg(test)]

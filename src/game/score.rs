@@ -1,10 +1,15 @@
 //! The score of an attempt.
 //!
 //! The prizes of a completed flight: bronze for its end, silver and gold for its time, and the level's own mark.
+//!
+//! What marks for tricks ask for: burns, stars, and objectives met together.
 
-use super::event::Outcome;
-use crate::level::{Awards, Mark};
+use super::event::{GameEvent, Outcome};
+use super::impacts::{SHIP_BOX, has_passed};
+use super::ship::{SHIP, object_body};
+use crate::level::{Awards, Level, Mark, Star, StarTouch};
 use crate::number::{hundredths, whole_hundredths};
+use crate::physics::{BodyId, DVec2, World};
 use crate::words::tr;
 
 const BASE: i64 = 10_000;
@@ -17,7 +22,8 @@ const COLLISION: i64 = -500;
 /// The least of a success.
 const LEAST: i64 = 1;
 /// A term that lacks less than this to the next point gets it, points: 0.9 s of 1 s would bring 999 points, because a tenth is no
-/// binary number. Far below the worth of a tick, far above rounding. So are a speed, m/s, over its limit and a share of the fuel below it.
+/// binary number. Far below the worth of a tick, far above rounding. So are a speed, m/s, over its limit, a share of the fuel below it,
+/// and a pause between burns that is this much shorter, ticks: few tick rates have whole ticks in [`APART`].
 const ROUNDING: f64 = 1e-9;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -250,6 +256,77 @@ fn count_pushes(n: u32) -> String {
 
 fn counted_burns(n: u32) -> String {
     if n == 1 { tr("1 burn").to_owned() } else { tr!("{count} burns", count = n) }
+}
+
+/// The engine is off for at least this time between two burns, s: shorter, and a key let go by mistake costs a burn; longer, and quick
+/// taps pass for one.
+const APART: f64 = 0.1;
+
+#[derive(Clone, Debug)]
+pub struct Tricks {
+    burns: u32,
+    /// The tick after the last burning one; 0 before the first.
+    burnt: u64,
+    touched: Vec<bool>,
+    /// By objective, the tick in which it was met last.
+    met: Vec<u64>,
+}
+
+impl Tricks {
+    pub fn new(level: &Level) -> Self {
+        Self { burns: 0, burnt: 0, touched: vec![false; level.stars.len()], met: vec![0; level.objectives.len()] }
+    }
+
+    pub const fn burns(&self) -> u32 {
+        self.burns
+    }
+
+    /// By index in `Level::stars`.
+    pub fn touched(&self) -> &[bool] {
+        &self.touched
+    }
+
+    /// The shortest time within which `count` objectives were met, s.
+    pub fn together(&self, count: u32, tick_rate: f64) -> f64 {
+        let mut met = self.met.clone();
+        met.sort_unstable();
+        let span = met.windows(count.max(1) as usize).map(|met| met[met.len() - 1] - met[0]).min();
+        span.map_or(f64::INFINITY, |ticks| ticks as f64 / tick_rate)
+    }
+
+    /// Looks at the end of a tick, of that number, whose other events are there.
+    pub fn note(&mut self, level: &Level, world: &World, (tick, rate): (u64, f64), burning: bool, events: &mut Vec<GameEvent>) {
+        if burning {
+            let off = (tick - self.burnt) as f64;
+            self.burns += u32::from(self.burnt == 0 || off >= APART * rate - ROUNDING);
+            self.burnt = tick + 1;
+        }
+        for event in events.iter() {
+            if let GameEvent::ObjectiveMet(index) = *event {
+                self.met[index] = tick;
+            }
+        }
+        for (index, star) in level.stars.iter().enumerate() {
+            if !self.touched[index] && is_touched(star, level, world) {
+                self.touched[index] = true;
+                events.push(GameEvent::StarTouched(index));
+            }
+        }
+    }
+}
+
+/// Whether one of the bodies that count touched a star at any moment of the last tick.
+fn is_touched(star: &Star, level: &Level, world: &World) -> bool {
+    let passes = |body: BodyId, corners: &[DVec2]| has_passed(world, body, corners, &star.bounds);
+    if star.by == StarTouch::Ship {
+        return passes(SHIP, &SHIP_BOX);
+    }
+    level.objects.iter().enumerate().filter(|(_, object)| star.by == StarTouch::Object || object.key.is_some()).any(
+        |(index, object)| {
+            let half = object.size * 0.5;
+            passes(object_body(index), &SHIP_BOX.map(|corner| corner.signum() * half))
+        },
+    )
 }
 
 #[cfg(test)]

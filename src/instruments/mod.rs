@@ -2,12 +2,10 @@
 
 pub mod chart;
 pub mod curve;
-pub mod energy;
 pub mod fit;
 pub mod ledger;
 pub mod numerals;
 pub mod quantity;
 pub mod reading;
 pub mod track;
-pub mod trail;
 pub mod vary;

@@ -6,7 +6,7 @@
 //! The numbers behind a scene's diagrams.
 
 use super::methods::motion::{ADAPTIVE, tolerance};
-use crate::draw::chart::look::CurveOrigin;
+use crate::draw::chart::CurveOrigin;
 use crate::number::{short, step};
 use crate::physics::SOURCES;
 
@@ -43,6 +43,9 @@ const BLOWN_UP: f64 = 1e4;
 const FITTED: std::ops::RangeInclusive<f64> = 1e-11..=1.0;
 /// Slopes that differ by more are no order.
 const SLOPES: f64 = 0.25;
+
+/// The scene whose diagram is of counts.
+pub const PI: &str = "pi";
 
 /// Steps, work and tolerances: outside, a number is a slip, and logarithmic axes to it would have no end.
 pub const NUMBERS: std::ops::RangeInclusive<f64> = 1e-100..=1e100;

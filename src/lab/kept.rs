@@ -9,7 +9,7 @@ use super::TOLERANCE;
 use super::charts::Charts;
 use super::curve::{MOST_CURVES, Measured, NUMBERS, WorkPoint, curve_of};
 use super::rows::{not_negative, rows, work_point};
-use crate::draw::chart::look::CurveOrigin;
+use crate::draw::chart::CurveOrigin;
 use crate::files::CsvRow;
 
 macro_rules! kept {

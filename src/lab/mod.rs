@@ -11,14 +11,13 @@
 //! - [`reference`](mod@reference): answers that have no closed form, found finely and in two ways.
 //! - [`curve`]: the numbers behind a diagram. [`charts`]: all numbers of one run, as CSV and back; [`kept`]: the run that comes with the
 //!   game, and other engines' points.
-//! - [`savings`]: what each plan leaves out, and what that saves. [`figures`]: what the pages say of all that was measured.
-//! - [`timeline`], [`drawing`]: diagrams, on paper and on the screen. [`report`]: the summary.
+//! - [`savings`]: what each plan leaves out, and what that saves. [`drawing`]: diagrams, on paper and on the screen. [`report`]: the summary,
+//!   and what the pages say of all that was measured.
 
 pub mod charts;
 pub mod contract;
 pub mod curve;
 pub mod drawing;
-pub mod figures;
 pub mod kept;
 pub mod methods;
 pub mod reference;
@@ -29,7 +28,6 @@ pub mod scenes;
 pub mod side_by_side;
 pub mod stability;
 pub mod stress;
-pub mod timeline;
 
 pub use contract::{LabScene, SceneMethod};
 

@@ -2,9 +2,9 @@
 //! move, bodies tied down; and of rows that can have no use.
 
 use super::draft::Draft;
-use super::placed::FromRow;
 use super::problem::Problem;
 use super::reach::FreeSpace;
+use super::schema::typed::FromRow;
 use super::types::{BURN_RATE, LevelLink, Objective, ObjectiveKind, Presser, SHIP_HALF, ShipStart};
 use super::winnable::fitting;
 use crate::number::{fixed, trimmed};

@@ -1,13 +1,13 @@
 //! The things of a level's files, row by row, before the checks of the whole level.
 
 use super::image;
+use super::image::BACKGROUND;
 use super::numbers::PixelScale;
-use super::placed::FromRow;
 use super::problem::{Problem, at_most};
 use super::reader::LevelReader;
 use super::schema::settings::LevelSettings;
+use super::schema::typed::FromRow;
 use super::schema::{Table, blocks, bodies, zones};
-use super::source::BACKGROUND;
 use super::types::{
     AirStream, Decoration, Fluid, GravityZone, Level, Mark, Mover, Object, Objective, ObjectiveKind, Pod, ShipStart, Solid, Star,
     Switch, Text,

@@ -2,10 +2,10 @@
 //!
 //! Names of levels: a folder's name is also the name of its leaderboard's file.
 
+use super::image::Files;
 use super::problem::{Problem, quoted};
 use super::read::{Loaded, read, read_unfinished};
 use super::schema::{Kind, Table, Word};
-use super::source::Files;
 use super::table;
 use super::types::{Landscape, Look};
 use crate::files::{self, CsvFile};

@@ -1,10 +1,9 @@
-//! Images as the loader needs them: whether a path stays in the project, whether there is a PNG, and its size.
+//! The source of the loader's bytes; and images as the loader needs them: whether a path stays in the project, whether there is a PNG, and its size.
 //!
 //! Winds that solids shade.
 
 use super::numbers::PixelScale;
 use super::problem::quoted;
-use super::source::Files;
 use super::types::{AirStream, Look};
 use crate::files;
 use crate::physics::Aabb;
@@ -12,6 +11,29 @@ use crate::words::tr;
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
+
+/// The picture behind a level, in its folder.
+pub const BACKGROUND: &str = "background.png";
+
+/// A level's folder and its project, as the loader asks for their files.
+pub trait Files {
+    /// A file of the level folder, by name.
+    /// Errors: [`io::ErrorKind::NotFound`] where there is none; any other where it cannot be read.
+    fn level_file(&self, name: &str) -> io::Result<Vec<u8>>;
+
+    /// A file of the project, by its path from the project's folder with forward slashes.
+    fn project_file(&self, path: &str) -> io::Result<Vec<u8>>;
+
+    /// The names of all files of the level folder, where they can be listed.
+    fn names(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// The names of all files in its folder `flights`, where they can be listed.
+    fn flights(&self) -> Vec<String> {
+        Vec::new()
+    }
+}
 
 /// The longest side of a picture, pixels: what graphics cards draw.
 const MOST_SIDE: u32 = 16_384;

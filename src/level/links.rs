@@ -1,9 +1,8 @@
 //! What is wrong with the links of a level, beyond the form of their rows.
 
 use super::draft::Draft;
-use super::nearest::meant;
-use super::placed::FromRow;
-use super::problem::{MOST_PROBLEMS, Problem, at_most, quoted};
+use super::problem::{MOST_PROBLEMS, Problem, at_most, meant, quoted};
+use super::schema::typed::FromRow;
 use super::schema::values::LinkRowEnd;
 use super::types::{LevelLink, SHIP_HALF, ShipStart};
 use super::unbound::MOST_LINKS;

@@ -1,7 +1,6 @@
 //! Level folders: CSV text becomes a valid [`Level`], or the list of all its [`Problem`]s. `table` finds the columns of cells, the rows of `schema` become things of `draft`, and `read` makes the level. `names`, `links`, `strength`, `placement`, `reach` and `winnable`
 //! refuse levels; `gates` and `certain` warn. Only `folder`, `scaffold` and `document` know the disk.
 
-mod box_tree;
 mod certain;
 pub mod document;
 mod draft;
@@ -10,10 +9,8 @@ mod gates;
 mod image;
 mod links;
 mod names;
-mod nearest;
 mod numbers;
 mod parameter;
-mod placed;
 mod placement;
 mod problem;
 mod reach;
@@ -22,8 +19,6 @@ mod reader;
 mod route;
 pub mod scaffold;
 pub mod schema;
-mod ship_body;
-mod source;
 mod table;
 mod types;
 mod unbound;
@@ -35,16 +30,13 @@ mod world_def;
 pub(crate) use folder::by_number_then_name;
 #[cfg(test)]
 pub(crate) use folder::fixture;
-pub use folder::{NameFault, is_device, is_hidden, judge_name};
-pub use folder::{is_shipped, landscape, list, load, load_unfinished, title};
-pub use image::read_picture;
+pub use folder::{NameFault, is_device, is_hidden, is_shipped, judge_name, landscape, list, load, load_unfinished, title};
+pub use image::{BACKGROUND, Files, read_picture};
 pub use parameter::Parameter;
 pub use problem::{Problem, listed};
 pub use read::{Loaded, read, read_unfinished};
 pub use route::{MoverPace, Route, RouteShape};
 pub use schema::FILES;
-pub use ship_body::{SHIP_BODY, nose, ship_body, sweep_touches};
-pub use source::{BACKGROUND, Files};
 pub use types::{
     AirStream, Awards, BURN_RATE, Decoration, Fluid, GravityZone, Landscape, Level, LevelLink, Look, Mark, Mover, Object,
     Objective, ObjectiveKind, Pod, Presser, SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, ShipStart, Solid, Star, StarTouch,
@@ -52,3 +44,4 @@ pub use types::{
 };
 pub use varied::varied;
 pub use wiring::{SurfaceOf, Wire, Worked};
+pub use world_def::{SHIP_BODY, nose, ship_body, sweep_touches};

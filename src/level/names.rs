@@ -1,10 +1,9 @@
 //! Names: those of the files in a level's folder, and those of the things that its switches work.
 
 use super::draft::Draft;
-use super::nearest::{meant, nearest};
-use super::problem::{MOST_PROBLEMS, Problem, at_most, quoted};
+use super::image::BACKGROUND;
+use super::problem::{MOST_PROBLEMS, Problem, at_most, meant, nearest, quoted};
 use super::schema::FILES;
-use super::source::BACKGROUND;
 use super::wiring::names_in;
 use crate::words::tr;
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,14 +1,13 @@
 //! A level folder's files, put together: a valid level, or all its problems.
 
 use super::draft::Draft;
-use super::image::png_size;
+use super::image::{BACKGROUND, Files, png_size};
 use super::names::{self, Stray};
 use super::problem::{MOST_PROBLEMS, Problem, too_many};
 use super::reach::SearchWork;
 use super::reader::LevelReader;
 use super::schema::settings::{LevelSettings, SETTING, settings};
 use super::schema::{FILES, Table};
-use super::source::{BACKGROUND, Files};
 use super::types::Level;
 use super::{certain, gates, links, placement, winnable};
 use crate::physics::DVec2;

@@ -1,12 +1,10 @@
 //! The reader of a level's files: their bytes, their rows, the things of the rows.
 
-use super::image::Images;
+use super::image::{Files, Images};
 use super::numbers::PixelScale;
-use super::placed::FromRow;
 use super::problem::Problem;
 use super::schema::Table;
-use super::schema::record::{RowCells, RowReader};
-use super::source::Files;
+use super::schema::typed::{FromRow, RowCells, RowReader};
 use super::table::{self, TableRows};
 use crate::words::tr;
 use std::io;

@@ -1,10 +1,9 @@
 //! The column of each cell: headers, files without one, rows of several kinds.
 
-use super::nearest::meant;
 use super::numbers::PixelScale;
-use super::problem::{MOST_PROBLEMS, Problem, quoted, too_many};
-use super::schema::record::RowCells;
+use super::problem::{MOST_PROBLEMS, Problem, meant, quoted, too_many};
 use super::schema::settings::SETTING;
+use super::schema::typed::RowCells;
 use super::schema::{Column, Holds, Kind, RowSchema, SETTINGS};
 use crate::files::{Cell, CellFault, CsvRows, Dialect, SpannedRow, csv_rows, separators};
 use crate::words::tr;

@@ -1,6 +1,6 @@
 //! Links as their rows have them: the names of their ends become bodies.
 
-use super::placed::FromRow;
+use super::schema::typed::FromRow;
 use super::schema::values::LinkRowEnd;
 use super::types::{LevelLink, Object};
 use crate::physics::{BodyId, LinkDef, LinkEnd, LinkLaw};

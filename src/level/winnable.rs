@@ -5,13 +5,13 @@
 //!
 //! Warnings of unreadable words.
 
-use super::box_tree::BoxTree;
 use super::draft::Draft;
-use super::placed::FromRow;
+use super::placement::BoxTree;
 use super::problem::{Problem, quoted};
 use super::reach::{CentredBox, FreeSpace};
-use super::ship_body::{ship_body, sweep_touches};
+use super::schema::typed::FromRow;
 use super::types::{Objective, ObjectiveKind, SHIP_HALF, ShipStart, Switch};
+use super::world_def::{ship_body, sweep_touches};
 use crate::physics::domain::MOST_ACCELERATION;
 use crate::physics::{Aabb, DVec2, Material};
 use crate::words::tr;

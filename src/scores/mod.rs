@@ -7,18 +7,14 @@ mod judge;
 mod name;
 mod players;
 mod results;
-mod tally;
 
 pub use board::{Board, BoardRow, Placement};
-pub use folder::AttemptRow;
-pub use folder::{LoadedBoard, Saved, Score, Scores};
+pub use folder::{AttemptRow, LoadedBoard, Saved, Score, Scores};
 pub use judge::{Doubt, Standing, judge};
-pub use name::{NAME_MAX, NAME_TYPING_MAX, Name, NameError};
-pub use name::{ScoresError, damage_text};
+pub use name::{NAME_MAX, NAME_TYPING_MAX, Name, NameError, ScoresError, damage_text};
 pub(crate) use players::harmless;
 pub use players::{Deed, PlayerRecord, Players};
-pub use results::{ResultRow, Results, time_of};
-pub use tally::{ExperimentTally, LevelTally, Tally, may_be_list};
+pub use results::{ExperimentTally, LevelTally, ResultRow, Results, Tally, may_be_list, time_of};
 
 use crate::words::tr;
 

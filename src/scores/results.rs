@@ -1,14 +1,232 @@
+//! Sums over lists of attempts and of answers to experiments, from any number of files.
+//!
 //! Answers to experiments: a file a player, a row a reading, the prediction in the first row that is handed in with it, for teachers and
 //! their spreadsheets. The game only adds rows. RFC 4180, CRLF, UTF-8 behind a byte-order mark, without which Excel takes it for another encoding.
 
-use std::path::PathBuf;
-
-use serde::{Serialize, Serializer};
-
 use super::folder::{self, as_text};
 use super::name::{Name, ScoresError};
-use super::players::harmless;
+use super::players::{harmless, unharmed};
+use crate::files::{CsvColumn, CsvFile, CsvRow, CsvStruct, truth};
 use crate::{level, number};
+use serde::{Deserialize, Serialize, Serializer};
+use std::borrow::Cow;
+use std::collections::{BTreeMap, BTreeSet, HashSet};
+use std::path::PathBuf;
+
+#[derive(Clone, Debug, Default)]
+pub struct LevelTally {
+    pub players: BTreeSet<Name>,
+    pub tries: usize,
+    pub successes: usize,
+    /// Losses by their cause.
+    pub causes: BTreeMap<String, usize>,
+    /// Of successes without help, s.
+    times: Vec<f64>,
+}
+
+#[derive(Clone, Debug, Default)]
+pub struct ExperimentTally {
+    pub players: BTreeSet<Name>,
+    /// By who handed in, and when: its rows are one.
+    answers: BTreeSet<(Name, String)>,
+    /// Right and wrong ones; others are not judged.
+    pub predictions: [usize; 2],
+    pub readings: [usize; 2],
+}
+
+/// The sums by level and by experiment.
+#[derive(Clone, Debug, Default)]
+pub struct Tally {
+    pub levels: BTreeMap<String, LevelTally>,
+    pub experiments: BTreeMap<String, ExperimentTally>,
+    /// A copy of a file counts no answer twice: each has its second.
+    seen: HashSet<String>,
+}
+
+impl LevelTally {
+    /// Of the times of successes without help, s; `None` without one.
+    pub fn median(&self) -> Option<f64> {
+        let mut times = self.times.clone();
+        times.sort_unstable_by(f64::total_cmp);
+        let (below, above) = (times.get(times.len().checked_sub(1)? / 2)?, times.get(times.len() / 2)?);
+        Some((below + above) / 2.0)
+    }
+}
+
+impl ExperimentTally {
+    pub fn answers(&self) -> usize {
+        self.answers.len()
+    }
+}
+
+impl Tally {
+    /// Adds a file. The answer is a message for each row that cannot be read; `None`: the file begins as neither list does.
+    pub fn add(&mut self, name: &str, bytes: &[u8]) -> Option<Vec<String>> {
+        type Reader = fn(&mut Tally, &CsvRow<'_>) -> Result<(), String>;
+        let lists: [(&str, Reader); 2] = [(folder::HEADER, Self::add_attempt), (HEADER, Self::add_answer)];
+        for (header, read) in lists {
+            let columns: Vec<&str> = header.trim_start_matches('\u{feff}').trim_end().split(',').collect();
+            let mut rows = CsvFile { name, columns: &columns, comments: false }.rows(bytes);
+            if !rows.next()?.is_header(columns.len()) {
+                continue;
+            }
+            let read_row = |row: CsvRow<'_>| match row.fault().map(|fault| fault.words()) {
+                Some((found, expected)) => Err(row.row_problem(found, expected)),
+                None if row.used() > columns.len() => {
+                    Err(row.row_problem(format_args!("{} cells", row.used()), format_args!("{} cells", columns.len())))
+                }
+                None => read(self, &row),
+            };
+            return Some(rows.map(read_row).filter_map(Result::err).collect());
+        }
+        None
+    }
+
+    fn add_attempt(&mut self, row: &CsvRow<'_>) -> Result<(), String> {
+        let AttemptCells { level, player, completed: done, time, cause, assisted, .. } = cells(row)?;
+        let tally = self.levels.entry(level).or_default();
+        tally.players.insert(player);
+        tally.tries += 1;
+        tally.successes += usize::from(done);
+        if done {
+            tally.times.extend((!assisted).then_some(time));
+        } else {
+            let cause = if cause.is_empty() { "unknown".to_owned() } else { cause };
+            *tally.causes.entry(cause).or_default() += 1;
+        }
+        Ok(())
+    }
+
+    fn add_answer(&mut self, row: &CsvRow<'_>) -> Result<(), String> {
+        let AnswerCells { player, experiment, time, prediction_right, reading_right, .. } = cells(row)?;
+        if !self.seen.insert(row.joined()) {
+            return Ok(());
+        }
+        let tally = self.experiments.entry(experiment).or_default();
+        tally.players.insert(player.clone());
+        tally.answers.insert((player, time));
+        for (counts, judged) in [(&mut tally.predictions, prediction_right), (&mut tally.readings, reading_right)] {
+            if let Some(right) = judged {
+                counts[usize::from(!right)] += 1;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether a file that [`Tally::add`] does not read may be a list of attempts or of answers all the same: it has most names of a header, in
+/// any order, or rows as such lists have them, or it is no text.
+pub fn may_be_list(bytes: &[u8]) -> bool {
+    let wide = [[0xFF, 0xFE], [0xFE, 0xFF]].iter().any(|mark| bytes.starts_with(mark));
+    bytes.contains(&0) && !wide || is_like::<AttemptCells>(bytes) || is_like::<AnswerCells>(bytes)
+}
+
+fn is_like<T: CsvStruct>(bytes: &[u8]) -> bool {
+    let columns: Vec<&str> = T::COLUMNS.iter().map(|column| column.name).collect();
+    let named = |row: &CsvRow<'_>, name: &&&str| row.cells.iter().any(|cell| cell.text.trim().eq_ignore_ascii_case(name));
+    let mut rows = CsvFile { name: "", columns: &columns, comments: false }.rows_of::<T>(bytes).take(LOOKED_AT);
+    rows.any(|row| {
+        let is_row = row.cells.len() == columns.len() && row.read::<T>().is_ok();
+        is_row || 2 * columns.iter().filter(|name| named(&row, name)).count() > columns.len()
+    })
+}
+
+/// Rows in which a header and those of a list are looked for.
+const LOOKED_AT: usize = 5;
+
+/// A row of the list of attempts.
+#[derive(Deserialize)]
+#[allow(dead_code)] // Some columns are no part of the sums.
+struct AttemptCells {
+    level: String,
+    player: Name,
+    completed: bool,
+    /// s.
+    time: f64,
+    fuel: String,
+    hits: String,
+    cause: String,
+    assisted: bool,
+}
+
+/// A row of a list of answers.
+#[derive(Deserialize)]
+#[allow(dead_code)] // Some columns are no part of the sums.
+struct AnswerCells {
+    player: Name,
+    experiment: String,
+    time: String,
+    prediction: String,
+    predicted: String,
+    prediction_right: Option<bool>,
+    quantity: String,
+    reading: String,
+    unit: String,
+    tick: String,
+    reading_right: Option<bool>,
+    answer: String,
+}
+
+impl CsvStruct for AttemptCells {
+    const COLUMNS: &'static [CsvColumn] = &[
+        CsvColumn { name: "level", plain: |_, text| named(text) },
+        CsvColumn { name: "player", plain: |_, text| Name::cell(text) },
+        CsvColumn { name: "result", plain: |_, text| one_of(text, ["completed", "failed"]) },
+        CsvColumn {
+            name: "time",
+            plain: |dialect, text| {
+                let number = dialect.number(text);
+                let good = number.parse().is_ok_and(|time: f64| time.is_finite() && time >= 0.0);
+                if good { Ok(number) } else { Err("a number of seconds from 0".to_owned()) }
+            },
+        },
+        CsvColumn { name: "fuel", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "hits", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "cause", plain: |_, text| Ok(unharmed(text).into()) },
+        CsvColumn {
+            name: "assisted",
+            plain: |_, text| truth(text).map(|truth| truth.to_string().into()).ok_or_else(|| "true or false".to_owned()),
+        },
+    ];
+}
+
+impl CsvStruct for AnswerCells {
+    const COLUMNS: &'static [CsvColumn] = &[
+        CsvColumn { name: "player", plain: |_, text| Name::cell(text) },
+        CsvColumn { name: "experiment", plain: |_, text| named(text) },
+        CsvColumn { name: "time", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "prediction", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "predicted", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "prediction_right", plain: |_, text| verdict(text) },
+        CsvColumn { name: "quantity", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "reading", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "unit", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "tick", plain: |_, text| Ok(text.into()) },
+        CsvColumn { name: "reading_right", plain: |_, text| verdict(text) },
+        CsvColumn { name: "answer", plain: |_, text| Ok(text.into()) },
+    ];
+}
+
+/// The error is the first refused cell.
+fn cells<T: CsvStruct>(row: &CsvRow<'_>) -> Result<T, String> {
+    row.read().map_err(|wrong| row.problems(wrong.into_iter().take(1).collect()))
+}
+
+fn named(text: &str) -> Result<Cow<'_, str>, String> {
+    let name = unharmed(text);
+    if name.is_empty() { Err("a name".to_owned()) } else { Ok(name.into()) }
+}
+
+/// Whether it is the first word, in any case of its letters.
+fn one_of<'a>(text: &str, [first, second]: [&str; 2]) -> Result<Cow<'a, str>, String> {
+    let found = [(first, "true"), (second, "false")].into_iter().find(|(word, _)| word.eq_ignore_ascii_case(text));
+    found.map(|(_, plain)| plain.into()).ok_or_else(|| format!("{first} or {second}"))
+}
+
+/// Empty where nothing is judged.
+fn verdict(text: &str) -> Result<Cow<'_, str>, String> {
+    if text.is_empty() { Ok(text.into()) } else { one_of(text, ["yes", "no"]) }
+}
 
 pub(super) const HEADER: &str =
     "\u{feff}player,experiment,time,prediction,predicted,prediction_right,quantity,reading,unit,tick,reading_right,answer\r\n";
@@ -103,6 +321,32 @@ fn as_verdict<S: Serializer>(right: &Option<bool>, to: S) -> Result<S::Ok, S::Er
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::spreadsheets::saved;
+
+    #[test]
+    fn lists_count_the_same_whatever_spreadsheet_saved_them() {
+        let attempts = "level,player,result,time,fuel,hits,cause,assisted\n1,ann,completed,5.483,0.850,2,,false\n\"a; b\",bob,failed,1.5,1.000,0,obstacle 2,true\n";
+        let answers = "player,experiment,time,prediction,predicted,prediction_right,quantity,reading,unit,tick,reading_right,answer\n\
+                       ann,hooke,2026-11-24 15:58:21,0.5,2026-11-24 15:50:00,no,stretch,\"3,9 m; 4\",m,12,yes,F = k\n";
+        let summed = |bytes: &[u8]| {
+            let mut tally = Tally::default();
+            let problems = tally.add("a.csv", bytes);
+            let levels: Vec<_> =
+                tally.levels.iter().map(|(level, sums)| (level.clone(), sums.tries, sums.successes, sums.median())).collect();
+            let answers: Vec<_> =
+                tally.experiments.iter().map(|(name, sums)| (name.clone(), sums.predictions, sums.readings)).collect();
+            (problems, levels, answers)
+        };
+        for plain in [attempts, answers] {
+            let expected = summed(plain.as_bytes());
+            assert_eq!(expected.0, Some(vec![]));
+            for saved in saved(plain, |text| text.parse::<f64>().is_ok_and(|number| number.fract() != 0.0)) {
+                assert_eq!(summed(&saved.bytes), expected, "{}", saved.form);
+            }
+        }
+        let german = "level;player;result;time;fuel;hits;cause;assisted\r\n1;ann;completed;5,483;0,85;2;;FALSCH\r\n";
+        assert_eq!(summed(german.as_bytes()).1, [("1".to_owned(), 1, 1, Some(5.483))]);
+    }
 
     #[test]
     fn numbers_stay_numbers_and_no_prediction_is_a_formula() {

@@ -3,7 +3,7 @@
 use super::destinations::{open, reading};
 use super::editor::Editor;
 use super::menu;
-use super::menu::closing::Closing;
+use super::menu::Closing;
 use super::screen::{Destination, Effect, GameScene, Request, Screen};
 use crate::draw::Canvas;
 use crate::draw::layout::Frame;

@@ -1,8 +1,8 @@
 //! Answers to experiments: each goes to the player's file in `results/`, and its sheet says so, or why not. A browser also hands the file
 //! to the pupil who presses Save. A sheet outlasts its flight, and what is written on it is saved when the flight is left.
 
-use super::attempt::Experiment;
 use super::library;
+use super::library::Experiment;
 use crate::scores::{Name, ResultRow, Results, time_of};
 use crate::ui::EntryField;
 use crate::words::tr;

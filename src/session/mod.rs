@@ -2,7 +2,6 @@
 //! screen is known here.
 
 pub mod answers;
-pub mod attempt;
 pub mod folder_watch;
 pub mod journal;
 pub mod library;
@@ -16,9 +15,8 @@ use crate::settings::file::SettingsFile;
 use crate::ui::input::Clipboard;
 use crate::words::{self, tr};
 use answers::Answers;
-use attempt::Flown;
 use journal::Journal;
-use library::Library;
+use library::{Flown, Library};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::rc::Rc;

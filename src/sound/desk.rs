@@ -4,8 +4,8 @@
 //! The game's side of the sound. It gathers the sounds of a frame and passes them on at its end, each cue once and as loud as its
 //! loudest: many collisions a frame are one click.
 
+use super::music::Arrangement;
 use super::output::Output;
-use super::tune::Arrangement;
 use super::{Ambience, Cue, Sound, Volumes};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};

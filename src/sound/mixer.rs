@@ -6,8 +6,7 @@
 use super::bed::Bed;
 use super::cue::Recipe;
 use super::filter::{Glide, LowPass, WhiteNoise};
-use super::music::Music;
-use super::tune::Arrangement;
+use super::music::{Arrangement, Music};
 use super::voice::{Choir, Voice};
 use super::{Ambience, Feed, Volumes};
 

@@ -12,15 +12,13 @@ mod heard;
 mod mixer;
 mod music;
 mod output;
-mod tune;
 mod voice;
 
 pub use cue::{Cue, Stuff};
-pub use desk::Speaker;
-pub use desk::{Feed, SoundDesk, desk};
+pub use desk::{Feed, SoundDesk, Speaker, desk};
 pub use heard::{Ambience, Ear, Sound, tune};
 pub use mixer::Mixer;
-pub use tune::{Arrangement, WORLDS};
+pub use music::{Arrangement, WORLDS};
 
 /// Loudness of each part; values clamp to 0 … 1, and NaN is silence.
 #[derive(Clone, Copy, Debug, PartialEq)]

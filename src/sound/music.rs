@@ -1,10 +1,15 @@
 //! Plays a [`Tune`]: soft chords that swell, a plucked melody, and an echo that goes from side to side; with speed a bass and a brush come in,
 //! with goals broken chords.
+//!
+//! The notes of the music, from a number: a scale, a pace, and motifs that return changed. No sound is made here.
+//!
+//! An ensemble for each world: its scales, its pace, the sound of its plucked notes and of its beat.
 
-use super::cue::{Recipe, Tone};
+use super::cue::{Burst, Recipe, Tone};
 use super::filter::{Glide, LowPass, WhiteNoise};
-use super::tune::{Arrangement, Ensemble, Tune};
 use super::voice::{Choir, Voice};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg32;
 
 /// Time constant of a tune's fade when another replaces it, s.
 const FADE: f32 = 0.25;
@@ -149,5 +154,256 @@ impl Echo {
 
     fn clear(&mut self) {
         self.past.fill([0.0; 2]);
+    }
+}
+
+/// Eighths a bar and bars a section.
+pub const BAR: u32 = 8;
+const SECTION: u32 = 8;
+/// The roots, Hz: from G₂ to E₃.
+const ROOTS: [f32; 6] = [98.0, 110.0, 123.47, 130.81, 146.83, 164.81];
+/// The lowest and highest degree of the melody.
+const LOWEST: i32 = 5;
+const HIGHEST: i32 = 16;
+
+/// An endless piece of music: the same from the same number and ensemble.
+#[derive(Debug)]
+pub struct Tune {
+    number: u32,
+    scale: [i32; 5],
+    root: f32,
+    /// s.
+    pub eighth: f32,
+    /// The present section, with its motif and the degrees of its bars.
+    section: u32,
+    motif: [Option<i32>; BAR as usize],
+    grounds: [i32; 4],
+}
+
+/// The notes that begin with an eighth.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Notes {
+    /// The melody: Hz, and the strength of the strike, 0 … 1.
+    pub melody: Option<(f32, f32)>,
+    /// The chord of a bar: its root, fifth and octave or tenth, Hz.
+    pub chord: Option<[f32; 3]>,
+}
+
+impl Tune {
+    pub fn new(number: u32, ensemble: &Ensemble) -> Self {
+        let mut chance = Pcg32::seed_from_u64(u64::from(number));
+        let scale = ensemble.scales[chance.random_range(0..ensemble.scales.len())];
+        let root = ROOTS[chance.random_range(0..ROOTS.len())];
+        let [slowest, fastest] = ensemble.quarters;
+        let eighth = 30.0 / chance.random_range(slowest..fastest);
+        let mut tune = Self { number, scale, root, eighth, section: 0, motif: [None; BAR as usize], grounds: [0; 4] };
+        tune.begin_section(0);
+        tune
+    }
+
+    /// The notes that begin with that eighth, counted from the beginning.
+    pub fn notes(&mut self, eighth: u32) -> Notes {
+        let (bar, beat) = (eighth / BAR, eighth % BAR);
+        let (section, bar) = (bar / SECTION, bar % SECTION);
+        if section != self.section {
+            self.begin_section(section);
+        }
+        let ground = self.grounds[(bar / 2) as usize % self.grounds.len()];
+        let chord = (beat == 0 && bar.is_multiple_of(2)).then(|| {
+            let third = if ground == 0 { 5 } else { 6 };
+            [ground, ground + 3, ground + third].map(|degree| self.pitch(degree))
+        });
+        Notes { melody: self.melody(section, bar, beat), chord }
+    }
+
+    /// The first four bars play the motif, answer it higher and backwards, repeat it and pause; the last four do so thinned out.
+    fn melody(&self, section: u32, bar: u32, beat: u32) -> Option<(f32, f32)> {
+        let last = self.motif.len() - 1;
+        let degree = match bar % 4 {
+            0 | 2 => self.motif[beat as usize]?,
+            1 => self.motif[last - beat as usize]? + 2,
+            _ if beat < 3 => self.motif[beat as usize]?,
+            _ => return None,
+        };
+        let mut chance = self.chance(u64::from(section) << 32 | u64::from(bar * BAR + beat) << 8 | 1);
+        let kept = if bar < 4 { 0.85 } else { 0.6 };
+        chance.random_bool(kept).then(|| {
+            let strength = if beat == 0 { 1.0 } else { chance.random_range(0.45..0.85_f32) };
+            (self.pitch(degree.clamp(LOWEST, HIGHEST)), strength)
+        })
+    }
+
+    /// A walk by small steps over the scale, with rests; and the degrees of its bars.
+    fn begin_section(&mut self, section: u32) {
+        self.section = section;
+        let mut chance = self.chance(u64::from(section) << 32);
+        let mut degree = chance.random_range(8..13);
+        for (beat, note) in self.motif.iter_mut().enumerate() {
+            degree = (degree + [-2, -1, -1, 1, 1, 2][chance.random_range(0..6)]).clamp(LOWEST, HIGHEST);
+            *note = (beat == 0 || chance.random_bool(0.55)).then_some(degree);
+        }
+        let second = chance.random_range(1..5);
+        self.grounds = [0, second, chance.random_range(2..4), 0];
+    }
+
+    /// The pitch of a degree of the scale, Hz; five to the octave.
+    fn pitch(&self, degree: i32) -> f32 {
+        let semitones = 12 * degree.div_euclid(5) + self.scale[degree.rem_euclid(5) as usize];
+        self.root * (semitones as f32 / 12.0).exp2()
+    }
+
+    fn chance(&self, place: u64) -> Pcg32 {
+        Pcg32::seed_from_u64(u64::from(self.number).wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ place)
+    }
+}
+
+/// The number of worlds.
+pub const WORLDS: usize = 5;
+
+/// How a level's music is played.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Arrangement {
+    /// Of [`WORLDS`]; further ones begin again.
+    pub world: usize,
+    /// 0 … 1: a bass and a brush come in with the ship's speed.
+    pub pace: f32,
+    /// 0 … 1: broken chords come in with the goals that are met.
+    pub goals: f32,
+}
+
+#[derive(Debug)]
+pub struct Ensemble {
+    /// Steps of two pentatonic scales above the root, in semitones.
+    pub scales: [[i32; 5]; 2],
+    /// Quarters a minute, from and below.
+    pub quarters: [f32; 2],
+    /// Attack of a plucked note, s, and its partials: pitch ratio, decay (s) and share.
+    attack: f32,
+    partials: [(f32, f32, f32); 3],
+    /// Pitch (Hz) and decay (s) of the brush.
+    brush: (f32, f32),
+}
+
+static ENSEMBLES: [Ensemble; WORLDS] = [
+    // Launch site: a celesta.
+    Ensemble {
+        scales: [[0, 2, 4, 7, 9], [0, 3, 5, 7, 10]],
+        quarters: [58.0, 74.0],
+        attack: 0.008,
+        partials: [(1.0, 0.5, 1.0), (2.0, 0.25, 0.3), (3.01, 0.12, 0.14)],
+        brush: (6000.0, 0.02),
+    },
+    // Quarry: wooden bars, 1 : 2.76 : 5.4.
+    Ensemble {
+        scales: [[0, 3, 5, 7, 10], [0, 2, 3, 7, 8]],
+        quarters: [66.0, 78.0],
+        attack: 0.002,
+        partials: [(1.0, 0.28, 1.25), (2.756, 0.1, 0.4), (5.404, 0.04, 0.22)],
+        brush: (900.0, 0.05),
+    },
+    // Wind works: a flute's odd partials, softly begun.
+    Ensemble {
+        scales: [[0, 2, 5, 7, 9], [0, 2, 5, 7, 10]],
+        quarters: [72.0, 84.0],
+        attack: 0.07,
+        partials: [(1.0, 0.7, 1.0), (2.0, 0.4, 0.12), (3.0, 0.3, 0.2)],
+        brush: (3200.0, 0.09),
+    },
+    // Deep water: slow bells.
+    Ensemble {
+        scales: [[0, 3, 5, 7, 10], [0, 2, 4, 7, 9]],
+        quarters: [46.0, 54.0],
+        attack: 0.03,
+        partials: [(1.0, 1.0, 0.8), (2.002, 0.8, 0.3), (4.2, 0.35, 0.1)],
+        brush: (420.0, 0.12),
+    },
+    // Orbit: glass, with fifths above it.
+    Ensemble {
+        scales: [[0, 2, 4, 7, 11], [0, 2, 6, 7, 11]],
+        quarters: [50.0, 58.0],
+        attack: 0.015,
+        partials: [(1.0, 1.2, 0.75), (1.5, 0.9, 0.16), (4.0, 0.6, 0.07)],
+        brush: (9000.0, 0.05),
+    },
+];
+
+impl Ensemble {
+    pub fn of(world: usize) -> &'static Self {
+        &ENSEMBLES[world % WORLDS]
+    }
+
+    /// A note that is plucked with this strength (0 … 1) at this amplitude.
+    pub fn pluck(&self, pitch: f32, strength: f32, peak: f32) -> Recipe {
+        let mut recipe = Recipe::default();
+        for (i, (to, (ratio, fade, share))) in recipe.tones.iter_mut().zip(self.partials).enumerate() {
+            // A harder strike is brighter.
+            let bright = if i == 1 { strength } else { 1.0 };
+            let peak = peak * strength * share * bright;
+            *to = Some(Tone { at: 0.0, pitch: pitch * ratio, glide: 0.0, swell: self.attack, fade, peak });
+        }
+        recipe
+    }
+
+    /// The bass: one low tone and its octave.
+    pub fn bass(&self, pitch: f32, peak: f32) -> Recipe {
+        let mut recipe = Recipe::default();
+        let tone = |pitch, fade, peak| Some(Tone { at: 0.0, pitch, glide: 0.0, swell: 0.006 + 0.3 * self.attack, fade, peak });
+        (recipe.tones[0], recipe.tones[1]) = (tone(pitch, 0.22, peak), tone(2.0 * pitch, 0.1, 0.3 * peak));
+        recipe
+    }
+
+    pub fn brush(&self, peak: f32) -> Recipe {
+        let ((pitch, fade), mut recipe) = (self.brush, Recipe::default());
+        recipe.bursts[0] = Some(Burst { at: 0.0, pitch, glide: 0.0, narrowness: 0.9, swell: 0.004, fade, peak });
+        recipe
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By turns of each world.
+    fn tune(number: u32) -> Tune {
+        Tune::new(number, Ensemble::of(number as usize % WORLDS))
+    }
+
+    fn first_minutes(number: u32) -> Vec<Notes> {
+        let mut tune = tune(number);
+        (0..4 * SECTION * BAR).map(|eighth| tune.notes(eighth)).collect()
+    }
+
+    #[test]
+    fn a_tune_is_the_same_every_time_and_others_are_others() {
+        assert_eq!(first_minutes(3), first_minutes(3));
+        for other in [0, 1, 2, 4, 5] {
+            assert_ne!(first_minutes(3), first_minutes(other), "{other}");
+        }
+    }
+
+    #[test]
+    fn every_note_is_one_of_five_and_none_is_shrill() {
+        for number in 0..20 {
+            let tune = tune(number);
+            for notes in first_minutes(number) {
+                let pitches = notes.melody.into_iter().map(|(pitch, _)| pitch).chain(notes.chord.into_iter().flatten());
+                for pitch in pitches {
+                    assert!((90.0..2000.0).contains(&pitch), "tune {number}: {pitch} Hz");
+                    let semitone = (12.0 * (pitch / tune.root).log2()).round() as i32;
+                    assert!(tune.scale.contains(&semitone.rem_euclid(12)), "tune {number}: {semitone}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn it_sings_and_rests_and_does_not_repeat_itself() {
+        for number in 0..20 {
+            let notes = first_minutes(number);
+            let sung = notes.iter().filter(|notes| notes.melody.is_some()).count();
+            assert!((notes.len() / 8..notes.len() * 3 / 4).contains(&sung), "tune {number}: {sung} of {}", notes.len());
+            let section = (SECTION * BAR) as usize;
+            assert_ne!(notes[..section], notes[section..2 * section], "tune {number}");
+        }
     }
 }

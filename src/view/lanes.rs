@@ -3,8 +3,7 @@
 //! Charts on paper, each on a sheet of SVG.
 
 use super::{theme, widgets};
-use crate::draw::chart::Sheet;
-use crate::draw::chart::look::{WORDS, dashed, marker, stroke};
+use crate::draw::chart::{Sheet, WORDS, dashed, marker, stroke};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, GRID, TEXT, Vec2};
 use crate::draw::svg::svg;
 use crate::draw::{Canvas, Colour, Style};

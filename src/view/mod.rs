@@ -16,7 +16,6 @@ pub mod hud;
 pub mod labels;
 pub mod lanes;
 pub mod mechanisms;
-pub mod miniature;
 pub mod particles;
 pub mod pictures;
 pub mod scale;

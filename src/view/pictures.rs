@@ -1,9 +1,15 @@
 //! The pictures of a level: its background and its objects' sprites, from bytes.
+//!
+//! A level in small: a painting of its rooms, as its card shows it.
 
-use crate::draw::Image;
+use super::{GameView, art, theme};
+use crate::draw::layout::{Frame, Vec2};
+use crate::draw::{Canvas, Image, Painting, raster};
+use crate::game::Game;
 use crate::level::Level;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, LazyLock};
 
 /// By path.
 #[derive(Default)]
@@ -20,4 +26,17 @@ impl Pictures {
     pub fn get(&self, path: &Path) -> Option<&Image> {
         self.0.get(path)
     }
+}
+
+/// Width and height of the painting, pixels.
+const SIZE: [usize; 2] = [384, 216];
+
+static SHEET: LazyLock<Painting> = LazyLock::new(|| Painting { width: art::SHEET, bytes: art::sheet() });
+
+/// The level at its start, its rooms as large as they fit; `None` where it does not begin.
+pub fn painting(level: &Arc<Level>) -> Option<Image> {
+    let game = Game::new(level.clone()).ok()?;
+    let canvas = Canvas::new(Frame::of_window(Vec2::new(2.0 * SIZE[0] as f32, 2.0 * SIZE[1] as f32)));
+    GameView::new(&game, &|_| None).draw_rooms(&game, &canvas);
+    Some(Image::Painted(Arc::new(art::halved(raster::paint(&canvas, 2 * SIZE[0], theme::ground(), &SHEET)))))
 }

@@ -20,7 +20,7 @@ use crate::draw::layout::{DESIGN, Frame, Vec2};
 use crate::draw::pen::WindowPen;
 use crate::level::Level;
 use crate::screens::{Destination, Places, Stack};
-use crate::session::attempt::Attempt;
+use crate::session::library::Attempt;
 use crate::session::worker::Worker;
 use crate::settings::Keys;
 use crate::sound::Speaker;

@@ -156,7 +156,7 @@ fn the_table_of_pi_wants_a_row_a_step() {
     assert!(report::summary(&even, &[]).contains("| 1/10 s | 0 | 1 |"));
     // Also where charts do not come from files.
     let mut ragged = even;
-    let pi = ragged.diagrams.iter_mut().find(|measured| measured.name == report::PI).unwrap();
+    let pi = ragged.diagrams.iter_mut().find(|measured| measured.name == resultant::lab::curve::PI).unwrap();
     pi.curves[1].points.clear();
     assert!(report::summary(&ragged, &[]).contains("| 1/10 s | 0 | 1 |"));
     let text = filled("N = 0,lab,v,0.1,1,0,0\n", 100);

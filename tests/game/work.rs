@@ -3,8 +3,7 @@
 use crate::support::shipped::{experiment, flights, levels, load};
 use crate::support::written::{begun, written};
 use resultant::game::{Controls, Game, History};
-use resultant::instruments::energy::EnergyState;
-use resultant::instruments::ledger::{Account, WorkLedger};
+use resultant::instruments::ledger::{Account, EnergyState, WorkLedger};
 use resultant::level::Level;
 use resultant::physics::{BodyId, DVec2, ForceKind};
 use std::sync::Arc;

@@ -3,9 +3,9 @@
 use crate::support::program::{Ran, resultant};
 use crate::support::shipped::{names, project};
 use resultant::lab::charts::Charts;
-use resultant::lab::figures::{PAGES, PageFigures};
 use resultant::lab::kept::{PEERS, peer_rows};
 use resultant::lab::methods::motion::{MotionLaw, MotionStep, PointState, follow, rise_and_fall, rk4, semi_implicit_euler, strang};
+use resultant::lab::report::{PAGES, PageFigures};
 use resultant::lab::stress::TESTS;
 use resultant::lab::stress::picture::FailurePicture;
 use resultant::lab::{LabScene, kept, reference, scenes};

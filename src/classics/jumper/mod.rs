@@ -19,13 +19,11 @@
 //! lines and lines that start with `#` are skipped.
 
 pub mod engine;
-pub mod tower;
 
 use crate::files::{CsvFile, CsvRow};
 use crate::game::TICK_RATE;
-use engine::{Cuboid, CuboidHit, Dynamic};
+use engine::{Cuboid, CuboidHit, DEPTH, Dynamic, Tower, WIDTH};
 use glam::DVec3;
-use tower::{DEPTH, Tower, WIDTH};
 
 /// The name of the climbs' leaderboard.
 pub const LEADERBOARD: &str = "jumper";

@@ -3,8 +3,9 @@
 //! Places of a work–precision diagram on the canvas: plot, legend, points. Plain arithmetic; `diagram` draws it.
 
 use super::look_of;
-use crate::draw::chart::look::{CurveOrigin, FRAME, Marker, RING, SAMPLE, TOLERANCE_DASH, WORDS, dashed, marker, sample, stroke};
-use crate::draw::chart::{Decades, LEAST_ERROR};
+use crate::draw::chart::{
+    CurveOrigin, Decades, FRAME, LEAST_ERROR, Marker, RING, SAMPLE, TOLERANCE_DASH, WORDS, dashed, marker, sample, stroke,
+};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
@@ -364,7 +365,7 @@ impl DiagramPlaces {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::draw::chart::look::CurveOrigin;
+    use crate::draw::chart::CurveOrigin;
     use crate::lab::curve::MethodCurve;
 
     #[test]

@@ -6,11 +6,10 @@ pub mod picture;
 pub mod plane;
 pub mod timeline;
 
-use super::methods::METHODS;
-use super::methods::motion;
+use super::methods::{METHODS, motion};
 use super::scenes::{bouncing, collisions, sliding, stacks};
 use super::stability::PART;
-use crate::draw::chart::look::{CurveLook, CurveOrigin};
+use crate::draw::chart::{CurveLook, CurveOrigin};
 
 /// A method has the same look in all charts; what is unknown here, that of its place.
 fn look_of(name: &str, origin: CurveOrigin, index: usize) -> CurveLook {

@@ -3,7 +3,7 @@
 use super::diagram::{Axes, shade};
 use super::look_of;
 use super::plane::Plane;
-use crate::draw::chart::look::{CurveOrigin, Marker, TOLERANCE_DASH, dashed, marker, stroke};
+use crate::draw::chart::{CurveOrigin, Marker, TOLERANCE_DASH, dashed, marker, stroke};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::curve::{Measured, MethodCurve};

@@ -149,7 +149,7 @@ pub fn savings(rows: &[Saving]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::draw::chart::look::CurveOrigin;
+    use crate::draw::chart::CurveOrigin;
     use crate::lab::curve::{CoursePoint, MethodCurve, OverTime, WorkPoint};
     use crate::lab::stability::regions;
 

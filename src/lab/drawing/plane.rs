@@ -78,7 +78,7 @@ pub use drawing::draw;
 
 mod drawing {
     use super::{MARKS, Plane, SMALL_LINE};
-    use crate::draw::chart::look::{CurveLook, CurveOrigin, WORDS, marker, sample, stroke};
+    use crate::draw::chart::{CurveLook, CurveOrigin, WORDS, marker, sample, stroke};
     use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
     use crate::draw::{Canvas, Colour, Style};
     use crate::lab::drawing::diagram::shade;

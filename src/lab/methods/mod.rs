@@ -5,15 +5,13 @@
 pub mod bounce;
 pub mod chain;
 pub mod impact;
-pub mod implicit;
 pub mod motion;
 pub mod rules;
 pub mod slide;
 
-use implicit::{implicit_euler, implicit_midpoint, trapezoid};
 use motion::{
-    ADAPTIVE, MotionStep, adaptive, exact_decay, explicit_euler, heun, linearised_drag, midpoint, rk4, semi_implicit_euler, strang,
-    velocity_verlet, yoshida,
+    ADAPTIVE, MotionStep, adaptive, exact_decay, explicit_euler, heun, implicit_euler, implicit_midpoint, linearised_drag,
+    midpoint, rk4, semi_implicit_euler, strang, trapezoid, velocity_verlet, yoshida,
 };
 
 /// Every method that steps a motion through drag, by the name that charts and tables show.

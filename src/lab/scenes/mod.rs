@@ -8,7 +8,6 @@ pub mod pi;
 pub mod sliding;
 pub mod springs;
 pub mod stacks;
-pub mod tunnelling;
 
 use super::LabScene;
 
@@ -36,7 +35,7 @@ pub fn all() -> Vec<LabScene> {
         stacks::pushed_row(),
         stacks::friction_tower(),
         stacks::time_to_rest(),
-        tunnelling::thin_wall(),
+        collisions::thin_wall(),
         pi::digits(),
     ]
 }

@@ -1,7 +1,7 @@
 //! π from collisions: which step size still counts right, and at which cost. Exact: ⌈π/atan(√(m/M))⌉ − 1 collisions.
 
 use crate::classics::pi::{Blocks, step_through};
-use crate::lab::report::PI;
+use crate::lab::curve::PI;
 use crate::lab::{LabScene, SceneMethod};
 
 /// Digits after the 3 that steps are tried on.

@@ -141,8 +141,9 @@ pub fn energy(law: &MotionLaw, PointState { x, v }: &PointState) -> f64 {
 mod tests {
     use super::*;
     use crate::lab::contract::By;
-    use crate::lab::methods::implicit::{implicit_euler, implicit_midpoint, trapezoid};
-    use crate::lab::methods::motion::{MotionStep, explicit_euler, rk4, semi_implicit_euler, yoshida};
+    use crate::lab::methods::motion::{
+        MotionStep, explicit_euler, implicit_euler, implicit_midpoint, rk4, semi_implicit_euler, trapezoid, yoshida,
+    };
 
     /// Of explicit Euler the energy grows by 1 + (ω·h)² a step, exactly.
     #[test]

@@ -8,9 +8,8 @@ use crate::lab::TICK;
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::chain::{Solver, sweeps_needed, swept_loads, weights, worst_load};
 use crate::lab::methods::impact::ImpactStep;
-use crate::lab::scenes::collisions::{BlockLine, METHODS, STRIKE};
+use crate::lab::scenes::collisions::{BlockLine, METHODS, Meeting, STEPS, STRIKE, THIN};
 use crate::lab::scenes::stacks::ContactChain;
-use crate::lab::scenes::tunnelling::{self, Meeting};
 use crate::physics::{BodyId, ForceKind, World};
 
 /// m. The overlap that a resting pair may show at any tick.
@@ -125,7 +124,7 @@ fn with_paths(picture: FailurePicture, paths: &[Vec<f64>], blocks: usize, first:
 /// The places of box and obstacle over the steps in which they meet, at the first phase of the step that fails.
 fn met(by: By<ImpactStep>, meeting: Meeting) -> FailurePicture {
     let (line, met) = meeting.at_phase(meeting.fails_at(by, TICK).unwrap_or(0), TICK);
-    let end = tunnelling::STEPS as f64;
+    let end = STEPS as f64;
     let (found, thin) = (line.paths(by, end * TICK, TICK), line.blocks[1].x);
     let (box_after, thin_after) = meeting.parting();
     let exact = |x: f64, before: f64, after: f64| {
@@ -134,7 +133,7 @@ fn met(by: By<ImpactStep>, meeting: Meeting) -> FailurePicture {
     };
     let picture = FailurePicture::of("steps", "place, m").exact(exact(line.blocks[0].x, meeting.speed, box_after));
     if meeting.mass.is_infinite() {
-        let half = 0.5 * tunnelling::THIN;
+        let half = 0.5 * THIN;
         with_paths(picture, &found, 1, 0).solid(thin - half, thin + half)
     } else {
         with_paths(picture, &found, 2, 0).exact(exact(thin, 0.0, thin_after))

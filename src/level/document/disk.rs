@@ -7,11 +7,10 @@
 use super::model::{self, Document, Kept};
 use crate::files::{self, Lock, Manner, Symlinks};
 use crate::level::folder::{LevelDisk, load_from};
-use crate::level::image::png_size;
+use crate::level::image::{BACKGROUND, Files, png_size};
 use crate::level::problem::Problem;
 use crate::level::read::{Loaded, read, read_unfinished};
 use crate::level::schema::Table;
-use crate::level::source::{BACKGROUND, Files};
 use crate::physics::DVec2;
 use crate::words::tr;
 use std::collections::BTreeMap;

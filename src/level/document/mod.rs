@@ -2,22 +2,17 @@
 //! operation's cells stay as their author wrote them: comments, blank lines, the order of rows and columns, line ends, the forms of numbers.
 //! The loader alone judges a document: it reads it from memory ([`Document::over`]).
 
-mod change;
 mod clip;
 mod disk;
 mod edits;
-mod history;
 mod links;
 mod model;
 mod places;
 mod sheet;
-mod wires;
 
 pub use super::schema::{Column, Kind, SETTINGS, Table};
 pub use clip::Clip;
 pub use disk::{KeptSide, LevelFolder, LevelSaveError, Opened};
-pub use links::LinkForm;
-pub use model::Kept;
-pub use model::{Document, NewRow, RowId, SetCell};
+pub use links::{LinkForm, Wiring};
+pub use model::{Document, Kept, NewRow, RowId, SetCell};
 pub use places::{Place, number, way_text};
-pub use wires::Wiring;

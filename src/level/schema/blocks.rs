@@ -3,8 +3,7 @@
 //! Rows of links.csv.
 
 use super::facts::{Column, Count, FileSchema, Holds, RowSchema};
-use super::record::{RowCells, RowReader};
-use super::typed::{MATERIAL, Row as _, Word, by_word, number, one_of, rows};
+use super::typed::{MATERIAL, Row as _, RowCells, RowReader, Word, by_word, number, one_of, rows};
 use super::values::{LinkRowEnd, WayPoints, Works};
 use crate::level::numbers::{self, MIN_SIZE};
 use crate::level::problem::quoted;

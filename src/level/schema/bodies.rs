@@ -1,8 +1,9 @@
 //! Rows of bodies, player.csv and objects.csv, and of objectives.csv, which has key objects beside the objectives.
 
 use super::facts::{Column, Count, FileSchema, Holds, RowSchema, whole_number};
-use super::record::{RowCells, RowReader};
-use super::typed::{CENTRE_X, CENTRE_Y, MATERIAL, Row as _, VX, VY, boolean, channel, number, rows, whole, words};
+use super::typed::{
+    CENTRE_X, CENTRE_Y, MATERIAL, Row as _, RowCells, RowReader, VX, VY, boolean, channel, number, rows, whole, words,
+};
 use crate::level::numbers;
 use crate::level::problem::quoted;
 use crate::level::types::{Look, Object, Objective, ObjectiveKind, ShipStart};

@@ -2,9 +2,8 @@
 
 use super::values::{LinkRowEnd, Together, WayPoints, Works, is_name};
 use crate::files::{Dialect, truth};
-use crate::level::nearest::meant;
 use crate::level::numbers::{self, NumberRange, PixelScale, power};
-use crate::level::problem::Problem;
+use crate::level::problem::{Problem, meant};
 use crate::level::types::Level;
 use crate::level::wiring::names_in;
 use crate::physics::DVec2;

@@ -2,7 +2,7 @@
 
 use super::facts::{Column, FileSchema, RowSchema};
 use super::{blocks, bodies, settings, zones};
-use crate::level::source::BACKGROUND;
+use crate::level::image::BACKGROUND;
 
 macro_rules! files {
     ($($file:ident $schema:path { $($kind:ident $row:path),* })*) => {

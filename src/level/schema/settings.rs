@@ -1,13 +1,11 @@
 //! constants.csv: a row for each setting of a level.
 
 use super::facts::{Column, FileSchema, Holds, RowSchema};
-use super::record::{RowCells, RowReader};
-use super::typed::{Row as _, Word, by_word, number, one_of, rows, words};
+use super::typed::{Row as _, RowCells, RowReader, Word, by_word, number, one_of, rows, words};
 use super::values::Together;
 use crate::files::Dialect;
-use crate::level::nearest::meant;
 use crate::level::numbers::{self, PixelScale};
-use crate::level::problem::{Problem, quoted};
+use crate::level::problem::{Problem, meant, quoted};
 use crate::level::types::{Awards, Landscape, Mark};
 use crate::words::tr;
 

@@ -2,11 +2,10 @@
 
 use super::bodies::colour_if_given;
 use super::facts::{Column, Count, FileSchema, Holds, RowSchema};
-use super::record::{RowCells, RowReader};
-use super::typed::{Row as _, Word, X, Y, boolean, by_word, channel, number, one_of, rows, words};
+use super::typed::{Row as _, RowCells, RowReader, Word, X, Y, boolean, by_word, channel, number, one_of, rows, words};
 use crate::level::numbers::{self, corners};
-use crate::level::placed::FromRow;
 use crate::level::problem::{at_most, quoted};
+use crate::level::schema::typed::FromRow;
 use crate::level::types::{AirStream, Decoration, Fluid, GravityZone, Pod, Star, StarTouch, Text};
 use crate::physics::{Aabb, DVec2};
 use crate::words::tr;

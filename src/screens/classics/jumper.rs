@@ -212,8 +212,7 @@ impl Screen for Jumper {
 
 mod drawing {
     use super::Jumper;
-    use crate::classics::jumper::engine::{Cuboid, StaticKind};
-    use crate::classics::jumper::tower::WIDTH;
+    use crate::classics::jumper::engine::{Cuboid, StaticKind, WIDTH};
     use crate::classics::jumper::{PLAYER_SIZE, VISIBLE};
     use crate::draw::layout::{Area, HEADING, PADDING, TEXT, Vec2};
     use crate::draw::{Canvas, Colour, Style};

@@ -7,7 +7,7 @@ use crate::game::{GameEvent, History, Outcome, Replay, RunResult};
 use crate::number::clock;
 use crate::scores::subject;
 use crate::screens::screen::{Destination, Effect, Finished, Request};
-use crate::session::attempt::Flown;
+use crate::session::library::Flown;
 use crate::session::{Gain, Session};
 use crate::settings::Key;
 use crate::ui::input::Input;

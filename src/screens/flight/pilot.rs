@@ -7,7 +7,7 @@ use super::open::Viewer;
 use super::rewind::Rewind;
 use super::what_if::AGAIN;
 use crate::game::{Clock, Controls, Inputs, Latch, Outcome, Playback};
-use crate::session::attempt::Attempt;
+use crate::session::library::Attempt;
 use crate::settings::Action;
 use crate::ui::Spectator;
 use crate::ui::input::{Input, Stale};

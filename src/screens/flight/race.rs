@@ -3,7 +3,7 @@
 use crate::game::{Game, GameError, GameEvent, GhostPose, GhostTrack, Outcome, SHIP};
 use crate::level::Level;
 use crate::number::{fixed, hundredths};
-use crate::session::attempt::Rival;
+use crate::session::library::Rival;
 use crate::words::tr;
 use std::sync::Arc;
 

@@ -11,7 +11,7 @@ use crate::number::clock;
 use crate::screens::flight::ahead::Ahead;
 use crate::screens::flight::observer::Observer;
 use crate::screens::screen::{GameScene, Request, Screen};
-use crate::session::attempt::Attempt;
+use crate::session::library::Attempt;
 use crate::settings::{Action, Key};
 use crate::ui::input::Input;
 use crate::ui::{Spectator, Ui, WidgetKind};

@@ -4,7 +4,7 @@ use super::ending::Lost;
 use super::race::Race;
 use super::what_if::WhatIf;
 use crate::game::{Game, History};
-use crate::session::attempt::Attempt;
+use crate::session::library::Attempt;
 
 #[derive(Debug)]
 pub(super) struct Run {

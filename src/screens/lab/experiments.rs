@@ -4,7 +4,7 @@ use super::BACK;
 use crate::draw::layout::{Area, BUTTON_TEXT, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::screens::screen::{Destination, Request};
-use crate::session::attempt::Experiment;
+use crate::session::library::Experiment;
 use crate::settings::Key;
 use crate::ui::{Touch, Ui, WidgetKind};
 use crate::view::{theme, widgets};

@@ -3,7 +3,6 @@
 //! results of a run of `resultant chart`, and measures nothing itself.
 
 mod charts;
-mod euler;
 mod experiments;
 mod overview;
 mod side_by_side;
@@ -11,8 +10,7 @@ mod stability;
 mod survival;
 
 use crate::screens::screen::{PAGES, Page, Request, Screen};
-use crate::session::attempt::Experiment;
-use crate::session::library::Shown;
+use crate::session::library::{Experiment, Shown};
 pub(super) use experiments::Paragraphs;
 pub use side_by_side::{Half, SideBySide};
 
@@ -142,7 +140,7 @@ impl Screen for Lab {
             Page::Stability => self.stability.show(ui, area),
             Page::Survival => self.survival.show(ui, area),
             Page::SideBySide => self.side_by_side.show(ui, area),
-            Page::Euler => euler::show(ui, area),
+            Page::Euler => stability::show(ui, area),
             Page::Experiments => self.experiments.show(ui, area),
         }
     }

@@ -1,10 +1,15 @@
 //! The methods' regions of stability in the complex plane of z = h·λ. The player picks out one of them.
+//!
+//! Why explicit Euler gains energy: a swing as a circle, a picture and three sentences.
 
 use super::BACK;
 use super::charts::{self, LegendPick, METHOD, panel};
-use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, PADDING, TEXT, Vec2};
+use crate::draw::{Canvas, Colour, Style};
 use crate::lab::drawing::plane::{self, Plane};
-use crate::lab::stability::{Region, TITLE, regions};
+use crate::lab::methods::motion::{MotionLaw, MotionStep, PointState, explicit_euler, semi_implicit_euler};
+use crate::lab::stability::{Region, TITLE as REGIONS_TITLE, regions};
+use crate::physics::DVec2;
 use crate::screens::screen::Request;
 use crate::settings::Key;
 use crate::ui::Ui;
@@ -46,7 +51,7 @@ impl StabilityPage {
         let plane = Plane::of(panel(body));
         let (middle, widest) = (plane.panel.centre().x, plane.panel.size.x);
         let at = |y: f32| Vec2::new(middle, y);
-        widgets::fitted(ui.canvas(), tr(TITLE), at(plane.panel.min.y - 20.0), widest, &[BUTTON_TEXT, TEXT], theme::text());
+        widgets::fitted(ui.canvas(), tr(REGIONS_TITLE), at(plane.panel.min.y - 20.0), widest, &[BUTTON_TEXT, TEXT], theme::text());
         let lines = self.regions.iter().enumerate().map(|(line, region)| (region.name, plane.legend(line + 1)));
         let picked = self.legend.show(ui, lines);
         plane::draw(ui.canvas(), &plane, &self.regions, picked);
@@ -56,5 +61,97 @@ impl StabilityPage {
             widgets::fitted(ui.canvas(), words, at(plane.panel.max().y + down), widest, &[TEXT, DETAILS], theme::text());
         }
         (tool == Some("Back")).then_some(Request::Pop)
+    }
+}
+
+const TITLE: &str = "Why Euler gains energy";
+const SENTENCES: [&str; 3] = [
+    "A body on a spring goes round a circle, if its place x counts to the right and v/ω upwards: its energy goes with the square of the radius.",
+    "Explicit Euler goes straight on along the tangent and leaves the circle: each step multiplies the energy by 1 + (ω·h)², however small it is.",
+    "Semi-implicit Euler moves by the new velocity, and its corners lie on an ellipse for ever; the engine turns by the angle ω·h and stays on the circle.",
+];
+/// ω·h.
+const TURN: f64 = 0.4;
+const STEPS: usize = 12;
+/// The picture's part of the width, and the radius of the circle in its half height.
+const PICTURE: f32 = 0.5;
+const RADIUS: f32 = 0.17;
+
+pub(super) fn show(ui: &mut Ui<'_>, body: Area) -> Option<Request> {
+    let tool = ui.tools(&[BACK]);
+    let canvas = ui.canvas();
+    let title = Vec2::new(body.centre().x, body.min.y + 20.0);
+    canvas.text(tr(TITLE), title, Style::new(BUTTON_TEXT, theme::text()).centred().middle());
+    let panel = Area::new(body.min.x, body.min.y + 40.0, body.size.x, body.size.y - 40.0);
+    widgets::panel(canvas, panel);
+    draw_picture(canvas, Area { size: Vec2::new(PICTURE * panel.size.x, panel.size.y), ..panel });
+    let left = panel.min.x + PICTURE * panel.size.x;
+    let mut at = Vec2::new(left, panel.min.y + 2.0 * PADDING);
+    let width = panel.max().x - 2.0 * PADDING - left;
+    for sentence in SENTENCES {
+        for line in widgets::lines(canvas, tr(sentence), width, Style::new(TEXT, theme::text())) {
+            canvas.text(&line, at, Style::new(TEXT, theme::text()));
+            at.y += canvas.line_height(TEXT);
+        }
+        at.y += canvas.line_height(TEXT);
+    }
+    for (name, colour) in [
+        ("explicit Euler", theme::bad()),
+        ("semi-implicit Euler", theme::player_objective()),
+        ("exact, and the shipped engine", theme::good()),
+    ] {
+        let middle = Vec2::new(at.x, at.y + 0.5 * canvas.line_height(TEXT));
+        canvas.line(middle, middle + Vec2::new(36.0, 0.0), 2.0, colour);
+        canvas.text(tr(name), middle + Vec2::new(48.0, 0.0), Style::new(TEXT, theme::text()).middle());
+        at.y += canvas.line_height(TEXT);
+    }
+    (tool == Some("Back")).then_some(Request::Pop)
+}
+
+/// The places of a swing with ω = 1 after each step of [`TURN`], from (1, 0) on.
+fn steps(step: MotionStep) -> Vec<DVec2> {
+    let law = MotionLaw { spring: 1.0, ..MotionLaw::default() };
+    let start = PointState { x: DVec2::X, v: DVec2::ZERO };
+    let next = |point: &PointState| Some(step(&law, *point, TURN));
+    std::iter::successors(Some(start), next).take(STEPS + 1).map(|point| DVec2::new(point.x.x, point.v.x)).collect()
+}
+
+fn draw_picture(canvas: &Canvas, area: Area) {
+    let radius = RADIUS * area.size.y;
+    let middle = area.centre() - Vec2::new(0.0, 0.03 * area.size.y);
+    let at = |point: DVec2| middle + Vec2::new(point.x as f32, -point.y as f32) * radius;
+    let reach = 2.6 * radius;
+    let quiet = Style::new(DETAILS, theme::quiet()).middle();
+    canvas.hairline(middle - Vec2::new(reach, 0.0), middle + Vec2::new(reach, 0.0), theme::solid_top());
+    canvas.hairline(middle - Vec2::new(0.0, reach), middle + Vec2::new(0.0, reach), theme::solid_top());
+    canvas.text("x", middle + Vec2::new(reach + 8.0, 0.0), quiet);
+    canvas.text("v/ω", middle + Vec2::new(8.0, 6.0 - reach), quiet);
+    canvas.ring(middle, radius + 1.0, 2.0, theme::good());
+    let lines: [(MotionStep, Colour); 2] = [(semi_implicit_euler, theme::player_objective()), (explicit_euler, theme::bad())];
+    for (step, colour) in lines {
+        let corners: Vec<Vec2> = steps(step).into_iter().map(at).collect();
+        corners.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], 2.0, colour));
+        corners.iter().for_each(|corner| canvas.disc(*corner, 3.5, colour));
+    }
+    let words = tr!("ω·h = {turn}", turn = TURN);
+    canvas.text(&words, Vec2::new(area.centre().x, area.max().y - PADDING), quiet.centred());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The picture and its sentences say the same.
+    #[test]
+    fn explicit_euler_gains_what_the_sentence_says_and_the_symplectic_one_stays_on_an_ellipse() {
+        let gain = (1.0 + TURN * TURN).powi(STEPS as i32);
+        let end = *steps(explicit_euler).last().unwrap();
+        assert!((end.length_squared() / gain - 1.0).abs() < 1e-12);
+        // Semi-implicit Euler keeps x² − ω·h·x·v/ω + (v/ω)².
+        for point in steps(semi_implicit_euler) {
+            let kept = point.length_squared() - TURN * point.x * point.y;
+            assert!((kept - 1.0).abs() < 1e-12, "{kept}");
+        }
+        assert!(gain.sqrt() * f64::from(RADIUS) < 0.45, "all of it is in the picture");
     }
 }

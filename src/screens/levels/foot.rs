@@ -1,12 +1,10 @@
 //! The buttons at the foot of the list, and what an author does there with a level: share it, put it away, take it back, see its folder.
 
-use super::places::{FOOT, FOOT_BUTTON, SIDE, from_left, from_right};
+use super::shelves::{FOOT, FOOT_BUTTON, SIDE, from_left, from_right};
 use super::{Asked, LevelSelect, PickFor};
 use crate::draw::Style;
 use crate::draw::layout::{Frame, GAP, ROW_BUTTON, TEXT, Vec2};
-use crate::files;
 use crate::level::{self, scaffold};
-use crate::pack;
 use crate::screens::screen::{OnLevel, Purpose, Request};
 use crate::session::Session;
 use crate::session::library::NewFile;
@@ -14,6 +12,7 @@ use crate::settings::Key;
 use crate::ui::Ui;
 use crate::view::{theme, widgets};
 use crate::words::tr;
+use crate::{files, pack};
 use std::path::{Path, PathBuf};
 
 /// Where shared levels and those that were put away are, from the project's root.

@@ -14,7 +14,7 @@ use crate::ui::prompt::{Problems, Prompt};
 use crate::ui::{Spectator, Ui, WidgetKind};
 use crate::view::theme;
 use crate::words::tr;
-use places::{HEAD, SIDE};
+use shelves::{HEAD, SIDE};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::path::PathBuf;
@@ -22,7 +22,6 @@ use std::path::PathBuf;
 mod card;
 mod files;
 mod foot;
-mod places;
 mod shelves;
 
 pub use card::LevelEntry;

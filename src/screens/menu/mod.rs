@@ -1,27 +1,29 @@
 //! The main menu: who plays, where the ship hovers over the buttons, and a little game: a right click drops a ball.
+//!
+//! The question before the window closes while something is neither saved nor kept: what would be lost, and whether to stay.
 
-mod balls;
-pub mod closing;
-pub mod credits;
-mod hover;
-pub mod link;
-
+use super::flight::Flight;
+use super::screen::{Destination, GameScene, Purpose, Request, Screen};
 use crate::draw::layout::{Area, Frame, GRID, PADDING, ROW_BUTTON, TEXT, TITLE, Vec2, words_box, words_width};
 use crate::draw::{Canvas, Colour, Style};
 use crate::physics::{DVec2, ForceKind};
 use crate::scores::Name;
-use crate::screens::flight::Flight;
-use crate::screens::menu::balls::{Balls, METRE};
-use crate::screens::screen::{Destination, GameScene, Purpose, Request, Screen};
 use crate::session::Session;
 use crate::session::worker::{Brought, Errand, Ticket};
 use crate::settings::Key;
 use crate::ui::input::Input;
 use crate::ui::pace::{self, Motion};
+use crate::ui::prompt::Problems;
 use crate::ui::{Spectator, Ui};
 use crate::view::camera::{CanvasWindow, Viewport};
 use crate::view::{scale, theme, things, widgets};
 use crate::words::tr;
+use balls::{Balls, METRE};
+use std::path::Path;
+
+mod balls;
+pub mod credits;
+pub mod link;
 
 /// The words on the buttons of the column, from top to bottom.
 const LABELS: [&str; 6] = ["Play", "Levels", "Boards", PLAYERS, MORE, LAST];
@@ -259,5 +261,44 @@ impl Screen for Menu {
 
     fn motion(&self, input: &Input) -> Motion {
         if self.rests(input) { Motion::Still } else { Motion::Easy }
+    }
+}
+
+/// Loses nothing: Enter presses it, and Esc does the same.
+const STAY: &str = "Stay here";
+const AGAIN: &str = "Try again";
+const ANYWAY: &str = "Close anyway";
+
+#[derive(Debug)]
+pub struct Closing {
+    losses: Problems,
+    /// Whether something of that could not be written.
+    failed: bool,
+}
+
+impl Closing {
+    /// What would be lost, a line each, and whether some of that could not be written.
+    pub fn new(losses: Vec<String>, failed: bool) -> Self {
+        Self { losses: Problems::new(tr("This is not saved, and would be lost").to_owned(), losses), failed }
+    }
+}
+
+impl Screen for Closing {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        widgets::graph_paper(ui.canvas());
+        let answers = if self.failed { &[STAY, AGAIN, ANYWAY][..] } else { &[STAY, ANYWAY] };
+        let answer = self.losses.answer(ui, answers);
+        if ui.key(Key::Escape) || answer == Some(STAY) {
+            return Some(Request::Pop);
+        }
+        answer.map(|answer| if answer == AGAIN { Request::Quit } else { Request::QuitAnyway })
+    }
+
+    fn tune(&self) -> Option<&str> {
+        None
+    }
+
+    fn takes(&self, _: &Path) -> bool {
+        false
     }
 }

@@ -10,7 +10,7 @@ use crate::scores::Name;
 use crate::screens::players::PlayerList;
 use crate::screens::screen::{AboveGame, Destination, Finished, GameScene, Noise, Purpose, Request, Screen};
 use crate::session::Session;
-use crate::session::attempt::{Attempt, Flown};
+use crate::session::library::{Attempt, Flown};
 use crate::session::recordings::{self, FlightCandidate, Visit};
 use crate::settings::{Action, Key};
 use crate::ui::input::Input;

@@ -6,12 +6,8 @@
 mod cpal;
 #[cfg(target_os = "linux")]
 mod linux;
-#[cfg(any(target_os = "linux", test))]
-mod pace;
 #[cfg(any(target_os = "linux", windows, target_os = "macos"))]
 mod player;
-#[cfg(target_os = "linux")]
-mod system;
 #[cfg(any(target_os = "linux", windows, target_os = "macos"))]
 mod why;
 

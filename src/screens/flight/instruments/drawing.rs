@@ -3,7 +3,7 @@ use super::{Instruments, Tool};
 use crate::draw::layout::{DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Game, SHIP};
-use crate::instruments::energy::{centre_of_mass, velocity_of_centre};
+use crate::instruments::ledger::{centre_of_mass, velocity_of_centre};
 use crate::view::camera::Viewport;
 use crate::view::theme;
 use crate::words::tr;

@@ -3,8 +3,7 @@
 use super::Stage;
 use crate::draw::Colour;
 use crate::game::{Game, History, body_title};
-use crate::instruments::energy::{EnergyState, ground};
-use crate::instruments::ledger::{Account, MOST_BODIES, WorkLedger};
+use crate::instruments::ledger::{Account, EnergyState, MOST_BODIES, WorkLedger, ground};
 use crate::level::Level;
 use crate::number::{QuantityScale, scalar, seconds};
 use crate::physics::{BodyId, DVec2, ForceKind, Impulse};

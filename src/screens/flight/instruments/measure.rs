@@ -8,7 +8,7 @@ use super::vectors::Scales;
 use super::{Stage, Tool};
 use crate::draw::layout::{Area, Frame, GRID, Vec2};
 use crate::game::Game;
-use crate::instruments::trail::Trail;
+use crate::instruments::track::Trail;
 use crate::physics::BodyId;
 use crate::ui::Ui;
 use crate::ui::input::Input;

@@ -8,7 +8,7 @@ use super::{Tool, dock};
 use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, SHIP};
-use crate::instruments::trail::{DOTS_A_SECOND, LASTS};
+use crate::instruments::track::{DOTS_A_SECOND, LASTS};
 use crate::number::{QuantityScale, fixed, scalar};
 use crate::physics::{BodyId, DVec2, ForceKind};
 use crate::view::camera::Viewport;

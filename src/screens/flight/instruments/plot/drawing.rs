@@ -2,8 +2,7 @@
 
 use super::hand::{READINGS, SAMPLE};
 use super::{Plot, PlotPlaces};
-use crate::draw::chart::Linear;
-use crate::draw::chart::look::{CurveLook, marker, stroke};
+use crate::draw::chart::{CurveLook, Linear, marker, stroke};
 use crate::draw::layout::{Area, DETAILS, GRID, MONO_ADVANCE, Vec2};
 use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::instruments::chart;
