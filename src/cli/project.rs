@@ -1,9 +1,8 @@
 use super::files::read_text;
 use super::{CommandError, shown};
-use crate::files;
 use crate::game::{Replay, level_hash};
 use crate::level::{self, Level};
-use crate::pack;
+use crate::{files, pack};
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 

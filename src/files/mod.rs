@@ -35,8 +35,7 @@ pub use rows::{BadCell, CsvColumn, CsvFile, CsvRow, CsvStruct, found_instead, pl
 pub use save::{SaveError, update, write};
 pub use shipped::{AboveShipped, ship_at, ship_lessons_at};
 pub use staged::{Replacement, around, behind_links, sync_folder};
-pub use storage::{Disk, FileKind, Found, Manner, Storage};
-pub use storage::{Lock, PATIENCE, share};
+pub use storage::{Disk, FileKind, Found, Lock, Manner, PATIENCE, Storage, share};
 
 /// Some 8000 objects or 20 000 solids. Each object is compared with each solid: files four times as large would take seconds.
 pub const LEVEL_TABLE: u64 = 256 << 10;

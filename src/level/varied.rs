@@ -2,12 +2,11 @@
 
 use super::document::{Document, RowId, SetCell};
 use super::links::{self, TooMuch};
-use super::numbers as q;
 use super::parameter::Parameter;
 use super::problem::Problem;
 use super::schema::{Kind, Table};
 use super::types::{Level, Mover, SHIP_HALF};
-use super::winnable;
+use super::{numbers as q, winnable};
 use crate::physics::{Aabb, BodyId, DVec2, Sides, WorldDef};
 use crate::words::tr;
 

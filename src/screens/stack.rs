@@ -2,8 +2,7 @@
 
 use super::destinations::{open, reading};
 use super::editor::Editor;
-use super::menu;
-use super::menu::Closing;
+use super::menu::{Closing, Menu};
 use super::screen::{Destination, Effect, GameScene, Request, Screen};
 use crate::draw::Canvas;
 use crate::draw::layout::Frame;
@@ -13,7 +12,7 @@ use crate::session::{Places, Session, library};
 use crate::settings::{Key, Keys, Settings};
 use crate::ui::input::{Input, Stale};
 use crate::ui::pace::{self, Pace, Picture};
-use crate::ui::{Memory, PassInput, Spectator, Widget};
+use crate::ui::{Memory, PassInput, Spectator};
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -41,7 +40,7 @@ pub struct Stack {
     /// What [`Request::Pop`] leads back to, the next one last.
     below: Vec<Box<dyn Screen>>,
     /// What the widgets of the screen remember.
-    memory: Memory,
+    pub memory: Memory,
     /// The keys that another screen or another window was given.
     stale: Stale,
     /// What the screen has shown.
@@ -49,7 +48,7 @@ pub struct Stack {
     /// Physical pixels a logical one.
     pub dpi: f32,
     /// How long the screen has been there, s.
-    shown_for: f64,
+    pub shown_for: f64,
     pace: Pace,
     loading: Option<Loading>,
 }
@@ -74,7 +73,7 @@ impl Stack {
     pub fn with_worker(places: Places, worker: Worker) -> Self {
         let mut session = Session::new(places, worker);
         Self {
-            top: Box::new(menu::Menu::open(&mut session)),
+            top: Box::new(Menu::open(&mut session)),
             below: Vec::new(),
             session,
             memory: Memory::default(),
@@ -182,21 +181,6 @@ impl Stack {
         below.scene(frame)
     }
 
-    /// The widgets of the last frame: those of the topmost layer.
-    pub fn widgets(&self) -> &[Widget] {
-        self.memory.widgets()
-    }
-
-    /// The label of the widget that has the keyboard's focus.
-    pub fn focused(&self) -> Option<&str> {
-        self.memory.focused()
-    }
-
-    /// The label of the widget under the pointer, where the pointer moved last.
-    pub fn hovered(&self) -> Option<&str> {
-        self.memory.hovered()
-    }
-
     /// What the last frame has shown.
     pub fn canvas(&self) -> &Canvas {
         &self.canvas
@@ -205,11 +189,6 @@ impl Stack {
     /// Who plays.
     pub fn player(&self) -> &Name {
         self.session.journal.current()
-    }
-
-    /// How long the screen has been there, s.
-    pub fn shown_for(&self) -> f64 {
-        self.shown_for
     }
 
     /// How much of it its curtain still hides, 0 … 1.

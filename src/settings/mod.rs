@@ -8,8 +8,7 @@ mod keys;
 pub mod layout;
 
 pub use bindings::{Action, Bindings, FLYING};
-pub use item::Item;
-pub use item::{Assists, Palette, Settings};
+pub use item::{Assists, Item, Palette, Settings};
 #[cfg(feature = "window")]
 pub(crate) use keys::plain_keys;
 pub use keys::{Key, Keys};

@@ -14,10 +14,8 @@ pub mod scroll;
 pub mod text_field;
 mod widgets;
 
-pub use entry::{EntryEvent, EntryField};
-pub use entry::{SliderMove, SliderShown};
-pub use memory::Spectator;
-pub use memory::{Memory, Widget, WidgetKind};
+pub use entry::{EntryEvent, EntryField, SliderMove, SliderShown};
+pub use memory::{Memory, Spectator, Widget, WidgetKind};
 pub use widgets::{FieldEvent, Rows, Touch, Turning};
 
 use crate::draw::Canvas;

@@ -101,7 +101,7 @@ pub fn reaches(subjects: &[ArrowSubject], ground: &Ground) -> [Vec<Reach>; 2] {
 
 /// The arrows, from frame to frame.
 #[derive(Clone, Debug, Default)]
-pub struct Arranged {
+pub struct ArrowLayout {
     /// The arrows with a place.
     pub arrows: Vec<Arrow>,
     /// The number of the others.
@@ -110,7 +110,7 @@ pub struct Arranged {
     moved: HashMap<(BodyId, ArrowKind, usize), usize>,
 }
 
-impl Arranged {
+impl ArrowLayout {
     /// `metre` is canvas units a metre of the level.
     pub fn arrange(&mut self, subjects: &[ArrowSubject], scale: &ArrowScale, metre: f64, ground: &Ground) {
         let before = std::mem::take(&mut self.moved);

@@ -251,7 +251,7 @@ fn faults(sitting: &Sitting, whole: &BTreeSet<String>) -> Vec<String> {
                 found.push(format!("on one another: {} | {}", line.text, other.text));
             }
         }
-        let button = sitting.app.widgets().iter().find(|widget| widget.area.contains(line.area.centre()));
+        let button = sitting.app.memory.widgets().iter().find(|widget| widget.area.contains(line.area.centre()));
         if let Some(button) = button.filter(|button| !inside(&line.area, &button.area)) {
             found.push(format!("wider than {}: {}", button.label, line.text));
         }

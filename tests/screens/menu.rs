@@ -69,7 +69,7 @@ fn pointer_and_keyboard_move_one_highlight() {
     let mut sitting = Sitting::new();
     let third = sitting.area("Boards").centre();
     sitting.press(Key::Down).point_at(third);
-    let highlight = |sitting: &Sitting| (sitting.app.hovered().map(str::to_owned), sitting.focused().to_owned());
+    let highlight = |sitting: &Sitting| (sitting.app.memory.hovered().map(str::to_owned), sitting.focused().to_owned());
     assert_eq!(highlight(&sitting), (Some("Boards".into()), "Boards".into()));
     sitting.give(Input { pointer: third, pressed: [Key::Down].into_iter().collect(), ..Input::default() });
     assert_eq!(highlight(&sitting), (None, "Players".into()));

@@ -22,7 +22,7 @@ fn a_clock_that_jumps_hides_no_screen_and_ends_nothing() {
         let frame = sitting.frame;
         assert!(sitting.app.update(&Input { frame_time: jump, frame, ..Input::default() }, &mut ()));
         assert_eq!(sitting.app.veil(), 0.0, "{jump}");
-        assert!((0.9..=1.5).contains(&sitting.app.shown_for()), "{jump}: {}", sitting.app.shown_for());
+        assert!((0.9..=1.5).contains(&sitting.app.shown_for), "{jump}: {}", sitting.app.shown_for);
         // A screen that opens in that very frame fades in soon after, and its level arrives.
         let mut sitting = Sitting::new();
         sitting.press(Key::Down);

@@ -177,13 +177,13 @@ impl Sitting {
 
     /// Where a button is.
     pub fn area(&self, label: &str) -> Area {
-        let widget = self.app.widgets().iter().find(|widget| widget.label == label);
+        let widget = self.app.memory.widgets().iter().find(|widget| widget.label == label);
         widget.unwrap_or_else(|| panic!("{label} is none of {:?} at {}", self.labels(), self.at())).area
     }
 
     /// Where all buttons are.
     pub fn areas(&self) -> Vec<Area> {
-        self.app.widgets().iter().map(|widget| widget.area).collect()
+        self.app.memory.widgets().iter().map(|widget| widget.area).collect()
     }
 
     /// All buttons are in the window, and apart.
@@ -201,12 +201,12 @@ impl Sitting {
     }
 
     pub fn labels(&self) -> Vec<&str> {
-        self.app.widgets().iter().map(|widget| widget.label.as_str()).collect()
+        self.app.memory.widgets().iter().map(|widget| widget.label.as_str()).collect()
     }
 
     /// The label of the widget that has the focus.
     pub fn focused(&self) -> &str {
-        self.app.focused().unwrap_or_default()
+        self.app.memory.focused().unwrap_or_default()
     }
 
     /// All lines of text on the screen, in order, with their places.
@@ -269,7 +269,7 @@ impl Sitting {
 
     /// The text of the line that is typed into.
     pub fn field(&self) -> String {
-        let field = self.app.widgets().iter().find(|widget| widget.kind == WidgetKind::Field).expect("there is a field");
+        let field = self.app.memory.widgets().iter().find(|widget| widget.kind == WidgetKind::Field).expect("there is a field");
         let texts = self.texts();
         texts.into_iter().rfind(|(_, at)| field.area.contains(*at)).map(|(text, _)| text).unwrap_or_default()
     }

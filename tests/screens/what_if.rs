@@ -44,7 +44,7 @@ pub fn type_in(sitting: &mut Sitting, parameter: Parameter, text: &str) {
 
 /// The label of the open number or name, and its text.
 fn entry(sitting: &Sitting) -> Option<(String, String)> {
-    let widget = sitting.app.widgets().iter().find(|widget| widget.kind == WidgetKind::Field)?;
+    let widget = sitting.app.memory.widgets().iter().find(|widget| widget.kind == WidgetKind::Field)?;
     Some((widget.label.clone(), sitting.field()))
 }
 

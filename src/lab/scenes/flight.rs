@@ -4,7 +4,7 @@
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::METHODS;
 use crate::lab::methods::motion::{
-    ADAPTIVE, MotionLaw, MotionStep, PointState, adaptive_to, exact_fall, in_liquid, rise_and_fall, tolerance,
+    ADAPTIVE, MotionLaw, MotionStep, PointState, adaptive_to, in_liquid, rise_and_fall, tolerance,
 };
 use crate::lab::{LabScene, SceneMethod, contract, reference};
 use crate::physics::{BodyId, DVec2, World, WorldDef};
@@ -100,12 +100,6 @@ pub fn fall() -> LabScene {
     // All others are exact, too, or one of these.
     fall.methods.retain(|method| method.shipped || FALLING.contains(&method.name.as_str()));
     fall
-}
-
-pub fn fall_with_drag() -> LabScene {
-    let law = MotionLaw { constant: DVec2::new(0.0, G), drag: DRAG, ..MotionLaw::default() };
-    let title = "Fall with drag (terminal velocity 14 m/s), 10 s";
-    with_flow("fall-with-drag", title, FlyingBody::in_air(law, PointState::default()), exact_fall)
 }
 
 pub fn rise() -> LabScene {

@@ -15,7 +15,6 @@ use super::LabScene;
 pub fn all() -> Vec<LabScene> {
     vec![
         flight::fall(),
-        flight::fall_with_drag(),
         flight::rise(),
         flight::liquid(),
         flight::projectile(),
@@ -28,7 +27,6 @@ pub fn all() -> Vec<LabScene> {
         sliding::to_a_stop(),
         bouncing::perfect(),
         bouncing::apexes(),
-        collisions::head_on(),
         collisions::cradle(),
         stacks::column(),
         stacks::heavy_on_light(),

@@ -2,13 +2,12 @@
 
 use super::picture::FailurePicture;
 use super::{G, StressTest, Trial};
-use crate::lab::TICK;
-use crate::lab::TOLERANCE;
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::bounce::{Ball, Bounce, energy, event_loop, impact_times};
 use crate::lab::methods::slide::{SlideStep, Slider, by_sign};
 use crate::lab::scenes::bouncing::{self, BouncingBall, METHODS, bounces_until, energy_kept, lossy_apex_at, series_end};
 use crate::lab::scenes::sliding::{self, SlidingBox};
+use crate::lab::{TICK, TOLERANCE};
 
 /// s.
 const RESTING: f64 = 5.0;

@@ -3,11 +3,10 @@
 use super::picture::FailurePicture;
 use super::{G, StressTest, Trial};
 use crate::game::{Clock, TICK_RATE};
-use crate::lab::TICK;
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::motion::{MotionLaw, MotionStep, PointState, semi_implicit_euler, semi_implicit_euler_f32};
 use crate::lab::scenes::flight::FlyingBody;
-use crate::lab::{TOLERANCE, contract};
+use crate::lab::{TICK, TOLERANCE, contract};
 use crate::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
 
 /// s.

@@ -8,8 +8,7 @@ use crate::lab::curve::Measured;
 use crate::lab::drawing::overview;
 use crate::lab::stability::Region;
 use crate::ui::{Ui, WidgetKind};
-use crate::view::theme;
-use crate::view::widgets;
+use crate::view::{theme, widgets};
 use crate::words::tr;
 
 /// Where the page leads.

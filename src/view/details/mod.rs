@@ -9,7 +9,7 @@ use super::boxes::{self, BoxWish};
 use super::camera::Viewport;
 use super::facts::{ArrowKind, BodyFacts, FactRow, Value, facts, quantities};
 use super::focus::{Focus, answer, partner};
-use super::free_body::{Arranged, ArrowSubject, Ground, head_area, place_labels, reaches};
+use super::free_body::{ArrowLayout, ArrowSubject, Ground, head_area, place_labels, reaches};
 use super::hud::{HudLayout, landmarks, velocity_tip};
 use super::scale::{Label, Steady};
 use super::{mechanisms, world};
@@ -66,7 +66,7 @@ impl PlacedBox {
 #[derive(Default)]
 pub struct Details {
     pub boxes: Vec<PlacedBox>,
-    pub arranged: Arranged,
+    pub arranged: ArrowLayout,
     pub labels: Vec<Label>,
     /// Of mechanisms.
     pub names: Vec<(String, Area)>,

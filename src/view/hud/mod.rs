@@ -2,17 +2,14 @@
 
 mod aside;
 
-pub use aside::HudLayout;
-pub use aside::{Aside, HudPart, HudShown};
-pub use aside::{Pointer, PointerTarget, in_view, targets};
+pub use aside::{Aside, HudLayout, HudPart, HudShown, Pointer, PointerTarget, in_view, targets};
 
 use super::art::{self, Tile};
 use super::camera::Viewport;
 use super::emitters::objective_colour;
-use super::labels;
-use super::theme;
 use super::widgets::{fitted, panel_in};
 use super::zones::{diamond, ring};
+use super::{labels, theme};
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, TEXT, Vec2, text_room};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{DAMAGING_SPEED, Game, Medals, SHIP};
