@@ -1,4 +1,4 @@
-//! Lists the levels, experiments and assets of the repository as Rust, so that the program has them built in (`src/built_in.rs`),
+//! Lists the levels, experiments, assets and charts of the repository as Rust, so that the program has them built in (`src/built_in.rs`),
 //! names the browser's target `browser`, and the engine's sources by a hash of their lines.
 
 use std::env;
@@ -6,7 +6,9 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-const SHIPPED: [&str; 3] = ["assets", "experiments", "levels"];
+const SHIPPED: [&str; 4] = ["assets", "docs/charts", "experiments", "levels"];
+/// Charts that no screen reads: pictures, and what other files were made of.
+const LEFT_OUT: [&str; 6] = [".svg", ".md", "/peers.csv", "/shipped.csv", "/stability.csv", "/stability-limits.csv"];
 
 fn main() {
     println!("cargo::rustc-check-cfg=cfg(browser)");
@@ -20,6 +22,7 @@ fn main() {
     for folder in SHIPPED {
         list(Path::new(&root), folder, &mut files);
     }
+    files.retain(|file| !file.starts_with("docs/") || !LEFT_OUT.iter().any(|end| file.ends_with(end)));
     let (mut sources, mut hash) = (Vec::new(), 0xcbf2_9ce4_8422_2325_u64); // FNV-1a
     list(Path::new(&root), "src/physics", &mut sources);
     for file in sources.iter().filter(|file| file.ends_with(".rs") && !file.ends_with("tests.rs")) {

@@ -123,7 +123,6 @@ impl QuantityScale {
         Self { decimals: own.clamp(self.decimals, self.decimals + 2), ..self.clone() }
     }
 
-    /// Without its unit.
     pub fn number(&self, value: f64) -> String {
         if value.abs() < NOTHING {
             return "0".to_owned();

@@ -176,7 +176,6 @@ impl Blocks {
     }
 }
 
-/// The result of [`step_through`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stepped {
     /// Overlaps resolved, which should be collisions.

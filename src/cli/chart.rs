@@ -179,7 +179,6 @@ pub fn run(args: &ChartArgs, project: &Project, out: &mut dyn Write) -> Result<S
     Ok(Status::Done)
 }
 
-/// Names and contents.
 fn all_files(charts: &Charts) -> Vec<(String, String)> {
     let mut files = charts.files();
     for measured in &charts.diagrams {

@@ -47,7 +47,6 @@ fn plain(error: csv::Error) -> io::Error {
     }
 }
 
-/// The names of standard output.
 const STANDARD: [&str; 2] = ["-", "/dev/stdout"];
 
 pub struct OutputFile {
@@ -57,7 +56,6 @@ pub struct OutputFile {
 
 enum OutputTarget {
     File(Box<Replacement>),
-    /// Written to directly.
     Standard(io::Stdout),
 }
 
@@ -123,7 +121,6 @@ impl OutputFile {
         Ok(files)
     }
 
-    /// Writes the content to the disk, beside the target.
     pub fn stage(self) -> Result<Staged, CommandError> {
         let Self { path, writer } = self;
         let staged = writer.into_inner().map_err(io::IntoInnerError::into_error).and_then(|target| match target {

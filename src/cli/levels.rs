@@ -282,7 +282,6 @@ fn beside(more: &[String]) -> String {
     }
 }
 
-/// The error is in words.
 fn open(path: &Path) -> Result<Package, String> {
     let bytes = files::read(path, pack::LARGEST).map_err(|error| error.to_string())?;
     let called = path.file_stem().unwrap_or_default().to_string_lossy();

@@ -117,7 +117,6 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, CommandError> {
     }
 }
 
-/// An exit status.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Status {

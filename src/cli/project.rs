@@ -64,7 +64,6 @@ impl Project {
         self.homeless.then(|| homeless.to_owned()).into_iter().chain(unmade).collect()
     }
 
-    /// The folder of `settings.csv`.
     pub fn settings_folder(&self) -> &Path {
         &self.settings_folder
     }
@@ -144,7 +143,6 @@ impl Project {
         self.load_folder(&self.level_folder(name)?)
     }
 
-    /// The error lists every problem.
     pub fn load_folder(&self, folder: &Path) -> Result<Arc<Level>, CommandError> {
         let loaded =
             level::load(folder, &self.root).map_err(|problems| CommandError::Refused(level::listed(&problems).join("\n")))?;

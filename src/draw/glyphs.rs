@@ -45,7 +45,6 @@ impl Glyphs {
         Ok(Self { faces: [face(Typeface::Sans)?, face(Typeface::Mono)?], known: HashMap::new(), atlases: Vec::new() })
     }
 
-    /// Begins a frame.
     pub fn begin(&mut self) {
         if self.atlases.len() > MOST_PAGES {
             self.known.clear();
@@ -67,7 +66,6 @@ impl Glyphs {
         }
     }
 
-    /// Draws what was written.
     pub fn draw(&mut self) {
         self.atlases.iter_mut().for_each(Atlas::draw);
     }

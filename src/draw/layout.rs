@@ -88,7 +88,6 @@ pub const MARGIN: f32 = 24.0;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Area {
     pub min: Vec2,
-    /// Its width and height.
     pub size: Vec2,
 }
 
@@ -97,7 +96,6 @@ impl Area {
         Self { min: Vec2::new(x, y), size: Vec2::new(width, height) }
     }
 
-    /// The box of that size around a point.
     pub fn around(centre: Vec2, size: Vec2) -> Self {
         Self { min: centre - size / 2.0, size }
     }

@@ -171,7 +171,6 @@ impl WindowPen {
         &self.paintings[index].1
     }
 
-    /// Keeps this frame's picture for later frames.
     pub fn keep(&mut self, canvas: &Canvas) {
         if self.copying.is_none() {
             return;

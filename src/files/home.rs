@@ -23,7 +23,6 @@ fn home() -> &'static dyn Storage {
     crate::web::storage()
 }
 
-/// As [`Storage::look`], at the end of links.
 pub fn look(path: &Path) -> io::Result<Found> {
     home().look(path, Symlinks::Followed)
 }
@@ -51,7 +50,6 @@ pub fn is_taken(path: &Path) -> bool {
     home().look(path, Symlinks::Never).is_ok()
 }
 
-/// As [`Storage::names`].
 pub fn names(folder: &Path) -> io::Result<Vec<OsString>> {
     home().names(folder)
 }
@@ -63,7 +61,6 @@ pub fn text_names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// As [`Storage::resolve`].
 pub fn resolve(path: &Path) -> io::Result<PathBuf> {
     home().resolve(path)
 }
@@ -77,7 +74,6 @@ pub fn read(path: &Path, at_most: u64) -> io::Result<Vec<u8>> {
     read_with(path, at_most, Symlinks::Followed)
 }
 
-/// As [`read`], with the meaning of links.
 pub fn read_with(path: &Path, at_most: u64, links: Symlinks) -> io::Result<Vec<u8>> {
     home().read(path, at_most, links)
 }
@@ -119,12 +115,10 @@ pub fn replace(path: &Path, bytes: &[u8], links: Symlinks) -> io::Result<()> {
     replace_with(path, bytes, Manner { links, durable: true, shared: false })
 }
 
-/// As [`Storage::replace`].
 pub fn replace_with(path: &Path, bytes: &[u8], manner: Manner) -> io::Result<()> {
     home().replace(path, bytes, manner)
 }
 
-/// As [`Storage::create`].
 pub fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
     home().create(path, bytes)
 }
@@ -142,12 +136,10 @@ pub fn create_numbered(path: &Path, bytes: &[u8]) -> io::Result<PathBuf> {
     Err(io::ErrorKind::AlreadyExists.into())
 }
 
-/// As [`Storage::make_folder`].
 pub fn make_folder(path: &Path) -> io::Result<()> {
     home().make_folder(path)
 }
 
-/// As [`Storage::make_shared_folder`].
 pub fn make_shared_folder(path: &Path) -> io::Result<()> {
     home().make_shared_folder(path)
 }
@@ -172,12 +164,10 @@ pub fn put(path: &Path, bytes: &[u8]) -> io::Result<()> {
     home().put(path, bytes)
 }
 
-/// As [`Storage::remove`].
 pub fn remove(path: &Path) -> io::Result<()> {
     home().remove(path)
 }
 
-/// As [`Storage::rename`].
 pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
     home().rename(from, to)
 }

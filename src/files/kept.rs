@@ -32,7 +32,6 @@ impl From<KeepingFault> for io::Error {
     }
 }
 
-/// Values under keys.
 pub trait Keeper: Sync {
     fn get(&self, key: &str) -> Result<Option<Vec<u8>>, KeepingFault>;
     /// After an error the old value stands.

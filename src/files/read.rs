@@ -5,7 +5,6 @@ use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, IsTerminal, Read};
 use std::path::Path;
 
-/// The meaning of a symbolic link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Symlinks {
     /// The file at the link's end.
@@ -15,7 +14,6 @@ pub enum Symlinks {
     Never,
 }
 
-/// As [`super::read_with`], on a disk.
 pub(super) fn read_file(path: &Path, at_most: u64, links: Symlinks) -> io::Result<Vec<u8>> {
     let file = if let Some(descriptor) = descriptor(path) {
         judge_input(descriptor)?;

@@ -39,7 +39,6 @@ pub struct CsvColumn {
     pub plain: fn(Dialect, &str) -> Result<Cow<'_, str>, String>,
 }
 
-/// A cell that is refused.
 #[derive(Debug)]
 pub struct BadCell {
     pub column: &'static str,
@@ -98,7 +97,6 @@ impl<'a> CsvFile<'a> {
         CsvRow { file: self, dialect, line: row.line, cells: row.cells }
     }
 
-    /// The expected header in a message.
     pub fn header(&self) -> String {
         self.columns.join(",")
     }
@@ -199,7 +197,6 @@ pub fn place(file: impl Display, line: usize, column: &str) -> String {
     tr!("{file}:{line}: column {column}", file, line, column = format_args!("{column:?}"))
 }
 
-/// A problem in a message.
 pub fn found_instead(place: &str, found: impl Display, expected: impl Display) -> String {
     tr!("{place}: found {found}, expected {expected}", place, found, expected)
 }

@@ -13,7 +13,6 @@ use std::path::{Path, PathBuf};
 /// The file on disk is as it was before.
 #[derive(Debug)]
 pub enum SaveError {
-    /// The file is marked read-only.
     ReadOnly(PathBuf),
     /// Another program holds this lock for longer than [`PATIENCE`].
     Busy(PathBuf),

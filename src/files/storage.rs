@@ -79,13 +79,10 @@ pub trait Storage: Sync {
     /// Makes a folder where there is none, whole or not at all: `fill` fills the folder of the path that it is given.
     fn create_folder(&self, path: &Path, fill: &mut dyn FnMut(&Path) -> io::Result<()>) -> io::Result<()>;
 
-    /// Removes a file.
     fn remove(&self, path: &Path) -> io::Result<()>;
 
-    /// Renames a file or a folder.
     fn rename(&self, from: &Path, to: &Path) -> io::Result<()>;
 
-    /// See [`Lock::wait`].
     fn lock(&self, path: &Path, patience: Duration) -> io::Result<Lock>;
 }
 
@@ -215,7 +212,6 @@ impl Lock {
         file.write_all(who.as_bytes())
     }
 
-    /// As [`Lock::wait`], on a disk.
     pub(super) fn of_file(path: &Path, patience: Duration) -> io::Result<Self> {
         let mut file = open_lock(path)?;
         let begun = Instant::now();

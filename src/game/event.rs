@@ -115,7 +115,6 @@ impl Death {
         }
     }
 
-    /// For the player.
     pub fn words(self, level: &Level) -> &'static str {
         tr(match self {
             Self::Obstacle(_) => "Touched a red box",

@@ -17,7 +17,6 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// An empty curve.
     pub fn new(across: Quantity, up: Quantity) -> Self {
         Self { across, up, xs: NumberSeries::default(), ys: NumberSeries::default(), breaks: Vec::new() }
     }

@@ -30,71 +30,49 @@ pub struct Numeral {
     pub at: Range<usize>,
 }
 
-/// Units as they are written, with the unit in SI and the factor. Longer ones that begin alike come first.
-const UNITS: [(&str, &str, f64); 62] = [
-    ("km/h", "m/s", 1.0 / 3.6),
-    ("cm/s²", "m/s²", 0.01),
-    ("cm/s", "m/s", 0.01),
-    ("mm/s", "m/s", 0.001),
-    ("km/s", "m/s", 1000.0),
-    ("m/s²", "m/s²", 1.0),
-    ("m/s^2", "m/s²", 1.0),
-    ("m/s2", "m/s²", 1.0),
-    ("m/s/s", "m/s²", 1.0),
-    ("m/s", "m/s", 1.0),
-    ("kN/m", "N/m", 1000.0),
-    ("N/cm", "N/m", 100.0),
-    ("N/mm", "N/m", 1000.0),
-    ("N/m", "N/m", 1.0),
-    ("N/kg", "m/s²", 1.0),
-    ("kN·s", "N·s", 1000.0),
-    ("N·s", "N·s", 1.0),
-    ("N*s", "N·s", 1.0),
-    ("N s", "N·s", 1.0),
-    ("Ns", "N·s", 1.0),
-    ("kg·m/s", "N·s", 1.0),
-    ("kg*m/s", "N·s", 1.0),
-    ("kg m/s", "N·s", 1.0),
-    ("kg/m³", "kg/m³", 1.0),
-    ("newtons", "N", 1.0),
-    ("newton", "N", 1.0),
-    ("kN", "N", 1000.0),
-    ("mN", "N", 0.001),
-    ("N", "N", 1.0),
-    ("joules", "J", 1.0),
-    ("joule", "J", 1.0),
-    ("kJ", "J", 1000.0),
-    ("mJ", "J", 0.001),
-    ("J", "J", 1.0),
-    ("kg", "kg", 1.0),
-    ("g", "kg", 0.001),
-    ("t", "kg", 1000.0),
-    ("meters", "m", 1.0),
-    ("metres", "m", 1.0),
-    ("meter", "m", 1.0),
-    ("metre", "m", 1.0),
-    ("mètres", "m", 1.0),
-    ("mètre", "m", 1.0),
-    ("km", "m", 1000.0),
-    ("dm", "m", 0.1),
-    ("cm", "m", 0.01),
-    ("mm", "m", 0.001),
-    ("m³", "m³", 1.0),
-    ("m²", "m²", 1.0),
-    ("min", "s", 60.0),
-    ("ms", "s", 0.001),
-    ("m", "m", 1.0),
-    ("seconds", "s", 1.0),
-    ("sekunden", "s", 1.0),
-    ("secondes", "s", 1.0),
-    ("second", "s", 1.0),
-    ("sek", "s", 1.0),
-    ("sec", "s", 1.0),
-    ("s", "s", 1.0),
-    ("%", "%", 1.0),
-    ("°", "°", 1.0),
-    ("Hz", "Hz", 1.0),
+/// Units in SI, the factor, and how they are written.
+const UNITS: [(&str, f64, &str); 35] = [
+    ("m/s", 1.0 / 3.6, "km/h"),
+    ("m/s", 0.01, "cm/s"),
+    ("m/s", 0.001, "mm/s"),
+    ("m/s", 1000.0, "km/s"),
+    ("m/s", 1.0, "m/s"),
+    ("m/s²", 0.01, "cm/s²"),
+    ("m/s²", 1.0, "m/s², m/s^2, m/s2, m/s/s, N/kg"),
+    ("N/m", 1000.0, "kN/m, N/mm"),
+    ("N/m", 100.0, "N/cm"),
+    ("N/m", 1.0, "N/m"),
+    ("N·s", 1000.0, "kN·s"),
+    ("N·s", 1.0, "N·s, N*s, N s, Ns, kg·m/s, kg*m/s, kg m/s"),
+    ("kg/m³", 1.0, "kg/m³"),
+    ("N", 1.0, "newtons, newton, N"),
+    ("N", 1000.0, "kN"),
+    ("N", 0.001, "mN"),
+    ("J", 1.0, "joules, joule, J"),
+    ("J", 1000.0, "kJ"),
+    ("J", 0.001, "mJ"),
+    ("kg", 1.0, "kg"),
+    ("kg", 0.001, "g"),
+    ("kg", 1000.0, "t"),
+    ("m", 1.0, "meters, metres, meter, metre, mètres, mètre, m"),
+    ("m", 1000.0, "km"),
+    ("m", 0.1, "dm"),
+    ("m", 0.01, "cm"),
+    ("m", 0.001, "mm"),
+    ("m³", 1.0, "m³"),
+    ("m²", 1.0, "m²"),
+    ("s", 60.0, "min"),
+    ("s", 0.001, "ms"),
+    ("s", 1.0, "seconds, sekunden, secondes, second, sek, sec, s"),
+    ("%", 1.0, "%"),
+    ("°", 1.0, "°"),
+    ("Hz", 1.0, "Hz"),
 ];
+
+/// A unit as it is written, with the unit in SI and the factor.
+fn units() -> impl Iterator<Item = (&'static str, &'static str, f64)> {
+    UNITS.iter().flat_map(|(dimension, factor, names)| names.split(", ").map(|name| (name, *dimension, *factor)))
+}
 
 /// Signs in formulas, and the units in SI of what they may mean.
 const SYMBOLS: [(&str, &[&str]); 13] = [
@@ -132,7 +110,7 @@ impl NumeralStyle {
 impl Numeral {
     /// The dimension of a unit and its factor; `None` for none.
     pub fn dimension(unit: &str) -> Option<(&'static str, f64)> {
-        UNITS.iter().find(|(name, ..)| *name == unit).map(|(_, dimension, factor)| (*dimension, *factor))
+        units().find(|(name, ..)| *name == unit).map(|(_, dimension, factor)| (dimension, factor))
     }
 }
 
@@ -282,8 +260,8 @@ fn unit(text: &str, end: usize) -> (Option<(&'static str, f64)>, usize) {
         };
         begins && (!name.ends_with(char::is_alphanumeric) || ends(name.len()))
     };
-    let found = UNITS.iter().find(|(name, ..)| is(name));
-    found.map_or((None, end), |(name, dimension, factor)| (Some((*dimension, *factor)), from + name.len()))
+    let found = units().filter(|(name, ..)| is(name)).max_by_key(|(name, ..)| name.len());
+    found.map_or((None, end), |(name, dimension, factor)| (Some((dimension, factor)), from + name.len()))
 }
 
 /// A minus counts where it begins a word.

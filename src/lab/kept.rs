@@ -10,61 +10,15 @@ use super::charts::Charts;
 use super::curve::{MOST_CURVES, Measured, NUMBERS, WorkPoint, curve_of};
 use super::rows::{not_negative, rows, work_point};
 use crate::draw::chart::CurveOrigin;
-use crate::files::CsvRow;
-
-macro_rules! kept {
-    ($($name:literal),* $(,)?) => {
-        [$((concat!($name, ".csv"), include_str!(concat!("../../docs/charts/", $name, ".csv")))),*]
-    };
-}
-
-const FILES: [(&str, &str); 38] = kept![
-    "setting",
-    "scenes",
-    "stress",
-    "savings",
-    "fall",
-    "fall-with-drag",
-    "rise-with-drag",
-    "liquid",
-    "projectile",
-    "gust",
-    "oscillator",
-    "oscillator-energy",
-    "pendulum",
-    "shock-absorber",
-    "orbit",
-    "slide",
-    "bounce-perfect",
-    "bounce-apexes",
-    "head-on",
-    "cradle",
-    "column",
-    "heavy-on-light",
-    "pushed-row",
-    "friction-tower",
-    "rest-time",
-    "thin-wall",
-    "pi",
-    "piles",
-    "piles-of-masses",
-    "piles-that-bounce",
-    "flights",
-    "flights-with-drag",
-    "bounce-fourth",
-    "wall-10-km-s",
-    "oscillator-energy-over-time",
-    "shock-absorber-over-time",
-    "orbit-over-time",
-    "bounce-perfect-over-time",
-];
+use crate::files::{CsvRow, SHIPPED};
 
 /// # Errors
 /// As [`Charts::read`]: a file was damaged before the build.
 pub fn charts() -> Result<Charts, String> {
     Charts::read(|name| {
-        let file = FILES.iter().find(|(file, _)| *file == name);
-        file.map(|(_, text)| (*text).to_owned()).ok_or_else(|| format!("{name}: not among the charts that come with the game"))
+        let path = format!("docs/charts/{name}");
+        let file = SHIPPED.iter().find(|(file, _)| *file == path).and_then(|(_, bytes)| str::from_utf8(bytes).ok());
+        file.map(str::to_owned).ok_or_else(|| format!("{name}: not among the charts that come with the game"))
     })
 }
 
@@ -94,28 +48,16 @@ impl PeerRow {
 
 /// Whether `benches/peers` runs a scene of that name.
 pub fn is_of_peers(scene: &str) -> bool {
-    const OTHERS: [&str; 18] = [
-        "fall",
-        "slide",
-        "bounce-perfect",
-        "bounce-apexes",
-        "head-on",
-        "cradle",
-        "column",
-        "column-100",
-        "heavy-on-light",
-        "pushed-row",
-        "settled-100",
-        "settled-1000",
-        "settled-5000",
-        "islands-200",
-        "tower-hit",
-        "afloat-64",
-        "asleep-1000",
-        "lift",
-    ];
+    const SINGLE: &str = "fall slide bounce-perfect bounce-apexes bounce-fourth head-on cradle column column-100 heavy-on-light \
+        pushed-row wall-10-km-s settled-100 settled-1000 settled-5000 islands-200 tower-hit afloat-64 asleep-1000 lift";
+    const OF_SIZES: [&str; 5] = ["pile", "masses", "restitutions", "flight", "flight-drag"];
     let scene = scene.strip_suffix(SLEEP).unwrap_or(scene);
-    OTHERS.contains(&scene) || FAMILIES.iter().any(|family| family.has(scene))
+    SINGLE.split_whitespace().any(|name| name == scene) || OF_SIZES.iter().any(|scenes| has_size(scenes, scene))
+}
+
+/// Whether that is one of those scenes with its number of bodies behind it.
+fn has_size(scenes: &str, scene: &str) -> bool {
+    scene.strip_prefix(scenes).and_then(|rest| rest.strip_prefix('-')).is_some_and(|size| size.parse::<u32>().is_ok())
 }
 
 /// `file` names the text.
@@ -148,7 +90,6 @@ struct Family {
     name: &'static str,
     title: &'static str,
     error: &'static str,
-    tolerance: f64,
     /// Whether the diagram has a point a size, with work a body and step.
     sizes: bool,
     /// For the reader: a limit of a peer's own that decides its error.
@@ -157,11 +98,8 @@ struct Family {
 
 const OVERLAP: &str = "worst overlap at any step, m";
 
-const FAMILIES: [Family; 7] = [
+const FAMILIES: [Family; 3] = [
     Family::of_sizes("pile", "piles", "Piles of 100, 1000 and 5000 boxes raining into a pit, 10 s", OVERLAP),
-    Family::of_sizes("masses", "piles-of-masses", "Boxes of 0.5 to 50 kg raining into a pit, 10 s", OVERLAP),
-    Family::of_sizes("restitutions", "piles-that-bounce", "Boxes of mixed restitutions raining into a pit, 10 s", OVERLAP),
-    Family::of_sizes("flight", "flights", "Free flight of many bodies, 5 s", "worst error of position at the end, m"),
     Family::of_sizes(
         "flight-drag",
         "flights-with-drag",
@@ -169,28 +107,24 @@ const FAMILIES: [Family; 7] = [
         "worst error of position at the end, m",
     ),
     Family {
-        // A tenth of a pixel of the fourth apex, 20 m · 0.5⁸.
-        tolerance: TOLERANCE / 0.078_125,
-        ..Family::single("bounce-fourth", "The fourth bounce at restitution 0.5, from 20 m", "relative error of its height")
-    },
-    Family {
+        sizes: false,
         note: "As they come, Rapier and Box2D let nothing be faster than 400 m/s: the box is caught on its way, not at the wall.",
-        ..Family::single("wall-10-km-s", "A box of 0.2 m at 10 km/s against a wall of 5 cm", "error of position at the end, m")
+        ..Family::of_sizes(
+            "wall-10-km-s",
+            "wall-10-km-s",
+            "A box of 0.2 m at 10 km/s against a wall of 5 cm",
+            "error of position at the end, m",
+        )
     },
 ];
 
 impl Family {
-    const fn single(name: &'static str, title: &'static str, error: &'static str) -> Self {
-        Self { scenes: name, name, title, error, tolerance: TOLERANCE, sizes: false, note: "" }
-    }
-
     const fn of_sizes(scenes: &'static str, name: &'static str, title: &'static str, error: &'static str) -> Self {
-        Self { scenes, name, title, error, tolerance: TOLERANCE, sizes: true, note: "" }
+        Self { scenes, name, title, error, sizes: true, note: "" }
     }
 
     fn has(&self, scene: &str) -> bool {
-        let size = |rest: &str| rest.strip_prefix('-').is_some_and(|size| size.parse::<u32>().is_ok());
-        if self.sizes { scene.strip_prefix(self.scenes).is_some_and(size) } else { scene == self.scenes }
+        if self.sizes { has_size(self.scenes, scene) } else { scene == self.scenes }
     }
 
     fn diagram(&self, step: f64) -> Measured {
@@ -200,7 +134,7 @@ impl Family {
             title: self.title.to_owned(),
             error: self.error.to_owned(),
             work: work.to_owned(),
-            tolerance: self.tolerance,
+            tolerance: TOLERANCE,
             // Of sizes, the only one there is; else the step at which the game ships.
             shipped_step: if self.sizes { step } else { 1.0 / crate::game::TICK_RATE },
             alike: !self.sizes,
@@ -273,10 +207,13 @@ mod tests {
         // Behind the scenes of the lab stand the scenes of engines only.
         assert_eq!(kept[..scenes.len()], scenes);
         let followed = charts.diagrams.iter().filter(|measured| measured.over_time.is_some());
-        let kept: Vec<String> =
-            kept.iter().map(|name| (*name).to_owned()).chain(followed.map(|m| format!("{}-over-time", m.name))).collect();
-        let listed: Vec<&str> = FILES[4..].iter().map(|(name, _)| name.trim_end_matches(".csv")).collect();
-        assert_eq!(listed, kept, "docs/charts/scenes.csv names other files than are listed here");
+        let mut kept: Vec<String> = ["setting", "scenes", "stress", "savings"].into_iter().chain(kept).map(str::to_owned).collect();
+        kept.extend(followed.map(|measured| format!("{}-over-time", measured.name)));
+        kept.sort();
+        let named = |file: &str| Some(file.strip_prefix("docs/charts/")?.strip_suffix(".csv")?.to_owned());
+        let mut built_in: Vec<String> = SHIPPED.iter().filter_map(|(file, _)| named(file)).collect();
+        built_in.sort();
+        assert_eq!(built_in, kept, "docs/charts has other files than its scenes.csv names");
         assert!(!charts.stress.is_empty());
     }
 

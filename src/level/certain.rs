@@ -61,7 +61,7 @@ fn like_pixels(draft: &Draft, ship: &FromRow<ShipStart>) -> Vec<Problem> {
 
 /// Holds beyond the optimal time, keys that no pad takes, pods out of reach.
 fn without_use(draft: &Draft, ship: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
-    let best = draft.settings.optimal_time;
+    let best = draft.settings.row.optimal_time;
     let long = draft.objectives.iter().filter(|pad| pad.item.hold > best).map(|pad| {
         let found = tr!("a hold of {hold} s, longer than the optimal time of {best} s", hold = pad.item.hold, best);
         pad.problem("hold", found, tr("a shorter hold, or a longer optimal_time in constants.csv"))
@@ -101,7 +101,7 @@ fn too_heavy(bounds: &Bounds, pad: &FromRow<Objective>) -> Option<Problem> {
     let mut keys = draft.objects.iter().enumerate().filter(|(_, object)| object.item.key.is_some_and(|key| pad.item.fits(key)));
     let (_, first) = keys.clone().next()?;
     let stuck = keys.all(|(index, key)| {
-        let (weight, friction) = (key.item.mass * draft.settings.gravity, bounds.friction());
+        let (weight, friction) = (key.item.mass * draft.settings.row.gravity, bounds.friction());
         let others: f64 = bounds.masses().enumerate().filter(|(body, _)| *body != index + 1).map(|(_, mass)| mass).sum();
         let Some(energy) = bounds.energy(Some(index)) else { return false };
         if key.item.weightless || key.item.velocity != DVec2::ZERO || 2.0 * bounds.ship.thrust > friction * weight {
@@ -111,7 +111,7 @@ fn too_heavy(bounds: &Bounds, pad: &FromRow<Objective>) -> Option<Problem> {
         let share = 4.0 * others * key.item.mass / (others + key.item.mass).powi(2);
         let given = if others < key.item.mass { share * energy } else { energy };
         let far = MARGIN * given / weight * (1.0 / friction + 1.0);
-        let falls = (2.0 * bounds.size.y / draft.settings.gravity * (draft.world.len() + draft.doors.len() + 1) as f64).sqrt();
+        let falls = (2.0 * bounds.size.y / draft.settings.row.gravity * (draft.world.len() + draft.doors.len() + 1) as f64).sqrt();
         let reach = (far + (2.0 * given / key.item.mass).sqrt() * falls) / (1.0 - bounds.restitution()).powi(2);
         let own = Aabb::around(key.item.position, key.item.size * 0.5);
         let across = (own.min.x - pad.item.bounds.max.x).max(pad.item.bounds.min.x - own.max.x);
@@ -181,7 +181,7 @@ impl Bounds<'_> {
 
     /// The smallest coefficient of kinetic friction of the level.
     fn friction(&self) -> f64 {
-        self.draft.settings.friction * self.materials().map(|material| material.kinetic_friction).fold(f64::INFINITY, f64::min)
+        self.draft.settings.row.friction * self.materials().map(|material| material.kinetic_friction).fold(f64::INFINITY, f64::min)
     }
 
     /// The energy, J, that all bodies have at most at any time, but for an object that stays where it is: theirs at the start, and the work
@@ -189,9 +189,9 @@ impl Bounds<'_> {
     /// `None` where something else does work.
     fn energy(&self, but: Option<usize>) -> Option<f64> {
         let Self { draft, ship, size } = self;
-        let gravity = draft.settings.gravity;
+        let gravity = draft.settings.row.gravity;
         let moved = draft.movers.is_empty() && draft.world.iter().all(|block| block.item.belt == 0.0);
-        let own = moved && !draft.has_currents() && draft.settings.gravity_x == 0.0 && gravity > 0.0;
+        let own = moved && !draft.has_currents() && draft.settings.row.gravity_x == 0.0 && gravity > 0.0;
         let tied = draft.links.iter().map(|link| link.item.bind(&draft.objects));
         let stored = tied.map(|link| self.stored(&link?)).sum::<Option<f64>>()?;
         let of = |mass: f64, at: DVec2, v: DVec2| mass * (0.5 * v.length_squared() + gravity * (size.y - at.y).max(0.0));
@@ -208,7 +208,7 @@ impl Bounds<'_> {
 
     /// The least drag of the ship at 1 m/s, N.
     fn drag(&self) -> f64 {
-        let air = if self.ship.feels_air { self.draft.settings.air_density } else { 0.0 };
+        let air = if self.ship.feels_air { self.draft.settings.row.air_density } else { 0.0 };
         0.5 * air * self.ship.drag * 2.0 * SHIP_HALF.min_element()
     }
 
@@ -246,7 +246,7 @@ impl Bounds<'_> {
     pub fn run(&self, side: DVec2, but: Option<Zone>) -> Option<f64> {
         let Self { draft, ship, size } = self;
         let alone = draft.objects.is_empty() && !draft.is_driven() && draft.fluids.is_empty() && self.restitution() == 0.0;
-        let settings = &draft.settings;
+        let settings = &draft.settings.row;
         let all = draft.streams.iter().enumerate().map(|(index, stream)| (Zone::Stream(index), stream.item.force));
         let all =
             all.chain(draft.fields.iter().enumerate().map(|(index, field)| (Zone::Field(index), field.item.strength * ship.mass)));

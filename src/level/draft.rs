@@ -51,10 +51,10 @@ pub(super) struct Draft {
 impl Draft {
     /// Reads all files but constants.csv; `size` is in pixels.
     pub fn read(reader: &mut LevelReader, size: Option<DVec2>, settings: LevelSettings) -> Self {
-        let player = if settings.experiment { None } else { player(reader) };
+        let player = if settings.is_experiment() { None } else { player(reader) };
         let world = reader.things(Table::World, blocks::solid);
         let mut objects = reader.things(Table::Objects, bodies::object);
-        let objectives = objectives(reader, settings.experiment, &mut objects);
+        let objectives = objectives(reader, settings.is_experiment(), &mut objects);
         let streams = streams(reader, &world);
         let mut settings = settings;
         let stars = stars(reader, &mut settings);
@@ -102,12 +102,13 @@ impl Draft {
 
     /// Whether there is a ship, or none is needed.
     pub const fn may_start(&self) -> bool {
-        self.player.is_some() || self.settings.experiment
+        self.player.is_some() || self.settings.is_experiment()
     }
 
     /// The size is in metres.
     pub fn level(self, name: &str, background: bool, size: DVec2) -> Level {
-        let settings = self.settings;
+        let experiment = self.settings.is_experiment();
+        let LevelSettings { row: settings, awards, .. } = self.settings;
         Level {
             name: name.to_owned(),
             title: settings.title.unwrap_or_else(|| name.to_owned()),
@@ -119,10 +120,10 @@ impl Draft {
             optimal_time: settings.optimal_time,
             rest_speed: settings.rest_speed,
             friction: settings.friction,
-            experiment: settings.experiment,
-            awards: settings.awards,
-            landscape: settings.landscape,
-            overview: settings.overview,
+            experiment,
+            awards,
+            landscape: settings.world,
+            overview: settings.overview == 1.0,
             player: self.player.map_or(ShipStart::PARKED, |ship| ship.item),
             world: items(self.world),
             movers: items(self.movers),

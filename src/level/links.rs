@@ -27,7 +27,7 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     for link in draft.links.iter().take(MOST_LINKS) {
         let before = problems.len();
         for (column, end) in ["a", "b"].into_iter().zip(&link.item.ends) {
-            if *end == LinkRowEnd::Ship && draft.settings.experiment {
+            if *end == LinkRowEnd::Ship && draft.settings.is_experiment() {
                 problems.push(link.problem(column, quoted("ship"), tr("an object or a place: an experiment has no ship")));
             }
             let LinkRowEnd::Object(name) = end else { continue };

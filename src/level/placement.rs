@@ -25,7 +25,7 @@ type Named = (&'static str, FromRow<Aabb>);
 /// More streams, fields and liquids than a level may have, and liquids that overlap: one problem a row.
 pub(super) fn check_zones(draft: &Draft) -> Vec<Problem> {
     let mut problems = Vec::new();
-    let sideways = usize::from(draft.settings.gravity_x != 0.0);
+    let sideways = usize::from(draft.settings.row.gravity_x != 0.0);
     too_many(&draft.streams, tr("air streams"), MOST_ZONES, &mut problems);
     too_many(&draft.fields, tr("gravity zones"), MOST_ZONES - sideways, &mut problems);
     too_many(&draft.fluids, tr("liquids"), MOST_LIQUIDS, &mut problems);

@@ -160,7 +160,7 @@ fn background(reader: &mut LevelReader) -> Option<Result<DVec2, ()>> {
 
 /// Where constants.csv gives another size than the background.
 fn sizes_that_are_not_used(settings: &LevelSettings, background: DVec2) -> Vec<Problem> {
-    let sides = [("width", settings.width, background.x), ("height", settings.height, background.y)];
+    let sides = [("width", settings.row.width, background.x), ("height", settings.row.height, background.y)];
     let unused = sides.into_iter().filter_map(|(name, given, used)| Some((name, given.filter(|given| *given != used)?, used)));
     let problem = |(name, given, used)| {
         let expected = tr!("{used}, the {name} of {background}, which is used", used, name, background = BACKGROUND);
@@ -174,7 +174,7 @@ fn plain_size(settings: &LevelSettings, reader: &mut LevelReader) -> Option<DVec
         let expected = tr!("the level's {name} in pixels, as there is no {background}", name, background = BACKGROUND);
         reader.rows.problems.push(SETTING.problem(1, tr!("no {column}", column = name), expected));
     }
-    Some(DVec2::new(settings.width?, settings.height?))
+    Some(DVec2::new(settings.row.width?, settings.row.height?))
 }
 
 /// The problems by files and lines, and at most [`MOST_PROBLEMS`] of them.

@@ -164,7 +164,7 @@ pub(super) fn check_strength(draft: &Draft) -> Vec<Problem> {
     let ship = draft.player.iter().map(|ship| ship.map(|ship| ship.mass));
     let masses = ship.chain(draft.objects.iter().map(|object| object.map(|object| object.mass)));
     let Some(lightest) = masses.min_by(|a, b| a.item.total_cmp(&b.item)) else { return problems };
-    for fluid in draft.fluids.iter().filter(|_| draft.settings.gravity_x != 0.0) {
+    for fluid in draft.fluids.iter().filter(|_| draft.settings.row.gravity_x != 0.0) {
         let expected = tr("no fluids.csv where constants.csv gives a gravity_x: the surface of a liquid is level");
         problems.push(fluid.problem("x", tr("a liquid beside gravity to the side"), expected));
     }
@@ -189,7 +189,7 @@ pub(super) fn warn_of_strength(draft: &Draft, player: &FromRow<ShipStart>) -> Ve
 /// Thrust below the ship's weight, where an objective lies above the start and nothing else moves any body upwards.
 fn weak_engine(draft: &Draft, player: &FromRow<ShipStart>) -> Option<Problem> {
     let (ship, settings) = (&player.item, &draft.settings);
-    let weight = ship.mass * settings.gravity;
+    let weight = ship.mass * settings.row.gravity;
     let top = ship.position.y - SHIP_HALF.y;
     let above = |pad: &FromRow<Objective>| pad.item.kind == ObjectiveKind::Player && pad.item.bounds.max.y < top;
     if ship.thrust >= weight || lifts(draft, ship) || !draft.objectives.iter().any(above) {
@@ -217,11 +217,11 @@ fn lifts(draft: &Draft, ship: &ShipStart) -> bool {
 /// Plates that take more than all masses and the thrust together. A mover, a belt, a link, a wind, a zone or a liquid presses without such
 /// a bound.
 fn heavy_plates(draft: &Draft, ship: &ShipStart) -> Vec<Problem> {
-    if draft.is_driven() || draft.has_currents() || draft.settings.gravity_x != 0.0 {
+    if draft.is_driven() || draft.has_currents() || draft.settings.row.gravity_x != 0.0 {
         return Vec::new();
     }
     let objects = draft.objects.iter().filter(|object| !object.item.weightless).map(|object| object.item.mass);
-    let most = ship.thrust + (ship.mass + objects.sum::<f64>()) * draft.settings.gravity.max(0.0);
+    let most = ship.thrust + (ship.mass + objects.sum::<f64>()) * draft.settings.row.gravity.max(0.0);
     let heavy = |plate: &FromRow<Switch>| {
         let weight = plate.item.weight.filter(|weight| most <= *weight)?;
         let found =

@@ -82,8 +82,11 @@ pub enum CuboidFace {
 /// A collision in a step, by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CuboidHit {
-    /// A dynamic cuboid with a static one.
-    Static { object: usize, obstacle: usize, face: CuboidFace },
+    Static {
+        object: usize,
+        obstacle: usize,
+        face: CuboidFace,
+    },
     /// Two dynamic cuboids, the first with the smaller index.
     Pair(usize, usize),
 }

@@ -52,7 +52,6 @@ const CUT: f64 = 0.5;
 /// Ticks. After bumping into the other player walking is off: else it would undo the bounce within a tick.
 const STAGGER: u32 = 24;
 
-/// The keys that a player holds during a tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct JumpKeys {
     pub left: bool,
@@ -221,7 +220,6 @@ impl JumperScene {
         self.players.iter().zip(&self.bodies)
     }
 
-    /// Walls and platforms near the view.
     pub fn tower(&self) -> &Tower {
         &self.tower
     }
@@ -238,7 +236,6 @@ impl JumperScene {
 
 const _: () = assert!(STARTS[0] >= 0.0 && STARTS[1] + PLAYER_SIZE <= WIDTH);
 
-/// The columns of the file, which are its first row.
 const HEADER: [&str; 7] = ["ticks", "left1", "right1", "jump1", "left2", "right2", "jump2"];
 /// The columns of one player, and of both.
 const ONE_PLAYER: usize = 4;

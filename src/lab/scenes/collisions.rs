@@ -1,4 +1,4 @@
-//! Elastic collisions along a line. A pair keeps momentum and energy; of a cradle of n equal blocks the last one leaves with the first
+//! Elastic collisions along a line. Of a cradle of n equal blocks the last one leaves with the first
 //! one's velocity and all others stand still.
 //!
 //! A fast box against a thin obstacle. Exact: it never gets through.
@@ -88,29 +88,16 @@ impl Model for BlockLine {
     }
 }
 
-fn scene(name: &'static str, title: &str, line: BlockLine, places: Vec<f64>) -> LabScene {
-    let scene = LabScene { world: line.world(), ..LabScene::new(name, title, SECONDS, places.len()) };
+pub fn cradle() -> LabScene {
+    let line = BlockLine::cradle(5);
+    let places: Vec<f64> = (0..5).map(|block| line.cradle_place(block, SECONDS)).collect();
+    let scene = LabScene::new("cradle", "Newton's cradle of five blocks, 10 s", SECONDS, places.len());
+    let world = line.world();
     let methods = SceneMethod::all(METHODS, move |by, h| {
         let error = |blocks: Vec<LineBlock>| blocks.iter().zip(&places).map(|(block, x)| (block.x - x).abs()).fold(0.0, f64::max);
         line.end(by, SECONDS, h).map_or(f64::NAN, error)
     });
-    LabScene { error: "worst error of a position at the end, m", methods, ..scene }
-}
-
-/// 75 kg at 25.7 m/s against 150 kg at −11.3 m/s, 10 m apart.
-pub fn head_on() -> LabScene {
-    let a = LineBlock { x: 0.0, v: 25.7, mass: 75.0, half: 0.5 };
-    let b = LineBlock { x: 11.0, v: -11.3, mass: 150.0, half: 0.5 };
-    let meet = 10.0 / (a.v - b.v);
-    let (va, vb) = crate::classics::pi::elastic(a.mass, a.v, b.mass, b.v);
-    let places = vec![a.x + a.v * meet + va * (SECONDS - meet), b.x + b.v * meet + vb * (SECONDS - meet)];
-    scene("head-on", "An elastic head-on collision, 10 s", BlockLine::of(vec![a, b]), places)
-}
-
-pub fn cradle() -> LabScene {
-    let line = BlockLine::cradle(5);
-    let places = (0..5).map(|block| line.cradle_place(block, SECONDS)).collect();
-    scene("cradle", "Newton's cradle of five blocks, 10 s", line, places)
+    LabScene { error: "worst error of a position at the end, m", methods, world, ..scene }
 }
 
 /// m. Widths of the flying box and of the obstacle in its path.

@@ -3,9 +3,7 @@
 
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::METHODS;
-use crate::lab::methods::motion::{
-    ADAPTIVE, MotionLaw, MotionStep, PointState, adaptive_to, in_liquid, rise_and_fall, tolerance,
-};
+use crate::lab::methods::motion::{ADAPTIVE, MotionLaw, MotionStep, PointState, adaptive_to, in_liquid, rise_and_fall, tolerance};
 use crate::lab::{LabScene, SceneMethod, contract, reference};
 use crate::physics::{BodyId, DVec2, World, WorldDef};
 

@@ -71,22 +71,17 @@ rows! {
 pub static SETTINGS: &[Column] = SettingsRow::COLUMNS;
 
 pub(in crate::level) struct LevelSettings {
-    pub title: Option<String>,
-    pub gravity: f64,
-    pub gravity_x: f64,
-    pub air_density: f64,
-    pub optimal_time: f64,
-    pub rest_speed: f64,
-    pub friction: f64,
-    pub experiment: bool,
-    pub overview: bool,
+    pub row: SettingsRow,
     pub awards: Awards,
     /// The setting that asks for the mark.
     pub marked: Option<&'static str>,
-    pub landscape: Option<Landscape>,
-    pub width: Option<f64>,
-    pub height: Option<f64>,
     pub given: RowCells,
+}
+
+impl LevelSettings {
+    pub const fn is_experiment(&self) -> bool {
+        self.row.experiment == 1.0
+    }
 }
 
 /// An unknown setting is a warning. The reader gets the level's scale.
@@ -97,23 +92,7 @@ pub(in crate::level) fn settings(rows: Vec<RowCells>, reader: &mut RowReader, wa
     // In an unfinished level the usual number stands for a refused one.
     let row: SettingsRow = given.read_or_usual(reader).unwrap_or_default();
     let (awards, marked) = awards(&row, &given, reader);
-    LevelSettings {
-        title: row.title,
-        gravity: row.gravity,
-        gravity_x: row.gravity_x,
-        air_density: row.air_density,
-        optimal_time: row.optimal_time,
-        rest_speed: row.rest_speed,
-        friction: row.friction,
-        experiment: row.experiment == 1.0,
-        overview: row.overview == 1.0,
-        awards,
-        marked,
-        landscape: row.world,
-        width: row.width,
-        height: row.height,
-        given,
-    }
+    LevelSettings { row, awards, marked, given }
 }
 
 fn named(rows: Vec<RowCells>, reader: &mut RowReader, warnings: &mut Vec<Problem>) -> RowCells {

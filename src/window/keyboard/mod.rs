@@ -68,7 +68,7 @@ impl WindowKeys {
         #[cfg(not(target_os = "linux"))]
         let handed_in = cfg!(browser);
         #[cfg(windows)]
-        for (_, place) in layout::PRINTING {
+        for (_, place) in layout::printing() {
             windows::plain(place).into_iter().for_each(|sign| layout::note(place, sign));
         }
         Self {

@@ -18,7 +18,7 @@ unsafe extern "system" {
 
 /// What the key at that place types alone.
 pub fn plain(place: Key) -> Option<char> {
-    let (code, _) = layout::PRINTING.iter().find(|(_, key)| *key == place)?;
+    let (code, _) = layout::printing().find(|(_, key)| *key == place)?;
     // SAFETY: it takes any numbers.
     let character = unsafe { MapVirtualKeyW(MapVirtualKeyW(u32::from(*code), CODE_TO_KEY), KEY_TO_CHARACTER) };
     char::from_u32(character & CHARACTER).filter(|sign| *sign != '\0').and_then(|sign| sign.to_lowercase().next())

@@ -234,9 +234,9 @@ impl System {
         // SAFETY: the event is whole, and no text is asked for.
         unsafe { (self.functions.lookup)(&raw mut event, std::ptr::null_mut(), 0, &raw mut keysym, std::ptr::null_mut()) };
         let plain = self.character(self.keysym(code, group));
-        let printing = code.checked_sub(CODES).and_then(|code| layout::PRINTING.iter().find(|(known, _)| *known == code));
+        let printing = code.checked_sub(CODES).and_then(|code| layout::printing().find(|(known, _)| *known == code));
         let place = match named(self.keysym(code, 0)) {
-            None if self.pc => printing.map(|(_, key)| *key),
+            None if self.pc => printing.map(|(_, key)| key),
             None => plain.and_then(Key::typing),
             named => named,
         };
@@ -271,9 +271,9 @@ impl System {
     /// The signs on the keys.
     fn learn(&mut self) {
         self.pc = self.keysym(65, 0) == 0x20 && self.keysym(111, 0) == 0xff52;
-        for (code, place) in layout::PRINTING.iter().filter(|_| self.pc) {
+        for (code, place) in layout::printing().filter(|_| self.pc) {
             if let Some(sign) = self.character(self.keysym(code + CODES, self.group)) {
-                layout::note(*place, alone(sign));
+                layout::note(place, alone(sign));
             }
         }
     }
