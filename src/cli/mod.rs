@@ -8,7 +8,6 @@ mod chart;
 #[allow(clippy::disallowed_methods)] // it measures
 mod classics;
 mod files;
-mod import;
 mod levels;
 mod play;
 mod project;
@@ -54,7 +53,7 @@ enum Subcommand {
     /// Make a flight the proof of a level's medal, with its time
     Prove(levels::ProveArgs),
     /// Make a level of a map of the editor Tiled, .tmj or .tmx
-    Import(import::ImportArgs),
+    Import(levels::ImportArgs),
     /// Make one file of a level, with its pictures and flights, to be handed on
     Pack(levels::PackArgs),
     /// Install the level of such a file under levels/
@@ -105,7 +104,7 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, CommandError> {
         Some(Subcommand::Chart(args)) => chart::run(args, &project, out),
         Some(Subcommand::New(args)) => levels::new_level(args, &project, out),
         Some(Subcommand::Prove(args)) => levels::prove_level(args, &project, out),
-        Some(Subcommand::Import(args)) => import::run(args, &project, out),
+        Some(Subcommand::Import(args)) => levels::run(args, &project, out),
         Some(Subcommand::Pack(args)) => levels::pack_level(args, &project, out),
         Some(Subcommand::Unpack(args)) => levels::unpack_level(args, &project, out),
         Some(Subcommand::Verify(args)) => verify::verify_flights(args, &project, out),

@@ -1,11 +1,13 @@
 //! States and events of an attempt.
+//!
+//! Names of all that exerts a force in a level: bodies by their numbers in the telemetry, the rest by the rows of the level's
+//! files. Files and players' pages have names of their own, with the same numbers.
 
 use super::clock::TICK_RATES;
 #[cfg(doc)]
 use super::impacts::{DAMAGING_SPEED, DUST_SPEED};
-use super::names::obstacle_name;
-use crate::level::{Level, SurfaceOf};
-use crate::physics::{BodyId, DVec2, DefError, Event, Obstacle};
+use crate::level::{Level, Look, SurfaceOf};
+use crate::physics::{BodyId, DVec2, DefError, Event, Obstacle, Source};
 use crate::words::tr;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -135,4 +137,89 @@ pub fn crushed(events: &[Event]) -> impl Iterator<Item = (BodyId, u32)> + '_ {
         Event::Crushed { body, by, .. } => Some((body, by)),
         Event::Impact { .. } | Event::Snapped { .. } | Event::Hooked { .. } => None,
     })
+}
+
+/// In the engine's order.
+const EDGES: [&str; 4] = ["edge left", "edge right", "edge top", "edge bottom"];
+
+/// The name of a source: `gravity`, `engine`, `air`; `stream N`, `fluid N` and `world N`, the Nth row of hazards.csv, fluids.csv and
+/// world.csv; likewise `mover N`, `door N`, `switch N` (its plate) and `gravity N`; `hazard N`, the source block of stream N; `edge left`
+/// (`right`, `top`, `bottom`); `object N`, of which 0 is the ship.
+pub fn source_name(level: &Level, source: Source) -> String {
+    match source {
+        Source::Gravity => "gravity".to_owned(),
+        Source::Engine => "engine".to_owned(),
+        Source::Air => "air".to_owned(),
+        Source::Stream(index) => format!("stream {}", index + 1),
+        // The level's own sideways gravity has the index behind the zones.
+        Source::Field(index) if index as usize >= level.fields.len() => "gravity".to_owned(),
+        Source::Field(index) => format!("gravity {}", index + 1),
+        Source::Fluid(index) => format!("fluid {}", index + 1),
+        Source::Surface(index) => surface_name(level, index as usize),
+        Source::Body(body) => format!("object {}", body.0),
+        Source::Link(index) => format!("link {}", index + 1),
+    }
+}
+
+/// N/kg.
+const EARTH: f64 = 9.81;
+/// A field this near to the Earth's has its name, N/kg.
+const EARTH_WITHIN: f64 = 0.05;
+const WALLS: [&str; 4] = ["left edge", "right edge", "roof", "floor"];
+
+/// In a player's words: `Earth` (`planet` under another gravity), `exhaust` (the gas that leaves the engine pushes the ship),
+/// `air`, `fan N`, `liquid N`, `block N`, `mover N`, `floor` …; numbers as in [`source_name`].
+pub fn plain_name(level: &Level, source: Source) -> String {
+    match source {
+        Source::Gravity if (level.gravity - EARTH).abs() <= EARTH_WITHIN => tr("Earth").to_owned(),
+        Source::Gravity => tr("planet").to_owned(),
+        Source::Engine => tr("exhaust").to_owned(),
+        Source::Stream(index) => tr!("fan {number}", number = index + 1),
+        Source::Fluid(index) => tr!("liquid {number}", number = index + 1),
+        Source::Surface(index) => match level.surface(index as usize) {
+            SurfaceOf::World(index) => tr!("block {number}", number = index + 1),
+            SurfaceOf::Source(index) => tr!("fan {number}", number = index + 1),
+            SurfaceOf::Edge(index) => tr(WALLS[index]).to_owned(),
+            SurfaceOf::Mover(index) => tr!("mover {number}", number = index + 1),
+            SurfaceOf::Door(index) => tr!("door {number}", number = index + 1),
+            SurfaceOf::Plate(index) => tr!("switch {number}", number = index + 1),
+        },
+        Source::Air => tr("air").to_owned(),
+        Source::Field(index) if (index as usize) < level.fields.len() => tr!("gravity {number}", number = index + 1),
+        Source::Field(_) => tr("gravity").to_owned(),
+        Source::Body(body) => tr!("object {number}", number = body.0),
+        Source::Link(index) => tr!("link {number}", number = index + 1),
+    }
+}
+
+pub fn obstacle_name(level: &Level, obstacle: Obstacle) -> String {
+    match obstacle {
+        Obstacle::Surface(index) => surface_name(level, index as usize),
+        Obstacle::Body(body) => format!("object {}", body.0),
+    }
+}
+
+/// `Ship`, `Key object 2`, `Ball 3`, `Box 4`, numbered as in [`source_name`].
+pub fn body_title(level: &Level, id: BodyId) -> String {
+    let Some(object) = id.index().checked_sub(1).and_then(|i| level.objects.get(i)) else {
+        return tr("Ship").to_owned();
+    };
+    let kind = match object.look {
+        _ if object.key.is_some() => "Key object {number}",
+        _ if object.circular => "Ball {number}",
+        Look::Ball => "Ball {number}",
+        Look::Image(_) | Look::Box => "Box {number}",
+    };
+    tr!(kind, number = id.0)
+}
+
+fn surface_name(level: &Level, index: usize) -> String {
+    match level.surface(index) {
+        SurfaceOf::World(index) => format!("world {}", index + 1),
+        SurfaceOf::Source(index) => format!("hazard {}", index + 1),
+        SurfaceOf::Mover(index) => format!("mover {}", index + 1),
+        SurfaceOf::Door(index) => format!("door {}", index + 1),
+        SurfaceOf::Plate(index) => format!("switch {}", index + 1),
+        SurfaceOf::Edge(index) => EDGES[index].to_owned(),
+    }
 }

@@ -8,7 +8,6 @@
 //! view.draw(&game, clock.alpha())
 //! ```
 
-mod again;
 mod attempt;
 mod clock;
 mod code;
@@ -18,22 +17,19 @@ mod history;
 mod impacts;
 mod inputs;
 mod mechanisms;
-mod names;
 mod replay;
 mod score;
 mod ship;
 mod track;
 
-pub use again::{Again, DryRun};
 pub use attempt::Game;
 pub use clock::{Clock, Controls, Latch, TICK_RATE, TICK_RATES, TICKS_A_FRAME};
-pub use event::{Death, GameError, GameEvent, Outcome};
+pub use event::{Death, GameError, GameEvent, Outcome, body_title, obstacle_name, plain_name, source_name};
 pub use fingerprint::{LevelHash, level_hash};
-pub use history::{History, Reel, Tape, Unflown};
+pub use history::{Again, DryRun, History, Reel, Tape, Unflown};
 pub use impacts::{APART, DAMAGING_SPEED, DUST_SPEED, Felt, READABLE, TOUCH};
 pub use inputs::{BadFile, HEADER, Inputs, MOST_TICKS, Playback};
 pub use mechanisms::Mechanisms;
-pub use names::{body_title, obstacle_name, plain_name, source_name};
 pub use replay::{MOST_SECONDS, Mismatch, PROGRAM, Recorder, Replay};
 pub use score::{Goal, Medal, Medals, Prize, RunResult, ScoreParts, goals, words};
 pub use ship::{BURN_RATE, ROTATION_RATE, SHIP, Ship, nose, object_body};

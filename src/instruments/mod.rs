@@ -4,7 +4,6 @@ pub mod chart;
 pub mod curve;
 pub mod fit;
 pub mod ledger;
-pub mod numerals;
 pub mod quantity;
 pub mod reading;
 pub mod track;

@@ -2,8 +2,10 @@
 //! each scene has a file of points, and one of courses over time where it was followed; `stress.csv` holds the limits of each method.
 //! Numbers are in the shortest form that reads back as the same f64; an error of `inf` or `NaN` is a run that blew up.
 
-use super::curve::{CoursePoint, MOST_CURVES, Measured, MethodCurve, OverTime, PI, WorkPoint, curve_of};
-use super::rows::{above_zero, error, not_negative, rows, shortest, table, work_point};
+use super::curve::{
+    CoursePoint, MOST_CURVES, Measured, MethodCurve, OverTime, PI, WorkPoint, above_zero, curve_of, error, not_negative, rows,
+    shortest, table, work_point,
+};
 use super::savings::{self, Saving};
 use super::stress::Survival;
 use crate::draw::chart::CurveOrigin;

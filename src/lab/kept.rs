@@ -7,8 +7,7 @@
 
 use super::TOLERANCE;
 use super::charts::Charts;
-use super::curve::{MOST_CURVES, Measured, NUMBERS, WorkPoint, curve_of};
-use super::rows::{not_negative, rows, work_point};
+use super::curve::{MOST_CURVES, Measured, NUMBERS, WorkPoint, curve_of, not_negative, rows, work_point};
 use crate::draw::chart::CurveOrigin;
 use crate::files::{CsvRow, SHIPPED};
 

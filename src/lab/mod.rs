@@ -8,7 +8,6 @@
 //! - [`stress`]: where methods fail: the largest value that each survives.
 //! - [`side_by_side`]: two methods on a scene, to be watched.
 //! - [`stability`]: where methods are stable, on the complex plane, and as CSV.
-//! - [`reference`](mod@reference): answers that have no closed form, found finely and in two ways.
 //! - [`curve`]: the numbers behind a diagram. [`charts`]: all numbers of one run, as CSV and back; [`kept`]: the run that comes with the
 //!   game, and other engines' points.
 //! - [`savings`]: what each plan leaves out, and what that saves. [`drawing`]: diagrams, on paper and on the screen. [`report`]: the summary,
@@ -20,9 +19,7 @@ pub mod curve;
 pub mod drawing;
 pub mod kept;
 pub mod methods;
-pub mod reference;
 pub mod report;
-mod rows;
 pub mod savings;
 pub mod scenes;
 pub mod side_by_side;

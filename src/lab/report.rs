@@ -4,9 +4,8 @@
 //! them; a test compares them with the charts.
 
 use super::charts::Charts;
-use super::curve::{ALIKE, EXACT, Measured, MethodCurve, PI, WorkPoint};
+use super::curve::{ALIKE, EXACT, Measured, MethodCurve, PI, WorkPoint, shortest, table};
 use super::kept::PeerRow;
-use super::rows::{shortest, table};
 use super::savings::{self, Saving, TITLE as SAVINGS};
 use super::stability::{Region, SHIPPED, SHIPPED_LIMITS, SVG, TITLE, limit};
 use crate::draw::chart::CurveOrigin;

@@ -6,7 +6,6 @@ use super::methods::chain::Chain;
 use super::methods::impact::LineBlock;
 use super::methods::motion::{MotionStep, PointState};
 use super::methods::{INTEGRATORS, METHODS};
-use super::reference;
 use super::scenes::bouncing::{self, BouncingBall};
 use super::scenes::collisions::{self, BlockLine};
 use super::scenes::flight::{self, FlyingBody};
@@ -205,7 +204,7 @@ fn by_reference(title: &'static str, body: FlyingBody, methods: &[(&'static str,
     let exact = body.clone();
     let exhibit = Exhibit::of(title, body, methods.iter().copied(), at, |_| Vec::new());
     let exact = move |h: f64| -> BoxMotion {
-        let mut running = exact.running(By::Hand(reference::drag_in_two_dimensions), h);
+        let mut running = exact.running(By::Hand(flight::drag_in_two_dimensions), h);
         Box::new(move || running.step().map_or_else(Vec::new, |(_, point)| at(point)))
     };
     Exhibit { exact: Box::new(exact), ..exhibit }

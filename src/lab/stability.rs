@@ -13,9 +13,9 @@
 
 use super::TICK;
 pub use super::contract::SHIPPED;
+use super::curve::{shortest, table};
 use super::methods::METHODS;
 use super::methods::motion::{ADAPTIVE, MotionLaw, MotionStep, PointState, third_order};
-use super::rows::{shortest, table};
 use super::scenes::flight::LIGHT;
 use super::scenes::oscillator;
 use super::stress::{G, largest_to};

@@ -6,9 +6,10 @@ use resultant::lab::charts::Charts;
 use resultant::lab::kept::{PEERS, peer_rows};
 use resultant::lab::methods::motion::{MotionLaw, MotionStep, PointState, follow, rise_and_fall, rk4, semi_implicit_euler, strang};
 use resultant::lab::report::{PAGES, PageFigures};
+use resultant::lab::scenes::flight;
 use resultant::lab::stress::TESTS;
 use resultant::lab::stress::picture::FailurePicture;
-use resultant::lab::{LabScene, kept, reference, scenes};
+use resultant::lab::{LabScene, kept, scenes};
 use resultant::physics::{DVec2, SOURCES};
 use std::path::Path;
 
@@ -25,7 +26,7 @@ fn error(scene: &LabScene, method: &str, step: f64) -> f64 {
 fn integrators_have_their_known_errors() {
     let law = MotionLaw { constant: DVec2::new(0.0, 9.81), drag: 0.05, wind: DVec2::new(4.0, 0.0), ..MotionLaw::default() };
     let start = PointState { x: DVec2::ZERO, v: DVec2::new(20.0, -20.0) };
-    let exact = reference::drag_in_two_dimensions(&law, start, 3.0).x;
+    let exact = flight::drag_in_two_dimensions(&law, start, 3.0).x;
     let known: [(MotionStep, [f64; 3]); 3] =
         [(semi_implicit_euler, [2.4, 0.59, 0.15]), (strang, [1.2e-2, 7.3e-4, 4.6e-5]), (rk4, [2.3e-5, 7.9e-8, 3.0e-10])];
     for (step, errors) in known {

@@ -6,7 +6,8 @@ use crate::lab::contract::Model;
 use crate::lab::curve::{CoursePoint, sampled};
 use crate::lab::methods::motion::{MotionLaw, PointState};
 use crate::lab::methods::{INTEGRATORS, METHODS};
-use crate::lab::{LabScene, SceneMethod, reference};
+use crate::lab::scenes::flight;
+use crate::lab::{LabScene, SceneMethod};
 use crate::physics::{BodyDef, BodyId, DVec2, LinkDef, LinkEnd, LinkLaw, Spring, WorldDef};
 
 /// N/kg.
@@ -65,7 +66,7 @@ const SECONDS: f64 = 10.0;
 /// 2 m long, from half a radian.
 pub fn pendulum_swing() -> LabScene {
     let body = pendulum(2.0, 0.5);
-    let exact = reference::drag_in_two_dimensions(&body.law, body.start, SECONDS).x;
+    let exact = flight::drag_in_two_dimensions(&body.law, body.start, SECONDS).x;
     let known = body.clone();
     let methods = SceneMethod::all(INTEGRATORS.iter().copied(), move |by, h| known.error(by, SECONDS, h, exact));
     let methods = over_tolerances(methods, &body, SECONDS, exact);
@@ -109,13 +110,13 @@ pub fn shock_absorber() -> LabScene {
 pub fn orbit() -> LabScene {
     let body = two_bodies();
     let (law, start) = (body.law, body.start);
-    let exact = reference::drag_in_two_dimensions(&law, start, SECONDS).x;
+    let exact = flight::drag_in_two_dimensions(&law, start, SECONDS).x;
     let (known, followed) = (body.clone(), body.clone());
     let error = move |by, h| known.error(by, SECONDS, h, exact);
     let course = move |by, h| {
         let mut truth = (0.0, start);
         let moments = followed.running(by, h).each(SECONDS, |time, point: &PointState| {
-            truth = (time, reference::drag_in_two_dimensions(&law, truth.1, time - truth.0));
+            truth = (time, flight::drag_in_two_dimensions(&law, truth.1, time - truth.0));
             let energy = Some(energy(&law, point) / energy(&law, &start));
             CoursePoint { time, error: (point.x - truth.1.x).length(), energy }
         });
@@ -166,7 +167,7 @@ mod tests {
     #[test]
     fn the_engine_swings_a_pendulum_as_the_reference_does() {
         let body = pendulum(2.0, 0.5);
-        let exact = reference::drag_in_two_dimensions(&body.law, body.start, 10.0).x;
+        let exact = flight::drag_in_two_dimensions(&body.law, body.start, 10.0).x;
         for h in [1.0 / 30.0, 1.0 / 120.0] {
             let ours = body.end(By::Engine, 10.0, h).unwrap().x;
             assert!((ours - exact).length() < 1e-7, "{ours} for {exact} at {h} s");
@@ -208,7 +209,7 @@ mod tests {
         }
         assert!(kept(By::Hand(implicit_euler)) < 0.5);
         assert!((kept(By::Engine) - 1.0).abs() < 1e-9, "{}", kept(By::Engine));
-        let exact = reference::drag_in_two_dimensions(&body.law, body.start, 10.0).x;
+        let exact = flight::drag_in_two_dimensions(&body.law, body.start, 10.0).x;
         assert!(body.error(By::Engine, 10.0, 1.0 / 60.0, exact) < 1e-8);
     }
 }

@@ -2,7 +2,6 @@
 //! operation's cells stay as their author wrote them: comments, blank lines, the order of rows and columns, line ends, the forms of numbers.
 //! The loader alone judges a document: it reads it from memory ([`Document::over`]).
 
-mod clip;
 mod disk;
 mod edits;
 mod links;
@@ -11,8 +10,8 @@ mod places;
 mod sheet;
 
 pub use super::schema::{Column, Kind, SETTINGS, Table};
-pub use clip::Clip;
 pub use disk::{KeptSide, LevelFolder, LevelSaveError, Opened};
+pub use edits::Clip;
 pub use links::{LinkForm, Wiring};
 pub use model::{Document, Kept, NewRow, RowId, SetCell};
 pub use places::{Place, number, way_text};

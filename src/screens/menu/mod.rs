@@ -23,7 +23,6 @@ use std::path::Path;
 
 mod balls;
 pub mod credits;
-pub mod link;
 
 /// The words on the buttons of the column, from top to bottom.
 const LABELS: [&str; 6] = ["Play", "Levels", "Boards", PLAYERS, MORE, LAST];
