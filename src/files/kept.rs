@@ -3,7 +3,7 @@
 use super::read::{Symlinks, too_large};
 use super::storage::{FileKind, Found, Lock, Manner, Storage};
 use crate::words::tr;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io;
@@ -179,6 +179,7 @@ pub use tests::MemoryStorage;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::collections::BTreeMap;
     use std::sync::{Mutex, MutexGuard, PoisonError};
 
     /// A storage of limited room in memory.

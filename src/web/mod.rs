@@ -3,26 +3,30 @@
 //!
 //! Unsafe code: the functions of the script take and give the bytes of the program's memory; each call below hands over a pointer and the
 //! length of what it points to, and the script keeps neither beyond the call.
+//!
+//! The page's clock.
+//!
+//! A page that flies every recorded flight that is built in, and compares where they lead: `index.html#verify`.
 #![allow(unsafe_code)]
 
-mod clock;
-mod everything;
+use crate::files::{self, SHIPPED};
+use crate::game::Replay;
+use crate::words::tr;
+use crate::{level, pack};
+use macroquad::window::next_frame;
+use std::cell::{Cell, RefCell};
+use std::ops::Sub;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
 mod keeper;
 mod keys;
 mod sound;
-mod verify;
 
-pub use clock::Instant;
-pub use everything::{delete, export, import, is_export};
-pub use keeper::storage;
+pub use keeper::{delete, export, import, is_export, storage};
 pub use keys::drain as drain_keys;
 pub use sound::Output;
-pub use verify::verify;
-
-use crate::words::tr;
-use crate::{files, pack};
-use std::cell::{Cell, RefCell};
-use std::path::PathBuf;
 
 /// Where dropped files lie while the page is open: never in the browser's storage.
 const DROPPED: &str = "dropped";
@@ -216,4 +220,56 @@ extern "C" fn resultant_dropped(name: *mut u8, name_length: usize, bytes: *mut u
     let path = format!("{DROPPED}/{name}");
     keeper::hold(path.clone(), bytes);
     FILES.with_borrow_mut(|files| files.push(path.into()));
+}
+
+/// As [`std::time::Instant`], which a page does not have.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Instant(Duration);
+
+impl Instant {
+    pub fn now() -> Self {
+        // SAFETY: it takes nothing.
+        let milliseconds = unsafe { resultant_now() };
+        Self(Duration::try_from_secs_f64(milliseconds / 1000.0).unwrap_or_default())
+    }
+
+    pub fn elapsed(&self) -> Duration {
+        Self::now().0.saturating_sub(self.0)
+    }
+}
+
+impl Sub for Instant {
+    type Output = Duration;
+
+    fn sub(self, earlier: Self) -> Duration {
+        self.0.saturating_sub(earlier.0)
+    }
+}
+
+/// One flight a frame, each with a line, and a last line that counts them.
+pub async fn verify() {
+    let (mut holds, mut all) = (0, 0);
+    for (path, bytes) in SHIPPED.iter().filter(|(path, _)| path.ends_with(".replay.csv")) {
+        all += 1;
+        let line = match fly(path, bytes) {
+            Ok(line) => {
+                holds += 1;
+                line
+            }
+            Err(problem) => problem,
+        };
+        say(PageWord::Verified, &format!("{path}: {line}"));
+        next_frame().await;
+    }
+    say(PageWord::Verified, &format!("{holds} of {all} flights hold"));
+}
+
+fn fly(path: &str, bytes: &[u8]) -> Result<String, String> {
+    let text = std::str::from_utf8(bytes).map_err(|error| error.to_string())?;
+    let replay = Replay::parse(path, text).map_err(|problems| problems.to_string())?;
+    let folder = Path::new("levels").join(&replay.level);
+    let level = level::load(&folder, Path::new("")).map_err(|problems| level::listed(&problems).join("; "))?.level;
+    let flown = replay.verify(Arc::new(level), |_| {}).map_err(|error| error.to_string())?;
+    flown.map_err(|mismatch| mismatch.to_string())?;
+    Ok(format!("ok, score {}, hash {:016x}", replay.score, replay.hash))
 }
