@@ -3,22 +3,27 @@
 //! Numbers are in the shortest form that reads back as the same f64; an error of `inf` or `NaN` is a run that blew up.
 
 use super::curve::{
-    CoursePoint, MOST_CURVES, Measured, MethodCurve, OverTime, PI, WorkPoint, above_zero, curve_of, error, not_negative, rows,
-    shortest, table, work_point,
+    CoursePoint, MOST_CURVES, Measured, MethodCurve, OverTime, PI, WorkPoint, above_zero, curve_of, error, head, of_flags,
+    of_words, rows, shortest, table, work_point,
 };
 use super::savings::{self, Saving};
 use super::stress::Survival;
 use crate::draw::chart::CurveOrigin;
-use crate::files::CsvRow;
+use crate::files::{CsvColumn, CsvRow, CsvStruct};
 use crate::physics::SOURCES;
+use serde::Deserialize;
 
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Eq)]
 pub struct MeasuredWith {
     /// Kind of processor and system; no names of machines.
     pub machine: String,
     pub profile: String,
     /// The run made fewer repetitions.
     pub quick: bool,
+}
+
+impl CsvStruct for MeasuredWith {
+    const COLUMNS: &'static [CsvColumn] = &[of_words("machine"), of_words("profile"), of_flags("quick")];
 }
 
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -36,11 +41,11 @@ const LATER: &str = "a time of 0 or more, s, later than the one before";
 pub const SCENES: &str = "scenes.csv";
 pub const STRESS: &str = "stress.csv";
 const MOST_SCENES: usize = 64;
-const SETTING_HEAD: [&str; 3] = ["machine", "profile", "quick"];
+const SETTING_HEAD: [&str; 3] = head(MeasuredWith::COLUMNS);
 const SCENES_HEAD: [&str; 9] = ["scene", "title", "error", "work", "tolerance", "shipped_step", "alike", "note", "over_time"];
 const COURSES_HEAD: [&str; 5] = ["method", "origin", "time", "error", "energy"];
 const POINTS_HEAD: [&str; 7] = ["method", "origin", "version", "step", "work", "spread", "error"];
-const STRESS_HEAD: [&str; 6] = ["test", "parameter", "method", "largest", "tried", "shipped"];
+const STRESS_HEAD: [&str; 6] = head(Survival::COLUMNS);
 
 impl Charts {
     /// What was measured with another build than this one.
@@ -115,9 +120,6 @@ fn origin_word(origin: CurveOrigin) -> &'static str {
     }
 }
 
-/// The words of a switch, for a message.
-const FLAG: &str = "true or false";
-
 impl Charts {
     /// `file` gives the text of a file, or a reason.
     ///
@@ -126,11 +128,7 @@ impl Charts {
     pub fn read(file: impl Fn(&str) -> Result<String, String>) -> Result<Self, String> {
         let setting = rows(SETTING, &file(SETTING)?, &SETTING_HEAD)?;
         let Some(row) = setting.first() else { return Err(format!("{SETTING}: expected a row below the head, found none")) };
-        let setting = MeasuredWith {
-            machine: row.get("machine").to_owned(),
-            profile: row.get("profile").to_owned(),
-            quick: row.parse("quick", FLAG, |_| true)?,
-        };
+        let setting = row.read().map_err(|wrong| row.problems(wrong))?;
         let diagrams = rows(SCENES, &file(SCENES)?, &SCENES_HEAD)?;
         if let Some(row) = diagrams.get(MOST_SCENES) {
             return Err(format!("{SCENES}:{}: found a scene more, expected at most {MOST_SCENES}", row.line));
@@ -140,7 +138,7 @@ impl Charts {
             return Err(format!("{SCENES}: expected a row a scene, found none"));
         }
         let stress = rows(STRESS, &file(STRESS)?, &STRESS_HEAD)?;
-        let stress = stress.iter().map(survival).collect::<Result<Vec<_>, _>>()?;
+        let stress = stress.iter().map(|row| row.read().map_err(|wrong| row.problems(wrong))).collect::<Result<_, _>>()?;
         let savings = savings::read(&file(savings::FILE)?)?;
         Ok(Self { setting, diagrams, stress, savings })
     }
@@ -174,7 +172,7 @@ fn diagram(row: &CsvRow<'_>, file: &impl Fn(&str) -> Result<String, String>) -> 
         work: word("work"),
         tolerance: above_zero(row, "tolerance")?,
         shipped_step: above_zero(row, "shipped_step")?,
-        alike: row.parse("alike", FLAG, |_| true)?,
+        alike: row.parse("alike", "true or false", |_| true)?,
         note: word("note"),
         curves,
         over_time,
@@ -218,18 +216,6 @@ fn check_steps(file: &str, curves: &[MethodCurve]) -> Result<(), String> {
         Some(other) => Err(format!("{file}: found other steps at {:?} than at {:?}, expected the same", other.name, first.name)),
         None => Ok(()),
     }
-}
-
-fn survival(row: &CsvRow<'_>) -> Result<Survival, String> {
-    let word = |column| row.get(column).to_owned();
-    Ok(Survival {
-        test: word("test"),
-        parameter: word("parameter"),
-        method: word("method"),
-        largest: not_negative(row, "largest")?,
-        tried: not_negative(row, "tried")?,
-        shipped: row.parse("shipped", FLAG, |_| true)?,
-    })
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@
 
 use super::methods::motion::{ADAPTIVE, tolerance};
 use crate::draw::chart::CurveOrigin;
-use crate::files::{CsvFile, CsvRow, csv_line};
+use crate::files::{CsvColumn, CsvFile, CsvRow, csv_line};
 use crate::number::{short, step};
 use crate::physics::SOURCES;
 
@@ -259,6 +259,41 @@ pub(super) fn above_zero(row: &CsvRow<'_>, column: &str) -> Result<f64, String> 
 /// Anything else.
 pub(super) fn error(row: &CsvRow<'_>) -> Result<f64, String> {
     row.parse("error", "an error of 0 or more, inf or NaN", |error: &f64| error.is_nan() || *error >= 0.0)
+}
+
+/// The names of columns.
+pub(super) const fn head<const N: usize>(columns: &[CsvColumn]) -> [&'static str; N] {
+    let (mut names, mut i) = ([""; N], 0);
+    while i < N {
+        names[i] = columns[i].name;
+        i += 1;
+    }
+    names
+}
+
+/// For rows that serde reads: a column of words.
+pub(super) const fn of_words(name: &'static str) -> CsvColumn {
+    CsvColumn { name, plain: |_, text| Ok(text.into()) }
+}
+
+/// A column of true and false.
+pub(super) const fn of_flags(name: &'static str) -> CsvColumn {
+    CsvColumn {
+        name,
+        plain: |_, text| if text.parse::<bool>().is_ok() { Ok(text.into()) } else { Err("true or false".to_owned()) },
+    }
+}
+
+/// A column of [`not_negative`] numbers.
+pub(super) const fn of_amounts(name: &'static str) -> CsvColumn {
+    CsvColumn {
+        name,
+        plain: |dialect, text| {
+            let number = dialect.number(text);
+            let good = number.parse().is_ok_and(|value: f64| value.is_finite() && value >= 0.0);
+            if good { Ok(number) } else { Err("a number of 0 or more".to_owned()) }
+        },
+    }
 }
 
 /// # Errors

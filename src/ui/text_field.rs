@@ -1,7 +1,10 @@
 //! One line of text that can be edited.
 
 use super::input::{Input, Repeat, Stroke};
+use crate::draw::layout::{Area, Vec2};
+use crate::draw::{Canvas, Style};
 use crate::settings::{Key, Keys};
+use crate::view::theme;
 
 /// Keys that move and delete.
 const KEYS: [Key; 6] = [Key::Left, Key::Right, Key::Home, Key::End, Key::Backspace, Key::Delete];
@@ -150,37 +153,30 @@ impl TextField {
     }
 }
 
-mod drawing {
-    use super::TextField;
-    use crate::draw::layout::{Area, Vec2};
-    use crate::draw::{Canvas, Style};
-    use crate::view::theme;
+/// Height of the caret and of the selection, in heights of the text.
+const CARET: f32 = 1.35;
 
-    /// Height of the caret and of the selection, in heights of the text.
-    const CARET: f32 = 1.35;
-
-    impl TextField {
-        /// `inside` is the padding of the box. `time` (s) makes the caret blink; `None`: the field has no focus. The caret stays in
-        /// view: a text wider than the box loses its beginning.
-        pub fn draw(&self, canvas: &Canvas, area: Area, (size, inside): (f32, f32), time: Option<f64>) {
-            let style = Style::new(size, theme::text()).mono().middle();
-            let width = |from: usize, to: usize| canvas.width(&self.text[from..to].iter().collect::<String>(), style);
-            let room = area.size.x - 2.0 * inside;
-            let first = (0..self.caret).find(|first| width(*first, self.caret) <= room).unwrap_or(self.caret);
-            let last = (first..=self.text.len()).take_while(|last| width(first, *last) <= room).last().unwrap_or(first);
-            let left = Vec2::new(area.min.x + inside, area.centre().y);
-            let height = canvas.frame().text_height(size) * CARET;
-            let bar = |from: f32, to: f32| Area::new(left.x + from, left.y - height / 2.0, to - from, height);
-            let (from, to) = self.selection();
-            let (from, to) = (from.clamp(first, last), to.clamp(first, last));
-            if time.is_some() && from < to {
-                canvas.rounded(bar(width(first, from), width(first, to)), 2.0, theme::solid());
-            }
-            canvas.typed(&self.text[first..last].iter().collect::<String>(), left, style);
-            if time.is_some_and(|time| time.fract() < 0.5) {
-                let x = width(first, self.caret);
-                canvas.rounded(bar(x - 0.75, x + 0.75), 0.0, theme::accent());
-            }
+impl TextField {
+    /// `inside` is the padding of the box. `time` (s) makes the caret blink; `None`: the field has no focus. The caret stays in
+    /// view: a text wider than the box loses its beginning.
+    pub fn draw(&self, canvas: &Canvas, area: Area, (size, inside): (f32, f32), time: Option<f64>) {
+        let style = Style::new(size, theme::text()).mono().middle();
+        let width = |from: usize, to: usize| canvas.width(&self.text[from..to].iter().collect::<String>(), style);
+        let room = area.size.x - 2.0 * inside;
+        let first = (0..self.caret).find(|first| width(*first, self.caret) <= room).unwrap_or(self.caret);
+        let last = (first..=self.text.len()).take_while(|last| width(first, *last) <= room).last().unwrap_or(first);
+        let left = Vec2::new(area.min.x + inside, area.centre().y);
+        let height = canvas.frame().text_height(size) * CARET;
+        let bar = |from: f32, to: f32| Area::new(left.x + from, left.y - height / 2.0, to - from, height);
+        let (from, to) = self.selection();
+        let (from, to) = (from.clamp(first, last), to.clamp(first, last));
+        if time.is_some() && from < to {
+            canvas.rounded(bar(width(first, from), width(first, to)), 2.0, theme::solid());
+        }
+        canvas.typed(&self.text[first..last].iter().collect::<String>(), left, style);
+        if time.is_some_and(|time| time.fract() < 0.5) {
+            let x = width(first, self.caret);
+            canvas.rounded(bar(x - 0.75, x + 0.75), 0.0, theme::accent());
         }
     }
 }

@@ -1,8 +1,15 @@
 //! The complex plane of z = h·λ on the canvas with its legend, and the stability regions of methods in it.
 
-use crate::draw::layout::{Area, Vec2};
+use super::diagram::shade;
+use super::look_of;
+use crate::draw::chart::{CurveLook, CurveOrigin, WORDS as WORDS_AT, marker, sample, stroke};
+use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
+use crate::draw::{Canvas, Colour, Style};
 use crate::lab::methods::METHODS;
-use crate::lab::stability::{Complex, IMAGINARY, REAL};
+use crate::lab::stability::{CELLS, Complex, IMAGINARY, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
+use crate::number::fixed;
+use crate::view::{theme, widgets};
+use crate::words::tr;
 
 /// Margins of the plane in its panel, for values and names of the axes.
 const LEFT: f32 = 64.0;
@@ -74,135 +81,120 @@ pub const WORDS: [&str; 2] = [
     "Inside its edge a method's errors fade, outside they grow. The truth fades in all of the left half, and so does the shipped engine on both rays.",
 ];
 
-pub use drawing::draw;
+/// From a legend line's right end to the two limits.
+const LIMITS: [f32; 2] = [84.0, 8.0];
+/// From an example's point to its words.
+const BESIDE: f32 = 8.0;
 
-mod drawing {
-    use super::{MARKS, Plane, SMALL_LINE};
-    use crate::draw::chart::{CurveLook, CurveOrigin, WORDS, marker, sample, stroke};
-    use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
-    use crate::draw::{Canvas, Colour, Style};
-    use crate::lab::drawing::diagram::shade;
-    use crate::lab::drawing::look_of;
-    use crate::lab::stability::{CELLS, Complex, IMAGINARY, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
-    use crate::number::fixed;
-    use crate::view::{theme, widgets};
-    use crate::words::tr;
-
-    /// From a legend line's right end to the two limits.
-    const LIMITS: [f32; 2] = [84.0, 8.0];
-    /// From an example's point to its words.
-    const BESIDE: f32 = 8.0;
-
-    /// The plane, the edges of all regions, and all of the picked one.
-    pub fn draw(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usize>) {
-        widgets::panel(canvas, plane.panel);
-        canvas.rounded(plane.area, 0.0, theme::ground());
-        if let Some(region) = picked.and_then(|picked| regions.get(picked)) {
-            fill(canvas, plane, region);
-        }
-        axes(canvas, plane);
-        let engine = look_of(SHIPPED, CurveOrigin::Shipped, 0);
-        let rays: [[Complex; 2]; 2] = [[(REAL.0, 0.0), (0.0, 0.0)], [(0.0, 0.0), (0.0, IMAGINARY.1)]];
-        for ray in rays {
-            stroke(canvas, &ray.map(|z| plane.at(z)), &engine, theme::accent());
-        }
-        for (index, region) in regions.iter().enumerate() {
-            let look = look_of(region.name, CurveOrigin::Lab, index);
-            let colour = shade(Colour::hex(look.colour), picked.is_none_or(|picked| picked == index));
-            for line in &region.edge {
-                stroke(canvas, &line.iter().map(|z| plane.at(*z)).collect::<Vec<_>>(), &look, colour);
-            }
-            region.marks().for_each(|z| marker(canvas, plane.at(z), look.marker, colour));
-        }
-        for (name, z) in examples() {
-            let (at, style) = (plane.at(z), Style::new(DETAILS, theme::text()).middle());
-            canvas.ring(at, 5.0, 2.0, theme::text());
-            // Decay stands to the left of its point, oscillation to the right.
-            let left = z.0 < 0.0;
-            let room = if left { at.x - plane.area.min.x } else { plane.area.max().x - at.x } - 2.0 * BESIDE;
-            let lines = widgets::lines(canvas, tr(name), room, style);
-            let size = Vec2::new(
-                lines.iter().map(|words| canvas.width(words, style)).fold(0.0, f32::max),
-                lines.len() as f32 * canvas.line_height(DETAILS),
-            );
-            let min = at + Vec2::new(if left { -BESIDE - size.x } else { BESIDE }, -BESIDE - size.y);
-            canvas.rounded(Area { min, size }.inset(-2.0), 4.0, theme::ground().faded(0.9));
-            for (line, words) in lines.iter().enumerate() {
-                canvas.text(words, min + Vec2::new(0.0, (line as f32 + 0.5) * canvas.line_height(DETAILS)), style);
-            }
-        }
-        legend(canvas, plane, regions, picked);
+/// The plane, the edges of all regions, and all of the picked one.
+pub fn draw(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usize>) {
+    widgets::panel(canvas, plane.panel);
+    canvas.rounded(plane.area, 0.0, theme::ground());
+    if let Some(region) = picked.and_then(|picked| regions.get(picked)) {
+        fill(canvas, plane, region);
     }
-
-    /// All cells in whose middle a method is stable; the outline shows their exact end.
-    fn fill(canvas: &Canvas, plane: &Plane, region: &Region) {
-        let colour = theme::good().faded(0.16);
-        for (row, cells) in region.inside.chunks(CELLS.0).enumerate() {
-            let mut column = 0;
-            for run in cells.chunk_by(|a, b| a == b) {
-                let ends = [place(column as f64, row as f64 + 1.0), place((column + run.len()) as f64, row as f64)];
-                let [min, max] = ends.map(|z| plane.at(z));
-                if run[0] {
-                    canvas.rounded(Area { min, size: max - min }, 0.0, colour);
-                }
-                column += run.len();
-            }
+    axes(canvas, plane);
+    let engine = look_of(SHIPPED, CurveOrigin::Shipped, 0);
+    let rays: [[Complex; 2]; 2] = [[(REAL.0, 0.0), (0.0, 0.0)], [(0.0, 0.0), (0.0, IMAGINARY.1)]];
+    for ray in rays {
+        stroke(canvas, &ray.map(|z| plane.at(z)), &engine, theme::accent());
+    }
+    for (index, region) in regions.iter().enumerate() {
+        let look = look_of(region.name, CurveOrigin::Lab, index);
+        let colour = shade(Colour::hex(look.colour), picked.is_none_or(|picked| picked == index));
+        for line in &region.edge {
+            stroke(canvas, &line.iter().map(|z| plane.at(*z)).collect::<Vec<_>>(), &look, colour);
+        }
+        region.marks().for_each(|z| marker(canvas, plane.at(z), look.marker, colour));
+    }
+    for (name, z) in examples() {
+        let (at, style) = (plane.at(z), Style::new(DETAILS, theme::text()).middle());
+        canvas.ring(at, 5.0, 2.0, theme::text());
+        // Decay stands to the left of its point, oscillation to the right.
+        let left = z.0 < 0.0;
+        let room = if left { at.x - plane.area.min.x } else { plane.area.max().x - at.x } - 2.0 * BESIDE;
+        let lines = widgets::lines(canvas, tr(name), room, style);
+        let size = Vec2::new(
+            lines.iter().map(|words| canvas.width(words, style)).fold(0.0, f32::max),
+            lines.len() as f32 * canvas.line_height(DETAILS),
+        );
+        let min = at + Vec2::new(if left { -BESIDE - size.x } else { BESIDE }, -BESIDE - size.y);
+        canvas.rounded(Area { min, size }.inset(-2.0), 4.0, theme::ground().faded(0.9));
+        for (line, words) in lines.iter().enumerate() {
+            canvas.text(words, min + Vec2::new(0.0, (line as f32 + 0.5) * canvas.line_height(DETAILS)), style);
         }
     }
+    legend(canvas, plane, regions, picked);
+}
 
-    fn axes(canvas: &Canvas, plane: &Plane) {
-        let quiet = Style::new(DETAILS, theme::quiet()).middle();
-        let (area, end) = (plane.area, plane.area.max());
-        for re in REAL.0.ceil() as i32..=REAL.1.floor() as i32 {
-            let foot = plane.at((f64::from(re), 0.0));
-            canvas.hairline(foot, Vec2::new(foot.x, area.min.y), theme::panel_edge());
-            canvas.text(&fixed(f64::from(re), 0), foot + Vec2::new(0.0, 16.0), quiet.centred());
+/// All cells in whose middle a method is stable; the outline shows their exact end.
+fn fill(canvas: &Canvas, plane: &Plane, region: &Region) {
+    let colour = theme::good().faded(0.16);
+    for (row, cells) in region.inside.chunks(CELLS.0).enumerate() {
+        let mut column = 0;
+        for run in cells.chunk_by(|a, b| a == b) {
+            let ends = [place(column as f64, row as f64 + 1.0), place((column + run.len()) as f64, row as f64)];
+            let [min, max] = ends.map(|z| plane.at(z));
+            if run[0] {
+                canvas.rounded(Area { min, size: max - min }, 0.0, colour);
+            }
+            column += run.len();
         }
-        for im in 0..=IMAGINARY.1.floor() as i32 {
-            let left = plane.at((REAL.0, f64::from(im)));
-            canvas.hairline(left, Vec2::new(end.x, left.y), theme::panel_edge());
-            canvas.text(&format!("{im}i"), left - Vec2::new(10.0, 0.0), quiet.right());
-        }
-        canvas.rounded_edge(area, 0.0, 1.0, theme::solid());
-        let words = Style::new(TEXT, theme::text()).middle();
-        canvas.text(tr("imaginary part of z: ω·h, what swings"), Vec2::new(area.min.x, area.min.y - 22.0), words);
-        canvas.text(tr("real part of z: −h/τ, what fades"), Vec2::new(area.centre().x, end.y + 42.0), words.centred());
     }
+}
 
-    /// The methods by name, with their limits on the two rays.
-    fn legend(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usize>) {
-        let engine = look_of(SHIPPED, CurveOrigin::Shipped, 0);
-        let words = Style::new(TEXT, theme::text()).middle();
-        let quiet = Style::new(TEXT, theme::quiet()).middle();
-        let limits = |area: Area, texts: [&str; 2], style: Style| {
-            for (text, from_right) in texts.into_iter().zip(LIMITS) {
-                canvas.text(text, Vec2::new(area.max().x - from_right, area.centre().y), style.right());
-            }
-        };
-        let head = plane.legend(0);
-        canvas.text(tr("stable up to"), Vec2::new(head.min.x + WORDS, head.centre().y), quiet);
-        limits(head, ["h/τ", "ω·h"], quiet);
-        let line = |line: usize, look: &CurveLook, (name, [drag, swing]): (String, [f64; 2]), whole: bool| {
-            let area = plane.legend(line);
-            let (y, colour) = (area.centre().y, shade(Colour::hex(look.colour), whole));
-            sample(canvas, area, look, colour);
-            let style = if whole { words } else { quiet };
-            canvas.text(&name, Vec2::new(area.min.x + WORDS, y), style);
-            limits(area, [&limit(drag), &limit(swing)], style);
-        };
-        for (index, region) in regions.iter().enumerate() {
-            if picked == Some(index) {
-                canvas.rounded(plane.legend(index + 1), 6.0, theme::panel_hover());
-            }
-            let whole = picked.is_none_or(|picked| picked == index);
-            let name = format!("{}{}", tr(region.name), if region.single { "" } else { " *" });
-            line(index + 1, &look_of(region.name, CurveOrigin::Lab, index), (name, [region.drag, region.swing]), whole);
+fn axes(canvas: &Canvas, plane: &Plane) {
+    let quiet = Style::new(DETAILS, theme::quiet()).middle();
+    let (area, end) = (plane.area, plane.area.max());
+    for re in REAL.0.ceil() as i32..=REAL.1.floor() as i32 {
+        let foot = plane.at((f64::from(re), 0.0));
+        canvas.hairline(foot, Vec2::new(foot.x, area.min.y), theme::panel_edge());
+        canvas.text(&fixed(f64::from(re), 0), foot + Vec2::new(0.0, 16.0), quiet.centred());
+    }
+    for im in 0..=IMAGINARY.1.floor() as i32 {
+        let left = plane.at((REAL.0, f64::from(im)));
+        canvas.hairline(left, Vec2::new(end.x, left.y), theme::panel_edge());
+        canvas.text(&format!("{im}i"), left - Vec2::new(10.0, 0.0), quiet.right());
+    }
+    canvas.rounded_edge(area, 0.0, 1.0, theme::solid());
+    let words = Style::new(TEXT, theme::text()).middle();
+    canvas.text(tr("imaginary part of z: ω·h, what swings"), Vec2::new(area.min.x, area.min.y - 22.0), words);
+    canvas.text(tr("real part of z: −h/τ, what fades"), Vec2::new(area.centre().x, end.y + 42.0), words.centred());
+}
+
+/// The methods by name, with their limits on the two rays.
+fn legend(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usize>) {
+    let engine = look_of(SHIPPED, CurveOrigin::Shipped, 0);
+    let words = Style::new(TEXT, theme::text()).middle();
+    let quiet = Style::new(TEXT, theme::quiet()).middle();
+    let limits = |area: Area, texts: [&str; 2], style: Style| {
+        for (text, from_right) in texts.into_iter().zip(LIMITS) {
+            canvas.text(text, Vec2::new(area.max().x - from_right, area.centre().y), style.right());
         }
-        line(regions.len() + 1, &engine, (tr(SHIPPED).to_owned(), SHIPPED_LIMITS), true);
-        let first = plane.legend(regions.len() + 2).min + Vec2::new(WORDS, SMALL_LINE / 2.0);
-        for (line, words) in MARKS.into_iter().enumerate() {
-            let at = first + Vec2::new(0.0, line as f32 * SMALL_LINE);
-            canvas.text(tr(words), at, Style::new(DETAILS, theme::quiet()).middle());
+    };
+    let head = plane.legend(0);
+    canvas.text(tr("stable up to"), Vec2::new(head.min.x + WORDS_AT, head.centre().y), quiet);
+    limits(head, ["h/τ", "ω·h"], quiet);
+    let line = |line: usize, look: &CurveLook, (name, [drag, swing]): (String, [f64; 2]), whole: bool| {
+        let area = plane.legend(line);
+        let (y, colour) = (area.centre().y, shade(Colour::hex(look.colour), whole));
+        sample(canvas, area, look, colour);
+        let style = if whole { words } else { quiet };
+        canvas.text(&name, Vec2::new(area.min.x + WORDS_AT, y), style);
+        limits(area, [&limit(drag), &limit(swing)], style);
+    };
+    for (index, region) in regions.iter().enumerate() {
+        if picked == Some(index) {
+            canvas.rounded(plane.legend(index + 1), 6.0, theme::panel_hover());
         }
+        let whole = picked.is_none_or(|picked| picked == index);
+        let name = format!("{}{}", tr(region.name), if region.single { "" } else { " *" });
+        line(index + 1, &look_of(region.name, CurveOrigin::Lab, index), (name, [region.drag, region.swing]), whole);
+    }
+    line(regions.len() + 1, &engine, (tr(SHIPPED).to_owned(), SHIPPED_LIMITS), true);
+    let first = plane.legend(regions.len() + 2).min + Vec2::new(WORDS_AT, SMALL_LINE / 2.0);
+    for (line, words) in MARKS.into_iter().enumerate() {
+        let at = first + Vec2::new(0.0, line as f32 * SMALL_LINE);
+        canvas.text(tr(words), at, Style::new(DETAILS, theme::quiet()).middle());
     }
 }

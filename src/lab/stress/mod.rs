@@ -7,7 +7,10 @@ pub mod picture;
 pub mod robustness;
 pub mod standing;
 
+use crate::files::{CsvColumn, CsvStruct};
+use crate::lab::curve::{of_amounts, of_flags, of_words};
 use picture::FailurePicture;
+use serde::Deserialize;
 
 use super::contract::Entrant;
 use crate::number::short;
@@ -16,7 +19,7 @@ use std::collections::HashMap;
 /// N/kg.
 pub const G: f64 = 9.81;
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq)]
 pub struct Survival {
     pub test: String,
     /// With its unit.
@@ -26,6 +29,17 @@ pub struct Survival {
     pub largest: f64,
     pub tried: f64,
     pub shipped: bool,
+}
+
+impl CsvStruct for Survival {
+    const COLUMNS: &'static [CsvColumn] = &[
+        of_words("test"),
+        of_words("parameter"),
+        of_words("method"),
+        of_amounts("largest"),
+        of_amounts("tried"),
+        of_flags("shipped"),
+    ];
 }
 
 impl Survival {

@@ -1,8 +1,9 @@
 //! The jumper in the window: how many climb, the climb, and what it came to.
 
-use crate::classics::jumper::engine::CuboidHit;
-use crate::classics::jumper::{JumpKeys, JumperScene, LEADERBOARD};
+use crate::classics::jumper::engine::{Cuboid, CuboidHit, StaticKind, WIDTH};
+use crate::classics::jumper::{JumpKeys, JumperScene, LEADERBOARD, PLAYER_SIZE, VISIBLE};
 use crate::draw::layout::{Area, BUTTON_TEXT, GAP, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
+use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Clock, TICK_RATE};
 use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
 use crate::session::recordings::Visit;
@@ -210,158 +211,146 @@ impl Screen for Jumper {
     }
 }
 
-mod drawing {
-    use super::Jumper;
-    use crate::classics::jumper::engine::{Cuboid, StaticKind, WIDTH};
-    use crate::classics::jumper::{PLAYER_SIZE, VISIBLE};
-    use crate::draw::layout::{Area, HEADING, PADDING, TEXT, Vec2};
-    use crate::draw::{Canvas, Colour, Style};
-    use crate::settings::Key;
-    use crate::view::{theme, widgets};
-    use crate::words::tr;
+/// The colour of each player; the number above them tells them apart without it.
+fn colour_of(player: usize) -> Colour {
+    if player == 0 { theme::accent() } else { theme::text() }
+}
+/// Below the view's lower edge, canvas units: the ground, or what is left behind.
+const FOOT: f32 = 24.0;
+/// Heights that the ruler names, m.
+const RULER_STEP: i64 = 5;
 
-    /// The colour of each player; the number above them tells them apart without it.
-    fn colour_of(player: usize) -> Colour {
-        if player == 0 { theme::accent() } else { theme::text() }
+impl Jumper {
+    /// Draws the climb.
+    pub(super) fn draw(&self, canvas: &Canvas) {
+        let view = View::new(canvas, self.scene.view_bottom(self.clock.alpha()));
+        widgets::graph_paper(canvas);
+        self.draw_tower(canvas, &view);
+        self.draw_players(canvas, &view);
+        self.draw_words(canvas, &view);
     }
-    /// Below the view's lower edge, canvas units: the ground, or what is left behind.
-    const FOOT: f32 = 24.0;
-    /// Heights that the ruler names, m.
-    const RULER_STEP: i64 = 5;
 
-    impl Jumper {
-        /// Draws the climb.
-        pub(super) fn draw(&self, canvas: &Canvas) {
-            let view = View::new(canvas, self.scene.view_bottom(self.clock.alpha()));
-            widgets::graph_paper(canvas);
-            self.draw_tower(canvas, &view);
-            self.draw_players(canvas, &view);
-            self.draw_words(canvas, &view);
+    fn draw_tower(&self, canvas: &Canvas, view: &View) {
+        let tower = view.area(0.0, view.bottom, WIDTH, VISIBLE);
+        canvas.rounded(tower, 0.0, theme::ground());
+        for metre in 1..WIDTH as i32 {
+            let x = view.point(f64::from(metre), 0.0).x;
+            canvas.hairline(Vec2::new(x, tower.min.y), Vec2::new(x, tower.max().y), theme::grid_fine());
         }
-
-        fn draw_tower(&self, canvas: &Canvas, view: &View) {
-            let tower = view.area(0.0, view.bottom, WIDTH, VISIBLE);
-            canvas.rounded(tower, 0.0, theme::ground());
-            for metre in 1..WIDTH as i32 {
-                let x = view.point(f64::from(metre), 0.0).x;
-                canvas.hairline(Vec2::new(x, tower.min.y), Vec2::new(x, tower.max().y), theme::grid_fine());
-            }
-            let (from, to) = (view.bottom.ceil() as i64, (view.bottom + VISIBLE).floor() as i64);
-            for metre in from.max(0)..=to {
-                let y = view.point(0.0, metre as f64).y;
-                let named = metre % RULER_STEP == 0;
-                let colour = if named { theme::grid_heavy() } else { theme::grid_fine() };
-                canvas.hairline(Vec2::new(tower.min.x, y), Vec2::new(tower.max().x, y), colour);
-                if named && y > TEXT {
-                    let at = Vec2::new(tower.max().x + PADDING, y);
-                    canvas.text(&format!("{metre} m"), at, Style::new(TEXT, theme::quiet()).mono().middle());
-                }
-            }
-            for it in self.scene.tower().statics() {
-                let Cuboid { location, dimensions } = it.cuboid;
-                let (z, height) = match it.kind {
-                    StaticKind::Platform => (location.z, dimensions.z),
-                    StaticKind::Wall => (view.bottom - 1.0, VISIBLE + 2.0),
-                };
-                let area = view.area(location.x, z, dimensions.x, height);
-                canvas.rounded(area, 2.0, theme::solid());
-                if it.kind == StaticKind::Platform {
-                    canvas.rounded(Area { size: Vec2::new(area.size.x, 1.5), ..area }, 0.0, theme::solid_top());
-                }
-            }
-            let foot = Area { min: Vec2::new(tower.min.x, tower.max().y), size: Vec2::new(tower.size.x, FOOT) };
-            if self.scene.view_bottom(1.0) > 0.0 {
-                // What is left behind is out: the edge is as red as everything that ends an attempt.
-                canvas.rounded(foot, 0.0, theme::panel());
-                for (height, alpha) in [(0.45, 0.12), (0.25, 0.2), (0.08, 0.9)] {
-                    canvas.rounded(view.area(0.0, view.bottom, WIDTH, height), 0.0, theme::bad().faded(alpha));
-                }
-            } else {
-                canvas.rounded(foot, 0.0, theme::solid());
-                canvas.rounded(Area { size: Vec2::new(foot.size.x, 2.0), ..foot }, 0.0, theme::solid_top());
+        let (from, to) = (view.bottom.ceil() as i64, (view.bottom + VISIBLE).floor() as i64);
+        for metre in from.max(0)..=to {
+            let y = view.point(0.0, metre as f64).y;
+            let named = metre % RULER_STEP == 0;
+            let colour = if named { theme::grid_heavy() } else { theme::grid_fine() };
+            canvas.hairline(Vec2::new(tower.min.x, y), Vec2::new(tower.max().x, y), colour);
+            if named && y > TEXT {
+                let at = Vec2::new(tower.max().x + PADDING, y);
+                canvas.text(&format!("{metre} m"), at, Style::new(TEXT, theme::quiet()).mono().middle());
             }
         }
-
-        fn draw_players(&self, canvas: &Canvas, view: &View) {
-            let alpha = self.clock.alpha();
-            let two = self.is_of_two();
-            for (number, (player, body)) in self.scene.players().enumerate().filter(|(_, (player, _))| !player.is_out()) {
-                let place = body.previous + alpha * (body.cuboid.location - body.previous);
-                let area = view.area(place.x, place.z, PLAYER_SIZE, PLAYER_SIZE);
-                canvas.rounded(area, 3.0, colour_of(number));
-                let eye =
-                    Vec2::new(area.centre().x + area.size.x * 0.22 * player.direction() as f32, area.min.y + area.size.y * 0.35);
-                canvas.disc(eye, area.size.x * 0.14, theme::ground());
-                if two {
-                    let above = Vec2::new(area.centre().x, area.min.y - 12.0);
-                    canvas.text(&(number + 1).to_string(), above, Style::new(TEXT, colour_of(number)).mono().centred().middle());
-                }
-            }
-        }
-
-        fn draw_words(&self, canvas: &Canvas, view: &View) {
-            let right = view.point(0.0, 0.0).x - 48.0;
-            let quiet = Style::new(TEXT, theme::quiet()).right().middle();
-            canvas.text(tr("Height"), Vec2::new(right, 48.0), quiet);
-            canvas.text(
-                &format!("{} m", self.scene.score()),
-                Vec2::new(right, 84.0),
-                Style::new(HEADING, theme::text()).mono().right().middle(),
-            );
-            let [left, right_key, jump] = [Key::A, Key::D, Key::W].map(Key::label_by_place);
-            let keys = if self.is_of_two() {
-                [
-                    (tr!("1: {left} {right} walk, {jump} jumps", left, right = right_key, jump), 0),
-                    (tr("2: ← → walk, ↑ jumps").to_owned(), 1),
-                ]
-            } else {
-                [(tr!("{left} {right} or ← → walk", left, right = right_key), 0), (tr!("{jump}, ↑ or Space jumps", jump), 0)]
+        for it in self.scene.tower().statics() {
+            let Cuboid { location, dimensions } = it.cuboid;
+            let (z, height) = match it.kind {
+                StaticKind::Platform => (location.z, dimensions.z),
+                StaticKind::Wall => (view.bottom - 1.0, VISIBLE + 2.0),
             };
-            for (line, (words, player)) in keys.iter().enumerate() {
-                let at = Vec2::new(right, 152.0 + 28.0 * line as f32);
-                canvas.text(words, at, Style { colour: colour_of(*player), ..quiet }.mono());
+            let area = view.area(location.x, z, dimensions.x, height);
+            canvas.rounded(area, 2.0, theme::solid());
+            if it.kind == StaticKind::Platform {
+                canvas.rounded(Area { size: Vec2::new(area.size.x, 1.5), ..area }, 0.0, theme::solid_top());
             }
-            for (line, words) in
-                [tr("Jump once more in the air;"), tr("let go early for a low jump."), "", tr("Esc pauses, R restarts.")]
-                    .iter()
-                    .enumerate()
-            {
-                canvas.text(words, Vec2::new(right, 224.0 + 28.0 * line as f32), quiet);
+        }
+        let foot = Area { min: Vec2::new(tower.min.x, tower.max().y), size: Vec2::new(tower.size.x, FOOT) };
+        if self.scene.view_bottom(1.0) > 0.0 {
+            // What is left behind is out: the edge is as red as everything that ends an attempt.
+            canvas.rounded(foot, 0.0, theme::panel());
+            for (height, alpha) in [(0.45, 0.12), (0.25, 0.2), (0.08, 0.9)] {
+                canvas.rounded(view.area(0.0, view.bottom, WIDTH, height), 0.0, theme::bad().faded(alpha));
             }
-            for (number, (player, _)) in self.scene.players().enumerate() {
-                if player.is_out() && self.is_of_two() {
-                    let at = Vec2::new(right, 360.0 + 28.0 * number as f32);
-                    canvas.text(&tr!("Player {number} is out", number = number + 1), at, Style { colour: theme::bad(), ..quiet });
-                }
+        } else {
+            canvas.rounded(foot, 0.0, theme::solid());
+            canvas.rounded(Area { size: Vec2::new(foot.size.x, 2.0), ..foot }, 0.0, theme::solid_top());
+        }
+    }
+
+    fn draw_players(&self, canvas: &Canvas, view: &View) {
+        let alpha = self.clock.alpha();
+        let two = self.is_of_two();
+        for (number, (player, body)) in self.scene.players().enumerate().filter(|(_, (player, _))| !player.is_out()) {
+            let place = body.previous + alpha * (body.cuboid.location - body.previous);
+            let area = view.area(place.x, place.z, PLAYER_SIZE, PLAYER_SIZE);
+            canvas.rounded(area, 3.0, colour_of(number));
+            let eye = Vec2::new(area.centre().x + area.size.x * 0.22 * player.direction() as f32, area.min.y + area.size.y * 0.35);
+            canvas.disc(eye, area.size.x * 0.14, theme::ground());
+            if two {
+                let above = Vec2::new(area.centre().x, area.min.y - 12.0);
+                canvas.text(&(number + 1).to_string(), above, Style::new(TEXT, colour_of(number)).mono().centred().middle());
             }
         }
     }
 
-    /// The part of the tower that is in view: the canvas' height but for its foot, in the middle of its width.
-    struct View {
-        bottom: f64,
-        left: f32,
-        /// Of the view's lower edge.
-        height: f32,
-        /// Canvas units a metre.
-        scale: f32,
+    fn draw_words(&self, canvas: &Canvas, view: &View) {
+        let right = view.point(0.0, 0.0).x - 48.0;
+        let quiet = Style::new(TEXT, theme::quiet()).right().middle();
+        canvas.text(tr("Height"), Vec2::new(right, 48.0), quiet);
+        canvas.text(
+            &format!("{} m", self.scene.score()),
+            Vec2::new(right, 84.0),
+            Style::new(HEADING, theme::text()).mono().right().middle(),
+        );
+        let [left, right_key, jump] = [Key::A, Key::D, Key::W].map(Key::label_by_place);
+        let keys = if self.is_of_two() {
+            [
+                (tr!("1: {left} {right} walk, {jump} jumps", left, right = right_key, jump), 0),
+                (tr("2: ← → walk, ↑ jumps").to_owned(), 1),
+            ]
+        } else {
+            [(tr!("{left} {right} or ← → walk", left, right = right_key), 0), (tr!("{jump}, ↑ or Space jumps", jump), 0)]
+        };
+        for (line, (words, player)) in keys.iter().enumerate() {
+            let at = Vec2::new(right, 152.0 + 28.0 * line as f32);
+            canvas.text(words, at, Style { colour: colour_of(*player), ..quiet }.mono());
+        }
+        for (line, words) in
+            [tr("Jump once more in the air;"), tr("let go early for a low jump."), "", tr("Esc pauses, R restarts.")]
+                .iter()
+                .enumerate()
+        {
+            canvas.text(words, Vec2::new(right, 224.0 + 28.0 * line as f32), quiet);
+        }
+        for (number, (player, _)) in self.scene.players().enumerate() {
+            if player.is_out() && self.is_of_two() {
+                let at = Vec2::new(right, 360.0 + 28.0 * number as f32);
+                canvas.text(&tr!("Player {number} is out", number = number + 1), at, Style { colour: theme::bad(), ..quiet });
+            }
+        }
+    }
+}
+
+/// The part of the tower that is in view: the canvas' height but for its foot, in the middle of its width.
+struct View {
+    bottom: f64,
+    left: f32,
+    /// Of the view's lower edge.
+    height: f32,
+    /// Canvas units a metre.
+    scale: f32,
+}
+
+impl View {
+    fn new(canvas: &Canvas, bottom: f64) -> Self {
+        let height = canvas.size().y - FOOT;
+        let scale = height / VISIBLE as f32;
+        Self { bottom, left: (canvas.size().x - scale * WIDTH as f32) / 2.0, height, scale }
     }
 
-    impl View {
-        fn new(canvas: &Canvas, bottom: f64) -> Self {
-            let height = canvas.size().y - FOOT;
-            let scale = height / VISIBLE as f32;
-            Self { bottom, left: (canvas.size().x - scale * WIDTH as f32) / 2.0, height, scale }
-        }
+    fn point(&self, x: f64, z: f64) -> Vec2 {
+        Vec2::new(self.left + x as f32 * self.scale, self.height - (z - self.bottom) as f32 * self.scale)
+    }
 
-        fn point(&self, x: f64, z: f64) -> Vec2 {
-            Vec2::new(self.left + x as f32 * self.scale, self.height - (z - self.bottom) as f32 * self.scale)
-        }
-
-        /// The box whose lower left corner is at (x, z).
-        fn area(&self, x: f64, z: f64, width: f64, height: f64) -> Area {
-            let size = Vec2::new(width as f32, height as f32) * self.scale;
-            Area { min: self.point(x, z) - Vec2::new(0.0, size.y), size }
-        }
+    /// The box whose lower left corner is at (x, z).
+    fn area(&self, x: f64, z: f64, width: f64, height: f64) -> Area {
+        let size = Vec2::new(width as f32, height as f32) * self.scale;
+        Area { min: self.point(x, z) - Vec2::new(0.0, size.y), size }
     }
 }

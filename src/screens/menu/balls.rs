@@ -4,11 +4,13 @@
 //! The pilot of the menu's ship: it keeps the ship over the buttons with the engine alone, and leads it back there from wherever a ball has
 //! knocked it.
 
+use crate::draw::Canvas;
 use crate::draw::layout::{Area, Frame, Vec2};
 use crate::game::{Clock, ROTATION_RATE, SHIP, TICK_RATE, nose};
 use crate::level::SHIP_HALF;
 use crate::physics::{Aabb, Body, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
 use crate::ui::input::Input;
+use crate::view::theme;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 
@@ -171,21 +173,14 @@ fn in_metres(area: &Area) -> Aabb {
     Aabb::new(metres(area.min), metres(area.max()))
 }
 
-mod drawing {
-    use super::Balls;
-    use crate::draw::Canvas;
-    use crate::draw::layout::Vec2;
-    use crate::view::theme;
-
-    impl Balls {
-        /// Draws the balls.
-        pub fn draw(&self, canvas: &Canvas) {
-            for (i, area) in self.areas().enumerate() {
-                let (centre, radius) = (area.centre(), area.size.x / 2.0);
-                let colour = [theme::player_objective(), theme::physics_objective(), theme::good(), theme::accent()][i % 4];
-                canvas.disc(centre, radius, colour);
-                canvas.disc(centre - Vec2::splat(radius * 0.3), radius * 0.22, theme::text().faded(0.7));
-            }
+impl Balls {
+    /// Draws the balls.
+    pub fn draw(&self, canvas: &Canvas) {
+        for (i, area) in self.areas().enumerate() {
+            let (centre, radius) = (area.centre(), area.size.x / 2.0);
+            let colour = [theme::player_objective(), theme::physics_objective(), theme::good(), theme::accent()][i % 4];
+            canvas.disc(centre, radius, colour);
+            canvas.disc(centre - Vec2::splat(radius * 0.3), radius * 0.22, theme::text().faded(0.7));
         }
     }
 }
