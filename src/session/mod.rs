@@ -1,7 +1,6 @@
 //! What outlasts a screen: who plays, the levels and the worker that reads them, recorded flights, and the files that are written. No
 //! screen is known here.
 
-pub mod answers;
 pub mod folder_watch;
 pub mod journal;
 pub mod library;
@@ -14,8 +13,7 @@ use crate::settings::Settings;
 use crate::settings::file::SettingsFile;
 use crate::ui::input::Clipboard;
 use crate::words::{self, tr};
-use answers::Answers;
-use journal::Journal;
+use journal::{Answers, Journal};
 use library::{Flown, Library};
 use std::collections::BTreeMap;
 use std::path::PathBuf;

@@ -13,7 +13,7 @@ use crate::level::document::{LevelFolder, Opened};
 use crate::level::{Level, Problem, scaffold};
 use crate::screens::flight::race::Race;
 use crate::session::Session;
-use crate::session::answers::Worksheet;
+use crate::session::journal::Worksheet;
 use crate::session::library::{Attempt, Refusal};
 use crate::ui::Spectator;
 use crate::words::tr;

@@ -8,7 +8,7 @@ use crate::instruments::reading::Wanted;
 use crate::number::is_plain;
 use crate::screens::lab::Paragraphs;
 use crate::screens::screen::{Effect, Request};
-use crate::session::answers::{Reading, Worksheet};
+use crate::session::journal::{Reading, Worksheet};
 use crate::settings::Action;
 use crate::ui::input::Input;
 use crate::ui::{EntryEvent, Ui};

@@ -21,7 +21,6 @@ use std::path::PathBuf;
 
 mod card;
 mod files;
-mod foot;
 mod shelves;
 
 pub use card::LevelEntry;
