@@ -18,7 +18,7 @@ pub fn start(level: Level) -> Game {
     Game::new(Arc::new(level)).expect("the level can be played")
 }
 
-/// Keeps these keys pressed for so many ticks.
+/// Keeps these keys pressed for that many ticks.
 pub fn fly(game: &mut Game, controls: Controls, ticks: u32) {
     (0..ticks).for_each(|_| game.step(controls));
 }
