@@ -3,7 +3,7 @@
 use crate::support::program::{Ran, resultant};
 use glam::DVec3;
 use resultant::classics::jumper::engine::{CuboidFace, CuboidHit, Dynamic};
-use resultant::classics::jumper::{JumpKeys, JumperScene, LEADERBOARD, PLAYER_SIZE, VISIBLE};
+use resultant::classics::jumper::{JumpKeys, JumperScene, PLAYER_SIZE, VISIBLE};
 use resultant::game::TICK_RATE;
 
 const NOTHING: JumpKeys = JumpKeys { left: false, right: false, jump: false };
@@ -15,13 +15,6 @@ const RIGHT_JUMP: JumpKeys = JumpKeys { jump: true, ..RIGHT };
 const FALL: f64 = 10.0 / TICK_RATE;
 /// A tower without a platform right above the first player's start, where jumps are not cut short by landing.
 const SEED: u64 = 1;
-
-#[test]
-fn no_level_can_have_the_name_of_the_climbs_leaderboard() {
-    for name in [LEADERBOARD.to_owned(), LEADERBOARD.to_uppercase()] {
-        assert!(matches!(resultant::level::judge_name(&name), Err(resultant::level::NameFault::Board(_))), "{name}");
-    }
-}
 
 fn alone() -> JumperScene {
     JumperScene::new(SEED, false)
@@ -175,7 +168,6 @@ fn a_climb_raises_the_view_which_never_falls_and_leaves_behind_who_stays() {
     }
     assert!(scene.score() >= 30, "the test's climber came to {} m only", scene.height());
     assert_eq!(scene.score(), scene.height().floor() as i64);
-
     // Off the lower edge the climber is out too, which ends the climb; the score stays.
     let score = scene.score();
     let mut ticks = 0;
@@ -237,8 +229,6 @@ fn the_command_line_climbs_and_refuses() {
     let [x1, x2] = [0, 1].map(|player| body(&scene, player).cuboid.location.x);
     let (status, printed, _) = climb("ticks,left1,right1,jump1,left2,right2,jump2\n30,0,1,0,1,0,0\n", &["--players", "2"]);
     assert_eq!((status, printed), (0, format!("outcome=climbing\nscore=0\nheight=0\nticks=30\nx1={x1}\nz1=0\nx2={x2}\nz2=0\n")));
-    let (status, printed, problem) = climb("ticks,left1,right1,jump1\n30,0,1,x\n", &[]);
-    assert_eq!((status, printed.as_str()), (2, ""));
-    assert!(problem.contains("keys.csv:2: column \"jump1\": found \"x\""), "{problem}");
+    assert_eq!(climb("ticks,left1,right1,jump1\n30,0,1,x\n", &[]).0, 2);
     assert_eq!(climb("ticks,left1,right1,jump1\n", &["--players", "3"]).0, 2);
 }

@@ -15,35 +15,6 @@ fn led(surface: SurfaceDef, legs: &[(f64, DVec2, DVec2)]) -> SurfaceDef {
 }
 
 #[test]
-fn a_lift_carries_what_stands_on_it() {
-    for gravity in [G, -G] {
-        let down = gravity.signum();
-        let along = |y: f64| DVec2::new(0.0, y * down);
-        // Slower down than things fall.
-        let legs = [
-            (0.8, along(-2.0), along(-6.0)),
-            (1.2, along(-6.8), DVec2::ZERO),
-            (1.4, along(-6.8), along(6.0)),
-            (0.7, along(1.6), DVec2::ZERO),
-        ];
-        let lift = led(surface(-2.0, down.min(0.0), 2.0, down.max(0.0)), &legs);
-        let bodies = vec![square(0.0, -0.5 * down), square(0.2, -1.5 * down), square(-0.1, -2.5 * down)];
-        let mut scene = pile(bodies, vec![lift.clone()], gravity);
-        for step in 1..=480 {
-            scene.step(DT);
-            let (top, speed) = (scene.surfaces()[0].bounds.centre().y - 0.5 * down, lift.path.at(f64::from(step) * DT).velocity.y);
-            if step > 6 {
-                for (i, body) in scene.bodies().iter().enumerate() {
-                    let expected = top - (0.5 + i as f64) * down;
-                    assert!((body.position.y - expected).abs() < 1e-9, "step {step}, body {i}: {} {expected}", body.position.y);
-                    assert!((body.velocity.y - speed).abs() < 1e-6, "step {step}, body {i}: {} {speed}", body.velocity.y);
-                }
-            }
-        }
-    }
-}
-
-#[test]
 fn a_platform_takes_its_riders_along() {
     let legs = [(1.0, DVec2::ZERO, DVec2::new(3.0, 0.0)), (1.0, DVec2::new(3.0, 0.0), DVec2::ZERO)];
     let mut scene = pile(vec![square(0.0, -0.5), square(0.1, -1.5)], vec![led(surface(-2.0, 0.0, 2.0, 1.0), &legs)], G);

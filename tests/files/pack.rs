@@ -117,17 +117,8 @@ fn pictures_go_along_from_the_level_and_from_the_project() {
     let (package, left) = pack::gather(&folder, from.path()).unwrap();
     assert_eq!(left, ["sketch.svg"]);
     let paths: Vec<&str> = package.files.keys().map(String::as_str).collect();
-    let expected = [
-        "art/own.png",
-        "assets/deep/shared.png",
-        "constants.csv",
-        "decoration.csv",
-        "notes.txt",
-        "objectives.csv",
-        "objects.csv",
-        "player.csv",
-    ];
-    assert_eq!(paths, expected);
+    let pictures = "art/own.png assets/deep/shared.png";
+    assert_eq!(paths.join(" "), format!("{pictures} constants.csv decoration.csv notes.txt objectives.csv objects.csv player.csv"));
     let to = tempfile::tempdir().unwrap();
     let read = pack::read(&pack::write(&package).unwrap(), "").unwrap();
     pack::install(&read, &to.path().join("levels"), to.path(), false).unwrap();

@@ -18,20 +18,8 @@ const MATERIALS: [&str; 5] = ["", "Ice", "Trampoline", "Rubber", "Glass"];
 
 /// The rows that are added to the room.
 fn rows(random: &mut Random) -> Vec<(&'static str, String)> {
-    let mut files: Vec<(&'static str, String)> = [
-        "world.csv",
-        "movers.csv",
-        "doors.csv",
-        "switches.csv",
-        "gravity.csv",
-        "objects.csv",
-        "hazards.csv",
-        "pods.csv",
-        "constants.csv",
-    ]
-    .into_iter()
-    .map(|file| (file, String::new()))
-    .collect();
+    let files = "world.csv movers.csv doors.csv switches.csv gravity.csv objects.csv hazards.csv pods.csv constants.csv".split(' ');
+    let mut files: Vec<(&'static str, String)> = files.map(|file| (file, String::new())).collect();
     let mut add = |file: &str, row: String| {
         let text = files.iter_mut().find(|(name, _)| *name == file).map(|(_, text)| text).expect("a file of the list");
         writeln!(text, "{row}").unwrap();

@@ -1,11 +1,11 @@
-//! The same inputs by tick give the same bits, whatever the frames do.
+//! The same inputs by tick give the same bits. `tests/screens/frames.rs`: whatever the frames do.
 
 use crate::support::hashes::{assert_golden, hash_of};
 use crate::support::rooms::yard;
 use crate::support::{Random, area, block, crowd};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
-use resultant::game::{Clock, Controls, Game, Inputs, Latch, Outcome, TICK_RATE};
+use resultant::game::{Controls, Game, Inputs, Outcome, TICK_RATE};
 use resultant::level::Level;
 use resultant::physics::{BodyDef, BodyId, DVec2, Material, Path, Plan, Sides, SurfaceDef, World, WorldDef};
 use std::sync::Arc;
@@ -31,25 +31,16 @@ fn script() -> Vec<Controls> {
     (0..TICKS).map(&mut change).collect()
 }
 
-/// Plays the script tick by tick while frames take the given times; the keys of a frame apply to its next tick.
-fn play(mut frame_time: impl FnMut() -> f64) -> Game {
-    let script = script();
+/// The script as it was flown.
+fn play() -> Game {
     let mut game = Game::new(Arc::new(yard())).unwrap();
-    let mut clock = Clock::new(TICK_RATE);
-    let mut latch = Latch::default();
-    while game.ticks() < u64::from(TICKS) {
-        clock.add(frame_time());
-        while game.ticks() < u64::from(TICKS) && clock.tick() {
-            latch.frame(script[game.ticks() as usize], Controls::default());
-            game.step(latch.take());
-        }
-    }
+    script().into_iter().for_each(|controls| game.step(controls));
     game
 }
 
 #[test]
 fn the_golden_hash() {
-    let game = play(|| 1.0 / 60.0);
+    let game = play();
     assert_eq!(game.outcome(), Outcome::Running, "the script is meant to fly to its end");
     assert_golden("yard", game.hash());
 }
@@ -92,25 +83,12 @@ fn the_golden_hashes_of_moving_surfaces() {
 }
 
 #[test]
-fn every_frame_rate_gives_the_same_bits() {
-    let expected = play(|| 1.0 / 60.0).hash();
-    for frame_rate in [30.0, 60.0, 144.0, 1000.0, 7.0] {
-        assert_eq!(play(|| 1.0 / frame_rate).hash(), expected, "{frame_rate} frames a second");
-    }
-    for seed in 0..5 {
-        let mut random = Pcg32::seed_from_u64(seed);
-        let irregular = play(|| if random.random_bool(0.01) { 2.0 } else { random.random_range(0.0..0.05) });
-        assert_eq!(irregular.hash(), expected, "irregular frames, seed {seed}");
-    }
-}
-
-#[test]
 fn recorded_inputs_give_the_same_bits_also_through_a_file() {
     let mut inputs = Inputs::default();
     script().into_iter().for_each(|controls| inputs.record(controls));
     let mut game = Game::new(Arc::new(yard())).unwrap();
     Inputs::parse("script", &inputs.to_string()).unwrap().into_iter().for_each(|controls| game.step(controls));
-    assert_eq!(game.hash(), play(|| 1.0 / 60.0).hash());
+    assert_eq!(game.hash(), play().hash());
 }
 
 #[test]

@@ -1,13 +1,13 @@
 //! Switches and the parts that they work, fragile blocks, pods, weightless objects, gravity by level and by zone, winds that solids shade:
 //! from a level's files to their effects.
 
+use crate::support::rooms::THRUST;
 use crate::support::written::{begun, wait, written};
 use resultant::game::{BURN_RATE, Controls, Game, GameEvent, Recorder, SHIP, level_hash, source_name};
 use resultant::level::{SurfaceOf, Worked};
 use resultant::physics::{BodyId, DVec2, ForceKind};
 use std::sync::Arc;
 
-const THRUST: Controls = Controls { thrust: true, reverse: false, left: false, right: false };
 const GATE: (&str, &str) = ("doors.csv", "600,600,30,270,gate\n");
 
 fn body(game: &Game, index: u32) -> &resultant::physics::Body {

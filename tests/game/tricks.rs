@@ -1,17 +1,15 @@
 //! Marks for tricks: burns, stars, objectives together; from a level's files to the prize.
 
 use crate::support::Memory;
+use crate::support::rooms::{REVERSE, THRUST, fly};
 use crate::support::written::{begun, texts};
 use resultant::game::{Controls, Game, GameEvent, Medals, Outcome};
 use resultant::level::{self, Mark};
 use std::sync::Arc;
 
-const THRUST: Controls = Controls { thrust: true, reverse: false, left: false, right: false };
-const BACK: Controls = Controls { thrust: false, reverse: true, left: false, right: false };
-
 /// Steps in which the engine is on or off.
 fn press(game: &mut Game, steps: &[(Controls, u32)]) {
-    steps.iter().for_each(|(controls, ticks)| (0..*ticks).for_each(|_| game.step(*controls)));
+    steps.iter().for_each(|(controls, ticks)| fly(game, *controls, *ticks));
 }
 
 #[test]
@@ -22,7 +20,7 @@ fn a_burn_begins_after_a_tenth_of_a_second_without_one() {
         (&[(THRUST, 1)], 1),
         (&[(THRUST, 20), (off, 11), (THRUST, 20)], 1),
         (&[(THRUST, 20), (off, 12), (THRUST, 20)], 2),
-        (&[(THRUST, 20), (off, 12), (BACK, 20), (THRUST, 3), (off, 12), (BACK, 1)], 3),
+        (&[(THRUST, 20), (off, 12), (REVERSE, 20), (THRUST, 3), (off, 12), (REVERSE, 1)], 3),
         (&[(Controls { thrust: true, reverse: true, ..off }, 60)], 0),
     ] {
         let mut game = begun(&[]);

@@ -118,17 +118,6 @@ fn contact_methods_hold_and_fail_where_their_pages_say() {
     }
 }
 
-/// A step allows two collisions: where the blocks turn round in less time than all of theirs take, the count is wrong.
-#[test]
-fn pi_needs_small_steps() {
-    let tick = 1.0 / 60.0;
-    for (n, h, right) in
-        [(1, 0.1, true), (2, 0.1, false), (2, tick, true), (3, tick, false), (4, 0.01, false), (4, 1e-3, true), (5, 1e-4, false)]
-    {
-        assert_eq!(scenes::pi::stepped(n, h) == Some(scenes::pi::COUNTS[n as usize]), right, "N = {n}, {h} s");
-    }
-}
-
 /// Whether a picture shows an error: a line that ends where nothing counts as right, or that leaves every right line by more than a
 /// twentieth of the picture.
 fn is_seen_to_fail(picture: &FailurePicture) -> bool {
@@ -251,7 +240,6 @@ fn chart_writes_diagrams_tables_and_a_summary() {
     // The output names every file, and no other file is there.
     assert_eq!(told.lines().count(), names(&out).len());
     assert!(told.lines().all(|line| Path::new(line).is_file()));
-
     // What is there of this build is left as it is; what is not is named, and measured where that is asked for.
     assert_eq!(chart(&out, &["--check"]).0, 0);
     let (before, stale) = (text("fall.csv"), text("fall.csv").replace(SOURCES, "0123456789abcdef"));

@@ -57,11 +57,9 @@ fn check_takes_folders_and_all_levels_and_refuses_what_is_not_there() {
     let folder = fixtures().join("levels/good_touching");
     let (code, out, _) = ran(&fixtures(), &["check", folder.to_str().unwrap()]);
     assert_eq!((code, out.lines().next()), (0, Some(format!("{}: ok", folder.display()).as_str())));
-
     let (code, out, err) = ran(&fixtures(), &["check"]);
     assert_eq!(code, 1);
     assert!(out.contains("good_original: ok\n") && err.contains("player_none: refused, 1 problem\n"));
-
     let (code, out, err) = ran(&fixtures(), &["check", "good_original", "nowhere"]);
     assert_eq!((code, out.as_str()), (2, ""), "nothing is checked: {err}");
     assert!(err.contains("nowhere"), "{err}");
@@ -80,11 +78,10 @@ fn new_makes_a_level_that_loads_and_touches_no_other() {
         assert_eq!(loaded.level.switches.is_empty(), flags.is_empty(), "{name}");
     }
     let folder = folder("my-level");
-
     std::fs::write(folder.join("player.csv"), "mine").unwrap();
     assert_eq!(ran(project.path(), &["new", "my-level"]).0, 2);
     assert_eq!(std::fs::read_to_string(folder.join("player.csv")).unwrap(), "mine");
-    for name in ["../evil", "a/b", "", "."] {
+    for name in ["../evil", "a/b", "", ".", "jumper", "CON"] {
         let (code, out, err) = ran(project.path(), &["new", name]);
         assert_eq!((code, out.as_str()), (2, ""), "{name:?}: {err}");
     }
@@ -153,19 +150,6 @@ fn flights_that_no_longer_hold_are_warned_about() {
     }
 }
 
-/// A medal that no flight of the folder earns.
-#[test]
-fn medals_beyond_all_flights_are_warned_about() {
-    let project = tempfile::tempdir().unwrap();
-    copy_fixture("1", project.path());
-    let flights = project.path().join("levels/1/flights");
-    std::fs::remove_file(flights.join("mark.replay.csv")).unwrap();
-    std::fs::remove_file(flights.join("gold.replay.csv")).unwrap();
-    let (code, _, err) = ran(project.path(), &["check", "1"]);
-    let gold = "1: warning: constants.csv: found a medal (within 5.5 s) that no flight in flights/ earns, expected ";
-    assert!(code == 0 && err.contains(gold), "{err}");
-}
-
 #[test]
 fn a_flight_becomes_the_proof_of_a_medal_and_check_says_what_is_proven() {
     let project = tempfile::tempdir().unwrap();
@@ -191,7 +175,6 @@ fn a_flight_becomes_the_proof_of_a_medal_and_check_says_what_is_proven() {
     assert_eq!(proven(code.trim(), "silver").0, 0);
     let (_, out, _) = ran(project.path(), &["check", "1"]);
     assert!(out.contains("  proven: careful (level complete), gold (within 6.85 s), silver (within 6.85 s)\n"), "{out}");
-
     // What proves nothing is refused, and nothing is written.
     let before = (read("constants.csv"), read("flights/gold.replay.csv"));
     let altered = project.path().join("altered.csv");
@@ -245,33 +228,6 @@ fn a_level_that_needs_no_pilot_or_leaves_none_a_chance_is_warned_about() {
 }
 
 #[test]
-fn a_thousand_equal_problems_are_summed_up() {
-    let project = project(&["tower"]);
-    let rows: String = (0..900).map(|i| format!("{i},0,1,1,Cheese\n")).collect();
-    std::fs::write(project.path().join("levels/tower/world.csv"), rows).unwrap();
-    let (code, out, err) = ran(project.path(), &["check", "tower"]);
-    assert_eq!((code, out.as_str(), err.lines().count()), (1, "", 5), "{err}");
-    assert!(err.starts_with("tower: refused, 900 problems\n") && err.contains("in 897 more rows, the last in line 900\n"), "{err}");
-    assert_eq!(ran(project.path(), &["run", "tower"]).2.lines().count(), 4);
-}
-
-#[test]
-fn new_refuses_names_that_are_taken_by_something_else() {
-    let project = tempfile::tempdir().unwrap();
-    for (names, why) in [
-        (&["jumper", "Jumper"][..], "scores/jumper.csv is a list of another kind"),
-        (&["CON", "aux", "NUL", "COM1", "lpt9", "Prn"], "Windows takes that one for a device"),
-    ] {
-        for name in names {
-            let (code, out, err) = ran(project.path(), &["new", name]);
-            assert_eq!((code, out.as_str()), (2, ""), "{name}");
-            assert_eq!(err, format!("a level cannot be named {name:?}: expected another name, as {why}\n"));
-        }
-    }
-    assert!(!project.path().join("levels").exists());
-}
-
-#[test]
 fn new_makes_a_folder_whole_or_not_at_all() {
     let project = tempfile::tempdir().unwrap();
     let levels = project.path().join("levels");
@@ -292,20 +248,6 @@ fn new_makes_a_folder_whole_or_not_at_all() {
     assert_eq!(ran(project.path(), &["new", "whole", "--show"]).0, 0);
     assert!(!levels.join(".resultant-Ab3dE6gH.new").exists() || cfg!(windows), "the next one sweeps it away");
     assert_eq!(std::fs::read_dir(levels.join("whole")).unwrap().count(), 14);
-}
-
-#[test]
-fn no_half_folder_is_ever_seen() {
-    let project = tempfile::tempdir().unwrap();
-    let root = project.path().to_owned();
-    let maker = std::thread::spawn(move || (0..20).all(|i| ran(&root, &["new", &format!("l{i}"), "--show"]).0 == 0));
-    while !maker.is_finished() {
-        for name in level::list(&project.path().join("levels")) {
-            let files = std::fs::read_dir(project.path().join("levels").join(&name)).unwrap().count();
-            assert_eq!(files, 14, "{name}");
-        }
-    }
-    assert!(maker.join().unwrap());
 }
 
 /// Windows makes no folder of a device's name.

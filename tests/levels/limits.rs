@@ -7,52 +7,33 @@ use resultant::level;
 /// A column, the least and the most that it may hold, and two numbers beyond them.
 type Limit = (&'static str, [f64; 2], [f64; 2]);
 
-/// A level of 3000 × 3000 px with one number changed.
+/// A level of 3000 × 3000 px; each `column=usual` is a number that may be changed.
+const FILES: [(&str, &str); 7] = [
+    (
+        "constants.csv",
+        "name,value\nwidth,3000\nheight,3000\ngravity,gravity=15\nair_density,air_density=1.2041\noptimal_time,optimal_time=60\n\
+         rest_speed,rest_speed=0\nmetre,metre=30\n",
+    ),
+    ("player.csv", "x,y,mass,fuel,thrust,vx,vy,angle\n1500,1500,mass=100,fuel=500,thrust=3000,vx=0,0,angle=0\n"),
+    ("world.csv", "x,y,width,height\nx=600,2000,side=30,30\n"),
+    ("objects.csv", "x,y,image,mass,drag,circular,restitution\n600,600,box:30x30,100,drag=1,FALSE,restitution=0.5\n"),
+    ("objectives.csv", "PLAYER,10,10,20,20\n"),
+    ("hazards.csv", "x,y,width,height,stream_width,stream_height,force_x,force_y\n900,900,30,30,0,-90,0,force_y=-900\n"),
+    ("fluids.csv", "x,y,width,height,density,viscosity\n0,2500,3000,500,density=1000,viscosity=0.001\n"),
+];
+
+/// The level with one number changed.
 fn with(column: &str, value: f64) -> Memory {
-    let given = |name: &str, usual: f64| if name == column { value } else { usual };
-    let constants = [("gravity", 15.0), ("air_density", 1.2041), ("optimal_time", 60.0), ("rest_speed", 0.0), ("metre", 30.0)];
-    let constants: String = constants.iter().map(|(name, usual)| format!("{name},{}\n", given(name, *usual))).collect();
-    let award = if AWARDS.contains(&column) { format!("{column},{value}\n") } else { String::new() };
-    let side = given("side", 30.0);
-    let files = [
-        ("constants.csv", format!("name,value\nwidth,3000\nheight,3000\n{constants}{award}")),
-        (
-            "player.csv",
-            format!(
-                "x,y,mass,fuel,thrust,vx,vy,angle\n1500,1500,{},{},{},{},0,{}\n",
-                given("mass", 100.0),
-                given("fuel", 500.0),
-                given("thrust", 3000.0),
-                given("vx", 0.0),
-                given("angle", 0.0)
-            ),
-        ),
-        ("world.csv", format!("x,y,width,height\n{},2000,{side},30\n", given("x", 600.0))),
-        (
-            "objects.csv",
-            format!(
-                "x,y,image,mass,drag,circular,restitution\n600,600,box:30x30,100,{},FALSE,{}\n",
-                given("drag", 1.0),
-                given("restitution", 0.5)
-            ),
-        ),
-        ("objectives.csv", "PLAYER,10,10,20,20\n".to_owned()),
-        (
-            "hazards.csv",
-            format!(
-                "x,y,width,height,stream_width,stream_height,force_x,force_y\n900,900,30,30,0,-90,0,{}\n",
-                given("force_y", -900.0)
-            ),
-        ),
-        (
-            "fluids.csv",
-            format!(
-                "x,y,width,height,density,viscosity\n0,2500,3000,500,{},{}\n",
-                given("density", 1000.0),
-                given("viscosity", 0.001)
-            ),
-        ),
-    ];
+    let cell = |cell: &str| match cell.split_once('=') {
+        Some((name, rest)) if name == column => format!("{value}{}", rest.trim_start_matches(|c: char| !",\n".contains(c))),
+        Some((_, usual)) => usual.to_owned(),
+        None => cell.to_owned(),
+    };
+    let fill = |text: &str| text.split_inclusive([',', '\n']).map(cell).collect::<String>();
+    let mut files = FILES.map(|(file, text)| (file, fill(text)));
+    if AWARDS.contains(&column) {
+        files[0].1 += &format!("{column},{value}\n");
+    }
     Memory(files.into())
 }
 

@@ -40,7 +40,6 @@ fn a_picture_is_judged_by_what_it_unfolds_to() {
     assert!(object(&png_of(20, 20)).unwrap_err().starts_with("background.png: found \"background.png\" of 23170"));
     assert!(level::read_picture(&folder.join("background.png")).is_err(), "nor is it unpacked to be drawn");
     std::fs::remove_file(folder.join("background.png")).unwrap();
-
     // Each is small enough, and all of them are not.
     let each = png_of(16_384, 512);
     let rows = (0..2).map(|i| {

@@ -159,7 +159,6 @@ fn a_tape_flown_in_another_level_is_the_same_controls_under_other_laws() {
     let mut same = history.tape().fly_in(level.clone(), 120).unwrap();
     assert!(!same.fly(50) && (same.progress() - 50.0 / 120.0).abs() < 1e-12 && same.fly(1000));
     assert_eq!(same.done().0.hash(), game.hash());
-
     let mut variation = Variation::default();
     variation.set(Parameter::Gravity, 1.62, &level);
     let moon = Arc::new(variation.apply(&level).unwrap());

@@ -1,8 +1,8 @@
 //! Warnings about good levels: goals that nobody can fly to, push, press or earn. `tests/game/built_levels.rs` checks that no warning calls
 //! impossible a goal that a flight has met.
 
+use crate::lines;
 use crate::support::{Memory, written};
-use crate::{lines, package};
 use resultant::game::{Controls, Game, Outcome, SHIP};
 use resultant::level;
 use std::sync::Arc;
@@ -140,16 +140,6 @@ fn what_a_linked_body_pushes_is_reached() {
     let own = [("world.csv", chamber), ("objects.csv", objects)];
     assert_eq!(warned(&own).matches("an object that no one can reach").count(), 2);
     assert_eq!(warned(&[own[0], own[1], ("links.csv", "magnet,ship,a,,,,50\n")]), "");
-}
-
-#[test]
-fn no_experiment_is_warned_about() {
-    let experiments = package().join("experiments");
-    for name in level::list(&experiments) {
-        let loaded =
-            level::load(&experiments.join(&name), package()).unwrap_or_else(|problems| panic!("{name}: {}", lines(&problems)));
-        assert_eq!(lines(&loaded.warnings), "", "{name}");
-    }
 }
 
 /// A ship and objectives are neither asked for nor read there, and nothing is tied to a ship.

@@ -3,7 +3,6 @@
 use crate::sitting::{Sitting, keys};
 use crate::support::shipped::{copy, project};
 use resultant::classics::jumper::{JumpKeys, JumperScene};
-use resultant::classics::pi::Blocks;
 use resultant::screens::{Classic, Destination, Input, Jumper, Key, Keys, Noise, Pi, Request, TileRun};
 
 /// A frame of the screen, s.
@@ -269,18 +268,6 @@ fn pi() -> Sitting {
 
 fn blocks_of(sitting: &Sitting) -> &Pi {
     sitting.screen()
-}
-
-#[test]
-fn the_digits_come_out_right_at_every_frame_rate() {
-    for rate in [10.0, 30.0, 60.0, 144.0, 1000.0] {
-        let mut screen = pi();
-        run(&mut screen, 1.0 / rate, 12.0);
-        assert_eq!((blocks_of(&screen).counter(), blocks_of(&screen).blocks().next_time()), (("314".to_owned(), 3), None));
-        let mut exact = Blocks::new(2);
-        while exact.collide().is_some() {}
-        assert_eq!(*blocks_of(&screen).blocks(), exact, "{rate} frames a second");
-    }
 }
 
 #[test]

@@ -21,7 +21,6 @@ fn the_pause_panel_does_what_it_says_by_mouse_and_by_keyboard() {
         assert!(ticks > 50);
         assert_eq!(sitting.wait(0.5).flight().game().ticks(), ticks, "time stands still");
         assert_eq!(sitting.click(button).at(), screen);
-
         let mut sitting = Sitting::new();
         assert_eq!(sitting.fly("2").wait(0.5).press(Key::Escape).choose(button).at(), screen);
         if button == "Resume" {
@@ -47,41 +46,12 @@ fn keys_of_the_game_act_once_a_press() {
 }
 
 #[test]
-fn a_press_shorter_than_a_frame_reaches_the_ship_once() {
-    let mut sitting = Sitting::new();
-    sitting.fly("2");
-    let full = sitting.game().ship().fuel;
-    // Frames without a tick first: the press waits for one.
-    sitting.give(Input { pressed: [Key::Space].into_iter().collect(), frame_time: 1e-9, ..Input::default() });
-    assert_eq!(sitting.game().ship().fuel, full);
-    sitting.rest();
-    let after_one = sitting.game().ship().fuel;
-    assert!(after_one < full, "the press was lost");
-    assert_eq!(sitting.wait(0.2).flight().game().ship().fuel, after_one, "the press was repeated");
-}
-
-#[test]
-fn the_keys_are_those_of_the_controls() {
-    for (key, sign) in [(Key::Right, 1.0), (Key::Left, -1.0)] {
-        let mut sitting = Sitting::new();
-        let angle = sitting.fly("2").press(key).flight().game().ship().angle;
-        assert!(angle * sign > 0.0, "{key:?} turned the ship to {angle}°");
-    }
-    for (key, burning) in [(Key::Space, 1), (Key::S, -1)] {
-        let mut sitting = Sitting::new();
-        sitting.fly("2").hold(&[key], 1);
-        assert_eq!(sitting.game().ship().burning, burning, "{key:?}");
-    }
-}
-
-#[test]
 fn an_attempt_that_ends_comes_to_its_score_after_a_moment() {
     let mut sitting = Sitting::new();
     sitting.fly("1").wait(0.3);
     assert_eq!(sitting.at(), "flight", "the end can be seen");
     assert_eq!(sitting.wait(1.0).at(), "scoring");
     assert!(sitting.scoring().result().score.total > 10_000);
-
     let mut sitting = Sitting::new();
     assert_eq!(sitting.fly("1").wait(0.1).press(Key::Escape).at(), "scoring", "Esc need not wait");
 }

@@ -143,21 +143,6 @@ fn the_table_obeys_the_law_of_work_and_energy_as_it_is_written() {
 }
 
 #[test]
-fn trails_are_right_at_every_moment_gone_to() {
-    let mut sitting = measuring(&[Instrument::Trails]);
-    fly_for(&mut sitting, 40);
-    for key in [Key::Comma, Key::Comma, Key::Period] {
-        sitting.press(key);
-        let (flight, now) = (sitting.flight(), sitting.ticks());
-        let dots: Vec<_> = flight.instruments().measures().trail().dots(now, 120.0).collect();
-        assert_eq!(dots.len() as u64, now / 12 + 1);
-        for dots in dots {
-            assert_eq!(dots.places, [flight.history().at(dots.number * 12).world().bodies()[0].position]);
-        }
-    }
-}
-
-#[test]
 fn a_panel_is_dragged_out_of_the_way_and_stays_in_the_window() {
     let mut sitting = measuring(&[Instrument::Figures]);
     let area = |sitting: &Sitting| sitting.flight().instruments().measures().areas().next().expect("the table");

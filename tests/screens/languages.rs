@@ -234,7 +234,7 @@ fn every_word_of_every_screen_comes_from_a_catalogue() {
 }
 
 /// What is wrong with the lines of a screen: cut, outside of the window, on one another or across the edge of a button.
-fn faults(sitting: &Sitting, whole: &BTreeSet<String>) -> Vec<String> {
+pub fn faults(sitting: &Sitting, whole: &BTreeSet<String>) -> Vec<String> {
     let (all, frame) = (lines(sitting), sitting.frame.area());
     let mut found = Vec::new();
     let inside = |area: &Area, of: &Area| area.min.x >= of.min.x - 1.0 && area.max().x <= of.max().x + 1.0;
@@ -243,7 +243,8 @@ fn faults(sitting: &Sitting, whole: &BTreeSet<String>) -> Vec<String> {
             found.push(format!("cut: {}", line.text));
         }
         let visible = frame.gap(&line.area) < 0.0;
-        if visible && !inside(&line.area, &frame) {
+        let high = line.area.min.y < frame.min.y - 1.0 || line.area.max().y > frame.max().y + 1.0;
+        if visible && (high || !inside(&line.area, &frame)) {
             found.push(format!("leaves the window: {}", line.text));
         }
         for other in all[i + 1..].iter().filter(|other| other.layer == line.layer) {

@@ -2,8 +2,6 @@
 
 use crate::sitting::Sitting;
 use crate::support::shipped::{copy, names, project};
-use crate::what_if::type_in;
-use resultant::level::Parameter;
 use resultant::screens::{Instrument, Key, Lab, Page};
 use resultant::view::theme;
 use std::fs;
@@ -90,13 +88,6 @@ fn slope(xs: &[f64], ys: &[f64]) -> f64 {
     over(&|x, y| (x - mx) * (y - my)) / over(&|x, _| (x - mx) * (x - mx))
 }
 
-/// The velocity of the first ball, as a file has it: ticks, times and v_y.
-fn taken_along(sitting: &mut Sitting) -> Vec<Vec<f64>> {
-    sitting.click("CSV");
-    sitting.rest();
-    columns(&written(sitting), &["tick", "t (s)", "Ball 1 v_y (m/s)"])
-}
-
 #[test]
 fn an_experiment_waits_for_a_prediction_and_stands_still_again_after_a_restart() {
     let mut sitting = opened("free-fall");
@@ -141,30 +132,6 @@ fn an_experiment_opens_on_what_moves_and_leads_back_to_the_list() {
     let lab = sitting.screen::<Lab>();
     assert_eq!(lab.page(), Page::Experiments);
     assert!(sitting.focused() == "Free fall" && sitting.shows("docs/sheets/free-fall.html"));
-}
-
-/// Freeze, step, select, plot, vary the mass, take it along: a ball fifty times as heavy falls as the one before.
-#[test]
-fn with_another_mass_the_slope_in_the_file_is_still_g() {
-    let mut sitting = free_fall();
-    sitting.wait(0.5).press(Key::B).press_all(&[Key::Period; 20]);
-    let now = sitting.ticks();
-    open_plot(&mut sitting);
-    sitting.wait(0.1);
-    let light = taken_along(&mut sitting);
-    sitting.click("What if …");
-    type_in(&mut sitting, Parameter::Mass(1), "50");
-    sitting.wait(0.1);
-    let flight = sitting.flight();
-    assert_eq!((flight.game().world().bodies()[1].mass, flight.game().ticks()), (50.0, now), "at the same moment");
-    assert!(flight.before().is_some() && flight.is_assisted(), "the run before stays, and nothing of this one counts");
-    let heavy = taken_along(&mut sitting);
-    assert_eq!(heavy[0], light[0]);
-    let g = -slope(&heavy[1], &heavy[2]);
-    assert!((g - G).abs() <= 1e-9 * G, "{g}");
-    for (light, heavy) in light[2].iter().zip(&heavy[2]) {
-        assert!((light - heavy).abs() <= 1e-12, "{light} {heavy}");
-    }
 }
 
 #[test]

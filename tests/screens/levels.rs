@@ -74,7 +74,6 @@ fn a_broken_level_met_on_the_way_lands_on_level_select_with_its_problems() {
     sitting.choose("Next");
     assert_eq!(sitting.at(), "problems");
     assert!(sitting.shows("Level 2 does not load"));
-
     // A level may break, or vanish, while the list is open.
     let mut sitting = Sitting::new();
     sitting.choose("Levels");
@@ -119,7 +118,6 @@ fn medals_are_in_the_scoring_and_on_the_card() {
     let texts = sitting.texts();
     assert_eq!(texts.iter().filter(|(text, _)| text == "earned").count(), 3, "{texts:?}");
     assert!(sitting.row("within 0.001 s")[1].ends_with("s too slow"));
-
     assert!(sitting.scores_file("players.csv").starts_with("player,level,time,medal,mark\nann,,,,\nann,1,0.0"));
     assert!(sitting.scores_file("players.csv").contains(",silver,TRUE\n"), "{}", sitting.scores_file("players.csv"));
 }
@@ -188,7 +186,6 @@ fn levels_are_made_copied_and_renamed_in_the_game() {
     sitting.write("x").press(Key::Enter);
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2x"));
     assert_eq!(sitting.press_all(&[Key::Escape, Key::Enter]).at(), "levels to edit");
-
     sitting.click("Copy").click("2").press(Key::Enter);
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2-copy"));
     assert_eq!(fs::read(levels.join("2-copy/player.csv")).unwrap(), fs::read(levels.join("2/player.csv")).unwrap());

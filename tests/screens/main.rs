@@ -52,6 +52,7 @@ fn esc_goes_back_everywhere() {
     assert_eq!(esc(Sitting::new().choose("Levels").choose("broken")), "level select");
     assert_eq!(esc(Sitting::new().fly("2")), "pause");
     assert_eq!(esc(Sitting::new().fly("2").press(Key::Escape)), "flight");
+    assert_eq!(esc(Sitting::new().fly("2").press(Key::Escape).choose("Settings")), "pause");
     assert_eq!(esc(Sitting::new().complete()), "level select");
     assert_eq!(esc(Sitting::new().complete().choose("Save Score")), "scoring");
     assert_eq!(esc(Sitting::new().save_as("ann")), "scoring");

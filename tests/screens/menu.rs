@@ -50,7 +50,6 @@ fn one_press_is_one_action_however_long_it_is_held() {
     sitting.press(Key::Down).give(enter());
     sitting.hold(&[Key::Enter], 60);
     assert_eq!(sitting.at(), "level select", "Enter held does not choose a level as well");
-
     let mut sitting = Sitting::new();
     let pointer = sitting.area("Levels").centre();
     sitting.give(Input { pointer, click: true, holding: true, ..Input::default() });
@@ -58,24 +57,9 @@ fn one_press_is_one_action_however_long_it_is_held() {
         sitting.give(Input { pointer, holding: true, ..Input::default() });
     }
     assert_eq!(sitting.at(), "level select");
-
     let mut sitting = Sitting::new();
     sitting.hold(&[Key::Down], 1).wait(1.0);
     assert_eq!(sitting.focused(), "Play", "no press edge, no movement");
-}
-
-#[test]
-fn pointer_and_keyboard_move_one_highlight() {
-    let mut sitting = Sitting::new();
-    let third = sitting.area("Boards").centre();
-    sitting.press(Key::Down).point_at(third);
-    let highlight = |sitting: &Sitting| (sitting.app.memory.hovered().map(str::to_owned), sitting.focused().to_owned());
-    assert_eq!(highlight(&sitting), (Some("Boards".into()), "Boards".into()));
-    sitting.give(Input { pointer: third, pressed: [Key::Down].into_iter().collect(), ..Input::default() });
-    assert_eq!(highlight(&sitting), (None, "Players".into()));
-    sitting.point_at(third);
-    assert_eq!(highlight(&sitting), (None, "Players".into()), "a pointer that rests takes nothing");
-    assert_eq!(sitting.at(), "menu");
 }
 
 #[test]
@@ -107,34 +91,6 @@ fn a_right_click_in_the_menu_drops_a_ball_that_stays_in_the_window() {
                 let overlap = ball.max().min(other.max()) - ball.min.max(other.min);
                 assert!(overlap.min_element() < 0.1, "{ball:?} lies in {other:?}");
             }
-        }
-    }
-}
-
-#[test]
-fn balls_bounce_off_every_word_and_every_button() {
-    for size in [Vec2::new(1280.0, 720.0), Vec2::new(900.0, 500.0), Vec2::new(1920.0, 1080.0)] {
-        let mut sitting = Sitting::new();
-        sitting.frame = Frame::of_window(size);
-        sitting.rest();
-        let drawn: Vec<Area> = sitting.areas().into_iter().chain(sitting.menu().lines().iter().copied()).collect();
-        assert_eq!(drawn.len(), 6 + 4, "buttons; the level's title, who plays, the hint and the game's");
-        for area in drawn {
-            let (above, beside) = (Vec2::new(area.centre().x, area.min.y - 16.0), Vec2::new(area.min.x - 16.0, area.centre().y));
-            let mut dropped = 0;
-            for pointer in [area.centre(), above, beside] {
-                let mut sitting = Sitting::new();
-                sitting.frame = Frame::of_window(size);
-                sitting.rest().give(Input { pointer, right_click: true, ..Input::default() });
-                // Where there is no room none is dropped.
-                dropped += sitting.menu().balls().len();
-                for _ in 0..240 {
-                    for ball in sitting.rest().menu().balls() {
-                        assert!(ball.gap(&area) > -0.1, "{ball:?} lies in {area:?} of {size}");
-                    }
-                }
-            }
-            assert!(dropped > 0, "{area:?} of {size}");
         }
     }
 }
@@ -193,7 +149,6 @@ fn play_opens_the_first_level_that_the_player_has_not_done() {
     assert_eq!(sitting.choose("Play").flown(), "2", "1 was completed, though no score was saved");
     sitting.reopen();
     assert_eq!(sitting.choose("Play").flown(), "2", "also in another sitting");
-
     let scored = |root: &Path| {
         fs::create_dir(root.join("scores")).unwrap();
         for level in ["1", "2", "3"] {

@@ -41,18 +41,6 @@ fn a_frozen_world_stands_and_goes_on_and_back_by_single_ticks_bit_for_bit() {
 }
 
 #[test]
-fn who_goes_on_from_an_earlier_moment_has_not_flown_what_came_after() {
-    let mut sitting = flying();
-    sitting.wait(0.5).press(Key::B).press_all(&[Key::Comma; 20]);
-    let earlier = sitting.ticks();
-    assert_eq!(sitting.flight().history().ticks(), earlier + 20);
-    sitting.press(Key::B);
-    let history = sitting.flight().history();
-    assert!(history.ticks() < earlier + 20 && history.ticks() == sitting.ticks());
-    assert_eq!(history.at(history.ticks()).hash(), sitting.game().hash());
-}
-
-#[test]
 fn time_is_slowed_down_to_a_hundredth_and_hurried_up_to_eight_times() {
     let mut sitting = flying();
     assert_eq!((OBSERVED_PACES[0], OBSERVED_PACES[OBSERVED_PACES.len() - 1]), (0.01, 8.0));

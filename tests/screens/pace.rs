@@ -86,7 +86,6 @@ fn the_menu_moves_until_nobody_has_touched_it_for_a_minute_or_the_player_is_else
     sitting.press(Key::Down);
     assert_eq!(drawn(&mut sitting, 300), 300);
     assert_ne!(sitting.menu().ship(), ship);
-
     let away = |sitting: &mut Sitting| {
         let frame = |_| sitting.give(Input { away: true, frame_time: 1.0 / 30.0, ..Input::default() }).app.picture();
         (0..300).map(frame).filter(|picture| *picture != Picture::Again).count()

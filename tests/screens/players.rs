@@ -66,27 +66,6 @@ fn nobody_is_called_guest_and_names_follow_the_rules() {
 }
 
 #[test]
-fn a_long_list_of_players_scrolls_with_the_highlight() {
-    let rows: String = (10..30).map(|i| format!("user{i},,\n")).collect();
-    let mut sitting = with_scores("players.csv", &format!("player,level,time,medal,mark\n{rows}"));
-    sitting.click("Players");
-    // The players in view, by their numbers, and the focus.
-    let shown = |sitting: &Sitting| {
-        let texts = sitting.texts();
-        let mut rows = texts.iter().filter_map(|(text, _)| text.strip_prefix("user")?.parse::<usize>().ok());
-        (rows.next().unwrap_or_default() - 10, rows.next_back().unwrap_or_default() - 9, sitting.focused().to_owned())
-    };
-    assert_eq!(shown(&sitting), (0, 7, "user10".into()));
-    sitting.press_all(&[Key::Down; 12]);
-    assert_eq!(shown(&sitting), (6, 13, "user22".into()));
-    sitting.press_all(&[Key::Up; 8]);
-    assert_eq!(shown(&sitting), (4, 11, "user14".into()));
-    assert_eq!(sitting.press(Key::Enter).app.player().as_str(), "user14");
-    sitting.click("Players").press_all(&[Key::Down; 40]);
-    assert_eq!(shown(&sitting), (13, 20, "New Player".into()), "below the list are the buttons");
-}
-
-#[test]
 fn every_attempt_that_ends_is_written_down() {
     let mut sitting = Sitting::new();
     sitting.become_new("ann").complete().home().fly("3").wait(0.1).press(Key::R).wait(0.1);
@@ -126,7 +105,6 @@ fn a_file_that_another_game_holds_is_written_with_the_next_deed_at_the_latest_at
     drop(held);
     sitting.home().become_new("ann");
     assert!(sitting.scores_file("players.csv").contains("Guest,1,") && sitting.scores_file("attempts.csv").lines().count() == 2);
-
     let held = hold(&sitting, "attempts.csv");
     sitting.complete().home();
     let click = |sitting: &mut Sitting, label: &str| {

@@ -10,17 +10,6 @@ fn file(sitting: &Sitting) -> String {
 }
 
 #[test]
-fn the_menu_and_the_pause_panel_lead_there_and_back() {
-    assert_eq!(Sitting::new().choose("Settings").at(), "settings");
-    assert_eq!(Sitting::new().choose("Settings").press(Key::Escape).at(), "menu");
-    let mut flying = Sitting::new();
-    flying.fly("2").press(Key::Escape).choose("Settings");
-    assert_eq!(flying.at(), "settings in flight");
-    assert_eq!(flying.press(Key::Escape).at(), "pause");
-    assert_eq!(flying.press(Key::Escape).at(), "flight", "the attempt goes on");
-}
-
-#[test]
 fn arrows_change_values_and_enter_takes_a_key() {
     let mut sitting = Sitting::new();
     sitting.choose("Settings");

@@ -39,6 +39,14 @@ pub fn says(words: &str, value: f64, unit: &str) -> bool {
     (read * one - value).abs() <= 0.501 * one * 0.1f64.powi(decimals as i32)
 }
 
+macro_rules! screens {
+    ($($name:ident: $screen:ty),*) => {
+        $(pub fn $name(&self) -> &$screen {
+            self.screen()
+        })*
+    };
+}
+
 impl Sitting {
     pub fn new() -> Self {
         Self::with(|_| {})
@@ -319,16 +327,8 @@ impl Sitting {
         self.app.screen().get().unwrap_or_else(|| panic!("at {}", self.at()))
     }
 
-    pub fn level_select(&self) -> &LevelSelect {
-        self.screen()
-    }
-
-    pub fn editor(&self) -> &Editor {
-        self.screen()
-    }
-
-    pub fn flight(&self) -> &Flight {
-        self.screen()
+    screens! {
+        level_select: LevelSelect, editor: Editor, flight: Flight, scoring: Scoring, flights: Flights, leaderboard: Leaderboard, menu: Menu
     }
 
     /// The game that is flown.
@@ -340,25 +340,9 @@ impl Sitting {
         self.game().ticks()
     }
 
-    pub fn scoring(&self) -> &Scoring {
-        self.screen()
-    }
-
     /// The game on the screen.
     pub fn scene(&self) -> GameScene<'_> {
         self.app.screen().scene(&self.frame).unwrap_or_else(|| panic!("no game at {}", self.at()))
-    }
-
-    pub fn flights(&self) -> &Flights {
-        self.screen()
-    }
-
-    pub fn leaderboard(&self) -> &Leaderboard {
-        self.screen()
-    }
-
-    pub fn menu(&self) -> &Menu {
-        self.screen()
     }
 
     /// The names of the levels in the list.

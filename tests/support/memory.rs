@@ -35,7 +35,6 @@ unsafe impl GlobalAlloc for Counting {
         MOST.set(MOST.get().max(HELD.get()));
         unsafe { System.alloc(layout) }
     }
-
     unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
         HELD.set(HELD.get() - layout.size() as isize);
         unsafe { System.dealloc(at, layout) }

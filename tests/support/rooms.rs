@@ -2,8 +2,26 @@
 
 use super::Memory;
 pub use super::area;
+use resultant::game::{Controls, Game};
 use resultant::level::{self, Level, Look, Object, Objective, ObjectiveKind, Solid};
 use resultant::physics::{Aabb, DVec2, Material};
+use std::sync::Arc;
+
+pub const NONE: Controls = Controls { thrust: false, reverse: false, left: false, right: false };
+pub const THRUST: Controls = Controls { thrust: true, ..NONE };
+pub const REVERSE: Controls = Controls { reverse: true, ..NONE };
+pub const LEFT: Controls = Controls { left: true, ..NONE };
+pub const RIGHT: Controls = Controls { right: true, ..NONE };
+
+/// An attempt at a level.
+pub fn start(level: Level) -> Game {
+    Game::new(Arc::new(level)).expect("the level can be played")
+}
+
+/// Keeps these keys pressed for that many ticks.
+pub fn fly(game: &mut Game, controls: Controls, ticks: u32) {
+    (0..ticks).for_each(|_| game.step(controls));
+}
 
 /// An empty room of 100 m × 100 m without gravity and air, the ship (100 kg, 2000 N, 500 fuel) at rest in its middle, its box
 /// from 49.15 m to 50.85 m, and a player objective in the far corner.

@@ -170,14 +170,12 @@ fn pointing_at_a_force_lights_its_partner() {
     let words = |details: &Details| details.tip.as_ref().expect("a tip").lines.join(" ");
     assert_eq!(words(&details), "Third law: Box 2 presses on Box 1 with (0, −150) N");
     assert!(details.tip.as_ref().is_some_and(|tip| tip.area.is_some()));
-
     // By its arrow as by its line.
     let arrow = details.arranged.arrows.iter().find(|arrow| arrow.body == BodyId(1) && arrow.name() == "Weight").expect("an arrow");
     let at = arrow.to;
     arrange(&mut details, &game, &all, Some(at));
     assert_eq!(lit(&details, &game), [(1, "Weight by planet".to_owned(), DVec2::new(0.0, 150.0))]);
     assert_eq!(words(&details), "Third law: Box 1 pulls planet with (0, 150) N");
-
     // A sum has no partner.
     let at = line(&details, 2, "Resultant");
     arrange(&mut details, &game, &all, Some(at));

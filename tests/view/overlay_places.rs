@@ -72,7 +72,6 @@ impl Onlooker {
         seen.looks += 1;
         seen.labels += details.labels.len();
         seen.boxes += details.boxes.len();
-
         seen.without_legend += usize::from(details.legend.area.is_none());
     }
 

@@ -183,7 +183,6 @@ fn play(name: &str, level: Arc<Level>, inputs: impl Iterator<Item = Controls>) -
         game.step(controls);
         readers.iter_mut().for_each(|reader| reader.read(&game, &mut seen, name));
     }
-
     seen
 }
 

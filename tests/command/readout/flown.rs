@@ -86,7 +86,6 @@ fn fly(root: &Path, name: &str, args: &[&str]) -> Flown {
     let cut = |line: &'static str| line.split(',').collect::<Vec<_>>();
     let telemetry: &'static str = Box::leak(telemetry.into_boxed_str());
     let forces: &'static str = Box::leak(forces.into_boxed_str());
-
     let header = cut(telemetry.lines().next().unwrap());
     assert_eq!(header[header.len() - 2..], ["impulse_x", "impulse_y"]);
     let (mut rows, mut dt): (Vec<Vec<Row>>, f64) = (Vec::new(), 0.0);
@@ -105,7 +104,6 @@ fn fly(root: &Path, name: &str, args: &[&str]) -> Flown {
             impulse: vector(&cells, header.len() - 2),
         });
     }
-
     assert_eq!(forces.lines().next(), Some("tick,time,object,kind,by,x,y,point_x,point_y"));
     let mut acting = vec![vec![Vec::new(); level.objects.len() + 1]; rows.len()];
     for cells in forces.lines().skip(1).map(cut) {

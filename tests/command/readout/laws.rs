@@ -76,6 +76,5 @@ fn every_row_obeys_the_laws_at_its_own_place_and_velocity() {
             }
         }
     }
-
     assert!(seen.len() == 5 && seen.values().all(|rows| *rows > 500), "{seen:?}");
 }

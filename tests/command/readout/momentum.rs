@@ -38,7 +38,6 @@ fn constant_forces_and_impacts_change_the_momentum_by_just_what_they_say() {
             let error = (gained - given).length() / size.max(f64::MIN_POSITIVE);
             assert!(error <= 1e-9, "{name}, tick {tick}, object {object}: m·Δv = {gained}, F·Δt + J = {given}");
         }
-
         assert!(held as f64 >= least * all as f64, "{name}: only {held} of {all} ticks");
         assert!(with_impacts > 0 || !matches!(name, "collisions" | "bounces"));
     }
@@ -96,7 +95,6 @@ fn drag_and_buoyancy_change_the_momentum_by_their_integral() {
                 "{name}, tick {tick}, object {object}: m·Δv = {gained}, Simpson {simpson}, trapezium {trapezium}"
             );
         }
-
         assert!(held > 400 && worst <= bound, "{name}: {held} of {all} ticks, at worst {worst:e}");
     }
 }

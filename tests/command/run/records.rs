@@ -21,7 +21,6 @@ fn a_recorded_run_is_verified() {
     data.resultant(&["run", "goal", "--record", two]);
     let again = data.resultant(&["run", "flight", "--inputs", one, "--tick", "60"]);
     assert_eq!(ran.out, again.out, "a replay is an inputs file");
-
     let verified = data.resultant(&["verify", one, two]);
     assert_eq!((verified.status, verified.err.as_str()), (0, ""));
     assert_eq!(verified.out.lines().count(), 2);
@@ -43,13 +42,7 @@ fn a_run_is_handed_on_as_a_code() {
         verified.out
     );
     let refused = data.resultant(&["verify", &code[..code.len() - 4]]);
-    assert_eq!((refused.status, refused.out.as_str()), (2, ""));
-    assert!(refused.err.contains("cut or altered"), "{}", refused.err);
-    // The same code after the level has changed.
-    data.write("levels/goal/constants.csv", &(read(&data, "levels/goal/constants.csv") + "gravity_x,0.5\n"));
-    let foreign = data.resultant(&["verify", code]);
-    assert_eq!(foreign.status, 1, "{}", foreign.err);
-    assert!(foreign.err.contains("the level of that name here has the hash"), "{}", foreign.err);
+    assert!(refused.status == 2 && refused.out.is_empty() && refused.err.contains("cut or altered"), "{refused:?}");
 }
 
 #[test]
@@ -83,14 +76,12 @@ fn a_record_tells_what_recorded_it_and_in_which_level() {
     let good = read(&data, "run.csv");
     let head = concat!("# program: resultant ", env!("CARGO_PKG_VERSION"), "\n# level: goal\n# level_hash: ");
     assert!(good.starts_with(head), "{good}");
-
     // How the level's files are written, its words and its looks do not matter.
     let constants = read(&data, "levels/goal/constants.csv");
     data.write("levels/goal/constants.csv", &(constants.replace('\n', "\r\n") + "title,A goal\r\n"));
     data.write("levels/goal/texts.csv", "10,10,20,Fly!\n");
     assert_eq!(data.resultant(&["verify", path]).status, 0);
     data.write("levels/goal/constants.csv", &constants);
-
     // Another level of that name: nothing in it is near the ship, so that the flight itself is the same.
     for (file, text) in
         [("world.csv", "10,2000,100,10\n"), ("obstacles.csv", "10,2000,100,10\n"), ("fluids.csv", "10,2000,9,9,1,1\n")]
@@ -103,31 +94,16 @@ fn a_record_tells_what_recorded_it_and_in_which_level() {
         std::fs::remove_file(data.path(&file)).unwrap();
     }
     assert_eq!(data.resultant(&["verify", path]).status, 0);
-
     // A record of another version is flown all the same, and the message names it where the flight leads elsewhere.
     let older = good.replace(concat!("resultant ", env!("CARGO_PKG_VERSION")), "resultant 0.0.1");
     data.write("run.csv", &older);
     assert_eq!(data.resultant(&["verify", path]).status, 0);
     data.write("run.csv", &older.replace("score: 20983", "score: 1"));
     assert!(data.resultant(&["verify", path]).err.contains("; recorded by resultant 0.0.1, this is resultant "));
-
     // A record with its player's name.
     data.write("run.csv", &good.replace("# level: goal", "# player: ann\n# level: goal"));
     let ran = data.resultant(&["verify", path]);
     assert!(ran.out.contains("; level goal, 2 ticks; saved by ann"), "it says what was flown: {ran:?}");
-}
-
-#[cfg(unix)]
-#[test]
-fn a_name_with_a_line_break_writes_no_header_of_its_own() {
-    let data = data();
-    let name = "goal\n# score: 99999\n# hash: 0123456789abcdef";
-    std::fs::rename(data.path("levels/goal"), data.path("levels").join(name)).unwrap();
-    let path = data.arg("run.csv");
-    assert_eq!(data.resultant(&["run", name, "--record", &path]).status, 0);
-    let ran = data.resultant(&["verify", &path]);
-    assert_eq!((ran.status, ran.err.as_str()), (0, ""));
-    assert!(ran.out.contains("ok, score 20983, "), "{}", ran.out);
 }
 
 /// A pipe whose reader has gone: no output arrives, but the exit status does.

@@ -42,20 +42,6 @@ fn a_wall_pushes_a_row() {
 }
 
 #[test]
-fn a_wall_hits_a_block() {
-    for rate in RATES {
-        for (e, speed) in [(0.0, 3.0), (0.5, 3.0), (1.0, 3.0)] {
-            let wall = mover(area(-3.0, -2.0, -2.0, 2.0), once(&[leg(1e6, v(speed, 0.0), v(0.0, 0.0))]));
-            let mut world = in_space(vec![wall], vec![BodyDef { restitution: e, ..BodyDef::default() }]);
-            run(&mut world, 1.5, rate, |_, _| ());
-            let exact = (1.0 + e) * speed;
-            within("a wall hits a block: its speed, m/s", (velocity(&world, 0).x - exact).abs(), 1e-12);
-            within("a wall hits a block: its place, m", (position(&world, 0).x - exact).abs(), EXACT);
-        }
-    }
-}
-
-#[test]
 fn nothing_gets_through_at_any_speed() {
     let mut deepest = 0.0f64;
     for rate in RATES {

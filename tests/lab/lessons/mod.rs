@@ -145,8 +145,7 @@ fn free_fall() -> Vec<Figure> {
         figures.push(figure(format!("{mass} kg, distance after 1 s"), "m", 0.5 * G, run.way(object).y));
         figures.push(figure(format!("{mass} kg, speed after 1 s"), "m/s", G, run.speed(object)));
     }
-    let (hit, before) = run.until_hit(1, 3.0);
-    let landed = hit.length() / before.mass;
+    let landed = variations::landing_speed(&mut run, 1);
     figures.push(figure("any, speed at the floor", "m/s", (2.0 * G * height).sqrt(), landed));
     figures.push(figure("any, time of the fall", "s", (2.0 * height / G).sqrt(), landed / G));
     figures
@@ -297,15 +296,12 @@ fn projectile() -> Vec<Figure> {
         let mut run = Run::new("projectile");
         run.until(1.0);
         let (sine, speed) = (angle.to_radians().sin(), 20.0);
-        let top = run.height_reached(object, 0.0, G);
-        let (hit, before) = run.until_hit(object, 5.0);
-        // The rest of the last tick: until it is as fast downwards as the floor stopped it.
-        let down = -hit.y / before.mass;
-        let way = before.position.x - run.start[object].position.x + before.velocity.x * (down - before.velocity.y) / G;
+        let (top, along) = (run.height_reached(object, 0.0, G), run.body(object).velocity.x);
+        let way = variations::landing(&mut run, object, G);
         let range = speed * speed * (2.0 * angle.to_radians()).sin() / G;
         figures.push(figure(format!("{angle}°, height"), "m", speed * speed * sine * sine / (2.0 * G), top));
         figures.push(figure(format!("{angle}°, range"), "m", range, way));
-        figures.push(figure(format!("{angle}°, time of flight"), "s", 2.0 * speed * sine / G, way / before.velocity.x));
+        figures.push(figure(format!("{angle}°, time of flight"), "s", 2.0 * speed * sine / G, way / along));
     }
     figures
 }

@@ -167,7 +167,7 @@ fn speed_after_fall(terminal: f64, height: f64) -> f64 {
 }
 
 /// How fast an object meets the floor, at which it stops, m/s; whatever it did before.
-fn landing_speed(run: &mut Run, object: usize) -> f64 {
+pub fn landing_speed(run: &mut Run, object: usize) -> f64 {
     let mut again = run.again();
     let (hit, before) = again.until_hit(object, 15.0);
     hit.length() / before.mass
@@ -232,7 +232,7 @@ fn depth(run: &mut Run, volume: f64) -> Figure {
 }
 
 /// How far a ball lands from where it started, and where it stays, m.
-fn landing(run: &mut Run, object: usize, gravity: f64) -> f64 {
+pub fn landing(run: &mut Run, object: usize, gravity: f64) -> f64 {
     let mut again = run.again();
     let (hit, before) = again.until_hit(object, 10.0);
     let landed = again.body(object).position.x;

@@ -81,7 +81,6 @@ fn what_another_program_wrote_is_taken_over_or_told_but_never_written_over() {
     assert_eq!(opened.folder.take_over(&mut opened.document), (true, vec![]));
     assert_eq!(opened.document.bytes(Table::Player).unwrap(), b"200,600,100,500,3000\n");
     assert!(!opened.folder.is_unsaved(&opened.document));
-
     opened.document.put(Kind::Solid, BLOCK).unwrap();
     fs::write(path("world.csv"), "0,600,1280,120\n").unwrap();
     assert_eq!(opened.folder.take_over(&mut opened.document), (false, vec![Table::World]));
@@ -193,7 +192,6 @@ fn neither_a_link_nor_a_pipe_in_a_strangers_folder_does_harm() {
     opened.folder.save(&opened.document).unwrap();
     assert_eq!(fs::read_to_string(&mine).unwrap(), "mine");
     assert_eq!(fs::read_to_string(path("world.csv")).unwrap().lines().count(), 2);
-
     assert!(Command::new("mkfifo").arg(path(".autosave")).status().unwrap().success());
     let mut opened = LevelFolder::open(folder.path(), folder.path()).unwrap();
     assert!(opened.kept.is_none());

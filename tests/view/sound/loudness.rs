@@ -66,13 +66,11 @@ fn flights_are_as_loud_as_other_games() {
     for name in FLIGHTS {
         let heard = flight(name, Volumes::default());
         let (rms, peak) = (decibels(heard.rms()), decibels(true_peak(&heard)));
-
         assert!((-22.0..-17.0).contains(&rms), "level {name}: {rms:.1} dBFS");
         assert!(peak <= -1.0, "level {name}: {peak:.2} dBFS");
         power += heard.rms().powi(2) / FLIGHTS.len() as f64;
     }
     let rms = decibels(power.sqrt());
-
     assert!((-20.5..-18.0).contains(&rms), "{rms:.1} dBFS");
 }
 
@@ -107,7 +105,6 @@ fn everything_at_once_at_full_volume_never_clips() {
         most = most.max(true_peak(&heard));
         assert!(heard.rms() > 0.1, "it is not turned down further than it must be");
     }
-
     assert!(decibels(most) <= -1.0, "{:.2} dBFS", decibels(most));
 }
 
