@@ -78,13 +78,17 @@ impl Camera {
         self.ship += (ship - self.ship) * share(EASE_TIME);
     }
 
-    /// Turns to the box to be fitted (m), or away from it where there is none, and zooms; at once in its first frame.
+    /// Turns to the box to be fitted (m), or away from it where there is none, and zooms; at once in its first frame, and
+    /// not at all while no time passes.
     pub fn turn(&mut self, fit: Option<Aabb>, zoom: f64, frame_time: f64) {
         let Some(before) = self.zoom else {
             (self.fitted, self.fits, self.zoom) =
                 (fit.map(|bounds| grown(&bounds, FIT_MARGIN)), f64::from(u8::from(fit.is_some())), Some(zoom));
             return;
         };
+        if frame_time <= 0.0 {
+            return;
+        }
         let share = |time: f64| 1.0 - (-frame_time.max(0.0) / time).exp();
         self.zoom = Some(before * (zoom / before).powf(share(ZOOM_EASE)));
         if let Some(bounds) = fit {
