@@ -27,7 +27,7 @@ const CLOSE_EASE: f64 = 0.45;
 /// Margin around the box that the view fits, m: room for arrows.
 pub(super) const FIT_MARGIN: f64 = 4.0;
 /// Bodies stay at least this far inside of a view that fits them, at any speed, m.
-const FIT_LEAST: f64 = 1.0;
+pub(super) const FIT_LEAST: f64 = 1.0;
 /// Time constants of the turn from following to fitting, of the approach to the fitted box, and of the zoom, s.
 const FIT_EASE: f64 = 0.2;
 const FIT_CLOSES: f64 = 0.5;
