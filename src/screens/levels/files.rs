@@ -2,8 +2,9 @@
 
 use super::card::LevelEntry;
 use super::{Asked, LevelSelect};
+use crate::import;
 use crate::level::{self, Awards, scaffold};
-use crate::pack::{self, Installed};
+use crate::pack::Installed;
 use crate::screens::screen::{Destination, Effect, Make, Purpose, Request};
 use crate::session::Session;
 use crate::session::folder_watch::Stamp;
@@ -49,21 +50,21 @@ impl LevelSelect {
         screen
     }
 
-    /// Installs an archive, and says what became of it.
+    /// Installs an archive or a map of Tiled, and says what became of it.
     pub fn installed(path: &Path, session: &mut Session) -> Self {
         let installed = match session.brought.take() {
             Some(Brought::Installed(installed)) => installed,
-            _ => pack::install_file(path, session.library.levels(), session.library.root()),
+            _ => import::take_in(path, session.library.levels(), session.library.root()),
         };
         let (heading, lines) = match installed {
-            Ok(Installed::New(folder)) => {
+            Ok((Installed::New(folder), said)) => {
                 session.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
                 (
                     tr!("Installed: {level}", level = session.last_level.as_deref().unwrap_or_default()),
-                    vec![folder.display().to_string()],
+                    [folder.display().to_string()].into_iter().chain(said).collect(),
                 )
             }
-            Ok(Installed::Already(folder, more)) => {
+            Ok((Installed::Already(folder, more), _)) => {
                 session.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
                 let beside = more.into_iter().map(|file| tr!("also in its folder: {file}", file));
                 (tr("This level is there already").to_owned(), [folder.display().to_string()].into_iter().chain(beside).collect())
