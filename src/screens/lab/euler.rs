@@ -1,6 +1,7 @@
 //! Why explicit Euler gains energy: a swing as a circle, a picture and three sentences.
 
 use super::BACK;
+use crate::draw::chart::look::{Marker, marker};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::methods::motion::{MotionLaw, MotionStep, PointState, explicit_euler, semi_implicit_euler};
@@ -41,13 +42,14 @@ pub(super) fn show(ui: &mut Ui<'_>, body: Area) -> Option<Request> {
         }
         at.y += canvas.line_height(TEXT);
     }
-    for (name, colour) in [
-        ("explicit Euler", theme::bad()),
-        ("semi-implicit Euler", theme::player_objective()),
-        ("exact, and the shipped engine", theme::good()),
+    for (name, colour, mark) in [
+        ("explicit Euler", theme::bad(), Some(Marker::Square)),
+        ("semi-implicit Euler", theme::player_objective(), Some(Marker::Up)),
+        ("exact, and the shipped engine", theme::good(), None),
     ] {
         let middle = Vec2::new(at.x, at.y + 0.5 * canvas.line_height(TEXT));
         canvas.line(middle, middle + Vec2::new(36.0, 0.0), 2.0, colour);
+        mark.into_iter().for_each(|mark| marker(canvas, middle + Vec2::new(18.0, 0.0), mark, colour));
         canvas.text(tr(name), middle + Vec2::new(48.0, 0.0), Style::new(TEXT, theme::text()).middle());
         at.y += canvas.line_height(TEXT);
     }
@@ -73,11 +75,12 @@ fn draw_picture(canvas: &Canvas, area: Area) {
     canvas.text("x", middle + Vec2::new(reach + 8.0, 0.0), quiet);
     canvas.text("v/ω", middle + Vec2::new(8.0, 6.0 - reach), quiet);
     canvas.ring(middle, radius + 1.0, 2.0, theme::good());
-    let lines: [(MotionStep, Colour); 2] = [(semi_implicit_euler, theme::player_objective()), (explicit_euler, theme::bad())];
-    for (step, colour) in lines {
+    let lines: [(MotionStep, Colour, Marker); 2] =
+        [(semi_implicit_euler, theme::player_objective(), Marker::Up), (explicit_euler, theme::bad(), Marker::Square)];
+    for (step, colour, mark) in lines {
         let corners: Vec<Vec2> = steps(step).into_iter().map(at).collect();
         corners.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], 2.0, colour));
-        corners.iter().for_each(|corner| canvas.disc(*corner, 3.5, colour));
+        corners.iter().for_each(|corner| marker(canvas, *corner, mark, colour));
     }
     let words = tr!("ω·h = {turn}", turn = TURN);
     canvas.text(&words, Vec2::new(area.centre().x, area.max().y - PADDING), quiet.centred());
