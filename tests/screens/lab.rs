@@ -202,7 +202,7 @@ fn a_point_tells_what_it_is_when_it_is_pointed_at() {
     sitting.frame = Frame::of_window(Vec2::new(1920.0, 1080.0));
     sitting.rest();
     let measured = scene(&sitting).1;
-    let plot = DiagramPlaces::of(panel(&sitting), &measured);
+    let plot = DiagramPlaces::of(panel(&sitting), &measured, &sitting.frame);
     for (curve, points) in measured.curves.iter().enumerate() {
         for point in &points.points {
             let at = plot.at(point);
@@ -335,7 +335,7 @@ fn a_region_of_stability_is_picked_out_by_key_and_by_its_line() {
     // As many pixels for 1 to the right as upwards, and all of it in the panel.
     for (width, height) in SIZES {
         sitting.frame = Frame::of_window(Vec2::new(width, height));
-        let plane = Plane::of(panel(sitting.rest()));
+        let plane = Plane::of(panel(sitting.rest()), &sitting.frame);
         let unit = (plane.at((1.0, 1.0)) - plane.at((0.0, 0.0))).abs();
         assert!((unit.x - unit.y).abs() < 1e-3);
         assert!(plane.area.max().x < plane.legend(0).min.x && plane.legend(names.len() + 1).max().y < plane.panel.max().y);

@@ -88,8 +88,9 @@ impl Screen for Flight {
         self.is_watched() || self.open.pause.is_some() || is_of_level(path)
     }
 
-    fn text_scale(&self, settings: &Settings, _: f32) -> f32 {
-        if self.open.pause.is_none() { f32::from(settings.scale) / 100.0 } else { 1.0 }
+    fn with_words(&self, frame: Frame, settings: &Settings) -> Frame {
+        let scale = f32::from(settings.scale) / 100.0;
+        if self.open.pause.is_none() { frame.with_text(scale) } else { frame.with_legible(scale.max(1.0)) }
     }
 
     fn tell_of_settings(&mut self, settings: &Settings, problems: &[String]) {

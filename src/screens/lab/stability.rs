@@ -2,7 +2,7 @@
 
 use super::BACK;
 use super::charts::{self, LegendPick, METHOD, panel};
-use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
+use crate::draw::layout::{Area, BUTTON_TEXT, TEXT, Vec2};
 use crate::lab::drawing::plane::{self, Plane};
 use crate::lab::stability::{Region, TITLE, regions};
 use crate::screens::screen::Request;
@@ -43,18 +43,15 @@ impl StabilityPage {
         } else if ui.key(Key::Up) {
             self.legend.go(-1, self.regions.len());
         }
-        let plane = Plane::of(panel(body));
-        let (middle, widest) = (plane.panel.centre().x, plane.panel.size.x);
-        let at = |y: f32| Vec2::new(middle, y);
-        widgets::fitted(ui.canvas(), tr(TITLE), at(plane.panel.min.y - 20.0), widest, &[BUTTON_TEXT, TEXT], theme::text());
+        let plane = Plane::of(panel(body, &ui.frame()), &ui.frame());
+        let at = Vec2::new(plane.panel.centre().x, plane.panel.min.y - 20.0);
+        widgets::fitted(ui.canvas(), tr(TITLE), at, plane.panel.size.x, &[BUTTON_TEXT, TEXT], theme::text());
         let lines = self.regions.iter().enumerate().map(|(line, region)| (region.name, plane.legend(line + 1)));
         let picked = self.legend.show(ui, lines);
         plane::draw(ui.canvas(), &plane, &self.regions, picked);
         let words =
             picked.and_then(|picked| about(&self.regions[picked])).unwrap_or(plane::WORDS.map(|words| tr(words).to_owned()));
-        for (words, down) in words.iter().zip([18.0, 42.0]) {
-            widgets::fitted(ui.canvas(), words, at(plane.panel.max().y + down), widest, &[TEXT, DETAILS], theme::text());
-        }
+        charts::words_below(ui.canvas(), plane.panel, words.each_ref().map(|words| (words.as_str(), TEXT, theme::text())));
         (tool == Some("Back")).then_some(Request::Pop)
     }
 }

@@ -81,11 +81,7 @@ impl LevelSelect {
 
     #[cfg(not(all(feature = "window", browser)))]
     fn ask_for_file(&mut self) {
-        self.ask(
-            tr("Which file? A .zip or a map of Tiled: write its path here, or drop it on the window.").to_owned(),
-            "",
-            Asked::Import,
-        );
+        self.ask(tr("Which file? Its path (.zip, .tmj, .tmx), or drop it here.").to_owned(), "", Asked::Import);
     }
 
     /// The browser has a list of files of its own.
