@@ -14,7 +14,7 @@ use super::project::Project;
 use super::{CommandError, Readers, Status, shown};
 use crate::files;
 use crate::game::DryRun;
-use crate::import::{self, SourceFile};
+use crate::import::{self, SourceFile, Written};
 use crate::level::schema::{Count, Kind};
 use crate::level::{self, Level, Loaded, Problem};
 use crate::pack::{self, Installed, Package};
@@ -330,13 +330,21 @@ pub fn run(args: &ImportArgs, project: &Project, out: &mut dyn Write) -> Result<
         )));
     }
     loop {
-        let (done, sources) = once(&args.map, &name, project, out)?;
+        let (done, sources) = import::written(&args.map, &name, &project.levels(), project.root());
         match done {
             Err(problems) if !args.watch => return Err(CommandError::Refused(lines(&problems))),
-            Ok(()) if !args.watch => return Ok(Status::Done),
             // A closed standard error does not stop the watch.
             Err(problems) => _ = writeln!(io::stderr(), "{}", lines(&problems)),
-            Ok(()) => out.flush()?,
+            Ok(Written { folder, files, said }) => {
+                if !said.is_empty() {
+                    let _ = writeln!(io::stderr(), "{}", lines(&said));
+                }
+                writeln!(out, "{}: {files} files", shown(folder.display()))?;
+                out.flush()?;
+            }
+        }
+        if !args.watch {
+            return Ok(Status::Done);
         }
         while sources.iter().all(SourceFile::is_last) {
             std::thread::sleep(LOOK);
@@ -346,29 +354,4 @@ pub fn run(args: &ImportArgs, project: &Project, out: &mut dyn Write) -> Result<
 
 fn lines(problems: &[String]) -> String {
     problems.iter().map(shown).collect::<Vec<_>>().join("\n")
-}
-
-/// What became of it, and the files that were read.
-type Once = (Result<(), Vec<String>>, Vec<SourceFile>);
-
-fn once(map: &Path, name: &str, project: &Project, out: &mut dyn Write) -> Result<Once, CommandError> {
-    let imported = match import::read(map, name) {
-        Ok(imported) => imported,
-        Err((problems, sources)) => return Ok((Err(problems), sources)),
-    };
-    let in_map = |line: String| if line.starts_with(&*map.to_string_lossy()) { line } else { format!("{}: {line}", map.display()) };
-    let loaded = match imported.judge(project.root()) {
-        Ok(loaded) => loaded,
-        Err(problems) => return Ok((Err(problems.into_iter().map(in_map).collect()), imported.sources)),
-    };
-    let folder = match imported.write(&project.levels()) {
-        Ok(folder) => folder,
-        Err(problem) => return Ok((Err(vec![problem]), imported.sources)),
-    };
-    let warnings = loaded.warnings.iter().map(|warning| format!("warning: {}", in_map(imported.placed(warning))));
-    for line in imported.left.iter().cloned().chain(warnings) {
-        let _ = writeln!(io::stderr(), "{}", shown(line));
-    }
-    writeln!(out, "{}: {} files", shown(folder.display()), imported.package.files.len())?;
-    Ok((Ok(()), imported.sources))
 }

@@ -5,6 +5,8 @@ pub use glam::Vec2;
 
 /// The canvas on which every screen is designed; a window of another shape gets more of it along one axis, never less.
 pub const DESIGN: Vec2 = Vec2::new(1280.0, 720.0);
+/// Words that can be read from the back of a classroom, canvas units: those of a page grow up to this, if the player wants them large.
+pub const LEGIBLE: f32 = 24.0;
 /// The smallest text, physical pixels.
 pub const SMALLEST_TEXT: f32 = 12.0;
 
@@ -163,6 +165,8 @@ pub struct Frame {
     pub pixel: f32,
     /// Scale of the words, 1 as designed.
     pub text: f32,
+    /// Words do not grow beyond this height, canvas units.
+    pub most: f32,
 }
 
 impl Frame {
@@ -170,7 +174,7 @@ impl Frame {
     pub fn of_window(pixels: Vec2) -> Self {
         let pixels = pixels.max(Vec2::ONE);
         let pixel = (DESIGN / pixels).max_element();
-        Self { size: pixels * pixel, pixel, text: 1.0 }
+        Self { size: pixels * pixel, pixel, text: 1.0, most: f32::INFINITY }
     }
 
     /// Words are `text` times as large as designed.
@@ -179,13 +183,19 @@ impl Frame {
         Self { text, ..self }
     }
 
+    /// The same, but for words that are larger than [`LEGIBLE`] by then.
+    #[must_use]
+    pub const fn with_legible(self, text: f32) -> Self {
+        Self { text, most: LEGIBLE, ..self }
+    }
+
     pub fn area(&self) -> Area {
         Area { min: Vec2::ZERO, size: self.size }
     }
 
     /// The drawn height of text of that size: the legible minimum in a small window, else the size itself.
     pub fn text_height(&self, size: f32) -> f32 {
-        (size * self.text / self.pixel).round().max(SMALLEST_TEXT) * self.pixel
+        ((size * self.text).min(size.max(self.most)) / self.pixel).round().max(SMALLEST_TEXT) * self.pixel
     }
 
     /// Wide buttons from `top` down, in the middle of the canvas.
@@ -205,7 +215,7 @@ impl Frame {
 
 impl Default for Frame {
     fn default() -> Self {
-        Self { size: DESIGN, pixel: 1.0, text: 1.0 }
+        Self { size: DESIGN, pixel: 1.0, text: 1.0, most: f32::INFINITY }
     }
 }
 

@@ -50,10 +50,10 @@ impl WindowPen {
         })
     }
 
-    /// Lays a canvas out for the window's present size, with words `text` times as large as usual.
-    pub fn begin(&mut self, canvas: &mut Canvas, text: f32) {
+    /// Lays a canvas out for the window's present size, with words as large as they are wanted.
+    pub fn begin(&mut self, canvas: &mut Canvas, with_words: impl FnOnce(Frame) -> Frame) {
         let dpi = screen_dpi_scale();
-        canvas.begin(Frame::of_window(Vec2::new(screen_width(), screen_height()) * dpi).with_text(text), dpi, false);
+        canvas.begin(with_words(Frame::of_window(Vec2::new(screen_width(), screen_height()) * dpi)), dpi, false);
         self.glyphs.begin();
     }
 

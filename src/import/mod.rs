@@ -7,8 +7,9 @@ mod tiled;
 
 use crate::files::{self, Manner, Symlinks};
 use crate::level::schema::Table;
-use crate::level::{Loaded, Problem, scaffold};
-use crate::pack::{self, Package};
+use crate::level::{self, Loaded, Problem, scaffold};
+use crate::pack::{self, Installed, Package};
+use crate::words::tr;
 use map::Reader;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -19,13 +20,13 @@ const LIST: &str = "imported.txt";
 const HEAD: &str = "Made by `resultant import`. The next import replaces these files:";
 
 /// A level, and where its rows come from.
-pub struct Imported {
-    pub package: Package,
+struct Imported {
+    package: Package,
     /// By file and line the layer and object.
     origins: BTreeMap<(&'static str, usize), String>,
     /// The layers that say nothing of a level, in words.
-    pub left: Vec<String>,
-    pub sources: Vec<SourceFile>,
+    left: Vec<String>,
+    sources: Vec<SourceFile>,
 }
 
 /// A file that was read, and when it had been saved, with its size.
@@ -44,11 +45,59 @@ impl SourceFile {
     }
 }
 
+/// A level of a map, in its folder.
+#[derive(Debug)]
+pub struct Written {
+    pub folder: PathBuf,
+    /// How many.
+    pub files: usize,
+    /// What of the map is left out, and the level's warnings, a line each.
+    pub said: Vec<String>,
+}
+
+/// Takes in a file that was handed to the game: a map as a level of that name, or a level as one file.
+///
+/// # Errors
+/// Every problem, a line each; nothing is written then.
+pub fn take_in(path: &Path, levels: &Path, project: &Path) -> Result<(Installed, Vec<String>), Vec<String>> {
+    let named = |problem: &str| vec![format!("{}: {problem}", path.display())];
+    let is = |wanted: &str| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(wanted));
+    if is("zip") {
+        return pack::install_file(path, levels, project).map(|installed| (installed, Vec::new()));
+    }
+    if !is("tmj") && !is("tmx") {
+        return Err(named(tr("expected a level as one file (.zip), or a map of Tiled (.tmj, .tmx)")));
+    }
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    level::judge_name(&name)
+        .map_err(|fault| named(&tr!("a level cannot have this name: expected {expected}", expected = fault.expected())))?;
+    written(path, &name, levels, project).0.map(|written| (Installed::New(written.folder), written.said))
+}
+
+/// Makes a level of a map; `name` is the level's. With it the files that were read.
+///
+/// # Errors
+/// Every problem, a line each, with the layer and the object; nothing is written then.
+pub fn written(map: &Path, name: &str, levels: &Path, project: &Path) -> (Result<Written, Vec<String>>, Vec<SourceFile>) {
+    let imported = match read(map, name) {
+        Ok(imported) => imported,
+        Err((problems, sources)) => return (Err(problems), sources),
+    };
+    let in_map = |line: String| if line.starts_with(&*map.to_string_lossy()) { line } else { format!("{}: {line}", map.display()) };
+    let done = imported.judge(project).map_err(|problems| problems.into_iter().map(in_map).collect()).and_then(|loaded| {
+        let folder = imported.write(levels).map_err(|problem| vec![problem])?;
+        let warnings = loaded.warnings.iter().map(|warning| format!("warning: {}", in_map(imported.placed(warning))));
+        let said = imported.left.iter().cloned().chain(warnings).collect();
+        Ok(Written { folder, files: imported.package.files.len(), said })
+    });
+    (done, imported.sources)
+}
+
 /// Reads a map; `name` is the level's.
 ///
 /// # Errors
 /// Every problem, a line each, with the layer and the object; and the files that were read.
-pub fn read(path: &Path, name: &str) -> Result<Imported, (Vec<String>, Vec<SourceFile>)> {
+fn read(path: &Path, name: &str) -> Result<Imported, (Vec<String>, Vec<SourceFile>)> {
     let mut reader = Reader::new(path);
     reader.read();
     let Reader { rows, pictures, problems, left, sources, .. } = reader;
@@ -91,12 +140,12 @@ impl Imported {
     ///
     /// # Errors
     /// Every problem, a line each, with the layer and the object that it comes from.
-    pub fn judge(&self, project: &Path) -> Result<Loaded, Vec<String>> {
+    fn judge(&self, project: &Path) -> Result<Loaded, Vec<String>> {
         pack::load(&self.package, project).map_err(|problems| problems.iter().map(|problem| self.placed(problem)).collect())
     }
 
     /// A problem by its layer and object.
-    pub fn placed(&self, problem: &Problem) -> String {
+    fn placed(&self, problem: &Problem) -> String {
         let origin = self.origins.iter().find(|((file, line), _)| *file == problem.file && *line == problem.line);
         let Some((_, origin)) = origin else { return problem.to_string() };
         let Problem { column, found, expected, .. } = problem;
@@ -107,7 +156,7 @@ impl Imported {
     ///
     /// # Errors
     /// A level of that name that no import made; the disk's, and each file is the old one or the new one.
-    pub fn write(&self, levels: &Path) -> Result<PathBuf, String> {
+    fn write(&self, levels: &Path) -> Result<PathBuf, String> {
         let Package { name, files } = &self.package;
         let folder = levels.join(name);
         let refused = |path: &Path, error: std::io::Error| format!("{}: {error}", path.display());

@@ -4,7 +4,7 @@ use super::numbers::{self as q, NumberRange};
 use super::route::{MoverPace, path};
 use super::schema::Table;
 use super::types::{Level, Look, Mover, Object, Solid};
-use crate::physics::{BodyId, DVec2, LinkEnd, LinkLaw, Material, Spring};
+use crate::physics::{Aabb, BodyId, DVec2, LinkEnd, LinkLaw, Material, Spring};
 use crate::words::{filled, tr};
 
 /// Bodies are counted as in the level's world: 0 is the ship, i + 1 is object i. Links, blocks, streams, liquids and movers are counted
@@ -84,6 +84,22 @@ impl Parameter {
         }
         all.retain(|parameter| parameter.of(level).is_some());
         all
+    }
+
+    /// The boxes at the start, m, of what is where by numbers that can vary, each with those of its place to the right and upwards:
+    /// objects, movers, and movers at their last way point.
+    pub fn places(level: &Level) -> Vec<(Aabb, [Option<Self>; 2])> {
+        let objects =
+            level.objects.iter().zip(1..).map(|(object, i)| {
+                (Aabb::around(object.position, object.size * 0.5), [Some(Self::PlaceX(i)), Some(Self::PlaceY(i))])
+            });
+        let movers = level.movers.iter().enumerate().flat_map(|(i, mover)| {
+            let bounds = mover.solid.bounds;
+            let last = mover.stops.get(1..).and_then(|stops| stops.last());
+            let end = last.map(|last| (Aabb::around(*last, bounds.size() * 0.5), [None, Some(Self::To(i))]));
+            [Some((bounds, [None, Some(Self::From(i))])), end].into_iter().flatten()
+        });
+        objects.chain(movers).collect()
     }
 
     /// Its label, its accepted numbers, its file and its column.

@@ -52,9 +52,9 @@ pub trait Screen: Any + fmt::Debug {
         true
     }
 
-    /// How large its words are, in a window with `pixel` canvas units a pixel; 1 as designed.
-    fn text_scale(&self, _settings: &Settings, _pixel: f32) -> f32 {
-        1.0
+    /// The frame with words as large as the settings ask for: those of a page grow until they can be read from afar.
+    fn with_words(&self, frame: Frame, settings: &Settings) -> Frame {
+        frame.with_legible((f32::from(settings.scale) / 100.0).max(1.0))
     }
 
     /// Takes over the settings that hold now, and the problems of their file, a line each.

@@ -3,9 +3,10 @@
 
 use crate::draw::Image;
 use crate::game::Reel;
+use crate::import;
 use crate::level::document::{LevelFolder, Opened};
 use crate::level::{self, Awards, Level};
-use crate::pack::{self, Installed};
+use crate::pack::Installed;
 use crate::session::folder_watch::Stamp;
 use crate::session::library::Refusal;
 use crate::session::recordings;
@@ -64,7 +65,7 @@ pub enum Brought {
     /// Of [`Errand::Editor`].
     Editor(Result<Box<Opened>, String>),
     /// Of [`Errand::Install`].
-    Installed(Result<Installed, Refusal>),
+    Installed(Result<(Installed, Vec<String>), Refusal>),
     /// Of [`Errand::List`].
     List(Vec<String>),
     /// Of [`Errand::First`]: name and title, and the flight.
@@ -91,7 +92,7 @@ impl Errand {
                 Brought::Card(Box::new(Card { folder, stamp, level, proven }))
             }
             Self::Editor(folder, root) => Brought::Editor(LevelFolder::open_to_edit(&folder, &root).map(Box::new)),
-            Self::Install { archive, levels, root } => Brought::Installed(pack::install_file(&archive, &levels, &root)),
+            Self::Install { archive, levels, root } => Brought::Installed(import::take_in(&archive, &levels, &root)),
             Self::List(levels) => Brought::List(level::list(&levels)),
             Self::First(folders, root, shown) => {
                 let first = folders.iter().find_map(|folder| {

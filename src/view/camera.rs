@@ -27,7 +27,7 @@ const CLOSE_EASE: f64 = 0.45;
 /// Margin around the box that the view fits, m: room for arrows.
 pub(super) const FIT_MARGIN: f64 = 4.0;
 /// Bodies stay at least this far inside of a view that fits them, at any speed, m.
-const FIT_LEAST: f64 = 1.0;
+pub(super) const FIT_LEAST: f64 = 1.0;
 /// Time constants of the turn from following to fitting, of the approach to the fitted box, and of the zoom, s.
 const FIT_EASE: f64 = 0.2;
 const FIT_CLOSES: f64 = 0.5;
@@ -78,13 +78,17 @@ impl Camera {
         self.ship += (ship - self.ship) * share(EASE_TIME);
     }
 
-    /// Turns to the box to be fitted (m), or away from it where there is none, and zooms; at once in its first frame.
+    /// Turns to the box to be fitted (m), or away from it where there is none, and zooms; at once in its first frame, and
+    /// not at all while no time passes.
     pub fn turn(&mut self, fit: Option<Aabb>, zoom: f64, frame_time: f64) {
         let Some(before) = self.zoom else {
             (self.fitted, self.fits, self.zoom) =
                 (fit.map(|bounds| grown(&bounds, FIT_MARGIN)), f64::from(u8::from(fit.is_some())), Some(zoom));
             return;
         };
+        if frame_time <= 0.0 {
+            return;
+        }
         let share = |time: f64| 1.0 - (-frame_time.max(0.0) / time).exp();
         self.zoom = Some(before * (zoom / before).powf(share(ZOOM_EASE)));
         if let Some(bounds) = fit {

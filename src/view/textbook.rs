@@ -7,10 +7,11 @@ use super::scale::{self, Arrow, ScaleStep};
 use super::{theme, widgets};
 use crate::draw::layout::{Area, BUTTON_TEXT, Frame, GRID, LINE, PADDING, TEXT, Vec2, words_width};
 use crate::draw::{Canvas, Style};
-use crate::game::Game;
+use crate::game::{Controls, Game};
 use crate::number::scalar;
 use crate::physics::{BodyId, DVec2};
 use crate::words::tr;
+use std::borrow::Cow;
 use std::f64::consts::TAU;
 
 /// Side of a square of the paper, and the longer half of the body, canvas units.
@@ -224,6 +225,18 @@ fn free_place(at: Vec2, way: Vec2, size: Vec2, (room, taken, arrows): (&Area, &[
     free().find(|area| !crossed(area)).or_else(|| free().next()).copied()
 }
 
+/// The game whose forces are shown: at its start those of the first tick, since ropes and floors carry nothing before it.
+pub fn acting(game: &Game, id: BodyId) -> Cow<'_, Game> {
+    if game.ticks() > 0 {
+        return Cow::Borrowed(game);
+    }
+    let mut first = game.clone();
+    // Asks the tick for what contacts carry.
+    let _ = first.world().forces(id);
+    first.step(Controls::default());
+    Cow::Owned(first)
+}
+
 /// The picture from frame to frame.
 #[derive(Default)]
 pub struct BodyPicture {
@@ -231,6 +244,8 @@ pub struct BodyPicture {
     /// N and N·s a square.
     squares: [ScaleStep; 2],
     pub layout: PictureLayout,
+    /// Of what that is the layout: forces and their resultant, what a canvas unit is worth, and the height of a line.
+    laid: Option<(Vec<NamedArrow>, Option<NamedArrow>, [f64; 2], f32)>,
     parts: [Area; 2],
     /// Half the size of the drawn body, and whether it is round.
     body: (Vec2, bool),
@@ -245,31 +260,37 @@ impl BodyPicture {
         if self.of != Some(id) {
             *self = Self { of: Some(id), ..Self::default() };
         }
+        let game = &*acting(game, id);
         let (facts, body) = (facts(game, id), game.world().body(id));
         let (forces, resultant) = NamedArrow::of(&facts);
         let text = frame.text_height(TEXT);
         let (line, head) = (text * LINE, frame.text_height(BUTTON_TEXT) * LINE);
         let whole = parts(room.inset(PADDING));
-        self.parts = whole.map(|part| Area { min: part.min + Vec2::Y * head, size: part.size - Vec2::Y * (head + line) });
-        let needed = needed(&forces, &self.parts, line);
+        let parts = whole.map(|part| Area { min: part.min + Vec2::Y * head, size: part.size - Vec2::Y * (head + line) });
+        let needed = needed(&forces, &parts, line);
         let patience = (PATIENCE * game.tick_rate()) as u64;
         let mut a_square = [0.0; 2];
         for ((found, step), needed) in a_square.iter_mut().zip(&mut self.squares).zip(needed) {
             *found = step.update(needed * f64::from(SQUARE), game.ticks(), patience);
         }
         let worth = a_square.map(|square| square / f64::from(SQUARE));
-        self.layout = lay_out((&forces, resultant.as_ref()), &self.parts, worth, (line, &|words| words_width(words, text)));
+        let impulses = forces.iter().any(|force| force.shown.is_impact());
+        let has_forces = forces.iter().any(|force| !force.shown.is_impact());
+        let asked = (forces, resultant, worth, line);
+        if self.laid.as_ref() != Some(&asked) || parts != self.parts {
+            let named = (&asked.0[..], asked.1.as_ref());
+            self.layout = lay_out(named, &parts, worth, (line, &|words| words_width(words, text)));
+        }
+        self.parts = parts;
         let half = body.half.as_vec2();
         let round = game.level().objects.get(id.index().wrapping_sub(1)).is_some_and(|object| object.circular);
         self.body = (half / half.max_element().max(f32::MIN_POSITIVE) * BODY, round);
         let mass = scalar(body.mass, "kg");
         self.heads = [format!("{} · {mass}", facts.title), tr("Forces tip to tail").to_owned()];
-        let impulses = forces.iter().any(|force| force.shown.is_impact());
-        let has_forces = forces.iter().any(|force| !force.shown.is_impact());
         let scales = [(has_forces, "N"), (impulses, "N·s")].into_iter().zip(a_square).filter(|((there, _), _)| *there);
         let scales: Vec<String> = scales.map(|((_, unit), square)| scalar(square, unit)).collect();
         let scale = if scales.is_empty() { String::new() } else { tr!("1 square = {size}", size = scales.join(", ")) };
-        let sum = match resultant {
+        let sum = match &asked.1 {
             Some(sum) => {
                 let acceleration = scalar(sum.vector.length() / body.mass, "m/s²");
                 format!("F = {mass} · {acceleration} = {}", sum.value)
@@ -278,6 +299,7 @@ impl BodyPicture {
             None => tr("No force: the resultant is zero.").to_owned(),
         };
         self.feet = [scale, sum];
+        self.laid = Some(asked);
     }
 
     pub fn draw(&self, canvas: &Canvas) {

@@ -39,8 +39,12 @@ pub fn button(canvas: &Canvas, area: Area, label: &str, hover: bool, focus: bool
 pub fn keyed_button(canvas: &Canvas, area: Area, (label, key): (&str, &str), (hover, focus): (bool, bool)) {
     button_box(canvas, area, hover, focus);
     let key_style = Style::new(TEXT, theme::accent()).mono().middle();
-    let beside = if key.is_empty() { 0.0 } else { canvas.width(key, key_style) + 1.5 * GRID };
-    let room = area.size.x - 2.0 * GRID - beside;
+    let whole = area.size.x - 2.0 * GRID;
+    let beside = canvas.width(key, key_style) + 1.5 * GRID;
+    // The key gives way to its word.
+    let room_for_key = canvas.width(label, Style::new(DETAILS, theme::text())) + beside <= whole;
+    let (key, beside) = if room_for_key && !key.is_empty() { (key, beside) } else { ("", 0.0) };
+    let room = whole - beside;
     let fits = |size: &f32| canvas.width(label, Style::new(*size, theme::text())) <= room;
     let size = [BUTTON_TEXT, TEXT, DETAILS].into_iter().find(fits).unwrap_or(DETAILS);
     let style = Style::new(size, theme::text()).middle();

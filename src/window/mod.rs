@@ -142,8 +142,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     loop {
         theme::wear(stack.settings().palette);
         stack.session.now = host::now();
-        let text = stack.screen().text_scale(stack.settings(), canvas.frame().pixel);
-        pen.begin(&mut canvas, text);
+        pen.begin(&mut canvas, |frame| stack.screen().with_words(frame, stack.settings()));
         stack.dpi = canvas.dpi();
         let mut input = read_input(&canvas, pads.read(), keys.read());
         // What is pressed meanwhile comes with the next frame, which waits for nothing.

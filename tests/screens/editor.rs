@@ -573,3 +573,14 @@ fn the_wheel_zooms_the_right_button_pans_and_a_key_shows_all() {
     sitting.press(Key::F);
     assert!(spread(&sitting) < large);
 }
+
+#[test]
+fn the_world_is_picked_from_five_in_small_beside_its_word() {
+    let mut sitting = Sitting::new();
+    sitting.choose("Editor").choose("2").rest();
+    sitting.click("water").rest();
+    assert!(sitting.editor().document().setting("world") == Some("water"), "one click writes it");
+    sitting.click("orbit").click("Save").rest();
+    let written = fs::read_to_string(sitting.folder.path().join("levels/2/constants.csv")).unwrap();
+    assert!(written.lines().any(|line| line == "world,orbit"), "{written}");
+}

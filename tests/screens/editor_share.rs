@@ -1,7 +1,7 @@
 //! The author's list of levels: own ones first, shared as one file, imported, put into the bin and taken back.
 
 use crate::sitting::Sitting;
-use resultant::screens::Key;
+use resultant::screens::{Input, Key};
 use std::fs;
 use std::path::Path;
 
@@ -54,6 +54,42 @@ fn a_level_is_one_file_that_another_game_takes_in() {
     assert!(other.folder.path().join("levels/10/player.csv").exists());
     other.press(Key::Escape).choose("10").rest();
     assert_eq!(other.at(), "flight");
+}
+
+#[test]
+fn a_map_of_tiled_is_taken_in_by_a_drop_or_by_its_path() {
+    let object = |id: u32, class: &str, place: &str, cells: &str| {
+        format!("{{\"id\":{id},\"name\":\"\",\"type\":\"{class}\",{place},\"visible\":true,\"properties\":[{cells}]}}")
+    };
+    let number = |name: &str, value: u32| format!("{{\"name\":\"{name}\",\"type\":\"int\",\"value\":{value}}}");
+    let cells = [number("mass", 100), number("fuel", 500), number("thrust", 2500)].join(",");
+    let map = |class: &str| {
+        let ship = object(1, "player", "\"x\":96,\"y\":600,\"width\":0,\"height\":0", &cells);
+        let goal = object(2, class, "\"x\":1000,\"y\":502,\"width\":120,\"height\":20", "");
+        format!(
+            "{{\"type\":\"map\",\"orientation\":\"orthogonal\",\"width\":40,\"height\":24,\"tilewidth\":32,\"tileheight\":32,\"layers\":[
+              {{\"type\":\"objectgroup\",\"name\":\"things\",\"objects\":[{ship},{goal}]}},
+              {{\"type\":\"objectgroup\",\"name\":\"ideas\",\"visible\":false,\"objects\":[]}}]}}"
+        )
+    };
+    let mut sitting = list();
+    let root = sitting.folder.path().to_path_buf();
+    let write = |name: &str, text: String| {
+        fs::write(root.join(name), text).unwrap();
+        root.join(name)
+    };
+    sitting.give(Input { dropped: vec![write("tower.tmj", map("objectives"))], ..Input::default() });
+    sitting.rest();
+    assert!(sitting.shows("Installed: tower") && sitting.shows("ideas"), "what is left out is named: {:?}", sitting.texts());
+    assert!(root.join("levels/tower/player.csv").exists());
+    // Refused by layer and object, and by its name.
+    for (name, class, said) in [("hut.tmj", "houses", "houses"), ("a hut.tmj", "objectives", "a level cannot have this name")] {
+        let path = write(name, map(class));
+        sitting.home().choose("Editor").click("Import").write(path.to_str().unwrap()).press(Key::Enter).rest();
+        assert!(sitting.shows("This file cannot be opened") && sitting.shows(said), "{name}: {:?}", sitting.texts());
+        sitting.press(Key::Escape);
+    }
+    assert!(!root.join("levels/hut").exists());
 }
 
 #[test]

@@ -2,9 +2,11 @@
 
 use crate::lesson::experiment;
 use crate::sitting::{Sitting, says};
-use resultant::draw::layout::{Frame, Vec2};
-use resultant::physics::DVec2;
+use resultant::draw::layout::{Area, Frame, Vec2};
+use resultant::draw::{Contour, Shape};
+use resultant::physics::{BodyId, DVec2};
 use resultant::screens::{Input, Instrument, Key};
+use resultant::view::theme;
 
 fn flying() -> Sitting {
     let mut sitting = Sitting::with(|_| {});
@@ -171,7 +173,7 @@ fn energy_bars_count_what_a_bounce_loses_and_their_zero_moves() {
     sitting.wait(2.0).press(Key::B).rest();
     let bars = |sitting: &Sitting| -> Vec<(&'static str, f64)> {
         let bars = &sitting.flight().instruments().measures().table().bars;
-        bars.iter().map(|bar| (bar.name, bar.values[0])).collect()
+        bars.iter().filter(|bar| bar.unit == "J").map(|bar| (bar.name, bar.values[0])).collect()
     };
     let at_first = bars(&sitting);
     assert_eq!(at_first.iter().map(|(name, _)| *name).collect::<Vec<_>>(), ["Kinetic", "Potential", "Lost"]);
@@ -213,10 +215,44 @@ fn a_swing_on_a_spring_keeps_the_sum_of_its_bars() {
     sitting.click("Energy, work");
     sitting.wait(1.5);
     let bars = &sitting.flight().instruments().measures().table().bars;
-    let values: Vec<f64> = bars.iter().map(|bar| bar.values[0]).collect();
+    let values: Vec<f64> = bars.iter().filter(|bar| bar.unit == "J").map(|bar| bar.values[0]).collect();
     let sum: f64 = values.iter().sum();
     assert_eq!(bars[2].name, "Elastic");
     assert!(values[2] > 0.0 && values[3].abs() < 1e-6 * sum, "{values:?}");
+}
+
+/// 2 kg and 1 kg at 3 m/s each towards each other: 6 N·s and −3 N·s, 3 N·s before and after.
+#[test]
+fn momentum_is_a_bar_to_the_side_of_its_sign_from_the_middle() {
+    let mut sitting = experiment("collision-lab");
+    sitting.wait(0.1).press(Key::I);
+    sitting.click("Energy, work");
+    let held = [Key::Shift].into_iter().collect();
+    sitting.give(Input { pointer: Vec2::new(900.0, 400.0), pointed: Some(BodyId(2)), click: true, held, ..Input::default() });
+    sitting.rest();
+    let momentum = |sitting: &Sitting| {
+        let bars = sitting.flight().instruments().measures().table().bars.clone();
+        bars.into_iter().find(|bar| bar.name == "Momentum x").expect("it has a bar").values
+    };
+    let close = |values: &[f64], wanted: &[f64]| values.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-9);
+    assert!(close(&momentum(&sitting), &[6.0, -3.0, 3.0]), "{:?}", momentum(&sitting));
+    let drawn: Vec<Area> = sitting
+        .app
+        .canvas()
+        .shapes()
+        .iter()
+        .filter_map(|shape| match shape {
+            Shape::Fill { outline: Contour::Rounded(area, _), colour, .. } if *colour == theme::IMPACT => Some(*area),
+            _ => None,
+        })
+        .collect();
+    let [first, second, both] = &drawn[..] else { panic!("{drawn:?}") };
+    assert!((first.size.x - 2.0 * second.size.x).abs() < 0.5 && (both.size.x - second.size.x).abs() < 0.5, "{drawn:?}");
+    let apart = [second.max().x - first.min.x, both.min.x - second.max().x];
+    assert!((apart[0] - apart[1]).abs() < 0.5, "from the middle to the left and to the right: {drawn:?}");
+    sitting.wait(2.0);
+    let after = momentum(&sitting);
+    assert!((after[2] - 3.0).abs() < 1e-9 && (after[0] - 6.0).abs() > 1.0, "{after:?}");
 }
 
 #[test]

@@ -253,7 +253,16 @@ fn the_run_before_shares_the_axes_of_the_run() {
     let (_, longer) = flown(100, 800);
     let shorter = longer.until(400);
     let focus = Focus::default();
-    let stage = |before| Stage { game: &game, history: &history, focus: &focus, varied: None, seekable: true, before, sign: 0.0 };
+    let stage = |before| Stage {
+        game: &game,
+        history: &history,
+        focus: &focus,
+        varied: None,
+        seekable: true,
+        before,
+        seen: true,
+        sign: 0.0,
+    };
     let (input, mut plot) = (Input { frame_time: 0.01, ..Input::default() }, Plot::default());
     let canvas = Canvas::new(input.frame);
     let settle = |plot: &mut Plot, before| {

@@ -1,11 +1,14 @@
 //! The camera: it follows the ship, shows nothing outside of the level, and never loses the ship, in windows and levels of any size.
 
+use crate::onlook::{self, pixels};
 use crate::support::rooms::{crate_at, yard};
-use resultant::draw::layout::{Frame, Vec2};
+use crate::support::shipped::{experiment, experiments};
+use resultant::draw::layout::{Area, Frame, Vec2, nearest_size, words_width};
 use resultant::game::{Controls, Game, SHIP};
 use resultant::level::Object;
 use resultant::physics::{Aabb, BodyId, DVec2};
 use resultant::view::camera::{Camera, CanvasWindow, Viewport};
+use resultant::view::focus::Focus;
 use resultant::view::{GameView, Overlays};
 use std::sync::Arc;
 
@@ -297,4 +300,33 @@ fn the_ship_and_what_it_has_set_in_motion_stay_in_view_and_the_map_shows_all() {
     (0..240).for_each(|_| view.update(&game, 1.0, 1.0 / 120.0, Overlays { map: true, ..overlays }, &frame));
     let (all, visible) = (game.level().size, view.viewport(&game, 1.0, &frame).visible());
     assert!(visible.contains(&Aabb::new(DVec2::ZERO, all), 0.1), "{visible:?} of {all}");
+}
+
+/// The part of the canvas that the sheet of an experiment takes, canvas units.
+const SHEET: f32 = 568.0;
+
+#[test]
+fn all_words_of_an_experiment_are_in_view_at_its_start_beside_its_sheet() {
+    for name in experiments() {
+        let game = Game::new(experiment(&name)).unwrap();
+        for size in onlook::WINDOWS {
+            let whole = Frame::of_window(size);
+            for frame in [whole, Frame { size: whole.size - SHEET * Vec2::X, ..whole }] {
+                // A tall window has no room for both.
+                if frame.size.x < frame.size.y {
+                    continue;
+                }
+                let mut view = GameView::new(&game, &|_| None);
+                let overlays = Overlays { focus: Focus::fitted_on(game.lead()), ..Overlays::default() };
+                view.update(&game, 1.0, 1.0 / 60.0, overlays, &frame);
+                let viewport = view.viewport(&game, 1.0, &frame);
+                for text in &game.level().texts {
+                    let height = frame.text_height(nearest_size(viewport.length(text.size)));
+                    let at = Area { min: viewport.point(text.position), size: Vec2::new(words_width(&text.text, height), height) };
+                    let inside = at.min.cmpge(Vec2::ZERO).all() && at.max().cmple(frame.size).all();
+                    assert!(inside, "{name} in {}: {:?} at {at:?} of {:?}", pixels(&frame), text.text, frame.size);
+                }
+            }
+        }
+    }
 }

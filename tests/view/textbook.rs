@@ -6,7 +6,7 @@ use resultant::draw::layout::{Area, Frame, TEXT, Vec2, words_width};
 use resultant::game::{Controls, Game};
 use resultant::physics::BodyId;
 use resultant::view::facts::{ArrowKind, facts};
-use resultant::view::textbook::{BodyPicture, NamedArrow};
+use resultant::view::textbook::{BodyPicture, NamedArrow, acting};
 use resultant::words::{Language, speak};
 
 /// Ticks between two looks, and of a run.
@@ -48,7 +48,7 @@ fn no_words_overlap_in_any_experiment_at_any_instant() {
             let language = [Language::English, Language::German, Language::French][look as usize % 3];
             speak(language);
             for (i, id) in bodies.iter().enumerate() {
-                let (forces, resultant) = NamedArrow::of(&facts(&game, *id));
+                let (forces, resultant) = NamedArrow::of(&facts(&acting(&game, *id), *id));
                 let sides = forces.iter().filter(|force| !force.shown.is_impact()).count();
                 let count = forces.len() + sides + usize::from(resultant.is_some());
                 for (w, frame) in windows.iter().enumerate() {
@@ -81,6 +81,14 @@ fn a_push_has_its_owner_and_what_balances_is_zero_in_words() {
     assert!(names.contains(&"Push by Box 1") && names.contains(&"Push by Box 3"), "{names:?}");
     assert!(second.feet[1].starts_with("F = 10.0 kg · 2.00 m/s² = 20.0 N"), "{:?}", second.feet);
     assert_eq!(second.layout.arrows.last().unwrap().shown, ArrowKind::Resultant);
+    // Before the first tick the rope pulls as from it on; while time stands still nothing is placed again.
+    let circle = game("circular-motion");
+    let mut tied = picture(&circle, 1);
+    assert_eq!(tied.layout.arrows.len(), 3, "the rope, in the polygon too, and the resultant: {:?}", tied.layout);
+    assert!(tied.feet[1].starts_with("F = 2.00 kg · 11.9 m/s² = 23.9 N"), "{:?}", tied.feet);
+    tied.layout.tags.clear();
+    tied.arrange(&circle, BodyId(1), Frame::default().area(), &Frame::default());
+    assert!(tied.layout.tags.is_empty());
     let mut fall = game("terminal-velocity");
     assert!(picture(&fall, 1).feet[1].starts_with("F = "));
     (0..1200).for_each(|_| fall.step(Controls::default()));

@@ -6,7 +6,7 @@ use super::look_of;
 use crate::draw::chart::{
     CurveOrigin, Decades, FRAME, LEAST_ERROR, Marker, RING, SAMPLE, TOLERANCE_DASH, WORDS, dashed, marker, sample, stroke,
 };
-use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
+use crate::draw::layout::{Area, DETAILS, Frame, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
 use crate::lab::curve::{Measured, MethodCurve, WorkPoint};
@@ -117,15 +117,16 @@ fn axes(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
     for edge in [area.min.y, end.y] {
         level(edge, theme::solid());
     }
+    let down = (1.05 * canvas.frame().text_height(DETAILS)).max(18.0);
     for exponent in work.named(NAMED) {
-        canvas.text(&power(exponent), Vec2::new(plot.across(part(work, exponent)), end.y + 18.0), quiet.centred());
+        canvas.text(&power(exponent), Vec2::new(plot.across(part(work, exponent)), end.y + down), quiet.centred());
     }
     for exponent in error.named(NAMED) {
         canvas.text(&power(exponent), Vec2::new(area.min.x - 10.0, plot.upwards(part(error, exponent))), quiet.right());
     }
     let words = Style::new(TEXT, theme::text()).middle();
     canvas.text(tr(&measured.error), Vec2::new(area.min.x, area.min.y - 22.0), words);
-    canvas.text(tr(&measured.work), Vec2::new(area.centre().x, end.y + 44.0), words.centred());
+    canvas.text(tr(&measured.work), Vec2::new(area.centre().x, end.y + 26.0 + down), words.centred());
 }
 
 fn frame(canvas: &Canvas, at: Vec2) {
@@ -159,8 +160,13 @@ fn names_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) -
     match [TEXT, DETAILS].into_iter().find(|size| fits(*size)) {
         Some(size) => (names, size),
         None => {
-            let fit = names.iter().all(|name| canvas.width(name, Style::new(DETAILS, theme::text())) <= room);
-            (if fit { names } else { names.iter().map(|name| without_version(name)).collect() }, DETAILS)
+            let width = |name: &str| canvas.width(name, Style::new(DETAILS, theme::text()));
+            let shorter = |(curve, name): (&MethodCurve, &String)| {
+                let name = if canvas.frame().text > 1.0 && width(name) > room { tr(&curve.name) } else { name };
+                without_version(name)
+            };
+            let fit = names.iter().all(|name| width(name) <= room);
+            (if fit { names } else { measured.curves.iter().zip(&names).map(shorter).collect() }, DETAILS)
         }
     }
 }
@@ -188,6 +194,9 @@ fn legend_of_marks(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
     let mut line = measured.curves.len();
     let mut note = |sample: &dyn Fn(Area, Vec2), text: &str| {
         let (area, middle, words) = line_of(plot, line);
+        if area.max().y + area.size.y / 2.0 > plot.panel.max().y {
+            return;
+        }
         // Half a line stands between the curves and the notes.
         let down = Vec2::new(0.0, area.size.y / 2.0);
         sample(Area { min: area.min + down, ..area }, middle + down);
@@ -282,6 +291,12 @@ const TOP: f32 = 48.0;
 const BOTTOM: f32 = 64.0;
 /// Width of the legend.
 const LEGEND: f32 = 392.0;
+/// Where words are large: the letters of a note, the width of a letter and of what stands around the words in heights of them, and the
+/// most of the panel's width.
+const LETTERS: usize = 35;
+const LETTER: f32 = 0.44;
+const AROUND: f32 = 3.0;
+const MOST: f32 = 0.51;
 /// Between the plot and the legend.
 const BETWEEN: f32 = 32.0;
 /// Line height of the legend, where there is room.
@@ -321,16 +336,23 @@ pub struct DiagramPlaces {
     /// Between the axes.
     pub area: Area,
     pub axes: Axes,
-    /// Line height of the legend.
+    /// Line height of the legend, and its width.
     pitch: f32,
+    legend: f32,
 }
 
 impl DiagramPlaces {
-    pub fn of(panel: Area, measured: &Measured) -> Self {
-        let width = panel.size.x - LEFT - BETWEEN - LEGEND;
+    pub fn of(panel: Area, measured: &Measured, frame: &Frame) -> Self {
+        let text = frame.text_height(DETAILS);
+        let letters = measured.curves.iter().map(|curve| tr(&curve.name).chars().count()).fold(LETTERS, usize::max);
+        let large = ((LETTER * letters as f32 + AROUND) * text).min(MOST * panel.size.x);
+        let legend = if frame.text > 1.0 { LEGEND.max(large) } else { LEGEND };
+        let width = panel.size.x - LEFT - BETWEEN - legend;
         let area = Area::new(panel.min.x + LEFT, panel.min.y + TOP, width, panel.size.y - TOP - BOTTOM);
-        let lines = (measured.curves.len() + NOTES) as f32;
-        Self { panel, area, axes: Axes::of(measured), pitch: LINE.min((panel.size.y - 32.0) / lines) }
+        let pitch = |lines: usize| (panel.size.y - 32.0) / lines.max(1) as f32;
+        // Where words are large, notes give way to the curves.
+        let least = (1.08 * text).min(pitch(measured.curves.len()));
+        Self { panel, area, axes: Axes::of(measured), pitch: LINE.min(pitch(measured.curves.len() + NOTES)).max(least), legend }
     }
 
     pub fn at(&self, point: &WorkPoint) -> Vec2 {
@@ -350,7 +372,7 @@ impl DiagramPlaces {
     /// A line of the legend: first the curves, then the notes.
     pub fn legend(&self, line: usize) -> Area {
         let top = self.panel.min.y + 16.0 + line as f32 * self.pitch;
-        Area::new(self.panel.max().x - LEGEND, top, LEGEND - 16.0, self.pitch)
+        Area::new(self.panel.max().x - self.legend, top, self.legend - 16.0, self.pitch)
     }
 
     /// The point under the pointer: its curve and its place in it.
@@ -378,7 +400,7 @@ mod tests {
             points: vec![point(10.0, 1.0), point(1e3, 1e-6), point(1e3, f64::NAN)],
         };
         let measured = Measured::of_curves(vec![curve]);
-        let plot = DiagramPlaces::of(Area::new(24.0, 104.0, 1232.0, 488.0), &measured);
+        let plot = DiagramPlaces::of(Area::new(24.0, 104.0, 1232.0, 488.0), &measured, &Frame::default());
         for (index, point) in measured.curves[0].points.iter().enumerate() {
             let at = plot.at(point);
             assert!(at.cmpge(plot.area.min).all() && at.cmple(plot.area.max()).all());

@@ -34,21 +34,25 @@ fn short_name(curve: &MethodCurve) -> Option<String> {
 
 /// A work–precision diagram: the ends of its axes, its curves, and some of their names.
 pub fn diagram(canvas: &Canvas, area: Area, measured: &Measured) {
-    let plot = Area::new(area.min.x + LEFT, area.min.y + ABOVE, area.size.x - LEFT - 8.0, area.size.y - ABOVE - BELOW);
+    let text = canvas.frame().text_height(DETAILS);
+    let (left, above, below) = (LEFT.max(3.2 * text), ABOVE.max(1.1 * text), BELOW.max(2.2 * text));
+    let plot = Area::new(area.min.x + left, area.min.y + above, area.size.x - left - 8.0, area.size.y - above - below);
     let (end, axes) = (plot.max(), Axes::of(measured));
     let quiet = Style::new(DETAILS, theme::quiet()).middle();
     canvas.rounded(plot, 0.0, theme::ground());
     canvas.rounded_edge(plot, 0.0, 1.0, theme::solid());
-    canvas.text(&power(axes.work.from), Vec2::new(plot.min.x, end.y + 10.0), quiet);
-    canvas.text(&power(axes.work.to), Vec2::new(end.x, end.y + 10.0), quiet.right());
-    for exponent in axes.error.named(4) {
+    canvas.text(&power(axes.work.from), Vec2::new(plot.min.x, end.y + 0.3 * below), quiet);
+    canvas.text(&power(axes.work.to), Vec2::new(end.x, end.y + 0.3 * below), quiet.right());
+    // As many as there is room for.
+    for exponent in axes.error.named((plot.size.y / (1.3 * text)).clamp(1.0, 4.0) as i32) {
         let y = plot.part((0.0, axes.error.part(10f64.powi(exponent)))).y;
         canvas.hairline(Vec2::new(plot.min.x, y), Vec2::new(end.x, y), theme::panel_edge());
         canvas.text(&power(exponent), Vec2::new(plot.min.x - 6.0, y), quiet.right());
     }
     let name = |words: &str, at: Vec2| canvas.text(&widgets::cut(canvas, tr(words), plot.size.x, quiet), at, quiet);
-    name(&measured.error, Vec2::new(plot.min.x, area.min.y + 8.0));
-    widgets::fitted(canvas, tr(&measured.work), Vec2::new(plot.centre().x, end.y + 26.0), plot.size.x, &[DETAILS], theme::quiet());
+    name(&measured.error, Vec2::new(plot.min.x, area.min.y + 0.45 * above));
+    let under = Vec2::new(area.centre().x, end.y + 0.76 * below);
+    widgets::fitted(canvas, tr(&measured.work), under, area.size.x, &[DETAILS], theme::quiet());
     let level = axes.error.part(measured.tolerance);
     dashed(canvas, &[plot.part((0.0, level)), plot.part((1.0, level))], TOLERANCE_DASH, 2.0, theme::good());
     let mut names = Names::new(canvas, plot);
@@ -132,6 +136,9 @@ pub fn plane(canvas: &Canvas, area: Area, regions: &[Region]) {
     let line = canvas.line_height(DETAILS);
     let row = |row: f32, name: &str, value: &str, colour: Colour| {
         let y = room.min.y + (row + 0.5) * line;
+        if y + 0.5 * line > room.max().y + 1.0 {
+            return;
+        }
         let style = Style::new(DETAILS, colour).middle();
         let widest = room.size.x - canvas.width(value, style) - 8.0;
         canvas.text(&widgets::cut(canvas, name, widest, style), Vec2::new(room.min.x, y), style);
@@ -149,13 +156,15 @@ pub fn plane(canvas: &Canvas, area: Area, regions: &[Region]) {
 
 /// Bars of the time with every part, and within them as it runs; the largest saving first, as many rows as there is room for.
 pub fn savings(canvas: &Canvas, area: Area, savings: &[Saving]) {
-    let bars = Area::new(area.min.x + NAMES, area.min.y, (area.size.x - NAMES - FACTORS).max(1.0), area.size.y - ROW);
+    let text = canvas.frame().text_height(DETAILS);
+    let (row_height, names, factors) = (ROW.max(1.1 * text), NAMES.max(8.5 * text), FACTORS.max(4.5 * text));
+    let bars = Area::new(area.min.x + names, area.min.y, (area.size.x - names - factors).max(1.0), area.size.y - row_height);
     let mut shown: Vec<&Saving> = savings.iter().collect();
     shown.sort_by(|a, b| b.times().total_cmp(&a.times()));
-    shown.truncate((bars.size.y / ROW) as usize);
+    shown.truncate((bars.size.y / row_height) as usize);
     let longest = shown.iter().map(|row| row.everything.0).fold(0.0, f64::max);
     for (i, row) in shown.into_iter().enumerate() {
-        let y = bars.min.y + (i as f32 + 0.5) * ROW;
+        let y = bars.min.y + (i as f32 + 0.5) * row_height;
         let bar = |ns: f64, colour| {
             canvas.rounded(Area::new(bars.min.x, y - 7.0, bars.size.x * (ns / longest) as f32, 14.0), 2.0, colour)
         };
@@ -163,10 +172,10 @@ pub fn savings(canvas: &Canvas, area: Area, savings: &[Saving]) {
         bar(row.planned.0, if row.same_bits { theme::accent() } else { theme::bad() });
         let style = Style::new(DETAILS, theme::text()).middle();
         let name = if row.of == LEVEL { tr!("Level {level}", level = row.scene) } else { row.scene.clone() };
-        canvas.text(&widgets::cut(canvas, &name, NAMES - 12.0, style), Vec2::new(area.min.x, y), style);
+        canvas.text(&widgets::cut(canvas, &name, names - 12.0, style), Vec2::new(area.min.x, y), style);
         canvas.text(&format!("× {}", short(row.times())), Vec2::new(area.max().x, y), style.mono().right());
     }
-    let foot = Vec2::new(area.centre().x, area.max().y - ROW / 2.0);
+    let foot = Vec2::new(area.centre().x, area.max().y - row_height / 2.0);
     let words = tr("ns a tick: bright as it runs, dim with everything");
     widgets::fitted(canvas, words, foot, area.size.x, &[TEXT, DETAILS], theme::quiet());
 }

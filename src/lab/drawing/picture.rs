@@ -30,7 +30,9 @@ pub fn small(canvas: &Canvas, area: Area, picture: &FailurePicture, colour: Colo
 
 /// With names and ends of the axes.
 pub fn large(canvas: &Canvas, area: Area, picture: &FailurePicture, colour: Colour) {
-    let plot = Area::new(area.min.x, area.min.y + TOP, area.size.x, area.size.y - TOP - BOTTOM);
+    let text = canvas.frame().text_height(DETAILS);
+    let top = TOP.max(2.4 * text);
+    let plot = Area::new(area.min.x, area.min.y + top, area.size.x, area.size.y - top - BOTTOM);
     canvas.rounded(plot, 0.0, theme::ground());
     canvas.rounded_edge(plot, 0.0, 1.0, theme::solid());
     lines(canvas, plot, picture, (colour, 2.0));
@@ -38,9 +40,9 @@ pub fn large(canvas: &Canvas, area: Area, picture: &FailurePicture, colour: Colo
     let words = Style::new(TEXT, theme::text()).middle();
     let quiet = Style::new(DETAILS, theme::quiet()).middle();
     let up = widgets::cut(canvas, tr(picture.up), plot.size.x, words);
-    canvas.text(&up, Vec2::new(plot.min.x, plot.min.y - 32.0), words);
+    canvas.text(&up, Vec2::new(plot.min.x, plot.min.y - (1.65 * text).max(32.0)), words);
     let span = tr!("from {least} to {most}", least = short(least), most = short(most));
-    canvas.text(&span, Vec2::new(plot.min.x, plot.min.y - 10.0), quiet);
+    canvas.text(&span, Vec2::new(plot.min.x, plot.min.y - (0.55 * text).max(10.0)), quiet);
     let foot = plot.max().y + 14.0;
     canvas.text(&short(from), Vec2::new(plot.min.x, foot), quiet);
     canvas.text(&short(to), Vec2::new(plot.max().x, foot), quiet.right());
@@ -76,7 +78,7 @@ const FOOT: f32 = 60.0;
 /// A scene of the Lab: work to the right, error upwards.
 pub fn measured(measured: &Measured) -> String {
     sheet(tr(&measured.title), 0.0, |canvas, panel| {
-        let plot = DiagramPlaces::of(panel, measured);
+        let plot = DiagramPlaces::of(panel, measured, canvas.frame());
         diagram::draw(canvas, &plot, measured, diagram::Picked::default());
         let quiet = Style::new(DETAILS, theme::quiet()).middle().right();
         let note = if measured.is_stale() { ANOTHER_BUILD } else { &measured.note };
@@ -89,14 +91,14 @@ pub fn over_time(measured: &Measured) -> Option<String> {
     let over_time = measured.over_time.as_ref()?;
     let title = tr!("{title}: over time, step {step}", title = tr(&measured.title), step = step(over_time.step));
     Some(sheet(&title, 0.0, |canvas, panel| {
-        timeline::draw(canvas, &DiagramPlaces::of(panel, measured), (measured, over_time), None);
+        timeline::draw(canvas, &DiagramPlaces::of(panel, measured, canvas.frame()), (measured, over_time), None);
     }))
 }
 
 /// The stability regions of methods.
 pub fn stability(regions: &[Region]) -> String {
     sheet(tr(TITLE), FOOT, |canvas, panel| {
-        plane::draw(canvas, &Plane::of(panel), regions, None);
+        plane::draw(canvas, &Plane::of(panel, canvas.frame()), regions, None);
         for (words, down) in plane::WORDS.iter().zip([18.0, 42.0]) {
             let middle = Vec2::new(panel.centre().x, panel.max().y + down);
             widgets::fitted(canvas, tr(words), middle, panel.size.x, &[TEXT, DETAILS], theme::text());

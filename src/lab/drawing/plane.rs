@@ -3,7 +3,7 @@
 use super::diagram::shade;
 use super::look_of;
 use crate::draw::chart::{CurveLook, CurveOrigin, WORDS as WORDS_AT, marker, sample, stroke};
-use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
+use crate::draw::layout::{Area, DETAILS, Frame, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::methods::METHODS;
 use crate::lab::stability::{CELLS, Complex, IMAGINARY, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
@@ -19,6 +19,9 @@ const BOTTOM: f32 = 60.0;
 const MOST: f32 = 0.6;
 /// Width of the legend.
 const LEGEND: f32 = 400.0;
+/// The same in heights of small text where that is large, and the most of the panel's width.
+const WIDE: f32 = 21.0;
+const LARGEST: f32 = 0.42;
 /// Between the plane and the legend.
 const BETWEEN: f32 = 32.0;
 /// Line height of the legend, where there is room, and of the words below it.
@@ -39,28 +42,34 @@ pub struct Plane {
     pub area: Area,
     /// Canvas units a unit of z.
     scale: f32,
-    /// Line height of the legend.
+    /// Line height of the legend, and its width.
     pitch: f32,
+    legend: f32,
 }
 
 impl Plane {
     /// As large as the panel allows without stretching.
-    pub fn of(panel: Area) -> Self {
-        let room = Vec2::new(panel.size.x - LEFT - BETWEEN - LEGEND, panel.size.y - TOP - BOTTOM);
+    pub fn of(panel: Area, frame: &Frame) -> Self {
+        let text = frame.text_height(DETAILS);
+        let legend = LEGEND.max((WIDE * text).min(LARGEST * panel.size.x));
+        let room = Vec2::new(panel.size.x - LEFT - BETWEEN - legend, panel.size.y - TOP - BOTTOM);
         let spans = Vec2::new((REAL.1 - REAL.0) as f32, (IMAGINARY.1 - IMAGINARY.0) as f32);
         let scale = (room.x / spans.x).min(room.y / spans.y);
         let size = spans * scale;
         let area = Area::new(panel.min.x + LEFT + (room.x - size.x) / 2.0, panel.min.y + TOP, size.x, size.y);
         // Its head, the methods, the engine, and the words.
         let room = panel.size.y - 32.0 - MARKS.len() as f32 * SMALL_LINE;
-        Self { panel, area, scale, pitch: LINE.min(room / (METHODS.len() + 2) as f32) }
+        // Where words are large, the notes give way to the methods.
+        let lines = (METHODS.len() + 2) as f32;
+        let least = (1.08 * text).min((panel.size.y - 32.0) / lines);
+        Self { panel, area, scale, pitch: LINE.min(room / lines).max(least), legend }
     }
 
     /// As large as an area allows, at its left, without a legend.
     pub fn within(panel: Area) -> Self {
         let spans = Vec2::new((REAL.1 - REAL.0) as f32, (IMAGINARY.1 - IMAGINARY.0) as f32);
         let scale = (panel.size.x * MOST / spans.x).min(panel.size.y / spans.y);
-        Self { panel, area: Area { min: panel.min, size: spans * scale }, scale, pitch: LINE }
+        Self { panel, area: Area { min: panel.min, size: spans * scale }, scale, pitch: LINE, legend: LEGEND }
     }
 
     /// A number on the canvas.
@@ -71,7 +80,7 @@ impl Plane {
     /// A line of the legend: its head, then the methods, then the shipped engine and the notes.
     pub fn legend(&self, line: usize) -> Area {
         let top = self.panel.min.y + 16.0 + line as f32 * self.pitch;
-        Area::new(self.panel.max().x - LEGEND, top, LEGEND - 16.0, self.pitch)
+        Area::new(self.panel.max().x - self.legend, top, self.legend - 16.0, self.pitch)
     }
 }
 
@@ -146,10 +155,11 @@ fn fill(canvas: &Canvas, plane: &Plane, region: &Region) {
 fn axes(canvas: &Canvas, plane: &Plane) {
     let quiet = Style::new(DETAILS, theme::quiet()).middle();
     let (area, end) = (plane.area, plane.area.max());
+    let down = (1.05 * canvas.frame().text_height(DETAILS)).max(16.0);
     for re in REAL.0.ceil() as i32..=REAL.1.floor() as i32 {
         let foot = plane.at((f64::from(re), 0.0));
         canvas.hairline(foot, Vec2::new(foot.x, area.min.y), theme::panel_edge());
-        canvas.text(&fixed(f64::from(re), 0), foot + Vec2::new(0.0, 16.0), quiet.centred());
+        canvas.text(&fixed(f64::from(re), 0), foot + Vec2::new(0.0, down), quiet.centred());
     }
     for im in 0..=IMAGINARY.1.floor() as i32 {
         let left = plane.at((REAL.0, f64::from(im)));
@@ -159,7 +169,7 @@ fn axes(canvas: &Canvas, plane: &Plane) {
     canvas.rounded_edge(area, 0.0, 1.0, theme::solid());
     let words = Style::new(TEXT, theme::text()).middle();
     canvas.text(tr("imaginary part of z: ω·h, what swings"), Vec2::new(area.min.x, area.min.y - 22.0), words);
-    canvas.text(tr("real part of z: −h/τ, what fades"), Vec2::new(area.centre().x, end.y + 42.0), words.centred());
+    canvas.text(tr("real part of z: −h/τ, what fades"), Vec2::new(area.centre().x, end.y + 26.0 + down), words.centred());
 }
 
 /// The methods by name, with their limits on the two rays.
@@ -180,7 +190,8 @@ fn legend(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usi
         let (y, colour) = (area.centre().y, shade(Colour::hex(look.colour), whole));
         sample(canvas, area, look, colour);
         let style = if whole { words } else { quiet };
-        canvas.text(&name, Vec2::new(area.min.x + WORDS_AT, y), style);
+        let room = area.size.x - WORDS_AT - LIMITS[0] - canvas.width(&limit(drag), style) - BESIDE;
+        canvas.text(&widgets::cut(canvas, &name, room, style), Vec2::new(area.min.x + WORDS_AT, y), style);
         limits(area, [&limit(drag), &limit(swing)], style);
     };
     for (index, region) in regions.iter().enumerate() {
@@ -194,7 +205,9 @@ fn legend(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usi
     line(regions.len() + 1, &engine, (tr(SHIPPED).to_owned(), SHIPPED_LIMITS), true);
     let first = plane.legend(regions.len() + 2).min + Vec2::new(WORDS_AT, SMALL_LINE / 2.0);
     for (line, words) in MARKS.into_iter().enumerate() {
-        let at = first + Vec2::new(0.0, line as f32 * SMALL_LINE);
-        canvas.text(tr(words), at, Style::new(DETAILS, theme::quiet()).middle());
+        let at = first + Vec2::new(0.0, line as f32 * SMALL_LINE.max(1.05 * canvas.frame().text_height(DETAILS)));
+        if at.y + 0.5 * canvas.line_height(DETAILS) <= plane.panel.max().y {
+            canvas.text(tr(words), at, Style::new(DETAILS, theme::quiet()).middle());
+        }
     }
 }

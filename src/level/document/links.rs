@@ -10,6 +10,13 @@ use crate::physics::DVec2;
 use crate::words::tr;
 use std::collections::BTreeMap;
 
+/// A link is taken hold of by a square around its middle, pixels.
+const HOLD: f64 = 20.0;
+
+/// The columns of the ends, and the tables of the bodies that these name.
+const ENDS: [&str; 2] = ["a", "b"];
+const BODIES: [Table; 2] = [Table::Objects, Table::Objectives];
+
 /// A kind of link as authors know them: a winch is a rope with a rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LinkForm {
@@ -165,16 +172,7 @@ impl Document {
         let mut bodies = BODIES.into_iter().flat_map(|table| self.rows(table));
         bodies.find(|body| !text.is_empty() && self.cell(*body, "name") == Some(text))
     }
-}
 
-/// A link is taken hold of by a square around its middle, pixels.
-const HOLD: f64 = 20.0;
-
-/// The columns of the ends, and the tables of the bodies that these name.
-const ENDS: [&str; 2] = ["a", "b"];
-const BODIES: [Table; 2] = [Table::Objects, Table::Objectives];
-
-impl Document {
     /// The ends of a row of links.csv, pixels; `None` where one of them is no place and no body.
     pub fn link_ends(&self, row: RowId) -> Option<[DVec2; 2]> {
         let end = |column| match point(self.cell(row, column)?) {

@@ -32,7 +32,7 @@ const ROW_INSET: f32 = 24.0;
 /// Width of a row's end where it is chosen for a race.
 const BOX: f32 = 120.0;
 /// Where the columns stand, from the panel's left edge: whose, what it is, time and score (their right ends), the box (its middle).
-const COLUMNS: [f32; 5] = [40.0, 288.0, 656.0, 752.0, 824.0];
+const COLUMNS: [f32; 5] = [40.0, 224.0, 660.0, 756.0, 828.0];
 /// What moves the choice.
 const KEYS: [Key; 6] = [Key::Up, Key::Down, Key::PageUp, Key::PageDown, Key::Home, Key::End];
 

@@ -129,11 +129,12 @@ impl Editor {
             widgets::panel_in(canvas, area, ground, if on { theme::accent() } else { theme::panel_edge() });
             self.draw_act(canvas, (act, picture), Area::around(area.centre(), Vec2::splat(15.0)));
             if touch.hover {
-                pass.tip = Some(if key.is_empty() {
-                    tr(label).to_owned()
+                let what = if matches!(act, Act::Group | Act::Lock) {
+                    tr!("{what}, while the editor is open", what = tr(label))
                 } else {
-                    tr!("{what} · key {key}", what = tr(label), key = tr(key))
-                });
+                    tr(label).to_owned()
+                };
+                pass.tip = Some(if key.is_empty() { what } else { tr!("{what} · key {key}", what, key = tr(key)) });
             }
             pressed = pressed.or(touch.pressed.then_some(act));
             if pass.open && area.contains(pass.pointer) && ui.input().click {

@@ -197,8 +197,9 @@ impl Screen for Editor {
     }
 
     /// A large window is left to the picture.
-    fn text_scale(&self, _: &Settings, pixel: f32) -> f32 {
-        layout::text_scale(pixel)
+    /// Its panes have no room for larger words.
+    fn with_words(&self, frame: Frame, _: &Settings) -> Frame {
+        frame.with_text(layout::text_scale(frame.pixel))
     }
 }
 

@@ -5,8 +5,10 @@ use super::picture::{edge, material};
 use super::{Editor, EditorPass};
 use crate::draw::layout::{Area, Vec2};
 use crate::draw::{Canvas, Colour};
+use crate::level::Landscape;
 use crate::level::document::{RowId, SetCell};
 use crate::ui::{Ui, WidgetKind};
+use crate::view::sky::WorldPalette;
 use crate::view::theme;
 
 /// The steps of marks along a block, canvas units, and the most of them.
@@ -103,6 +105,35 @@ impl Editor {
             self.set(&self.selection.iter().flat_map(cells).collect::<Vec<_>>());
         }
     }
+}
+
+/// The worlds in small at the right of a setting's field; the one that is pressed, by its word.
+pub(super) fn show_worlds(
+    ui: &mut Ui<'_>,
+    pass: &mut EditorPass,
+    (field, now): (Area, &str),
+    words: &[&'static str],
+) -> Option<&'static str> {
+    let size = Vec2::new(0.45, 1.0) * (field.size.y - 2.0 * BETWEEN);
+    let (pitch, mut pressed) = (size.x + 3.0, None);
+    let left = field.max().x - BETWEEN - Landscape::ALL.len() as f32 * pitch;
+    let worlds = words.iter().filter(|word| !word.is_empty()).zip(Landscape::ALL);
+    for (index, (word, landscape)) in worlds.enumerate() {
+        let area = Area { min: Vec2::new(left + index as f32 * pitch, field.min.y + BETWEEN), size };
+        let touch = ui.touch(word, area, WidgetKind::Tool);
+        let palette = WorldPalette::of(landscape);
+        ui.canvas().rectangle(area, palette.sky_at(0.4));
+        ui.canvas()
+            .rectangle(Area { min: area.min + size * Vec2::new(0.0, 0.6), size: size * Vec2::new(1.0, 0.4) }, palette.rock[0]);
+        if touch.hover {
+            pass.tip = Some((*word).to_owned());
+        }
+        if touch.hover || now.eq_ignore_ascii_case(word) {
+            edge(ui.canvas(), area.inset(-1.5), 1.5, theme::accent());
+        }
+        pressed = pressed.or(touch.pressed.then_some(*word));
+    }
+    pressed
 }
 
 /// A material as the picture shows it, beside its name in a field.

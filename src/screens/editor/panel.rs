@@ -2,7 +2,7 @@
 //! the files as it is typed.
 
 use super::layout::{BETWEEN, INSIDE, OFFERS};
-use super::nature::draw_material;
+use super::nature::{draw_material, show_worlds};
 use super::{Editor, EditorPass};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2, wrapped};
 use crate::draw::{Canvas, Style};
@@ -156,7 +156,7 @@ impl Editor {
         let (canvas, input) = (ui.canvas(), ui.input());
         canvas.rectangle(self.panes.right, theme::panel());
         self.draw_heading(canvas);
-        let mut under = None;
+        let (mut under, mut world) = (None, None);
         for (index, field) in self.panel.fields.iter().enumerate() {
             let (area, name) = (self.panes.field(index), field.column.name);
             let typing = self.panel.typing.as_ref().filter(|typing| typing.name == name);
@@ -171,6 +171,9 @@ impl Editor {
                 let text = field.text.as_deref().unwrap_or_default();
                 draw_material(canvas, area, if text.is_empty() { field.column.usual } else { text });
             }
+            if name == "world" {
+                world = show_worlds(ui, pass, (area, field.text.as_deref().unwrap_or_default()), &field.column.choices());
+            }
             under = under.or(area.contains(input.pointer).then_some(index));
         }
         self.show_swatches(ui, pass);
@@ -184,7 +187,13 @@ impl Editor {
             return self.take_picture(&picture);
         }
         let (gesture, clicked) = (self.gesture + 1, input.click || input.right_click);
-        let write = if clicked { self.panel.click(under, input, gesture) } else { self.panel.type_in(input, gesture) };
+        let write = if let Some(world) = world {
+            Some(CellWrite::Setting("world", world.to_owned(), gesture))
+        } else if clicked {
+            self.panel.click(under, input, gesture)
+        } else {
+            self.panel.type_in(input, gesture)
+        };
         match write {
             Some(CellWrite::Cells(cells, gesture)) => self.set_as(&self.document.with_law(cells), gesture),
             Some(CellWrite::Setting(name, text, gesture)) => {

@@ -55,7 +55,8 @@ impl Editor {
                 let colour = colour(Kind::Switch).faded(0.8);
                 let (a, b) = (self.view.point(from.centre()), self.view.point(to.centre()));
                 canvas.line(a, b, if wire.inverted { 1.0 } else { 2.0 }, colour);
-                canvas.disc(b, 3.5, if wire.inverted { theme::bad() } else { colour });
+                // Open, as in plans of circuits.
+                if wire.inverted { canvas.ring(b, 5.0, 2.0, theme::bad()) } else { canvas.disc(b, 3.5, colour) }
             }
         }
     }

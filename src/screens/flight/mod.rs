@@ -87,8 +87,9 @@ impl Screen for Flight {
         self.is_watched() || self.open.pause.is_some() || is_of_level(path)
     }
 
-    fn text_scale(&self, settings: &Settings, _: f32) -> f32 {
-        if self.open.pause.is_none() { f32::from(settings.scale) / 100.0 } else { 1.0 }
+    fn with_words(&self, frame: Frame, settings: &Settings) -> Frame {
+        let scale = f32::from(settings.scale) / 100.0;
+        if self.open.pause.is_none() { frame.with_text(scale) } else { frame.with_legible(scale.max(1.0)) }
     }
 
     fn tell_of_settings(&mut self, settings: &Settings, problems: &[String]) {
@@ -188,13 +189,14 @@ impl Screen for Flight {
         let focus = if self.is_looked_at() { focus } else { focus.on_nobody() };
         let (details, hitboxes, watched, map) = (self.seen.details, self.seen.hitboxes, self.is_watched(), self.shows_all());
         let picture = self.seen.picture;
+        let still = self.open.pause.is_some() || self.seen.instruments.holds_view();
         Some(GameScene {
             game: &self.run.game,
             alpha: self.alpha(),
             room: self.seen.instruments.room(&above),
             overlays: Overlays { settings: Settings::default(), details, picture, shown, focus, hitboxes, watched, map },
-            speed: if self.open.pause.is_some() { 0.0 } else { self.seen.observer.speed() * self.slowness() },
-            paused: self.open.pause.is_some(),
+            speed: if still { 0.0 } else { self.seen.observer.speed() * self.slowness() },
+            paused: still,
             quiet: false,
             ghosts: self.ghosts(),
             panels: self.panels(frame),
@@ -317,6 +319,7 @@ impl Flight {
             varied: (!self.is_watched()).then(|| self.varied()),
             seekable: self.is_watched() || self.seen.observer.frozen() || self.run.game.outcome() != Outcome::Running,
             before: self.before(),
+            seen: !self.seen.picture,
             sign: if self.is_watched() { 0.0 } else { self.time_room(frame) },
         }
     }

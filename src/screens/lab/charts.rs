@@ -3,8 +3,8 @@
 //! A chart of several curves, one of which the player picks out: by keys, or by its line in the legend.
 
 use super::BACK;
-use crate::draw::Style;
-use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, TEXT, Vec2};
+use crate::draw::{Canvas, Colour, Style};
 use crate::lab::curve::{ANOTHER_BUILD, Measured, OverTime};
 use crate::lab::drawing::diagram::{self, DiagramPlaces, Picked, with_unit};
 use crate::lab::drawing::timeline;
@@ -33,14 +33,14 @@ impl ChartsPage {
 
     pub(super) fn show(&mut self, ui: &mut Ui<'_>, body: Area) -> Option<Request> {
         let request = self.show_tools(ui);
-        let panel = panel(body);
+        let panel = panel(body, &ui.frame());
         let Some(measured) = self.shown.charts.diagrams.get(self.scene) else {
             self.draw_words(ui, panel, None);
             ui.panel(panel);
             ui.text(tr("There are no charts to show."), panel.centre(), Style::new(TEXT, theme::quiet()).centred().middle());
             return request;
         };
-        let plot = DiagramPlaces::of(panel, measured);
+        let plot = DiagramPlaces::of(panel, measured, &ui.frame());
         let lines = measured.curves.iter().enumerate().map(|(line, curve)| (curve.name.as_str(), plot.legend(line)));
         let curve = self.legend.show(ui, lines);
         self.draw_words(ui, panel, curve);
@@ -102,28 +102,21 @@ impl ChartsPage {
     /// The title above the chart; below it the verdict and the source, or the rule of the picked method and what it uses.
     fn draw_words(&self, ui: &Ui<'_>, panel: Area, curve: Option<usize>) {
         let (canvas, widest) = (ui.canvas(), panel.size.x);
-        let below = |down: f32| Vec2::new(panel.centre().x, panel.max().y + down);
-        if let Some(problem) = &self.shown.problem {
-            widgets::fitted(canvas, problem, below(42.0), widest, &[TEXT, DETAILS], theme::bad());
-        }
         let Some(measured) = self.measured() else { return };
         let title = Vec2::new(panel.centre().x, panel.min.y - 20.0);
         widgets::fitted(canvas, tr(&measured.title), title, widest - 240.0, &[BUTTON_TEXT, TEXT], theme::text());
         let count = tr!("{number} of {count}", number = self.scene + 1, count = self.shown.charts.diagrams.len());
         ui.text(&count, Vec2::new(panel.max().x, title.y), Style::new(TEXT, theme::quiet()).mono().middle().right());
         if let Some(lines) = curve.and_then(|curve| about(&measured.curves[curve].name)) {
-            for (words, down) in lines.iter().zip([18.0, 42.0]) {
-                widgets::fitted(canvas, words, below(down), widest, &[TEXT, DETAILS], theme::text());
-            }
-            return;
+            return words_below(canvas, panel, lines.each_ref().map(|words| (words.as_str(), TEXT, theme::text())));
         }
-        if let Some(verdict) = self.verdict() {
-            widgets::fitted(canvas, &verdict, below(18.0), widest, &[TEXT, DETAILS], theme::text());
-        }
-        if self.shown.problem.is_none() {
-            let words = if measured.note.is_empty() { self.source() } else { tr(&measured.note).to_owned() };
-            widgets::fitted(canvas, &words, below(42.0), widest, &[DETAILS], theme::quiet());
-        }
+        let (second, size, colour) = match &self.shown.problem {
+            Some(problem) => (problem.clone(), TEXT, theme::bad()),
+            None if measured.note.is_empty() => (self.source(), DETAILS, theme::quiet()),
+            None => (tr(&measured.note).to_owned(), DETAILS, theme::quiet()),
+        };
+        let verdict = self.verdict().unwrap_or_default();
+        words_below(canvas, panel, [(&verdict, TEXT, theme::text()), (&second, size, colour)]);
     }
 
     fn verdict(&self) -> Option<String> {
@@ -190,7 +183,9 @@ pub(super) fn about(method: &str) -> Option<[String; 2]> {
 
 /// Height of a page's title, and of its words below the chart.
 pub(super) const TITLE: f32 = 40.0;
-pub(super) const WORDS: f32 = 56.0;
+const WORDS: f32 = 56.0;
+/// The same in heights of small text, where that is large.
+const LARGE_WORDS: f32 = 4.3;
 
 /// The tool that picks out the next curve.
 pub(super) const METHOD: (&str, Key, &str) = ("Method", Key::Down, "↓");
@@ -226,7 +221,27 @@ impl LegendPick {
     }
 }
 
-/// The room of a page's chart.
-pub(super) fn panel(body: Area) -> Area {
-    Area::new(body.min.x, body.min.y + TITLE, body.size.x, body.size.y - TITLE - WORDS)
+/// The room of a page's chart: the words below it have two lines, or four where they are large.
+pub(super) fn panel(body: Area, frame: &Frame) -> Area {
+    let words = WORDS.max(LARGE_WORDS * frame.text_height(DETAILS));
+    Area::new(body.min.x, body.min.y + TITLE, body.size.x, body.size.y - TITLE - words)
+}
+
+/// Two texts below a chart, each of a size: a line each, or, where they are too wide for that, as many as there is room for.
+pub(super) fn words_below(canvas: &Canvas, panel: Area, texts: [(&str, f32, Colour); 2]) {
+    let (widest, from) = (panel.size.x, Vec2::new(panel.centre().x, panel.max().y));
+    let small = |colour| Style::new(DETAILS, colour).centred().middle();
+    if canvas.frame().text <= 1.0 {
+        for ((words, size, colour), down) in texts.into_iter().zip([18.0, 42.0]) {
+            widgets::fitted(canvas, words, from + Vec2::new(0.0, down), widest, &[size, DETAILS], colour);
+        }
+        return;
+    }
+    let lines = texts.into_iter().flat_map(|(words, _, colour)| {
+        widgets::lines(canvas, words, widest, small(colour)).into_iter().map(move |line| (line, colour))
+    });
+    for (row, (line, colour)) in lines.take(4).enumerate() {
+        let down = (row as f32 + 0.7) * 1.05 * canvas.frame().text_height(DETAILS);
+        canvas.text(&line, from + Vec2::new(0.0, down), small(colour));
+    }
 }

@@ -33,6 +33,8 @@ use survival::SurvivalPage;
 const BACK: (&str, Key, &str) = ("Back", Key::Escape, "Esc");
 const TAB: Vec2 = Vec2::new(148.0, 40.0);
 const TABS_AT: f32 = 16.0;
+/// The room of the key behind the tabs.
+const HINT: f32 = 64.0;
 /// From a page to the canvas' top, foot and sides.
 const TOP: f32 = 72.0;
 const FOOT: f32 = 88.0;
@@ -94,11 +96,16 @@ impl Lab {
     }
 
     fn show_tabs(&mut self, ui: &mut Ui<'_>) {
-        let pitch = TAB.x + GAP;
-        let left = (ui.frame().size.x - (PAGES.len() as f32 * pitch - GAP)) / 2.0;
-        let mut end = left;
-        for (i, (page, label)) in PAGES.into_iter().enumerate() {
-            let area = Area { min: Vec2::new(left + i as f32 * pitch, TABS_AT), size: TAB };
+        let words = PAGES.map(|(_, label)| ui.canvas().width(tr(label), Style::new(TEXT, theme::text())) + 1.5 * GAP);
+        let gaps = (PAGES.len() - 1) as f32 * GAP;
+        let room = ui.frame().size.x - 2.0 * MARGIN - HINT;
+        let sum = words.iter().sum::<f32>() + gaps;
+        // Large words have tabs of their own widths.
+        let widths = if sum > room || words.iter().all(|width| *width <= TAB.x) { [TAB.x; PAGES.len()] } else { words };
+        let whole = widths.iter().sum::<f32>() + gaps;
+        let mut end = ((ui.frame().size.x - whole) / 2.0).min(MARGIN + room - whole) - GAP;
+        for ((page, label), width) in PAGES.into_iter().zip(widths) {
+            let area = Area::new(end + GAP, TABS_AT, width, TAB.y);
             let touch = ui.touch(label, area, WidgetKind::Tool);
             if touch.pressed {
                 self.page = page;

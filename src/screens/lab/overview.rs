@@ -2,7 +2,7 @@
 
 use super::BACK;
 use crate::draw::Style;
-use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, GAP, PADDING, TEXT, Vec2};
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, GAP, PADDING, TEXT, Vec2};
 use crate::lab::charts::Charts;
 use crate::lab::curve::Measured;
 use crate::lab::drawing::overview;
@@ -60,7 +60,7 @@ impl OverviewPage {
             let (title, sentence, _) = PICTURES[2];
             ui.panel(body);
             head(ui, body, title, sentence);
-            overview::savings(ui.canvas(), inside(body), &charts.savings);
+            overview::savings(ui.canvas(), inside(body, &ui.frame()), &charts.savings);
             return None;
         }
         let diagram = |name: &str| charts.diagrams.iter().find(|measured| measured.name == name);
@@ -82,10 +82,10 @@ impl OverviewPage {
             head(ui, area, title, sentence);
             match *onwards {
                 Onwards::Chart(name) => {
-                    diagram(name).into_iter().for_each(|found| overview::diagram(ui.canvas(), inside(area), found))
+                    diagram(name).into_iter().for_each(|found| overview::diagram(ui.canvas(), inside(area, &ui.frame()), found))
                 }
-                Onwards::Stability => overview::plane(ui.canvas(), inside(area), regions),
-                Onwards::Savings => overview::savings(ui.canvas(), inside(area), &charts.savings),
+                Onwards::Stability => overview::plane(ui.canvas(), inside(area, &ui.frame()), regions),
+                Onwards::Savings => overview::savings(ui.canvas(), inside(area, &ui.frame()), &charts.savings),
                 Onwards::Back => {}
             }
             if touch.focus {
@@ -115,12 +115,17 @@ fn head(ui: &Ui<'_>, area: Area, title: &str, sentence: &str) {
     widgets::fitted(ui.canvas(), tr(title), at(TITLE / 2.0 + 2.0), widest, &[BUTTON_TEXT, TEXT], theme::text());
     let style = Style::new(DETAILS, theme::quiet()).centred().middle();
     for (row, line) in widgets::lines(ui.canvas(), tr(sentence), widest, style).iter().enumerate() {
-        ui.canvas().text(line, at(TITLE + (row as f32 + 0.5) * LINE - 4.0), style);
+        ui.canvas().text(line, at(TITLE + (row as f32 + 0.5) * line_of(&ui.frame()) - 4.0), style);
     }
 }
 
+/// From one line of its sentence to the next.
+fn line_of(frame: &Frame) -> f32 {
+    LINE.max(1.05 * frame.text_height(DETAILS))
+}
+
 /// The room of the picture in its card.
-fn inside(area: Area) -> Area {
-    let down = TITLE + 2.0 * LINE;
+fn inside(area: Area, frame: &Frame) -> Area {
+    let down = TITLE + 2.0 * line_of(frame);
     Area::new(area.min.x + PADDING, area.min.y + down, area.size.x - 2.0 * PADDING, area.size.y - down - 8.0)
 }

@@ -4,6 +4,7 @@
 
 use super::BACK;
 use super::charts::{self, LegendPick, METHOD, panel};
+use crate::draw::chart::{Marker, marker};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::drawing::plane::{self, Plane};
@@ -48,7 +49,7 @@ impl StabilityPage {
         } else if ui.key(Key::Up) {
             self.legend.go(-1, self.regions.len());
         }
-        let plane = Plane::of(panel(body));
+        let plane = Plane::of(panel(body, &ui.frame()), &ui.frame());
         let (middle, widest) = (plane.panel.centre().x, plane.panel.size.x);
         let at = |y: f32| Vec2::new(middle, y);
         widgets::fitted(ui.canvas(), tr(REGIONS_TITLE), at(plane.panel.min.y - 20.0), widest, &[BUTTON_TEXT, TEXT], theme::text());
@@ -57,9 +58,7 @@ impl StabilityPage {
         plane::draw(ui.canvas(), &plane, &self.regions, picked);
         let words =
             picked.and_then(|picked| about(&self.regions[picked])).unwrap_or(plane::WORDS.map(|words| tr(words).to_owned()));
-        for (words, down) in words.iter().zip([18.0, 42.0]) {
-            widgets::fitted(ui.canvas(), words, at(plane.panel.max().y + down), widest, &[TEXT, DETAILS], theme::text());
-        }
+        charts::words_below(ui.canvas(), plane.panel, words.each_ref().map(|words| (words.as_str(), TEXT, theme::text())));
         (tool == Some("Back")).then_some(Request::Pop)
     }
 }
@@ -95,13 +94,14 @@ pub(super) fn show(ui: &mut Ui<'_>, body: Area) -> Option<Request> {
         }
         at.y += canvas.line_height(TEXT);
     }
-    for (name, colour) in [
-        ("explicit Euler", theme::bad()),
-        ("semi-implicit Euler", theme::player_objective()),
-        ("exact, and the shipped engine", theme::good()),
+    for (name, colour, mark) in [
+        ("explicit Euler", theme::bad(), Some(Marker::Square)),
+        ("semi-implicit Euler", theme::player_objective(), Some(Marker::Up)),
+        ("exact, and the shipped engine", theme::good(), None),
     ] {
         let middle = Vec2::new(at.x, at.y + 0.5 * canvas.line_height(TEXT));
         canvas.line(middle, middle + Vec2::new(36.0, 0.0), 2.0, colour);
+        mark.into_iter().for_each(|mark| marker(canvas, middle + Vec2::new(18.0, 0.0), mark, colour));
         canvas.text(tr(name), middle + Vec2::new(48.0, 0.0), Style::new(TEXT, theme::text()).middle());
         at.y += canvas.line_height(TEXT);
     }
@@ -127,11 +127,12 @@ fn draw_picture(canvas: &Canvas, area: Area) {
     canvas.text("x", middle + Vec2::new(reach + 8.0, 0.0), quiet);
     canvas.text("v/ω", middle + Vec2::new(8.0, 6.0 - reach), quiet);
     canvas.ring(middle, radius + 1.0, 2.0, theme::good());
-    let lines: [(MotionStep, Colour); 2] = [(semi_implicit_euler, theme::player_objective()), (explicit_euler, theme::bad())];
-    for (step, colour) in lines {
+    let lines: [(MotionStep, Colour, Marker); 2] =
+        [(semi_implicit_euler, theme::player_objective(), Marker::Up), (explicit_euler, theme::bad(), Marker::Square)];
+    for (step, colour, mark) in lines {
         let corners: Vec<Vec2> = steps(step).into_iter().map(at).collect();
         corners.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], 2.0, colour));
-        corners.iter().for_each(|corner| canvas.disc(*corner, 3.5, colour));
+        corners.iter().for_each(|corner| marker(canvas, *corner, mark, colour));
     }
     let words = tr!("ω·h = {turn}", turn = TURN);
     canvas.text(&words, Vec2::new(area.centre().x, area.max().y - PADDING), quiet.centred());

@@ -29,6 +29,7 @@ const BETWEEN: f32 = 16.0;
 /// From the large picture's panel to the words on its test, at its top, and to the picture, at its foot.
 const HEAD: f32 = 80.0;
 const FOOT: f32 = 92.0;
+const LARGE_FOOT: f32 = 140.0;
 /// Lines of the words on its test.
 const SENTENCE: f32 = 3.0;
 
@@ -129,14 +130,18 @@ impl SurvivalPage {
         let (middle, widest) = (panel.centre().x, panel.size.x - 2.0 * PADDING);
         let name = if row.shipped { theme::accent() } else { theme::text() };
         widgets::fitted(canvas, tr(&row.method), Vec2::new(middle, panel.min.y + 28.0), widest, &[BUTTON_TEXT, TEXT], name);
-        widgets::fitted(canvas, tr(&row.test), Vec2::new(middle, panel.min.y + 58.0), widest, &[TEXT, DETAILS], theme::quiet());
+        // Its line of the table names the test, too.
+        if canvas.width(tr(&row.test), Style::new(DETAILS, name)) <= widest {
+            widgets::fitted(canvas, tr(&row.test), Vec2::new(middle, panel.min.y + 58.0), widest, &[TEXT, DETAILS], theme::quiet());
+        }
         let (style, line) = (Style::new(DETAILS, theme::text()).middle().centred(), canvas.line_height(DETAILS));
         let sentence = self.tried.get(row.test.as_str()).map_or("", |sentence| tr(sentence));
         for (i, words) in widgets::lines(canvas, sentence, widest, style).iter().enumerate() {
             canvas.text(words, Vec2::new(middle, panel.min.y + HEAD + (i as f32 + 0.5) * line), style);
         }
+        let foot = if canvas.frame().text > 1.0 { LARGE_FOOT } else { FOOT };
         let head = HEAD + SENTENCE * line + PADDING / 2.0;
-        let stage = Area::new(panel.min.x + PADDING, panel.min.y + head, widest, panel.size.y - head - FOOT);
+        let stage = Area::new(panel.min.x + PADDING, panel.min.y + head, widest, panel.size.y - head - foot);
         let Some(drawn) = self.picture(index) else {
             let words = if row.shipped { tr("It refuses all of them.") } else { tr("There is no picture of this.") };
             return canvas.text(words, stage.centre(), Style::new(TEXT, theme::quiet()).middle().centred());
@@ -145,11 +150,17 @@ impl SurvivalPage {
         let survives = row.largest >= row.tried;
         let (words, colour) = if survives { (tr("It still holds at"), theme::good()) } else { (tr("It fails at"), theme::bad()) };
         let words = format!("{words} {}", short(drawn.value));
-        let foot = stage.max().y;
-        widgets::fitted(canvas, &words, Vec2::new(middle, foot + 24.0), widest, &[TEXT], colour);
-        widgets::fitted(canvas, tr(&row.parameter), Vec2::new(middle, foot + 48.0), widest, &[TEXT, DETAILS], theme::quiet());
+        let mut at = Vec2::new(middle, stage.max().y + 24.0);
         let legend = tr("green: exact, and within the tolerance");
-        widgets::fitted(canvas, legend, Vec2::new(middle, foot + 72.0), widest, &[TEXT, DETAILS], theme::good());
+        for (words, colour) in [(words.as_str(), colour), (tr(&row.parameter), theme::quiet()), (legend, theme::good())] {
+            let style = |size: f32| Style::new(size, colour).middle().centred();
+            let fits = |size: &f32| canvas.width(words, style(*size)) <= widest;
+            let style = style([TEXT, DETAILS].into_iter().find(fits).unwrap_or(DETAILS));
+            for line in widgets::lines(canvas, words, widest, style) {
+                canvas.text(&line, at, style);
+                at.y += 24.0;
+            }
+        }
     }
 }
 
@@ -180,8 +191,10 @@ fn draw_test(canvas: &Canvas, line: Area, (test, parameter): (&str, &str), ruled
     canvas.text(test, Vec2::new(left, line.centre().y), style);
     let room = right - left - canvas.width(test, style) - 24.0;
     let quiet = |size: f32| Style::new(size, theme::quiet()).middle().right();
-    let size = if canvas.width(parameter, quiet(TEXT)) <= room { TEXT } else { DETAILS };
-    canvas.text(parameter, Vec2::new(right, line.centre().y), quiet(size));
+    // Where it has no room it stands below the large picture alone.
+    if let Some(size) = [TEXT, DETAILS].into_iter().find(|size| canvas.width(parameter, quiet(*size)) <= room) {
+        canvas.text(parameter, Vec2::new(right, line.centre().y), quiet(size));
+    }
 }
 
 fn line_colour(row: &Survival) -> Colour {

@@ -8,6 +8,7 @@ use super::{Asked, LevelSelect, PickFor};
 use crate::draw::Style;
 use crate::draw::layout::{Frame, GAP, ROW_BUTTON, TEXT, Vec2};
 use crate::files;
+use crate::import;
 use crate::level::{self, Awards, scaffold};
 use crate::pack::{self, Installed};
 use crate::screens::screen::{Destination, Effect, Make, OnLevel, Purpose, Request};
@@ -57,21 +58,21 @@ impl LevelSelect {
         screen
     }
 
-    /// Installs an archive, and says what became of it.
+    /// Installs an archive or a map of Tiled, and says what became of it.
     pub fn installed(path: &Path, session: &mut Session) -> Self {
         let installed = match session.brought.take() {
             Some(Brought::Installed(installed)) => installed,
-            _ => pack::install_file(path, session.library.levels(), session.library.root()),
+            _ => import::take_in(path, session.library.levels(), session.library.root()),
         };
         let (heading, lines) = match installed {
-            Ok(Installed::New(folder)) => {
+            Ok((Installed::New(folder), said)) => {
                 session.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
                 (
                     tr!("Installed: {level}", level = session.last_level.as_deref().unwrap_or_default()),
-                    vec![folder.display().to_string()],
+                    [folder.display().to_string()].into_iter().chain(said).collect(),
                 )
             }
-            Ok(Installed::Already(folder, more)) => {
+            Ok((Installed::Already(folder, more), _)) => {
                 session.last_level = folder.file_name().map(|name| name.to_string_lossy().into_owned());
                 let beside = more.into_iter().map(|file| tr!("also in its folder: {file}", file));
                 (tr("This level is there already").to_owned(), [folder.display().to_string()].into_iter().chain(beside).collect())
@@ -240,7 +241,7 @@ impl LevelSelect {
 
     #[cfg(not(all(feature = "window", browser)))]
     fn ask_for_file(&mut self) {
-        self.ask(tr("Which file? Write its path here, or drop it on the window.").to_owned(), "", Asked::Import);
+        self.ask(tr("Which file? Its path (.zip, .tmj, .tmx), or drop it here.").to_owned(), "", Asked::Import);
     }
 
     /// The browser has a list of files of its own.

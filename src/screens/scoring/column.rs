@@ -1,6 +1,6 @@
 //! The column of the result: what came of the flight, its medals, the parts of its score.
 
-use super::{ROW, Scoring, WIDTH};
+use super::{MAIN, ROW, Scoring, WIDTH};
 use crate::draw::layout::{BUTTON_TEXT, DETAILS, GRID, HEADING, TEXT, TITLE, Vec2};
 use crate::draw::{Colour, Style};
 use crate::game::{Outcome, goals};
@@ -63,7 +63,9 @@ impl Scoring {
 
     fn show_parts(&self, ui: &Ui<'_>, left: f32) {
         let right = left + WIDTH;
-        let mut y = LINES[4];
+        let text = ui.frame().text_height(DETAILS);
+        // Large words begin higher, so that all of them end above the buttons.
+        let mut y = LINES[4] - (1.6 * (text - DETAILS)).clamp(0.0, 24.0);
         for (i, (words, reached, measure, points)) in self.parts().into_iter().enumerate() {
             let lost = i == 0 && self.result.outcome != Outcome::Completed;
             let style = Style::new(TEXT, if lost { theme::bad() } else { effect(points) }).middle();
@@ -73,8 +75,9 @@ impl Scoring {
             let reached_at = right - ui.canvas().width("+00000", number) - GRID;
             ui.text(&reached, Vec2::new(reached_at, y), number);
             if !measure.is_empty() {
-                y += 0.6 * ROW;
-                ui.text(&measure, Vec2::new(left, y), Style::new(DETAILS, theme::quiet()).middle());
+                y += (0.6 * ROW).max(1.02 * text);
+                let quiet = Style::new(DETAILS, theme::quiet()).middle();
+                ui.text(&widgets::cut(ui.canvas(), &measure, WIDTH, quiet), Vec2::new(left, y), quiet);
             }
             y += 0.85 * ROW;
         }
@@ -97,10 +100,13 @@ impl Scoring {
                 let size = 1.0 + LARGER * (1.0 - stamp.min(1.0)).powi(2);
                 widgets::draw(ui.canvas(), goal.prize, true, middle, RADIUS * size as f32);
             }
-            ui.text(&goal.asks, middle + Vec2::new(RADIUS + GRID, 0.0), Style::new(TEXT, theme::text()).middle());
             let (words, colour) =
                 goal.missing.as_deref().map_or((tr("earned"), theme::good()), |missing| (missing, theme::quiet()));
-            ui.text(words, Vec2::new(left + WIDTH, middle.y), Style::new(DETAILS, colour).middle().right());
+            let missing = Style::new(DETAILS, colour).middle().right();
+            ui.text(words, Vec2::new(left + WIDTH, middle.y), missing);
+            let asks = Style::new(TEXT, theme::text()).middle();
+            let room = WIDTH - 2.0 * RADIUS - 2.0 * GRID - ui.canvas().width(words, missing);
+            ui.text(&widgets::cut(ui.canvas(), &goal.asks, room, asks), middle + Vec2::new(RADIUS + GRID, 0.0), asks);
         }
     }
 
@@ -126,8 +132,10 @@ impl Scoring {
         let saved = self.saved_for.as_ref().map(|player| tr!("Saved for {player}.", player));
         let remark = saved.unwrap_or_else(|| self.remark.clone());
         let quiet = Style::new(DETAILS, theme::quiet()).middle();
-        for (i, words) in widgets::lines(ui.canvas(), &remark, WIDTH, quiet).iter().take(3).enumerate() {
-            ui.text(words, line(5) + Vec2::new(0.0, i as f32 * ui.canvas().line_height(DETAILS)), quiet);
+        let pitch = ui.canvas().line_height(DETAILS).min(26.0);
+        let room = ((MAIN - LINES[5]) / pitch).ceil() as usize;
+        for (i, words) in widgets::lines(ui.canvas(), &remark, WIDTH, quiet).iter().take(room).enumerate() {
+            ui.text(words, line(5) + Vec2::new(0.0, i as f32 * pitch), quiet);
         }
     }
 }

@@ -145,8 +145,11 @@ impl Scoring {
         ];
         let words = figures.map(|(label, value, unit)| format!("{label} {} {unit}", fixed(value, 1))).join(" · ");
         let mut at = Vec2::new(EDGE, ui.frame().size.y - EDGE);
-        ui.text(&words, at, Style::new(DETAILS, theme::quiet()).middle());
-        at.y -= ROW;
+        let (style, room) = (Style::new(DETAILS, theme::quiet()).middle(), ui.frame().size.x - WIDTH - 4.0 * EDGE);
+        for line in widgets::lines(ui.canvas(), &words, room, style).iter().rev() {
+            ui.text(line, at, style);
+            at.y -= ROW;
+        }
         for (i, (whose, _)) in self.paths.iter().enumerate() {
             let colour = self.colour(i);
             ui.canvas().dashed(

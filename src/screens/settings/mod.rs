@@ -57,8 +57,9 @@ impl SettingsPanel {
     fn show_keys(&mut self, ui: &mut Ui<'_>, corner: Vec2) {
         let mut pressed = None;
         let shown = if self.all { Action::ALL.len() } else { FLYING };
+        let pitch = if self.all { KEYS.y } else { KEYS.y.max(1.3 * ui.frame().text_height(TEXT)) };
         for (row, action) in Action::ALL.into_iter().take(shown).enumerate() {
-            let area = Area::new(corner.x, corner.y + row as f32 * KEYS.y, KEYS.x, KEYS.y - 4.0);
+            let area = Area::new(corner.x, corner.y + row as f32 * pitch, KEYS.x, pitch - 4.0);
             let label = Vec2::new(area.min.x, area.centre().y);
             ui.text(tr(action.label()), label, Style::new(TEXT, theme::quiet()).middle());
             for slot in 0..SLOTS {
@@ -75,7 +76,7 @@ impl SettingsPanel {
                 pressed = pressed.or(touch.pressed.then_some((action, slot)));
             }
         }
-        let more = Area::new(corner.x, corner.y + (FLYING as f32 + 0.5) * KEYS.y, KEYS.x, KEYS.y + 4.0);
+        let more = Area::new(corner.x, corner.y + (FLYING as f32 + 0.5) * pitch, KEYS.x, pitch + 4.0);
         let style = Style::new(TEXT, theme::text()).centred();
         if !self.all && ui.small_button((ALL_KEYS, tr(ALL_KEYS)), more, style) {
             self.all = true;
@@ -130,15 +131,21 @@ impl SettingsPanel {
 
     /// What the keys do here, and what is wrong.
     fn show_hints(&self, ui: &Ui<'_>, mut at: Vec2) {
+        let large = ui.frame().text > 1.0;
+        let pitch = (1.08 * ui.frame().text_height(DETAILS)).max(18.0);
+        // Large words take the room below both lists, where the keys leave it.
+        let widest = if large { VALUES.x + BETWEEN + KEYS.x } else { VALUES.x };
         let mut line = |text: &str, colour| {
             let style = Style::new(DETAILS, colour).middle();
-            for words in widgets::lines(ui.canvas(), text, VALUES.x, style) {
+            for words in widgets::lines(ui.canvas(), text, widest, style) {
                 ui.text(&words, at, style);
-                at.y += 18.0;
+                at.y += pitch;
             }
         };
-        line(tr("Tab goes to the other list, ← → change a value; Enter sets a key, Del clears it."), theme::quiet());
-        line(tr("A gamepad flies too: stick turns, triggers thrust, Y restarts, Start pauses."), theme::quiet());
+        if !large || !self.all {
+            line(tr("Tab goes to the other list, ← → change a value; Enter sets a key, Del clears it."), theme::quiet());
+            line(tr("A gamepad flies too: stick turns, triggers thrust, Y restarts, Start pauses."), theme::quiet());
+        }
         if self.settings.assists.any() {
             line(tr("A flight with assists is marked and does not enter the board."), theme::accent());
         }

@@ -2,7 +2,7 @@
 
 mod drawing;
 
-use super::camera::{Camera, CanvasWindow, FIT_MARGIN, StirredObjects, Viewport};
+use super::camera::{Camera, CanvasWindow, FIT_LEAST, FIT_MARGIN, StirredObjects, Viewport};
 use super::details::{Details, Looking};
 use super::emitters::{Emitters, dust, objective_colour};
 use super::feedback::Feedback;
@@ -14,8 +14,9 @@ use super::terrain::Terrain;
 use super::textbook::BodyPicture;
 use super::things::{GENTLE, Touchdown, Wreck};
 use super::{hitboxes, mechanisms, theme, world};
-use crate::draw::layout::{Area, Frame, Vec2};
+use crate::draw::layout::{Area, Frame, LINE, Vec2, words_width};
 use crate::game::{Game, GameEvent, GhostPose, Outcome, SHIP};
+use crate::level::Text;
 use crate::number::fixed;
 use crate::physics::{Aabb, BodyId, DVec2};
 use crate::settings::Settings;
@@ -29,6 +30,8 @@ const GRAB: f32 = 12.0;
 const FRAMED: f64 = 1.3;
 /// What begins this near to the canvas' top, or ends twice as near to its foot, is a row along that edge, canvas units.
 const ROW: f32 = 32.0;
+/// Letters are measured at this height, canvas units.
+const TALL: f32 = 100.0;
 /// Solids up to this far beyond the view stop particles, m.
 const BARRIERS: f64 = 2.0;
 
@@ -320,12 +323,19 @@ fn shrunk(rooms: &Aabb) -> Aabb {
     Aabb::around(rooms.centre(), (half - (FIT_MARGIN - 1.0)).max(half.min(DVec2::ONE)))
 }
 
-/// The box around the ship, where it plays a part, objects and movers, m.
+/// The box around the ship, where it plays a part, objects and movers, m; in an experiment with all words that stand beside them in view.
 pub fn moving(game: &Game, alpha: f64) -> Aabb {
     let world = game.world();
     let bodies =
         ids(game).skip(usize::from(game.lead() != SHIP)).map(|id| Aabb::around(drawn_centre(game, id, alpha), world.body(id).half));
-    bodies.chain(mechanisms::movers(game)).reduce(|all, one| all.union(&one)).unwrap_or(world.body(SHIP).bounds())
+    let word = |text: &Text| {
+        let size = DVec2::new(f64::from(words_width(tr(&text.text), TALL) / TALL), f64::from(LINE)) * text.size;
+        // They need less room around them than arrows do.
+        let less = FIT_MARGIN - FIT_LEAST;
+        Aabb { min: text.position + less, max: text.position + size - less }
+    };
+    let words = game.level().texts.iter().filter(|_| game.level().experiment).map(word);
+    bodies.chain(mechanisms::movers(game)).chain(words).reduce(|all, one| all.union(&one)).unwrap_or(world.body(SHIP).bounds())
 }
 
 fn ids(game: &Game) -> impl Iterator<Item = BodyId> {

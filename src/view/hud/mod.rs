@@ -330,7 +330,11 @@ fn draw_fuel(share: f32, words: &str, area: Area, aside: f32, canvas: &Canvas) {
     }
     canvas.rectangle_edge(Area::new(at.x, at.y, size.x, size.y), 2.0 * (1.0 - aside), theme::panel_edge().faded(1.0 - aside));
     let style = Style { colour: colour.faded((1.0 - 2.0 * aside).max(0.0)), ..style };
-    canvas.text(words, Vec2::new(x, area.centre().y), style);
+    // What large words leave no room for is left out, key by key.
+    let fits = |words: &str| canvas.width(words, style) <= canvas.size().x - x - GRID;
+    let mut heads = std::iter::successors(Some(words), |words| Some(words.rsplit_once(" · ")?.0));
+    let shown = heads.find(|words| fits(words)).unwrap_or_default();
+    canvas.text(shown, Vec2::new(x, area.centre().y), style);
 }
 
 /// From yellow-orange when full to red when empty.

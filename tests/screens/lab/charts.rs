@@ -56,7 +56,7 @@ fn a_point_tells_what_it_is_when_it_is_pointed_at() {
     sitting.frame = Frame::of_window(Vec2::new(1920.0, 1080.0));
     sitting.rest();
     let measured = scene(&sitting).1;
-    let plot = DiagramPlaces::of(panel(&sitting), &measured);
+    let plot = DiagramPlaces::of(panel(&sitting), &measured, &sitting.frame);
     for (curve, points) in measured.curves.iter().enumerate() {
         for point in &points.points {
             let at = plot.at(point);

@@ -163,7 +163,7 @@ fn a_region_of_stability_is_picked_out_by_key_and_by_its_line() {
     // As many pixels for 1 to the right as upwards, and all of it in the panel.
     for (width, height) in SIZES {
         sitting.frame = Frame::of_window(Vec2::new(width, height));
-        let plane = Plane::of(panel(sitting.rest()));
+        let plane = Plane::of(panel(sitting.rest()), &sitting.frame);
         let unit = (plane.at((1.0, 1.0)) - plane.at((0.0, 0.0))).abs();
         assert!((unit.x - unit.y).abs() < 1e-3);
         assert!(plane.area.max().x < plane.legend(0).min.x && plane.legend(names.len() + 1).max().y < plane.panel.max().y);

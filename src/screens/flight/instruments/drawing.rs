@@ -20,6 +20,9 @@ impl Instruments {
         if seen && self.uses(Tool::Centre) {
             draw_centre((game, alpha), view, canvas);
         }
+        if seen && self.uses(Tool::Vary) {
+            self.vary.draw_places(game.level(), (view, canvas));
+        }
         if self.open {
             canvas.end_layer();
             self.measures.draw_grounds((game, alpha), (view, canvas));

@@ -43,13 +43,14 @@ pub struct FigureLine {
 pub struct Table {
     pub columns: Vec<String>,
     pub lines: Vec<FigureLine>,
-    pub bars: Vec<EnergyBar>,
+    pub bars: Vec<FigureBar>,
 }
 
-/// A kind of energy as bars, J, one a column.
+/// A kind of energy, J, or a part of the momentum, N·s, as bars, one a column.
 #[derive(Clone, Debug, PartialEq)]
-pub struct EnergyBar {
+pub struct FigureBar {
     pub name: &'static str,
+    pub unit: &'static str,
     pub colour: Colour,
     pub values: Vec<f64>,
 }
@@ -177,17 +178,22 @@ impl Figures {
         };
         let words = |words: String| FigureLine { name: words, subject: Subject::Words, values: Vec::new() };
         let elastic = states.iter().any(|state| state.elastic != 0.0);
-        let bar = |name: &'static str, colour, of: &dyn Fn(&EnergyState) -> f64| EnergyBar {
+        let bar = |name: &'static str, unit, colour, of: &dyn Fn(&EnergyState) -> f64| FigureBar {
             name,
+            unit,
             colour,
             values: states.iter().map(of).collect(),
         };
         let mut bars = vec![
-            bar(tr("Kinetic"), theme::VELOCITY, &|state| state.kinetic),
-            bar(tr("Potential"), theme::force(ForceKind::Weight), &|state| state.potential),
+            bar(tr("Kinetic"), "J", theme::VELOCITY, &|state| state.kinetic),
+            bar(tr("Potential"), "J", theme::force(ForceKind::Weight), &|state| state.potential),
         ];
-        bars.extend(elastic.then(|| bar(tr("Elastic"), theme::force(ForceKind::Spring), &|state| state.elastic)));
-        bars.push(EnergyBar { name: tr("Lost"), colour: theme::bad(), values: groups.iter().map(lost).collect() });
+        bars.extend(elastic.then(|| bar(tr("Elastic"), "J", theme::force(ForceKind::Spring), &|state| state.elastic)));
+        let lost: Vec<f64> = groups.iter().map(lost).collect();
+        bars.push(FigureBar { name: tr("Lost"), unit: "J", colour: theme::bad(), values: lost.clone() });
+        bars.push(bar(tr("Momentum x"), "N·s", theme::IMPACT, &|state| state.momentum.x));
+        let upwards = states.iter().any(|state| state.momentum.y != 0.0);
+        bars.extend(upwards.then(|| bar(tr("Momentum y"), "N·s", theme::IMPACT, &|state| -state.momentum.y)));
         let mut states_of_all = vec![
             line(tr("Momentum x"), Subject::Quantity, &|state| state.momentum.x, "N·s"),
             line(tr("Momentum y"), Subject::Quantity, &|state| -state.momentum.y, "N·s"),
@@ -196,12 +202,7 @@ impl Figures {
         ];
         states_of_all.extend(elastic.then(|| line(tr("Elastic energy"), Subject::Quantity, &|state| state.elastic, "J")));
         states_of_all.push(line(tr(if elastic { "Sum of all" } else { "Sum of both" }), Subject::Sum, &EnergyState::sum, "J"));
-        states_of_all.push(Number {
-            name: tr("Lost"),
-            subject: Subject::Quantity,
-            values: bars[bars.len() - 1].values.clone(),
-            unit: "J",
-        });
+        states_of_all.push(Number { name: tr("Lost"), subject: Subject::Quantity, values: lost, unit: "J" });
         let (mut lines, mut numbers) = (written(states_of_all), Vec::new());
         let heading = match (self.is_read, bodies > MOST_BODIES) {
             (true, _) => {

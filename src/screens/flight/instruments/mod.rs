@@ -75,6 +75,8 @@ pub struct Stage<'a> {
     pub varied: Option<vary::Varied<'a>>,
     /// Whether the world can go to another moment: in a pause or in a replay.
     pub seekable: bool,
+    /// Whether the level is seen, and no picture in its place.
+    pub seen: bool,
     /// The height above the flight's foot that its signs need, canvas units.
     pub sign: f32,
     /// The run before the last change of a varied level; its curves stay, pale, for comparison.
@@ -119,6 +121,11 @@ impl Instruments {
         if self.open {
             let covered = is_covered(self) || self.plot.is_picking();
             rest = self.measures.show(ui, &rest, stage, covered);
+        }
+        let free = self.uses(Tool::Vary) && stage.seen && !is_covered(self) && !ui.has_widget_at(input.pointer);
+        if let Some(varied) = &stage.varied {
+            let inside = rest.frame.area().contains(input.pointer);
+            self.vary.lead(&mut rest, (varied, stage.game.level()), free && inside);
         }
         let above = Frame { size: rest.frame.size - Vec2::new(0.0, stage.sign), ..rest.frame };
         self.vary.show(ui, &above, stage, self.uses(Tool::Vary));
@@ -179,6 +186,11 @@ impl Instruments {
     /// The area of the panel of varied numbers, while it is open.
     pub fn vary_area(&self) -> Option<Area> {
         self.vary.area()
+    }
+
+    /// Whether the pointer leads something in the level: the view stands still.
+    pub fn holds_view(&self) -> bool {
+        self.vary.holds_view()
     }
 
     /// For the caller that fulfils its wishes and reports the outcome.

@@ -1,6 +1,6 @@
 //! The panels at the left: the scales of the arrows, the table.
 
-use super::figures::{EnergyBar, FigureLine, Subject, in_focus};
+use super::figures::{FigureBar, FigureLine, Subject, in_focus};
 use super::measure::{Measures, TABLE_WORDS};
 use super::measured::colour;
 use super::vectors::Vector;
@@ -79,13 +79,15 @@ impl Measures {
     }
 }
 
-/// A line a kind of energy from `first` on, a bar in each column, all to one scale; `column` says where a column begins and how wide it is.
-fn draw_bars(canvas: &Canvas, bars: &[EnergyBar], (first, line): (Vec2, f32), column: &dyn Fn(usize) -> (f32, f32)) {
-    let all = || bars.iter().flat_map(|bar| &bar.values).copied();
-    let (least, most) = (all().fold(0.0, f64::min), all().fold(0.0, f64::max));
-    let span = (most - least).max(f64::MIN_POSITIVE);
-    let zero = (-least / span) as f32;
+/// A line a kind of energy or part of the momentum from `first` on, a bar in each column, all of a unit to one scale, where momentum has its zero in
+/// the middle; `column` says where a column begins and how wide it is.
+fn draw_bars(canvas: &Canvas, bars: &[FigureBar], (first, line): (Vec2, f32), column: &dyn Fn(usize) -> (f32, f32)) {
     for (row, bar) in bars.iter().enumerate() {
+        let all = || bars.iter().filter(|other| other.unit == bar.unit).flat_map(|bar| &bar.values).copied();
+        let (least, most) = (all().fold(0.0, f64::min), all().fold(0.0, f64::max));
+        let (least, most) = if bar.unit == "J" { (least, most) } else { (least.min(-most), most.max(-least)) };
+        let span = (most - least).max(f64::MIN_POSITIVE);
+        let zero = if span > f64::MIN_POSITIVE { (-least / span) as f32 } else { 0.0 };
         let at = first + Vec2::new(0.0, row as f32 * line);
         canvas.text(bar.name, at, Style::new(DETAILS, bar.colour).mono());
         for (i, value) in bar.values.iter().enumerate() {

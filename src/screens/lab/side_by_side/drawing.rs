@@ -18,9 +18,18 @@ fn colour_of(half: usize) -> Colour {
     if half == 0 { theme::player_objective() } else { theme::accent() }
 }
 
+/// A half's errors: the second half's line is dashed.
+fn draw_line(canvas: &Canvas, line: &[Vec2], half: usize) {
+    if half == 0 {
+        line.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], 2.0, colour_of(half)));
+    } else {
+        canvas.dashed(line, &[8.0, 5.0], 2.0, colour_of(half));
+    }
+}
+
 impl SideBySide {
     pub(super) fn draw(&self, canvas: &Canvas, body: Area) {
-        let halves = panels(body);
+        let halves = panels(body, canvas.frame());
         let title = Vec2::new(body.centre().x, body.min.y + 20.0);
         canvas.text(tr(self.exhibit().title), title, Style::new(BUTTON_TEXT, theme::text()).centred().middle());
         let small = self.halves().iter().any(|half| {
@@ -30,7 +39,7 @@ impl SideBySide {
         });
         let size = if small { DETAILS } else { TEXT };
         for (i, (half, panel)) in self.halves().iter().zip(halves).enumerate() {
-            self.draw_half(canvas, half, panel, (colour_of(i), size));
+            self.draw_half(canvas, half, panel, (i, size));
         }
         let (left, right) = (halves[0], halves[1]);
         let below = |top: f32, height: f32| Area::new(left.min.x, left.max().y + top, right.max().x - left.min.x, height);
@@ -57,7 +66,10 @@ impl SideBySide {
         widgets::panel(canvas, panel);
         let decades = Decades { from: -15, to: 2 };
         let quiet = Style::new(DETAILS, theme::quiet()).middle();
-        let named = [-15, -10, -5, 0].map(|exponent| (exponent, format!("{} m", power(exponent))));
+        // Large words leave room for every second one.
+        let each = if canvas.frame().text_height(DETAILS) > 0.25 * (panel.size.y - 20.0) { 2 } else { 1 };
+        let named = [-15, -10, -5, 0].into_iter().step_by(each).map(|exponent| (exponent, format!("{} m", power(exponent))));
+        let named: Vec<_> = named.collect();
         let left = named.iter().map(|(_, words)| canvas.width(words, quiet)).fold(0.0, f32::max) + 16.0;
         let area = Area::new(panel.min.x + left, panel.min.y + 10.0, panel.size.x - left - 12.0, panel.size.y - 20.0);
         let level = |error: f64| area.max().y - area.size.y * decades.part(error) as f32;
@@ -75,18 +87,24 @@ impl SideBySide {
                 Vec2::new(area.min.x + right, level(error))
             };
             let line: Vec<Vec2> = half.errors.iter().enumerate().map(place).collect();
-            line.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], 2.0, colour_of(i)));
+            draw_line(canvas, &line, i);
         }
     }
 
-    fn draw_half(&self, canvas: &Canvas, half: &Half<'_>, panel: Area, (colour, size): (Colour, f32)) {
+    fn draw_half(&self, canvas: &Canvas, half: &Half<'_>, panel: Area, (which, size): (usize, f32)) {
+        let colour = colour_of(which);
         widgets::panel(canvas, panel);
-        let name = Vec2::new(panel.centre().x, panel.min.y - super::HEAD + super::CHOICE.y / 2.0);
+        let name = Vec2::new(panel.centre().x, panel.min.y - super::head(canvas.frame()) + super::CHOICE.y / 2.0);
         widgets::fitted(canvas, tr(half.method), name, panel.size.x - 2.0 * super::CHOICE.x - 32.0, &[BUTTON_TEXT, TEXT], colour);
         let (rule, uses) = rules::of(half.method).unwrap_or_default();
-        for (words, up, colour) in [(rule, 32.0, theme::text()), (uses, 12.0, theme::quiet())] {
-            let at = Vec2::new(panel.centre().x, panel.min.y - up);
-            widgets::fitted(canvas, tr(words), at, panel.size.x, &[size, DETAILS], colour);
+        let line = if canvas.frame().text > 1.0 { 1.05 * canvas.frame().text_height(DETAILS) } else { 20.0 };
+        let mut up = 12.0;
+        for (words, colour) in [(uses, theme::quiet()), (rule, theme::text())] {
+            let style = Style::new(size, colour).centred().middle();
+            for words in widgets::lines(canvas, tr(words), panel.size.x, style).iter().rev() {
+                canvas.text(words, Vec2::new(panel.centre().x, panel.min.y - up), style);
+                up += line;
+            }
         }
         let stage = Area { min: panel.min, size: panel.size - Vec2::new(0.0, FOOT) };
         let place = Placing::new(&self.exhibit().view, stage.inset(8.0));
@@ -116,10 +134,15 @@ impl SideBySide {
             theme::panel_edge(),
         );
         let y = stage.max().y + FOOT / 2.0;
-        canvas.text(tr("error"), Vec2::new(panel.centre().x - 96.0, y), Style::new(TEXT, theme::quiet()).middle());
-        let seen = if half.error <= TOLERANCE { theme::good() } else { theme::bad() };
-        let number = Vec2::new(panel.centre().x + 96.0, y);
-        canvas.text(&metres(half.error), number, Style::new(TEXT, seen).mono().middle().right());
+        let reach = (5.2 * canvas.frame().text_height(TEXT)).max(96.0);
+        canvas.text(tr("error"), Vec2::new(panel.centre().x - reach, y), Style::new(TEXT, theme::quiet()).middle());
+        let sample = Vec2::new(panel.centre().x - reach - 12.0, y);
+        draw_line(canvas, &[sample - Vec2::new(48.0, 0.0), sample], which);
+        let (seen, number) = (half.error <= TOLERANCE, Vec2::new(panel.centre().x + reach, y));
+        let style = Style::new(TEXT, if seen { theme::good() } else { theme::bad() }).middle();
+        canvas.text(&metres(half.error), number, style.mono().right());
+        let mark = number + Vec2::new(20.0, 0.0);
+        if seen { widgets::tick(canvas, mark, 7.0, theme::good()) } else { canvas.text("×", mark, style.centred()) }
     }
 }
 

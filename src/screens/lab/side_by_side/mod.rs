@@ -4,7 +4,7 @@ mod drawing;
 
 use super::BACK;
 use crate::draw::Style;
-use crate::draw::layout::{Area, BUTTON_TEXT, TEXT, Vec2};
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, TEXT, Vec2};
 use crate::lab::curve::worst;
 use crate::lab::side_by_side::{BoxMotion, Exhibit, STEPS, USUAL_STEP, error, exhibits};
 use crate::number;
@@ -137,7 +137,7 @@ fn first_against_shipped(exhibit: &Exhibit, step: f64) -> [RunningMethod; 2] {
 impl SideBySide {
     pub(super) fn show(&mut self, ui: &mut Ui<'_>, body: Area) -> Option<Request> {
         let request = self.show_tools(ui);
-        self.show_choices(ui, panels(body));
+        self.show_choices(ui, panels(body, &ui.frame()));
         if !self.paused {
             self.advance(ui.input().frame_time);
         }
@@ -176,7 +176,7 @@ impl SideBySide {
     fn show_choices(&mut self, ui: &mut Ui<'_>, panels: [Area; 2]) {
         let places = panels.into_iter().flat_map(|panel| [(panel.min.x, panel), (panel.max().x - CHOICE.x, panel)]);
         for ((x, panel), MethodButton { label, arrow, key, named, further }) in places.zip(METHOD_BUTTONS) {
-            let area = Area { min: Vec2::new(x, panel.min.y - HEAD), size: CHOICE };
+            let area = Area { min: Vec2::new(x, panel.min.y - head(&ui.frame())), size: CHOICE };
             let touch = ui.touch(label, area, WidgetKind::Tool);
             widgets::button_box(ui.canvas(), area, touch.hover, false);
             ui.tip(area, label);
@@ -269,8 +269,13 @@ impl SideBySide {
     }
 }
 
-fn panels(body: Area) -> [Area; 2] {
-    let size = Vec2::new((body.size.x - BETWEEN) / 2.0, body.size.y - TITLE - HEAD - WORDS);
-    let top = body.min.y + TITLE + HEAD;
+/// Height of a half's head: its rule and what it uses have a line each, or two where they are large.
+fn head(frame: &Frame) -> f32 {
+    if frame.text > 1.0 { HEAD + 2.3 * frame.text_height(DETAILS) } else { HEAD }
+}
+
+fn panels(body: Area, frame: &Frame) -> [Area; 2] {
+    let size = Vec2::new((body.size.x - BETWEEN) / 2.0, body.size.y - TITLE - head(frame) - WORDS);
+    let top = body.min.y + TITLE + head(frame);
     [0.0, size.x + BETWEEN].map(|right| Area { min: Vec2::new(body.min.x + right, top), size })
 }

@@ -1,6 +1,7 @@
 //! "What if": a panel with a slider and a number for each quantity that can vary, of the followed object and of the level. The
 //! flight's screen fulfils its wishes.
 
+mod drag;
 mod layout;
 
 use super::Stage;
@@ -86,6 +87,9 @@ pub struct Vary {
     wish: Option<VaryWish>,
     /// In an experiment, which has more lines: whether those of the level are shown, not those of the object; `None` elsewhere.
     of_level: Option<bool>,
+    /// What the pointer leads in the level, and the place in [`Parameter::places`] of what it could lead.
+    hold: Option<drag::Hold>,
+    over: Option<usize>,
 }
 
 impl Vary {
@@ -138,17 +142,18 @@ impl Vary {
         self.progress = varied.progress;
         self.is_varied = varied.variation.is_some_and(|variation| !variation.is_empty());
         self.title = body_title(varied.level, BodyId(self.body as u32));
-        let line = |parameter: Parameter| {
-            let usual = parameter.of(varied.level)?;
-            let value = varied.variation.and_then(|variation| variation.get(parameter)).unwrap_or(usual);
-            Some(VaryLine { parameter, usual, value, open: self.from == VaryFrom::Start || !parameter.is_of_the_start() })
-        };
         self.of_level = varied.level.experiment.then_some(self.of_level == Some(true));
         let shown = |parameter: &Parameter| self.of_level.is_none_or(|of_level| parameter.is_of_a_body() != of_level);
-        self.lines = Parameter::all(varied.level, body).into_iter().filter(shown).filter_map(line).collect();
+        self.lines = Parameter::all(varied.level, body).into_iter().filter(shown).filter_map(|of| self.line(of, varied)).collect();
     }
 
-    /// Asks for a number, where it changes; `goes_on` says that it continues the change before.
+    fn line(&self, parameter: Parameter, varied: &Varied) -> Option<VaryLine> {
+        let usual = parameter.of(varied.level)?;
+        let value = varied.variation.and_then(|variation| variation.get(parameter)).unwrap_or(usual);
+        Some(VaryLine { parameter, usual, value, open: self.from == VaryFrom::Start || !parameter.is_of_the_start() })
+    }
+
+    /// Asks for a number, where it changes; `goes_on` says that it continues the change before, of the same number or by the same hand.
     fn ask(&mut self, line: VaryLine, value: f64, varied: &Varied, goes_on: bool) {
         if value == line.value {
             return;
@@ -159,14 +164,14 @@ impl Vary {
         };
         asked.set(line.parameter, value, varied.level);
         self.message = None;
-        self.wish = Some(VaryWish::Vary(asked, self.from, goes_on && self.last == Some(line.parameter)));
+        self.wish = Some(VaryWish::Vary(asked, self.from, goes_on));
         self.last = Some(line.parameter);
     }
 
     /// Asks for a number `steps` fine steps further, and returns it.
     fn step(&mut self, line: VaryLine, steps: f64, varied: &Varied) -> f64 {
         let value = SliderTrack::of(line.parameter, line.usual).stepped(line.value, steps, line.parameter.limits());
-        self.ask(line, value, varied, true);
+        self.ask(line, value, varied, self.last == Some(line.parameter));
         value
     }
 
@@ -227,7 +232,9 @@ impl Vary {
         let knob = if line.is_varied() { theme::accent() } else { theme::text() };
         let shown = SliderShown { part: track.part(line.value), mark: track.part(line.usual), knob: line.open.then_some(knob) };
         match ui.slider(&line.parameter.name(), slider, &shown) {
-            Some(SliderMove::To { part, goes_on }) => self.ask(line, track.value(part), varied, goes_on),
+            Some(SliderMove::To { part, goes_on }) => {
+                self.ask(line, track.value(part), varied, goes_on && self.last == Some(line.parameter));
+            }
             Some(SliderMove::Step(steps)) => {
                 self.step(line, steps, varied);
             }
@@ -296,6 +303,9 @@ impl Vary {
                 (flown_again.as_str(), theme::accent())
             }
             (None, None) if self.is_typing() => (tr("Enter takes it, Esc gives it up, ↑ ↓ step"), theme::quiet()),
+            (None, None) if self.of_level.is_some() => {
+                (tr("Drag a slider or a thing in the level, or click a number"), theme::quiet())
+            }
             (None, None) => (tr("Drag, turn the wheel, or click a number to type"), theme::quiet()),
         };
         widgets::fitted(ui.canvas(), words, field.centre(), field.size.x, &[DETAILS], colour);
