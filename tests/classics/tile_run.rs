@@ -189,7 +189,7 @@ proptest! {
 fn the_projects_map_ends_where_it_should() {
     // They jump by 0.66 nine times: without the limit on the jump itself the run ends elsewhere.
     let map = Map::parse(&std::fs::read_to_string(data("map.txt")).unwrap()).unwrap();
-    assert_eq!(map.start(), (58, 18));
+    assert_eq!(map.start, (58, 18));
     let ran = tiles(&data("map.txt"), &data("commands.txt"), &[]);
     assert_eq!((ran.out.as_str(), ran.status), ("tile 58 2\n", 0));
 }

@@ -61,7 +61,7 @@ fn show(sitting: &mut Sitting, parameter: Parameter) {
         Parameter::Stiffness(link) | Parameter::Damping(link) | Parameter::Breaks(link) => Some(tied(link)),
         _ => None,
     });
-    while body.is_some_and(|body| sitting.flight().observer().focus().followed().map(|id| id.index()) != Some(body)) {
+    while body.is_some_and(|body| sitting.flight().observer().focus().followed.map(|id| id.index()) != Some(body)) {
         sitting.press(Key::N);
     }
     if !sitting.labels().contains(&number(parameter).as_str()) {

@@ -31,7 +31,7 @@ const SIZES: [(f32, f32); 5] = [(900.0, 500.0), (1280.0, 720.0), (1920.0, 1080.0
 fn lab_with(prepare: impl FnOnce(&Path)) -> Sitting {
     let mut sitting = Sitting::with(prepare);
     sitting.choose("Lab");
-    assert_eq!((sitting.at(), lab(&sitting).page()), ("lab", Page::Overview));
+    assert_eq!((sitting.at(), lab(&sitting).page), ("lab", Page::Overview));
     turn_to(&mut sitting, "Charts");
     sitting
 }
@@ -45,7 +45,7 @@ fn lab_at(label: &str) -> Sitting {
 
 fn turn_to(sitting: &mut Sitting, label: &str) {
     let wanted = PAGES.iter().find(|(_, known)| *known == label).expect("a tab").0;
-    while lab(sitting).page() != wanted {
+    while lab(sitting).page != wanted {
         sitting.press(Key::Tab);
     }
 }
@@ -94,11 +94,11 @@ fn picked_curve(sitting: &Sitting) -> Option<usize> {
 fn the_pages_are_reached_by_key_and_by_mouse_and_left_by_esc_and_back() {
     let mut sitting = lab_at(PAGES[0].1);
     for (page, _) in PAGES.into_iter().chain([PAGES[0]]) {
-        assert_eq!(lab(&sitting).page(), page);
+        assert_eq!(lab(&sitting).page, page);
         sitting.press(Key::Tab);
     }
     for (page, label) in PAGES {
-        assert_eq!(lab(sitting.click(label)).page(), page);
+        assert_eq!(lab(sitting.click(label)).page, page);
         assert_eq!(lab_at(label).press(Key::Escape).at(), "menu");
         assert_eq!(lab_at(label).click("Back").at(), "menu");
     }
@@ -110,10 +110,10 @@ fn the_pictures_of_the_first_page_lead_on() {
     let mut charts = kept::charts().unwrap();
     let most = charts.savings.iter().map(Saving::times).fold(0.0, f64::max);
     let mut sitting = lab_at("Overview");
-    assert_eq!(lab(sitting.click("Where methods break")).page(), Page::Stability);
+    assert_eq!(lab(sitting.click("Where methods break")).page, Page::Stability);
     for (title, name) in [("Error against time", "projectile"), ("Beside Box2D and Rapier", "piles")] {
         turn_to(&mut sitting, "Overview");
-        assert_eq!(lab(sitting.click(title)).page(), Page::Charts);
+        assert_eq!(lab(sitting.click(title)).page, Page::Charts);
         assert_eq!(scene(&sitting).1.name, name);
     }
     turn_to(&mut sitting, "Overview");
@@ -348,7 +348,7 @@ fn two_methods_run_side_by_side_and_part() {
     let mut sitting = lab_at("Side by side");
     sitting.press(Key::R).wait(30.0);
     let page = |sitting: &Sitting| {
-        let page = lab(sitting).side_by_side();
+        let page = &lab(sitting).side_by_side;
         let [left, right] = page.halves();
         (page.exhibit().title, left.method, right.method, left.error, right.error, page.time())
     };
@@ -386,18 +386,18 @@ fn two_methods_run_side_by_side_and_part() {
 fn it_pauses_ends_and_starts_again() {
     let mut sitting = lab_at("Side by side");
     sitting.press(Key::Down).wait(1.0);
-    let time = |sitting: &Sitting| lab(sitting).side_by_side().time();
+    let time = |sitting: &Sitting| lab(sitting).side_by_side.time();
     sitting.press(Key::Space);
     let stopped = time(&sitting);
-    assert!(stopped > 0.9 && lab(&sitting).side_by_side().is_paused());
+    assert!(stopped > 0.9 && lab(&sitting).side_by_side.is_paused());
     assert_eq!(time(sitting.wait(1.0)), stopped);
     assert!(time(sitting.press(Key::Space).wait(0.5)) > stopped);
-    let end = lab(&sitting).side_by_side().exhibit().seconds;
+    let end = lab(&sitting).side_by_side.exhibit().seconds;
     sitting.wait(end);
-    assert!(lab(&sitting).side_by_side().is_over() && (time(&sitting) - end).abs() < 0.02);
-    let [left, right] = lab(&sitting).side_by_side().halves();
+    assert!(lab(&sitting).side_by_side.is_over() && (time(&sitting) - end).abs() < 0.02);
+    let [left, right] = lab(&sitting).side_by_side.halves();
     assert!(left.error > 0.3 && right.error < 1e-6, "they stay where they are: {left:?} {right:?}");
-    assert!(time(sitting.press(Key::R)) < 0.1 && !lab(&sitting).side_by_side().is_over());
+    assert!(time(sitting.press(Key::R)) < 0.1 && !lab(&sitting).side_by_side.is_over());
     // A hitch is no leap.
     let before = time(&sitting);
     sitting.give(Input { frame_time: 1e9, ..Input::default() });
@@ -409,7 +409,7 @@ fn it_goes_on_by_single_steps_of_any_length_and_remembers_the_way() {
     let mut sitting = lab_at("Side by side");
     sitting.press(Key::R).press(Key::Space);
     let page = |sitting: &Sitting| {
-        let page = lab(sitting).side_by_side();
+        let page = &lab(sitting).side_by_side;
         let [left, right] = page.halves();
         (page.step(), page.time(), page.is_paused(), left.trail.len(), left.errors.to_vec(), right.error)
     };
@@ -659,13 +659,13 @@ fn a_picked_method_says_its_rule_and_what_it_uses() {
 fn explicit_euler_spirals_beside_the_engine() {
     let mut sitting = lab_at("Side by side");
     sitting.press(Key::Down).press(Key::Down);
-    assert_eq!(lab(&sitting).side_by_side().exhibit().title, "A body on a spring goes round");
+    assert_eq!(lab(&sitting).side_by_side.exhibit().title, "A body on a spring goes round");
     sitting.wait(5.0);
-    let [euler, ours] = lab(&sitting).side_by_side().halves();
+    let [euler, ours] = lab(&sitting).side_by_side.halves();
     assert_eq!((euler.method, ours.method), ("explicit Euler", "shipped engine"));
     // From 2 m on, the radius grows by √(1 + (ω·h)²) a step.
     let radius = euler.boxes[0].centre().length();
-    let steps = (lab(&sitting).side_by_side().time() * 60.0).round();
+    let steps = (lab(&sitting).side_by_side.time() * 60.0).round();
     let grown = 2.0 * (1.0_f64 + (2.0 / 60.0_f64).powi(2)).powf(0.5 * steps);
     assert!((radius - grown).abs() < 1e-9 && grown > 2.2, "{radius} for {grown}");
     assert!(ours.error < 1e-9 && sitting.shows("It uses what holds at the start"));
