@@ -78,7 +78,7 @@ pub enum Collision {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Blocks {
     d: f64,
-    time: f64,
+    pub time: f64,
     /// The rounding error of `time` from the sum of delays (W. Kahan, 1965): in the thick of N = 7 a delay is a few times its last
     /// bit.
     time_lost: f64,
@@ -87,7 +87,7 @@ pub struct Blocks {
     light_velocity: f64,
     heavy_velocity: f64,
     closing: f64,
-    collisions: u64,
+    pub collisions: u64,
 }
 
 impl Blocks {
@@ -104,15 +104,6 @@ impl Blocks {
             closing: -HEAVY_VELOCITY,
             collisions: 0,
         }
-    }
-
-    pub fn collisions(&self) -> u64 {
-        self.collisions
-    }
-
-    /// s; 0 before the first.
-    pub fn time(&self) -> f64 {
-        self.time
     }
 
     /// Velocities of the light and the heavy block since the last collision, m/s.

@@ -46,7 +46,7 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Map {
     solid: Vec<Vec<bool>>,
-    start: (usize, usize),
+    pub start: (usize, usize),
 }
 
 impl Map {
@@ -80,10 +80,6 @@ impl Map {
         }
         let start = start.ok_or_else(|| error(solid.len(), "the map ends without a start, expected one 's' or 'S'"))?;
         Ok(Self { solid, start })
-    }
-
-    pub fn start(&self) -> (usize, usize) {
-        self.start
     }
 
     /// Which tiles of each row are solid; a row may be shorter than others.
@@ -267,7 +263,7 @@ mod tests {
     #[test]
     fn outside_the_map_and_behind_a_short_row_all_is_solid() {
         let map = Map::parse("..s\n\n.#").unwrap();
-        assert_eq!(map.start(), (2, 0));
+        assert_eq!(map.start, (2, 0));
         for (x, y) in [(0.0, 0.0), (2.999, 0.999), (0.5, 2.5)] {
             assert!(!map.is_solid(x, y), "({x}, {y})");
         }

@@ -52,7 +52,7 @@ pub fn run_jumper(args: &JumperArgs, project: &Project, out: &mut dyn Write) -> 
         }
     }
     writeln!(out, "outcome={}", if scene.is_over() { "out" } else { "climbing" })?;
-    writeln!(out, "score={}\nheight={}\nticks={}", scene.score(), Shortest(scene.height()), scene.ticks())?;
+    writeln!(out, "score={}\nheight={}\nticks={}", scene.score(), Shortest(scene.height), scene.ticks)?;
     for (number, (_, body)) in (1..).zip(scene.players()) {
         let place = body.cuboid.location;
         writeln!(out, "x{number}={}\nz{number}={}", Shortest(place.x), Shortest(place.z))?;
@@ -100,10 +100,10 @@ pub fn count_pi(args: &PiArgs, _: &Project, out: &mut dyn Write) -> Result<Statu
     if args.n <= MAX_N_WITH_POSITIONS {
         let mut blocks = Blocks::new(args.n);
         while blocks.collide().is_some() {}
-        writeln!(out, "collisions={}", blocks.collisions())?;
+        writeln!(out, "collisions={}", blocks.collisions)?;
         writeln!(out, "seconds={:.6}", started.elapsed().as_secs_f64())?;
-        writeln!(out, "last_time={}", blocks.time())?;
-        writeln!(out, "last_position={}", blocks.positions(blocks.time()).1)?;
+        writeln!(out, "last_time={}", blocks.time)?;
+        writeln!(out, "last_position={}", blocks.positions(blocks.time).1)?;
     } else {
         writeln!(out, "collisions={}", count(args.n))?;
         writeln!(out, "seconds={:.6}", started.elapsed().as_secs_f64())?;

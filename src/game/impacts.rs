@@ -97,7 +97,7 @@ pub const APART: f64 = 0.5;
 /// A push begins when the ship touches an object that it has not touched for [`APART`], whichever of the two moves.
 #[derive(Clone, Debug)]
 pub struct PushCount {
-    count: u32,
+    pub count: u32,
     /// By object, the tick after the last touch; 0 for never.
     touched: Vec<u64>,
 }
@@ -105,10 +105,6 @@ pub struct PushCount {
 impl PushCount {
     pub fn new(objects: usize) -> Self {
         Self { count: 0, touched: vec![0; objects] }
-    }
-
-    pub const fn count(&self) -> u32 {
-        self.count
     }
 
     /// Takes the forces on the ship at a tick's end, and the impacts of that tick. `apart` is [`APART`] in ticks.

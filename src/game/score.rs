@@ -264,10 +264,10 @@ const APART: f64 = 0.1;
 
 #[derive(Clone, Debug)]
 pub struct Tricks {
-    burns: u32,
+    pub burns: u32,
     /// The tick after the last burning one; 0 before the first.
     burnt: u64,
-    touched: Vec<bool>,
+    pub touched: Vec<bool>,
     /// By objective, the tick in which it was met last.
     met: Vec<u64>,
 }
@@ -275,15 +275,6 @@ pub struct Tricks {
 impl Tricks {
     pub fn new(level: &Level) -> Self {
         Self { burns: 0, burnt: 0, touched: vec![false; level.stars.len()], met: vec![0; level.objectives.len()] }
-    }
-
-    pub const fn burns(&self) -> u32 {
-        self.burns
-    }
-
-    /// By index in `Level::stars`.
-    pub fn touched(&self) -> &[bool] {
-        &self.touched
     }
 
     /// The shortest time within which `count` objectives were met, s.

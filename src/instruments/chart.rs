@@ -42,7 +42,7 @@ impl Chart {
         let mut found: Option<Extremes> = None;
         let mut lanes: Vec<(Unit, Option<Extremes>, Vec<usize>)> = Vec::new();
         for (number, curve, places) in members {
-            let unit = curve.up().unit();
+            let unit = curve.up.unit();
             let lane = lanes.iter().position(|(of, ..)| *of == unit).unwrap_or_else(|| {
                 lanes.push((unit, None, Vec::new()));
                 lanes.len() - 1
@@ -133,11 +133,11 @@ pub struct Exported<'a> {
 
 impl Exported<'_> {
     fn look(&self) -> CurveLook {
-        curve_look(self.number, self.curve.up())
+        curve_look(self.number, self.curve.up)
     }
 
     fn label(&self) -> String {
-        format!("{} {}", self.body, self.curve.up().symbol())
+        format!("{} {}", self.body, self.curve.up.symbol())
     }
 }
 
@@ -168,7 +168,7 @@ pub fn csv(curves: &[Exported]) -> String {
 }
 
 pub fn sheet(window: TimeWindow, curves: &[Exported]) -> Sheet {
-    let across = curves.first().map_or(Quantity::Time, |exported| exported.curve.across());
+    let across = curves.first().map_or(Quantity::Time, |exported| exported.curve.across);
     let places = |track: &BodyTrack| track.places(window);
     let members: Vec<ChartMember> =
         curves.iter().map(|exported| (exported.number, exported.curve, places(exported.track))).collect();
@@ -190,7 +190,7 @@ pub fn sheet(window: TimeWindow, curves: &[Exported]) -> Sheet {
                 .collect::<Vec<_>>()
         });
         Strip {
-            name: lane.name(|number| of_number(number).map_or_else(String::new, |exported| exported.curve.up().symbol())),
+            name: lane.name(|number| of_number(number).map_or_else(String::new, |exported| exported.curve.up.symbol())),
             named: lane
                 .axis
                 .named(NAMED / chart.lanes.len().max(1))
@@ -203,7 +203,7 @@ pub fn sheet(window: TimeWindow, curves: &[Exported]) -> Sheet {
     };
     let mut notes = vec!["SI units, y upwards.".to_owned(), "Dotted upright: an impact.".to_owned()];
     for exported in curves {
-        let words = exported.fit.map(|fit| fit.words(exported.curve.up(), across)).unwrap_or_default();
+        let words = exported.fit.map(|fit| fit.words(exported.curve.up, across)).unwrap_or_default();
         notes.extend(words.split("; ").filter(|part| !part.is_empty()).map(str::to_owned));
     }
     Sheet {
@@ -233,7 +233,7 @@ fn impacts(shown: &[&Exported], across: Quantity, window: TimeWindow) -> Vec<f64
 pub fn stem(level: &str, curves: &[Exported]) -> String {
     let plain =
         |text: &str| -> String { text.chars().map(|c| if c.is_alphanumeric() || c == '_' { c } else { '-' }).take(NAME).collect() };
-    let mut symbols: Vec<String> = curves.iter().map(|exported| exported.curve.up().stem().replace('|', "")).collect();
+    let mut symbols: Vec<String> = curves.iter().map(|exported| exported.curve.up.stem().replace('|', "")).collect();
     symbols.dedup();
     format!("{}-{}", plain(level), plain(&symbols.join("-")))
 }

@@ -9,8 +9,8 @@ use std::ops::Range;
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    across: Quantity,
-    up: Quantity,
+    pub across: Quantity,
+    pub up: Quantity,
     xs: NumberSeries,
     ys: NumberSeries,
     breaks: Vec<usize>,
@@ -19,14 +19,6 @@ pub struct Curve {
 impl Curve {
     pub fn new(across: Quantity, up: Quantity) -> Self {
         Self { across, up, xs: NumberSeries::default(), ys: NumberSeries::default(), breaks: Vec::new() }
-    }
-
-    pub const fn across(&self) -> Quantity {
-        self.across
-    }
-
-    pub const fn up(&self) -> Quantity {
-        self.up
     }
 
     /// Reads on along the track; a track that has become shorter is another flight's from there on.

@@ -104,7 +104,7 @@ fn is_still(game: &Game, source: Source, kind: ForceKind) -> bool {
 pub struct WorkLedger {
     companion: Companion,
     before: Vec<TickEnd>,
-    accounts: Vec<Account>,
+    pub accounts: Vec<Account>,
     copies: Vec<(u64, Vec<Account>)>,
     every: u64,
 }
@@ -132,11 +132,6 @@ impl WorkLedger {
         self.companion = companion;
         self.thin_out();
         there
-    }
-
-    /// The accounts of each body, by [`BodyId::index`].
-    pub fn accounts(&self) -> &[Account] {
-        &self.accounts
     }
 
     /// The flight was left at that tick: later accounts are void.

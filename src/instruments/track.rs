@@ -21,7 +21,7 @@ const SMALLEST_JUMP: f64 = 1e-3;
 #[derive(Clone, Debug)]
 pub struct BodyTrack {
     companion: Companion,
-    body: BodyId,
+    pub body: BodyId,
     /// From which place on they hold, since the level may be varied during the flight.
     constants: Vec<(usize, BodyConstants)>,
     begins: u64,
@@ -55,10 +55,6 @@ impl BodyTrack {
             impulses: Vec::new(),
             impacts: Vec::new(),
         }
-    }
-
-    pub const fn body(&self) -> BodyId {
-        self.body
     }
 
     /// The number of ticks, the start included.
@@ -268,7 +264,7 @@ pub struct Dots {
 #[derive(Clone, Debug, Default)]
 pub struct Trail {
     companion: Companion,
-    who: Vec<BodyId>,
+    pub who: Vec<BodyId>,
     /// The first known tick.
     from: u64,
     dots: VecDeque<Dots>,
@@ -298,10 +294,6 @@ impl Trail {
             let from = self.from as f64;
             self.dots.retain(|dots| dots.number as f64 * rate >= from * DOTS_A_SECOND as f64);
         }
-    }
-
-    pub fn who(&self) -> &[BodyId] {
-        &self.who
     }
 
     /// The dots up to that tick, not older than [`LASTS`], the oldest first.

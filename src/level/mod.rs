@@ -39,8 +39,8 @@ pub use route::{MoverPace, Route, RouteShape};
 pub use schema::FILES;
 pub use types::{
     AirStream, Awards, BURN_RATE, Decoration, Fluid, GravityZone, Landscape, Level, LevelLink, Look, Mark, Mover, Object,
-    Objective, ObjectiveKind, Pod, Presser, SHIP_DRAG, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, ShipStart, Solid, Star, StarTouch,
-    Switch, SwitchStay, TICK_RATE, Text, Work,
+    Objective, ObjectiveKind, Pod, Presser, SHIP_HALF, SHIP_HEIGHT, SHIP_PIXELS, ShipStart, Solid, Star, StarTouch, Switch,
+    SwitchStay, TICK_RATE, Text, Work,
 };
 pub use varied::varied;
 pub use wiring::{SurfaceOf, Wire, Worked};

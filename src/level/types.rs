@@ -13,8 +13,6 @@ pub const SHIP_PIXELS: f64 = 51.0;
 pub const TICK_RATE: f64 = 120.0;
 /// Fuel units a second while the engine burns: the usual 500 units last 25 s.
 pub const BURN_RATE: f64 = 20.0;
-/// The ship's drag coefficient where its level gives none.
-pub const SHIP_DRAG: f64 = 1.15;
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Level {

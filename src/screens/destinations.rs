@@ -298,11 +298,11 @@ mod tests {
         let flight = stack.screen().get::<Flight>().unwrap();
         assert_eq!(flight.game().level().name, "friction");
         assert!(!stack.screen().scene(&Frame::default()).unwrap().overlays.details);
-        assert_eq!(flight.observer().focus().followed(), Some(BodyId(1)));
+        assert_eq!(flight.observer().focus().followed, Some(BodyId(1)));
         follow(&mut stack, "play=1");
         assert_eq!(stack.screen().get::<Flight>().unwrap().game().level().name, "1");
         follow(&mut stack, "lab=stress-tests");
-        assert_eq!(stack.screen().get::<Lab>().unwrap().page(), Page::Survival);
+        assert_eq!(stack.screen().get::<Lab>().unwrap().page, Page::Survival);
         for link in ["play=nowhere", "play=experiments/nowhere", "nonsense"] {
             follow(&mut stack, link);
             assert!(stack.screen().is::<LevelSelect>(), "{link}");

@@ -203,7 +203,7 @@ impl Stack {
 
     /// What becomes of the frame that was updated last.
     pub const fn picture(&self) -> Picture {
-        self.pace.picture()
+        self.pace.picture
     }
 
     /// What the player has set.

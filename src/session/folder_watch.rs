@@ -46,7 +46,7 @@ fn counts(path: &Path) -> bool {
 /// Watches a level's folder.
 #[derive(Debug)]
 pub struct FolderWatch {
-    folder: PathBuf,
+    pub folder: PathBuf,
     /// Pictures from elsewhere.
     more: Vec<PathBuf>,
     /// As it was when it was read.
@@ -63,11 +63,6 @@ impl FolderWatch {
     pub fn new(folder: PathBuf, more: Vec<PathBuf>) -> Self {
         let known = Stamp::of(&folder, &more);
         Self { content: known.content(), last: known.clone(), known, folder, more, wait: EVERY }
-    }
-
-    /// The folder.
-    pub fn folder(&self) -> &Path {
-        &self.folder
     }
 
     /// Looks, if it is time to; whether what is there has changed since it was last said so.

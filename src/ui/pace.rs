@@ -66,7 +66,7 @@ pub struct Pace {
     idle: f64,
     /// Since a frame was drawn, s.
     undrawn: f64,
-    picture: Picture,
+    pub picture: Picture,
 }
 
 impl Pace {
@@ -104,11 +104,6 @@ impl Pace {
         if self.picture != Picture::Again {
             self.undrawn = 0.0;
         }
-        self.picture
-    }
-
-    /// What became of the last frame.
-    pub const fn picture(&self) -> Picture {
         self.picture
     }
 }

@@ -46,7 +46,7 @@ pub struct Camera {
     /// The offset ahead of that, m.
     ahead: DVec2,
     /// Magnification beyond the usual.
-    closeness: f64,
+    pub closeness: f64,
     /// The fitted box, eased, m; `None` before the first fit.
     fitted: Option<Aabb>,
     /// 0: follows; 1: fits.
@@ -122,11 +122,6 @@ impl Camera {
         self.closeness += (CLOSE - self.closeness) * (1.0 - (-frame_time.max(0.0) / CLOSE_EASE).exp());
     }
 
-    /// Magnification beyond the usual, from 1 up.
-    pub fn closeness(&self) -> f64 {
-        self.closeness
-    }
-
     /// The point that the camera looks at, m.
     pub fn focus(&self) -> DVec2 {
         self.ship + self.ahead
@@ -146,7 +141,7 @@ pub struct CanvasWindow {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewport {
     /// Canvas units a metre.
-    scale: f64,
+    pub scale: f64,
     /// The level's top left corner lies at minus this: whole physical pixels, so that everything static moves as one.
     origin: DVec2,
     /// m.
@@ -223,10 +218,6 @@ impl Viewport {
         let room = self.level * self.scale - self.window.size;
         let offset = self.snap(offset);
         Self { origin: DVec2::new(along(self.origin.x, offset.x, room.x), along(self.origin.y, offset.y, room.y)), ..self }
-    }
-
-    pub const fn scale(&self) -> f64 {
-        self.scale
     }
 
     /// In canvas units.

@@ -248,7 +248,7 @@ mod tests {
         let count = |speed: f64| {
             let mut particles = Particles::new();
             dust(&mut particles, DVec2::ZERO, DVec2::NEG_Y, speed);
-            particles.all().len()
+            particles.all.len()
         };
         assert!(count(2.0) < count(9.0) && count(9.0) < count(15.0));
         assert_eq!(count(1e6), 26);

@@ -18,8 +18,8 @@ const WIDER: i8 = 20;
 /// The selection in a game.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Focus {
-    followed: Option<BodyId>,
-    compared: Option<BodyId>,
+    pub followed: Option<BodyId>,
+    pub compared: Option<BodyId>,
     longer: i8,
     closer: i8,
     fitted: bool,
@@ -59,15 +59,6 @@ impl Focus {
     /// Whether a body has its box and its arrows: all have where none is followed.
     pub fn shows(&self, body: BodyId) -> bool {
         self.followed.is_none() || self.followed == Some(body) || self.compared == Some(body)
-    }
-
-    pub const fn followed(&self) -> Option<BodyId> {
-        self.followed
-    }
-
-    /// The body that the followed one is compared with.
-    pub const fn compared(&self) -> Option<BodyId> {
-        self.compared
     }
 
     /// Cycles through `bodies` bodies: from all to `first`, through the others, and back to all.
@@ -181,16 +172,16 @@ mod tests {
             focus = focus.on_nobody();
             for followed in order {
                 focus.next(body(first), 3);
-                assert_eq!(focus.followed(), followed);
+                assert_eq!(focus.followed, followed);
             }
         }
         focus = focus.on_nobody();
         focus.pick(Some(body(1)), true);
-        assert_eq!((focus.followed(), focus.compared()), (Some(body(1)), None), "with nobody to compare it is followed");
+        assert_eq!((focus.followed, focus.compared), (Some(body(1)), None), "with nobody to compare it is followed");
         focus.pick(Some(body(2)), true);
         assert!(focus.shows(body(1)) && focus.shows(body(2)) && !focus.shows(body(0)));
         focus.pick(Some(body(2)), false);
-        assert_eq!((focus.followed(), focus.compared()), (Some(body(2)), None));
+        assert_eq!((focus.followed, focus.compared), (Some(body(2)), None));
         focus.pick(Some(body(2)), false);
         assert_eq!(focus, Focus::default());
     }
@@ -205,7 +196,7 @@ mod tests {
         focus.fit();
         assert_eq!((focus.zoom(), focus.fits()), (1.0, true), "a zoomed view is fitted again");
         focus.fit();
-        assert_eq!((focus.zoom(), focus.fits(), focus.followed()), (1.0, false, Some(BodyId(1))));
+        assert_eq!((focus.zoom(), focus.fits(), focus.followed), (1.0, false, Some(BodyId(1))));
     }
 
     #[test]

@@ -108,7 +108,7 @@ impl Particle {
 }
 
 pub struct Particles {
-    all: Vec<Particle>,
+    pub all: Vec<Particle>,
     most: usize,
     /// Of the present frame.
     pub barriers: Barriers,
@@ -155,10 +155,6 @@ impl Particles {
     pub fn keep(&mut self, share: u8) {
         self.most = MOST * usize::from(share) / 100;
         self.all.truncate(self.most);
-    }
-
-    pub fn all(&self) -> &[Particle] {
-        &self.all
     }
 
     pub fn draw(&self, view: &Viewport, canvas: &Canvas) {
@@ -300,8 +296,8 @@ mod tests {
         for _ in 0..60 {
             pool.advance(1.0 / 60.0);
         }
-        assert_eq!(pool.all().len(), 8);
-        for particle in pool.all() {
+        assert_eq!(pool.all.len(), 8);
+        for particle in pool.all {
             assert_eq!(particle.position.y < 2.0, particle.stops(), "{particle:?}");
             assert!(!particle.stops() || particle.position.x > 0.5, "it goes on along the deck: {particle:?}");
         }
@@ -319,7 +315,7 @@ mod tests {
                 let mut pool = Particles::new();
                 pool.add(particle(look, 2.0));
                 (0..frames).for_each(|_| pool.advance(1.0 / f64::from(frames)));
-                let fallen = pool.all()[0].position.y;
+                let fallen = pool.all[0].position.y;
                 assert!((least..=most).contains(&fallen), "{look:?} at {frames} frames a second: {fallen} m in a second");
             }
         }
@@ -331,11 +327,11 @@ mod tests {
         for _ in 0..2 * MOST {
             pool.add(particle(ParticleLook::Dust, 0.5));
         }
-        assert_eq!(pool.all().len(), MOST);
+        assert_eq!(pool.all.len(), MOST);
         pool.advance(0.3);
-        assert_eq!(pool.all().len(), MOST);
+        assert_eq!(pool.all.len(), MOST);
         pool.advance(0.3);
-        assert!(pool.all().is_empty());
+        assert!(pool.all.is_empty());
     }
 
     /// A deck 4 m wide and 0.2 m thick, its top at y = 2.

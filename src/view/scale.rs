@@ -257,7 +257,7 @@ impl Steady {
         let patience = (PATIENCE * game.tick_rate()) as u64;
         let wanted = |usual: f64, reaches: &[Reach]| {
             let needed = reaches.iter().map(|(size, room)| size / f64::from(room.max(LEAST_ROOM))).fold(0.0, f64::max);
-            let most = if focus.followed().is_some() { f64::INFINITY } else { usual / USUAL_LEAST };
+            let most = if focus.followed.is_some() { f64::INFINITY } else { usual / USUAL_LEAST };
             (usual / USUAL).max(needed.min(most)) * metre / focus.length()
         };
         let [force, impulse] = usual(game, focus, shown);
@@ -284,7 +284,7 @@ fn usual(game: &Game, focus: &Focus, shown: &[BodyId]) -> [f64; 2] {
         };
         [force, mass * DAMAGING_SPEED]
     };
-    let picked: Vec<BodyId> = focus.followed().into_iter().chain(focus.compared()).filter(|id| shown.contains(id)).collect();
+    let picked: Vec<BodyId> = focus.followed.into_iter().chain(focus.compared).filter(|id| shown.contains(id)).collect();
     let whose = if !picked.is_empty() {
         &picked
     } else if shown.contains(&SHIP) {

@@ -30,7 +30,7 @@ const SNAPPED: f64 = 1.25;
 
 /// The background (the author's picture, or the sky of the level's world) and the graph paper: a fine line each metre, a heavy one each ten.
 pub fn draw_ground(level: &Level, terrain: &Terrain, pictures: &Pictures, (view, canvas): (&Viewport, &Canvas), time: f64) {
-    let tint = terrain.tint();
+    let tint = terrain.tint;
     let all = view.rect(&Aabb::new(DVec2::ZERO, level.size));
     let picture = level.background.as_ref().and_then(|path| pictures.get(path));
     if let Some(image) = picture {
@@ -39,7 +39,7 @@ pub fn draw_ground(level: &Level, terrain: &Terrain, pictures: &Pictures, (view,
         sky::draw(landscape, (&terrain.air(view), terrain.floor(level)), (view, canvas), time);
     }
     let strength = if picture.is_some() { PAPER_OVER_PICTURE } else { 1.0 };
-    let fine = view.scale() >= FINEST_PAPER;
+    let fine = view.scale >= FINEST_PAPER;
     for heavy in [false, true] {
         if heavy || fine {
             let colour = (if heavy { tint.heavy } else { tint.fine }).faded(strength);

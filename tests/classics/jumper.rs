@@ -121,8 +121,8 @@ fn the_walls_hold() {
         }
         assert!(near(body(&scene, 0).cuboid.location.x, end));
         let against =
-            scene.hits().iter().any(|hit| matches!(hit, CuboidHit::Static { face: CuboidFace::MinX | CuboidFace::MaxX, .. }));
-        assert!(against, "{:?}", scene.hits());
+            scene.hits.iter().any(|hit| matches!(hit, CuboidHit::Static { face: CuboidFace::MinX | CuboidFace::MaxX, .. }));
+        assert!(against, "{:?}", scene.hits);
     }
 }
 
@@ -152,22 +152,22 @@ fn hop(scene: &JumperScene) -> Vec<JumpKeys> {
 fn a_climb_raises_the_view_which_never_falls_and_leaves_behind_who_stays() {
     let mut scene = JumperScene::new(SEED, true);
     let mut bottom = 0.0;
-    while scene.score() < 30 && scene.ticks() < 120 * 120 {
+    while scene.score() < 30 && scene.ticks < 120 * 120 {
         for keys in hop(&scene) {
             tick(&mut scene, keys);
             let now = scene.view_bottom(1.0);
             assert!(now >= bottom, "the view fell");
             bottom = now;
             let climber = body(&scene, 0).cuboid.location.z;
-            assert!(climber - bottom <= 0.5 * VISIBLE + 1e-9 && scene.height() >= climber);
+            assert!(climber - bottom <= 0.5 * VISIBLE + 1e-9 && scene.height >= climber);
             let out: Vec<bool> = scene.players().map(|(player, _)| player.is_out()).collect();
             assert_eq!(out, [false, bottom > PLAYER_SIZE], "the second player never left the ground");
-            let top = scene.tower().statics().iter().map(|it| it.cuboid.location.z).fold(0.0, f64::max);
+            let top = scene.tower.statics.iter().map(|it| it.cuboid.location.z).fold(0.0, f64::max);
             assert!(top >= bottom + VISIBLE - 2.0, "the tower ends in the view");
         }
     }
-    assert!(scene.score() >= 30, "the test's climber came to {} m only", scene.height());
-    assert_eq!(scene.score(), scene.height().floor() as i64);
+    assert!(scene.score() >= 30, "the test's climber came to {} m only", scene.height);
+    assert_eq!(scene.score(), scene.height.floor() as i64);
     // Off the lower edge the climber is out too, which ends the climb; the score stays.
     let score = scene.score();
     let mut ticks = 0;
@@ -176,9 +176,9 @@ fn a_climb_raises_the_view_which_never_falls_and_leaves_behind_who_stays() {
         ticks += 1;
     }
     assert!(scene.is_over() && scene.score() >= score);
-    let end = scene.ticks();
+    let end = scene.ticks;
     tick(&mut scene, RIGHT_JUMP);
-    assert_eq!(scene.ticks(), end);
+    assert_eq!(scene.ticks, end);
 }
 
 #[test]
@@ -191,7 +191,7 @@ fn a_climb_repeats_bit_by_bit_and_another_seed_is_another_tower() {
             scene.tick([keys(0), keys(1)]);
         }
         let bodies: Vec<Dynamic> = scene.players().map(|(_, body)| *body).collect();
-        (bodies, scene.height().to_bits(), scene.tower().statics().to_vec())
+        (bodies, scene.height.to_bits(), scene.tower.statics.to_vec())
     };
     assert_eq!(climb(5), climb(5));
     assert_ne!(climb(5).2, climb(6).2);
@@ -202,7 +202,7 @@ fn players_bounce_off_each_other() {
     let mut scene = JumperScene::new(SEED, true);
     let bumped = (0..240).any(|_| {
         scene.tick([RIGHT, LEFT]);
-        scene.hits().contains(&CuboidHit::Pair(0, 1))
+        scene.hits.contains(&CuboidHit::Pair(0, 1))
     });
     assert!(bumped);
     for _ in 0..10 {

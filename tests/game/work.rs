@@ -35,7 +35,7 @@ impl Flown {
     }
 
     fn account(&self, body: u32) -> Account {
-        self.ledger().accounts()[body as usize]
+        self.ledger().accounts[body as usize]
     }
 
     fn gained(&self, body: u32) -> f64 {
@@ -126,7 +126,7 @@ fn drag_takes_what_a_fall_has_less_and_at_terminal_velocity_all_that_weight_does
     let mut before = WorkLedger::default();
     let flown = fall(4.5);
     assert!(before.go(&flown.history, 4 * 120, u64::MAX));
-    let last = late.accounts()[1].since(&before.accounts()[1]);
+    let last = late.accounts[1].since(&before.accounts[1]);
     assert!((last.by(drag) / last.by(ForceKind::Weight) + 1.0).abs() < 1e-7, "{last:?}");
 }
 
@@ -171,7 +171,7 @@ fn collisions_keep_the_momentum_of_all_and_elastic_ones_the_energy() {
         let (start, end) = (EnergyState::of_all(flown.history.start()), EnergyState::of_all(&flown.game));
         assert_near(end.momentum.x, 24.0 - 10.0, 14.0);
         assert_eq!(start.momentum, DVec2::new(14.0, 0.0));
-        let all = flown.ledger().accounts().iter().fold(Account::default(), |sum, account| sum.plus(account));
+        let all = flown.ledger().accounts.iter().fold(Account::default(), |sum, account| sum.plus(account));
         // ½μ·v² of the reduced mass 15/8 kg at 10 m/s is the most that a collision can take.
         assert_works(&all, &[], -0.5 * (15.0 / 8.0) * 100.0 * (1.0 - kept));
     }
@@ -188,7 +188,7 @@ fn within_a_pushed_row_the_pushes_pass_on_what_they_take() {
     let flown = Flown::of(game, 1.0, |_| Controls { thrust: true, ..Controls::default() });
     let (ledger, way) = (flown.ledger(), flown.game.world().body(BodyId(0)).position.x - 2.0);
     assert!(way > 1.0);
-    let [ship, first, second] = [0, 1, 2].map(|i| ledger.accounts()[i]);
+    let [ship, first, second] = [0, 1, 2].map(|i| ledger.accounts[i]);
     let push = |account: &Account| account.by(ForceKind::Push);
     assert_near(push(&ship) + push(&first) + push(&second), 0.0, push(&ship));
     assert_near(ship.by(ForceKind::Drive), 2000.0 * way, 2000.0 * way);
@@ -214,7 +214,7 @@ fn the_law_of_work_and_energy_holds_in_every_level() {
     for level in levels() {
         let flown = careful(&level);
         let mut ledger = flown.ledger();
-        let last = ledger.accounts().to_vec();
+        let last = ledger.accounts.to_vec();
         for (body, account) in (0..).zip(&last) {
             let size = account.by_force.iter().chain([&account.by_impacts]).fold(1.0, |size: f64, work| size.max(work.abs()));
             assert_near(account.sum(), flown.gained(body), size);
@@ -224,9 +224,9 @@ fn the_law_of_work_and_energy_holds_in_every_level() {
             assert!(ledger.go(&flown.history, tick, u64::MAX));
             let mut fresh = WorkLedger::default();
             fresh.go(&flown.history, tick, u64::MAX);
-            assert_eq!(ledger.accounts(), fresh.accounts(), "level {level}, tick {tick}");
+            assert_eq!(ledger.accounts, fresh.accounts, "level {level}, tick {tick}");
         }
-        assert_eq!(ledger.accounts(), last);
+        assert_eq!(ledger.accounts, last);
     }
 }
 
@@ -237,7 +237,7 @@ fn no_force_gets_the_work_of_another() {
         let at =
             |rate: f64| Flown::of(Game::with_tick_rate(experiment(folder), rate).unwrap(), 4.0, |_| Controls::default()).ledger();
         let (coarse, fine) = (at(120.0), at(3840.0));
-        for (coarse, fine) in coarse.accounts().iter().zip(fine.accounts()) {
+        for (coarse, fine) in coarse.accounts.iter().zip(fine.accounts) {
             let size = fine.by_force.iter().fold(1.0, |size: f64, work| size.max(work.abs()));
             for kind in ForceKind::ALL {
                 let error = (coarse.by(kind) - fine.by(kind)).abs() / size;

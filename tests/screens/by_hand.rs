@@ -63,7 +63,7 @@ fn show(sitting: &mut Sitting, parameter: Parameter) {
         Parameter::Stiffness(link) | Parameter::Damping(link) | Parameter::Breaks(link) => Some(tied(link)),
         _ => None,
     });
-    while body.is_some_and(|body| sitting.flight().observer().focus().followed().map(|id| id.index()) != Some(body)) {
+    while body.is_some_and(|body| sitting.flight().observer().focus().followed.map(|id| id.index()) != Some(body)) {
         sitting.press(Key::N);
     }
     if !sitting.labels().contains(&number(parameter).as_str()) {
@@ -154,7 +154,7 @@ fn heights_and_places_are_led_by_the_pointer_and_the_panel_follows() {
     let press = |click, holding| Input { pointer: Vec2::splat(300.0), place: Some(other), click, holding, ..Input::default() };
     sitting.give(Input { pointed: Some(BodyId(3)), ..press(true, true) });
     sitting.give(Input { pointed: Some(BodyId(3)), ..press(false, false) });
-    assert_eq!(sitting.flight().observer().focus().followed(), Some(BodyId(3)));
+    assert_eq!(sitting.flight().observer().focus().followed, Some(BodyId(3)));
     // From now on only what a start does not fix can vary.
     sitting.click("From now");
     let (before, place) = (sitting.game().level().clone(), sitting.game().level().objects[0].position);

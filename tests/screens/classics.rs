@@ -94,17 +94,17 @@ fn frames(sitting: &mut Sitting, input: &Input, count: usize) {
 fn the_arrow_keys_run_and_space_jumps() {
     let mut screen = tile_run();
     frames(&mut screen, &hold(&[]), 60);
-    assert!(run_of(&screen).runner().on_ground && run_of(&screen).frame() == 30, "30 frames of the run a second");
+    assert!(run_of(&screen).runner.on_ground && run_of(&screen).frame == 30, "30 frames of the run a second");
     frames(&mut screen, &hold(&[Key::Left]), 2);
-    assert_eq!(run_of(&screen).runner().vx, -0.1 * 0.80);
+    assert_eq!(run_of(&screen).runner.vx, -0.1 * 0.80);
     frames(&mut screen, &hold(&[Key::Left, Key::Right]), 2);
     frames(&mut screen, &press(&[Key::Space]), 1);
     frames(&mut screen, &hold(&[]), 1);
-    assert_eq!(run_of(&screen).runner().vy, -0.6 + 0.06);
+    assert_eq!(run_of(&screen).runner.vy, -0.6 + 0.06);
     frames(&mut screen, &hold(&[]), 60);
-    assert!(run_of(&screen).runner().on_ground, "one press, one jump");
+    assert!(run_of(&screen).runner.on_ground, "one press, one jump");
     frames(&mut screen, &press(&[Key::R]), 1);
-    assert_eq!((run_of(&screen).frame(), run_of(&screen).runner().tile()), (0, (58, 18)));
+    assert_eq!((run_of(&screen).frame, run_of(&screen).runner.tile()), (0, (58, 18)));
 }
 
 #[test]
@@ -150,23 +150,23 @@ fn the_commands_are_watched_paused_and_stepped() {
     let mut screen = tile_run();
     frames(&mut screen, &hold(&[]), 20);
     frames(&mut screen, &press(&[Key::Tab]), 1);
-    assert!(run_of(&screen).watching() && !run_of(&screen).paused() && run_of(&screen).frame() == 0);
+    assert!(run_of(&screen).watching && !run_of(&screen).paused && run_of(&screen).frame == 0);
     frames(&mut screen, &hold(&[]), 20);
-    let paused_at = run_of(&screen).frame();
+    let paused_at = run_of(&screen).frame;
     assert!((9..=10).contains(&paused_at));
     frames(&mut screen, &press(&[Key::Space]), 1);
     frames(&mut screen, &hold(&[Key::Left]), 60);
-    assert_eq!((run_of(&screen).paused(), run_of(&screen).frame()), (true, paused_at));
+    assert_eq!((run_of(&screen).paused, run_of(&screen).frame), (true, paused_at));
     for step in 1..=3 {
         frames(&mut screen, &press(&[Key::Right]), 1);
         frames(&mut screen, &hold(&[Key::Right]), 30);
-        assert_eq!(run_of(&screen).frame(), paused_at + step, "one press, one frame");
+        assert_eq!(run_of(&screen).frame, paused_at + step, "one press, one frame");
     }
     frames(&mut screen, &press(&[Key::Space]), 1);
     frames(&mut screen, &hold(&[]), 600);
-    assert_eq!((run_of(&screen).frame(), run_of(&screen).runner().tile()), (245, (58, 2)));
+    assert_eq!((run_of(&screen).frame, run_of(&screen).runner.tile()), (245, (58, 2)));
     frames(&mut screen, &press(&[Key::Tab]), 1);
-    assert!(!run_of(&screen).watching() && run_of(&screen).runner().tile() == (58, 18));
+    assert!(!run_of(&screen).watching && run_of(&screen).runner.tile() == (58, 18));
 }
 
 #[test]
@@ -174,7 +174,7 @@ fn the_run_is_as_fast_at_every_frame_rate() {
     for rate in [24.0, 60.0, 144.0] {
         let mut screen = tile_run();
         frames(&mut screen, &Input { frame_time: 1.0 / rate, ..hold(&[Key::Left]) }, rate as usize * 3);
-        assert!((89..=90).contains(&run_of(&screen).frame()), "{} frames in 3 s at {rate} a second", run_of(&screen).frame());
+        assert!((89..=90).contains(&run_of(&screen).frame), "{} frames in 3 s at {rate} a second", run_of(&screen).frame);
     }
 }
 
@@ -197,14 +197,14 @@ fn one_or_two_climb_with_their_keys() {
         let mut sitting = at(Request::Reset(Destination::Classic(Classic::Jumper)));
         assert_eq!(sitting.labels(), ["One Player", "Two Players", "Leaderboard", "Back"]);
         sitting.click(button);
-        assert_eq!((sitting.labels().len(), jumper(&sitting).scene().players().count()), (0, players));
+        assert_eq!((sitting.labels().len(), jumper(&sitting).scene.players().count()), (0, players));
         sitting.give(hold(&[Key::D, Key::Left]));
         sitting.give(hold(&[Key::D, Key::Left]));
-        let speeds: Vec<f64> = jumper(&sitting).scene().players().map(|(_, body)| body.velocity.x).collect();
+        let speeds: Vec<f64> = jumper(&sitting).scene.players().map(|(_, body)| body.velocity.x).collect();
         assert_eq!(speeds, if players == 2 { vec![4.0, -4.0] } else { vec![0.0] });
         // A press between two frames is not lost.
         sitting.give(Input { held: Keys::default(), ..press(&[Key::W]) });
-        let rises = jumper(&sitting).scene().players().next().unwrap().1.velocity.z > 0.0;
+        let rises = jumper(&sitting).scene.players().next().unwrap().1.velocity.z > 0.0;
         assert!(rises);
     }
 }
@@ -213,13 +213,13 @@ fn one_or_two_climb_with_their_keys() {
 fn a_climb_stands_still_while_it_is_paused() {
     let mut sitting = at(Request::Reset(Destination::Classic(Classic::Jumper)));
     sitting.click("One Player").give(hold(&[])).press(Key::Escape);
-    let ticks = jumper(&sitting).scene().ticks();
+    let ticks = jumper(&sitting).scene.ticks;
     assert_eq!(sitting.labels(), ["Resume", "Climb Again", "Back"]);
     assert!(sitting.shows("Paused"));
     sitting.give(hold(&[])).give(hold(&[]));
-    assert_eq!(jumper(&sitting).scene().ticks(), ticks);
+    assert_eq!(jumper(&sitting).scene.ticks, ticks);
     sitting.press(Key::Escape).give(hold(&[]));
-    assert!(jumper(&sitting).scene().ticks() > ticks);
+    assert!(jumper(&sitting).scene.ticks > ticks);
     sitting.press(Key::Escape);
     assert_eq!(sitting.click("Back").at(), "classics");
 }
@@ -235,7 +235,7 @@ fn a_climb_is_saved_on_the_jumpers_leaderboard() {
     assert_eq!(sitting.at(), "new player");
     // The way back loses nothing.
     assert_eq!(sitting.press(Key::Escape).at(), "jumper");
-    assert_eq!(jumper(&sitting).scene().score(), score);
+    assert_eq!(jumper(&sitting).scene.score(), score);
     sitting.click("Save Score").give(Input { typed: "Ada".to_owned(), ..hold(&[]) }).press(Key::Enter);
     assert_eq!(sitting.labels(), ["Climb Again", "Leaderboard", "Back"]);
     sitting.click("Leaderboard");
@@ -253,7 +253,7 @@ fn a_climb_that_came_to_nothing_cannot_be_saved() {
     let mut sitting = at(Request::Reset(Destination::Climbed(Box::new(JumperScene::new(1, true)))));
     assert_eq!(sitting.labels(), ["Climb Again", "Leaderboard", "Back"]);
     sitting.click("Climb Again");
-    assert_eq!(jumper(&sitting).scene().players().count(), 2, "again as many");
+    assert_eq!(jumper(&sitting).scene.players().count(), 2, "again as many");
 }
 
 fn run(sitting: &mut Sitting, frame_time: f64, seconds: f64) {
@@ -288,13 +288,13 @@ fn arrow_keys_change_n_and_speed_and_r_restarts() {
     let mut screen = pi();
     let tap = |screen: &mut Sitting, key: Key| {
         screen.give(press(&[key]));
-        (blocks_of(screen).n(), blocks_of(screen).speed())
+        (blocks_of(screen).n, blocks_of(screen).speed())
     };
     assert_eq!(tap(&mut screen, Key::Right), (3, 1.0));
     for _ in 0..20 {
         tap(&mut screen, Key::Right);
     }
-    assert_eq!(blocks_of(&screen).n(), 9);
+    assert_eq!(blocks_of(&screen).n, 9);
     for _ in 0..20 {
         tap(&mut screen, Key::Left);
     }
@@ -314,9 +314,9 @@ fn a_frame_holds_any_number_of_collisions_but_its_work_is_bounded() {
     }
     let mut most = 0;
     for _ in 0..400 {
-        let before = blocks_of(&screen).blocks().collisions();
+        let before = blocks_of(&screen).blocks.collisions;
         run(&mut screen, FRAME, FRAME);
-        most = most.max(blocks_of(&screen).blocks().collisions() - before);
+        most = most.max(blocks_of(&screen).blocks.collisions - before);
     }
     assert_eq!((most, blocks_of(&screen).counter()), (300_000, ("3141592".to_owned(), 7)));
 }

@@ -51,7 +51,7 @@ fn an_attempt_that_ends_comes_to_its_score_after_a_moment() {
     sitting.fly("1").wait(0.3);
     assert_eq!(sitting.at(), "flight", "the end can be seen");
     assert_eq!(sitting.wait(1.0).at(), "scoring");
-    assert!(sitting.scoring().result().score.total > 10_000);
+    assert!(sitting.scoring().result.score.total > 10_000);
     let mut sitting = Sitting::new();
     assert_eq!(sitting.fly("1").wait(0.1).press(Key::Escape).at(), "scoring", "Esc need not wait");
 }
@@ -118,8 +118,8 @@ fn after_a_death_the_level_flies_within_half_a_second_and_keys_that_are_held_wai
     // The details of the attempt are one key away, with its own figures and flight.
     sitting.press(Key::Enter);
     assert_eq!(sitting.at(), "scoring");
-    assert_eq!((sitting.scoring().result().outcome, sitting.scoring().result().score.total), (Outcome::Failed, 0));
-    assert!(sitting.scoring().result().time > 0.2 && sitting.shows("Touched a red box"));
+    assert_eq!((sitting.scoring().result.outcome, sitting.scoring().result.score.total), (Outcome::Failed, 0));
+    assert!(sitting.scoring().result.time > 0.2 && sitting.shows("Touched a red box"));
     assert_eq!(sitting.scores_file("attempts.csv").lines().filter(|line| line.contains(",failed,")).count(), 1);
     sitting.wait(0.5).choose("Watch").wait(0.2);
     assert_eq!(sitting.game().level().name, "2");

@@ -159,7 +159,7 @@ fn a_saved_score_has_its_flight_and_its_row_leads_to_it() {
     // A better score of another player, without a flight: its row leads nowhere.
     fs::write(sitting.folder.path().join("scores/0.csv"), text.clone() + "old,20500\nbob,1,9.5,bob.replay.csv\n").unwrap();
     sitting.home().choose("Boards").choose("0");
-    assert_eq!(sitting.leaderboard().board().rows()[0].name.as_str(), "old", "its score alone ranks it");
+    assert_eq!(sitting.leaderboard().board.rows()[0].name.as_str(), "old", "its score alone ranks it");
     assert_eq!((sitting.row("old")[2].as_str(), sitting.row("bob")[2].as_str()), ("–", "00:09.50"));
     let old = sitting.place("old");
     assert_eq!(sitting.click_at(old).at(), "leaderboard");
@@ -195,7 +195,7 @@ fn the_levels_own_flights_stand_on_its_board_by_their_scores() {
     // In the list of flights each says its time and score, once its record has been read.
     sitting.choose("Flights").wait(0.3);
     assert_eq!(sitting.at(), "flights");
-    let known = sitting.flights().candidates().iter().map(|flight| (flight.time.is_some(), flight.score.is_some()));
+    let known = sitting.flights().candidates.iter().map(|flight| (flight.time.is_some(), flight.score.is_some()));
     assert_eq!(known.collect::<Vec<_>>(), [(true, true), (true, true), (true, true), (true, true), (true, true), (false, true)]);
 }
 
@@ -207,10 +207,7 @@ fn one_or_several_are_raced_and_the_gaps_are_right() {
     // From the list of levels: Tab, the best is first, Race.
     sitting.choose("Levels").press(Key::Tab);
     assert_eq!(sitting.at(), "flights");
-    assert_eq!(
-        sitting.flights().candidates().iter().map(|flight| flight.about.as_str()).collect::<Vec<_>>(),
-        ["your best, rank 1"]
-    );
+    assert_eq!(sitting.flights().candidates.iter().map(|flight| flight.about.as_str()).collect::<Vec<_>>(), ["your best, rank 1"]);
     sitting.choose("Race");
     assert_eq!(sitting.at(), "flight");
     assert_eq!(sitting.flight().race().unwrap().all().len(), 1);
@@ -257,7 +254,7 @@ fn several_are_marked_by_keys_and_by_mouse_up_to_a_limit() {
     let card = sitting.area("1").centre();
     sitting.give(Input { pointer: card, right_click: true, ..Input::default() });
     assert_eq!(sitting.at(), "flights");
-    assert_eq!(sitting.flights().candidates().len(), 14);
+    assert_eq!(sitting.flights().candidates.len(), 14);
     sitting.rest();
     for line in 0..MOST_RIVALS {
         // The end of its row, below the head of that column.
@@ -308,11 +305,11 @@ fn a_flight_goes_from_one_game_to_another_as_a_code() {
     let code = one.app.session.clipboard.text();
     let mut other = flown_up(30);
     other.choose("Board").choose("Flights");
-    let count = other.flights().candidates().len();
+    let count = other.flights().candidates.len();
     let mut paste = |text: &str| {
         other.app.session.clipboard.keep(text.to_owned());
         other.choose("Paste Code");
-        (other.flights().message().unwrap().to_owned(), other.flights().candidates().len() - count)
+        (other.flights().message().unwrap().to_owned(), other.flights().candidates.len() - count)
     };
     assert_eq!(paste(&format!("{code}\n")), ("Proven: Somebody".to_owned(), 1));
     assert_eq!(paste(&code).1, 1, "once is enough");
@@ -338,7 +335,7 @@ fn a_lost_flight_can_be_watched_and_one_with_help_is_not_recorded() {
         fs::write(root.join("settings.csv"), "setting,value,player\nassist_fuel,on,\n").unwrap();
     });
     sitting.fly("1").wait(2.0);
-    assert!(sitting.choose("Board").choose("Flights").flights().candidates().is_empty());
+    assert!(sitting.choose("Board").choose("Flights").flights().candidates.is_empty());
 }
 
 #[test]

@@ -21,13 +21,13 @@ fn the_rail_opens_by_key_and_its_buttons_take_their_clicks_from_the_flight() {
     assert!(!sitting.flight().instruments().is_open());
     sitting.press(Key::Tab).press(Key::N).press(Key::I);
     assert!(sitting.flight().instruments().is_open());
-    let followed = sitting.flight().observer().focus().followed();
+    let followed = sitting.flight().observer().focus().followed;
     assert!(followed.is_some());
     sitting.click("Centre of mass");
     assert!(sitting.flight().instruments().uses(Instrument::Centre));
-    assert_eq!(sitting.flight().observer().focus().followed(), followed, "the click was the button's");
+    assert_eq!(sitting.flight().observer().focus().followed, followed, "the click was the button's");
     sitting.give(Input { pointer: Vec2::new(640.0, 200.0), click: true, ..Input::default() });
-    assert_eq!(sitting.flight().observer().focus().followed(), None, "the click was the flight's");
+    assert_eq!(sitting.flight().observer().focus().followed, None, "the click was the flight's");
     sitting.press(Key::R);
     assert!(sitting.flight().instruments().uses(Instrument::Centre), "it stays in use when the level begins again");
     sitting.press(Key::I);
@@ -92,12 +92,12 @@ fn the_ruler_is_laid_taken_again_and_bound_to_bodies() {
     assert!((before.y - read(&sitting).unwrap().parts.y - fallen).abs() < 1e-12);
     // A click without a drag moves no ruler, and is the flight's.
     sitting.press(Key::Tab).press(Key::N);
-    assert!(sitting.flight().observer().focus().followed().is_some());
+    assert!(sitting.flight().observer().focus().followed.is_some());
     let before = read(&sitting);
     to(&mut sitting, (10.0, 10.0), true, true);
-    assert!(sitting.flight().observer().focus().followed().is_some(), "as long as it may become a ruler");
+    assert!(sitting.flight().observer().focus().followed.is_some(), "as long as it may become a ruler");
     to(&mut sitting, (10.0, 10.0), false, false);
-    assert_eq!(sitting.flight().observer().focus().followed(), None);
+    assert_eq!(sitting.flight().observer().focus().followed, None);
     assert_eq!(read(&sitting), before);
     // On the rail it draws nothing.
     let rail = sitting.area("Centre of mass").centre();

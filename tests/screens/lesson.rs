@@ -46,7 +46,7 @@ pub fn opened(name: &str) -> Sitting {
         fs::write(root.join("experiments/experiments.csv"), wanted.join("\n")).unwrap();
     });
     sitting.choose("Lab");
-    while sitting.screen::<Lab>().page() != Page::Experiments {
+    while sitting.screen::<Lab>().page != Page::Experiments {
         sitting.press(Key::Tab);
     }
     sitting.press(Key::Enter);
@@ -113,7 +113,7 @@ fn an_experiment_waits_for_a_prediction_and_stands_still_again_after_a_restart()
 #[test]
 fn an_experiment_opens_on_what_moves_and_leads_back_to_the_list() {
     let mut sitting = free_fall();
-    let followed = |sitting: &Sitting| sitting.flight().observer().focus().followed().map(|body| body.0);
+    let followed = |sitting: &Sitting| sitting.flight().observer().focus().followed.map(|body| body.0);
     let flight = sitting.flight();
     assert!(sitting.scene().overlays.details && flight.observer().focus().fits() && !flight.game().level().ship_plays());
     let picked: Vec<Option<u32>> = (0..5)
@@ -130,7 +130,7 @@ fn an_experiment_opens_on_what_moves_and_leads_back_to_the_list() {
     assert_eq!((sitting.at(), sitting.labels()[3]), ("pause", "Back to experiments"));
     sitting.click("Back to experiments");
     let lab = sitting.screen::<Lab>();
-    assert_eq!(lab.page(), Page::Experiments);
+    assert_eq!(lab.page, Page::Experiments);
     assert!(sitting.focused() == "Free fall" && sitting.shows("docs/sheets/free-fall.html"));
 }
 

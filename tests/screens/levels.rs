@@ -17,7 +17,7 @@ fn levels_are_listed_in_numeric_order_on_cards_that_fill_the_page() {
     let share = cards.iter().map(|card| card.size.element_product()).sum::<f32>() / (1280.0 * 720.0);
     assert!(share > 0.5, "five cards fill {share} of the window");
     assert!(cards.iter().all(|card| card.size == cards[0].size));
-    let marked: Vec<bool> = sitting.level_select().entries().iter().map(|entry| entry.level.as_ref().unwrap().is_err()).collect();
+    let marked: Vec<bool> = sitting.level_select().entries.iter().map(|entry| entry.level.as_ref().unwrap().is_err()).collect();
     assert_eq!(marked, [false, false, false, false, true]);
 }
 
@@ -85,7 +85,7 @@ fn a_broken_level_met_on_the_way_lands_on_level_select_with_its_problems() {
 fn without_levels_nothing_breaks() {
     let mut sitting = Sitting::with(|root| fs::remove_dir_all(root.join("levels")).unwrap());
     assert_eq!(sitting.choose("Play").at(), "level select", "there is nothing to play");
-    assert!(sitting.level_select().entries().is_empty());
+    assert!(sitting.level_select().entries.is_empty());
     assert_eq!((sitting.labels()[0], sitting.shows("There are no levels here yet.")), ("Back", true));
     assert_eq!(sitting.click("Back").at(), "menu");
 }
@@ -94,7 +94,7 @@ fn without_levels_nothing_breaks() {
 fn a_card_shows_the_level_and_what_the_player_has_reached_there() {
     let mut sitting = Sitting::new();
     sitting.complete().press(Key::Escape);
-    let entries = sitting.level_select().entries();
+    let entries = &sitting.level_select().entries;
     assert!(entries[0].best.is_some_and(|best| best < 0.1) && entries[0].medals.medal == Some(Medal::Bronze));
     assert_eq!((entries[1].best, entries[1].medals.medal), (None, None));
     let Some(Ok((_, Some(Image::Painted(painting))))) = &entries[2].level else { panic!("it is not painted") };
@@ -113,7 +113,7 @@ fn medals_are_in_the_scoring_and_on_the_card() {
     });
     let silver = Medals { medal: Some(Medal::Silver), mark: false };
     sitting.press_all(&[Key::Down, Key::Enter]);
-    assert_eq!(sitting.level_select().entries()[0].medals, silver, "what the old time is worth now");
+    assert_eq!(sitting.level_select().entries[0].medals, silver, "what the old time is worth now");
     sitting.home().complete();
     let texts = sitting.texts();
     assert_eq!(texts.iter().filter(|(text, _)| text == "earned").count(), 3, "{texts:?}");
@@ -155,7 +155,7 @@ fn an_error_is_never_stale() {
     // Mended while the list is open: the card says so soon, and pressing it at once opens the level.
     fs::write(sitting.folder.path().join("levels/broken/obstacles.csv"), "").unwrap();
     sitting.wait(0.7);
-    assert!(sitting.level_select().entries()[4].level.as_ref().unwrap().is_ok());
+    assert!(sitting.level_select().entries[4].level.as_ref().unwrap().is_ok());
     fs::write(sitting.folder.path().join("levels/broken/obstacles.csv"), "1,2,wide,3\n").unwrap();
     assert_eq!(sitting.click("broken").at(), "problems");
     sitting.press(Key::Escape);
@@ -167,8 +167,8 @@ fn an_error_is_never_stale() {
 fn five_thousand_levels_are_listed_without_reading_them() {
     let mut sitting = Sitting::with(|root| (0..5000).for_each(|i| fs::create_dir(root.join(format!("levels/many{i}"))).unwrap()));
     sitting.choose("Levels").rest();
-    let known = |sitting: &Sitting| sitting.level_select().entries().iter().filter(|entry| entry.level.is_some()).count();
-    assert_eq!((sitting.level_select().entries().len(), known(&sitting)), (5005, 15));
+    let known = |sitting: &Sitting| sitting.level_select().entries.iter().filter(|entry| entry.level.is_some()).count();
+    assert_eq!((sitting.level_select().entries.len(), known(&sitting)), (5005, 15));
     sitting.press(Key::PageDown).rest();
     assert_eq!(known(&sitting), 30);
 }

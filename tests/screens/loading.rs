@@ -44,7 +44,7 @@ fn cards_appear_one_after_the_other_and_a_level_that_is_chosen_goes_before_them(
     let mut sitting = by_hand();
     sitting.work(10);
     sitting.app.grant(Request::Reset(Destination::Levels(Purpose::Play)), &mut ());
-    let known = |sitting: &Sitting| sitting.level_select().entries().iter().filter(|entry| entry.level.is_some()).count();
+    let known = |sitting: &Sitting| sitting.level_select().entries.iter().filter(|entry| entry.level.is_some()).count();
     sitting.rest();
     for count in 0..3 {
         assert_eq!(known(sitting.rest()), count);
@@ -111,7 +111,7 @@ fn levels_that_come_and_go_while_the_list_is_open_are_listed() {
     fs::remove_dir_all(sitting.folder.path().join("levels/3")).unwrap();
     sitting.wait(0.6);
     assert_eq!(sitting.level_names(), ["0", "1", "2", "10", "broken"]);
-    assert!(sitting.level_select().entries()[0].level.as_ref().is_some_and(Result::is_ok));
+    assert!(sitting.level_select().entries[0].level.as_ref().is_some_and(Result::is_ok));
     assert_eq!(sitting.press(Key::Enter).flown(), "2", "the keyboard stays on its level");
 }
 

@@ -81,8 +81,8 @@ fn a_right_click_in_the_menu_drops_a_ball_that_stays_in_the_window() {
         sitting.frame = Frame::of_window(size);
         sitting.wait(1.0);
         let (balls, frame) = (sitting.menu().balls(), sitting.frame);
-        let areas: Vec<Area> = sitting.areas().into_iter().chain(sitting.menu().lines().iter().copied()).collect();
-        assert_eq!(sitting.menu().lines().len(), 4, "the level's title, who plays, the hint and the game's");
+        let areas: Vec<Area> = sitting.areas().into_iter().chain(sitting.menu().lines.iter().copied()).collect();
+        assert_eq!(sitting.menu().lines.len(), 4, "the level's title, who plays, the hint and the game's");
         assert!(balls.len() > 10, "{} balls", balls.len());
         for (i, ball) in balls.iter().enumerate() {
             let inside = ball.min.cmpge(Vec2::splat(-0.1)).all() && ball.max().cmple(frame.size + 0.1).all();

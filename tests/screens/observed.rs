@@ -65,8 +65,7 @@ fn time_is_slowed_down_to_a_hundredth_and_hurried_up_to_eight_times() {
 #[test]
 fn bodies_are_picked_out_by_key_and_by_click_while_the_details_are_open() {
     let mut sitting = flying();
-    let focus =
-        |sitting: &Sitting| (sitting.flight().observer().focus().followed(), sitting.flight().observer().focus().compared());
+    let focus = |sitting: &Sitting| (sitting.flight().observer().focus().followed, sitting.flight().observer().focus().compared);
     sitting.press(Key::N);
     assert_eq!(focus(&sitting), (None, None), "without details there is nothing to pick");
     sitting.press(Key::Tab).press(Key::N).press(Key::N);

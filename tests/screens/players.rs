@@ -9,7 +9,7 @@ use std::fs;
 /// How many levels of the list are done.
 fn done(sitting: &mut Sitting) -> usize {
     sitting.choose("Levels").rest();
-    let done = sitting.level_select().entries().iter().filter(|entry| entry.medals.medal == Some(Medal::Bronze)).count();
+    let done = sitting.level_select().entries.iter().filter(|entry| entry.medals.medal == Some(Medal::Bronze)).count();
     sitting.press(Key::Escape);
     done
 }
@@ -138,7 +138,7 @@ fn a_damaged_file_of_players_is_told_and_costs_nobody_anything() {
 fn a_level_that_shares_a_name_with_the_players_file_is_refused() {
     let mut sitting = Sitting::with(|root| level(root, "Players", crate::sitting::FAR_AWAY, ""));
     sitting.choose("Levels").rest();
-    let entry = sitting.level_select().entries().iter().find(|entry| entry.name == "Players").unwrap();
+    let entry = sitting.level_select().entries.iter().find(|entry| entry.name == "Players").unwrap();
     assert!(entry.level.as_ref().unwrap().as_ref().is_err_and(|problems| problems[0].contains("players.csv")), "{entry:?}");
 }
 

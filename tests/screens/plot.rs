@@ -56,7 +56,7 @@ fn a_click_in_the_plot_leads_to_its_moment_where_the_world_stands_still() {
     let mut sitting = free_fall();
     sitting.wait(0.5);
     open_plot(&mut sitting);
-    let followed = sitting.flight().observer().focus().followed();
+    let followed = sitting.flight().observer().focus().followed;
     assert_eq!(followed, Some(BodyId(1)), "objects are picked out for the plot");
     let at = |sitting: &Sitting, tick| plot(sitting).at(0, tick).unwrap();
     let place = at(&sitting, 20);
@@ -71,7 +71,7 @@ fn a_click_in_the_plot_leads_to_its_moment_where_the_world_stands_still() {
         let speed = sitting.game().world().body(BodyId(1)).velocity.y;
         assert_eq!(value(&sitting, 1), Some(0.0 - speed), "up counts");
     }
-    assert_eq!(sitting.flight().observer().focus().followed(), followed, "the clicks were the plot's");
+    assert_eq!(sitting.flight().observer().focus().followed, followed, "the clicks were the plot's");
     assert!(sitting.flight().is_assisted() && sitting.flight().history().ticks() == end);
     // From there it is flown otherwise, and the curve follows.
     sitting.press(Key::B).wait(0.1).press(Key::B).wait(0.1);

@@ -22,7 +22,7 @@ fn save_and_next_are_there_only_when_they_may_be_used() {
     let recording = Attempt { level: Arc::new(flown), inputs: Some(Arc::default()), rivals: Vec::new() };
     sitting.app.grant(Request::Reset(Destination::Fly(recording)), &mut ());
     assert_eq!(sitting.wait(1.5).labels(), ["Next", "Again", "Board"], "nor one that was watched");
-    assert!(sitting.scoring().result().score.total > 0 && sitting.shows("recording"), "{:?}", sitting.texts());
+    assert!(sitting.scoring().result.score.total > 0 && sitting.shows("recording"), "{:?}", sitting.texts());
     let last = |root: &Path| level(root, "z-last", HERE, "");
     let mut sitting = Sitting::with(last);
     assert_eq!(sitting.fly("z-last").wait(1.5).labels(), ["Again", "Watch", "Board", "Save Score"]);
@@ -54,7 +54,7 @@ fn the_score_is_explained_part_by_part() {
     let colours = ["Objectives met", "Time", "Damaging collisions", "Fuel left"].map(|part| sitting.colour(part));
     assert_eq!(colours, [theme::good(), theme::good(), theme::text(), theme::good()]);
     let sum: i64 = rows.iter().map(|row| row[row.len() - 1].replace('−', "-").parse::<i64>().unwrap()).sum();
-    assert_eq!((sum, sitting.row("Score")[1].as_str()), (sitting.scoring().result().score.total, sum.to_string().as_str()));
+    assert_eq!((sum, sitting.row("Score")[1].as_str()), (sitting.scoring().result.score.total, sum.to_string().as_str()));
     let mut lost = Sitting::new();
     assert_eq!((lost.lose().row("Objectives met")[1].as_str(), lost.colour("Objectives met")), ("0/1", theme::bad()));
 }
@@ -86,7 +86,7 @@ fn an_empty_board_invites_to_fly() {
     let mut sitting = Sitting::new();
     sitting.choose("Boards").choose("1");
     assert_eq!(sitting.at(), "leaderboard");
-    assert!(sitting.leaderboard().board().rows().is_empty() && sitting.shows("No scores yet") && sitting.warning().is_none());
+    assert!(sitting.leaderboard().board.rows().is_empty() && sitting.shows("No scores yet") && sitting.warning().is_none());
     assert_eq!(sitting.labels(), ["Play", "Flights", "Back"]);
     assert_eq!(sitting.press(Key::Enter).flown(), "1");
 }
@@ -156,7 +156,7 @@ fn a_leaderboard_turns_aligned_pages_of_ten_and_scrolls_by_wheel() {
 fn a_damaged_file_is_reported_beside_its_sound_rows() {
     let mut sitting = with_scores("2.csv", "name,score\nann,30000\nbob,many\n");
     sitting.choose("Boards").choose("2");
-    assert_eq!(sitting.leaderboard().board().rows().len(), 1, "sound rows are shown");
+    assert_eq!(sitting.leaderboard().board.rows().len(), 1, "sound rows are shown");
     assert!(sitting.shows("2.csv:3"));
     let scores = Scores::new(sitting.folder.path().join("scores"));
     assert_eq!(scores.load("2").unwrap().damage.len(), 1, "looking changes nothing");
@@ -167,7 +167,7 @@ fn points_count_up_and_the_button_names_the_key_that_flies_again() {
     let mut sitting = Sitting::new();
     sitting.fly("1").wait(1.25);
     assert_eq!(sitting.at(), "scoring");
-    let total = sitting.scoring().result().score.total.to_string();
+    let total = sitting.scoring().result.score.total.to_string();
     assert_ne!(sitting.row("Score")[1], total, "it has just begun to count");
     sitting.wait(0.6);
     assert_eq!(sitting.row("Score")[1], total);

@@ -83,7 +83,7 @@ fn a_flight_with_help_is_marked() {
         }
         sitting.press_all(&[Key::Left][..steps]);
         sitting.press(Key::Escape).complete();
-        assert_eq!(sitting.scoring().result().assisted, marked);
+        assert_eq!(sitting.scoring().result.assisted, marked);
     }
 }
 

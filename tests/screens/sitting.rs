@@ -286,7 +286,7 @@ impl Sitting {
         let screen = self.app.screen();
         let has = |label: &str| self.labels().contains(&label);
         if let Some(select) = screen.get::<LevelSelect>() {
-            return match select.purpose() {
+            return match select.purpose {
                 _ if has("Close") => "problems",
                 Purpose::Play => "level select",
                 Purpose::Leaderboard => "leaderboards",
@@ -347,7 +347,7 @@ impl Sitting {
 
     /// The names of the levels in the list.
     pub fn level_names(&self) -> Vec<&str> {
-        self.level_select().entries().iter().map(|entry| entry.name.as_str()).collect()
+        self.level_select().entries.iter().map(|entry| entry.name.as_str()).collect()
     }
 
     /// The level that is flown.

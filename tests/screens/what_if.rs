@@ -224,7 +224,7 @@ fn a_slider_is_dragged_against_one_run_before_and_steps_are_fine() {
 fn of_an_object_that_is_followed_its_own_numbers_are_varied() {
     let mut sitting = varying();
     sitting.press(Key::Tab).press_all(&[Key::N, Key::N]).rest();
-    assert_eq!(sitting.flight().observer().focus().followed().map(|body| body.index()), Some(1));
+    assert_eq!(sitting.flight().observer().focus().followed.map(|body| body.index()), Some(1));
     assert!(!sitting.labels().contains(&Parameter::Thrust.name().as_str()), "only the ship has an engine");
     sitting.wait(0.2);
     type_in(&mut sitting, Parameter::Restitution(1), "1");
@@ -289,7 +289,7 @@ fn a_varied_run_that_ends_is_no_attempt_and_leads_back_to_the_level_as_it_is() {
     sitting.wait(1.5);
     let list = sitting.scores_file("attempts.csv");
     assert_eq!((sitting.at(), attempts(&sitting)), ("scoring", 2), "{list}");
-    assert!(sitting.scoring().result().score.total > 10_000 && !sitting.scoring().result().assisted);
+    assert!(sitting.scoring().result.score.total > 10_000 && !sitting.scoring().result.assisted);
 }
 
 #[test]
@@ -395,7 +395,7 @@ fn what_is_varied_is_saved_as_a_level_of_its_own_that_can_be_chosen() {
     assert_eq!(fs::read_dir(&levels).unwrap().count(), 5 + 3);
     assert!(sitting.flight().variation().is_some(), "it is flown on");
     sitting.press(Key::Escape).choose("Level Select");
-    let names: Vec<&str> = sitting.level_select().entries().iter().map(|entry| entry.name.as_str()).collect();
+    let names: Vec<&str> = sitting.level_select().entries.iter().map(|entry| entry.name.as_str()).collect();
     assert!(names.contains(&"moon"), "{names:?}");
     sitting.choose("moon");
     assert_eq!((sitting.at(), sitting.game().level().gravity), ("flight", 1.62));

@@ -164,7 +164,7 @@ fn a_key_and_a_button_lead_to_the_free_body_picture_and_back() {
         };
     }
     sitting.press(Key::K).press(Key::N);
-    assert_eq!(sitting.flight().observer().focus().followed().map(|body| body.0), Some(2), "N leads to the next body there too");
+    assert_eq!(sitting.flight().observer().focus().followed.map(|body| body.0), Some(2), "N leads to the next body there too");
 }
 
 #[test]

@@ -79,7 +79,7 @@ fn a_level_a_little_smaller_than_the_window_is_magnified_until_it_fills_it() {
     // 40 m × 22 m at 30 units a metre would leave a strip in a window of 1280 × 720.
     let (level, ship) = (DVec2::new(40.0, 22.0), DVec2::new(3.0, 20.0));
     let view = view(ship, ship, level, WINDOWS[0]);
-    assert!(view.scale() > METRE && view.scale() <= 1.5 * METRE);
+    assert!(view.scale > METRE && view.scale <= 1.5 * METRE);
     assert!(Aabb::new(DVec2::ZERO, level).contains(&view.visible(), 1.0 / METRE));
 }
 
@@ -101,9 +101,9 @@ fn closing_in_keeps_the_ship_where_it_is_and_shows_nothing_outside() {
         for ship in places(level) {
             let usual = view(ship, ship, level, window);
             let close = usual.closer(ship, 1.35);
-            assert_eq!(close.scale(), 1.35 * usual.scale());
+            assert_eq!(close.scale, 1.35 * usual.scale);
             let (before, after) = (usual.point(ship).as_dvec2(), close.point(ship).as_dvec2());
-            let free = |at: f64, size: f64| (3.0 * close.scale()..=size - 3.0 * close.scale()).contains(&at);
+            let free = |at: f64, size: f64| (3.0 * close.scale..=size - 3.0 * close.scale).contains(&at);
             if free(before.x, window.size.x) && free(before.y, window.size.y) {
                 assert!((after - before).abs().max_element() <= 2.0 * window.pixel, "the ship at {ship}: {before}, then {after}");
             }
@@ -117,9 +117,9 @@ fn closing_in_keeps_the_ship_where_it_is_and_shows_nothing_outside() {
         assert!(off <= window.pixel, "{off}");
     }
     let mut camera = Camera::new(DVec2::ZERO);
-    assert_eq!(camera.closeness(), 1.0);
+    assert_eq!(camera.closeness, 1.0);
     (0..240).for_each(|_| camera.close_in(1.0 / 60.0));
-    assert!((camera.closeness() - 1.35).abs() < 1e-3);
+    assert!((camera.closeness - 1.35).abs() < 1e-3);
 }
 
 #[test]
@@ -200,14 +200,14 @@ fn turned(fit: Option<Aabb>, zoom: f64, frames: u32) -> Camera {
 fn a_fitted_view_holds_what_moves_and_is_no_closer_than_usual() {
     let level = DVec2::new(120.0, 90.0);
     for window in WINDOWS {
-        let usual = view(level * 0.5, level * 0.5, level, window).scale();
+        let usual = view(level * 0.5, level * 0.5, level, window).scale;
         for (min, max) in
             [((1.0, 1.0), (2.0, 2.0)), ((5.0, 5.0), (70.0, 20.0)), ((80.0, 1.0), (119.0, 89.0)), ((0.0, 0.0), (120.0, 90.0))]
         {
             let bounds = Aabb::new(DVec2::from(min), DVec2::from(max));
             let fitted = turned(Some(bounds), 1.0, 1).viewport(DVec2::splat(60.0), level, METRE, window);
-            assert!(fitted.visible().contains(&bounds, window.pixel / fitted.scale()), "{bounds:?} in {:?}", fitted.visible());
-            assert!(fitted.scale() <= usual && fitted.visible().size().min_element() > 0.0);
+            assert!(fitted.visible().contains(&bounds, window.pixel / fitted.scale), "{bounds:?} in {:?}", fitted.visible());
+            assert!(fitted.scale <= usual && fitted.visible().size().min_element() > 0.0);
         }
     }
 }
@@ -242,15 +242,15 @@ fn zooming_draws_larger_and_smaller_as_far_as_the_whole_level() {
             camera.viewport(ship, level, METRE, window)
         };
         let usual = at(1.0);
-        assert_eq!((at(2.0).scale(), at(0.5).scale()), (2.0 * usual.scale(), 0.5 * usual.scale()));
+        assert_eq!((at(2.0).scale, at(0.5).scale), (2.0 * usual.scale, 0.5 * usual.scale));
         assert!(at(2.0).visible().contains(&Aabb::around(ship, HALF_SHIP), 0.0));
-        assert!(at(1e-3).visible().contains(&Aabb::new(DVec2::ZERO, level), window.pixel / at(1e-3).scale()));
-        assert_eq!(at(1e-3).scale(), at(1e-6).scale(), "no further than the whole level");
+        assert!(at(1e-3).visible().contains(&Aabb::new(DVec2::ZERO, level), window.pixel / at(1e-3).scale));
+        assert_eq!(at(1e-3).scale, at(1e-6).scale, "no further than the whole level");
     }
     // It turns to another zoom by and by.
     let mut camera = turned(None, 1.0, 1);
     camera.turn(None, 2.0, 1.0 / 60.0);
-    let after = camera.viewport(ship, level, METRE, WINDOWS[0]).scale();
+    let after = camera.viewport(ship, level, METRE, WINDOWS[0]).scale;
     assert!(after > METRE && after < 1.5 * METRE, "{after}");
 }
 
@@ -260,7 +260,7 @@ fn a_fast_ship_has_a_wider_view_and_one_that_rests_the_usual_one() {
     let mut camera = Camera::new(ship);
     let mut scale = |speed: f64| {
         (0..600).for_each(|_| camera.follow(ship, DVec2::new(speed, 0.0), 1.0 / 60.0));
-        camera.viewport(ship, level, METRE, WINDOWS[0]).scale() / METRE
+        camera.viewport(ship, level, METRE, WINDOWS[0]).scale / METRE
     };
     assert!((scale(5.0) - 1.0).abs() < 1e-9);
     let (fast, faster) = (scale(16.0), scale(40.0));

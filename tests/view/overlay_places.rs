@@ -54,7 +54,7 @@ impl Onlooker {
 
     fn look(&mut self, game: &Game, (camera, focus): (&Camera, &Focus), seen: &mut Seen, what: &str) {
         let (world, frame) = (game.world(), self.frame);
-        let kept = world.body(focus.followed().unwrap_or(game.lead())).position;
+        let kept = world.body(focus.followed.unwrap_or(game.lead())).position;
         let view = camera.viewport(kept, game.level().size, game.level().metre, window(&frame));
         let centres = centres(game);
         let looking = Looking { centres: &centres, focus, pointer: None, model: false, velocity: game.level().ship_plays() };
@@ -66,7 +66,7 @@ impl Onlooker {
             self.check_fit(game, &view, seen, &what);
         }
         let details = &self.details;
-        let lead = focus.followed().unwrap_or(game.lead());
+        let lead = focus.followed.unwrap_or(game.lead());
         let own = details.boxes.iter().any(|placed| placed.text.body == lead);
         assert!(own || frame.text > 1.0 || !game.level().ship_plays(), "{}: the ship's own box has no place", what());
         seen.looks += 1;
@@ -135,7 +135,7 @@ impl Onlooker {
                 assert!((scale / first - 1.0).abs() < within, "{}: {arrow:?} has {scale}, others {first} N a unit", what());
             }
         }
-        if focus.followed().is_none() {
+        if focus.followed.is_none() {
             let visible = view.visible();
             let in_view = (game.lead().index()..centres.len())
                 .filter(|&i| Aabb::around(centres[i], game.world().bodies()[i].half).touches(&visible, 0.0));
@@ -152,7 +152,7 @@ impl Onlooker {
 
     /// In a view that is fitted everything that moves is in the window, and the forces of an experiment's scale are to scale.
     fn check_fit(&self, game: &Game, view: &Viewport, seen: &mut Seen, what: &dyn Fn() -> String) {
-        let slack = 1.0 / view.scale();
+        let slack = 1.0 / view.scale;
         let (visible, moving) = (view.visible(), moving(game, 1.0));
         assert!(visible.contains(&moving, slack), "{}: {moving:?} is not in {visible:?}", what());
         // The weights on the water are thousands of newtons.
@@ -170,7 +170,7 @@ impl Onlooker {
 /// Looks at a game every half second while it is played, at words of either size in turn.
 fn watch(level: &Arc<Level>, focus: &Focus, inputs: impl Iterator<Item = Controls>, name: &str, seen: &mut Seen) {
     let mut game = Game::new(Arc::clone(level)).unwrap();
-    let lead = focus.followed().unwrap_or(game.lead());
+    let lead = focus.followed.unwrap_or(game.lead());
     let mut camera = Camera::new(game.world().body(lead).position);
     let mut onlookers = Onlooker::all();
     let every = (EVERY * game.tick_rate()) as u64;

@@ -54,8 +54,8 @@ proptest! {
         let mass = Silhouette::new(&boxes);
         let (area, outline) = counted(&boxes);
         let pieces: f64 = mass.pieces().map(|(bounds, _)| bounds.size().x * bounds.size().y).sum();
-        let inside: f64 = mass.loops().iter().map(|corners| shoelace(corners)).sum::<f64>() / 2.0;
-        let edges: f64 = mass.edges().iter().map(|edge| edge.length()).sum();
+        let inside: f64 = mass.loops.iter().map(|corners| shoelace(corners)).sum::<f64>() / 2.0;
+        let edges: f64 = mass.edges.iter().map(|edge| edge.length()).sum();
         prop_assert!((pieces - area).abs() < 1e-9, "pieces of {pieces} m², the boxes cover {area}");
         prop_assert!((inside - area).abs() < 1e-9, "loops round {inside} m², the boxes cover {area}");
         prop_assert!((edges - outline).abs() < 1e-9, "edges of {edges} m, the border is {outline}");
@@ -74,12 +74,12 @@ proptest! {
     #[test]
     fn every_loop_turns_at_each_corner_and_every_edge_knows_its_two_sides(boxes in boxes()) {
         let mass = Silhouette::new(&boxes);
-        for corners in mass.loops() {
+        for corners in mass.loops {
             prop_assert!(corners.len() >= 4 && corners.len() % 2 == 0);
             let side = |i: usize| corners[(i + 1) % corners.len()] - corners[i % corners.len()];
             prop_assert!((0..corners.len()).all(|i| side(i).dot(side(i + 1)) == 0.0 && side(i) != DVec2::ZERO));
         }
-        for edge in mass.edges() {
+        for edge in mass.edges {
             let middle = (edge.from + edge.to) * 0.5;
             // The middle of an edge of a whole number of half metres may lie between two cells.
             let at = middle + edge.along() * 0.125;
@@ -113,7 +113,7 @@ proptest! {
         let lines = dimensions(&mass, ROCK, &[]);
         for (i, line) in lines.iter().enumerate() {
             let ends = [line.from + line.to_edge, line.to + line.to_edge];
-            let measured = mass.edges().iter().any(|edge| {
+            let measured = mass.edges.iter().any(|edge| {
                 let near = |corner: DVec2| ends.iter().any(|end| end.distance(corner) < 1e-9);
                 near(edge.from) && near(edge.to)
             });
@@ -128,7 +128,7 @@ proptest! {
         let mass = Silhouette::new(&boxes);
         let (at, reach) = (DVec2::new(x, y), 5.0);
         let opaque: Vec<Aabb> = boxes.iter().map(|(bounds, _)| *bounds).collect();
-        for lit in cast(mass.edges(), &Aabb::around(at, DVec2::ZERO), reach, &opaque) {
+        for lit in cast(&mass.edges, &Aabb::around(at, DVec2::ZERO), reach, &opaque) {
             prop_assert!(lit.strength.iter().all(|s| (0.0..=1.0).contains(s)));
             prop_assert!((at - lit.from).dot(lit.inward) < 0.05, "{lit:?} looks away from {at}");
             let nearest = (at - lit.from).length().min((at - lit.to).length());
@@ -160,16 +160,16 @@ fn a_picture_behind_lies_once_on_all_of_the_rock_that_it_covers() {
 fn a_ring_of_blocks_is_one_mass_with_a_hole() {
     let ring = [area(0.0, 0.0, 3.0, 1.0), area(0.0, 1.0, 1.0, 1.0), area(2.0, 1.0, 1.0, 1.0), area(0.0, 2.0, 3.0, 1.0)];
     let mass = Silhouette::new(&ring.map(|bounds| (bounds, ROCK)));
-    let areas: Vec<f64> = mass.loops().iter().map(|corners| shoelace(corners) / 2.0).collect();
+    let areas: Vec<f64> = mass.loops.iter().map(|corners| shoelace(corners) / 2.0).collect();
     assert_eq!(areas, [9.0, -1.0]);
-    assert_eq!(mass.edges().len(), 8);
-    assert!(mass.edges().iter().filter(|edge| edge.corners == [Corner::Inner; 2]).count() == 4, "the hole has inner corners");
+    assert_eq!(mass.edges.len(), 8);
+    assert!(mass.edges.iter().filter(|edge| edge.corners == [Corner::Inner; 2]).count() == 4, "the hole has inner corners");
 }
 
 #[test]
 fn blocks_that_touch_at_a_corner_keep_their_own_outlines() {
     let mass = Silhouette::new(&[(area(0.0, 0.0, 1.0, 1.0), ROCK), (area(1.0, 1.0, 1.0, 1.0), ROCK)]);
-    assert_eq!(mass.loops().iter().map(Vec::len).collect::<Vec<_>>(), [4, 4]);
+    assert_eq!(mass.loops.iter().map(Vec::len).collect::<Vec<_>>(), [4, 4]);
 }
 
 #[test]
@@ -178,7 +178,7 @@ fn a_pad_let_into_a_floor_cuts_the_edge_without_a_corner() {
     let floor = [area(0.0, 4.0, 3.0, 4.0), area(3.0, 5.0, 2.0, 3.0), area(5.0, 4.0, 3.0, 4.0)];
     let boxes: Vec<_> = floor.into_iter().map(|bounds| (bounds, ROCK)).chain([(area(3.0, 4.0, 2.0, 1.0), steel)]).collect();
     let mass = Silhouette::new(&boxes);
-    let top: Vec<_> = mass.edges().iter().filter(|edge| edge.inward == DVec2::Y).collect();
+    let top: Vec<_> = mass.edges.iter().filter(|edge| edge.inward == DVec2::Y).collect();
     let found: Vec<_> = top.iter().map(|edge| (edge.from.x, edge.to.x, edge.kind, edge.corners)).collect();
     assert_eq!(
         found,
@@ -198,7 +198,7 @@ fn sides_a_rounding_apart_are_one_line() {
     // A tenth of a metre is no whole number of bits.
     let boxes: Vec<_> = (0..30).map(|i| (area(0.1 * f64::from(i), 0.0, 0.1, 1.0), ROCK)).collect();
     let mass = Silhouette::new(&boxes);
-    assert_eq!((mass.loops().len(), mass.edges().len(), mass.pieces().count()), (1, 4, 1));
+    assert_eq!((mass.loops.len(), mass.edges.len(), mass.pieces().count()), (1, 4, 1));
 }
 
 #[test]
@@ -207,13 +207,13 @@ fn a_wall_shades_what_is_behind_it_and_glass_would_not() {
     let mass = Silhouette::new(&[(floor, ROCK), (wall, ROCK)]);
     let lamp = area(2.0, 9.0, 1.0, 1.0);
     let lit = |opaque: &[Aabb]| {
-        let lit = cast(mass.edges(), &lamp, 6.0, opaque);
+        let lit = cast(&mass.edges, &lamp, 6.0, opaque);
         lit.into_iter().filter(|lit| lit.inward == DVec2::Y && lit.from.x > 5.0).count()
     };
     assert_eq!(lit(&[floor, wall]), 0);
     assert!(lit(&[floor]) > 0);
     // The floor under the lamp has all of its light.
-    let under = cast(mass.edges(), &lamp, 6.0, &[floor, wall]);
+    let under = cast(&mass.edges, &lamp, 6.0, &[floor, wall]);
     assert!(under.iter().any(|lit| lit.inward == DVec2::Y && lit.strength == [1.0, 1.0]));
 }
 
@@ -221,11 +221,11 @@ fn a_wall_shades_what_is_behind_it_and_glass_would_not() {
 fn the_shipped_levels_are_of_few_pieces_whatever_they_are_built_of() {
     for level in levels().iter().map(|name| load(name)) {
         let mass = mass(&level);
-        assert!(mass.edges().iter().all(|edge| edge.bounds().touches(&level.bounds(), 0.0)), "level {}", level.name);
-        assert!(mass.edges().len() < 150 && !dimensions(&mass, ROCK, &[]).is_empty(), "level {}", level.name);
+        assert!(mass.edges.iter().all(|edge| edge.bounds().touches(&level.bounds(), 0.0)), "level {}", level.name);
+        assert!(mass.edges.len() < 150 && !dimensions(&mass, ROCK, &[]).is_empty(), "level {}", level.name);
         let (strokes, size) = (hatching(&mass, ROCK), level.size);
         // A stroke a metre and a half of edge or so: sparse.
-        let length: f64 = mass.edges().iter().filter(|edge| edge.kind == ROCK).map(|edge| edge.length()).sum();
+        let length: f64 = mass.edges.iter().filter(|edge| edge.kind == ROCK).map(|edge| edge.length()).sum();
         assert!((0.5..2.0).contains(&(strokes.len() as f64 / length)), "level {}: {} on {length} m", level.name, strokes.len());
         let near = Aabb::new(DVec2::splat(-2.0), size + 2.0);
         assert!(strokes.iter().all(|stroke| near.contains(&Aabb::around(stroke.to, DVec2::ZERO), 0.0)));

@@ -211,7 +211,7 @@ pub struct Tower {
     random: Pcg32,
     rows: u32,
     left_out: u32,
-    statics: Vec<Static>,
+    pub statics: Vec<Static>,
 }
 
 impl Tower {
@@ -219,11 +219,6 @@ impl Tower {
     pub fn new(seed: u64) -> Self {
         let wall = |x| slab(StaticKind::Wall, DVec3::new(x, 0.0, 0.0), DVec3::new(THICKNESS, DEPTH, WALL_HEIGHT));
         Self { random: Pcg32::new(seed, STREAM), rows: 0, left_out: 0, statics: vec![wall(-THICKNESS), wall(WIDTH)] }
-    }
-
-    /// The two walls, then the platforms from below to above.
-    pub fn statics(&self) -> &[Static] {
-        &self.statics
     }
 
     /// Generates all rows up to `height` m.
@@ -296,7 +291,7 @@ mod tests {
     fn rows(seed: u64, height: u32) -> Vec<Vec<Cuboid>> {
         let mut tower = Tower::new(seed);
         tower.grow_to(f64::from(height));
-        let platforms: Vec<Cuboid> = tower.statics()[2..].iter().map(|it| it.cuboid).collect();
+        let platforms: Vec<Cuboid> = tower.statics[2..].iter().map(|it| it.cuboid).collect();
         (1..=height).map(|z| platforms.iter().copied().filter(|it| it.location.z == f64::from(z)).collect()).collect()
     }
 
@@ -335,10 +330,10 @@ mod tests {
         tower.grow_to(30.0);
         let mut again = Tower::new(7);
         again.grow_to(30.0);
-        assert_eq!(tower.statics(), again.statics());
+        assert_eq!(tower.statics, again.statics);
         assert_ne!(rows(7, 30), rows(8, 30));
         again.drop_below(12.5);
-        assert!(again.statics()[2..].iter().all(|it| it.cuboid.location.z >= 13.0));
-        assert_eq!(again.statics()[..2], tower.statics()[..2]);
+        assert!(again.statics[2..].iter().all(|it| it.cuboid.location.z >= 13.0));
+        assert_eq!(again.statics[..2], tower.statics[..2]);
     }
 }

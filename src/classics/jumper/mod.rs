@@ -72,7 +72,7 @@ pub struct Climber {
     jump_held: bool,
     jumped: bool,
     air_jump_left: bool,
-    direction: f64,
+    pub direction: f64,
     stagger: u32,
     out: bool,
 }
@@ -85,11 +85,6 @@ impl Climber {
     /// Whether the view has left this player behind.
     pub fn is_out(&self) -> bool {
         self.out
-    }
-
-    /// The direction last taken: −1 left, 1 right, 0 standing.
-    pub fn direction(&self) -> f64 {
-        self.direction
     }
 
     pub fn has_jumped(&self) -> bool {
@@ -136,14 +131,14 @@ impl Climber {
 
 #[derive(Clone, Debug)]
 pub struct JumperScene {
-    tower: Tower,
+    pub tower: Tower,
     players: Vec<Climber>,
     bodies: Vec<Dynamic>,
     bottom: f64,
     previous_bottom: f64,
-    height: f64,
-    ticks: u64,
-    hits: Vec<CuboidHit>,
+    pub height: f64,
+    pub ticks: u64,
+    pub hits: Vec<CuboidHit>,
 }
 
 impl JumperScene {
@@ -177,7 +172,7 @@ impl JumperScene {
         for ((player, body), keys) in self.players.iter_mut().zip(&mut self.bodies).zip(keys) {
             player.obey(if player.out { JumpKeys::default() } else { keys }, body);
         }
-        engine::step(&mut self.bodies, self.tower.statics(), GRAVITY, 1.0 / TICK_RATE, &mut self.hits);
+        engine::step(&mut self.bodies, &self.tower.statics, GRAVITY, 1.0 / TICK_RATE, &mut self.hits);
         if self.hits.iter().any(|hit| matches!(hit, CuboidHit::Pair(..))) {
             self.players.iter_mut().for_each(|player| player.stagger = STAGGER);
         }
@@ -202,35 +197,18 @@ impl JumperScene {
         self.players.iter().all(|player| player.out)
     }
 
-    /// The greatest height that a player's feet have reached, m.
-    pub fn height(&self) -> f64 {
-        self.height
-    }
-
     /// The height in whole metres, for the leaderboard.
     pub fn score(&self) -> i64 {
         self.height.floor() as i64
-    }
-
-    pub fn ticks(&self) -> u64 {
-        self.ticks
     }
 
     pub fn players(&self) -> impl Iterator<Item = (&Climber, &Dynamic)> {
         self.players.iter().zip(&self.bodies)
     }
 
-    pub fn tower(&self) -> &Tower {
-        &self.tower
-    }
-
     /// The view's lower edge at a fraction `alpha` of the last tick, m.
     pub fn view_bottom(&self, alpha: f64) -> f64 {
         self.previous_bottom + alpha * (self.bottom - self.previous_bottom)
-    }
-
-    pub fn hits(&self) -> &[CuboidHit] {
-        &self.hits
     }
 }
 

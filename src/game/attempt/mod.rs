@@ -247,7 +247,7 @@ impl Game {
 
     /// By index in `Level::stars`.
     pub fn stars(&self) -> &[bool] {
-        self.tricks.touched()
+        &self.tricks.touched
     }
 
     pub fn ship(&self) -> &Ship {
@@ -328,8 +328,8 @@ impl Game {
             objectives_met: self.met().iter().filter(|&&met| met).count(),
             objectives_all: self.met().len(),
             collisions: self.flight.collisions,
-            pushes: self.pushes.count(),
-            burns: self.tricks.burns(),
+            pushes: self.pushes.count,
+            burns: self.tricks.burns,
             stars_left: self.stars().iter().filter(|&&touched| !touched).count(),
             together: match self.level.awards.mark {
                 Some(Mark::Together(count, _)) => self.tricks.together(count, self.tick_rate),

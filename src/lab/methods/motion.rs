@@ -248,14 +248,6 @@ pub fn rise_and_fall(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -
     exact_fall(law, PointState { x: x - DVec2::new(0.0, top), v: DVec2::ZERO }, (tau - phi) * terminal / g)
 }
 
-/// Quadratic drag alone (A = 0, c = 0), in any direction: v = v₀/(1 + k·|v₀|·t), s = ln(1 + k·|v₀|·t)/k in the air's frame.
-pub fn drag_alone(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> PointState {
-    let u = v - law.wind;
-    let speed = u.length();
-    let way = if speed > 0.0 { u * (libm::log1p(law.drag * speed * h) / (law.drag * speed)) } else { DVec2::ZERO };
-    PointState { x: x + law.wind * h + way, v: decay(law, v, h) }
-}
-
 /// Drag in proportion to the velocity (k = 0): v = v∞ + (v₀ − v∞)·e^(−c·t), v∞ = w + A/c.
 pub fn in_liquid(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> PointState {
     let end = law.wind + law.constant / law.viscous;
@@ -403,7 +395,6 @@ mod tests {
     fn exact_flows_agree_with_fine_steps_and_can_be_cut_anywhere() {
         let g = DVec2::new(0.0, 9.81);
         agrees(rise_and_fall, MotionLaw { constant: g, drag: 0.05, ..MotionLaw::default() }, DVec2::new(0.0, -20.0));
-        agrees(drag_alone, MotionLaw { drag: 0.05, wind: DVec2::new(4.0, 0.0), ..MotionLaw::default() }, DVec2::new(20.0, -15.0));
         agrees(in_liquid, MotionLaw { constant: g, viscous: 0.5, ..MotionLaw::default() }, DVec2::new(2.0, -3.0));
     }
 

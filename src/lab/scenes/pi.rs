@@ -28,7 +28,7 @@ pub fn digits() -> LabScene {
     let exact = move |_| {
         let mut blocks = Blocks::new(last);
         while blocks.collide().is_some() {}
-        error(last, blocks.collisions())
+        error(last, blocks.collisions)
     };
     let exact = SceneMethod { name: format!("exact times of impact, N = {last}"), ..SceneMethod::shipped(exact) };
     LabScene {

@@ -41,7 +41,7 @@ const KEYS: [Key; 6] = [Key::Up, Key::Down, Key::PageUp, Key::PageDown, Key::Hom
 pub struct Flights {
     visit: Visit,
     subject: String,
-    candidates: Vec<FlightCandidate>,
+    pub candidates: Vec<FlightCandidate>,
     /// Whether the record of each has been read.
     read: Vec<bool>,
     /// Those that are to be raced.
@@ -76,11 +76,6 @@ impl Flights {
         let wanted = |candidate: &FlightCandidate| matches!(&candidate.source, FlightSource::Row(file) if Some(file) == visit.chosen.as_ref());
         let chosen = candidates.iter().position(wanted).unwrap_or(0);
         Self { visit, subject, read, candidates, marked: Vec::new(), chosen, shown: 0..PAGE, message: None }
-    }
-
-    /// All flights.
-    pub fn candidates(&self) -> &[FlightCandidate] {
-        &self.candidates
     }
 
     /// Those that would be raced: the marked ones, or the one that is chosen.

@@ -52,7 +52,7 @@ enum BoardLine {
 #[derive(Debug)]
 pub struct Leaderboard {
     subject: String,
-    board: Board,
+    pub board: Board,
     /// The level's own flights, the best first.
     rivals: Vec<BoardRival>,
     /// The rows, and the rivals where their scores are.
@@ -85,11 +85,6 @@ impl Leaderboard {
         (self.level, self.rivals) = (Some(level.to_owned()), rivals);
         self.sort_in();
         self
-    }
-
-    /// All rows.
-    pub fn board(&self) -> &Board {
-        &self.board
     }
 
     /// Puts each rival behind the rows that are worth as much.

@@ -37,7 +37,7 @@ const HEAD: f32 = 96.0;
 #[derive(Debug)]
 pub struct Jumper {
     /// The climb; before the first one a tower to look at.
-    scene: JumperScene,
+    pub scene: JumperScene,
     /// The panel above the climb, while it is open.
     panel: Option<ClimbPanel>,
     clock: Clock,
@@ -101,11 +101,6 @@ impl Jumper {
         self.scene.is_over().then(|| Request::Reset(Destination::Climbed(Box::new(self.scene.clone()))))
     }
 
-    /// The climb.
-    pub fn scene(&self) -> &JumperScene {
-        &self.scene
-    }
-
     fn tick(&mut self) {
         let before: Vec<_> = self.scene.players().map(|(_, body)| (body.on_ground, body.velocity.z)).collect();
         self.scene.tick(held(self.latch.take(), self.is_of_two()));
@@ -116,7 +111,7 @@ impl Jumper {
                 self.noises.push(Noise::Landing((-rising / HARD).clamp(0.0, 1.0)));
             }
         }
-        if self.scene.hits().iter().any(|hit| matches!(hit, CuboidHit::Pair(..))) {
+        if self.scene.hits.iter().any(|hit| matches!(hit, CuboidHit::Pair(..))) {
             self.noises.push(Noise::Bump);
         }
     }
@@ -142,7 +137,7 @@ impl Jumper {
         let middle = |y: f32| Vec2::new(area.centre().x, top + y);
         let sizes = [HEADING, BUTTON_TEXT];
         widgets::fitted(ui.canvas(), heading, middle(PADDING + 24.0), width - 32.0, &sizes, theme::text());
-        if self.scene.ticks() > 0 {
+        if self.scene.ticks > 0 {
             let score = tr!("{height} m high", height = self.scene.score());
             ui.fitted(&score, middle(PADDING + 64.0), &[TEXT], theme::quiet());
         }
@@ -248,7 +243,7 @@ impl Jumper {
                 canvas.text(&format!("{metre} m"), at, Style::new(TEXT, theme::quiet()).mono().middle());
             }
         }
-        for it in self.scene.tower().statics() {
+        for it in &self.scene.tower.statics {
             let Cuboid { location, dimensions } = it.cuboid;
             let (z, height) = match it.kind {
                 StaticKind::Platform => (location.z, dimensions.z),
@@ -280,7 +275,7 @@ impl Jumper {
             let place = body.previous + alpha * (body.cuboid.location - body.previous);
             let area = view.area(place.x, place.z, PLAYER_SIZE, PLAYER_SIZE);
             canvas.rounded(area, 3.0, colour_of(number));
-            let eye = Vec2::new(area.centre().x + area.size.x * 0.22 * player.direction() as f32, area.min.y + area.size.y * 0.35);
+            let eye = Vec2::new(area.centre().x + area.size.x * 0.22 * player.direction as f32, area.min.y + area.size.y * 0.35);
             canvas.disc(eye, area.size.x * 0.14, theme::ground());
             if two {
                 let above = Vec2::new(area.centre().x, area.min.y - 12.0);

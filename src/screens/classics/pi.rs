@@ -38,8 +38,8 @@ const TOOLS: [(&str, Key, &str); 6] = [
 /// The scene: two blocks and a wall.
 #[derive(Debug)]
 pub struct Pi {
-    n: u32,
-    blocks: Blocks,
+    pub n: u32,
+    pub blocks: Blocks,
     /// s.
     time: f64,
     speed: usize,
@@ -56,24 +56,14 @@ impl Default for Pi {
 }
 
 impl Pi {
-    /// N: the heavy block has 100^N times the light one's mass.
-    pub fn n(&self) -> u32 {
-        self.n
-    }
-
     /// Seconds of the scene a second.
     pub fn speed(&self) -> f64 {
         SPEEDS[self.speed]
     }
 
-    /// The blocks, at their last collision.
-    pub fn blocks(&self) -> &Blocks {
-        &self.blocks
-    }
-
     /// The counter, with as many places as there will be digits, and how many of them, from the left, are right.
     pub fn counter(&self) -> (String, usize) {
-        let counter = format!("{:0places$}", self.blocks.collisions(), places = self.n as usize + 1);
+        let counter = format!("{:0places$}", self.blocks.collisions, places = self.n as usize + 1);
         let right = counter.bytes().zip(DIGITS.bytes()).take_while(|(ours, true_one)| ours == true_one).count();
         (counter, right)
     }
@@ -89,7 +79,7 @@ impl Pi {
         let until = self.time + frame_time.min(LONGEST_FRAME) * self.speed();
         let made = self.blocks.advance(until, MOST_A_FRAME);
         self.behind = made == MOST_A_FRAME;
-        self.time = if self.behind { self.blocks.time() } else { until };
+        self.time = if self.behind { self.blocks.time } else { until };
         self.quiet_for = if made > 0 { 0.0 } else { self.quiet_for + frame_time };
     }
 }

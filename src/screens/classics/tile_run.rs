@@ -29,12 +29,12 @@ pub struct TileRun {
     map: Map,
     commands: Vec<Command>,
     /// Whether the commands are watched, rather than the keys obeyed.
-    watching: bool,
-    paused: bool,
-    runner: Runner,
+    pub watching: bool,
+    pub paused: bool,
+    pub runner: Runner,
     /// The last places, from the oldest to that before the last frame.
     trail: VecDeque<(f64, f64)>,
-    frame: usize,
+    pub frame: usize,
     last_command: Option<Command>,
     clock: Clock,
     latch: KeyLatch,
@@ -70,26 +70,6 @@ impl TileRun {
         while self.clock.tick() {
             self.run_frame();
         }
-    }
-
-    /// Whether commands are watched.
-    pub fn watching(&self) -> bool {
-        self.watching
-    }
-
-    /// Whether what is watched stands still.
-    pub fn paused(&self) -> bool {
-        self.paused
-    }
-
-    /// Frames run so far.
-    pub fn frame(&self) -> usize {
-        self.frame
-    }
-
-    /// The runner.
-    pub fn runner(&self) -> &Runner {
-        &self.runner
     }
 
     fn restart(&mut self, watching: bool) {
@@ -167,7 +147,7 @@ impl Screen for TileRun {
     }
 
     fn motion(&self, _: &Input) -> Motion {
-        if self.paused() { Motion::Still } else { Motion::Full }
+        if self.paused { Motion::Still } else { Motion::Full }
     }
 
     fn tune(&self) -> Option<&str> {
@@ -250,7 +230,7 @@ impl TileRun {
                 }
             }
         }
-        let (column, row) = self.map.start();
+        let (column, row) = self.map.start;
         canvas.rounded_edge(tile(column, row, 1, 1.0).inset(1.0), 3.0, 2.0, theme::player_objective());
     }
 

@@ -159,7 +159,7 @@ impl Screen for Flight {
 
     fn come_back(&mut self, _: &dyn Screen, session: &mut Session, spectator: &mut dyn Spectator) {
         if let Some(watch) = &self.open.watch {
-            session.library.open(watch.folder());
+            session.library.open(&watch.folder);
         }
         session.last_level = Some(self.run.attempt.level.name.clone());
         spectator.begins(&self.run.game);

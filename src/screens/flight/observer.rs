@@ -91,7 +91,7 @@ impl Observer {
         if input.acts(Action::Next) {
             self.focus.next(game.lead(), game.world().bodies().len());
         }
-        if input.click && (input.pointed.is_some() || self.focus.followed().is_some()) {
+        if input.click && (input.pointed.is_some() || self.focus.followed.is_some()) {
             self.focus.pick(input.pointed, input.held.has(Key::Shift) || input.held.has(Key::Control));
         }
         if input.held.has(Key::Control) {

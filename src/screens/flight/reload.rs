@@ -25,7 +25,7 @@ impl Flight {
     pub(super) fn look_at_files(&mut self, frame_time: f64, session: &mut Session) {
         // A flight that is watched or in memory only has no files.
         let Some(watch) = &mut self.open.watch else { return };
-        if !watch.update(frame_time) || !files::is_folder(watch.folder()) {
+        if !watch.update(frame_time) || !files::is_folder(&watch.folder) {
             return;
         }
         self.open.reading = Some(session.worker.ask(session.level_errand(&self.run.attempt.level.name)));

@@ -42,12 +42,12 @@ const MARGIN: f32 = 24.0;
 
 #[derive(Debug)]
 pub struct Lab {
-    page: Page,
+    pub page: Page,
     overview: OverviewPage,
     charts: ChartsPage,
     stability: StabilityPage,
     survival: SurvivalPage,
-    side_by_side: SideBySide,
+    pub side_by_side: SideBySide,
     experiments: ExperimentsPage,
 }
 
@@ -70,16 +70,8 @@ impl Lab {
         self.page = page;
     }
 
-    pub fn page(&self) -> Page {
-        self.page
-    }
-
     pub fn charts(&self) -> &Charts {
         &self.charts.shown.charts
-    }
-
-    pub fn side_by_side(&self) -> &SideBySide {
-        &self.side_by_side
     }
 
     fn lead(&mut self, onwards: Option<Onwards>) -> Option<Request> {

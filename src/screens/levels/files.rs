@@ -85,7 +85,7 @@ impl LevelSelect {
     /// Asks for the cards in view that the list does not know yet.
     pub(super) fn ask_for_cards(&mut self, session: &mut Session) {
         self.learn_titles(|name| session.library.title(name));
-        let in_view = self.in_view().into_iter().map(|index| &self.entries()[index]);
+        let in_view = self.in_view().into_iter().map(|index| &self.entries[index]);
         let new: Vec<String> = in_view.filter(|entry| entry.level.is_none()).map(|entry| entry.name.clone()).collect();
         new.iter().for_each(|name| self.ask_for_card(name, session));
     }
@@ -95,7 +95,7 @@ impl LevelSelect {
         if !self.looks(frame_time) {
             return;
         }
-        let in_view = self.in_view().into_iter().map(|index| &self.entries()[index]);
+        let in_view = self.in_view().into_iter().map(|index| &self.entries[index]);
         let changed = in_view.filter(|entry| entry.stamp != Stamp::of(&session.library.folder(&entry.name), &[]));
         let changed: Vec<String> = changed.map(|entry| entry.name.clone()).collect();
         changed.iter().for_each(|name| self.ask_for_card(name, session));
@@ -116,7 +116,7 @@ impl LevelSelect {
         self.asked.retain(|_, asked| *asked != ticket);
         let Card { folder, stamp, level, proven } = card;
         let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let Some(index) = self.entries().iter().position(|entry| entry.name == name) else { return };
+        let Some(index) = self.entries.iter().position(|entry| entry.name == name) else { return };
         let best = session.journal.best(&name);
         let awards = level.as_ref().map_or_else(|_| Awards::default(), |(_, awards, _)| *awards);
         let medals = session.journal.medals(&name).with_best(&awards, best);

@@ -45,8 +45,8 @@ const MOST_LETTERS: usize = 40;
 /// The grid of levels.
 #[derive(Debug)]
 pub struct LevelSelect {
-    purpose: Purpose,
-    entries: Vec<LevelEntry>,
+    pub purpose: Purpose,
+    pub entries: Vec<LevelEntry>,
     /// What is to be found, and which entries that finds.
     find: String,
     found: Vec<usize>,
@@ -184,16 +184,6 @@ impl LevelSelect {
         if learnt {
             self.search();
         }
-    }
-
-    /// What it is used for.
-    pub fn purpose(&self) -> Purpose {
-        self.purpose
-    }
-
-    /// All levels, in order.
-    pub fn entries(&self) -> &[LevelEntry] {
-        &self.entries
     }
 
     /// The flights of the level at that place in the list, where it loads.

@@ -80,7 +80,7 @@ pub struct Menu {
     /// The flight that plays behind the buttons.
     behind: Option<Box<Flight>>,
     /// The boxes of the lines of words beside the buttons, the title's last.
-    lines: Vec<Area>,
+    pub lines: Vec<Area>,
 }
 
 impl Menu {
@@ -110,12 +110,6 @@ impl Menu {
     /// Whether ship and balls hold still: nobody has touched anything for long, or the player is elsewhere.
     fn rests(&self, input: &Input) -> bool {
         input.away || input.idle >= pace::REST
-    }
-
-    /// The boxes of the lines of words that are drawn beside the buttons: those of the level that Play opens, once that is found, of the foot
-    /// and of the title.
-    pub fn lines(&self) -> &[Area] {
-        &self.lines
     }
 
     /// The boxes of the balls, as they are drawn.

@@ -56,7 +56,7 @@ const OPENS: f64 = 2.0;
 #[derive(Debug)]
 pub struct Scoring {
     attempt: Attempt,
-    result: RunResult,
+    pub result: RunResult,
     /// The name of the level after this one.
     next: Option<String>,
     /// What it brought the player, or why it brought nothing; in words.
@@ -92,11 +92,6 @@ impl Scoring {
         let paths = own.chain(rival).filter_map(path).collect();
         let (shown, stamped, released) = (0.0, false, false);
         Self { attempt, result, next, remark, nameless, saved_for: None, shown, stamped, released, best, flown, end, paths }
-    }
-
-    /// What the attempt came to.
-    pub fn result(&self) -> &RunResult {
-        &self.result
     }
 
     /// Where most go on first: to the next level after a success, to another try after a failure.

@@ -105,8 +105,8 @@ impl Details {
         let panels: Vec<Area> = HudLayout::shown(frame, game).into_iter().chain(covered.iter().copied()).collect();
         let ground = Ground { window: frame.area(), never: &never, panels: &panels };
         let reaches = reaches(&subjects, &ground);
-        let scale = self.scale.update(game, (looking.focus, &shown), view.scale(), [&reaches[0], &reaches[1]]);
-        self.arranged.arrange(&subjects, &scale, view.scale(), &ground);
+        let scale = self.scale.update(game, (looking.focus, &shown), view.scale, [&reaches[0], &reaches[1]]);
+        self.arranged.arrange(&subjects, &scale, view.scale, &ground);
 
         let mut taken: Vec<Area> = panels;
         taken.extend(&never);
@@ -130,10 +130,10 @@ impl Details {
 
     /// Keeps the bodies that exert a force or an impact on the followed one, until others do.
     fn remember_partners(&mut self, game: &Game, focus: &Focus) {
-        if self.partners.0 != focus.followed() {
-            self.partners = (focus.followed(), Vec::new());
+        if self.partners.0 != focus.followed {
+            self.partners = (focus.followed, Vec::new());
         }
-        let Some(followed) = focus.followed().filter(|id| id.index() < game.world().bodies().len()) else { return };
+        let Some(followed) = focus.followed.filter(|id| id.index() < game.world().bodies().len()) else { return };
         let causes = facts(game, followed).rows.into_iter().flat_map(|row| row.causes);
         let bodies: Vec<BodyId> =
             causes.filter_map(|cause| if let Source::Body(body) = cause { Some(body) } else { None }).collect();
@@ -146,13 +146,13 @@ impl Details {
     /// partners; a ship that plays no part has none, unless it is followed.
     fn shown(&self, game: &Game, looking: &Looking, view: &Viewport) -> Vec<BodyId> {
         let (centres, visible, focus) = (looking.centres, view.visible(), looking.focus);
-        let in_play = |id: &BodyId| match focus.followed() {
+        let in_play = |id: &BodyId| match focus.followed {
             Some(_) => focus.shows(*id) || self.partners.1.contains(id),
             None => *id != SHIP || game.level().ship_plays(),
         };
         let ids = (0..centres.len() as u32).map(BodyId).filter(in_play);
         let mut shown: Vec<BodyId> = ids.filter(|&id| bounds(game, looking, id).touches(&visible, 0.0)).collect();
-        let lead = centres[focus.followed().filter(|id| id.index() < centres.len()).unwrap_or(game.lead()).index()];
+        let lead = centres[focus.followed.filter(|id| id.index() < centres.len()).unwrap_or(game.lead()).index()];
         let from_lead = |id: &BodyId| centres[id.index()].distance_squared(lead);
         shown.sort_by(|a, b| from_lead(a).total_cmp(&from_lead(b)));
         shown

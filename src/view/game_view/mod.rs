@@ -95,7 +95,7 @@ pub struct Overlays {
 
 impl Overlays {
     fn followed(&self, game: &Game) -> BodyId {
-        self.focus.followed().unwrap_or(game.lead())
+        self.focus.followed.unwrap_or(game.lead())
     }
 }
 

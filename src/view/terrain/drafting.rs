@@ -60,7 +60,7 @@ impl Dimension {
 /// The hatching along all edges of a kind: strokes at 45°, on lines that run through the whole level. No stroke leaves its kind,
 /// and strokes from opposite sides do not meet.
 pub fn hatching(mass: &Silhouette, kind: usize) -> Vec<HatchStroke> {
-    let edges = || mass.edges().iter().filter(move |edge| edge.kind == kind);
+    let edges = || mass.edges.iter().filter(move |edge| edge.kind == kind);
     let step = STEP.max(edges().map(RockEdge::length).sum::<f64>() / MOST_STROKES);
     let mut strokes = Vec::new();
     for edge in edges() {
@@ -97,7 +97,7 @@ pub fn dimensions(mass: &Silhouette, kind: usize, taken: &[Aabb]) -> Vec<Dimensi
     let mut found: Vec<Dimension> = Vec::new();
     // Whole sides only: a part that ends at another kind is no length that a builder would ask for.
     let whole = |edge: &&RockEdge| edge.corners.iter().all(|corner| *corner != Corner::Straight);
-    for edge in mass.edges().iter().filter(|edge| edge.kind == kind).filter(whole) {
+    for edge in mass.edges.iter().filter(|edge| edge.kind == kind).filter(whole) {
         if !(MEASURED.0..=MEASURED.1).contains(&edge.length()) || edge.depth < DEEP + ROOM || found.len() >= MOST_DIMENSIONS {
             continue;
         }

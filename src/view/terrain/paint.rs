@@ -42,7 +42,7 @@ pub struct Terrain {
     seams: Vec<RockEdge>,
     strokes: Vec<HatchStroke>,
     dimensions: Vec<(Dimension, String)>,
-    tint: Tint,
+    pub tint: Tint,
     /// Boxes that cast shadows.
     opaque: Vec<Aabb>,
     /// The light of each lamp.
@@ -67,7 +67,7 @@ impl Terrain {
         let taken: Vec<Aabb> = texts.iter().copied().chain(sources).chain(border(level.size)).collect();
         let seams = (ROCK + 1..Material::ALL.len()).flat_map(|kind| {
             let pieces: Vec<_> = mass.pieces().filter(|piece| piece.1 == kind).collect();
-            Silhouette::new(&pieces).edges().to_vec()
+            Silhouette::new(&pieces).edges.to_vec()
         });
         let dimensions = drafting::dimensions(&mass, ROCK, &taken);
         Self {
@@ -75,7 +75,7 @@ impl Terrain {
             strokes: drafting::hatching(&mass, ROCK),
             dimensions: dimensions.into_iter().map(|dimension| (dimension, metres(dimension.length()))).collect(),
             tint: Tint::of(level.landscape, &level.name),
-            lit: lamps.take(MOST_LAMPS).map(|(bounds, reach)| cast(mass.edges(), &bounds, reach, &opaque)).collect(),
+            lit: lamps.take(MOST_LAMPS).map(|(bounds, reach)| cast(&mass.edges, &bounds, reach, &opaque)).collect(),
             opaque,
             open: mass.open(&level.bounds(), glass),
             ceiling_lamps: ceiling_lamps(level, &mass),
@@ -87,12 +87,7 @@ impl Terrain {
 
     /// The box of the open space, m.
     pub fn rooms(&self) -> Option<Aabb> {
-        self.mass.edges().iter().map(RockEdge::bounds).reduce(|all, edge| all.union(&edge))
-    }
-
-    /// The colours of the level.
-    pub const fn tint(&self) -> &Tint {
-        &self.tint
+        self.mass.edges.iter().map(RockEdge::bounds).reduce(|all, edge| all.union(&edge))
     }
 
     /// Draws the part in view. The words of dimensions lie on the layer's top, beside those labels and that display.
@@ -139,7 +134,7 @@ impl Terrain {
     pub fn draw_moving_light(&self, at: DVec2, reach: f64, colour: Colour, (view, canvas): (&Viewport, &Canvas)) {
         let source = Aabb::around(at, DVec2::ZERO);
         if Aabb::around(at, DVec2::splat(reach)).touches(&view.visible(), 0.0) {
-            draw_lit(&cast(self.mass.edges(), &source, reach, &self.opaque), colour, (view, canvas));
+            draw_lit(&cast(&self.mass.edges, &source, reach, &self.opaque), colour, (view, canvas));
         }
     }
 
@@ -211,7 +206,7 @@ impl Terrain {
 
     fn edges_in_view(&self, view: &Viewport) -> impl Iterator<Item = &RockEdge> {
         let visible = view.visible();
-        self.mass.edges().iter().filter(move |edge| edge.bounds().touches(&visible, 0.2))
+        self.mass.edges.iter().filter(move |edge| edge.bounds().touches(&visible, 0.2))
     }
 
     fn draw_hatching(&self, view: &Viewport, pixel: f32, quads: &mut Quads) {
@@ -275,7 +270,7 @@ fn ceiling_lamps(level: &Level, mass: &Silhouette) -> Vec<DVec2> {
     let pads = level.objectives.iter().map(|goal| DVec2::new(goal.bounds.centre().x, goal.bounds.min.y));
     let pads = pads.chain(level.ship_plays().then_some(level.player.position));
     let over = |pad: DVec2| {
-        let ceilings = mass.edges().iter().filter(|edge| edge.kind == ROCK && edge.inward.y < 0.0 && edge.depth > 0.4);
+        let ceilings = mass.edges.iter().filter(|edge| edge.kind == ROCK && edge.inward.y < 0.0 && edge.depth > 0.4);
         let above =
             ceilings.filter(|edge| edge.bounds().min.x < pad.x - 0.4 && edge.bounds().max.x > pad.x + 0.4 && edge.from.y < pad.y);
         let height = above.map(|edge| edge.from.y).fold(f64::MIN, f64::max);

@@ -48,7 +48,7 @@ pub struct RockMesh {
 impl RockMesh {
     /// The cells in view, of the rock or of the `air`, each with its places in the rock's face.
     pub fn show(&self, air: bool, mass: &Silhouette, open: &[Aabb], tint: &Tint, view: &Viewport) -> Vec<(Quad, [Vec2; 4])> {
-        let (visible, far) = (view.visible(), usize::from(view.scale() < FAR));
+        let (visible, far) = (view.visible(), usize::from(view.scale < FAR));
         let mut pieces = self.pieces.borrow_mut();
         let mut shown = Vec::new();
         let range = |low: f64, high: f64| (low / PIECE).floor() as i64..(high / PIECE).ceil() as i64;
@@ -70,14 +70,14 @@ impl RockMesh {
     }
 
     pub fn is_plain(view: &Viewport) -> bool {
-        view.scale() < VERY_FAR
+        view.scale < VERY_FAR
     }
 }
 
 /// The cells of a piece: of the rock, and of the air.
 fn make(piece: &Aabb, mass: &Silhouette, open: &[Aabb], tint: &Tint, smallest: f64) -> [Vec<RockCell>; 2] {
     let near = Aabb::new(piece.min - LIT - FALL, piece.max + LIT + FALL);
-    let edges: Vec<&RockEdge> = mass.edges().iter().filter(|edge| edge.bounds().touches(&near, 0.0)).collect();
+    let edges: Vec<&RockEdge> = mass.edges.iter().filter(|edge| edge.bounds().touches(&near, 0.0)).collect();
     let away = |edge: &RockEdge, at: DVec2| at.distance(at.clamp(edge.from.min(edge.to), edge.from.max(edge.to)));
     let rock = |at: DVec2| {
         let (mut nearest, mut rim) = (f64::MAX, 0.0_f64);

@@ -55,8 +55,8 @@ pub struct Silhouette {
     columns: Vec<f64>,
     heights: Vec<f64>,
     rows: Vec<SweepRow>,
-    loops: Vec<Vec<DVec2>>,
-    edges: Vec<RockEdge>,
+    pub loops: Vec<Vec<DVec2>>,
+    pub edges: Vec<RockEdge>,
 }
 
 impl Silhouette {
@@ -117,17 +117,6 @@ impl Silhouette {
             above = here;
         }
         open
-    }
-
-    /// The closed loops round the mass: clockwise round solids, anticlockwise round holes (y down). Where two corners touch, each
-    /// keeps its own loop.
-    pub fn loops(&self) -> &[Vec<DVec2>] {
-        &self.loops
-    }
-
-    /// The straight pieces of all loops, cut where the kind changes.
-    pub fn edges(&self) -> &[RockEdge] {
-        &self.edges
     }
 
     /// Drops the edges beyond a box.

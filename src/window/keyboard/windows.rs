@@ -20,6 +20,6 @@ unsafe extern "system" {
 pub fn plain(place: Key) -> Option<char> {
     let (code, _) = layout::printing().find(|(_, key)| *key == place)?;
     // SAFETY: it takes any numbers.
-    let character = unsafe { MapVirtualKeyW(MapVirtualKeyW(u32::from(*code), CODE_TO_KEY), KEY_TO_CHARACTER) };
+    let character = unsafe { MapVirtualKeyW(MapVirtualKeyW(u32::from(code), CODE_TO_KEY), KEY_TO_CHARACTER) };
     char::from_u32(character & CHARACTER).filter(|sign| *sign != '\0').and_then(|sign| sign.to_lowercase().next())
 }

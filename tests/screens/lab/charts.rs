@@ -115,6 +115,7 @@ fn the_last_run_of_chart_is_shown_where_there_is_one() {
         curve.version = SOURCES.to_owned();
     }
     charts.diagrams[1].curves[0].version = "another".to_owned();
+    charts.diagrams[1].note.clear();
     let mut sitting = lab_with(|root| write(root, &charts, None));
     assert_eq!(sitting.warning(), None);
     let stale = "; measured with another build than this one.";

@@ -30,7 +30,7 @@ const SIZES: [(f32, f32); 5] = [(900.0, 500.0), (1280.0, 720.0), (1920.0, 1080.0
 fn lab_with(prepare: impl FnOnce(&Path)) -> Sitting {
     let mut sitting = Sitting::with(prepare);
     sitting.choose("Lab");
-    assert_eq!((sitting.at(), lab(&sitting).page()), ("lab", Page::Overview));
+    assert_eq!((sitting.at(), lab(&sitting).page), ("lab", Page::Overview));
     turn_to(&mut sitting, "Charts");
     sitting
 }
@@ -44,7 +44,7 @@ fn lab_at(label: &str) -> Sitting {
 
 fn turn_to(sitting: &mut Sitting, label: &str) {
     let wanted = PAGES.iter().find(|(_, known)| *known == label).expect("a tab").0;
-    while lab(sitting).page() != wanted {
+    while lab(sitting).page != wanted {
         sitting.press(Key::Tab);
     }
 }
@@ -92,11 +92,11 @@ fn assert_picked_in_turn(sitting: &mut Sitting, names: &[String]) {
 fn the_pages_are_reached_by_key_and_by_mouse_and_left_by_esc_and_back() {
     let mut sitting = lab_at(PAGES[0].1);
     for (page, _) in PAGES.into_iter().chain([PAGES[0]]) {
-        assert_eq!(lab(&sitting).page(), page);
+        assert_eq!(lab(&sitting).page, page);
         sitting.press(Key::Tab);
     }
     for (page, label) in PAGES {
-        assert_eq!(lab(sitting.click(label)).page(), page);
+        assert_eq!(lab(sitting.click(label)).page, page);
         assert_eq!(lab_at(label).press(Key::Escape).at(), "menu");
         assert_eq!(lab_at(label).click("Back").at(), "menu");
     }
@@ -108,10 +108,10 @@ fn the_pictures_of_the_first_page_lead_on() {
     let mut charts = kept::charts().unwrap();
     let most = charts.savings.iter().map(Saving::times).fold(0.0, f64::max);
     let mut sitting = lab_at("Overview");
-    assert_eq!(lab(sitting.click("Where methods break")).page(), Page::Stability);
+    assert_eq!(lab(sitting.click("Where methods break")).page, Page::Stability);
     for (title, name) in [("Error against time", "projectile"), ("Beside Box2D and Rapier", "piles")] {
         turn_to(&mut sitting, "Overview");
-        assert_eq!(lab(sitting.click(title)).page(), Page::Charts);
+        assert_eq!(lab(sitting.click(title)).page, Page::Charts);
         assert_eq!(scene(&sitting).1.name, name);
     }
     turn_to(&mut sitting, "Overview");

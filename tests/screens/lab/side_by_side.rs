@@ -8,7 +8,7 @@ fn two_methods_run_side_by_side_and_part() {
     let mut sitting = lab_at("Side by side");
     sitting.press(Key::R).wait(30.0);
     let page = |sitting: &Sitting| {
-        let page = lab(sitting).side_by_side();
+        let page = &lab(sitting).side_by_side;
         let [left, right] = page.halves();
         (page.exhibit().title, left.method, right.method, left.error, right.error, page.time())
     };
@@ -48,18 +48,18 @@ fn two_methods_run_side_by_side_and_part() {
 fn it_pauses_ends_and_starts_again() {
     let mut sitting = lab_at("Side by side");
     sitting.press(Key::Down).wait(1.0);
-    let time = |sitting: &Sitting| lab(sitting).side_by_side().time();
+    let time = |sitting: &Sitting| lab(sitting).side_by_side.time();
     sitting.press(Key::Space);
     let stopped = time(&sitting);
-    assert!(stopped > 0.9 && lab(&sitting).side_by_side().is_paused());
+    assert!(stopped > 0.9 && lab(&sitting).side_by_side.is_paused());
     assert_eq!(time(sitting.wait(1.0)), stopped);
     assert!(time(sitting.press(Key::Space).wait(0.5)) > stopped);
-    let end = lab(&sitting).side_by_side().exhibit().seconds;
+    let end = lab(&sitting).side_by_side.exhibit().seconds;
     sitting.wait(end);
-    assert!(lab(&sitting).side_by_side().is_over() && (time(&sitting) - end).abs() < 0.02);
-    let [left, right] = lab(&sitting).side_by_side().halves();
+    assert!(lab(&sitting).side_by_side.is_over() && (time(&sitting) - end).abs() < 0.02);
+    let [left, right] = lab(&sitting).side_by_side.halves();
     assert!(left.error > 0.3 && right.error < 1e-6, "they stay where they are: {left:?} {right:?}");
-    assert!(time(sitting.press(Key::R)) < 0.1 && !lab(&sitting).side_by_side().is_over());
+    assert!(time(sitting.press(Key::R)) < 0.1 && !lab(&sitting).side_by_side.is_over());
     // A hitch is no leap.
     let before = time(&sitting);
     sitting.give(Input { frame_time: 1e9, ..Input::default() });
@@ -71,7 +71,7 @@ fn it_goes_on_by_single_steps_of_any_length_and_remembers_the_way() {
     let mut sitting = lab_at("Side by side");
     sitting.press(Key::R).press(Key::Space);
     let page = |sitting: &Sitting| {
-        let page = lab(sitting).side_by_side();
+        let page = &lab(sitting).side_by_side;
         let [left, right] = page.halves();
         (page.step(), page.time(), page.is_paused(), left.trail.len(), left.errors.to_vec(), right.error)
     };

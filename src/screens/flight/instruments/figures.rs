@@ -82,8 +82,8 @@ struct FiguresBase {
 /// The followed and the compared body, or the one under the camera while the player follows none.
 pub fn in_focus(focus: &Focus, game: &Game) -> Vec<BodyId> {
     let there = |body: &BodyId| body.index() < game.world().bodies().len();
-    let followed = focus.followed().filter(there).unwrap_or(game.lead());
-    std::iter::once(followed).chain(focus.compared().filter(there)).collect()
+    let followed = focus.followed.filter(there).unwrap_or(game.lead());
+    std::iter::once(followed).chain(focus.compared.filter(there)).collect()
 }
 
 impl Figures {
@@ -100,7 +100,7 @@ impl Figures {
 
     /// Counts work from the moment on the screen, once all ticks before it are read, or from the flight's start.
     pub fn count_from(&mut self, now: Option<u64>) {
-        let base = |tick| FiguresBase { tick, accounts: self.ledger.accounts().to_vec(), energies: self.energies.clone() };
+        let base = |tick| FiguresBase { tick, accounts: self.ledger.accounts.to_vec(), energies: self.energies.clone() };
         self.base = now.filter(|_| self.is_read).map(base);
     }
 
@@ -141,7 +141,7 @@ impl Figures {
     /// J, summed over those bodies.
     fn work(&self, bodies: &[BodyId]) -> Account {
         let done = |id: &BodyId| {
-            let account = self.ledger.accounts()[id.index()];
+            let account = self.ledger.accounts[id.index()];
             self.base.as_ref().map_or(account, |base| account.since(&base.accounts[id.index()]))
         };
         bodies.iter().map(done).fold(Account::default(), |sum, account| sum.plus(&account))
@@ -157,7 +157,7 @@ impl Figures {
         if seen.len() == 2 {
             groups.push(seen);
             columns.push(tr("Both").to_owned());
-        } else if stage.focus.followed().is_none() && all.len() > 1 {
+        } else if stage.focus.followed.is_none() && all.len() > 1 {
             groups.push(all);
             columns.push(tr("All").to_owned());
         }

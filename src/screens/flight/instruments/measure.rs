@@ -198,7 +198,7 @@ impl Measures {
 
 /// The bodies in focus, or all.
 fn with_trails(focus: &Focus, game: &Game) -> Vec<BodyId> {
-    match focus.followed() {
+    match focus.followed {
         Some(_) => in_focus(focus, game),
         None => (0..game.world().bodies().len() as u32).map(BodyId).collect(),
     }

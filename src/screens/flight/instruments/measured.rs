@@ -88,7 +88,7 @@ impl Measures {
         let (tick, rate) = (game.ticks(), game.tick_rate());
         let (now, lasts) = (tick as f64 / rate, (LASTS * DOTS_A_SECOND) as f64);
         let seen = canvas.frame().area().inset(-WHOLE);
-        for (i, id) in self.trail.who().iter().enumerate() {
+        for (i, id) in self.trail.who.iter().enumerate() {
             let colour = if *id == SHIP { theme::text() } else { theme::player_objective() };
             // A body at rest has one dot, not fifty on each other.
             let mut before = Some(view.point(game.world().body(*id).position));

@@ -56,7 +56,7 @@ pub(super) struct PlotObject {
 /// Reads on, at most `most` ticks; another body's track from its start.
 fn read(read: &mut Option<BodyTrack>, body: Option<BodyId>, history: Option<&History>, most: u64) {
     let wanted = body.zip(history);
-    if read.as_ref().map(BodyTrack::body) != wanted.map(|(body, _)| body) {
+    if read.as_ref().map(|track| track.body) != wanted.map(|(body, _)| body) {
         // A flight of another level may lack the body.
         let there = |(body, history): &(BodyId, &History)| body.index() < history.at(0).world().bodies().len();
         *read = wanted.filter(there).map(|(body, _)| BodyTrack::new(body));

@@ -207,7 +207,7 @@ impl Plot {
     fn read(&mut self, frame_time: f64, stage: &Stage) {
         let game = stage.game;
         let there = |body: &BodyId| body.index() < game.world().bodies().len();
-        let focus = [Some(stage.focus.followed().unwrap_or(game.lead())), stage.focus.compared()];
+        let focus = [Some(stage.focus.followed.unwrap_or(game.lead())), stage.focus.compared];
         let most = self.ahead.ticks(frame_time);
         for ((object, name), focus) in self.objects.iter_mut().zip(&mut self.names).zip(focus) {
             let body = object.kept.or(focus).filter(there);
@@ -250,8 +250,8 @@ impl Plot {
     fn refresh(&mut self, restart: bool) {
         for line in &mut self.lines {
             let object = &self.objects[line.whose];
-            let body = object.track().map(BodyTrack::body);
-            if restart || line.read != body || (line.now.across(), line.now.up()) != (self.across, line.up) {
+            let body = object.track().map(|track| track.body);
+            if restart || line.read != body || (line.now.across, line.now.up) != (self.across, line.up) {
                 *line = PlotLine { read: body, ..PlotLine::new(line.whose, self.across, line.up) };
             }
             if let Some(track) = object.track() {

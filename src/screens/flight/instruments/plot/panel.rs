@@ -6,7 +6,7 @@ use super::{Plot, PlotLine, along};
 use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::instruments::quantity::Quantity;
-use crate::instruments::track::BodyTrack;
+
 use crate::ui::{Ui, WidgetKind};
 use crate::view::theme;
 use crate::words::tr;
@@ -151,7 +151,7 @@ impl Plot {
             Action::What(line) => self.pick = Some(Pick::Line(line)).filter(|now| pick != Some(*now)),
             Action::Keep(whose) => {
                 let object = &mut self.objects[whose];
-                object.kept = if object.kept.is_some() { None } else { object.track().map(BodyTrack::body) };
+                object.kept = if object.kept.is_some() { None } else { object.track().map(|track| track.body) };
             }
             Action::Law => self.next_law(),
             Action::Export(format) => (self.waiting, self.message) = (Some(format), None),

@@ -99,7 +99,7 @@ impl Vary {
             (self.lines, self.layout, self.entry) = (Vec::new(), Layout::default(), EntryField::default());
             return;
         };
-        self.read(&varied, stage.focus.followed().unwrap_or(stage.game.lead()).index());
+        self.read(&varied, stage.focus.followed.unwrap_or(stage.game.lead()).index());
         self.layout = Layout::new(frame, self.lines.len());
         let names_level = self.entry.is_open_at(NAME);
         if let Some(event) = ui.entry_event(&mut self.entry) {
