@@ -84,10 +84,14 @@ pub fn draw_areas(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
         if switch.weight.is_some() || !switch.bounds.touches(&visible, 1.0) {
             continue;
         }
-        let (area, colour) = (view.rect(&switch.bounds), lamp_colour(game, index));
-        canvas.rectangle(area, colour.faded(if game.mechanisms().on()[index] { 0.22 } else { 0.08 }));
-        dashed_outline(canvas, area, colour);
-        lamp(canvas, area.centre(), colour, game.mechanisms().is_pressed(index));
+        let (area, on, colour) = (view.rect(&switch.bounds), game.mechanisms().on()[index], lamp_colour(game, index));
+        canvas.rectangle(area, colour.faded(if on { 0.22 } else { 0.08 }));
+        if game.mechanisms().is_pressed(index) {
+            canvas.rectangle_edge(area, 2.0, colour);
+        } else {
+            dashed_outline(canvas, area, colour);
+        }
+        lamp(canvas, area.centre(), colour, on);
     }
     for (index, pod) in level.pods.iter().enumerate() {
         if !game.mechanisms().is_taken(index) && pod.bounds.touches(&visible, 1.0) {
@@ -177,7 +181,8 @@ pub fn draw(game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas, time: f64
         draw_door(door, surface.present, view, canvas);
     }
     for (index, switch) in level.switches.iter().enumerate().filter(|(_, switch)| switch.weight.is_some()) {
-        draw_plate(view.rect(&switch.bounds), lamp_colour(game, index), game.mechanisms().is_pressed(index), canvas);
+        let (on, pressed) = (game.mechanisms().on()[index], game.mechanisms().is_pressed(index));
+        draw_plate(view.rect(&switch.bounds), lamp_colour(game, index), (on, pressed), canvas);
     }
 }
 
@@ -249,12 +254,12 @@ fn draw_door(door: &Solid, closed: bool, view: &Viewport, canvas: &Canvas) {
 }
 
 /// The cap stands out above the plate until it is pressed.
-fn draw_plate(area: Area, colour: Colour, pressed: bool, canvas: &Canvas) {
+fn draw_plate(area: Area, colour: Colour, (on, pressed): (bool, bool), canvas: &Canvas) {
     canvas.rectangle(area, Colour::hex(0x2A3344));
     canvas.rectangle_edge(area, 1.5, WORKS_EDGE);
     let cap = if pressed { 3.0 } else { (area.size.y * 0.45).clamp(4.0, 9.0) };
     canvas.rectangle(Area::new(area.min.x + 3.0, area.min.y, area.size.x - 6.0, cap), colour);
-    lamp(canvas, Vec2::new(area.centre().x, area.min.y + area.size.y * 0.68), colour, pressed);
+    lamp(canvas, Vec2::new(area.centre().x, area.min.y + area.size.y * 0.68), colour, on);
 }
 
 /// Green while the switch is on.
@@ -262,9 +267,10 @@ fn lamp_colour(game: &Game, switch: usize) -> Colour {
     if game.mechanisms().on()[switch] { theme::good() } else { WORKS_EDGE }
 }
 
-fn lamp(canvas: &Canvas, at: Vec2, colour: Colour, pressed: bool) {
+/// Filled while the switch is on.
+fn lamp(canvas: &Canvas, at: Vec2, colour: Colour, on: bool) {
     canvas.ring(at, 6.0, 2.0, colour);
-    if pressed {
+    if on {
         canvas.disc(at, 3.5, colour);
     }
 }

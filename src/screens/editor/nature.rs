@@ -114,17 +114,19 @@ pub(super) fn show_worlds(
     (field, now): (Area, &str),
     words: &[&'static str],
 ) -> Option<&'static str> {
-    let size = Vec2::new(0.45, 1.0) * (field.size.y - 2.0 * BETWEEN);
-    let (pitch, mut pressed) = (size.x + 3.0, None);
+    let size = Vec2::new(0.65, 1.0) * (field.size.y - 2.0 * BETWEEN);
+    let (pitch, mut pressed) = (size.x + 2.0, None);
     let left = field.max().x - BETWEEN - Landscape::ALL.len() as f32 * pitch;
     let worlds = words.iter().filter(|word| !word.is_empty()).zip(Landscape::ALL);
     for (index, (word, landscape)) in worlds.enumerate() {
         let area = Area { min: Vec2::new(left + index as f32 * pitch, field.min.y + BETWEEN), size };
         let touch = ui.touch(word, area, WidgetKind::Tool);
         let palette = WorldPalette::of(landscape);
-        ui.canvas().rectangle(area, palette.sky_at(0.4));
-        ui.canvas()
-            .rectangle(Area { min: area.min + size * Vec2::new(0.0, 0.6), size: size * Vec2::new(1.0, 0.4) }, palette.rock[0]);
+        // A hill in front of the sky, with the light on its edge.
+        let hill = Area { min: area.min + size * Vec2::new(0.0, 0.5), size: size * Vec2::new(1.0, 0.5) };
+        ui.canvas().rectangle(area, palette.layers[0]);
+        ui.canvas().rectangle(hill, palette.rock[0]);
+        ui.canvas().line(hill.min, Vec2::new(hill.max().x, hill.min.y), 2.0, palette.ink);
         if touch.hover {
             pass.tip = Some((*word).to_owned());
         }
