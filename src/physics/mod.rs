@@ -15,7 +15,7 @@
 //! | `crowd` | one step of an island of any size |
 //! | `store` | arrays of all bodies, broad phase, islands, sleep, the loop over islands |
 //! | `world`, `step`, `commit`, `acting`, `changes`, `links`, `scratch`, `space` | the state, a tick, changes between ticks, buffers |
-//! | `validate`, `guards`, `hash` | laws that hold after every tick, counts of every cap, the bits of the state |
+//! | `validate`, `hash` | laws that hold after every tick, the bits of the state |
 //!
 //! Rotation, round contact shapes, compressible or moving liquids are not modelled.
 
@@ -29,7 +29,6 @@ pub(crate) mod data;
 pub(crate) mod exact;
 pub(crate) mod flight;
 pub(crate) mod forces;
-pub(crate) mod guards;
 pub(crate) mod hash;
 pub(crate) mod islands;
 pub(crate) mod links;
@@ -48,10 +47,10 @@ pub const SOURCES: &str = env!("PHYSICS_SOURCES");
 
 pub use data::aabb::Aabb;
 pub use data::body::{Body, BodyDef, BodyId};
+pub use data::contact::{Impulse, Obstacle};
 pub use data::def::{FieldDef, FluidDef, StreamDef, WorldDef};
 pub(crate) use data::domain;
 pub use data::domain::DefError;
-pub use data::impulse::{Impulse, Obstacle};
 pub use data::link::*;
 pub use data::material::Material;
 pub use data::plan::{OPTIONAL, Plan};
@@ -60,6 +59,6 @@ pub use forces::kind::{ForceKind, Source};
 pub use forces::link::Link;
 pub use forces::manager::{Force, ForceManager};
 pub use glam::DVec2;
-pub use guards::Guards;
+pub use state::Guards;
 pub use state::{Event, Methods};
 pub use world::World;

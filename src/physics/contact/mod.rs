@@ -1,5 +1,4 @@
 pub(crate) mod axis;
-pub(crate) mod face;
 pub(crate) mod network;
 pub(crate) mod reactions;
 pub(crate) mod resting;

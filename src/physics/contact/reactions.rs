@@ -5,8 +5,7 @@
 //! perfectly plastic impact.
 
 use crate::physics::contact::axis::{Joined, Parts, Question, ground};
-use crate::physics::contact::face;
-use crate::physics::data::{Contact, FORCE_TOLERANCE, FRICTION_ROUNDS, first};
+use crate::physics::data::{Contact, FORCE_TOLERANCE, FRICTION_ROUNDS, first, on_axis};
 use glam::DVec2;
 
 #[derive(Clone, Debug, Default)]
@@ -38,7 +37,7 @@ impl Reactions {
         {
             let body = contact.ends().0 as usize;
             let ground = parts.free[contact.other(body as u32) as usize];
-            if let Some(a) = face::press(contact, parts.masses[body], parts.free[body] - ground, contact.hi as usize == body) {
+            if let Some(a) = press_on_face(contact, parts.masses[body], parts.free[body] - ground, contact.hi as usize == body) {
                 out[body] = a + ground;
                 return;
             }
@@ -241,6 +240,30 @@ fn gain(contact: &Contact, parts: &Parts, accelerations: &[DVec2]) -> f64 {
     let along = 1 - contact.axis;
     let of = |item: u32| if (item as usize) < parts.masses.len() { accelerations } else { parts.free }[item as usize][along];
     of(contact.hi) - of(contact.lo)
+}
+
+/// Sets Reaction and Friction of a contact between a body of `mass` (kg, along each axis) and a face. Returns the acceleration of the body from
+/// the `free` one, m/s², both as seen from the face; none, and nothing done, where the body does not press or nothing draws it along a wall.
+/// `body_is_hi`: on which side of the contact it is.
+pub(crate) fn press_on_face(contact: &mut Contact, mass: DVec2, free: DVec2, body_is_hi: bool) -> Option<DVec2> {
+    let (axis, along) = (contact.axis, 1 - contact.axis);
+    let away = if body_is_hi { 1.0 } else { -1.0 };
+    let normal = -away * (mass[axis] * free[axis]);
+    if normal <= 0.0 || (axis == 0 && free[along] == 0.0) {
+        return None;
+    }
+    contact.normal = normal;
+    let force = mass[along] * free[along];
+    if contact.slides == 0.0 {
+        let limit = contact.static_friction * normal;
+        if force.abs() - limit <= force.abs() * FORCE_TOLERANCE {
+            contact.friction = -away * force.signum() * force.abs().min(limit) + 0.0;
+            return Some(DVec2::ZERO);
+        }
+        contact.slides = away * force.signum();
+    }
+    contact.friction = -contact.slides * (contact.kinetic_friction * normal);
+    Some(on_axis(axis, 0.0, (force + away * contact.friction) / mass[along]))
 }
 
 #[cfg(test)]

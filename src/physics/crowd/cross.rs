@@ -9,10 +9,10 @@ use crate::physics::crowd::contacts::{Contacts, CrowdContact};
 use crate::physics::crowd::drag::Resistance;
 use crate::physics::crowd::friction::{Friction, Grip};
 use crate::physics::crowd::gravity::{Anchors, SLACK};
-use crate::physics::crowd::impulses::Edge;
+use crate::physics::crowd::report::Edge;
 use crate::physics::crowd::report::Report;
 use crate::physics::crowd::{ACROSS, ROUNDING};
-use crate::physics::guards::Guards;
+use crate::physics::state::Guards;
 
 /// Rounds of friction and merging, one in an island of many. Fewer: riders of pushed bodies follow a step late.
 const ROUNDS: usize = 3;

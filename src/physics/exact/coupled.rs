@@ -1,12 +1,12 @@
-//! What links join, or contacts in media, and moves: Runge–Kutta steps of fifth order ([`crate::physics::flight::steps`]) with a contact solve at each
-//! stage, so that bodies that press on each other fly as one. A step ends where a liquid begins or ends, where a link bends or breaks, or where a
+//! What links join, or contacts in media, and moves: Runge–Kutta steps of fifth or third order ([`crate::physics::flight::steps`]) with a contact solve
+//! at each stage, so that bodies that press on each other fly as one. A step ends where a liquid begins or ends, where a link bends or breaks, or where a
 //! contact begins to part or to slip.
 
 use crate::physics::data::{Contact, Cubic, EVENTS_OF_A_BODY, FORCE_TOLERANCE, LONGEST_SHORT, Pose, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::item::{Item, Travel};
 use crate::physics::exact::motions::SHORTEST;
-use crate::physics::flight::steps::{CoupledStep, TIMES, step_factor};
+use crate::physics::flight::steps::{CoupledStep, FIFTH_ORDER, RungeKutta, THIRD_ORDER, step_factor};
 use crate::physics::forces::Link;
 use glam::DVec2;
 
@@ -53,9 +53,10 @@ impl Events {
         let tolerance = MOST_ERROR[usize::from(linked)];
         let least = scene.tick * LEAST;
         let mut h = longest.min(self.stride).min(std::mem::replace(&mut self.sliver, f64::INFINITY));
+        let method = if !linked && self.error_of_third_order(scene, h) <= tolerance { &THIRD_ORDER } else { &FIFTH_ORDER };
         while self.count + self.reactions.solved <= budget {
             let solved = self.reactions.solved;
-            let error = self.step_coupled(scene, h, afloat);
+            let error = self.step_coupled(scene, method, h, afloat);
             // A part of a stiff tick takes some twenty steps: each counts as one event for eight bodies.
             (self.reactions.solved, self.count) = (solved, self.count + 1 + self.concerned.len() as u64 / 8);
             let kink = self.first_kink(scene, h);
@@ -68,7 +69,7 @@ impl Events {
                 // In a heap that falls apart the search takes longer than all else.
                 self.count += u64::from(TRIALS) * (self.concerned.len() as u64 / 8);
                 let solved = self.reactions.solved;
-                let (holds, over) = self.find_change(scene, h, afloat);
+                let (holds, over) = self.find_change(scene, method, h, afloat);
                 self.reactions.solved = solved;
                 // The step ends just before that instant, and the next one just behind it.
                 (h, self.sliver) = if holds > least { (holds, over - holds) } else { (least, f64::INFINITY) };
@@ -90,11 +91,11 @@ impl Events {
     }
 
     /// The last of the times, s, up to which contacts hold, and the first at which they do not.
-    fn find_change(&mut self, scene: &Scene, h: f64, afloat: bool) -> (f64, f64) {
+    fn find_change(&mut self, scene: &Scene, method: &RungeKutta, h: f64, afloat: bool) -> (f64, f64) {
         let (mut holds, mut over) = (0.0, h);
         for _ in 0..TRIALS {
             let middle = 0.5 * (holds + over);
-            self.step_coupled(scene, middle, afloat);
+            self.step_coupled(scene, method, middle, afloat);
             *(if self.changed { &mut over } else { &mut holds }) = middle;
         }
         (holds, over)
@@ -127,23 +128,37 @@ impl Events {
         rests
     }
 
+    /// What a step of third order is off by at most in air, m, where no contact changes: less than a twentieth of (a + ωv)·h²·(ωh)³.
+    fn error_of_third_order(&self, scene: &Scene, h: f64) -> f64 {
+        let error = |item: &Item| {
+            let Item { body, law, solved, .. } = item;
+            if law.is_near_liquid() {
+                // What bobs would add up the errors of many steps.
+                return f64::INFINITY;
+            }
+            let rate = scene.media.rate(body, law, (body.position, body.velocity), h);
+            0.05 * (solved.length() + rate * body.velocity.length()) * (rate * h).powi(3) * (h * h)
+        };
+        self.concerned.iter().map(|i| error(&self.items[*i as usize])).fold(0.0, f64::max)
+    }
+
     /// Takes a step of `h` seconds. Returns its error, m.
-    fn step_coupled(&mut self, scene: &Scene, h: f64, afloat: bool) -> f64 {
+    fn step_coupled(&mut self, scene: &Scene, method: &RungeKutta, h: f64, afloat: bool) -> f64 {
         self.coupled.clear();
         self.changed = false;
         for &i in &self.concerned {
             let body = &self.items[i as usize].body;
             self.coupled.push(CoupledStep::new((body.position, body.velocity), self.solved[i as usize]));
         }
-        for stage in 1..7 {
-            self.coupled.iter_mut().for_each(|step| step.end = step.stages.at(stage, h));
-            self.pull_coupled(scene, h * TIMES[stage - 1]);
+        for (stage, (weights, time)) in (1..).zip(method.stages.iter().zip(method.times)) {
+            self.coupled.iter_mut().for_each(|step| step.end = step.stages.at(weights, h));
+            self.pull_coupled(scene, h * time);
             self.changed |= self.contacts_change(h);
             for (step, &i) in self.coupled.iter_mut().zip(&self.concerned) {
                 step.take(stage, self.means[i as usize] * DVec2::new(1.0, if afloat { 0.0 } else { 1.0 }));
             }
         }
-        let errors = self.coupled.iter().map(|step| step.stages.error(h));
+        let errors = self.coupled.iter().map(|step| step.stages.error(method.error, h));
         errors.fold(0.0, |most: f64, error| if error <= most { most } else { error })
     }
 

@@ -1,13 +1,12 @@
-//! An island and the buffers of the method of events.
+//! An island and the buffers of the method of events; surfaces within a tick: the legs of their paths, and their stops.
 
 use crate::physics::contact::reactions::Reactions;
 use crate::physics::data::{Aabb, Contact, Cubic, Hit, Incidence, Plan, Pose, Surface, refill};
-use crate::physics::exact::item::{Item, Next};
-use crate::physics::exact::track::Track;
+use crate::physics::exact::item::{Item, Next, Travel};
+use crate::physics::exact::predict::Track;
 use crate::physics::flight::steps::CoupledStep;
 use crate::physics::forces::{Link, Media, ZoneList};
-use crate::physics::guards::Guards;
-use crate::physics::state::State;
+use crate::physics::state::{Guards, State};
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug)]
@@ -171,5 +170,48 @@ impl Events {
         self.lanes.clear();
         self.lanes.extend(self.tracks.iter().map(|track| track.lane(&track.swept)));
         refill(&mut self.borders, if self.streams.is_empty() { 0 } else { self.movable }, ZoneList::default());
+    }
+}
+
+impl Scene<'_> {
+    pub fn set_on_path(&self, item: &mut Item, at: f64) {
+        let surface = &self.surfaces[item.id as usize];
+        let point = if at < item.stops_at { surface.at(at) } else { surface.at(item.stops_at).at_rest() };
+        item.since = at;
+        let end = if at < item.stops_at { item.stops_at } else { f64::INFINITY };
+        item.until = (at + point.lasts).min(end).min(self.tick);
+        (item.body.position, item.body.velocity) = (point.offset, point.velocity);
+        (item.solved, item.mean) = (point.acceleration, point.acceleration);
+        let still = point.velocity == DVec2::ZERO && point.acceleration == DVec2::ZERO;
+        item.motion = if still { Travel::Still } else { Travel::Parabola };
+    }
+}
+
+impl Events {
+    pub(crate) fn turn(&mut self, scene: &Scene, i: usize) {
+        self.set_out(scene, i);
+        self.predict(scene, i);
+        if !self.concerned.is_empty() {
+            self.look(scene);
+        }
+    }
+
+    pub(crate) fn halt(&mut self, scene: &Scene, surface: u32) {
+        self.guards.surfaces_stopped += 1;
+        self.halted = true;
+        let item = &mut self.items[surface as usize];
+        item.stops_at = item.stops_at.min(self.now);
+        self.set_out(scene, surface as usize);
+    }
+
+    fn set_out(&mut self, scene: &Scene, i: usize) {
+        let item = &mut self.items[i];
+        scene.set_on_path(item, self.now);
+        self.foresee(scene, i);
+        self.nexts[i] = Next::NEVER;
+        let item = &self.items[i];
+        (self.places[i], self.speeds[i], self.is_placed[i]) = (item.body.position, item.body.velocity, true);
+        (self.free[i], self.solved[i]) = (item.solved, item.solved);
+        self.concern_partners(i as u32);
     }
 }

@@ -9,7 +9,6 @@ pub(crate) mod contacts;
 pub(crate) mod coupled;
 pub(crate) mod end;
 pub(crate) mod events;
-pub(crate) mod grounds;
 pub(crate) mod impacts;
 pub(crate) mod item;
 pub(crate) mod meeting;
@@ -17,10 +16,8 @@ pub(crate) mod motions;
 pub(crate) mod poses;
 pub(crate) mod predict;
 pub(crate) mod ties;
-pub(crate) mod track;
 pub(crate) mod train;
 pub(crate) mod trains;
-pub(crate) mod wedge;
 
 use crate::physics::data::{Aabb, Contact, EVENTS_OF_A_BODY, MOST_BORDERS, Part, Pose, called};
 pub(crate) use crate::physics::exact::events::{Events, ExactEnd, Scene};

@@ -4,8 +4,8 @@
 use crate::physics::data::{Aabb, Contact, Cubic, DAMPED_REACH, MANY_HITS, NONE, SHORT_BOUNCE, SLOP, Sides, on_axis};
 use crate::physics::exact::events::{Events, Scene};
 use crate::physics::exact::motions::SHORTEST;
+use crate::physics::exact::train::Wedge;
 use crate::physics::exact::train::{BounceSeries, Train, TrainKind};
-use crate::physics::exact::wedge::Wedge;
 use crate::physics::forces::zones;
 use glam::DVec2;
 

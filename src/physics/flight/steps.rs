@@ -267,8 +267,7 @@ impl Stages {
 
     /// How far from its begin a stage of a step of `h` seconds is, and how fast.
     #[inline(always)]
-    pub fn at(&self, stage: usize, h: f64) -> Pose {
-        let weights = STAGES[stage - 1];
+    pub fn at(&self, weights: &[f64], h: f64) -> Pose {
         (sum(&self.speeds, weights) * h, self.speeds[0] + sum(&self.pulls, weights) * h)
     }
 
@@ -277,18 +276,10 @@ impl Stages {
         (self.speeds[stage], self.pulls[stage]) = (speed, pull);
     }
 
-    pub fn first_pull(&self) -> DVec2 {
-        self.pulls[0]
-    }
-
-    pub fn last_pull(&self) -> DVec2 {
-        self.pulls[6]
-    }
-
     /// m.
     #[inline(always)]
-    pub fn error(&self, h: f64) -> f64 {
-        (sum(&self.speeds, &ERROR) * h).abs().max((sum(&self.pulls, &ERROR) * (h * h)).abs()).max_element()
+    pub fn error(&self, weights: &[f64], h: f64) -> f64 {
+        (sum(&self.speeds, weights) * h).abs().max((sum(&self.pulls, weights) * (h * h)).abs()).max_element()
     }
 }
 
@@ -299,18 +290,21 @@ pub(crate) struct CoupledStep {
     /// How far from there it is at the present stage, and how fast: bodies that move as one have the same bits, whatever their places.
     pub end: Pose,
     pub stages: Stages,
+    /// The acceleration at the present stage, m/s².
+    pull: DVec2,
     /// Whether an acceleration differs from the first.
     pub bends: bool,
 }
 
 impl CoupledStep {
     pub fn new(start: Pose, pull: DVec2) -> Self {
-        Self { start, end: (DVec2::ZERO, start.1), stages: Stages::new(start.1, pull), bends: false }
+        Self { start, end: (DVec2::ZERO, start.1), stages: Stages::new(start.1, pull), pull, bends: false }
     }
 
     pub fn take(&mut self, stage: usize, pull: DVec2) {
         self.stages.take(stage, self.end.1, pull);
-        self.bends |= pull != self.stages.first_pull();
+        self.pull = pull;
+        self.bends |= pull != self.stages.pulls[0];
     }
 
     pub fn pose(&self) -> Pose {
@@ -320,8 +314,8 @@ impl CoupledStep {
     /// The path through both ends of `h` seconds, from a time on, with the accelerations there; a cubic where contacts change just before the end.
     pub fn course(&self, since: f64, h: f64, changes: bool) -> Quintic {
         let Self { start: (x, v), end: (way, w), stages, .. } = *self;
-        let b = if changes { (6.0 * way / h - 2.0 * v - 4.0 * w) / -h } else { stages.last_pull() };
-        Quintic::through(since, [x, v, stages.first_pull()], [way, w, b], h)
+        let b = if changes { (6.0 * way / h - 2.0 * v - 4.0 * w) / -h } else { self.pull };
+        Quintic::through(since, [x, v, stages.pulls[0]], [way, w, b], h)
     }
 }
 
@@ -346,11 +340,22 @@ pub(crate) const STAGES: [&[f64]; 6] = [
     &[9017.0 / 3168.0, -355.0 / 33.0, 46_732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18_656.0],
     &[35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
 ];
-/// When they are, in parts of the step.
-pub(crate) const TIMES: [f64; 6] = [0.2, 0.3, 0.8, 8.0 / 9.0, 1.0, 1.0];
 /// The difference of its results of fifth and fourth order.
 pub(crate) const ERROR: [f64; 7] =
     [71.0 / 57_600.0, 0.0, -71.0 / 16_695.0, 71.0 / 1920.0, -17_253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
+
+/// A Runge–Kutta method: its stages but the first, of which the last is its result, when they are in parts of a step, and the weights of its error.
+pub(crate) struct RungeKutta {
+    pub stages: &'static [&'static [f64]],
+    pub times: &'static [f64],
+    pub error: &'static [f64],
+}
+
+pub(crate) const FIFTH_ORDER: RungeKutta =
+    RungeKutta { stages: &STAGES, times: &[0.2, 0.3, 0.8, 8.0 / 9.0, 1.0, 1.0], error: &ERROR };
+/// P. Bogacki and L. F. Shampine (1989), without an estimate of the error, for steps in which little changes: half as many solutions of contacts.
+pub(crate) const THIRD_ORDER: RungeKutta =
+    RungeKutta { stages: &[&[0.5], &[0.0, 0.75], &[2.0 / 9.0, 1.0 / 3.0, 4.0 / 9.0]], times: &[0.5, 0.75, 1.0], error: &[0.0] };
 
 /// The factor for the next step, given a root of the error as a part of the error allowed: the fourth one stands for the fifth.
 pub(crate) fn step_factor(root: f64) -> f64 {

@@ -47,7 +47,8 @@ impl World {
             let near = self.reach(thing);
             self.account(thing, &near, ledger);
             let wet = island.is_some() && self.state.media.wets(&near);
-            ledger.slack = ledger.slack.max(if thing.dense {
+            let driven = self.state.media.airy || self.state.forces[thing.id as usize].push() != DVec2::ZERO;
+            ledger.slack = ledger.slack.max(if thing.dense && (driven || wet) {
                 CROWD
             } else if wet {
                 WET
