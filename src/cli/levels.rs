@@ -14,7 +14,7 @@ use super::project::Project;
 use super::{CommandError, Readers, Status, shown};
 use crate::files;
 use crate::game::DryRun;
-use crate::import::{self, SourceFile, Written};
+use crate::import::{self, ImportedLevel, SourceFile};
 use crate::level::schema::{Count, Kind};
 use crate::level::{self, Level, Loaded, Problem};
 use crate::pack::{self, Installed, Package};
@@ -335,7 +335,7 @@ pub fn run(args: &ImportArgs, project: &Project, out: &mut dyn Write) -> Result<
             Err(problems) if !args.watch => return Err(CommandError::Refused(lines(&problems))),
             // A closed standard error does not stop the watch.
             Err(problems) => _ = writeln!(io::stderr(), "{}", lines(&problems)),
-            Ok(Written { folder, files, said }) => {
+            Ok(ImportedLevel { folder, files, said }) => {
                 if !said.is_empty() {
                     let _ = writeln!(io::stderr(), "{}", lines(&said));
                 }

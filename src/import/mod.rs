@@ -47,7 +47,7 @@ impl SourceFile {
 
 /// A level of a map, in its folder.
 #[derive(Debug)]
-pub struct Written {
+pub struct ImportedLevel {
     pub folder: PathBuf,
     /// How many.
     pub files: usize,
@@ -78,7 +78,7 @@ pub fn take_in(path: &Path, levels: &Path, project: &Path) -> Result<(Installed,
 ///
 /// # Errors
 /// Every problem, a line each, with the layer and the object; nothing is written then.
-pub fn written(map: &Path, name: &str, levels: &Path, project: &Path) -> (Result<Written, Vec<String>>, Vec<SourceFile>) {
+pub fn written(map: &Path, name: &str, levels: &Path, project: &Path) -> (Result<ImportedLevel, Vec<String>>, Vec<SourceFile>) {
     let imported = match read(map, name) {
         Ok(imported) => imported,
         Err((problems, sources)) => return (Err(problems), sources),
@@ -88,7 +88,7 @@ pub fn written(map: &Path, name: &str, levels: &Path, project: &Path) -> (Result
         let folder = imported.write(levels).map_err(|problem| vec![problem])?;
         let warnings = loaded.warnings.iter().map(|warning| format!("warning: {}", in_map(imported.placed(warning))));
         let said = imported.left.iter().cloned().chain(warnings).collect();
-        Ok(Written { folder, files: imported.package.files.len(), said })
+        Ok(ImportedLevel { folder, files: imported.package.files.len(), said })
     });
     (done, imported.sources)
 }

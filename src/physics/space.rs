@@ -1,7 +1,7 @@
 //! The space of a world: motions, broad phase, islands, sleep, and the crowd step.
 
 use crate::physics::crowd::CrowdImpact;
-use crate::physics::crowd::dense::Crowd;
+use crate::physics::crowd::island::Crowd;
 use crate::physics::data::{Aabb, Body, Pose};
 use crate::physics::state::State;
 use crate::physics::store::broad_phase::cells_per_metre;

@@ -238,7 +238,7 @@ pub fn acting(game: &Game, id: BodyId) -> Cow<'_, Game> {
 }
 
 /// Forces and their resultant, what a canvas unit is worth, and the height of a line.
-type Asked = (Vec<NamedArrow>, Option<NamedArrow>, [f64; 2], f32);
+type LayoutInputs = (Vec<NamedArrow>, Option<NamedArrow>, [f64; 2], f32);
 
 /// The picture from frame to frame.
 #[derive(Default)]
@@ -248,7 +248,7 @@ pub struct BodyPicture {
     squares: [ScaleStep; 2],
     pub layout: PictureLayout,
     /// Of what that is the layout.
-    laid: Option<Asked>,
+    laid: Option<LayoutInputs>,
     parts: [Area; 2],
     /// Half the size of the drawn body, and whether it is round.
     body: (Vec2, bool),

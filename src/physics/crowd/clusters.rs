@@ -5,7 +5,7 @@
 //! ≤ S, else (P ∓ K)/M. Pooling stays exact, as the terms K·|v| are convex.
 
 use crate::physics::crowd::contacts::CrowdContact;
-use crate::physics::crowd::report::Edge;
+use crate::physics::crowd::impulses::Edge;
 use crate::physics::data::lists::{NONE, refill};
 
 #[derive(Clone, Copy, Debug, Default)]

@@ -9,7 +9,7 @@ use crate::physics::crowd::contacts::{Contacts, CrowdContact};
 use crate::physics::crowd::drag::Resistance;
 use crate::physics::crowd::friction::{Friction, Grip};
 use crate::physics::crowd::gravity::{Anchors, SLACK};
-use crate::physics::crowd::report::Edge;
+use crate::physics::crowd::impulses::Edge;
 use crate::physics::crowd::report::Report;
 use crate::physics::crowd::{ACROSS, ROUNDING};
 use crate::physics::state::Guards;

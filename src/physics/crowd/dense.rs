@@ -1,20 +1,17 @@
-//! The stages of a crowd step of one island: solved with the members that are looked at, and again with more until nobody else is concerned. The
-//! step leaves places and velocities in [`Bodies`].
+//! The stages of a crowd step of one island. The step leaves places and velocities in [`Bodies`].
 
-use crate::physics::crowd::bodies::{Bodies, Frame, Group, Origin};
-use crate::physics::crowd::bounce::Bounces;
+use crate::physics::crowd::bodies::{Bodies, Group};
 use crate::physics::crowd::clusters::Clusters;
 use crate::physics::crowd::contacts::Contacts;
 use crate::physics::crowd::cross::{Cross, Pushes};
 use crate::physics::crowd::friction::Friction;
 use crate::physics::crowd::gravity::{Along, Anchors};
 use crate::physics::crowd::report::Report;
-use crate::physics::crowd::settled::Settled;
+use crate::physics::crowd::restitution::Bounces;
 use crate::physics::crowd::walls::Walls;
 use crate::physics::crowd::{ACROSS, ALONG, place};
 use crate::physics::data::tuning::MANY;
 use crate::physics::state::Guards;
-use crate::physics::store::islands::Island;
 use glam::DVec2;
 
 /// Solutions again for pairs that were expected to pass and did not. More: slower; fewer: more is put back.
@@ -209,56 +206,5 @@ impl Dense {
         }
         self.guards.put_back += caught;
         caught > 0
-    }
-}
-
-#[derive(Clone, Debug)]
-pub(crate) struct Crowd {
-    pub bodies: Bodies,
-    pub dense: Dense,
-    pub settled: Settled,
-    local: Vec<u32>,
-}
-
-impl Crowd {
-    pub fn new(n: usize, all: usize) -> Self {
-        let mut dense = Dense::default();
-        dense.begin(n, all);
-        Self { bodies: Bodies::new(all), dense, settled: Settled::new(n), local: vec![0; all] }
-    }
-
-    pub fn step(&mut self, from: Origin<'_>, island: Island<'_>, size: StepSize) -> CrowdEnd {
-        let Self { bodies, dense, settled, local } = self;
-        settled.begin(from, island, dense.report.on);
-        loop {
-            let part = settled.part_of(island);
-            bodies.gather(from, part, (island.members.len(), settled.largest()), |item| settled.is_settled(item));
-            (0..).zip(&bodies.ids).for_each(|(k, id)| local[*id as usize] = k);
-            dense.begin(bodies.len(), bodies.things.len());
-            if dense.step(bodies, Group { island: part, local }, size) == CrowdEnd::Grown {
-                // With all members it might not have grown.
-                if settled.give_up() {
-                    continue;
-                }
-                return CrowdEnd::Grown;
-            }
-            if !settled.wake(from, island, bodies, dense) {
-                break;
-            }
-        }
-        settled.note(from.motions, island, bodies, dense);
-        CrowdEnd::Done
-    }
-
-    pub fn finish(&mut self, frame: Frame, solved: impl Fn(u32) -> u32) {
-        let Self { bodies, dense, .. } = self;
-        let known = dense.report.list.len();
-        if dense.report.on {
-            dense.record(bodies, frame);
-        }
-        for contact in &mut dense.report.list[known..] {
-            (contact.a, contact.b) = (bodies.ids[contact.a as usize], bodies.ids[contact.b as usize]);
-            contact.solved = solved(contact.a);
-        }
     }
 }

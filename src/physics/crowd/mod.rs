@@ -1,7 +1,7 @@
 //! The crowd step: one step of one island, with any number of bodies and any mass ratio.
 //!
-//! It is plastic first and bounces last, in the seven stages of `docs/physics.md`. `bodies` holds the members that are looked at, `dense` runs
-//! the stages, `gravity` hands weights down, `report` lists the impulses of contacts.
+//! It is plastic first and bounces last, in the seven stages of `docs/physics.md`. `island` chooses the members that are looked at, `bodies` holds them, `dense` runs
+//! the stages, `loads` hands weights down; `report` and `record` list the impulses of contacts.
 //!
 //! A pile rests when its last ball has bounced out; a ball that falls on a resting heap bounces for up to √(2H/g)·(1 + e)/(1 − e), 20 s from 27 m
 //! at e = 0.8, by any method that keeps restitution.
@@ -15,8 +15,13 @@ pub(crate) mod dense;
 pub(crate) mod drag;
 pub(crate) mod friction;
 pub(crate) mod gravity;
+pub(crate) mod impulses;
+pub(crate) mod island;
+pub(crate) mod loads;
 pub(crate) mod place;
+pub(crate) mod record;
 pub(crate) mod report;
+pub(crate) mod restitution;
 pub(crate) mod settled;
 pub(crate) mod walls;
 

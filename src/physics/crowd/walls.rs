@@ -4,7 +4,7 @@
 use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::Node;
 use crate::physics::crowd::gravity::{Along, Anchors};
-use crate::physics::crowd::report::{Edge, Record};
+use crate::physics::crowd::impulses::{Edge, Record};
 use crate::physics::crowd::{ACROSS, ALONG, ROUNDING};
 use crate::physics::data::lists::refill;
 

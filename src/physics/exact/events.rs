@@ -3,7 +3,7 @@
 use crate::physics::contact::reactions::Reactions;
 use crate::physics::data::{Aabb, Contact, Cubic, Hit, Incidence, Plan, Pose, Surface, refill};
 use crate::physics::exact::item::{Item, Next, Travel};
-use crate::physics::exact::predict::Track;
+use crate::physics::exact::track::Track;
 use crate::physics::flight::steps::CoupledStep;
 use crate::physics::forces::{Link, Media, ZoneList};
 use crate::physics::state::{Guards, State};

@@ -16,6 +16,7 @@ pub(crate) mod motions;
 pub(crate) mod poses;
 pub(crate) mod predict;
 pub(crate) mod ties;
+pub(crate) mod track;
 pub(crate) mod train;
 pub(crate) mod trains;
 

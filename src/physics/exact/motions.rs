@@ -7,7 +7,7 @@ use crate::physics::contact::axis::Parts;
 use crate::physics::data::{BOBBING_REACH, Contact, Cubic, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Implicit, Scene};
 use crate::physics::exact::item::{Item, Next, Slide, Travel};
-use crate::physics::exact::predict::Track;
+use crate::physics::exact::track::Track;
 use crate::physics::forces::zones;
 use glam::DVec2;
 

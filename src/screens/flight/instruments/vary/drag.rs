@@ -22,7 +22,7 @@ const HEAD: f32 = 3.0;
 
 /// What the pointer holds.
 #[derive(Clone, Debug)]
-pub(super) struct Hold {
+pub(super) struct DragHold {
     /// Its numbers to the right and upwards, as they were.
     numbers: [Option<(Parameter, f64)>; 2],
     /// Where the pointer took it: on the canvas, and m.
@@ -54,7 +54,7 @@ impl Vary {
             self.over = pointed;
             if let Some(thing) = pointed.filter(|_| rest.click && rest.holding) {
                 let numbers = Parameter::places(level)[thing].1.map(|number| number.and_then(|of| Some((of, of.of(level)?))));
-                self.hold = Some(Hold { numbers, from: rest.pointer, at, moved: false });
+                self.hold = Some(DragHold { numbers, from: rest.pointer, at, moved: false });
                 rest.click = false;
             }
             return;

@@ -88,7 +88,7 @@ pub struct Vary {
     /// In an experiment, which has more lines: whether those of the level are shown, not those of the object; `None` elsewhere.
     of_level: Option<bool>,
     /// What the pointer leads in the level, and the place in [`Parameter::places`] of what it could lead.
-    hold: Option<drag::Hold>,
+    hold: Option<drag::DragHold>,
     over: Option<usize>,
 }
 
