@@ -278,10 +278,7 @@ impl Flight {
             return Some(Request::Do(Effect::Restart));
         }
         self.switch_overlays(input);
-        if self.update_what_if(input.worked(), spectator) {
-            return None;
-        }
-        if self.rewind(input, spectator) {
+        if self.update_what_if(input.worked(), spectator) || self.rewind(input, spectator) {
             return None;
         }
         let looked_at = self.is_looked_at();
