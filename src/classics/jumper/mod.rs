@@ -2,8 +2,8 @@
 //!
 //! The world has three axes: x across, y depth, z up; the scene plays in x–z. Lengths are in metres, velocities in m/s.
 //!
-//! - [`engine`]: cuboids that fall, land, stop at walls and bounce off each other; knows no player and no tower.
-//! - [`tower`]: the platforms, the same for the same seed.
+//! - [`engine`]: cuboids that fall, land, stop at walls and bounce off each other, and know no player; and the [`Tower`] of platforms, the same for
+//!   the same seed.
 //!
 //! Here is the climb: one or two players with their keys, the view that rises with the higher one, and the score.
 //!
