@@ -32,7 +32,7 @@ press Down
 sleep 2
 press space
 expect lab-throw differs lab-side 0.3
-click 24 5 # the tab of the charts
+click 28 5 # the tab of the charts
 expect lab-charts-by-mouse resembles lab-picked 3
 press Up # no method is picked out any more
 for size in "900 500" "1280 720" "1920 1080"; do
