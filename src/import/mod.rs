@@ -65,6 +65,10 @@ pub fn take_in(path: &Path, levels: &Path, project: &Path) -> Result<(Installed,
     if is("zip") {
         return pack::install_file(path, levels, project).map(|installed| (installed, Vec::new()));
     }
+    // A page has no folder in which the tile sets of a map would lie beside it.
+    if cfg!(browser) {
+        return Err(named(tr("expected a level as one file (.zip)")));
+    }
     if !is("tmj") && !is("tmx") {
         return Err(named(tr("expected a level as one file (.zip), or a map of Tiled (.tmj, .tmx)")));
     }
