@@ -8,7 +8,7 @@ const GOLDEN: [(&str, u64); 6] = [
     ("yard", 0x503b57d4c009cbcc),
     ("crowd", 0x90ce71a58cb93046),
     ("liquid", 0x3d34db8db9d41906),
-    ("stream", 0x16e8_14e9_109e_a52f),
+    ("stream", 0x9b528f4b7eb4e525),
     ("moving surfaces", 0x178284d36bdf4ff4),
     ("moving surfaces, dense", 0x5e68023e3f5d1e3c),
 ];
