@@ -12,7 +12,7 @@
 //! In a gas or a heap the crowd step is cheaper from about 50 bodies on; the count of events makes sure of it for fewer.
 
 use crate::physics::crowd::CrowdImpact;
-use crate::physics::crowd::bodies::{Frame, Origin};
+use crate::physics::crowd::bodies::{Bodies, Frame, Origin};
 use crate::physics::crowd::dense::{CrowdEnd, StepSize};
 use crate::physics::data::tuning::MANY;
 use crate::physics::data::{Body, NONE, Part, called};
@@ -224,6 +224,7 @@ impl Space {
         let mut again = false;
         loop {
             self.islands.sort(&tick.state.bodies, self.down);
+            self.widened.clear();
             self.islands.find(&self.motions, &self.broad_phase, &self.moving);
             let minds = |tick: &Tick<'_>| self.sleep.looked_at.iter().any(|body| tick.minds(&self.motions, *body as usize));
             if !again && self.islands.are_alone() && (tick.bare || !minds(tick)) {
@@ -290,7 +291,7 @@ impl Space {
 
     /// The crowd step of an island. Where a surface would squeeze a body it stands for this step, and the island is solved again.
     fn solve_crowd(&mut self, k: usize, (dt, round): (f64, usize), tick: &mut Tick<'_>) -> CrowdEnd {
-        let Self { motions, islands, crowd, sleep, impacts, .. } = self;
+        let Self { motions, islands, crowd, sleep, impacts, broad_phase, widened, moving, .. } = self;
         let state = tick.state;
         let usual = Frame { swapped: false, down: self.down };
         let (frame, gravity) = match pull_of_fields(state, islands.get(k).members) {
@@ -298,14 +299,23 @@ impl Space {
             None => (usual, state.media.gravity.abs()),
         };
         let height = |i: u32| frame.turn(state.bodies[i as usize].position).y;
-        let island = if frame == usual { islands.get(k) } else { islands.turn(k, height) };
+        if frame != usual {
+            islands.turn(k, height);
+        }
+        let islands = &*islands;
+        let island = if frame == usual { islands.get(k) } else { islands.turned() };
         let last = round >= MOST_CROWD_GROWTHS;
         let size = StepSize { dt, rest_speed: state.rest_speed, gravity, last };
         crowd.dense.report.on = tick.lists(island.members.len());
-        for _ in 0..=self.moving.len() {
+        for _ in 0..=moving.len() {
             let from =
                 Origin { bodies: &state.bodies, surfaces: &state.surfaces, motions, frame, bounces: tick.scene.plan.bounces };
-            if crowd.step(from, island, size) == CrowdEnd::Grown {
+            let meets_more = |bodies: &Bodies, k: usize| {
+                let swept = bodies.swept(k, frame);
+                let me = (bodies.ids[k], &swept);
+                !moving.is_empty() || sleep.is_reached(&swept) || islands.meets_more(me, widened, motions, broad_phase)
+            };
+            if crowd.step(from, island, size, meets_more) == CrowdEnd::Grown {
                 for &k in &crowd.dense.grown {
                     let i = crowd.bodies.ids[k as usize];
                     motions.swept[i as usize] = crowd.bodies.swept(k as usize, frame);
@@ -330,6 +340,11 @@ impl Space {
         for k in 0..crowd.bodies.len() {
             motions.bodies[crowd.bodies.ids[k] as usize].end = crowd.bodies.end(k, frame);
         }
+        for k in crowd.dense.grown.drain(..) {
+            let (i, swept) = (crowd.bodies.ids[k as usize], crowd.bodies.swept(k as usize, frame));
+            motions.swept[i as usize] = swept;
+            widened.push((i, swept));
+        }
         // What falls asleep is read later: its contacts are listed now.
         let may_sleep = tick.scene.plan.direct && tick.leaves_for_good(island.members.len());
         let sleeps = sleep.finish(&state.bodies, motions, (island, may_sleep));
@@ -337,7 +352,7 @@ impl Space {
         if sleeps && crowd.bodies.len() < island.members.len() {
             let from =
                 Origin { bodies: &state.bodies, surfaces: &state.surfaces, motions, frame, bounces: tick.scene.plan.bounces };
-            crowd.step(from, island, size);
+            crowd.step(from, island, size, |_, _| true);
         }
         for i in island.members {
             let motion = &mut motions.bodies[*i as usize];

@@ -18,6 +18,8 @@ pub(crate) struct Space {
     pub moving: Vec<u32>,
     pub impacts: Vec<CrowdImpact>,
     pub grown: Vec<u32>,
+    /// Bodies that sweep more than was looked for and meet nobody new, and what they sweep.
+    pub widened: Vec<(u32, Aabb)>,
     /// −1 if gravity points to smaller y, else 1.
     pub down: f64,
     /// Length of the last step, s; 0 before the first.
@@ -37,6 +39,7 @@ impl Space {
             moving: Vec::new(),
             impacts: Vec::with_capacity(n),
             grown: Vec::with_capacity(n),
+            widened: Vec::with_capacity(n),
             down: if state.media.gravity < 0.0 { -1.0 } else { 1.0 },
             last_dt: 0.0,
             motions,

@@ -102,6 +102,12 @@ impl Bodies {
         Self { things: Vec::with_capacity(all), ids: Vec::with_capacity(8 * all), ..Self::default() }
     }
 
+    pub fn clear(&mut self) {
+        self.ids.clear();
+        self.things.clear();
+        self.count = 0;
+    }
+
     /// Gathers a part of an island; settled members near it stand behind the bodies, with the surfaces. `whole` is the number of all members, and
     /// the largest coordinate that settled ones sweep, m.
     pub fn gather(&mut self, from: Origin<'_>, island: Island<'_>, whole: (usize, f64), is_settled: impl Fn(u32) -> bool) {

@@ -15,7 +15,7 @@ const HAIR_ROUNDINGS: f64 = 4.0;
 /// on a corner slip off; smaller: those that pass one catch.
 const CATCH: f64 = 1e-6;
 
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Tolerances {
     pub touch: f64,
     pub hair: f64,

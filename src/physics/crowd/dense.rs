@@ -2,7 +2,7 @@
 
 use crate::physics::crowd::bodies::{Bodies, Group};
 use crate::physics::crowd::clusters::Clusters;
-use crate::physics::crowd::contacts::Contacts;
+use crate::physics::crowd::contacts::{Contacts, Tolerances};
 use crate::physics::crowd::cross::{Cross, Pushes};
 use crate::physics::crowd::friction::Friction;
 use crate::physics::crowd::gravity::{Along, Anchors};
@@ -70,11 +70,24 @@ impl Dense {
         self.report.begin(all);
         self.put_back.resize(n, [false; 2]);
         self.plastic.resize(n, DVec2::ZERO);
+        self.clear();
+    }
+
+    /// Nothing has happened.
+    pub fn clear(&mut self) {
+        self.hits.clear();
         self.grown.clear();
         self.squeezed.clear();
     }
 
-    pub fn step(&mut self, bodies: &mut Bodies, group: Group<'_>, size: StepSize) -> CrowdEnd {
+    /// One step; `meets_more` is whether what a body sweeps may meet something that is not listed with it.
+    pub fn step(
+        &mut self,
+        bodies: &mut Bodies,
+        group: Group<'_>,
+        size: StepSize,
+        meets_more: &mut impl FnMut(&Bodies, usize) -> bool,
+    ) -> CrowdEnd {
         self.dt = size.dt;
         self.anchors.bounces = Bounces { dt: size.dt, rest_speed: size.rest_speed };
         self.anchors.impact = (IMPACT * size.gravity * size.dt).max(SMALLEST);
@@ -89,7 +102,10 @@ impl Dense {
             self.solve_walls(bodies, size.dt);
             inside = place::advance(bodies, &self.anchors.lands, size.dt);
             if !inside && !size.last {
-                return self.grow(bodies);
+                if self.grow(bodies, group, meets_more) {
+                    return CrowdEnd::Grown;
+                }
+                inside = true;
             }
             self.guards.put_back += u64::from(!inside);
             if look == LOOKS {
@@ -105,13 +121,13 @@ impl Dense {
             }
         }
         self.list_hits(bodies);
-        let Self { contacts, clusters, put_back, .. } = self;
-        let mended = place::part(bodies, contacts, clusters, size.dt);
-        if mended.doubt && !size.last && !(0..bodies.len()).all(|i| bodies.is_swept(i)) {
-            return self.grow(bodies);
+        let mended = place::part(bodies, &self.contacts, &mut self.clusters, size.dt);
+        let leaves = mended.doubt && !size.last && !(0..bodies.len()).all(|i| bodies.is_swept(i));
+        if leaves && self.grow(bodies, group, meets_more) {
+            return CrowdEnd::Grown;
         }
         if mended.doubt || !inside {
-            self.guards.put_back += place::take_back(bodies, contacts, put_back);
+            self.guards.put_back += place::take_back(bodies, &self.contacts, &mut self.put_back);
         }
         self.bounce(bodies);
         self.restrain(bodies, mended.any || !inside);
@@ -160,7 +176,6 @@ impl Dense {
 
     fn list_hits(&mut self, bodies: &Bodies) {
         let Self { anchors, pushes, hits, .. } = self;
-        hits.clear();
         for (list, axis) in [(&anchors.hits, ALONG), (&pushes.hits, ACROSS)] {
             for &(a, b) in list {
                 let rests = axis == ALONG && anchors.rests[b as usize];
@@ -182,11 +197,18 @@ impl Dense {
         }
     }
 
-    fn grow(&mut self, bodies: &mut Bodies) -> CrowdEnd {
-        self.guards.islands_grown += 1;
+    /// Widens what bodies sweep that get further. Returns whether the step has to begin again: one may meet somebody new, or tolerances change.
+    fn grow(&mut self, bodies: &mut Bodies, group: Group<'_>, meets_more: &mut impl FnMut(&Bodies, usize) -> bool) -> bool {
+        let known = self.grown.len();
         self.grown.extend((0..bodies.len() as u32).filter(|i| !bodies.is_swept(*i as usize)));
-        self.grown.iter().for_each(|i| bodies.widen(*i as usize));
-        CrowdEnd::Grown
+        self.grown[known..].iter().for_each(|i| bodies.widen(*i as usize));
+        let grown = || self.grown.iter().map(|i| *i as usize);
+        let unlisted = |i: usize, j: usize| i != j && !group.near(i).chain(group.near(j)).any(|k| k == i || k == j);
+        let meets = |i: usize| grown().any(|j| bodies[i].swept.meets(&bodies[j].swept) && unlisted(i, j));
+        let again =
+            Tolerances::of(bodies) != self.contacts.tolerances || grown().skip(known).any(|i| meets(i) || meets_more(bodies, i));
+        self.guards.islands_grown += u64::from(again);
+        again
     }
 
     fn catch_passing(&mut self, bodies: &mut Bodies) -> bool {

@@ -20,15 +20,26 @@ impl Crowd {
         Self { bodies: Bodies::new(all), dense, settled: Settled::new(n), local: vec![0; all] }
     }
 
-    pub fn step(&mut self, from: Origin<'_>, island: Island<'_>, size: StepSize) -> CrowdEnd {
+    pub fn step(
+        &mut self,
+        from: Origin<'_>,
+        island: Island<'_>,
+        size: StepSize,
+        mut meets_more: impl FnMut(&Bodies, usize) -> bool,
+    ) -> CrowdEnd {
         let Self { bodies, dense, settled, local } = self;
         settled.begin(from, island, dense.report.on);
         loop {
             let part = settled.part_of(island);
+            if part.members.is_empty() {
+                bodies.clear();
+                dense.clear();
+                break;
+            }
             bodies.gather(from, part, (island.members.len(), settled.largest()), |item| settled.is_settled(item));
             (0..).zip(&bodies.ids).for_each(|(k, id)| local[*id as usize] = k);
             dense.begin(bodies.len(), bodies.things.len());
-            if dense.step(bodies, Group { island: part, local }, size) == CrowdEnd::Grown {
+            if dense.step(bodies, Group { island: part, local }, size, &mut meets_more) == CrowdEnd::Grown {
                 // With all members it might not have grown.
                 if settled.give_up() {
                     continue;

@@ -10,7 +10,7 @@ use crate::physics::data::Body;
 use crate::physics::store::{Island, Motions};
 use glam::DVec2;
 
-/// In a smaller island all are looked at: to find out takes as long.
+/// In a smaller island all are looked at, or none: to find out takes as long.
 const FEW: usize = 24;
 /// A step is solved at most this often with a part of the members, then with all.
 const MOST: u32 = 6;
@@ -68,7 +68,7 @@ impl Settled {
         self.any = false;
         self.solutions = 1;
         let members = island.members;
-        if self.off || looks_at_all || members.len() < FEW {
+        if self.off || looks_at_all {
             return;
         }
         let Self { rests, found, step, .. } = self;
@@ -76,6 +76,9 @@ impl Settled {
         for at in members.iter().map(|i| *i as usize) {
             let (body, motion) = (&from.bodies[at], &from.motions.bodies[at]);
             let settled = found[at].0 + 1 == *step && found[at].1 == motion.pull && !motion.guided && body.velocity == DVec2::ZERO;
+            if !settled && members.len() < FEW {
+                return;
+            }
             rests[at] = if settled { MemberRest::Settled } else { MemberRest::Moves };
             known += usize::from(settled);
             alike &= first.rubs_like(&body.coefficients());
@@ -91,6 +94,11 @@ impl Settled {
             if island.near(i as u32).iter().any(carried) {
                 return;
             }
+        }
+        if known == members.len() {
+            self.active.clear();
+            self.any = true;
+            return;
         }
         for &i in members {
             for &j in island.near(i) {
@@ -166,9 +174,6 @@ impl Settled {
 
     /// Notes the members that rest.
     pub fn note(&mut self, motions: &Motions, island: Island<'_>, bodies: &Bodies, dense: &Dense) {
-        if island.members.len() < FEW {
-            return;
-        }
         let Self { found, step, rests, any, .. } = self;
         // A body that stands on such a surface may slide when others move.
         let slippery = (bodies.len()..bodies.things.len()).any(|j| bodies.is_slippery(j));

@@ -48,6 +48,11 @@ impl BroadPhase {
         &self.near[i]
     }
 
+    /// Whether the surfaces near a body are all that a box may meet.
+    pub fn covers(&self, i: usize, bounds: &Aabb) -> bool {
+        self.boxes[i].contains(bounds, 0.0)
+    }
+
     /// Gives those of the bodies new boxes that sweep more than theirs.
     pub fn update(&mut self, bodies: &[Body], motions: &Motions, of: &[u32], dt: f64) {
         if motions.surfaces.is_empty() {
@@ -55,7 +60,7 @@ impl BroadPhase {
         }
         for i in of.iter().map(|i| *i as usize) {
             let swept = motions.swept[i];
-            if !self.boxes[i].contains(&swept, 0.0) {
+            if !self.covers(i, &swept) {
                 let (velocity, ahead) = (bodies[i].velocity, HORIZON * dt);
                 let gained = DVec2::new(0.0, 0.5 * ahead * (motions.bodies[i].free.1.y - velocity.y) / dt);
                 let way = ahead * (velocity + gained);

@@ -64,31 +64,52 @@ impl Columns {
     #[inline(always)]
     pub fn pass(&mut self, k: usize, boxes: &[Aabb], into: &mut Vec<u32>) {
         let mine = &boxes[k];
-        let (first, last) = (self.begins[k].0, cell(mine.max.x, self.per_metre));
-        let meets = |place: &u32| mine.meets(&boxes[*place as usize]);
-        if boxes.len() <= FEW || self.is_wide(mine) {
-            self.wide.push(k as u32);
-            return into.extend((0..k as u32).filter(meets));
+        self.visit(mine, &boxes[..k], |place| into.push(place));
+        if self.tests_all(mine, self.begins.len()) {
+            return self.wide.push(k as u32);
         }
-        into.extend(self.wide.iter().copied().filter(meets));
+        for column in self.begins[k].0..=cell(mine.max.x, self.per_metre) {
+            let head = self.head(column);
+            self.entries.push(ColumnEntry { place: k as u32, below: self.heads[head] });
+            self.heads[head] = self.entries.len() as u32 - 1;
+        }
+    }
+
+    fn tests_all(&self, mine: &Aabb, count: usize) -> bool {
+        count <= FEW || self.is_wide(mine)
+    }
+
+    fn head(&self, column: i64) -> usize {
+        column as usize & (self.heads.len() - 1)
+    }
+
+    /// Calls `each` for the places of the `boxes` entered so far that meet this one, once for each.
+    #[inline(always)]
+    pub fn visit(&self, mine: &Aabb, boxes: &[Aabb], mut each: impl FnMut(u32)) {
+        let mut test = |place: u32| {
+            if mine.meets(&boxes[place as usize]) {
+                each(place);
+            }
+        };
+        if self.tests_all(mine, self.begins.len()) {
+            return (0..boxes.len() as u32).for_each(test);
+        }
+        self.wide.iter().for_each(|place| test(*place));
+        let (first, last) = (cell(mine.min.x, self.per_metre), cell(mine.max.x, self.per_metre));
         let lowest = (if self.down > 0.0 { mine.max.y } else { -mine.min.y }) + self.reach;
-        let mask = self.heads.len() - 1;
         for column in first..=last {
-            let head = &mut self.heads[column as usize & mask];
-            let mut at = *head;
+            let mut at = self.heads[self.head(column)];
             while let Some(&ColumnEntry { place, below }) = self.entries.get(at as usize) {
                 let (begins, depth) = self.begins[place as usize];
                 if depth > lowest {
                     break;
                 }
                 // A pair is found in the first column that both cover.
-                if begins.max(first) == column && meets(&place) {
-                    into.push(place);
+                if begins.max(first) == column {
+                    test(place);
                 }
                 at = below;
             }
-            self.entries.push(ColumnEntry { place: k as u32, below: *head });
-            *head = self.entries.len() as u32 - 1;
         }
     }
 }

@@ -156,10 +156,14 @@ impl Islands {
     }
 
     /// The island in the order of these heights, the largest first.
-    pub fn turn(&mut self, island: usize, height: impl Fn(u32) -> f64) -> Island<'_> {
+    pub fn turn(&mut self, island: usize, height: impl Fn(u32) -> f64) {
         let mut turned = std::mem::take(&mut self.turned);
         turned.set(self.get(island), height);
         self.turned = turned;
+    }
+
+    /// The island that was turned last.
+    pub fn turned(&self) -> Island<'_> {
         let Turned { members, ranges, others, .. } = &self.turned;
         Island { members, ranges, others }
     }
@@ -186,6 +190,25 @@ impl Islands {
         } else {
             self.gather();
         }
+    }
+
+    /// Whether a body that sweeps `mine` may meet something that is not listed with it, when `widened` bodies sweep more than the boxes from which
+    /// the islands were found. Moving surfaces are not looked for.
+    pub fn meets_more(&self, (i, mine): (u32, &Aabb), widened: &[(u32, Aabb)], motions: &Motions, surfaces: &BroadPhase) -> bool {
+        let n = motions.len() as u32;
+        let near = |i: u32| {
+            let (from, to) = self.ranges[i as usize];
+            &self.others[from as usize..to as usize]
+        };
+        let unlisted = |j: u32| j != i && !near(i).contains(&j) && (j >= n || !near(j).contains(&i));
+        let surface = |s: &u32| {
+            let j = n + *s;
+            self.is_listed[j as usize] && mine.meets(&motions.swept[j as usize]) && unlisted(j)
+        };
+        let mut meets = !surfaces.covers(i as usize, mine) || surfaces.near(i as usize).iter().any(surface);
+        meets |= widened.iter().any(|(j, of)| mine.meets(of) && unlisted(*j));
+        self.columns.visit(mine, &self.swept, |place| meets |= unlisted(self.order[place as usize]));
+        meets
     }
 
     fn sweep_the_same(&self, motions: &Motions) -> bool {

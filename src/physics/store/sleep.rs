@@ -76,6 +76,14 @@ impl Sleep {
         self.reached = reached;
     }
 
+    /// Whether these bounds meet the box of a body that is set aside.
+    pub(crate) fn is_reached(&mut self, bounds: &Aabb) -> bool {
+        self.boxes.find(bounds, &mut self.reached);
+        let any = !self.reached.is_empty();
+        self.reached.clear();
+        any
+    }
+
     pub(crate) fn rouse_all(&mut self) {
         self.undisturbed.fill(false);
         if self.looked_at.len() < self.aside.len() {
