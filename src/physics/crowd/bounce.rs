@@ -107,9 +107,8 @@ impl Balance {
     fn add(&mut self, bodies: &Bodies, i: usize, plastic: DVec2, bounce: DVec2) {
         let body = &bodies[i];
         let (mass, before, work) = (body.mass, body.before.length_squared(), body.pull.dot(body.to - body.from));
-        let had = 0.5 * before + work;
         // The work of liquids and streams is known of its flight alone.
-        self.had += mass * body.guided.map_or(had, |flown| flown.max(had));
+        self.had += mass * (0.5 * before + work + body.guided.unwrap_or(0.0));
         self.plastic += 0.5 * mass * plastic.length_squared();
         self.mixed += mass * plastic.dot(bounce);
         self.bounces += 0.5 * mass * bounce.length_squared();

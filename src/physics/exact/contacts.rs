@@ -50,7 +50,7 @@ impl Events {
             && (!track.is_exact() || bounds.touches(&track.bounds_at(self.now), SLOP))
     }
 
-    fn touch(&mut self, scene: &Scene, mut contact: Contact, met: bool) -> Contact {
+    pub(super) fn touch(&mut self, scene: &Scene, mut contact: Contact, met: bool) -> Contact {
         contact.lasts = self.contacts_of(contact.lo).any(|known| known.has(contact.hi));
         contact.closed |= contact.lasts || met;
         // What has just come together by a hair's breadth has done so, whatever pulls at it alone.
@@ -86,6 +86,21 @@ impl Events {
                 self.trial[index].passed = [0.0; 2];
                 self.locate(scene, contact.ends().1 as usize);
                 self.note(&contact, on_axis(contact.axis, normal, friction), None);
+            }
+        }
+    }
+
+    /// Lists what lasting contacts have passed on in this tick beyond their force at its end, and its rounding: of what came and went within it.
+    /// Media change a force all the time.
+    pub(crate) fn list_surplus(&mut self, scene: &Scene) {
+        for index in 0..self.contacts.len() {
+            let contact = self.contacts[index];
+            let [normal, friction] = [contact.normal, contact.friction].map(|force| force * scene.tick);
+            let [surplus, rubs] = [contact.passed[0] - normal, contact.passed[1] - friction];
+            let changes = |item: u32| !self.items[item as usize].law.is_constant() || self.items[item as usize].linked;
+            if surplus > 1e-12 * normal && !changes(contact.lo) && !changes(contact.hi) {
+                self.locate(scene, contact.ends().1 as usize);
+                self.note(&contact, on_axis(contact.axis, surplus, rubs), None);
             }
         }
     }

@@ -88,8 +88,8 @@ pub(crate) struct Events {
     pub(super) concerned: Vec<u32>,
     pub(super) is_concerned: Vec<bool>,
     pub(super) is_placed: Vec<bool>,
-    /// Of each item: whether it has been struck in the present round of impacts.
-    pub(super) struck: Vec<bool>,
+    /// Of each item: whether it has been struck along each axis in the present round of impacts.
+    pub(super) struck: Vec<[bool; 2]>,
     /// Contacts of the items concerned, and copies of them for trial solves.
     pub(super) trial: Vec<Contact>,
     pub(super) asked: Vec<Contact>,
@@ -156,7 +156,8 @@ impl Events {
         self.masses.extend(self.items[..self.movable].iter().map(|item| DVec2::splat(item.body.mass)));
         refill(&mut self.nexts, all, Next::NEVER);
         refill(&mut self.ways, all, 0);
-        for flags in [&mut self.is_concerned, &mut self.is_placed, &mut self.struck] {
+        refill(&mut self.struck, all, [false; 2]);
+        for flags in [&mut self.is_concerned, &mut self.is_placed] {
             refill(flags, all, false);
         }
         self.coupled.clear();

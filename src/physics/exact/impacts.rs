@@ -14,11 +14,11 @@ impl Events {
         if self.bounces && self.squeezes(scene) {
             return true;
         }
-        self.struck.fill(false);
+        self.struck.fill([false; 2]);
         while let Some((index, speed, e)) = self.next_impact(scene) {
             if self.is_struck(&self.touching[index]) {
                 // Nothing else approaches: the next round begins.
-                self.struck.fill(false);
+                self.struck.fill([false; 2]);
                 continue;
             }
             let corner = self.closing_at_a_corner(&self.touching[index], speed).is_some();
@@ -40,9 +40,9 @@ impl Events {
         true
     }
 
-    /// Whether an impact of this round has changed the speed of one of the bodies of a contact.
+    /// Whether an impact of this round has changed the speed of one of the bodies of a contact along its axis.
     pub(crate) fn is_struck(&self, contact: &Contact) -> bool {
-        contact.pair().into_iter().any(|item| self.is_body(item) && self.struck[item as usize])
+        contact.pair().into_iter().any(|item| self.is_body(item) && self.struck[item as usize][contact.axis])
     }
 
     /// Stops the surfaces that squeeze bodies before anything bounces: in a gap that closes it would bounce without end.
@@ -157,7 +157,7 @@ impl Events {
             if speed <= 0.0 && !contact.clings || speed > 0.0 && speed <= rounding && contact.closed && contact.lasts {
                 continue;
             }
-            let e = if self.bounces { self.restitution(scene, contact, speed) } else { 0.0 };
+            let e = if self.bounces && speed > 0.0 { self.restitution(scene, contact, speed) } else { 0.0 };
             // A bounce needs a closed gap, or it would lose energy; what only comes to rest may do so within the slop.
             if e > 0.0 && !self.is_shut(contact, speed) {
                 continue;
@@ -185,7 +185,7 @@ impl Events {
     pub(crate) fn count_hit(&mut self, contact: &Contact) {
         let ends = [contact.lo, contact.hi].map(|item| item as usize);
         ends.iter().for_each(|item| self.items[*item].hits += 1);
-        ends.iter().for_each(|item| self.struck[*item] = true);
+        ends.iter().for_each(|item| self.struck[*item][contact.axis] = true);
         let fewest = ends.map(|item| self.items[item].hits).into_iter().min();
         self.guards.bounces_ended += u64::from(fewest == Some(MOST_BOUNCES + 1));
     }
@@ -236,7 +236,7 @@ impl Events {
         (speed > 0.0 && reach - apart.abs() <= 2.0 * SLOP && alike).then_some(closing)
     }
 
-    fn note_plastic(&mut self, contact: &Contact) {
+    fn note_plastic(&mut self, contact: &mut Contact) {
         // A surface pulls nothing: what keeps a body that clings to it is taken off what it has pushed in this tick.
         let pulls = contact.normal < 0.0 && !self.is_body(contact.ends().1);
         if contact.normal == 0.0 && contact.friction == 0.0 || pulls && self.take_off(contact) {
@@ -247,19 +247,20 @@ impl Events {
         self.note(contact, on_axis(contact.axis, contact.normal, contact.friction), Some(closing));
     }
 
-    /// Takes the pull of a surface off its last push in this tick on the same body. Returns whether there is one as large.
-    fn take_off(&mut self, contact: &Contact) -> bool {
+    /// Takes the pull of a surface off its last pushes in this tick on the same body. Returns whether they are as large.
+    fn take_off(&mut self, contact: &mut Contact) -> bool {
         let (body, surface) = contact.ends();
         let sign = if body == contact.lo { -1.0 } else { 1.0 };
         let [a, b] = [body, surface].map(|item| self.items[item as usize].id);
-        let pushes = |hit: &&mut Hit| {
-            let of = hit.impulse.a == BodyId(a) && hit.impulse.b == Obstacle::Surface(b);
-            of && hit.impulse.impact
-                && hit.normal[contact.axis] == sign
-                && sign * hit.impulse.vector[contact.axis] >= -contact.normal
-        };
-        let push = self.hits.iter_mut().rev().find(pushes);
-        push.map(|hit| hit.impulse.vector[contact.axis] += sign * contact.normal).is_some()
+        for hit in self.hits.iter_mut().rev().filter(|hit| hit.impulse.impact && hit.normal[contact.axis] == sign) {
+            if hit.impulse.a == BodyId(a) && hit.impulse.b == Obstacle::Surface(b) {
+                let push = &mut hit.impulse.vector[contact.axis];
+                let taken = (sign * *push).min(-contact.normal);
+                *push -= sign * taken;
+                contact.normal += taken;
+            }
+        }
+        contact.normal >= 0.0
     }
 
     /// Lists an impulse: of an impact with its closing speed.

@@ -65,6 +65,7 @@ impl Events {
         (0..self.movable).for_each(|i| self.end_train(scene, i));
         self.release();
         self.pass_on(true);
+        self.list_surplus(scene);
         self.stop_here(scene);
         self.follow_surfaces();
         self.settle(scene);

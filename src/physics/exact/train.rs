@@ -1,5 +1,5 @@
 //! Trains of bounces in closed form: where their bodies are, and how fast, at any time of them; and, hit by hit, what bounces to and fro between a
-//! wall and another body without loss: both fall alike, so that between two hits their gap changes evenly.
+//! wall and another body without loss.
 
 use crate::physics::data::{Aabb, Pose, on_axis};
 use glam::DVec2;
@@ -84,7 +84,8 @@ impl BounceSeries {
     /// How many take that long.
     fn count(&self, time: f64) -> f64 {
         let slowing = self.damping / 3.0;
-        let all = if slowing == 0.0 { time } else { libm::expm1(slowing * time) / slowing } / self.first();
+        // As many as e³⁰⁰ are without end, and their sums finite.
+        let all = if slowing == 0.0 { time } else { libm::expm1((slowing * time).min(300.0)) / slowing } / self.first();
         if self.e == 1.0 { all } else { libm::log1p((-all * (1.0 - self.e)).max(-1.0)) / libm::log(self.e) }
     }
 
@@ -120,14 +121,14 @@ impl BounceSeries {
     }
 }
 
-/// Of the other body and of the one in between, which begins at the wall: kg, m and m/s. The wall moves with `wall`; both fall with `pull` (m/s²).
+/// Of the other body and of the one in between, which begins at the wall: kg, m, m/s and m/s². The wall moves with `wall`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wedge {
     pub wall: f64,
     pub masses: [f64; 2],
     pub gap: f64,
     pub speeds: [f64; 2],
-    pub pull: f64,
+    pub pulls: [f64; 2],
 }
 
 impl Wedge {
@@ -136,26 +137,24 @@ impl Wedge {
         (self.speeds[1] - self.speeds[0]) * time / self.gap.max(f64::MIN_POSITIVE)
     }
 
-    /// The highest that the other body gets within a time, m: its energy is never more than that of both.
+    /// The highest that the other body gets within a time, m: its energy is never more than that of both, and what pulls has given them.
     pub fn highest(&self, time: f64) -> f64 {
         let [far, middle] = self.speeds.map(|speed| (speed - self.wall) * (speed - self.wall));
-        let most = far + middle * self.masses[1] / self.masses[0] + 2.0 * self.pull.abs() * self.gap;
-        self.gap + (self.wall.abs() + most.sqrt()) * time
+        let ratio = self.masses[1] / self.masses[0];
+        let pull = self.pulls[0].abs() + ratio * self.pulls[1].abs();
+        self.gap + (self.wall.abs() + (far + middle * ratio + 2.0 * pull * self.gap).sqrt() + pull * time) * time
     }
 
     /// By how much each has moved after `time` seconds, and how fast it moves.
     pub fn at(&self, time: f64) -> [[f64; 2]; 2] {
         let ([mut y, mut x], [mut w, mut u]) = ([self.gap, 0.0], self.speeds.map(|speed| speed - self.wall));
-        let (a, sum, mut left) = (self.pull, self.masses[0] + self.masses[1], time);
+        let ([b, a], sum, mut left) = (self.pulls, self.masses[0] + self.masses[1], time);
         // Bodies at the ends of the domain, 10⁻³ and 10⁵ kg, hit each other and a wall 31 416 times.
         for _ in 0..u16::MAX {
-            let to_other = if u > w { (y - x).max(0.0) / (u - w) } else { f64::INFINITY };
-            let root = (u * u - 2.0 * a * x.max(0.0)).sqrt();
-            let to_wall = if u > 0.0 { (u + root) / -a } else { 2.0 * x.max(f64::MIN_POSITIVE) / (root - u) };
-            let to_wall = if to_wall >= 0.0 { to_wall } else { f64::INFINITY };
+            let (to_other, to_wall) = (closes((y - x).max(0.0), u - w, a - b), closes(x.max(0.0), -u, -a));
             let t = to_other.min(to_wall).min(left);
-            (x, y) = (x + (u + 0.5 * a * t) * t, y + (w + 0.5 * a * t) * t);
-            (u, w, left) = (u + a * t, w + a * t, left - t);
+            (x, y) = (x + (u + 0.5 * a * t) * t, y + (w + 0.5 * b * t) * t);
+            (u, w, left) = (u + a * t, w + b * t, left - t);
             if left <= 0.0 {
                 break;
             } else if to_other <= to_wall {
@@ -166,5 +165,17 @@ impl Wedge {
             }
         }
         [[y - self.gap + self.wall * time, w + self.wall], [x + self.wall * time, u + self.wall]]
+    }
+}
+
+/// When a gap (m) closes that falls at a `rate` (m/s) which grows by `more` a second (m/s²), s; infinite where it does not.
+fn closes(gap: f64, rate: f64, more: f64) -> f64 {
+    let square = rate * rate + 2.0 * more * gap;
+    if square < 0.0 || rate <= 0.0 && more <= 0.0 {
+        f64::INFINITY
+    } else if rate > 0.0 {
+        2.0 * gap / (rate + square.sqrt())
+    } else {
+        (square.sqrt() - rate) / more
     }
 }

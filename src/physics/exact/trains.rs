@@ -21,7 +21,7 @@ impl Events {
         let [mine, others] = self.shares(of[0], of[1]);
         let (parts, side) = ([mine, -others], if contact.hi == pair[0] { 1.0 } else { -1.0 });
         let pull = self.pull(scene, pair[0]);
-        let wedge = e == 1.0 && !joined && pull[along] == 0.0 && self.items[of[0]].law.is_constant();
+        let wedge = e == 1.0 && !joined && self.keeps_level(scene, pair[0], axis);
         if wedge && self.begin_wedge(scene, contact, side, pull) {
             return;
         }
@@ -117,7 +117,15 @@ impl Events {
             let alike = like(ground) == like(j) && self.items[j].surface && self.items[j].sides == Sides::ALL;
             alike && self.tracks[j].is_still() && (face(j) - face(ground)).abs() <= SLOP
         };
-        let near = |j: usize| self.lanes[j].touches(way, 0.0) && !train.members.contains(&(j as u32)) && !goes_on(j);
+        // A body of a wedge keeps its place on the surfaces under it as long as it faces them.
+        let (wedge, apart) = (matches!(train.kind, TrainKind::Wedge(..)), 2.0 * (item.body.half[axis] - SLOP));
+        let faces = |floor: &Aabb| way.min[axis] + apart >= floor.min[axis] && way.max[axis] - apart <= floor.max[axis];
+        let carries = |j: usize| {
+            let of = |contact: &Contact| contact.is_of(i as u32, j as u32) && contact.axis != axis;
+            wedge && self.contacts.iter().any(of) && faces(&self.items[j].body.bounds())
+        };
+        let member = |j: usize| train.members.contains(&(j as u32));
+        let near = |j: usize| self.lanes[j].touches(way, 0.0) && !member(j) && !goes_on(j) && !carries(j);
         let stays = |stream: &u32| {
             let zone = &scene.media.streams[*stream as usize].zone;
             zones::stays(way, item.body.half, zone, zones::feels(zone, &item.body, (self.places[i], self.speeds[i])))
@@ -125,7 +133,25 @@ impl Events {
         !(0..self.items.len()).any(near) && self.streams.iter().all(stays)
     }
 
-    /// Lets a body that has just left a wall go to and fro between that and the next, if one `pull` (m/s²) acts on both. Returns whether it does.
+    /// Whether constant forces alone act on a body, none of them across an `axis` but into surfaces that stand and rub nothing.
+    fn keeps_level(&self, scene: &Scene, item: u32, axis: usize) -> bool {
+        let along = 1 - axis;
+        let smooth = |contact: &Contact| {
+            let surface = contact.ends().1;
+            let rubs = contact.static_friction.max(contact.kinetic_friction) > 0.0;
+            !rubs && !self.is_body(surface) && self.tracks[surface as usize].is_still() && self.approach(contact) == 0.0
+        };
+        let mut carries = self.contacts.iter().filter(|contact| contact.has(item) && contact.axis == along).peekable();
+        let free = carries.peek().is_none();
+        self.items[item as usize].law.is_constant()
+            && if free {
+                self.pull(scene, item)[along] == 0.0
+            } else {
+                carries.all(|contact| contact.normal > 0.0 && smooth(contact))
+            }
+    }
+
+    /// Lets a body that has just left a wall go to and fro between that and the next, under the `pull` (m/s²) on it. Returns whether it does.
     fn begin_wedge(&mut self, scene: &Scene, contact: &Contact, side: f64, pull: DVec2) -> bool {
         let (axis, (middle, wall)) = (contact.axis, contact.ends());
         let ahead = |j: u32| {
@@ -140,18 +166,19 @@ impl Events {
         let (lo, hi) = if side > 0.0 { (middle, far) } else { (far, middle) };
         let next = self.contact_along(lo, hi, axis);
         let slides = [contact, &next].iter().any(|contact| contact.kinetic_friction > 0.0 && self.sliding(contact) != 0.0);
-        let law = &self.items[of[0]].law;
-        let falls = self.pull(scene, far) == pull && !self.contacts.iter().any(|contact| contact.has(far));
-        let free = law.is_constant() && falls && self.may_bounce(far) && self.items[of[0]].train.is_none();
+        let touches = self.contacts.iter().any(|contact| contact.has(far) && contact.axis == axis);
+        let free = !touches && self.keeps_level(scene, far, axis) && self.may_bounce(far) && self.items[of[0]].train.is_none();
+        let pulls = [self.pull(scene, far)[axis], pull[axis]];
         let [masses, speeds] = [of.map(|i| self.items[i].body.mass), of.map(|i| side * self.speeds[i][axis])];
         let gap = -self.depth_of(&next).min(0.0);
-        let wedge = Wedge { wall: side * self.speed(wall)[axis], masses, gap, speeds, pull: side * pull[axis] };
+        let wedge = Wedge { wall: side * self.speed(wall)[axis], masses, gap, speeds, pulls: pulls.map(|pull| side * pull) };
         let until = scene.tick.min(self.items[wall as usize].until);
         if slides || !free || self.restitution(scene, &next, 1.0) < 1.0 || wedge.hits(until - self.now) < MANY_HITS {
             return false;
         }
         let train = |k: usize, way: Aabb| {
             let kind = TrainKind::Wedge(wedge, k);
+            let pull = on_axis(axis, pulls[k], 0.0);
             Train { members: [far, middle, wall], axis, side, until, over: false, way, pull, kind }
         };
         // The other one stays between the wall and its highest place, the one in between on this side of it.
@@ -165,11 +192,24 @@ impl Events {
         edge[axis] -= side * 2.0 * half[axis];
         let trains = [train(0, way), train(1, between)];
         if (0..2).all(|k| self.is_clear(scene, of[k], &trains[k])) {
-            self.concern(far);
+            self.concern_carried(scene, far);
             (0..2).for_each(|k| self.set_train(of[k], trains[k]));
             return true;
         }
         false
+    }
+
+    /// Concerns a body and the surfaces that carry it.
+    fn concern_carried(&mut self, scene: &Scene, item: u32) {
+        if self.is_concerned[item as usize] {
+            return;
+        }
+        self.concern(item);
+        for slot in self.incident.slots(item as usize) {
+            let contact = self.contacts[self.incident.list[slot] as usize];
+            let touching = self.touch(scene, contact, false);
+            self.touching.push(touching);
+        }
     }
 
     /// Ends the train of a body and of all that are in it, and lists what its bounces have passed on.

@@ -22,7 +22,7 @@ const OFF: f64 = 1e-10;
 const EXACT: f64 = 1e-9;
 /// Contacts in liquids: the error of an implicit step whose length has a floor.
 const WET: f64 = 1e-6;
-/// Crowd steps: random scenes with a driven feather have measured 0.4.
+/// Crowd steps in liquids: random scenes have measured 0.4.
 const CROWD: f64 = 1.0;
 
 impl World {
@@ -47,8 +47,7 @@ impl World {
             let near = self.reach(thing);
             self.account(thing, &near, ledger);
             let wet = island.is_some() && self.state.media.wets(&near);
-            let driven = self.state.media.airy || self.state.forces[thing.id as usize].push() != DVec2::ZERO;
-            ledger.slack = ledger.slack.max(if thing.dense && (driven || wet) {
+            ledger.slack = ledger.slack.max(if thing.dense && wet {
                 CROWD
             } else if wet {
                 WET
