@@ -17,16 +17,6 @@ fn bystander(i: usize) -> BodyDef {
     square(20.5 + (i % 20) as f64, -0.5 - (i / 20) as f64)
 }
 
-/// A crowd in which no body is near another has no contacts to list: once a panic in the first tick.
-#[test]
-fn a_crowd_with_wide_gaps_flies_and_feels_nothing_but_weight() {
-    let mut world = world((0..100).map(|i| square(30.0 * f64::from(i), -1000.0)).collect(), Vec::new());
-    world.step(TICK);
-    for i in 0..100 {
-        assert_eq!(world.forces(BodyId(i)).resultant(), DVec2::new(0.0, G));
-    }
-}
-
 #[test]
 fn a_body_of_a_crowd_that_is_driven_against_a_ceiling_is_held_there() {
     let mut bodies: Vec<BodyDef> = (0..100).map(bystander).collect();

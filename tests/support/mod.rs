@@ -13,6 +13,7 @@ pub mod lanes;
 mod levels;
 mod measure;
 pub mod memory;
+pub mod motion;
 pub mod program;
 mod random;
 pub mod rooms;

@@ -3,6 +3,7 @@
 use super::ropes::{self, carts, circle};
 use super::springs::{let_go, period, stretch, swing};
 use super::{Figure, G, Run, figure, up};
+use crate::support::motion::rk4;
 use resultant::physics::{DVec2, ForceKind};
 
 /// The figures of a change.
@@ -261,12 +262,8 @@ fn range_in_air(run: &mut Run, object: usize, angle: f64) -> Figure {
     let pull = |v: DVec2| DVec2::new(0.0, -G) - k * v.length() * v;
     let (mut at, mut v, h) = (DVec2::ZERO, 20.0 * DVec2::from_angle(angle.to_radians()), 1e-4);
     let exact = loop {
-        let (v1, a1) = (v, pull(v));
-        let (v2, a2) = (v + 0.5 * h * a1, pull(v + 0.5 * h * a1));
-        let (v3, a3) = (v + 0.5 * h * a2, pull(v + 0.5 * h * a2));
-        let (v4, a4) = (v + h * a3, pull(v + h * a3));
-        let next = at + h / 6.0 * (v1 + 2.0 * v2 + 2.0 * v3 + v4);
-        v += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+        let (next, faster) = rk4((at, v), 1, h, |_, v| pull(v));
+        v = faster;
         if next.y < 0.0 && v.y < 0.0 {
             break at.x + (next.x - at.x) * at.y / (at.y - next.y);
         }
