@@ -83,15 +83,6 @@ fn columns_come_in_any_order_and_may_be_left_out_or_empty() {
 }
 
 #[test]
-fn what_a_spreadsheet_saves_loads() {
-    let level = good("good_spreadsheet");
-    assert_eq!((level.player.mass, level.player.thrust, level.player.feels_air), (100.0, 3000.0, true));
-    assert_eq!(level.objects[0].look, Look::Image(fixtures().join("assets/sprites/ball.png")));
-    assert_eq!(level.texts[0].text, "Space, then arrows");
-    assert_eq!((level.title.as_str(), level.metre), ("good_spreadsheet", 30.0));
-}
-
-#[test]
 fn the_world_holds_the_ship_then_the_objects_and_the_source_blocks_behind_the_world() {
     let level = good("good_original");
     let def = level.world_def();
