@@ -1,6 +1,6 @@
 //! Test flights from the editor: from the pointer, stopped and gone on, what stays of them over the picture, and what they prove.
 
-use crate::editor::{control, drag, draw, file, open, rows};
+use crate::editor::{control, drag, draw, file, open, rows, write_into};
 use crate::sitting::Sitting;
 use resultant::draw::Shape;
 use resultant::level;
@@ -132,4 +132,78 @@ fn a_flight_from_elsewhere_or_in_parts_proves_nothing() {
     sitting.press(Key::F5).hold(&[Key::Space], 2).press(Key::F5).press(Key::F7);
     sitting.hold_until(&[], |sitting| sitting.at() == "editor");
     assert!(sitting.shows("Completed in") && !sitting.labels().contains(&"Gold"));
+}
+
+#[test]
+fn a_ship_and_a_size_are_enough_to_fly() {
+    let mut sitting = open();
+    // No pad any more, a picture that is not there, a number that is none, a switch of nothing.
+    drag(&mut sitting, (20.0, 20.0), (20.0, 20.0));
+    sitting.press(Key::Delete);
+    draw(&mut sitting, Kind::Switch, (500.0, 100.0), (560.0, 160.0));
+    draw(&mut sitting, Kind::Picture, (100.0, 100.0), (160.0, 140.0));
+    write_into(&mut sitting, "image", "nowhere.png");
+    draw(&mut sitting, Kind::Object, (100.0, 500.0), (140.0, 540.0));
+    write_into(&mut sitting, "mass", "heavy");
+    // And an object in the middle of a block.
+    draw(&mut sitting, Kind::Solid, (600.0, 500.0), (700.0, 600.0));
+    draw(&mut sitting, Kind::Object, (630.0, 530.0), (670.0, 570.0));
+    sitting.press(Key::F5);
+    assert_eq!(sitting.at(), "test flight");
+    assert!(sitting.shows("Flown as far as it goes. What is left:") && sitting.shows("nowhere.png"));
+    assert!(sitting.texts().iter().filter(|(line, _)| line.contains(".csv")).count() >= 5, "{:?}", sitting.texts());
+    let level = sitting.game().level().clone();
+    assert_eq!((level.objectives.len(), level.objects.len(), level.decoration.len(), level.switches.len()), (0, 0, 0, 1));
+    sitting.wait(1.0);
+    assert!(sitting.at() == "test flight", "nothing is completed where nothing is asked for");
+    assert_eq!(sitting.press(Key::F5).at(), "editor");
+    // Without a ship there is nothing to fly.
+    drag(&mut sitting, (400.0, 300.0), (400.0, 300.0));
+    write_into(&mut sitting, "mass", "light");
+    assert_eq!(sitting.press(Key::F5).at(), "editor");
+    assert!(sitting.shows("It cannot be flown until this is mended: player.csv:2"));
+}
+
+#[test]
+fn a_test_flight_is_nobodys_attempt() {
+    let mut sitting = open();
+    sitting.press(Key::F5).wait(0.2).press(Key::R);
+    assert_eq!(sitting.at(), "test flight");
+    // Onto a death box: it leads back, and says how it ended.
+    sitting.press(Key::Escape);
+    draw(&mut sitting, Kind::Deadly, (300.0, 400.0), (500.0, 420.0));
+    sitting.press(Key::F5).wait(4.0);
+    assert_eq!(sitting.at(), "editor");
+    assert!(sitting.shows("Lost after"));
+    assert_eq!(sitting.scores_file("attempts.csv"), "");
+}
+
+#[test]
+fn editing_that_begins_in_a_pause_ends_in_it() {
+    let mut sitting = Sitting::new();
+    sitting.fly("2").wait(1.0).press(Key::Escape);
+    let ticks = sitting.ticks();
+    let edit = "Edit Level";
+    sitting.click(edit).rest();
+    assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2"));
+    draw(&mut sitting, Kind::Solid, (0.0, 560.0), (800.0, 600.0));
+    sitting.press(Key::F5).wait(0.5);
+    assert_eq!(sitting.at(), "test flight");
+    sitting.press(Key::F5);
+    control(&mut sitting, Key::S);
+    sitting.press_all(&[Key::Escape, Key::Escape, Key::Enter]);
+    assert_eq!((sitting.at(), sitting.ticks()), ("pause", ticks));
+    // It goes on in the level as it was saved.
+    sitting.wait(0.5).press(Key::Escape).wait(0.2);
+    assert_eq!((sitting.at(), sitting.game().level().world.len()), ("flight", 1));
+    // An experiment's copy, too, is made without leaving it.
+    let shipped = |root: &std::path::Path| fs::write(root.join("levels/shipped.csv"), "folder\n2\n").unwrap();
+    let mut sitting = Sitting::with(shipped);
+    sitting.fly("2").wait(1.0).press(Key::Escape).click(edit).rest();
+    assert_eq!(sitting.at(), "levels to edit");
+    assert_eq!(sitting.press(Key::Escape).at(), "pause");
+    sitting.click(edit).press(Key::Enter).rest();
+    assert_eq!(sitting.editor().name(), "2-copy");
+    assert_eq!(sitting.press_all(&[Key::Escape, Key::Enter]).at(), "pause");
+    assert_eq!(sitting.game().level().name, "2");
 }
