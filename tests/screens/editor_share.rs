@@ -2,6 +2,7 @@
 
 use crate::editor::{control, draw, file};
 use crate::sitting::Sitting;
+use crate::support::tiled::{map, object, things};
 use resultant::level::document::Kind;
 use resultant::screens::{Destination, Input, Key, Places, Stack};
 use std::fs;
@@ -60,33 +61,20 @@ fn a_level_is_one_file_that_another_game_takes_in() {
 
 #[test]
 fn a_map_of_tiled_is_taken_in_by_a_drop_or_by_its_path() {
-    let object = |id: u32, class: &str, place: &str, cells: &str| {
-        format!("{{\"id\":{id},\"name\":\"\",\"type\":\"{class}\",{place},\"visible\":true,\"properties\":[{cells}]}}")
-    };
-    let number = |name: &str, value: u32| format!("{{\"name\":\"{name}\",\"type\":\"int\",\"value\":{value}}}");
-    let cells = [number("mass", 100), number("fuel", 500), number("thrust", 2500)].join(",");
-    let map = |class: &str| {
-        let ship = object(1, "player", "\"x\":96,\"y\":600,\"width\":0,\"height\":0", &cells);
-        let goal = object(2, class, "\"x\":1000,\"y\":502,\"width\":120,\"height\":20", "");
-        format!(
-            "{{\"type\":\"map\",\"orientation\":\"orthogonal\",\"width\":40,\"height\":24,\"tilewidth\":32,\"tileheight\":32,\"layers\":[
-              {{\"type\":\"objectgroup\",\"name\":\"things\",\"objects\":[{ship},{goal}]}},
-              {{\"type\":\"objectgroup\",\"name\":\"ideas\",\"visible\":false,\"objects\":[]}}]}}"
-        )
-    };
+    let with = |class: &str| map(&[&things()[..], &[object(9, class, [300.0, 100.0, 40.0, 40.0], &[])]].concat().join(","));
     let mut sitting = list();
     let root = sitting.folder.path().to_path_buf();
     let write = |name: &str, text: String| {
         fs::write(root.join(name), text).unwrap();
         root.join(name)
     };
-    sitting.give(Input { dropped: vec![write("tower.tmj", map("objectives"))], ..Input::default() });
+    sitting.give(Input { dropped: vec![write("tower.tmj", with("world"))], ..Input::default() });
     sitting.rest();
-    assert!(sitting.shows("Installed: tower") && sitting.shows("ideas"), "what is left out is named: {:?}", sitting.texts());
+    assert!(sitting.shows("Installed: tower") && sitting.shows("flowers"), "what is left out is named: {:?}", sitting.texts());
     assert!(root.join("levels/tower/player.csv").exists());
     // Refused by layer and object, and by its name.
-    for (name, class, said) in [("hut.tmj", "houses", "houses"), ("a hut.tmj", "objectives", "a level cannot have this name")] {
-        let path = write(name, map(class));
+    for (name, class, said) in [("hut.tmj", "houses", "houses"), ("a hut.tmj", "world", "a level cannot have this name")] {
+        let path = write(name, with(class));
         sitting.home().choose("Editor").click("Import").write(path.to_str().unwrap()).press(Key::Enter).rest();
         assert!(sitting.shows("This file cannot be opened") && sitting.shows(said), "{name}: {:?}", sitting.texts());
         sitting.press(Key::Escape);

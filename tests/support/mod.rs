@@ -22,6 +22,7 @@ pub mod shipped;
 #[path = "../../tools/fuzz_levels/src/slow.rs"]
 pub mod slow;
 pub mod strategies;
+pub mod tiled;
 pub mod turned;
 pub mod written;
 
