@@ -94,52 +94,12 @@ fn cube(kind: StaticKind) -> Static {
     Static { cuboid: Cuboid { location: DVec3::splat(2.0), dimensions: DVec3::ONE }, kind }
 }
 
-fn small(location: DVec3, velocity: DVec3) -> Dynamic {
-    body(location, DVec3::splat(0.5), velocity, 1.0)
-}
-
-/// One step without gravity of 0.1 s, against a cube of each kind: the hits, and the two bodies after it.
-fn against_cubes(engine: Engine, before: Dynamic) -> [(Vec<CuboidHit>, Dynamic); 2] {
-    [StaticKind::Platform, StaticKind::Wall].map(|kind| {
-        let mut bodies = [before];
-        let hits = engine(&mut bodies, &[cube(kind)], 0.0, 0.1);
-        (hits, bodies[0])
-    })
-}
-
-fn hit(face: CuboidFace) -> Vec<CuboidHit> {
-    vec![CuboidHit::Static { object: 0, obstacle: 0, face }]
-}
-
 fn close(a: DVec3, b: DVec3) -> bool {
     (a - b).abs().max_element() < 1e-12
 }
 
-/// A check a face: from 0.05 m in front of it, and from touching it, 0.1 m on. Only a platform's top and a wall's two sides act.
-fn from_the_side(engine: Engine, face: CuboidFace, axis: usize, direction: f64) -> bool {
-    let touching = if direction > 0.0 { 1.5 } else { 3.0 };
-    [0.05, 0.0].into_iter().all(|gap| {
-        let (mut location, mut velocity) = (DVec3::splat(2.25), DVec3::splat(0.125));
-        location[axis] = touching - direction * gap;
-        velocity[axis] = direction;
-        let [(platform_hits, on_platform), (wall_hits, at_wall)] = against_cubes(engine, small(location, velocity));
-        let passes = |after: &Dynamic| {
-            after.velocity == velocity && close(after.cuboid.location, location + 0.1 * velocity) && !after.on_ground
-        };
-        let stops = |after: &Dynamic| {
-            let mut left = velocity;
-            left[axis] = 0.0;
-            after.velocity == left && after.cuboid.location[axis] == touching && after.on_ground == (face == CuboidFace::Top)
-        };
-        platform_hits == hit(face)
-            && wall_hits == hit(face)
-            && (if face == CuboidFace::Top { stops(&on_platform) } else { passes(&on_platform) })
-            && (if matches!(face, CuboidFace::MinX | CuboidFace::MaxX) { stops(&at_wall) } else { passes(&at_wall) })
-    })
-}
-
 fn a_jump_passes_the_platform_and_lands_on_it(engine: Engine) -> bool {
-    let mut bodies = [small(v(2.25, 2.25, 0.0), v(0.0, 0.0, 9.0))];
+    let mut bodies = [body(v(2.25, 2.25, 0.0), DVec3::splat(0.5), v(0.0, 0.0, 9.0), 1.0)];
     for _ in 0..300 {
         engine(&mut bodies, &[cube(StaticKind::Platform)], 10.0, 0.01);
     }
@@ -176,29 +136,14 @@ fn the_second_elastic_example(engine: Engine) -> bool {
         && close(bodies[1].velocity, v(0.6153846153846154, -0.15384615384615385, 0.4615384615384616))
 }
 
-type Check = fn(Engine) -> bool;
-
-const CHECKS: [(&str, Check); 10] = [
-    ("bottom", |engine| from_the_side(engine, CuboidFace::Bottom, 2, 1.0)),
-    ("top", |engine| from_the_side(engine, CuboidFace::Top, 2, -1.0)),
-    ("min x", |engine| from_the_side(engine, CuboidFace::MinX, 0, 1.0)),
-    ("max x", |engine| from_the_side(engine, CuboidFace::MaxX, 0, -1.0)),
-    ("min y", |engine| from_the_side(engine, CuboidFace::MinY, 1, 1.0)),
-    ("max y", |engine| from_the_side(engine, CuboidFace::MaxY, 1, -1.0)),
-    ("a jump passes the platform and lands on it", a_jump_passes_the_platform_and_lands_on_it),
-    ("a wall holds for ever", a_wall_holds_for_ever),
-    ("the first elastic example", the_first_elastic_example),
-    ("the second elastic example", the_second_elastic_example),
-];
-
-fn failed(engine: Engine) -> Vec<&'static str> {
-    CHECKS.iter().filter(|(_, check)| !check(engine)).map(|&(name, _)| name).collect()
-}
-
 #[test]
-fn the_engine_passes_every_check() {
-    assert_eq!(failed(&shipped), [""; 0]);
-    assert_eq!(failed(&described), [""; 0]);
+fn both_implementations_pass_the_examples() {
+    for engine in [&shipped as Engine, &described] {
+        assert!(a_jump_passes_the_platform_and_lands_on_it(engine));
+        assert!(a_wall_holds_for_ever(engine));
+        assert!(the_first_elastic_example(engine));
+        assert!(the_second_elastic_example(engine));
+    }
 }
 
 /// Coordinates on a coarse grid, so that touching, which random numbers would never do, is frequent.

@@ -6,6 +6,5 @@ mod limits;
 mod pack;
 mod players;
 mod scores;
-mod spreadsheets;
 #[path = "../support/mod.rs"]
 mod support;

@@ -8,7 +8,6 @@ mod editor_flights;
 mod editor_hand;
 mod editor_links;
 mod editor_share;
-mod editor_story;
 mod flight;
 mod flights;
 mod frames;

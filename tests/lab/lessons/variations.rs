@@ -1,7 +1,6 @@
 //! The figures of each change that a sheet suggests, exactly and by the game, in the order of the sheet.
 
-use super::ropes::{self, carts, circle};
-use super::springs::{let_go, period, stretch, swing};
+use super::ropes::{self, carts, circle, let_go, spring_period, spring_swing, stretch};
 use super::{Figure, G, Run, figure, up};
 use crate::support::motion::rk4;
 use resultant::physics::{DVec2, ForceKind};
@@ -126,14 +125,14 @@ pub fn of(name: &str) -> Vec<Outcome> {
             },
         ],
         "spring-swing" => vec![
-            |run| vec![period(run, 1, "first ball", [2.0, 10.0])],
-            |run| vec![period(run, 3, "4 kg", [4.0, 160.0])],
+            |run| vec![spring_period(run, 1, "first ball", [2.0, 10.0])],
+            |run| vec![spring_period(run, 3, "4 kg", [4.0, 160.0])],
             |run| {
-                let speed = swing(&mut run.again(), 1).1;
-                let period = period(run, 1, "first ball", [1.0, 10.0]);
+                let speed = spring_swing(&mut run.again(), 1).1;
+                let period = spring_period(run, 1, "first ball", [1.0, 10.0]);
                 vec![period, figure("first ball, speed in the middle", "m/s", 0.5 * 10.0_f64.sqrt(), speed)]
             },
-            |run| vec![period(run, 1, "first ball", [1.0, 10.0])],
+            |run| vec![spring_period(run, 1, "first ball", [1.0, 10.0])],
         ],
         "pendulum" => vec![
             |run| vec![ropes::period(run, 1, "first ball", 10.0, (3.0, 10.0, 1.62))],
