@@ -94,109 +94,12 @@ fn cube(kind: StaticKind) -> Static {
     Static { cuboid: Cuboid { location: DVec3::splat(2.0), dimensions: DVec3::ONE }, kind }
 }
 
-fn small(location: DVec3, velocity: DVec3) -> Dynamic {
-    body(location, DVec3::splat(0.5), velocity, 1.0)
-}
-
-/// One step without gravity of 0.1 s, against a cube of each kind: the hits, and the two bodies after it.
-fn against_cubes(engine: Engine, before: Dynamic) -> [(Vec<CuboidHit>, Dynamic); 2] {
-    [StaticKind::Platform, StaticKind::Wall].map(|kind| {
-        let mut bodies = [before];
-        let hits = engine(&mut bodies, &[cube(kind)], 0.0, 0.1);
-        (hits, bodies[0])
-    })
-}
-
-fn hit(face: CuboidFace) -> Vec<CuboidHit> {
-    vec![CuboidHit::Static { object: 0, obstacle: 0, face }]
-}
-
 fn close(a: DVec3, b: DVec3) -> bool {
     (a - b).abs().max_element() < 1e-12
 }
 
-fn gravity_comes_before_the_move(engine: Engine) -> bool {
-    let mut bodies = [small(v(0.0, 0.0, 10.0), v(1.0, 2.0, 3.0))];
-    engine(&mut bodies, &[], 10.0, 0.1);
-    close(bodies[0].velocity, v(1.0, 2.0, 2.0)) && close(bodies[0].cuboid.location, v(0.1, 0.2, 10.2))
-}
-
-fn the_location_before_the_move_is_remembered(engine: Engine) -> bool {
-    let mut bodies = [small(v(0.0, 0.0, 10.0), v(1.0, 0.0, 0.0))];
-    engine(&mut bodies, &[], 10.0, 0.1);
-    let between = bodies[0].cuboid.location;
-    let first = bodies[0].previous == v(0.0, 0.0, 10.0);
-    engine(&mut bodies, &[], 10.0, 0.1);
-    first && bodies[0].previous == between
-}
-
-fn touching_is_not_colliding(engine: Engine) -> bool {
-    let beside = [(0, 1.5), (0, 3.0), (1, 1.5), (1, 3.0), (2, 1.5), (2, 3.0)];
-    beside.into_iter().all(|(axis, at)| {
-        let mut location = DVec3::splat(2.25);
-        location[axis] = at;
-        let before = small(location, DVec3::ZERO);
-        let statics = against_cubes(engine, before).iter().all(|(hits, after)| hits.is_empty() && !after.on_ground);
-        let mut pair = [before, body(DVec3::splat(2.0), DVec3::ONE, DVec3::ZERO, 1.0)];
-        statics && engine(&mut pair, &[], 0.0, 0.1).is_empty()
-    })
-}
-
-fn the_ground_stops_and_tells(engine: Engine) -> bool {
-    let fall = |z: f64, speed: f64| {
-        let mut bodies = [small(v(0.0, 0.0, z), v(1.0, 0.0, -speed))];
-        engine(&mut bodies, &[], 0.0, 0.5);
-        bodies[0]
-    };
-    let lands = |after: Dynamic| after.on_ground && after.velocity == v(1.0, 0.0, 0.0) && after.cuboid.location == v(0.5, 0.0, 0.0);
-    let mut leaves = [fall(1.0, 4.0)];
-    leaves[0].velocity.z = 1.0;
-    engine(&mut leaves, &[], 0.0, 0.5);
-    lands(fall(1.0, 4.0)) && lands(fall(1.0, 2.0)) && !fall(1.0, 1.0).on_ground && !leaves[0].on_ground
-}
-
-/// A check a face: from 0.05 m in front of it, and from touching it, 0.1 m on. Only a platform's top and a wall's two sides act.
-fn from_the_side(engine: Engine, face: CuboidFace, axis: usize, direction: f64) -> bool {
-    let touching = if direction > 0.0 { 1.5 } else { 3.0 };
-    [0.05, 0.0].into_iter().all(|gap| {
-        let (mut location, mut velocity) = (DVec3::splat(2.25), DVec3::splat(0.125));
-        location[axis] = touching - direction * gap;
-        velocity[axis] = direction;
-        let [(platform_hits, on_platform), (wall_hits, at_wall)] = against_cubes(engine, small(location, velocity));
-        let passes = |after: &Dynamic| {
-            after.velocity == velocity && close(after.cuboid.location, location + 0.1 * velocity) && !after.on_ground
-        };
-        let stops = |after: &Dynamic| {
-            let mut left = velocity;
-            left[axis] = 0.0;
-            after.velocity == left && after.cuboid.location[axis] == touching && after.on_ground == (face == CuboidFace::Top)
-        };
-        platform_hits == hit(face)
-            && wall_hits == hit(face)
-            && (if face == CuboidFace::Top { stops(&on_platform) } else { passes(&on_platform) })
-            && (if matches!(face, CuboidFace::MinX | CuboidFace::MaxX) { stops(&at_wall) } else { passes(&at_wall) })
-    })
-}
-
-fn past_an_edge_bottom_and_top_come_first(engine: Engine) -> bool {
-    let diagonal = |location: DVec3, velocity: DVec3| against_cubes(engine, small(location, velocity))[0].0.clone();
-    diagonal(v(1.45, 2.25, 3.05), v(1.0, 0.0, -1.0)) == hit(CuboidFace::Top)
-        && diagonal(v(3.05, 2.25, 1.45), v(-1.0, 0.0, 1.0)) == hit(CuboidFace::Bottom)
-        && diagonal(v(1.45, 3.05, 2.25), v(1.0, -1.0, 0.0)) == hit(CuboidFace::MinX)
-}
-
-fn what_overlapped_before_is_internal_and_passes(engine: Engine) -> bool {
-    let velocity = v(0.5, 0.25, -0.5);
-    against_cubes(engine, small(DVec3::splat(2.25), velocity)).into_iter().all(|(hits, after)| {
-        hits == hit(CuboidFace::Internal)
-            && after.velocity == velocity
-            && !after.on_ground
-            && close(after.cuboid.location, v(2.3, 2.275, 2.2))
-    })
-}
-
 fn a_jump_passes_the_platform_and_lands_on_it(engine: Engine) -> bool {
-    let mut bodies = [small(v(2.25, 2.25, 0.0), v(0.0, 0.0, 9.0))];
+    let mut bodies = [body(v(2.25, 2.25, 0.0), DVec3::splat(0.5), v(0.0, 0.0, 9.0), 1.0)];
     for _ in 0..300 {
         engine(&mut bodies, &[cube(StaticKind::Platform)], 10.0, 0.01);
     }
@@ -233,35 +136,14 @@ fn the_second_elastic_example(engine: Engine) -> bool {
         && close(bodies[1].velocity, v(0.6153846153846154, -0.15384615384615385, 0.4615384615384616))
 }
 
-type Check = fn(Engine) -> bool;
-
-const CHECKS: [(&str, Check); 16] = [
-    ("gravity comes before the move", gravity_comes_before_the_move),
-    ("the location before the move is remembered", the_location_before_the_move_is_remembered),
-    ("touching is not colliding", touching_is_not_colliding),
-    ("the ground stops and tells", the_ground_stops_and_tells),
-    ("bottom", |engine| from_the_side(engine, CuboidFace::Bottom, 2, 1.0)),
-    ("top", |engine| from_the_side(engine, CuboidFace::Top, 2, -1.0)),
-    ("min x", |engine| from_the_side(engine, CuboidFace::MinX, 0, 1.0)),
-    ("max x", |engine| from_the_side(engine, CuboidFace::MaxX, 0, -1.0)),
-    ("min y", |engine| from_the_side(engine, CuboidFace::MinY, 1, 1.0)),
-    ("max y", |engine| from_the_side(engine, CuboidFace::MaxY, 1, -1.0)),
-    ("past an edge bottom and top come first", past_an_edge_bottom_and_top_come_first),
-    ("what overlapped before is internal and passes", what_overlapped_before_is_internal_and_passes),
-    ("a jump passes the platform and lands on it", a_jump_passes_the_platform_and_lands_on_it),
-    ("a wall holds for ever", a_wall_holds_for_ever),
-    ("the first elastic example", the_first_elastic_example),
-    ("the second elastic example", the_second_elastic_example),
-];
-
-fn failed(engine: Engine) -> Vec<&'static str> {
-    CHECKS.iter().filter(|(_, check)| !check(engine)).map(|&(name, _)| name).collect()
-}
-
 #[test]
-fn the_engine_passes_every_check() {
-    assert_eq!(failed(&shipped), [""; 0]);
-    assert_eq!(failed(&described), [""; 0]);
+fn both_implementations_pass_the_examples() {
+    for engine in [&shipped as Engine, &described] {
+        assert!(a_jump_passes_the_platform_and_lands_on_it(engine));
+        assert!(a_wall_holds_for_ever(engine));
+        assert!(the_first_elastic_example(engine));
+        assert!(the_second_elastic_example(engine));
+    }
 }
 
 /// Coordinates on a coarse grid, so that touching, which random numbers would never do, is frequent.

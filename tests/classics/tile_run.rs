@@ -93,31 +93,6 @@ fn a_fall_lands_a_millionth_above_the_floor_and_only_then_is_on_the_ground() {
 }
 
 #[test]
-fn a_start_in_a_corner_of_the_map_is_pushed_off_every_edge() {
-    let left = run("s", &[("LEFT", 1.0)]);
-    assert_eq!(left, [(1e-6, 0.06, 0.0, 0.06, false)]);
-    // 0.5 twice reaches x = 1, which is outside.
-    let right = run("s", &[("RIGHT", 1.0), ("RIGHT", 1.0)]);
-    assert_eq!(right[0], (0.5, 0.06, 0.5, 0.06, false));
-    assert_eq!((right[1].0, right[1].2), (1.0 - 1e-6, 0.0));
-}
-
-#[test]
-fn a_jump_needs_ground_and_stops_below_a_ceiling() {
-    let air = run("s\n.\n.", &[("JUMP", 0.6)]);
-    assert_eq!(air, [(0.0, 0.06, 0.0, 0.06, false)]);
-    // 0.06 + … + 0.30 + 0.36 = 1.26 ≥ 1: landed after the sixth frame; the jump is kept at −0.6, of which gravity takes 0.06, and its
-    // second frame meets the map's top edge.
-    let mut commands = vec![("WAIT", 0.0); 6];
-    commands.extend([("JUMP", 2.0), ("WAIT", 0.0)]);
-    let frames = run("s", &commands);
-    let rise = -0.6 + 0.06;
-    assert_eq!(frames[5], (0.0, 1.0 - 1e-6, 0.0, 0.0, true));
-    assert_eq!(frames[6], (0.0, 1.0 - 1e-6 + rise, 0.0, rise, false));
-    assert_eq!(frames[7], (0.0, 1e-6, 0.0, 0.0, false));
-}
-
-#[test]
 fn a_jump_is_kept_from_going_below_its_limit_before_gravity_acts() {
     let jump = |value| {
         run(
@@ -131,14 +106,6 @@ fn a_jump_is_kept_from_going_below_its_limit_before_gravity_acts() {
     assert_eq!(jump(1e300), -0.6 + 0.06);
     assert_eq!(jump(0.5), -0.5 + 0.06);
     assert_eq!(jump(-0.5), 0.0, "pushed into the ground");
-}
-
-#[test]
-fn friction_acts_on_what_the_command_added_and_before_the_clamp() {
-    let frames = run("s.......", &[("RIGHT", 0.1), ("RIGHT", 0.6), ("LEFT", 3.0)]);
-    let first = 0.1 * 0.80;
-    let second = (first + 0.6) * 0.80;
-    assert_eq!((frames[0].2, frames[1].2, frames[2].2), (first, if second > 0.5 { 0.5 } else { second }, -0.5));
 }
 
 proptest! {

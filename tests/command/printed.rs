@@ -1,6 +1,7 @@
 //! Every command that the documents, the sheets and the help print is one that works, wherever it is typed.
 
 use crate::support::program::{Ran, resultant};
+use crate::support::shipped::project;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,10 +9,6 @@ use std::process::Command;
 
 /// Folders of documents, from the project's.
 const DOCUMENTS: [&str; 5] = ["README.md", "CONTRIBUTING.md", "docs", "levels", "experiments"];
-
-fn project() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
 
 fn texts(path: &Path, found: &mut Vec<String>) {
     if path.is_dir() {

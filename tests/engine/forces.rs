@@ -1,7 +1,7 @@
 //! The force manager: by itself, and as the part that moves a body.
 
 use crate::support::{Ask, BODY, TICK as DT, area, block, crate_at};
-use resultant::physics::{BodyDef, BodyId, DVec2, FluidDef, ForceKind, ForceManager, Source, StreamDef, World, WorldDef};
+use resultant::physics::{BodyDef, BodyId, DVec2, FluidDef, ForceKind, ForceManager, Source, World, WorldDef};
 
 #[test]
 fn a_force_is_replaced_by_one_of_its_source_and_kind() {
@@ -105,24 +105,4 @@ fn an_added_push_moves_the_body() {
     world.remove_force(BODY, Source::Body(BodyId(7)), ForceKind::Push);
     world.steps(1200, DT);
     assert_eq!((world.speed(0), world.forces(BODY).resultant()), (DVec2::ZERO, DVec2::ZERO));
-}
-
-#[test]
-fn streams_enter_and_leave_the_manager() {
-    let body = BodyDef { velocity: DVec2::new(10.0, 0.0), ..BodyDef::default() };
-    let stream = StreamDef { zone: area(5.0, -5.0, 8.0, 5.0), force: DVec2::new(0.0, 4.0) };
-    let def = WorldDef { gravity: 0.0, air_density: 0.0, bodies: vec![body], streams: vec![stream], ..WorldDef::default() };
-    let mut world = World::new(def).unwrap();
-    for _ in 0..150 {
-        world.step(DT);
-        let (x, forces) = (world.at(0).x, world.forces(BODY));
-        if (x - 4.5).abs() < 1e-6 || (x - 8.5).abs() < 1e-6 {
-            continue;
-        }
-        let inside = x > 4.5 && x < 8.5;
-        assert_eq!(forces.get(Source::Stream(0), ForceKind::Wind).is_some(), inside, "{x} m");
-        assert_eq!(forces.resultant(), if inside { DVec2::new(0.0, 4.0) } else { DVec2::ZERO });
-    }
-    // 4 m at 10 m/s under 4 m/s².
-    assert!((world.speed(0).y - 1.6).abs() < 1e-9, "{}", world.speed(0));
 }

@@ -1,11 +1,10 @@
 //! Liquids: bodies that float, sink, bob and splash, against fine integrations by hand and against formulas, at any tick.
 
+use crate::support::motion::{Bath, WAVES, force_on, rk4};
 use crate::support::{Ask, BODY, G, area, block, crate_at, named_forces};
 use resultant::physics::{BodyDef, DVec2, FluidDef, ForceKind, Plan, World, WorldDef};
 
 const AIR: f64 = 1.2041;
-/// Damping ratio of a body that floats at its waterline, per unit of C_d.
-const WAVES: f64 = 0.15;
 
 /// A liquid whose surface is at y = 0.
 fn pool(density: f64, viscosity: f64, depth: f64) -> FluidDef {
@@ -21,37 +20,11 @@ fn run(mut world: World, seconds: f64, hz: f64) -> World {
     world
 }
 
-/// The force on a box in the pool, N, by a second implementation.
-fn force(body: &BodyDef, pool: &FluidDef, y: f64, v: DVec2) -> DVec2 {
-    let (w, h) = (2.0 * body.half.x, 2.0 * body.half.y);
-    let (top, bottom) = (y - body.half.y, y + body.half.y);
-    let inside = (bottom.min(pool.zone.max.y) - top.max(0.0)).clamp(0.0, h);
-    let f = inside / h;
-    let density = f * pool.density + (1.0 - f) * AIR;
-    let shown = w * v.y.abs() + h * v.x.abs();
-    let drag = 0.5 * density * body.drag * shown + 3.0 * std::f64::consts::PI * pool.viscosity * f * (w + h) / 2.0;
-    let (k, r) = (pool.density * G * w, pool.density * w * inside / body.mass);
-    let emerged = (-top / h).clamp(0.0, 1.0);
-    let waves = if f > 0.0 { 2.0 * r / (1.0 + r) * (1.0 - (1.0 - emerged).powi(8)) } else { 0.0 };
-    let waves = 2.0 * WAVES * body.drag * (k * body.mass).sqrt() * waves;
-    DVec2::new(0.0, body.mass * G - pool.density * G * w * inside - waves * v.y) - v * drag
-}
-
 /// RK4 at such short steps that its error at the kinks does not count.
 fn reference(body: &BodyDef, pool: &FluidDef, seconds: f64, h: f64) -> DVec2 {
-    let a = |x: DVec2, v: DVec2| force(body, pool, x.y, v) / body.mass;
-    let (mut x, mut v) = (body.position, body.velocity);
-    for _ in 0..(seconds / h).round() as u32 {
-        let a1 = a(x, v);
-        let (x2, v2) = (x + v * (h / 2.0), v + a1 * (h / 2.0));
-        let a2 = a(x2, v2);
-        let (x3, v3) = (x + v2 * (h / 2.0), v + a2 * (h / 2.0));
-        let a3 = a(x3, v3);
-        let (x4, v4) = (x + v3 * h, v + a3 * h);
-        let a4 = a(x4, v4);
-        (x, v) = (x + (v + 2.0 * (v2 + v3) + v4) * (h / 6.0), v + (a1 + 2.0 * (a2 + a3) + a4) * (h / 6.0));
-    }
-    x
+    let bath = Bath { density: pool.density, viscosity: pool.viscosity, depth: pool.zone.max.y };
+    let a = |x: DVec2, v: DVec2| force_on(body, (x, v), G, AIR, bath) / body.mass;
+    rk4((body.position, body.velocity), (seconds / h).round() as u32, h, a).0
 }
 
 /// A light crate that carries another one dips in by a hair and leaves the water within a tick. Both left it with up to twenty times their energy.
@@ -146,21 +119,6 @@ fn what_bobs_feels_its_drive_at_once_at_any_tick() {
     for hz in [30.0, 60.0, 120.0, 240.0] {
         let error = end(hz).distance(fine);
         assert!(error < 1e-6, "{hz} Hz: {error} m");
-    }
-}
-
-#[test]
-fn a_copy_of_what_bobs_goes_on_like_it() {
-    let body = BodyDef { position: DVec2::new(0.0, -0.5), velocity: DVec2::new(0.2, 0.0), mass: 300.0, ..BodyDef::default() };
-    let mut world = run(world(body, pool(1000.0, 1e-3, 30.0)), 1.0, 120.0);
-    for _ in 0..200 {
-        let mut copy = world.clone();
-        world.step(1.0 / 120.0);
-        copy.step(1.0 / 120.0);
-        let (mine, other) = (world.body(BODY), copy.body(BODY));
-        assert_eq!((mine.position, mine.velocity, mine.acceleration), (other.position, other.velocity, other.acceleration));
-        let resultant = world.forces(BODY).resultant();
-        assert!((resultant - mine.acceleration * mine.mass).length() < 1e-9, "{resultant} N");
     }
 }
 

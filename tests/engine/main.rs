@@ -2,16 +2,12 @@
 
 mod allocations;
 mod attacks;
-mod crowd_flight;
-mod crowd_zones;
 mod crowds;
-mod dense_islands;
 mod dense_laws;
 mod dense_surfaces;
 mod differential;
 mod exact;
 mod forces;
-mod freezes;
 mod golden;
 mod instants;
 mod links;

@@ -159,25 +159,6 @@ fn a_tower_is_dragged_along() {
 }
 
 #[test]
-fn gravity_may_point_up() {
-    let run = |sign: f64| {
-        let mut def = rain(60, (0.5, 5.0), 0.0);
-        def.gravity *= sign;
-        for body in &mut def.bodies {
-            body.position.y *= sign;
-        }
-        for s in &mut def.surfaces {
-            let (a, b) = (s.bounds.min.y * sign, s.bounds.max.y * sign);
-            (s.bounds.min.y, s.bounds.max.y) = (a.min(b), a.max(b));
-        }
-        let mut pile = dense(def);
-        pile.steps(200, DT);
-        (0..60).map(|i| pile.at(i) * DVec2::new(1.0, sign)).collect::<Vec<_>>()
-    };
-    assert_eq!(run(1.0), run(-1.0));
-}
-
-#[test]
 fn a_drive_pushes_into_the_pile_from_any_side() {
     for direction in [DVec2::X, -DVec2::X, DVec2::Y, -DVec2::Y] {
         let mut def = rain(80, (0.5, 5.0), 0.3);

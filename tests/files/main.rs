@@ -5,8 +5,6 @@ mod judged_boards;
 mod limits;
 mod pack;
 mod players;
-mod results;
 mod scores;
-mod spreadsheets;
 #[path = "../support/mod.rs"]
 mod support;

@@ -51,18 +51,6 @@ fn deeds_of_two_games_stand_in_one_file() {
 }
 
 #[test]
-fn a_damaged_file_of_players_is_reported_and_stays() {
-    let fixture = empty();
-    let damaged = "player,level,time,medal,mark\r\nann,1,7\r\n=cmd|' /C calc'!A0,1,5\r\n\"bob,1,5\r\ncid,2,8\r\n";
-    fs::write(fixture.file("players.csv"), damaged).unwrap();
-    let (players, damage) = fixture.scores().players().unwrap();
-    assert_eq!((players.all().len(), damage.len()), (2, 2));
-    assert!(damage[0].contains("players.csv:3: ") && damage[1].contains("players.csv:4: "), "{damage:?}");
-    assert!(matches!(fixture.scores().record(&[done("dan", "1", 1.0)]), Err(ScoresError::Damaged(found)) if found == damage));
-    assert_eq!(fixture.text("players.csv"), damaged);
-}
-
-#[test]
 fn lines_are_added_whole_whatever_an_editor_left() {
     for (before, after) in [
         (None, format!("{HEADER}{ROW}")),

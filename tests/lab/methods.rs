@@ -154,17 +154,6 @@ fn rk4_has_no_order_at_the_apex_of_a_rise() {
     assert!(beside.iter().any(|slope| (slope - 4.0).abs() > 0.5), "{beside:?}");
 }
 
-#[test]
-fn methods_of_first_order_need_thousands_of_steps_a_second() {
-    let scene = scene("projectile");
-    for (method, enough) in
-        [("explicit Euler", 3840.0), ("linearised drag", 7680.0), ("semi-implicit Euler", 15_360.0), ("exact drag (Lie)", 15_360.0)]
-    {
-        assert!(error(&scene, method, 2.0 / enough) > scene.tolerance, "{method}");
-        assert!(error(&scene, method, 1.0 / enough) < scene.tolerance, "{method}");
-    }
-}
-
 /// And each method survives what the table that comes with the game says.
 #[test]
 fn in_every_stress_test_the_shipped_engine_survives_all_that_is_tried() {

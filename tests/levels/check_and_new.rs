@@ -1,7 +1,7 @@
 //! `resultant check` and `resultant new`.
 
 use crate::support::program::{Ran, resultant};
-use crate::support::shipped::{copy_fixture, names};
+use crate::support::shipped::copy_fixture;
 use crate::{fixtures, good, lines};
 use resultant::level;
 use resultant::physics::World;
@@ -225,29 +225,6 @@ fn a_level_that_needs_no_pilot_or_leaves_none_a_chance_is_warned_about() {
     let key = "PHYS,1100,860,60,10\nOBJECT,600,850,box:40x40,75,120,220,190,0,0.5\n";
     let stuck = checked(&[player, ("world.csv", cage), ("objectives.csv", key)]);
     assert!(stuck.contains("player.csv: found a ship that no key moves, expected "), "{stuck}");
-}
-
-#[test]
-fn new_makes_a_folder_whole_or_not_at_all() {
-    let project = tempfile::tempdir().unwrap();
-    let levels = project.path().join("levels");
-    std::fs::create_dir(&levels).unwrap();
-    // A folder or file of that name stays, an empty folder too.
-    std::fs::create_dir(levels.join("empty")).unwrap();
-    std::fs::write(levels.join("file"), "kept").unwrap();
-    for name in ["empty", "file"] {
-        let (code, _, err) = ran(project.path(), &["new", name]);
-        assert_eq!(code, 2, "{name}");
-        assert!(err.contains("cannot make "), "{err}");
-    }
-    assert_eq!(std::fs::read_dir(levels.join("empty")).unwrap().count(), 0);
-    assert_eq!(names(&levels), ["empty", "file"], "nothing is left of what was begun");
-    // A kill in the middle leaves a hidden folder that is no level.
-    std::fs::create_dir(levels.join(".resultant-Ab3dE6gH.new")).unwrap();
-    assert_eq!(level::list(&levels), ["empty"]);
-    assert_eq!(ran(project.path(), &["new", "whole", "--show"]).0, 0);
-    assert!(!levels.join(".resultant-Ab3dE6gH.new").exists() || cfg!(windows), "the next one sweeps it away");
-    assert_eq!(std::fs::read_dir(levels.join("whole")).unwrap().count(), 14);
 }
 
 /// Windows makes no folder of a device's name.

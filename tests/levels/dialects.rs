@@ -1,40 +1,24 @@
 //! One level, whatever spreadsheet saved its files.
 
+use crate::fixtures;
 use crate::spreadsheets::saved;
 use crate::support::Memory;
 use resultant::level::document::{Document, NewRow, RowId, SetCell};
 use resultant::level::schema::{Kind, Table};
-use resultant::level::{self, Level, Problem};
+use resultant::level::{self, FILES, Level, Problem};
 
 /// Every table of a level, with a header.
-const PLAIN: [(&str, &str); 17] = [
-    ("constants.csv", "name,value\ntitle,\"Wasser, Luft; Eis\"\ngravity,9.5\nwidth,1280\nheight,720\nmetre,30\nworld,water\n"),
-    ("player.csv", "x,y,mass,fuel,thrust,air,vx\n150.5,600,100,500,2500,TRUE,-0.25\n"),
-    ("world.csv", "x,y,width,height,material\n0,680,1280,40,Ice\n840,440.5,100,20,\n"),
-    (
-        "objects.csv",
-        "x,y,image,mass,drag,circular,restitution,vx,vy,material,weightless,name\n600,640,box:40x40,50,1.05,FALSE,0.2,0,0,Wood,FALSE,crate\n",
-    ),
-    (
-        "objectives.csv",
-        "kind,x,y,width,height,hold,order\nPLAYER,1000,420,100,10,1.5,1\nPHYS,300,670,100,10,0,2\nOBJECT,400,600,ball:40x40,75,181,49,201,0.5,0.1\n",
-    ),
-    ("obstacles.csv", "x,y,width,height\n1200,100.5,40,40\n"),
-    (
-        "hazards.csv",
-        "x,y,width,height,stream_width,stream_height,force_x,force_y,shaded,name\n20,100,20,20,200,0,15.5,0,TRUE,fan\n",
-    ),
-    ("movers.csv", "x,y,width,height,way_points,speed\n240,560.25,90,20,240 380.5; 400 380; 500 380,3\n"),
-    ("doors.csv", "x,y,width,height,name\n1100,600,20,80,gate\n"),
-    ("switches.csv", "x,y,width,height,works\n500,600,20,20,gate !fan\n"),
-    ("links.csv", "a,b,kind,length,stiffness\ncrate,600.5 500,rope,160.5,1000\n"),
-    ("gravity.csv", "x,y,width,height,field_x,field_y\n860,60,120,200,0,-12.5\n"),
-    ("pods.csv", "x,y,width,height,fuel\n700,620,30,40,100.5\n"),
-    ("decoration.csv", "x,y,image,layer\n900,200,box:40x40,behind\n"),
-    ("fluids.csv", "x,y,width,height,density,viscosity\n0,300,80,60,1000.5,0.5\n"),
-    ("texts.csv", "x,y,size,text\n100,100,20.5,\"Grüße, Jim; \"\"hallo\"\"\"\n"),
-    ("hints.csv", "text\n\"Erst links, dann rechts; langsam\"\nNur Mut\n"),
-];
+fn plain() -> [(&'static str, String); 18] {
+    let folder = fixtures().join("levels/good_every_table");
+    let tables = FILES.into_iter().filter(|name| name.ends_with(".csv"));
+    let read = tables.map(|name| (name, std::fs::read_to_string(folder.join(name)).unwrap()));
+    read.collect::<Vec<_>>().try_into().unwrap()
+}
+
+/// The level with one of its tables replaced.
+fn with(file: &str, text: &[u8]) -> Vec<(&'static str, Vec<u8>)> {
+    plain().map(|(name, plain)| (name, if name == file { text.to_vec() } else { plain.into() })).into()
+}
 
 fn read(files: &[(&'static str, Vec<u8>)]) -> Result<Level, Vec<Problem>> {
     level::read("l", &Memory(files.to_vec())).map(|loaded| loaded.level)
@@ -52,23 +36,23 @@ fn without_header(name: &str, text: &str) -> String {
 
 #[test]
 fn every_file_of_every_spreadsheet_is_the_same_level() {
-    let plain = read(&PLAIN.map(|(name, text)| (name, text.into()))).unwrap();
-    assert_eq!((plain.gravity, plain.pods[0].fuel, plain.movers[0].stops.len(), plain.hints.len()), (9.5, 100.5, 4, 2));
+    let level = read(&with("", b"")).unwrap();
+    assert_eq!((level.gravity, level.pods[0].fuel, level.movers[0].stops.len(), level.hints.len()), (9.5, 100.5, 4, 2));
     for headers in [true, false] {
-        let files = PLAIN.map(|(name, text)| {
-            let text = if headers { text.to_owned() } else { without_header(name, text) };
+        let files = plain().map(|(name, text)| {
+            let text = if headers { text } else { without_header(name, &text) };
             saved(&text, is_number).into_iter().map(move |saved| (name, saved)).collect::<Vec<_>>()
         });
         for form in 0..files[0].len() {
-            let level = read(&files.each_ref().map(|file| (file[form].0, file[form].1.bytes.clone())));
-            assert_eq!(level.as_ref(), Ok(&plain), "{}, headers: {headers}", files[0][form].1.form);
+            let found = read(&files.each_ref().map(|file| (file[form].0, file[form].1.bytes.clone())));
+            assert_eq!(found.as_ref(), Ok(&level), "{}, headers: {headers}", files[0][form].1.form);
         }
     }
 }
 
 #[test]
 fn numbers_and_truths_of_other_languages_are_read() {
-    let mut files = PLAIN;
+    let mut files = plain();
     let plain = level::read("l", &Memory(files.to_vec())).unwrap();
     assert!(plain.dialects.is_empty());
     for (name, text) in [
@@ -83,7 +67,7 @@ fn numbers_and_truths_of_other_languages_are_read() {
             "PLAYER;1000;420;100;10;1,5;1,0\nPHYS;300;670;100;10;0;2.0\nOBJECT;400;600;ball:40x40;75;181,0;49;201;0,5;0,1\n",
         ),
     ] {
-        files.iter_mut().find(|(file, _)| *file == name).unwrap().1 = text;
+        files.iter_mut().find(|(file, _)| *file == name).unwrap().1 = text.to_owned();
     }
     let read = level::read("l", &Memory(files.to_vec())).unwrap();
     assert_eq!(read.level, plain.level);
@@ -96,16 +80,14 @@ fn numbers_and_truths_of_other_languages_are_read() {
 #[test]
 fn a_hint_with_a_comma_needs_no_quotes_where_nothing_else_parts_cells() {
     for text in ["text\r\nErst links, dann rechts\r\nNur Mut\r\n", "Erst links, dann rechts\n# a, b, c\nNur Mut\n"] {
-        let files = PLAIN.map(|(name, plain)| (name, if name == "hints.csv" { text.into() } else { plain.into() }));
-        assert_eq!(read(&files).unwrap().hints, ["Erst links, dann rechts", "Nur Mut"]);
+        assert_eq!(read(&with("hints.csv", text.as_bytes())).unwrap().hints, ["Erst links, dann rechts", "Nur Mut"]);
     }
 }
 
 #[test]
 fn refusals_in_other_dialects_name_line_column_unit_and_limits() {
     let told = |file: &str, text: &[u8]| {
-        let files = PLAIN.map(|(name, plain)| (name, if name == file { text.to_vec() } else { plain.into() }));
-        read(&files).unwrap_err().iter().map(|problem| format!("{problem}\n")).collect::<String>()
+        read(&with(file, text)).unwrap_err().iter().map(|problem| format!("{problem}\n")).collect::<String>()
     };
     let pods = |text: &str| told("pods.csv", text.as_bytes());
     assert_eq!(
@@ -153,8 +135,7 @@ fn refusals_in_other_dialects_name_line_column_unit_and_limits() {
 #[test]
 fn numbers_without_their_names_and_a_ship_among_objects_are_explained() {
     let told = |file: &str, text: &str| {
-        let files = PLAIN.map(|(name, plain)| (name, if name == file { text.into() } else { plain.into() }));
-        read(&files).unwrap_err().iter().map(|problem| format!("{problem}\n")).collect::<String>()
+        read(&with(file, text.as_bytes())).unwrap_err().iter().map(|problem| format!("{problem}\n")).collect::<String>()
     };
     let bare = told("constants.csv", "9.81\n1.2\n");
     assert!(bare.contains("constants.csv:1: column \"value\": found 1 cell in the row, expected 2: name,value; a name says what the number is, such as gravity,9.81 or air_density,9.81"), "{bare}");

@@ -11,26 +11,16 @@ mod document;
 mod documentation;
 mod limits;
 mod loading;
-mod sizes;
 #[path = "../support/spreadsheets.rs"]
 mod spreadsheets;
 #[path = "../support/mod.rs"]
 mod support;
-mod unfinished;
 mod varied;
 mod warnings;
 
 use resultant::level::{self, Level, Problem};
 use resultant::physics::{Aabb, DVec2};
-use std::path::{Path, PathBuf};
-
-fn package() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
-fn fixtures() -> PathBuf {
-    package().join("tests/fixtures")
-}
+use support::shipped::{fixtures, project as package};
 
 fn lines(problems: &[Problem]) -> String {
     problems.iter().map(|problem| format!("{problem}\n")).collect()

@@ -3,10 +3,10 @@
 use crate::package;
 use proptest::prelude::*;
 use proptest::sample::Index;
-use resultant::game::{Controls, Game, History, SHIP, level_hash};
+use resultant::game::{Controls, Game, History, SHIP};
 use resultant::instruments::vary::{SliderTrack, Variation};
 use resultant::level::document::{LevelFolder, Opened};
-use resultant::level::{self, Level, Parameter, scaffold};
+use resultant::level::{self, Level, Parameter};
 use resultant::physics::BodyId;
 use std::path::PathBuf;
 use std::sync::{Arc, LazyLock};
@@ -86,39 +86,6 @@ proptest! {
             }
         }
     }
-}
-
-#[test]
-fn a_level_that_is_written_as_it_is_varied_loads_as_that() {
-    let level = load("tests/fixtures/levels/15");
-    let mut variation = Variation::default();
-    let keys = level.objects.iter().position(|object| object.key.is_some()).expect("it has a key") + 1;
-    for (parameter, value) in [
-        (Parameter::Mass(keys), 12.5),
-        (Parameter::VelocityY(keys), 0.25),
-        (Parameter::Drag(0), 0.5),
-        (Parameter::Restitution(0), 0.25),
-        (Parameter::Gravity, 1.62),
-        (Parameter::Friction, 0.5),
-        (Parameter::Wind, 0.75),
-    ] {
-        variation.set(parameter, value, &level);
-    }
-    let varied = variation.apply(&level).expect("sensible numbers");
-    assert_eq!(varied.objects[keys - 1].velocity.y, -0.25, "upwards");
-    let levels = tempfile::tempdir().unwrap();
-    let from = package().join("tests/fixtures/levels/15");
-    let Opened { mut document, .. } = LevelFolder::open(&from, package()).unwrap();
-    document.vary(&varied, &variation.parameters(), None).unwrap();
-    let name = scaffold::free_name(levels.path(), "15", "what-if");
-    scaffold::copy_edited(&from, levels.path(), &name, &document).unwrap();
-    let read = level::load(&levels.path().join(&name), package()).expect("it loads").level;
-    assert_eq!((name.as_str(), level_hash(&read)), ("15-what-if", level_hash(&varied)));
-    // Nobody's level is written over.
-    assert!(scaffold::copy_edited(&from, levels.path(), &name, &document).is_err());
-    assert_eq!(scaffold::free_name(levels.path(), "15", "what-if"), "15-what-if-2");
-    assert_eq!(scaffold::free_name(levels.path(), "no word!", "what-if"), "what-if");
-    assert_eq!(level::list(levels.path()), [name], "and nothing half written is left");
 }
 
 #[test]

@@ -2,12 +2,9 @@
 
 use crate::sitting::Sitting;
 use resultant::draw::layout::Vec2;
-use resultant::draw::{Contour, Shape};
-use resultant::level;
 use resultant::level::document::{Kind, Place, RowId, Table};
 use resultant::physics::DVec2;
-use resultant::screens::{Destination, Input, Key, Places, Stack};
-use resultant::view::theme;
+use resultant::screens::{Input, Key};
 use std::fs;
 use std::path::PathBuf;
 
@@ -53,87 +50,29 @@ pub fn drag(sitting: &mut Sitting, from: (f64, f64), to: (f64, f64)) {
     sitting.point_at(to);
 }
 
-/// Whether the button of a tool is picked out.
-pub fn is_picked(sitting: &Sitting, tool: &str) -> bool {
-    let at = sitting.area(tool);
-    let shapes = sitting.app.canvas().shapes();
-    shapes.iter().any(|shape| match shape {
-        Shape::Edge { outline: Contour::Rounded(area, _), colour, .. } => *area == at && *colour == theme::accent(),
-        _ => false,
-    })
-}
-
 fn tool(sitting: &mut Sitting, kind: Kind) {
     sitting.click(kind.name());
-    assert!(is_picked(sitting, kind.name()) && !is_picked(sitting, "Select"));
+    assert!(sitting.is_chosen(kind.name()) && !sitting.is_chosen("Select"));
 }
 
 pub fn draw(sitting: &mut Sitting, kind: Kind, from: (f64, f64), to: (f64, f64)) -> RowId {
     tool(sitting, kind);
     drag(sitting, from, to);
-    assert!(is_picked(sitting, kind.name()), "a tool stays");
+    assert!(sitting.is_chosen(kind.name()), "a tool stays");
     sitting.press(Key::Escape);
-    assert!(is_picked(sitting, "Select"));
+    assert!(sitting.is_chosen("Select"));
     let [row] = sitting.editor().selection()[..] else { panic!("{:?}", sitting.editor().selection()) };
     row
 }
 
 pub fn control(sitting: &mut Sitting, key: Key) {
-    let held = [Key::Control, key].into_iter().collect();
-    sitting.give(Input { pressed: [key].into_iter().collect(), held, ..Input::default() }).rest();
+    sitting.press_keys(&[key], &[Key::Control, key]).rest();
 }
 
 pub fn write_into(sitting: &mut Sitting, column: &str, text: &str) {
     sitting.click(column).press(Key::End);
     (0..20).for_each(|_| _ = sitting.press(Key::Backspace));
     sitting.write(text).press(Key::Enter);
-}
-
-#[test]
-fn an_authors_round_trip_by_mouse() {
-    let mut sitting = open();
-    // The pad that is there goes: one ship can be at one of them only.
-    drag(&mut sitting, (20.0, 20.0), (20.0, 20.0));
-    sitting.press(Key::Delete);
-    draw(&mut sitting, Kind::Solid, (0.0, 560.0), (800.0, 600.0));
-    draw(&mut sitting, Kind::Mover, (500.0, 500.0), (620.0, 520.0));
-    let switch = draw(&mut sitting, Kind::Switch, (300.0, 500.0), (360.0, 560.0));
-    // Its wire, pulled from the handle above it onto the lift.
-    let above = sitting.editor().point(DVec2::new(330.0, 500.0)) - Vec2::new(0.0, 22.0);
-    let origin = sitting.editor().point(DVec2::ZERO);
-    let scale = (sitting.editor().point(DVec2::new(100.0, 0.0)).x - origin.x) / 100.0;
-    let from = ((above - origin) / scale).as_dvec2();
-    drag(&mut sitting, (from.x, from.y), (560.0, 510.0));
-    assert_eq!((cell(&sitting, switch, "works"), sitting.editor().document().wires().len()), (Some("lift"), 1));
-    draw(&mut sitting, Kind::Pad, (660.0, 550.0), (760.0, 560.0));
-    assert_ends(&sitting, Table::World, "0,560,800,40\n");
-    assert!(text(&sitting, Table::Movers).contains("500,500,120,20,"), "{}", text(&sitting, Table::Movers));
-    sitting.wait(0.3);
-    assert_eq!(sitting.warning(), None);
-
-    assert_eq!(sitting.press(Key::F5).at(), "test flight");
-    assert_eq!(sitting.game().level().movers.len(), 1);
-    assert_eq!(level::load(&file(&sitting, ""), sitting.folder.path()).unwrap().level.movers.len(), 0, "nothing is saved yet");
-    assert_eq!(sitting.wait(0.3).press(Key::F5).at(), "editor");
-    control(&mut sitting, Key::S);
-    assert!(!sitting.editor().is_unsaved());
-    let loaded = level::load(&file(&sitting, ""), sitting.folder.path()).unwrap();
-    assert_eq!((loaded.level.world.len(), loaded.level.movers.len(), loaded.level.switches.len()), (1, 1, 1));
-    assert_eq!(sitting.press_all(&[Key::Escape, Key::Escape, Key::Enter]).at(), "levels to edit");
-}
-
-#[test]
-fn a_test_flight_is_nobodys_attempt() {
-    let mut sitting = open();
-    sitting.press(Key::F5).wait(0.2).press(Key::R);
-    assert_eq!(sitting.at(), "test flight");
-    // Onto a death box: it leads back, and says how it ended.
-    sitting.press(Key::Escape);
-    draw(&mut sitting, Kind::Deadly, (300.0, 400.0), (500.0, 420.0));
-    sitting.press(Key::F5).wait(4.0);
-    assert_eq!(sitting.at(), "editor");
-    assert!(sitting.shows("Lost after"));
-    assert_eq!(sitting.scores_file("attempts.csv"), "");
 }
 
 #[test]
@@ -160,16 +99,6 @@ fn things_are_selected_moved_sized_doubled_and_deleted() {
     (0..6).for_each(|_| control(&mut sitting, Key::Y));
     assert_eq!(rows(&sitting, Table::World), 0);
     assert_eq!(sitting.editor().document().history(), (6, 0), "drawn, moved, sized, doubled, nudged, deleted");
-}
-
-#[test]
-fn the_ship_cannot_be_deleted_but_moved() {
-    let mut sitting = open();
-    drag(&mut sitting, (400.0, 300.0), (200.0, 300.0));
-    assert!(text(&sitting, Table::Player).contains("\n200,300,"), "{}", text(&sitting, Table::Player));
-    sitting.press(Key::Delete);
-    assert_eq!(rows(&sitting, Table::Player), 1);
-    assert!(sitting.shows("A level has a ship: it stays."));
 }
 
 #[test]
@@ -255,52 +184,6 @@ fn the_picture_tool_puts_a_shape_down_and_offers_the_pictures_that_are_there() {
 }
 
 #[test]
-fn a_ship_and_a_size_are_enough_to_fly() {
-    let mut sitting = open();
-    // No pad any more, a picture that is not there, a number that is none, a switch of nothing.
-    drag(&mut sitting, (20.0, 20.0), (20.0, 20.0));
-    sitting.press(Key::Delete);
-    draw(&mut sitting, Kind::Switch, (500.0, 100.0), (560.0, 160.0));
-    draw(&mut sitting, Kind::Picture, (100.0, 100.0), (160.0, 140.0));
-    write_into(&mut sitting, "image", "nowhere.png");
-    draw(&mut sitting, Kind::Object, (100.0, 500.0), (140.0, 540.0));
-    write_into(&mut sitting, "mass", "heavy");
-    // And an object in the middle of a block.
-    draw(&mut sitting, Kind::Solid, (600.0, 500.0), (700.0, 600.0));
-    draw(&mut sitting, Kind::Object, (630.0, 530.0), (670.0, 570.0));
-    sitting.press(Key::F5);
-    assert_eq!(sitting.at(), "test flight");
-    assert!(sitting.shows("Flown as far as it goes. What is left:") && sitting.shows("nowhere.png"));
-    assert!(sitting.texts().iter().filter(|(line, _)| line.contains(".csv")).count() >= 5, "{:?}", sitting.texts());
-    let level = sitting.game().level().clone();
-    assert_eq!((level.objectives.len(), level.objects.len(), level.decoration.len(), level.switches.len()), (0, 0, 0, 1));
-    sitting.wait(1.0);
-    assert!(sitting.at() == "test flight", "nothing is completed where nothing is asked for");
-    assert_eq!(sitting.press(Key::F5).at(), "editor");
-    // Without a ship there is nothing to fly.
-    drag(&mut sitting, (400.0, 300.0), (400.0, 300.0));
-    write_into(&mut sitting, "mass", "light");
-    assert_eq!(sitting.press(Key::F5).at(), "editor");
-    assert!(sitting.shows("It cannot be flown until this is mended: player.csv:2"));
-}
-
-#[test]
-fn words_have_a_colour_of_their_own() {
-    let mut sitting = open();
-    let row = draw(&mut sitting, Kind::Text, (100.0, 450.0), (200.0, 480.0));
-    for (column, text) in [("text", "Dark"), ("r", "20"), ("g", "30")] {
-        write_into(&mut sitting, column, text);
-    }
-    sitting.wait(0.3);
-    let problem = sitting.editor().problems().iter().find(|(problem, _)| problem.file == "texts.csv").unwrap().0.to_string();
-    assert!(problem.contains("\"b\""), "{problem}");
-    write_into(&mut sitting, "b", "40");
-    assert_eq!(sitting.editor().document().number(row, "b"), Some(40.0));
-    sitting.press(Key::F5);
-    assert_eq!(sitting.game().level().texts[0].colour, Some([20, 30, 40]));
-}
-
-#[test]
 fn fields_share_a_clipboard_and_tab_selects_what_is_there() {
     let mut sitting = open();
     draw(&mut sitting, Kind::Door, (100.0, 400.0), (120.0, 500.0));
@@ -314,123 +197,19 @@ fn fields_share_a_clipboard_and_tab_selects_what_is_there() {
     sitting.press(Key::Tab);
     assert_eq!(sitting.focused(), "weight");
     sitting.write("900").press(Key::Tab);
-    let shift = [Key::Shift, Key::Tab].into_iter().collect();
-    sitting.give(Input { pressed: [Key::Tab].into_iter().collect(), held: shift, ..Input::default() }).rest();
+    sitting.press_keys(&[Key::Tab], &[Key::Shift, Key::Tab]).rest();
     sitting.write("45").press(Key::Enter);
     assert_eq!(cell(&sitting, switch, "weight"), Some("45"));
-}
-
-#[test]
-fn a_door_that_is_renamed_keeps_its_switch() {
-    let mut sitting = open();
-    draw(&mut sitting, Kind::Door, (100.0, 400.0), (120.0, 500.0));
-    let switch = draw(&mut sitting, Kind::Switch, (300.0, 500.0), (360.0, 560.0));
-    let wired = |sitting: &Sitting, to: &str| {
-        assert_eq!((cell(sitting, switch, "works"), sitting.editor().document().wires().len()), (Some(to), 1));
-    };
-    wired(&sitting, "gate");
-    drag(&mut sitting, (110.0, 450.0), (110.0, 450.0));
-    sitting.click("name");
-    for letter in ["h", "a", "t", "c", "h"] {
-        sitting.write(letter);
-    }
-    sitting.press(Key::Enter);
-    wired(&sitting, "hatch");
-    control(&mut sitting, Key::Z);
-    wired(&sitting, "gate");
-}
-
-#[test]
-fn what_comes_with_the_game_is_edited_as_a_copy() {
-    let shipped = |root: &std::path::Path| fs::write(root.join("levels/shipped.csv"), "# ours\nfolder\n2\n").unwrap();
-    let mut sitting = Sitting::with(shipped);
-    let before = fs::read(file(&sitting, "player.csv")).unwrap();
-    sitting.choose("Editor").choose("2").rest();
-    assert_eq!(sitting.at(), "levels to edit");
-    assert!(sitting.shows("What is your copy of 2 called?") && sitting.shows("2 comes with the game and stays as it is."));
-    assert_eq!(sitting.field(), "2-copy");
-    // Esc: the list, and nothing was made.
-    sitting.press(Key::Escape);
-    assert!(sitting.at() == "levels to edit" && !sitting.labels().contains(&"OK"));
-    assert!(!sitting.folder.path().join("levels/2-copy").exists());
-    sitting.choose("2").press(Key::Enter).rest();
-    assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2-copy"));
-    draw(&mut sitting, Kind::Solid, (0.0, 560.0), (800.0, 600.0));
-    control(&mut sitting, Key::S);
-    assert!(sitting.folder.path().join("levels/2-copy/world.csv").exists() && !file(&sitting, "world.csv").exists());
-    assert_eq!(fs::read(file(&sitting, "player.csv")).unwrap(), before);
-    // The copy is the author's own; one more gets another name; and the original keeps its own.
-    sitting.press_all(&[Key::Escape, Key::Escape, Key::Enter]).rest();
-    sitting.choose("2-copy").rest();
-    assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2-copy"));
-    sitting.press_all(&[Key::Escape, Key::Enter]).choose("2").rest();
-    assert_eq!(sitting.field(), "2-copy-2");
-    sitting.press(Key::Escape);
-    sitting.choose("Rename").choose("2").write("x").press(Key::Enter);
-    assert!(sitting.shows("comes with the game"));
-    // A developer edits the original.
-    let folder = file(&sitting, "");
-    sitting.app.begin(&folder, Destination::Edit { name: "2".to_owned(), original: true }, &mut ());
-    assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2"));
-}
-
-/// As in a checkout, where the data folder is `.`, and in a browser's page.
-#[cfg(unix)]
-#[test]
-fn a_copy_is_made_with_a_relative_data_folder() {
-    let mut sitting = Sitting::with(|root| fs::write(root.join("levels/shipped.csv"), "folder\n2\n").unwrap());
-    let up = std::env::current_dir().unwrap().components().skip(1).map(|_| "../").collect::<String>();
-    let root = std::path::PathBuf::from(up).join(sitting.folder.path().strip_prefix("/").unwrap());
-    let places = Places { levels: root.join("levels"), scores: root.join("scores"), settings: root.join("settings.csv"), root };
-    sitting.app = Stack::new(places);
-    sitting.app.begin(
-        &sitting.folder.path().join("levels/2"),
-        Destination::Edit { name: "2".to_owned(), original: false },
-        &mut (),
-    );
-    assert_eq!(sitting.rest().field(), "2-copy");
-    assert_eq!(sitting.press(Key::Enter).rest().editor().name(), "2-copy");
-    // One of the author's own, from the list.
-    sitting.press_all(&[Key::Escape, Key::Enter]).choose("Copy").choose("2-copy").press(Key::Enter).rest();
-    assert_eq!(sitting.editor().name(), "2-copy-copy");
-}
-
-#[test]
-fn editing_that_begins_in_a_pause_ends_in_it() {
-    let mut sitting = Sitting::new();
-    sitting.fly("2").wait(1.0).press(Key::Escape);
-    let ticks = sitting.ticks();
-    let edit = "Edit Level";
-    sitting.click(edit).rest();
-    assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2"));
-    draw(&mut sitting, Kind::Solid, (0.0, 560.0), (800.0, 600.0));
-    sitting.press(Key::F5).wait(0.5);
-    assert_eq!(sitting.at(), "test flight");
-    sitting.press(Key::F5);
-    control(&mut sitting, Key::S);
-    sitting.press_all(&[Key::Escape, Key::Escape, Key::Enter]);
-    assert_eq!((sitting.at(), sitting.ticks()), ("pause", ticks));
-    // It goes on in the level as it was saved.
-    sitting.wait(0.5).press(Key::Escape).wait(0.2);
-    assert_eq!((sitting.at(), sitting.game().level().world.len()), ("flight", 1));
-    // An experiment's copy, too, is made without leaving it.
-    let shipped = |root: &std::path::Path| fs::write(root.join("levels/shipped.csv"), "folder\n2\n").unwrap();
-    let mut sitting = Sitting::with(shipped);
-    sitting.fly("2").wait(1.0).press(Key::Escape).click(edit).rest();
-    assert_eq!(sitting.at(), "levels to edit");
-    assert_eq!(sitting.press(Key::Escape).at(), "pause");
-    sitting.click(edit).press(Key::Enter).rest();
-    assert_eq!(sitting.editor().name(), "2-copy");
-    assert_eq!(sitting.press_all(&[Key::Escape, Key::Enter]).at(), "pause");
-    assert_eq!(sitting.game().level().name, "2");
 }
 
 #[test]
 fn what_there_is_to_say_stays_until_it_is_read() {
     let mut sitting = open();
     sitting.press(Key::Delete);
-    drag(&mut sitting, (400.0, 300.0), (400.0, 300.0));
+    drag(&mut sitting, (400.0, 300.0), (200.0, 300.0));
+    assert!(text(&sitting, Table::Player).contains("\n200,300,"), "{}", text(&sitting, Table::Player));
     sitting.press(Key::Delete);
+    assert_eq!(rows(&sitting, Table::Player), 1);
     let words = "A level has a ship: it stays.";
     assert!(sitting.shows(words));
     // It stays under the pointer.
@@ -482,17 +261,11 @@ fn what_another_program_writes_is_taken_over_or_asked_about() {
     sitting.click("Theirs").rest();
     assert_eq!(text(&sitting, Table::World), "0,500,800,20\n");
     assert!(!sitting.editor().is_unsaved());
+    // The other answer: their file is kept beside it.
     control(&mut sitting, Key::Z);
-    assert!(text(&sitting, Table::World).contains("100,100,100,50"), "theirs can be undone, too");
-    // The other answer: their file is kept beside it, and Undo brings it back.
     fs::write(file(&sitting, "world.csv"), "0,400,800,20\n").unwrap();
-    sitting.wait(0.4);
-    sitting.click("Mine").rest();
-    assert!(fs::read_to_string(file(&sitting, "world.csv")).unwrap().contains("100,100,100,50"));
-    assert_eq!(fs::read_to_string(file(&sitting, "world.csv.theirs-1")).unwrap(), "0,400,800,20\n");
+    sitting.wait(0.4).click("Mine").rest();
     assert!(sitting.shows("world.csv.theirs-1"));
-    control(&mut sitting, Key::Z);
-    assert_eq!(text(&sitting, Table::World), "0,400,800,20\n");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The author's hand: tools by key, the clipboard, doubling, several things at once, layers, and what is seen of a block's nature.
 
-use crate::editor::{assert_ends, cell, control, drag, draw, is_picked, open, rows, text, write_into};
-use crate::sitting::Sitting;
+use crate::editor::{assert_ends, cell, control, drag, draw, open, rows, text, write_into};
+use crate::sitting::{Sitting, keys};
 use resultant::draw::layout::Vec2;
 use resultant::level::document::{Kind, LinkForm, RowId, Table};
 use resultant::physics::DVec2;
@@ -16,6 +16,12 @@ fn control_at(sitting: &mut Sitting, key: Key, at: (f64, f64)) {
     let pointer = point(sitting, at);
     let held = [Key::Control, key].into_iter().collect();
     sitting.point_at(pointer).give(Input { pointer, pressed: [key].into_iter().collect(), held, ..Input::default() });
+}
+
+/// A click with keys held.
+fn click_with(sitting: &mut Sitting, held: &[Key], at: (f64, f64)) {
+    let (pointer, held) = (point(sitting, at), keys(held));
+    sitting.point_at(pointer).give(Input { pointer, click: true, holding: true, held, ..Input::default() }).point_at(pointer);
 }
 
 fn control_shift(sitting: &mut Sitting, key: Key) {
@@ -37,11 +43,8 @@ fn with_blocks() -> Sitting {
 }
 
 fn select_all_blocks(sitting: &mut Sitting) {
-    for (at, held) in [((110.0, 110.0), false), ((310.0, 210.0), true), ((610.0, 410.0), true)] {
-        let pointer = point(sitting, at);
-        let held = if held { vec![Key::Shift] } else { Vec::new() };
-        let held = held.into_iter().collect();
-        sitting.point_at(pointer).give(Input { pointer, click: true, holding: true, held, ..Input::default() }).point_at(pointer);
+    for (at, held) in [((110.0, 110.0), &[][..]), ((310.0, 210.0), &[Key::Shift]), ((610.0, 410.0), &[Key::Shift])] {
+        click_with(sitting, held, at);
     }
     assert_eq!(sitting.editor().selection().len(), 3);
 }
@@ -54,15 +57,15 @@ fn places(sitting: &Sitting) -> Vec<[f64; 2]> {
 fn a_tool_stays_until_esc_or_another_one_and_its_tooltip_names_its_key() {
     let mut sitting = open();
     sitting.press(Key::B);
-    assert!(is_picked(&sitting, "Block"));
+    assert!(sitting.is_chosen("Block"));
     for y in [100.0, 200.0, 300.0] {
         drag(&mut sitting, (100.0, y), (200.0, y + 20.0));
     }
     assert_eq!(rows(&sitting, Table::World), 3);
     sitting.press(Key::R);
-    assert!(is_picked(&sitting, "Rope"));
+    assert!(sitting.is_chosen("Rope"));
     sitting.press(Key::Escape);
-    assert!(is_picked(&sitting, "Select") && !sitting.editor().selection().is_empty(), "Esc puts the tool down first");
+    assert!(sitting.is_chosen("Select") && !sitting.editor().selection().is_empty(), "Esc puts the tool down first");
     let at = sitting.area("Coil spring").centre();
     sitting.point_at(at);
     assert!(sitting.shows("Coil spring · key N."), "{:?}", sitting.texts());
@@ -107,14 +110,14 @@ fn things_are_copied_cut_and_pasted_where_the_pointer_is_also_into_another_level
 fn a_drag_with_alt_moves_a_copy() {
     let mut sitting = with_blocks();
     let (from, to) = (point(&sitting, (110.0, 110.0)), point(&sitting, (110.0, 310.0)));
-    let held: resultant::screens::Keys = [Key::Alt].into_iter().collect();
+    let held = keys(&[Key::Alt]);
     sitting.point_at(from).give(Input { pointer: from, click: true, holding: true, held, ..Input::default() });
     sitting.give(Input { pointer: to, holding: true, held, ..Input::default() }).point_at(to);
     assert_eq!(places(&sitting), [[100.0, 100.0], [300.0, 200.0], [600.0, 400.0], [100.0, 300.0]]);
     control(&mut sitting, Key::Z);
     assert_eq!(rows(&sitting, Table::World), 3, "one act");
     // A click with Alt doubles nothing.
-    sitting.point_at(from).give(Input { pointer: from, click: true, holding: true, held, ..Input::default() }).point_at(from);
+    click_with(&mut sitting, &[Key::Alt], (110.0, 110.0));
     assert_eq!(rows(&sitting, Table::World), 3);
 }
 
@@ -133,9 +136,7 @@ fn several_are_aligned_spread_grouped_and_locked() {
     assert_eq!(places(&sitting), [[100.0, 100.0], [380.0, 200.0], [600.0, 400.0]]);
     control(&mut sitting, Key::Z);
     // A group is selected as one, also after a row before it has gone.
-    let pointer = point(&sitting, (110.0, 110.0));
-    let held = [Key::Shift].into_iter().collect();
-    sitting.point_at(pointer).give(Input { pointer, click: true, holding: true, held, ..Input::default() }).point_at(pointer);
+    click_with(&mut sitting, &[Key::Shift], (110.0, 110.0));
     assert_eq!(sitting.editor().selection(), [block(1), block(2)]);
     control(&mut sitting, Key::G);
     sitting.press(Key::Escape);

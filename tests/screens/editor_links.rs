@@ -1,6 +1,6 @@
 //! Links in the editor, by mouse: pulled from a body, led elsewhere, moved, and their kind in a field.
 
-use crate::editor::{cell, control, drag, draw, is_picked, open, rows, text};
+use crate::editor::{cell, control, drag, draw, open, rows, text};
 use crate::sitting::Sitting;
 use resultant::level::document::{Kind, LinkForm, RowId, Table};
 use resultant::physics::DVec2;
@@ -21,7 +21,7 @@ fn with_bodies() -> Sitting {
 fn pull(sitting: &mut Sitting, form: LinkForm, from: (f64, f64), to: (f64, f64)) {
     sitting.click(form.name());
     drag(sitting, from, to);
-    assert!(is_picked(sitting, form.name()), "the tool stays");
+    assert!(sitting.is_chosen(form.name()), "the tool stays");
     sitting.press(Key::Escape);
 }
 

@@ -1,7 +1,10 @@
-//! The author's list of levels: own ones first, shared as one file, imported, put into the bin and taken back.
+//! The author's list of levels: own ones first, shared as one file, imported, put into the bin and taken back; and copies of what comes with the game.
 
+use crate::editor::{control, draw, file};
 use crate::sitting::Sitting;
-use resultant::screens::{Input, Key};
+use crate::support::tiled::{map, object, things};
+use resultant::level::document::Kind;
+use resultant::screens::{Destination, Input, Key, Places, Stack};
 use std::fs;
 use std::path::Path;
 
@@ -58,33 +61,20 @@ fn a_level_is_one_file_that_another_game_takes_in() {
 
 #[test]
 fn a_map_of_tiled_is_taken_in_by_a_drop_or_by_its_path() {
-    let object = |id: u32, class: &str, place: &str, cells: &str| {
-        format!("{{\"id\":{id},\"name\":\"\",\"type\":\"{class}\",{place},\"visible\":true,\"properties\":[{cells}]}}")
-    };
-    let number = |name: &str, value: u32| format!("{{\"name\":\"{name}\",\"type\":\"int\",\"value\":{value}}}");
-    let cells = [number("mass", 100), number("fuel", 500), number("thrust", 2500)].join(",");
-    let map = |class: &str| {
-        let ship = object(1, "player", "\"x\":96,\"y\":600,\"width\":0,\"height\":0", &cells);
-        let goal = object(2, class, "\"x\":1000,\"y\":502,\"width\":120,\"height\":20", "");
-        format!(
-            "{{\"type\":\"map\",\"orientation\":\"orthogonal\",\"width\":40,\"height\":24,\"tilewidth\":32,\"tileheight\":32,\"layers\":[
-              {{\"type\":\"objectgroup\",\"name\":\"things\",\"objects\":[{ship},{goal}]}},
-              {{\"type\":\"objectgroup\",\"name\":\"ideas\",\"visible\":false,\"objects\":[]}}]}}"
-        )
-    };
+    let with = |class: &str| map(&[&things()[..], &[object(9, class, [300.0, 100.0, 40.0, 40.0], &[])]].concat().join(","));
     let mut sitting = list();
     let root = sitting.folder.path().to_path_buf();
     let write = |name: &str, text: String| {
         fs::write(root.join(name), text).unwrap();
         root.join(name)
     };
-    sitting.give(Input { dropped: vec![write("tower.tmj", map("objectives"))], ..Input::default() });
+    sitting.give(Input { dropped: vec![write("tower.tmj", with("world"))], ..Input::default() });
     sitting.rest();
-    assert!(sitting.shows("Installed: tower") && sitting.shows("ideas"), "what is left out is named: {:?}", sitting.texts());
+    assert!(sitting.shows("Installed: tower") && sitting.shows("flowers"), "what is left out is named: {:?}", sitting.texts());
     assert!(root.join("levels/tower/player.csv").exists());
     // Refused by layer and object, and by its name.
-    for (name, class, said) in [("hut.tmj", "houses", "houses"), ("a hut.tmj", "objectives", "a level cannot have this name")] {
-        let path = write(name, map(class));
+    for (name, class, said) in [("hut.tmj", "houses", "houses"), ("a hut.tmj", "world", "a level cannot have this name")] {
+        let path = write(name, with(class));
         sitting.home().choose("Editor").click("Import").write(path.to_str().unwrap()).press(Key::Enter).rest();
         assert!(sitting.shows("This file cannot be opened") && sitting.shows(said), "{name}: {:?}", sitting.texts());
         sitting.press(Key::Escape);
@@ -113,4 +103,59 @@ fn what_is_deleted_goes_to_the_bin_and_one_key_brings_it_back() {
     // Esc takes the choice back.
     sitting.press(Key::Escape).click("Delete").press(Key::Escape).click("10").rest();
     assert_eq!(sitting.at(), "editor");
+}
+
+#[test]
+fn what_comes_with_the_game_is_edited_as_a_copy() {
+    let shipped = |root: &std::path::Path| fs::write(root.join("levels/shipped.csv"), "# ours\nfolder\n2\n").unwrap();
+    let mut sitting = Sitting::with(shipped);
+    let before = fs::read(file(&sitting, "player.csv")).unwrap();
+    sitting.choose("Editor").choose("2").rest();
+    assert_eq!(sitting.at(), "levels to edit");
+    assert!(sitting.shows("What is your copy of 2 called?") && sitting.shows("2 comes with the game and stays as it is."));
+    assert_eq!(sitting.field(), "2-copy");
+    // Esc: the list, and nothing was made.
+    sitting.press(Key::Escape);
+    assert!(sitting.at() == "levels to edit" && !sitting.labels().contains(&"OK"));
+    assert!(!sitting.folder.path().join("levels/2-copy").exists());
+    sitting.choose("2").press(Key::Enter).rest();
+    assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2-copy"));
+    draw(&mut sitting, Kind::Solid, (0.0, 560.0), (800.0, 600.0));
+    control(&mut sitting, Key::S);
+    assert!(sitting.folder.path().join("levels/2-copy/world.csv").exists() && !file(&sitting, "world.csv").exists());
+    assert_eq!(fs::read(file(&sitting, "player.csv")).unwrap(), before);
+    // The copy is the author's own; one more gets another name; and the original keeps its own.
+    sitting.press_all(&[Key::Escape, Key::Escape, Key::Enter]).rest();
+    sitting.choose("2-copy").rest();
+    assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2-copy"));
+    sitting.press_all(&[Key::Escape, Key::Enter]).choose("2").rest();
+    assert_eq!(sitting.field(), "2-copy-2");
+    sitting.press(Key::Escape);
+    sitting.choose("Rename").choose("2").write("x").press(Key::Enter);
+    assert!(sitting.shows("comes with the game"));
+    // A developer edits the original.
+    let folder = file(&sitting, "");
+    sitting.app.begin(&folder, Destination::Edit { name: "2".to_owned(), original: true }, &mut ());
+    assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2"));
+}
+
+/// As in a checkout, where the data folder is `.`, and in a browser's page.
+#[cfg(unix)]
+#[test]
+fn a_copy_is_made_with_a_relative_data_folder() {
+    let mut sitting = Sitting::with(|root| fs::write(root.join("levels/shipped.csv"), "folder\n2\n").unwrap());
+    let up = std::env::current_dir().unwrap().components().skip(1).map(|_| "../").collect::<String>();
+    let root = std::path::PathBuf::from(up).join(sitting.folder.path().strip_prefix("/").unwrap());
+    let places = Places { levels: root.join("levels"), scores: root.join("scores"), settings: root.join("settings.csv"), root };
+    sitting.app = Stack::new(places);
+    sitting.app.begin(
+        &sitting.folder.path().join("levels/2"),
+        Destination::Edit { name: "2".to_owned(), original: false },
+        &mut (),
+    );
+    assert_eq!(sitting.rest().field(), "2-copy");
+    assert_eq!(sitting.press(Key::Enter).rest().editor().name(), "2-copy");
+    // One of the author's own, from the list.
+    sitting.press_all(&[Key::Escape, Key::Enter]).choose("Copy").choose("2-copy").press(Key::Enter).rest();
+    assert_eq!(sitting.editor().name(), "2-copy-copy");
 }

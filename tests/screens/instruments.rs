@@ -2,8 +2,10 @@
 
 use crate::lesson::experiment;
 use crate::sitting::{Sitting, says};
+use crate::what_if::varying;
 use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::draw::{Contour, Shape};
+use resultant::level::Parameter;
 use resultant::physics::{BodyId, DVec2};
 use resultant::screens::{Input, Instrument, Key};
 use resultant::view::theme;
@@ -275,4 +277,25 @@ fn in_a_small_window_one_large_panel_is_open_above_the_line_about_the_time() {
     sitting.rest();
     sitting.click(Instrument::Figures.name());
     assert!(tools.iter().all(|tool| sitting.flight().instruments().uses(*tool)), "where there is room they stand together");
+}
+
+#[test]
+fn the_panel_is_on_the_screen_and_its_parts_are_apart_in_every_window() {
+    for (size, text) in
+        [((1280.0, 720.0), 1.0), ((900.0, 500.0), 1.0), ((1280.0, 720.0), 1.5), ((900.0, 500.0), 1.5), ((1920.0, 1080.0), 1.5)]
+    {
+        let mut sitting = varying();
+        sitting.frame = Frame::of_window(Vec2::new(size.0, size.1)).with_text(text);
+        sitting.rest();
+        let (panel, frame) = (sitting.flight().instruments().vary_area().expect("it is open"), sitting.frame);
+        assert!(panel.min.min_element() >= 0.0 && panel.max().cmple(frame.size).all(), "{size:?} {text}: {panel:?}");
+        assert!(panel.min.x > frame.size.x / 2.0 + 30.0, "{size:?} {text}: the ship, in the middle, stays in view: {panel:?}");
+        let areas: Vec<_> = sitting.areas().into_iter().filter(|area| area.max().x > panel.min.x).collect();
+        let lines = Parameter::all(sitting.game().level(), 0).len();
+        assert!(areas.len() >= 2 * lines + 4, "sliders, numbers and buttons: {:?}", sitting.labels());
+        for area in &areas {
+            assert!(area.min.cmpge(panel.min).all() && area.max().cmple(panel.max()).all(), "{area:?} in {panel:?}");
+        }
+        sitting.assert_whole();
+    }
 }

@@ -1,6 +1,6 @@
 //! Which keys count in a flight and when; keys of other layouts than that of the tests.
 
-use crate::sitting::{FAR_AWAY, Sitting, keys, level};
+use crate::sitting::{Sitting, keys};
 use resultant::screens::{Input, Key, Keys};
 use resultant::settings::{Action, layout};
 use std::fs;
@@ -29,20 +29,6 @@ fn flying() -> Sitting {
     sitting.fly("2");
     sitting.rest();
     sitting
-}
-
-/// W1: a thrust that was held at a loss flew the next attempt.
-#[test]
-fn a_key_that_is_held_at_a_loss_flies_the_next_attempt_once_it_was_released() {
-    // Red all around the ship: it is lost wherever it flies.
-    let mut sitting = Sitting::with(|root| level(root, "0", FAR_AWAY, "300,200,200,20\n300,400,200,20\n"));
-    sitting.fly("0").press_keys(&[Key::Space], &[Key::Space]);
-    let losses = |sitting: &Sitting| sitting.flight().lost().is_some();
-    sitting.hold_until(&[Key::Space], losses);
-    sitting.hold(&[Key::Space], 30);
-    assert!(!sitting.has_begun() && sitting.burning() == 0 && losses(&sitting), "the next attempt waits, and the notice is there");
-    sitting.rest().press_keys(&[Key::Space], &[Key::Space]).hold(&[Key::Space], 3);
-    assert!(sitting.has_begun() && sitting.burning() == 1);
 }
 
 #[test]

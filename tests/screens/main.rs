@@ -8,7 +8,6 @@ mod editor_flights;
 mod editor_hand;
 mod editor_links;
 mod editor_share;
-mod editor_story;
 mod flight;
 mod flights;
 mod frames;
@@ -57,13 +56,6 @@ fn esc_goes_back_everywhere() {
     assert_eq!(esc(Sitting::new().complete().choose("Save Score")), "scoring");
     assert_eq!(esc(Sitting::new().save_as("ann")), "scoring");
     assert_eq!(esc(Sitting::new().choose("Boards").choose("1")), "leaderboards");
-}
-
-#[test]
-fn every_back_button_goes_back_by_mouse() {
-    assert_eq!(Sitting::new().click("Levels").click("Back").at(), "menu");
-    assert_eq!(Sitting::new().click("Boards").click("1").click("Back").at(), "leaderboards");
-    assert_eq!(Sitting::new().click("Classics").click("Back").at(), "menu");
 }
 
 #[test]

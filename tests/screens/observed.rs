@@ -30,8 +30,7 @@ fn a_frozen_world_stands_and_goes_on_and_back_by_single_ticks_bit_for_bit() {
     sitting.press_all(&[Key::Period; 5]);
     assert_eq!((sitting.ticks(), sitting.game().hash()), (frozen, hash));
     // Beyond what was flown the keys fly.
-    let held = [Key::Space, Key::Period].into_iter().collect();
-    sitting.give(Input { held, pressed: [Key::Period].into_iter().collect(), ..Input::default() });
+    sitting.press_keys(&[Key::Period], &[Key::Space, Key::Period]);
     assert_eq!(sitting.ticks(), frozen + 1);
     assert!(sitting.game().ship().burning > 0, "the tick was made with thrust");
     // Back to before the start is nowhere.
@@ -81,8 +80,7 @@ fn bodies_are_picked_out_by_key_and_by_click_while_the_details_are_open() {
         |sitting: &Sitting| sitting.flight().observer().focus().zoom(),
     );
     for _ in 0..2 {
-        let held = [Key::Control, Key::Equal].into_iter().collect();
-        sitting.give(Input { pressed: [Key::Equal].into_iter().collect(), held, ..Input::default() });
+        sitting.press_keys(&[Key::Equal], &[Key::Control, Key::Equal]);
     }
     assert!((length(&sitting) - 2.0).abs() < 1e-12 && zoom(&sitting) == 1.0);
 }
@@ -95,12 +93,7 @@ fn the_view_is_zoomed_and_fitted_in_any_flight() {
     let view = |sitting: &Sitting| (sitting.flight().observer().focus().zoom(), sitting.flight().observer().focus().fits());
     sitting.press_all(&[Key::Equal, Key::KpAdd]);
     assert!((view(&sitting).0 - 2.0).abs() < 1e-12, "{:?}", view(&sitting));
-    let plus = Input {
-        pressed: [Key::Equal].into_iter().collect(),
-        held: [Key::Shift, Key::Equal].into_iter().collect(),
-        ..Input::default()
-    };
-    sitting.give(plus);
+    sitting.press_keys(&[Key::Equal], &[Key::Shift, Key::Equal]);
     assert!((view(&sitting).0 - 8f64.sqrt()).abs() < 1e-12);
     sitting.give(Input { wheel: -1.0, ..Input::default() }).give(Input { wheel: -1.0, ..Input::default() });
     assert!((view(&sitting).0 - 2.0).abs() < 1e-12);

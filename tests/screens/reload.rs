@@ -1,6 +1,8 @@
 //! A level whose files change while it is flown.
 
 use crate::sitting::{FAR_AWAY, Sitting, level};
+use crate::what_if::{message, type_in, varying};
+use resultant::level::Parameter;
 use resultant::physics::DVec2;
 use resultant::screens::{Input, Key};
 use std::fs;
@@ -115,4 +117,25 @@ fn what_the_flight_does_not_depend_on_changes_nothing_of_it() {
     fs::write(file(&sitting, "obstacles.csv"), "# a comment\n").unwrap();
     sitting.wait(0.5);
     assert!(!sitting.flight().is_assisted() && !sitting.shows("Read again"));
+}
+
+#[test]
+fn an_edit_of_the_files_varies_the_new_level_from_its_start() {
+    let mut sitting = varying();
+    sitting.wait(0.3);
+    type_in(&mut sitting, Parameter::Gravity, "3");
+    let file = sitting.folder.path().join("levels/2/player.csv");
+    fs::write(&file, "x,y,mass,fuel,thrust\n300,300,50,500,3000\n").unwrap();
+    sitting.wait(0.4);
+    let flight = sitting.flight();
+    assert_eq!((flight.game().level().gravity, flight.game().level().player.mass), (3.0, 50.0));
+    assert!(flight.game().time() < 0.4 && flight.variation().is_some() && flight.is_assisted());
+    // A number of an object that is gone cannot vary: the level is flown as it is, as a fresh attempt.
+    sitting.press(Key::Tab).press_all(&[Key::N, Key::N]).rest();
+    type_in(&mut sitting, Parameter::Mass(1), "3");
+    fs::remove_file(sitting.folder.path().join("levels/2/objects.csv")).unwrap();
+    sitting.wait(0.4);
+    let flight = sitting.flight();
+    assert!(flight.variation().is_none() && flight.game().level().gravity == 15.0 && !flight.is_assisted());
+    assert!(message(&mut sitting).is_some_and(|(_, bad)| bad));
 }

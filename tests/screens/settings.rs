@@ -5,10 +5,6 @@ use resultant::screens::{Input, Key};
 use resultant::settings::Action;
 use std::fs;
 
-fn file(sitting: &Sitting) -> String {
-    fs::read_to_string(sitting.folder.path().join("settings.csv")).unwrap_or_default()
-}
-
 #[test]
 fn arrows_change_values_and_enter_takes_a_key() {
     let mut sitting = Sitting::new();
@@ -27,17 +23,6 @@ fn arrows_change_values_and_enter_takes_a_key() {
     sitting.press(Key::Enter).click("Defaults");
     assert!(!sitting.shows("press a key"));
     assert_eq!(keys(&sitting), [Some(Key::W), None]);
-}
-
-#[test]
-fn what_is_set_holds_at_once_and_after_the_game_was_closed() {
-    let mut sitting = Sitting::new();
-    sitting.choose("Settings").press(Key::Left).press(Key::Tab).press(Key::Enter).press(Key::T);
-    assert_eq!(sitting.app.settings().master, 70);
-    assert!(file(&sitting).contains("volume,70,\n") && file(&sitting).contains("key_thrust,T W,\n"), "{}", file(&sitting));
-    sitting.reopen();
-    assert_eq!(sitting.app.settings().master, 70);
-    assert_eq!(sitting.app.settings().keys.label(Action::Thrust), "T or W");
 }
 
 #[test]

@@ -267,6 +267,15 @@ impl Sitting {
         texts.into_iter().map(|(text, _)| text).find(|text| self.colour(text) == theme::bad())
     }
 
+    /// Whether the edge of a button says that it is chosen.
+    pub fn is_chosen(&self, label: &str) -> bool {
+        let of = self.area(label);
+        self.app.canvas().shapes().iter().any(|shape| match shape {
+            Shape::Edge { outline: Contour::Rounded(area, _), colour, .. } => *area == of && *colour == theme::accent(),
+            _ => false,
+        })
+    }
+
     /// The middle of the row that is picked out, from the canvas' top.
     pub fn picked(&self) -> Option<f32> {
         self.app.canvas().shapes().iter().find_map(|shape| match shape {

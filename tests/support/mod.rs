@@ -13,6 +13,7 @@ pub mod lanes;
 mod levels;
 mod measure;
 pub mod memory;
+pub mod motion;
 pub mod program;
 mod random;
 pub mod rooms;
@@ -21,6 +22,7 @@ pub mod shipped;
 #[path = "../../tools/fuzz_levels/src/slow.rs"]
 pub mod slow;
 pub mod strategies;
+pub mod tiled;
 pub mod turned;
 pub mod written;
 

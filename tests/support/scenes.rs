@@ -59,12 +59,12 @@ pub fn held_by_a_wall(part: f64) -> (WorldDef, DVec2) {
 }
 
 /// A body that falls on the floor from a height (m) and bounces.
-pub fn bouncing(restitution: f64, height: f64, rest_speed: f64) -> WorldDef {
+fn bouncing(restitution: f64, height: f64, rest_speed: f64) -> WorldDef {
     on_a_floor(vec![BodyDef { position: DVec2::new(0.0, -0.5 - height), restitution, ..BodyDef::default() }], rest_speed)
 }
 
 /// One elastic block on its way to a row of others, without weight.
-pub fn cradle(count: usize) -> WorldDef {
+fn cradle(count: usize) -> WorldDef {
     let mut bodies: Vec<_> =
         (0..count).map(|i| BodyDef { position: DVec2::new(i as f64, 0.0), restitution: 1.0, ..BodyDef::default() }).collect();
     bodies[0].position.x = -1.0;

@@ -3,8 +3,6 @@
 use super::{COLUMNS, HEADER, data, read};
 use crate::support::program::{Ran, resultant};
 use crate::support::shipped::names;
-#[cfg(unix)]
-use std::process::Command;
 
 #[test]
 fn a_file_that_is_read_only_or_needed_otherwise_is_not_written_to() {
@@ -41,27 +39,6 @@ fn telemetry_goes_into_a_levels_folder_again_and_again_but_over_nothing_that_is_
         let ran = data.resultant(&["run", "goal", "--telemetry", &data.arg(&format!("levels/goal/{table}"))]);
         assert_eq!(ran.status, 2);
         assert!(ran.err.ends_with("this file is read by the same command, expected another\n"), "{}", ran.err);
-    }
-}
-
-/// Under a limit of no bytes at all a write fails as on a full disk, and the signal that comes with it is ignored.
-#[cfg(unix)]
-#[test]
-fn a_full_disk_is_told_and_changes_nothing() {
-    let data = data();
-    let old = data.write("old.csv", "old");
-    let program = env!("CARGO_BIN_EXE_resultant");
-    for (limits, to) in
-        [("trap '' XFSZ; ulimit -f 0;", ""), ("", " > /dev/full")].into_iter().take(if cfg!(target_os = "linux") { 2 } else { 1 })
-    {
-        let script = format!("{limits} exec \"$0\" \"$@\"{to}");
-        let mut shell = Command::new("sh");
-        shell.args(["-c", &script, program, "--data"]).arg(data.path(".")).args(["run", "goal", "--telemetry", &old]);
-        let ran = Ran::new(&mut shell);
-        assert_eq!(ran.status, 2, "{}", ran.err);
-        assert!(ran.err.starts_with("cannot write the results: "), "{}", ran.err);
-        assert_eq!(ran.err.contains("old.csv: "), to.is_empty(), "{}", ran.err);
-        assert_eq!((names(&data.path(".")), read(&data, "old.csv").as_str()), (vec!["levels".into(), "old.csv".into()], "old"));
     }
 }
 

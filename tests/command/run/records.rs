@@ -193,3 +193,18 @@ fn a_replay_that_cannot_be_flown_is_refused_before_any_is() {
     }
     assert_eq!(data.resultant(&["verify"]).status, 2);
 }
+
+#[test]
+fn a_record_is_the_same_whatever_spreadsheet_saved_it() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("levels/1/flights/gold.replay.csv");
+    let text = std::fs::read_to_string(path).unwrap();
+    let record = resultant::game::Replay::parse("gold", &text).unwrap();
+    for sign in [',', ';', '\t'] {
+        let row = |line: &str| match line.strip_prefix('#') {
+            Some(note) => format!("#{note}{}\r\n", sign.to_string().repeat(4)),
+            None => line.replace(',', &sign.to_string()) + "\r\n",
+        };
+        let saved: String = text.lines().map(row).collect();
+        assert_eq!(resultant::game::Replay::parse("gold", &saved).as_ref(), Ok(&record), "{sign:?}");
+    }
+}

@@ -86,8 +86,6 @@ fn a_level_is_packed_and_unpacked_elsewhere_and_nothing_is_written_over() {
     let flown = there.resultant(&["verify", there.path("levels/15/flights/gold.replay.csv").to_str().unwrap()]);
     assert_eq!(flown.status, 0, "{flown:?}");
     assert!(there.resultant(&["unpack", zip]).out.ends_with("there already\n"));
-    fs::write(there.path("levels/15/mine.txt"), "mine").unwrap();
-    assert!(there.resultant(&["unpack", zip]).out.ends_with("there already, and more in its folder: mine.txt\n"));
     fs::write(there.path("levels/15/texts.csv"), "x,y,size,text\n1,1,20,mine\n").unwrap();
     let taken = there.resultant(&["unpack", zip]);
     assert_eq!(taken.status, 2);
@@ -97,9 +95,5 @@ fn a_level_is_packed_and_unpacked_elsewhere_and_nothing_is_written_over() {
     assert_eq!(there.resultant(&["check", "mill"]).status, 0);
     assert_eq!(there.resultant(&["unpack", zip, "--as", "../mill"]).status, 2);
     assert_eq!(there.resultant(&["unpack", "/nowhere.zip"]).status, 2);
-    let bad = there.write("bad.zip", "no archive");
-    let refused = there.resultant(&["unpack", &bad]);
-    assert_eq!(refused.status, 2);
-    assert!(refused.err.contains("bad.zip: found no ZIP archive"), "{}", refused.err);
     assert_eq!(there.resultant(&["pack", "none"]).status, 2);
 }

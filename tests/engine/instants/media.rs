@@ -1,12 +1,11 @@
 //! Bodies in contact that move as one through air and liquids are one body, whose forces and masses are sums.
 
 use super::*;
+use crate::support::motion::{Bath, force_on, rk4};
 use resultant::physics::{FluidDef, Material};
 
 const PULL: f64 = 15.0;
 const AIR: f64 = 1.2;
-/// Damping ratio of a body that floats at its waterline, per unit of C_d.
-const WAVES: f64 = 0.15;
 
 fn water() -> FluidDef {
     FluidDef { zone: area(-300.0, 0.0, 300.0, 50.0), density: 1000.0, viscosity: 0.0 }
@@ -16,36 +15,16 @@ fn world(surfaces: Vec<SurfaceDef>, bodies: Vec<BodyDef>, fluids: Vec<FluidDef>)
     World::new(WorldDef { gravity: PULL, air_density: AIR, surfaces, bodies, fluids, ..WorldDef::default() }).unwrap()
 }
 
-/// Weight, drag and lift of a body, N, by a second implementation.
-fn force(body: &BodyDef, (x, v): (DVec2, DVec2), wet: bool) -> DVec2 {
-    let [w, h] = (2.0 * body.half).to_array();
-    let inside = if wet { (x.y + body.half.y).clamp(0.0, h) / h } else { 0.0 };
-    let density = inside * 1000.0 + (1.0 - inside) * AIR;
-    let drag = 0.5 * density * body.drag * (w * v.y.abs() + h * v.x.abs());
-    let (stiffness, r) = (1000.0 * PULL * w, 1000.0 * w * h * inside / body.mass);
-    let emerged = if wet { ((body.half.y - x.y) / h).clamp(0.0, 1.0) } else { 1.0 };
-    let waves = if inside > 0.0 { 2.0 * r / (1.0 + r) * (1.0 - (1.0 - emerged).powi(8)) } else { 0.0 };
-    let waves = 2.0 * WAVES * body.drag * (stiffness * body.mass).sqrt() * waves;
-    DVec2::new(0.0, body.mass * PULL - stiffness * h * inside - waves * v.y) - v * drag
-}
-
 /// Where the first of bodies that move as one is after some seconds, by RK4 at such short steps that its error does not count.
 fn as_one(bodies: &[BodyDef], seconds: f64, wet: bool, besides: impl Fn(DVec2) -> DVec2) -> DVec2 {
     let mass: f64 = bodies.iter().map(|body| body.mass).sum();
-    let begin = bodies[0].position;
+    let (begin, h) = (bodies[0].position, 1e-4);
+    let bath = Bath { density: 1000.0, viscosity: 0.0, depth: if wet { f64::INFINITY } else { 0.0 } };
     let a = |x: DVec2, v: DVec2| {
-        let on = |body: &BodyDef| force(body, (body.position + x - begin, v), wet);
+        let on = |body: &BodyDef| force_on(body, (body.position + x - begin, v), PULL, AIR, bath);
         besides(bodies.iter().map(on).sum::<DVec2>() / mass)
     };
-    let (mut x, mut v, h) = (begin, bodies[0].velocity, 1e-4);
-    for _ in 0..(seconds / h).round() as u32 {
-        let a1 = a(x, v);
-        let a2 = a(x + v * (h / 2.0), v + a1 * (h / 2.0));
-        let a3 = a(x + v * (h / 2.0) + a1 * (h * h / 4.0), v + a2 * (h / 2.0));
-        let a4 = a(x + v * h + a2 * (h * h / 2.0), v + a3 * h);
-        (x, v) = (x + v * h + (a1 + a2 + a3) * (h * h / 6.0), v + (a1 + 2.0 * (a2 + a3) + a4) * (h / 6.0));
-    }
-    x
+    rk4((begin, bodies[0].velocity), (seconds / h).round() as u32, h, a).0
 }
 
 fn box_at(x: f64, y: f64, half: DVec2, mass: f64, drag: f64) -> BodyDef {

@@ -1,12 +1,10 @@
 //! What happens within a tick is right at its instant, whatever the tick: each kind of scene against exact answers, in random cases.
 
-mod corners;
 mod cradles;
 mod heaps;
 mod linked;
 mod media;
 mod movers;
-mod tiles;
 mod trains;
 
 use crate::support::{Ask, Random, area};

@@ -121,19 +121,6 @@ proptest! {
     }
 }
 
-#[test]
-fn a_thousand_bodies_far_away_change_not_one_bit() {
-    for (seed, count) in [(3, 9), (5, 16)] {
-        let (def, drive) =
-            (busy_room(seed, 0.0, count, Extras { media: true, movers: true, dull: false }), DVec2::new(1000.0, -2000.0));
-        let alone = story(def.clone(), count, drive);
-        for far in [1, 10, 1000] {
-            let beside = story(with(def.clone(), far_bodies(far)), count, drive);
-            assert_eq!(alone.iter().zip(&beside).position(|(a, b)| a != b), None, "{count} bodies beside {far}");
-        }
-    }
-}
-
 /// A body that floats at its depth rests there whatever falls far away.
 #[test]
 fn what_sleeps_near_nothing_stays_asleep() {
@@ -201,25 +188,6 @@ fn here_is_as_there() {
         let found = played(shifted(&def, shift), PUSHER, PUSH);
         let found: Vec<[DVec2; 3]> = found.iter().map(|[x, v, a]| [*x - shift, *v, *a]).collect();
         assert_alike(&found, &played(def, PUSHER, PUSH), tolerance, &format!("{shift} m away"));
-    }
-}
-
-#[test]
-fn the_order_of_rows_changes_nothing_but_rounding() {
-    let def = yard(true);
-    let count = def.bodies.len();
-    let expected = played(def.clone(), PUSHER, PUSH);
-    for seed in 0..4 {
-        let (mut random, mut order) = (Random(seed), (0..count).collect::<Vec<_>>());
-        (1..count).for_each(|i| order.swap(i, random.below(i + 1)));
-        let mut shuffled = def.clone();
-        shuffled.bodies = order.iter().map(|&i| def.bodies[i].clone()).collect();
-        shuffled.surfaces.reverse();
-        let pusher = order.iter().position(|&i| i == PUSHER).unwrap();
-        let moved = played(shuffled, pusher, PUSH);
-        let mut found = expected.clone();
-        order.iter().zip(moved).for_each(|(&i, of)| found[i] = of);
-        assert_alike(&found, &expected, 1e-9, "shuffled");
     }
 }
 

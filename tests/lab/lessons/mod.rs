@@ -3,13 +3,12 @@
 mod pages;
 mod ropes;
 mod sheet;
-mod springs;
 mod variations;
 
+use crate::support::shipped::project;
 use resultant::game::{Controls, Game, TICK_RATE};
 use resultant::level::{self, Level};
 use resultant::physics::{Body, BodyId, DVec2, ForceKind, Impulse, Material};
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// N/kg, in all of them.
@@ -34,10 +33,6 @@ impl Figure {
     fn row(&self) -> [String; 2] {
         [self.what.clone(), format!("{} {}", three(self.exact), self.unit)]
     }
-}
-
-fn project() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).to_owned()
 }
 
 struct Run {
@@ -323,8 +318,8 @@ const EXPERIMENTS: [(&str, Figures); 17] = [
     ("pushed-row", pushed_row),
     ("lift", lift),
     ("projectile", projectile),
-    ("hooke", springs::hooke),
-    ("spring-swing", springs::swings),
+    ("hooke", ropes::hooke),
+    ("spring-swing", ropes::swings),
     ("pendulum", ropes::pendulum),
     ("circular-motion", ropes::circular_motion),
     ("collision-lab", ropes::collision_lab),
@@ -341,7 +336,7 @@ fn three(value: f64) -> String {
 
 #[test]
 fn every_experiment_has_its_exact_answer_and_its_sheet_names_it() {
-    for ((name, figures), listed) in EXPERIMENTS.into_iter().zip(sheets::listed(&project()).unwrap()) {
+    for ((name, figures), listed) in EXPERIMENTS.into_iter().zip(sheets::listed(project()).unwrap()) {
         let figures = figures();
         figures.iter().for_each(|figure| figure.check(name));
         let rows: Vec<[String; 2]> = figures.iter().map(Figure::row).collect();

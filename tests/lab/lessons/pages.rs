@@ -1,12 +1,13 @@
 //! The printable sheets, and what their words say beside the tables.
 
-use super::{EXPERIMENTS, G, project, ropes, sheet};
+use super::{EXPERIMENTS, G, ropes, sheet};
+use crate::support::shipped::project;
 use resultant::physics::Material;
 use std::collections::BTreeSet;
 
 #[test]
 fn each_language_has_every_sheet_and_a_sheet_needs_nothing_else() {
-    let pages = sheets::pages(&project(), true).unwrap();
+    let pages = sheets::pages(project(), true).unwrap();
     let of_an_experiment = |(name, _): (&str, _)| [format!("{name}.html"), format!("{name}-answers.html")];
     let files: Vec<String> = EXPERIMENTS.into_iter().flat_map(of_an_experiment).chain(["index.html".to_owned()]).collect();
     let wanted = ["", "de/", "fr/"].into_iter().flat_map(|language| files.iter().map(move |file| format!("{language}{file}")));
@@ -34,7 +35,7 @@ fn each_language_has_every_sheet_and_a_sheet_needs_nothing_else() {
         assert_eq!(marks(wrong), 0, "{name}: numbers with {wrong:?}");
     }
     let linked =
-        |linked: bool| sheets::pages(&project(), linked).unwrap().iter().filter(|(_, text)| text.contains("#play=")).count();
+        |linked: bool| sheets::pages(project(), linked).unwrap().iter().filter(|(_, text)| text.contains("#play=")).count();
     assert_eq!(
         (linked(true), linked(false)),
         (3 * (2 * EXPERIMENTS.len() + 1), 0),
@@ -45,7 +46,7 @@ fn each_language_has_every_sheet_and_a_sheet_needs_nothing_else() {
 #[test]
 fn the_lessons_are_listed_by_topic_with_what_a_plan_needs() {
     let listed = std::fs::read_to_string(project().join(sheets::LESSONS)).unwrap();
-    assert!(listed == sheets::lessons(&project()).unwrap(), "cargo run -p sheets writes the list");
+    assert!(listed == sheets::lessons(project()).unwrap(), "cargo run -p sheets writes the list");
     for (name, _) in EXPERIMENTS {
         let text = sheet::text(name);
         let sheets::Plan { topic, age, minutes, needed, curricula } = sheet::lesson(&text).plan;
@@ -63,7 +64,7 @@ fn the_lessons_are_listed_by_topic_with_what_a_plan_needs() {
 
 #[test]
 fn a_sheet_names_its_experiment_and_each_step_its_keys_but_no_answer() {
-    let pages = sheets::pages(&project(), true).unwrap();
+    let pages = sheets::pages(project(), true).unwrap();
     for (name, _) in EXPERIMENTS {
         let text = sheet::text(name);
         let lesson = sheet::lesson(&text);
@@ -73,7 +74,7 @@ fn a_sheet_names_its_experiment_and_each_step_its_keys_but_no_answer() {
             assert!(named > 0, "{name}: which key? {step}");
         }
         let (_, page) = pages.iter().find(|(file, _)| *file == format!("{name}.html")).unwrap();
-        let asked = sheets::listed(&project()).unwrap().into_iter().find(|asked| asked.folder == name).unwrap();
+        let asked = sheets::listed(project()).unwrap().into_iter().find(|asked| asked.folder == name).unwrap();
         let choices = asked.choices.split('|').filter(|choice| !choice.is_empty()).map(|choice| format!("☐ {choice}"));
         for words in choices.chain([asked.question.clone()]) {
             assert!(page.contains(&words), "{name}: the screen asks {words:?}");

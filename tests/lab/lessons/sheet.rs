@@ -1,14 +1,11 @@
 //! The texts of the sheets, `docs/lessons`: each suggested change, and a level with that change.
 
+use crate::support::shipped::project;
 use resultant::level::{self, Files, Level};
 use sheets::Lesson;
 use std::collections::BTreeMap;
 use std::io;
-use std::path::{Path, PathBuf};
-
-fn project() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
+use std::path::PathBuf;
 
 /// The text of an experiment's sheet.
 pub fn text(name: &str) -> String {

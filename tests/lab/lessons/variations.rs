@@ -1,8 +1,8 @@
 //! The figures of each change that a sheet suggests, exactly and by the game, in the order of the sheet.
 
-use super::ropes::{self, carts, circle};
-use super::springs::{let_go, period, stretch, swing};
+use super::ropes::{self, carts, circle, let_go, spring_period, spring_swing, stretch};
 use super::{Figure, G, Run, figure, up};
+use crate::support::motion::rk4;
 use resultant::physics::{DVec2, ForceKind};
 
 /// The figures of a change.
@@ -125,14 +125,14 @@ pub fn of(name: &str) -> Vec<Outcome> {
             },
         ],
         "spring-swing" => vec![
-            |run| vec![period(run, 1, "first ball", [2.0, 10.0])],
-            |run| vec![period(run, 3, "4 kg", [4.0, 160.0])],
+            |run| vec![spring_period(run, 1, "first ball", [2.0, 10.0])],
+            |run| vec![spring_period(run, 3, "4 kg", [4.0, 160.0])],
             |run| {
-                let speed = swing(&mut run.again(), 1).1;
-                let period = period(run, 1, "first ball", [1.0, 10.0]);
+                let speed = spring_swing(&mut run.again(), 1).1;
+                let period = spring_period(run, 1, "first ball", [1.0, 10.0]);
                 vec![period, figure("first ball, speed in the middle", "m/s", 0.5 * 10.0_f64.sqrt(), speed)]
             },
-            |run| vec![period(run, 1, "first ball", [1.0, 10.0])],
+            |run| vec![spring_period(run, 1, "first ball", [1.0, 10.0])],
         ],
         "pendulum" => vec![
             |run| vec![ropes::period(run, 1, "first ball", 10.0, (3.0, 10.0, 1.62))],
@@ -261,12 +261,8 @@ fn range_in_air(run: &mut Run, object: usize, angle: f64) -> Figure {
     let pull = |v: DVec2| DVec2::new(0.0, -G) - k * v.length() * v;
     let (mut at, mut v, h) = (DVec2::ZERO, 20.0 * DVec2::from_angle(angle.to_radians()), 1e-4);
     let exact = loop {
-        let (v1, a1) = (v, pull(v));
-        let (v2, a2) = (v + 0.5 * h * a1, pull(v + 0.5 * h * a1));
-        let (v3, a3) = (v + 0.5 * h * a2, pull(v + 0.5 * h * a2));
-        let (v4, a4) = (v + h * a3, pull(v + h * a3));
-        let next = at + h / 6.0 * (v1 + 2.0 * v2 + 2.0 * v3 + v4);
-        v += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+        let (next, faster) = rk4((at, v), 1, h, |_, v| pull(v));
+        v = faster;
         if next.y < 0.0 && v.y < 0.0 {
             break at.x + (next.x - at.x) * at.y / (at.y - next.y);
         }

@@ -7,5 +7,4 @@ mod device;
 mod flight;
 mod hearing;
 mod loudness;
-mod music;
 mod surroundings;
