@@ -21,6 +21,22 @@ fn a_light_cube_under_water_stays_under_a_thin_lid() {
     }
 }
 
+/// So many bounces of a train in air that their number overflowed made a place no number.
+#[test]
+fn something_heavy_that_flies_into_something_light_in_air_stays_finite() {
+    for (hz, air, heavy, speed) in [(120.0, 1.2041, 100.0, 300.0), (120.0, 65.0, 100.0, 20.0), (30.0, 1.2041, 100.0, 100.0)] {
+        let at = |x: f64, mass: f64, speed: f64| BodyDef {
+            velocity: DVec2::new(speed, 0.0),
+            restitution: 1.0,
+            ..crate_at(x, 0.0, mass)
+        };
+        let bodies = vec![at(0.0, heavy, speed), at(1.5, 1e-3, 0.0)];
+        let mut world = world(WorldDef { gravity: 0.0, air_density: air, bodies, ..WorldDef::default() });
+        run(&mut world, 1.0, 1.0 / hz);
+        assert!(world.bodies().iter().all(|body| body.position.is_finite() && body.velocity.is_finite()), "{hz} Hz, {air} kg/m³");
+    }
+}
+
 #[test]
 fn what_is_pushed_hard_stops_at_the_wall() {
     for (force, hz) in [(1e6, 120.0), (3e3, 2.0), (1e6, 2.0), (1e9, 30.0), (1e9, 1.0)] {

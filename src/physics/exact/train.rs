@@ -84,8 +84,7 @@ impl BounceSeries {
     /// How many take that long.
     fn count(&self, time: f64) -> f64 {
         let slowing = self.damping / 3.0;
-        // As many as e³⁰⁰ are without end, and their sums finite.
-        let all = if slowing == 0.0 { time } else { libm::expm1((slowing * time).min(300.0)) / slowing } / self.first();
+        let all = if slowing == 0.0 { time } else { libm::expm1(slowing * time) / slowing } / self.first();
         if self.e == 1.0 { all } else { libm::log1p((-all * (1.0 - self.e)).max(-1.0)) / libm::log(self.e) }
     }
 
@@ -102,16 +101,19 @@ impl BounceSeries {
 
     /// The ways up and along at a time, and the speeds; after the last bounce if `over`.
     pub fn at(&self, time: f64, over: bool) -> [[f64; 2]; 2] {
-        let count = if over { f64::INFINITY } else { self.count(time).floor().max(0.0) };
+        // Drag has left e⁻³⁰⁰ of the first: no more is a number. So many bounces are without end, and their sums finite.
+        let worn = self.damping / 3.0 * time > 300.0;
+        let whole = if self.e < 1.0 { f64::INFINITY } else { 1e300 };
+        let count = if over || worn { whole } else { self.count(time).floor().max(0.0) };
         let (first, (brake, stops, _)) = (self.first(), self.brakes());
         let slower = |count: f64| 1.0 + self.damping / 3.0 * first * self.sum(1.0, count);
         // The sum of the squares of their times.
         let squares = |count: f64| first * first * self.sum(2.0, count) / slower(count);
-        let slid = self.lasts(count.min(stops));
+        let slid = if worn { self.lasts(stops).min(time) } else { self.lasts(count.min(stops)) };
         let way =
             (self.slides + 0.5 * brake * slid) * slid + 0.5 * (self.pulled * squares(count) - brake * squares(count.min(stops)));
         let slides = if stops.is_finite() && count >= stops { 0.0 } else { self.slides + brake * slid };
-        if over {
+        if over || worn {
             return [[0.0, way], [0.0, slides]];
         }
         let rises = self.rises / slower(count) * if self.e == 1.0 { 1.0 } else { libm::exp(count * libm::log(self.e)) };

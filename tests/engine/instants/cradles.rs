@@ -59,6 +59,33 @@ proptest! {
     }
 }
 
+/// Rows on all four sides of one body, hit from outside: no axis comes first.
+#[test]
+fn a_cross_stays_alike_along_both_axes() {
+    let arm = [(1.0, 18.28, 0.0), (2.0, 1.297, 0.0), (3.69984, 3.47, -30.0)];
+    let sides = [v(1.0, 0.0), v(-1.0, 0.0), v(0.0, 1.0), v(0.0, -1.0)];
+    let row = |side: DVec2| {
+        arm.map(|(away, mass, speed)| BodyDef {
+            position: side * away,
+            velocity: side * speed,
+            mass,
+            restitution: 1.0,
+            ..BodyDef::default()
+        })
+    };
+    let middle = BodyDef { mass: 0.945, restitution: 1.0, ..BodyDef::default() };
+    let bodies = std::iter::once(middle).chain(sides.into_iter().flat_map(row));
+    let mut world = World::new(in_space(vec![], bodies.collect())).unwrap();
+    for tick in 0..240 {
+        world.step(1.0 / 240.0);
+        for k in 0..3 {
+            let out = sides.iter().enumerate().map(|(side, way)| world.speed(1 + 3 * side + k).dot(*way));
+            let (least, most) = out.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), speed| (a.min(speed), b.max(speed)));
+            assert!(most - least <= 1e-9, "tick {tick}: bodies {k} from the middle leave with {least} to {most} m/s");
+        }
+    }
+}
+
 /// Each heavy one hits its light one twice, and takes back all that it gave.
 #[test]
 fn two_heavy_ends_leave_two_light_ones_at_rest() {

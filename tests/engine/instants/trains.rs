@@ -228,6 +228,38 @@ proptest! {
         prop_assert!((light - u).abs() <= 1e-4 && (heavy - w).abs() <= 1e-6, "{} and {} m/s, not {} and {}", light, heavy, u, w);
     }
 
+    /// On a smooth floor, and where drives differ, nothing of that is lost either: the energy is what the drives have given.
+    #[test]
+    fn what_is_driven_on_a_smooth_floor_bounces_to_and_fro_without_loss(
+        seed in any::<u64>(),
+        power in 0.0..8.0f64,
+        hz in prop::sample::select(RATES.to_vec()),
+    ) {
+        let random = &mut Random(seed);
+        let (mass, ratio) = (random.decades(-2.0, 0.0), 10f64.powf(power));
+        let drive = random.between(-2.0, 2.0);
+        let pushed = [0.0, random.pick(&[0.0, drive])];
+        let at = |x: f64, mass: f64, speed: f64| BodyDef { position: v(x, -0.5), velocity: v(speed, 0.0), mass, restitution: 1.0, ..BodyDef::default() };
+        let (near, gap, comes) = (random.between(0.0, 2.0), random.between(0.2, 2.0), random.between(0.3, 3.0));
+        let surfaces = [area(-1.0, -9.0, 0.0, 0.0), area(-1.0, 0.0, 90.0, 1.0)].map(|of| SurfaceDef::fixed(of, rough(0.0)));
+        let bodies = vec![at(near + 0.5, mass, 0.0), at(near + gap + 1.5, mass * ratio, -comes)];
+        let mut world = World::new(WorldDef { gravity: PULL, ..without_air(surfaces.to_vec(), bodies) }).unwrap();
+        let masses = [mass, mass * ratio];
+        (0..2).for_each(|i| world.set_drive(BodyId(i as u32), v(masses[i] * pushed[i], 0.0)));
+        let energy = |world: &World| -> f64 {
+            (0..2).map(|i| masses[i] * (0.5 * world.speed(i).x * world.speed(i).x - pushed[i] * world.at(i).x)).sum()
+        };
+        let (begun, scale) = (energy(&world), 0.5 * mass * ratio * (comes * comes + 20.0 * pushed[1].abs()));
+        for tick in 1..=(3.0 * hz) as u32 {
+            world.step(1.0 / hz);
+            let gained = energy(&world) - begun;
+            prop_assert!(gained.abs() <= 1e-9 * scale, "ratio {}, tick {} at {} Hz: {} J of {} J", ratio, tick, hz, gained, scale);
+            prop_assert!(world.speed(0).y == 0.0 && world.speed(1).y == 0.0);
+        }
+        let Guards { bounces_ended, budgets_used_up, .. } = *world.guards();
+        prop_assert_eq!((bounces_ended, budgets_used_up), (0, 0));
+    }
+
     /// A light one between the floor and a heavy one that falls on it: whatever the tick, and without loss.
     #[test]
     fn what_is_under_something_heavy_that_falls_bounces_without_loss(
