@@ -47,8 +47,8 @@ pub(crate) const LINKED_TOLERANCE: f64 = 1e-14;
 
 /// Shortest step of linked bodies, in parts of a tick, and s: shorter ones are taken whatever their error. Shorter: kinks of drag, and links of the
 /// greatest stiffness, take a millisecond; longer: those are unstable.
-pub(crate) const SHORTEST_LINKED: f64 = 64.0;
-pub(crate) const LONGEST_SHORT: f64 = 1e-4;
+pub(crate) const SHORTEST_LINKED: f64 = 4096.0;
+pub(crate) const LONGEST_SHORT: f64 = 1e-6;
 
 /// How often in a tick the instant is sought at which the law of a link bends, times the bodies of its group. More: ropes that rattle take long;
 /// fewer: later ones take effect at the end of a step.
