@@ -47,8 +47,8 @@ impl GhostTrack {
         Ok(Self { poses: vec![pose(&game)], met, idle: inputs.idle().unwrap_or(0), outcome: Outcome::Running, ahead })
     }
 
-    /// Flies at most `ticks` ticks further.
-    pub fn fly(&mut self, ticks: u64) {
+    /// Flies at most `ticks` ticks further. `watch` is called after every tick.
+    pub fn fly(&mut self, ticks: u64, mut watch: impl FnMut(&Game)) {
         for _ in 0..ticks {
             let Some((game, rest)) = &mut self.ahead else { return };
             let Some(controls) = rest.next().filter(|_| game.outcome() == Outcome::Running) else {
@@ -56,6 +56,7 @@ impl GhostTrack {
                 return;
             };
             game.step(controls);
+            watch(game);
             self.poses.push(pose(game));
             self.outcome = game.outcome();
             for event in game.events() {

@@ -8,7 +8,7 @@ use super::terrain::material_edge;
 use super::theme;
 use crate::draw::layout::{Area, Vec2};
 use crate::draw::{Canvas, Colour};
-use crate::game::Game;
+use crate::game::{Game, Outcome};
 use crate::level::{Level, Mover, Route, Solid, StarTouch, SurfaceOf, Worked};
 use crate::physics::{Aabb, DVec2, ForceKind, Material, Sides};
 
@@ -77,6 +77,11 @@ fn marks(from: f64, to: f64) -> impl Iterator<Item = f64> {
     (first..=(to / ARROW_STEP).ceil() as i64).map(|i| (i as f64 + 0.5) * ARROW_STEP)
 }
 
+/// Whether the lamp of a switch is lit: all of them are in a solved level.
+fn is_lit(game: &Game, switch: usize) -> bool {
+    game.mechanisms().on()[switch] || game.outcome() == Outcome::Completed
+}
+
 /// The areas of switches, and pods: a touch is enough.
 pub fn draw_areas(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
     let (level, visible) = (game.level(), view.visible());
@@ -84,7 +89,7 @@ pub fn draw_areas(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
         if switch.weight.is_some() || !switch.bounds.touches(&visible, 1.0) {
             continue;
         }
-        let (area, on, colour) = (view.rect(&switch.bounds), game.mechanisms().on()[index], lamp_colour(game, index));
+        let (area, on, colour) = (view.rect(&switch.bounds), is_lit(game, index), lamp_colour(game, index));
         canvas.rectangle(area, colour.faded(if on { 0.22 } else { 0.08 }));
         if game.mechanisms().is_pressed(index) {
             canvas.rectangle_edge(area, 2.0, colour);
@@ -150,8 +155,9 @@ fn draw_pod(area: Area, canvas: &Canvas, time: f64) {
     );
 }
 
-/// The solids that are no rock. `alpha` is the frame's place between the last tick but one and the last.
-pub fn draw(game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas, time: f64) {
+/// The solids that are no rock. `alpha` is the frame's place between the last tick but one and the last. With the `answer` (0 … 1) of a
+/// solved level doors open and belts run.
+pub fn draw(game: &Game, alpha: f64, (view, canvas): (&Viewport, &Canvas), (time, answer): (f64, f32)) {
     let level = game.level();
     for mover in &level.movers {
         draw_track(mover, view, canvas);
@@ -167,7 +173,7 @@ pub fn draw(game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas, time: f64
             art::fill(canvas, Tile::Material(solid.material.name), &solid.bounds, view, theme::text().faded(0.8));
             draw_cracks(solid, area, canvas);
         }
-        let runs = game.mechanisms().is_on(Worked::Belt(index));
+        let runs = answer > 0.0 || game.mechanisms().is_on(Worked::Belt(index));
         draw_skin(solid, &solid.bounds, runs, (view, canvas), time);
     }
     for (index, mover) in level.movers.iter().enumerate() {
@@ -178,10 +184,10 @@ pub fn draw(game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas, time: f64
     }
     for (index, door) in level.doors.iter().enumerate() {
         let surface = &game.world().surfaces()[level.surface_index(SurfaceOf::Door(index))];
-        draw_door(door, surface.present, view, canvas);
+        draw_door(door, if surface.present { answer } else { 1.0 }, view, canvas);
     }
     for (index, switch) in level.switches.iter().enumerate().filter(|(_, switch)| switch.weight.is_some()) {
-        let (on, pressed) = (game.mechanisms().on()[index], game.mechanisms().is_pressed(index));
+        let (on, pressed) = (is_lit(game, index), game.mechanisms().is_pressed(index));
         draw_plate(view.rect(&switch.bounds), lamp_colour(game, index), (on, pressed), canvas);
     }
 }
@@ -221,8 +227,8 @@ fn draw_mover(mover: &Mover, bounds: &Aabb, (view, canvas): (&Viewport, &Canvas)
     draw_skin(&mover.solid, bounds, true, (view, canvas), time);
 }
 
-/// Barred where it is closed, its frame where it is open.
-fn draw_door(door: &Solid, closed: bool, view: &Viewport, canvas: &Canvas) {
+/// Two barred leaves, which leave their frame as the door opens (0 … 1).
+fn draw_door(door: &Solid, open: f32, view: &Viewport, canvas: &Canvas) {
     if !door.bounds.touches(&view.visible(), 1.0) {
         return;
     }
@@ -233,10 +239,11 @@ fn draw_door(door: &Solid, closed: bool, view: &Viewport, canvas: &Canvas) {
         true => Area::new(area.min.x, area.min.y + from, area.size.x, length),
         false => Area::new(area.min.x + from, area.min.y, length, area.size.y),
     };
-    if !closed {
+    if open > 0.0 {
         dashed_outline(canvas, area, WORKS_EDGE.faded(0.55));
-        // The stubs of the leaves.
-        for leaf in [piece(0.0, thin.min(long * 0.1)), piece(long - thin.min(long * 0.1), thin.min(long * 0.1))] {
+        let stub = thin.min(long * 0.1);
+        let length = long * 0.5 + (stub - long * 0.5) * open;
+        for leaf in [piece(0.0, length), piece(long - length, length)] {
             canvas.rectangle(leaf, WORKS);
             canvas.rectangle_edge(leaf, 1.5, WORKS_EDGE);
         }
@@ -262,9 +269,9 @@ fn draw_plate(area: Area, colour: Colour, (on, pressed): (bool, bool), canvas: &
     lamp(canvas, Vec2::new(area.centre().x, area.min.y + area.size.y * 0.68), colour, on);
 }
 
-/// Green while the switch is on.
+/// Green while the lamp is lit.
 fn lamp_colour(game: &Game, switch: usize) -> Colour {
-    if game.mechanisms().on()[switch] { theme::good() } else { WORKS_EDGE }
+    if is_lit(game, switch) { theme::good() } else { WORKS_EDGE }
 }
 
 /// Filled while the switch is on.

@@ -32,6 +32,8 @@ pub enum ParticleLook {
     Spark,
     /// A stroke along its path.
     Streak,
+    /// A small arrow along its path.
+    Arrow,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,6 +67,7 @@ impl Particle {
             }
             ParticleLook::Dust => (mix(1.5, 4.5), self.colour.faded(0.7 * (1.0 - t))),
             ParticleLook::Spark => (mix(2.2, 0.8), self.colour.faded(0.9 * (1.0 - t))),
+            ParticleLook::Arrow => (1.3, self.colour.faded(1.0 - t * t)),
             // Fades in as well, for it appears in the middle of the stream.
             ParticleLook::Streak => (1.1, self.colour.faded(0.75 * (t * 4.0).min(1.0) * ((1.0 - t) * 3.0).min(1.0))),
         }
@@ -93,6 +96,7 @@ impl Particle {
             ParticleLook::Plume => 1.6,
             ParticleLook::Dust => 2.5,
             ParticleLook::Spark => 0.5,
+            ParticleLook::Arrow => 2.0,
             ParticleLook::Streak => 0.0,
         }
     }
@@ -102,7 +106,7 @@ impl Particle {
         match self.look {
             ParticleLook::Spark => SPARK_WEIGHT,
             ParticleLook::Dust => DUST_WEIGHT,
-            ParticleLook::Plume | ParticleLook::Streak => 0.0,
+            ParticleLook::Plume | ParticleLook::Streak | ParticleLook::Arrow => 0.0,
         }
     }
 }
@@ -163,6 +167,10 @@ impl Particles {
             if particle.position.cmpge(visible.min - 1.0).all() && particle.position.cmple(visible.max + 1.0).all() {
                 let (radius, colour) = particle.appearance();
                 let (length, rotation) = match particle.look {
+                    ParticleLook::Arrow => {
+                        draw_arrow(particle, colour, view, canvas);
+                        continue;
+                    }
                     ParticleLook::Streak => (
                         view.length(particle.velocity.length() * 0.1),
                         (particle.velocity.x as f32).atan2(-particle.velocity.y as f32),
@@ -174,6 +182,20 @@ impl Particles {
             }
         }
     }
+}
+
+/// Its length is its way in this time, s, and what it keeps at rest, canvas units; its head's length.
+const ARROW_TIME: f64 = 0.07;
+const ARROW: f32 = 12.0;
+const ARROW_HEAD: f32 = 7.0;
+
+fn draw_arrow(particle: &Particle, colour: Colour, view: &Viewport, canvas: &Canvas) {
+    let along = particle.velocity.normalize_or_zero().as_vec2();
+    let tip = view.point(particle.position);
+    let neck = tip - along * ARROW_HEAD;
+    canvas.line(neck - along * (ARROW + view.length(particle.velocity.length() * ARROW_TIME)), neck, 2.2, colour);
+    let side = along.perp() * (0.5 * ARROW_HEAD);
+    canvas.convex(&[tip, neck + side, neck - side], colour);
 }
 
 impl Default for Particles {

@@ -38,8 +38,8 @@ const ON_IT: f64 = 1e-6;
 const CHEVRON_STEP: f64 = 2.0;
 const CHEVRON_SPEED: f64 = 2.5;
 
-/// The objective blocks.
-pub fn draw_objectives(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
+/// The objective blocks. Their columns of light grow with the `answer` (0 … 1) of a solved level.
+pub fn draw_objectives(game: &Game, view: &Viewport, canvas: &Canvas, (time, answer): (f64, f32)) {
     for (index, objective) in game.level().objectives.iter().enumerate() {
         if !objective.bounds.touches(&view.visible(), 2.0) {
             continue;
@@ -50,7 +50,7 @@ pub fn draw_objectives(game: &Game, view: &Viewport, canvas: &Canvas, time: f64)
         art::halo(canvas, area, 26.0, colour.faded(0.28 + 0.14 * pulse));
         // No liquid or picture behind it may change its colour.
         let (high, low) = (theme::plate().mixed(colour, PLATE_FILL[0]), theme::plate().mixed(colour, PLATE_FILL[1]));
-        let mut quads = column(area, COLUMN, colour.faded(0.16 + 0.08 * pulse));
+        let mut quads = column(area, COLUMN * (1.0 + 2.0 * answer), colour.faded(0.16 + 0.08 * pulse + 0.3 * answer));
         quads.quad(area.corners(), [high, high, low, low]);
         canvas.quads(quads);
         canvas.rectangle_edge(area, 2.0, colour);

@@ -100,7 +100,7 @@ fn a_track_is_where_the_ship_was() {
     let mut track = GhostTrack::new(level, &replay.inputs).unwrap();
     let mut first = vec![None; game.met().len()];
     for controls in replay.inputs.clone() {
-        track.fly(1);
+        track.fly(1, |_| ());
         game.step(controls);
         for index in (0..first.len()).filter(|index| game.met()[*index]) {
             first[index].get_or_insert(game.ticks());
@@ -110,7 +110,7 @@ fn a_track_is_where_the_ship_was() {
         assert_eq!(track.pose(game.ticks(), 0.0).centre, game.world().previous_position(SHIP));
     }
     assert!(!track.is_whole(), "it does not know yet that nothing follows");
-    track.fly(10);
+    track.fly(10, |_| ());
     assert!(track.is_whole() && track.ticks() == game.ticks() && track.outcome() == Outcome::Completed);
     assert_eq!((0..first.len()).map(|index| track.met(index)).collect::<Vec<_>>(), first);
     assert!(first.len() > 1 && first.iter().all(Option::is_some), "{first:?}");

@@ -97,7 +97,7 @@ impl Race {
         let ahead = if frame_time > SLOW_FRAME { TICKS_A_FRAME / 4 } else { TICKS_A_FRAME } / self.ghosts.len() as u64;
         for ghost in &mut self.ghosts {
             let behind = ghost.track.beside(game).saturating_sub(ghost.track.ticks());
-            ghost.track.fly(behind + if frame_time > 0.0 { ahead } else { 0 });
+            ghost.track.fly(behind + if frame_time > 0.0 { ahead } else { 0 }, |_| ());
             if frame_time > 0.0 {
                 ghost.beside =
                     ghost.track.nearest((game.world().previous_position(SHIP), game.world().body(SHIP).position), ghost.beside);

@@ -1,6 +1,7 @@
 //! What an attempt came to, part by part.
 
 mod column;
+mod forces;
 
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, GRID, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
@@ -20,6 +21,7 @@ use crate::view::camera::Viewport;
 use crate::view::hud::Aside;
 use crate::view::{Overlays, theme, widgets};
 use crate::words::tr;
+use forces::Moment;
 use std::rc::Rc;
 
 /// For how long the keys of menus do nothing on a page that has just opened, s: a key that was meant for the flight goes down about so late.
@@ -77,6 +79,8 @@ pub struct Scoring {
     end: Box<Game>,
     /// The path of the flight, then that of the best rival, with whose it is.
     paths: Vec<(String, GhostTrack)>,
+    /// The moment of the flight that shows most forces, as far as its path is known.
+    moment: Option<Moment>,
 }
 
 impl Scoring {
@@ -91,7 +95,22 @@ impl Scoring {
         let path = |(whose, inputs): (String, Inputs)| Some((whose, GhostTrack::new(attempt.level.clone(), &inputs).ok()?));
         let paths = own.chain(rival).filter_map(path).collect();
         let (shown, stamped, released) = (0.0, false, false);
-        Self { attempt, result, next, remark, nameless, saved_for: None, shown, stamped, released, best, flown, end, paths }
+        Self {
+            attempt,
+            result,
+            next,
+            remark,
+            nameless,
+            saved_for: None,
+            shown,
+            stamped,
+            released,
+            best,
+            flown,
+            end,
+            paths,
+            moment: None,
+        }
     }
 
     /// Where most go on first: to the next level after a success, to another try after a failure.
@@ -129,8 +148,8 @@ impl Scoring {
         if level.experiment { Destination::Lab(Some(level.name.clone())) } else { Destination::Levels(Purpose::Play) }
     }
 
-    /// At the foot of the scene: whose the paths are, and how efficient the solution was.
-    fn show_figures(&self, ui: &Ui<'_>) {
+    /// How efficient the solution was, in lines.
+    fn figures(&self, canvas: &Canvas, room: f32) -> Vec<String> {
         let result = &self.result;
         let figures = [
             (tr("Fuel used"), result.fuel_used, tr("units")),
@@ -139,9 +158,14 @@ impl Scoring {
             (tr("Peak resultant force"), result.peak_resultant, "N"),
         ];
         let words = figures.map(|(label, value, unit)| format!("{label} {} {unit}", fixed(value, 1))).join(" · ");
+        widgets::lines(canvas, &words, room, Style::new(DETAILS, theme::quiet()).middle())
+    }
+
+    /// At the foot of the scene: whose the paths are, and how efficient the solution was.
+    fn show_figures(&self, ui: &Ui<'_>) {
         let mut at = Vec2::new(EDGE, ui.frame().size.y - EDGE);
-        let (style, room) = (Style::new(DETAILS, theme::quiet()).middle(), ui.frame().size.x - WIDTH - 4.0 * EDGE);
-        for line in widgets::lines(ui.canvas(), &words, room, style).iter().rev() {
+        let style = Style::new(DETAILS, theme::quiet()).middle();
+        for line in self.figures(ui.canvas(), ui.frame().size.x - WIDTH - 4.0 * EDGE).iter().rev() {
             ui.text(line, at, style);
             at.y -= ROW;
         }
@@ -207,6 +231,9 @@ impl AboveGame for Scoring {
                 canvas.dashed(&corners, &DASHES, PATH - 1.0, colour);
             }
         }
+        let size = canvas.size();
+        let lines = self.figures(canvas, size.x - 2.0 * EDGE).len() as f32;
+        self.draw_forces(size - Vec2::new(EDGE, EDGE + (lines + 1.0) * ROW), view, canvas);
     }
 
     fn draw_beside_timer(&self, _: &Aside, _: &Canvas) {}
@@ -216,7 +243,14 @@ impl Screen for Scoring {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         self.guard(ui);
         let ticks = if ui.input().frame_time > 0.0 { TICKS_A_FRAME } else { 0 };
-        self.paths.iter_mut().for_each(|(_, track)| track.fly(ticks));
+        let (own, moment) = (self.flown.is_some(), &mut self.moment);
+        for (i, (_, track)) in self.paths.iter_mut().enumerate() {
+            track.fly(ticks, |game| {
+                if own && i == 0 {
+                    Moment::note(moment, game);
+                }
+            });
+        }
         let size = ui.frame().size;
         let left = size.x - WIDTH - EDGE;
         ui.canvas().rectangle(Area::new(left - EDGE, 0.0, WIDTH + 2.0 * EDGE, size.y), theme::ground());
@@ -274,7 +308,7 @@ impl Screen for Scoring {
     /// Medals come, paths grow, the view opens.
     fn motion(&self, _: &Input) -> Motion {
         let grows = self.paths.iter().any(|(_, track)| !track.is_whole());
-        if self.shown < OPENS || grows { Motion::Full } else { Motion::Still }
+        if self.shown < OPENS.max(self.forces_stand()) || grows { Motion::Full } else { Motion::Still }
     }
 
     fn noises(&self) -> Vec<Noise> {

@@ -21,6 +21,14 @@ const OBSTACLE_LIGHT: f32 = 0.6;
 const KEY_REACH: f64 = 3.0;
 const KEY_LIGHT: f32 = 0.6;
 
+/// The light that goes out from the ship over the rock when the level is solved: for how long, s, and how far, m.
+const WAVE_TIME: f64 = 0.9;
+const WAVE_REACH: f64 = 14.0;
+/// In a solved level so much more time passes for water, wheels and belts than for all else, s a second.
+const HURRY: f64 = 2.0;
+/// Within this time doors open and columns of light rise, s.
+const ANSWER: f64 = 0.6;
+
 /// The longest reach of the engine's flame from the ship's centre, m.
 const FLAME_REACH: f64 = 3.0;
 
@@ -72,7 +80,9 @@ impl GameView {
     }
 
     fn draw_level(&self, game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas) {
-        let (level, time) = (game.level(), self.time);
+        let answer = self.answer();
+        // Water, wheels and belts are livelier then.
+        let (level, time) = (game.level(), self.time + HURRY * self.solved);
         let ship = (drawn_centre(game, SHIP, alpha), angle(game, alpha));
         let flicker = 0.5 + 0.5 * (time * 71.0).sin() * (time * 43.0).cos();
         world::draw_ground(level, &self.terrain, &self.pictures, (view, canvas), time);
@@ -82,7 +92,7 @@ impl GameView {
         // Below everything that could be in them: see [`zones::draw_fluids`].
         zones::draw_fluids(level, view, canvas, time);
         self.terrain.draw_shade(view, canvas);
-        zones::draw_objectives(game, view, canvas, time);
+        zones::draw_objectives(game, view, canvas, (self.time, answer));
         mechanisms::draw_areas(game, view, canvas, time);
         mechanisms::draw_stars(game, view, canvas);
         // Solids hide smoke and dust.
@@ -94,7 +104,7 @@ impl GameView {
         world::draw_on_rock(level, &self.terrain, &self.pictures, (view, canvas));
         self.draw_lights(game, alpha, flicker, (view, canvas));
         zones::draw_sources(level, view, canvas);
-        mechanisms::draw(game, alpha, view, canvas, time);
+        mechanisms::draw(game, alpha, (view, canvas), (time, answer));
         zones::draw_obstacles(level, view, canvas, time);
         zones::draw_labels(game, &labels, view, canvas);
         // Bodies hide the words on walls, pads and plates.
@@ -110,6 +120,12 @@ impl GameView {
         zones::draw_holds(game, ship.0, view, canvas);
         world::draw_decoration(level, true, &self.pictures, (view, canvas));
         self.feedback.draw_in_level(view, canvas);
+    }
+
+    /// What the level has made of being solved, 0 … 1.
+    fn answer(&self) -> f32 {
+        let part = (self.solved / ANSWER).min(1.0) as f32;
+        part * part * (3.0 - 2.0 * part)
     }
 
     fn draw_ghosts(&self, game: &Game, ship: DVec2, brushes: Brushes<'_>) {
@@ -143,8 +159,14 @@ impl GameView {
     /// The light of objectives, death boxes, key objects and the engine on the rock near them.
     fn draw_lights(&self, game: &Game, alpha: f64, flicker: f64, (view, canvas): (&Viewport, &Canvas)) {
         let level = game.level();
+        let lamp = OBJECTIVE_LIGHT + (1.0 - OBJECTIVE_LIGHT) * self.answer();
         for index in 0..level.objectives.len() {
-            self.terrain.draw_lamp(index, objective_colour(game, index).faded(OBJECTIVE_LIGHT), (view, canvas));
+            self.terrain.draw_lamp(index, objective_colour(game, index).faded(lamp), (view, canvas));
+        }
+        let wave = self.solved / WAVE_TIME;
+        if wave > 0.0 && wave < 1.0 {
+            let colour = theme::good().faded(1.0 - wave as f32);
+            self.terrain.draw_moving_light(drawn_centre(game, SHIP, alpha), WAVE_REACH * wave.sqrt(), colour, (view, canvas));
         }
         for index in 0..level.obstacles.len() {
             self.terrain.draw_lamp(level.objectives.len() + index, theme::bad().faded(OBSTACLE_LIGHT), (view, canvas));

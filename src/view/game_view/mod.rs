@@ -8,7 +8,7 @@ use super::emitters::{Emitters, dust, objective_colour};
 use super::feedback::Feedback;
 use super::focus::Focus;
 use super::hud::{Hud, HudLayout, HudScene, HudShown};
-use super::particles::{Barriers, Particles};
+use super::particles::{Barriers, Particle, ParticleLook, Particles};
 use super::pictures::Pictures;
 use super::terrain::Terrain;
 use super::textbook::BodyPicture;
@@ -18,7 +18,7 @@ use crate::draw::layout::{Area, Frame, LINE, Vec2, words_width};
 use crate::game::{Game, GameEvent, GhostPose, Outcome, SHIP};
 use crate::level::Text;
 use crate::number::fixed;
-use crate::physics::{Aabb, BodyId, DVec2};
+use crate::physics::{Aabb, BodyId, DVec2, ForceKind};
 use crate::settings::Settings;
 use crate::words::tr;
 use drawing::{OBJECTIVE_REACH, OBSTACLE_REACH};
@@ -32,6 +32,8 @@ const FRAMED: f64 = 1.3;
 const ROW: f32 = 32.0;
 /// Letters are measured at this height, canvas units.
 const TALL: f32 = 100.0;
+/// Arrows that fly from the goals of a solved level.
+const ARROWS: usize = 30;
 /// Solids up to this far beyond the view stop particles, m.
 const BARRIERS: f64 = 2.0;
 
@@ -61,6 +63,8 @@ pub struct GameView {
     pub panels: Vec<Area>,
     /// Time shown, s: waves and pulses run by it.
     time: f64,
+    /// Time shown since the level is solved, s.
+    solved: f64,
 }
 
 /// A ship of another flight.
@@ -127,6 +131,7 @@ impl GameView {
             ghosts: Vec::new(),
             panels: Vec::new(),
             time: 0.0,
+            solved: f64::from(u8::from(game.outcome() == Outcome::Completed)),
         }
     }
 
@@ -151,6 +156,7 @@ impl GameView {
                     let ship = game.world().body(SHIP).position;
                     self.feedback.ring(ship, theme::good());
                     self.feedback.float(ship, tr("Level complete").into(), theme::good());
+                    self.answer_to_the_end(game);
                 }
                 GameEvent::Died => {
                     self.feedback.death();
@@ -192,11 +198,28 @@ impl GameView {
         }
     }
 
+    /// The level is solved: arrows of all forces fly from its goals, and light runs along every wire.
+    fn answer_to_the_end(&mut self, game: &Game) {
+        let goals = &game.level().objectives;
+        for (index, goal) in (0..ARROWS).zip(goals.iter().cycle()) {
+            let kind = ForceKind::ALL[index % ForceKind::ALL.len()];
+            let way = DVec2::from_angle(-std::f64::consts::PI * self.particles.between(0.05, 0.95));
+            let motion = (goal.bounds.centre(), way * self.particles.between(5.0, 12.0));
+            let life = self.particles.between(0.8, 1.4);
+            self.particles.add(Particle::new(ParticleLook::Arrow, theme::force(kind), motion, life));
+        }
+        for (index, switch) in game.level().switches.iter().enumerate() {
+            let from = switch.bounds.centre();
+            mechanisms::worked_by(game, index).for_each(|worked| self.feedback.run(from, worked));
+        }
+    }
+
     /// Advances all effects by `frame_time` seconds (0 while paused), and lays the details out. `alpha` (0 … 1) is the frame's
     /// place between the last tick but one and the last.
     pub fn update(&mut self, game: &Game, alpha: f64, frame_time: f64, overlays: Overlays, frame: &Frame) {
         let ship = drawn_centre(game, SHIP, alpha);
         self.time += frame_time;
+        self.solved = if game.outcome() == Outcome::Completed { self.solved + frame_time } else { 0.0 };
         let followed = overlays.followed(game);
         self.followed = followed;
         self.camera.follow(drawn_centre(game, followed, alpha), game.world().body(followed).velocity, frame_time);

@@ -196,7 +196,7 @@ impl Flight {
                 self.worth_of_care() - 1e3 * hasty
             }
             // A second is worth more than a few rows.
-            (Aim::Gold, _) => clean - 1e3 * result.time - self.rows as f64,
+            (Aim::Gold, _) => clean - 1e3 * result.time - self.rows as f64 - 5e4 * f64::from(u8::from(self.earns_mark(level))),
             (Aim::Mark, Some(Mark::Hits(_))) => clean - 10.0 * result.time,
             (Aim::Mark, Some(Mark::Fuel(_))) => clean + 1e4 * result.fuel - 10.0 * result.time,
             (Aim::Mark, Some(Mark::Pushes(_))) => clean - 1e3 * f64::from(result.pushes) - 10.0 * result.time,
@@ -223,6 +223,10 @@ impl Flight {
             - 3e3 * self.aside
     }
 
+    fn earns_mark(&self, level: &Level) -> bool {
+        Medals::of(&level.awards, &self.result).mark
+    }
+
     /// What keeps it from being recorded; `None` where nothing does.
     pub fn lacks(&self, aim: Aim, level: &Level, par: f64) -> Option<String> {
         let (result, awards) = (&self.result, &level.awards);
@@ -233,6 +237,9 @@ impl Flight {
             return Some("the engine had to give something up".to_owned());
         }
         let time = result.time;
+        if aim != Aim::Mark && self.earns_mark(level) {
+            return Some("it earns the level's mark, too".to_owned());
+        }
         match (aim, awards.gold) {
             (Aim::Careful, _) if time > par => Some(format!("{time:.3} s, its par is {par} s")),
             (Aim::Careful, _) if self.red < OFF_RED - 0.1 => Some(format!("{:.2} m off red", self.red)),
@@ -246,7 +253,7 @@ impl Flight {
             (Aim::Gold, Some(_)) => None,
             (Aim::Mark, _) => {
                 let mark = awards.mark.map_or("none".to_owned(), resultant::game::words);
-                (!Medals::of(awards, result).mark).then(|| format!("the level's mark: {mark}"))
+                (!self.earns_mark(level)).then(|| format!("the level's mark: {mark}"))
             }
         }
     }

@@ -216,13 +216,14 @@ impl Search<'_> {
 fn report(name: &str, aim: Aim, level: &Level, flight: &Flight) {
     let result = &flight.result;
     println!(
-        "{name} {}: {} in {:.3} s, score {}, damaging hits {}, pushes {}, fuel {:.3}, top speed {:.1} m/s, {} rows, steps {}, {:.2} m to go, worth {:.0}",
+        "{name} {}: {} in {:.3} s, score {}, damaging hits {}, pushes {}, burns {}, fuel {:.3}, top speed {:.1} m/s, {} rows, steps {}, {:.2} m to go, worth {:.0}",
         aim.name(),
         result.outcome.name(),
         result.time,
         result.score.total,
         result.collisions,
         result.pushes,
+        result.burns,
         result.fuel,
         result.top_speed,
         flight.rows,
