@@ -115,7 +115,6 @@ fn write_row(bytes: &mut Vec<u8>, controls: Controls, ticks: u64) {
     }
 }
 
-/// The bytes of a code that have not been read yet.
 struct Rest<'a>(&'a [u8]);
 
 impl Rest<'_> {

@@ -28,7 +28,6 @@ impl Outcome {
         }
     }
 
-    /// For people.
     pub fn shown(self) -> &'static str {
         tr(self.name())
     }

@@ -127,7 +127,6 @@ impl History {
         self.enter_level(game);
     }
 
-    /// The history up to that tick; the rest is gone.
     #[must_use]
     pub fn until(&self, tick: u64) -> Self {
         let tick = tick.clamp(self.begins(), self.ticks());

@@ -47,7 +47,6 @@ impl Mechanisms {
         }
     }
 
-    /// Looks at a tick's end which switches are pressed, and adds an event for each change.
     pub fn note(&mut self, level: &Level, world: &mut World, events: &mut Vec<GameEvent>) {
         for (index, switch) in level.switches.iter().enumerate() {
             let pressed = is_pressed(switch, index, level, world);

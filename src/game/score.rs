@@ -141,7 +141,6 @@ pub struct Medals {
 }
 
 impl Medals {
-    /// Whether a level has medals for time.
     pub const fn has_clock(awards: &Awards) -> bool {
         awards.gold.is_some() || awards.silver.is_some()
     }

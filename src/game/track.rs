@@ -39,7 +39,6 @@ pub struct GhostTrack {
 }
 
 impl GhostTrack {
-    /// Only the start is known.
     pub fn new(level: Arc<Level>, inputs: &Inputs) -> Result<Self, GameError> {
         let game = Game::new(level)?;
         let met = vec![None; game.met().len()];
@@ -71,12 +70,10 @@ impl GhostTrack {
         self.ahead.is_none()
     }
 
-    /// The last known tick.
     pub fn ticks(&self) -> u64 {
         self.poses.len() as u64 - 1
     }
 
-    /// Running until the end is known.
     pub const fn outcome(&self) -> Outcome {
         self.outcome
     }

@@ -102,9 +102,7 @@ pub trait Screen: Any + fmt::Debug {
     fn come_back(&mut self, _above: &dyn Screen, _session: &mut Session, _spectator: &mut dyn Spectator) {}
 
     /// Writes down what waits in it.
-    ///
-    /// # Errors
-    /// Why that cannot be, in words.
+    /// Errors: why that cannot be, in words.
     fn write_down(&mut self, _session: &mut Session) -> Result<(), String> {
         Ok(())
     }

@@ -46,7 +46,6 @@ pub struct Game {
 }
 
 impl Game {
-    /// The level at its start, at [`TICK_RATE`].
     pub fn new(level: Arc<Level>) -> Result<Self, GameError> {
         Self::with_tick_rate(level, TICK_RATE)
     }

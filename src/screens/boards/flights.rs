@@ -36,7 +36,6 @@ const COLUMNS: [f32; 5] = [40.0, 224.0, 660.0, 756.0, 828.0];
 /// What moves the choice.
 const KEYS: [Key; 6] = [Key::Up, Key::Down, Key::PageUp, Key::PageDown, Key::Home, Key::End];
 
-/// The list.
 #[derive(Debug)]
 pub struct Flights {
     visit: Visit,
@@ -54,7 +53,6 @@ pub struct Flights {
 }
 
 impl Flights {
-    /// The flights of a level.
     pub fn open(visit: Visit, level: &Level, session: &mut Session) -> Self {
         session.last_level = Some(visit.level.clone());
         let (board, problem) = match session.scores.load(&visit.level) {
@@ -70,7 +68,6 @@ impl Flights {
         screen
     }
 
-    /// The flights of a level, by its title.
     pub fn new(visit: Visit, subject: String, candidates: Vec<FlightCandidate>) -> Self {
         let read = vec![false; candidates.len()];
         let wanted = |candidate: &FlightCandidate| matches!(&candidate.source, FlightSource::Row(file) if Some(file) == visit.chosen.as_ref());
@@ -85,7 +82,6 @@ impl Flights {
         all.iter().filter_map(|index| self.candidates.get(*index)).cloned().collect()
     }
 
-    /// What became of it.
     pub fn message(&self) -> Option<&str> {
         self.message.as_ref().map(|(words, _)| words.as_str())
     }
@@ -110,7 +106,6 @@ impl Flights {
         }
     }
 
-    /// Chooses and marks flights by keys.
     fn choose(&mut self, ui: &mut Ui<'_>) {
         let last = self.candidates.len().saturating_sub(1);
         for key in ui.strokes(&KEYS) {

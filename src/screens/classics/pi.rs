@@ -35,7 +35,6 @@ const TOOLS: [(&str, Key, &str); 6] = [
     ("Faster", Key::Up, "↑"),
 ];
 
-/// The scene: two blocks and a wall.
 #[derive(Debug)]
 pub struct Pi {
     pub n: u32,
@@ -129,7 +128,6 @@ const METRE: f32 = 300.0;
 const SIDE: f32 = 19.0;
 
 impl Pi {
-    /// Draws blocks and counter.
     pub(super) fn draw(&self, canvas: &Canvas) {
         widgets::graph_paper(canvas);
         self.draw_blocks(canvas);

@@ -16,7 +16,6 @@ use crate::words::tr;
 /// A button of the strip, canvas units.
 const BUTTON: Vec2 = Vec2::new(26.0, 24.0);
 
-/// What can be hidden.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum PictureLayer {
     Wires,

@@ -78,7 +78,6 @@ impl Editor {
         widgets::fitted(canvas, &name, middle, room, &[BUTTON_TEXT, TEXT, DETAILS], colour);
     }
 
-    /// Keys, where the keyboard is in no field.
     pub(super) fn update_keys(&mut self, input: &Input, pass: &mut EditorPass) {
         self.figures ^= input.pressed(Key::F3);
         let control = input.held(Key::Control);

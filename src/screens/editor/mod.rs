@@ -74,7 +74,6 @@ pub struct Editor {
     /// The row of each problem.
     about: Vec<Option<RowId>>,
     scroll: Scroll,
-    /// The level of the last check, where it loaded.
     level: Option<Arc<Level>>,
     /// The version of the document that was checked, and the time until the next check, s.
     checked: (Option<u64>, f64),
@@ -99,7 +98,6 @@ pub struct Editor {
     offered: Vec<String>,
     /// Canvas units.
     pointer: Vec2,
-    /// Whether frames a second are shown.
     figures: bool,
     flown: Option<TestFlight>,
 }
@@ -205,9 +203,7 @@ impl Screen for Editor {
 
 impl Editor {
     /// The editor of a level, by its name.
-    ///
-    /// # Errors
-    /// A file that cannot be read, in words.
+    /// Errors: a file that cannot be read, in words.
     pub fn take_up(name: &str, session: &mut Session) -> Result<Self, String> {
         session.last_level = Some(name.to_owned());
         match session.brought.take() {

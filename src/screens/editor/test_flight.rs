@@ -155,7 +155,6 @@ impl Editor {
         self.flown.iter().flat_map(|flown| flown.trail.path()).collect()
     }
 
-    /// Whether that flight can go on.
     pub(super) fn is_stopped(&self) -> bool {
         self.flown.as_ref().is_some_and(|flown| flown.game.outcome() == Outcome::Running)
     }

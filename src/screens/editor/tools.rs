@@ -103,7 +103,6 @@ impl Editor {
         }
     }
 
-    /// The tool of the key that was pressed.
     pub(super) fn tool_of_key(input: &Input) -> Option<EditorTool> {
         EditorTool::all().find(|tool| input.pressed(tool.key()))
     }

@@ -72,7 +72,6 @@ impl Flight {
         }
     }
 
-    /// The factor on the time of the picture.
     pub(super) fn slowness(&self) -> f64 {
         let ends = self.run.game.outcome() == Outcome::Completed
             && self.run.ended < SLOW_TICKS as f64 / (SLOW * self.run.game.tick_rate());
@@ -149,7 +148,6 @@ impl Flight {
         None
     }
 
-    /// The cause of the loss of the attempt before, in words, while its notice is shown.
     pub fn lost(&self) -> Option<&str> {
         self.run.lost.as_ref()?.result.death
     }

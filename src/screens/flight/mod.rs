@@ -141,7 +141,6 @@ impl Screen for Flight {
         }
     }
 
-    /// Pauses a flight that is under way.
     fn halt(&mut self) {
         if self.run.game.outcome() == Outcome::Running && !self.is_watched() && self.open.pause.is_none() {
             self.let_go();
@@ -232,9 +231,7 @@ impl Flight {
     }
 
     /// An attempt at its start.
-    ///
-    /// # Errors
-    /// The level makes no world.
+    /// Errors: the level makes no world.
     pub fn new(attempt: Attempt, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
         let game = Game::new(attempt.level.clone())?;
         let race = Race::new(&attempt.level, &attempt.rivals)?;
@@ -307,7 +304,6 @@ impl Flight {
         self.seen.details || self.seen.picture || self.seen.instruments.is_open()
     }
 
-    /// As the instruments see it in that frame.
     fn stage(&self, frame: &Frame) -> Stage<'_> {
         Stage {
             game: &self.run.game,
@@ -353,7 +349,6 @@ impl Flight {
         &self.run.attempt
     }
 
-    /// Whether the flight tries out an edited level.
     pub fn is_test(&self) -> bool {
         self.open.test
     }
@@ -375,12 +370,10 @@ impl Flight {
         &self.run.history
     }
 
-    /// Whether the player has had help.
     pub fn is_assisted(&self) -> bool {
         self.run.assisted
     }
 
-    /// At the moment on the screen.
     pub fn game(&self) -> &Game {
         &self.run.game
     }

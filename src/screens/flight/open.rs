@@ -41,7 +41,6 @@ pub(super) struct Open {
     pub trail: FlownTrail,
     /// Whether that level is in memory only.
     pub in_memory: bool,
-    /// The level's files.
     pub watch: Option<FolderWatch>,
     /// The level, while it is read again.
     pub reading: Option<Ticket>,
@@ -49,9 +48,7 @@ pub(super) struct Open {
 
 impl Flight {
     /// An attempt at its start, whose level's files are watched.
-    ///
-    /// # Errors
-    /// The level makes no world; so of all that follow.
+    /// Errors: the level makes no world; so of all that follow.
     pub fn open(attempt: Attempt, session: &mut Session, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
         let comes = session.last_flown.replace(attempt.level.name.clone()).as_ref() != Some(&attempt.level.name);
         let introduced =

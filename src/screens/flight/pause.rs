@@ -34,7 +34,6 @@ impl Flight {
         }
     }
 
-    /// The panel, where it is open.
     pub(super) fn show_pause(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         let chosen = self.open.pause?;
         ui.layer(0.45);

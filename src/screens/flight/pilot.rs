@@ -49,7 +49,6 @@ pub(super) enum Controller {
 }
 
 impl Controller {
-    /// At the start of an attempt.
     pub fn of(attempt: &Attempt) -> Self {
         match &attempt.inputs {
             Some(inputs) => Self::Inputs(Inputs::clone(inputs).into_iter()),
@@ -57,7 +56,6 @@ impl Controller {
         }
     }
 
-    /// Takes the keys of a frame.
     pub fn follow(&mut self, held: Controls, pressed: Controls) {
         if let Self::Hands(latch) = self {
             latch.frame(held, pressed);
@@ -70,7 +68,6 @@ impl Controller {
         }
     }
 
-    /// The controls of the next tick.
     fn take(&mut self) -> Controls {
         match self {
             Self::Hands(latch) => latch.take(),
@@ -152,7 +149,6 @@ impl Flight {
         }
     }
 
-    /// A tick beyond the end of the history.
     fn tick(&mut self, spectator: &mut dyn Spectator) {
         let controls = self.pilot.source.take();
         self.fly_tick(controls, spectator);
@@ -231,12 +227,10 @@ impl Flight {
         self.pilot.modifiers = Modifiers::default();
     }
 
-    /// Whether the player's keys fly.
     pub fn is_by_hand(&self) -> bool {
         matches!(self.pilot.source, Controller::Hands(_))
     }
 
-    /// Whether a reel is shown.
     pub const fn is_watched(&self) -> bool {
         matches!(self.pilot.source, Controller::Reel(_))
     }

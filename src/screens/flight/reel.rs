@@ -46,7 +46,6 @@ const FORCES: &str = "Forces";
 const TIME_LINE: &str = "Time line";
 
 impl Flight {
-    /// A recorded flight from its start.
     pub(in crate::screens) fn watch(title: String, reel: Reel, spectator: &mut dyn Spectator) -> Self {
         let Reel { history, unflown } = reel;
         let game = history.at(0);

@@ -129,9 +129,7 @@ impl Flight {
     }
 
     /// Begins again, with the overlays as they are.
-    ///
-    /// # Errors
-    /// The level makes no world; the flight goes on then.
+    /// Errors: the level makes no world; the flight goes on then.
     pub(super) fn restart(&mut self, level: Arc<Level>, spectator: &mut dyn Spectator) -> Result<(), GameError> {
         let flies_on = self.flies_on();
         let (same, varied) = (level_hash(&level) == level_hash(&self.run.attempt.level), self.run.what_if.take());

@@ -13,7 +13,6 @@ pub(super) struct Run {
     pub game: Game,
     /// All flown ticks, which may go beyond the moment on the screen.
     pub history: History,
-    /// The ghosts.
     pub race: Option<Race>,
     /// The varied level; its flight does not count.
     pub what_if: Option<Box<WhatIf>>,
@@ -30,7 +29,6 @@ pub(super) struct Run {
 }
 
 impl Run {
-    /// At the start of an attempt.
     pub fn new(attempt: Attempt, game: Game) -> Self {
         Self {
             attempt,

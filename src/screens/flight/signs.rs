@@ -114,7 +114,6 @@ impl Flight {
     }
 }
 
-/// The state of a level's files while the level is flown.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum News {
     /// They were read again: age of the notice, s, and whether the flight goes on where it was.

@@ -24,7 +24,6 @@ use std::sync::Arc;
 /// Ticks that are flown again in a frame: at least, at first and at most.
 pub(super) const AGAIN: [u64; 3] = [60, 1200, 20_000];
 
-/// A level that is varied while it is flown.
 #[derive(Debug)]
 pub(super) struct WhatIf {
     variation: Variation,
@@ -113,7 +112,6 @@ impl Flight {
         self.run.what_if.as_ref().map(|what_if| &*what_if.before.game)
     }
 
-    /// Does what the panel asks for.
     pub(super) fn fulfil(&mut self, wish: VaryWish, spectator: &mut dyn Spectator) -> Option<Request> {
         match wish {
             VaryWish::Vary(variation, from, goes_on) => {
@@ -138,9 +136,7 @@ impl Flight {
     }
 
     /// Varies the level from there on.
-    ///
-    /// # Errors
-    /// What the loader or the engine would not accept, in words; nothing has changed then.
+    /// Errors: what the loader or the engine would not accept, in words; nothing has changed then.
     fn vary(&mut self, variation: Variation, from: VaryFrom, goes_on: bool) -> Result<(), String> {
         let expected = |problems: Vec<crate::level::Problem>| {
             problems.first().map_or_else(String::new, |problem| tr!("Expected {expected}.", expected = problem.expected))
@@ -239,9 +235,7 @@ impl Flight {
     }
 
     /// Begins a level again with the numbers that it was varied by: from the start, beside the run before where the level is the same.
-    ///
-    /// # Errors
-    /// What is not accepted in the level as it is now, in words: it is flown as it is then.
+    /// Errors: what is not accepted in the level as it is now, in words: it is flown as it is then.
     pub(super) fn begin_varied(&mut self, varied: Box<WhatIf>, same: bool) -> Result<(), String> {
         if varied.variation.is_empty() {
             return Ok(());

@@ -84,12 +84,9 @@ pub(super) fn draw(canvas: &Canvas, area: Area, (entry, edits): (&LevelEntry, bo
     }
 }
 
-/// A level in the list.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LevelEntry {
-    /// Its folder's name.
     pub name: String,
-    /// Its world, where it comes with the game.
     pub world: Option<Landscape>,
     /// Its title and what it looks like, or why it does not load; `None` until it has been in view.
     pub level: Option<Result<(String, Option<Image>), Refusal>>,

@@ -28,7 +28,6 @@ const ABOVE_FOOT: f32 = 24.0;
 const SHAPE: f32 = 1.3;
 /// No card is larger: a single level does not want the whole window.
 const LARGEST: Vec2 = Vec2::new(900.0, 600.0);
-/// A button at the foot.
 pub(super) const FOOT_BUTTON: Vec2 = Vec2::new(160.0, ROW_BUTTON.y);
 
 /// The place of a button at the foot, counted from the left.

@@ -44,7 +44,6 @@ pub struct Balls {
 }
 
 impl Balls {
-    /// No balls yet.
     pub fn new(seed: u64) -> Self {
         Self {
             world: None,
@@ -174,7 +173,6 @@ fn in_metres(area: &Area) -> Aabb {
 }
 
 impl Balls {
-    /// Draws the balls.
     pub fn draw(&self, canvas: &Canvas) {
         for (i, area) in self.areas().enumerate() {
             let (centre, radius) = (area.centre(), area.size.x / 2.0);
@@ -207,7 +205,6 @@ const CLEARANCE: f64 = 1.5;
 /// Share of a tick in what is shown of the engine. Its bursts are shorter than a frame.
 const SHOWN: f64 = 0.1;
 
-/// The pilot.
 #[derive(Debug, Default)]
 pub struct Hover {
     /// What the ship flies around: the column of buttons, the title.

@@ -49,20 +49,15 @@ const RIGHT: f32 = 3.0 * PADDING;
 /// From the canvas' edges to the panel.
 const MARGIN: Vec2 = Vec2::new(120.0, 112.0);
 
-/// A line of the credits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Credit {
-    /// A heading.
     Heading(&'static str),
-    /// Words.
     Words(&'static str),
-    /// A line of a licence.
     Licence(String),
     /// A part, and its licence.
     Part(&'static str, &'static str),
 }
 
-/// The credits.
 #[derive(Debug, Default)]
 pub struct Credits {
     /// The number of columns that the licences are broken into.

@@ -25,7 +25,6 @@ const LEAST_SUM: f64 = 0.3;
 const BEGIN: f64 = 0.5;
 const STEP: f64 = 0.18;
 
-/// A moment of a flight.
 #[derive(Debug)]
 pub(super) struct Moment {
     /// On the clock, s.
@@ -37,7 +36,6 @@ pub(super) struct Moment {
 }
 
 impl Moment {
-    /// The present one.
     fn of(game: &Game) -> Self {
         let forces = game.world().forces(SHIP);
         let least = LEAST * forces.resultant().length();

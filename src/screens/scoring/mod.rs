@@ -30,7 +30,6 @@ const GUARD: f64 = 0.4;
 const STEERING: [Action; 4] = [Action::Thrust, Action::Reverse, Action::Left, Action::Right];
 /// The keys of menus that may steer, too.
 const MENU_KEYS: [Key; 5] = [Key::Left, Key::Right, Key::Up, Key::Down, Key::Enter];
-/// The words on the buttons.
 const NEXT: &str = "Next";
 const AGAIN: &str = "Again";
 const WATCH: &str = "Watch";
@@ -54,12 +53,10 @@ const CORNER: usize = 6;
 /// By then the view has opened and all medals are there, s.
 const OPENS: f64 = 2.0;
 
-/// The scoring screen.
 #[derive(Debug)]
 pub struct Scoring {
     attempt: Attempt,
     pub result: RunResult,
-    /// The name of the level after this one.
     next: Option<String>,
     /// What it brought the player, or why it brought nothing; in words.
     remark: String,
@@ -183,7 +180,6 @@ impl Scoring {
         }
     }
 
-    /// The colour of a path.
     fn colour(&self, path: usize) -> Colour {
         if path == 0 && self.flown.is_some() { theme::accent() } else { theme::text().faded(0.7) }
     }

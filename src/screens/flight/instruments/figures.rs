@@ -87,7 +87,6 @@ pub fn in_focus(focus: &Focus, game: &Game) -> Vec<BodyId> {
 }
 
 impl Figures {
-    /// Reads up to the moment on the screen.
     pub fn update(&mut self, stage: &Stage) {
         self.is_read = self.ledger.go(stage.history, stage.game.ticks(), AHEAD);
         self.energies = energies(stage.game);

@@ -35,11 +35,9 @@ pub struct Measures {
     pub(super) scales: Scales,
     pub(super) ruler: Ruler,
     pub(super) figures: Figures,
-    /// The tools in use.
     pub(super) used: [bool; Tool::ALL.len()],
     pub(super) panels: Vec<(Tool, Area)>,
     pub(super) frame: Frame,
-    /// Where the panels end.
     foot: f32,
     /// Each panel's offset from its place, and the held panel with the last place of the pointer.
     dragged: [Vec2; Tool::ALL.len()],

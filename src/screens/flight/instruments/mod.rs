@@ -50,7 +50,6 @@ impl Tool {
     /// From the top.
     pub const ALL: [Self; 7] = [Self::Centre, Self::Trails, Self::Vectors, Self::Ruler, Self::Figures, Self::Plot, Self::Vary];
 
-    /// The words on its button.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Centre => "Centre of mass",
@@ -64,7 +63,6 @@ impl Tool {
     }
 }
 
-/// The flight as the instruments see it.
 pub struct Stage<'a> {
     /// At the moment on the screen.
     pub game: &'a Game,
@@ -139,7 +137,6 @@ impl Instruments {
         rest
     }
 
-    /// A button a tool, below the head-up display.
     fn show_rail(&mut self, ui: &mut Ui<'_>, room: &Frame) {
         for (tool, area) in Tool::ALL.into_iter().zip(dock::rail(room)) {
             let colour = match (self.offers(tool), self.uses(tool)) {
@@ -164,7 +161,6 @@ impl Instruments {
         self.used[tool as usize] ^= true;
     }
 
-    /// Reads the moment on the screen, at the end of its frame.
     pub fn read(&mut self, stage: &Stage) {
         if self.open {
             self.measures.read(stage);
@@ -183,7 +179,6 @@ impl Instruments {
         self.plot.flown_again();
     }
 
-    /// The area of the panel of varied numbers, while it is open.
     pub fn vary_area(&self) -> Option<Area> {
         self.vary.area()
     }
@@ -204,7 +199,6 @@ impl Instruments {
         Self { measures: self.measures.of_another_flight(), plot: self.plot.of_another_flight(), ..self }
     }
 
-    /// The tick that the player wants to see.
     pub fn take_seek(&mut self) -> Option<u64> {
         self.plot.take_seek()
     }
@@ -213,7 +207,6 @@ impl Instruments {
         self.plot.take_export()
     }
 
-    /// The outcome of the export.
     pub fn report_export(&mut self, outcome: Result<PathBuf, String>) {
         self.plot.report_export(outcome);
     }
@@ -244,7 +237,6 @@ impl Instruments {
         self.open && self.used[tool as usize]
     }
 
-    /// The areas that cover the flight.
     pub fn areas(&self, frame: &Frame) -> Vec<Area> {
         if !self.open {
             return Vec::new();

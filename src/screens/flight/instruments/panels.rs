@@ -65,7 +65,6 @@ impl Measures {
         draw_bars(canvas, bars, (first, pitch), &column);
     }
 
-    /// The row of buttons at the table's foot.
     fn buttons(&self, ui: &mut Ui<'_>, panel: Area) -> Option<&'static str> {
         let foot = Vec2::new(panel.min.x + GRID, panel.max().y - 2.0 * GRID - dock::line(&self.frame));
         let style = Style::new(DETAILS, theme::text()).centred();

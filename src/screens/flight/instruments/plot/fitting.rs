@@ -24,7 +24,6 @@ pub(super) struct Fitted {
 }
 
 impl Plot {
-    /// Computes the fit where anything has changed that it depends on.
     pub(super) fn refit(&mut self) {
         let selected = self.shown().find(|(number, ..)| *number == self.selected);
         let Some((law, (number, line, track))) = self.law.zip(selected) else {

@@ -42,12 +42,10 @@ const fn along(axis: VectorPart) -> [Quantity; MOST_LINES] {
 
 #[derive(Clone, Debug)]
 struct PlotLine {
-    /// The index of its object.
     whose: usize,
     up: Quantity,
     now: Curve,
     before: Curve,
-    /// The body behind the curves.
     read: Option<BodyId>,
 }
 
@@ -80,7 +78,6 @@ pub struct Plot {
     pick: Option<Pick>,
     hand: Hand,
     large: bool,
-    /// The outcome of the last export, and whether it failed.
     message: Option<(String, bool)>,
     waiting: Option<Format>,
     export: Option<NewFile>,
@@ -152,12 +149,10 @@ impl Plot {
         rest
     }
 
-    /// Whether the list of quantities is open.
     pub fn is_picking(&self) -> bool {
         self.pick.is_some()
     }
 
-    /// The part of the canvas above the panel.
     pub fn above(&self, frame: &Frame) -> Frame {
         Frame { size: Vec2::new(frame.size.x, PlotPlaces::new(frame, self.large).panel.min.y), ..*frame }
     }
@@ -166,7 +161,6 @@ impl Plot {
         PlotPlaces::new(frame, self.large).panel
     }
 
-    /// The tick that the player wants to see.
     pub fn take_seek(&mut self) -> Option<u64> {
         self.seek.take()
     }
@@ -175,7 +169,6 @@ impl Plot {
         self.export.take()
     }
 
-    /// The outcome of the export.
     pub fn report_export(&mut self, outcome: Result<PathBuf, String>) {
         self.message = Some(match outcome {
             Ok(path) => (tr!("Written: {path}", path = path.display()), false),

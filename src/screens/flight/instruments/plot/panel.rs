@@ -25,7 +25,6 @@ pub(super) enum Action {
     Larger,
     /// The other object for a curve.
     Whose(usize),
-    /// Opens the choice of a curve's quantity.
     What(usize),
     Remove(usize),
     /// Shows this curve's area.

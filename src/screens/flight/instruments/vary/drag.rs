@@ -20,7 +20,6 @@ const DASH: [f32; 2] = [6.0, 5.0];
 const SIGN: f32 = 9.0;
 const HEAD: f32 = 3.0;
 
-/// What the pointer holds.
 #[derive(Clone, Debug)]
 pub(super) struct DragHold {
     /// Its numbers to the right and upwards, as they were.
@@ -37,7 +36,6 @@ impl Vary {
         self.of_level.is_some() && self.from == VaryFrom::Start && !self.lines.is_empty()
     }
 
-    /// Whether the pointer leads something: the view stands still.
     pub fn holds_view(&self) -> bool {
         self.hold.as_ref().is_some_and(|hold| hold.moved)
     }

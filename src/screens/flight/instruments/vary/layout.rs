@@ -42,7 +42,6 @@ impl Layout {
             left = ends + GAP;
             (begins, ends)
         });
-        // A heading, a row of buttons, the lines, a row of buttons, a message.
         let row = |index: f32| min.y + INSIDE + index * line;
         let half = (width - 2.0 * INSIDE - GAP) / 2.0;
         let button = |index: usize, y: f32| {

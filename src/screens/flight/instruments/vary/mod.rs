@@ -17,7 +17,6 @@ use crate::view::{theme, widgets};
 use crate::words::{decimals, tr};
 use layout::Layout;
 
-/// The label of the field for the name of a level to save.
 const NAME: &str = "Name of the level";
 /// From the edge of a button or field to its words.
 const INSIDE: f32 = 0.75 * GRID;
@@ -31,7 +30,6 @@ pub struct Varied<'a> {
     pub progress: Option<f64>,
 }
 
-/// The start of a change.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum VaryFrom {
     /// The flight starts again.
@@ -114,7 +112,6 @@ impl Vary {
         self.show_foot(ui);
     }
 
-    /// Once.
     pub const fn take_wish(&mut self) -> Option<VaryWish> {
         self.wish.take()
     }
@@ -127,7 +124,6 @@ impl Vary {
         (!self.lines.is_empty()).then_some(self.layout.panel)
     }
 
-    /// Whether the keys go into a number or a name.
     pub const fn is_typing(&self) -> bool {
         self.entry.is_open()
     }
