@@ -14,7 +14,6 @@ mod overlay;
 mod panel;
 mod picture;
 mod problem_list;
-mod saving;
 mod test_flight;
 mod tools;
 mod view;

@@ -1,10 +1,9 @@
 //! A level that begins again, or whose files change while it is flown.
 
 use super::Flight;
-use super::ending::NOTICE;
+use super::ending::{NOTICE, Run};
 use super::open::Open;
 use super::pilot::Pilot;
-use super::run::Run;
 use super::signs::News;
 use crate::files;
 use crate::game::{GameError, History, Outcome, level_hash};

@@ -2,7 +2,6 @@
 //! that are their own; the flight has the rest.
 
 mod dock;
-mod drawing;
 mod figures;
 mod measure;
 mod measured;

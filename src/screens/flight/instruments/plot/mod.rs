@@ -3,7 +3,6 @@
 
 mod choices;
 mod drawing;
-mod fitting;
 mod hand;
 mod panel;
 
@@ -22,10 +21,9 @@ use crate::ui::Ui;
 use crate::ui::input::Input;
 use crate::words::tr;
 use choices::PlotObject;
-use fitting::Fitted;
 pub use hand::PlotPlaces;
 use hand::{Hand, MOST_LINES, READINGS};
-use panel::{Format, Pick};
+use panel::{Fitted, Format, Pick};
 use std::path::PathBuf;
 
 /// s.

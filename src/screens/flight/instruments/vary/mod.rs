@@ -1,8 +1,7 @@
 //! "What if": a panel with a slider and a number for each quantity that can vary, of the followed object and of the level. The
 //! flight's screen fulfils its wishes.
 
-mod drag;
-mod layout;
+mod places;
 
 use super::Stage;
 use crate::draw::Style;
@@ -15,7 +14,7 @@ use crate::physics::BodyId;
 use crate::ui::{EntryEvent, EntryField, SliderMove, SliderShown, Ui, WidgetKind};
 use crate::view::{theme, widgets};
 use crate::words::{decimals, tr};
-use layout::Layout;
+use places::{DragHold, Layout};
 
 const NAME: &str = "Name of the level";
 /// From the edge of a button or field to its words.
@@ -86,7 +85,7 @@ pub struct Vary {
     /// In an experiment, which has more lines: whether those of the level are shown, not those of the object; `None` elsewhere.
     of_level: Option<bool>,
     /// What the pointer leads in the level, and the place in [`Parameter::places`] of what it could lead.
-    hold: Option<drag::DragHold>,
+    hold: Option<DragHold>,
     over: Option<usize>,
 }
 
