@@ -274,8 +274,7 @@ impl Game {
         self.ticks as f64 / self.tick_rate
     }
 
-    /// Seconds on the clock, which score, medals and boards count: from the first tick with an input on, or from the start where no
-    /// tick has one.
+    /// Seconds on the clock, which score, medals and boards count: from the first tick with an input on, or from the start where no tick has one.
     pub fn time(&self) -> f64 {
         self.ticks_on_clock() as f64 / self.tick_rate
     }

@@ -1,5 +1,4 @@
-//! The flights of a level: the one just flown, the level's own, and those of its board. One is watched or kept as a file, one or several
-//! are raced.
+//! The flights of a level: the one just flown, the level's own, and those of its board. One is watched or kept as a file, one or several are raced.
 
 use crate::draw::Style;
 use crate::draw::layout::{Area, TEXT, Vec2};
@@ -11,9 +10,7 @@ use crate::screens::screen::{Destination, Effect, Request, Screen};
 use crate::session::Session;
 use crate::session::recordings::{self, FlightCandidate, FlightSource, Visit};
 use crate::settings::{Action, Key};
-use crate::ui::input::Stroke;
-use crate::ui::scroll::bar_beside;
-use crate::ui::{Spectator, Turning, Ui};
+use crate::ui::{Spectator, Turning, Ui, input::Stroke, scroll::bar_beside};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 use std::ops::Range;

@@ -13,8 +13,7 @@ use crate::screens::screen::{Classic, Destination, Onward, Purpose, Request, Scr
 use crate::session::Session;
 use crate::session::recordings::{self, BoardRival, Visit};
 use crate::settings::Key;
-use crate::ui::scroll::bar_beside;
-use crate::ui::{Turning, Ui};
+use crate::ui::{Turning, Ui, scroll::bar_beside};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 use std::ops::Range;

@@ -6,8 +6,7 @@ use crate::draw::layout::{Area, BUTTON_TEXT, GAP, HEADING, PADDING, TEXT, Vec2, 
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Clock, TICK_RATE};
 use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
-use crate::session::recordings::Visit;
-use crate::session::{Gain, Session};
+use crate::session::{Gain, Session, recordings::Visit};
 use crate::settings::{Key, Keys};
 use crate::ui::input::{Input, KeyLatch};
 use crate::ui::pace::Motion;

@@ -6,9 +6,7 @@ use crate::draw::{Canvas, Colour, Style};
 use crate::number;
 use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
 use crate::settings::Key;
-use crate::ui::Ui;
-use crate::ui::input::Input;
-use crate::ui::pace::Motion;
+use crate::ui::{Ui, input::Input, pace::Motion};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 

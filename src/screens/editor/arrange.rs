@@ -8,8 +8,7 @@ use crate::draw::layout::{Area, Vec2};
 use crate::level::document::{Kind, Place, RowId, SetCell, Table};
 use crate::physics::DVec2;
 use crate::settings::Key;
-use crate::ui::input::Input;
-use crate::ui::{Ui, WidgetKind};
+use crate::ui::{Ui, WidgetKind, input::Input};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 

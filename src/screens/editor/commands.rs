@@ -10,8 +10,7 @@ use crate::level::document::{Clip, Document, Kind, RowId, Table};
 use crate::physics::DVec2;
 use crate::screens::screen::Request;
 use crate::settings::Key;
-use crate::ui::input::Input;
-use crate::ui::{Ui, WidgetKind};
+use crate::ui::{Ui, WidgetKind, input::Input};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 

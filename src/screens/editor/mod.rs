@@ -1,7 +1,6 @@
-//! The editor: a level's files as a picture. Each act of the author becomes an operation on the [`Document`]; the problems are the loader's
-//! own list, read from memory. `layout` cuts the window into panes; `commands`, `tools`, `panel`, `problem_list` and `ask` each show one of
-//! them; `picture` and `overlay` draw the level. `view` is the part of the level in view and the
-//! edges that things snap to, `hand` follows the pointer there.
+//! The editor: a level's files as a picture. Each act of the author becomes an operation on the [`Document`]; the problems are the loader's own list,
+//! read from memory. `layout` cuts the window into panes; `commands`, `tools`, `panel`, `problem_list` and `ask` each show one of them; `picture` and
+//! `overlay` draw the level. `view` is the part of the level in view and the edges that things snap to, `hand` follows the pointer there.
 
 mod arrange;
 mod ask;
@@ -24,9 +23,7 @@ use crate::level::document::{Document, LevelFolder, Opened, Place, RowId, SetCel
 use crate::level::{Level, Problem};
 use crate::physics::DVec2;
 use crate::screens::screen::{Destination, Purpose, Request, Screen};
-use crate::session::Session;
-use crate::session::folder_watch::FolderWatch;
-use crate::session::worker::Brought;
+use crate::session::{Session, folder_watch::FolderWatch, worker::Brought};
 use crate::settings::Settings;
 use crate::ui::input::{Input, Repeat};
 use crate::ui::pace::Motion;
@@ -193,8 +190,7 @@ impl Screen for Editor {
         !self.is_unsaved()
     }
 
-    /// A large window is left to the picture.
-    /// Its panes have no room for larger words.
+    /// A large window is left to the picture. Its panes have no room for larger words.
     fn with_words(&self, frame: Frame, _: &Settings) -> Frame {
         frame.with_text(layout::text_scale(frame.pixel))
     }

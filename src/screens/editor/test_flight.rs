@@ -16,8 +16,7 @@ use crate::screens::flight::Flight;
 use crate::screens::flight::trail::FlownTrail;
 use crate::screens::screen::{Destination, Request};
 use crate::ui::input::Input;
-use crate::view::mechanisms::movers;
-use crate::view::theme;
+use crate::view::{mechanisms::movers, theme};
 use crate::words::tr;
 use std::sync::Arc;
 

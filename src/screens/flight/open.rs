@@ -1,6 +1,4 @@
-//! What is open over a flight: its panels and notices, and the level's files.
-//!
-//! The viewer's part of a watched flight.
+//! What is open over a flight: its panels and notices, and the level's files. The viewer's part of a watched flight.
 
 use super::Flight;
 use super::ahead::Ahead;
@@ -8,13 +6,8 @@ use super::signs::{Hints, News};
 use super::trail::FlownTrail;
 use crate::game::{Game, GameError, History, Unflown};
 use crate::level::Level;
-use crate::screens::screen::Screen;
-use crate::screens::settings::SettingsPanel;
-use crate::session::Session;
-use crate::session::folder_watch::FolderWatch;
-use crate::session::journal::Worksheet;
-use crate::session::library::Attempt;
-use crate::session::worker::Ticket;
+use crate::screens::{screen::Screen, settings::SettingsPanel};
+use crate::session::{Session, folder_watch::FolderWatch, journal::Worksheet, library::Attempt, worker::Ticket};
 use crate::ui::Spectator;
 use std::sync::Arc;
 

@@ -168,8 +168,7 @@ mod drawing {
                 .collect()
         }
 
-        /// Draws how the ship stands to each ghost, where it is now or else at the objective that it met last: columns of the strip beside the
-        /// timer.
+        /// Draws how the ship stands to each ghost, where it is now or else at the objective that it met last: columns of the strip beside the timer.
         pub fn draw(&self, game: &Game, aside: &Aside, canvas: &Canvas) {
             for (i, ghost) in self.all().iter().enumerate() {
                 let Some(column) = aside.column(i, self.all().len()) else { continue };

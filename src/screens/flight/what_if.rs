@@ -1,7 +1,6 @@
-//! "What if": the level with other numbers, flown again by the same controls or on from where it is, beside the run before as a ghost. Nothing
-//! of it counts: only a fresh attempt at the level as it is does.
-//!
-//! Draws what tells that a level is varied: a sign with what is, the ghost of the run before, and how to go on at its end.
+//! "What if": the level with other numbers, flown again by the same controls or on from where it is, beside the run before as a ghost. Nothing of it
+//! counts: only a fresh attempt at the level as it is does. Draws what tells that a level is varied: a sign with what is, the ghost of the run
+//! before, and how to go on at its end.
 
 use super::instruments::vary::{Varied, VaryFrom, VaryWish, written};
 use super::{END_PAUSE, Flight};
@@ -13,11 +12,8 @@ use crate::level::Level;
 use crate::physics::{BodyId, DVec2};
 use crate::screens::screen::{Effect, Request};
 use crate::settings::Key;
-use crate::ui::Spectator;
-use crate::ui::input::Input;
-use crate::view::game_view::drawn_centre;
-use crate::view::hud::HudLayout;
-use crate::view::{GhostShip, theme, widgets};
+use crate::ui::{Spectator, input::Input};
+use crate::view::{GhostShip, game_view::drawn_centre, hud::HudLayout, theme, widgets};
 use crate::words::tr;
 use std::sync::Arc;
 

@@ -1,6 +1,5 @@
-//! The files behind the list of levels: how it opens, what it asks the worker for, and levels that are made, named and installed.
-//!
-//! The buttons at the foot of the list, and what an author does there with a level: share it, put it away, take it back, see its folder.
+//! The files behind the list of levels: how it opens, what it asks the worker for, and levels that are made, named and installed. The buttons at the
+//! foot of the list, and what an author does there with a level: share it, put it away, take it back, see its folder.
 
 use super::card::LevelEntry;
 use super::shelves::{FOOT, FOOT_BUTTON, SIDE, from_left, from_right};

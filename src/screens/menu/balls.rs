@@ -1,8 +1,5 @@
-//! What flies in the menu: the ship, which hovers by its own engine, and balls. The game's own engine under weak gravity, without air, on
-//! steel.
-//!
-//! The pilot of the menu's ship: it keeps the ship over the buttons with the engine alone, and leads it back there from wherever a ball has
-//! knocked it.
+//! What flies in the menu: the ship, which hovers by its own engine, and balls. The game's own engine under weak gravity, without air, on steel. The
+//! pilot of the menu's ship: it keeps the ship over the buttons with the engine alone, and leads it back there from wherever a ball has knocked it.
 
 use crate::draw::Canvas;
 use crate::draw::layout::{Area, Frame, Vec2};

@@ -4,8 +4,7 @@ use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, GAP, LINE, MONO_ADVANCE, PADDING, ROW_BUTTON, TEXT, Vec2};
 use crate::screens::screen::{Request, Screen};
 use crate::settings::Key;
-use crate::ui::scroll::bar_beside;
-use crate::ui::{Turning, Ui};
+use crate::ui::{Turning, Ui, scroll::bar_beside};
 use crate::view::theme;
 use crate::words::tr;
 

@@ -1,6 +1,5 @@
-//! The main menu: who plays, where the ship hovers over the buttons, and a little game: a right click drops a ball.
-//!
-//! The question before the window closes while something is neither saved nor kept: what would be lost, and whether to stay.
+//! The main menu: who plays, where the ship hovers over the buttons, and a little game: a right click drops a ball. The question before the window
+//! closes while something is neither saved nor kept: what would be lost, and whether to stay.
 
 use super::flight::Flight;
 use super::screen::{Destination, GameScene, Purpose, Request, Screen};

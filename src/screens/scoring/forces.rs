@@ -70,8 +70,7 @@ impl Moment {
 }
 
 impl Scoring {
-    /// The arrows one after the other in the corner `foot`, and their names in lines that end in the height of `foot`; a line leads to where
-    /// it was.
+    /// The arrows one after the other in the corner `foot`, and their names in lines that end in the height of `foot`; a line leads to where it was.
     pub(super) fn draw_forces(&self, foot: Vec2, view: &Viewport, canvas: &Canvas) {
         let Some(moment) = self.moment.as_ref().filter(|_| self.paths.iter().all(|(_, track)| track.is_whole())) else { return };
         let sum = moment.sum();

@@ -11,8 +11,7 @@ use crate::game::{Game, SHIP};
 use crate::instruments::ledger::{centre_of_mass, velocity_of_centre};
 use crate::number::scalar;
 use crate::ui::Ui;
-use crate::view::camera::Viewport;
-use crate::view::{theme, widgets};
+use crate::view::{camera::Viewport, theme, widgets};
 use crate::words::tr;
 
 impl Measures {

@@ -1,5 +1,4 @@
-//! The buttons of the panel: their effects, their places, and the lists to choose from. A law through the selected curve, and the curves
-//! as files.
+//! The buttons of the panel: their effects, their places, and the lists to choose from. A law through the selected curve, and the curves as files.
 
 use super::choices::{self, PlotObject, choices};
 use super::hand::{MOST_LINES, PlotPlaces};
@@ -14,8 +13,7 @@ use crate::instruments::quantity::Quantity;
 use crate::physics::BodyId;
 use crate::session::library::NewFile;
 use crate::ui::{Ui, WidgetKind};
-use crate::view::lanes;
-use crate::view::theme;
+use crate::view::{lanes, theme};
 use crate::words::tr;
 
 #[derive(Clone, Copy, Debug, PartialEq)]

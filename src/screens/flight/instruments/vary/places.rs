@@ -7,8 +7,7 @@ use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, Vec2};
 use crate::level::{Level, Parameter};
 use crate::physics::{Aabb, BodyId, DVec2};
 use crate::ui::input::Input;
-use crate::view::camera::Viewport;
-use crate::view::theme;
+use crate::view::{camera::Viewport, theme};
 
 /// Widths in heights of the text: of a line's name, slider, number and reset.
 const COLUMNS: [f32; 4] = [7.2, 6.0, 7.2, 6.6];
