@@ -1,6 +1,4 @@
-//! From frame times to whole ticks (Glenn Fiedler, "Fix Your Timestep!").
-//!
-//! From the keys of frames to the controls of ticks.
+//! From frame times to whole ticks (Glenn Fiedler, "Fix Your Timestep!"). From the keys of frames to the controls of ticks.
 
 pub use crate::level::TICK_RATE;
 use std::ops::RangeInclusive;
@@ -63,8 +61,7 @@ impl Clock {
     }
 }
 
-/// Keeps a press until a tick has taken it: a press shorter than a frame survives a frame without a tick, and counts once in a
-/// frame with two.
+/// Keeps a press until a tick has taken it: a press shorter than a frame survives a frame without a tick, and counts once in a frame with two.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Latch {
     held: Controls,

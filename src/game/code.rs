@@ -31,8 +31,7 @@ const CHECK: usize = 4;
 const OUTCOMES: [Outcome; 3] = [Outcome::Running, Outcome::Completed, Outcome::Failed];
 
 impl Replay {
-    /// Errors: the flight has too many changes of keys for 1500 characters, lasts too long, has another tick rate than the
-    /// game
+    /// Errors: the flight has too many changes of keys for 1500 characters, lasts too long, has another tick rate than the game
     pub fn code(&self) -> Result<String, String> {
         if self.tick_rate != TICK_RATE {
             return Err(tr!("found {rate} ticks a second, expected the game's {usual}", rate = self.tick_rate, usual = TICK_RATE));
@@ -115,7 +114,6 @@ fn write_row(bytes: &mut Vec<u8>, controls: Controls, ticks: u64) {
     }
 }
 
-/// The bytes of a code that have not been read yet.
 struct Rest<'a>(&'a [u8]);
 
 impl Rest<'_> {

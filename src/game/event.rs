@@ -1,7 +1,5 @@
-//! States and events of an attempt.
-//!
-//! Names of all that exerts a force in a level: bodies by their numbers in the telemetry, the rest by the rows of the level's
-//! files. Files and players' pages have names of their own, with the same numbers.
+//! States and events of an attempt. Names of all that exerts a force in a level: bodies by their numbers in the telemetry, the rest by the rows of
+//! the level's files. Files and players' pages have names of their own, with the same numbers.
 
 use super::clock::TICK_RATES;
 #[cfg(doc)]
@@ -28,7 +26,6 @@ impl Outcome {
         }
     }
 
-    /// For people.
     pub fn shown(self) -> &'static str {
         tr(self.name())
     }
@@ -108,8 +105,7 @@ pub enum Death {
 }
 
 impl Death {
-    /// `obstacle N` for the Nth row of obstacles.csv, `crushed by world N` for the Nth row of world.csv, as the command line prints
-    /// it.
+    /// `obstacle N` for the Nth row of obstacles.csv, `crushed by world N` for the Nth row of world.csv, as the command line prints it.
     pub fn name(self, level: &Level) -> String {
         match self {
             Self::Obstacle(index) => format!("obstacle {}", index + 1),

@@ -1,11 +1,7 @@
-//! A flight that can go back: its inputs, and copies of the game from which any tick is flown again, bit for bit. Copies stand at
-//! equal distances. Beyond the most copies every second one goes and the distance doubles: memory stays bounded, and the flight
-//! from a copy to a tick grows with the whole flight's length only.
-//!
-//! A flight that the same controls fly again in another level: an experiment that changes one thing. A long one takes several
-//! frames.
-//!
-//! What becomes of a level in which nobody presses a key.
+//! A flight that can go back: its inputs, and copies of the game from which any tick is flown again, bit for bit. Copies stand at equal distances.
+//! Beyond the most copies every second one goes and the distance doubles: memory stays bounded, and the flight from a copy to a tick grows with the
+//! whole flight's length only. A flight that the same controls fly again in another level: an experiment that changes one thing. A long one takes
+//! several frames. What becomes of a level in which nobody presses a key.
 
 use super::attempt::Game;
 use super::clock::{Controls, TICK_RATE};
@@ -127,7 +123,6 @@ impl History {
         self.enter_level(game);
     }
 
-    /// The history up to that tick; the rest is gone.
     #[must_use]
     pub fn until(&self, tick: u64) -> Self {
         let tick = tick.clamp(self.begins(), self.ticks());

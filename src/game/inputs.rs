@@ -43,7 +43,6 @@ struct HeldKeys {
     controls: Controls,
 }
 
-/// A row of a file.
 #[derive(Deserialize)]
 struct InputRow {
     ticks: u64,
@@ -89,9 +88,7 @@ pub struct Inputs {
 
 impl Inputs {
     /// `file` is the file's name in messages.
-    ///
-    /// # Errors
-    /// A missing header, a wrong number of cells, ticks that are no whole number from 1, a key that is neither 0 nor 1, more than
+    /// Errors: a missing header, a wrong number of cells, ticks that are no whole number from 1, a key that is neither 0 nor 1, more than
     /// [`MOST_TICKS`] in all.
     pub fn parse(file: &str, text: &str) -> Result<Self, BadFile> {
         let columns: Vec<&str> = HEADER.split(',').collect();
@@ -131,7 +128,6 @@ impl Inputs {
         self.hold(controls, 1);
     }
 
-    /// `ticks` more with those keys.
     pub fn hold(&mut self, controls: Controls, ticks: u64) {
         match self.rows.last_mut() {
             Some(row) if row.controls == controls => row.ticks += ticks,
@@ -139,7 +135,6 @@ impl Inputs {
         }
     }
 
-    /// Keys, and the number of ticks for which they are held.
     pub fn rows(&self) -> impl Iterator<Item = (Controls, u64)> + '_ {
         self.rows.iter().map(|row| (row.controls, row.ticks))
     }

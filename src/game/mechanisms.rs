@@ -1,8 +1,6 @@
 //! Switches, fragile blocks and pods, tick by tick. A switch that is pressed at a tick's end works its parts as the next tick begins: until then
-//! forces and motions are those of one world.
-//! A fragile block takes the blow that breaks it, and is gone after that tick.
-//!
-//! The state of the objectives: touch, hold time and turn.
+//! forces and motions are those of one world. A fragile block takes the blow that breaks it, and is gone after that tick. The state of the
+//! objectives: touch, hold time and turn.
 
 use super::event::GameEvent;
 use super::impacts::TOUCH;
@@ -47,7 +45,6 @@ impl Mechanisms {
         }
     }
 
-    /// Looks at a tick's end which switches are pressed, and adds an event for each change.
     pub fn note(&mut self, level: &Level, world: &mut World, events: &mut Vec<GameEvent>) {
         for (index, switch) in level.switches.iter().enumerate() {
             let pressed = is_pressed(switch, index, level, world);

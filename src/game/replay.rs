@@ -272,7 +272,6 @@ impl<'a> ReplayNotes<'a> {
         hashes
     }
 
-    /// The value of a required line.
     pub fn find<T>(&mut self, name: &str, expected: &str, read: impl FnOnce(&str) -> Option<T>) -> Option<T> {
         if !self.lines.iter().any(|(_, (key, _))| *key == name) {
             let found = tr!("no line {line}", line = format_args!("\"# {name}: …\""));
@@ -281,7 +280,6 @@ impl<'a> ReplayNotes<'a> {
         self.find_any(name, expected, read)
     }
 
-    /// The value of an optional line.
     pub fn find_any<T>(&mut self, name: &str, expected: &str, read: impl FnOnce(&str) -> Option<T>) -> Option<T> {
         let &(line, (_, value)) = self.lines.iter().find(|(_, (key, _))| *key == name)?;
         let found = read(value);

@@ -1,8 +1,5 @@
-//! The score of an attempt.
-//!
-//! The prizes of a completed flight: bronze for its end, silver and gold for its time, and the level's own mark.
-//!
-//! What marks for tricks ask for: burns, stars, and objectives met together.
+//! The score of an attempt. The prizes of a completed flight: bronze for its end, silver and gold for its time, and the level's own mark. What marks
+//! for tricks ask for: burns, stars, and objectives met together.
 
 use super::event::{GameEvent, Outcome};
 use super::impacts::{SHIP_BOX, has_passed};
@@ -141,7 +138,6 @@ pub struct Medals {
 }
 
 impl Medals {
-    /// Whether a level has medals for time.
     pub const fn has_clock(awards: &Awards) -> bool {
         awards.gold.is_some() || awards.silver.is_some()
     }

@@ -58,9 +58,8 @@ impl Ship {
         }
     }
 
-    /// Obeys the keys for one tick and returns the engine's drive, N. Left and right cancel each other; so do thrust and reverse,
-    /// which then burn nothing. The last tick with fuel burns the rest at full thrust. `stands` answers whether the ship stands
-    /// still on a surface.
+    /// Obeys the keys for one tick and returns the engine's drive, N. Left and right cancel each other; so do thrust and reverse, which then burn
+    /// nothing. The last tick with fuel burns the rest at full thrust. `stands` answers whether the ship stands still on a surface.
     pub(super) fn obey(&mut self, controls: Controls, player: &ShipStart, tick_rate: f64, stands: impl FnOnce() -> bool) -> DVec2 {
         self.burning = if self.fuel > 0.0 { i8::from(controls.thrust) - i8::from(controls.reverse) } else { 0 };
         self.turn(controls, tick_rate, stands);

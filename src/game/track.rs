@@ -1,7 +1,5 @@
-//! The ghost of a race: place of a recorded ship and times of its objectives, tick by tick. Its world is flown ahead of the race
-//! and apart from it: a ghost touches nothing.
-//!
-//! A record that is flown again, to compare where it leads with the written end.
+//! The ghost of a race: place of a recorded ship and times of its objectives, tick by tick. Its world is flown ahead of the race and apart from it: a
+//! ghost touches nothing. A record that is flown again, to compare where it leads with the written end.
 
 use super::attempt::Game;
 use super::event::{GameError, GameEvent, Outcome};
@@ -39,7 +37,6 @@ pub struct GhostTrack {
 }
 
 impl GhostTrack {
-    /// Only the start is known.
     pub fn new(level: Arc<Level>, inputs: &Inputs) -> Result<Self, GameError> {
         let game = Game::new(level)?;
         let met = vec![None; game.met().len()];
@@ -71,12 +68,10 @@ impl GhostTrack {
         self.ahead.is_none()
     }
 
-    /// The last known tick.
     pub fn ticks(&self) -> u64 {
         self.poses.len() as u64 - 1
     }
 
-    /// Running until the end is known.
     pub const fn outcome(&self) -> Outcome {
         self.outcome
     }
@@ -101,8 +96,7 @@ impl GhostTrack {
         near.min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(self.ticks())
     }
 
-    /// The tick of this flight with the same time on the clock as the game; before the game's clock starts, the tick from which it
-    /// would go on.
+    /// The tick of this flight with the same time on the clock as the game; before the game's clock starts, the tick from which it would go on.
     pub fn beside(&self, game: &Game) -> u64 {
         if game.is_idle() { game.ticks().min(self.idle) } else { self.idle + game.ticks_on_clock() }
     }

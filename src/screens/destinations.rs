@@ -1,7 +1,5 @@
-//! Where a request leads: what is read before, and the screen that opens.
-//!
-//! Links into the game, as a page's address has them behind `#`: `play=experiments/friction&follow=Box+1&details=1`, `play=2`,
-//! `lab=stress-tests`.
+//! Where a request leads: what is read before, and the screen that opens. Links into the game, as a page's address has them behind `#`:
+//! `play=experiments/friction&follow=Box+1&details=1`, `play=2`, `lab=stress-tests`.
 
 use super::boards;
 use super::boards::flights::Flights;

@@ -12,12 +12,8 @@ use crate::session::library::{Attempt, Flown, NewFile};
 use crate::session::recordings::{FlightCandidate, Visit};
 use crate::session::worker::{Brought, Ticket};
 use crate::settings::Settings;
-use crate::ui::input::Input;
-use crate::ui::pace::Motion;
-use crate::ui::{Spectator, Ui};
-use crate::view::camera::Viewport;
-use crate::view::hud::Aside;
-use crate::view::{GhostShip, Overlays};
+use crate::ui::{Spectator, Ui, input::Input, pace::Motion};
+use crate::view::{GhostShip, Overlays, camera::Viewport, hud::Aside};
 use std::any::Any;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -102,9 +98,7 @@ pub trait Screen: Any + fmt::Debug {
     fn come_back(&mut self, _above: &dyn Screen, _session: &mut Session, _spectator: &mut dyn Spectator) {}
 
     /// Writes down what waits in it.
-    ///
-    /// # Errors
-    /// Why that cannot be, in words.
+    /// Errors: why that cannot be, in words.
     fn write_down(&mut self, _session: &mut Session) -> Result<(), String> {
         Ok(())
     }

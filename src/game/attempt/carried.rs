@@ -11,8 +11,7 @@ use std::sync::Arc;
 const TOUCH: f64 = 1e-4;
 
 impl Game {
-    /// Goes on in a level that differs from its own in numbers alone (see [`varied`](crate::level::varied)): every body keeps its
-    /// state.
+    /// Goes on in a level that differs from its own in numbers alone (see [`varied`](crate::level::varied)): every body keeps its state.
     /// Errors: a level that the engine refuses, or that has other bodies or surfaces; nothing has changed then.
     pub fn go_on_in(&mut self, level: Arc<Level>) -> Result<(), GameError> {
         self.world.go_on_by(level.world_def()).map_err(GameError::World)?;
@@ -20,9 +19,8 @@ impl Game {
         Ok(())
     }
 
-    /// The attempt as it goes on in a changed level. The ship keeps place, velocity, angle, fuel and time, and each object that is
-    /// the same in `before` keeps its motion. Changed objects, switches and movers begin again. `None` once the attempt has ended,
-    /// or where the ship has no room.
+    /// The attempt as it goes on in a changed level. The ship keeps place, velocity, angle, fuel and time, and each object that is the same in
+    /// `before` keeps its motion. Changed objects, switches and movers begin again. `None` once the attempt has ended, or where the ship has no room.
     pub fn carried_into(&self, before: &Level, level: &Arc<Level>) -> Option<Self> {
         if self.outcome != Outcome::Running {
             return None;

@@ -46,7 +46,6 @@ pub struct Game {
 }
 
 impl Game {
-    /// The level at its start, at [`TICK_RATE`].
     pub fn new(level: Arc<Level>) -> Result<Self, GameError> {
         Self::with_tick_rate(level, TICK_RATE)
     }
@@ -275,8 +274,7 @@ impl Game {
         self.ticks as f64 / self.tick_rate
     }
 
-    /// Seconds on the clock, which score, medals and boards count: from the first tick with an input on, or from the start where no
-    /// tick has one.
+    /// Seconds on the clock, which score, medals and boards count: from the first tick with an input on, or from the start where no tick has one.
     pub fn time(&self) -> f64 {
         self.ticks_on_clock() as f64 / self.tick_rate
     }

@@ -1,5 +1,4 @@
-//! The flights of a level: the one just flown, the level's own, and those of its board. One is watched or kept as a file, one or several
-//! are raced.
+//! The flights of a level: the one just flown, the level's own, and those of its board. One is watched or kept as a file, one or several are raced.
 
 use crate::draw::Style;
 use crate::draw::layout::{Area, TEXT, Vec2};
@@ -11,9 +10,7 @@ use crate::screens::screen::{Destination, Effect, Request, Screen};
 use crate::session::Session;
 use crate::session::recordings::{self, FlightCandidate, FlightSource, Visit};
 use crate::settings::{Action, Key};
-use crate::ui::input::Stroke;
-use crate::ui::scroll::bar_beside;
-use crate::ui::{Spectator, Turning, Ui};
+use crate::ui::{Spectator, Turning, Ui, input::Stroke, scroll::bar_beside};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 use std::ops::Range;
@@ -36,7 +33,6 @@ const COLUMNS: [f32; 5] = [40.0, 224.0, 660.0, 756.0, 828.0];
 /// What moves the choice.
 const KEYS: [Key; 6] = [Key::Up, Key::Down, Key::PageUp, Key::PageDown, Key::Home, Key::End];
 
-/// The list.
 #[derive(Debug)]
 pub struct Flights {
     visit: Visit,
@@ -54,7 +50,6 @@ pub struct Flights {
 }
 
 impl Flights {
-    /// The flights of a level.
     pub fn open(visit: Visit, level: &Level, session: &mut Session) -> Self {
         session.last_level = Some(visit.level.clone());
         let (board, problem) = match session.scores.load(&visit.level) {
@@ -70,7 +65,6 @@ impl Flights {
         screen
     }
 
-    /// The flights of a level, by its title.
     pub fn new(visit: Visit, subject: String, candidates: Vec<FlightCandidate>) -> Self {
         let read = vec![false; candidates.len()];
         let wanted = |candidate: &FlightCandidate| matches!(&candidate.source, FlightSource::Row(file) if Some(file) == visit.chosen.as_ref());
@@ -85,7 +79,6 @@ impl Flights {
         all.iter().filter_map(|index| self.candidates.get(*index)).cloned().collect()
     }
 
-    /// What became of it.
     pub fn message(&self) -> Option<&str> {
         self.message.as_ref().map(|(words, _)| words.as_str())
     }
@@ -110,7 +103,6 @@ impl Flights {
         }
     }
 
-    /// Chooses and marks flights by keys.
     fn choose(&mut self, ui: &mut Ui<'_>) {
         let last = self.candidates.len().saturating_sub(1);
         for key in ui.strokes(&KEYS) {

@@ -13,21 +13,16 @@ use crate::screens::screen::{Classic, Destination, Onward, Purpose, Request, Scr
 use crate::session::Session;
 use crate::session::recordings::{self, BoardRival, Visit};
 use crate::settings::Key;
-use crate::ui::scroll::bar_beside;
-use crate::ui::{Turning, Ui};
+use crate::ui::{Turning, Ui, scroll::bar_beside};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 use std::ops::Range;
 
-/// Rows a page.
 const PAGE: usize = 10;
-/// Height of a row.
 const ROW: f32 = 40.0;
-/// Width of the panel.
 const WIDTH: f32 = 1000.0;
 /// From the panel's top to the first row: the columns' names.
 const HEAD: f32 = 48.0;
-/// From the canvas' top to the panel.
 const TOP: f32 = 120.0;
 /// From the panel down to the buttons.
 const FOOT: f32 = 44.0;
@@ -39,16 +34,12 @@ const MARK_SIZE: f32 = 8.0;
 /// The most digits of a score that stand in their column at the usual size.
 const DIGITS: usize = 11;
 
-/// A line of the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum BoardLine {
-    /// A row of the board, by its index.
     Row(usize),
-    /// A flight of the level's own, by its index.
     Rival(usize),
 }
 
-/// The leaderboard screen.
 #[derive(Debug)]
 pub struct Leaderboard {
     subject: String,
@@ -101,7 +92,6 @@ impl Leaderboard {
         self.lines.get(self.shown.clone()).unwrap_or_default()
     }
 
-    /// The index of the player's row.
     fn own(&self) -> Option<usize> {
         self.board.rank(&self.player).map(|rank| rank - 1)
     }
@@ -189,9 +179,7 @@ impl Leaderboard {
 }
 
 /// The board of a level, with what was just flown there, or of the jumper.
-///
-/// # Errors
-/// What it is of, and why it cannot be read.
+/// Errors: what it is of, and why it cannot be read.
 pub fn open(visit: Visit, session: &mut Session) -> Result<Leaderboard, (String, String)> {
     let name = visit.level.clone();
     let level = (name != LEADERBOARD).then(|| session.library.load(&name).ok()).flatten();

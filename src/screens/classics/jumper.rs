@@ -6,8 +6,7 @@ use crate::draw::layout::{Area, BUTTON_TEXT, GAP, HEADING, PADDING, TEXT, Vec2, 
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Clock, TICK_RATE};
 use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
-use crate::session::recordings::Visit;
-use crate::session::{Gain, Session};
+use crate::session::{Gain, Session, recordings::Visit};
 use crate::settings::{Key, Keys};
 use crate::ui::input::{Input, KeyLatch};
 use crate::ui::pace::Motion;
@@ -21,7 +20,6 @@ pub const SUBJECT: &str = "the Jumper";
 /// A landing at this speed is as loud as they get, m/s.
 const HARD: f64 = 12.0;
 
-/// The words on the buttons.
 const ONE: &str = "One Player";
 const TWO: &str = "Two Players";
 const RESUME: &str = "Resume";
@@ -33,7 +31,6 @@ const BACK: &str = "Back";
 /// Above the panel's first button: its heading and the height.
 const HEAD: f32 = 96.0;
 
-/// The jumper's screen.
 #[derive(Debug)]
 pub struct Jumper {
     /// The climb; before the first one a tower to look at.
@@ -216,7 +213,6 @@ const FOOT: f32 = 24.0;
 const RULER_STEP: i64 = 5;
 
 impl Jumper {
-    /// Draws the climb.
     pub(super) fn draw(&self, canvas: &Canvas) {
         let view = View::new(canvas, self.scene.view_bottom(self.clock.alpha()));
         widgets::graph_paper(canvas);

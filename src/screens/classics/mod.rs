@@ -20,7 +20,6 @@ const ALL: [(Classic, &str, &str); 3] = [
 /// From the canvas' top to the heading, to the first button and to what a classic is, of the canvas' height.
 const AT: [f32; 3] = [0.2, 0.3, 0.8];
 
-/// The list of classics.
 #[derive(Debug)]
 pub struct Classics {
     left: Option<Classic>,

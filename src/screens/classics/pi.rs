@@ -6,9 +6,7 @@ use crate::draw::{Canvas, Colour, Style};
 use crate::number;
 use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
 use crate::settings::Key;
-use crate::ui::Ui;
-use crate::ui::input::Input;
-use crate::ui::pace::Motion;
+use crate::ui::{Ui, input::Input, pace::Motion};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
@@ -35,7 +33,6 @@ const TOOLS: [(&str, Key, &str); 6] = [
     ("Faster", Key::Up, "↑"),
 ];
 
-/// The scene: two blocks and a wall.
 #[derive(Debug)]
 pub struct Pi {
     pub n: u32,
@@ -129,7 +126,6 @@ const METRE: f32 = 300.0;
 const SIDE: f32 = 19.0;
 
 impl Pi {
-    /// Draws blocks and counter.
     pub(super) fn draw(&self, canvas: &Canvas) {
         widgets::graph_paper(canvas);
         self.draw_blocks(canvas);

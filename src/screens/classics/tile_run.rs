@@ -23,7 +23,6 @@ const JUMP: f64 = 0.6;
 /// How many of the last places the trail shows.
 const TRAIL: usize = 90;
 
-/// A run, by keys or by commands.
 #[derive(Debug)]
 pub struct TileRun {
     map: Map,
@@ -167,7 +166,6 @@ const FOOT: f32 = 104.0;
 const RUNNER: f64 = 0.3;
 
 impl TileRun {
-    /// Draws the map, the runner and what moves it.
     pub(super) fn draw(&self, canvas: &Canvas) {
         let rows = self.map.rows();
         let tiles = Vec2::new(rows.iter().map(Vec::len).max().unwrap_or(1) as f32, rows.len() as f32);

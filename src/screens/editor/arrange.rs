@@ -8,15 +8,13 @@ use crate::draw::layout::{Area, Vec2};
 use crate::level::document::{Kind, Place, RowId, SetCell, Table};
 use crate::physics::DVec2;
 use crate::settings::Key;
-use crate::ui::input::Input;
-use crate::ui::{Ui, WidgetKind};
+use crate::ui::{Ui, WidgetKind, input::Input};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
 /// A button of the strip, canvas units.
 const BUTTON: Vec2 = Vec2::new(26.0, 24.0);
 
-/// What can be hidden.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum PictureLayer {
     Wires,

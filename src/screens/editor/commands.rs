@@ -10,8 +10,7 @@ use crate::level::document::{Clip, Document, Kind, RowId, Table};
 use crate::physics::DVec2;
 use crate::screens::screen::Request;
 use crate::settings::Key;
-use crate::ui::input::Input;
-use crate::ui::{Ui, WidgetKind};
+use crate::ui::{Ui, WidgetKind, input::Input};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
@@ -78,7 +77,6 @@ impl Editor {
         widgets::fitted(canvas, &name, middle, room, &[BUTTON_TEXT, TEXT, DETAILS], colour);
     }
 
-    /// Keys, where the keyboard is in no field.
     pub(super) fn update_keys(&mut self, input: &Input, pass: &mut EditorPass) {
         self.figures ^= input.pressed(Key::F3);
         let control = input.held(Key::Control);

@@ -1,7 +1,6 @@
-//! The editor: a level's files as a picture. Each act of the author becomes an operation on the [`Document`]; the problems are the loader's
-//! own list, read from memory. `layout` cuts the window into panes; `commands`, `tools`, `panel`, `problem_list` and `ask` each show one of
-//! them; `picture` and `overlay` draw the level. `view` is the part of the level in view and the
-//! edges that things snap to, `hand` follows the pointer there.
+//! The editor: a level's files as a picture. Each act of the author becomes an operation on the [`Document`]; the problems are the loader's own list,
+//! read from memory. `layout` cuts the window into panes; `commands`, `tools`, `panel`, `problem_list` and `ask` each show one of them; `picture` and
+//! `overlay` draw the level. `view` is the part of the level in view and the edges that things snap to, `hand` follows the pointer there.
 
 mod arrange;
 mod ask;
@@ -14,7 +13,6 @@ mod overlay;
 mod panel;
 mod picture;
 mod problem_list;
-mod saving;
 mod test_flight;
 mod tools;
 mod view;
@@ -25,9 +23,7 @@ use crate::level::document::{Document, LevelFolder, Opened, Place, RowId, SetCel
 use crate::level::{Level, Problem};
 use crate::physics::DVec2;
 use crate::screens::screen::{Destination, Purpose, Request, Screen};
-use crate::session::Session;
-use crate::session::folder_watch::FolderWatch;
-use crate::session::worker::Brought;
+use crate::session::{Session, folder_watch::FolderWatch, worker::Brought};
 use crate::settings::Settings;
 use crate::ui::input::{Input, Repeat};
 use crate::ui::pace::Motion;
@@ -74,7 +70,6 @@ pub struct Editor {
     /// The row of each problem.
     about: Vec<Option<RowId>>,
     scroll: Scroll,
-    /// The level of the last check, where it loaded.
     level: Option<Arc<Level>>,
     /// The version of the document that was checked, and the time until the next check, s.
     checked: (Option<u64>, f64),
@@ -99,7 +94,6 @@ pub struct Editor {
     offered: Vec<String>,
     /// Canvas units.
     pointer: Vec2,
-    /// Whether frames a second are shown.
     figures: bool,
     flown: Option<TestFlight>,
 }
@@ -196,8 +190,7 @@ impl Screen for Editor {
         !self.is_unsaved()
     }
 
-    /// A large window is left to the picture.
-    /// Its panes have no room for larger words.
+    /// A large window is left to the picture. Its panes have no room for larger words.
     fn with_words(&self, frame: Frame, _: &Settings) -> Frame {
         frame.with_text(layout::text_scale(frame.pixel))
     }
@@ -205,9 +198,7 @@ impl Screen for Editor {
 
 impl Editor {
     /// The editor of a level, by its name.
-    ///
-    /// # Errors
-    /// A file that cannot be read, in words.
+    /// Errors: a file that cannot be read, in words.
     pub fn take_up(name: &str, session: &mut Session) -> Result<Self, String> {
         session.last_level = Some(name.to_owned());
         match session.brought.take() {

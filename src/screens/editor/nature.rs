@@ -8,8 +8,7 @@ use crate::draw::{Canvas, Colour};
 use crate::level::Landscape;
 use crate::level::document::{RowId, SetCell};
 use crate::ui::{Ui, WidgetKind};
-use crate::view::sky::WorldPalette;
-use crate::view::theme;
+use crate::view::{sky::WorldPalette, theme};
 
 /// The steps of marks along a block, canvas units, and the most of them.
 const STEP: f32 = 18.0;

@@ -1,6 +1,4 @@
-//! The marks above the picture: the selection, its handles, the drag.
-//!
-//! The level in small.
+//! The marks above the picture: the selection, its handles, the drag. The level in small.
 
 use super::hand::PointerDrag;
 use super::handles::Handle;

@@ -8,9 +8,7 @@ use crate::draw::layout::{Area, DETAILS, TEXT, Vec2, wrapped};
 use crate::draw::{Canvas, Style};
 use crate::level::document::{Column, Document, Kind, RowId, SETTINGS, SetCell};
 use crate::settings::Key;
-use crate::ui::input::Input;
-use crate::ui::text_field::TextField;
-use crate::ui::{Ui, WidgetKind};
+use crate::ui::{Ui, WidgetKind, input::Input, text_field::TextField};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 

@@ -1,6 +1,4 @@
-//! The level as the editor draws it.
-//!
-//! Colours and marks that the editor's panes share.
+//! The level as the editor draws it. Colours and marks that the editor's panes share.
 
 use super::Editor;
 use super::arrange::PictureLayer;

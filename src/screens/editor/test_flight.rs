@@ -16,8 +16,7 @@ use crate::screens::flight::Flight;
 use crate::screens::flight::trail::FlownTrail;
 use crate::screens::screen::{Destination, Request};
 use crate::ui::input::Input;
-use crate::view::mechanisms::movers;
-use crate::view::theme;
+use crate::view::{mechanisms::movers, theme};
 use crate::words::tr;
 use std::sync::Arc;
 
@@ -155,7 +154,6 @@ impl Editor {
         self.flown.iter().flat_map(|flown| flown.trail.path()).collect()
     }
 
-    /// Whether that flight can go on.
     pub(super) fn is_stopped(&self) -> bool {
         self.flown.as_ref().is_some_and(|flown| flown.game.outcome() == Outcome::Running)
     }

@@ -7,8 +7,7 @@ use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::level::document::{Kind, LinkForm};
 use crate::settings::Key;
-use crate::ui::input::Input;
-use crate::ui::{Ui, WidgetKind};
+use crate::ui::{Ui, WidgetKind, input::Input};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
@@ -103,7 +102,6 @@ impl Editor {
         }
     }
 
-    /// The tool of the key that was pressed.
     pub(super) fn tool_of_key(input: &Input) -> Option<EditorTool> {
         EditorTool::all().find(|tool| input.pressed(tool.key()))
     }

@@ -1,6 +1,5 @@
-//! The part of the level in view, and its scale.
-//!
-//! A point or a rectangle is moved onto the edges of other things near by, else onto the grid, else onto whole pixels.
+//! The part of the level in view, and its scale. A point or a rectangle is moved onto the edges of other things near by, else onto the grid, else
+//! onto whole pixels.
 
 use crate::draw::layout::{Area, Vec2};
 use crate::level::document::Place;

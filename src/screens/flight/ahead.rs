@@ -3,7 +3,6 @@
 /// A frame that takes longer than this is no short one, s.
 const SHORT_FRAME: f64 = 1.0 / 40.0;
 
-/// The number.
 #[derive(Clone, Copy, Debug)]
 pub struct Ahead {
     ticks: u64,

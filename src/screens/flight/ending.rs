@@ -1,13 +1,15 @@
-//! The end of an attempt: its score, or the next attempt.
+//! An attempt and its end: its score, or the next attempt.
 
 use super::Flight;
 use super::pilot::steers;
+use super::race::Race;
 use super::trail::FlownTrail;
-use crate::game::{GameEvent, History, Outcome, Replay, RunResult};
+use super::what_if::WhatIf;
+use crate::game::{Game, GameEvent, History, Outcome, Replay, RunResult};
 use crate::number::clock;
 use crate::scores::subject;
 use crate::screens::screen::{Destination, Effect, Finished, Request};
-use crate::session::library::Flown;
+use crate::session::library::{Attempt, Flown};
 use crate::session::{Gain, Session};
 use crate::settings::Key;
 use crate::ui::input::Input;
@@ -72,7 +74,6 @@ impl Flight {
         }
     }
 
-    /// The factor on the time of the picture.
     pub(super) fn slowness(&self) -> f64 {
         let ends = self.run.game.outcome() == Outcome::Completed
             && self.run.ended < SLOW_TICKS as f64 / (SLOW * self.run.game.tick_rate());
@@ -149,7 +150,6 @@ impl Flight {
         None
     }
 
-    /// The cause of the loss of the attempt before, in words, while its notice is shown.
     pub fn lost(&self) -> Option<&str> {
         self.run.lost.as_ref()?.result.death
     }
@@ -178,6 +178,46 @@ impl Flight {
                 let cause = game.result().death.map_or_else(String::new, |death| format!(": {death}"));
                 tr!("Lost after {time}{cause}.", time = clock(game.time()), cause)
             }
+        }
+    }
+}
+
+/// The attempt that is flown: its game, its history, and what has become of it.
+#[derive(Debug)]
+pub(super) struct Run {
+    pub attempt: Attempt,
+    /// At the moment on the screen.
+    pub game: Game,
+    /// All flown ticks, which may go beyond the moment on the screen.
+    pub history: History,
+    pub race: Option<Race>,
+    /// The varied level; its flight does not count.
+    pub what_if: Option<Box<WhatIf>>,
+    /// Whether the player has had help.
+    pub assisted: bool,
+    /// Time since the end of the attempt, s.
+    pub ended: f64,
+    /// What the attempt, which has ended, brought the player, in words.
+    pub remark: Option<String>,
+    /// The attempt before, while the loss of it is shown.
+    pub lost: Option<Box<Lost>>,
+    /// Up to this tick the flight is shown in slow motion: a goal has been met.
+    pub slow_until: u64,
+}
+
+impl Run {
+    pub fn new(attempt: Attempt, game: Game) -> Self {
+        Self {
+            attempt,
+            history: History::new(&game),
+            game,
+            race: None,
+            what_if: None,
+            assisted: false,
+            ended: 0.0,
+            remark: None,
+            lost: None,
+            slow_until: 0,
         }
     }
 }

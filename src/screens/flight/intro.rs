@@ -5,9 +5,7 @@ use crate::draw::layout::{Area, HEADING, PADDING, TEXT, TITLE, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Outcome, goals};
 use crate::ui::input::Input;
-use crate::view::camera::Viewport;
-use crate::view::emitters::objective_colour;
-use crate::view::theme;
+use crate::view::{camera::Viewport, emitters::objective_colour, theme};
 use crate::words::tr;
 
 /// How long it stays, s, and how long it takes to come and to go.

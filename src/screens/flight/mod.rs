@@ -4,7 +4,6 @@ mod ahead;
 mod ending;
 pub mod instruments;
 mod intro;
-mod modifiers;
 pub mod observer;
 mod open;
 mod pause;
@@ -12,15 +11,12 @@ mod pilot;
 pub mod race;
 mod reel;
 mod reload;
-mod rewind;
-mod run;
 mod signs;
 pub mod trail;
 mod what_if;
 mod worksheet;
 
-use crate::draw::Canvas;
-use crate::draw::layout::Frame;
+use crate::draw::{Canvas, layout::Frame};
 use crate::game::{Game, GameError, History, Medals, Outcome};
 use crate::physics::{BodyId, DVec2};
 use crate::screens::flight::instruments::{Instruments, Stage};
@@ -31,18 +27,15 @@ use crate::session::Session;
 use crate::session::library::{Attempt, is_of_level};
 use crate::session::worker::{Brought, Ticket};
 use crate::settings::{Action, Key, Keys, Settings};
-use crate::ui::input::Input;
-use crate::ui::pace::Motion;
-use crate::ui::{Spectator, Ui};
+use crate::ui::{Spectator, Ui, input::Input, pace::Motion};
 use crate::view::Overlays;
 use crate::view::camera::Viewport;
 use crate::view::focus::Focus;
 use crate::view::hud::{Aside, HudShown};
-use ending::END_PAUSE;
+use ending::{END_PAUSE, Run};
 use observer::Observation;
 use open::Open;
 use pilot::{Controller, Pilot};
-use run::Run;
 use std::path::Path;
 
 #[derive(Debug)]
@@ -141,7 +134,6 @@ impl Screen for Flight {
         }
     }
 
-    /// Pauses a flight that is under way.
     fn halt(&mut self) {
         if self.run.game.outcome() == Outcome::Running && !self.is_watched() && self.open.pause.is_none() {
             self.let_go();
@@ -232,9 +224,7 @@ impl Flight {
     }
 
     /// An attempt at its start.
-    ///
-    /// # Errors
-    /// The level makes no world.
+    /// Errors: the level makes no world.
     pub fn new(attempt: Attempt, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
         let game = Game::new(attempt.level.clone())?;
         let race = Race::new(&attempt.level, &attempt.rivals)?;
@@ -307,7 +297,6 @@ impl Flight {
         self.seen.details || self.seen.picture || self.seen.instruments.is_open()
     }
 
-    /// As the instruments see it in that frame.
     fn stage(&self, frame: &Frame) -> Stage<'_> {
         Stage {
             game: &self.run.game,
@@ -353,7 +342,6 @@ impl Flight {
         &self.run.attempt
     }
 
-    /// Whether the flight tries out an edited level.
     pub fn is_test(&self) -> bool {
         self.open.test
     }
@@ -375,12 +363,10 @@ impl Flight {
         &self.run.history
     }
 
-    /// Whether the player has had help.
     pub fn is_assisted(&self) -> bool {
         self.run.assisted
     }
 
-    /// At the moment on the screen.
     pub fn game(&self) -> &Game {
         &self.run.game
     }

@@ -115,17 +115,14 @@ impl Observer {
         &self.keys
     }
 
-    /// Whether the world stands still.
     pub const fn frozen(&self) -> bool {
         self.frozen
     }
 
-    /// Lets the world stand still.
     pub const fn freeze(&mut self) {
         self.frozen = true;
     }
 
-    /// How fast the world goes while it does not stand still.
     pub fn pace(&self) -> f64 {
         self.paces[self.pace]
     }
@@ -135,17 +132,14 @@ impl Observer {
         if self.frozen { 0.0 } else { self.pace() }
     }
 
-    /// Looks at that from now on.
     pub const fn look_at(&mut self, focus: Focus) {
         self.focus = focus;
     }
 
-    /// Whether the whole level is shown.
     pub const fn shows_map(&self) -> bool {
         self.map
     }
 
-    /// Whom the details tell of.
     pub const fn focus(&self) -> &Focus {
         &self.focus
     }

@@ -1,6 +1,4 @@
-//! What is open over a flight: its panels and notices, and the level's files.
-//!
-//! The viewer's part of a watched flight.
+//! What is open over a flight: its panels and notices, and the level's files. The viewer's part of a watched flight.
 
 use super::Flight;
 use super::ahead::Ahead;
@@ -8,13 +6,8 @@ use super::signs::{Hints, News};
 use super::trail::FlownTrail;
 use crate::game::{Game, GameError, History, Unflown};
 use crate::level::Level;
-use crate::screens::screen::Screen;
-use crate::screens::settings::SettingsPanel;
-use crate::session::Session;
-use crate::session::folder_watch::FolderWatch;
-use crate::session::journal::Worksheet;
-use crate::session::library::Attempt;
-use crate::session::worker::Ticket;
+use crate::screens::{screen::Screen, settings::SettingsPanel};
+use crate::session::{Session, folder_watch::FolderWatch, journal::Worksheet, library::Attempt, worker::Ticket};
 use crate::ui::Spectator;
 use std::sync::Arc;
 
@@ -41,7 +34,6 @@ pub(super) struct Open {
     pub trail: FlownTrail,
     /// Whether that level is in memory only.
     pub in_memory: bool,
-    /// The level's files.
     pub watch: Option<FolderWatch>,
     /// The level, while it is read again.
     pub reading: Option<Ticket>,
@@ -49,9 +41,7 @@ pub(super) struct Open {
 
 impl Flight {
     /// An attempt at its start, whose level's files are watched.
-    ///
-    /// # Errors
-    /// The level makes no world; so of all that follow.
+    /// Errors: the level makes no world; so of all that follow.
     pub fn open(attempt: Attempt, session: &mut Session, spectator: &mut dyn Spectator) -> Result<Self, GameError> {
         let comes = session.last_flown.replace(attempt.level.name.clone()).as_ref() != Some(&attempt.level.name);
         let introduced =

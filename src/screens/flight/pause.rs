@@ -5,8 +5,7 @@ use crate::draw::layout::{Area, HEADING, PADDING, Vec2, WIDE_BUTTON};
 use crate::screens::screen::{Destination, Effect, Purpose, Request, Screen};
 use crate::screens::settings::SettingsPanel;
 use crate::settings::Action;
-use crate::ui::Ui;
-use crate::ui::input::Input;
+use crate::ui::{Ui, input::Input};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
@@ -34,7 +33,6 @@ impl Flight {
         }
     }
 
-    /// The panel, where it is open.
     pub(super) fn show_pause(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         let chosen = self.open.pause?;
         ui.layer(0.45);

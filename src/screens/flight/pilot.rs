@@ -1,16 +1,16 @@
-//! The source of a flight's controls, and the moment of it that is shown.
+//! The source of a flight's controls, the moment of it that is shown, its rewinding, and modifiers that type.
 
 use super::Flight;
 use super::ahead::Ahead;
-use super::modifiers::{Mistaken, Modifiers, SOON};
 use super::open::Viewer;
-use super::rewind::Rewind;
 use super::what_if::AGAIN;
 use crate::game::{Clock, Controls, Inputs, Latch, Outcome, Playback};
 use crate::session::library::Attempt;
-use crate::settings::Action;
+use crate::settings::{Action, Bindings, Key, Keys};
 use crate::ui::Spectator;
 use crate::ui::input::{Input, Stale};
+use crate::words::tr;
+use std::sync::Arc;
 
 /// Where the controls of a flight come from, and how its time goes on.
 #[derive(Debug)]
@@ -49,7 +49,6 @@ pub(super) enum Controller {
 }
 
 impl Controller {
-    /// At the start of an attempt.
     pub fn of(attempt: &Attempt) -> Self {
         match &attempt.inputs {
             Some(inputs) => Self::Inputs(Inputs::clone(inputs).into_iter()),
@@ -57,7 +56,6 @@ impl Controller {
         }
     }
 
-    /// Takes the keys of a frame.
     pub fn follow(&mut self, held: Controls, pressed: Controls) {
         if let Self::Hands(latch) = self {
             latch.frame(held, pressed);
@@ -70,7 +68,6 @@ impl Controller {
         }
     }
 
-    /// The controls of the next tick.
     fn take(&mut self) -> Controls {
         match self {
             Self::Hands(latch) => latch.take(),
@@ -152,7 +149,6 @@ impl Flight {
         }
     }
 
-    /// A tick beyond the end of the history.
     fn tick(&mut self, spectator: &mut dyn Spectator) {
         let controls = self.pilot.source.take();
         self.fly_tick(controls, spectator);
@@ -231,13 +227,134 @@ impl Flight {
         self.pilot.modifiers = Modifiers::default();
     }
 
-    /// Whether the player's keys fly.
     pub fn is_by_hand(&self) -> bool {
         matches!(self.pilot.source, Controller::Hands(_))
     }
 
-    /// Whether a reel is shown.
     pub const fn is_watched(&self) -> bool {
         matches!(self.pilot.source, Controller::Reel(_))
+    }
+}
+
+const MODIFIERS: [Key; 3] = [Key::Shift, Key::Control, Key::Alt];
+/// The time in which a sign follows the modifier that it is typed with, s.
+const SOON: f64 = 0.5;
+
+#[derive(Clone, Copy, Debug, Default)]
+enum ModifierState {
+    #[default]
+    Up,
+    /// From that tick on.
+    Flies(u64),
+    Types,
+}
+
+/// Modifiers that have flown since a tick, and typed.
+pub(super) struct Mistaken {
+    pub since: u64,
+    pub keys: Keys,
+}
+
+/// Shift, Ctrl and Alt fly, and they type signs: on a US keyboard `+` is Shift and `=`. A modifier flies at once. Where a sign is typed
+/// with it soon after it went down, it has typed: what it has flown is taken back, and it flies no more until it goes down again.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Modifiers([ModifierState; MODIFIERS.len()]);
+
+impl Modifiers {
+    /// The input by which a frame is flown after `now` ticks, and what was flown by mistake, of which `soon` ticks at most are taken back.
+    pub fn flying(&mut self, input: &Input, now: u64, soon: u64) -> (Input, Option<Mistaken>) {
+        let mut flying = input.clone();
+        let mut mistaken: Option<Mistaken> = None;
+        let typed = types(input);
+        for (key, state) in MODIFIERS.into_iter().zip(&mut self.0) {
+            if key == Key::Shift && !input.settings.keys.needs_shift() {
+                continue;
+            }
+            let (pressed, held) = (input.pressed.has(key), input.held.has(key));
+            *state = match *state {
+                _ if pressed && typed => ModifierState::Types,
+                ModifierState::Flies(since) if held && typed && now.saturating_sub(since) <= soon => {
+                    let before = mistaken.take().unwrap_or(Mistaken { since, keys: Keys::default() });
+                    let keys = before.keys | [key].into_iter().collect();
+                    mistaken = Some(Mistaken { since: before.since.min(since), keys });
+                    ModifierState::Types
+                }
+                ModifierState::Types if held && !pressed => ModifierState::Types,
+                ModifierState::Flies(since) if held && !pressed => ModifierState::Flies(since),
+                _ if pressed || held => ModifierState::Flies(now),
+                _ => ModifierState::Up,
+            };
+            if matches!(state, ModifierState::Types) {
+                flying.held = flying.held.without(key);
+                flying.pressed = flying.pressed.without(key);
+            }
+        }
+        (flying, mistaken)
+    }
+}
+
+/// Whether a key went down that types a sign, and does not fly.
+fn types(input: &Input) -> bool {
+    let flies = |key: Key| {
+        Action::ALL.into_iter().any(|action| action.is_by_place() && input.settings.keys.of(action).contains(&Some(key)))
+    };
+    input.pressed.signs().any(|key| !flies(key))
+}
+
+/// The pace backwards at first and at most, and its growth in a second; 1 is the pace of the flight.
+const PACES: [f64; 2] = [1.0, 4.0];
+const GROWTH: f64 = 1.5;
+
+/// While its key is held the flight runs backwards, up to its start. From there it goes on as practice: not ranked, not proven.
+/// Whether the flight has been rewound, and for how long the key has been held, s.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Rewind {
+    pub practice: bool,
+    pub held: Option<f64>,
+}
+
+impl Flight {
+    /// A frame with the key of rewinding; whether it is held. The attempt before, if that was just lost, comes back by it.
+    pub(super) fn rewind(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
+        let may = self.is_by_hand() && self.run.what_if.is_none() && !self.seen.observer.frozen();
+        if !may || !input.keeps(Action::Rewind) {
+            self.pilot.rewind.held = None;
+            return false;
+        }
+        self.bring_back_lost();
+        let held = self.pilot.rewind.held.unwrap_or(0.0) + input.frame_time;
+        self.pilot.rewind = Rewind { practice: true, held: Some(held) };
+        self.run.assisted = true;
+        self.let_go();
+        self.pilot.clock.add(input.frame_time * (PACES[0] + GROWTH * held).min(PACES[1]));
+        let back = std::iter::from_fn(|| self.pilot.clock.tick().then_some(())).count() as u64;
+        if back > 0 {
+            self.show_moment(self.run.game.ticks().saturating_sub(back), spectator);
+            if let Some(race) = &mut self.run.race {
+                race.back_to(&self.run.game);
+            }
+        }
+        true
+    }
+
+    /// Takes the attempt that was lost in place of the one that has not begun yet.
+    fn bring_back_lost(&mut self) {
+        let Some(flown) = self.run.lost.take_if(|_| self.run.game.is_idle()).and_then(|lost| lost.into_flown()) else { return };
+        if Arc::ptr_eq(&flown.level, &self.run.attempt.level) {
+            self.run.history = flown.history.clone();
+            self.run.game = self.run.history.at(u64::MAX);
+        }
+    }
+
+    /// The words about it, while the flight is rewound and after that.
+    pub(super) fn rewind_words(&self, keys: &Bindings) -> Option<String> {
+        let restart = keys.label(Action::Restart);
+        match self.pilot.rewind {
+            Rewind { held: Some(_), .. } => Some(tr("Rewinding: let go to fly on from here").to_owned()),
+            Rewind { practice: true, .. } => {
+                Some(tr!("Practice after a rewind, not ranked: {restart} flies for the score", restart))
+            }
+            Rewind { .. } => None,
+        }
     }
 }

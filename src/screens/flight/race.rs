@@ -17,17 +17,14 @@ const SLOW_FRAME: f64 = 1.0 / 40.0;
 /// A ghost's path farther from the ship than this tells nothing about its lead, m.
 const NEAR: f64 = 8.0;
 
-/// A ghost.
 #[derive(Clone, Debug)]
 pub struct Ghost {
-    /// Whose flight it is.
     pub name: String,
     track: GhostTrack,
     /// The tick of its flight that is nearest to where the ship is.
     beside: u64,
 }
 
-/// An objective that the ship has met.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Split {
     /// Its index in the level.
@@ -36,7 +33,6 @@ pub struct Split {
     pub tick: u64,
 }
 
-/// How the ship stands to a ghost at an objective.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Gap {
     /// The ship's delay, s; negative where the ship was earlier.
@@ -57,9 +53,7 @@ pub struct Race {
 
 impl Race {
     /// The race against those, if there are any: against the first [`MOST_RIVALS`].
-    ///
-    /// # Errors
-    /// As [`Game::new`].
+    /// Errors: as [`Game::new`].
     pub fn new(level: &Arc<Level>, rivals: &[Rival]) -> Result<Option<Self>, GameError> {
         let ghost = |rival: &Rival| {
             let track = GhostTrack::new(level.clone(), &rival.inputs)?;
@@ -116,12 +110,10 @@ impl Race {
         })
     }
 
-    /// All ghosts.
     pub fn all(&self) -> &[Ghost] {
         &self.ghosts
     }
 
-    /// What the ship has met, in order.
     pub fn splits(&self) -> &[Split] {
         &self.splits
     }
@@ -176,8 +168,7 @@ mod drawing {
                 .collect()
         }
 
-        /// Draws how the ship stands to each ghost, where it is now or else at the objective that it met last: columns of the strip beside the
-        /// timer.
+        /// Draws how the ship stands to each ghost, where it is now or else at the objective that it met last: columns of the strip beside the timer.
         pub fn draw(&self, game: &Game, aside: &Aside, canvas: &Canvas) {
             for (i, ghost) in self.all().iter().enumerate() {
                 let Some(column) = aside.column(i, self.all().len()) else { continue };

@@ -13,10 +13,8 @@ use crate::screens::flight::observer::Observer;
 use crate::screens::screen::{GameScene, Request, Screen};
 use crate::session::library::Attempt;
 use crate::settings::{Action, Key};
-use crate::ui::input::Input;
-use crate::ui::{Spectator, Ui, WidgetKind};
-use crate::view::hud::HudShown;
-use crate::view::{Overlays, theme, widgets};
+use crate::ui::{Spectator, Ui, WidgetKind, input::Input};
+use crate::view::{Overlays, hud::HudShown, theme, widgets};
 use crate::words::tr;
 
 /// Paces of a reel; 1 is the pace of the flight.
@@ -46,7 +44,6 @@ const FORCES: &str = "Forces";
 const TIME_LINE: &str = "Time line";
 
 impl Flight {
-    /// A recorded flight from its start.
     pub(in crate::screens) fn watch(title: String, reel: Reel, spectator: &mut dyn Spectator) -> Self {
         let Reel { history, unflown } = reel;
         let game = history.at(0);

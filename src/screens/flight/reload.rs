@@ -1,10 +1,9 @@
 //! A level that begins again, or whose files change while it is flown.
 
 use super::Flight;
-use super::ending::NOTICE;
+use super::ending::{NOTICE, Run};
 use super::open::Open;
 use super::pilot::Pilot;
-use super::run::Run;
 use super::signs::News;
 use crate::files;
 use crate::game::{GameError, History, Outcome, level_hash};
@@ -129,9 +128,7 @@ impl Flight {
     }
 
     /// Begins again, with the overlays as they are.
-    ///
-    /// # Errors
-    /// The level makes no world; the flight goes on then.
+    /// Errors: the level makes no world; the flight goes on then.
     pub(super) fn restart(&mut self, level: Arc<Level>, spectator: &mut dyn Spectator) -> Result<(), GameError> {
         let flies_on = self.flies_on();
         let (same, varied) = (level_hash(&level) == level_hash(&self.run.attempt.level), self.run.what_if.take());

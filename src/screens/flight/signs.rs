@@ -1,8 +1,6 @@
-//! Signs above a flight: the pace of its time, a test flight, the loss of the attempt before, a varied level, changed files.
-//!
-//! The notice of a level whose files have changed since they were read.
-//!
-//! Hints of a level: one at a time, on demand, for a player who has lost it a few times or stays in it for long.
+//! Signs above a flight: the pace of its time, a test flight, the loss of the attempt before, a varied level, changed files. The notice of a level
+//! whose files have changed since they were read. Hints of a level: one at a time, on demand, for a player who has lost it a few times or stays in it
+//! for long.
 
 use super::Flight;
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, PADDING, TEXT, Vec2, text_room, wrapped};
@@ -10,8 +8,7 @@ use crate::draw::{Canvas, Style};
 use crate::game::Outcome;
 use crate::settings::Action;
 use crate::ui::Ui;
-use crate::view::hud::HudLayout;
-use crate::view::{theme, widgets};
+use crate::view::{hud::HudLayout, theme, widgets};
 use crate::words::tr;
 
 /// From the canvas' foot to a sign above the fuel bar.
@@ -114,7 +111,6 @@ impl Flight {
     }
 }
 
-/// The state of a level's files while the level is flown.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum News {
     /// They were read again: age of the notice, s, and whether the flight goes on where it was.

@@ -14,7 +14,6 @@ pub struct FlownTrail {
     impacts: Vec<(u64, Bump)>,
 }
 
-/// An impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bump {
     /// m.

@@ -1,7 +1,6 @@
-//! "What if": the level with other numbers, flown again by the same controls or on from where it is, beside the run before as a ghost. Nothing
-//! of it counts: only a fresh attempt at the level as it is does.
-//!
-//! Draws what tells that a level is varied: a sign with what is, the ghost of the run before, and how to go on at its end.
+//! "What if": the level with other numbers, flown again by the same controls or on from where it is, beside the run before as a ghost. Nothing of it
+//! counts: only a fresh attempt at the level as it is does. Draws what tells that a level is varied: a sign with what is, the ghost of the run
+//! before, and how to go on at its end.
 
 use super::instruments::vary::{Varied, VaryFrom, VaryWish, written};
 use super::{END_PAUSE, Flight};
@@ -13,18 +12,14 @@ use crate::level::Level;
 use crate::physics::{BodyId, DVec2};
 use crate::screens::screen::{Effect, Request};
 use crate::settings::Key;
-use crate::ui::Spectator;
-use crate::ui::input::Input;
-use crate::view::game_view::drawn_centre;
-use crate::view::hud::HudLayout;
-use crate::view::{GhostShip, theme, widgets};
+use crate::ui::{Spectator, input::Input};
+use crate::view::{GhostShip, game_view::drawn_centre, hud::HudLayout, theme, widgets};
 use crate::words::tr;
 use std::sync::Arc;
 
 /// Ticks that are flown again in a frame: at least, at first and at most.
 pub(super) const AGAIN: [u64; 3] = [60, 1200, 20_000];
 
-/// A level that is varied while it is flown.
 #[derive(Debug)]
 pub(super) struct WhatIf {
     variation: Variation,
@@ -113,7 +108,6 @@ impl Flight {
         self.run.what_if.as_ref().map(|what_if| &*what_if.before.game)
     }
 
-    /// Does what the panel asks for.
     pub(super) fn fulfil(&mut self, wish: VaryWish, spectator: &mut dyn Spectator) -> Option<Request> {
         match wish {
             VaryWish::Vary(variation, from, goes_on) => {
@@ -138,9 +132,7 @@ impl Flight {
     }
 
     /// Varies the level from there on.
-    ///
-    /// # Errors
-    /// What the loader or the engine would not accept, in words; nothing has changed then.
+    /// Errors: what the loader or the engine would not accept, in words; nothing has changed then.
     fn vary(&mut self, variation: Variation, from: VaryFrom, goes_on: bool) -> Result<(), String> {
         let expected = |problems: Vec<crate::level::Problem>| {
             problems.first().map_or_else(String::new, |problem| tr!("Expected {expected}.", expected = problem.expected))
@@ -239,9 +231,7 @@ impl Flight {
     }
 
     /// Begins a level again with the numbers that it was varied by: from the start, beside the run before where the level is the same.
-    ///
-    /// # Errors
-    /// What is not accepted in the level as it is now, in words: it is flown as it is then.
+    /// Errors: what is not accepted in the level as it is now, in words: it is flown as it is then.
     pub(super) fn begin_varied(&mut self, varied: Box<WhatIf>, same: bool) -> Result<(), String> {
         if varied.variation.is_empty() {
             return Ok(());

@@ -1,14 +1,11 @@
-//! A level's card.
-//!
-//! A level in the list: what is known of it without opening it.
+//! A level's card. A level in the list: what is known of it without opening it.
 
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Image, Style};
 use crate::game::Medals;
 use crate::level::{Awards, Landscape};
 use crate::number::clock;
-use crate::session::folder_watch::Stamp;
-use crate::session::library::Refusal;
+use crate::session::{folder_watch::Stamp, library::Refusal};
 use crate::ui::Touch;
 use crate::view::{theme, widgets};
 use crate::words::tr;
@@ -18,8 +15,7 @@ const INSIDE: f32 = 12.0;
 /// Height of the words below a card's picture, in lines of text.
 const WORDS: f32 = 2.4;
 
-/// A level's picture, its name and title, and below them what the player has reached.
-/// Who edits sees what the level's own flights prove.
+/// A level's picture, its name and title, and below them what the player has reached. Who edits sees what the level's own flights prove.
 pub(super) fn draw(canvas: &Canvas, area: Area, (entry, edits): (&LevelEntry, bool), touch: Touch) {
     widgets::button_box(canvas, area, touch.hover, touch.focus);
     let line = canvas.line_height(TEXT);
@@ -84,12 +80,9 @@ pub(super) fn draw(canvas: &Canvas, area: Area, (entry, edits): (&LevelEntry, bo
     }
 }
 
-/// A level in the list.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LevelEntry {
-    /// Its folder's name.
     pub name: String,
-    /// Its world, where it comes with the game.
     pub world: Option<Landscape>,
     /// Its title and what it looks like, or why it does not load; `None` until it has been in view.
     pub level: Option<Result<(String, Option<Image>), Refusal>>,

@@ -1,6 +1,5 @@
-//! The files behind the list of levels: how it opens, what it asks the worker for, and levels that are made, named and installed.
-//!
-//! The buttons at the foot of the list, and what an author does there with a level: share it, put it away, take it back, see its folder.
+//! The files behind the list of levels: how it opens, what it asks the worker for, and levels that are made, named and installed. The buttons at the
+//! foot of the list, and what an author does there with a level: share it, put it away, take it back, see its folder.
 
 use super::card::LevelEntry;
 use super::shelves::{FOOT, FOOT_BUTTON, SIDE, from_left, from_right};
@@ -34,7 +33,6 @@ impl LevelSelect {
         screen
     }
 
-    /// With a panel above it.
     pub fn with_panel(purpose: Purpose, heading: String, lines: Vec<String>, session: &mut Session) -> Self {
         let mut screen = Self::open(purpose, session);
         screen.show_panel(heading, lines);
@@ -48,7 +46,6 @@ impl LevelSelect {
         screen
     }
 
-    /// With the question for the name of the copy of a level that comes with the game and is to be edited.
     pub fn asking_for_copy(name: &str, session: &mut Session) -> Self {
         let folder = session.library.folder(name);
         session.last_level = Some(name.to_owned());
@@ -153,9 +150,7 @@ impl LevelSelect {
 }
 
 /// Makes or names a level's folder.
-///
-/// # Errors
-/// The reason, in words.
+/// Errors: the reason, in words.
 pub(super) fn make(make: &Make, session: &mut Session) -> Result<(), String> {
     let levels = session.library.levels().to_path_buf();
     let (Make::New(name) | Make::Copy(_, name) | Make::CopyOf(_, name) | Make::Rename(_, name)) = make;

@@ -42,7 +42,6 @@ const LOOK_EVERY: f64 = 0.5;
 /// The most letters to find something by.
 const MOST_LETTERS: usize = 40;
 
-/// The grid of levels.
 #[derive(Debug)]
 pub struct LevelSelect {
     pub purpose: Purpose,
@@ -111,13 +110,11 @@ impl LevelSelect {
         }
     }
 
-    /// Shows why a level does not load.
     pub fn show_problems(&mut self, name: &str, refusal: Refusal) {
         self.turn_to_level(name);
         self.show_panel(tr!("Level {name} does not load", name), refusal);
     }
 
-    /// Shows a panel above the list.
     pub fn show_panel(&mut self, heading: String, problems: Vec<String>) {
         self.problems = Some(Problems::new(heading, problems));
     }
@@ -129,13 +126,11 @@ impl LevelSelect {
         self.prompt = Some(Box::new((prompt, Asked::OwnCopy(folder))));
     }
 
-    /// The entries in view.
     pub fn in_view(&self) -> Vec<usize> {
         let shelves = self.pages.get(self.page).map_or(&[][..], Vec::as_slice);
         shelves.iter().flat_map(|shelf| &self.found[shelf.clone()]).copied().collect()
     }
 
-    /// Whether it is time to look whether files have changed.
     pub fn looks(&mut self, frame_time: f64) -> bool {
         self.look -= frame_time;
         let due = self.look <= 0.0;

@@ -1,6 +1,5 @@
-//! Where the cards of a page stand, and the buttons below them.
-//!
-//! The pages of the list: a shelf a world, two of them a page; levels without a world alone fill a page of one grid.
+//! Where the cards of a page stand, and the buttons below them. The pages of the list: a shelf a world, two of them a page; levels without a world
+//! alone fill a page of one grid.
 
 use super::card::LevelEntry;
 use super::{LevelSelect, MOST_LETTERS};
@@ -9,10 +8,8 @@ use crate::draw::{Canvas, Style};
 use crate::game::{Medal, Prize};
 use crate::level::Landscape;
 use crate::settings::Key;
-use crate::ui::Ui;
-use crate::ui::input::Stroke;
-use crate::view::sky::WorldPalette;
-use crate::view::{theme, widgets};
+use crate::ui::{Ui, input::Stroke};
+use crate::view::{sky::WorldPalette, theme, widgets};
 use crate::words::tr;
 use std::ops::Range;
 
@@ -28,7 +25,6 @@ const ABOVE_FOOT: f32 = 24.0;
 const SHAPE: f32 = 1.3;
 /// No card is larger: a single level does not want the whole window.
 const LARGEST: Vec2 = Vec2::new(900.0, 600.0);
-/// A button at the foot.
 pub(super) const FOOT_BUTTON: Vec2 = Vec2::new(160.0, ROW_BUTTON.y);
 
 /// The place of a button at the foot, counted from the left.
@@ -107,8 +103,7 @@ pub(super) fn pages(worlds: &[Option<Landscape>]) -> Vec<Vec<Range<usize>>> {
     shelves.chunks(SHELVES).map(<[_]>::to_vec).collect()
 }
 
-/// The places of a page's cards, shelf by shelf, and of the headings above those shelves whose `heads` say so; without any the cards
-/// fill a grid.
+/// The places of a page's cards, shelf by shelf, and of the headings above those shelves whose `heads` say so; without any the cards fill a grid.
 pub(super) fn places(page: &[Range<usize>], heads: &[bool], frame: &Frame) -> (Vec<Area>, Vec<Area>) {
     if heads.is_empty() {
         return (cards(page.iter().map(Range::len).sum(), frame), Vec::new());

@@ -1,8 +1,5 @@
-//! What flies in the menu: the ship, which hovers by its own engine, and balls. The game's own engine under weak gravity, without air, on
-//! steel.
-//!
-//! The pilot of the menu's ship: it keeps the ship over the buttons with the engine alone, and leads it back there from wherever a ball has
-//! knocked it.
+//! What flies in the menu: the ship, which hovers by its own engine, and balls. The game's own engine under weak gravity, without air, on steel. The
+//! pilot of the menu's ship: it keeps the ship over the buttons with the engine alone, and leads it back there from wherever a ball has knocked it.
 
 use crate::draw::Canvas;
 use crate::draw::layout::{Area, Frame, Vec2};
@@ -44,7 +41,6 @@ pub struct Balls {
 }
 
 impl Balls {
-    /// No balls yet.
     pub fn new(seed: u64) -> Self {
         Self {
             world: None,
@@ -174,7 +170,6 @@ fn in_metres(area: &Area) -> Aabb {
 }
 
 impl Balls {
-    /// Draws the balls.
     pub fn draw(&self, canvas: &Canvas) {
         for (i, area) in self.areas().enumerate() {
             let (centre, radius) = (area.centre(), area.size.x / 2.0);
@@ -207,7 +202,6 @@ const CLEARANCE: f64 = 1.5;
 /// Share of a tick in what is shown of the engine. Its bursts are shorter than a frame.
 const SHOWN: f64 = 0.1;
 
-/// The pilot.
 #[derive(Debug, Default)]
 pub struct Hover {
     /// What the ship flies around: the column of buttons, the title.

@@ -4,8 +4,7 @@ use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, GAP, LINE, MONO_ADVANCE, PADDING, ROW_BUTTON, TEXT, Vec2};
 use crate::screens::screen::{Request, Screen};
 use crate::settings::Key;
-use crate::ui::scroll::bar_beside;
-use crate::ui::{Turning, Ui};
+use crate::ui::{Turning, Ui, scroll::bar_beside};
 use crate::view::theme;
 use crate::words::tr;
 
@@ -49,20 +48,15 @@ const RIGHT: f32 = 3.0 * PADDING;
 /// From the canvas' edges to the panel.
 const MARGIN: Vec2 = Vec2::new(120.0, 112.0);
 
-/// A line of the credits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Credit {
-    /// A heading.
     Heading(&'static str),
-    /// Words.
     Words(&'static str),
-    /// A line of a licence.
     Licence(String),
     /// A part, and its licence.
     Part(&'static str, &'static str),
 }
 
-/// The credits.
 #[derive(Debug, Default)]
 pub struct Credits {
     /// The number of columns that the licences are broken into.

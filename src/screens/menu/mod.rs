@@ -1,6 +1,5 @@
-//! The main menu: who plays, where the ship hovers over the buttons, and a little game: a right click drops a ball.
-//!
-//! The question before the window closes while something is neither saved nor kept: what would be lost, and whether to stay.
+//! The main menu: who plays, where the ship hovers over the buttons, and a little game: a right click drops a ball. The question before the window
+//! closes while something is neither saved nor kept: what would be lost, and whether to stay.
 
 use super::flight::Flight;
 use super::screen::{Destination, GameScene, Purpose, Request, Screen};
@@ -57,22 +56,18 @@ const ADDENDS: [(ForceKind, Vec2); 5] = [
     (ForceKind::Weight, Vec2::new(0.06, -1.25)),
 ];
 
-/// What the menu says.
 #[derive(Clone, Debug)]
 pub struct MenuFacts {
     /// The level that Play opens, by name and title: the first one that the player has not done; `None` until it is found.
     pub next: Option<(String, String)>,
-    /// Who plays.
     pub player: Name,
     /// What is wrong with the players' files.
     pub trouble: Option<String>,
 }
 
-/// The main menu.
 #[derive(Debug)]
 pub struct Menu {
     facts: MenuFacts,
-    /// Whether the second column is shown.
     more: bool,
     /// The button that was pressed last.
     chosen: &'static str,

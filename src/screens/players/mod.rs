@@ -12,7 +12,6 @@ use crate::ui::{Rows, Ui};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
-/// Players in view.
 const PAGE: usize = 7;
 /// Width and height of a player's button, and from one to the next.
 const ROW: Vec2 = Vec2::new(560.0, 48.0);
@@ -21,10 +20,8 @@ const PITCH: f32 = ROW.y + 8.0;
 const BAR: f32 = 24.0;
 /// From the canvas' top to the list, in a window of the design's height.
 const TOP: f32 = 144.0;
-/// The button that asks for a new name.
 const NEW: &str = "New Player";
 
-/// A player in the list.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Candidate {
     name: Name,
@@ -76,7 +73,6 @@ impl PlayerList {
         None
     }
 
-    /// The player who was pressed.
     fn show_rows(&self, ui: &mut Ui<'_>, list: Area) -> Option<usize> {
         let names: Vec<&str> = self.candidates.iter().map(|candidate| candidate.name.as_str()).collect();
         if let (true, Some(at)) = (ui.opens(), names.iter().position(|name| *name == self.current.as_str())) {

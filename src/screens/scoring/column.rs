@@ -12,7 +12,6 @@ use crate::words::tr;
 /// The middles of its lines from the canvas' top: the world, the level's title, the time, the first goal, the first part of the score and the
 /// remark; and from row to row.
 const LINES: [f32; 6] = [40.0, 76.0, 144.0, 212.0, 340.0, 532.0];
-/// A medal's radius.
 const RADIUS: f32 = 14.0;
 /// Points count up within this time, s; earned medals are stamped from the first time on, one after the other, each within the last one, and
 /// begin that much larger.

@@ -25,7 +25,6 @@ const LEAST_SUM: f64 = 0.3;
 const BEGIN: f64 = 0.5;
 const STEP: f64 = 0.18;
 
-/// A moment of a flight.
 #[derive(Debug)]
 pub(super) struct Moment {
     /// On the clock, s.
@@ -37,7 +36,6 @@ pub(super) struct Moment {
 }
 
 impl Moment {
-    /// The present one.
     fn of(game: &Game) -> Self {
         let forces = game.world().forces(SHIP);
         let least = LEAST * forces.resultant().length();
@@ -72,8 +70,7 @@ impl Moment {
 }
 
 impl Scoring {
-    /// The arrows one after the other in the corner `foot`, and their names in lines that end in the height of `foot`; a line leads to where
-    /// it was.
+    /// The arrows one after the other in the corner `foot`, and their names in lines that end in the height of `foot`; a line leads to where it was.
     pub(super) fn draw_forces(&self, foot: Vec2, view: &Viewport, canvas: &Canvas) {
         let Some(moment) = self.moment.as_ref().filter(|_| self.paths.iter().all(|(_, track)| track.is_whole())) else { return };
         let sum = moment.sum();

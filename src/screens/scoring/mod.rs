@@ -14,12 +14,8 @@ use crate::session::Session;
 use crate::session::library::{Attempt, Flown};
 use crate::session::recordings::{self, FlightCandidate, Visit};
 use crate::settings::{Action, Key};
-use crate::ui::input::Input;
-use crate::ui::pace::Motion;
-use crate::ui::{Spectator, Ui, WidgetKind};
-use crate::view::camera::Viewport;
-use crate::view::hud::Aside;
-use crate::view::{Overlays, theme, widgets};
+use crate::ui::{Spectator, Ui, WidgetKind, input::Input, pace::Motion};
+use crate::view::{Overlays, camera::Viewport, hud::Aside, theme, widgets};
 use crate::words::tr;
 use forces::Moment;
 use std::rc::Rc;
@@ -30,7 +26,6 @@ const GUARD: f64 = 0.4;
 const STEERING: [Action; 4] = [Action::Thrust, Action::Reverse, Action::Left, Action::Right];
 /// The keys of menus that may steer, too.
 const MENU_KEYS: [Key; 5] = [Key::Left, Key::Right, Key::Up, Key::Down, Key::Enter];
-/// The words on the buttons.
 const NEXT: &str = "Next";
 const AGAIN: &str = "Again";
 const WATCH: &str = "Watch";
@@ -54,12 +49,10 @@ const CORNER: usize = 6;
 /// By then the view has opened and all medals are there, s.
 const OPENS: f64 = 2.0;
 
-/// The scoring screen.
 #[derive(Debug)]
 pub struct Scoring {
     attempt: Attempt,
     pub result: RunResult,
-    /// The name of the level after this one.
     next: Option<String>,
     /// What it brought the player, or why it brought nothing; in words.
     remark: String,
@@ -183,7 +176,6 @@ impl Scoring {
         }
     }
 
-    /// The colour of a path.
     fn colour(&self, path: usize) -> Colour {
         if path == 0 && self.flown.is_some() { theme::accent() } else { theme::text().faded(0.7) }
     }

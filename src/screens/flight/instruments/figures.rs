@@ -8,8 +8,7 @@ use crate::level::Level;
 use crate::number::{QuantityScale, scalar, seconds};
 use crate::physics::{BodyId, DVec2, ForceKind, Impulse};
 use crate::ui::input::Input;
-use crate::view::focus::Focus;
-use crate::view::theme;
+use crate::view::{focus::Focus, theme};
 use crate::words::tr;
 
 /// Ticks of reading in a frame at most, where the table opens late in a flight.
@@ -87,7 +86,6 @@ pub fn in_focus(focus: &Focus, game: &Game) -> Vec<BodyId> {
 }
 
 impl Figures {
-    /// Reads up to the moment on the screen.
     pub fn update(&mut self, stage: &Stage) {
         self.is_read = self.ledger.go(stage.history, stage.game.ticks(), AHEAD);
         self.energies = energies(stage.game);

@@ -1,5 +1,4 @@
-//! The instruments at the left: trails, vectors, the ruler, the table of momentum, energy and work. They have the
-//! pointer before the flight.
+//! The instruments at the left: trails, vectors, the ruler, the table of momentum, energy and work. They have the pointer before the flight.
 
 use super::dock::{self, dock};
 use super::figures::{Figures, Table, in_focus};
@@ -10,8 +9,7 @@ use crate::draw::layout::{Area, Frame, GRID, Vec2};
 use crate::game::Game;
 use crate::instruments::track::Trail;
 use crate::physics::BodyId;
-use crate::ui::Ui;
-use crate::ui::input::Input;
+use crate::ui::{Ui, input::Input};
 use crate::view::focus::Focus;
 
 /// Ticks of reading in a frame, at most.
@@ -35,11 +33,9 @@ pub struct Measures {
     pub(super) scales: Scales,
     pub(super) ruler: Ruler,
     pub(super) figures: Figures,
-    /// The tools in use.
     pub(super) used: [bool; Tool::ALL.len()],
     pub(super) panels: Vec<(Tool, Area)>,
     pub(super) frame: Frame,
-    /// Where the panels end.
     foot: f32,
     /// Each panel's offset from its place, and the held panel with the last place of the pointer.
     dragged: [Vec2; Tool::ALL.len()],

@@ -11,11 +11,7 @@ use crate::game::{Game, SHIP};
 use crate::instruments::track::{DOTS_A_SECOND, LASTS};
 use crate::number::{QuantityScale, fixed, scalar};
 use crate::physics::{BodyId, DVec2, ForceKind};
-use crate::view::camera::Viewport;
-use crate::view::facts::round_up;
-use crate::view::game_view::drawn_centre;
-use crate::view::hud::HudLayout;
-use crate::view::theme;
+use crate::view::{camera::Viewport, facts::round_up, game_view::drawn_centre, hud::HudLayout, theme};
 use crate::words::tr;
 
 const DOT: f32 = 3.0;

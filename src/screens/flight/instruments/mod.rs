@@ -2,7 +2,6 @@
 //! that are their own; the flight has the rest.
 
 mod dock;
-mod drawing;
 mod figures;
 mod measure;
 mod measured;
@@ -17,10 +16,8 @@ use crate::draw::layout::{Area, DETAILS, Frame, Vec2};
 use crate::game::{Game, History};
 use crate::session::library::NewFile;
 use crate::settings::Action;
-use crate::ui::Ui;
-use crate::ui::input::Input;
-use crate::view::focus::Focus;
-use crate::view::theme;
+use crate::ui::{Ui, input::Input};
+use crate::view::{focus::Focus, theme};
 use crate::words::tr;
 pub use figures::Table;
 pub use measure::Measures;
@@ -50,7 +47,6 @@ impl Tool {
     /// From the top.
     pub const ALL: [Self; 7] = [Self::Centre, Self::Trails, Self::Vectors, Self::Ruler, Self::Figures, Self::Plot, Self::Vary];
 
-    /// The words on its button.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Centre => "Centre of mass",
@@ -64,7 +60,6 @@ impl Tool {
     }
 }
 
-/// The flight as the instruments see it.
 pub struct Stage<'a> {
     /// At the moment on the screen.
     pub game: &'a Game,
@@ -139,7 +134,6 @@ impl Instruments {
         rest
     }
 
-    /// A button a tool, below the head-up display.
     fn show_rail(&mut self, ui: &mut Ui<'_>, room: &Frame) {
         for (tool, area) in Tool::ALL.into_iter().zip(dock::rail(room)) {
             let colour = match (self.offers(tool), self.uses(tool)) {
@@ -164,7 +158,6 @@ impl Instruments {
         self.used[tool as usize] ^= true;
     }
 
-    /// Reads the moment on the screen, at the end of its frame.
     pub fn read(&mut self, stage: &Stage) {
         if self.open {
             self.measures.read(stage);
@@ -183,7 +176,6 @@ impl Instruments {
         self.plot.flown_again();
     }
 
-    /// The area of the panel of varied numbers, while it is open.
     pub fn vary_area(&self) -> Option<Area> {
         self.vary.area()
     }
@@ -204,7 +196,6 @@ impl Instruments {
         Self { measures: self.measures.of_another_flight(), plot: self.plot.of_another_flight(), ..self }
     }
 
-    /// The tick that the player wants to see.
     pub fn take_seek(&mut self) -> Option<u64> {
         self.plot.take_seek()
     }
@@ -213,7 +204,6 @@ impl Instruments {
         self.plot.take_export()
     }
 
-    /// The outcome of the export.
     pub fn report_export(&mut self, outcome: Result<PathBuf, String>) {
         self.plot.report_export(outcome);
     }
@@ -244,7 +234,6 @@ impl Instruments {
         self.open && self.used[tool as usize]
     }
 
-    /// The areas that cover the flight.
     pub fn areas(&self, frame: &Frame) -> Vec<Area> {
         if !self.open {
             return Vec::new();

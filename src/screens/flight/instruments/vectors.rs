@@ -46,8 +46,7 @@ impl Default for Scales {
 }
 
 impl Scales {
-    /// One frame of `frame_time` s, in which no arrow of those bodies should be longer than `most` metres, drawn `length` times as
-    /// long as usual.
+    /// One frame of `frame_time` s, in which no arrow of those bodies should be longer than `most` metres, drawn `length` times as long as usual.
     pub fn update(&mut self, frame_time: f64, world: &World, bodies: &[BodyId], (most, length): (f64, f64)) {
         for (i, vector) in Vector::ALL.into_iter().enumerate() {
             let largest = bodies.iter().map(|body| vector.of(world, *body).length()).fold(0.0, f64::max);

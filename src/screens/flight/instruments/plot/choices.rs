@@ -1,8 +1,5 @@
-//! The quantities to plot: a row a family, x, y and size beside each other; motion on the left, forces on the right.
-//!
-//! One of the two plotted objects: its track in this flight, and in the flight before.
-//!
-//! Each curve's value and slope at the world's moment, and the area below it.
+//! The quantities to plot: a row a family, x, y and size beside each other; motion on the left, forces on the right. One of the two plotted objects:
+//! its track in this flight, and in the flight before. Each curve's value and slope at the world's moment, and the area below it.
 
 use super::{Plot, READINGS};
 use crate::game::History;

@@ -1,11 +1,9 @@
-//! The pointer in the plot: it takes the world to another moment, marks a stretch, and with the wheel shows more or less of the flight.
-//!
-//! The plot's panel is a band at the canvas' foot, with the flight above it, so that it covers nothing of that.
+//! The pointer in the plot: it takes the world to another moment, marks a stretch, and with the wheel shows more or less of the flight. The plot's
+//! panel is a band at the canvas' foot, with the flight above it, so that it covers nothing of that.
 
 use super::{Plot, SHORTEST};
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2, text_room};
-use crate::instruments::chart::Chart;
-use crate::instruments::quantity::Quantity;
+use crate::instruments::{chart::Chart, quantity::Quantity};
 use crate::settings::Key;
 use crate::ui::input::Input;
 

@@ -3,7 +3,6 @@
 
 mod choices;
 mod drawing;
-mod fitting;
 mod hand;
 mod panel;
 
@@ -18,14 +17,12 @@ use crate::instruments::track::BodyTrack;
 use crate::physics::{BodyId, DVec2};
 use crate::screens::flight::ahead::Ahead;
 use crate::session::library::NewFile;
-use crate::ui::Ui;
-use crate::ui::input::Input;
+use crate::ui::{Ui, input::Input};
 use crate::words::tr;
 use choices::PlotObject;
-use fitting::Fitted;
 pub use hand::PlotPlaces;
 use hand::{Hand, MOST_LINES, READINGS};
-use panel::{Format, Pick};
+use panel::{Fitted, Format, Pick};
 use std::path::PathBuf;
 
 /// s.
@@ -42,12 +39,10 @@ const fn along(axis: VectorPart) -> [Quantity; MOST_LINES] {
 
 #[derive(Clone, Debug)]
 struct PlotLine {
-    /// The index of its object.
     whose: usize,
     up: Quantity,
     now: Curve,
     before: Curve,
-    /// The body behind the curves.
     read: Option<BodyId>,
 }
 
@@ -80,7 +75,6 @@ pub struct Plot {
     pick: Option<Pick>,
     hand: Hand,
     large: bool,
-    /// The outcome of the last export, and whether it failed.
     message: Option<(String, bool)>,
     waiting: Option<Format>,
     export: Option<NewFile>,
@@ -152,12 +146,10 @@ impl Plot {
         rest
     }
 
-    /// Whether the list of quantities is open.
     pub fn is_picking(&self) -> bool {
         self.pick.is_some()
     }
 
-    /// The part of the canvas above the panel.
     pub fn above(&self, frame: &Frame) -> Frame {
         Frame { size: Vec2::new(frame.size.x, PlotPlaces::new(frame, self.large).panel.min.y), ..*frame }
     }
@@ -166,7 +158,6 @@ impl Plot {
         PlotPlaces::new(frame, self.large).panel
     }
 
-    /// The tick that the player wants to see.
     pub fn take_seek(&mut self) -> Option<u64> {
         self.seek.take()
     }
@@ -175,7 +166,6 @@ impl Plot {
         self.export.take()
     }
 
-    /// The outcome of the export.
     pub fn report_export(&mut self, outcome: Result<PathBuf, String>) {
         self.message = Some(match outcome {
             Ok(path) => (tr!("Written: {path}", path = path.display()), false),

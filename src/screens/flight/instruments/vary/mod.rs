@@ -1,8 +1,7 @@
 //! "What if": a panel with a slider and a number for each quantity that can vary, of the followed object and of the level. The
 //! flight's screen fulfils its wishes.
 
-mod drag;
-mod layout;
+mod places;
 
 use super::Stage;
 use crate::draw::Style;
@@ -15,9 +14,8 @@ use crate::physics::BodyId;
 use crate::ui::{EntryEvent, EntryField, SliderMove, SliderShown, Ui, WidgetKind};
 use crate::view::{theme, widgets};
 use crate::words::{decimals, tr};
-use layout::Layout;
+use places::{DragHold, Layout};
 
-/// The label of the field for the name of a level to save.
 const NAME: &str = "Name of the level";
 /// From the edge of a button or field to its words.
 const INSIDE: f32 = 0.75 * GRID;
@@ -31,7 +29,6 @@ pub struct Varied<'a> {
     pub progress: Option<f64>,
 }
 
-/// The start of a change.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum VaryFrom {
     /// The flight starts again.
@@ -88,7 +85,7 @@ pub struct Vary {
     /// In an experiment, which has more lines: whether those of the level are shown, not those of the object; `None` elsewhere.
     of_level: Option<bool>,
     /// What the pointer leads in the level, and the place in [`Parameter::places`] of what it could lead.
-    hold: Option<drag::DragHold>,
+    hold: Option<DragHold>,
     over: Option<usize>,
 }
 
@@ -114,7 +111,6 @@ impl Vary {
         self.show_foot(ui);
     }
 
-    /// Once.
     pub const fn take_wish(&mut self) -> Option<VaryWish> {
         self.wish.take()
     }
@@ -127,7 +123,6 @@ impl Vary {
         (!self.lines.is_empty()).then_some(self.layout.panel)
     }
 
-    /// Whether the keys go into a number or a name.
     pub const fn is_typing(&self) -> bool {
         self.entry.is_open()
     }
