@@ -21,7 +21,7 @@ fn a_light_cube_under_water_stays_under_a_thin_lid() {
     }
 }
 
-/// So many bounces of a train in air that their number overflowed made a place no number.
+/// The number of bounces of a train in air overflowed, and a place became no number.
 #[test]
 fn something_heavy_that_flies_into_something_light_in_air_stays_finite() {
     for (hz, air, heavy, speed) in [(120.0, 1.2041, 100.0, 300.0), (120.0, 65.0, 100.0, 20.0), (30.0, 1.2041, 100.0, 100.0)] {

@@ -9,8 +9,8 @@ const GOLDEN: [(&str, u64); 6] = [
     ("crowd", 0x90ce71a58cb93046),
     ("liquid", 0x3d34db8db9d41906),
     ("stream", 0x9b528f4b7eb4e525),
-    ("moving surfaces", 0x178284d36bdf4ff4),
-    ("moving surfaces, dense", 0x5e68023e3f5d1e3c),
+    ("moving surfaces", 0x36432f21feabff37),
+    ("moving surfaces, dense", 0xe6cc0735195b6400),
 ];
 
 #[track_caller]

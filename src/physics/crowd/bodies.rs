@@ -58,8 +58,8 @@ pub(crate) struct Member {
     /// The speed of a belt's upper side, m/s; 0 of a body.
     pub belt: f64,
     pub swept: Aabb,
-    /// Of a body whose flight no constant force describes: the work that others than `pull` do on it there, J/kg, ≥ 0.
-    pub guided: Option<f64>,
+    /// Of a body whose flight no constant force describes: how its velocity changes on it, m/s.
+    pub guided: Option<DVec2>,
     pub drag: Drag,
     pub sides: Sides,
     /// Whether it is a body that the step takes for ground.
@@ -219,8 +219,6 @@ impl Member {
         let Origin { bodies, motions, frame, .. } = source;
         let (body, motion) = (&bodies[i], &motions.bodies[i]);
         let (before, flown) = (frame.turn(body.velocity), frame.turn(motion.free.0));
-        let gained = 0.5 * (motion.free.1.length_squared() - body.velocity.length_squared());
-        let driven = gained - motion.pull.dot(motion.free.0 - body.position);
         Self {
             from: frame.turn(body.position),
             to: flown,
@@ -233,7 +231,7 @@ impl Member {
             mass: body.mass,
             traits: body.coefficients(),
             swept: frame.turn_box(motions.swept[i]),
-            guided: motion.guided.then(|| driven.max(0.0)),
+            guided: motion.guided.then(|| frame.turn(motion.free.1) - before),
             drag: frame.turn_drag(motions.drags[i]),
             ..Self::default()
         }

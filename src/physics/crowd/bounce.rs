@@ -56,7 +56,7 @@ impl Dense {
             if touched(bodies, i) {
                 let end = bodies[i].end;
                 let plastic = if self.bounced { self.plastic[i] } else { end };
-                sum.add(bodies, i, plastic, end - plastic);
+                sum.add(bodies, i, [plastic, end - plastic], self.dt);
             }
         }
         if sum.gained(1.0) <= ROUNDING * sum.all {
@@ -104,11 +104,12 @@ struct Balance {
 }
 
 impl Balance {
-    fn add(&mut self, bodies: &Bodies, i: usize, plastic: DVec2, bounce: DVec2) {
+    fn add(&mut self, bodies: &Bodies, i: usize, [plastic, bounce]: [DVec2; 2], dt: f64) {
         let body = &bodies[i];
         let (mass, before, work) = (body.mass, body.before.length_squared(), body.pull.dot(body.to - body.from));
-        // The work of liquids and streams is known of its flight alone.
-        self.had += mass * (0.5 * before + work + body.guided.unwrap_or(0.0));
+        // What liquids and streams do, at their mean force on its flight.
+        let driven = body.guided.map_or(0.0, |gained| (gained / dt - body.pull).dot(body.to - body.from).max(0.0));
+        self.had += mass * (0.5 * before + work + driven);
         self.plastic += 0.5 * mass * plastic.length_squared();
         self.mixed += mass * plastic.dot(bounce);
         self.bounces += 0.5 * mass * bounce.length_squared();

@@ -152,6 +152,9 @@ impl Events {
         for vectors in [&mut self.free, &mut self.solved, &mut self.places, &mut self.speeds, &mut self.means] {
             refill(vectors, all, DVec2::ZERO);
         }
+        // Few ticks ask for it: it has its room before.
+        self.behind.clear();
+        self.behind.reserve(self.movable);
         self.masses.clear();
         self.masses.extend(self.items[..self.movable].iter().map(|item| DVec2::splat(item.body.mass)));
         refill(&mut self.nexts, all, Next::NEVER);

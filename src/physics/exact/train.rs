@@ -101,7 +101,7 @@ impl BounceSeries {
 
     /// The ways up and along at a time, and the speeds; after the last bounce if `over`.
     pub fn at(&self, time: f64, over: bool) -> [[f64; 2]; 2] {
-        // Drag has left e⁻³⁰⁰ of the first: no more is a number. So many bounces are without end, and their sums finite.
+        // Drag has left e⁻³⁰⁰ of the first: no more is a number. Those are bounces without end, and their sums finite.
         let worn = self.damping / 3.0 * time > 300.0;
         let whole = if self.e < 1.0 { f64::INFINITY } else { 1e300 };
         let count = if over || worn { whole } else { self.count(time).floor().max(0.0) };
