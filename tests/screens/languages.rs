@@ -219,9 +219,7 @@ fn every_word_of_every_screen_comes_from_a_catalogue() {
             let is_file = line.text.contains("ｄｏｃｓ/") || line.text.contains(".csv") || name == "problems";
             // Columns of files and their cells, the text of a licence, the machine that a chart was measured on.
             let is_data = line.style.face == Typeface::Mono && (name.starts_with("editor") || name.starts_with("credits"));
-            // The scenes that less is modelled of have the names of their folders.
-            let is_scene = name == "the Lab" && line.text.chars().all(|letter| letter.is_ascii_lowercase() || letter == '-');
-            let is_data = is_data || is_scene || is_file || name == "charts" && line.style.size < 14.0;
+            let is_data = is_data || is_file || name == "charts" && line.style.size < 14.0;
             let words = plain_words(&line.text);
             if !is_data && words.iter().any(|word| !DATA.split(' ').any(|known| known == *word)) {
                 missing.insert(format!("{name}: {}", line.text));

@@ -7,7 +7,7 @@ use crate::draw::chart::{CurveOrigin, Marker, TOLERANCE_DASH, dashed, marker, st
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::curve::{Measured, MethodCurve};
-use crate::lab::savings::{LEVEL, Saving};
+use crate::lab::savings::Saving;
 use crate::lab::stability::{self, Region, SHIPPED, SHIPPED_LIMITS, limit};
 use crate::number::{power, short};
 use crate::view::{theme, widgets};
@@ -155,7 +155,7 @@ pub fn plane(canvas: &Canvas, area: Area, regions: &[Region]) {
 }
 
 /// Bars of the time with every part, and within them as it runs; the largest saving first, as many rows as there is room for.
-pub fn savings(canvas: &Canvas, area: Area, savings: &[Saving]) {
+pub fn savings(canvas: &Canvas, area: Area, savings: &[Saving], title: impl Fn(&Saving) -> String) {
     let text = canvas.frame().text_height(DETAILS);
     let (row_height, names, factors) = (ROW.max(1.1 * text), NAMES.max(8.5 * text), FACTORS.max(4.5 * text));
     let bars = Area::new(area.min.x + names, area.min.y, (area.size.x - names - factors).max(1.0), area.size.y - row_height);
@@ -171,8 +171,7 @@ pub fn savings(canvas: &Canvas, area: Area, savings: &[Saving]) {
         bar(row.everything.0, theme::solid());
         bar(row.planned.0, if row.same_bits { theme::accent() } else { theme::bad() });
         let style = Style::new(DETAILS, theme::text()).middle();
-        let name = if row.of == LEVEL { tr!("Level {level}", level = row.scene) } else { row.scene.clone() };
-        canvas.text(&widgets::cut(canvas, &name, names - 12.0, style), Vec2::new(area.min.x, y), style);
+        canvas.text(&widgets::cut(canvas, &title(row), names - 12.0, style), Vec2::new(area.min.x, y), style);
         canvas.text(&format!("× {}", short(row.times())), Vec2::new(area.max().x, y), style.mono().right());
     }
     let foot = Vec2::new(area.centre().x, area.max().y - row_height / 2.0);

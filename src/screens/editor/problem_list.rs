@@ -52,7 +52,8 @@ impl Editor {
                 canvas.rectangle(at, theme::panel_hover());
             }
             let style = Style { colour: if *refused { theme::text() } else { theme::quiet() }, ..style };
-            canvas.text(&pass.cut(canvas, &words, (at, at.size.x), style), at.min, style);
+            let signed = format!("{} {words}", if *refused { "×" } else { "·" });
+            canvas.text(&pass.cut(canvas, &signed, (at, at.size.x), style), at.min, style);
             pressed = pressed.or(touch.pressed.then(|| problem.clone()));
         }
         if let Some(bar) = self.scroll.bar() {

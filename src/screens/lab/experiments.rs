@@ -37,6 +37,10 @@ impl ExperimentsPage {
         Self { experiments, problem, chosen }
     }
 
+    pub(super) fn title_of(&self, folder: &str) -> Option<&str> {
+        self.experiments.iter().find(|experiment| experiment.folder == folder).map(|experiment| experiment.title.as_str())
+    }
+
     pub(super) fn show(&mut self, ui: &mut Ui<'_>, body: Area) -> Option<Request> {
         let flies = self.show_list(ui, body);
         let tool = ui.tools(&[BACK, ("Fly it", Key::Enter, "Enter")]);

@@ -132,7 +132,8 @@ impl Screen for Lab {
         let area = body(&ui.frame());
         match self.page {
             Page::Overview => {
-                let onwards = self.overview.show(ui, area, (&self.charts.shown.charts, self.stability.regions()));
+                let onwards =
+                    self.overview.show(ui, area, (&self.charts.shown.charts, self.stability.regions()), &self.experiments);
                 self.lead(onwards)
             }
             Page::Charts => self.charts.show(ui, area),

@@ -1,11 +1,13 @@
 //! The first page: four pictures, each of which leads on to its page.
 
 use super::BACK;
+use super::experiments::ExperimentsPage;
 use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, GAP, PADDING, TEXT, Vec2};
 use crate::lab::charts::Charts;
 use crate::lab::curve::Measured;
 use crate::lab::drawing::overview;
+use crate::lab::savings::{LEVEL, Saving};
 use crate::lab::stability::Region;
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
@@ -52,18 +54,29 @@ pub(super) struct OverviewPage {
 }
 
 impl OverviewPage {
-    pub fn show(&mut self, ui: &mut Ui<'_>, body: Area, (charts, regions): (&Charts, &[Region])) -> Option<Onwards> {
+    pub fn show(
+        &mut self,
+        ui: &mut Ui<'_>,
+        body: Area,
+        (charts, regions): (&Charts, &[Region]),
+        experiments: &ExperimentsPage,
+    ) -> Option<Onwards> {
         if ui.tools(&[BACK]).is_some() {
             return if std::mem::take(&mut self.savings) { None } else { Some(Onwards::Back) };
         }
+        let diagram = |name: &str| charts.diagrams.iter().find(|measured| measured.name == name);
+        let title_of = |row: &Saving| match diagram(&row.scene) {
+            _ if row.of == LEVEL => tr!("Level {level}", level = row.scene),
+            Some(measured) => tr(&measured.title).to_owned(),
+            None => tr(experiments.title_of(&row.scene).unwrap_or(&row.scene)).to_owned(),
+        };
         if self.savings {
             let (title, sentence, _) = PICTURES[2];
             ui.panel(body);
             head(ui, body, title, sentence);
-            overview::savings(ui.canvas(), inside(body, &ui.frame()), &charts.savings);
+            overview::savings(ui.canvas(), inside(body, &ui.frame()), &charts.savings, title_of);
             return None;
         }
-        let diagram = |name: &str| charts.diagrams.iter().find(|measured| measured.name == name);
         let has = |onwards: Onwards| match onwards {
             Onwards::Chart(name) => diagram(name).is_some_and(|measured: &Measured| !measured.curves.is_empty()),
             Onwards::Stability | Onwards::Back => true,
@@ -85,7 +98,7 @@ impl OverviewPage {
                     diagram(name).into_iter().for_each(|found| overview::diagram(ui.canvas(), inside(area, &ui.frame()), found))
                 }
                 Onwards::Stability => overview::plane(ui.canvas(), inside(area, &ui.frame()), regions),
-                Onwards::Savings => overview::savings(ui.canvas(), inside(area, &ui.frame()), &charts.savings),
+                Onwards::Savings => overview::savings(ui.canvas(), inside(area, &ui.frame()), &charts.savings, title_of),
                 Onwards::Back => {}
             }
             if touch.focus {
