@@ -39,7 +39,6 @@ const MOST_GROWTHS: usize = 3;
 /// How often a crowd may grow in one tick. Fewer: bodies are kept within what was looked for.
 const MOST_CROWD_GROWTHS: usize = 4;
 
-/// A tick, as the islands see it.
 pub(crate) struct Tick<'a> {
     pub state: &'a State,
     pub scene: Scene<'a>,
@@ -254,7 +253,6 @@ impl Space {
         }
     }
 
-    /// Solves an island by the method that is right for it.
     fn solve(&mut self, k: usize, dt: f64, tick: &mut Tick<'_>) {
         let Self { motions, islands, grown, sleep, .. } = self;
         let island = islands.get(k);

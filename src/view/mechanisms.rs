@@ -141,7 +141,6 @@ fn draw_star(area: Area, by: StarTouch, touched: bool, canvas: &Canvas) {
     }
 }
 
-/// A glowing canister with a drop on it.
 fn draw_pod(area: Area, canvas: &Canvas, time: f64) {
     let pulse = 0.5 + 0.5 * (time * 3.1).sin() as f32;
     let round = (area.size.x.min(area.size.y) * 0.3).min(10.0);
@@ -269,12 +268,10 @@ fn draw_plate(area: Area, colour: Colour, (on, pressed): (bool, bool), canvas: &
     lamp(canvas, Vec2::new(area.centre().x, area.min.y + area.size.y * 0.68), colour, on);
 }
 
-/// Green while the lamp is lit.
 fn lamp_colour(game: &Game, switch: usize) -> Colour {
     if is_lit(game, switch) { theme::good() } else { WORKS_EDGE }
 }
 
-/// Filled while the switch is on.
 fn lamp(canvas: &Canvas, at: Vec2, colour: Colour, on: bool) {
     canvas.ring(at, 6.0, 2.0, colour);
     if on {
@@ -370,7 +367,6 @@ fn draw_cracks(solid: &Solid, area: Area, canvas: &Canvas) {
     dashed_outline(canvas, area, edge_of(solid.material));
 }
 
-/// Pieces of a broken block.
 pub fn debris(particles: &mut Particles, block: &Aabb) {
     let count = (block.size().x * block.size().y * 14.0).clamp(12.0, 60.0) as usize;
     for _ in 0..count {
@@ -382,7 +378,6 @@ pub fn debris(particles: &mut Particles, block: &Aabb) {
     }
 }
 
-/// The edge's colour of a material.
 fn edge_of(material: Material) -> Colour {
     material_edge(material.name).unwrap_or(WORKS_EDGE)
 }

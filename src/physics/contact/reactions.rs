@@ -245,7 +245,7 @@ fn gain(contact: &Contact, parts: &Parts, accelerations: &[DVec2]) -> f64 {
 /// Sets Reaction and Friction of a contact between a body of `mass` (kg, along each axis) and a face. Returns the acceleration of the body from
 /// the `free` one, m/s², both as seen from the face; none, and nothing done, where the body does not press or nothing draws it along a wall.
 /// `body_is_hi`: on which side of the contact it is.
-pub(crate) fn press_on_face(contact: &mut Contact, mass: DVec2, free: DVec2, body_is_hi: bool) -> Option<DVec2> {
+fn press_on_face(contact: &mut Contact, mass: DVec2, free: DVec2, body_is_hi: bool) -> Option<DVec2> {
     let (axis, along) = (contact.axis, 1 - contact.axis);
     let away = if body_is_hi { 1.0 } else { -1.0 };
     let normal = -away * (mass[axis] * free[axis]);

@@ -332,7 +332,7 @@ fn sum<T: Copy + AddAssign + Mul<f64, Output = T>>(of: &[T; 7], weights: &[f64])
 }
 
 /// The stages of the pair but the first; the last is its result.
-pub(crate) const STAGES: [&[f64]; 6] = [
+const STAGES: [&[f64]; 6] = [
     &[1.0 / 5.0],
     &[3.0 / 40.0, 9.0 / 40.0],
     &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0],
@@ -341,8 +341,7 @@ pub(crate) const STAGES: [&[f64]; 6] = [
     &[35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
 ];
 /// The difference of its results of fifth and fourth order.
-pub(crate) const ERROR: [f64; 7] =
-    [71.0 / 57_600.0, 0.0, -71.0 / 16_695.0, 71.0 / 1920.0, -17_253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
+const ERROR: [f64; 7] = [71.0 / 57_600.0, 0.0, -71.0 / 16_695.0, 71.0 / 1920.0, -17_253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
 
 /// A Runge–Kutta method: its stages but the first, of which the last is its result, when they are in parts of a step, and the weights of its error.
 pub(crate) struct RungeKutta {
