@@ -289,7 +289,7 @@ impl Space {
 
     /// The crowd step of an island. Where a surface would squeeze a body it stands for this step, and the island is solved again.
     fn solve_crowd(&mut self, k: usize, (dt, round): (f64, usize), tick: &mut Tick<'_>) -> CrowdEnd {
-        let Self { motions, islands, crowd, sleep, impacts, broad_phase, widened, moving, .. } = self;
+        let Self { motions, islands, crowd, sleep, impacts, broad_phase, grown, widened, moving, .. } = self;
         let state = tick.state;
         let usual = Frame { swapped: false, down: self.down };
         let (frame, gravity) = match pull_of_fields(state, islands.get(k).members) {
@@ -313,13 +313,17 @@ impl Space {
                 let me = (bodies.ids[k], &swept);
                 !moving.is_empty() || sleep.is_reached(&swept) || islands.meets_more(me, widened, motions, broad_phase)
             };
-            if crowd.step(from, island, size, meets_more) == CrowdEnd::Grown {
-                for &k in &crowd.dense.grown {
-                    let i = crowd.bodies.ids[k as usize];
-                    motions.swept[i as usize] = crowd.bodies.swept(k as usize, frame);
-                    self.grown.push(i);
+            let end = crowd.step(from, island, size, meets_more);
+            for k in crowd.dense.grown.drain(..) {
+                let (i, swept) = (crowd.bodies.ids[k as usize], crowd.bodies.swept(k as usize, frame));
+                motions.swept[i as usize] = swept;
+                match end {
+                    CrowdEnd::Grown => grown.push(i),
+                    CrowdEnd::Done => widened.push((i, swept)),
                 }
-                return CrowdEnd::Grown;
+            }
+            if end == CrowdEnd::Grown {
+                return end;
             }
             if crowd.dense.squeezed.is_empty() {
                 break;
@@ -337,11 +341,6 @@ impl Space {
         }
         for k in 0..crowd.bodies.len() {
             motions.bodies[crowd.bodies.ids[k] as usize].end = crowd.bodies.end(k, frame);
-        }
-        for k in crowd.dense.grown.drain(..) {
-            let (i, swept) = (crowd.bodies.ids[k as usize], crowd.bodies.swept(k as usize, frame));
-            motions.swept[i as usize] = swept;
-            widened.push((i, swept));
         }
         // What falls asleep is read later: its contacts are listed now.
         let may_sleep = tick.scene.plan.direct && tick.leaves_for_good(island.members.len());

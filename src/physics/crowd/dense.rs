@@ -18,7 +18,7 @@ use glam::DVec2;
 const LOOKS: usize = 3;
 
 /// A plastic impact is reported if it stops more than this many steps of gravity, and m/s. Smaller: rest is reported.
-const IMPACT: f64 = 2.0;
+pub(crate) const IMPACT: f64 = 2.0;
 const SMALLEST: f64 = 1e-6;
 
 #[derive(Clone, Copy, Debug)]
@@ -73,7 +73,6 @@ impl Dense {
         self.clear();
     }
 
-    /// Nothing has happened.
     pub fn clear(&mut self) {
         self.hits.clear();
         self.grown.clear();

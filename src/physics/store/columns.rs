@@ -2,6 +2,7 @@
 
 use crate::physics::data::{Aabb, NONE, refill};
 use crate::physics::store::grid::cell;
+use std::ops::Range;
 
 /// A box that covers more columns, or is as tall, is tested against all.
 const MOST_COLUMNS: f64 = 64.0;
@@ -49,10 +50,13 @@ impl Columns {
         self.entries.clear();
         self.wide.clear();
         self.begins.clear();
-        self.begins.extend(depths.iter().zip(boxes).map(|((depth, _), of)| (cell(of.min.x, self.per_metre), *depth)));
-        let up = |(&(_, depth), of): (&(i64, f64), &Aabb)| depth - if self.down > 0.0 { of.min.y } else { -of.max.y };
-        let narrow = |of: &(_, &Aabb)| !self.is_wide(of.1);
-        self.reach = self.begins.iter().zip(boxes).filter(narrow).map(up).fold(0.0, f64::max);
+        self.reach = 0.0;
+        for (&(depth, _), of) in depths.iter().zip(boxes) {
+            self.begins.push((cell(of.min.x, self.per_metre), depth));
+            if !self.is_wide(of) {
+                self.reach = self.reach.max(depth - if self.down > 0.0 { of.min.y } else { -of.max.y });
+            }
+        }
     }
 
     /// Whether a box is tested against all: it is wide, or so tall that others would have to look far down for it.
@@ -64,19 +68,21 @@ impl Columns {
     #[inline(always)]
     pub fn pass(&mut self, k: usize, boxes: &[Aabb], into: &mut Vec<u32>) {
         let mine = &boxes[k];
-        self.visit(mine, &boxes[..k], |place| into.push(place));
-        if self.tests_all(mine, self.begins.len()) {
+        let columns = self.begins[k].0..cell(mine.max.x, self.per_metre) + 1;
+        let tests_all = self.tests_all(mine);
+        self.visit_columns(columns.clone(), tests_all, (mine, &boxes[..k]), |place| into.push(place));
+        if tests_all {
             return self.wide.push(k as u32);
         }
-        for column in self.begins[k].0..=cell(mine.max.x, self.per_metre) {
+        for column in columns {
             let head = self.head(column);
             self.entries.push(ColumnEntry { place: k as u32, below: self.heads[head] });
             self.heads[head] = self.entries.len() as u32 - 1;
         }
     }
 
-    fn tests_all(&self, mine: &Aabb, count: usize) -> bool {
-        count <= FEW || self.is_wide(mine)
+    fn tests_all(&self, mine: &Aabb) -> bool {
+        self.begins.len() <= FEW || self.is_wide(mine)
     }
 
     fn head(&self, column: i64) -> usize {
@@ -84,20 +90,26 @@ impl Columns {
     }
 
     /// Calls `each` for the places of the `boxes` entered so far that meet this one, once for each.
+    pub fn visit(&self, mine: &Aabb, boxes: &[Aabb], each: impl FnMut(u32)) {
+        let columns = cell(mine.min.x, self.per_metre)..cell(mine.max.x, self.per_metre) + 1;
+        self.visit_columns(columns, self.tests_all(mine), (mine, boxes), each);
+    }
+
     #[inline(always)]
-    pub fn visit(&self, mine: &Aabb, boxes: &[Aabb], mut each: impl FnMut(u32)) {
+    fn visit_columns(&self, columns: Range<i64>, tests_all: bool, of: (&Aabb, &[Aabb]), mut each: impl FnMut(u32)) {
+        let (mine, boxes) = of;
         let mut test = |place: u32| {
             if mine.meets(&boxes[place as usize]) {
                 each(place);
             }
         };
-        if self.tests_all(mine, self.begins.len()) {
+        if tests_all {
             return (0..boxes.len() as u32).for_each(test);
         }
         self.wide.iter().for_each(|place| test(*place));
-        let (first, last) = (cell(mine.min.x, self.per_metre), cell(mine.max.x, self.per_metre));
+        let first = columns.start;
         let lowest = (if self.down > 0.0 { mine.max.y } else { -mine.min.y }) + self.reach;
-        for column in first..=last {
+        for column in columns {
             let mut at = self.heads[self.head(column)];
             while let Some(&ColumnEntry { place, below }) = self.entries.get(at as usize) {
                 let (begins, depth) = self.begins[place as usize];

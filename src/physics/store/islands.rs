@@ -152,7 +152,11 @@ impl Islands {
 
     pub fn get(&self, island: usize) -> Island<'_> {
         let (from, to) = (self.begins[island] as usize, self.begins[island + 1] as usize);
-        Island { members: &self.members[from..to], ranges: &self.ranges, others: &self.others }
+        Island { members: &self.members[from..to], ..self.whole() }
+    }
+
+    fn whole(&self) -> Island<'_> {
+        Island { members: &self.members, ranges: &self.ranges, others: &self.others }
     }
 
     /// The island in the order of these heights, the largest first.
@@ -195,12 +199,8 @@ impl Islands {
     /// Whether a body that sweeps `mine` may meet something that is not listed with it, when `widened` bodies sweep more than the boxes from which
     /// the islands were found. Moving surfaces are not looked for.
     pub fn meets_more(&self, (i, mine): (u32, &Aabb), widened: &[(u32, Aabb)], motions: &Motions, surfaces: &BroadPhase) -> bool {
-        let n = motions.len() as u32;
-        let near = |i: u32| {
-            let (from, to) = self.ranges[i as usize];
-            &self.others[from as usize..to as usize]
-        };
-        let unlisted = |j: u32| j != i && !near(i).contains(&j) && (j >= n || !near(j).contains(&i));
+        let (n, all) = (motions.len() as u32, self.whole());
+        let unlisted = |j: u32| j != i && !all.near(i).contains(&j) && (j >= n || !all.near(j).contains(&i));
         let surface = |s: &u32| {
             let j = n + *s;
             self.is_listed[j as usize] && mine.meets(&motions.swept[j as usize]) && unlisted(j)
@@ -264,20 +264,20 @@ impl Islands {
             let bodies = others.len();
             let near = broad_phase.near(i as usize).iter().map(|surface| n + *surface as usize);
             others.extend(near.filter(|j| is_listed[*j] && mine.meets(&motions.swept[*j])).map(|j| j as u32));
-            for (first, &surface) in carried.iter_mut().zip(moving) {
-                let j = n + surface as usize;
-                if !mine.meets(&motions.swept[j]) {
-                    continue;
-                }
-                others.push(j as u32);
-                // What one moving surface may carry is one island: all of it decides whether the surface stops.
-                if *first == NONE {
-                    *first = i;
-                } else if motions.surfaces[surface as usize].moves() {
-                    join_with(parent, &mut root, *first as usize);
-                }
-            }
             if !moving.is_empty() {
+                for (first, &surface) in carried.iter_mut().zip(moving) {
+                    let j = n + surface as usize;
+                    if !mine.meets(&motions.swept[j]) {
+                        continue;
+                    }
+                    others.push(j as u32);
+                    // What one moving surface may carry is one island: all of it decides whether the surface stops.
+                    if *first == NONE {
+                        *first = i;
+                    } else if motions.surfaces[surface as usize].moves() {
+                        join_with(parent, &mut root, *first as usize);
+                    }
+                }
                 others[bodies..].sort_unstable();
             }
             parent[i as usize] = root as u32;
