@@ -25,7 +25,7 @@ use crate::physics::scratch::{Scratch, Stop};
 use crate::physics::space::Space;
 use crate::physics::state::Guards;
 use crate::physics::state::State;
-use crate::physics::store::{Island, Method, Motions};
+use crate::physics::store::{Island, Method, Motions, SurfaceMotion};
 use glam::DVec2;
 
 /// Islands of more bodies are dense. More: a heap that settles costs more than a millisecond a tick; fewer: gases are less exact.
@@ -211,6 +211,7 @@ impl Space {
         self.fly(&tick.state.bodies, dt);
         // After a step of another length nobody is known to rest.
         self.crowd.settled.step += if dt == self.last_dt { 1 } else { 2 };
+        self.crowd.settled.carried = self.motions.surfaces.iter().any(SurfaceMotion::carries);
         self.last_dt = dt;
         self.solve_islands(dt, tick);
         for surface in &self.moving {

@@ -35,6 +35,8 @@ pub(crate) struct Settled {
     active: Vec<u32>,
     /// Counts steps, two for one of another length.
     pub step: u64,
+    /// Whether any surface carries what is on it in this step.
+    pub carried: bool,
     solutions: u32,
     any: bool,
     /// The largest coordinate that the island sweeps, m.
@@ -87,19 +89,18 @@ impl Settled {
         if !alike || 4 * known < members.len() {
             return;
         }
-        self.largest = members.iter().map(|i| from.motions.swept[*i as usize].largest()).fold(0.0, f64::max);
-        for i in members.iter().map(|i| *i as usize).filter(|i| self.rests[*i] == MemberRest::Settled) {
-            // MemberRest on what carries is another in each step.
-            let carried = |j: &u32| (*j as usize).checked_sub(self.rests.len()).is_some_and(|s| from.motions.surfaces[s].carries());
-            if island.near(i as u32).iter().any(carried) {
-                return;
-            }
+        // Rest on what carries is another in each step.
+        let carried = |j: &u32| (*j as usize).checked_sub(self.rests.len()).is_some_and(|s| from.motions.surfaces[s].carries());
+        let mut settled = members.iter().filter(|i| self.rests[**i as usize] == MemberRest::Settled);
+        if self.carried && settled.any(|i| island.near(*i).iter().any(carried)) {
+            return;
         }
         if known == members.len() {
             self.active.clear();
             self.any = true;
             return;
         }
+        self.largest = members.iter().map(|i| from.motions.swept[*i as usize].largest()).fold(0.0, f64::max);
         for &i in members {
             for &j in island.near(i) {
                 if self.rests[i as usize] == MemberRest::Moves

@@ -221,6 +221,9 @@ impl Islands {
         heights.clear();
         heights.extend(order.iter().map(|i| (bodies[*i as usize].position.y * down + 0.0, *i)));
         let above = |a: &(f64, u32), b: &(f64, u32)| a.0 > b.0 || (a.0 == b.0 && a.1 < b.1);
+        if heights.is_sorted_by(|a, b| !above(b, a)) {
+            return 0;
+        }
         let most = MOST_MOVES * order.len();
         let mut moves = 0;
         for i in 1..heights.len() {
@@ -239,9 +242,7 @@ impl Islands {
                 break;
             }
         }
-        if moves > 0 {
-            order.iter_mut().zip(heights).for_each(|(i, (_, sorted))| *i = *sorted);
-        }
+        order.iter_mut().zip(heights).for_each(|(i, (_, sorted))| *i = *sorted);
         moves
     }
 
