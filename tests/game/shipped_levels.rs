@@ -2,6 +2,7 @@
 
 use crate::support::adversary;
 use crate::support::shipped::{fixture, flights, levels, load, project};
+use resultant::files;
 use resultant::game::{Game, Medal, Medals, Outcome, PROGRAM, Replay, SHIP, TICK_RATE};
 use resultant::level::{self, Level};
 use resultant::physics::{Aabb, Body, Guards, Sides, World};
@@ -130,7 +131,7 @@ fn the_adversary_finds_what_is_known_and_nothing_else() {
 #[test]
 fn the_list_of_what_comes_with_the_game_names_every_level_and_experiment() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for (folder, list) in [("levels", "shipped.csv"), ("experiments", "experiments.csv")] {
+    for (folder, list) in [("levels", "shipped.csv"), (files::EXPERIMENTS, "experiments.csv")] {
         let names = level::list(&root.join(folder));
         assert!(names.iter().all(|name| level::is_shipped(&root.join(folder).join(name))), "{names:?}");
         let list = std::fs::read_to_string(root.join(folder).join(list)).unwrap();

@@ -3,6 +3,7 @@
 
 use super::sources::{files, root};
 use proc_macro2::{Group, TokenStream, TokenTree};
+use resultant::files::EXPERIMENTS;
 use resultant::game::Outcome;
 use resultant::level::schema::{Kind, SETTINGS};
 use resultant::physics::{ForceKind, Guards, Methods};
@@ -67,32 +68,23 @@ fn sources() -> Vec<TokenStream> {
 /// The texts of shipped files that a screen shows: titles, hints and words of levels and experiments.
 fn shown_by_files() -> BTreeSet<String> {
     let mut texts = BTreeSet::new();
-    for folder in ["levels", "experiments"] {
-        for path in files(&root().join(folder), &["csv"]) {
-            let bytes = fs::read(&path).unwrap();
-            let records = || {
-                csv::ReaderBuilder::new()
-                    .has_headers(false)
-                    .flexible(true)
-                    .comment(Some(b'#'))
-                    .from_reader(&bytes[..])
-                    .into_records()
-            };
-            let cells = records().filter_map(Result::ok).enumerate();
-            match path.file_name().and_then(|name| name.to_str()) {
-                Some("constants.csv") => {
-                    texts.extend(cells.filter(|(_, row)| &row[0] == "title").map(|(_, row)| row[1].to_owned()))
-                }
-                Some("hints.csv") => texts.extend(cells.skip(1).map(|(_, row)| row[0].to_owned())),
-                Some("texts.csv") => texts.extend(cells.skip(1).map(|(_, row)| row[3].to_owned())),
-                Some("experiments.csv") => texts.extend(cells.skip(1).flat_map(|(_, row)| {
-                    let choices: Vec<String> = row[4].split('|').map(str::to_owned).collect();
-                    let wanted = row[6].split('|').filter_map(|part| part.rsplit_once(": "));
-                    let wanted = wanted.flat_map(|(what, _)| what.splitn(2, ", ").map(str::to_owned)).collect();
-                    [[row[1].to_owned(), row[2].to_owned(), row[3].to_owned()].to_vec(), choices, wanted].concat()
-                })),
-                _ => {}
-            }
+    for path in files(&root().join("levels"), &["csv"]) {
+        let bytes = fs::read(&path).unwrap();
+        let records = || {
+            csv::ReaderBuilder::new().has_headers(false).flexible(true).comment(Some(b'#')).from_reader(&bytes[..]).into_records()
+        };
+        let cells = records().filter_map(Result::ok).enumerate();
+        match path.file_name().and_then(|name| name.to_str()) {
+            Some("constants.csv") => texts.extend(cells.filter(|(_, row)| &row[0] == "title").map(|(_, row)| row[1].to_owned())),
+            Some("hints.csv") => texts.extend(cells.skip(1).map(|(_, row)| row[0].to_owned())),
+            Some("texts.csv") => texts.extend(cells.skip(1).map(|(_, row)| row[3].to_owned())),
+            Some("experiments.csv") => texts.extend(cells.skip(1).flat_map(|(_, row)| {
+                let choices: Vec<String> = row[4].split('|').map(str::to_owned).collect();
+                let wanted = row[6].split('|').filter_map(|part| part.rsplit_once(": "));
+                let wanted = wanted.flat_map(|(what, _)| what.splitn(2, ", ").map(str::to_owned)).collect();
+                [[row[1].to_owned(), row[2].to_owned(), row[3].to_owned()].to_vec(), choices, wanted].concat()
+            })),
+            _ => {}
         }
     }
     texts.retain(|text| has_words(text) && !is_quantity(text));
@@ -148,7 +140,7 @@ fn every_row_is_of_use_and_keeps_its_places() {
     known.extend(shown_by_files());
     known.extend(shown_by_engine());
     known.extend(Key::ALL.iter().map(|key| key.label()));
-    for folder in ["experiments", "docs/charts"] {
+    for folder in [EXPERIMENTS, "docs/charts"] {
         for path in files(&root().join(folder), &["csv"]) {
             let bytes = fs::read(&path).unwrap();
             let records = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(&bytes[..]).into_records();

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 /// Phrases that hide their subject.
 const BANNED: [&str; 6] = ["is told", "are told", "anew", "so many", "whoever", "of whom"];
-const FOLDERS: [&str; 10] = ["src", "tests", "tools", "benches", "platform", "docs", "levels", "experiments", "scores", ".github"];
+const FOLDERS: [&str; 9] = ["src", "tests", "tools", "benches", "platform", "docs", "levels", "scores", ".github"];
 const PAGES: [&str; 4] = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", ".ci/run"];
 const ENDINGS: [&str; 6] = ["rs", "md", "sh", "toml", "yml", "csv"];
 

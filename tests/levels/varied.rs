@@ -3,6 +3,7 @@
 use crate::package;
 use proptest::prelude::*;
 use proptest::sample::Index;
+use resultant::files::EXPERIMENTS;
 use resultant::game::{Controls, Game, History, SHIP};
 use resultant::instruments::vary::{SliderTrack, Variation};
 use resultant::level::document::{LevelFolder, Opened};
@@ -13,7 +14,7 @@ use std::sync::{Arc, LazyLock};
 
 /// The folders of all shipped levels and experiments.
 static FOLDERS: LazyLock<Vec<PathBuf>> = LazyLock::new(|| {
-    let all = ["levels", "experiments"].map(|of| package().join(of));
+    let all = ["levels", EXPERIMENTS].map(|of| package().join(of));
     let folders: Vec<PathBuf> = all.iter().flat_map(|of| level::list(of).into_iter().map(|name| of.join(name))).collect();
     assert!(folders.len() > 12, "{folders:?}");
     folders
@@ -101,7 +102,7 @@ fn forces_that_are_too_strong_for_a_mass_are_refused_together() {
         refused_in(&with_ship, &[(Parameter::Thrust, 1e6), (Parameter::Mass(0), 1.0)]).as_deref(),
         Some("player.csv: found 1000000 N on a ship of 1 kg, expected at most 10000 N, which is 10000 m/s²")
     );
-    let level = load("experiments/friction");
+    let level = load("levels/experiments/friction");
     let refused = |changes: &[(Parameter, f64)]| refused_in(&level, changes);
     assert!(refused(&[(Parameter::Thrust, 5.0)]).is_some() && refused(&[(Parameter::Mass(0), 5.0)]).is_some(), "it has no ship");
     assert_eq!(
@@ -119,7 +120,7 @@ fn forces_that_are_too_strong_for_a_mass_are_refused_together() {
 
 #[test]
 fn a_tape_flown_in_another_level_is_the_same_controls_under_other_laws() {
-    let level = Arc::new(load("experiments/free-fall"));
+    let level = Arc::new(load("levels/experiments/free-fall"));
     let mut game = Game::new(level.clone()).unwrap();
     let mut history = History::new(&game);
     fly(&mut game, &mut history, 120);
@@ -141,7 +142,9 @@ fn a_tape_flown_in_another_level_is_the_same_controls_under_other_laws() {
 
 #[test]
 fn a_flight_that_goes_on_in_a_varied_level_has_a_history_over_the_change() {
-    for name in ["tests/fixtures/levels/15", "tests/fixtures/levels/2", "experiments/bounce", "experiments/pushed-row"] {
+    for name in
+        ["tests/fixtures/levels/15", "tests/fixtures/levels/2", "levels/experiments/bounce", "levels/experiments/pushed-row"]
+    {
         let level = load(name);
         let mut game = Game::new(Arc::new(level.clone())).unwrap();
         let mut history = History::new(&game);

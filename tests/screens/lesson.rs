@@ -2,6 +2,7 @@
 
 use crate::sitting::Sitting;
 use crate::support::shipped::{copy, names, project};
+use resultant::files::EXPERIMENTS;
 use resultant::screens::{Instrument, Key, Lab, Page};
 use resultant::view::theme;
 use std::fs;
@@ -38,12 +39,12 @@ pub fn predict(sitting: &mut Sitting, text: &str) {
 /// In an experiment as it opens, from the menu on.
 pub fn opened(name: &str) -> Sitting {
     let mut sitting = Sitting::with(|root| {
-        let from = project().join("experiments");
-        copy(&from.join(name), &root.join("experiments").join(name));
+        let from = project().join(EXPERIMENTS);
+        copy(&from.join(name), &root.join(EXPERIMENTS).join(name));
         let list = fs::read_to_string(from.join("experiments.csv")).unwrap();
         let row = format!("{name},");
         let wanted: Vec<&str> = list.lines().filter(|line| line.starts_with("folder") || line.starts_with(&row)).collect();
-        fs::write(root.join("experiments/experiments.csv"), wanted.join("\n")).unwrap();
+        fs::write(root.join(EXPERIMENTS).join("experiments.csv"), wanted.join("\n")).unwrap();
     });
     sitting.choose("Lab");
     while sitting.screen::<Lab>().page != Page::Experiments {

@@ -1,5 +1,6 @@
 //! The levels and experiments that ship, and the flights that are recorded with them; levels that stay as they are.
 
+use resultant::files::EXPERIMENTS;
 use resultant::game::Replay;
 use resultant::level::{self, Level};
 use std::collections::{BTreeMap, BTreeSet};
@@ -24,7 +25,7 @@ pub fn load(name: &str) -> Arc<Level> {
 }
 
 pub fn experiment(name: &str) -> Arc<Level> {
-    load_from(project(), "experiments", name)
+    load_from(project(), EXPERIMENTS, name)
 }
 
 fn load_from(root: &Path, of: &str, name: &str) -> Arc<Level> {
@@ -35,7 +36,7 @@ fn load_from(root: &Path, of: &str, name: &str) -> Arc<Level> {
 }
 
 pub fn experiments() -> Vec<String> {
-    let names = level::list(&project().join("experiments"));
+    let names = level::list(&project().join(EXPERIMENTS));
     assert!(names.len() >= 12, "{names:?}");
     names
 }

@@ -6,6 +6,7 @@ mod sheet;
 mod variations;
 
 use crate::support::shipped::project;
+use resultant::files;
 use resultant::game::{Controls, Game, TICK_RATE};
 use resultant::level::{self, Level};
 use resultant::physics::{Body, BodyId, DVec2, ForceKind, Impulse, Material};
@@ -369,7 +370,7 @@ fn every_suggested_change_does_what_its_sheet_says() {
 
 #[test]
 fn the_list_of_experiments_names_those_that_are_there() {
-    let root = project().join("experiments");
+    let root = project().join(files::EXPERIMENTS);
     let list = std::fs::read_to_string(root.join("experiments.csv")).unwrap();
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(list.as_bytes());
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();

@@ -2,6 +2,7 @@
 
 use super::{EXPERIMENTS, G, ropes, sheet};
 use crate::support::shipped::project;
+use resultant::files;
 use resultant::physics::Material;
 use std::collections::BTreeSet;
 
@@ -99,7 +100,7 @@ fn every_number_in_the_words_of_a_sheet_is_one_of_its_level_or_of_its_figures() 
     for (name, figures) in EXPERIMENTS {
         let (text, figures) = (sheet::text(name), figures());
         let lesson = sheet::lesson(&text);
-        let tables = std::fs::read_dir(project().join("experiments").join(name)).unwrap();
+        let tables = std::fs::read_dir(project().join(files::EXPERIMENTS).join(name)).unwrap();
         let mut known: Vec<f64> = Vec::new();
         let mut read = |text: &str| known.extend(numbers(text).iter().filter_map(|number| number.parse::<f64>().ok()));
         tables.for_each(|table| read(&std::fs::read_to_string(table.unwrap().path()).unwrap()));

@@ -1,6 +1,7 @@
 //! The texts of the sheets, `docs/lessons`: each suggested change, and a level with that change.
 
 use crate::support::shipped::project;
+use resultant::files::EXPERIMENTS;
 use resultant::level::{self, Files, Level};
 use sheets::Lesson;
 use std::collections::BTreeMap;
@@ -52,7 +53,7 @@ impl Files for Tables {
 
 /// An experiment with a sheet's change; without one where that is empty.
 pub fn level(name: &str, change: &str) -> Level {
-    let folder = project().join("experiments").join(name);
+    let folder = project().join(EXPERIMENTS).join(name);
     let files = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     let read = |path: PathBuf| {
         let file = path.file_name().unwrap().to_str().unwrap().to_owned();

@@ -11,6 +11,7 @@ use crate::support::shipped::{copy, project};
 use charts::scene;
 use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::draw::{Contour, Shape};
+use resultant::files::EXPERIMENTS;
 use resultant::lab::charts::Charts;
 use resultant::lab::drawing::plane::Plane;
 use resultant::lab::kept;
@@ -135,7 +136,7 @@ fn nothing_lies_on_anything_else_in_any_window() {
             sitting.assert_whole();
             let areas = sitting.areas();
             if page == Page::Experiments {
-                let listed = level::list(&project().join("experiments")).len();
+                let listed = level::list(&project().join(EXPERIMENTS)).len();
                 assert_eq!(areas.len(), PAGES.len() + 2 + listed, "{:?}", sitting.labels());
             }
             let apart = |a: &Area, b: &Area| a.max().cmple(b.min + 0.01).any() || b.max().cmple(a.min + 0.01).any();
@@ -173,7 +174,7 @@ fn a_region_of_stability_is_picked_out_by_key_and_by_its_line() {
 
 /// Those that come with the game.
 fn experiments(root: &Path) {
-    copy(&project().join("experiments"), &root.join("experiments"));
+    copy(&project().join(EXPERIMENTS), &root.join(EXPERIMENTS));
 }
 
 #[test]
