@@ -47,7 +47,6 @@ pub fn levels() -> Vec<String> {
     names
 }
 
-/// The flights of a shipped level, by their names.
 pub fn flights(name: &str) -> BTreeMap<String, Replay> {
     flights_from(project(), name)
 }
@@ -64,13 +63,11 @@ fn flights_from(root: &Path, name: &str) -> BTreeMap<String, Replay> {
     files.map(|entry| flight(entry.unwrap().path())).collect()
 }
 
-/// The names in a folder, in order.
 pub fn names(folder: &Path) -> Vec<String> {
     let names = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
     names.collect::<BTreeSet<_>>().into_iter().collect()
 }
 
-/// Copies a folder with all below it.
 pub fn copy(from: &Path, to: &Path) {
     std::fs::create_dir_all(to).unwrap();
     for entry in std::fs::read_dir(from).unwrap().map(Result::unwrap) {
@@ -84,7 +81,6 @@ pub fn copy_fixture(name: &str, root: &Path) {
     copy(&fixtures().join("levels").join(name), &root.join("levels").join(name));
 }
 
-/// A flight of a fixture by its name.
 pub fn record(level: &str, flight: &str) -> Replay {
     flights_from(&fixtures(), level).remove(flight).unwrap_or_else(|| panic!("level {level} has no flight {flight}"))
 }
