@@ -8,7 +8,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Folders of documents, from the project's.
 const DOCUMENTS: [&str; 4] = ["README.md", "CONTRIBUTING.md", "docs", "levels"];
 
 fn texts(path: &Path, found: &mut Vec<String>) {
@@ -73,7 +72,6 @@ fn every_printed_command_works_in_any_folder() {
         let data = ["--data", own.path().to_str().unwrap()];
         let levels = words.iter().any(|word| word.parse::<u32>().is_ok() || word.starts_with("levels/"));
         for more in [&[][..], &data] {
-            // The levels of a data folder are its own.
             if levels && !more.is_empty() {
                 continue;
             }
@@ -127,7 +125,6 @@ fn experiments_are_there_for_every_command() {
     fs::create_dir_all(data.path().join(EXPERIMENTS).join("hooke")).unwrap();
     let hidden = run(&["check", "experiments/hooke", "--data", &own]);
     assert_eq!(hidden.status, 1, "{hidden:?}");
-    // The levels of a data folder are its own.
     let levels = run(&["check", "1", "--data", &own]);
     assert!(levels.status == 2 && levels.err.contains("no level \"1\""), "{levels:?}");
 }

@@ -34,7 +34,6 @@ fn any_tick_of_a_recorded_flight_is_the_one_that_was_flown() {
             let tick = tick.min(last);
             assert_eq!((game.ticks(), game.hash()), (tick, flown[tick as usize]), "level {name}");
         }
-        // From any of them it goes on as it was flown, and ends in the same way.
         history.seek(&mut game, last / 2);
         replay.inputs.after(last / 2).for_each(|controls| game.step(controls));
         assert_eq!((game.hash(), game.outcome()), (replay.hash, Outcome::Completed));

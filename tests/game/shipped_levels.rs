@@ -19,7 +19,6 @@ const HUNT: f64 = 120.0;
 /// The adversary must find this: in the fixture 3 a ship that flies into the chamber stays there.
 const KNOWN: (&str, adversary::Kind) = ("Two winds", adversary::Kind::Trapped);
 
-/// Flies a level by a record; `each_tick` sees the game after every tick.
 fn fly(level: &Arc<Level>, replay: &Replay, mut each_tick: impl FnMut(&Game)) -> Game {
     let mut game = Game::new(Arc::clone(level)).unwrap();
     for controls in replay.inputs.clone() {

@@ -17,7 +17,6 @@ use syn::Lit;
 const CALLS: [&str; 9] =
     ["tr", "tr !", "ui . page", "ui . button", "ui . buttons", "ui . row", "ui . column", "ui . choice", "SaveError : : file"];
 
-/// The string literals of a source, without its documentation.
 fn literals(tokens: TokenStream) -> Vec<String> {
     let is_doc = |group: &Group| group.stream().into_iter().next().is_some_and(|first| first.to_string() == "doc");
     let of = |token| match token {
@@ -58,7 +57,6 @@ fn has_words(text: &str) -> bool {
     letters.split(' ').any(|word| word.chars().count() > 1)
 }
 
-/// The sources without their tests.
 fn sources() -> Vec<TokenStream> {
     let paths = files(&root().join("src"), &["rs"]).into_iter().filter(|path| !path.ends_with("tests.rs"));
     let texts = paths.map(|path| fs::read_to_string(path).unwrap());
@@ -121,12 +119,8 @@ fn every_text_stands_in_every_catalogue() {
     let columns = Kind::ALL.iter().flat_map(|kind| kind.schema().columns).chain(SETTINGS);
     wanted.extend(columns.map(|column| column.help.to_owned()));
     wanted.extend(ForceKind::ALL.iter().flat_map(|kind| [kind.shown().to_owned(), kind.does().to_owned()]));
-    wanted.extend(
-        Key::ALL
-            .iter()
-            .map(|key| key.label())
-            .filter(|label| label.len() > 3 && !label.starts_with("Num") && !label.starts_with("Pad")),
-    );
+    let named = |label: &String| label.len() > 3 && !label.starts_with("Num") && !label.starts_with("Pad");
+    wanted.extend(Key::ALL.iter().map(|key| key.label()).filter(named));
     for (language, rows) in catalogues() {
         let known: BTreeSet<String> = rows.iter().map(|(english, _)| english.clone()).collect();
         let missing: Vec<&String> = wanted.difference(&known).collect();

@@ -26,10 +26,8 @@ fn shown(level: &Level, view: &Viewport, frame: &Frame) -> Vec<(String, Area)> {
     let named = |name| move |bounds: &Aabb| (format!("{name} at {}", bounds.min * level.metre), on_canvas(bounds, view));
     let texts = level.texts.iter().map(|text| {
         let height = frame.text_height(nearest_size(view.length(text.size)));
-        (
-            text.text.clone(),
-            Area { min: view.point(text.position), size: Vec2::new(words_width(&text.text, height), LINE * height) },
-        )
+        let size = Vec2::new(words_width(&text.text, height), LINE * height);
+        (text.text.clone(), Area { min: view.point(text.position), size })
     });
     let objectives = level.objectives.iter().map(|objective| named("the goal")(&objective.bounds));
     let obstacles = level.obstacles.iter().map(named("the death box"));
@@ -68,7 +66,6 @@ fn key_box(game: &Game, index: usize) -> Aabb {
     game.world().body(BodyId(index as u32 + 1)).bounds()
 }
 
-/// Counts of all looks.
 #[derive(Debug, Default)]
 struct Seen {
     looks: usize,
@@ -128,9 +125,8 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
             if !physics().any(|i| level.objectives[i].fits(colour) && !game.met()[i]) {
                 continue;
             }
-            let done =
-                |i: usize| game.met()[i] && level.objectives[i].fits(colour) && key.touches(&level.objectives[i].bounds, 0.0);
-            if !physics().any(done) {
+            let met = |i: usize| game.met()[i] && level.objectives[i].fits(colour) && key.touches(&level.objectives[i].bounds, 0.0);
+            if !physics().any(met) {
                 ask(PointerTarget::Key(index), key);
             }
         }

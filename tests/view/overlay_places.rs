@@ -27,7 +27,6 @@ const LEAST: f32 = 12.0;
 /// The sizes of the forces in experiments that are pushed or carried, N.
 const USUAL: std::ops::RangeInclusive<f64> = 20.0..=75.0;
 
-/// Counts of all looks.
 #[derive(Debug, Default)]
 struct Seen {
     looks: usize,
@@ -40,7 +39,6 @@ struct Seen {
     usual: usize,
 }
 
-/// A game in a window.
 struct Onlooker {
     frame: Frame,
     details: Details,
@@ -221,7 +219,6 @@ fn through_every_experiment_nothing_is_covered() {
     let mut seen = Seen::default();
     for name in experiments() {
         let level = experiment(&name);
-        // As it opens, and with all in view told of.
         for focus in [Focus::fitted_on(BodyId(1)), Focus::fitted_on(BodyId(1)).on_nobody()] {
             let nobody = (0..(WATCHED * TICK_RATE) as usize).map(|_| Controls::default());
             watch(&level, &focus, nobody, &name, &mut seen);

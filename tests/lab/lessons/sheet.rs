@@ -8,7 +8,6 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::PathBuf;
 
-/// The text of an experiment's sheet.
 pub fn text(name: &str) -> String {
     let path = project().join("docs/lessons").join(format!("{name}.md"));
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
@@ -38,7 +37,6 @@ pub fn variations(text: &str) -> Vec<Variation<'_>> {
     found
 }
 
-/// A level's tables in memory.
 struct Tables(BTreeMap<String, String>);
 
 impl Files for Tables {
@@ -51,7 +49,6 @@ impl Files for Tables {
     }
 }
 
-/// An experiment with a sheet's change; without one where that is empty.
 pub fn level(name: &str, change: &str) -> Level {
     let folder = project().join(EXPERIMENTS).join(name);
     let files = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
